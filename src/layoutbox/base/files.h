@@ -1,0 +1,37 @@
+// Reading and writing files so that a stopped or full run leaves no half file.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "layoutbox/base/result.h"
+
+namespace layoutbox {
+
+// REQUIRES: max_bytes > 0. Errors: kIo (missing, a folder, no permission), kTooLarge.
+Result<std::string> read_file(const std::filesystem::path& path, std::size_t max_bytes = 256u << 20);
+
+// Writes under a temporary name beside `path`, syncs, renames. Errors: kIo, with the reason (no space, no permission); nothing is left.
+Status write_file(const std::filesystem::path& path, std::string_view bytes);
+
+// Makes the folder and those above it, and checks that a file can be written there.
+Status make_folder(const std::filesystem::path& path);
+
+// A new empty folder for temporary files, removed with everything in it when the value dies.
+class TemporaryFolder {
+ public:
+  static Result<TemporaryFolder> make(std::string_view prefix);
+  TemporaryFolder(TemporaryFolder&& other) noexcept;
+  TemporaryFolder& operator=(TemporaryFolder&& other) noexcept;
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  ~TemporaryFolder();
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  explicit TemporaryFolder(std::filesystem::path path) : path_(std::move(path)) {}
+  std::filesystem::path path_;
+};
+
+}  // namespace layoutbox

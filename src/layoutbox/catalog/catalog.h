@@ -1,0 +1,108 @@
+// What furniture is: kinds, sizes and their ranges, mounts, used sides, free spaces, shape families, and the words for them.
+// The data is catalog/*.json, checked against catalog/*.schema.json and embedded when the program is built.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "layoutbox/base/result.h"
+#include "layoutbox/scene/scene_graph.h"
+
+namespace layoutbox {
+
+// A length as a linear form of the object's size: w·width + d·depth + h·height + constant, in millimetres.
+// Written in the catalogue as a formula in metres: "w/2 - 0.02", "h*2/5".
+struct LinearFormula {
+  double w = 0, d = 0, h = 0, constant = 0;
+  double at(const Size& size) const { return w * size.width + d * size.depth + h * size.height + constant; }
+};
+
+// A free box within the object's box whose sides are formulas of its size (scene-format.md, `spaces`).
+struct SpaceFormula {
+  std::string name;
+  std::array<LinearFormula, 3> min, max;
+  bool carries = true;
+};
+
+// A size that goes with a word: "king" bed, "round" table, "two-seater" sofa.
+struct SizeVariant {
+  std::vector<std::string> words;
+  SizeRange size;
+};
+
+struct ShapeSpec {
+  std::string family;                        // "bed", "table", "chair"…: furnish/families
+  std::map<std::string, double> numbers;     // parameters of the family: "legs": 4, "drawers": 3
+  std::map<std::string, std::string> words;  // "top": "round", "material": "oak"
+};
+
+struct CatalogEntry {
+  std::string id;                        // "dining_table", the category in scenes and layouts
+  std::string name;                      // "dining table"
+  std::vector<std::string> synonyms;     // other words for exactly this kind; unique over the catalogue
+  std::string kind_of;                   // a more general entry's id, or empty ("bunk_bed" is a kind of "bed")
+  SizeRange size;
+  std::vector<SizeVariant> variants;
+  Mount mount = Mount::kFloor;
+  std::vector<Side> used_sides;
+  bool has_front = true;                 // false: a plant, a round table; sides are then the room's
+  bool back_to_wall = false;             // habit: beds, wardrobes, sofas, desks, shelves
+  bool thin = false;                     // rugs and mats: at most 30 mm high, collide with nothing
+  bool top_carries = false;              // things can stand on its top
+  std::map<Side, Mm> clearance;          // free floor wanted at a side (soft), in millimetres
+  Mm hang_height = 0;                    // wall: usual height of the underside; ceiling: length it hangs down is its height
+  std::vector<SpaceFormula> spaces;
+  std::vector<std::string> stands_on;    // surface mount: entry ids it usually stands on, best first
+  std::vector<std::string> faces;        // entry ids its front usually looks at (sofa: tv, coffee_table)
+  std::vector<std::string> beside;       // entry ids it usually stands by (nightstand: bed; desk_chair: desk)
+  std::vector<std::string> rooms;        // kinds of room it is usual in
+  ShapeSpec shape;
+  std::string source;                    // where the sizes come from
+};
+
+// The usual furniture and size of a kind of room.
+struct RoomKind {
+  std::string id, name;                  // "living_room", "living room"
+  std::vector<std::string> synonyms;
+  Size usual_size;                       // of an ordinary room of this kind
+  std::vector<std::pair<std::string, int>> usual;  // entry id and how many, most important first
+};
+
+class Catalog {
+ public:
+  // The embedded catalogue, read once. It is checked when the program is built, so it is always there.
+  static const Catalog& builtin();
+
+  // Reads a catalogue from JSON text in our own form; all errors at once.
+  static Result<Catalog> from_json(std::string_view entries_json, std::string_view rooms_json);
+
+  std::span<const CatalogEntry> entries() const { return entries_; }
+  std::span<const RoomKind> rooms() const { return rooms_; }
+
+  const CatalogEntry* find(std::string_view id) const;          // exactly that id
+  // By id, name, synonym or plural, case and separators apart; else by the longest known ending ("oak bookshelf" → bookshelf).
+  const CatalogEntry* find_by_words(std::string_view words) const;
+  const RoomKind* find_room(std::string_view words) const;
+  // True when `id` is `ancestor` or a kind of it.
+  bool is_a(std::string_view id, std::string_view ancestor) const;
+  // What an object of any category is: its entry, else the nearest entry, else the generic box ("object").
+  const CatalogEntry& entry_or_nearest(std::string_view category) const;
+
+ private:
+  std::vector<CatalogEntry> entries_;
+  std::vector<RoomKind> rooms_;
+  std::map<std::string, std::size_t, std::less<>> by_words_;
+  std::map<std::string, std::size_t, std::less<>> room_by_words_;
+};
+
+// The free spaces of an object: the scene's own where a file gave them, else the catalogue's formulas at that size.
+std::vector<Space> spaces_at(const CatalogEntry& entry, const Size& size);
+
+// "w/2 - 0.02" in metres → millimetres; error with the place in the text.
+Result<LinearFormula> parse_formula(std::string_view text, double index = 0);
+
+}  // namespace layoutbox

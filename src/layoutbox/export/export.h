@@ -1,0 +1,22 @@
+// Layout to other tools' files.
+#pragma once
+
+#include <string>
+
+#include "layoutbox/base/result.h"
+#include "layoutbox/furnish/model.h"
+#include "layoutbox/scene/layout.h"
+
+namespace layoutbox {
+
+// Binary glTF 2.0: y up, metres, a node per object named by its id, its category and relations in `extras`.
+Result<std::string> write_glb(const Model& model, const Layout& layout);
+
+struct FloorPlanOptions {
+  bool names = true, sizes = true, scale_bar = true;
+};
+
+// An SVG floor plan, seen from above, x to the right, y up the page.
+std::string write_floor_plan_svg(const Layout& layout, const FloorPlanOptions& options = {});
+
+}  // namespace layoutbox

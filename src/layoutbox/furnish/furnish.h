@@ -1,0 +1,24 @@
+// Layout to model: every object a recognisable piece of parametric furniture at exactly the size the solver chose.
+#pragma once
+
+#include <string>
+
+#include "layoutbox/base/result.h"
+#include "layoutbox/catalog/catalog.h"
+#include "layoutbox/furnish/model.h"
+#include "layoutbox/scene/layout.h"
+
+namespace layoutbox {
+
+struct FurnishOptions {
+  // Variation of details (colours, book spines); the same object always looks the same. DEFAULT: 1.
+  std::uint64_t seed = 1;
+};
+
+// The furnished room: floor, one node per wall with its real openings, ceiling, one node per opening, one per object.
+Result<Model> furnish(const Layout& layout, const Catalog& catalog, const FurnishOptions& options = {});
+
+// One object alone at the origin, rotation 0 (tests, contact sheets).
+Result<Model> furnish_object(const PlacedObject& object, const Catalog& catalog, const FurnishOptions& options = {});
+
+}  // namespace layoutbox

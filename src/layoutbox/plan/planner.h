@@ -1,0 +1,45 @@
+// Text to scene graph. Two implementations: plan/offline (no model, no network) and plan/llm (function calling).
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "layoutbox/base/result.h"
+#include "layoutbox/catalog/catalog.h"
+#include "layoutbox/scene/scene_graph.h"
+
+namespace layoutbox {
+
+struct PlanOptions {
+  // DEFAULT: 1. Only models use it; the offline planner has no randomness.
+  std::uint64_t seed = 1;
+  // Longest prompt that is read, in bytes. REQUIRES: > 0.
+  std::size_t max_prompt_bytes = 1'000'000;
+};
+
+// How one word of the prompt was read; `plan --explain` prints them.
+struct WordReading {
+  enum class Use { kUsed, kIgnored, kNotUnderstood };
+  std::size_t begin = 0, end = 0;  // byte places in the prompt
+  Use use = Use::kUsed;
+  std::string role;                // "object bed_1", "count of chair", "relation c3", "filler", …
+};
+
+struct Plan {
+  SceneGraph scene;                    // not yet normalised
+  std::vector<WordReading> readings;   // every word of the prompt once, in order (offline planner)
+};
+
+class Planner {
+ public:
+  virtual ~Planner() = default;
+  // Errors: kEmpty (nothing in the prompt), kTooLarge, kParse (not UTF-8); a model's own in part E.
+  virtual Result<Plan> plan(std::string_view prompt, const PlanOptions& options) const = 0;
+};
+
+// The catalogue must outlive the planner.
+std::unique_ptr<Planner> make_offline_planner(const Catalog& catalog);
+
+}  // namespace layoutbox

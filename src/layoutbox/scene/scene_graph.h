@@ -1,0 +1,170 @@
+// The scene graph: a room, the objects in it and the relations between them, before anything has a place.
+//
+// Frame: right-handed, z up. The origin is the floor's front-left inner corner; x runs to the right (east), y away from the
+// viewer (north). An object's front faces −y at rotation 0, its left is −x. Rotation is counter-clockwise about z, in degrees.
+// A scene that comes from a file or a planner may lack sizes, walls and openings; `normalize_scene` (catalog/) fills them and
+// lists what it filled. Every later stage REQUIRES a normalised scene.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "layoutbox/base/units.h"
+#include "layoutbox/scene/relation_table.h"
+
+namespace layoutbox {
+
+enum class Mount { kFloor, kWall, kCeiling, kSurface, kHung };
+enum class Side { kFront, kBack, kLeft, kRight, kTop, kBottom, kLong, kShort };
+enum class Axis { kX, kY, kZ };
+enum class OpeningType { kDoor, kWindow, kOpen };
+// Where a door's hinge is and which way it turns, seen from inside the room looking at the wall.
+enum class Swing { kInLeft, kInRight, kOutLeft, kOutRight, kSliding, kNone };
+enum class SizeSource { kUnknown, kCatalog, kInferred, kUser };
+
+struct Color {  // linear components are not meant here: sRGB, 0–1
+  double r = 0, g = 0, b = 0;
+  friend bool operator==(const Color&, const Color&) = default;
+};
+
+struct Material {
+  std::string id;
+  std::optional<Color> color;
+  std::string texture;               // image file, relative to the scene file; empty = none
+  std::optional<double> roughness;   // 0–1
+  std::array<double, 2> uv_scale{1, 1};
+};
+
+// A free box within an object's box, in the object's own frame: origin under the centre of its footprint, z up from its
+// underside; millimetres. Things stand on its floor unless `carries` is false (knee room, the room under a bed).
+struct Space {
+  std::string name;
+  std::array<double, 3> min{};
+  std::array<double, 3> max{};
+  bool carries = true;
+};
+
+struct Wall {
+  std::string id;
+  Point start, end;        // along the inner face, counter-clockwise round the room once normalised
+  Mm thickness = 100;
+  std::string material;    // a material's id or name, or empty
+  std::string mesh;
+};
+
+struct Opening {
+  std::string id;
+  OpeningType type = OpeningType::kDoor;
+  std::string wall;               // empty: any wall, the solver chooses
+  std::optional<Mm> offset;       // from the wall's start to the nearer edge; empty: the solver chooses
+  Mm width = 900, height = 2000, sill = 0;
+  Mm sill_depth = 200;            // windows: how deep a thing may be that stands on the sill
+  Swing swing = Swing::kInLeft;
+  bool assumed = false;           // nobody asked for it: a default of ours, first to be moved or narrowed
+};
+
+struct Room {
+  std::string type;               // "bedroom", "living_room"…, or empty
+  std::vector<Point> polygon;     // counter-clockwise, inner faces of the walls; empty before normalisation if unknown
+  Mm height = 0;                  // floor to ceiling; 0 before normalisation if unknown
+  std::vector<Wall> walls;        // one per polygon edge, in its order, once normalised
+  std::vector<Opening> openings;
+  std::string floor_material, wall_material;
+  // What the text said where no exact size was given; read by normalize_scene.
+  std::optional<double> area_m2;
+  std::string size_word;          // "small", "large", "spacious"… or empty
+  std::string shape;              // "L", "T", "U", "round" or empty (rectangle)
+};
+
+// Between which sizes the solver may choose; equal ends where the size is given. `usual` is preferred.
+struct SizeRange {
+  Size least, usual, greatest;
+  friend bool operator==(const SizeRange&, const SizeRange&) = default;
+};
+
+// Where a model, a file or an earlier layout had an object. A hint, unless the object is fixed.
+struct PoseHint {
+  std::optional<std::array<double, 3>> position;  // mm; x, y: centre of the footprint, z: underside
+  std::optional<double> rotation_deg;
+};
+
+struct SceneObject {
+  std::string id;
+  std::string category;                  // a catalogue entry's id where there is one, else the head noun in snake_case
+  std::string name;                      // the words of the prompt: "queen bed"
+  std::string catalog_id;                // the user's own article number, or empty
+  std::vector<std::string> attributes;   // "blue", "wooden", "large"
+  std::optional<SizeRange> size;         // always set once normalised
+  SizeSource size_source = SizeSource::kUnknown;
+  std::optional<Mount> mount;            // always set once normalised
+  std::optional<std::vector<Side>> used_sides;  // normalised; empty vector: none
+  std::vector<Space> spaces;             // only where a file gave them; else the catalogue's formulas hold (catalog/spaces.h)
+  bool spaces_given = false;
+  PoseHint hint;
+  bool fixed = false;                    // stays at `hint` exactly (columns, built-ins, locked parts of an earlier layout)
+  std::array<double, 3> scale{1, 1, 1};
+  std::string mesh, mesh_front, material;
+  std::vector<std::string> tags;
+  bool assumed = false;                  // not asked for by name (the usual furniture of a room)
+};
+
+// Parameters of a relation; which of them a type reads stands in the relation table. Absent = the table's default.
+struct RelationParameters {
+  std::optional<Axis> axis;
+  std::optional<Mm> distance, min, max, gap, depth, width, height;
+  std::optional<Side> side;
+  std::string part;     // "center", "left", "right", "front", "back", "corner", "left front corner", a space's name…
+  std::string edge;     // "center", "left", "right", "front", "back", "min", "max"
+  std::string region;   // "left", "right", "front", "back", "middle"
+  std::optional<int> columns;
+};
+
+struct Relation {
+  std::string id;
+  RelationType type = RelationType::kInside;
+  std::vector<std::string> targets;      // object ids; targets[0] is who is placed
+  std::vector<std::string> references;   // JSON relativeTo: ids of objects, walls, openings; "room", "floor", "ceiling"
+  RelationParameters parameters;
+  bool hard = true;
+  int weight = 100;                      // of a soft relation, or the price of giving up a hard one
+  std::string why;                       // the words of the prompt it came from, or the rule that assumed it
+  bool assumed = false;                  // added by us, not asked for
+};
+
+// Something that was read in another way than written, filled in, or not understood; for run.json and stderr.
+struct Note {
+  std::string code;      // "filled", "converted", "guessed", "ignored", "not-understood", "contradiction"…
+  std::string message;   // one sentence
+  std::string pointer;   // JSON pointer or "prompt:12-18" (character places), or empty
+};
+
+struct SceneGraph {
+  std::string prompt, name, project_id;
+  Room room;
+  std::vector<SceneObject> objects;
+  std::vector<Relation> relations;
+  std::vector<Material> materials;
+  std::vector<Note> notes;
+
+  const SceneObject* find_object(std::string_view id) const;
+  const Opening* find_opening(std::string_view id) const;
+  // By id, or by the words front, right, back, left (also south, east, north, west); without regard to case and underscores.
+  const Wall* find_wall(std::string_view id_or_word) const;
+};
+
+// Names as they stand in JSON ("floor", "in-left", "catalog"…), and back (empty where there is no such name).
+std::string_view name_of(Mount mount);
+std::string_view name_of(Side side);
+std::string_view name_of(Axis axis);
+std::string_view name_of(OpeningType type);
+std::string_view name_of(Swing swing);
+std::string_view name_of(SizeSource source);
+std::optional<Mount> mount_from_name(std::string_view name);
+std::optional<Side> side_from_name(std::string_view name);
+std::optional<Axis> axis_from_name(std::string_view name);
+std::optional<OpeningType> opening_type_from_name(std::string_view name);
+std::optional<Swing> swing_from_name(std::string_view name);
+
+}  // namespace layoutbox

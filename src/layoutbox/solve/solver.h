@@ -1,0 +1,42 @@
+// Scene graph to layout: exact positions for everything, every hard relation held, nothing overlapping; or the reason why not.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+
+#include "layoutbox/base/result.h"
+#include "layoutbox/catalog/catalog.h"
+#include "layoutbox/scene/layout.h"
+#include "layoutbox/scene/scene_graph.h"
+
+namespace layoutbox {
+
+// What to do when the hard relations cannot all hold. Objects never overlap, save in kOriginal, which says so.
+enum class OnConflict {
+  kFail,      // an Error (kInfeasible) whose details are the conflicts
+  kRelax,     // give up the least that matters, each listed with how much
+  kOriginal,  // the paper's fallback: the scene's own positions, (1.0 m, 1.0 m) where there are none
+};
+
+struct SolveOptions {
+  // Which of the good layouts: the same seed gives the same bytes. DEFAULT: 1.
+  std::uint64_t seed = 1;
+  // Work in deterministic units (about a millisecond each on a 2020s core). REQUIRES: > 0. DEFAULT: 100.
+  std::int64_t effort = 100;
+  // Wall-clock safety net in seconds; when it steps in, stats.stopped_by_clock is set. REQUIRES: > 0. DEFAULT: 30.
+  double time_limit_s = 30;
+  OnConflict on_conflict = OnConflict::kRelax;
+  // Improve the soft score after the first legal layout. DEFAULT: true.
+  bool improve = true;
+  // Set by another thread to stop; the best layout so far is returned if there is one, else Error kInterrupted. May be null.
+  const std::atomic<bool>* stop = nullptr;
+};
+
+// REQUIRES: a normalised scene (catalog/normalize.h).
+// Errors: kInfeasible (with conflicts as details), kNotFound (limits reached without layout or proof), kNoSolver, kInterrupted.
+Result<Layout> solve(const SceneGraph& scene, const Catalog& catalog, const SolveOptions& options = {});
+
+// Is the CP-SAT library there and of the right version? A sentence with its path and version, or the reason why not (kNoSolver).
+Result<std::string> describe_cp_sat_library();
+
+}  // namespace layoutbox
