@@ -22,16 +22,33 @@ struct Mesh {
   std::vector<std::uint32_t> indices;
 };
 
-// A physically based surface. `texture` names a procedure ("wood", "fabric", "tiles"…) that render and export both make from the same
-// parameters, or is empty for a plain colour.
+// A physically based surface. `texture` names a procedure that render and export both make from the same parameters; empty is a plain
+// colour. Pattern coordinates are the mesh's uvs (metres); grain, planks and brushing run along u. The procedures, where `base` is the
+// first colour and `second` the other one:
+//   wood      fine grain along u: base with streaks of second; `scale` = metres between growth rings across the grain
+//   planks    floor boards along u, `scale` long and scale/8 wide, joints staggered and of second, each board a shade of base, wood grain
+//   parquet   herringbone of blocks `scale` long and scale/5 wide, shades of base, joints of second
+//   tiles     square tiles of edge `scale`, joints of second 1/80 of it wide
+//   checker   square tiles of edge `scale`, by turns base and second
+//   bricks    bricks `scale` long and scale/3 high in running bond, joints of second
+//   marble    base with thin turbulent veins of second about `scale` apart
+//   terrazzo  base with small chips of second and darker ones about `scale` in size
+//   concrete  base with soft clouds of second about `scale` in size
+//   plaster   the same, hardly visible (a tenth of the contrast)
+//   fabric    fine weave of threads `scale` thick, base and second
+//   carpet    noise of base and second at `scale`, rough
+//   leather   base with pores and creases of second about `scale` in size
+//   wicker    basket weave of strips `scale` wide, base and second
+//   stripes   bands across u, each `scale` wide, by turns base and second
+//   brushed   metal with fine lines of second along u
 struct Surface {
-  std::string name;
-  Color base;
+  std::string name;      // unique in a model: "oak", "linen_5a8bbf"
+  Color base;            // sRGB, 0–1
   float roughness = 0.7f, metallic = 0, alpha = 1, emission = 0;  // emission: strength of light of the base colour
-  std::string texture;
+  std::string texture;   // one of the above, or empty
   Color second;          // the texture's other colour (grain, joints)
-  float scale = 1;       // metres per repeat
-  std::string image;     // a user's own image file, or empty
+  float scale = 1;       // metres, as said above
+  std::string image;     // a user's own image file, or empty; it is laid over the uvs, `scale` metres per repeat
 };
 
 struct Part {
