@@ -1,0 +1,135 @@
+#include "layoutbox/cli/console.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+namespace layoutbox::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::atomic<bool> stop_requested{false};
+static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler sets it");
+
+void on_signal(int) { stop_requested.store(true); }
+
+void print_line(std::FILE* stream, std::string_view line) {
+  std::fwrite(line.data(), 1, line.size(), stream);
+  std::fputc('\n', stream);
+  std::fflush(stream);
+}
+
+Json object_of(const Error& error) {
+  Json json{{"code", error_code_name(error.code)}, {"message", error.message}, {"pointer", error.pointer}, {"hint", error.hint}};
+  for (const Error& detail : error.details) json["details"].push_back(object_of(detail));
+  return json;
+}
+
+std::string time_text(double seconds) {
+  return seconds < 1 ? fmt::format("{:.1f} ms", seconds * 1000) : fmt::format("{:.1f} s", seconds);
+}
+
+std::string sentence_of(const Error& error) {
+  std::string text = error.message;
+  if (!error.pointer.empty()) text = fmt::format("{}: {}", error.pointer, text);
+  if (!error.hint.empty()) text += fmt::format(" ({})", error.hint);
+  return text;
+}
+
+}  // namespace
+
+std::string json_of(const Error& error) { return object_of(error).dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+int exit_status(const Error& error) {
+  switch (error.code) {
+    case ErrorCode::kUsage:
+    case ErrorCode::kParse:
+    case ErrorCode::kSchema:
+    case ErrorCode::kReference:
+    case ErrorCode::kGeometry:
+    case ErrorCode::kEmpty:
+    case ErrorCode::kTooLarge: return kWrongInput;
+    case ErrorCode::kInfeasible:
+    case ErrorCode::kNotFound:
+    case ErrorCode::kCheckFailed: return kNotAsAsked;
+    case ErrorCode::kInterrupted: return kStoppedByUser;
+    case ErrorCode::kNoBlender:
+    case ErrorCode::kRenderFailed:
+    case ErrorCode::kNoSolver:
+    case ErrorCode::kIo:
+    case ErrorCode::kNetwork:
+    case ErrorCode::kInternal: return kWrongSurroundings;
+  }
+  return kWrongSurroundings;
+}
+
+void Console::say(std::string_view line) const {
+  if (!quiet) print_line(stderr, line);
+}
+
+void Console::warn(std::string_view line) const { print_line(stderr, fmt::format("layoutbox: warning: {}", line)); }
+
+void Console::result(std::string_view text, std::string_view json_text) const {
+  const std::string_view chosen = json ? json_text : text;
+  if (!chosen.empty()) print_line(stdout, chosen);
+}
+
+void Console::stage(const StageTime& stage) const {
+  say(fmt::format("{:<8}{:>9}  {}", stage.stage, time_text(stage.seconds), stage.summary));
+}
+
+void Console::notes(const std::vector<Note>& notes) const {
+  std::vector<std::string> not_understood;
+  for (const Note& note : notes) {
+    const std::string line = note.pointer.empty() ? note.message : fmt::format("{} [{}]", note.message, note.pointer);
+    if (note.code == "not-understood" || note.code == "contradiction" || note.code == "warning") {
+      warn(line);
+    } else if (verbosity > 0) {
+      say(fmt::format("note: {}", line));
+    }
+  }
+}
+
+int Console::fail(const Error& error) const {
+  if (json) print_line(stdout, json_of(error));
+  print_line(stderr, fmt::format("layoutbox: {}", sentence_of(error)));
+  for (const Error& detail : error.details) print_line(stderr, fmt::format("  {}", sentence_of(detail)));
+  return exit_status(error);
+}
+
+void Console::progress(std::string_view what, double share) const {
+  if (quiet) return;
+  const int percent = static_cast<int>(std::clamp(share, 0.0, 1.0) * 100);
+  if (::isatty(STDERR_FILENO) == 1) {
+    constexpr int kCells = 30;
+    const int full = percent * kCells / 100;
+    fmt::print(stderr, "\r{:<8}[{}{}] {:>3} %{}", what, std::string(static_cast<std::size_t>(full), '#'),
+               std::string(static_cast<std::size_t>(kCells - full), '.'), percent, percent == 100 ? "\r\033[K" : "");
+    std::fflush(stderr);
+    return;
+  }
+  static int last = -25;
+  if (percent < last) last = -25;
+  if (percent < last + 25 && percent != 100) return;
+  last = percent;
+  print_line(stderr, fmt::format("{:<8}{:>7} %", what, percent));
+}
+
+const std::atomic<bool>& stop_flag() { return stop_requested; }
+
+void install_signal_handlers() {
+  struct sigaction action {};
+  action.sa_handler = on_signal;
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+  struct sigaction ignore {};
+  ignore.sa_handler = SIG_IGN;
+  sigaction(SIGPIPE, &ignore, nullptr);
+}
+
+}  // namespace layoutbox::cli

@@ -1,0 +1,125 @@
+#include <fmt/format.h>
+
+#include <cctype>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "layoutbox/cli/commands.h"
+#include "layoutbox/cli/inputs.h"
+
+namespace layoutbox::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Flags {
+  std::string prompt, folder;
+  bool no_render = false;
+  PlanFlags plan;
+  SolveFlags solve;
+  RenderFlags render;
+  GenerateOptions options;
+};
+
+// "out/design-a-bedroom-4-3fa2": the first words, and four digits that tell prompts with the same beginning apart.
+std::string default_folder(std::string_view prompt) {
+  std::string slug;
+  int words = 0;
+  std::uint32_t hash = 2166136261u;  // FNV-1a
+  for (const char c : prompt) {
+    hash = (hash ^ static_cast<unsigned char>(c)) * 16777619u;
+    const bool plain = std::isalnum(static_cast<unsigned char>(c)) != 0 && static_cast<unsigned char>(c) < 128;
+    if (words >= 4 || slug.size() > 40) continue;
+    if (plain) {
+      slug += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    } else if (!slug.empty() && slug.back() != '-') {
+      slug += '-';
+      ++words;
+    }
+  }
+  while (!slug.empty() && slug.back() == '-') slug.pop_back();
+  return fmt::format("out/{}{}{:04x}", slug, slug.empty() ? "" : "-", hash & 0xffffu);
+}
+
+std::string result_json(const GenerateOutcome& outcome, const std::string& folder) {
+  Json json{{"asAsked", as_asked(outcome)},
+            {"status", name_of(outcome.layout.status)},
+            {"folder", folder},
+            {"files", outcome.files},
+            {"objects", outcome.layout.objects.size()},
+            {"relations", outcome.layout.relations.size()},
+            {"passed", outcome.report.passed},
+            {"metrics", outcome.report.metrics}};
+  json["relaxed"] = Json::array();
+  for (const Relaxation& relaxation : outcome.layout.relaxed) {
+    json["relaxed"].push_back({{"relation", relaxation.relation}, {"by", relaxation.by}, {"unit", relaxation.unit}, {"why", relaxation.why}});
+  }
+  json["conflicts"] = Json::array();
+  for (const Conflict& conflict : outcome.layout.conflicts) json["conflicts"].push_back(conflict.sentence);
+  json["stages"] = Json::array();
+  for (const StageTime& stage : outcome.stages) json["stages"].push_back({{"stage", stage.stage}, {"seconds", stage.seconds}});
+  if (outcome.picture_error) json["error"] = Json::parse(json_of(*outcome.picture_error));
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+// What was asked and could not be had, for a person.
+void say_what_was_given_up(const Console& console, const GenerateOutcome& outcome) {
+  for (const Conflict& conflict : outcome.layout.conflicts) console.warn("cannot all hold: " + conflict.sentence);
+  for (const Relaxation& relaxation : outcome.layout.relaxed) {
+    const std::string by = relaxation.unit.empty() ? "" : fmt::format(" (missed by {:.2f} {})", relaxation.by, relaxation.unit);
+    console.warn(fmt::format("given up: {}{}", relaxation.why.empty() ? relaxation.relation : relaxation.why, by));
+  }
+  for (const Check& check : outcome.report.checks) {
+    if (check.required && !check.passed) console.warn(fmt::format("check failed: {}", check.message));
+  }
+}
+
+Status prepare(Flags& flags, const Console& console) {
+  LAYOUTBOX_CHECK(flags.plan.apply(flags.options));
+  LAYOUTBOX_CHECK(flags.solve.apply(flags.options.solve));
+  LAYOUTBOX_CHECK(flags.render.apply(flags.options.render));
+  flags.options.pictures = !flags.no_render;
+  flags.options.stop = &stop_flag();
+  flags.options.on_stage = [&console](const StageTime& stage) { console.stage(stage); };
+  flags.options.render.progress = [&console](double share) { console.progress("render", share); };
+  return {};
+}
+
+int run(Flags& flags, const Console& console) {
+  if (const Status ready = prepare(flags, console); !ready) return console.fail(ready.error());
+  const auto prompt = read_prompt(flags.prompt);
+  if (!prompt) return console.fail(prompt.error());
+  if (flags.folder.empty()) flags.folder = default_folder(*prompt);
+
+  const auto planner = make_offline_planner(Catalog::builtin());
+  const auto outcome = generate(*prompt, *planner, Catalog::builtin(), flags.folder, flags.options);
+  if (!outcome) return console.fail(outcome.error());
+
+  console.notes(outcome->scene.notes);
+  say_what_was_given_up(console, *outcome);
+  std::string files;
+  for (const std::string& file : outcome->files) files += (files.empty() ? "" : " ") + file;
+  console.result(fmt::format("{}: {}", flags.folder, files), result_json(*outcome, flags.folder));
+  if (outcome->picture_error) {
+    Console without_json = console;
+    without_json.json = false;  // the result above already holds it
+    return without_json.fail(*outcome->picture_error);
+  }
+  return as_asked(*outcome) ? kDone : kNotAsAsked;
+}
+
+}  // namespace
+
+void add_generate(CLI::App& app, Context& context) {
+  auto flags = std::make_shared<Flags>();
+  CLI::App* command = app.add_subcommand("generate", "Text to a furnished room: scene, layout, floor plan, 3D files, picture, report");
+  command->add_option("prompt", flags->prompt, "What the room is like, in English; - reads it from stdin")->required();
+  command->add_option("-o,--output", flags->folder, "Folder for the files (default: out/ and the first words of the prompt)");
+  command->add_flag("--no-render", flags->no_render, "Make no picture: no Blender is needed");
+  flags->plan.add_to(*command);
+  flags->solve.add_to(*command, flags->options.solve);
+  flags->render.add_to(*command);
+  command->callback([flags, &context] { context.status = run(*flags, context.console); });
+}
+
+}  // namespace layoutbox::cli

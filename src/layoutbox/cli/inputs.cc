@@ -1,0 +1,137 @@
+#include "layoutbox/cli/inputs.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cstdio>
+#include <iostream>
+#include <iterator>
+
+#include "layoutbox/base/files.h"
+#include "layoutbox/catalog/room_size.h"
+#include "layoutbox/cli/console.h"
+#include "layoutbox/scene/scene_json.h"
+
+namespace layoutbox::cli {
+namespace {
+
+constexpr std::size_t kMaxInputBytes = 64u << 20;
+
+Result<std::string> read_stdin() {
+  std::string text;
+  char buffer[1 << 16];
+  while (const std::size_t count = std::fread(buffer, 1, sizeof buffer, stdin)) {
+    text.append(buffer, count);
+    if (text.size() > kMaxInputBytes) return layoutbox::fail(ErrorCode::kTooLarge, "stdin holds more than 64 MB");
+  }
+  return text;
+}
+
+// Prefixes an error of a document with the file it is in.
+Error in_file(Error error, const std::string& path) {
+  error.pointer = error.pointer.empty() ? path : fmt::format("{}{}{}", path, error.pointer.starts_with('/') ? "#" : " ", error.pointer);
+  return error;
+}
+
+template <class T>
+Result<T> located(Result<T> result, const std::string& path) {
+  if (result) return result;
+  return Failure(in_file(std::move(result).error(), path));
+}
+
+}  // namespace
+
+void PlanFlags::add_to(CLI::App& command) {
+  command.add_option("--planner", planner, "How text is understood: offline (no model, no network)")->capture_default_str();
+  command.add_option("--room", room, "Size of the room, width x depth x height: 4x3.2x3");
+  command.add_option("--units", units, "Units of --room and of files that name none: m, cm, mm, ft, in");
+}
+
+Status PlanFlags::apply(GenerateOptions& options) const {
+  if (planner != "offline") {
+    return layoutbox::fail(ErrorCode::kUsage, fmt::format("there is no planner '{}'", planner), "--planner", "use offline");
+  }
+  if (!room.empty()) {
+    LAYOUTBOX_ASSIGN(options.normalize.room_size, parse_room_size(room, units));
+  }
+  return {};
+}
+
+void SolveFlags::add_to(CLI::App& command, SolveOptions& options) {
+  command.add_option("--seed", options.seed, "Which of the good layouts; the same seed gives the same bytes")->capture_default_str();
+  command.add_option("--effort", options.effort, "Deterministic work units of the solver")->capture_default_str()->check(CLI::Range(1, 10'000'000));
+  command.add_option("--time-limit", options.time_limit_s, "Seconds after which the solver stops at the latest")
+      ->capture_default_str()
+      ->check(CLI::Range(0.001, 86400.0));
+  command.add_option("--on-conflict", on_conflict, "When not everything can hold: relax (default), original, fail");
+}
+
+Status SolveFlags::apply(SolveOptions& options) const {
+  if (on_conflict.empty() || on_conflict == "relax") {
+    options.on_conflict = OnConflict::kRelax;
+  } else if (on_conflict == "fail") {
+    options.on_conflict = OnConflict::kFail;
+  } else if (on_conflict == "original") {
+    options.on_conflict = OnConflict::kOriginal;
+  } else if (on_conflict == "repair") {
+    return layoutbox::fail(ErrorCode::kUsage, "repair asks a language model, and the offline planner is none", "--on-conflict",
+                           "use relax, original or fail");
+  } else {
+    return layoutbox::fail(ErrorCode::kUsage, fmt::format("'{}' is not a way to meet a conflict", on_conflict), "--on-conflict",
+                           "use relax, original or fail");
+  }
+  options.stop = &stop_flag();
+  return {};
+}
+
+void RenderFlags::add_to(CLI::App& command) {
+  command.add_option("--quality", quality, "draft, preview or final")->capture_default_str();
+  command.add_option("--size", size, "Width x height of the picture in pixels")->capture_default_str();
+}
+
+Status RenderFlags::apply(RenderOptions& options) const {
+  if (quality == "draft") {
+    options.quality = Quality::kDraft;
+  } else if (quality == "preview") {
+    options.quality = Quality::kPreview;
+  } else if (quality == "final") {
+    options.quality = Quality::kFinal;
+  } else {
+    return layoutbox::fail(ErrorCode::kUsage, fmt::format("there is no quality '{}'", quality), "--quality", "use draft, preview or final");
+  }
+  const char* const end = size.data() + size.size();
+  const auto width = std::from_chars(size.data(), end, options.width);
+  const bool has_x = width.ptr != end && (*width.ptr == 'x' || *width.ptr == 'X');
+  const auto height = has_x ? std::from_chars(width.ptr + 1, end, options.height) : width;
+  const bool in_range = options.width >= 16 && options.width <= 16384 && options.height >= 16 && options.height <= 16384;
+  if (!has_x || height.ec != std::errc{} || height.ptr != end || !in_range) {
+    return layoutbox::fail(ErrorCode::kUsage, fmt::format("'{}' is not a size of a picture", size), "--size",
+                           "write it as 1920x1080, each side from 16 to 16384");
+  }
+  options.stop = &stop_flag();
+  return {};
+}
+
+Result<std::string> read_prompt(const std::string& argument) { return argument == "-" ? read_stdin() : Result<std::string>(argument); }
+
+Result<std::string> read_input(const std::string& path) { return path == "-" ? read_stdin() : read_file(path, kMaxInputBytes); }
+
+Result<Layout> read_layout_file(const std::string& path) {
+  LAYOUTBOX_ASSIGN(const std::string text, read_input(path));
+  return located(read_layout(text), path);
+}
+
+Result<SceneGraph> read_scene_file(const std::string& path, const std::string& units) {
+  LAYOUTBOX_ASSIGN(const std::string text, read_input(path));
+  return located(read_scene(text, units), path);
+}
+
+Status write_output(const std::string& path, std::string_view bytes) {
+  if (!path.empty() && path != "-") return write_file(path, bytes);
+  if (std::fwrite(bytes.data(), 1, bytes.size(), stdout) != bytes.size() || std::fflush(stdout) != 0) {
+    return layoutbox::fail(ErrorCode::kIo, "cannot write to stdout");
+  }
+  return {};
+}
+
+}  // namespace layoutbox::cli

@@ -1,0 +1,52 @@
+#include <array>
+#include <string>
+
+#include "layoutbox/cli/commands.h"
+
+namespace layoutbox::cli {
+namespace {
+
+void add_common_options(CLI::App& app, Console& console) {
+  app.add_flag("--json", console.json, "Machine-readable result on stdout, nothing else there");
+  app.add_flag("-q,--quiet", console.quiet, "Say only what went wrong");
+  app.add_flag("-v,--verbose", console.verbosity, "Say more: what was filled in or assumed");
+}
+
+// --json must hold for errors of the command line itself, which end parsing before the flag is read.
+bool asks_for_json(int count, char** arguments) {
+  for (int i = 1; i < count; ++i) {
+    const std::string_view argument = arguments[i];
+    if (argument == "--") return false;
+    if (argument == "--json") return true;
+  }
+  return false;
+}
+
+int run(int count, char** arguments) {
+  CLI::App app{"Layout-in-a-Box: text in, furnished and checked 3D room out", "layoutbox"};
+  app.set_version_flag("--version", std::string(program_version()));
+  app.require_subcommand(1);
+  app.fallthrough();
+  Context context;
+  add_common_options(app, context.console);
+  for (const auto add : {add_generate, add_plan, add_solve, add_render, add_export, add_verify, add_validate, add_catalog, add_doctor}) {
+    add(app, context);
+  }
+  try {
+    app.parse(count, arguments);
+  } catch (const CLI::Success& success) {  // --help, --version
+    return app.exit(success);
+  } catch (const CLI::ParseError& error) {
+    context.console.json = asks_for_json(count, arguments);
+    return context.console.fail({ErrorCode::kUsage, error.what(), {}, "layoutbox --help lists the commands, layoutbox COMMAND --help its options", {}});
+  }
+  return context.status;
+}
+
+}  // namespace
+}  // namespace layoutbox::cli
+
+int main(int count, char** arguments) {
+  layoutbox::cli::install_signal_handlers();
+  return layoutbox::cli::run(count, arguments);
+}

@@ -1,0 +1,78 @@
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "layoutbox/cli/commands.h"
+#include "layoutbox/cli/inputs.h"
+#include "layoutbox/scene/scene_json.h"
+
+namespace layoutbox::cli {
+namespace {
+
+struct Flags {
+  std::string prompt, output;
+  bool explain = false;
+  PlanFlags plan;
+  GenerateOptions options;
+};
+
+std::string_view mark_of(WordReading::Use use) {
+  switch (use) {
+    case WordReading::Use::kUsed: return "used";
+    case WordReading::Use::kIgnored: return "ignored";
+    case WordReading::Use::kNotUnderstood: return "NOT UNDERSTOOD";
+  }
+  return "";
+}
+
+// How every word was read, then the objects and relations they led to.
+std::string explanation(std::string_view prompt, const Plan& plan) {
+  std::string text;
+  for (const WordReading& reading : plan.readings) {
+    text += fmt::format("{:<24} {:<15} {}\n", prompt.substr(reading.begin, reading.end - reading.begin), mark_of(reading.use), reading.role);
+  }
+  text += "\nobjects\n";
+  for (const SceneObject& object : plan.scene.objects) {
+    std::string attributes;
+    for (const std::string& attribute : object.attributes) attributes += (attributes.empty() ? "" : ", ") + attribute;
+    text += fmt::format("  {:<22} {:<20} {}{}\n", object.id, object.category, attributes, object.assumed ? " (assumed)" : "");
+  }
+  text += "\nrelations\n";
+  for (const Relation& relation : plan.scene.relations) {
+    text += fmt::format("  {:<6} {:<16} {} → {}  {}“{}”\n", relation.id, relation_row(relation.type).name, fmt::join(relation.targets, ", "),
+                        fmt::join(relation.references, ", "), relation.hard ? "" : "soft ", relation.why);
+  }
+  return text;
+}
+
+int run(Flags& flags, const Console& console) {
+  if (const Status ready = flags.plan.apply(flags.options); !ready) return console.fail(ready.error());
+  const auto prompt = read_prompt(flags.prompt);
+  if (!prompt) return console.fail(prompt.error());
+  const auto planner = make_offline_planner(Catalog::builtin());
+  const auto plan = planner->plan(*prompt, flags.options.plan);
+  if (!plan) return console.fail(plan.error());
+  const auto scene = normalize_scene(plan->scene, Catalog::builtin(), flags.options.normalize);
+  if (!scene) return console.fail(scene.error());
+  console.notes(scene->notes);
+  if (flags.explain && !console.json) {
+    if (const Status written = write_output("-", explanation(*prompt, *plan)); !written) return console.fail(written.error());
+    if (flags.output.empty()) return kDone;
+  }
+  const Status written = write_output(flags.output, write_scene(*scene));
+  return written ? kDone : console.fail(written.error());
+}
+
+}  // namespace
+
+void add_plan(CLI::App& app, Context& context) {
+  auto flags = std::make_shared<Flags>();
+  CLI::App* command = app.add_subcommand("plan", "Text to scene graph");
+  command->add_option("prompt", flags->prompt, "What the room is like, in English; - reads it from stdin")->required();
+  command->add_option("-o,--output", flags->output, "The scene file (default: stdout)");
+  command->add_flag("--explain", flags->explain, "Show how each word was read");
+  flags->plan.add_to(*command);
+  command->callback([flags, &context] { context.status = run(*flags, context.console); });
+}
+
+}  // namespace layoutbox::cli

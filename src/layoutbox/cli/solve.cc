@@ -1,0 +1,56 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "layoutbox/cli/commands.h"
+#include "layoutbox/cli/inputs.h"
+#include "layoutbox/scene/scene_json.h"
+
+namespace layoutbox::cli {
+namespace {
+
+struct Flags {
+  std::string scene, output;
+  PlanFlags plan;
+  SolveFlags solve;
+  GenerateOptions options;
+};
+
+Status prepare(Flags& flags) {
+  LAYOUTBOX_CHECK(flags.plan.apply(flags.options));
+  return flags.solve.apply(flags.options.solve);
+}
+
+int run(Flags& flags, const Console& console) {
+  if (const Status ready = prepare(flags); !ready) return console.fail(ready.error());
+  auto scene = read_scene_file(flags.scene, flags.plan.units);
+  if (!scene) return console.fail(scene.error());
+  const auto normalized = normalize_scene(*std::move(scene), Catalog::builtin(), flags.options.normalize);
+  if (!normalized) return console.fail(normalized.error());
+  console.notes(normalized->notes);
+  const auto layout = solve(*normalized, Catalog::builtin(), flags.options.solve);
+  if (!layout) return console.fail(layout.error());
+  const auto held = std::count_if(layout->relations.begin(), layout->relations.end(), [](const auto& r) { return r.held; });
+  console.stage({"solve", layout->stats.seconds,
+                 fmt::format("{} of {} relations held, {} given up ({})", held, layout->relations.size(), layout->relaxed.size(), layout->stats.solver)});
+  for (const Conflict& conflict : layout->conflicts) console.warn("cannot all hold: " + conflict.sentence);
+  for (const Relaxation& relaxation : layout->relaxed) console.warn("given up: " + (relaxation.why.empty() ? relaxation.relation : relaxation.why));
+  const Status written = write_output(flags.output, write_layout(*layout));
+  if (!written) return console.fail(written.error());
+  return layout->status == LayoutStatus::kSolved && layout->relaxed.empty() ? kDone : kNotAsAsked;
+}
+
+}  // namespace
+
+void add_solve(CLI::App& app, Context& context) {
+  auto flags = std::make_shared<Flags>();
+  CLI::App* command = app.add_subcommand("solve", "Scene graph to layout; prints the conflict where there is one");
+  command->add_option("scene", flags->scene, "scene.json, ours or the paper's form; - reads stdin")->required();
+  command->add_option("-o,--output", flags->output, "The layout file (default: stdout)");
+  flags->plan.add_to(*command);
+  flags->solve.add_to(*command, flags->options.solve);
+  command->callback([flags, &context] { context.status = run(*flags, context.console); });
+}
+
+}  // namespace layoutbox::cli

@@ -1,0 +1,46 @@
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "layoutbox/cli/commands.h"
+#include "layoutbox/cli/inputs.h"
+
+namespace layoutbox::cli {
+namespace {
+
+struct Flags {
+  std::string layout, output;
+};
+
+std::string summary(const Report& report) {
+  std::string text;
+  for (const Check& check : report.checks) {
+    if (!check.passed) text += fmt::format("{} {}: {}\n", check.required ? "FAILED " : "warning", check.name, check.message);
+  }
+  for (const auto& [name, value] : report.metrics) text += fmt::format("{:<20} {:.4g}\n", name, value);
+  return text + (report.passed ? "passed" : "failed");
+}
+
+int run(const Flags& flags, const Console& console) {
+  const auto layout = read_layout_file(flags.layout);
+  if (!layout) return console.fail(layout.error());
+  const Report report = verify(*layout, Catalog::builtin());
+  const std::string text = write_report(report);
+  if (!flags.output.empty()) {
+    if (const Status written = write_output(flags.output, text); !written) return console.fail(written.error());
+  }
+  if (flags.output != "-") console.result(summary(report), text);
+  return report.passed ? kDone : kNotAsAsked;
+}
+
+}  // namespace
+
+void add_verify(CLI::App& app, Context& context) {
+  auto flags = std::make_shared<Flags>();
+  CLI::App* command = app.add_subcommand("verify", "Check a layout by geometry: collisions, bounds, support, doors, relations");
+  command->add_option("layout", flags->layout, "layout.json; - reads stdin")->required();
+  command->add_option("-o,--output", flags->output, "Where report.json goes; - writes it to stdout");
+  command->callback([flags, &context] { context.status = run(*flags, context.console); });
+}
+
+}  // namespace layoutbox::cli

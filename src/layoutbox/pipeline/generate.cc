@@ -1,0 +1,186 @@
+#include "layoutbox/pipeline/generate.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <utility>
+
+#include "layoutbox/base/files.h"
+#include "layoutbox/pipeline/folder_lock.h"
+#include "layoutbox/pipeline/run_record.h"
+#include "layoutbox/scene/scene_json.h"
+
+namespace layoutbox {
+namespace {
+
+constexpr std::array kOutputs{"scene.json", "layout.json", "floorplan.svg", "scene.glb", "blender.py",
+                              "report.json", "scene.blend", "scene.png",  "run.json"};
+
+// One run: holds the folder, the clock and what has been made so far.
+class Run {
+ public:
+  Run(std::string_view prompt, const Catalog& catalog, std::filesystem::path folder, const GenerateOptions& options)
+      : prompt_(prompt), catalog_(catalog), folder_(std::move(folder)), options_(options) {
+    options_.solve.stop = options_.stop;
+    options_.render.stop = options_.stop;
+  }
+
+  // Plans (when there is no scene yet), runs all stages, and writes run.json whatever happens after the folder is ours.
+  Result<GenerateOutcome> operator()(const Planner* planner, SceneGraph scene) {
+    LAYOUTBOX_CHECK(make_folder(folder_));
+    LAYOUTBOX_ASSIGN(const FolderLock lock, FolderLock::acquire(folder_));
+    Status status = planner ? plan(*planner) : adopt(std::move(scene));
+    if (status) {
+      remove_earlier_outputs();
+      status = run_stages();
+    }
+    const Error* failure = status ? nullptr : &status.error();
+    if (failure && outcome_.files.empty()) return Failure(*failure);  // nothing was made: leave an earlier run's files alone
+    const Status recorded = write("run.json", write_run_record(prompt_, options_, outcome_, failure));
+    if (failure) return Failure(*failure);
+    if (!recorded) return Failure(recorded.error());
+    return std::move(outcome_);
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  bool stopped() const { return options_.stop && options_.stop->load(); }
+
+  Status check_stopped() const {
+    if (stopped()) return fail(ErrorCode::kInterrupted, "stopped", {}, "what was finished is kept");
+    return {};
+  }
+
+  void begin() { started_ = Clock::now(); }
+
+  void finish(std::string stage, std::string summary) {
+    outcome_.stages.push_back({std::move(stage), std::chrono::duration<double>(Clock::now() - started_).count(), std::move(summary)});
+    if (options_.on_stage) options_.on_stage(outcome_.stages.back());
+  }
+
+  Status write(const char* name, std::string_view bytes) {
+    LAYOUTBOX_CHECK(write_file(folder_ / name, bytes));
+    outcome_.files.emplace_back(name);
+    return {};
+  }
+
+  // A folder never holds files of two different runs.
+  void remove_earlier_outputs() const {
+    std::error_code ignored;
+    if (!std::filesystem::exists(folder_ / "run.json", ignored)) return;
+    for (const char* name : kOutputs) std::filesystem::remove(folder_ / name, ignored);
+  }
+
+  Status plan(const Planner& planner) {
+    begin();
+    LAYOUTBOX_ASSIGN(Plan plan, planner.plan(prompt_, options_.plan));
+    return normalize(std::move(plan.scene));
+  }
+
+  Status adopt(SceneGraph scene) {
+    begin();
+    return normalize(std::move(scene));
+  }
+
+  Status normalize(SceneGraph scene) {
+    LAYOUTBOX_ASSIGN(outcome_.scene, normalize_scene(std::move(scene), catalog_, options_.normalize));
+    finish("plan", fmt::format("{} objects, {} relations", outcome_.scene.objects.size(), outcome_.scene.relations.size()));
+    return {};
+  }
+
+  Status run_stages() {
+    LAYOUTBOX_CHECK(write("scene.json", write_scene(outcome_.scene)));
+    LAYOUTBOX_CHECK(check_stopped());
+    LAYOUTBOX_CHECK(solve_scene());
+    LAYOUTBOX_CHECK(check_stopped());
+    LAYOUTBOX_CHECK(furnish_layout());
+    LAYOUTBOX_CHECK(verify_layout());
+    LAYOUTBOX_CHECK(check_stopped());
+    return options_.pictures ? render() : Status{};
+  }
+
+  Status solve_scene() {
+    begin();
+    LAYOUTBOX_ASSIGN(outcome_.layout, solve(outcome_.scene, catalog_, options_.solve));
+    const Layout& layout = outcome_.layout;
+    LAYOUTBOX_CHECK(write("layout.json", write_layout(layout)));
+    const auto held = std::count_if(layout.relations.begin(), layout.relations.end(), [](const auto& r) { return r.held; });
+    std::string given_up = layout.relaxed.empty() ? "" : fmt::format(", {} given up", layout.relaxed.size());
+    finish("solve", fmt::format("{} of {} relations held{} ({})", held, layout.relations.size(), given_up, layout.stats.solver));
+    return {};
+  }
+
+  Status furnish_layout() {
+    begin();
+    LAYOUTBOX_ASSIGN(model_, furnish(outcome_.layout, catalog_, options_.furnish));
+    finish("furnish", fmt::format("{} pieces", model_.nodes.size()));
+    begin();
+    LAYOUTBOX_CHECK(write("floorplan.svg", write_floor_plan_svg(outcome_.layout)));
+    LAYOUTBOX_ASSIGN(const std::string glb, write_glb(model_, outcome_.layout));
+    LAYOUTBOX_CHECK(write("scene.glb", glb));
+    LAYOUTBOX_CHECK(write("blender.py", write_blender_script(model_, outcome_.layout, options_.render)));
+    finish("export", "floorplan.svg, scene.glb, blender.py");
+    return {};
+  }
+
+  Status verify_layout() {
+    begin();
+    outcome_.report = verify(outcome_.layout, catalog_, options_.verify);
+    LAYOUTBOX_CHECK(write("report.json", write_report(outcome_.report)));
+    const auto& checks = outcome_.report.checks;
+    const auto failed = std::count_if(checks.begin(), checks.end(), [](const Check& c) { return c.required && !c.passed; });
+    finish("verify", failed == 0 ? fmt::format("all {} checks passed or warned", checks.size()) : fmt::format("{} checks failed", failed));
+    return {};
+  }
+
+  // A missing or failing Blender costs the picture only: the error is kept beside the outcome.
+  Status render() {
+    begin();
+    const auto blender = find_blender();
+    auto made = blender ? run_blender(*blender, folder_ / "blender.py", folder_, options_.render)
+                        : Result<RenderOutputs>(Failure(blender.error()));
+    if (made) {
+      outcome_.blender_version = made->blender_version;
+      if (!made->blend.empty()) outcome_.files.emplace_back("scene.blend");
+      outcome_.files.emplace_back("scene.png");
+      finish("render", fmt::format("scene.png {}×{}, Blender {}", options_.render.width, options_.render.height, made->blender_version));
+      return {};
+    }
+    if (made.error().code == ErrorCode::kInterrupted) return Failure(made.error());
+    outcome_.picture_error = made.error();
+    finish("render", "no picture: " + made.error().message);
+    return {};
+  }
+
+  std::string prompt_;
+  const Catalog& catalog_;
+  std::filesystem::path folder_;
+  GenerateOptions options_;
+  Clock::time_point started_;
+  GenerateOutcome outcome_;
+  Model model_;
+};
+
+}  // namespace
+
+Result<GenerateOutcome> generate(std::string_view prompt, const Planner& planner, const Catalog& catalog, const std::filesystem::path& folder,
+                                 const GenerateOptions& options) {
+  return Run(prompt, catalog, folder, options)(&planner, {});
+}
+
+Result<GenerateOutcome> generate_from_scene(SceneGraph scene, const Catalog& catalog, const std::filesystem::path& folder,
+                                            const GenerateOptions& options) {
+  const std::string prompt = scene.prompt;
+  return Run(prompt, catalog, folder, options)(nullptr, std::move(scene));
+}
+
+bool as_asked(const GenerateOutcome& outcome) {
+  return outcome.layout.status == LayoutStatus::kSolved && outcome.layout.relaxed.empty() && outcome.report.passed;
+}
+
+std::string_view program_version() { return LAYOUTBOX_VERSION; }
+
+}  // namespace layoutbox

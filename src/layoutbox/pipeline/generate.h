@@ -1,0 +1,71 @@
+// The whole way from text to a furnished, checked room, and the only place that knows the order of the stages.
+#pragma once
+
+#include <atomic>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "layoutbox/base/result.h"
+#include "layoutbox/catalog/normalize.h"
+#include "layoutbox/export/export.h"
+#include "layoutbox/furnish/furnish.h"
+#include "layoutbox/plan/planner.h"
+#include "layoutbox/render/render.h"
+#include "layoutbox/solve/solver.h"
+#include "layoutbox/verify/verify.h"
+
+namespace layoutbox {
+
+// How a stage went; reported as it ends, and kept in run.json.
+struct StageTime {
+  std::string stage;    // "plan", "solve", "furnish", "export", "verify", "render"
+  double seconds = 0;
+  std::string summary;  // "6 objects, 4 relations"
+};
+
+struct GenerateOptions {
+  PlanOptions plan;
+  NormalizeOptions normalize;
+  SolveOptions solve;
+  FurnishOptions furnish;
+  RenderOptions render;
+  VerifyOptions verify;
+  // DEFAULT: true. False: no Blender is looked for; scene.blend and scene.png are not made.
+  bool pictures = true;
+  // Set by another thread or a signal to stop; what is finished is kept. May be null. Passed on to every stage.
+  const std::atomic<bool>* stop = nullptr;
+  // Called as each stage ends; may be empty.
+  std::function<void(const StageTime&)> on_stage;
+};
+
+// What a run made. Files are named relative to the output folder, in the order they were written.
+struct GenerateOutcome {
+  SceneGraph scene;     // normalised, with its notes
+  Layout layout;
+  Report report;
+  std::vector<StageTime> stages;
+  std::vector<std::string> files;
+  std::string blender_version;              // empty when no picture was made
+  std::optional<Error> picture_error;       // why there is no picture although one was asked for; all else is there
+};
+
+// Writes into `folder`: scene.json, layout.json, floorplan.svg, scene.glb, blender.py, scene.blend, scene.png, report.json, run.json.
+// Each file appears whole or not at all. Only one run at a time may write into a folder (kIo otherwise).
+// Errors: those of the stages; files of the stages before are there, and run.json says where it ended.
+Result<GenerateOutcome> generate(std::string_view prompt, const Planner& planner, const Catalog& catalog, const std::filesystem::path& folder,
+                                 const GenerateOptions& options = {});
+
+// The same from a scene that is already there (a file of the paper's form, an earlier scene.json).
+Result<GenerateOutcome> generate_from_scene(SceneGraph scene, const Catalog& catalog, const std::filesystem::path& folder,
+                                            const GenerateOptions& options = {});
+
+// True when the room is what was asked for: solved, nothing hard given up, every required check passed.
+bool as_asked(const GenerateOutcome& outcome);
+
+// The program's version, "0.1.0".
+std::string_view program_version();
+
+}  // namespace layoutbox
