@@ -1,3 +1,5 @@
+#include "layoutbox/export/formats.h"
+
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -13,36 +15,41 @@ struct Flags {
   std::string layout, output, format;
 };
 
-Result<std::string> export_as(const std::string& format, const Layout& layout) {
-  if (format == "svg") return write_floor_plan_svg(layout);
-  if (format == "glb") {
-    LAYOUTBOX_ASSIGN(const Model model, furnish(layout, Catalog::builtin()));
-    return write_glb(model, layout);
-  }
-  return layoutbox::fail(ErrorCode::kUsage, fmt::format("there is no format '{}'", format), "--format", "use glb or svg");
+std::string format_names() {
+  std::string names;
+  for (const ExportFormat& format : export_formats()) names += fmt::format("{}{}", names.empty() ? "" : ", ", format.name);
+  return names;
+}
+
+// By --format, else by the output's ending.
+Result<const ExportFormat*> choose_format(const Flags& flags) {
+  std::string name = flags.format;
+  if (name.empty()) name = std::filesystem::path(flags.output).extension().string();
+  if (name.starts_with('.')) name.erase(0, 1);
+  if (const ExportFormat* format = find_export_format(name)) return format;
+  const std::string what = name.empty() ? "which format to write is not said" : fmt::format("there is no export format '{}'", name);
+  return layoutbox::fail(ErrorCode::kUsage, what, "--format", "use one of: " + format_names());
+}
+
+Status run_export(const Flags& flags) {
+  LAYOUTBOX_ASSIGN(const ExportFormat* format, choose_format(flags));
+  LAYOUTBOX_ASSIGN(const Layout layout, read_layout_file(flags.layout));
+  LAYOUTBOX_ASSIGN(const std::string bytes, format->write(layout, Catalog::builtin()));
+  return write_output(flags.output, bytes);
 }
 
 int run(const Flags& flags, const Console& console) {
-  std::string format = flags.format;
-  if (format.empty() && flags.output != "-") {
-    format = std::filesystem::path(flags.output).extension().string();
-    if (!format.empty()) format.erase(0, 1);
-  }
-  const auto layout = read_layout_file(flags.layout);
-  if (!layout) return console.fail(layout.error());
-  const auto bytes = export_as(format, *layout);
-  if (!bytes) return console.fail(bytes.error());
-  const Status written = write_output(flags.output, *bytes);
-  return written ? kDone : console.fail(written.error());
+  const Status done = run_export(flags);
+  return done ? kDone : console.fail(done.error());
 }
 
 }  // namespace
 
 void add_export(CLI::App& app, Context& context) {
   auto flags = std::make_shared<Flags>();
-  CLI::App* command = app.add_subcommand("export", "Layout to other tools' files: glb (3D), svg (floor plan)");
+  CLI::App* command = app.add_subcommand("export", "Layout to other tools' files: " + format_names());
   command->add_option("layout", flags->layout, "layout.json; - reads stdin")->required();
-  command->add_option("--format", flags->format, "glb or svg (default: the output's ending)");
+  command->add_option("--format", flags->format, "One of: " + format_names() + " (default: the output's ending)");
   command->add_option("-o,--output", flags->output, "The file to write; - writes to stdout")->required();
   command->callback([flags, &context] { context.status = run(*flags, context.console); });
 }

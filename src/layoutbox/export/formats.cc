@@ -1,0 +1,36 @@
+#include "layoutbox/export/formats.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+#include "layoutbox/export/export.h"
+#include "layoutbox/furnish/furnish.h"
+
+namespace layoutbox {
+namespace {
+
+Result<std::string> glb(const Layout& layout, const Catalog& catalog) {
+  LAYOUTBOX_ASSIGN(const Model model, furnish(layout, catalog));
+  return write_glb(model, layout);
+}
+
+Result<std::string> svg(const Layout& layout, const Catalog&) { return write_floor_plan_svg(layout); }
+
+constexpr std::array kFormats{
+    ExportFormat{"glb", "binary glTF 2.0 with meshes, materials and lights; y up, metres", glb},
+    ExportFormat{"svg", "floor plan with names, sizes, door swings and a scale bar", svg},
+};
+
+}  // namespace
+
+std::span<const ExportFormat> export_formats() { return kFormats; }
+
+const ExportFormat* find_export_format(std::string_view name) {
+  std::string lower(name);
+  std::transform(lower.begin(), lower.end(), lower.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const auto found = std::find_if(kFormats.begin(), kFormats.end(), [&](const ExportFormat& format) { return format.name == lower; });
+  return found == kFormats.end() ? nullptr : &*found;
+}
+
+}  // namespace layoutbox

@@ -1,0 +1,26 @@
+// The table of export formats: what `layoutbox export` offers. A new format is one writer and one row here (docs/add-an-export-format.md).
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "layoutbox/base/result.h"
+#include "layoutbox/catalog/catalog.h"
+#include "layoutbox/scene/layout.h"
+
+namespace layoutbox {
+
+struct ExportFormat {
+  std::string_view name;         // as in --format, and the file's ending without the dot: "glb"
+  std::string_view description;  // "binary glTF 2.0, y up"
+  Result<std::string> (*write)(const Layout& layout, const Catalog& catalog);
+};
+
+// All formats, in alphabetical order.
+std::span<const ExportFormat> export_formats();
+
+// The format of that name, case apart, or null.
+const ExportFormat* find_export_format(std::string_view name);
+
+}  // namespace layoutbox
