@@ -1,0 +1,46 @@
+# ---- The run: python or blender, a folder, and what is wished. -----------------------------------------------------------------------
+import os
+import sys
+
+import bpy
+
+
+def script_folder():
+    return os.path.dirname(os.path.abspath(__file__))
+
+
+def wishes():
+    """The words after `--` (Blender), or after the script's name (Python with bpy)."""
+    if "--" in sys.argv:
+        return sys.argv[sys.argv.index("--") + 1:]
+    return sys.argv[1:] if os.path.basename(sys.argv[0]) == os.path.basename(__file__) else []
+
+
+def main():
+    words = wishes()
+    folder = os.path.abspath(next((word for word in words if not word.startswith("--")), script_folder()))
+    os.makedirs(folder, exist_ok=True)
+    engine = next((word.split("=")[1] for word in words if word.startswith("--engine=")), "cycles")
+
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    print(f"layoutbox: blender {bpy.app.version_string}", flush=True)
+    stay = walls_that_stay()
+    meshes = read_meshes()
+    materials = {name: make_material(name, row) for name, row in MATERIALS.items()}
+    build_base(stay)
+    build_rows(SHELL + OBJECTS, stay, meshes, materials)
+    build_light()
+    build_camera(stay)
+    hidden = bpy.data.collections.get("Left out")
+    if hidden:
+        bpy.context.view_layer.layer_collection.children[hidden.name].exclude = True
+    set_up_render(engine)
+    if "--mask" in words:
+        write_mask(stay, meshes, os.path.join(folder, OUTPUT["mask"]), os.path.join(folder, OUTPUT["mask_index"]))
+        print("layoutbox: wrote mask", flush=True)
+    if "--no-blend" not in words and OUTPUT["blend"]:
+        bpy.ops.wm.save_as_mainfile(filepath=os.path.join(folder, OUTPUT["blend"]), compress=True)
+        print("layoutbox: wrote blend", flush=True)
+    if "--no-picture" not in words:
+        render_picture(os.path.join(folder, OUTPUT["picture"]))
+        print("layoutbox: wrote picture", flush=True)

@@ -1,0 +1,291 @@
+# ---- Materials: one node material per row of MATERIALS, textures made by procedure. --------------------------------------------------
+import math
+import os
+
+import bpy
+
+
+def linear(color):
+    """sRGB 0–1, as in the tables, to the linear values that nodes take."""
+    return tuple(c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in color)
+
+
+def rgba(color):
+    return (*linear(color), 1.0)
+
+
+class Nodes:
+    """A material's node tree, with names that hold from Blender 3.4 to 5.x."""
+
+    def __init__(self, material):
+        if not material.node_tree:
+            material.use_nodes = True
+        self.tree = material.node_tree
+        self.shader = next(node for node in self.tree.nodes if node.type == "BSDF_PRINCIPLED")
+
+    def add(self, kind, **settings):
+        node = self.tree.nodes.new(kind)
+        for name, value in settings.items():
+            setattr(node, name, value)
+        return node
+
+    def link(self, output, node, *names):
+        self.tree.links.new(output, socket(node, *names))
+
+    def surface_point(self, scale):
+        """Coordinates on the surface in units of the pattern's own length; the meshes' UVs are metres."""
+        uv = self.add("ShaderNodeUVMap")
+        mapping = self.add("ShaderNodeMapping")
+        mapping.inputs["Scale"].default_value = (1 / scale, 1 / scale, 1)
+        self.tree.links.new(uv.outputs[0], mapping.inputs["Vector"])
+        return mapping
+
+    def stretched(self, point, x, y):
+        mapping = self.add("ShaderNodeMapping")
+        mapping.inputs["Scale"].default_value = (x, y, 1)
+        self.tree.links.new(point.outputs[0], mapping.inputs["Vector"])
+        return mapping
+
+    def noise(self, point, scale, detail=3.0, roughness=0.55, distortion=0.0):
+        node = self.add("ShaderNodeTexNoise")
+        for name, value in (("Scale", scale), ("Detail", detail), ("Roughness", roughness), ("Distortion", distortion)):
+            node.inputs[name].default_value = value
+        self.tree.links.new(point.outputs[0], node.inputs["Vector"])
+        return node.outputs[0]
+
+    def bricks(self, point, width, height, joint, offset=0.5, every=2):
+        """Color: black and white by brick at random; second output: 1 in the joints."""
+        node = self.add("ShaderNodeTexBrick", offset=offset, offset_frequency=every, squash=1.0)
+        for name, value in (("Scale", 1.0), ("Mortar Size", joint), ("Mortar Smooth", 0.1), ("Bias", 0.0),
+                            ("Brick Width", width), ("Row Height", height)):
+            node.inputs[name].default_value = value
+        node.inputs["Color1"].default_value = (0, 0, 0, 1)
+        node.inputs["Color2"].default_value = (1, 1, 1, 1)
+        node.inputs["Mortar"].default_value = (0.5, 0.5, 0.5, 1)
+        self.tree.links.new(point.outputs[0], node.inputs["Vector"])
+        return node.outputs[0], node.outputs[1]
+
+    def wave(self, point, scale, distortion=0.0, direction="X", detail=2.0):
+        node = self.add("ShaderNodeTexWave", wave_type="BANDS", bands_direction=direction)
+        for name, value in (("Scale", scale), ("Distortion", distortion), ("Detail", detail), ("Detail Scale", 1.5)):
+            node.inputs[name].default_value = value
+        self.tree.links.new(point.outputs[0], node.inputs["Vector"])
+        return node.outputs[1]
+
+    def ramp(self, value, *stops):
+        """Colours by value: stops of (place, sRGB colour)."""
+        node = self.add("ShaderNodeValToRGB")
+        elements = node.color_ramp.elements
+        while len(elements) < len(stops):
+            elements.new(0.5)
+        for element, (place, color) in zip(elements, stops):
+            element.position, element.color = place, rgba(color)
+        self.tree.links.new(value, node.inputs[0])
+        return node.outputs[0]
+
+    def mix(self, factor, a, b):
+        node = self.add("ShaderNodeMix", data_type="RGBA")
+        for identifier, value in (("Factor_Float", factor), ("A_Color", a), ("B_Color", b)):
+            target = next(s for s in node.inputs if s.identifier == identifier)
+            if isinstance(value, (tuple, float)):
+                target.default_value = value
+            else:
+                self.tree.links.new(value, target)
+        return next(s for s in node.outputs if s.identifier == "Result_Color")
+
+    def bump(self, height, millimetres, strength=1.0):
+        node = self.add("ShaderNodeBump")
+        node.inputs["Strength"].default_value = strength
+        node.inputs["Distance"].default_value = millimetres / 1000
+        self.link(height, node, "Height")
+        self.link(node.outputs[0], self.shader, "Normal")
+
+
+def socket(node, *names):
+    """The first input that the node has under one of these names (they changed in 4.0)."""
+    for name in names:
+        if name in node.inputs:
+            return node.inputs[name]
+    raise KeyError(f"{node.name} has none of the inputs {names}")
+
+
+def between(a, b, t):
+    return tuple(x + (y - x) * t for x, y in zip(a, b))
+
+
+def wood_grain(nodes, point, row, contrast=1.0, along=0.07, across=1.0):
+    """Fibres along u with a slow change of tone; `across` growth rings per unit of the point."""
+    base, second = row["color"], row["second"]
+    fibres = nodes.noise(nodes.stretched(point, along, across), 1.0, detail=4.0, roughness=0.65, distortion=0.3)
+    return nodes.ramp(fibres, (0.34, between(base, second, 0.8 * contrast)), (0.52, base),
+                      (0.72, between(base, second, 0.3 * contrast)))
+
+
+def paint_wood(nodes, point, row):
+    return wood_grain(nodes, point, row)
+
+
+def paint_planks(nodes, point, row):
+    """Boards 1 long and 1/8 wide."""
+    base, second = row["color"], row["second"]
+    board, joint = nodes.bricks(point, 1.0, 1 / 8, 0.002, offset=0.37)
+    grain = wood_grain(nodes, point, row, 0.5, along=3.0, across=45.0)
+    tone = nodes.ramp(board, (0.0, between(base, second, 0.32)), (0.5, base), (1.0, between(base, (1, 1, 1), 0.10)))
+    return nodes.mix(joint, nodes.mix(0.6, grain, tone), rgba(between(base, second, 0.9)))
+
+
+def paint_parquet(nodes, point, row):
+    """Herringbone of blocks 1 long and 1/5 wide: two brick patterns, one turned, chosen by the cell's diagonal."""
+    base, second = row["color"], row["second"]
+    joint_color = rgba(between(base, second, 0.9))
+    turned = nodes.add("ShaderNodeMapping")
+    turned.inputs["Rotation"].default_value = (0, 0, math.radians(45))
+    nodes.tree.links.new(point.outputs[0], turned.inputs["Vector"])
+    block, joint = nodes.bricks(turned, 1.0, 0.2, 0.004, offset=0.2, every=5)
+    grain = wood_grain(nodes, turned, row, 0.5, along=4.0, across=40.0)
+    tone = nodes.ramp(block, (0.0, between(base, second, 0.35)), (0.5, base), (1.0, between(base, (1, 1, 1), 0.08)))
+    return nodes.mix(joint, nodes.mix(0.6, grain, tone), joint_color)
+
+
+def paint_tiles(nodes, point, row):
+    base, second = row["color"], row["second"]
+    tile, joint = nodes.bricks(point, 1.0, 1.0, 1 / 160, offset=0.0)
+    body = nodes.ramp(tile, (0.0, between(base, second, 0.10)), (1.0, base))
+    return nodes.mix(joint, body, rgba(second))
+
+
+def paint_checker(nodes, point, row):
+    node = nodes.add("ShaderNodeTexChecker")
+    node.inputs["Scale"].default_value = 1.0
+    node.inputs["Color1"].default_value, node.inputs["Color2"].default_value = rgba(row["color"]), rgba(row["second"])
+    nodes.tree.links.new(point.outputs[0], node.inputs["Vector"])
+    return node.outputs[0]
+
+
+def paint_bricks(nodes, point, row):
+    """Running bond, 1 long and 1/3 high."""
+    base, second = row["color"], row["second"]
+    brick, joint = nodes.bricks(point, 1.0, 1 / 3, 0.025)
+    tone = nodes.ramp(brick, (0.0, between(base, (0, 0, 0), 0.18)), (1.0, base))
+    rough = nodes.ramp(nodes.noise(point, 12.0), (0.3, between(base, (0, 0, 0), 0.2)), (0.7, base))
+    nodes.bump(nodes.ramp(joint, (0.0, (1, 1, 1)), (1.0, (0, 0, 0))), 4.0, 0.6)
+    return nodes.mix(joint, nodes.mix(0.5, tone, rough), rgba(second))
+
+
+def paint_marble(nodes, point, row):
+    base, second = row["color"], row["second"]
+    veins = nodes.wave(point, 0.314, distortion=7.0, direction="DIAGONAL", detail=5.0)
+    clouds = nodes.noise(point, 1.3, detail=6.0)
+    return nodes.mix(0.3, nodes.ramp(veins, (0.0, second), (0.12, between(base, second, 0.25)), (0.35, base)),
+                     nodes.ramp(clouds, (0.35, between(base, second, 0.35)), (0.65, base)))
+
+
+def paint_terrazzo(nodes, point, row):
+    base, second = row["color"], row["second"]
+    node = nodes.add("ShaderNodeTexVoronoi", feature="F1")
+    node.inputs["Scale"].default_value = 0.8
+    nodes.tree.links.new(point.outputs[0], node.inputs["Vector"])
+    chip = nodes.ramp(node.outputs[0], (0.0, (1, 1, 1)), (0.30, (1, 1, 1)), (0.34, (0, 0, 0)))
+    tone = nodes.ramp(node.outputs[1], (0.3, second), (0.7, between(second, (0, 0, 0), 0.45)))
+    return nodes.mix(chip, rgba(base), tone)
+
+
+def clouds(nodes, point, row, contrast):
+    base, second = row["color"], row["second"]
+    return nodes.ramp(nodes.noise(point, 1.0, detail=6.0, roughness=0.6), (0.3, between(base, second, contrast)), (0.7, base))
+
+
+def paint_concrete(nodes, point, row):
+    return clouds(nodes, point, row, 1.0)
+
+
+def paint_plaster(nodes, point, row):
+    return clouds(nodes, point, row, 0.1)
+
+
+def paint_fabric(nodes, point, row):
+    """Threads are finer than a pixel: a mottle of a few threads, and a slow one."""
+    base, second = row["color"], row["second"]
+    weave = nodes.noise(point, 0.25, detail=2.0, roughness=0.7)
+    nodes.bump(weave, 0.6, 0.4)
+    fine = nodes.ramp(weave, (0.3, between(base, second, 0.5)), (0.65, base))
+    return nodes.mix(0.3, fine, nodes.ramp(nodes.noise(point, 0.02), (0.3, between(base, second, 0.4)), (0.7, base)))
+
+
+def paint_carpet(nodes, point, row):
+    base, second = row["color"], row["second"]
+    pile = nodes.noise(point, 0.6, detail=2.0, roughness=0.8)
+    nodes.bump(pile, 2.5, 0.6)
+    return nodes.mix(0.35, nodes.ramp(pile, (0.3, between(base, second, 0.8)), (0.7, base)),
+                     nodes.ramp(nodes.noise(point, 0.03), (0.35, between(base, second, 0.4)), (0.65, base)))
+
+
+def paint_leather(nodes, point, row):
+    base, second = row["color"], row["second"]
+    grain = nodes.noise(point, 1.0, detail=4.0, roughness=0.6)
+    nodes.bump(grain, 0.6, 0.3)
+    return nodes.mix(0.4, nodes.ramp(grain, (0.3, between(base, second, 0.6)), (0.6, base)),
+                     nodes.ramp(nodes.noise(point, 0.1), (0.3, between(base, second, 0.5)), (0.7, base)))
+
+
+def paint_wicker(nodes, point, row):
+    base, second = row["color"], row["second"]
+    strip, joint = nodes.bricks(point, 2.0, 1.0, 0.12, offset=0.5)
+    nodes.bump(nodes.ramp(joint, (0.0, (1, 1, 1)), (1.0, (0, 0, 0))), 3.0, 0.6)
+    return nodes.mix(joint, nodes.ramp(strip, (0.0, between(base, second, 0.3)), (1.0, base)), rgba(second))
+
+
+def paint_stripes(nodes, point, row):
+    """A band of base, a band of second, each 1 wide: half a period of the wave each."""
+    return nodes.ramp(nodes.wave(point, math.pi / 20), (0.48, row["color"]), (0.52, row["second"]))
+
+
+def paint_brushed(nodes, point, row):
+    base, second = row["color"], row["second"]
+    return nodes.ramp(nodes.noise(nodes.stretched(point, 2.0, 120.0), 1.0), (0.3, between(base, second, 0.5)), (0.7, base))
+
+
+PAINTERS = {"wood": paint_wood, "planks": paint_planks, "parquet": paint_parquet, "tiles": paint_tiles, "checker": paint_checker,
+            "bricks": paint_bricks, "marble": paint_marble, "terrazzo": paint_terrazzo, "concrete": paint_concrete,
+            "plaster": paint_plaster, "fabric": paint_fabric, "carpet": paint_carpet, "leather": paint_leather,
+            "wicker": paint_wicker, "stripes": paint_stripes, "brushed": paint_brushed}
+
+
+def user_image(nodes, row):
+    """The user's own picture as colour, if the file is there (relative names count from this script's folder)."""
+    path = os.path.join(script_folder(), row["image"])
+    if not os.path.isfile(path):
+        print(f"layoutbox: note: no image {row['image']}, plain colour instead")
+        return None
+    node = nodes.add("ShaderNodeTexImage", image=bpy.data.images.load(path, check_existing=True))
+    node.image.pack()
+    nodes.tree.links.new(nodes.surface_point(row["scale"]).outputs[0], node.inputs["Vector"])
+    return node.outputs[0]
+
+
+def make_material(name, row):
+    material = bpy.data.materials.new(name)
+    nodes = Nodes(material)
+    shader = nodes.shader
+    color = None
+    if row["image"]:
+        color = user_image(nodes, row)
+    elif row["texture"] in PAINTERS:
+        color = PAINTERS[row["texture"]](nodes, nodes.surface_point(row["scale"]), row)
+    elif row["texture"]:
+        print(f"layoutbox: note: no texture {row['texture']}, plain colour instead")
+    socket(shader, "Base Color").default_value = rgba(row["color"])
+    if color is not None:
+        nodes.link(color, shader, "Base Color")
+    socket(shader, "Roughness").default_value = row["roughness"]
+    socket(shader, "Metallic").default_value = row["metallic"]
+    socket(shader, "Specular IOR Level", "Specular").default_value = 0.35
+    socket(shader, "Alpha").default_value = row["alpha"]
+    if row["emission"] > 0:
+        socket(shader, "Emission Color", "Emission").default_value = rgba(row["color"])
+        socket(shader, "Emission Strength").default_value = row["emission"] * LIGHT["glow"]
+    if row["alpha"] < 1 and hasattr(material, "blend_method"):
+        material.blend_method = "BLEND"
+    material.diffuse_color = (*linear(row["color"]), row["alpha"])  # what Workbench and the viewport show
+    material.roughness, material.metallic = row["roughness"], row["metallic"]
+    return material

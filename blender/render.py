@@ -1,0 +1,124 @@
+# ---- The picture: engine, samples, noise, colours. -----------------------------------------------------------------------------------
+import os
+
+import bpy
+
+
+def has_denoiser():
+    """True where this Blender was built with OpenImageDenoise."""
+    if bpy.app.version < (5, 0, 0):
+        return bool(getattr(bpy.app.build_options, "openimagedenoise", False))
+    return bool(getattr(bpy.context.scene.cycles, "denoiser", ""))
+
+
+def set_first(target, name, values):
+    """Sets an enum to the first of the values that this Blender knows."""
+    for value in values:
+        try:
+            setattr(target, name, value)
+            return value
+        except TypeError:
+            continue
+    return None
+
+
+def set_colours(scene):
+    view = scene.view_settings
+    chosen = set_first(view, "view_transform", ("Khronos PBR Neutral", "AgX", "Filmic", "Standard"))
+    if chosen == "AgX":
+        set_first(view, "look", ("AgX - Medium High Contrast", "None"))
+    elif chosen == "Filmic":
+        set_first(view, "look", ("Medium High Contrast", "None"))
+    view.exposure = LIGHT["exposure"].get(chosen, 0.0)
+
+
+def filter_noise(scene):
+    """Without OpenImageDenoise: a filter in the compositor that keeps the edges of colours and faces."""
+    layer = scene.view_layers[0]
+    layer.use_pass_diffuse_color = layer.use_pass_normal = True
+    scene.use_nodes = True
+    tree = scene.node_tree
+    tree.nodes.clear()
+    layers, output = tree.nodes.new("CompositorNodeRLayers"), tree.nodes.new("CompositorNodeComposite")
+    last = layers.outputs["Image"]
+    for guide in ("DiffCol", "Normal"):
+        node = tree.nodes.new("CompositorNodeBilateralblur")
+        node.iterations, node.sigma_color, node.sigma_space = 1, 0.08, 3.0
+        tree.links.new(last, node.inputs["Image"])
+        tree.links.new(layers.outputs[guide], node.inputs["Determinator"])
+        last = node.outputs[0]
+    tree.links.new(last, output.inputs["Image"])
+
+
+def use_cycles(scene):
+    scene.render.engine = "CYCLES"
+    cycles = scene.cycles
+    cycles.device = "CPU"
+    denoiser = has_denoiser()
+    cycles.samples = SAMPLES[QUALITY]["denoised" if denoiser else "filtered"]
+    cycles.use_adaptive_sampling = QUALITY == "final" or not denoiser
+    cycles.adaptive_threshold = 0.01 if QUALITY == "final" else 0.02
+    cycles.use_denoising = denoiser
+    cycles.max_bounces, cycles.diffuse_bounces, cycles.glossy_bounces = 6, 4, 2
+    cycles.sample_clamp_indirect = 3.0
+    cycles.caustics_reflective = cycles.caustics_refractive = False
+    cycles.seed = 1
+    if denoiser:
+        set_first(cycles, "denoiser", ("OPENIMAGEDENOISE",))
+        set_first(cycles, "denoising_prefilter", ("FAST",) if QUALITY == "draft" else ("ACCURATE",))
+    else:
+        filter_noise(scene)
+
+
+def use_workbench(scene):
+    """Flat and quick, no light and no textures; needs GL."""
+    scene.render.engine = "BLENDER_WORKBENCH"
+    shading = scene.display.shading
+    shading.light, shading.color_type = "STUDIO", "MATERIAL"
+    shading.show_shadows = shading.show_cavity = True
+    shading.shadow_intensity = 0.25
+    scene.display.render_aa = "8"
+    scene.render.film_transparent = False
+    scene.world.color = linear(LIGHT["background"])
+
+
+def report_progress(scene):
+    """Prints `progress 0.25` lines, for whoever runs this script."""
+    last = [-1.0]
+
+    def tell(text, *_):
+        words = str(text).split("Sample ")
+        if len(words) < 2 or "/" not in words[1]:
+            return
+        done, total = words[1].split("|")[0].strip().split("/")[:2]
+        share = round(int(done) / max(1, int(total.split()[0])), 2)
+        if share != last[0]:
+            last[0] = share
+            print(f"layoutbox: progress {share}", flush=True)
+
+    bpy.app.handlers.render_stats.append(tell)
+
+
+def set_up_render(engine):
+    scene = bpy.context.scene
+    scene.render.resolution_x, scene.render.resolution_y = CAMERA["width"], CAMERA["height"]
+    scene.render.resolution_percentage = 100
+    scene.render.image_settings.file_format = "PNG"
+    scene.render.image_settings.color_mode = "RGB"
+    scene.render.image_settings.compression = 30
+    scene.render.use_stamp = False
+    scene.render.use_persistent_data = False
+    set_colours(scene)
+    if engine == "workbench":
+        use_workbench(scene)
+    else:
+        use_cycles(scene)
+    report_progress(scene)
+
+
+def render_picture(path):
+    scene = bpy.context.scene
+    scene.render.filepath = path
+    bpy.ops.render.render(write_still=True)
+    if not os.path.isfile(path):
+        raise RuntimeError(f"Blender wrote no picture to {path}")

@@ -1,0 +1,198 @@
+# ---- The scene: meshes from the block at the end of the file, objects in collections, lights, camera. --------------------------------
+import array
+import base64
+import struct
+import sys
+import zlib
+
+import bpy
+
+
+def read_meshes():
+    """The block as a list of (positions, normals, uvs, indices), flat arrays; metres."""
+    data = zlib.decompress(base64.b64decode("".join(MESHES.split())))
+    meshes, place = [], 0
+
+    def take(code, count, step=1.0):
+        nonlocal place
+        values = array.array(code)
+        size = count * values.itemsize
+        values.frombytes(data[place:place + size])
+        place += size
+        if sys.byteorder == "big":
+            values.byteswap()
+        return values if step == 1.0 else array.array("f", (v * step for v in values))
+
+    while place < len(data):
+        vertices, indices = struct.unpack_from("<II", data, place)
+        place += 8
+        meshes.append((take("i", 3 * vertices, 1e-5), take("h", 3 * vertices, 1 / 32767), take("i", 2 * vertices, 1e-4),
+                       take("i", indices)))
+    return meshes
+
+
+def join(parts, meshes):
+    """The parts of one object as one: positions, normals, uvs, indices, and the material slot of each triangle."""
+    positions, normals, uvs, indices, slots = array.array("f"), array.array("f"), array.array("f"), array.array("i"), array.array("i")
+    for slot, (_, number) in enumerate(parts):
+        p, n, t, i = meshes[number]
+        first = len(positions) // 3
+        positions.extend(p)
+        normals.extend(n)
+        uvs.extend(t)
+        indices.extend(v + first for v in i)
+        slots.extend([slot] * (len(i) // 3))
+    return positions, normals, uvs, indices, slots
+
+
+def make_mesh(name, parts, meshes, materials):
+    positions, normals, uvs, indices, slots = join(parts, meshes)
+    triangles = len(indices) // 3
+    mesh = bpy.data.meshes.new(name)
+    mesh.vertices.add(len(positions) // 3)
+    mesh.vertices.foreach_set("co", positions)
+    mesh.loops.add(len(indices))
+    mesh.loops.foreach_set("vertex_index", indices)
+    mesh.polygons.add(triangles)
+    mesh.polygons.foreach_set("loop_start", array.array("i", range(0, len(indices), 3)))
+    if bpy.app.version < (4, 0, 0):
+        mesh.polygons.foreach_set("loop_total", array.array("i", [3] * triangles))
+    mesh.polygons.foreach_set("material_index", slots)
+    mesh.polygons.foreach_set("use_smooth", array.array("b", [1] * triangles))
+    layer = mesh.uv_layers.new(name="metres")
+    by_corner = array.array("f")
+    for v in indices:
+        by_corner.extend(uvs[2 * v:2 * v + 2])
+    layer.data.foreach_set("uv", by_corner)
+    for material, _ in parts:
+        mesh.materials.append(materials[material])
+    mesh.update(calc_edges=True)
+    if hasattr(mesh, "use_auto_smooth"):  # up to 4.0 own normals count only with it
+        mesh.use_auto_smooth = True
+    mesh.normals_split_custom_set_from_vertices([normals[i:i + 3] for i in range(0, len(normals), 3)])
+    return mesh
+
+
+def collection(name):
+    found = bpy.data.collections.get(name)
+    if not found:
+        found = bpy.data.collections.new(name)
+        bpy.context.scene.collection.children.link(found)
+    return found
+
+
+def left_out(row, stay):
+    """True where a part of the room is not in the picture: the ceiling, walls that are cut away and what belongs to them."""
+    return row["kind"] == "ceiling" or (row["wall"] != "" and row["wall"] not in stay)
+
+
+def place(row, data, group):
+    """An object of Blender at its place in the room."""
+    thing = bpy.data.objects.new(row["id"], data)
+    thing.location = row["at"]
+    thing.rotation_euler = (0, 0, math.radians(row["turn"]))
+    group.objects.link(thing)
+    return thing
+
+
+def add_lights(row, thing, group):
+    for number, light in enumerate(row["lights"], 1):
+        data = bpy.data.lights.new(f"{row['id']} light {number}", "POINT")
+        data.energy, data.color, data.shadow_soft_size = light["watts"] * LIGHT["lamps"], linear(light["color"]), light["radius"]
+        lamp = bpy.data.objects.new(data.name, data)
+        lamp.location, lamp.parent = light["at"], thing
+        group.objects.link(lamp)
+
+
+def build_rows(rows, stay, meshes, materials):
+    shared = {}
+    for row in rows:
+        out = left_out(row, stay)
+        group = collection("Left out") if out else collection(row["collection"])
+        key = tuple((material, number) for material, number in row["parts"])
+        data = None
+        if key:
+            data = shared.get(key)
+            if data is None:
+                data = shared[key] = make_mesh(row["id"], row["parts"], meshes, materials)
+        thing = place(row, data, group)
+        thing["category"], thing["name in words"] = row["category"], row["name"]
+        thing.hide_render = out
+        if not out:
+            add_lights(row, thing, group)
+
+
+def build_base(stay):
+    """The slab under the room, seen at the cut edges, with a mark where a door or window was in a wall that is cut away."""
+    group = collection("Room")
+    outline = outer_outline()
+    count = len(outline)
+    vertices = [(x, y, -BASE_GAP) for x, y in outline] + [(x, y, -BASE_DEPTH) for x, y in outline]
+    faces = [tuple(range(count)), tuple(range(2 * count - 1, count - 1, -1))]
+    faces += [(i, i + count, (i + 1) % count + count, (i + 1) % count) for i in range(count)]
+    mesh = bpy.data.meshes.new("base")
+    mesh.from_pydata(vertices, [], faces)
+    mesh.materials.append(make_material("base", {**PLAIN, "color": BASE_COLOR}))
+    group.objects.link(bpy.data.objects.new("base", mesh))
+    for opening in OPENINGS:
+        wall = next((w for w in WALLS if w["id"] == opening["wall"]), None)
+        if wall is None or wall["id"] in stay:
+            continue
+        (ax, ay), (bx, by) = wall["start"], wall["end"]
+        length = math.hypot(bx - ax, by - ay)
+        along, out = ((bx - ax) / length, (by - ay) / length), tuple(-c for c in inward_normal(wall))
+        corners = [(ax + along[0] * s + out[0] * t, ay + along[1] * s + out[1] * t, 0.001) for s, t in
+                   ((opening["offset"], 0.0), (opening["offset"], wall["thickness"]),
+                    (opening["offset"] + opening["w"], wall["thickness"]), (opening["offset"] + opening["w"], 0.0))]
+        name = f"mark of {opening['id']}"
+        mesh = bpy.data.meshes.new(name)
+        mesh.from_pydata(corners, [], [(0, 1, 2, 3)])
+        mesh.materials.append(make_material(name, {**PLAIN, "color": MARK_COLORS.get(opening["type"], MARK_COLORS["door"])}))
+        group.objects.link(bpy.data.objects.new(name, mesh))
+
+
+PLAIN = {"roughness": 0.7, "metallic": 0.0, "alpha": 1.0, "emission": 0.0, "texture": "", "second": (0, 0, 0), "scale": 1.0, "image": ""}
+BASE_COLOR = (0.52, 0.37, 0.29)
+MARK_COLORS = {"door": (0.86, 0.78, 0.66), "open": (0.86, 0.78, 0.66), "window": (0.66, 0.80, 0.90)}
+
+
+def build_camera(stay):
+    position, measure = frame(stay)
+    data = bpy.data.cameras.new("Camera")
+    data.sensor_fit = "HORIZONTAL"
+    if CAMERA["orthographic"]:
+        data.type, data.ortho_scale = "ORTHO", measure
+    else:
+        data.angle = 2 * measure
+    data.clip_start, data.clip_end = 0.1, 500.0
+    camera = bpy.data.objects.new("Camera", data)
+    camera.location = position
+    camera.rotation_euler = (math.radians(90 - CAMERA["elevation"]), 0, math.radians(CAMERA["azimuth"]))
+    collection("Light and camera").objects.link(camera)
+    bpy.context.scene.camera = camera
+
+
+def build_light():
+    """A soft sun from the camera's left, the sky all round, and a plain colour behind the room."""
+    group = collection("Light and camera")
+    data = bpy.data.lights.new("Sun", "SUN")
+    data.energy, data.angle, data.color = LIGHT["sun"], math.radians(LIGHT["sun_angle"]), linear(LIGHT["sun_color"])
+    sun = bpy.data.objects.new("Sun", data)
+    sun.rotation_euler = (math.radians(90 - LIGHT["sun_elevation"]), 0, math.radians(CAMERA["azimuth"] + LIGHT["sun_azimuth"]))
+    sun.location = (0, 0, 10)
+    group.objects.link(sun)
+    world = bpy.data.worlds.new("World")
+    bpy.context.scene.world = world
+    if not world.node_tree:
+        world.use_nodes = True
+    tree = world.node_tree
+    tree.nodes.clear()
+    sky, behind = tree.nodes.new("ShaderNodeBackground"), tree.nodes.new("ShaderNodeBackground")
+    sky.inputs["Color"].default_value, sky.inputs["Strength"].default_value = rgba(LIGHT["sky_color"]), LIGHT["sky"]
+    behind.inputs["Color"].default_value, behind.inputs["Strength"].default_value = rgba(LIGHT["background"]), 1.0
+    ray, choose = tree.nodes.new("ShaderNodeLightPath"), tree.nodes.new("ShaderNodeMixShader")
+    output = tree.nodes.new("ShaderNodeOutputWorld")
+    tree.links.new(ray.outputs["Is Camera Ray"], choose.inputs[0])
+    tree.links.new(sky.outputs[0], choose.inputs[1])
+    tree.links.new(behind.outputs[0], choose.inputs[2])
+    tree.links.new(choose.outputs[0], output.inputs["Surface"])

@@ -1,0 +1,145 @@
+# ---- What the camera sees of each object: one ray a pixel, no graphics card. ---------------------------------------------------------
+import json
+import math
+import struct
+import zlib
+
+from mathutils import Vector
+from mathutils.bvhtree import BVHTree
+
+
+def in_room(row, meshes):
+    """An object's triangles in the room's frame."""
+    turn = math.radians(row["turn"])
+    c, s = math.cos(turn), math.sin(turn)
+    ox, oy, oz = row["at"]
+    positions, _, _, indices, _ = join(row["parts"], meshes)
+    vertices = [(ox + c * positions[i] - s * positions[i + 1], oy + s * positions[i] + c * positions[i + 1], oz + positions[i + 2])
+                for i in range(0, len(positions), 3)]
+    return vertices, [tuple(indices[i:i + 3]) for i in range(0, len(indices), 3)]
+
+
+class View:
+    """The camera's pixels as rays, at a resolution of its own."""
+
+    def __init__(self, stay, width, height):
+        self.width, self.height = width, height
+        self.right, self.up, self.toward = (Vector(axis) for axis in view_axes())
+        position, self.measure = frame(stay)
+        self.eye = Vector(position)
+
+    def ray(self, column, row):
+        x, y = (column + 0.5) / self.width - 0.5, (0.5 - (row + 0.5) / self.height) * self.height / self.width
+        if CAMERA["orthographic"]:
+            return self.eye + self.right * (x * self.measure) + self.up * (y * self.measure), -self.toward
+        spread = 2 * math.tan(self.measure)
+        return self.eye, (self.right * (x * spread) + self.up * (y * spread) - self.toward).normalized()
+
+    def rectangle(self, vertices):
+        """The pixels that a thing can cover: first column, last column, first row, last row."""
+        columns, rows = [], []
+        for vertex in vertices:
+            ray = Vector(vertex) - self.eye
+            x, y, far = ray.dot(self.right), ray.dot(self.up), -ray.dot(self.toward)
+            size = self.measure if CAMERA["orthographic"] else 2 * math.tan(self.measure) * far
+            columns.append((x / size + 0.5) * self.width)
+            rows.append((0.5 - y / size * self.width / self.height) * self.height)
+        clip = lambda v, top: max(0, min(top, int(v)))
+        return (clip(min(columns) - 1, self.width - 1), clip(max(columns) + 1, self.width - 1),
+                clip(min(rows) - 1, self.height - 1), clip(max(rows) + 1, self.height - 1))
+
+
+def cast_all(view, things):
+    """For each pixel the number of the thing that is seen, or -1."""
+    vertices, triangles, owners = [], [], []
+    for number, (_, (points, faces)) in enumerate(things):
+        first = len(vertices)
+        vertices += points
+        triangles += [(a + first, b + first, c + first) for a, b, c in faces]
+        owners += [number] * len(faces)
+    tree = BVHTree.FromPolygons(vertices, triangles, all_triangles=True)
+    seen, hits = [], []
+    for row in range(view.height):
+        for column in range(view.width):
+            start, way = view.ray(column, row)
+            point, _, face, _ = tree.ray_cast(start, way)
+            seen.append(-1 if face is None else owners[face])
+            hits.append(point)
+    return seen, hits
+
+
+def pixels_alone(view, points, faces):
+    """The pixels that a thing covers where nothing else stands in the way, with the point that is hit."""
+    tree = BVHTree.FromPolygons(points, faces, all_triangles=True)
+    left, right, top, bottom = view.rectangle(points)
+    covered = {}
+    for row in range(top, bottom + 1):
+        for column in range(left, right + 1):
+            point = tree.ray_cast(*view.ray(column, row))[0]
+            if point is not None:
+                covered[row * view.width + column] = point
+    return covered
+
+
+def under_furniture(point):
+    """True where a floor point lies in the footprint of something."""
+    for row in OBJECTS:
+        turn = math.radians(row["turn"])
+        dx, dy = point[0] - row["at"][0], point[1] - row["at"][1]
+        x, y = math.cos(turn) * dx + math.sin(turn) * dy, -math.sin(turn) * dx + math.cos(turn) * dy
+        if abs(x) <= row["size"][0] / 2 and abs(y) <= row["size"][1] / 2 and row["at"][2] < 2.0:
+            return True
+    return False
+
+
+def measure_visibility(stay, meshes, width=480, height=270):
+    """Shares of each object and of the free floor that the camera sees, and what the walls hide (it should be nothing)."""
+    view = View(stay, width, height)
+    things = [(row, in_room(row, meshes)) for row in SHELL + OBJECTS if row["parts"] and not left_out(row, stay)]
+    seen, _ = cast_all(view, things)
+    walls = {number for number, (row, _) in enumerate(things) if row["kind"] in ("wall", "opening")}
+    report = {"width": width, "height": height, "objects": {}, "behindWalls": 0, "leftOut": []}
+    for number, (row, (points, faces)) in enumerate(things):
+        if row["kind"] not in ("object", "floor"):
+            continue
+        covered = pixels_alone(view, points, faces)
+        visible = sum(1 for pixel in covered if seen[pixel] == number)
+        report["behindWalls"] += sum(1 for pixel in covered if seen[pixel] in walls)
+        if row["kind"] == "floor":
+            free = [pixel for pixel, point in covered.items() if not under_furniture(point)]
+            report["floor"] = {"free": len(free), "seen": sum(1 for pixel in free if seen[pixel] == number)}
+        else:
+            hiders = sorted({things[seen[p]][0]["id"] for p in covered if seen[p] not in (number, -1)})
+            report["objects"][row["id"]] = {"pixels": visible, "alone": len(covered),
+                                            "visible": round(visible / len(covered), 4) if covered else 0.0, "behind": hiders}
+    report["leftOut"] = [row["id"] for row in OBJECTS if left_out(row, stay)]
+    return report
+
+
+def mask_color(number):
+    """Colours that differ clearly from one number to the next; 0 is the background's black."""
+    return (number * 97 % 251 + 4, number * 57 % 241 + 14, number * 163 % 239 + 16) if number else (0, 0, 0)
+
+
+def write_png(path, width, height, pixels):
+    """A PNG of RGB pixels, byte for byte as given (Blender's own writer would change the colours)."""
+    def chunk(kind, data):
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+    lines = b"".join(b"\0" + bytes(pixels[3 * width * y:3 * width * (y + 1)]) for y in range(height))
+    with open(path, "wb") as file:
+        file.write(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0))
+                   + chunk(b"IDAT", zlib.compress(lines, 6)) + chunk(b"IEND", b""))
+
+
+def write_mask(stay, meshes, picture_path, index_path):
+    """Each thing in a colour of its own, at the picture's size, and a JSON file that says whose colour is whose."""
+    view = View(stay, CAMERA["width"], CAMERA["height"])
+    things = [(row, in_room(row, meshes)) for row in SHELL + OBJECTS if row["parts"] and not left_out(row, stay)]
+    seen, _ = cast_all(view, things)
+    colors = [bytes(mask_color(number)) for number in range(len(things) + 1)]
+    write_png(picture_path, view.width, view.height, b"".join(colors[number + 1] for number in seen))
+    index = [{"id": row["id"], "kind": row["kind"], "category": row["category"], "color": list(mask_color(number))}
+             for number, (row, _) in enumerate(things, 1)]
+    with open(index_path, "w", encoding="utf-8") as file:
+        json.dump({"things": index, "visibility": measure_visibility(stay, meshes)}, file, indent=1)
+        file.write("\n")
