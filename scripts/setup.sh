@@ -23,7 +23,7 @@ log=$root/build/logs/setup.log
 ortools_version=$(sed -n 's/^ortools==\([^ ]*\).*/\1/p' "$root/scripts/requirements/solver.txt")
 bpy_version=$(sed -n 's/^bpy==\([^ ]*\).*/\1/p' "$root/scripts/requirements/blender.txt")
 
-mode=run force=
+mode=run force=""
 for argument in "$@"; do
   case $argument in
     --build-only) mode=build ;;
@@ -55,7 +55,7 @@ logged() {
 
 # ---- what is there ------------------------------------------------------------------------------------------------------------
 
-libraries=
+libraries=""
 has_library() {
   [[ $libraries ]] || libraries=$(PATH=$PATH:/sbin:/usr/sbin ldconfig -p 2>/dev/null || true)
   [[ $libraries == *$'\t'"$1 "* ]]
@@ -241,7 +241,9 @@ set_up_blender() {
 fetch_test_tools() {
   if ! has_python_tools; then
     say "fetching the Python tools of the tests"
-    make_environment "$deps/tools" python3 && install_requirements "$deps/tools" tests.txt || die "the Python tools of the tests could not be fetched"
+    if ! make_environment "$deps/tools" python3 || ! install_requirements "$deps/tools" tests.txt; then
+      die "the Python tools of the tests could not be fetched"
+    fi
   fi
   if ! has_gltf_validator; then
     say "fetching the official glTF validator"

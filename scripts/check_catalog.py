@@ -1,0 +1,212 @@
+#!/usr/bin/env python3
+"""Check the catalogue of furniture: catalog/*.json files that hold "entries" or "rooms".
+
+    check_catalog.py [CATALOG_FOLDER]
+
+Prints one line for each fault and ends with status 1 if there is any. docs/catalog.md says what an entry means.
+"""
+from __future__ import annotations
+
+import ast
+import json
+import operator
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+FAMILIES = set(
+    """box chair armchair sofa stool bench office_chair bean_bag ottoman recliner table desk counter nightstand
+    chest_of_drawers bed bunk_bed crib wardrobe cabinet shelf rack kitchen_unit fridge stove oven dishwasher
+    washing_machine microwave sink toilet bathtub shower floor_lamp table_lamp pendant chandelier wall_lamp ceiling_lamp
+    tv monitor laptop keyboard mouse phone speaker printer projector console_device computer_tower picture mirror clock
+    board wall_shelf curtain blind rug cushion blanket towel plant tree flower_vase vase bowl plate cup bottle glass
+    cutlery pot pan book book_stack magazine candle basket box_container bin jar tray teddy ball toy_blocks toy_car
+    doll_house piano grand_piano guitar drum_kit music_stand treadmill exercise_bike dumbbell_rack dumbbell barbell_bench
+    yoga_mat punching_bag fireplace fan heater air_conditioner radiator easel workbench tool ladder cart trolley stand
+    podium screen_divider mannequin cash_register display_case vending_machine arcade_machine pool_table ping_pong_table
+    foosball_table hospital_bed exam_table wheelchair umbrella_stand coat_rack shoe_rack hanger aquarium fruit bread cake
+    food_plate bicycle car_part suitcase statue globe sewing_machine telescope microscope hammock swing tent pet_bed
+    cat_tree pillar stairs door window""".split()
+)
+MOUNTS = {"floor", "wall", "ceiling", "surface", "hung"}
+SIDES = {"front", "back", "left", "right"}
+KEYS = {
+    "id", "name", "synonyms", "kindOf", "size", "variants", "mount", "usedSides", "hasFront", "backToWall", "thin",
+    "topCarries", "clearance", "hangHeight", "spaces", "standsOn", "faces", "beside", "rooms", "shape", "source",
+}  # fmt: skip
+THIN = 0.03  # m, rugs and mats up to this height collide with nothing
+SLACK = 1e-9  # m
+
+Size = dict[str, float]
+OPERATORS = {ast.Add: operator.add, ast.Sub: operator.sub, ast.Mult: operator.mul, ast.Div: operator.truediv}
+
+
+def evaluate(formula: str, values: Size) -> float:
+    """The value in metres of a formula of w, d, h and i; ValueError for anything else."""
+
+    def walk(node: ast.AST) -> float:
+        if isinstance(node, ast.Constant) and isinstance(node.value, (int, float)):
+            return node.value
+        if isinstance(node, ast.Name) and node.id in values:
+            return values[node.id]
+        if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub):
+            return -walk(node.operand)
+        if isinstance(node, ast.BinOp) and type(node.op) in OPERATORS:
+            return OPERATORS[type(node.op)](walk(node.left), walk(node.right))
+        raise ValueError(f"'{formula}' is not a formula of w, d, h and i")
+
+    try:
+        return walk(ast.parse(formula, mode="eval").body)
+    except SyntaxError as error:
+        raise ValueError(f"'{formula}' is not a formula: {error.msg}") from error
+
+
+def is_linear(formula: str, index: int) -> bool:
+    """True when doubling a difference in w, d or h doubles the difference in value."""
+    base, point, twice = ({"w": a, "d": b, "h": c, "i": index} for a, b, c in ((1, 1, 1), (2, 3, 4), (3, 5, 7)))
+    low, middle, high = (evaluate(formula, values) for values in (base, point, twice))
+    return abs((high - middle) - (middle - low)) < 1e-9
+
+
+def three(length: float | list[float]) -> list[float]:
+    """[least, usual, greatest] of a length."""
+    return length if isinstance(length, list) else [length] * 3
+
+
+def sizes_of(entry: dict) -> Iterator[tuple[str, Size]]:
+    """Every size at which the entry's spaces must be right: least, usual and greatest, of itself and of each variant."""
+    for words, size in [("", entry["size"])] + [(variant["words"][0], variant["size"]) for variant in entry.get("variants", [])]:
+        whole = {side: three(length) for side, length in (entry["size"] | size).items()}
+        for k, which in enumerate(("least", "usual", "greatest")):
+            yield f"{which} {words}".strip(), {side: lengths[k] for side, lengths in whole.items()}
+
+
+def check_size(size: dict, what: str) -> Iterator[str]:
+    for side, length in size.items():
+        lengths = three(length)
+        if side not in ("w", "d", "h") or len(lengths) != 3 or not 0 < lengths[0] <= lengths[1] <= lengths[2] <= 20:
+            yield f"{what} {side}: expected 0 < least ≤ usual ≤ greatest ≤ 20 metres, found {length}"
+
+
+def check_space(space: dict, at: str, size: Size) -> Iterator[str]:
+    for i in range(space.get("repeat", 1)):
+        values = size | {"i": float(i)}
+        low, high = ([evaluate(formula, values) for formula in space[corner]] for corner in ("min", "max"))
+        box_low, box_high = [-size["w"] / 2, -size["d"] / 2, 0], [size["w"] / 2, size["d"] / 2, size["h"]]
+        for axis, a, b, least, most in zip("xyz", low, high, box_low, box_high):
+            if not least - SLACK <= a < b <= most + SLACK:
+                yield f"space '{space['name']}' {i}, {at} size: {axis} from {a:.3f} to {b:.3f} must lie within {least:.3f} to {most:.3f}"
+
+
+def check_spaces(entry: dict) -> Iterator[str]:
+    for space in entry.get("spaces", []):
+        try:
+            if not all(is_linear(formula, 1) for corner in ("min", "max") for formula in space[corner]):
+                yield f"space '{space['name']}': a formula is not linear"
+                continue
+            for at, size in sizes_of(entry):
+                yield from check_space(space, at, size)
+        except (ValueError, ZeroDivisionError) as error:
+            yield f"space '{space['name']}': {error}"
+        if "repeat" in space and "{i}" not in space["name"]:
+            yield f"space '{space['name']}' is repeated and needs {{i}} in its name"
+
+
+def check_entry(entry: dict, ids: dict[str, dict], rooms: set[str]) -> Iterator[str]:
+    """Faults of one entry by itself and of the ids that it names."""
+    for key in entry.keys() - KEYS:
+        yield f"unknown member '{key}'"
+    if set(entry["size"]) != {"w", "d", "h"}:
+        yield "size: expected w, d and h"
+    yield from check_size(entry["size"], "size")
+    for variant in entry.get("variants", []):
+        yield from check_size(variant["size"], f"variant '{variant['words'][0]}'")
+    if entry.get("mount", "floor") not in MOUNTS:
+        yield f"mount '{entry['mount']}' is none of {', '.join(sorted(MOUNTS))}"
+    for key in ("usedSides", "clearance"):
+        if not set(entry.get(key, [])) <= SIDES:
+            yield f"{key}: sides are front, back, left, right"
+    if entry["shape"].get("family") not in FAMILIES:
+        yield f"shape family '{entry['shape'].get('family')}' is unknown"
+    if entry.get("thin") and three(entry["size"]["h"])[2] > THIN:
+        yield f"thin, but up to {three(entry['size']['h'])[2]} m high"
+    for key in ("standsOn", "faces", "beside"):
+        for other in entry.get(key, []):
+            if other not in ids:
+                yield f"{key}: there is no entry '{other}'"
+    for room in entry.get("rooms", []):
+        if room not in rooms:
+            yield f"rooms: there is no room '{room}'"
+    if entry.get("mount") in ("surface", "hung") and not entry.get("standsOn"):
+        yield f"mount {entry['mount']}, but standsOn is empty"
+    if not entry.get("source"):
+        yield "no source"
+    yield from check_spaces(entry)
+
+
+def check_ancestors(entry: dict, ids: dict[str, dict]) -> Iterator[str]:
+    seen, at = {entry["id"]}, entry.get("kindOf")
+    while at:
+        if at not in ids:
+            yield f"kindOf: there is no entry '{at}'"
+            return
+        if at in seen:
+            yield f"kindOf goes round in a circle at '{at}'"
+            return
+        seen.add(at)
+        at = ids[at].get("kindOf")
+
+
+def check_words(things: list[dict]) -> Iterator[str]:
+    """Every id, name and synonym names one thing only."""
+    owner: dict[str, str] = {}
+    for thing in things:
+        own = {thing["id"].replace("_", " "), thing["name"].lower()}
+        for word in [*sorted(own), *thing.get("synonyms", [])]:
+            key = word.replace("-", " ").replace("_", " ")
+            if word in thing.get("synonyms", []) and word != word.lower():
+                yield f"{thing['id']}: synonym '{word}' is not in lower case"
+            if owner.get(key) == thing["id"]:
+                yield f"{thing['id']}: '{word}' is there twice"
+            elif key in owner:
+                yield f"{thing['id']}: '{word}' already names {owner[key]}"
+            owner.setdefault(key, thing["id"])
+
+
+def check_rooms(rooms: list[dict], ids: dict[str, dict]) -> Iterator[str]:
+    for room in rooms:
+        for entry, count in room["usual"]:
+            if entry not in ids or count < 1:
+                yield f"room {room['id']}: '{entry}' × {count} is no entry and count"
+        if set(room["size"]) != {"w", "d", "h"} or min(room["size"].values()) <= 0:
+            yield f"room {room['id']}: size must have w, d and h above 0"
+
+
+def check(folder: Path) -> tuple[list[str], int]:
+    """All faults of the catalogue in a folder, and the number of its entries."""
+    entries, rooms = [], []
+    for path in sorted(folder.glob("*.json")):
+        data = json.loads(path.read_text(encoding="utf-8"))
+        if isinstance(data, dict):
+            entries += data.get("entries", [])
+            rooms += data.get("rooms", [])
+    ids = {entry["id"]: entry for entry in entries}
+    room_ids = {room["id"] for room in rooms}
+    faults = list(check_words(entries)) + list(check_words(rooms)) + list(check_rooms(rooms, ids))
+    for entry in entries:
+        own = [*check_entry(entry, ids, room_ids), *check_ancestors(entry, ids)]
+        faults += [f"{entry['id']}: {fault}" for fault in own]
+    return faults, len(entries)
+
+
+def main() -> int:
+    folder = Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).parent.parent / "catalog"
+    faults, count = check(folder)
+    for fault in faults:
+        print(fault)
+    print(f"{count} entries, {len(faults)} faults")
+    return 1 if faults or not count else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,80 @@
+#!/usr/bin/env python3
+"""Checks that no folder under src/layoutbox/ includes one above it, or a sibling on its own floor.
+
+usage: scripts/check_layers.py [SOURCE_FOLDER]      (default: src/layoutbox of this repository)
+Prints one line per fault, with the place; exit status 1 where there is any.
+"""
+
+import re
+import sys
+from pathlib import Path
+
+# From the ground up; the folders of one floor do not know each other.
+FLOORS = (
+    ("base",),
+    ("scene",),
+    ("catalog",),
+    ("plan", "solve", "furnish"),
+    ("render", "export", "verify"),
+    ("pipeline",),
+    ("experiment", "serve"),
+    ("cli",),
+)
+# Lower floors that a folder may not know either: the verifier judges what these make, so it shares no code with them.
+FORBIDDEN = {"verify": {"plan", "solve", "furnish"}}
+
+INCLUDE = re.compile(r'^\s*#\s*include\s*(?:"([^"]+)"|<(layoutbox/[^>]+)>)', re.MULTILINE)
+FLOOR_OF = {folder: floor for floor, folders in enumerate(FLOORS) for folder in folders}
+GENERATED = "embedded"  # headers that the build makes from data
+
+
+def fault(folder, included):
+    """Why `folder` may not include "`included`" (a path as written), or None where it may."""
+    parts = Path(included).parts
+    if len(parts) < 3 or parts[0] != "layoutbox" or ".." in parts:
+        return "write the path from src/ on: layoutbox/FOLDER/FILE"
+    other = parts[1]
+    if other in (folder, GENERATED):
+        return None
+    if other not in FLOOR_OF:
+        return f"{other}/ has no floor; give it one in scripts/check_layers.py"
+    if other in FORBIDDEN.get(folder, ()):
+        return f"{folder}/ must share no code with {other}/"
+    if FLOOR_OF[other] > FLOOR_OF[folder]:
+        return f"{other}/ is above {folder}/"
+    if FLOOR_OF[other] == FLOOR_OF[folder]:
+        return f"{other}/ is on the same floor as {folder}/"
+    return None
+
+
+def faults(source):
+    """All faults under the folder `source`, as lines "file:line: includes x: why"."""
+    for path in sorted(source.rglob("*")):
+        if path.suffix not in {".h", ".cc", ".inc"}:
+            continue
+        inside = path.relative_to(source)
+        folder = inside.parts[0]
+        if len(inside.parts) < 2 or folder not in FLOOR_OF:
+            yield f"{path}: {folder} has no floor; give it one in scripts/check_layers.py"
+            continue
+        text = path.read_text(encoding="utf-8")
+        for match in INCLUDE.finditer(text):
+            included = match.group(1) or match.group(2)
+            reason = fault(folder, included)
+            if reason:
+                line = text.count("\n", 0, match.start(match.lastindex)) + 1
+                yield f"{path}:{line}: includes {included}: {reason}"
+
+
+def main(arguments):
+    source = Path(arguments[0]) if arguments else Path(__file__).resolve().parent.parent / "src" / "layoutbox"
+    if not source.is_dir():
+        print(f"{source} is no folder", file=sys.stderr)
+        return 2
+    found = list(faults(source))
+    print("\n".join(found) if found else "layers: every include points down")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

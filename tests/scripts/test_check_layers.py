@@ -1,0 +1,57 @@
+"""The layer check finds what points up or sideways, and nothing else."""
+
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+SCRIPT = Path(__file__).resolve().parents[2] / "scripts/check_layers.py"
+
+
+class CheckLayers(unittest.TestCase):
+    def check(self, **files):
+        """The status and output for a source folder with the given files: folder__name=text."""
+        with tempfile.TemporaryDirectory() as folder:
+            for name, text in files.items():
+                path = Path(folder, name.replace("__", "/") + ".cc")
+                path.parent.mkdir(parents=True, exist_ok=True)
+                path.write_text(text)
+            done = subprocess.run([sys.executable, SCRIPT, folder], text=True, capture_output=True, check=False)
+        return done.returncode, done.stdout
+
+    def test_down_is_allowed(self):
+        text = '#include "layoutbox/base/result.h"\n#include <vector>\n#include "layoutbox/embedded/schema.h"\n'
+        self.assertEqual(self.check(scene__a=text, cli__b='#include "layoutbox/scene/a.h"\n')[0], 0)
+
+    def test_own_folder_is_allowed(self):
+        self.assertEqual(self.check(solve__a='#include "layoutbox/solve/cp_sat/wire.h"\n')[0], 0)
+
+    def test_up_is_a_fault_with_its_place(self):
+        status, out = self.check(base__a='// top\n#include "layoutbox/scene/layout.h"\n')
+        self.assertEqual(status, 1)
+        self.assertIn("base/a.cc:2: includes layoutbox/scene/layout.h: scene/ is above base/", out)
+
+    def test_sibling_is_a_fault(self):
+        status, out = self.check(render__a='#  include <layoutbox/export/export.h>\n')
+        self.assertEqual(status, 1)
+        self.assertIn("export/ is on the same floor as render/", out)
+
+    def test_verifier_shares_no_code_with_the_solver(self):
+        status, out = self.check(verify__a='#include "layoutbox/solve/geometry.h"\n')
+        self.assertEqual(status, 1)
+        self.assertIn("must share no code", out)
+
+    def test_subfolders_are_looked_at(self):
+        self.assertEqual(self.check(solve__cp_sat__a='#include "layoutbox/render/render.h"\n')[0], 1)
+
+    def test_unknown_folder_is_a_fault(self):
+        self.assertEqual(self.check(attic__a="")[0], 1)
+
+    def test_path_not_from_src_is_a_fault(self):
+        for path in ("../scene/layout.h", "layout.h", "layoutbox/solve/../render/render.h"):
+            self.assertEqual(self.check(solve__a=f'#include "{path}"\n')[0], 1, path)
+
+    def test_this_repository(self):
+        done = subprocess.run([sys.executable, SCRIPT], text=True, capture_output=True, check=False)
+        self.assertEqual(done.returncode, 0, done.stdout)
