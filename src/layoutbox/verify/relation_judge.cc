@@ -1,0 +1,98 @@
+// Looks up what each relation of a layout names, measures it, and compares with what the layout claims.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "layoutbox/verify/checks.h"
+#include "layoutbox/verify/relation_check.h"
+
+namespace layoutbox::judge {
+namespace {
+
+using CheckFunction = Finding (*)(const Case&);
+
+constexpr std::array kChecks{
+#define LAYOUTBOX_RELATION(name, json_name, group, arity, kinds, parameters, sentence) CheckFunction{&check_##name},
+#include "layoutbox/scene/relation_list.inc"
+#undef LAYOUTBOX_RELATION
+};
+
+bool is_place_word(const std::string& id) { return id == "room" || id == "floor" || id == "ceiling"; }
+
+std::optional<Reference> look_up(const RoomView& view, const std::string& id) {
+  if (const Body* body = view.find_body(id)) return Reference{id, body, nullptr};
+  if (const Face* opening = view.find_opening(id)) return Reference{id, nullptr, opening};
+  if (const Face* wall = view.find_wall(id)) return Reference{wall->id, nullptr, wall};
+  if (is_place_word(id)) return Reference{id, nullptr, nullptr};
+  return std::nullopt;
+}
+
+Finding measure(const RoomView& view, const Relation& relation) {
+  Case c{view, relation, {}, {}};
+  std::vector<std::string> unknown;
+  for (const std::string& id : relation.targets) {
+    if (const Body* body = view.find_body(id)) {
+      c.targets.push_back(body);
+    } else {
+      unknown.push_back(id);
+    }
+  }
+  for (const std::string& id : relation.references) {
+    if (std::optional<Reference> reference = look_up(view, id)) {
+      c.references.push_back(*std::move(reference));
+    } else {
+      unknown.push_back(id);
+    }
+  }
+  if (!unknown.empty()) return condition(false, fmt::format("names {}, which the layout does not have", fmt::join(unknown, ", ")));
+  if (c.targets.empty()) return condition(false, "names no target");
+  const RelationArity arity = relation_row(relation.type).arity;
+  const bool needs_reference = arity == RelationArity::kOne || arity == RelationArity::kMany;
+  if (needs_reference && c.references.empty()) return condition(false, "names nothing that it relates to");
+  return kChecks[static_cast<std::size_t>(relation.type)](c);
+}
+
+bool is_relaxed(const Layout& layout, const Relation& relation) {
+  return std::any_of(layout.relaxed.begin(), layout.relaxed.end(), [&](const Relaxation& relaxed) { return relaxed.relation == relation.id; });
+}
+
+std::string verdict(const PlacedRelation& placed, const Finding& finding, bool relaxed) {
+  const std::string_view type = relation_row(placed.relation.type).name;
+  if (finding.held) return fmt::format("{} holds: {}{}", type, finding.message, placed.held ? "" : " (the layout says that it does not)");
+  std::string_view note;
+  if (relaxed) {
+    note = " (given up, as listed)";
+  } else if (placed.held) {
+    note = " (the layout says that it holds)";
+  } else if (placed.relation.hard) {
+    note = " (not listed as given up)";
+  }
+  return fmt::format("{} does not hold: {}{}", type, finding.message, note);
+}
+
+}  // namespace
+
+void check_relations(const RoomView& view, Report& report) {
+  int hard = 0, hard_held = 0, soft = 0, soft_held = 0, false_claims = 0;
+  for (std::size_t i = 0; i < view.layout.relations.size(); ++i) {
+    const PlacedRelation& placed = view.layout.relations[i];
+    const Finding finding = measure(view, placed.relation);
+    const bool relaxed = is_relaxed(view.layout, placed.relation);
+    (placed.relation.hard ? hard : soft) += 1;
+    (placed.relation.hard ? hard_held : soft_held) += finding.held;
+    false_claims += placed.held && !finding.held;
+    report.checks.push_back({"relation", placed.relation.id, finding.held, placed.relation.hard && !relaxed,
+                             std::isfinite(finding.value) ? finding.value : 0, finding.unit, verdict(placed, finding, relaxed),
+                             fmt::format("/relations/{}", i)});
+  }
+  const auto share = [](int part, int whole) { return whole == 0 ? 1.0 : part / static_cast<double>(whole); };
+  report.metrics["relationsHeld"] = share(hard_held, hard);
+  report.metrics["softRelationsHeld"] = share(soft_held, soft);
+  report.metrics["relationsRelaxed"] = static_cast<double>(view.layout.relaxed.size());
+  report.metrics["falseClaims"] = false_claims;
+}
+
+}  // namespace layoutbox::judge

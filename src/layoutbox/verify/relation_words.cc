@@ -1,0 +1,129 @@
+// The words that docs/relations.md defines before its tables: beyond, at side, in line, covers, looks at.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "layoutbox/verify/checks.h"
+#include "layoutbox/verify/relation_check.h"
+
+namespace layoutbox::judge {
+
+std::string name_of_pair(const Body& body, const Reference& reference) { return body.id() + " and " + reference.id; }
+
+Vec direction_of(const Frame& frame, Side side) {
+  switch (side) {
+    case Side::kBack: return frame.y;
+    case Side::kLeft: return frame.x * -1;
+    case Side::kRight: return frame.x;
+    default: return frame.y * -1;
+  }
+}
+
+Vec front_of(const Body& body) { return body.own_frame.y * -1; }
+
+std::vector<Side> sides_named(const Body& body, Side side) {
+  const std::vector<Side> at_ends{Side::kLeft, Side::kRight}, along{Side::kFront, Side::kBack};
+  if (side != Side::kLong && side != Side::kShort) return {side};
+  const double width = extent(body.shape, body.shape.frame.x).length(), depth = extent(body.shape, body.shape.frame.y).length();
+  if (std::abs(width - depth) < 0.0005) return {Side::kFront, Side::kBack, Side::kLeft, Side::kRight};
+  return (width > depth) == (side == Side::kLong) ? along : at_ends;
+}
+
+Interval room_extent(const Body& body, Axis axis) {
+  if (axis == Axis::kZ) return body.shape.heights;
+  return extent(body.shape, axis == Axis::kX ? Vec{1, 0} : Vec{0, 1});
+}
+
+Interval room_extent(const Case& c, const Reference& reference, Axis axis) {
+  if (reference.body != nullptr) return room_extent(*reference.body, axis);
+  if (reference.is_place()) return axis == Axis::kX ? c.view.floor_x : axis == Axis::kY ? c.view.floor_y : Interval{0, c.view.height};
+  return axis == Axis::kZ ? reference.face->shape.heights : extent(reference.face->shape, axis == Axis::kX ? Vec{1, 0} : Vec{0, 1});
+}
+
+double turn_between(double a_deg, double b_deg) {
+  const double turn = std::fabs(std::remainder(a_deg - b_deg, 360.0));
+  return std::isfinite(turn) ? turn : 180.0;
+}
+
+Finding gap_within(const Case& c, const Body& t, const Reference& r, std::optional<double> min, std::optional<double> max) {
+  if (r.is_place()) return condition(false, r.id + " is neither an object nor a wall, door or window");
+  return in_band("distance between " + name_of_pair(t, r), gap(t.shape, r.shape()), min, max, c.slack());
+}
+
+Finding in_line(const Case& c, const Body& t, const Shape& r, Vec along) {
+  const Interval a = extent(t.shape, along), b = extent(r, along);
+  return at_most(t.id() + " is out of line by", std::abs(a.mid() - b.mid()), std::max(a.half(), b.half()), c.slack());
+}
+
+Finding beyond(const Case& c, const Body& t, const Reference& r, Side side) {
+  if (r.is_place()) return condition(false, r.id + " has no sides");
+  const Shape& shape = r.shape();
+  const Vec out = direction_of(shape.frame, side);
+  const double past = extent(t.shape, out).lo - extent(shape, out).hi;
+  const Vec along = side == Side::kFront || side == Side::kBack ? shape.frame.x : shape.frame.y;
+  return all_of({at_least(fmt::format("{} is beyond the {} side of {} by", t.id(), name_of(side), r.id), past, 0, c.slack()),
+                 in_line(c, t, shape, along)});
+}
+
+Finding at_side(const Case& c, const Body& t, const Reference& r, Side side) {
+  if (r.is_place()) return condition(false, r.id + " has no sides");
+  const Shape& shape = r.shape();
+  const Vec out = direction_of(shape.frame, side);
+  const Interval a = extent(t.shape, out), b = extent(shape, out);
+  const Vec along = side == Side::kFront || side == Side::kBack ? shape.frame.x : shape.frame.y;
+  return all_of({at_least(fmt::format("{} stands out at the {} side of {} by", t.id(), name_of(side), r.id), a.hi - b.hi, 0, c.slack()),
+                 at_least(fmt::format("{} is past the middle of {} by", t.id(), r.id), a.lo - b.mid(), 0, c.slack()),
+                 in_line(c, t, shape, along)});
+}
+
+Finding at_any_side(const Case& c, const Body& t, const Reference& r, const std::vector<Side>& sides) {
+  std::vector<Finding> findings;
+  for (const Side side : sides) findings.push_back(at_side(c, t, r, side));
+  return any_of(std::move(findings), "there is no such side");
+}
+
+Finding covers(const Case& c, const Body& t, const Shape& r, double grow, const std::string& reference) {
+  std::vector<Finding> findings;
+  for (const Vec axis : {r.frame.x, r.frame.y}) {
+    const Interval a = extent(t.shape, axis), b = extent(r, axis);
+    const double half_r = b.half() + grow;
+    findings.push_back(at_most(fmt::format("middles of {} and {} apart by", t.id(), reference), std::abs(a.mid() - b.mid()),
+                               std::max(a.half(), half_r) - std::min(a.half(), half_r) / 2, c.slack()));
+  }
+  return all_of(std::move(findings));
+}
+
+Finding looks_at(const Body& t, const Reference& r, const RoomView& view) {
+  if (!t.has_front) return condition(true, t.id() + " has no front");
+  const Polygon place{{view.floor_x.mid(), view.floor_y.mid()}};
+  const double angle = angle_to(t.shape.center, front_of(t), r.is_place() ? place : r.shape().plan);
+  return degrees_at_most(fmt::format("{} is turned from {} by", t.id(), r.id), angle, kLookAngle);
+}
+
+Finding shares_half_along(const Body& t, const Face& face) {
+  const Interval a = extent(t.shape, face.along), b = extent(face.shape, face.along);
+  const double shorter = std::min(a.length(), b.length());
+  return at_least(fmt::format("{} is in front of {} over", t.id(), face.id), overlap(a, b), shorter / 2, kTiny);
+}
+
+Finding side_along_wall(const Case& c, const Body& t, const Face& wall, const std::vector<Side>& sides, double max_gap) {
+  std::vector<Finding> findings;
+  for (const Side which : sides) {
+    const BodySide side = side_of(t, which);
+    const double turn = std::acos(std::clamp(dot(side.outward, wall.inward * -1), -1.0, 1.0)) * (180.0 / kPi);
+    findings.push_back(degrees_at_most(fmt::format("the {} of {} is turned from {} by", name_of(which), t.id(), wall.id), turn, kAngleSlack));
+  }
+  return all_of({any_of(std::move(findings), "there is no such side"),
+                 at_most(fmt::format("gap between {} and {}", t.id(), wall.id), gap(t.shape, wall.shape), max_gap, c.slack()),
+                 shares_half_along(t, wall)});
+}
+
+Finding keeps_out_of_opening(const Case& c, const Body& t, const Face& opening, std::optional<double> depth) {
+  if (t.rug || (opening.is_window() && t.curtain)) return condition(true, t.id() + " is in nobody's way");
+  const double before = penetration(t.shape, depth ? space_before(opening, *depth) : space_before(opening));
+  return all_of({at_most(fmt::format("{} reaches into the space before {} by", t.id(), opening.id), std::max(0.0, before), 0, c.slack()),
+                 at_most(fmt::format("{} reaches into the swing of {} by", t.id(), opening.id), swing_intrusion(opening, t), 0, c.slack())});
+}
+
+}  // namespace layoutbox::judge

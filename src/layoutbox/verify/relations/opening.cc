@@ -1,0 +1,61 @@
+// Relations of an object and doors or windows.
+#include <fmt/format.h>
+
+#include "layoutbox/verify/relation_check.h"
+
+namespace layoutbox::judge {
+namespace {
+
+bool any_opening(const Face& face) { return face.opening != nullptr; }
+
+Finding near_face(const Case& c, const Body& t, const Face& face) {
+  const RelationParameters& given = c.relation.parameters;
+  return in_band(fmt::format("distance between {} and {}", t.id(), face.id), gap(t.shape, face.shape), c.metres(given.min, "min"),
+                 c.metres(given.max, "max"), c.slack());
+}
+
+Finding far_from_all(const Case& c, const std::function<bool(const Face&)>& wanted) {
+  const std::vector<const Face*> faces = named_or_all(c, c.view.openings, wanted);
+  return each_target(c, [&](const Body& t) {
+    std::vector<Finding> findings;
+    for (const Face* face : faces) findings.push_back(near_face(c, t, *face));
+    return all_of(std::move(findings));
+  });
+}
+
+}  // namespace
+
+Finding check_UnderWindow(const Case& c) {
+  const double max = c.metres(c.relation.parameters.max, "max").value_or(0.3);
+  return each_target(c, [&](const Body& t) {
+    return any_window(c, [&](const Face& window) { return below_window(c, t, window, max); });
+  });
+}
+
+Finding check_NearDoor(const Case& c) {
+  return each_target(c, [&](const Body& t) { return any_door(c, [&](const Face& door) { return near_face(c, t, door); }); });
+}
+
+Finding check_NearWindow(const Case& c) {
+  return each_target(c, [&](const Body& t) { return any_window(c, [&](const Face& window) { return near_face(c, t, window); }); });
+}
+
+Finding check_FarFromDoor(const Case& c) {
+  return far_from_all(c, [](const Face& face) { return face.is_door(); });
+}
+
+Finding check_FarFromWindow(const Case& c) {
+  return far_from_all(c, [](const Face& face) { return face.is_window(); });
+}
+
+Finding check_NotBlocking(const Case& c) {
+  const std::optional<double> depth = c.metres(c.relation.parameters.depth, "depth");
+  const std::vector<const Face*> faces = named_or_all(c, c.view.openings, any_opening);
+  return each_target(c, [&](const Body& t) {
+    std::vector<Finding> findings;
+    for (const Face* face : faces) findings.push_back(keeps_out_of_opening(c, t, *face, depth));
+    return all_of(std::move(findings));
+  });
+}
+
+}  // namespace layoutbox::judge

@@ -1,0 +1,169 @@
+// Relations of two objects: beside, near, facing, turned like, centred on, tucked under.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "layoutbox/verify/relation_check.h"
+
+namespace layoutbox::judge {
+namespace {
+
+constexpr double kTuckedAtLeast = 0.05;  // m
+
+double max_of(const Case& c, double otherwise) { return c.metres(c.relation.parameters.max, "max").value_or(otherwise); }
+
+Finding beyond_within_reach(const Case& c, Side side) {
+  return each_pair(c, [&](const Body& t, const Reference& r) {
+    return all_of({gap_within(c, t, r, std::nullopt, max_of(c, 1.5)), beyond(c, t, r, side)});
+  });
+}
+
+Finding distances(const Case& c) {
+  const RelationParameters& given = c.relation.parameters;
+  return each_pair(c, [&](const Body& t, const Reference& r) { return gap_within(c, t, r, c.metres(given.min, "min"), c.metres(given.max, "max")); });
+}
+
+// How far the turn of t against the reference is from one of the turns allowed (multiples of `step` degrees, from `first`).
+Finding turned(const Case& c, double first, double step, const std::string& what) {
+  return each_pair(c, [&](const Body& t, const Reference& r) {
+    if (r.is_place()) return condition(false, r.id + " has no direction");
+    const Vec x = r.body != nullptr ? r.body->own_frame.x : r.shape().frame.x;
+    const double turn = std::atan2(cross(x, t.own_frame.x), dot(x, t.own_frame.x)) * (180.0 / kPi);
+    const double off = std::abs(std::remainder(turn - first, step));
+    return degrees_at_most(fmt::format("{} is off {} {} by", t.id(), what, r.id), off, kAngleSlack);
+  });
+}
+
+Finding centred_along(const Case& c, const Body& t, const Reference& r, Vec axis) {
+  return at_most(fmt::format("centres of {} apart by", name_of_pair(t, r)), std::abs(extent(t.shape, axis).mid() - extent(r.shape(), axis).mid()), 0,
+                 c.slack());
+}
+
+bool used_all_round(const Body& body) {
+  constexpr std::array kFourSides{Side::kFront, Side::kBack, Side::kLeft, Side::kRight};
+  const std::vector<Side>& sides = body.entry->used_sides;
+  const auto used = [&](Side side) { return std::find(sides.begin(), sides.end(), side) != sides.end(); };
+  return !body.has_front || std::all_of(kFourSides.begin(), kFourSides.end(), used);
+}
+
+Finding alongside(const Case& c, const Body& t, const Reference& r, Side side, double max) {
+  if (r.body == nullptr) return condition(false, r.id + " has no long or short side");
+  return all_of({gap_within(c, t, r, std::nullopt, max), at_any_side(c, t, r, sides_named(*r.body, side))});
+}
+
+// Beside the reference, near its back.
+Finding beside_head(const Case& c, const Body& t, const Reference& r) {
+  const Shape& shape = r.shape();
+  const Interval depth = extent(shape, shape.frame.y);
+  const Finding beside = any_of({at_least(fmt::format("{} is beyond the left side of {} by", t.id(), r.id),
+                                          extent(t.shape, shape.frame.x * -1).lo - extent(shape, shape.frame.x * -1).hi, 0, c.slack()),
+                                 at_least(fmt::format("{} is beyond the right side of {} by", t.id(), r.id),
+                                          extent(t.shape, shape.frame.x).lo - extent(shape, shape.frame.x).hi, 0, c.slack())},
+                                {});
+  const double behind_third = dot(t.shape.center, shape.frame.y) - (depth.hi - depth.length() / 3);
+  return all_of({beside, at_least(fmt::format("{} is within the rear third of {} by", t.id(), r.id), behind_third, 0, c.slack())});
+}
+
+Finding tucked(const Case& c, const Body& t, const Reference& r, Side which) {
+  const Shape& shape = r.shape();
+  const Vec out = direction_of(shape.frame, which);
+  const Vec along = which == Side::kFront || which == Side::kBack ? shape.frame.x : shape.frame.y;
+  const Interval across_t = extent(t.shape, along), across_r = extent(shape, along);
+  return all_of({at_least(fmt::format("{} reaches under {} by", t.id(), r.id), extent(shape, out).hi - extent(t.shape, out).lo, kTuckedAtLeast, c.slack()),
+                 at_side(c, t, r, which),
+                 at_most(fmt::format("{} reaches past the side of {} by", t.id(), r.id),
+                         std::max(across_r.lo - across_t.lo, across_t.hi - across_r.hi), 0, c.slack())});
+}
+
+}  // namespace
+
+Finding check_LeftOf(const Case& c) { return beyond_within_reach(c, Side::kLeft); }
+Finding check_RightOf(const Case& c) { return beyond_within_reach(c, Side::kRight); }
+Finding check_Behind(const Case& c) { return beyond_within_reach(c, Side::kBack); }
+Finding check_AtFootOf(const Case& c) { return beyond_within_reach(c, Side::kFront); }
+
+Finding check_InFrontOf(const Case& c) {
+  return each_pair(c, [&](const Body& t, const Reference& r) {
+    if (r.face == nullptr) return all_of({gap_within(c, t, r, std::nullopt, max_of(c, 1.5)), beyond(c, t, r, Side::kFront)});
+    return all_of({at_most(fmt::format("distance between {} in plan", name_of_pair(t, r)), distance(t.shape.plan, r.shape().plan), max_of(c, 1.5), c.slack()),
+                   beyond(c, t, r, Side::kFront)});
+  });
+}
+
+Finding check_NextTo(const Case& c) { return distances(c); }
+Finding check_Near(const Case& c) { return distances(c); }
+Finding check_Far(const Case& c) { return distances(c); }
+Finding check_Distance(const Case& c) { return distances(c); }
+
+Finding check_Touching(const Case& c) {
+  return each_pair(c, [&](const Body& t, const Reference& r) { return gap_within(c, t, r, std::nullopt, 0.0); });
+}
+
+Finding check_EdgeAlign(const Case& c) {
+  const std::string& word = c.relation.parameters.edge;
+  return each_pair(c, [&](const Body& t, const Reference& r) {
+    if (r.is_place()) return condition(false, r.id + " has no edges");
+    const Frame& frame = r.shape().frame;
+    if (word == "center" || word == "centre" || word == "middle") return centred_along(c, t, r, frame.x);
+    const Vec out = direction_of(frame, side_from_name(word.empty() ? "front" : word).value_or(Side::kFront));
+    return at_most(fmt::format("the {} edges of {} are apart by", word.empty() ? "front" : word, name_of_pair(t, r)),
+                   std::abs(extent(t.shape, out).hi - extent(r.shape(), out).hi), 0, c.slack());
+  });
+}
+
+Finding check_Facing(const Case& c) {
+  return each_pair(c, [&](const Body& t, const Reference& r) { return looks_at(t, r, c.view); });
+}
+
+Finding check_Opposite(const Case& c) {
+  const RelationParameters& given = c.relation.parameters;
+  return each_pair(c, [&](const Body& t, const Reference& r) {
+    std::vector<Finding> findings{gap_within(c, t, r, c.metres(given.min, "min"), c.metres(given.max, "max")), looks_at(t, r, c.view)};
+    if (r.body != nullptr) findings.push_back(looks_at(*r.body, {t.id(), &t, nullptr}, c.view));
+    if (r.face != nullptr) findings.push_back(in_line(c, t, r.shape(), r.shape().frame.x));
+    return all_of(std::move(findings));
+  });
+}
+
+Finding check_Parallel(const Case& c) { return turned(c, 0, 180, "being parallel to"); }
+Finding check_Perpendicular(const Case& c) { return turned(c, 90, 180, "being perpendicular to"); }
+Finding check_SameOrientation(const Case& c) { return turned(c, 0, 360, "the direction of"); }
+
+Finding check_CenteredOn(const Case& c) {
+  return each_pair(c, [&](const Body& t, const Reference& r) {
+    if (r.is_place()) return condition(false, r.id + " has no middle");
+    const Frame& frame = r.shape().frame;
+    const Finding x = centred_along(c, t, r, frame.x), y = centred_along(c, t, r, frame.y);
+    const bool on_it = r.body != nullptr && t.object->supported_by == r.id;
+    if (on_it || t.object->mount == Mount::kCeiling || t.rug || (r.body != nullptr && r.body->rug)) return all_of({x, y});
+    if (r.face != nullptr || r.body->object->mount == Mount::kWall || t.object->mount == Mount::kWall) return x;
+    return any_of({x, y}, {});
+  });
+}
+
+Finding check_AtHeadOf(const Case& c) {
+  const double max = max_of(c, 0.5);
+  return each_pair(c, [&](const Body& t, const Reference& r) {
+    if (r.body == nullptr) return condition(false, r.id + " has no head");
+    if (used_all_round(*r.body)) return alongside(c, t, r, Side::kShort, max);
+    return all_of({gap_within(c, t, r, std::nullopt, max), any_of({beside_head(c, t, r), beyond(c, t, r, Side::kBack)}, {})});
+  });
+}
+
+Finding check_AlongSide(const Case& c) {
+  const Side side = c.relation.parameters.side.value_or(Side::kLong);
+  return each_pair(c, [&](const Body& t, const Reference& r) { return alongside(c, t, r, side, max_of(c, 0.5)); });
+}
+
+Finding check_TuckedUnder(const Case& c) {
+  return each_pair(c, [&](const Body& t, const Reference& r) {
+    if (r.is_place()) return condition(false, "nothing can be tucked under " + r.id);
+    std::vector<Finding> sides;
+    for (const Side side : {Side::kFront, Side::kBack, Side::kLeft, Side::kRight}) sides.push_back(tucked(c, t, r, side));
+    return all_of({any_of(std::move(sides), {}), looks_at(t, r, c.view)});
+  });
+}
+
+}  // namespace layoutbox::judge

@@ -1,0 +1,82 @@
+// The four relations of the paper: offset, align, inside, groupAlign.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "layoutbox/verify/checks.h"
+#include "layoutbox/verify/relation_check.h"
+
+namespace layoutbox::judge {
+namespace {
+
+double edge_gap(Interval a, Interval b) { return -overlap(a, b); }
+
+Axis offset_axis(const Case& c, const Body& t, const Reference& r) {
+  if (c.relation.parameters.axis) return *c.relation.parameters.axis;
+  if (r.is_wall()) return std::abs(r.face->inward.x) > std::abs(r.face->inward.y) ? Axis::kX : Axis::kY;
+  const double x = edge_gap(room_extent(t, Axis::kX), room_extent(c, r, Axis::kX));
+  const double y = edge_gap(room_extent(t, Axis::kY), room_extent(c, r, Axis::kY));
+  return x >= y ? Axis::kX : Axis::kY;
+}
+
+enum class Edge { kLo, kMid, kHi };
+
+double coordinate(Interval extent, Edge edge) { return edge == Edge::kLo ? extent.lo : edge == Edge::kHi ? extent.hi : extent.mid(); }
+
+Finding aligned_along(const Case& c, Axis axis, Edge edge) {
+  std::vector<double> places;
+  for (const Body* target : c.targets) places.push_back(coordinate(room_extent(*target, axis), edge));
+  for (const Reference& reference : c.references) places.push_back(coordinate(room_extent(c, reference, axis), edge));
+  if (places.empty()) return {};
+  const auto [least, greatest] = std::minmax_element(places.begin(), places.end());
+  return at_most(fmt::format("out of line along {} by", name_of(axis)), *greatest - *least, 0, c.slack());
+}
+
+Finding aligned(const Case& c) {
+  const std::string& word = c.relation.parameters.edge;
+  const bool lo = word == "min" || word == "left" || word == "front" || word == "bottom";
+  const bool hi = word == "max" || word == "right" || word == "back" || word == "top";
+  const Edge edge = lo ? Edge::kLo : hi ? Edge::kHi : Edge::kMid;
+  if (word == "left" || word == "right") return aligned_along(c, Axis::kX, edge);
+  if (word == "front" || word == "back") return aligned_along(c, Axis::kY, edge);
+  if (word == "bottom" || word == "top") return aligned_along(c, Axis::kZ, edge);
+  if (c.relation.parameters.axis) return aligned_along(c, *c.relation.parameters.axis, edge);
+  return any_of({aligned_along(c, Axis::kX, edge), aligned_along(c, Axis::kY, edge)}, {});
+}
+
+}  // namespace
+
+Finding check_Offset(const Case& c) {
+  const double wanted = c.metres(c.relation.parameters.distance, "distance").value_or(0);
+  return each_pair(c, [&](const Body& t, const Reference& r) {
+    const Axis axis = offset_axis(c, t, r);
+    return equal_to(fmt::format("gap between {} along {}", name_of_pair(t, r), name_of(axis)),
+                    edge_gap(room_extent(t, axis), room_extent(c, r, axis)), wanted, c.slack());
+  });
+}
+
+Finding check_Align(const Case& c) { return aligned(c); }
+
+Finding check_GroupAlign(const Case& c) { return aligned(c); }
+
+Finding check_Inside(const Case& c) {
+  const auto in_room = [&](const Body& t) {
+    const double area = signed_area(t.shape.plan);
+    const double off = area > 0 ? std::max(0.0, 1 - signed_area(clip(c.view.floor, t.shape.plan)) / area) : 0.0;
+    return all_of({condition(off <= 0.01, fmt::format("{:.1f} % of the footprint of {} is off the floor, at most 1 %", off * 100, t.id())),
+                   at_most(fmt::format("the top of {} is at", t.id()), t.top(), c.view.height, c.slack())});
+  };
+  if (c.references.empty()) return each_target(c, in_room);
+  return each_pair(c, [&](const Body& t, const Reference& r) {
+    if (r.is_place()) return in_room(t);
+    std::vector<Finding> findings;
+    for (const Vec axis : {r.shape().frame.x, r.shape().frame.y}) {
+      const Interval a = extent(t.shape, axis), b = extent(r.shape(), axis);
+      findings.push_back(at_most(fmt::format("{} reaches out of {} by", t.id(), r.id), std::max(b.lo - a.lo, a.hi - b.hi), 0, c.slack()));
+    }
+    return all_of(std::move(findings));
+  });
+}
+
+}  // namespace layoutbox::judge

@@ -1,0 +1,147 @@
+// Relations of an object and the room: walls, corners, the middle, regions, the ceiling.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "layoutbox/verify/checks.h"
+#include "layoutbox/verify/relation_check.h"
+
+namespace layoutbox::judge {
+namespace {
+
+constexpr double kMounted = 0.01;  // m: what hangs on a wall or ceiling is at most that far off
+
+std::vector<Side> back_of(const Body& body) {
+  if (!body.has_front) return {Side::kFront, Side::kBack, Side::kLeft, Side::kRight};
+  return {Side::kBack};
+}
+
+double wall_gap(const Case& c) { return c.metres(c.relation.parameters.gap, "gap").value_or(0.02); }
+
+// Walls that follow one another round the floor and form an inner corner.
+bool meet_in_corner(const Face& a, const Face& b) {
+  const auto follows = [](const Face& first, const Face& second) {
+    return length(first.end - second.start) < 0.02 && cross(first.along, second.along) > 0.01;
+  };
+  return follows(a, b) || follows(b, a);
+}
+
+Interval common_extent(const Case& c, Vec axis) {
+  Interval common = extent(c.targets.front()->shape, axis);
+  for (const Body* target : c.targets) common = hull(common, extent(target->shape, axis));
+  return common;
+}
+
+Finding within_wall(const Case& c, const Body& t, const Face& wall) {
+  const Interval a = extent(t.shape, wall.along), b = extent(wall.shape, wall.along);
+  return at_most(fmt::format("{} reaches past the end of {} by", t.id(), wall.id), std::max(b.lo - a.lo, a.hi - b.hi), 0, c.slack());
+}
+
+}  // namespace
+
+Finding check_AgainstWall(const Case& c) {
+  return each_target(c, [&](const Body& t) {
+    return any_wall(c, [&](const Face& wall) { return side_along_wall(c, t, wall, back_of(t), wall_gap(c)); });
+  });
+}
+
+Finding check_SideAgainstWall(const Case& c) {
+  return each_target(c, [&](const Body& t) {
+    const std::vector<Side> sides = c.relation.parameters.side ? sides_named(t, *c.relation.parameters.side) : std::vector{Side::kLeft, Side::kRight};
+    return any_wall(c, [&](const Face& wall) { return side_along_wall(c, t, wall, sides, wall_gap(c)); });
+  });
+}
+
+Finding check_Corner(const Case& c) {
+  const double max = c.metres(c.relation.parameters.max, "max").value_or(0.5);
+  const auto is_wall = [](const Face& face) { return face.opening == nullptr; };
+  const std::vector<const Face*> named = named_or_all(c, c.view.walls, is_wall);
+  const bool all_walls = named.size() == c.view.walls.size();
+  const auto is_named = [&](const Face& wall) { return std::find(named.begin(), named.end(), &wall) != named.end(); };
+  return each_target(c, [&](const Body& t) {
+    std::vector<Finding> corners;
+    for (std::size_t i = 0; i < c.view.walls.size(); ++i) {
+      for (std::size_t j = i + 1; j < c.view.walls.size(); ++j) {
+        const Face &a = c.view.walls[i], &b = c.view.walls[j];
+        if (!meet_in_corner(a, b)) continue;
+        if (!all_walls && (named.size() == 1 ? !is_named(a) && !is_named(b) : !is_named(a) || !is_named(b))) continue;
+        corners.push_back(all_of({at_most(fmt::format("distance between {} and {}", t.id(), a.id), gap(t.shape, a.shape), max, c.slack()),
+                                  at_most(fmt::format("distance between {} and {}", t.id(), b.id), gap(t.shape, b.shape), max, c.slack())}));
+      }
+    }
+    return any_of(std::move(corners), "there is no such corner");
+  });
+}
+
+Finding check_CenterOfRoom(const Case& c) {
+  const double max = c.metres(c.relation.parameters.max, "max").value_or(0.05);
+  return all_of({at_most("off the middle of the room along x by", std::abs(common_extent(c, {1, 0}).mid() - c.view.floor_x.mid()), max, c.slack()),
+                 at_most("off the middle of the room along y by", std::abs(common_extent(c, {0, 1}).mid() - c.view.floor_y.mid()), max, c.slack())});
+}
+
+Finding check_CenteredOnWall(const Case& c) {
+  return any_wall(c, [&](const Face& wall) {
+    const Finding against = each_target(c, [&](const Body& t) { return side_along_wall(c, t, wall, back_of(t), wall_gap(c)); });
+    const double off = std::abs(common_extent(c, wall.along).mid() - dot(wall.shape.center, wall.along));
+    return all_of({at_most(fmt::format("off the middle of {} by", wall.id), off, 0, c.slack()), against});
+  });
+}
+
+Finding check_InRegion(const Case& c) {
+  const std::string& region = c.relation.parameters.region;
+  const Interval x = c.view.floor_x, y = c.view.floor_y;
+  const auto has = [&](std::string_view word) { return region.find(word) != std::string::npos; };
+  const bool middle = has("middle") || has("center") || has("centre");
+  if (!middle && !has("left") && !has("right") && !has("front") && !has("back")) {
+    return condition(false, fmt::format("\"{}\" is no part of a room", region));
+  }
+  return each_target(c, [&](const Body& t) {
+    const Vec at = t.shape.center;
+    std::vector<Finding> findings;
+    if (has("left")) findings.push_back(at_most(fmt::format("the centre of {} is at x", t.id()), at.x, x.mid(), c.slack()));
+    if (has("right")) findings.push_back(at_least(fmt::format("the centre of {} is at x", t.id()), at.x, x.mid(), c.slack()));
+    if (has("front")) findings.push_back(at_most(fmt::format("the centre of {} is at y", t.id()), at.y, y.mid(), c.slack()));
+    if (has("back")) findings.push_back(at_least(fmt::format("the centre of {} is at y", t.id()), at.y, y.mid(), c.slack()));
+    if (middle) {
+      findings.push_back(at_most(fmt::format("{} is off the middle along x by", t.id()), std::abs(at.x - x.mid()), x.length() / 6, c.slack()));
+      findings.push_back(at_most(fmt::format("{} is off the middle along y by", t.id()), std::abs(at.y - y.mid()), y.length() / 6, c.slack()));
+    }
+    return all_of(std::move(findings));
+  });
+}
+
+Finding check_OnWall(const Case& c) {
+  const std::optional<double> wanted = c.metres(c.relation.parameters.height, "height");
+  return each_target(c, [&](const Body& t) {
+    return any_wall(c, [&](const Face& wall) {
+      const bool held = c.view.find_wall(t.object->supported_by) == &wall;
+      std::vector<Finding> findings{condition(held, fmt::format("{} is held by {}, not by {}", t.id(), t.object->supported_by, wall.id)),
+                                    side_along_wall(c, t, wall, back_of(t), kMounted), within_wall(c, t, wall)};
+      if (wanted) findings.push_back(equal_to(fmt::format("the underside of {} is at", t.id()), t.underside(), *wanted, c.slack()));
+      Finding finding = all_of(std::move(findings));
+      if (finding.held) finding.message = fmt::format("{} hangs on {}", t.id(), wall.id);
+      return finding;
+    });
+  });
+}
+
+Finding check_OnCeiling(const Case& c) {
+  return each_target(c, [&](const Body& t) {
+    return at_most(fmt::format("distance between {} and the ceiling", t.id()), std::abs(c.view.height - t.top()), kMounted, 0);
+  });
+}
+
+Finding check_AwayFromWall(const Case& c) {
+  const double min = c.metres(c.relation.parameters.min, "min").value_or(0.5);
+  const auto walls = named_or_all(c, c.view.walls, [](const Face& face) { return face.opening == nullptr; });
+  return each_target(c, [&](const Body& t) {
+    std::vector<Finding> findings;
+    for (const Face* wall : walls) {
+      findings.push_back(at_least(fmt::format("distance between {} and {}", t.id(), wall->id), gap(t.shape, wall->shape), min, c.slack()));
+    }
+    return all_of(std::move(findings));
+  });
+}
+
+}  // namespace layoutbox::judge

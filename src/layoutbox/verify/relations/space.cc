@@ -1,0 +1,101 @@
+// Relations of an object and the free room about it: clearance, reachable, keepClear.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "layoutbox/verify/checks.h"
+#include "layoutbox/verify/relation_check.h"
+#include "layoutbox/verify/walkability.h"
+
+namespace layoutbox::judge {
+namespace {
+
+constexpr double kClearDepth = 0.6;    // m, where neither the relation nor the catalogue says it
+constexpr double kStandingRoom = 2.0;  // m of height
+
+double depth_wanted(const Case& c, const Body& t, Side side) {
+  if (const std::optional<double> given = c.metres(c.relation.parameters.depth, "depth")) return *given;
+  const auto found = t.entry->clearance.find(side);
+  return found == t.entry->clearance.end() ? kClearDepth : found->second / 1000.0;
+}
+
+bool carried_by(const RoomView& view, const Body& other, const Body& body) {
+  const Body* step = &other;
+  for (std::size_t i = 0; i < view.bodies.size() && step != nullptr; ++i) {
+    if (step->object->supported_by == body.id()) return true;
+    step = view.find_body(step->object->supported_by);
+  }
+  return false;
+}
+
+Finding strip_free(const Case& c, const Body& t, Side which) {
+  const BodySide side = side_of(t, which);
+  const double depth = depth_wanted(c, t, which);
+  const Vec centre = t.shape.center + side.outward * (side.reach + depth / 2);
+  const Shape strip = make_box(centre, depth, 2 * side.half_width, {0, kStandingRoom}, {side.outward, {-side.outward.y, side.outward.x}});
+  const double area = signed_area(strip.plan);
+  const double off = area > 0 ? 1 - signed_area(clip(c.view.floor, strip.plan)) / area : 0;
+  std::vector<Finding> findings{condition(off <= 0.01, fmt::format("{:.0f} % of the {} m at the {} of {} are outside the room", off * 100, figure(depth),
+                                                                   name_of(which), t.id()))};
+  for (const Body& other : c.view.bodies) {
+    if (&other == &t || other.rug || carried_by(c.view, other, t) || c.view.belongs_to(other, t)) continue;
+    findings.push_back(at_most(fmt::format("{} stands in the {} m at the {} of {} by", other.id(), figure(depth), name_of(which), t.id()),
+                               std::max(0.0, penetration(other.shape, strip)), 0, c.slack()));
+  }
+  Finding finding = all_of(std::move(findings));
+  if (finding.held) finding.message = fmt::format("{} m at the {} of {} are free", figure(depth), name_of(which), t.id());
+  return finding;
+}
+
+Interval part(Interval whole, int from, int to) {
+  return {whole.lo + whole.length() * from / 3, whole.lo + whole.length() * to / 3};
+}
+
+// Thirds of the floor's extent that must stay free.
+Finding out_of_region(const Case& c, const Body& t, const std::string& region) {
+  const auto has = [&](std::string_view word) { return region.find(word) != std::string::npos; };
+  const bool middle = has("middle") || has("center") || has("centre");
+  Interval x = c.view.floor_x, y = c.view.floor_y;
+  if (has("left")) x = part(c.view.floor_x, 0, 1);
+  if (has("right")) x = part(c.view.floor_x, 2, 3);
+  if (has("front")) y = part(c.view.floor_y, 0, 1);
+  if (has("back")) y = part(c.view.floor_y, 2, 3);
+  if (middle) x = part(c.view.floor_x, 1, 2), y = part(c.view.floor_y, 1, 2);
+  const Shape place = make_box({x.mid(), y.mid()}, x.length(), y.length(), t.shape.heights, {});
+  return at_most(fmt::format("{} reaches into the {} of the room by", t.id(), region), std::max(0.0, penetration(t.shape, place)), 0, c.slack());
+}
+
+}  // namespace
+
+Finding check_Clearance(const Case& c) {
+  const Side side = c.relation.parameters.side.value_or(Side::kFront);
+  return each_target(c, [&](const Body& t) {
+    std::vector<Finding> findings;
+    for (const Side one : sides_named(t, side)) findings.push_back(strip_free(c, t, one));
+    return all_of(std::move(findings));
+  });
+}
+
+Finding check_Reachable(const Case& c) {
+  const double width = c.metres(c.relation.parameters.width, "width").value_or(0.6);
+  return each_target(c, [&](const Body& t) {
+    const bool way = reachable(c.view, t, width);
+    return condition(way, fmt::format("there is {} way {} m wide from the door to {}", way ? "a" : "no", figure(width), t.id()));
+  });
+}
+
+Finding check_KeepClear(const Case& c) {
+  const RelationParameters& given = c.relation.parameters;
+  const std::optional<double> depth = c.metres(given.depth, "depth");
+  if (c.references.empty()) {
+    if (given.region.empty()) return condition(false, "keepClear names neither a thing nor a region to keep clear of");
+    return each_target(c, [&](const Body& t) { return out_of_region(c, t, given.region); });
+  }
+  return each_pair(c, [&](const Body& t, const Reference& r) {
+    if (r.face != nullptr) return keeps_out_of_opening(c, t, *r.face, depth);
+    return gap_within(c, t, r, depth.value_or(kClearDepth), std::nullopt);
+  });
+}
+
+}  // namespace layoutbox::judge

@@ -1,0 +1,166 @@
+#include "layoutbox/verify/room_view.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace layoutbox::judge {
+namespace {
+
+// Numbers of a readable layout may be absurd; beyond this they only have to stay numbers.
+constexpr double kFarthest = 1e7;  // m
+
+double metres(double millimetres) {
+  return std::isfinite(millimetres) ? std::clamp(millimetres / 1000.0, -kFarthest, kFarthest) : kFarthest;
+}
+
+Vec metres(Point point) { return {metres(point.x), metres(point.y)}; }
+
+Hollow hollow_of(const Body& body, const Space& space) {
+  const auto corner = [&](double x, double y) { return body.shape.center + body.own_frame.x * metres(x) + body.own_frame.y * metres(y); };
+  return {space.name,
+          {corner(space.min[0], space.min[1]), corner(space.max[0], space.min[1]), corner(space.max[0], space.max[1]),
+           corner(space.min[0], space.max[1])},
+          {body.underside() + metres(space.min[2]), body.underside() + metres(space.max[2])},
+          space.carries};
+}
+
+}  // namespace
+
+Shape space_before(const Face& opening) { return space_before(opening, opening.is_window() ? kWindowDepth : opening.length); }
+
+Shape space_before(const Face& opening, double depth) {
+  return make_box(opening.shape.center + opening.inward * (depth / 2), opening.length, depth, opening.shape.heights, opening.shape.frame);
+}
+
+double swing_intrusion(const Face& door, const Body& body) {
+  const Swing swing = door.opening->swing;
+  if (door.opening->type != OpeningType::kDoor || (swing != Swing::kInLeft && swing != Swing::kInRight)) return 0;
+  if (overlap(body.shape.heights, door.shape.heights) <= 0.005 + kTiny) return 0;
+  // Looking at the wall from the room, the wall's direction (floor on its left hand) runs to the left.
+  const bool at_left_end = swing == Swing::kInLeft;
+  const bool end_is_left = dot(door.along, door.shape.frame.x) < 0;
+  const Vec hinge = at_left_end == end_is_left ? door.end : door.start;
+  const Vec towards = at_left_end == end_is_left ? door.along * -1 : door.along;
+  // 5 mm at the two straight edges are no intrusion.
+  Polygon swept = clip_half_plane(body.shape.plan, hinge + towards * 0.005, towards);
+  swept = clip_half_plane(swept, hinge + door.inward * 0.005, door.inward);
+  if (swept.size() < 3) return 0;
+  return std::max(0.0, door.length - distance(swept, hinge));
+}
+
+BodySide side_of(const Body& body, Side side) {
+  const Frame& frame = body.own_frame;
+  switch (side) {
+    case Side::kBack: return {frame.y, frame.x, body.depth / 2, body.width / 2};
+    case Side::kLeft: return {frame.x * -1, frame.y, body.width / 2, body.depth / 2};
+    case Side::kRight: return {frame.x, frame.y, body.width / 2, body.depth / 2};
+    default: return {frame.y * -1, frame.x, body.depth / 2, body.width / 2};
+  }
+}
+
+RoomView::RoomView(const Layout& layout_, const Catalog& catalog_, const VerifyOptions& options_)
+    : layout(layout_), catalog(catalog_), options(options_) {
+  height = metres(layout.room.height);
+  read_floor();
+  read_faces();
+  read_bodies();
+}
+
+void RoomView::read_floor() {
+  for (const Point& point : layout.room.polygon) floor.push_back(metres(point));
+  const double area = signed_area(floor);
+  if (area < 0) std::reverse(floor.begin(), floor.end());
+  if (std::abs(area) < kTiny) floor.clear();
+  if (floor.empty()) return;
+  const Shape shape{floor, {}, {}, {}};
+  floor_x = extent(shape, {1, 0});
+  floor_y = extent(shape, {0, 1});
+}
+
+void RoomView::read_faces() {
+  const auto make_face = [](Vec start, Vec end, Vec inward, Interval heights) {
+    Face face;
+    face.start = start, face.end = end, face.inward = inward;
+    face.length = length(end - start);
+    face.along = (end - start) * (1 / face.length);
+    const Vec out = inward * -1;
+    face.shape = {{start, end}, (start + end) * 0.5, heights, {{out.y, -out.x}, out}};
+    return face;
+  };
+  const std::vector<Wall>& all = layout.room.walls;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const Vec start = metres(all[i].start), end = metres(all[i].end);
+    if (length(end - start) < kTiny) continue;
+    const Vec way = (end - start) * (1 / length(end - start)), left{-way.y, way.x};
+    const bool floor_on_left = floor.empty() || contains(floor, (start + end) * 0.5 + left * 0.05);
+    walls.push_back(make_face(start, end, floor_on_left ? left : left * -1, {0, height}));
+    walls.back().index = i;
+    walls.back().id = all[i].id;
+  }
+  const std::vector<Opening>& holes = layout.room.openings;
+  for (std::size_t i = 0; i < holes.size(); ++i) {
+    const Face* wall = find_wall(holes[i].wall);
+    if (wall == nullptr || holes[i].width <= 0 || !holes[i].offset) {
+      unplaced_openings.push_back(holes[i].id);
+      continue;
+    }
+    const Vec start = wall->start + wall->along * metres(*holes[i].offset);
+    const double sill = metres(holes[i].sill);
+    openings.push_back(make_face(start, start + wall->along * metres(holes[i].width), wall->inward, {sill, sill + metres(holes[i].height)}));
+    openings.back().index = i;
+    openings.back().id = holes[i].id;
+    openings.back().opening = &holes[i];
+    openings.back().wall = wall;
+  }
+}
+
+void RoomView::read_bodies() {
+  for (std::size_t i = 0; i < layout.objects.size(); ++i) {
+    const PlacedObject& object = layout.objects[i];
+    Body body;
+    body.index = i;
+    body.object = &object;
+    body.entry = &catalog.entry_or_nearest(object.category);
+    body.own_frame = frame_at(std::isfinite(object.rotation_deg) ? object.rotation_deg : 0);
+    body.width = metres(object.size.width), body.depth = metres(object.size.depth);
+    const double underside = metres(object.position[2]);
+    body.shape = make_box({metres(object.position[0]), metres(object.position[1])}, body.width, body.depth,
+                          {underside, underside + metres(object.size.height)}, body.own_frame);
+    body.has_front = body.entry->has_front;
+    for (const Space& space : object.spaces) body.hollows.push_back(hollow_of(body, space));
+    if (!body.has_front) body.shape.frame = Frame{};
+    body.rug = body.entry->thin && metres(object.size.height) <= kRugHeight + kTiny && underside <= kRugHeight;
+    body.curtain = catalog.is_a(body.entry->id, "curtain");
+    bodies.push_back(std::move(body));
+  }
+}
+
+const Body* RoomView::find_body(std::string_view id) const {
+  const auto found = std::find_if(bodies.begin(), bodies.end(), [&](const Body& body) { return body.id() == id; });
+  return found == bodies.end() ? nullptr : &*found;
+}
+
+const Face* RoomView::find_wall(std::string_view id_or_word) const {
+  const Wall* wall = layout.find_wall(id_or_word);
+  for (const Face& face : walls) {
+    if (wall == &layout.room.walls[face.index]) return &face;
+  }
+  return nullptr;
+}
+
+const Face* RoomView::find_opening(std::string_view id) const {
+  const auto found = std::find_if(openings.begin(), openings.end(), [&](const Face& face) { return face.id == id; });
+  return found == openings.end() ? nullptr : &*found;
+}
+
+bool RoomView::belongs_to(const Body& other, const Body& body) const {
+  const auto names = [](const std::vector<std::string>& ids, const std::string& id) { return std::find(ids.begin(), ids.end(), id) != ids.end(); };
+  return std::any_of(layout.relations.begin(), layout.relations.end(), [&](const PlacedRelation& placed) {
+    const RelationType type = placed.relation.type;
+    const bool brings = type == RelationType::kTuckedUnder || type == RelationType::kAround || type == RelationType::kSurround ||
+                        type == RelationType::kPairedWith;
+    return brings && names(placed.relation.targets, other.id()) && names(placed.relation.references, body.id());
+  });
+}
+
+}  // namespace layoutbox::judge

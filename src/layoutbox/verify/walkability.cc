@@ -1,0 +1,271 @@
+#include "layoutbox/verify/walkability.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "layoutbox/verify/checks.h"
+
+namespace layoutbox::judge {
+namespace {
+
+constexpr int kResolution = 256;          // pixels, as in quality.md
+constexpr double kPerson = 0.2;           // m, width of who walks in `navigability`
+constexpr double kStripDepth = 0.2, kStripGap = 0.05;  // m, the strip of `accessibility`
+constexpr double kLeastNavigability = 0.99, kLeastAccess = 0.9;
+constexpr int kMostSamples = 4096;        // along a side: enough for any room, and bounded for absurd sizes
+constexpr double kStandsBelow = 0.05;     // m: what begins higher is not used from the floor
+constexpr double kReachSlack = 0.02;      // m, half a pixel of a large room
+constexpr int kReachResolution = 384;
+
+std::size_t places(int n) { return static_cast<std::size_t>(n); }
+
+bool in_the_way(const Body& body) { return !body.rug && body.shape.heights.mid() <= kBodyReach; }
+
+std::vector<Side> sides_to_reach(const Body& body) {
+  std::vector<Side> sides;
+  if (body.rug || body.underside() > kStandsBelow) return sides;
+  for (const Side side : body.object->used_sides) {
+    if (side == Side::kFront || side == Side::kBack || side == Side::kLeft || side == Side::kRight) sides.push_back(side);
+  }
+  return sides;
+}
+
+int samples(double length, double step) {
+  const double wanted = std::nearbyint(length / step);
+  return std::isfinite(wanted) ? static_cast<int>(std::clamp(wanted, 8.0, double{kMostSamples})) : kMostSamples;
+}
+
+double side_access(const Body& body, Side which, const Plan& plan) {
+  const BodySide side = side_of(body, which);
+  const int along = samples(2 * side.half_width, plan.step()), deep = samples(kStripDepth, plan.step());
+  int free = 0;
+  for (int i = 0; i < along; ++i) {
+    const Vec foot = body.shape.center + side.along * ((i + 0.5) / along * 2 * side.half_width - side.half_width);
+    for (int j = 0; j < deep; ++j) free += plan.free_at(foot + side.outward * (side.reach + kStripGap + (j + 0.5) / deep * kStripDepth));
+  }
+  return free / (static_cast<double>(along) * deep);
+}
+
+}  // namespace
+
+Plan::Plan(const RoomView& view, double margin, int resolution) : resolution_(resolution), free_(places(resolution) * places(resolution), 0) {
+  if (view.floor.empty()) return;
+  middle_ = {(view.floor_x.lo + view.floor_x.hi) / 2, (view.floor_y.lo + view.floor_y.hi) / 2};
+  step_ = (std::max(view.floor_x.length(), view.floor_y.length()) / 2 + margin) / (resolution / 2);
+  draw_floor(view.floor);
+}
+
+Vec Plan::point(int column, int row) const {
+  return {(column - resolution_ / 2) * step_ + middle_.x, (row - resolution_ / 2) * step_ + middle_.y};
+}
+
+// Row by row; a point on the floor's edge is on the floor.
+void Plan::draw_floor(const Polygon& floor) {
+  std::vector<double> crossings;
+  std::vector<Interval> spans;
+  for (int row = 0; row < resolution_; ++row) {
+    const double y = point(0, row).y;
+    crossings.clear();
+    spans.clear();
+    for (std::size_t i = 0; i < floor.size(); ++i) {
+      const Vec a = floor[i], b = floor[(i + 1) % floor.size()];
+      if (a.y == y) spans.push_back({a.x, a.x});
+      if (a.y == y && b.y == y) spans.push_back({std::min(a.x, b.x), std::max(a.x, b.x)});
+      if ((a.y > y) != (b.y > y)) crossings.push_back(a.x == b.x ? a.x : a.x + (b.x - a.x) * ((y - a.y) / (b.y - a.y)));
+    }
+    std::sort(crossings.begin(), crossings.end());
+    for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) spans.push_back({crossings[i], crossings[i + 1]});
+    for (const Interval& span : spans) {
+      for (int column = 0; column < resolution_; ++column) {
+        const double x = point(column, row).x;
+        if (x >= span.lo && x <= span.hi) free_[index(column, row)] = 1;
+      }
+    }
+  }
+}
+
+void Plan::erode(double width) {
+  const int size = static_cast<int>(width / step_);
+  if (size <= 0) return;
+  std::vector<std::uint8_t> line(places(resolution_));
+  for (const bool columns : {true, false}) {
+    for (int fixed = 0; fixed < resolution_; ++fixed) {
+      const auto at = [&](int moving) { return columns ? index(fixed, moving) : index(moving, fixed); };
+      for (int moving = 0; moving < resolution_; ++moving) {
+        std::uint8_t all = 1;
+        for (int shift = -(size / 2); shift < size - size / 2 && all; ++shift) {
+          all = free_[at(((moving - shift) % resolution_ + resolution_) % resolution_)];
+        }
+        line[places(moving)] = all;
+      }
+      for (int moving = 0; moving < resolution_; ++moving) free_[at(moving)] = line[places(moving)];
+    }
+  }
+}
+
+void Plan::keep_from_edges(const Polygon& floor, double distance) {
+  for (int row = 0; row < resolution_; ++row) {
+    for (int column = 0; column < resolution_; ++column) {
+      if (!free(column, row)) continue;
+      const Vec here = point(column, row);
+      for (std::size_t i = 0; i < floor.size(); ++i) {
+        if (distance_to_segment(here, floor[i], floor[(i + 1) % floor.size()]) < distance) free_[index(column, row)] = 0;
+      }
+    }
+  }
+}
+
+void Plan::block(const Body& body, double grow) {
+  const double reach = std::hypot(body.width, body.depth) / 2 + grow;
+  const auto pixel = [&](double offset, bool up) {
+    const double at = (up ? std::ceil(offset / step_) + 1 : std::floor(offset / step_)) + resolution_ / 2;
+    return static_cast<int>(std::clamp(at, 0.0, double(resolution_)));
+  };
+  const Vec from_middle = body.shape.center - middle_;
+  const int x0 = pixel(from_middle.x - reach, false), x1 = pixel(from_middle.x + reach, true);
+  const int y0 = pixel(from_middle.y - reach, false), y1 = pixel(from_middle.y + reach, true);
+  for (int row = y0; row < y1; ++row) {
+    for (int column = x0; column < x1; ++column) {
+      const Vec off = point(column, row) - body.shape.center;
+      const double over_x = std::max(std::abs(dot(off, body.own_frame.x)) - body.width / 2, 0.0);
+      const double over_y = std::max(std::abs(dot(off, body.own_frame.y)) - body.depth / 2, 0.0);
+      if (std::hypot(over_x, over_y) <= grow + kTiny) free_[index(column, row)] = 0;
+    }
+  }
+}
+
+bool Plan::free_at(Vec at) const {
+  const double column = std::nearbyint((at.x - middle_.x) / step_) + resolution_ / 2;
+  const double row = std::nearbyint((at.y - middle_.y) / step_) + resolution_ / 2;
+  if (!(column >= 0 && column < resolution_ && row >= 0 && row < resolution_)) return false;
+  return free(static_cast<int>(column), static_cast<int>(row));
+}
+
+std::int64_t Plan::free_pixels() const { return std::accumulate(free_.begin(), free_.end(), std::int64_t{0}); }
+
+std::vector<int> Plan::parts() const {
+  std::vector<int> label(free_.size(), 0);
+  std::vector<std::pair<int, int>> open;
+  int next = 0;
+  for (int row = 0; row < resolution_; ++row) {
+    for (int column = 0; column < resolution_; ++column) {
+      if (!free(column, row) || label[index(column, row)] != 0) continue;
+      label[index(column, row)] = ++next;
+      open.emplace_back(column, row);
+      while (!open.empty()) {
+        const auto [x, y] = open.back();
+        open.pop_back();
+        for (int v = std::max(0, y - 1); v <= std::min(resolution_ - 1, y + 1); ++v) {
+          for (int u = std::max(0, x - 1); u <= std::min(resolution_ - 1, x + 1); ++u) {
+            if (!free(u, v) || label[index(u, v)] != 0) continue;
+            label[index(u, v)] = next;
+            open.emplace_back(u, v);
+          }
+        }
+      }
+    }
+  }
+  return label;
+}
+
+std::int64_t Plan::largest_free_part() const {
+  std::vector<std::int64_t> size(1, 0);
+  for (const int label : parts()) {
+    if (label == 0) continue;
+    if (places(label) >= size.size()) size.resize(places(label) + 1, 0);
+    ++size[places(label)];
+  }
+  return *std::max_element(size.begin(), size.end());
+}
+
+double navigability(const RoomView& view) {
+  Plan plan(view, 0.2, kResolution);
+  plan.erode(kPerson);
+  for (const Body& body : view.bodies) {
+    if (in_the_way(body)) plan.block(body, kPerson / 2);
+  }
+  const std::int64_t all = plan.free_pixels();
+  return all == 0 ? 0.0 : static_cast<double>(plan.largest_free_part()) / static_cast<double>(all);
+}
+
+Plan plan_for_access(const RoomView& view) {
+  Plan plan(view, 0, kResolution);
+  for (const Body& body : view.bodies) {
+    if (in_the_way(body)) plan.block(body, 0);
+  }
+  return plan;
+}
+
+std::optional<double> accessibility(const Body& body, const Plan& plan) {
+  std::optional<double> best;
+  for (const Side side : sides_to_reach(body)) best = std::max(best.value_or(0), side_access(body, side, plan));
+  return best;
+}
+
+bool reachable(const RoomView& view, const Body& body, double width) {
+  if (view.floor.empty()) return false;
+  Plan plan(view, 0, kReachResolution);
+  const double half = width / 2 - kReachSlack;
+  plan.keep_from_edges(view.floor, half);
+  for (const Body& other : view.bodies) {
+    if (!other.rug && other.underside() < kBodyReach && !view.belongs_to(other, body)) plan.block(other, half);
+  }
+  std::vector<Side> sides = sides_to_reach(body);
+  if (sides.empty()) sides = {Side::kFront, Side::kBack, Side::kLeft, Side::kRight};
+  const bool any_door = std::any_of(view.openings.begin(), view.openings.end(), [](const Face& face) { return face.is_door(); });
+  const double near_enough = width / 2 + 0.15;
+  const auto at_door = [&](Vec point) {
+    return std::any_of(view.openings.begin(), view.openings.end(), [&](const Face& face) {
+      const double along = dot(point - face.start, face.along), off = dot(point - face.start, face.inward);
+      return face.is_door() && along >= 0 && along <= face.length && off >= 0 && off <= near_enough;
+    });
+  };
+  const auto at_side = [&](Vec point) {
+    return std::any_of(sides.begin(), sides.end(), [&](Side which) {
+      const BodySide side = side_of(body, which);
+      const Vec way = point - body.shape.center;
+      const double off = dot(way, side.outward) - side.reach;
+      return off >= 0 && off <= near_enough && std::abs(dot(way, side.along)) <= side.half_width;
+    });
+  };
+  const std::vector<int> label = plan.parts();
+  std::vector<bool> from_door(label.size() + 1, !any_door), to_side(label.size() + 1, false);
+  for (int row = 0; row < plan.resolution(); ++row) {
+    for (int column = 0; column < plan.resolution(); ++column) {
+      const int part = label[plan.index(column, row)];
+      if (part == 0) continue;
+      const Vec here = plan.point(column, row);
+      if (at_door(here)) from_door[places(part)] = true;
+      if (at_side(here)) to_side[places(part)] = true;
+    }
+  }
+  for (std::size_t part = 1; part < from_door.size(); ++part) {
+    if (from_door[part] && to_side[part]) return true;
+  }
+  return false;
+}
+
+void check_ways(const RoomView& view, Report& report) {
+  const double way = navigability(view);
+  report.metrics["navigability"] = way;
+  report.checks.push_back({"navigability", "room", way >= kLeastNavigability, false, way, "share",
+                           fmt::format("{:.1f} % of the free floor hangs together, at least 99 %", way * 100), "/room"});
+  const Plan plan = plan_for_access(view);
+  double sum = 0;
+  int count = 0;
+  for (const Body& body : view.bodies) {
+    const std::optional<double> access = accessibility(body, plan);
+    if (!access) continue;
+    sum += *access;
+    ++count;
+    report.checks.push_back({"accessibility", body.id(), *access >= kLeastAccess, false, *access, "share",
+                             fmt::format("{:.0f} % of the strip at the best side of {} is free, at least 90 %", *access * 100, body.id()),
+                             object_pointer(body)});
+  }
+  report.metrics["accessibility"] = count == 0 ? 1.0 : sum / count;
+}
+
+}  // namespace layoutbox::judge

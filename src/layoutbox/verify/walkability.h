@@ -1,0 +1,54 @@
+// A plan of the room in pixels: where a person can walk, and from where a piece of furniture can be used (quality.md).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "layoutbox/verify/room_view.h"
+
+namespace layoutbox::judge {
+
+// Square plan of `resolution` pixels a side around the floor's middle, `margin` metres wider than the floor on each side;
+// a pixel is the point in its middle, and free while it lies on the floor and nothing is drawn over it.
+class Plan {
+ public:
+  Plan(const RoomView& view, double margin, int resolution);
+
+  // Takes away what lies within half of `width` of the floor's edge (as SceneEval does: a square brush).
+  void erode(double width);
+  // Takes away what lies within `distance` of the floor's edge (round).
+  void keep_from_edges(const Polygon& floor, double distance);
+  // Draws a body, `grow` metres wider all round.
+  void block(const Body& body, double grow);
+
+  bool free_at(Vec point) const;  // off the picture: false
+  std::int64_t free_pixels() const;
+  std::int64_t largest_free_part() const;
+  // Labels of the connected parts (eight neighbours), 0 where not free.
+  std::vector<int> parts() const;
+
+  double step() const { return step_; }
+  int resolution() const { return resolution_; }
+  Vec point(int column, int row) const;
+  bool free(int column, int row) const { return free_[index(column, row)] != 0; }
+  std::size_t index(int column, int row) const { return static_cast<std::size_t>(row) * static_cast<std::size_t>(resolution_) + static_cast<std::size_t>(column); }
+
+ private:
+  void draw_floor(const Polygon& floor);
+
+  int resolution_;
+  double step_ = 1;
+  Vec middle_;
+  std::vector<std::uint8_t> free_;
+};
+
+// Largest connected walkable area over all walkable area, for a person 0.2 m wide; 0 where there is none.
+double navigability(const RoomView& view);
+// Free share of the strip 0.2 m deep, 0.05 m off the best used side; empty for what has no side to be reached.
+std::optional<double> accessibility(const Body& body, const Plan& plan);
+Plan plan_for_access(const RoomView& view);
+
+// Can a person `width` metres wide walk from a door (from anywhere, if there is none) to a used side of the body?
+bool reachable(const RoomView& view, const Body& body, double width);
+
+}  // namespace layoutbox::judge
