@@ -1,0 +1,41 @@
+#!/usr/bin/env bash
+# Sets up, builds and runs every test: unit tests, whole-program tests, and the checks of the sources.
+# Ends with one line, "N passed, N failed" (", N skipped"), and fails where anything failed. Logs are under build/logs/.
+set -uo pipefail
+
+usage() {
+  cat <<'TEXT'
+usage: scripts/test.sh [--quick]
+  --quick   leave out the two that take minutes: clang-tidy, and the unit tests under the sanitizers
+TEXT
+}
+
+quick=""
+case ${1:-} in
+  "") ;;
+  --quick) quick=1 ;;
+  -h | --help) usage && exit 0 ;;
+  *) usage >&2 && exit 2 ;;
+esac
+
+cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." || exit 3
+# shellcheck source=scripts/counting.sh
+source scripts/counting.sh
+
+lint_python() { build/deps/tools/bin/ruff check --quiet .; }
+lint_shell() { shellcheck layoutbox .ci/run scripts/*.sh; }
+
+if step set-up scripts/setup.sh --tests; then
+  step layers scripts/check_layers.py
+  step format scripts/format.sh --check
+  step lint-python lint_python
+  step lint-shell lint_shell
+  if step build scripts/build.sh --tests; then
+    cases tests build/release
+    [[ $quick ]] || step clang-tidy scripts/tidy.sh
+  fi
+  if [[ ! $quick ]] && step build-sanitized scripts/build.sh --preset debug --tests; then
+    cases sanitized build/debug -L unit
+  fi
+fi
+finished=1

@@ -1,0 +1,11 @@
+#!/usr/bin/env bash
+# clang-tidy (.clang-tidy) over all sources, or the given ones; clang's own warnings count as faults too. Needs a release build.
+# usage: scripts/tidy.sh [FILE…]
+set -euo pipefail
+cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.."
+files=("$@")
+if ((${#files[@]} == 0)); then
+  mapfile -t files < <(find src -name '*.cc' | sort)
+fi
+printf '%s\0' "${files[@]}" |
+  xargs -0 -P "$(nproc)" -n 1 clang-tidy-16 -p build/release --quiet --extra-arg=-Wno-unknown-warning-option 2>/dev/null
