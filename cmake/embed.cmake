@@ -1,5 +1,5 @@
 # layoutbox_embed(TARGET NAME file…): compiles the files into TARGET as std::string_view constants, declared in the generated header
-# "layoutbox/embedded/NAME.h" in namespace layoutbox::embedded, one per file: catalog/rooms.json → rooms_json.
+# "layoutbox/embedded/NAME.h" in namespace layoutbox::embedded, one per file: catalog/rooms.json → rooms_json; and all of them with their names: NAME_files().
 function(layoutbox_embed target name)
   set(folder ${CMAKE_BINARY_DIR}/embedded/layoutbox/embedded)
   set(output ${folder}/${name}.h ${folder}/${name}.cc)

@@ -2,6 +2,7 @@
 // The data is catalog/*.json, checked against catalog/*.schema.json and embedded when the program is built.
 #pragma once
 
+#include <array>
 #include <map>
 #include <optional>
 #include <span>
@@ -74,10 +75,14 @@ struct RoomKind {
 
 class Catalog {
  public:
+  // REQUIRES: ids are unique. A word that two entries claim means the earlier one.
+  Catalog(std::vector<CatalogEntry> entries, std::vector<RoomKind> rooms);
+
   // The embedded catalogue, read once. It is checked when the program is built, so it is always there.
   static const Catalog& builtin();
 
   // Reads a catalogue from JSON text in our own form; all errors at once.
+  // Errors: kParse, kSchema; kReference (ids or words used twice, names of nothing), kGeometry (spaces outside their box).
   static Result<Catalog> from_json(std::string_view entries_json, std::string_view rooms_json);
 
   std::span<const CatalogEntry> entries() const { return entries_; }
@@ -95,8 +100,9 @@ class Catalog {
  private:
   std::vector<CatalogEntry> entries_;
   std::vector<RoomKind> rooms_;
-  std::map<std::string, std::size_t, std::less<>> by_words_;
-  std::map<std::string, std::size_t, std::less<>> room_by_words_;
+  std::map<std::string, std::size_t, std::less<>> by_id_;          // id → place in entries_
+  std::map<std::string, std::size_t, std::less<>> by_words_;       // key_of(id, name or synonym) → place in entries_
+  std::map<std::string, std::size_t, std::less<>> room_by_words_;  // the same for rooms_
 };
 
 // The free spaces of an object: the scene's own where a file gave them, else the catalogue's formulas at that size.

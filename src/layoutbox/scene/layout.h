@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
@@ -47,6 +48,7 @@ struct Conflict {
 
 enum class LayoutStatus { kSolved, kRelaxed, kFallback };
 std::string_view name_of(LayoutStatus status);
+std::optional<LayoutStatus> layout_status_from_name(std::string_view name);
 
 struct LayoutStats {
   std::string solver;     // "search", "cp-sat", "search+cp-sat"

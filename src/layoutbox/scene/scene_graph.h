@@ -71,6 +71,7 @@ struct Room {
   Mm height = 0;                  // floor to ceiling; 0 before normalisation if unknown
   std::vector<Wall> walls;        // one per polygon edge, in its order, once normalised
   std::vector<Opening> openings;
+  bool openings_given = false;    // the list is complete, even if empty: no default door and window are added
   std::string floor_material, wall_material;
   // What the text said where no exact size was given; read by normalize_scene.
   std::optional<double> area_m2;
@@ -79,6 +80,7 @@ struct Room {
 };
 
 // Between which sizes the solver may choose; equal ends where the size is given. `usual` is preferred.
+// Before normalisation a side of 0 is unknown ("120 cm wide": only the width is set) and is filled from the catalogue.
 struct SizeRange {
   Size least, usual, greatest;
   friend bool operator==(const SizeRange&, const SizeRange&) = default;
@@ -88,6 +90,7 @@ struct SizeRange {
 struct PoseHint {
   std::optional<std::array<double, 3>> position;  // mm; x, y: centre of the footprint, z: underside
   std::optional<double> rotation_deg;
+  bool z_may_be_centre = false;  // files of others give either; normalize_scene decides, once heights are known
 };
 
 struct SceneObject {
@@ -154,6 +157,15 @@ struct SceneGraph {
   const Wall* find_wall(std::string_view id_or_word) const;
 };
 
+// Two ids or names are the same when only case, spaces, underscores and hyphens differ.
+bool same_name(std::string_view a, std::string_view b);
+
+// A side of the room that a word names: "front", "south", "the back wall", "Wall_Left"… Empty for any other word.
+std::optional<Side> room_side_from_word(std::string_view word);
+
+// The outermost wall on that side of the room (the longest of those); null where no wall lies there. In any order and direction.
+const Wall* wall_on_side(const std::vector<Wall>& walls, Side side);
+
 // Names as they stand in JSON ("floor", "in-left", "catalog"…), and back (empty where there is no such name).
 std::string_view name_of(Mount mount);
 std::string_view name_of(Side side);
@@ -166,5 +178,6 @@ std::optional<Side> side_from_name(std::string_view name);
 std::optional<Axis> axis_from_name(std::string_view name);
 std::optional<OpeningType> opening_type_from_name(std::string_view name);
 std::optional<Swing> swing_from_name(std::string_view name);
+std::optional<SizeSource> size_source_from_name(std::string_view name);
 
 }  // namespace layoutbox

@@ -1,0 +1,156 @@
+#include "layoutbox/base/files.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <system_error>
+
+namespace layoutbox {
+namespace {
+
+namespace fs = std::filesystem;
+
+// "Permission denied" and what can be done about it.
+Failure io_error(std::string_view doing, const fs::path& path, int error) {
+  std::string hint;
+  switch (error) {
+    case ENOENT: hint = "check the path"; break;
+    case EACCES:
+    case EPERM: hint = "check who owns it and its permissions"; break;
+    case EROFS: hint = "the file system is read-only: choose another folder"; break;
+    case ENOSPC:
+    case EDQUOT: hint = "free some space or choose another folder"; break;
+    case EISDIR: hint = "give a file, not a folder"; break;
+    case ENOTDIR: hint = "a part of the path is a file, not a folder"; break;
+    default: break;
+  }
+  return fail(ErrorCode::kIo, fmt::format("cannot {} {}: {}", doing, path.string(), std::generic_category().message(error)), path.string(),
+              std::move(hint));
+}
+
+class Descriptor {
+ public:
+  explicit Descriptor(int fd) : fd_(fd) {}
+  ~Descriptor() {
+    if (fd_ >= 0) ::close(fd_);
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  int get() const { return fd_; }
+  // Closes now and tells whether that went well (a full disk may show only here).
+  int close() { return ::close(std::exchange(fd_, -1)); }
+
+ private:
+  int fd_;
+};
+
+// errno, or 0.
+int write_all(int fd, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(fd, bytes.data(), bytes.size());
+    if (written < 0) {
+      if (errno == EINTR) continue;
+      return errno;
+    }
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return 0;
+}
+
+// mkstemp makes files of mode 0600; ours get what open() would have given them.
+mode_t usual_file_mode() {
+  const mode_t mask = ::umask(0);
+  ::umask(mask);
+  return 0666 & ~mask;
+}
+
+}  // namespace
+
+Result<std::string> read_file(const fs::path& path, std::size_t max_bytes) {
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  if (file.get() < 0) return io_error("read", path, errno);
+  std::string bytes;
+  struct stat status {};
+  if (::fstat(file.get(), &status) == 0 && S_ISREG(status.st_mode) && status.st_size > 0) {
+    bytes.reserve(std::min(static_cast<std::size_t>(status.st_size), max_bytes) + 1);
+  }
+  constexpr std::size_t kChunk = 1 << 16;
+  for (;;) {
+    const std::size_t before = bytes.size();
+    bytes.resize(before + kChunk);
+    const ssize_t count = ::read(file.get(), bytes.data() + before, kChunk);
+    if (count < 0) {
+      bytes.resize(before);
+      if (errno == EINTR) continue;
+      return io_error("read", path, errno);
+    }
+    bytes.resize(before + static_cast<std::size_t>(count));
+    if (count == 0) return bytes;
+    if (bytes.size() > max_bytes) {
+      return fail(ErrorCode::kTooLarge, fmt::format("{} is larger than {} bytes, the most that is read", path.string(), max_bytes), path.string());
+    }
+  }
+}
+
+Status write_file(const fs::path& path, std::string_view bytes) {
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored)) return io_error("write", path, EISDIR);
+  // What is no regular file (/dev/stdout, a pipe) cannot be replaced by renaming.
+  if (fs::exists(path, ignored) && !fs::is_regular_file(path, ignored)) {
+    const Descriptor target(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
+    if (target.get() < 0) return io_error("write", path, errno);
+    if (const int error = write_all(target.get(), bytes)) return io_error("write", path, error);
+    return {};
+  }
+  std::string temporary = (path.parent_path() / fmt::format(".{}.XXXXXX", path.filename().string())).string();
+  Descriptor file(::mkstemp(temporary.data()));
+  if (file.get() < 0) return io_error("write", path, errno);
+  int error = write_all(file.get(), bytes);
+  if (error == 0 && ::fchmod(file.get(), usual_file_mode()) != 0) error = errno;
+  if (error == 0 && ::fsync(file.get()) != 0 && errno != EINVAL) error = errno;
+  if (file.close() != 0 && error == 0) error = errno;
+  if (error == 0 && ::rename(temporary.c_str(), path.c_str()) != 0) error = errno;
+  if (error == 0) return {};
+  ::unlink(temporary.c_str());
+  return io_error("write", path, error);
+}
+
+Status make_folder(const fs::path& path) {
+  std::error_code error;
+  fs::create_directories(path, error);
+  if (error) return io_error("make the folder", path, error.value());
+  if (!fs::is_directory(path, error)) return io_error("make the folder", path, ENOTDIR);
+  // Permissions alone do not tell (read-only mounts, quotas): try it.
+  std::string probe = (path / ".layoutbox.XXXXXX").string();
+  const Descriptor file(::mkstemp(probe.data()));
+  if (file.get() < 0) return io_error("write into the folder", path, errno);
+  ::unlink(probe.c_str());
+  return {};
+}
+
+Result<TemporaryFolder> TemporaryFolder::make(std::string_view prefix) {
+  std::error_code error;
+  const fs::path base = fs::temp_directory_path(error);
+  if (error) return io_error("find a temporary folder in", "TMPDIR", error.value());
+  std::string name = (base / fmt::format("{}XXXXXX", prefix)).string();
+  if (::mkdtemp(name.data()) == nullptr) return io_error("make a temporary folder in", base, errno);
+  return TemporaryFolder(fs::path(name));
+}
+
+TemporaryFolder::TemporaryFolder(TemporaryFolder&& other) noexcept : path_(std::exchange(other.path_, fs::path{})) {}
+
+TemporaryFolder& TemporaryFolder::operator=(TemporaryFolder&& other) noexcept {
+  std::swap(path_, other.path_);
+  return *this;
+}
+
+TemporaryFolder::~TemporaryFolder() {
+  std::error_code ignored;
+  if (!path_.empty()) fs::remove_all(path_, ignored);
+}
+
+}  // namespace layoutbox

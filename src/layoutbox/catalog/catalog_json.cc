@@ -1,0 +1,238 @@
+#include "layoutbox/catalog/catalog_json.h"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "layoutbox/base/words.h"
+
+namespace layoutbox {
+namespace {
+
+using nlohmann::json;
+
+// [least, usual, greatest] in millimetres.
+std::array<Mm, 3> read_lengths(const json& value) {
+  if (value.is_number()) {
+    const Mm length = mm_from_m(value.get<double>());
+    return {length, length, length};
+  }
+  return {mm_from_m(value.at(0).get<double>()), mm_from_m(value.at(1).get<double>()), mm_from_m(value.at(2).get<double>())};
+}
+
+void set_side(SizeRange& range, Mm Size::*side, const json& value) {
+  const auto [least, usual, greatest] = read_lengths(value);
+  range.least.*side = least;
+  range.usual.*side = usual;
+  range.greatest.*side = greatest;
+}
+
+// Sides that `value` leaves out stay as in `range`.
+SizeRange read_size(const json& value, SizeRange range = {}) {
+  if (const auto w = value.find("w"); w != value.end()) set_side(range, &Size::width, *w);
+  if (const auto d = value.find("d"); d != value.end()) set_side(range, &Size::depth, *d);
+  if (const auto h = value.find("h"); h != value.end()) set_side(range, &Size::height, *h);
+  return range;
+}
+
+void read_strings(const json& from, const char* key, std::vector<std::string>& to) {
+  if (const auto found = from.find(key); found != from.end()) to = found->get<std::vector<std::string>>();
+}
+
+Side read_side(const std::string& name) {
+  const auto side = side_from_name(name);
+  if (!side) throw json::other_error::create(501, "there is no side \"" + name + "\"", nullptr);
+  return *side;
+}
+
+Result<std::array<LinearFormula, 3>> read_corner(const json& value, int index) {
+  std::array<LinearFormula, 3> corner;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    LAYOUTBOX_ASSIGN(corner[axis], parse_formula(value.at(axis).get_ref<const std::string&>(), index));
+  }
+  return corner;
+}
+
+Status read_spaces(const json& value, std::vector<SpaceFormula>& spaces) {
+  for (const json& item : value) {
+    const int count = item.value("repeat", 1);
+    for (int i = 0; i < count; ++i) {
+      SpaceFormula space;
+      space.name = item.at("name").get<std::string>();
+      if (const std::size_t place = space.name.find("{i}"); place != std::string::npos) space.name.replace(place, 3, std::to_string(i + 1));
+      LAYOUTBOX_ASSIGN(space.min, read_corner(item.at("min"), i));
+      LAYOUTBOX_ASSIGN(space.max, read_corner(item.at("max"), i));
+      space.carries = item.value("carries", true);
+      spaces.push_back(std::move(space));
+    }
+  }
+  return {};
+}
+
+ShapeSpec read_shape(const json& value) {
+  ShapeSpec shape;
+  shape.family = value.at("family").get<std::string>();
+  if (const auto numbers = value.find("numbers"); numbers != value.end()) shape.numbers = numbers->get<std::map<std::string, double>>();
+  if (const auto words = value.find("words"); words != value.end()) shape.words = words->get<std::map<std::string, std::string>>();
+  return shape;
+}
+
+Result<CatalogEntry> read_entry(const json& value) {
+  CatalogEntry entry;
+  entry.id = value.at("id").get<std::string>();
+  entry.name = value.at("name").get<std::string>();
+  read_strings(value, "synonyms", entry.synonyms);
+  entry.kind_of = value.value("kindOf", std::string());
+  entry.size = read_size(value.at("size"));
+  if (const auto variants = value.find("variants"); variants != value.end()) {
+    for (const json& item : *variants) {
+      SizeVariant variant;
+      read_strings(item, "words", variant.words);
+      variant.size = read_size(item.at("size"), entry.size);
+      entry.variants.push_back(std::move(variant));
+    }
+  }
+  const auto mount = mount_from_name(value.value("mount", std::string("floor")));
+  if (!mount) return fail(ErrorCode::kSchema, fmt::format("\"{}\" has an unknown mount", entry.id));
+  entry.mount = *mount;
+  if (const auto sides = value.find("usedSides"); sides != value.end()) {
+    for (const json& side : *sides) entry.used_sides.push_back(read_side(side.get<std::string>()));
+  }
+  entry.has_front = value.value("hasFront", true);
+  entry.back_to_wall = value.value("backToWall", false);
+  entry.thin = value.value("thin", false);
+  entry.top_carries = value.value("topCarries", false);
+  if (const auto clearance = value.find("clearance"); clearance != value.end()) {
+    for (const auto& [side, depth] : clearance->items()) entry.clearance[read_side(side)] = mm_from_m(depth.get<double>());
+  }
+  entry.hang_height = mm_from_m(value.value("hangHeight", 0.0));
+  if (const auto spaces = value.find("spaces"); spaces != value.end()) LAYOUTBOX_CHECK(read_spaces(*spaces, entry.spaces));
+  read_strings(value, "standsOn", entry.stands_on);
+  read_strings(value, "faces", entry.faces);
+  read_strings(value, "beside", entry.beside);
+  read_strings(value, "rooms", entry.rooms);
+  entry.shape = read_shape(value.at("shape"));
+  entry.source = value.value("source", std::string());
+  return entry;
+}
+
+RoomKind read_room(const json& value) {
+  RoomKind room;
+  room.id = value.at("id").get<std::string>();
+  room.name = value.at("name").get<std::string>();
+  read_strings(value, "synonyms", room.synonyms);
+  const json& size = value.at("size");
+  room.usual_size = {mm_from_m(size.at("w").get<double>()), mm_from_m(size.at("d").get<double>()), mm_from_m(size.at("h").get<double>())};
+  for (const json& item : value.at("usual")) room.usual.emplace_back(item.at(0).get<std::string>(), item.at(1).get<int>());
+  return room;
+}
+
+class Checker {
+ public:
+  explicit Checker(const CatalogData& data) : data_(data) {}
+
+  std::vector<Error> check() {
+    for (const CatalogEntry& entry : data_.entries) {
+      if (!ids_.insert(entry.id).second) add(ErrorCode::kReference, entry.id, "the id is used twice");
+    }
+    for (const CatalogEntry& entry : data_.entries) check_entry(entry);
+    for (const RoomKind& room : data_.rooms) {
+      if (!rooms_.insert(room.id).second) add(ErrorCode::kReference, room.id, "the room's id is used twice");
+    }
+    for (const CatalogEntry& entry : data_.entries) {
+      if (rooms_.empty()) break;
+      for (const std::string& room : entry.rooms) {
+        if (!rooms_.contains(room)) add(ErrorCode::kReference, entry.id, fmt::format("rooms names \"{}\", which is no room", room));
+      }
+    }
+    for (const RoomKind& room : data_.rooms) {
+      for (const auto& item : room.usual) check_name(room.id, "usual", item.first);
+    }
+    return std::move(errors_);
+  }
+
+ private:
+  void check_entry(const CatalogEntry& entry) {
+    check_word(entry, entry.id);
+    check_word(entry, entry.name);
+    for (const std::string& word : entry.synonyms) check_word(entry, word);
+    if (!entry.kind_of.empty()) check_name(entry.id, "kindOf", entry.kind_of);
+    for (const std::string& id : entry.stands_on) check_name(entry.id, "standsOn", id);
+    for (const std::string& id : entry.faces) check_name(entry.id, "faces", id);
+    for (const std::string& id : entry.beside) check_name(entry.id, "beside", id);
+    check_range(entry, entry.size);
+    for (const SizeVariant& variant : entry.variants) check_range(entry, variant.size);
+    for (const SpaceFormula& space : entry.spaces) {
+      for (const Size& size : {entry.size.least, entry.size.usual, entry.size.greatest}) check_space(entry, space, size);
+    }
+    if (entry.thin && entry.size.greatest.height > 30) add(ErrorCode::kGeometry, entry.id, "thin things are at most 0.03 m high");
+  }
+
+  void check_word(const CatalogEntry& entry, const std::string& word) {
+    const auto [place, inserted] = words_.emplace(key_of(word), entry.id);
+    if (!inserted && place->second != entry.id) {
+      add(ErrorCode::kReference, entry.id, fmt::format("\"{}\" already means \"{}\"", word, place->second));
+    }
+  }
+
+  void check_name(const std::string& id, std::string_view member, const std::string& name) {
+    if (!ids_.contains(name)) add(ErrorCode::kReference, id, fmt::format("{} names \"{}\", which is no entry", member, name));
+  }
+
+  void check_range(const CatalogEntry& entry, const SizeRange& range) {
+    for (const auto side : {&Size::width, &Size::depth, &Size::height}) {
+      if (range.least.*side <= 0 || range.least.*side > range.usual.*side || range.usual.*side > range.greatest.*side) {
+        add(ErrorCode::kGeometry, entry.id, "a size is not in the order least, usual, greatest");
+      }
+    }
+  }
+
+  void check_space(const CatalogEntry& entry, const SpaceFormula& space, const Size& size) {
+    const std::array<double, 3> low{-size.width / 2.0, -size.depth / 2.0, 0}, high{size.width / 2.0, size.depth / 2.0, double(size.height)};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double min = space.min[axis].at(size), max = space.max[axis].at(size);
+      if (min >= max || min < low[axis] - 0.5 || max > high[axis] + 0.5) {
+        add(ErrorCode::kGeometry, entry.id,
+            fmt::format("the space \"{}\" spans {:.3f} to {:.3f} m along {} at {:.2f} x {:.2f} x {:.2f} m, outside its box or empty", space.name, min / 1000,
+                        max / 1000, "xyz"[axis], size.width / 1000.0, size.depth / 1000.0, size.height / 1000.0));
+        return;
+      }
+    }
+  }
+
+  void add(ErrorCode code, const std::string& id, std::string message) {
+    errors_.push_back({code, fmt::format("\"{}\": {}", id, message), {}, {}, {}});
+  }
+
+  const CatalogData& data_;
+  std::set<std::string> ids_, rooms_;
+  std::map<std::string, std::string> words_;
+  std::vector<Error> errors_;
+};
+
+}  // namespace
+
+Status read_catalog_data(std::string_view text, CatalogData& data) {
+  try {
+    const json document = json::parse(text);
+    if (const auto entries = document.find("entries"); entries != document.end()) {
+      for (const json& value : *entries) {
+        auto entry = read_entry(value);
+        if (!entry) return Failure(std::move(entry).error());
+        data.entries.push_back(std::move(*entry));
+      }
+    }
+    if (const auto rooms = document.find("rooms"); rooms != document.end()) {
+      for (const json& value : *rooms) data.rooms.push_back(read_room(value));
+    }
+  } catch (const json::exception& error) {
+    return fail(ErrorCode::kSchema, fmt::format("the catalogue cannot be read: {}", error.what()));
+  }
+  return {};
+}
+
+std::vector<Error> check_catalog_data(const CatalogData& data) { return Checker(data).check(); }
+
+}  // namespace layoutbox

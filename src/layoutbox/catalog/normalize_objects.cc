@@ -1,0 +1,255 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "layoutbox/base/words.h"
+#include "layoutbox/catalog/normalize_steps.h"
+
+namespace layoutbox {
+namespace {
+
+constexpr Mm kLargestObject = 50'000;
+constexpr std::array kSides{&Size::width, &Size::depth, &Size::height};
+
+// What is said of the object: its attributes, its name and its category.
+std::vector<std::string> words_said_of(const SceneObject& object) {
+  std::vector<std::string> words;
+  for (const std::string& attribute : object.attributes) std::ranges::copy(words_of(attribute), std::back_inserter(words));
+  std::ranges::copy(words_of(object.name), std::back_inserter(words));
+  std::ranges::copy(words_of(object.category), std::back_inserter(words));
+  return words;
+}
+
+bool says(const std::vector<std::string>& said, std::string_view phrase) {
+  const std::vector<std::string> words = words_of(phrase);
+  return !words.empty() && std::search(said.begin(), said.end(), words.begin(), words.end()) != said.end();
+}
+
+// Words of size that hold for every kind of thing: which sides they speak of, and in which direction.
+struct SizeWord {
+  std::string_view word;
+  bool width, depth, height, larger;
+};
+constexpr SizeWord kSizeWords[] = {
+    {"large", true, true, true, true},     {"big", true, true, true, true},      {"huge", true, true, true, true},
+    {"oversized", true, true, true, true}, {"small", true, true, true, false},   {"little", true, true, true, false},
+    {"tiny", true, true, true, false},     {"mini", true, true, true, false},    {"compact", true, true, true, false},
+    {"wide", true, false, false, true},    {"long", true, false, false, true},   {"narrow", true, false, false, false},
+    {"slim", false, true, false, false},   {"deep", false, true, false, true},   {"shallow", false, true, false, false},
+    {"tall", false, false, true, true},    {"high", false, false, true, true},   {"low", false, false, true, false},
+};
+
+// The entry's size, narrowed by what is said of the object.
+SizeRange size_by_words(const CatalogEntry& entry, const std::vector<std::string>& said) {
+  for (const SizeVariant& variant : entry.variants) {
+    if (std::ranges::any_of(variant.words, [&](const std::string& word) { return says(said, word); })) return variant.size;
+  }
+  SizeRange range = entry.size;
+  for (const SizeWord& rule : kSizeWords) {
+    if (!says(said, rule.word)) continue;
+    const bool applies[] = {rule.width, rule.depth, rule.height};
+    for (std::size_t i = 0; i < kSides.size(); ++i) {
+      const auto side = kSides[i];
+      if (!applies[i]) continue;
+      const Mm end = rule.larger ? range.greatest.*side : range.least.*side;
+      const Mm middle = range.usual.*side + (end - range.usual.*side) * 2 / 3;
+      (rule.larger ? range.least : range.greatest).*side = range.usual.*side;
+      range.usual.*side = middle / kGridMm * kGridMm;
+      range.usual.*side = std::clamp(range.usual.*side, range.least.*side, range.greatest.*side);
+    }
+    break;
+  }
+  return range;
+}
+
+// True when what stands before the kind's own words is known to be no kind of its own: "queen" bed, "large wooden" desk.
+bool only_adjectives(const CatalogEntry& entry, const SceneObject& object, const std::vector<std::string>& before) {
+  return std::ranges::all_of(before, [&](const std::string& word) {
+    const std::vector<std::string> one{word};
+    const bool variant = std::ranges::any_of(entry.variants, [&](const SizeVariant& v) {
+      return std::ranges::any_of(v.words, [&](const std::string& phrase) {
+        const auto words = words_of(phrase);
+        return std::ranges::find(words, word) != words.end();
+      });
+    });
+    const bool size_word = std::ranges::any_of(kSizeWords, [&](const SizeWord& rule) { return rule.word == word; });
+    const bool attribute = std::ranges::any_of(object.attributes, [&](const std::string& a) { return says(words_of(a), word); });
+    return variant || size_word || attribute;
+  });
+}
+
+class ObjectNormalizer {
+ public:
+  ObjectNormalizer(NormalizeContext& context, std::size_t index)
+      : context_(context), object_(context.scene.objects[index]), pointer_(fmt::format("/furniture/{}", index)) {}
+
+  void run() {
+    settle_category();
+    const CatalogEntry& entry = context_.catalog.entry_or_nearest(object_.category);
+    settle_size(entry);
+    if (!object_.used_sides) object_.used_sides = entry.used_sides;
+    if (!object_.mount) object_.mount = mount_by_relations(entry);
+  }
+
+ private:
+  void settle_category() {
+    if (object_.name.empty()) object_.name = object_.category;
+    std::ranges::replace(object_.name, '_', ' ');
+    if (object_.category.empty()) object_.category = object_.name;
+    if (context_.catalog.find(object_.category) != nullptr) return;
+    const std::string written = object_.category;
+    object_.category = snake_case(written);
+    if (object_.category.empty()) object_.category = "object";
+    const CatalogEntry* entry = context_.catalog.find_by_words(written);
+    if (entry != nullptr && is_exactly(*entry, written)) {
+      object_.category = entry->id;
+      return;
+    }
+    const CatalogEntry& nearest = context_.catalog.entry_or_nearest(object_.category);
+    context_.note("guessed", fmt::format("\"{}\" is not in the catalogue: sized and drawn like \"{}\"", object_.name, nearest.name), pointer_ + "/category");
+  }
+
+  // The words mean this entry, with nothing before them but what the entry or the object knows as an attribute.
+  bool is_exactly(const CatalogEntry& entry, const std::string& written) {
+    const std::vector<std::string> words = words_of(written);
+    std::size_t begin = 0;
+    while (begin + 1 < words.size() && !key_means(entry, std::span(words).subspan(begin))) ++begin;
+    const std::vector<std::string> before(words.begin(), words.begin() + static_cast<std::ptrdiff_t>(begin));
+    if (!only_adjectives(entry, object_, before)) return false;
+    for (const std::string& word : before) {
+      if (std::ranges::find(object_.attributes, word) == object_.attributes.end()) object_.attributes.push_back(word);
+    }
+    return true;
+  }
+
+  static bool key_means(const CatalogEntry& entry, std::span<const std::string> words) {
+    for (const std::string& key : candidate_keys(words)) {
+      if (key == key_of(entry.id) || key == key_of(entry.name)) return true;
+      if (std::ranges::any_of(entry.synonyms, [&](const std::string& s) { return key == key_of(s); })) return true;
+    }
+    return false;
+  }
+
+  void settle_size(const CatalogEntry& entry) {
+    const SizeRange usual = size_by_words(entry, words_said_of(object_));
+    if (!object_.size) {
+      object_.size = usual;
+      object_.size_source = SizeSource::kCatalog;
+      context_.note("filled", fmt::format("\"{}\" has no size: {} is taken from the catalogue's \"{}\"", object_.id, text_of(usual.usual), entry.name),
+                    pointer_ + "/dims");
+    } else {
+      fill_sides(entry, usual);
+    }
+    apply_scale();
+    check_size();
+  }
+
+  // Sides of 0 are not known.
+  void fill_sides(const CatalogEntry& entry, const SizeRange& usual) {
+    SizeRange& size = *object_.size;
+    const bool square = entry.size.least.width == entry.size.least.depth && entry.size.usual.width == entry.size.usual.depth &&
+                        entry.size.greatest.width == entry.size.greatest.depth;
+    bool filled = false;
+    for (const auto side : kSides) {
+      if (size.greatest.*side != 0 || size.least.*side != 0 || size.usual.*side != 0) {
+        if (size.usual.*side == 0) size.usual.*side = std::clamp(usual.usual.*side, size.least.*side, std::max(size.least.*side, size.greatest.*side));
+        continue;
+      }
+      const auto other = side == &Size::width ? &Size::depth : &Size::width;
+      const SizeRange& from = square && side != &Size::height && size.usual.*other > 0 ? size : usual;
+      const auto from_side = &from == &size ? other : side;
+      size.least.*side = from.least.*from_side;
+      size.usual.*side = from.usual.*from_side;
+      size.greatest.*side = from.greatest.*from_side;
+      filled = true;
+    }
+    if (filled) {
+      object_.size_source = SizeSource::kInferred;
+      context_.note("filled", fmt::format("a part of the size of \"{}\" is missing: {} is inferred", object_.id, text_of(size.usual)), pointer_ + "/dims");
+    } else if (object_.size_source == SizeSource::kUnknown) {
+      object_.size_source = SizeSource::kUser;
+    }
+  }
+
+  void apply_scale() {
+    if (object_.scale == std::array<double, 3>{1, 1, 1}) return;
+    for (std::size_t i = 0; i < kSides.size(); ++i) {
+      for (Size* size : {&object_.size->least, &object_.size->usual, &object_.size->greatest}) {
+        size->*kSides[i] = static_cast<Mm>(std::lround(std::clamp(size->*kSides[i] * object_.scale[i], -2e6, 2e6)));
+      }
+    }
+    context_.note("converted", fmt::format("the scale of \"{}\" is worked into its size: {}", object_.id, text_of(object_.size->usual)),
+                  pointer_ + "/xform/scale");
+    object_.scale = {1, 1, 1};
+  }
+
+  void check_size() {
+    const SizeRange& size = *object_.size;
+    constexpr std::string_view kNames[] = {"width", "depth", "height"};
+    for (std::size_t i = 0; i < kSides.size(); ++i) {
+      const auto side = kSides[i];
+      if (size.least.*side <= 0 || size.greatest.*side > kLargestObject) {
+        const Mm bad = size.least.*side <= 0 ? size.least.*side : size.greatest.*side;
+        context_.error(ErrorCode::kGeometry, fmt::format("the {} of \"{}\" is {}", kNames[i], object_.id, metres_text(bad)), pointer_ + "/dims",
+                       fmt::format("give more than 0 and at most {}; is the unit right?", metres_text(kLargestObject)));
+      } else if (size.least.*side > size.usual.*side || size.usual.*side > size.greatest.*side) {
+        context_.error(ErrorCode::kGeometry, fmt::format("the {} range of \"{}\" is not in the order least, usual, greatest", kNames[i], object_.id),
+                       pointer_ + "/dimsRange");
+      }
+    }
+  }
+
+  // A relation that says where it is mounted beats the habit of its kind.
+  Mount mount_by_relations(const CatalogEntry& entry) const {
+    const SceneGraph& scene = context_.scene;
+    for (const Relation& relation : scene.relations) {
+      if (std::ranges::find(relation.targets, object_.id) == relation.targets.end()) continue;
+      if (relation.type == RelationType::kOnWall && entry.mount != Mount::kHung) return Mount::kWall;
+      if (relation.type == RelationType::kOnCeiling) return Mount::kCeiling;
+      if (relation.type != RelationType::kOn && relation.type != RelationType::kIn && relation.type != RelationType::kStacked) continue;
+      for (const std::string& reference : relation.references) {
+        if (reference == "floor" && entry.mount != Mount::kCeiling) return Mount::kFloor;
+        const SceneObject* below = scene.find_object(reference);
+        const bool sill = scene.find_opening(reference) != nullptr;
+        const bool carried = sill || (below != nullptr && !context_.catalog.entry_or_nearest(below->category).thin);
+        if (carried && entry.mount != Mount::kHung) return Mount::kSurface;
+        if (below != nullptr && !carried) return Mount::kFloor;
+      }
+    }
+    return entry.mount;
+  }
+
+  static std::string text_of(const Size& size) {
+    return fmt::format("{:.4g} x {:.4g} x {:.4g} m", size.width / 1000.0, size.depth / 1000.0, size.height / 1000.0);
+  }
+
+  NormalizeContext& context_;
+  SceneObject& object_;
+  std::string pointer_;
+};
+
+// Empty and repeated ids get new ones; a relation to a repeated id means the first that has it.
+void settle_ids(NormalizeContext& context) {
+  std::set<std::string> seen{"room", "floor", "ceiling"};
+  for (std::size_t i = 0; i < context.scene.objects.size(); ++i) {
+    SceneObject& object = context.scene.objects[i];
+    if (!object.id.empty() && seen.insert(object.id).second) continue;
+    const std::string old = object.id;
+    const std::string base = old.empty() ? snake_case(object.category.empty() ? "object" : object.category) : old;
+    object.id.clear();
+    object.id = unused_id(context.scene, base);
+    seen.insert(object.id);
+    if (!old.empty()) context.note("converted", fmt::format("the id \"{}\" is used twice: the later object is \"{}\"", old, object.id), fmt::format("/furniture/{}/id", i));
+  }
+}
+
+}  // namespace
+
+void normalize_objects(NormalizeContext& context) {
+  settle_ids(context);
+  for (std::size_t i = 0; i < context.scene.objects.size(); ++i) ObjectNormalizer(context, i).run();
+}
+
+}  // namespace layoutbox

@@ -1,0 +1,211 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "layoutbox/base/words.h"
+#include "layoutbox/catalog/normalize_steps.h"
+
+namespace layoutbox {
+namespace {
+
+bool is_support(RelationType type) { return type == RelationType::kOn || type == RelationType::kIn || type == RelationType::kStacked; }
+
+bool names(const std::vector<std::string>& ids, const std::string& id) { return std::ranges::find(ids, id) != ids.end(); }
+
+// The id that a reference means, or empty.
+std::string settled_reference(const SceneGraph& scene, const std::string& reference) {
+  if (scene.find_object(reference) != nullptr || scene.find_opening(reference) != nullptr) return reference;
+  if (reference == "room" || reference == "floor" || reference == "ceiling") return reference;
+  if (const Wall* wall = scene.find_wall(reference)) return wall->id;
+  for (const SceneObject& object : scene.objects) {
+    if (same_name(object.id, reference)) return object.id;
+  }
+  for (const Opening& opening : scene.room.openings) {
+    if (same_name(opening.id, reference)) return opening.id;
+  }
+  for (const Opening& opening : scene.room.openings) {
+    if (same_name(name_of(opening.type), reference)) return opening.id;
+  }
+  return {};
+}
+
+class SupportChooser {
+ public:
+  SupportChooser(NormalizeContext& context, SceneObject& object) : context_(context), scene_(context.scene), object_(object) {}
+
+  bool is_supported() const {
+    return std::ranges::any_of(scene_.relations, [&](const Relation& relation) {
+      return is_support(relation.type) && names(relation.targets, object_.id) &&
+             (!relation.references.empty() || relation.type == RelationType::kStacked);
+    });
+  }
+
+  // The paper's `inside` an object says what a thing stands on; else the habit of its kind; else whatever carries things.
+  const SceneObject* choose() const {
+    if (const SceneObject* around = inside_of()) return around;
+    for (const std::string& id : entry(object_).stands_on) {
+      if (const SceneObject* found = freest([&](const SceneObject& o) { return context_.catalog.is_a(entry(o).id, id); })) return found;
+    }
+    return freest([&](const SceneObject& o) { return entry(o).top_carries && o.mount == Mount::kFloor; });
+  }
+
+ private:
+  const CatalogEntry& entry(const SceneObject& object) const { return context_.catalog.entry_or_nearest(object.category); }
+
+  const SceneObject* inside_of() const {
+    for (const Relation& relation : scene_.relations) {
+      if (relation.type != RelationType::kInside || !names(relation.targets, object_.id)) continue;
+      for (const std::string& id : relation.references) {
+        if (const SceneObject* found = scene_.find_object(id)) return found;
+      }
+    }
+    return nullptr;
+  }
+
+  // The candidate with the most free top for its load; the first of equals.
+  template <class Predicate>
+  const SceneObject* freest(Predicate wanted) const {
+    const SceneObject* best = nullptr;
+    double best_load = 0;
+    for (const SceneObject& candidate : scene_.objects) {
+      if (candidate.id == object_.id || !wanted(candidate) || stands_apart_from(candidate) || rests_on(candidate, object_)) continue;
+      const double area = double(candidate.size->usual.width) * candidate.size->usual.depth;
+      const double load = (loaded_area(candidate) + footprint(object_)) / area;
+      if (load > 1) continue;
+      if (best == nullptr || load < best_load) {
+        best = &candidate;
+        best_load = load;
+      }
+    }
+    return best;
+  }
+
+  static double footprint(const SceneObject& object) { return double(object.size->usual.width) * object.size->usual.depth; }
+
+  double loaded_area(const SceneObject& candidate) const {
+    double area = 0;
+    for (const Relation& relation : scene_.relations) {
+      if (!is_support(relation.type) || !names(relation.references, candidate.id)) continue;
+      for (const std::string& id : relation.targets) {
+        if (const SceneObject* above = scene_.find_object(id)) area += footprint(*above);
+      }
+    }
+    return area;
+  }
+
+  // A relation puts the two side by side or one under the other ("a lamp to the right of the desk").
+  bool stands_apart_from(const SceneObject& candidate) const {
+    return std::ranges::any_of(scene_.relations, [&](const Relation& relation) {
+      const bool related = (names(relation.targets, object_.id) && names(relation.references, candidate.id)) ||
+                           (names(relation.targets, candidate.id) && names(relation.references, object_.id));
+      if (!related) return false;
+      const RelationGroup group = relation_row(relation.type).group;
+      return relation.type != RelationType::kCenteredOn && relation.type != RelationType::kFacing &&
+             (group == RelationGroup::kPairGroup || group == RelationGroup::kGroupGroup || group == RelationGroup::kHeightGroup);
+    });
+  }
+
+  bool rests_on(const SceneObject& upper, const SceneObject& lower, int depth = 0) const {
+    if (depth > 20) return true;
+    for (const Relation& relation : scene_.relations) {
+      if (!is_support(relation.type) || !names(relation.targets, upper.id)) continue;
+      if (names(relation.references, lower.id)) return true;
+      for (const std::string& id : relation.references) {
+        const SceneObject* between = scene_.find_object(id);
+        if (between != nullptr && rests_on(*between, lower, depth + 1)) return true;
+      }
+    }
+    return false;
+  }
+
+  NormalizeContext& context_;
+  SceneGraph& scene_;
+  SceneObject& object_;
+};
+
+void support_object(NormalizeContext& context, SceneObject& object, const std::string& pointer) {
+  const SupportChooser chooser(context, object);
+  if (object.fixed || chooser.is_supported()) return;
+  const SceneObject* support = chooser.choose();
+  if (support == nullptr) {
+    object.mount = object.mount == Mount::kHung ? Mount::kWall : Mount::kFloor;
+    context.note("guessed", fmt::format("there is nothing that \"{}\" could be on: it goes {}", object.id, object.mount == Mount::kWall ? "on a wall" : "on the floor"),
+                 pointer + "/mount");
+    return;
+  }
+  Relation relation;
+  relation.id = unused_id(context.scene, fmt::format("{}_on_{}", object.id, support->id));
+  relation.type = RelationType::kOn;
+  relation.targets = {object.id};
+  relation.references = {support->id};
+  relation.why = fmt::format("a {} stands on something", object.name);
+  relation.assumed = true;
+  context.note("guessed", fmt::format("what \"{}\" stands on is not said: \"{}\" is taken", object.id, support->id), pointer);
+  context.scene.relations.push_back(std::move(relation));
+}
+
+// Written z is the underside where that leaves the thing on a surface, else the centre of the body.
+void settle_heights(NormalizeContext& context) {
+  constexpr double kOnSurface = 15;
+  std::vector<double> surfaces{0};
+  for (const SceneObject& object : context.scene.objects) {
+    if (object.mount == Mount::kFloor) surfaces.push_back(object.size->usual.height);
+  }
+  for (std::size_t i = 0; i < context.scene.objects.size(); ++i) {
+    SceneObject& object = context.scene.objects[i];
+    if (!object.hint.z_may_be_centre || !object.hint.position) continue;
+    object.hint.z_may_be_centre = false;
+    double& z = (*object.hint.position)[2];
+    const double height = object.size->usual.height;
+    const bool on_surface = std::ranges::any_of(surfaces, [&](double s) { return std::abs(z - s) <= kOnSurface && !(s == height && s != 0); });
+    const bool at_ceiling = object.mount == Mount::kCeiling && std::abs(z + height - context.scene.room.height) <= kOnSurface;
+    if (on_surface || at_ceiling) continue;
+    z -= height / 2;
+    context.note("converted", fmt::format("the z of \"{}\" is read as the centre of its body", object.id), fmt::format("/furniture/{}/xform/pos/2", i));
+  }
+}
+
+}  // namespace
+
+void normalize_relations(NormalizeContext& context) {
+  SceneGraph& scene = context.scene;
+  std::vector<Relation> kept;
+  for (std::size_t i = 0; i < scene.relations.size(); ++i) {
+    Relation relation = std::move(scene.relations[i]);
+    const std::string pointer = fmt::format("/constraints/{}", i);
+    std::string unknown;
+    for (std::string& target : relation.targets) {
+      if (scene.find_object(target) == nullptr) unknown = target;
+    }
+    for (std::string& reference : relation.references) {
+      const std::string id = settled_reference(scene, reference);
+      if (id.empty()) unknown = reference;
+      else reference = id;
+    }
+    if (!unknown.empty()) {
+      context.note("ignored", fmt::format("the relation \"{}\" names \"{}\", which the scene does not have: it is left out", relation.id, unknown), pointer);
+      continue;
+    }
+    kept.push_back(std::move(relation));
+  }
+  scene.relations = std::move(kept);
+  std::vector<std::string> used;
+  for (Relation& relation : scene.relations) {
+    if (relation.id.empty() || names(used, relation.id)) {
+      relation.id.clear();
+      relation.id = unused_id(scene, "c1");
+    }
+    used.push_back(relation.id);
+  }
+}
+
+void normalize_support(NormalizeContext& context) {
+  for (std::size_t i = 0; i < context.scene.objects.size(); ++i) {
+    SceneObject& object = context.scene.objects[i];
+    if (object.mount == Mount::kSurface || object.mount == Mount::kHung) support_object(context, object, fmt::format("/furniture/{}", i));
+  }
+  settle_heights(context);
+}
+
+}  // namespace layoutbox

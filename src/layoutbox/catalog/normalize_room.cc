@@ -1,0 +1,236 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "layoutbox/base/words.h"
+#include "layoutbox/catalog/normalize_steps.h"
+#include "layoutbox/scene/shell.h"
+
+namespace layoutbox {
+namespace {
+
+constexpr Mm kSmallestRoom = 500, kLargestRoom = 100'000, kLowestRoom = 500, kHighestRoom = 50'000;
+constexpr Size kOrdinaryRoom{4000, 3500, 2600};
+// Furniture that stands on the floor of a room whose size is ours to choose covers at most this share of it.
+constexpr double kMostCovered = 0.32;
+
+struct SizeWordFactor {
+  std::string_view word;
+  double factor;
+};
+constexpr SizeWordFactor kRoomWords[] = {
+    {"tiny", 0.65}, {"small", 0.8},    {"compact", 0.8}, {"cosy", 0.85}, {"cozy", 0.85}, {"narrow", 0.85}, {"medium", 1.0},
+    {"large", 1.3}, {"spacious", 1.3}, {"big", 1.3},     {"huge", 1.6},  {"vast", 1.8},  {"open", 1.2},
+};
+
+Mm rounded_up(double mm) { return static_cast<Mm>(std::ceil(mm / 100 - 1e-9) * 100); }
+
+std::vector<Point> outline(std::string_view shape, Mm w, Mm d) {
+  const Mm x1 = w / 3 / kGridMm * kGridMm, x2 = w - x1, y1 = d / 2 / kGridMm * kGridMm;
+  if (shape == "L") return {{0, 0}, {w, 0}, {w, y1}, {x2, y1}, {x2, d}, {0, d}};
+  if (shape == "T") return {{x1, 0}, {x2, 0}, {x2, y1}, {w, y1}, {w, d}, {0, d}, {0, y1}, {x1, y1}};
+  if (shape == "U") return {{0, 0}, {x1, 0}, {x1, y1}, {x2, y1}, {x2, 0}, {w, 0}, {w, d}, {0, d}};
+  return {{0, 0}, {w, 0}, {w, d}, {0, d}};
+}
+
+double share_of_box(std::string_view shape) {
+  constexpr Mm kUnit = 60'000;
+  return static_cast<double>(doubled_area(outline(shape, kUnit, kUnit))) / 2.0 / (double{kUnit} * kUnit);
+}
+
+class RoomNormalizer {
+ public:
+  explicit RoomNormalizer(NormalizeContext& context) : context_(context), room_(context.scene.room) {}
+
+  void run() {
+    const RoomKind* kind = room_.type.empty() ? nullptr : context_.catalog.find_room(room_.type);
+    usual_ = kind != nullptr ? kind->usual_size : kOrdinaryRoom;
+    if (kind != nullptr) room_.type = kind->id;
+    settle_openings_walls();
+    settle_outline();
+    settle_height();
+    if (!context_.errors.empty()) return;
+    move_to_origin();
+    check_extent();
+    if (!context_.errors.empty()) return;
+    settle_openings();
+    if (room_.openings.empty() && !room_.openings_given && context_.options.default_openings) add_default_openings();
+    for (Error& error : check_openings(room_)) context_.errors.push_back(std::move(error));
+  }
+
+ private:
+  // Openings name their wall by its id, so that a wall that is turned takes them with it.
+  void settle_openings_walls() {
+    for (Opening& opening : room_.openings) {
+      if (const Wall* wall = context_.scene.find_wall(opening.wall); wall != nullptr && !opening.wall.empty()) opening.wall = wall->id;
+    }
+  }
+
+  void settle_outline() {
+    if (context_.options.room_size.width > 0 && context_.options.room_size.depth > 0) {
+      if (!room_.polygon.empty() || !room_.walls.empty()) context_.note("contradiction", "the size given for the room replaces the scene's own", "/room");
+      room_.walls.clear();
+      room_.polygon = outline(room_.shape, context_.options.room_size.width, context_.options.room_size.depth);
+    }
+    if (!room_.walls.empty()) {
+      outline_from_walls();
+    } else {
+      if (room_.polygon.empty()) room_.polygon = chosen_outline();
+      auto polygon = tidy_polygon(room_.polygon);
+      if (!polygon) {
+        context_.errors.push_back(std::move(polygon).error());
+        return;
+      }
+      room_.polygon = std::move(*polygon);
+      room_.walls = walls_along(room_.polygon);
+    }
+  }
+
+  void outline_from_walls() {
+    if (complete_rectangle(room_)) context_.note("filled", "walls are missing: the rectangle is completed", "/room/walls");
+    auto walls = walls_in_ring(room_.walls, room_.openings);
+    if (!walls) {
+      Error error = std::move(walls).error();
+      if (error.details.empty()) context_.errors.push_back(std::move(error));
+      else std::ranges::move(error.details, std::back_inserter(context_.errors));
+      return;
+    }
+    room_.walls = std::move(*walls);
+    const std::vector<Point> given = std::move(room_.polygon);
+    room_.polygon.clear();
+    for (const Wall& wall : room_.walls) room_.polygon.push_back(wall.start);
+    if (!given.empty() && std::llabs(doubled_area(given)) != doubled_area(room_.polygon)) {
+      context_.note("contradiction", "the walls and the room's dims or polygon differ: the walls are believed", "/room/walls");
+    }
+  }
+
+  std::vector<Point> chosen_outline() {
+    double w = usual_.width, d = usual_.depth;
+    double share = share_of_box(room_.shape);
+    if (!(share > 0)) share = 1;
+    std::string reason = room_.type.empty() ? "an ordinary room" : fmt::format("an ordinary {}", room_.type);
+    if (room_.area_m2 && *room_.area_m2 > 0) {
+      const double factor = std::sqrt(*room_.area_m2 * 1e6 / (w * d * share));
+      w = std::round(w * factor / kGridMm) * kGridMm;
+      d = std::round(*room_.area_m2 * 1e6 / share / w / kGridMm) * kGridMm;
+      reason = fmt::format("an area of {:.4g} m²", *room_.area_m2);
+    } else {
+      for (const SizeWordFactor& rule : kRoomWords) {
+        if (!same_name(room_.size_word, rule.word)) continue;
+        w *= std::sqrt(rule.factor);
+        d *= std::sqrt(rule.factor);
+        reason = fmt::format("\"{}\"", room_.size_word);
+      }
+      const double factor = growth(w * d * share, std::max(w, d));
+      if (factor > 1.001) reason += ", grown to hold its furniture";
+      w = rounded_up(w * factor);
+      d = rounded_up(d * factor);
+    }
+    if (room_.shape == "round") context_.note("ignored", "round rooms are made rectangular", "/room/shape");
+    context_.note("filled", fmt::format("the room's size is not given: {} x {} for {}", metres_text(w), metres_text(d), reason), "/room/dims");
+    return outline(room_.shape, static_cast<Mm>(std::min(w, 1e6)), static_cast<Mm>(std::min(d, 1e6)));
+  }
+
+  // By how much both sides must grow so that the floor holds what stands on it, and the longest piece fits along a wall.
+  double growth(double area, double longest_side) const {
+    double covered = 0, longest = 0;
+    for (const SceneObject& object : context_.scene.objects) {
+      if (object.mount != Mount::kFloor || !object.size || context_.catalog.entry_or_nearest(object.category).thin) continue;
+      const Size& size = object.size->usual;
+      covered += double(size.width) * size.depth;
+      longest = std::max({longest, double(size.width), double(size.depth)});
+    }
+    return std::max({1.0, std::sqrt(covered / kMostCovered / area), (longest + 600) / longest_side});
+  }
+
+  void settle_height() {
+    if (context_.options.room_size.height > 0) room_.height = context_.options.room_size.height;
+    if (room_.height != 0) return;
+    room_.height = usual_.height;
+    context_.note("filled", fmt::format("the room's height is not given: {}", metres_text(room_.height)), "/room/dims/h");
+  }
+
+  // The frame's origin is the front-left corner of the box round the room.
+  void move_to_origin() {
+    Point low = room_.polygon.front();
+    for (const Point corner : room_.polygon) low = {std::min(low.x, corner.x), std::min(low.y, corner.y)};
+    if (low == Point{}) return;
+    for (Point& corner : room_.polygon) corner = {corner.x - low.x, corner.y - low.y};
+    for (Wall& wall : room_.walls) {
+      wall.start = {wall.start.x - low.x, wall.start.y - low.y};
+      wall.end = {wall.end.x - low.x, wall.end.y - low.y};
+    }
+    for (SceneObject& object : context_.scene.objects) {
+      if (!object.hint.position) continue;
+      (*object.hint.position)[0] -= low.x;
+      (*object.hint.position)[1] -= low.y;
+    }
+    context_.note("converted", fmt::format("the origin is moved to the room's front-left corner, by {} and {}", metres_text(low.x), metres_text(low.y)), "/room");
+  }
+
+  void check_extent() {
+    Point high = room_.polygon.front();
+    for (const Point corner : room_.polygon) high = {std::max(high.x, corner.x), std::max(high.y, corner.y)};
+    const auto check = [&](std::string_view name, Mm value, Mm least, Mm greatest) {
+      if (value >= least && value <= greatest) return;
+      context_.error(ErrorCode::kGeometry, fmt::format("the room's {} is {}", name, metres_text(value)), "/room",
+                     fmt::format("give {} to {}; is the unit right?", metres_text(least), metres_text(greatest)));
+    };
+    check("width", high.x, kSmallestRoom, kLargestRoom);
+    check("depth", high.y, kSmallestRoom, kLargestRoom);
+    check("height", room_.height, kLowestRoom, kHighestRoom);
+  }
+
+  void settle_openings() {
+    for (std::size_t i = 0; i < room_.openings.size(); ++i) {
+      Opening& opening = room_.openings[i];
+      if (const Wall* wall = context_.scene.find_wall(opening.wall); wall != nullptr && !opening.wall.empty()) opening.wall = wall->id;
+      if (opening.id.empty()) opening.id = unused_id(context_.scene, fmt::format("{}{}", name_of(opening.type), i + 1));
+      if (opening.assumed) fit_assumed(opening);
+    }
+  }
+
+  // Defaults give way to small rooms.
+  void fit_assumed(Opening& opening) const {
+    Mm longest = 0;
+    for (const Wall& wall : room_.walls) longest = std::max(longest, length_of(wall));
+    const double share = opening.type == OpeningType::kWindow ? 0.5 : 0.8;
+    opening.width = std::min(opening.width, static_cast<Mm>(longest * share) / kGridMm * kGridMm);
+    if (opening.type != OpeningType::kWindow) {
+      opening.height = std::min(opening.height, room_.height - 50);
+    } else if (opening.sill + opening.height > room_.height - 200) {
+      opening.sill = std::min(opening.sill, room_.height / 3 / kGridMm * kGridMm);
+      opening.height = std::min(opening.height, room_.height - 200 - opening.sill);
+    }
+  }
+
+  void add_default_openings() {
+    Opening door;
+    door.id = unused_id(context_.scene, "door1");
+    door.assumed = true;
+    fit_assumed(door);
+    room_.openings.push_back(door);
+
+    Opening window;
+    window.id = unused_id(context_.scene, "window1");
+    window.type = OpeningType::kWindow;
+    window.width = window.height = 1200;
+    window.sill = 900;
+    window.swing = Swing::kNone;
+    window.assumed = true;
+    fit_assumed(window);
+    if (window.height >= 300 && window.width >= 300) room_.openings.push_back(window);
+    context_.note("filled", "no door or window is named: the room gets one of each, where they are least in the way", "/room/openings");
+  }
+
+  NormalizeContext& context_;
+  Room& room_;
+  Size usual_;
+};
+
+}  // namespace
+
+void normalize_room(NormalizeContext& context) { RoomNormalizer(context).run(); }
+
+}  // namespace layoutbox

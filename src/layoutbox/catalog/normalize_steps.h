@@ -1,0 +1,37 @@
+// The steps of normalize_scene, in their order. Each fills what is missing and notes it; errors are collected, not thrown.
+#pragma once
+
+#include <vector>
+
+#include "layoutbox/catalog/normalize.h"
+
+namespace layoutbox {
+
+struct NormalizeContext {
+  SceneGraph& scene;
+  const Catalog& catalog;
+  const NormalizeOptions& options;
+  std::vector<Error> errors;
+
+  void note(std::string code, std::string message, std::string pointer = {});
+  void error(ErrorCode code, std::string message, std::string pointer = {}, std::string hint = {});
+};
+
+// Ids, categories, sizes, used sides and mounts of all objects.
+void normalize_objects(NormalizeContext& context);
+
+// Polygon, height, walls and openings. REQUIRES: sizes of objects are known (an unsized room grows with them).
+void normalize_room(NormalizeContext& context);
+
+// Names that relations use: walls by word become ids, relations to nothing are left out; ids for those without.
+void normalize_relations(NormalizeContext& context);
+
+// What stands or hangs on something gets something to stand on; heights of pose hints that may mean the centre are settled.
+void normalize_support(NormalizeContext& context);
+
+// "bed_1" where "bed" is taken: the first of base, base_2, base_3… that no object, wall, opening or relation has.
+std::string unused_id(const SceneGraph& scene, const std::string& base);
+
+std::string metres_text(double mm);  // "1.6 m"
+
+}  // namespace layoutbox
