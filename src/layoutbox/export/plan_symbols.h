@@ -1,0 +1,19 @@
+// The symbols of a floor plan: what a piece of furniture looks like from above, by its kind.
+#pragma once
+
+#include "layoutbox/export/svg.h"
+#include "layoutbox/scene/layout.h"
+
+namespace layoutbox {
+
+// From the plan in millimetres (x right, y away) to the paper.
+struct PlanScale {
+  double left = 0, bottom = 0;   // where the plan's origin lies on the page
+  double factor = 0.02;          // millimetres on paper per millimetre in the room
+  PaperPoint at(double x, double y) const { return {left + x * factor, bottom - y * factor}; }
+};
+
+// Draws the object's symbol at its place. Objects that hang from the ceiling are dashed.
+void draw_symbol(SvgWriter& svg, const PlanScale& scale, const PlacedObject& object);
+
+}  // namespace layoutbox
