@@ -157,7 +157,7 @@ void check_bounds(const RoomView& view, Report& report) {
     if (!view.floor.empty() && area > 0) off = std::clamp(1 - signed_area(clip(view.floor, body.shape.plan)) / area, 0.0, 1.0);
     if (!view.floor.empty() && area <= 0) off = contains(view.floor, body.shape.center) ? 0.0 : 1.0;
     const double through = body.top() - view.height;
-    const bool outside = off > kOutsideShare, too_high = through > kCeilingReach + kTiny;
+    const bool outside = off > kOutsideShare + 1e-9, too_high = through > kCeilingReach + kTiny;
     bad += outside || too_high;
     Check check{"outOfBounds", body.id(), !outside && !too_high, true, off, "share", {}, object_pointer(body)};
     if (outside) {

@@ -9,8 +9,10 @@ namespace {
 // Numbers of a readable layout may be absurd; beyond this they only have to stay numbers.
 constexpr double kFarthest = 1e7;  // m
 
+// Exactly the number that stands in the file: reading has turned 2.45 into 2450.0000000000005.
 double metres(double millimetres) {
-  return std::isfinite(millimetres) ? std::clamp(millimetres / 1000.0, -kFarthest, kFarthest) : kFarthest;
+  if (!std::isfinite(millimetres)) return kFarthest;
+  return std::round(std::clamp(millimetres, -kFarthest * 1000, kFarthest * 1000) * 1e4) / 1e7;
 }
 
 Vec metres(Point point) { return {metres(point.x), metres(point.y)}; }
@@ -33,6 +35,7 @@ Shape space_before(const Face& opening, double depth) {
 }
 
 double swing_intrusion(const Face& door, const Body& body) {
+  if (door.opening == nullptr) return 0;
   const Swing swing = door.opening->swing;
   if (door.opening->type != OpeningType::kDoor || (swing != Swing::kInLeft && swing != Swing::kInRight)) return 0;
   if (overlap(body.shape.heights, door.shape.heights) <= 0.005 + kTiny) return 0;

@@ -93,7 +93,7 @@ Finding check_KeepClear(const Case& c) {
     return each_target(c, [&](const Body& t) { return out_of_region(c, t, given.region); });
   }
   return each_pair(c, [&](const Body& t, const Reference& r) {
-    if (r.face != nullptr) return keeps_out_of_opening(c, t, *r.face, depth);
+    if (r.face != nullptr && r.face->opening != nullptr) return keeps_out_of_opening(c, t, *r.face, depth);
     return gap_within(c, t, r, depth.value_or(kClearDepth), std::nullopt);
   });
 }
