@@ -1,7 +1,7 @@
 // Layout to model: every object a recognisable piece of parametric furniture at exactly the size the solver chose.
 #pragma once
 
-#include <string>
+#include <cstdint>
 
 #include "layoutbox/base/result.h"
 #include "layoutbox/catalog/catalog.h"
@@ -13,6 +13,8 @@ namespace layoutbox {
 struct FurnishOptions {
   // Variation of details (colours, book spines); the same object always looks the same. DEFAULT: 1.
   std::uint64_t seed = 1;
+  // Books in shelves, food in bowls: what a piece shows in spaces where nothing of the layout stands. DEFAULT: true.
+  bool contents = true;
 };
 
 // The furnished room: floor, one node per wall with its real openings, ceiling, one node per opening, one per object.

@@ -1,0 +1,135 @@
+// Beds and what is made up like one.
+#include <algorithm>
+#include <cmath>
+
+#include "layoutbox/furnish/families/parts.h"
+
+namespace layoutbox::kit {
+namespace {
+
+// Mattress, duvet and pillows in a box whose top is the level on which things may lie.
+void bedding(Piece& p, const Box& b, int pillows, int duvet, int white) {
+  const double puff = std::min(0.09, b.size().z * 0.4), sheet = b.max.z - puff, margin = 0.012;
+  p.add(white, rounded_box(sides(b.min.x + margin, b.max.x - margin, b.min.y + margin, b.max.y, b.min.z, sheet), 0.035, 3));
+  const double length = b.size().y, pillow_depth = std::clamp(length * 0.22, 0.2, 0.46), fold = b.max.y - pillow_depth - std::min(0.1, length * 0.06);
+  const double drop = std::min(0.16, (sheet - b.min.z) * 0.8);
+  // The duvet hangs over three sides; its top end is folded back and shows its white side.
+  p.add(duvet, rounded_box(sides(b.min.x, b.max.x, b.min.y, fold, sheet - drop, b.max.z), std::min(0.05, puff), 3));
+  p.add(white, rounded_box(sides(b.min.x + 0.004, b.max.x - 0.004, fold - std::min(0.3, length * 0.16), fold + 0.02, sheet - drop * 0.7, b.max.z + 0.0), std::min(0.045, puff), 3));
+  const double room = b.size().x - 0.06, each = std::min(0.75, room / std::max(1, pillows));
+  for (int i = 0; i < pillows; ++i) {
+    const double x = (i - (pillows - 1) / 2.0) * std::max(each, std::min(room / pillows, 0.85));
+    p.add(white, pillow(sides(x - each / 2 + 0.02, x + each / 2 - 0.02, fold + 0.04, b.max.y - 0.02, sheet - 0.03, b.max.z), 10));
+  }
+}
+
+struct BedLevels {
+  double top, under, head, foot, side;  // level of the bedding, of the room below, y of head and foot boards, half width
+};
+
+BedLevels levels(const Piece& p) {
+  BedLevels l{std::min(0.55, p.h * 0.75), 0, p.d / 2 - 0.05, -p.d / 2, p.w / 2};
+  if (const FreeSpace* s = p.open_above()) l = {s->box.min.z, 0, s->box.max.y, s->box.min.y, std::max(-s->box.min.x, s->box.max.x)};
+  l.under = p.clear_below(0);
+  return l;
+}
+
+void bed(Piece& p) {
+  const BedLevels l = levels(p);
+  const int wood = p.frame("oak"), white = p.named("cotton"), head_surface = p.says("upholstered") || p.says("velvet") || p.says("tufted") ? p.main_accent("linen") : p.frame("walnut");
+  const int duvet = p.main_accent("cotton");
+  const double under = l.under > 0 ? l.under : std::min(0.14, l.top * 0.3), head = std::max(0.02, p.d / 2 - l.head);
+  const double rail = std::min(0.12, std::max(0.04, (l.top - under) * 0.35));
+  p.legs(wood, under, 0.07, 0.03, false, 0.8);
+  p.add(wood, box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2 - std::min(head, 0.03), under, under + rail), 0.008));
+  const bool soft = p.says("upholstered") || p.says("velvet") || p.says("tufted");
+  if (p.h > l.top + 0.03) {
+    p.add(head_surface, soft ? rounded_box(sides(-p.w / 2, p.w / 2, p.d / 2 - head, p.d / 2, under, p.h), head * 0.4, 3)
+                             : box(sides(-p.w / 2, p.w / 2, p.d / 2 - std::min(head, 0.05), p.d / 2, under * 0.5, p.h), 0.008));
+  } else {
+    p.add(wood, box(sides(-p.w / 2, p.w / 2, p.d / 2 - std::min(head, 0.03), p.d / 2, under * 0.5, std::min(p.h, l.top)), 0.006));
+  }
+  const double edge = p.d / 2 - std::min(head, soft ? head : 0.05);
+  if (p.h < l.top + 0.03 && p.h > l.top) p.add(wood, box(sides(-0.05, 0.05, p.d / 2 - 0.02, p.d / 2, l.top - 0.02, p.h), 0.004));
+  const int pillows = p.count("pillows", p.w > 1.15 ? 2 : 1);
+  bedding(p, sides(-p.w / 2 + 0.015, p.w / 2 - 0.015, -p.d / 2 + 0.015, edge, under + rail - 0.002, l.top), std::max(1, pillows), duvet, white);
+  // A foot board, where the bedding ends before the bed does.
+  if (l.foot > -p.d / 2 + 0.02) p.add(wood, box(sides(-p.w / 2, p.w / 2, -p.d / 2, std::min(l.foot, -p.d / 2 + 0.04), under, std::min(p.h, l.top + 0.15)), 0.008));
+}
+
+void bunk_bed(Piece& p) {
+  const int wood = p.frame("oak"), white = p.named("cotton"), duvet = p.main_accent("cotton");
+  const double post = std::min(0.07, p.w * 0.08);
+  for (const double x : {-1.0, 1.0}) {
+    for (const double y : {-1.0, 1.0}) {
+      const double cx = x * (p.w / 2 - post / 2), cy = y * (p.d / 2 - post / 2);
+      p.add(wood, box(sides(cx - post / 2, cx + post / 2, cy - post / 2, cy + post / 2, 0, p.h), 0.006));
+    }
+  }
+  std::vector<double> tops;
+  for (const FreeSpace& s : p.spaces) {
+    if (s.carries && s.box.min.z > 0.2) tops.push_back(s.box.min.z);
+  }
+  std::sort(tops.begin(), tops.end());
+  if (tops.empty()) tops = {0.45, p.h - 0.35};
+  for (const double top : tops) {
+    const double below = top - 0.26;
+    p.add(wood, box(sides(-p.w / 2 + 0.006, p.w / 2 - 0.006, -p.d / 2 + 0.006, p.d / 2 - 0.006, below, below + 0.1), 0.006));
+    bedding(p, sides(-p.w / 2 + post, p.w / 2 - post, -p.d / 2 + post, p.d / 2 - post, below + 0.09, top), 1, duvet, white);
+    for (const double y : {-1.0, 1.0}) {
+      const double y0 = y > 0 ? p.d / 2 - 0.03 : -p.d / 2 + 0.004;
+      p.add(wood, box(sides(-p.w / 2 + post, p.w / 2 - post, y0, y0 + 0.025, below + 0.1, std::min(p.h, top + 0.12)), 0.005));
+    }
+  }
+  const double guard = std::min(p.h - 0.02, tops.back() + 0.22);
+  for (const double x : {-1.0, 1.0}) {
+    const double x0 = x > 0 ? p.w / 2 - 0.03 : -p.w / 2 + 0.006;
+    if (!p.is_free(sides(x0, x0 + 0.024, -p.d / 2 + post, p.d / 2 - post, guard - 0.08, guard))) continue;
+    p.add(wood, box(sides(x0, x0 + 0.024, -p.d / 2 + post, p.d / 2 - post - (x > 0 ? 0.0 : 0.0), guard - 0.08, guard), 0.004));
+  }
+  // The ladder stands at the foot, between the posts.
+  for (const double x : {-0.14, 0.14}) p.add(wood, box(sides(x - 0.018, x + 0.018, -p.d / 2, -p.d / 2 + 0.03, 0, std::min(p.h, tops.back() + 0.2)), 0.004));
+  for (double z = 0.25; z < tops.back() - 0.15; z += 0.27) p.add(wood, box(sides(-0.13, 0.13, -p.d / 2 + 0.003, -p.d / 2 + 0.027, z, z + 0.03), 0.004));
+}
+
+void crib(Piece& p) {
+  const int wood = p.main("lacquer"), white = p.named("cotton"), blanket = p.tinted("cotton", p.accent());
+  const FreeSpace* open = p.open_above();
+  const double top = open != nullptr ? open->box.min.z : p.h * 0.5, under = std::max(p.clear_below(0), top - 0.2), t = 0.03;
+  for (const double x : {-1.0, 1.0}) {
+    for (const double y : {-1.0, 1.0}) {
+      const double cx = x * (p.w / 2 - t / 2), cy = y * (p.d / 2 - t / 2);
+      p.add(wood, box(sides(cx - t / 2, cx + t / 2, cy - t / 2, cy + t / 2, 0, p.h), 0.005));
+    }
+  }
+  p.add(wood, box(sides(-p.w / 2 + 0.004, p.w / 2 - 0.004, -p.d / 2 + 0.004, p.d / 2 - 0.004, under, under + 0.06), 0.004));
+  p.add(white, rounded_box(sides(-p.w / 2 + t, p.w / 2 - t, -p.d / 2 + t, p.d / 2 - t, under + 0.06, top - 0.02), 0.02, 2));
+  p.add(blanket, rounded_box(sides(-p.w / 2 + t, p.w / 2 - t, -p.d / 2 + t, p.d * 0.05, top - 0.06, top), 0.018, 2));
+  p.add(white, pillow(sides(-p.w * 0.3, p.w * 0.3, p.d / 2 - 0.34, p.d / 2 - 0.08, top - 0.045, top), 6));
+  const auto rails = [&](bool along_x, double at) {
+    const double half = (along_x ? p.w : p.d) / 2 - t;
+    const auto bar = [&](double a0, double a1, double z0, double z1, double thick) {
+      p.add(wood, along_x ? box(sides(a0, a1, at - thick / 2, at + thick / 2, z0, z1), 0.003) : box(sides(at - thick / 2, at + thick / 2, a0, a1, z0, z1), 0.003));
+    };
+    bar(-half, half, p.h - 0.04, p.h, 0.024);
+    const int n = std::max(2, static_cast<int>(2 * half / 0.085));
+    for (int i = 1; i < n; ++i) {
+      const double a = -half + 2 * half * i / n;
+      bar(a - 0.006, a + 0.006, under + 0.06, p.h - 0.04, 0.012);
+    }
+  };
+  for (const double s : {-1.0, 1.0}) {
+    rails(true, s * (p.d / 2 - t / 2));
+    rails(false, s * (p.w / 2 - t / 2));
+  }
+}
+
+}  // namespace
+
+void add_beds(Families& to) {
+  to["bed"] = bed;
+  to["bunk_bed"] = bunk_bed;
+  to["crib"] = crib;
+}
+
+}  // namespace layoutbox::kit

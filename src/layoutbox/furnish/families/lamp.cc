@@ -1,0 +1,114 @@
+// Lamps; each gives light.
+#include <algorithm>
+#include <cmath>
+
+#include "layoutbox/furnish/families/parts.h"
+
+namespace layoutbox::kit {
+namespace {
+
+// A hollow shade round the z axis, elliptical where width and depth differ.
+void shade(Piece& p, int surface, double r_below, double r_above, double z0, double z1) {
+  const double t = 0.004;
+  p.add(surface, lathe({{r_below - t, z0}, {r_below, z0}, {r_above, z1}, {r_above - t, z1}, {r_below - t, z0}}, 36), scaled(1, p.d / p.w, 1));
+}
+
+void floor_lamp(Piece& p) {
+  const int metal = p.frame("black_metal"), cloth = p.main("lampshade");
+  const double r = p.w / 2, tall = std::min(0.32, p.h * 0.22), foot = std::min(r * 0.75, 0.16);
+  const double k = p.d / p.w;
+  if (p.says("tripod") || p.word("style", "") == "tripod") {
+    for (int i = 0; i < 3; ++i) {
+      const double a = kPi * (0.5 + 2.0 * i / 3);
+      p.add(p.frame("oak"), rod({std::cos(a) * (r - 0.02), std::sin(a) * (r - 0.02) * k, 0}, {0, 0, p.h - tall * 0.9}, 0.014, 10));
+    }
+  } else {
+    p.add(metal, lathe({{0, 0}, {foot, 0}, {foot, 0.015}, {foot * 0.9, 0.022}, {0.02, 0.03}, {0, 0.03}}, 28), scaled(1, k, 1));
+    p.add(metal, cylinder({0, 0, 0.02}, 0.011, p.h - tall * 0.55 - 0.02, 12));
+  }
+  shade(p, cloth, r, r * 0.72, p.h - tall, p.h);
+  p.add(p.named("bulb"), ellipsoid({0, 0, p.h - tall * 0.5}, {0.035, 0.035, 0.05}, 12, 6));
+  p.light({0, 0, p.h - tall * 0.5}, 25, 0.08);
+}
+
+void table_lamp(Piece& p) {
+  const double r = p.w / 2, tall = p.h * 0.42, k = p.d / p.w, neck = p.h - tall;
+  const int base = p.main_accent("ceramic"), cloth = p.named("lampshade"), metal = p.named("brass");
+  p.add(base, lathe({{0, 0}, {r * 0.42, 0}, {r * 0.45, neck * 0.05}, {r * 0.58, neck * 0.35}, {r * 0.52, neck * 0.6}, {r * 0.2, neck * 0.85}, {r * 0.14, neck * 0.95}, {0, neck * 0.95}}, 24), scaled(1, k, 1));
+  p.add(metal, cylinder({0, 0, neck * 0.94}, std::min(0.008, r * 0.1), tall * 0.45, 8));
+  shade(p, cloth, r, r * 0.68, p.h - tall, p.h);
+  p.add(p.named("bulb"), ellipsoid({0, 0, p.h - tall * 0.5}, {r * 0.2, r * 0.2, r * 0.28}, 10, 6));
+  p.light({0, 0, p.h - tall * 0.5}, 10, 0.05);
+}
+
+void pendant(Piece& p) {
+  const double r = p.w / 2, tall = std::min({0.3, p.h * 0.6, r * 1.3}), k = p.d / p.w;
+  const int metal = p.named("black_metal"), outside = p.main_accent("painted_metal");
+  p.add(metal, cylinder({0, 0, p.h - std::min(0.03, p.h * 0.1)}, std::min(0.05, r * 0.5), std::min(0.03, p.h * 0.1), 20));
+  p.add(metal, cylinder({0, 0, tall * 0.95}, 0.004, p.h - tall, 8));
+  // A dome: an arc from the rim up to the neck, and back inside.
+  std::vector<Vec2> profile;
+  for (int i = 0; i <= 8; ++i) {
+    const double a = kPi / 2 * i / 8;
+    profile.push_back({r * std::cos(a) + 0.02 * (i == 8 ? 1 : 0), tall * std::sin(a)});
+  }
+  profile.push_back({0.0, tall});
+  std::vector<Vec2> inside;
+  for (int i = 0; i <= 8; ++i) {
+    const double a = kPi / 2 * (8 - i) / 8;
+    inside.push_back({(r - 0.006) * std::cos(a), (tall - 0.006) * std::sin(a)});
+  }
+  inside.front().x = 0;
+  profile.insert(profile.end(), inside.begin(), inside.end());
+  profile.push_back(profile.front());
+  p.add(outside, lathe(profile, 32), scaled(1, k, 1));
+  p.add(p.named("bulb"), ellipsoid({0, 0, tall * 0.45}, {std::min(0.045, r * 0.3), std::min(0.045, r * 0.3), std::min(0.05, tall * 0.3)}, 14, 8));
+  p.light({0, 0, std::max(0.02, tall * 0.1)}, 30, 0.06);
+}
+
+void chandelier(Piece& p) {
+  const double r = p.w / 2, k = p.d / p.w;
+  const int metal = p.frame("brass"), glow = p.named("bulb"), wax = p.named("ceramic");
+  const double body = std::min(p.h * 0.55, r * 1.1);
+  p.add(metal, cylinder({0, 0, p.h - 0.03}, std::min(0.06, r * 0.4), 0.03, 20));
+  p.add(metal, cylinder({0, 0, body * 0.6}, 0.008, p.h - body * 0.6, 8));
+  p.add(metal, lathe({{0, 0}, {0.03, 0.02}, {0.05, body * 0.2}, {0.02, body * 0.35}, {0.04, body * 0.5}, {0.012, body * 0.65}, {0, body * 0.65}}, 18));
+  const int n = std::max(4, p.count("arms", p.w > 0.7 ? 8 : 6));
+  for (int i = 0; i < n; ++i) {
+    const double a = 2 * kPi * i / n, c = std::cos(a), s = std::sin(a) * k, e = r - 0.026;
+    p.add(metal, tube(curve({{0.03 * c, 0.03 * s, body * 0.4}, {e * 0.5 * c, e * 0.5 * s, body * 0.18}, {e * c, e * s, body * 0.4}}, 5), 0.007, 7));
+    p.add(metal, lathe({{0, 0}, {0.024, 0.012}, {0.026, 0.016}, {0, 0.016}}, 12), moved(e * c, e * s, body * 0.4));
+    p.add(wax, cylinder({e * c, e * s, body * 0.4 + 0.014}, 0.011, 0.06, 10));
+    p.add(glow, ellipsoid({e * c, e * s, body * 0.4 + 0.095}, {0.014, 0.014, 0.025}, 8, 6));
+  }
+  p.light({0, 0, body * 0.5}, 45, 0.15);
+}
+
+void wall_lamp(Piece& p) {
+  const int metal = p.frame("brass"), cloth = p.named("lampshade");
+  const double r = std::min(p.w / 2, p.d * 0.45), y = -p.d / 2 + r;
+  p.add(metal, box(sides(-std::min(0.05, p.w * 0.35), std::min(0.05, p.w * 0.35), p.d / 2 - 0.015, p.d / 2, 0, std::min(p.h, 0.2)), 0.004));
+  p.add(metal, tube(curve({{0, p.d / 2 - 0.01, p.h * 0.25}, {0, p.d / 4, p.h * 0.15}, {0, y, p.h * 0.3}}, 5), 0.007, 8));
+  p.add(cloth, lathe({{0, p.h * 0.35}, {p.w / 2, p.h * 0.35}, {p.w * 0.32, p.h}, {0, p.h}}, 28), moved(0, y, 0) * scaled(1, 2 * r / p.w, 1));
+  p.light({0, y - r * 0.2, p.h * 0.7}, 10, 0.05);
+}
+
+void ceiling_lamp(Piece& p) {
+  const double r = p.w / 2, k = p.d / p.w;
+  p.add(p.frame("steel"), lathe({{0, p.h * 0.7}, {r * 0.96, p.h * 0.7}, {r, p.h * 0.75}, {r, p.h}, {0, p.h}}, 36), scaled(1, k, 1));
+  p.add(p.named("lampshade"), lathe({{0, 0}, {r * 0.5, p.h * 0.1}, {r * 0.82, p.h * 0.35}, {r * 0.94, p.h * 0.7}, {0, p.h * 0.7}}, 36), scaled(1, k, 1));
+  p.light({0, 0, -0.02}, 35, 0.12);
+}
+
+}  // namespace
+
+void add_lamps(Families& to) {
+  to["floor_lamp"] = floor_lamp;
+  to["table_lamp"] = table_lamp;
+  to["pendant"] = pendant;
+  to["chandelier"] = chandelier;
+  to["wall_lamp"] = wall_lamp;
+  to["ceiling_lamp"] = ceiling_lamp;
+}
+
+}  // namespace layoutbox::kit

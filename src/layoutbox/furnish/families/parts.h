@@ -1,0 +1,44 @@
+// Parts that several families share.
+#pragma once
+
+#include "layoutbox/furnish/piece.h"
+
+namespace layoutbox::kit {
+
+// A box by its sides, which reads better in a family than two points.
+inline Box sides(double x0, double x1, double y0, double y1, double z0, double z1) { return {{x0, y0, z0}, {x1, y1, z1}}; }
+
+// A table top or seat of the shape that `top` says (rect, round, oval) in that box.
+void slab(Piece& p, int surface, const Box& b, std::string_view top, double bevel = 0.006);
+
+// A handle or knob on a front that looks to −y: its plate at y, reaching `out` towards the viewer. `vertical` handles are `size` long.
+enum class Handle { kNone, kKnob, kVertical, kHorizontal };
+void handle(Piece& p, int surface, Handle kind, Vec at, double size, double out);
+
+// Fronts over a rectangle of a body, in `rows` and `columns` with gaps between them, from y (front face) back by `thick`, handles in front.
+struct Fronts {
+  double x0, x1, z0, z1, y;
+  int rows = 1, columns = 1;
+  bool doors = false;      // doors: handles upright at the opening edge; drawers: in the middle
+  double thick = 0.018, out = 0.02;
+};
+void fronts(Piece& p, int surface, int handle_surface, const Fronts& f);
+
+// A cabinet in that box: boards round every space in it, fronts where it is closed (one column of doors per `door_width`, or drawers).
+struct Carcass {
+  Box box;
+  int body, front, handles;
+  int drawers = 0;           // rows of drawers in closed parts; 0: doors
+  int doors = 0;             // columns; 0: by width
+  bool closed_fronts = true;
+  double out = 0.02;         // how far handles stand before the fronts; the box includes it
+};
+void carcass(Piece& p, const Carcass& c);
+
+// Books, spines to −y, filling a box from the left as far as chance has it.
+void books(Piece& p, const Box& room);
+
+// Pillow-like seat or back cushions side by side.
+void cushions(Piece& p, int surface, const Box& room, int n, double radius);
+
+}  // namespace layoutbox::kit

@@ -1,0 +1,111 @@
+// Storage: everything that is a body of boards with compartments, doors and drawers.
+#include <algorithm>
+#include <cmath>
+
+#include "layoutbox/furnish/families/parts.h"
+
+namespace layoutbox::kit {
+namespace {
+
+// Body on feet (or a plinth), with a top board where `overhang` is wanted.
+struct Style {
+  std::string_view body, front, handles;
+  double feet;
+  int drawers;
+  int doors;
+};
+
+void cabinet_of(Piece& p, const Style& style) {
+  const int body = p.frame(style.body);
+  const int front = p.color_asked() ? p.main(style.front) : style.front == style.body ? body : p.frame(style.front);
+  double feet = p.number("feet", style.feet);
+  const double under = p.clear_below(0);
+  bool open_below = false;
+  for (const FreeSpace& s : p.spaces) open_below = open_below || (s.box.min.z < feet + 0.01 && s.carries);
+  if (under > 0 && !open_below) feet = under;
+  if (open_below || p.h < feet * 3) feet = 0;
+  if (feet > 0.04) {
+    p.legs(p.named(style.body == "lacquer" ? "oak" : "walnut"), feet, 0.035, 0.03, true, 0.6);
+  } else if (feet > 0) {
+    p.add(body, box(sides(-p.w / 2 + 0.02, p.w / 2 - 0.02, -p.d / 2 + 0.05, p.d / 2, 0, feet), 0.003));
+  }
+  Carcass c{sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, feet, p.h), body, front, p.named(style.handles)};
+  c.drawers = p.count("drawers", style.drawers);
+  c.doors = p.count("doors", style.doors);
+  const bool has_spaces = std::any_of(p.spaces.begin(), p.spaces.end(), [&](const FreeSpace& s) { return s.box.max.z > feet + 0.01; });
+  const double board = std::min(0.025, (p.h - feet) * 0.2);
+  if (!has_spaces) {
+    // A top board that stands over the fronts.
+    p.add(p.frame(style.body), box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, p.h - board, p.h), 0.004));
+    c.box.max.z -= board;
+    c.box.min.x += 0.004;
+    c.box.max.x -= 0.004;
+  }
+  carcass(p, c);
+}
+
+void nightstand(Piece& p) { cabinet_of(p, {"oak", "oak", "brass", 0.1, p.count("doors", 0) > 0 ? 0 : 2, 0}); }
+void chest(Piece& p) { cabinet_of(p, {"oak", "oak", "brass", 0.08, p.h > 1.1 ? 5 : p.h > 0.7 ? 4 : 3, 0}); }
+void cabinet(Piece& p) { cabinet_of(p, {"oak", "oak", "black_metal", p.h > 1.4 ? 0.06 : 0.12, 0, 0}); }
+void wardrobe(Piece& p) { cabinet_of(p, {"oak", "lacquer", "steel", 0.06, 0, std::max(2, static_cast<int>(std::lround(p.w / 0.5)))}); }
+void kitchen_unit(Piece& p) { cabinet_of(p, {"lacquer", "lacquer", "steel", 0.03, 0, 0}); }
+
+// Shelves: boards round the compartments; books where a compartment holds nothing.
+void shelf(Piece& p) {
+  const int wood = p.main("walnut");
+  if (p.spaces.empty()) {
+    const int n = std::max(1, p.count("shelves", std::max(2, static_cast<int>(p.h / 0.36))));
+    const double t = 0.02, back = p.d / 2 - 0.008;
+    for (const double x : {-1.0, 1.0}) p.add(wood, box(sides(x > 0 ? p.w / 2 - t : -p.w / 2, x > 0 ? p.w / 2 : -p.w / 2 + t, -p.d / 2, p.d / 2, 0, p.h), 0.003));
+    p.add(wood, box(sides(-p.w / 2 + t, p.w / 2 - t, back, p.d / 2, 0, p.h), 0));
+    for (int i = 0; i <= n; ++i) {
+      const double z = 0.04 + (p.h - 0.04 - t) * i / n;
+      p.add(wood, box(sides(-p.w / 2 + t, p.w / 2 - t, -p.d / 2 + 0.002, back, z, z + t), 0.003));
+      if (i < n) books(p, sides(-p.w / 2 + t, p.w / 2 - t, -p.d / 2 + 0.01, back, z + t, z + (p.h - 0.04 - t) / n));
+    }
+    return;
+  }
+  Carcass c{p.body(), wood, wood, p.named("brass")};
+  carcass(p, c);
+  if (!p.may_show_contents() || p.word("contents", "books") == "none") return;
+  for (const FreeSpace& s : p.spaces) {
+    if (s.carries && !s.held && s.box.size().z > 0.15 && s.box.max.z < p.h - 0.005) books(p, s.box);
+  }
+}
+
+// A rack: posts at the corners and boards or wires between them.
+void rack(Piece& p) {
+  const int metal = p.frame("black_metal"), board = p.main("oak");
+  const double t = std::min(0.025, p.w * 0.05);
+  for (const double x : {-1.0, 1.0}) {
+    for (const double y : {-1.0, 1.0}) {
+      const double cx = x * (p.w / 2 - t / 2), cy = y * (p.d / 2 - t / 2);
+      p.add(metal, box(sides(cx - t / 2, cx + t / 2, cy - t / 2, cy + t / 2, 0, p.h), 0.003));
+    }
+  }
+  std::vector<double> levels;
+  for (const FreeSpace& s : p.spaces) {
+    if (s.carries) levels.push_back(s.box.min.z);
+  }
+  if (levels.empty()) {
+    const int n = std::max(2, p.count("shelves", std::max(2, static_cast<int>(p.h / 0.4))));
+    for (int i = 0; i < n; ++i) levels.push_back(0.1 + (p.h - 0.1) * (i + 1) / n - (i + 1 == n ? 0 : 0.0));
+  }
+  for (const double z : levels) {
+    if (z > 0.015) p.add(board, box(sides(-p.w / 2 + 0.003, p.w / 2 - 0.003, -p.d / 2 + 0.003, p.d / 2 - 0.003, z - 0.02, z), 0.003));
+  }
+}
+
+}  // namespace
+
+void add_storage(Families& to) {
+  to["nightstand"] = nightstand;
+  to["chest_of_drawers"] = chest;
+  to["cabinet"] = cabinet;
+  to["wardrobe"] = wardrobe;
+  to["kitchen_unit"] = kitchen_unit;
+  to["shelf"] = shelf;
+  to["rack"] = rack;
+}
+
+}  // namespace layoutbox::kit

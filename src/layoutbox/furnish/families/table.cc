@@ -1,0 +1,121 @@
+// Tables and desks.
+#include <algorithm>
+#include <cmath>
+
+#include "layoutbox/furnish/families/parts.h"
+
+namespace layoutbox::kit {
+namespace {
+
+// What carries a round top: one column on a foot where it stands free, else legs within the round.
+void round_support(Piece& p, int surface, double top) {
+  const double column = std::min(0.06, p.w * 0.1), foot = p.w * 0.3, ky = p.d / p.w;
+  const Box core = sides(-column, column, -column * ky, column * ky, 0, top), disc = sides(-foot, foot, -foot * ky, foot * ky, 0, 0.03);
+  if (p.count("legs", 1) <= 1 && p.is_free(core) && p.is_free(disc)) {
+    p.add(surface, lathe({{0, 0}, {foot, 0}, {foot, 0.012}, {foot * 0.7, 0.03}, {column, 0.06}, {column * 0.7, top * 0.5}, {column * 0.8, top - 0.02}, {foot * 0.6, top}, {0, top}}, 28),
+          scaled(1, ky, 1));
+    return;
+  }
+  const int n = p.count("legs", 4) == 3 ? 3 : 4;
+  for (int i = 0; i < n; ++i) {
+    const double a = kPi * (n == 3 ? 0.5 + 2.0 * i / 3 : 0.25 + 0.5 * i), t = std::min(0.022, p.w * 0.05);
+    double reach = 0.86;
+    const auto at = [&](double k) { return Vec{std::cos(a) * (p.w / 2 - t) * k, std::sin(a) * (p.d / 2 - t) * k, 0}; };
+    const auto stands = [&](double k) {
+      const Vec c = at(k);
+      return p.is_free(sides(c.x - t, c.x + t, c.y - t, c.y + t, 0, top));
+    };
+    if (!stands(reach)) reach = stands(0.98) ? 0.98 : reach;
+    const Vec c = at(reach);
+    p.add(surface, cone({c.x, c.y, 0}, t * 0.7, t, top, 14));
+  }
+}
+
+void table(Piece& p) {
+  const std::string top = p.says("round") ? "round" : p.says("oval") ? "oval" : p.says("rectangular") || p.says("square") ? "rect" : p.word("top", "rect");
+  const int wood = p.main("oak"), frame = p.frame("oak");
+  const double under = p.clear_below(p.h - std::min(0.09, p.h * 0.16)), board = std::min(0.035, (p.h - under) * 0.6 + 0.002);
+  const double level = p.h - board;
+  slab(p, wood, sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, level, p.h), top, 0.006);
+  if (top == "round" || top == "oval") {
+    round_support(p, frame, level);
+  } else {
+    const double apron = level - under, in = std::min(0.05, p.d * 0.08);
+    if (apron > 0.015) {
+      const double x = p.w / 2 - in, y = p.d / 2 - in;
+      for (const double s : {-1.0, 1.0}) {
+        p.add(frame, box(sides(-x, x, s * y - 0.009, s * y + 0.009, under, level), 0.003));
+        p.add(frame, box(sides(s * x - 0.009, s * x + 0.009, -y, y, under, level), 0.003));
+      }
+    }
+    p.legs(frame, level, std::min(0.06, 0.025 + p.w * 0.025), in * 0.7, false, p.says("modern") ? 0.6 : 1);
+  }
+  // A shelf below, where the catalogue has a space that stands on one.
+  for (const FreeSpace& s : p.spaces) {
+    if (!s.carries || s.box.min.z < 0.05 || s.box.max.z > p.h - 0.005) continue;
+    p.add(wood, box(sides(s.box.min.x, s.box.max.x, s.box.min.y, s.box.max.y, s.box.min.z - 0.02, s.box.min.z), 0.004));
+  }
+  const int drawers = p.count("drawers", 0);
+  if (drawers > 0 && level - under > 0.05) {
+    const double each = (p.w - 0.2) / drawers;
+    for (int i = 0; i < drawers; ++i) {
+      const double x0 = -p.w / 2 + 0.1 + each * i, y0 = -p.d / 2 + 0.022;
+      fronts(p, wood, p.named("brass"), {x0 + 0.01, x0 + each - 0.01, under + 0.006, level - 0.004, y0, 1, 1, false, 0.02, 0.018});
+    }
+  }
+}
+
+// What closes a desk at one side of its knee room: drawers where there is width, else a frame of two legs.
+void desk_side(Piece& p, int wood, int front, int metal, double x0, double x1, double level) {
+  if (x1 - x0 > 0.2) {
+    p.add(wood, box(sides(x0, x1, -p.d / 2 + 0.04, p.d / 2 - 0.01, 0, level), 0.004));
+    const int drawers = std::min(4, p.count("drawers", 3));
+    fronts(p, front, metal, {x0 + 0.008, x1 - 0.008, 0.03, level - 0.008, -p.d / 2 + 0.022, std::max(1, drawers), 1, drawers == 0});
+    return;
+  }
+  const double t = std::max(0.008, std::min(0.045, x1 - x0));
+  const bool left = x0 < 0;
+  const double a = left ? std::min(x0 + 0.012, x1 - t) : std::max(x1 - t - 0.012, x0), b = a + t;
+  for (const double y : {-p.d / 2 + 0.012, p.d / 2 - 0.012 - t}) p.add(wood, box(sides(a, b, y, y + t, 0, level), 0.004));
+  p.add(wood, box(sides(a + t * 0.15, b - t * 0.15, -p.d / 2 + 0.012 + t, p.d / 2 - 0.012 - t, level - 0.06, level), 0.003));
+}
+
+void desk(Piece& p) {
+  const int wood = p.main("oak"), frame = p.frame("oak"), metal = p.named("steel");
+  const int front = p.color_asked() ? wood : p.named("lacquer");
+  double top_level = p.h, under = 0, left = -p.w / 2 + 0.06, right = p.w / 2 - 0.06, back = p.d / 2;
+  for (const FreeSpace& s : p.spaces) {
+    if (s.box.min.z < 0.01 && s.box.max.z > under) under = s.box.max.z, left = s.box.min.x, right = s.box.max.x, back = s.box.max.y;
+    if (s.box.max.z > p.h - 0.011 && s.box.min.z > 0.3 * p.h) top_level = std::min(top_level, s.box.min.z);
+  }
+  if (under <= 0) under = top_level - 0.1;
+  const double board = std::min(0.03, top_level - under);
+  p.add(wood, box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, top_level - board, top_level), 0.005));
+  const double level = top_level - board;
+  desk_side(p, frame, front, metal, -p.w / 2, left, level);
+  desk_side(p, frame, front, metal, right, p.w / 2, level);
+  if (back < p.d / 2 - 0.015) p.add(frame, box(sides(-p.w / 2 + 0.03, p.w / 2 - 0.03, back, std::min(p.d / 2 - 0.01, back + 0.018), level * 0.5, level), 0.003));
+  if (level - under > 0.06) {
+    p.add(frame, box(sides(left, right, -p.d / 2 + 0.045, std::min(back, p.d / 2 - 0.03), under, level), 0.003));
+    fronts(p, front, metal, {left + 0.006, right - 0.006, under + 0.004, level - 0.004, -p.d / 2 + 0.025, 1, std::max(1, static_cast<int>((right - left) / 0.5)), false, 0.02, 0.02});
+  } else if (level - under > 0.012) {
+    p.add(frame, box(sides(left, right, p.d / 2 - 0.05, p.d / 2 - 0.03, under, level), 0.003));
+  }
+  // A hutch or gallery behind the top.
+  if (p.h - top_level > 0.02) {
+    double front_edge = p.d / 2 - 0.02;
+    for (const FreeSpace& s : p.spaces) {
+      if (s.box.min.z > top_level - 0.01) front_edge = std::min(p.d / 2 - 0.01, std::max(s.box.max.y, p.d / 2 - 0.3));
+    }
+    carcass(p, {sides(-p.w / 2, p.w / 2, front_edge, p.d / 2, top_level, p.h), frame, front, metal, 0, 0, false, 0});
+  }
+}
+
+}  // namespace
+
+void add_tables(Families& to) {
+  to["table"] = table;
+  to["desk"] = desk;
+}
+
+}  // namespace layoutbox::kit

@@ -1,0 +1,100 @@
+// Textiles: rugs, curtains, blinds, cushions, blankets, towels.
+#include <algorithm>
+#include <cmath>
+
+#include "layoutbox/furnish/families/parts.h"
+
+namespace layoutbox::kit {
+namespace {
+
+void rug(Piece& p) {
+  const bool round = p.says("round") || p.says("circular") || p.word("top", "rect") == "round";
+  const bool oval = p.says("oval") || p.word("top", "rect") == "oval";
+  const int base = p.main("wool");
+  const Color accent = p.accent();
+  const int stripe = p.tinted("wool", p.color_asked() ? Color{0.92, 0.89, 0.82} : accent);
+  const double low = p.h * 0.8;
+  if (round || oval) {
+    slab(p, base, sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, 0, low), "round", 0.003);
+    const double r = p.w / 2, k = p.d / p.w;
+    for (const auto& [outer, inner] : {std::pair{0.94, 0.88}, {0.55, 0.50}}) {
+      p.add(stripe, lathe({{r * inner, low - 0.001}, {r * outer, low - 0.001}, {r * outer, p.h}, {r * inner, p.h}, {r * inner, low - 0.001}}, 40), scaled(1, k, 1));
+    }
+    return;
+  }
+  p.add(base, box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, 0, low), 0.003));
+  const bool along = p.w >= p.d;  // bands run along the longer side
+  const double a = (along ? p.w : p.d) / 2, b = (along ? p.d : p.w) / 2;
+  const auto band = [&](int surface, double u0, double u1, double v0, double v1) {
+    p.add(surface, along ? box(sides(u0, u1, v0, v1, low - 0.001, p.h), 0.001) : box(sides(v0, v1, u0, u1, low - 0.001, p.h), 0.001));
+  };
+  if (p.word("pattern", p.pick(2) == 0 ? "bands" : "border") == "border") {
+    const double in = std::min(0.08, b * 0.2), t = std::min(0.05, b * 0.12);
+    band(stripe, -a + in, a - in, -b + in, -b + in + t);
+    band(stripe, -a + in, a - in, b - in - t, b - in);
+    band(stripe, -a + in, -a + in + t, -b + in + t, b - in - t);
+    band(stripe, a - in - t, a - in, -b + in + t, b - in - t);
+    return;
+  }
+  const int second = p.tinted("wool", mixed(accent, {0.75, 0.35, 0.28}, 0.6));
+  for (const double v : {-0.76, 0.76}) band(stripe, -a + 0.003, a - 0.003, v * b - b * 0.045, v * b + b * 0.045);
+  band(second, -a + 0.003, a - 0.003, -b * 0.03, b * 0.03);
+}
+
+void curtain(Piece& p) {
+  const int cloth = p.main_accent("linen"), metal = p.named("black_metal");
+  const double r = std::min({0.012, p.d * 0.2, p.h * 0.05}), z = p.h - r;
+  p.add(metal, rod({-p.w / 2, 0, z}, {p.w / 2, 0, z}, r, 12));
+  // Two halves drawn to the sides, so that the window shows; one alone where it is narrow.
+  const double part = p.w > 0.9 ? p.w * 0.3 : p.w - 0.02;
+  const auto half = [&](double x0) {
+    p.add(cloth, waves(sides(x0, x0 + part, -p.d / 2, p.d / 2, 0, p.h - 2 * r - 0.004), std::max(2, static_cast<int>(part / 0.09)), std::min(0.006, p.d * 0.2)));
+  };
+  half(-p.w / 2 + 0.01);
+  if (p.w > 0.9) half(p.w / 2 - 0.01 - part);
+}
+
+void blind(Piece& p) {
+  const int cloth = p.main("lacquer");
+  p.add(cloth, box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, p.h - std::min(0.05, p.h * 0.1), p.h), 0.004));
+  const double pitch = 0.045, thick = std::min(0.003, p.d * 0.1);
+  const int n = std::max(2, static_cast<int>((p.h - 0.06) / pitch));
+  for (int i = 0; i <= n; ++i) {
+    const double z = std::min(0.01, p.h * 0.02) + (p.h - 0.07) * i / n, t = i == 0 ? 0.01 : thick;
+    p.add(cloth, box(sides(-p.w / 2 + 0.005, p.w / 2 - 0.005, -p.d * 0.42, p.d * 0.42, z - std::min(z, t / 2), z + t / 2), 0));
+  }
+}
+
+void cushion_piece(Piece& p) { p.add(p.main_accent("linen"), pillow(p.body(), 12)); }
+
+void blanket(Piece& p) {
+  const int cloth = p.main_accent("wool"), n = p.h > 0.06 ? std::clamp(static_cast<int>(p.h / 0.03), 2, 6) : 1;
+  for (int i = 0; i < n; ++i) {
+    const double in = i == 0 ? 0 : 0.006;
+    p.add(cloth, rounded_box(sides(-p.w / 2 + in, p.w / 2 - in, -p.d / 2, p.d / 2 - in, p.h * i / n, p.h * (i + 1) / n), std::min(0.02, p.h / n * 0.5), 3));
+  }
+}
+
+void towel(Piece& p) {
+  if (p.mount() == Mount::kWall || p.h > p.d) {
+    const double t = std::min(0.01, p.d * 0.2), z = p.h - t;
+    p.add(p.named("chrome"), rod({-p.w / 2, 0, z - t}, {p.w / 2, 0, z - t}, t, 12));
+    p.add(p.named("chrome"), box(sides(-0.01, 0.01, 0, p.d / 2, z - 2 * t, z), 0.002));
+    p.add(p.main_accent("wool"), rounded_box(sides(-p.w / 2 + 0.02, p.w / 2 - 0.02, -p.d / 2, p.d * 0.2, 0, p.h), std::min(0.02, p.d * 0.3), 3));
+    return;
+  }
+  blanket(p);
+}
+
+}  // namespace
+
+void add_textiles(Families& to) {
+  to["rug"] = rug;
+  to["curtain"] = curtain;
+  to["blind"] = blind;
+  to["cushion"] = cushion_piece;
+  to["blanket"] = blanket;
+  to["towel"] = towel;
+}
+
+}  // namespace layoutbox::kit

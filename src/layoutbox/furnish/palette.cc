@@ -1,0 +1,172 @@
+#include "layoutbox/furnish/palette.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cctype>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "layoutbox/embedded/catalog_data.h"
+
+namespace layoutbox {
+namespace {
+
+using Json = nlohmann::json;
+
+// "#" stands for a gap that no phrase reaches over.
+std::vector<std::string> words_of(std::string_view text) {
+  std::vector<std::string> words(1);
+  for (const char c : text) {
+    const auto u = static_cast<unsigned char>(c);
+    if (std::isalnum(u) || u >= 128) {
+      words.back() += static_cast<char>(std::tolower(u));
+    } else if (c == ',' || c == ';') {
+      words.insert(words.end(), {"#", ""});
+    } else if (!words.back().empty()) {
+      words.emplace_back();
+    }
+  }
+  std::erase(words, "");
+  return words;
+}
+
+std::string phrase(std::span<const std::string> words) { return fmt::format("{}", fmt::join(words, " ")); }
+
+Color color_of(const Json& json) { return {json[0].get<double>(), json[1].get<double>(), json[2].get<double>()}; }
+
+struct Modifier {
+  Color color;
+  double share = 0;
+};
+
+// Everything that the two data files say, by phrase of words.
+struct Tables {
+  std::vector<NamedSurface> surfaces;
+  std::map<std::string, std::size_t, std::less<>> by_name, by_phrase;
+  std::map<std::string, Color, std::less<>> colors;
+  std::map<std::string, Modifier, std::less<>> modifiers;
+};
+
+NamedSurface surface_of(const Json& json) {
+  NamedSurface named;
+  Surface& s = named.surface;
+  s.name = json.at("name").get<std::string>();
+  s.base = color_of(json.at("base"));
+  s.second = color_of(json.at("second"));
+  s.roughness = json.value("roughness", 0.7F);
+  s.metallic = json.value("metallic", 0.0F);
+  s.alpha = json.value("alpha", 1.0F);
+  s.emission = json.value("emission", 0.0F);
+  s.texture = json.value("texture", "");
+  s.scale = json.value("scale", 1.0F);
+  named.kind = json.at("kind").get<std::string>();
+  named.words = json.at("words").get<std::vector<std::string>>();
+  named.tint = json.value("tint", false);
+  return named;
+}
+
+Tables read_tables() {
+  Tables tables;
+  const Json materials = Json::parse(embedded::materials_json), colors = Json::parse(embedded::colors_json);
+  for (const Json& json : materials.at("surfaces")) {
+    const std::size_t index = tables.surfaces.size();
+    tables.surfaces.push_back(surface_of(json));
+    const NamedSurface& named = tables.surfaces.back();
+    tables.by_name.emplace(named.surface.name, index);
+    tables.by_phrase.emplace(phrase(words_of(named.surface.name)), index);
+    for (const std::string& words : named.words) tables.by_phrase.emplace(phrase(words_of(words)), index);
+  }
+  for (const auto& [words, color] : colors.at("colors").items()) tables.colors.emplace(phrase(words_of(words)), color_of(color));
+  for (const auto& [word, modifier] : colors.at("modifiers").items()) {
+    tables.modifiers.emplace(word, Modifier{color_of(modifier.at("color")), modifier.at("share").get<double>()});
+  }
+  return tables;
+}
+
+const Tables& tables() {
+  static const Tables all = read_tables();
+  return all;
+}
+
+bool brownish(const Color& c) { return c.r > c.g && c.g > c.b && c.r - c.b > 0.12 && c.g - c.b < 0.35 && c.r < 0.85 && c.r - c.g < 0.32; }
+
+}  // namespace
+
+std::span<const NamedSurface> named_surfaces() { return tables().surfaces; }
+
+const NamedSurface& named_surface(std::string_view name) {
+  static const NamedSurface grey{{"grey", {0.6, 0.6, 0.6}, 0.7F, 0, 1, 0, "", {0.6, 0.6, 0.6}, 1, ""}, "other", {}, true};
+  const auto found = tables().by_name.find(name);
+  assert(found != tables().by_name.end());
+  return found == tables().by_name.end() ? grey : tables().surfaces[found->second];
+}
+
+const NamedSurface* SurfaceWish::fitting(const NamedSurface& like) const {
+  const auto found = std::find_if(materials.begin(), materials.end(), [&](const NamedSurface* m) { return m->soft() == like.soft(); });
+  return found == materials.end() ? nullptr : *found;
+}
+
+SurfaceWish read_wish(std::string_view text, std::span<const std::string> skip) {
+  SurfaceWish wish;
+  const std::vector<std::string> words = words_of(text);
+  std::optional<Modifier> modifier;
+  for (std::size_t i = 0; i < words.size();) {
+    if (std::find(skip.begin(), skip.end(), words[i]) != skip.end()) {
+      ++i;
+      continue;
+    }
+    std::size_t used = 0;
+    for (std::size_t n = std::min<std::size_t>(4, words.size() - i); n > 0 && used == 0; --n) {
+      const std::string part = phrase(std::span(words).subspan(i, n));
+      // "gold" alone is a colour of cloth and a metal of lamps: it counts as both.
+      const auto material = tables().by_phrase.find(part);
+      const auto color = tables().colors.find(part);
+      if (material != tables().by_phrase.end()) wish.materials.push_back(&tables().surfaces[material->second]);
+      if (color != tables().colors.end() && !wish.color) {
+        wish.color = modifier ? mixed(color->second, modifier->color, modifier->share) : color->second;
+      }
+      if (material != tables().by_phrase.end() || color != tables().colors.end()) used = n;
+    }
+    const auto found = tables().modifiers.find(words[i]);
+    modifier = used == 0 && found != tables().modifiers.end() ? std::optional(found->second) : std::nullopt;
+    i += std::max<std::size_t>(used, 1);
+  }
+  return wish;
+}
+
+Color mixed(const Color& a, const Color& b, double t) { return {a.r + (b.r - a.r) * t, a.g + (b.g - a.g) * t, a.b + (b.b - a.b) * t}; }
+
+Surface colored(const NamedSurface& named, const Color& color) {
+  const NamedSurface* from = &named;
+  if (!named.tint && named.kind == "wood" && !brownish(color)) from = &named_surface("lacquer");
+  if (!named.tint && named.kind == "metal") from = &named_surface("painted_metal");
+  if (!named.tint && named.kind == "plastic") from = &named_surface("plastic");
+  Surface surface = from->surface;
+  // What is seen through, gilded or veined keeps its own colour.
+  if (!from->tint && from->kind != "wood" && from->kind != "leather" && from->kind != "floor") return surface;
+  surface.base = color;
+  surface.second = mixed(color, Color{0, 0, 0}, from->kind == "floor" && from->surface.texture == "tiles" ? 0.3 : 0.16);
+  const auto byte = [](double c) { return static_cast<int>(std::clamp(c, 0.0, 1.0) * 255 + 0.5); };
+  surface.name = fmt::format("{}_{:02x}{:02x}{:02x}", from->surface.name, byte(color.r), byte(color.g), byte(color.b));
+  return surface;
+}
+
+int Palette::add(const Surface& surface) {
+  const auto same = [](const Surface& a, const Surface& b) {
+    return a.base == b.base && a.second == b.second && a.roughness == b.roughness && a.metallic == b.metallic && a.alpha == b.alpha &&
+           a.emission == b.emission && a.texture == b.texture && a.scale == b.scale && a.image == b.image;
+  };
+  int others = 0;
+  for (std::size_t i = 0; i < surfaces_.size(); ++i) {
+    if (surfaces_[i].name != surface.name && !surfaces_[i].name.starts_with(surface.name + "~")) continue;
+    if (same(surfaces_[i], surface)) return static_cast<int>(i);
+    ++others;
+  }
+  surfaces_.push_back(surface);
+  if (others > 0) surfaces_.back().name = fmt::format("{}~{}", surface.name, others + 1);
+  return static_cast<int>(surfaces_.size() - 1);
+}
+
+}  // namespace layoutbox

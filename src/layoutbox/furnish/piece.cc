@@ -1,0 +1,222 @@
+#include "layoutbox/furnish/piece.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace layoutbox::kit {
+namespace {
+
+std::uint64_t hash(std::string_view text, std::uint64_t seed) {
+  std::uint64_t h = 1469598103934665603ULL ^ (seed * 0x9E3779B97F4A7C15ULL);
+  for (const char c : text) h = (h ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
+  return h;
+}
+
+// One step of splitmix64: the same numbers on every machine.
+std::uint64_t next(std::uint64_t& state) {
+  state += 0x9E3779B97F4A7C15ULL;
+  std::uint64_t z = state;
+  z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9ULL;
+  z = (z ^ (z >> 27)) * 0x94D049BB133111EBULL;
+  return z ^ (z >> 31);
+}
+
+std::string lower_words(std::string_view text) {
+  std::string out;
+  for (const char c : text) out += c == '_' || c == '-' ? ' ' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return out;
+}
+
+std::vector<std::string> split(const std::string& text) {
+  std::vector<std::string> words(1);
+  for (const char c : text) {
+    if (c == ' ') {
+      words.emplace_back();
+    } else {
+      words.back() += c;
+    }
+  }
+  return words;
+}
+
+// What was said of the object and what the catalogue says of its look, most binding first.
+std::string wish_text(const PlacedObject& object, const CatalogEntry& entry) {
+  std::string text = fmt::format("{}, {}", fmt::join(object.attributes, ", "), object.name);
+  for (const char* key : {"color", "material"}) {
+    if (const auto found = entry.shape.words.find(key); found != entry.shape.words.end()) text += ", " + found->second;
+  }
+  return text + ", " + object.material;
+}
+
+}  // namespace
+
+Piece::Piece(const PlacedObject& object, const CatalogEntry& entry, std::vector<FreeSpace> free_spaces, const Material* material,
+             Palette& palette, std::uint64_t seed, bool contents)
+    : w(m_from_mm(object.size.width)),
+      d(m_from_mm(object.size.depth)),
+      h(m_from_mm(object.size.height)),
+      spaces(std::move(free_spaces)),
+      object_(object),
+      entry_(entry),
+      own_(material),
+      palette_(palette),
+      contents_(contents),
+      random_state_(hash(object.id, seed)),
+      kind_seed_(hash(object.category, seed)) {
+  std::vector<std::string> own_name = split(lower_words(object.category));
+  for (const std::string& word : split(lower_words(entry.name))) own_name.push_back(word);
+  wish_ = read_wish(lower_words(wish_text(object, entry)), own_name);
+  text_ = fmt::format(" {} {} ", lower_words(object.name), lower_words(fmt::format("{}", fmt::join(object.attributes, " "))));
+  for (const auto& [key, value] : entry.shape.words) text_ += value + " ";
+}
+
+double Piece::number(std::string_view key, double otherwise) const {
+  const auto found = entry_.shape.numbers.find(std::string(key));
+  return found == entry_.shape.numbers.end() ? otherwise : found->second;
+}
+
+int Piece::count(std::string_view key, int otherwise) const { return std::clamp(static_cast<int>(std::lround(number(key, otherwise))), 0, 24); }
+
+std::string Piece::word(std::string_view key, std::string_view otherwise) const {
+  const auto found = entry_.shape.words.find(std::string(key));
+  return found == entry_.shape.words.end() ? std::string(otherwise) : found->second;
+}
+
+bool Piece::says(std::string_view word) const { return text_.find(fmt::format(" {} ", word)) != std::string::npos; }
+
+const FreeSpace* Piece::open_above() const {
+  const FreeSpace* best = nullptr;
+  const auto volume = [](const Box& b) { return b.size().x * b.size().y * b.size().z; };
+  for (const FreeSpace& space : spaces) {
+    if (space.box.max.z < h - 0.011 || space.box.min.z < 0.005) continue;
+    if (best == nullptr || volume(space.box) > volume(best->box)) best = &space;
+  }
+  return best;
+}
+
+double Piece::clear_below(double otherwise) const {
+  double level = 0;
+  for (const FreeSpace& space : spaces) {
+    if (space.box.min.z < 0.01 && space.box.max.z < h - 0.001) level = std::max(level, space.box.max.z);
+  }
+  return level > 0 ? level : otherwise;
+}
+
+bool Piece::is_free(const Box& b) const {
+  const double e = 0.0005;
+  return std::none_of(spaces.begin(), spaces.end(), [&](const FreeSpace& s) {
+    return b.min.x < s.box.max.x - e && b.max.x > s.box.min.x + e && b.min.y < s.box.max.y - e && b.max.y > s.box.min.y + e &&
+           b.min.z < s.box.max.z - e && b.max.z > s.box.min.z + e;
+  });
+}
+
+Surface Piece::asked(std::string_view usual, bool with_color) const {
+  const NamedSurface& like = named_surface(usual);
+  const NamedSurface* fitting = wish_.fitting(like);
+  const NamedSurface& chosen = fitting != nullptr ? *fitting : like;
+  Surface surface = chosen.surface;
+  if (!with_color) {
+    // A colour asked together with a hard material is that material's: "white wooden bed".
+    if (fitting == nullptr || !wish_.color || chosen.soft()) return surface;
+  }
+  if (own_ != nullptr && own_->color) {
+    surface = colored(chosen, *own_->color);
+  } else if (wish_.color) {
+    surface = colored(chosen, *wish_.color);
+  }
+  if (own_ != nullptr && with_color) {
+    surface.name = own_->id;
+    if (own_->roughness) surface.roughness = static_cast<float>(*own_->roughness);
+    if (!own_->texture.empty()) {
+      surface.image = own_->texture;
+      surface.scale = static_cast<float>(1 / std::max(1e-3, own_->uv_scale[0]));
+    }
+  }
+  return surface;
+}
+
+int Piece::main(std::string_view usual) { return palette_.add(asked(usual, true)); }
+int Piece::frame(std::string_view usual) { return palette_.add(asked(usual, false)); }
+
+Color Piece::accent() const {
+  static constexpr Color kAccents[] = {{0.36, 0.52, 0.66}, {0.55, 0.63, 0.50}, {0.74, 0.47, 0.36}, {0.80, 0.66, 0.38}, {0.50, 0.53, 0.58},
+                                       {0.38, 0.50, 0.48}, {0.72, 0.62, 0.52}, {0.62, 0.40, 0.42}, {0.44, 0.46, 0.60}, {0.78, 0.74, 0.68}};
+  std::uint64_t state = kind_seed_;
+  return kAccents[next(state) % std::size(kAccents)];
+}
+
+int Piece::main_accent(std::string_view usual) {
+  return color_asked() || wish_.fitting(named_surface(usual)) != nullptr ? main(usual) : tinted(usual, accent());
+}
+
+void Piece::add(int surface, const Mesh& mesh) { append(meshes_[surface], mesh); }
+
+void Piece::light(Vec position, double watts, double radius) {
+  Light light;
+  light.position = {static_cast<float>(position.x), static_cast<float>(position.y), static_cast<float>(position.z)};
+  light.watts = static_cast<float>(watts);
+  light.radius = static_cast<float>(radius);
+  lights_.push_back(light);
+}
+
+void Piece::fit() {
+  Box b{{1e9, 1e9, 1e9}, {-1e9, -1e9, -1e9}};
+  for (const auto& [surface, mesh] : meshes_) {
+    const Box m = bounds(mesh);
+    b.min = {std::min(b.min.x, m.min.x), std::min(b.min.y, m.min.y), std::min(b.min.z, m.min.z)};
+    b.max = {std::max(b.max.x, m.max.x), std::max(b.max.y, m.max.y), std::max(b.max.z, m.max.z)};
+  }
+  const Vec size = b.size(), c = b.center();
+  const double kx = w / std::max(size.x, 1e-6), ky = d / std::max(size.y, 1e-6), kz = h / std::max(size.z, 1e-6);
+  const Pose pose = scaled(kx, ky, kz) * moved(-c.x, -c.y, -b.min.z);
+  for (auto& [surface, mesh] : meshes_) mesh = posed(std::move(mesh), pose);
+  for (Light& light : lights_) {
+    const Vec p = pose.point({static_cast<double>(light.position[0]), static_cast<double>(light.position[1]),
+                              static_cast<double>(light.position[2])});
+    light.position = {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
+  }
+}
+
+void Piece::legs(int surface, double top, double thick, double inset, bool round, double taper_below) {
+  if (top < 0.005) return;
+  for (const double sx : {-1.0, 1.0}) {
+    for (const double sy : {-1.0, 1.0}) {
+      // First towards the corner, then thinner, until the leg stands beside every space.
+      double t = std::min({thick, w / 3, d / 3}), in = std::min({inset, w / 6, d / 6});
+      const auto place = [&] {
+        const double x = sx * (w / 2 - in - t / 2), y = sy * (d / 2 - in - t / 2);
+        return Box{{x - t / 2, y - t / 2, 0}, {x + t / 2, y + t / 2, top}};
+      };
+      while (!is_free(place()) && in > 0) in = in > 0.004 ? in / 2 : 0;
+      while (!is_free(place()) && t > 0.012) t *= 0.8;
+      const Box b = place();
+      const Vec c = b.center();
+      if (round) {
+        add(surface, cone({c.x, c.y, 0}, t / 2 * taper_below, t / 2, top, 14));
+      } else if (taper_below < 1) {
+        add(surface, taper({c.x, c.y, 0}, {t / 2 * taper_below, t / 2 * taper_below}, {c.x, c.y, top}, {t / 2, t / 2}));
+      } else {
+        add(surface, box(b));
+      }
+    }
+  }
+}
+
+double Piece::random() { return static_cast<double>(next(random_state_) >> 11) * 0x1.0p-53; }
+
+Node Piece::take_node() {
+  Node node;
+  node.id = object_.id;
+  node.kind = NodeKind::kObject;
+  node.category = object_.category;
+  node.name = object_.name;
+  for (auto& [surface, mesh] : meshes_) {
+    if (!mesh.indices.empty()) node.parts.push_back({std::move(mesh), surface});
+  }
+  node.lights = std::move(lights_);
+  return node;
+}
+
+}  // namespace layoutbox::kit

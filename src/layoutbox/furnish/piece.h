@@ -1,0 +1,112 @@
+// One object while its family builds it: its size and parameters, its free spaces, the surfaces it was asked for, and what is made so far.
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "layoutbox/catalog/catalog.h"
+#include "layoutbox/furnish/kit.h"
+#include "layoutbox/furnish/palette.h"
+#include "layoutbox/scene/layout.h"
+
+namespace layoutbox::kit {
+
+// A free space in metres, in the object's frame. Nothing of the piece may reach into it, except contents where nothing is `held`.
+struct FreeSpace {
+  std::string name;
+  Box box;
+  bool carries = true;
+  bool held = false;  // another object stands or hangs in it
+};
+
+class Piece {
+ public:
+  // `contents`: whether books, food and the like may be drawn in spaces that hold nothing. `material`: the scene's own, or null.
+  Piece(const PlacedObject& object, const CatalogEntry& entry, std::vector<FreeSpace> spaces, const Material* material, Palette& palette,
+        std::uint64_t seed, bool contents);
+
+  // Metres: the body reaches from −w/2 to w/2, −d/2 (front) to d/2, 0 to h.
+  double w, d, h;
+  Box body() const { return {{-w / 2, -d / 2, 0}, {w / 2, d / 2, h}}; }
+  const std::vector<FreeSpace> spaces;
+
+  // Parameters: of the catalogue, else `otherwise`.
+  double number(std::string_view key, double otherwise) const;
+  int count(std::string_view key, int otherwise) const;
+  std::string word(std::string_view key, std::string_view otherwise) const;
+  // Whether the object's name, attributes or shape words have that word or phrase.
+  bool says(std::string_view word) const;
+  std::string_view category() const { return object_.category; }
+  Mount mount() const { return object_.mount; }
+
+  // The space that is open to the top (seat, mattress, inside of a basket); null where there is none.
+  const FreeSpace* open_above() const;
+  // The highest level that what stands on the floor within the piece reaches (knee room, room under a bed); `otherwise` where none.
+  double clear_below(double otherwise) const;
+  // Whether a box shares anything with a space.
+  bool is_free(const Box& box) const;
+  bool may_show_contents() const { return contents_; }
+
+  // Surfaces. main: takes the asked colour and material; frame: only an asked material; named: as it is.
+  int main(std::string_view usual);
+  int frame(std::string_view usual);
+  int named(std::string_view name) { return palette_.named(name); }
+  int tinted(std::string_view name, const Color& color) { return palette_.add(colored(named_surface(name), color)); }
+  // A colour for what nobody gave a colour; the same for all things of a kind, so that a room looks of a piece.
+  Color accent() const;
+  // main with that accent where no colour was asked.
+  int main_accent(std::string_view usual);
+  bool color_asked() const { return wish_.color.has_value() || (own_ != nullptr && own_->color.has_value()); }
+
+  void add(int surface, const Mesh& mesh);
+  void add(int surface, Mesh mesh, const Pose& pose) { add(surface, posed(std::move(mesh), pose)); }
+  void light(Vec position, double watts, double radius = 0.05);
+  // Scales what was made so that it fills the body (for grown and free shapes only; the rest is built to size).
+  void fit();
+  // Four legs (or as many as stand free) under a rectangle, square or round, moved outwards where a space is in the way.
+  void legs(int surface, double top, double thick, double inset, bool round = false, double taper = 1);
+
+  double random();                        // [0, 1)
+  double random(double from, double to) { return from + (to - from) * random(); }
+  int pick(int n) { return static_cast<int>(random() * n); }
+
+  Node take_node();
+
+ private:
+  Surface asked(std::string_view usual, bool with_color) const;
+
+  const PlacedObject& object_;
+  const CatalogEntry& entry_;
+  const Material* own_;
+  Palette& palette_;
+  bool contents_;
+  SurfaceWish wish_;
+  std::string text_;
+  std::uint64_t random_state_, kind_seed_;
+  std::map<int, Mesh> meshes_;
+  std::vector<Light> lights_;
+};
+
+using Family = void (*)(Piece&);
+using Families = std::map<std::string_view, Family>;
+
+// All shape families by the names that the catalogue uses.
+const Families& families();
+// The family of that name, else one that suits anything of that size and mount.
+Family family_or_generic(std::string_view name);
+
+// Spread over the files of families/.
+void add_seats(Families& to);
+void add_tables(Families& to);
+void add_beds(Families& to);
+void add_storage(Families& to);
+void add_lamps(Families& to);
+void add_screens(Families& to);
+void add_textiles(Families& to);
+void add_wall_things(Families& to);
+void add_plants(Families& to);
+void add_generic(Families& to);
+
+}  // namespace layoutbox::kit

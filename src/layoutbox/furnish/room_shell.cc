@@ -1,0 +1,141 @@
+#include "layoutbox/furnish/room_shell.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "layoutbox/base/units.h"
+#include "layoutbox/furnish/families/parts.h"
+#include "layoutbox/furnish/openings.h"
+
+namespace layoutbox {
+namespace {
+
+using kit::Vec;
+using kit::Vec2;
+
+constexpr double kSlab = 0.12;  // thickness of floor and ceiling
+
+Vec2 metres(Point p) { return {m_from_mm(p.x), m_from_mm(p.y)}; }
+
+const Material* material_of(const Layout& layout, const std::string& id) {
+  const auto found = std::find_if(layout.materials.begin(), layout.materials.end(), [&](const Material& m) { return m.id == id; });
+  return found == layout.materials.end() || id.empty() ? nullptr : &*found;
+}
+
+// A floor's own surface for a wood, stone or cloth that the text names.
+std::string floor_of(const NamedSurface& named) {
+  const std::string& name = named.surface.name;
+  if (named.kind == "wood") {
+    if (name == "walnut" || name == "mahogany" || name == "ebony" || name == "cherry") return "walnut_planks";
+    return name == "birch" || name == "pine" || name == "bamboo" ? "pale_planks" : "oak_planks";
+  }
+  if (name == "marble") return "marble_floor";
+  return named.kind == "fabric" ? "carpet" : name;
+}
+
+Surface surface_for(const Layout& layout, const std::string& asked, std::string_view usual, bool is_floor) {
+  const Material* own = material_of(layout, asked);
+  const SurfaceWish wish = read_wish(asked);
+  const NamedSurface* named = &named_surface(usual);
+  if (!wish.materials.empty()) named = is_floor ? &named_surface(floor_of(*wish.materials.front())) : wish.materials.front();
+  const std::optional<Color> color = own != nullptr && own->color ? own->color : wish.color;
+  Surface surface = color ? colored(*named, *color) : named->surface;
+  if (own == nullptr) return surface;
+  surface.name = own->id;
+  if (own->roughness) surface.roughness = static_cast<float>(*own->roughness);
+  if (!own->texture.empty()) {
+    surface.image = own->texture;
+    surface.scale = static_cast<float>(1 / std::max(1e-3, own->uv_scale[0]));
+  }
+  return surface;
+}
+
+std::vector<Vec2> outline_of(const Room& room) {
+  std::vector<Vec2> outline;
+  for (const Point p : room.polygon) outline.push_back(metres(p));
+  return outline;
+}
+
+void add_floor(const Layout& layout, Palette& palette, Model& model) {
+  const std::vector<Vec2> outline = outline_of(layout.room);
+  Mesh top = kit::prism(outline, -0.02, 0), body = kit::prism(outline, -kSlab, -0.02);
+  // Boards run along the longer side of the room; uvs of level faces are x and y.
+  const kit::Box b = kit::bounds(top);
+  if (b.size().y > b.size().x) {
+    for (Vec2f& uv : top.uvs) std::swap(uv[0], uv[1]);
+  }
+  Node node;
+  node.id = "floor";
+  node.kind = NodeKind::kFloor;
+  node.parts = {{std::move(top), palette.add(surface_for(layout, layout.room.floor_material, "oak_planks", true))},
+                {std::move(body), palette.named("walnut")}};
+  model.nodes.push_back(std::move(node));
+}
+
+// How far the outer face of a wall reaches beyond its inner corner, where it meets the outer face of the next one.
+double mitre(Vec2 along, double own, Vec2 next_along, double next) {
+  const double turn = along.x * next_along.y - along.y * next_along.x;
+  if (std::abs(turn) < 1e-3) return 0;
+  const Vec2 n{along.y, -along.x}, m{next_along.y, -next_along.x};
+  const Vec2 gap{m.x * next - n.x * own, m.y * next - n.y * own};
+  const double reach = (gap.x * next_along.y - gap.y * next_along.x) / turn;
+  return std::clamp(reach, -4 * own, 4 * own);
+}
+
+void add_wall(const Layout& layout, std::size_t index, Palette& palette, Model& model) {
+  const auto& walls = layout.room.walls;
+  const Wall& wall = walls[index];
+  const WallFrame frame(wall), before(walls[(index + walls.size() - 1) % walls.size()]), after(walls[(index + 1) % walls.size()]);
+  const double height = m_from_mm(layout.room.height);
+  std::vector<kit::Hole> holes;
+  std::vector<std::pair<double, double>> skirting{{0, frame.length}};
+  for (const Opening& opening : layout.room.openings) {
+    if (opening.wall != wall.id || !opening.offset) continue;
+    const double x0 = std::max(0.0, m_from_mm(*opening.offset)), x1 = std::min(frame.length, x0 + m_from_mm(opening.width));
+    const double z0 = m_from_mm(opening.sill), z1 = std::min(height - 0.01, z0 + m_from_mm(opening.height));
+    if (x1 - x0 < 0.05 || z1 - z0 < 0.05) continue;
+    holes.push_back({x0, x1, z0, z1});
+    if (z0 > 0.1) continue;
+    const auto last = skirting.back();  // openings come in any order: cut every piece that this one meets
+    std::vector<std::pair<double, double>> left;
+    for (const auto& [a, b] : skirting) {
+      if (x0 - kCasing > a) left.emplace_back(a, std::min(b, x0 - kCasing));
+      if (x1 + kCasing < b) left.emplace_back(std::max(a, x1 + kCasing), b);
+    }
+    skirting = left.empty() ? std::vector<std::pair<double, double>>{{last.second, last.second}} : left;
+  }
+  Node node = frame.node(wall.id, NodeKind::kWall);
+  const std::string& asked = wall.material.empty() ? layout.room.wall_material : wall.material;
+  // The end at the start is the mirror image of the one at the end.
+  const double at_end = mitre(frame.along, frame.thickness, after.along, after.thickness);
+  const double at_start = mitre({-frame.along.x, frame.along.y}, frame.thickness, {-before.along.x, before.along.y}, before.thickness);
+  node.parts.push_back({kit::pierced_slab(frame.length, -kSlab, height, -frame.thickness, 0, holes, at_start, at_end),
+                        palette.add(surface_for(layout, asked, "plaster", false))});
+  Mesh boards;
+  for (const auto& [a, b] : skirting) {
+    if (b - a > 0.02) kit::append(boards, kit::box(kit::sides(a, b, 0, 0.012, 0, 0.08), 0.004));
+  }
+  if (!boards.indices.empty()) node.parts.push_back({std::move(boards), palette.named("lacquer")});
+  model.nodes.push_back(std::move(node));
+}
+
+void add_ceiling(const Layout& layout, Palette& palette, Model& model) {
+  const double height = m_from_mm(layout.room.height);
+  Node node;
+  node.id = "ceiling";
+  node.kind = NodeKind::kCeiling;
+  node.parts.push_back({kit::prism(outline_of(layout.room), height, height + kSlab), palette.named("plaster")});
+  model.nodes.push_back(std::move(node));
+}
+
+}  // namespace
+
+void add_room_shell(const Layout& layout, Palette& palette, Model& model) {
+  if (layout.room.polygon.size() < 3) return;
+  add_floor(layout, palette, model);
+  for (std::size_t i = 0; i < layout.room.walls.size(); ++i) add_wall(layout, i, palette, model);
+  add_openings(layout, palette, model);
+  add_ceiling(layout, palette, model);
+}
+
+}  // namespace layoutbox
