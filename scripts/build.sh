@@ -30,7 +30,8 @@ say() { printf 'build: %s\n' "$*" >&2; }
 
 die() {
   say "$*"
-  tail -n 30 "$log" | sed 's/^/  | /' >&2
+  # The first error says most; what other compilers still printed afterwards hides it.
+  { grep -m 1 -A 30 '^FAILED: ' "$log" || tail -n 30 "$log"; } | sed 's/^/  | /' >&2
   say "the whole log: $log"
   exit 3
 }

@@ -62,14 +62,15 @@ has_library() {
 }
 
 is_there() {
-  local what=${1#*:} include_path=${CPLUS_INCLUDE_PATH:-} folder
+  local what=${1#*:} folder folders
   case $1 in
     cmd:*) type -P "$what" >/dev/null ;;
     lib:*) has_library "$what" ;;
     py:*) python3 -c "import $what" 2>/dev/null ;;
     glob:*) compgen -G "$what" >/dev/null ;;
     inc:*)
-      for folder in /usr/include /usr/local/include ${include_path//:/ }; do
+      IFS=: read -ra folders <<<"/usr/include:/usr/local/include:${CPLUS_INCLUDE_PATH:-}"
+      for folder in "${folders[@]}"; do
         [[ -e $folder/$what ]] && return
       done
       return 1
