@@ -1,0 +1,73 @@
+#include "layoutbox/solve/compile.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+namespace layoutbox::placement {
+namespace {
+
+using CompileFunction = void (*)(Compilation&);
+
+constexpr std::array kFunctions{
+#define LAYOUTBOX_RELATION(name, json_name, group, arity, kinds, parameters, sentence) CompileFunction{&compile_##name},
+#include "layoutbox/scene/relation_list.inc"
+#undef LAYOUTBOX_RELATION
+};
+
+Result<Reference> resolve(const Model& model, const std::string& id, std::string_view pointer) {
+  if (id == "room" || id == "floor" || id == "ceiling") return Reference{Reference::Kind::kRoom, -1};
+  if (const int item = model.find_item(id); item >= 0) return Reference{Reference::Kind::kItem, item};
+  if (const int wall = model.find_wall(id); wall >= 0) return Reference{Reference::Kind::kWall, wall};
+  return fail(ErrorCode::kReference, fmt::format("a relation speaks of \"{}\", which is not in the scene", id), std::string(pointer));
+}
+
+}  // namespace
+
+Mm Compilation::length(const std::optional<Mm>& given, std::string_view parameter, Mm fallback) const {
+  if (given) return *given;
+  const auto usual = relation_default(relation.type, parameter);
+  return usual ? mm_from_m(*usual) : fallback;
+}
+
+std::vector<int> Compilation::reference_items() const {
+  std::vector<int> found;
+  for (const Reference& r : references) {
+    if (r.kind == Reference::Kind::kItem) found.push_back(r.index);
+  }
+  return found;
+}
+
+std::vector<int> Compilation::walls() const {
+  std::vector<int> found;
+  for (const Reference& r : references) {
+    if (r.kind == Reference::Kind::kWall) found.push_back(r.index);
+  }
+  if (!found.empty()) return found;
+  for (std::size_t w = 0; w < model.walls.size(); ++w) found.push_back(static_cast<int>(w));
+  return found;
+}
+
+Status compile_relation(const Model& model, const Relation& relation, std::string_view pointer, Constraint& out) {
+  Compilation c{model, relation, {}, {}, out};
+  for (const std::string& id : relation.targets) {
+    LAYOUTBOX_ASSIGN(const Reference target, resolve(model, id, pointer));
+    if (target.kind != Reference::Kind::kItem) {
+      return fail(ErrorCode::kReference, fmt::format("\"{}\" is not an object that can be placed", id), std::string(pointer));
+    }
+    c.targets.push_back(target.index);
+  }
+  for (const std::string& id : relation.references) {
+    LAYOUTBOX_ASSIGN(const Reference reference, resolve(model, id, pointer));
+    // An object in relation to itself can never hold; a group may well name its own members.
+    if (reference.kind == Reference::Kind::kItem && relation.targets.size() == 1 && id == relation.targets[0]) {
+      out.formulas.emplace_back();
+      return {};
+    }
+    c.references.push_back(reference);
+  }
+  if (!c.targets.empty()) kFunctions[static_cast<std::size_t>(relation.type)](c);
+  return {};
+}
+
+}  // namespace layoutbox::placement

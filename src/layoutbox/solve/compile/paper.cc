@@ -1,0 +1,102 @@
+// The paper's four relations.
+#include "layoutbox/solve/compile/phrases.h"
+
+namespace layoutbox::placement {
+namespace {
+
+// A coordinate that can be equal to another: of an item, or of a wall.
+struct Edge {
+  Linear twice;  // twice the coordinate
+};
+
+enum class Which { kLow, kMiddle, kHigh };
+
+Which which_edge(const std::string& edge) {
+  if (edge == "min" || edge == "left" || edge == "front" || edge == "bottom") return Which::kLow;
+  if (edge == "max" || edge == "right" || edge == "back" || edge == "top") return Which::kHigh;
+  return Which::kMiddle;
+}
+
+std::vector<int> axes_meant(const Compilation& c) {
+  const std::string& edge = c.relation.parameters.edge;
+  if (edge == "left" || edge == "right") return {0};
+  if (edge == "front" || edge == "back") return {1};
+  if (!c.relation.parameters.axis) return {0, 1};
+  return {static_cast<int>(*c.relation.parameters.axis)};
+}
+
+Linear item_edge2(int item, int axis, Which which) {
+  if (which == Which::kLow) return 2 * lo(item, axis);
+  if (which == Which::kHigh) return 2 * hi(item, axis);
+  return mid2(item, axis);
+}
+
+Linear wall_edge2(const RoomWall& wall, int axis, Which which) {
+  if (axis != wall.along) return {std::int64_t{2} * wall.at};
+  if (which == Which::kLow) return {std::int64_t{2} * wall.lo};
+  if (which == Which::kHigh) return {std::int64_t{2} * wall.hi};
+  return {std::int64_t{wall.lo} + wall.hi};
+}
+
+void align_all(Compilation& c) {
+  const Which which = which_edge(c.relation.parameters.edge);
+  Formula& f = c.formula();
+  for (const int axis : axes_meant(c)) {
+    std::vector<Linear> edges;
+    for (const int t : c.targets) edges.push_back(item_edge2(t, axis, which));
+    for (const Reference& r : c.references) {
+      if (r.kind == Reference::Kind::kItem) edges.push_back(item_edge2(r.index, axis, which));
+      if (r.kind == Reference::Kind::kWall) edges.push_back(wall_edge2(c.model.walls[r.index], axis, which));
+    }
+    Case& in = f.add();
+    for (std::size_t i = 1; i < edges.size(); ++i) in.require_small(edges[i] - edges[0], 1);
+  }
+}
+
+}  // namespace
+
+void compile_Offset(Compilation& c) {
+  const Mm distance = c.relation.parameters.distance.value_or(0);
+  for (const int t : c.targets) {
+    for (const Reference& r : c.references) {
+      Formula& f = c.formula();
+      if (r.kind == Reference::Kind::kWall) {
+        const RoomWall& wall = c.model.walls[r.index];
+        const int axis = c.relation.parameters.axis ? static_cast<int>(*c.relation.parameters.axis) : wall.normal();
+        if (axis == wall.normal()) {
+          const Direction out{axis, wall.inward};
+          f.add().require_small(Linear(0) - reach(t, opposite(out)) - Linear(std::int64_t{wall.inward} * wall.at + distance), 0);
+        } else if (axis == wall.along) {  // from either end of the wall
+          f.add().require_small(lo(t, axis) - Linear(wall.lo + distance), 0);
+          f.add().require_small(Linear(wall.hi - distance) - hi(t, axis), 0);
+        }
+        continue;
+      }
+      if (r.kind != Reference::Kind::kItem) continue;
+      for (int axis = 0; axis < 3; ++axis) {
+        if (c.relation.parameters.axis ? static_cast<int>(*c.relation.parameters.axis) != axis : axis == 2) continue;
+        for (const int sign : {1, -1}) {
+          Case& in = f.add();
+          in.require_small(gap_towards(t, r.index, {axis, sign}) - Linear(distance), 0);
+          if (!c.relation.parameters.axis) {  // the axis with the larger gap
+            for (const int way : {1, -1}) in.require(Linear(distance) - gap_towards(t, r.index, {1 - axis, way}));
+          }
+        }
+      }
+    }
+  }
+}
+
+void compile_Align(Compilation& c) { align_all(c); }
+void compile_GroupAlign(Compilation& c) { align_all(c); }
+
+void compile_Inside(Compilation& c) {
+  for (const int t : c.targets) {
+    for (const int r : c.reference_items()) {
+      Case& in = c.formula().add();
+      for (int axis = 0; axis < 2; ++axis) in.require(lo(t, axis) - lo(r, axis)).require(hi(r, axis) - hi(t, axis));
+    }
+  }
+}
+
+}  // namespace layoutbox::placement

@@ -1,0 +1,187 @@
+#include "layoutbox/solve/compile/support.h"
+
+#include "layoutbox/solve/compile/phrases.h"
+
+namespace layoutbox::placement {
+namespace {
+
+constexpr int kSillDepthUsed = 200;
+
+// Does some state of t fit in plan into some state's surface of that size?
+bool fits(const Item& t, Mm width, Mm depth) {
+  return std::any_of(t.states.begin(), t.states.end(), [&](const State& s) {
+    return (s.extent[0] <= width && s.extent[1] <= depth) || (s.extent[0] <= depth && s.extent[1] <= width);
+  });
+}
+
+// Eye and hand height suits most things; the tops of tall cupboards do not.
+int price_of_height(Mm z) { return std::abs(z - 900) / 25 + (z > 1700 ? 120 : 0); }
+
+void add_top(Formula& f, const Model& model, int t, int r) {
+  const Item &item = model.items[t], &ref = model.items[r];
+  Case& c = f.add();
+  c.require_small(lo(t, 2) - hi(r, 2), 0);
+  const Size& size = ref.states[0].size;
+  for (int axis = 0; axis < 2; ++axis) {
+    if (fits(item, size.width, size.depth)) {
+      c.require(lo(t, axis) - lo(r, axis)).require(hi(r, axis) - hi(t, axis));
+    } else {
+      const Linear off = mid2(t, axis) - mid2(r, axis);
+      c.require(extent(r, axis) - 2 * off).require(extent(r, axis) + 2 * off).wish(off, 100, 2);
+    }
+  }
+  c.price = price_of_height(size.height);
+}
+
+void add_space(Formula& f, const Model& model, int t, int r, const ItemSpace& space) {
+  const Item &item = model.items[t], &ref = model.items[r];
+  Linear low[3], high[3];
+  for (int axis = 0; axis < 3; ++axis) {
+    low[axis] = lo(r, axis) + constant_of(r, space.quantity + axis);
+    high[axis] = lo(r, axis) + constant_of(r, space.quantity + 3 + axis);
+  }
+  Case& c = f.add();
+  c.require_small(lo(t, 2) - low[2], 0);
+  if (!space.open_above) c.require(high[2] - hi(t, 2));
+  const std::vector<Mm>& sides = ref.states[0].constants;
+  const int first = space.quantity - kFirstConstant;
+  const bool within = fits(item, sides[first + 3] - sides[first], sides[first + 4] - sides[first + 1]);
+  for (int axis = 0; axis < 2; ++axis) {
+    if (within) {
+      c.require(lo(t, axis) - low[axis]).require(high[axis] - hi(t, axis));
+    } else {
+      c.require(mid2(t, axis) - 2 * low[axis]).require(2 * high[axis] - mid2(t, axis));
+    }
+  }
+  c.price = price_of_height(sides[first + 2]);
+}
+
+// Hanging on something: against one of its sides, no higher than its top, off the floor.
+void add_hanging(Formula& f, const Model& model, int t, int r) {
+  for (int axis = 0; axis < 2; ++axis) {
+    for (const int sign : {1, -1}) {
+      Case& c = f.add();
+      c.require_small(gap_towards(t, r, {axis, sign}), 0);
+      require_in_line(c, t, r, 1 - axis);
+      c.require(hi(r, 2) - hi(t, 2)).require(hi(t, 2) - lo(r, 2)).require(lo(t, 2) - Linear(model.room.lo[2] + 60));
+      c.wish(mid2(t, 1 - axis) - mid2(r, 1 - axis), 30, 2);
+    }
+  }
+}
+
+// Items that relations say t stands on or in.
+std::vector<int> hosts_named(const Model& model, int t) {
+  std::vector<int> hosts;
+  const auto add = [&](std::string_view id) {
+    const int host = model.find_item(id);
+    if (host >= 0 && host != t && std::find(hosts.begin(), hosts.end(), host) == hosts.end()) hosts.push_back(host);
+  };
+  for (const Relation& relation : model.scene->relations) {
+    const auto at = std::find(relation.targets.begin(), relation.targets.end(), model.items[t].id);
+    if (at == relation.targets.end()) continue;
+    if (relation.type == RelationType::kOn || relation.type == RelationType::kIn) {
+      for (const std::string& id : relation.references) add(id);
+    }
+    if (relation.type != RelationType::kStacked) continue;
+    if (at != relation.targets.begin()) {
+      add(*(at - 1));
+    } else {
+      for (const std::string& id : relation.references) add(id);
+    }
+  }
+  return hosts;
+}
+
+std::vector<int> usual_hosts(const Model& model, int t) {
+  std::vector<int> hosts;
+  for (const std::string& kind : model.items[t].entry->stands_on) {
+    for (std::size_t i = 0; i < model.items.size(); ++i) {
+      if (static_cast<int>(i) != t && model.is_a(static_cast<int>(i), kind)) hosts.push_back(static_cast<int>(i));
+    }
+  }
+  return hosts;
+}
+
+}  // namespace
+
+void add_resting(Formula& f, const Model& model, int t, int r, const std::string& space, Resting how) {
+  const Item& ref = model.items[r];
+  if (model.items[t].mount == Mount::kHung && how != Resting::kTop) {
+    add_hanging(f, model, t, r);
+    return;
+  }
+  if (how != Resting::kTop) {
+    for (const ItemSpace& s : ref.spaces) {
+      if ((space.empty() && s.carries) || s.name == space) add_space(f, model, t, r, s);
+    }
+  }
+  const bool open_place = std::any_of(ref.spaces.begin(), ref.spaces.end(), [](const ItemSpace& s) { return s.carries && s.open_above; });
+  const bool top = how == Resting::kTop || (how == Resting::kOn && space.empty() && !open_place);
+  if (top || f.cases.empty()) add_top(f, model, t, r);
+}
+
+void add_on_sill(Formula& f, const Model& model, int t, int window) {
+  const Item& item = model.items[window];
+  for_each_turn(item, [&](int turn, std::uint64_t states) {
+    const Direction in = side_direction(item, Side::kFront, turn);
+    Case& c = f.add().when(window, states);
+    c.require_small(lo(t, 2) - lo(window, 2), 0);
+    const Mm depth = item.opening->sill_depth > 0 ? item.opening->sill_depth : kSillDepthUsed;
+    // Its centre over the sill, and its back not in the wall.
+    c.require(gap_towards(t, window, in)).require(Linear(2 * depth) - in.sign * mid2(t, in.axis) + 2 * reach(window, in));
+    c.require(lo(t, across(in)) - lo(window, across(in))).require(hi(window, across(in)) - hi(t, across(in)));
+    c.wish(gap_towards(t, window, in), 100);
+  });
+}
+
+Constraint compile_support(Model& model, int t) {
+  Item& item = model.items[t];
+  Constraint out;
+  out.name = "support of " + item.id;
+  out.firmness = Firmness::kAlways;
+  Formula& f = out.formulas.emplace_back();
+  const auto note = [&](SupportOption option, int price) {
+    while (item.supports.size() < f.cases.size()) {
+      f.cases[item.supports.size()].price += price;
+      item.supports.push_back(option);
+    }
+  };
+  using Kind = SupportOption::Kind;
+  std::vector<int> hosts = hosts_named(model, t);
+  const bool on_rug_only = !hosts.empty() && std::all_of(hosts.begin(), hosts.end(), [&](int h) { return model.items[h].thin; });
+  if (on_rug_only) hosts.clear();
+  const bool named = !hosts.empty();
+  if (!named && (item.mount == Mount::kSurface || item.mount == Mount::kHung)) hosts = usual_hosts(model, t);
+  for (const int host : hosts) {
+    if (model.items[host].thin) continue;
+    if (model.items[host].is_opening()) {
+      add_on_sill(f, model, t, host);
+      note({Kind::kSill, host}, 0);
+    } else {
+      add_resting(f, model, t, host, "", Resting::kOn);
+      note({Kind::kItem, host}, 0);
+    }
+    if (named && !model.items[host].is_opening() && item.mount != Mount::kHung) {  // also where only "on its top" or "in it" was meant
+      Formula more;
+      add_resting(more, model, t, host, "", Resting::kTop);
+      for (Case& c : more.cases) f.cases.push_back(std::move(c));
+      note({Kind::kItem, host}, 400);
+    }
+  }
+  const int otherwise = named ? 4000 : hosts.empty() ? 0 : 1500;
+  if (item.mount == Mount::kWall) {
+    for (std::size_t w = 0; w < model.walls.size(); ++w) {
+      add_against(f, model, t, model.walls[w], Side::kBack, 0);
+      note({Kind::kWall, static_cast<int>(w)}, otherwise);
+    }
+  } else if (item.mount == Mount::kCeiling) {
+    f.add().require_small(hi(t, 2) - Linear(model.room.hi[2]), 0);
+    note({Kind::kCeiling, -1}, otherwise);
+  } else {
+    f.add().require_small(lo(t, 2) - Linear(model.room.lo[2]), 0);
+    note({Kind::kFloor, -1}, otherwise);
+  }
+  return out;
+}
+
+}  // namespace layoutbox::placement

@@ -1,0 +1,16 @@
+// What holds an object up: the floor, a wall, the ceiling, the top or a space of another object, a window's sill.
+#pragma once
+
+#include "layoutbox/solve/compile.h"
+
+namespace layoutbox::placement {
+
+enum class Resting { kOn, kIn, kTop };
+
+// Cases of "t rests on r": one per surface of r that carries (kIn: its spaces only, kTop: its top only). `space`: only the one of that
+// name. The footprint of t lies within the surface where it can, else its centre does.
+void add_resting(Formula& f, const Model& model, int t, int r, const std::string& space, Resting how);
+
+void add_on_sill(Formula& f, const Model& model, int t, int window);
+
+}  // namespace layoutbox::placement

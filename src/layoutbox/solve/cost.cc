@@ -1,0 +1,171 @@
+#include "layoutbox/solve/cost.h"
+
+namespace layoutbox::placement {
+namespace {
+
+constexpr std::int64_t kPoint = 1000;
+constexpr Mm kBodyReach = 2000;   // what begins higher is in nobody's way
+constexpr Mm kHalfPerson = 100;
+
+}  // namespace
+
+std::int64_t constraint_cost(const Model& model, const Constraint& constraint, const Placements& placements) {
+  const bool soft = constraint.firmness == Firmness::kSoft;
+  std::int64_t sum = 0;
+  for (const Formula& formula : constraint.formulas) {
+    std::int64_t best = std::numeric_limits<std::int64_t>::max() / 4;
+    for (const Case& one : formula.cases) {
+      std::int64_t miss = 0;
+      for (const StateLiteral& literal : one.states) {
+        if (!(literal.states >> placements[literal.item].state & 1)) miss = kStateMiss;
+      }
+      for (const Linear& form : one.at_least_zero) miss = std::max(miss, -value_of(model, form, placements));
+      if (!soft && miss > 0) continue;
+      std::int64_t cost = one.price * kPoint + miss * constraint.weight;
+      for (const Preference& wish : one.wishes) {
+        if (cost >= best) break;
+        cost += std::abs(value_of(model, wish.form, placements)) * wish.weight / wish.scale;
+      }
+      best = std::min(best, cost);
+    }
+    if (best < std::numeric_limits<std::int64_t>::max() / 4) sum += best;
+  }
+  return sum;
+}
+
+bool blocks_floor(const Item& item, const Box& box) {
+  return !item.is_opening() && !item.thin && (box.lo[2] + box.hi[2]) / 2 <= kBodyReach;
+}
+
+std::int64_t blocked_permille(const Model& model, const Box& strip, const Placements& placements, int owner, int except) {
+  const std::int64_t area = floor_area(strip);
+  if (area == 0) return 0;
+  std::int64_t blocked = area - floor_area(intersection(strip, {{model.room.lo[0], model.room.lo[1], 0}, {model.room.hi[0], model.room.hi[1], 1 << 20}}));
+  const auto add = [&](const Box& body) {
+    if (overlap_in_plan(strip, body)) blocked += floor_area(intersection({{strip.lo[0], strip.lo[1], 0}, {strip.hi[0], strip.hi[1], 1}},
+                                                                         {{body.lo[0], body.lo[1], 0}, {body.hi[0], body.hi[1], 1}}));
+  };
+  for (const Box& wall : model.outside) add(wall);
+  for (std::size_t j = 0; j < model.items.size(); ++j) {
+    const int other = static_cast<int>(j);
+    if (other == owner || other == except || placements[j].state < 0) continue;
+    const Box body = box_of(model.items[j], placements[j]);
+    if (blocks_floor(model.items[j], body)) add(body);
+  }
+  return std::min<std::int64_t>(1000, blocked * 1000 / area);
+}
+
+std::int64_t access_cost_of(const Model& model, int item, const Placements& placements, int except) {
+  const Item& self = model.items[item];
+  const Placement& p = placements[item];
+  if (self.is_opening() || self.thin || p.at[2] > 50) return 0;
+  const State& state = self.states[p.state];
+  std::int64_t cost = 0;
+  if (!state.strips.empty()) {
+    std::int64_t best = 1000;
+    for (const Box& strip : state.strips) best = std::min(best, blocked_permille(model, strip.shifted(p.at), placements, item, except));
+    cost += best * kCostWeights.access;
+  }
+  for (const Box& wanted : state.wanted) cost += blocked_permille(model, wanted.shifted(p.at), placements, item, except) * kCostWeights.wanted;
+  return cost;
+}
+
+namespace {
+
+class WalkRaster {
+ public:
+  explicit WalkRaster(const Model& model) : model_(model) {
+    const Mm longest = std::max(model.room.extent(0), model.room.extent(1));
+    step_ = std::max<Mm>(25, longest / 160);
+    columns_ = model.room.extent(0) / step_ + 1, rows_ = model.room.extent(1) / step_ + 1;
+    free_.assign(static_cast<std::size_t>(columns_) * rows_, 1);
+    const Box& r = model.room;
+    block({{r.lo[0] - 1000, r.lo[1] - 1000, 0}, {r.lo[0], r.hi[1] + 1000, 0}});
+    block({{r.hi[0], r.lo[1] - 1000, 0}, {r.hi[0] + 1000, r.hi[1] + 1000, 0}});
+    block({{r.lo[0], r.lo[1] - 1000, 0}, {r.hi[0], r.lo[1], 0}});
+    block({{r.lo[0], r.hi[1], 0}, {r.hi[0], r.hi[1] + 1000, 0}});
+    for (const Box& outside : model.outside) block(outside);
+  }
+
+  // A box grown by half a person; cells are points.
+  void block(const Box& box) {
+    const int x0 = cell(box.lo[0] - kHalfPerson - model_.room.lo[0], true), x1 = cell(box.hi[0] + kHalfPerson - model_.room.lo[0], false);
+    const int y0 = cell(box.lo[1] - kHalfPerson - model_.room.lo[1], true), y1 = cell(box.hi[1] + kHalfPerson - model_.room.lo[1], false);
+    for (int y = std::max(0, y0); y <= std::min(rows_ - 1, y1); ++y) {
+      for (int x = std::max(0, x0); x <= std::min(columns_ - 1, x1); ++x) free_[static_cast<std::size_t>(y) * columns_ + x] = 0;
+    }
+  }
+
+  int largest_permille() {
+    int total = 0, largest = 0;
+    for (const char f : free_) total += f;
+    if (total == 0) return 0;
+    std::vector<int> stack;
+    for (std::size_t start = 0; start < free_.size(); ++start) {
+      if (!free_[start]) continue;
+      largest = std::max(largest, flood(static_cast<int>(start), stack));
+    }
+    return static_cast<int>(std::int64_t{largest} * 1000 / total);
+  }
+
+ private:
+  int cell(Mm along, bool up) const { return up ? (along + step_ - 1 + 100 * step_) / step_ - 100 : (along + 100 * step_) / step_ - 100; }
+
+  int flood(int start, std::vector<int>& stack) {
+    int size = 0;
+    free_[start] = 0;
+    stack.assign(1, start);
+    while (!stack.empty()) {
+      const int at = stack.back();
+      stack.pop_back();
+      ++size;
+      const int x = at % columns_, y = at / columns_;
+      const auto visit = [&](int nx, int ny) {
+        if (nx < 0 || ny < 0 || nx >= columns_ || ny >= rows_) return;
+        const int next = ny * columns_ + nx;
+        if (!free_[next]) return;
+        free_[next] = 0;
+        stack.push_back(next);
+      };
+      visit(x - 1, y), visit(x + 1, y), visit(x, y - 1), visit(x, y + 1);
+    }
+    return size;
+  }
+
+  const Model& model_;
+  Mm step_ = 25;
+  int columns_ = 0, rows_ = 0;
+  std::vector<char> free_;
+};
+
+}  // namespace
+
+int walk_permille(const Model& model, const Placements& placements) {
+  WalkRaster raster(model);
+  for (std::size_t i = 0; i < model.items.size(); ++i) {
+    if (placements[i].state < 0) continue;
+    const Box box = box_of(model.items[i], placements[i]);
+    if (blocks_floor(model.items[i], box)) raster.block(box);
+  }
+  return raster.largest_permille();
+}
+
+std::map<std::string, std::int64_t> cost_terms(const Model& model, const Placements& placements) {
+  std::map<std::string, std::int64_t> terms{{"habits", 0}, {"relations", 0}, {"access", 0}, {"ways", 0}, {"sizes", 0}};
+  for (const Constraint& constraint : model.constraints) {
+    const bool placed = std::all_of(constraint.formulas.begin(), constraint.formulas.end(),
+                                    [&](const Formula& f) { return all_placed(f, placements); });
+    if (!placed) continue;
+    const bool ours = constraint.relation < 0;
+    terms[ours ? "habits" : "relations"] += constraint_cost(model, constraint, placements);
+  }
+  for (std::size_t i = 0; i < model.items.size(); ++i) {
+    if (placements[i].state < 0) continue;
+    terms["access"] += access_cost_of(model, static_cast<int>(i), placements);
+    terms["sizes"] += std::int64_t{kPoint} * kCostWeights.size_step * model.items[i].states[placements[i].state].size_step;
+  }
+  terms["ways"] = std::int64_t{kPoint} * kCostWeights.walk * std::max(0, 998 - walk_permille(model, placements));
+  return terms;
+}
+
+}  // namespace layoutbox::placement

@@ -1,0 +1,43 @@
+// What makes one legal layout better than another, in thousandths of a point; the terms and their weights are described in docs/solve.md.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "layoutbox/solve/model.h"
+
+namespace layoutbox::placement {
+
+// Points: for a used side that cannot be reached at all, for wanted floor that is blocked, per thousandth of free floor cut off, …
+struct CostWeights {
+  int access = 700;
+  int wanted = 350;
+  int walk = 6;
+  int size_step = 150;
+  int balance = 60;
+};
+inline constexpr CostWeights kCostWeights{};
+
+// Cost of one constraint where everything it speaks of is placed: the best case's wishes and price; soft ones also what they miss.
+std::int64_t constraint_cost(const Model& model, const Constraint& constraint, const Placements& placements);
+
+// Does the item stand in somebody's way on the floor?
+bool blocks_floor(const Item& item, const Box& box);
+
+// Blocked share, in thousandths, of one floor rectangle: by the room's edge and by `item` of the others, `except` left out.
+std::int64_t blocked_permille(const Model& model, const Box& strip, const Placements& placements, int owner, int except);
+
+// Cost of the strips and wanted floors of one placed item.
+std::int64_t access_cost_of(const Model& model, int item, const Placements& placements, int except = -1);
+
+// Thousandths of the free floor that hang together for a person 0.2 m wide (largest part of all).
+int walk_permille(const Model& model, const Placements& placements);
+
+struct CostTerm {
+  std::int64_t cost = 0;
+  std::int64_t most = 0;  // when nothing of it is held
+};
+// All terms by name, for the layout's score.
+std::map<std::string, std::int64_t> cost_terms(const Model& model, const Placements& placements);
+
+}  // namespace layoutbox::placement

@@ -1,0 +1,102 @@
+#include "layoutbox/solve/to_layout.h"
+
+#include <cmath>
+
+#include "layoutbox/solve/cost.h"
+
+namespace layoutbox::placement {
+namespace {
+
+// Which of the item's supports holds where it is; the nearest to holding where none does exactly.
+std::string supporter_of(const Model& model, int index, const Placements& placements) {
+  const Item& item = model.items[index];
+  const Formula& formula = model.constraints[item.support_constraint].formulas[0];
+  std::size_t best = 0;
+  std::int64_t least = std::numeric_limits<std::int64_t>::max();
+  for (std::size_t k = 0; k < formula.cases.size(); ++k) {
+    Formula one;
+    one.cases.push_back(formula.cases[k]);
+    if (!all_placed(one, placements)) continue;
+    const std::int64_t miss = miss_of(model, one, placements);
+    if (miss < least) least = miss, best = k;
+  }
+  const SupportOption& option = item.supports[best];
+  switch (option.kind) {
+    case SupportOption::Kind::kFloor: return "floor";
+    case SupportOption::Kind::kCeiling: return "ceiling";
+    case SupportOption::Kind::kWall: return model.walls[option.index].id;
+    default: return model.items[option.index].id;
+  }
+}
+
+PlacedObject placed_object(const Model& model, int index, const Placements& placements) {
+  const Item& item = model.items[index];
+  const SceneObject& object = *item.object;
+  const Placement& p = placements[index];
+  const State& state = item.states[p.state];
+  PlacedObject out;
+  out.id = object.id, out.category = object.category, out.name = object.name, out.catalog_id = object.catalog_id;
+  out.attributes = object.attributes;
+  out.size = state.size;
+  for (int k = 0; k < 2; ++k) out.position[k] = p.at[k] + state.extent[k] / 2.0;
+  out.position[2] = p.at[2];
+  out.rotation_deg = state.turn;
+  out.supported_by = supporter_of(model, index, placements);
+  out.mount = item.mount;
+  const bool on_item = model.find_item(out.supported_by) >= 0;
+  if (out.supported_by == "floor") {
+    out.mount = Mount::kFloor;
+  } else if (on_item && item.mount != Mount::kHung) {
+    out.mount = Mount::kSurface;
+  }
+  out.used_sides = object.used_sides.value_or(item.entry->used_sides);
+  out.spaces = object.spaces_given ? object.spaces : spaces_at(*item.entry, state.size);
+  out.mesh = object.mesh, out.mesh_front = object.mesh_front, out.material = object.material;
+  out.fixed = object.fixed;
+  return out;
+}
+
+// The opening with the wall and offset it got.
+Opening placed_opening(const Model& model, int index, const Placements& placements) {
+  const Item& item = model.items[index];
+  Opening out = *item.opening;
+  const Box box = box_of(item, placements[index]);
+  for (const RoomWall& wall : model.walls) {
+    const bool here = wall.straight && wall.turn == item.states[placements[index].state].turn && box.lo[wall.normal()] == wall.at &&
+                      box.lo[wall.along] >= wall.lo && box.hi[wall.along] <= wall.hi && (out.wall.empty() || out.wall == wall.id);
+    if (!here) continue;
+    out.wall = wall.id;
+    out.offset = wall.runs_up ? box.lo[wall.along] - wall.lo : wall.hi - box.hi[wall.along];
+    return out;
+  }
+  return out;
+}
+
+}  // namespace
+
+Layout to_layout(const Model& model, const Placements& placements) {
+  const SceneGraph& scene = *model.scene;
+  Layout layout;
+  layout.prompt = scene.prompt, layout.name = scene.name;
+  layout.room = scene.room;
+  layout.room.openings.clear();
+  layout.materials = scene.materials;
+  for (std::size_t i = 0; i < model.items.size(); ++i) {
+    const int index = static_cast<int>(i);
+    if (placements[i].state < 0) continue;
+    if (model.items[i].is_opening()) {
+      layout.room.openings.push_back(placed_opening(model, index, placements));
+    } else {
+      layout.objects.push_back(placed_object(model, index, placements));
+    }
+  }
+  for (const Constraint& constraint : model.constraints) {
+    if (constraint.relation < 0) continue;
+    const bool placed = std::all_of(constraint.formulas.begin(), constraint.formulas.end(),
+                                    [&](const Formula& f) { return all_placed(f, placements); });
+    layout.relations.push_back({scene.relations[constraint.relation], placed && miss_of(model, constraint, placements) == 0});
+  }
+  return layout;
+}
+
+}  // namespace layoutbox::placement
