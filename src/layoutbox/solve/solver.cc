@@ -3,6 +3,7 @@
 #include <chrono>
 
 #include "layoutbox/solve/cost.h"
+#include "layoutbox/solve/cp_sat/library.h"
 #include "layoutbox/solve/search.h"
 #include "layoutbox/solve/to_layout.h"
 
@@ -30,6 +31,11 @@ Result<Layout> solve(const SceneGraph& scene, const Catalog& catalog, const Solv
   layout.stats.seed = options.seed;
   layout.stats.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
   return layout;
+}
+
+Result<std::string> describe_cp_sat_library() {
+  LAYOUTBOX_ASSIGN(const CpSatLibrary* library, CpSatLibrary::get());
+  return "OR-Tools " + library->version() + ", " + library->path();
 }
 
 }  // namespace layoutbox
