@@ -6,6 +6,7 @@
 #include "layoutbox/base/words.h"
 #include "layoutbox/catalog/catalog_json.h"
 #include "layoutbox/embedded/catalog_data.h"
+#include "layoutbox/scene/scene_check.h"
 
 namespace layoutbox {
 namespace {
@@ -46,6 +47,14 @@ const Catalog& Catalog::builtin() {
     return Catalog(std::move(data.entries), std::move(data.rooms));
   }();
   return catalog;
+}
+
+Result<Catalog> Catalog::from_json(std::string_view entries_json, std::string_view rooms_json) {
+  CatalogData data;
+  LAYOUTBOX_CHECK(read_checked_catalog_data(entries_json, data));
+  LAYOUTBOX_CHECK(read_checked_catalog_data(rooms_json, data));
+  if (std::vector<Error> errors = check_catalog_data(data); !errors.empty()) return Failure(combined(std::move(errors)));
+  return Catalog(std::move(data.entries), std::move(data.rooms));
 }
 
 Catalog::Catalog(std::vector<CatalogEntry> entries, std::vector<RoomKind> rooms) : entries_(std::move(entries)), rooms_(std::move(rooms)) {

@@ -7,6 +7,9 @@
 #include <set>
 
 #include "layoutbox/base/words.h"
+#include "layoutbox/scene/json_text.h"
+#include "layoutbox/scene/scene_check.h"
+#include "layoutbox/scene/schema_check.h"
 
 namespace layoutbox {
 namespace {
@@ -231,6 +234,12 @@ Status read_catalog_data(std::string_view text, CatalogData& data) {
     return fail(ErrorCode::kSchema, fmt::format("the catalogue cannot be read: {}", error.what()));
   }
   return {};
+}
+
+Status read_checked_catalog_data(std::string_view text, CatalogData& data) {
+  LAYOUTBOX_ASSIGN(const json document, parse_json(text));
+  if (std::vector<Error> errors = check_against_schema(document, SchemaName::kCatalog); !errors.empty()) return Failure(combined(std::move(errors)));
+  return read_catalog_data(text, data);
 }
 
 std::vector<Error> check_catalog_data(const CatalogData& data) { return Checker(data).check(); }

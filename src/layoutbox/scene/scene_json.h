@@ -16,6 +16,9 @@ namespace layoutbox {
 Result<SceneGraph> read_scene(std::string_view json, std::string_view units = {});
 Result<Layout> read_layout(std::string_view json);
 
+// A room alone, in the form of a scene's `room` (or a whole file that has one): dims or polygon, walls, openings, materials.
+Result<Room> read_room(std::string_view json, std::string_view units = {});
+
 // Pretty-printed, keys in the order of docs/scene-format.md, lengths in metres, the same bytes for the same value.
 std::string write_scene(const SceneGraph& scene);
 std::string write_layout(const Layout& layout);

@@ -1,0 +1,25 @@
+// Scene files as others write them, brought into the one form that schema/scene.schema.json describes: metres, x to the right, y away
+// from the viewer, z up, members named as there, nothing null.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string_view>
+#include <vector>
+
+#include "layoutbox/scene/scene_graph.h"
+
+namespace layoutbox {
+
+// Takes members that are null out of all objects.
+void drop_nulls(nlohmann::json& value);
+
+// Rewrites what can be rewritten and notes it; what is wrong is left as it is, for the schema to name. `units` overrides metadata.units.
+void bring_into_form(nlohmann::json& scene, std::string_view units, std::vector<Note>& notes);
+
+// The same for a room alone (the `room` member).
+void bring_room_into_form(nlohmann::json& room, std::string_view units, std::vector<Note>& notes);
+
+// 1 for "m", 0.01 for "cm"…; empty for a unit that is not known. "" is metres.
+std::optional<double> metres_per_unit(std::string_view unit);
+
+}  // namespace layoutbox
