@@ -101,10 +101,10 @@ Finding looks_at(const Body& t, const Reference& r, const RoomView& view) {
   return degrees_at_most(fmt::format("{} is turned from {} by", t.id(), r.id), angle, kLookAngle);
 }
 
-Finding shares_half_along(const Body& t, const Face& face) {
+Finding shares_half_along(const Case& c, const Body& t, const Face& face) {
   const Interval a = extent(t.shape, face.along), b = extent(face.shape, face.along);
   const double shorter = std::min(a.length(), b.length());
-  return at_least(fmt::format("{} is in front of {} over", t.id(), face.id), overlap(a, b), shorter / 2, kTiny);
+  return at_least(fmt::format("{} is in front of {} over", t.id(), face.id), overlap(a, b), shorter / 2, c.slack());
 }
 
 Finding side_along_wall(const Case& c, const Body& t, const Face& wall, const std::vector<Side>& sides, double max_gap) {
@@ -116,7 +116,7 @@ Finding side_along_wall(const Case& c, const Body& t, const Face& wall, const st
   }
   return all_of({any_of(std::move(findings), "there is no such side"),
                  at_most(fmt::format("gap between {} and {}", t.id(), wall.id), gap(t.shape, wall.shape), max_gap, c.slack()),
-                 shares_half_along(t, wall)});
+                 shares_half_along(c, t, wall)});
 }
 
 Finding keeps_out_of_opening(const Case& c, const Body& t, const Face& opening, std::optional<double> depth) {

@@ -88,20 +88,23 @@ void Plan::draw_floor(const Polygon& floor) {
 }
 
 void Plan::erode(double width) {
-  const int size = static_cast<int>(width / step_);
+  const int size = std::min(static_cast<int>(width / step_), resolution_);
   if (size <= 0) return;
+  // A pixel stays free when `size` neighbours in its line are: from `before` pixels before it to size / 2 after it, round the edge.
+  const int before = size - size / 2 - 1;
+  const auto wrapped = [this](int i) { return i < 0 ? i + resolution_ : i >= resolution_ ? i - resolution_ : i; };
   std::vector<std::uint8_t> line(places(resolution_));
   for (const bool columns : {true, false}) {
     for (int fixed = 0; fixed < resolution_; ++fixed) {
-      const auto at = [&](int moving) { return columns ? index(fixed, moving) : index(moving, fixed); };
-      for (int moving = 0; moving < resolution_; ++moving) {
-        std::uint8_t all = 1;
-        for (int shift = -(size / 2); shift < size - size / 2 && all; ++shift) {
-          all = free_[at(((moving - shift) % resolution_ + resolution_) % resolution_)];
-        }
-        line[places(moving)] = all;
+      const auto at = [&](int moving) { return columns ? index(fixed, wrapped(moving)) : index(wrapped(moving), fixed); };
+      for (int i = 0; i < resolution_; ++i) line[places(i)] = free_[at(i)];
+      int free = 0;
+      for (int i = -before; i < size / 2; ++i) free += line[places(wrapped(i))];
+      for (int i = 0; i < resolution_; ++i) {
+        free += line[places(wrapped(i + size / 2))];
+        free_[at(i)] = free == size;
+        free -= line[places(wrapped(i - before))];
       }
-      for (int moving = 0; moving < resolution_; ++moving) free_[at(moving)] = line[places(moving)];
     }
   }
 }

@@ -85,14 +85,14 @@ Finding within_plan(const Case& c, const Body& t, const Body& host) {
 Finding above_opening(const Case& c, const Body& t, const Face& opening) {
   return all_of({at_least(fmt::format("the underside of {} is at", t.id()), t.underside(), opening.shape.heights.hi, c.slack()),
                  at_most(fmt::format("distance between {} and {} in plan", t.id(), opening.id), distance(t.shape.plan, opening.shape.plan), kAboveReach, c.slack()),
-                 shares_half_along(t, opening)});
+                 shares_half_along(c, t, opening)});
 }
 
 }  // namespace
 
 Finding below_window(const Case& c, const Body& t, const Face& window, double max) {
   return all_of({at_most(fmt::format("distance between {} and {} in plan", t.id(), window.id), distance(t.shape.plan, window.shape.plan), max, c.slack()),
-                 shares_half_along(t, window),
+                 shares_half_along(c, t, window),
                  at_most(fmt::format("the middle of {} is at height", t.id()), t.shape.heights.mid(), window.shape.heights.lo, c.slack())});
 }
 
