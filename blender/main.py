@@ -26,9 +26,11 @@ def main():
     print(f"layoutbox: blender {bpy.app.version_string}", flush=True)
     stay = walls_that_stay()
     meshes = read_meshes()
+    out = left_out(stay)
+    out |= hangers_in_the_way(stay, out, meshes)
     materials = {name: make_material(name, row) for name, row in MATERIALS.items()}
     build_base(stay)
-    build_rows(SHELL + OBJECTS, stay, meshes, materials)
+    build_rows(SHELL + OBJECTS, out, meshes, materials)
     build_light()
     build_camera(stay)
     hidden = bpy.data.collections.get("Left out")
@@ -36,7 +38,7 @@ def main():
         bpy.context.view_layer.layer_collection.children[hidden.name].exclude = True
     set_up_render(engine)
     if "--mask" in words:
-        write_mask(stay, meshes, os.path.join(folder, OUTPUT["mask"]), os.path.join(folder, OUTPUT["mask_index"]))
+        write_mask(stay, out, meshes, os.path.join(folder, OUTPUT["mask"]), os.path.join(folder, OUTPUT["mask_index"]))
         print("layoutbox: wrote mask", flush=True)
     if "--no-blend" not in words and OUTPUT["blend"]:
         bpy.ops.wm.save_as_mainfile(filepath=os.path.join(folder, OUTPUT["blend"]), compress=True)

@@ -24,7 +24,7 @@ def set_first(target, name, values):
 
 def set_colours(scene):
     view = scene.view_settings
-    chosen = set_first(view, "view_transform", ("Khronos PBR Neutral", "AgX", "Filmic", "Standard"))
+    chosen = set_first(view, "view_transform", ("Khronos PBR Neutral", "Standard"))
     if chosen == "AgX":
         set_first(view, "look", ("AgX - Medium High Contrast", "None"))
     elif chosen == "Filmic":
@@ -33,21 +33,42 @@ def set_colours(scene):
 
 
 def filter_noise(scene):
-    """Without OpenImageDenoise: a filter in the compositor that keeps the edges of colours and faces."""
+    """Without OpenImageDenoise: the light alone is smoothed in the compositor, not across edges of depth or direction; the colours of
+    surfaces, which have no noise, are multiplied in afterwards."""
     layer = scene.view_layers[0]
-    layer.use_pass_diffuse_color = layer.use_pass_normal = True
+    for name in ("normal", "z", "emit", "environment", "diffuse_direct", "diffuse_indirect", "diffuse_color", "glossy_direct",
+                 "glossy_indirect", "glossy_color", "transmission_direct", "transmission_indirect", "transmission_color"):
+        setattr(layer, f"use_pass_{name}", True)
     scene.use_nodes = True
     tree = scene.node_tree
     tree.nodes.clear()
     layers, output = tree.nodes.new("CompositorNodeRLayers"), tree.nodes.new("CompositorNodeComposite")
-    last = layers.outputs["Image"]
-    for guide in ("DiffCol", "Normal"):
+
+    def combine(operation, first, second):
+        node = tree.nodes.new("CompositorNodeMixRGB")
+        node.blend_type = operation
+        tree.links.new(first, node.inputs[1])
+        tree.links.new(second, node.inputs[2])
+        return node.outputs[0]
+
+    def smooth(light, width):
         node = tree.nodes.new("CompositorNodeBilateralblur")
-        node.iterations, node.sigma_color, node.sigma_space = 1, 0.08, 3.0
-        tree.links.new(last, node.inputs["Image"])
-        tree.links.new(layers.outputs[guide], node.inputs["Determinator"])
-        last = node.outputs[0]
-    tree.links.new(last, output.inputs["Image"])
+        node.iterations, node.sigma_color, node.sigma_space = 1, 0.12, width
+        tree.links.new(light, node.inputs["Image"])
+        tree.links.new(guide, node.inputs["Determinator"])
+        return node.outputs[0]
+
+    depth = tree.nodes.new("CompositorNodeMath")  # so that a step of 10 cm in a room of usual size counts as an edge
+    depth.operation = "MULTIPLY"
+    depth.inputs[1].default_value = 8.0 / frame(walls_that_stay())[1] if CAMERA["orthographic"] else 1.0
+    tree.links.new(layers.outputs["Depth"], depth.inputs[0])
+    guide = combine("ADD", layers.outputs["Normal"], depth.outputs[0])
+    total = combine("ADD", layers.outputs["Emit"], layers.outputs["Env"])
+    width = 5.0 * CAMERA["width"] / 1920
+    for kind in ("Diff", "Gloss", "Trans"):
+        light = smooth(combine("ADD", layers.outputs[kind + "Dir"], layers.outputs[kind + "Ind"]), width)
+        total = combine("ADD", total, combine("MULTIPLY", light, layers.outputs[kind + "Col"]))
+    tree.links.new(total, output.inputs["Image"])
 
 
 def use_cycles(scene):

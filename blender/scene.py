@@ -81,9 +81,9 @@ def collection(name):
     return found
 
 
-def left_out(row, stay):
-    """True where a part of the room is not in the picture: the ceiling, walls that are cut away and what belongs to them."""
-    return row["kind"] == "ceiling" or (row["wall"] != "" and row["wall"] not in stay)
+def left_out(stay):
+    """Ids of the parts of the room that are not in the picture: the ceiling, walls that are cut away and what belongs to them."""
+    return {row["id"] for row in SHELL if row["kind"] == "ceiling" or (row["wall"] != "" and row["wall"] not in stay)}
 
 
 def place(row, data, group):
@@ -104,11 +104,10 @@ def add_lights(row, thing, group):
         group.objects.link(lamp)
 
 
-def build_rows(rows, stay, meshes, materials):
+def build_rows(rows, out, meshes, materials):
     shared = {}
     for row in rows:
-        out = left_out(row, stay)
-        group = collection("Left out") if out else collection(row["collection"])
+        group = collection("Left out" if row["id"] in out else row["collection"])
         key = tuple((material, number) for material, number in row["parts"])
         data = None
         if key:
@@ -117,8 +116,8 @@ def build_rows(rows, stay, meshes, materials):
                 data = shared[key] = make_mesh(row["id"], row["parts"], meshes, materials)
         thing = place(row, data, group)
         thing["category"], thing["name in words"] = row["category"], row["name"]
-        thing.hide_render = out
-        if not out:
+        thing.hide_render = row["id"] in out
+        if row["id"] not in out:
             add_lights(row, thing, group)
 
 

@@ -92,10 +92,35 @@ def under_furniture(point):
     return False
 
 
-def measure_visibility(stay, meshes, width=480, height=270):
+def things_seen(out, meshes):
+    """Everything in the picture, with its triangles."""
+    return [(row, in_room(row, meshes)) for row in SHELL + OBJECTS if row["parts"] and row["id"] not in out]
+
+
+def hangers_in_the_way(stay, out, meshes, width=240, height=135):
+    """Ids of things on walls that are cut away and that hide much of an object or of the floor. The others stay where they hang."""
+    hangers = [row for row in OBJECTS if row["hangs_on"] and row["hangs_on"] not in stay]
+    if not hangers:
+        return set()
+    view = View(stay, width, height)
+    ids = {row["id"] for row in hangers}
+    things = [thing for thing in things_seen(out, meshes) if thing[0]["id"] not in ids]
+    seen, _ = cast_all(view, things)
+    pixels = {number: seen.count(number) for number in set(seen)}
+    away = set()
+    for row in hangers:
+        hidden = [seen[pixel] for pixel in pixels_alone(view, *in_room(row, meshes))]
+        for number in set(hidden) - {-1}:
+            most = 0.1 if things[number][0]["kind"] == "floor" else 0.35
+            if things[number][0]["kind"] in ("floor", "object") and hidden.count(number) > most * pixels[number]:
+                away.add(row["id"])
+    return away
+
+
+def measure_visibility(stay, out, meshes, width=480, height=270):
     """Shares of each object and of the free floor that the camera sees, and what the walls hide (it should be nothing)."""
     view = View(stay, width, height)
-    things = [(row, in_room(row, meshes)) for row in SHELL + OBJECTS if row["parts"] and not left_out(row, stay)]
+    things = things_seen(out, meshes)
     seen, _ = cast_all(view, things)
     walls = {number for number, (row, _) in enumerate(things) if row["kind"] in ("wall", "opening")}
     report = {"width": width, "height": height, "objects": {}, "behindWalls": 0, "leftOut": []}
@@ -104,7 +129,10 @@ def measure_visibility(stay, meshes, width=480, height=270):
             continue
         covered = pixels_alone(view, points, faces)
         visible = sum(1 for pixel in covered if seen[pixel] == number)
-        report["behindWalls"] += sum(1 for pixel in covered if seen[pixel] in walls)
+        hidden = [point for pixel, point in covered.items() if seen[pixel] in walls]
+        if row["kind"] == "floor":  # what lies under a skirting board is not hidden
+            hidden = [point for point in hidden if well_inside(point[:2], ROOM["polygon"], 0.05)]
+        report["behindWalls"] += len(hidden)
         if row["kind"] == "floor":
             free = [pixel for pixel, point in covered.items() if not under_furniture(point)]
             report["floor"] = {"free": len(free), "seen": sum(1 for pixel in free if seen[pixel] == number)}
@@ -112,7 +140,7 @@ def measure_visibility(stay, meshes, width=480, height=270):
             hiders = sorted({things[seen[p]][0]["id"] for p in covered if seen[p] not in (number, -1)})
             report["objects"][row["id"]] = {"pixels": visible, "alone": len(covered),
                                             "visible": round(visible / len(covered), 4) if covered else 0.0, "behind": hiders}
-    report["leftOut"] = [row["id"] for row in OBJECTS if left_out(row, stay)]
+    report["leftOut"] = [row["id"] for row in OBJECTS if row["id"] in out]
     return report
 
 
@@ -131,15 +159,15 @@ def write_png(path, width, height, pixels):
                    + chunk(b"IDAT", zlib.compress(lines, 6)) + chunk(b"IEND", b""))
 
 
-def write_mask(stay, meshes, picture_path, index_path):
+def write_mask(stay, out, meshes, picture_path, index_path):
     """Each thing in a colour of its own, at the picture's size, and a JSON file that says whose colour is whose."""
     view = View(stay, CAMERA["width"], CAMERA["height"])
-    things = [(row, in_room(row, meshes)) for row in SHELL + OBJECTS if row["parts"] and not left_out(row, stay)]
+    things = things_seen(out, meshes)
     seen, _ = cast_all(view, things)
     colors = [bytes(mask_color(number)) for number in range(len(things) + 1)]
     write_png(picture_path, view.width, view.height, b"".join(colors[number + 1] for number in seen))
     index = [{"id": row["id"], "kind": row["kind"], "category": row["category"], "color": list(mask_color(number))}
              for number, (row, _) in enumerate(things, 1)]
     with open(index_path, "w", encoding="utf-8") as file:
-        json.dump({"things": index, "visibility": measure_visibility(stay, meshes)}, file, indent=1)
+        json.dump({"things": index, "visibility": measure_visibility(stay, out, meshes)}, file, indent=1)
         file.write("\n")
