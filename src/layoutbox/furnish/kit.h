@@ -66,6 +66,8 @@ Mesh beam(Vec from, Vec to, Vec2 size, double bevel = 0);
 
 Mesh cylinder(Vec center_below, double radius, double height, int sides = 20);
 Mesh cone(Vec center_below, double radius_below, double radius_above, double height, int sides = 20);
+// A round leg whose ends are level however it leans.
+Mesh leg(Vec below, Vec above, double radius_below, double radius_above, int sides = 14);
 // A rod of round section from one point to another.
 Mesh rod(Vec from, Vec to, double radius, int sides = 10);
 // A profile (radius, z) turned about the z axis, listed so that the body is on its left: the outside from bottom to top, then inwards.

@@ -70,6 +70,10 @@ Mesh cone(Vec below, double radius_below, double radius_above, double height, in
   return posed(lathe(profile, sides), moved(below));
 }
 
+Mesh leg(Vec below, Vec above, double radius_below, double radius_above, int sides) {
+  return posed(lathe({{0, 0}, {radius_below, 0}, {radius_above, 1}, {0, 1}}, sides), {{1, 0, 0}, {0, 1, 0}, above - below, below});
+}
+
 Mesh rod(Vec from, Vec to, double radius, int sides) {
   return posed(lathe({{0, 0}, {radius, 0}, {radius, length(to - from)}, {0, length(to - from)}}, sides), aimed(from, to - from));
 }

@@ -148,7 +148,10 @@ Color Piece::accent() const {
 }
 
 int Piece::main_accent(std::string_view usual) {
-  return color_asked() || wish_.fitting(named_surface(usual)) != nullptr ? main(usual) : tinted(usual, accent());
+  const NamedSurface* fitting = wish_.fitting(named_surface(usual));
+  const NamedSurface& chosen = fitting != nullptr ? *fitting : named_surface(usual);
+  const bool own_look = color_asked() || !chosen.tint || chosen.kind == "leather" || (fitting != nullptr && !chosen.soft());
+  return own_look ? main(usual) : palette_.add(colored(chosen, accent()));
 }
 
 void Piece::add(int surface, const Mesh& mesh) { append(meshes_[surface], mesh); }

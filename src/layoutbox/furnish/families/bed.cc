@@ -14,8 +14,9 @@ void bedding(Piece& p, const Box& b, int pillows, int duvet, int white) {
   const double length = b.size().y, pillow_depth = std::clamp(length * 0.22, 0.2, 0.46), fold = b.max.y - pillow_depth - std::min(0.1, length * 0.06);
   const double drop = std::min(0.16, (sheet - b.min.z) * 0.8);
   // The duvet hangs over three sides; its top end is folded back and shows its white side.
-  p.add(duvet, rounded_box(sides(b.min.x, b.max.x, b.min.y, fold, sheet - drop, b.max.z), std::min(0.05, puff), 3));
-  p.add(white, rounded_box(sides(b.min.x + 0.004, b.max.x - 0.004, fold - std::min(0.3, length * 0.16), fold + 0.02, sheet - drop * 0.7, b.max.z + 0.0), std::min(0.045, puff), 3));
+  const double turned = std::min(0.3, length * 0.16);
+  p.add(duvet, rounded_box(sides(b.min.x, b.max.x, b.min.y, fold - turned + 0.05, sheet - drop, b.max.z - 0.008), std::min(0.045, puff), 3));
+  p.add(white, rounded_box(sides(b.min.x + 0.004, b.max.x - 0.004, fold - turned, fold + 0.02, sheet - drop * 0.7, b.max.z), std::min(0.045, puff), 3));
   const double room = b.size().x - 0.06, each = std::min(0.75, room / std::max(1, pillows));
   for (int i = 0; i < pillows; ++i) {
     const double x = (i - (pillows - 1) / 2.0) * std::max(each, std::min(room / pillows, 0.85));
@@ -85,7 +86,7 @@ void bunk_bed(Piece& p) {
   for (const double x : {-1.0, 1.0}) {
     const double x0 = x > 0 ? p.w / 2 - 0.03 : -p.w / 2 + 0.006;
     if (!p.is_free(sides(x0, x0 + 0.024, -p.d / 2 + post, p.d / 2 - post, guard - 0.08, guard))) continue;
-    p.add(wood, box(sides(x0, x0 + 0.024, -p.d / 2 + post, p.d / 2 - post - (x > 0 ? 0.0 : 0.0), guard - 0.08, guard), 0.004));
+    p.add(wood, box(sides(x0, x0 + 0.024, -p.d / 2 + post, p.d / 2 - post, guard - 0.08, guard), 0.004));
   }
   // The ladder stands at the foot, between the posts.
   for (const double x : {-0.14, 0.14}) p.add(wood, box(sides(x - 0.018, x + 0.018, -p.d / 2, -p.d / 2 + 0.03, 0, std::min(p.h, tops.back() + 0.2)), 0.004));

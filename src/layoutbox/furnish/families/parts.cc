@@ -61,61 +61,100 @@ struct Cell {
   double x0, x1, z0, z1;
 };
 
-// The parts of a front that no space opens, as few rectangles: upright ones that reach from bottom to top first, then level ones.
-std::vector<Cell> closed_cells(const Box& b, const std::vector<Box>& open) {
-  std::vector<double> xs{b.min.x, b.max.x}, zs{b.min.z, b.max.z};
-  for (const Box& o : open) {
-    xs.insert(xs.end(), {std::clamp(o.min.x, b.min.x, b.max.x), std::clamp(o.max.x, b.min.x, b.max.x)});
-    zs.insert(zs.end(), {std::clamp(o.min.z, b.min.z, b.max.z), std::clamp(o.max.z, b.min.z, b.max.z)});
-  }
-  for (auto* v : {&xs, &zs}) {
-    std::sort(v->begin(), v->end());
-    v->erase(std::unique(v->begin(), v->end(), [](double a, double c) { return c - a < 0.001; }), v->end());
-  }
-  const std::size_t nx = xs.size() - 1, nz = zs.size() - 1;
-  std::vector<std::vector<int>> state(nx, std::vector<int>(nz, 0));  // 0 closed, 1 open or taken
-  for (std::size_t i = 0; i < nx; ++i) {
-    for (std::size_t j = 0; j < nz; ++j) {
-      const double x = (xs[i] + xs[i + 1]) / 2, z = (zs[j] + zs[j + 1]) / 2;
-      state[i][j] = std::any_of(open.begin(), open.end(), [&](const Box& o) { return x > o.min.x && x < o.max.x && z > o.min.z && z < o.max.z; });
+// The parts of a front that no space opens, as few rectangles: top and bottom boards first, then upright parts that reach from one to the
+// other, then level ones.
+class ClosedCells {
+ public:
+  ClosedCells(const Box& b, const std::vector<Box>& open) {
+    double low = b.max.z, high = b.min.z;
+    for (const Box& o : open) low = std::min(low, o.min.z), high = std::max(high, o.max.z);
+    double z0 = b.min.z, z1 = b.max.z;
+    if (!open.empty() && b.max.z - high > 0.006) cells.push_back({b.min.x, b.max.x, z1 - std::min(0.022, b.max.z - high), z1}), z1 = cells.back().z0;
+    if (!open.empty() && low - b.min.z > 0.006) cells.push_back({b.min.x, b.max.x, z0, z0 + std::min(0.022, low - b.min.z)}), z0 = cells.back().z1;
+    xs_ = {b.min.x, b.max.x};
+    zs_ = {z0, z1};
+    for (const Box& o : open) {
+      xs_.insert(xs_.end(), {std::clamp(o.min.x, b.min.x, b.max.x), std::clamp(o.max.x, b.min.x, b.max.x)});
+      zs_.insert(zs_.end(), {std::clamp(o.min.z, z0, z1), std::clamp(o.max.z, z0, z1)});
     }
-  }
-  std::vector<Cell> cells;
-  for (std::size_t i = 0; i < nx; ++i) {
-    if (std::any_of(state[i].begin(), state[i].end(), [](int s) { return s != 0; })) continue;
-    std::size_t last = i;
-    while (last + 1 < nx && std::none_of(state[last + 1].begin(), state[last + 1].end(), [](int s) { return s != 0; })) ++last;
-    cells.push_back({xs[i], xs[last + 1], b.min.z, b.max.z});
-    for (std::size_t k = i; k <= last; ++k) std::fill(state[k].begin(), state[k].end(), 1);
-  }
-  for (std::size_t j = 0; j < nz; ++j) {
-    for (std::size_t i = 0; i < nx; ++i) {
-      if (state[i][j] != 0) continue;
-      std::size_t right = i, top = j;
-      while (right + 1 < nx && state[right + 1][j] == 0) ++right;
-      const auto free_row = [&](std::size_t row) {
-        for (std::size_t k = i; k <= right; ++k) {
-          if (state[k][row] != 0) return false;
-        }
-        return true;
-      };
-      while (top + 1 < nz && free_row(top + 1)) ++top;
-      for (std::size_t k = i; k <= right; ++k) std::fill(state[k].begin() + static_cast<std::ptrdiff_t>(j), state[k].begin() + static_cast<std::ptrdiff_t>(top) + 1, 1);
-      cells.push_back({xs[i], xs[right + 1], zs[j], zs[top + 1]});
+    for (auto* v : {&xs_, &zs_}) {
+      std::sort(v->begin(), v->end());
+      v->erase(std::unique(v->begin(), v->end(), [](double p, double q) { return q - p < 0.001; }), v->end());
     }
+    nx_ = xs_.size() - 1;
+    nz_ = zs_.size() - 1;
+    if (zs_.size() < 2 || xs_.size() < 2) return;
+    taken_.assign(nx_ * nz_, false);
+    for (std::size_t i = 0; i < nx_; ++i) {
+      for (std::size_t j = 0; j < nz_; ++j) {
+        const double x = (xs_[i] + xs_[i + 1]) / 2, z = (zs_[j] + zs_[j + 1]) / 2;
+        taken_[i * nz_ + j] = std::any_of(open.begin(), open.end(), [&](const Box& o) { return x > o.min.x && x < o.max.x && z > o.min.z && z < o.max.z; });
+      }
+    }
+    take_columns();
+    take_rows();
   }
-  return cells;
-}
 
-void closed_part(Piece& p, const Carcass& c, const Cell& cell, double front) {
-  const double width = cell.x1 - cell.x0, height = cell.z1 - cell.z0, face = front + 0.018;
-  p.add(c.body, box(sides(cell.x0, cell.x1, face, c.box.max.y, cell.z0, cell.z1), 0.003));
-  Fronts f{cell.x0 + 0.006, cell.x1 - 0.006, cell.z0 + 0.006, cell.z1 - 0.006, front};
-  f.out = c.out;
-  const bool drawers = c.drawers > 0 || (height < 0.3 && width > height);
-  f.rows = drawers ? std::max(1, c.drawers > 0 ? std::min(c.drawers, static_cast<int>(height / 0.07)) : 1) : 1;
-  f.columns = drawers ? std::max(1, static_cast<int>(std::lround(width / 0.8))) : std::max(1, c.doors > 0 ? c.doors : static_cast<int>(std::lround(width / 0.5)));
+  std::vector<Cell> cells;
+
+ private:
+  bool free(std::size_t i0, std::size_t i1, std::size_t j0, std::size_t j1) const {
+    for (std::size_t i = i0; i <= i1; ++i) {
+      for (std::size_t j = j0; j <= j1; ++j) {
+        if (taken_[i * nz_ + j]) return false;
+      }
+    }
+    return true;
+  }
+
+  void take(std::size_t i0, std::size_t i1, std::size_t j0, std::size_t j1) {
+    cells.push_back({xs_[i0], xs_[i1 + 1], zs_[j0], zs_[j1 + 1]});
+    for (std::size_t i = i0; i <= i1; ++i) {
+      for (std::size_t j = j0; j <= j1; ++j) taken_[i * nz_ + j] = true;
+    }
+  }
+
+  void take_columns() {
+    for (std::size_t i = 0; i < nx_; ++i) {
+      std::size_t last = i;
+      if (!free(i, i, 0, nz_ - 1)) continue;
+      while (last + 1 < nx_ && free(last + 1, last + 1, 0, nz_ - 1)) ++last;
+      take(i, last, 0, nz_ - 1);
+    }
+  }
+
+  void take_rows() {
+    for (std::size_t j = 0; j < nz_; ++j) {
+      for (std::size_t i = 0; i < nx_; ++i) {
+        if (taken_[i * nz_ + j]) continue;
+        std::size_t right = i, top = j;
+        while (right + 1 < nx_ && free(right + 1, right + 1, j, j)) ++right;
+        while (top + 1 < nz_ && free(i, right, top + 1, top + 1)) ++top;
+        take(i, right, j, top);
+      }
+    }
+  }
+
+  std::vector<double> xs_, zs_;
+  std::size_t nx_ = 0, nz_ = 0;
+  std::vector<bool> taken_;
+};
+
+// Doors or drawers over a rectangle, in the depth from `front` (handles) back to `face`.
+void close_front(Piece& p, const Carcass& c, const Cell& cell, double front, double face) {
+  const double width = cell.x1 - cell.x0, height = cell.z1 - cell.z0, deep = face - front;
+  const bool drawers = c.drawers > 0 || (height < 0.3 && width > height * 1.2);
+  Fronts f{cell.x0 + 0.004, cell.x1 - 0.004, cell.z0 + 0.004, cell.z1 - 0.004, front + deep / 2};
+  f.out = deep / 2;
+  f.thick = deep / 2;
   f.doors = !drawers;
+  if (drawers) {
+    f.columns = std::max(1, static_cast<int>(std::lround(width / 0.62)));
+    f.rows = std::clamp((c.drawers + f.columns - 1) / f.columns, 1, std::max(1, static_cast<int>(height / 0.07)));
+  } else {
+    const int by_width = std::max(1, static_cast<int>(std::lround(width / 0.5)));
+    f.columns = c.doors > 0 && width > 0.6 * c.box.size().x ? c.doors : by_width;
+  }
   fronts(p, c.front, c.handles, f);
 }
 
@@ -123,23 +162,27 @@ void closed_part(Piece& p, const Carcass& c, const Cell& cell, double front) {
 
 void carcass(Piece& p, const Carcass& c) {
   std::vector<Box> open;
-  double deepest = c.box.min.y;
+  std::vector<Cell> behind_doors;
+  const double front = c.box.min.y;
   for (const FreeSpace& space : p.spaces) {
     const Box& s = space.box;
     const bool within = s.max.x > c.box.min.x + 0.001 && s.min.x < c.box.max.x - 0.001 && s.max.z > c.box.min.z + 0.001 && s.min.z < c.box.max.z - 0.001;
     if (!within) continue;
     open.push_back(s);
-    deepest = std::max(deepest, s.max.y);
+    // A space that begins behind the front has a door before it, which is left out when something is in it that should be seen.
+    if (s.min.y > front + 0.012 && !space.held) behind_doors.push_back({s.min.x, s.max.x, s.min.z, s.max.z});
   }
-  const double front = c.box.min.y + c.out;
-  // Boards end at the front of what they frame; the room for handles stays free only where there are fronts.
-  for (const Cell& cell : closed_cells(c.box, open)) {
+  const bool closed_inside = !behind_doors.empty();
+  double face = front + c.out * 2;
+  for (const Box& s : open) {
+    if (s.min.y > front + 0.012) face = std::min(face, s.min.y);
+  }
+  // Boards end at the front of what they frame; only where there are doors and drawers does the body stand back for them.
+  for (const Cell& cell : ClosedCells(c.box, open).cells) {
     const bool board = std::min(cell.x1 - cell.x0, cell.z1 - cell.z0) < 0.085;
-    if (board || !c.closed_fronts) {
-      p.add(c.body, box(sides(cell.x0, cell.x1, open.empty() ? front : c.box.min.y, c.box.max.y, cell.z0, cell.z1), 0.003));
-    } else {
-      closed_part(p, c, cell, front);
-    }
+    const bool plain = board || !c.closed_fronts;
+    p.add(c.body, box(sides(cell.x0, cell.x1, plain && !(open.empty() || closed_inside) ? front : face, c.box.max.y, cell.z0, cell.z1), 0.003));
+    if (!plain) close_front(p, c, cell, front, face);
   }
   for (const Box& s : open) {
     if (s.max.y > c.box.max.y - 0.002) continue;
@@ -147,6 +190,13 @@ void carcass(Piece& p, const Carcass& c) {
                             std::min(s.max.z, c.box.max.z)),
                       0));
   }
+  if (!closed_inside) return;
+  // One set of doors over all that lies behind them, out to the body's edges.
+  Cell all = behind_doors.front();
+  for (const Cell& cell : behind_doors) all = {std::min(all.x0, cell.x0), std::max(all.x1, cell.x1), std::min(all.z0, cell.z0), std::max(all.z1, cell.z1)};
+  Carcass doors = c;
+  if (behind_doors.size() == 1 || all.z1 - all.z0 > 0.4) doors.drawers = 0;
+  close_front(p, doors, {std::max(c.box.min.x, all.x0 - 0.018), std::min(c.box.max.x, all.x1 + 0.018), std::max(c.box.min.z, all.z0 - 0.012), std::min(c.box.max.z, all.z1 + 0.012)}, front, face);
 }
 
 void books(Piece& p, const Box& room) {

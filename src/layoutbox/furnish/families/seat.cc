@@ -78,7 +78,7 @@ void sofa(Piece& p) {
   const double shell = split ? 0.1 : back;
   p.add(cloth, rounded_box(sides(-p.w / 2 + (left > 0.02 ? 0.02 : 0), p.w / 2 - (right > 0.02 ? 0.02 : 0), p.d / 2 - shell, p.d / 2, foot + 0.01, p.h), std::min(0.04, shell * 0.45), 3));
   const int seats = std::max(1, p.count("seats", std::max(1, static_cast<int>(std::lround((s.right - s.left) / 0.7)))));
-  cushions(p, cloth, sides(s.left, s.right, -p.d / 2 + (left > 0.02 ? 0.0 : 0.0), s.back + (split ? 0.02 : 0), s.level - pad, s.level), seats, 0.045);
+  cushions(p, cloth, sides(s.left, s.right, -p.d / 2, s.back + (split ? 0.02 : 0), s.level - pad, s.level), seats, 0.045);
   if (split) {
     for (int i = 0; i < seats; ++i) {
       const double each = (s.right - s.left) / seats, x0 = s.left + each * i + 0.004;
@@ -97,7 +97,7 @@ void stool(Piece& p) {
   std::vector<Vec> ring;
   for (const auto& [x, y] : {std::pair{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}}) {
     const double leg = std::min(0.016, p.w / 14);
-    p.add(wood, rod({x * (rx - leg), y * (ry - leg), 0}, {x * rx * in, y * ry * in, top - thick}, leg, 10));
+    p.add(wood, kit::leg({x * (rx - leg), y * (ry - leg), 0}, {x * rx * in, y * ry * in, top - thick}, leg * 0.8, leg));
     const double t = top > 0.55 ? 0.35 : 0.4;
     ring.push_back({x * ((rx - leg) * (1 - t) + rx * in * t), y * ((ry - leg) * (1 - t) + ry * in * t), t * (top - thick)});
   }
@@ -124,8 +124,6 @@ void bench(Piece& p) {
   if (back > 0.005) {
     p.add(wood, box(sides(-p.w / 2 + 0.02, p.w / 2 - 0.02, p.d / 2 - std::min(back, 0.03), p.d / 2, top + (p.h - top) * 0.45, p.h), 0.008));
     for (const double x : {-1.0, 1.0}) p.add(wood, box(sides(x * (p.w / 2 - 0.06) - 0.02, x * (p.w / 2 - 0.06) + 0.02, p.d / 2 - std::min(back, 0.03), p.d / 2 - 0.002, top - pad - thick, p.h - 0.01), 0.004));
-  } else if (p.w > 0.8) {
-    p.add(wood, box(sides(-p.w / 2 + 0.06, p.w / 2 - 0.06, -0.02, 0.02, (top - pad) * 0.3, (top - pad) * 0.3 + 0.04), 0.004));
   }
 }
 

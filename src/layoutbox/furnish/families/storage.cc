@@ -89,7 +89,7 @@ void rack(Piece& p) {
   }
   if (levels.empty()) {
     const int n = std::max(2, p.count("shelves", std::max(2, static_cast<int>(p.h / 0.4))));
-    for (int i = 0; i < n; ++i) levels.push_back(0.1 + (p.h - 0.1) * (i + 1) / n - (i + 1 == n ? 0 : 0.0));
+    for (int i = 0; i < n; ++i) levels.push_back(0.1 + (p.h - 0.1) * (i + 1) / n);
   }
   for (const double z : levels) {
     if (z > 0.015) p.add(board, box(sides(-p.w / 2 + 0.003, p.w / 2 - 0.003, -p.d / 2 + 0.003, p.d / 2 - 0.003, z - 0.02, z), 0.003));

@@ -9,9 +9,9 @@ namespace {
 
 // What carries a round top: one column on a foot where it stands free, else legs within the round.
 void round_support(Piece& p, int surface, double top) {
-  const double column = std::min(0.06, p.w * 0.1), foot = p.w * 0.3, ky = p.d / p.w;
-  const Box core = sides(-column, column, -column * ky, column * ky, 0, top), disc = sides(-foot, foot, -foot * ky, foot * ky, 0, 0.03);
-  if (p.count("legs", 1) <= 1 && p.is_free(core) && p.is_free(disc)) {
+  const double column = std::min(0.06, p.w * 0.1), foot = p.w * 0.22, ky = p.d / p.w;
+  // Chairs are pushed in from all sides, so what many sit at stands on one foot.
+  if (p.count("legs", 4) <= 1 || std::min(p.w, p.d) > 0.75) {
     p.add(surface, lathe({{0, 0}, {foot, 0}, {foot, 0.012}, {foot * 0.7, 0.03}, {column, 0.06}, {column * 0.7, top * 0.5}, {column * 0.8, top - 0.02}, {foot * 0.6, top}, {0, top}}, 28),
           scaled(1, ky, 1));
     return;
