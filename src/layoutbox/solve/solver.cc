@@ -1,7 +1,12 @@
 #include "layoutbox/solve/solver.h"
 
-#include <chrono>
+#include <fmt/format.h>
 
+#include <bit>
+#include <chrono>
+#include <cmath>
+
+#include "layoutbox/solve/conflict.h"
 #include "layoutbox/solve/cost.h"
 #include "layoutbox/solve/cp_sat/library.h"
 #include "layoutbox/solve/search.h"
@@ -11,26 +16,261 @@ namespace layoutbox {
 namespace {
 
 using namespace placement;
+using Clock = std::chrono::steady_clock;
 
-constexpr std::int64_t kStepsPerUnit = 2000;  // candidate positions tried in about a millisecond
+constexpr std::int64_t kStepsPerUnit = 1500;     // candidate positions tried in about a millisecond
+constexpr double kProofTimePerUnit = 0.01;       // of CP-SAT's deterministic time
+constexpr int kRestarts = 8;
+constexpr int kAllSizes = 1000;
+
+class Solver {
+ public:
+  Solver(Model model, const SolveOptions& options)
+      : model_(std::move(model)), options_(options), started_(Clock::now()), given_up_(model_.constraints.size(), 0),
+        left_out_(model_.items.size(), 0) {
+    budget_.limit = options.effort * kStepsPerUnit;
+    budget_.stop = [this] { return must_stop(); };
+  }
+
+  Result<Layout> run() {
+    if (const Status found = find_legal(); !found) return Failure(found.error());
+    if (options_.improve && !fallback_) improve();
+    return finish();
+  }
+
+ private:
+  bool interrupted() const { return options_.stop && options_.stop->load(); }
+
+  double seconds() const { return std::chrono::duration<double>(Clock::now() - started_).count(); }
+
+  bool must_stop() {
+    if (seconds() > options_.time_limit_s) stopped_by_clock_ = true;
+    return stopped_by_clock_ || interrupted();
+  }
+
+  // Search, then proof, giving up one thing after another until everything that is left fits.
+  Status find_legal() {
+    for (std::size_t round = 0; round <= model_.constraints.size() + model_.items.size(); ++round) {
+      if (interrupted()) return fail(ErrorCode::kInterrupted, "stopped");
+      const std::vector<Clash> sums = clashes_by_sums(model_, given_up_, left_out_);
+      if (!sums.empty()) {
+        for (const Clash& clash : sums) LAYOUTBOX_CHECK(give_up(clash));
+        continue;
+      }
+      if (fallback_ || search()) return {};
+      LAYOUTBOX_ASSIGN(const bool found, prove());
+      if (found || fallback_) return {};
+      if (stopped_by_clock_) break;
+    }
+    return fail(ErrorCode::kNotFound, "no layout was found within the limits, and no proof that there is none", {}, "raise --effort or --time-limit");
+  }
+
+  bool search() {
+    for (const int sizes : {0, kAllSizes}) {
+      Search search(model_, given_up_, options_.seed, sizes);
+      Budget budget{0, std::max<std::int64_t>(budget_.limit / 2, 20000), budget_.stop, false};
+      const bool found = search.construct(left_out_, kRestarts, budget);
+      budget_.steps += budget.steps / 4;
+      placements_ = search.placements();
+      failed_ = search.failed();
+      size_limit_ = sizes;
+      if (found) return true;
+      if (must_stop()) return false;
+    }
+    return false;
+  }
+
+  // True: a layout was found. False: something was given up; try again.
+  Result<bool> prove() {
+    const auto library = CpSatLibrary::get();
+    if (!library) {
+      if (options_.on_conflict == OnConflict::kFail) return Failure(library.error());
+      LAYOUTBOX_CHECK(give_up(guess()));
+      return false;
+    }
+    used_cp_sat_ = true;
+    ProofLimits limits{options_.seed, std::max(0.05, static_cast<double>(options_.effort) * kProofTimePerUnit),
+                       std::max(0.1, options_.time_limit_s - seconds()), options_.stop};
+    LAYOUTBOX_ASSIGN(const Proof proof, decide(model_, **library, given_up_, left_out_, placements_, limits));
+    if (interrupted()) return fail(ErrorCode::kInterrupted, "stopped");
+    switch (proof.outcome) {
+      case Proof::Outcome::kLayout:
+        placements_ = proof.placements;
+        return true;
+      case Proof::Outcome::kClash:
+        LAYOUTBOX_CHECK(give_up(proof.clash));
+        return false;
+      case Proof::Outcome::kUnknown: break;
+    }
+    must_stop();
+    LAYOUTBOX_CHECK(give_up(guess()));
+    return false;
+  }
+
+  // Without a proof: what the first item that found no place asks for.
+  Clash guess() const {
+    Clash clash;
+    clash.minimal = false;
+    for (const int item : failed_) {
+      clash.demands.push_back({Demand::Kind::kItem, item});
+      for (const int c : model_.touching[item]) {
+        if (model_.constraints[c].firmness == Firmness::kHard && !given_up_[c]) clash.demands.push_back({Demand::Kind::kConstraint, c});
+      }
+      break;
+    }
+    for (std::size_t c = 0; c < model_.constraints.size(); ++c) {
+      if (model_.constraints[c].firmness == Firmness::kImplied && !given_up_[c]) clash.demands.push_back({Demand::Kind::kConstraint, static_cast<int>(c)});
+    }
+    clash.sentence = clash.demands.empty() ? "no layout was found" : "";
+    return clash;
+  }
+
+  // The cheapest member of a clash: what is implied, then what was assumed, then the least weight; objects last.
+  std::int64_t price_of(const Demand& demand) const {
+    if (demand.kind == Demand::Kind::kItem) {
+      const Item& item = model_.items[demand.index];
+      if (item.is_opening()) return item.opening->assumed ? 500 : 3'000'000;
+      std::int64_t rank = 0;
+      for (int i = 0; i < demand.index; ++i) rank += model_.items[i].entry == item.entry;
+      return (item.object->assumed ? 100'000 : 1'000'000) + (item.fixed ? 1'000'000 : 0) - 1000 * std::min<std::int64_t>(rank, 100);
+    }
+    const Constraint& constraint = model_.constraints[demand.index];
+    if (constraint.firmness == Firmness::kImplied) return 1;
+    const Relation& relation = model_.scene->relations[constraint.relation];
+    return (relation.assumed ? 1'000 : 10'000) + constraint.weight * 10;
+  }
+
+  Status give_up(const Clash& clash) {
+    Conflict conflict;
+    conflict.sentence = describe_clash(model_, clash);
+    conflict.minimal = clash.minimal;
+    for (const Demand& demand : clash.demands) {
+      if (demand.kind == Demand::Kind::kItem) {
+        conflict.objects.push_back(model_.items[demand.index].id);
+      } else {
+        conflict.relations.push_back(model_.constraints[demand.index].name);
+      }
+    }
+    const auto cheapest = std::min_element(clash.demands.begin(), clash.demands.end(),
+                                           [&](const Demand& a, const Demand& b) { return price_of(a) < price_of(b); });
+    if (cheapest == clash.demands.end()) return fail(ErrorCode::kNotFound, "no layout was found, and nothing is left to give up");
+    const bool only_implied = cheapest->kind == Demand::Kind::kConstraint && model_.constraints[cheapest->index].firmness == Firmness::kImplied;
+    conflicts_.push_back(conflict);
+    if (options_.on_conflict == OnConflict::kFail && !only_implied) {
+      Error error{ErrorCode::kInfeasible, "there is no such layout: " + conflict.sentence, {}, "change or drop one of these", {}};
+      for (const Conflict& c : conflicts_) error.details.push_back({ErrorCode::kInfeasible, c.sentence, {}, {}, {}});
+      return Failure(std::move(error));
+    }
+    if (options_.on_conflict == OnConflict::kOriginal && !only_implied) {
+      fall_back();
+      return {};
+    }
+    if (cheapest->kind == Demand::Kind::kItem) {
+      leave_out(cheapest->index, conflict.sentence);
+    } else {
+      relax(cheapest->index, conflict.sentence);
+    }
+    return {};
+  }
+
+  void leave_out(int item, const std::string& why) {
+    left_out_[item] = 1;
+    placements_[item] = {};
+    reasons_.push_back({model_.items[item].id, 0, "", object_in_words(model_, item) + " is left out: " + why});
+    // What stands on it goes with it, unless it can stand elsewhere; relations that speak of it have nothing to hold.
+    for (std::size_t c = 0; c < model_.constraints.size(); ++c) {
+      if (model_.constraints[c].firmness != Firmness::kHard || given_up_[c]) continue;
+      const auto& touched = model_.touching[item];
+      if (std::find(touched.begin(), touched.end(), static_cast<int>(c)) != touched.end()) relax(static_cast<int>(c), why);
+    }
+  }
+
+  // Given up, but still wished for.
+  void relax(int index, const std::string& why) {
+    given_up_[index] = 1;
+    relaxed_.push_back({index, why});
+    Constraint& constraint = model_.constraints[index];
+    if (constraint.firmness == Firmness::kHard) {
+      constraint.firmness = Firmness::kSoft;
+      constraint.weight = 4 * constraint.weight;
+    }
+  }
+
+  // The paper's way out: the scene's own positions, or a metre from the corner.
+  void fall_back() {
+    fallback_ = true;
+    for (std::size_t i = 0; i < model_.items.size(); ++i) {
+      const Item& item = model_.items[i];
+      if (item.is_opening()) continue;
+      const auto& hint = item.object->hint;
+      Placement p{0, {}};
+      const int turn = static_cast<int>(std::lround(normalized_degrees(hint.rotation_deg.value_or(0)))) % 360;
+      if (const std::uint64_t states = item.states_at(turn)) p.state = std::countr_zero(states);
+      const Vec3& e = item.states[p.state].extent;
+      const std::array<double, 3> at = hint.position.value_or(std::array<double, 3>{1000, 1000, 0});
+      for (int k = 0; k < 3; ++k) p.at[k] = static_cast<Mm>(std::lround(at[k] - (k < 2 ? e[k] / 2.0 : 0)));
+      placements_[i] = p;
+    }
+  }
+
+  void improve() {
+    Search search(model_, given_up_, options_.seed, size_limit_);
+    search.adopt(placements_);
+    search.improve(budget_);
+    placements_ = search.placements();
+  }
+
+  // How far a relation that was given up is from holding.
+  Relaxation relaxation_of(int index, const std::string& why) const {
+    const Constraint& constraint = model_.constraints[index];
+    Relaxation out{constraint.name, 0, "", why};
+    for (const Formula& formula : constraint.formulas) {
+      if (!all_placed(formula, placements_)) continue;
+      const std::int64_t miss = miss_of(model_, formula, placements_);
+      if (static_cast<double>(miss) / 1000 > out.by) out.by = static_cast<double>(miss) / 1000, out.unit = "m";
+    }
+    return out;
+  }
+
+  Layout finish() {
+    Layout layout = to_layout(model_, placements_);
+    for (const auto& [index, why] : relaxed_) layout.relaxed.push_back(relaxation_of(index, why));
+    for (const Relaxation& reason : reasons_) layout.relaxed.push_back(reason);
+    layout.conflicts = conflicts_;
+    layout.status = fallback_ ? LayoutStatus::kFallback : conflicts_.empty() ? LayoutStatus::kSolved : LayoutStatus::kRelaxed;
+    double total = 0;
+    for (const auto& [name, cost] : cost_terms(model_, placements_)) {
+      layout.score_terms[name] = 1.0 / (1.0 + static_cast<double>(cost) / 1e6);
+      total += static_cast<double>(cost) / 1e6;
+    }
+    layout.score = 1.0 / (1.0 + total);
+    layout.stats.solver = used_cp_sat_ ? "search+cp-sat" : "search";
+    layout.stats.seed = options_.seed;
+    layout.stats.stopped_by_clock = stopped_by_clock_;
+    layout.stats.seconds = seconds();
+    return layout;
+  }
+
+  Model model_;
+  const SolveOptions& options_;
+  Clock::time_point started_;
+  Budget budget_;
+  std::vector<char> given_up_, left_out_;
+  std::vector<std::pair<int, std::string>> relaxed_;  // constraints given up, and why
+  std::vector<Relaxation> reasons_;                   // objects left out
+  std::vector<Conflict> conflicts_;
+  Placements placements_;
+  std::vector<int> failed_;
+  int size_limit_ = 0;
+  bool used_cp_sat_ = false, fallback_ = false, stopped_by_clock_ = false;
+};
 
 }  // namespace
 
 Result<Layout> solve(const SceneGraph& scene, const Catalog& catalog, const SolveOptions& options) {
-  const auto started = std::chrono::steady_clock::now();
-  LAYOUTBOX_ASSIGN(const Model model, build_model(scene, catalog));
-  Budget budget;
-  budget.limit = options.effort * kStepsPerUnit;
-  Search search(model, std::vector<char>(model.constraints.size(), 0), options.seed, 0);
-  std::vector<char> none(model.items.size(), 0);
-  bool found = search.construct(none, 12, budget);
-  if (found && options.improve) search.improve(budget);
-  Layout layout = to_layout(model, search.placements());
-  layout.status = found ? LayoutStatus::kSolved : LayoutStatus::kRelaxed;
-  layout.stats.solver = "search";
-  layout.stats.seed = options.seed;
-  layout.stats.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
-  return layout;
+  if (options.effort <= 0 || !(options.time_limit_s > 0)) return fail(ErrorCode::kUsage, "effort and time limit must be positive");
+  LAYOUTBOX_ASSIGN(Model model, build_model(scene, catalog));
+  return Solver(std::move(model), options).run();
 }
 
 Result<std::string> describe_cp_sat_library() {

@@ -1,0 +1,249 @@
+// Conflicts in words, and the sums that show some of them at once.
+#include <fmt/format.h>
+
+#include "layoutbox/solve/compile.h"
+#include "layoutbox/solve/conflict.h"
+
+namespace layoutbox::placement {
+namespace {
+
+std::string metres(Mm length) { return fmt::format("{:.2f} m", length / 1000.0); }
+
+std::string wall_in_words(const RoomWall& wall, bool rectangle) {
+  if (!rectangle) return "the wall " + wall.id;
+  switch (wall.turn) {
+    case 0: return "the back wall";
+    case 90: return "the left wall";
+    case 180: return "the front wall";
+    default: return "the right wall";
+  }
+}
+
+std::string listed(const std::vector<std::string>& words) {
+  std::string out;
+  for (std::size_t i = 0; i < words.size(); ++i) out += (i == 0 ? "" : i + 1 == words.size() ? " and " : ", ") + words[i];
+  return out;
+}
+
+std::string reference_in_words(const Model& model, const std::string& id) {
+  if (const int item = model.find_item(id); item >= 0) return object_in_words(model, item);
+  if (const int wall = model.find_wall(id); wall >= 0) return wall_in_words(model.walls[wall], model.walls.size() == 4);
+  return "the " + id;
+}
+
+// The least an object can measure along its width or depth.
+Mm least_width(const Item& item) { return item.object->size->least.width; }
+
+std::string sizes_in_words(const Item& item) {
+  const Size& size = item.states.back().size;
+  return fmt::format("{:.2f} × {:.2f} × {:.2f} m", size.width / 1000.0, size.depth / 1000.0, size.height / 1000.0);
+}
+
+std::string room_in_words(const Model& model) {
+  return fmt::format("{:.2f} × {:.2f} × {:.2f} m", model.room.extent(0) / 1000.0, model.room.extent(1) / 1000.0, model.room.extent(2) / 1000.0);
+}
+
+void replace(std::string& text, std::string_view what, const std::string& with) {
+  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + with.size())) text.replace(at, what.size(), with);
+}
+
+std::string parameter_in_words(const Compilation& c, std::string_view name, const std::optional<Mm>& given) {
+  return metres(c.length(given, name, 0));
+}
+
+// "stands", "hangs" and "is" of one thing are "stand", "hang" and "are" of several.
+void make_plural(std::string& sentence) {
+  for (const auto& [one, many] : {std::pair{"{targets} stands", "{targets} stand"}, {"{targets} hangs", "{targets} hang"}, {"{targets} is", "{targets} are"},
+                                  {"{targets} faces", "{targets} face"}, {"{targets} touches", "{targets} touch"}, {"{targets} keeps", "{targets} keep"},
+                                  {"{targets} has", "{targets} have"}, {"{targets} looks", "{targets} look"}, {"with its back", "with their backs"}}) {
+    replace(sentence, one, many);
+  }
+}
+
+// Objects that must stay out of a clash because they are elsewhere or hold others.
+bool stands_on_floor_always(const Item& item) {
+  return !item.is_opening() && !item.thin && item.supports.size() == 1 && item.supports[0].kind == SupportOption::Kind::kFloor;
+}
+
+std::int64_t least_floor(const Item& item) {
+  std::int64_t least = std::numeric_limits<std::int64_t>::max();
+  for (const State& state : item.states) {
+    std::int64_t covered = 0;  // what of the floor is body: a table's legs are little, but two tables never share their outline
+    covered = std::int64_t{state.extent[0]} * state.extent[1];
+    least = std::min(least, covered);
+  }
+  return least;
+}
+
+std::int64_t room_area(const Model& model) {
+  std::int64_t area = floor_area(model.room);
+  for (const Box& outside : model.outside) area -= floor_area(outside);
+  return area;
+}
+
+void add_too_large(const Model& model, const std::vector<char>& left_out, std::vector<Clash>& out) {
+  for (std::size_t i = 0; i < model.items.size(); ++i) {
+    const Item& item = model.items[i];
+    if (item.is_opening() || item.fixed || left_out[i]) continue;
+    const auto fits = [&](const State& s) {
+      return s.extent[0] <= model.room.extent(0) && s.extent[1] <= model.room.extent(1) && s.extent[2] <= model.room.extent(2);
+    };
+    if (std::any_of(item.states.begin(), item.states.end(), fits)) continue;
+    Clash clash{{{Demand::Kind::kItem, static_cast<int>(i)}}, true, ""};
+    clash.sentence = fmt::format("{} measures at least {} and does not fit into the room, which measures {}", object_in_words(model, static_cast<int>(i)),
+                                 sizes_in_words(item), room_in_words(model));
+    out.push_back(std::move(clash));
+  }
+}
+
+// Backs against one wall side by side: the widths add up.
+void add_too_wide(const Model& model, const std::vector<char>& given_up, const std::vector<char>& left_out, std::vector<Clash>& out) {
+  for (std::size_t w = 0; w < model.walls.size(); ++w) {
+    const RoomWall& wall = model.walls[w];
+    struct Piece {
+      int item, constraint;
+      Mm width;
+    };
+    std::vector<Piece> pieces;
+    for (std::size_t c = 0; c < model.constraints.size(); ++c) {
+      const Constraint& constraint = model.constraints[c];
+      if (constraint.relation < 0 || constraint.firmness != Firmness::kHard || given_up[c]) continue;
+      const Relation& relation = model.scene->relations[constraint.relation];
+      const bool back = relation.type == RelationType::kAgainstWall || relation.type == RelationType::kCenteredOnWall;
+      if (!back || relation.references.size() != 1 || model.find_wall(relation.references[0]) != static_cast<int>(w)) continue;
+      for (const std::string& id : relation.targets) {
+        const int item = model.find_item(id);
+        if (item < 0 || left_out[item] || !stands_on_floor_always(model.items[item]) || !model.items[item].has_front) continue;
+        const auto same = std::find_if(pieces.begin(), pieces.end(), [&](const Piece& p) { return p.item == item; });
+        if (same == pieces.end()) pieces.push_back({item, static_cast<int>(c), least_width(model.items[item])});
+      }
+    }
+    std::stable_sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) { return a.width > b.width; });
+    std::int64_t sum = 0;
+    std::size_t needed = 0;
+    while (needed < pieces.size() && sum <= wall.hi - wall.lo) sum += pieces[needed++].width;
+    if (sum <= wall.hi - wall.lo) continue;
+    Clash clash;
+    std::vector<std::string> words;
+    for (std::size_t i = 0; i < needed; ++i) {
+      clash.demands.push_back({Demand::Kind::kItem, pieces[i].item});
+      const Demand relation{Demand::Kind::kConstraint, pieces[i].constraint};
+      if (std::find(clash.demands.begin(), clash.demands.end(), relation) == clash.demands.end()) clash.demands.push_back(relation);
+      words.push_back(fmt::format("{} ({})", object_in_words(model, pieces[i].item), metres(pieces[i].width)));
+    }
+    clash.sentence = fmt::format("{} {} against {}, which is {} long", listed(words), needed == 2 ? "both stand" : needed == 1 ? "stands" : "all stand",
+                                 wall_in_words(wall, model.walls.size() == 4), metres(wall.hi - wall.lo));
+    out.push_back(std::move(clash));
+  }
+}
+
+void add_too_much(const Model& model, const std::vector<char>& left_out, std::vector<Clash>& out) {
+  std::vector<std::pair<std::int64_t, int>> areas;
+  for (std::size_t i = 0; i < model.items.size(); ++i) {
+    const Item& item = model.items[i];
+    // Only what surely covers its outline alone: nothing slides under it and it slides under nothing.
+    const auto close = [&](std::size_t j) { return j != i && model.pair(static_cast<int>(i), static_cast<int>(j)) == PairRule::kSolids; };
+    bool alone = true;
+    for (std::size_t j = 0; j < model.items.size() && alone; ++j) alone = !close(j) || !stands_on_floor_always(model.items[j]);
+    if (left_out[i] || !stands_on_floor_always(item) || !alone) continue;
+    areas.push_back({least_floor(item), static_cast<int>(i)});
+  }
+  std::stable_sort(areas.begin(), areas.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  const std::int64_t room = room_area(model);
+  std::int64_t sum = 0;
+  Clash clash;
+  std::vector<std::string> words;
+  for (const auto& [area, item] : areas) {
+    if (sum > room) break;
+    sum += area;
+    clash.demands.push_back({Demand::Kind::kItem, item});
+    words.push_back(object_in_words(model, item));
+  }
+  if (sum <= room) return;
+  clash.sentence = fmt::format("{} cover at least {:.2f} m² of floor, and the room has {:.2f} m²", listed(words), static_cast<double>(sum) / 1e6,
+                               static_cast<double>(room) / 1e6);
+  out.push_back(std::move(clash));
+}
+
+}  // namespace
+
+std::string object_in_words(const Model& model, int index) {
+  const Item& item = model.items[index];
+  const auto name_of_item = [](const Item& i) {
+    if (i.is_opening()) return std::string(i.opening->type == OpeningType::kWindow ? "window" : i.opening->type == OpeningType::kDoor ? "door" : "opening");
+    return i.object->name.empty() ? i.object->category : i.object->name;
+  };
+  const std::string name = name_of_item(item);
+  int rank = 0, count = 0;
+  for (std::size_t i = 0; i < model.items.size(); ++i) {
+    if (name_of_item(model.items[i]) != name) continue;
+    ++count;
+    if (static_cast<int>(i) <= index) ++rank;
+  }
+  std::string words = name;
+  std::replace(words.begin(), words.end(), '_', ' ');
+  return count > 1 ? fmt::format("the {} {}", words, rank) : "the " + words;
+}
+
+std::string relation_in_words(const Model& model, const Relation& relation) {
+  std::vector<std::string> targets, references;
+  for (const std::string& id : relation.targets) targets.push_back(reference_in_words(model, id));
+  for (const std::string& id : relation.references) references.push_back(reference_in_words(model, id));
+  const RelationRow& row = relation_row(relation.type);
+  if (references.empty()) {
+    const bool walls = row.reference_kinds & kWall, openings = row.reference_kinds & kOpening;
+    references.push_back(walls ? "a wall" : openings ? "an opening" : "the room");
+  }
+  std::string text(row.sentence);
+  if (targets.size() > 1) make_plural(text);
+  Constraint unused;
+  const Compilation c{model, relation, {}, {}, unused};
+  const RelationParameters& p = relation.parameters;
+  replace(text, "{targets}", listed(targets));
+  replace(text, "{references}", listed(references));
+  replace(text, "{distance}", parameter_in_words(c, "distance", p.distance));
+  replace(text, "{min}", parameter_in_words(c, "min", p.min));
+  replace(text, "{max}", parameter_in_words(c, "max", p.max));
+  replace(text, "{depth}", parameter_in_words(c, "depth", p.depth));
+  replace(text, "{axis}", p.axis ? std::string(name_of(*p.axis)) : "an axis");
+  replace(text, "{side}", p.side ? std::string(name_of(*p.side)) : "front");
+  replace(text, "{edge}", p.edge.empty() ? "middle" : p.edge);
+  replace(text, "{region}", p.region);
+  replace(text, "{columns}", std::to_string(p.columns.value_or(0)));
+  return text;
+}
+
+std::string describe_clash(const Model& model, const Clash& clash) {
+  if (!clash.sentence.empty()) return clash.sentence;
+  std::vector<std::string> relations, objects;
+  for (const Demand& demand : clash.demands) {
+    if (demand.kind == Demand::Kind::kItem) {
+      const Item& item = model.items[demand.index];
+      if (item.is_opening()) {
+        objects.push_back(fmt::format("{} ({} wide)", object_in_words(model, demand.index), metres(item.opening->width)));
+      } else {
+        objects.push_back(fmt::format("{} (at least {})", object_in_words(model, demand.index), sizes_in_words(item)));
+      }
+      continue;
+    }
+    const Constraint& constraint = model.constraints[demand.index];
+    relations.push_back(constraint.relation >= 0 ? relation_in_words(model, model.scene->relations[constraint.relation]) : "there is a free " + constraint.name);
+  }
+  const std::string room = fmt::format("the room, which measures {}", room_in_words(model));
+  if (relations.empty()) return fmt::format("{} do not fit together into {}", listed(objects), room);
+  const std::string what = relations.size() == 1 ? "it cannot be that " : relations.size() == 2 ? "it cannot both be that " : "it cannot all be that ";
+  std::string out = what;
+  for (std::size_t i = 0; i < relations.size(); ++i) out += (i == 0 ? "" : i + 1 == relations.size() ? " and that " : ", that ") + relations[i];
+  if (!objects.empty()) out += fmt::format(", with {} in {}", listed(objects), room);
+  return out;
+}
+
+std::vector<Clash> clashes_by_sums(const Model& model, const std::vector<char>& given_up, const std::vector<char>& left_out) {
+  std::vector<Clash> out;
+  add_too_large(model, left_out, out);
+  add_too_wide(model, given_up, left_out, out);
+  if (out.empty()) add_too_much(model, left_out, out);
+  return out;
+}
+
+}  // namespace layoutbox::placement

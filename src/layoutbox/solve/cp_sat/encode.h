@@ -1,0 +1,68 @@
+// The small form as a CP-SAT model: one Boolean per state and per case, half-reified linear constraints, and for every pair of bodies
+// a Boolean per side on which they may pass. Each relation and each object hangs on an assumption literal, so that a proof that
+// nothing exists names who takes part.
+#pragma once
+
+#include <vector>
+
+#include "layoutbox/solve/cp_sat/wire.h"
+#include "layoutbox/solve/model.h"
+
+namespace layoutbox::placement {
+
+// What can be asked to hold or not: a constraint of the model or the presence of an item.
+struct Demand {
+  enum class Kind { kConstraint, kItem } kind = Kind::kConstraint;
+  int index = 0;
+  friend bool operator==(const Demand&, const Demand&) = default;
+};
+
+class Encoding {
+ public:
+  // Everything but what is given up and the items that are left out. Items of `given_up` constraints are not bound by them.
+  Encoding(const Model& model, const std::vector<char>& given_up, const std::vector<char>& left_out);
+
+  // The model with exactly these demands assumed (by their index in `demands()`); all others are free.
+  std::string bytes(const std::vector<char>& demanded);
+  const std::vector<Demand>& demands() const { return demands_; }
+  std::size_t variable_count() const { return cp_.variable_count(); }
+  // The demands whose literals are in a core.
+  std::vector<std::size_t> demands_in(const std::vector<CpLiteral>& core) const;
+
+  void hint(const Placements& placements);
+  Placements placements_of(const std::vector<std::int64_t>& values) const;
+
+ private:
+  struct ItemVariables {
+    std::array<std::int32_t, 3> position{};
+    std::vector<CpLiteral> states;  // empty where there is only one
+    CpLiteral present = 0;
+    bool used = false;
+  };
+  // Σ terms + constant ≥ 0.
+  struct Expanded {
+    std::vector<CpTerm> terms;
+    std::int64_t constant = 0;
+  };
+
+  void add_item(int item);
+  void add_constraint(int constraint, CpLiteral when);
+  void add_case(const Case& one, std::span<const CpLiteral> when);
+  void add_pair(int a, int b);
+  void add_outside(int item);
+  // The bodies (or clear boxes) a and b, given by their state-dependent offsets, do not share room.
+  void add_disjoint(int a, const std::vector<Box>& part_a, int b, const std::vector<Box>& part_b, const std::vector<CpLiteral>& when);
+  Expanded expand(const Linear& form) const;
+  void add_offset(Expanded& out, int item, std::int64_t factor, const std::vector<Box>& parts, int axis, bool high) const;
+  void require(const Expanded& form, std::span<const CpLiteral> when);
+  CpLiteral always() const { return always_; }
+
+  const Model& model_;
+  CpModel cp_;
+  CpLiteral always_ = 0;
+  std::vector<ItemVariables> items_;
+  std::vector<Demand> demands_;
+  std::vector<CpLiteral> demand_literals_;
+};
+
+}  // namespace layoutbox::placement
