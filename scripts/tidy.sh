@@ -8,4 +8,4 @@ if ((${#files[@]} == 0)); then
   mapfile -t files < <(find src -name '*.cc' | sort)
 fi
 printf '%s\0' "${files[@]}" |
-  xargs -0 -P "$(nproc)" -n 1 clang-tidy-16 -p build/release --quiet --extra-arg=-Wno-unknown-warning-option 2>/dev/null
+  xargs -0 -P "$(nproc)" -n 1 clang-tidy-16 -p build/release --quiet --extra-arg=-Wno-unknown-warning-option --extra-arg=-Wno-double-promotion 2>/dev/null
