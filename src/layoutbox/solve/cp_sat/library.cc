@@ -34,7 +34,7 @@ std::vector<fs::path> places() {
   const fs::path program = fs::read_symlink("/proc/self/exe", ignored).parent_path();
   // build/release/src/layoutbox/ and build/release/src/layoutbox/cli/ both lie below build/.
   for (fs::path up = program; up.has_relative_path(); up = up.parent_path()) found.push_back(up / "deps/ortools/ortools/.libs" / kName);
-  found.push_back(program / "../lib/layoutbox" / kName);
+  found.push_back(program / "../lib/layoutbox/ortools/.libs" / kName);  // installed
   return found;
 }
 
