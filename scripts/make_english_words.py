@@ -1,0 +1,87 @@
+#!/usr/bin/env python3
+"""Writes catalog/words_english.txt from WordNet 3.0's files (Debian: wordnet-base, /usr/share/wordnet).
+
+A line a word, sorted by bytes: the word without spaces, a letter for what it mostly is (t thing, n other noun, v verb,
+a adjective, r adverb) and, for things, the word for the next more general kind. Words of the catalogue's own lists need not be here.
+"""
+import argparse
+import collections
+import pathlib
+import re
+
+ARTIFACT, FOOD, PLANT = 6, 13, 20  # lexicographer files of physical things that stand in rooms
+POS = {"1": "n", "2": "v", "3": "a", "4": "r", "5": "a"}
+
+
+def read_counts(folder: pathlib.Path) -> dict[tuple[str, str], int]:
+    counts: dict[tuple[str, str], int] = collections.Counter()
+    for line in (folder / "cntlist.rev").read_text().splitlines():
+        key, _, count = line.split()
+        lemma, rest = key.split("%")
+        counts[lemma, POS[rest[0]]] += int(count)
+    return counts
+
+
+def read_senses(folder: pathlib.Path) -> dict[str, list[int]]:
+    senses = {}
+    for line in (folder / "index.noun").read_text().splitlines():
+        if line.startswith(" "):
+            continue
+        parts = line.split()
+        senses[parts[0]] = [int(p) for p in parts[-int(parts[2]):]]
+    return senses
+
+
+def read_synsets(folder: pathlib.Path) -> dict[int, tuple[int, list[str], list[int]]]:
+    synsets = {}
+    for line in (folder / "data.noun").read_text().splitlines():
+        if line.startswith(" "):
+            continue
+        parts = line.split("|")[0].split()
+        count = int(parts[3], 16)
+        words = [parts[4 + 2 * i].lower() for i in range(count)]
+        pointers = parts[4 + 2 * count + 1:]
+        above = [int(pointers[i + 1]) for i in range(0, len(pointers) - 3, 4) if pointers[i] == "@"]
+        synsets[int(parts[0])] = (int(parts[1]), words, above)
+    return synsets
+
+
+def lemmas(folder: pathlib.Path, part: str) -> set[str]:
+    return {line.split()[0] for line in (folder / f"index.{part}").read_text().splitlines() if not line.startswith(" ")}
+
+
+def thing_sense(lemma: str, senses: dict[str, list[int]], synsets: dict[int, tuple[int, list[str], list[int]]], uses: int) -> int | None:
+    """The first usual sense that is a physical thing; food and plants only where they are common words."""
+    reach = 2 if uses else 4
+    for sense in senses[lemma][:reach]:
+        file = synsets[sense][0]
+        if file == ARTIFACT or (file in (FOOD, PLANT) and uses):
+            return sense
+    return None
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--wordnet", type=pathlib.Path, default=pathlib.Path("/usr/share/wordnet"))
+    parser.add_argument("--output", type=pathlib.Path, default=pathlib.Path(__file__).parent.parent / "catalog" / "words_english.txt")
+    options = parser.parse_args()
+    counts, senses, synsets = (read(options.wordnet) for read in (read_counts, read_senses, read_synsets))
+    parts = {letter: lemmas(options.wordnet, name) for letter, name in (("n", "noun"), ("v", "verb"), ("a", "adj"), ("r", "adv"))}
+    lines = {}
+    for lemma in sorted(set().union(*parts.values())):
+        if not re.fullmatch(r"[a-z]+([_-][a-z]+){0,2}", lemma):
+            continue
+        uses = {letter: counts.get((lemma, letter), 0) for letter, words in parts.items() if lemma in words}
+        best = max(uses, key=lambda letter: (uses[letter], "ranv".index(letter)))
+        compound = "_" in lemma or "-" in lemma
+        thing = thing_sense(lemma, senses, synsets, uses.get("n", 0)) if "n" in uses else None
+        if thing is not None and (3 * uses["n"] >= uses[best] or uses[best] < 5):
+            general = next((synsets[above][1][0] for above in synsets[thing][2]), "")
+            lines[re.sub(r"[_-]", "", lemma)] = f"t {re.sub(r'[_-]', '', general)}".rstrip()
+        elif not compound and uses[best] > (1 if best == "n" else 0) and not (best == "r" and lemma.endswith("ly")):
+            lines.setdefault(lemma, best)
+    options.output.write_text("".join(f"{word} {what}\n" for word, what in sorted(lines.items())))
+
+
+if __name__ == "__main__":
+    main()

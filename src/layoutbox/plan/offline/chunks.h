@@ -1,0 +1,40 @@
+// A sentence as a row of chunks: noun phrases, relation phrases, verbs, and the small words that join them.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "layoutbox/plan/offline/noun_phrase.h"
+
+namespace layoutbox::offline {
+
+enum class ChunkKind {
+  kNoun,
+  kRelation,    // a relation phrase: "next to", "on each side of", "flanked by"
+  kHave,        // with, featuring, holds: the things of a room or an object
+  kVerb,        // finite: is placed, stands; or a command's verb: place, put
+  kParticiple,  // placed, positioned, mounted
+  kComma, kAnd, kClause, kRelative, kThere, kCommand, kPurpose, kWithout, kSoft,
+  kSize,        // "120 cm wide", "2 m by 1 m"
+  kStop,        // end of a sentence
+  kIgnored,     // adverbs, fillers
+  kUnknown,     // a word nobody knows what to do with
+};
+
+struct Chunk {
+  ChunkKind kind = ChunkKind::kUnknown;
+  std::size_t first = 0, last = 0;   // tokens [first, last)
+  NounPhrase noun;
+  PhraseMatch phrase;
+  bool placing = false;              // a relation phrase or verb that says that something is put somewhere
+  bool hang = false;                 // … or hung
+  bool passive = false;              // a verb with is, are
+  std::optional<double> distance;    // metres, of a relation: "50 cm from"
+  bool at_least = false, at_most = false;
+  SaidSize size;
+};
+
+// REQUIRES: `skip[i]` is true for tokens that another stage has read (the room's size).
+std::vector<Chunk> chunk_tokens(const Lexicon& lexicon, std::span<const Token> tokens, const std::vector<bool>& skip);
+
+}  // namespace layoutbox::offline

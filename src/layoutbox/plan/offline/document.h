@@ -1,0 +1,66 @@
+// What a text says, before it is a scene: things, mentions of them, and links between mentions.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "layoutbox/plan/offline/chunks.h"
+#include "layoutbox/plan/planner.h"
+
+namespace layoutbox::offline {
+
+// One object of the scene to be.
+struct Item {
+  NounPhrase noun;       // the words that brought it in
+  int group = 0;         // items brought in together
+};
+
+// A place in the text that speaks of things or of a part of the room.
+struct Mention {
+  NounPhrase noun;
+  std::vector<int> items;    // indices; empty for walls, corners, the room …
+  bool introduces = false;   // its items are new here
+  bool distributes = false;  // "each desk": what is said holds for every single one
+};
+
+struct Link {
+  enum class Kind {
+    kRelation,  // targets stand PHRASE references
+    kHave,      // references have targets: on, in, at or by them
+    kHang,      // targets hang: on a wall or from the ceiling
+  };
+  Kind kind = Kind::kRelation;
+  PhraseSenses senses;                 // as for TARGET phrase REFERENCE
+  std::vector<int> targets, references;  // mentions
+  bool each = false;                   // one (or as many as said) for every reference or side
+  bool holding = false;                // a have that says that the host carries ("holding", "filled with")
+  bool weak = false;                   // a have that another link of the target makes needless
+  bool soft = false;
+  std::optional<double> distance;
+  bool at_least = false, at_most = false;
+  std::size_t first = 0, last = 0;     // tokens
+};
+
+struct Document {
+  std::string prompt;
+  std::vector<Token> tokens;
+  std::vector<Chunk> chunks;
+  std::vector<Item> items;
+  std::vector<Mention> mentions;
+  std::vector<Link> links;
+  std::vector<NounPhrase> excluded;    // "no coffee table"
+  std::vector<NounPhrase> rooms;       // kinds of room that were named, in order
+  std::vector<NounPhrase> openings;    // doors and windows that were spoken of
+  std::vector<WordReading> readings;   // one a token
+  std::vector<Note> notes;
+  int groups = 0;
+};
+
+// The words of tokens [first, last) as they were written.
+std::string words_between(const Document& document, std::size_t first, std::size_t last);
+
+// Reads the chunks of `document` into mentions, items and links.
+void read_document(const Lexicon& lexicon, Document& document);
+
+}  // namespace layoutbox::offline

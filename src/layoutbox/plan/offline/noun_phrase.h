@@ -1,0 +1,68 @@
+// Noun phrases: determiner, count, attributes, compound head, "of" phrases, sizes.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "layoutbox/plan/offline/lexicon.h"
+
+namespace layoutbox::offline {
+
+enum class NounKind {
+  kObject,
+  kWall, kCorner, kCenter, kFloor, kCeiling, kDoor, kWindow,
+  kRoom,         // the room itself, by its kind or as "room", "space"
+  kOutsideRoom,  // "walk-in closet": not in this room
+  kPart,         // of a thing: legs, drawers, its left side
+  kAbstract,     // comfort, seating area, touch
+  kPronoun,      // it, them, which
+  kMember,       // "one", "the other one", "the left one", "each", "two of them"
+};
+
+enum class Determiner { kNone, kDefinite, kIndefinite, kPossessive, kEach, kBoth, kAnother, kOther, kNo };
+
+// Lengths said of a thing, in metres.
+struct SaidSize {
+  std::optional<double> width, depth, height, length;
+  bool any() const { return width || depth || height || length; }
+};
+
+struct NounPhrase {
+  NounKind kind = NounKind::kObject;
+  Determiner determiner = Determiner::kNone;
+  const CatalogEntry* entry = nullptr;   // what it is, or what it most resembles
+  bool exact = false;                    // the entry is that very kind
+  const RoomKind* room = nullptr;
+  std::string category, name, head;      // head: the last word in the singular
+  std::vector<std::string> attributes;
+  std::vector<WordClass> attribute_classes;
+  int count = 0;                         // 0: not said
+  bool at_least = false, vague = false, plural = false;
+  bool subset = false;                   // "two of the beds"
+  bool collective = false;               // "items", "essentials": things where something holds them
+  std::string wall_word;                 // left, right, back, front
+  std::string wall_relation;             // opposite, other, adjacent, same
+  SaidSize size;
+  std::shared_ptr<NounPhrase> of;        // "the corner of the desk", "two of the beds"
+  bool owner = false;                    // followed by 's
+  std::size_t first = 0, last = 0;       // tokens [first, last)
+  bool is_plural() const { return count > 1 || (count == 0 && plural); }
+};
+
+// Reads the noun phrase that begins at `at`, or nothing. `bare` allows one without a determiner or count.
+std::optional<NounPhrase> read_noun_phrase(const Lexicon& lexicon, std::span<const Token> tokens, std::size_t at, bool bare);
+
+// "1.2 m", "120 cm", "4 feet": metres and the tokens it takes.
+struct Measure {
+  double metres = 0;
+  std::size_t length = 0;
+};
+std::optional<Measure> read_measure(const Lexicon& lexicon, std::span<const Token> tokens, std::size_t at);
+
+// "120 cm wide", "2 m x 1 m": adds to `size`; the tokens it takes, 0 for none.
+std::size_t read_size(const Lexicon& lexicon, std::span<const Token> tokens, std::size_t at, SaidSize& size);
+
+}  // namespace layoutbox::offline

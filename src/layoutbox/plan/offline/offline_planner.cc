@@ -1,0 +1,144 @@
+// The offline planner: text → tokens → chunks → mentions, items and links → scene.
+#include <algorithm>
+#include <map>
+
+#include "layoutbox/base/words.h"
+#include "layoutbox/plan/offline/knowledge.h"
+#include "layoutbox/plan/offline/reader.h"
+#include "layoutbox/plan/offline/relation_builder.h"
+#include "layoutbox/plan/offline/room_reader.h"
+#include "layoutbox/plan/planner.h"
+
+namespace layoutbox {
+namespace {
+
+using namespace offline;
+
+bool is_utf8(std::string_view text) {
+  std::size_t i = 0;
+  while (i < text.size()) {
+    const auto c = static_cast<unsigned char>(text[i]);
+    const std::size_t more = c < 0x80 ? 0 : c >= 0xC2 && c < 0xE0 ? 1 : c >= 0xE0 && c < 0xF0 ? 2 : c >= 0xF0 && c < 0xF5 ? 3 : 4;
+    if (more == 4 || i + more >= text.size() + (more == 0 ? 1 : 0)) return false;
+    for (std::size_t k = 1; k <= more; ++k) {
+      if ((static_cast<unsigned char>(text[i + k]) & 0xC0) != 0x80) return false;
+    }
+    i += more + 1;
+  }
+  return true;
+}
+
+// The size that the words give, around which the catalogue's proportions hold.
+void apply_size(const NounPhrase& noun, SceneObject& object) {
+  if (!noun.size.any() || noun.entry == nullptr) return;
+  SizeRange range = noun.entry->size;
+  const auto fix = [](Mm SizeRange_side, Mm& least, Mm& usual, Mm& greatest) { least = usual = greatest = SizeRange_side; };
+  std::optional<double> width = noun.size.width, depth = noun.size.depth;
+  if (noun.size.length) {  // the longer side
+    if (range.usual.depth > range.usual.width) depth = noun.size.length;
+    else width = noun.size.length;
+  }
+  if (width) fix(mm_from_m(*width), range.least.width, range.usual.width, range.greatest.width);
+  if (depth) fix(mm_from_m(*depth), range.least.depth, range.usual.depth, range.greatest.depth);
+  if (noun.size.height) fix(mm_from_m(*noun.size.height), range.least.height, range.usual.height, range.greatest.height);
+  object.size = range;
+  object.size_source = SizeSource::kUser;
+}
+
+class OfflinePlanner final : public Planner {
+ public:
+  explicit OfflinePlanner(const Catalog& catalog) : lexicon_(catalog) {}
+
+  Result<Plan> plan(std::string_view prompt, const PlanOptions& options) const override {
+    if (prompt.size() > options.max_prompt_bytes) return fail(ErrorCode::kTooLarge, "the prompt has " + std::to_string(prompt.size()) + " bytes", {}, "at most " + std::to_string(options.max_prompt_bytes) + " are read");
+    if (!is_utf8(prompt)) return fail(ErrorCode::kParse, "the prompt is not UTF-8 text", {}, "save it as UTF-8");
+    Document document;
+    document.prompt = std::string(prompt);
+    document.tokens = tokenize(prompt);
+    if (std::none_of(document.tokens.begin(), document.tokens.end(), [](const Token& t) { return t.kind != Token::Kind::kPunctuation; })) {
+      return fail(ErrorCode::kEmpty, "there is nothing in the prompt", {}, "describe a room: \"A bedroom with a bed and a desk under the window\"");
+    }
+    for (const Token& token : document.tokens) document.readings.push_back({token.begin, token.end, WordReading::Use::kIgnored, {}});
+    std::vector<bool> skip(document.tokens.size(), false);
+    const RoomSize size = read_room_size(lexicon_, document, skip);
+    document.chunks = chunk_tokens(lexicon_, document.tokens, skip);
+    read_document(lexicon_, document);
+
+    Plan plan;
+    plan.scene.prompt = document.prompt;
+    plan.scene.notes = std::move(document.notes);
+    build_objects(document, plan.scene);
+    build_room(lexicon_, document, size, plan.scene);
+    build_relations(lexicon_, document, plan.scene);
+    if (plan.scene.objects.empty()) add_usual_furniture(document, plan.scene);
+    note_unknown(document, plan.scene);
+    for (std::size_t i = 0; i < document.tokens.size(); ++i) {
+      if (document.tokens[i].kind != Token::Kind::kPunctuation) plan.readings.push_back(std::move(document.readings[i]));
+    }
+    return plan;
+  }
+
+ private:
+  static void build_objects(Document& document, SceneGraph& scene) {
+    std::map<std::string, int> numbers;
+    for (const Item& item : document.items) {
+      SceneObject object;
+      object.category = item.noun.category;
+      object.name = item.noun.name;
+      object.attributes = item.noun.attributes;
+      object.id = object.category + "_" + std::to_string(++numbers[object.category]);
+      apply_size(item.noun, object);
+      for (std::size_t i = item.noun.first; i < item.noun.last && i < document.readings.size(); ++i) {
+        if (document.readings[i].role == item.noun.name) document.readings[i].role = "object " + object.id;
+      }
+      scene.objects.push_back(std::move(object));
+    }
+    std::vector<std::string> guessed;
+    for (const Item& item : document.items) {
+      if (item.noun.entry != nullptr && item.noun.category == item.noun.entry->id) continue;
+      if (std::find(guessed.begin(), guessed.end(), item.noun.name) != guessed.end()) continue;
+      guessed.push_back(item.noun.name);
+      const std::string place = "prompt:" + std::to_string(document.tokens[item.noun.first].begin) + "-" + std::to_string(document.tokens[item.noun.last - 1].end);
+      scene.notes.push_back({"guessed", "\"" + item.noun.name + "\" is not in the catalogue" + (item.noun.entry != nullptr ? ": taken for a kind of " + item.noun.entry->name : ""), place});
+    }
+  }
+
+  // A room of which no furniture was named gets what is usual in it.
+  void add_usual_furniture(const Document& document, SceneGraph& scene) const {
+    const RoomKind* kind = scene.room.type.empty() ? nullptr : lexicon_.catalog().find_room(scene.room.type);
+    if (kind == nullptr) return;
+    for (const auto& [category, count] : kind->usual) {
+      const CatalogEntry* entry = lexicon_.catalog().find(category);
+      if (entry == nullptr) continue;
+      const bool excluded = std::any_of(document.excluded.begin(), document.excluded.end(), [&](const NounPhrase& n) { return n.entry != nullptr && lexicon_.catalog().is_a(category, n.entry->id); });
+      if (excluded) continue;
+      for (int i = 1; i <= count; ++i) {
+        SceneObject object;
+        object.id = category + "_" + std::to_string(i);
+        object.category = category;
+        object.name = entry->name;
+        object.assumed = true;
+        scene.objects.push_back(std::move(object));
+      }
+    }
+    scene.notes.push_back({"filled", "no furniture is named: the usual furniture of a " + kind->name + " is taken", "prompt"});
+  }
+
+  static void note_unknown(const Document& document, SceneGraph& scene) {
+    for (std::size_t i = 0; i < document.tokens.size(); ++i) {
+      if (document.readings[i].use != WordReading::Use::kNotUnderstood) continue;
+      std::size_t last = i + 1;
+      while (last < document.tokens.size() && document.readings[last].use == WordReading::Use::kNotUnderstood) ++last;
+      scene.notes.push_back({"not-understood", "\"" + words_between(document, i, last) + "\" is not understood", "prompt:" + std::to_string(document.tokens[i].begin) + "-" + std::to_string(document.tokens[last - 1].end)});
+      i = last - 1;
+    }
+  }
+
+  Lexicon lexicon_;
+};
+
+}  // namespace
+
+std::unique_ptr<Planner> make_offline_planner(const Catalog& catalog) { return std::make_unique<OfflinePlanner>(catalog); }
+
+}  // namespace layoutbox

@@ -1,0 +1,89 @@
+// Reads a row of chunks from left to right: who is placed, and by what.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "layoutbox/plan/offline/document.h"
+#include "layoutbox/plan/offline/references.h"
+
+namespace layoutbox::offline {
+
+// The state of reading. A *root* is a thing that the clause itself speaks of (a subject, or a member of the room's list); what stands
+// in a reference or in something's contents hangs on it. The *chain* is the root with all that hangs on it, the nearest last.
+class DocumentReader {
+ public:
+  DocumentReader(const Lexicon& lexicon, Document& document) : lexicon_(lexicon), document_(document), references_(lexicon, document) {}
+  void read();
+
+ private:
+  enum class Joiner { kNone, kComma, kAnd, kCommaAnd };
+  // Contents being listed: "with a lamp, a clock and …" of `hosts`.
+  struct Frame {
+    int link = -1;
+    std::vector<int> hosts;
+    bool room = false;      // the hosts are the room: members are roots
+    bool after_comma = false;
+  };
+
+  void begin_clause();
+  void begin_sentence();
+  void read_chunk(std::size_t k);
+  void read_noun(std::size_t k);
+  void read_place(std::size_t k, int mention);
+  void read_relation(std::size_t k);
+  void read_inverse(std::size_t k, PhraseSenses senses);
+  void read_have(std::size_t k);
+  void read_verb(std::size_t k);
+  void read_break(std::size_t k);
+
+  // What the next noun phrase is for.
+  void place_root(std::size_t k, int mention);
+  void place_reference(std::size_t k, int mention);
+  void place_content(std::size_t k, int mention);
+  bool goes_on_with_reference(std::size_t k, const NounPhrase& noun) const;
+  bool goes_on_with_contents(std::size_t k, const NounPhrase& noun) const;
+
+  std::vector<int> targets_for(const PhraseSenses& senses, PhraseSense::Direction direction, const NounPhrase& reference, bool after_participle, std::size_t k) const;
+  std::vector<int> joined_with(int mention, bool after_participle) const;
+  int implied_reference(const std::vector<int>& targets) const;
+  int implied_group(const std::vector<int>& targets) const;
+  void imply_adjective(int mention, std::size_t k);
+  void hang(const std::vector<int>& targets, std::size_t k);
+
+  const Chunk& chunk(std::size_t k) const { return document_.chunks[k]; }
+  std::size_t next(std::size_t k) const;         // the next chunk that is not ignored
+  bool is(std::size_t k, ChunkKind kind) const { return k < document_.chunks.size() && document_.chunks[k].kind == kind; }
+  const NounPhrase& noun_of(int mention) const { return document_.mentions[static_cast<std::size_t>(mention)].noun; }
+  Mention& mention_at(int mention) { return document_.mentions[static_cast<std::size_t>(mention)]; }
+  bool is_thing(int mention) const { return !document_.mentions[static_cast<std::size_t>(mention)].items.empty(); }
+  int add_link(Link link);
+  Link& link_at(int link) { return document_.links[static_cast<std::size_t>(link)]; }
+  void mark(std::size_t k, WordReading::Use use, std::string role);
+
+  const Lexicon& lexicon_;
+  Document& document_;
+  References references_;
+
+  // Of the text so far.
+  int last_topic_ = -1;               // what the former clause spoke of
+  // Of the clause.
+  std::vector<int> roots_, subject_, chain_, fronted_;
+  std::vector<Joiner> root_joiners_;  // how each root was joined to the one before it
+  std::vector<bool> root_modified_;   // has a modifier of its own
+  std::vector<Frame> frames_;
+  bool after_verb_ = false;           // what follows speaks of the subject
+  bool after_participle_ = false;
+  int reference_link_ = -1;           // the link whose reference comes next (or may be joined by "and")
+  bool expects_reference_ = false, expects_content_ = false, skipping_ = false, negated_ = false, soft_ = false;
+  bool hang_ = false;                 // a participle or verb of hanging waits for its place
+  int last_reference_ = -1;
+  int owner_ = -1;
+  int relative_host_ = -1;
+  Joiner joiner_ = Joiner::kNone, joiner_before_relation_ = Joiner::kNone;
+  std::size_t clause_start_ = 0;      // of roots_
+  bool imperative_ = false;           // "place the bed …": what is named next is placed
+  bool in_room_list_ = false;         // the roots are the room's list
+};
+
+}  // namespace layoutbox::offline

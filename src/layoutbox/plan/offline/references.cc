@@ -1,0 +1,198 @@
+#include "layoutbox/plan/offline/references.h"
+
+#include <algorithm>
+
+namespace layoutbox::offline {
+namespace {
+
+bool contains(const std::vector<int>& all, int one) { return std::find(all.begin(), all.end(), one) != all.end(); }
+
+std::string last_word(const std::string& name) {
+  const std::string plain = name.substr(0, name.find(" of "));
+  const std::size_t space = plain.rfind(' ');
+  return space == std::string::npos ? plain : plain.substr(space + 1);
+}
+
+}  // namespace
+
+int References::add(Mention mention) {
+  document_.mentions.push_back(std::move(mention));
+  return static_cast<int>(document_.mentions.size()) - 1;
+}
+
+void References::introduce(Mention& mention, const NounPhrase& noun, int count) {
+  constexpr int kMost = 400;
+  const int group = document_.groups++;
+  for (int i = 0; i < std::min(count, kMost); ++i) {
+    mention.items.push_back(static_cast<int>(document_.items.size()));
+    document_.items.push_back({noun, group});
+  }
+  mention.introduces = true;
+}
+
+void References::grow(int mention, std::size_t count) {
+  constexpr std::size_t kMost = 400;
+  Mention& grown = document_.mentions[static_cast<std::size_t>(mention)];
+  if (grown.items.empty() || !grown.introduces) return;
+  const Item first = document_.items[static_cast<std::size_t>(grown.items.front())];
+  while (grown.items.size() < std::min(count, kMost)) {
+    grown.items.push_back(static_cast<int>(document_.items.size()));
+    document_.items.push_back(first);
+  }
+}
+
+bool References::same_kind(const NounPhrase& wanted, const NounPhrase& item) const { return fit(wanted, item) > 0; }
+
+// 4: the same words, 3: the same kind, 2: a kind of it, 1: a word for something more general or the same head noun.
+int References::fit(const NounPhrase& wanted, const NounPhrase& item) const {
+  const Catalog& catalog = lexicon_.catalog();
+  if (wanted.name == item.name) return 4;
+  if (wanted.exact && item.exact && wanted.entry == item.entry) return 3;
+  if (last_word(wanted.name) == last_word(item.name) && (wanted.name.find(' ') == std::string::npos || item.name.find(' ') == std::string::npos)) {
+    // "the table" is any table; "the coffee table" is not a plain table that was named before it.
+    return wanted.name.find(' ') == std::string::npos ? 2 : 1;
+  }
+  if (wanted.exact && item.entry != nullptr && wanted.entry != nullptr && wanted.entry != item.entry && catalog.is_a(item.entry->id, wanted.entry->id)) return 2;
+  if (wanted.entry != nullptr && item.entry == wanted.entry && (wanted.exact || item.exact) && wanted.name.find(' ') == std::string::npos) return 2;
+  if (wanted.exact && item.exact && catalog.is_a(wanted.entry->id, item.entry->id) && wanted.determiner == Determiner::kDefinite) return 1;
+  return 0;
+}
+
+std::vector<int> References::known(const NounPhrase& noun) const {
+  // The best fitting kind; of equals the latest mention. Attributes that were said of it count.
+  int best_score = 0;
+  std::vector<int> found;
+  int best_group = -1;
+  for (std::size_t i = document_.items.size(); i-- > 0;) {
+    const NounPhrase& item = document_.items[i].noun;
+    int score = fit(noun, item) * 10;
+    if (score == 0) continue;
+    for (const std::string& attribute : noun.attributes) {
+      if (contains({}, 0)) continue;
+      score += std::find(item.attributes.begin(), item.attributes.end(), attribute) != item.attributes.end() ? 3 : -1;
+    }
+    if (!noun.is_plural() && score == best_score) continue;
+    if (score < best_score) continue;
+    if (score > best_score) found.clear(), best_group = document_.items[i].group;
+    best_score = score;
+    (void)best_group;
+    found.push_back(static_cast<int>(i));
+  }
+  std::reverse(found.begin(), found.end());
+  if (!found.empty() && !noun.is_plural()) {
+    // A singular names one thing, or a group that was brought in together and is spoken of as one.
+    const int group = document_.items[static_cast<std::size_t>(found.front())].group;
+    std::vector<int> members;
+    for (std::size_t i = 0; i < document_.items.size(); ++i) {
+      if (document_.items[i].group == group) members.push_back(static_cast<int>(i));
+    }
+    return members;
+  }
+  return found;
+}
+
+void References::choose_members(Mention& mention, const NounPhrase& noun, int antecedent) {
+  const std::vector<int> all = antecedent >= 0 ? document_.mentions[static_cast<std::size_t>(antecedent)].items : std::vector<int>{};
+  if (all.empty()) return;
+  const int group = document_.items[static_cast<std::size_t>(all.front())].group;
+  std::vector<int>& picked = picked_[group];
+  if (noun.determiner == Determiner::kEach || noun.determiner == Determiner::kBoth) {
+    mention.items = all;
+    mention.distributes = noun.determiner == Determiner::kEach;
+    return;
+  }
+  const std::size_t count = noun.count > 0 ? static_cast<std::size_t>(noun.count) : 1;
+  if (noun.determiner == Determiner::kOther && noun.count == 0) {
+    for (const int item : all) {
+      if (!contains(picked, item)) mention.items.push_back(item);
+    }
+  } else {
+    for (const int item : all) {
+      if (mention.items.size() < count && !contains(picked, item)) mention.items.push_back(item);
+    }
+    for (const int item : all) {
+      if (mention.items.size() < std::min(count, all.size()) && !contains(mention.items, item)) mention.items.push_back(item);
+    }
+  }
+  picked.insert(picked.end(), mention.items.begin(), mention.items.end());
+}
+
+int References::latest_group() const {
+  for (std::size_t m = document_.mentions.size(); m-- > 0;) {
+    if (document_.mentions[m].items.size() > 1) return static_cast<int>(m);
+  }
+  return -1;
+}
+
+int References::mention(const NounPhrase& noun, int antecedent, bool as_reference) {
+  Mention mention;
+  mention.noun = noun;
+  switch (noun.kind) {
+    case NounKind::kPronoun:
+      if (antecedent >= 0) {
+        const Mention& meant = document_.mentions[static_cast<std::size_t>(antecedent)];
+        mention.noun = meant.noun;
+        mention.noun.first = noun.first;
+        mention.noun.last = noun.last;
+        mention.items = meant.items;
+      }
+      return add(std::move(mention));
+    case NounKind::kMember: {
+      int group = antecedent;
+      if (noun.of) group = this->mention(*noun.of, -1, true);
+      choose_members(mention, noun, group);
+      if (!mention.items.empty()) {
+        mention.noun = document_.items[static_cast<std::size_t>(mention.items.front())].noun;
+        mention.noun.first = noun.first;
+        mention.noun.last = noun.last;
+        mention.noun.wall_word = noun.wall_word;
+      }
+      return add(std::move(mention));
+    }
+    case NounKind::kObject: break;
+    default:
+      if (noun.of && (noun.of->kind == NounKind::kObject || noun.of->kind == NounKind::kPronoun || noun.of->kind == NounKind::kMember)) {
+        const int base = this->mention(*noun.of, antecedent, true);
+        mention.items = document_.mentions[static_cast<std::size_t>(base)].items;
+      } else if (antecedent >= 0 && (noun.determiner == Determiner::kPossessive || noun.kind == NounKind::kPart)) {
+        mention.items = document_.mentions[static_cast<std::size_t>(antecedent)].items;
+      }
+      return add(std::move(mention));
+  }
+  const bool definite = noun.determiner == Determiner::kDefinite || noun.determiner == Determiner::kPossessive || noun.determiner == Determiner::kBoth || noun.determiner == Determiner::kEach ||
+                        noun.determiner == Determiner::kOther;
+  if (definite) {
+    mention.items = known(noun);
+    if (noun.determiner == Determiner::kEach) mention.distributes = true;
+    if (!mention.items.empty()) {
+      const int group = document_.items[static_cast<std::size_t>(mention.items.front())].group;
+      if (noun.determiner == Determiner::kOther) {
+        auto& picked = picked_[group];
+        std::vector<int> rest;
+        for (const int item : mention.items) {
+          if (!contains(picked, item)) rest.push_back(item);
+        }
+        mention.items = rest.empty() ? std::vector<int>{} : rest;
+        picked.insert(picked.end(), mention.items.begin(), mention.items.end());
+      } else if (!noun.is_plural() && mention.items.size() > 1 && !mention.distributes) {
+        // "the left nightstand" of two; "the other chair"; else one that was spoken of as one.
+        if (noun.wall_word == "left") mention.items = {mention.items.front()};
+        else if (noun.wall_word == "right") mention.items = {mention.items.back()};
+      } else if (noun.count > 1 && mention.items.size() > static_cast<std::size_t>(noun.count)) {
+        mention.items.resize(static_cast<std::size_t>(noun.count));
+      }
+    }
+    if (mention.items.empty() && noun.determiner == Determiner::kOther) mention.items = known(noun);
+  } else if (as_reference && noun.determiner == Determiner::kIndefinite && noun.attributes.empty()) {
+    // "two armchairs … near an armchair": one of them.
+    const std::vector<int> before = known(noun);
+    if (before.size() > 1 && fit(noun, document_.items[static_cast<std::size_t>(before.front())].noun) >= 3) mention.items = {before.front()};
+  }
+  if (mention.items.empty()) {
+    const int unsaid = noun.plural ? 2 : 1;
+    introduce(mention, noun, noun.count > 0 ? noun.count : unsaid);
+  }
+  return add(std::move(mention));
+}
+
+}  // namespace layoutbox::offline

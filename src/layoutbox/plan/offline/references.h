@@ -1,0 +1,38 @@
+// Which things a noun phrase speaks of: new ones, or what was named before.
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "layoutbox/plan/offline/document.h"
+
+namespace layoutbox::offline {
+
+class References {
+ public:
+  References(const Lexicon& lexicon, Document& document) : lexicon_(lexicon), document_(document) {}
+
+  // Adds the mention that a noun phrase makes. `antecedent` is what "it", "them" and "one" mean here (a mention, or -1);
+  // `as_reference`: the phrase is what something else is placed by.
+  int mention(const NounPhrase& noun, int antecedent, bool as_reference);
+
+  // More items of the mention's kind, until there are `count`.
+  void grow(int mention, std::size_t count);
+
+  // The latest mention of a group of two or more things, or -1.
+  int latest_group() const;
+
+ private:
+  int add(Mention mention);
+  void introduce(Mention& mention, const NounPhrase& noun, int count);
+  std::vector<int> known(const NounPhrase& noun) const;
+  bool same_kind(const NounPhrase& wanted, const NounPhrase& item) const;
+  int fit(const NounPhrase& wanted, const NounPhrase& item) const;
+  void choose_members(Mention& mention, const NounPhrase& noun, int antecedent);
+
+  const Lexicon& lexicon_;
+  Document& document_;
+  std::map<int, std::vector<int>> picked_;  // group → items that a "one" has taken
+};
+
+}  // namespace layoutbox::offline

@@ -1,0 +1,464 @@
+#include "layoutbox/plan/offline/relation_builder.h"
+
+#include <algorithm>
+
+#include "layoutbox/plan/offline/knowledge.h"
+
+namespace layoutbox::offline {
+namespace {
+
+using R = RelationType;
+using Direction = PhraseSense::Direction;
+
+bool one_of(std::string_view word, std::initializer_list<std::string_view> words) { return std::find(words.begin(), words.end(), word) != words.end(); }
+
+bool speaks_of_group(R type) {
+  return type == R::kAround || type == R::kSurround || type == R::kEachSideOf || type == R::kRow || type == R::kGrid || type == R::kColumn || type == R::kEvenlySpaced || type == R::kSymmetricAbout ||
+         type == R::kStacked || type == R::kCenterOfRoom || type == R::kPairedWith || type == R::kGroupAlign;
+}
+
+bool places(R type) { return type != R::kFacing && type != R::kParallel && type != R::kPerpendicular && type != R::kSameOrientation; }
+
+bool is_beside(R type) {
+  return type == R::kNextTo || type == R::kNear || type == R::kLeftOf || type == R::kRightOf || type == R::kBehind || type == R::kInFrontOf || type == R::kEachSideOf || type == R::kBetween || type == R::kCorner ||
+         type == R::kAgainstWall || type == R::kCenterOfRoom || type == R::kAtFootOf || type == R::kDistance || type == R::kAround || type == R::kOpposite;
+}
+
+class Builder {
+ public:
+  Builder(const Lexicon& lexicon, Document& document, SceneGraph& scene) : catalog_(lexicon.catalog()), document_(document), scene_(scene) {}
+
+  void run() {
+    for (const Link& link : document_.links) {
+      if (link.kind == Link::Kind::kRelation) add_relations(link);
+    }
+    for (const Link& link : document_.links) {
+      if (link.kind == Link::Kind::kHave) add_contents(link);
+    }
+    for (const Link& link : document_.links) {
+      if (link.kind == Link::Kind::kHang) add_hanging(link);
+    }
+    for (std::size_t i = 0; i < scene_.objects.size(); ++i) settle_mount(i);
+    note_contradictions();
+  }
+
+ private:
+  const Mention& mention(int m) const { return document_.mentions[static_cast<std::size_t>(m)]; }
+  const std::string& id(int item) const { return scene_.objects[static_cast<std::size_t>(item)].id; }
+  const NounPhrase& noun_of_item(int item) const { return document_.items[static_cast<std::size_t>(item)].noun; }
+
+  void add(const Link& link, R type, std::vector<std::string> targets, std::vector<std::string> references, const PhraseSense& sense = {}) {
+    if (targets.empty()) return;
+    // Nothing stands by itself.
+    std::erase_if(references, [&](const std::string& r) { return std::find(targets.begin(), targets.end(), r) != targets.end(); });
+    if (references.empty() && relation_row(type).arity != RelationArity::kNone && relation_row(type).arity != RelationArity::kOptional) return;
+    for (const Relation& known : scene_.relations) {
+      if (known.type == type && known.targets == targets && known.references == references) return;
+    }
+    Relation relation;
+    relation.id = "c" + std::to_string(scene_.relations.size() + 1);
+    relation.type = type;
+    relation.targets = std::move(targets);
+    relation.references = std::move(references);
+    relation.parameters.part = sense.part;
+    relation.parameters.region = sense.region;
+    relation.parameters.side = sense.side;
+    relation.hard = !link.soft;
+    relation.why = words_between(document_, link.first, link.last);
+    if (link.distance && type == R::kDistance) {
+      const Mm distance = mm_from_m(*link.distance);
+      if (!link.at_most) relation.parameters.min = distance;
+      if (!link.at_least) relation.parameters.max = distance;
+    }
+    for (std::size_t i = link.first; i < link.last; ++i) {
+      if (document_.readings[i].role == "relation" || document_.readings[i].role == "has") document_.readings[i].role = "relation " + relation.id;
+    }
+    scene_.relations.push_back(std::move(relation));
+  }
+
+  std::vector<std::string> ids(const std::vector<int>& items) const {
+    std::vector<std::string> all;
+    for (const int item : items) {
+      if (std::find(all.begin(), all.end(), id(item)) == all.end()) all.push_back(id(item));
+    }
+    return all;
+  }
+
+  std::vector<int> items_of(const std::vector<int>& mentions) const {
+    std::vector<int> all;
+    for (const int m : mentions) {
+      for (const int item : mention(m).items) {
+        if (std::find(all.begin(), all.end(), item) == all.end()) all.push_back(item);
+      }
+    }
+    return all;
+  }
+
+  // What relativeTo says for a reference that is a part of the room.
+  std::vector<std::string> room_reference(const NounPhrase& noun, R type) const {
+    const auto words = [&] {
+      std::vector<std::string> all;
+      std::string rest = noun.wall_word;
+      while (!rest.empty()) {
+        const std::size_t space = rest.find(' ');
+        all.push_back(rest.substr(0, space));
+        rest = space == std::string::npos ? "" : rest.substr(space + 1);
+      }
+      return all;
+    };
+    switch (noun.kind) {
+      case NounKind::kWall: {
+        auto all = words();
+        if (all.size() > 1) all.resize(1);
+        if (all.empty() && noun.wall_relation.empty() && relation_row(type).arity != RelationArity::kOptional) all = {"back"};
+        return all;
+      }
+      case NounKind::kCorner: {
+        auto all = words();
+        // "the far corner" is the viewer's word for a back corner, which one is free.
+        return all;
+      }
+      case NounKind::kDoor: return relation_row(type).arity == RelationArity::kOptional ? std::vector<std::string>{} : std::vector<std::string>{opening_id("door")};
+      case NounKind::kWindow: return relation_row(type).arity == RelationArity::kOptional ? std::vector<std::string>{} : std::vector<std::string>{opening_id("window")};
+      case NounKind::kFloor: return {"floor"};
+      default: return relation_row(type).arity == RelationArity::kNone || relation_row(type).arity == RelationArity::kOptional ? std::vector<std::string>{} : std::vector<std::string>{"room"};
+    }
+  }
+
+  // A door or window that has an id of its own, else the word, which normalisation gives to the default one.
+  std::string opening_id(std::string_view type) const {
+    for (const Opening& opening : scene_.room.openings) {
+      if (name_of(opening.type) == type) return opening.id;
+    }
+    return std::string(type);
+  }
+
+  void add_relations(const Link& link) {
+    const std::vector<int> targets = items_of(link.targets);
+    if (targets.empty()) return;
+    if (link.references.empty()) {
+      for (const PhraseSense& sense : link.senses) {
+        const RelationArity arity = relation_row(sense.type).arity;
+        if (arity == RelationArity::kNone || (arity == RelationArity::kOptional && sense.type == R::kOnCeiling)) {
+          if (speaks_of_group(sense.type)) add(link, sense.type, ids(targets), {}, sense);
+          else for (const int target : targets) add(link, sense.type, {id(target)}, {}, sense);
+          return;
+        }
+      }
+      return;
+    }
+    if (std::any_of(link.senses.begin(), link.senses.end(), [](const PhraseSense& s) { return s.type == R::kBetween; }) && (link.references.size() > 1 || mention(link.references.front()).items.size() > 1)) {
+      add_between(link, targets);
+      return;
+    }
+    std::vector<int> reference_items;
+    const Mention* place = nullptr;
+    for (const int reference : link.references) {
+      if (mention(reference).items.empty()) place = &mention(reference);
+    }
+    reference_items = items_of(link.references);
+    const NounPhrase& reference = mention(link.references.front()).noun;
+    // Targets of different kinds may read the phrase differently ("a rug and a lamp in the corner").
+    for (const int m : link.targets) {
+      const Mention& target = mention(m);
+      if (target.items.empty()) continue;
+      const auto direction = link.senses.empty() || link.senses.front().direction != Direction::kAlone ? Direction::kDirect : Direction::kAlone;
+      const auto sense = choose_sense(catalog_, link.senses, direction, target.noun, reference);
+      if (!sense) {
+        if (reference.kind != NounKind::kRoom && reference.kind != NounKind::kAbstract) {
+          scene_.notes.push_back({"not-understood", "\"" + words_between(document_, link.first, link.last) + "\" says nothing of where \"" + target.noun.name + "\" is", place_of(link)});
+        }
+        continue;
+      }
+      const bool whole_group = speaks_of_group(sense->type) && m == link.targets.front();
+      if (speaks_of_group(sense->type)) {
+        if (whole_group) add_group(link, *sense, targets, reference_items, place);
+      } else {
+        add_single(link, *sense, target, reference_items, place);
+      }
+      if (link.distance && sense->type != R::kDistance && !reference_items.empty()) {
+        for (const int item : target.items) add(link, R::kDistance, {id(item)}, {id(reference_items.front())});
+      }
+    }
+  }
+
+  std::string place_of(const Link& link) const {
+    if (link.first >= link.last) return "prompt";
+    return "prompt:" + std::to_string(document_.tokens[link.first].begin) + "-" + std::to_string(document_.tokens[link.last - 1].end);
+  }
+
+  void add_between(const Link& link, const std::vector<int>& targets) {
+    std::vector<std::string> references;
+    for (const int m : link.references) {
+      if (!mention(m).items.empty()) {
+        for (const int item : mention(m).items) references.push_back(id(item));
+      } else if (mention(m).noun.kind == NounKind::kDoor || mention(m).noun.kind == NounKind::kWindow) {
+        references.push_back(opening_id(mention(m).noun.kind == NounKind::kDoor ? "door" : "window"));
+      } else if (mention(m).noun.kind == NounKind::kWall) {
+        references.push_back(mention(m).noun.wall_word.empty() ? "back" : mention(m).noun.wall_word);
+      }
+    }
+    if (references.size() < 2) return;
+    for (const int target : targets) add(link, R::kBetween, {id(target)}, references);
+  }
+
+  void add_group(const Link& link, PhraseSense sense, const std::vector<int>& targets, const std::vector<int>& references, const Mention* place) {
+    if (sense.type == R::kAround && !references.empty()) {
+      // In a ring where nothing has sides; spread over the sides of a table.
+      const NounPhrase& host = noun_of_item(references.front());
+      const bool round = std::any_of(host.attributes.begin(), host.attributes.end(), [](const std::string& a) { return a == "round" || a == "circular" || a == "oval"; });
+      if ((round || !is_table(catalog_, host)) && targets.size() >= 3) sense.type = R::kSurround;
+    }
+    if (references.empty()) {
+      add(link, sense.type, ids(targets), place != nullptr ? room_reference(place->noun, sense.type) : std::vector<std::string>{}, sense);
+      return;
+    }
+    const std::size_t hosts = relation_row(sense.type).arity == RelationArity::kNone ? 1 : references.size();
+    // Several hosts share the targets out.
+    for (std::size_t h = 0; h < hosts; ++h) {
+      std::vector<int> share;
+      for (std::size_t t = h; t < targets.size(); t += hosts) share.push_back(targets[t]);
+      if (share.empty()) continue;
+      const std::vector<std::string> host = relation_row(sense.type).arity == RelationArity::kNone ? std::vector<std::string>{} : std::vector<std::string>{id(references[h])};
+      if (sense.type == R::kEachSideOf && share.size() == 1) {
+        add(link, R::kNextTo, ids(share), host);
+      } else {
+        add(link, sense.type, ids(share), host, sense);
+      }
+    }
+  }
+
+  void add_single(const Link& link, PhraseSense sense, const Mention& target, const std::vector<int>& references, const Mention* place) {
+    const auto place_kind = place != nullptr ? place->noun.kind : NounKind::kObject;
+    if (references.empty() && place != nullptr) {
+      if (place_kind == NounKind::kFloor) {
+        for (const int item : target.items) {
+          if (mount_of(noun_of_item(item)) == Mount::kSurface) add(link, R::kOn, {id(item)}, {"floor"});
+        }
+        return;
+      }
+      if (place_kind == NounKind::kRoom && (sense.type == R::kIn || sense.type == R::kOn || sense.type == R::kInside)) return;
+      if (sense.type == R::kCorner) {
+        add_corners(link, target, place->noun);
+        return;
+      }
+      for (const int item : target.items) add(link, sense.type, {id(item)}, room_reference(place->noun, sense.type), sense);
+      return;
+    }
+    if (references.empty()) return;
+    // "on the left side of the desk" is on the desk for what stands on desks, beside it for the rest.
+    if (sense.type == R::kLeftOf || sense.type == R::kRightOf) {
+      const NounPhrase& host = noun_of_item(references.front());
+      const std::string words = words_between(document_, link.first, link.last);
+      const bool side_of = words.find("side") != std::string::npos || words.find("on the ") != std::string::npos;
+      const bool carries = is_table(catalog_, host) || is_storage(host) || (host.entry != nullptr && host.entry->top_carries);
+      if (side_of && carries && mount_of(target.noun) == Mount::kSurface && mount_of(host) != Mount::kSurface) {
+        sense.part = sense.type == R::kLeftOf ? "left" : "right";
+        sense.type = R::kOn;
+      }
+    }
+    if (sense.type == R::kOn || sense.type == R::kIn) {
+      const NounPhrase& host = noun_of_item(references.front());
+      if (sense.type == R::kIn && !has_inside(host)) sense.type = R::kOn;
+    }
+    if (sense.type == R::kNextTo && place == nullptr) {
+      // "outside the box" and the like are near it.
+    }
+    const std::size_t n = target.items.size(), m = references.size();
+    const bool all = sense.type == R::kInFrontOf || sense.type == R::kOpposite;
+    for (std::size_t t = 0; t < n; ++t) {
+      const int item = target.items[t];
+      if (m == 1) {
+        add(link, sense.type, {id(item)}, {id(references.front())}, sense);
+        add_look(link, sense.type, item, references.front());
+      } else if (n > 1 || !all) {
+        // As many as there are references: one for each; more: shared out; fewer: the first.
+        const std::size_t r = n >= m ? t * m / n : t;
+        add(link, sense.type, {id(item)}, {id(references[n > 1 ? r : 0])}, sense);
+        add_look(link, sense.type, item, references[n > 1 ? r : 0]);
+      } else {
+        for (const int reference : references) add(link, sense.type, {id(item)}, {id(reference)}, sense);
+        add_look(link, sense.type, item, references.front());
+      }
+    }
+  }
+
+  bool has_inside(const NounPhrase& host) const {
+    if (host.entry == nullptr) return is_storage(host);
+    return std::any_of(host.entry->spaces.begin(), host.entry->spaces.end(), [](const SpaceFormula& s) { return s.carries; });
+  }
+
+  // Who is in front of a desk or a screen looks at it; a screen in front of a bed looks at the bed.
+  void add_look(const Link& link, R type, int item, int reference) {
+    const NounPhrase &thing = noun_of_item(item), &other = noun_of_item(reference);
+    const auto screen = [](const NounPhrase& n) { return one_of(n.head, {"tv", "television", "screen", "monitor"}) || n.name.find("tv ") != std::string::npos || n.name.find("media") != std::string::npos; };
+    const bool seat = is_seat(catalog_, thing);
+    if (type == R::kInFrontOf && ((seat && (is_table(catalog_, other) || screen(other))) || screen(thing))) add(link, R::kFacing, {id(item)}, {id(reference)});
+    if (type == R::kAlongSide && seat) add(link, R::kFacing, {id(item)}, {id(reference)});
+  }
+
+  void add_corners(const Link& link, const Mention& target, const NounPhrase& corner) {
+    static const std::vector<std::vector<std::string>> kCorners = {{"left", "back"}, {"right", "back"}, {"left", "front"}, {"right", "front"}};
+    const bool every = corner.determiner == Determiner::kEach || corner.determiner == Determiner::kBoth || corner.count == 4;
+    for (std::size_t t = 0; t < target.items.size(); ++t) {
+      const auto references = every && target.items.size() > 1 ? kCorners[t % kCorners.size()] : room_reference(corner, R::kCorner);
+      add(link, R::kCorner, {id(target.items[t])}, references);
+    }
+  }
+
+  bool is_placed(int item) const {
+    return std::any_of(scene_.relations.begin(), scene_.relations.end(), [&](const Relation& r) { return places(r.type) && std::find(r.targets.begin(), r.targets.end(), id(item)) != r.targets.end(); });
+  }
+
+  bool is_related(int item, int other) const {
+    return std::any_of(scene_.relations.begin(), scene_.relations.end(), [&](const Relation& r) {
+      const auto names = [&](const std::vector<std::string>& all, int i) { return std::find(all.begin(), all.end(), id(i)) != all.end(); };
+      return places(r.type) && ((names(r.targets, item) && names(r.references, other)) || (names(r.targets, other) && names(r.references, item)));
+    });
+  }
+
+  // What a thing has: on it, in it, at it, by it, as the two allow.
+  void add_contents(const Link& link) {
+    const std::vector<int> hosts = items_of(link.references);
+    if (hosts.empty()) return;
+    for (const int m : link.targets) {
+      const Mention& target = mention(m);
+      if (target.items.empty()) continue;
+      if (link.weak && is_placed(target.items.front())) continue;
+      if (is_related(target.items.front(), hosts.front())) continue;
+      const NounPhrase &host = noun_of_item(hosts.front()), &thing = target.noun;
+      const auto each = [&](R type) {
+        for (std::size_t t = 0; t < target.items.size(); ++t) {
+          const std::size_t h = hosts.size() <= target.items.size() ? t * hosts.size() / target.items.size() : 0;
+          add(link, type, {id(target.items[t])}, {id(hosts[h])});
+        }
+      };
+      const bool table = is_table(catalog_, host), seat = is_seat(catalog_, thing);
+      const Mount mount = mount_of(thing);
+      if (thing.entry != nullptr && thing.entry->thin && mount == Mount::kFloor) {
+        each(R::kUnder);
+      } else if (table && seat) {
+        if (target.items.size() > hosts.size()) {
+          add_group(link, {R::kAround, Direction::kDirect, {}, {}, {}}, target.items, hosts, nullptr);
+        } else {
+          for (std::size_t t = 0; t < target.items.size(); ++t) {
+            add(link, R::kInFrontOf, {id(target.items[t])}, {id(hosts[std::min(t, hosts.size() - 1)])});
+            add(link, R::kFacing, {id(target.items[t])}, {id(hosts[std::min(t, hosts.size() - 1)])});
+          }
+        }
+      } else if (may_carry(catalog_, host, thing) && !(mount == Mount::kWall && !link.holding)) {
+        each(is_storage(host) && has_inside(host) ? R::kIn : R::kOn);
+      } else if (mount == Mount::kWall || mount == Mount::kCeiling) {
+        each(R::kAbove);
+      } else if (mount == Mount::kSurface && link.holding) {
+        each(R::kOn);
+      } else if (!is_placed(target.items.front())) {
+        const bool pair = target.items.size() == 2 && hosts.size() == 1;
+        if (pair) add(link, R::kEachSideOf, ids(target.items), {id(hosts.front())});
+        else each(R::kNextTo);
+      }
+    }
+  }
+
+  void add_hanging(const Link& link) {
+    for (const int item : items_of(link.targets)) {
+      const bool said = std::any_of(scene_.relations.begin(), scene_.relations.end(), [&](const Relation& r) {
+        const bool hangs = r.type == R::kOnWall || r.type == R::kOnCeiling || r.type == R::kOn || r.type == R::kIn || r.type == R::kAgainstWall || r.type == R::kCenteredOnWall;
+        return hangs && std::find(r.targets.begin(), r.targets.end(), id(item)) != r.targets.end();
+      });
+      if (said) continue;
+      const NounPhrase& noun = noun_of_item(item);
+      const bool ceiling = mount_of(noun) == Mount::kCeiling || (is_lamp(catalog_, noun) && mount_of(noun) != Mount::kWall);
+      add(link, ceiling ? R::kOnCeiling : R::kOnWall, {id(item)}, {});
+    }
+  }
+
+  // How a thing is held where the relations say otherwise than its kind.
+  void settle_mount(std::size_t index) {
+    SceneObject& object = scene_.objects[index];
+    const NounPhrase& noun = document_.items[index].noun;
+    bool wall = false, ceiling = false, supported = false, beside = false;
+    std::string neighbour_support;
+    for (const Relation& relation : scene_.relations) {
+      if (std::find(relation.targets.begin(), relation.targets.end(), object.id) == relation.targets.end()) continue;
+      wall |= relation.type == R::kOnWall;
+      ceiling |= relation.type == R::kOnCeiling;
+      supported |= relation.type == R::kOn || relation.type == R::kIn || relation.type == R::kStacked;
+      if (!is_beside(relation.type)) continue;
+      beside = true;
+      for (const std::string& reference : relation.references) {
+        for (const Relation& other : scene_.relations) {
+          const bool carries = (other.type == R::kOn || other.type == R::kIn) && std::find(other.targets.begin(), other.targets.end(), reference) != other.targets.end() && !other.references.empty();
+          if (carries && relation.type != R::kCorner && relation.type != R::kAgainstWall) neighbour_support = other.references.front();
+        }
+      }
+    }
+    const auto specialise = [&](std::initializer_list<const char*> kinds) {
+      for (const char* kind : kinds) {
+        const CatalogEntry* entry = catalog_.find(kind);
+        if (entry == nullptr || !noun.exact) continue;
+        object.category = entry->id;
+        return;
+      }
+    };
+    if (ceiling) {
+      object.mount = Mount::kCeiling;
+      if (is_lamp(catalog_, noun) && mount_of(noun) != Mount::kCeiling) specialise({"pendant_lamp", "pendant_light", "ceiling_lamp"});
+      return;
+    }
+    if (wall) {
+      object.mount = Mount::kWall;
+      if (mount_of(noun) != Mount::kWall && noun.exact && catalog_.find("wall_" + noun.entry->id) != nullptr) object.category = "wall_" + noun.entry->id;
+      if (is_lamp(catalog_, noun) && mount_of(noun) != Mount::kWall) specialise({"wall_lamp", "sconce"});
+      return;
+    }
+    if (supported || mount_of(noun) != Mount::kSurface || !beside) return;
+    if (!neighbour_support.empty() && neighbour_support != "floor") {
+      Link link;  // "a mouse next to the keyboard" stands on the same desk
+      link.first = noun.first;
+      link.last = noun.last;
+      const SceneObject* support = scene_.find_object(neighbour_support);
+      if (support != nullptr && support->id != object.id) {
+        add(link, R::kOn, {object.id}, {neighbour_support});
+        scene_.relations.back().assumed = true;
+        return;
+      }
+    }
+    object.mount = Mount::kFloor;
+    if (is_lamp(catalog_, noun) && one_of(noun.name, {"lamp", "light"})) specialise({"floor_lamp"});
+  }
+
+  void note_contradictions() {
+    for (const SceneObject& object : scene_.objects) {
+      const Relation *wall = nullptr, *middle = nullptr;
+      for (const Relation& relation : scene_.relations) {
+        if (std::find(relation.targets.begin(), relation.targets.end(), object.id) == relation.targets.end()) continue;
+        const bool at_wall = relation.type == R::kAgainstWall || relation.type == R::kCorner || relation.type == R::kCenteredOnWall;
+        if (at_wall && wall != nullptr && relation.type == R::kAgainstWall && wall->type == R::kAgainstWall && !relation.references.empty() && !wall->references.empty() && relation.references != wall->references && !opposite_ok(relation, *wall)) {
+          scene_.notes.push_back({"contradiction", "\"" + object.name + "\" cannot be \"" + wall->why + "\" and \"" + relation.why + "\"", "prompt"});
+        }
+        if (at_wall) wall = &relation;
+        if (relation.type == R::kCenterOfRoom) middle = &relation;
+      }
+      if (wall != nullptr && middle != nullptr) {
+        scene_.notes.push_back({"contradiction", "\"" + object.name + "\" cannot be \"" + wall->why + "\" and \"" + middle->why + "\"", "prompt"});
+      }
+    }
+  }
+
+  // Two neighbouring walls make a corner.
+  static bool opposite_ok(const Relation& a, const Relation& b) {
+    const auto side = [](const std::string& w) { return w == "left" || w == "right"; };
+    return side(a.references.front()) != side(b.references.front());
+  }
+
+  const Catalog& catalog_;
+  Document& document_;
+  SceneGraph& scene_;
+};
+
+}  // namespace
+
+void build_relations(const Lexicon& lexicon, Document& document, SceneGraph& scene) { Builder(lexicon, document, scene).run(); }
+
+}  // namespace layoutbox::offline

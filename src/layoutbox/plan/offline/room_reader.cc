@@ -1,0 +1,301 @@
+#include "layoutbox/plan/offline/room_reader.h"
+
+#include <algorithm>
+
+#include "layoutbox/base/words.h"
+
+namespace layoutbox::offline {
+namespace {
+
+using Class = WordClass;
+
+bool is_by(const Token& token) { return token.text == "x" || token.text == "by" || token.text == "*"; }
+
+bool has_class(const Match& match, Class word_class) {
+  return std::any_of(match.meanings.begin(), match.meanings.end(), [&](const Meaning& m) { return m.word_class == word_class; });
+}
+
+class SizeReader {
+ public:
+  SizeReader(const Lexicon& lexicon, Document& document, std::vector<bool>& skip) : lexicon_(lexicon), document_(document), tokens_(document.tokens), skip_(skip) {}
+
+  RoomSize run() {
+    for (std::size_t i = 0; i < tokens_.size(); ++i) {
+      if (tokens_[i].kind != Token::Kind::kNumber && lexicon_.find(tokens_, i, Class::kNumber).length == 0) continue;
+      if (const std::size_t taken = read_product(i) + 0; taken > 0) {
+        i += taken - 1;
+      } else if (const std::size_t area = read_area(i); area > 0) {
+        i += area - 1;
+      } else if (const std::size_t height = read_height(i); height > 0) {
+        i += height - 1;
+      } else if (const std::size_t side = read_side(i); side > 0) {
+        i += side - 1;
+      }
+    }
+    return size_;
+  }
+
+ private:
+  void take(std::size_t first, std::size_t last, const char* role) {
+    for (std::size_t i = first; i < last && i < tokens_.size(); ++i) {
+      skip_[i] = true;
+      document_.readings[i].use = WordReading::Use::kUsed;
+      document_.readings[i].role = role;
+    }
+  }
+
+  // Whether a size at [first, last) is the room's: a room follows, or is the last thing that was named before it.
+  bool speaks_of_room(std::size_t first, std::size_t last) const {
+    for (std::size_t i = last; i < std::min(last + 4, tokens_.size()); ++i) {
+      if (tokens_[i].kind == Token::Kind::kPunctuation) break;
+      const Match match = lexicon_.find(tokens_, i);
+      if (has_class(match, Class::kRoom) || has_class(match, Class::kRoomNoun)) return true;
+      if (has_class(match, Class::kObject)) return false;
+    }
+    for (std::size_t i = first; i-- > 0;) {
+      if (tokens_[i].ends_sentence) break;
+      const Match match = lexicon_.find(tokens_, i);
+      if (has_class(match, Class::kRoom) || has_class(match, Class::kRoomNoun)) return true;
+      if (has_class(match, Class::kObject)) return false;
+    }
+    return first < 12;
+  }
+
+  std::size_t read_product(std::size_t at) {
+    std::vector<double> values;
+    std::vector<bool> united;
+    double unit = 0;
+    std::size_t i = at;
+    while (i < tokens_.size() && values.size() < 3) {
+      const auto measure = read_measure(lexicon_, tokens_, i);
+      double value = 0;
+      std::size_t length = 1;
+      if (tokens_[i].kind == Token::Kind::kNumber) {
+        value = tokens_[i].number;
+      } else {
+        const Match number = lexicon_.find(tokens_, i, Class::kNumber);
+        if (number.length == 0) break;
+        for (const Meaning& m : number.meanings) {
+          if (m.word_class == Class::kNumber) value = m.value;
+        }
+        length = number.length;
+      }
+      values.push_back(measure ? measure->metres : value);
+      united.push_back(measure.has_value());
+      if (measure) unit = value > 0 ? measure->metres / value : 1, length = measure->length;
+      i += length;
+      // "4 m wide by 3 m deep"
+      const Match dimension = i < tokens_.size() ? lexicon_.find(tokens_, i, Class::kDimension) : Match{};
+      if (measure && dimension.length > 0 && i + dimension.length < tokens_.size() && is_by(tokens_[i + dimension.length])) i += dimension.length;
+      if (i + 1 < tokens_.size() && (is_by(tokens_[i])) && (tokens_[i + 1].kind == Token::Kind::kNumber || lexicon_.find(tokens_, i + 1, Class::kNumber).length > 0)) {
+        ++i;
+      } else {
+        break;
+      }
+    }
+    if (values.size() < 2 || !speaks_of_room(at, i)) return 0;
+    if (unit == 0) unit = *std::max_element(values.begin(), values.end()) > 20 ? 0.3048 : 1.0;
+    for (std::size_t v = 0; v < values.size(); ++v) {
+      if (!united[v]) values[v] *= unit;
+    }
+    if (values[0] < 0.8 || values[1] < 0.8) return 0;
+    size_.width = values[0];
+    size_.depth = values[1];
+    if (values.size() > 2) size_.height = values[2];
+    take(at, i, "size of the room");
+    return i - at;
+  }
+
+  std::size_t read_area(std::size_t at) {
+    if (tokens_[at].kind != Token::Kind::kNumber || at + 1 >= tokens_.size()) return 0;
+    Match unit = lexicon_.find(tokens_, at + 1, Class::kAreaUnit);
+    double scale = 1;
+    std::size_t length = 0;
+    if (unit.length > 0) {
+      for (const Meaning& m : unit.meanings) {
+        if (m.word_class == Class::kAreaUnit) scale = m.value;
+      }
+      length = 1 + unit.length;
+    } else if ((tokens_[at + 1].text == "m" || tokens_[at + 1].text == "ft") && at + 2 < tokens_.size() && tokens_[at + 2].glued && tokens_[at + 2].text == "2") {
+      scale = tokens_[at + 1].text == "m" ? 1 : 0.09290304;
+      length = 3;
+    } else {
+      return 0;
+    }
+    if (!speaks_of_room(at, at + length)) return 0;
+    size_.area = tokens_[at].number * scale;
+    take(at, at + length, "area of the room");
+    return length;
+  }
+
+  // "ceilings 3 m high", "3 m high ceiling", "a ceiling height of 2.8 m".
+  std::size_t read_height(std::size_t at) {
+    const auto measure = read_measure(lexicon_, tokens_, at);
+    if (!measure) return 0;
+    const std::size_t last = at + measure->length;
+    const auto ceiling_at = [&](std::size_t i) { return i < tokens_.size() && lexicon_.find(tokens_, i, Class::kCeiling).length + (lexicon_.find(tokens_, i).plural && has_class(lexicon_.find(tokens_, i), Class::kCeiling) ? 1 : 0) > 0; };
+    const bool after = (last < tokens_.size() && ceiling_at(last)) || (last + 1 < tokens_.size() && (tokens_[last].text == "high" || tokens_[last].text == "tall") && ceiling_at(last + 1));
+    bool before = false;
+    for (std::size_t back = 1; back <= 5 && back <= at; ++back) {
+      if (tokens_[at - back].kind == Token::Kind::kPunctuation) break;
+      if (ceiling_at(at - back)) before = tokens_[last < tokens_.size() ? last : at].text == "high" || std::any_of(tokens_.begin() + static_cast<std::ptrdiff_t>(at - back), tokens_.begin() + static_cast<std::ptrdiff_t>(at), [](const Token& t) { return t.text == "height" || t.text == "at" || t.text == "of"; });
+    }
+    if (!after && !before) return 0;
+    size_.height = measure->metres;
+    take(at, last, "height of the room");
+    return last - at;
+  }
+
+  // "the room is 4 m wide and 3 m long": one side at a time.
+  std::size_t read_side(std::size_t at) {
+    SaidSize said;
+    const std::size_t length = read_size(lexicon_, tokens_, at, said);
+    if (length == 0 || !speaks_of_room(at, at + length)) return 0;
+    const double value = said.width.value_or(said.depth.value_or(said.length.value_or(0)));
+    if (value > 0 && value < 1.2) return 0;
+    if (said.width) size_.width = *said.width;
+    if (said.depth) size_.depth = *said.depth;
+    if (said.length) size_.depth = *said.length;
+    if (said.height) size_.height = *said.height;
+    take(at, at + length, "size of the room");
+    return length;
+  }
+
+  const Lexicon& lexicon_;
+  Document& document_;
+  const std::vector<Token>& tokens_;
+  std::vector<bool>& skip_;
+  RoomSize size_;
+};
+
+std::string room_type(const NounPhrase& noun) {
+  if (noun.room != nullptr) return noun.room->id;
+  // "gaming room", "this basement": the words themselves; "the room", "a space" say nothing.
+  static constexpr std::string_view kPlain[] = {"room", "space", "interior", "layout", "area", "zone", "place", "house", "home", "scene", "setting", "floor plan", "floorplan"};
+  const bool plain = std::find(std::begin(kPlain), std::end(kPlain), noun.head) != std::end(kPlain);
+  if (!plain) return snake_case(noun.head);
+  if (noun.head != "room") return {};
+  const std::vector<std::string> words = words_of(noun.name);
+  static constexpr std::string_view kKinds[] = {"gaming", "game", "play", "laundry", "music", "media", "tv", "sun", "guest", "meeting", "conference", "class", "waiting", "storage", "utility", "craft", "hotel", "exam", "locker", "show", "break", "board", "mud", "powder", "reading", "exercise", "yoga", "dressing", "theater", "rec", "recreation", "hobby", "prayer", "meditation", "server", "staff", "lunch", "examination", "treatment", "hospital", "dorm", "tea", "billiard", "home"};
+  for (std::size_t i = 0; i + 1 < words.size(); ++i) {
+    if (words[i + 1] == "room" && std::find(std::begin(kKinds), std::end(kKinds), words[i]) != std::end(kKinds)) return words[i] + "_room";
+  }
+  return {};
+}
+
+void add_opening(SceneGraph& scene, OpeningType type, const NounPhrase& noun, const std::string& wall) {
+  Opening opening;
+  opening.type = type;
+  const auto number = std::count_if(scene.room.openings.begin(), scene.room.openings.end(), [&](const Opening& o) { return o.type == type; }) + 1;
+  opening.id = std::string(name_of(type)) + std::to_string(number);
+  opening.wall = wall;
+  const auto said = [&](std::string_view word) { return std::find(noun.attributes.begin(), noun.attributes.end(), word) != noun.attributes.end(); };
+  if (type == OpeningType::kWindow) {
+    opening.width = said("large") || said("big") || said("wide") ? 1800 : said("small") ? 800 : 1200;
+    opening.height = 1200;
+    opening.sill = 900;
+    opening.swing = Swing::kNone;
+    if (noun.name.find("floor to ceiling") != std::string::npos || noun.name.find("floor-to-ceiling") != std::string::npos) opening.sill = 100, opening.height = 2200;
+  } else {
+    opening.width = said("double") ? 1600 : 900;
+    opening.height = 2000;
+    if (said("sliding")) opening.swing = Swing::kSliding;
+  }
+  if (noun.size.width) opening.width = mm_from_m(*noun.size.width);
+  if (noun.size.height) opening.height = mm_from_m(*noun.size.height);
+  scene.room.openings.push_back(std::move(opening));
+}
+
+}  // namespace
+
+RoomSize read_room_size(const Lexicon& lexicon, Document& document, std::vector<bool>& skip) { return SizeReader(lexicon, document, skip).run(); }
+
+void build_room(const Lexicon& lexicon, const Document& document, const RoomSize& size, SceneGraph& scene) {
+  Room& room = scene.room;
+  std::vector<std::string> types;
+  for (const NounPhrase& noun : document.rooms) {
+    const std::string type = room_type(noun);
+    const bool mentioned = noun.kind == NounKind::kRoom;
+    if (!mentioned) continue;
+    for (const std::string& attribute : noun.attributes) {
+      const std::string word = attribute;
+      static constexpr std::pair<std::string_view, std::string_view> kWords[] = {{"small", "small"}, {"tiny", "tiny"}, {"compact", "compact"}, {"little", "small"}, {"narrow", "narrow"}, {"medium-sized", "medium"}, {"medium", "medium"},
+                                                                                {"large", "large"}, {"big", "large"}, {"huge", "huge"}, {"spacious", "spacious"}, {"grand", "large"}, {"vast", "vast"}, {"cozy", "cozy"}};
+      for (const auto& [said, kept] : kWords) {
+        if (word == said && room.size_word.empty()) room.size_word = kept;
+      }
+      static constexpr std::pair<std::string_view, std::string_view> kShapes[] = {{"l-shaped", "L"}, {"t-shaped", "T"}, {"u-shaped", "U"}, {"round", "round"}, {"circular", "round"}};
+      for (const auto& [said, kept] : kShapes) {
+        if (word == said) room.shape = kept;
+      }
+    }
+    if (!type.empty() && std::find(types.begin(), types.end(), type) == types.end()) types.push_back(type);
+  }
+  if (!types.empty()) room.type = types.front();
+  if (types.size() > 1) {
+    std::string all;
+    for (const std::string& type : types) all += (all.empty() ? "" : ", ") + type;
+    scene.notes.push_back({"ignored", "the text speaks of several rooms (" + all + "): all goes into one " + room.type, "prompt"});
+  }
+  if (size.width > 0 && size.depth > 0) {
+    const Mm w = mm_from_m(size.width), d = mm_from_m(size.depth);
+    if (room.shape.empty()) room.polygon = {{0, 0}, {w, 0}, {w, d}, {0, d}};
+    else room.area_m2 = size.width * size.depth;
+  } else if (size.area > 0) {
+    room.area_m2 = size.area;
+  }
+  if (size.height > 0) room.height = mm_from_m(size.height);
+
+  // Doors and windows that the text brings in; those it only refers to are the default ones.
+  std::vector<std::pair<const Mention*, std::string>> placed;
+  for (const Link& link : document.links) {
+    for (const int target : link.targets) {
+      const Mention& mention = document.mentions[static_cast<std::size_t>(target)];
+      if (mention.noun.kind != NounKind::kDoor && mention.noun.kind != NounKind::kWindow) continue;
+      std::string wall;
+      for (const int reference : link.references) wall = document.mentions[static_cast<std::size_t>(reference)].noun.wall_word;
+      placed.emplace_back(&mention, wall.substr(0, wall.find(' ')));
+    }
+  }
+  for (const auto& [mention, wall] : placed) {
+    const OpeningType type = mention->noun.kind == NounKind::kDoor ? OpeningType::kDoor : OpeningType::kWindow;
+    const int count = mention->noun.count > 0 ? mention->noun.count : mention->noun.plural ? 2 : 1;
+    for (int i = 0; i < std::min(count, 12); ++i) add_opening(scene, type, mention->noun, wall);
+  }
+  for (const Mention& mention : document.mentions) {
+    if (mention.noun.kind != NounKind::kDoor && mention.noun.kind != NounKind::kWindow) continue;
+    const bool said = std::any_of(placed.begin(), placed.end(), [&](const auto& p) { return p.first == &mention; });
+    const bool counted = mention.noun.count > 1 || (mention.noun.plural && mention.noun.determiner != Determiner::kDefinite);
+    if (said || !counted) continue;
+    const OpeningType type = mention.noun.kind == NounKind::kDoor ? OpeningType::kDoor : OpeningType::kWindow;
+    const bool there = std::any_of(room.openings.begin(), room.openings.end(), [&](const Opening& o) { return o.type == type; });
+    if (there) continue;
+    const int count = mention.noun.count > 0 ? mention.noun.count : 2;
+    for (int i = 0; i < std::min(count, 12); ++i) add_opening(scene, type, mention.noun, {});
+  }
+  // One kind named, the other is still needed.
+  if (!room.openings.empty()) {
+    for (const OpeningType type : {OpeningType::kDoor, OpeningType::kWindow}) {
+      if (std::any_of(room.openings.begin(), room.openings.end(), [&](const Opening& o) { return o.type == type; })) continue;
+      add_opening(scene, type, {}, {});
+      room.openings.back().assumed = true;
+      scene.notes.push_back({"filled", std::string("a ") + std::string(name_of(type)) + " is assumed", "/room/openings"});
+    }
+  }
+  // Floor and walls.
+  for (const Mention& mention : document.mentions) {
+    const NounPhrase& noun = mention.noun;
+    if (noun.kind != NounKind::kFloor && noun.kind != NounKind::kWall) continue;
+    std::string material;
+    for (std::size_t a = 0; a < noun.attributes.size(); ++a) {
+      if (a < noun.attribute_classes.size() && (noun.attribute_classes[a] == Class::kColor || noun.attribute_classes[a] == Class::kMaterial)) material += (material.empty() ? "" : " ") + noun.attributes[a];
+    }
+    if (noun.kind == NounKind::kFloor && material.empty() && noun.name.find("hardwood") != std::string::npos) material = "wood";
+    if (material.empty()) continue;
+    if (noun.kind == NounKind::kFloor) room.floor_material = material;
+    else if (noun.wall_word.empty() && noun.wall_relation.empty()) room.wall_material = material;
+  }
+  (void)lexicon;
+}
+
+}  // namespace layoutbox::offline

@@ -1,0 +1,17 @@
+// The room: size, shape, height, doors and windows, floor and walls.
+#pragma once
+
+#include "layoutbox/plan/offline/document.h"
+
+namespace layoutbox::offline {
+
+// Sizes of the room that stand in the text, in metres; tokens that said them are marked in `skip`.
+struct RoomSize {
+  double width = 0, depth = 0, height = 0, area = 0;
+};
+RoomSize read_room_size(const Lexicon& lexicon, Document& document, std::vector<bool>& skip);
+
+// Fills the scene's room from what was read.
+void build_room(const Lexicon& lexicon, const Document& document, const RoomSize& size, SceneGraph& scene);
+
+}  // namespace layoutbox::offline

@@ -1,0 +1,168 @@
+#include "layoutbox/plan/offline/tokens.h"
+
+#include <array>
+#include <charconv>
+#include <utility>
+
+namespace layoutbox::offline {
+namespace {
+
+// Signs outside ASCII and what they mean here.
+constexpr std::array<std::pair<std::string_view, char>, 22> kSigns = {{
+    {"\u2018", '\''}, {"\u2019", '\''}, {"\u02BC", '\''}, {"\u201C", '"'}, {"\u201D", '"'}, {"\u2032", '\''},
+    {"\u2033", '"'},  {"\u2013", '-'},  {"\u2014", ','},  {"\u2010", '-'}, {"\u2011", '-'}, {"\u2212", '-'},
+    {"\u00D7", 'x'},  {"\u2715", 'x'},  {"\u2A2F", 'x'},  {"\u2026", '.'}, {"\u00A0", ' '}, {"\u202F", ' '},
+    {"\u2009", ' '},  {"\u2022", ';'},  {"\u00BD", 'h'},  {"\u00B2", '2'},
+}};
+
+// Letters with accents, folded to plain ones.
+constexpr std::array<std::pair<std::string_view, char>, 16> kAccents = {{
+    {"\u00E9", 'e'}, {"\u00E8", 'e'}, {"\u00EA", 'e'}, {"\u00EB", 'e'}, {"\u00E0", 'a'}, {"\u00E2", 'a'}, {"\u00E4", 'a'}, {"\u00E1", 'a'},
+    {"\u00F6", 'o'}, {"\u00F4", 'o'}, {"\u00F3", 'o'}, {"\u00FC", 'u'}, {"\u00FB", 'u'}, {"\u00EE", 'i'}, {"\u00EF", 'i'}, {"\u00E7", 'c'},
+}};
+
+struct Letter {
+  char value = 0;
+  std::size_t size = 1;
+};
+
+Letter letter_at(std::string_view text, std::size_t at) {
+  const char c = text[at];
+  if (static_cast<unsigned char>(c) < 0x80) {
+    if (c == '`') return {'\'', 1};
+    return {c, 1};
+  }
+  for (const auto& [sign, value] : kSigns) {
+    if (text.substr(at).starts_with(sign)) return {value, sign.size()};
+  }
+  for (const auto& [sign, value] : kAccents) {
+    if (text.substr(at).starts_with(sign)) return {value, sign.size()};
+  }
+  std::size_t size = 1;
+  while (at + size < text.size() && (static_cast<unsigned char>(text[at + size]) & 0xC0) == 0x80) ++size;
+  return {'~', size};  // another script or a picture sign: a word of its own
+}
+
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '~'; }
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
+// British spellings whose American twin is what the word lists have.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 34> kSpellings = {{
+    {"colour", "color"},     {"coloured", "colored"},   {"colourful", "colorful"}, {"grey", "gray"},         {"centre", "center"},
+    {"centred", "centered"}, {"metre", "meter"},        {"metres", "meters"},      {"cosy", "cozy"},         {"centimetre", "centimeter"},
+    {"centimetres", "centimeters"}, {"millimetre", "millimeter"}, {"millimetres", "millimeters"}, {"theatre", "theater"}, {"jewellery", "jewelry"},
+    {"moulding", "molding"}, {"plough", "plow"},        {"aluminium", "aluminum"}, {"organiser", "organizer"}, {"mouldings", "moldings"},
+    {"catalogue", "catalog"}, {"centrepiece", "centerpiece"}, {"grilles", "grills"}, {"kerb", "curb"},       {"neighbouring", "neighboring"},
+    {"rigourous", "rigorous"}, {"draught", "draft"},    {"tyre", "tire"},          {"tyres", "tires"},       {"pyjama", "pajama"},
+    {"storey", "story"},     {"favourite", "favorite"}, {"parallelled", "paralleled"}, {"armour", "armor"},
+}};
+
+void finish_word(Token& token) {
+  for (const auto& [british, american] : kSpellings) {
+    if (token.text == british) token.text = american;
+  }
+}
+
+}  // namespace
+
+std::vector<Token> tokenize(std::string_view prompt) {
+  std::vector<Token> tokens;
+  std::size_t at = 0;
+  bool space_before = true;
+  while (at < prompt.size()) {
+    const Letter first = letter_at(prompt, at);
+    if (first.value == ' ' || first.value == '\t' || first.value == '\r' || first.value == '\n') {
+      // An empty line, or a new line that opens a list item, ends a sentence.
+      const bool blank_line = first.value == '\n' && at + 1 < prompt.size() && (prompt[at + 1] == '\n' || prompt[at + 1] == '-' || prompt[at + 1] == '*');
+      if (blank_line && !tokens.empty() && !tokens.back().ends_sentence) {
+        tokens.push_back({Token::Kind::kPunctuation, ";", at, at + 1, 0, false, false, true});
+      }
+      space_before = true;
+      at += first.size;
+      continue;
+    }
+    Token token;
+    token.begin = at;
+    token.glued = !space_before;
+    space_before = false;
+    if (is_digit(first.value) || (first.value == '.' && at + 1 < prompt.size() && is_digit(prompt[at + 1]) && !token.glued)) {
+      token.kind = Token::Kind::kNumber;
+      bool dot = false;
+      while (at < prompt.size()) {
+        const char c = prompt[at];
+        const bool digit_follows = at + 1 < prompt.size() && is_digit(prompt[at + 1]);
+        const bool thousands = c == ',' && digit_follows && at + 4 <= prompt.size() && !dot && at + 3 < prompt.size() && is_digit(prompt[at + 2]) &&
+                               is_digit(prompt[at + 3]) && (at + 4 == prompt.size() || !is_digit(prompt[at + 4]));
+        const bool decimal_comma = c == ',' && digit_follows && !dot && !thousands;
+        if (is_digit(c)) {
+          token.text.push_back(c);
+        } else if ((c == '.' && digit_follows && !dot) || decimal_comma) {
+          token.text.push_back('.');
+          dot = true;
+        } else if (!thousands) {
+          break;
+        }
+        ++at;
+      }
+      std::from_chars(token.text.data(), token.text.data() + token.text.size(), token.number);
+    } else if (is_letter(first.value)) {
+      token.capital = first.value >= 'A' && first.value <= 'Z';
+      while (at < prompt.size()) {
+        const Letter letter = letter_at(prompt, at);
+        if (!is_letter(letter.value)) break;
+        token.text.push_back(lower(letter.value));
+        at += letter.size;
+      }
+      finish_word(token);
+    } else if (first.value == '\'' && token.glued && !tokens.empty() && tokens.back().kind == Token::Kind::kWord) {
+      // A possessive: "bed's", "inhabitants'".
+      token.text = "'s";
+      at += first.size;
+      if (at < prompt.size() && lower(prompt[at]) == 's' && (at + 1 == prompt.size() || !is_letter(letter_at(prompt, at + 1).value))) ++at;
+    } else if (first.value == '-' && token.glued && at + first.size < prompt.size() && !tokens.empty() &&
+               (is_letter(letter_at(prompt, at + first.size).value) || is_digit(prompt[at + first.size])) &&
+               tokens.back().end == at && tokens.back().kind != Token::Kind::kPunctuation) {
+      at += first.size;  // a hyphen within a word leaves no token; what follows is glued
+      continue;
+    } else if (first.value == 'h' && first.size > 1) {  // ½
+      token.kind = Token::Kind::kNumber;
+      token.number = 0.5;
+      token.text = "0.5";
+      at += first.size;
+      if (token.glued && !tokens.empty() && tokens.back().kind == Token::Kind::kNumber) {
+        tokens.back().number += 0.5;
+        tokens.back().end = at;
+        continue;
+      }
+    } else {
+      token.kind = Token::Kind::kPunctuation;
+      token.text = std::string(1, first.value);
+      at += first.size;
+      token.ends_sentence = first.value == '.' || first.value == '!' || first.value == '?' || first.value == ';';
+      if (first.value == '-' && !token.glued) token.text = ",";
+    }
+    token.end = at;
+    tokens.push_back(std::move(token));
+  }
+  return tokens;
+}
+
+std::string singular_of(std::string_view word) {
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 22> kIrregular = {{
+      {"shelves", "shelf"},   {"bookshelves", "bookshelf"}, {"knives", "knife"},   {"loaves", "loaf"},       {"leaves", "leaf"},   {"scarves", "scarf"},
+      {"cookies", "cookie"},  {"movies", "movie"},          {"mice", "mouse"},     {"children", "child"},    {"people", "person"}, {"feet", "foot"},
+      {"men", "man"},         {"women", "woman"},           {"halves", "half"},    {"wolves", "wolf"},       {"wives", "wife"},    {"men's", "man"},
+      {"chaises", "chaise"},  {"vases", "vase"},            {"glasses", "glass"},  {"lenses", "lens"},
+  }};
+  for (const auto& [plural, singular] : kIrregular) {
+    if (word == plural) return std::string(singular);
+  }
+  const auto ends = [&](std::string_view end) { return word.size() > end.size() && word.ends_with(end); };
+  if (word.size() > 4 && ends("ies")) return std::string(word.substr(0, word.size() - 3)) + "y";
+  if (ends("ches") || ends("shes") || ends("xes") || ends("sses") || ends("zzes")) return std::string(word.substr(0, word.size() - 2));
+  if (word.size() > 3 && ends("s") && !ends("ss") && !ends("us") && !ends("is")) return std::string(word.substr(0, word.size() - 1));
+  return std::string(word);
+}
+
+}  // namespace layoutbox::offline
