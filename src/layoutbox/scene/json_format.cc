@@ -35,29 +35,68 @@ void append_flat(std::string& out, const ordered_json& value) {
   }
 }
 
-// The members of the document and of its parts (depth 0 and 1 objects) always stand on lines of their own.
-void append(std::string& out, const ordered_json& value, std::size_t indent) {
-  std::string flat;
-  const bool nested = value.is_structured() && !value.empty();
-  if (!nested || indent > 0) {
+// How deep a value is written one member a line; below that, as much as fits goes on a line.
+constexpr std::size_t kOpenDepth = 2;
+
+class Writer {
+ public:
+  std::string take() { return std::move(out_); }
+
+  void write(const ordered_json& value, std::size_t depth) {
+    const bool open = value.is_structured() && !value.empty() && (depth == 0 || is_list_of_objects(value) || flat_length(value) > room_left());
+    if (!open) append_flat(out_, value);
+    else if (value.is_object() && depth >= kOpenDepth) write_packed(value, depth);
+    else write_lines(value, depth);
+  }
+
+ private:
+  static bool is_list_of_objects(const ordered_json& value) { return value.is_array() && value.front().is_object(); }
+
+  static std::size_t flat_length(const ordered_json& value) {
+    std::string flat;
     append_flat(flat, value);
-    const bool one_line = !nested || flat.size() + indent <= kLineLength;
-    const bool list_of_objects = value.is_array() && !value.empty() && value.front().is_object();
-    if (one_line && !list_of_objects) {
-      out += flat;
-      return;
+    return flat.size();
+  }
+
+  std::size_t column() const {
+    const std::size_t line = out_.rfind('\n');
+    return line == std::string::npos ? out_.size() : out_.size() - line - 1;
+  }
+  std::size_t room_left() const { return kLineLength > column() ? kLineLength - column() : 0; }
+
+  void write_lines(const ordered_json& value, std::size_t depth) {
+    const std::string indent(2 * (depth + 1), ' ');
+    out_ += value.is_object() ? "{\n" : "[\n";
+    for (auto it = value.begin(); it != value.end(); ++it) {
+      if (it != value.begin()) out_ += ",\n";
+      out_ += indent;
+      if (value.is_object()) out_ += scalar_text(it.key()) + ": ";
+      write(*it, depth + 1);
     }
+    out_ += '\n' + std::string(2 * depth, ' ') + (value.is_object() ? '}' : ']');
   }
-  const std::string inner(indent + 2, ' ');
-  out += value.is_object() ? "{\n" : "[\n";
-  for (auto it = value.begin(); it != value.end(); ++it) {
-    if (it != value.begin()) out += ",\n";
-    out += inner;
-    if (value.is_object()) out += scalar_text(it.key()) + ": ";
-    append(out, *it, indent + 2);
+
+  // {"id": "bed_1", "category": "bed",
+  //  "size": [1.6, 2, 0.5]}
+  void write_packed(const ordered_json& object, std::size_t depth) {
+    const std::string indent(column() + 1, ' ');
+    out_ += '{';
+    for (auto it = object.begin(); it != object.end(); ++it) {
+      const std::string key = scalar_text(it.key()) + ": ";
+      if (it != object.begin()) {
+        out_ += ',';
+        if (key.size() + flat_length(*it) + 2 > room_left()) out_ += '\n' + indent;
+        else out_ += ' ';
+      }
+      out_ += key;
+      if (flat_length(*it) > room_left()) write(*it, depth + 1);
+      else append_flat(out_, *it);
+    }
+    out_ += '}';
   }
-  out += '\n' + std::string(indent, ' ') + (value.is_object() ? '}' : ']');
-}
+
+  std::string out_;
+};
 
 }  // namespace
 
@@ -73,10 +112,9 @@ std::string format_number(double value) {
 }
 
 std::string format_json(const ordered_json& value) {
-  std::string out;
-  append(out, value, 0);
-  out += '\n';
-  return out;
+  Writer writer;
+  writer.write(value, 0);
+  return writer.take() + '\n';
 }
 
 }  // namespace layoutbox

@@ -1,0 +1,97 @@
+#include "layoutbox/base/files.h"
+
+#include <gmock/gmock.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <fstream>
+
+namespace layoutbox {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Files : public testing::Test {
+ protected:
+  TemporaryFolder folder_ = TemporaryFolder::make("layoutbox-test-").value();
+  fs::path path_ = folder_.path() / "file.txt";
+
+  std::size_t entries() const { return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_.path()), fs::directory_iterator())); }
+};
+
+TEST_F(Files, WhatIsWrittenIsRead) {
+  const std::string bytes("a\0b\n\xFF", 5);
+  ASSERT_TRUE(write_file(path_, bytes));
+  EXPECT_EQ(read_file(path_).value(), bytes);
+  EXPECT_EQ(entries(), 1u) << "a temporary file is left";
+}
+
+TEST_F(Files, WritingReplacesWhole) {
+  ASSERT_TRUE(write_file(path_, std::string(100'000, 'a')));
+  ASSERT_TRUE(write_file(path_, "short"));
+  EXPECT_EQ(read_file(path_).value(), "short");
+}
+
+TEST_F(Files, FilesGetUsualPermissions) {
+  ASSERT_TRUE(write_file(path_, "x"));
+  struct stat status {};
+  ASSERT_EQ(::stat(path_.c_str(), &status), 0);
+  const mode_t mask = ::umask(0);
+  ::umask(mask);
+  EXPECT_EQ(status.st_mode & 0777, 0666 & ~mask);
+}
+
+TEST_F(Files, AFailedWriteLeavesTheOldFileAndNothingElse) {
+  // A folder that is not there cannot be written into.
+  const Status status = write_file(folder_.path() / "missing" / "file.txt", "x");
+  ASSERT_FALSE(status);
+  EXPECT_EQ(status.error().code, ErrorCode::kIo);
+  EXPECT_EQ(entries(), 0u);
+  const Status onto_folder = write_file(folder_.path(), "x");
+  ASSERT_FALSE(onto_folder);
+  EXPECT_EQ(onto_folder.error().code, ErrorCode::kIo);
+}
+
+TEST_F(Files, AFullDiskIsSaidInWords) {
+  if (::access("/dev/full", W_OK) != 0) GTEST_SKIP() << "there is no /dev/full here";
+  const Status status = write_file("/dev/full", "x");
+  ASSERT_FALSE(status);
+  EXPECT_EQ(status.error().code, ErrorCode::kIo);
+  EXPECT_THAT(status.error().message, testing::HasSubstr("No space left"));
+  EXPECT_FALSE(status.error().hint.empty());
+}
+
+TEST_F(Files, ReadingTellsWhatIsWrong) {
+  EXPECT_EQ(read_file(path_).error().code, ErrorCode::kIo);
+  EXPECT_EQ(read_file(folder_.path()).error().code, ErrorCode::kIo);
+  ASSERT_TRUE(write_file(path_, std::string(100'001, 'a')));
+  EXPECT_EQ(read_file(path_, 100'000).error().code, ErrorCode::kTooLarge);
+  EXPECT_TRUE(read_file(path_, 100'001));
+}
+
+TEST_F(Files, FoldersAreMadeWithThoseAbove) {
+  const fs::path deep = folder_.path() / "a" / "b";
+  ASSERT_TRUE(make_folder(deep));
+  EXPECT_TRUE(fs::is_directory(deep));
+  EXPECT_TRUE(make_folder(deep)) << "it may be there already";
+  EXPECT_TRUE(fs::is_empty(deep)) << "the probe is left";
+  ASSERT_TRUE(write_file(path_, "x"));
+  EXPECT_EQ(make_folder(path_).error().code, ErrorCode::kIo);
+  EXPECT_EQ(make_folder(path_ / "below").error().code, ErrorCode::kIo);
+}
+
+TEST(TemporaryFolders, GoWithEverythingInThem) {
+  fs::path path;
+  {
+    TemporaryFolder first = TemporaryFolder::make("layoutbox-test-").value();
+    path = first.path();
+    ASSERT_TRUE(make_folder(path / "deep"));
+    const TemporaryFolder second = std::move(first);
+    EXPECT_EQ(second.path(), path);
+    EXPECT_TRUE(fs::exists(path));
+  }
+  EXPECT_FALSE(fs::exists(path));
+}
+
+}  // namespace
+}  // namespace layoutbox

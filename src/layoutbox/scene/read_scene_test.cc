@@ -1,0 +1,327 @@
+// Scene files as people and models write them: what is read, and what is said about what cannot be.
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "layoutbox/embedded/schema.h"
+#include "layoutbox/scene/relation_table.h"
+#include "layoutbox/scene/scene_json.h"
+
+namespace layoutbox {
+namespace {
+
+using nlohmann::json;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::UnorderedElementsAre;
+
+// As the paper's authors write a scene.
+json paper_scene() {
+  return json::parse(R"({
+    "metadata": {"projectId": "bedroom_001", "roomType": "bedroom", "units": "m", "axes": {"right": "X+", "forward": "Y+", "up": "Z+"}},
+    "room": {
+      "dims": {"w": 4.0, "d": 3.2, "h": 3.0},
+      "walls": [
+        {"id": "wall1", "start": [0, 0, 0], "end": [4, 0, 0], "thickness": 0.1, "mat": "paint"},
+        {"id": "wall2", "start": [4, 0, 0], "end": [4, 3.2, 0], "thickness": 0.1, "mat": "paint", "mesh": null},
+        {"id": "wall3", "start": [4, 3.2, 0], "end": [0, 3.2, 0], "thickness": 0.1, "mat": "paint", "mesh": {}},
+        {"id": "wall4", "start": [0, 3.2, 0], "end": [0, 0, 0], "thickness": 0.1, "mat": "paint"}
+      ],
+      "openings": [{"id": "door1", "wallId": "Wall1", "offset": 2.9, "w": 0.9, "h": 2.0, "sill": 0}],
+      "floorMat": "oak"
+    },
+    "furniture": [
+      {"id": "bed", "catalogId": "BED-QUEEN", "category": "bed", "dims": {"w": 1.6, "d": 2.0, "h": 0.5, "source": "catalog"},
+       "xform": {"pos": [1.0, 1.5, 0.25], "rot": [0, 0, 90], "scale": [1, 1, 1]}, "mesh": null, "matOverride": "blue", "tags": ["sleeping"]},
+      {"id": "desk", "catalogId": "DESK-1", "category": "desk", "dims": null, "xform": {"pos": [3.0, 1.5, 0], "rot": [0, 0, 0], "scale": [1, 1, 1]}}
+    ],
+    "constraints": [
+      {"id": "bed_left", "type": "offset", "targets": ["bed"], "axis": "X", "distance": 0, "relativeTo": "Wall4"},
+      {"id": "desk_align", "type": "align", "targets": ["desk"], "alignAxis": "Y", "relativeTo": "bed"},
+      {"id": "all_in", "type": "inside", "targets": ["bed", "desk"], "relativeTo": "room"}
+    ],
+    "materials": [{"id": "oak", "color": [0.6, 0.45, 0.3], "tex": null, "roughness": null, "scaleUV": 1}]
+  })");
+}
+
+SceneGraph read(const json& document, std::string_view units = {}) {
+  auto scene = read_scene(document.dump(), units);
+  if (!scene) ADD_FAILURE() << scene.error().pointer << ": " << scene.error().message;
+  return scene.value_or(SceneGraph{});
+}
+
+// Every single error of a document that must not be read.
+std::vector<Error> errors_of_text(const std::string& text) {
+  const auto scene = read_scene(text);
+  if (scene) {
+    ADD_FAILURE() << "was read: " << text;
+    return {};
+  }
+  return scene.error().details.empty() ? std::vector{scene.error()} : scene.error().details;
+}
+std::vector<Error> errors_of(const json& document) { return errors_of_text(document.dump()); }
+
+std::vector<std::string> pointers(const std::vector<Error>& errors) {
+  std::vector<std::string> out;
+  for (const Error& error : errors) out.push_back(error.pointer);
+  return out;
+}
+
+TEST(PaperScene, IsReadUnchanged) {
+  const SceneGraph scene = read(paper_scene());
+  EXPECT_EQ(scene.room.type, "bedroom");
+  EXPECT_EQ(scene.room.height, 3000);
+  EXPECT_EQ(scene.room.polygon, (std::vector<Point>{{0, 0}, {4000, 0}, {4000, 3200}, {0, 3200}}));
+  ASSERT_EQ(scene.room.walls.size(), 4u);
+  ASSERT_EQ(scene.room.openings.size(), 1u);
+  EXPECT_EQ(scene.room.openings[0].wall, "wall1");
+  EXPECT_EQ(scene.room.openings[0].type, OpeningType::kDoor);
+  EXPECT_TRUE(scene.room.openings_given);
+  ASSERT_EQ(scene.objects.size(), 2u);
+  const Size bed{1600, 2000, 500};
+  EXPECT_EQ(scene.objects[0].size, (SizeRange{bed, bed, bed}));
+  EXPECT_EQ(scene.objects[0].hint.rotation_deg, 90);
+  EXPECT_TRUE(scene.objects[0].hint.z_may_be_centre);
+  EXPECT_FALSE(scene.objects[1].size);
+  EXPECT_THAT(scene.relations[0].references, ElementsAre("wall4"));
+  EXPECT_EQ(scene.relations[0].parameters.distance, 0);
+  EXPECT_EQ(scene.relations[1].parameters.axis, Axis::kY);
+  EXPECT_EQ(scene.materials[0].uv_scale, (std::array<double, 2>{1, 1}));
+}
+
+TEST(PaperScene, SizesGoByManyNames) {
+  json scene = paper_scene();
+  scene["furniture"][1]["dims"] = {{"w", 1.2}, {"l", 0.6}, {"h", 0.75}};
+  EXPECT_EQ(read(scene).objects[1].size->usual, (Size{1200, 600, 750}));
+  scene["furniture"][1]["dims"] = {{"width", 1.2}, {"depth", 0.6}, {"height", 0.75}};
+  EXPECT_EQ(read(scene).objects[1].size->usual, (Size{1200, 600, 750}));
+  scene["furniture"][1]["dims"] = {{"length", 1.2}, {"d", 0.6}, {"height", 0.75}};
+  EXPECT_EQ(read(scene).objects[1].size->usual, (Size{1200, 600, 750}));
+  scene["furniture"][1]["dims"] = {1.2, 0.6, 0.75};
+  const SceneGraph listed = read(scene);
+  EXPECT_EQ(listed.objects[1].size->usual, (Size{1200, 600, 750}));
+  EXPECT_THAT(listed.notes, testing::Contains(testing::Field(&Note::pointer, "/furniture/1/dims")));
+  scene["furniture"][1]["dims"] = {{"w", 1.2}};
+  EXPECT_EQ(read(scene).objects[1].size->usual, (Size{1200, 0, 0})) << "unknown sides stay unknown";
+}
+
+TEST(PaperScene, UnitsAreConverted) {
+  json scene = paper_scene();
+  scene["metadata"]["units"] = "cm";
+  scene["room"] = {{"dims", {{"w", 400}, {"d", 320}, {"h", 300}}}, {"openings", {{{"id", "w"}, {"type", "window"}, {"w", 120}, {"h", 100}, {"sill", 90}}}}};
+  scene["furniture"][0]["dims"] = {{"w", 160}, {"d", 200}, {"h", 50}};
+  scene["furniture"][0]["xform"]["pos"] = {100, 150, 25};
+  scene["constraints"][0]["distance"] = 60;
+  const SceneGraph in_cm = read(scene);
+  EXPECT_EQ(in_cm.room.polygon[2], (Point{4000, 3200}));
+  EXPECT_EQ(in_cm.room.height, 3000);
+  EXPECT_EQ(in_cm.room.openings[0].sill, 900);
+  EXPECT_EQ(in_cm.objects[0].size->usual.width, 1600);
+  EXPECT_EQ(in_cm.objects[0].hint.position, (std::array<double, 3>{1000, 1500, 250}));
+  EXPECT_EQ(in_cm.relations[0].parameters.distance, 600);
+  EXPECT_EQ(read(scene, "mm").room.polygon[2], (Point{400, 320})) << "the caller's units win";
+  scene["metadata"]["units"] = "ft";
+  scene["room"] = {{"dims", {{"w", 10}, {"d", 10}, {"h", 8}}}};
+  scene["furniture"] = json::array();
+  scene["constraints"] = json::array();
+  EXPECT_EQ(read(scene).room.polygon[2], (Point{3048, 3048}));
+  EXPECT_EQ(read_scene(scene.dump(), "parsec").error().code, ErrorCode::kUsage);
+}
+
+TEST(PaperScene, YUpFilesAreTurned) {
+  json scene = paper_scene();
+  scene["metadata"]["axes"] = {{"right", "X+"}, {"forward", "Z-"}, {"up", "Y+"}};
+  scene["room"].erase("walls");
+  scene["furniture"][0]["xform"] = {{"pos", {1.0, 0.25, -1.5}}, {"rot", {0, 90, 0}}};
+  scene["constraints"][1]["alignAxis"] = "Z";
+  const SceneGraph turned = read(scene);
+  EXPECT_EQ(turned.objects[0].hint.position, (std::array<double, 3>{1000, 1500, 250}));
+  EXPECT_EQ(turned.objects[0].hint.rotation_deg, 90);
+  EXPECT_EQ(turned.relations[1].parameters.axis, Axis::kY);
+}
+
+TEST(PaperScene, LeftHandedFilesTurnTheOtherWay) {
+  json scene = paper_scene();
+  scene["metadata"]["axes"] = {{"right", "X+"}, {"forward", "Z+"}, {"up", "Y+"}};
+  scene["room"]["walls"][2] = {{"id", "wall3"}, {"start", {4, 0, 3.2}}, {"end", {0, 0, 3.2}}};
+  scene["room"]["walls"][1]["end"] = {4, 0, 3.2};
+  scene["room"]["walls"][3]["start"] = {0, 0, 3.2};
+  scene["furniture"][0]["xform"] = {{"pos", {1.0, 0.25, 1.5}}, {"rot", {0, 90, 0}}};
+  const SceneGraph turned = read(scene);
+  EXPECT_EQ(turned.room.walls[2].start, (Point{4000, 3200}));
+  EXPECT_EQ(turned.objects[0].hint.position, (std::array<double, 3>{1000, 1500, 250}));
+  EXPECT_EQ(turned.objects[0].hint.rotation_deg, 270);
+}
+
+TEST(PaperScene, ColoursOf255AreRead) {
+  json scene = paper_scene();
+  scene["materials"] = {{{"id", "a"}, {"color", {255, 0, 51}}}, {{"id", "b"}, {"color", {1, 0, 1}}, {"scaleUV", {1, 1}}}};
+  const SceneGraph colours = read(scene);
+  EXPECT_EQ(colours.materials[0].color, (Color{1, 0, 0.2}));
+  EXPECT_EQ(colours.materials[1].color, (Color{1, 0, 1}));
+}
+
+TEST(PaperScene, NamesAreReadInAnyCase) {
+  json scene = paper_scene();
+  scene["constraints"][0]["type"] = "group_align";
+  scene["constraints"][0]["relativeTo"] = "WALL_4";
+  scene["constraints"][2]["targets"] = "Desk";
+  scene["furniture"][0]["mount"] = "Floor";
+  const SceneGraph named = read(scene);
+  EXPECT_EQ(named.relations[0].type, RelationType::kGroupAlign);
+  EXPECT_THAT(named.relations[0].references, ElementsAre("wall4"));
+  EXPECT_THAT(named.relations[2].targets, ElementsAre("desk"));
+  EXPECT_EQ(named.objects[0].mount, Mount::kFloor);
+}
+
+TEST(PaperScene, MissingMembersAreMissing) {
+  const SceneGraph scene = read({{"room", json::object()}, {"furniture", json::array()}});
+  EXPECT_THAT(scene.room.polygon, IsEmpty());
+  EXPECT_EQ(scene.room.height, 0);
+  EXPECT_FALSE(scene.room.openings_given);
+  EXPECT_THAT(scene.relations, IsEmpty());
+}
+
+TEST(BadScene, BrokenJsonIsPlaced) {
+  const auto broken = errors_of_text("{\n  \"room\": {},\n  \"furniture\": [,]\n}");
+  EXPECT_EQ(broken.at(0).code, ErrorCode::kParse);
+  EXPECT_THAT(broken[0].message, HasSubstr("line 3, column 17"));
+  EXPECT_THAT(errors_of_text("{\"room\": {\"height\": NaN}}").at(0).message, HasSubstr("NaN"));
+  EXPECT_THAT(errors_of_text("{\"room\": {\"height\": -Infinity}}").at(0).message, HasSubstr("Infinity"));
+  EXPECT_THAT(errors_of_text("{\"room\": {\"height\": 1e999}}").at(0).message, HasSubstr("1e999"));
+  EXPECT_THAT(errors_of_text("{\"room\": {}").at(0).hint, HasSubstr("ends too early"));
+  EXPECT_THAT(errors_of_text("").at(0).message, HasSubstr("empty"));
+  EXPECT_EQ(errors_of_text(std::string("{\"a\": \"\xFF\"}")).at(0).code, ErrorCode::kParse);
+}
+
+TEST(BadScene, RepeatedKeysAndDeepNestingAreErrors) {
+  const auto twice = errors_of_text("{\"room\": {\"dims\": {\"w\": 1, \"w\": 2}}}");
+  EXPECT_THAT(twice.at(0).message, HasSubstr("\"w\" is given twice"));
+  EXPECT_EQ(twice[0].pointer, "/room/dims/w");
+  EXPECT_THAT(errors_of_text(std::string(100'000, '[')).at(0).message, HasSubstr("deep"));
+}
+
+TEST(BadScene, AllErrorsComeAtOnce) {
+  json scene = paper_scene();
+  scene["furniture"][0]["dims"]["w"] = -1;
+  scene["furniture"][1]["categroy"] = "desk";
+  scene["room"]["dims"]["w"] = "4";
+  scene["constraints"][1]["type"] = "alignn";
+  const auto errors = errors_of(scene);
+  EXPECT_THAT(pointers(errors), UnorderedElementsAre("/furniture/0/dims/w", "/furniture/1/categroy", "/room/dims/w", "/constraints/1/type"));
+  for (const Error& error : errors) {
+    EXPECT_EQ(error.code, ErrorCode::kSchema) << error.message;
+    EXPECT_THAT(error.hint, testing::Not(IsEmpty())) << error.message;
+    if (error.pointer == "/furniture/1/categroy") {
+      EXPECT_THAT(error.hint, HasSubstr("\"category\""));
+    }
+    if (error.pointer == "/constraints/1/type") {
+      EXPECT_THAT(error.hint, HasSubstr("\"align\""));
+    }
+    if (error.pointer == "/room/dims/w") {
+      EXPECT_THAT(error.message, HasSubstr("a number"));
+    }
+  }
+}
+
+struct BadCase {
+  const char* patch;      // merged into the paper's scene (RFC 7396, but null stays null by absence)
+  const char* pointer;
+  ErrorCode code;
+  const char* says;
+};
+
+class BadScenes : public testing::TestWithParam<BadCase> {};
+
+TEST_P(BadScenes, AreNamed) {
+  json scene = paper_scene();
+  scene.merge_patch(json::parse(GetParam().patch));
+  const auto errors = errors_of(scene);
+  ASSERT_EQ(errors.size(), 1u) << testing::PrintToString(pointers(errors));
+  EXPECT_EQ(errors[0].pointer, GetParam().pointer);
+  EXPECT_EQ(errors[0].code, GetParam().code) << errors[0].message;
+  EXPECT_THAT(errors[0].message + " / " + errors[0].hint, HasSubstr(GetParam().says));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Cases, BadScenes,
+    testing::Values(
+        BadCase{R"({"room": {"dims": {"w": 0}}})", "/room/dims/w", ErrorCode::kSchema, "above 0"},
+        BadCase{R"({"room": {"dims": {"w": 10000}}})", "/room/dims/w", ErrorCode::kSchema, "units"},
+        BadCase{R"({"room": {"dims": 7}})", "/room/dims", ErrorCode::kSchema, "an object"},
+        BadCase{R"({"room": 7})", "/room", ErrorCode::kSchema, "an object"},
+        BadCase{R"({"furniture": {"bed": 1}})", "/furniture", ErrorCode::kSchema, "a list"},
+        BadCase{R"({"furnitures": []})", "/furnitures", ErrorCode::kSchema, "did you mean \"furniture\""},
+        BadCase{R"({"metadata": {"units": "furlong"}})", "/metadata/units", ErrorCode::kSchema, "cm"},
+        BadCase{R"({"constraints": [{"type": "near", "targets": ["bed"], "relativeTo": "dsk"}]})", "/constraints/0/relativeTo", ErrorCode::kReference,
+                "did you mean \"desk\""},
+        BadCase{R"({"constraints": [{"type": "onCeiling", "targets": ["nobody"]}]})", "/constraints/0/targets/0", ErrorCode::kReference, "nobody"},
+        BadCase{R"({"constraints": [{"type": "near", "targets": ["bed"]}]})", "/constraints/0", ErrorCode::kSchema, "relativeTo"},
+        BadCase{R"({"constraints": [{"type": "near", "targets": ["bed"], "relativeTo": "bed"}]})", "/constraints/0/relativeTo", ErrorCode::kReference, "itself"},
+        BadCase{R"({"constraints": [{"type": "near", "targets": [], "relativeTo": "bed"}]})", "/constraints/0/targets", ErrorCode::kSchema, "at least 1"},
+        BadCase{R"({"furniture": [{"id": "a", "category": "bed"}, {"id": "a", "category": "bed"}], "constraints": []})", "/furniture/1",
+                ErrorCode::kReference, "twice"},
+        BadCase{R"({"furniture": [{"id": "a", "category": "bed", "dims": {"w": 51}}], "constraints": []})", "/furniture/0/dims/w", ErrorCode::kSchema, "at most 50"},
+        BadCase{R"({"furniture": [{"id": "a"}], "constraints": []})", "/furniture/0", ErrorCode::kSchema, "category"},
+        BadCase{R"({"furniture": [{"id": "a", "category": "bed", "fixed": true}], "constraints": []})", "/furniture/0/xform", ErrorCode::kSchema, "no place"},
+        BadCase{R"({"furniture": [{"id": "a", "category": "bed", "xform": {"scale": [1, -1, 1]}}], "constraints": []})", "/furniture/0/xform/scale/1",
+                ErrorCode::kSchema, "above 0"},
+        BadCase{R"({"room": {"openings": [{"id": "d", "wallId": "wall1", "offset": 3.5, "w": 0.9}]}})", "/room/openings/0", ErrorCode::kGeometry, "4 m long"},
+        BadCase{R"({"room": {"openings": [{"id": "d", "wallId": "wall7"}]}})", "/room/openings/0", ErrorCode::kReference, "wall7"},
+        BadCase{R"({"room": {"openings": [{"id": "bed"}]}})", "/room/openings/0", ErrorCode::kReference, "twice"},
+        BadCase{R"({"room": {"polygon": [[0, 0], [4, 3], [4, 0], [0, 3]], "walls": [], "openings": []}, "constraints": []})", "/room/polygon", ErrorCode::kGeometry, "crosses"},
+        BadCase{R"({"materials": [{"id": "a", "color": [1, 1]}]})", "/materials/0/color", ErrorCode::kSchema, "3 items"},
+        BadCase{R"({"materials": [{"id": "a", "color": [-1, 0, 0]}]})", "/materials/0/color/0", ErrorCode::kSchema, "at least 0"},
+        BadCase{R"({"format": "layoutbox/scene@2"})", "/format", ErrorCode::kSchema, "layoutbox/scene@1"}));
+
+TEST(BadScene, AWallThatDoesNotMeetIsNamedWithItsGap) {
+  json scene = paper_scene();
+  scene["room"]["walls"][1]["end"] = {4, 3.0, 0};
+  const auto errors = errors_of(scene);
+  ASSERT_EQ(errors.size(), 1u);
+  EXPECT_EQ(errors[0].code, ErrorCode::kGeometry);
+  EXPECT_EQ(errors[0].pointer, "/room/walls/1");
+  EXPECT_THAT(errors[0].message, HasSubstr("0.2 m"));
+}
+
+TEST(BadScene, TooManyObjectsAreRefused) {
+  json scene = paper_scene();
+  scene["constraints"] = json::array();
+  scene["furniture"] = json::array();
+  for (int i = 0; i < 2001; ++i) scene["furniture"].push_back({{"id", "a" + std::to_string(i)}, {"category", "bed"}});
+  const auto errors = errors_of(scene);
+  ASSERT_EQ(errors.size(), 1u);
+  EXPECT_EQ(errors[0].code, ErrorCode::kTooLarge);
+  scene["furniture"].erase(2000);
+  EXPECT_TRUE(read_scene(scene.dump()));
+}
+
+TEST(SceneSchema, KnowsExactlyTheRelationsOfTheTable) {
+  const json schema = json::parse(embedded::scene_schema_json);
+  std::vector<std::string> table;
+  for (const RelationRow& row : relation_table()) table.emplace_back(row.name);
+  EXPECT_THAT(schema["definitions"]["relationType"]["enum"].get<std::vector<std::string>>(), testing::ElementsAreArray(table));
+}
+
+TEST(Documents, AreToldApart) {
+  EXPECT_EQ(kind_of_document(paper_scene().dump()).value(), "scene");
+  EXPECT_EQ(kind_of_document(R"({"format": "layoutbox/layout@1"})").value(), "layout");
+  EXPECT_EQ(kind_of_document(R"({"room": {}, "objects": []})").value(), "layout");
+  EXPECT_EQ(kind_of_document(R"({"format": "other"})").error().pointer, "/format");
+  EXPECT_FALSE(kind_of_document("[]"));
+  EXPECT_FALSE(kind_of_document("{}"));
+}
+
+TEST(Rooms, AreReadAlone) {
+  const auto room = read_room(R"({"dims": {"width": 500, "depth": 400, "height": 250}, "openings": [{"id": "d", "wall": "back", "offset": 100}]})", "cm");
+  ASSERT_TRUE(room) << room.error().message;
+  EXPECT_EQ(room->polygon[2], (Point{5000, 4000}));
+  EXPECT_EQ(room->openings[0].offset, 1000);
+  EXPECT_TRUE(read_room(paper_scene().dump())) << "a whole file gives its room";
+  EXPECT_EQ(read_room(R"({"dims": {"w": -1, "d": 2}})").error().pointer, "/dims/w");
+  EXPECT_FALSE(read_room("[1]"));
+}
+
+}  // namespace
+}  // namespace layoutbox
