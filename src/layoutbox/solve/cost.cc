@@ -150,6 +150,8 @@ int walk_permille(const Model& model, const Placements& placements) {
   return raster.largest_permille();
 }
 
+std::int64_t walk_cost(int permille) { return kPoint * kCostWeights.walk * std::max(0, 998 - permille); }
+
 std::map<std::string, std::int64_t> cost_terms(const Model& model, const Placements& placements) {
   std::map<std::string, std::int64_t> terms{{"habits", 0}, {"relations", 0}, {"access", 0}, {"ways", 0}, {"sizes", 0}};
   for (const Constraint& constraint : model.constraints) {
@@ -164,7 +166,7 @@ std::map<std::string, std::int64_t> cost_terms(const Model& model, const Placeme
     terms["access"] += access_cost_of(model, static_cast<int>(i), placements);
     terms["sizes"] += std::int64_t{kPoint} * kCostWeights.size_step * model.items[i].states[placements[i].state].size_step;
   }
-  terms["ways"] = std::int64_t{kPoint} * kCostWeights.walk * std::max(0, 998 - walk_permille(model, placements));
+  terms["ways"] = walk_cost(walk_permille(model, placements));
   return terms;
 }
 

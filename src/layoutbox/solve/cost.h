@@ -32,11 +32,8 @@ std::int64_t access_cost_of(const Model& model, int item, const Placements& plac
 
 // Thousandths of the free floor that hang together for a person 0.2 m wide (largest part of all).
 int walk_permille(const Model& model, const Placements& placements);
+std::int64_t walk_cost(int permille);
 
-struct CostTerm {
-  std::int64_t cost = 0;
-  std::int64_t most = 0;  // when nothing of it is held
-};
 // All terms by name, for the layout's score.
 std::map<std::string, std::int64_t> cost_terms(const Model& model, const Placements& placements);
 

@@ -74,6 +74,7 @@ struct Case {
 // One of the cases holds. No case at all: it can never hold.
 struct Formula {
   std::vector<Case> cases;
+  std::vector<int> items;  // all that it speaks of; filled by build_model
   Case& add() { return cases.emplace_back(); }
 };
 
@@ -91,6 +92,7 @@ struct Constraint {
   Firmness firmness = Firmness::kHard;
   std::int32_t weight = 100;   // soft: points per metre missed; hard: the price of giving it up
   std::vector<Formula> formulas;
+  std::vector<int> hosts;      // habits: the items that are to be placed first
 };
 
 }  // namespace layoutbox::placement

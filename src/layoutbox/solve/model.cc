@@ -269,20 +269,27 @@ void set_pair_rules(Model& model) {
   }
 }
 
+std::vector<int> items_of(const Formula& formula) {
+  std::set<int> items;
+  for (const Case& one : formula.cases) {
+    for (const StateLiteral& literal : one.states) items.insert(literal.item);
+    for (const Linear& form : one.at_least_zero) {
+      for (const Term& term : form.terms) items.insert(term.item);
+    }
+    for (const Preference& wish : one.wishes) {
+      for (const Term& term : wish.form.terms) items.insert(term.item);
+    }
+  }
+  return {items.begin(), items.end()};
+}
+
 void index_constraints(Model& model) {
   model.touching.assign(model.items.size(), {});
   for (std::size_t c = 0; c < model.constraints.size(); ++c) {
     std::set<int> items;
-    for (const Formula& formula : model.constraints[c].formulas) {
-      for (const Case& one : formula.cases) {
-        for (const StateLiteral& literal : one.states) items.insert(literal.item);
-        for (const Linear& form : one.at_least_zero) {
-          for (const Term& term : form.terms) items.insert(term.item);
-        }
-        for (const Preference& wish : one.wishes) {
-          for (const Term& term : wish.form.terms) items.insert(term.item);
-        }
-      }
+    for (Formula& formula : model.constraints[c].formulas) {
+      formula.items = items_of(formula);
+      items.insert(formula.items.begin(), formula.items.end());
     }
     for (const int item : items) model.touching[item].push_back(static_cast<int>(c));
   }
@@ -385,18 +392,7 @@ std::int64_t value_of(const Model& model, const Linear& form, const Placements& 
 }
 
 bool all_placed(const Formula& formula, const Placements& placements) {
-  const auto placed = [&](int item) { return placements[item].state >= 0; };
-  for (const Case& one : formula.cases) {
-    for (const StateLiteral& literal : one.states) {
-      if (!placed(literal.item)) return false;
-    }
-    for (const Linear& form : one.at_least_zero) {
-      for (const Term& term : form.terms) {
-        if (!placed(term.item)) return false;
-      }
-    }
-  }
-  return true;
+  return std::all_of(formula.items.begin(), formula.items.end(), [&](int item) { return placements[item].state >= 0; });
 }
 
 std::int64_t miss_of(const Model& model, const Formula& formula, const Placements& placements) {

@@ -111,6 +111,7 @@ Result<Model> build_model(const SceneGraph& scene, const Catalog& catalog, const
 struct Placement {
   int state = -1;  // −1: not placed
   Vec3 at{};       // low corner
+  friend bool operator==(const Placement&, const Placement&) = default;
 };
 using Placements = std::vector<Placement>;
 

@@ -7,6 +7,12 @@
 namespace layoutbox::placement {
 namespace {
 
+// It speaks of something that is not there.
+bool option_missing(const SupportOption& option, const Placements& placements) {
+  const bool other = option.kind == SupportOption::Kind::kItem || option.kind == SupportOption::Kind::kSill;
+  return other && placements[option.index].state < 0;
+}
+
 // Which of the item's supports holds where it is; the nearest to holding where none does exactly.
 std::string supporter_of(const Model& model, int index, const Placements& placements) {
   const Item& item = model.items[index];
@@ -14,9 +20,9 @@ std::string supporter_of(const Model& model, int index, const Placements& placem
   std::size_t best = 0;
   std::int64_t least = std::numeric_limits<std::int64_t>::max();
   for (std::size_t k = 0; k < formula.cases.size(); ++k) {
+    if (option_missing(item.supports[k], placements)) continue;
     Formula one;
     one.cases.push_back(formula.cases[k]);
-    if (!all_placed(one, placements)) continue;
     const std::int64_t miss = miss_of(model, one, placements);
     if (miss < least) least = miss, best = k;
   }

@@ -1,208 +1,389 @@
 // What the catalogue knows of good rooms, as soft constraints in the same small form as the relations.
+#include <cmath>
+
 #include "layoutbox/solve/compile/phrases.h"
 
 namespace layoutbox::placement {
 namespace {
 
-// Points per metre missed.
-constexpr int kBackToWall = 900, kBeside = 500, kFaces = 600, kAtWall = 150, kRug = 300, kHint = 800, kOpeningPlace = 80, kAbove = 200;
+// Points per metre missed; docs/solve.md says where they come from.
+constexpr int kBackToWall = 900, kBeside = 500, kFaces = 600, kAtWall = 150, kRug = 300, kHint = 800, kOpeningPlace = 80, kHangs = 200,
+              kSits = 400, kCurtain = 900, kMiddle = 40, kLight = 25;
 
-Constraint& habit(Model& model, std::string name, int weight) {
-  Constraint& c = model.constraints.emplace_back();
-  c.name = std::move(name);
-  c.firmness = Firmness::kSoft;
-  c.weight = weight;
-  return c;
+const std::vector<std::string> kUnderPictures{"fireplace", "bed", "sofa", "sideboard", "console_table", "dresser", "desk", "tv_stand", "cabinet"};
+const std::vector<std::string> kUnderMirrors{"sink", "vanity", "dresser", "console_table", "sideboard"};
+const std::vector<std::string> kUnderLamps{"dining_table", "kitchen_island", "conference_table", "table", "coffee_table", "bed"};
+const std::vector<std::string> kOnRugs{"coffee_table", "dining_table", "bed", "crib", "table", "sofa", "desk"};
+
+bool has_family(const Item& item, std::initializer_list<std::string_view> families) {
+  return item.entry && std::find(families.begin(), families.end(), item.entry->shape.family) != families.end();
 }
 
-std::vector<int> items_of_kinds(const Model& model, const std::vector<std::string>& kinds, int except) {
-  std::vector<int> found;
-  for (const std::string& kind : kinds) {
-    for (std::size_t i = 0; i < model.items.size(); ++i) {
-      const int index = static_cast<int>(i);
-      if (index != except && model.is_a(index, kind) && std::find(found.begin(), found.end(), index) == found.end()) found.push_back(index);
+bool is_table_seat(const Item& item) { return has_family(item, {"chair", "office_chair", "stool"}); }
+bool is_easy_chair(const Item& item) { return has_family(item, {"armchair", "recliner"}); }
+
+bool has_knee_room(const Item& item) {
+  return std::any_of(item.spaces.begin(), item.spaces.end(), [](const ItemSpace& s) { return !s.carries; });
+}
+
+std::int64_t area_of(const Item& item) { return std::int64_t{item.states[0].size.width} * item.states[0].size.depth; }
+
+// Twice the middle of the floor's extent.
+Linear room_mid2(const Model& model, int axis) { return {std::int64_t{model.room.lo[axis]} + model.room.hi[axis]}; }
+
+class Habits {
+ public:
+  explicit Habits(Model& model) : model_(model) {}
+
+  void add(int index) {
+    const Item& item = model_.items[index];
+    if (item.is_opening()) {
+      open_well(index);
+      return;
     }
-  }
-  return found;
-}
-
-// The how-manieth of its kind this is.
-int rank_of(const Model& model, int item) {
-  int rank = 0;
-  for (int i = 0; i < item; ++i) rank += model.items[i].entry == model.items[item].entry;
-  return rank;
-}
-
-// Does a relation of the scene already say where these two stand to each other?
-bool related(const Model& model, int a, int b) {
-  const auto has = [](const std::vector<std::string>& ids, const std::string& id) { return std::find(ids.begin(), ids.end(), id) != ids.end(); };
-  const std::string &x = model.items[a].id, &y = model.items[b].id;
-  return std::any_of(model.scene->relations.begin(), model.scene->relations.end(), [&](const Relation& r) {
-    return (has(r.targets, x) && has(r.references, y)) || (has(r.targets, y) && has(r.references, x));
-  });
-}
-
-bool is_placed_by_relation(const Model& model, int item) {
-  return std::any_of(model.scene->relations.begin(), model.scene->relations.end(), [&](const Relation& r) {
-    return std::find(r.targets.begin(), r.targets.end(), model.items[item].id) != r.targets.end();
-  });
-}
-
-bool is_seat(const Item& item) { return item.entry && item.entry->shape.family == "chair"; }
-
-void stand_back_to_wall(Model& model, int item) {
-  Formula f;
-  for (const RoomWall& wall : model.walls) add_against(f, model, item, wall, Side::kBack, 20);
-  habit(model, "back to wall: " + model.items[item].id, kBackToWall).formulas.push_back(std::move(f));
-}
-
-void stand_at_wall(Model& model, int item) {
-  Formula f;
-  for (const RoomWall& wall : model.walls) {
-    if (wall.straight) require_within_wall(f.add(), item, wall, 100);
-  }
-  habit(model, "at a wall: " + model.items[item].id, kAtWall).formulas.push_back(std::move(f));
-}
-
-// By one of the things it goes with: a seat at its table, a nightstand beside its bed, a table before its sofa.
-void stand_beside(Model& model, int item) {
-  const std::vector<int> hosts = items_of_kinds(model, model.items[item].entry->beside, item);
-  if (hosts.empty()) return;
-  for (const int host : hosts) {
-    if (related(model, item, host)) return;
-  }
-  const int host = hosts[rank_of(model, item) % hosts.size()];
-  const Item& ref = model.items[host];
-  if (ref.thin || ref.is_opening()) return;
-  Formula f;
-  if (is_seat(model.items[item]) && std::any_of(ref.spaces.begin(), ref.spaces.end(), [](const ItemSpace& s) { return !s.carries; })) {
-    for (const Side side : {Side::kFront, Side::kBack, Side::kLeft, Side::kRight}) {
-      if (side == Side::kFront || !ref.entry->back_to_wall) add_tucked(f, model, item, host, side, 50, 300);
+    if (item.fixed) return;
+    keep_hint(index);
+    switch (item.mount) {
+      case Mount::kCeiling: hang_from_ceiling(index); return;
+      case Mount::kWall: hang_on_wall(index); return;
+      case Mount::kSurface: sit_on_host(index); return;
+      case Mount::kHung: return;
+      case Mount::kFloor: break;
     }
-  } else if (model.is_a(item, "coffee_table") || model.is_a(item, "ottoman") || model.is_a(item, "bench")) {
-    add_beyond(f, model, item, host, Side::kFront, 600, model.is_a(item, "coffee_table") ? 400 : 100);
-  } else {
-    add_beyond(f, model, item, host, Side::kLeft, 500, 60);
-    add_beyond(f, model, item, host, Side::kRight, 500, 60);
-    if (!ref.has_front) add_beyond(f, model, item, host, Side::kFront, 500, 60);
+    if (item.thin) {
+      if (!placed_by_relation(index)) lie_under(index);
+      return;
+    }
+    stand(index);
   }
-  habit(model, "beside: " + model.items[item].id, kBeside).formulas.push_back(std::move(f));
-}
 
-void look_at(Model& model, int item) {
-  const std::vector<int> seen = items_of_kinds(model, model.items[item].entry->faces, item);
-  for (const int other : seen) {
-    if (related(model, item, other) && !is_seat(model.items[item])) continue;
+ private:
+  void stand(int index) {
+    const Item& item = model_.items[index];
+    sit_on_host(index);
+    const bool with_host = stand_beside(index);
+    look_at(index);
+    if (item.entry->back_to_wall) {
+      back_to_wall(index);
+    } else if (!with_host && !placed_by_relation(index)) {
+      if (used_sides(item).size() >= 4) {
+        stand_in_middle(index);
+      } else {
+        stand_at_wall(index);
+      }
+    }
+    if (model_.is_a(index, "desk")) near_light(index);
+  }
+
+  Constraint& habit(const std::string& what, int item, int weight, Formula formula, std::vector<int> hosts = {}) {
+    Constraint& c = model_.constraints.emplace_back();
+    c.name = what + ": " + model_.items[item].id;
+    c.firmness = Firmness::kSoft;
+    c.weight = weight;
+    c.formulas.push_back(std::move(formula));
+    c.hosts = std::move(hosts);
+    return c;
+  }
+
+  static std::vector<Side> used_sides(const Item& item) { return item.object->used_sides.value_or(item.entry->used_sides); }
+
+  std::vector<int> items_of_kinds(const std::vector<std::string>& kinds, int except) const {
+    std::vector<int> found;
+    for (const std::string& kind : kinds) {
+      for (std::size_t i = 0; i < model_.items.size(); ++i) {
+        const int index = static_cast<int>(i);
+        if (index != except && model_.is_a(index, kind) && std::find(found.begin(), found.end(), index) == found.end()) found.push_back(index);
+      }
+    }
+    return found;
+  }
+
+  // The how-manieth of its kind this is.
+  int rank_of(int item) const {
+    int rank = 0;
+    for (int i = 0; i < item; ++i) rank += model_.items[i].entry == model_.items[item].entry;
+    return rank;
+  }
+
+  // Does a relation of the scene already say how these two stand to each other?
+  bool related(int a, int b) const {
+    const auto has = [](const std::vector<std::string>& ids, const std::string& id) { return std::find(ids.begin(), ids.end(), id) != ids.end(); };
+    const std::string &x = model_.items[a].id, &y = model_.items[b].id;
+    return std::any_of(model_.scene->relations.begin(), model_.scene->relations.end(), [&](const Relation& r) {
+      return (has(r.targets, x) && has(r.references, y)) || (has(r.targets, y) && has(r.references, x));
+    });
+  }
+
+  bool placed_by_relation(int item) const {
+    return std::any_of(model_.scene->relations.begin(), model_.scene->relations.end(), [&](const Relation& r) {
+      return std::find(r.targets.begin(), r.targets.end(), model_.items[item].id) != r.targets.end();
+    });
+  }
+
+  void back_to_wall(int item) {
     Formula f;
-    add_looks_at(f, model, item, other);
-    habit(model, "faces: " + model.items[item].id, kFaces).formulas.push_back(std::move(f));
-    return;
+    for (const RoomWall& wall : model_.walls) add_against(f, model_, item, wall, Side::kBack, 20);
+    habit("back to wall", item, kBackToWall, std::move(f));
   }
-}
 
-// A rug lies under what stands in the middle of things, else in the middle of the room.
-void lie_under(Model& model, int item) {
-  const std::vector<int> over = items_of_kinds(model, {"coffee_table", "dining_table", "bed", "sofa", "table"}, item);
-  Formula f;
-  Case& c = f.add();
-  for (int axis = 0; axis < 2; ++axis) {
-    const Linear middle = over.empty() ? Linear(std::int64_t{model.room.lo[axis]} + model.room.hi[axis]) : mid2(over[0], axis);
-    c.wish(mid2(item, axis) - middle, kRug, 2);
+  // Small things at walls, best in corners; a plant in the middle of a room is in the way.
+  void stand_at_wall(int item) {
+    Formula f;
+    for (std::size_t i = 0; i < model_.walls.size(); ++i) {
+      const RoomWall &a = model_.walls[i], &b = model_.walls[(i + 1) % model_.walls.size()];
+      if (!a.straight) continue;
+      require_within_wall(f.add(), item, a, 100);
+      f.cases.back().price = 60;
+      if (!b.straight || a.along == b.along) continue;
+      Case& corner = f.add();
+      require_within_wall(corner, item, a, 150);
+      require_within_wall(corner, item, b, 150);
+    }
+    habit("at a wall", item, kAtWall, std::move(f));
   }
-  habit(model, "rug: " + model.items[item].id, kRug).formulas.push_back(std::move(f));
-}
 
-void hang_well(Model& model, int item) {
-  const Item& self = model.items[item];
-  if (self.mount == Mount::kWall) {
+  void stand_in_middle(int item) {
+    Formula f;
+    Case& c = f.add();
+    for (int axis = 0; axis < 2; ++axis) c.wish(mid2(item, axis) - room_mid2(model_, axis), kMiddle, 2);
+    habit("in the middle", item, kMiddle, std::move(f));
+  }
+
+  void near_light(int item) {
+    Formula f;
+    std::vector<int> windows;
+    for (std::size_t i = 0; i < model_.items.size(); ++i) {
+      const Item& other = model_.items[i];
+      if (!other.is_opening() || other.opening->type != OpeningType::kWindow) continue;
+      Case& c = f.add();
+      windows.push_back(static_cast<int>(i));
+      for (int axis = 0; axis < 2; ++axis) c.wish(mid2(item, axis) - mid2(windows.back(), axis), kLight, 2);
+    }
+    if (!windows.empty()) habit("near light", item, kLight, std::move(f));
+  }
+
+  // By one of the greater things it goes with: a seat at its table, a nightstand beside its bed, a table before its sofa.
+  bool stand_beside(int item) {
+    const Item& self = model_.items[item];
+    std::vector<int> hosts = items_of_kinds(self.entry->beside, item);
+    std::erase_if(hosts, [&](int h) { return model_.items[h].thin || area_of(model_.items[h]) <= area_of(self); });
+    if (hosts.empty()) return false;
+    if (std::any_of(hosts.begin(), hosts.end(), [&](int h) { return related(item, h); })) return true;
+    // Hosts of the best kind only: a lamp by the sofa rather than by the desk.
+    std::erase_if(hosts, [&](int h) { return model_.items[h].entry != model_.items[hosts[0]].entry; });
+    const int host = hosts[rank_of(item) % static_cast<int>(hosts.size())];
+    const Item& ref = model_.items[host];
+    Formula f;
+    if (is_table_seat(self) && has_knee_room(ref)) {
+      for (const Side side : {Side::kFront, Side::kBack, Side::kLeft, Side::kRight}) {
+        if (!ref.has_front || side == used_side(ref)) add_tucked(f, model_, item, host, side, 50, self.states[0].size.depth * 6 / 10);
+      }
+    } else if (before_its_host(item)) {
+      add_beyond(f, model_, item, host, Side::kFront, 600, model_.is_a(item, "coffee_table") ? 400 : 100);
+    } else {
+      add_beyond(f, model_, item, host, Side::kLeft, 500, 60);
+      add_beyond(f, model_, item, host, Side::kRight, 500, 60);
+      if (!ref.has_front) {
+        add_beyond(f, model_, item, host, Side::kFront, 500, 60);
+        add_beyond(f, model_, item, host, Side::kBack, 500, 60);
+      }
+    }
+    habit("beside", item, kBeside, std::move(f), {host});
+    return true;
+  }
+
+  static Side used_side(const Item& item) {
+    const std::vector<Side> used = used_sides(item);
+    return used.empty() ? Side::kFront : used[0];
+  }
+
+  bool before_its_host(int item) const {
+    return model_.is_a(item, "coffee_table") || model_.is_a(item, "ottoman") || model_.is_a(item, "bench") || model_.is_a(item, "pouf");
+  }
+
+  // Its front to what it is for: sofas to screens, easy chairs to the table between.
+  void look_at(int item) {
+    const Item& self = model_.items[item];
+    if (!self.has_front) return;
+    const std::vector<int> seen = items_of_kinds(self.entry->faces, item);
+    for (const int other : seen) {
+      if (model_.items[other].mount != Mount::kFloor && model_.items[other].mount != Mount::kWall && seen.size() > 1 && other != seen[0]) continue;
+      Formula f;
+      add_looks_at(f, model_, item, other);
+      if (is_easy_chair(self) && !related(item, other)) {
+        for (Case& c : f.cases) {  // near enough to put a cup down
+          for (int axis = 0; axis < 2; ++axis) c.wish(mid2(item, axis) - mid2(other, axis), 60, 2);
+        }
+      }
+      habit("faces", item, kFaces, std::move(f), is_easy_chair(self) ? std::vector<int>{other} : std::vector<int>{});
+      return;
+    }
+  }
+
+  // A rug lies under what stands in the middle of things, else in the middle of the room.
+  void lie_under(int item) {
+    const std::vector<int> over = items_of_kinds(kOnRugs, item);
+    Formula f;
+    Case& c = f.add();
+    std::vector<int> hosts;
+    if (!over.empty()) hosts.push_back(over[rank_of(item) % static_cast<int>(over.size())]);
+    for (int axis = 0; axis < 2; ++axis) c.wish(mid2(item, axis) - (hosts.empty() ? room_mid2(model_, axis) : mid2(hosts[0], axis)), kRug, 2);
+    habit("rug", item, kRug, std::move(f), hosts);
+  }
+
+  void hang_from_ceiling(int item) {
+    const std::vector<int> below = items_of_kinds(kUnderLamps, item);
+    Formula f;
+    Case& c = f.add();
+    std::vector<int> hosts;
+    if (!below.empty() && !placed_by_relation(item)) hosts.push_back(below[0]);
+    for (int axis = 0; axis < 2; ++axis) c.wish(mid2(item, axis) - (hosts.empty() ? room_mid2(model_, axis) : mid2(hosts[0], axis)), kHangs, 2);
+    habit("hangs", item, kHangs, std::move(f), hosts);
+  }
+
+  // At its usual height; a curtain at its window, a picture over something, else in the middle of a wall.
+  void hang_on_wall(int item) {
+    const Item& self = model_.items[item];
+    Formula height;
     const Mm wished = self.entry->hang_height > 0 ? self.entry->hang_height : 1200;
+    height.add().wish(lo(item, 2) - Linear(wished), 100);
+    habit("height", item, 100, std::move(height));
+    if (self.curtain) {
+      cover_window(item);
+      return;
+    }
+    if (stand_beside(item)) return;
+    look_at(item);
+    if (placed_by_relation_besides_walls(item)) return;
+    const std::vector<int> under = items_of_kinds(model_.is_a(item, "mirror") ? kUnderMirrors : kUnderPictures, item);
     Formula f;
-    f.add().wish(lo(item, 2) - Linear(wished), 100);
-    habit(model, "height: " + self.id, 100).formulas.push_back(std::move(f));
-    return;
+    std::vector<int> hosts;
+    if (static_cast<std::size_t>(rank_of(item)) < under.size()) {
+      hosts.push_back(under[rank_of(item)]);
+      for (const RoomWall& wall : model_.walls) {
+        if (!wall.straight) continue;
+        Case& c = f.add().when(item, states_facing(item, wall));
+        c.wish(mid2(item, wall.along) - mid2(hosts[0], wall.along), kHangs, 2);
+        c.wish(mid2(item, wall.normal()) - mid2(hosts[0], wall.normal()), kHangs / 2, 2);
+        c.require(lo(item, 2) - hi(hosts[0], 2) - Linear(120));
+      }
+    } else {
+      for (const RoomWall& wall : model_.walls) {
+        if (!wall.straight) continue;
+        Case& c = f.add().when(item, states_facing(item, wall));
+        c.wish(mid2(item, wall.along) - Linear(std::int64_t{wall.lo} + wall.hi), kHangs / 4, 2);
+        // The picture cuts away the front and the right wall: hung there, nobody sees it.
+        c.price = wall.turn == 180 || wall.turn == 270 ? 60 : 0;
+      }
+    }
+    habit("hangs", item, kHangs, std::move(f), hosts);
   }
-  // From the ceiling: over the table, else in the middle.
-  const std::vector<int> below = items_of_kinds(model, {"dining_table", "coffee_table", "table", "kitchen_island"}, item);
-  Formula f;
-  Case& c = f.add();
-  for (int axis = 0; axis < 2; ++axis) {
-    const Linear middle = below.empty() ? Linear(std::int64_t{model.room.lo[axis]} + model.room.hi[axis]) : mid2(below[0], axis);
-    c.wish(mid2(item, axis) - middle, kAbove, 2);
-  }
-  habit(model, "hangs: " + self.id, kAbove).formulas.push_back(std::move(f));
-}
 
-void keep_hint(Model& model, int item) {
-  const SceneObject& object = *model.items[item].object;
-  if (model.items[item].fixed) return;
-  Formula f;
-  Case& c = f.add();
-  if (object.hint.rotation_deg) {
-    const int turn = static_cast<int>(std::lround(normalized_degrees(*object.hint.rotation_deg))) % 360;
-    const std::uint64_t states = model.items[item].states_at(turn);
-    if (states) c.when(item, states);
+  std::uint64_t states_facing(int item, const RoomWall& wall) const {
+    const std::uint64_t states = model_.items[item].states_at(wall.turn);
+    return states ? states : model_.items[item].all_states;
   }
-  if (object.hint.position) {
-    for (int axis = 0; axis < 2; ++axis) {
-      c.wish(mid2(item, axis) - Linear(std::lround(2 * (*object.hint.position)[axis])), kHint, 2);
-    }
-  }
-  if (object.hint.rotation_deg || object.hint.position) {
-    habit(model, "hint: " + object.id, kHint).formulas.push_back(std::move(f));
-  }
-}
 
-// Doors near a corner, windows in the middle of a wall, neither in the walls that the picture cuts away unless told.
-void open_well(Model& model, int item) {
-  const Opening& opening = *model.items[item].opening;
-  if (opening.offset) return;
-  Formula f;
-  for (const RoomWall& wall : model.walls) {
-    if (!wall.straight || (!opening.wall.empty() && wall.id != opening.wall)) continue;
-    const std::uint64_t states = model.items[item].states_at(wall.turn);
-    const int short_wall = std::max(0, 3000 - (wall.hi - wall.lo)) / 40;
-    if (opening.type == OpeningType::kWindow) {
-      Case& c = f.add().when(item, states).wish(mid2(item, wall.along) - Linear(std::int64_t{wall.lo} + wall.hi), kOpeningPlace, 2);
-      c.price = short_wall;
-      continue;
+  bool placed_by_relation_besides_walls(int item) const {
+    return std::any_of(model_.scene->relations.begin(), model_.scene->relations.end(), [&](const Relation& r) {
+      const bool target = std::find(r.targets.begin(), r.targets.end(), model_.items[item].id) != r.targets.end();
+      return target && r.type != RelationType::kOnWall && r.type != RelationType::kAgainstWall;
+    });
+  }
+
+  void cover_window(int item) {
+    std::vector<int> windows;
+    for (std::size_t i = 0; i < model_.items.size(); ++i) {
+      if (model_.items[i].is_opening() && model_.items[i].opening->type == OpeningType::kWindow) windows.push_back(static_cast<int>(i));
     }
-    for (const bool low : {true, false}) {
-      Case& c = f.add().when(item, states);
-      c.wish(low ? lo(item, wall.along) - Linear(wall.lo + 100) : Linear(wall.hi - 100) - hi(item, wall.along), kOpeningPlace);
-      c.price = wall.inward > 0 && wall.along == 0 ? 0 : 20;  // the front wall first
+    if (windows.empty()) return;
+    const int window = windows[rank_of(item) % static_cast<int>(windows.size())];
+    Formula f;
+    for_each_turn(model_.items[window], [&](int turn, std::uint64_t states) {
+      Case& c = f.add().when(window, states).when(item, model_.items[item].states_at(turn));
+      for (int axis = 0; axis < 2; ++axis) c.wish(mid2(item, axis) - mid2(window, axis), kCurtain, 2);
+    });
+    habit("at its window", item, kCurtain, std::move(f), {window});
+  }
+
+  // What stands on something looks the way that looks; screens in its middle, the rest rather at its back.
+  void sit_on_host(int item) {
+    const Item& self = model_.items[item];
+    const bool screen = has_family(self, {"tv", "monitor", "laptop", "computer"});
+    for (const SupportOption& support : self.supports) {
+      if (support.kind != SupportOption::Kind::kItem) continue;
+      const Item& host = model_.items[support.index];
+      Formula f;
+      for_each_turn(host, [&](int turn, std::uint64_t states) {
+        Case& c = f.add().when(support.index, states);
+        const bool towards_seat = screen && used_side(host) == Side::kBack;
+        if (self.has_front) c.when(item, self.states_at((turn + (towards_seat ? 180 : 0)) % 360));
+        const Direction back = side_direction(host, Side::kBack, turn), right = side_direction(host, Side::kRight, turn);
+        const bool small_host = host.states[0].size.width < 3 * self.states[0].size.width && riders_of(support.index) == 1;
+        if (screen || small_host) c.wish(mid2(item, right.axis) - mid2(support.index, right.axis), 80, 2);
+        if (host.has_front && !small_host) c.wish(reach(item, back) - reach(support.index, back) + Linear(40), screen ? 60 : 25);
+        if (small_host) c.wish(mid2(item, back.axis) - mid2(support.index, back.axis), 60, 2);
+      });
+      habit("sits", item, kSits, std::move(f));
+      return;
     }
   }
-  habit(model, "place: " + opening.id, kOpeningPlace).formulas.push_back(std::move(f));
-}
+
+  int riders_of(int host) const {
+    int riders = 0;
+    for (const Item& item : model_.items) {
+      riders += std::any_of(item.supports.begin(), item.supports.end(),
+                            [&](const SupportOption& s) { return s.kind == SupportOption::Kind::kItem && s.index == host; });
+    }
+    return riders;
+  }
+
+  void keep_hint(int item) {
+    const SceneObject& object = *model_.items[item].object;
+    Formula f;
+    Case& c = f.add();
+    if (object.hint.rotation_deg) {
+      const int turn = static_cast<int>(std::lround(normalized_degrees(*object.hint.rotation_deg))) % 360;
+      if (const std::uint64_t states = model_.items[item].states_at(turn)) c.when(item, states);
+    }
+    if (object.hint.position) {
+      for (int axis = 0; axis < 2; ++axis) {
+        c.wish(mid2(item, axis) - Linear(std::lround(2 * (*object.hint.position)[axis])), kHint, 2);
+      }
+    }
+    if (object.hint.rotation_deg || object.hint.position) habit("hint", item, kHint, std::move(f));
+  }
+
+  // Doors near a corner, the front wall first; windows in the middle of a wall that the picture shows.
+  void open_well(int item) {
+    const Opening& opening = *model_.items[item].opening;
+    if (opening.offset) return;
+    Formula f;
+    for (const RoomWall& wall : model_.walls) {
+      if (!wall.straight || (!opening.wall.empty() && wall.id != opening.wall)) continue;
+      const std::uint64_t states = model_.items[item].states_at(wall.turn);
+      if (opening.type == OpeningType::kWindow) {
+        Case& c = f.add().when(item, states).wish(mid2(item, wall.along) - Linear(std::int64_t{wall.lo} + wall.hi), kOpeningPlace, 2);
+        c.price = std::max(0, 3000 - (wall.hi - wall.lo)) / 40 + (wall.turn == 180 || wall.turn == 270 ? 40 : 0);
+        continue;
+      }
+      for (const bool low : {true, false}) {
+        Case& c = f.add().when(item, states);
+        c.wish(low ? lo(item, wall.along) - Linear(wall.lo + 100) : Linear(wall.hi - 100) - hi(item, wall.along), kOpeningPlace);
+        c.price = wall.turn == 180 ? 0 : wall.turn == 270 ? 10 : 30;
+      }
+    }
+    habit("place", item, kOpeningPlace, std::move(f));
+  }
+
+  Model& model_;
+};
 
 }  // namespace
 
 void add_habits(Model& model) {
-  for (std::size_t i = 0; i < model.items.size(); ++i) {
-    const int index = static_cast<int>(i);
-    const Item& item = model.items[index];
-    if (item.is_opening()) {
-      open_well(model, index);
-      continue;
-    }
-    keep_hint(model, index);
-    if (item.mount == Mount::kWall || item.mount == Mount::kCeiling) {
-      hang_well(model, index);
-      continue;
-    }
-    if (item.thin) {
-      if (!is_placed_by_relation(model, index)) lie_under(model, index);
-      continue;
-    }
-    const bool stands = item.mount == Mount::kFloor;
-    if (stands && item.entry->back_to_wall) stand_back_to_wall(model, index);
-    if (stands && !item.entry->back_to_wall && item.entry->beside.empty() && !is_placed_by_relation(model, index) &&
-        item.object->used_sides.value_or(item.entry->used_sides).size() < 4) {
-      stand_at_wall(model, index);
-    }
-    if (stands) stand_beside(model, index);
-    if (stands) look_at(model, index);
-  }
+  Habits habits(model);
+  for (std::size_t i = 0; i < model.items.size(); ++i) habits.add(static_cast<int>(i));
 }
 
 }  // namespace layoutbox::placement

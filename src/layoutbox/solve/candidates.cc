@@ -1,0 +1,439 @@
+#include "layoutbox/solve/candidates.h"
+
+#include "layoutbox/solve/cost.h"
+
+namespace layoutbox::placement {
+namespace {
+
+constexpr std::int64_t kNoCost = std::numeric_limits<std::int64_t>::max() / 4;
+constexpr std::int64_t kPoint = 1000;
+constexpr std::size_t kMostRegions = 48;
+constexpr int kMostNodes = 4000;
+
+std::int64_t floor_div(std::int64_t a, std::int64_t b) { return a / b - ((a % b != 0) && ((a < 0) != (b < 0))); }
+std::int64_t ceil_div(std::int64_t a, std::int64_t b) { return -floor_div(-a, b); }
+
+// A linear form in which only the position of one item is free.
+struct Partial {
+  std::int64_t constant = 0;
+  std::array<std::int32_t, 3> coefficient{};
+  bool unknown = false;  // speaks of something else that is not placed
+
+  std::int64_t at(const Vec3& p) const {
+    return constant + std::int64_t{coefficient[0]} * p[0] + std::int64_t{coefficient[1]} * p[1] + std::int64_t{coefficient[2]} * p[2];
+  }
+  // The only axis with a coefficient; −1: none, −2: several.
+  int axis() const {
+    int found = -1;
+    for (int k = 0; k < 3; ++k) {
+      if (coefficient[k] == 0) continue;
+      if (found >= 0) return -2;
+      found = k;
+    }
+    return found;
+  }
+};
+
+struct Wish {
+  Partial form;
+  std::int32_t weight = 1, scale = 1;
+  std::int64_t cost(const Vec3& at) const { return std::abs(form.at(at)) * weight / scale; }
+};
+
+Partial partial_of(const Model& model, const Placements& placements, const Linear& form, int item, int state) {
+  Partial p;
+  p.constant = form.constant;
+  for (const Term& term : form.terms) {
+    if (term.item == item) {
+      if (term.quantity < kExtentX) {
+        p.coefficient[term.quantity] += term.coefficient;
+      } else {
+        p.constant += std::int64_t{term.coefficient} * value_of(model.items[item], Placement{state, {}}, term.quantity);
+      }
+    } else if (placements[term.item].state < 0) {
+      p.unknown = true;
+    } else {
+      p.constant += std::int64_t{term.coefficient} * value_of(model.items[term.item], placements[term.item], term.quantity);
+    }
+  }
+  return p;
+}
+
+// What a case costs along one axis, for each coordinate tried there.
+struct AxisCosts {
+  std::vector<std::int64_t> miss, wish;
+};
+
+// One case over the whole grid: most forms speak of one axis only, so most of the work is done once per coordinate.
+struct CaseTable {
+  std::int64_t price = 0;
+  std::array<AxisCosts, 3> axes;
+  std::vector<Partial> crossing;  // forms over several axes
+  std::vector<Wish> crossing_wishes;
+};
+
+struct SoftTable {
+  std::int64_t weight = 0;
+  std::vector<CaseTable> cases;
+};
+
+}  // namespace
+
+// A case in which only the item at hand is free.
+struct CandidateFinder::Reduced {
+  Vec3 lo{-(1 << 29), -(1 << 29), -(1 << 29)}, hi{1 << 29, 1 << 29, 1 << 29};
+  std::vector<Partial> checks;   // over several axes; for soft cases all forms
+  std::vector<Wish> wishes;
+  std::int64_t price = 0;
+  std::int64_t miss = 0;         // soft cases: whatever the position
+};
+
+struct CandidateFinder::Region {
+  Vec3 lo{}, hi{};
+  std::vector<const Reduced*> cases;
+  std::int64_t price = 0;
+  bool empty() const { return lo[0] > hi[0] || lo[1] > hi[1] || lo[2] > hi[2]; }
+};
+
+struct CandidateFinder::Grid {
+  std::array<std::vector<Mm>, 3> values;
+  CaseTable hard;  // the wishes of the region's cases
+  std::vector<SoftTable> soft;
+};
+
+CandidateFinder::CandidateFinder(const Model& model, std::vector<char> given_up) : model_(model), given_up_(std::move(given_up)) {
+  given_up_.resize(model.constraints.size(), 0);
+}
+
+CandidateFinder::~CandidateFinder() = default;
+
+bool CandidateFinder::enforced(int constraint) const {
+  return !given_up_[constraint] && model_.constraints[constraint].firmness != Firmness::kSoft;
+}
+
+bool CandidateFinder::reduce(const Placements& placements, const Case& one, int item, int state, Reduced& out) const {
+  out.price = one.price * kPoint;
+  for (const StateLiteral& literal : one.states) {
+    const int s = literal.item == item ? state : placements[literal.item].state;
+    if (s >= 0 && !(literal.states >> s & 1)) return false;
+  }
+  for (const Linear& form : one.at_least_zero) {
+    const Partial p = partial_of(model_, placements, form, item, state);
+    if (p.unknown) continue;
+    const int axis = p.axis();
+    if (axis == -1) {
+      if (p.constant < 0) return false;
+      continue;
+    }
+    if (axis < 0) {
+      out.checks.push_back(p);
+      continue;
+    }
+    const std::int64_t a = p.coefficient[axis];  // a·x + constant ≥ 0
+    if (a > 0) {
+      out.lo[axis] = static_cast<Mm>(std::clamp<std::int64_t>(ceil_div(-p.constant, a), out.lo[axis], 1 << 30));
+    } else {
+      out.hi[axis] = static_cast<Mm>(std::clamp<std::int64_t>(floor_div(p.constant, -a), -(1 << 30), out.hi[axis]));
+    }
+    if (out.lo[axis] > out.hi[axis]) return false;
+  }
+  for (const Preference& wish : one.wishes) {
+    const Partial p = partial_of(model_, placements, wish.form, item, state);
+    if (!p.unknown) out.wishes.push_back({p, wish.weight, wish.scale});
+  }
+  return true;
+}
+
+void CandidateFinder::find_regions(const Placements& placements, int item, int state) {
+  pool_.clear();
+  regions_.clear();
+  for (const int c : model_.touching[item]) {
+    if (!enforced(c)) continue;
+    for (const Formula& formula : model_.constraints[c].formulas) {
+      const bool speaks = formula.cases.empty() || std::find(formula.items.begin(), formula.items.end(), item) != formula.items.end();
+      if (!speaks) continue;
+      std::vector<Reduced> cases;
+      for (const Case& one : formula.cases) {
+        Reduced reduced;
+        if (reduce(placements, one, item, state, reduced)) cases.push_back(std::move(reduced));
+      }
+      if (cases.empty()) return;
+      std::stable_sort(cases.begin(), cases.end(), [](const Reduced& a, const Reduced& b) { return a.price < b.price; });
+      pool_.push_back(std::move(cases));
+    }
+  }
+  std::stable_sort(pool_.begin(), pool_.end(), [](const auto& a, const auto& b) { return a.size() < b.size(); });
+  Region whole;
+  const Item& self = model_.items[item];
+  for (int k = 0; k < 3; ++k) {
+    whole.lo[k] = model_.room.lo[k];
+    whole.hi[k] = model_.room.hi[k] - self.states[state].extent[k];
+  }
+  if (self.fixed) whole.lo = whole.hi = self.fixed_at;
+  int nodes = 0;
+  if (!whole.empty()) descend(0, whole, nodes);
+}
+
+void CandidateFinder::descend(std::size_t depth, const Region& region, int& nodes) {
+  if (regions_.size() >= kMostRegions || ++nodes > kMostNodes) return;
+  if (depth == pool_.size()) {
+    regions_.push_back(region);
+    return;
+  }
+  for (const Reduced& one : pool_[depth]) {
+    Region next;
+    for (int k = 0; k < 3; ++k) {
+      next.lo[k] = std::max(region.lo[k], one.lo[k]);
+      next.hi[k] = std::min(region.hi[k], one.hi[k]);
+    }
+    if (next.empty()) continue;
+    next.cases = region.cases;
+    next.cases.push_back(&one);
+    next.price = region.price + one.price;
+    descend(depth + 1, next, nodes);
+  }
+}
+
+void CandidateFinder::find_soft(const Placements& placements, int item, int state) {
+  soft_.clear();
+  for (const int c : model_.touching[item]) {
+    const Constraint& constraint = model_.constraints[c];
+    if (constraint.firmness != Firmness::kSoft) continue;
+    for (const Formula& formula : constraint.formulas) {
+      const auto known = [&](int other) { return other == item || placements[other].state >= 0; };
+      if (formula.cases.empty() || !std::all_of(formula.items.begin(), formula.items.end(), known)) continue;
+      std::vector<Reduced> cases;
+      for (const Case& one : formula.cases) {
+        Reduced& reduced = cases.emplace_back();
+        reduced.price = one.price * kPoint;
+        for (const StateLiteral& literal : one.states) {
+          const int s = literal.item == item ? state : placements[literal.item].state;
+          if (!(literal.states >> s & 1)) reduced.miss = kStateMiss;
+        }
+        for (const Linear& form : one.at_least_zero) reduced.checks.push_back(partial_of(model_, placements, form, item, state));
+        for (const Preference& wish : one.wishes) {
+          reduced.wishes.push_back({partial_of(model_, placements, wish.form, item, state), wish.weight, wish.scale});
+        }
+      }
+      soft_.emplace_back(constraint.weight, std::move(cases));
+    }
+  }
+}
+
+void CandidateFinder::cut(const Placements& placements, int item, int state, const Region& region, Grid& grid) const {
+  const State& own = model_.items[item].states[state];
+  const std::size_t most = 36 + model_.items.size() / 3;
+  const auto offer = [&](int axis, std::int64_t value) {
+    if (value >= region.lo[axis] && value <= region.hi[axis]) grid.values[axis].push_back(static_cast<Mm>(value));
+  };
+  const auto offer_zero = [&](const Partial& form, bool clamp) {
+    const int axis = form.axis();
+    if (axis < 0) return;
+    const std::int64_t value = floor_div(-form.constant, form.coefficient[axis]);
+    offer(axis, clamp ? std::clamp<std::int64_t>(value, region.lo[axis], region.hi[axis]) : value);
+  };
+  for (int axis = 0; axis < 3; ++axis) {
+    grid.values[axis].clear();
+    offer(axis, region.lo[axis]);
+    offer(axis, region.hi[axis]);
+    if (axis < 2) offer(axis, region.lo[axis] + (region.hi[axis] - region.lo[axis]) / 2);
+  }
+  for (const Reduced* one : region.cases) {
+    for (const Wish& wish : one->wishes) offer_zero(wish.form, true);
+  }
+  for (const auto& [weight, cases] : soft_) {
+    for (const Reduced& one : cases) {
+      if (one.miss > 0) continue;
+      for (const Wish& wish : one.wishes) offer_zero(wish.form, true);
+      for (const Partial& form : one.checks) offer_zero(form, false);
+    }
+  }
+  const auto beside = [&](const Box& body, const Box& mine) {
+    for (int axis = 0; axis < 2; ++axis) {
+      offer(axis, std::int64_t{body.hi[axis]} - mine.lo[axis]);
+      offer(axis, std::int64_t{body.lo[axis]} - mine.hi[axis]);
+    }
+  };
+  const Box mine{{0, 0, 0}, own.extent};
+  for (const Box& outside : model_.outside) beside(outside, mine);
+  for (std::size_t j = 0; j < model_.items.size(); ++j) {
+    const int other = static_cast<int>(j);
+    if (placements[j].state < 0 || other == item) continue;
+    const PairRule rule = model_.pair(item, other);
+    if (rule == PairRule::kFree) continue;
+    const State& theirs = model_.items[j].states[placements[j].state];
+    beside(box_of(model_.items[j], placements[j]), mine);
+    for (const Box& clear : theirs.clear) beside(clear.shifted(placements[j].at), mine);
+    for (const Box& clear : own.clear) beside(box_of(model_.items[j], placements[j]), clear);
+    if (rule != PairRule::kSolids || theirs.solids.size() * own.solids.size() > 24) continue;
+    for (const Box& body : theirs.solids) {
+      for (const Box& part : own.solids) beside(body.shifted(placements[j].at), part);
+    }
+  }
+  for (std::vector<Mm>& values : grid.values) {
+    std::sort(values.begin(), values.end());
+    values.erase(std::unique(values.begin(), values.end()), values.end());
+    if (values.size() <= most) continue;
+    std::vector<Mm> fewer;  // evenly over all of them, both ends kept
+    for (std::size_t i = 0; i < most; ++i) fewer.push_back(values[i * (values.size() - 1) / (most - 1)]);
+    values = std::move(fewer);
+  }
+}
+
+void CandidateFinder::tabulate(const Region& region, Grid& grid) const {
+  const auto start = [&](CaseTable& table) {
+    for (int axis = 0; axis < 3; ++axis) {
+      table.axes[axis].miss.assign(grid.values[axis].size(), 0);
+      table.axes[axis].wish.assign(grid.values[axis].size(), 0);
+    }
+  };
+  const auto add_wish = [&](CaseTable& table, const Wish& wish) {
+    const int axis = wish.form.axis();
+    if (axis == -2) {
+      table.crossing_wishes.push_back(wish);
+      return;
+    }
+    if (axis == -1) {
+      table.price += std::abs(wish.form.constant) * wish.weight / wish.scale;
+      return;
+    }
+    const std::vector<Mm>& values = grid.values[axis];
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const std::int64_t off = wish.form.constant + std::int64_t{wish.form.coefficient[axis]} * values[i];
+      table.axes[axis].wish[i] += std::abs(off) * wish.weight / wish.scale;
+    }
+  };
+  grid.hard = {};
+  grid.hard.price = region.price;
+  start(grid.hard);
+  for (const Reduced* one : region.cases) {
+    grid.hard.crossing.insert(grid.hard.crossing.end(), one->checks.begin(), one->checks.end());
+    for (const Wish& wish : one->wishes) add_wish(grid.hard, wish);
+  }
+  grid.soft.clear();
+  for (const auto& [weight, cases] : soft_) {
+    SoftTable& soft = grid.soft.emplace_back();
+    soft.weight = weight;
+    for (const Reduced& one : cases) {
+      CaseTable& table = soft.cases.emplace_back();
+      table.price = one.price;
+      start(table);
+      for (std::int64_t& miss : table.axes[2].miss) miss = one.miss;
+      for (const Partial& form : one.checks) {
+        const int axis = form.axis();
+        if (axis == -2) {
+          table.crossing.push_back(form);
+        } else if (axis == -1) {
+          for (std::int64_t& miss : table.axes[2].miss) miss = std::max(miss, -form.constant);
+        } else {
+          const std::vector<Mm>& values = grid.values[axis];
+          for (std::size_t i = 0; i < values.size(); ++i) {
+            std::int64_t& miss = table.axes[axis].miss[i];
+            miss = std::max(miss, -(form.constant + std::int64_t{form.coefficient[axis]} * values[i]));
+          }
+        }
+      }
+      for (const Wish& wish : one.wishes) add_wish(table, wish);
+    }
+  }
+}
+
+bool CandidateFinder::legal(const Placements& placements, int item, const Placement& placement) const {
+  const Item& self = model_.items[item];
+  const Box box = box_of(self, placement);
+  if (!self.is_opening() && !self.fixed) {
+    for (const Box& outside : model_.outside) {
+      if (overlap(outside, box)) return false;
+    }
+  }
+  const auto clearance_off = [&](const Item& i) { return i.clearance_constraint >= 0 && given_up_[i.clearance_constraint]; };
+  for (std::size_t j = 0; j < model_.items.size(); ++j) {
+    const int other = static_cast<int>(j);
+    if (placements[j].state < 0 || other == item || (self.fixed && model_.items[j].fixed)) continue;
+    const bool clear_boxes = !clearance_off(model_.items[j]) && !clearance_off(self);
+    if (collide(model_, item, placement, other, placements[j], clear_boxes)) return false;
+  }
+  return true;
+}
+
+std::int64_t CandidateFinder::access_cost(int item, const Placement& placement) {
+  const Item& self = model_.items[item];
+  probe_[item] = placement;
+  std::int64_t cost = access_cost_of(model_, item, probe_);
+  const Box body = box_of(self, placement);
+  if (!blocks_floor(self, body)) return cost;
+  for (std::size_t j = 0; j < model_.items.size(); ++j) {
+    const int other = static_cast<int>(j);
+    if (other == item || probe_[j].state < 0) continue;
+    const State& state = model_.items[j].states[probe_[j].state];
+    const auto touched = [&](const Box& strip) { return overlap_in_plan(strip.shifted(probe_[j].at), body); };
+    const bool any = std::any_of(state.strips.begin(), state.strips.end(), touched) || std::any_of(state.wanted.begin(), state.wanted.end(), touched);
+    if (any) cost += access_cost_of(model_, other, probe_) - access_cost_of(model_, other, probe_, item);
+  }
+  return cost;
+}
+
+std::vector<Candidate> CandidateFinder::find(const Placements& placements, int item, const CandidateOptions& options, Budget& budget) {
+  std::vector<Candidate> best;
+  const Item& self = model_.items[item];
+  probe_ = placements;
+  const auto worst = [&] { return best.size() < options.most ? kNoCost : best.back().cost; };
+  Grid grid;
+  for (std::size_t s = 0; s < self.states.size(); ++s) {
+    const int state = static_cast<int>(s);
+    if (self.states[s].size_step > options.most_size_step) continue;
+    find_regions(placements, item, state);
+    if (regions_.empty()) continue;
+    find_soft(placements, item, state);
+    const std::int64_t size_cost = kPoint * kCostWeights.size_step * self.states[s].size_step;
+    for (const Region& region : regions_) {
+      cut(placements, item, state, region, grid);
+      tabulate(region, grid);
+      budget.count(50);
+      for (std::size_t iz = 0; iz < grid.values[2].size(); ++iz) {
+        for (std::size_t iy = 0; iy < grid.values[1].size(); ++iy) {
+          budget.count(static_cast<std::int64_t>(grid.values[0].size()));
+          if (budget.stopped) return best;
+          const std::int64_t row = size_cost + grid.hard.price + grid.hard.axes[2].wish[iz] + grid.hard.axes[1].wish[iy];
+          if (row >= worst()) continue;
+          for (std::size_t ix = 0; ix < grid.values[0].size(); ++ix) {
+            const Vec3 at{grid.values[0][ix], grid.values[1][iy], grid.values[2][iz]};
+            std::int64_t cost = row + grid.hard.axes[0].wish[ix];
+            if (cost >= worst()) continue;
+            bool holds = true;
+            for (const Partial& check : grid.hard.crossing) holds = holds && check.at(at) >= 0;
+            if (!holds) continue;
+            for (const Wish& wish : grid.hard.crossing_wishes) cost += wish.cost(at);
+            for (const SoftTable& soft : grid.soft) {
+              std::int64_t least = kNoCost;
+              for (const CaseTable& one : soft.cases) {
+                std::int64_t miss = std::max({one.axes[0].miss[ix], one.axes[1].miss[iy], one.axes[2].miss[iz]});
+                for (const Partial& form : one.crossing) miss = std::max(miss, -form.at(at));
+                std::int64_t c = one.price + miss * soft.weight + one.axes[0].wish[ix] + one.axes[1].wish[iy] + one.axes[2].wish[iz];
+                for (const Wish& wish : one.crossing_wishes) c += wish.cost(at);
+                least = std::min(least, c);
+              }
+              cost += least;
+              if (cost >= worst()) break;
+            }
+            if (cost >= worst()) continue;
+            const Placement placement{state, at};
+            if (!legal(placements, item, placement)) continue;
+            if (options.first_legal) return {{placement, cost}};
+            if (options.noise > 0) cost += options.random->below(options.noise);
+            if (cost >= worst()) continue;
+            cost += access_cost(item, placement);
+            budget.count(8);
+            if (cost >= worst()) continue;
+            const auto place = std::upper_bound(best.begin(), best.end(), cost, [](std::int64_t c, const Candidate& k) { return c < k.cost; });
+            best.insert(place, {placement, cost});
+            if (best.size() > options.most) best.pop_back();
+          }
+        }
+      }
+    }
+  }
+  return best;
+}
+
+}  // namespace layoutbox::placement

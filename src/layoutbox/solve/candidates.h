@@ -1,0 +1,91 @@
+// Where one item could go while everything else stays: the regions that the formulas leave, cut at the coordinates that matter (ends
+// of the region, what the wishes ask for, beside what already stands), legal ones only, cheapest first.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "layoutbox/solve/model.h"
+
+namespace layoutbox::placement {
+
+// A small generator whose numbers are the same everywhere.
+class Random {
+ public:
+  explicit Random(std::uint64_t seed) : state_(seed * 0x9E3779B97F4A7C15u + 0x1234567) {}
+  std::uint64_t next() {
+    state_ ^= state_ << 13, state_ ^= state_ >> 7, state_ ^= state_ << 17;
+    return state_ * 0x2545F4914F6CDD1Du;
+  }
+  // 0 … bound − 1. REQUIRES: bound > 0.
+  std::int64_t below(std::int64_t bound) { return static_cast<std::int64_t>((next() >> 33) % static_cast<std::uint64_t>(bound)); }
+
+ private:
+  std::uint64_t state_;
+};
+
+// How much work has been done and may be; a step is the trial of one candidate position.
+struct Budget {
+  std::int64_t steps = 0;
+  std::int64_t limit = 0;
+  std::function<bool()> stop;  // asked now and then
+  bool stopped = false;
+
+  bool spent() const { return stopped || steps >= limit; }
+  void count(std::int64_t more) {
+    const std::int64_t before = steps;
+    steps += more;
+    if ((before >> 12) != (steps >> 12) && stop && stop()) stopped = true;
+  }
+};
+
+struct Candidate {
+  Placement placement;
+  std::int64_t cost = 0;  // thousandths of a point, of what touches the item
+};
+
+struct CandidateOptions {
+  std::size_t most = 1;
+  bool first_legal = false;    // the first legal one will do
+  std::int64_t noise = 0;      // up to this much is added to a cost at random
+  Random* random = nullptr;    // REQUIRES: set where noise > 0
+  int most_size_step = 0;
+};
+
+class CandidateFinder {
+ public:
+  // `given_up`: by constraint index; those need not hold.
+  CandidateFinder(const Model& model, std::vector<char> given_up);
+  ~CandidateFinder();
+
+  // The item itself is taken as not placed.
+  std::vector<Candidate> find(const Placements& placements, int item, const CandidateOptions& options, Budget& budget);
+
+  // Collides with nothing placed, and lies in the room.
+  bool legal(const Placements& placements, int item, const Placement& placement) const;
+
+  bool enforced(int constraint) const;
+
+ private:
+  struct Reduced;
+  struct Region;
+  struct Grid;
+
+  bool reduce(const Placements& placements, const Case& one, int item, int state, Reduced& out) const;
+  void find_regions(const Placements& placements, int item, int state);
+  void descend(std::size_t depth, const Region& region, int& nodes);
+  void find_soft(const Placements& placements, int item, int state);
+  void cut(const Placements& placements, int item, int state, const Region& region, Grid& grid) const;
+  void tabulate(const Region& region, Grid& grid) const;
+  std::int64_t access_cost(int item, const Placement& placement);
+
+  const Model& model_;
+  std::vector<char> given_up_;
+  Placements probe_;                          // the placements, with the item tried
+  std::vector<std::vector<Reduced>> pool_;    // per enforced formula, its cases that are possible
+  std::vector<Region> regions_;
+  std::vector<std::pair<std::int64_t, std::vector<Reduced>>> soft_;  // weight, cases
+};
+
+}  // namespace layoutbox::placement
