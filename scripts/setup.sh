@@ -136,7 +136,7 @@ apt_line() { printf 'sudo apt-get update && sudo apt-get install -y --no-install
 # Installs packages as root. Fails where it may not or cannot.
 install_packages() {
   [[ $(id -u) == 0 ]] && type -P apt-get >/dev/null || return 1
-  say "installing $# packages: $*"
+  say "installing by apt-get: $*"
   # The list of packages may never have been read, or be too old to fetch from; a source that fails need not matter.
   logged apt-get update || true
   logged env DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=600 install -y --no-install-recommends "$@"
@@ -221,7 +221,11 @@ fetch_bpy() {
   # shellcheck disable=SC2086  # a list of words
   [[ ! $missing ]] || install_packages $missing || return 1
   say "fetching Blender $bpy_version as a Python module (370 MB; this takes a few minutes)"
-  make_environment "$deps/bpy" python3.11 && install_requirements "$deps/bpy" blender.txt && logged "$deps/bpy/bin/python" -c 'import bpy'
+  if make_environment "$deps/bpy" python3.11 && install_requirements "$deps/bpy" blender.txt && logged "$deps/bpy/bin/python" -c 'import bpy'; then
+    return 0
+  fi
+  rm -rf "$deps/bpy" # rather none than half a one
+  return 1
 }
 
 set_up_blender() {

@@ -82,7 +82,7 @@ class Setup(unittest.TestCase):
         self.fake("apt-get", f'echo "$@" >> "{self.folder}/asked"; mkdir -p "{header.parent}"; touch "{header}"')
         status, _, err = self.run_setup(CPLUS_INCLUDE_PATH=self.folder / "include")
         self.assertEqual(status, 0, err)
-        self.assertIn("installing 1 packages: libnowhere-dev", err)
+        self.assertIn("installing by apt-get: libnowhere-dev\n", err)
         asked = (self.folder / "asked").read_text().splitlines()
         self.assertEqual(asked[0], "update")
         self.assertTrue(asked[1].endswith("install -y --no-install-recommends libnowhere-dev"), asked)
