@@ -107,6 +107,19 @@ void add_screens(Families& to);
 void add_textiles(Families& to);
 void add_wall_things(Families& to);
 void add_plants(Families& to);
+void add_lounge(Families& to);
+void add_kitchen(Families& to);
+void add_bath(Families& to);
+void add_tableware(Families& to);
+void add_small_things(Families& to);
+void add_devices(Families& to);
+void add_toys(Families& to);
+void add_music(Families& to);
+void add_gym(Families& to);
+void add_shop(Families& to);
+void add_games_and_clinic(Families& to);
+void add_workshop(Families& to);
+void add_hall(Families& to);
 void add_generic(Families& to);
 
 }  // namespace layoutbox::kit

@@ -227,4 +227,41 @@ void cushions(Piece& p, int surface, const Box& room, int n, double radius) {
   }
 }
 
+void open_box(Piece& p, int surface, const Box& b, double wall, double bevel) {
+  Box in = sides(b.min.x + wall, b.max.x - wall, b.min.y + wall, b.max.y - wall, b.min.z + wall, b.max.z);
+  if (const FreeSpace* s = p.open_above()) in = s->box;
+  p.add(surface, box(sides(b.min.x, b.max.x, b.min.y, b.max.y, b.min.z, in.min.z), bevel));
+  const double low = in.min.z - std::min(0.002, in.min.z - b.min.z);
+  p.add(surface, box(sides(b.min.x, in.min.x, b.min.y, b.max.y, low, b.max.z), bevel));
+  p.add(surface, box(sides(in.max.x, b.max.x, b.min.y, b.max.y, low, b.max.z), bevel));
+  p.add(surface, box(sides(in.min.x, in.max.x, b.min.y, in.min.y, low, b.max.z), bevel));
+  p.add(surface, box(sides(in.min.x, in.max.x, in.max.y, b.max.y, low, b.max.z), bevel));
+}
+
+void vessel(Piece& p, int surface, std::span<const Vec2> outside, double wall, double floor, int sides_round) {
+  std::vector<Vec2> profile{{0, outside.front().y}};
+  profile.insert(profile.end(), outside.begin(), outside.end());
+  for (std::size_t i = outside.size(); i-- > 0;) {
+    if (outside[i].y < floor) break;
+    if (outside[i].x > wall) profile.push_back({outside[i].x - wall, outside[i].y});
+  }
+  profile.push_back({std::max(0.0, profile.back().x * 0.9), floor});
+  profile.push_back({0, floor});
+  p.add(surface, lathe(profile, sides_round), scaled(1, p.d / p.w, 1));
+}
+
+void vessel(Piece& p, int surface, std::initializer_list<Vec2> outside, double wall, double floor, int sides_round) {
+  vessel(p, surface, std::span<const Vec2>(outside.begin(), outside.size()), wall, floor, sides_round);
+}
+
+void machine_body(Piece& p, int surface, const Box& b, double bevel) {
+  const double foot = std::min(0.06, b.size().z * 0.08);
+  p.add(surface, box({{b.min.x, b.min.y, b.min.z + foot}, b.max}, bevel));
+  p.add(p.named("black_plastic"), box(sides(b.min.x + 0.02, b.max.x - 0.02, b.min.y + 0.03, b.max.y - 0.01, b.min.z, b.min.z + foot), 0.002));
+}
+
+void dial(Piece& p, int surface, Vec at, double radius, double thick, int sides_round) {
+  p.add(surface, lathe({{0, 0}, {radius, 0}, {radius, thick * 0.8}, {radius * 0.92, thick}, {0, thick}}, sides_round), aimed(at, {0, -1, 0}));
+}
+
 }  // namespace layoutbox::kit

@@ -1,6 +1,8 @@
 // Parts that several families share.
 #pragma once
 
+#include <span>
+
 #include "layoutbox/furnish/piece.h"
 
 namespace layoutbox::kit {
@@ -40,5 +42,15 @@ void books(Piece& p, const Box& room);
 
 // Pillow-like seat or back cushions side by side.
 void cushions(Piece& p, int surface, const Box& room, int n, double radius);
+
+// A box open above: walls of `wall` (or as thick as its free space leaves them) round it.
+void open_box(Piece& p, int surface, const Box& b, double wall, double bevel = 0.004);
+// A round vessel turned from its outside (from the foot's rim up to the lip), hollow by `wall` down to `floor`; elliptical where the piece is.
+void vessel(Piece& p, int surface, std::span<const Vec2> outside, double wall, double floor, int sides = 28);
+void vessel(Piece& p, int surface, std::initializer_list<Vec2> outside, double wall, double floor, int sides = 28);
+// A plain body that fills the piece, with a plinth set back, for machines.
+void machine_body(Piece& p, int surface, const Box& b, double bevel = 0.01);
+// A thin disc that looks to −y (knobs, dials, portholes): centre of its back, radius, thickness.
+void dial(Piece& p, int surface, Vec at, double radius, double thick, int sides = 20);
 
 }  // namespace layoutbox::kit

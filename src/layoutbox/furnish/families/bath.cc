@@ -1,0 +1,66 @@
+// Bathroom: toilets, bathtubs, showers.
+#include <algorithm>
+#include <cmath>
+
+#include "layoutbox/furnish/families/parts.h"
+
+namespace layoutbox::kit {
+namespace {
+
+void toilet(Piece& p) {
+  const int white = p.main("ceramic");
+  const FreeSpace* open = p.open_above();
+  const double seat = open != nullptr ? open->box.min.z : std::min(0.42, p.h * 0.55), tank = std::max(0.08, open != nullptr ? p.d / 2 - open->box.max.y : p.d * 0.27);
+  const double front = -p.d / 2, back = p.d / 2 - tank, rx = p.w * 0.46, cy = (front + back) / 2 + 0.02, ry = (back - front) / 2 + 0.02;
+  // Foot, bowl, seat and lid as ovals; the tank behind.
+  p.add(white, lathe({{0, 0}, {0.62, 0}, {0.55, 0.25}, {0.62, 0.55}, {0.98, 0.88}, {1, 0.95}, {1, 1}, {0, 1}}, 32), Pose{{rx * 0.92, 0, 0}, {0, ry * 0.94, 0}, {0, 0, seat - 0.045}, {0, cy, 0}});
+  p.add(white, box(sides(-rx * 0.55, rx * 0.55, cy, p.d / 2 - 0.01, 0.0, seat - 0.1), 0.02));
+  p.add(p.named("plastic"), lathe({{0, 0}, {0.97, 0}, {1, 0.2}, {1, 0.6}, {0.96, 1}, {0, 1}}, 36), Pose{{rx, 0, 0}, {0, ry, 0}, {0, 0, 0.045}, {0, cy - 0.02 + (front - (cy - 0.02 - ry)), seat - 0.045}});
+  p.add(white, rounded_box(sides(-p.w / 2, p.w / 2, back, p.d / 2, seat - 0.1, p.h - 0.03), 0.025, 3));
+  p.add(white, rounded_box(sides(-p.w / 2, p.w / 2, back, p.d / 2, p.h - 0.035, p.h - 0.003), 0.01, 2));
+  p.add(p.named("chrome"), cylinder({0, p.d / 2 - tank / 2, p.h - 0.006}, 0.02, 0.006, 16));
+}
+
+void bathtub(Piece& p) {
+  const int white = p.main("ceramic"), chrome = p.named("chrome");
+  open_box(p, white, p.body(), 0.06, 0.02);
+  const FreeSpace* in = p.open_above();
+  const Box b = in != nullptr ? in->box : sides(-p.w / 2 + 0.06, p.w / 2 - 0.06, -p.d / 2 + 0.06, p.d / 2 - 0.06, 0.06, p.h);
+  p.add(chrome, lathe({{0, 0}, {0.03, 0}, {0.03, 0.0008}, {0, 0.0008}}, 16), moved(b.min.x + 0.2, 0, b.min.z));
+  // The mixer lies flush in the rim at one end.
+  p.add(chrome, box(sides(-p.w / 2 + 0.02, b.min.x - 0.02, -0.09, 0.09, p.h - 0.01, p.h), 0.004));
+}
+
+void shower(Piece& p) {
+  const int tray = p.named("ceramic"), chrome = p.named("chrome"), glass = p.named("glass");
+  const FreeSpace* in = p.open_above();
+  const double rim = in != nullptr ? std::max(0.02, in->box.min.z) : std::min(0.08, p.h * 0.05), t = 0.01;
+  p.add(tray, box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, 0, rim), 0.01));
+  p.add(chrome, lathe({{0, 0}, {0.04, 0}, {0.04, 0.0008}, {0, 0.0008}}, 16), moved(0, 0, rim));
+  const auto pane = [&](double x0, double x1, double y0, double y1) { p.add(glass, box(sides(x0, x1, y0, y1, rim, p.h - 0.02), 0)); };
+  pane(-p.w / 2 + 0.004, p.w / 2 - 0.004, -p.d / 2 + 0.004, -p.d / 2 + 0.004 + t);
+  pane(p.w / 2 - 0.004 - t, p.w / 2 - 0.004, -p.d / 2 + 0.02, p.d / 2 - 0.004);
+  for (const auto& [x, y] : {std::pair{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}}) {
+    p.add(chrome, box(sides(x * p.w / 2 - (x > 0 ? 0.018 : 0), x * p.w / 2 + (x > 0 ? 0 : 0.018), y * p.d / 2 - (y > 0 ? 0.018 : 0), y * p.d / 2 + (y > 0 ? 0 : 0.018), rim - 0.002, p.h), 0.002));
+  }
+  p.add(chrome, box(sides(-p.w / 2, p.w / 2, -p.d / 2, -p.d / 2 + 0.018, p.h - 0.022, p.h), 0.002));
+  p.add(chrome, box(sides(p.w / 2 - 0.018, p.w / 2, -p.d / 2, p.d / 2, p.h - 0.022, p.h), 0.002));
+  handle(p, chrome, Handle::kVertical, {-p.w * 0.3, -p.d / 2 + 0.004, p.h * 0.5}, 0.3, 0.004);
+  const double y = p.d / 2 - 0.012;
+  p.add(chrome, rod({0, y, p.h * 0.5}, {0, y, p.h - 0.05}, 0.009, 8));
+  const Box head = sides(-0.1, 0.1, y - 0.36, y - 0.14, p.h - 0.075, p.h - 0.05);
+  if (p.is_free(head)) {
+    p.add(chrome, rod({0, y, p.h - 0.055}, {0, y - 0.25, p.h - 0.055}, 0.009, 8));
+    p.add(chrome, lathe({{0, 0}, {0.1, 0}, {0.1, 0.008}, {0.02, 0.016}, {0, 0.016}}, 24), moved(0, y - 0.25, p.h - 0.072));
+  }
+}
+
+}  // namespace
+
+void add_bath(Families& to) {
+  to["toilet"] = toilet;
+  to["bathtub"] = bathtub;
+  to["shower"] = shower;
+}
+
+}  // namespace layoutbox::kit

@@ -1,0 +1,146 @@
+// Gym equipment.
+#include <algorithm>
+#include <cmath>
+
+#include "layoutbox/furnish/families/parts.h"
+
+namespace layoutbox::kit {
+namespace {
+
+// One steps on at the front and looks to the back, where the console stands.
+void treadmill(Piece& p) {
+  const int dark = p.main("black_plastic"), metal = p.frame("steel"), belt = p.named("rubber_floor");
+  const double deck = std::min(0.18, p.h * 0.14);
+  p.add(dark, box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, 0.02, deck), 0.02));
+  p.add(belt, box(sides(-p.w * 0.36, p.w * 0.36, -p.d / 2 + 0.02, p.d * 0.3, deck - 0.01, deck + 0.006), 0.004));
+  p.add(dark, box(sides(-p.w * 0.42, p.w * 0.42, p.d * 0.3, p.d / 2 - 0.01, deck, deck + 0.1), 0.03));
+  for (const double s : {-1.0, 1.0}) {
+    p.add(metal, beam({s * (p.w / 2 - 0.04), p.d * 0.42, 0.02}, {s * (p.w / 2 - 0.04), p.d * 0.3, p.h * 0.82}, {0.05, 0.07}, 0.01));
+    p.add(dark, rod({s * (p.w / 2 - 0.04), p.d * 0.32, p.h * 0.72}, {s * (p.w / 2 - 0.04), -p.d * 0.05, p.h * 0.68}, 0.022, 10));
+    p.add(p.named("black_plastic"), box(sides(s * p.w * 0.4 - 0.03, s * p.w * 0.4 + 0.03, -p.d * 0.45, -p.d * 0.38, 0, 0.03), 0));
+  }
+  p.add(dark, rounded_box(sides(-p.w / 2 + 0.02, p.w / 2 - 0.02, p.d * 0.26, p.d * 0.36, p.h * 0.76, p.h * 0.84), 0.02, 2));
+  const Pose tilt = moved(0, p.d * 0.3, p.h * 0.82) * turned_x(-25);
+  p.add(dark, rounded_box(sides(-p.w * 0.3, p.w * 0.3, 0, 0.04, 0, p.h * 0.19), 0.015, 2), tilt);
+  p.add(p.named("lit_screen"), box(sides(-p.w * 0.24, p.w * 0.24, -0.002, 0.004, p.h * 0.03, p.h * 0.16), 0), tilt);
+  p.fit();
+}
+
+void exercise_bike(Piece& p) {
+  const int dark = p.main("black_plastic"), metal = p.frame("steel");
+  p.add(dark, rounded_box(sides(-0.24, 0.24, -0.5, -0.42, 0, 0.07), 0.02, 2));
+  p.add(dark, rounded_box(sides(-0.24, 0.24, 0.42, 0.5, 0, 0.07), 0.02, 2));
+  p.add(metal, beam({0, -0.46, 0.05}, {0, 0.46, 0.05}, {0.07, 0.06}, 0.01));
+  p.add(p.named("grey_plastic"), rod({-0.05, 0.26, 0.36}, {0.05, 0.26, 0.36}, 0.27, 28));
+  p.add(dark, rod({-0.058, 0.26, 0.36}, {0.058, 0.26, 0.36}, 0.2, 28));
+  p.add(metal, beam({0, -0.05, 0.07}, {0, -0.22, 0.82}, {0.06, 0.06}, 0.01));
+  p.add(metal, beam({0, 0.16, 0.3}, {0, 0.34, 1.05}, {0.06, 0.06}, 0.01));
+  p.add(p.named("black_leather"), rounded_box(sides(-0.13, 0.13, -0.38, -0.1, 0.82, 0.9), 0.035, 3));
+  p.add(dark, tube(curve({{-0.24, 0.12, 1.12}, {-0.22, 0.32, 1.06}, {0.22, 0.32, 1.06}, {0.24, 0.12, 1.12}}, 5), 0.02, 8));
+  p.add(p.named("screen"), box(sides(-0.1, 0.1, 0.34, 0.37, 1.05, 1.22), 0.006), Pose{});
+  for (const double s : {-1.0, 1.0}) {
+    p.add(metal, rod({s * 0.07, 0.05, 0.34}, {s * 0.09, 0.05, 0.34 - s * 0.16}, 0.012, 8));
+    p.add(dark, box(sides(s * 0.14 - 0.05, s * 0.14 + 0.05, 0.0, 0.1, 0.33 - s * 0.16, 0.35 - s * 0.16), 0.005));
+  }
+  p.fit();
+}
+
+// A bar along x with a head at each end, in that box; round heads where they are as deep as high.
+void dumbbell_in(Piece& p, int head, int bar, Vec c, double half, double r) {
+  p.add(bar, rod(c - Vec{half * 0.7, 0, 0}, c + Vec{half * 0.7, 0, 0}, r * 0.28, 10));
+  for (const double s : {-1.0, 1.0}) p.add(head, rod(c + Vec{s * half * 0.45, 0, 0}, c + Vec{s * half, 0, 0}, r, 6));
+}
+
+void dumbbell(Piece& p) {
+  dumbbell_in(p, p.main("black_metal"), p.named("chrome"), {0, 0, p.h / 2}, p.w / 2, std::min(p.d, p.h) / 2);
+  p.fit();
+}
+
+void dumbbell_rack(Piece& p) {
+  const int metal = p.frame("black_metal"), head = p.named("black_plastic"), bar = p.named("chrome");
+  const int tiers = p.h > 0.75 ? 3 : 2;
+  for (const double s : {-1.0, 1.0}) {
+    const double x0 = s > 0 ? p.w / 2 - 0.05 : -p.w / 2;
+    p.add(metal, box(sides(x0, x0 + 0.05, -p.d / 2, p.d / 2, 0, 0.05), 0.006));
+    p.add(metal, beam({x0 + 0.025, -p.d * 0.1, 0.03}, {x0 + 0.025, p.d / 2 - 0.04, p.h - 0.02}, {0.05, 0.06}, 0.006));
+  }
+  for (int t = 0; t < tiers; ++t) {
+    const double z = p.h * (0.2 + 0.68 * t / std::max(1, tiers - 1)), y = -p.d * 0.22 + p.d * 0.45 * t / tiers, r = std::min(0.06, p.h / tiers * 0.22);
+    p.add(metal, box(sides(-p.w / 2 + 0.05, p.w / 2 - 0.05, y - 0.09, y + 0.09, z - 0.03, z), 0.005), Pose{});
+    const int n = std::max(2, static_cast<int>((p.w - 0.14) / (2.4 * r)));
+    for (int i = 0; i < n; ++i) {
+      const double x = -p.w / 2 + 0.07 + (p.w - 0.14) * (i + 0.5) / n;
+      const double reach = std::min(0.13, p.d * 0.24);
+      p.add(bar, rod({x, y - reach * 0.7, z + r}, {x, y + reach * 0.7, z + r}, r * 0.28, 8));
+      for (const double s : {-1.0, 1.0}) p.add(head, rod({x, y + s * reach * 0.45, z + r}, {x, y + s * reach, z + r}, r, 6));
+    }
+  }
+  p.fit();
+}
+
+void barbell_bench(Piece& p) {
+  const int metal = p.frame("black_metal"), pad = p.main("black_leather"), chrome = p.named("chrome"), weight = p.named("black_plastic");
+  const double seat = p.h * 0.42, up = p.d * 0.3;
+  p.add(pad, rounded_box(sides(-0.14, 0.14, -p.d / 2, p.d * 0.28, seat - 0.07, seat), 0.025, 3));
+  p.add(metal, box(sides(-0.03, 0.03, -p.d * 0.45, p.d * 0.35, seat - 0.12, seat - 0.07), 0.005));
+  for (const double y : {-p.d * 0.38, up}) {
+    p.add(metal, box(sides(-0.03, 0.03, y - 0.03, y + 0.03, 0.03, seat - 0.1), 0.005));
+    p.add(metal, box(sides(-0.25, 0.25, y - 0.03, y + 0.03, 0, 0.04), 0.008));
+  }
+  const double x = std::min(0.3, p.w * 0.3), z = p.h - 0.22;
+  for (const double s : {-1.0, 1.0}) {
+    p.add(metal, box(sides(s * x - 0.03, s * x + 0.03, up - 0.03, up + 0.03, 0.02, z + 0.03), 0.005));
+    p.add(metal, box(sides(s * x - 0.03, s * x + 0.03, up - 0.2, p.d / 2, 0, 0.05), 0.006));
+    p.add(metal, box(sides(s * x - 0.03, s * x + 0.03, up - 0.08, up - 0.05, z, z + 0.1), 0.005));
+    p.add(weight, rod({s * (p.w / 2 - 0.16), up - 0.05, z + 0.045}, {s * (p.w / 2 - 0.1), up - 0.05, z + 0.045}, std::min(0.2, z * 0.4), 28));
+    p.add(weight, rod({s * (p.w / 2 - 0.1), up - 0.05, z + 0.045}, {s * (p.w / 2 - 0.06), up - 0.05, z + 0.045}, std::min(0.14, z * 0.3), 28));
+  }
+  p.add(metal, box(sides(-x, x, up - 0.02, up + 0.02, z * 0.35, z * 0.35 + 0.04), 0.005));
+  p.add(chrome, rod({-p.w / 2, up - 0.05, z + 0.045}, {p.w / 2, up - 0.05, z + 0.045}, 0.014, 10));
+  p.fit();
+}
+
+void yoga_mat(Piece& p) {
+  const int mat = p.main_accent("plastic");
+  if (p.h < 0.04) {
+    p.add(mat, box(p.body(), 0.003));
+    return;
+  }
+  // Rolled up along its longer side.
+  const bool along = p.w >= p.d;
+  const double r = std::min(along ? p.d : p.w, p.h) / 2, half = (along ? p.w : p.d) / 2;
+  const Pose turn = along ? Pose{} : turned_z(90);
+  p.add(mat, rod({-half, 0, r}, {half, 0, r}, r, 26), turn);
+  for (const double s : {-1.0, 1.0}) p.add(p.named("black_plastic"), torus({0, 0, 0}, r * 0.55, r * 0.05, 22, 5), turn * aimed({s * half * 0.999, 0, r}, {1, 0, 0}));
+  p.fit();
+}
+
+void punching_bag(Piece& p) {
+  const int bag = p.main("black_leather"), chain = p.named("steel");
+  const double r = std::min(p.w, p.d) / 2;
+  if (p.mount() == Mount::kCeiling) {
+    const double hang = p.h * 0.25;
+    p.add(bag, lathe({{0, 0}, {r * 0.9, 0}, {r, 0.03}, {r, p.h - hang - 0.03}, {r * 0.9, p.h - hang}, {0, p.h - hang}}, 28));
+    for (int i = 0; i < 4; ++i) p.add(chain, rod({std::cos(1.57 * i) * r * 0.85, std::sin(1.57 * i) * r * 0.85, p.h - hang - 0.01}, {0, 0, p.h - hang * 0.3}, 0.006, 6));
+    p.add(chain, rod({0, 0, p.h - hang * 0.35}, {0, 0, p.h}, 0.012, 8));
+  } else {
+    p.add(p.named("black_plastic"), lathe({{0, 0}, {r, 0}, {r, p.h * 0.1}, {r * 0.6, p.h * 0.2}, {0, p.h * 0.2}}, 28));
+    p.add(chain, cylinder({0, 0, p.h * 0.18}, r * 0.2, p.h * 0.2, 12));
+    p.add(bag, lathe({{0, p.h * 0.32}, {r * 0.55, p.h * 0.32}, {r * 0.62, p.h * 0.36}, {r * 0.62, p.h * 0.96}, {r * 0.5, p.h}, {0, p.h}}, 28));
+  }
+  p.fit();
+}
+
+}  // namespace
+
+void add_gym(Families& to) {
+  to["treadmill"] = treadmill;
+  to["exercise_bike"] = exercise_bike;
+  to["dumbbell"] = dumbbell;
+  to["dumbbell_rack"] = dumbbell_rack;
+  to["barbell_bench"] = barbell_bench;
+  to["yoga_mat"] = yoga_mat;
+  to["punching_bag"] = punching_bag;
+}
+
+}  // namespace layoutbox::kit

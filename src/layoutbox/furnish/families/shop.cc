@@ -1,0 +1,160 @@
+// Shop, stage and street: tills, show cases, vending machines, podiums, carts.
+#include <algorithm>
+#include <cmath>
+
+#include "layoutbox/furnish/families/parts.h"
+
+namespace layoutbox::kit {
+namespace {
+
+constexpr Color kGoods[] = {{0.84, 0.30, 0.26}, {0.26, 0.50, 0.76}, {0.95, 0.76, 0.28}, {0.36, 0.64, 0.40}, {0.90, 0.55, 0.24}};
+
+void wheels(Piece& p, double r, double inset) {
+  const int dark = p.named("black_plastic");
+  for (const double x : {-1.0, 1.0}) {
+    for (const double y : {-1.0, 1.0}) p.add(dark, rod({x * (p.w / 2 - inset) - 0.012, y * (p.d / 2 - inset), r}, {x * (p.w / 2 - inset) + 0.012, y * (p.d / 2 - inset), r}, r, 14));
+  }
+}
+
+void cash_register(Piece& p) {
+  const int body = p.main("grey_plastic"), dark = p.named("black_plastic");
+  p.add(dark, box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, 0, p.h * 0.3), 0.006));
+  p.add(body, taper({0, 0.02 * p.d, p.h * 0.3}, {p.w * 0.46, p.d * 0.46}, {0, p.d * 0.2, p.h * 0.62}, {p.w * 0.46, p.d * 0.27}));
+  const Pose tilt = moved(0, p.d * 0.18, p.h * 0.58) * turned_x(-15);
+  p.add(dark, box(sides(-p.w * 0.4, p.w * 0.4, 0, p.d * 0.06, 0, p.h * 0.42), 0.006), tilt);
+  p.add(p.named("lit_screen"), box(sides(-p.w * 0.36, p.w * 0.36, -0.002, 0.003, p.h * 0.04, p.h * 0.38), 0), tilt);
+  p.fit();
+}
+
+// A glass case on a base; its shelves stand at its spaces' floors.
+void display_case(Piece& p) {
+  const int base = p.main("oak"), glass = p.named("glass"), metal = p.named("steel");
+  double low = p.h * 0.25;
+  std::vector<double> levels;
+  for (const FreeSpace& s : p.spaces) levels.push_back(s.box.min.z);
+  std::sort(levels.begin(), levels.end());
+  if (!levels.empty()) low = levels.front();
+  if (levels.empty()) levels = {low, low + (p.h - low) * 0.45};
+  p.add(base, box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, 0, low), 0.006));
+  p.add(base, box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, p.h - 0.012, p.h), 0.004));
+  for (const double x : {-1.0, 1.0}) {
+    p.add(glass, box(sides(x > 0 ? p.w / 2 - 0.007 : -p.w / 2 + 0.002, x > 0 ? p.w / 2 - 0.002 : -p.w / 2 + 0.007, -p.d / 2 + 0.008, p.d / 2 - 0.008, low, p.h - 0.012), 0));
+    for (const double y : {-1.0, 1.0}) p.add(metal, box(sides(x * (p.w / 2 - 0.005) - 0.005, x * (p.w / 2 - 0.005) + 0.005, y * (p.d / 2 - 0.005) - 0.005, y * (p.d / 2 - 0.005) + 0.005, low - 0.002, p.h - 0.01), 0.001));
+  }
+  for (const double y : {-1.0, 1.0}) p.add(glass, box(sides(-p.w / 2 + 0.01, p.w / 2 - 0.01, y > 0 ? p.d / 2 - 0.007 : -p.d / 2 + 0.002, y > 0 ? p.d / 2 - 0.002 : -p.d / 2 + 0.007, low, p.h - 0.012), 0));
+  for (std::size_t i = 1; i < levels.size(); ++i) p.add(glass, box(sides(-p.w / 2 + 0.008, p.w / 2 - 0.008, -p.d / 2 + 0.008, p.d / 2 - 0.008, levels[i] - 0.006, levels[i]), 0));
+}
+
+void vending_machine(Piece& p) {
+  const int body = p.color_asked() ? p.main("painted_metal") : p.tinted("painted_metal", kGoods[p.pick(2)]), dark = p.named("screen");
+  const double face = -p.d / 2 + 0.02;
+  p.add(body, box(sides(-p.w / 2, p.w / 2, face, p.d / 2, 0, p.h), 0.012));
+  const double x1 = p.w * 0.22, z0 = p.h * 0.3, z1 = p.h * 0.94, x0 = -p.w * 0.45;
+  p.add(dark, box(sides(x0, x1, face - 0.004, face + 0.01, z0, z1), 0.004));
+  for (int row = 0; row < 5; ++row) {
+    const double z = z0 + (z1 - z0) * (row + 0.08) / 5;
+    p.add(p.named("steel"), box(sides(x0 + 0.01, x1 - 0.01, face - 0.012, face, z - 0.008, z), 0));
+    for (int i = 0; i < 6; ++i) {
+      const double x = x0 + (x1 - x0) * (i + 0.5) / 6, r = (x1 - x0) / 6 * 0.33;
+      p.add(p.tinted("plastic", kGoods[(row + i) % 5]), box(sides(x - r, x + r, face - 0.018, face - 0.003, z, z + (z1 - z0) / 5 * 0.62), 0.003));
+    }
+  }
+  p.add(dark, box(sides(x0, x1, face - 0.006, face + 0.01, p.h * 0.1, p.h * 0.22), 0.004));
+  p.add(p.named("lit_screen"), box(sides(p.w * 0.28, p.w * 0.44, face - 0.02, face + 0.01, p.h * 0.62, p.h * 0.74), 0.003));
+  for (int i = 0; i < 9; ++i) p.add(p.named("grey_plastic"), box(sides(p.w * (0.29 + 0.055 * (i % 3)), p.w * (0.325 + 0.055 * (i % 3)), face - 0.008, face + 0.004, p.h * (0.56 - 0.03 * (i / 3)), p.h * (0.58 - 0.03 * (i / 3))), 0.001));
+}
+
+void arcade_machine(Piece& p) {
+  const int body = p.main_accent("lacquer"), dark = p.named("black_plastic");
+  const double y = p.d / 2, t = std::min(0.03, p.w * 0.05);
+  const std::vector<Vec2> side{{-y, p.h * 0.02}, {y, 0}, {y, p.h}, {-y * 0.2, p.h}, {-y * 0.35, p.h * 0.9}, {y * 0.1, p.h * 0.82}, {-y * 0.25, p.h * 0.56}, {-y, p.h * 0.52}, {-y * 0.98, p.h * 0.46}, {-y * 0.7, p.h * 0.42}, {-y * 0.7, p.h * 0.1}};
+  const Pose across{{0, 1, 0}, {0, 0, 1}, {1, 0, 0}, {}};
+  for (const double s : {-1.0, 1.0}) p.add(dark, prism(side, s > 0 ? p.w / 2 - t : -p.w / 2, s > 0 ? p.w / 2 : -p.w / 2 + t), across);
+  const std::vector<Vec2> core{{-y * 0.66, 0.01}, {y * 0.97, 0.01}, {y * 0.97, p.h * 0.99}, {-y * 0.16, p.h * 0.99}, {-y * 0.3, p.h * 0.9}, {y * 0.16, p.h * 0.82}, {-y * 0.2, p.h * 0.555}, {-y * 0.95, p.h * 0.51}, {-y * 0.66, p.h * 0.43}};
+  p.add(body, prism(core, -p.w / 2 + t - 0.001, p.w / 2 - t + 0.001), across);
+  const Vec low{0, -y * 0.2, p.h * 0.57}, high{0, y * 0.13, p.h * 0.81};
+  const Vec up = unit(high - low), out = cross(up, {1, 0, 0});
+  p.add(p.named("lit_screen"), box(sides(-p.w * 0.4, p.w * 0.4, -0.004, 0.008, 0, length(high - low)), 0.003), Pose{{1, 0, 0}, out, up, low});
+  p.add(p.named("lit_screen"), box(sides(-p.w * 0.42, p.w * 0.42, -y * 0.29, -y * 0.2, p.h * 0.915, p.h * 0.975), 0.004));
+  const double panel = p.h * 0.535;
+  p.add(p.named("steel"), rod({-p.w * 0.2, -y * 0.6, panel - 0.02}, {-p.w * 0.2, -y * 0.6, panel + p.h * 0.035}, 0.006, 8));
+  p.add(p.tinted("plastic", kGoods[0]), ellipsoid({-p.w * 0.2, -y * 0.6, panel + p.h * 0.04}, {0.02, 0.02, 0.02}, 12, 6));
+  for (int i = 0; i < 4; ++i) p.add(p.tinted("plastic", kGoods[i]), cylinder({p.w * (0.05 + 0.09 * (i % 3)), -y * (0.66 - 0.12 * (i / 3) - 0.04 * (i % 3)), panel - 0.012}, 0.014, 0.022, 12));
+}
+
+void podium(Piece& p) {
+  const int wood = p.main("walnut");
+  const double top = std::min(0.16, p.h * 0.14);
+  p.add(wood, box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, 0, 0.06), 0.008));
+  p.add(wood, box(sides(-p.w * 0.42, p.w * 0.42, -p.d * 0.36, p.d * 0.36, 0.05, p.h - top * 0.9), 0.006));
+  p.add(p.frame("oak"), box(sides(-p.w * 0.34, p.w * 0.34, -p.d * 0.375, -p.d * 0.34, p.h * 0.2, p.h * 0.7), 0.006));
+  const Pose across{{0, 1, 0}, {0, 0, 1}, {1, 0, 0}, {}};
+  p.add(wood, prism({{-p.d / 2, p.h - top}, {p.d / 2, p.h - top}, {p.d / 2, p.h - top * 0.7}, {-p.d / 2, p.h}}, -p.w / 2, p.w / 2), across);
+}
+
+void cart(Piece& p) {
+  const int metal = p.frame("steel"), board = p.main("steel");
+  const double r = std::min(0.05, p.h * 0.08), t = 0.02;
+  wheels(p, r, 0.04);
+  for (const double x : {-1.0, 1.0}) {
+    for (const double y : {-1.0, 1.0}) {
+      const double cx = x * (p.w / 2 - t / 2), cy = y * (p.d / 2 - t / 2);
+      p.add(metal, box(sides(cx - t / 2, cx + t / 2, cy - t / 2, cy + t / 2, r * 1.6, p.h), 0.004));
+    }
+  }
+  std::vector<double> levels;
+  for (const FreeSpace& s : p.spaces) {
+    if (s.carries) levels.push_back(s.box.min.z);
+  }
+  if (levels.empty()) levels = {r * 1.6 + 0.04, (r * 1.6 + p.h) / 2, p.h - 0.05};
+  for (const double z : levels) {
+    p.add(board, box(sides(-p.w / 2 + 0.002, p.w / 2 - 0.002, -p.d / 2 + 0.002, p.d / 2 - 0.002, z - 0.018, z), 0.003));
+  }
+  if (p.open_above() == nullptr) {
+    for (const double y : {-1.0, 1.0}) p.add(metal, rod({-p.w / 2 + t, y * (p.d / 2 - t / 2), p.h - 0.012}, {p.w / 2 - t, y * (p.d / 2 - t / 2), p.h - 0.012}, 0.008, 8));
+  }
+}
+
+void stand(Piece& p) {
+  const int wood = p.main("oak");
+  const double board = std::min(0.03, p.h * 0.1), foot = std::min(0.03, p.h * 0.1);
+  p.add(wood, box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, p.h - board, p.h), 0.006));
+  const double under = p.clear_below(0);
+  if (under > 0) {
+    p.legs(p.frame("oak"), p.h - board, 0.04, 0.02);
+    return;
+  }
+  p.add(wood, box(sides(-p.w * 0.45, p.w * 0.45, -p.d * 0.45, p.d * 0.45, 0, foot), 0.005));
+  p.add(p.frame("oak"), box(sides(-std::min(0.05, p.w * 0.2), std::min(0.05, p.w * 0.2), -std::min(0.05, p.d * 0.2), std::min(0.05, p.d * 0.2), foot, p.h - board), 0.006));
+}
+
+void mannequin(Piece& p) {
+  const int skin = p.main("plastic"), metal = p.named("chrome");
+  const double h = p.h;
+  p.add(metal, lathe({{0, 0}, {0.16, 0}, {0.16, 0.008}, {0, 0.012}}, 26));
+  p.add(metal, cylinder({0, 0.03, 0.01}, 0.01, h * 0.48, 8));
+  for (const double s : {-1.0, 1.0}) {
+    p.add(skin, tube(curve({{s * h * 0.05, 0, h * 0.02}, {s * h * 0.05, 0, h * 0.25}, {s * h * 0.055, 0, h * 0.5}}, 4), h * 0.035, 10));
+    p.add(skin, tube(curve({{s * h * 0.1, 0, h * 0.8}, {s * h * 0.14, 0.01, h * 0.62}, {s * h * 0.13, -h * 0.03, h * 0.47}}, 4), h * 0.022, 8));
+    p.add(skin, ellipsoid({s * h * 0.05, -h * 0.02, h * 0.025}, {h * 0.028, h * 0.06, h * 0.02}, 10, 6));
+  }
+  p.add(skin, lathe({{0, h * 0.48}, {h * 0.09, h * 0.49}, {h * 0.1, h * 0.53}, {h * 0.075, h * 0.63}, {h * 0.105, h * 0.76}, {h * 0.1, h * 0.81}, {h * 0.03, h * 0.84}, {h * 0.028, h * 0.88}, {0, h * 0.88}}, 22, 0.65));
+  p.add(skin, ellipsoid({0, 0, h * 0.935}, {h * 0.045, h * 0.055, h * 0.065}, 16, 10));
+  p.fit();
+}
+
+}  // namespace
+
+void add_shop(Families& to) {
+  to["cash_register"] = cash_register;
+  to["display_case"] = display_case;
+  to["vending_machine"] = vending_machine;
+  to["arcade_machine"] = arcade_machine;
+  to["podium"] = podium;
+  to["cart"] = cart;
+  to["trolley"] = cart;
+  to["stand"] = stand;
+  to["mannequin"] = mannequin;
+}
+
+}  // namespace layoutbox::kit
