@@ -5,6 +5,7 @@
 
 Prints one line for each fault and ends with status 1 if there is any. docs/catalog.md says what an entry means.
 """
+
 from __future__ import annotations
 
 import ast
@@ -14,20 +15,22 @@ import sys
 from collections.abc import Iterator
 from pathlib import Path
 
-FAMILIES = set(
-    """box chair armchair sofa stool bench office_chair bean_bag ottoman recliner table desk counter nightstand
-    chest_of_drawers bed bunk_bed crib wardrobe cabinet shelf rack kitchen_unit fridge stove oven dishwasher
-    washing_machine microwave sink toilet bathtub shower floor_lamp table_lamp pendant chandelier wall_lamp ceiling_lamp
-    tv monitor laptop keyboard mouse phone speaker printer projector console_device computer_tower picture mirror clock
-    board wall_shelf curtain blind rug cushion blanket towel plant tree flower_vase vase bowl plate cup bottle glass
-    cutlery pot pan book book_stack magazine candle basket box_container bin jar tray teddy ball toy_blocks toy_car
-    doll_house piano grand_piano guitar drum_kit music_stand treadmill exercise_bike dumbbell_rack dumbbell barbell_bench
-    yoga_mat punching_bag fireplace fan heater air_conditioner radiator easel workbench tool ladder cart trolley stand
-    podium screen_divider mannequin cash_register display_case vending_machine arcade_machine pool_table ping_pong_table
-    foosball_table hospital_bed exam_table wheelchair umbrella_stand coat_rack shoe_rack hanger aquarium fruit bread cake
-    food_plate bicycle car_part suitcase statue globe sewing_machine telescope microscope hammock swing tent pet_bed
-    cat_tree pillar stairs door window""".split()
-)
+FAMILIES = {
+    "box", "chair", "armchair", "sofa", "stool", "bench", "office_chair", "bean_bag", "ottoman", "recliner", "table", "desk", "counter",
+    "nightstand", "chest_of_drawers", "bed", "bunk_bed", "crib", "wardrobe", "cabinet", "shelf", "rack", "kitchen_unit", "fridge",
+    "stove", "oven", "dishwasher", "washing_machine", "microwave", "sink", "toilet", "bathtub", "shower", "floor_lamp", "table_lamp",
+    "pendant", "chandelier", "wall_lamp", "ceiling_lamp", "tv", "monitor", "laptop", "keyboard", "mouse", "phone", "speaker", "printer",
+    "projector", "console_device", "computer_tower", "picture", "mirror", "clock", "board", "wall_shelf", "curtain", "blind", "rug",
+    "cushion", "blanket", "towel", "plant", "tree", "flower_vase", "vase", "bowl", "plate", "cup", "bottle", "glass", "cutlery", "pot",
+    "pan", "book", "book_stack", "magazine", "candle", "basket", "box_container", "bin", "jar", "tray", "teddy", "ball", "toy_blocks",
+    "toy_car", "doll_house", "piano", "grand_piano", "guitar", "drum_kit", "music_stand", "treadmill", "exercise_bike", "dumbbell_rack",
+    "dumbbell", "barbell_bench", "yoga_mat", "punching_bag", "fireplace", "fan", "heater", "air_conditioner", "radiator", "easel",
+    "workbench", "tool", "ladder", "cart", "trolley", "stand", "podium", "screen_divider", "mannequin", "cash_register", "display_case",
+    "vending_machine", "arcade_machine", "pool_table", "ping_pong_table", "foosball_table", "hospital_bed", "exam_table", "wheelchair",
+    "umbrella_stand", "coat_rack", "shoe_rack", "hanger", "aquarium", "fruit", "bread", "cake", "food_plate", "bicycle", "car_part",
+    "suitcase", "statue", "globe", "sewing_machine", "telescope", "microscope", "hammock", "swing", "tent", "pet_bed", "cat_tree",
+    "pillar", "stairs", "door", "window",
+}  # fmt: skip
 MOUNTS = {"floor", "wall", "ceiling", "surface", "hung"}
 SIDES = {"front", "back", "left", "right"}
 KEYS = {
@@ -35,6 +38,7 @@ KEYS = {
     "topCarries", "clearance", "hangHeight", "spaces", "standsOn", "faces", "beside", "rooms", "shape", "source",
 }  # fmt: skip
 THIN = 0.03  # m, rugs and mats up to this height collide with nothing
+ROOM_SHARE = 0.6  # of a room's floor that its usual furniture may cover
 SLACK = 1e-9  # m
 
 Size = dict[str, float]
@@ -61,9 +65,9 @@ def evaluate(formula: str, values: Size) -> float:
         raise ValueError(f"'{formula}' is not a formula: {error.msg}") from error
 
 
-def is_linear(formula: str, index: int) -> bool:
+def is_linear(formula: str) -> bool:
     """True when doubling a difference in w, d or h doubles the difference in value."""
-    base, point, twice = ({"w": a, "d": b, "h": c, "i": index} for a, b, c in ((1, 1, 1), (2, 3, 4), (3, 5, 7)))
+    base, point, twice = ({"w": a, "d": b, "h": c, "i": 1} for a, b, c in ((1, 1, 1), (2, 3, 4), (3, 5, 7)))
     low, middle, high = (evaluate(formula, values) for values in (base, point, twice))
     return abs((high - middle) - (middle - low)) < 1e-9
 
@@ -101,7 +105,7 @@ def check_space(space: dict, at: str, size: Size) -> Iterator[str]:
 def check_spaces(entry: dict) -> Iterator[str]:
     for space in entry.get("spaces", []):
         try:
-            if not all(is_linear(formula, 1) for corner in ("min", "max") for formula in space[corner]):
+            if not all(is_linear(formula) for corner in ("min", "max") for formula in space[corner]):
                 yield f"space '{space['name']}': a formula is not linear"
                 continue
             for at, size in sizes_of(entry):
@@ -110,6 +114,19 @@ def check_spaces(entry: dict) -> Iterator[str]:
             yield f"space '{space['name']}': {error}"
         if "repeat" in space and "{i}" not in space["name"]:
             yield f"space '{space['name']}' is repeated and needs {{i}} in its name"
+
+
+def check_supports(entry: dict, ids: dict[str, dict]) -> Iterator[str]:
+    """What usually stands on something is smaller than that, in one of the two ways it can lie there."""
+    if entry.get("mount") != "surface":
+        return
+    width, depth = sorted(three(entry["size"][side])[0] for side in "wd")
+    for host in (ids[other] for other in entry.get("standsOn", []) if other in ids):
+        host_width, host_depth = sorted(three(host["size"][side])[2] for side in "wd")
+        if width > host_width + SLACK or depth > host_depth + SLACK:
+            yield f"standsOn: the smallest {entry['name']} ({width} × {depth} m) is larger than the largest {host['name']}"
+        if not host.get("topCarries") and not any(space.get("carries", True) for space in host.get("spaces", [])):
+            yield f"standsOn: {host['name']} carries nothing, on its top or in a space"
 
 
 def check_entry(entry: dict, ids: dict[str, dict], rooms: set[str]) -> Iterator[str]:
@@ -142,6 +159,7 @@ def check_entry(entry: dict, ids: dict[str, dict], rooms: set[str]) -> Iterator[
     if not entry.get("source"):
         yield "no source"
     yield from check_spaces(entry)
+    yield from check_supports(entry, ids)
 
 
 def check_ancestors(entry: dict, ids: dict[str, dict]) -> Iterator[str]:
@@ -180,6 +198,15 @@ def check_rooms(rooms: list[dict], ids: dict[str, dict]) -> Iterator[str]:
                 yield f"room {room['id']}: '{entry}' × {count} is no entry and count"
         if set(room["size"]) != {"w", "d", "h"} or min(room["size"].values()) <= 0:
             yield f"room {room['id']}: size must have w, d and h above 0"
+            continue
+        floor = [(ids[entry]["size"], count) for entry, count in room["usual"] if entry in ids and stands_on_floor(ids[entry])]
+        share = sum(three(size["w"])[1] * three(size["d"])[1] * count for size, count in floor) / (room["size"]["w"] * room["size"]["d"])
+        if share > ROOM_SHARE:
+            yield f"room {room['id']}: its usual furniture covers {share:.0%} of the floor"
+
+
+def stands_on_floor(entry: dict) -> bool:
+    return entry.get("mount", "floor") == "floor" and not entry.get("thin")
 
 
 def check(folder: Path) -> tuple[list[str], int]:
