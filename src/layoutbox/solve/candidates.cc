@@ -338,9 +338,11 @@ void CandidateFinder::tabulate(const Region& region, Grid& grid) const {
   }
 }
 
-bool CandidateFinder::legal(const Placements& placements, int item, const Placement& placement) const {
+bool CandidateFinder::collisions(const Placements& placements, int item, const Placement& placement, const std::vector<std::int64_t>& price,
+                                 std::vector<int>& hit) const {
   const Item& self = model_.items[item];
   const Box box = box_of(self, placement);
+  hit.clear();
   if (!self.is_opening() && !self.fixed) {
     for (const Box& outside : model_.outside) {
       if (overlap(outside, box)) return false;
@@ -351,9 +353,17 @@ bool CandidateFinder::legal(const Placements& placements, int item, const Placem
     const int other = static_cast<int>(j);
     if (placements[j].state < 0 || other == item || (self.fixed && model_.items[j].fixed)) continue;
     const bool clear_boxes = !clearance_off(model_.items[j]) && !clearance_off(self);
-    if (collide(model_, item, placement, other, placements[j], clear_boxes)) return false;
+    if (!collide(model_, item, placement, other, placements[j], clear_boxes)) continue;
+    if (price.empty() || price[j] < 0) return false;
+    hit.push_back(other);
   }
   return true;
+}
+
+bool CandidateFinder::legal(const Placements& placements, int item, const Placement& placement) const {
+  static const std::vector<std::int64_t> kNoPrice;
+  std::vector<int> hit;
+  return collisions(placements, item, placement, kNoPrice, hit);
 }
 
 std::int64_t CandidateFinder::access_cost(int item, const Placement& placement) {
@@ -374,10 +384,26 @@ std::int64_t CandidateFinder::access_cost(int item, const Placement& placement) 
 }
 
 std::vector<Candidate> CandidateFinder::find(const Placements& placements, int item, const CandidateOptions& options, Budget& budget) {
+  static const std::vector<std::int64_t> kNoPrice;
   std::vector<Candidate> best;
   const Item& self = model_.items[item];
   probe_ = placements;
-  const auto worst = [&] { return best.size() < options.most ? kNoCost : best.back().cost; };
+  const auto worst = [&] { return options.diverse || best.size() < options.most ? kNoCost : best.back().cost; };
+  const auto keep = [&](Candidate candidate) {
+    if (candidate.cost >= worst()) return;
+    if (options.diverse) {  // only where it is the best of its column or its row
+      bool column = true, row = true;
+      for (const Candidate& other : best) {
+        if (other.placement.state != candidate.placement.state || other.cost > candidate.cost) continue;
+        column = column && other.placement.at[0] != candidate.placement.at[0];
+        row = row && other.placement.at[1] != candidate.placement.at[1];
+      }
+      if (!column && !row) return;
+    }
+    const auto place = std::upper_bound(best.begin(), best.end(), candidate.cost, [](std::int64_t c, const Candidate& k) { return c < k.cost; });
+    best.insert(place, std::move(candidate));
+    if (!options.diverse && best.size() > options.most) best.pop_back();
+  };
   Grid grid;
   for (std::size_t s = 0; s < self.states.size(); ++s) {
     const int state = static_cast<int>(s);
@@ -417,22 +443,21 @@ std::vector<Candidate> CandidateFinder::find(const Placements& placements, int i
               if (cost >= worst()) break;
             }
             if (cost >= worst()) continue;
-            const Placement placement{state, at};
-            if (!legal(placements, item, placement)) continue;
-            if (options.first_legal) return {{placement, cost}};
-            if (options.noise > 0) cost += options.random->below(options.noise);
-            if (cost >= worst()) continue;
-            cost += access_cost(item, placement);
+            Candidate candidate{{state, at}, cost, {}};
+            if (!collisions(placements, item, candidate.placement, options.eject_price ? *options.eject_price : kNoPrice, candidate.hit)) continue;
+            if (options.first_legal) return {candidate};
+            for (const int other : candidate.hit) candidate.cost += (*options.eject_price)[other];
+            if (options.noise > 0) candidate.cost += options.random->below(options.noise);
+            if (candidate.cost >= worst()) continue;
+            if (candidate.hit.empty()) candidate.cost += access_cost(item, candidate.placement);
             budget.count(8);
-            if (cost >= worst()) continue;
-            const auto place = std::upper_bound(best.begin(), best.end(), cost, [](std::int64_t c, const Candidate& k) { return c < k.cost; });
-            best.insert(place, {placement, cost});
-            if (best.size() > options.most) best.pop_back();
+            keep(std::move(candidate));
           }
         }
       }
     }
   }
+  if (best.size() > options.most) best.resize(options.most);
   return best;
 }
 

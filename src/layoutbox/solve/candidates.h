@@ -43,11 +43,14 @@ struct Budget {
 struct Candidate {
   Placement placement;
   std::int64_t cost = 0;  // thousandths of a point, of what touches the item
+  std::vector<int> hit;   // with eject_price: the items it collides with
 };
 
 struct CandidateOptions {
   std::size_t most = 1;
   bool first_legal = false;    // the first legal one will do
+  bool diverse = false;        // the best of every column and row rather than `most` alike
+  const std::vector<std::int64_t>* eject_price = nullptr;  // collisions are allowed at these prices by item; less than 0: never
   std::int64_t noise = 0;      // up to this much is added to a cost at random
   Random* random = nullptr;    // REQUIRES: set where noise > 0
   int most_size_step = 0;
@@ -64,6 +67,10 @@ class CandidateFinder {
 
   // Collides with nothing placed, and lies in the room.
   bool legal(const Placements& placements, int item, const Placement& placement) const;
+
+  // What it collides with; false: the room's edge or what is not to be ejected.
+  bool collisions(const Placements& placements, int item, const Placement& placement, const std::vector<std::int64_t>& price,
+                  std::vector<int>& hit) const;
 
   bool enforced(int constraint) const;
 

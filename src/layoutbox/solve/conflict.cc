@@ -31,7 +31,7 @@ Result<Clash> shrink(Encoding& encoding, const CpSatLibrary& library, std::vecto
       const std::vector<std::size_t> again = encoding.demands_in(answer.core);
       std::vector<std::size_t> kept;  // those before `i` are known to be needed
       for (const std::size_t d : fewer) {
-        const bool known = std::find(core.begin(), core.begin() + static_cast<std::ptrdiff_t>(i), d) != core.begin() + static_cast<std::ptrdiff_t>(i);
+        const bool known = again.empty() || std::find(core.begin(), core.begin() + static_cast<std::ptrdiff_t>(i), d) != core.begin() + static_cast<std::ptrdiff_t>(i);
         if (known || std::find(again.begin(), again.end(), d) != again.end()) kept.push_back(d);
       }
       core = std::move(kept);

@@ -8,7 +8,8 @@ namespace layoutbox::placement {
 namespace {
 
 constexpr std::int64_t kPoint = 1000;
-constexpr std::size_t kWatchedTries = 32;
+constexpr std::size_t kWatchedTries = 60;
+constexpr int kEjectionsPerItem = 6;
 
 }  // namespace
 
@@ -101,6 +102,7 @@ bool Search::place(int item, std::int64_t noise, Budget& budget) {
   const bool watched = std::any_of(dependents_[item].begin(), dependents_[item].end(), [&](int d) { return bonus_[d] > 0; });
   CandidateOptions options;
   options.most = watched ? kWatchedTries : 1;
+  options.diverse = watched;
   options.noise = noise;
   options.random = &random_;
   options.most_size_step = most_size_step_;
@@ -122,13 +124,75 @@ bool Search::try_order(const std::vector<int>& order, Budget& budget) {
   return failed_.empty();
 }
 
+// Takes an item and what hangs on it out, and puts them in the queue, hosts first.
+void Search::take_out(int item, std::vector<int>& queue) {
+  std::vector<int> group;
+  group_of(item, true, group);
+  for (const int member : group) {
+    if (model_.items[member].fixed) continue;
+    placements_[member] = {};
+    if (std::find(queue.begin(), queue.end(), member) == queue.end()) queue.push_back(member);
+  }
+}
+
+// What found no place pushes others out, who look for a new one; who is pushed out often becomes dear to push.
+bool Search::repair(Budget& budget) {
+  std::vector<int> queue = failed_;
+  std::vector<std::int64_t> price(model_.items.size());
+  for (std::size_t i = 0; i < price.size(); ++i) {
+    const Item& item = model_.items[i];
+    const bool stays = item.fixed || (item.is_opening() && item.opening->offset);
+    price[i] = stays ? -1 : kPoint * (100 + std::int64_t{item.states[0].extent[0]} * item.states[0].extent[1] / 10000);
+  }
+  const Placements before = placements_;
+  const int limit = kEjectionsPerItem * static_cast<int>(model_.items.size()) + 20;
+  for (int step = 0; step < limit && !queue.empty() && !budget.spent(); ++step) {
+    const int item = queue.front();
+    queue.erase(queue.begin());
+    if (place(item, 0, budget)) continue;
+    ++bonus_[item];
+    CandidateOptions options;
+    options.eject_price = &price;
+    options.noise = kPoint * 40;
+    options.random = &random_;
+    options.most_size_step = most_size_step_;
+    const std::vector<Candidate> found = finder_.find(placements_, item, options, budget);
+    if (!found.empty()) {
+      placements_[item] = found[0].placement;
+      for (const int other : found[0].hit) {
+        price[other] += price[other] / 2 + 50 * kPoint;
+        take_out(other, queue);
+      }
+      if (placements_[item].state < 0) continue;  // it hung on what it pushed out
+      price[item] += 100 * kPoint;
+      continue;
+    }
+    // What it refers to stands where it cannot follow.
+    std::vector<int> again;
+    for (const int other : depends_[item]) {
+      if (price[other] >= 0 && placements_[other].state >= 0) take_out(other, again);
+    }
+    if (again.empty()) break;
+    if (std::find(again.begin(), again.end(), item) == again.end()) again.push_back(item);
+    for (const int other : queue) {
+      if (std::find(again.begin(), again.end(), other) == again.end()) again.push_back(other);
+    }
+    queue = std::move(again);
+  }
+  bool all = true;
+  for (std::size_t i = 0; i < placements_.size(); ++i) all = all && (left_out_[i] || placements_[i].state >= 0);
+  if (all) failed_.clear();
+  if (!all) placements_ = before;
+  return all;
+}
+
 bool Search::construct(const std::vector<char>& left_out, int restarts, Budget& budget) {
   left_out_ = left_out;
   left_out_.resize(model_.items.size(), 0);
   Placements best;
   std::vector<int> best_failed;
   for (int attempt = 0; attempt <= restarts; ++attempt) {
-    if (try_order(order(), budget)) return true;
+    if (try_order(order(), budget) || repair(budget)) return true;
     if (best.empty() || failed_.size() < best_failed.size()) best = placements_, best_failed = failed_;
     if (budget.spent()) break;
     bonus_[failed_[0]] += 1 + attempt / 4;

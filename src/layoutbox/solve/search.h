@@ -31,6 +31,8 @@ class Search {
   bool try_order(const std::vector<int>& order, Budget& budget);
   bool place(int item, std::int64_t noise, Budget& budget);
   bool watched_fit(int item, Budget& budget);
+  bool repair(Budget& budget);
+  void take_out(int item, std::vector<int>& queue);
   void group_of(int item, bool with_dependents, std::vector<int>& group);
   bool move(const std::vector<int>& group, std::int64_t noise, Budget& budget);
   std::int64_t cost_touching(const std::vector<int>& group) const;

@@ -20,6 +20,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::int64_t kStepsPerUnit = 1500;     // candidate positions tried in about a millisecond
 constexpr double kProofTimePerUnit = 0.01;       // of CP-SAT's deterministic time
+constexpr double kLongestProof = 10;
 constexpr int kRestarts = 8;
 constexpr int kAllSizes = 1000;
 
@@ -89,7 +90,7 @@ class Solver {
       return false;
     }
     used_cp_sat_ = true;
-    ProofLimits limits{options_.seed, std::max(0.05, static_cast<double>(options_.effort) * kProofTimePerUnit),
+    ProofLimits limits{options_.seed, std::clamp(static_cast<double>(options_.effort) * kProofTimePerUnit, 0.1, kLongestProof),
                        std::max(0.1, options_.time_limit_s - seconds()), options_.stop};
     LAYOUTBOX_ASSIGN(const Proof proof, decide(model_, **library, given_up_, left_out_, placements_, limits));
     if (interrupted()) return fail(ErrorCode::kInterrupted, "stopped");
