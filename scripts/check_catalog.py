@@ -148,6 +148,8 @@ def check_entry(entry: dict, ids: dict[str, dict], rooms: set[str]) -> Iterator[
     if entry.get("thin") and three(entry["size"]["h"])[2] > THIN:
         yield f"thin, but up to {three(entry['size']['h'])[2]} m high"
     for key in ("standsOn", "faces", "beside"):
+        if len(set(entry.get(key, []))) < len(entry.get(key, [])):
+            yield f"{key} names something twice"
         for other in entry.get(key, []):
             if other not in ids:
                 yield f"{key}: there is no entry '{other}'"
@@ -181,7 +183,7 @@ def check_words(things: list[dict]) -> Iterator[str]:
     for thing in things:
         own = {thing["id"].replace("_", " "), thing["name"].lower()}
         for word in [*sorted(own), *thing.get("synonyms", [])]:
-            key = word.replace("-", " ").replace("_", " ")
+            key = "".join(c for c in word.lower() if c.isalnum())  # the program reads words without regard to what separates them
             if word in thing.get("synonyms", []) and word != word.lower():
                 yield f"{thing['id']}: synonym '{word}' is not in lower case"
             if owner.get(key) == thing["id"]:
