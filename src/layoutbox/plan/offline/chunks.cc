@@ -54,7 +54,7 @@ class Chunker {
 
   bool opens_noun(const Token& token) const {
     return token.kind == Token::Kind::kNumber || lexicon_.is(token, Class::kDefinite) || lexicon_.is(token, Class::kIndefinite) || lexicon_.is(token, Class::kPossessive) ||
-           lexicon_.is(token, Class::kEach) || lexicon_.is(token, Class::kBoth) || lexicon_.is(token, Class::kPronoun) || lexicon_.is(token, Class::kAnother) ||
+           lexicon_.is(token, Class::kEach) || lexicon_.is(token, Class::kBoth) || lexicon_.is(token, Class::kPronoun) || lexicon_.is(token, Class::kAnother) || token.text == "over" || token.text == "at" || token.text == "more" || token.text == "exactly" ||
            (lexicon_.is(token, Class::kNumber) && token.text != "double" && token.text != "twin" && token.text != "single");
   }
 
@@ -78,7 +78,9 @@ class Chunker {
       }
       return;
     }
-    if (opens_noun(tokens_[i_]) && phrase.length < 3) {
+    const bool counts = tokens_[i_].text == "over" || tokens_[i_].text == "at" || tokens_[i_].text == "more" || tokens_[i_].text == "exactly";
+    const bool count_follows = !counts || length_of(Class::kAtLeast) > 0 || (length_of(Class::kMoreThan) > 0 && i_ + 1 < tokens_.size() && (tokens_[i_ + 1].kind == Token::Kind::kNumber || lexicon_.is(tokens_[i_ + 1], Class::kNumber)) && before != ChunkKind::kNoun) || length_of(Class::kExactly) > 0;
+    if (opens_noun(tokens_[i_]) && phrase.length < 3 && count_follows) {
       const bool relative = lexicon_.is(tokens_[i_], Class::kRelative) && before == ChunkKind::kNoun && !(tokens_[i_].text == "that" && noun_follows());
       if (relative || (before == ChunkKind::kComma && tokens_[i_].text == "which")) {
         add(ChunkKind::kRelative, 1);
@@ -102,7 +104,7 @@ class Chunker {
 
   bool read_noun(bool bare) {
     // Right after a noun phrase no bare one begins: "lamps light the room", "a table holds".
-    if (bare && previous() == ChunkKind::kNoun) return false;
+    if (bare && previous() == ChunkKind::kNoun && !chunks_.back().noun.owner) return false;
     auto noun = read_noun_phrase(lexicon_, tokens_, i_, bare);
     if (!noun || noun->last <= i_) return false;
     if (bare && noun->kind == NounKind::kAbstract && !noun->collective && noun->last == i_ + 1 && lexicon_.find_phrase(tokens_, i_).length > 0) return false;

@@ -37,6 +37,8 @@ struct Link {
   bool holding = false;                // a have that says that the host carries ("holding", "filled with")
   bool weak = false;                   // a have that another link of the target makes needless
   bool soft = false;
+  bool implied = false;                // the reference is not said: what was spoken of
+  bool after_comma = false;            // ", with …"
   std::optional<double> distance;
   bool at_least = false, at_most = false;
   std::size_t first = 0, last = 0;     // tokens

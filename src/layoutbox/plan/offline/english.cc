@@ -81,9 +81,7 @@ const CatalogEntry* known_kind(const Catalog& catalog, std::string_view noun) {
     // Too general to say anything of size and place.
     static constexpr std::array<std::string_view, 14> kTooGeneral = {"device", "object", "artifact", "instrumentality", "container", "machine", "equipment", "structure", "covering", "product", "article", "commodity", "implement", "furniture"};
     if (std::find(kTooGeneral.begin(), kTooGeneral.end(), general) != kTooGeneral.end()) return nullptr;
-    for (const CatalogEntry& entry : catalog.entries()) {
-      if (key_of(entry.id) == general) return &entry;
-    }
+    if (const CatalogEntry* entry = catalog.find_by_words(general)) return entry;
     line = line_of(general);
   }
   return nullptr;

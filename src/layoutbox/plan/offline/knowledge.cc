@@ -26,8 +26,10 @@ bool allowed(const PhraseSense& sense, const NounPhrase& reference) {
     case R::kOnCeiling: return reference.kind == NounKind::kCeiling;
     case R::kUnderWindow: return reference.kind == NounKind::kWindow;
     case R::kOn: return (kind_flags(reference) & kObject) != 0 || reference.kind == NounKind::kFloor || reference.kind == NounKind::kWindow;
-    case R::kCorner: return reference.kind == NounKind::kCorner;
-    default: return (row.reference_kinds & kind_flags(reference)) != 0;
+    case R::kCorner: return reference.kind == NounKind::kCorner || (reference.kind == NounKind::kRoom && sense.region == "corner");
+    default:
+      if (reference.kind == NounKind::kAbstract || reference.kind == NounKind::kOutsideRoom) return false;
+      return (row.reference_kinds & kind_flags(reference)) != 0;
   }
 }
 
@@ -78,8 +80,8 @@ bool may_carry(const Catalog& catalog, const NounPhrase& host, const NounPhrase&
   if (mount != Mount::kSurface && !(mount == Mount::kWall && one_of(item.head, {"mirror", "picture", "photo", "clock", "painting", "frame", "photograph", "plant", "tv", "television", "screen"}))) {
     // A thing nobody knows may be small.
     const bool unknown = item.entry == nullptr || (!item.exact && item.entry->id != item.category);
-    const bool small = item.entry != nullptr && item.entry->size.usual.width <= 700 && item.entry->size.usual.height <= 900 && !item.entry->thin && !is_seat(catalog, item) && mount == Mount::kFloor &&
-                       !is_table(catalog, item);
+    const bool small = item.entry != nullptr && item.entry->size.usual.width <= 500 && item.entry->size.usual.height <= 600 && !item.entry->thin && !is_seat(catalog, item) && mount == Mount::kFloor &&
+                       !is_table(catalog, item) && (item.entry->used_sides.empty() || one_of(item.head, {"basket", "box", "fridge", "plant", "machine", "cooler", "bin"}));
     if (!(unknown && item.entry == nullptr) && !small) return false;
   }
   if (is_storage(host) || is_table(catalog, host)) return true;
@@ -168,7 +170,7 @@ int suits(const Catalog& catalog, const PhraseSense& sense, const NounPhrase& ta
     case R::kCorner:
       return mount == Mount::kFloor ? 2 : 1;
     case R::kOnWall:
-      return mount == Mount::kWall ? 2 : known && mount == Mount::kFloor && target.entry->size.usual.depth > 700 ? 0 : 1;
+      return mount == Mount::kWall ? 2 : mount == Mount::kFloor && known && (is_table(catalog, target) || is_seat(catalog, target) || target.entry->thin || one_of(target.head, {"bed", "sofa", "couch", "dresser", "wardrobe"})) ? 0 : 1;
     case R::kOnCeiling:
       return mount == Mount::kCeiling || is_lamp(catalog, target) ? 2 : 0;
     case R::kOn:

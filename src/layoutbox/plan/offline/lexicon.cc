@@ -10,7 +10,7 @@
 namespace layoutbox::offline {
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;  // the order of the relations counts
 
 // The lists' texts are kept for the life of the program, so that meanings can point into them.
 const Json& word_list(std::string_view name) {
@@ -203,7 +203,13 @@ Match Lexicon::find(std::span<const Token> tokens, std::size_t at) const {
     if (token.kind == Token::Kind::kPunctuation && length > 1) break;
     if (token.text == "'s" && length > 1) break;
     std::string with_plural = key + token.text;
-    if (const auto found = words_.find(with_plural); found != words_.end()) best = {length, found->second.meanings, false};
+    if (const auto found = words_.find(with_plural); found != words_.end()) {
+      best = {length, found->second.meanings, false};
+      // A plural that is listed as such: "bunk beds" beside "bunk bed".
+      const std::string singular = singular_of(token.text);
+      const auto single = singular == token.text ? words_.end() : words_.find(key + singular);
+      best.plural = single != words_.end() && single->second.meanings.front().entry == best.meanings.front().entry && best.meanings.front().entry != nullptr;
+    }
     if (best.length != length) {
       for (const std::string& form : singular_forms(token.text)) {
         if (form == token.text) continue;

@@ -121,7 +121,7 @@ bool Reader::read_count() {
   const Match number = lexicon_.find(tokens_, i_, Class::kNumber), vague = lexicon_.find(tokens_, i_, Class::kVague);
   if (number.length == 0 && vague.length == 0) return false;
   // Another word's longer meaning wins: "single bed", "one another", "twin-size".
-  const Match any = lexicon_.find(tokens_, i_);
+  const Match any = at_word("dual") ? Match{} : lexicon_.find(tokens_, i_);
   const bool is_number = number.length >= vague.length;
   const Match& best = is_number ? number : vague;
   if (any.length > best.length && !has(any, Class::kNumber) && !has(any, Class::kVague)) return false;
@@ -291,9 +291,23 @@ bool Reader::read_part() {
   if (match.length > 0) {
     const Meaning* object = meaning_of(match, Class::kObject);
     const Meaning* attribute = attribute_of(match);
+    // "mid-century style table", "tan colored rug": the word belongs to the attribute before it.
+    static constexpr std::string_view kOfAttribute[] = {"style", "styled", "themed", "inspired", "shaped", "toned", "colored", "size", "sized", "type", "looking", "backed", "topped"};
+    if (!parts_.empty() && is_attribute_class(parts_.back().word_class) && match.length == 1 && std::find(std::begin(kOfAttribute), std::end(kOfAttribute), token().text) != std::end(kOfAttribute)) {
+      parts_.back().last = i_ + 1;
+      ++i_;
+      return true;
+    }
     const bool verbal = has(match, Class::kParticiple) || has(match, Class::kPlaceVerb) || has(match, Class::kHang) || has(match, Class::kHave) || has(match, Class::kVerb) || has(match, Class::kPurpose);
     // A noun that is a verb as well ("light", "plant", "stand", "frames") is a verb right after another noun, unless it ends a name.
-    if (object != nullptr && !(verbal && noun_before && !hyphenated(i_))) return add(Class::kObject, *object, match.length, match.plural);
+    // "glass" before a noun is what the noun is made of; "drawers" are parts where both are listed.
+    const bool noun_next = [&] {
+      const Match next = lexicon_.find(tokens_, i_ + match.length);
+      return has(next, Class::kObject) && !has(next, Class::kPlaceVerb) && !has(next, Class::kHave);
+    }();
+    if (attribute != nullptr && object != nullptr && match.length == 1 && noun_next && !noun_before) return add(attribute->word_class, *attribute, match.length, match.plural);
+    const bool part = has(match, Class::kPart) && match.length == 1;
+    if (object != nullptr && !(verbal && noun_before && !hyphenated(i_)) && !part) return add(Class::kObject, *object, match.length, match.plural);
     if (attribute != nullptr && !(noun_before && verbal)) {
       if (noun_before && !hyphenated(i_)) {
         // "bed king size": an attribute after the noun ends the phrase, unless another noun follows it ("table glass lamp").
@@ -310,6 +324,9 @@ bool Reader::read_part() {
         if (has(next, Class::kObject) || has(next, Class::kWall) || has(next, Class::kCorner) || has(next, Class::kSide) || has(next, Class::kNumber) || has(next, Class::kWallWord)) break;  // "left corner"
       }
       if ((verbal && noun_before) || (!named && !bare_)) return false;
+      // "another table right of the sofa", "a chair back": a side after a noun is no part of its name.
+      if (noun_before && place == Class::kSide && !hyphenated(i_)) return false;
+      if (noun_before && place == Class::kPart && meaning_of(match, Class::kSide) != nullptr && !hyphenated(i_)) return false;
       return add(place, *meaning, match.length, match.plural);
     }
     for (const Class word : {Class::kWallRelation, Class::kWallWord}) {
@@ -406,7 +423,7 @@ void Reader::settle_object(const Part& head, std::size_t head_index) {
   std::size_t begin = head.first;
   for (std::size_t p = head_index; p-- > 0;) {
     const Class c = parts_[p].word_class;
-    const bool in_name = c == Class::kObject || c == Class::kFiller || c == Class::kRoom || c == Class::kRoomNoun || c == Class::kPart || c == Class::kAbstract || c == Class::kWall || c == Class::kFloor || c == Class::kCeiling || c == Class::kDoor || c == Class::kWindow;
+    const bool in_name = c == Class::kObject || c == Class::kFiller || c == Class::kRoom || c == Class::kRoomNoun || c == Class::kPart || c == Class::kAbstract || c == Class::kWall || c == Class::kFloor || c == Class::kCeiling || c == Class::kDoor || c == Class::kWindow || c == Class::kCorner || c == Class::kCenter;
     if (!in_name) break;
     const WordForm form = word_form(tokens_[parts_[p].last - 1].text);
     if (c == Class::kFiller && (form == WordForm::kAdjective || form == WordForm::kAdverb)) break;

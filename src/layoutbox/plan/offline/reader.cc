@@ -27,6 +27,12 @@ bool says(const PhraseSenses& senses, RelationType type) {
   return std::any_of(senses.begin(), senses.end(), [&](const PhraseSense& s) { return s.type == type; });
 }
 
+// "holds", "decorates": a finite verb among the relation phrases and the words of having.
+bool is_finite(std::string_view word) {
+  static constexpr std::string_view kNot[] = {"across", "towards", "besides", "plus", "as", "opposites"};
+  return word.size() > 2 && word.ends_with("s") && std::find(std::begin(kNot), std::end(kNot), word) == std::end(kNot);
+}
+
 bool contains(const std::vector<int>& all, int one) { return std::find(all.begin(), all.end(), one) != all.end(); }
 
 }  // namespace
@@ -66,7 +72,7 @@ void DocumentReader::begin_clause() {
   chain_.clear();
   after_verb_ = after_participle_ = imperative_ = false;
   expects_reference_ = expects_content_ = skipping_ = negated_ = soft_ = hang_ = false;
-  reference_link_ = last_reference_ = owner_ = relative_host_ = -1;
+  reference_link_ = last_reference_ = owner_ = relative_host_ = where_host_ = last_wall_ = -1;
   joiner_ = Joiner::kNone;
 }
 
@@ -80,6 +86,7 @@ void DocumentReader::begin_sentence() {
     }
   }
   roots_.clear();
+  sentence_links_ = document_.links.size();
   root_joiners_.clear();
   root_modified_.clear();
   clause_start_ = 0;
@@ -94,7 +101,13 @@ void DocumentReader::read_chunk(std::size_t k) {
   using Use = WordReading::Use;
   switch (chunk(k).kind) {
     case ChunkKind::kStop: begin_sentence(); break;
-    case ChunkKind::kClause: mark(k, Use::kIgnored, "joins clauses"); begin_clause(); break;
+    case ChunkKind::kClause: {
+      mark(k, Use::kIgnored, "joins clauses");
+      const int place = document_.tokens[chunk(k).first].text == "where" && !chain_.empty() ? chain_.back() : -1;
+      begin_clause();
+      where_host_ = place;
+      break;
+    }
     case ChunkKind::kComma: case ChunkKind::kAnd: read_break(k); break;
     case ChunkKind::kIgnored: mark(k, Use::kIgnored, "filler"); break;
     case ChunkKind::kUnknown:
@@ -150,6 +163,29 @@ void DocumentReader::read_chunk(std::size_t k) {
       }
       break;
   }
+}
+
+// A verb, in whatever chunk it stands.
+bool DocumentReader::verb_at(std::size_t k) const {
+  if (is(k, ChunkKind::kVerb)) return true;
+  return (is(k, ChunkKind::kRelation) || is(k, ChunkKind::kHave)) && is_finite(document_.tokens[chunk(k).first].text);
+}
+
+// "in front of the sofa is a table", "near the window, a chair": a place before its thing.
+bool DocumentReader::place_comes_first(std::size_t k) const {
+  const std::size_t n = next(k);
+  if (!is(n, ChunkKind::kNoun) || verb_at(k)) return false;
+  std::size_t after = next(n);
+  if (chunk(n).noun.owner) after = next(after);
+  if (is(after, ChunkKind::kVerb) || is(after, ChunkKind::kThere)) {
+    const std::size_t thing = next(after);
+    return is(thing, ChunkKind::kNoun) && chunk(thing).noun.kind == NounKind::kObject;
+  }
+  if (is(after, ChunkKind::kComma) && joiner_ != Joiner::kComma) {
+    const std::size_t thing = next(after);
+    return is(thing, ChunkKind::kThere) || (is(thing, ChunkKind::kNoun) && chunk(thing).noun.kind == NounKind::kObject && chunk(thing).noun.determiner != Determiner::kDefinite);
+  }
+  return false;
 }
 
 void DocumentReader::read_break(std::size_t k) {
@@ -234,6 +270,7 @@ void DocumentReader::read_noun(std::size_t k) {
   const NounPhrase& noun = chunk(k).noun;
   if (skipping_) {
     mark(k, Use::kIgnored, "purpose");
+    if (noun.kind == NounKind::kRoom) document_.rooms.push_back(noun);
     return;
   }
   if (negated_) {
@@ -290,6 +327,13 @@ void DocumentReader::read_noun(std::size_t k) {
   }
   owner_ = -1;
   const int mention = references_.mention(noun, antecedent, expects_reference_);
+  if (expects_reference_ && mention_at(mention).items.empty() && (noun.kind == NounKind::kAbstract || noun.kind == NounKind::kRoom)) {
+    const int meant = thing_of_zone(noun);
+    if (meant >= 0) {
+      mention_at(mention).items = mention_at(meant).items;
+      mention_at(mention).noun = noun_of(meant);
+    }
+  }
   if (noun.owner) {
     owner_ = mention;
     mark(k, Use::kUsed, "owner");
@@ -298,6 +342,28 @@ void DocumentReader::read_noun(std::size_t k) {
   const bool abstract = noun.kind == NounKind::kAbstract && !(noun.collective && expects_content_);
   mark(k, abstract ? Use::kIgnored : Use::kUsed, abstract ? "no object" : noun.name.empty() ? "reference" : noun.name);
   read_place(k, mention);
+}
+
+// What stands for an area of the room: "the dining area" is where the dining table is, "the seating area" where one sits.
+int DocumentReader::thing_of_zone(const NounPhrase& noun) const {
+  static constexpr std::string_view kZones[] = {"area", "zone", "nook", "setup", "arrangement", "section", "spot", "station", "corner", "set-up"};
+  if (std::find(std::begin(kZones), std::end(kZones), noun.head) == std::end(kZones) || noun.determiner != Determiner::kDefinite) return -1;
+  const std::string words = words_between(document_, noun.first, noun.last);
+  int seat = -1;
+  for (std::size_t m = document_.mentions.size(); m-- > 0;) {
+    const Mention& mention = document_.mentions[m];
+    if (mention.items.empty() || !mention.introduces || mention.noun.kind != NounKind::kObject) continue;
+    const std::string first = mention.noun.name.substr(0, mention.noun.name.find(' '));
+    if (first != mention.noun.name && words.find(first) != std::string::npos) return static_cast<int>(m);
+    if (seat < 0 && is_seat(lexicon_.catalog(), mention.noun)) seat = static_cast<int>(m);
+  }
+  if (words.find("seating") != std::string::npos || words.find("sitting") != std::string::npos || words.find("lounge") != std::string::npos) return seat;
+  if (words.find("sleeping") != std::string::npos) {
+    for (std::size_t m = 0; m < document_.mentions.size(); ++m) {
+      if (!document_.mentions[m].items.empty() && document_.mentions[m].noun.head == "bed") return static_cast<int>(m);
+    }
+  }
+  return last_topic_ >= 0 && is_thing(last_topic_) ? last_topic_ : -1;
 }
 
 void DocumentReader::read_place(std::size_t k, int mention) {
@@ -313,7 +379,8 @@ void DocumentReader::read_place(std::size_t k, int mention) {
       mark(k, WordReading::Use::kUsed, copy.name);
     }
   }
-  const NounPhrase read = mention_at(mention).noun;
+  NounPhrase read = mention_at(mention).noun;
+  if (chunk(k).noun.kind == NounKind::kMember && !mention_at(mention).introduces) read.kind = NounKind::kMember;
   if (expects_reference_) {
     place_reference(k, mention);
   } else if (expects_content_) {
@@ -350,7 +417,13 @@ void DocumentReader::place_root(std::size_t k, int mention) {
   for (const int link : fronted_) {
     Link& waiting = link_at(link);
     if (!waiting.targets.empty() && waiting.references.empty()) waiting.references = {mention};
-    else if (waiting.references.empty() || !contains(waiting.references, mention)) waiting.targets.push_back(mention);
+    else if (waiting.references.empty() || !contains(waiting.references, mention)) {
+      waiting.targets.push_back(mention);
+      if (waiting.each) grow_for_sides(waiting.senses, mention);
+      for (const int reference : waiting.references) {
+        if (mention_at(reference).distributes && mention_at(reference).items.size() > 1) references_.grow(mention, mention_at(mention).items.size() * mention_at(reference).items.size());
+      }
+    }
     root_modified_.back() = true;
   }
   if (imperative_) {
@@ -368,6 +441,7 @@ void DocumentReader::place_reference(std::size_t k, int mention) {
   link.references.push_back(mention);
   link.last = chunk(k).last;
   last_reference_ = static_cast<int>(k);
+  if (noun_of(mention).kind == NounKind::kWall) last_wall_ = mention;
   const bool is_fronted = contains(fronted_, reference_link_);
   if (!is_fronted && link.references.size() == 1) {
     link.targets = targets_for(link.senses, Direction::kDirect, noun_of(mention), after_participle_, k);
@@ -377,21 +451,25 @@ void DocumentReader::place_reference(std::size_t k, int mention) {
       }
     }
     // Several at each side, desk or corner: as many as the places ask for.
-    if (link.each || mention_at(mention).distributes) {
+    if (link.each && is_thing(mention)) {
+      for (const int target : link.targets) grow_for_sides(link.senses, target);
+    }
+    if (mention_at(mention).distributes) {
       for (const int target : link.targets) {
         const std::size_t places = std::max<std::size_t>(mention_at(mention).items.size(), 1);
         if (mention_at(mention).distributes && places > 1) references_.grow(target, mention_at(target).items.size() * places);
       }
     }
-    if (hang_ && !link.targets.empty()) {
-      const NounKind kind = noun_of(mention).kind;
-      if (kind != NounKind::kWall && kind != NounKind::kCeiling) hang(link.targets, k);
-      hang_ = false;
-    }
     // A screen on a stand looks where the stand looks.
     if (says(link.senses, RelationType::kFacing) && chain_.size() > 1 && link.targets.size() == 1 && link.targets.front() == chain_.back() && is_thing(chain_[chain_.size() - 2])) {
       const NounPhrase& carried = noun_of(chain_[chain_.size() - 2]);
       if (carried.head == "tv" || carried.head == "television" || carried.head == "monitor" || carried.head == "screen") link.targets.push_back(chain_[chain_.size() - 2]);
+    }
+    if (hang_ && !link.targets.empty()) {
+      const NounKind kind = noun_of(mention).kind;
+      const std::vector<int> hung = link.targets;  // `link` does not outlive a new one
+      if (kind != NounKind::kWall && kind != NounKind::kCeiling) hang(hung, k);
+      hang_ = false;
     }
   }
   if (is_thing(mention) && !is_fronted) chain_.push_back(mention);
@@ -444,7 +522,7 @@ bool DocumentReader::goes_on_with_reference(std::size_t k, const NounPhrase& nou
   if (definite(former) != definite(noun)) return false;
   const std::size_t n = next(k);
   if (contains(fronted_, reference_link_)) return true;
-  return !is(n, ChunkKind::kRelation) && !is(n, ChunkKind::kVerb) && !is(n, ChunkKind::kParticiple) && !is(n, ChunkKind::kHave);
+  return !is(n, ChunkKind::kRelation) && !verb_at(n) && !is(n, ChunkKind::kParticiple) && !is(n, ChunkKind::kHave);
 }
 
 bool DocumentReader::goes_on_with_contents(std::size_t k, const NounPhrase& noun) const {
@@ -455,7 +533,12 @@ bool DocumentReader::goes_on_with_contents(std::size_t k, const NounPhrase& noun
   if (noun.kind != NounKind::kObject && !noun.collective && noun.kind != NounKind::kAbstract) return false;
   if (noun.kind == NounKind::kMember || link.targets.empty()) return false;
   const std::size_t n = next(k);
-  if (is(n, ChunkKind::kVerb)) return false;
+  if (verb_at(n)) {
+    // "a cart stocked with glasses and bottles stands": the verb's number tells that the cart is its subject.
+    const std::string& verb = document_.tokens[chunk(n).first].text;
+    const bool singular = verb == "is" || verb == "was" || (verb != "was" && verb.ends_with("s"));
+    return joiner_ == Joiner::kAnd && singular && noun.is_plural();
+  }
   if (frame.hosts.empty()) return true;
   const NounPhrase& host = noun_of(frame.hosts.front());
   if (host.kind == NounKind::kWall || host.kind == NounKind::kCorner) return joiner_ == Joiner::kAnd || joiner_ == Joiner::kComma;
@@ -473,7 +556,7 @@ bool DocumentReader::goes_on_with_contents(std::size_t k, const NounPhrase& noun
   return carried && mount_of(former) == Mount::kSurface;
 }
 
-std::vector<int> DocumentReader::joined_with(int mention, bool after_participle) const {
+std::vector<int> DocumentReader::joined_with(int mention, bool after_participle, bool in_center) const {
   if (contains(subject_, mention)) return subject_;
   const auto at = std::find(roots_.begin(), roots_.end(), mention);
   std::vector<int> joined{mention};
@@ -481,7 +564,8 @@ std::vector<int> DocumentReader::joined_with(int mention, bool after_participle)
   for (std::size_t r = static_cast<std::size_t>(at - roots_.begin()); r > clause_start_; --r) {
     const bool shares_article = noun_of(roots_[r]).determiner == Determiner::kNone && noun_of(roots_[r]).count == 0 && !noun_of(roots_[r]).plural && noun_of(roots_[r - 1]).determiner != Determiner::kNone;
     if (root_joiners_[r] != Joiner::kAnd || root_modified_[r - 1] || !is_thing(roots_[r - 1])) break;
-    if (!shares_article && !after_participle) break;
+    const bool pair_in_center = in_center && r == clause_start_ + 1 && r + 1 == roots_.size();
+    if (!shares_article && !after_participle && !pair_in_center) break;
     joined.insert(joined.begin(), roots_[r - 1]);
   }
   return joined;
@@ -504,6 +588,7 @@ std::vector<int> DocumentReader::targets_for(const PhraseSenses& senses, Directi
     const bool root = contains(roots_, mention) || contains(subject_, mention);
     // What was there before is seldom placed anew by the way.
     if (!document_.mentions[static_cast<std::size_t>(mention)].introduces && !root) score -= 15;
+    if (hang_ && !apart && c + 1 == count && score > 0) score += 12;  // "a bicycle hung on the wall"
     if (reference.kind == NounKind::kObject && noun.name == reference.name && noun.first == reference.first) continue;
     if (score > best_score) best = mention, best_score = score;
   }
@@ -518,7 +603,7 @@ std::vector<int> DocumentReader::targets_for(const PhraseSenses& senses, Directi
     if (kind == NounKind::kDoor || kind == NounKind::kWindow) return {chain_.front()};
   }
   if (best < 0) return {};
-  return joined_with(best, after_participle);
+  return joined_with(best, after_participle, reference.kind == NounKind::kCenter);
 }
 
 void DocumentReader::imply_adjective(int mention, std::size_t k) {
@@ -539,6 +624,60 @@ void DocumentReader::imply_adjective(int mention, std::size_t k) {
   }
 }
 
+// "a lamp on each side" is two lamps, "two chairs on each long side" four.
+void DocumentReader::grow_for_sides(const PhraseSenses& senses, int target) {
+  const std::size_t count = mention_at(target).items.size();
+  if (says(senses, RelationType::kAlongSide)) references_.grow(target, count * 2);
+  else if (says(senses, RelationType::kEachSideOf) && count != 2) references_.grow(target, count * 2);
+}
+
+// "a laptop on the right side of the desk and a wallet on the left side": of the desk as well; "on the short side": of a table.
+int DocumentReader::implied_side_host(const PhraseSenses& senses, const std::vector<int>& targets) const {
+  const bool side = says(senses, RelationType::kLeftOf) || says(senses, RelationType::kRightOf);
+  const bool table = says(senses, RelationType::kAlongSide);
+  const auto own = [&](int mention) {
+    for (const int target : targets) {
+      for (const int item : document_.mentions[static_cast<std::size_t>(target)].items) {
+        if (contains(document_.mentions[static_cast<std::size_t>(mention)].items, item)) return true;
+      }
+    }
+    return false;
+  };
+  if (side && (joiner_before_relation_ == Joiner::kNone)) {
+    for (std::size_t l = document_.links.size(); l-- > sentence_links_;) {
+      const Link& link = document_.links[l];
+      if (!(says(link.senses, RelationType::kLeftOf) || says(link.senses, RelationType::kRightOf)) || link.references.empty()) continue;
+      if (is_thing(link.references.front()) && !own(link.references.front()) && frames_are_room()) return link.references.front();
+    }
+  }
+  if (table) {
+    const auto fits = [&](int mention) { return mention >= 0 && is_thing(mention) && !own(mention) && is_table(lexicon_.catalog(), noun_of(mention)); };
+    for (std::size_t f = frames_.size(); f-- > 0;) {
+      for (const int host : frames_[f].hosts) {
+        if (fits(host)) return host;
+      }
+    }
+    for (std::size_t r = roots_.size(); r-- > 0;) {
+      if (fits(roots_[r])) return roots_[r];
+    }
+    for (std::size_t m = document_.mentions.size(); m-- > 0;) {
+      if (fits(static_cast<int>(m))) return static_cast<int>(m);
+    }
+  }
+  return implied_reference(targets);
+}
+
+bool DocumentReader::frames_are_room() const {
+  return std::all_of(frames_.begin(), frames_.end(), [](const Frame& frame) { return frame.room; });
+}
+
+std::size_t DocumentReader::previous(std::size_t k) const {
+  while (k-- > 0) {
+    if (!is(k, ChunkKind::kIgnored) && !is(k, ChunkKind::kSoft)) return k;
+  }
+  return document_.chunks.size();
+}
+
 void DocumentReader::hang(const std::vector<int>& targets, std::size_t k) {
   Link link;
   link.kind = Link::Kind::kHang;
@@ -556,7 +695,11 @@ void DocumentReader::read_relation(std::size_t k) {
   }
   mark(k, WordReading::Use::kUsed, "relation");
   joiner_before_relation_ = joiner_;
-  if (relation.placing) after_participle_ = true;
+  const std::string& first_word = document_.tokens[relation.first].text;
+  if (relation.placing || first_word.ends_with("ing") || first_word.ends_with("ed")) after_participle_ = true;
+  if (joiner_ != Joiner::kNone && joiner_ != Joiner::kComma && place_comes_first(k)) {
+    begin_clause();
+  }
   const PhraseSenses& senses = *relation.phrase.senses;
   const std::size_t n = next(k);
   const bool noun_follows = is(n, ChunkKind::kNoun);
@@ -582,7 +725,9 @@ void DocumentReader::read_relation(std::size_t k) {
     joiner_ = Joiner::kNone;
     return;
   }
-  if (!alone && !relation.phrase.possessive) {
+  const std::string& last_word = document_.tokens[relation.last - 1].text;
+  const bool open_end = last_word == "of" || last_word == "to" || last_word == "from" || last_word == "with" || last_word == "by" || last_word == "at" || last_word == "on" || last_word == "in" || last_word == "against";
+  if (!alone && !relation.phrase.possessive && (open_end || !direct)) {
     if (relation.hang && !chain_.empty()) hang({chain_.back()}, k);
     return;
   }
@@ -595,28 +740,47 @@ void DocumentReader::read_relation(std::size_t k) {
     joiner_ = Joiner::kNone;
     return;
   }
-  const bool group_only = link.senses.size() == 1 && relation_row(link.senses.front().type).arity == RelationArity::kNone;
+  const std::size_t before = previous(k);
+  // "against the wall to the right": which wall.
+  if (is(before, ChunkKind::kNoun) && chunk(before).noun.kind == NounKind::kWall && last_wall_ >= 0 && (says(link.senses, RelationType::kLeftOf) || says(link.senses, RelationType::kRightOf))) {
+    mention_at(last_wall_).noun.wall_word = says(link.senses, RelationType::kLeftOf) ? "left" : "right";
+    return;
+  }
+  if (is(before, ChunkKind::kNoun) && (chunk(before).noun.kind == NounKind::kAbstract || chunk(before).noun.kind == NounKind::kPart) && !chain_.empty() && !is_thing(chain_.back())) return;
+  const bool group_only = std::all_of(link.senses.begin(), link.senses.end(), [](const PhraseSense& s) { return relation_row(s.type).arity == RelationArity::kNone; });
   std::vector<int> targets;
   if (!chain_.empty()) {
     int target = chain_.back();
     const bool apart = joiner_ != Joiner::kNone;
-    if (apart || after_verb_) target = chain_.front();
+    const bool verb_before = is(before, ChunkKind::kVerb);
+    if (apart || verb_before) target = chain_.front();
     // "a lamp on the nightstand to the left": the new thing, not the one that was there.
     if (!document_.mentions[static_cast<std::size_t>(target)].introduces) target = chain_.front();
     if (!is_thing(target)) target = chain_.front();
-    if (is_thing(target)) targets = joined_with(target, after_participle_);
+    if (group_only) {
+      NounPhrase room;
+      room.kind = NounKind::kRoom;
+      int best = -1;
+      for (std::size_t c = chain_.size(); c-- > 0;) {
+        if (!is_thing(chain_[c]) || !document_.mentions[static_cast<std::size_t>(chain_[c])].introduces) continue;
+        const int score = suits(lexicon_.catalog(), link.senses.front(), noun_of(chain_[c]), room);
+        if (score > best) best = score, target = chain_[c];
+      }
+    }
+    if (is_thing(target)) targets = joined_with(target, after_participle_, group_only && says(link.senses, RelationType::kCenterOfRoom));
+    // "cups and sodas on top": all that the host has.
+    if (says(link.senses, RelationType::kOn) && !frames_.empty() && frames_.back().link >= 0 && contains(link_at(frames_.back().link).targets, target)) targets = link_at(frames_.back().link).targets;
   }
   if (targets.empty()) return;
   link.targets = targets;
   if (!group_only) {
-    const int reference = implied_reference(targets);
+    const int reference = implied_side_host(link.senses, targets);
     if (reference >= 0) link.references = {reference};
+    link.implied = true;
   }
   // "a lamp on each side": one for either side.
-  if (link.each && says(link.senses, RelationType::kEachSideOf)) {
-    for (const int target : targets) {
-      if (mention_at(target).items.size() == 1 && mention_at(target).introduces) references_.grow(target, 2);
-    }
+  if (link.each) {
+    for (const int target : targets) grow_for_sides(link.senses, target);
   }
   if (relation.hang || hang_) hang(targets, k);
   hang_ = false;
@@ -637,8 +801,9 @@ void DocumentReader::read_inverse(std::size_t k, PhraseSenses senses) {
   std::vector<int> hosts;
   if (!at_start) {
     int host = chain_.empty() ? -1 : chain_.back();
-    const bool apart = joiner_ != Joiner::kNone || after_verb_;
+    const bool apart = joiner_ != Joiner::kNone || is(previous(k), ChunkKind::kVerb);
     if (apart && !chain_.empty()) host = chain_.front();
+    if (is_finite(document_.tokens[chunk(k).first].text) && roots_.size() > clause_start_) host = roots_.back();
     if (host >= 0 && !is_thing(host)) {
       for (const int mention : chain_) {
         if (is_thing(mention)) host = mention;
@@ -647,6 +812,7 @@ void DocumentReader::read_inverse(std::size_t k, PhraseSenses senses) {
     if (relative_host_ >= 0) host = relative_host_;
     if (host >= 0) hosts = {host};
     if (host >= 0 && contains(subject_, host)) hosts = subject_;
+    relative_host_ = -1;
   }
   for (const int host : hosts) {
     for (std::size_t r = 0; r < roots_.size(); ++r) {
@@ -680,13 +846,15 @@ void DocumentReader::read_have(std::size_t k) {
   joiner_ = Joiner::kNone;
   // The host: what stands right before; after a comma or a verb the clause's own thing.
   int host = chain_.empty() ? -1 : chain_.back();
-  if ((after_comma || after_verb_) && !chain_.empty()) host = chain_.front();
+  if ((after_comma || is(previous(k), ChunkKind::kVerb)) && !chain_.empty()) host = chain_.front();
+  if (is_finite(word) && roots_.size() > clause_start_) host = roots_.back();
   if (relative_host_ >= 0) host = relative_host_;
+  relative_host_ = -1;
   if (host < 0 && !roots_.empty() && roots_.size() > clause_start_) host = roots_.back();
+  link.after_comma = after_comma;
   const auto kind = host >= 0 ? noun_of(host).kind : NounKind::kRoom;
   if (host >= 0 && is_thing(host) && kind != NounKind::kAbstract) {
-    link.references = {host};
-    if (contains(subject_, host)) link.references = subject_;
+    link.references = joined_with(host, !plain);
     const std::vector<int> hosts = link.references;
     const int index = add_link(std::move(link));
     frames_.push_back({index, hosts, false, after_comma});
@@ -756,6 +924,18 @@ void DocumentReader::read_verb(std::size_t k) {
   }
   subject.erase(std::remove_if(subject.begin(), subject.end(), [&](int m) { return subject.size() > 1 && !is_thing(m); }), subject.end());
   subject_ = subject;
+  // "a table where puzzles lie": on the table.
+  const std::size_t after = next(k);
+  if (where_host_ >= 0 && is_thing(where_host_) && is_thing(subject_.front()) && (is(after, ChunkKind::kStop) || is(after, ChunkKind::kComma))) {
+    Link link;
+    link.kind = Link::Kind::kHave;
+    link.holding = true;
+    link.targets = subject_;
+    link.references = {where_host_};
+    link.first = chunk(k).first;
+    link.last = chunk(k).last;
+    add_link(std::move(link));
+  }
   chain_ = {subject_.front()};
   after_verb_ = true;
   imperative_ = false;

@@ -45,7 +45,14 @@ class DocumentReader {
   bool goes_on_with_contents(std::size_t k, const NounPhrase& noun) const;
 
   std::vector<int> targets_for(const PhraseSenses& senses, PhraseSense::Direction direction, const NounPhrase& reference, bool after_participle, std::size_t k) const;
-  std::vector<int> joined_with(int mention, bool after_participle) const;
+  std::vector<int> joined_with(int mention, bool after_participle, bool in_center = false) const;
+  int implied_side_host(const PhraseSenses& senses, const std::vector<int>& targets) const;
+  int thing_of_zone(const NounPhrase& noun) const;
+  void grow_for_sides(const PhraseSenses& senses, int target);
+  bool frames_are_room() const;
+  bool verb_at(std::size_t k) const;
+  bool place_comes_first(std::size_t k) const;
+  std::size_t previous(std::size_t k) const;     // the chunk before, ignored ones left out; past the end if none
   int implied_reference(const std::vector<int>& targets) const;
   int implied_group(const std::vector<int>& targets) const;
   void imply_adjective(int mention, std::size_t k);
@@ -79,7 +86,8 @@ class DocumentReader {
   bool hang_ = false;                 // a participle or verb of hanging waits for its place
   int last_reference_ = -1;
   int owner_ = -1;
-  int relative_host_ = -1;
+  int relative_host_ = -1, where_host_ = -1, last_wall_ = -1;
+  std::size_t sentence_links_ = 0;    // links before this sentence
   Joiner joiner_ = Joiner::kNone, joiner_before_relation_ = Joiner::kNone;
   std::size_t clause_start_ = 0;      // of roots_
   bool imperative_ = false;           // "place the bed …": what is named next is placed

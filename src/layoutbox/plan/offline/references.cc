@@ -47,6 +47,8 @@ bool References::same_kind(const NounPhrase& wanted, const NounPhrase& item) con
 int References::fit(const NounPhrase& wanted, const NounPhrase& item) const {
   const Catalog& catalog = lexicon_.catalog();
   if (wanted.name == item.name) return 4;
+  static constexpr std::string_view kOfIt[] = {"screen", "top", "surface", "area", "set"};
+  if (wanted.name.starts_with(item.name + " ") && std::find(std::begin(kOfIt), std::end(kOfIt), wanted.name.substr(item.name.size() + 1)) != std::end(kOfIt)) return 3;
   if (wanted.exact && item.exact && wanted.entry == item.entry) return 3;
   if (last_word(wanted.name) == last_word(item.name) && (wanted.name.find(' ') == std::string::npos || item.name.find(' ') == std::string::npos)) {
     // "the table" is any table; "the coffee table" is not a plain table that was named before it.
@@ -71,7 +73,8 @@ std::vector<int> References::known(const NounPhrase& noun) const {
       if (contains({}, 0)) continue;
       score += std::find(item.attributes.begin(), item.attributes.end(), attribute) != item.attributes.end() ? 3 : -1;
     }
-    if (!noun.is_plural() && score == best_score) continue;
+    const bool all = noun.is_plural() || noun.determiner == Determiner::kEach;
+    if (!all && score == best_score) continue;
     if (score < best_score) continue;
     if (score > best_score) found.clear(), best_group = document_.items[i].group;
     best_score = score;
@@ -79,14 +82,22 @@ std::vector<int> References::known(const NounPhrase& noun) const {
     found.push_back(static_cast<int>(i));
   }
   std::reverse(found.begin(), found.end());
-  if (!found.empty() && !noun.is_plural()) {
-    // A singular names one thing, or a group that was brought in together and is spoken of as one.
+  if (!found.empty() && !noun.is_plural() && noun.determiner != Determiner::kEach) {
+    // A singular names one thing; which member of a group, "left" and "other" say.
     const int group = document_.items[static_cast<std::size_t>(found.front())].group;
     std::vector<int> members;
     for (std::size_t i = 0; i < document_.items.size(); ++i) {
       if (document_.items[i].group == group) members.push_back(static_cast<int>(i));
     }
     return members;
+  }
+  if (noun.determiner == Determiner::kEach && !found.empty()) {
+    // "each table": those that were brought in together last, if several were.
+    std::map<int, std::vector<int>> groups;
+    for (const int item : found) groups[document_.items[static_cast<std::size_t>(item)].group].push_back(item);
+    for (auto group = groups.rbegin(); group != groups.rend(); ++group) {
+      if (group->second.size() > 1) return group->second;
+    }
   }
   return found;
 }
@@ -159,6 +170,14 @@ int References::mention(const NounPhrase& noun, int antecedent, bool as_referenc
       }
       return add(std::move(mention));
   }
+  if (noun.head == "furniture" || noun.head == "everything") {
+    for (std::size_t i = 0; i < document_.items.size(); ++i) {
+      const CatalogEntry* entry = document_.items[i].noun.entry;
+      if (entry == nullptr || (entry->mount == Mount::kFloor && !entry->thin)) mention.items.push_back(static_cast<int>(i));
+    }
+    if (mention.items.empty()) mention.noun.kind = NounKind::kAbstract;
+    return add(std::move(mention));
+  }
   const bool definite = noun.determiner == Determiner::kDefinite || noun.determiner == Determiner::kPossessive || noun.determiner == Determiner::kBoth || noun.determiner == Determiner::kEach ||
                         noun.determiner == Determiner::kOther;
   if (definite) {
@@ -176,8 +195,8 @@ int References::mention(const NounPhrase& noun, int antecedent, bool as_referenc
         picked.insert(picked.end(), mention.items.begin(), mention.items.end());
       } else if (!noun.is_plural() && mention.items.size() > 1 && !mention.distributes) {
         // "the left nightstand" of two; "the other chair"; else one that was spoken of as one.
-        if (noun.wall_word == "left") mention.items = {mention.items.front()};
-        else if (noun.wall_word == "right") mention.items = {mention.items.back()};
+        if (noun.wall_word == "right") mention.items = {mention.items.back()};
+        else mention.items = {mention.items.front()};
       } else if (noun.count > 1 && mention.items.size() > static_cast<std::size_t>(noun.count)) {
         mention.items.resize(static_cast<std::size_t>(noun.count));
       }

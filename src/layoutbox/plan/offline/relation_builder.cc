@@ -151,33 +151,32 @@ class Builder {
       add_between(link, targets);
       return;
     }
-    std::vector<int> reference_items;
-    const Mention* place = nullptr;
-    for (const int reference : link.references) {
-      if (mention(reference).items.empty()) place = &mention(reference);
-    }
-    reference_items = items_of(link.references);
-    const NounPhrase& reference = mention(link.references.front()).noun;
+    for (const int reference : link.references) add_relations_to(link, targets, mention(reference));
+  }
+
+  void add_relations_to(const Link& link, const std::vector<int>& targets, const Mention& reference_mention) {
+    const Mention* place = reference_mention.items.empty() ? &reference_mention : nullptr;
+    const std::vector<int>& reference_items = reference_mention.items;
+    const NounPhrase& reference = reference_mention.noun;
     // Targets of different kinds may read the phrase differently ("a rug and a lamp in the corner").
     for (const int m : link.targets) {
       const Mention& target = mention(m);
       if (target.items.empty()) continue;
-      const auto direction = link.senses.empty() || link.senses.front().direction != Direction::kAlone ? Direction::kDirect : Direction::kAlone;
-      const auto sense = choose_sense(catalog_, link.senses, direction, target.noun, reference);
+      const auto sense = choose_sense(catalog_, link.senses, Direction::kDirect, target.noun, reference);
       if (!sense) {
         if (reference.kind != NounKind::kRoom && reference.kind != NounKind::kAbstract) {
           scene_.notes.push_back({"not-understood", "\"" + words_between(document_, link.first, link.last) + "\" says nothing of where \"" + target.noun.name + "\" is", place_of(link)});
         }
         continue;
       }
-      const bool whole_group = speaks_of_group(sense->type) && m == link.targets.front();
       if (speaks_of_group(sense->type)) {
-        if (whole_group) add_group(link, *sense, targets, reference_items, place);
+        if (m == link.targets.front()) add_group(link, *sense, targets, reference_items, place);
       } else {
         add_single(link, *sense, target, reference_items, place);
       }
       if (link.distance && sense->type != R::kDistance && !reference_items.empty()) {
-        for (const int item : target.items) add(link, R::kDistance, {id(item)}, {id(reference_items.front())});
+        Link by = link;
+        for (const int item : target.items) add(by, R::kDistance, {id(item)}, {id(reference_items.front())});
       }
     }
   }
@@ -203,6 +202,15 @@ class Builder {
   }
 
   void add_group(const Link& link, PhraseSense sense, const std::vector<int>& targets, const std::vector<int>& references, const Mention* place) {
+    if (sense.type == R::kCenterOfRoom) {
+      // What lies flat shares the middle with what stands there.
+      std::vector<int> flat, standing;
+      for (const int target : targets) (noun_of_item(target).entry != nullptr && noun_of_item(target).entry->thin ? flat : standing).push_back(target);
+      if (!flat.empty()) add(link, sense.type, ids(flat), {}, sense);
+      if (!standing.empty()) add(link, sense.type, ids(standing), {}, sense);
+      if (flat.size() == 1 && standing.size() == 1) add(link, R::kUnder, ids(flat), ids(standing));
+      return;
+    }
     if (sense.type == R::kAround && !references.empty()) {
       // In a ring where nothing has sides; spread over the sides of a table.
       const NounPhrase& host = noun_of_item(references.front());
@@ -251,7 +259,8 @@ class Builder {
       const NounPhrase& host = noun_of_item(references.front());
       const std::string words = words_between(document_, link.first, link.last);
       const bool side_of = words.find("side") != std::string::npos || words.find("on the ") != std::string::npos;
-      const bool carries = is_table(catalog_, host) || is_storage(host) || (host.entry != nullptr && host.entry->top_carries);
+      const bool lies = one_of(host.head, {"bed", "sofa", "couch", "loveseat", "armchair"});
+      const bool carries = !lies && may_carry(catalog_, host, target.noun);
       if (side_of && carries && mount_of(target.noun) == Mount::kSurface && mount_of(host) != Mount::kSurface) {
         sense.part = sense.type == R::kLeftOf ? "left" : "right";
         sense.type = R::kOn;
@@ -261,8 +270,26 @@ class Builder {
       const NounPhrase& host = noun_of_item(references.front());
       if (sense.type == R::kIn && !has_inside(host)) sense.type = R::kOn;
     }
-    if (sense.type == R::kNextTo && place == nullptr) {
-      // "outside the box" and the like are near it.
+    if (sense.type == R::kNextTo && target.items.size() == 2 && references.size() == 1 && flanks(target.noun, noun_of_item(references.front()))) {
+      add(link, R::kEachSideOf, ids(target.items), {id(references.front())});
+      return;
+    }
+    if (sense.type == R::kUnder && mount_of(target.noun) == Mount::kFloor && references.size() == 1 && target.items.size() == 1) {
+      // What stands under a thing on the wall: the wall's thing is above it.
+      const Mount above = mount_of(noun_of_item(references.front()));
+      if (above == Mount::kWall || above == Mount::kCeiling) {
+        add(link, R::kAbove, {id(references.front())}, {id(target.items.front())});
+        return;
+      }
+    }
+    if (link.implied && (sense.type == R::kNear || sense.type == R::kNextTo) && mount_of(target.noun) == Mount::kFloor && references.size() >= 1) {
+      for (const Relation& r : scene_.relations) {
+        const bool carried = (r.type == R::kOn || r.type == R::kIn) && !r.targets.empty() && r.targets.front() == id(references.front()) && !r.references.empty();
+        if (!carried) continue;
+        const std::string host = r.references.front();
+        for (const int item : target.items) add(link, sense.type, {id(item)}, {host}, sense);
+        return;
+      }
     }
     const std::size_t n = target.items.size(), m = references.size();
     const bool all = sense.type == R::kInFrontOf || sense.type == R::kOpposite;
@@ -281,6 +308,19 @@ class Builder {
         add_look(link, sense.type, item, references.front());
       }
     }
+  }
+
+  // Two of a kind that stand by beds (sofas …) "beside" one stand on either side of it.
+  bool flanks(const NounPhrase& thing, const NounPhrase& host) const {
+    if (thing.entry == nullptr || host.entry == nullptr) return false;
+    return std::any_of(thing.entry->beside.begin(), thing.entry->beside.end(), [&](const std::string& kind) { return catalog_.is_a(host.entry->id, kind); });
+  }
+
+  // What one sees into: things that it has are in it; on others they stand on top.
+  bool holds_inside(const NounPhrase& host) const {
+    static constexpr std::string_view kClosed[] = {"cabinet", "sideboard", "dresser", "cupboard", "credenza", "buffet", "drawers", "desk", "table", "counter", "vanity", "nightstand", "island", "hutch", "commode", "chest of drawers", "stand", "console", "wardrobe", "bench", "bed", "washstand", "ladder"};
+    if (std::find(std::begin(kClosed), std::end(kClosed), host.head) != std::end(kClosed)) return false;
+    return is_storage(host) && has_inside(host);
   }
 
   bool has_inside(const NounPhrase& host) const {
@@ -319,11 +359,16 @@ class Builder {
 
   // What a thing has: on it, in it, at it, by it, as the two allow.
   void add_contents(const Link& link) {
-    const std::vector<int> hosts = items_of(link.references);
-    if (hosts.empty()) return;
+    const std::vector<int> all_hosts = items_of(link.references);
+    if (all_hosts.empty()) return;
     for (const int m : link.targets) {
       const Mention& target = mention(m);
       if (target.items.empty()) continue;
+      // "a desk and chair equipped with a monitor": the one that can carry it.
+      std::vector<int> hosts = all_hosts;
+      if (link.references.size() > 1 && std::any_of(hosts.begin(), hosts.end(), [&](int h) { return !is_seat(catalog_, noun_of_item(h)) && may_carry(catalog_, noun_of_item(h), target.noun); })) {
+        std::erase_if(hosts, [&](int h) { return is_seat(catalog_, noun_of_item(h)) || !may_carry(catalog_, noun_of_item(h), target.noun); });
+      }
       if (link.weak && is_placed(target.items.front())) continue;
       if (is_related(target.items.front(), hosts.front())) continue;
       const NounPhrase &host = noun_of_item(hosts.front()), &thing = target.noun;
@@ -346,18 +391,25 @@ class Builder {
             add(link, R::kFacing, {id(target.items[t])}, {id(hosts[std::min(t, hosts.size() - 1)])});
           }
         }
-      } else if (may_carry(catalog_, host, thing) && !(mount == Mount::kWall && !link.holding)) {
-        each(is_storage(host) && has_inside(host) ? R::kIn : R::kOn);
+      } else if ((may_carry(catalog_, host, thing) || (link.holding && shows(link))) && !(mount == Mount::kWall && !link.holding)) {
+        each(holds_inside(host) ? R::kIn : R::kOn);
       } else if (mount == Mount::kWall || mount == Mount::kCeiling) {
-        each(R::kAbove);
+        if (!link.after_comma && mount_of(host) == Mount::kFloor) each(R::kAbove);
       } else if (mount == Mount::kSurface && link.holding) {
         each(R::kOn);
-      } else if (!is_placed(target.items.front())) {
+      } else if (mount_of(host) == Mount::kWall && mount == Mount::kFloor && target.items.size() == 1) {
+        add(link, R::kAbove, {id(hosts.front())}, {id(target.items.front())});
+      } else if (!is_placed(target.items.front()) && !(link.after_comma && link.weak)) {
         const bool pair = target.items.size() == 2 && hosts.size() == 1;
         if (pair) add(link, R::kEachSideOf, ids(target.items), {id(hosts.front())});
         else each(R::kNextTo);
       }
     }
+  }
+
+  // "holding", "displaying": the host carries it, whatever it is.
+  bool shows(const Link& link) const {
+    return one_of(document_.tokens[link.first].text, {"holding", "holds", "hold", "displaying", "displays", "display", "showcasing", "showcases"});
   }
 
   void add_hanging(const Link& link) {
@@ -412,6 +464,12 @@ class Builder {
       if (is_lamp(catalog_, noun) && mount_of(noun) != Mount::kWall) specialise({"wall_lamp", "sconce"});
       return;
     }
+    if (supported && mount_of(noun) == Mount::kFloor && is_carried(object.id)) {
+      // A plant on a shelf is a small one.
+      object.mount = Mount::kSurface;
+      if (noun.exact && catalog_.find("small_" + noun.entry->id) != nullptr) object.category = "small_" + noun.entry->id;
+      return;
+    }
     if (supported || mount_of(noun) != Mount::kSurface || !beside) return;
     if (!neighbour_support.empty() && neighbour_support != "floor") {
       Link link;  // "a mouse next to the keyboard" stands on the same desk
@@ -426,6 +484,17 @@ class Builder {
     }
     object.mount = Mount::kFloor;
     if (is_lamp(catalog_, noun) && one_of(noun.name, {"lamp", "light"})) specialise({"floor_lamp"});
+  }
+
+  // On or in a thing other than a rug.
+  bool is_carried(const std::string& object) const {
+    return std::any_of(scene_.relations.begin(), scene_.relations.end(), [&](const Relation& r) {
+      if ((r.type != R::kOn && r.type != R::kIn) || std::find(r.targets.begin(), r.targets.end(), object) == r.targets.end() || r.references.empty()) return false;
+      for (std::size_t i = 0; i < scene_.objects.size(); ++i) {
+        if (scene_.objects[i].id == r.references.front()) return document_.items[i].noun.entry == nullptr || !document_.items[i].noun.entry->thin;
+      }
+      return false;
+    });
   }
 
   void note_contradictions() {
