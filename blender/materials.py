@@ -93,6 +93,21 @@ class Nodes:
                 self.tree.links.new(value, target)
         return next(s for s in node.outputs if s.identifier == "Result_Color")
 
+    def math(self, operation, *values):
+        node = self.add("ShaderNodeMath", operation=operation)
+        for target, value in zip(node.inputs, values):
+            if isinstance(value, float):
+                target.default_value = value
+            else:
+                self.tree.links.new(value, target)
+        return node.outputs[0]
+
+    def vector(self, x, y, z):
+        node = self.add("ShaderNodeCombineXYZ")
+        for target, value in zip(node.inputs, (x, y, z)):
+            self.tree.links.new(value, target)
+        return node.outputs[0]
+
     def bump(self, height, millimetres, strength=1.0):
         node = self.add("ShaderNodeBump")
         node.inputs["Strength"].default_value = strength
@@ -135,16 +150,38 @@ def paint_planks(nodes, point, row):
 
 
 def paint_parquet(nodes, point, row):
-    """Herringbone of blocks 1 long and 1/5 wide: two brick patterns, one turned, chosen by the cell's diagonal."""
-    base, second = row["color"], row["second"]
-    joint_color = rgba(between(base, second, 0.9))
+    """Herringbone of blocks 1 long and 1/5 wide, at 45°. In cells i, j of a block's width, (i - j) modulo 10 says which block it is."""
+    base, second, math_node = row["color"], row["second"], nodes.math
     turned = nodes.add("ShaderNodeMapping")
     turned.inputs["Rotation"].default_value = (0, 0, math.radians(45))
+    turned.inputs["Scale"].default_value = (5, 5, 1)
     nodes.tree.links.new(point.outputs[0], turned.inputs["Vector"])
-    block, joint = nodes.bricks(turned, 1.0, 0.2, 0.004, offset=0.2, every=5)
-    grain = wood_grain(nodes, turned, row, 0.5, along=4.0, across=40.0)
-    tone = nodes.ramp(block, (0.0, between(base, second, 0.35)), (0.5, base), (1.0, between(base, (1, 1, 1), 0.08)))
-    return nodes.mix(joint, nodes.mix(0.6, grain, tone), joint_color)
+    split = nodes.add("ShaderNodeSeparateXYZ")
+    nodes.tree.links.new(turned.outputs[0], split.inputs[0])
+    x, y = split.outputs[0], split.outputs[1]
+    i, j = math_node("FLOOR", x), math_node("FLOOR", y)
+    in_x, in_y = math_node("SUBTRACT", x, i), math_node("SUBTRACT", y, j)
+    k = math_node("WRAP", math_node("SUBTRACT", i, j), 10.0, 0.0)
+    lies = math_node("LESS_THAN", k, 4.5)
+    rest = math_node("SUBTRACT", 9.0, k)
+
+    def choose(lying, standing):
+        return math_node("ADD", math_node("MULTIPLY", lies, lying),
+                         math_node("MULTIPLY", math_node("SUBTRACT", 1.0, lies), standing))
+
+    across = choose(in_y, in_x)
+    along = choose(math_node("ADD", k, in_x), math_node("ADD", rest, in_y))
+    edge = math_node("MINIMUM", math_node("MINIMUM", across, math_node("SUBTRACT", 1.0, across)),
+                     math_node("MINIMUM", along, math_node("SUBTRACT", 5.0, along)))
+    block = nodes.add("ShaderNodeTexWhiteNoise", noise_dimensions="3D")
+    nodes.link(nodes.vector(choose(math_node("SUBTRACT", i, k), i), choose(j, math_node("SUBTRACT", j, rest)), lies), block, "Vector")
+    grain_point = nodes.vector(math_node("MULTIPLY", along, 0.6), math_node("MULTIPLY", across, 9.0), math_node("MULTIPLY", block.outputs[0], 50.0))
+    noise = nodes.add("ShaderNodeTexNoise")
+    noise.inputs["Scale"].default_value, noise.inputs["Detail"].default_value = 1.0, 4.0
+    nodes.link(grain_point, noise, "Vector")
+    grain = nodes.ramp(noise.outputs[0], (0.34, between(base, second, 0.4)), (0.52, base), (0.72, between(base, second, 0.15)))
+    tone = nodes.ramp(block.outputs[0], (0.0, between(base, second, 0.4)), (0.5, base), (1.0, between(base, (1, 1, 1), 0.08)))
+    return nodes.mix(math_node("LESS_THAN", edge, 0.025), nodes.mix(0.6, grain, tone), rgba(between(base, second, 0.9)))
 
 
 def paint_tiles(nodes, point, row):

@@ -193,8 +193,8 @@ class FloorPlan {
     }
     // Text along the wall, never upside down.
     double degrees = -std::atan2(frame.along.y, frame.along.x) * 180 / kPi;
-    if (degrees > 90.5) degrees -= 180;
-    if (degrees < -89.5) degrees += 180;
+    if (degrees > 89.5) degrees -= 180;
+    if (degrees < -90.5) degrees += 180;
     const double size = off > 3.5 ? 2.4 : 1.9;
     for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
       const std::string text = fmt::format("{:.2f}", (stops[i + 1] - stops[i]) / 1000);

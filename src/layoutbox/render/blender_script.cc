@@ -98,8 +98,8 @@ std::string settings(const RenderOptions& options) {
       "          \"width\": {}, \"height\": {}, \"margin\": 0.04}}\n\n"
       "# draft, preview or final; samples of Cycles with OpenImageDenoise, and where this Blender has none.\n"
       "QUALITY = \"{}\"\n"
-      "SAMPLES = {{\"draft\": {{\"denoised\": 4, \"filtered\": 8}}, \"preview\": {{\"denoised\": 12, \"filtered\": 48}},\n"
-      "           \"final\": {{\"denoised\": 96, \"filtered\": 256}}}}\n\n",
+      "SAMPLES = {{\"draft\": {{\"denoised\": 3, \"filtered\": 6}}, \"preview\": {{\"denoised\": 10, \"filtered\": 20}},\n"
+      "           \"final\": {{\"denoised\": 96, \"filtered\": 128}}}}\n\n",
       options.save_blend ? "\"scene.blend\"" : "\"\"", number(options.azimuth_deg), number(options.elevation_deg),
       python(options.orthographic), options.width, options.height, quality_name(options.quality));
 }
