@@ -30,9 +30,7 @@ Json object_of(const Error& error) {
   return json;
 }
 
-std::string time_text(double seconds) {
-  return seconds < 1 ? fmt::format("{:.1f} ms", seconds * 1000) : fmt::format("{:.1f} s", seconds);
-}
+std::string time_text(double seconds) { return seconds < 1 ? fmt::format("{:.1f} ms", seconds * 1000) : fmt::format("{:.1f} s", seconds); }
 
 std::string sentence_of(const Error& error) {
   std::string text = error.message;

@@ -17,7 +17,7 @@ int exit_status(const Error& error);
 
 class Console {
  public:
-  bool json = false;   // machine-readable result on stdout, nothing else there
+  bool json = false;  // machine-readable result on stdout, nothing else there
   bool quiet = false;
   int verbosity = 0;
 

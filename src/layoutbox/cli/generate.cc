@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <cctype>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -13,7 +14,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct Flags {
-  std::string prompt, folder;
+  std::string prompt, room_kind, scene_file, folder;
   bool no_render = false;
   PlanFlags plan;
   SolveFlags solve;
@@ -42,17 +43,13 @@ std::string default_folder(std::string_view prompt) {
 }
 
 std::string result_json(const GenerateOutcome& outcome, const std::string& folder) {
-  Json json{{"asAsked", as_asked(outcome)},
-            {"status", name_of(outcome.layout.status)},
-            {"folder", folder},
-            {"files", outcome.files},
-            {"objects", outcome.layout.objects.size()},
-            {"relations", outcome.layout.relations.size()},
-            {"passed", outcome.report.passed},
-            {"metrics", outcome.report.metrics}};
+  Json json{{"asAsked", as_asked(outcome)},    {"status", name_of(outcome.layout.status)}, {"folder", folder},
+            {"files", outcome.files},          {"objects", outcome.layout.objects.size()}, {"relations", outcome.layout.relations.size()},
+            {"passed", outcome.report.passed}, {"metrics", outcome.report.metrics}};
   json["relaxed"] = Json::array();
   for (const Relaxation& relaxation : outcome.layout.relaxed) {
-    json["relaxed"].push_back({{"relation", relaxation.relation}, {"by", relaxation.by}, {"unit", relaxation.unit}, {"why", relaxation.why}});
+    json["relaxed"].push_back(
+        {{"relation", relaxation.relation}, {"by", relaxation.by}, {"unit", relaxation.unit}, {"why", relaxation.why}});
   }
   json["conflicts"] = Json::array();
   for (const Conflict& conflict : outcome.layout.conflicts) json["conflicts"].push_back(conflict.sentence);
@@ -85,16 +82,35 @@ Status prepare(Flags& flags, const Console& console) {
   return {};
 }
 
-int run(Flags& flags, const Console& console) {
-  if (const Status ready = prepare(flags, console); !ready) return console.fail(ready.error());
-  const auto prompt = read_prompt(flags.prompt);
-  if (!prompt) return console.fail(prompt.error());
-  if (flags.folder.empty()) flags.folder = default_folder(*prompt);
+// Exactly one of a prompt, a kind of room and a scene file says what the room is like.
+Status check_source(const Flags& flags, bool prompt_given) {
+  const int sources = int{prompt_given} + int{!flags.room_kind.empty()} + int{!flags.scene_file.empty()};
+  if (sources == 1) return {};
+  const char* what = sources == 0 ? "there is no prompt" : "a prompt, --type and --scene exclude one another";
+  return layoutbox::fail(ErrorCode::kUsage, what, {}, "say what the room is like: layoutbox generate \"A bedroom with a bed and a desk.\"");
+}
 
-  const auto planner = make_offline_planner(Catalog::builtin());
-  const auto outcome = generate(*prompt, *planner, Catalog::builtin(), flags.folder, flags.options);
+Result<GenerateOutcome> generate_room(Flags& flags, const Catalog& catalog) {
+  if (!flags.scene_file.empty()) {
+    LAYOUTBOX_ASSIGN(SceneGraph scene, read_scene_file(flags.scene_file, flags.plan.units));
+    if (flags.folder.empty()) flags.folder = default_folder(std::filesystem::path(flags.scene_file).stem().string());
+    return generate_from_scene(std::move(scene), catalog, flags.folder, flags.options);
+  }
+  LAYOUTBOX_ASSIGN(const std::string prompt, flags.room_kind.empty() ? read_prompt(flags.prompt) : fmt::format("A {}.", flags.room_kind));
+  if (flags.folder.empty()) flags.folder = default_folder(prompt);
+  const auto planner = make_offline_planner(catalog);
+  return generate(prompt, *planner, catalog, flags.folder, flags.options);
+}
+
+int run(Flags& flags, bool prompt_given, const Console& console) {
+  if (const Status source = check_source(flags, prompt_given); !source) return console.fail(source.error());
+  if (const Status ready = prepare(flags, console); !ready) return console.fail(ready.error());
+  const auto catalog = flags.plan.load_catalog();
+  if (!catalog) return console.fail(catalog.error());
+  const auto outcome = generate_room(flags, catalog->get());
   if (!outcome) return console.fail(outcome.error());
 
+  console.notes(catalog->notes);
   console.notes(outcome->scene.notes);
   say_what_was_given_up(console, *outcome);
   std::string files;
@@ -113,13 +129,15 @@ int run(Flags& flags, const Console& console) {
 void add_generate(CLI::App& app, Context& context) {
   auto flags = std::make_shared<Flags>();
   CLI::App* command = app.add_subcommand("generate", "Text to a furnished room: scene, layout, floor plan, 3D files, picture, report");
-  command->add_option("prompt", flags->prompt, "What the room is like, in English; - reads it from stdin")->required();
+  const auto* prompt = command->add_option("prompt", flags->prompt, "What the room is like, in English; - reads it from stdin");
+  command->add_option("--type", flags->room_kind, "Instead of a prompt: a kind of room with its usual furniture (bedroom, office, …)");
+  command->add_option("--scene", flags->scene_file, "Instead of a prompt: a scene file, ours or the paper's form");
   command->add_option("-o,--output", flags->folder, "Folder for the files (default: out/ and the first words of the prompt)");
   command->add_flag("--no-render", flags->no_render, "Make no picture: no Blender is needed");
   flags->plan.add_to(*command);
   flags->solve.add_to(*command, flags->options.solve);
   flags->render.add_to(*command);
-  command->callback([flags, &context] { context.status = run(*flags, context.console); });
+  command->callback([flags, prompt, &context] { context.status = run(*flags, prompt->count() > 0, context.console); });
 }
 
 }  // namespace layoutbox::cli

@@ -9,6 +9,7 @@
 
 #include "layoutbox/base/files.h"
 #include "layoutbox/catalog/room_size.h"
+#include "layoutbox/catalog/user_catalog.h"
 #include "layoutbox/cli/console.h"
 #include "layoutbox/scene/scene_json.h"
 
@@ -44,7 +45,11 @@ Result<T> located(Result<T> result, const std::string& path) {
 void PlanFlags::add_to(CLI::App& command) {
   command.add_option("--planner", planner, "How text is understood: offline (no model, no network)")->capture_default_str();
   command.add_option("--room", room, "Size of the room, width x depth x height: 4x3.2x3");
+  command.add_option("--room-file", room_file, "A room of your own: polygon, walls and openings in the form of a scene's room")
+      ->excludes("--room");
   command.add_option("--units", units, "Units of --room and of files that name none: m, cm, mm, ft, in");
+  auto* file = command.add_option("--catalog", catalog_file, "Furniture of your own, JSON or CSV: id, category, width, depth, height");
+  command.add_flag("--catalog-only", catalog_only, "Place nothing but the furniture of --catalog")->needs(file);
 }
 
 Status PlanFlags::apply(GenerateOptions& options) const {
@@ -54,12 +59,28 @@ Status PlanFlags::apply(GenerateOptions& options) const {
   if (!room.empty()) {
     LAYOUTBOX_ASSIGN(options.normalize.room_size, parse_room_size(room, units));
   }
+  if (!room_file.empty()) {
+    LAYOUTBOX_ASSIGN(const std::string text, read_input(room_file));
+    LAYOUTBOX_ASSIGN(options.shell, located(read_room(text, units), room_file));
+  }
   return {};
+}
+
+Result<CatalogInUse> PlanFlags::load_catalog() const {
+  CatalogInUse chosen;
+  if (catalog_file.empty()) return chosen;
+  LAYOUTBOX_ASSIGN(const std::string text, read_input(catalog_file));
+  LAYOUTBOX_ASSIGN(UserCatalog user, located(read_user_catalog(text, units), catalog_file));
+  chosen.own = with_articles(Catalog::builtin(), user, catalog_only ? CatalogMerge::kOnly : CatalogMerge::kAdd);
+  chosen.notes = std::move(user.notes);
+  return chosen;
 }
 
 void SolveFlags::add_to(CLI::App& command, SolveOptions& options) {
   command.add_option("--seed", options.seed, "Which of the good layouts; the same seed gives the same bytes")->capture_default_str();
-  command.add_option("--effort", options.effort, "Deterministic work units of the solver")->capture_default_str()->check(CLI::Range(1, 10'000'000));
+  command.add_option("--effort", options.effort, "Deterministic work units of the solver")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 10'000'000));
   command.add_option("--time-limit", options.time_limit_s, "Seconds after which the solver stops at the latest")
       ->capture_default_str()
       ->check(CLI::Range(0.001, 86400.0));

@@ -2,20 +2,31 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "layoutbox/base/result.h"
 #include "layoutbox/pipeline/generate.h"
 
 namespace layoutbox::cli {
 
-// Options of planning and of the room: --planner, --room, --units.
+// The catalogue of a run: ours, or ours with the user's articles.
+struct CatalogInUse {
+  std::optional<Catalog> own;
+  std::vector<Note> notes;  // what was inferred about the user's articles
+  const Catalog& get() const { return own ? *own : Catalog::builtin(); }
+};
+
+// Options of planning, of the room and of the catalogue: --planner, --room, --room-file, --units, --catalog, --catalog-only.
 struct PlanFlags {
   std::string planner = "offline";
-  std::string room;
-  std::string units;
+  std::string room, room_file, units;
+  std::string catalog_file;
+  bool catalog_only = false;
   void add_to(CLI::App& command);
   Status apply(GenerateOptions& options) const;
+  Result<CatalogInUse> load_catalog() const;
 };
 
 // Options of the solver: --seed, --effort, --time-limit, --on-conflict.

@@ -38,7 +38,8 @@ int run(int count, char** arguments) {
     return app.exit(success);
   } catch (const CLI::ParseError& error) {
     context.console.json = asks_for_json(count, arguments);
-    return context.console.fail({ErrorCode::kUsage, error.what(), {}, "layoutbox --help lists the commands, layoutbox COMMAND --help its options", {}});
+    return context.console.fail(
+        {ErrorCode::kUsage, error.what(), {}, "layoutbox --help lists the commands, layoutbox COMMAND --help its options", {}});
   }
   return context.status;
 }

@@ -29,7 +29,8 @@ std::string_view mark_of(WordReading::Use use) {
 std::string explanation(std::string_view prompt, const Plan& plan) {
   std::string text;
   for (const WordReading& reading : plan.readings) {
-    text += fmt::format("{:<24} {:<15} {}\n", prompt.substr(reading.begin, reading.end - reading.begin), mark_of(reading.use), reading.role);
+    text +=
+        fmt::format("{:<24} {:<15} {}\n", prompt.substr(reading.begin, reading.end - reading.begin), mark_of(reading.use), reading.role);
   }
   text += "\nobjects\n";
   for (const SceneObject& object : plan.scene.objects) {
@@ -39,8 +40,9 @@ std::string explanation(std::string_view prompt, const Plan& plan) {
   }
   text += "\nrelations\n";
   for (const Relation& relation : plan.scene.relations) {
-    text += fmt::format("  {:<6} {:<16} {} → {}  {}“{}”\n", relation.id, relation_row(relation.type).name, fmt::join(relation.targets, ", "),
-                        fmt::join(relation.references, ", "), relation.hard ? "" : "soft ", relation.why);
+    text +=
+        fmt::format("  {:<6} {:<16} {} → {}  {}“{}”\n", relation.id, relation_row(relation.type).name, fmt::join(relation.targets, ", "),
+                    fmt::join(relation.references, ", "), relation.hard ? "" : "soft ", relation.why);
   }
   return text;
 }
@@ -49,11 +51,14 @@ int run(Flags& flags, const Console& console) {
   if (const Status ready = flags.plan.apply(flags.options); !ready) return console.fail(ready.error());
   const auto prompt = read_prompt(flags.prompt);
   if (!prompt) return console.fail(prompt.error());
-  const auto planner = make_offline_planner(Catalog::builtin());
+  const auto catalog = flags.plan.load_catalog();
+  if (!catalog) return console.fail(catalog.error());
+  const auto planner = make_offline_planner(catalog->get());
   const auto plan = planner->plan(*prompt, flags.options.plan);
   if (!plan) return console.fail(plan.error());
-  const auto scene = normalize_scene(plan->scene, Catalog::builtin(), flags.options.normalize);
+  const auto scene = prepare_scene(plan->scene, catalog->get(), flags.options);
   if (!scene) return console.fail(scene.error());
+  console.notes(catalog->notes);
   console.notes(scene->notes);
   if (flags.explain && !console.json) {
     if (const Status written = write_output("-", explanation(*prompt, *plan)); !written) return console.fail(written.error());

@@ -26,16 +26,21 @@ int run(Flags& flags, const Console& console) {
   if (const Status ready = prepare(flags); !ready) return console.fail(ready.error());
   auto scene = read_scene_file(flags.scene, flags.plan.units);
   if (!scene) return console.fail(scene.error());
-  const auto normalized = normalize_scene(*std::move(scene), Catalog::builtin(), flags.options.normalize);
+  const auto catalog = flags.plan.load_catalog();
+  if (!catalog) return console.fail(catalog.error());
+  const auto normalized = prepare_scene(*std::move(scene), catalog->get(), flags.options);
   if (!normalized) return console.fail(normalized.error());
+  console.notes(catalog->notes);
   console.notes(normalized->notes);
-  const auto layout = solve(*normalized, Catalog::builtin(), flags.options.solve);
+  const auto layout = solve(*normalized, catalog->get(), flags.options.solve);
   if (!layout) return console.fail(layout.error());
   const auto held = std::count_if(layout->relations.begin(), layout->relations.end(), [](const auto& r) { return r.held; });
   console.stage({"solve", layout->stats.seconds,
-                 fmt::format("{} of {} relations held, {} given up ({})", held, layout->relations.size(), layout->relaxed.size(), layout->stats.solver)});
+                 fmt::format("{} of {} relations held, {} given up ({})", held, layout->relations.size(), layout->relaxed.size(),
+                             layout->stats.solver)});
   for (const Conflict& conflict : layout->conflicts) console.warn("cannot all hold: " + conflict.sentence);
-  for (const Relaxation& relaxation : layout->relaxed) console.warn("given up: " + (relaxation.why.empty() ? relaxation.relation : relaxation.why));
+  for (const Relaxation& relaxation : layout->relaxed)
+    console.warn("given up: " + (relaxation.why.empty() ? relaxation.relation : relaxation.why));
   const Status written = write_output(flags.output, write_layout(*layout));
   if (!written) return console.fail(written.error());
   return layout->status == LayoutStatus::kSolved && layout->relaxed.empty() ? kDone : kNotAsAsked;

@@ -15,8 +15,8 @@
 namespace layoutbox {
 namespace {
 
-constexpr std::array kOutputs{"scene.json", "layout.json", "floorplan.svg", "scene.glb", "blender.py",
-                              "report.json", "scene.blend", "scene.png",  "run.json"};
+constexpr std::array kOutputs{"scene.json",  "layout.json", "floorplan.svg", "scene.glb", "blender.py",
+                              "report.json", "scene.blend", "scene.png",     "run.json"};
 
 // One run: holds the folder, the clock and what has been made so far.
 class Run {
@@ -86,7 +86,7 @@ class Run {
   }
 
   Status normalize(SceneGraph scene) {
-    LAYOUTBOX_ASSIGN(outcome_.scene, normalize_scene(std::move(scene), catalog_, options_.normalize));
+    LAYOUTBOX_ASSIGN(outcome_.scene, prepare_scene(std::move(scene), catalog_, options_));
     finish("plan", fmt::format("{} objects, {} relations", outcome_.scene.objects.size(), outcome_.scene.relations.size()));
     return {};
   }
@@ -140,8 +140,8 @@ class Run {
   Status render() {
     begin();
     const auto blender = find_blender();
-    auto made = blender ? run_blender(*blender, folder_ / "blender.py", folder_, options_.render)
-                        : Result<RenderOutputs>(Failure(blender.error()));
+    auto made =
+        blender ? run_blender(*blender, folder_ / "blender.py", folder_, options_.render) : Result<RenderOutputs>(Failure(blender.error()));
     if (made) {
       outcome_.blender_version = made->blender_version;
       if (!made->blend.empty()) outcome_.files.emplace_back("scene.blend");
@@ -166,8 +166,8 @@ class Run {
 
 }  // namespace
 
-Result<GenerateOutcome> generate(std::string_view prompt, const Planner& planner, const Catalog& catalog, const std::filesystem::path& folder,
-                                 const GenerateOptions& options) {
+Result<GenerateOutcome> generate(std::string_view prompt, const Planner& planner, const Catalog& catalog,
+                                 const std::filesystem::path& folder, const GenerateOptions& options) {
   return Run(prompt, catalog, folder, options)(&planner, {});
 }
 
@@ -175,6 +175,15 @@ Result<GenerateOutcome> generate_from_scene(SceneGraph scene, const Catalog& cat
                                             const GenerateOptions& options) {
   const std::string prompt = scene.prompt;
   return Run(prompt, catalog, folder, options)(nullptr, std::move(scene));
+}
+
+Result<SceneGraph> prepare_scene(SceneGraph scene, const Catalog& catalog, const GenerateOptions& options) {
+  if (options.shell) {
+    std::string type = options.shell->type.empty() ? scene.room.type : options.shell->type;
+    scene.room = *options.shell;
+    scene.room.type = std::move(type);
+  }
+  return normalize_scene(std::move(scene), catalog, options.normalize);
 }
 
 bool as_asked(const GenerateOutcome& outcome) {

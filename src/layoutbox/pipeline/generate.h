@@ -21,7 +21,7 @@ namespace layoutbox {
 
 // How a stage went; reported as it ends, and kept in run.json.
 struct StageTime {
-  std::string stage;    // "plan", "solve", "furnish", "export", "verify", "render"
+  std::string stage;  // "plan", "solve", "furnish", "export", "verify", "render"
   double seconds = 0;
   std::string summary;  // "6 objects, 4 relations"
 };
@@ -29,6 +29,9 @@ struct StageTime {
 struct GenerateOptions {
   PlanOptions plan;
   NormalizeOptions normalize;
+  // A shell of the user's own (polygon, walls, openings) that takes the place of the scene's; its kind of room stays the scene's where
+  // the shell names none. DEFAULT: none.
+  std::optional<Room> shell;
   SolveOptions solve;
   FurnishOptions furnish;
   RenderOptions render;
@@ -43,24 +46,27 @@ struct GenerateOptions {
 
 // What a run made. Files are named relative to the output folder, in the order they were written.
 struct GenerateOutcome {
-  SceneGraph scene;     // normalised, with its notes
+  SceneGraph scene;  // normalised, with its notes
   Layout layout;
   Report report;
   std::vector<StageTime> stages;
   std::vector<std::string> files;
-  std::string blender_version;              // empty when no picture was made
-  std::optional<Error> picture_error;       // why there is no picture although one was asked for; all else is there
+  std::string blender_version;         // empty when no picture was made
+  std::optional<Error> picture_error;  // why there is no picture although one was asked for; all else is there
 };
 
 // Writes into `folder`: scene.json, layout.json, floorplan.svg, scene.glb, blender.py, scene.blend, scene.png, report.json, run.json.
 // Each file appears whole or not at all. Only one run at a time may write into a folder (kIo otherwise).
 // Errors: those of the stages; files of the stages before are there, and run.json says where it ended.
-Result<GenerateOutcome> generate(std::string_view prompt, const Planner& planner, const Catalog& catalog, const std::filesystem::path& folder,
-                                 const GenerateOptions& options = {});
+Result<GenerateOutcome> generate(std::string_view prompt, const Planner& planner, const Catalog& catalog,
+                                 const std::filesystem::path& folder, const GenerateOptions& options = {});
 
 // The same from a scene that is already there (a file of the paper's form, an earlier scene.json).
 Result<GenerateOutcome> generate_from_scene(SceneGraph scene, const Catalog& catalog, const std::filesystem::path& folder,
                                             const GenerateOptions& options = {});
+
+// The scene in the shell of `options`, with everything filled in: what solve() takes.
+Result<SceneGraph> prepare_scene(SceneGraph scene, const Catalog& catalog, const GenerateOptions& options);
 
 // True when the room is what was asked for: solved, nothing hard given up, every required check passed.
 bool as_asked(const GenerateOutcome& outcome);

@@ -43,7 +43,8 @@ Json json_of(const Error& error) {
 
 }  // namespace
 
-std::string write_run_record(std::string_view prompt, const GenerateOptions& options, const GenerateOutcome& outcome, const Error* failure) {
+std::string write_run_record(std::string_view prompt, const GenerateOptions& options, const GenerateOutcome& outcome,
+                             const Error* failure) {
   Json json{{"format", "layoutbox/run@1"}, {"prompt", prompt}, {"status", failure ? "failed" : as_asked(outcome) ? "done" : "incomplete"}};
   json["options"] = json_of(options);
   json["versions"] = {{"layoutbox", program_version()}};
