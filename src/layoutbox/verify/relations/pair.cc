@@ -120,10 +120,10 @@ Finding check_Facing(const Case& c) {
 Finding check_Opposite(const Case& c) {
   const RelationParameters& given = c.relation.parameters;
   return each_pair(c, [&](const Body& t, const Reference& r) {
-    std::vector<Finding> findings{gap_within(c, t, r, c.metres(given.min, "min"), c.metres(given.max, "max")), looks_at(t, r, c.view)};
-    if (r.body != nullptr) findings.push_back(looks_at(*r.body, {t.id(), &t, nullptr}, c.view));
-    if (r.face != nullptr) findings.push_back(in_line(c, t, r.shape(), r.shape().frame.x));
-    return all_of(std::move(findings));
+    if (r.is_place()) return condition(false, "nothing is opposite " + r.id);
+    if (r.face != nullptr) return all_of({looks_at(t, r, c.view), in_line(c, t, r.shape(), r.shape().frame.x)});
+    return all_of({gap_within(c, t, r, c.metres(given.min, "min"), c.metres(given.max, "max")), looks_at(t, r, c.view),
+                   looks_at(*r.body, {t.id(), &t, nullptr}, c.view)});
   });
 }
 

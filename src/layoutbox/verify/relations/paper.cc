@@ -20,6 +20,13 @@ Axis offset_axis(const Case& c, const Body& t, const Reference& r) {
   return x >= y ? Axis::kX : Axis::kY;
 }
 
+// True when the axis runs along a wall: distances are then from its ends.
+bool along_wall(const Reference& r, Axis axis) {
+  if (!r.is_wall() || axis == Axis::kZ) return false;
+  const double along = axis == Axis::kX ? r.face->along.x : r.face->along.y;
+  return std::abs(along) > 0.999;
+}
+
 enum class Edge { kLo, kMid, kHi };
 
 double coordinate(Interval extent, Edge edge) { return edge == Edge::kLo ? extent.lo : edge == Edge::kHi ? extent.hi : extent.mid(); }
@@ -51,6 +58,11 @@ Finding check_Offset(const Case& c) {
   const double wanted = c.metres(c.relation.parameters.distance, "distance").value_or(0);
   return each_pair(c, [&](const Body& t, const Reference& r) {
     const Axis axis = offset_axis(c, t, r);
+    if (along_wall(r, axis)) {
+      const Interval own = room_extent(t, axis), wall = room_extent(c, r, axis);
+      const std::string what = fmt::format("{} from the end of {} along {}", t.id(), r.id, name_of(axis));
+      return any_of({equal_to(what, own.lo - wall.lo, wanted, c.slack()), equal_to(what, wall.hi - own.hi, wanted, c.slack())}, {});
+    }
     return equal_to(fmt::format("gap between {} along {}", name_of_pair(t, r), name_of(axis)),
                     edge_gap(room_extent(t, axis), room_extent(c, r, axis)), wanted, c.slack());
   });
