@@ -211,9 +211,9 @@ def paint_bricks(nodes, point, row):
 
 def paint_marble(nodes, point, row):
     base, second = row["color"], row["second"]
-    veins = nodes.wave(point, 0.314, distortion=7.0, direction="DIAGONAL", detail=5.0)
+    veins = nodes.wave(point, math.pi / 20, distortion=6.0, direction="DIAGONAL", detail=5.0)
     clouds = nodes.noise(point, 1.3, detail=6.0)
-    return nodes.mix(0.3, nodes.ramp(veins, (0.0, second), (0.12, between(base, second, 0.25)), (0.35, base)),
+    return nodes.mix(0.3, nodes.ramp(veins, (0.40, base), (0.48, between(base, second, 0.5)), (0.5, second), (0.54, base)),
                      nodes.ramp(clouds, (0.35, between(base, second, 0.35)), (0.65, base)))
 
 
