@@ -53,7 +53,14 @@ std::vector<std::string> words_of(std::string_view phrase) {
   return words;
 }
 
-std::string key_of(std::string_view phrase) { return joined(words_of(phrase), ""); }
+std::string key_of(std::string_view phrase) {
+  std::string key;
+  key.reserve(phrase.size());
+  for (const char c : phrase) {
+    if (is_word_byte(c)) key += lower(c);
+  }
+  return key;
+}
 
 std::string snake_case(std::string_view phrase) { return joined(words_of(phrase), "_"); }
 

@@ -1,5 +1,6 @@
 #include "layoutbox/catalog/catalog.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 
@@ -57,7 +58,9 @@ Result<Catalog> Catalog::from_json(std::string_view entries_json, std::string_vi
   return Catalog(std::move(data.entries), std::move(data.rooms));
 }
 
-Catalog::Catalog(std::vector<CatalogEntry> entries, std::vector<RoomKind> rooms) : entries_(std::move(entries)), rooms_(std::move(rooms)) {
+Catalog::Catalog(std::vector<CatalogEntry> entries, std::vector<RoomKind> rooms, bool only_articles)
+    : entries_(std::move(entries)), rooms_(std::move(rooms)), only_articles_(only_articles) {
+  has_articles_ = std::ranges::any_of(entries_, [](const CatalogEntry& entry) { return !entry.article.empty(); });
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     by_id_.emplace(entries_[i].id, i);
     by_words_.emplace(key_of(entries_[i].id), i);
@@ -125,6 +128,15 @@ const CatalogEntry& Catalog::entry_or_nearest(std::string_view category) const {
   }
   const CatalogEntry* object = find("object");
   return object != nullptr ? *object : generic_entry();
+}
+
+std::vector<const CatalogEntry*> Catalog::articles_of(std::string_view id) const {
+  std::vector<const CatalogEntry*> articles;
+  if (!has_articles_) return articles;
+  for (const CatalogEntry& entry : entries_) {
+    if (!entry.article.empty() && is_a(entry.id, id)) articles.push_back(&entry);
+  }
+  return articles;
 }
 
 std::vector<Space> spaces_at(const CatalogEntry& entry, const Size& size) {

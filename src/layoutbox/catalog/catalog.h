@@ -63,6 +63,11 @@ struct CatalogEntry {
   std::vector<std::string> rooms;        // kinds of room it is usual in
   ShapeSpec shape;
   std::string source;                    // where the sizes come from
+  // Of an article from the user's catalogue (user_catalog.h): its number, how many there are (-1: not said), and its own looks.
+  std::string article;
+  int stock = -1;
+  std::string article_material, article_mesh;
+  std::vector<std::string> article_attributes;  // colour, style…
 };
 
 // The usual furniture and size of a kind of room.
@@ -76,7 +81,7 @@ struct RoomKind {
 class Catalog {
  public:
   // REQUIRES: ids are unique. A word that two entries claim means the earlier one.
-  Catalog(std::vector<CatalogEntry> entries, std::vector<RoomKind> rooms);
+  Catalog(std::vector<CatalogEntry> entries, std::vector<RoomKind> rooms, bool only_articles = false);
 
   // The embedded catalogue, read once. It is checked when the program is built, so it is always there.
   static const Catalog& builtin();
@@ -97,9 +102,16 @@ class Catalog {
   // What an object of any category is: its entry, else the nearest entry, else the generic box ("object").
   const CatalogEntry& entry_or_nearest(std::string_view category) const;
 
+  // The entries that are articles of the user's and a kind of `id` (or that article itself), in their order.
+  std::vector<const CatalogEntry*> articles_of(std::string_view id) const;
+  // True when there are articles at all, and when nothing else may be placed.
+  bool has_articles() const { return has_articles_; }
+  bool only_articles() const { return only_articles_; }
+
  private:
   std::vector<CatalogEntry> entries_;
   std::vector<RoomKind> rooms_;
+  bool has_articles_ = false, only_articles_ = false;
   std::map<std::string, std::size_t, std::less<>> by_id_;          // id → place in entries_
   std::map<std::string, std::size_t, std::less<>> by_words_;       // key_of(id, name or synonym) → place in entries_
   std::map<std::string, std::size_t, std::less<>> room_by_words_;  // the same for rooms_

@@ -6,6 +6,7 @@
 
 #include "layoutbox/base/words.h"
 #include "layoutbox/catalog/normalize_steps.h"
+#include "layoutbox/catalog/size_words.h"
 
 namespace layoutbox {
 namespace {
@@ -22,61 +23,17 @@ std::vector<std::string> words_said_of(const SceneObject& object) {
   return words;
 }
 
-bool says(const std::vector<std::string>& said, std::string_view phrase) {
-  const std::vector<std::string> words = words_of(phrase);
-  return !words.empty() && std::search(said.begin(), said.end(), words.begin(), words.end()) != said.end();
-}
-
-// Words of size that hold for every kind of thing: which sides they speak of, and in which direction.
-struct SizeWord {
-  std::string_view word;
-  bool width, depth, height, larger;
-};
-constexpr SizeWord kSizeWords[] = {
-    {"large", true, true, true, true},     {"big", true, true, true, true},      {"huge", true, true, true, true},
-    {"oversized", true, true, true, true}, {"small", true, true, true, false},   {"little", true, true, true, false},
-    {"tiny", true, true, true, false},     {"mini", true, true, true, false},    {"compact", true, true, true, false},
-    {"wide", true, false, false, true},    {"long", true, false, false, true},   {"narrow", true, false, false, false},
-    {"slim", false, true, false, false},   {"deep", false, true, false, true},   {"shallow", false, true, false, false},
-    {"tall", false, false, true, true},    {"high", false, false, true, true},   {"low", false, false, true, false},
-};
-
-// The entry's size, narrowed by what is said of the object.
-SizeRange size_by_words(const CatalogEntry& entry, const std::vector<std::string>& said) {
-  for (const SizeVariant& variant : entry.variants) {
-    if (std::ranges::any_of(variant.words, [&](const std::string& word) { return says(said, word); })) return variant.size;
-  }
-  SizeRange range = entry.size;
-  for (const SizeWord& rule : kSizeWords) {
-    if (!says(said, rule.word)) continue;
-    const bool applies[] = {rule.width, rule.depth, rule.height};
-    for (std::size_t i = 0; i < kSides.size(); ++i) {
-      const auto side = kSides[i];
-      if (!applies[i]) continue;
-      const Mm end = rule.larger ? range.greatest.*side : range.least.*side;
-      const Mm middle = range.usual.*side + (end - range.usual.*side) * 2 / 3;
-      (rule.larger ? range.least : range.greatest).*side = range.usual.*side;
-      range.usual.*side = middle / kGridMm * kGridMm;
-      range.usual.*side = std::clamp(range.usual.*side, range.least.*side, range.greatest.*side);
-    }
-    break;
-  }
-  return range;
-}
-
 // True when what stands before the kind's own words is known to be no kind of its own: "queen" bed, "large wooden" desk.
 bool only_adjectives(const CatalogEntry& entry, const SceneObject& object, const std::vector<std::string>& before) {
   return std::ranges::all_of(before, [&](const std::string& word) {
-    const std::vector<std::string> one{word};
     const bool variant = std::ranges::any_of(entry.variants, [&](const SizeVariant& v) {
       return std::ranges::any_of(v.words, [&](const std::string& phrase) {
         const auto words = words_of(phrase);
         return std::ranges::find(words, word) != words.end();
       });
     });
-    const bool size_word = std::ranges::any_of(kSizeWords, [&](const SizeWord& rule) { return rule.word == word; });
     const bool attribute = std::ranges::any_of(object.attributes, [&](const std::string& a) { return says(words_of(a), word); });
-    return variant || size_word || attribute;
+    return variant || is_size_word(word) || attribute;
   });
 }
 
@@ -87,6 +44,7 @@ class ObjectNormalizer {
 
   void run() {
     settle_category();
+    if (const CatalogEntry* article = choose_article(context_, object_)) take_article(context_, object_, *article, pointer_);
     const CatalogEntry& entry = context_.catalog.entry_or_nearest(object_.category);
     settle_size(entry);
     if (!object_.used_sides) object_.used_sides = entry.used_sides;
@@ -117,7 +75,7 @@ class ObjectNormalizer {
     std::size_t begin = 0;
     while (begin + 1 < words.size() && !key_means(entry, std::span(words).subspan(begin))) ++begin;
     const std::vector<std::string> before(words.begin(), words.begin() + static_cast<std::ptrdiff_t>(begin));
-    if (!only_adjectives(entry, object_, before)) return false;
+    if (entry.article.empty() && !only_adjectives(entry, object_, before)) return false;
     for (const std::string& word : before) {
       if (std::ranges::find(object_.attributes, word) == object_.attributes.end()) object_.attributes.push_back(word);
     }
@@ -250,6 +208,7 @@ void settle_ids(NormalizeContext& context) {
 void normalize_objects(NormalizeContext& context) {
   settle_ids(context);
   for (std::size_t i = 0; i < context.scene.objects.size(); ++i) ObjectNormalizer(context, i).run();
+  if (context.catalog.only_articles()) settle_articles_only(context);
 }
 
 }  // namespace layoutbox

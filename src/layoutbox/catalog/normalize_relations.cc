@@ -175,9 +175,12 @@ void normalize_relations(NormalizeContext& context) {
     Relation relation = std::move(scene.relations[i]);
     const std::string pointer = fmt::format("/constraints/{}", i);
     std::string unknown;
-    for (std::string& target : relation.targets) {
+    for (const std::string& target : relation.targets) {
       if (scene.find_object(target) == nullptr) unknown = target;
     }
+    // A group keeps its relation when a member is missing.
+    std::erase_if(relation.targets, [&](const std::string& target) { return scene.find_object(target) == nullptr; });
+    if (!relation.targets.empty()) unknown.clear();
     for (std::string& reference : relation.references) {
       const std::string id = settled_reference(scene, reference);
       if (id.empty()) unknown = reference;

@@ -1,6 +1,8 @@
 // The steps of normalize_scene, in their order. Each fills what is missing and notes it; errors are collected, not thrown.
 #pragma once
 
+#include <map>
+#include <string>
 #include <vector>
 
 #include "layoutbox/catalog/normalize.h"
@@ -12,6 +14,7 @@ struct NormalizeContext {
   const Catalog& catalog;
   const NormalizeOptions& options;
   std::vector<Error> errors;
+  std::map<std::string, int> articles_used;  // how often each of the user's articles was taken
 
   void note(std::string code, std::string message, std::string pointer = {});
   void error(ErrorCode code, std::string message, std::string pointer = {}, std::string hint = {});
@@ -19,6 +22,16 @@ struct NormalizeContext {
 
 // Ids, categories, sizes, used sides and mounts of all objects.
 void normalize_objects(NormalizeContext& context);
+
+// The article of the user's that an object is: the one it names, else of its kind, the best by words, the least used; null for none.
+const CatalogEntry* choose_article(const NormalizeContext& context, const SceneObject& object);
+
+// Makes the object that article: its exact size, number, name and looks.
+void take_article(NormalizeContext& context, SceneObject& object, const CatalogEntry& article, const std::string& pointer);
+
+// Where nothing but articles may be placed: objects without one are left out; a room that only had its usual furniture gets a selection
+// of what there is. Errors: kEmpty when nothing is left.
+void settle_articles_only(NormalizeContext& context);
 
 // Polygon, height, walls and openings. REQUIRES: sizes of objects are known (an unsized room grows with them).
 void normalize_room(NormalizeContext& context);

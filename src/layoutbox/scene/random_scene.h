@@ -1,11 +1,11 @@
-// Random scenes and layouts for tests: everything that the types can hold, with values that the files keep exactly.
+// Random scenes and layouts for tests and benchmarks: everything that the types can hold, with values that the files keep exactly.
 #pragma once
 
 #include <random>
 
 #include "layoutbox/scene/layout.h"
 
-namespace layoutbox::testing {
+namespace layoutbox {
 
 class RandomScenes {
  public:
@@ -34,4 +34,4 @@ class RandomScenes {
   std::mt19937_64 random_;
 };
 
-}  // namespace layoutbox::testing
+}  // namespace layoutbox

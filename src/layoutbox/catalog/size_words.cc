@@ -1,0 +1,60 @@
+#include "layoutbox/catalog/size_words.h"
+
+#include <algorithm>
+#include <array>
+
+#include "layoutbox/base/words.h"
+
+namespace layoutbox {
+namespace {
+
+constexpr std::array kSides{&Size::width, &Size::depth, &Size::height};
+
+// Words of size that hold for every kind of thing: which sides they speak of, and in which direction.
+struct SizeWord {
+  std::string_view word;
+  bool width, depth, height, larger;
+};
+constexpr SizeWord kSizeWords[] = {
+    {"large", true, true, true, true},     {"big", true, true, true, true},      {"huge", true, true, true, true},
+    {"oversized", true, true, true, true}, {"small", true, true, true, false},   {"little", true, true, true, false},
+    {"tiny", true, true, true, false},     {"mini", true, true, true, false},    {"compact", true, true, true, false},
+    {"wide", true, false, false, true},    {"long", true, false, false, true},   {"narrow", true, false, false, false},
+    {"slim", false, true, false, false},   {"deep", false, true, false, true},   {"shallow", false, true, false, false},
+    {"tall", false, false, true, true},    {"high", false, false, true, true},   {"low", false, false, true, false},
+};
+
+}  // namespace
+
+bool says(const std::vector<std::string>& said, std::string_view phrase) {
+  const std::vector<std::string> words = words_of(phrase);
+  return !words.empty() && std::search(said.begin(), said.end(), words.begin(), words.end()) != said.end();
+}
+
+SizeRange size_by_words(const CatalogEntry& entry, const std::vector<std::string>& said) {
+  for (const SizeVariant& variant : entry.variants) {
+    if (std::ranges::any_of(variant.words, [&](const std::string& word) { return says(said, word); })) return variant.size;
+  }
+  SizeRange range = entry.size;
+  for (const SizeWord& rule : kSizeWords) {
+    if (!says(said, rule.word)) continue;
+    const bool applies[] = {rule.width, rule.depth, rule.height};
+    for (std::size_t i = 0; i < kSides.size(); ++i) {
+      const auto side = kSides[i];
+      if (!applies[i]) continue;
+      const Mm end = rule.larger ? range.greatest.*side : range.least.*side;
+      const Mm middle = range.usual.*side + (end - range.usual.*side) * 2 / 3;
+      Size& other_end = rule.larger ? range.least : range.greatest;
+      other_end.*side = range.usual.*side;
+      range.usual.*side = std::clamp(middle / kGridMm * kGridMm, range.least.*side, range.greatest.*side);
+    }
+    break;
+  }
+  return range;
+}
+
+bool is_size_word(std::string_view word) {
+  return std::ranges::any_of(kSizeWords, [&](const SizeWord& rule) { return rule.word == word; });
+}
+
+}  // namespace layoutbox

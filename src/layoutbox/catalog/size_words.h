@@ -1,0 +1,21 @@
+// What words say about a size: "king" bed, "tall" shelf.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "layoutbox/catalog/catalog.h"
+
+namespace layoutbox {
+
+// The entry's size, narrowed by its variants or by general words among `said` (lower-case words in order).
+SizeRange size_by_words(const CatalogEntry& entry, const std::vector<std::string>& said);
+
+// True when the words of `phrase` stand in `said` one after the other.
+bool says(const std::vector<std::string>& said, std::string_view phrase);
+
+// True for words of size that hold for every kind of thing: "large", "narrow"…
+bool is_size_word(std::string_view word);
+
+}  // namespace layoutbox
