@@ -3,6 +3,7 @@
 # shellcheck shell=bash
 logs=build/logs
 mkdir -p "$logs"
+export LAYOUTBOX_PYTHON=$PWD/build/deps/tools/bin/python # has what the outside scorer needs
 passed=0 failed=0 skipped=0 finished=""
 
 finish() {
