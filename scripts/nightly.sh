@@ -6,6 +6,14 @@ cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." || exit 3
 # shellcheck source=scripts/counting.sh
 source scripts/counting.sh
 
+# Ten minutes of any bytes for each reader; what breaks it stays in build/fuzz/.
+fuzz() {
+  local target=$1 inputs=build/fuzz/inputs/$1
+  mkdir -p "$inputs"
+  build/fuzz/fuzz/fuzz_"$target" -max_total_time="${LAYOUTBOX_FUZZ_SECONDS:-600}" -timeout=20 -rss_limit_mb=4096 -artifact_prefix="build/fuzz/$target-" \
+    "$inputs" fuzz/corpus/"$target"
+}
+
 coverage() {
   gcovr --root . --filter src/layoutbox/ --exclude '.*_test\.cc' --object-directory build/coverage --html-details build/coverage/report.html \
     --print-summary
@@ -20,6 +28,9 @@ if step set-up scripts/setup.sh --nightly; then
     seed=$((RANDOM * 32768 + RANDOM))
     echo "random rooms from seed $seed on"
     LAYOUTBOX_RANDOM_SEED=$seed LAYOUTBOX_SEED=$seed LAYOUTBOX_RANDOM_ROUNDS=20000 cases random build/release -R 'Property|Parity' --timeout 7200
+  fi
+  if step build-fuzz scripts/build.sh --preset fuzz fuzz_read_scene fuzz_read_layout fuzz_plan fuzz_verify; then
+    for target in read_scene read_layout plan verify; do step "fuzz-$target" fuzz "$target"; done
   fi
   if step build-coverage scripts/build.sh --preset coverage --tests; then
     cases covered build/coverage
