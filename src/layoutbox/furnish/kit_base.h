@@ -21,7 +21,7 @@ class Maker {
   // Wound so that it faces the way its vertices' normals point; a triangle without area is left out.
   void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
     const Vec face = cross(position(b) - position(a), position(c) - position(a));
-    if (length(face) < 1e-12) return;
+    if (a == b || b == c || c == a || length(face) < 1e-15) return;
     if (dot(face, normal(a) + normal(b) + normal(c)) < 0) std::swap(b, c);
     mesh_.indices.insert(mesh_.indices.end(), {a, b, c});
   }

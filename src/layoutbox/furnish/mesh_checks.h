@@ -28,12 +28,12 @@ inline std::size_t triangles_of(const Node& node) {
   return n;
 }
 
-// Edges, by position (to a hundredth of a millimetre), that are not walked as often one way as the other: 0 for a closed, consistently wound mesh.
+// Edges, by position (to a micrometre), that are not walked as often one way as the other: 0 for a closed, consistently wound mesh.
 inline int open_edges(const Mesh& mesh) {
   using Key = std::array<long, 3>;
   const auto key = [&](std::uint32_t i) {
     const Vec3f& p = mesh.positions[i];
-    return Key{std::lround(static_cast<double>(p[0]) * 1e5), std::lround(static_cast<double>(p[1]) * 1e5), std::lround(static_cast<double>(p[2]) * 1e5)};
+    return Key{std::lround(static_cast<double>(p[0]) * 1e6), std::lround(static_cast<double>(p[1]) * 1e6), std::lround(static_cast<double>(p[2]) * 1e6)};
   };
   std::map<std::pair<Key, Key>, int> balance;
   for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {

@@ -90,7 +90,7 @@ const FreeSpace* Piece::open_above() const {
   const FreeSpace* best = nullptr;
   const auto volume = [](const Box& b) { return b.size().x * b.size().y * b.size().z; };
   for (const FreeSpace& space : spaces) {
-    if (space.box.max.z < h - 0.011 || space.box.min.z < 0.005) continue;
+    if (!space.carries || space.box.max.z < h - 0.085 || space.box.min.z < 0.005) continue;
     if (best == nullptr || volume(space.box) > volume(best->box)) best = &space;
   }
   return best;

@@ -41,7 +41,7 @@ class Piece {
   std::string_view category() const { return object_.category; }
   Mount mount() const { return object_.mount; }
 
-  // The space that is open to the top (seat, mattress, inside of a basket); null where there is none.
+  // The largest carrying space that reaches (nearly) to the top: seat, mattress, inside of a basket; null where there is none.
   const FreeSpace* open_above() const;
   // The highest level that what stands on the floor within the piece reaches (knee room, room under a bed); `otherwise` where none.
   double clear_below(double otherwise) const;

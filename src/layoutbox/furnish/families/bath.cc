@@ -27,13 +27,14 @@ void bathtub(Piece& p) {
   const FreeSpace* in = p.open_above();
   const Box b = in != nullptr ? in->box : sides(-p.w / 2 + 0.06, p.w / 2 - 0.06, -p.d / 2 + 0.06, p.d / 2 - 0.06, 0.06, p.h);
   p.add(chrome, lathe({{0, 0}, {0.03, 0}, {0.03, 0.0008}, {0, 0.0008}}, 16), moved(b.min.x + 0.2, 0, b.min.z));
-  // The mixer lies flush in the rim at one end.
-  p.add(chrome, box(sides(-p.w / 2 + 0.02, b.min.x - 0.02, -0.09, 0.09, p.h - 0.01, p.h), 0.004));
+  // The mixer lies on the rim at one end, as flat as the height leaves it.
+  for (const double y : {-0.07, 0.07}) p.add(chrome, cylinder({(b.min.x - p.w / 2) / 2, y, p.h - 0.004}, std::min(0.02, (b.min.x + p.w / 2) * 0.3), 0.004, 14));
 }
 
 void shower(Piece& p) {
   const int tray = p.named("ceramic"), chrome = p.named("chrome"), glass = p.named("glass");
-  const FreeSpace* in = p.open_above();
+  const FreeSpace* in = nullptr;
+  for (const FreeSpace& s : p.spaces) in = in == nullptr || s.box.max.z > in->box.max.z ? &s : in;
   const double rim = in != nullptr ? std::max(0.02, in->box.min.z) : std::min(0.08, p.h * 0.05), t = 0.01;
   p.add(tray, box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, 0, rim), 0.01));
   p.add(chrome, lathe({{0, 0}, {0.04, 0}, {0.04, 0.0008}, {0, 0.0008}}, 16), moved(0, 0, rim));
@@ -45,6 +46,14 @@ void shower(Piece& p) {
   }
   p.add(chrome, box(sides(-p.w / 2, p.w / 2, -p.d / 2, -p.d / 2 + 0.018, p.h - 0.022, p.h), 0.002));
   p.add(chrome, box(sides(p.w / 2 - 0.018, p.w / 2, -p.d / 2, p.d / 2, p.h - 0.022, p.h), 0.002));
+  if (in != nullptr && in->box.max.z < p.h - 0.03) {
+    // A booth: roof and a closed back instead of a shower.
+    const int shell = p.named("black_metal");
+    p.add(shell, box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, p.h - 0.06, p.h), 0.008));
+    p.add(shell, box(sides(-p.w / 2, p.w / 2, p.d / 2 - 0.04, p.d / 2, rim, p.h - 0.05), 0.004));
+    p.add(shell, box(sides(-p.w / 2, -p.w / 2 + 0.04, -p.d / 2 + 0.02, p.d / 2, rim, p.h - 0.05), 0.004));
+    return;
+  }
   handle(p, chrome, Handle::kVertical, {-p.w * 0.3, -p.d / 2 + 0.004, p.h * 0.5}, 0.3, 0.004);
   const double y = p.d / 2 - 0.012;
   p.add(chrome, rod({0, y, p.h * 0.5}, {0, y, p.h - 0.05}, 0.009, 8));

@@ -41,9 +41,27 @@ void bed(Piece& p) {
   const int duvet = p.main_accent("cotton");
   const double under = l.under > 0 ? l.under : std::min(0.14, l.top * 0.3), head = std::max(0.02, p.d / 2 - l.head);
   const double rail = std::min(0.12, std::max(0.04, (l.top - under) * 0.35));
+  if (p.number("headboard", 1) <= 0 && p.h < 0.55 && p.open_above() == nullptr) {
+    // A mattress on the floor, blown up or rolled out.
+    bedding(p, sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, 0, p.h), std::max(1, p.count("pillows", 1)), duvet, white);
+    return;
+  }
+  if (p.number("canopy", 0) > 0) {
+    const double post = side_room(p, 0.06);
+    for (const double x : {-1.0, 1.0}) {
+      const double cx = x * (p.w / 2 - post / 2);
+      for (const double y : {-1.0, 1.0}) p.add(wood, box(sides(cx - post / 2, cx + post / 2, y * (p.d / 2 - post / 2) - post / 2, y * (p.d / 2 - post / 2) + post / 2, 0, p.h), 0.006));
+      p.add(wood, box(sides(cx - post / 2, cx + post / 2, -p.d / 2, p.d / 2, p.h - std::min(0.05, post), p.h), 0.005));
+      p.add(wood, box(sides(-p.w / 2, p.w / 2, x * (p.d / 2 - post / 2) - post / 2, x * (p.d / 2 - post / 2) + post / 2, p.h - std::min(0.05, post), p.h), 0.005));
+    }
+    p.add(wood, box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, under, under + rail), 0.006));
+    p.add(wood, box(sides(-p.w / 2, p.w / 2, p.d / 2 - std::min(head, 0.04), p.d / 2, under, l.top + 0.45), 0.006));
+    bedding(p, sides(-p.w / 2 + 0.01, p.w / 2 - 0.01, -p.d / 2 + 0.01, p.d / 2 - post, under + rail - 0.002, l.top), 2, duvet, white);
+    return;
+  }
+  const bool soft = p.says("upholstered") || p.says("velvet") || p.says("tufted");
   p.legs(wood, under, 0.07, 0.03, false, 0.8);
   p.add(wood, box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2 - std::min(head, 0.03), under, under + rail), 0.008));
-  const bool soft = p.says("upholstered") || p.says("velvet") || p.says("tufted");
   if (p.h > l.top + 0.03) {
     p.add(head_surface, soft ? rounded_box(sides(-p.w / 2, p.w / 2, p.d / 2 - head, p.d / 2, under, p.h), head * 0.4, 3)
                              : box(sides(-p.w / 2, p.w / 2, p.d / 2 - std::min(head, 0.05), p.d / 2, under * 0.5, p.h), 0.008));
@@ -60,7 +78,7 @@ void bed(Piece& p) {
 
 void bunk_bed(Piece& p) {
   const int wood = p.frame("oak"), white = p.named("cotton"), duvet = p.main_accent("cotton");
-  const double post = std::min(0.07, p.w * 0.08);
+  const double post = side_room(p, std::min(0.07, p.w * 0.08));
   for (const double x : {-1.0, 1.0}) {
     for (const double y : {-1.0, 1.0}) {
       const double cx = x * (p.w / 2 - post / 2), cy = y * (p.d / 2 - post / 2);
@@ -73,8 +91,9 @@ void bunk_bed(Piece& p) {
   }
   std::sort(tops.begin(), tops.end());
   if (tops.empty()) tops = {0.45, p.h - 0.35};
+  const double free_below = p.clear_below(0);
   for (const double top : tops) {
-    const double below = top - 0.26;
+    const double below = std::max(top - 0.26, free_below < top ? free_below : 0);
     p.add(wood, box(sides(-p.w / 2 + 0.006, p.w / 2 - 0.006, -p.d / 2 + 0.006, p.d / 2 - 0.006, below, below + 0.1), 0.006));
     bedding(p, sides(-p.w / 2 + post, p.w / 2 - post, -p.d / 2 + post, p.d / 2 - post, below + 0.09, top), 1, duvet, white);
     for (const double y : {-1.0, 1.0}) {
@@ -93,20 +112,44 @@ void bunk_bed(Piece& p) {
   for (double z = 0.25; z < tops.back() - 0.15; z += 0.27) p.add(wood, box(sides(-0.13, 0.13, -p.d / 2 + 0.003, -p.d / 2 + 0.027, z, z + 0.03), 0.004));
 }
 
+// Corner posts, ropes and a raised floor.
+void boxing_ring(Piece& p) {
+  const FreeSpace* open = p.open_above();
+  const double floor = open != nullptr ? open->box.min.z : p.h * 0.3, post = side_room(p, 0.12);
+  p.add(p.tinted("cotton", {0.30, 0.36, 0.46}), box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, 0, floor - 0.02), 0.01));
+  p.add(p.named("cotton"), box(sides(-p.w / 2 + 0.02, p.w / 2 - 0.02, -p.d / 2 + 0.02, p.d / 2 - 0.02, floor - 0.03, floor), 0.004));
+  const int ropes[] = {p.tinted("plastic", {0.78, 0.22, 0.2}), p.named("plastic"), p.tinted("plastic", {0.22, 0.36, 0.66})};
+  for (const double x : {-1.0, 1.0}) {
+    for (const double y : {-1.0, 1.0}) {
+      const double cx = x * (p.w / 2 - post / 2), cy = y * (p.d / 2 - post / 2);
+      p.add(ropes[x * y > 0 ? 0 : 2], box(sides(cx - post / 2, cx + post / 2, cy - post / 2, cy + post / 2, floor, p.h), 0.02));
+    }
+    for (int i = 0; i < 3; ++i) {
+      const double z = floor + (p.h - floor) * (0.35 + 0.25 * i);
+      p.add(ropes[i], rod({x * (p.w / 2 - post / 2), -p.d / 2 + post, z}, {x * (p.w / 2 - post / 2), p.d / 2 - post, z}, 0.02, 8));
+      p.add(ropes[i], rod({-p.w / 2 + post, x * (p.d / 2 - post / 2), z}, {p.w / 2 - post, x * (p.d / 2 - post / 2), z}, 0.02, 8));
+    }
+  }
+}
+
 void crib(Piece& p) {
+  if (p.number("ropes", 0) > 0) return boxing_ring(p);
   const int wood = p.main("lacquer"), white = p.named("cotton"), blanket = p.tinted("cotton", p.accent());
   const FreeSpace* open = p.open_above();
-  const double top = open != nullptr ? open->box.min.z : p.h * 0.5, under = std::max(p.clear_below(0), top - 0.2), t = 0.03;
+  const double top = open != nullptr ? open->box.min.z : p.h * 0.5, under = std::max({0.0, p.clear_below(0), top - 0.2}), t = 0.03;
   for (const double x : {-1.0, 1.0}) {
     for (const double y : {-1.0, 1.0}) {
       const double cx = x * (p.w / 2 - t / 2), cy = y * (p.d / 2 - t / 2);
       p.add(wood, box(sides(cx - t / 2, cx + t / 2, cy - t / 2, cy + t / 2, 0, p.h), 0.005));
     }
   }
-  p.add(wood, box(sides(-p.w / 2 + 0.004, p.w / 2 - 0.004, -p.d / 2 + 0.004, p.d / 2 - 0.004, under, under + 0.06), 0.004));
-  p.add(white, rounded_box(sides(-p.w / 2 + t, p.w / 2 - t, -p.d / 2 + t, p.d / 2 - t, under + 0.06, top - 0.02), 0.02, 2));
-  p.add(blanket, rounded_box(sides(-p.w / 2 + t, p.w / 2 - t, -p.d / 2 + t, p.d * 0.05, top - 0.06, top), 0.018, 2));
-  p.add(white, pillow(sides(-p.w * 0.3, p.w * 0.3, p.d / 2 - 0.34, p.d / 2 - 0.08, top - 0.045, top), 6));
+  const double floor = std::min(under + 0.06, top - 0.025);
+  p.add(wood, box(sides(-p.w / 2 + 0.004, p.w / 2 - 0.004, -p.d / 2 + 0.004, p.d / 2 - 0.004, under, floor), 0.004));
+  p.add(white, rounded_box(sides(-p.w / 2 + t, p.w / 2 - t, -p.d / 2 + t, p.d / 2 - t, floor, top - (top > 0.2 ? 0.02 : 0)), 0.02, 2));
+  if (top > 0.2) {
+    p.add(blanket, rounded_box(sides(-p.w / 2 + t, p.w / 2 - t, -p.d / 2 + t, p.d * 0.05, top - 0.06, top), 0.018, 2));
+    p.add(white, pillow(sides(-p.w * 0.3, p.w * 0.3, p.d / 2 - 0.34, p.d / 2 - 0.08, top - 0.045, top), 6));
+  }
   const auto rails = [&](bool along_x, double at) {
     const double half = (along_x ? p.w : p.d) / 2 - t;
     const auto bar = [&](double a0, double a1, double z0, double z1, double thick) {
@@ -116,7 +159,7 @@ void crib(Piece& p) {
     const int n = std::max(2, static_cast<int>(2 * half / 0.085));
     for (int i = 1; i < n; ++i) {
       const double a = -half + 2 * half * i / n;
-      bar(a - 0.006, a + 0.006, under + 0.06, p.h - 0.04, 0.012);
+      bar(a - 0.006, a + 0.006, floor, p.h - 0.04, 0.012);
     }
   };
   for (const double s : {-1.0, 1.0}) {

@@ -17,7 +17,7 @@ Along along(const Piece& p) { return p.w >= p.d ? Along{p.w / 2, p.d / 2, {}} : 
 void pool_table(Piece& p) {
   const auto [a, b, turn] = along(p);
   const int wood = p.frame("mahogany"), cloth = p.color_asked() ? p.main("wool") : p.tinted("wool", {0.14, 0.42, 0.30}), dark = p.named("black_plastic");
-  const double rim = std::min(0.12, b * 0.2), bed = p.h - 0.05;
+  const double rim = std::min(0.12, b * 0.2), bed = p.h - 0.06;
   p.add(cloth, box(sides(-a + rim * 0.7, a - rim * 0.7, -b + rim * 0.7, b - rim * 0.7, bed - 0.05, bed), 0), turn);
   p.add(wood, box(sides(-a, a, -b, -b + rim, p.h - 0.16, p.h), 0.012), turn);
   p.add(wood, box(sides(-a, a, b - rim, b, p.h - 0.16, p.h), 0.012), turn);
@@ -25,10 +25,10 @@ void pool_table(Piece& p) {
   p.add(wood, box(sides(a - rim, a, -b + rim, b - rim, p.h - 0.16, p.h), 0.012), turn);
   p.add(wood, box(sides(-a + 0.06, a - 0.06, -b + 0.06, b - 0.06, p.h - 0.25, p.h - 0.12), 0.01), turn);
   for (const double x : {-1.0, 0.0, 1.0}) {
-    for (const double y : {-1.0, 1.0}) p.add(dark, cylinder({x * (a - rim), y * (b - rim * (x == 0 ? 0.8 : 1)), p.h - 0.03}, 0.055, 0.0305, 18), turn);
+    for (const double y : {-1.0, 1.0}) p.add(dark, cylinder({x * (a - rim), y * (b - rim * (x == 0 ? 0.8 : 1)), p.h - 0.03}, 0.055, 0.03, 18), turn);
   }
   for (const double x : {-1.0, 1.0}) {
-    for (const double y : {-1.0, 1.0}) p.add(wood, taper({x * (a - 0.2), y * (b - 0.16), 0}, {0.06, 0.06}, {x * (a - 0.18), y * (b - 0.15), p.h - 0.24}, {0.09, 0.09}), turn);
+    for (const double y : {-1.0, 1.0}) p.add(wood, taper({x * (a - 0.1), y * (b - 0.1), 0}, {0.05, 0.05}, {x * (a - 0.1), y * (b - 0.1), p.h - 0.24}, {0.085, 0.085}), turn);
   }
   static constexpr Color kBalls[] = {{0.90, 0.76, 0.2}, {0.2, 0.3, 0.66}, {0.8, 0.2, 0.18}, {0.4, 0.2, 0.5}, {0.9, 0.5, 0.15}, {0.12, 0.4, 0.25}};
   int n = 0;
@@ -42,14 +42,17 @@ void ping_pong_table(Piece& p) {
   const auto [a, b, turn] = along(p);
   const int top = p.color_asked() ? p.main("lacquer") : p.tinted("lacquer", {0.16, 0.36, 0.56}), white = p.named("plastic"), dark = p.named("black_metal");
   const double net = std::min(0.15, p.h * 0.17), level = p.h - net;
-  p.add(top, box(sides(-a, a, -b + (b > 0.7 ? 0.02 : 0), b - (b > 0.7 ? 0.02 : 0), level - 0.03, level - 0.001), 0.003), turn);
+  p.add(top, box(sides(-a, a, -b + (b > 0.7 ? 0.02 : 0), b - (b > 0.7 ? 0.02 : 0), level - (p.clear_below(0) > 0 ? std::min(0.03, level - p.clear_below(0)) : 0.03), level - 0.001), 0.003), turn);
   for (const double y : {-b + 0.03, 0.0, b - 0.03}) p.add(white, box(sides(-a + 0.002, a - 0.002, y - 0.01, y + 0.01, level - 0.002, level), 0), turn);
   for (const double x : {-a + 0.014, a - 0.014}) p.add(white, box(sides(x - 0.01, x + 0.01, -b + 0.045, b - 0.045, level - 0.002, level), 0), turn);
   p.add(p.tinted("mesh", {0.85, 0.86, 0.86}), box(sides(-0.003, 0.003, -b, b, level, p.h - 0.012), 0), turn);
   p.add(white, box(sides(-0.005, 0.005, -b, b, p.h - 0.014, p.h), 0.001), turn);
+  double along_room = 0.05;
+  for (const FreeSpace& s : p.spaces) along_room = std::min(along_room, a - 0.02 - (p.w >= p.d ? s.box.max.x : s.box.max.y));
   for (const double x : {-0.62, 0.62}) {
-    for (const double y : {-0.72, 0.72}) p.add(dark, box(sides(x * a - 0.025, x * a + 0.025, y * b - 0.025, y * b + 0.025, 0, level - 0.028), 0.004), turn);
-    p.add(dark, box(sides(x * a - 0.02, x * a + 0.02, -0.72 * b, 0.72 * b, level * 0.3, level * 0.3 + 0.04), 0.004), turn);
+    const double s = x > 0 ? 1 : -1, room = std::clamp(along_room, 0.02, 0.05), c = s * (a - 0.02 - room / 2);
+    for (const double y : {-0.9, 0.9}) p.add(dark, box(sides(c - room / 2, c + room / 2, y * b - 0.025, y * b + 0.025, 0, level - 0.028), 0.004), turn);
+    p.add(dark, box(sides(c - room * 0.4, c + room * 0.4, -0.9 * b, 0.9 * b, level * 0.3, level * 0.3 + 0.04), 0.004), turn);
   }
 }
 
@@ -84,7 +87,7 @@ void hospital_bed(Piece& p) {
   const double level = open != nullptr ? open->box.min.z : std::min(0.6, p.h * 0.65), under = std::max(p.clear_below(0), level - 0.28), head = open != nullptr ? open->box.max.y : p.d / 2 - 0.05;
   for (const double x : {-1.0, 1.0}) {
     for (const double y : {-1.0, 1.0}) {
-      const double cx = x * (p.w / 2 - 0.03), cy = y * (p.d / 2 - 0.03);
+      const double cx = x * (p.w / 2 - 0.03), cy = y * (p.d / 2 - 0.06);
       p.add(frame, box(sides(cx - 0.02, cx + 0.02, cy - 0.02, cy + 0.02, 0.09, under + 0.02), 0.004));
       p.add(dark, rod({cx - 0.014, cy, 0.05}, {cx + 0.014, cy, 0.05}, 0.05, 14));
     }
@@ -101,8 +104,12 @@ void exam_table(Piece& p) {
   const int pad = p.main_accent("leather"), body = p.frame("painted_metal"), paper = p.named("paper");
   const FreeSpace* open = p.open_above();
   const double level = open != nullptr ? open->box.min.z : p.h, foot = std::min(0.1, level * 0.12);
-  p.add(body, box(sides(-p.w / 2 + 0.05, p.w / 2 - 0.05, -p.d / 2 + 0.1, p.d / 2 - 0.1, foot, level - 0.1), 0.008));
-  p.add(p.named("black_plastic"), box(sides(-p.w / 2 + 0.08, p.w / 2 - 0.08, -p.d / 2 + 0.14, p.d / 2 - 0.14, 0, foot), 0.002));
+  if (p.clear_below(0) > 0) {
+    p.legs(p.frame("oak"), level - 0.1, 0.045, 0);
+  } else {
+    p.add(body, box(sides(-p.w / 2 + 0.05, p.w / 2 - 0.05, -p.d / 2 + 0.1, p.d / 2 - 0.1, foot, level - 0.1), 0.008));
+    p.add(p.named("black_plastic"), box(sides(-p.w / 2 + 0.08, p.w / 2 - 0.08, -p.d / 2 + 0.14, p.d / 2 - 0.14, 0, foot), 0.002));
+  }
   p.add(pad, rounded_box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, level - 0.1, level - 0.003), 0.03, 3));
   p.add(paper, box(sides(-p.w * 0.3, p.w * 0.3, -p.d / 2 + 0.02, p.d / 2 - 0.03, level - 0.006, level), 0));
   if (p.h > level + 0.01) p.add(pad, rounded_box(sides(-p.w / 2 + 0.02, p.w / 2 - 0.02, open != nullptr ? open->box.max.y : p.d / 2 - 0.3, p.d / 2, level - 0.05, p.h), 0.03, 3));
@@ -119,14 +126,14 @@ void wheelchair(Piece& p) {
       p.add(metal, rod({s * half, 0.18 + std::cos(a) * (r - 0.02), r + std::sin(a) * (r - 0.02)}, {s * half, 0.18 - std::cos(a) * (r - 0.02), r - std::sin(a) * (r - 0.02)}, 0.003, 4));
     }
     p.add(dark, rod({s * 0.22 - 0.015, -0.32, 0.08}, {s * 0.22 + 0.015, -0.32, 0.08}, 0.08, 16));
-    p.add(metal, tube(curve({{s * 0.22, 0.42, 0.92}, {s * 0.22, 0.3, 0.9}, {s * 0.22, 0.24, 0.5}, {s * 0.22, 0.2, 0.2}}, 4), 0.013, 8));
-    p.add(metal, tube({{s * 0.22, 0.26, 0.46}, {s * 0.22, -0.28, 0.46}, {s * 0.2, -0.42, 0.12}}, 0.013, 8));
-    p.add(dark, rounded_box(sides(s * 0.25 - 0.025, s * 0.25 + 0.025, -0.2, 0.2, 0.68, 0.71), 0.01, 2));
+    p.add(metal, tube(curve({{s * 0.24, 0.42, 0.92}, {s * 0.24, 0.33, 0.9}, {s * 0.24, 0.3, 0.5}, {s * 0.24, 0.24, 0.2}}, 4), 0.013, 8));
+    p.add(metal, tube({{s * 0.24, 0.26, 0.46}, {s * 0.24, -0.28, 0.46}, {s * 0.2, -0.42, 0.12}}, 0.013, 8));
+    p.add(dark, rounded_box(sides(s * 0.26 - 0.02, s * 0.26 + 0.02, -0.2, 0.2, 0.68, 0.71), 0.01, 2));
     p.add(metal, rod({s * 0.25, -0.15, 0.46}, {s * 0.25, -0.15, 0.68}, 0.01, 8));
     p.add(dark, box(sides(s * 0.11 - 0.08, s * 0.11 + 0.08, -0.5, -0.38, 0.1, 0.12), 0.004));
   }
-  p.add(seat, cushion(sides(-0.22, 0.22, -0.24, 0.24, 0.46, 0.52), 0.02));
-  p.add(seat, rounded_box(sides(-0.21, 0.21, 0.24, 0.28, 0.52, 0.88), 0.015, 2), Pose{});
+  p.add(seat, cushion(sides(-0.22, 0.22, -0.24, 0.28, 0.46, 0.515), 0.02));
+  p.add(seat, rounded_box(sides(-0.21, 0.21, 0.29, 0.33, 0.53, 0.88), 0.015, 2));
   p.fit();
 }
 

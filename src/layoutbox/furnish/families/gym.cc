@@ -59,6 +59,22 @@ void dumbbell(Piece& p) {
 void dumbbell_rack(Piece& p) {
   const int metal = p.frame("black_metal"), head = p.named("black_plastic"), bar = p.named("chrome");
   const int tiers = p.h > 0.75 ? 3 : 2;
+  if (!p.spaces.empty()) {
+    family_or_generic("rack")(p);
+    if (!p.may_show_contents()) return;
+    for (const FreeSpace& s : p.spaces) {
+      const double r = std::min({0.06, s.box.size().z * 0.3, s.box.size().y * 0.3});
+      if (!s.carries || s.held || r < 0.02 || s.box.max.z > p.h - 0.002) continue;
+      const double reach = std::min(0.13, s.box.size().y * 0.45), y = (s.box.min.y + s.box.max.y) / 2, z = s.box.min.z + r;
+      const int n = std::max(2, static_cast<int>(s.box.size().x / (2.4 * r)));
+      for (int i = 0; i < n; ++i) {
+        const double x = s.box.min.x + s.box.size().x * (i + 0.5) / n;
+        p.add(bar, rod({x, y - reach * 0.7, z}, {x, y + reach * 0.7, z}, r * 0.28, 8));
+        for (const double k : {-1.0, 1.0}) p.add(head, rod({x, y + k * reach * 0.45, z}, {x, y + k * reach, z}, r, 6));
+      }
+    }
+    return;
+  }
   for (const double s : {-1.0, 1.0}) {
     const double x0 = s > 0 ? p.w / 2 - 0.05 : -p.w / 2;
     p.add(metal, box(sides(x0, x0 + 0.05, -p.d / 2, p.d / 2, 0, 0.05), 0.006));

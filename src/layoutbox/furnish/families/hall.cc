@@ -9,16 +9,17 @@ namespace {
 
 void umbrella_stand(Piece& p) {
   const int metal = p.main("black_metal"), handle_surface = p.named("walnut");
-  const double r = std::min(p.w, p.d) / 2, tall = p.h * 0.62;
+  const double r = std::min(p.w, p.d) / 2, tall = p.open_above() != nullptr ? p.h : p.h * 0.62;
   vessel(p, metal, {{r * 0.92, 0}, {r, tall}}, 0.006, 0.02, 26);
+  if (p.open_above() != nullptr && (!p.may_show_contents() || p.open_above()->held)) return;
   static constexpr Color kCloth[] = {{0.20, 0.28, 0.42}, {0.62, 0.22, 0.22}, {0.18, 0.19, 0.2}};
   for (int i = 0; i < 3; ++i) {
     const double a = 2.1 * i + 0.4, out = r * 0.45;
-    const Vec low{std::cos(a) * out * 0.5, std::sin(a) * out * 0.5, 0.03}, high{std::cos(a) * out, std::sin(a) * out, p.h * 0.86};
+    const Vec low{std::cos(a) * out * 0.5, std::sin(a) * out * 0.5, 0.06}, high{std::cos(a) * out, std::sin(a) * out, p.h * 0.86};
     p.add(p.tinted("cotton", kCloth[i]), cone({0, 0, 0}, r * 0.08, r * 0.2, length(high - low), 10), aimed(low, high - low));
     p.add(handle_surface, tube(curve({high, high + Vec{0, 0, p.h * 0.1}, high + Vec{r * 0.18, 0, p.h * 0.135}, high + Vec{r * 0.3, 0, p.h * 0.08}}, 4), r * 0.06, 6));
   }
-  p.fit();
+  if (p.spaces.empty()) p.fit();
 }
 
 void coat_rack(Piece& p) {
@@ -74,7 +75,21 @@ void shoe_rack(Piece& p) {
   }
 }
 
+// Panels at three sides round a desk top.
+void cubicle(Piece& p) {
+  const int cloth = p.main_accent("linen"), top = p.named("lacquer"), metal = p.named("steel");
+  double t = side_room(p, 0.05), level = 0.75, under = 0.7;
+  for (const FreeSpace& s : p.spaces) (s.carries ? level : under) = s.carries ? s.box.min.z : s.box.max.z;
+  for (const double s : {-1.0, 1.0}) p.add(cloth, box(sides(s > 0 ? p.w / 2 - t : -p.w / 2, s > 0 ? p.w / 2 : -p.w / 2 + t, -p.d / 2, p.d / 2, 0.05, p.h - 0.02), 0.004));
+  p.add(cloth, box(sides(-p.w / 2 + t, p.w / 2 - t, p.d / 2 - t, p.d / 2, 0.05, p.h - 0.02), 0.004));
+  for (const double s : {-1.0, 1.0}) {
+    for (const auto& [z0, z1] : {std::pair{0.0, 0.05}, {p.h - 0.02, p.h}}) p.add(metal, box(sides(s > 0 ? p.w / 2 - t : -p.w / 2, s > 0 ? p.w / 2 : -p.w / 2 + t, -p.d / 2, p.d / 2, z0, z1), 0.002));
+  }
+  p.add(top, box(sides(-p.w / 2 + t, p.w / 2 - t, -p.d / 2 + p.d * 0.4, p.d / 2 - t, level - std::min(0.03, level - under), level), 0.004));
+}
+
 void screen_divider(Piece& p) {
+  if (!p.spaces.empty()) return cubicle(p);
   const int frame = p.frame("walnut"), paper = p.main("paper");
   const int n = std::max(2, p.count("panels", static_cast<int>(std::lround(p.w / 0.5))));
   const double each = p.w / n, t = std::min(0.022, p.d * 0.3);

@@ -67,7 +67,14 @@ void burners(Piece& p, double level, double room) {
   }
 }
 
+// A glass plate with rings, let into a counter.
+void cooktop(Piece& p) {
+  burners(p, 0, p.h);
+  p.add(p.main("black_metal"), box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, 0, p.h * 0.35), 0.002));
+}
+
 void stove(Piece& p) {
+  if (p.h < 0.3) return cooktop(p);
   const int steel = p.main("steel"), black = p.named("black_plastic");
   const double room = 0.02, top = p.h - room, face = -p.d / 2 + 0.035;
   machine_body(p, steel, sides(-p.w / 2, p.w / 2, face, p.d / 2, 0, top), 0.006);
@@ -110,7 +117,7 @@ void microwave(Piece& p) {
   const int body = p.main("black_plastic"), glass = p.named("screen");
   const double face = -p.d / 2 + 0.03, foot = p.h * 0.04;
   p.add(body, box(sides(-p.w / 2, p.w / 2, face, p.d / 2, foot, p.h), 0.006));
-  for (const double x : {-0.4, 0.4}) p.add(p.named("black_plastic"), box(sides(x * p.w - 0.02, x * p.w + 0.02, -p.d * 0.3, p.d * 0.4, 0, foot + 0.002), 0));
+  for (const double x : {-0.38, 0.38}) p.add(p.named("black_plastic"), box(sides(x * p.w - p.w * 0.04, x * p.w + p.w * 0.04, -p.d * 0.3, p.d * 0.4, 0, foot + 0.002), 0));
   p.add(p.named("steel"), box(sides(-p.w / 2 + 0.004, p.w * 0.24, face - 0.008, face + 0.002, foot + 0.006, p.h - 0.006), 0.003));
   p.add(glass, box(sides(-p.w / 2 + 0.04, p.w * 0.17, face - 0.011, face, p.h * 0.2, p.h * 0.85), 0.002));
   handle(p, p.named("chrome"), Handle::kVertical, {p.w * 0.205, face - 0.006, p.h * 0.52}, p.h * 0.6, 0.024);
@@ -121,34 +128,47 @@ void microwave(Piece& p) {
   }
 }
 
-// A wash basin or kitchen sink: a bowl in a top, on a cabinet, a pedestal or a wall.
+void tap(Piece& p, double y, double z, double tall, double reach) {
+  const int chrome = p.named("chrome");
+  const double r = 0.009;
+  p.add(chrome, cylinder({0, y, z}, 0.02, 0.02, 14));
+  p.add(chrome, tube(curve({{0, y, z + 0.01}, {0, y, z + tall * 0.7}, {0, y - reach * 0.4, z + tall - r}, {0, y - reach, z + tall * 0.6}}, 5), r, 8));
+  p.add(chrome, ellipsoid({0, y - reach * 0.4, z + tall - r}, {r, r, r}, 10, 6));
+  for (const double s : {-1.0, 1.0}) p.add(chrome, rod({s * 0.07, y, z}, {s * 0.07, y, z + std::min(0.04, tall * 0.6)}, 0.014, 10));
+}
+
+void urinal(Piece& p) {
+  const int ceramic = p.main("ceramic");
+  p.add(ceramic, rounded_box(sides(-p.w * 0.42, p.w * 0.42, p.d / 2 - std::min(0.08, p.d * 0.3), p.d / 2, p.h * 0.1, p.h), 0.03, 3));
+  p.add(ceramic, rounded_box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, 0, p.h * 0.34), std::min(p.w, p.d) * 0.3, 4));
+  for (const double s : {-1.0, 1.0}) p.add(ceramic, rounded_box(sides(s > 0 ? p.w * 0.36 : -p.w / 2, s > 0 ? p.w / 2 : -p.w * 0.36, -p.d * 0.1, p.d / 2 - 0.01, p.h * 0.15, p.h * 0.97), 0.03, 3));
+  p.add(p.named("chrome"), cylinder({0, p.d / 2 - 0.04, p.h - 0.012}, 0.02, 0.012, 14));
+}
+
+// A wash basin or kitchen sink: a bowl in a top, on a cabinet, a pedestal or a wall. Where the bowl's space reaches far above its floor,
+// the rim lies lower than the top and a tap stands on it.
 void sink(Piece& p) {
+  if (p.category() == "urinal") return urinal(p);
   const int ceramic = p.main("ceramic");
   const FreeSpace* bowl = p.open_above();
   const Box in = bowl != nullptr ? bowl->box : sides(-p.w * 0.36, p.w * 0.36, -p.d * 0.36, p.d * 0.2, p.h - std::min(0.14, p.h * 0.5), p.h);
-  // The tap must stay within the height: the rim lies as much lower.
-  const double rim = p.h, floor = in.min.z - 0.015, body = std::max(0.0, std::min(floor, rim - 0.06));
-  open_box(p, ceramic, sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, body, rim), 0.03, 0.01);
+  const double deep = p.h - in.min.z, tall = deep > 0.18 ? deep - 0.13 : 0, rim = p.h - tall, floor = in.min.z - 0.015;
+  const double body = p.mount() == Mount::kWall ? 0 : std::max(0.0, std::min(floor, rim - 0.06)), x = p.w / 2, y = p.d / 2;
+  p.add(ceramic, box(sides(-x, x, -y, y, body, in.min.z), 0.01));
+  p.add(ceramic, box(sides(-x, in.min.x, -y, y, in.min.z - 0.004, rim), 0.008));
+  p.add(ceramic, box(sides(in.max.x, x, -y, y, in.min.z - 0.004, rim), 0.008));
+  p.add(ceramic, box(sides(in.min.x - 0.008, in.max.x + 0.008, -y, in.min.y, in.min.z - 0.004, rim), 0.008));
+  p.add(ceramic, box(sides(in.min.x - 0.008, in.max.x + 0.008, in.max.y, y, in.min.z - 0.004, rim), 0.008));
   p.add(p.named("chrome"), lathe({{0, 0}, {0.022, 0}, {0.022, 0.0008}, {0, 0.0008}}, 16), moved(in.center().x, in.center().y, in.min.z));
+  if (tall > 0) tap(p, (in.max.y + y) / 2, rim - 0.002, tall + 0.002, std::min(0.02, (y - in.max.y) * 0.3));
   if (p.mount() == Mount::kWall || body < 0.1) return;
   if (p.w > 0.55 || p.says("vanity")) {
     const int wood = p.frame("oak");
-    Carcass c{sides(-p.w / 2 + 0.01, p.w / 2 - 0.01, -p.d / 2 + 0.005, p.d / 2, 0.08, body), wood, wood, p.named("steel")};
-    carcass(p, c);
-    p.add(p.named("black_plastic"), box(sides(-p.w / 2 + 0.03, p.w / 2 - 0.03, -p.d / 2 + 0.06, p.d / 2 - 0.002, 0, 0.08), 0));
+    carcass(p, {sides(-x + 0.01, x - 0.01, -y + 0.005, y, 0.08, body), wood, wood, p.named("steel")});
+    p.add(p.named("black_plastic"), box(sides(-x + 0.03, x - 0.03, -y + 0.06, y - 0.002, 0, 0.08), 0));
     return;
   }
   p.add(ceramic, lathe({{0, 0}, {0.13, 0}, {0.12, 0.03}, {0.075, 0.25}, {0.08, body * 0.7}, {0.14, body + 0.005}, {0, body + 0.005}}, 24), moved(0, p.d * 0.1, 0));
-}
-
-// A tall tap stands only where the catalogue leaves height for it.
-void sink_with_tap(Piece& p) {
-  sink(p);
-  const FreeSpace* bowl = p.open_above();
-  if (bowl == nullptr) return;
-  const double behind = p.d / 2 - bowl->box.max.y;
-  if (behind < 0.05) return;
-  p.add(p.named("chrome"), box(sides(-0.06, 0.06, bowl->box.max.y + behind * 0.35, bowl->box.max.y + behind * 0.65, p.h - 0.02, p.h), 0.004));
 }
 
 }  // namespace
@@ -161,7 +181,7 @@ void add_kitchen(Families& to) {
   to["dishwasher"] = dishwasher;
   to["washing_machine"] = washing_machine;
   to["microwave"] = microwave;
-  to["sink"] = sink_with_tap;
+  to["sink"] = sink;
 }
 
 }  // namespace layoutbox::kit

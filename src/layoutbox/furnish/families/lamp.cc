@@ -13,14 +13,31 @@ void shade(Piece& p, int surface, double r_below, double r_above, double z0, dou
   p.add(surface, lathe({{r_below - t, z0}, {r_below, z0}, {r_above, z1}, {r_above - t, z1}, {r_below - t, z0}}, 36), scaled(1, p.d / p.w, 1));
 }
 
+// A foot at the left, and a bow that carries the shade over to the right.
+void arc_lamp(Piece& p) {
+  const int metal = p.frame("steel"), cloth = p.main("lampshade");
+  const double r = std::min(p.d / 2, p.w * 0.2), tall = std::min(0.24, p.h * 0.14), level = p.clear_below(p.h * 0.6) + 0.01;
+  double foot = r * 0.9;
+  for (const FreeSpace& s : p.spaces) foot = std::min(foot, (s.box.min.x + p.w / 2) / 2);
+  const double x0 = -p.w / 2 + foot, x1 = p.w / 2 - r, z = std::max(level, p.h - tall - 0.1), pipe = 0.012;
+  p.add(metal, lathe({{0, 0}, {foot, 0}, {foot, 0.03}, {foot * 0.95, 0.04}, {0, 0.04}}, 28), moved(x0, 0, 0));
+  p.add(metal, tube(curve({{x0, 0, 0.03}, {x0 - foot * 0.15, 0, p.h * 0.7}, {x0 + (x1 - x0) * 0.25, 0, p.h - pipe - 0.09}, {x0 + (x1 - x0) * 0.55, 0, p.h - pipe}, {x0 + (x1 - x0) * 0.85, 0, p.h - pipe - 0.06}, {x1, 0, z + tall}}, 6), pipe, 8));
+  const Vec top{x0 + (x1 - x0) * 0.55, 0, p.h - pipe};
+  p.add(metal, ellipsoid(top, {pipe, pipe, pipe}, 12, 6));
+  p.add(cloth, lathe({{r - 0.004, z}, {r, z}, {r * 0.6, z + tall * 0.8}, {0.02, z + tall}, {0, z + tall}, {0, z + tall - 0.004}, {r * 0.58, z + tall * 0.78}, {r - 0.004, z}}, 32), moved(x1, 0, 0) * scaled(1, p.d / 2 / r, 1));
+  p.add(p.named("bulb"), ellipsoid({x1, 0, z + tall * 0.4}, {0.035, 0.035, 0.05}, 12, 6));
+  p.light({x1, 0, z + tall * 0.3}, 25, 0.08);
+}
+
 void floor_lamp(Piece& p) {
   const int metal = p.frame("black_metal"), cloth = p.main("lampshade");
+  if (p.w > 2 * p.d || p.word("kind", "") == "arc") return arc_lamp(p);
   const double r = p.w / 2, tall = std::min(0.32, p.h * 0.22), foot = std::min(r * 0.75, 0.16);
   const double k = p.d / p.w;
   if (p.says("tripod") || p.word("style", "") == "tripod") {
     for (int i = 0; i < 3; ++i) {
       const double a = kPi * (0.5 + 2.0 * i / 3);
-      p.add(p.frame("oak"), rod({std::cos(a) * (r - 0.02), std::sin(a) * (r - 0.02) * k, 0}, {0, 0, p.h - tall * 0.9}, 0.014, 10));
+      p.add(p.frame("oak"), leg({std::cos(a) * (r - 0.02), std::sin(a) * (r - 0.02) * k, 0}, {0, 0, p.h - tall * 0.9}, 0.011, 0.014));
     }
   } else {
     p.add(metal, lathe({{0, 0}, {foot, 0}, {foot, 0.015}, {foot * 0.9, 0.022}, {0.02, 0.03}, {0, 0.03}}, 28), scaled(1, k, 1));
@@ -41,7 +58,23 @@ void table_lamp(Piece& p) {
   p.light({0, 0, p.h - tall * 0.5}, 10, 0.05);
 }
 
+// Bulbs on a cord that sags between its ends.
+void string_light(Piece& p) {
+  const int cord = p.named("black_plastic"), glow = p.named("bulb");
+  const int n = std::max(5, static_cast<int>(p.w / 0.18)) | 1;
+  std::vector<Vec> line;
+  for (int i = 0; i <= n; ++i) {
+    const double t = 2.0 * i / n - 1;
+    line.push_back({t * p.w / 2, 0, p.h * (0.45 + 0.55 * t * t)});
+  }
+  p.add(cord, tube(line, 0.004, 5));
+  for (int i = 1; i < n; ++i) p.add(glow, ellipsoid(line[static_cast<std::size_t>(i)] - Vec{0, 0, p.h * 0.2}, {0.02, 0.02, 0.03}, 8, 6));
+  p.light({0, 0, p.h * 0.1}, 10, 0.2);
+  p.fit();
+}
+
 void pendant(Piece& p) {
+  if (p.w > 4 * p.d) return string_light(p);
   const double r = p.w / 2, tall = std::min({0.3, p.h * 0.6, r * 1.3}), k = p.d / p.w;
   const int metal = p.named("black_metal"), outside = p.main_accent("painted_metal");
   p.add(metal, cylinder({0, 0, p.h - std::min(0.03, p.h * 0.1)}, std::min(0.05, r * 0.5), std::min(0.03, p.h * 0.1), 20));
@@ -73,7 +106,7 @@ void chandelier(Piece& p) {
   p.add(metal, cylinder({0, 0, p.h - 0.03}, std::min(0.06, r * 0.4), 0.03, 20));
   p.add(metal, cylinder({0, 0, body * 0.6}, 0.008, p.h - body * 0.6, 8));
   p.add(metal, lathe({{0, 0}, {0.03, 0.02}, {0.05, body * 0.2}, {0.02, body * 0.35}, {0.04, body * 0.5}, {0.012, body * 0.65}, {0, body * 0.65}}, 18));
-  const int n = std::max(4, p.count("arms", p.w > 0.7 ? 8 : 6));
+  const int n = std::max(4, (p.count("arms", p.w > 0.5 ? 8 : 4) + 3) / 4 * 4);  // a multiple of four reaches all four sides
   for (int i = 0; i < n; ++i) {
     const double a = 2 * kPi * i / n, c = std::cos(a), s = std::sin(a) * k, e = r - 0.026;
     p.add(metal, tube(curve({{0.03 * c, 0.03 * s, body * 0.4}, {e * 0.5 * c, e * 0.5 * s, body * 0.18}, {e * c, e * s, body * 0.4}}, 5), 0.007, 7));

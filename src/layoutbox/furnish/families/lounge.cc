@@ -45,41 +45,57 @@ void hammock(Piece& p) {
   for (const double s : {-1.0, 1.0}) {
     p.add(wood, beam({s * a * 0.15, 0, 0.03}, {s * (a - 0.04), 0, p.h - 0.03}, {0.06, 0.06}, 0.008), turn);
     p.add(wood, box(sides(s * a * 0.45 - 0.03, s * a * 0.45 + 0.03, -b, b, 0, 0.05), 0.008), turn);
-    p.add(p.named("linen"), rod({s * (a - 0.05), 0, p.h - 0.04}, {s * a * 0.72, 0, p.h * 0.62}, 0.008, 6), turn);
-    p.add(wood, rod({s * a * 0.72, -b * 0.85, p.h * 0.62}, {s * a * 0.72, b * 0.85, p.h * 0.62}, 0.015, 8), turn);
+    p.add(p.named("linen"), rod({s * (a - 0.05), 0, p.h - 0.04}, {s * a * 0.72, 0, p.h * 0.46}, 0.008, 6), turn);
+    p.add(wood, rod({s * a * 0.72, -b * 0.85, p.h * 0.46}, {s * a * 0.72, b * 0.85, p.h * 0.46}, 0.015, 8), turn);
   }
   p.add(wood, box(sides(-a * 0.5, a * 0.5, -0.03, 0.03, 0.03, 0.08), 0.008), turn);
   std::vector<Vec2> profile;
   const int n = 14;
-  const auto level = [&](double t) { return p.h * (0.36 + 0.26 * t * t); };
+  const auto level = [&](double t) { return p.h * (0.3 + 0.15 * t * t); };
   for (int i = 0; i <= n; ++i) profile.push_back({a * 0.72 * (2.0 * i / n - 1), level(2.0 * i / n - 1)});
   for (int i = n; i >= 0; --i) profile.push_back({a * 0.72 * (2.0 * i / n - 1), level(2.0 * i / n - 1) + 0.02});
   p.add(cloth, prism(profile, -b * 0.85, b * 0.85, true), turn * Pose{{1, 0, 0}, {0, 0, 1}, {0, -1, 0}, {}});
   p.fit();
 }
 
+// A seat on ropes from the ceiling, or a shell that hangs on one.
 void swing(Piece& p) {
-  const int wood = p.frame("oak"), rope = p.named("linen"), seat = p.main("oak");
-  for (const double s : {-1.0, 1.0}) {
-    for (const double t : {-1.0, 1.0}) p.add(wood, beam({s * (p.w / 2 - 0.04), t * (p.d / 2 - 0.04), 0}, {s * (p.w / 2 - 0.04), 0, p.h - 0.04}, {0.06, 0.06}, 0.006));
-    p.add(rope, rod({s * p.w * 0.22, 0, p.h * 0.25}, {s * p.w * 0.22, 0, p.h - 0.06}, 0.008, 6));
+  const int rope = p.named("linen");
+  const FreeSpace* seat = p.spaces.empty() ? nullptr : &p.spaces.front();
+  const double level = seat != nullptr ? seat->box.min.z : p.h * 0.12;
+  const double x = seat != nullptr ? (p.w / 2 + seat->box.max.x) / 2 : p.w * 0.45;
+  if (level > 0.15) {
+    const int shell = p.main("rattan");
+    const double back = seat != nullptr ? seat->box.max.y : p.d * 0.3, top = seat != nullptr ? seat->box.max.z : p.h * 0.5;
+    p.add(shell, rounded_box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, 0, level - 0.06), std::min(0.12, level * 0.45), 4));
+    p.add(p.named("cotton"), cushion(sides(-p.w * 0.4, p.w * 0.4, -p.d * 0.45, back, level - 0.07, level), 0.03));
+    p.add(shell, rounded_box(sides(-p.w / 2 + 0.01, p.w / 2 - 0.01, back, p.d / 2 - 0.005, level * 0.4, top), std::min(0.05, (p.d / 2 - back) * 0.4), 3));
+    for (const double s : {-1.0, 1.0}) {
+      p.add(shell, tube(curve({{s * x, -p.d * 0.3, level * 0.6}, {s * x, p.d * 0.1, top * 0.75}, {s * x, p.d / 2 - 0.03, top}}, 5), 0.018, 8));
+      p.add(rope, tube({{s * x, p.d / 2 - 0.04, top * 0.97}, {s * x * 0.5, p.d * 0.25, top + (p.h - top) * 0.4}, {0, 0, p.h - 0.05}}, 0.008, 6));
+    }
+    p.add(p.named("black_metal"), cylinder({0, 0, p.h - 0.06}, 0.04, 0.06, 18));
+    return;
   }
-  p.add(wood, box(sides(-p.w / 2, p.w / 2, -0.04, 0.04, p.h - 0.08, p.h), 0.008));
-  p.add(seat, box(sides(-p.w * 0.25, p.w * 0.25, -p.d * 0.14, p.d * 0.14, p.h * 0.22, p.h * 0.25), 0.006));
-  p.fit();
+  const int board = p.main("oak");
+  p.add(board, box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, 0, level), 0.008));
+  for (const double s : {-1.0, 1.0}) {
+    p.add(rope, rod({s * x, 0, level * 0.5}, {s * x, 0, p.h - 0.01}, std::min(0.012, (p.w / 2 - x) * 0.8), 8));
+    p.add(p.named("black_metal"), cylinder({s * x, 0, p.h - 0.03}, std::min(0.03, (p.w / 2 - x) * 0.98), 0.03, 14));
+  }
 }
 
+// Bolsters round a pad.
 void pet_bed(Piece& p) {
   const int cloth = p.main_accent("wool"), pad = p.named("fur");
-  const double r = p.w / 2, t = std::min({p.h / 2, r * 0.3, 0.09}), k = p.d / p.w;
-  std::vector<Vec2> roll;
-  for (int i = 0; i <= 12; ++i) {
-    const double a = 2 * kPi * (i % 12) / 12;
-    roll.push_back({r - t + t * std::cos(a), p.h / 2 + p.h / 2 * std::sin(a)});
+  const FreeSpace* in = p.open_above();
+  const double t = in != nullptr ? p.w / 2 - in->box.max.x : p.w * 0.16, ty = in != nullptr ? p.d / 2 - in->box.max.y : p.d * 0.18;
+  const double level = in != nullptr ? in->box.min.z : p.h * 0.45, x = p.w / 2, y = p.d / 2, r = std::min({t, ty, p.h}) * 0.45;
+  for (const double s : {-1.0, 1.0}) {
+    p.add(cloth, rounded_box(sides(s > 0 ? x - t : -x, s > 0 ? x : -x + t, -y, y, 0, p.h), r, 4));
+    p.add(cloth, rounded_box(sides(-x + t * 0.5, x - t * 0.5, s > 0 ? y - ty : -y, s > 0 ? y : -y + ty, 0, s > 0 ? p.h : std::max(level, p.h * 0.75)), r, 4));
   }
-  p.add(cloth, lathe(roll, 32), scaled(1, k, 1));
-  const double level = p.open_above() != nullptr ? std::min(p.open_above()->box.min.z, p.h * 0.6) : p.h * 0.4;
-  p.add(pad, lathe({{0, 0}, {r - t, 0}, {r - t, level * 0.8}, {r - t * 1.5, level}, {0, level}}, 28), scaled(1, k, 1));
+  p.add(pad, cushion(sides(-x + t * 0.8, x - t * 0.8, -y + ty * 0.8, y - ty * 0.8, 0.01, level), 0.03));
 }
 
 void cat_tree(Piece& p) {

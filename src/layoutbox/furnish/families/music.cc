@@ -23,7 +23,14 @@ void keys(Piece& p, double x0, double x1, double y, double deep, double z) {
 
 void piano(Piece& p) {
   const int wood = p.main("ebony");
-  const double key_z = std::min(0.72, p.h * 0.58), body = std::max(p.d * 0.55, p.d - 0.3), front = p.d / 2 - body, in = 0.05;
+  double front = p.d / 2 - std::max(p.d * 0.55, p.d - 0.3), key_z = std::min(0.72, p.h * 0.58), in = 0.05;
+  for (const FreeSpace& s : p.spaces) {
+    if (s.box.min.z > 0.01) continue;
+    front = std::max(front, s.box.max.y);
+    key_z = std::max(key_z, s.box.max.z + 0.085);
+    in = std::min(in, p.w / 2 - s.box.max.x);
+  }
+  const double body = p.d / 2 - front;
   p.add(wood, box(sides(-p.w / 2, p.w / 2, front, p.d / 2, 0, p.h - 0.025), 0.006));
   p.add(wood, box(sides(-p.w / 2, p.w / 2, front - 0.012, p.d / 2, p.h - 0.025, p.h), 0.006));
   for (const double s : {-1.0, 1.0}) {
@@ -35,7 +42,9 @@ void piano(Piece& p) {
   p.add(wood, box(sides(-p.w / 2 + in, p.w / 2 - in, -p.d / 2 + 0.01, front, key_z - 0.08, key_z - 0.015), 0.004));
   keys(p, -p.w / 2 + in, p.w / 2 - in, -p.d / 2 + 0.02, std::min(0.15, p.d - body - 0.02), key_z + 0.004);
   p.add(p.named("paper"), box(sides(-0.2, 0.2, front - 0.01, front - 0.004, key_z + 0.12, std::min(p.h - 0.03, key_z + 0.36)), 0));
-  for (const double x : {-0.08, 0.0, 0.08}) p.add(p.named("brass"), box(sides(x - 0.012, x + 0.012, front - 0.09, front, 0.03, 0.045), 0.003));
+  if (p.spaces.empty()) {
+    for (const double x : {-0.08, 0.0, 0.08}) p.add(p.named("brass"), box(sides(x - 0.012, x + 0.012, front - 0.09, front, 0.03, 0.045), 0.003));
+  }
 }
 
 void grand_piano(Piece& p) {

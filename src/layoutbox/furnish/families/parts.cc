@@ -15,6 +15,12 @@ void slab(Piece& p, int surface, const Box& b, std::string_view top, double beve
   p.add(surface, lathe({{0, 0}, {r - e, 0}, {r, e}, {r, s.z - e}, {r - e, s.z}, {0, s.z}}, 40), moved(c.x, c.y, b.min.z) * scaled(1, s.y / s.x, 1));
 }
 
+double side_room(const Piece& p, double most) {
+  double room = most;
+  for (const FreeSpace& s : p.spaces) room = std::min({room, p.w / 2 - s.box.max.x, s.box.min.x + p.w / 2});
+  return std::max(0.004, room);
+}
+
 void handle(Piece& p, int surface, Handle kind, Vec at, double size, double out) {
   if (kind == Handle::kNone) return;
   if (kind == Handle::kKnob) {
@@ -166,16 +172,16 @@ void carcass(Piece& p, const Carcass& c) {
   const double front = c.box.min.y;
   for (const FreeSpace& space : p.spaces) {
     const Box& s = space.box;
-    const bool within = s.max.x > c.box.min.x + 0.001 && s.min.x < c.box.max.x - 0.001 && s.max.z > c.box.min.z + 0.001 && s.min.z < c.box.max.z - 0.001;
+    const bool within = s.max.y > c.box.min.y + 0.001 && s.min.y < c.box.max.y - 0.001 && s.max.x > c.box.min.x + 0.001 && s.min.x < c.box.max.x - 0.001 && s.max.z > c.box.min.z + 0.001 && s.min.z < c.box.max.z - 0.001;
     if (!within) continue;
     open.push_back(s);
     // A space that begins behind the front has a door before it, which is left out when something is in it that should be seen.
-    if (s.min.y > front + 0.012 && !space.held) behind_doors.push_back({s.min.x, s.max.x, s.min.z, s.max.z});
+    if (c.closed_fronts && s.min.y > front + 0.012 && !space.held) behind_doors.push_back({s.min.x, s.max.x, s.min.z, s.max.z});
   }
   const bool closed_inside = !behind_doors.empty();
   double face = front + c.out * 2;
   for (const Box& s : open) {
-    if (s.min.y > front + 0.012) face = std::min(face, s.min.y);
+    if (c.closed_fronts && s.min.y > front + 0.012) face = std::min(face, s.min.y);
   }
   // Boards end at the front of what they frame; only where there are doors and drawers does the body stand back for them.
   for (const Cell& cell : ClosedCells(c.box, open).cells) {
@@ -212,7 +218,7 @@ void books(Piece& p, const Box& room) {
     const double setback = p.random(0, std::min(0.02, size.y - depth)), deep = depth * p.random(0.85, 1.0);
     const double y0 = room.min.y + std::min(0.015, size.y - depth) + setback * 0.5;
     p.add(p.tinted("paper", kSpines[p.pick(static_cast<int>(std::size(kSpines)))]),
-          box(sides(x, x + thick, y0, std::min(room.max.y, y0 + deep), room.min.z, room.min.z + tall), 0.002));
+          box(sides(x, x + thick, y0, std::min(room.max.y, y0 + deep), room.min.z, room.min.z + tall), 0));
     x += thick + 0.001 + (p.random() < 0.06 ? 0.05 : 0);
   }
 }
@@ -234,8 +240,8 @@ void open_box(Piece& p, int surface, const Box& b, double wall, double bevel) {
   const double low = in.min.z - std::min(0.002, in.min.z - b.min.z);
   p.add(surface, box(sides(b.min.x, in.min.x, b.min.y, b.max.y, low, b.max.z), bevel));
   p.add(surface, box(sides(in.max.x, b.max.x, b.min.y, b.max.y, low, b.max.z), bevel));
-  p.add(surface, box(sides(in.min.x, in.max.x, b.min.y, in.min.y, low, b.max.z), bevel));
-  p.add(surface, box(sides(in.min.x, in.max.x, in.max.y, b.max.y, low, b.max.z), bevel));
+  p.add(surface, box(sides(in.min.x - bevel, in.max.x + bevel, b.min.y, in.min.y, low, b.max.z), bevel));
+  p.add(surface, box(sides(in.min.x - bevel, in.max.x + bevel, in.max.y, b.max.y, low, b.max.z), bevel));
 }
 
 void vessel(Piece& p, int surface, std::span<const Vec2> outside, double wall, double floor, int sides_round) {

@@ -13,6 +13,9 @@ inline Box sides(double x0, double x1, double y0, double y1, double z0, double z
 // A table top or seat of the shape that `top` says (rect, round, oval) in that box.
 void slab(Piece& p, int surface, const Box& b, std::string_view top, double bevel = 0.006);
 
+// How thick what stands at the left and right may be: up to the spaces between them, at most `most`.
+double side_room(const Piece& p, double most);
+
 // A handle or knob on a front that looks to −y: its plate at y, reaching `out` towards the viewer. `vertical` handles are `size` long.
 enum class Handle { kNone, kKnob, kVertical, kHorizontal };
 void handle(Piece& p, int surface, Handle kind, Vec at, double size, double out);

@@ -59,11 +59,60 @@ void chair(Piece& p) {
   }
 }
 
+// Sofas that go round a corner (or two): a part along the back, and a part to the front at each side of the free middle.
+void corner_sofa(Piece& p, const FreeSpace& middle) {
+  const int cloth = p.main_accent("linen"), feet = p.frame("walnut");
+  const double x = p.w / 2, y = p.d / 2, inner = middle.box.max.y;
+  double level = p.h * 0.5, back = y - 0.24;
+  for (const FreeSpace& s : p.spaces) {
+    if (s.carries) level = std::min(level, s.box.min.z), back = std::max(back, s.box.max.y);
+  }
+  const double foot = std::min(0.1, level * 0.25), pad = std::min(0.15, (level - foot) * 0.5), arm = std::min(p.h, level + 0.2);
+  const auto base = [&](double x0, double x1, double y0, double y1) {
+    p.add(cloth, rounded_box(sides(x0 + 0.005, x1 - 0.005, y0 + 0.005, y1 - 0.005, foot, level - pad), 0.02, 2));
+    for (const double fx : {x0 + 0.06, x1 - 0.06}) {
+      for (const double fy : {y0 + 0.06, y1 - 0.06}) p.add(feet, cone({fx, fy, 0}, 0.016, 0.024, foot + 0.01, 12));
+    }
+  };
+  base(-x, x, inner, y);
+  p.add(cloth, rounded_box(sides(-x, x, back + 0.1, y, foot + 0.01, p.h), 0.04, 3));
+  const double ends[] = {middle.box.min.x, middle.box.max.x};
+  for (const int i : {0, 1}) {
+    const double s = i == 0 ? -1 : 1, far_edge = s * x, near_edge = ends[i];
+    if (std::abs(far_edge - near_edge) > 0.1) base(std::min(far_edge, near_edge), std::max(far_edge, near_edge), -y, inner + 0.01);
+  }
+  for (const FreeSpace& s : p.spaces) {
+    if (!s.carries) continue;
+    const Box& b = s.box;
+    const bool to_front = b.max.y < inner + 0.01;
+    const int n = std::max(1, static_cast<int>(std::lround((b.max.x - b.min.x) / 0.75)));
+    const double front = to_front ? b.min.y : inner;
+    cushions(p, cloth, sides(b.min.x, b.max.x, front, b.max.y, level - pad, level), n, 0.045);
+    if (!to_front) {
+      for (int k = 0; k < n; ++k) {
+        const double each = (b.max.x - b.min.x) / n, x0 = b.min.x + each * k + 0.004;
+        p.add(cloth, rounded_box(sides(x0, x0 + each - 0.008, back, back + 0.12, level + 0.003, p.h - 0.04), 0.06, 3));
+      }
+    }
+    // What is left at the sides and at the end of this part is arm or back.
+    for (const double k : {-1.0, 1.0}) {
+      const double edge = k > 0 ? b.max.x : b.min.x, width = x - std::abs(edge);
+      if (edge * k < 0 || width > 0.35 || width < 0.03) continue;
+      const bool high = width > 0.2;
+      p.add(cloth, rounded_box(sides(k > 0 ? x - width : -x, k > 0 ? x : -x + width, to_front ? -y : inner, to_front ? inner + 0.02 : y - 0.01, foot + 0.01, high ? p.h : arm), 0.045, 3));
+    }
+    if (to_front && b.min.y > -y + 0.03) p.add(cloth, rounded_box(sides(b.min.x, b.max.x, -y, b.min.y, foot + 0.01, arm), 0.045, 3));
+  }
+}
+
 // Sofas and armchairs are the same thing of another width.
 void sofa(Piece& p) {
+  for (const FreeSpace& s : p.spaces) {
+    if (!s.carries && s.box.min.z < 0.01 && s.box.max.z > p.h - 0.01) return corner_sofa(p, s);
+  }
   const Seat s = seat_of(p, 0.43, std::min(0.18, p.w * 0.14), 0.22);
   const int cloth = p.main_accent("linen"), feet = p.frame("walnut");
-  const double foot = std::min(0.12, s.level * 0.25), arm_top = std::min(p.h, s.level + std::min(0.22, (p.h - s.level) * 0.6));
+  const double foot = std::max(p.clear_below(0), std::min(0.12, s.level * 0.25)), arm_top = std::min(p.h, s.level + std::min(0.22, (p.h - s.level) * 0.6));
   const double back = std::max(0.04, p.d / 2 - s.back), left = s.left + p.w / 2, right = p.w / 2 - s.right;
   p.legs(feet, foot, 0.05, 0.04, true, 0.65);
   const double pad = std::min(0.15, (s.level - foot) * 0.5);

@@ -9,10 +9,11 @@ namespace {
 
 constexpr Color kGoods[] = {{0.84, 0.30, 0.26}, {0.26, 0.50, 0.76}, {0.95, 0.76, 0.28}, {0.36, 0.64, 0.40}, {0.90, 0.55, 0.24}};
 
-void wheels(Piece& p, double r, double inset) {
+// Wheels in the corners, as wide as the room beside the shelves.
+void wheels(Piece& p, double r, double wide) {
   const int dark = p.named("black_plastic");
   for (const double x : {-1.0, 1.0}) {
-    for (const double y : {-1.0, 1.0}) p.add(dark, rod({x * (p.w / 2 - inset) - 0.012, y * (p.d / 2 - inset), r}, {x * (p.w / 2 - inset) + 0.012, y * (p.d / 2 - inset), r}, r, 14));
+    for (const double y : {-1.0, 1.0}) p.add(dark, rod({x * (p.w / 2 - wide), y * (p.d / 2 - r), r}, {x * p.w / 2, y * (p.d / 2 - r), r}, r, 14));
   }
 }
 
@@ -94,8 +95,8 @@ void podium(Piece& p) {
 
 void cart(Piece& p) {
   const int metal = p.frame("steel"), board = p.main("steel");
-  const double r = std::min(0.05, p.h * 0.08), t = 0.02;
-  wheels(p, r, 0.04);
+  const double r = std::min({0.05, p.h * 0.08, p.d * 0.15}), t = side_room(p, 0.02);
+  wheels(p, r, t);
   for (const double x : {-1.0, 1.0}) {
     for (const double y : {-1.0, 1.0}) {
       const double cx = x * (p.w / 2 - t / 2), cy = y * (p.d / 2 - t / 2);
@@ -108,7 +109,7 @@ void cart(Piece& p) {
   }
   if (levels.empty()) levels = {r * 1.6 + 0.04, (r * 1.6 + p.h) / 2, p.h - 0.05};
   for (const double z : levels) {
-    p.add(board, box(sides(-p.w / 2 + 0.002, p.w / 2 - 0.002, -p.d / 2 + 0.002, p.d / 2 - 0.002, z - 0.018, z), 0.003));
+    p.add(board, box(sides(-p.w / 2 + 0.002, p.w / 2 - 0.002, -p.d / 2 + 0.002, p.d / 2 - 0.002, std::max(0.002, z - 0.018), z), 0.003));
   }
   if (p.open_above() == nullptr) {
     for (const double y : {-1.0, 1.0}) p.add(metal, rod({-p.w / 2 + t, y * (p.d / 2 - t / 2), p.h - 0.012}, {p.w / 2 - t, y * (p.d / 2 - t / 2), p.h - 0.012}, 0.008, 8));

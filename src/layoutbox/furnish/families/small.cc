@@ -49,8 +49,9 @@ void magazine(Piece& p) {
 
 void basket(Piece& p) {
   const int weave = p.main("rattan");
-  const bool round = p.word("top", "round") == "round" && std::abs(p.w - p.d) < 0.25 * p.w;
   const FreeSpace* in = p.open_above();
+  const double half = in != nullptr ? std::hypot(in->box.max.x, in->box.max.y * p.w / p.d) : 0;
+  const bool round = p.word("top", "round") == "round" && std::abs(p.w - p.d) < 0.25 * p.w && half < p.w / 2 - 0.006;
   const double floor = in != nullptr ? in->box.min.z : 0.02;
   if (!round) {
     open_box(p, weave, p.body(), 0.02, 0.008);
@@ -65,8 +66,14 @@ void basket(Piece& p) {
 
 void box_container(Piece& p) {
   const int card = p.main_accent("cardboard");
-  if (p.open_above() != nullptr) {
-    open_box(p, card, p.body(), 0.01, 0.003);
+  if (const FreeSpace* in = p.open_above()) {
+    // What has room between its inside and its top has a lid; it is off while something is inside.
+    const bool lid = in->box.max.z < p.h - 0.006;
+    open_box(p, card, sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, 0, lid && !in->held ? in->box.max.z : p.h), 0.01, 0.003);
+    if (lid && !in->held) p.add(card, box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, in->box.max.z + 0.003, p.h), 0.006));
+    if (p.h > 0.3 && p.w > 0.6) {
+      for (const double x : {-0.3, 0.3}) p.add(p.named("brass"), box(sides(x * p.w - 0.02, x * p.w + 0.02, -p.d / 2, -p.d / 2 + 0.004, p.h * 0.62, p.h * 0.8), 0.001));
+    }
     return;
   }
   const double lid = std::min(0.06, p.h * 0.3);

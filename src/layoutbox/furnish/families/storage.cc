@@ -66,6 +66,17 @@ void shelf(Piece& p) {
     return;
   }
   Carcass c{p.body(), wood, wood, p.named("brass")};
+  const bool two_sided = std::any_of(p.spaces.begin(), p.spaces.end(), [](const FreeSpace& s) { return s.box.min.y > -0.001; });
+  if (two_sided) {
+    // Open to the front and to the back, with a wall in the middle.
+    double front = 0, back = 0;
+    for (const FreeSpace& s : p.spaces) (s.box.min.y > -0.001 ? back : front) = s.box.min.y > -0.001 ? s.box.min.y : s.box.max.y;
+    c.closed_fronts = false;
+    p.add(wood, box(sides(-p.w / 2 + 0.002, p.w / 2 - 0.002, front, back, 0, p.h - 0.002), 0));
+    c.box.max.y = front;
+    carcass(p, c);
+    c.box = sides(-p.w / 2, p.w / 2, back, p.d / 2, 0, p.h);
+  }
   carcass(p, c);
   if (!p.may_show_contents() || p.word("contents", "books") == "none") return;
   for (const FreeSpace& s : p.spaces) {
@@ -73,15 +84,34 @@ void shelf(Piece& p) {
   }
 }
 
-// A rack: posts at the corners and boards or wires between them.
+// A rod between brackets on a wall, for towels, clothes or curtains.
+void rail(Piece& p) {
+  const int metal = p.main("steel");
+  const int n = std::max(1, std::min(p.count("rails", 1), static_cast<int>(p.h / 0.06)));
+  const double r = std::min({0.012, p.d * 0.3, p.h * 0.4}), y = -p.d / 2 + r;
+  for (int i = 0; i < n; ++i) {
+    const double z = p.h - r - (p.h - 2 * r) * i / std::max(1, n - 1) * (n > 1 ? 1 : 0);
+    p.add(metal, rod({-p.w / 2, y, z}, {p.w / 2, y, z}, r, 12));
+  }
+  for (const double x : {-1.0, 1.0}) {
+    const double x0 = x > 0 ? p.w / 2 - std::min(0.05, p.w * 0.2) : -p.w / 2 + std::min(0.03, p.w * 0.1), wide = std::min(0.02, p.w * 0.1);
+    p.add(metal, box(sides(x0, x0 + wide, y, p.d / 2 - 0.004, p.h - std::min(p.h, 2 * r), p.h), 0.002));
+    p.add(metal, box(sides(x0 - wide * 0.25, x0 + wide * 1.25, p.d / 2 - 0.008, p.d / 2, 0, p.h), 0.002));
+  }
+}
+
+// A rack: posts at the corners and boards between them.
 void rack(Piece& p) {
+  if (p.word("kind", "") == "rail" || (p.mount() == Mount::kWall && p.spaces.empty())) return rail(p);
   const int metal = p.frame("black_metal"), board = p.main("oak");
-  const double t = std::min(0.025, p.w * 0.05);
+  const double t = side_room(p, std::min({0.025, p.w * 0.05, p.d * 0.15}));
   for (const double x : {-1.0, 1.0}) {
     for (const double y : {-1.0, 1.0}) {
       const double cx = x * (p.w / 2 - t / 2), cy = y * (p.d / 2 - t / 2);
       p.add(metal, box(sides(cx - t / 2, cx + t / 2, cy - t / 2, cy + t / 2, 0, p.h), 0.003));
     }
+    const double cx = x * (p.w / 2 - t / 2);
+    for (const double z : {p.h - t, p.h * 0.5}) p.add(metal, box(sides(cx - t * 0.4, cx + t * 0.4, -p.d / 2 + t, p.d / 2 - t, z, z + t * 0.9), 0.002));
   }
   std::vector<double> levels;
   for (const FreeSpace& s : p.spaces) {
@@ -91,8 +121,16 @@ void rack(Piece& p) {
     const int n = std::max(2, p.count("shelves", std::max(2, static_cast<int>(p.h / 0.4))));
     for (int i = 0; i < n; ++i) levels.push_back(0.1 + (p.h - 0.1) * (i + 1) / n);
   }
+  // Boards are as thick as the spaces above and below leave them.
+  const auto lift = [&](double z) {
+    double room = std::min(0.02, z - 0.001);
+    for (const FreeSpace& s : p.spaces) {
+      if (s.box.max.z < z + 0.001) room = std::min(room, z - s.box.max.z);
+    }
+    return std::max(room, 0.002);
+  };
   for (const double z : levels) {
-    if (z > 0.015) p.add(board, box(sides(-p.w / 2 + 0.003, p.w / 2 - 0.003, -p.d / 2 + 0.003, p.d / 2 - 0.003, z - 0.02, z), 0.003));
+    p.add(board, box(sides(-p.w / 2 + 0.003, p.w / 2 - 0.003, -p.d / 2 + 0.003, p.d / 2 - 0.003, z - lift(z), z), 0.003));
   }
 }
 

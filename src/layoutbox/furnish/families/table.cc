@@ -31,13 +31,39 @@ void round_support(Piece& p, int surface, double top) {
   }
 }
 
+// A table with a bench at the front and one at the back, on crossed legs.
+void picnic_table(Piece& p) {
+  const int wood = p.main("pine");
+  double seat = p.h * 0.62, inner = p.d / 2 - 0.33;
+  for (const FreeSpace& s : p.spaces) {
+    if (!s.carries) continue;
+    seat = std::min(p.h, s.box.min.z);
+    inner = std::min(std::abs(s.box.min.y), std::abs(s.box.max.y));
+  }
+  const double board = 0.045, gap = 0.008, top = inner - 0.01, bench = p.d / 2 - inner - 0.05;
+  const auto planks = [&](double y0, double y1, double z, int n) {
+    for (int i = 0; i < n; ++i) p.add(wood, box(sides(-p.w / 2, p.w / 2, y0 + (y1 - y0) * i / n + (i > 0 ? gap : 0), y0 + (y1 - y0) * (i + 1) / n, z - board, z), 0.005));
+  };
+  planks(-top, top, p.h, 5);
+  planks(-p.d / 2, -p.d / 2 + bench, seat, 2);
+  planks(p.d / 2 - bench, p.d / 2, seat, 2);
+  for (const double s : {-1.0, 1.0}) {
+    const double x = s * (p.w / 2 - 0.05);
+    for (const double k : {-1.0, 1.0}) p.add(wood, beam({x, k * (p.d / 2 - 0.08), 0.04}, {x, k * top * 0.5, p.h - board}, {0.045, 0.08}, 0.004));
+    p.add(wood, box(sides(x - 0.022, x + 0.022, -p.d / 2 + 0.02, p.d / 2 - 0.02, seat - board - 0.08, seat - board), 0.004));
+    p.add(wood, box(sides(x - 0.022, x + 0.022, -top, top, p.h - board - 0.06, p.h - board), 0.004));
+    for (const double k : {-1.0, 1.0}) p.add(wood, box(sides(x - 0.03, x + 0.03, k * (p.d / 2 - 0.08) - 0.05, k * (p.d / 2 - 0.08) + 0.05, 0, 0.06), 0.004));
+  }
+}
+
 void table(Piece& p) {
+  if (p.count("benches", 0) > 0) return picnic_table(p);
   const std::string top = p.says("round") ? "round" : p.says("oval") ? "oval" : p.says("rectangular") || p.says("square") ? "rect" : p.word("top", "rect");
   const int wood = p.main("oak"), frame = p.frame("oak");
   const double under = p.clear_below(p.h - std::min(0.09, p.h * 0.16)), board = std::min(0.035, (p.h - under) * 0.6 + 0.002);
   const double level = p.h - board;
   slab(p, wood, sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, level, p.h), top, 0.006);
-  if (top == "round" || top == "oval") {
+  if (top == "round" || top == "oval" || p.count("legs", 4) == 1) {
     round_support(p, frame, level);
   } else {
     const double apron = level - under, in = std::min(0.05, p.d * 0.08);
@@ -80,7 +106,27 @@ void desk_side(Piece& p, int wood, int front, int metal, double x0, double x1, d
   p.add(wood, box(sides(a + t * 0.15, b - t * 0.15, -p.d / 2 + 0.012 + t, p.d / 2 - 0.012 - t, level - 0.06, level), 0.003));
 }
 
+// An L: a part along the back and one along the right, round a free corner.
+void corner_desk(Piece& p, const FreeSpace& corner) {
+  const int wood = p.main("oak"), frame = p.frame("oak");
+  const double x = p.w / 2, y = p.d / 2, cx = corner.box.max.x, cy = corner.box.max.y, under = p.h - 0.07, board = 0.03, t = 0.045;
+  p.add(wood, box(sides(-x, x, cy, y, p.h - board, p.h), 0.005));
+  p.add(wood, box(sides(cx, x, -y, cy + 0.002, p.h - board, p.h), 0.005));
+  p.add(frame, box(sides(-x + t, x - 0.002, y - t, y - 0.02, under, p.h - board), 0.003));
+  p.add(frame, box(sides(x - t, x - 0.02, -y + t, y - t, under, p.h - board), 0.003));
+  for (const Vec2 at : {Vec2{-x, y - t}, Vec2{-x, cy}, Vec2{x - t, y - t}, Vec2{x - t, -y}, Vec2{cx, -y}}) p.add(frame, box(sides(at.x, at.x + t, at.y, at.y + t, 0, p.h - board), 0.004));
+}
+
 void desk(Piece& p) {
+  for (const FreeSpace& s : p.spaces) {
+    if (s.box.min.z < 0.01 && s.box.max.z > p.h - 0.01) return corner_desk(p, s);
+  }
+  if (p.count("hutch", 0) > 0) {
+    const int body = p.main("oak");
+    Carcass c{p.body(), body, body, p.named("brass")};
+    c.drawers = std::max(1, p.count("drawers", 2));
+    return carcass(p, c);
+  }
   const int wood = p.main("oak"), frame = p.frame("oak"), metal = p.named("steel");
   const int front = p.color_asked() ? wood : p.named("lacquer");
   double top_level = p.h, under = 0, left = -p.w / 2 + 0.06, right = p.w / 2 - 0.06, back = p.d / 2;

@@ -9,7 +9,9 @@ namespace {
 
 void vase(Piece& p) {
   const double r = p.w / 2, h = p.h;
-  vessel(p, p.main_accent("ceramic"), {{r * 0.55, 0}, {r * 0.9, h * 0.22}, {r, h * 0.42}, {r * 0.82, h * 0.68}, {r * 0.42, h * 0.88}, {r * 0.5, h}}, r * 0.08, h * 0.05);
+  const FreeSpace* in = p.open_above();
+  const double neck = std::clamp(in != nullptr ? std::hypot(in->box.max.x, in->box.max.y) * 1.03 + r * 0.08 : 0, r * 0.42, r * 0.9);
+  vessel(p, p.main_accent("ceramic"), {{r * 0.55, 0}, {r * 0.9, h * 0.22}, {r, h * 0.42}, {std::max(neck, r * 0.82), h * 0.68}, {neck, h * 0.88}, {std::max(neck, r * 0.5), h}}, r * 0.08, h * 0.05);
 }
 
 void bowl(Piece& p) {
@@ -109,6 +111,12 @@ void tray(Piece& p) {
 
 void jar(Piece& p) {
   const double r = p.w / 2, h = p.h, k = p.d / p.w;
+  if (const FreeSpace* in = p.open_above()) {
+    // A pot open above, as straight as what it holds asks for.
+    const double wall = std::max(0.002, r * 0.05), need = std::hypot(in->box.max.x, in->box.max.y / k) / 0.99 + wall;
+    vessel(p, p.main("terracotta"), {{std::clamp(need, r * 0.8, r * 0.99), 0}, {std::clamp(need, r * 0.9, r * 0.995), h * 0.8}, {r, h * 0.82}, {r, h}}, wall, in->box.min.z);
+    return;
+  }
   p.add(p.main("glass"), lathe({{0, 0}, {r, 0}, {r, h * 0.72}, {r * 0.8, h * 0.82}, {0, h * 0.82}}, 26), scaled(1, k, 1));
   p.add(p.tinted("paper", {0.78, 0.58, 0.34}), lathe({{0, h * 0.03}, {r * 0.9, h * 0.03}, {r * 0.9, h * 0.55}, {0, h * 0.58}}, 22), scaled(1, k, 1));
   p.add(p.named("walnut"), lathe({{0, h * 0.81}, {r * 0.82, h * 0.81}, {r * 0.82, h}, {0, h}}, 24), scaled(1, k, 1));
@@ -134,6 +142,7 @@ void fruit(Piece& p) {
 }
 
 void bread(Piece& p) {
+  if (p.category() == "soap") return p.add(p.main_accent("wax"), rounded_box(p.body(), std::min(p.d, p.h) * 0.4, 4));
   p.add(p.tinted("wax", {0.72, 0.47, 0.22}), rounded_box(p.body(), std::min(p.d, p.h) * 0.45, 5));
   for (int i = -1; i <= 1; ++i) p.add(p.tinted("wax", {0.88, 0.72, 0.48}), beam({p.w * (0.25 * i - 0.05), -p.d * 0.2, p.h * 0.985}, {p.w * (0.25 * i + 0.05), p.d * 0.2, p.h * 0.985}, {p.w * 0.03, p.h * 0.03}, 0.001));
 }

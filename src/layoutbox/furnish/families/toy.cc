@@ -60,19 +60,20 @@ void toy_car(Piece& p) {
 }
 
 void doll_house(Piece& p) {
-  const int wall = p.main_accent("lacquer"), roof = p.tinted("lacquer", {0.72, 0.34, 0.28}), floor_board = p.named("oak"), white = p.named("lacquer");
-  const double eaves = p.h * 0.68, t = std::min(0.015, p.w * 0.04), y0 = -p.d / 2 + 0.01;
-  for (const double s : {-1.0, 1.0}) p.add(wall, box(sides(s > 0 ? p.w * 0.46 - t : -p.w * 0.46, s > 0 ? p.w * 0.46 : -p.w * 0.46 + t, y0, p.d / 2 - 0.01, 0, eaves), 0.002));
-  p.add(wall, box(sides(-p.w * 0.46, p.w * 0.46, p.d / 2 - 0.01 - t, p.d / 2 - 0.01, 0, eaves), 0.002));
-  for (const double z : {0.0, eaves * 0.5 - t / 2, eaves - t}) p.add(floor_board, box(sides(-p.w * 0.46 + t, p.w * 0.46 - t, y0, p.d / 2 - 0.01 - t, z, z + t), 0));
-  p.add(white, box(sides(-t / 2, t / 2, y0 + 0.01, p.d / 2 - 0.02, t, eaves - t), 0));
-  p.add(wall, prism({{-p.w * 0.46, eaves}, {p.w * 0.46, eaves}, {0, p.h - 0.02}}, -p.d / 2 + 0.02, p.d / 2 - 0.02), Pose{{1, 0, 0}, {0, 0, 1}, {0, -1, 0}, {}});
-  for (const double s : {-1.0, 1.0}) p.add(roof, prism({{s * p.w / 2, eaves - 0.02}, {s * p.w / 2, eaves + 0.01}, {0, p.h}, {0, p.h - 0.03}}, -p.d / 2, p.d / 2), Pose{{s > 0 ? 1.0 : 1.0, 0, 0}, {0, 0, 1}, {0, -1, 0}, {}});
+  const int wall = p.main_accent("lacquer"), roof = p.tinted("lacquer", {0.72, 0.34, 0.28}), floor_board = p.named("oak");
+  const double eaves = p.h * 0.68, t = std::min(0.012, p.w * 0.03), y0 = -p.d / 2 + 0.002;
+  for (const double s : {-1.0, 1.0}) p.add(wall, box(sides(s > 0 ? (p.w / 2 - 0.005) - t : -(p.w / 2 - 0.005), s > 0 ? (p.w / 2 - 0.005) : -(p.w / 2 - 0.005) + t, y0, p.d / 2 - 0.01, 0, eaves), 0.002));
+  p.add(wall, box(sides(-(p.w / 2 - 0.005), (p.w / 2 - 0.005), p.d / 2 - 0.002 - t, p.d / 2 - 0.002, 0, eaves), 0.002));
+  for (const double z : {0.0, eaves * 0.5 - t / 2, eaves - t}) p.add(floor_board, box(sides(-(p.w / 2 - 0.005) + t, (p.w / 2 - 0.005) - t, y0, p.d / 2 - 0.01 - t, z, z + t), 0));
+  const Pose upright{{1, 0, 0}, {0, 0, 1}, {0, -1, 0}, {}};
+  p.add(wall, prism({{-(p.w / 2 - 0.005), eaves}, {(p.w / 2 - 0.005), eaves}, {0, p.h - 0.02}}, -p.d / 2 + 0.02, p.d / 2 - 0.02), upright);
+  p.add(roof, prism({{p.w / 2, eaves - 0.02}, {p.w / 2, eaves + 0.01}, {0, p.h}, {0, p.h - 0.03}}, -p.d / 2, p.d / 2), upright);
+  p.add(roof, prism({{-p.w / 2, eaves - 0.02}, {0, p.h - 0.03}, {0, p.h}, {-p.w / 2, eaves + 0.01}}, -p.d / 2, p.d / 2), upright);
+  if (!p.may_show_contents()) return;
   for (const double x : {-0.24, 0.2}) {
     p.add(p.tinted("lacquer", kBright[1]), box(sides(x * p.w - p.w * 0.08, x * p.w + p.w * 0.08, 0, p.d * 0.2, t, t + eaves * 0.14), 0.004));
     p.add(p.tinted("lacquer", kBright[2]), box(sides(x * p.w - p.w * 0.05, x * p.w + p.w * 0.05, 0, p.d * 0.2, eaves * 0.5 + t / 2, eaves * 0.5 + t / 2 + eaves * 0.2), 0.004));
   }
-  p.fit();
 }
 
 void tent(Piece& p) {

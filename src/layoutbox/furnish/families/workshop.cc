@@ -7,7 +7,23 @@
 namespace layoutbox::kit {
 namespace {
 
+// One whose ledge the catalogue leaves free for a canvas.
+void display_easel(Piece& p) {
+  const int wood = p.main("oak");
+  const Box s = p.spaces.front().box;
+  const double t = 0.03, back = s.max.y + 0.03;
+  for (const double k : {-1.0, 1.0}) {
+    p.add(wood, beam({k * (p.w / 2 - 0.02), back - 0.005, 0}, {k * p.w * 0.12, back, p.h - 0.01}, {t, t}, 0.004));
+    p.add(wood, beam({k * (p.w / 2 - 0.02), s.min.y + 0.02, 0}, {k * (p.w / 2 - 0.06), back - 0.03, s.min.z - 0.02}, {t, t}, 0.004));
+  }
+  p.add(wood, beam({0, p.d / 2 - 0.02, 0.005}, {0, back + 0.02, p.h - 0.1}, {t, t}, 0.004));
+  p.add(wood, box(sides(-p.w / 2, p.w / 2, s.min.y, back, s.min.z - 0.03, s.min.z), 0.004));
+  p.add(wood, box(sides(-p.w * 0.14, p.w * 0.14, back - 0.015, back + 0.02, p.h - 0.05, p.h), 0.004));
+  p.add(wood, box(sides(-p.w / 2, p.w / 2, p.d / 2 - 0.03, p.d / 2, 0, 0.02), 0.004));
+}
+
 void easel(Piece& p) {
+  if (!p.spaces.empty()) return display_easel(p);
   const int wood = p.main("oak");
   const double t = 0.03;
   for (const double s : {-1.0, 1.0}) p.add(wood, beam({s * 0.45, -0.3, 0}, {s * 0.06, 0.02, 1.0}, {t, t}, 0.004));
@@ -28,7 +44,12 @@ void workbench(Piece& p) {
   const double board = std::min(0.07, level * 0.1), under = p.clear_below(0);
   p.add(wood, box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, level - board, level), 0.006));
   p.legs(frame, level - board, 0.08, 0.02);
-  if (under <= 0) {
+  // A shelf below, where the catalogue has one.
+  for (const FreeSpace& s : p.spaces) {
+    if (!s.carries || s.box.max.z > level - 0.01 || s.box.min.z < 0.03) continue;
+    p.add(frame, box(sides(-p.w / 2 + 0.004, p.w / 2 - 0.004, -p.d / 2 + 0.01, p.d / 2 - 0.004, s.box.min.z - 0.028, s.box.min.z), 0.004));
+  }
+  if (under <= 0 && p.spaces.size() < 2) {
     p.add(frame, box(sides(-p.w / 2 + 0.03, p.w / 2 - 0.03, -p.d / 2 + 0.04, p.d / 2 - 0.03, level * 0.2, level * 0.2 + 0.03), 0.004));
     p.add(metal, box(sides(p.w * 0.28, p.w * 0.42, -p.d / 2 + 0.03, -p.d / 2 + 0.2, level * 0.2 + 0.03, level * 0.2 + 0.25), 0.008));
     fronts(p, frame, metal, {-p.w / 2 + 0.12, 0, level - board - 0.16, level - board, -p.d / 2 + 0.03, 1, 1, false, 0.3, 0.02});
