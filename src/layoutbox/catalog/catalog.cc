@@ -1,26 +1,16 @@
 #include "layoutbox/catalog/catalog.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 
 #include "layoutbox/base/words.h"
 #include "layoutbox/catalog/catalog_json.h"
-#include "layoutbox/embedded/catalog_data.h"
+#include "layoutbox/catalog/pack.h"
+#include "layoutbox/embedded/catalog_pack.h"
 #include "layoutbox/scene/scene_check.h"
 
 namespace layoutbox {
 namespace {
-
-// True for files of entries or rooms: other data beside them (phrases, colours) begins with another key and is not even parsed.
-bool is_catalog_file(std::string_view text) {
-  const std::size_t brace = text.find('{');
-  if (brace == std::string_view::npos) return false;
-  const std::size_t quote = text.find('"', brace);
-  if (quote == std::string_view::npos) return false;
-  const std::string_view key = text.substr(quote + 1, 8);
-  return key.starts_with("entries\"") || key.starts_with("rooms\"");
-}
 
 // What nobody knows: a plain box that stands on the floor.
 const CatalogEntry& generic_entry() {
@@ -40,12 +30,9 @@ const CatalogEntry& generic_entry() {
 const Catalog& Catalog::builtin() {
   static const Catalog catalog = [] {
     CatalogData data;
-    for (const auto& [name, text] : embedded::catalog_data_files()) {
-      if (!is_catalog_file(text)) continue;
-      [[maybe_unused]] const Status status = read_catalog_data(text, data);
-      assert(status.has_value());
-    }
-    return Catalog(std::move(data.entries), std::move(data.rooms));
+    CatalogIndex index;
+    unpack_catalog(embedded::catalog_pack, data, index);
+    return Catalog(std::move(data.entries), std::move(data.rooms), std::move(index));
   }();
   return catalog;
 }
@@ -59,31 +46,20 @@ Result<Catalog> Catalog::from_json(std::string_view entries_json, std::string_vi
 }
 
 Catalog::Catalog(std::vector<CatalogEntry> entries, std::vector<RoomKind> rooms, bool only_articles)
-    : entries_(std::move(entries)), rooms_(std::move(rooms)), only_articles_(only_articles) {
+    : entries_(std::move(entries)), rooms_(std::move(rooms)), only_articles_(only_articles), index_(index_of(entries_, rooms_)) {
   has_articles_ = std::ranges::any_of(entries_, [](const CatalogEntry& entry) { return !entry.article.empty(); });
-  for (std::size_t i = 0; i < entries_.size(); ++i) {
-    by_id_.emplace(entries_[i].id, i);
-    by_words_.emplace(key_of(entries_[i].id), i);
-    by_words_.emplace(key_of(entries_[i].name), i);
-    for (const std::string& word : entries_[i].synonyms) by_words_.emplace(key_of(word), i);
-  }
-  for (std::size_t i = 0; i < rooms_.size(); ++i) {
-    room_by_words_.emplace(key_of(rooms_[i].id), i);
-    room_by_words_.emplace(key_of(rooms_[i].name), i);
-    for (const std::string& word : rooms_[i].synonyms) room_by_words_.emplace(key_of(word), i);
-  }
 }
 
 const CatalogEntry* Catalog::find(std::string_view id) const {
-  const auto found = by_id_.find(id);
-  return found == by_id_.end() ? nullptr : &entries_[found->second];
+  const auto found = find_key(index_.ids, id);
+  return found ? &entries_[*found] : nullptr;
 }
 
 const CatalogEntry* Catalog::find_by_words(std::string_view words) const {
   const std::vector<std::string> all = words_of(words);
   for (std::span<const std::string> rest(all); !rest.empty(); rest = rest.subspan(1)) {
     for (const std::string& key : candidate_keys(rest)) {
-      if (const auto found = by_words_.find(key); found != by_words_.end()) return &entries_[found->second];
+      if (const auto found = find_key(index_.words, key)) return &entries_[*found];
     }
   }
   return nullptr;
@@ -95,7 +71,7 @@ const RoomKind* Catalog::find_room(std::string_view words) const {
   for (std::size_t length = all.size(); length > 0; --length) {
     for (std::size_t begin = all.size() - length + 1; begin-- > 0;) {
       for (const std::string& key : candidate_keys(std::span(all).subspan(begin, length))) {
-        if (const auto found = room_by_words_.find(key); found != room_by_words_.end()) return &rooms_[found->second];
+        if (const auto found = find_key(index_.room_words, key)) return &rooms_[*found];
       }
     }
   }
@@ -122,7 +98,7 @@ const CatalogEntry& Catalog::entry_or_nearest(std::string_view category) const {
   if (!words.empty()) {
     for (const std::string& form : singular_forms(words.back())) {
       for (std::size_t begin = 1; begin + kShortest <= form.size(); ++begin) {
-        if (const auto found = by_words_.find(form.substr(begin)); found != by_words_.end()) return entries_[found->second];
+        if (const auto found = find_key(index_.words, std::string_view(form).substr(begin))) return entries_[*found];
       }
     }
   }

@@ -1,13 +1,15 @@
 // What furniture is: kinds, sizes and their ranges, mounts, used sides, free spaces, shape families, and the words for them.
-// The data is catalog/*.json, checked against catalog/*.schema.json and embedded when the program is built.
+// The data is catalog/*.json, checked against schema/catalog.schema.json and embedded when the program is built.
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "layoutbox/base/result.h"
@@ -78,6 +80,14 @@ struct RoomKind {
   std::vector<std::pair<std::string, int>> usual;  // entry id and how many, most important first
 };
 
+// Where words lead: sorted keys (key_of) with places in the lists of entries and rooms.
+struct CatalogIndex {
+  using Keys = std::vector<std::pair<std::string, std::uint32_t>>;
+  Keys ids, words, room_words;
+};
+CatalogIndex index_of(const std::vector<CatalogEntry>& entries, const std::vector<RoomKind>& rooms);
+std::optional<std::uint32_t> find_key(const CatalogIndex::Keys& keys, std::string_view key);
+
 class Catalog {
  public:
   // REQUIRES: ids are unique. A word that two entries claim means the earlier one.
@@ -109,12 +119,13 @@ class Catalog {
   bool only_articles() const { return only_articles_; }
 
  private:
+  Catalog(std::vector<CatalogEntry> entries, std::vector<RoomKind> rooms, CatalogIndex index)
+      : entries_(std::move(entries)), rooms_(std::move(rooms)), index_(std::move(index)) {}
+
   std::vector<CatalogEntry> entries_;
   std::vector<RoomKind> rooms_;
   bool has_articles_ = false, only_articles_ = false;
-  std::map<std::string, std::size_t, std::less<>> by_id_;          // id → place in entries_
-  std::map<std::string, std::size_t, std::less<>> by_words_;       // key_of(id, name or synonym) → place in entries_
-  std::map<std::string, std::size_t, std::less<>> room_by_words_;  // the same for rooms_
+  CatalogIndex index_;
 };
 
 // The free spaces of an object: the scene's own where a file gave them, else the catalogue's formulas at that size.
