@@ -161,7 +161,7 @@ Result<SceneGraph> read_scene(std::string_view text, std::string_view units) {
   try {
     const bool own = document.is_object() && document.contains("format");
     std::vector<Note> notes;
-    bring_into_form(document, units, notes);
+    bring_into_form(document, own ? std::string_view() : units, notes);
     if (std::vector<Error> errors = check_against_schema(document, SchemaName::kScene); !errors.empty()) return Failure(combined(std::move(errors)));
     SceneGraph scene = scene_from(document, own);
     scene.notes.insert(scene.notes.end(), notes.begin(), notes.end());

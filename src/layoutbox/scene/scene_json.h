@@ -12,7 +12,8 @@
 namespace layoutbox {
 
 // Reads our own files and the paper's, with all quirks of docs/scene-format.md. What was read in another way than written is in
-// `notes`. The scene is not yet normalised. `units` overrides metadata.units: "m", "cm", "mm", "ft", "in" or empty.
+// `notes`. The scene is not yet normalised. `units` overrides metadata.units of files that are not marked as ours: "m", "cm", "mm", "ft",
+// "in" or empty. Errors: kParse, kSchema, kReference, kGeometry, kTooLarge; kUsage for an unknown unit.
 Result<SceneGraph> read_scene(std::string_view json, std::string_view units = {});
 Result<Layout> read_layout(std::string_view json);
 

@@ -14,6 +14,7 @@
 
 #include "layoutbox/base/words.h"
 #include "layoutbox/embedded/schema.h"
+#include "layoutbox/scene/relation_table.h"
 
 namespace layoutbox {
 namespace {
@@ -37,14 +38,22 @@ void redirect_references(json& node, std::string_view own_prefix) {
   }
 }
 
+// The scene schema as in the file, with the names of relations from the table itself.
+json scene_schema() {
+  json schema = json::parse(embedded::scene_schema_json);
+  json& names = schema["definitions"]["relationType"]["enum"] = json::array();
+  for (const RelationRow& row : relation_table()) names.push_back(row.name);
+  return schema;
+}
+
 json schema_document(SchemaName name) {
   switch (name) {
-    case SchemaName::kScene: return json::parse(embedded::scene_schema_json);
+    case SchemaName::kScene: return scene_schema();
     case SchemaName::kCatalog: return json::parse(embedded::catalog_schema_json);
     case SchemaName::kLayout: break;
   }
   json layout = json::parse(embedded::layout_schema_json);
-  json shared = json::parse(embedded::scene_schema_json).at("definitions");
+  json shared = scene_schema().at("definitions");
   redirect_references(layout, {});
   redirect_references(shared, "#/definitions/" + std::string(kSceneFile));
   layout["definitions"][std::string(kSceneFile)] = std::move(shared);
