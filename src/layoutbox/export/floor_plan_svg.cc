@@ -15,7 +15,7 @@ namespace {
 
 // A4 across, in millimetres.
 constexpr double kPageWidth = 297, kPageHeight = 210, kMargin = 10, kTitleHeight = 20, kSideColumn = 42, kDimension = 9;
-constexpr std::array kScales{5, 10, 20, 25, 50, 75, 100, 125, 150, 200, 250, 500, 1000, 2000, 5000};
+constexpr std::array kScales{5, 10, 20, 25, 30, 40, 50, 60, 75, 100, 125, 150, 200, 250, 500, 1000, 2000, 5000};
 
 struct PlanVector {
   double x = 0, y = 0;
@@ -70,7 +70,8 @@ class FloorPlan {
     }
     double wall = 0;
     for (const WallFrame& frame : walls_) wall = std::max(wall, frame.thickness);
-    const double width = kPageWidth - 2 * (kMargin + kSideColumn + kDimension), height = kPageHeight - 2 * kMargin - kTitleHeight - 2 * kDimension - 4;
+    const double width = kPageWidth - 2 * (kMargin + kSideColumn + kDimension),
+                 height = kPageHeight - 2 * kMargin - kTitleHeight - 2 * kDimension - 4;
     ratio_ = kScales.back();
     for (const int ratio : kScales) {
       if ((x1 - x0 + 2 * wall) / ratio <= width && (y1 - y0 + 2 * wall) / ratio <= height) {
@@ -83,7 +84,12 @@ class FloorPlan {
     scale_.left = kPageWidth / 2 - (x0 + x1) / 2 * scale_.factor;
     scale_.bottom = middle_y + (y0 + y1) / 2 * scale_.factor;
     const double reach = (x1 - x0 + 2 * wall) / 2 * scale_.factor + kDimension;
-    area_ = {kMargin, kPageWidth - kMargin, kPageWidth / 2 - reach, kPageWidth / 2 + reach, kMargin + 16, kPageHeight - kMargin - kTitleHeight - 2};
+    area_ = {kMargin,
+             kPageWidth - kMargin,
+             kPageWidth / 2 - reach,
+             kPageWidth / 2 + reach,
+             kMargin + 16,
+             kPageHeight - kMargin - kTitleHeight - 2};
   }
 
   void draw_walls() {
@@ -106,7 +112,8 @@ class FloorPlan {
   }
 
   void draw_opening(const Opening& opening) {
-    const auto wall = std::find_if(layout_.room.walls.begin(), layout_.room.walls.end(), [&](const Wall& w) { return w.id == opening.wall; });
+    const auto wall =
+        std::find_if(layout_.room.walls.begin(), layout_.room.walls.end(), [&](const Wall& w) { return w.id == opening.wall; });
     if (wall == layout_.room.walls.end()) return;
     const WallFrame& frame = walls_[static_cast<std::size_t>(wall - layout_.room.walls.begin())];
     const double s = opening.offset.value_or(0), e = s + opening.width, t = frame.thickness;
@@ -116,15 +123,9 @@ class FloorPlan {
     svg_.open_group(opening.id, opening.id);
     strip(0, t, {"#fff", "#222", 0.25, {}});
     switch (opening.type) {
-      case OpeningType::kWindow:
-        strip(0.38 * t, 0.62 * t, {"#dbeaf4", "#222", 0.15, {}});
-        break;
-      case OpeningType::kOpen:
-        strip(0, t, {"#fff", "#888", 0.15, "1.2 0.8"});
-        break;
-      case OpeningType::kDoor:
-        draw_door(opening, frame, s, e);
-        break;
+      case OpeningType::kWindow: strip(0.38 * t, 0.62 * t, {"#dbeaf4", "#222", 0.15, {}}); break;
+      case OpeningType::kOpen: strip(0, t, {"#fff", "#888", 0.15, "1.2 0.8"}); break;
+      case OpeningType::kDoor: draw_door(opening, frame, s, e); break;
     }
     svg_.close_group();
   }
@@ -152,9 +153,7 @@ class FloorPlan {
   void draw_furniture() {
     std::vector<const PlacedObject*> order;
     for (const PlacedObject& object : layout_.objects) order.push_back(&object);
-    // From below upwards, as it is seen from above; what hangs from the ceiling last.
-    const auto rank = [](const PlacedObject* o) { return (o->mount == Mount::kCeiling ? 1e6 : 0) + o->position[2] + o->size.height; };
-    std::stable_sort(order.begin(), order.end(), [&](auto* a, auto* b) { return rank(a) < rank(b); });
+    std::stable_sort(order.begin(), order.end(), [&](auto* a, auto* b) { return plan_height(*a) < plan_height(*b); });
     for (const PlacedObject* object : order) {
       svg_.open_group(object->id, object->name.empty() ? object->category : object->name);
       draw_symbol(svg_, scale_, *object);
@@ -212,8 +211,10 @@ class FloorPlan {
     std::replace(title.begin(), title.end(), '_', ' ');
     if (title[0] >= 'a' && title[0] <= 'z') title[0] = static_cast<char>(title[0] - 'a' + 'A');
     svg_.text({kMargin, top + 6.5}, 5, title, TextAnchor::kStart);
-    svg_.text({kMargin, top + 11}, 2.6, fmt::format("{:.1f} m² · ceiling {:.2f} m · {} objects · scale 1 : {} on A4 · lengths in metres, furniture in centimetres",
-                                                   area_m2(), m_from_mm(layout_.room.height), layout_.objects.size(), ratio_), TextAnchor::kStart, 0, "#555");
+    svg_.text({kMargin, top + 11}, 2.6,
+              fmt::format("{:.1f} m² · ceiling {:.2f} m · {} objects · scale 1 : {} on A4 · lengths in metres, furniture in centimetres",
+                          area_m2(), m_from_mm(layout_.room.height), layout_.objects.size(), ratio_),
+              TextAnchor::kStart, 0, "#555");
     draw_prompt(top + 15);
     if (options_.scale_bar) draw_scale_bar({kPageWidth - kMargin, top + 8});
   }
@@ -252,7 +253,8 @@ class FloorPlan {
     const double width = metres * 1000 * scale_.factor, x = right.x - width - 6, step = width / 4;
     for (int i = 0; i < 4; ++i) {
       const double a = x + i * step;
-      svg_.polygon({{a, right.y - 1.2}, {a + step, right.y - 1.2}, {a + step, right.y}, {a, right.y}}, {i % 2 == 0 ? "#222" : "#fff", "#222", 0.15, {}});
+      svg_.polygon({{a, right.y - 1.2}, {a + step, right.y - 1.2}, {a + step, right.y}, {a, right.y}},
+                   {i % 2 == 0 ? "#222" : "#fff", "#222", 0.15, {}});
     }
     svg_.text({x, right.y - 2}, 2.2, "0", TextAnchor::kMiddle);
     svg_.text({x + width / 2, right.y - 2}, 2.2, fmt::format("{:g}", metres / 2), TextAnchor::kMiddle);

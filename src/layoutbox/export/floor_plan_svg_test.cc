@@ -45,7 +45,8 @@ std::string fault_of(const std::string& xml) {
   while (at < xml.size()) {
     if (xml[at] == '<') {
       std::smatch match;
-      if (!std::regex_search(xml.begin() + static_cast<std::ptrdiff_t>(at), xml.end(), match, tag, std::regex_constants::match_continuous)) {
+      if (!std::regex_search(xml.begin() + static_cast<std::ptrdiff_t>(at), xml.end(), match, tag,
+                             std::regex_constants::match_continuous)) {
         return "bad tag at " + xml.substr(at, 60);
       }
       if (match[1].length() > 0) {
@@ -57,7 +58,8 @@ std::string fault_of(const std::string& xml) {
       at += static_cast<std::size_t>(match.length());
     } else if (xml[at] == '&') {
       static const std::regex entity("&(amp|lt|gt|quot);");
-      if (!std::regex_search(xml.begin() + static_cast<std::ptrdiff_t>(at), xml.end(), entity, std::regex_constants::match_continuous)) return "bare &";
+      if (!std::regex_search(xml.begin() + static_cast<std::ptrdiff_t>(at), xml.end(), entity, std::regex_constants::match_continuous))
+        return "bare &";
       ++at;
     } else {
       ++at;
@@ -149,8 +151,9 @@ TEST(FloorPlan, DrawsKindsDifferently) {
     layout.objects[0].id = "thing_1";
     return write_floor_plan_svg(layout, {false, false, false});
   };
-  const char* kinds[] = {"bed", "sofa", "chair", "round_stool", "floor_lamp", "desk", "toilet", "sink", "bathtub", "shower", "stove", "fridge",
-                         "plant", "tv", "piano", "wardrobe", "bookshelf", "dresser", "picture", "robot", "rug"};
+  const char* kinds[] = {"bed",   "sofa",     "chair",     "round_stool", "floor_lamp", "desk",  "toilet",
+                         "sink",  "bathtub",  "shower",    "stove",       "fridge",     "plant", "tv",
+                         "piano", "wardrobe", "bookshelf", "dresser",     "picture",    "robot", "rug"};
   for (const char* a : kinds) {
     for (const char* b : kinds) {
       EXPECT_TRUE(a == b || body(a) != body(b)) << a << " and " << b;

@@ -162,7 +162,8 @@ class GltfWriter {
     for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
       const Vec3f& n = mesh.normals[mesh.indices[i]];
       if (n[0] * out[0] + n[1] * out[1] + n[2] * out[2] > 0.7f) continue;
-      kept.insert(kept.end(), mesh.indices.begin() + static_cast<std::ptrdiff_t>(i), mesh.indices.begin() + static_cast<std::ptrdiff_t>(i + 3));
+      kept.insert(kept.end(), mesh.indices.begin() + static_cast<std::ptrdiff_t>(i),
+                  mesh.indices.begin() + static_cast<std::ptrdiff_t>(i + 3));
     }
     return kept;
   }

@@ -141,7 +141,8 @@ Tone terrazzo(const Place& p) {
   for (int dy = -1; dy <= 1; ++dy) {
     for (int dx = -1; dx <= 1; ++dx) {
       const int cx = static_cast<int>(x) + dx, cy = static_cast<int>(y) + dy, wx = wrapped(cx, kCells), wy = wrapped(cy, kCells);
-      const double ax = cx + random(wx, wy, 1) - x, ay = cy + random(wx, wy, 2) - y, distance = std::sqrt(ax * ax + ay * ay) / (0.6 + 0.8 * random(wx, wy, 4));
+      const double ax = cx + random(wx, wy, 1) - x, ay = cy + random(wx, wy, 2) - y,
+                   distance = std::sqrt(ax * ax + ay * ay) / (0.6 + 0.8 * random(wx, wy, 4));
       if (distance < nearest) {
         nearest = distance;
         chip = hash(wx, wy, 3);
@@ -251,7 +252,8 @@ void append_chunk(std::string& png, std::string_view kind, std::string_view data
   const std::size_t start = png.size();
   png += kind;
   png += data;
-  append_u32(png, static_cast<std::uint32_t>(crc32(0, reinterpret_cast<const Bytef*>(png.data() + start), static_cast<uInt>(png.size() - start))));
+  append_u32(
+      png, static_cast<std::uint32_t>(crc32(0, reinterpret_cast<const Bytef*>(png.data() + start), static_cast<uInt>(png.size() - start))));
 }
 
 std::string palette(const Surface& surface) {

@@ -9,8 +9,8 @@ namespace layoutbox {
 
 // One repeat of a procedure of furnish/model.h as pixels: 0 is `base`, 255 is `second`; and how far one repeat reaches.
 struct PatternSize {
-  double u = 1, v = 1;   // in units of Surface::scale
-  bool turned = false;   // the pattern lies at 45° to the uvs
+  double u = 1, v = 1;  // in units of Surface::scale
+  bool turned = false;  // the pattern lies at 45° to the uvs
 };
 
 // Is there a pattern of that name?

@@ -52,7 +52,8 @@ std::vector<std::string> broken(const std::string& name, int lines) {
 
 PaperBox box_on_paper(const PlanScale& scale, const PlacedObject& object) {
   const double turn = radians_from_degrees(object.rotation_deg), c = std::abs(std::cos(turn)), s = std::abs(std::sin(turn));
-  const double w = (c * object.size.width + s * object.size.depth) * scale.factor, d = (s * object.size.width + c * object.size.depth) * scale.factor;
+  const double w = (c * object.size.width + s * object.size.depth) * scale.factor,
+               d = (s * object.size.width + c * object.size.depth) * scale.factor;
   const PaperPoint center = scale.at(object.position[0], object.position[1]);
   return {center.x - w / 2, center.y - d / 2, center.x + w / 2, center.y + d / 2};
 }
@@ -78,10 +79,10 @@ class Labels {
   // What lies over an object: a label there would be read as the other's.
   std::vector<PaperBox> covered(const PlacedObject& object) const {
     std::vector<PaperBox> boxes = taken_;
-    const double top = object.position[2] + object.size.height;
+    const double top = plan_height(object);
     for (const PlacedObject& other : layout_.objects) {
       if (&other == &object || other.mount == Mount::kCeiling) continue;
-      if (other.supported_by == object.id || (other.position[2] + other.size.height > top && other.position[2] + other.size.height > 30)) {
+      if (other.supported_by == object.id || plan_height(other) > top) {
         boxes.push_back(box_on_paper(scale_, other));
       }
     }

@@ -8,7 +8,7 @@ namespace layoutbox {
 
 // The part of the page beside the room that labels may use.
 struct LabelArea {
-  double left = 0, right = 0;         // outer edges
+  double left = 0, right = 0;            // outer edges
   double room_left = 0, room_right = 0;  // the room with its dimension lines lies between
   double top = 0, bottom = 0;
 };

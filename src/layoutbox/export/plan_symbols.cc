@@ -28,8 +28,8 @@ class Pen {
   void cushion(double x0, double x1, double y0, double y1, double radius) {
     radius = std::min({radius, (x1 - x0) / 2, (y1 - y0) / 2});
     std::vector<PaperPoint> points;
-    const std::array<std::array<double, 3>, 4> corners{{{x1 - radius, y1 - radius, 0}, {x0 + radius, y1 - radius, 90},
-                                                        {x0 + radius, y0 + radius, 180}, {x1 - radius, y0 + radius, 270}}};
+    const std::array<std::array<double, 3>, 4> corners{
+        {{x1 - radius, y1 - radius, 0}, {x0 + radius, y1 - radius, 90}, {x0 + radius, y0 + radius, 180}, {x1 - radius, y0 + radius, 270}}};
     for (const auto& [x, y, start] : corners) {
       for (int i = 0; i <= 4; ++i) {
         const double angle = radians_from_degrees(start + 22.5 * i);
@@ -267,7 +267,7 @@ void draw_box(Pen& pen, const PlacedObject& object) {
 }
 
 struct SymbolRow {
-  std::initializer_list<std::string_view> words;   // of the category; the first row that has one of them draws
+  std::initializer_list<std::string_view> words;  // of the category; the first row that has one of them draws
   void (*draw)(Pen&, const PlacedObject&);
 };
 
@@ -292,11 +292,18 @@ const SymbolRow kSymbols[] = {
     {{"plant", "tree", "flower"}, draw_plant},
     {{"tv", "monitor", "screen", "television"}, draw_screen},
     {{"piano", "keyboard"}, draw_piano},
-    {{"wardrobe", "closet", "shelf", "bookcase", "rack", "cabinet", "cupboard", "drawer", "chest", "locker", "counter", "island"}, draw_storage},
+    {{"wardrobe", "closet", "shelf", "bookcase", "rack", "cabinet", "cupboard", "drawer", "chest", "locker", "counter", "island"},
+     draw_storage},
     {{"mirror", "picture", "painting", "clock", "poster", "whiteboard", "curtain"}, draw_flat},
 };
 
 }  // namespace
+
+double plan_height(const PlacedObject& object) {
+  if (object.mount == Mount::kCeiling) return 1e6;
+  const bool seat = has(object.category, {"chair", "stool", "bench"}) && !has(object.category, {"armchair", "recliner"});
+  return object.position[2] + (seat ? std::min<double>(object.size.height, 460) : object.size.height);
+}
 
 void draw_symbol(SvgWriter& svg, const PlanScale& scale, const PlacedObject& object) {
   Pen pen(svg, scale, object);

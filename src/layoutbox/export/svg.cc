@@ -38,9 +38,9 @@ std::size_t sequence_length(std::string_view text) {
   for (std::size_t i = 1; i < length; ++i) {
     if ((byte(i) & 0xc0u) != 0x80u) return 0;
   }
-  if ((first == 0xe0 && byte(1) < 0xa0) || (first == 0xed && byte(1) >= 0xa0)) return 0;       // overlong, surrogates
-  if ((first == 0xf0 && byte(1) < 0x90) || (first == 0xf4 && byte(1) >= 0x90)) return 0;       // overlong, beyond Unicode
-  if (first == 0xef && byte(1) == 0xbf && byte(2) >= 0xbe) return 0;                           // not characters
+  if ((first == 0xe0 && byte(1) < 0xa0) || (first == 0xed && byte(1) >= 0xa0)) return 0;  // overlong, surrogates
+  if ((first == 0xf0 && byte(1) < 0x90) || (first == 0xf4 && byte(1) >= 0x90)) return 0;  // overlong, beyond Unicode
+  if (first == 0xef && byte(1) == 0xbf && byte(2) >= 0xbe) return 0;                      // not characters
   return length;
 }
 
@@ -71,7 +71,9 @@ double text_width(std::string_view words, double size) {
   double width = 0;
   for (const char c : words) {
     if ((static_cast<unsigned char>(c) & 0xc0u) == 0x80u) continue;  // within a character
-    width += std::string_view("iljtfr.,:;'|! ").find(c) != std::string_view::npos ? 0.32 : std::string_view("mwMW%@").find(c) != std::string_view::npos ? 0.85 : 0.56;
+    width += std::string_view("iljtfr.,:;'|! ").find(c) != std::string_view::npos ? 0.32
+             : std::string_view("mwMW%@").find(c) != std::string_view::npos       ? 0.85
+                                                                                  : 0.56;
   }
   return width * size;
 }
@@ -100,8 +102,10 @@ void SvgWriter::circle(PaperPoint center, double radius, const SvgStyle& style) 
 void SvgWriter::text(PaperPoint at, double size, std::string_view words, TextAnchor anchor, double degrees, std::string_view color) {
   const std::string_view name = anchor == TextAnchor::kStart ? "start" : anchor == TextAnchor::kMiddle ? "middle" : "end";
   const std::string turn = degrees == 0 ? "" : fmt::format(" transform=\"rotate({} {} {})\"", number(degrees), number(at.x), number(at.y));
-  body_ += fmt::format("<text x=\"{}\" y=\"{}\" font-size=\"{}\" text-anchor=\"{}\" fill=\"{}\"{}>{}</text>\n", number(at.x), number(at.y),
-                       number(size), name, color, turn, escape_xml(words));
+  body_ += fmt::format(
+      "<text x=\"{}\" y=\"{}\" font-size=\"{}\" text-anchor=\"{}\" fill=\"{}\"{} "
+      "paint-order=\"stroke\" stroke=\"#fff\" stroke-opacity=\"0.7\" stroke-width=\"0.6\">{}</text>\n",
+      number(at.x), number(at.y), number(size), name, color, turn, escape_xml(words));
 }
 
 void SvgWriter::open_group(std::string_view id, std::string_view title) {

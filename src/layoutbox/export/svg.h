@@ -15,7 +15,7 @@ struct PaperPoint {
 struct SvgStyle {
   std::string_view fill = "none", stroke = "#333";
   double width = 0.18;
-  std::string_view dash;   // "1 0.8", or empty
+  std::string_view dash;  // "1 0.8", or empty
 };
 
 enum class TextAnchor { kStart, kMiddle, kEnd };

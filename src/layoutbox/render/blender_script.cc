@@ -13,9 +13,7 @@ namespace layoutbox {
 namespace {
 
 // A Python string literal. JSON's escapes are Python's too as long as nothing but ASCII control characters is escaped.
-std::string literal(std::string_view text) {
-  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-}
+std::string literal(std::string_view text) { return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace); }
 
 // Metres, degrees and colours with as many digits as they need, and always readable as a float.
 std::string number(double value, int digits = 5) {
@@ -189,8 +187,10 @@ std::string row(const Node& node, const Layout& layout, const Model& model, std:
 
 std::string write_blender_script(const Model& model, const Layout& layout, const RenderOptions& options) {
   MeshBlock block;
-  std::string shell = "# Floor, walls, ceiling, doors and windows; parts are (material, number of the mesh at the end of the file).\nSHELL = [\n";
-  std::string objects = "# The furniture: where it stands (centre of the footprint, height of the underside), turned about z.\nOBJECTS = [\n";
+  std::string shell =
+      "# Floor, walls, ceiling, doors and windows; parts are (material, number of the mesh at the end of the file).\nSHELL = [\n";
+  std::string objects =
+      "# The furniture: where it stands (centre of the footprint, height of the underside), turned about z.\nOBJECTS = [\n";
   for (const Node& node : model.nodes) {
     std::vector<int> meshes;
     for (const Part& part : node.parts) meshes.push_back(block.add(part.mesh));
@@ -205,7 +205,8 @@ std::string write_blender_script(const Model& model, const Layout& layout, const
     script += "\n";
     script += code;
   }
-  script += "\n\n# ---- The meshes: zlib, base64. Each: vertices, indices; positions (10 µm), normals (1/32767), uvs (0.1 mm), indices. ----\n";
+  script +=
+      "\n\n# ---- The meshes: zlib, base64. Each: vertices, indices; positions (10 µm), normals (1/32767), uvs (0.1 mm), indices. ----\n";
   script += "MESHES = \"\"\"\n" + block.text() + "\"\"\"\n\nif __name__ == \"__main__\":\n    main()\n";
   return script;
 }

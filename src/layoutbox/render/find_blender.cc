@@ -28,8 +28,8 @@ std::string first_line(const std::string& text) { return text.substr(0, std::min
 
 // Is it a Python with bpy? Its true path is asked for too: launchers that look into HOME must not stand between.
 std::optional<Blender> as_python(const std::string& program) {
-  const std::string answer = answer_of({program, "-c",
-                                        "import sys, importlib.metadata as m; print('bpy', m.version('bpy')); print('at', sys.executable)"});
+  const std::string answer =
+      answer_of({program, "-c", "import sys, importlib.metadata as m; print('bpy', m.version('bpy')); print('at', sys.executable)"});
   std::smatch match;
   if (!std::regex_search(answer, match, std::regex("bpy ([0-9][0-9.]*)[\\s\\S]*\nat ([^\n]+)"))) return std::nullopt;
   return Blender{{match[2]}, true, match[1]};

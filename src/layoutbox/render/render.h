@@ -17,8 +17,8 @@ enum class Quality { kDraft, kPreview, kFinal };
 
 struct RenderOptions {
   Quality quality = Quality::kPreview;
-  int width = 1920, height = 1080;      // pixels. REQUIRES: 16…16384
-  double azimuth_deg = 45;              // camera at the front right (+x, −y), looking to the back left
+  int width = 1920, height = 1080;  // pixels. REQUIRES: 16…16384
+  double azimuth_deg = 45;          // camera at the front right (+x, −y), looking to the back left
   double elevation_deg = 65;
   bool orthographic = true;
   bool save_blend = true;
@@ -39,7 +39,7 @@ std::string write_blender_script(const Model& model, const Layout& layout, const
 struct Blender {
   std::vector<std::string> command;  // {"blender"} or {"/…/python3"} with bpy
   bool is_python_module = false;
-  std::string version;               // "5.0.1"
+  std::string version;  // "5.0.1"
 };
 
 // Looks at LAYOUTBOX_BLENDER, `blender` on the PATH, a Python with `bpy`, the private environment of setup.sh. Error kNoBlender with

@@ -35,8 +35,8 @@ std::vector<std::string> command_line(const Blender& blender, const std::filesys
 // Blender writes caches and settings under HOME and TMPDIR: it gets its own.
 std::map<std::string, std::string> environment(const std::filesystem::path& home) {
   const std::string folder = home.string();
-  return {{"HOME", folder},           {"TMPDIR", folder},          {"XDG_CACHE_HOME", folder}, {"XDG_CONFIG_HOME", folder},
-          {"XDG_DATA_HOME", folder},  {"XDG_RUNTIME_DIR", folder}, {"PYTHONUNBUFFERED", "1"},  {"PYTHONDONTWRITEBYTECODE", "1"},
+  return {{"HOME", folder},          {"TMPDIR", folder},          {"XDG_CACHE_HOME", folder}, {"XDG_CONFIG_HOME", folder},
+          {"XDG_DATA_HOME", folder}, {"XDG_RUNTIME_DIR", folder}, {"PYTHONUNBUFFERED", "1"},  {"PYTHONDONTWRITEBYTECODE", "1"},
           {"PYTHONNOUSERSITE", "1"}};
 }
 
@@ -83,10 +83,12 @@ Status check_outcome(const ProcessOutcome& outcome, const RenderOptions& options
                 "a smaller --size or a lower --quality takes less time; --time-limit allows more");
   }
   if (outcome.exit_status > 128) {
-    return fail(ErrorCode::kRenderFailed, fmt::format("Blender crashed (signal {}): {}", outcome.exit_status - 128, useful_lines(outcome.output)));
+    return fail(ErrorCode::kRenderFailed,
+                fmt::format("Blender crashed (signal {}): {}", outcome.exit_status - 128, useful_lines(outcome.output)));
   }
   if (outcome.exit_status != 0) {
-    return fail(ErrorCode::kRenderFailed, fmt::format("Blender failed with status {}: {}", outcome.exit_status, useful_lines(outcome.output)));
+    return fail(ErrorCode::kRenderFailed,
+                fmt::format("Blender failed with status {}: {}", outcome.exit_status, useful_lines(outcome.output)));
   }
   return {};
 }
@@ -95,7 +97,8 @@ Status check_outcome(const ProcessOutcome& outcome, const RenderOptions& options
 Status deliver(const std::filesystem::path& made, const std::filesystem::path& wanted, bool is_picture, std::string_view log) {
   const auto bytes = read_file(made);
   if (!bytes || bytes->empty()) {
-    return fail(ErrorCode::kRenderFailed, fmt::format("Blender ended without writing {}: {}", wanted.filename().string(), useful_lines(log)));
+    return fail(ErrorCode::kRenderFailed,
+                fmt::format("Blender ended without writing {}: {}", wanted.filename().string(), useful_lines(log)));
   }
   if (is_picture) {
     if (const auto whole = check_png(*bytes); !whole) return Failure(whole.error());

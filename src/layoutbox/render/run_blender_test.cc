@@ -37,9 +37,7 @@ class RunBlender : public ::testing::Test {
   }
 
   // The user's folder holds nothing, not even a half or hidden file.
-  void expect_nothing_left() const {
-    EXPECT_TRUE(!fs::exists(out()) || fs::is_empty(out()));
-  }
+  void expect_nothing_left() const { EXPECT_TRUE(!fs::exists(out()) || fs::is_empty(out())); }
 
   static std::string write_pixel(const char* name) { return "echo " + std::string(kPixel) + " | base64 -d > \"$out\"/" + name; }
 
@@ -141,7 +139,8 @@ TEST_F(RunBlender, FallsBackWhereThereIsNoGl) {
   options_.quality = Quality::kDraft;
   const fs::path program = folder_.path() / "fake";
   std::ofstream(program) << "#!/bin/sh\nwhile [ \"$1\" != -- ]; do shift; done; shift; out=\"$1\"\n"
-                         << "case \"$*\" in *workbench*) kill -ABRT $$;; esac\n" << write_pixel("scene.png") << "\n";
+                         << "case \"$*\" in *workbench*) kill -ABRT $$;; esac\n"
+                         << write_pixel("scene.png") << "\n";
   ::chmod(program.c_str(), 0755);
   const auto made = run_blender({{program.string()}, false, "3.4.1"}, script(), out(), options_);
   EXPECT_TRUE(made) << made.error().message;
@@ -184,7 +183,8 @@ TEST_F(FindBlender, TakesTheOneThatTheUserNames) {
 }
 
 TEST_F(FindBlender, TakesAPythonWithBpy) {
-  const auto blender = find(program("python", "[ \"$1\" = --version ] && echo 'Python 3.11.2' && exit; echo 'bpy 5.0.1'; echo 'at /usr/bin/python9'"));
+  const auto blender =
+      find(program("python", "[ \"$1\" = --version ] && echo 'Python 3.11.2' && exit; echo 'bpy 5.0.1'; echo 'at /usr/bin/python9'"));
   ASSERT_TRUE(blender) << blender.error().message;
   EXPECT_TRUE(blender->is_python_module);
   EXPECT_EQ(blender->version, "5.0.1");
