@@ -18,7 +18,8 @@ bool reaches_into(const PlacedObject& object, const kit::Box& space, const Place
   const double turn = radians_from_degrees(object.rotation_deg), c = std::cos(turn), s = std::sin(turn);
   const double dx = m_from_mm(other.position[0] - object.position[0]), dy = m_from_mm(other.position[1] - object.position[1]);
   const double x = dx * c + dy * s, y = dy * c - dx * s, z = m_from_mm(other.position[2] - object.position[2]);
-  const double relative = radians_from_degrees(other.rotation_deg - object.rotation_deg), rc = std::abs(std::cos(relative)), rs = std::abs(std::sin(relative));
+  const double relative = radians_from_degrees(other.rotation_deg - object.rotation_deg), rc = std::abs(std::cos(relative)),
+               rs = std::abs(std::sin(relative));
   const double w = m_from_mm(other.size.width) / 2, d = m_from_mm(other.size.depth) / 2, e = 0.001;
   const double hx = w * rc + d * rs - e, hy = w * rs + d * rc - e;
   return x + hx > space.min.x && x - hx < space.max.x && y + hy > space.min.y && y - hy < space.max.y &&
@@ -41,11 +42,13 @@ std::vector<FreeSpace> free_spaces(const PlacedObject& object, const CatalogEntr
   return spaces;
 }
 
-Node object_node(const PlacedObject& object, const Catalog& catalog, const Layout* layout, Palette& palette, const FurnishOptions& options) {
+Node object_node(const PlacedObject& object, const Catalog& catalog, const Layout* layout, Palette& palette,
+                 const FurnishOptions& options) {
   const CatalogEntry& entry = catalog.entry_or_nearest(object.category);
   const Material* material = nullptr;
   if (layout != nullptr && !object.material.empty()) {
-    const auto found = std::find_if(layout->materials.begin(), layout->materials.end(), [&](const Material& m) { return m.id == object.material; });
+    const auto found =
+        std::find_if(layout->materials.begin(), layout->materials.end(), [&](const Material& m) { return m.id == object.material; });
     if (found != layout->materials.end()) material = &*found;
   }
   kit::Piece piece(object, entry, free_spaces(object, entry, layout), material, palette, options.seed, options.contents);
@@ -59,7 +62,8 @@ Node object_node(const PlacedObject& object, const Catalog& catalog, const Layou
 
 Status check_size(const PlacedObject& object) {
   if (object.size.width > 0 && object.size.depth > 0 && object.size.height > 0) return {};
-  return fail(ErrorCode::kSchema, fmt::format("\"{}\" is {} × {} × {} mm large", object.id, object.size.width, object.size.depth, object.size.height),
+  return fail(ErrorCode::kSchema,
+              fmt::format("\"{}\" is {} × {} × {} mm large", object.id, object.size.width, object.size.depth, object.size.height),
               object.id, "every side of an object must be greater than 0");
 }
 

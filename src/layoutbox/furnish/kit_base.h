@@ -31,6 +31,11 @@ class Maker {
     triangle(a, c, d);
   }
 
+  // As given, whatever the normals say: where a surface bends so sharply that they mislead.
+  void wound_quad(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
+    mesh_.indices.insert(mesh_.indices.end(), {a, b, c, a, c, d});
+  }
+
   // Four corners in a plane, with a normal of their own; u runs along the longer side.
   void flat_quad(Vec a, Vec b, Vec c, Vec d, Vec outward) {
     Vec n = cross(c - a, d - b);

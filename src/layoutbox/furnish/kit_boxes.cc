@@ -182,9 +182,7 @@ Mesh pillow(const Box& b, int steps) {
 }
 
 Mesh taper(Vec below, Vec2 half_below, Vec above, Vec2 half_above) {
-  const auto corner = [](Vec c, Vec2 h, int i) {
-    return Vec{c.x + (i == 0 || i == 3 ? -h.x : h.x), c.y + (i < 2 ? -h.y : h.y), c.z};
-  };
+  const auto corner = [](Vec c, Vec2 h, int i) { return Vec{c.x + (i == 0 || i == 3 ? -h.x : h.x), c.y + (i < 2 ? -h.y : h.y), c.z}; };
   Maker maker;
   const Vec middle = (below + above) * 0.5;
   for (int i = 0; i < 4; ++i) {

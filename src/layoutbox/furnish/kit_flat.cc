@@ -6,9 +6,7 @@ namespace {
 
 double turn(Vec2 a, Vec2 b, Vec2 c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
 
-bool inside(Vec2 p, Vec2 a, Vec2 b, Vec2 c) {
-  return turn(a, b, p) >= -1e-12 && turn(b, c, p) >= -1e-12 && turn(c, a, p) >= -1e-12;
-}
+bool inside(Vec2 p, Vec2 a, Vec2 b, Vec2 c) { return turn(a, b, p) >= -1e-12 && turn(b, c, p) >= -1e-12 && turn(c, a, p) >= -1e-12; }
 
 }  // namespace
 
@@ -23,9 +21,8 @@ std::vector<std::array<std::uint32_t, 3>> triangulate(std::span<const Vec2> outl
       const std::uint32_t ia = left[(i + n - 1) % n], ib = left[i], ic = left[(i + 1) % n];
       const Vec2 a = outline[ia], b = outline[ib], c = outline[ic];
       if (turn(a, b, c) <= 1e-14) continue;
-      const bool ear = std::none_of(left.begin(), left.end(), [&](std::uint32_t k) {
-        return k != ia && k != ib && k != ic && inside(outline[k], a, b, c);
-      });
+      const bool ear = std::none_of(left.begin(), left.end(),
+                                    [&](std::uint32_t k) { return k != ia && k != ib && k != ic && inside(outline[k], a, b, c); });
       if (!ear) continue;
       triangles.push_back({ia, ib, ic});
       left.erase(left.begin() + static_cast<std::ptrdiff_t>(i));

@@ -106,7 +106,8 @@ Mesh tube(std::span<const Vec> path, double radius, int sides, bool closed) {
       const Vec normal = across * std::cos(a) + up * std::sin(a);
       ring.push_back(maker.vertex(path[i] + normal * radius, normal, {along, 2 * kPi * s / sides * radius}));
     }
-    for (std::size_t s = 0; s + 1 < ring.size() && !previous.empty(); ++s) maker.quad(previous[s], previous[s + 1], ring[s + 1], ring[s]);
+    for (std::size_t s = 0; s + 1 < ring.size() && !previous.empty(); ++s)
+      maker.wound_quad(previous[s], previous[s + 1], ring[s + 1], ring[s]);
     if (!closed && (k == 0 || k + 1 == n)) {
       const Vec outwards = k == 0 ? t * -1.0 : t;
       std::vector<std::uint32_t> rim;
@@ -134,7 +135,8 @@ std::vector<Vec> curve(std::span<const Vec> points, int steps, bool closed) {
     const Vec a = at(i - 1), b = at(i), c = at(i + 1), d = at(i + 2);
     for (int k = 0; k < steps; ++k) {
       const double t = static_cast<double>(k) / steps;
-      line.push_back((b * 2.0 + (c - a) * t + (a * 2.0 - b * 5.0 + c * 4.0 - d) * (t * t) + (b * 3.0 - a - c * 3.0 + d) * (t * t * t)) * 0.5);
+      line.push_back((b * 2.0 + (c - a) * t + (a * 2.0 - b * 5.0 + c * 4.0 - d) * (t * t) + (b * 3.0 - a - c * 3.0 + d) * (t * t * t)) *
+                     0.5);
     }
   }
   if (!closed) line.push_back(points.back());

@@ -33,7 +33,8 @@ inline int open_edges(const Mesh& mesh) {
   using Key = std::array<long, 3>;
   const auto key = [&](std::uint32_t i) {
     const Vec3f& p = mesh.positions[i];
-    return Key{std::lround(static_cast<double>(p[0]) * 1e6), std::lround(static_cast<double>(p[1]) * 1e6), std::lround(static_cast<double>(p[2]) * 1e6)};
+    return Key{std::lround(static_cast<double>(p[0]) * 1e6), std::lround(static_cast<double>(p[1]) * 1e6),
+               std::lround(static_cast<double>(p[2]) * 1e6)};
   };
   std::map<std::pair<Key, Key>, int> balance;
   for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {

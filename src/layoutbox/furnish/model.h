@@ -42,40 +42,40 @@ struct Mesh {
 //   stripes   bands across u, each `scale` wide, by turns base and second
 //   brushed   metal with fine lines of second along u
 struct Surface {
-  std::string name;      // unique in a model: "oak", "linen_5a8bbf"
-  Color base;            // sRGB, 0–1
+  std::string name;                                               // unique in a model: "oak", "linen_5a8bbf"
+  Color base;                                                     // sRGB, 0–1
   float roughness = 0.7f, metallic = 0, alpha = 1, emission = 0;  // emission: strength of light of the base colour
-  std::string texture;   // one of the above, or empty
-  Color second;          // the texture's other colour (grain, joints)
-  float scale = 1;       // metres, as said above
-  std::string image;     // a user's own image file, or empty; it is laid over the uvs, `scale` metres per repeat
+  std::string texture;                                            // one of the above, or empty
+  Color second;                                                   // the texture's other colour (grain, joints)
+  float scale = 1;                                                // metres, as said above
+  std::string image;  // a user's own image file, or empty; it is laid over the uvs, `scale` metres per repeat
 };
 
 struct Part {
   Mesh mesh;
-  int surface = 0;       // index into Model::surfaces
+  int surface = 0;  // index into Model::surfaces
 };
 
 enum class NodeKind { kFloor, kWall, kCeiling, kOpening, kObject };
 
 struct Light {
-  Vec3f position{};      // in the node's frame
+  Vec3f position{};  // in the node's frame
   Color color{1, 0.9, 0.75};
-  float watts = 20;      // radiant power of a point light, as Blender counts it
+  float watts = 20;  // radiant power of a point light, as Blender counts it
   float radius = 0.05f;
 };
 
 struct Node {
-  std::string id;        // the object's, wall's or opening's id
+  std::string id;  // the object's, wall's or opening's id
   NodeKind kind = NodeKind::kObject;
   std::string category, name;
   std::vector<Part> parts;
-  std::array<float, 3> position{};   // metres, room frame
-  float rotation_deg = 0;            // about z
+  std::array<float, 3> position{};  // metres, room frame
+  float rotation_deg = 0;           // about z
   std::vector<Light> lights;
   // Walls and openings: the wall's inward normal in the plan, so that a camera can leave out the walls that face it.
   std::optional<Vec2f> inward;
-  std::string parent;                // openings, skirtings: the wall's id
+  std::string parent;  // openings, skirtings: the wall's id
 };
 
 struct Model {

@@ -49,7 +49,8 @@ bool leaf_is_free(const Builder& b, Vec2 hinge, Vec2 way, double length) {
     const double turn = radians_from_degrees(object.rotation_deg - b.wall.rotation_deg), cs = std::cos(turn), sn = std::sin(turn);
     for (int i = 0; i <= 20; ++i) {
       const double x = hinge.x + way.x * length * i / 20 - c.x, y = hinge.y + way.y * length * i / 20 - c.y;
-      const bool within = std::abs(x * cs + y * sn) < m_from_mm(object.size.width) / 2 + 0.03 && std::abs(y * cs - x * sn) < m_from_mm(object.size.depth) / 2 + 0.03;
+      const bool within = std::abs(x * cs + y * sn) < m_from_mm(object.size.width) / 2 + 0.03 &&
+                          std::abs(y * cs - x * sn) < m_from_mm(object.size.depth) / 2 + 0.03;
       if (within) return false;
     }
   }
@@ -62,7 +63,9 @@ Mesh leaf_mesh(double width, double height, Mesh* handles) {
   for (const double side : {-1.0, 1.0}) {
     // Two raised panels and a lever.
     for (const auto& [z0, z1] : {std::pair{0.12, 0.42}, {0.5, 0.94}}) {
-      append(leaf, box(sides(width * 0.16, width * 0.84, side > 0 ? t / 2 - 0.002 : -t / 2 - 0.006, side > 0 ? t / 2 + 0.006 : -t / 2 + 0.002, height * z0, height * z1), 0.004));
+      append(leaf, box(sides(width * 0.16, width * 0.84, side > 0 ? t / 2 - 0.002 : -t / 2 - 0.006,
+                             side > 0 ? t / 2 + 0.006 : -t / 2 + 0.002, height * z0, height * z1),
+                       0.004));
     }
     const double x = width - 0.07, z = std::min(1.02, height * 0.5), y = side * (t / 2 + 0.03);
     append(*handles, kit::rod({x, side * t / 2, z}, {x, y, z}, 0.009, 10));
@@ -82,7 +85,8 @@ void add_leaf(Builder& b) {
   const Vec2 hinge{hinge_left ? b.w - lining - 0.003 : lining + 0.003, turns ? y : -t / 2};
   double angle = 0;
   if (turns) {
-    const bool given_up = std::any_of(b.layout.relaxed.begin(), b.layout.relaxed.end(), [&](const Relaxation& r) { return r.relation.ends_with(b.opening.id); });
+    const bool given_up = std::any_of(b.layout.relaxed.begin(), b.layout.relaxed.end(),
+                                      [&](const Relaxation& r) { return r.relation.ends_with(b.opening.id); });
     for (const double degrees : {50.0, 30.0, 15.0}) {
       const double a = radians_from_degrees(degrees);
       const Vec2 way{(hinge_left ? -1 : 1) * std::cos(a), (in ? 1 : -1) * std::sin(a)};
@@ -109,7 +113,8 @@ double sill_reach(const Builder& b) {
     if (object.supported_by != b.opening.id) continue;
     const Vec2 c = b.wall.local({m_from_mm(object.position[0]), m_from_mm(object.position[1])}, m_from_mm(*b.opening.offset));
     const double turn = radians_from_degrees(object.rotation_deg - b.wall.rotation_deg);
-    const double half = std::abs(std::sin(turn)) * m_from_mm(object.size.width) / 2 + std::abs(std::cos(turn)) * m_from_mm(object.size.depth) / 2;
+    const double half =
+        std::abs(std::sin(turn)) * m_from_mm(object.size.width) / 2 + std::abs(std::cos(turn)) * m_from_mm(object.size.depth) / 2;
     reach = std::max(reach, c.y + half);
   }
   return std::min(reach, 0.6);
@@ -119,7 +124,9 @@ void add_window(Builder& b) {
   const double t = b.wall.thickness, y = -t * 0.6, bar = 0.045, deep = 0.05, lining = 0.02;
   const double x0 = lining, x1 = b.w - lining, z0 = b.sill, z1 = b.sill + b.h - lining;
   Mesh frame, glass;
-  const auto add_bar = [&](double xa, double xb, double za, double zb) { append(frame, box(sides(xa, xb, y - deep / 2, y + deep / 2, za, zb), 0.004)); };
+  const auto add_bar = [&](double xa, double xb, double za, double zb) {
+    append(frame, box(sides(xa, xb, y - deep / 2, y + deep / 2, za, zb), 0.004));
+  };
   add_bar(x0, x0 + bar, z0, z1);
   add_bar(x1 - bar, x1, z0, z1);
   add_bar(x0 + bar, x1 - bar, z0, z0 + bar);
@@ -169,8 +176,14 @@ void add_openings(const Layout& layout, Palette& palette, Model& model) {
     const Wall* wall = layout.find_wall(opening.wall);
     if (wall == nullptr || !opening.offset) continue;
     const WallFrame frame(*wall);
-    Builder b{layout, opening, frame, palette, frame.node(opening.id, NodeKind::kOpening, m_from_mm(*opening.offset)), m_from_mm(opening.width),
-              std::min(m_from_mm(opening.height), m_from_mm(layout.room.height) - 0.01 - m_from_mm(opening.sill)), m_from_mm(opening.sill)};
+    Builder b{layout,
+              opening,
+              frame,
+              palette,
+              frame.node(opening.id, NodeKind::kOpening, m_from_mm(*opening.offset)),
+              m_from_mm(opening.width),
+              std::min(m_from_mm(opening.height), m_from_mm(layout.room.height) - 0.01 - m_from_mm(opening.sill)),
+              m_from_mm(opening.sill)};
     b.node.parent = wall->id;
     b.node.category = std::string(name_of(opening.type));
     add_frame(b, opening.type != OpeningType::kWindow);

@@ -13,9 +13,9 @@ namespace layoutbox {
 
 struct NamedSurface {
   Surface surface;
-  std::string kind;                 // wood, metal, glass, stone, ceramic, plastic, floor, fabric, leather, other
-  std::vector<std::string> words;   // what a text calls it
-  bool tint = false;                // takes an asked colour
+  std::string kind;                // wood, metal, glass, stone, ceramic, plastic, floor, fabric, leather, other
+  std::vector<std::string> words;  // what a text calls it
+  bool tint = false;               // takes an asked colour
   bool soft() const { return kind == "fabric" || kind == "leather"; }
 };
 
@@ -41,7 +41,7 @@ Color mixed(const Color& a, const Color& b, double share_of_b);
 // The surfaces of one model, each once.
 class Palette {
  public:
-  int add(const Surface& surface);   // its index; one that is the same already is shared, another of the same name gets a new name
+  int add(const Surface& surface);  // its index; one that is the same already is shared, another of the same name gets a new name
   int named(std::string_view name) { return add(named_surface(name).surface); }
   std::vector<Surface> take() { return std::move(surfaces_); }
 

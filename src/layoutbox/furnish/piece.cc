@@ -77,7 +77,9 @@ double Piece::number(std::string_view key, double otherwise) const {
   return found == entry_.shape.numbers.end() ? otherwise : found->second;
 }
 
-int Piece::count(std::string_view key, int otherwise) const { return std::clamp(static_cast<int>(std::lround(number(key, otherwise))), 0, 24); }
+int Piece::count(std::string_view key, int otherwise) const {
+  return std::clamp(static_cast<int>(std::lround(number(key, otherwise))), 0, 24);
+}
 
 std::string Piece::word(std::string_view key, std::string_view otherwise) const {
   const auto found = entry_.shape.words.find(std::string(key));
@@ -176,8 +178,8 @@ void Piece::fit() {
   const Pose pose = scaled(kx, ky, kz) * moved(-c.x, -c.y, -b.min.z);
   for (auto& [surface, mesh] : meshes_) mesh = posed(std::move(mesh), pose);
   for (Light& light : lights_) {
-    const Vec p = pose.point({static_cast<double>(light.position[0]), static_cast<double>(light.position[1]),
-                              static_cast<double>(light.position[2])});
+    const Vec p = pose.point(
+        {static_cast<double>(light.position[0]), static_cast<double>(light.position[1]), static_cast<double>(light.position[2])});
     light.position = {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
   }
 }

@@ -68,7 +68,7 @@ class Piece {
   // Four legs (or as many as stand free) under a rectangle, square or round, moved outwards where a space is in the way.
   void legs(int surface, double top, double thick, double inset, bool round = false, double taper = 1);
 
-  double random();                        // [0, 1)
+  double random();  // [0, 1)
   double random(double from, double to) { return from + (to - from) * random(); }
   int pick(int n) { return static_cast<int>(random() * n); }
 

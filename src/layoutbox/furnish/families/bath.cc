@@ -10,12 +10,15 @@ namespace {
 void toilet(Piece& p) {
   const int white = p.main("ceramic");
   const FreeSpace* open = p.open_above();
-  const double seat = open != nullptr ? open->box.min.z : std::min(0.42, p.h * 0.55), tank = std::max(0.08, open != nullptr ? p.d / 2 - open->box.max.y : p.d * 0.27);
+  const double seat = open != nullptr ? open->box.min.z : std::min(0.42, p.h * 0.55),
+               tank = std::max(0.08, open != nullptr ? p.d / 2 - open->box.max.y : p.d * 0.27);
   const double front = -p.d / 2, back = p.d / 2 - tank, rx = p.w * 0.46, cy = (front + back) / 2 + 0.02, ry = (back - front) / 2 + 0.02;
   // Foot, bowl, seat and lid as ovals; the tank behind.
-  p.add(white, lathe({{0, 0}, {0.62, 0}, {0.55, 0.25}, {0.62, 0.55}, {0.98, 0.88}, {1, 0.95}, {1, 1}, {0, 1}}, 32), Pose{{rx * 0.92, 0, 0}, {0, ry * 0.94, 0}, {0, 0, seat - 0.045}, {0, cy, 0}});
+  p.add(white, lathe({{0, 0}, {0.62, 0}, {0.55, 0.25}, {0.62, 0.55}, {0.98, 0.88}, {1, 0.95}, {1, 1}, {0, 1}}, 32),
+        Pose{{rx * 0.92, 0, 0}, {0, ry * 0.94, 0}, {0, 0, seat - 0.045}, {0, cy, 0}});
   p.add(white, box(sides(-rx * 0.55, rx * 0.55, cy, p.d / 2 - 0.01, 0.0, seat - 0.1), 0.02));
-  p.add(p.named("plastic"), lathe({{0, 0}, {0.97, 0}, {1, 0.2}, {1, 0.6}, {0.96, 1}, {0, 1}}, 36), Pose{{rx, 0, 0}, {0, ry, 0}, {0, 0, 0.045}, {0, cy - 0.02 + (front - (cy - 0.02 - ry)), seat - 0.045}});
+  p.add(p.named("plastic"), lathe({{0, 0}, {0.97, 0}, {1, 0.2}, {1, 0.6}, {0.96, 1}, {0, 1}}, 36),
+        Pose{{rx, 0, 0}, {0, ry, 0}, {0, 0, 0.045}, {0, cy - 0.02 + (front - (cy - 0.02 - ry)), seat - 0.045}});
   p.add(white, rounded_box(sides(-p.w / 2, p.w / 2, back, p.d / 2, seat - 0.1, p.h - 0.03), 0.025, 3));
   p.add(white, rounded_box(sides(-p.w / 2, p.w / 2, back, p.d / 2, p.h - 0.035, p.h - 0.003), 0.01, 2));
   p.add(p.named("chrome"), cylinder({0, p.d / 2 - tank / 2, p.h - 0.006}, 0.02, 0.006, 16));
@@ -28,7 +31,8 @@ void bathtub(Piece& p) {
   const Box b = in != nullptr ? in->box : sides(-p.w / 2 + 0.06, p.w / 2 - 0.06, -p.d / 2 + 0.06, p.d / 2 - 0.06, 0.06, p.h);
   p.add(chrome, lathe({{0, 0}, {0.03, 0}, {0.03, 0.0008}, {0, 0.0008}}, 16), moved(b.min.x + 0.2, 0, b.min.z));
   // The mixer lies on the rim at one end, as flat as the height leaves it.
-  for (const double y : {-0.07, 0.07}) p.add(chrome, cylinder({(b.min.x - p.w / 2) / 2, y, p.h - 0.004}, std::min(0.02, (b.min.x + p.w / 2) * 0.3), 0.004, 14));
+  for (const double y : {-0.07, 0.07})
+    p.add(chrome, cylinder({(b.min.x - p.w / 2) / 2, y, p.h - 0.004}, std::min(0.02, (b.min.x + p.w / 2) * 0.3), 0.004, 14));
 }
 
 void shower(Piece& p) {
@@ -42,7 +46,9 @@ void shower(Piece& p) {
   pane(-p.w / 2 + 0.004, p.w / 2 - 0.004, -p.d / 2 + 0.004, -p.d / 2 + 0.004 + t);
   pane(p.w / 2 - 0.004 - t, p.w / 2 - 0.004, -p.d / 2 + 0.02, p.d / 2 - 0.004);
   for (const auto& [x, y] : {std::pair{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}}) {
-    p.add(chrome, box(sides(x * p.w / 2 - (x > 0 ? 0.018 : 0), x * p.w / 2 + (x > 0 ? 0 : 0.018), y * p.d / 2 - (y > 0 ? 0.018 : 0), y * p.d / 2 + (y > 0 ? 0 : 0.018), rim - 0.002, p.h), 0.002));
+    p.add(chrome, box(sides(x * p.w / 2 - (x > 0 ? 0.018 : 0), x * p.w / 2 + (x > 0 ? 0 : 0.018), y * p.d / 2 - (y > 0 ? 0.018 : 0),
+                            y * p.d / 2 + (y > 0 ? 0 : 0.018), rim - 0.002, p.h),
+                      0.002));
   }
   p.add(chrome, box(sides(-p.w / 2, p.w / 2, -p.d / 2, -p.d / 2 + 0.018, p.h - 0.022, p.h), 0.002));
   p.add(chrome, box(sides(p.w / 2 - 0.018, p.w / 2, -p.d / 2, p.d / 2, p.h - 0.022, p.h), 0.002));

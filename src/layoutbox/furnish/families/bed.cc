@@ -11,12 +11,15 @@ namespace {
 void bedding(Piece& p, const Box& b, int pillows, int duvet, int white) {
   const double puff = std::min(0.09, b.size().z * 0.4), sheet = b.max.z - puff, margin = 0.012;
   p.add(white, rounded_box(sides(b.min.x + margin, b.max.x - margin, b.min.y + margin, b.max.y, b.min.z, sheet), 0.035, 3));
-  const double length = b.size().y, pillow_depth = std::clamp(length * 0.22, 0.2, 0.46), fold = b.max.y - pillow_depth - std::min(0.1, length * 0.06);
+  const double length = b.size().y, pillow_depth = std::clamp(length * 0.22, 0.2, 0.46),
+               fold = b.max.y - pillow_depth - std::min(0.1, length * 0.06);
   const double drop = std::min(0.16, (sheet - b.min.z) * 0.8);
   // The duvet hangs over three sides; its top end is folded back and shows its white side.
   const double turned = std::min(0.3, length * 0.16);
-  p.add(duvet, rounded_box(sides(b.min.x, b.max.x, b.min.y, fold - turned + 0.05, sheet - drop, b.max.z - 0.008), std::min(0.045, puff), 3));
-  p.add(white, rounded_box(sides(b.min.x + 0.004, b.max.x - 0.004, fold - turned, fold + 0.02, sheet - drop * 0.7, b.max.z), std::min(0.045, puff), 3));
+  p.add(duvet,
+        rounded_box(sides(b.min.x, b.max.x, b.min.y, fold - turned + 0.05, sheet - drop, b.max.z - 0.008), std::min(0.045, puff), 3));
+  p.add(white, rounded_box(sides(b.min.x + 0.004, b.max.x - 0.004, fold - turned, fold + 0.02, sheet - drop * 0.7, b.max.z),
+                           std::min(0.045, puff), 3));
   const double room = b.size().x - 0.06, each = std::min(0.75, room / std::max(1, pillows));
   for (int i = 0; i < pillows; ++i) {
     const double x = (i - (pillows - 1) / 2.0) * std::max(each, std::min(room / pillows, 0.85));
@@ -37,10 +40,11 @@ BedLevels levels(const Piece& p) {
 
 void bed(Piece& p) {
   const BedLevels l = levels(p);
-  const int wood = p.frame("oak"), white = p.named("cotton"), head_surface = p.says("upholstered") || p.says("velvet") || p.says("tufted") ? p.main_accent("linen") : p.frame("walnut");
+  const int wood = p.frame("oak"), white = p.named("cotton"),
+            head_surface = p.says("upholstered") || p.says("velvet") || p.says("tufted") ? p.main_accent("linen") : p.frame("walnut");
   const int duvet = p.main_accent("cotton");
   const double under = l.under > 0 ? l.under : std::min(0.14, l.top * 0.3), head = std::max(0.02, p.d / 2 - l.head);
-  const double rail = std::min(0.12, std::max(0.04, (l.top - under) * 0.35));
+  const double rail = std::min(0.12, std::max(0.02, (l.top - under) * 0.35));
   if (p.number("headboard", 1) <= 0 && p.h < 0.55 && p.open_above() == nullptr) {
     // A mattress on the floor, blown up or rolled out.
     bedding(p, sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, 0, p.h), std::max(1, p.count("pillows", 1)), duvet, white);
@@ -50,9 +54,14 @@ void bed(Piece& p) {
     const double post = side_room(p, 0.06);
     for (const double x : {-1.0, 1.0}) {
       const double cx = x * (p.w / 2 - post / 2);
-      for (const double y : {-1.0, 1.0}) p.add(wood, box(sides(cx - post / 2, cx + post / 2, y * (p.d / 2 - post / 2) - post / 2, y * (p.d / 2 - post / 2) + post / 2, 0, p.h), 0.006));
+      for (const double y : {-1.0, 1.0})
+        p.add(wood,
+              box(sides(cx - post / 2, cx + post / 2, y * (p.d / 2 - post / 2) - post / 2, y * (p.d / 2 - post / 2) + post / 2, 0, p.h),
+                  0.006));
       p.add(wood, box(sides(cx - post / 2, cx + post / 2, -p.d / 2, p.d / 2, p.h - std::min(0.05, post), p.h), 0.005));
-      p.add(wood, box(sides(-p.w / 2, p.w / 2, x * (p.d / 2 - post / 2) - post / 2, x * (p.d / 2 - post / 2) + post / 2, p.h - std::min(0.05, post), p.h), 0.005));
+      p.add(wood, box(sides(-p.w / 2, p.w / 2, x * (p.d / 2 - post / 2) - post / 2, x * (p.d / 2 - post / 2) + post / 2,
+                            p.h - std::min(0.05, post), p.h),
+                      0.005));
     }
     p.add(wood, box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, under, under + rail), 0.006));
     p.add(wood, box(sides(-p.w / 2, p.w / 2, p.d / 2 - std::min(head, 0.04), p.d / 2, under, l.top + 0.45), 0.006));
@@ -71,9 +80,11 @@ void bed(Piece& p) {
   const double edge = p.d / 2 - std::min(head, soft ? head : 0.05);
   if (p.h < l.top + 0.03 && p.h > l.top) p.add(wood, box(sides(-0.05, 0.05, p.d / 2 - 0.02, p.d / 2, l.top - 0.02, p.h), 0.004));
   const int pillows = p.count("pillows", p.w > 1.15 ? 2 : 1);
-  bedding(p, sides(-p.w / 2 + 0.015, p.w / 2 - 0.015, -p.d / 2 + 0.015, edge, under + rail - 0.002, l.top), std::max(1, pillows), duvet, white);
+  bedding(p, sides(-p.w / 2 + 0.015, p.w / 2 - 0.015, -p.d / 2 + 0.015, edge, under + rail - 0.002, l.top), std::max(1, pillows), duvet,
+          white);
   // A foot board, where the bedding ends before the bed does.
-  if (l.foot > -p.d / 2 + 0.02) p.add(wood, box(sides(-p.w / 2, p.w / 2, -p.d / 2, std::min(l.foot, -p.d / 2 + 0.04), under, std::min(p.h, l.top + 0.15)), 0.008));
+  if (l.foot > -p.d / 2 + 0.02)
+    p.add(wood, box(sides(-p.w / 2, p.w / 2, -p.d / 2, std::min(l.foot, -p.d / 2 + 0.04), under, std::min(p.h, l.top + 0.15)), 0.008));
 }
 
 void bunk_bed(Piece& p) {
@@ -108,8 +119,10 @@ void bunk_bed(Piece& p) {
     p.add(wood, box(sides(x0, x0 + 0.024, -p.d / 2 + post, p.d / 2 - post, guard - 0.08, guard), 0.004));
   }
   // The ladder stands at the foot, between the posts.
-  for (const double x : {-0.14, 0.14}) p.add(wood, box(sides(x - 0.018, x + 0.018, -p.d / 2, -p.d / 2 + 0.03, 0, std::min(p.h, tops.back() + 0.2)), 0.004));
-  for (double z = 0.25; z < tops.back() - 0.15; z += 0.27) p.add(wood, box(sides(-0.13, 0.13, -p.d / 2 + 0.003, -p.d / 2 + 0.027, z, z + 0.03), 0.004));
+  for (const double x : {-0.14, 0.14})
+    p.add(wood, box(sides(x - 0.018, x + 0.018, -p.d / 2, -p.d / 2 + 0.03, 0, std::min(p.h, tops.back() + 0.2)), 0.004));
+  for (double z = 0.25; z < tops.back() - 0.15; z += 0.27)
+    p.add(wood, box(sides(-0.13, 0.13, -p.d / 2 + 0.003, -p.d / 2 + 0.027, z, z + 0.03), 0.004));
 }
 
 // Corner posts, ropes and a raised floor.
@@ -153,7 +166,8 @@ void crib(Piece& p) {
   const auto rails = [&](bool along_x, double at) {
     const double half = (along_x ? p.w : p.d) / 2 - t;
     const auto bar = [&](double a0, double a1, double z0, double z1, double thick) {
-      p.add(wood, along_x ? box(sides(a0, a1, at - thick / 2, at + thick / 2, z0, z1), 0.003) : box(sides(at - thick / 2, at + thick / 2, a0, a1, z0, z1), 0.003));
+      p.add(wood, along_x ? box(sides(a0, a1, at - thick / 2, at + thick / 2, z0, z1), 0.003)
+                          : box(sides(at - thick / 2, at + thick / 2, a0, a1, z0, z1), 0.003));
     };
     bar(-half, half, p.h - 0.04, p.h, 0.024);
     const int n = std::max(2, static_cast<int>(2 * half / 0.085));

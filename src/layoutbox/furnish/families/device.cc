@@ -13,7 +13,8 @@ void mouse(Piece& p) {
 }
 
 void phone(Piece& p) {
-  p.add(p.main("black_plastic"), rounded_box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, 0, p.h * 0.95), std::min({p.w * 0.12, p.h * 0.45}), 3));
+  p.add(p.main("black_plastic"),
+        rounded_box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, 0, p.h * 0.95), std::min({p.w * 0.12, p.h * 0.45}), 3));
   p.add(p.named("screen"), box(sides(-p.w * 0.46, p.w * 0.46, -p.d * 0.47, p.d * 0.47, p.h * 0.9, p.h), 0));
 }
 
@@ -32,12 +33,14 @@ void printer(Piece& p) {
 void projector(Piece& p) {
   const int body = p.main("plastic");
   const double drop = p.mount() == Mount::kCeiling ? p.h * 0.55 : 0, tall = p.h - drop;
-  p.add(body, rounded_box(sides(-p.w / 2, p.w / 2, -p.d / 2 + p.d * 0.06, p.d / 2, p.mount() == Mount::kCeiling ? 0 : p.h * 0.08, tall), tall * 0.18, 3));
+  p.add(body, rounded_box(sides(-p.w / 2, p.w / 2, -p.d / 2 + p.d * 0.06, p.d / 2, p.mount() == Mount::kCeiling ? 0 : p.h * 0.08, tall),
+                          tall * 0.18, 3));
   if (drop > 0) {
     p.add(p.named("black_metal"), cylinder({0, 0, tall - 0.004}, std::min(0.02, p.w * 0.1), drop - 0.01, 12));
     p.add(p.named("black_metal"), cylinder({0, 0, p.h - 0.015}, std::min(0.06, p.w * 0.25), 0.015, 20));
   } else {
-    for (const double x : {-0.38, 0.38}) p.add(p.named("black_plastic"), box(sides(x * p.w - 0.01, x * p.w + 0.01, -p.d * 0.3, p.d * 0.3, 0, p.h * 0.12), 0));
+    for (const double x : {-0.38, 0.38})
+      p.add(p.named("black_plastic"), box(sides(x * p.w - 0.01, x * p.w + 0.01, -p.d * 0.3, p.d * 0.3, 0, p.h * 0.12), 0));
   }
   const double r = std::min(p.w * 0.16, tall * 0.34);
   dial(p, p.named("black_plastic"), {p.w * 0.18, -p.d / 2 + p.d * 0.07, tall * 0.52}, r, p.d * 0.06, 24);
@@ -55,23 +58,32 @@ void computer_tower(Piece& p) {
   const double foot = std::min(0.02, p.h * 0.05), face = -p.d / 2 + 0.012;
   p.add(body, box(sides(-p.w / 2, p.w / 2, face, p.d / 2, foot, p.h), 0.006));
   p.add(mesh, box(sides(-p.w / 2 + 0.01, p.w / 2 - 0.01, -p.d / 2, face + 0.002, foot + 0.015, p.h - 0.015), 0.004));
-  for (const double y : {-0.35, 0.35}) p.add(p.named("black_plastic"), box(sides(-p.w * 0.45, p.w * 0.45, y * p.d - 0.015, y * p.d + 0.015, 0, foot + 0.002), 0));
+  for (const double y : {-0.35, 0.35})
+    p.add(p.named("black_plastic"), box(sides(-p.w * 0.45, p.w * 0.45, y * p.d - 0.015, y * p.d + 0.015, 0, foot + 0.002), 0));
   p.add(glow, box(sides(-0.003, 0.003, -p.d / 2 - 0.0003, face, p.h * 0.6, p.h * 0.9), 0));
 }
 
 void fireplace(Piece& p) {
   const int stone = p.main("stone"), inside = p.named("slate"), ember = p.named("ember"), wood = p.named("walnut");
-  const double shelf = std::min(0.08, p.h * 0.08), deep = std::min(0.06, p.d * 0.2), side = p.w * 0.2, top = p.h * 0.68, hearth = std::min(0.1, p.h * 0.1);
+  const double shelf = std::min(0.08, p.h * 0.08), deep = std::min(0.06, p.d * 0.2), side = p.w * 0.2, top = p.h * 0.68,
+               hearth = std::min(0.1, p.h * 0.1);
   p.add(stone, box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, p.h - shelf, p.h), 0.012));
-  for (const double s : {-1.0, 1.0}) p.add(stone, box(sides(s > 0 ? p.w / 2 - side : -p.w / 2 + 0.02, s > 0 ? p.w / 2 - 0.02 : -p.w / 2 + side, -p.d / 2 + deep, p.d / 2, 0, p.h - shelf), 0.01));
+  for (const double s : {-1.0, 1.0})
+    p.add(stone, box(sides(s > 0 ? p.w / 2 - side : -p.w / 2 + 0.02, s > 0 ? p.w / 2 - 0.02 : -p.w / 2 + side, -p.d / 2 + deep, p.d / 2, 0,
+                           p.h - shelf),
+                     0.01));
   p.add(stone, box(sides(-p.w / 2 + side, p.w / 2 - side, -p.d / 2 + deep + 0.01, p.d / 2, top, p.h - shelf), 0.006));
   p.add(stone, box(sides(-p.w / 2 + 0.01, p.w / 2 - 0.01, -p.d / 2, p.d / 2 - 0.01, 0, hearth), 0.008));
   p.add(inside, box(sides(-p.w / 2 + side, p.w / 2 - side, p.d / 2 - 0.03, p.d / 2, hearth, top), 0));
   const double r = std::min(0.05, p.h * 0.05), room = p.w / 2 - side;
-  for (int i = 0; i < 3; ++i) p.add(wood, rod({-room * 0.6, p.d * (0.05 + 0.12 * (i - 1)), hearth + r + (i == 1 ? r * 1.5 : 0)}, {room * 0.6, p.d * (0.1 - 0.1 * (i - 1)), hearth + r + (i == 1 ? r * 1.5 : 0)}, r, 10));
+  for (int i = 0; i < 3; ++i)
+    p.add(wood, rod({-room * 0.6, p.d * (0.05 + 0.12 * (i - 1)), hearth + r + (i == 1 ? r * 1.5 : 0)},
+                    {room * 0.6, p.d * (0.1 - 0.1 * (i - 1)), hearth + r + (i == 1 ? r * 1.5 : 0)}, r, 10));
   for (int i = 0; i < 5; ++i) {
-    const double x = room * (-0.4 + 0.2 * i), tall = (top - hearth) * (0.35 + 0.2 * ((i * 3) % 4) / 3.0), f = std::min(room * 0.14, p.d * 0.14);
-    p.add(ember, lathe({{0, 0}, {f * 0.7, tall * 0.1}, {f, tall * 0.3}, {f * 0.5, tall * 0.65}, {0, tall}}, 10), moved(x, p.d * 0.08, hearth + r * 2));
+    const double x = room * (-0.4 + 0.2 * i), tall = (top - hearth) * (0.35 + 0.2 * ((i * 3) % 4) / 3.0),
+                 f = std::min(room * 0.14, p.d * 0.14);
+    p.add(ember, lathe({{0, 0}, {f * 0.7, tall * 0.1}, {f, tall * 0.3}, {f * 0.5, tall * 0.65}, {0, tall}}, 10),
+          moved(x, p.d * 0.08, hearth + r * 2));
   }
   p.light({0, -p.d * 0.1, hearth + (top - hearth) * 0.4}, 20, 0.12);
 }
@@ -84,7 +96,9 @@ void fan(Piece& p) {
     p.add(chrome, cone({0, 0, p.h - 0.04}, 0.03, 0.06, 0.04, 20));
     p.add(chrome, cylinder({0, 0, z * 0.3}, hub, z * 1.2, 24));
     const int blades = p.frame("oak");
-    for (int i = 0; i < 4; ++i) p.add(blades, prism(rounded_rectangle({hub * 0.8, -r * 0.1}, {r, r * 0.1}, r * 0.05, 3), z * 0.5, z * 0.5 + 0.01), turned_z(90.0 * i));
+    for (int i = 0; i < 4; ++i)
+      p.add(blades, prism(rounded_rectangle({hub * 0.8, -r * 0.1}, {r, r * 0.1}, r * 0.05, 3), z * 0.5, z * 0.5 + 0.01),
+            turned_z(90.0 * i));
     p.add(p.named("lampshade"), lathe({{0, 0}, {hub * 0.7, z * 0.15}, {hub * 0.8, z * 0.35}, {0, z * 0.35}}, 20));
     p.light({0, 0, -0.01}, 15, 0.06);
     p.fit();
@@ -103,7 +117,8 @@ void fan(Piece& p) {
     p.add(chrome, torus({0, 0, 0}, r * 0.55, 0.003, 24, 5), aimed({0, y, z}, {0, -1, 0}));
     for (int i = 0; i < 8; ++i) {
       const double a = kPi * i / 8;
-      p.add(chrome, rod({std::cos(a) * (r - 0.006), y, z + std::sin(a) * (r - 0.006)}, {-std::cos(a) * (r - 0.006), y, z - std::sin(a) * (r - 0.006)}, 0.002, 4));
+      p.add(chrome, rod({std::cos(a) * (r - 0.006), y, z + std::sin(a) * (r - 0.006)},
+                        {-std::cos(a) * (r - 0.006), y, z - std::sin(a) * (r - 0.006)}, 0.002, 4));
     }
   }
   p.fit();
@@ -113,10 +128,15 @@ void radiator(Piece& p) {
   const int white = p.main("painted_metal");
   const int n = std::max(3, static_cast<int>(p.w / 0.06));
   const double each = p.w / n, foot = p.mount() == Mount::kFloor ? std::min(0.08, p.h * 0.15) : 0;
-  for (int i = 0; i < n; ++i) p.add(white, rounded_box(sides(-p.w / 2 + each * i + 0.004 * (i > 0), -p.w / 2 + each * (i + 1) - 0.004 * (i + 1 < n), -p.d / 2, p.d / 2, foot, p.h), std::min(each, p.d) * 0.3, 2));
-  for (const double z : {foot + (p.h - foot) * 0.12, p.h - (p.h - foot) * 0.12}) p.add(white, rod({-p.w / 2 + 0.01, 0, z}, {p.w / 2 - 0.01, 0, z}, std::min(0.015, p.d * 0.3), 8));
+  for (int i = 0; i < n; ++i)
+    p.add(white, rounded_box(sides(-p.w / 2 + each * i + 0.004 * (i > 0), -p.w / 2 + each * (i + 1) - 0.004 * (i + 1 < n), -p.d / 2,
+                                   p.d / 2, foot, p.h),
+                             std::min(each, p.d) * 0.3, 2));
+  for (const double z : {foot + (p.h - foot) * 0.12, p.h - (p.h - foot) * 0.12})
+    p.add(white, rod({-p.w / 2 + 0.01, 0, z}, {p.w / 2 - 0.01, 0, z}, std::min(0.015, p.d * 0.3), 8));
   if (foot > 0) {
-    for (const double x : {-0.4, 0.4}) p.add(white, box(sides(x * p.w - 0.015, x * p.w + 0.015, -p.d * 0.4, p.d * 0.4, 0, foot + 0.02), 0.003));
+    for (const double x : {-0.4, 0.4})
+      p.add(white, box(sides(x * p.w - 0.015, x * p.w + 0.015, -p.d * 0.4, p.d * 0.4, 0, foot + 0.02), 0.003));
   }
 }
 
@@ -124,7 +144,9 @@ void heater(Piece& p) {
   if (p.w > p.h) return radiator(p);
   const int body = p.main("plastic"), glow = p.named("ember");
   p.add(body, rounded_box(sides(-p.w / 2, p.w / 2, -p.d / 2 + 0.01, p.d / 2, 0, p.h), std::min(p.w, p.d) * 0.15, 3));
-  for (int i = 0; i < 5; ++i) p.add(glow, rod({-p.w * 0.34, -p.d / 2 + 0.008, p.h * (0.25 + 0.12 * i)}, {p.w * 0.34, -p.d / 2 + 0.008, p.h * (0.25 + 0.12 * i)}, 0.008, 8));
+  for (int i = 0; i < 5; ++i)
+    p.add(glow,
+          rod({-p.w * 0.34, -p.d / 2 + 0.008, p.h * (0.25 + 0.12 * i)}, {p.w * 0.34, -p.d / 2 + 0.008, p.h * (0.25 + 0.12 * i)}, 0.008, 8));
 }
 
 void air_conditioner(Piece& p) {

@@ -23,7 +23,9 @@ void generic(Piece& p) {
   }
   const double lid = p.h * 0.25;
   p.add(body, rounded_box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, 0, p.h - lid), std::min({p.w, p.d, p.h}) * 0.12, 3));
-  p.add(p.frame("oak"), rounded_box(sides(-p.w / 2 + p.w * 0.02, p.w / 2 - p.w * 0.02, -p.d / 2 + p.d * 0.02, p.d / 2 - p.d * 0.02, p.h - lid * 1.3, p.h), std::min({p.w, p.d, p.h}) * 0.1, 3));
+  p.add(p.frame("oak"),
+        rounded_box(sides(-p.w / 2 + p.w * 0.02, p.w / 2 - p.w * 0.02, -p.d / 2 + p.d * 0.02, p.d / 2 - p.d * 0.02, p.h - lid * 1.3, p.h),
+                    std::min({p.w, p.d, p.h}) * 0.1, 3));
 }
 
 }  // namespace

@@ -81,7 +81,8 @@ void dumbbell_rack(Piece& p) {
     p.add(metal, beam({x0 + 0.025, -p.d * 0.1, 0.03}, {x0 + 0.025, p.d / 2 - 0.04, p.h - 0.02}, {0.05, 0.06}, 0.006));
   }
   for (int t = 0; t < tiers; ++t) {
-    const double z = p.h * (0.2 + 0.68 * t / std::max(1, tiers - 1)), y = -p.d * 0.22 + p.d * 0.45 * t / tiers, r = std::min(0.06, p.h / tiers * 0.22);
+    const double z = p.h * (0.2 + 0.68 * t / std::max(1, tiers - 1)), y = -p.d * 0.22 + p.d * 0.45 * t / tiers,
+                 r = std::min(0.06, p.h / tiers * 0.22);
     p.add(metal, box(sides(-p.w / 2 + 0.05, p.w / 2 - 0.05, y - 0.09, y + 0.09, z - 0.03, z), 0.005), Pose{});
     const int n = std::max(2, static_cast<int>((p.w - 0.14) / (2.4 * r)));
     for (int i = 0; i < n; ++i) {
@@ -108,8 +109,10 @@ void barbell_bench(Piece& p) {
     p.add(metal, box(sides(s * x - 0.03, s * x + 0.03, up - 0.03, up + 0.03, 0.02, z + 0.03), 0.005));
     p.add(metal, box(sides(s * x - 0.03, s * x + 0.03, up - 0.2, p.d / 2, 0, 0.05), 0.006));
     p.add(metal, box(sides(s * x - 0.03, s * x + 0.03, up - 0.08, up - 0.05, z, z + 0.1), 0.005));
-    p.add(weight, rod({s * (p.w / 2 - 0.16), up - 0.05, z + 0.045}, {s * (p.w / 2 - 0.1), up - 0.05, z + 0.045}, std::min(0.2, z * 0.4), 28));
-    p.add(weight, rod({s * (p.w / 2 - 0.1), up - 0.05, z + 0.045}, {s * (p.w / 2 - 0.06), up - 0.05, z + 0.045}, std::min(0.14, z * 0.3), 28));
+    p.add(weight,
+          rod({s * (p.w / 2 - 0.16), up - 0.05, z + 0.045}, {s * (p.w / 2 - 0.1), up - 0.05, z + 0.045}, std::min(0.2, z * 0.4), 28));
+    p.add(weight,
+          rod({s * (p.w / 2 - 0.1), up - 0.05, z + 0.045}, {s * (p.w / 2 - 0.06), up - 0.05, z + 0.045}, std::min(0.14, z * 0.3), 28));
   }
   p.add(metal, box(sides(-x, x, up - 0.02, up + 0.02, z * 0.35, z * 0.35 + 0.04), 0.005));
   p.add(chrome, rod({-p.w / 2, up - 0.05, z + 0.045}, {p.w / 2, up - 0.05, z + 0.045}, 0.014, 10));
@@ -127,7 +130,8 @@ void yoga_mat(Piece& p) {
   const double r = std::min(along ? p.d : p.w, p.h) / 2, half = (along ? p.w : p.d) / 2;
   const Pose turn = along ? Pose{} : turned_z(90);
   p.add(mat, rod({-half, 0, r}, {half, 0, r}, r, 26), turn);
-  for (const double s : {-1.0, 1.0}) p.add(p.named("black_plastic"), torus({0, 0, 0}, r * 0.55, r * 0.05, 22, 5), turn * aimed({s * half * 0.999, 0, r}, {1, 0, 0}));
+  for (const double s : {-1.0, 1.0})
+    p.add(p.named("black_plastic"), torus({0, 0, 0}, r * 0.55, r * 0.05, 22, 5), turn * aimed({s * half * 0.999, 0, r}, {1, 0, 0}));
   p.fit();
 }
 
@@ -137,12 +141,15 @@ void punching_bag(Piece& p) {
   if (p.mount() == Mount::kCeiling) {
     const double hang = p.h * 0.25;
     p.add(bag, lathe({{0, 0}, {r * 0.9, 0}, {r, 0.03}, {r, p.h - hang - 0.03}, {r * 0.9, p.h - hang}, {0, p.h - hang}}, 28));
-    for (int i = 0; i < 4; ++i) p.add(chain, rod({std::cos(1.57 * i) * r * 0.85, std::sin(1.57 * i) * r * 0.85, p.h - hang - 0.01}, {0, 0, p.h - hang * 0.3}, 0.006, 6));
+    for (int i = 0; i < 4; ++i)
+      p.add(chain,
+            rod({std::cos(1.57 * i) * r * 0.85, std::sin(1.57 * i) * r * 0.85, p.h - hang - 0.01}, {0, 0, p.h - hang * 0.3}, 0.006, 6));
     p.add(chain, rod({0, 0, p.h - hang * 0.35}, {0, 0, p.h}, 0.012, 8));
   } else {
     p.add(p.named("black_plastic"), lathe({{0, 0}, {r, 0}, {r, p.h * 0.1}, {r * 0.6, p.h * 0.2}, {0, p.h * 0.2}}, 28));
     p.add(chain, cylinder({0, 0, p.h * 0.18}, r * 0.2, p.h * 0.2, 12));
-    p.add(bag, lathe({{0, p.h * 0.32}, {r * 0.55, p.h * 0.32}, {r * 0.62, p.h * 0.36}, {r * 0.62, p.h * 0.96}, {r * 0.5, p.h}, {0, p.h}}, 28));
+    p.add(bag,
+          lathe({{0, p.h * 0.32}, {r * 0.55, p.h * 0.32}, {r * 0.62, p.h * 0.36}, {r * 0.62, p.h * 0.96}, {r * 0.5, p.h}, {0, p.h}}, 28));
   }
   p.fit();
 }

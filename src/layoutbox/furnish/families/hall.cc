@@ -17,7 +17,9 @@ void umbrella_stand(Piece& p) {
     const double a = 2.1 * i + 0.4, out = r * 0.45;
     const Vec low{std::cos(a) * out * 0.5, std::sin(a) * out * 0.5, 0.06}, high{std::cos(a) * out, std::sin(a) * out, p.h * 0.86};
     p.add(p.tinted("cotton", kCloth[i]), cone({0, 0, 0}, r * 0.08, r * 0.2, length(high - low), 10), aimed(low, high - low));
-    p.add(handle_surface, tube(curve({high, high + Vec{0, 0, p.h * 0.1}, high + Vec{r * 0.18, 0, p.h * 0.135}, high + Vec{r * 0.3, 0, p.h * 0.08}}, 4), r * 0.06, 6));
+    p.add(handle_surface,
+          tube(curve({high, high + Vec{0, 0, p.h * 0.1}, high + Vec{r * 0.18, 0, p.h * 0.135}, high + Vec{r * 0.3, 0, p.h * 0.08}}, 4),
+               r * 0.06, 6));
   }
   if (p.spaces.empty()) p.fit();
 }
@@ -29,7 +31,8 @@ void coat_rack(Piece& p) {
     const int n = std::max(2, static_cast<int>(p.w / 0.16));
     for (int i = 0; i < n; ++i) {
       const double x = -p.w / 2 + p.w * (i + 0.5) / n;
-      p.add(p.named("brass"), tube(curve({{x, p.d / 2 - 0.02, p.h * 0.6}, {x, -p.d * 0.3, p.h * 0.1}, {x, -p.d / 2 + 0.008, p.h * 0.4}}, 4), 0.007, 7));
+      p.add(p.named("brass"),
+            tube(curve({{x, p.d / 2 - 0.02, p.h * 0.6}, {x, -p.d * 0.3, p.h * 0.1}, {x, -p.d / 2 + 0.008, p.h * 0.4}}, 4), 0.007, 7));
     }
     p.fit();
     return;
@@ -39,21 +42,29 @@ void coat_rack(Piece& p) {
   for (int i = 0; i < 4; ++i) {
     const double a = kPi / 2 * i + kPi / 4, c = std::cos(a), s = std::sin(a);
     p.add(wood, tube(curve({{c * r, s * r, 0.015}, {c * r * 0.5, s * r * 0.5, 0.12}, {0, 0, 0.16}}, 4), 0.016, 8));
-    p.add(wood, tube(curve({{0, 0, p.h * 0.86}, {c * r * 0.6, s * r * 0.6, p.h * 0.86}, {c * r * 0.8, s * r * 0.8, p.h * 0.95}}, 4), 0.011, 8));
-    p.add(wood, tube(curve({{0, 0, p.h * 0.74}, {-s * r * 0.5, c * r * 0.5, p.h * 0.76}, {-s * r * 0.6, c * r * 0.6, p.h * 0.8}}, 4), 0.009, 8));
+    p.add(wood,
+          tube(curve({{0, 0, p.h * 0.86}, {c * r * 0.6, s * r * 0.6, p.h * 0.86}, {c * r * 0.8, s * r * 0.8, p.h * 0.95}}, 4), 0.011, 8));
+    p.add(wood,
+          tube(curve({{0, 0, p.h * 0.74}, {-s * r * 0.5, c * r * 0.5, p.h * 0.76}, {-s * r * 0.6, c * r * 0.6, p.h * 0.8}}, 4), 0.009, 8));
   }
   // One coat, so that one sees what it is for.
   const int coat = p.tinted("wool", p.accent());
-  p.add(coat, lathe({{0, 0}, {0.11, 0}, {0.12, 0.02}, {0.1, 0.5}, {0.06, 0.62}, {0, 0.66}}, 14, 0.6), moved(r * 0.5, -r * 0.5, p.h * 0.86 - 0.62) * turned_z(-45));
+  p.add(coat, lathe({{0, 0}, {0.11, 0}, {0.12, 0.02}, {0.1, 0.5}, {0.06, 0.62}, {0, 0.66}}, 14, 0.6),
+        moved(r * 0.5, -r * 0.5, p.h * 0.86 - 0.62) * turned_z(-45));
   p.fit();
 }
 
 void hanger(Piece& p) {
   const double t = std::min(0.006, p.d / 2.1);
   const int wood = p.main("oak");
-  p.add(wood, tube(curve({{-p.w / 2 + t, 0, t}, {-p.w * 0.2, 0, p.h * 0.38}, {0, 0, p.h * 0.52}, {p.w * 0.2, 0, p.h * 0.38}, {p.w / 2 - t, 0, t}}, 4), t, 8));
+  p.add(wood,
+        tube(curve({{-p.w / 2 + t, 0, t}, {-p.w * 0.2, 0, p.h * 0.38}, {0, 0, p.h * 0.52}, {p.w * 0.2, 0, p.h * 0.38}, {p.w / 2 - t, 0, t}},
+                   4),
+             t, 8));
   p.add(wood, rod({-p.w / 2 + t, 0, t}, {p.w / 2 - t, 0, t}, t * 0.7, 8));
-  p.add(p.named("chrome"), tube(curve({{0, 0, p.h * 0.5}, {0, 0, p.h * 0.72}, {p.h * 0.12, 0, p.h * 0.86}, {0, 0, p.h - t}, {-p.h * 0.1, 0, p.h * 0.88}}, 4), t * 0.5, 6));
+  p.add(p.named("chrome"),
+        tube(curve({{0, 0, p.h * 0.5}, {0, 0, p.h * 0.72}, {p.h * 0.12, 0, p.h * 0.86}, {0, 0, p.h - t}, {-p.h * 0.1, 0, p.h * 0.88}}, 4),
+             t * 0.5, 6));
   p.fit();
 }
 
@@ -69,7 +80,8 @@ void shoe_rack(Piece& p) {
       for (const double dx : {0.0, 0.11}) {
         const double y0 = s.box.min.y + 0.03, y1 = std::min(s.box.max.y - 0.005, y0 + 0.27);
         p.add(leather, rounded_box(sides(x + dx, x + dx + 0.085, y0, y1, s.box.min.z, s.box.min.z + 0.05), 0.02, 2));
-        p.add(leather, rounded_box(sides(x + dx + 0.01, x + dx + 0.075, y0 + (y1 - y0) * 0.55, y1, s.box.min.z + 0.02, s.box.min.z + 0.095), 0.025, 2));
+        p.add(leather, rounded_box(sides(x + dx + 0.01, x + dx + 0.075, y0 + (y1 - y0) * 0.55, y1, s.box.min.z + 0.02, s.box.min.z + 0.095),
+                                   0.025, 2));
       }
     }
   }
@@ -80,10 +92,12 @@ void cubicle(Piece& p) {
   const int cloth = p.main_accent("linen"), top = p.named("lacquer"), metal = p.named("steel");
   double t = side_room(p, 0.05), level = 0.75, under = 0.7;
   for (const FreeSpace& s : p.spaces) (s.carries ? level : under) = s.carries ? s.box.min.z : s.box.max.z;
-  for (const double s : {-1.0, 1.0}) p.add(cloth, box(sides(s > 0 ? p.w / 2 - t : -p.w / 2, s > 0 ? p.w / 2 : -p.w / 2 + t, -p.d / 2, p.d / 2, 0.05, p.h - 0.02), 0.004));
+  for (const double s : {-1.0, 1.0})
+    p.add(cloth, box(sides(s > 0 ? p.w / 2 - t : -p.w / 2, s > 0 ? p.w / 2 : -p.w / 2 + t, -p.d / 2, p.d / 2, 0.05, p.h - 0.02), 0.004));
   p.add(cloth, box(sides(-p.w / 2 + t, p.w / 2 - t, p.d / 2 - t, p.d / 2, 0.05, p.h - 0.02), 0.004));
   for (const double s : {-1.0, 1.0}) {
-    for (const auto& [z0, z1] : {std::pair{0.0, 0.05}, {p.h - 0.02, p.h}}) p.add(metal, box(sides(s > 0 ? p.w / 2 - t : -p.w / 2, s > 0 ? p.w / 2 : -p.w / 2 + t, -p.d / 2, p.d / 2, z0, z1), 0.002));
+    for (const auto& [z0, z1] : {std::pair{0.0, 0.05}, {p.h - 0.02, p.h}})
+      p.add(metal, box(sides(s > 0 ? p.w / 2 - t : -p.w / 2, s > 0 ? p.w / 2 : -p.w / 2 + t, -p.d / 2, p.d / 2, z0, z1), 0.002));
   }
   p.add(top, box(sides(-p.w / 2 + t, p.w / 2 - t, -p.d / 2 + p.d * 0.4, p.d / 2 - t, level - std::min(0.03, level - under), level), 0.004));
 }
@@ -112,7 +126,9 @@ void pillar(Piece& p) {
   const double r = p.w / 2, cap = std::min(0.12, p.h * 0.06);
   if (p.word("top", "rect") == "round" || p.says("round") || p.says("column")) {
     p.add(stone, box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, 0, cap), 0.008));
-    p.add(stone, lathe({{0, cap}, {r * 0.92, cap}, {r * 0.86, cap * 1.6}, {r * 0.8, p.h - cap * 1.8}, {r * 0.92, p.h - cap}, {0, p.h - cap}}, 32), scaled(1, p.d / p.w, 1));
+    p.add(stone,
+          lathe({{0, cap}, {r * 0.92, cap}, {r * 0.86, cap * 1.6}, {r * 0.8, p.h - cap * 1.8}, {r * 0.92, p.h - cap}, {0, p.h - cap}}, 32),
+          scaled(1, p.d / p.w, 1));
     p.add(stone, box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, p.h - cap, p.h), 0.008));
     return;
   }
@@ -135,7 +151,10 @@ void door(Piece& p) {
   const double t = std::min(0.045, p.d * 0.7), out = (p.d - t) / 2;
   p.add(leaf_surface, box(sides(-p.w / 2, p.w / 2, -t / 2, t / 2, 0, p.h), 0.004));
   for (const double s : {-1.0, 1.0}) {
-    for (const auto& [z0, z1] : {std::pair{0.1, 0.42}, {0.5, 0.94}}) p.add(leaf_surface, box(sides(-p.w * 0.34, p.w * 0.34, s > 0 ? t / 2 - 0.002 : -t / 2 - std::min(0.006, out), s > 0 ? t / 2 + std::min(0.006, out) : -t / 2 + 0.002, p.h * z0, p.h * z1), 0.003));
+    for (const auto& [z0, z1] : {std::pair{0.1, 0.42}, {0.5, 0.94}})
+      p.add(leaf_surface, box(sides(-p.w * 0.34, p.w * 0.34, s > 0 ? t / 2 - 0.002 : -t / 2 - std::min(0.006, out),
+                                    s > 0 ? t / 2 + std::min(0.006, out) : -t / 2 + 0.002, p.h * z0, p.h * z1),
+                              0.003));
     p.add(p.named("steel"), rod({p.w * 0.42, s * t / 2, p.h * 0.49}, {p.w * 0.42, s * p.d / 2, p.h * 0.49}, 0.012, 10));
   }
 }

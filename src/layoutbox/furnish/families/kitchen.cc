@@ -16,8 +16,10 @@ void counter(Piece& p) {
   // A knee room along one side stays open: the body stands behind or before it.
   for (const FreeSpace& s : p.spaces) {
     if (s.box.min.z > 0.01 || under <= 0) continue;
-    if (s.box.max.y < 0.35 * p.d) front = std::max(front, s.box.max.y);
-    else back = std::min(back, s.box.min.y);
+    if (s.box.max.y < 0.35 * p.d)
+      front = std::max(front, s.box.max.y);
+    else
+      back = std::min(back, s.box.min.y);
   }
   if (back - front < 0.05) {
     p.legs(p.frame("steel"), p.h - slab_thick, 0.05, 0.02);
@@ -38,7 +40,8 @@ void fridge(Piece& p) {
   const bool wide = p.w > 0.85;
   const auto door = [&](double x0, double x1, double z0, double z1, bool handle_right) {
     p.add(steel, rounded_box(sides(x0 + 0.002, x1 - 0.002, -p.d / 2 + 0.03, -p.d / 2 + 0.08, z0 + 0.003, z1 - 0.003), 0.01, 2));
-    const double x = handle_right ? x1 - 0.05 : x0 + 0.05, len = std::min(0.5, (z1 - z0) * 0.6), z = z0 > 0.3 ? z0 + len * 0.6 + 0.03 : z1 - len * 0.6;
+    const double x = handle_right ? x1 - 0.05 : x0 + 0.05, len = std::min(0.5, (z1 - z0) * 0.6),
+                 z = z0 > 0.3 ? z0 + len * 0.6 + 0.03 : z1 - len * 0.6;
     handle(p, bar, Handle::kVertical, {x, -p.d / 2 + 0.03, z}, len, 0.03);
   };
   if (wide) {
@@ -62,7 +65,8 @@ void burners(Piece& p, double level, double room) {
   for (const double x : {-0.24, 0.24}) {
     for (const double y : {-0.2, 0.22}) {
       const double r = std::min(p.w, p.d) * (x * y > 0 ? 0.16 : 0.12);
-      p.add(black, lathe({{r * 0.8, 0}, {r, 0}, {r, room * 0.6}, {r * 0.8, room * 0.6}, {r * 0.8, 0}}, 28), moved(x * p.w, y * p.d, level + room * 0.4));
+      p.add(black, lathe({{r * 0.8, 0}, {r, 0}, {r, room * 0.6}, {r * 0.8, room * 0.6}, {r * 0.8, 0}}, 28),
+            moved(x * p.w, y * p.d, level + room * 0.4));
     }
   }
 }
@@ -106,7 +110,8 @@ void washing_machine(Piece& p) {
   const int body = p.main("painted_metal"), chrome = p.named("chrome"), glass = p.named("screen"), dark = p.named("grey_plastic");
   const double face = -p.d / 2 + 0.035, r = std::min(p.w * 0.34, p.h * 0.24), z = p.h * 0.45;
   machine_body(p, body, sides(-p.w / 2, p.w / 2, face, p.d / 2, 0, p.h), 0.012);
-  p.add(chrome, lathe({{r * 0.76, 0}, {r, 0}, {r, 0.02}, {r * 0.9, 0.033}, {r * 0.76, 0.033}, {r * 0.76, 0}}, 36), aimed({0, face + 0.002, z}, {0, -1, 0}));
+  p.add(chrome, lathe({{r * 0.76, 0}, {r, 0}, {r, 0.02}, {r * 0.9, 0.033}, {r * 0.76, 0.033}, {r * 0.76, 0}}, 36),
+        aimed({0, face + 0.002, z}, {0, -1, 0}));
   p.add(glass, lathe({{0, 0}, {r * 0.77, 0}, {r * 0.77, 0.02}, {r * 0.4, 0.037}, {0, 0.037}}, 32), aimed({0, face + 0.002, z}, {0, -1, 0}));
   p.add(dark, box(sides(-p.w * 0.44, -p.w * 0.12, face - 0.004, face + 0.004, p.h * 0.87, p.h * 0.95), 0.002));
   dial(p, chrome, {p.w * 0.05, face + 0.001, p.h * 0.91}, std::min(0.03, p.h * 0.035), 0.02);
@@ -117,7 +122,8 @@ void microwave(Piece& p) {
   const int body = p.main("black_plastic"), glass = p.named("screen");
   const double face = -p.d / 2 + 0.03, foot = p.h * 0.04;
   p.add(body, box(sides(-p.w / 2, p.w / 2, face, p.d / 2, foot, p.h), 0.006));
-  for (const double x : {-0.38, 0.38}) p.add(p.named("black_plastic"), box(sides(x * p.w - p.w * 0.04, x * p.w + p.w * 0.04, -p.d * 0.3, p.d * 0.4, 0, foot + 0.002), 0));
+  for (const double x : {-0.38, 0.38})
+    p.add(p.named("black_plastic"), box(sides(x * p.w - p.w * 0.04, x * p.w + p.w * 0.04, -p.d * 0.3, p.d * 0.4, 0, foot + 0.002), 0));
   p.add(p.named("steel"), box(sides(-p.w / 2 + 0.004, p.w * 0.24, face - 0.008, face + 0.002, foot + 0.006, p.h - 0.006), 0.003));
   p.add(glass, box(sides(-p.w / 2 + 0.04, p.w * 0.17, face - 0.011, face, p.h * 0.2, p.h * 0.85), 0.002));
   handle(p, p.named("chrome"), Handle::kVertical, {p.w * 0.205, face - 0.006, p.h * 0.52}, p.h * 0.6, 0.024);
@@ -132,7 +138,9 @@ void tap(Piece& p, double y, double z, double tall, double reach) {
   const int chrome = p.named("chrome");
   const double r = 0.009;
   p.add(chrome, cylinder({0, y, z}, 0.02, 0.02, 14));
-  p.add(chrome, tube(curve({{0, y, z + 0.01}, {0, y, z + tall * 0.7}, {0, y - reach * 0.4, z + tall - r}, {0, y - reach, z + tall * 0.6}}, 5), r, 8));
+  p.add(
+      chrome,
+      tube(curve({{0, y, z + 0.01}, {0, y, z + tall * 0.7}, {0, y - reach * 0.4, z + tall - r}, {0, y - reach, z + tall * 0.6}}, 5), r, 8));
   p.add(chrome, ellipsoid({0, y - reach * 0.4, z + tall - r}, {r, r, r}, 10, 6));
   for (const double s : {-1.0, 1.0}) p.add(chrome, rod({s * 0.07, y, z}, {s * 0.07, y, z + std::min(0.04, tall * 0.6)}, 0.014, 10));
 }
@@ -141,7 +149,10 @@ void urinal(Piece& p) {
   const int ceramic = p.main("ceramic");
   p.add(ceramic, rounded_box(sides(-p.w * 0.42, p.w * 0.42, p.d / 2 - std::min(0.08, p.d * 0.3), p.d / 2, p.h * 0.1, p.h), 0.03, 3));
   p.add(ceramic, rounded_box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, 0, p.h * 0.34), std::min(p.w, p.d) * 0.3, 4));
-  for (const double s : {-1.0, 1.0}) p.add(ceramic, rounded_box(sides(s > 0 ? p.w * 0.36 : -p.w / 2, s > 0 ? p.w / 2 : -p.w * 0.36, -p.d * 0.1, p.d / 2 - 0.01, p.h * 0.15, p.h * 0.97), 0.03, 3));
+  for (const double s : {-1.0, 1.0})
+    p.add(ceramic, rounded_box(sides(s > 0 ? p.w * 0.36 : -p.w / 2, s > 0 ? p.w / 2 : -p.w * 0.36, -p.d * 0.1, p.d / 2 - 0.01, p.h * 0.15,
+                                     p.h * 0.97),
+                               0.03, 3));
   p.add(p.named("chrome"), cylinder({0, p.d / 2 - 0.04, p.h - 0.012}, 0.02, 0.012, 14));
 }
 
@@ -168,7 +179,8 @@ void sink(Piece& p) {
     p.add(p.named("black_plastic"), box(sides(-x + 0.03, x - 0.03, -y + 0.06, y - 0.002, 0, 0.08), 0));
     return;
   }
-  p.add(ceramic, lathe({{0, 0}, {0.13, 0}, {0.12, 0.03}, {0.075, 0.25}, {0.08, body * 0.7}, {0.14, body + 0.005}, {0, body + 0.005}}, 24), moved(0, p.d * 0.1, 0));
+  p.add(ceramic, lathe({{0, 0}, {0.13, 0}, {0.12, 0.03}, {0.075, 0.25}, {0.08, body * 0.7}, {0.14, body + 0.005}, {0, body + 0.005}}, 24),
+        moved(0, p.d * 0.1, 0));
 }
 
 }  // namespace

@@ -10,7 +10,8 @@ namespace {
 // A hollow shade round the z axis, elliptical where width and depth differ.
 void shade(Piece& p, int surface, double r_below, double r_above, double z0, double z1) {
   const double t = 0.004;
-  p.add(surface, lathe({{r_below - t, z0}, {r_below, z0}, {r_above, z1}, {r_above - t, z1}, {r_below - t, z0}}, 36), scaled(1, p.d / p.w, 1));
+  p.add(surface, lathe({{r_below - t, z0}, {r_below, z0}, {r_above, z1}, {r_above - t, z1}, {r_below - t, z0}}, 36),
+        scaled(1, p.d / p.w, 1));
 }
 
 // A foot at the left, and a bow that carries the shade over to the right.
@@ -21,10 +22,27 @@ void arc_lamp(Piece& p) {
   for (const FreeSpace& s : p.spaces) foot = std::min(foot, (s.box.min.x + p.w / 2) / 2);
   const double x0 = -p.w / 2 + foot, x1 = p.w / 2 - r, z = std::max(level, p.h - tall - 0.1), pipe = 0.012;
   p.add(metal, lathe({{0, 0}, {foot, 0}, {foot, 0.03}, {foot * 0.95, 0.04}, {0, 0.04}}, 28), moved(x0, 0, 0));
-  p.add(metal, tube(curve({{x0, 0, 0.03}, {x0 - foot * 0.15, 0, p.h * 0.7}, {x0 + (x1 - x0) * 0.25, 0, p.h - pipe - 0.09}, {x0 + (x1 - x0) * 0.55, 0, p.h - pipe}, {x0 + (x1 - x0) * 0.85, 0, p.h - pipe - 0.06}, {x1, 0, z + tall}}, 6), pipe, 8));
+  p.add(metal, tube(curve({{x0, 0, 0.03},
+                           {x0 - foot * 0.15, 0, p.h * 0.7},
+                           {x0 + (x1 - x0) * 0.25, 0, p.h - pipe - 0.09},
+                           {x0 + (x1 - x0) * 0.55, 0, p.h - pipe},
+                           {x0 + (x1 - x0) * 0.85, 0, p.h - pipe - 0.06},
+                           {x1, 0, z + tall}},
+                          6),
+                    pipe, 8));
   const Vec top{x0 + (x1 - x0) * 0.55, 0, p.h - pipe};
   p.add(metal, ellipsoid(top, {pipe, pipe, pipe}, 12, 6));
-  p.add(cloth, lathe({{r - 0.004, z}, {r, z}, {r * 0.6, z + tall * 0.8}, {0.02, z + tall}, {0, z + tall}, {0, z + tall - 0.004}, {r * 0.58, z + tall * 0.78}, {r - 0.004, z}}, 32), moved(x1, 0, 0) * scaled(1, p.d / 2 / r, 1));
+  p.add(cloth,
+        lathe({{r - 0.004, z},
+               {r, z},
+               {r * 0.6, z + tall * 0.8},
+               {0.02, z + tall},
+               {0, z + tall},
+               {0, z + tall - 0.004},
+               {r * 0.58, z + tall * 0.78},
+               {r - 0.004, z}},
+              32),
+        moved(x1, 0, 0) * scaled(1, p.d / 2 / r, 1));
   p.add(p.named("bulb"), ellipsoid({x1, 0, z + tall * 0.4}, {0.035, 0.035, 0.05}, 12, 6));
   p.light({x1, 0, z + tall * 0.3}, 25, 0.08);
 }
@@ -51,7 +69,17 @@ void floor_lamp(Piece& p) {
 void table_lamp(Piece& p) {
   const double r = p.w / 2, tall = p.h * 0.42, k = p.d / p.w, neck = p.h - tall;
   const int base = p.main_accent("ceramic"), cloth = p.named("lampshade"), metal = p.named("brass");
-  p.add(base, lathe({{0, 0}, {r * 0.42, 0}, {r * 0.45, neck * 0.05}, {r * 0.58, neck * 0.35}, {r * 0.52, neck * 0.6}, {r * 0.2, neck * 0.85}, {r * 0.14, neck * 0.95}, {0, neck * 0.95}}, 24), scaled(1, k, 1));
+  p.add(base,
+        lathe({{0, 0},
+               {r * 0.42, 0},
+               {r * 0.45, neck * 0.05},
+               {r * 0.58, neck * 0.35},
+               {r * 0.52, neck * 0.6},
+               {r * 0.2, neck * 0.85},
+               {r * 0.14, neck * 0.95},
+               {0, neck * 0.95}},
+              24),
+        scaled(1, k, 1));
   p.add(metal, cylinder({0, 0, neck * 0.94}, std::min(0.008, r * 0.1), tall * 0.45, 8));
   shade(p, cloth, r, r * 0.68, p.h - tall, p.h);
   p.add(p.named("bulb"), ellipsoid({0, 0, p.h - tall * 0.5}, {r * 0.2, r * 0.2, r * 0.28}, 10, 6));
@@ -74,7 +102,18 @@ void string_light(Piece& p) {
 }
 
 void pendant(Piece& p) {
-  if (p.w > 4 * p.d) return string_light(p);
+  if (p.w > 12 * p.d) return string_light(p);
+  if (p.w > 1.6 * p.d) {
+    // A bar on two cords.
+    const int shell = p.frame("black_metal");
+    const double bar = std::min(0.08, p.h * 0.3);
+    p.add(shell, box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, bar * 0.3, bar), 0.006));
+    p.add(p.named("lampshade"), box(sides(-p.w / 2 + 0.01, p.w / 2 - 0.01, -p.d / 2 + 0.01, p.d / 2 - 0.01, 0, bar * 0.4), 0.003));
+    for (const double x : {-0.3, 0.3}) p.add(shell, cylinder({x * p.w, 0, bar - 0.002}, 0.003, p.h - bar - 0.008, 6));
+    p.add(shell, box(sides(-p.w * 0.33, p.w * 0.33, -std::min(0.03, p.d * 0.4), std::min(0.03, p.d * 0.4), p.h - 0.02, p.h), 0.004));
+    for (const double x : {-0.3, 0.0, 0.3}) p.light({x * p.w, 0, -0.02}, 12, 0.05);
+    return;
+  }
   const double r = p.w / 2, tall = std::min({0.3, p.h * 0.6, r * 1.3}), k = p.d / p.w;
   const int metal = p.named("black_metal"), outside = p.main_accent("painted_metal");
   p.add(metal, cylinder({0, 0, p.h - std::min(0.03, p.h * 0.1)}, std::min(0.05, r * 0.5), std::min(0.03, p.h * 0.1), 20));
@@ -95,7 +134,8 @@ void pendant(Piece& p) {
   profile.insert(profile.end(), inside.begin(), inside.end());
   profile.push_back(profile.front());
   p.add(outside, lathe(profile, 32), scaled(1, k, 1));
-  p.add(p.named("bulb"), ellipsoid({0, 0, tall * 0.45}, {std::min(0.045, r * 0.3), std::min(0.045, r * 0.3), std::min(0.05, tall * 0.3)}, 14, 8));
+  p.add(p.named("bulb"),
+        ellipsoid({0, 0, tall * 0.45}, {std::min(0.045, r * 0.3), std::min(0.045, r * 0.3), std::min(0.05, tall * 0.3)}, 14, 8));
   p.light({0, 0, std::max(0.02, tall * 0.1)}, 30, 0.06);
 }
 
@@ -105,11 +145,14 @@ void chandelier(Piece& p) {
   const double body = std::min(p.h * 0.55, r * 1.1);
   p.add(metal, cylinder({0, 0, p.h - 0.03}, std::min(0.06, r * 0.4), 0.03, 20));
   p.add(metal, cylinder({0, 0, body * 0.6}, 0.008, p.h - body * 0.6, 8));
-  p.add(metal, lathe({{0, 0}, {0.03, 0.02}, {0.05, body * 0.2}, {0.02, body * 0.35}, {0.04, body * 0.5}, {0.012, body * 0.65}, {0, body * 0.65}}, 18));
+  p.add(metal,
+        lathe({{0, 0}, {0.03, 0.02}, {0.05, body * 0.2}, {0.02, body * 0.35}, {0.04, body * 0.5}, {0.012, body * 0.65}, {0, body * 0.65}},
+              18));
   const int n = std::max(4, (p.count("arms", p.w > 0.5 ? 8 : 4) + 3) / 4 * 4);  // a multiple of four reaches all four sides
   for (int i = 0; i < n; ++i) {
     const double a = 2 * kPi * i / n, c = std::cos(a), s = std::sin(a) * k, e = r - 0.026;
-    p.add(metal, tube(curve({{0.03 * c, 0.03 * s, body * 0.4}, {e * 0.5 * c, e * 0.5 * s, body * 0.18}, {e * c, e * s, body * 0.4}}, 5), 0.007, 7));
+    p.add(metal, tube(curve({{0.03 * c, 0.03 * s, body * 0.4}, {e * 0.5 * c, e * 0.5 * s, body * 0.18}, {e * c, e * s, body * 0.4}}, 5),
+                      0.007, 7));
     p.add(metal, lathe({{0, 0}, {0.024, 0.012}, {0.026, 0.016}, {0, 0.016}}, 12), moved(e * c, e * s, body * 0.4));
     p.add(wax, cylinder({e * c, e * s, body * 0.4 + 0.014}, 0.011, 0.06, 10));
     p.add(glow, ellipsoid({e * c, e * s, body * 0.4 + 0.095}, {0.014, 0.014, 0.025}, 8, 6));
@@ -122,14 +165,23 @@ void wall_lamp(Piece& p) {
   const double r = std::min(p.w / 2, p.d * 0.45), y = -p.d / 2 + r;
   p.add(metal, box(sides(-std::min(0.05, p.w * 0.35), std::min(0.05, p.w * 0.35), p.d / 2 - 0.015, p.d / 2, 0, std::min(p.h, 0.2)), 0.004));
   p.add(metal, tube(curve({{0, p.d / 2 - 0.01, p.h * 0.25}, {0, p.d / 4, p.h * 0.15}, {0, y, p.h * 0.3}}, 5), 0.007, 8));
-  p.add(cloth, lathe({{0, p.h * 0.35}, {p.w / 2, p.h * 0.35}, {p.w * 0.32, p.h}, {0, p.h}}, 28), moved(0, y, 0) * scaled(1, 2 * r / p.w, 1));
+  p.add(cloth, lathe({{0, p.h * 0.35}, {p.w / 2, p.h * 0.35}, {p.w * 0.32, p.h}, {0, p.h}}, 28),
+        moved(0, y, 0) * scaled(1, 2 * r / p.w, 1));
   p.light({0, y - r * 0.2, p.h * 0.7}, 10, 0.05);
 }
 
 void ceiling_lamp(Piece& p) {
+  if (p.w > 1.6 * p.d || p.d > 1.6 * p.w) {
+    p.add(p.frame("painted_metal"), box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, p.h * 0.45, p.h), 0.006));
+    p.add(p.named("lampshade"),
+          rounded_box(sides(-p.w / 2 + 0.01, p.w / 2 - 0.01, -p.d / 2 + 0.01, p.d / 2 - 0.01, 0, p.h * 0.5), std::min(p.h * 0.2, 0.02), 3));
+    p.light({0, 0, -0.02}, 35, 0.12);
+    return;
+  }
   const double r = p.w / 2, k = p.d / p.w;
   p.add(p.frame("steel"), lathe({{0, p.h * 0.7}, {r * 0.96, p.h * 0.7}, {r, p.h * 0.75}, {r, p.h}, {0, p.h}}, 36), scaled(1, k, 1));
-  p.add(p.named("lampshade"), lathe({{0, 0}, {r * 0.5, p.h * 0.1}, {r * 0.82, p.h * 0.35}, {r * 0.94, p.h * 0.7}, {0, p.h * 0.7}}, 36), scaled(1, k, 1));
+  p.add(p.named("lampshade"), lathe({{0, 0}, {r * 0.5, p.h * 0.1}, {r * 0.82, p.h * 0.35}, {r * 0.94, p.h * 0.7}, {0, p.h * 0.7}}, 36),
+        scaled(1, k, 1));
   p.light({0, 0, -0.02}, 35, 0.12);
 }
 

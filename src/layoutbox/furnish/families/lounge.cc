@@ -26,7 +26,8 @@ void ottoman(Piece& p) {
       const double a = kPi * (0.5 + 2.0 * i / 3);
       p.add(p.frame("oak"), cone({std::cos(a) * r * 0.7, std::sin(a) * r * 0.7 * p.d / p.w, 0}, 0.014, 0.02, foot + 0.01, 12));
     }
-    p.add(cloth, lathe({{0, foot}, {r - e, foot}, {r, foot + e}, {r, p.h - e}, {r - e * 0.3, p.h - e * 0.25}, {r - e, p.h}, {0, p.h}}, 36), scaled(1, p.d / p.w, 1));
+    p.add(cloth, lathe({{0, foot}, {r - e, foot}, {r, foot + e}, {r, p.h - e}, {r - e * 0.3, p.h - e * 0.25}, {r - e, p.h}, {0, p.h}}, 36),
+          scaled(1, p.d / p.w, 1));
     return;
   }
   p.legs(p.frame("oak"), foot, 0.045, 0.04, true, 0.65);
@@ -43,7 +44,7 @@ void hammock(Piece& p) {
   const double a = (along ? p.w : p.d) / 2, b = (along ? p.d : p.w) / 2;
   const Pose turn = along ? Pose{} : turned_z(90);
   for (const double s : {-1.0, 1.0}) {
-    p.add(wood, beam({s * a * 0.15, 0, 0.03}, {s * (a - 0.04), 0, p.h - 0.03}, {0.06, 0.06}, 0.008), turn);
+    p.add(wood, tube(curve({{s * a * 0.15, 0, 0.06}, {s * a * 0.72, 0, 0.12}, {s * (a - 0.04), 0, p.h - 0.01}}, 5), 0.035, 10), turn);
     p.add(wood, box(sides(s * a * 0.45 - 0.03, s * a * 0.45 + 0.03, -b, b, 0, 0.05), 0.008), turn);
     p.add(p.named("linen"), rod({s * (a - 0.05), 0, p.h - 0.04}, {s * a * 0.72, 0, p.h * 0.46}, 0.008, 6), turn);
     p.add(wood, rod({s * a * 0.72, -b * 0.85, p.h * 0.46}, {s * a * 0.72, b * 0.85, p.h * 0.46}, 0.015, 8), turn);
@@ -69,10 +70,13 @@ void swing(Piece& p) {
     const double back = seat != nullptr ? seat->box.max.y : p.d * 0.3, top = seat != nullptr ? seat->box.max.z : p.h * 0.5;
     p.add(shell, rounded_box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, 0, level - 0.06), std::min(0.12, level * 0.45), 4));
     p.add(p.named("cotton"), cushion(sides(-p.w * 0.4, p.w * 0.4, -p.d * 0.45, back, level - 0.07, level), 0.03));
-    p.add(shell, rounded_box(sides(-p.w / 2 + 0.01, p.w / 2 - 0.01, back, p.d / 2 - 0.005, level * 0.4, top), std::min(0.05, (p.d / 2 - back) * 0.4), 3));
+    p.add(shell, rounded_box(sides(-p.w / 2 + 0.01, p.w / 2 - 0.01, back, p.d / 2 - 0.005, level * 0.4, top),
+                             std::min(0.05, (p.d / 2 - back) * 0.4), 3));
     for (const double s : {-1.0, 1.0}) {
-      p.add(shell, tube(curve({{s * x, -p.d * 0.3, level * 0.6}, {s * x, p.d * 0.1, top * 0.75}, {s * x, p.d / 2 - 0.03, top}}, 5), 0.018, 8));
-      p.add(rope, tube({{s * x, p.d / 2 - 0.04, top * 0.97}, {s * x * 0.5, p.d * 0.25, top + (p.h - top) * 0.4}, {0, 0, p.h - 0.05}}, 0.008, 6));
+      p.add(shell,
+            tube(curve({{s * x, -p.d * 0.3, level * 0.6}, {s * x, p.d * 0.1, top * 0.75}, {s * x, p.d / 2 - 0.03, top}}, 5), 0.018, 8));
+      p.add(rope,
+            tube({{s * x, p.d / 2 - 0.04, top * 0.97}, {s * x * 0.5, p.d * 0.25, top + (p.h - top) * 0.4}, {0, 0, p.h - 0.05}}, 0.008, 6));
     }
     p.add(p.named("black_metal"), cylinder({0, 0, p.h - 0.06}, 0.04, 0.06, 18));
     return;
@@ -93,7 +97,9 @@ void pet_bed(Piece& p) {
   const double level = in != nullptr ? in->box.min.z : p.h * 0.45, x = p.w / 2, y = p.d / 2, r = std::min({t, ty, p.h}) * 0.45;
   for (const double s : {-1.0, 1.0}) {
     p.add(cloth, rounded_box(sides(s > 0 ? x - t : -x, s > 0 ? x : -x + t, -y, y, 0, p.h), r, 4));
-    p.add(cloth, rounded_box(sides(-x + t * 0.5, x - t * 0.5, s > 0 ? y - ty : -y, s > 0 ? y : -y + ty, 0, s > 0 ? p.h : std::max(level, p.h * 0.75)), r, 4));
+    p.add(cloth, rounded_box(sides(-x + t * 0.5, x - t * 0.5, s > 0 ? y - ty : -y, s > 0 ? y : -y + ty, 0,
+                                   s > 0 ? p.h : std::max(level, p.h * 0.75)),
+                             r, 4));
   }
   p.add(pad, cushion(sides(-x + t * 0.8, x - t * 0.8, -y + ty * 0.8, y - ty * 0.8, 0.01, level), 0.03));
 }
@@ -107,7 +113,8 @@ void cat_tree(Piece& p) {
   p.add(fur, box(sides(-p.w / 2, p.w * 0.1, -p.d * 0.2, p.d / 2, p.h - 0.04, p.h), 0.01));
   p.add(fur, box(sides(-p.w * 0.05, p.w / 2, -p.d / 2, p.d * 0.25, p.h * 0.55, p.h * 0.55 + 0.04), 0.01));
   p.add(fur, box(sides(-p.w / 2 + 0.02, p.w * 0.02, -p.d * 0.3, p.d / 2 - 0.02, p.h * 0.2, p.h * 0.42), 0.015));
-  p.add(p.named("black_plastic"), lathe({{0, 0}, {p.h * 0.075, 0}, {p.h * 0.075, 0.004}, {0, 0.004}}, 20), aimed({-p.w * 0.23, -p.d * 0.3 + 0.002, p.h * 0.31}, {0, -1, 0}));
+  p.add(p.named("black_plastic"), lathe({{0, 0}, {p.h * 0.075, 0}, {p.h * 0.075, 0.004}, {0, 0.004}}, 20),
+        aimed({-p.w * 0.23, -p.d * 0.3 + 0.002, p.h * 0.31}, {0, -1, 0}));
 }
 
 }  // namespace

@@ -41,20 +41,24 @@ void piano(Piece& p) {
   }
   p.add(wood, box(sides(-p.w / 2 + in, p.w / 2 - in, -p.d / 2 + 0.01, front, key_z - 0.08, key_z - 0.015), 0.004));
   keys(p, -p.w / 2 + in, p.w / 2 - in, -p.d / 2 + 0.02, std::min(0.15, p.d - body - 0.02), key_z + 0.004);
-  p.add(p.named("paper"), box(sides(-0.2, 0.2, front - 0.01, front - 0.004, key_z + 0.12, std::min(p.h - 0.03, key_z + 0.36)), 0));
+  if (p.h > key_z + 0.2)
+    p.add(p.named("paper"), box(sides(-0.2, 0.2, front - 0.01, front - 0.004, key_z + 0.12, std::min(p.h - 0.03, key_z + 0.36)), 0));
   if (p.spaces.empty()) {
-    for (const double x : {-0.08, 0.0, 0.08}) p.add(p.named("brass"), box(sides(x - 0.012, x + 0.012, front - 0.09, front, 0.03, 0.045), 0.003));
+    for (const double x : {-0.08, 0.0, 0.08})
+      p.add(p.named("brass"), box(sides(x - 0.012, x + 0.012, front - 0.09, front, 0.03, 0.045), 0.003));
   }
 }
 
 void grand_piano(Piece& p) {
   const int wood = p.main("ebony");
   const double lid_closed = p.h * 0.98, low = p.h * 0.62, key_z = p.h * 0.72, x = p.w / 2, y = p.d / 2;
-  const std::vector<Vec2> outline{{-x, -y + 0.22}, {x, -y + 0.22}, {x, y * 0.1}, {x * 0.82, y * 0.35}, {x * 0.45, y * 0.55}, {x * 0.18, y * 0.8}, {-x * 0.15, y * 0.97}, {-x * 0.5, y}, {-x * 0.85, y * 0.93}, {-x, y * 0.75}};
+  const std::vector<Vec2> outline{{-x, -y + 0.22},     {x, -y + 0.22},        {x, y * 0.1},  {x * 0.82, y * 0.35},  {x * 0.45, y * 0.55},
+                                  {x * 0.18, y * 0.8}, {-x * 0.15, y * 0.97}, {-x * 0.5, y}, {-x * 0.85, y * 0.93}, {-x, y * 0.75}};
   p.add(wood, prism(outline, low, lid_closed - 0.03, true));
   p.add(wood, prism(outline, lid_closed - 0.028, p.h, true));
   p.add(wood, box(sides(-x, x, -y, -y + 0.24, low, key_z - 0.02), 0.008));
-  for (const double s : {-1.0, 1.0}) p.add(wood, box(sides(s > 0 ? x - 0.06 : -x, s > 0 ? x : -x + 0.06, -y, -y + 0.24, key_z - 0.03, key_z + 0.06), 0.01));
+  for (const double s : {-1.0, 1.0})
+    p.add(wood, box(sides(s > 0 ? x - 0.06 : -x, s > 0 ? x : -x + 0.06, -y, -y + 0.24, key_z - 0.03, key_z + 0.06), 0.01));
   keys(p, -x + 0.06, x - 0.06, -y + 0.02, 0.15, key_z);
   for (const Vec2 at : {Vec2{-x * 0.82, -y + 0.3}, Vec2{x * 0.82, -y + 0.3}, Vec2{-x * 0.45, y * 0.7}}) {
     p.add(wood, lathe({{0, 0}, {0.03, 0}, {0.035, 0.05}, {0.05, low * 0.5}, {0.07, low}, {0, low}}, 14), moved(at.x, at.y, 0));
@@ -68,8 +72,12 @@ void guitar(Piece& p) {
   // Made 1 m high, standing, and fitted: two round bouts, neck, head.
   std::vector<Vec2> outline;
   for (int i = 0; i < 40; ++i) {
-    const double a = 2 * kPi * i / 40 - kPi / 2, lower = std::sin(a) < 0 ? 1.0 : 0.0, waist = 1 - 0.22 * std::exp(-std::pow((std::sin(a) - 0.25) / 0.28, 2));
-    outline.push_back({std::cos(a) * (0.19 - 0.03 * (1 - lower)) * waist, 0.24 + std::sin(a) * 0.24});
+    // Half width over height: a wide lower bout, a waist, a narrower upper bout, round at both ends.
+    const double a = 2 * kPi * i / 40 - kPi / 2, up = std::sin(a), end = std::pow(std::abs(std::cos(a)), 0.6);
+    const double half = up < -0.2   ? 0.19
+                        : up < 0.25 ? 0.19 - 0.055 * std::sin((up + 0.2) / 0.45 * kPi / 2)
+                                    : 0.135 + 0.02 * std::sin((up - 0.25) / 0.75 * kPi);
+    outline.push_back({(std::cos(a) < 0 ? -1 : 1) * end * half, 0.24 + up * 0.24});
   }
   const Pose upright{{1, 0, 0}, {0, 0, 1}, {0, -1, 0}, {}};
   p.add(wood, prism(outline, -0.045, 0.045, true), upright);
@@ -79,7 +87,8 @@ void guitar(Piece& p) {
   p.add(neck, box(sides(-0.07, 0.07, -0.056, -0.044, 0.12, 0.145), 0.003));
   for (int i = -2; i <= 3; ++i) p.add(p.named("chrome"), box(sides(0.008 * i - 0.005, 0.008 * i - 0.0035, -0.0645, -0.063, 0.13, 0.9), 0));
   for (int i = 0; i < 3; ++i) {
-    for (const double s : {-1.0, 1.0}) p.add(p.named("chrome"), rod({s * 0.038, -0.05, 0.89 + 0.035 * i}, {s * 0.06, -0.05, 0.89 + 0.035 * i}, 0.006, 8));
+    for (const double s : {-1.0, 1.0})
+      p.add(p.named("chrome"), rod({s * 0.038, -0.05, 0.89 + 0.035 * i}, {s * 0.06, -0.05, 0.89 + 0.035 * i}, 0.006, 8));
   }
   if (p.mount() == Mount::kFloor) {
     for (const double s : {-1.0, 1.0}) p.add(dark, tube({{s * 0.12, -0.1, 0.005}, {s * 0.06, 0.06, 0.1}, {0, 0.1, 0.3}}, 0.008, 6));
@@ -106,12 +115,14 @@ void drum_kit(Piece& p) {
   for (const Vec& foot : {Vec{0.55, 0.15, 0}, Vec{-0.45, 0.2, 0}}) {
     for (int i = 0; i < 3; ++i) {
       const double a = 2 * kPi * i / 3;
-      p.add(chrome, rod(foot + Vec{std::cos(a) * 0.19, std::sin(a) * 0.19, 0}, foot + Vec{std::cos(a) * 0.1, std::sin(a) * 0.1, 0.5}, 0.008, 6));
+      p.add(chrome,
+            rod(foot + Vec{std::cos(a) * 0.19, std::sin(a) * 0.19, 0}, foot + Vec{std::cos(a) * 0.1, std::sin(a) * 0.1, 0.5}, 0.008, 6));
     }
   }
   for (const Vec& c : {Vec{-0.65, -0.2, 1.05}, Vec{0.6, -0.3, 1.15}, Vec{-0.72, 0.25, 0.85}}) {
     p.add(chrome, rod({c.x, c.y, 0}, c, 0.01, 8));
-    for (int i = 0; i < 3; ++i) p.add(chrome, rod({c.x + std::cos(2.1 * i) * 0.16, c.y + std::sin(2.1 * i) * 0.16, 0}, {c.x, c.y, 0.25}, 0.007, 6));
+    for (int i = 0; i < 3; ++i)
+      p.add(chrome, rod({c.x + std::cos(2.1 * i) * 0.16, c.y + std::sin(2.1 * i) * 0.16, 0}, {c.x, c.y, 0.25}, 0.007, 6));
     p.add(brass, lathe({{0, 0}, {0.2, -0.012}, {0.2, -0.008}, {0.05, 0.008}, {0.03, 0.022}, {0, 0.025}}, 26), moved(c) * turned_x(-10));
   }
   p.add(p.named("black_leather"), cylinder({0, 0.5, 0.45}, 0.16, 0.07, 22));

@@ -12,7 +12,8 @@ void slab(Piece& p, int surface, const Box& b, std::string_view top, double beve
   }
   const Vec c = b.center(), s = b.size();
   const double r = s.x / 2, e = std::min(bevel, s.z * 0.3);
-  p.add(surface, lathe({{0, 0}, {r - e, 0}, {r, e}, {r, s.z - e}, {r - e, s.z}, {0, s.z}}, 40), moved(c.x, c.y, b.min.z) * scaled(1, s.y / s.x, 1));
+  p.add(surface, lathe({{0, 0}, {r - e, 0}, {r, e}, {r, s.z - e}, {r - e, s.z}, {0, s.z}}, 40),
+        moved(c.x, c.y, b.min.z) * scaled(1, s.y / s.x, 1));
 }
 
 double side_room(const Piece& p, double most) {
@@ -25,14 +26,16 @@ void handle(Piece& p, int surface, Handle kind, Vec at, double size, double out)
   if (kind == Handle::kNone) return;
   if (kind == Handle::kKnob) {
     const double r = std::min(0.014, size / 2);
-    p.add(surface, lathe({{0, 0}, {r * 0.5, 0}, {r * 0.5, out * 0.4}, {r, out * 0.6}, {r * 0.8, out}, {0, out}}, 12), aimed(at, {0, -1, 0}));
+    p.add(surface, lathe({{0, 0}, {r * 0.5, 0}, {r * 0.5, out * 0.4}, {r, out * 0.6}, {r * 0.8, out}, {0, out}}, 12),
+          aimed(at, {0, -1, 0}));
     return;
   }
   const double half = size / 2, t = std::min(0.01, out / 2), foot = half * 0.8;
   const bool up = kind == Handle::kVertical;
   const auto piece = [&](double a0, double a1, double y0, double y1) {
     const double k = t / 2;
-    p.add(surface, up ? box(sides(at.x - k, at.x + k, y0, y1, at.z + a0, at.z + a1), 0.002) : box(sides(at.x + a0, at.x + a1, y0, y1, at.z - k, at.z + k), 0.002));
+    p.add(surface, up ? box(sides(at.x - k, at.x + k, y0, y1, at.z + a0, at.z + a1), 0.002)
+                      : box(sides(at.x + a0, at.x + a1, y0, y1, at.z - k, at.z + k), 0.002));
   };
   piece(-half, half, at.y - out, at.y - out + t);
   piece(-foot - t / 2, -foot + t / 2, at.y - out + t, at.y);
@@ -75,8 +78,10 @@ class ClosedCells {
     double low = b.max.z, high = b.min.z;
     for (const Box& o : open) low = std::min(low, o.min.z), high = std::max(high, o.max.z);
     double z0 = b.min.z, z1 = b.max.z;
-    if (!open.empty() && b.max.z - high > 0.006) cells.push_back({b.min.x, b.max.x, z1 - std::min(0.022, b.max.z - high), z1}), z1 = cells.back().z0;
-    if (!open.empty() && low - b.min.z > 0.006) cells.push_back({b.min.x, b.max.x, z0, z0 + std::min(0.022, low - b.min.z)}), z0 = cells.back().z1;
+    if (!open.empty() && b.max.z - high > 0.006)
+      cells.push_back({b.min.x, b.max.x, z1 - std::min(0.022, b.max.z - high), z1}), z1 = cells.back().z0;
+    if (!open.empty() && low - b.min.z > 0.006)
+      cells.push_back({b.min.x, b.max.x, z0, z0 + std::min(0.022, low - b.min.z)}), z0 = cells.back().z1;
     xs_ = {b.min.x, b.max.x};
     zs_ = {z0, z1};
     for (const Box& o : open) {
@@ -94,7 +99,8 @@ class ClosedCells {
     for (std::size_t i = 0; i < nx_; ++i) {
       for (std::size_t j = 0; j < nz_; ++j) {
         const double x = (xs_[i] + xs_[i + 1]) / 2, z = (zs_[j] + zs_[j + 1]) / 2;
-        taken_[i * nz_ + j] = std::any_of(open.begin(), open.end(), [&](const Box& o) { return x > o.min.x && x < o.max.x && z > o.min.z && z < o.max.z; });
+        taken_[i * nz_ + j] =
+            std::any_of(open.begin(), open.end(), [&](const Box& o) { return x > o.min.x && x < o.max.x && z > o.min.z && z < o.max.z; });
       }
     }
     take_columns();
@@ -172,7 +178,8 @@ void carcass(Piece& p, const Carcass& c) {
   const double front = c.box.min.y;
   for (const FreeSpace& space : p.spaces) {
     const Box& s = space.box;
-    const bool within = s.max.y > c.box.min.y + 0.001 && s.min.y < c.box.max.y - 0.001 && s.max.x > c.box.min.x + 0.001 && s.min.x < c.box.max.x - 0.001 && s.max.z > c.box.min.z + 0.001 && s.min.z < c.box.max.z - 0.001;
+    const bool within = s.max.y > c.box.min.y + 0.001 && s.min.y < c.box.max.y - 0.001 && s.max.x > c.box.min.x + 0.001 &&
+                        s.min.x < c.box.max.x - 0.001 && s.max.z > c.box.min.z + 0.001 && s.min.z < c.box.max.z - 0.001;
     if (!within) continue;
     open.push_back(s);
     // A space that begins behind the front has a door before it, which is left out when something is in it that should be seen.
@@ -187,22 +194,27 @@ void carcass(Piece& p, const Carcass& c) {
   for (const Cell& cell : ClosedCells(c.box, open).cells) {
     const bool board = std::min(cell.x1 - cell.x0, cell.z1 - cell.z0) < 0.085;
     const bool plain = board || !c.closed_fronts;
-    p.add(c.body, box(sides(cell.x0, cell.x1, plain && !(open.empty() || closed_inside) ? front : face, c.box.max.y, cell.z0, cell.z1), 0.003));
+    p.add(c.body,
+          box(sides(cell.x0, cell.x1, plain && !(open.empty() || closed_inside) ? front : face, c.box.max.y, cell.z0, cell.z1), 0.003));
     if (!plain) close_front(p, c, cell, front, face);
   }
   for (const Box& s : open) {
     if (s.max.y > c.box.max.y - 0.002) continue;
-    p.add(c.body, box(sides(std::max(s.min.x, c.box.min.x), std::min(s.max.x, c.box.max.x), s.max.y, c.box.max.y, std::max(s.min.z, c.box.min.z),
-                            std::min(s.max.z, c.box.max.z)),
+    p.add(c.body, box(sides(std::max(s.min.x, c.box.min.x), std::min(s.max.x, c.box.max.x), s.max.y, c.box.max.y,
+                            std::max(s.min.z, c.box.min.z), std::min(s.max.z, c.box.max.z)),
                       0));
   }
   if (!closed_inside) return;
   // One set of doors over all that lies behind them, out to the body's edges.
   Cell all = behind_doors.front();
-  for (const Cell& cell : behind_doors) all = {std::min(all.x0, cell.x0), std::max(all.x1, cell.x1), std::min(all.z0, cell.z0), std::max(all.z1, cell.z1)};
+  for (const Cell& cell : behind_doors)
+    all = {std::min(all.x0, cell.x0), std::max(all.x1, cell.x1), std::min(all.z0, cell.z0), std::max(all.z1, cell.z1)};
   Carcass doors = c;
   if (behind_doors.size() == 1 || all.z1 - all.z0 > 0.4) doors.drawers = 0;
-  close_front(p, doors, {std::max(c.box.min.x, all.x0 - 0.018), std::min(c.box.max.x, all.x1 + 0.018), std::max(c.box.min.z, all.z0 - 0.012), std::min(c.box.max.z, all.z1 + 0.012)}, front, face);
+  close_front(p, doors,
+              {std::max(c.box.min.x, all.x0 - 0.018), std::min(c.box.max.x, all.x1 + 0.018), std::max(c.box.min.z, all.z0 - 0.012),
+               std::min(c.box.max.z, all.z1 + 0.012)},
+              front, face);
 }
 
 void books(Piece& p, const Box& room) {
@@ -263,11 +275,13 @@ void vessel(Piece& p, int surface, std::initializer_list<Vec2> outside, double w
 void machine_body(Piece& p, int surface, const Box& b, double bevel) {
   const double foot = std::min(0.06, b.size().z * 0.08);
   p.add(surface, box({{b.min.x, b.min.y, b.min.z + foot}, b.max}, bevel));
-  p.add(p.named("black_plastic"), box(sides(b.min.x + 0.02, b.max.x - 0.02, b.min.y + 0.03, b.max.y - 0.01, b.min.z, b.min.z + foot), 0.002));
+  p.add(p.named("black_plastic"),
+        box(sides(b.min.x + 0.02, b.max.x - 0.02, b.min.y + 0.03, b.max.y - 0.01, b.min.z, b.min.z + foot), 0.002));
 }
 
 void dial(Piece& p, int surface, Vec at, double radius, double thick, int sides_round) {
-  p.add(surface, lathe({{0, 0}, {radius, 0}, {radius, thick * 0.8}, {radius * 0.92, thick}, {0, thick}}, sides_round), aimed(at, {0, -1, 0}));
+  p.add(surface, lathe({{0, 0}, {radius, 0}, {radius, thick * 0.8}, {radius * 0.92, thick}, {0, thick}}, sides_round),
+        aimed(at, {0, -1, 0}));
 }
 
 }  // namespace layoutbox::kit

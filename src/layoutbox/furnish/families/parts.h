@@ -24,7 +24,7 @@ void handle(Piece& p, int surface, Handle kind, Vec at, double size, double out)
 struct Fronts {
   double x0, x1, z0, z1, y;
   int rows = 1, columns = 1;
-  bool doors = false;      // doors: handles upright at the opening edge; drawers: in the middle
+  bool doors = false;  // doors: handles upright at the opening edge; drawers: in the middle
   double thick = 0.018, out = 0.02;
 };
 void fronts(Piece& p, int surface, int handle_surface, const Fronts& f);
@@ -33,10 +33,10 @@ void fronts(Piece& p, int surface, int handle_surface, const Fronts& f);
 struct Carcass {
   Box box;
   int body, front, handles;
-  int drawers = 0;           // rows of drawers in closed parts; 0: doors
-  int doors = 0;             // columns; 0: by width
+  int drawers = 0;  // rows of drawers in closed parts; 0: doors
+  int doors = 0;    // columns; 0: by width
   bool closed_fronts = true;
-  double out = 0.02;         // how far handles stand before the fronts; the box includes it
+  double out = 0.02;  // how far handles stand before the fronts; the box includes it
 };
 void carcass(Piece& p, const Carcass& c);
 
@@ -48,7 +48,8 @@ void cushions(Piece& p, int surface, const Box& room, int n, double radius);
 
 // A box open above: walls of `wall` (or as thick as its free space leaves them) round it.
 void open_box(Piece& p, int surface, const Box& b, double wall, double bevel = 0.004);
-// A round vessel turned from its outside (from the foot's rim up to the lip), hollow by `wall` down to `floor`; elliptical where the piece is.
+// A round vessel turned from its outside (from the foot's rim up to the lip), hollow by `wall` down to `floor`; elliptical where the piece
+// is.
 void vessel(Piece& p, int surface, std::span<const Vec2> outside, double wall, double floor, int sides = 28);
 void vessel(Piece& p, int surface, std::initializer_list<Vec2> outside, double wall, double floor, int sides = 28);
 // A plain body that fills the piece, with a plinth set back, for machines.

@@ -8,7 +8,15 @@ namespace layoutbox::kit {
 namespace {
 
 void pot(Piece& p, double radius, double tall, int surface) {
-  p.add(surface, lathe({{0, 0}, {radius * 0.72, 0}, {radius * 0.95, tall * 0.85}, {radius, tall * 0.86}, {radius, tall}, {radius * 0.9, tall}, {radius * 0.88, tall * 0.9}, {0, tall * 0.9}}, 28));
+  p.add(surface, lathe({{0, 0},
+                        {radius * 0.72, 0},
+                        {radius * 0.95, tall * 0.85},
+                        {radius, tall * 0.86},
+                        {radius, tall},
+                        {radius * 0.9, tall},
+                        {radius * 0.88, tall * 0.9},
+                        {0, tall * 0.9}},
+                       28));
   p.add(p.named("soil"), lathe({{0, tall * 0.88}, {radius * 0.87, tall * 0.88}, {radius * 0.87, tall * 0.925}, {0, tall * 0.94}}, 20));
 }
 
@@ -21,7 +29,8 @@ void bush(Piece& p, double tall, double reach, int n, double leaf_length, double
     const double a = 2.39996 * i, t = (i + 0.5) / n, lift = base + (tall - base) * (1 - t * 0.75);
     const double out = reach * (0.15 + 0.75 * std::sqrt(t)) * p.random(0.8, 1.0);
     const Vec root{std::cos(a) * out * 0.55, std::sin(a) * out * 0.55, lift * p.random(0.85, 1.0)};
-    const Vec tip = root + Vec{std::cos(a) * leaf_length * (0.3 + 0.6 * t), std::sin(a) * leaf_length * (0.3 + 0.6 * t), leaf_length * (0.75 - 0.85 * t)};
+    const Vec tip = root + Vec{std::cos(a) * leaf_length * (0.3 + 0.6 * t), std::sin(a) * leaf_length * (0.3 + 0.6 * t),
+                               leaf_length * (0.75 - 0.85 * t)};
     p.add(green(p, 0.15 + 0.3 * (i % 3)), leaf(root, tip, leaf_width, leaf_length * 0.18, 5));
     p.add(green(p, 0.0), tube({{0, 0, base * 0.9}, {root.x * 0.5, root.y * 0.5, (base + root.z) * 0.5}, root}, 0.006, 5));
   }
@@ -39,13 +48,16 @@ void sword_leaves(Piece& p, double from, double tall, double reach, int n) {
 void palm(Piece& p, double from, double tall, double reach, int n) {
   for (int i = 0; i < n; ++i) {
     const double a = 2.39996 * i, t = (i + 0.5) / n, out = reach * p.random(0.75, 1), top = tall * (1 - 0.35 * t);
-    const std::vector<Vec> stem = curve({{0, 0, from}, {std::cos(a) * out * 0.35, std::sin(a) * out * 0.35, top}, {std::cos(a) * out, std::sin(a) * out, top - out * 0.35}}, 5);
+    const std::vector<Vec> stem = curve(
+        {{0, 0, from}, {std::cos(a) * out * 0.35, std::sin(a) * out * 0.35, top}, {std::cos(a) * out, std::sin(a) * out, top - out * 0.35}},
+        5);
     p.add(green(p, 0.1), tube(stem, 0.005, 5));
     for (std::size_t k = 3; k < stem.size(); ++k) {
       const Vec along = unit(stem[k] - stem[k - 1]), side = unit(cross(along, {0, 0, 1}));
       for (const double s : {-1.0, 1.0}) {
         const double l = reach * 0.34 * (1 - 0.4 * (static_cast<double>(k) - 3) / static_cast<double>(stem.size()));
-        p.add(green(p, 0.25 + 0.2 * (i % 3)), leaf(stem[k], stem[k] + side * (s * l) + along * (l * 0.5) + Vec{0, 0, -l * 0.25}, l * 0.2, l * 0.05, 2));
+        p.add(green(p, 0.25 + 0.2 * (i % 3)),
+              leaf(stem[k], stem[k] + side * (s * l) + along * (l * 0.5) + Vec{0, 0, -l * 0.25}, l * 0.2, l * 0.05, 2));
       }
     }
   }
@@ -54,12 +66,17 @@ void palm(Piece& p, double from, double tall, double reach, int n) {
 void plant(Piece& p) {
   const double r = std::min(p.w, p.d) / 2, pot_tall = std::min(p.h * 0.3, 0.36), pot_r = std::min(r * 0.62, pot_tall * 0.75);
   pot(p, pot_r, pot_tall, p.frame(p.says("white") ? "ceramic" : "terracotta"));
-  const std::string kind = p.word("kind", p.says("palm") ? "palm" : p.says("snake plant") || p.says("sansevieria") || p.says("aloe") ? "sword" : p.says("cactus") ? "cactus" : "bush");
+  const std::string kind = p.word("kind", p.says("palm")                                                     ? "palm"
+                                          : p.says("snake plant") || p.says("sansevieria") || p.says("aloe") ? "sword"
+                                          : p.says("cactus")                                                 ? "cactus"
+                                                                                                             : "bush");
   if (kind == "cactus") {
-    p.add(green(p, 0.1), ellipsoid({0, 0, pot_tall + (p.h - pot_tall) * 0.45}, {pot_r * 0.6, pot_r * 0.6, (p.h - pot_tall) * 0.55}, 14, 10));
+    p.add(green(p, 0.1),
+          ellipsoid({0, 0, pot_tall + (p.h - pot_tall) * 0.45}, {pot_r * 0.6, pot_r * 0.6, (p.h - pot_tall) * 0.55}, 14, 10));
     for (const double s : {-1.0, 1.0}) {
       const double z = pot_tall + (p.h - pot_tall) * (0.4 + 0.1 * s);
-      p.add(green(p, 0.2), tube(curve({{0, 0, z}, {s * r * 0.7, 0, z}, {s * r * 0.85, 0, z + (p.h - pot_tall) * 0.3}}, 5), pot_r * 0.22, 10));
+      p.add(green(p, 0.2),
+            tube(curve({{0, 0, z}, {s * r * 0.7, 0, z}, {s * r * 0.85, 0, z + (p.h - pot_tall) * 0.3}}, 5), pot_r * 0.22, 10));
     }
   } else if (kind == "palm") {
     palm(p, pot_tall * 0.9, p.h, r, p.h > 1 ? 11 : 8);
@@ -81,7 +98,8 @@ void tree(Piece& p) {
       p.add(green(p, 0.05 + 0.05 * (i % 2)), lathe({{0, z + 0.02}, {rr, z}, {rr * 0.45, z + (next - z) * 0.5}, {0, next}}, 14));
       for (int k = 0; k < 6; ++k) {
         const double a = kPi * (k / 3.0 + 0.17 * i);
-        p.add(p.named(k % 2 == 0 ? "brass" : "copper"), ellipsoid({std::cos(a) * rr * 0.92, std::sin(a) * rr * 0.92, z + 0.01}, {0.028, 0.028, 0.028}, 8, 6));
+        p.add(p.named(k % 2 == 0 ? "brass" : "copper"),
+              ellipsoid({std::cos(a) * rr * 0.92, std::sin(a) * rr * 0.92, z + 0.01}, {0.028, 0.028, 0.028}, 8, 6));
       }
     }
     p.fit();
@@ -89,7 +107,8 @@ void tree(Piece& p) {
   }
   const double pot_tall = std::min(p.h * 0.2, 0.4);
   pot(p, std::min(r * 0.5, pot_tall * 0.6), pot_tall, p.frame("terracotta"));
-  p.add(p.named("walnut"), tube(curve({{0, 0, pot_tall * 0.9}, {0.03, 0.01, trunk * 0.8}, {-0.01, 0, p.h * 0.6}}, 4), std::min(0.025, r * 0.1), 8));
+  p.add(p.named("walnut"),
+        tube(curve({{0, 0, pot_tall * 0.9}, {0.03, 0.01, trunk * 0.8}, {-0.01, 0, p.h * 0.6}}, 4), std::min(0.025, r * 0.1), 8));
   for (int i = 0; i < 70; ++i) {
     const double a = 2.39996 * i, z = 1 - 2 * (i + 0.5) / 70, q = std::sqrt(1 - z * z), out = r * 0.75;
     const Vec c{0, 0, p.h * 0.68}, at = c + Vec{std::cos(a) * q * out, std::sin(a) * q * out, z * p.h * 0.24} * p.random(0.7, 1);
@@ -101,7 +120,16 @@ void tree(Piece& p) {
 
 void flower_vase(Piece& p) {
   const double r = std::min(p.w, p.d) / 2, tall = p.h * 0.45, vase = std::min(r * 0.55, tall * 0.45);
-  p.add(p.named("ceramic"), lathe({{0, 0}, {vase * 0.6, 0}, {vase, tall * 0.35}, {vase * 0.9, tall * 0.6}, {vase * 0.45, tall * 0.88}, {vase * 0.55, tall}, {vase * 0.4, tall}, {vase * 0.35, tall * 0.88}, {0, tall * 0.8}}, 22));
+  p.add(p.named("ceramic"), lathe({{0, 0},
+                                   {vase * 0.6, 0},
+                                   {vase, tall * 0.35},
+                                   {vase * 0.9, tall * 0.6},
+                                   {vase * 0.45, tall * 0.88},
+                                   {vase * 0.55, tall},
+                                   {vase * 0.4, tall},
+                                   {vase * 0.35, tall * 0.88},
+                                   {0, tall * 0.8}},
+                                  22));
   static constexpr Color kPetals[] = {{0.90, 0.55, 0.60}, {0.95, 0.80, 0.45}, {0.80, 0.35, 0.38}, {0.93, 0.90, 0.86}, {0.68, 0.55, 0.78}};
   const int n = p.h > 0.25 ? 7 : 5;
   for (int i = 0; i < n; ++i) {

@@ -11,7 +11,8 @@ namespace {
 void panel(Piece& p, const Box& b, int shell) {
   const double rim = std::min(0.012, b.size().z * 0.04), face = std::min(0.004, b.size().y * 0.2);
   p.add(shell, box({{b.min.x, b.min.y + face, b.min.z}, b.max}, 0.004));
-  p.add(p.named("screen"), box(sides(b.min.x + rim, b.max.x - rim, b.min.y, b.min.y + face + 0.001, b.min.z + rim * 1.3, b.max.z - rim), 0.001));
+  p.add(p.named("screen"),
+        box(sides(b.min.x + rim, b.max.x - rim, b.min.y, b.min.y + face + 0.001, b.min.z + rim * 1.3, b.max.z - rim), 0.001));
 }
 
 void television(Piece& p) {
@@ -66,7 +67,8 @@ void speaker(Piece& p) {
   p.add(body, box(sides(-p.w / 2, p.w / 2, -p.d / 2 + 0.008, p.d / 2, 0, p.h), 0.008));
   const double r = std::min(p.w * 0.38, p.h * 0.24);
   const auto driver = [&](double z, double radius) {
-    p.add(cone_surface, lathe({{0, 0}, {radius, 0}, {radius, 0.008}, {radius * 0.85, 0.008}, {radius * 0.4, 0.002}, {0, 0.005}}, 24), aimed({0, -p.d / 2 + 0.008, z}, {0, -1, 0}));
+    p.add(cone_surface, lathe({{0, 0}, {radius, 0}, {radius, 0.008}, {radius * 0.85, 0.008}, {radius * 0.4, 0.002}, {0, 0.005}}, 24),
+          aimed({0, -p.d / 2 + 0.008, z}, {0, -1, 0}));
   };
   driver(p.h * 0.3, r);
   driver(p.h * 0.76, r * 0.55);

@@ -17,7 +17,10 @@ Seat seat_of(const Piece& p, double level, double arm, double back) {
   return {std::min(level, p.h * 0.6), -p.w / 2 + arm, p.w / 2 - arm, p.d / 2 - back};
 }
 
-bool upholstered(const Piece& p) { return p.word("seat", "") == "cushion" || p.says("upholstered") || p.says("leather") || p.says("velvet") || p.says("fabric") || p.says("padded"); }
+bool upholstered(const Piece& p) {
+  return p.word("seat", "") == "cushion" || p.says("upholstered") || p.says("leather") || p.says("velvet") || p.says("fabric") ||
+         p.says("padded");
+}
 
 void chair(Piece& p) {
   const Seat s = seat_of(p, 0.46, 0, 0.06);
@@ -29,25 +32,33 @@ void chair(Piece& p) {
   // Front legs and posts that go up into the back.
   for (const double x : {-1.0, 1.0}) {
     const double cx = x * (p.w / 2 - post / 2);
-    p.add(wood, taper({cx * 0.97, -p.d / 2 + post * 0.6, 0}, {post * 0.32, post * 0.32}, {cx, -p.d / 2 + post / 2, s.level - seat}, {post / 2, post / 2}));
+    p.add(wood, taper({cx * 0.97, -p.d / 2 + post * 0.6, 0}, {post * 0.32, post * 0.32}, {cx, -p.d / 2 + post / 2, s.level - seat},
+                      {post / 2, post / 2}));
     p.add(wood, box(sides(cx - post / 2, cx + post / 2, p.d / 2 - post, p.d / 2, 0, p.h), 0.004));
     p.add(wood, box(sides(cx - 0.009, cx + 0.009, -p.d / 2 + post, p.d / 2 - post, s.level * 0.45, s.level * 0.45 + 0.025), 0.003));
   }
   p.add(wood, box(sides(-p.w / 2 + post, p.w / 2 - post, -p.d / 2 + 0.01, -p.d / 2 + 0.03, s.level - seat - 0.05, s.level - seat), 0.003));
   p.add(colored, soft ? cushion(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2 - post, s.level - seat, s.level), 0.025, true, 4)
                       : rounded_box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2 - post, s.level - seat, s.level), 0.015, 2));
-  const double inner = p.w / 2 - post, low = s.level + (p.h - s.level) * 0.25, thick = std::min(0.03, back), y0 = p.d / 2 - post / 2 - thick / 2;
+  const double inner = p.w / 2 - post, low = s.level + (p.h - s.level) * 0.25, thick = std::min(0.03, back),
+               y0 = p.d / 2 - post / 2 - thick / 2;
   if (soft) {
-    p.add(colored, rounded_box(sides(-inner, inner, std::max(s.back, p.d / 2 - 0.06), p.d / 2 - 0.004, low * 0.6 + s.level * 0.4, p.h), 0.02, 3));
+    p.add(colored,
+          rounded_box(sides(-inner, inner, std::max(s.back, p.d / 2 - 0.06), p.d / 2 - 0.004, low * 0.6 + s.level * 0.4, p.h), 0.02, 3));
   } else if (p.word("back", "") == "panel" || p.count("slats", 3) == 0) {
     p.add(colored, rounded_box(sides(-inner, inner, y0, y0 + thick, low, p.h), 0.012, 2));
   } else if (p.word("back", "") == "spindles") {
-    for (int i = 0; i < 6; ++i) p.add(wood, rod({-inner * 0.85 + inner * 1.7 * i / 5, p.d / 2 - post / 2, s.level}, {-inner * 0.85 + inner * 1.7 * i / 5, p.d / 2 - post / 2, p.h - 0.05}, 0.007, 8));
+    for (int i = 0; i < 6; ++i)
+      p.add(wood, rod({-inner * 0.85 + inner * 1.7 * i / 5, p.d / 2 - post / 2, s.level},
+                      {-inner * 0.85 + inner * 1.7 * i / 5, p.d / 2 - post / 2, p.h - 0.05}, 0.007, 8));
     p.add(colored, box(sides(-inner, inner, y0, y0 + thick, p.h - 0.07, p.h - 0.005), 0.006));
   } else {
     const int n = p.count("slats", 3);
     const double pitch = (p.h - low) / n;
-    for (int i = 0; i < n; ++i) p.add(colored, box(sides(-inner, inner, y0 + thick * 0.2, y0 + thick * 0.8, p.h - 0.008 - pitch * i - pitch * 0.6, p.h - 0.008 - pitch * i), 0.005));
+    for (int i = 0; i < n; ++i)
+      p.add(colored,
+            box(sides(-inner, inner, y0 + thick * 0.2, y0 + thick * 0.8, p.h - 0.008 - pitch * i - pitch * 0.6, p.h - 0.008 - pitch * i),
+                0.005));
   }
   if (p.count("arms", 0) > 0) {
     for (const double x : {-1.0, 1.0}) {
@@ -99,7 +110,9 @@ void corner_sofa(Piece& p, const FreeSpace& middle) {
       const double edge = k > 0 ? b.max.x : b.min.x, width = x - std::abs(edge);
       if (edge * k < 0 || width > 0.35 || width < 0.03) continue;
       const bool high = width > 0.2;
-      p.add(cloth, rounded_box(sides(k > 0 ? x - width : -x, k > 0 ? x : -x + width, to_front ? -y : inner, to_front ? inner + 0.02 : y - 0.01, foot + 0.01, high ? p.h : arm), 0.045, 3));
+      p.add(cloth, rounded_box(sides(k > 0 ? x - width : -x, k > 0 ? x : -x + width, to_front ? -y : inner,
+                                     to_front ? inner + 0.02 : y - 0.01, foot + 0.01, high ? p.h : arm),
+                               0.045, 3));
     }
     if (to_front && b.min.y > -y + 0.03) p.add(cloth, rounded_box(sides(b.min.x, b.max.x, -y, b.min.y, foot + 0.01, arm), 0.045, 3));
   }
@@ -112,7 +125,8 @@ void sofa(Piece& p) {
   }
   const Seat s = seat_of(p, 0.43, std::min(0.18, p.w * 0.14), 0.22);
   const int cloth = p.main_accent("linen"), feet = p.frame("walnut");
-  const double foot = std::max(p.clear_below(0), std::min(0.12, s.level * 0.25)), arm_top = std::min(p.h, s.level + std::min(0.22, (p.h - s.level) * 0.6));
+  const double foot = std::max(p.clear_below(0), std::min(0.12, s.level * 0.25)),
+               arm_top = std::min(p.h, s.level + std::min(0.22, (p.h - s.level) * 0.6));
   const double back = std::max(0.04, p.d / 2 - s.back), left = s.left + p.w / 2, right = p.w / 2 - s.right;
   p.legs(feet, foot, 0.05, 0.04, true, 0.65);
   const double pad = std::min(0.15, (s.level - foot) * 0.5);
@@ -125,13 +139,16 @@ void sofa(Piece& p) {
   }
   const bool split = back > 0.13;
   const double shell = split ? 0.1 : back;
-  p.add(cloth, rounded_box(sides(-p.w / 2 + (left > 0.02 ? 0.02 : 0), p.w / 2 - (right > 0.02 ? 0.02 : 0), p.d / 2 - shell, p.d / 2, foot + 0.01, p.h), std::min(0.04, shell * 0.45), 3));
+  p.add(cloth, rounded_box(sides(-p.w / 2 + (left > 0.02 ? 0.02 : 0), p.w / 2 - (right > 0.02 ? 0.02 : 0), p.d / 2 - shell, p.d / 2,
+                                 foot + 0.01, p.h),
+                           std::min(0.04, shell * 0.45), 3));
   const int seats = std::max(1, p.count("seats", std::max(1, static_cast<int>(std::lround((s.right - s.left) / 0.7)))));
   cushions(p, cloth, sides(s.left, s.right, -p.d / 2, s.back + (split ? 0.02 : 0), s.level - pad, s.level), seats, 0.045);
   if (split) {
     for (int i = 0; i < seats; ++i) {
       const double each = (s.right - s.left) / seats, x0 = s.left + each * i + 0.004;
-      p.add(cloth, rounded_box(sides(x0, x0 + each - 0.008, s.back, p.d / 2 - shell + 0.02, s.level + 0.003, p.h - 0.04), std::min(0.06, (back - shell) * 0.5 + 0.01), 3));
+      p.add(cloth, rounded_box(sides(x0, x0 + each - 0.008, s.back, p.d / 2 - shell + 0.02, s.level + 0.003, p.h - 0.04),
+                               std::min(0.06, (back - shell) * 0.5 + 0.01), 3));
     }
   }
 }
@@ -140,7 +157,8 @@ void stool(Piece& p) {
   const bool round = p.word("top", p.w / p.d > 1.25 || p.d / p.w > 1.25 ? "rect" : "round") == "round";
   const FreeSpace* open = p.open_above();
   const double top = open != nullptr ? open->box.min.z : p.h, thick = std::min(0.05, top * 0.2);
-  const int wood = p.frame("oak"), seat = p.says("upholstered") || p.says("leather") || p.says("velvet") ? p.main_accent("linen") : p.main("oak");
+  const int wood = p.frame("oak"),
+            seat = p.says("upholstered") || p.says("leather") || p.says("velvet") ? p.main_accent("linen") : p.main("oak");
   slab(p, seat, sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, top - thick, top), round ? "round" : "rect", 0.015);
   const double rx = p.w * (round ? 0.34 : 0.46), ry = p.d * (round ? 0.34 : 0.46), in = 0.72;
   std::vector<Vec> ring;
@@ -168,11 +186,15 @@ void bench(Piece& p) {
   const int seat = soft ? p.main_accent("linen") : p.main("oak");
   const double pad = soft ? std::min(0.08, top * 0.2) : 0;
   if (soft) cushions(p, seat, sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2 - back * 0.5, top - pad, top), 1, 0.03);
-  p.add(soft ? wood : seat, box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2 - (back > 0 ? back * 0.5 : 0), top - pad - thick, top - pad), 0.008));
+  p.add(soft ? wood : seat,
+        box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2 - (back > 0 ? back * 0.5 : 0), top - pad - thick, top - pad), 0.008));
   p.legs(wood, top - pad - thick, 0.05, 0.03);
   if (back > 0.005) {
     p.add(wood, box(sides(-p.w / 2 + 0.02, p.w / 2 - 0.02, p.d / 2 - std::min(back, 0.03), p.d / 2, top + (p.h - top) * 0.45, p.h), 0.008));
-    for (const double x : {-1.0, 1.0}) p.add(wood, box(sides(x * (p.w / 2 - 0.06) - 0.02, x * (p.w / 2 - 0.06) + 0.02, p.d / 2 - std::min(back, 0.03), p.d / 2 - 0.002, top - pad - thick, p.h - 0.01), 0.004));
+    for (const double x : {-1.0, 1.0})
+      p.add(wood, box(sides(x * (p.w / 2 - 0.06) - 0.02, x * (p.w / 2 - 0.06) + 0.02, p.d / 2 - std::min(back, 0.03), p.d / 2 - 0.002,
+                            top - pad - thick, p.h - 0.01),
+                      0.004));
   }
 }
 
@@ -192,11 +214,13 @@ void office_chair(Piece& p) {
   p.add(dark, box(sides(-0.13, 0.13, -0.13, 0.13, s.level - 0.12, s.level - 0.08), 0.01));
   p.add(cloth, cushion(sides(s.left + 0.005, s.right - 0.005, -p.d / 2, s.back - 0.005, s.level - 0.08, s.level), 0.04, true, 8));
   const double back = std::max(0.03, p.d / 2 - s.back), low = s.level + std::min(0.12, (p.h - s.level) * 0.25);
-  p.add(cloth, rounded_box(sides(s.left + 0.02, s.right - 0.02, s.back + back * 0.1, s.back + back * 0.75, low, p.h), std::min(0.035, back * 0.3), 3));
+  p.add(cloth, rounded_box(sides(s.left + 0.02, s.right - 0.02, s.back + back * 0.1, s.back + back * 0.75, low, p.h),
+                           std::min(0.035, back * 0.3), 3));
   p.add(dark, box(sides(-0.035, 0.035, p.d / 2 - back * 0.25, p.d / 2, s.level - 0.1, low + (p.h - low) * 0.5), 0.006));
   p.add(dark, box(sides(-0.035, 0.035, 0.05, p.d / 2, s.level - 0.11, s.level - 0.082), 0.006));
   for (const double x : {-1.0, 1.0}) {
-    const double width = std::max(0.025, std::min(0.07, x < 0 ? s.left + p.w / 2 : p.w / 2 - s.right)), x0 = x < 0 ? -p.w / 2 : p.w / 2 - width;
+    const double width = std::max(0.025, std::min(0.07, x < 0 ? s.left + p.w / 2 : p.w / 2 - s.right)),
+                 x0 = x < 0 ? -p.w / 2 : p.w / 2 - width;
     const double z = std::min(p.h * 0.75, s.level + 0.22);
     p.add(dark, rounded_box(sides(x0, x0 + width, -p.d * 0.2, p.d * 0.2, z - 0.03, z), 0.012, 2));
     const double xc = x0 + width / 2;

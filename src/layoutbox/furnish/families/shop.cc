@@ -13,7 +13,8 @@ constexpr Color kGoods[] = {{0.84, 0.30, 0.26}, {0.26, 0.50, 0.76}, {0.95, 0.76,
 void wheels(Piece& p, double r, double wide) {
   const int dark = p.named("black_plastic");
   for (const double x : {-1.0, 1.0}) {
-    for (const double y : {-1.0, 1.0}) p.add(dark, rod({x * (p.w / 2 - wide), y * (p.d / 2 - r), r}, {x * p.w / 2, y * (p.d / 2 - r), r}, r, 14));
+    for (const double y : {-1.0, 1.0})
+      p.add(dark, rod({x * (p.w / 2 - wide), y * (p.d / 2 - r), r}, {x * p.w / 2, y * (p.d / 2 - r), r}, r, 14));
   }
 }
 
@@ -39,11 +40,20 @@ void display_case(Piece& p) {
   p.add(base, box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, 0, low), 0.006));
   p.add(base, box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, p.h - 0.012, p.h), 0.004));
   for (const double x : {-1.0, 1.0}) {
-    p.add(glass, box(sides(x > 0 ? p.w / 2 - 0.007 : -p.w / 2 + 0.002, x > 0 ? p.w / 2 - 0.002 : -p.w / 2 + 0.007, -p.d / 2 + 0.008, p.d / 2 - 0.008, low, p.h - 0.012), 0));
-    for (const double y : {-1.0, 1.0}) p.add(metal, box(sides(x * (p.w / 2 - 0.005) - 0.005, x * (p.w / 2 - 0.005) + 0.005, y * (p.d / 2 - 0.005) - 0.005, y * (p.d / 2 - 0.005) + 0.005, low - 0.002, p.h - 0.01), 0.001));
+    p.add(glass, box(sides(x > 0 ? p.w / 2 - 0.007 : -p.w / 2 + 0.002, x > 0 ? p.w / 2 - 0.002 : -p.w / 2 + 0.007, -p.d / 2 + 0.008,
+                           p.d / 2 - 0.008, low, p.h - 0.012),
+                     0));
+    for (const double y : {-1.0, 1.0})
+      p.add(metal, box(sides(x * (p.w / 2 - 0.005) - 0.005, x * (p.w / 2 - 0.005) + 0.005, y * (p.d / 2 - 0.005) - 0.005,
+                             y * (p.d / 2 - 0.005) + 0.005, low - 0.002, p.h - 0.01),
+                       0.001));
   }
-  for (const double y : {-1.0, 1.0}) p.add(glass, box(sides(-p.w / 2 + 0.01, p.w / 2 - 0.01, y > 0 ? p.d / 2 - 0.007 : -p.d / 2 + 0.002, y > 0 ? p.d / 2 - 0.002 : -p.d / 2 + 0.007, low, p.h - 0.012), 0));
-  for (std::size_t i = 1; i < levels.size(); ++i) p.add(glass, box(sides(-p.w / 2 + 0.008, p.w / 2 - 0.008, -p.d / 2 + 0.008, p.d / 2 - 0.008, levels[i] - 0.006, levels[i]), 0));
+  for (const double y : {-1.0, 1.0})
+    p.add(glass, box(sides(-p.w / 2 + 0.01, p.w / 2 - 0.01, y > 0 ? p.d / 2 - 0.007 : -p.d / 2 + 0.002,
+                           y > 0 ? p.d / 2 - 0.002 : -p.d / 2 + 0.007, low, p.h - 0.012),
+                     0));
+  for (std::size_t i = 1; i < levels.size(); ++i)
+    p.add(glass, box(sides(-p.w / 2 + 0.008, p.w / 2 - 0.008, -p.d / 2 + 0.008, p.d / 2 - 0.008, levels[i] - 0.006, levels[i]), 0));
 }
 
 void vending_machine(Piece& p) {
@@ -57,30 +67,49 @@ void vending_machine(Piece& p) {
     p.add(p.named("steel"), box(sides(x0 + 0.01, x1 - 0.01, face - 0.012, face, z - 0.008, z), 0));
     for (int i = 0; i < 6; ++i) {
       const double x = x0 + (x1 - x0) * (i + 0.5) / 6, r = (x1 - x0) / 6 * 0.33;
-      p.add(p.tinted("plastic", kGoods[(row + i) % 5]), box(sides(x - r, x + r, face - 0.018, face - 0.003, z, z + (z1 - z0) / 5 * 0.62), 0.003));
+      p.add(p.tinted("plastic", kGoods[(row + i) % 5]),
+            box(sides(x - r, x + r, face - 0.018, face - 0.003, z, z + (z1 - z0) / 5 * 0.62), 0.003));
     }
   }
   p.add(dark, box(sides(x0, x1, face - 0.006, face + 0.01, p.h * 0.1, p.h * 0.22), 0.004));
   p.add(p.named("lit_screen"), box(sides(p.w * 0.28, p.w * 0.44, face - 0.02, face + 0.01, p.h * 0.62, p.h * 0.74), 0.003));
-  for (int i = 0; i < 9; ++i) p.add(p.named("grey_plastic"), box(sides(p.w * (0.29 + 0.055 * (i % 3)), p.w * (0.325 + 0.055 * (i % 3)), face - 0.008, face + 0.004, p.h * (0.56 - 0.03 * (i / 3)), p.h * (0.58 - 0.03 * (i / 3))), 0.001));
+  for (int i = 0; i < 9; ++i)
+    p.add(p.named("grey_plastic"), box(sides(p.w * (0.29 + 0.055 * (i % 3)), p.w * (0.325 + 0.055 * (i % 3)), face - 0.008, face + 0.004,
+                                             p.h * (0.56 - 0.03 * (i / 3)), p.h * (0.58 - 0.03 * (i / 3))),
+                                       0.001));
 }
 
 void arcade_machine(Piece& p) {
   const int body = p.main_accent("lacquer"), dark = p.named("black_plastic");
   const double y = p.d / 2, t = std::min(0.03, p.w * 0.05);
-  const std::vector<Vec2> side{{-y, p.h * 0.02}, {y, 0}, {y, p.h}, {-y * 0.2, p.h}, {-y * 0.35, p.h * 0.9}, {y * 0.1, p.h * 0.82}, {-y * 0.25, p.h * 0.56}, {-y, p.h * 0.52}, {-y * 0.98, p.h * 0.46}, {-y * 0.7, p.h * 0.42}, {-y * 0.7, p.h * 0.1}};
+  const std::vector<Vec2> side{{-y, p.h * 0.02},
+                               {y, 0},
+                               {y, p.h},
+                               {-y * 0.2, p.h},
+                               {-y * 0.35, p.h * 0.9},
+                               {y * 0.1, p.h * 0.82},
+                               {-y * 0.25, p.h * 0.56},
+                               {-y, p.h * 0.52},
+                               {-y * 0.98, p.h * 0.46},
+                               {-y * 0.7, p.h * 0.42},
+                               {-y * 0.7, p.h * 0.1}};
   const Pose across{{0, 1, 0}, {0, 0, 1}, {1, 0, 0}, {}};
   for (const double s : {-1.0, 1.0}) p.add(dark, prism(side, s > 0 ? p.w / 2 - t : -p.w / 2, s > 0 ? p.w / 2 : -p.w / 2 + t), across);
-  const std::vector<Vec2> core{{-y * 0.66, 0.01}, {y * 0.97, 0.01}, {y * 0.97, p.h * 0.99}, {-y * 0.16, p.h * 0.99}, {-y * 0.3, p.h * 0.9}, {y * 0.16, p.h * 0.82}, {-y * 0.2, p.h * 0.555}, {-y * 0.95, p.h * 0.51}, {-y * 0.66, p.h * 0.43}};
+  const std::vector<Vec2> core{{-y * 0.66, 0.01},       {y * 0.97, 0.01},        {y * 0.97, p.h * 0.99},
+                               {-y * 0.16, p.h * 0.99}, {-y * 0.3, p.h * 0.9},   {y * 0.16, p.h * 0.82},
+                               {-y * 0.2, p.h * 0.555}, {-y * 0.95, p.h * 0.51}, {-y * 0.66, p.h * 0.43}};
   p.add(body, prism(core, -p.w / 2 + t - 0.001, p.w / 2 - t + 0.001), across);
   const Vec low{0, -y * 0.2, p.h * 0.57}, high{0, y * 0.13, p.h * 0.81};
   const Vec up = unit(high - low), out = cross(up, {1, 0, 0});
-  p.add(p.named("lit_screen"), box(sides(-p.w * 0.4, p.w * 0.4, -0.004, 0.008, 0, length(high - low)), 0.003), Pose{{1, 0, 0}, out, up, low});
+  p.add(p.named("lit_screen"), box(sides(-p.w * 0.4, p.w * 0.4, -0.004, 0.008, 0, length(high - low)), 0.003),
+        Pose{{1, 0, 0}, out, up, low});
   p.add(p.named("lit_screen"), box(sides(-p.w * 0.42, p.w * 0.42, -y * 0.29, -y * 0.2, p.h * 0.915, p.h * 0.975), 0.004));
   const double panel = p.h * 0.535;
   p.add(p.named("steel"), rod({-p.w * 0.2, -y * 0.6, panel - 0.02}, {-p.w * 0.2, -y * 0.6, panel + p.h * 0.035}, 0.006, 8));
   p.add(p.tinted("plastic", kGoods[0]), ellipsoid({-p.w * 0.2, -y * 0.6, panel + p.h * 0.04}, {0.02, 0.02, 0.02}, 12, 6));
-  for (int i = 0; i < 4; ++i) p.add(p.tinted("plastic", kGoods[i]), cylinder({p.w * (0.05 + 0.09 * (i % 3)), -y * (0.66 - 0.12 * (i / 3) - 0.04 * (i % 3)), panel - 0.012}, 0.014, 0.022, 12));
+  for (int i = 0; i < 4; ++i)
+    p.add(p.tinted("plastic", kGoods[i]),
+          cylinder({p.w * (0.05 + 0.09 * (i % 3)), -y * (0.66 - 0.12 * (i / 3) - 0.04 * (i % 3)), panel - 0.012}, 0.014, 0.022, 12));
 }
 
 void podium(Piece& p) {
@@ -112,7 +141,8 @@ void cart(Piece& p) {
     p.add(board, box(sides(-p.w / 2 + 0.002, p.w / 2 - 0.002, -p.d / 2 + 0.002, p.d / 2 - 0.002, std::max(0.002, z - 0.018), z), 0.003));
   }
   if (p.open_above() == nullptr) {
-    for (const double y : {-1.0, 1.0}) p.add(metal, rod({-p.w / 2 + t, y * (p.d / 2 - t / 2), p.h - 0.012}, {p.w / 2 - t, y * (p.d / 2 - t / 2), p.h - 0.012}, 0.008, 8));
+    for (const double y : {-1.0, 1.0})
+      p.add(metal, rod({-p.w / 2 + t, y * (p.d / 2 - t / 2), p.h - 0.012}, {p.w / 2 - t, y * (p.d / 2 - t / 2), p.h - 0.012}, 0.008, 8));
   }
 }
 
@@ -126,7 +156,9 @@ void stand(Piece& p) {
     return;
   }
   p.add(wood, box(sides(-p.w * 0.45, p.w * 0.45, -p.d * 0.45, p.d * 0.45, 0, foot), 0.005));
-  p.add(p.frame("oak"), box(sides(-std::min(0.05, p.w * 0.2), std::min(0.05, p.w * 0.2), -std::min(0.05, p.d * 0.2), std::min(0.05, p.d * 0.2), foot, p.h - board), 0.006));
+  p.add(p.frame("oak"), box(sides(-std::min(0.05, p.w * 0.2), std::min(0.05, p.w * 0.2), -std::min(0.05, p.d * 0.2),
+                                  std::min(0.05, p.d * 0.2), foot, p.h - board),
+                            0.006));
 }
 
 void mannequin(Piece& p) {
@@ -136,10 +168,20 @@ void mannequin(Piece& p) {
   p.add(metal, cylinder({0, 0.03, 0.01}, 0.01, h * 0.48, 8));
   for (const double s : {-1.0, 1.0}) {
     p.add(skin, tube(curve({{s * h * 0.05, 0, h * 0.02}, {s * h * 0.05, 0, h * 0.25}, {s * h * 0.055, 0, h * 0.5}}, 4), h * 0.035, 10));
-    p.add(skin, tube(curve({{s * h * 0.1, 0, h * 0.8}, {s * h * 0.14, 0.01, h * 0.62}, {s * h * 0.13, -h * 0.03, h * 0.47}}, 4), h * 0.022, 8));
+    p.add(skin,
+          tube(curve({{s * h * 0.1, 0, h * 0.8}, {s * h * 0.14, 0.01, h * 0.62}, {s * h * 0.13, -h * 0.03, h * 0.47}}, 4), h * 0.022, 8));
     p.add(skin, ellipsoid({s * h * 0.05, -h * 0.02, h * 0.025}, {h * 0.028, h * 0.06, h * 0.02}, 10, 6));
   }
-  p.add(skin, lathe({{0, h * 0.48}, {h * 0.09, h * 0.49}, {h * 0.1, h * 0.53}, {h * 0.075, h * 0.63}, {h * 0.105, h * 0.76}, {h * 0.1, h * 0.81}, {h * 0.03, h * 0.84}, {h * 0.028, h * 0.88}, {0, h * 0.88}}, 22, 0.65));
+  p.add(skin, lathe({{0, h * 0.48},
+                     {h * 0.09, h * 0.49},
+                     {h * 0.1, h * 0.53},
+                     {h * 0.075, h * 0.63},
+                     {h * 0.105, h * 0.76},
+                     {h * 0.1, h * 0.81},
+                     {h * 0.03, h * 0.84},
+                     {h * 0.028, h * 0.88},
+                     {0, h * 0.88}},
+                    22, 0.65));
   p.add(skin, ellipsoid({0, 0, h * 0.935}, {h * 0.045, h * 0.055, h * 0.065}, 16, 10));
   p.fit();
 }

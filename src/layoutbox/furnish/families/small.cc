@@ -7,7 +7,8 @@
 namespace layoutbox::kit {
 namespace {
 
-constexpr Color kCovers[] = {{0.66, 0.24, 0.22}, {0.24, 0.40, 0.58}, {0.28, 0.48, 0.38}, {0.84, 0.66, 0.32}, {0.36, 0.30, 0.42}, {0.80, 0.76, 0.68}};
+constexpr Color kCovers[] = {{0.66, 0.24, 0.22}, {0.24, 0.40, 0.58}, {0.28, 0.48, 0.38},
+                             {0.84, 0.66, 0.32}, {0.36, 0.30, 0.42}, {0.80, 0.76, 0.68}};
 
 // A closed book in that box: covers, and pages that stand back on three sides. `standing` turns its spine to the front.
 void one_book(Piece& p, int cover, const Box& b) {
@@ -18,13 +19,17 @@ void one_book(Piece& p, int cover, const Box& b) {
     p.add(cover, box(sides(b.min.x, b.min.x + board, b.min.y, b.max.y, b.min.z, b.max.z), 0.001));
     p.add(cover, box(sides(b.max.x - board, b.max.x, b.min.y, b.max.y, b.min.z, b.max.z), 0.001));
     p.add(cover, box(sides(b.min.x + board, b.max.x - board, b.min.y, b.min.y + board, b.min.z, b.max.z), 0));
-    p.add(pages, box(sides(b.min.x + board, b.max.x - board, b.min.y + board, b.max.y - s.y * 0.03, b.min.z + s.z * 0.015, b.max.z - s.z * 0.015), 0));
+    p.add(pages,
+          box(sides(b.min.x + board, b.max.x - board, b.min.y + board, b.max.y - s.y * 0.03, b.min.z + s.z * 0.015, b.max.z - s.z * 0.015),
+              0));
     return;
   }
   p.add(cover, box(sides(b.min.x, b.max.x, b.min.y, b.max.y, b.min.z, b.min.z + board), 0.001));
   p.add(cover, box(sides(b.min.x, b.max.x, b.min.y, b.max.y, b.max.z - board, b.max.z), 0.001));
   p.add(cover, box(sides(b.min.x, b.min.x + board, b.min.y, b.max.y, b.min.z + board, b.max.z - board), 0));
-  p.add(pages, box(sides(b.min.x + board, b.max.x - s.x * 0.03, b.min.y + s.y * 0.015, b.max.y - s.y * 0.015, b.min.z + board, b.max.z - board), 0));
+  p.add(
+      pages,
+      box(sides(b.min.x + board, b.max.x - s.x * 0.03, b.min.y + s.y * 0.015, b.max.y - s.y * 0.015, b.min.z + board, b.max.z - board), 0));
 }
 
 int cover_of(Piece& p) { return p.color_asked() ? p.main("paper") : p.tinted("paper", kCovers[p.pick(6)]); }
@@ -35,9 +40,11 @@ void book_stack(Piece& p) {
   const int n = std::clamp(static_cast<int>(std::lround(p.h / 0.035)), 2, 12);
   for (int i = 0; i < n; ++i) {
     // The lowest is as large as the stack; those above it are smaller and lie a little aside.
-    const double in_x = i == 0 ? 0 : p.random(0, p.w * 0.14), in_y = i == 0 ? 0 : p.random(0, p.d * 0.14), x = i == 0 ? 0 : p.random(-0.5, 0.5) * in_x, y = i == 0 ? 0 : p.random(-0.5, 0.5) * in_y;
+    const double in_x = i == 0 ? 0 : p.random(0, p.w * 0.14), in_y = i == 0 ? 0 : p.random(0, p.d * 0.14),
+                 x = i == 0 ? 0 : p.random(-0.5, 0.5) * in_x, y = i == 0 ? 0 : p.random(-0.5, 0.5) * in_y;
     one_book(p, i == 0 ? cover_of(p) : p.tinted("paper", kCovers[p.pick(6)]),
-             sides(-p.w / 2 + in_x / 2 + x, p.w / 2 - in_x / 2 + x, -p.d / 2 + in_y / 2 + y, p.d / 2 - in_y / 2 + y, p.h * i / n, p.h * (i + 1) / n));
+             sides(-p.w / 2 + in_x / 2 + x, p.w / 2 - in_x / 2 + x, -p.d / 2 + in_y / 2 + y, p.d / 2 - in_y / 2 + y, p.h * i / n,
+                   p.h * (i + 1) / n));
   }
 }
 
@@ -59,7 +66,8 @@ void basket(Piece& p) {
   }
   const double r = p.w / 2, wall = std::min(0.012, r * 0.1);
   // As straight as what it must leave free asks for.
-  const double need = in != nullptr ? std::hypot(std::max(-in->box.min.x, in->box.max.x), std::max(-in->box.min.y, in->box.max.y) * p.w / p.d) + wall : 0;
+  const double need =
+      in != nullptr ? std::hypot(std::max(-in->box.min.x, in->box.max.x), std::max(-in->box.min.y, in->box.max.y) * p.w / p.d) + wall : 0;
   const double foot = std::clamp(need, r * 0.8, r);
   vessel(p, weave, {{foot, 0}, {(foot + r) / 2, p.h * 0.4}, {r - wall * 0.3, p.h * 0.93}, {r, p.h * 0.95}, {r, p.h}}, wall, floor, 32);
 }
@@ -72,7 +80,8 @@ void box_container(Piece& p) {
     open_box(p, card, sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, 0, lid && !in->held ? in->box.max.z : p.h), 0.01, 0.003);
     if (lid && !in->held) p.add(card, box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, in->box.max.z + 0.003, p.h), 0.006));
     if (p.h > 0.3 && p.w > 0.6) {
-      for (const double x : {-0.3, 0.3}) p.add(p.named("brass"), box(sides(x * p.w - 0.02, x * p.w + 0.02, -p.d / 2, -p.d / 2 + 0.004, p.h * 0.62, p.h * 0.8), 0.001));
+      for (const double x : {-0.3, 0.3})
+        p.add(p.named("brass"), box(sides(x * p.w - 0.02, x * p.w + 0.02, -p.d / 2, -p.d / 2 + 0.004, p.h * 0.62, p.h * 0.8), 0.001));
     }
     return;
   }
@@ -92,16 +101,20 @@ void bin(Piece& p) {
   }
   p.add(dark, lathe({{0, 0}, {r * 0.98, 0}, {r, p.h * 0.04}, {0, p.h * 0.04}}, 30), scaled(1, k, 1));
   p.add(metal, lathe({{0, p.h * 0.03}, {r * 0.97, p.h * 0.03}, {r * 0.97, p.h * 0.84}, {0, p.h * 0.84}}, 30), scaled(1, k, 1));
-  p.add(dark, lathe({{0, p.h * 0.83}, {r, p.h * 0.83}, {r, p.h * 0.88}, {r * 0.8, p.h * 0.96}, {r * 0.3, p.h}, {0, p.h}}, 30), scaled(1, k, 1));
+  p.add(dark, lathe({{0, p.h * 0.83}, {r, p.h * 0.83}, {r, p.h * 0.88}, {r * 0.8, p.h * 0.96}, {r * 0.3, p.h}, {0, p.h}}, 30),
+        scaled(1, k, 1));
 }
 
 void suitcase(Piece& p) {
   const int shell = p.main_accent("plastic"), dark = p.named("black_plastic"), chrome = p.named("chrome");
   const double wheel = std::min(0.05, p.h * 0.08), grip = std::min(0.1, p.h * 0.13);
   p.add(shell, rounded_box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, wheel, p.h - grip), std::min({p.w, p.d}) * 0.16, 4));
-  for (int i = -2; i <= 2; ++i) p.add(shell, box(sides(p.w * 0.16 * i - 0.006, p.w * 0.16 * i + 0.006, -p.d / 2, p.d / 2, wheel + p.h * 0.1, p.h - grip - p.h * 0.1), 0.003));
+  for (int i = -2; i <= 2; ++i)
+    p.add(shell,
+          box(sides(p.w * 0.16 * i - 0.006, p.w * 0.16 * i + 0.006, -p.d / 2, p.d / 2, wheel + p.h * 0.1, p.h - grip - p.h * 0.1), 0.003));
   for (const double x : {-0.36, 0.36}) {
-    for (const double y : {-0.3, 0.3}) p.add(dark, ellipsoid({x * p.w, y * p.d, wheel * 0.55}, {wheel * 0.4, wheel * 0.55, wheel * 0.55}, 10, 6));
+    for (const double y : {-0.3, 0.3})
+      p.add(dark, ellipsoid({x * p.w, y * p.d, wheel * 0.55}, {wheel * 0.4, wheel * 0.55, wheel * 0.55}, 10, 6));
     p.add(chrome, rod({x * p.w * 0.5, p.d * 0.25, p.h - grip - 0.02}, {x * p.w * 0.5, p.d * 0.25, p.h - 0.02}, 0.006, 8));
   }
   p.add(dark, rounded_box(sides(-p.w * 0.22, p.w * 0.22, p.d * 0.25 - 0.014, p.d * 0.25 + 0.014, p.h - 0.028, p.h), 0.01, 2));
@@ -111,14 +124,28 @@ void statue(Piece& p) {
   const int stone = p.main("stone");
   const double h = p.h, r = std::min(p.w, p.d) / 2;
   p.add(stone, box(sides(-r, r, -r, r, 0, h * 0.1), 0.006));
-  p.add(stone, lathe({{0, h * 0.1}, {r * 0.7, h * 0.1}, {r * 0.55, h * 0.14}, {r * 0.42, h * 0.35}, {r * 0.5, h * 0.48}, {r * 0.36, h * 0.6}, {r * 0.6, h * 0.74}, {r * 0.5, h * 0.79}, {r * 0.16, h * 0.82}, {r * 0.15, h * 0.86}, {0, h * 0.86}}, 22));
+  p.add(stone, lathe({{0, h * 0.1},
+                      {r * 0.7, h * 0.1},
+                      {r * 0.55, h * 0.14},
+                      {r * 0.42, h * 0.35},
+                      {r * 0.5, h * 0.48},
+                      {r * 0.36, h * 0.6},
+                      {r * 0.6, h * 0.74},
+                      {r * 0.5, h * 0.79},
+                      {r * 0.16, h * 0.82},
+                      {r * 0.15, h * 0.86},
+                      {0, h * 0.86}},
+                     22));
   p.add(stone, ellipsoid({0, 0, h * 0.925}, {r * 0.27, r * 0.3, h * 0.075}, 18, 10));
-  for (const double s : {-1.0, 1.0}) p.add(stone, tube(curve({{s * r * 0.56, 0, h * 0.73}, {s * r * 0.8, -r * 0.1, h * 0.58}, {s * r * 0.35, -r * 0.5, h * 0.52}}, 5), r * 0.13, 8));
+  for (const double s : {-1.0, 1.0})
+    p.add(stone, tube(curve({{s * r * 0.56, 0, h * 0.73}, {s * r * 0.8, -r * 0.1, h * 0.58}, {s * r * 0.35, -r * 0.5, h * 0.52}}, 5),
+                      r * 0.13, 8));
   p.fit();
 }
 
 void globe(Piece& p) {
-  const int brass = p.named("brass"), wood = p.frame("walnut"), sea = p.tinted("paper", {0.36, 0.55, 0.70}), land = p.tinted("paper", {0.72, 0.66, 0.42});
+  const int brass = p.named("brass"), wood = p.frame("walnut"), sea = p.tinted("paper", {0.36, 0.55, 0.70}),
+            land = p.tinted("paper", {0.72, 0.66, 0.42});
   const double r = std::min({p.w / 2 * 0.92, p.d / 2, p.h * 0.36}), z = p.h - r * 1.08;
   p.add(wood, lathe({{0, 0}, {r * 0.75, 0}, {r * 0.7, p.h * 0.04}, {r * 0.12, p.h * 0.08}, {r * 0.1, z - r}, {0, z - r}}, 26));
   p.add(brass, torus({0, 0, 0}, r * 1.05, r * 0.03, 30, 6), moved(0, 0, z) * turned_y(20) * turned_x(90));
@@ -137,17 +164,20 @@ void aquarium(Piece& p) {
   p.add(dark, box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, 0, base), 0.005));
   p.add(dark, box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, p.h - std::min(0.03, p.h * 0.08), p.h), 0.004));
   const double lid = p.h - std::min(0.03, p.h * 0.08), in = 0.008;
-  p.add(p.tinted("soil", {0.76, 0.66, 0.48}), box(sides(-p.w / 2 + in, p.w / 2 - in, -p.d / 2 + in, p.d / 2 - in, base, base + (lid - base) * 0.12), 0));
-  p.add(p.named("water"), box(sides(-p.w / 2 + in, p.w / 2 - in, -p.d / 2 + in, p.d / 2 - in, base + (lid - base) * 0.12, lid - (lid - base) * 0.12), 0));
+  p.add(p.tinted("soil", {0.76, 0.66, 0.48}),
+        box(sides(-p.w / 2 + in, p.w / 2 - in, -p.d / 2 + in, p.d / 2 - in, base, base + (lid - base) * 0.12), 0));
+  p.add(p.named("water"),
+        box(sides(-p.w / 2 + in, p.w / 2 - in, -p.d / 2 + in, p.d / 2 - in, base + (lid - base) * 0.12, lid - (lid - base) * 0.12), 0));
   p.add(p.named("glass"), box(sides(-p.w / 2 + 0.003, p.w / 2 - 0.003, -p.d / 2 + 0.003, -p.d / 2 + in - 0.001, base, lid), 0));
   for (int i = 0; i < 4; ++i) {
-    const double x = p.random(-0.35, 0.35) * p.w, z = base + (lid - base) * p.random(0.35, 0.75), l = std::min(p.w, p.h) * 0.06;
+    const double x = p.random(-0.3, 0.3) * p.w, z = base + (lid - base) * p.random(0.35, 0.75), l = std::min(p.w, p.h) * 0.06;
     const int fish = p.tinted("wax", {0.94, 0.5 + 0.1 * i, 0.2});
     p.add(fish, ellipsoid({x, p.random(-0.2, 0.2) * p.d, z}, {l, l * 0.3, l * 0.5}, 12, 6));
   }
   for (int i = 0; i < 5; ++i) {
     const double x = p.w * (-0.4 + 0.2 * i);
-    p.add(p.named("leaf"), leaf({x, p.d * 0.1, base + (lid - base) * 0.1}, {x + 0.02, p.d * 0.15, base + (lid - base) * p.random(0.5, 0.85)}, p.w * 0.03, 0.01, 3));
+    p.add(p.named("leaf"), leaf({x, p.d * 0.1, base + (lid - base) * 0.1},
+                                {x + p.w * 0.02, p.d * 0.15, base + (lid - base) * p.random(0.5, 0.85)}, p.w * 0.03, 0.01, 3));
   }
 }
 

@@ -56,7 +56,8 @@ void shelf(Piece& p) {
   if (p.spaces.empty()) {
     const int n = std::max(1, p.count("shelves", std::max(2, static_cast<int>(p.h / 0.36))));
     const double t = 0.02, back = p.d / 2 - 0.008;
-    for (const double x : {-1.0, 1.0}) p.add(wood, box(sides(x > 0 ? p.w / 2 - t : -p.w / 2, x > 0 ? p.w / 2 : -p.w / 2 + t, -p.d / 2, p.d / 2, 0, p.h), 0.003));
+    for (const double x : {-1.0, 1.0})
+      p.add(wood, box(sides(x > 0 ? p.w / 2 - t : -p.w / 2, x > 0 ? p.w / 2 : -p.w / 2 + t, -p.d / 2, p.d / 2, 0, p.h), 0.003));
     p.add(wood, box(sides(-p.w / 2 + t, p.w / 2 - t, back, p.d / 2, 0, p.h), 0));
     for (int i = 0; i <= n; ++i) {
       const double z = 0.04 + (p.h - 0.04 - t) * i / n;
@@ -111,7 +112,8 @@ void rack(Piece& p) {
       p.add(metal, box(sides(cx - t / 2, cx + t / 2, cy - t / 2, cy + t / 2, 0, p.h), 0.003));
     }
     const double cx = x * (p.w / 2 - t / 2);
-    for (const double z : {p.h - t, p.h * 0.5}) p.add(metal, box(sides(cx - t * 0.4, cx + t * 0.4, -p.d / 2 + t, p.d / 2 - t, z, z + t * 0.9), 0.002));
+    for (const double z : {p.h - t, p.h * 0.5})
+      p.add(metal, box(sides(cx - t * 0.4, cx + t * 0.4, -p.d / 2 + t, p.d / 2 - t, z, z + t * 0.9), 0.002));
   }
   std::vector<double> levels;
   for (const FreeSpace& s : p.spaces) {

@@ -12,7 +12,17 @@ void round_support(Piece& p, int surface, double top) {
   const double column = std::min(0.06, p.w * 0.1), foot = p.w * 0.22, ky = p.d / p.w;
   // Chairs are pushed in from all sides, so what many sit at stands on one foot.
   if (p.count("legs", 4) <= 1 || std::min(p.w, p.d) > 0.75) {
-    p.add(surface, lathe({{0, 0}, {foot, 0}, {foot, 0.012}, {foot * 0.7, 0.03}, {column, 0.06}, {column * 0.7, top * 0.5}, {column * 0.8, top - 0.02}, {foot * 0.6, top}, {0, top}}, 28),
+    p.add(surface,
+          lathe({{0, 0},
+                 {foot, 0},
+                 {foot, 0.012},
+                 {foot * 0.7, 0.03},
+                 {column, 0.06},
+                 {column * 0.7, top * 0.5},
+                 {column * 0.8, top - 0.02},
+                 {foot * 0.6, top},
+                 {0, top}},
+                28),
           scaled(1, ky, 1));
     return;
   }
@@ -42,23 +52,30 @@ void picnic_table(Piece& p) {
   }
   const double board = 0.045, gap = 0.008, top = inner - 0.01, bench = p.d / 2 - inner - 0.05;
   const auto planks = [&](double y0, double y1, double z, int n) {
-    for (int i = 0; i < n; ++i) p.add(wood, box(sides(-p.w / 2, p.w / 2, y0 + (y1 - y0) * i / n + (i > 0 ? gap : 0), y0 + (y1 - y0) * (i + 1) / n, z - board, z), 0.005));
+    for (int i = 0; i < n; ++i)
+      p.add(wood,
+            box(sides(-p.w / 2, p.w / 2, y0 + (y1 - y0) * i / n + (i > 0 ? gap : 0), y0 + (y1 - y0) * (i + 1) / n, z - board, z), 0.005));
   };
   planks(-top, top, p.h, 5);
   planks(-p.d / 2, -p.d / 2 + bench, seat, 2);
   planks(p.d / 2 - bench, p.d / 2, seat, 2);
   for (const double s : {-1.0, 1.0}) {
     const double x = s * (p.w / 2 - 0.05);
-    for (const double k : {-1.0, 1.0}) p.add(wood, beam({x, k * (p.d / 2 - 0.08), 0.04}, {x, k * top * 0.5, p.h - board}, {0.045, 0.08}, 0.004));
+    for (const double k : {-1.0, 1.0})
+      p.add(wood, beam({x, k * (p.d / 2 - 0.08), 0.04}, {x, k * top * 0.4, p.h - board}, {0.045, 0.08}, 0.004));
     p.add(wood, box(sides(x - 0.022, x + 0.022, -p.d / 2 + 0.02, p.d / 2 - 0.02, seat - board - 0.08, seat - board), 0.004));
     p.add(wood, box(sides(x - 0.022, x + 0.022, -top, top, p.h - board - 0.06, p.h - board), 0.004));
-    for (const double k : {-1.0, 1.0}) p.add(wood, box(sides(x - 0.03, x + 0.03, k * (p.d / 2 - 0.08) - 0.05, k * (p.d / 2 - 0.08) + 0.05, 0, 0.06), 0.004));
+    for (const double k : {-1.0, 1.0})
+      p.add(wood, box(sides(x - 0.03, x + 0.03, k * (p.d / 2 - 0.08) - 0.05, k * (p.d / 2 - 0.08) + 0.05, 0, 0.06), 0.004));
   }
 }
 
 void table(Piece& p) {
   if (p.count("benches", 0) > 0) return picnic_table(p);
-  const std::string top = p.says("round") ? "round" : p.says("oval") ? "oval" : p.says("rectangular") || p.says("square") ? "rect" : p.word("top", "rect");
+  const std::string top = p.says("round")                             ? "round"
+                          : p.says("oval")                            ? "oval"
+                          : p.says("rectangular") || p.says("square") ? "rect"
+                                                                      : p.word("top", "rect");
   const int wood = p.main("oak"), frame = p.frame("oak");
   const double under = p.clear_below(p.h - std::min(0.09, p.h * 0.16)), board = std::min(0.035, (p.h - under) * 0.6 + 0.002);
   const double level = p.h - board;
@@ -114,7 +131,8 @@ void corner_desk(Piece& p, const FreeSpace& corner) {
   p.add(wood, box(sides(cx, x, -y, cy + 0.002, p.h - board, p.h), 0.005));
   p.add(frame, box(sides(-x + t, x - 0.002, y - t, y - 0.02, under, p.h - board), 0.003));
   p.add(frame, box(sides(x - t, x - 0.02, -y + t, y - t, under, p.h - board), 0.003));
-  for (const Vec2 at : {Vec2{-x, y - t}, Vec2{-x, cy}, Vec2{x - t, y - t}, Vec2{x - t, -y}, Vec2{cx, -y}}) p.add(frame, box(sides(at.x, at.x + t, at.y, at.y + t, 0, p.h - board), 0.004));
+  for (const Vec2 at : {Vec2{-x, y - t}, Vec2{-x, cy}, Vec2{x - t, y - t}, Vec2{x - t, -y}, Vec2{cx, -y}})
+    p.add(frame, box(sides(at.x, at.x + t, at.y, at.y + t, 0, p.h - board), 0.004));
 }
 
 void desk(Piece& p) {
@@ -140,10 +158,13 @@ void desk(Piece& p) {
   const double level = top_level - board;
   desk_side(p, frame, front, metal, -p.w / 2, left, level);
   desk_side(p, frame, front, metal, right, p.w / 2, level);
-  if (back < p.d / 2 - 0.015) p.add(frame, box(sides(-p.w / 2 + 0.03, p.w / 2 - 0.03, back, std::min(p.d / 2 - 0.01, back + 0.018), level * 0.5, level), 0.003));
+  if (back < p.d / 2 - 0.015)
+    p.add(frame, box(sides(-p.w / 2 + 0.03, p.w / 2 - 0.03, back, std::min(p.d / 2 - 0.01, back + 0.018), level * 0.5, level), 0.003));
   if (level - under > 0.06) {
     p.add(frame, box(sides(left, right, -p.d / 2 + 0.045, std::min(back, p.d / 2 - 0.03), under, level), 0.003));
-    fronts(p, front, metal, {left + 0.006, right - 0.006, under + 0.004, level - 0.004, -p.d / 2 + 0.025, 1, std::max(1, static_cast<int>((right - left) / 0.5)), false, 0.02, 0.02});
+    fronts(p, front, metal,
+           {left + 0.006, right - 0.006, under + 0.004, level - 0.004, -p.d / 2 + 0.025, 1,
+            std::max(1, static_cast<int>((right - left) / 0.5)), false, 0.02, 0.02});
   } else if (level - under > 0.012) {
     p.add(frame, box(sides(left, right, p.d / 2 - 0.05, p.d / 2 - 0.03, under, level), 0.003));
   }

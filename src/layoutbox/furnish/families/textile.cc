@@ -18,7 +18,9 @@ void rug(Piece& p) {
     slab(p, base, sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, 0, low), "round", 0.003);
     const double r = p.w / 2, k = p.d / p.w;
     for (const auto& [outer, inner] : {std::pair{0.94, 0.88}, {0.55, 0.50}}) {
-      p.add(stripe, lathe({{r * inner, low - 0.001}, {r * outer, low - 0.001}, {r * outer, p.h}, {r * inner, p.h}, {r * inner, low - 0.001}}, 40), scaled(1, k, 1));
+      p.add(stripe,
+            lathe({{r * inner, low - 0.001}, {r * outer, low - 0.001}, {r * outer, p.h}, {r * inner, p.h}, {r * inner, low - 0.001}}, 40),
+            scaled(1, k, 1));
     }
     return;
   }
@@ -48,7 +50,8 @@ void curtain(Piece& p) {
   // Two halves drawn to the sides, so that the window shows; one alone where it is narrow.
   const double part = p.w > 0.9 ? p.w * 0.3 : p.w - 0.02;
   const auto half = [&](double x0) {
-    p.add(cloth, waves(sides(x0, x0 + part, -p.d / 2, p.d / 2, 0, p.h - 2 * r - 0.004), std::max(2, static_cast<int>(part / 0.09)), std::min(0.006, p.d * 0.2)));
+    p.add(cloth, waves(sides(x0, x0 + part, -p.d / 2, p.d / 2, 0, p.h - 2 * r - 0.004), std::max(2, static_cast<int>(part / 0.09)),
+                       std::min(0.006, p.d * 0.2)));
   };
   half(-p.w / 2 + 0.01);
   if (p.w > 0.9) half(p.w / 2 - 0.01 - part);
@@ -71,7 +74,8 @@ void blanket(Piece& p) {
   const int cloth = p.main_accent("wool"), n = p.h > 0.06 ? std::clamp(static_cast<int>(p.h / 0.03), 2, 6) : 1;
   for (int i = 0; i < n; ++i) {
     const double in = i == 0 ? 0 : 0.006;
-    p.add(cloth, rounded_box(sides(-p.w / 2 + in, p.w / 2 - in, -p.d / 2, p.d / 2 - in, p.h * i / n, p.h * (i + 1) / n), std::min(0.02, p.h / n * 0.5), 3));
+    p.add(cloth, rounded_box(sides(-p.w / 2 + in, p.w / 2 - in, -p.d / 2, p.d / 2 - in, p.h * i / n, p.h * (i + 1) / n),
+                             std::min(0.02, p.h / n * 0.5), 3));
   }
 }
 
@@ -80,7 +84,8 @@ void towel(Piece& p) {
     const double t = std::min(0.01, p.d * 0.2), z = p.h - t;
     p.add(p.named("chrome"), rod({-p.w / 2, 0, z - t}, {p.w / 2, 0, z - t}, t, 12));
     p.add(p.named("chrome"), box(sides(-0.01, 0.01, 0, p.d / 2, z - 2 * t, z), 0.002));
-    p.add(p.main_accent("wool"), rounded_box(sides(-p.w / 2 + 0.02, p.w / 2 - 0.02, -p.d / 2, p.d * 0.2, 0, p.h), std::min(0.02, p.d * 0.3), 3));
+    p.add(p.main_accent("wool"),
+          rounded_box(sides(-p.w / 2 + 0.02, p.w / 2 - 0.02, -p.d / 2, p.d * 0.2, 0, p.h), std::min(0.02, p.d * 0.3), 3));
     return;
   }
   blanket(p);

@@ -18,7 +18,7 @@ void frame(Piece& p, int surface, double width) {
 
 // Simple compositions: hills and a sun, blocks of colour, arches.
 void picture(Piece& p) {
-  const double t = std::min({0.025, p.w * 0.2, p.h * 0.2}), y = -p.d / 2 + std::min(0.006, p.d * 0.4);
+  const double t = std::min({0.025, p.w * 0.2, p.h * 0.2}), y = -p.d / 2 + std::min(0.006, p.d * 0.45);
   frame(p, p.frame("walnut"), t);
   const double x0 = -p.w / 2 + t, x1 = p.w / 2 - t, z0 = t, z1 = p.h - t, cw = x1 - x0, ch = z1 - z0;
   const Color accent = p.color_asked() ? Color{0.45, 0.5, 0.55} : p.accent();
@@ -28,7 +28,7 @@ void picture(Piece& p) {
     std::vector<Vec2> placed;
     for (const Vec2 q : outline) placed.push_back({x0 + cw * std::clamp(q.x, 0.02, 0.98), z0 + ch * std::clamp(q.y, 0.02, 0.98)});
     const Pose upright{{1, 0, 0}, {0, 0, 1}, {0, -1, 0}, {0, y, 0}};
-    p.add(p.tinted("paper", color), prism(placed, -0.0005, 0.0006 * layer), upright);
+    p.add(p.tinted("paper", color), prism(placed, -0.0002, std::min(0.0006, p.d * 0.06) * layer), upright);
   };
   const Color deep = mixed(accent, {0.1, 0.12, 0.16}, 0.5), warm{0.86, 0.58, 0.36}, pale{0.90, 0.84, 0.74};
   const int kind = p.pick(3);
@@ -71,7 +71,8 @@ void mirror(Piece& p) {
   const double face = std::min(0.03, p.d);
   if (p.d > 0.08) {
     // A mirror that stands: a frame on a foot.
-    for (const double x : {-1.0, 1.0}) p.add(rim, box(sides(x * p.w / 2 - (x > 0 ? 0.04 : 0), x * p.w / 2 + (x > 0 ? 0 : 0.04), -p.d / 2, p.d / 2, 0, 0.03), 0.005));
+    for (const double x : {-1.0, 1.0})
+      p.add(rim, box(sides(x * p.w / 2 - (x > 0 ? 0.04 : 0), x * p.w / 2 + (x > 0 ? 0 : 0.04), -p.d / 2, p.d / 2, 0, 0.03), 0.005));
     const double lean = std::min(0.12, p.d * 0.4);
     const Pose tilt{{1, 0, 0}, {0, 1, 0}, unit(Vec{0, lean, p.h}), {0, -lean / 2 - face / 2, 0.03}};
     const double tall = (p.h - 0.03) / unit(Vec{0, lean, p.h}).z;
@@ -89,13 +90,17 @@ void clock(Piece& p) {
   const Pose upright = moved(0, p.d / 2, p.h / 2) * Pose{{1, 0, 0}, {0, 0, p.h / p.w}, {0, -1, 0}, {}};
   p.add(rim, lathe({{0, 0}, {r, 0}, {r, p.d}, {r * 0.9, p.d}, {r * 0.9, y - 0.002}, {0, y - 0.002}}, 40), upright);
   p.add(face, lathe({{0, y - 0.003}, {r * 0.9, y - 0.003}, {r * 0.9, y}, {0, y}}, 40), upright);
-  for (int i = 0; i < 12; ++i) p.add(hands, box(sides(-r * 0.015, r * 0.015, r * (i % 3 == 0 ? 0.7 : 0.76), r * 0.84, y, y + p.d * 0.04), 0), upright * turned_z(30 * i));
+  for (int i = 0; i < 12; ++i)
+    p.add(hands, box(sides(-r * 0.015, r * 0.015, r * (i % 3 == 0 ? 0.7 : 0.76), r * 0.84, y, y + p.d * 0.04), 0),
+          upright * turned_z(30 * i));
   p.add(hands, box(sides(-r * 0.025, r * 0.025, -r * 0.08, r * 0.5, y + p.d * 0.05, y + p.d * 0.1), 0), upright * turned_z(60));
   p.add(hands, box(sides(-r * 0.018, r * 0.018, -r * 0.1, r * 0.72, y + p.d * 0.11, y + p.d * 0.16), 0), upright * turned_z(-60));
 }
 
 void board(Piece& p) {
-  const std::string kind = p.word("kind", p.says("cork") || p.says("bulletin") ? "cork" : p.says("black") || p.says("chalk") ? "chalk" : "white");
+  const std::string kind = p.word("kind", p.says("cork") || p.says("bulletin") ? "cork"
+                                          : p.says("black") || p.says("chalk") ? "chalk"
+                                                                               : "white");
   frame(p, p.frame(kind == "white" ? "steel" : "oak"), 0.02);
   const double t = std::min({0.02, p.w * 0.2, p.h * 0.2});
   const int face = kind == "cork" ? p.named("cork") : kind == "chalk" ? p.tinted("plaster", {0.14, 0.22, 0.19}) : p.named("ceramic");
@@ -113,7 +118,9 @@ void wall_shelf(Piece& p) {
   if (p.h - t < 0.01) return;
   for (const double s : {-0.36, 0.36}) {
     const double x = s * p.w, y = p.d / 2, z = p.h - t;
-    p.add(p.frame("black_metal"), prism({{y, 0}, {y, z}, {y - p.d * 0.8, z}, {y - p.d * 0.8, z - std::min(0.015, z)}, {y - 0.012, 0}}, -0.008, 0.008), Pose{{0, 1, 0}, {0, 0, 1}, {1, 0, 0}, {x, 0, 0}});
+    p.add(p.frame("black_metal"),
+          prism({{y, 0}, {y, z}, {y - p.d * 0.8, z}, {y - p.d * 0.8, z - std::min(0.015, z)}, {y - 0.012, 0}}, -0.008, 0.008),
+          Pose{{0, 1, 0}, {0, 0, 1}, {1, 0, 0}, {x, 0, 0}});
   }
 }
 

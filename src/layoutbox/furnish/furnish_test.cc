@@ -1,0 +1,190 @@
+#include "layoutbox/furnish/furnish.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "layoutbox/furnish/mesh_checks.h"
+#include "layoutbox/furnish/piece.h"
+
+namespace layoutbox {
+namespace {
+
+const Catalog& catalog() { return Catalog::builtin(); }
+
+PlacedObject object_of(const CatalogEntry& entry, const Size& size) {
+  PlacedObject object;
+  object.id = entry.id + "_1";
+  object.category = entry.id;
+  object.name = entry.name;
+  object.size = size;
+  object.mount = entry.mount;
+  object.spaces = spaces_at(entry, size);
+  return object;
+}
+
+PlacedObject object_of(std::string_view id) {
+  const CatalogEntry* entry = catalog().find(id);
+  EXPECT_NE(entry, nullptr) << id;
+  return entry == nullptr ? PlacedObject{} : object_of(*entry, entry->size.usual);
+}
+
+Model furnished(const PlacedObject& object, const FurnishOptions& options = {}) {
+  const Result<Model> model = furnish_object(object, catalog(), options);
+  EXPECT_TRUE(model) << object.id;
+  return model ? *model : Model{};
+}
+
+kit::Box metres(const Space& space) {
+  return {{space.min[0] / 1000, space.min[1] / 1000, space.min[2] / 1000}, {space.max[0] / 1000, space.max[1] / 1000, space.max[2] / 1000}};
+}
+
+// Every entry of the catalogue at its least, usual and greatest size.
+template <class Check>
+void for_every_piece(Check check) {
+  for (const CatalogEntry& entry : catalog().entries()) {
+    for (const Size& size : {entry.size.least, entry.size.usual, entry.size.greatest}) {
+      SCOPED_TRACE(entry.id + " " + std::to_string(size.width) + "x" + std::to_string(size.depth) + "x" + std::to_string(size.height));
+      check(object_of(entry, size));
+    }
+  }
+}
+
+TEST(Furnish, EveryFamilyOfTheCatalogueIsThere) {
+  for (const CatalogEntry& entry : catalog().entries())
+    EXPECT_TRUE(kit::families().contains(entry.shape.family)) << entry.id << " " << entry.shape.family;
+}
+
+TEST(Furnish, EveryPieceTouchesItsBoxOnAllSides) {
+  FurnishOptions empty;
+  empty.contents = false;
+  for_every_piece([&](const PlacedObject& object) {
+    const kit::Box b = mesh_checks::bounds_of(furnished(object, empty).nodes.at(0));
+    const double w = object.size.width / 2000.0, d = object.size.depth / 2000.0, h = object.size.height / 1000.0;
+    for (const double gap : {b.min.x + w, w - b.max.x, b.min.y + d, d - b.max.y, b.min.z, h - b.max.z}) {
+      EXPECT_GE(gap, -0.0005);
+      EXPECT_LE(gap, 0.005);
+    }
+  });
+}
+
+TEST(Furnish, NothingOfAPieceIsInItsSpaces) {
+  FurnishOptions empty;
+  empty.contents = false;
+  for_every_piece([&](const PlacedObject& object) {
+    const Model model = furnished(object, empty);
+    for (const Space& space : object.spaces) EXPECT_EQ(mesh_checks::intrusion(model.nodes.at(0), metres(space), 0.0015), "") << space.name;
+  });
+}
+
+TEST(Furnish, EveryMeshIsClosedFacesOutwardsAndIsOfSensibleSize) {
+  for_every_piece([&](const PlacedObject& object) {
+    const Model model = furnished(object);
+    EXPECT_LT(mesh_checks::triangles_of(model.nodes.at(0)), 7500U);
+    for (const Part& part : model.nodes.at(0).parts) {
+      const std::string& surface = model.surfaces.at(static_cast<std::size_t>(part.surface)).name;
+      EXPECT_EQ(mesh_checks::open_edges(part.mesh), 0) << surface;
+      EXPECT_GT(mesh_checks::volume(part.mesh), 0) << surface;
+    }
+  });
+}
+
+TEST(Furnish, ContentsStayWithinTheBoxAndOutOfWhatIsHeld) {
+  Layout layout;
+  PlacedObject shelf = object_of("bookshelf");
+  PlacedObject vase = object_of("vase");
+  ASSERT_GE(shelf.spaces.size(), 3U);
+  vase.size = {100, 100, 200};
+  vase.spaces.clear();
+  vase.position = {0, 0, shelf.spaces[1].min[2]};
+  vase.supported_by = shelf.id;
+  layout.objects = {shelf, vase};
+  const Result<Model> model = furnish(layout, catalog());
+  ASSERT_TRUE(model);
+  EXPECT_EQ(mesh_checks::intrusion(model->nodes.at(0), metres(shelf.spaces[1]), 0.0015), "");
+  EXPECT_NE(mesh_checks::intrusion(model->nodes.at(0), metres(shelf.spaces[2]), 0.0015), "") << "the other shelves keep their books";
+}
+
+const Surface* surface_named(const Model& model, const std::string& start) {
+  for (const Surface& surface : model.surfaces) {
+    if (surface.name.starts_with(start)) return &surface;
+  }
+  return nullptr;
+}
+
+TEST(Furnish, GivesTheAskedColourToTheMainPart) {
+  PlacedObject bed = object_of("bed");
+  bed.attributes = {"blue"};
+  const Model model = furnished(bed);
+  const bool blue = std::any_of(model.surfaces.begin(), model.surfaces.end(), [](const Surface& s) { return s.base.b > s.base.r + 0.2; });
+  EXPECT_TRUE(blue);
+}
+
+TEST(Furnish, GivesTheAskedMaterialToTheFittingPart) {
+  PlacedObject chair = object_of("armchair");
+  chair.attributes = {"leather"};
+  EXPECT_NE(surface_named(furnished(chair), "leather"), nullptr);
+  PlacedObject table = object_of("dining_table");
+  table.name = "walnut dining table";
+  EXPECT_NE(surface_named(furnished(table), "walnut"), nullptr);
+}
+
+TEST(Furnish, ASceneMaterialWins) {
+  Layout layout;
+  Material own;
+  own.id = "my_paint";
+  own.color = Color{0.9, 0.1, 0.5};
+  own.roughness = 0.25;
+  layout.materials = {own};
+  PlacedObject table = object_of("dining_table");
+  table.material = "my_paint";
+  layout.objects = {table};
+  const Result<Model> model = furnish(layout, catalog());
+  ASSERT_TRUE(model);
+  const Surface* surface = surface_named(*model, "my_paint");
+  ASSERT_NE(surface, nullptr);
+  EXPECT_NEAR(surface->base.g, 0.1, 1e-9);
+  EXPECT_NEAR(static_cast<double>(surface->roughness), 0.25, 1e-6);
+}
+
+TEST(Furnish, LampsGiveLightWithinThemselves) {
+  for (const char* id : {"floor_lamp", "table_lamp", "pendant_lamp"}) {
+    const PlacedObject lamp = object_of(id);
+    const Node node = furnished(lamp).nodes.at(0);
+    ASSERT_FALSE(node.lights.empty()) << id;
+    EXPECT_GT(node.lights[0].watts, 0) << id;
+  }
+}
+
+TEST(Furnish, TheSameObjectAlwaysLooksTheSame) {
+  const PlacedObject shelf = object_of("bookshelf");
+  const Model a = furnished(shelf), b = furnished(shelf);
+  ASSERT_EQ(a.nodes[0].parts.size(), b.nodes[0].parts.size());
+  for (std::size_t i = 0; i < a.nodes[0].parts.size(); ++i)
+    EXPECT_EQ(a.nodes[0].parts[i].mesh.positions, b.nodes[0].parts[i].mesh.positions);
+  PlacedObject other = shelf;
+  other.id = "bookshelf_2";
+  EXPECT_NE(mesh_checks::triangles_of(furnished(other).nodes[0]), mesh_checks::triangles_of(a.nodes[0])) << "another shelf has other books";
+}
+
+TEST(Furnish, AnUnknownThingIsDrawnAtItsSize) {
+  PlacedObject thing;
+  thing.id = "thing_1";
+  thing.category = "flux_capacitor";
+  thing.name = "flux capacitor";
+  thing.size = {500, 400, 900};
+  const kit::Box b = mesh_checks::bounds_of(furnished(thing).nodes.at(0));
+  EXPECT_NEAR(b.max.z, 0.9, 0.005);
+  EXPECT_NEAR(b.max.x, 0.25, 0.005);
+}
+
+TEST(Furnish, ASizeOfNothingIsAnError) {
+  PlacedObject thing = object_of("chair");
+  thing.size.depth = 0;
+  const Result<Model> model = furnish_object(thing, catalog());
+  ASSERT_FALSE(model);
+  EXPECT_EQ(model.error().pointer, "chair_1");
+}
+
+}  // namespace
+}  // namespace layoutbox
