@@ -306,8 +306,11 @@ bool Reader::read_part() {
       return has(next, Class::kObject) && !has(next, Class::kPlaceVerb) && !has(next, Class::kHave);
     }();
     if (attribute != nullptr && object != nullptr && match.length == 1 && noun_next && !noun_before) return add(attribute->word_class, *attribute, match.length, match.plural);
-    const bool part = has(match, Class::kPart) && match.length == 1;
+    Token single = token();
+    single.text = singular_of(single.text);
+    const bool part = match.length == 1 && lexicon_.is(single, Class::kPart);
     if (object != nullptr && !(verbal && noun_before && !hyphenated(i_)) && !part) return add(Class::kObject, *object, match.length, match.plural);
+    if (object != nullptr && part) return add(Class::kPart, *object, match.length, match.plural);
     if (attribute != nullptr && !(noun_before && verbal)) {
       if (noun_before && !hyphenated(i_)) {
         // "bed king size": an attribute after the noun ends the phrase, unless another noun follows it ("table glass lamp").
@@ -330,7 +333,7 @@ bool Reader::read_part() {
       return add(place, *meaning, match.length, match.plural);
     }
     for (const Class word : {Class::kWallRelation, Class::kWallWord}) {
-      if (const Meaning* meaning = meaning_of(match, word); meaning != nullptr && named && !noun_before) return add(word, *meaning, match.length, false);
+      if (const Meaning* meaning = meaning_of(match, word); meaning != nullptr && (named || bare_) && !noun_before) return add(word, *meaning, match.length, false);
     }
     if (has(match, Class::kNumber) && at_word("one") && named) {  // "the left one", "the other one"
       phrase_.kind = NounKind::kMember;

@@ -105,6 +105,7 @@ void DocumentReader::read_chunk(std::size_t k) {
       mark(k, Use::kIgnored, "joins clauses");
       const int place = document_.tokens[chunk(k).first].text == "where" && !chain_.empty() ? chain_.back() : -1;
       begin_clause();
+      in_room_list_ = false;
       where_host_ = place;
       break;
     }
@@ -115,7 +116,11 @@ void DocumentReader::read_chunk(std::size_t k) {
       break;
     case ChunkKind::kSoft: mark(k, Use::kUsed, "soft"); soft_ = true; break;
     case ChunkKind::kWithout: mark(k, Use::kUsed, "negation"); negated_ = true; skipping_ = false; break;
-    case ChunkKind::kPurpose: mark(k, Use::kIgnored, "purpose"); skipping_ = true; break;
+    case ChunkKind::kPurpose:
+      mark(k, Use::kIgnored, "purpose");
+      skipping_ = true;
+      joiner_ = Joiner::kNone;
+      break;
     case ChunkKind::kThere: case ChunkKind::kCommand:
       mark(k, Use::kIgnored, "opens a statement");
       skipping_ = false;
@@ -143,7 +148,7 @@ void DocumentReader::read_chunk(std::size_t k) {
     case ChunkKind::kHave: read_have(k); break;
     case ChunkKind::kVerb: read_verb(k); break;
     case ChunkKind::kParticiple:
-      if (skipping_ && joiner_ == Joiner::kNone) {
+      if (skipping_) {
         mark(k, Use::kIgnored, "purpose");
         break;
       }
@@ -321,15 +326,21 @@ void DocumentReader::read_noun(std::size_t k) {
       }
     }
   } else if (noun.kind == NounKind::kPart || noun.determiner == Determiner::kPossessive || base_is_pronoun) {
-    antecedent = owner_ >= 0 ? owner_ : implied_reference(busy);
+    const bool of_something = noun.kind != NounKind::kPart || expects_reference_ || expects_content_ || noun.determiner == Determiner::kDefinite || noun.determiner == Determiner::kPossessive || base_is_pronoun;
+    antecedent = owner_ >= 0 ? owner_ : of_something ? implied_reference(busy) : -1;
     if (noun.determiner == Determiner::kPossessive && noun.kind != NounKind::kPart && noun.kind != NounKind::kObject && noun.kind != NounKind::kCorner && noun.kind != NounKind::kCenter) antecedent = -1;
     if (noun.kind == NounKind::kCenter && noun.determiner == Determiner::kPossessive && document_.items.empty()) antecedent = -1;
   }
+  // "the desk's left corner" is the left corner of the desk.
+  NounPhrase owned = noun;
+  if (owner_ >= 0 && !owned.of) owned.of = std::make_shared<NounPhrase>(noun_of(owner_));
+  if (owned.of && owner_ >= 0) owned.of->determiner = Determiner::kDefinite;
   owner_ = -1;
-  const int mention = references_.mention(noun, antecedent, expects_reference_);
+  const int mention = references_.mention(owned, antecedent, expects_reference_);
   if (expects_reference_ && mention_at(mention).items.empty() && (noun.kind == NounKind::kAbstract || noun.kind == NounKind::kRoom)) {
     const int meant = thing_of_zone(noun);
     if (meant >= 0) {
+      if (reference_link_ >= 0) link_at(reference_link_).implied = true;
       mention_at(mention).items = mention_at(meant).items;
       mention_at(mention).noun = noun_of(meant);
     }
@@ -349,14 +360,18 @@ int DocumentReader::thing_of_zone(const NounPhrase& noun) const {
   static constexpr std::string_view kZones[] = {"area", "zone", "nook", "setup", "arrangement", "section", "spot", "station", "corner", "set-up"};
   if (std::find(std::begin(kZones), std::end(kZones), noun.head) == std::end(kZones) || noun.determiner != Determiner::kDefinite) return -1;
   const std::string words = words_between(document_, noun.first, noun.last);
-  int seat = -1;
+  int seat = -1, named = -1;
   for (std::size_t m = document_.mentions.size(); m-- > 0;) {
     const Mention& mention = document_.mentions[m];
     if (mention.items.empty() || !mention.introduces || mention.noun.kind != NounKind::kObject) continue;
     const std::string first = mention.noun.name.substr(0, mention.noun.name.find(' '));
-    if (first != mention.noun.name && words.find(first) != std::string::npos) return static_cast<int>(m);
+    if (first != mention.noun.name && words.find(first) != std::string::npos) {
+      if (!is_seat(lexicon_.catalog(), mention.noun)) return static_cast<int>(m);
+      if (named < 0) named = static_cast<int>(m);
+    }
     if (seat < 0 && is_seat(lexicon_.catalog(), mention.noun)) seat = static_cast<int>(m);
   }
+  if (named >= 0) return named;
   if (words.find("seating") != std::string::npos || words.find("sitting") != std::string::npos || words.find("lounge") != std::string::npos) return seat;
   if (words.find("sleeping") != std::string::npos) {
     for (std::size_t m = 0; m < document_.mentions.size(); ++m) {
@@ -454,6 +469,11 @@ void DocumentReader::place_reference(std::size_t k, int mention) {
     if (link.each && is_thing(mention)) {
       for (const int target : link.targets) grow_for_sides(link.senses, target);
     }
+    if (noun_of(mention).kind == NounKind::kCorner && noun_of(mention).determiner == Determiner::kEach) {
+      for (const int target : link.targets) {
+        if (noun_of(target).count == 0 || noun_of(target).count == 1) references_.grow(target, 4);
+      }
+    }
     if (mention_at(mention).distributes) {
       for (const int target : link.targets) {
         const std::size_t places = std::max<std::size_t>(mention_at(mention).items.size(), 1);
@@ -544,10 +564,14 @@ bool DocumentReader::goes_on_with_contents(std::size_t k, const NounPhrase& noun
   if (host.kind == NounKind::kWall || host.kind == NounKind::kCorner) return joiner_ == Joiner::kAnd || joiner_ == Joiner::kComma;
   const Catalog& catalog = lexicon_.catalog();
   if (noun.kind == NounKind::kAbstract) return !noun.collective || joiner_ != Joiner::kNone;
+  if (host.entry != nullptr && host.entry->thin) return false;
+  if (frame.after_comma && mount_of(noun) == Mount::kFloor) return false;
   const NounPhrase& former = noun_of(link.targets.back());
   const bool carried = may_carry(catalog, host, noun);
   if (link.kind == Link::Kind::kHave) {
     if (carried && may_carry(catalog, host, former)) return true;
+    const bool on_top = is(n, ChunkKind::kRelation) && says(*chunk(n).phrase.senses, RelationType::kOn) && !is(next(n), ChunkKind::kNoun);
+    if (joiner_ == Joiner::kAnd && on_top) return true;
     if (joiner_ == Joiner::kAnd) return mount_of(former) == mount_of(noun) && !is(n, ChunkKind::kRelation) && !is(n, ChunkKind::kHave);
     return false;
   }
@@ -586,6 +610,8 @@ std::vector<int> DocumentReader::targets_for(const PhraseSenses& senses, Directi
     if (!sense) continue;
     int score = 10 * suits(catalog, *sense, noun, reference);
     const bool root = contains(roots_, mention) || contains(subject_, mention);
+    const bool room_place = reference.kind == NounKind::kCorner || reference.kind == NounKind::kWall || reference.kind == NounKind::kWindow || reference.kind == NounKind::kDoor || reference.kind == NounKind::kCenter;
+    if (room_place && !apart && step == 0 && count > 1 && is_content(mention) && (is_seat(catalog, noun) || mount_of(noun) == Mount::kSurface) && !hang_) score -= 12;
     // What was there before is seldom placed anew by the way.
     if (!document_.mentions[static_cast<std::size_t>(mention)].introduces && !root) score -= 15;
     if (hang_ && !apart && c + 1 == count && score > 0) score += 12;  // "a bicycle hung on the wall"
@@ -667,6 +693,10 @@ int DocumentReader::implied_side_host(const PhraseSenses& senses, const std::vec
   return implied_reference(targets);
 }
 
+bool DocumentReader::is_content(int mention) const {
+  return std::any_of(frames_.begin(), frames_.end(), [&](const Frame& frame) { return frame.link >= 0 && contains(document_.links[static_cast<std::size_t>(frame.link)].targets, mention); });
+}
+
 bool DocumentReader::frames_are_room() const {
   return std::all_of(frames_.begin(), frames_.end(), [](const Frame& frame) { return frame.room; });
 }
@@ -689,7 +719,7 @@ void DocumentReader::hang(const std::vector<int>& targets, std::size_t k) {
 
 void DocumentReader::read_relation(std::size_t k) {
   const Chunk& relation = chunk(k);
-  if (skipping_ && joiner_ == Joiner::kNone) {
+  if (skipping_) {
     mark(k, WordReading::Use::kIgnored, "purpose");
     return;
   }
@@ -727,7 +757,8 @@ void DocumentReader::read_relation(std::size_t k) {
   }
   const std::string& last_word = document_.tokens[relation.last - 1].text;
   const bool open_end = last_word == "of" || last_word == "to" || last_word == "from" || last_word == "with" || last_word == "by" || last_word == "at" || last_word == "on" || last_word == "in" || last_word == "against";
-  if (!alone && !relation.phrase.possessive && (open_end || !direct)) {
+  const bool up_or_down = says(senses, RelationType::kAbove) || says(senses, RelationType::kUnder);
+  if (!alone && !relation.phrase.possessive && (open_end || !direct || !up_or_down)) {
     if (relation.hang && !chain_.empty()) hang({chain_.back()}, k);
     return;
   }
@@ -746,7 +777,7 @@ void DocumentReader::read_relation(std::size_t k) {
     mention_at(last_wall_).noun.wall_word = says(link.senses, RelationType::kLeftOf) ? "left" : "right";
     return;
   }
-  if (is(before, ChunkKind::kNoun) && (chunk(before).noun.kind == NounKind::kAbstract || chunk(before).noun.kind == NounKind::kPart) && !chain_.empty() && !is_thing(chain_.back())) return;
+  if (is(before, ChunkKind::kNoun) && (chunk(before).noun.kind == NounKind::kAbstract || chunk(before).noun.kind == NounKind::kPart) && joiner_ == Joiner::kNone) return;
   const bool group_only = std::all_of(link.senses.begin(), link.senses.end(), [](const PhraseSense& s) { return relation_row(s.type).arity == RelationArity::kNone; });
   std::vector<int> targets;
   if (!chain_.empty()) {
@@ -828,7 +859,8 @@ void DocumentReader::read_inverse(std::size_t k, PhraseSenses senses) {
 }
 
 void DocumentReader::read_have(std::size_t k) {
-  if (skipping_ && joiner_ == Joiner::kNone) {
+  if (skipping_ && is_finite(document_.tokens[chunk(k).first].text) && is(previous(k), ChunkKind::kNoun)) skipping_ = false;
+  if (skipping_) {
     mark(k, WordReading::Use::kIgnored, "purpose");
     return;
   }
@@ -846,6 +878,7 @@ void DocumentReader::read_have(std::size_t k) {
   joiner_ = Joiner::kNone;
   // The host: what stands right before; after a comma or a verb the clause's own thing.
   int host = chain_.empty() ? -1 : chain_.back();
+  if (host >= 0 && is_thing(host) && !mention_at(host).introduces && is_thing(chain_.front()) && noun_of(host).kind == NounKind::kObject) host = chain_.front();
   if ((after_comma || is(previous(k), ChunkKind::kVerb)) && !chain_.empty()) host = chain_.front();
   if (is_finite(word) && roots_.size() > clause_start_) host = roots_.back();
   if (relative_host_ >= 0) host = relative_host_;
@@ -883,6 +916,7 @@ void DocumentReader::read_have(std::size_t k) {
 }
 
 void DocumentReader::read_verb(std::size_t k) {
+  if (skipping_ && is_finite(document_.tokens[chunk(k).first].text) && is(previous(k), ChunkKind::kNoun)) skipping_ = false;
   if (skipping_) {
     mark(k, WordReading::Use::kIgnored, "purpose");
     return;

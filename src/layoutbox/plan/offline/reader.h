@@ -50,6 +50,7 @@ class DocumentReader {
   int thing_of_zone(const NounPhrase& noun) const;
   void grow_for_sides(const PhraseSenses& senses, int target);
   bool frames_are_room() const;
+  bool is_content(int mention) const;
   bool verb_at(std::size_t k) const;
   bool place_comes_first(std::size_t k) const;
   std::size_t previous(std::size_t k) const;     // the chunk before, ignored ones left out; past the end if none

@@ -140,7 +140,7 @@ class Builder {
       for (const PhraseSense& sense : link.senses) {
         const RelationArity arity = relation_row(sense.type).arity;
         if (arity == RelationArity::kNone || (arity == RelationArity::kOptional && sense.type == R::kOnCeiling)) {
-          if (speaks_of_group(sense.type)) add(link, sense.type, ids(targets), {}, sense);
+          if (speaks_of_group(sense.type)) add_group(link, sense, targets, {}, nullptr);
           else for (const int target : targets) add(link, sense.type, {id(target)}, {}, sense);
           return;
         }
@@ -274,6 +274,16 @@ class Builder {
       add(link, R::kEachSideOf, ids(target.items), {id(references.front())});
       return;
     }
+    // A seat "at" a table is used there.
+    if (sense.type == R::kNextTo && references.size() == 1 && is_seat(catalog_, target.noun) && is_table(catalog_, noun_of_item(references.front())) && document_.tokens[link.first].text == "at") {
+      if (target.items.size() > 1) {
+        add_group(link, {R::kAround, Direction::kDirect, {}, {}, {}}, target.items, references, nullptr);
+      } else {
+        add(link, R::kInFrontOf, {id(target.items.front())}, {id(references.front())});
+        add(link, R::kFacing, {id(target.items.front())}, {id(references.front())});
+      }
+      return;
+    }
     if (sense.type == R::kUnder && mount_of(target.noun) == Mount::kFloor && references.size() == 1 && target.items.size() == 1) {
       // What stands under a thing on the wall: the wall's thing is above it.
       const Mount above = mount_of(noun_of_item(references.front()));
@@ -282,7 +292,7 @@ class Builder {
         return;
       }
     }
-    if (link.implied && (sense.type == R::kNear || sense.type == R::kNextTo) && mount_of(target.noun) == Mount::kFloor && references.size() >= 1) {
+    if (link.implied && (sense.type == R::kNear || sense.type == R::kNextTo || sense.type == R::kOpposite) && mount_of(target.noun) == Mount::kFloor && references.size() >= 1) {
       for (const Relation& r : scene_.relations) {
         const bool carried = (r.type == R::kOn || r.type == R::kIn) && !r.targets.empty() && r.targets.front() == id(references.front()) && !r.references.empty();
         if (!carried) continue;
@@ -313,6 +323,7 @@ class Builder {
   // Two of a kind that stand by beds (sofas …) "beside" one stand on either side of it.
   bool flanks(const NounPhrase& thing, const NounPhrase& host) const {
     if (thing.entry == nullptr || host.entry == nullptr) return false;
+    if (!one_of(host.head, {"bed", "sofa", "couch", "loveseat", "daybed"})) return false;
     return std::any_of(thing.entry->beside.begin(), thing.entry->beside.end(), [&](const std::string& kind) { return catalog_.is_a(host.entry->id, kind); });
   }
 
@@ -399,7 +410,7 @@ class Builder {
         each(R::kOn);
       } else if (mount_of(host) == Mount::kWall && mount == Mount::kFloor && target.items.size() == 1) {
         add(link, R::kAbove, {id(hosts.front())}, {id(target.items.front())});
-      } else if (!is_placed(target.items.front()) && !(link.after_comma && link.weak)) {
+      } else if (!is_placed(target.items.front()) && (!link.after_comma || one_of(document_.tokens[link.first].text, {"accompanied", "joined", "paired", "complemented", "coupled"}))) {
         const bool pair = target.items.size() == 2 && hosts.size() == 1;
         if (pair) add(link, R::kEachSideOf, ids(target.items), {id(hosts.front())});
         else each(R::kNextTo);
