@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # What takes too long for every change: a full build by clang, everything under the address and undefined-behaviour sanitizers,
-# unit tests under the thread sanitizer, long random runs, coverage. Ends like scripts/test.sh with one line of counts.
+# unit tests under the thread sanitizer, long random runs, fuzzing, coverage. Ends like scripts/test.sh with one line of counts.
 set -uo pipefail
 cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." || exit 3
 # shellcheck source=scripts/counting.sh
@@ -19,6 +19,12 @@ coverage() {
     --print-summary
 }
 
+# fuzz TARGET: five minutes from its corpus on; what it finds new stays under build/fuzz/.
+fuzz() {
+  mkdir -p "build/fuzz/found/$1"
+  "build/fuzz/fuzz/fuzz_$1" -max_total_time=300 -print_final_stats=1 -artifact_prefix="build/fuzz/found/$1-" "build/fuzz/found/$1" "fuzz/corpus/$1"
+}
+
 if step set-up scripts/setup.sh --nightly; then
   if step build-clang scripts/build.sh --preset clang --tests; then cases clang build/clang; fi
   if step build-sanitized scripts/build.sh --preset debug --tests; then cases sanitized build/debug; fi
@@ -31,6 +37,12 @@ if step set-up scripts/setup.sh --nightly; then
   fi
   if step build-fuzz scripts/build.sh --preset fuzz fuzz_read_scene fuzz_read_layout fuzz_plan fuzz_verify; then
     for target in read_scene read_layout plan verify; do step "fuzz-$target" fuzz "$target"; done
+  fi
+  if step build-fuzz scripts/build.sh --preset fuzz; then
+    for source in fuzz/fuzz_*.cc; do
+      name=$(basename "$source" .cc)
+      step "$name" fuzz "${name#fuzz_}"
+    done
   fi
   if step build-coverage scripts/build.sh --preset coverage --tests; then
     cases covered build/coverage
