@@ -7,6 +7,7 @@ cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." || exit 3
 source scripts/counting.sh
 
 # Ten minutes of any bytes for each reader; what breaks it stays in build/fuzz/.
+# shellcheck disable=SC2317  # step calls it
 fuzz() {
   local target=$1 inputs=build/fuzz/inputs/$1
   mkdir -p "$inputs"
@@ -19,12 +20,6 @@ coverage() {
     --print-summary
 }
 
-# fuzz TARGET: five minutes from its corpus on; what it finds new stays under build/fuzz/.
-fuzz() {
-  mkdir -p "build/fuzz/found/$1"
-  "build/fuzz/fuzz/fuzz_$1" -max_total_time=300 -print_final_stats=1 -artifact_prefix="build/fuzz/found/$1-" "build/fuzz/found/$1" "fuzz/corpus/$1"
-}
-
 if step set-up scripts/setup.sh --nightly; then
   if step build-clang scripts/build.sh --preset clang --tests; then cases clang build/clang; fi
   if step build-sanitized scripts/build.sh --preset debug --tests; then cases sanitized build/debug; fi
@@ -35,13 +30,10 @@ if step set-up scripts/setup.sh --nightly; then
     echo "random rooms from seed $seed on"
     LAYOUTBOX_RANDOM_SEED=$seed LAYOUTBOX_SEED=$seed LAYOUTBOX_RANDOM_ROUNDS=20000 cases random build/release -R 'Property|Parity' --timeout 7200
   fi
-  if step build-fuzz scripts/build.sh --preset fuzz fuzz_read_scene fuzz_read_layout fuzz_plan fuzz_verify; then
-    for target in read_scene read_layout plan verify; do step "fuzz-$target" fuzz "$target"; done
-  fi
   if step build-fuzz scripts/build.sh --preset fuzz; then
     for source in fuzz/fuzz_*.cc; do
-      name=$(basename "$source" .cc)
-      step "$name" fuzz "${name#fuzz_}"
+      target=$(basename "$source" .cc)
+      step "${target/_/-}" fuzz "${target#fuzz_}"
     done
   fi
   if step build-coverage scripts/build.sh --preset coverage --tests; then
