@@ -22,6 +22,16 @@ bool asks_for_json(int count, char** arguments) {
   return false;
 }
 
+// CLI11 says only that a command is missing, also where one was given that does not exist.
+std::string words_for(const CLI::App& app, const CLI::ParseError& error) {
+  if (app.get_subcommands().empty()) {
+    for (const std::string& word : app.remaining()) {
+      if (!word.starts_with('-')) return "there is no command \"" + word + "\"";
+    }
+  }
+  return error.what();
+}
+
 int run(int count, char** arguments) {
   CLI::App app{"Layout-in-a-Box: text in, furnished and checked 3D room out", "layoutbox"};
   app.set_version_flag("--version", std::string(program_version()));
@@ -39,7 +49,7 @@ int run(int count, char** arguments) {
   } catch (const CLI::ParseError& error) {
     context.console.json = asks_for_json(count, arguments);
     return context.console.fail(
-        {ErrorCode::kUsage, error.what(), {}, "layoutbox --help lists the commands, layoutbox COMMAND --help its options", {}});
+        {ErrorCode::kUsage, words_for(app, error), {}, "layoutbox --help lists the commands, layoutbox COMMAND --help its options", {}});
   }
   return context.status;
 }
