@@ -1,5 +1,5 @@
-// Run when the program is built: pack_catalog OUTPUT catalog/*.json. Checks the catalogue's data against its schema and itself, prints every
-// fault, and packs it for Catalog::builtin().
+// Run when the program is built: pack_catalog OUTPUT catalog/*.json. Checks the catalogue's data against its schema and itself, prints
+// every fault, and packs it for Catalog::builtin().
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -13,7 +13,8 @@ using namespace layoutbox;
 
 int print(std::string_view file, const Error& error) {
   for (const Error& detail : error.details) print(file, detail);
-  if (error.details.empty()) fmt::print(stderr, "{}: {} {}{}\n", file, error.message, error.pointer, error.hint.empty() ? "" : " (" + error.hint + ")");
+  if (error.details.empty())
+    fmt::print(stderr, "{}: {} {}{}\n", file, error.message, error.pointer, error.hint.empty() ? "" : " (" + error.hint + ")");
   return 1;
 }
 

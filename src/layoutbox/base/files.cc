@@ -91,7 +91,8 @@ Result<std::string> read_file(const fs::path& path, std::size_t max_bytes) {
     bytes.resize(before + static_cast<std::size_t>(count));
     if (count == 0) return bytes;
     if (bytes.size() > max_bytes) {
-      return fail(ErrorCode::kTooLarge, fmt::format("{} is larger than {} bytes, the most that is read", path.string(), max_bytes), path.string());
+      return fail(ErrorCode::kTooLarge, fmt::format("{} is larger than {} bytes, the most that is read", path.string(), max_bytes),
+                  path.string());
     }
   }
 }

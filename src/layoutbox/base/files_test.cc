@@ -16,7 +16,9 @@ class Files : public testing::Test {
   TemporaryFolder folder_ = TemporaryFolder::make("layoutbox-test-").value();
   fs::path path_ = folder_.path() / "file.txt";
 
-  std::size_t entries() const { return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_.path()), fs::directory_iterator())); }
+  std::size_t entries() const {
+    return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_.path()), fs::directory_iterator()));
+  }
 };
 
 TEST_F(Files, WhatIsWrittenIsRead) {

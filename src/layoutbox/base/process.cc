@@ -76,7 +76,8 @@ Launch prepare(const std::vector<std::string>& command, const ProcessOptions& op
   ::signal(SIGPIPE, SIG_DFL);
   ::signal(SIGINT, SIG_DFL);
   ::signal(SIGTERM, SIG_DFL);
-  if (launch.folder.empty() || ::chdir(launch.folder.c_str()) == 0) ::execve(launch.program.c_str(), launch.argv.data(), launch.envp.data());
+  if (launch.folder.empty() || ::chdir(launch.folder.c_str()) == 0)
+    ::execve(launch.program.c_str(), launch.argv.data(), launch.envp.data());
   const int error = errno;
   [[maybe_unused]] const ssize_t written = ::write(failure, &error, sizeof error);
   ::_exit(127);
@@ -135,8 +136,10 @@ class Supervisor {
         // Whatever it started may still hold the pipe: nothing is left behind, and nobody is waited for.
         ::kill(-child_, SIGKILL);
       }
-      if (open) open = read_some(reader, gone ? 0 : 50);
-      else if (!gone) ::poll(nullptr, 0, 5);
+      if (open)
+        open = read_some(reader, gone ? 0 : 50);
+      else if (!gone)
+        ::poll(nullptr, 0, 5);
       if (gone && !more_) break;
       if (!gone) consider_stopping();
     }

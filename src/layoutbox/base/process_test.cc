@@ -27,9 +27,7 @@ TEST(Process, GivesStatusAndOutput) {
   EXPECT_FALSE(outcome.stopped);
 }
 
-TEST(Process, ArgumentsArePassedAsTheyAre) {
-  EXPECT_EQ(run_process({"printf", "%s|%s", "a b", "$HOME;'"}).value().output, "a b|$HOME;'");
-}
+TEST(Process, ArgumentsArePassedAsTheyAre) { EXPECT_EQ(run_process({"printf", "%s|%s", "a b", "$HOME;'"}).value().output, "a b|$HOME;'"); }
 
 TEST(Process, AnUnknownProgramIsAnError) {
   for (const char* name : {"no-such-program-anywhere", "/no/such/program", ""}) {

@@ -44,27 +44,27 @@ struct ShapeSpec {
 };
 
 struct CatalogEntry {
-  std::string id;                        // "dining_table", the category in scenes and layouts
-  std::string name;                      // "dining table"
-  std::vector<std::string> synonyms;     // other words for exactly this kind; unique over the catalogue
-  std::string kind_of;                   // a more general entry's id, or empty ("bunk_bed" is a kind of "bed")
+  std::string id;                     // "dining_table", the category in scenes and layouts
+  std::string name;                   // "dining table"
+  std::vector<std::string> synonyms;  // other words for exactly this kind; unique over the catalogue
+  std::string kind_of;                // a more general entry's id, or empty ("bunk_bed" is a kind of "bed")
   SizeRange size;
   std::vector<SizeVariant> variants;
   Mount mount = Mount::kFloor;
   std::vector<Side> used_sides;
-  bool has_front = true;                 // false: a plant, a round table; sides are then the room's
-  bool back_to_wall = false;             // habit: beds, wardrobes, sofas, desks, shelves
-  bool thin = false;                     // rugs and mats: at most 30 mm high, collide with nothing
-  bool top_carries = false;              // things can stand on its top
-  std::map<Side, Mm> clearance;          // free floor wanted at a side (soft), in millimetres
-  Mm hang_height = 0;                    // wall: usual height of the underside; ceiling: length it hangs down is its height
+  bool has_front = true;         // false: a plant, a round table; sides are then the room's
+  bool back_to_wall = false;     // habit: beds, wardrobes, sofas, desks, shelves
+  bool thin = false;             // rugs and mats: at most 30 mm high, collide with nothing
+  bool top_carries = false;      // things can stand on its top
+  std::map<Side, Mm> clearance;  // free floor wanted at a side (soft), in millimetres
+  Mm hang_height = 0;            // wall: usual height of the underside; ceiling: length it hangs down is its height
   std::vector<SpaceFormula> spaces;
-  std::vector<std::string> stands_on;    // surface mount: entry ids it usually stands on, best first
-  std::vector<std::string> faces;        // entry ids its front usually looks at (sofa: tv, coffee_table)
-  std::vector<std::string> beside;       // entry ids it usually stands by (nightstand: bed; desk_chair: desk)
-  std::vector<std::string> rooms;        // kinds of room it is usual in
+  std::vector<std::string> stands_on;  // surface mount: entry ids it usually stands on, best first
+  std::vector<std::string> faces;      // entry ids its front usually looks at (sofa: tv, coffee_table)
+  std::vector<std::string> beside;     // entry ids it usually stands by (nightstand: bed; desk_chair: desk)
+  std::vector<std::string> rooms;      // kinds of room it is usual in
   ShapeSpec shape;
-  std::string source;                    // where the sizes come from
+  std::string source;  // where the sizes come from
   // Of an article from the user's catalogue (user_catalog.h): its number, how many there are (-1: not said), and its own looks.
   std::string article;
   int stock = -1;
@@ -74,9 +74,9 @@ struct CatalogEntry {
 
 // The usual furniture and size of a kind of room.
 struct RoomKind {
-  std::string id, name;                  // "living_room", "living room"
+  std::string id, name;  // "living_room", "living room"
   std::vector<std::string> synonyms;
-  Size usual_size;                       // of an ordinary room of this kind
+  Size usual_size;                                 // of an ordinary room of this kind
   std::vector<std::pair<std::string, int>> usual;  // entry id and how many, most important first
 };
 
@@ -103,7 +103,7 @@ class Catalog {
   std::span<const CatalogEntry> entries() const { return entries_; }
   std::span<const RoomKind> rooms() const { return rooms_; }
 
-  const CatalogEntry* find(std::string_view id) const;          // exactly that id
+  const CatalogEntry* find(std::string_view id) const;  // exactly that id
   // By id, name, synonym or plural, case and separators apart; else by the longest known ending ("oak bookshelf" → bookshelf).
   const CatalogEntry* find_by_words(std::string_view words) const;
   const RoomKind* find_room(std::string_view words) const;

@@ -198,8 +198,8 @@ class Checker {
       const double min = space.min[axis].at(size), max = space.max[axis].at(size);
       if (min >= max || min < low[axis] - 0.5 || max > high[axis] + 0.5) {
         add(ErrorCode::kGeometry, entry.id,
-            fmt::format("the space \"{}\" spans {:.3f} to {:.3f} m along {} at {:.2f} x {:.2f} x {:.2f} m, outside its box or empty", space.name, min / 1000,
-                        max / 1000, "xyz"[axis], size.width / 1000.0, size.depth / 1000.0, size.height / 1000.0));
+            fmt::format("the space \"{}\" spans {:.3f} to {:.3f} m along {} at {:.2f} x {:.2f} x {:.2f} m, outside its box or empty",
+                        space.name, min / 1000, max / 1000, "xyz"[axis], size.width / 1000.0, size.depth / 1000.0, size.height / 1000.0));
         return;
       }
     }
@@ -238,7 +238,8 @@ Status read_catalog_data(std::string_view text, CatalogData& data) {
 
 Status read_checked_catalog_data(std::string_view text, CatalogData& data) {
   LAYOUTBOX_ASSIGN(const json document, parse_json(text));
-  if (std::vector<Error> errors = check_against_schema(document, SchemaName::kCatalog); !errors.empty()) return Failure(combined(std::move(errors)));
+  if (std::vector<Error> errors = check_against_schema(document, SchemaName::kCatalog); !errors.empty())
+    return Failure(combined(std::move(errors)));
   return read_catalog_data(text, data);
 }
 

@@ -138,12 +138,18 @@ TEST(Catalog, SaysWhatIsWrongWithItsData) {
   const std::string bed = R"({"id": "bed", "name": "bed", )" + size + shape + "}";
   EXPECT_EQ(error(bed).message, "");
   EXPECT_THAT(error(bed + "," + bed).message, HasSubstr("twice"));
-  EXPECT_THAT(error(bed + R"(, {"id": "cot", "name": "cot", "synonyms": ["beds", "bed"], )" + size + shape + "}").message, HasSubstr("already means"));
+  EXPECT_THAT(error(bed + R"(, {"id": "cot", "name": "cot", "synonyms": ["beds", "bed"], )" + size + shape + "}").message,
+              HasSubstr("already means"));
   EXPECT_THAT(error(bed + R"(, {"id": "cot", "name": "cot", "kindOf": "sofa", )" + size + shape + "}").message, HasSubstr("no entry"));
-  EXPECT_THAT(error(R"({"id": "bed", "name": "bed", "size": {"w": [2, 1, 3], "d": 1, "h": 1}, )" + shape + "}").message, HasSubstr("order"));
-  EXPECT_THAT(error(R"({"id": "bed", "name": "bed", "spaces": [{"name": "s", "min": ["0", "0", "0"], "max": ["w", "d/2", "h"]}], )" + size + shape + "}").message,
+  EXPECT_THAT(error(R"({"id": "bed", "name": "bed", "size": {"w": [2, 1, 3], "d": 1, "h": 1}, )" + shape + "}").message,
+              HasSubstr("order"));
+  EXPECT_THAT(error(R"({"id": "bed", "name": "bed", "spaces": [{"name": "s", "min": ["0", "0", "0"], "max": ["w", "d/2", "h"]}], )" + size +
+                    shape + "}")
+                  .message,
               HasSubstr("outside its box"));
-  EXPECT_THAT(error(R"({"id": "bed", "name": "bed", "spaces": [{"name": "s", "min": ["0", "0", "0"], "max": ["w*h", "d", "h"]}], )" + size + shape + "}").message,
+  EXPECT_THAT(error(R"({"id": "bed", "name": "bed", "spaces": [{"name": "s", "min": ["0", "0", "0"], "max": ["w*h", "d", "h"]}], )" + size +
+                    shape + "}")
+                  .message,
               HasSubstr("w*h"));
   EXPECT_THAT(error(R"({"id": "bed", "nmae": "bed", )" + size + shape + "}").details,
               testing::Contains(testing::Field(&Error::hint, "did you mean \"name\"?")));

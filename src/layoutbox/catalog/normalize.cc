@@ -21,7 +21,8 @@ std::string metres_text(double mm) { return fmt::format("{:.4g} m", mm / 1000); 
 std::string unused_id(const SceneGraph& scene, const std::string& base) {
   const auto taken = [&](const std::string& id) {
     const auto same = [&](const auto& item) { return same_name(item.id, id); };
-    return std::any_of(scene.objects.begin(), scene.objects.end(), same) || std::any_of(scene.room.walls.begin(), scene.room.walls.end(), same) ||
+    return std::any_of(scene.objects.begin(), scene.objects.end(), same) ||
+           std::any_of(scene.room.walls.begin(), scene.room.walls.end(), same) ||
            std::any_of(scene.room.openings.begin(), scene.room.openings.end(), same) ||
            std::any_of(scene.relations.begin(), scene.relations.end(), same) || id == "room" || id == "floor" || id == "ceiling";
   };

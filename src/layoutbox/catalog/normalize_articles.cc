@@ -30,7 +30,8 @@ int words_shared(const SceneObject& object, const CatalogEntry& article) {
   std::ranges::copy(words_of(article.article_material), std::back_inserter(theirs));
   std::vector<std::string> ours = words_of(object.name);
   for (const std::string& attribute : object.attributes) std::ranges::copy(words_of(attribute), std::back_inserter(ours));
-  return static_cast<int>(std::ranges::count_if(ours, [&](const std::string& word) { return std::ranges::find(theirs, word) != theirs.end(); }));
+  return static_cast<int>(
+      std::ranges::count_if(ours, [&](const std::string& word) { return std::ranges::find(theirs, word) != theirs.end(); }));
 }
 
 bool is_free(const SceneObject& object) { return !object.size || object.size->usual == Size{}; }
@@ -104,7 +105,8 @@ const CatalogEntry* choose_article(const NormalizeContext& context, const SceneO
 
 void take_article(NormalizeContext& context, SceneObject& object, const CatalogEntry& article, const std::string& pointer) {
   if (!is_free(object) && object.size->usual != article.size.usual) {
-    context.note("contradiction", fmt::format("the size of \"{}\" is that of article \"{}\"", object.id, article.article), pointer + "/dims");
+    context.note("contradiction", fmt::format("the size of \"{}\" is that of article \"{}\"", object.id, article.article),
+                 pointer + "/dims");
   }
   object.size = article.size;
   object.size_source = SizeSource::kUser;
@@ -126,13 +128,15 @@ void settle_articles_only(NormalizeContext& context) {
     const bool is_article = std::ranges::any_of(context.catalog.articles_of(object.category),
                                                 [&](const CatalogEntry* article) { return article->article == object.catalog_id; });
     if (!is_article) {
-      context.note(object.assumed ? "ignored" : "contradiction", fmt::format("the catalogue has no {}: \"{}\" is left out", object.name, object.id));
+      context.note(object.assumed ? "ignored" : "contradiction",
+                   fmt::format("the catalogue has no {}: \"{}\" is left out", object.name, object.id));
     }
     return !is_article;
   });
   if (all_assumed) add_selection(context);
   if (objects.empty()) {
-    context.error(ErrorCode::kEmpty, "the catalogue has nothing of what is asked for", {}, "add articles of these kinds, or leave out --catalog-only");
+    context.error(ErrorCode::kEmpty, "the catalogue has nothing of what is asked for", {},
+                  "add articles of these kinds, or leave out --catalog-only");
   }
 }
 

@@ -66,7 +66,8 @@ class ObjectNormalizer {
       return;
     }
     const CatalogEntry& nearest = context_.catalog.entry_or_nearest(object_.category);
-    context_.note("guessed", fmt::format("\"{}\" is not in the catalogue: sized and drawn like \"{}\"", object_.name, nearest.name), pointer_ + "/category");
+    context_.note("guessed", fmt::format("\"{}\" is not in the catalogue: sized and drawn like \"{}\"", object_.name, nearest.name),
+                  pointer_ + "/category");
   }
 
   // The words mean this entry, with nothing before them but what the entry or the object knows as an attribute.
@@ -95,8 +96,10 @@ class ObjectNormalizer {
     if (!object_.size) {
       object_.size = usual;
       object_.size_source = SizeSource::kCatalog;
-      context_.note("filled", fmt::format("\"{}\" has no size: {} is taken from the catalogue's \"{}\"", object_.id, text_of(usual.usual), entry.name),
-                    pointer_ + "/dims");
+      context_.note(
+          "filled",
+          fmt::format("\"{}\" has no size: {} is taken from the catalogue's \"{}\"", object_.id, text_of(usual.usual), entry.name),
+          pointer_ + "/dims");
     } else {
       fill_sides(entry, usual);
     }
@@ -112,7 +115,8 @@ class ObjectNormalizer {
     bool filled = false;
     for (const auto side : kSides) {
       if (size.greatest.*side != 0 || size.least.*side != 0 || size.usual.*side != 0) {
-        if (size.usual.*side == 0) size.usual.*side = std::clamp(usual.usual.*side, size.least.*side, std::max(size.least.*side, size.greatest.*side));
+        if (size.usual.*side == 0)
+          size.usual.*side = std::clamp(usual.usual.*side, size.least.*side, std::max(size.least.*side, size.greatest.*side));
         continue;
       }
       const auto other = side == &Size::width ? &Size::depth : &Size::width;
@@ -125,7 +129,8 @@ class ObjectNormalizer {
     }
     if (filled) {
       object_.size_source = SizeSource::kInferred;
-      context_.note("filled", fmt::format("a part of the size of \"{}\" is missing: {} is inferred", object_.id, text_of(size.usual)), pointer_ + "/dims");
+      context_.note("filled", fmt::format("a part of the size of \"{}\" is missing: {} is inferred", object_.id, text_of(size.usual)),
+                    pointer_ + "/dims");
     } else if (object_.size_source == SizeSource::kUnknown) {
       object_.size_source = SizeSource::kUser;
     }
@@ -150,10 +155,11 @@ class ObjectNormalizer {
       const auto side = kSides[i];
       if (size.least.*side <= 0 || size.greatest.*side > kLargestObject) {
         const Mm bad = size.least.*side <= 0 ? size.least.*side : size.greatest.*side;
-        context_.error(ErrorCode::kGeometry, fmt::format("the {} of \"{}\" is {}", kNames[i], object_.id, metres_text(bad)), pointer_ + "/dims",
-                       fmt::format("give more than 0 and at most {}; is the unit right?", metres_text(kLargestObject)));
+        context_.error(ErrorCode::kGeometry, fmt::format("the {} of \"{}\" is {}", kNames[i], object_.id, metres_text(bad)),
+                       pointer_ + "/dims", fmt::format("give more than 0 and at most {}; is the unit right?", metres_text(kLargestObject)));
       } else if (size.least.*side > size.usual.*side || size.usual.*side > size.greatest.*side) {
-        context_.error(ErrorCode::kGeometry, fmt::format("the {} range of \"{}\" is not in the order least, usual, greatest", kNames[i], object_.id),
+        context_.error(ErrorCode::kGeometry,
+                       fmt::format("the {} range of \"{}\" is not in the order least, usual, greatest", kNames[i], object_.id),
                        pointer_ + "/dimsRange");
       }
     }
@@ -199,7 +205,9 @@ void settle_ids(NormalizeContext& context) {
     object.id.clear();
     object.id = unused_id(context.scene, base);
     seen.insert(object.id);
-    if (!old.empty()) context.note("converted", fmt::format("the id \"{}\" is used twice: the later object is \"{}\"", old, object.id), fmt::format("/furniture/{}/id", i));
+    if (!old.empty())
+      context.note("converted", fmt::format("the id \"{}\" is used twice: the later object is \"{}\"", old, object.id),
+                   fmt::format("/furniture/{}/id", i));
   }
 }
 

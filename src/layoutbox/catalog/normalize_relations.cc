@@ -130,7 +130,9 @@ void support_object(NormalizeContext& context, SceneObject& object, const std::s
   const SceneObject* support = chooser.choose();
   if (support == nullptr) {
     object.mount = object.mount == Mount::kHung ? Mount::kWall : Mount::kFloor;
-    context.note("guessed", fmt::format("there is nothing that \"{}\" could be on: it goes {}", object.id, object.mount == Mount::kWall ? "on a wall" : "on the floor"),
+    context.note("guessed",
+                 fmt::format("there is nothing that \"{}\" could be on: it goes {}", object.id,
+                             object.mount == Mount::kWall ? "on a wall" : "on the floor"),
                  pointer + "/mount");
     return;
   }
@@ -158,11 +160,13 @@ void settle_heights(NormalizeContext& context) {
     object.hint.z_may_be_centre = false;
     double& z = (*object.hint.position)[2];
     const double height = object.size->usual.height;
-    const bool on_surface = std::ranges::any_of(surfaces, [&](double s) { return std::abs(z - s) <= kOnSurface && !(s == height && s != 0); });
+    const bool on_surface =
+        std::ranges::any_of(surfaces, [&](double s) { return std::abs(z - s) <= kOnSurface && !(s == height && s != 0); });
     const bool at_ceiling = object.mount == Mount::kCeiling && std::abs(z + height - context.scene.room.height) <= kOnSurface;
     if (on_surface || at_ceiling) continue;
     z -= height / 2;
-    context.note("converted", fmt::format("the z of \"{}\" is read as the centre of its body", object.id), fmt::format("/furniture/{}/xform/pos/2", i));
+    context.note("converted", fmt::format("the z of \"{}\" is read as the centre of its body", object.id),
+                 fmt::format("/furniture/{}/xform/pos/2", i));
   }
 }
 
@@ -183,11 +187,15 @@ void normalize_relations(NormalizeContext& context) {
     if (!relation.targets.empty()) unknown.clear();
     for (std::string& reference : relation.references) {
       const std::string id = settled_reference(scene, reference);
-      if (id.empty()) unknown = reference;
-      else reference = id;
+      if (id.empty())
+        unknown = reference;
+      else
+        reference = id;
     }
     if (!unknown.empty()) {
-      context.note("ignored", fmt::format("the relation \"{}\" names \"{}\", which the scene does not have: it is left out", relation.id, unknown), pointer);
+      context.note("ignored",
+                   fmt::format("the relation \"{}\" names \"{}\", which the scene does not have: it is left out", relation.id, unknown),
+                   pointer);
       continue;
     }
     kept.push_back(std::move(relation));

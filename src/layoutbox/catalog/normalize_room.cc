@@ -69,7 +69,8 @@ class RoomNormalizer {
 
   void settle_outline() {
     if (context_.options.room_size.width > 0 && context_.options.room_size.depth > 0) {
-      if (!room_.polygon.empty() || !room_.walls.empty()) context_.note("contradiction", "the size given for the room replaces the scene's own", "/room");
+      if (!room_.polygon.empty() || !room_.walls.empty())
+        context_.note("contradiction", "the size given for the room replaces the scene's own", "/room");
       room_.walls.clear();
       room_.polygon = outline(room_.shape, context_.options.room_size.width, context_.options.room_size.depth);
     }
@@ -92,8 +93,10 @@ class RoomNormalizer {
     auto walls = walls_in_ring(room_.walls, room_.openings);
     if (!walls) {
       Error error = std::move(walls).error();
-      if (error.details.empty()) context_.errors.push_back(std::move(error));
-      else std::ranges::move(error.details, std::back_inserter(context_.errors));
+      if (error.details.empty())
+        context_.errors.push_back(std::move(error));
+      else
+        std::ranges::move(error.details, std::back_inserter(context_.errors));
       return;
     }
     room_.walls = std::move(*walls);
@@ -128,7 +131,8 @@ class RoomNormalizer {
       d = rounded_up(d * factor);
     }
     if (room_.shape == "round") context_.note("ignored", "round rooms are made rectangular", "/room/shape");
-    context_.note("filled", fmt::format("the room's size is not given: {} x {} for {}", metres_text(w), metres_text(d), reason), "/room/dims");
+    context_.note("filled", fmt::format("the room's size is not given: {} x {} for {}", metres_text(w), metres_text(d), reason),
+                  "/room/dims");
     return outline(room_.shape, static_cast<Mm>(std::min(w, 1e6)), static_cast<Mm>(std::min(d, 1e6)));
   }
 
@@ -166,7 +170,9 @@ class RoomNormalizer {
       (*object.hint.position)[0] -= low.x;
       (*object.hint.position)[1] -= low.y;
     }
-    context_.note("converted", fmt::format("the origin is moved to the room's front-left corner, by {} and {}", metres_text(low.x), metres_text(low.y)), "/room");
+    context_.note("converted",
+                  fmt::format("the origin is moved to the room's front-left corner, by {} and {}", metres_text(low.x), metres_text(low.y)),
+                  "/room");
   }
 
   void check_extent() {

@@ -174,7 +174,8 @@ TEST(NormalizeRoom, TurnsWallsWithTheirOpenings) {
     out.end = end;
     return out;
   };
-  scene.room.walls = {wall("N", {0, 3000}, {4000, 3000}), wall("W", {0, 0}, {0, 3000}), wall("S", {0, 0}, {4000, 0}), wall("E", {4000, 3000}, {4000, 0})};
+  scene.room.walls = {wall("N", {0, 3000}, {4000, 3000}), wall("W", {0, 0}, {0, 3000}), wall("S", {0, 0}, {4000, 0}),
+                      wall("E", {4000, 3000}, {4000, 0})};
   Opening door;
   door.id = "d";
   door.wall = "N";
@@ -263,7 +264,8 @@ TEST(NormalizeObjects, ImpossibleSizesAreErrors) {
 }
 
 TEST(NormalizeObjects, CategoriesBecomeEntriesOrStayTheirOwn) {
-  SceneObject writing = object("a", "Writing Desk"), king = object("b", "king bed"), picnic = object("c", "picnic desk"), odd = object("d", "spaceship");
+  SceneObject writing = object("a", "Writing Desk"), king = object("b", "king bed"), picnic = object("c", "picnic desk"),
+              odd = object("d", "spaceship");
   const SceneGraph scene = normalized(scene_of({writing, king, picnic, odd}));
   EXPECT_EQ(scene.objects[0].category, "desk");
   EXPECT_EQ(scene.objects[1].category, "bed");
@@ -285,10 +287,11 @@ TEST(NormalizeObjects, IdsBecomeUnique) {
 }
 
 TEST(NormalizeObjects, RelationsDecideTheMount) {
-  const SceneGraph scene = normalized(scene_of(
-      {object("plant_1", "plant"), object("plant_2", "plant"), object("plant_3", "plant"), object("desk_1", "desk"), object("rug_1", "rug"), object("lamp_1", "lamp")},
-      {relation(RelationType::kOn, {"plant_1"}, {"desk_1"}), relation(RelationType::kOnWall, {"plant_2"}, {"back"}),
-       relation(RelationType::kOn, {"plant_3"}, {"rug_1"}), relation(RelationType::kOn, {"lamp_1"}, {"floor"})}));
+  const SceneGraph scene =
+      normalized(scene_of({object("plant_1", "plant"), object("plant_2", "plant"), object("plant_3", "plant"), object("desk_1", "desk"),
+                           object("rug_1", "rug"), object("lamp_1", "lamp")},
+                          {relation(RelationType::kOn, {"plant_1"}, {"desk_1"}), relation(RelationType::kOnWall, {"plant_2"}, {"back"}),
+                           relation(RelationType::kOn, {"plant_3"}, {"rug_1"}), relation(RelationType::kOn, {"lamp_1"}, {"floor"})}));
   EXPECT_EQ(scene.objects[0].mount, Mount::kSurface);
   EXPECT_EQ(scene.objects[1].mount, Mount::kWall);
   EXPECT_EQ(scene.objects[2].mount, Mount::kFloor) << "what stands on a rug stands on the floor";
@@ -297,27 +300,28 @@ TEST(NormalizeObjects, RelationsDecideTheMount) {
 }
 
 TEST(NormalizeSupport, LampsGoWhereLampsGo) {
-  const SceneGraph scene =
-      normalized(scene_of({object("desk_1", "desk"), object("night_1", "nightstand"), object("night_2", "nightstand"), object("a", "lamp"), object("b", "lamp")}));
+  const SceneGraph scene = normalized(scene_of({object("desk_1", "desk"), object("night_1", "nightstand"), object("night_2", "nightstand"),
+                                                object("a", "lamp"), object("b", "lamp")}));
   EXPECT_THAT(supports_of(scene, "a"), ElementsAre("night_1"));
   EXPECT_THAT(supports_of(scene, "b"), ElementsAre("night_2")) << "the free one";
   EXPECT_TRUE(std::ranges::all_of(scene.relations, [](const Relation& item) { return item.assumed; }));
 }
 
 TEST(NormalizeSupport, WhatIsSaidHolds) {
-  const SceneGraph scene = normalized(
-      scene_of({object("desk_1", "desk"), object("night_1", "nightstand"), object("a", "lamp")}, {relation(RelationType::kOn, {"a"}, {"desk_1"})}));
+  const SceneGraph scene = normalized(scene_of({object("desk_1", "desk"), object("night_1", "nightstand"), object("a", "lamp")},
+                                               {relation(RelationType::kOn, {"a"}, {"desk_1"})}));
   EXPECT_THAT(supports_of(scene, "a"), ElementsAre("desk_1"));
 }
 
 TEST(NormalizeSupport, ThePapersInsideMeansOnIt) {
-  const SceneGraph scene = normalized(
-      scene_of({object("desk_1", "desk"), object("night_1", "nightstand"), object("a", "lamp")}, {relation(RelationType::kInside, {"a"}, {"desk_1"})}));
+  const SceneGraph scene = normalized(scene_of({object("desk_1", "desk"), object("night_1", "nightstand"), object("a", "lamp")},
+                                               {relation(RelationType::kInside, {"a"}, {"desk_1"})}));
   EXPECT_THAT(supports_of(scene, "a"), ElementsAre("desk_1"));
 }
 
 TEST(NormalizeSupport, WhatStandsBesideSomethingIsNotOnIt) {
-  const SceneGraph scene = normalized(scene_of({object("desk_1", "desk"), object("a", "lamp")}, {relation(RelationType::kRightOf, {"a"}, {"desk_1"})}));
+  const SceneGraph scene =
+      normalized(scene_of({object("desk_1", "desk"), object("a", "lamp")}, {relation(RelationType::kRightOf, {"a"}, {"desk_1"})}));
   EXPECT_THAT(supports_of(scene, "a"), IsEmpty());
   EXPECT_EQ(scene.objects[1].mount, Mount::kFloor);
   EXPECT_THAT(scene.notes, Contains(Field(&Note::pointer, "/furniture/1/mount")));
@@ -350,9 +354,10 @@ TEST(NormalizeSupport, HeightsOfOthersFilesAreSettled) {
 }
 
 TEST(NormalizeRelations, ToNobodyAreLeftOutAndNoted) {
-  const SceneGraph scene = normalized(scene_of({object("bed_1", "bed"), object("desk_1", "desk")},
-                                               {relation(RelationType::kNear, {"desk_1"}, {"ghost"}), relation(RelationType::kRow, {"bed_1", "ghost", "desk_1"}, {}),
-                                                relation(RelationType::kNearDoor, {"desk_1"}, {"door"})}));
+  const SceneGraph scene = normalized(
+      scene_of({object("bed_1", "bed"), object("desk_1", "desk")},
+               {relation(RelationType::kNear, {"desk_1"}, {"ghost"}), relation(RelationType::kRow, {"bed_1", "ghost", "desk_1"}, {}),
+                relation(RelationType::kNearDoor, {"desk_1"}, {"door"})}));
   ASSERT_EQ(scene.relations.size(), 2u);
   EXPECT_THAT(scene.relations[0].targets, ElementsAre("bed_1", "desk_1"));
   EXPECT_THAT(scene.relations[1].references, ElementsAre("door1"));
@@ -371,7 +376,8 @@ TEST(NormalizeScene, AnyValidSceneBecomesCompleteAndStaysSo) {
     EXPECT_GE(first->room.polygon.size(), 3u) << "seed " << seed;
     EXPECT_GT(doubled_area(first->room.polygon), 0);
     ASSERT_EQ(first->room.walls.size(), first->room.polygon.size());
-    for (std::size_t i = 0; i < first->room.walls.size(); ++i) ASSERT_EQ(first->room.walls[i].start, first->room.polygon[i]) << "seed " << seed;
+    for (std::size_t i = 0; i < first->room.walls.size(); ++i)
+      ASSERT_EQ(first->room.walls[i].start, first->room.polygon[i]) << "seed " << seed;
     EXPECT_GT(first->room.height, 0);
     for (const SceneObject& item : first->objects) {
       ASSERT_TRUE(item.size && item.mount && item.used_sides) << "seed " << seed;

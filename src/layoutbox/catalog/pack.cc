@@ -127,9 +127,10 @@ void describe(Archive& archive, T& value) {
   } else if constexpr (std::is_same_v<Plain, SizeVariant>) {
     members(archive, value.words, value.size);
   } else if constexpr (std::is_same_v<Plain, CatalogEntry>) {
-    members(archive, value.id, value.name, value.synonyms, value.kind_of, value.size, value.variants, value.mount, value.used_sides, value.has_front,
-            value.back_to_wall, value.thin, value.top_carries, value.clearance, value.hang_height, value.spaces, value.stands_on, value.faces,
-            value.beside, value.rooms, value.shape.family, value.shape.numbers, value.shape.words, value.source);
+    members(archive, value.id, value.name, value.synonyms, value.kind_of, value.size, value.variants, value.mount, value.used_sides,
+            value.has_front, value.back_to_wall, value.thin, value.top_carries, value.clearance, value.hang_height, value.spaces,
+            value.stands_on, value.faces, value.beside, value.rooms, value.shape.family, value.shape.numbers, value.shape.words,
+            value.source);
   } else if constexpr (std::is_same_v<Plain, RoomKind>) {
     members(archive, value.id, value.name, value.synonyms, value.usual_size, value.usual);
   } else {

@@ -14,13 +14,14 @@ namespace {
 constexpr double kLeast = 0.5, kGreatest = 100, kGreatestHeight = 50;
 
 struct Measure {
-  double value = 0;   // in its unit
-  std::string unit;   // empty: not said
+  double value = 0;  // in its unit
+  std::string unit;  // empty: not said
 };
 
 // Other spellings of the signs, one byte each.
 std::string plain_signs(std::string_view text) {
-  static constexpr std::pair<std::string_view, char> kSigns[] = {{"×", 'x'}, {"✕", 'x'}, {"′", '\''}, {"’", '\''}, {"″", '"'}, {"”", '"'}, {"\u00a0", ' '}};
+  static constexpr std::pair<std::string_view, char> kSigns[] = {{"×", 'x'}, {"✕", 'x'}, {"′", '\''},    {"’", '\''},
+                                                                 {"″", '"'}, {"”", '"'}, {"\u00a0", ' '}};
   std::string out;
   for (std::size_t i = 0; i < text.size();) {
     bool found = false;
@@ -85,8 +86,10 @@ class SizeReader {
     std::size_t begin = place_;
     while (begin < text_.size() && text_[begin] == ' ') ++begin;
     std::size_t stop = begin;
-    if (stop < text_.size() && (text_[stop] == '\'' || text_[stop] == '"')) ++stop;
-    else while (stop < text_.size() && is_letter(text_[stop])) ++stop;
+    if (stop < text_.size() && (text_[stop] == '\'' || text_[stop] == '"'))
+      ++stop;
+    else
+      while (stop < text_.size() && is_letter(text_[stop])) ++stop;
     std::string unit = text_.substr(begin, stop - begin);
     // "4x3": the x is no unit; "4mx3m": nor is the one behind the unit.
     if (unit == "x" || unit == "X" || unit == "by" || unit == "BY") return measure;
@@ -95,7 +98,8 @@ class SizeReader {
       --stop;
     }
     if (unit.empty()) return measure;
-    if (!metres_per_unit(unit)) return fail(ErrorCode::kUsage, fmt::format("\"{}\" is no unit of length", unit), {}, "give m, cm, mm, ft or in");
+    if (!metres_per_unit(unit))
+      return fail(ErrorCode::kUsage, fmt::format("\"{}\" is no unit of length", unit), {}, "give m, cm, mm, ft or in");
     measure.unit = std::move(unit);
     place_ = stop;
     return measure;
@@ -106,7 +110,8 @@ class SizeReader {
   }
 
   Failure wrong() const {
-    return fail(ErrorCode::kParse, fmt::format("\"{}\" is not the size of a room", text_.substr(0, 60)), {}, "write width x depth x height, such as 4x3.2x3");
+    return fail(ErrorCode::kParse, fmt::format("\"{}\" is not the size of a room", text_.substr(0, 60)), {},
+                "write width x depth x height, such as 4x3.2x3");
   }
 
   std::string text_;
@@ -117,7 +122,8 @@ class SizeReader {
 }  // namespace
 
 Result<Size> parse_room_size(std::string_view text, std::string_view units) {
-  if (!metres_per_unit(units)) return fail(ErrorCode::kUsage, fmt::format("\"{}\" is no unit of length", units), {}, "give m, cm, mm, ft or in");
+  if (!metres_per_unit(units))
+    return fail(ErrorCode::kUsage, fmt::format("\"{}\" is no unit of length", units), {}, "give m, cm, mm, ft or in");
   LAYOUTBOX_ASSIGN(std::vector<Measure> measures, SizeReader(text.substr(0, 200)).read());
   if (measures.size() < 2 || measures.size() > 3) {
     return fail(ErrorCode::kParse, fmt::format("the size of a room is two or three numbers, not {}", measures.size()), {},

@@ -13,13 +13,13 @@ namespace layoutbox {
 
 // One article. A side of its size that is 0 was not given.
 struct Article {
-  std::string id;                       // the article number, as written
-  std::string category;                 // the words for what it is: "queen bed"
-  std::string name;                     // what it is called, or the category
+  std::string id;        // the article number, as written
+  std::string category;  // the words for what it is: "queen bed"
+  std::string name;      // what it is called, or the category
   Size size;
   std::vector<std::string> attributes;  // colour, style…
   std::string material, mesh;
-  int stock = -1;                       // how many there are; -1: not said
+  int stock = -1;  // how many there are; -1: not said
 };
 
 struct UserCatalog {

@@ -43,7 +43,8 @@ TEST(Csv, BrokenLinesAreAllNamed) {
 }
 
 TEST(UserCatalog, ReadsCsvWithManyNames) {
-  const UserCatalog catalog = read("SKU,Type,Width (cm),Length (cm),Height (cm),Colour,Stock,Rating\nB1,bed,160,200,50,blue,2,5\nD1,Desk,140,,,,,\n");
+  const UserCatalog catalog =
+      read("SKU,Type,Width (cm),Length (cm),Height (cm),Colour,Stock,Rating\nB1,bed,160,200,50,blue,2,5\nD1,Desk,140,,,,,\n");
   ASSERT_EQ(catalog.articles.size(), 2u);
   EXPECT_EQ(catalog.articles[0].id, "B1");
   EXPECT_EQ(catalog.articles[0].size, (Size{1600, 2000, 500}));
@@ -132,7 +133,8 @@ TEST_F(Articles, GiveTheirExactSize) {
 }
 
 TEST_F(Articles, AreChosenByWordsAndTakeTurns) {
-  const char* csv = "id,category,name,color,width,depth,height,stock\nC1,chair,oak chair,,0.45,0.5,0.9,1\nC2,chair,steel chair,red,0.5,0.5,0.8,\n";
+  const char* csv =
+      "id,category,name,color,width,depth,height,stock\nC1,chair,oak chair,,0.45,0.5,0.9,1\nC2,chair,steel chair,red,0.5,0.5,0.8,\n";
   SceneGraph scene;
   scene.objects = {object("a", "chair", "red chair"), object("b", "chair"), object("c", "chair"), object("d", "chair")};
   scene = normalized(scene, csv, CatalogMerge::kAdd);
@@ -180,7 +182,8 @@ TEST_F(Articles, FillARoomWithAFittingSelection) {
   SceneGraph scene;
   scene.room.type = "bedroom";
   scene.room.polygon = {{0, 0}, {3000, 0}, {3000, 3000}, {0, 3000}};
-  scene = normalized(scene, "id,category,width,depth,height\nB1,bed,1.6,2,0.6\nB2,bed,1.4,2,0.6\nW1,wardrobe,3,0.6,2\nN1,nightstand,0.4,0.4,0.5\n",
+  scene = normalized(scene,
+                     "id,category,width,depth,height\nB1,bed,1.6,2,0.6\nB2,bed,1.4,2,0.6\nW1,wardrobe,3,0.6,2\nN1,nightstand,0.4,0.4,0.5\n",
                      CatalogMerge::kOnly);
   std::vector<std::string> numbers;
   for (const SceneObject& item : scene.objects) numbers.push_back(item.catalog_id);

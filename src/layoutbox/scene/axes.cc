@@ -64,7 +64,8 @@ void Axes::move_into_room(json& scene, std::vector<Note>& notes) const {
   for (json& object : *furniture) {
     if (!object.is_object() || !object.contains("xform") || !object["xform"].is_object() || !object["xform"].contains("pos")) continue;
     json& pos = object["xform"]["pos"];
-    if (pos.is_array() && pos.size() == 3 && std::ranges::all_of(pos, [](const json& v) { return v.is_number(); })) positions.push_back(&pos);
+    if (pos.is_array() && pos.size() == 3 && std::ranges::all_of(pos, [](const json& v) { return v.is_number(); }))
+      positions.push_back(&pos);
   }
   constexpr const char* kSides[] = {"w", "d"};
   for (std::size_t i = 0; i < 2; ++i) {

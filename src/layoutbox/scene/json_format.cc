@@ -43,10 +43,14 @@ class Writer {
   std::string take() { return std::move(out_); }
 
   void write(const ordered_json& value, std::size_t depth) {
-    const bool open = value.is_structured() && !value.empty() && (depth == 0 || is_list_of_objects(value) || flat_length(value) > room_left());
-    if (!open) append_flat(out_, value);
-    else if (value.is_object() && depth >= kOpenDepth) write_packed(value, depth);
-    else write_lines(value, depth);
+    const bool open =
+        value.is_structured() && !value.empty() && (depth == 0 || is_list_of_objects(value) || flat_length(value) > room_left());
+    if (!open)
+      append_flat(out_, value);
+    else if (value.is_object() && depth >= kOpenDepth)
+      write_packed(value, depth);
+    else
+      write_lines(value, depth);
   }
 
  private:
@@ -85,12 +89,16 @@ class Writer {
       const std::string key = scalar_text(it.key()) + ": ";
       if (it != object.begin()) {
         out_ += ',';
-        if (key.size() + flat_length(*it) + 2 > room_left()) out_ += '\n' + indent;
-        else out_ += ' ';
+        if (key.size() + flat_length(*it) + 2 > room_left())
+          out_ += '\n' + indent;
+        else
+          out_ += ' ';
       }
       out_ += key;
-      if (flat_length(*it) > room_left()) write(*it, depth + 1);
-      else append_flat(out_, *it);
+      if (flat_length(*it) > room_left())
+        write(*it, depth + 1);
+      else
+        append_flat(out_, *it);
     }
     out_ += '}';
   }

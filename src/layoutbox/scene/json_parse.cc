@@ -58,15 +58,19 @@ class DocumentBuilder : public nlohmann::json_sax<json> {
   bool key(string_t& name) override {
     key_ = name;
     if (keys_.back().insert(name).second) return true;
-    error_ = {ErrorCode::kParse, fmt::format("the key \"{}\" is given twice in one object", name), pointer_to(name), "keep one of them", {}};
+    error_ = {
+        ErrorCode::kParse, fmt::format("the key \"{}\" is given twice in one object", name), pointer_to(name), "keep one of them", {}};
     return false;
   }
 
   bool parse_error(std::size_t position, const std::string& token, const nlohmann::detail::exception& exception) override {
     std::string what = exception.what();
-    // "[json.exception.parse_error.101] parse error at line 1, column 5: syntax error while parsing value - invalid literal; last read: 'xx'"
-    if (const std::size_t dash = what.find(" - "); dash != std::string::npos) what = what.substr(dash + 3);
-    else if (const std::size_t bracket = what.find("] "); bracket != std::string::npos) what = what.substr(bracket + 2);
+    // "[json.exception.parse_error.101] parse error at line 1, column 5: syntax error while parsing value - invalid literal; last read:
+    // 'xx'"
+    if (const std::size_t dash = what.find(" - "); dash != std::string::npos)
+      what = what.substr(dash + 3);
+    else if (const std::size_t bracket = what.find("] "); bracket != std::string::npos)
+      what = what.substr(bracket + 2);
     if (const std::size_t last = what.find("; last read"); last != std::string::npos) what.resize(last);
     std::string hint = "correct the file at that place";
     if (position >= text_.size() && exception.id == 101) hint = "the text ends too early: is the file complete?";
@@ -84,15 +88,22 @@ class DocumentBuilder : public nlohmann::json_sax<json> {
 
  private:
   bool put(json value) {
-    if (open_.empty()) root_ = std::move(value);
-    else if (open_.back()->is_array()) open_.back()->push_back(std::move(value));
-    else (*open_.back())[key_] = std::move(value);
+    if (open_.empty())
+      root_ = std::move(value);
+    else if (open_.back()->is_array())
+      open_.back()->push_back(std::move(value));
+    else
+      (*open_.back())[key_] = std::move(value);
     return true;
   }
 
   bool open(json value) {
     if (open_.size() >= static_cast<std::size_t>(kDeepestJson)) {
-      error_ = {ErrorCode::kParse, fmt::format("objects and lists are nested more than {} deep", kDeepestJson), {}, "no scene or layout needs that", {}};
+      error_ = {ErrorCode::kParse,
+                fmt::format("objects and lists are nested more than {} deep", kDeepestJson),
+                {},
+                "no scene or layout needs that",
+                {}};
       return false;
     }
     const bool is_object = value.is_object();
@@ -129,8 +140,8 @@ class DocumentBuilder : public nlohmann::json_sax<json> {
 
   std::string_view text_;
   json root_;
-  std::vector<json*> open_;             // pointers stay valid: a parent grows only after its child is closed
-  std::vector<std::string> path_;       // the key or index of each open value
+  std::vector<json*> open_;        // pointers stay valid: a parent grows only after its child is closed
+  std::vector<std::string> path_;  // the key or index of each open value
   std::vector<std::set<std::string>> keys_;
   std::string key_;
   Error error_;

@@ -53,7 +53,8 @@ Opening opening_from(const json& value) {
   opening.id = text_at(value, "id");
   const bool window_by_id = opening.id.find("indow") != std::string::npos;
   const bool raised = value.contains("sill") && value.at("sill").get<double>() > 0.2;
-  opening.type = opening_type_from_name(text_at(value, "type")).value_or(window_by_id || raised ? OpeningType::kWindow : OpeningType::kDoor);
+  opening.type =
+      opening_type_from_name(text_at(value, "type")).value_or(window_by_id || raised ? OpeningType::kWindow : OpeningType::kDoor);
   const bool window = opening.type == OpeningType::kWindow;
   opening.wall = text_at(value, value.contains("wallId") ? "wallId" : "wall");
   opening.offset = optional_length(value, "offset");
@@ -72,8 +73,10 @@ Relation relation_from(const json& value) {
   if (const RelationRow* row = find_relation(text_at(value, "type"))) relation.type = row->type;
   relation.targets = texts_at(value, "targets");
   if (const auto to = value.find("relativeTo"); to != value.end()) {
-    if (to->is_string()) relation.references = {to->get<std::string>()};
-    else relation.references = to->get<std::vector<std::string>>();
+    if (to->is_string())
+      relation.references = {to->get<std::string>()};
+    else
+      relation.references = to->get<std::vector<std::string>>();
   }
   RelationParameters& p = relation.parameters;
   const char* axis = value.contains("axis") ? "axis" : "alignAxis";

@@ -14,27 +14,27 @@ namespace layoutbox {
 struct PlacedObject {
   std::string id, category, name, catalog_id;
   std::vector<std::string> attributes;
-  Size size;                            // chosen within the scene's range
-  std::array<double, 3> position{};     // mm; x, y: centre of the footprint (half millimetres occur), z: underside
-  double rotation_deg = 0;              // [0, 360)
+  Size size;                         // chosen within the scene's range
+  std::array<double, 3> position{};  // mm; x, y: centre of the footprint (half millimetres occur), z: underside
+  double rotation_deg = 0;           // [0, 360)
   Mount mount = Mount::kFloor;
-  std::string supported_by = "floor";   // floor, ceiling, a wall's id, an object's id, or a window's id (its sill)
+  std::string supported_by = "floor";  // floor, ceiling, a wall's id, an object's id, or a window's id (its sill)
   std::vector<Side> used_sides;
-  std::vector<Space> spaces;            // evaluated at `size`
+  std::vector<Space> spaces;  // evaluated at `size`
   std::string mesh, mesh_front, material;
   bool fixed = false;
 };
 
 struct PlacedRelation {
   Relation relation;
-  bool held = false;   // what the solver claims; verify judges
+  bool held = false;  // what the solver claims; verify judges
 };
 
 // A hard relation that was given up, and by how much it is missed.
 struct Relaxation {
-  std::string relation;   // its id, or a name such as "door swing of door1"
+  std::string relation;  // its id, or a name such as "door swing of door1"
   double by = 0;
-  std::string unit;       // "m", "degrees" or empty
+  std::string unit;  // "m", "degrees" or empty
   std::string why;
 };
 
@@ -51,23 +51,23 @@ std::string_view name_of(LayoutStatus status);
 std::optional<LayoutStatus> layout_status_from_name(std::string_view name);
 
 struct LayoutStats {
-  std::string solver;     // "search", "cp-sat", "search+cp-sat"
+  std::string solver;  // "search", "cp-sat", "search+cp-sat"
   std::uint64_t seed = 1;
-  double seconds = 0;     // of solve itself, scene graph to layout
-  bool proven = false;    // the score is proven best
+  double seconds = 0;             // of solve itself, scene graph to layout
+  bool proven = false;            // the score is proven best
   bool stopped_by_clock = false;  // a wall-clock limit stepped in: the bytes may differ next time
 };
 
 struct Layout {
   std::string prompt, name;
   LayoutStatus status = LayoutStatus::kSolved;
-  Room room;                            // normalised: polygon, walls and openings all with their places
+  Room room;  // normalised: polygon, walls and openings all with their places
   std::vector<PlacedObject> objects;
   std::vector<PlacedRelation> relations;
   std::vector<Relaxation> relaxed;
   std::vector<Conflict> conflicts;
   std::vector<Material> materials;
-  double score = 0;                     // 0–1, soft score
+  double score = 0;  // 0–1, soft score
   std::map<std::string, double> score_terms;
   LayoutStats stats;
 

@@ -26,7 +26,8 @@ bool rename(json& object, std::string_view from, std::string_view to) {
 
 class SceneRewriter {
  public:
-  SceneRewriter(double metres_per_unit, const Axes& axes, std::vector<Note>& notes) : factor_(metres_per_unit), axes_(axes), notes_(notes) {}
+  SceneRewriter(double metres_per_unit, const Axes& axes, std::vector<Note>& notes)
+      : factor_(metres_per_unit), axes_(axes), notes_(notes) {}
 
   void room(json& room, const std::string& at) {
     if (!room.is_object()) return;
@@ -169,8 +170,10 @@ class SceneRewriter {
     }
     if (const auto rot = xform.find("rot"); rot != xform.end()) rotation(*rot, at + "/rot");
     if (const auto size = xform.find("scale"); size != xform.end()) {
-      if (size->is_number()) *size = {*size, *size, *size};
-      else if (!axes_.is_usual() && size->is_array() && size->size() == 3) *size = axes_.scale_from_file(*size);
+      if (size->is_number())
+        *size = {*size, *size, *size};
+      else if (!axes_.is_usual() && size->is_array() && size->size() == 3)
+        *size = axes_.scale_from_file(*size);
     }
   }
 
@@ -181,8 +184,10 @@ class SceneRewriter {
     for (std::size_t i = 0; i < 3; ++i) {
       if (i != up && value[i].get<double>() != 0) note("ignored", "furniture stands upright: only the turn about the vertical is read", at);
     }
-    if (!axes_.is_usual() && up != 2) value = {0, 0, value[up].get<double>() * axes_.turn_sign()};
-    else value = {0, 0, value[2].get<double>() * axes_.turn_sign()};
+    if (!axes_.is_usual() && up != 2)
+      value = {0, 0, value[up].get<double>() * axes_.turn_sign()};
+    else
+      value = {0, 0, value[2].get<double>() * axes_.turn_sign()};
   }
 
   void relation(json& relation, const std::string& at) {
@@ -195,7 +200,8 @@ class SceneRewriter {
       }
     }
     if (rename(relation, "target", "targets")) note("converted", "\"target\" is read as \"targets\"", at);
-    if (const auto targets = relation.find("targets"); targets != relation.end() && targets->is_string()) *targets = json::array({*targets});
+    if (const auto targets = relation.find("targets"); targets != relation.end() && targets->is_string())
+      *targets = json::array({*targets});
     for (const char* key : {"axis", "alignAxis"}) {
       const auto axis = relation.find(key);
       if (axis == relation.end() || !axis->is_string()) continue;
@@ -212,16 +218,18 @@ class SceneRewriter {
   void material(json& material, const std::string& at) {
     if (const auto color = material.find("color"); color != material.end()) {
       if (color->is_array() && color->size() == 4) color->erase(3);
-      const bool bytes = color->is_array() && color->size() == 3 &&
-                         std::ranges::all_of(*color, [](const json& v) { return v.is_number() && v.get<double>() >= 0 && v.get<double>() <= 255; }) &&
-                         std::ranges::any_of(*color, [](const json& v) { return v.get<double>() > 1; });
+      const bool bytes =
+          color->is_array() && color->size() == 3 &&
+          std::ranges::all_of(*color, [](const json& v) { return v.is_number() && v.get<double>() >= 0 && v.get<double>() <= 255; }) &&
+          std::ranges::any_of(*color, [](const json& v) { return v.get<double>() > 1; });
       if (bytes) {
         for (json& part : *color) part = part.get<double>() / 255;
         note("converted", "the color is read as 0 to 255", at + "/color");
       }
     }
     if (const auto scale = material.find("scaleUV"); scale != material.end() && scale->is_number()) *scale = {*scale, *scale};
-    if (const auto texture = material.find("tex"); texture != material.end() && texture->is_object() && texture->empty()) material.erase(texture);
+    if (const auto texture = material.find("tex"); texture != material.end() && texture->is_object() && texture->empty())
+      material.erase(texture);
   }
 
   double factor_;
@@ -234,8 +242,10 @@ json axis_direction(const json& written) {
   if (!written.is_string()) return written;
   std::string letter, sign = "+";
   for (const char c : written.get_ref<const std::string&>()) {
-    if (c == '+' || c == '-') sign = c;
-    else letter += c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c;
+    if (c == '+' || c == '-')
+      sign = c;
+    else
+      letter += c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c;
   }
   return letter == "X" || letter == "Y" || letter == "Z" ? json(letter + sign) : written;
 }

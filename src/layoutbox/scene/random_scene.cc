@@ -25,7 +25,8 @@ Room RandomScenes::room() {
   Room room;
   room.type = coin() ? "bedroom" : "";
   const Mm w = number(200, 900) * 10, d = number(200, 900) * 10;
-  room.polygon = coin() ? std::vector<Point>{{0, 0}, {w, 0}, {w, d}, {0, d}} : std::vector<Point>{{0, 0}, {w, 0}, {w, d / 2}, {w / 2, d / 2}, {w / 2, d}, {0, d}};
+  room.polygon = coin() ? std::vector<Point>{{0, 0}, {w, 0}, {w, d}, {0, d}}
+                        : std::vector<Point>{{0, 0}, {w, 0}, {w, d / 2}, {w / 2, d / 2}, {w / 2, d}, {0, d}};
   room.height = number(2000, 4000);
   room.walls = walls_along(room.polygon);
   for (Wall& wall : room.walls) {

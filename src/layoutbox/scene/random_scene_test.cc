@@ -69,7 +69,8 @@ TEST(RandomFiles, BrokenFilesNeverDoHarm) {
     const auto below = [&](std::size_t n) { return static_cast<std::size_t>(random() % n); };
     const bool is_scene = seed % 2 == 0;
     std::string text = is_scene ? write_scene(RandomScenes(seed).scene()) : write_layout(RandomScenes(seed).layout());
-    static constexpr std::string_view kBits[] = {"null", "{}", "[]", "-1", "1e300", "\"x\"", "true", "0", ",", "}", "\"id\": ", "[[[[", "\xFF", "NaN", "4.5", "\"wall1\""};
+    static constexpr std::string_view kBits[] = {"null", "{}", "[]",       "-1",   "1e300", "\"x\"", "true", "0",
+                                                 ",",    "}",  "\"id\": ", "[[[[", "\xFF",  "NaN",   "4.5",  "\"wall1\""};
     for (std::size_t change = 1 + below(4); change > 0; --change) {
       const std::size_t place = below(text.size());
       const std::size_t length = std::min(below(12), text.size() - place);
@@ -79,7 +80,8 @@ TEST(RandomFiles, BrokenFilesNeverDoHarm) {
         default: {
           // A whole value: the text after a colon, up to the comma.
           const std::size_t colon = text.find(": ", place), comma = text.find_first_of(",}]", colon);
-          if (colon != std::string::npos && comma != std::string::npos) text.replace(colon + 2, comma - colon - 2, kBits[below(std::size(kBits))]);
+          if (colon != std::string::npos && comma != std::string::npos)
+            text.replace(colon + 2, comma - colon - 2, kBits[below(std::size(kBits))]);
         }
       }
     }

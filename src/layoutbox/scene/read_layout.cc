@@ -43,8 +43,8 @@ Room room_from(const json& value) {
   room.height = length_at(value, "height");
   if (const auto walls = value.find("walls"); walls != value.end()) {
     for (const json& item : *walls) {
-      room.walls.push_back({text_at(item, "id"), point_from(item.at("start")), point_from(item.at("end")), length_at(item, "thickness", Wall{}.thickness),
-                            text_at(item, "mat"), text_at(item, "mesh")});
+      room.walls.push_back({text_at(item, "id"), point_from(item.at("start")), point_from(item.at("end")),
+                            length_at(item, "thickness", Wall{}.thickness), text_at(item, "mat"), text_at(item, "mesh")});
     }
   }
   room.openings_given = true;
@@ -78,12 +78,15 @@ Layout layout_from(const json& document) {
   layout.room = room_from(document.at("room"));
   layout.room.type = text_at(document, "roomType");
   for_each_in(document, "objects", [&](const json& item) { layout.objects.push_back(object_from(item)); });
-  for_each_in(document, "relations", [&](const json& item) { layout.relations.push_back({relation_from(item), flag_at(item, "held", false)}); });
+  for_each_in(document, "relations", [&](const json& item) {
+    layout.relations.push_back({relation_from(item), flag_at(item, "held", false)});
+  });
   for_each_in(document, "relaxed", [&](const json& item) {
     layout.relaxed.push_back({text_at(item, "relation"), item.value("by", 0.0), text_at(item, "unit"), text_at(item, "why")});
   });
   for_each_in(document, "conflicts", [&](const json& item) {
-    layout.conflicts.push_back({texts_at(item, "relations"), texts_at(item, "objects"), text_at(item, "sentence"), flag_at(item, "minimal", true)});
+    layout.conflicts.push_back(
+        {texts_at(item, "relations"), texts_at(item, "objects"), text_at(item, "sentence"), flag_at(item, "minimal", true)});
   });
   if (const auto materials = document.find("materials"); materials != document.end()) layout.materials = materials_from(*materials);
   if (const auto score = document.find("score"); score != document.end()) {
@@ -91,8 +94,8 @@ Layout layout_from(const json& document) {
     layout.score_terms = score->value("terms", std::map<std::string, double>());
   }
   if (const auto stats = document.find("stats"); stats != document.end()) {
-    layout.stats = {text_at(*stats, "solver"), stats->value("seed", std::uint64_t{1}), stats->value("seconds", 0.0), flag_at(*stats, "proven", false),
-                    flag_at(*stats, "stoppedByClock", false)};
+    layout.stats = {text_at(*stats, "solver"), stats->value("seed", std::uint64_t{1}), stats->value("seconds", 0.0),
+                    flag_at(*stats, "proven", false), flag_at(*stats, "stoppedByClock", false)};
   }
   return layout;
 }
@@ -103,7 +106,8 @@ Result<Layout> read_layout(std::string_view text) {
   LAYOUTBOX_ASSIGN(json document, parse_json(text));
   try {
     drop_nulls(document);
-    if (std::vector<Error> errors = check_against_schema(document, SchemaName::kLayout); !errors.empty()) return Failure(combined(std::move(errors)));
+    if (std::vector<Error> errors = check_against_schema(document, SchemaName::kLayout); !errors.empty())
+      return Failure(combined(std::move(errors)));
     Layout layout = layout_from(document);
     if (std::vector<Error> errors = check_layout(layout); !errors.empty()) return Failure(combined(std::move(errors)));
     settle_shell(layout.room);
@@ -120,11 +124,13 @@ Result<std::string> kind_of_document(std::string_view text) {
     const std::string name = format->get<std::string>();
     if (name.starts_with("layoutbox/scene@")) return "scene";
     if (name.starts_with("layoutbox/layout@")) return "layout";
-    return fail(ErrorCode::kSchema, fmt::format("the format \"{}\" is not known", name), "/format", "layoutbox/scene@1 and layoutbox/layout@1 are");
+    return fail(ErrorCode::kSchema, fmt::format("the format \"{}\" is not known", name), "/format",
+                "layoutbox/scene@1 and layoutbox/layout@1 are");
   }
   if (document.contains("furniture") || document.contains("constraints")) return "scene";
   if (document.contains("objects")) return "layout";
-  return fail(ErrorCode::kSchema, "this is neither a scene nor a layout", {}, "a scene has \"room\" and \"furniture\", a layout \"room\" and \"objects\"");
+  return fail(ErrorCode::kSchema, "this is neither a scene nor a layout", {},
+              "a scene has \"room\" and \"furniture\", a layout \"room\" and \"objects\"");
 }
 
 }  // namespace layoutbox

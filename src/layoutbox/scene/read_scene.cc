@@ -43,7 +43,8 @@ SceneObject object_from(const json& value, bool own) {
   object.catalog_id = text_at(value, "catalogId");
   object.attributes = texts_at(value, "attributes");
   object.size = size_from(value);
-  if (value.contains("dims")) object.size_source = size_source_from_name(text_at(value.at("dims"), "source")).value_or(SizeSource::kUnknown);
+  if (value.contains("dims"))
+    object.size_source = size_source_from_name(text_at(value.at("dims"), "source")).value_or(SizeSource::kUnknown);
   object.mount = mount_from_name(text_at(value, "mount"));
   if (const auto sides = value.find("usedSides"); sides != value.end()) object.used_sides = sides_from(*sides);
   if (const auto spaces = value.find("spaces"); spaces != value.end()) {
@@ -125,7 +126,8 @@ void settle_names(SceneGraph& scene) {
     std::string& wall = scene.room.openings[i].wall;
     if (wall.empty()) continue;
     if (const Wall* found = scene.find_wall(wall); found != nullptr && found->id != wall) {
-      scene.notes.push_back({"converted", fmt::format("the wall \"{}\" is read as \"{}\"", wall, found->id), fmt::format("/room/openings/{}", i)});
+      scene.notes.push_back(
+          {"converted", fmt::format("the wall \"{}\" is read as \"{}\"", wall, found->id), fmt::format("/room/openings/{}", i)});
       wall = found->id;
     }
   }
@@ -156,13 +158,15 @@ SceneGraph scene_from(const json& document, bool own) {
 }  // namespace
 
 Result<SceneGraph> read_scene(std::string_view text, std::string_view units) {
-  if (!metres_per_unit(units)) return fail(ErrorCode::kUsage, fmt::format("\"{}\" is no unit of length", units), {}, "give m, cm, mm, ft or in");
+  if (!metres_per_unit(units))
+    return fail(ErrorCode::kUsage, fmt::format("\"{}\" is no unit of length", units), {}, "give m, cm, mm, ft or in");
   LAYOUTBOX_ASSIGN(json document, parse_json(text));
   try {
     const bool own = document.is_object() && document.contains("format");
     std::vector<Note> notes;
     bring_into_form(document, own ? std::string_view() : units, notes);
-    if (std::vector<Error> errors = check_against_schema(document, SchemaName::kScene); !errors.empty()) return Failure(combined(std::move(errors)));
+    if (std::vector<Error> errors = check_against_schema(document, SchemaName::kScene); !errors.empty())
+      return Failure(combined(std::move(errors)));
     SceneGraph scene = scene_from(document, own);
     scene.notes.insert(scene.notes.end(), notes.begin(), notes.end());
     settle_names(scene);
@@ -182,7 +186,8 @@ Result<Room> read_room(std::string_view text, std::string_view units) {
     if (document.is_object() && document.contains("room")) document = json(document.at("room"));
     std::vector<Note> notes;
     bring_room_into_form(document, units, notes);
-    if (std::vector<Error> errors = check_against_schema(document, SchemaName::kScene, "room"); !errors.empty()) return Failure(combined(std::move(errors)));
+    if (std::vector<Error> errors = check_against_schema(document, SchemaName::kScene, "room"); !errors.empty())
+      return Failure(combined(std::move(errors)));
     SceneGraph scene;
     scene.room = room_from(document);
     settle_names(scene);

@@ -109,7 +109,8 @@ TEST(PaperScene, SizesGoByManyNames) {
 TEST(PaperScene, UnitsAreConverted) {
   json scene = paper_scene();
   scene["metadata"]["units"] = "cm";
-  scene["room"] = {{"dims", {{"w", 400}, {"d", 320}, {"h", 300}}}, {"openings", {{{"id", "w"}, {"type", "window"}, {"w", 120}, {"h", 100}, {"sill", 90}}}}};
+  scene["room"] = {{"dims", {{"w", 400}, {"d", 320}, {"h", 300}}},
+                   {"openings", {{{"id", "w"}, {"type", "window"}, {"w", 120}, {"h", 100}, {"sill", 90}}}}};
   scene["furniture"][0]["dims"] = {{"w", 160}, {"d", 200}, {"h", 50}};
   scene["furniture"][0]["xform"]["pos"] = {100, 150, 25};
   scene["constraints"][0]["distance"] = 60;
@@ -209,7 +210,8 @@ TEST(BadScene, AllErrorsComeAtOnce) {
   scene["room"]["dims"]["w"] = "4";
   scene["constraints"][1]["type"] = "alignn";
   const auto errors = errors_of(scene);
-  EXPECT_THAT(pointers(errors), UnorderedElementsAre("/furniture/0/dims/w", "/furniture/1/categroy", "/room/dims/w", "/constraints/1/type"));
+  EXPECT_THAT(pointers(errors),
+              UnorderedElementsAre("/furniture/0/dims/w", "/furniture/1/categroy", "/room/dims/w", "/constraints/1/type"));
   for (const Error& error : errors) {
     EXPECT_EQ(error.code, ErrorCode::kSchema) << error.message;
     EXPECT_THAT(error.hint, testing::Not(IsEmpty())) << error.message;
@@ -226,7 +228,7 @@ TEST(BadScene, AllErrorsComeAtOnce) {
 }
 
 struct BadCase {
-  const char* patch;      // merged into the paper's scene (RFC 7396, but null stays null by absence)
+  const char* patch;  // merged into the paper's scene (RFC 7396, but null stays null by absence)
   const char* pointer;
   ErrorCode code;
   const char* says;
@@ -254,23 +256,30 @@ INSTANTIATE_TEST_SUITE_P(
         BadCase{R"({"furniture": {"bed": 1}})", "/furniture", ErrorCode::kSchema, "a list"},
         BadCase{R"({"furnitures": []})", "/furnitures", ErrorCode::kSchema, "did you mean \"furniture\""},
         BadCase{R"({"metadata": {"units": "furlong"}})", "/metadata/units", ErrorCode::kSchema, "cm"},
-        BadCase{R"({"constraints": [{"type": "near", "targets": ["bed"], "relativeTo": "dsk"}]})", "/constraints/0/relativeTo", ErrorCode::kReference,
-                "did you mean \"desk\""},
-        BadCase{R"({"constraints": [{"type": "onCeiling", "targets": ["nobody"]}]})", "/constraints/0/targets/0", ErrorCode::kReference, "nobody"},
+        BadCase{R"({"constraints": [{"type": "near", "targets": ["bed"], "relativeTo": "dsk"}]})", "/constraints/0/relativeTo",
+                ErrorCode::kReference, "did you mean \"desk\""},
+        BadCase{R"({"constraints": [{"type": "onCeiling", "targets": ["nobody"]}]})", "/constraints/0/targets/0", ErrorCode::kReference,
+                "nobody"},
         BadCase{R"({"constraints": [{"type": "near", "targets": ["bed"]}]})", "/constraints/0", ErrorCode::kSchema, "relativeTo"},
-        BadCase{R"({"constraints": [{"type": "near", "targets": ["bed"], "relativeTo": "bed"}]})", "/constraints/0/relativeTo", ErrorCode::kReference, "itself"},
-        BadCase{R"({"constraints": [{"type": "near", "targets": [], "relativeTo": "bed"}]})", "/constraints/0/targets", ErrorCode::kSchema, "at least 1"},
+        BadCase{R"({"constraints": [{"type": "near", "targets": ["bed"], "relativeTo": "bed"}]})", "/constraints/0/relativeTo",
+                ErrorCode::kReference, "itself"},
+        BadCase{R"({"constraints": [{"type": "near", "targets": [], "relativeTo": "bed"}]})", "/constraints/0/targets", ErrorCode::kSchema,
+                "at least 1"},
         BadCase{R"({"furniture": [{"id": "a", "category": "bed"}, {"id": "a", "category": "bed"}], "constraints": []})", "/furniture/1",
                 ErrorCode::kReference, "twice"},
-        BadCase{R"({"furniture": [{"id": "a", "category": "bed", "dims": {"w": 51}}], "constraints": []})", "/furniture/0/dims/w", ErrorCode::kSchema, "at most 50"},
+        BadCase{R"({"furniture": [{"id": "a", "category": "bed", "dims": {"w": 51}}], "constraints": []})", "/furniture/0/dims/w",
+                ErrorCode::kSchema, "at most 50"},
         BadCase{R"({"furniture": [{"id": "a"}], "constraints": []})", "/furniture/0", ErrorCode::kSchema, "category"},
-        BadCase{R"({"furniture": [{"id": "a", "category": "bed", "fixed": true}], "constraints": []})", "/furniture/0/xform", ErrorCode::kSchema, "no place"},
-        BadCase{R"({"furniture": [{"id": "a", "category": "bed", "xform": {"scale": [1, -1, 1]}}], "constraints": []})", "/furniture/0/xform/scale/1",
-                ErrorCode::kSchema, "above 0"},
-        BadCase{R"({"room": {"openings": [{"id": "d", "wallId": "wall1", "offset": 3.5, "w": 0.9}]}})", "/room/openings/0", ErrorCode::kGeometry, "4 m long"},
+        BadCase{R"({"furniture": [{"id": "a", "category": "bed", "fixed": true}], "constraints": []})", "/furniture/0/xform",
+                ErrorCode::kSchema, "no place"},
+        BadCase{R"({"furniture": [{"id": "a", "category": "bed", "xform": {"scale": [1, -1, 1]}}], "constraints": []})",
+                "/furniture/0/xform/scale/1", ErrorCode::kSchema, "above 0"},
+        BadCase{R"({"room": {"openings": [{"id": "d", "wallId": "wall1", "offset": 3.5, "w": 0.9}]}})", "/room/openings/0",
+                ErrorCode::kGeometry, "4 m long"},
         BadCase{R"({"room": {"openings": [{"id": "d", "wallId": "wall7"}]}})", "/room/openings/0", ErrorCode::kReference, "wall7"},
         BadCase{R"({"room": {"openings": [{"id": "bed"}]}})", "/room/openings/0", ErrorCode::kReference, "twice"},
-        BadCase{R"({"room": {"polygon": [[0, 0], [4, 3], [4, 0], [0, 3]], "walls": [], "openings": []}, "constraints": []})", "/room/polygon", ErrorCode::kGeometry, "crosses"},
+        BadCase{R"({"room": {"polygon": [[0, 0], [4, 3], [4, 0], [0, 3]], "walls": [], "openings": []}, "constraints": []})",
+                "/room/polygon", ErrorCode::kGeometry, "crosses"},
         BadCase{R"({"materials": [{"id": "a", "color": [1, 1]}]})", "/materials/0/color", ErrorCode::kSchema, "3 items"},
         BadCase{R"({"materials": [{"id": "a", "color": [-1, 0, 0]}]})", "/materials/0/color/0", ErrorCode::kSchema, "at least 0"},
         BadCase{R"({"format": "layoutbox/scene@2"})", "/format", ErrorCode::kSchema, "layoutbox/scene@1"}));
@@ -314,7 +323,8 @@ TEST(Documents, AreToldApart) {
 }
 
 TEST(Rooms, AreReadAlone) {
-  const auto room = read_room(R"({"dims": {"width": 500, "depth": 400, "height": 250}, "openings": [{"id": "d", "wall": "back", "offset": 100}]})", "cm");
+  const auto room =
+      read_room(R"({"dims": {"width": 500, "depth": 400, "height": 250}, "openings": [{"id": "d", "wall": "back", "offset": 100}]})", "cm");
   ASSERT_TRUE(room) << room.error().message;
   EXPECT_EQ(room->polygon[2], (Point{5000, 4000}));
   EXPECT_EQ(room->openings[0].offset, 1000);

@@ -23,7 +23,7 @@ enum ReferenceKind : unsigned { kObject = 1, kWall = 2, kOpening = 4, kRoom = 8 
 
 struct RelationRow {
   RelationType type;
-  std::string_view name;        // as in JSON: "againstWall"
+  std::string_view name;  // as in JSON: "againstWall"
   RelationGroup group;
   RelationArity arity;
   unsigned reference_kinds;     // flags of ReferenceKind

@@ -18,8 +18,11 @@ class IdChecker {
   void add(const std::string& id, std::string pointer) {
     const auto [place, inserted] = pointers_.emplace(id, pointer);
     if (!inserted) {
-      errors_.push_back({ErrorCode::kReference, fmt::format("the id \"{}\" is used twice: here and at {}", id, place->second), std::move(pointer),
-                         "give each object, wall and opening an id of its own", {}});
+      errors_.push_back({ErrorCode::kReference,
+                         fmt::format("the id \"{}\" is used twice: here and at {}", id, place->second),
+                         std::move(pointer),
+                         "give each object, wall and opening an id of its own",
+                         {}});
     }
   }
   bool has(const std::string& id) const { return pointers_.contains(id); }
@@ -63,15 +66,16 @@ bool is_opening(const std::vector<Opening>& openings, const std::string& id) {
   return std::ranges::any_of(openings, [&](const Opening& o) { return same_name(o.id, id) || same_name(name_of(o.type), id); });
 }
 
-void check_relation(const Relation& relation, const std::string& pointer, const Names& names, const Room& room, std::vector<Error>& errors) {
+void check_relation(const Relation& relation, const std::string& pointer, const Names& names, const Room& room,
+                    std::vector<Error>& errors) {
   const RelationRow& row = relation_row(relation.type);
   const auto add = [&](ErrorCode code, std::string message, std::string where, std::string hint) {
     errors.push_back({code, std::move(message), pointer + where, std::move(hint), {}});
   };
   for (std::size_t i = 0; i < relation.targets.size(); ++i) {
     if (is_object(names, relation.targets[i])) continue;
-    add(ErrorCode::kReference, fmt::format("{} is about \"{}\", which is no object of this file", row.name, relation.targets[i]), fmt::format("/targets/{}", i),
-        names.ids.suggestion(relation.targets[i]));
+    add(ErrorCode::kReference, fmt::format("{} is about \"{}\", which is no object of this file", row.name, relation.targets[i]),
+        fmt::format("/targets/{}", i), names.ids.suggestion(relation.targets[i]));
   }
   const bool needs_reference = row.arity == RelationArity::kOne || row.arity == RelationArity::kMany;
   // Several targets may name the reference too ("align: desk, bed").
@@ -79,8 +83,8 @@ void check_relation(const Relation& relation, const std::string& pointer, const 
     add(ErrorCode::kSchema, fmt::format("{} needs relativeTo", row.name), "", "say what it is relative to");
   }
   for (const std::string& reference : relation.references) {
-    const bool known = is_object(names, reference) || names.ids.has(reference) || is_wall(names, reference) || is_opening(room.openings, reference) ||
-                       reference == "room" || reference == "floor" || reference == "ceiling" ||
+    const bool known = is_object(names, reference) || names.ids.has(reference) || is_wall(names, reference) ||
+                       is_opening(room.openings, reference) || reference == "room" || reference == "floor" || reference == "ceiling" ||
                        (!room.openings_given && (reference == "door" || reference == "window"));
     if (!known) {
       add(ErrorCode::kReference, fmt::format("{} is relative to \"{}\", which is nothing in this file", row.name, reference), "/relativeTo",
@@ -100,8 +104,10 @@ void check_walls(const Room& room, std::vector<Error>& errors) {
   complete_rectangle(copy);
   const auto ring = walls_in_ring(copy.walls, copy.openings);
   if (ring) return;
-  if (ring.error().details.empty()) errors.push_back(ring.error());
-  else errors.insert(errors.end(), ring.error().details.begin(), ring.error().details.end());
+  if (ring.error().details.empty())
+    errors.push_back(ring.error());
+  else
+    errors.insert(errors.end(), ring.error().details.begin(), ring.error().details.end());
 }
 
 void check_room(const Room& room, std::vector<Error>& errors) {
@@ -135,14 +141,22 @@ std::vector<Error> check_scene(const SceneGraph& scene) {
   for (std::size_t i = 0; i < scene.relations.size(); ++i) {
     const std::string& id = scene.relations[i].id;
     if (!id.empty() && !relation_ids.emplace(id, i).second) {
-      errors.push_back({ErrorCode::kReference, fmt::format("two constraints have the id \"{}\"", id), fmt::format("/constraints/{}", i), "give each an id of its own", {}});
+      errors.push_back({ErrorCode::kReference,
+                        fmt::format("two constraints have the id \"{}\"", id),
+                        fmt::format("/constraints/{}", i),
+                        "give each an id of its own",
+                        {}});
     }
   }
   check_room(scene.room, errors);
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const SceneObject& object = scene.objects[i];
     if (object.fixed && !object.hint.position) {
-      errors.push_back({ErrorCode::kSchema, fmt::format("\"{}\" is fixed but has no place", object.id), fmt::format("/furniture/{}/xform", i), "give xform.pos", {}});
+      errors.push_back({ErrorCode::kSchema,
+                        fmt::format("\"{}\" is fixed but has no place", object.id),
+                        fmt::format("/furniture/{}/xform", i),
+                        "give xform.pos",
+                        {}});
     }
   }
   Names names{ids, scene.room.walls, {}};
@@ -162,8 +176,11 @@ std::vector<Error> check_layout(const Layout& layout) {
   for (std::size_t i = 0; i < layout.objects.size(); ++i) {
     const std::string& support = layout.objects[i].supported_by;
     if (support == layout.objects[i].id || (support != "floor" && support != "ceiling" && !ids.has(support))) {
-      errors.push_back({ErrorCode::kReference, fmt::format("\"{}\" is supported by \"{}\", which is nothing in this file", layout.objects[i].id, support),
-                        fmt::format("/objects/{}/supportedBy", i), ids.suggestion(support), {}});
+      errors.push_back({ErrorCode::kReference,
+                        fmt::format("\"{}\" is supported by \"{}\", which is nothing in this file", layout.objects[i].id, support),
+                        fmt::format("/objects/{}/supportedBy", i),
+                        ids.suggestion(support),
+                        {}});
     }
   }
   Names names{ids, layout.room.walls, {}};

@@ -32,8 +32,8 @@ struct Color {  // linear components are not meant here: sRGB, 0–1
 struct Material {
   std::string id;
   std::optional<Color> color;
-  std::string texture;               // image file, relative to the scene file; empty = none
-  std::optional<double> roughness;   // 0–1
+  std::string texture;              // image file, relative to the scene file; empty = none
+  std::optional<double> roughness;  // 0–1
   std::array<double, 2> uv_scale{1, 1};
 };
 
@@ -48,35 +48,35 @@ struct Space {
 
 struct Wall {
   std::string id;
-  Point start, end;        // along the inner face, counter-clockwise round the room once normalised
+  Point start, end;  // along the inner face, counter-clockwise round the room once normalised
   Mm thickness = 100;
-  std::string material;    // a material's id or name, or empty
+  std::string material;  // a material's id or name, or empty
   std::string mesh;
 };
 
 struct Opening {
   std::string id;
   OpeningType type = OpeningType::kDoor;
-  std::string wall;               // empty: any wall, the solver chooses
-  std::optional<Mm> offset;       // from the wall's start to the nearer edge; empty: the solver chooses
+  std::string wall;          // empty: any wall, the solver chooses
+  std::optional<Mm> offset;  // from the wall's start to the nearer edge; empty: the solver chooses
   Mm width = 900, height = 2000, sill = 0;
-  Mm sill_depth = 200;            // windows: how deep a thing may be that stands on the sill
+  Mm sill_depth = 200;  // windows: how deep a thing may be that stands on the sill
   Swing swing = Swing::kInLeft;
-  bool assumed = false;           // nobody asked for it: a default of ours, first to be moved or narrowed
+  bool assumed = false;  // nobody asked for it: a default of ours, first to be moved or narrowed
 };
 
 struct Room {
-  std::string type;               // "bedroom", "living_room"…, or empty
-  std::vector<Point> polygon;     // counter-clockwise, inner faces of the walls; empty before normalisation if unknown
-  Mm height = 0;                  // floor to ceiling; 0 before normalisation if unknown
-  std::vector<Wall> walls;        // one per polygon edge, in its order, once normalised
+  std::string type;            // "bedroom", "living_room"…, or empty
+  std::vector<Point> polygon;  // counter-clockwise, inner faces of the walls; empty before normalisation if unknown
+  Mm height = 0;               // floor to ceiling; 0 before normalisation if unknown
+  std::vector<Wall> walls;     // one per polygon edge, in its order, once normalised
   std::vector<Opening> openings;
-  bool openings_given = false;    // the list is complete, even if empty: no default door and window are added
+  bool openings_given = false;  // the list is complete, even if empty: no default door and window are added
   std::string floor_material, wall_material;
   // What the text said where no exact size was given; read by normalize_scene.
   std::optional<double> area_m2;
-  std::string size_word;          // "small", "large", "spacious"… or empty
-  std::string shape;              // "L", "T", "U", "round" or empty (rectangle)
+  std::string size_word;  // "small", "large", "spacious"… or empty
+  std::string shape;      // "L", "T", "U", "round" or empty (rectangle)
 };
 
 // Between which sizes the solver may choose; equal ends where the size is given. `usual` is preferred.
@@ -95,22 +95,22 @@ struct PoseHint {
 
 struct SceneObject {
   std::string id;
-  std::string category;                  // a catalogue entry's id where there is one, else the head noun in snake_case
-  std::string name;                      // the words of the prompt: "queen bed"
-  std::string catalog_id;                // the user's own article number, or empty
-  std::vector<std::string> attributes;   // "blue", "wooden", "large"
-  std::optional<SizeRange> size;         // always set once normalised
+  std::string category;                 // a catalogue entry's id where there is one, else the head noun in snake_case
+  std::string name;                     // the words of the prompt: "queen bed"
+  std::string catalog_id;               // the user's own article number, or empty
+  std::vector<std::string> attributes;  // "blue", "wooden", "large"
+  std::optional<SizeRange> size;        // always set once normalised
   SizeSource size_source = SizeSource::kUnknown;
-  std::optional<Mount> mount;            // always set once normalised
+  std::optional<Mount> mount;                   // always set once normalised
   std::optional<std::vector<Side>> used_sides;  // normalised; empty vector: none
-  std::vector<Space> spaces;             // only where a file gave them; else the catalogue's formulas hold (catalog/spaces.h)
+  std::vector<Space> spaces;                    // only where a file gave them; else the catalogue's formulas hold (catalog/spaces.h)
   bool spaces_given = false;
   PoseHint hint;
-  bool fixed = false;                    // stays at `hint` exactly (columns, built-ins, locked parts of an earlier layout)
+  bool fixed = false;  // stays at `hint` exactly (columns, built-ins, locked parts of an earlier layout)
   std::array<double, 3> scale{1, 1, 1};
   std::string mesh, mesh_front, material;
   std::vector<std::string> tags;
-  bool assumed = false;                  // not asked for by name (the usual furniture of a room)
+  bool assumed = false;  // not asked for by name (the usual furniture of a room)
 };
 
 // Parameters of a relation; which of them a type reads stands in the relation table. Absent = the table's default.
@@ -118,29 +118,29 @@ struct RelationParameters {
   std::optional<Axis> axis;
   std::optional<Mm> distance, min, max, gap, depth, width, height;
   std::optional<Side> side;
-  std::string part;     // "center", "left", "right", "front", "back", "corner", "left front corner", a space's name…
-  std::string edge;     // "center", "left", "right", "front", "back", "min", "max"
-  std::string region;   // "left", "right", "front", "back", "middle"
+  std::string part;    // "center", "left", "right", "front", "back", "corner", "left front corner", a space's name…
+  std::string edge;    // "center", "left", "right", "front", "back", "min", "max"
+  std::string region;  // "left", "right", "front", "back", "middle"
   std::optional<int> columns;
 };
 
 struct Relation {
   std::string id;
   RelationType type = RelationType::kInside;
-  std::vector<std::string> targets;      // object ids; targets[0] is who is placed
-  std::vector<std::string> references;   // JSON relativeTo: ids of objects, walls, openings; "room", "floor", "ceiling"
+  std::vector<std::string> targets;     // object ids; targets[0] is who is placed
+  std::vector<std::string> references;  // JSON relativeTo: ids of objects, walls, openings; "room", "floor", "ceiling"
   RelationParameters parameters;
   bool hard = true;
-  int weight = 100;                      // of a soft relation, or the price of giving up a hard one
-  std::string why;                       // the words of the prompt it came from, or the rule that assumed it
-  bool assumed = false;                  // added by us, not asked for
+  int weight = 100;      // of a soft relation, or the price of giving up a hard one
+  std::string why;       // the words of the prompt it came from, or the rule that assumed it
+  bool assumed = false;  // added by us, not asked for
 };
 
 // Something that was read in another way than written, filled in, or not understood; for run.json and stderr.
 struct Note {
-  std::string code;      // "filled", "converted", "guessed", "ignored", "not-understood", "contradiction"…
-  std::string message;   // one sentence
-  std::string pointer;   // JSON pointer or "prompt:12-18" (character places), or empty
+  std::string code;     // "filled", "converted", "guessed", "ignored", "not-understood", "contradiction"…
+  std::string message;  // one sentence
+  std::string pointer;  // JSON pointer or "prompt:12-18" (character places), or empty
 };
 
 struct SceneGraph {

@@ -28,8 +28,10 @@ void redirect_references(json& node, std::string_view own_prefix) {
   if (node.is_object()) {
     if (const auto found = node.find("$ref"); found != node.end() && found->is_string()) {
       std::string text = found->get<std::string>();
-      if (text.starts_with(kSceneFile)) text = "#/definitions/" + std::string(kSceneFile) + text.substr(kSceneFile.size() + std::string_view("#/definitions").size());
-      else if (!own_prefix.empty()) text = std::string(own_prefix) + text.substr(std::string_view("#/definitions").size());
+      if (text.starts_with(kSceneFile))
+        text = "#/definitions/" + std::string(kSceneFile) + text.substr(kSceneFile.size() + std::string_view("#/definitions").size());
+      else if (!own_prefix.empty())
+        text = std::string(own_prefix) + text.substr(std::string_view("#/definitions").size());
       *found = text;
     }
   }
@@ -108,7 +110,8 @@ const json* step_into(const json& root, const json& node, const std::string& key
     const std::size_t index = std::stoul(key);
     return index < items->size() ? &(*items)[index] : nullptr;
   }
-  if (const auto properties = schema.find("properties"); properties != schema.end() && properties->contains(key)) return &properties->at(key);
+  if (const auto properties = schema.find("properties"); properties != schema.end() && properties->contains(key))
+    return &properties->at(key);
   const auto additional = schema.find("additionalProperties");
   return additional != schema.end() && additional->is_object() ? &*additional : nullptr;
 }
@@ -147,7 +150,8 @@ class Explainer {
   void explain(const std::string& description, std::vector<Error>& errors) const {
     const auto begins = [&](std::string_view text) { return description.starts_with(text); };
     if (begins("Value type not permitted")) {
-      add(errors, fmt::format("{} should be {}, not {}", subject(), type_words(schema_.value("type", json("value"))), value_words(value_)), meaning());
+      add(errors, fmt::format("{} should be {}, not {}", subject(), type_words(schema_.value("type", json("value"))), value_words(value_)),
+          meaning());
     } else if (begins("Missing required property '")) {
       const std::string key = description.substr(27, description.rfind('\'') - 27);
       add(errors, fmt::format("{} has no \"{}\"", subject(), key), fmt::format("add \"{}\"{}", key, meaning_of(key)));
@@ -169,8 +173,13 @@ class Explainer {
 
  private:
   void add(std::vector<Error>& errors, std::string message, std::string hint, const std::string& key = {}) const {
-    const bool too_many = message.ends_with(" items") && schema_.contains("maxItems") && value_.is_array() && value_.size() > schema_["maxItems"].get<std::size_t>();
-    errors.push_back({too_many ? ErrorCode::kTooLarge : ErrorCode::kSchema, std::move(message), key.empty() ? pointer_ : pointer_ + "/" + key, std::move(hint), {}});
+    const bool too_many = message.ends_with(" items") && schema_.contains("maxItems") && value_.is_array() &&
+                          value_.size() > schema_["maxItems"].get<std::size_t>();
+    errors.push_back({too_many ? ErrorCode::kTooLarge : ErrorCode::kSchema,
+                      std::move(message),
+                      key.empty() ? pointer_ : pointer_ + "/" + key,
+                      std::move(hint),
+                      {}});
   }
 
   std::string subject() const { return pointer_.empty() ? "the document" : pointer_; }
@@ -244,7 +253,8 @@ class Explainer {
 
 // Violations of a part are reported again for each whole that contains it; those say nothing new.
 bool repeats_a_part(const std::string& description) {
-  return description.starts_with("Failed to validate against schema associated with") || description.starts_with("Failed to validate item #") ||
+  return description.starts_with("Failed to validate against schema associated with") ||
+         description.starts_with("Failed to validate item #") ||
          description.starts_with("Failed to validate against additional properties");
 }
 

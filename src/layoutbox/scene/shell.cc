@@ -120,8 +120,11 @@ Result<std::vector<Wall>> walls_in_ring(std::vector<Wall> walls, std::vector<Ope
   std::vector<Error> errors;
   for (std::size_t i = 0; i < walls.size(); ++i) {
     if (length_of(walls[i]) <= kCornerToleranceMm) {
-      errors.push_back({ErrorCode::kGeometry, fmt::format("wall \"{}\" has no length: it starts and ends at {}", walls[i].id, text_of(walls[i].start)),
-                        fmt::format("/room/walls/{}", i), "give its start and end, two corners of the room", {}});
+      errors.push_back({ErrorCode::kGeometry,
+                        fmt::format("wall \"{}\" has no length: it starts and ends at {}", walls[i].id, text_of(walls[i].start)),
+                        fmt::format("/room/walls/{}", i),
+                        "give its start and end, two corners of the room",
+                        {}});
     }
   }
   if (!errors.empty()) return collected(std::move(errors));
@@ -134,9 +137,11 @@ Result<std::vector<Wall>> walls_in_ring(std::vector<Wall> walls, std::vector<Ope
   for (std::size_t i = 0; i < place.size(); ++i) place[i] = i;
   const auto gap_error = [&](const Wall& from, Point corner, const Wall& to, double gap, std::size_t index) {
     errors.push_back({ErrorCode::kGeometry,
-                      fmt::format("wall \"{}\" ends at {} and meets no other wall; the nearest, \"{}\", is {} away", from.id, text_of(corner), to.id,
-                                  metres(gap)),
-                      fmt::format("/room/walls/{}", index), "let each wall end where the next one starts", {}});
+                      fmt::format("wall \"{}\" ends at {} and meets no other wall; the nearest, \"{}\", is {} away", from.id,
+                                  text_of(corner), to.id, metres(gap)),
+                      fmt::format("/room/walls/{}", index),
+                      "let each wall end where the next one starts",
+                      {}});
   };
   const auto swap_walls = [&](std::size_t a, std::size_t b) {
     std::swap(walls[a], walls[b]);
@@ -191,11 +196,13 @@ bool complete_rectangle(Room& room) {
   };
   std::vector<Wall> missing;
   for (Wall& side : sides) {
-    if (std::none_of(room.walls.begin(), room.walls.end(), [&](const Wall& wall) { return same_side(wall, side); })) missing.push_back(side);
+    if (std::none_of(room.walls.begin(), room.walls.end(), [&](const Wall& wall) { return same_side(wall, side); }))
+      missing.push_back(side);
   }
   if (missing.size() + room.walls.size() != 4) return false;
   for (Wall& wall : missing) {
-    while (std::any_of(room.walls.begin(), room.walls.end(), [&](const Wall& other) { return same_name(other.id, wall.id); })) wall.id += "_added";
+    while (std::any_of(room.walls.begin(), room.walls.end(), [&](const Wall& other) { return same_name(other.id, wall.id); }))
+      wall.id += "_added";
     room.walls.push_back(std::move(wall));
   }
   return true;
@@ -222,8 +229,8 @@ std::vector<Error> check_openings(const Room& room) {
     const Opening& opening = room.openings[i];
     if (room.height > 0 && opening.sill + opening.height > room.height + kCornerToleranceMm) {
       add(ErrorCode::kGeometry, i,
-          fmt::format("{} \"{}\" reaches up to {}, but the room is {} high", name_of(opening.type), opening.id, metres(opening.sill + opening.height),
-                      metres(room.height)),
+          fmt::format("{} \"{}\" reaches up to {}, but the room is {} high", name_of(opening.type), opening.id,
+                      metres(opening.sill + opening.height), metres(room.height)),
           "make it lower, or the room higher");
     }
     if (opening.wall.empty() || room.walls.empty()) continue;
@@ -231,7 +238,8 @@ std::vector<Error> check_openings(const Room& room) {
     const std::optional<Side> side = room_side_from_word(opening.wall);
     const Wall* wall = same != room.walls.end() ? &*same : side ? wall_on_side(room.walls, *side) : nullptr;
     if (wall == nullptr) {
-      add(ErrorCode::kReference, i, fmt::format("{} \"{}\" is in the wall \"{}\", which the room does not have", name_of(opening.type), opening.id, opening.wall),
+      add(ErrorCode::kReference, i,
+          fmt::format("{} \"{}\" is in the wall \"{}\", which the room does not have", name_of(opening.type), opening.id, opening.wall),
           fmt::format("name one of the room's walls, such as \"{}\"", room.walls.front().id));
       continue;
     }
@@ -239,8 +247,8 @@ std::vector<Error> check_openings(const Room& room) {
     const Mm begin = opening.offset.value_or(0), end = begin + opening.width;
     if (begin < -kCornerToleranceMm || end > length + kCornerToleranceMm) {
       add(ErrorCode::kGeometry, i,
-          fmt::format("{} \"{}\" spans {} to {} along wall \"{}\", which is {} long", name_of(opening.type), opening.id, metres(begin), metres(end), wall->id,
-                      metres(length)),
+          fmt::format("{} \"{}\" spans {} to {} along wall \"{}\", which is {} long", name_of(opening.type), opening.id, metres(begin),
+                      metres(end), wall->id, metres(length)),
           "offset is measured from the wall's start to the opening's nearer edge; change the offset or the width");
       continue;
     }
@@ -250,7 +258,8 @@ std::vector<Error> check_openings(const Room& room) {
       const bool apart_along = *other.offset >= end || *other.offset + other.width <= begin;
       const bool apart_in_height = other.sill >= opening.sill + opening.height || opening.sill >= other.sill + other.height;
       if (!apart_along && !apart_in_height) {
-        add(ErrorCode::kGeometry, i, fmt::format("the openings \"{}\" and \"{}\" overlap in wall \"{}\"", other.id, opening.id, wall->id), "move one of them along the wall");
+        add(ErrorCode::kGeometry, i, fmt::format("the openings \"{}\" and \"{}\" overlap in wall \"{}\"", other.id, opening.id, wall->id),
+            "move one of them along the wall");
       }
     }
   }

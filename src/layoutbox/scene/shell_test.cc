@@ -80,7 +80,9 @@ TEST(Walls, NoLengthTooFewAndCrossingAreErrors) {
   walls[1].end = walls[1].start;
   EXPECT_THAT(walls_in_ring(walls, none).error().message, HasSubstr("no length"));
   EXPECT_FALSE(walls_in_ring({wall("a", {0, 0}, {1000, 0}), wall("b", {1000, 0}, {0, 0})}, none));
-  EXPECT_THAT(walls_in_ring({wall("a", {0, 0}, {2000, 0}), wall("b", {2000, 0}, {0, 2000}), wall("c", {0, 2000}, {2000, 2000}), wall("d", {2000, 2000}, {0, 0})}, none)
+  EXPECT_THAT(walls_in_ring({wall("a", {0, 0}, {2000, 0}), wall("b", {2000, 0}, {0, 2000}), wall("c", {0, 2000}, {2000, 2000}),
+                             wall("d", {2000, 2000}, {0, 0})},
+                            none)
                   .error()
                   .message,
               HasSubstr("cross"));

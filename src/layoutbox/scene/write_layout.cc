@@ -13,7 +13,8 @@ ordered_json room_json(const Room& room) {
   ordered_json out{{"polygon", json_of(room.polygon)}, {"height", json_length(room.height)}};
   ordered_json& walls = out["walls"] = ordered_json::array();
   for (const Wall& wall : room.walls) {
-    ordered_json item{{"id", wall.id}, {"start", json_of(wall.start)}, {"end", json_of(wall.end)}, {"thickness", json_length(wall.thickness)}};
+    ordered_json item{
+        {"id", wall.id}, {"start", json_of(wall.start)}, {"end", json_of(wall.end)}, {"thickness", json_length(wall.thickness)}};
     if (!wall.material.empty()) item["mat"] = wall.material;
     if (!wall.mesh.empty()) item["mesh"] = wall.mesh;
     walls.push_back(std::move(item));
@@ -87,8 +88,8 @@ std::string write_layout(const Layout& layout) {
   }
   if (!layout.materials.empty()) out["materials"] = json_of(layout.materials);
   out["score"] = {{"total", layout.score}, {"terms", layout.score_terms}};
-  ordered_json& stats = out["stats"] = {{"solver", layout.stats.solver}, {"seed", layout.stats.seed}, {"seconds", layout.stats.seconds},
-                                        {"proven", layout.stats.proven}};
+  ordered_json& stats = out["stats"] = {
+      {"solver", layout.stats.solver}, {"seed", layout.stats.seed}, {"seconds", layout.stats.seconds}, {"proven", layout.stats.proven}};
   if (layout.stats.stopped_by_clock) stats["stoppedByClock"] = true;
   return format_json(out);
 }

@@ -46,7 +46,8 @@ ordered_json room_json(const Room& room) {
     ordered_json& walls = out["walls"] = ordered_json::array();
     for (const Wall& wall : room.walls) {
       const auto end_json = [](Point p) { return ordered_json{json_length(p.x), json_length(p.y), 0}; };
-      ordered_json item{{"id", wall.id}, {"start", end_json(wall.start)}, {"end", end_json(wall.end)}, {"thickness", json_length(wall.thickness)}};
+      ordered_json item{
+          {"id", wall.id}, {"start", end_json(wall.start)}, {"end", end_json(wall.end)}, {"thickness", json_length(wall.thickness)}};
       if (!wall.material.empty()) item["mat"] = wall.material;
       if (!wall.mesh.empty()) item["mesh"] = wall.mesh;
       walls.push_back(std::move(item));
@@ -92,7 +93,8 @@ ordered_json object_json(const SceneObject& object) {
   if (object.size) {
     ordered_json& dims = out["dims"] = dims_json(object.size->usual);
     if (object.size_source != SizeSource::kUnknown) dims["source"] = name_of(object.size_source);
-    if (object.size->least != object.size->usual || object.size->greatest != object.size->usual) out["dimsRange"] = range_json(*object.size);
+    if (object.size->least != object.size->usual || object.size->greatest != object.size->usual)
+      out["dimsRange"] = range_json(*object.size);
   }
   ordered_json xform = ordered_json::object();
   if (object.hint.position) xform["pos"] = json_of(*object.hint.position);

@@ -19,7 +19,8 @@ TEST(Numbers, HaveAtMostFourDecimals) {
 }
 
 TEST(Json, ShortThingsStandOnOneLine) {
-  const nlohmann::ordered_json value{{"a", {1, 2.5}}, {"list", {{{"id", "x"}, {"n", 1}}, {{"id", "y"}}}}, {"none", nlohmann::ordered_json::array()}};
+  const nlohmann::ordered_json value{
+      {"a", {1, 2.5}}, {"list", {{{"id", "x"}, {"n", 1}}, {{"id", "y"}}}}, {"none", nlohmann::ordered_json::array()}};
   EXPECT_EQ(format_json(value),
             "{\n"
             "  \"a\": [1, 2.5],\n"
@@ -36,7 +37,8 @@ TEST(Json, LongObjectsAreFilledLineByLine) {
   for (int i = 0; i < 30; ++i) item["member" + std::to_string(i)] = "value";
   const std::string text = format_json({{"list", {item}}});
   std::size_t longest = 0, lines = 0;
-  for (std::size_t begin = 0, end; (end = text.find('\n', begin)) != std::string::npos; begin = end + 1, ++lines) longest = std::max(longest, end - begin);
+  for (std::size_t begin = 0, end; (end = text.find('\n', begin)) != std::string::npos; begin = end + 1, ++lines)
+    longest = std::max(longest, end - begin);
   EXPECT_LE(longest, 150u);
   EXPECT_LT(lines, 12u) << text;
   EXPECT_EQ(nlohmann::ordered_json::parse(text)["list"][0], item);
