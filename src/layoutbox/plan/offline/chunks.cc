@@ -15,6 +15,12 @@ const PhraseSenses& distance_senses() {
   return senses;
 }
 
+// "50 cm apart": a row with that much between its members.
+const PhraseSenses& row_senses() {
+  static const PhraseSenses senses{{RelationType::kRow, PhraseSense::Direction::kAlone, {}, {}, {}}};
+  return senses;
+}
+
 class Chunker {
  public:
   Chunker(const Lexicon& lexicon, std::span<const Token> tokens, const std::vector<bool>& skip) : lexicon_(lexicon), tokens_(tokens), skip_(skip) {}
@@ -226,10 +232,15 @@ class Chunker {
       if (tokens_[at].text == "of" && !at_most) return false;
       ++at;
     }
+    if (tokens_[at].text == "apart") {
+      Chunk& chunk = add(ChunkKind::kRelation, at + 1 - i_);
+      chunk.phrase = PhraseMatch{chunk.last - chunk.first, &row_senses(), false, false, false};
+      chunk.distance = measure->metres;
+      return true;
+    }
     const PhraseMatch phrase = lexicon_.find_phrase(tokens_, at);
     const bool from = tokens_[at].text == "from" || tokens_[at - 1].text == "of" || tokens_[at].text == "off";
     if (!from && phrase.length == 0) return false;
-    if (tokens_[at].text == "apart") return false;
     const std::size_t first = i_;
     const std::size_t length = at - first + (tokens_[at - 1].text == "of" ? 0 : from ? 1 : phrase.length);
     Chunk& chunk = add(ChunkKind::kRelation, length);

@@ -280,7 +280,11 @@ bool Reader::word_may_belong() const {
 }
 
 bool Reader::read_part() {
-  const Match match = lexicon_.find(tokens_, i_);
+  Match match = lexicon_.find(tokens_, i_);
+  // "a plant stands in the corner" is no plant stand.
+  if (match.plural && match.length > 1 && phrase_.determiner == Determiner::kIndefinite && phrase_.count == 0 && lexicon_.is(tokens_[i_ + match.length - 1], Class::kPlaceVerb)) {
+    match = lexicon_.find(tokens_.first(i_ + match.length - 1), i_);
+  }
   const auto add = [&](Class word_class, const Meaning& meaning, std::size_t length, bool plural) {
     parts_.push_back({i_, i_ + length, word_class, meaning, plural});
     i_ += length;
@@ -308,7 +312,7 @@ bool Reader::read_part() {
     if (attribute != nullptr && object != nullptr && match.length == 1 && noun_next && !noun_before) return add(attribute->word_class, *attribute, match.length, match.plural);
     Token single = token();
     single.text = singular_of(single.text);
-    const bool part = match.length == 1 && lexicon_.is(single, Class::kPart);
+    const bool part = has(match, Class::kPart) || (match.length == 1 && lexicon_.is(single, Class::kPart));
     if (object != nullptr && !(verbal && noun_before && !hyphenated(i_)) && !part) return add(Class::kObject, *object, match.length, match.plural);
     if (object != nullptr && part) return add(Class::kPart, *object, match.length, match.plural);
     if (attribute != nullptr && !(noun_before && verbal)) {
@@ -327,6 +331,8 @@ bool Reader::read_part() {
         if (has(next, Class::kObject) || has(next, Class::kWall) || has(next, Class::kCorner) || has(next, Class::kSide) || has(next, Class::kNumber) || has(next, Class::kWallWord)) break;  // "left corner"
       }
       if ((verbal && noun_before) || (!named && !bare_)) return false;
+      // "newspapers lines the wall": the verb, not a name that goes on.
+      if (noun_before && !hyphenated(i_) && (place == Class::kAbstract || place == Class::kPart) && lexicon_.find_phrase(tokens_, i_).length > 0) return false;
       // "another table right of the sofa", "a chair back": a side after a noun is no part of its name.
       if (noun_before && place == Class::kSide && !hyphenated(i_)) return false;
       if (noun_before && place == Class::kPart && meaning_of(match, Class::kSide) != nullptr && !hyphenated(i_)) return false;

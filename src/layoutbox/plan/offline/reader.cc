@@ -72,7 +72,7 @@ void DocumentReader::begin_clause() {
   chain_.clear();
   after_verb_ = after_participle_ = imperative_ = false;
   expects_reference_ = expects_content_ = skipping_ = negated_ = soft_ = hang_ = false;
-  reference_link_ = last_reference_ = owner_ = relative_host_ = where_host_ = last_wall_ = -1;
+  reference_link_ = last_reference_ = owner_ = relative_host_ = where_host_ = last_wall_ = arranging_link_ = held_for_with_ = -1;
   joiner_ = Joiner::kNone;
 }
 
@@ -457,7 +457,7 @@ void DocumentReader::place_reference(std::size_t k, int mention) {
   link.last = chunk(k).last;
   last_reference_ = static_cast<int>(k);
   if (noun_of(mention).kind == NounKind::kWall) last_wall_ = mention;
-  const bool is_fronted = contains(fronted_, reference_link_);
+  const bool is_fronted = contains(fronted_, reference_link_) || reference_link_ == held_for_with_;
   if (!is_fronted && link.references.size() == 1) {
     link.targets = targets_for(link.senses, Direction::kDirect, noun_of(mention), after_participle_, k);
     for (const int target : link.targets) {
@@ -584,9 +584,19 @@ std::vector<int> DocumentReader::joined_with(int mention, bool after_participle,
   if (contains(subject_, mention)) return subject_;
   const auto at = std::find(roots_.begin(), roots_.end(), mention);
   std::vector<int> joined{mention};
+  const auto shares = [&](int later, int former) {
+    const NounPhrase& noun = noun_of(later);
+    return noun.determiner == Determiner::kNone && noun.count == 0 && !noun.plural && noun_of(former).determiner != Determiner::kNone;
+  };
+  if (!frames_.empty() && frames_.back().link >= 0) {  // "with a small desk and bookshelf in the corner"
+    const std::vector<int>& contents = document_.links[static_cast<std::size_t>(frames_.back().link)].targets;
+    const auto own = std::find(contents.begin(), contents.end(), mention);
+    if (own != contents.end() && own != contents.begin() && shares(mention, *(own - 1))) joined.insert(joined.begin(), *(own - 1));
+    if (own != contents.end()) return joined;
+  }
   if (at == roots_.end()) return joined;
   for (std::size_t r = static_cast<std::size_t>(at - roots_.begin()); r > clause_start_; --r) {
-    const bool shares_article = noun_of(roots_[r]).determiner == Determiner::kNone && noun_of(roots_[r]).count == 0 && !noun_of(roots_[r]).plural && noun_of(roots_[r - 1]).determiner != Determiner::kNone;
+    const bool shares_article = shares(roots_[r], roots_[r - 1]);
     if (root_joiners_[r] != Joiner::kAnd || root_modified_[r - 1] || !is_thing(roots_[r - 1])) break;
     const bool pair_in_center = in_center && r == clause_start_ + 1 && r + 1 == roots_.size();
     if (!shares_article && !after_participle && !pair_in_center) break;
@@ -751,7 +761,11 @@ void DocumentReader::read_relation(std::size_t k) {
     reference_link_ = add_link(std::move(link));
     expects_reference_ = true;
     hang_ |= relation.hang;
+    // "Flank the bed with …": a command, not a place that comes first.
+    const bool command = at_start && relation.last - relation.first == 1 && is(next(n), ChunkKind::kHave) && document_.tokens[chunk(next(n)).first].text == "with";
+    if (command) arranging_link_ = reference_link_;
     if (at_start) fronted_.push_back(reference_link_);
+    if (command) fronted_.pop_back(), held_for_with_ = reference_link_;
     joiner_ = Joiner::kNone;
     return;
   }
@@ -876,11 +890,26 @@ void DocumentReader::read_have(std::size_t k) {
   link.weak = plain;
   const bool after_comma = joiner_ == Joiner::kComma || joiner_ == Joiner::kCommaAnd;
   joiner_ = Joiner::kNone;
+  // "Flank the bed with two nightstands": the verb says how.
+  if (word == "with" && arranging_link_ >= 0 && link_at(arranging_link_).references.size() == 1) {
+    const std::vector<int> hosts = link_at(arranging_link_).references;
+    frames_.push_back({arranging_link_, hosts, false, false});
+    chain_ = hosts;
+    arranging_link_ = -1;
+    expects_content_ = true;
+    return;
+  }
   // The host: what stands right before; after a comma or a verb the clause's own thing.
   int host = chain_.empty() ? -1 : chain_.back();
   if (host >= 0 && is_thing(host) && !mention_at(host).introduces && is_thing(chain_.front()) && noun_of(host).kind == NounKind::kObject) host = chain_.front();
   if ((after_comma || is(previous(k), ChunkKind::kVerb)) && !chain_.empty()) host = chain_.front();
   if (is_finite(word) && roots_.size() > clause_start_) host = roots_.back();
+  if (is_finite(word) && host >= 0 && (noun_of(host).kind == NounKind::kWall || noun_of(host).kind == NounKind::kFloor || noun_of(host).kind == NounKind::kWindow)) {
+    // "An office with white walls has a desk": the office has.
+    for (const int root : roots_) {
+      if (noun_of(root).kind == NounKind::kRoom) host = root;
+    }
+  }
   if (relative_host_ >= 0) host = relative_host_;
   relative_host_ = -1;
   if (host < 0 && !roots_.empty() && roots_.size() > clause_start_) host = roots_.back();

@@ -88,6 +88,7 @@ class DocumentReader {
   int last_reference_ = -1;
   int owner_ = -1;
   int relative_host_ = -1, where_host_ = -1, last_wall_ = -1;
+  int arranging_link_ = -1, held_for_with_ = -1;  // "flank the bed with …": the link whose targets "with" names
   std::size_t sentence_links_ = 0;    // links before this sentence
   Joiner joiner_ = Joiner::kNone, joiner_before_relation_ = Joiner::kNone;
   std::size_t clause_start_ = 0;      // of roots_

@@ -38,7 +38,9 @@ class Builder {
     for (const Link& link : document_.links) {
       if (link.kind == Link::Kind::kHang) add_hanging(link);
     }
+    add_mounts_said();
     for (std::size_t i = 0; i < scene_.objects.size(); ++i) settle_mount(i);
+    add_habits();
     note_contradictions();
   }
 
@@ -52,8 +54,10 @@ class Builder {
     // Nothing stands by itself.
     std::erase_if(references, [&](const std::string& r) { return std::find(targets.begin(), targets.end(), r) != targets.end(); });
     if (references.empty() && relation_row(type).arity != RelationArity::kNone && relation_row(type).arity != RelationArity::kOptional) return;
-    for (const Relation& known : scene_.relations) {
-      if (known.type == type && known.targets == targets && known.references == references) return;
+    for (Relation& known : scene_.relations) {
+      if (known.type != type || known.targets != targets || known.references != references) continue;
+      if (type == R::kRow && link.distance) known.parameters.gap = mm_from_m(*link.distance);
+      return;
     }
     Relation relation;
     relation.id = "c" + std::to_string(scene_.relations.size() + 1);
@@ -65,6 +69,7 @@ class Builder {
     relation.parameters.side = sense.side;
     relation.hard = !link.soft;
     relation.why = words_between(document_, link.first, link.last);
+    if (link.distance && type == R::kRow) relation.parameters.gap = mm_from_m(*link.distance);
     if (link.distance && type == R::kDistance) {
       const Mm distance = mm_from_m(*link.distance);
       if (!link.at_most) relation.parameters.min = distance;
@@ -436,6 +441,75 @@ class Builder {
     }
   }
 
+  // "a wall-mounted TV", "a floating shelf".
+  void add_mounts_said() {
+    for (std::size_t i = 0; i < scene_.objects.size(); ++i) {
+      const NounPhrase& noun = document_.items[i].noun;
+      const std::string words = " " + noun.name + " ";
+      const auto said = [&](std::string_view word) { return std::find(noun.attributes.begin(), noun.attributes.end(), word) != noun.attributes.end() || words.find(" " + std::string(word) + " ") != std::string::npos; };
+      const bool wall = said("wall-mounted") || said("wall mounted") || (said("floating") && !is_seat(catalog_, noun) && noun.head != "bed"), ceiling = said("ceiling-mounted");
+      if (!wall && !ceiling) continue;
+      Link link;
+      link.targets = {};
+      link.first = noun.first;
+      link.last = noun.last;
+      const bool known = std::any_of(scene_.relations.begin(), scene_.relations.end(), [&](const Relation& r) {
+        return (r.type == R::kOnWall || r.type == R::kOnCeiling) && std::find(r.targets.begin(), r.targets.end(), scene_.objects[i].id) != r.targets.end();
+      });
+      if (!known) add(link, wall ? R::kOnWall : R::kOnCeiling, {scene_.objects[i].id}, {});
+    }
+  }
+
+  // What a reader takes for granted; soft, and marked as ours.
+  void add_habits() {
+    const std::size_t said = scene_.relations.size();
+    for (std::size_t r = 0; r < said; ++r) {
+      const Relation relation = scene_.relations[r];
+      if (relation.targets.size() != 1 || relation.references.size() != 1) continue;
+      const SceneObject *target = scene_.find_object(relation.targets.front()), *reference = scene_.find_object(relation.references.front());
+      if (target == nullptr || reference == nullptr) continue;
+      const NounPhrase &thing = noun_of_object(*target), &other = noun_of_object(*reference);
+      if (relation.type == R::kInFrontOf && is_seat(catalog_, thing) && is_table(catalog_, other) && !one_of(thing.head, {"sofa", "couch", "loveseat"}) && !scene_.relations[r].parameters.max) scene_.relations[r].parameters.max = 400;
+      // One thing in front of another stands in the middle of it.
+      const auto alone = std::count_if(scene_.relations.begin(), scene_.relations.end(), [&](const Relation& o) { return o.type == R::kInFrontOf && o.references == relation.references; });
+      if (relation.type == R::kInFrontOf && alone == 1) {
+        Relation habit;
+        habit.id = "c" + std::to_string(scene_.relations.size() + 1);
+        habit.type = R::kCenteredOn;
+        habit.targets = relation.targets;
+        habit.references = relation.references;
+        habit.hard = false;
+        habit.assumed = true;
+        habit.weight = 80;
+        habit.why = "what is in front of something is in front of its middle";
+        scene_.relations.push_back(std::move(habit));
+      }
+    }
+    // "on either side of the sofa, near it": as far as near things are.
+    for (Relation& sides : scene_.relations) {
+      if (sides.type != R::kEachSideOf || sides.parameters.max) continue;
+      const bool near = std::any_of(scene_.relations.begin(), scene_.relations.end(), [&](const Relation& r) {
+        return r.type == R::kNear && r.references == sides.references && std::find(sides.targets.begin(), sides.targets.end(), r.targets.front()) != sides.targets.end();
+      });
+      if (near) sides.parameters.max = 1500;
+    }
+    // A plain table that one dines at.
+    for (std::size_t i = 0; i < scene_.objects.size(); ++i) {
+      SceneObject& object = scene_.objects[i];
+      if (object.category != "table" || catalog_.find("dining_table") == nullptr) continue;
+      const bool chairs = std::any_of(scene_.relations.begin(), scene_.relations.end(), [&](const Relation& r) {
+        return (r.type == R::kAround || r.type == R::kSurround) && !r.references.empty() && r.references.front() == object.id && r.targets.front().starts_with("dining_chair");
+      });
+      if (chairs || (scene_.room.type == "dining_room" && document_.items[i].noun.attributes.empty() && is_only_table(i))) object.category = "dining_table";
+    }
+  }
+
+  bool is_only_table(std::size_t index) const {
+    return std::count_if(document_.items.begin(), document_.items.end(), [&](const Item& item) { return is_table(catalog_, item.noun); }) == 1 && index < document_.items.size();
+  }
+
+  const NounPhrase& noun_of_object(const SceneObject& object) const { return document_.items[static_cast<std::size_t>(&object - scene_.objects.data())].noun; }
+
   // How a thing is held where the relations say otherwise than its kind.
   void settle_mount(std::size_t index) {
     SceneObject& object = scene_.objects[index];
@@ -471,7 +545,15 @@ class Builder {
     }
     if (wall) {
       object.mount = Mount::kWall;
-      if (mount_of(noun) != Mount::kWall && noun.exact && catalog_.find("wall_" + noun.entry->id) != nullptr) object.category = "wall_" + noun.entry->id;
+      const CatalogEntry* on_wall = mount_of(noun) != Mount::kWall && noun.exact ? catalog_.find("wall_" + noun.entry->id) : nullptr;
+      if (on_wall != nullptr) {
+        object.category = on_wall->id;
+        // A board has a top and no inside.
+        const bool inside = std::any_of(on_wall->spaces.begin(), on_wall->spaces.end(), [](const SpaceFormula& s) { return s.carries; });
+        for (Relation& relation : scene_.relations) {
+          if (!inside && relation.type == R::kIn && !relation.references.empty() && relation.references.front() == object.id) relation.type = R::kOn;
+        }
+      }
       if (is_lamp(catalog_, noun) && mount_of(noun) != Mount::kWall) specialise({"wall_lamp", "sconce"});
       return;
     }
