@@ -60,6 +60,17 @@ void make_plural(std::string& sentence) {
   }
 }
 
+std::string clearance_in_words(const Model& model, const Constraint& constraint) {
+  for (std::size_t i = 0; i < model.items.size(); ++i) {
+    const Item& item = model.items[i];
+    if (!item.is_opening() || constraint.name != model.constraints[item.clearance_constraint].name) continue;
+    const Box& clear = item.states[0].clear[0];
+    const Mm depth = std::min(clear.extent(0), clear.extent(1));  // a door's is as deep as it is wide
+    return fmt::format("the floor before {} stays free ({} deep)", object_in_words(model, static_cast<int>(i)), metres(depth));
+  }
+  return constraint.name;
+}
+
 // Objects that must stay out of a clash because they are elsewhere or hold others.
 bool stands_on_floor_always(const Item& item) {
   return !item.is_opening() && !item.thin && item.supports.size() == 1 && item.supports[0].kind == SupportOption::Kind::kFloor;
@@ -89,7 +100,8 @@ void add_too_large(const Model& model, const std::vector<char>& left_out, std::v
       return s.extent[0] <= model.room.extent(0) && s.extent[1] <= model.room.extent(1) && s.extent[2] <= model.room.extent(2);
     };
     if (std::any_of(item.states.begin(), item.states.end(), fits)) continue;
-    Clash clash{{{Demand::Kind::kItem, static_cast<int>(i)}}, true, ""};
+    Clash clash;
+    clash.demands.push_back({Demand::Kind::kItem, static_cast<int>(i)});
     clash.sentence = fmt::format("{} measures at least {} and does not fit into the room, which measures {}", object_in_words(model, static_cast<int>(i)),
                                  sizes_in_words(item), room_in_words(model));
     out.push_back(std::move(clash));
@@ -227,7 +239,7 @@ std::string describe_clash(const Model& model, const Clash& clash) {
       continue;
     }
     const Constraint& constraint = model.constraints[demand.index];
-    relations.push_back(constraint.relation >= 0 ? relation_in_words(model, model.scene->relations[constraint.relation]) : "there is a free " + constraint.name);
+    relations.push_back(constraint.relation >= 0 ? relation_in_words(model, model.scene->relations[constraint.relation]) : clearance_in_words(model, constraint));
   }
   const std::string room = fmt::format("the room, which measures {}", room_in_words(model));
   if (relations.empty()) return fmt::format("{} do not fit together into {}", listed(objects), room);

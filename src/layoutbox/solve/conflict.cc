@@ -16,7 +16,7 @@ Result<CpAnswer> ask(Encoding& encoding, const CpSatLibrary& library, const std:
 bool stopped(const ProofLimits& limits) { return limits.stop && limits.stop->load(); }
 
 // Drops one demand after another: what is still impossible without it does not need it.
-Result<Clash> shrink(Encoding& encoding, const CpSatLibrary& library, std::vector<std::size_t> core, const ProofLimits& limits) {
+Result<Clash> shrink(Encoding& encoding, const CpSatLibrary& library, std::vector<std::size_t> core, const ProofLimits& limits, double& used) {
   Clash clash;
   const auto mask = [&](const std::vector<std::size_t>& chosen) {
     std::vector<char> demanded(encoding.demands().size(), 0);
@@ -26,7 +26,14 @@ Result<Clash> shrink(Encoding& encoding, const CpSatLibrary& library, std::vecto
   for (std::size_t i = 0; i < core.size() && !stopped(limits);) {
     std::vector<std::size_t> fewer = core;
     fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
-    LAYOUTBOX_ASSIGN(const CpAnswer answer, ask(encoding, library, mask(fewer), limits));
+    ProofLimits rest = limits;
+    rest.deterministic_time = (limits.deterministic_time - used) / 2;
+    if (rest.deterministic_time < 0.001) {
+      clash.minimal = false;
+      break;
+    }
+    LAYOUTBOX_ASSIGN(const CpAnswer answer, ask(encoding, library, mask(fewer), rest));
+    used += answer.deterministic_time;
     if (answer.status == CpStatus::kInfeasible) {
       const std::vector<std::size_t> again = encoding.demands_in(answer.core);
       std::vector<std::size_t> kept;  // those before `i` are known to be needed
@@ -53,6 +60,7 @@ Result<Proof> decide(const Model& model, const CpSatLibrary& library, const std:
   encoding.hint(hint);
   LAYOUTBOX_ASSIGN(const CpAnswer answer, ask(encoding, library, std::vector<char>(encoding.demands().size(), 1), limits));
   Proof proof;
+  proof.deterministic_time = answer.deterministic_time;
   switch (answer.status) {
     case CpStatus::kFeasible:
     case CpStatus::kOptimal:
@@ -69,7 +77,7 @@ Result<Proof> decide(const Model& model, const CpSatLibrary& library, const std:
       std::stable_sort(core.begin(), core.end(), [&](std::size_t a, std::size_t b) {
         return encoding.demands()[a].kind == Demand::Kind::kItem && encoding.demands()[b].kind != Demand::Kind::kItem;
       });
-      LAYOUTBOX_ASSIGN(proof.clash, shrink(encoding, library, std::move(core), limits));
+      LAYOUTBOX_ASSIGN(proof.clash, shrink(encoding, library, std::move(core), limits, proof.deterministic_time));
       break;
     }
     default: break;

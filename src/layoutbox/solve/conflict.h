@@ -16,6 +16,7 @@ namespace layoutbox::placement {
 struct Clash {
   std::vector<Demand> demands;
   bool minimal = true;
+  bool proven = true;    // else nothing was found, and no proof either
   std::string sentence;  // empty: describe_clash says it
 };
 
@@ -30,6 +31,7 @@ struct Proof {
   enum class Outcome { kLayout, kClash, kUnknown } outcome = Outcome::kUnknown;
   Placements placements;  // kLayout
   Clash clash;            // kClash
+  double deterministic_time = 0;
 };
 
 // Finds a layout or proves that there is none. `hint`: where the search had things (states of −1: nowhere).

@@ -55,10 +55,26 @@ std::int64_t blocked_permille(const Model& model, const Box& strip, const Placem
   return std::min<std::int64_t>(1000, blocked * 1000 / area);
 }
 
+Mm intrusion_of(const Model& model, int opening, const Placements& placements) {
+  const Placement& p = placements[opening];
+  Mm deepest = 0;
+  for (const Box& clear : model.items[opening].states[p.state].clear) {
+    const Box here = clear.shifted(p.at);
+    for (std::size_t j = 0; j < model.items.size(); ++j) {
+      const int other = static_cast<int>(j);
+      if (placements[j].state < 0 || model.items[j].is_opening() || model.pair(opening, other) == PairRule::kFree) continue;
+      const Box shared = intersection(here, box_of(model.items[j], placements[j]));
+      if (!shared.empty()) deepest = std::max(deepest, std::min({shared.extent(0), shared.extent(1), shared.extent(2)}));
+    }
+  }
+  return deepest;
+}
+
 std::int64_t access_cost_of(const Model& model, int item, const Placements& placements, int except) {
   const Item& self = model.items[item];
   const Placement& p = placements[item];
-  if (self.is_opening() || self.thin || p.at[2] > 50) return 0;
+  if (self.is_opening()) return except >= 0 ? 0 : std::int64_t{intrusion_of(model, item, placements)} * kCostWeights.swing;
+  if (self.thin || p.at[2] > 50) return 0;
   const State& state = self.states[p.state];
   std::int64_t cost = 0;
   if (!state.strips.empty()) {

@@ -8,13 +8,14 @@
 
 namespace layoutbox::placement {
 
-// Points: for a used side that cannot be reached at all, for wanted floor that is blocked, per thousandth of free floor cut off, …
+// Points: for a used side that cannot be reached at all, for wanted floor that is blocked, per thousandth of free floor that is cut off,
+// per step below the usual size, per metre that something reaches into a door's swing that had to be given up.
 struct CostWeights {
   int access = 700;
   int wanted = 350;
   int walk = 6;
   int size_step = 150;
-  int balance = 60;
+  int swing = 1500;
 };
 inline constexpr CostWeights kCostWeights{};
 
@@ -26,6 +27,9 @@ bool blocks_floor(const Item& item, const Box& box);
 
 // Blocked share, in thousandths, of one floor rectangle: by the room's edge and by `item` of the others, `except` left out.
 std::int64_t blocked_permille(const Model& model, const Box& strip, const Placements& placements, int owner, int except);
+
+// How far the body that reaches farthest into the clear box of an opening does so, in millimetres.
+Mm intrusion_of(const Model& model, int opening, const Placements& placements);
 
 // Cost of the strips and wanted floors of one placed item.
 std::int64_t access_cost_of(const Model& model, int item, const Placements& placements, int except = -1);

@@ -70,7 +70,7 @@ Box beside(const Box& own, Side side, Mm from, Mm to, Mm height) {
   return strip;
 }
 
-bool is_round_place(Side side) { return side == Side::kTop || side == Side::kBottom; }
+bool is_not_in_plan(Side side) { return side == Side::kTop || side == Side::kBottom; }
 
 // Spaces are free lengths in a mesh: whole millimetres that lie within them.
 Box box_of_space(const Space& space, const Box& own) {
@@ -104,10 +104,10 @@ State make_state(const SceneObject& object, const CatalogEntry& entry, const Siz
   for (const Box& solid : less(own, holes)) state.solids.push_back(in_turned(own, solid, turn));
   const std::vector<Side> used = object.used_sides.value_or(entry.used_sides);
   for (const Side side : used) {
-    if (!is_round_place(side)) state.strips.push_back(in_turned(own, beside(own, side, kStripGap, kStripGap + kStripDepth, 1800), turn));
+    if (!is_not_in_plan(side)) state.strips.push_back(in_turned(own, beside(own, side, kStripGap, kStripGap + kStripDepth, 1800), turn));
   }
   for (const auto& [side, depth] : entry.clearance) {
-    if (!is_round_place(side) && depth > 0) state.wanted.push_back(in_turned(own, beside(own, side, 0, depth, 1800), turn));
+    if (!is_not_in_plan(side) && depth > 0) state.wanted.push_back(in_turned(own, beside(own, side, 0, depth, 1800), turn));
   }
   return state;
 }
@@ -135,12 +135,22 @@ bool sits_around(const SceneGraph& scene, const std::string& id) {
   });
 }
 
+// What a relation hangs on a wall or from the ceiling is mounted so, whatever its kind usually is.
+Mount mount_of(const SceneGraph& scene, const SceneObject& object, const CatalogEntry& entry) {
+  for (const Relation& r : scene.relations) {
+    if (!r.hard || std::find(r.targets.begin(), r.targets.end(), object.id) == r.targets.end()) continue;
+    if (r.type == RelationType::kOnWall) return Mount::kWall;
+    if (r.type == RelationType::kOnCeiling) return Mount::kCeiling;
+  }
+  return object.mount.value_or(entry.mount);
+}
+
 Item object_item(const SceneGraph& scene, const SceneObject& object, const Catalog& catalog, const ModelOptions& options) {
   Item item;
   item.id = object.id;
   item.object = &object;
   item.entry = &catalog.entry_or_nearest(object.category);
-  item.mount = object.mount.value_or(item.entry->mount);
+  item.mount = mount_of(scene, object, *item.entry);
   item.has_front = item.entry->has_front;
   item.thin = item.entry->thin && object.size->usual.height <= kThin && item.mount == Mount::kFloor;
   item.curtain = catalog.is_a(object.category, "curtain") || catalog.is_a(object.category, "blinds") || catalog.is_a(object.category, "blind");

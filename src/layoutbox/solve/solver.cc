@@ -5,6 +5,7 @@
 #include <bit>
 #include <chrono>
 #include <cmath>
+#include <optional>
 
 #include "layoutbox/solve/conflict.h"
 #include "layoutbox/solve/cost.h"
@@ -20,7 +21,8 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::int64_t kStepsPerUnit = 1500;     // candidate positions tried in about a millisecond
 constexpr double kProofTimePerUnit = 0.01;       // of CP-SAT's deterministic time
-constexpr double kLongestProof = 10;
+constexpr double kLongestProof = 20, kShortProof = 0.15;
+constexpr std::int64_t kLeastSteps = 60000;
 constexpr int kRestarts = 8;
 constexpr int kAllSizes = 1000;
 
@@ -31,6 +33,7 @@ class Solver {
         left_out_(model_.items.size(), 0) {
     budget_.limit = options.effort * kStepsPerUnit;
     budget_.stop = [this] { return must_stop(); };
+    proof_time_ = std::clamp(static_cast<double>(options.effort) * kProofTimePerUnit, 0.1, kLongestProof);
   }
 
   Result<Layout> run() {
@@ -58,7 +61,7 @@ class Solver {
         for (const Clash& clash : sums) LAYOUTBOX_CHECK(give_up(clash));
         continue;
       }
-      if (fallback_ || search()) return {};
+      if (fallback_ || search(given_up_)) return {};
       LAYOUTBOX_ASSIGN(const bool found, prove());
       if (found || fallback_) return {};
       if (stopped_by_clock_) break;
@@ -66,12 +69,11 @@ class Solver {
     return fail(ErrorCode::kNotFound, "no layout was found within the limits, and no proof that there is none", {}, "raise --effort or --time-limit");
   }
 
-  bool search() {
+  bool search(const std::vector<char>& given_up) {
     for (const int sizes : {0, kAllSizes}) {
-      Search search(model_, given_up_, options_.seed, sizes);
-      Budget budget{0, std::max<std::int64_t>(budget_.limit / 2, 20000), budget_.stop, false};
+      Search search(model_, given_up, options_.seed, sizes);
+      Budget budget{0, std::max<std::int64_t>(budget_.limit / 2, kLeastSteps), budget_.stop, false};
       const bool found = search.construct(left_out_, kRestarts, budget);
-      budget_.steps += budget.steps / 4;
       placements_ = search.placements();
       failed_ = search.failed();
       size_limit_ = sizes;
@@ -83,16 +85,17 @@ class Solver {
 
   // True: a layout was found. False: something was given up; try again.
   Result<bool> prove() {
+    const bool loose = search_without_clearances();
     const auto library = CpSatLibrary::get();
-    if (!library) {
-      if (options_.on_conflict == OnConflict::kFail) return Failure(library.error());
-      LAYOUTBOX_CHECK(give_up(guess()));
-      return false;
+    if (!library && options_.on_conflict == OnConflict::kFail) return Failure(library.error());
+    Proof proof;
+    if (library && proof_time_ > 0) {
+      used_cp_sat_ = true;
+      ProofLimits limits{options_.seed, loose ? std::min(proof_time_, kShortProof) : proof_time_, std::max(0.1, options_.time_limit_s - seconds()),
+                         options_.stop};
+      LAYOUTBOX_ASSIGN(proof, decide(model_, **library, given_up_, left_out_, placements_, limits));
+      proof_time_ -= proof.deterministic_time;
     }
-    used_cp_sat_ = true;
-    ProofLimits limits{options_.seed, std::clamp(static_cast<double>(options_.effort) * kProofTimePerUnit, 0.1, kLongestProof),
-                       std::max(0.1, options_.time_limit_s - seconds()), options_.stop};
-    LAYOUTBOX_ASSIGN(const Proof proof, decide(model_, **library, given_up_, left_out_, placements_, limits));
     if (interrupted()) return fail(ErrorCode::kInterrupted, "stopped");
     switch (proof.outcome) {
       case Proof::Outcome::kLayout:
@@ -104,25 +107,52 @@ class Solver {
       case Proof::Outcome::kUnknown: break;
     }
     must_stop();
+    if (loose) {
+      LAYOUTBOX_CHECK(give_up_clearances());
+      return true;
+    }
     LAYOUTBOX_CHECK(give_up(guess()));
     return false;
+  }
+
+  // Door swings and the like are given up before anything else: is there a layout then?
+  bool search_without_clearances() {
+    std::vector<char> more = given_up_;
+    bool any = false;
+    for (std::size_t c = 0; c < model_.constraints.size(); ++c) {
+      if (model_.constraints[c].firmness != Firmness::kImplied || more[c]) continue;
+      more[c] = any = true;
+    }
+    return any && search(more);
+  }
+
+  // Those that the layout at hand breaks.
+  Status give_up_clearances() {
+    for (std::size_t i = 0; i < model_.items.size(); ++i) {
+      const Item& item = model_.items[i];
+      if (!item.is_opening() || placements_[i].state < 0 || given_up_[item.clearance_constraint]) continue;
+      if (intrusion_of(model_, static_cast<int>(i), placements_) == 0) continue;
+      Clash clash;
+      clash.proven = clash.minimal = false;
+      clash.demands = {{Demand::Kind::kConstraint, item.clearance_constraint}};
+      clash.sentence = fmt::format("no layout was found that leaves the floor before {} free", object_in_words(model_, static_cast<int>(i)));
+      LAYOUTBOX_CHECK(give_up(clash));
+    }
+    return {};
   }
 
   // Without a proof: what the first item that found no place asks for.
   Clash guess() const {
     Clash clash;
-    clash.minimal = false;
-    for (const int item : failed_) {
+    clash.proven = clash.minimal = false;
+    if (!failed_.empty()) {
+      const int item = failed_[0];
       clash.demands.push_back({Demand::Kind::kItem, item});
       for (const int c : model_.touching[item]) {
         if (model_.constraints[c].firmness == Firmness::kHard && !given_up_[c]) clash.demands.push_back({Demand::Kind::kConstraint, c});
       }
-      break;
+      clash.sentence = fmt::format("no place was found for {}", object_in_words(model_, item));
     }
-    for (std::size_t c = 0; c < model_.constraints.size(); ++c) {
-      if (model_.constraints[c].firmness == Firmness::kImplied && !given_up_[c]) clash.demands.push_back({Demand::Kind::kConstraint, static_cast<int>(c)});
-    }
-    clash.sentence = clash.demands.empty() ? "no layout was found" : "";
     return clash;
   }
 
@@ -130,7 +160,7 @@ class Solver {
   std::int64_t price_of(const Demand& demand) const {
     if (demand.kind == Demand::Kind::kItem) {
       const Item& item = model_.items[demand.index];
-      if (item.is_opening()) return item.opening->assumed ? 500 : 3'000'000;
+      if (item.is_opening()) return 3'000'000;
       std::int64_t rank = 0;
       for (int i = 0; i < demand.index; ++i) rank += model_.items[i].entry == item.entry;
       return (item.object->assumed ? 100'000 : 1'000'000) + (item.fixed ? 1'000'000 : 0) - 1000 * std::min<std::int64_t>(rank, 100);
@@ -152,11 +182,16 @@ class Solver {
         conflict.relations.push_back(model_.constraints[demand.index].name);
       }
     }
-    const auto cheapest = std::min_element(clash.demands.begin(), clash.demands.end(),
-                                           [&](const Demand& a, const Demand& b) { return price_of(a) < price_of(b); });
+    // Of equals the last one said: the main thing comes first.
+    const auto cheapest = std::min_element(clash.demands.begin(), clash.demands.end(), [&](const Demand& a, const Demand& b) {
+      return std::pair(price_of(a), -a.index) < std::pair(price_of(b), -b.index);
+    });
     if (cheapest == clash.demands.end()) return fail(ErrorCode::kNotFound, "no layout was found, and nothing is left to give up");
     const bool only_implied = cheapest->kind == Demand::Kind::kConstraint && model_.constraints[cheapest->index].firmness == Firmness::kImplied;
     conflicts_.push_back(conflict);
+    if (options_.on_conflict == OnConflict::kFail && !only_implied && !clash.proven) {
+      return fail(ErrorCode::kNotFound, conflict.sentence + ", and no proof that there is none", {}, "raise --effort or --time-limit");
+    }
     if (options_.on_conflict == OnConflict::kFail && !only_implied) {
       Error error{ErrorCode::kInfeasible, "there is no such layout: " + conflict.sentence, {}, "change or drop one of these", {}};
       for (const Conflict& c : conflicts_) error.details.push_back({ErrorCode::kInfeasible, c.sentence, {}, {}, {}});
@@ -221,24 +256,36 @@ class Solver {
     placements_ = search.placements();
   }
 
-  // How far a relation that was given up is from holding.
-  Relaxation relaxation_of(int index, const std::string& why) const {
+  // How far what was given up is from holding; nothing where it holds after all.
+  std::optional<Relaxation> relaxation_of(int index, const std::string& why) const {
     const Constraint& constraint = model_.constraints[index];
-    Relaxation out{constraint.name, 0, "", why};
+    Relaxation out{constraint.name, 0, "m", why};
+    std::int64_t miss = 0;
+    bool placed = true;
     for (const Formula& formula : constraint.formulas) {
-      if (!all_placed(formula, placements_)) continue;
-      const std::int64_t miss = miss_of(model_, formula, placements_);
-      if (static_cast<double>(miss) / 1000 > out.by) out.by = static_cast<double>(miss) / 1000, out.unit = "m";
+      placed = placed && all_placed(formula, placements_);
+      if (placed) miss = std::max(miss, miss_of(model_, formula, placements_));
     }
+    for (std::size_t i = 0; i < model_.items.size(); ++i) {
+      if (model_.items[i].clearance_constraint != index) continue;
+      placed = placements_[i].state >= 0;
+      if (placed) miss = intrusion_of(model_, static_cast<int>(i), placements_);
+    }
+    if (placed && miss == 0) return std::nullopt;
+    if (!placed || miss > 100'000'000) return Relaxation{constraint.name, 0, "", why};  // it can never hold, or its object is left out
+    out.by = static_cast<double>(miss) / 1000;
     return out;
   }
 
   Layout finish() {
     Layout layout = to_layout(model_, placements_);
-    for (const auto& [index, why] : relaxed_) layout.relaxed.push_back(relaxation_of(index, why));
+    for (const auto& [index, why] : relaxed_) {
+      if (const auto relaxation = relaxation_of(index, why)) layout.relaxed.push_back(*relaxation);
+    }
     for (const Relaxation& reason : reasons_) layout.relaxed.push_back(reason);
     layout.conflicts = conflicts_;
-    layout.status = fallback_ ? LayoutStatus::kFallback : conflicts_.empty() ? LayoutStatus::kSolved : LayoutStatus::kRelaxed;
+    layout.status = fallback_ ? LayoutStatus::kFallback : layout.relaxed.empty() ? LayoutStatus::kSolved : LayoutStatus::kRelaxed;
+    if (layout.status == LayoutStatus::kSolved) layout.conflicts.clear();  // what seemed impossible was only not found
     double total = 0;
     for (const auto& [name, cost] : cost_terms(model_, placements_)) {
       layout.score_terms[name] = 1.0 / (1.0 + static_cast<double>(cost) / 1e6);
@@ -263,6 +310,7 @@ class Solver {
   Placements placements_;
   std::vector<int> failed_;
   int size_limit_ = 0;
+  double proof_time_ = 0;
   bool used_cp_sat_ = false, fallback_ = false, stopped_by_clock_ = false;
 };
 

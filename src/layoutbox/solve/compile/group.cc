@@ -234,7 +234,7 @@ void compile_PairedWith(Compilation& c) {
   for (std::size_t i = 0; i < c.targets.size(); ++i) {
     Case& in = c.formula().add();
     const int r = refs[i % refs.size()];
-    require_within(in, c.targets[i], r, most);
+    require_within(in, c.model, c.targets[i], r, most);
     for (int axis = 0; axis < 2; ++axis) in.wish(mid2(c.targets[i], axis) - mid2(r, axis), 20, 2);
   }
 }

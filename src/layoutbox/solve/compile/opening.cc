@@ -21,14 +21,14 @@ void near_one(Compilation& c, bool windows) {
     for (const int o : openings_meant(c, windows)) {
       if (least == 0) {
         Case& in = f.add();
-        require_within(in, t, o, most);
+        require_within(in, c.model, t, o, most);
         for (int axis = 0; axis < 2; ++axis) in.wish(mid2(t, axis) - mid2(o, axis), 15, 2);
         continue;
       }
       Formula apart;
       add_apart(apart, t, o, least);
       for (Case& in : apart.cases) {
-        require_within(in, t, o, most);
+        require_within(in, c.model, t, o, most);
         f.cases.push_back(std::move(in));
       }
     }

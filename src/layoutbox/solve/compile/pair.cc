@@ -1,4 +1,6 @@
 // Relations between two objects.
+#include <array>
+
 #include "layoutbox/solve/compile/phrases.h"
 
 namespace layoutbox::placement {
@@ -32,7 +34,7 @@ void add_band(Formula& f, const Compilation& c, int t, const Reference& r, Mm le
       apart.add();
     }
     for (Case& in : apart.cases) {
-      require_within(in, t, r.index, most);
+      require_within(in, c.model, t, r.index, most);
       for (int axis = 0; axis < 2; ++axis) in.wish(mid2(t, axis) - mid2(r.index, axis), wished > 500 ? 4 : 15, 2);
       f.cases.push_back(std::move(in));
     }
@@ -60,21 +62,26 @@ void band_to_each(Compilation& c, Mm least, Mm most, Mm wished) {
   }
 }
 
-// The sides meant by "long", "short" or a name.
-std::vector<Side> sides_of(const Item& item, Side side) {
-  if (side != Side::kLong && side != Side::kShort) return {side};
-  const Size& size = item.states[0].size;
-  if (size.width == size.depth) return {Side::kFront, Side::kBack, Side::kLeft, Side::kRight};
-  const bool front_is_long = size.width > size.depth;
-  if (front_is_long == (side == Side::kLong)) return {Side::kFront, Side::kBack};
-  return {Side::kLeft, Side::kRight};
+constexpr std::array kFourSides{Side::kFront, Side::kBack, Side::kLeft, Side::kRight};
+
+// The states of r in which the side is one of those meant: a name, or the longer or shorter ones as it then stands.
+std::uint64_t states_where(const Item& r, Side one, Side meant) {
+  if (meant != Side::kLong && meant != Side::kShort) return one == meant ? r.all_states : 0;
+  std::uint64_t mask = 0;
+  for (std::size_t s = 0; s < r.states.size(); ++s) {
+    const State& state = r.states[s];
+    const Direction d = side_direction(r, one, state.turn);
+    const Mm length = state.extent[across(d)], other = state.extent[d.axis];
+    if (length == other || (length > other) == (meant == Side::kLong)) mask |= std::uint64_t{1} << s;
+  }
+  return mask;
 }
 
-void along_side(Compilation& c, Side side, Mm most) {
-  for (const int t : c.targets) {
-    for (const int r : c.reference_items()) {
-      Formula& f = c.formula();
-      for (const Side one : sides_of(c.item(r), side)) add_at_side(f, c.model, t, r, one, most, comfortable_gap(c.item(t), c.item(r), one));
+void along_side(Compilation& c, int t, int r, Side side, Mm most) {
+  Formula& f = c.formula();
+  for (const Side one : kFourSides) {
+    if (const std::uint64_t states = states_where(c.item(r), one, side)) {
+      add_at_side(f, c.model, t, r, one, most, comfortable_gap(c.item(t), c.item(r), one), states);
     }
   }
 }
@@ -251,8 +258,7 @@ void compile_AtHeadOf(Compilation& c) {
     const bool table = !ref.has_front || (ref.object && ref.object->used_sides && ref.object->used_sides->size() == 4);
     if (table) {
       for (const int t : c.targets) {
-        Formula& f = c.formula();
-        for (const Side side : sides_of(ref, Side::kShort)) add_at_side(f, c.model, t, r, side, most, 50);
+        along_side(c, t, r, Side::kShort, most);
       }
       continue;
     }
@@ -275,7 +281,11 @@ void compile_AtHeadOf(Compilation& c) {
 }
 
 void compile_AlongSide(Compilation& c) {
-  along_side(c, c.relation.parameters.side.value_or(Side::kLong), c.length(c.relation.parameters.max, "max", 500));
+  for (const int t : c.targets) {
+    for (const int r : c.reference_items()) {
+      along_side(c, t, r, c.relation.parameters.side.value_or(Side::kLong), c.length(c.relation.parameters.max, "max", 500));
+    }
+  }
 }
 
 // A seat at one side of a table: looks at it, within the side's length, pushed under by at least `under`.

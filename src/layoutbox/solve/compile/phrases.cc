@@ -1,6 +1,7 @@
 #include "layoutbox/solve/compile/phrases.h"
 
 #include <cmath>
+#include <optional>
 
 namespace layoutbox::placement {
 namespace {
@@ -34,16 +35,51 @@ void for_each_turn(const Item& item, const std::function<void(int, std::uint64_t
 
 Linear gap_towards(int t, int r, Direction d) { return Linear(0) - reach(t, opposite(d)) - reach(r, d); }
 
-void require_within(Case& c, int t, int r, Mm most) {
-  // Octagon in the circle in plan: each axis ≤ most, and the two together ≤ 1.3 most; heights by themselves.
-  for (int axis = 0; axis < 3; ++axis) {
-    const Mm limit = axis == 2 ? most * 7 / 10 : most;
-    c.require(Linear(limit) - lo(t, axis) + hi(r, axis));
-    c.require(Linear(limit) - lo(r, axis) + hi(t, axis));
+namespace {
+
+// The height of the underside where it cannot be anywhere else.
+std::optional<Mm> underside_of(const Item& item) {
+  if (item.is_opening()) return item.opening->sill;
+  const bool floor_only = item.supports.size() == 1 && item.supports[0].kind == SupportOption::Kind::kFloor;
+  return floor_only ? std::optional<Mm>(0) : std::nullopt;
+}
+
+Mm gap_in_height(Mm low_a, Mm height_a, Mm low_b, Mm height_b) { return std::max({0, low_a - low_b - height_b, low_b - low_a - height_a}); }
+
+}  // namespace
+
+void require_within(Case& c, const Model& model, int t, int r, Mm most) {
+  const Item &a = model.items[t], &b = model.items[r];
+  const auto low_a = underside_of(a), low_b = underside_of(b);
+  std::int64_t single = std::int64_t{most} * 8 / 10, pair = std::int64_t{most} * 11 / 10;
+  int axes = 3;
+  if (low_a && low_b) {
+    // The states that come no farther apart in height than the first one does; what is left of the reach is for the plan.
+    const Mm reference = b.states[0].extent[2];
+    const auto gap_of = [&](const State& s) { return gap_in_height(*low_a, s.extent[2], *low_b, reference); };
+    Mm up = gap_of(a.states[0]);
+    if (up * 10 > most * 9) {
+      for (const State& state : a.states) up = std::min(up, gap_of(state));
+    }
+    std::uint64_t fitting = 0;
+    for (std::size_t s = 0; s < a.states.size(); ++s) {
+      if (gap_of(a.states[s]) <= up) fitting |= std::uint64_t{1} << s;
+    }
+    if (fitting != a.all_states) c.when(t, fitting);
+    const double left = up >= most ? 0 : std::sqrt(static_cast<double>(most) * most - static_cast<double>(up) * up);
+    if (up > most) c.require(Linear(-1));
+    single = static_cast<std::int64_t>(left * 0.92), pair = static_cast<std::int64_t>(left * 1.3);
+    axes = 2;
   }
-  const Mm both = most * 13 / 10;
-  for (const int sx : {1, -1}) {
-    for (const int sy : {1, -1}) c.require(Linear(both) - gap_towards(t, r, {0, sx}) - gap_towards(t, r, {1, sy}));
+  for (int axis = 0; axis < axes; ++axis) {
+    c.require(Linear(single) - gap_towards(t, r, {axis, 1})).require(Linear(single) - gap_towards(t, r, {axis, -1}));
+  }
+  for (int first = 0; first < axes; ++first) {
+    for (int second = first + 1; second < axes; ++second) {
+      for (const int s1 : {1, -1}) {
+        for (const int s2 : {1, -1}) c.require(Linear(pair) - gap_towards(t, r, {first, s1}) - gap_towards(t, r, {second, s2}));
+      }
+    }
   }
 }
 
@@ -82,9 +118,12 @@ void require_in_line(Case& c, int t, int r, int axis) {
 namespace {
 
 // The shared body of "beyond" and "at side": `near_limit` is what the near edge must not pass.
-void add_side(Formula& f, const Model& model, int t, int r, Side side, Mm most, Mm wished_gap, bool may_reach_under) {
+void add_side(Formula& f, const Model& model, int t, int r, Side side, Mm most, Mm wished_gap, bool may_reach_under,
+              std::uint64_t ref_states) {
   const Item& ref = model.items[r];
-  for_each_turn(ref, [&](int turn, std::uint64_t states) {
+  for_each_turn(ref, [&](int turn, std::uint64_t all) {
+    const std::uint64_t states = all & ref_states;
+    if (!states) return;
     const Direction d = side_direction(ref, side, turn);
     const int a = across(d);
     for (const bool longer : {false, true}) {  // the middle of the shorter faces the longer
@@ -112,11 +151,11 @@ void add_side(Formula& f, const Model& model, int t, int r, Side side, Mm most, 
 }  // namespace
 
 void add_beyond(Formula& f, const Model& model, int t, int r, Side side, Mm most, Mm wished_gap) {
-  add_side(f, model, t, r, side, most, wished_gap, false);
+  add_side(f, model, t, r, side, most, wished_gap, false, ~std::uint64_t{0});
 }
 
-void add_at_side(Formula& f, const Model& model, int t, int r, Side side, Mm most, Mm wished_gap) {
-  add_side(f, model, t, r, side, most, wished_gap, true);
+void add_at_side(Formula& f, const Model& model, int t, int r, Side side, Mm most, Mm wished_gap, std::uint64_t ref_states) {
+  add_side(f, model, t, r, side, most, wished_gap, true, ref_states);
 }
 
 void add_looks_at(Formula& f, const Model& model, int t, int r) {

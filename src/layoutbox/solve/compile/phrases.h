@@ -16,8 +16,8 @@ void for_each_turn(const Item& item, const std::function<void(int turn, std::uin
 // Distance along `d` from the edge of r to the nearer edge of t; negative where t reaches back over it.
 Linear gap_towards(int t, int r, Direction d);
 
-// gap(t, r) ≤ most, added to the case (an octagon within the circle).
-void require_within(Case& c, int t, int r, Mm most);
+// gap(t, r) ≤ most, added to the case: an octagon within the circle in plan where both heights are known, else its like in space.
+void require_within(Case& c, const Model& model, int t, int r, Mm most);
 void require_within_wall(Case& c, int t, const RoomWall& wall, Mm most);
 // gap(t, r) ≥ least, as cases of a formula (an octagon around the circle).
 void add_apart(Formula& f, int t, int r, Mm least);
@@ -27,7 +27,7 @@ void add_apart_from_wall(Formula& f, int t, const RoomWall& wall, Mm least);
 // `wished_gap`: the distance that looks best.
 void add_beyond(Formula& f, const Model& model, int t, int r, Side side, Mm most, Mm wished_gap);
 // The same, but t may be pushed under r up to its middle.
-void add_at_side(Formula& f, const Model& model, int t, int r, Side side, Mm most, Mm wished_gap);
+void add_at_side(Formula& f, const Model& model, int t, int r, Side side, Mm most, Mm wished_gap, std::uint64_t ref_states = ~std::uint64_t{0});
 
 // "The front of t looks at r."
 void add_looks_at(Formula& f, const Model& model, int t, int r);

@@ -7,6 +7,9 @@
 namespace layoutbox::placement {
 namespace {
 
+// How far a seat is pushed under a table that has room for knees: a little, so that it still counts as round the table and can be sat on.
+constexpr Mm kReachUnder = 100, kKneeless = -40;
+
 constexpr std::array kSides{Side::kFront, Side::kBack, Side::kLeft, Side::kRight};
 
 struct Arm {
@@ -55,10 +58,9 @@ std::vector<Arm> arms_of(const Seats& seats, Mm width, Mm depth, Mm out) {
   return arms;
 }
 
-// How far a seat is pushed under a table that has room for knees.
-Mm wished_reach_under(const Item& seat, const Item& table) {
+Mm wished_reach_under(const Item& table) {
   const bool knees = std::any_of(table.spaces.begin(), table.spaces.end(), [](const ItemSpace& s) { return !s.carries; });
-  return knees ? seat.states[0].size.depth * 55 / 100 : -40;
+  return knees ? kReachUnder : kKneeless;
 }
 
 void add_case(Formula& f, Compilation& c, int r, int table_turn, std::uint64_t table_states, const Seats& seats, int price, Mm most) {
@@ -84,7 +86,7 @@ void add_case(Formula& f, Compilation& c, int r, int table_turn, std::uint64_t t
       // n · mid2(t) = 2n · lo(r) + (2k + 1) · extent(r): seat k of n, evenly spaced; 40 mm either way.
       const Linear off = n * mid2(t, a) - 2 * n * lo(r, a) - (2 * k + 1) * extent(r, a);
       in.require_small(off, 2 * n * 40).wish(off, 100, 2 * n);
-      in.wish(gap + Linear(wished_reach_under(seat, table)), 40);
+      in.wish(gap + Linear(wished_reach_under(table)), 40);
     }
   }
   f.cases.push_back(std::move(in));
@@ -148,7 +150,7 @@ std::vector<std::pair<Seats, int>> seatings(int n, Mm width, Mm depth, Mm seat_w
       for (s[2] = 0; s[2] <= std::min(deep, half); ++s[2]) {
         s[3] = n - s[0] - s[1] - s[2];
         if (s[3] < 0 || s[3] > std::min(deep, half)) continue;
-        const double even = n == 1 ? 1 : evenness(arms_of(s, width, depth, seat_width / 3));
+        const double even = n == 1 ? 1 : evenness(arms_of(s, width, depth, seat_width / 2 - kReachUnder));
         int price = static_cast<int>((1 - even) * (circle ? 600 : 300));
         price += 40 * (std::abs(s[0] - s[1]) + std::abs(s[2] - s[3]));
         if (n <= 2 && (width > depth ? s[2] + s[3] : width < depth ? s[0] + s[1] : 0) > 0) price += 20;  // long sides first
@@ -181,7 +183,7 @@ void add_seating(Compilation& c, int r, Mm most, bool circle) {
   c.out.formulas.pop_back();
   for (const int t : c.targets) {
     Case& in = c.formula().add();
-    require_within(in, t, r, most);
+    require_within(in, c.model, t, r, most);
     add_looks_at(c.formula(), c.model, t, r);
   }
 }

@@ -7,6 +7,20 @@ namespace {
 
 constexpr int kSillDepthUsed = 200;
 
+// Prices: "on" a bed is on its upper mattress rather than the lower one; on a tray is in it rather than on its rim.
+constexpr int kLowPlace = 250, kUnlikelyTop = 300;
+
+bool is_shelf(const Item& item) {
+  const std::string& family = item.entry->shape.family;
+  return family.find("shelf") != std::string::npos || family == "rack" || family == "cabinet" || family == "wardrobe" || family == "cart";
+}
+
+// Its floor lies below the middle of the item's height.
+bool is_low(const Item& item, const ItemSpace& space) {
+  const State& state = item.states[0];
+  return 2 * state.constants[static_cast<std::size_t>(space.quantity - kFirstConstant) + 2] < state.extent[2];
+}
+
 // Does some state of t fit in plan into some state's surface of that size?
 bool fits(const Item& t, Mm width, Mm depth) {
   return std::any_of(t.states.begin(), t.states.end(), [&](const State& s) {
@@ -112,12 +126,18 @@ void add_resting(Formula& f, const Model& model, int t, int r, const std::string
   }
   if (how != Resting::kTop) {
     for (const ItemSpace& s : ref.spaces) {
-      if ((space.empty() && s.carries) || s.name == space) add_space(f, model, t, r, s);
+      if (!((space.empty() && s.carries) || s.name == space)) continue;
+      add_space(f, model, t, r, s);
+      if (how == Resting::kIn) f.cases.back().require(2 * hi(r, 2) - 2 * lo(t, 2) - extent(t, 2));  // half of it below the top
+      if (how == Resting::kOn && !is_shelf(ref) && is_low(ref, s)) f.cases.back().price += kLowPlace;
     }
   }
+  if (how == Resting::kIn) return;
   const bool open_place = std::any_of(ref.spaces.begin(), ref.spaces.end(), [](const ItemSpace& s) { return s.carries && s.open_above; });
-  const bool top = how == Resting::kTop || (how == Resting::kOn && space.empty() && !open_place);
-  if (top || f.cases.empty()) add_top(f, model, t, r);
+  if (how == Resting::kOn && !space.empty() && !f.cases.empty()) return;
+  add_top(f, model, t, r);
+  // The back of a sofa is no place to put things while there is a seat.
+  if (how == Resting::kOn && open_place && !ref.entry->top_carries) f.cases.back().price += kUnlikelyTop;
 }
 
 void add_on_sill(Formula& f, const Model& model, int t, int window) {
