@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace layoutbox::kit {
 namespace {
@@ -41,13 +42,18 @@ std::vector<std::string> split(const std::string& text) {
   return words;
 }
 
-// What was said of the object and what the catalogue says of its look, most binding first.
-std::string wish_text(const PlacedObject& object, const CatalogEntry& entry) {
-  std::string text = fmt::format("{}, {}", fmt::join(object.attributes, ", "), object.name);
+// What was said of the object itself.
+std::string said_of(const PlacedObject& object) {
+  return lower_words(fmt::format("{}, {}, {}", fmt::join(object.attributes, ", "), object.name, object.material));
+}
+
+// What the catalogue says of the look of its kind.
+std::string usual_look(const CatalogEntry& entry) {
+  std::string text;
   for (const char* key : {"color", "material"}) {
-    if (const auto found = entry.shape.words.find(key); found != entry.shape.words.end()) text += ", " + found->second;
+    if (const auto found = entry.shape.words.find(key); found != entry.shape.words.end()) text += lower_words(found->second) + ", ";
   }
-  return text + ", " + object.material;
+  return text;
 }
 
 }  // namespace
@@ -67,7 +73,11 @@ Piece::Piece(const PlacedObject& object, const CatalogEntry& entry, std::vector<
       kind_seed_(hash(object.category, seed)) {
   std::vector<std::string> own_name = split(lower_words(object.category));
   for (const std::string& word : split(lower_words(entry.name))) own_name.push_back(word);
-  wish_ = read_wish(lower_words(wish_text(object, entry)), own_name);
+  wish_ = read_wish(said_of(object), own_name);
+  said_materials_ = wish_.materials.size();
+  const SurfaceWish usual = read_wish(usual_look(entry));
+  wish_.materials.insert(wish_.materials.end(), usual.materials.begin(), usual.materials.end());
+  if (!wish_.color) wish_.color = usual.color;
   text_ = fmt::format(" {} {} ", lower_words(object.name), lower_words(fmt::format("{}", fmt::join(object.attributes, " "))));
   for (const auto& [key, value] : entry.shape.words) text_ += value + " ";
 }
@@ -120,8 +130,9 @@ Surface Piece::asked(std::string_view usual, bool with_color) const {
   const NamedSurface& chosen = fitting != nullptr ? *fitting : like;
   Surface surface = chosen.surface;
   if (!with_color) {
-    // A colour asked together with a hard material is that material's: "white wooden bed".
-    if (fitting == nullptr || !wish_.color || chosen.soft()) return surface;
+    // A colour said together with a hard material is that material's: "white wooden bed".
+    const auto said = std::span(wish_.materials).first(said_materials_);
+    if (fitting == nullptr || !wish_.color || chosen.soft() || std::find(said.begin(), said.end(), fitting) == said.end()) return surface;
   }
   if (own_ != nullptr && own_->color) {
     surface = colored(chosen, *own_->color);

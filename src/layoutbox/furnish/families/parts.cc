@@ -155,7 +155,7 @@ class ClosedCells {
 // Doors or drawers over a rectangle, in the depth from `front` (handles) back to `face`.
 void close_front(Piece& p, const Carcass& c, const Cell& cell, double front, double face) {
   const double width = cell.x1 - cell.x0, height = cell.z1 - cell.z0, deep = face - front;
-  const bool drawers = c.drawers > 0 || (height < 0.3 && width > height * 1.2);
+  const bool drawers = c.drawers > 0 || (height < 0.45 && width > height * 1.5);
   Fronts f{cell.x0 + 0.004, cell.x1 - 0.004, cell.z0 + 0.004, cell.z1 - 0.004, front + deep / 2};
   f.out = deep / 2;
   f.thick = deep / 2;

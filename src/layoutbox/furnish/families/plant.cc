@@ -109,10 +109,12 @@ void tree(Piece& p) {
   pot(p, std::min(r * 0.5, pot_tall * 0.6), pot_tall, p.frame("terracotta"));
   p.add(p.named("walnut"),
         tube(curve({{0, 0, pot_tall * 0.9}, {0.03, 0.01, trunk * 0.8}, {-0.01, 0, p.h * 0.6}}, 4), std::min(0.025, r * 0.1), 8));
-  for (int i = 0; i < 70; ++i) {
-    const double a = 2.39996 * i, z = 1 - 2 * (i + 0.5) / 70, q = std::sqrt(1 - z * z), out = r * 0.75;
-    const Vec c{0, 0, p.h * 0.68}, at = c + Vec{std::cos(a) * q * out, std::sin(a) * q * out, z * p.h * 0.24} * p.random(0.7, 1);
-    const Vec way = unit(at - c + Vec{0, 0, p.h * 0.05});
+  const Vec crown{0, 0, p.h * 0.68};
+  p.add(green(p, 0.0), ellipsoid(crown, {r * 0.55, r * 0.55, p.h * 0.17}, 12, 8));
+  for (int i = 0; i < 90; ++i) {
+    const double a = 2.39996 * i, z = 1 - 2 * (i + 0.5) / 90, q = std::sqrt(1 - z * z), out = r * 0.75;
+    const Vec at = crown + Vec{std::cos(a) * q * out, std::sin(a) * q * out, z * p.h * 0.24} * p.random(0.75, 1);
+    const Vec way = unit(at - crown + Vec{0, 0, p.h * 0.05});
     p.add(green(p, 0.2 + 0.3 * (i % 3)), leaf(at, at + way * (r * 0.36), r * 0.22, r * 0.03, 3));
   }
   p.fit();
