@@ -4,9 +4,10 @@
 logs=build/logs
 mkdir -p "$logs"
 export LAYOUTBOX_PYTHON=$PWD/build/deps/tools/bin/python # has what the outside scorer needs
-passed=0 failed=0 skipped=0 finished=""
+passed=0 failed=0 skipped=0 finished="" running=""
 
 finish() {
+  if [[ $running ]]; then kill "$running" 2>/dev/null; fi
   if [[ ! $finished ]]; then
     echo "stopped before the end"
     ((failed += 1))
@@ -20,11 +21,21 @@ finish() {
 trap finish EXIT
 trap 'exit 130' INT TERM HUP
 
+# Runs a command with its output in a log; in the background, so that a signal ends this script at once.
+into_log() { # LOG COMMAND…
+  "${@:2}" </dev/null >"$1" 2>&1 &
+  running=$!
+  wait "$running"
+  local status=$?
+  running=""
+  return "$status"
+}
+
 # step NAME COMMAND…: one check, its output in a log and shown where it fails.
 step() {
   local name=$1 log=$logs/test-$1.log began=$SECONDS
   shift
-  if "$@" </dev/null >"$log" 2>&1; then
+  if into_log "$log" "$@"; then
     ((passed += 1))
     echo "ok    $name ($((SECONDS - began)) s)"
   else
@@ -40,7 +51,7 @@ cases() {
   local name=$1 build=$2 log=$logs/test-$1.log junit=$PWD/$logs/test-$1.xml began=$SECONDS counts
   shift 2
   rm -f "$junit"
-  ctest --test-dir "$build" --output-junit "$junit" --output-on-failure --no-tests=error -j "$(nproc)" "$@" </dev/null >"$log" 2>&1
+  into_log "$log" ctest --test-dir "$build" --output-junit "$junit" --output-on-failure --no-tests=error -j "$(nproc)" "$@"
   if ! counts=$(python3 scripts/count_cases.py "$junit"); then
     ((failed += 1))
     echo "FAIL  $name: CTest ran nothing"
