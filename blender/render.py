@@ -6,9 +6,9 @@ import bpy
 
 def has_denoiser():
     """True where this Blender was built with OpenImageDenoise."""
-    if bpy.app.version < (5, 0, 0):
-        return bool(getattr(bpy.app.build_options, "openimagedenoise", False))
-    return bool(getattr(bpy.context.scene.cycles, "denoiser", ""))
+    if hasattr(bpy.app.build_options, "openimagedenoise"):  # gone in 5.0
+        return bpy.app.build_options.openimagedenoise
+    return set_first(bpy.context.scene.cycles, "denoiser", ("OPENIMAGEDENOISE",)) is not None
 
 
 def set_first(target, name, values):
@@ -88,7 +88,10 @@ def use_cycles(scene):
         set_first(cycles, "denoiser", ("OPENIMAGEDENOISE",))
         set_first(cycles, "denoising_prefilter", ("FAST",) if QUALITY == "draft" else ("ACCURATE",))
     else:
-        filter_noise(scene)
+        if bpy.app.version < (5, 0, 0):
+            filter_noise(scene)
+        else:  # the compositor is another one there; more samples instead
+            cycles.samples *= 6
 
 
 def use_workbench(scene):
