@@ -96,7 +96,9 @@ class OwnRoom(CliTestCase):
         self.assert_status(run, WRONG_INPUT)
 
     def test_feet(self):
-        run = self.run_layoutbox("generate", "A bedroom with a bed.", "--room", "12x10x8", "--units", "ft", "--no-render", "-o", self.path("out"))
+        run = self.run_layoutbox(
+            "generate", "A bedroom with a bed.", "--room", "12x10x8", "--units", "ft", "--no-render", "-o", self.path("out")
+        )
         self.assert_done(run)
         self.assertEqual(self.read_json("out/layout.json")["room"]["polygon"][2], [3.658, 3.048])
 
@@ -106,7 +108,8 @@ class OwnRoom(CliTestCase):
         self.assert_done(run)
 
     def test_too_small_a_room_says_what_does_not_fit(self):
-        run = self.run_layoutbox("generate", "A bedroom with a king-size bed.", "--room", "1.5x1.5x2.5", "--no-render", "-o", self.path("out"))
+        prompt = "A bedroom with a king-size bed."
+        run = self.run_layoutbox("generate", prompt, "--room", "1.5x1.5x2.5", "--no-render", "-o", self.path("out"))
         self.assert_status(run, NOT_AS_ASKED)
         self.assertIn("bed", run.err)
         self.assertIn("1.50", run.err)
