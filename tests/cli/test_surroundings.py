@@ -100,7 +100,7 @@ class KilledRuns(CliTestCase):
         fake = self.write_text("blender", f"#!/bin/sh\n{body}")
         fake.chmod(0o755)
         env = {"LAYOUTBOX_BLENDER": fake}
-        process = self.start("generate", PROMPT, "-o", self.path("out"), "-q", env=env, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        process = self.start("generate", PROMPT, "-q", "-o", self.path("out"), env=env, stdout=subprocess.DEVNULL)
         deadline = time.monotonic() + 30
         while not (pid_file.exists() and pid_file.read_text().strip()) and time.monotonic() < deadline:
             time.sleep(0.02)
