@@ -101,6 +101,21 @@ void rail(Piece& p) {
   }
 }
 
+// Clothes on a rail, side by side; only where nothing else hangs there.
+void garments(Piece& p, const FreeSpace& room) {
+  static constexpr Color kCloth[] = {{0.30, 0.40, 0.54}, {0.86, 0.82, 0.74}, {0.62, 0.30, 0.28},
+                                     {0.36, 0.44, 0.38}, {0.24, 0.25, 0.28}, {0.78, 0.62, 0.40}};
+  const Box& b = room.box;
+  const int metal = p.named("steel");
+  for (double x = b.min.x + 0.06; x < b.max.x - 0.06; x += p.random(0.07, 0.12)) {
+    const double top = b.max.z - 0.05, low = top - std::min(b.size().z * 0.9, p.random(0.6, 1.0)), half = b.size().y * p.random(0.36, 0.46);
+    const int cloth = p.tinted("cotton", kCloth[p.pick(6)]);
+    p.add(cloth, taper({x, 0, low}, {0.022, half}, {x, 0, top - 0.05}, {0.018, half * 0.9}));
+    p.add(cloth, taper({x, 0, top - 0.052}, {0.018, half * 0.9}, {x, 0, top}, {0.01, 0.03}));
+    p.add(metal, rod({x, 0, top - 0.005}, {x, 0, b.max.z}, 0.002, 5));
+  }
+}
+
 // A rack: posts at the corners and boards between them.
 void rack(Piece& p) {
   if (p.word("kind", "") == "rail" || (p.mount() == Mount::kWall && p.spaces.empty())) return rail(p);
@@ -114,6 +129,11 @@ void rack(Piece& p) {
     const double cx = x * (p.w / 2 - t / 2);
     for (const double z : {p.h - t, p.h * 0.5})
       p.add(metal, box(sides(cx - t * 0.4, cx + t * 0.4, -p.d / 2 + t, p.d / 2 - t, z, z + t * 0.9), 0.002));
+  }
+  if (p.word("kind", "") == "garment" && !p.spaces.empty()) {
+    const FreeSpace& room = p.spaces.front();
+    p.add(metal, rod({-p.w / 2, 0, p.h - t}, {p.w / 2, 0, p.h - t}, t * 0.6, 12));
+    if (p.may_show_contents() && !room.held) garments(p, room);
   }
   std::vector<double> levels;
   for (const FreeSpace& s : p.spaces) {
