@@ -23,13 +23,11 @@ const PhraseSenses& row_senses() {
 
 class Chunker {
  public:
-  Chunker(const Lexicon& lexicon, std::span<const Token> tokens, const std::vector<bool>& skip) : lexicon_(lexicon), tokens_(tokens), skip_(skip) {}
+  Chunker(const Lexicon& lexicon, std::span<const Token> tokens) : lexicon_(lexicon), tokens_(tokens) {}
 
   std::vector<Chunk> run() {
     while (i_ < tokens_.size()) {
-      if (skip_[i_]) {
-        add(ChunkKind::kIgnored, 1);
-      } else if (tokens_[i_].kind == Token::Kind::kPunctuation) {
+      if (tokens_[i_].kind == Token::Kind::kPunctuation) {
         add(tokens_[i_].ends_sentence ? ChunkKind::kStop : ChunkKind::kComma, 1);
       } else {
         read();
@@ -303,6 +301,10 @@ class Chunker {
       add(ChunkKind::kPurpose, match.length);  // what such a verb says of the room is no placing
       return;
     }
+    if (is(Class::kColor) || is(Class::kMaterial) || is(Class::kSizeWord) || is(Class::kShape) || is(Class::kStyle)) {
+      add(ChunkKind::kAttribute, match.length);
+      return;
+    }
     if (match.length > 0) {
       add(ChunkKind::kIgnored, match.length);
       return;
@@ -317,13 +319,12 @@ class Chunker {
 
   const Lexicon& lexicon_;
   std::span<const Token> tokens_;
-  const std::vector<bool>& skip_;
   std::size_t i_ = 0;
   std::vector<Chunk> chunks_;
 };
 
 }  // namespace
 
-std::vector<Chunk> chunk_tokens(const Lexicon& lexicon, std::span<const Token> tokens, const std::vector<bool>& skip) { return Chunker(lexicon, tokens, skip).run(); }
+std::vector<Chunk> chunk_tokens(const Lexicon& lexicon, std::span<const Token> tokens) { return Chunker(lexicon, tokens).run(); }
 
 }  // namespace layoutbox::offline

@@ -15,6 +15,7 @@ enum class ChunkKind {
   kVerb,        // finite: is placed, stands; or a command's verb: place, put
   kParticiple,  // placed, positioned, mounted
   kComma, kAnd, kClause, kRelative, kThere, kCommand, kPurpose, kWithout, kSoft,
+  kAttribute,   // after a verb: "is blue", "are white"
   kSize,        // "120 cm wide", "2 m by 1 m"
   kStop,        // end of a sentence
   kIgnored,     // adverbs, fillers
@@ -34,7 +35,6 @@ struct Chunk {
   SaidSize size;
 };
 
-// REQUIRES: `skip[i]` is true for tokens that another stage has read (the room's size).
-std::vector<Chunk> chunk_tokens(const Lexicon& lexicon, std::span<const Token> tokens, const std::vector<bool>& skip);
+std::vector<Chunk> chunk_tokens(const Lexicon& lexicon, std::span<const Token> tokens);
 
 }  // namespace layoutbox::offline

@@ -169,7 +169,11 @@ void Lexicon::read_words() {
     add(word + " colored", {WordClass::kColor, nullptr, nullptr, 0, {}});
   }
   for (const Json& surface : word_list("materials").at("surfaces")) {
-    for (const Json& word : surface.at("words")) add(word.get<std::string>(), {WordClass::kMaterial, nullptr, nullptr, 0, {}});
+    for (const Json& word : surface.at("words")) {
+      const auto text = word.get<std::string>();
+      // "wooden floor" is a floor that is wooden.
+      if (!text.ends_with("floor") && !text.ends_with("wall") && !text.ends_with("boards")) add(text, {WordClass::kMaterial, nullptr, nullptr, 0, {}});
+    }
   }
   const Json& phrases = word_list("phrases");
   const auto add_group = [&](const Json& words, WordClass word_class) {
@@ -256,7 +260,9 @@ void Lexicon::extend_phrase(std::span<const Token> tokens, std::size_t at, std::
     PhraseMatch next = so_far;
     next.each |= is_distributor(word);
     next.plural |= plural;
-    if (const auto found = phrases_.find(extended); found != phrases_.end() && i + 1 - at > best.length) {
+    // "on the left wall" is on a wall, not on the left of something.
+    const bool adjective = (word == "left" || word == "right" || word == "back" || word == "front") && i + 1 < tokens.size() && names_place(tokens, i + 1);
+    if (const auto found = phrases_.find(extended); found != phrases_.end() && i + 1 - at > best.length && !adjective) {
       best = next;
       best.length = i + 1 - at;
       best.senses = &found->second;
@@ -274,6 +280,13 @@ void Lexicon::extend_phrase(std::span<const Token> tokens, std::size_t at, std::
   so_far.each |= is_distributor(token.text);
   so_far.possessive |= token.text == "its" || token.text == "their";
   extend_phrase(tokens, at, i + 1, key, so_far, best);
+}
+
+bool Lexicon::names_place(std::span<const Token> tokens, std::size_t at) const {
+  const Match match = find(tokens, at);
+  return std::any_of(match.meanings.begin(), match.meanings.end(), [](const Meaning& m) {
+    return m.word_class == WordClass::kWall || m.word_class == WordClass::kCorner || m.word_class == WordClass::kObject || m.word_class == WordClass::kWallWord || m.word_class == WordClass::kDoor || m.word_class == WordClass::kWindow;
+  });
 }
 
 PhraseMatch Lexicon::find_phrase(std::span<const Token> tokens, std::size_t at) const {

@@ -81,6 +81,7 @@ class Lexicon {
   };
   void add(std::string_view words, Meaning meaning);
   void extend_phrase(std::span<const Token> tokens, std::size_t at, std::size_t i, const std::string& key, PhraseMatch so_far, PhraseMatch& best) const;
+  bool names_place(std::span<const Token> tokens, std::size_t at) const;
   void add_phrase(std::string_view words, PhraseSense sense);
   void read_words();
   void read_phrases();

@@ -61,7 +61,8 @@ class OfflinePlanner final : public Planner {
     for (const Token& token : document.tokens) document.readings.push_back({token.begin, token.end, WordReading::Use::kIgnored, {}});
     std::vector<bool> skip(document.tokens.size(), false);
     const RoomSize size = read_room_size(lexicon_, document, skip);
-    document.chunks = chunk_tokens(lexicon_, document.tokens, skip);
+    const std::vector<WordReading> of_size = take_out(document, skip);
+    document.chunks = chunk_tokens(lexicon_, document.tokens);
     read_document(lexicon_, document);
 
     Plan plan;
@@ -75,10 +76,32 @@ class OfflinePlanner final : public Planner {
     for (std::size_t i = 0; i < document.tokens.size(); ++i) {
       if (document.tokens[i].kind != Token::Kind::kPunctuation) plan.readings.push_back(std::move(document.readings[i]));
     }
+    plan.readings.insert(plan.readings.end(), of_size.begin(), of_size.end());
+    std::sort(plan.readings.begin(), plan.readings.end(), [](const WordReading& a, const WordReading& b) { return a.begin < b.begin; });
     return plan;
   }
 
  private:
+  // Takes the words that said the room's size out of the text: the rest reads as if they were not there.
+  static std::vector<WordReading> take_out(Document& document, const std::vector<bool>& taken) {
+    std::vector<WordReading> readings;
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < taken.size(); ++i) {
+      if (taken[i]) {
+        readings.push_back(std::move(document.readings[i]));
+        continue;
+      }
+      if (kept != i) {
+        document.tokens[kept] = std::move(document.tokens[i]);
+        document.readings[kept] = std::move(document.readings[i]);
+      }
+      ++kept;
+    }
+    document.tokens.resize(kept);
+    document.readings.resize(kept);
+    return readings;
+  }
+
   static void build_objects(Document& document, SceneGraph& scene) {
     std::map<std::string, int> numbers;
     for (const Item& item : document.items) {

@@ -110,7 +110,9 @@ void DocumentReader::read_chunk(std::size_t k) {
       break;
     }
     case ChunkKind::kComma: case ChunkKind::kAnd: read_break(k); break;
-    case ChunkKind::kIgnored: mark(k, Use::kIgnored, "filler"); break;
+    case ChunkKind::kIgnored:
+      if (document_.readings[chunk(k).first].role.empty()) mark(k, Use::kIgnored, "filler");
+      break;
     case ChunkKind::kUnknown:
       mark(k, skipping_ ? Use::kIgnored : Use::kNotUnderstood, skipping_ ? "purpose" : "not understood");
       break;
@@ -129,6 +131,21 @@ void DocumentReader::read_chunk(std::size_t k) {
       mark(k, Use::kUsed, "relative clause");
       skipping_ = false;
       relative_host_ = chain_.empty() ? last_topic_ : chain_.back();
+      break;
+    case ChunkKind::kAttribute:
+      mark(k, after_verb_ ? Use::kUsed : Use::kIgnored, "attribute");
+      if (after_verb_) {
+        for (const int subject : subject_) {
+          const std::string word = words_between(document_, chunk(k).first, chunk(k).last);
+          const auto word_class = lexicon_.find(document_.tokens, chunk(k).first).meanings.front().word_class;
+          const auto add_to = [&](NounPhrase& noun) {
+            noun.attributes.push_back(word);
+            noun.attribute_classes.push_back(word_class);
+          };
+          add_to(mention_at(subject).noun);
+          for (const int item : mention_at(subject).items) add_to(document_.items[static_cast<std::size_t>(item)].noun);
+        }
+      }
       break;
     case ChunkKind::kSize:
       mark(k, Use::kUsed, "size");

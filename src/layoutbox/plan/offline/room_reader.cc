@@ -49,6 +49,7 @@ class SizeReader {
     for (std::size_t i = last; i < std::min(last + 4, tokens_.size()); ++i) {
       if (tokens_[i].kind == Token::Kind::kPunctuation) break;
       const Match match = lexicon_.find(tokens_, i);
+      if (has_class(match, Class::kHave) || has_class(match, Class::kBe) || lexicon_.find_phrase(tokens_, i).length > 0) break;
       if (has_class(match, Class::kRoom) || has_class(match, Class::kRoomNoun)) return true;
       if (has_class(match, Class::kObject)) return false;
     }
@@ -292,7 +293,7 @@ void build_room(const Lexicon& lexicon, const Document& document, const RoomSize
     }
     if (noun.kind == NounKind::kFloor && material.empty() && noun.name.find("hardwood") != std::string::npos) material = "wood";
     if (material.empty()) continue;
-    if (noun.kind == NounKind::kFloor) room.floor_material = material;
+    if (noun.kind == NounKind::kFloor) room.floor_material = material + " floor";
     else if (noun.wall_word.empty() && noun.wall_relation.empty()) room.wall_material = material;
   }
   (void)lexicon;

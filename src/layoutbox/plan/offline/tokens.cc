@@ -86,7 +86,12 @@ std::vector<Token> tokenize(std::string_view prompt) {
     token.begin = at;
     token.glued = !space_before;
     space_before = false;
-    if (is_digit(first.value) || (first.value == '.' && at + 1 < prompt.size() && is_digit(prompt[at + 1]) && !token.glued)) {
+    if (is_digit(first.value) && first.size > 1) {  // ²
+      token.kind = Token::Kind::kNumber;
+      token.text = std::string(1, first.value);
+      token.number = first.value - '0';
+      at += first.size;
+    } else if (is_digit(first.value) || (first.value == '.' && at + 1 < prompt.size() && is_digit(prompt[at + 1]) && !token.glued)) {
       token.kind = Token::Kind::kNumber;
       bool dot = false;
       while (at < prompt.size()) {

@@ -1,0 +1,156 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+#include "layoutbox/plan/planner.h"
+
+namespace layoutbox {
+namespace {
+
+class OfflinePlannerTest : public testing::Test {
+ protected:
+  Plan plan(std::string_view text) const {
+    auto result = planner_->plan(text, {});
+    EXPECT_TRUE(result.has_value()) << text;
+    return result ? std::move(*result) : Plan{};
+  }
+  SceneGraph scene(std::string_view text) const { return plan(text).scene; }
+  static bool notes(const SceneGraph& scene, std::string_view code) {
+    return std::any_of(scene.notes.begin(), scene.notes.end(), [&](const Note& note) { return note.code == code; });
+  }
+  static std::vector<Point> rectangle(double w, double d) {
+    return {{0, 0}, {mm_from_m(w), 0}, {mm_from_m(w), mm_from_m(d)}, {0, mm_from_m(d)}};
+  }
+
+  std::unique_ptr<Planner> planner_ = make_offline_planner(Catalog::builtin());
+};
+
+TEST_F(OfflinePlannerTest, ReadsRoomSizesInTheirUsualForms) {
+  for (const char* text : {"Create a bedroom with dimensions 4 x 2 x 3 meters. Include a bed.", "A bedroom (4.0 × 2.0 × 3.0 m) with a bed.", "A bedroom (4.0 * 2.0 * 3.0 m) with a bed.",
+                           "A 4 by 2 by 3 metre bedroom with a bed.", "A 4x2x3m bedroom with a bed.", "A 400 x 200 x 300 cm bedroom with a bed."}) {
+    const SceneGraph read = scene(text);
+    EXPECT_EQ(read.room.polygon, rectangle(4, 2)) << text;
+    EXPECT_EQ(read.room.height, 3000) << text;
+    EXPECT_EQ(read.objects.size(), 1u) << text;
+  }
+  EXPECT_EQ(scene("A room 12 by 14 feet with a bed.").room.polygon, rectangle(3.658, 4.267));
+  EXPECT_NEAR(scene("A bedroom of 20 m² with a bed.").room.area_m2.value_or(0), 20, 1e-9);
+  EXPECT_NEAR(scene("A bedroom of 20 square meters with a bed.").room.area_m2.value_or(0), 20, 1e-9);
+  EXPECT_EQ(scene("A small bedroom with a bed.").room.size_word, "small");
+}
+
+TEST_F(OfflinePlannerTest, KnowsTheKindOfRoom) {
+  EXPECT_EQ(scene("Design Bedroom (4.0 × 3.2 × 3.0 m). Place the bed centred on the back wall.").room.type, "bedroom");
+  EXPECT_EQ(scene("In this bathroom, a vanity stands against the wall.").room.type, "bathroom");
+  EXPECT_EQ(scene("A cozy living room with a sofa.").room.type, "living_room");
+}
+
+TEST_F(OfflinePlannerTest, PutsDoorsAndWindowsWhereTheTextSays) {
+  const SceneGraph read = scene("A room with two windows on the back wall and a door on the left wall.");
+  ASSERT_EQ(read.room.openings.size(), 3u);
+  EXPECT_EQ(std::count_if(read.room.openings.begin(), read.room.openings.end(), [](const Opening& o) { return o.type == OpeningType::kWindow && o.wall == "back"; }), 2);
+  EXPECT_EQ(std::count_if(read.room.openings.begin(), read.room.openings.end(), [](const Opening& o) { return o.type == OpeningType::kDoor && o.wall == "left"; }), 1);
+}
+
+TEST_F(OfflinePlannerTest, ReadsFloorAndWalls) {
+  const SceneGraph read = scene("An office with white walls and a wooden floor has a desk.");
+  EXPECT_EQ(read.room.wall_material, "white");
+  EXPECT_EQ(read.room.floor_material, "wooden floor");
+  EXPECT_EQ(read.objects.size(), 1u);
+}
+
+TEST_F(OfflinePlannerTest, SizesBindTheObject) {
+  const SceneGraph read = scene("A desk that is 120 cm wide stands against the wall.");
+  ASSERT_EQ(read.objects.size(), 1u);
+  ASSERT_TRUE(read.objects[0].size.has_value());
+  EXPECT_EQ(read.objects[0].size->least.width, 1200);
+  EXPECT_EQ(read.objects[0].size->greatest.width, 1200);
+}
+
+TEST_F(OfflinePlannerTest, AttributesGoToTheirObject) {
+  const SceneGraph read = scene("A large blue armchair and a small round table.");
+  ASSERT_EQ(read.objects.size(), 2u);
+  EXPECT_EQ(read.objects[0].attributes, (std::vector<std::string>{"large", "blue"}));
+  EXPECT_EQ(read.objects[1].attributes, (std::vector<std::string>{"small", "round"}));
+}
+
+TEST_F(OfflinePlannerTest, SoftWordsMakeSoftRelations) {
+  const SceneGraph read = scene("A bed against the wall. Ideally, a desk stands under the window.");
+  ASSERT_EQ(read.relations.size(), 2u);
+  EXPECT_TRUE(read.relations[0].hard);
+  EXPECT_FALSE(read.relations[1].hard);
+}
+
+TEST_F(OfflinePlannerTest, KeepsTheWordsOfARelation) {
+  const SceneGraph read = scene("Place the bed centred on the back wall.");
+  ASSERT_EQ(read.relations.size(), 1u);
+  EXPECT_EQ(read.relations[0].why, "centred on the back wall");
+}
+
+TEST_F(OfflinePlannerTest, ARoomWithoutFurnitureGetsTheUsual) {
+  const SceneGraph read = scene("A bedroom.");
+  EXPECT_FALSE(read.objects.empty());
+  EXPECT_TRUE(std::all_of(read.objects.begin(), read.objects.end(), [](const SceneObject& o) { return o.assumed; }));
+  EXPECT_TRUE(notes(read, "filled"));
+  const SceneGraph without = scene("A bedroom without a wardrobe.");
+  EXPECT_TRUE(std::none_of(without.objects.begin(), without.objects.end(), [](const SceneObject& o) { return o.category == "wardrobe"; }));
+}
+
+TEST_F(OfflinePlannerTest, ListsWhatItDoesNotUnderstand) {
+  const SceneGraph read = scene("A bedroom with a bed. Blorp glimsy!");
+  EXPECT_TRUE(notes(read, "not-understood"));
+}
+
+TEST_F(OfflinePlannerTest, PointsOutContradictions) {
+  EXPECT_TRUE(notes(scene("A table against the left wall. The table stands in the middle of the room."), "contradiction"));
+  EXPECT_TRUE(notes(scene("A bed against the left wall. The bed stands against the right wall."), "contradiction"));
+  EXPECT_FALSE(notes(scene("A bed against the left wall and a table in the middle of the room."), "contradiction"));
+}
+
+TEST_F(OfflinePlannerTest, SeveralRoomsAreNamedInAWarning) {
+  const SceneGraph read = scene("A bedroom with a bed. The bathroom has a bathtub.");
+  EXPECT_EQ(read.room.type, "bedroom");
+  EXPECT_TRUE(std::any_of(read.notes.begin(), read.notes.end(), [](const Note& note) { return note.message.find("bathroom") != std::string::npos; }));
+}
+
+TEST_F(OfflinePlannerTest, RefusesWhatIsNoPrompt) {
+  EXPECT_EQ(planner_->plan("", {}).error().code, ErrorCode::kEmpty);
+  EXPECT_EQ(planner_->plan("  ...  ", {}).error().code, ErrorCode::kEmpty);
+  EXPECT_EQ(planner_->plan("a bed \xff\xfe", {}).error().code, ErrorCode::kParse);
+  EXPECT_EQ(planner_->plan("a \xc3", {}).error().code, ErrorCode::kParse);
+  PlanOptions small;
+  small.max_prompt_bytes = 4;
+  EXPECT_EQ(planner_->plan("a bedroom", small).error().code, ErrorCode::kTooLarge);
+}
+
+TEST_F(OfflinePlannerTest, HundredThousandWordsDoNotHangIt) {
+  std::string text = "A bedroom with a bed. ";
+  for (int i = 0; i < 16000; ++i) text += "It is very nice and quite cozy. ";
+  EXPECT_EQ(scene(text).objects.size(), 1u);
+}
+
+// Any row of words gives a plan whose relations name objects that are there.
+TEST_F(OfflinePlannerTest, AnyWordsGiveASoundScene) {
+  const std::vector<std::string> words = {"a",    "the",  "bed",   "two",  "chairs", "on",      "with",   "and",   ",",     ".",    "it",     "them", "each",   "one",  "of",    "which", "flanked by", "in front of", "is",
+                                          "there", "no",  "corner", "wall", "left",  "holding", "filled", "books", "while", "near", "window", "'s",  "placed", "hang", "between", "4 x 3 m", "other", "surround", "for",  "top"};
+  constexpr unsigned kSeed = 20240607;
+  std::mt19937 random(kSeed);
+  for (int round = 0; round < 3000; ++round) {
+    std::string text;
+    const std::size_t length = 1 + random() % 25;
+    for (std::size_t i = 0; i < length; ++i) text += words[random() % words.size()] + " ";
+    const auto plan = planner_->plan(text, {});
+    if (!plan) continue;
+    for (const Relation& relation : plan->scene.relations) {
+      for (const std::string& id : relation.targets) EXPECT_NE(plan->scene.find_object(id), nullptr) << "seed " << kSeed << ": " << text;
+      EXPECT_FALSE(relation.targets.empty()) << text;
+      for (const std::string& id : relation.references) {
+        EXPECT_TRUE(std::find(relation.targets.begin(), relation.targets.end(), id) == relation.targets.end()) << text;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace layoutbox
