@@ -124,18 +124,30 @@ class SupportChooser {
   SceneObject& object_;
 };
 
+// A lamp that must stand on the floor is a floor lamp, where the catalogue has one and nobody said how large it is.
+void become_floor_kind(NormalizeContext& context, SceneObject& object, const std::string& pointer) {
+  const CatalogEntry* kind = context.catalog.find("floor_" + object.category);
+  if (kind == nullptr || kind->mount != Mount::kFloor || object.size_source != SizeSource::kCatalog) return;
+  context.note("guessed", fmt::format("\"{}\" stands on the floor: it is taken as a {}", object.id, kind->name), pointer + "/category");
+  object.category = kind->id;
+  object.size = kind->size;
+  object.used_sides = kind->used_sides;
+}
+
+// Nothing to stand on.
+void settle_without_support(NormalizeContext& context, SceneObject& object, const std::string& pointer) {
+  const bool hangs = object.mount == Mount::kHung;
+  object.mount = hangs ? Mount::kWall : Mount::kFloor;
+  context.note("guessed", fmt::format("there is nothing that \"{}\" could be on: it goes on {}", object.id, hangs ? "a wall" : "the floor"),
+               pointer + "/mount");
+  if (!hangs) become_floor_kind(context, object, pointer);
+}
+
 void support_object(NormalizeContext& context, SceneObject& object, const std::string& pointer) {
   const SupportChooser chooser(context, object);
   if (object.fixed || chooser.is_supported()) return;
   const SceneObject* support = chooser.choose();
-  if (support == nullptr) {
-    object.mount = object.mount == Mount::kHung ? Mount::kWall : Mount::kFloor;
-    context.note("guessed",
-                 fmt::format("there is nothing that \"{}\" could be on: it goes {}", object.id,
-                             object.mount == Mount::kWall ? "on a wall" : "on the floor"),
-                 pointer + "/mount");
-    return;
-  }
+  if (support == nullptr) return settle_without_support(context, object, pointer);
   Relation relation;
   relation.id = unused_id(context.scene, fmt::format("{}_on_{}", object.id, support->id));
   relation.type = RelationType::kOn;
