@@ -282,9 +282,13 @@ bool Reader::word_may_belong() const {
 bool Reader::read_part() {
   Match match = lexicon_.find(tokens_, i_);
   // "a plant stands in the corner" is no plant stand.
-  if (match.plural && match.length > 1 && phrase_.determiner == Determiner::kIndefinite && phrase_.count == 0 && lexicon_.is(tokens_[i_ + match.length - 1], Class::kPlaceVerb)) {
-    match = lexicon_.find(tokens_.first(i_ + match.length - 1), i_);
+  const auto plural_at = [&](std::size_t i) { return singular_of(tokens_[i].text) != tokens_[i].text; };
+  if (match.length > 1 && lexicon_.is(tokens_[i_ + match.length - 1], Class::kPlaceVerb)) {
+    const bool singular_subject = match.plural && phrase_.determiner == Determiner::kIndefinite && phrase_.count == 0;
+    const bool plural_subject = !match.plural && plural_at(i_ + match.length - 2) && !plural_at(i_ + match.length - 1);  // "speakers stand"
+    if (singular_subject || plural_subject) match = lexicon_.find(tokens_.first(i_ + match.length - 1), i_);
   }
+  if (!parts_.empty() && parts_.back().last == i_ && plural_at(i_ - 1) && match.length == 1 && !plural_at(i_) && has(match, Class::kPlaceVerb) && !is_attribute_class(parts_.back().word_class)) return false;
   const auto add = [&](Class word_class, const Meaning& meaning, std::size_t length, bool plural) {
     parts_.push_back({i_, i_ + length, word_class, meaning, plural});
     i_ += length;

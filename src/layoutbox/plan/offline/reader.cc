@@ -9,6 +9,9 @@ namespace {
 
 using Direction = PhraseSense::Direction;
 
+// How many mentions back "it" may reach; keeps long texts linear.
+constexpr std::size_t kReach = 200;
+
 bool has_direction(const PhraseSenses& senses, Direction direction) {
   return std::any_of(senses.begin(), senses.end(), [&](const PhraseSense& s) { return s.direction == direction; });
 }
@@ -265,7 +268,7 @@ int DocumentReader::implied_reference(const std::vector<int>& targets) const {
     if (usable(roots_[r])) return roots_[r];
   }
   if (usable(last_topic_)) return last_topic_;
-  for (std::size_t m = document_.mentions.size(); m-- > 0;) {
+  for (std::size_t m = document_.mentions.size(), looked = 0; m-- > 0 && looked < kReach; ++looked) {
     if (usable(static_cast<int>(m))) return static_cast<int>(m);
   }
   return -1;
@@ -281,7 +284,7 @@ int DocumentReader::implied_group(const std::vector<int>& targets) const {
   for (std::size_t c = chain_.size(); c-- > 0;) {
     if (usable(chain_[c])) return chain_[c];
   }
-  for (std::size_t m = document_.mentions.size(); m-- > 0;) {
+  for (std::size_t m = document_.mentions.size(), looked = 0; m-- > 0 && looked < kReach; ++looked) {
     if (usable(static_cast<int>(m))) return static_cast<int>(m);
   }
   return implied_reference(targets);
@@ -458,6 +461,7 @@ void DocumentReader::place_root(std::size_t k, int mention) {
     }
     root_modified_.back() = true;
   }
+  if (!imperative_ && hang_ && !fronted_.empty()) hang({mention}, k);  // "above the bed hangs a painting"
   if (imperative_) {
     if (joiner_ == Joiner::kNone) subject_.clear();
     subject_.push_back(mention);
@@ -713,7 +717,7 @@ int DocumentReader::implied_side_host(const PhraseSenses& senses, const std::vec
     for (std::size_t r = roots_.size(); r-- > 0;) {
       if (fits(roots_[r])) return roots_[r];
     }
-    for (std::size_t m = document_.mentions.size(); m-- > 0;) {
+    for (std::size_t m = document_.mentions.size(), looked = 0; m-- > 0 && looked < kReach; ++looked) {
       if (fits(static_cast<int>(m))) return static_cast<int>(m);
     }
   }
@@ -769,6 +773,11 @@ void DocumentReader::read_relation(std::size_t k) {
   link.at_least = relation.at_least;
   link.at_most = relation.at_most;
   const bool direct = has_direction(senses, Direction::kDirect), inverse = has_direction(senses, Direction::kInverse), alone = has_direction(senses, Direction::kAlone);
+  if (at_start && noun_follows && first_word == "line" && relation.last - relation.first == 1 && is(next(n), ChunkKind::kRelation)) {
+    imperative_ = true;  // "Line the sofa along the wall"
+    joiner_ = Joiner::kNone;
+    return;
+  }
   if (noun_follows && inverse && !direct) {
     read_inverse(k, with_direction(senses, Direction::kInverse));
     return;
@@ -1003,6 +1012,7 @@ void DocumentReader::read_verb(std::size_t k) {
     for (std::size_t r = roots_.size() - 1; r > clause_start_ && root_joiners_[r] == Joiner::kAnd && !root_modified_[r - 1]; --r) subject.insert(subject.begin(), roots_[r - 1]);
   }
   subject.erase(std::remove_if(subject.begin(), subject.end(), [&](int m) { return subject.size() > 1 && !is_thing(m); }), subject.end());
+  if (subject.empty()) subject = {roots_.back()};
   subject_ = subject;
   // "a table where puzzles lie": on the table.
   const std::size_t after = next(k);

@@ -22,6 +22,13 @@ int References::add(Mention mention) {
 
 void References::introduce(Mention& mention, const NounPhrase& noun, int count) {
   constexpr int kMost = 400;
+  if (document_.items.size() + static_cast<std::size_t>(count) > kMostItems) {
+    if (document_.items.size() <= kMostItems && !full_) {
+      document_.notes.push_back({"ignored", "more than " + std::to_string(kMostItems) + " objects: the rest is left out", "prompt"});
+    }
+    full_ = true;
+    return;
+  }
   const int group = document_.groups++;
   for (int i = 0; i < std::min(count, kMost); ++i) {
     mention.items.push_back(static_cast<int>(document_.items.size()));
@@ -35,7 +42,7 @@ void References::grow(int mention, std::size_t count) {
   Mention& grown = document_.mentions[static_cast<std::size_t>(mention)];
   if (grown.items.empty() || !grown.introduces) return;
   const Item first = document_.items[static_cast<std::size_t>(grown.items.front())];
-  while (grown.items.size() < std::min(count, kMost)) {
+  while (grown.items.size() < std::min(count, kMost) && document_.items.size() < kMostItems) {
     grown.items.push_back(static_cast<int>(document_.items.size()));
     document_.items.push_back(first);
   }
@@ -64,21 +71,19 @@ std::vector<int> References::known(const NounPhrase& noun) const {
   // The best fitting kind; of equals the latest mention. Attributes that were said of it count.
   int best_score = 0;
   std::vector<int> found;
-  int best_group = -1;
-  for (std::size_t i = document_.items.size(); i-- > 0;) {
+  constexpr std::size_t kReach = 300;  // keeps long texts linear
+  for (std::size_t i = document_.items.size(), looked = 0; i-- > 0 && looked < kReach; ++looked) {
     const NounPhrase& item = document_.items[i].noun;
     int score = fit(noun, item) * 10;
     if (score == 0) continue;
     for (const std::string& attribute : noun.attributes) {
-      if (contains({}, 0)) continue;
       score += std::find(item.attributes.begin(), item.attributes.end(), attribute) != item.attributes.end() ? 3 : -1;
     }
     const bool all = noun.is_plural() || noun.determiner == Determiner::kEach;
     if (!all && score == best_score) continue;
     if (score < best_score) continue;
-    if (score > best_score) found.clear(), best_group = document_.items[i].group;
+    if (score > best_score) found.clear();
     best_score = score;
-    (void)best_group;
     found.push_back(static_cast<int>(i));
   }
   std::reverse(found.begin(), found.end());
@@ -129,7 +134,8 @@ void References::choose_members(Mention& mention, const NounPhrase& noun, int an
 }
 
 int References::latest_group() const {
-  for (std::size_t m = document_.mentions.size(); m-- > 0;) {
+  constexpr std::size_t kReach = 200;
+  for (std::size_t m = document_.mentions.size(), looked = 0; m-- > 0 && looked < kReach; ++looked) {
     if (document_.mentions[m].items.size() > 1) return static_cast<int>(m);
   }
   return -1;

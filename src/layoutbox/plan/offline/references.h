@@ -32,6 +32,8 @@ class References {
 
   const Lexicon& lexicon_;
   Document& document_;
+  static constexpr std::size_t kMostItems = 1000;  // of one room
+  bool full_ = false;
   std::map<int, std::vector<int>> picked_;  // group → items that a "one" has taken
 };
 
