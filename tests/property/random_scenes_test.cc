@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <functional>
 #include <map>
+#include <set>
 
 #include "layoutbox/base/files.h"
 #include "layoutbox/catalog/normalize.h"
@@ -55,19 +56,36 @@ std::string fault_of(const SceneGraph& scene, const Result<Layout>& layout) {
   }
   for (std::size_t i = 0; i < layout->relations.size(); ++i) {
     const PlacedRelation& placed = layout->relations[i];
-    const auto check = std::find_if(report.checks.begin(), report.checks.end(), [&](const Check& c) { return c.pointer == "/relations/" + std::to_string(i); });
-    if (placed.held && !check->passed) return "false claim " + check->message.substr(0, check->message.find(' ')) + ": " + check->subject + ": " + check->message;
+    const auto check = std::find_if(report.checks.begin(), report.checks.end(),
+                                    [&](const Check& c) { return c.pointer == "/relations/" + std::to_string(i); });
+    if (placed.held && !check->passed)
+      return "false claim " + check->message.substr(0, check->message.find(' ')) + ": " + check->subject + ": " + check->message;
   }
   for (const SceneObject& object : scene.objects) {
-    const bool listed = std::any_of(layout->relaxed.begin(), layout->relaxed.end(), [&](const Relaxation& r) { return r.relation.find(object.id) != std::string::npos; });
+    const bool listed = std::any_of(layout->relaxed.begin(), layout->relaxed.end(),
+                                    [&](const Relaxation& r) { return r.relation.find(object.id) != std::string::npos; });
     if (layout->find_object(object.id) == nullptr && !listed) return "object dropped in silence: " + object.id;
   }
   for (const Relation& relation : scene.relations) {
-    const bool there = std::any_of(layout->relations.begin(), layout->relations.end(), [&](const PlacedRelation& placed) { return placed.relation.id == relation.id; });
-    const bool listed = std::any_of(layout->relaxed.begin(), layout->relaxed.end(), [&](const Relaxation& r) { return r.relation == relation.id; });
+    const bool there = std::any_of(layout->relations.begin(), layout->relations.end(),
+                                   [&](const PlacedRelation& placed) { return placed.relation.id == relation.id; });
+    const bool listed =
+        std::any_of(layout->relaxed.begin(), layout->relaxed.end(), [&](const Relaxation& r) { return r.relation == relation.id; });
     if (!there && !listed && asked_and_hard(relation)) return "relation dropped in silence: " + relation.id;
   }
   return "";
+}
+
+// The types of the relations that a conflict names, so that conflicts of one kind are counted together.
+std::string types_of(const SceneGraph& scene, const Conflict& conflict) {
+  std::set<std::string_view> types;
+  for (const Relation& relation : scene.relations) {
+    const auto& ids = conflict.relations;
+    if (std::find(ids.begin(), ids.end(), relation.id) != ids.end()) types.insert(relation_row(relation.type).name);
+  }
+  std::string text;
+  for (const std::string_view type : types) text += (text.empty() ? "" : ", ") + std::string(type);
+  return text.empty() ? "objects" : text;
 }
 
 // In a planted scene a layout exists: nothing may be given up with a proof.
@@ -75,7 +93,7 @@ std::string fault_of_planted(const SceneGraph& scene, const Result<Layout>& layo
   if (std::string fault = fault_of(scene, layout); !fault.empty()) return fault;
   if (!layout) return "";
   for (const Conflict& conflict : layout->conflicts) {
-    if (conflict.minimal) return "conflict proven where a layout exists: " + conflict.sentence;
+    if (conflict.minimal) return "conflict of " + types_of(scene, conflict) + " proven where a layout exists: " + conflict.sentence;
   }
   return "";
 }
@@ -131,7 +149,9 @@ void run(bool planted, const std::function<std::string(const SceneGraph&, const 
     scene_options.seed = seed;
     scene_options.planted = planted;
     const Scene made = make_scene(scene_options);
-    const Judge judge = [&](const SceneGraph& scene) { return fault_of_answer(scene, solve(scene, Catalog::builtin(), options_for(seed))); };
+    const Judge judge = [&](const SceneGraph& scene) {
+      return fault_of_answer(scene, solve(scene, Catalog::builtin(), options_for(seed)));
+    };
     const Result<Layout> layout = solve(made.scene, Catalog::builtin(), options_for(seed));
     tally.solved += layout && layout->status == LayoutStatus::kSolved;
     tally.relaxed += layout && layout->status == LayoutStatus::kRelaxed;
@@ -143,8 +163,8 @@ void run(bool planted, const std::function<std::string(const SceneGraph&, const 
       keep_finding((planted ? "planted-" : "free-") + std::to_string(seed), made.scene, judge, fault);
     }
   }
-  std::printf("%s scenes from seed %llu: %d solved, %d relaxed, %d not found\n", planted ? "planted" : "free", static_cast<unsigned long long>(first),
-              tally.solved, tally.relaxed, tally.not_found);
+  std::printf("%s scenes from seed %llu: %d solved, %d relaxed, %d not found\n", planted ? "planted" : "free",
+              static_cast<unsigned long long>(first), tally.solved, tally.relaxed, tally.not_found);
   for (const auto& [kind, count] : tally.faults) std::printf("  %d x %s\n", count, kind.c_str());
 }
 
@@ -160,7 +180,8 @@ TEST(PropertyRandomScenes, SameSeedSameBytes) {
     scene_options.planted = seed % 2 == 0;
     const SceneGraph scene = make_scene(scene_options).scene;
     EXPECT_EQ(write_scene(scene), write_scene(make_scene(scene_options).scene)) << "the generator itself, seed " << seed;
-    const Result<Layout> once = solve(scene, Catalog::builtin(), options_for(seed)), again = solve(scene, Catalog::builtin(), options_for(seed));
+    const Result<Layout> once = solve(scene, Catalog::builtin(), options_for(seed)),
+                         again = solve(scene, Catalog::builtin(), options_for(seed));
     ASSERT_EQ(once.has_value(), again.has_value()) << "seed " << seed;
     if (!once || once->stats.stopped_by_clock || again->stats.stopped_by_clock) continue;
     EXPECT_EQ(bytes_of(*once), bytes_of(*again)) << "seed " << seed;

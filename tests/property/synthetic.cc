@@ -88,7 +88,9 @@ class Maker {
   void add_opening(const std::string& id, OpeningType type, Mm width, Mm height, Mm sill) {
     Opening opening;
     opening.id = id, opening.type = type, opening.width = width, opening.height = height, opening.sill = sill;
-    opening.swing = type == OpeningType::kWindow ? Swing::kNone : random_.one_of(std::array{Swing::kInLeft, Swing::kInRight, Swing::kOutLeft, Swing::kSliding});
+    opening.swing = type == OpeningType::kWindow
+                        ? Swing::kNone
+                        : random_.one_of(std::array{Swing::kInLeft, Swing::kInRight, Swing::kOutLeft, Swing::kSliding});
     if (!options_.planted && random_.chance(30)) {
       scene_.room.openings.push_back(opening);  // the solver finds its place
       return;
@@ -112,7 +114,8 @@ class Maker {
     SceneObject object;
     object.category = entry.id, object.name = entry.name;
     object.id = entry.id + "_" + std::to_string(scene_.objects.size() + 1);
-    const Size usual{rounded(entry.size.usual.width), rounded(entry.size.usual.depth), entry.thin ? entry.size.usual.height : rounded(entry.size.usual.height)};
+    const Size usual{rounded(entry.size.usual.width), rounded(entry.size.usual.depth),
+                     entry.thin ? entry.size.usual.height : rounded(entry.size.usual.height)};
     object.size = SizeRange{usual, usual, usual};
     object.size_source = SizeSource::kUser;
     object.mount = entry.mount;
@@ -191,22 +194,22 @@ class Maker {
     std::optional<Relation> support;
     if (put && !put(placed)) return false;
     if (!put) switch (entry.mount) {
-      case Mount::kFloor: put_on_floor(placed, entry); break;
-      case Mount::kCeiling:
-        put_on_floor(placed, entry);
-        placed.position[2] = layout_.room.height - placed.size.height;
-        placed.supported_by = "ceiling";
-        break;
-      case Mount::kWall:
-        if (!put_on_wall(placed)) return false;
-        support = relation_of(RelationType::kOnWall, placed.id, placed.supported_by);
-        break;
-      case Mount::kSurface:
-        if (!put_on_host(placed)) return false;
-        support = relation_of(stands_inside(placed) ? RelationType::kIn : RelationType::kOn, placed.id, placed.supported_by);
-        break;
-      case Mount::kHung: return false;
-    }
+        case Mount::kFloor: put_on_floor(placed, entry); break;
+        case Mount::kCeiling:
+          put_on_floor(placed, entry);
+          placed.position[2] = layout_.room.height - placed.size.height;
+          placed.supported_by = "ceiling";
+          break;
+        case Mount::kWall:
+          if (!put_on_wall(placed)) return false;
+          support = relation_of(RelationType::kOnWall, placed.id, placed.supported_by);
+          break;
+        case Mount::kSurface:
+          if (!put_on_host(placed)) return false;
+          support = relation_of(stands_inside(placed) ? RelationType::kIn : RelationType::kOn, placed.id, placed.supported_by);
+          break;
+        case Mount::kHung: return false;
+      }
     layout_.objects.push_back(placed);
     if (!possible()) {
       layout_.objects.pop_back();
@@ -219,8 +222,12 @@ class Maker {
 
   static bool across(double rotation) { return rotation == 90 || rotation == 270; }
 
-  Mm width_of_room() const { return largest([](Point p) { return p.x; }); }
-  Mm depth_of_room() const { return largest([](Point p) { return p.y; }); }
+  Mm width_of_room() const {
+    return largest([](Point p) { return p.x; });
+  }
+  Mm depth_of_room() const {
+    return largest([](Point p) { return p.y; });
+  }
   template <class Key>
   Mm largest(Key key) const {
     Mm most = 0;
@@ -260,7 +267,8 @@ class Maker {
   bool before_opening(const PlacedObject& placed, const Wall& wall) const {
     const double at = std::hypot(placed.position[0] - wall.start.x, placed.position[1] - wall.start.y);
     return std::any_of(layout_.room.openings.begin(), layout_.room.openings.end(), [&](const Opening& opening) {
-      return opening.wall == wall.id && at + placed.size.width > *opening.offset && at - placed.size.width < *opening.offset + opening.width;
+      return opening.wall == wall.id && at + placed.size.width > *opening.offset &&
+             at - placed.size.width < *opening.offset + opening.width;
     });
   }
 
@@ -269,15 +277,22 @@ class Maker {
     const PlacedObject host = random_.one_of(layout_.objects);
     if (host.mount != Mount::kFloor) return false;
     // The floor it gets, in the host's frame: its top, or the floor of one of its spaces.
-    Space floor{"", {-host.size.width / 2.0, -host.size.depth / 2.0, 0.0 + host.size.height}, {host.size.width / 2.0, host.size.depth / 2.0, 1e6}, true};
-    if (!host.spaces.empty() && random_.chance(60)) floor = random_.one_of(host.spaces);
-    else if (!Catalog::builtin().entry_or_nearest(host.category).top_carries) return false;
+    Space floor{"",
+                {-host.size.width / 2.0, -host.size.depth / 2.0, 0.0 + host.size.height},
+                {host.size.width / 2.0, host.size.depth / 2.0, 1e6},
+                true};
+    if (!host.spaces.empty() && random_.chance(60))
+      floor = random_.one_of(host.spaces);
+    else if (!Catalog::builtin().entry_or_nearest(host.category).top_carries)
+      return false;
     const Mm width = static_cast<Mm>(floor.max[0] - floor.min[0]), depth = static_cast<Mm>(floor.max[1] - floor.min[1]);
-    if (!floor.carries || placed.size.width > width || placed.size.depth > depth || placed.size.height > floor.max[2] - floor.min[2]) return false;
+    if (!floor.carries || placed.size.width > width || placed.size.depth > depth || placed.size.height > floor.max[2] - floor.min[2])
+      return false;
     const double x = middle_within(placed.size.width, width) + floor.min[0], y = middle_within(placed.size.depth, depth) + floor.min[1];
     const judge::Frame frame = judge::frame_at(host.rotation_deg);
     placed.rotation_deg = host.rotation_deg;
-    placed.position = {host.position[0] + frame.x.x * x + frame.y.x * y, host.position[1] + frame.x.y * x + frame.y.y * y, host.position[2] + floor.min[2]};
+    placed.position = {host.position[0] + frame.x.x * x + frame.y.x * y, host.position[1] + frame.x.y * x + frame.y.y * y,
+                       host.position[2] + floor.min[2]};
     placed.supported_by = host.id;
     return true;
   }
@@ -285,7 +300,8 @@ class Maker {
   // Stands in a space of its host rather than on its top.
   bool stands_inside(const PlacedObject& placed) const {
     const PlacedObject* host = layout_.find_object(placed.supported_by);
-    return host != nullptr && placed.position[2] < host->position[2] + host->size.height && placed.position[2] + placed.size.height / 2.0 <= host->position[2] + host->size.height;
+    return host != nullptr && placed.position[2] < host->position[2] + host->size.height &&
+           placed.position[2] + placed.size.height / 2.0 <= host->position[2] + host->size.height;
   }
 
   // Nothing overlaps, stands in the air, reaches out of the room or stands before an opening.
@@ -298,9 +314,8 @@ class Maker {
     judge::check_bounds(view, report);
     judge::check_support(view, report);
     judge::check_openings(view, report);
-    return std::all_of(report.checks.begin(), report.checks.end(), [](const Check& check) {
-      return check.passed && !(check.name == "outOfBounds" && check.value > 1e-9);
-    });
+    return std::all_of(report.checks.begin(), report.checks.end(),
+                       [](const Check& check) { return check.passed && !(check.name == "outOfBounds" && check.value > 1e-9); });
   }
 
   // ---- relations
@@ -333,7 +348,10 @@ class Maker {
     const bool group = row.group == RelationGroup::kGroupGroup && row.type != RelationType::kBetween;
     const bool several = group || row.type == RelationType::kGroupAlign || row.type == RelationType::kStacked || random_.chance(10);
     draw_targets(relation, several ? random_.number(2, 4) : 1);
-    int references = row.arity == RelationArity::kNone ? 0 : row.arity == RelationArity::kOne ? 1 : row.arity == RelationArity::kMany ? 1 : random_.number(0, 1);
+    int references = row.arity == RelationArity::kNone   ? 0
+                     : row.arity == RelationArity::kOne  ? 1
+                     : row.arity == RelationArity::kMany ? 1
+                                                         : random_.number(0, 1);
     if (row.type == RelationType::kBetween || row.type == RelationType::kPairedWith) references = 2;
     for (int i = 0; i < references; ++i) draw_other_reference(relation, row.reference_kinds);
     draw_parameters(relation.parameters, row.parameters);
@@ -386,7 +404,7 @@ class Maker {
     if (r == nullptr) return;
     if (relation.type == RelationType::kOffset && relation.parameters.axis) {
       const judge::Vec axis = *relation.parameters.axis == Axis::kX ? judge::Vec{1, 0} : judge::Vec{0, 1};
-      relation.parameters.distance = mm_from_m(-judge::overlap(judge::extent(t->shape, axis), judge::extent(r->shape, axis)));
+      relation.parameters.distance = std::max(0, mm_from_m(-judge::overlap(judge::extent(t->shape, axis), judge::extent(r->shape, axis))));
     }
     if (relation.type == RelationType::kDistance) {
       const Mm gap = mm_from_m(judge::gap(t->shape, r->shape));

@@ -11,9 +11,9 @@
 namespace layoutbox::judge {
 namespace {
 
-constexpr double kOutsideShare = 0.01;    // of a footprint may lie off the floor (quality.md)
-constexpr double kCeilingReach = 0.010;   // m
-constexpr double kHungAbove = 0.05;       // m: what hangs does not stand on the floor
+constexpr double kOutsideShare = 0.01;   // of a footprint may lie off the floor (quality.md)
+constexpr double kCeilingReach = 0.010;  // m
+constexpr double kHungAbove = 0.05;      // m: what hangs does not stand on the floor
 
 // True when all that two boxes share is free in one of them, height by height.
 bool in_hollows(const Body& a, const Body& b, double tolerance) {
@@ -26,7 +26,8 @@ bool in_hollows(const Body& a, const Body& b, double tolerance) {
     for (const Hollow& hollow : host->hollows) {
       const Vec w = hollow.plan[1] - hollow.plan[0], d = hollow.plan[3] - hollow.plan[0];
       const double grow = 2 * (tolerance + kTiny);
-      const Shape grown = make_box((hollow.plan[0] + hollow.plan[2]) * 0.5, length(w) + grow, length(d) + grow, hollow.heights, host->own_frame);
+      const Shape grown =
+          make_box((hollow.plan[0] + hollow.plan[2]) * 0.5, length(w) + grow, length(d) + grow, hollow.heights, host->own_frame);
       free.push_back({hollow.name, grown.plan, hollow.heights, hollow.carries});
       for (const double z : {hollow.heights.lo, hollow.heights.hi}) {
         if (z > heights.lo && z < heights.hi) cuts.insert(z);
@@ -54,7 +55,8 @@ SupportFault held_by_wall(const RoomView& view, const Body& body, const std::str
     if (named == nullptr || named == &wall) least = std::min(least, distance_to_wall(body, wall));
   }
   if (least <= view.options.mount_tolerance_m + kTiny) return {};
-  return {fmt::format("{} is {} m from {}, on which it hangs", body.id(), figure_beside(least, 0), named ? named->id : "every wall"), least};
+  return {fmt::format("{} is {} m from {}, on which it hangs", body.id(), figure_beside(least, 0), named ? named->id : "every wall"),
+          least};
 }
 
 SupportFault held_by_sill(const RoomView& view, const Body& body, const Face& window) {
@@ -65,7 +67,9 @@ SupportFault held_by_sill(const RoomView& view, const Body& body, const Face& wi
     return {fmt::format("the underside of {} is {} m from the sill of {}", body.id(), figure_beside(above, 0), window.id), std::abs(above)};
   }
   if (off <= depth + kTiny) return {};
-  return {fmt::format("the centre of {} is {} m from {}, whose sill is {} m deep", body.id(), figure_beside(off, depth), window.id, figure(depth)), off};
+  return {fmt::format("the centre of {} is {} m from {}, whose sill is {} m deep", body.id(), figure_beside(off, depth), window.id,
+                      figure(depth)),
+          off};
 }
 
 SupportFault held_by_body(const RoomView& view, const Body& body, const Body& below) {
@@ -80,7 +84,8 @@ SupportFault held_by_body(const RoomView& view, const Body& body, const Body& be
     if (stands && contains(hollow.plan, body.shape.center)) return {};
   }
   if (!contains(below.shape.plan, body.shape.center)) {
-    return {fmt::format("the centre of {} is not over {}, on which it stands", body.id(), below.id()), distance(below.shape.plan, body.shape.center)};
+    return {fmt::format("the centre of {} is not over {}, on which it stands", body.id(), below.id()),
+            distance(below.shape.plan, body.shape.center)};
   }
   const double above = body.underside() - below.top();
   if (std::abs(above) <= options.support_tolerance_m + kTiny) return {};
@@ -101,7 +106,9 @@ SupportFault direct_fault(const RoomView& view, const Body& body) {
   if (holder == "floor") {
     const double above = std::abs(body.underside());
     if (above <= view.options.support_tolerance_m + kTiny) return {};
-    return {fmt::format("the underside of {} is {} m {} the floor", body.id(), figure_beside(above, 0), body.underside() > 0 ? "above" : "below"), above};
+    return {fmt::format("the underside of {} is {} m {} the floor", body.id(), figure_beside(above, 0),
+                        body.underside() > 0 ? "above" : "below"),
+            above};
   }
   if (holder == "ceiling") {
     const double below = std::abs(view.height - body.top());

@@ -8,8 +8,8 @@ namespace layoutbox::judge {
 void check_collisions(const RoomView& view, Report& report);
 void check_bounds(const RoomView& view, Report& report);
 void check_support(const RoomView& view, Report& report);
-void check_openings(const RoomView& view, Report& report);   // doorSwing, openingClearance
-void check_ways(const RoomView& view, Report& report);       // navigability, accessibility
+void check_openings(const RoomView& view, Report& report);  // doorSwing, openingClearance
+void check_ways(const RoomView& view, Report& report);      // navigability, accessibility
 void check_relations(const RoomView& view, Report& report);
 
 // True when one body's box reaches into the other's by more than the tolerance, where no space of either is (scene-format.md, `spaces`).

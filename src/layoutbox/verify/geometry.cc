@@ -136,9 +136,7 @@ Interval extent(const Shape& shape, Vec direction) {
   return result;
 }
 
-double gap(const Shape& a, const Shape& b) {
-  return std::hypot(distance(a.plan, b.plan), std::max(0.0, -overlap(a.heights, b.heights)));
-}
+double gap(const Shape& a, const Shape& b) { return std::hypot(distance(a.plan, b.plan), std::max(0.0, -overlap(a.heights, b.heights))); }
 
 Shape make_box(Vec center, double width, double depth, Interval heights, const Frame& frame) {
   const Vec w = frame.x * (width / 2), d = frame.y * (depth / 2);
@@ -158,27 +156,6 @@ double penetration(const Shape& a, const Shape& b) {
     }
   }
   return depth;
-}
-
-double angle_to(Vec from, Vec direction, const Polygon& plan) {
-  if (plan.size() > 2 && contains(plan, from)) return 0;
-  double least = 180;
-  bool left = false, right = false;  // corners ahead on either side of the ray: then it may meet an edge
-  for (const Vec corner : plan) {
-    const Vec way = corner - from;
-    const double turn = std::atan2(cross(direction, way), dot(direction, way)) * (180.0 / std::numbers::pi);
-    least = std::min(least, std::abs(turn));
-    left |= turn >= 0;
-    right |= turn <= 0;
-  }
-  if (!left || !right) return least;
-  for (std::size_t i = 0; i < edge_count(plan); ++i) {
-    const Vec a = plan[i] - from, b = plan[(i + 1) % plan.size()] - from;
-    const double side_a = cross(direction, a), side_b = cross(direction, b);
-    if ((side_a > 0) == (side_b > 0) || side_a == side_b) continue;
-    if (dot(to_line_crossing(a, b, side_a, side_b), direction) >= 0) return 0;
-  }
-  return least;
 }
 
 }  // namespace layoutbox::judge

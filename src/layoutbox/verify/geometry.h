@@ -58,10 +58,10 @@ double distance(const Polygon& a, Vec point);
 
 // An upright prism over a convex plan: a body, a wall's inner face, an opening.
 struct Shape {
-  Polygon plan;       // four corners, or the two ends of a face
+  Polygon plan;  // four corners, or the two ends of a face
   Vec center;
   Interval heights;
-  Frame frame;        // the frame in which left, right, front (−y) and back of it are meant
+  Frame frame;  // the frame in which left, right, front (−y) and back of it are meant
 };
 
 // Extent of a shape along a direction of unit length.
@@ -72,7 +72,5 @@ double gap(const Shape& a, const Shape& b);
 Shape make_box(Vec center, double width, double depth, Interval heights, const Frame& frame);
 // Depth in metres by which two boxes overlap along each of their edges and in height; zero or less when they do not.
 double penetration(const Shape& a, const Shape& b);
-// Smallest angle in degrees between `direction` at `from` and the way to a point of the shape's plan; 0 when the ray meets it.
-double angle_to(Vec from, Vec direction, const Polygon& plan);
 
 }  // namespace layoutbox::judge

@@ -29,9 +29,10 @@ void check_swing(const RoomView& view, const Face& door, Report& report, int& cl
   clear += blockers.empty();
   const bool given_up = !blockers.empty() && swing_given_up(view.layout, door.id);
   report.checks.push_back({"doorSwing", door.id, blockers.empty(), !given_up, deepest, "m",
-                           blockers.empty() ? fmt::format("{} opens freely", door.id)
-                                            : fmt::format("{} cannot open fully: {} in its swing, {} m deep{}", door.id, fmt::join(blockers, ", "),
-                                                          figure_beside(deepest, 0), given_up ? " (given up, as listed)" : ""),
+                           blockers.empty()
+                               ? fmt::format("{} opens freely", door.id)
+                               : fmt::format("{} cannot open fully: {} in its swing, {} m deep{}", door.id, fmt::join(blockers, ", "),
+                                             figure_beside(deepest, 0), given_up ? " (given up, as listed)" : ""),
                            pointer_of(door)});
 }
 
@@ -64,7 +65,8 @@ void check_openings(const RoomView& view, Report& report) {
     check_swing(view, opening, report, swings);
   }
   for (const std::string& id : view.unplaced_openings) {
-    report.checks.push_back({"reference", id, false, true, 0, "", fmt::format("{} has no place on a wall that is there", id), "/room/openings"});
+    report.checks.push_back(
+        {"reference", id, false, true, 0, "", fmt::format("{} has no place on a wall that is there", id), "/room/openings"});
   }
   const auto share = [](int part, std::size_t whole) { return whole == 0 ? 1.0 : part / static_cast<double>(whole); };
   report.metrics["openingClearance"] = share(clear, view.openings.size());

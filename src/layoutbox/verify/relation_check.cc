@@ -61,8 +61,11 @@ Finding each_pair(const Case& c, const std::function<Finding(const Body&, const 
 
 std::vector<const Face*> named_or_all(const Case& c, const std::vector<Face>& all, const std::function<bool(const Face&)>& wanted) {
   std::vector<const Face*> faces;
+  // What is named is meant, be it a door or a window.
   for (const Reference& reference : c.references) {
-    if (reference.face != nullptr && wanted(*reference.face)) faces.push_back(reference.face);
+    const bool fits =
+        reference.face != nullptr && (wanted(*reference.face) || (reference.face->opening != nullptr && &all == &c.view.openings));
+    if (fits) faces.push_back(reference.face);
   }
   const bool any_named = std::any_of(c.references.begin(), c.references.end(), [](const Reference& r) { return !r.is_place(); });
   if (any_named) return faces;
@@ -73,13 +76,16 @@ std::vector<const Face*> named_or_all(const Case& c, const std::vector<Face>& al
 }
 
 Finding any_wall(const Case& c, const std::function<Finding(const Face&)>& check) {
-  return any_face(c, c.view.walls, [](const Face& face) { return face.opening == nullptr; }, "there is no such wall", check);
+  return any_face(
+      c, c.view.walls, [](const Face& face) { return face.opening == nullptr; }, "there is no such wall", check);
 }
 Finding any_door(const Case& c, const std::function<Finding(const Face&)>& check) {
-  return any_face(c, c.view.openings, [](const Face& face) { return face.is_door(); }, "there is no such door", check);
+  return any_face(
+      c, c.view.openings, [](const Face& face) { return face.is_door(); }, "there is no such door", check);
 }
 Finding any_window(const Case& c, const std::function<Finding(const Face&)>& check) {
-  return any_face(c, c.view.openings, [](const Face& face) { return face.is_window(); }, "there is no such window", check);
+  return any_face(
+      c, c.view.openings, [](const Face& face) { return face.is_window(); }, "there is no such window", check);
 }
 
 Finding at_most(const std::string& what, double value, double limit, double slack) {
@@ -108,7 +114,8 @@ Finding condition(bool held, const std::string& message) { return {held, held ? 
 
 Finding degrees_at_most(const std::string& what, double value, double limit) {
   const bool held = value <= limit + kTiny;
-  return {held, value, "degrees", fmt::format("{} {:.0f} degrees, at most {:.0f}", what, value, limit), held ? 0 : value / kDegreesPerMetre};
+  return {held, value, "degrees", fmt::format("{} {:.0f} degrees, at most {:.0f}", what, value, limit),
+          held ? 0 : value / kDegreesPerMetre};
 }
 
 }  // namespace layoutbox::judge

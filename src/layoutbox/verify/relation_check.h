@@ -17,9 +17,9 @@ namespace layoutbox::judge {
 struct Finding {
   bool held = true;
   double value = 0;
-  std::string unit;       // "m", "degrees" or empty
+  std::string unit;  // "m", "degrees" or empty
   std::string message;
-  double miss = 0;        // by how much the limit is broken, in metres (degrees count as centimetres)
+  double miss = 0;  // by how much the limit is broken, in metres (degrees count as centimetres)
 };
 
 // A reference of a relation: exactly one of body and face, or neither (the room, its floor or its ceiling).
@@ -49,11 +49,11 @@ struct Case {
 #undef LAYOUTBOX_RELATION
 
 // ---- putting findings together
-Finding all_of(std::vector<Finding> findings);                      // the worst that fails, else the first
+Finding all_of(std::vector<Finding> findings);                       // the worst that fails, else the first
 Finding any_of(std::vector<Finding> findings, std::string nothing);  // the best; fails with `nothing` when there is none
 Finding each_target(const Case& c, const std::function<Finding(const Body&)>& check);
 Finding each_pair(const Case& c, const std::function<Finding(const Body&, const Reference&)>& check);
-Finding any_wall(const Case& c, const std::function<Finding(const Face&)>& check);     // of those named, else of all
+Finding any_wall(const Case& c, const std::function<Finding(const Face&)>& check);  // of those named, else of all
 Finding any_door(const Case& c, const std::function<Finding(const Face&)>& check);
 Finding any_window(const Case& c, const std::function<Finding(const Face&)>& check);
 std::vector<const Face*> named_or_all(const Case& c, const std::vector<Face>& all, const std::function<bool(const Face&)>& wanted);
@@ -91,7 +91,7 @@ Interval room_extent(const Body& body, Axis axis);
 double turn_between(double a_deg, double b_deg);
 Vec front_of(const Body& body);
 
-inline constexpr double kAngleSlack = 1.0;    // degrees
-inline constexpr double kLookAngle = 15.0;    // degrees
+inline constexpr double kAngleSlack = 1.0;  // degrees
+inline constexpr double kLookAngle = 15.0;  // degrees
 
 }  // namespace layoutbox::judge

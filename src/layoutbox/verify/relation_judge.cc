@@ -56,7 +56,8 @@ Finding measure(const RoomView& view, const Relation& relation) {
 }
 
 bool is_relaxed(const Layout& layout, const Relation& relation) {
-  return std::any_of(layout.relaxed.begin(), layout.relaxed.end(), [&](const Relaxation& relaxed) { return relaxed.relation == relation.id; });
+  return std::any_of(layout.relaxed.begin(), layout.relaxed.end(),
+                     [&](const Relaxation& relaxed) { return relaxed.relation == relation.id; });
 }
 
 std::string verdict(const PlacedRelation& placed, const Finding& finding, bool relaxed) {

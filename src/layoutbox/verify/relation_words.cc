@@ -96,9 +96,15 @@ Finding covers(const Case& c, const Body& t, const Shape& r, double grow, const 
 
 Finding looks_at(const Body& t, const Reference& r, const RoomView& view) {
   if (!t.has_front) return condition(true, t.id() + " has no front");
-  const Polygon place{{view.floor_x.mid(), view.floor_y.mid()}};
-  const double angle = angle_to(t.shape.center, front_of(t), r.is_place() ? place : r.shape().plan);
-  return degrees_at_most(fmt::format("{} is turned from {} by", t.id(), r.id), angle, kLookAngle);
+  const Shape middle{{{view.floor_x.mid(), view.floor_y.mid()}}, {}, {}, {}};
+  const Shape& shape = r.is_place() ? middle : r.shape();
+  const Vec front = front_of(t);
+  const Interval ahead = extent(shape, front), across = extent(shape, t.own_frame.x);
+  const double from = dot(t.shape.center, front), off = std::abs(across.mid() - dot(t.shape.center, t.own_frame.x));
+  const std::string what = fmt::format("{} is turned from {} by", t.id(), r.id);
+  if (ahead.hi < from + t.depth / 2 - kTiny) return degrees_at_most(what, 180, kLookAngle);
+  const bool ray_meets_it = off <= across.half() + kTiny;
+  return degrees_at_most(what, ray_meets_it ? 0.0 : std::atan2(off, std::max(0.0, ahead.lo - from)) * (180.0 / kPi), kLookAngle);
 }
 
 Finding shares_half_along(const Case& c, const Body& t, const Face& face) {
@@ -112,7 +118,8 @@ Finding side_along_wall(const Case& c, const Body& t, const Face& wall, const st
   for (const Side which : sides) {
     const BodySide side = side_of(t, which);
     const double turn = std::acos(std::clamp(dot(side.outward, wall.inward * -1), -1.0, 1.0)) * (180.0 / kPi);
-    findings.push_back(degrees_at_most(fmt::format("the {} of {} is turned from {} by", name_of(which), t.id(), wall.id), turn, kAngleSlack));
+    findings.push_back(
+        degrees_at_most(fmt::format("the {} of {} is turned from {} by", name_of(which), t.id(), wall.id), turn, kAngleSlack));
   }
   return all_of({any_of(std::move(findings), "there is no such side"),
                  at_most(fmt::format("gap between {} and {}", t.id(), wall.id), gap(t.shape, wall.shape), max_gap, c.slack()),
@@ -122,8 +129,9 @@ Finding side_along_wall(const Case& c, const Body& t, const Face& wall, const st
 Finding keeps_out_of_opening(const Case& c, const Body& t, const Face& opening, std::optional<double> depth) {
   if (t.rug || (opening.is_window() && t.curtain)) return condition(true, t.id() + " is in nobody's way");
   const double before = penetration(t.shape, depth ? space_before(opening, *depth) : space_before(opening));
-  return all_of({at_most(fmt::format("{} reaches into the space before {} by", t.id(), opening.id), std::max(0.0, before), 0, c.slack()),
-                 at_most(fmt::format("{} reaches into the swing of {} by", t.id(), opening.id), swing_intrusion(opening, t), 0, c.slack())});
+  return all_of(
+      {at_most(fmt::format("{} reaches into the space before {} by", t.id(), opening.id), std::max(0.0, before), 0, c.slack()),
+       at_most(fmt::format("{} reaches into the swing of {} by", t.id(), opening.id), swing_intrusion(opening, t), 0, c.slack())});
 }
 
 }  // namespace layoutbox::judge

@@ -16,8 +16,9 @@ double rounded(double value) {
 }
 
 Json to_json(const Check& check) {
-  return {{"name", check.name},         {"subject", check.subject}, {"passed", check.passed},   {"required", check.required},
-          {"value", rounded(check.value)}, {"unit", check.unit},       {"message", check.message}, {"pointer", check.pointer}};
+  return {{"name", check.name},         {"subject", check.subject},      {"passed", check.passed},
+          {"required", check.required}, {"value", rounded(check.value)}, {"unit", check.unit},
+          {"message", check.message},   {"pointer", check.pointer}};
 }
 
 }  // namespace

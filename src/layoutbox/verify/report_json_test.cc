@@ -34,7 +34,8 @@ TEST(ReportSchema, FitsReportsOfEveryKindOfFault) {
   TestRoom room;
   room.door("door1", "wall1", 1).door("door2", "wall9", 1).window("window1", "wall3", 2);
   room.add("bed", "bed", {1.6, 2, 0.5}, {1, 1.2}).used({Side::kFront}).add("desk", "desk", {1.2, 0.6, 0.75}, {0.5, 1.2, 0.2, 30});
-  for (const RelationRow& row : relation_table()) room.relation(row.type, {"bed"}, {"desk"}).relation(row.type, {"desk"}, {"wall2"}).relation(row.type, {"desk"}, {"window1"});
+  for (const RelationRow& row : relation_table())
+    room.relation(row.type, {"bed"}, {"desk"}).relation(row.type, {"desk"}, {"wall2"}).relation(row.type, {"desk"}, {"window1"});
   EXPECT_EQ(schema_errors(write_report(room.judge())), "");
   room.layout.room.polygon.clear();
   EXPECT_EQ(schema_errors(write_report(room.judge())), "");

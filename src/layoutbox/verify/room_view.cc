@@ -109,7 +109,8 @@ void RoomView::read_faces() {
     }
     const Vec start = wall->start + wall->along * metres(*holes[i].offset);
     const double sill = metres(holes[i].sill);
-    openings.push_back(make_face(start, start + wall->along * metres(holes[i].width), wall->inward, {sill, sill + metres(holes[i].height)}));
+    openings.push_back(
+        make_face(start, start + wall->along * metres(holes[i].width), wall->inward, {sill, sill + metres(holes[i].height)}));
     openings.back().index = i;
     openings.back().id = holes[i].id;
     openings.back().opening = &holes[i];
@@ -157,7 +158,9 @@ const Face* RoomView::find_opening(std::string_view id) const {
 }
 
 bool RoomView::belongs_to(const Body& other, const Body& body) const {
-  const auto names = [](const std::vector<std::string>& ids, const std::string& id) { return std::find(ids.begin(), ids.end(), id) != ids.end(); };
+  const auto names = [](const std::vector<std::string>& ids, const std::string& id) {
+    return std::find(ids.begin(), ids.end(), id) != ids.end();
+  };
   return std::any_of(layout.relations.begin(), layout.relations.end(), [&](const PlacedRelation& placed) {
     const RelationType type = placed.relation.type;
     const bool brings = type == RelationType::kTuckedUnder || type == RelationType::kAround || type == RelationType::kSurround ||

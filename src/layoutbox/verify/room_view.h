@@ -12,9 +12,9 @@
 
 namespace layoutbox::judge {
 
-inline constexpr double kRugHeight = 0.03;    // m: rugs and mats up to this height collide with nothing
-inline constexpr double kBodyReach = 2.0;     // m: what hangs higher is in nobody's way
-inline constexpr double kWindowDepth = 0.5;   // m: kept free in front of a window, above its sill
+inline constexpr double kRugHeight = 0.03;   // m: rugs and mats up to this height collide with nothing
+inline constexpr double kBodyReach = 2.0;    // m: what hangs higher is in nobody's way
+inline constexpr double kWindowDepth = 0.5;  // m: kept free in front of a window, above its sill
 
 // A free box within a body.
 struct Hollow {
@@ -25,12 +25,12 @@ struct Hollow {
 };
 
 struct Body {
-  std::size_t index = 0;              // in layout.objects
+  std::size_t index = 0;  // in layout.objects
   const PlacedObject* object = nullptr;
   const CatalogEntry* entry = nullptr;
-  Shape shape;                        // its frame is the room's where the kind has no front
-  Frame own_frame;                    // turned with it, front or not
-  double width = 0, depth = 0;        // along own_frame
+  Shape shape;                  // its frame is the room's where the kind has no front
+  Frame own_frame;              // turned with it, front or not
+  double width = 0, depth = 0;  // along own_frame
   std::vector<Hollow> hollows;
   bool rug = false, curtain = false, has_front = true;
   const std::string& id() const { return object->id; }
@@ -40,10 +40,10 @@ struct Body {
 
 // A wall's inner face, a door or a window; its frame has x along the wall and y out of the room.
 struct Face {
-  std::size_t index = 0;              // in room.walls or room.openings
+  std::size_t index = 0;  // in room.walls or room.openings
   std::string id;
-  const Opening* opening = nullptr;   // null: a wall
-  const Face* wall = nullptr;         // of an opening
+  const Opening* opening = nullptr;  // null: a wall
+  const Face* wall = nullptr;        // of an opening
   Shape shape;
   Vec start, end, along, inward;
   double length = 0;
@@ -81,12 +81,12 @@ class RoomView {
   const Layout& layout;
   const Catalog& catalog;
   const VerifyOptions& options;
-  Polygon floor;                     // counter-clockwise; empty when the layout has no polygon with an area
-  Interval floor_x, floor_y;         // its extents
+  Polygon floor;              // counter-clockwise; empty when the layout has no polygon with an area
+  Interval floor_x, floor_y;  // its extents
   double height = 0;
-  std::vector<Body> bodies;          // one per object, in order
-  std::vector<Face> walls;           // those that have a length
-  std::vector<Face> openings;        // those whose wall is there
+  std::vector<Body> bodies;    // one per object, in order
+  std::vector<Face> walls;     // those that have a length
+  std::vector<Face> openings;  // those whose wall is there
   std::vector<std::string> unplaced_openings;
 
  private:

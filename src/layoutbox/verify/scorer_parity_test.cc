@@ -38,8 +38,8 @@ nlohmann::json scores(const fs::path& folder, std::size_t count) {
   table << "ID,Description,ObjCount,ObjAttr,OORel,OARel,Difficulty,SceneScope\n";
   for (std::size_t i = 0; i < count; ++i) table << i << ",a room,,,,,easy,single_room\n";
   table.close();
-  const auto outcome = run_process({python(), (kShared / "tools" / "score_layouts.py").string(), (folder / "annotations.csv").string(), folder.string(),
-                                    "--json", (folder / "scores.json").string()});
+  const auto outcome = run_process({python(), (kShared / "tools" / "score_layouts.py").string(), (folder / "annotations.csv").string(),
+                                    folder.string(), "--json", (folder / "scores.json").string()});
   EXPECT_TRUE(outcome && outcome->exit_status == 0) << (outcome ? outcome->output : outcome.error().message);
   std::ifstream file(folder / "scores.json");
   return nlohmann::json::parse(file).at("scenes");
@@ -99,30 +99,37 @@ class RandomRoom {
   }
 
   void add(TestRoom& room, const std::string& id) {
-    static const std::vector<Kind> kKinds{
-        {"bed", {1.6, 2.0, 0.5}, {Side::kFront, Side::kLeft, Side::kRight}}, {"desk", {1.2, 0.6, 0.75}, {Side::kFront}}, {"wardrobe", {1.2, 0.6, 2.0}, {Side::kFront}},
-        {"chair", {0.45, 0.45, 0.6}, {Side::kFront, Side::kBack, Side::kLeft, Side::kRight}}, {"rug", {1.6, 1.2, 0.02}, {}}, {"plant", {0.3, 0.3, 0.8}, {}},
-        {"bookshelf", {0.8, 0.3, 1.8}, {Side::kFront}}};
+    static const std::vector<Kind> kKinds{{"bed", {1.6, 2.0, 0.5}, {Side::kFront, Side::kLeft, Side::kRight}},
+                                          {"desk", {1.2, 0.6, 0.75}, {Side::kFront}},
+                                          {"wardrobe", {1.2, 0.6, 2.0}, {Side::kFront}},
+                                          {"chair", {0.45, 0.45, 0.6}, {Side::kFront, Side::kBack, Side::kLeft, Side::kRight}},
+                                          {"rug", {1.6, 1.2, 0.02}, {}},
+                                          {"plant", {0.3, 0.3, 0.8}, {}},
+                                          {"bookshelf", {0.8, 0.3, 1.8}, {Side::kFront}}};
     static constexpr std::array kTurns{0.0, 90.0, 180.0, 270.0, 0.0, 90.0, 33.0, 247.5};
     static constexpr std::array kLifts{0.0, 0.0, 0.0, 0.004, 0.02};
     const Kind& kind = kKinds[static_cast<std::size_t>(number(0, static_cast<int>(kKinds.size()) - 1))];
-    Place place{0.01 * number(0, width_ / 10), 0.01 * number(0, depth_ / 10), kLifts[static_cast<std::size_t>(number(0, 4))], kTurns[static_cast<std::size_t>(number(0, 7))]};
+    Place place{0.01 * number(0, width_ / 10), 0.01 * number(0, depth_ / 10), kLifts[static_cast<std::size_t>(number(0, 4))],
+                kTurns[static_cast<std::size_t>(number(0, 7))]};
     std::string on = "floor";
     if (!room.layout.objects.empty() && number(0, 3) == 0) {
       const PlacedObject& host = room.layout.objects[static_cast<std::size_t>(number(0, static_cast<int>(room.layout.objects.size()) - 1))];
       const double top = number(0, 1) == 0 || host.spaces.empty() ? host.size.height : host.spaces.front().min[2];
-      place = {host.position[0] / 1000 + 0.01 * number(-40, 40), host.position[1] / 1000 + 0.01 * number(-20, 20), (host.position[2] + top) / 1000 + place.z, place.rotation};
+      place = {host.position[0] / 1000 + 0.01 * number(-40, 40), host.position[1] / 1000 + 0.01 * number(-20, 20),
+               (host.position[2] + top) / 1000 + place.z, place.rotation};
       on = host.id;
       room.add(id, "book", {0.2, 0.15, 0.25}, place, on);
       return;
     }
     if (number(0, 6) == 0) {
-      room.add(id, "painting", {0.6, 0.04, 0.5}, {0.01 * number(30, width_ / 10), depth_ / 1000.0 - 0.01 * number(1, 5), 1.5}, room.layout.room.openings[1].wall);
+      room.add(id, "painting", {0.6, 0.04, 0.5}, {0.01 * number(30, width_ / 10), depth_ / 1000.0 - 0.01 * number(1, 5), 1.5},
+               room.layout.room.openings[1].wall);
       return;
     }
     room.add(id, kind.category, kind.size, place, on).used(kind.used);
     if (std::string(kind.category) == "desk") room.space("knees", {-0.55, -0.3, 0}, {0.55, 0.25, 0.68}, false);
-    if (std::string(kind.category) == "bookshelf") room.space("low", {-0.38, -0.15, 0.1}, {0.38, 0.14, 0.9}).space("high", {-0.38, -0.15, 0.92}, {0.38, 0.14, 1.78});
+    if (std::string(kind.category) == "bookshelf")
+      room.space("low", {-0.38, -0.15, 0.1}, {0.38, 0.14, 0.9}).space("high", {-0.38, -0.15, 0.92}, {0.38, 0.14, 1.78});
   }
 
   std::mt19937 random_;
@@ -164,7 +171,8 @@ TEST(ScorerParity, RandomLayouts) {
   }
   const nlohmann::json scenes = scores(folder->path(), kRooms);
   for (std::size_t i = 0; i < kRooms; ++i) {
-    expect_same_figures(scenes.at(i), verify(layouts[i], Catalog::builtin()), "seed " + std::to_string(seed) + ", room " + std::to_string(i) + " ");
+    expect_same_figures(scenes.at(i), verify(layouts[i], Catalog::builtin()),
+                        "seed " + std::to_string(seed) + ", room " + std::to_string(i) + " ");
   }
 }
 

@@ -37,8 +37,8 @@ class TestRoom {
   }
 
   // Size in metres, width × depth × height. Stands on the floor unless `on` says otherwise.
-  TestRoom& add(const std::string& id, const std::string& category, std::array<double, 3> size, Place place, const std::string& on = "floor",
-                Mount mount = Mount::kFloor) {
+  TestRoom& add(const std::string& id, const std::string& category, std::array<double, 3> size, Place place,
+                const std::string& on = "floor", Mount mount = Mount::kFloor) {
     PlacedObject object;
     object.id = id;
     object.category = category;
@@ -46,7 +46,10 @@ class TestRoom {
     object.position = {place.x * 1000, place.y * 1000, place.z * 1000};
     object.rotation_deg = place.rotation;
     object.supported_by = on;
-    object.mount = on == "ceiling" ? Mount::kCeiling : on.starts_with("wall") ? Mount::kWall : on != "floor" && mount == Mount::kFloor ? Mount::kSurface : mount;
+    object.mount = on == "ceiling"                           ? Mount::kCeiling
+                   : on.starts_with("wall")                  ? Mount::kWall
+                   : on != "floor" && mount == Mount::kFloor ? Mount::kSurface
+                                                             : mount;
     layout.objects.push_back(object);
     return *this;
   }
@@ -64,8 +67,8 @@ class TestRoom {
     return *this;
   }
 
-  TestRoom& relation(RelationType type, std::vector<std::string> targets, std::vector<std::string> references = {}, RelationParameters parameters = {},
-                     bool hard = true) {
+  TestRoom& relation(RelationType type, std::vector<std::string> targets, std::vector<std::string> references = {},
+                     RelationParameters parameters = {}, bool hard = true) {
     PlacedRelation placed;
     placed.relation.id = "c" + std::to_string(layout.relations.size() + 1);
     placed.relation.type = type;
@@ -89,7 +92,8 @@ class TestRoom {
  private:
   static Point point(double x, double y) { return {mm_from_m(x), mm_from_m(y)}; }
 
-  TestRoom& opening(const std::string& id, OpeningType type, const std::string& wall, double offset, double width, double height, double sill, Swing swing) {
+  TestRoom& opening(const std::string& id, OpeningType type, const std::string& wall, double offset, double width, double height,
+                    double sill, Swing swing) {
     Opening hole;
     hole.id = id;
     hole.type = type;

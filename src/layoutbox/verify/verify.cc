@@ -18,7 +18,8 @@ Report verify(const Layout& layout, const Catalog& catalog, const VerifyOptions&
   judge::check_openings(view, report);
   judge::check_relations(view, report);
   judge::check_ways(view, report);
-  report.passed = std::all_of(report.checks.begin(), report.checks.end(), [](const Check& check) { return check.passed || !check.required; });
+  report.passed =
+      std::all_of(report.checks.begin(), report.checks.end(), [](const Check& check) { return check.passed || !check.required; });
   return report;
 }
 

@@ -12,27 +12,27 @@
 namespace layoutbox {
 
 struct VerifyOptions {
-  double collision_tolerance_m = 0.005;   // quality.md
+  double collision_tolerance_m = 0.005;  // quality.md
   double support_tolerance_m = 0.005;
   double mount_tolerance_m = 0.010;
-  double relation_slack_m = 0.005;        // a relation "just held" on the grid must not fail by rounding
+  double relation_slack_m = 0.005;  // a relation "just held" on the grid must not fail by rounding
 };
 
 struct Check {
-  std::string name;         // "collision", "outOfBounds", "support", "openingClearance", "doorSwing", "relation", "navigability"…
-  std::string subject;      // "bed_1 / desk_1", "c3", "door1"
+  std::string name;     // "collision", "outOfBounds", "support", "openingClearance", "doorSwing", "relation", "navigability"…
+  std::string subject;  // "bed_1 / desk_1", "c3", "door1"
   bool passed = true;
-  bool required = true;     // a required check that fails makes the report fail; others warn
-  double value = 0;         // the figure measured
+  bool required = true;  // a required check that fails makes the report fail; others warn
+  double value = 0;      // the figure measured
   std::string unit;
-  std::string message;      // one sentence for a person
-  std::string pointer;      // place in layout.json: "/objects/3"
+  std::string message;  // one sentence for a person
+  std::string pointer;  // place in layout.json: "/objects/3"
 };
 
 struct Report {
   bool passed = true;
-  std::vector<Check> checks;                 // every check made, passed or not
-  std::map<std::string, double> metrics;     // collisions, outOfBounds, support, navigability, accessibility, openingClearance, relationsHeld
+  std::vector<Check> checks;              // every check made, passed or not
+  std::map<std::string, double> metrics;  // collisions, outOfBounds, support, navigability, accessibility, openingClearance, relationsHeld
 };
 
 // Never fails on a readable layout; what is wrong with it stands in the report.

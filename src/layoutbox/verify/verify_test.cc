@@ -15,7 +15,9 @@ using testing::HasSubstr;
 // ---- collisions
 
 TestRoom two_boxes(double apart, double rotation = 0) {
-  return TestRoom().add("a", "wardrobe", {1.0, 0.6, 2.0}, {1.0, 1.0}).add("b", "wardrobe", {1.0, 0.6, 2.0}, {2.0 + apart, 1.0, 0, rotation});
+  return TestRoom()
+      .add("a", "wardrobe", {1.0, 0.6, 2.0}, {1.0, 1.0})
+      .add("b", "wardrobe", {1.0, 0.6, 2.0}, {2.0 + apart, 1.0, 0, rotation});
 }
 
 TEST(Collision, TouchingAndFiveMillimetresAreNone) {
@@ -233,9 +235,7 @@ TEST(OpeningClearance, CurtainsAndRugsDoNotBlock) {
 // ---- ways
 
 TEST(Ways, AWallOfFurnitureSplitsTheFloor) {
-  const auto with_gap = [](double gap) {
-    return TestRoom(4, 4).add("a", "wardrobe", {4 - gap, 0.5, 2}, {(4 - gap) / 2, 2});
-  };
+  const auto with_gap = [](double gap) { return TestRoom(4, 4).add("a", "wardrobe", {4 - gap, 0.5, 2}, {(4 - gap) / 2, 2}); };
   EXPECT_EQ(with_gap(0.5).judge().metrics.at("navigability"), 1);
   EXPECT_NEAR(with_gap(0.1).judge().metrics.at("navigability"), 0.5, 0.01);
 }
@@ -258,12 +258,17 @@ TEST(Ways, AccessNeedsOneFreeSide) {
 TestRoom claimed(double gap, bool hard) {
   RelationParameters near;
   near.max = 500;
-  return TestRoom().add("a", "bed", {1, 1, 1}, {1, 1}).add("b", "bed", {1, 1, 1}, {2 + gap, 1}).relation(RelationType::kNextTo, {"b"}, {"a"}, near, hard);
+  return TestRoom()
+      .add("a", "bed", {1, 1, 1}, {1, 1})
+      .add("b", "bed", {1, 1, 1}, {2 + gap, 1})
+      .relation(RelationType::kNextTo, {"b"}, {"a"}, near, hard);
 }
 
 TEST(Claims, FiguresInWords) {
-  EXPECT_THAT(find_check(claimed(0.62, true).judge(), "relation")->message, HasSubstr("0.62 m, at most 0.50 m (the layout says that it holds)"));
-  EXPECT_THAT(find_check(claimed(0.3, true).judge(), "relation")->message, HasSubstr("nextTo holds: distance between b and a 0.30 m, at most 0.50 m"));
+  EXPECT_THAT(find_check(claimed(0.62, true).judge(), "relation")->message,
+              HasSubstr("0.62 m, at most 0.50 m (the layout says that it holds)"));
+  EXPECT_THAT(find_check(claimed(0.3, true).judge(), "relation")->message,
+              HasSubstr("nextTo holds: distance between b and a 0.30 m, at most 0.50 m"));
 }
 
 TEST(Claims, HardFailsSoftWarnsRelaxedIsListed) {
@@ -280,7 +285,9 @@ TEST(Claims, HardFailsSoftWarnsRelaxedIsListed) {
 
 TEST(Claims, WhatIsNotThereIsReported) {
   TestRoom room;
-  room.add("a", "bed", {1, 1, 1}, {1, 1}).relation(RelationType::kNextTo, {"a"}, {"ghost"}).relation(RelationType::kNextTo, {"nobody"}, {"a"});
+  room.add("a", "bed", {1, 1, 1}, {1, 1})
+      .relation(RelationType::kNextTo, {"a"}, {"ghost"})
+      .relation(RelationType::kNextTo, {"nobody"}, {"a"});
   room.relation(RelationType::kNextTo, {"a"}, {}).relation(RelationType::kNextTo, {}, {"a"});
   const Report report = room.judge();
   for (const char* id : {"c1", "c2", "c3", "c4"}) EXPECT_FALSE(passes(report, "relation", id)) << id;
@@ -292,7 +299,9 @@ TEST(Claims, WhatIsNotThereIsReported) {
 TEST(Absurd, NeverCrashes) {
   TestRoom room;
   room.door("door1", "wall9", 0).door("door2", "wall1", -4000, 100000);
-  room.add("flat", "bed", {0, 0, 0}, {1, 1}).add("huge", "bed", {2e6, 2e6, 2e6}, {-1e6, 1e300, -1e300, 1e300}).used({Side::kFront, Side::kLeft});
+  room.add("flat", "bed", {0, 0, 0}, {1, 1})
+      .add("huge", "bed", {2e6, 2e6, 2e6}, {-1e6, 1e300, -1e300, 1e300})
+      .used({Side::kFront, Side::kLeft});
   room.add("nan", "bed", {1, 1, 1}, {std::numeric_limits<double>::quiet_NaN(), 0, 0, std::numeric_limits<double>::quiet_NaN()});
   room.space("inside out", {1, 1, 1}, {-1e12, -1, 0});
   for (const RelationRow& row : relation_table()) {

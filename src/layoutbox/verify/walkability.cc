@@ -11,13 +11,13 @@
 namespace layoutbox::judge {
 namespace {
 
-constexpr int kResolution = 256;          // pixels, as in quality.md
-constexpr double kPerson = 0.2;           // m, width of who walks in `navigability`
+constexpr int kResolution = 256;                       // pixels, as in quality.md
+constexpr double kPerson = 0.2;                        // m, width of who walks in `navigability`
 constexpr double kStripDepth = 0.2, kStripGap = 0.05;  // m, the strip of `accessibility`
 constexpr double kLeastNavigability = 0.99, kLeastAccess = 0.9;
-constexpr int kMostSamples = 4096;        // along a side: enough for any room, and bounded for absurd sizes
-constexpr double kStandsBelow = 0.05;     // m: what begins higher is not used from the floor
-constexpr double kReachSlack = 0.02;      // m, half a pixel of a large room
+constexpr int kMostSamples = 4096;     // along a side: enough for any room, and bounded for absurd sizes
+constexpr double kStandsBelow = 0.05;  // m: what begins higher is not used from the floor
+constexpr double kReachSlack = 0.02;   // m, half a pixel of a large room
 constexpr int kReachResolution = 384;
 
 std::size_t places(int n) { return static_cast<std::size_t>(n); }
@@ -51,7 +51,8 @@ double side_access(const Body& body, Side which, const Plan& plan) {
 
 }  // namespace
 
-Plan::Plan(const RoomView& view, double margin, int resolution) : resolution_(resolution), free_(places(resolution) * places(resolution), 0) {
+Plan::Plan(const RoomView& view, double margin, int resolution)
+    : resolution_(resolution), free_(places(resolution) * places(resolution), 0) {
   if (view.floor.empty()) return;
   middle_ = {(view.floor_x.lo + view.floor_x.hi) / 2, (view.floor_y.lo + view.floor_y.hi) / 2};
   step_ = (std::max(view.floor_x.length(), view.floor_y.length()) / 2 + margin) / (resolution / 2);

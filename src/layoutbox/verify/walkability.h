@@ -31,7 +31,9 @@ class Plan {
   int resolution() const { return resolution_; }
   Vec point(int column, int row) const;
   bool free(int column, int row) const { return free_[index(column, row)] != 0; }
-  std::size_t index(int column, int row) const { return static_cast<std::size_t>(row) * static_cast<std::size_t>(resolution_) + static_cast<std::size_t>(column); }
+  std::size_t index(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(resolution_) + static_cast<std::size_t>(column);
+  }
 
  private:
   void draw_floor(const Polygon& floor);

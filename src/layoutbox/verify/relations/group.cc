@@ -32,8 +32,8 @@ Finding spread_over_sides(const Case& c, const Reference& r) {
   for (const Body* target : c.targets) ++taken[side_taken(*target, r.shape())];
   const std::size_t allowed = (c.targets.size() + 1) / 2;
   const auto fullest = std::max_element(taken.begin(), taken.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
-  return condition(fullest->second <= allowed, fmt::format("{} of {} stand at the {} side of {}, at most {}", fullest->second, c.targets.size(),
-                                                           name_of(fullest->first), r.id, allowed));
+  return condition(fullest->second <= allowed, fmt::format("{} of {} stand at the {} side of {}, at most {}", fullest->second,
+                                                           c.targets.size(), name_of(fullest->first), r.id, allowed));
 }
 
 // Neighbours sorted along an axis.
@@ -110,7 +110,8 @@ Finding between_two(const Case& c, const Body& t, const Reference& first, const 
     const double middle = room_extent(t, other).mid();
     const std::string what = fmt::format("{} is between {} and {} along {} by", t.id(), first.id, second.id, name_of(axis));
     axes.push_back(all_of({at_least(what, std::min(own.lo - a.hi, b.lo - own.hi), 0, c.slack()),
-                           at_most(fmt::format("{} is off the way between them by", t.id()), std::max(across.lo - middle, middle - across.hi), 0, c.slack())}));
+                           at_most(fmt::format("{} is off the way between them by", t.id()),
+                                   std::max(across.lo - middle, middle - across.hi), 0, c.slack())}));
   }
   return any_of(std::move(axes), {});
 }
@@ -187,7 +188,8 @@ Finding check_EachSideOf(const Case& c) {
   });
   const int odd = static_cast<int>(c.targets.size() % 2);
   if (!sides.held) return sides;
-  return all_of({sides, condition(std::abs(balance) <= odd, fmt::format("one side has {} more than the other, at most {}", std::abs(balance), odd))});
+  return all_of(
+      {sides, condition(std::abs(balance) <= odd, fmt::format("one side has {} more than the other, at most {}", std::abs(balance), odd))});
 }
 
 Finding check_Between(const Case& c) {
@@ -210,13 +212,15 @@ Finding check_Column(const Case& c) { return in_row(c, Axis::kY); }
 Finding check_Grid(const Case& c) {
   const std::size_t count = c.targets.size();
   const int given = c.relation.parameters.columns.value_or(0);
-  const std::size_t columns = given > 0 ? static_cast<std::size_t>(given) : static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(count))));
+  const std::size_t columns =
+      given > 0 ? static_cast<std::size_t>(given) : static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(count))));
   const std::size_t rows = (count + columns - 1) / columns;
   const std::vector<double> x = lines_along(c, Axis::kX), y = lines_along(c, Axis::kY);
   const std::size_t wanted_x = std::min(columns, count);
-  std::vector<Finding> findings{
-      condition(x.size() == wanted_x && y.size() == rows, fmt::format("{} columns and {} rows, to be {} and {}", x.size(), y.size(), wanted_x, rows)),
-      equally_spaced(x, "distances of the columns differ by"), equally_spaced(y, "distances of the rows differ by")};
+  std::vector<Finding> findings{condition(x.size() == wanted_x && y.size() == rows,
+                                          fmt::format("{} columns and {} rows, to be {} and {}", x.size(), y.size(), wanted_x, rows)),
+                                equally_spaced(x, "distances of the columns differ by"),
+                                equally_spaced(y, "distances of the rows differ by")};
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t j = i + 1; j < count; ++j) {
       const Vec apart = c.targets[i]->shape.center - c.targets[j]->shape.center;
@@ -229,7 +233,8 @@ Finding check_Grid(const Case& c) {
     if (!gap || lines.size() < 2) continue;
     double length = 0;
     for (const Body* target : c.targets) length = std::max(length, room_extent(*target, axis).length());
-    findings.push_back(equal_to(fmt::format("gap between neighbours along {}", name_of(axis)), lines[1] - lines[0] - length, *gap, kSpacing));
+    findings.push_back(
+        equal_to(fmt::format("gap between neighbours along {}", name_of(axis)), lines[1] - lines[0] - length, *gap, kSpacing));
   }
   return all_of(std::move(findings));
 }
@@ -248,15 +253,17 @@ Finding check_SymmetricAbout(const Case& c) {
       const Vec mirrored = shape.center + way - axis * (2 * dot(way, axis));
       double nearest = std::numeric_limits<double>::infinity();
       for (const Body* other : c.targets) nearest = std::min(nearest, length(other->shape.center - mirrored));
-      findings.push_back(at_most(fmt::format("{} has its mirror image in {} missed by", target->id(), r.id), nearest, 0, kSpacing + c.slack()));
+      findings.push_back(
+          at_most(fmt::format("{} has its mirror image in {} missed by", target->id(), r.id), nearest, 0, kSpacing + c.slack()));
     }
   }
   return all_of(std::move(findings));
 }
 
 Finding check_Surround(const Case& c) {
-  std::vector<Finding> findings{each_pair(
-      c, [&](const Body& t, const Reference& r) { return all_of({gap_within(c, t, r, std::nullopt, max_of(c)), looks_at(t, r, c.view)}); })};
+  std::vector<Finding> findings{each_pair(c, [&](const Body& t, const Reference& r) {
+    return all_of({gap_within(c, t, r, std::nullopt, max_of(c)), looks_at(t, r, c.view)});
+  })};
   for (const Reference& r : c.references) {
     if (!r.is_place()) findings.push_back(spread_in_circle(c, r));
   }

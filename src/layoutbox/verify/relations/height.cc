@@ -11,8 +11,8 @@
 namespace layoutbox::judge {
 namespace {
 
-constexpr double kUnderRise = 0.05;   // m: what lies under a thing may begin that much higher than it (a box under a bed on low feet)
-constexpr double kAboveReach = 0.1;   // m: a picture over a sofa that stands a little off the wall is above it
+constexpr double kUnderRise = 0.05;  // m: what lies under a thing may begin that much higher than it (a box under a bed on low feet)
+constexpr double kAboveReach = 0.1;  // m: a picture over a sofa that stands a little off the wall is above it
 
 // The space that a body stands in, or null.
 const Hollow* hollow_under(const Case& c, const Body& t, const Body& host) {
@@ -25,7 +25,8 @@ const Hollow* hollow_under(const Case& c, const Body& t, const Body& host) {
 
 Finding named_space(const Case& c, const Body& t, const Body& host, const std::string& name) {
   const Hollow* hollow = hollow_under(c, t, host);
-  return condition(hollow != nullptr && hollow->name == name, fmt::format("{} stands {} {} of {}", t.id(), hollow && hollow->name == name ? "in" : "not in", name, host.id()));
+  return condition(hollow != nullptr && hollow->name == name,
+                   fmt::format("{} stands {} {} of {}", t.id(), hollow && hollow->name == name ? "in" : "not in", name, host.id()));
 }
 
 // One word of `part`: a half, a third or a space of the host.
@@ -33,7 +34,9 @@ Finding in_part(const Case& c, const Body& t, const Body& host, const std::strin
   const Frame& frame = host.shape.frame;
   const Interval x = extent(host.shape, frame.x), y = extent(host.shape, frame.y);
   const double off_x = dot(t.shape.center, frame.x) - x.mid(), off_y = dot(t.shape.center, frame.y) - y.mid();
-  const auto half = [&](double value) { return at_least(fmt::format("{} is in the {} half of {} by", t.id(), word, host.id()), value, 0, c.slack()); };
+  const auto half = [&](double value) {
+    return at_least(fmt::format("{} is in the {} half of {} by", t.id(), word, host.id()), value, 0, c.slack());
+  };
   const auto outer = [&](double off, const Interval& side) {
     return at_least(fmt::format("{} is off the middle of {} by", t.id(), host.id()), std::abs(off), side.length() / 6, c.slack());
   };
@@ -62,7 +65,8 @@ Finding in_parts(const Case& c, const Body& t, const Body& host) {
 }
 
 Finding held_by(const Case& c, const Body& t, const std::string& holder) {
-  if (t.object->supported_by != holder) return condition(false, fmt::format("{} is held by {}, not by {}", t.id(), t.object->supported_by, holder));
+  if (t.object->supported_by != holder)
+    return condition(false, fmt::format("{} is held by {}, not by {}", t.id(), t.object->supported_by, holder));
   const SupportFault fault = support_fault(c.view, t);
   return condition(fault.message.empty(), fault.message.empty() ? fmt::format("{} stands on {}", t.id(), holder) : fault.message);
 }
@@ -77,32 +81,38 @@ Finding within_plan(const Case& c, const Body& t, const Body& host) {
   std::vector<Finding> findings;
   for (const Vec axis : {host.shape.frame.x, host.shape.frame.y}) {
     const Interval a = extent(t.shape, axis), b = extent(host.shape, axis);
-    findings.push_back(at_most(fmt::format("{} reaches out of {} by", t.id(), host.id()), std::max(b.lo - a.lo, a.hi - b.hi), 0, c.slack()));
+    findings.push_back(
+        at_most(fmt::format("{} reaches out of {} by", t.id(), host.id()), std::max(b.lo - a.lo, a.hi - b.hi), 0, c.slack()));
   }
   return all_of(std::move(findings));
 }
 
 Finding above_opening(const Case& c, const Body& t, const Face& opening) {
   return all_of({at_least(fmt::format("the underside of {} is at", t.id()), t.underside(), opening.shape.heights.hi, c.slack()),
-                 at_most(fmt::format("distance between {} and {} in plan", t.id(), opening.id), distance(t.shape.plan, opening.shape.plan), kAboveReach, c.slack()),
+                 at_most(fmt::format("distance between {} and {} in plan", t.id(), opening.id), distance(t.shape.plan, opening.shape.plan),
+                         kAboveReach, c.slack()),
                  shares_half_along(c, t, opening)});
 }
 
 }  // namespace
 
 Finding below_window(const Case& c, const Body& t, const Face& window, double max) {
-  return all_of({at_most(fmt::format("distance between {} and {} in plan", t.id(), window.id), distance(t.shape.plan, window.shape.plan), max, c.slack()),
+  return all_of({at_most(fmt::format("distance between {} and {} in plan", t.id(), window.id), distance(t.shape.plan, window.shape.plan),
+                         max, c.slack()),
                  shares_half_along(c, t, window),
                  at_most(fmt::format("the middle of {} is at height", t.id()), t.shape.heights.mid(), window.shape.heights.lo, c.slack())});
 }
 
-Finding check_On(const Case& c) { return each_pair(c, [&](const Body& t, const Reference& r) { return stands_on(c, t, r); }); }
+Finding check_On(const Case& c) {
+  return each_pair(c, [&](const Body& t, const Reference& r) { return stands_on(c, t, r); });
+}
 
 Finding check_Under(const Case& c) {
   return each_pair(c, [&](const Body& t, const Reference& r) {
     if (r.is_place()) return condition(false, "nothing is under " + r.id);
     if (r.face != nullptr) return below_window(c, t, *r.face, 0.5);
-    return all_of({at_most(fmt::format("the underside of {} is above that of {} by", t.id(), r.id), t.underside() - r.body->underside(), kUnderRise, c.slack()),
+    return all_of({at_most(fmt::format("the underside of {} is above that of {} by", t.id(), r.id), t.underside() - r.body->underside(),
+                           kUnderRise, c.slack()),
                    at_most(fmt::format("the middle of {} is at height", t.id()), t.shape.heights.mid(), r.shape().heights.mid(), c.slack()),
                    covers(c, t, r.shape(), 0, r.id)});
   });
@@ -126,10 +136,10 @@ Finding check_In(const Case& c) {
   return each_pair(c, [&](const Body& t, const Reference& r) {
     if (r.body == nullptr) return check_Inside(c);
     const double below_top = r.body->top() - t.underside();
-    std::vector<Finding> findings{held_by(c, t, r.id),
-                                  condition(hollow_under(c, t, *r.body) != nullptr, fmt::format("{} is not in a space of {}", t.id(), r.id)),
-                                  within_plan(c, t, *r.body),
-                                  at_least(fmt::format("{} is below the top of {} over", t.id(), r.id), below_top, t.shape.heights.length() / 2, c.slack())};
+    std::vector<Finding> findings{
+        held_by(c, t, r.id), condition(hollow_under(c, t, *r.body) != nullptr, fmt::format("{} is not in a space of {}", t.id(), r.id)),
+        within_plan(c, t, *r.body),
+        at_least(fmt::format("{} is below the top of {} over", t.id(), r.id), below_top, t.shape.heights.length() / 2, c.slack())};
     if (!part.empty()) findings.push_back(in_parts(c, t, *r.body));
     return all_of(std::move(findings));
   });

@@ -27,9 +27,7 @@ Finding far_from_all(const Case& c, const std::function<bool(const Face&)>& want
 
 Finding check_UnderWindow(const Case& c) {
   const double max = c.metres(c.relation.parameters.max, "max").value_or(0.3);
-  return each_target(c, [&](const Body& t) {
-    return any_window(c, [&](const Face& window) { return below_window(c, t, window, max); });
-  });
+  return each_target(c, [&](const Body& t) { return any_window(c, [&](const Face& window) { return below_window(c, t, window, max); }); });
 }
 
 Finding check_NearDoor(const Case& c) {

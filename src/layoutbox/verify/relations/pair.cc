@@ -22,7 +22,14 @@ Finding beyond_within_reach(const Case& c, Side side) {
 
 Finding distances(const Case& c) {
   const RelationParameters& given = c.relation.parameters;
-  return each_pair(c, [&](const Body& t, const Reference& r) { return gap_within(c, t, r, c.metres(given.min, "min"), c.metres(given.max, "max")); });
+  return each_pair(
+      c, [&](const Body& t, const Reference& r) { return gap_within(c, t, r, c.metres(given.min, "min"), c.metres(given.max, "max")); });
+}
+
+// After how many degrees a body looks the same again: a kind without a front after half a turn, a square one after a quarter.
+double period_of(const Body& body) {
+  if (body.has_front) return 360;
+  return std::abs(body.width - body.depth) < 0.0005 ? 90 : 180;
 }
 
 // How far the turn of t against the reference is from one of the turns allowed (multiples of `step` degrees, from `first`).
@@ -31,14 +38,15 @@ Finding turned(const Case& c, double first, double step, const std::string& what
     if (r.is_place()) return condition(false, r.id + " has no direction");
     const Vec x = r.body != nullptr ? r.body->own_frame.x : r.shape().frame.x;
     const double turn = std::atan2(cross(x, t.own_frame.x), dot(x, t.own_frame.x)) * (180.0 / kPi);
-    const double off = std::abs(std::remainder(turn - first, step));
+    const double period = std::min({step, period_of(t), r.body != nullptr ? period_of(*r.body) : 180});
+    const double off = std::abs(std::remainder(turn - first, period));
     return degrees_at_most(fmt::format("{} is off {} {} by", t.id(), what, r.id), off, kAngleSlack);
   });
 }
 
 Finding centred_along(const Case& c, const Body& t, const Reference& r, Vec axis) {
-  return at_most(fmt::format("centres of {} apart by", name_of_pair(t, r)), std::abs(extent(t.shape, axis).mid() - extent(r.shape(), axis).mid()), 0,
-                 c.slack());
+  return at_most(fmt::format("centres of {} apart by", name_of_pair(t, r)),
+                 std::abs(extent(t.shape, axis).mid() - extent(r.shape(), axis).mid()), 0, c.slack());
 }
 
 bool used_all_round(const Body& body) {
@@ -71,7 +79,8 @@ Finding tucked(const Case& c, const Body& t, const Reference& r, Side which) {
   const Vec out = direction_of(shape.frame, which);
   const Vec along = which == Side::kFront || which == Side::kBack ? shape.frame.x : shape.frame.y;
   const Interval across_t = extent(t.shape, along), across_r = extent(shape, along);
-  return all_of({at_least(fmt::format("{} reaches under {} by", t.id(), r.id), extent(shape, out).hi - extent(t.shape, out).lo, kTuckedAtLeast, c.slack()),
+  return all_of({at_least(fmt::format("{} reaches under {} by", t.id(), r.id), extent(shape, out).hi - extent(t.shape, out).lo,
+                          kTuckedAtLeast, c.slack()),
                  at_side(c, t, r, which),
                  at_most(fmt::format("{} reaches past the side of {} by", t.id(), r.id),
                          std::max(across_r.lo - across_t.lo, across_t.hi - across_r.hi), 0, c.slack())});
@@ -87,7 +96,8 @@ Finding check_AtFootOf(const Case& c) { return beyond_within_reach(c, Side::kFro
 Finding check_InFrontOf(const Case& c) {
   return each_pair(c, [&](const Body& t, const Reference& r) {
     if (r.face == nullptr) return all_of({gap_within(c, t, r, std::nullopt, max_of(c, 1.5)), beyond(c, t, r, Side::kFront)});
-    return all_of({at_most(fmt::format("distance between {} in plan", name_of_pair(t, r)), distance(t.shape.plan, r.shape().plan), max_of(c, 1.5), c.slack()),
+    return all_of({at_most(fmt::format("distance between {} in plan", name_of_pair(t, r)), distance(t.shape.plan, r.shape().plan),
+                           max_of(c, 1.5), c.slack()),
                    beyond(c, t, r, Side::kFront)});
   });
 }

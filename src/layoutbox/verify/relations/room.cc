@@ -48,7 +48,8 @@ Finding check_AgainstWall(const Case& c) {
 
 Finding check_SideAgainstWall(const Case& c) {
   return each_target(c, [&](const Body& t) {
-    const std::vector<Side> sides = c.relation.parameters.side ? sides_named(t, *c.relation.parameters.side) : std::vector{Side::kLeft, Side::kRight};
+    const std::vector<Side> sides =
+        c.relation.parameters.side ? sides_named(t, *c.relation.parameters.side) : std::vector{Side::kLeft, Side::kRight};
     return any_wall(c, [&](const Face& wall) { return side_along_wall(c, t, wall, sides, wall_gap(c)); });
   });
 }
@@ -66,8 +67,9 @@ Finding check_Corner(const Case& c) {
         const Face &a = c.view.walls[i], &b = c.view.walls[j];
         if (!meet_in_corner(a, b)) continue;
         if (!all_walls && (named.size() == 1 ? !is_named(a) && !is_named(b) : !is_named(a) || !is_named(b))) continue;
-        corners.push_back(all_of({at_most(fmt::format("distance between {} and {}", t.id(), a.id), gap(t.shape, a.shape), max, c.slack()),
-                                  at_most(fmt::format("distance between {} and {}", t.id(), b.id), gap(t.shape, b.shape), max, c.slack())}));
+        corners.push_back(
+            all_of({at_most(fmt::format("distance between {} and {}", t.id(), a.id), gap(t.shape, a.shape), max, c.slack()),
+                    at_most(fmt::format("distance between {} and {}", t.id(), b.id), gap(t.shape, b.shape), max, c.slack())}));
       }
     }
     return any_of(std::move(corners), "there is no such corner");
@@ -76,8 +78,9 @@ Finding check_Corner(const Case& c) {
 
 Finding check_CenterOfRoom(const Case& c) {
   const double max = c.metres(c.relation.parameters.max, "max").value_or(0.05);
-  return all_of({at_most("off the middle of the room along x by", std::abs(common_extent(c, {1, 0}).mid() - c.view.floor_x.mid()), max, c.slack()),
-                 at_most("off the middle of the room along y by", std::abs(common_extent(c, {0, 1}).mid() - c.view.floor_y.mid()), max, c.slack())});
+  return all_of(
+      {at_most("off the middle of the room along x by", std::abs(common_extent(c, {1, 0}).mid() - c.view.floor_x.mid()), max, c.slack()),
+       at_most("off the middle of the room along y by", std::abs(common_extent(c, {0, 1}).mid() - c.view.floor_y.mid()), max, c.slack())});
 }
 
 Finding check_CenteredOnWall(const Case& c) {
@@ -104,8 +107,10 @@ Finding check_InRegion(const Case& c) {
     if (has("front")) findings.push_back(at_most(fmt::format("the centre of {} is at y", t.id()), at.y, y.mid(), c.slack()));
     if (has("back")) findings.push_back(at_least(fmt::format("the centre of {} is at y", t.id()), at.y, y.mid(), c.slack()));
     if (middle) {
-      findings.push_back(at_most(fmt::format("{} is off the middle along x by", t.id()), std::abs(at.x - x.mid()), x.length() / 6, c.slack()));
-      findings.push_back(at_most(fmt::format("{} is off the middle along y by", t.id()), std::abs(at.y - y.mid()), y.length() / 6, c.slack()));
+      findings.push_back(
+          at_most(fmt::format("{} is off the middle along x by", t.id()), std::abs(at.x - x.mid()), x.length() / 6, c.slack()));
+      findings.push_back(
+          at_most(fmt::format("{} is off the middle along y by", t.id()), std::abs(at.y - y.mid()), y.length() / 6, c.slack()));
     }
     return all_of(std::move(findings));
   });

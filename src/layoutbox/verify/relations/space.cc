@@ -36,8 +36,8 @@ Finding strip_free(const Case& c, const Body& t, Side which) {
   const Shape strip = make_box(centre, depth, 2 * side.half_width, {0, kStandingRoom}, {side.outward, {-side.outward.y, side.outward.x}});
   const double area = signed_area(strip.plan);
   const double off = area > 0 ? 1 - signed_area(clip(c.view.floor, strip.plan)) / area : 0;
-  std::vector<Finding> findings{condition(off <= 0.01, fmt::format("{:.0f} % of the {} m at the {} of {} are outside the room", off * 100, figure(depth),
-                                                                   name_of(which), t.id()))};
+  std::vector<Finding> findings{condition(off <= 0.01, fmt::format("{:.0f} % of the {} m at the {} of {} are outside the room", off * 100,
+                                                                   figure(depth), name_of(which), t.id()))};
   for (const Body& other : c.view.bodies) {
     if (&other == &t || other.rug || carried_by(c.view, other, t) || c.view.belongs_to(other, t)) continue;
     findings.push_back(at_most(fmt::format("{} stands in the {} m at the {} of {} by", other.id(), figure(depth), name_of(which), t.id()),
@@ -48,9 +48,7 @@ Finding strip_free(const Case& c, const Body& t, Side which) {
   return finding;
 }
 
-Interval part(Interval whole, int from, int to) {
-  return {whole.lo + whole.length() * from / 3, whole.lo + whole.length() * to / 3};
-}
+Interval part(Interval whole, int from, int to) { return {whole.lo + whole.length() * from / 3, whole.lo + whole.length() * to / 3}; }
 
 // Thirds of the floor's extent that must stay free.
 Finding out_of_region(const Case& c, const Body& t, const std::string& region) {
@@ -63,7 +61,8 @@ Finding out_of_region(const Case& c, const Body& t, const std::string& region) {
   if (has("back")) y = part(c.view.floor_y, 2, 3);
   if (middle) x = part(c.view.floor_x, 1, 2), y = part(c.view.floor_y, 1, 2);
   const Shape place = make_box({x.mid(), y.mid()}, x.length(), y.length(), t.shape.heights, {});
-  return at_most(fmt::format("{} reaches into the {} of the room by", t.id(), region), std::max(0.0, penetration(t.shape, place)), 0, c.slack());
+  return at_most(fmt::format("{} reaches into the {} of the room by", t.id(), region), std::max(0.0, penetration(t.shape, place)), 0,
+                 c.slack());
 }
 
 }  // namespace
