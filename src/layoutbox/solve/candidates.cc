@@ -103,6 +103,7 @@ struct CandidateFinder::Grid {
 
 CandidateFinder::CandidateFinder(const Model& model, std::vector<char> given_up) : model_(model), given_up_(std::move(given_up)) {
   given_up_.resize(model.constraints.size(), 0);
+  left_out_.resize(model.items.size(), 0);
 }
 
 CandidateFinder::~CandidateFinder() = default;
@@ -114,10 +115,13 @@ bool CandidateFinder::enforced(int constraint) const {
 bool CandidateFinder::reduce(const Placements& placements, const Case& one, int item, int state, Reduced& out) const {
   out.price = one.price * kPoint;
   for (const StateLiteral& literal : one.states) {
+    if (left_out_[literal.item]) return false;
     const int s = literal.item == item ? state : placements[literal.item].state;
     if (s >= 0 && !(literal.states >> s & 1)) return false;
   }
+  const auto is_out = [&](const Term& term) { return left_out_[term.item] != 0; };
   for (const Linear& form : one.at_least_zero) {
+    if (std::any_of(form.terms.begin(), form.terms.end(), is_out)) return false;
     const Partial p = partial_of(model_, placements, form, item, state);
     if (p.unknown) continue;
     const int axis = p.axis();

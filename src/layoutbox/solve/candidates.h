@@ -60,6 +60,8 @@ class CandidateFinder {
  public:
   // `given_up`: by constraint index; those need not hold.
   CandidateFinder(const Model& model, std::vector<char> given_up);
+  // By item: not there at all; what speaks of them cannot hold.
+  void leave_out(const std::vector<char>& items) { left_out_ = items; }
   ~CandidateFinder();
 
   // The item itself is taken as not placed.
@@ -88,7 +90,7 @@ class CandidateFinder {
   std::int64_t access_cost(int item, const Placement& placement);
 
   const Model& model_;
-  std::vector<char> given_up_;
+  std::vector<char> given_up_, left_out_;
   Placements probe_;                          // the placements, with the item tried
   std::vector<std::vector<Reduced>> pool_;    // per enforced formula, its cases that are possible
   std::vector<Region> regions_;

@@ -35,7 +35,7 @@ std::string reference_in_words(const Model& model, const std::string& id) {
 Mm least_width(const Item& item) { return item.object->size->least.width; }
 
 std::string sizes_in_words(const Item& item) {
-  const Size& size = item.states.back().size;
+  const Size& size = item.fixed ? item.states[0].size : item.object->size->least;
   return fmt::format("{:.2f} × {:.2f} × {:.2f} m", size.width / 1000.0, size.depth / 1000.0, size.height / 1000.0);
 }
 
@@ -90,6 +90,20 @@ std::int64_t room_area(const Model& model) {
   std::int64_t area = floor_area(model.room);
   for (const Box& outside : model.outside) area -= floor_area(outside);
   return area;
+}
+
+// Relations without a single case: left of itself, in a thing that has no inside.
+void add_never(const Model& model, const std::vector<char>& given_up, std::vector<Clash>& out) {
+  for (std::size_t c = 0; c < model.constraints.size(); ++c) {
+    const Constraint& constraint = model.constraints[c];
+    if (constraint.relation < 0 || constraint.firmness != Firmness::kHard || given_up[c]) continue;
+    const auto never = [](const Formula& f) { return f.cases.empty(); };
+    if (std::none_of(constraint.formulas.begin(), constraint.formulas.end(), never)) continue;
+    Clash clash;
+    clash.demands.push_back({Demand::Kind::kConstraint, static_cast<int>(c)});
+    clash.sentence = fmt::format("it can never be that {}", relation_in_words(model, model.scene->relations[constraint.relation]));
+    out.push_back(std::move(clash));
+  }
 }
 
 void add_too_large(const Model& model, const std::vector<char>& left_out, std::vector<Clash>& out) {
@@ -252,6 +266,7 @@ std::string describe_clash(const Model& model, const Clash& clash) {
 
 std::vector<Clash> clashes_by_sums(const Model& model, const std::vector<char>& given_up, const std::vector<char>& left_out) {
   std::vector<Clash> out;
+  add_never(model, given_up, out);
   add_too_large(model, left_out, out);
   add_too_wide(model, given_up, left_out, out);
   if (out.empty()) add_too_much(model, left_out, out);

@@ -6,6 +6,7 @@ namespace {
 constexpr std::int64_t kPoint = 1000;
 constexpr Mm kBodyReach = 2000;   // what begins higher is in nobody's way
 constexpr Mm kHalfPerson = 100;
+constexpr Mm kArmLength = 150;   // how near one must come to a door or a thing
 
 }  // namespace
 
@@ -90,7 +91,7 @@ namespace {
 
 class WalkRaster {
  public:
-  explicit WalkRaster(const Model& model) : model_(model) {
+  WalkRaster(const Model& model, const Placements& placements, Mm half_person) : model_(model), half_(half_person) {
     const Mm longest = std::max(model.room.extent(0), model.room.extent(1));
     step_ = std::max<Mm>(25, longest / 160);
     columns_ = model.room.extent(0) / step_ + 1, rows_ = model.room.extent(1) / step_ + 1;
@@ -101,15 +102,33 @@ class WalkRaster {
     block({{r.lo[0], r.lo[1] - 1000, 0}, {r.hi[0], r.lo[1], 0}});
     block({{r.lo[0], r.hi[1], 0}, {r.hi[0], r.hi[1] + 1000, 0}});
     for (const Box& outside : model.outside) block(outside);
+    for (std::size_t i = 0; i < model.items.size(); ++i) {
+      if (placements[i].state < 0) continue;
+      const Box box = box_of(model.items[i], placements[i]);
+      if (blocks_floor(model.items[i], box)) block(box);
+    }
   }
 
   // A box grown by half a person; cells are points.
   void block(const Box& box) {
-    const int x0 = cell(box.lo[0] - kHalfPerson - model_.room.lo[0], true), x1 = cell(box.hi[0] + kHalfPerson - model_.room.lo[0], false);
-    const int y0 = cell(box.lo[1] - kHalfPerson - model_.room.lo[1], true), y1 = cell(box.hi[1] + kHalfPerson - model_.room.lo[1], false);
+    const int x0 = cell(box.lo[0] - half_ - model_.room.lo[0], true), x1 = cell(box.hi[0] + half_ - model_.room.lo[0], false);
+    const int y0 = cell(box.lo[1] - half_ - model_.room.lo[1], true), y1 = cell(box.hi[1] + half_ - model_.room.lo[1], false);
     for (int y = std::max(0, y0); y <= std::min(rows_ - 1, y1); ++y) {
       for (int x = std::max(0, x0); x <= std::min(columns_ - 1, x1); ++x) free_[static_cast<std::size_t>(y) * columns_ + x] = 0;
     }
+  }
+
+  // Is there a way from near one of the boxes `from` to near `to`?
+  bool way(const std::vector<Box>& from, const Box& to) {
+    const std::vector<char> free = free_;
+    std::vector<int> stack;
+    for (const Box& box : from) {
+      for (const int start : cells_near(box)) {
+        if (free_[start]) flood(start, stack);
+      }
+    }
+    const std::vector<int> goal = cells_near(to);
+    return std::any_of(goal.begin(), goal.end(), [&](int at) { return free[at] && !free_[at]; });
   }
 
   int largest_permille() {
@@ -126,6 +145,18 @@ class WalkRaster {
 
  private:
   int cell(Mm along, bool up) const { return up ? (along + step_ - 1 + 100 * step_) / step_ - 100 : (along + 100 * step_) / step_ - 100; }
+
+  std::vector<int> cells_near(const Box& box) const {
+    std::vector<int> cells;
+    const Mm reach = half_ + kArmLength;
+    for (int y = 0; y < rows_; ++y) {
+      for (int x = 0; x < columns_; ++x) {
+        const Mm px = model_.room.lo[0] + x * step_, py = model_.room.lo[1] + y * step_;
+        if (px >= box.lo[0] - reach && px <= box.hi[0] + reach && py >= box.lo[1] - reach && py <= box.hi[1] + reach) cells.push_back(y * columns_ + x);
+      }
+    }
+    return cells;
+  }
 
   int flood(int start, std::vector<int>& stack) {
     int size = 0;
@@ -149,6 +180,7 @@ class WalkRaster {
   }
 
   const Model& model_;
+  Mm half_;
   Mm step_ = 25;
   int columns_ = 0, rows_ = 0;
   std::vector<char> free_;
@@ -156,17 +188,27 @@ class WalkRaster {
 
 }  // namespace
 
-int walk_permille(const Model& model, const Placements& placements) {
-  WalkRaster raster(model);
+int walk_permille(const Model& model, const Placements& placements) { return WalkRaster(model, placements, kHalfPerson).largest_permille(); }
+
+bool reachable(const Model& model, int item, Mm width, const Placements& placements) {
+  if (placements[item].state < 0) return false;
+  std::vector<Box> doors;
   for (std::size_t i = 0; i < model.items.size(); ++i) {
-    if (placements[i].state < 0) continue;
-    const Box box = box_of(model.items[i], placements[i]);
-    if (blocks_floor(model.items[i], box)) raster.block(box);
+    const Item& door = model.items[i];
+    if (door.is_opening() && door.opening->type != OpeningType::kWindow && placements[i].state >= 0) doors.push_back(box_of(door, placements[i]));
   }
-  return raster.largest_permille();
+  return !doors.empty() && WalkRaster(model, placements, width / 2).way(doors, box_of(model.items[item], placements[item]));
 }
 
-std::int64_t walk_cost(int permille) { return kPoint * kCostWeights.walk * std::max(0, 998 - permille); }
+std::int64_t ways_cost(const Model& model, const Placements& placements) {
+  std::int64_t cost = kPoint * kCostWeights.walk * std::max(0, 998 - walk_permille(model, placements));
+  for (const Constraint& constraint : model.constraints) {
+    for (const auto& [item, width] : constraint.reach) {
+      if (!reachable(model, item, width, placements)) cost += kPoint * kCostWeights.unreached;
+    }
+  }
+  return cost;
+}
 
 std::map<std::string, std::int64_t> cost_terms(const Model& model, const Placements& placements) {
   std::map<std::string, std::int64_t> terms{{"habits", 0}, {"relations", 0}, {"access", 0}, {"ways", 0}, {"sizes", 0}};
@@ -182,7 +224,7 @@ std::map<std::string, std::int64_t> cost_terms(const Model& model, const Placeme
     terms["access"] += access_cost_of(model, static_cast<int>(i), placements);
     terms["sizes"] += std::int64_t{kPoint} * kCostWeights.size_step * model.items[i].states[placements[i].state].size_step;
   }
-  terms["ways"] = walk_cost(walk_permille(model, placements));
+  terms["ways"] = ways_cost(model, placements);
   return terms;
 }
 

@@ -9,13 +9,14 @@
 namespace layoutbox::placement {
 
 // Points: for a used side that cannot be reached at all, for wanted floor that is blocked, per thousandth of free floor that is cut off,
-// per step below the usual size, per metre that something reaches into a door's swing that had to be given up.
+// per step below the usual size, per metre that something reaches into a door's swing that had to be given up, per relation `reachable` that does not hold.
 struct CostWeights {
   int access = 700;
   int wanted = 350;
   int walk = 6;
   int size_step = 150;
   int swing = 1500;
+  int unreached = 800;
 };
 inline constexpr CostWeights kCostWeights{};
 
@@ -36,7 +37,11 @@ std::int64_t access_cost_of(const Model& model, int item, const Placements& plac
 
 // Thousandths of the free floor that hang together for a person 0.2 m wide (largest part of all).
 int walk_permille(const Model& model, const Placements& placements);
-std::int64_t walk_cost(int permille);
+// Can somebody `width` wide walk from a door to a place beside the item?
+bool reachable(const Model& model, int item, Mm width, const Placements& placements);
+
+// Cost of cut off floor, and of `reachable` relations that do not hold.
+std::int64_t ways_cost(const Model& model, const Placements& placements);
 
 // All terms by name, for the layout's score.
 std::map<std::string, std::int64_t> cost_terms(const Model& model, const Placements& placements);

@@ -92,6 +92,7 @@ struct Constraint {
   Firmness firmness = Firmness::kHard;
   std::int32_t weight = 100;   // soft: points per metre missed; hard: the price of giving it up
   std::vector<Formula> formulas;
+  std::vector<std::pair<int, Mm>> reach;  // items to which somebody so wide must find a way; checked on layouts, not linear
   std::vector<int> hosts;      // habits: the items that are to be placed first
 };
 

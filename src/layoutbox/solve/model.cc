@@ -36,13 +36,18 @@ RoomWall room_wall(const Wall& wall) {
 
 Mm step_between(Mm usual, Mm least, int step, int steps) { return usual - static_cast<Mm>(std::int64_t{usual - least} * step / steps); }
 
-std::vector<Size> sizes_of(const SizeRange& range, int steps) {
-  std::vector<Size> sizes{range.usual};
-  for (int step = 1; step <= steps; ++step) {
-    const Size size{step_between(range.usual.width, range.least.width, step, steps), step_between(range.usual.depth, range.least.depth, step, steps),
-                    step_between(range.usual.height, range.least.height, step, steps)};
-    if (!(size == sizes.back())) sizes.push_back(size);
-  }
+// The sizes an object may have and how far each is from the usual one: steps down to the least; for what must hold others (`grows`),
+// steps up to the greatest as well.
+std::vector<std::pair<Size, int>> sizes_of(const SizeRange& range, int steps, bool grows) {
+  std::vector<std::pair<Size, int>> sizes{{range.usual, 0}};
+  const auto add = [&](const Size& towards, int step, int of) {
+    const Size size{step_between(range.usual.width, towards.width, step, of), step_between(range.usual.depth, towards.depth, step, of),
+                    step_between(range.usual.height, towards.height, step, of)};
+    const bool known = std::any_of(sizes.begin(), sizes.end(), [&](const auto& s) { return s.first == size; });
+    if (!known) sizes.emplace_back(size, step);
+  };
+  for (int step = 1; step <= steps; ++step) add(range.least, step, steps);
+  for (int step = 1; grows && step <= 2; ++step) add(range.greatest, step, 2);
   return sizes;
 }
 
@@ -145,6 +150,13 @@ Mount mount_of(const SceneGraph& scene, const SceneObject& object, const Catalog
   return object.mount.value_or(entry.mount);
 }
 
+bool holds_others(const SceneGraph& scene, const std::string& id) {
+  return std::any_of(scene.relations.begin(), scene.relations.end(), [&](const Relation& r) {
+    const bool holds = r.type == RelationType::kOn || r.type == RelationType::kIn;
+    return holds && std::find(r.references.begin(), r.references.end(), id) != r.references.end();
+  });
+}
+
 Item object_item(const SceneGraph& scene, const SceneObject& object, const Catalog& catalog, const ModelOptions& options) {
   Item item;
   item.id = object.id;
@@ -156,11 +168,11 @@ Item object_item(const SceneGraph& scene, const SceneObject& object, const Catal
   item.curtain = catalog.is_a(object.category, "curtain") || catalog.is_a(object.category, "blinds") || catalog.is_a(object.category, "blind");
   item.fixed = object.fixed && object.hint.position.has_value();
   const bool odd = sits_around(scene, object.id);
-  const std::vector<Size> sizes = item.fixed ? std::vector<Size>{object.size->usual} : sizes_of(*object.size, odd ? 1 : options.size_steps);
-  for (std::size_t step = 0; step < sizes.size(); ++step) {
+  const auto sizes = sizes_of(*object.size, item.fixed ? 0 : odd ? 1 : options.size_steps, !item.fixed && !odd && holds_others(scene, object.id));
+  for (const auto& [size, step] : sizes) {
     for (const int turn : turns_of(item, object, odd)) {
       const bool first = item.states.empty();
-      item.states.push_back(make_state(object, *item.entry, sizes[step], static_cast<int>(step), turn, first ? &item.spaces : nullptr));
+      item.states.push_back(make_state(object, *item.entry, size, step, turn, first ? &item.spaces : nullptr));
     }
   }
   if (item.fixed) {

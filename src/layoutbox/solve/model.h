@@ -15,7 +15,7 @@ namespace layoutbox::placement {
 // A way an item can stand: turned so, this big.
 struct State {
   int turn = 0;                // degrees, counter-clockwise
-  int size_step = 0;           // 0: the usual size; more: smaller
+  int size_step = 0;           // 0: the usual size; more: farther from it
   Size size;                   // at turn 0
   Vec3 extent{};               // of the box around the turned body
   std::vector<Mm> constants;   // by Quantity − kFirstConstant

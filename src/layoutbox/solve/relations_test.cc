@@ -96,9 +96,9 @@ TEST_P(Relations, HoldsWhereItCan) {
   EXPECT_EQ(layout->objects.size(), scene.objects.size());
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Relations, testing::ValuesIn(kExamples), [](const auto& info) { return std::string(info.param.name); });
+INSTANTIATE_TEST_SUITE_P(All, Relations, testing::ValuesIn(kExamples), [](const auto& example) { return std::string(example.param.name); });
 
-TEST(Relations, EveryRowHasAnExample) {
+TEST(RelationExamples, ThereIsOneForEveryRow) {
   for (const RelationRow& row : relation_table()) {
     EXPECT_TRUE(std::any_of(kExamples.begin(), kExamples.end(), [&](const Example& e) { return e.name == row.name; })) << row.name;
   }

@@ -189,6 +189,7 @@ bool Search::repair(Budget& budget) {
 bool Search::construct(const std::vector<char>& left_out, int restarts, Budget& budget) {
   left_out_ = left_out;
   left_out_.resize(model_.items.size(), 0);
+  finder_.leave_out(left_out_);
   Placements best;
   std::vector<int> best_failed;
   for (int attempt = 0; attempt <= restarts; ++attempt) {
@@ -237,10 +238,13 @@ bool Search::move(const std::vector<int>& group, std::int64_t noise, Budget& bud
     const std::int64_t gain = cost_before - cost_touching(group);
     budget.count(100);
     // The ways are costly to measure: only for what is better, or nearly as good, without them.
-    if (gain > -walk_cost(1000) && gain > -kPoint * 400) {
+    if (gain > -kPoint * 400) {
       budget.count(600);
-      const std::int64_t walk_before = walk_cost(walk_permille(model_, before)), walk_after = walk_cost(walk_permille(model_, placements_));
-      if (gain + walk_before - walk_after > 0) return true;
+      const std::int64_t ways_after = ways_cost(model_, placements_);
+      if (gain + ways_ - ways_after > 0) {
+        ways_ = ways_after;
+        return true;
+      }
     }
   }
   placements_ = before;
@@ -254,6 +258,7 @@ void Search::improve(Budget& budget) {
     if (placements_[i].state >= 0 && !item.fixed && !(item.is_opening() && item.opening->offset)) movable.push_back(static_cast<int>(i));
   }
   if (movable.empty()) return;
+  ways_ = ways_cost(model_, placements_);
   const auto count = static_cast<std::int64_t>(movable.size());
   std::vector<int> group;
   std::int64_t idle = 0;

@@ -21,7 +21,11 @@ class Search {
   void improve(Budget& budget);
 
   const Placements& placements() const { return placements_; }
-  void adopt(const Placements& placements) { placements_ = placements; }
+  void adopt(const Placements& placements, const std::vector<char>& left_out) {
+    placements_ = placements;
+    left_out_ = left_out;
+    finder_.leave_out(left_out);
+  }
   // Items that could not be placed in the best try.
   const std::vector<int>& failed() const { return failed_; }
 
@@ -43,6 +47,7 @@ class Search {
   int most_size_step_;
   Placements placements_;
   std::vector<int> failed_;
+  std::int64_t ways_ = 0;                      // cost of the ways as things stand, while improving
   std::vector<char> left_out_;
   std::vector<int> bonus_;                     // how often an item failed
   std::vector<std::vector<int>> depends_;      // item → items it refers to

@@ -30,7 +30,7 @@ class Solver {
  public:
   Solver(Model model, const SolveOptions& options)
       : model_(std::move(model)), options_(options), started_(Clock::now()), given_up_(model_.constraints.size(), 0),
-        left_out_(model_.items.size(), 0) {
+        left_out_(model_.items.size(), 0), placements_(model_.items.size()) {
     budget_.limit = options.effort * kStepsPerUnit;
     budget_.stop = [this] { return must_stop(); };
     proof_time_ = std::clamp(static_cast<double>(options.effort) * kProofTimePerUnit, 0.1, kLongestProof);
@@ -56,14 +56,15 @@ class Solver {
   Status find_legal() {
     for (std::size_t round = 0; round <= model_.constraints.size() + model_.items.size(); ++round) {
       if (interrupted()) return fail(ErrorCode::kInterrupted, "stopped");
+      if (fallback_) return {};
       const std::vector<Clash> sums = clashes_by_sums(model_, given_up_, left_out_);
       if (!sums.empty()) {
-        for (const Clash& clash : sums) LAYOUTBOX_CHECK(give_up(clash));
+        LAYOUTBOX_CHECK(give_up(sums[0]));  // one at a time: giving up the first may settle the others
         continue;
       }
-      if (fallback_ || search(given_up_)) return {};
+      if (search(given_up_)) return {};
       LAYOUTBOX_ASSIGN(const bool found, prove());
-      if (found || fallback_) return {};
+      if (found) return {};
       if (stopped_by_clock_) break;
     }
     return fail(ErrorCode::kNotFound, "no layout was found within the limits, and no proof that there is none", {}, "raise --effort or --time-limit");
@@ -171,6 +172,40 @@ class Solver {
     return (relation.assumed ? 1'000 : 10'000) + constraint.weight * 10;
   }
 
+  // How far a relation would be missed if it alone were given up; more than any distance where that does not help.
+  std::int64_t miss_without(int constraint) {
+    Model trial = model_;
+    trial.constraints[constraint].firmness = Firmness::kSoft;
+    std::vector<char> given_up = given_up_;
+    given_up[constraint] = 1;
+    Search search(trial, given_up, options_.seed, kAllSizes);
+    Budget budget{0, kLeastSteps, budget_.stop, false};
+    if (!search.construct(left_out_, 2, budget)) return 1 << 30;
+    return miss_of(trial, trial.constraints[constraint], search.placements());
+  }
+
+  // The least price; of equals the relation that is then missed by least, of those the last one said.
+  std::vector<Demand>::const_iterator cheapest_of(const Clash& clash) {
+    const auto begin = clash.demands.begin(), end = clash.demands.end();
+    const auto cheapest = std::min_element(begin, end, [&](const Demand& a, const Demand& b) {
+      return std::pair(price_of(a), -a.index) < std::pair(price_of(b), -b.index);
+    });
+    if (cheapest == end || cheapest->kind == Demand::Kind::kItem || options_.on_conflict != OnConflict::kRelax) return cheapest;
+    auto best = cheapest;
+    std::int64_t least = -1;
+    for (auto it = begin; it != end; ++it) {
+      if (price_of(*it) != price_of(*cheapest) || it->kind == Demand::Kind::kItem) continue;
+      if (least < 0) {
+        if (std::count_if(begin, end, [&](const Demand& d) { return price_of(d) == price_of(*cheapest); }) == 1) return cheapest;
+        least = miss_without(cheapest->index);
+      }
+      if (it == cheapest) continue;
+      const std::int64_t miss = miss_without(it->index);
+      if (miss < least) least = miss, best = it;
+    }
+    return best;
+  }
+
   Status give_up(const Clash& clash) {
     Conflict conflict;
     conflict.sentence = describe_clash(model_, clash);
@@ -182,11 +217,8 @@ class Solver {
         conflict.relations.push_back(model_.constraints[demand.index].name);
       }
     }
-    // Of equals the last one said: the main thing comes first.
-    const auto cheapest = std::min_element(clash.demands.begin(), clash.demands.end(), [&](const Demand& a, const Demand& b) {
-      return std::pair(price_of(a), -a.index) < std::pair(price_of(b), -b.index);
-    });
-    if (cheapest == clash.demands.end()) return fail(ErrorCode::kNotFound, "no layout was found, and nothing is left to give up");
+    const auto cheapest = cheapest_of(clash);
+    if (cheapest == clash.demands.cend()) return fail(ErrorCode::kNotFound, "no layout was found, and nothing is left to give up");
     const bool only_implied = cheapest->kind == Demand::Kind::kConstraint && model_.constraints[cheapest->index].firmness == Firmness::kImplied;
     conflicts_.push_back(conflict);
     if (options_.on_conflict == OnConflict::kFail && !only_implied && !clash.proven) {
@@ -251,7 +283,7 @@ class Solver {
 
   void improve() {
     Search search(model_, given_up_, options_.seed, size_limit_);
-    search.adopt(placements_);
+    search.adopt(placements_, left_out_);
     search.improve(budget_);
     placements_ = search.placements();
   }
@@ -283,6 +315,10 @@ class Solver {
       if (const auto relaxation = relaxation_of(index, why)) layout.relaxed.push_back(*relaxation);
     }
     for (const Relaxation& reason : reasons_) layout.relaxed.push_back(reason);
+    for (const PlacedRelation& r : layout.relations) {  // not linear, so never in a proof
+      if (r.held || !r.relation.hard || r.relation.type != RelationType::kReachable) continue;
+      layout.relaxed.push_back({r.relation.id, 0, "", "no free way was found: " + relation_in_words(model_, r.relation)});
+    }
     layout.conflicts = conflicts_;
     layout.status = fallback_ ? LayoutStatus::kFallback : layout.relaxed.empty() ? LayoutStatus::kSolved : LayoutStatus::kRelaxed;
     if (layout.status == LayoutStatus::kSolved) layout.conflicts.clear();  // what seemed impossible was only not found

@@ -25,7 +25,7 @@ Layout solved_fully(const SceneGraph& scene) {
   EXPECT_EQ(layout.status, LayoutStatus::kSolved) << (layout.conflicts.empty() ? "" : layout.conflicts[0].sentence);
   EXPECT_EQ(layout.objects.size(), scene.objects.size());
   for (const PlacedRelation& r : layout.relations) {
-    if (r.relation.hard) EXPECT_TRUE(r.held) << r.relation.id << " " << relation_row(r.relation.type).name;
+    EXPECT_TRUE(r.held || !r.relation.hard) << r.relation.id << " " << relation_row(r.relation.type).name;
   }
   return layout;
 }

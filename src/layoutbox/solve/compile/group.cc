@@ -232,10 +232,10 @@ void compile_PairedWith(Compilation& c) {
   const std::vector<int> refs = c.reference_items();
   if (refs.empty()) return;
   for (std::size_t i = 0; i < c.targets.size(); ++i) {
-    Case& in = c.formula().add();
+    Case in;
     const int r = refs[i % refs.size()];
-    require_within(in, c.model, c.targets[i], r, most);
     for (int axis = 0; axis < 2; ++axis) in.wish(mid2(c.targets[i], axis) - mid2(r, axis), 20, 2);
+    add_within(c.formula(), std::move(in), c.model, c.targets[i], r, most);
   }
 }
 

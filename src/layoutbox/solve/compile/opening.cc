@@ -20,16 +20,15 @@ void near_one(Compilation& c, bool windows) {
     Formula& f = c.formula();
     for (const int o : openings_meant(c, windows)) {
       if (least == 0) {
-        Case& in = f.add();
-        require_within(in, c.model, t, o, most);
+        Case in;
         for (int axis = 0; axis < 2; ++axis) in.wish(mid2(t, axis) - mid2(o, axis), 15, 2);
+        add_within(f, std::move(in), c.model, t, o, most);
         continue;
       }
       Formula apart;
       add_apart(apart, t, o, least);
       for (Case& in : apart.cases) {
-        require_within(in, c.model, t, o, most);
-        f.cases.push_back(std::move(in));
+        add_within(f, std::move(in), c.model, t, o, most);
       }
     }
   }

@@ -34,9 +34,8 @@ void add_band(Formula& f, const Compilation& c, int t, const Reference& r, Mm le
       apart.add();
     }
     for (Case& in : apart.cases) {
-      require_within(in, c.model, t, r.index, most);
       for (int axis = 0; axis < 2; ++axis) in.wish(mid2(t, axis) - mid2(r.index, axis), wished > 500 ? 4 : 15, 2);
-      f.cases.push_back(std::move(in));
+      add_within(f, std::move(in), c.model, t, r.index, most);
     }
     return;
   }

@@ -48,39 +48,47 @@ Mm gap_in_height(Mm low_a, Mm height_a, Mm low_b, Mm height_b) { return std::max
 
 }  // namespace
 
-void require_within(Case& c, const Model& model, int t, int r, Mm most) {
+void add_within(Formula& f, Case base, const Model& model, int t, int r, Mm most) {
   const Item &a = model.items[t], &b = model.items[r];
   const auto low_a = underside_of(a), low_b = underside_of(b);
-  std::int64_t single = std::int64_t{most} * 8 / 10, pair = std::int64_t{most} * 11 / 10;
-  int axes = 3;
-  if (low_a && low_b) {
-    // The states that come no farther apart in height than the first one does; what is left of the reach is for the plan.
-    const Mm reference = b.states[0].extent[2];
-    const auto gap_of = [&](const State& s) { return gap_in_height(*low_a, s.extent[2], *low_b, reference); };
+  const bool heights_known = low_a && low_b;
+  std::int64_t left = most;  // what the difference in height leaves for the plan
+  if (heights_known) {
+    // The states that come no farther apart in height than the first one does.
+    const auto gap_of = [&](const State& s) { return gap_in_height(*low_a, s.extent[2], *low_b, b.states[0].extent[2]); };
     Mm up = gap_of(a.states[0]);
     if (up * 10 > most * 9) {
       for (const State& state : a.states) up = std::min(up, gap_of(state));
     }
+    if (up > most) return;
     std::uint64_t fitting = 0;
     for (std::size_t s = 0; s < a.states.size(); ++s) {
       if (gap_of(a.states[s]) <= up) fitting |= std::uint64_t{1} << s;
     }
-    if (fitting != a.all_states) c.when(t, fitting);
-    const double left = up >= most ? 0 : std::sqrt(static_cast<double>(most) * most - static_cast<double>(up) * up);
-    if (up > most) c.require(Linear(-1));
-    single = static_cast<std::int64_t>(left * 0.92), pair = static_cast<std::int64_t>(left * 1.3);
-    axes = 2;
+    if (fitting != a.all_states) base.when(t, fitting);
+    left = static_cast<std::int64_t>(std::sqrt(static_cast<double>(most) * most - static_cast<double>(up) * up));
   }
-  for (int axis = 0; axis < axes; ++axis) {
-    c.require(Linear(single) - gap_towards(t, r, {axis, 1})).require(Linear(single) - gap_towards(t, r, {axis, -1}));
+  const auto limit = [&](Case& c, int axis, std::int64_t length) {
+    for (const int sign : {1, -1}) c.require(Linear(length) - gap_towards(t, r, {axis, sign}));
+  };
+  for (int axis = 0; axis < 2; ++axis) {
+    Case across = base;
+    limit(across, axis, left);
+    limit(across, 1 - axis, 0);
+    if (!heights_known) limit(across, 2, 0);
+    f.cases.push_back(std::move(across));
   }
+  const int axes = heights_known ? 2 : 3;
+  for (int axis = 0; axis < axes; ++axis) limit(base, axis, heights_known ? left * 92 / 100 : left * 8 / 10);
+  const std::int64_t pair = heights_known ? left * 13 / 10 : left * 11 / 10;
   for (int first = 0; first < axes; ++first) {
     for (int second = first + 1; second < axes; ++second) {
       for (const int s1 : {1, -1}) {
-        for (const int s2 : {1, -1}) c.require(Linear(pair) - gap_towards(t, r, {first, s1}) - gap_towards(t, r, {second, s2}));
+        for (const int s2 : {1, -1}) base.require(Linear(pair) - gap_towards(t, r, {first, s1}) - gap_towards(t, r, {second, s2}));
       }
     }
   }
+  f.cases.push_back(std::move(base));
 }
 
 void require_within_wall(Case& c, int t, const RoomWall& wall, Mm most) {

@@ -16,8 +16,8 @@ void for_each_turn(const Item& item, const std::function<void(int turn, std::uin
 // Distance along `d` from the edge of r to the nearer edge of t; negative where t reaches back over it.
 Linear gap_towards(int t, int r, Direction d);
 
-// gap(t, r) ≤ most, added to the case: an octagon within the circle in plan where both heights are known, else its like in space.
-void require_within(Case& c, const Model& model, int t, int r, Mm most);
+// gap(t, r) ≤ most, as cases of a formula that begin like `base`: straight across exactly, else an octagon within the circle.
+void add_within(Formula& f, Case base, const Model& model, int t, int r, Mm most);
 void require_within_wall(Case& c, int t, const RoomWall& wall, Mm most);
 // gap(t, r) ≥ least, as cases of a formula (an octagon around the circle).
 void add_apart(Formula& f, int t, int r, Mm least);

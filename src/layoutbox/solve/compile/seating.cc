@@ -8,7 +8,7 @@ namespace layoutbox::placement {
 namespace {
 
 // How far a seat is pushed under a table that has room for knees: a little, so that it still counts as round the table and can be sat on.
-constexpr Mm kReachUnder = 100, kKneeless = -40;
+constexpr Mm kReachUnder = 100, kKneeless = -40, kEasyChair = -350;
 
 constexpr std::array kSides{Side::kFront, Side::kBack, Side::kLeft, Side::kRight};
 
@@ -58,7 +58,9 @@ std::vector<Arm> arms_of(const Seats& seats, Mm width, Mm depth, Mm out) {
   return arms;
 }
 
-Mm wished_reach_under(const Item& table) {
+Mm wished_reach_under(const Item& seat, const Item& table) {
+  const std::vector<Side> used = seat.object->used_sides.value_or(seat.entry->used_sides);
+  if (used.size() == 1 && used[0] == Side::kFront) return kEasyChair;  // got into from the front only
   const bool knees = std::any_of(table.spaces.begin(), table.spaces.end(), [](const ItemSpace& s) { return !s.carries; });
   return knees ? kReachUnder : kKneeless;
 }
@@ -86,7 +88,7 @@ void add_case(Formula& f, Compilation& c, int r, int table_turn, std::uint64_t t
       // n · mid2(t) = 2n · lo(r) + (2k + 1) · extent(r): seat k of n, evenly spaced; 40 mm either way.
       const Linear off = n * mid2(t, a) - 2 * n * lo(r, a) - (2 * k + 1) * extent(r, a);
       in.require_small(off, 2 * n * 40).wish(off, 100, 2 * n);
-      in.wish(gap + Linear(wished_reach_under(table)), 40);
+      in.wish(gap + Linear(wished_reach_under(seat, table)), 40);
     }
   }
   f.cases.push_back(std::move(in));
@@ -182,8 +184,7 @@ void add_seating(Compilation& c, int r, Mm most, bool circle) {
   // More than the sides hold: each as near as it gets, looking at it.
   c.out.formulas.pop_back();
   for (const int t : c.targets) {
-    Case& in = c.formula().add();
-    require_within(in, c.model, t, r, most);
+    add_within(c.formula(), {}, c.model, t, r, most);
     add_looks_at(c.formula(), c.model, t, r);
   }
 }

@@ -41,7 +41,10 @@ void compile_Clearance(Compilation& c) {
   }
 }
 
-void compile_Reachable(Compilation&) {}  // held by the walk check
+// Not linear: looked at on each layout (cost.h).
+void compile_Reachable(Compilation& c) {
+  for (const int t : c.targets) c.out.reach.emplace_back(t, c.length(c.relation.parameters.width, "width", 600));
+}
 
 void compile_KeepClear(Compilation& c) {
   const std::string& region = c.relation.parameters.region;
