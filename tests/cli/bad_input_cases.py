@@ -75,7 +75,7 @@ FILES: dict[str, str | bytes] = {
     "relation-no-targets.json": scene(constraints=constraint(targets=[])),
     "relation-no-reference.json": scene(constraints=constraint(type="nextTo", relativeTo=None)),
     "wall-gap.json": scene(room=room(walls=[*WALLS[:3], {"id": "wall4", "start": [0, 2], "end": [0, 0]}])),
-    "walls-two.json": scene(room=room(walls=WALLS[:2])),
+    "walls-two.json": scene(room={"walls": WALLS[:2]}, constraints=None),
     "wall-id-twice.json": scene(room=room(walls=[*WALLS[:3], {**WALLS[3], "id": "wall1"}])),
     "polygon-crosses.json": scene(room={"dims": {"h": 2.6}, "polygon": [[0, 0], [4, 3], [4, 0], [0, 3]]}),
     "polygon-line.json": scene(room={"dims": {"h": 2.6}, "polygon": [[0, 0], [4, 0]]}),

@@ -29,15 +29,12 @@ class Run {
 
   // Plans (when there is no scene yet), runs all stages, and writes run.json whatever happens after the folder is ours.
   Result<GenerateOutcome> operator()(const Planner* planner, SceneGraph scene) {
+    LAYOUTBOX_CHECK(planner ? plan(*planner) : adopt(std::move(scene)));  // a text that says nothing touches no folder
     LAYOUTBOX_CHECK(make_folder(folder_));
     LAYOUTBOX_ASSIGN(const FolderLock lock, FolderLock::acquire(folder_));
-    Status status = planner ? plan(*planner) : adopt(std::move(scene));
-    if (status) {
-      remove_earlier_outputs();
-      status = run_stages();
-    }
+    remove_earlier_outputs();
+    const Status status = run_stages();
     const Error* failure = status ? nullptr : &status.error();
-    if (failure && outcome_.files.empty()) return Failure(*failure);  // nothing was made: leave an earlier run's files alone
     const Status recorded = write("run.json", write_run_record(prompt_, options_, outcome_, failure));
     if (failure) return Failure(*failure);
     if (!recorded) return Failure(recorded.error());

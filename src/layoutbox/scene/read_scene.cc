@@ -68,13 +68,25 @@ SceneObject object_from(const json& value, bool own) {
   return object;
 }
 
+// A rectangle needs both sides; a height alone is fine, the rest comes from the polygon, the walls or what the room holds.
+void check_room_dims(const json& room, const std::string& pointer, std::vector<Error>& errors) {
+  const auto dims = room.find("dims");
+  if (dims == room.end() || dims->contains("w") == dims->contains("d")) return;
+  const char* missing = dims->contains("w") ? "d" : "w";
+  errors.push_back({ErrorCode::kSchema,
+                    fmt::format("{}/dims has no \"{}\"", pointer, missing),
+                    pointer + "/dims",
+                    fmt::format("add \"{}\": metres", missing),
+                    {}});
+}
+
 Room room_from(const json& value) {
   Room room;
   if (const auto polygon = value.find("polygon"); polygon != value.end()) room.polygon = polygon_from(*polygon);
   room.height = length_at(value, "height");
   if (const auto dims = value.find("dims"); dims != value.end()) {
     const Mm w = length_at(*dims, "w"), d = length_at(*dims, "d");
-    if (room.polygon.empty()) room.polygon = {{0, 0}, {w, 0}, {w, d}, {0, d}};
+    if (room.polygon.empty() && w > 0) room.polygon = {{0, 0}, {w, 0}, {w, d}, {0, d}};
     if (room.height == 0) room.height = length_at(*dims, "h");
   }
   if (const auto area = value.find("area"); area != value.end()) room.area_m2 = area->get<double>();
@@ -165,12 +177,13 @@ Result<SceneGraph> read_scene(std::string_view text, std::string_view units) {
     const bool own = document.is_object() && document.contains("format");
     std::vector<Note> notes;
     bring_into_form(document, own ? std::string_view() : units, notes);
-    if (std::vector<Error> errors = check_against_schema(document, SchemaName::kScene); !errors.empty())
-      return Failure(combined(std::move(errors)));
+    std::vector<Error> errors = check_against_schema(document, SchemaName::kScene);
+    if (errors.empty()) check_room_dims(document.at("room"), "/room", errors);
+    if (!errors.empty()) return Failure(combined(std::move(errors)));
     SceneGraph scene = scene_from(document, own);
     scene.notes.insert(scene.notes.end(), notes.begin(), notes.end());
     settle_names(scene);
-    if (std::vector<Error> errors = check_scene(scene); !errors.empty()) return Failure(combined(std::move(errors)));
+    if (errors = check_scene(scene); !errors.empty()) return Failure(combined(std::move(errors)));
     return scene;
   } catch (const std::exception& error) {
     return fail(ErrorCode::kInternal, fmt::format("the scene cannot be read: {}", error.what()));
@@ -186,12 +199,13 @@ Result<Room> read_room(std::string_view text, std::string_view units) {
     if (document.is_object() && document.contains("room")) document = json(document.at("room"));
     std::vector<Note> notes;
     bring_room_into_form(document, units, notes);
-    if (std::vector<Error> errors = check_against_schema(document, SchemaName::kScene, "room"); !errors.empty())
-      return Failure(combined(std::move(errors)));
+    std::vector<Error> errors = check_against_schema(document, SchemaName::kScene, "room");
+    if (errors.empty()) check_room_dims(document, "", errors);
+    if (!errors.empty()) return Failure(combined(std::move(errors)));
     SceneGraph scene;
     scene.room = room_from(document);
     settle_names(scene);
-    if (std::vector<Error> errors = check_scene(scene); !errors.empty()) return Failure(combined(std::move(errors)));
+    if (errors = check_scene(scene); !errors.empty()) return Failure(combined(std::move(errors)));
     return scene.room;
   } catch (const std::exception& error) {
     return fail(ErrorCode::kInternal, fmt::format("the room cannot be read: {}", error.what()));

@@ -61,6 +61,9 @@ class OfflinePlanner final : public Planner {
     for (const Token& token : document.tokens) document.readings.push_back({token.begin, token.end, WordReading::Use::kIgnored, {}});
     std::vector<bool> skip(document.tokens.size(), false);
     const RoomSize size = read_room_size(lexicon_, document, skip);
+    if (size.impossible) {
+      return fail(ErrorCode::kGeometry, "the text asks for a room with a side of 0 m or of more than 100 m", "prompt", "give a size such as 4 x 3 x 2.5 m");
+    }
     const std::vector<WordReading> of_size = take_out(document, skip);
     document.chunks = chunk_tokens(lexicon_, document.tokens);
     read_document(lexicon_, document);
@@ -72,6 +75,10 @@ class OfflinePlanner final : public Planner {
     build_room(lexicon_, document, size, plan.scene);
     build_relations(lexicon_, document, plan.scene);
     if (plan.scene.objects.empty()) add_usual_furniture(document, plan.scene);
+    if (plan.scene.objects.empty() && plan.scene.room.type.empty() && size.width == 0 && size.area == 0) {
+      return fail(ErrorCode::kEmpty, "neither a room nor a piece of furniture was understood", "prompt",
+                  "describe a room in English: \"A bedroom with a bed and a desk under the window\"");
+    }
     note_unknown(document, plan.scene);
     for (std::size_t i = 0; i < document.tokens.size(); ++i) {
       if (document.tokens[i].kind != Token::Kind::kPunctuation) plan.readings.push_back(std::move(document.readings[i]));

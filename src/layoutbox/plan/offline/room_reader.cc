@@ -15,6 +15,8 @@ bool has_class(const Match& match, Class word_class) {
   return std::any_of(match.meanings.begin(), match.meanings.end(), [&](const Meaning& m) { return m.word_class == word_class; });
 }
 
+constexpr double kLongestSide = 100;  // m, as in scene files
+
 class SizeReader {
  public:
   SizeReader(const Lexicon& lexicon, Document& document, std::vector<bool>& skip) : lexicon_(lexicon), document_(document), tokens_(document.tokens), skip_(skip) {}
@@ -99,6 +101,8 @@ class SizeReader {
     for (std::size_t v = 0; v < values.size(); ++v) {
       if (!united[v]) values[v] *= unit;
     }
+    const auto impossible = [](double side) { return side == 0 || side > kLongestSide; };
+    size_.impossible = size_.impossible || std::any_of(values.begin(), values.end(), impossible);
     if (values[0] < 0.8 || values[1] < 0.8) return 0;
     size_.width = values[0];
     size_.depth = values[1];

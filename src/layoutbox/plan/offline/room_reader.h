@@ -8,6 +8,7 @@ namespace layoutbox::offline {
 // Sizes of the room that stand in the text, in metres; tokens that said them are marked in `skip`.
 struct RoomSize {
   double width = 0, depth = 0, height = 0, area = 0;
+  bool impossible = false;  // a side of 0 m or of more than 100 m
 };
 RoomSize read_room_size(const Lexicon& lexicon, Document& document, std::vector<bool>& skip);
 
