@@ -145,7 +145,22 @@ class RoomNormalizer {
       covered += double(size.width) * size.depth;
       longest = std::max({longest, double(size.width), double(size.depth)});
     }
-    return std::max({1.0, std::sqrt(covered / kMostCovered / area), (longest + 600) / longest_side});
+    return std::max({1.0, std::sqrt(covered / kMostCovered / area), (longest + 600) / longest_side, span_wanted() / longest_side});
+  }
+
+  // The longer side that distances ask for: "far from the door", "across from the table in the middle".
+  double span_wanted() const {
+    constexpr double kDiagonal = 1.3, kBody = 1800;  // of an ordinary room, by its longer side; of the two things at its ends
+    double span = 0;
+    const auto& relations = context_.scene.relations;
+    for (const Relation& relation : relations) {
+      if (relation.type == RelationType::kFar) span = std::max(span, (relation.parameters.min.value_or(4000) + kBody) / kDiagonal);
+      const bool from_middle = relation.type == RelationType::kOpposite && std::ranges::any_of(relations, [&](const Relation& other) {
+        return other.type == RelationType::kCenterOfRoom && other.targets == relation.references;
+      });
+      if (from_middle) span = std::max(span, 2.0 * relation.parameters.min.value_or(1500) + 1.4 * kBody);
+    }
+    return span;
   }
 
   void settle_height() {

@@ -75,7 +75,8 @@ class OfflinePlanner final : public Planner {
     build_room(lexicon_, document, size, plan.scene);
     build_relations(lexicon_, document, plan.scene);
     if (plan.scene.objects.empty()) add_usual_furniture(document, plan.scene);
-    if (plan.scene.objects.empty() && plan.scene.room.type.empty() && size.width == 0 && size.area == 0) {
+    const bool speaks_of_room = !document.rooms.empty() || !plan.scene.room.openings.empty() || size.width > 0 || size.area > 0;
+    if (plan.scene.objects.empty() && !speaks_of_room) {
       return fail(ErrorCode::kEmpty, "neither a room nor a piece of furniture was understood", "prompt",
                   "describe a room in English: \"A bedroom with a bed and a desk under the window\"");
     }

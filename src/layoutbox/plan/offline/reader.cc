@@ -586,11 +586,13 @@ bool DocumentReader::goes_on_with_contents(std::size_t k, const NounPhrase& noun
   const Catalog& catalog = lexicon_.catalog();
   if (noun.kind == NounKind::kAbstract) return !noun.collective || joiner_ != Joiner::kNone;
   if (host.entry != nullptr && host.entry->thin) return false;
+  const bool shares_article = joiner_ == Joiner::kAnd && noun.determiner == Determiner::kNone && noun.count == 0 && !noun.plural && noun_of(link.targets.back()).determiner != Determiner::kNone;
+  if (shares_article) return true;
   if (frame.after_comma && mount_of(noun) == Mount::kFloor) return false;
   const NounPhrase& former = noun_of(link.targets.back());
   const bool carried = may_carry(catalog, host, noun);
   if (link.kind == Link::Kind::kHave) {
-    if (carried && may_carry(catalog, host, former)) return true;
+    if (carried && (link.holding || may_carry(catalog, host, former))) return true;
     const bool on_top = is(n, ChunkKind::kRelation) && says(*chunk(n).phrase.senses, RelationType::kOn) && !is(next(n), ChunkKind::kNoun);
     if (joiner_ == Joiner::kAnd && on_top) return true;
     if (joiner_ == Joiner::kAnd) return mount_of(former) == mount_of(noun) && !is(n, ChunkKind::kRelation) && !is(n, ChunkKind::kHave);

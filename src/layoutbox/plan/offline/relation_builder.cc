@@ -255,7 +255,10 @@ class Builder {
         add_corners(link, target, place->noun);
         return;
       }
-      for (const int item : target.items) add(link, sense.type, {id(item)}, room_reference(place->noun, sense.type), sense);
+      for (const int item : target.items) {
+        add(link, sense.type, {id(item)}, room_reference(place->noun, sense.type), sense);
+        if (sense.type == R::kOpposite) add_across(link, item, room_reference(place->noun, sense.type));
+      }
       return;
     }
     if (references.empty()) return;
@@ -275,7 +278,7 @@ class Builder {
       const NounPhrase& host = noun_of_item(references.front());
       if (sense.type == R::kIn && !has_inside(host)) sense.type = R::kOn;
     }
-    if (sense.type == R::kNextTo && target.items.size() == 2 && references.size() == 1 && flanks(target.noun, noun_of_item(references.front()))) {
+    if (sense.type == R::kNextTo && target.items.size() == 2 && references.size() == 1 && link.references.size() == 1 && flanks(target.noun, noun_of_item(references.front()))) {
       add(link, R::kEachSideOf, ids(target.items), {id(references.front())});
       return;
     }
@@ -351,6 +354,15 @@ class Builder {
     const bool seat = is_seat(catalog_, thing);
     if (type == R::kInFrontOf && ((seat && (is_table(catalog_, other) || screen(other))) || screen(thing))) add(link, R::kFacing, {id(item)}, {id(reference)});
     if (type == R::kAlongSide && seat) add(link, R::kFacing, {id(item)}, {id(reference)});
+  }
+
+  // "across from the window" has a gap between as well: as wide as between two things.
+  void add_across(const Link& link, int item, const std::vector<std::string>& opening) {
+    Link gap = link;
+    gap.distance.reset();
+    add(gap, R::kDistance, {id(item)}, opening);
+    scene_.relations.back().parameters.min = mm_from_m(relation_default(R::kOpposite, "min").value_or(1.5));
+    scene_.relations.back().parameters.max = mm_from_m(relation_default(R::kOpposite, "max").value_or(4));
   }
 
   void add_corners(const Link& link, const Mention& target, const NounPhrase& corner) {
