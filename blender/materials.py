@@ -175,7 +175,9 @@ def paint_parquet(nodes, point, row):
                      math_node("MINIMUM", along, math_node("SUBTRACT", 5.0, along)))
     block = nodes.add("ShaderNodeTexWhiteNoise", noise_dimensions="3D")
     nodes.link(nodes.vector(choose(math_node("SUBTRACT", i, k), i), choose(j, math_node("SUBTRACT", j, rest)), lies), block, "Vector")
-    grain_point = nodes.vector(math_node("MULTIPLY", along, 0.6), math_node("MULTIPLY", across, 9.0), math_node("MULTIPLY", block.outputs[0], 50.0))
+    grain_point = nodes.vector(
+        math_node("MULTIPLY", along, 0.6), math_node("MULTIPLY", across, 9.0), math_node("MULTIPLY", block.outputs[0], 50.0)
+    )
     noise = nodes.add("ShaderNodeTexNoise")
     noise.inputs["Scale"].default_value, noise.inputs["Detail"].default_value = 1.0, 4.0
     nodes.link(grain_point, noise, "Vector")

@@ -23,7 +23,8 @@ def room(polygon, height, things, openings=()):
     objects = []
     for row in things:
         counts[row["category"]] = counts.get(row["category"], 0) + 1
-        objects.append({"id": f"{row['category']}_{counts[row['category']]}", "name": row["category"].replace("_", " "), "attributes": [], **row})
+        name = row["category"].replace("_", " ")
+        objects.append({"id": f"{row['category']}_{counts[row['category']]}", "name": name, "attributes": [], **row})
     return {
         "format": "layoutbox/layout@1",
         "prompt": "a room written by hand",

@@ -38,7 +38,8 @@ def blenders():
 class PictureCase(CliTestCase):
     def make_script(self, layout, quality="preview"):
         path = self.write_json("layout.json", layout)
-        self.assert_done(self.run_layoutbox("render", path, "-o", self.folder, "--no-render", "--size", "%dx%d" % SIZE, "--quality", quality))
+        size = f"{SIZE[0]}x{SIZE[1]}"
+        self.assert_done(self.run_layoutbox("render", path, "-o", self.folder, "--no-render", "--size", size, "--quality", quality))
         return self.path("blender.py")
 
     def run_script(self, script, folder, *words, program=None):
@@ -47,9 +48,8 @@ class PictureCase(CliTestCase):
         command = [*start, script, *([] if is_python(program) else ["--"]), folder, *words]
         home = self.class_folder / "home"
         environment = {**os.environ, "HOME": str(home), "TMPDIR": str(home), "XDG_CACHE_HOME": str(home)}
-        done = subprocess.run(
-            [str(c) for c in command], env=environment, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=600, check=False
-        )
+        pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.STDOUT}
+        done = subprocess.run([str(c) for c in command], env=environment, text=True, timeout=600, check=False, **pipes)
         self.assertEqual(done.returncode, 0, done.stdout[-3000:])
         return done.stdout
 

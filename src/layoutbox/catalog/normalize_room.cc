@@ -156,8 +156,8 @@ class RoomNormalizer {
     for (const Relation& relation : relations) {
       if (relation.type == RelationType::kFar) span = std::max(span, (relation.parameters.min.value_or(4000) + kBody) / kDiagonal);
       const bool from_middle = relation.type == RelationType::kOpposite && std::ranges::any_of(relations, [&](const Relation& other) {
-        return other.type == RelationType::kCenterOfRoom && other.targets == relation.references;
-      });
+                                 return other.type == RelationType::kCenterOfRoom && other.targets == relation.references;
+                               });
       if (from_middle) span = std::max(span, 2.0 * relation.parameters.min.value_or(1500) + 1.4 * kBody);
     }
     return span;

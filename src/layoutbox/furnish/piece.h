@@ -82,8 +82,8 @@ class Piece {
   const Material* own_;
   Palette& palette_;
   bool contents_;
-  SurfaceWish wish_;                 // what was said of the object, then what the catalogue says of its kind
-  std::size_t said_materials_ = 0;   // so many of its materials were said
+  SurfaceWish wish_;                // what was said of the object, then what the catalogue says of its kind
+  std::size_t said_materials_ = 0;  // so many of its materials were said
   std::string text_;
   std::uint64_t random_state_, kind_seed_;
   std::map<int, Mesh> meshes_;
