@@ -11,6 +11,10 @@ PROMPTS = {
     entry["id"]: entry["prompt"]
     for entry in map(json.loads, (SOURCE / "examples/prompts/paper.jsonl").read_text(encoding="utf-8").splitlines())
 }
+CONFLICT = (
+    "A bedroom (3 x 3 x 2.5 m). The bed is 2 m wide and stands against the back wall. "
+    "The wardrobe is 2.4 m wide and stands against the back wall."
+)
 FILES = {"scene.json", "layout.json", "floorplan.svg", "scene.glb", "blender.py", "report.json", "run.json"}
 
 
@@ -161,8 +165,7 @@ class Outputs(CliTestCase):
         self.assertIn("frobnicator", notes)
 
     def test_conflict_is_named_and_relaxed(self):
-        prompt = "A bedroom (3 x 3 x 2.5 m) with a bed 2 m wide and a wardrobe 2.4 m wide, both against the back wall."
-        run = self.run_layoutbox("generate", prompt, "--no-render", "-o", self.path("out"))
+        run = self.run_layoutbox("generate", CONFLICT, "--no-render", "-o", self.path("out"))
         self.assert_status(run, NOT_AS_ASKED)
         layout = self.read_json("out/layout.json")
         self.assertEqual(layout["status"], "relaxed")
@@ -171,8 +174,7 @@ class Outputs(CliTestCase):
         self.assertEqual(self.read_json("out/report.json")["metrics"]["collisions"], 0)
 
     def test_conflict_fails_when_asked_to(self):
-        prompt = "A bedroom (3 x 3 x 2.5 m) with a bed 2 m wide and a wardrobe 2.4 m wide, both against the back wall."
-        run = self.run_layoutbox("generate", prompt, "--no-render", "--on-conflict", "fail", "-o", self.path("out"))
+        run = self.run_layoutbox("generate", CONFLICT, "--no-render", "--on-conflict", "fail", "-o", self.path("out"))
         self.assert_status(run, NOT_AS_ASKED)
         self.assertIn("wall", run.err)
         self.assertFalse(self.path("out/layout.json").exists())

@@ -11,7 +11,10 @@ from pathlib import Path
 from harness import INTERRUPTED, NOT_AS_ASKED, WRONG_INPUT, WRONG_SURROUNDINGS, CliTestCase
 
 PROMPT = "A bedroom with a bed and a desk."
-CONFLICT = "A bedroom (3 x 3 x 2.5 m) with a bed 2 m wide and a wardrobe 2.4 m wide, both against the back wall."
+CONFLICT = (
+    "A bedroom (3 x 3 x 2.5 m). The bed is 2 m wide and stands against the back wall. "
+    "The wardrobe is 2.4 m wide and stands against the back wall."
+)
 WITHOUT_PICTURE = {"scene.json", "layout.json", "floorplan.svg", "scene.glb", "blender.py", "report.json", "run.json"}
 
 

@@ -73,6 +73,14 @@ class Watch {
   std::thread thread_;
 };
 
+// `reason`: what the loader said, empty where no file was found.
+std::string why_not_loaded(const std::string& reason) {
+  if (!reason.empty()) return "the solver library cannot be loaded: " + reason;
+  const char* const root = std::getenv("ORTOOLS_ROOT");
+  if (root != nullptr) return fmt::format("ORTOOLS_ROOT is {}, where there is no {}", root, kName);
+  return "the solver library OR-Tools is not installed";
+}
+
 }  // namespace
 
 Result<CpSatLibrary> CpSatLibrary::open() {
@@ -91,11 +99,7 @@ Result<CpSatLibrary> CpSatLibrary::open() {
     handle = dlopen(kName, RTLD_NOW | RTLD_LOCAL);
     if (handle) library.path_ = kName;
   }
-  if (!handle) {
-    return fail(ErrorCode::kNoSolver,
-                reason.empty() ? std::string("the solver library OR-Tools is not installed") : "the solver library cannot be loaded: " + reason,
-                library.path_, kHint);
-  }
+  if (!handle) return fail(ErrorCode::kNoSolver, why_not_loaded(reason), library.path_, kHint);
   const auto function = [&](const char* name) { return dlsym(handle, name); };
   library.new_env_ = reinterpret_cast<NewEnv>(function("SolveCpNewEnv"));
   library.destroy_env_ = reinterpret_cast<WithEnv>(function("SolveCpDestroyEnv"));
