@@ -57,8 +57,10 @@ class Chunker {
   std::size_t length_of(Class word_class) const { return lexicon_.find(tokens_, i_, word_class).length; }
 
   bool opens_noun(const Token& token) const {
-    return token.kind == Token::Kind::kNumber || lexicon_.is(token, Class::kDefinite) || lexicon_.is(token, Class::kIndefinite) || lexicon_.is(token, Class::kPossessive) ||
-           lexicon_.is(token, Class::kEach) || lexicon_.is(token, Class::kBoth) || lexicon_.is(token, Class::kPronoun) || lexicon_.is(token, Class::kAnother) || token.text == "over" || token.text == "at" || token.text == "more" || token.text == "exactly" ||
+    return token.kind == Token::Kind::kNumber || lexicon_.is(token, Class::kDefinite) || lexicon_.is(token, Class::kIndefinite) ||
+           lexicon_.is(token, Class::kPossessive) || lexicon_.is(token, Class::kEach) || lexicon_.is(token, Class::kBoth) ||
+           lexicon_.is(token, Class::kPronoun) || lexicon_.is(token, Class::kAnother) || token.text == "over" || token.text == "at" ||
+           token.text == "more" || token.text == "exactly" ||
            (lexicon_.is(token, Class::kNumber) && token.text != "double" && token.text != "twin" && token.text != "single");
   }
 
@@ -82,10 +84,16 @@ class Chunker {
       }
       return;
     }
-    const bool counts = tokens_[i_].text == "over" || tokens_[i_].text == "at" || tokens_[i_].text == "more" || tokens_[i_].text == "exactly";
-    const bool count_follows = !counts || length_of(Class::kAtLeast) > 0 || (length_of(Class::kMoreThan) > 0 && i_ + 1 < tokens_.size() && (tokens_[i_ + 1].kind == Token::Kind::kNumber || lexicon_.is(tokens_[i_ + 1], Class::kNumber)) && before != ChunkKind::kNoun) || length_of(Class::kExactly) > 0;
+    const bool counts =
+        tokens_[i_].text == "over" || tokens_[i_].text == "at" || tokens_[i_].text == "more" || tokens_[i_].text == "exactly";
+    const bool count_follows =
+        !counts || length_of(Class::kAtLeast) > 0 ||
+        (length_of(Class::kMoreThan) > 0 && i_ + 1 < tokens_.size() &&
+         (tokens_[i_ + 1].kind == Token::Kind::kNumber || lexicon_.is(tokens_[i_ + 1], Class::kNumber)) && before != ChunkKind::kNoun) ||
+        length_of(Class::kExactly) > 0;
     if (opens_noun(tokens_[i_]) && phrase.length < 3 && count_follows) {
-      const bool relative = lexicon_.is(tokens_[i_], Class::kRelative) && before == ChunkKind::kNoun && !(tokens_[i_].text == "that" && noun_follows());
+      const bool relative =
+          lexicon_.is(tokens_[i_], Class::kRelative) && before == ChunkKind::kNoun && !(tokens_[i_].text == "that" && noun_follows());
       if (relative || (before == ChunkKind::kComma && tokens_[i_].text == "which")) {
         add(ChunkKind::kRelative, 1);
         return;
@@ -111,7 +119,9 @@ class Chunker {
     if (bare && previous() == ChunkKind::kNoun && !chunks_.back().noun.owner) return false;
     auto noun = read_noun_phrase(lexicon_, tokens_, i_, bare);
     if (!noun || noun->last <= i_) return false;
-    if (bare && noun->kind == NounKind::kAbstract && !noun->collective && noun->last == i_ + 1 && lexicon_.find_phrase(tokens_, i_).length > 0) return false;
+    if (bare && noun->kind == NounKind::kAbstract && !noun->collective && noun->last == i_ + 1 &&
+        lexicon_.find_phrase(tokens_, i_).length > 0)
+      return false;
     Chunk& chunk = add(ChunkKind::kNoun, noun->last - i_);
     chunk.noun = std::move(*noun);
     if (chunk.noun.owner && i_ < tokens_.size() && tokens_[i_].text == "'s") {
@@ -155,14 +165,17 @@ class Chunker {
         {ChunkKind::kPurpose, length_of(Class::kPurpose)},
         {ChunkKind::kRelative, after_noun ? length_of(Class::kRelative) : 0},
     }};
-    const Choice best = *std::max_element(choices.begin(), choices.end(), [](const Choice& a, const Choice& b) { return a.length < b.length; });
+    const Choice best =
+        *std::max_element(choices.begin(), choices.end(), [](const Choice& a, const Choice& b) { return a.length < b.length; });
     if (best.length == 0) return false;
     // A bare noun that begins with such a word and is longer: "standing lamp", "hanging chair", "set of drawers", "display cabinet".
     if (best.kind != ChunkKind::kAnd && best.kind != ChunkKind::kClause && before != ChunkKind::kNoun) {
       const auto noun = read_noun_phrase(lexicon_, tokens_, i_, true);
       if (noun && noun->kind == NounKind::kObject && noun->last > i_ + best.length && noun->entry != nullptr) {
-        const bool verb_first = (best.kind == ChunkKind::kParticiple || best.kind == ChunkKind::kVerb || best.kind == ChunkKind::kCommand || best.kind == ChunkKind::kHave) && clause_begins() &&
-                                !noun->exact && !noun->plural && noun->determiner == Determiner::kNone && noun->attributes.empty();
+        const bool verb_first = (best.kind == ChunkKind::kParticiple || best.kind == ChunkKind::kVerb || best.kind == ChunkKind::kCommand ||
+                                 best.kind == ChunkKind::kHave) &&
+                                clause_begins() && !noun->exact && !noun->plural && noun->determiner == Determiner::kNone &&
+                                noun->attributes.empty();
         const bool preposition = best.kind == ChunkKind::kRelation && noun->name.find(tokens_[i_].text) == std::string::npos;
         if (!verb_first && !preposition && best.kind != ChunkKind::kWithout && best.kind != ChunkKind::kPurpose) return read_noun(true);
       }
@@ -178,10 +191,13 @@ class Chunker {
       chunk.placing = true;
       // "hangs", "is mounted", "hang the lamp": finite.
       const std::string& word = tokens_[chunk.last - 1].text;
-      const bool ing_or_ed = word.ends_with("ing") || word.ends_with("ed") || word == "hung" || word == "set" || word == "put" || word == "laid" || word == "left" || word == "kept" || word == "built" || word == "found" || word == "held";
+      const bool ing_or_ed = word.ends_with("ing") || word.ends_with("ed") || word == "hung" || word == "set" || word == "put" ||
+                             word == "laid" || word == "left" || word == "kept" || word == "built" || word == "found" || word == "held";
       chunk.passive = be > 0 && best.kind == ChunkKind::kVerb && be == best.length;
       if (best.kind == ChunkKind::kParticiple && !ing_or_ed) chunk.kind = ChunkKind::kVerb;
-      if (best.kind == ChunkKind::kParticiple && clause_begins() && (word == "set" || word == "put" || word == "left" || word == "leave") && before != ChunkKind::kComma) chunk.kind = ChunkKind::kVerb;
+      if (best.kind == ChunkKind::kParticiple && clause_begins() && (word == "set" || word == "put" || word == "left" || word == "leave") &&
+          before != ChunkKind::kComma)
+        chunk.kind = ChunkKind::kVerb;
     }
     return true;
   }
@@ -201,7 +217,9 @@ class Chunker {
       const PhraseMatch phrase = lexicon_.find_phrase(tokens_, at);
       if (lexicon_.find(tokens_, at, Class::kHave).length > 1) break;
       if (phrase.length > 1 || (phrase.length == 1 && !lexicon_.is(tokens_[at], Class::kParticiple))) break;
-      const std::size_t more = std::max({lexicon_.find(tokens_, at, Class::kParticiple).length, lexicon_.find(tokens_, at, Class::kHang).length, lexicon_.find(tokens_, at, Class::kAdverb).length});
+      const std::size_t more =
+          std::max({lexicon_.find(tokens_, at, Class::kParticiple).length, lexicon_.find(tokens_, at, Class::kHang).length,
+                    lexicon_.find(tokens_, at, Class::kAdverb).length});
       if (more == 0) break;
       length += more;
     }
@@ -221,12 +239,13 @@ class Chunker {
     at_least = skip_class(Class::kAtLeast) || skip_class(Class::kMoreThan);
     at_most |= skip_class(Class::kAtMost);
     skip_class(Class::kExactly);
-    if (at < tokens_.size() && tokens_[at].text == "a" && at + 1 < tokens_.size() && lexicon_.is(tokens_[at + 1], Class::kUnit)) return false;
+    if (at < tokens_.size() && tokens_[at].text == "a" && at + 1 < tokens_.size() && lexicon_.is(tokens_[at + 1], Class::kUnit))
+      return false;
     const auto measure = read_measure(lexicon_, tokens_, at);
     if (!measure) return false;
     at += measure->length;
     if (at >= tokens_.size()) return false;
-    while (at < tokens_.size() && (tokens_[at].text == "away" || tokens_[at].text == "of" ) && at + 1 < tokens_.size()) {
+    while (at < tokens_.size() && (tokens_[at].text == "away" || tokens_[at].text == "of") && at + 1 < tokens_.size()) {
       if (tokens_[at].text == "of" && !at_most) return false;
       ++at;
     }
@@ -264,7 +283,9 @@ class Chunker {
         const std::size_t taken = read_size(lexicon_, tokens_, at, named);
         if (taken > 0 && values.size() == 1) {  // "120 cm wide and 60 cm deep" comes in two
           // Before a noun it belongs to the noun phrase.
-          if (previous() != ChunkKind::kNoun && previous() != ChunkKind::kComma && previous() != ChunkKind::kAnd && previous() != ChunkKind::kVerb && previous() != ChunkKind::kIgnored) return false;
+          if (previous() != ChunkKind::kNoun && previous() != ChunkKind::kComma && previous() != ChunkKind::kAnd &&
+              previous() != ChunkKind::kVerb && previous() != ChunkKind::kIgnored)
+            return false;
           if (at + taken < tokens_.size() && lexicon_.find(tokens_, at + taken, Class::kObject).length > 0) return false;
           Chunk& chunk = add(ChunkKind::kSize, at + taken - i_);
           chunk.size = named;
@@ -272,7 +293,8 @@ class Chunker {
         }
       }
       at += measure ? measure->length : 1;
-      if (at + 1 < tokens_.size() && (tokens_[at].text == "x" || tokens_[at].text == "by" || tokens_[at].text == "*") && tokens_[at + 1].kind == Token::Kind::kNumber) {
+      if (at + 1 < tokens_.size() && (tokens_[at].text == "x" || tokens_[at].text == "by" || tokens_[at].text == "*") &&
+          tokens_[at + 1].kind == Token::Kind::kNumber) {
         ++at;
         continue;
       }
@@ -296,7 +318,9 @@ class Chunker {
 
   void read_small_word() {
     const Match match = lexicon_.find(tokens_, i_);
-    const auto is = [&](Class word_class) { return std::any_of(match.meanings.begin(), match.meanings.end(), [&](const Meaning& m) { return m.word_class == word_class; }); };
+    const auto is = [&](Class word_class) {
+      return std::any_of(match.meanings.begin(), match.meanings.end(), [&](const Meaning& m) { return m.word_class == word_class; });
+    };
     if (match.length > 0 && (is(Class::kVerb) || is(Class::kOwnClause))) {
       add(ChunkKind::kPurpose, match.length);  // what such a verb says of the room is no placing
       return;

@@ -14,23 +14,31 @@ enum class ChunkKind {
   kHave,        // with, featuring, holds: the things of a room or an object
   kVerb,        // finite: is placed, stands; or a command's verb: place, put
   kParticiple,  // placed, positioned, mounted
-  kComma, kAnd, kClause, kRelative, kThere, kCommand, kPurpose, kWithout, kSoft,
-  kAttribute,   // after a verb: "is blue", "are white"
-  kSize,        // "120 cm wide", "2 m by 1 m"
-  kStop,        // end of a sentence
-  kIgnored,     // adverbs, fillers
-  kUnknown,     // a word nobody knows what to do with
+  kComma,
+  kAnd,
+  kClause,
+  kRelative,
+  kThere,
+  kCommand,
+  kPurpose,
+  kWithout,
+  kSoft,
+  kAttribute,  // after a verb: "is blue", "are white"
+  kSize,       // "120 cm wide", "2 m by 1 m"
+  kStop,       // end of a sentence
+  kIgnored,    // adverbs, fillers
+  kUnknown,    // a word nobody knows what to do with
 };
 
 struct Chunk {
   ChunkKind kind = ChunkKind::kUnknown;
-  std::size_t first = 0, last = 0;   // tokens [first, last)
+  std::size_t first = 0, last = 0;  // tokens [first, last)
   NounPhrase noun;
   PhraseMatch phrase;
-  bool placing = false;              // a relation phrase or verb that says that something is put somewhere
-  bool hang = false;                 // … or hung
-  bool passive = false;              // a verb with is, are
-  std::optional<double> distance;    // metres, of a relation: "50 cm from"
+  bool placing = false;            // a relation phrase or verb that says that something is put somewhere
+  bool hang = false;               // … or hung
+  bool passive = false;            // a verb with is, are
+  std::optional<double> distance;  // metres, of a relation: "50 cm from"
   bool at_least = false, at_most = false;
   SaidSize size;
 };

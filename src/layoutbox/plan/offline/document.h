@@ -12,8 +12,8 @@ namespace layoutbox::offline {
 
 // One object of the scene to be.
 struct Item {
-  NounPhrase noun;       // the words that brought it in
-  int group = 0;         // items brought in together
+  NounPhrase noun;  // the words that brought it in
+  int group = 0;    // items brought in together
 };
 
 // A place in the text that speaks of things or of a part of the room.
@@ -31,17 +31,17 @@ struct Link {
     kHang,      // targets hang: on a wall or from the ceiling
   };
   Kind kind = Kind::kRelation;
-  PhraseSenses senses;                 // as for TARGET phrase REFERENCE
+  PhraseSenses senses;                   // as for TARGET phrase REFERENCE
   std::vector<int> targets, references;  // mentions
-  bool each = false;                   // one (or as many as said) for every reference or side
-  bool holding = false;                // a have that says that the host carries ("holding", "filled with")
-  bool weak = false;                   // a have that another link of the target makes needless
+  bool each = false;                     // one (or as many as said) for every reference or side
+  bool holding = false;                  // a have that says that the host carries ("holding", "filled with")
+  bool weak = false;                     // a have that another link of the target makes needless
   bool soft = false;
-  bool implied = false;                // the reference is not said: what was spoken of
-  bool after_comma = false;            // ", with …"
+  bool implied = false;      // the reference is not said: what was spoken of
+  bool after_comma = false;  // ", with …"
   std::optional<double> distance;
   bool at_least = false, at_most = false;
-  std::size_t first = 0, last = 0;     // tokens
+  std::size_t first = 0, last = 0;  // tokens
 };
 
 struct Document {
@@ -51,10 +51,10 @@ struct Document {
   std::vector<Item> items;
   std::vector<Mention> mentions;
   std::vector<Link> links;
-  std::vector<NounPhrase> excluded;    // "no coffee table"
-  std::vector<NounPhrase> rooms;       // kinds of room that were named, in order
-  std::vector<NounPhrase> openings;    // doors and windows that were spoken of
-  std::vector<WordReading> readings;   // one a token
+  std::vector<NounPhrase> excluded;   // "no coffee table"
+  std::vector<NounPhrase> rooms;      // kinds of room that were named, in order
+  std::vector<NounPhrase> openings;   // doors and windows that were spoken of
+  std::vector<WordReading> readings;  // one a token
   std::vector<Note> notes;
   int groups = 0;
 };

@@ -10,7 +10,8 @@
 namespace layoutbox::offline {
 namespace {
 
-// The rest of the line of `word` in the sorted table: "t sofa", "v"; empty where it is not there. Searched in place: nothing is read at start.
+// The rest of the line of `word` in the sorted table: "t sofa", "v"; empty where it is not there. Searched in place: nothing is read at
+// start.
 std::string_view line_of(std::string_view word) {
   const std::string_view table = embedded::words_english_txt;
   std::size_t low = 0, high = table.size();
@@ -47,7 +48,8 @@ WordForm form_of(std::string_view line) {
 WordForm word_form(std::string_view word) {
   if (const WordForm form = form_of(line_of(word)); form != WordForm::kUnknown) return form;
   for (const std::string& singular : singular_forms(word)) {
-    if (const WordForm form = form_of(line_of(singular)); form == WordForm::kThing || form == WordForm::kNoun || form == WordForm::kVerb) return form;
+    if (const WordForm form = form_of(line_of(singular)); form == WordForm::kThing || form == WordForm::kNoun || form == WordForm::kVerb)
+      return form;
   }
   if (word.ends_with("ly")) return WordForm::kAdverb;
   for (const std::string_view ending : {"ing", "ed"}) {
@@ -79,7 +81,9 @@ const CatalogEntry* known_kind(const Catalog& catalog, std::string_view noun) {
   for (int step = 0; step < kMostSteps && line.starts_with("t "); ++step) {
     const std::string_view general = line.substr(2);
     // Too general to say anything of size and place.
-    static constexpr std::array<std::string_view, 14> kTooGeneral = {"device", "object", "artifact", "instrumentality", "container", "machine", "equipment", "structure", "covering", "product", "article", "commodity", "implement", "furniture"};
+    static constexpr std::array<std::string_view, 14> kTooGeneral = {"device",  "object",    "artifact",  "instrumentality", "container",
+                                                                     "machine", "equipment", "structure", "covering",        "product",
+                                                                     "article", "commodity", "implement", "furniture"};
     if (std::find(kTooGeneral.begin(), kTooGeneral.end(), general) != kTooGeneral.end()) return nullptr;
     if (const CatalogEntry* entry = catalog.find_by_words(general)) return entry;
     line = line_of(general);
@@ -88,8 +92,9 @@ const CatalogEntry* known_kind(const Catalog& catalog, std::string_view noun) {
 }
 
 bool is_collective(std::string_view singular) {
-  static constexpr std::array<std::string_view, 18> kCollectives = {"item",     "essential",  "product", "accessory", "supply",  "object", "trinket",  "knickknack", "decoration",
-                                                                    "ornament", "toiletry",   "good",    "keepsake",  "utensil", "tool",   "valuable", "belonging",  "peripheral"};
+  static constexpr std::array<std::string_view, 18> kCollectives = {
+      "item",     "essential", "product", "accessory", "supply",  "object", "trinket",  "knickknack", "decoration",
+      "ornament", "toiletry",  "good",    "keepsake",  "utensil", "tool",   "valuable", "belonging",  "peripheral"};
   return std::find(kCollectives.begin(), kCollectives.end(), singular) != kCollectives.end();
 }
 

@@ -6,13 +6,20 @@
 namespace layoutbox::offline {
 namespace {
 
-bool one_of(std::string_view word, std::initializer_list<std::string_view> words) { return std::find(words.begin(), words.end(), word) != words.end(); }
+bool one_of(std::string_view word, std::initializer_list<std::string_view> words) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
 
 unsigned kind_flags(const NounPhrase& reference) {
   switch (reference.kind) {
     case NounKind::kWall: return kWall;
-    case NounKind::kDoor: case NounKind::kWindow: return kOpening;
-    case NounKind::kRoom: case NounKind::kFloor: case NounKind::kCeiling: case NounKind::kCenter: case NounKind::kCorner: return kRoom;
+    case NounKind::kDoor:
+    case NounKind::kWindow: return kOpening;
+    case NounKind::kRoom:
+    case NounKind::kFloor:
+    case NounKind::kCeiling:
+    case NounKind::kCenter:
+    case NounKind::kCorner: return kRoom;
     default: return kObject;
   }
 }
@@ -37,18 +44,21 @@ bool allowed(const PhraseSense& sense, const NounPhrase& reference) {
 
 Mount mount_of(const NounPhrase& noun) {
   if (noun.entry == nullptr) return Mount::kFloor;
-  if (std::any_of(noun.attributes.begin(), noun.attributes.end(), [](const std::string& a) { return a == "wall-mounted"; })) return Mount::kWall;
+  if (std::any_of(noun.attributes.begin(), noun.attributes.end(), [](const std::string& a) { return a == "wall-mounted"; }))
+    return Mount::kWall;
   return noun.entry->mount;
 }
 
 bool is_table(const Catalog& catalog, const NounPhrase& noun) {
   if (noun.entry == nullptr) return one_of(noun.head, {"table", "desk", "island", "counter", "bar"});
-  return catalog.is_a(noun.entry->id, "table") || catalog.is_a(noun.entry->id, "desk") || one_of(noun.head, {"table", "desk", "island", "counter", "bar", "workbench"});
+  return catalog.is_a(noun.entry->id, "table") || catalog.is_a(noun.entry->id, "desk") ||
+         one_of(noun.head, {"table", "desk", "island", "counter", "bar", "workbench"});
 }
 
 bool is_seat(const Catalog& catalog, const NounPhrase& noun) {
   if (noun.entry != nullptr && (catalog.is_a(noun.entry->id, "chair") || catalog.is_a(noun.entry->id, "stool"))) return true;
-  return one_of(noun.head, {"chair", "stool", "armchair", "seat", "bench", "barstool", "recliner", "sofa", "couch", "loveseat", "ottoman", "pouf"});
+  return one_of(noun.head,
+                {"chair", "stool", "armchair", "seat", "bench", "barstool", "recliner", "sofa", "couch", "loveseat", "ottoman", "pouf"});
 }
 
 bool is_lamp(const Catalog& catalog, const NounPhrase& noun) {
@@ -60,15 +70,20 @@ bool is_storage(const NounPhrase& noun) {
   if (noun.entry != nullptr) {
     const auto& spaces = noun.entry->spaces;
     if (std::any_of(spaces.begin(), spaces.end(), [](const SpaceFormula& s) { return s.carries; }) && !noun.entry->used_sides.empty() &&
-        one_of(noun.entry->shape.family, {"shelf", "shelves", "cabinet", "storage", "bookshelf", "cart", "rack"})) return true;
+        one_of(noun.entry->shape.family, {"shelf", "shelves", "cabinet", "storage", "bookshelf", "cart", "rack"}))
+      return true;
   }
-  return one_of(noun.head, {"shelf", "bookshelf", "bookcase", "rack", "cart", "trolley", "basket", "box", "bin", "chest", "cabinet", "cupboard", "wardrobe", "closet", "crate", "bowl", "vase", "cooler", "case", "hamper", "pantry", "bucket", "jar",
-                            "fridge", "refrigerator", "holder", "organizer", "cubby", "shelving", "drawer", "hutch", "trunk", "pot", "planter", "caddy", "bag", "container", "locker", "armoire", "unit"});
+  return one_of(noun.head,
+                {"shelf",   "bookshelf", "bookcase", "rack",    "cart",         "trolley", "basket",    "box",    "bin",      "chest",
+                 "cabinet", "cupboard",  "wardrobe", "closet",  "crate",        "bowl",    "vase",      "cooler", "case",     "hamper",
+                 "pantry",  "bucket",    "jar",      "fridge",  "refrigerator", "holder",  "organizer", "cubby",  "shelving", "drawer",
+                 "hutch",   "trunk",     "pot",      "planter", "caddy",        "bag",     "container", "locker", "armoire",  "unit"});
 }
 
 bool is_textile(const Catalog& catalog, const NounPhrase& noun) {
   (void)catalog;
-  return one_of(noun.head, {"pillow", "cushion", "blanket", "throw", "bedspread", "quilt", "duvet", "comforter", "toy", "doll", "bear", "sheet", "linen", "coverlet", "bolster", "towel"});
+  return one_of(noun.head, {"pillow", "cushion", "blanket", "throw", "bedspread", "quilt", "duvet", "comforter", "toy", "doll", "bear",
+                            "sheet", "linen", "coverlet", "bolster", "towel"});
 }
 
 bool may_carry(const Catalog& catalog, const NounPhrase& host, const NounPhrase& item) {
@@ -77,24 +92,32 @@ bool may_carry(const Catalog& catalog, const NounPhrase& host, const NounPhrase&
   const bool rug_host = host.entry != nullptr && host.entry->thin;
   if (rug_host) return true;
   if (item.collective) return true;
-  if (mount != Mount::kSurface && !(mount == Mount::kWall && one_of(item.head, {"mirror", "picture", "photo", "clock", "painting", "frame", "photograph", "plant", "tv", "television", "screen"}))) {
+  if (mount != Mount::kSurface && !(mount == Mount::kWall && one_of(item.head, {"mirror", "picture", "photo", "clock", "painting", "frame",
+                                                                                "photograph", "plant", "tv", "television", "screen"}))) {
     // A thing nobody knows may be small.
     const bool unknown = item.entry == nullptr || (!item.exact && item.entry->id != item.category);
-    const bool small = item.entry != nullptr && item.entry->size.usual.width <= 500 && item.entry->size.usual.height <= 600 && !item.entry->thin && !is_seat(catalog, item) && mount == Mount::kFloor &&
-                       !is_table(catalog, item) && (item.entry->used_sides.empty() || one_of(item.head, {"basket", "box", "fridge", "plant", "machine", "cooler", "bin"}));
+    const bool small =
+        item.entry != nullptr && item.entry->size.usual.width <= 500 && item.entry->size.usual.height <= 600 && !item.entry->thin &&
+        !is_seat(catalog, item) && mount == Mount::kFloor && !is_table(catalog, item) &&
+        (item.entry->used_sides.empty() || one_of(item.head, {"basket", "box", "fridge", "plant", "machine", "cooler", "bin"}));
     if (!(unknown && item.entry == nullptr) && !small) return false;
   }
   if (is_storage(host) || is_table(catalog, host)) return true;
   if (host.entry == nullptr) return true;
-  return host.entry->top_carries || std::any_of(host.entry->spaces.begin(), host.entry->spaces.end(), [](const SpaceFormula& s) { return s.carries; });
+  return host.entry->top_carries ||
+         std::any_of(host.entry->spaces.begin(), host.entry->spaces.end(), [](const SpaceFormula& s) { return s.carries; });
 }
 
-std::optional<PhraseSense> choose_sense(const Catalog& catalog, const PhraseSenses& senses, PhraseSense::Direction direction, const NounPhrase& target, const NounPhrase& reference) {
+std::optional<PhraseSense> choose_sense(const Catalog& catalog, const PhraseSenses& senses, PhraseSense::Direction direction,
+                                        const NounPhrase& target, const NounPhrase& reference) {
   using R = RelationType;
   (void)catalog;
   const auto own = [&](R type) { return PhraseSense{type, direction, {}, {}, {}}; };
-  const auto says = [&](R type) { return std::any_of(senses.begin(), senses.end(), [&](const PhraseSense& s) { return s.type == type && s.direction == direction; }); };
-  const bool placing = says(R::kOn) || says(R::kIn) || says(R::kNextTo) || says(R::kNear) || says(R::kAgainstWall) || says(R::kOnCeiling) || says(R::kCorner) || says(R::kFacing) || says(R::kTuckedUnder);
+  const auto says = [&](R type) {
+    return std::any_of(senses.begin(), senses.end(), [&](const PhraseSense& s) { return s.type == type && s.direction == direction; });
+  };
+  const bool placing = says(R::kOn) || says(R::kIn) || says(R::kNextTo) || says(R::kNear) || says(R::kAgainstWall) || says(R::kOnCeiling) ||
+                       says(R::kCorner) || says(R::kFacing) || says(R::kTuckedUnder);
   if (direction == PhraseSense::Direction::kDirect) {
     if (reference.kind == NounKind::kCorner && placing) {
       if (reference.of && reference.of->kind == NounKind::kObject) {
@@ -126,7 +149,10 @@ std::optional<PhraseSense> choose_sense(const Catalog& catalog, const PhraseSens
       if (reference.head == "foot" || reference.head == "end" || (reference.head == "bottom" && !says(R::kOn))) return own(R::kAtFootOf);
       if (reference.head == "head" || reference.head == "headboard") return own(R::kAtHeadOf);
       if (reference.head == "side" || reference.head == "edge") {
-        const auto has_word = [&](std::string_view word) { return std::any_of(reference.attributes.begin(), reference.attributes.end(), [&](const std::string& a) { return a == word || a == std::string(word) + "er"; }); };
+        const auto has_word = [&](std::string_view word) {
+          return std::any_of(reference.attributes.begin(), reference.attributes.end(),
+                             [&](const std::string& a) { return a == word || a == std::string(word) + "er"; });
+        };
         if (has_word("long") || has_word("short")) {
           PhraseSense sense = own(R::kAlongSide);
           sense.side = has_word("long") ? Side::kLong : Side::kShort;
@@ -142,7 +168,8 @@ std::optional<PhraseSense> choose_sense(const Catalog& catalog, const PhraseSens
     }
     if (reference.kind == NounKind::kWall) {
       const Mount mount = mount_of(target);
-      if (says(R::kOnWall) && says(R::kAgainstWall)) return own(mount == Mount::kFloor || mount == Mount::kSurface ? R::kAgainstWall : R::kOnWall);
+      if (says(R::kOnWall) && says(R::kAgainstWall))
+        return own(mount == Mount::kFloor || mount == Mount::kSurface ? R::kAgainstWall : R::kOnWall);
       if (says(R::kInFrontOf)) return own(R::kAgainstWall);
     }
   }
@@ -154,7 +181,9 @@ std::optional<PhraseSense> choose_sense(const Catalog& catalog, const PhraseSens
     if (sense.type == R::kAlongSide && reference.kind == NounKind::kObject && !says(R::kAlongSide)) continue;
     if (sense.type == R::kAtFootOf && is_table(catalog, reference)) continue;
     if (sense.type == R::kAtHeadOf && is_table(catalog, reference)) continue;
-    if (sense.type == R::kOn && !sense.part.empty() && mount != Mount::kSurface && reference.kind == NounKind::kObject && target.entry != nullptr && target.entry->thin) continue;
+    if (sense.type == R::kOn && !sense.part.empty() && mount != Mount::kSurface && reference.kind == NounKind::kObject &&
+        target.entry != nullptr && target.entry->thin)
+      continue;
     return sense;
   }
   return std::nullopt;
@@ -165,27 +194,31 @@ int suits(const Catalog& catalog, const PhraseSense& sense, const NounPhrase& ta
   const Mount mount = mount_of(target);
   const bool known = target.entry != nullptr;
   switch (sense.type) {
-    case R::kAgainstWall: case R::kCenteredOnWall: case R::kSideAgainstWall:
-      return mount == Mount::kFloor ? 2 : mount == Mount::kSurface || mount == Mount::kWall ? 1 : 0;
-    case R::kCorner:
-      return mount == Mount::kFloor ? 2 : 1;
+    case R::kAgainstWall:
+    case R::kCenteredOnWall:
+    case R::kSideAgainstWall: return mount == Mount::kFloor ? 2 : mount == Mount::kSurface || mount == Mount::kWall ? 1 : 0;
+    case R::kCorner: return mount == Mount::kFloor ? 2 : 1;
     case R::kOnWall:
-      return mount == Mount::kWall ? 2 : mount == Mount::kFloor && known && (is_table(catalog, target) || is_seat(catalog, target) || target.entry->thin || one_of(target.head, {"bed", "sofa", "couch", "dresser", "wardrobe"})) ? 0 : 1;
-    case R::kOnCeiling:
-      return mount == Mount::kCeiling || is_lamp(catalog, target) ? 2 : 0;
+      return mount == Mount::kWall ? 2
+             : mount == Mount::kFloor && known &&
+                     (is_table(catalog, target) || is_seat(catalog, target) || target.entry->thin ||
+                      one_of(target.head, {"bed", "sofa", "couch", "dresser", "wardrobe"}))
+                 ? 0
+                 : 1;
+    case R::kOnCeiling: return mount == Mount::kCeiling || is_lamp(catalog, target) ? 2 : 0;
     case R::kOn:
       if (reference.kind == NounKind::kFloor) return mount == Mount::kFloor ? 2 : 1;
       return reference.kind == NounKind::kObject && may_carry(catalog, reference, target) ? 2 : mount == Mount::kSurface ? 1 : 0;
-    case R::kIn:
-      return may_carry(catalog, reference, target) ? 2 : 1;
-    case R::kFacing:
-      return known && !target.entry->has_front ? 1 : 2;
-    case R::kCenterOfRoom: case R::kInRegion:
-      return mount == Mount::kSurface ? 1 : 2;
-    case R::kAbove:
-      return mount == Mount::kWall || mount == Mount::kCeiling ? 2 : 1;
+    case R::kIn: return may_carry(catalog, reference, target) ? 2 : 1;
+    case R::kFacing: return known && !target.entry->has_front ? 1 : 2;
+    case R::kCenterOfRoom:
+    case R::kInRegion: return mount == Mount::kSurface ? 1 : 2;
+    case R::kAbove: return mount == Mount::kWall || mount == Mount::kCeiling ? 2 : 1;
     default:
-      return mount == Mount::kSurface && (reference.kind == NounKind::kWindow || reference.kind == NounKind::kDoor || reference.kind == NounKind::kWall) ? 1 : 2;
+      return mount == Mount::kSurface &&
+                     (reference.kind == NounKind::kWindow || reference.kind == NounKind::kDoor || reference.kind == NounKind::kWall)
+                 ? 1
+                 : 2;
   }
 }
 

@@ -9,7 +9,8 @@ namespace layoutbox::offline {
 
 // The sense that a phrase has between a target and what it refers to, or nothing where none fits.
 // A corner, the middle, the floor, the ceiling and parts of things choose their own relation.
-std::optional<PhraseSense> choose_sense(const Catalog& catalog, const PhraseSenses& senses, PhraseSense::Direction direction, const NounPhrase& target, const NounPhrase& reference);
+std::optional<PhraseSense> choose_sense(const Catalog& catalog, const PhraseSenses& senses, PhraseSense::Direction direction,
+                                        const NounPhrase& target, const NounPhrase& reference);
 
 // How well the sense suits the target: 0 makes no sense, 1 possible, 2 usual.
 int suits(const Catalog& catalog, const PhraseSense& sense, const NounPhrase& target, const NounPhrase& reference);
@@ -17,8 +18,8 @@ int suits(const Catalog& catalog, const PhraseSense& sense, const NounPhrase& ta
 // The usual mount of a thing; floor where nothing is known.
 Mount mount_of(const NounPhrase& noun);
 
-bool is_table(const Catalog& catalog, const NounPhrase& noun);    // one sits at it
-bool is_seat(const Catalog& catalog, const NounPhrase& noun);     // for one person
+bool is_table(const Catalog& catalog, const NounPhrase& noun);  // one sits at it
+bool is_seat(const Catalog& catalog, const NounPhrase& noun);   // for one person
 bool is_lamp(const Catalog& catalog, const NounPhrase& noun);
 bool is_storage(const NounPhrase& noun);                          // things are in it
 bool is_textile(const Catalog& catalog, const NounPhrase& noun);  // pillows, blankets: lie on beds and seats

@@ -134,14 +134,17 @@ void Lexicon::add(std::string_view words, Meaning meaning) {
   const std::string key = parts.empty() ? std::string(words) : key_of(words);
   if (key.empty()) return;
   auto& meanings = words_[key].meanings;
-  const auto same = [&](const Meaning& other) { return other.word_class == meaning.word_class && other.entry == meaning.entry && other.room == meaning.room; };
+  const auto same = [&](const Meaning& other) {
+    return other.word_class == meaning.word_class && other.entry == meaning.entry && other.room == meaning.room;
+  };
   if (std::none_of(meanings.begin(), meanings.end(), same)) meanings.push_back(meaning);
 }
 
 void Lexicon::add_phrase(std::string_view words, PhraseSense sense) {
   std::string key(words);
   phrases_[key].push_back(std::move(sense));
-  for (std::size_t space = key.find(' '); space != std::string::npos; space = key.find(' ', space + 1)) phrase_starts_[key.substr(0, space)] = true;
+  for (std::size_t space = key.find(' '); space != std::string::npos; space = key.find(' ', space + 1))
+    phrase_starts_[key.substr(0, space)] = true;
   phrase_starts_[key] = true;
 }
 
@@ -158,21 +161,24 @@ void Lexicon::read_words() {
     }
   }
   const auto add_named = [&](std::string_view file, std::string_view key, WordClass word_class) {
-    for (const auto& [word, value] : word_list(file).at(std::string(key)).items()) add(word, {word_class, nullptr, nullptr, 0, value.get_ref<const std::string&>()});
+    for (const auto& [word, value] : word_list(file).at(std::string(key)).items())
+      add(word, {word_class, nullptr, nullptr, 0, value.get_ref<const std::string&>()});
   };
   add_named("room", "wall_words", WordClass::kWallWord);
   add_named("room", "wall_relations", WordClass::kWallRelation);
   add_named("grammar", "dimension_words", WordClass::kDimension);
   for (const auto& [word, value] : word_list("colors").at("colors").items()) {
     add(word, {WordClass::kColor, nullptr, nullptr, 0, {}});
-    for (const char* shade : {"light ", "dark ", "pale ", "deep ", "bright ", "soft "}) add(shade + word, {WordClass::kColor, nullptr, nullptr, 0, {}});
+    for (const char* shade : {"light ", "dark ", "pale ", "deep ", "bright ", "soft "})
+      add(shade + word, {WordClass::kColor, nullptr, nullptr, 0, {}});
     add(word + " colored", {WordClass::kColor, nullptr, nullptr, 0, {}});
   }
   for (const Json& surface : word_list("materials").at("surfaces")) {
     for (const Json& word : surface.at("words")) {
       const auto text = word.get<std::string>();
       // "wooden floor" is a floor that is wooden.
-      if (!text.ends_with("floor") && !text.ends_with("wall") && !text.ends_with("boards")) add(text, {WordClass::kMaterial, nullptr, nullptr, 0, {}});
+      if (!text.ends_with("floor") && !text.ends_with("wall") && !text.ends_with("boards"))
+        add(text, {WordClass::kMaterial, nullptr, nullptr, 0, {}});
     }
   }
   const Json& phrases = word_list("phrases");
@@ -187,7 +193,8 @@ void Lexicon::read_words() {
 
 void Lexicon::read_phrases() {
   using Direction = PhraseSense::Direction;
-  constexpr std::array<std::pair<const char*, Direction>, 3> kKeys = {{{"phrases", Direction::kDirect}, {"inverse", Direction::kInverse}, {"alone", Direction::kAlone}}};
+  constexpr std::array<std::pair<const char*, Direction>, 3> kKeys = {
+      {{"phrases", Direction::kDirect}, {"inverse", Direction::kInverse}, {"alone", Direction::kAlone}}};
   for (const auto& [name, ways] : word_list("phrases").at("relations").items()) {
     const RelationRow* row = find_relation(name);
     if (row == nullptr) continue;
@@ -212,7 +219,8 @@ Match Lexicon::find(std::span<const Token> tokens, std::size_t at) const {
       // A plural that is listed as such: "bunk beds" beside "bunk bed".
       const std::string singular = singular_of(token.text);
       const auto single = singular == token.text ? words_.end() : words_.find(key + singular);
-      best.plural = single != words_.end() && single->second.meanings.front().entry == best.meanings.front().entry && best.meanings.front().entry != nullptr;
+      best.plural = single != words_.end() && single->second.meanings.front().entry == best.meanings.front().entry &&
+                    best.meanings.front().entry != nullptr;
     }
     if (best.length != length) {
       for (const std::string& form : singular_forms(token.text)) {
@@ -232,7 +240,9 @@ Match Lexicon::find(std::span<const Token> tokens, std::size_t at, WordClass wor
   constexpr std::size_t kLongest = 6;
   Match best;
   std::string key;
-  const auto has = [&](const Entry& entry) { return std::any_of(entry.meanings.begin(), entry.meanings.end(), [&](const Meaning& m) { return m.word_class == word_class; }); };
+  const auto has = [&](const Entry& entry) {
+    return std::any_of(entry.meanings.begin(), entry.meanings.end(), [&](const Meaning& m) { return m.word_class == word_class; });
+  };
   for (std::size_t length = 1; length <= kLongest && at + length <= tokens.size(); ++length) {
     const Token& token = tokens[at + length - 1];
     if (token.kind == Token::Kind::kPunctuation && length > 1) break;
@@ -245,10 +255,12 @@ Match Lexicon::find(std::span<const Token> tokens, std::size_t at, WordClass wor
 
 bool Lexicon::is(const Token& token, WordClass word_class) const {
   const auto found = words_.find(token.text);
-  return found != words_.end() && std::any_of(found->second.meanings.begin(), found->second.meanings.end(), [&](const Meaning& m) { return m.word_class == word_class; });
+  return found != words_.end() && std::any_of(found->second.meanings.begin(), found->second.meanings.end(),
+                                              [&](const Meaning& m) { return m.word_class == word_class; });
 }
 
-void Lexicon::extend_phrase(std::span<const Token> tokens, std::size_t at, std::size_t i, const std::string& key, PhraseMatch so_far, PhraseMatch& best) const {
+void Lexicon::extend_phrase(std::span<const Token> tokens, std::size_t at, std::size_t i, const std::string& key, PhraseMatch so_far,
+                            PhraseMatch& best) const {
   constexpr std::size_t kMostTokens = 9;
   if (i >= tokens.size() || i >= at + kMostTokens) return;
   const Token& token = tokens[i];
@@ -261,7 +273,8 @@ void Lexicon::extend_phrase(std::span<const Token> tokens, std::size_t at, std::
     next.each |= is_distributor(word);
     next.plural |= plural;
     // "on the left wall" is on a wall, not on the left of something.
-    const bool adjective = (word == "left" || word == "right" || word == "back" || word == "front") && i + 1 < tokens.size() && names_place(tokens, i + 1);
+    const bool adjective =
+        (word == "left" || word == "right" || word == "back" || word == "front") && i + 1 < tokens.size() && names_place(tokens, i + 1);
     if (const auto found = phrases_.find(extended); found != phrases_.end() && i + 1 - at > best.length && !adjective) {
       best = next;
       best.length = i + 1 - at;
@@ -285,7 +298,8 @@ void Lexicon::extend_phrase(std::span<const Token> tokens, std::size_t at, std::
 bool Lexicon::names_place(std::span<const Token> tokens, std::size_t at) const {
   const Match match = find(tokens, at);
   return std::any_of(match.meanings.begin(), match.meanings.end(), [](const Meaning& m) {
-    return m.word_class == WordClass::kWall || m.word_class == WordClass::kCorner || m.word_class == WordClass::kObject || m.word_class == WordClass::kWallWord || m.word_class == WordClass::kDoor || m.word_class == WordClass::kWindow;
+    return m.word_class == WordClass::kWall || m.word_class == WordClass::kCorner || m.word_class == WordClass::kObject ||
+           m.word_class == WordClass::kWallWord || m.word_class == WordClass::kDoor || m.word_class == WordClass::kWindow;
   });
 }
 

@@ -15,25 +15,71 @@ namespace layoutbox::offline {
 
 // What a word or phrase does in a sentence.
 enum class WordClass {
-  kObject,       // a catalogue entry
-  kRoom,         // a kind of room
-  kWall, kCorner, kCenter, kFloor, kCeiling, kDoor, kWindow, kRoomNoun, kOutsideRoom,
-  kSide, kPart, kAbstract, kZone,
-  kDefinite, kIndefinite, kPossessive, kEach, kBoth, kAnother, kOther, kPronoun,
-  kNumber, kVague, kAtLeast, kMoreThan, kAtMost, kExactly,
-  kAnd, kClause, kRelative, kBe, kThere, kCommand, kPurpose, kAdverb, kFiller, kVerb, kOwnClause,
-  kParticiple, kPlaceVerb, kHang, kHave, kWithout, kSoft,
-  kWallWord, kWallRelation,
-  kSizeWord, kColor, kMaterial, kShape, kStyle, kQuality,
-  kUnit, kAreaUnit, kDimension,
+  kObject,  // a catalogue entry
+  kRoom,    // a kind of room
+  kWall,
+  kCorner,
+  kCenter,
+  kFloor,
+  kCeiling,
+  kDoor,
+  kWindow,
+  kRoomNoun,
+  kOutsideRoom,
+  kSide,
+  kPart,
+  kAbstract,
+  kZone,
+  kDefinite,
+  kIndefinite,
+  kPossessive,
+  kEach,
+  kBoth,
+  kAnother,
+  kOther,
+  kPronoun,
+  kNumber,
+  kVague,
+  kAtLeast,
+  kMoreThan,
+  kAtMost,
+  kExactly,
+  kAnd,
+  kClause,
+  kRelative,
+  kBe,
+  kThere,
+  kCommand,
+  kPurpose,
+  kAdverb,
+  kFiller,
+  kVerb,
+  kOwnClause,
+  kParticiple,
+  kPlaceVerb,
+  kHang,
+  kHave,
+  kWithout,
+  kSoft,
+  kWallWord,
+  kWallRelation,
+  kSizeWord,
+  kColor,
+  kMaterial,
+  kShape,
+  kStyle,
+  kQuality,
+  kUnit,
+  kAreaUnit,
+  kDimension,
 };
 
 struct Meaning {
   WordClass word_class;
   const CatalogEntry* entry = nullptr;
   const RoomKind* room = nullptr;
-  double value = 0;        // numbers, units
-  std::string_view word;   // what stands in the list: "left" for "western", the dimension's letter
+  double value = 0;       // numbers, units
+  std::string_view word;  // what stands in the list: "left" for "western", the dimension's letter
 };
 
 // One way to say a relation. The direction tells who stands before the phrase.
@@ -48,17 +94,17 @@ struct PhraseSense {
 using PhraseSenses = std::vector<PhraseSense>;
 
 struct Match {
-  std::size_t length = 0;                 // tokens; 0 = none
+  std::size_t length = 0;  // tokens; 0 = none
   std::span<const Meaning> meanings;
-  bool plural = false;                    // matched by its singular
+  bool plural = false;  // matched by its singular
 };
 
 struct PhraseMatch {
-  std::size_t length = 0;                 // tokens, with those left out
+  std::size_t length = 0;  // tokens, with those left out
   const PhraseSenses* senses = nullptr;
-  bool each = false;                      // "on each side of": every, each, both, either
-  bool possessive = false;                // "on its left side": the reference is spoken of
-  bool plural = false;                    // "in the corners"
+  bool each = false;        // "on each side of": every, each, both, either
+  bool possessive = false;  // "on its left side": the reference is spoken of
+  bool plural = false;      // "in the corners"
 };
 
 class Lexicon {
@@ -80,16 +126,17 @@ class Lexicon {
     std::vector<Meaning> meanings;
   };
   void add(std::string_view words, Meaning meaning);
-  void extend_phrase(std::span<const Token> tokens, std::size_t at, std::size_t i, const std::string& key, PhraseMatch so_far, PhraseMatch& best) const;
+  void extend_phrase(std::span<const Token> tokens, std::size_t at, std::size_t i, const std::string& key, PhraseMatch so_far,
+                     PhraseMatch& best) const;
   bool names_place(std::span<const Token> tokens, std::size_t at) const;
   void add_phrase(std::string_view words, PhraseSense sense);
   void read_words();
   void read_phrases();
 
   const Catalog* catalog_;
-  std::unordered_map<std::string, Entry> words_;               // key_of
-  std::unordered_map<std::string, PhraseSenses> phrases_;      // words joined by spaces
-  std::unordered_map<std::string, bool> phrase_starts_;        // every beginning of a phrase
+  std::unordered_map<std::string, Entry> words_;           // key_of
+  std::unordered_map<std::string, PhraseSenses> phrases_;  // words joined by spaces
+  std::unordered_map<std::string, bool> phrase_starts_;    // every beginning of a phrase
 };
 
 }  // namespace layoutbox::offline

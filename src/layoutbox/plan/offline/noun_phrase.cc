@@ -22,7 +22,8 @@ const Meaning* meaning_of(const Match& match, Class word_class) {
 }
 
 bool is_attribute_class(Class c) {
-  return c == Class::kSizeWord || c == Class::kColor || c == Class::kMaterial || c == Class::kShape || c == Class::kStyle || c == Class::kQuality;
+  return c == Class::kSizeWord || c == Class::kColor || c == Class::kMaterial || c == Class::kShape || c == Class::kStyle ||
+         c == Class::kQuality;
 }
 
 const Meaning* attribute_of(const Match& match) {
@@ -56,7 +57,10 @@ struct Part {
 
 class Reader {
  public:
-  Reader(const Lexicon& lexicon, std::span<const Token> tokens, std::size_t at, bool bare) : lexicon_(lexicon), tokens_(tokens), i_(at), bare_(bare) { phrase_.first = at; }
+  Reader(const Lexicon& lexicon, std::span<const Token> tokens, std::size_t at, bool bare)
+      : lexicon_(lexicon), tokens_(tokens), i_(at), bare_(bare) {
+    phrase_.first = at;
+  }
 
   std::optional<NounPhrase> read() {
     if (!read_determiners()) return std::nullopt;
@@ -68,8 +72,13 @@ class Reader {
  private:
   bool more() const { return i_ < tokens_.size(); }
   const Token& token() const { return tokens_[i_]; }
-  bool at_word(std::string_view text, std::size_t ahead = 0) const { return i_ + ahead < tokens_.size() && tokens_[i_ + ahead].text == text; }
-  bool hyphenated(std::size_t i) const { return i > 0 && i < tokens_.size() && tokens_[i].glued && tokens_[i].kind != Token::Kind::kPunctuation && tokens_[i - 1].kind != Token::Kind::kPunctuation && tokens_[i].begin > tokens_[i - 1].end; }
+  bool at_word(std::string_view text, std::size_t ahead = 0) const {
+    return i_ + ahead < tokens_.size() && tokens_[i_ + ahead].text == text;
+  }
+  bool hyphenated(std::size_t i) const {
+    return i > 0 && i < tokens_.size() && tokens_[i].glued && tokens_[i].kind != Token::Kind::kPunctuation &&
+           tokens_[i - 1].kind != Token::Kind::kPunctuation && tokens_[i].begin > tokens_[i - 1].end;
+  }
 
   std::optional<NounPhrase> finish() {
     phrase_.last = i_;
@@ -155,7 +164,8 @@ bool Reader::read_subset() {
   if (!at_word("of") || i_ + 1 >= tokens_.size()) return false;
   const Token& next = tokens_[i_ + 1];
   if (next.text == "which" || next.text == "them" || next.text == "these" || next.text == "those" || next.text == "whom") {
-    const bool alone = i_ + 2 >= tokens_.size() || !lexicon_.find(tokens_, i_ + 2, Class::kObject).length || next.text == "which" || next.text == "them";
+    const bool alone =
+        i_ + 2 >= tokens_.size() || !lexicon_.find(tokens_, i_ + 2, Class::kObject).length || next.text == "which" || next.text == "them";
     if (alone) {
       phrase_.kind = NounKind::kMember;
       phrase_.subset = true;
@@ -201,7 +211,8 @@ bool Reader::read_determiners() {
                 at_most = lexicon_.find(tokens_, i_, Class::kAtMost), exactly = lexicon_.find(tokens_, i_, Class::kExactly);
     const auto count_follows = [&](std::size_t length) {
       return length > 0 && i_ + length < tokens_.size() &&
-             (tokens_[i_ + length].kind == Token::Kind::kNumber || lexicon_.find(tokens_, i_ + length, Class::kNumber).length > 0 || lexicon_.is(tokens_[i_ + length], Class::kIndefinite)) &&
+             (tokens_[i_ + length].kind == Token::Kind::kNumber || lexicon_.find(tokens_, i_ + length, Class::kNumber).length > 0 ||
+              lexicon_.is(tokens_[i_ + length], Class::kIndefinite)) &&
              !read_measure(lexicon_, tokens_, i_ + length);
     };
     if (count_follows(more_than.length) && !lexicon_.is(tokens_[i_ + more_than.length], Class::kIndefinite)) {
@@ -216,7 +227,8 @@ bool Reader::read_determiners() {
       i_ += at_least.length;
       continue;
     }
-    if (count_follows(at_most.length) || (count_follows(exactly.length) && !lexicon_.is(tokens_[i_ + exactly.length], Class::kIndefinite))) {
+    if (count_follows(at_most.length) ||
+        (count_follows(exactly.length) && !lexicon_.is(tokens_[i_ + exactly.length], Class::kIndefinite))) {
       i_ += std::max(at_most.length, exactly.length);
       continue;
     }
@@ -261,21 +273,26 @@ bool Reader::read_determiners() {
 
 // After a comma or "and" within a row of adjectives: "rectangular, wooden table", "cozy and well-lit room".
 bool Reader::goes_on_after_break() const {
-  const bool adjectives = !parts_.empty() && std::all_of(parts_.begin(), parts_.end(), [](const Part& p) { return is_attribute_class(p.word_class) || p.word_class == Class::kFiller; });
+  const bool adjectives = !parts_.empty() && std::all_of(parts_.begin(), parts_.end(), [](const Part& p) {
+    return is_attribute_class(p.word_class) || p.word_class == Class::kFiller;
+  });
   if (!adjectives || i_ + 1 >= tokens_.size()) return false;
   const Match next = lexicon_.find(tokens_, i_ + 1);
   if (attribute_of(next) != nullptr) return true;
-  return next.length == 0 && tokens_[i_ + 1].kind == Token::Kind::kWord && at_word("and") && word_form(tokens_[i_ + 1].text) == WordForm::kAdjective;
+  return next.length == 0 && tokens_[i_ + 1].kind == Token::Kind::kWord && at_word("and") &&
+         word_form(tokens_[i_ + 1].text) == WordForm::kAdjective;
 }
 
 // An unlisted word within the phrase: an adjective or a part of the name, or already the next verb.
 bool Reader::word_may_belong() const {
   const std::string& text = token().text;
   if (hyphenated(i_)) return true;
-  const bool noun_before = std::any_of(parts_.begin(), parts_.end(), [](const Part& p) { return p.word_class == Class::kObject || p.word_class == Class::kRoom; });
+  const bool noun_before = std::any_of(parts_.begin(), parts_.end(),
+                                       [](const Part& p) { return p.word_class == Class::kObject || p.word_class == Class::kRoom; });
   const WordForm form = word_form(text);
   if (!noun_before) return form != WordForm::kAdverb;
-  if (text.ends_with("ed") || text.ends_with("ing") || text.ends_with("ly")) return form == WordForm::kThing && !text.ends_with("ing") && !text.ends_with("ed");
+  if (text.ends_with("ed") || text.ends_with("ing") || text.ends_with("ly"))
+    return form == WordForm::kThing && !text.ends_with("ing") && !text.ends_with("ed");
   return form == WordForm::kThing || form == WordForm::kNoun || form == WordForm::kUnknown;
 }
 
@@ -288,36 +305,45 @@ bool Reader::read_part() {
     const bool plural_subject = !match.plural && plural_at(i_ + match.length - 2) && !plural_at(i_ + match.length - 1);  // "speakers stand"
     if (singular_subject || plural_subject) match = lexicon_.find(tokens_.first(i_ + match.length - 1), i_);
   }
-  if (!parts_.empty() && parts_.back().last == i_ && plural_at(i_ - 1) && match.length == 1 && !plural_at(i_) && has(match, Class::kPlaceVerb) && !is_attribute_class(parts_.back().word_class)) return false;
+  if (!parts_.empty() && parts_.back().last == i_ && plural_at(i_ - 1) && match.length == 1 && !plural_at(i_) &&
+      has(match, Class::kPlaceVerb) && !is_attribute_class(parts_.back().word_class))
+    return false;
   const auto add = [&](Class word_class, const Meaning& meaning, std::size_t length, bool plural) {
     parts_.push_back({i_, i_ + length, word_class, meaning, plural});
     i_ += length;
     return true;
   };
   const bool named = !parts_.empty() || phrase_.determiner != Determiner::kNone || counted_;
-  const bool noun_before = std::any_of(parts_.begin(), parts_.end(), [](const Part& p) { return !is_attribute_class(p.word_class) && p.word_class != Class::kFiller && p.word_class != Class::kWallWord; });
+  const bool noun_before = std::any_of(parts_.begin(), parts_.end(), [](const Part& p) {
+    return !is_attribute_class(p.word_class) && p.word_class != Class::kFiller && p.word_class != Class::kWallWord;
+  });
   if (match.length > 0) {
     const Meaning* object = meaning_of(match, Class::kObject);
     const Meaning* attribute = attribute_of(match);
     // "mid-century style table", "tan colored rug": the word belongs to the attribute before it.
-    static constexpr std::string_view kOfAttribute[] = {"style", "styled", "themed", "inspired", "shaped", "toned", "colored", "size", "sized", "type", "looking", "backed", "topped"};
-    if (!parts_.empty() && is_attribute_class(parts_.back().word_class) && match.length == 1 && std::find(std::begin(kOfAttribute), std::end(kOfAttribute), token().text) != std::end(kOfAttribute)) {
+    static constexpr std::string_view kOfAttribute[] = {"style", "styled", "themed", "inspired", "shaped", "toned", "colored",
+                                                        "size",  "sized",  "type",   "looking",  "backed", "topped"};
+    if (!parts_.empty() && is_attribute_class(parts_.back().word_class) && match.length == 1 &&
+        std::find(std::begin(kOfAttribute), std::end(kOfAttribute), token().text) != std::end(kOfAttribute)) {
       parts_.back().last = i_ + 1;
       ++i_;
       return true;
     }
-    const bool verbal = has(match, Class::kParticiple) || has(match, Class::kPlaceVerb) || has(match, Class::kHang) || has(match, Class::kHave) || has(match, Class::kVerb) || has(match, Class::kPurpose);
+    const bool verbal = has(match, Class::kParticiple) || has(match, Class::kPlaceVerb) || has(match, Class::kHang) ||
+                        has(match, Class::kHave) || has(match, Class::kVerb) || has(match, Class::kPurpose);
     // A noun that is a verb as well ("light", "plant", "stand", "frames") is a verb right after another noun, unless it ends a name.
     // "glass" before a noun is what the noun is made of; "drawers" are parts where both are listed.
     const bool noun_next = [&] {
       const Match next = lexicon_.find(tokens_, i_ + match.length);
       return has(next, Class::kObject) && !has(next, Class::kPlaceVerb) && !has(next, Class::kHave);
     }();
-    if (attribute != nullptr && object != nullptr && match.length == 1 && noun_next && !noun_before) return add(attribute->word_class, *attribute, match.length, match.plural);
+    if (attribute != nullptr && object != nullptr && match.length == 1 && noun_next && !noun_before)
+      return add(attribute->word_class, *attribute, match.length, match.plural);
     Token single = token();
     single.text = singular_of(single.text);
     const bool part = has(match, Class::kPart) || (match.length == 1 && lexicon_.is(single, Class::kPart));
-    if (object != nullptr && !(verbal && noun_before && !hyphenated(i_)) && !part) return add(Class::kObject, *object, match.length, match.plural);
+    if (object != nullptr && !(verbal && noun_before && !hyphenated(i_)) && !part)
+      return add(Class::kObject, *object, match.length, match.plural);
     if (object != nullptr && part) return add(Class::kPart, *object, match.length, match.plural);
     if (attribute != nullptr && !(noun_before && verbal)) {
       if (noun_before && !hyphenated(i_)) {
@@ -327,23 +353,30 @@ bool Reader::read_part() {
       }
       return add(attribute->word_class, *attribute, match.length, match.plural);
     }
-    for (const Class place : {Class::kDoor, Class::kWindow, Class::kWall, Class::kCorner, Class::kCenter, Class::kFloor, Class::kCeiling, Class::kOutsideRoom, Class::kRoom, Class::kZone, Class::kRoomNoun, Class::kPart, Class::kSide, Class::kAbstract}) {
+    for (const Class place :
+         {Class::kDoor, Class::kWindow, Class::kWall, Class::kCorner, Class::kCenter, Class::kFloor, Class::kCeiling, Class::kOutsideRoom,
+          Class::kRoom, Class::kZone, Class::kRoomNoun, Class::kPart, Class::kSide, Class::kAbstract}) {
       const Meaning* meaning = meaning_of(match, place);
       if (meaning == nullptr) continue;
       if ((place == Class::kSide || place == Class::kPart) && meaning_of(match, Class::kWallWord) != nullptr) {
         const Match next = lexicon_.find(tokens_, i_ + 1);
-        if (has(next, Class::kObject) || has(next, Class::kWall) || has(next, Class::kCorner) || has(next, Class::kSide) || has(next, Class::kNumber) || has(next, Class::kWallWord)) break;  // "left corner"
+        if (has(next, Class::kObject) || has(next, Class::kWall) || has(next, Class::kCorner) || has(next, Class::kSide) ||
+            has(next, Class::kNumber) || has(next, Class::kWallWord))
+          break;  // "left corner"
       }
       if ((verbal && noun_before) || (!named && !bare_)) return false;
       // "newspapers lines the wall": the verb, not a name that goes on.
-      if (noun_before && !hyphenated(i_) && (place == Class::kAbstract || place == Class::kPart) && lexicon_.find_phrase(tokens_, i_).length > 0) return false;
+      if (noun_before && !hyphenated(i_) && (place == Class::kAbstract || place == Class::kPart) &&
+          lexicon_.find_phrase(tokens_, i_).length > 0)
+        return false;
       // "another table right of the sofa", "a chair back": a side after a noun is no part of its name.
       if (noun_before && place == Class::kSide && !hyphenated(i_)) return false;
       if (noun_before && place == Class::kPart && meaning_of(match, Class::kSide) != nullptr && !hyphenated(i_)) return false;
       return add(place, *meaning, match.length, match.plural);
     }
     for (const Class word : {Class::kWallRelation, Class::kWallWord}) {
-      if (const Meaning* meaning = meaning_of(match, word); meaning != nullptr && (named || bare_) && !noun_before) return add(word, *meaning, match.length, false);
+      if (const Meaning* meaning = meaning_of(match, word); meaning != nullptr && (named || bare_) && !noun_before)
+        return add(word, *meaning, match.length, false);
     }
     if (has(match, Class::kNumber) && at_word("one") && named) {  // "the left one", "the other one"
       phrase_.kind = NounKind::kMember;
@@ -352,7 +385,8 @@ bool Reader::read_part() {
       return false;
     }
     // Participles and verbs stand before the noun only: "a folded blanket", "a rolling chair".
-    if (!noun_before && named && (has(match, Class::kParticiple) || has(match, Class::kHang) || has(match, Class::kVerb)) && match.length == 1 && (token().text.ends_with("ed") || token().text.ends_with("ing"))) {
+    if (!noun_before && named && (has(match, Class::kParticiple) || has(match, Class::kHang) || has(match, Class::kVerb)) &&
+        match.length == 1 && (token().text.ends_with("ed") || token().text.ends_with("ing"))) {
       return add(Class::kFiller, match.meanings.front(), 1, false);
     }
     if (!noun_before && named && has(match, Class::kAdverb)) {
@@ -362,7 +396,8 @@ bool Reader::read_part() {
     return false;
   }
   if (token().kind != Token::Kind::kWord) {
-    if (token().kind == Token::Kind::kNumber && hyphenated(i_ + 1)) return add(Class::kFiller, {Class::kFiller, nullptr, nullptr, 0, {}}, 1, false);
+    if (token().kind == Token::Kind::kNumber && hyphenated(i_ + 1))
+      return add(Class::kFiller, {Class::kFiller, nullptr, nullptr, 0, {}}, 1, false);
     return false;
   }
   if (lexicon_.find_phrase(tokens_, i_).length > 0) return false;
@@ -436,7 +471,9 @@ void Reader::settle_object(const Part& head, std::size_t head_index) {
   std::size_t begin = head.first;
   for (std::size_t p = head_index; p-- > 0;) {
     const Class c = parts_[p].word_class;
-    const bool in_name = c == Class::kObject || c == Class::kFiller || c == Class::kRoom || c == Class::kRoomNoun || c == Class::kPart || c == Class::kAbstract || c == Class::kWall || c == Class::kFloor || c == Class::kCeiling || c == Class::kDoor || c == Class::kWindow || c == Class::kCorner || c == Class::kCenter;
+    const bool in_name = c == Class::kObject || c == Class::kFiller || c == Class::kRoom || c == Class::kRoomNoun || c == Class::kPart ||
+                         c == Class::kAbstract || c == Class::kWall || c == Class::kFloor || c == Class::kCeiling || c == Class::kDoor ||
+                         c == Class::kWindow || c == Class::kCorner || c == Class::kCenter;
     if (!in_name) break;
     const WordForm form = word_form(tokens_[parts_[p].last - 1].text);
     if (c == Class::kFiller && (form == WordForm::kAdjective || form == WordForm::kAdverb)) break;
@@ -475,10 +512,14 @@ void Reader::settle_place(const Part& head) {
     case Class::kCeiling: phrase_.kind = NounKind::kCeiling; break;
     case Class::kDoor: phrase_.kind = NounKind::kDoor; break;
     case Class::kWindow: phrase_.kind = NounKind::kWindow; break;
-    case Class::kRoom: phrase_.kind = NounKind::kRoom; phrase_.room = head.meaning.room; break;
+    case Class::kRoom:
+      phrase_.kind = NounKind::kRoom;
+      phrase_.room = head.meaning.room;
+      break;
     case Class::kRoomNoun: phrase_.kind = NounKind::kRoom; break;
     case Class::kOutsideRoom: phrase_.kind = NounKind::kOutsideRoom; break;
-    case Class::kSide: case Class::kPart: phrase_.kind = NounKind::kPart; break;
+    case Class::kSide:
+    case Class::kPart: phrase_.kind = NounKind::kPart; break;
     default: phrase_.kind = NounKind::kAbstract; break;
   }
 }
@@ -513,7 +554,8 @@ std::optional<NounPhrase> Reader::settle() {
   }
   if (head == 0) {
     // Nothing but attributes: "each", "the other", "both", "the larger", a count alone.
-    const bool member = phrase_.determiner == Determiner::kEach || phrase_.determiner == Determiner::kBoth || phrase_.determiner == Determiner::kOther || phrase_.determiner == Determiner::kAnother || counted_;
+    const bool member = phrase_.determiner == Determiner::kEach || phrase_.determiner == Determiner::kBoth ||
+                        phrase_.determiner == Determiner::kOther || phrase_.determiner == Determiner::kAnother || counted_;
     if (!member || (bare_ && !counted_ && phrase_.determiner == Determiner::kNone)) return std::nullopt;
     if (!parts_.empty()) i_ = parts_.front().first;
     phrase_.kind = NounKind::kMember;
@@ -524,7 +566,8 @@ std::optional<NounPhrase> Reader::settle() {
   if (part.word_class == Class::kFiller) {
     const WordForm form = word_form(tokens_[part.last - 1].text);
     const bool named = phrase_.determiner != Determiner::kNone || counted_;
-    const bool thing = form == WordForm::kThing || (form == WordForm::kUnknown && (named || part.plural)) || (hyphenated(part.first) && form != WordForm::kNoun);
+    const bool thing = form == WordForm::kThing || (form == WordForm::kUnknown && (named || part.plural)) ||
+                       (hyphenated(part.first) && form != WordForm::kNoun);
     take_attributes(head - 1);
     if (!thing && !named && form != WordForm::kNoun) return std::nullopt;
     settle_object(part, head - 1);
@@ -575,7 +618,8 @@ std::optional<Measure> read_measure(const Lexicon& lexicon, std::span<const Toke
   if (unit.length == 0) return std::nullopt;
   // "in" is a preposition unless a number stands right before it and no noun phrase follows.
   if (unit_word == "in" && tokens[at].kind == Token::Kind::kNumber && !tokens[unit_at].glued) {
-    const bool more = unit_at + 1 < tokens.size() && (lexicon.is(tokens[unit_at + 1], Class::kDefinite) || lexicon.is(tokens[unit_at + 1], Class::kIndefinite));
+    const bool more = unit_at + 1 < tokens.size() &&
+                      (lexicon.is(tokens[unit_at + 1], Class::kDefinite) || lexicon.is(tokens[unit_at + 1], Class::kIndefinite));
     if (more) return std::nullopt;
   }
   if (unit_word == "in" && tokens[at].kind != Token::Kind::kNumber) return std::nullopt;

@@ -13,7 +13,13 @@ namespace layoutbox::offline {
 
 enum class NounKind {
   kObject,
-  kWall, kCorner, kCenter, kFloor, kCeiling, kDoor, kWindow,
+  kWall,
+  kCorner,
+  kCenter,
+  kFloor,
+  kCeiling,
+  kDoor,
+  kWindow,
   kRoom,         // the room itself, by its kind or as "room", "space"
   kOutsideRoom,  // "walk-in closet": not in this room
   kPart,         // of a thing: legs, drawers, its left side
@@ -33,22 +39,22 @@ struct SaidSize {
 struct NounPhrase {
   NounKind kind = NounKind::kObject;
   Determiner determiner = Determiner::kNone;
-  const CatalogEntry* entry = nullptr;   // what it is, or what it most resembles
-  bool exact = false;                    // the entry is that very kind
+  const CatalogEntry* entry = nullptr;  // what it is, or what it most resembles
+  bool exact = false;                   // the entry is that very kind
   const RoomKind* room = nullptr;
-  std::string category, name, head;      // head: the last word in the singular
+  std::string category, name, head;  // head: the last word in the singular
   std::vector<std::string> attributes;
   std::vector<WordClass> attribute_classes;
-  int count = 0;                         // 0: not said
+  int count = 0;  // 0: not said
   bool at_least = false, vague = false, plural = false;
-  bool subset = false;                   // "two of the beds"
-  bool collective = false;               // "items", "essentials": things where something holds them
-  std::string wall_word;                 // left, right, back, front
-  std::string wall_relation;             // opposite, other, adjacent, same
+  bool subset = false;        // "two of the beds"
+  bool collective = false;    // "items", "essentials": things where something holds them
+  std::string wall_word;      // left, right, back, front
+  std::string wall_relation;  // opposite, other, adjacent, same
   SaidSize size;
-  std::shared_ptr<NounPhrase> of;        // "the corner of the desk", "two of the beds"
-  bool owner = false;                    // followed by 's
-  std::size_t first = 0, last = 0;       // tokens [first, last)
+  std::shared_ptr<NounPhrase> of;   // "the corner of the desk", "two of the beds"
+  bool owner = false;               // followed by 's
+  std::size_t first = 0, last = 0;  // tokens [first, last)
   bool is_plural() const { return count > 1 || (count == 0 && plural); }
 };
 

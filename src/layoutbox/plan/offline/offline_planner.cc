@@ -35,8 +35,10 @@ void apply_size(const NounPhrase& noun, SceneObject& object) {
   const auto fix = [](Mm SizeRange_side, Mm& least, Mm& usual, Mm& greatest) { least = usual = greatest = SizeRange_side; };
   std::optional<double> width = noun.size.width, depth = noun.size.depth;
   if (noun.size.length) {  // the longer side
-    if (range.usual.depth > range.usual.width) depth = noun.size.length;
-    else width = noun.size.length;
+    if (range.usual.depth > range.usual.width)
+      depth = noun.size.length;
+    else
+      width = noun.size.length;
   }
   if (width) fix(mm_from_m(*width), range.least.width, range.usual.width, range.greatest.width);
   if (depth) fix(mm_from_m(*depth), range.least.depth, range.usual.depth, range.greatest.depth);
@@ -50,19 +52,23 @@ class OfflinePlanner final : public Planner {
   explicit OfflinePlanner(const Catalog& catalog) : lexicon_(catalog) {}
 
   Result<Plan> plan(std::string_view prompt, const PlanOptions& options) const override {
-    if (prompt.size() > options.max_prompt_bytes) return fail(ErrorCode::kTooLarge, "the prompt has " + std::to_string(prompt.size()) + " bytes", {}, "at most " + std::to_string(options.max_prompt_bytes) + " are read");
+    if (prompt.size() > options.max_prompt_bytes)
+      return fail(ErrorCode::kTooLarge, "the prompt has " + std::to_string(prompt.size()) + " bytes", {},
+                  "at most " + std::to_string(options.max_prompt_bytes) + " are read");
     if (!is_utf8(prompt)) return fail(ErrorCode::kParse, "the prompt is not UTF-8 text", {}, "save it as UTF-8");
     Document document;
     document.prompt = std::string(prompt);
     document.tokens = tokenize(prompt);
     if (std::none_of(document.tokens.begin(), document.tokens.end(), [](const Token& t) { return t.kind != Token::Kind::kPunctuation; })) {
-      return fail(ErrorCode::kEmpty, "there is nothing in the prompt", {}, "describe a room: \"A bedroom with a bed and a desk under the window\"");
+      return fail(ErrorCode::kEmpty, "there is nothing in the prompt", {},
+                  "describe a room: \"A bedroom with a bed and a desk under the window\"");
     }
     for (const Token& token : document.tokens) document.readings.push_back({token.begin, token.end, WordReading::Use::kIgnored, {}});
     std::vector<bool> skip(document.tokens.size(), false);
     const RoomSize size = read_room_size(lexicon_, document, skip);
     if (size.impossible) {
-      return fail(ErrorCode::kGeometry, "the text asks for a room with a side of 0 m or of more than 100 m", "prompt", "give a size such as 4 x 3 x 2.5 m");
+      return fail(ErrorCode::kGeometry, "the text asks for a room with a side of 0 m or of more than 100 m", "prompt",
+                  "give a size such as 4 x 3 x 2.5 m");
     }
     const std::vector<WordReading> of_size = take_out(document, skip);
     document.chunks = chunk_tokens(lexicon_, document.tokens);
@@ -129,8 +135,12 @@ class OfflinePlanner final : public Planner {
       if (item.noun.entry != nullptr && item.noun.category == item.noun.entry->id) continue;
       if (std::find(guessed.begin(), guessed.end(), item.noun.name) != guessed.end()) continue;
       guessed.push_back(item.noun.name);
-      const std::string place = "prompt:" + std::to_string(document.tokens[item.noun.first].begin) + "-" + std::to_string(document.tokens[item.noun.last - 1].end);
-      scene.notes.push_back({"guessed", "\"" + item.noun.name + "\" is not in the catalogue" + (item.noun.entry != nullptr ? ": taken for a kind of " + item.noun.entry->name : ""), place});
+      const std::string place = "prompt:" + std::to_string(document.tokens[item.noun.first].begin) + "-" +
+                                std::to_string(document.tokens[item.noun.last - 1].end);
+      scene.notes.push_back({"guessed",
+                             "\"" + item.noun.name + "\" is not in the catalogue" +
+                                 (item.noun.entry != nullptr ? ": taken for a kind of " + item.noun.entry->name : ""),
+                             place});
     }
   }
 
@@ -141,7 +151,9 @@ class OfflinePlanner final : public Planner {
     for (const auto& [category, count] : kind->usual) {
       const CatalogEntry* entry = lexicon_.catalog().find(category);
       if (entry == nullptr) continue;
-      const bool excluded = std::any_of(document.excluded.begin(), document.excluded.end(), [&](const NounPhrase& n) { return n.entry != nullptr && lexicon_.catalog().is_a(category, n.entry->id); });
+      const bool excluded = std::any_of(document.excluded.begin(), document.excluded.end(), [&](const NounPhrase& n) {
+        return n.entry != nullptr && lexicon_.catalog().is_a(category, n.entry->id);
+      });
       if (excluded) continue;
       for (int i = 1; i <= count; ++i) {
         SceneObject object;
@@ -160,7 +172,8 @@ class OfflinePlanner final : public Planner {
       if (document.readings[i].use != WordReading::Use::kNotUnderstood) continue;
       std::size_t last = i + 1;
       while (last < document.tokens.size() && document.readings[last].use == WordReading::Use::kNotUnderstood) ++last;
-      scene.notes.push_back({"not-understood", "\"" + words_between(document, i, last) + "\" is not understood", "prompt:" + std::to_string(document.tokens[i].begin) + "-" + std::to_string(document.tokens[last - 1].end)});
+      scene.notes.push_back({"not-understood", "\"" + words_between(document, i, last) + "\" is not understood",
+                             "prompt:" + std::to_string(document.tokens[i].begin) + "-" + std::to_string(document.tokens[last - 1].end)});
       i = last - 1;
     }
   }

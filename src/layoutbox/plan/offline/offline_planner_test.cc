@@ -27,8 +27,9 @@ class OfflinePlannerTest : public testing::Test {
 };
 
 TEST_F(OfflinePlannerTest, ReadsRoomSizesInTheirUsualForms) {
-  for (const char* text : {"Create a bedroom with dimensions 4 x 2 x 3 meters. Include a bed.", "A bedroom (4.0 × 2.0 × 3.0 m) with a bed.", "A bedroom (4.0 * 2.0 * 3.0 m) with a bed.",
-                           "A 4 by 2 by 3 metre bedroom with a bed.", "A 4x2x3m bedroom with a bed.", "A 400 x 200 x 300 cm bedroom with a bed."}) {
+  for (const char* text : {"Create a bedroom with dimensions 4 x 2 x 3 meters. Include a bed.", "A bedroom (4.0 × 2.0 × 3.0 m) with a bed.",
+                           "A bedroom (4.0 * 2.0 * 3.0 m) with a bed.", "A 4 by 2 by 3 metre bedroom with a bed.",
+                           "A 4x2x3m bedroom with a bed.", "A 400 x 200 x 300 cm bedroom with a bed."}) {
     const SceneGraph read = scene(text);
     EXPECT_EQ(read.room.polygon, rectangle(4, 2)) << text;
     EXPECT_EQ(read.room.height, 3000) << text;
@@ -49,8 +50,12 @@ TEST_F(OfflinePlannerTest, KnowsTheKindOfRoom) {
 TEST_F(OfflinePlannerTest, PutsDoorsAndWindowsWhereTheTextSays) {
   const SceneGraph read = scene("A room with two windows on the back wall and a door on the left wall.");
   ASSERT_EQ(read.room.openings.size(), 3u);
-  EXPECT_EQ(std::count_if(read.room.openings.begin(), read.room.openings.end(), [](const Opening& o) { return o.type == OpeningType::kWindow && o.wall == "back"; }), 2);
-  EXPECT_EQ(std::count_if(read.room.openings.begin(), read.room.openings.end(), [](const Opening& o) { return o.type == OpeningType::kDoor && o.wall == "left"; }), 1);
+  EXPECT_EQ(std::count_if(read.room.openings.begin(), read.room.openings.end(),
+                          [](const Opening& o) { return o.type == OpeningType::kWindow && o.wall == "back"; }),
+            2);
+  EXPECT_EQ(std::count_if(read.room.openings.begin(), read.room.openings.end(),
+                          [](const Opening& o) { return o.type == OpeningType::kDoor && o.wall == "left"; }),
+            1);
 }
 
 TEST_F(OfflinePlannerTest, ReadsFloorAndWalls) {
@@ -111,7 +116,8 @@ TEST_F(OfflinePlannerTest, PointsOutContradictions) {
 TEST_F(OfflinePlannerTest, SeveralRoomsAreNamedInAWarning) {
   const SceneGraph read = scene("A bedroom with a bed. The bathroom has a bathtub.");
   EXPECT_EQ(read.room.type, "bedroom");
-  EXPECT_TRUE(std::any_of(read.notes.begin(), read.notes.end(), [](const Note& note) { return note.message.find("bathroom") != std::string::npos; }));
+  EXPECT_TRUE(std::any_of(read.notes.begin(), read.notes.end(),
+                          [](const Note& note) { return note.message.find("bathroom") != std::string::npos; }));
 }
 
 TEST_F(OfflinePlannerTest, RefusesWhatIsNoPrompt) {
@@ -132,8 +138,11 @@ TEST_F(OfflinePlannerTest, HundredThousandWordsDoNotHangIt) {
 
 // Any row of words gives a plan whose relations name objects that are there.
 TEST_F(OfflinePlannerTest, AnyWordsGiveASoundScene) {
-  const std::vector<std::string> words = {"a",    "the",  "bed",   "two",  "chairs", "on",      "with",   "and",   ",",     ".",    "it",     "them", "each",   "one",  "of",    "which", "flanked by", "in front of", "is",
-                                          "there", "no",  "corner", "wall", "left",  "holding", "filled", "books", "while", "near", "window", "'s",  "placed", "hang", "between", "4 x 3 m", "other", "surround", "for",  "top"};
+  const std::vector<std::string> words = {"a",          "the",         "bed",     "two",   "chairs",   "on",     "with", "and",
+                                          ",",          ".",           "it",      "them",  "each",     "one",    "of",   "which",
+                                          "flanked by", "in front of", "is",      "there", "no",       "corner", "wall", "left",
+                                          "holding",    "filled",      "books",   "while", "near",     "window", "'s",   "placed",
+                                          "hang",       "between",     "4 x 3 m", "other", "surround", "for",    "top"};
   constexpr unsigned kSeed = 20240607;
   std::mt19937 random(kSeed);
   for (int round = 0; round < 3000; ++round) {

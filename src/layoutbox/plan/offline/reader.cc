@@ -66,8 +66,10 @@ int DocumentReader::add_link(Link link) {
 }
 
 void DocumentReader::begin_clause() {
-  if (!subject_.empty()) last_topic_ = subject_.front();
-  else if (roots_.size() > clause_start_) last_topic_ = roots_.back();
+  if (!subject_.empty())
+    last_topic_ = subject_.front();
+  else if (roots_.size() > clause_start_)
+    last_topic_ = roots_.back();
   clause_start_ = roots_.size();
   subject_.clear();
   fronted_.clear();
@@ -112,21 +114,28 @@ void DocumentReader::read_chunk(std::size_t k) {
       where_host_ = place;
       break;
     }
-    case ChunkKind::kComma: case ChunkKind::kAnd: read_break(k); break;
+    case ChunkKind::kComma:
+    case ChunkKind::kAnd: read_break(k); break;
     case ChunkKind::kIgnored:
       if (document_.readings[chunk(k).first].role.empty()) mark(k, Use::kIgnored, "filler");
       break;
-    case ChunkKind::kUnknown:
-      mark(k, skipping_ ? Use::kIgnored : Use::kNotUnderstood, skipping_ ? "purpose" : "not understood");
+    case ChunkKind::kUnknown: mark(k, skipping_ ? Use::kIgnored : Use::kNotUnderstood, skipping_ ? "purpose" : "not understood"); break;
+    case ChunkKind::kSoft:
+      mark(k, Use::kUsed, "soft");
+      soft_ = true;
       break;
-    case ChunkKind::kSoft: mark(k, Use::kUsed, "soft"); soft_ = true; break;
-    case ChunkKind::kWithout: mark(k, Use::kUsed, "negation"); negated_ = true; skipping_ = false; break;
+    case ChunkKind::kWithout:
+      mark(k, Use::kUsed, "negation");
+      negated_ = true;
+      skipping_ = false;
+      break;
     case ChunkKind::kPurpose:
       mark(k, Use::kIgnored, "purpose");
       skipping_ = true;
       joiner_ = Joiner::kNone;
       break;
-    case ChunkKind::kThere: case ChunkKind::kCommand:
+    case ChunkKind::kThere:
+    case ChunkKind::kCommand:
       mark(k, Use::kIgnored, "opens a statement");
       skipping_ = false;
       break;
@@ -208,7 +217,8 @@ bool DocumentReader::place_comes_first(std::size_t k) const {
   }
   if (is(after, ChunkKind::kComma) && joiner_ != Joiner::kComma) {
     const std::size_t thing = next(after);
-    return is(thing, ChunkKind::kThere) || (is(thing, ChunkKind::kNoun) && chunk(thing).noun.kind == NounKind::kObject && chunk(thing).noun.determiner != Determiner::kDefinite);
+    return is(thing, ChunkKind::kThere) || (is(thing, ChunkKind::kNoun) && chunk(thing).noun.kind == NounKind::kObject &&
+                                            chunk(thing).noun.determiner != Determiner::kDefinite);
   }
   return false;
 }
@@ -221,12 +231,15 @@ void DocumentReader::read_break(std::size_t k) {
     bool resume = false;
     if (is(n, ChunkKind::kNoun)) {
       const NounPhrase& noun = chunk(n).noun;
-      const bool said = noun.determiner == Determiner::kIndefinite || noun.determiner == Determiner::kAnother || noun.determiner == Determiner::kBoth || noun.determiner == Determiner::kEach || noun.count > 0;
+      const bool said = noun.determiner == Determiner::kIndefinite || noun.determiner == Determiner::kAnother ||
+                        noun.determiner == Determiner::kBoth || noun.determiner == Determiner::kEach || noun.count > 0;
       const bool definite = noun.determiner == Determiner::kDefinite && (comma || is(next(n), ChunkKind::kVerb));
-      resume = (said && noun.kind != NounKind::kAbstract) || definite || (noun.kind == NounKind::kMember && comma) || is(next(n), ChunkKind::kVerb);
+      resume = (said && noun.kind != NounKind::kAbstract) || definite || (noun.kind == NounKind::kMember && comma) ||
+               is(next(n), ChunkKind::kVerb);
       if (!comma && noun.kind != NounKind::kAbstract && said) resume = true;
     } else if (comma) {
-      resume = is(n, ChunkKind::kRelation) || is(n, ChunkKind::kHave) || is(n, ChunkKind::kParticiple) || is(n, ChunkKind::kRelative) || is(n, ChunkKind::kThere) || is(n, ChunkKind::kAnd) || is(n, ChunkKind::kVerb);
+      resume = is(n, ChunkKind::kRelation) || is(n, ChunkKind::kHave) || is(n, ChunkKind::kParticiple) || is(n, ChunkKind::kRelative) ||
+               is(n, ChunkKind::kThere) || is(n, ChunkKind::kAnd) || is(n, ChunkKind::kVerb);
     } else {
       resume = is(n, ChunkKind::kVerb) || is(n, ChunkKind::kThere) || is(n, ChunkKind::kCommand);
     }
@@ -241,8 +254,10 @@ void DocumentReader::read_break(std::size_t k) {
     const bool more = is(n, ChunkKind::kNoun) && chunk(n).noun.determiner == Determiner::kNone && chunk(n).noun.count == 0;
     if (!more) negated_ = false;
   }
-  if (comma) joiner_ = Joiner::kComma;
-  else joiner_ = joiner_ == Joiner::kComma ? Joiner::kCommaAnd : Joiner::kAnd;
+  if (comma)
+    joiner_ = Joiner::kComma;
+  else
+    joiner_ = joiner_ == Joiner::kComma ? Joiner::kCommaAnd : Joiner::kAnd;
   if (comma) after_participle_ = hang_ = false;
 }
 
@@ -275,7 +290,9 @@ int DocumentReader::implied_reference(const std::vector<int>& targets) const {
 }
 
 int DocumentReader::implied_group(const std::vector<int>& targets) const {
-  const auto usable = [&](int mention) { return mention >= 0 && document_.mentions[static_cast<std::size_t>(mention)].items.size() > 1 && !contains(targets, mention); };
+  const auto usable = [&](int mention) {
+    return mention >= 0 && document_.mentions[static_cast<std::size_t>(mention)].items.size() > 1 && !contains(targets, mention);
+  };
   for (std::size_t f = frames_.size(); f-- > 0;) {
     for (const int host : frames_[f].hosts) {
       if (usable(host)) return host;
@@ -305,7 +322,11 @@ void DocumentReader::read_noun(std::size_t k) {
   }
   if (noun.kind == NounKind::kOutsideRoom) {
     mark(k, Use::kIgnored, "another room");
-    document_.notes.push_back({"ignored", "\"" + words_between(document_, chunk(k).first, chunk(k).last) + "\" is another room: what is said to be in it goes into this one", "prompt:" + std::to_string(document_.tokens[chunk(k).first].begin) + "-" + std::to_string(document_.tokens[chunk(k).last - 1].end)});
+    document_.notes.push_back(
+        {"ignored",
+         "\"" + words_between(document_, chunk(k).first, chunk(k).last) + "\" is another room: what is said to be in it goes into this one",
+         "prompt:" + std::to_string(document_.tokens[chunk(k).first].begin) + "-" +
+             std::to_string(document_.tokens[chunk(k).last - 1].end)});
   }
   if (noun.kind == NounKind::kRoom && !expects_reference_) document_.rooms.push_back(noun);
   if (noun.kind == NounKind::kRoom && expects_reference_ && noun.room != nullptr) document_.rooms.push_back(noun);
@@ -329,9 +350,13 @@ void DocumentReader::read_noun(std::size_t k) {
     }
     // "two chairs on each long side and one on each short side": another one of the kind.
     const bool direct_follows = is(next(k), ChunkKind::kRelation) && has_direction(*chunk(next(k)).phrase.senses, Direction::kDirect);
-    if ((joiner_ == Joiner::kAnd || joiner_ == Joiner::kCommaAnd) && noun.determiner == Determiner::kNone && noun.count > 0 && !noun.subset && !expects_reference_ && (direct_follows || (is(next(k), ChunkKind::kRelation) && has_direction(*chunk(next(k)).phrase.senses, Direction::kAlone)))) {
+    if ((joiner_ == Joiner::kAnd || joiner_ == Joiner::kCommaAnd) && noun.determiner == Determiner::kNone && noun.count > 0 &&
+        !noun.subset && !expects_reference_ &&
+        (direct_follows || (is(next(k), ChunkKind::kRelation) && has_direction(*chunk(next(k)).phrase.senses, Direction::kAlone)))) {
       if (antecedent < 0 && !chain_.empty()) antecedent = chain_.front();
-      int kind = frames_.empty() || frames_.back().room || frames_.back().link < 0 || link_at(frames_.back().link).targets.empty() ? antecedent : link_at(frames_.back().link).targets.back();
+      int kind = frames_.empty() || frames_.back().room || frames_.back().link < 0 || link_at(frames_.back().link).targets.empty()
+                     ? antecedent
+                     : link_at(frames_.back().link).targets.back();
       if (kind >= 0) {
         NounPhrase copy = mention_at(kind).noun;
         copy.determiner = Determiner::kNone;
@@ -346,9 +371,12 @@ void DocumentReader::read_noun(std::size_t k) {
       }
     }
   } else if (noun.kind == NounKind::kPart || noun.determiner == Determiner::kPossessive || base_is_pronoun) {
-    const bool of_something = noun.kind != NounKind::kPart || expects_reference_ || expects_content_ || noun.determiner == Determiner::kDefinite || noun.determiner == Determiner::kPossessive || base_is_pronoun;
+    const bool of_something = noun.kind != NounKind::kPart || expects_reference_ || expects_content_ ||
+                              noun.determiner == Determiner::kDefinite || noun.determiner == Determiner::kPossessive || base_is_pronoun;
     antecedent = owner_ >= 0 ? owner_ : of_something ? implied_reference(busy) : -1;
-    if (noun.determiner == Determiner::kPossessive && noun.kind != NounKind::kPart && noun.kind != NounKind::kObject && noun.kind != NounKind::kCorner && noun.kind != NounKind::kCenter) antecedent = -1;
+    if (noun.determiner == Determiner::kPossessive && noun.kind != NounKind::kPart && noun.kind != NounKind::kObject &&
+        noun.kind != NounKind::kCorner && noun.kind != NounKind::kCenter)
+      antecedent = -1;
     if (noun.kind == NounKind::kCenter && noun.determiner == Determiner::kPossessive && document_.items.empty()) antecedent = -1;
   }
   // "the desk's left corner" is the left corner of the desk.
@@ -377,7 +405,8 @@ void DocumentReader::read_noun(std::size_t k) {
 
 // What stands for an area of the room: "the dining area" is where the dining table is, "the seating area" where one sits.
 int DocumentReader::thing_of_zone(const NounPhrase& noun) const {
-  static constexpr std::string_view kZones[] = {"area", "zone", "nook", "setup", "arrangement", "section", "spot", "station", "corner", "set-up"};
+  static constexpr std::string_view kZones[] = {"area",    "zone", "nook",    "setup",  "arrangement",
+                                                "section", "spot", "station", "corner", "set-up"};
   if (std::find(std::begin(kZones), std::end(kZones), noun.head) == std::end(kZones) || noun.determiner != Determiner::kDefinite) return -1;
   const std::string words = words_between(document_, noun.first, noun.last);
   int seat = -1, named = -1;
@@ -392,7 +421,8 @@ int DocumentReader::thing_of_zone(const NounPhrase& noun) const {
     if (seat < 0 && is_seat(lexicon_.catalog(), mention.noun)) seat = static_cast<int>(m);
   }
   if (named >= 0) return named;
-  if (words.find("seating") != std::string::npos || words.find("sitting") != std::string::npos || words.find("lounge") != std::string::npos) return seat;
+  if (words.find("seating") != std::string::npos || words.find("sitting") != std::string::npos || words.find("lounge") != std::string::npos)
+    return seat;
   if (words.find("sleeping") != std::string::npos) {
     for (std::size_t m = 0; m < document_.mentions.size(); ++m) {
       if (!document_.mentions[m].items.empty() && document_.mentions[m].noun.head == "bed") return static_cast<int>(m);
@@ -405,11 +435,16 @@ void DocumentReader::read_place(std::size_t k, int mention) {
   // Collectives ("bath essentials") are things where something holds them.
   NounPhrase& noun = mention_at(mention).noun;
   if (noun.kind == NounKind::kAbstract && noun.collective && mention_at(mention).items.empty()) {
-    const bool contents = (expects_content_ && !frames_.empty() && !frames_.back().room) || (joiner_ != Joiner::kNone && !frames_.empty() && !frames_.back().room);
+    const bool contents = (expects_content_ && !frames_.empty() && !frames_.back().room) ||
+                          (joiner_ != Joiner::kNone && !frames_.empty() && !frames_.back().room);
     if (contents) {
       noun.kind = NounKind::kObject;
       document_.mentions.pop_back();
-      const NounPhrase copy = [&] { NounPhrase n = chunk(k).noun; n.kind = NounKind::kObject; return n; }();
+      const NounPhrase copy = [&] {
+        NounPhrase n = chunk(k).noun;
+        n.kind = NounKind::kObject;
+        return n;
+      }();
       mention = references_.mention(copy, -1, false);
       mark(k, WordReading::Use::kUsed, copy.name);
     }
@@ -451,12 +486,14 @@ void DocumentReader::place_root(std::size_t k, int mention) {
   // "each", "one": speaks of things that are there already.
   for (const int link : fronted_) {
     Link& waiting = link_at(link);
-    if (!waiting.targets.empty() && waiting.references.empty()) waiting.references = {mention};
+    if (!waiting.targets.empty() && waiting.references.empty())
+      waiting.references = {mention};
     else if (waiting.references.empty() || !contains(waiting.references, mention)) {
       waiting.targets.push_back(mention);
       if (waiting.each) grow_for_sides(waiting.senses, mention);
       for (const int reference : waiting.references) {
-        if (mention_at(reference).distributes && mention_at(reference).items.size() > 1) references_.grow(mention, mention_at(mention).items.size() * mention_at(reference).items.size());
+        if (mention_at(reference).distributes && mention_at(reference).items.size() > 1)
+          references_.grow(mention, mention_at(mention).items.size() * mention_at(reference).items.size());
       }
     }
     root_modified_.back() = true;
@@ -502,9 +539,11 @@ void DocumentReader::place_reference(std::size_t k, int mention) {
       }
     }
     // A screen on a stand looks where the stand looks.
-    if (says(link.senses, RelationType::kFacing) && chain_.size() > 1 && link.targets.size() == 1 && link.targets.front() == chain_.back() && is_thing(chain_[chain_.size() - 2])) {
+    if (says(link.senses, RelationType::kFacing) && chain_.size() > 1 && link.targets.size() == 1 &&
+        link.targets.front() == chain_.back() && is_thing(chain_[chain_.size() - 2])) {
       const NounPhrase& carried = noun_of(chain_[chain_.size() - 2]);
-      if (carried.head == "tv" || carried.head == "television" || carried.head == "monitor" || carried.head == "screen") link.targets.push_back(chain_[chain_.size() - 2]);
+      if (carried.head == "tv" || carried.head == "television" || carried.head == "monitor" || carried.head == "screen")
+        link.targets.push_back(chain_[chain_.size() - 2]);
     }
     if (hang_ && !link.targets.empty()) {
       const NounKind kind = noun_of(mention).kind;
@@ -528,7 +567,9 @@ void DocumentReader::place_content(std::size_t k, int mention) {
     return;
   }
   const Frame frame = frames_.back();
-  chain_.erase(std::remove_if(chain_.begin(), chain_.end(), [&](int m) { return frame.link >= 0 && contains(link_at(frame.link).targets, m); }), chain_.end());
+  chain_.erase(
+      std::remove_if(chain_.begin(), chain_.end(), [&](int m) { return frame.link >= 0 && contains(link_at(frame.link).targets, m); }),
+      chain_.end());
   for (const int host : frame.hosts) {
     if (!contains(chain_, host)) chain_.push_back(host);
   }
@@ -538,7 +579,8 @@ void DocumentReader::place_content(std::size_t k, int mention) {
       link.targets.push_back(mention);
       link.last = chunk(k).last;
       for (const int host : frame.hosts) {
-        if (mention_at(host).distributes) references_.grow(mention, mention_at(mention).items.size() * std::max<std::size_t>(mention_at(host).items.size(), 1));
+        if (mention_at(host).distributes)
+          references_.grow(mention, mention_at(mention).items.size() * std::max<std::size_t>(mention_at(host).items.size(), 1));
       }
     }
     imply_adjective(mention, k);
@@ -557,7 +599,10 @@ bool DocumentReader::goes_on_with_reference(std::size_t k, const NounPhrase& nou
   if (says(link.senses, RelationType::kBetween)) return joiner_ == Joiner::kAnd;
   if (joiner_ != Joiner::kAnd) return false;
   const NounPhrase& former = noun_of(link.references.back());
-  const auto definite = [](const NounPhrase& n) { return n.determiner == Determiner::kDefinite || n.determiner == Determiner::kEach || n.determiner == Determiner::kBoth || n.determiner == Determiner::kPossessive; };
+  const auto definite = [](const NounPhrase& n) {
+    return n.determiner == Determiner::kDefinite || n.determiner == Determiner::kEach || n.determiner == Determiner::kBoth ||
+           n.determiner == Determiner::kPossessive;
+  };
   const bool place = former.kind != NounKind::kObject;
   if (place || noun.kind != NounKind::kObject) return place && noun.kind == former.kind && noun.kind != NounKind::kRoom;
   if (definite(former) != definite(noun)) return false;
@@ -586,12 +631,14 @@ bool DocumentReader::goes_on_with_contents(std::size_t k, const NounPhrase& noun
   const Catalog& catalog = lexicon_.catalog();
   if (noun.kind == NounKind::kAbstract) return !noun.collective || joiner_ != Joiner::kNone;
   if (host.entry != nullptr && host.entry->thin) return false;
-  const bool shares_article = joiner_ == Joiner::kAnd && noun.determiner == Determiner::kNone && noun.count == 0 && !noun.plural && noun_of(link.targets.back()).determiner != Determiner::kNone;
+  const bool shares_article = joiner_ == Joiner::kAnd && noun.determiner == Determiner::kNone && noun.count == 0 && !noun.plural &&
+                              noun_of(link.targets.back()).determiner != Determiner::kNone;
   if (shares_article) return true;
   if (frame.after_comma && mount_of(noun) == Mount::kFloor) return false;
   const NounPhrase& former = noun_of(link.targets.back());
   const bool carried = may_carry(catalog, host, noun);
   if (link.kind == Link::Kind::kHave) {
+    if (link.holding && mount_of(noun) == Mount::kSurface) return true;
     if (carried && (link.holding || may_carry(catalog, host, former))) return true;
     const bool on_top = is(n, ChunkKind::kRelation) && says(*chunk(n).phrase.senses, RelationType::kOn) && !is(next(n), ChunkKind::kNoun);
     if (joiner_ == Joiner::kAnd && on_top) return true;
@@ -628,10 +675,12 @@ std::vector<int> DocumentReader::joined_with(int mention, bool after_participle,
   return joined;
 }
 
-std::vector<int> DocumentReader::targets_for(const PhraseSenses& senses, Direction direction, const NounPhrase& reference, bool after_participle, std::size_t k) const {
+std::vector<int> DocumentReader::targets_for(const PhraseSenses& senses, Direction direction, const NounPhrase& reference,
+                                             bool after_participle, std::size_t k) const {
   (void)k;
   const Catalog& catalog = lexicon_.catalog();
-  const bool apart = joiner_before_relation_ == Joiner::kComma || joiner_before_relation_ == Joiner::kCommaAnd || joiner_before_relation_ == Joiner::kAnd;
+  const bool apart =
+      joiner_before_relation_ == Joiner::kComma || joiner_before_relation_ == Joiner::kCommaAnd || joiner_before_relation_ == Joiner::kAnd;
   int best = -1, best_score = 0;
   const std::size_t count = chain_.size();
   for (std::size_t step = 0; step < count; ++step) {
@@ -643,8 +692,11 @@ std::vector<int> DocumentReader::targets_for(const PhraseSenses& senses, Directi
     if (!sense) continue;
     int score = 10 * suits(catalog, *sense, noun, reference);
     const bool root = contains(roots_, mention) || contains(subject_, mention);
-    const bool room_place = reference.kind == NounKind::kCorner || reference.kind == NounKind::kWall || reference.kind == NounKind::kWindow || reference.kind == NounKind::kDoor || reference.kind == NounKind::kCenter;
-    if (room_place && !apart && step == 0 && count > 1 && is_content(mention) && (is_seat(catalog, noun) || mount_of(noun) == Mount::kSurface) && !hang_) score -= 12;
+    const bool room_place = reference.kind == NounKind::kCorner || reference.kind == NounKind::kWall ||
+                            reference.kind == NounKind::kWindow || reference.kind == NounKind::kDoor || reference.kind == NounKind::kCenter;
+    if (room_place && !apart && step == 0 && count > 1 && is_content(mention) &&
+        (is_seat(catalog, noun) || mount_of(noun) == Mount::kSurface) && !hang_)
+      score -= 12;
     // What was there before is seldom placed anew by the way.
     if (!document_.mentions[static_cast<std::size_t>(mention)].introduces && !root) score -= 15;
     if (hang_ && !apart && c + 1 == count && score > 0) score += 12;  // "a bicycle hung on the wall"
@@ -674,7 +726,13 @@ void DocumentReader::imply_adjective(int mention, std::size_t k) {
     const int reference = implied_reference({mention});
     if (reference < 0) continue;
     Link link;
-    link.senses = {{next_to ? RelationType::kNextTo : near ? RelationType::kNear : RelationType::kOpposite, Direction::kDirect, {}, {}, {}}};
+    link.senses = {{next_to ? RelationType::kNextTo
+                    : near  ? RelationType::kNear
+                            : RelationType::kOpposite,
+                    Direction::kDirect,
+                    {},
+                    {},
+                    {}}};
     link.targets = {mention};
     link.references = {reference};
     link.first = chunk(k).first;
@@ -686,8 +744,10 @@ void DocumentReader::imply_adjective(int mention, std::size_t k) {
 // "a lamp on each side" is two lamps, "two chairs on each long side" four.
 void DocumentReader::grow_for_sides(const PhraseSenses& senses, int target) {
   const std::size_t count = mention_at(target).items.size();
-  if (says(senses, RelationType::kAlongSide)) references_.grow(target, count * 2);
-  else if (says(senses, RelationType::kEachSideOf) && count != 2) references_.grow(target, count * 2);
+  if (says(senses, RelationType::kAlongSide))
+    references_.grow(target, count * 2);
+  else if (says(senses, RelationType::kEachSideOf) && count != 2)
+    references_.grow(target, count * 2);
 }
 
 // "a laptop on the right side of the desk and a wallet on the left side": of the desk as well; "on the short side": of a table.
@@ -710,7 +770,9 @@ int DocumentReader::implied_side_host(const PhraseSenses& senses, const std::vec
     }
   }
   if (table) {
-    const auto fits = [&](int mention) { return mention >= 0 && is_thing(mention) && !own(mention) && is_table(lexicon_.catalog(), noun_of(mention)); };
+    const auto fits = [&](int mention) {
+      return mention >= 0 && is_thing(mention) && !own(mention) && is_table(lexicon_.catalog(), noun_of(mention));
+    };
     for (std::size_t f = frames_.size(); f-- > 0;) {
       for (const int host : frames_[f].hosts) {
         if (fits(host)) return host;
@@ -727,7 +789,9 @@ int DocumentReader::implied_side_host(const PhraseSenses& senses, const std::vec
 }
 
 bool DocumentReader::is_content(int mention) const {
-  return std::any_of(frames_.begin(), frames_.end(), [&](const Frame& frame) { return frame.link >= 0 && contains(document_.links[static_cast<std::size_t>(frame.link)].targets, mention); });
+  return std::any_of(frames_.begin(), frames_.end(), [&](const Frame& frame) {
+    return frame.link >= 0 && contains(document_.links[static_cast<std::size_t>(frame.link)].targets, mention);
+  });
 }
 
 bool DocumentReader::frames_are_room() const {
@@ -774,7 +838,8 @@ void DocumentReader::read_relation(std::size_t k) {
   link.distance = relation.distance;
   link.at_least = relation.at_least;
   link.at_most = relation.at_most;
-  const bool direct = has_direction(senses, Direction::kDirect), inverse = has_direction(senses, Direction::kInverse), alone = has_direction(senses, Direction::kAlone);
+  const bool direct = has_direction(senses, Direction::kDirect), inverse = has_direction(senses, Direction::kInverse),
+             alone = has_direction(senses, Direction::kAlone);
   if (at_start && noun_follows && first_word == "line" && relation.last - relation.first == 1 && is(next(n), ChunkKind::kRelation)) {
     imperative_ = true;  // "Line the sofa along the wall"
     joiner_ = Joiner::kNone;
@@ -790,7 +855,8 @@ void DocumentReader::read_relation(std::size_t k) {
     expects_reference_ = true;
     hang_ |= relation.hang;
     // "Flank the bed with …": a command, not a place that comes first.
-    const bool command = at_start && relation.last - relation.first == 1 && is(next(n), ChunkKind::kHave) && document_.tokens[chunk(next(n)).first].text == "with";
+    const bool command = at_start && relation.last - relation.first == 1 && is(next(n), ChunkKind::kHave) &&
+                         document_.tokens[chunk(next(n)).first].text == "with";
     if (command) arranging_link_ = reference_link_;
     if (at_start) fronted_.push_back(reference_link_);
     if (command) fronted_.pop_back(), held_for_with_ = reference_link_;
@@ -798,7 +864,8 @@ void DocumentReader::read_relation(std::size_t k) {
     return;
   }
   const std::string& last_word = document_.tokens[relation.last - 1].text;
-  const bool open_end = last_word == "of" || last_word == "to" || last_word == "from" || last_word == "with" || last_word == "by" || last_word == "at" || last_word == "on" || last_word == "in" || last_word == "against";
+  const bool open_end = last_word == "of" || last_word == "to" || last_word == "from" || last_word == "with" || last_word == "by" ||
+                        last_word == "at" || last_word == "on" || last_word == "in" || last_word == "against";
   const bool up_or_down = says(senses, RelationType::kAbove) || says(senses, RelationType::kUnder);
   if (!alone && !relation.phrase.possessive && (open_end || !direct || !up_or_down)) {
     if (relation.hang && !chain_.empty()) hang({chain_.back()}, k);
@@ -815,12 +882,16 @@ void DocumentReader::read_relation(std::size_t k) {
   }
   const std::size_t before = previous(k);
   // "against the wall to the right": which wall.
-  if (is(before, ChunkKind::kNoun) && chunk(before).noun.kind == NounKind::kWall && last_wall_ >= 0 && (says(link.senses, RelationType::kLeftOf) || says(link.senses, RelationType::kRightOf))) {
+  if (is(before, ChunkKind::kNoun) && chunk(before).noun.kind == NounKind::kWall && last_wall_ >= 0 &&
+      (says(link.senses, RelationType::kLeftOf) || says(link.senses, RelationType::kRightOf))) {
     mention_at(last_wall_).noun.wall_word = says(link.senses, RelationType::kLeftOf) ? "left" : "right";
     return;
   }
-  if (is(before, ChunkKind::kNoun) && (chunk(before).noun.kind == NounKind::kAbstract || chunk(before).noun.kind == NounKind::kPart) && joiner_ == Joiner::kNone) return;
-  const bool group_only = std::all_of(link.senses.begin(), link.senses.end(), [](const PhraseSense& s) { return relation_row(s.type).arity == RelationArity::kNone; });
+  if (is(before, ChunkKind::kNoun) && (chunk(before).noun.kind == NounKind::kAbstract || chunk(before).noun.kind == NounKind::kPart) &&
+      joiner_ == Joiner::kNone)
+    return;
+  const bool group_only = std::all_of(link.senses.begin(), link.senses.end(),
+                                      [](const PhraseSense& s) { return relation_row(s.type).arity == RelationArity::kNone; });
   std::vector<int> targets;
   if (!chain_.empty()) {
     int target = chain_.back();
@@ -842,7 +913,9 @@ void DocumentReader::read_relation(std::size_t k) {
     }
     if (is_thing(target)) targets = joined_with(target, after_participle_, group_only && says(link.senses, RelationType::kCenterOfRoom));
     // "cups and sodas on top": all that the host has.
-    if (says(link.senses, RelationType::kOn) && !frames_.empty() && frames_.back().link >= 0 && contains(link_at(frames_.back().link).targets, target)) targets = link_at(frames_.back().link).targets;
+    if (says(link.senses, RelationType::kOn) && !frames_.empty() && frames_.back().link >= 0 &&
+        contains(link_at(frames_.back().link).targets, target))
+      targets = link_at(frames_.back().link).targets;
   }
   if (targets.empty()) return;
   link.targets = targets;
@@ -913,7 +986,8 @@ void DocumentReader::read_have(std::size_t k) {
   link.kind = Link::Kind::kHave;
   link.first = chunk(k).first;
   link.last = chunk(k).last;
-  const bool plain = word == "with" || word == "featuring" || word == "features" || word == "feature" || word == "including" || word == "includes" || word == "include" || word == "has" || word == "have" || word == "having";
+  const bool plain = word == "with" || word == "featuring" || word == "features" || word == "feature" || word == "including" ||
+                     word == "includes" || word == "include" || word == "has" || word == "have" || word == "having";
   link.holding = !plain;
   link.weak = plain;
   const bool after_comma = joiner_ == Joiner::kComma || joiner_ == Joiner::kCommaAnd;
@@ -929,10 +1003,12 @@ void DocumentReader::read_have(std::size_t k) {
   }
   // The host: what stands right before; after a comma or a verb the clause's own thing.
   int host = chain_.empty() ? -1 : chain_.back();
-  if (host >= 0 && is_thing(host) && !mention_at(host).introduces && is_thing(chain_.front()) && noun_of(host).kind == NounKind::kObject) host = chain_.front();
+  if (host >= 0 && is_thing(host) && !mention_at(host).introduces && is_thing(chain_.front()) && noun_of(host).kind == NounKind::kObject)
+    host = chain_.front();
   if ((after_comma || is(previous(k), ChunkKind::kVerb)) && !chain_.empty()) host = chain_.front();
   if (is_finite(word) && roots_.size() > clause_start_) host = roots_.back();
-  if (is_finite(word) && host >= 0 && (noun_of(host).kind == NounKind::kWall || noun_of(host).kind == NounKind::kFloor || noun_of(host).kind == NounKind::kWindow)) {
+  if (is_finite(word) && host >= 0 &&
+      (noun_of(host).kind == NounKind::kWall || noun_of(host).kind == NounKind::kFloor || noun_of(host).kind == NounKind::kWindow)) {
     // "An office with white walls has a desk": the office has.
     for (const int root : roots_) {
       if (noun_of(root).kind == NounKind::kRoom) host = root;
@@ -951,10 +1027,14 @@ void DocumentReader::read_have(std::size_t k) {
     for (std::size_t r = 0; r < roots_.size(); ++r) {
       if (contains(hosts, roots_[r])) root_modified_[r] = true;
     }
-  } else if (kind == NounKind::kWall || kind == NounKind::kCorner || kind == NounKind::kCenter || kind == NounKind::kCeiling || kind == NounKind::kFloor) {
+  } else if (kind == NounKind::kWall || kind == NounKind::kCorner || kind == NounKind::kCenter || kind == NounKind::kCeiling ||
+             kind == NounKind::kFloor) {
     link.kind = Link::Kind::kRelation;
     link.weak = false;
-    link.senses = {{RelationType::kOn, Direction::kDirect, {}, {}, {}}, {RelationType::kOnWall, Direction::kDirect, {}, {}, {}}, {RelationType::kAgainstWall, Direction::kDirect, {}, {}, {}}, {RelationType::kOnCeiling, Direction::kDirect, {}, {}, {}}};
+    link.senses = {{RelationType::kOn, Direction::kDirect, {}, {}, {}},
+                   {RelationType::kOnWall, Direction::kDirect, {}, {}, {}},
+                   {RelationType::kAgainstWall, Direction::kDirect, {}, {}, {}},
+                   {RelationType::kOnCeiling, Direction::kDirect, {}, {}, {}}};
     link.references = {host};
     const int index = add_link(std::move(link));
     frames_.push_back({index, {host}, false, false});
@@ -1011,14 +1091,16 @@ void DocumentReader::read_verb(std::size_t k) {
       subject.insert(subject.begin(), roots_[r - 1]);
     }
   } else if (plural_verb && !in_room_list_) {
-    for (std::size_t r = roots_.size() - 1; r > clause_start_ && root_joiners_[r] == Joiner::kAnd && !root_modified_[r - 1]; --r) subject.insert(subject.begin(), roots_[r - 1]);
+    for (std::size_t r = roots_.size() - 1; r > clause_start_ && root_joiners_[r] == Joiner::kAnd && !root_modified_[r - 1]; --r)
+      subject.insert(subject.begin(), roots_[r - 1]);
   }
   subject.erase(std::remove_if(subject.begin(), subject.end(), [&](int m) { return subject.size() > 1 && !is_thing(m); }), subject.end());
   if (subject.empty()) subject = {roots_.back()};
   subject_ = subject;
   // "a table where puzzles lie": on the table.
   const std::size_t after = next(k);
-  if (where_host_ >= 0 && is_thing(where_host_) && is_thing(subject_.front()) && (is(after, ChunkKind::kStop) || is(after, ChunkKind::kComma))) {
+  if (where_host_ >= 0 && is_thing(where_host_) && is_thing(subject_.front()) &&
+      (is(after, ChunkKind::kStop) || is(after, ChunkKind::kComma))) {
     Link link;
     link.kind = Link::Kind::kHave;
     link.holding = true;

@@ -22,7 +22,7 @@ class DocumentReader {
   struct Frame {
     int link = -1;
     std::vector<int> hosts;
-    bool room = false;      // the hosts are the room: members are roots
+    bool room = false;  // the hosts are the room: members are roots
     bool after_comma = false;
   };
 
@@ -44,7 +44,8 @@ class DocumentReader {
   bool goes_on_with_reference(std::size_t k, const NounPhrase& noun) const;
   bool goes_on_with_contents(std::size_t k, const NounPhrase& noun) const;
 
-  std::vector<int> targets_for(const PhraseSenses& senses, PhraseSense::Direction direction, const NounPhrase& reference, bool after_participle, std::size_t k) const;
+  std::vector<int> targets_for(const PhraseSenses& senses, PhraseSense::Direction direction, const NounPhrase& reference,
+                               bool after_participle, std::size_t k) const;
   std::vector<int> joined_with(int mention, bool after_participle, bool in_center = false) const;
   int implied_side_host(const PhraseSenses& senses, const std::vector<int>& targets) const;
   int thing_of_zone(const NounPhrase& noun) const;
@@ -53,14 +54,14 @@ class DocumentReader {
   bool is_content(int mention) const;
   bool verb_at(std::size_t k) const;
   bool place_comes_first(std::size_t k) const;
-  std::size_t previous(std::size_t k) const;     // the chunk before, ignored ones left out; past the end if none
+  std::size_t previous(std::size_t k) const;  // the chunk before, ignored ones left out; past the end if none
   int implied_reference(const std::vector<int>& targets) const;
   int implied_group(const std::vector<int>& targets) const;
   void imply_adjective(int mention, std::size_t k);
   void hang(const std::vector<int>& targets, std::size_t k);
 
   const Chunk& chunk(std::size_t k) const { return document_.chunks[k]; }
-  std::size_t next(std::size_t k) const;         // the next chunk that is not ignored
+  std::size_t next(std::size_t k) const;  // the next chunk that is not ignored
   bool is(std::size_t k, ChunkKind kind) const { return k < document_.chunks.size() && document_.chunks[k].kind == kind; }
   const NounPhrase& noun_of(int mention) const { return document_.mentions[static_cast<std::size_t>(mention)].noun; }
   Mention& mention_at(int mention) { return document_.mentions[static_cast<std::size_t>(mention)]; }
@@ -74,26 +75,26 @@ class DocumentReader {
   References references_;
 
   // Of the text so far.
-  int last_topic_ = -1;               // what the former clause spoke of
+  int last_topic_ = -1;  // what the former clause spoke of
   // Of the clause.
   std::vector<int> roots_, subject_, chain_, fronted_;
   std::vector<Joiner> root_joiners_;  // how each root was joined to the one before it
   std::vector<bool> root_modified_;   // has a modifier of its own
   std::vector<Frame> frames_;
-  bool after_verb_ = false;           // what follows speaks of the subject
+  bool after_verb_ = false;  // what follows speaks of the subject
   bool after_participle_ = false;
-  int reference_link_ = -1;           // the link whose reference comes next (or may be joined by "and")
+  int reference_link_ = -1;  // the link whose reference comes next (or may be joined by "and")
   bool expects_reference_ = false, expects_content_ = false, skipping_ = false, negated_ = false, soft_ = false;
-  bool hang_ = false;                 // a participle or verb of hanging waits for its place
+  bool hang_ = false;  // a participle or verb of hanging waits for its place
   int last_reference_ = -1;
   int owner_ = -1;
   int relative_host_ = -1, where_host_ = -1, last_wall_ = -1;
   int arranging_link_ = -1, held_for_with_ = -1;  // "flank the bed with …": the link whose targets "with" names
-  std::size_t sentence_links_ = 0;    // links before this sentence
+  std::size_t sentence_links_ = 0;                // links before this sentence
   Joiner joiner_ = Joiner::kNone, joiner_before_relation_ = Joiner::kNone;
-  std::size_t clause_start_ = 0;      // of roots_
-  bool imperative_ = false;           // "place the bed …": what is named next is placed
-  bool in_room_list_ = false;         // the roots are the room's list
+  std::size_t clause_start_ = 0;  // of roots_
+  bool imperative_ = false;       // "place the bed …": what is named next is placed
+  bool in_room_list_ = false;     // the roots are the room's list
 };
 
 }  // namespace layoutbox::offline

@@ -55,14 +55,20 @@ int References::fit(const NounPhrase& wanted, const NounPhrase& item) const {
   const Catalog& catalog = lexicon_.catalog();
   if (wanted.name == item.name) return 4;
   static constexpr std::string_view kOfIt[] = {"screen", "top", "surface", "area", "set"};
-  if (wanted.name.starts_with(item.name + " ") && std::find(std::begin(kOfIt), std::end(kOfIt), wanted.name.substr(item.name.size() + 1)) != std::end(kOfIt)) return 3;
+  if (wanted.name.starts_with(item.name + " ") &&
+      std::find(std::begin(kOfIt), std::end(kOfIt), wanted.name.substr(item.name.size() + 1)) != std::end(kOfIt))
+    return 3;
   if (wanted.exact && item.exact && wanted.entry == item.entry) return 3;
-  if (last_word(wanted.name) == last_word(item.name) && (wanted.name.find(' ') == std::string::npos || item.name.find(' ') == std::string::npos)) {
+  if (last_word(wanted.name) == last_word(item.name) &&
+      (wanted.name.find(' ') == std::string::npos || item.name.find(' ') == std::string::npos)) {
     // "the table" is any table; "the coffee table" is not a plain table that was named before it.
     return wanted.name.find(' ') == std::string::npos ? 2 : 1;
   }
-  if (wanted.exact && item.entry != nullptr && wanted.entry != nullptr && wanted.entry != item.entry && catalog.is_a(item.entry->id, wanted.entry->id)) return 2;
-  if (wanted.entry != nullptr && item.entry == wanted.entry && (wanted.exact || item.exact) && wanted.name.find(' ') == std::string::npos) return 2;
+  if (wanted.exact && item.entry != nullptr && wanted.entry != nullptr && wanted.entry != item.entry &&
+      catalog.is_a(item.entry->id, wanted.entry->id))
+    return 2;
+  if (wanted.entry != nullptr && item.entry == wanted.entry && (wanted.exact || item.exact) && wanted.name.find(' ') == std::string::npos)
+    return 2;
   if (wanted.exact && item.exact && catalog.is_a(wanted.entry->id, item.entry->id) && wanted.determiner == Determiner::kDefinite) return 1;
   return 0;
 }
@@ -184,7 +190,8 @@ int References::mention(const NounPhrase& noun, int antecedent, bool as_referenc
     if (mention.items.empty()) mention.noun.kind = NounKind::kAbstract;
     return add(std::move(mention));
   }
-  const bool definite = noun.determiner == Determiner::kDefinite || noun.determiner == Determiner::kPossessive || noun.determiner == Determiner::kBoth || noun.determiner == Determiner::kEach ||
+  const bool definite = noun.determiner == Determiner::kDefinite || noun.determiner == Determiner::kPossessive ||
+                        noun.determiner == Determiner::kBoth || noun.determiner == Determiner::kEach ||
                         noun.determiner == Determiner::kOther;
   if (definite) {
     mention.items = known(noun);
@@ -201,8 +208,10 @@ int References::mention(const NounPhrase& noun, int antecedent, bool as_referenc
         picked.insert(picked.end(), mention.items.begin(), mention.items.end());
       } else if (!noun.is_plural() && mention.items.size() > 1 && !mention.distributes) {
         // "the left nightstand" of two; "the other chair"; else one that was spoken of as one.
-        if (noun.wall_word == "right") mention.items = {mention.items.back()};
-        else mention.items = {mention.items.front()};
+        if (noun.wall_word == "right")
+          mention.items = {mention.items.back()};
+        else
+          mention.items = {mention.items.front()};
       } else if (noun.count > 1 && mention.items.size() > static_cast<std::size_t>(noun.count)) {
         mention.items.resize(static_cast<std::size_t>(noun.count));
       }
@@ -211,7 +220,8 @@ int References::mention(const NounPhrase& noun, int antecedent, bool as_referenc
   } else if (as_reference && noun.determiner == Determiner::kIndefinite && noun.attributes.empty()) {
     // "two armchairs … near an armchair": one of them.
     const std::vector<int> before = known(noun);
-    if (before.size() > 1 && fit(noun, document_.items[static_cast<std::size_t>(before.front())].noun) >= 3) mention.items = {before.front()};
+    if (before.size() > 1 && fit(noun, document_.items[static_cast<std::size_t>(before.front())].noun) >= 3)
+      mention.items = {before.front()};
   }
   if (mention.items.empty()) {
     const int unsaid = noun.plural ? 2 : 1;

@@ -10,23 +10,28 @@ namespace {
 using R = RelationType;
 using Direction = PhraseSense::Direction;
 
-bool one_of(std::string_view word, std::initializer_list<std::string_view> words) { return std::find(words.begin(), words.end(), word) != words.end(); }
+bool one_of(std::string_view word, std::initializer_list<std::string_view> words) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
 
 bool speaks_of_group(R type) {
-  return type == R::kAround || type == R::kSurround || type == R::kEachSideOf || type == R::kRow || type == R::kGrid || type == R::kColumn || type == R::kEvenlySpaced || type == R::kSymmetricAbout ||
-         type == R::kStacked || type == R::kCenterOfRoom || type == R::kPairedWith || type == R::kGroupAlign;
+  return type == R::kAround || type == R::kSurround || type == R::kEachSideOf || type == R::kRow || type == R::kGrid ||
+         type == R::kColumn || type == R::kEvenlySpaced || type == R::kSymmetricAbout || type == R::kStacked || type == R::kCenterOfRoom ||
+         type == R::kPairedWith || type == R::kGroupAlign;
 }
 
 bool places(R type) { return type != R::kFacing && type != R::kParallel && type != R::kPerpendicular && type != R::kSameOrientation; }
 
 bool is_beside(R type) {
-  return type == R::kNextTo || type == R::kNear || type == R::kLeftOf || type == R::kRightOf || type == R::kBehind || type == R::kInFrontOf || type == R::kEachSideOf || type == R::kBetween || type == R::kCorner ||
-         type == R::kAgainstWall || type == R::kCenterOfRoom || type == R::kAtFootOf || type == R::kDistance || type == R::kAround || type == R::kOpposite;
+  return type == R::kNextTo || type == R::kNear || type == R::kLeftOf || type == R::kRightOf || type == R::kBehind ||
+         type == R::kInFrontOf || type == R::kEachSideOf || type == R::kBetween || type == R::kCorner || type == R::kAgainstWall ||
+         type == R::kCenterOfRoom || type == R::kAtFootOf || type == R::kDistance || type == R::kAround || type == R::kOpposite;
 }
 
 class Builder {
  public:
-  Builder(const Lexicon& lexicon, Document& document, SceneGraph& scene) : catalog_(lexicon.catalog()), document_(document), scene_(scene) {}
+  Builder(const Lexicon& lexicon, Document& document, SceneGraph& scene)
+      : catalog_(lexicon.catalog()), document_(document), scene_(scene) {}
 
   void run() {
     for (const Link& link : document_.links) {
@@ -53,7 +58,8 @@ class Builder {
     if (targets.empty()) return;
     // Nothing stands by itself.
     std::erase_if(references, [&](const std::string& r) { return std::find(targets.begin(), targets.end(), r) != targets.end(); });
-    if (references.empty() && relation_row(type).arity != RelationArity::kNone && relation_row(type).arity != RelationArity::kOptional) return;
+    if (references.empty() && relation_row(type).arity != RelationArity::kNone && relation_row(type).arity != RelationArity::kOptional)
+      return;
     for (Relation& known : scene_.relations) {
       if (known.type != type || known.targets != targets || known.references != references) continue;
       if (type == R::kRow && link.distance) known.parameters.gap = mm_from_m(*link.distance);
@@ -76,7 +82,8 @@ class Builder {
       if (!link.at_least) relation.parameters.max = distance;
     }
     for (std::size_t i = link.first; i < link.last; ++i) {
-      if (document_.readings[i].role == "relation" || document_.readings[i].role == "has") document_.readings[i].role = "relation " + relation.id;
+      if (document_.readings[i].role == "relation" || document_.readings[i].role == "has")
+        document_.readings[i].role = "relation " + relation.id;
     }
     scene_.relations.push_back(std::move(relation));
   }
@@ -123,10 +130,17 @@ class Builder {
         // "the far corner" is the viewer's word for a back corner, which one is free.
         return all;
       }
-      case NounKind::kDoor: return relation_row(type).arity == RelationArity::kOptional ? std::vector<std::string>{} : std::vector<std::string>{opening_id("door")};
-      case NounKind::kWindow: return relation_row(type).arity == RelationArity::kOptional ? std::vector<std::string>{} : std::vector<std::string>{opening_id("window")};
+      case NounKind::kDoor:
+        return relation_row(type).arity == RelationArity::kOptional ? std::vector<std::string>{}
+                                                                    : std::vector<std::string>{opening_id("door")};
+      case NounKind::kWindow:
+        return relation_row(type).arity == RelationArity::kOptional ? std::vector<std::string>{}
+                                                                    : std::vector<std::string>{opening_id("window")};
       case NounKind::kFloor: return {"floor"};
-      default: return relation_row(type).arity == RelationArity::kNone || relation_row(type).arity == RelationArity::kOptional ? std::vector<std::string>{} : std::vector<std::string>{"room"};
+      default:
+        return relation_row(type).arity == RelationArity::kNone || relation_row(type).arity == RelationArity::kOptional
+                   ? std::vector<std::string>{}
+                   : std::vector<std::string>{"room"};
     }
   }
 
@@ -145,14 +159,17 @@ class Builder {
       for (const PhraseSense& sense : link.senses) {
         const RelationArity arity = relation_row(sense.type).arity;
         if (arity == RelationArity::kNone || (arity == RelationArity::kOptional && sense.type == R::kOnCeiling)) {
-          if (speaks_of_group(sense.type)) add_group(link, sense, targets, {}, nullptr);
-          else for (const int target : targets) add(link, sense.type, {id(target)}, {}, sense);
+          if (speaks_of_group(sense.type))
+            add_group(link, sense, targets, {}, nullptr);
+          else
+            for (const int target : targets) add(link, sense.type, {id(target)}, {}, sense);
           return;
         }
       }
       return;
     }
-    if (std::any_of(link.senses.begin(), link.senses.end(), [](const PhraseSense& s) { return s.type == R::kBetween; }) && (link.references.size() > 1 || mention(link.references.front()).items.size() > 1)) {
+    if (std::any_of(link.senses.begin(), link.senses.end(), [](const PhraseSense& s) { return s.type == R::kBetween; }) &&
+        (link.references.size() > 1 || mention(link.references.front()).items.size() > 1)) {
       add_between(link, targets);
       return;
     }
@@ -170,7 +187,10 @@ class Builder {
       const auto sense = choose_sense(catalog_, link.senses, Direction::kDirect, target.noun, reference);
       if (!sense) {
         if (reference.kind != NounKind::kRoom && reference.kind != NounKind::kAbstract) {
-          scene_.notes.push_back({"not-understood", "\"" + words_between(document_, link.first, link.last) + "\" says nothing of where \"" + target.noun.name + "\" is", place_of(link)});
+          scene_.notes.push_back(
+              {"not-understood",
+               "\"" + words_between(document_, link.first, link.last) + "\" says nothing of where \"" + target.noun.name + "\" is",
+               place_of(link)});
         }
         continue;
       }
@@ -206,11 +226,13 @@ class Builder {
     for (const int target : targets) add(link, R::kBetween, {id(target)}, references);
   }
 
-  void add_group(const Link& link, PhraseSense sense, const std::vector<int>& targets, const std::vector<int>& references, const Mention* place) {
+  void add_group(const Link& link, PhraseSense sense, const std::vector<int>& targets, const std::vector<int>& references,
+                 const Mention* place) {
     if (sense.type == R::kCenterOfRoom) {
       // What lies flat shares the middle with what stands there.
       std::vector<int> flat, standing;
-      for (const int target : targets) (noun_of_item(target).entry != nullptr && noun_of_item(target).entry->thin ? flat : standing).push_back(target);
+      for (const int target : targets)
+        (noun_of_item(target).entry != nullptr && noun_of_item(target).entry->thin ? flat : standing).push_back(target);
       if (!flat.empty()) add(link, sense.type, ids(flat), {}, sense);
       if (!standing.empty()) add(link, sense.type, ids(standing), {}, sense);
       if (flat.size() == 1 && standing.size() == 1) add(link, R::kUnder, ids(flat), ids(standing));
@@ -219,7 +241,8 @@ class Builder {
     if (sense.type == R::kAround && !references.empty()) {
       // In a ring where nothing has sides; spread over the sides of a table.
       const NounPhrase& host = noun_of_item(references.front());
-      const bool round = std::any_of(host.attributes.begin(), host.attributes.end(), [](const std::string& a) { return a == "round" || a == "circular" || a == "oval"; });
+      const bool round = std::any_of(host.attributes.begin(), host.attributes.end(),
+                                     [](const std::string& a) { return a == "round" || a == "circular" || a == "oval"; });
       if ((round || !is_table(catalog_, host)) && targets.size() >= 3) sense.type = R::kSurround;
     }
     if (references.empty()) {
@@ -232,7 +255,8 @@ class Builder {
       std::vector<int> share;
       for (std::size_t t = h; t < targets.size(); t += hosts) share.push_back(targets[t]);
       if (share.empty()) continue;
-      const std::vector<std::string> host = relation_row(sense.type).arity == RelationArity::kNone ? std::vector<std::string>{} : std::vector<std::string>{id(references[h])};
+      const std::vector<std::string> host =
+          relation_row(sense.type).arity == RelationArity::kNone ? std::vector<std::string>{} : std::vector<std::string>{id(references[h])};
       if (sense.type == R::kEachSideOf && share.size() == 1) {
         add(link, R::kNextTo, ids(share), host);
       } else {
@@ -278,12 +302,14 @@ class Builder {
       const NounPhrase& host = noun_of_item(references.front());
       if (sense.type == R::kIn && !has_inside(host)) sense.type = R::kOn;
     }
-    if (sense.type == R::kNextTo && target.items.size() == 2 && references.size() == 1 && link.references.size() == 1 && flanks(target.noun, noun_of_item(references.front()))) {
+    if (sense.type == R::kNextTo && target.items.size() == 2 && references.size() == 1 && link.references.size() == 1 &&
+        flanks(target.noun, noun_of_item(references.front()))) {
       add(link, R::kEachSideOf, ids(target.items), {id(references.front())});
       return;
     }
     // A seat "at" a table is used there.
-    if (sense.type == R::kNextTo && references.size() == 1 && is_seat(catalog_, target.noun) && is_table(catalog_, noun_of_item(references.front())) && document_.tokens[link.first].text == "at") {
+    if (sense.type == R::kNextTo && references.size() == 1 && is_seat(catalog_, target.noun) &&
+        is_table(catalog_, noun_of_item(references.front())) && document_.tokens[link.first].text == "at") {
       if (target.items.size() > 1) {
         add_group(link, {R::kAround, Direction::kDirect, {}, {}, {}}, target.items, references, nullptr);
       } else {
@@ -300,9 +326,11 @@ class Builder {
         return;
       }
     }
-    if (link.implied && (sense.type == R::kNear || sense.type == R::kNextTo || sense.type == R::kOpposite) && mount_of(target.noun) == Mount::kFloor && references.size() >= 1) {
+    if (link.implied && (sense.type == R::kNear || sense.type == R::kNextTo || sense.type == R::kOpposite) &&
+        mount_of(target.noun) == Mount::kFloor && references.size() >= 1) {
       for (const Relation& r : scene_.relations) {
-        const bool carried = (r.type == R::kOn || r.type == R::kIn) && !r.targets.empty() && r.targets.front() == id(references.front()) && !r.references.empty();
+        const bool carried = (r.type == R::kOn || r.type == R::kIn) && !r.targets.empty() && r.targets.front() == id(references.front()) &&
+                             !r.references.empty();
         if (!carried) continue;
         const std::string host = r.references.front();
         for (const int item : target.items) add(link, sense.type, {id(item)}, {host}, sense);
@@ -315,6 +343,7 @@ class Builder {
       const int item = target.items[t];
       if (m == 1) {
         add(link, sense.type, {id(item)}, {id(references.front())}, sense);
+        if (sense.type == R::kOpposite) add_across(link, item, {id(references.front())});
         add_look(link, sense.type, item, references.front());
       } else if (n > 1 || !all) {
         // As many as there are references: one for each; more: shared out; fewer: the first.
@@ -322,7 +351,10 @@ class Builder {
         add(link, sense.type, {id(item)}, {id(references[n > 1 ? r : 0])}, sense);
         add_look(link, sense.type, item, references[n > 1 ? r : 0]);
       } else {
-        for (const int reference : references) add(link, sense.type, {id(item)}, {id(reference)}, sense);
+        for (const int reference : references) {
+          add(link, sense.type, {id(item)}, {id(reference)}, sense);
+          if (sense.type == R::kOpposite) add_across(link, item, {id(reference)});
+        }
         add_look(link, sense.type, item, references.front());
       }
     }
@@ -332,12 +364,16 @@ class Builder {
   bool flanks(const NounPhrase& thing, const NounPhrase& host) const {
     if (thing.entry == nullptr || host.entry == nullptr) return false;
     if (!one_of(host.head, {"bed", "sofa", "couch", "loveseat", "daybed"})) return false;
-    return std::any_of(thing.entry->beside.begin(), thing.entry->beside.end(), [&](const std::string& kind) { return catalog_.is_a(host.entry->id, kind); });
+    return std::any_of(thing.entry->beside.begin(), thing.entry->beside.end(),
+                       [&](const std::string& kind) { return catalog_.is_a(host.entry->id, kind); });
   }
 
   // What one sees into: things that it has are in it; on others they stand on top.
   bool holds_inside(const NounPhrase& host) const {
-    static constexpr std::string_view kClosed[] = {"cabinet", "sideboard", "dresser", "cupboard", "credenza", "buffet", "drawers", "desk", "table", "counter", "vanity", "nightstand", "island", "hutch", "commode", "chest of drawers", "stand", "console", "wardrobe", "bench", "bed", "washstand", "ladder"};
+    static constexpr std::string_view kClosed[] = {"cabinet",  "sideboard", "dresser", "cupboard",         "credenza", "buffet",
+                                                   "drawers",  "desk",      "table",   "counter",          "vanity",   "nightstand",
+                                                   "island",   "hutch",     "commode", "chest of drawers", "stand",    "console",
+                                                   "wardrobe", "bench",     "bed",     "washstand",        "ladder"};
     if (std::find(std::begin(kClosed), std::end(kClosed), host.head) != std::end(kClosed)) return false;
     return is_storage(host) && has_inside(host);
   }
@@ -350,23 +386,30 @@ class Builder {
   // Who is in front of a desk or a screen looks at it; a screen in front of a bed looks at the bed.
   void add_look(const Link& link, R type, int item, int reference) {
     const NounPhrase &thing = noun_of_item(item), &other = noun_of_item(reference);
-    const auto screen = [](const NounPhrase& n) { return one_of(n.head, {"tv", "television", "screen", "monitor"}) || n.name.find("tv ") != std::string::npos || n.name.find("media") != std::string::npos; };
+    const auto screen = [](const NounPhrase& n) {
+      return one_of(n.head, {"tv", "television", "screen", "monitor"}) || n.name.find("tv ") != std::string::npos ||
+             n.name.find("media") != std::string::npos;
+    };
     const bool seat = is_seat(catalog_, thing);
-    if (type == R::kInFrontOf && ((seat && (is_table(catalog_, other) || screen(other))) || screen(thing))) add(link, R::kFacing, {id(item)}, {id(reference)});
+    if (type == R::kInFrontOf && ((seat && (is_table(catalog_, other) || screen(other))) || screen(thing)))
+      add(link, R::kFacing, {id(item)}, {id(reference)});
     if (type == R::kAlongSide && seat) add(link, R::kFacing, {id(item)}, {id(reference)});
   }
 
-  // "across from the window" has a gap between as well: as wide as between two things.
-  void add_across(const Link& link, int item, const std::vector<std::string>& opening) {
+  // "across from" is a gap as well, which holds even where the two cannot look at each other.
+  void add_across(const Link& link, int item, const std::vector<std::string>& reference) {
     Link gap = link;
     gap.distance.reset();
-    add(gap, R::kDistance, {id(item)}, opening);
+    const std::size_t known = scene_.relations.size();
+    add(gap, R::kDistance, {id(item)}, reference);
+    if (scene_.relations.size() == known) return;
     scene_.relations.back().parameters.min = mm_from_m(relation_default(R::kOpposite, "min").value_or(1.5));
     scene_.relations.back().parameters.max = mm_from_m(relation_default(R::kOpposite, "max").value_or(4));
   }
 
   void add_corners(const Link& link, const Mention& target, const NounPhrase& corner) {
-    static const std::vector<std::vector<std::string>> kCorners = {{"left", "back"}, {"right", "back"}, {"left", "front"}, {"right", "front"}};
+    static const std::vector<std::vector<std::string>> kCorners = {
+        {"left", "back"}, {"right", "back"}, {"left", "front"}, {"right", "front"}};
     const bool every = corner.determiner == Determiner::kEach || corner.determiner == Determiner::kBoth || corner.count == 4;
     for (std::size_t t = 0; t < target.items.size(); ++t) {
       const auto references = every && target.items.size() > 1 ? kCorners[t % kCorners.size()] : room_reference(corner, R::kCorner);
@@ -375,13 +418,16 @@ class Builder {
   }
 
   bool is_placed(int item) const {
-    return std::any_of(scene_.relations.begin(), scene_.relations.end(), [&](const Relation& r) { return places(r.type) && std::find(r.targets.begin(), r.targets.end(), id(item)) != r.targets.end(); });
+    return std::any_of(scene_.relations.begin(), scene_.relations.end(), [&](const Relation& r) {
+      return places(r.type) && std::find(r.targets.begin(), r.targets.end(), id(item)) != r.targets.end();
+    });
   }
 
   bool is_related(int item, int other) const {
     return std::any_of(scene_.relations.begin(), scene_.relations.end(), [&](const Relation& r) {
       const auto names = [&](const std::vector<std::string>& all, int i) { return std::find(all.begin(), all.end(), id(i)) != all.end(); };
-      return places(r.type) && ((names(r.targets, item) && names(r.references, other)) || (names(r.targets, other) && names(r.references, item)));
+      return places(r.type) &&
+             ((names(r.targets, item) && names(r.references, other)) || (names(r.targets, other) && names(r.references, item)));
     });
   }
 
@@ -394,8 +440,11 @@ class Builder {
       if (target.items.empty()) continue;
       // "a desk and chair equipped with a monitor": the one that can carry it.
       std::vector<int> hosts = all_hosts;
-      if (link.references.size() > 1 && std::any_of(hosts.begin(), hosts.end(), [&](int h) { return !is_seat(catalog_, noun_of_item(h)) && may_carry(catalog_, noun_of_item(h), target.noun); })) {
-        std::erase_if(hosts, [&](int h) { return is_seat(catalog_, noun_of_item(h)) || !may_carry(catalog_, noun_of_item(h), target.noun); });
+      if (link.references.size() > 1 && std::any_of(hosts.begin(), hosts.end(), [&](int h) {
+            return !is_seat(catalog_, noun_of_item(h)) && may_carry(catalog_, noun_of_item(h), target.noun);
+          })) {
+        std::erase_if(hosts,
+                      [&](int h) { return is_seat(catalog_, noun_of_item(h)) || !may_carry(catalog_, noun_of_item(h), target.noun); });
       }
       if (link.weak && is_placed(target.items.front())) continue;
       if (is_related(target.items.front(), hosts.front())) continue;
@@ -427,23 +476,29 @@ class Builder {
         each(R::kOn);
       } else if (mount_of(host) == Mount::kWall && mount == Mount::kFloor && target.items.size() == 1) {
         add(link, R::kAbove, {id(hosts.front())}, {id(target.items.front())});
-      } else if (!is_placed(target.items.front()) && (!link.after_comma || one_of(document_.tokens[link.first].text, {"accompanied", "joined", "paired", "complemented", "coupled"}))) {
+      } else if (!is_placed(target.items.front()) &&
+                 (!link.after_comma ||
+                  one_of(document_.tokens[link.first].text, {"accompanied", "joined", "paired", "complemented", "coupled"}))) {
         const bool pair = target.items.size() == 2 && hosts.size() == 1;
-        if (pair) add(link, R::kEachSideOf, ids(target.items), {id(hosts.front())});
-        else each(R::kNextTo);
+        if (pair)
+          add(link, R::kEachSideOf, ids(target.items), {id(hosts.front())});
+        else
+          each(R::kNextTo);
       }
     }
   }
 
   // "holding", "displaying": the host carries it, whatever it is.
   bool shows(const Link& link) const {
-    return one_of(document_.tokens[link.first].text, {"holding", "holds", "hold", "displaying", "displays", "display", "showcasing", "showcases"});
+    return one_of(document_.tokens[link.first].text,
+                  {"holding", "holds", "hold", "displaying", "displays", "display", "showcasing", "showcases"});
   }
 
   void add_hanging(const Link& link) {
     for (const int item : items_of(link.targets)) {
       const bool said = std::any_of(scene_.relations.begin(), scene_.relations.end(), [&](const Relation& r) {
-        const bool hangs = r.type == R::kOnWall || r.type == R::kOnCeiling || r.type == R::kOn || r.type == R::kIn || r.type == R::kAgainstWall || r.type == R::kCenteredOnWall;
+        const bool hangs = r.type == R::kOnWall || r.type == R::kOnCeiling || r.type == R::kOn || r.type == R::kIn ||
+                           r.type == R::kAgainstWall || r.type == R::kCenteredOnWall;
         return hangs && std::find(r.targets.begin(), r.targets.end(), id(item)) != r.targets.end();
       });
       if (said) continue;
@@ -458,15 +513,21 @@ class Builder {
     for (std::size_t i = 0; i < scene_.objects.size(); ++i) {
       const NounPhrase& noun = document_.items[i].noun;
       const std::string words = " " + noun.name + " ";
-      const auto said = [&](std::string_view word) { return std::find(noun.attributes.begin(), noun.attributes.end(), word) != noun.attributes.end() || words.find(" " + std::string(word) + " ") != std::string::npos; };
-      const bool wall = said("wall-mounted") || said("wall mounted") || (said("floating") && !is_seat(catalog_, noun) && noun.head != "bed"), ceiling = said("ceiling-mounted");
+      const auto said = [&](std::string_view word) {
+        return std::find(noun.attributes.begin(), noun.attributes.end(), word) != noun.attributes.end() ||
+               words.find(" " + std::string(word) + " ") != std::string::npos;
+      };
+      const bool wall =
+                     said("wall-mounted") || said("wall mounted") || (said("floating") && !is_seat(catalog_, noun) && noun.head != "bed"),
+                 ceiling = said("ceiling-mounted");
       if (!wall && !ceiling) continue;
       Link link;
       link.targets = {};
       link.first = noun.first;
       link.last = noun.last;
       const bool known = std::any_of(scene_.relations.begin(), scene_.relations.end(), [&](const Relation& r) {
-        return (r.type == R::kOnWall || r.type == R::kOnCeiling) && std::find(r.targets.begin(), r.targets.end(), scene_.objects[i].id) != r.targets.end();
+        return (r.type == R::kOnWall || r.type == R::kOnCeiling) &&
+               std::find(r.targets.begin(), r.targets.end(), scene_.objects[i].id) != r.targets.end();
       });
       if (!known) add(link, wall ? R::kOnWall : R::kOnCeiling, {scene_.objects[i].id}, {});
     }
@@ -478,12 +539,16 @@ class Builder {
     for (std::size_t r = 0; r < said; ++r) {
       const Relation relation = scene_.relations[r];
       if (relation.targets.size() != 1 || relation.references.size() != 1) continue;
-      const SceneObject *target = scene_.find_object(relation.targets.front()), *reference = scene_.find_object(relation.references.front());
+      const SceneObject *target = scene_.find_object(relation.targets.front()),
+                        *reference = scene_.find_object(relation.references.front());
       if (target == nullptr || reference == nullptr) continue;
       const NounPhrase &thing = noun_of_object(*target), &other = noun_of_object(*reference);
-      if (relation.type == R::kInFrontOf && is_seat(catalog_, thing) && is_table(catalog_, other) && !one_of(thing.head, {"sofa", "couch", "loveseat"}) && !scene_.relations[r].parameters.max) scene_.relations[r].parameters.max = 400;
+      if (relation.type == R::kInFrontOf && is_seat(catalog_, thing) && is_table(catalog_, other) &&
+          !one_of(thing.head, {"sofa", "couch", "loveseat"}) && !scene_.relations[r].parameters.max)
+        scene_.relations[r].parameters.max = 400;
       // One thing in front of another stands in the middle of it.
-      const auto alone = std::count_if(scene_.relations.begin(), scene_.relations.end(), [&](const Relation& o) { return o.type == R::kInFrontOf && o.references == relation.references; });
+      const auto alone = std::count_if(scene_.relations.begin(), scene_.relations.end(),
+                                       [&](const Relation& o) { return o.type == R::kInFrontOf && o.references == relation.references; });
       if (relation.type == R::kInFrontOf && alone == 1) {
         Relation habit;
         habit.id = "c" + std::to_string(scene_.relations.size() + 1);
@@ -501,7 +566,8 @@ class Builder {
     for (Relation& sides : scene_.relations) {
       if (sides.type != R::kEachSideOf || sides.parameters.max) continue;
       const bool near = std::any_of(scene_.relations.begin(), scene_.relations.end(), [&](const Relation& r) {
-        return r.type == R::kNear && r.references == sides.references && std::find(sides.targets.begin(), sides.targets.end(), r.targets.front()) != sides.targets.end();
+        return r.type == R::kNear && r.references == sides.references &&
+               std::find(sides.targets.begin(), sides.targets.end(), r.targets.front()) != sides.targets.end();
       });
       if (near) sides.parameters.max = 1500;
     }
@@ -510,17 +576,23 @@ class Builder {
       SceneObject& object = scene_.objects[i];
       if (object.category != "table" || catalog_.find("dining_table") == nullptr) continue;
       const bool chairs = std::any_of(scene_.relations.begin(), scene_.relations.end(), [&](const Relation& r) {
-        return (r.type == R::kAround || r.type == R::kSurround) && !r.references.empty() && r.references.front() == object.id && r.targets.front().starts_with("dining_chair");
+        return (r.type == R::kAround || r.type == R::kSurround) && !r.references.empty() && r.references.front() == object.id &&
+               r.targets.front().starts_with("dining_chair");
       });
-      if (chairs || (scene_.room.type == "dining_room" && document_.items[i].noun.attributes.empty() && is_only_table(i))) object.category = "dining_table";
+      if (chairs || (scene_.room.type == "dining_room" && document_.items[i].noun.attributes.empty() && is_only_table(i)))
+        object.category = "dining_table";
     }
   }
 
   bool is_only_table(std::size_t index) const {
-    return std::count_if(document_.items.begin(), document_.items.end(), [&](const Item& item) { return is_table(catalog_, item.noun); }) == 1 && index < document_.items.size();
+    return std::count_if(document_.items.begin(), document_.items.end(), [&](const Item& item) { return is_table(catalog_, item.noun); }) ==
+               1 &&
+           index < document_.items.size();
   }
 
-  const NounPhrase& noun_of_object(const SceneObject& object) const { return document_.items[static_cast<std::size_t>(&object - scene_.objects.data())].noun; }
+  const NounPhrase& noun_of_object(const SceneObject& object) const {
+    return document_.items[static_cast<std::size_t>(&object - scene_.objects.data())].noun;
+  }
 
   // How a thing is held where the relations say otherwise than its kind.
   void settle_mount(std::size_t index) {
@@ -537,7 +609,9 @@ class Builder {
       beside = true;
       for (const std::string& reference : relation.references) {
         for (const Relation& other : scene_.relations) {
-          const bool carries = (other.type == R::kOn || other.type == R::kIn) && std::find(other.targets.begin(), other.targets.end(), reference) != other.targets.end() && !other.references.empty();
+          const bool carries = (other.type == R::kOn || other.type == R::kIn) &&
+                               std::find(other.targets.begin(), other.targets.end(), reference) != other.targets.end() &&
+                               !other.references.empty();
           if (carries && relation.type != R::kCorner && relation.type != R::kAgainstWall) neighbour_support = other.references.front();
         }
       }
@@ -563,7 +637,8 @@ class Builder {
         // A board has a top and no inside.
         const bool inside = std::any_of(on_wall->spaces.begin(), on_wall->spaces.end(), [](const SpaceFormula& s) { return s.carries; });
         for (Relation& relation : scene_.relations) {
-          if (!inside && relation.type == R::kIn && !relation.references.empty() && relation.references.front() == object.id) relation.type = R::kOn;
+          if (!inside && relation.type == R::kIn && !relation.references.empty() && relation.references.front() == object.id)
+            relation.type = R::kOn;
         }
       }
       if (is_lamp(catalog_, noun) && mount_of(noun) != Mount::kWall) specialise({"wall_lamp", "sconce"});
@@ -594,9 +669,12 @@ class Builder {
   // On or in a thing other than a rug.
   bool is_carried(const std::string& object) const {
     return std::any_of(scene_.relations.begin(), scene_.relations.end(), [&](const Relation& r) {
-      if ((r.type != R::kOn && r.type != R::kIn) || std::find(r.targets.begin(), r.targets.end(), object) == r.targets.end() || r.references.empty()) return false;
+      if ((r.type != R::kOn && r.type != R::kIn) || std::find(r.targets.begin(), r.targets.end(), object) == r.targets.end() ||
+          r.references.empty())
+        return false;
       for (std::size_t i = 0; i < scene_.objects.size(); ++i) {
-        if (scene_.objects[i].id == r.references.front()) return document_.items[i].noun.entry == nullptr || !document_.items[i].noun.entry->thin;
+        if (scene_.objects[i].id == r.references.front())
+          return document_.items[i].noun.entry == nullptr || !document_.items[i].noun.entry->thin;
       }
       return false;
     });
@@ -608,14 +686,18 @@ class Builder {
       for (const Relation& relation : scene_.relations) {
         if (std::find(relation.targets.begin(), relation.targets.end(), object.id) == relation.targets.end()) continue;
         const bool at_wall = relation.type == R::kAgainstWall || relation.type == R::kCorner || relation.type == R::kCenteredOnWall;
-        if (at_wall && wall != nullptr && relation.type == R::kAgainstWall && wall->type == R::kAgainstWall && !relation.references.empty() && !wall->references.empty() && relation.references != wall->references && !opposite_ok(relation, *wall)) {
-          scene_.notes.push_back({"contradiction", "\"" + object.name + "\" cannot be \"" + wall->why + "\" and \"" + relation.why + "\"", "prompt"});
+        if (at_wall && wall != nullptr && relation.type == R::kAgainstWall && wall->type == R::kAgainstWall &&
+            !relation.references.empty() && !wall->references.empty() && relation.references != wall->references &&
+            !opposite_ok(relation, *wall)) {
+          scene_.notes.push_back(
+              {"contradiction", "\"" + object.name + "\" cannot be \"" + wall->why + "\" and \"" + relation.why + "\"", "prompt"});
         }
         if (at_wall) wall = &relation;
         if (relation.type == R::kCenterOfRoom) middle = &relation;
       }
       if (wall != nullptr && middle != nullptr) {
-        scene_.notes.push_back({"contradiction", "\"" + object.name + "\" cannot be \"" + wall->why + "\" and \"" + middle->why + "\"", "prompt"});
+        scene_.notes.push_back(
+            {"contradiction", "\"" + object.name + "\" cannot be \"" + wall->why + "\" and \"" + middle->why + "\"", "prompt"});
       }
     }
   }

@@ -19,7 +19,8 @@ constexpr double kLongestSide = 100;  // m, as in scene files
 
 class SizeReader {
  public:
-  SizeReader(const Lexicon& lexicon, Document& document, std::vector<bool>& skip) : lexicon_(lexicon), document_(document), tokens_(document.tokens), skip_(skip) {}
+  SizeReader(const Lexicon& lexicon, Document& document, std::vector<bool>& skip)
+      : lexicon_(lexicon), document_(document), tokens_(document.tokens), skip_(skip) {}
 
   RoomSize run() {
     for (std::size_t i = 0; i < tokens_.size(); ++i) {
@@ -89,8 +90,10 @@ class SizeReader {
       i += length;
       // "4 m wide by 3 m deep"
       const Match dimension = i < tokens_.size() ? lexicon_.find(tokens_, i, Class::kDimension) : Match{};
-      if (measure && dimension.length > 0 && i + dimension.length < tokens_.size() && is_by(tokens_[i + dimension.length])) i += dimension.length;
-      if (i + 1 < tokens_.size() && (is_by(tokens_[i])) && (tokens_[i + 1].kind == Token::Kind::kNumber || lexicon_.find(tokens_, i + 1, Class::kNumber).length > 0)) {
+      if (measure && dimension.length > 0 && i + dimension.length < tokens_.size() && is_by(tokens_[i + dimension.length]))
+        i += dimension.length;
+      if (i + 1 < tokens_.size() && (is_by(tokens_[i])) &&
+          (tokens_[i + 1].kind == Token::Kind::kNumber || lexicon_.find(tokens_, i + 1, Class::kNumber).length > 0)) {
         ++i;
       } else {
         break;
@@ -121,7 +124,8 @@ class SizeReader {
         if (m.word_class == Class::kAreaUnit) scale = m.value;
       }
       length = 1 + unit.length;
-    } else if ((tokens_[at + 1].text == "m" || tokens_[at + 1].text == "ft") && at + 2 < tokens_.size() && tokens_[at + 2].glued && tokens_[at + 2].text == "2") {
+    } else if ((tokens_[at + 1].text == "m" || tokens_[at + 1].text == "ft") && at + 2 < tokens_.size() && tokens_[at + 2].glued &&
+               tokens_[at + 2].text == "2") {
       scale = tokens_[at + 1].text == "m" ? 1 : 0.09290304;
       length = 3;
     } else {
@@ -138,12 +142,22 @@ class SizeReader {
     const auto measure = read_measure(lexicon_, tokens_, at);
     if (!measure) return 0;
     const std::size_t last = at + measure->length;
-    const auto ceiling_at = [&](std::size_t i) { return i < tokens_.size() && lexicon_.find(tokens_, i, Class::kCeiling).length + (lexicon_.find(tokens_, i).plural && has_class(lexicon_.find(tokens_, i), Class::kCeiling) ? 1 : 0) > 0; };
-    const bool after = (last < tokens_.size() && ceiling_at(last)) || (last + 1 < tokens_.size() && (tokens_[last].text == "high" || tokens_[last].text == "tall") && ceiling_at(last + 1));
+    const auto ceiling_at = [&](std::size_t i) {
+      return i < tokens_.size() &&
+             lexicon_.find(tokens_, i, Class::kCeiling).length +
+                     (lexicon_.find(tokens_, i).plural && has_class(lexicon_.find(tokens_, i), Class::kCeiling) ? 1 : 0) >
+                 0;
+    };
+    const bool after =
+        (last < tokens_.size() && ceiling_at(last)) ||
+        (last + 1 < tokens_.size() && (tokens_[last].text == "high" || tokens_[last].text == "tall") && ceiling_at(last + 1));
     bool before = false;
     for (std::size_t back = 1; back <= 5 && back <= at; ++back) {
       if (tokens_[at - back].kind == Token::Kind::kPunctuation) break;
-      if (ceiling_at(at - back)) before = tokens_[last < tokens_.size() ? last : at].text == "high" || std::any_of(tokens_.begin() + static_cast<std::ptrdiff_t>(at - back), tokens_.begin() + static_cast<std::ptrdiff_t>(at), [](const Token& t) { return t.text == "height" || t.text == "at" || t.text == "of"; });
+      if (ceiling_at(at - back))
+        before = tokens_[last < tokens_.size() ? last : at].text == "high" ||
+                 std::any_of(tokens_.begin() + static_cast<std::ptrdiff_t>(at - back), tokens_.begin() + static_cast<std::ptrdiff_t>(at),
+                             [](const Token& t) { return t.text == "height" || t.text == "at" || t.text == "of"; });
     }
     if (!after && !before) return 0;
     size_.height = measure->metres;
@@ -176,12 +190,18 @@ class SizeReader {
 std::string room_type(const NounPhrase& noun) {
   if (noun.room != nullptr) return noun.room->id;
   // "gaming room", "this basement": the words themselves; "the room", "a space" say nothing.
-  static constexpr std::string_view kPlain[] = {"room", "space", "interior", "layout", "area", "zone", "place", "house", "home", "scene", "setting", "floor plan", "floorplan"};
+  static constexpr std::string_view kPlain[] = {"room",  "space", "interior", "layout",  "area",       "zone",     "place",
+                                                "house", "home",  "scene",    "setting", "floor plan", "floorplan"};
   const bool plain = std::find(std::begin(kPlain), std::end(kPlain), noun.head) != std::end(kPlain);
   if (!plain) return snake_case(noun.head);
   if (noun.head != "room") return {};
   const std::vector<std::string> words = words_of(noun.name);
-  static constexpr std::string_view kKinds[] = {"gaming", "game", "play", "laundry", "music", "media", "tv", "sun", "guest", "meeting", "conference", "class", "waiting", "storage", "utility", "craft", "hotel", "exam", "locker", "show", "break", "board", "mud", "powder", "reading", "exercise", "yoga", "dressing", "theater", "rec", "recreation", "hobby", "prayer", "meditation", "server", "staff", "lunch", "examination", "treatment", "hospital", "dorm", "tea", "billiard", "home"};
+  static constexpr std::string_view kKinds[] = {
+      "gaming",   "game",        "play",      "laundry",    "music",   "media",   "tv",         "sun",      "guest",
+      "meeting",  "conference",  "class",     "waiting",    "storage", "utility", "craft",      "hotel",    "exam",
+      "locker",   "show",        "break",     "board",      "mud",     "powder",  "reading",    "exercise", "yoga",
+      "dressing", "theater",     "rec",       "recreation", "hobby",   "prayer",  "meditation", "server",   "staff",
+      "lunch",    "examination", "treatment", "hospital",   "dorm",    "tea",     "billiard",   "home"};
   for (std::size_t i = 0; i + 1 < words.size(); ++i) {
     if (words[i + 1] == "room" && std::find(std::begin(kKinds), std::end(kKinds), words[i]) != std::end(kKinds)) return words[i] + "_room";
   }
@@ -191,16 +211,20 @@ std::string room_type(const NounPhrase& noun) {
 void add_opening(SceneGraph& scene, OpeningType type, const NounPhrase& noun, const std::string& wall) {
   Opening opening;
   opening.type = type;
-  const auto number = std::count_if(scene.room.openings.begin(), scene.room.openings.end(), [&](const Opening& o) { return o.type == type; }) + 1;
+  const auto number =
+      std::count_if(scene.room.openings.begin(), scene.room.openings.end(), [&](const Opening& o) { return o.type == type; }) + 1;
   opening.id = std::string(name_of(type)) + std::to_string(number);
   opening.wall = wall;
-  const auto said = [&](std::string_view word) { return std::find(noun.attributes.begin(), noun.attributes.end(), word) != noun.attributes.end(); };
+  const auto said = [&](std::string_view word) {
+    return std::find(noun.attributes.begin(), noun.attributes.end(), word) != noun.attributes.end();
+  };
   if (type == OpeningType::kWindow) {
     opening.width = said("large") || said("big") || said("wide") ? 1800 : said("small") ? 800 : 1200;
     opening.height = 1200;
     opening.sill = 900;
     opening.swing = Swing::kNone;
-    if (noun.name.find("floor to ceiling") != std::string::npos || noun.name.find("floor-to-ceiling") != std::string::npos) opening.sill = 100, opening.height = 2200;
+    if (noun.name.find("floor to ceiling") != std::string::npos || noun.name.find("floor-to-ceiling") != std::string::npos)
+      opening.sill = 100, opening.height = 2200;
   } else {
     opening.width = said("double") ? 1600 : 900;
     opening.height = 2000;
@@ -213,7 +237,9 @@ void add_opening(SceneGraph& scene, OpeningType type, const NounPhrase& noun, co
 
 }  // namespace
 
-RoomSize read_room_size(const Lexicon& lexicon, Document& document, std::vector<bool>& skip) { return SizeReader(lexicon, document, skip).run(); }
+RoomSize read_room_size(const Lexicon& lexicon, Document& document, std::vector<bool>& skip) {
+  return SizeReader(lexicon, document, skip).run();
+}
 
 void build_room(const Lexicon& lexicon, const Document& document, const RoomSize& size, SceneGraph& scene) {
   Room& room = scene.room;
@@ -224,12 +250,15 @@ void build_room(const Lexicon& lexicon, const Document& document, const RoomSize
     if (!mentioned) continue;
     for (const std::string& attribute : noun.attributes) {
       const std::string word = attribute;
-      static constexpr std::pair<std::string_view, std::string_view> kWords[] = {{"small", "small"}, {"tiny", "tiny"}, {"compact", "compact"}, {"little", "small"}, {"narrow", "narrow"}, {"medium-sized", "medium"}, {"medium", "medium"},
-                                                                                {"large", "large"}, {"big", "large"}, {"huge", "huge"}, {"spacious", "spacious"}, {"grand", "large"}, {"vast", "vast"}, {"cozy", "cozy"}};
+      static constexpr std::pair<std::string_view, std::string_view> kWords[] = {
+          {"small", "small"},         {"tiny", "tiny"},     {"compact", "compact"}, {"little", "small"}, {"narrow", "narrow"},
+          {"medium-sized", "medium"}, {"medium", "medium"}, {"large", "large"},     {"big", "large"},    {"huge", "huge"},
+          {"spacious", "spacious"},   {"grand", "large"},   {"vast", "vast"},       {"cozy", "cozy"}};
       for (const auto& [said, kept] : kWords) {
         if (word == said && room.size_word.empty()) room.size_word = kept;
       }
-      static constexpr std::pair<std::string_view, std::string_view> kShapes[] = {{"l-shaped", "L"}, {"t-shaped", "T"}, {"u-shaped", "U"}, {"round", "round"}, {"circular", "round"}};
+      static constexpr std::pair<std::string_view, std::string_view> kShapes[] = {
+          {"l-shaped", "L"}, {"t-shaped", "T"}, {"u-shaped", "U"}, {"round", "round"}, {"circular", "round"}};
       for (const auto& [said, kept] : kShapes) {
         if (word == said) room.shape = kept;
       }
@@ -244,8 +273,10 @@ void build_room(const Lexicon& lexicon, const Document& document, const RoomSize
   }
   if (size.width > 0 && size.depth > 0) {
     const Mm w = mm_from_m(size.width), d = mm_from_m(size.depth);
-    if (room.shape.empty()) room.polygon = {{0, 0}, {w, 0}, {w, d}, {0, d}};
-    else room.area_m2 = size.width * size.depth;
+    if (room.shape.empty())
+      room.polygon = {{0, 0}, {w, 0}, {w, d}, {0, d}};
+    else
+      room.area_m2 = size.width * size.depth;
   } else if (size.area > 0) {
     room.area_m2 = size.area;
   }
@@ -293,12 +324,16 @@ void build_room(const Lexicon& lexicon, const Document& document, const RoomSize
     if (noun.kind != NounKind::kFloor && noun.kind != NounKind::kWall) continue;
     std::string material;
     for (std::size_t a = 0; a < noun.attributes.size(); ++a) {
-      if (a < noun.attribute_classes.size() && (noun.attribute_classes[a] == Class::kColor || noun.attribute_classes[a] == Class::kMaterial)) material += (material.empty() ? "" : " ") + noun.attributes[a];
+      if (a < noun.attribute_classes.size() &&
+          (noun.attribute_classes[a] == Class::kColor || noun.attribute_classes[a] == Class::kMaterial))
+        material += (material.empty() ? "" : " ") + noun.attributes[a];
     }
     if (noun.kind == NounKind::kFloor && material.empty() && noun.name.find("hardwood") != std::string::npos) material = "wood";
     if (material.empty()) continue;
-    if (noun.kind == NounKind::kFloor) room.floor_material = material + " floor";
-    else if (noun.wall_word.empty() && noun.wall_relation.empty()) room.wall_material = material;
+    if (noun.kind == NounKind::kFloor)
+      room.floor_material = material + " floor";
+    else if (noun.wall_word.empty() && noun.wall_relation.empty())
+      room.wall_material = material;
   }
   (void)lexicon;
 }

@@ -50,7 +50,9 @@ std::pair<int, std::string> counted(const std::string& text) {
 bool is_called(const SceneObject& object, const std::string& name) {
   std::string category = object.category;
   std::replace(category.begin(), category.end(), '_', ' ');
-  const auto ends = [&](const std::string& text) { return text == name || (text.size() > name.size() && text.ends_with(name) && (text[text.size() - name.size() - 1] == ' ')); };
+  const auto ends = [&](const std::string& text) {
+    return text == name || (text.size() > name.size() && text.ends_with(name) && (text[text.size() - name.size() - 1] == ' '));
+  };
   return ends(object.name) || ends(category);
 }
 
@@ -133,9 +135,12 @@ void expect_relations(const SceneGraph& scene, const std::string& wanted) {
       if (!reference.empty() && !names(scene, relation.references, reference)) continue;
       ++found;
     }
-    if (absent) EXPECT_EQ(found, 0) << item << " in " << summary(scene);
-    else if (count > 0) EXPECT_EQ(found, count) << item << " in " << summary(scene);
-    else EXPECT_GE(found, 1) << item << " in " << summary(scene);
+    if (absent)
+      EXPECT_EQ(found, 0) << item << " in " << summary(scene);
+    else if (count > 0)
+      EXPECT_EQ(found, count) << item << " in " << summary(scene);
+    else
+      EXPECT_GE(found, 1) << item << " in " << summary(scene);
   }
 }
 
@@ -206,7 +211,8 @@ TEST(Sentences, OtherWordsForTheSame) {
 TEST(Sentences, FillersLeaveEveryMeaningAlone) {
   for (const Row& row : rows()) {
     if (row.text.find(". ") != std::string::npos) continue;
-    const SceneGraph plain = read(row.text), wished = read(row.text + " Position furniture logically with proper spacing and accessibility.");
+    const SceneGraph plain = read(row.text),
+                     wished = read(row.text + " Position furniture logically with proper spacing and accessibility.");
     EXPECT_EQ(meaning(plain), meaning(wished)) << row.text;
   }
 }

@@ -17,8 +17,22 @@ constexpr std::array<std::pair<std::string_view, char>, 22> kSigns = {{
 
 // Letters with accents, folded to plain ones.
 constexpr std::array<std::pair<std::string_view, char>, 16> kAccents = {{
-    {"\u00E9", 'e'}, {"\u00E8", 'e'}, {"\u00EA", 'e'}, {"\u00EB", 'e'}, {"\u00E0", 'a'}, {"\u00E2", 'a'}, {"\u00E4", 'a'}, {"\u00E1", 'a'},
-    {"\u00F6", 'o'}, {"\u00F4", 'o'}, {"\u00F3", 'o'}, {"\u00FC", 'u'}, {"\u00FB", 'u'}, {"\u00EE", 'i'}, {"\u00EF", 'i'}, {"\u00E7", 'c'},
+    {"\u00E9", 'e'},
+    {"\u00E8", 'e'},
+    {"\u00EA", 'e'},
+    {"\u00EB", 'e'},
+    {"\u00E0", 'a'},
+    {"\u00E2", 'a'},
+    {"\u00E4", 'a'},
+    {"\u00E1", 'a'},
+    {"\u00F6", 'o'},
+    {"\u00F4", 'o'},
+    {"\u00F3", 'o'},
+    {"\u00FC", 'u'},
+    {"\u00FB", 'u'},
+    {"\u00EE", 'i'},
+    {"\u00EF", 'i'},
+    {"\u00E7", 'c'},
 }};
 
 struct Letter {
@@ -49,13 +63,40 @@ char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + '
 
 // British spellings whose American twin is what the word lists have.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 34> kSpellings = {{
-    {"colour", "color"},     {"coloured", "colored"},   {"colourful", "colorful"}, {"grey", "gray"},         {"centre", "center"},
-    {"centred", "centered"}, {"metre", "meter"},        {"metres", "meters"},      {"cosy", "cozy"},         {"centimetre", "centimeter"},
-    {"centimetres", "centimeters"}, {"millimetre", "millimeter"}, {"millimetres", "millimeters"}, {"theatre", "theater"}, {"jewellery", "jewelry"},
-    {"moulding", "molding"}, {"plough", "plow"},        {"aluminium", "aluminum"}, {"organiser", "organizer"}, {"mouldings", "moldings"},
-    {"catalogue", "catalog"}, {"centrepiece", "centerpiece"}, {"grilles", "grills"}, {"kerb", "curb"},       {"neighbouring", "neighboring"},
-    {"rigourous", "rigorous"}, {"draught", "draft"},    {"tyre", "tire"},          {"tyres", "tires"},       {"pyjama", "pajama"},
-    {"storey", "story"},     {"favourite", "favorite"}, {"parallelled", "paralleled"}, {"armour", "armor"},
+    {"colour", "color"},
+    {"coloured", "colored"},
+    {"colourful", "colorful"},
+    {"grey", "gray"},
+    {"centre", "center"},
+    {"centred", "centered"},
+    {"metre", "meter"},
+    {"metres", "meters"},
+    {"cosy", "cozy"},
+    {"centimetre", "centimeter"},
+    {"centimetres", "centimeters"},
+    {"millimetre", "millimeter"},
+    {"millimetres", "millimeters"},
+    {"theatre", "theater"},
+    {"jewellery", "jewelry"},
+    {"moulding", "molding"},
+    {"plough", "plow"},
+    {"aluminium", "aluminum"},
+    {"organiser", "organizer"},
+    {"mouldings", "moldings"},
+    {"catalogue", "catalog"},
+    {"centrepiece", "centerpiece"},
+    {"grilles", "grills"},
+    {"kerb", "curb"},
+    {"neighbouring", "neighboring"},
+    {"rigourous", "rigorous"},
+    {"draught", "draft"},
+    {"tyre", "tire"},
+    {"tyres", "tires"},
+    {"pyjama", "pajama"},
+    {"storey", "story"},
+    {"favourite", "favorite"},
+    {"parallelled", "paralleled"},
+    {"armour", "armor"},
 }};
 
 void finish_word(Token& token) {
@@ -74,7 +115,8 @@ std::vector<Token> tokenize(std::string_view prompt) {
     const Letter first = letter_at(prompt, at);
     if (first.value == ' ' || first.value == '\t' || first.value == '\r' || first.value == '\n') {
       // An empty line, or a new line that opens a list item, ends a sentence.
-      const bool blank_line = first.value == '\n' && at + 1 < prompt.size() && (prompt[at + 1] == '\n' || prompt[at + 1] == '-' || prompt[at + 1] == '*');
+      const bool blank_line =
+          first.value == '\n' && at + 1 < prompt.size() && (prompt[at + 1] == '\n' || prompt[at + 1] == '-' || prompt[at + 1] == '*');
       if (blank_line && !tokens.empty() && !tokens.back().ends_sentence) {
         tokens.push_back({Token::Kind::kPunctuation, ";", at, at + 1, 0, false, false, true});
       }
@@ -97,8 +139,9 @@ std::vector<Token> tokenize(std::string_view prompt) {
       while (at < prompt.size()) {
         const char c = prompt[at];
         const bool digit_follows = at + 1 < prompt.size() && is_digit(prompt[at + 1]);
-        const bool thousands = c == ',' && digit_follows && at + 4 <= prompt.size() && !dot && at + 3 < prompt.size() && is_digit(prompt[at + 2]) &&
-                               is_digit(prompt[at + 3]) && (at + 4 == prompt.size() || !is_digit(prompt[at + 4]));
+        const bool thousands = c == ',' && digit_follows && at + 4 <= prompt.size() && !dot && at + 3 < prompt.size() &&
+                               is_digit(prompt[at + 2]) && is_digit(prompt[at + 3]) &&
+                               (at + 4 == prompt.size() || !is_digit(prompt[at + 4]));
         const bool decimal_comma = c == ',' && digit_follows && !dot && !thousands;
         if (is_digit(c)) {
           token.text.push_back(c);
@@ -126,8 +169,8 @@ std::vector<Token> tokenize(std::string_view prompt) {
       at += first.size;
       if (at < prompt.size() && lower(prompt[at]) == 's' && (at + 1 == prompt.size() || !is_letter(letter_at(prompt, at + 1).value))) ++at;
     } else if (first.value == '-' && token.glued && at + first.size < prompt.size() && !tokens.empty() &&
-               (is_letter(letter_at(prompt, at + first.size).value) || is_digit(prompt[at + first.size])) &&
-               tokens.back().end == at && tokens.back().kind != Token::Kind::kPunctuation) {
+               (is_letter(letter_at(prompt, at + first.size).value) || is_digit(prompt[at + first.size])) && tokens.back().end == at &&
+               tokens.back().kind != Token::Kind::kPunctuation) {
       at += first.size;  // a hyphen within a word leaves no token; what follows is glued
       continue;
     } else if (first.value == 'h' && first.size > 1) {  // ½
@@ -155,10 +198,17 @@ std::vector<Token> tokenize(std::string_view prompt) {
 
 std::string singular_of(std::string_view word) {
   static constexpr std::array<std::pair<std::string_view, std::string_view>, 22> kIrregular = {{
-      {"shelves", "shelf"},   {"bookshelves", "bookshelf"}, {"knives", "knife"},   {"loaves", "loaf"},       {"leaves", "leaf"},   {"scarves", "scarf"},
-      {"cookies", "cookie"},  {"movies", "movie"},          {"mice", "mouse"},     {"children", "child"},    {"people", "person"}, {"feet", "foot"},
-      {"men", "man"},         {"women", "woman"},           {"halves", "half"},    {"wolves", "wolf"},       {"wives", "wife"},    {"men's", "man"},
-      {"chaises", "chaise"},  {"vases", "vase"},            {"glasses", "glass"},  {"lenses", "lens"},
+      {"shelves", "shelf"},  {"bookshelves", "bookshelf"},
+      {"knives", "knife"},   {"loaves", "loaf"},
+      {"leaves", "leaf"},    {"scarves", "scarf"},
+      {"cookies", "cookie"}, {"movies", "movie"},
+      {"mice", "mouse"},     {"children", "child"},
+      {"people", "person"},  {"feet", "foot"},
+      {"men", "man"},        {"women", "woman"},
+      {"halves", "half"},    {"wolves", "wolf"},
+      {"wives", "wife"},     {"men's", "man"},
+      {"chaises", "chaise"}, {"vases", "vase"},
+      {"glasses", "glass"},  {"lenses", "lens"},
   }};
   for (const auto& [plural, singular] : kIrregular) {
     if (word == plural) return std::string(singular);

@@ -10,7 +10,7 @@ namespace layoutbox::offline {
 struct Token {
   enum class Kind { kWord, kNumber, kPunctuation };
   Kind kind = Kind::kWord;
-  std::string text;            // lower case, plain apostrophes, American spelling; numbers and signs as written
+  std::string text;                // lower case, plain apostrophes, American spelling; numbers and signs as written
   std::size_t begin = 0, end = 0;  // byte places in the prompt
   double number = 0;
   bool glued = false;          // no space before it, as "size" in "king-size" (the hyphen is left out)
