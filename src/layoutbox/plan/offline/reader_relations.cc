@@ -1,0 +1,314 @@
+// Relation phrases, having and verbs.
+#include "layoutbox/plan/offline/knowledge.h"
+#include "layoutbox/plan/offline/reader.h"
+#include "layoutbox/plan/offline/reader_words.h"
+
+namespace layoutbox::offline {
+
+void DocumentReader::read_relation(std::size_t k) {
+  const Chunk& relation = chunk(k);
+  if (skipping_) {
+    mark(k, WordReading::Use::kIgnored, "purpose");
+    return;
+  }
+  mark(k, WordReading::Use::kUsed, "relation");
+  joiner_before_relation_ = joiner_;
+  const std::string& first_word = document_.tokens[relation.first].text;
+  if (relation.placing || first_word.ends_with("ing") || first_word.ends_with("ed")) after_participle_ = true;
+  if (joiner_ != Joiner::kNone && joiner_ != Joiner::kComma && place_comes_first(k)) {
+    begin_clause();
+  }
+  const PhraseSenses& senses = *relation.phrase.senses;
+  const std::size_t n = next(k);
+  const bool noun_follows = is(n, ChunkKind::kNoun);
+  const bool at_start = roots_.size() == clause_start_ && chain_.empty() && !expects_content_;
+  Link link;
+  link.first = relation.first;
+  link.last = relation.last;
+  link.each = relation.phrase.each;
+  link.distance = relation.distance;
+  link.at_least = relation.at_least;
+  link.at_most = relation.at_most;
+  const bool direct = has_direction(senses, Direction::kDirect), inverse = has_direction(senses, Direction::kInverse),
+             alone = has_direction(senses, Direction::kAlone);
+  if (at_start && noun_follows && first_word == "line" && relation.last - relation.first == 1 && is(next(n), ChunkKind::kRelation)) {
+    imperative_ = true;  // "Line the sofa along the wall"
+    joiner_ = Joiner::kNone;
+    return;
+  }
+  if (noun_follows && inverse && !direct) {
+    read_inverse(k, with_direction(senses, Direction::kInverse));
+    return;
+  }
+  if (noun_follows && direct) {
+    link.senses = with_direction(senses, Direction::kDirect);
+    reference_link_ = add_link(std::move(link));
+    expects_reference_ = true;
+    hang_ |= relation.hang;
+    // "Flank the bed with …": a command, not a place that comes first.
+    const bool command = at_start && relation.last - relation.first == 1 && is(next(n), ChunkKind::kHave) &&
+                         document_.tokens[chunk(next(n)).first].text == "with";
+    if (command) arranging_link_ = reference_link_;
+    if (at_start) fronted_.push_back(reference_link_);
+    if (command) fronted_.pop_back(), held_for_with_ = reference_link_;
+    joiner_ = Joiner::kNone;
+    return;
+  }
+  const std::string& last_word = document_.tokens[relation.last - 1].text;
+  const bool open_end = last_word == "of" || last_word == "to" || last_word == "from" || last_word == "with" || last_word == "by" ||
+                        last_word == "at" || last_word == "on" || last_word == "in" || last_word == "against";
+  const bool up_or_down = says(senses, RelationType::kAbove) || says(senses, RelationType::kUnder);
+  if (!alone && !relation.phrase.possessive && (open_end || !direct || !up_or_down)) {
+    if (relation.hang && !chain_.empty()) hang({chain_.back()}, k);
+    return;
+  }
+  // The reference is what was spoken of.
+  link.senses = with_direction(senses, alone ? Direction::kAlone : Direction::kDirect);
+  if (at_start) {
+    const int reference = says(link.senses, RelationType::kRow) ? -1 : implied_reference({});
+    if (reference >= 0) link.references = {reference};
+    fronted_.push_back(add_link(std::move(link)));
+    joiner_ = Joiner::kNone;
+    return;
+  }
+  const std::size_t before = previous(k);
+  // "against the wall to the right": which wall.
+  if (is(before, ChunkKind::kNoun) && chunk(before).noun.kind == NounKind::kWall && last_wall_ >= 0 &&
+      (says(link.senses, RelationType::kLeftOf) || says(link.senses, RelationType::kRightOf))) {
+    mention_at(last_wall_).noun.wall_word = says(link.senses, RelationType::kLeftOf) ? "left" : "right";
+    return;
+  }
+  if (is(before, ChunkKind::kNoun) && (chunk(before).noun.kind == NounKind::kAbstract || chunk(before).noun.kind == NounKind::kPart) &&
+      joiner_ == Joiner::kNone)
+    return;
+  const bool group_only = std::all_of(link.senses.begin(), link.senses.end(),
+                                      [](const PhraseSense& s) { return relation_row(s.type).arity == RelationArity::kNone; });
+  std::vector<int> targets;
+  if (!chain_.empty()) {
+    int target = chain_.back();
+    const bool apart = joiner_ != Joiner::kNone;
+    const bool verb_before = is(before, ChunkKind::kVerb);
+    if (apart || verb_before) target = chain_.front();
+    // "a lamp on the nightstand to the left": the new thing, not the one that was there.
+    if (!document_.mentions[static_cast<std::size_t>(target)].introduces) target = chain_.front();
+    if (!is_thing(target)) target = chain_.front();
+    if (group_only) {
+      NounPhrase room;
+      room.kind = NounKind::kRoom;
+      int best = -1;
+      for (std::size_t c = chain_.size(); c-- > 0;) {
+        if (!is_thing(chain_[c]) || !document_.mentions[static_cast<std::size_t>(chain_[c])].introduces) continue;
+        const int score = suits(lexicon_.catalog(), link.senses.front(), noun_of(chain_[c]), room);
+        if (score > best) best = score, target = chain_[c];
+      }
+    }
+    if (is_thing(target)) targets = joined_with(target, after_participle_, group_only && says(link.senses, RelationType::kCenterOfRoom));
+    // "cups and sodas on top": all that the host has.
+    if (says(link.senses, RelationType::kOn) && !frames_.empty() && frames_.back().link >= 0 &&
+        contains(link_at(frames_.back().link).targets, target))
+      targets = link_at(frames_.back().link).targets;
+  }
+  if (targets.empty()) return;
+  link.targets = targets;
+  if (!group_only) {
+    const int reference = implied_side_host(link.senses, targets);
+    if (reference >= 0) link.references = {reference};
+    link.implied = true;
+  }
+  // "a lamp on each side": one for either side.
+  if (link.each) {
+    for (const int target : targets) grow_for_sides(link.senses, target);
+  }
+  if (relation.hang || hang_) hang(targets, k);
+  hang_ = false;
+  for (std::size_t r = 0; r < roots_.size(); ++r) {
+    if (contains(targets, roots_[r])) root_modified_[r] = true;
+  }
+  add_link(std::move(link));
+  joiner_ = Joiner::kNone;
+}
+
+void DocumentReader::read_inverse(std::size_t k, PhraseSenses senses) {
+  Link link;
+  link.senses = std::move(senses);
+  link.first = chunk(k).first;
+  link.last = chunk(k).last;
+  link.each = chunk(k).phrase.each;
+  const bool at_start = roots_.size() == clause_start_ && chain_.empty();
+  std::vector<int> hosts;
+  if (!at_start) {
+    int host = chain_.empty() ? -1 : chain_.back();
+    const bool apart = joiner_ != Joiner::kNone || is(previous(k), ChunkKind::kVerb);
+    if (apart && !chain_.empty()) host = chain_.front();
+    if (is_finite(document_.tokens[chunk(k).first].text) && roots_.size() > clause_start_) host = roots_.back();
+    if (host >= 0 && !is_thing(host)) {
+      for (const int mention : chain_) {
+        if (is_thing(mention)) host = mention;
+      }
+    }
+    if (relative_host_ >= 0) host = relative_host_;
+    if (host >= 0) hosts = {host};
+    if (host >= 0 && contains(subject_, host)) hosts = subject_;
+    relative_host_ = -1;
+  }
+  for (const int host : hosts) {
+    for (std::size_t r = 0; r < roots_.size(); ++r) {
+      if (roots_[r] == host) root_modified_[r] = true;
+    }
+  }
+  link.references = hosts;
+  const int index = add_link(std::move(link));
+  if (at_start) fronted_.push_back(index);
+  frames_.push_back({index, hosts, false, false});
+  expects_content_ = true;
+  joiner_ = Joiner::kNone;
+}
+
+void DocumentReader::read_have(std::size_t k) {
+  if (skipping_ && is_finite(document_.tokens[chunk(k).first].text) && is(previous(k), ChunkKind::kNoun)) skipping_ = false;
+  if (skipping_) {
+    mark(k, WordReading::Use::kIgnored, "purpose");
+    return;
+  }
+  skipping_ = false;
+  mark(k, WordReading::Use::kUsed, "has");
+  const std::string& word = document_.tokens[chunk(k).first].text;
+  Link link;
+  link.kind = Link::Kind::kHave;
+  link.first = chunk(k).first;
+  link.last = chunk(k).last;
+  const bool plain = word == "with" || word == "featuring" || word == "features" || word == "feature" || word == "including" ||
+                     word == "includes" || word == "include" || word == "has" || word == "have" || word == "having";
+  link.holding = !plain;
+  link.weak = plain;
+  const bool after_comma = joiner_ == Joiner::kComma || joiner_ == Joiner::kCommaAnd;
+  joiner_ = Joiner::kNone;
+  // "Flank the bed with two nightstands": the verb says how.
+  if (word == "with" && arranging_link_ >= 0 && link_at(arranging_link_).references.size() == 1) {
+    const std::vector<int> hosts = link_at(arranging_link_).references;
+    frames_.push_back({arranging_link_, hosts, false, false});
+    chain_ = hosts;
+    arranging_link_ = -1;
+    expects_content_ = true;
+    return;
+  }
+  // The host: what stands right before; after a comma or a verb the clause's own thing.
+  int host = chain_.empty() ? -1 : chain_.back();
+  if (host >= 0 && is_thing(host) && !mention_at(host).introduces && is_thing(chain_.front()) && noun_of(host).kind == NounKind::kObject)
+    host = chain_.front();
+  if ((after_comma || is(previous(k), ChunkKind::kVerb)) && !chain_.empty()) host = chain_.front();
+  if (is_finite(word) && roots_.size() > clause_start_) host = roots_.back();
+  if (is_finite(word) && host >= 0 &&
+      (noun_of(host).kind == NounKind::kWall || noun_of(host).kind == NounKind::kFloor || noun_of(host).kind == NounKind::kWindow)) {
+    // "An office with white walls has a desk": the office has.
+    for (const int root : roots_) {
+      if (noun_of(root).kind == NounKind::kRoom) host = root;
+    }
+  }
+  if (relative_host_ >= 0) host = relative_host_;
+  relative_host_ = -1;
+  if (host < 0 && !roots_.empty() && roots_.size() > clause_start_) host = roots_.back();
+  link.after_comma = after_comma;
+  const auto kind = host >= 0 ? noun_of(host).kind : NounKind::kRoom;
+  if (host >= 0 && is_thing(host) && kind != NounKind::kAbstract) {
+    link.references = joined_with(host, !plain);
+    const std::vector<int> hosts = link.references;
+    const int index = add_link(std::move(link));
+    frames_.push_back({index, hosts, false, after_comma});
+    for (std::size_t r = 0; r < roots_.size(); ++r) {
+      if (contains(hosts, roots_[r])) root_modified_[r] = true;
+    }
+  } else if (kind == NounKind::kWall || kind == NounKind::kCorner || kind == NounKind::kCenter || kind == NounKind::kCeiling ||
+             kind == NounKind::kFloor) {
+    link.kind = Link::Kind::kRelation;
+    link.weak = false;
+    link.senses = {{RelationType::kOn, Direction::kDirect, {}, {}, {}},
+                   {RelationType::kOnWall, Direction::kDirect, {}, {}, {}},
+                   {RelationType::kAgainstWall, Direction::kDirect, {}, {}, {}},
+                   {RelationType::kOnCeiling, Direction::kDirect, {}, {}, {}}};
+    link.references = {host};
+    const int index = add_link(std::move(link));
+    frames_.push_back({index, {host}, false, false});
+  } else if (kind == NounKind::kAbstract && !frames_.empty() && !frames_.back().room && frames_.back().link >= 0) {
+    // "a desk with a setup of …": what the setup has, the desk has.
+  } else {
+    // A room, an area, a window: what it has is a list of things.
+    frames_.push_back({-1, {}, true, false});
+    if (kind == NounKind::kRoom || kind == NounKind::kOutsideRoom || kind == NounKind::kAbstract) in_room_list_ = true;
+    clause_start_ = roots_.size();
+    chain_.clear();
+    subject_.clear();
+    imperative_ = false;
+  }
+  expects_content_ = true;
+}
+
+void DocumentReader::read_verb(std::size_t k) {
+  if (skipping_ && is_finite(document_.tokens[chunk(k).first].text) && is(previous(k), ChunkKind::kNoun)) skipping_ = false;
+  if (skipping_) {
+    mark(k, WordReading::Use::kIgnored, "purpose");
+    return;
+  }
+  mark(k, WordReading::Use::kUsed, "placing");
+  if (relative_host_ >= 0) {
+    subject_ = {relative_host_};
+    chain_ = {relative_host_};
+    after_verb_ = true;
+    if (chunk(k).hang) hang(subject_, k);
+    relative_host_ = -1;
+    joiner_ = Joiner::kNone;
+    return;
+  }
+  const bool has_root = roots_.size() > clause_start_;
+  if (!has_root || (joiner_ != Joiner::kNone && !chunk(k).passive && is(next(k), ChunkKind::kNoun))) {
+    if (fronted_.empty() || has_root) {
+      // A command: "Place the bed …", "…, and hang the lamp …".
+      if (has_root) begin_clause();
+      imperative_ = !chunk(k).passive;
+      subject_.clear();
+    }
+    hang_ = chunk(k).hang;
+    after_verb_ = false;
+    joiner_ = Joiner::kNone;
+    return;
+  }
+  // The subject: a plural verb takes all that "and" joined, a singular one the last.
+  const std::string& word = document_.tokens[chunk(k).first].text;
+  const bool plural_verb = word == "are" || word == "were" || word == "have" || (!word.ends_with("s") && word != "is" && word != "was");
+  std::vector<int> subject{roots_.back()};
+  if (plural_verb && !noun_of(roots_.back()).is_plural()) {
+    for (std::size_t r = roots_.size() - 1; r > clause_start_ && root_joiners_[r] != Joiner::kNone; --r) {
+      if (in_room_list_ && root_joiners_[r] != Joiner::kAnd) break;
+      subject.insert(subject.begin(), roots_[r - 1]);
+    }
+  } else if (plural_verb && !in_room_list_) {
+    for (std::size_t r = roots_.size() - 1; r > clause_start_ && root_joiners_[r] == Joiner::kAnd && !root_modified_[r - 1]; --r)
+      subject.insert(subject.begin(), roots_[r - 1]);
+  }
+  subject.erase(std::remove_if(subject.begin(), subject.end(), [&](int m) { return subject.size() > 1 && !is_thing(m); }), subject.end());
+  if (subject.empty()) subject = {roots_.back()};
+  subject_ = subject;
+  // "a table where puzzles lie": on the table.
+  const std::size_t after = next(k);
+  if (where_host_ >= 0 && is_thing(where_host_) && is_thing(subject_.front()) &&
+      (is(after, ChunkKind::kStop) || is(after, ChunkKind::kComma))) {
+    Link link;
+    link.kind = Link::Kind::kHave;
+    link.holding = true;
+    link.targets = subject_;
+    link.references = {where_host_};
+    link.first = chunk(k).first;
+    link.last = chunk(k).last;
+    add_link(std::move(link));
+  }
+  chain_ = {subject_.front()};
+  after_verb_ = true;
+  imperative_ = false;
+  frames_.clear();
+  if (chunk(k).hang && is_thing(subject_.front())) hang(subject_, k);
+  joiner_ = Joiner::kNone;
+}
+
+void read_document(const Lexicon& lexicon, Document& document) { DocumentReader(lexicon, document).read(); }
+
+}  // namespace layoutbox::offline

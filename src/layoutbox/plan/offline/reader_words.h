@@ -1,0 +1,43 @@
+// Small questions that the files of the reader share.
+#pragma once
+
+#include <algorithm>
+#include <string_view>
+#include <vector>
+
+#include "layoutbox/plan/offline/lexicon.h"
+
+namespace layoutbox::offline {
+
+using Direction = PhraseSense::Direction;
+
+// How many mentions back "it" may reach; keeps long texts linear.
+inline constexpr std::size_t kReach = 200;
+
+inline bool has_direction(const PhraseSenses& senses, Direction direction) {
+  return std::any_of(senses.begin(), senses.end(), [&](const PhraseSense& s) { return s.direction == direction; });
+}
+
+inline PhraseSenses with_direction(const PhraseSenses& senses, Direction direction) {
+  PhraseSenses chosen;
+  for (const PhraseSense& sense : senses) {
+    if (sense.direction != direction) continue;
+    chosen.push_back(sense);
+    chosen.back().direction = Direction::kDirect;
+  }
+  return chosen;
+}
+
+inline bool says(const PhraseSenses& senses, RelationType type) {
+  return std::any_of(senses.begin(), senses.end(), [&](const PhraseSense& s) { return s.type == type; });
+}
+
+// "holds", "decorates": a finite verb among the relation phrases and the words of having.
+inline bool is_finite(std::string_view word) {
+  static constexpr std::string_view kNot[] = {"across", "towards", "besides", "plus", "as", "opposites"};
+  return word.size() > 2 && word.ends_with("s") && std::find(std::begin(kNot), std::end(kNot), word) == std::end(kNot);
+}
+
+inline bool contains(const std::vector<int>& all, int one) { return std::find(all.begin(), all.end(), one) != all.end(); }
+
+}  // namespace layoutbox::offline
