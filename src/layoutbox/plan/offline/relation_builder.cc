@@ -75,6 +75,9 @@ class Builder {
     relation.parameters.side = sense.side;
     relation.hard = !link.soft;
     relation.why = words_between(document_, link.first, link.last);
+    // "along a wall" is looser than "against" it.
+    const std::string& first_word = document_.tokens[link.first].text;
+    if (type == R::kAgainstWall && (first_word == "along" || first_word.starts_with("lin"))) relation.parameters.gap = 300;
     if (link.distance && type == R::kRow) relation.parameters.gap = mm_from_m(*link.distance);
     if (link.distance && type == R::kDistance) {
       const Mm distance = mm_from_m(*link.distance);
