@@ -9,6 +9,7 @@ constexpr std::int64_t kNoCost = std::numeric_limits<std::int64_t>::max() / 4;
 constexpr std::int64_t kPoint = 1000;
 constexpr std::size_t kMostRegions = 48;
 constexpr int kMostNodes = 4000;
+constexpr std::array<Mm, 2> kRoomBehind{400, 700};  // off the ends of a region: for a lamp behind a sofa, for somebody to pass
 
 std::int64_t floor_div(std::int64_t a, std::int64_t b) { return a / b - ((a % b != 0) && ((a < 0) != (b < 0))); }
 std::int64_t ceil_div(std::int64_t a, std::int64_t b) { return -floor_div(-a, b); }
@@ -82,10 +83,10 @@ struct SoftTable {
 // A case in which only the item at hand is free.
 struct CandidateFinder::Reduced {
   Vec3 lo{-(1 << 29), -(1 << 29), -(1 << 29)}, hi{1 << 29, 1 << 29, 1 << 29};
-  std::vector<Partial> checks;   // over several axes; for soft cases all forms
+  std::vector<Partial> checks;  // over several axes; for soft cases all forms
   std::vector<Wish> wishes;
   std::int64_t price = 0;
-  std::int64_t miss = 0;         // soft cases: whatever the position
+  std::int64_t miss = 0;  // soft cases: whatever the position
 };
 
 struct CandidateFinder::Region {
@@ -240,7 +241,9 @@ void CandidateFinder::cut(const Placements& placements, int item, int state, con
     grid.values[axis].clear();
     offer(axis, region.lo[axis]);
     offer(axis, region.hi[axis]);
-    if (axis < 2) offer(axis, region.lo[axis] + (region.hi[axis] - region.lo[axis]) / 2);
+    if (axis == 2) continue;
+    offer(axis, region.lo[axis] + (region.hi[axis] - region.lo[axis]) / 2);
+    for (const Mm room : kRoomBehind) offer(axis, std::int64_t{region.lo[axis]} + room), offer(axis, std::int64_t{region.hi[axis]} - room);
   }
   for (const Reduced* one : region.cases) {
     for (const Wish& wish : one->wishes) offer_zero(wish.form, true);
@@ -381,7 +384,8 @@ std::int64_t CandidateFinder::access_cost(int item, const Placement& placement) 
     if (other == item || probe_[j].state < 0) continue;
     const State& state = model_.items[j].states[probe_[j].state];
     const auto touched = [&](const Box& strip) { return overlap_in_plan(strip.shifted(probe_[j].at), body); };
-    const bool any = std::any_of(state.strips.begin(), state.strips.end(), touched) || std::any_of(state.wanted.begin(), state.wanted.end(), touched);
+    const bool any =
+        std::any_of(state.strips.begin(), state.strips.end(), touched) || std::any_of(state.wanted.begin(), state.wanted.end(), touched);
     if (any) cost += access_cost_of(model_, other, probe_) - access_cost_of(model_, other, probe_, item);
   }
   return cost;
@@ -404,7 +408,8 @@ std::vector<Candidate> CandidateFinder::find(const Placements& placements, int i
       }
       if (!column && !row) return;
     }
-    const auto place = std::upper_bound(best.begin(), best.end(), candidate.cost, [](std::int64_t c, const Candidate& k) { return c < k.cost; });
+    const auto place =
+        std::upper_bound(best.begin(), best.end(), candidate.cost, [](std::int64_t c, const Candidate& k) { return c < k.cost; });
     best.insert(place, std::move(candidate));
     if (!options.diverse && best.size() > options.most) best.pop_back();
   };
@@ -448,7 +453,8 @@ std::vector<Candidate> CandidateFinder::find(const Placements& placements, int i
             }
             if (cost >= worst()) continue;
             Candidate candidate{{state, at}, cost, {}};
-            if (!collisions(placements, item, candidate.placement, options.eject_price ? *options.eject_price : kNoPrice, candidate.hit)) continue;
+            if (!collisions(placements, item, candidate.placement, options.eject_price ? *options.eject_price : kNoPrice, candidate.hit))
+              continue;
             if (options.first_legal) return {candidate};
             for (const int other : candidate.hit) candidate.cost += (*options.eject_price)[other];
             if (options.noise > 0) candidate.cost += options.random->below(options.noise);
@@ -461,7 +467,11 @@ std::vector<Candidate> CandidateFinder::find(const Placements& placements, int i
       }
     }
   }
-  if (best.size() > options.most) best.resize(options.most);
+  if (best.size() > options.most) {  // the cheapest quarter, and of the rest some of every price
+    const std::size_t first = options.most / 4, rest = options.most - first, from = best.size() - first;
+    for (std::size_t i = 0; i < rest; ++i) best[first + i] = best[first + i * from / rest];
+    best.resize(options.most);
+  }
   return best;
 }
 

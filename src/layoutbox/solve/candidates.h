@@ -48,11 +48,11 @@ struct Candidate {
 
 struct CandidateOptions {
   std::size_t most = 1;
-  bool first_legal = false;    // the first legal one will do
-  bool diverse = false;        // the best of every column and row rather than `most` alike
+  bool first_legal = false;                                // the first legal one will do
+  bool diverse = false;                                    // the best of every column and row rather than `most` alike
   const std::vector<std::int64_t>* eject_price = nullptr;  // collisions are allowed at these prices by item; less than 0: never
-  std::int64_t noise = 0;      // up to this much is added to a cost at random
-  Random* random = nullptr;    // REQUIRES: set where noise > 0
+  std::int64_t noise = 0;                                  // up to this much is added to a cost at random
+  Random* random = nullptr;                                // REQUIRES: set where noise > 0
   int most_size_step = 0;
 };
 
@@ -91,8 +91,8 @@ class CandidateFinder {
 
   const Model& model_;
   std::vector<char> given_up_, left_out_;
-  Placements probe_;                          // the placements, with the item tried
-  std::vector<std::vector<Reduced>> pool_;    // per enforced formula, its cases that are possible
+  Placements probe_;                        // the placements, with the item tried
+  std::vector<std::vector<Reduced>> pool_;  // per enforced formula, its cases that are possible
   std::vector<Region> regions_;
   std::vector<std::pair<std::int64_t, std::vector<Reduced>>> soft_;  // weight, cases
 };

@@ -40,11 +40,13 @@ std::string sizes_in_words(const Item& item) {
 }
 
 std::string room_in_words(const Model& model) {
-  return fmt::format("{:.2f} × {:.2f} × {:.2f} m", model.room.extent(0) / 1000.0, model.room.extent(1) / 1000.0, model.room.extent(2) / 1000.0);
+  return fmt::format("{:.2f} × {:.2f} × {:.2f} m", model.room.extent(0) / 1000.0, model.room.extent(1) / 1000.0,
+                     model.room.extent(2) / 1000.0);
 }
 
 void replace(std::string& text, std::string_view what, const std::string& with) {
-  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + with.size())) text.replace(at, what.size(), with);
+  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + with.size()))
+    text.replace(at, what.size(), with);
 }
 
 std::string parameter_in_words(const Compilation& c, std::string_view name, const std::optional<Mm>& given) {
@@ -53,9 +55,15 @@ std::string parameter_in_words(const Compilation& c, std::string_view name, cons
 
 // "stands", "hangs" and "is" of one thing are "stand", "hang" and "are" of several.
 void make_plural(std::string& sentence) {
-  for (const auto& [one, many] : {std::pair{"{targets} stands", "{targets} stand"}, {"{targets} hangs", "{targets} hang"}, {"{targets} is", "{targets} are"},
-                                  {"{targets} faces", "{targets} face"}, {"{targets} touches", "{targets} touch"}, {"{targets} keeps", "{targets} keep"},
-                                  {"{targets} has", "{targets} have"}, {"{targets} looks", "{targets} look"}, {"with its back", "with their backs"}}) {
+  for (const auto& [one, many] : {std::pair{"{targets} stands", "{targets} stand"},
+                                  {"{targets} hangs", "{targets} hang"},
+                                  {"{targets} is", "{targets} are"},
+                                  {"{targets} faces", "{targets} face"},
+                                  {"{targets} touches", "{targets} touch"},
+                                  {"{targets} keeps", "{targets} keep"},
+                                  {"{targets} has", "{targets} have"},
+                                  {"{targets} looks", "{targets} look"},
+                                  {"with its back", "with their backs"}}) {
     replace(sentence, one, many);
   }
 }
@@ -116,8 +124,8 @@ void add_too_large(const Model& model, const std::vector<char>& left_out, std::v
     if (std::any_of(item.states.begin(), item.states.end(), fits)) continue;
     Clash clash;
     clash.demands.push_back({Demand::Kind::kItem, static_cast<int>(i)});
-    clash.sentence = fmt::format("{} measures at least {} and does not fit into the room, which measures {}", object_in_words(model, static_cast<int>(i)),
-                                 sizes_in_words(item), room_in_words(model));
+    clash.sentence = fmt::format("{} measures at least {} and does not fit into the room, which measures {}",
+                                 object_in_words(model, static_cast<int>(i)), sizes_in_words(item), room_in_words(model));
     out.push_back(std::move(clash));
   }
 }
@@ -157,7 +165,10 @@ void add_too_wide(const Model& model, const std::vector<char>& given_up, const s
       if (std::find(clash.demands.begin(), clash.demands.end(), relation) == clash.demands.end()) clash.demands.push_back(relation);
       words.push_back(fmt::format("{} ({})", object_in_words(model, pieces[i].item), metres(pieces[i].width)));
     }
-    clash.sentence = fmt::format("{} {} against {}, which is {} long", listed(words), needed == 2 ? "both stand" : needed == 1 ? "stands" : "all stand",
+    clash.sentence = fmt::format("{} {} against {}, which is {} long", listed(words),
+                                 needed == 2   ? "both stand"
+                                 : needed == 1 ? "stands"
+                                               : "all stand",
                                  wall_in_words(wall, model.walls.size() == 4), metres(wall.hi - wall.lo));
     out.push_back(std::move(clash));
   }
@@ -186,8 +197,8 @@ void add_too_much(const Model& model, const std::vector<char>& left_out, std::ve
     words.push_back(object_in_words(model, item));
   }
   if (sum <= room) return;
-  clash.sentence = fmt::format("{} cover at least {:.2f} m² of floor, and the room has {:.2f} m²", listed(words), static_cast<double>(sum) / 1e6,
-                               static_cast<double>(room) / 1e6);
+  clash.sentence = fmt::format("{} cover at least {:.2f} m² of floor, and the room has {:.2f} m²", listed(words),
+                               static_cast<double>(sum) / 1e6, static_cast<double>(room) / 1e6);
   out.push_back(std::move(clash));
 }
 
@@ -196,7 +207,8 @@ void add_too_much(const Model& model, const std::vector<char>& left_out, std::ve
 std::string object_in_words(const Model& model, int index) {
   const Item& item = model.items[index];
   const auto name_of_item = [](const Item& i) {
-    if (i.is_opening()) return std::string(i.opening->type == OpeningType::kWindow ? "window" : i.opening->type == OpeningType::kDoor ? "door" : "opening");
+    if (i.is_opening())
+      return std::string(i.opening->type == OpeningType::kWindow ? "window" : i.opening->type == OpeningType::kDoor ? "door" : "opening");
     return i.object->name.empty() ? i.object->category : i.object->name;
   };
   const std::string name = name_of_item(item);
@@ -253,13 +265,17 @@ std::string describe_clash(const Model& model, const Clash& clash) {
       continue;
     }
     const Constraint& constraint = model.constraints[demand.index];
-    relations.push_back(constraint.relation >= 0 ? relation_in_words(model, model.scene->relations[constraint.relation]) : clearance_in_words(model, constraint));
+    relations.push_back(constraint.relation >= 0 ? relation_in_words(model, model.scene->relations[constraint.relation])
+                                                 : clearance_in_words(model, constraint));
   }
   const std::string room = fmt::format("the room, which measures {}", room_in_words(model));
   if (relations.empty()) return fmt::format("{} do not fit together into {}", listed(objects), room);
-  const std::string what = relations.size() == 1 ? "it cannot be that " : relations.size() == 2 ? "it cannot both be that " : "it cannot all be that ";
+  const std::string what = relations.size() == 1   ? "it cannot be that "
+                           : relations.size() == 2 ? "it cannot both be that "
+                                                   : "it cannot all be that ";
   std::string out = what;
-  for (std::size_t i = 0; i < relations.size(); ++i) out += (i == 0 ? "" : i + 1 == relations.size() ? " and that " : ", that ") + relations[i];
+  for (std::size_t i = 0; i < relations.size(); ++i)
+    out += (i == 0 ? "" : i + 1 == relations.size() ? " and that " : ", that ") + relations[i];
   if (!objects.empty()) out += fmt::format(", with {} in {}", listed(objects), room);
   return out;
 }

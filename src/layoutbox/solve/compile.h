@@ -20,7 +20,7 @@ struct Reference {
 struct Compilation {
   const Model& model;
   const Relation& relation;
-  std::vector<int> targets;            // items
+  std::vector<int> targets;  // items
   std::vector<Reference> references;
   Constraint& out;
 

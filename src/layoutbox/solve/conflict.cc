@@ -1,9 +1,7 @@
 #include "layoutbox/solve/conflict.h"
 
-
 namespace layoutbox::placement {
 namespace {
-
 
 Result<CpAnswer> ask(Encoding& encoding, const CpSatLibrary& library, const std::vector<char>& demanded, const ProofLimits& limits) {
   CpParameters parameters;
@@ -16,7 +14,8 @@ Result<CpAnswer> ask(Encoding& encoding, const CpSatLibrary& library, const std:
 bool stopped(const ProofLimits& limits) { return limits.stop && limits.stop->load(); }
 
 // Drops one demand after another: what is still impossible without it does not need it.
-Result<Clash> shrink(Encoding& encoding, const CpSatLibrary& library, std::vector<std::size_t> core, const ProofLimits& limits, double& used) {
+Result<Clash> shrink(Encoding& encoding, const CpSatLibrary& library, std::vector<std::size_t> core, const ProofLimits& limits,
+                     double& used) {
   Clash clash;
   const auto mask = [&](const std::vector<std::size_t>& chosen) {
     std::vector<char> demanded(encoding.demands().size(), 0);
@@ -38,7 +37,8 @@ Result<Clash> shrink(Encoding& encoding, const CpSatLibrary& library, std::vecto
       const std::vector<std::size_t> again = encoding.demands_in(answer.core);
       std::vector<std::size_t> kept;  // those before `i` are known to be needed
       for (const std::size_t d : fewer) {
-        const bool known = again.empty() || std::find(core.begin(), core.begin() + static_cast<std::ptrdiff_t>(i), d) != core.begin() + static_cast<std::ptrdiff_t>(i);
+        const bool known = again.empty() || std::find(core.begin(), core.begin() + static_cast<std::ptrdiff_t>(i), d) !=
+                                                core.begin() + static_cast<std::ptrdiff_t>(i);
         if (known || std::find(again.begin(), again.end(), d) != again.end()) kept.push_back(d);
       }
       core = std::move(kept);

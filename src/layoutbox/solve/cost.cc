@@ -4,9 +4,9 @@ namespace layoutbox::placement {
 namespace {
 
 constexpr std::int64_t kPoint = 1000;
-constexpr Mm kBodyReach = 2000;   // what begins higher is in nobody's way
+constexpr Mm kBodyReach = 2000;  // what begins higher is in nobody's way
 constexpr Mm kHalfPerson = 100;
-constexpr Mm kArmLength = 150;   // how near one must come to a door or a thing
+constexpr Mm kArmLength = 150;  // how near one must come to a door or a thing
 
 }  // namespace
 
@@ -38,18 +38,33 @@ bool blocks_floor(const Item& item, const Box& box) {
   return !item.is_opening() && !item.thin && (box.lo[2] + box.hi[2]) / 2 <= kBodyReach;
 }
 
+namespace {
+
+// Seats round a table that is used from all sides are not in its way: they are how it is used.
+bool sits_round(const Model& model, int seat, int table) {
+  const Item &s = model.items[seat], &t = model.items[table];
+  if (!s.entry || !t.entry || model.pair(seat, table) != PairRule::kSolids || t.entry->back_to_wall) return false;
+  const std::string& family = s.entry->shape.family;
+  const bool is_seat = family == "chair" || family == "office_chair" || family == "stool" || family == "armchair" || family == "bench";
+  return is_seat && std::any_of(t.spaces.begin(), t.spaces.end(), [](const ItemSpace& space) { return !space.carries; });
+}
+
+}  // namespace
+
 std::int64_t blocked_permille(const Model& model, const Box& strip, const Placements& placements, int owner, int except) {
   const std::int64_t area = floor_area(strip);
   if (area == 0) return 0;
-  std::int64_t blocked = area - floor_area(intersection(strip, {{model.room.lo[0], model.room.lo[1], 0}, {model.room.hi[0], model.room.hi[1], 1 << 20}}));
+  std::int64_t blocked =
+      area - floor_area(intersection(strip, {{model.room.lo[0], model.room.lo[1], 0}, {model.room.hi[0], model.room.hi[1], 1 << 20}}));
   const auto add = [&](const Box& body) {
-    if (overlap_in_plan(strip, body)) blocked += floor_area(intersection({{strip.lo[0], strip.lo[1], 0}, {strip.hi[0], strip.hi[1], 1}},
-                                                                         {{body.lo[0], body.lo[1], 0}, {body.hi[0], body.hi[1], 1}}));
+    if (overlap_in_plan(strip, body))
+      blocked += floor_area(intersection({{strip.lo[0], strip.lo[1], 0}, {strip.hi[0], strip.hi[1], 1}},
+                                         {{body.lo[0], body.lo[1], 0}, {body.hi[0], body.hi[1], 1}}));
   };
   for (const Box& wall : model.outside) add(wall);
   for (std::size_t j = 0; j < model.items.size(); ++j) {
     const int other = static_cast<int>(j);
-    if (other == owner || other == except || placements[j].state < 0) continue;
+    if (other == owner || other == except || placements[j].state < 0 || sits_round(model, other, owner)) continue;
     const Box body = box_of(model.items[j], placements[j]);
     if (blocks_floor(model.items[j], body)) add(body);
   }
@@ -83,7 +98,8 @@ std::int64_t access_cost_of(const Model& model, int item, const Placements& plac
     for (const Box& strip : state.strips) best = std::min(best, blocked_permille(model, strip.shifted(p.at), placements, item, except));
     cost += best * kCostWeights.access;
   }
-  for (const Box& wanted : state.wanted) cost += blocked_permille(model, wanted.shifted(p.at), placements, item, except) * kCostWeights.wanted;
+  for (const Box& wanted : state.wanted)
+    cost += blocked_permille(model, wanted.shifted(p.at), placements, item, except) * kCostWeights.wanted;
   return cost;
 }
 
@@ -152,7 +168,8 @@ class WalkRaster {
     for (int y = 0; y < rows_; ++y) {
       for (int x = 0; x < columns_; ++x) {
         const Mm px = model_.room.lo[0] + x * step_, py = model_.room.lo[1] + y * step_;
-        if (px >= box.lo[0] - reach && px <= box.hi[0] + reach && py >= box.lo[1] - reach && py <= box.hi[1] + reach) cells.push_back(y * columns_ + x);
+        if (px >= box.lo[0] - reach && px <= box.hi[0] + reach && py >= box.lo[1] - reach && py <= box.hi[1] + reach)
+          cells.push_back(y * columns_ + x);
       }
     }
     return cells;
@@ -188,14 +205,17 @@ class WalkRaster {
 
 }  // namespace
 
-int walk_permille(const Model& model, const Placements& placements) { return WalkRaster(model, placements, kHalfPerson).largest_permille(); }
+int walk_permille(const Model& model, const Placements& placements) {
+  return WalkRaster(model, placements, kHalfPerson).largest_permille();
+}
 
 bool reachable(const Model& model, int item, Mm width, const Placements& placements) {
   if (placements[item].state < 0) return false;
   std::vector<Box> doors;
   for (std::size_t i = 0; i < model.items.size(); ++i) {
     const Item& door = model.items[i];
-    if (door.is_opening() && door.opening->type != OpeningType::kWindow && placements[i].state >= 0) doors.push_back(box_of(door, placements[i]));
+    if (door.is_opening() && door.opening->type != OpeningType::kWindow && placements[i].state >= 0)
+      doors.push_back(box_of(door, placements[i]));
   }
   return !doors.empty() && WalkRaster(model, placements, width / 2).way(doors, box_of(model.items[item], placements[item]));
 }
@@ -213,8 +233,8 @@ std::int64_t ways_cost(const Model& model, const Placements& placements) {
 std::map<std::string, std::int64_t> cost_terms(const Model& model, const Placements& placements) {
   std::map<std::string, std::int64_t> terms{{"habits", 0}, {"relations", 0}, {"access", 0}, {"ways", 0}, {"sizes", 0}};
   for (const Constraint& constraint : model.constraints) {
-    const bool placed = std::all_of(constraint.formulas.begin(), constraint.formulas.end(),
-                                    [&](const Formula& f) { return all_placed(f, placements); });
+    const bool placed =
+        std::all_of(constraint.formulas.begin(), constraint.formulas.end(), [&](const Formula& f) { return all_placed(f, placements); });
     if (!placed) continue;
     const bool ours = constraint.relation < 0;
     terms[ours ? "habits" : "relations"] += constraint_cost(model, constraint, placements);

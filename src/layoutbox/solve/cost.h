@@ -9,7 +9,8 @@
 namespace layoutbox::placement {
 
 // Points: for a used side that cannot be reached at all, for wanted floor that is blocked, per thousandth of free floor that is cut off,
-// per step below the usual size, per metre that something reaches into a door's swing that had to be given up, per relation `reachable` that does not hold.
+// per step below the usual size, per metre that something reaches into a door's swing that had to be given up, per relation `reachable`
+// that does not hold.
 struct CostWeights {
   int access = 700;
   int wanted = 350;

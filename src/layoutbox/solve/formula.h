@@ -79,21 +79,21 @@ struct Formula {
 };
 
 enum class Firmness {
-  kAlways,    // mounts, supports: what makes it a layout at all
-  kHard,      // asked for
-  kImplied,   // hard by implication: given up before anything that was asked for
-  kSoft,      // wished for
+  kAlways,   // mounts, supports: what makes it a layout at all
+  kHard,     // asked for
+  kImplied,  // hard by implication: given up before anything that was asked for
+  kSoft,     // wished for
 };
 
 // All formulas that one relation (or one rule of ours) stands for.
 struct Constraint {
-  std::string name;            // the relation's id, or what it is: "habit: sofa_1 back to wall"
-  int relation = -1;           // index in the scene's relations
+  std::string name;   // the relation's id, or what it is: "habit: sofa_1 back to wall"
+  int relation = -1;  // index in the scene's relations
   Firmness firmness = Firmness::kHard;
-  std::int32_t weight = 100;   // soft: points per metre missed; hard: the price of giving it up
+  std::int32_t weight = 100;  // soft: points per metre missed; hard: the price of giving it up
   std::vector<Formula> formulas;
   std::vector<std::pair<int, Mm>> reach;  // items to which somebody so wide must find a way; checked on layouts, not linear
-  std::vector<int> hosts;      // habits: the items that are to be placed first
+  std::vector<int> hosts;                 // habits: the items that are to be placed first
 };
 
 }  // namespace layoutbox::placement

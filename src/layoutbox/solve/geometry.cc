@@ -47,15 +47,9 @@ Box turned(const Box& box, int degrees) {
   Box out = box;
   switch (degrees) {
     case 0: return out;
-    case 90:
-      out.lo[0] = -box.hi[1], out.hi[0] = -box.lo[1], out.lo[1] = box.lo[0], out.hi[1] = box.hi[0];
-      return out;
-    case 180:
-      out.lo[0] = -box.hi[0], out.hi[0] = -box.lo[0], out.lo[1] = -box.hi[1], out.hi[1] = -box.lo[1];
-      return out;
-    case 270:
-      out.lo[0] = box.lo[1], out.hi[0] = box.hi[1], out.lo[1] = -box.hi[0], out.hi[1] = -box.lo[0];
-      return out;
+    case 90: out.lo[0] = -box.hi[1], out.hi[0] = -box.lo[1], out.lo[1] = box.lo[0], out.hi[1] = box.hi[0]; return out;
+    case 180: out.lo[0] = -box.hi[0], out.hi[0] = -box.lo[0], out.lo[1] = -box.hi[1], out.hi[1] = -box.lo[1]; return out;
+    case 270: out.lo[0] = box.lo[1], out.hi[0] = box.hi[1], out.lo[1] = -box.hi[0], out.hi[1] = -box.lo[0]; return out;
     default: break;
   }
   const double c = std::cos(radians_from_degrees(degrees)), s = std::sin(radians_from_degrees(degrees));

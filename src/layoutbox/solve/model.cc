@@ -11,9 +11,9 @@ namespace layoutbox::placement {
 namespace {
 
 constexpr std::size_t kMostObjects = 500;
-constexpr Mm kWindowDepth = 500;      // kept free before a window, above its sill
-constexpr Mm kOpeningDepth = 0;       // an opening is a box of no depth in the wall's inner face
-constexpr Mm kThin = 30;              // rugs and mats up to this height are walked on
+constexpr Mm kWindowDepth = 500;  // kept free before a window, above its sill
+constexpr Mm kOpeningDepth = 0;   // an opening is a box of no depth in the wall's inner face
+constexpr Mm kThin = 30;          // rugs and mats up to this height are walked on
 constexpr Mm kStripGap = 50, kStripDepth = 200;
 
 int turn_of_wall(int along, int inward) { return along == 0 ? (inward < 0 ? 0 : 180) : (inward > 0 ? 90 : 270); }
@@ -88,7 +88,8 @@ Box box_of_space(const Space& space, const Box& own) {
   return box;
 }
 
-State make_state(const SceneObject& object, const CatalogEntry& entry, const Size& size, int step, int turn, std::vector<ItemSpace>* describe) {
+State make_state(const SceneObject& object, const CatalogEntry& entry, const Size& size, int step, int turn,
+                 std::vector<ItemSpace>* describe) {
   State state;
   state.turn = turn, state.size_step = step, state.size = size;
   const Box own = own_box(size);
@@ -101,7 +102,8 @@ State make_state(const SceneObject& object, const CatalogEntry& entry, const Siz
     if (!hole.empty()) holes.push_back(hole);
     const Box here = in_turned(own, hole, turn);
     if (describe) {
-      describe->push_back({space.name, space.carries, hole.hi[2] >= size.height, kFirstConstant + static_cast<int>(state.constants.size())});
+      describe->push_back(
+          {space.name, space.carries, hole.hi[2] >= size.height, kFirstConstant + static_cast<int>(state.constants.size())});
     }
     state.constants.insert(state.constants.end(), here.lo.begin(), here.lo.end());
     state.constants.insert(state.constants.end(), here.hi.begin(), here.hi.end());
@@ -165,10 +167,15 @@ Item object_item(const SceneGraph& scene, const SceneObject& object, const Catal
   item.mount = mount_of(scene, object, *item.entry);
   item.has_front = item.entry->has_front;
   item.thin = item.entry->thin && object.size->usual.height <= kThin && item.mount == Mount::kFloor;
-  item.curtain = catalog.is_a(object.category, "curtain") || catalog.is_a(object.category, "blinds") || catalog.is_a(object.category, "blind");
+  item.curtain =
+      catalog.is_a(object.category, "curtain") || catalog.is_a(object.category, "blinds") || catalog.is_a(object.category, "blind");
   item.fixed = object.fixed && object.hint.position.has_value();
   const bool odd = sits_around(scene, object.id);
-  const auto sizes = sizes_of(*object.size, item.fixed ? 0 : odd ? 1 : options.size_steps, !item.fixed && !odd && holds_others(scene, object.id));
+  const auto sizes = sizes_of(*object.size,
+                              item.fixed ? 0
+                              : odd      ? 1
+                                         : options.size_steps,
+                              !item.fixed && !odd && holds_others(scene, object.id));
   for (const auto& [size, step] : sizes) {
     for (const int turn : turns_of(item, object, odd)) {
       const bool first = item.states.empty();
@@ -260,7 +267,8 @@ std::set<std::pair<int, int>> close_pairs(const Model& model) {
     }
     for (std::size_t j = 0; j < model.items.size(); ++j) {
       const auto goes_with = [&](const std::string& kind) { return model.is_a(static_cast<int>(j), kind); };
-      if (j != i && std::any_of(item.entry->beside.begin(), item.entry->beside.end(), goes_with)) add(static_cast<int>(i), static_cast<int>(j));
+      if (j != i && std::any_of(item.entry->beside.begin(), item.entry->beside.end(), goes_with))
+        add(static_cast<int>(i), static_cast<int>(j));
     }
   }
   return pairs;
@@ -272,7 +280,8 @@ void set_pair_rules(Model& model) {
   const auto rule_of = [&](const Item& a, const Item& b) {
     if (a.thin || b.thin) return PairRule::kFree;
     if (a.is_opening() && b.is_opening()) return PairRule::kOpenings;
-    const bool window = (a.is_opening() && a.opening->type == OpeningType::kWindow) || (b.is_opening() && b.opening->type == OpeningType::kWindow);
+    const bool window =
+        (a.is_opening() && a.opening->type == OpeningType::kWindow) || (b.is_opening() && b.opening->type == OpeningType::kWindow);
     if (window && (a.curtain || b.curtain)) return PairRule::kFree;
     return PairRule::kBoxes;
   };
@@ -282,7 +291,8 @@ void set_pair_rules(Model& model) {
     }
   }
   for (const auto& [a, b] : close_pairs(model)) {
-    if (model.pair(a, b) == PairRule::kBoxes && !model.items[a].is_opening() && !model.items[b].is_opening()) model.set_pair(a, b, PairRule::kSolids);
+    if (model.pair(a, b) == PairRule::kBoxes && !model.items[a].is_opening() && !model.items[b].is_opening())
+      model.set_pair(a, b, PairRule::kSolids);
   }
   for (std::size_t i = 0; i < n; ++i) {  // what stands on a sill may be before the window
     for (const SupportOption& support : model.items[i].supports) {
@@ -394,7 +404,8 @@ Result<Model> build_model(const SceneGraph& scene, const Catalog& catalog, const
   for (std::size_t i = 0; i < model.items.size(); ++i) {
     Item& item = model.items[i];
     item.support_constraint = static_cast<int>(model.constraints.size());
-    model.constraints.push_back(item.is_opening() ? opening_place(model, static_cast<int>(i)) : compile_support(model, static_cast<int>(i)));
+    model.constraints.push_back(item.is_opening() ? opening_place(model, static_cast<int>(i))
+                                                  : compile_support(model, static_cast<int>(i)));
     if (item.is_opening()) {
       item.clearance_constraint = static_cast<int>(model.constraints.size());
       model.constraints.push_back(opening_clearance(item));

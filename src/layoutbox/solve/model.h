@@ -14,15 +14,15 @@ namespace layoutbox::placement {
 
 // A way an item can stand: turned so, this big.
 struct State {
-  int turn = 0;                // degrees, counter-clockwise
-  int size_step = 0;           // 0: the usual size; more: farther from it
-  Size size;                   // at turn 0
-  Vec3 extent{};               // of the box around the turned body
-  std::vector<Mm> constants;   // by Quantity − kFirstConstant
-  std::vector<Box> solids;     // what of the box is body, from its low corner; the box itself where nothing is free
-  std::vector<Box> clear;      // boxes that no body may enter, from its low corner
-  std::vector<Box> strips;     // free floor wanted at its used sides (0.2 m deep, 0.05 m off), from its low corner
-  std::vector<Box> wanted;     // free floor the catalogue wants, from its low corner
+  int turn = 0;               // degrees, counter-clockwise
+  int size_step = 0;          // 0: the usual size; more: farther from it
+  Size size;                  // at turn 0
+  Vec3 extent{};              // of the box around the turned body
+  std::vector<Mm> constants;  // by Quantity − kFirstConstant
+  std::vector<Box> solids;    // what of the box is body, from its low corner; the box itself where nothing is free
+  std::vector<Box> clear;     // boxes that no body may enter, from its low corner
+  std::vector<Box> strips;    // free floor wanted at its used sides (0.2 m deep, 0.05 m off), from its low corner
+  std::vector<Box> wanted;    // free floor the catalogue wants, from its low corner
 };
 
 // A free box within an item that other things may be in; its sides are the six constants from `quantity` on (low x, y, z, high x, y, z).
@@ -41,13 +41,13 @@ struct SupportOption {
 
 struct Item {
   std::string id;
-  const SceneObject* object = nullptr;   // an object…
-  const CatalogEntry* entry = nullptr;   // with its kind
-  const Opening* opening = nullptr;      // …or an opening
+  const SceneObject* object = nullptr;  // an object…
+  const CatalogEntry* entry = nullptr;  // with its kind
+  const Opening* opening = nullptr;     // …or an opening
   Mount mount = Mount::kFloor;
   bool has_front = true;
-  bool thin = false;                     // a rug: collides with nothing
-  bool curtain = false;                  // may hang before a window
+  bool thin = false;     // a rug: collides with nothing
+  bool curtain = false;  // may hang before a window
   bool fixed = false;
   Vec3 fixed_at{};
   std::vector<State> states;
@@ -55,7 +55,7 @@ struct Item {
   std::vector<ItemSpace> spaces;
   std::vector<SupportOption> supports;
   int support_constraint = -1;
-  int clearance_constraint = -1;         // openings: the implied constraint whose giving up frees their clear box
+  int clearance_constraint = -1;  // openings: the implied constraint whose giving up frees their clear box
   bool is_opening() const { return opening != nullptr; }
   std::uint64_t states_at(int turn) const;
   // Bounds over all states.
@@ -64,13 +64,13 @@ struct Item {
 
 struct RoomWall {
   std::string id;
-  bool straight = true;   // along x or y; others are obstacles only
-  int along = 0;          // axis it runs along
-  int inward = 1;         // sign of its normal
-  Mm at = 0;              // where it stands on the other axis
-  Mm lo = 0, hi = 0;      // from where to where it runs
-  int turn = 0;           // of an object with its back against it
-  bool runs_up = true;    // its start is at `lo`
+  bool straight = true;  // along x or y; others are obstacles only
+  int along = 0;         // axis it runs along
+  int inward = 1;        // sign of its normal
+  Mm at = 0;             // where it stands on the other axis
+  Mm lo = 0, hi = 0;     // from where to where it runs
+  int turn = 0;          // of an object with its back against it
+  bool runs_up = true;   // its start is at `lo`
   int normal() const { return 1 - along; }
 };
 
@@ -84,24 +84,24 @@ enum class PairRule : std::uint8_t {
 struct Model {
   const SceneGraph* scene = nullptr;
   const Catalog* catalog = nullptr;
-  Box room;                          // the bounding box of the floor, floor to ceiling
-  std::vector<Box> outside;          // what of it is not room
+  Box room;                  // the bounding box of the floor, floor to ceiling
+  std::vector<Box> outside;  // what of it is not room
   std::vector<RoomWall> walls;
-  std::vector<Item> items;           // objects in the scene's order, then openings
+  std::vector<Item> items;  // objects in the scene's order, then openings
   std::vector<Constraint> constraints;
   std::vector<std::vector<int>> touching;  // item → constraints that speak of it
-  std::vector<PairRule> pairs;       // items × items
+  std::vector<PairRule> pairs;             // items × items
 
   PairRule pair(int a, int b) const { return pairs[static_cast<std::size_t>(a) * items.size() + b]; }
   void set_pair(int a, int b, PairRule rule);
-  int find_item(std::string_view id) const;   // −1: none
-  int find_wall(std::string_view id) const;   // index in `walls`, −1: none
+  int find_item(std::string_view id) const;  // −1: none
+  int find_wall(std::string_view id) const;  // index in `walls`, −1: none
   bool is_a(int item, std::string_view kind) const;
 };
 
 // Whether sizes other than the usual ones are among the states, and how finely the room is cut.
 struct ModelOptions {
-  int size_steps = 3;   // below the usual size, the last is the least
+  int size_steps = 3;  // below the usual size, the last is the least
 };
 
 // REQUIRES: a normalised scene. Errors: kReference (a relation names what is not there), kTooLarge (more than 500 objects).

@@ -134,7 +134,8 @@ TEST(BruteForce, AgreesOnTinyRooms) {
 // ------------------------------------------------------------------------------------------------------------- random scenes
 
 TEST(RandomScenes, AreSoundAndClaimTruly) {
-  const std::vector<std::string> kinds{"bed", "desk", "chair", "sofa", "wardrobe", "bookshelf", "plant", "table", "armchair", "nightstand", "rug", "floor_lamp"};
+  const std::vector<std::string> kinds{"bed",   "desk",  "chair",    "sofa",       "wardrobe", "bookshelf",
+                                       "plant", "table", "armchair", "nightstand", "rug",      "floor_lamp"};
   const std::vector<std::string> pairs{"leftOf", "rightOf", "inFrontOf", "nextTo", "near", "behind", "parallel", "facing", "perpendicular"};
   const std::vector<std::string> rooms{"againstWall", "corner", "inRegion"};
   for (unsigned seed = 1; seed <= 60; ++seed) {
@@ -172,7 +173,13 @@ TEST(ManyObjects, AHundredChairsInAHall) {
 
 TEST(OtherRooms, AnLShapeKeepsItsNotchFree) {
   const auto layout = solve(SceneMaker(std::vector<Point>{{0, 0}, {5000, 0}, {5000, 2500}, {2500, 2500}, {2500, 4500}, {0, 4500}})
-                                .add("bed").add("sofa").add("wardrobe").add("desk").add("plant", 3).relate("corner", {"plant_1"}).make(true),
+                                .add("bed")
+                                .add("sofa")
+                                .add("wardrobe")
+                                .add("desk")
+                                .add("plant", 3)
+                                .relate("corner", {"plant_1"})
+                                .make(true),
                             Catalog::builtin());
   ASSERT_TRUE(layout);
   EXPECT_EQ(layout->status, LayoutStatus::kSolved);

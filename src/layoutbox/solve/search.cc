@@ -8,14 +8,21 @@ namespace layoutbox::placement {
 namespace {
 
 constexpr std::int64_t kPoint = 1000;
-constexpr std::size_t kWatchedTries = 60;
+constexpr std::size_t kWatchedTries = 160;
 constexpr int kEjectionsPerItem = 6;
 
 }  // namespace
 
 Search::Search(const Model& model, std::vector<char> given_up, std::uint64_t seed, int most_size_step)
-    : model_(model), finder_(model, std::move(given_up)), random_(seed), most_size_step_(most_size_step), placements_(model.items.size()),
-      left_out_(model.items.size(), 0), bonus_(model.items.size(), 0), depends_(model.items.size()), dependents_(model.items.size()) {
+    : model_(model),
+      finder_(model, std::move(given_up)),
+      random_(seed),
+      most_size_step_(most_size_step),
+      placements_(model.items.size()),
+      left_out_(model.items.size(), 0),
+      bonus_(model.items.size(), 0),
+      depends_(model.items.size()),
+      dependents_(model.items.size()) {
   for (std::size_t i = 0; i < model.items.size(); ++i) {
     depends_[i] = depends_on(static_cast<int>(i));
     for (const int other : depends_[i]) dependents_[other].push_back(static_cast<int>(i));

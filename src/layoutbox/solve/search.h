@@ -47,10 +47,10 @@ class Search {
   int most_size_step_;
   Placements placements_;
   std::vector<int> failed_;
-  std::int64_t ways_ = 0;                      // cost of the ways as things stand, while improving
+  std::int64_t ways_ = 0;  // cost of the ways as things stand, while improving
   std::vector<char> left_out_;
-  std::vector<int> bonus_;                     // how often an item failed
-  std::vector<std::vector<int>> depends_;      // item → items it refers to
+  std::vector<int> bonus_;                 // how often an item failed
+  std::vector<std::vector<int>> depends_;  // item → items it refers to
   std::vector<std::vector<int>> dependents_;
 };
 

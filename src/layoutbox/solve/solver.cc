@@ -19,18 +19,23 @@ namespace {
 using namespace placement;
 using Clock = std::chrono::steady_clock;
 
-constexpr std::int64_t kStepsPerUnit = 1500;     // candidate positions tried in about a millisecond
-constexpr double kProofTimePerUnit = 0.01;       // of CP-SAT's deterministic time
-constexpr double kLongestProof = 20, kShortProof = 0.15;
+constexpr std::int64_t kStepsPerUnit = 1500;  // candidate positions tried in about a millisecond
+constexpr double kProofTimePerUnit = 0.04;    // of CP-SAT's deterministic time
+constexpr double kLongestProof = 20, kShortProof = 0.3;
 constexpr std::int64_t kLeastSteps = 60000;
 constexpr int kRestarts = 8;
 constexpr int kAllSizes = 1000;
+constexpr int kStillWished = 4;  // points a metre, per weight, of a relation that was given up
 
 class Solver {
  public:
   Solver(Model model, const SolveOptions& options)
-      : model_(std::move(model)), options_(options), started_(Clock::now()), given_up_(model_.constraints.size(), 0),
-        left_out_(model_.items.size(), 0), placements_(model_.items.size()) {
+      : model_(std::move(model)),
+        options_(options),
+        started_(Clock::now()),
+        given_up_(model_.constraints.size(), 0),
+        left_out_(model_.items.size(), 0),
+        placements_(model_.items.size()) {
     budget_.limit = options.effort * kStepsPerUnit;
     budget_.stop = [this] { return must_stop(); };
     proof_time_ = std::clamp(static_cast<double>(options.effort) * kProofTimePerUnit, 0.1, kLongestProof);
@@ -67,7 +72,8 @@ class Solver {
       if (found) return {};
       if (stopped_by_clock_) break;
     }
-    return fail(ErrorCode::kNotFound, "no layout was found within the limits, and no proof that there is none", {}, "raise --effort or --time-limit");
+    return fail(ErrorCode::kNotFound, "no layout was found within the limits, and no proof that there is none", {},
+                "raise --effort or --time-limit");
   }
 
   bool search(const std::vector<char>& given_up) {
@@ -92,19 +98,15 @@ class Solver {
     Proof proof;
     if (library && proof_time_ > 0) {
       used_cp_sat_ = true;
-      ProofLimits limits{options_.seed, loose ? std::min(proof_time_, kShortProof) : proof_time_, std::max(0.1, options_.time_limit_s - seconds()),
-                         options_.stop};
+      ProofLimits limits{options_.seed, loose || clearances_left() ? std::min(proof_time_, kShortProof) : proof_time_,
+                         std::max(0.1, options_.time_limit_s - seconds()), options_.stop};
       LAYOUTBOX_ASSIGN(proof, decide(model_, **library, given_up_, left_out_, placements_, limits));
       proof_time_ -= proof.deterministic_time;
     }
     if (interrupted()) return fail(ErrorCode::kInterrupted, "stopped");
     switch (proof.outcome) {
-      case Proof::Outcome::kLayout:
-        placements_ = proof.placements;
-        return true;
-      case Proof::Outcome::kClash:
-        LAYOUTBOX_CHECK(give_up(proof.clash));
-        return false;
+      case Proof::Outcome::kLayout: placements_ = proof.placements; return true;
+      case Proof::Outcome::kClash: LAYOUTBOX_CHECK(give_up(proof.clash)); return false;
       case Proof::Outcome::kUnknown: break;
     }
     must_stop();
@@ -114,6 +116,11 @@ class Solver {
     }
     LAYOUTBOX_CHECK(give_up(guess()));
     return false;
+  }
+
+  bool clearances_left() const {
+    return std::any_of(model_.items.begin(), model_.items.end(),
+                       [&](const Item& i) { return i.is_opening() && !given_up_[i.clearance_constraint]; });
   }
 
   // Door swings and the like are given up before anything else: is there a layout then?
@@ -136,7 +143,8 @@ class Solver {
       Clash clash;
       clash.proven = clash.minimal = false;
       clash.demands = {{Demand::Kind::kConstraint, item.clearance_constraint}};
-      clash.sentence = fmt::format("no layout was found that leaves the floor before {} free", object_in_words(model_, static_cast<int>(i)));
+      clash.sentence =
+          fmt::format("no layout was found that leaves the floor before {} free", object_in_words(model_, static_cast<int>(i)));
       LAYOUTBOX_CHECK(give_up(clash));
     }
     return {};
@@ -146,6 +154,14 @@ class Solver {
   Clash guess() const {
     Clash clash;
     clash.proven = clash.minimal = false;
+    for (std::size_t i = 0; i < model_.items.size(); ++i) {  // doors and windows first
+      const Item& item = model_.items[i];
+      if (!item.is_opening() || left_out_[i] || given_up_[item.clearance_constraint]) continue;
+      clash.demands = {{Demand::Kind::kConstraint, item.clearance_constraint}};
+      clash.sentence =
+          fmt::format("no layout was found that leaves the floor before {} free", object_in_words(model_, static_cast<int>(i)));
+      return clash;
+    }
     if (!failed_.empty()) {
       const int item = failed_[0];
       clash.demands.push_back({Demand::Kind::kItem, item});
@@ -176,20 +192,22 @@ class Solver {
   std::int64_t miss_without(int constraint) {
     Model trial = model_;
     trial.constraints[constraint].firmness = Firmness::kSoft;
+    trial.constraints[constraint].weight *= kStillWished;
     std::vector<char> given_up = given_up_;
     given_up[constraint] = 1;
-    Search search(trial, given_up, options_.seed, kAllSizes);
+    Search search(trial, given_up, options_.seed, size_limit_);
     Budget budget{0, kLeastSteps, budget_.stop, false};
     if (!search.construct(left_out_, 2, budget)) return 1 << 30;
+    budget.limit = budget.steps + kLeastSteps / 2;
+    search.improve(budget);
     return miss_of(trial, trial.constraints[constraint], search.placements());
   }
 
   // The least price; of equals the relation that is then missed by least, of those the last one said.
   std::vector<Demand>::const_iterator cheapest_of(const Clash& clash) {
     const auto begin = clash.demands.begin(), end = clash.demands.end();
-    const auto cheapest = std::min_element(begin, end, [&](const Demand& a, const Demand& b) {
-      return std::pair(price_of(a), -a.index) < std::pair(price_of(b), -b.index);
-    });
+    const auto cheapest = std::min_element(
+        begin, end, [&](const Demand& a, const Demand& b) { return std::pair(price_of(a), -a.index) < std::pair(price_of(b), -b.index); });
     if (cheapest == end || cheapest->kind == Demand::Kind::kItem || options_.on_conflict != OnConflict::kRelax) return cheapest;
     auto best = cheapest;
     std::int64_t least = -1;
@@ -219,7 +237,8 @@ class Solver {
     }
     const auto cheapest = cheapest_of(clash);
     if (cheapest == clash.demands.cend()) return fail(ErrorCode::kNotFound, "no layout was found, and nothing is left to give up");
-    const bool only_implied = cheapest->kind == Demand::Kind::kConstraint && model_.constraints[cheapest->index].firmness == Firmness::kImplied;
+    const bool only_implied =
+        cheapest->kind == Demand::Kind::kConstraint && model_.constraints[cheapest->index].firmness == Firmness::kImplied;
     conflicts_.push_back(conflict);
     if (options_.on_conflict == OnConflict::kFail && !only_implied && !clash.proven) {
       return fail(ErrorCode::kNotFound, conflict.sentence + ", and no proof that there is none", {}, "raise --effort or --time-limit");
@@ -260,7 +279,7 @@ class Solver {
     Constraint& constraint = model_.constraints[index];
     if (constraint.firmness == Firmness::kHard) {
       constraint.firmness = Firmness::kSoft;
-      constraint.weight = 4 * constraint.weight;
+      constraint.weight *= kStillWished;
     }
   }
 

@@ -38,27 +38,35 @@ RelationParameters part(const std::string& words) {
 
 TEST(Solver, BedroomOfThePaper) {
   const Layout layout = solved_fully(SceneMaker(4000, 3200, 3000)
-                                         .add("bed").add("wardrobe").add("desk").add("table_lamp")
+                                         .add("bed")
+                                         .add("wardrobe")
+                                         .add("desk")
+                                         .add("table_lamp")
                                          .relate("againstWall", {"bed_1"}, {"wall4"})
                                          .relate("centeredOnWall", {"wardrobe_1"}, {"wall3"})
                                          .relate("atFootOf", {"desk_1"}, {"bed_1"})
                                          .relate("on", {"table_lamp_1"}, {"desk_1"}, part("left"))
                                          .make(true));
   const PlacedObject& bed = *layout.find_object("bed_1");
-  EXPECT_EQ(bed.rotation_deg, 90);                                   // its back to the left wall
+  EXPECT_EQ(bed.rotation_deg, 90);  // its back to the left wall
   EXPECT_NEAR(bed.position[0], bed.size.depth / 2.0, 20.5);
   EXPECT_EQ(layout.find_object("wardrobe_1")->position[0], 2000);
   EXPECT_EQ(layout.find_object("table_lamp_1")->supported_by, "desk_1");
 }
 
 TEST(Solver, DiningRoomOfThePaper) {
-  const Layout layout = solved_fully(SceneMaker(3600, 3600, 3000)
-                                         .add("dining_table").add("dining_chair", 6).add("sideboard").add("pendant_lamp")
-                                         .relate("centerOfRoom", {"dining_table_1"})
-                                         .relate("around", {"dining_chair_1", "dining_chair_2", "dining_chair_3", "dining_chair_4", "dining_chair_5", "dining_chair_6"}, {"dining_table_1"})
-                                         .relate("againstWall", {"sideboard_1"}, {"wall3"})
-                                         .relate("above", {"pendant_lamp_1"}, {"dining_table_1"})
-                                         .make(true));
+  const Layout layout = solved_fully(
+      SceneMaker(3600, 3600, 3000)
+          .add("dining_table")
+          .add("dining_chair", 6)
+          .add("sideboard")
+          .add("pendant_lamp")
+          .relate("centerOfRoom", {"dining_table_1"})
+          .relate("around", {"dining_chair_1", "dining_chair_2", "dining_chair_3", "dining_chair_4", "dining_chair_5", "dining_chair_6"},
+                  {"dining_table_1"})
+          .relate("againstWall", {"sideboard_1"}, {"wall3"})
+          .relate("above", {"pendant_lamp_1"}, {"dining_table_1"})
+          .make(true));
   const PlacedObject& lamp = *layout.find_object("pendant_lamp_1");
   EXPECT_EQ(lamp.position[2] + lamp.size.height, 3000);
   EXPECT_EQ(lamp.supported_by, "ceiling");
@@ -68,7 +76,8 @@ TEST(Solver, SofaComesForwardForWhatStandsBehindIt) {
   RelationParameters along;
   along.gap = 300;
   const Layout layout = solved_fully(SceneMaker(4500, 3500, 3000)
-                                         .add("sofa").add("floor_lamp")
+                                         .add("sofa")
+                                         .add("floor_lamp")
                                          .relate("againstWall", {"sofa_1"}, {"wall4"}, along)
                                          .relate("behind", {"floor_lamp_1"}, {"sofa_1"})
                                          .make());
@@ -96,7 +105,12 @@ TEST(Solver, OpeningsGetPlacesAndStayFree) {
 
 TEST(Solver, ThingsStandOnAndInThings) {
   const Layout layout = solved_fully(SceneMaker(4000, 3000)
-                                         .add("bookshelf").add("book", 5).add("desk").add("monitor").add("table_lamp").add("vase")
+                                         .add("bookshelf")
+                                         .add("book", 5)
+                                         .add("desk")
+                                         .add("monitor")
+                                         .add("table_lamp")
+                                         .add("vase")
                                          .relate("in", {"book_1"}, {"bookshelf_1"})
                                          .relate("in", {"book_2"}, {"bookshelf_1"})
                                          .relate("on", {"monitor_1"}, {"desk_1"})
@@ -108,7 +122,8 @@ TEST(Solver, ThingsStandOnAndInThings) {
 }
 
 TEST(Solver, SameSeedSameBytes) {
-  const SceneGraph scene = SceneMaker(5000, 4000).add("sofa").add("armchair", 2).add("coffee_table").add("tv_stand").add("bookshelf").add("plant", 2).make(true);
+  const SceneGraph scene =
+      SceneMaker(5000, 4000).add("sofa").add("armchair", 2).add("coffee_table").add("tv_stand").add("bookshelf").add("plant", 2).make(true);
   std::string first;
   for (int i = 0; i < 2; ++i) {
     Layout layout = solved(scene);
@@ -128,14 +143,20 @@ TEST(Solver, SmallerSizesWhereTheRoomAsksForThem) {
 }
 
 TEST(Solver, FixedObjectsStay) {
-  const Layout layout = solved_fully(SceneMaker(4000, 3000).add("column").sized(300, 300, 2800).at(2000, 1500, 0, 0, true).add("bed").add("wardrobe").make());
+  const Layout layout =
+      solved_fully(SceneMaker(4000, 3000).add("column").sized(300, 300, 2800).at(2000, 1500, 0, 0, true).add("bed").add("wardrobe").make());
   EXPECT_EQ(layout.find_object("column_1")->position[0], 2000);
   EXPECT_EQ(layout.find_object("column_1")->position[1], 1500);
 }
 
 TEST(Solver, HintsHoldUnlessARelationSaysOtherwise) {
-  const Layout layout = solved_fully(SceneMaker(5000, 4000).add("armchair").at(3000, 1200, 0, 180, false).add("plant").at(4000, 2000, 0, 0, false)
-                                         .relate("corner", {"plant_1"}).make());
+  const Layout layout = solved_fully(SceneMaker(5000, 4000)
+                                         .add("armchair")
+                                         .at(3000, 1200, 0, 180, false)
+                                         .add("plant")
+                                         .at(4000, 2000, 0, 0, false)
+                                         .relate("corner", {"plant_1"})
+                                         .make());
   EXPECT_NEAR(layout.find_object("armchair_1")->position[0], 3000, 1);
   EXPECT_NEAR(layout.find_object("armchair_1")->position[1], 1200, 1);
   EXPECT_EQ(layout.find_object("armchair_1")->rotation_deg, 180);
@@ -145,15 +166,21 @@ TEST(Solver, HintsHoldUnlessARelationSaysOtherwise) {
 
 TEST(Conflict, WidthsAlongAWall) {
   const SceneGraph scene = SceneMaker(3200, 3000)
-                               .add("bed").sized(1600, 2000, 500).add("wardrobe").sized(2400, 600, 2000)
-                               .relate("againstWall", {"bed_1"}, {"wall3"}).relate("againstWall", {"wardrobe_1"}, {"wall3"}).make();
+                               .add("bed")
+                               .sized(1600, 2000, 500)
+                               .add("wardrobe")
+                               .sized(2400, 600, 2000)
+                               .relate("againstWall", {"bed_1"}, {"wall3"})
+                               .relate("againstWall", {"wardrobe_1"}, {"wall3"})
+                               .make();
   SolveOptions options;
   options.on_conflict = OnConflict::kFail;
   const auto failed = solve(scene, Catalog::builtin(), options);
   ASSERT_FALSE(failed);
   EXPECT_EQ(failed.error().code, ErrorCode::kInfeasible);
   ASSERT_EQ(failed.error().details.size(), 1u);
-  EXPECT_EQ(failed.error().details[0].message, "the wardrobe (2.40 m) and the bed (1.60 m) both stand against the back wall, which is 3.20 m long");
+  EXPECT_EQ(failed.error().details[0].message,
+            "the wardrobe (2.40 m) and the bed (1.60 m) both stand against the back wall, which is 3.20 m long");
 
   const Layout layout = solved(scene);
   EXPECT_EQ(layout.status, LayoutStatus::kRelaxed);
@@ -173,8 +200,14 @@ TEST(Conflict, AnObjectLargerThanTheRoomIsLeftOutAndNamed) {
 TEST(Conflict, SmallestSetIsNamed) {
   if (!describe_cp_sat_library()) GTEST_SKIP() << "no CP-SAT library: run scripts/setup.sh";
   // The chair cannot be left of the table and right of it; the plant has nothing to do with it.
-  const SceneGraph scene = SceneMaker(5000, 4000).add("table").add("chair").add("plant")
-                               .relate("leftOf", {"chair_1"}, {"table_1"}).relate("corner", {"plant_1"}).relate("rightOf", {"chair_1"}, {"table_1"}).make();
+  const SceneGraph scene = SceneMaker(5000, 4000)
+                               .add("table")
+                               .add("chair")
+                               .add("plant")
+                               .relate("leftOf", {"chair_1"}, {"table_1"})
+                               .relate("corner", {"plant_1"})
+                               .relate("rightOf", {"chair_1"}, {"table_1"})
+                               .make();
   const Layout layout = solved(scene);
   ASSERT_EQ(layout.conflicts.size(), 1u);
   EXPECT_THAT(layout.conflicts[0].relations, testing::UnorderedElementsAre("c1", "c3"));
@@ -195,7 +228,8 @@ TEST(Conflict, TheLighterOneIsGivenUp) {
 TEST(Conflict, OriginalPositionsAreReportedAsSuch) {
   SolveOptions options;
   options.on_conflict = OnConflict::kOriginal;
-  const auto layout = solve(SceneMaker(4000, 3000).add("chair").add("bed").sized(5000, 2000, 500).at(1500, 1200, 0, 90, false).make(), Catalog::builtin(), options);
+  const auto layout = solve(SceneMaker(4000, 3000).add("chair").add("bed").sized(5000, 2000, 500).at(1500, 1200, 0, 90, false).make(),
+                            Catalog::builtin(), options);
   ASSERT_TRUE(layout);
   EXPECT_EQ(layout->status, LayoutStatus::kFallback);
   EXPECT_EQ(layout->find_object("bed_1")->position[0], 1500);
@@ -211,7 +245,8 @@ TEST(BadScene, ItselfAsReference) {
 }
 
 TEST(BadScene, TwoThingsOnEachOther) {
-  const Layout layout = solved(SceneMaker(4000, 3000).add("box", 2).relate("on", {"box_1"}, {"box_2"}).relate("on", {"box_2"}, {"box_1"}).make());
+  const Layout layout =
+      solved(SceneMaker(4000, 3000).add("box", 2).relate("on", {"box_1"}, {"box_2"}).relate("on", {"box_2"}, {"box_1"}).make());
   EXPECT_EQ(layout.status, LayoutStatus::kRelaxed);
 }
 

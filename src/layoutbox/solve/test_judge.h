@@ -24,9 +24,12 @@ inline TestPoint in_frame_of(const PlacedObject& o, const TestPoint& p) {
 inline bool in_body(const PlacedObject& o, const TestPoint& room_point) {
   const TestPoint p = in_frame_of(o, room_point);
   const double slack = 5;  // mm
-  if (std::abs(p.x) > o.size.width / 2.0 - slack || std::abs(p.y) > o.size.depth / 2.0 - slack || p.z < slack || p.z > o.size.height - slack) return false;
+  if (std::abs(p.x) > o.size.width / 2.0 - slack || std::abs(p.y) > o.size.depth / 2.0 - slack || p.z < slack ||
+      p.z > o.size.height - slack)
+    return false;
   for (const Space& s : o.spaces) {
-    if (p.x > s.min[0] - slack && p.x < s.max[0] + slack && p.y > s.min[1] - slack && p.y < s.max[1] + slack && p.z > s.min[2] - slack && p.z < s.max[2] + slack) {
+    if (p.x > s.min[0] - slack && p.x < s.max[0] + slack && p.y > s.min[1] - slack && p.y < s.max[1] + slack && p.z > s.min[2] - slack &&
+        p.z < s.max[2] + slack) {
       return false;
     }
   }
@@ -40,7 +43,8 @@ inline std::vector<TestPoint> points_of(const PlacedObject& o, int n = 14) {
     for (int j = 0; j < n; ++j) {
       for (int k = 0; k < n; ++k) {
         const double x = ((i + 0.5) / n - 0.5) * o.size.width, y = ((j + 0.5) / n - 0.5) * o.size.depth, z = (k + 0.5) / n * o.size.height;
-        points.push_back({o.position[0] + x * std::cos(a) - y * std::sin(a), o.position[1] + x * std::sin(a) + y * std::cos(a), o.position[2] + z});
+        points.push_back(
+            {o.position[0] + x * std::cos(a) - y * std::sin(a), o.position[1] + x * std::sin(a) + y * std::cos(a), o.position[2] + z});
       }
     }
   }

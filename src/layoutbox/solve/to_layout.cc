@@ -98,8 +98,8 @@ Layout to_layout(const Model& model, const Placements& placements) {
   }
   for (const Constraint& constraint : model.constraints) {
     if (constraint.relation < 0) continue;
-    const bool placed = std::all_of(constraint.formulas.begin(), constraint.formulas.end(),
-                                    [&](const Formula& f) { return all_placed(f, placements); });
+    const bool placed =
+        std::all_of(constraint.formulas.begin(), constraint.formulas.end(), [&](const Formula& f) { return all_placed(f, placements); });
     const bool reached = std::all_of(constraint.reach.begin(), constraint.reach.end(),
                                      [&](const auto& r) { return reachable(model, r.first, r.second, placements); });
     layout.relations.push_back({scene.relations[constraint.relation], placed && reached && miss_of(model, constraint, placements) == 0});

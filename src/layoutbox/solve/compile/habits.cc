@@ -10,7 +10,8 @@ namespace {
 constexpr int kBackToWall = 900, kBeside = 500, kFaces = 600, kAtWall = 150, kRug = 300, kHint = 800, kOpeningPlace = 80, kHangs = 200,
               kSits = 400, kCurtain = 900, kMiddle = 40, kLight = 25;
 
-const std::vector<std::string> kUnderPictures{"fireplace", "bed", "sofa", "sideboard", "console_table", "dresser", "desk", "tv_stand", "cabinet"};
+const std::vector<std::string> kUnderPictures{"fireplace", "bed",  "sofa",     "sideboard", "console_table",
+                                              "dresser",   "desk", "tv_stand", "cabinet"};
 const std::vector<std::string> kUnderMirrors{"sink", "vanity", "dresser", "console_table", "sideboard"};
 const std::vector<std::string> kUnderLamps{"dining_table", "kitchen_island", "conference_table", "table", "coffee_table", "bed"};
 const std::vector<std::string> kOnRugs{"coffee_table", "dining_table", "bed", "crib", "table", "sofa", "desk"};
@@ -92,7 +93,8 @@ class Habits {
     for (const std::string& kind : kinds) {
       for (std::size_t i = 0; i < model_.items.size(); ++i) {
         const int index = static_cast<int>(i);
-        if (index != except && model_.is_a(index, kind) && std::find(found.begin(), found.end(), index) == found.end()) found.push_back(index);
+        if (index != except && model_.is_a(index, kind) && std::find(found.begin(), found.end(), index) == found.end())
+          found.push_back(index);
       }
     }
     return found;
@@ -107,7 +109,9 @@ class Habits {
 
   // Does a relation of the scene already say how these two stand to each other?
   bool related(int a, int b) const {
-    const auto has = [](const std::vector<std::string>& ids, const std::string& id) { return std::find(ids.begin(), ids.end(), id) != ids.end(); };
+    const auto has = [](const std::vector<std::string>& ids, const std::string& id) {
+      return std::find(ids.begin(), ids.end(), id) != ids.end();
+    };
     const std::string &x = model_.items[a].id, &y = model_.items[b].id;
     return std::any_of(model_.scene->relations.begin(), model_.scene->relations.end(), [&](const Relation& r) {
       return (has(r.targets, x) && has(r.references, y)) || (has(r.targets, y) && has(r.references, x));
@@ -207,7 +211,8 @@ class Habits {
     if (!self.has_front) return;
     const std::vector<int> seen = items_of_kinds(self.entry->faces, item);
     for (const int other : seen) {
-      if (model_.items[other].mount != Mount::kFloor && model_.items[other].mount != Mount::kWall && seen.size() > 1 && other != seen[0]) continue;
+      if (model_.items[other].mount != Mount::kFloor && model_.items[other].mount != Mount::kWall && seen.size() > 1 && other != seen[0])
+        continue;
       Formula f;
       add_looks_at(f, model_, item, other);
       if (is_easy_chair(self) && !related(item, other)) {
@@ -227,7 +232,8 @@ class Habits {
     Case& c = f.add();
     std::vector<int> hosts;
     if (!over.empty()) hosts.push_back(over[rank_of(item) % static_cast<int>(over.size())]);
-    for (int axis = 0; axis < 2; ++axis) c.wish(mid2(item, axis) - (hosts.empty() ? room_mid2(model_, axis) : mid2(hosts[0], axis)), kRug, 2);
+    for (int axis = 0; axis < 2; ++axis)
+      c.wish(mid2(item, axis) - (hosts.empty() ? room_mid2(model_, axis) : mid2(hosts[0], axis)), kRug, 2);
     habit("rug", item, kRug, std::move(f), hosts);
   }
 
@@ -237,7 +243,8 @@ class Habits {
     Case& c = f.add();
     std::vector<int> hosts;
     if (!below.empty() && !placed_by_relation(item)) hosts.push_back(below[0]);
-    for (int axis = 0; axis < 2; ++axis) c.wish(mid2(item, axis) - (hosts.empty() ? room_mid2(model_, axis) : mid2(hosts[0], axis)), kHangs, 2);
+    for (int axis = 0; axis < 2; ++axis)
+      c.wish(mid2(item, axis) - (hosts.empty() ? room_mid2(model_, axis) : mid2(hosts[0], axis)), kHangs, 2);
     habit("hangs", item, kHangs, std::move(f), hosts);
   }
 

@@ -32,7 +32,8 @@ void require_part(Formula& f, const Model& model, int t, int r, const std::strin
       return;
     }
     std::vector<Side> named;
-    for (const auto& [word, side] : {std::pair{"left", Side::kLeft}, {"right", Side::kRight}, {"front", Side::kFront}, {"back", Side::kBack}}) {
+    for (const auto& [word, side] :
+         {std::pair{"left", Side::kLeft}, {"right", Side::kRight}, {"front", Side::kFront}, {"back", Side::kBack}}) {
       if (says(part, word)) named.push_back(side);
     }
     const bool corner = says(part, "corner"), edge = says(part, "edge");

@@ -27,7 +27,8 @@ void add_apart_from_wall(Formula& f, int t, const RoomWall& wall, Mm least);
 // `wished_gap`: the distance that looks best.
 void add_beyond(Formula& f, const Model& model, int t, int r, Side side, Mm most, Mm wished_gap);
 // The same, but t may be pushed under r up to its middle.
-void add_at_side(Formula& f, const Model& model, int t, int r, Side side, Mm most, Mm wished_gap, std::uint64_t ref_states = ~std::uint64_t{0});
+void add_at_side(Formula& f, const Model& model, int t, int r, Side side, Mm most, Mm wished_gap,
+                 std::uint64_t ref_states = ~std::uint64_t{0});
 
 // "The front of t looks at r."
 void add_looks_at(Formula& f, const Model& model, int t, int r);

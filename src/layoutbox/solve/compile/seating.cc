@@ -37,7 +37,8 @@ double evenness(const std::vector<Arm>& arms) {
       const double turn = std::fmod(angles[j] - angles[i] + 4 * kPi, 2 * kPi);
       next = std::min(next, turn);
     }
-    const double off_distance = std::min(1.0, std::abs(lengths[i] - typical) / typical), off_angle = std::min(1.0, std::abs(next - ideal) / ideal);
+    const double off_distance = std::min(1.0, std::abs(lengths[i] - typical) / typical),
+                 off_angle = std::min(1.0, std::abs(next - ideal) / ideal);
     total += (0.5 * (1 - off_distance) * (1 - off_distance) + 0.5 * (1 - off_angle) * (1 - off_angle)) / static_cast<double>(n);
   }
   return total;
@@ -116,7 +117,8 @@ void add_circle(Formula& f, Compilation& c, int r, Mm most) {
         possible = facing != 0;
         if (!possible) break;
         in.when(t, facing);
-        const double away = std::min(size.width, size.depth) / 2.0 + seat.states[0].size.depth * 0.5 - 0.4 * seat.states[0].size.depth + extra;
+        const double away =
+            std::min(size.width, size.depth) / 2.0 + seat.states[0].size.depth * 0.5 - 0.4 * seat.states[0].size.depth + extra;
         const double x = std::sin(radians_from_degrees(angle)) * away, y = -std::cos(radians_from_degrees(angle)) * away;
         const Mm place[2] = {static_cast<Mm>(std::lround(x)), static_cast<Mm>(std::lround(y))};
         for (int axis = 0; axis < 2; ++axis) {

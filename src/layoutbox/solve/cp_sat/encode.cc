@@ -171,7 +171,8 @@ void Encoding::add_offset(Expanded& out, int item, std::int64_t factor, const st
   }
 }
 
-void Encoding::add_disjoint(int a, const std::vector<Box>& part_a, int b, const std::vector<Box>& part_b, const std::vector<CpLiteral>& when) {
+void Encoding::add_disjoint(int a, const std::vector<Box>& part_a, int b, const std::vector<Box>& part_b,
+                            const std::vector<CpLiteral>& when) {
   std::vector<CpLiteral> sides;
   for (int axis = 0; axis < 3; ++axis) {
     for (const bool a_first : {true, false}) {

@@ -113,7 +113,8 @@ Result<CpSatLibrary> CpSatLibrary::open() {
   const auto minor = reinterpret_cast<Number>(function("_ZN19operations_research19OrToolsMinorVersionEv"));
   library.version_ = major && minor ? fmt::format("{}.{}", major(), minor()) : "of unknown version";
   if (!major || !minor || major() != kMajor || minor() < kLeastMinor) {
-    return fail(ErrorCode::kNoSolver, fmt::format("the solver library is OR-Tools {}, {}.{} or later is needed", library.version_, kMajor, kLeastMinor),
+    return fail(ErrorCode::kNoSolver,
+                fmt::format("the solver library is OR-Tools {}, {}.{} or later is needed", library.version_, kMajor, kLeastMinor),
                 library.path_, kHint);
   }
   return library;

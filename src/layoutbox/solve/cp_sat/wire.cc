@@ -129,7 +129,8 @@ Result<CpAnswer> read_answer(std::string_view bytes, std::size_t variables) {
       switch (reader.tag()) {
         case field::kStatus: {
           const int status = reader.get_enum();
-          if (status < 0 || status > 4) return fail(ErrorCode::kInternal, fmt::format("CP-SAT answered with the unknown status {}", status));
+          if (status < 0 || status > 4)
+            return fail(ErrorCode::kInternal, fmt::format("CP-SAT answered with the unknown status {}", status));
           answer.status = static_cast<CpStatus>(status);
           break;
         }
