@@ -24,12 +24,12 @@ struct WordReading {
   enum class Use { kUsed, kIgnored, kNotUnderstood };
   std::size_t begin = 0, end = 0;  // byte places in the prompt
   Use use = Use::kUsed;
-  std::string role;                // "object bed_1", "count of chair", "relation c3", "filler", …
+  std::string role;  // "object bed_1", "count of chair", "relation c3", "filler", …
 };
 
 struct Plan {
-  SceneGraph scene;                    // not yet normalised
-  std::vector<WordReading> readings;   // every word of the prompt once, in order (offline planner)
+  SceneGraph scene;                   // not yet normalised
+  std::vector<WordReading> readings;  // every word of the prompt once, in order (offline planner)
 };
 
 class Planner {
