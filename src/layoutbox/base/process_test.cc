@@ -13,7 +13,6 @@ namespace {
 
 using testing::ElementsAre;
 using testing::EndsWith;
-using testing::HasSubstr;
 
 ProcessOutcome run_shell(const std::string& script, const ProcessOptions& options = {}) {
   return run_process({"sh", "-c", script}, options).value();

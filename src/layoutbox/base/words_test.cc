@@ -7,7 +7,6 @@ namespace {
 
 using testing::Contains;
 using testing::ElementsAre;
-using testing::Not;
 
 TEST(Words, AreSplitAtSeparators) {
   EXPECT_THAT(words_of(" Book-Shelf_2, café!"), ElementsAre("book", "shelf", "2", "café"));

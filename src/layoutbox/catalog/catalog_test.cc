@@ -9,7 +9,6 @@ namespace layoutbox {
 namespace {
 
 using testing::HasSubstr;
-using testing::IsEmpty;
 
 constexpr const char* kRooms = R"({"rooms": [
   {"id": "bedroom", "name": "bedroom", "synonyms": ["master bedroom"], "size": {"w": 4.0, "d": 3.5, "h": 2.6}, "usual": [["bed", 1]]}

@@ -10,7 +10,6 @@
 namespace layoutbox {
 namespace {
 
-using kit::Vec;
 using kit::Vec2;
 
 constexpr double kSlab = 0.12;  // thickness of floor and ceiling

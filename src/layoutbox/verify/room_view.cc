@@ -61,8 +61,8 @@ BodySide side_of(const Body& body, Side side) {
   }
 }
 
-RoomView::RoomView(const Layout& layout_, const Catalog& catalog_, const VerifyOptions& options_)
-    : layout(layout_), catalog(catalog_), options(options_) {
+RoomView::RoomView(const Layout& of_layout, const Catalog& with_catalog, const VerifyOptions& with_options)
+    : layout(of_layout), catalog(with_catalog), options(with_options) {
   height = metres(layout.room.height);
   read_floor();
   read_faces();
