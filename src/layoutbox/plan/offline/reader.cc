@@ -76,6 +76,8 @@ void DocumentReader::read_chunk(std::size_t k) {
       begin_clause();
       in_room_list_ = false;
       where_host_ = place;
+      // "against the wall where it meets the bed": which part of the wall, not a demand of its own.
+      soft_ = place >= 0 && document_.mentions[static_cast<std::size_t>(place)].noun.kind == NounKind::kWall;
       break;
     }
     case ChunkKind::kComma:
