@@ -6,7 +6,7 @@ set -uo pipefail
 usage() {
   cat <<'TEXT'
 usage: scripts/test.sh [--quick]
-  --quick   leave out the two that take minutes: clang-tidy, and the unit tests under the sanitizers
+  --quick   leave out what takes minutes: clang-tidy
 TEXT
 }
 
@@ -33,9 +33,6 @@ if step set-up scripts/setup.sh --tests; then
   if step build scripts/build.sh --tests; then
     cases tests build/release
     [[ $quick ]] || step clang-tidy scripts/tidy.sh
-  fi
-  if [[ ! $quick ]] && step build-sanitized scripts/build.sh --preset debug --tests; then
-    cases sanitized build/debug -L unit
   fi
 fi
 finished=1

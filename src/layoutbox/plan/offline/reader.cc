@@ -72,12 +72,13 @@ void DocumentReader::read_chunk(std::size_t k) {
     case ChunkKind::kStop: begin_sentence(); break;
     case ChunkKind::kClause: {
       mark(k, Use::kIgnored, "joins clauses");
-      const int place = document_.tokens[chunk(k).first].text == "where" && !chain_.empty() ? chain_.back() : -1;
+      const bool says_where = document_.tokens[chunk(k).first].text == "where";
+      const int place = says_where && !chain_.empty() ? chain_.back() : -1;
       begin_clause();
       in_room_list_ = false;
       where_host_ = place;
       // "against the wall where it meets the bed": which part of the wall, not a demand of its own.
-      soft_ = place >= 0 && document_.mentions[static_cast<std::size_t>(place)].noun.kind == NounKind::kWall;
+      soft_ = says_where && k > 0 && chunk(k - 1).kind == ChunkKind::kNoun && chunk(k - 1).noun.kind == NounKind::kWall;
       break;
     }
     case ChunkKind::kComma:
