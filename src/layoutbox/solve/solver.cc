@@ -19,11 +19,11 @@ namespace {
 using namespace placement;
 using Clock = std::chrono::steady_clock;
 
-constexpr std::int64_t kStepsPerUnit = 4000;  // candidate positions tried in about a quarter of a millisecond
+constexpr std::int64_t kStepsPerUnit = 5000;  // candidate positions tried in about a quarter of a millisecond
 constexpr double kProofTimePerUnit = 0.04;    // of CP-SAT's deterministic time
 constexpr double kLongestProof = 20, kShortProof = 0.3;
 constexpr std::int64_t kLeastSteps = 60000;
-constexpr int kMostStarts = 64;
+constexpr int kIdleStarts = 8;
 constexpr std::uint64_t kSeedStep = 0x9e3779b97f4a7c15;  // golden ratio: no start of one seed is a start of the next
 constexpr int kRestarts = 8;
 constexpr int kAllSizes = 1000;
@@ -315,7 +315,8 @@ class Solver {
     search.improve(budget_);
     placements_ = search.placements();
     std::int64_t least = cost();
-    for (int start = 1; start < kMostStarts && !budget_.spent(); ++start) {
+    int idle = 0;  // starts since the last that brought something
+    for (int start = 1; idle < kIdleStarts && !budget_.spent(); ++start, ++idle) {
       Search other(model_, given_up_, options_.seed + kSeedStep * static_cast<std::uint64_t>(start), size_limit_);
       if (!other.construct(left_out_, 1, budget_)) continue;
       other.improve(budget_);
@@ -323,6 +324,7 @@ class Solver {
       std::swap(placements_, before);
       if (const std::int64_t now = cost(); now < least) {
         least = now;
+        idle = 0;
       } else {
         std::swap(placements_, before);
       }
