@@ -112,8 +112,8 @@ void Console::progress(std::string_view what, double share) const {
     return;
   }
   static int last = -25;
-  if (percent < last) last = -25;
-  if (percent < last + 25 && percent != 100) return;
+  if (percent < last) last = -25;  // something else has begun
+  if (percent == last || (percent < last + 25 && percent != 100)) return;
   last = percent;
   print_line(stderr, fmt::format("{:<8}{:>7} %", what, percent));
 }
