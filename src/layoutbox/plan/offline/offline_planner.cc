@@ -32,7 +32,7 @@ bool is_utf8(std::string_view text) {
 void apply_size(const NounPhrase& noun, SceneObject& object) {
   if (!noun.size.any() || noun.entry == nullptr) return;
   SizeRange range = noun.entry->size;
-  const auto fix = [](Mm SizeRange_side, Mm& least, Mm& usual, Mm& greatest) { least = usual = greatest = SizeRange_side; };
+  const auto fix = [](Mm side, Mm& least, Mm& usual, Mm& greatest) { least = usual = greatest = side; };
   std::optional<double> width = noun.size.width, depth = noun.size.depth;
   if (noun.size.length) {  // the longer side
     if (range.usual.depth > range.usual.width)

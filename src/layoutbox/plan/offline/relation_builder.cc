@@ -203,8 +203,7 @@ class Builder {
         add_single(link, *sense, target, reference_items, place);
       }
       if (link.distance && sense->type != R::kDistance && !reference_items.empty()) {
-        Link by = link;
-        for (const int item : target.items) add(by, R::kDistance, {id(item)}, {id(reference_items.front())});
+        for (const int item : target.items) add(link, R::kDistance, {id(item)}, {id(reference_items.front())});
       }
     }
   }
@@ -330,7 +329,7 @@ class Builder {
       }
     }
     if (link.implied && (sense.type == R::kNear || sense.type == R::kNextTo || sense.type == R::kOpposite) &&
-        mount_of(target.noun) == Mount::kFloor && references.size() >= 1) {
+        mount_of(target.noun) == Mount::kFloor && !references.empty()) {
       for (const Relation& r : scene_.relations) {
         const bool carried = (r.type == R::kOn || r.type == R::kIn) && !r.targets.empty() && r.targets.front() == id(references.front()) &&
                              !r.references.empty();

@@ -248,8 +248,7 @@ void build_room(const Lexicon& lexicon, const Document& document, const RoomSize
     const std::string type = room_type(noun);
     const bool mentioned = noun.kind == NounKind::kRoom;
     if (!mentioned) continue;
-    for (const std::string& attribute : noun.attributes) {
-      const std::string word = attribute;
+    for (const std::string& word : noun.attributes) {
       static constexpr std::pair<std::string_view, std::string_view> kWords[] = {
           {"small", "small"},         {"tiny", "tiny"},     {"compact", "compact"}, {"little", "small"}, {"narrow", "narrow"},
           {"medium-sized", "medium"}, {"medium", "medium"}, {"large", "large"},     {"big", "large"},    {"huge", "huge"},
