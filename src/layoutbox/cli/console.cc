@@ -82,7 +82,6 @@ void Console::stage(const StageTime& stage) const {
 }
 
 void Console::notes(const std::vector<Note>& notes) const {
-  std::vector<std::string> not_understood;
   for (const Note& note : notes) {
     const std::string line = note.pointer.empty() ? note.message : fmt::format("{} [{}]", note.message, note.pointer);
     if (note.code == "not-understood" || note.code == "contradiction" || note.code == "warning") {

@@ -4,8 +4,6 @@
 
 #include <charconv>
 #include <cstdio>
-#include <iostream>
-#include <iterator>
 
 #include "layoutbox/base/files.h"
 #include "layoutbox/catalog/room_size.h"
