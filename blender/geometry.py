@@ -5,6 +5,35 @@ BASE_DEPTH = 0.12  # metres of the slab that is seen under the floor at the cut 
 BASE_GAP = 0.002   # the slab's top lies this much under the floor, so that no two faces share a plane
 
 
+# What a view changes of CAMERA. "inside": the camera stands in the room (at CAMERA["eye"]); all walls and the ceiling are in the picture.
+VIEW_CAMERAS = {"iso": {}, "top": {"azimuth": 0.0, "elevation": 90.0, "orthographic": True},
+                "front": {"azimuth": 0.0, "elevation": 24.0, "orthographic": False, "lens_angle": 38.0},
+                "eye": {"inside": True, "orthographic": False, "lens_angle": 76.0},
+                "door": {"inside": True, "orthographic": False, "lens_angle": 80.0}}
+EYE_HEIGHT = 1.6
+USUAL_CAMERA = dict(CAMERA)
+
+
+def picture_of(view):
+    return OUTPUT["picture"] if view == "iso" else OUTPUT["picture"].replace(".png", f"-{view}.png")
+
+
+def use_view(view, turn=0.0):
+    """Makes CAMERA that of a view; `turn` degrees further round the room."""
+    CAMERA.clear()
+    CAMERA.update({**USUAL_CAMERA, "view": view, **VIEW_CAMERAS[view]})
+    CAMERA["azimuth"] += turn
+
+
+def stand_at(point, target):
+    """Puts the camera of an inside view at a point, looking at another."""
+    way = [t - p for t, p in zip(target, point)]
+    length = math.sqrt(dot(way, way)) or 1.0
+    CAMERA["eye"] = tuple(point)
+    CAMERA["azimuth"] = math.degrees(math.atan2(-way[0], way[1]))
+    CAMERA["elevation"] = math.degrees(math.asin(-way[2] / length))
+
+
 def dot(a, b):
     return sum(x * y for x, y in zip(a, b))
 
@@ -64,6 +93,8 @@ def hides_the_room(wall):
 
 def walls_that_stay():
     """Ids of the walls whose inner face the camera sees and that hide nothing of the room. The others are cut away."""
+    if CAMERA.get("inside"):
+        return {wall["id"] for wall in WALLS}
     toward = view_axes()[2]
     return {wall["id"] for wall in WALLS if dot(inward_normal(wall), toward) > -1e-6 and not hides_the_room(wall)}
 
@@ -109,6 +140,8 @@ def framed_points(stay):
 def frame(stay):
     """Camera position, and the picture's width in metres (orthographic) or the lens's half angle (perspective)."""
     right, up, toward = view_axes()
+    if CAMERA.get("inside"):
+        return CAMERA["eye"], math.radians(CAMERA["lens_angle"]) / 2
     points = framed_points(stay)
     aspect = CAMERA["width"] / CAMERA["height"]
     xs, ys, zs = ([dot(p, axis) for p in points] for axis in (right, up, toward))

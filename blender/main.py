@@ -16,16 +16,15 @@ def wishes():
     return sys.argv[1:] if os.path.basename(sys.argv[0]) == os.path.basename(__file__) else []
 
 
-def main():
-    words = wishes()
-    folder = os.path.abspath(next((word for word in words if not word.startswith("--")), script_folder()))
-    os.makedirs(folder, exist_ok=True)
-    engine = next((word.split("=")[1] for word in words if word.startswith("--engine=")), "cycles")
-
+def build(view, meshes):
+    """The scene for one view; gives what stays of the walls and what is left out."""
     bpy.ops.wm.read_factory_settings(use_empty=True)
-    print(f"layoutbox: blender {bpy.app.version_string}", flush=True)
+    use_view(view)
+    if view == "eye":
+        stand_in_the_room(meshes)
+    elif view == "door":
+        stand_in_the_door(meshes)
     stay = walls_that_stay()
-    meshes = read_meshes()
     out = left_out(stay)
     out |= hangers_in_the_way(stay, out, meshes)
     materials = {name: make_material(name, row) for name, row in MATERIALS.items()}
@@ -36,13 +35,26 @@ def main():
     hidden = bpy.data.collections.get("Left out")
     if hidden:
         bpy.context.view_layer.layer_collection.children[hidden.name].exclude = True
-    set_up_render(engine)
-    if "--mask" in words:
-        write_mask(stay, out, meshes, os.path.join(folder, OUTPUT["mask"]), os.path.join(folder, OUTPUT["mask_index"]))
-        print("layoutbox: wrote mask", flush=True)
-    if "--no-blend" not in words and OUTPUT["blend"]:
-        bpy.ops.wm.save_as_mainfile(filepath=os.path.join(folder, OUTPUT["blend"]), compress=True)
-        print("layoutbox: wrote blend", flush=True)
-    if "--no-picture" not in words:
-        render_picture(os.path.join(folder, OUTPUT["picture"]))
-        print("layoutbox: wrote picture", flush=True)
+    return stay, out
+
+
+def main():
+    words = wishes()
+    folder = os.path.abspath(next((word for word in words if not word.startswith("--")), script_folder()))
+    os.makedirs(folder, exist_ok=True)
+    engine = next((word.split("=")[1] for word in words if word.startswith("--engine=")), "cycles")
+    print(f"layoutbox: blender {bpy.app.version_string}", flush=True)
+    meshes = read_meshes()
+    for number, view in enumerate(VIEWS):
+        stay, out = build(view, meshes)
+        set_up_render(engine)
+        if number == 0 and "--mask" in words:
+            write_mask(stay, out, meshes, os.path.join(folder, OUTPUT["mask"]), os.path.join(folder, OUTPUT["mask_index"]))
+            print("layoutbox: wrote mask", flush=True)
+        if number == 0 and "--no-blend" not in words and OUTPUT["blend"]:
+            bpy.ops.wm.save_as_mainfile(filepath=os.path.join(folder, OUTPUT["blend"]), compress=True)
+            print("layoutbox: wrote blend", flush=True)
+        if "--no-picture" not in words:
+            PROGRESS.update(before=number / len(VIEWS), share=1 / len(VIEWS))
+            render_picture(os.path.join(folder, picture_of(view)))
+            print(f"layoutbox: wrote {view}", flush=True)

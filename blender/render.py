@@ -71,6 +71,9 @@ def filter_noise(scene):
     tree.links.new(total, output.inputs["Image"])
 
 
+BOUNCES = {"draft": (3, 2, 1), "preview": (6, 4, 2), "final": (12, 6, 4)}  # in all, diffuse, glossy
+
+
 def use_cycles(scene):
     scene.render.engine = "CYCLES"
     cycles = scene.cycles
@@ -80,7 +83,7 @@ def use_cycles(scene):
     cycles.use_adaptive_sampling = QUALITY == "final" or not denoiser
     cycles.adaptive_threshold = 0.01 if QUALITY == "final" else 0.02
     cycles.use_denoising = denoiser
-    cycles.max_bounces, cycles.diffuse_bounces, cycles.glossy_bounces = 6, 4, 2
+    cycles.max_bounces, cycles.diffuse_bounces, cycles.glossy_bounces = BOUNCES[QUALITY]
     cycles.sample_clamp_indirect = 3.0
     cycles.caustics_reflective = cycles.caustics_refractive = False
     cycles.seed = 1
@@ -106,7 +109,10 @@ def use_workbench(scene):
     scene.world.color = linear(LIGHT["background"])
 
 
-def report_progress(scene):
+PROGRESS = {"before": 0.0, "share": 1.0}  # what earlier pictures of this run took of the whole, and what this one takes
+
+
+def report_progress():
     """Prints `progress 0.25` lines, for whoever runs this script."""
     last = [-1.0]
 
@@ -115,7 +121,7 @@ def report_progress(scene):
         if len(words) < 2 or "/" not in words[1]:
             return
         done, total = words[1].split("|")[0].strip().split("/")[:2]
-        share = round(int(done) / max(1, int(total.split()[0])), 2)
+        share = round(PROGRESS["before"] + PROGRESS["share"] * int(done) / max(1, int(total.split()[0])), 2)
         if share != last[0]:
             last[0] = share
             print(f"layoutbox: progress {share}", flush=True)
@@ -137,7 +143,8 @@ def set_up_render(engine):
         use_workbench(scene)
     else:
         use_cycles(scene)
-    report_progress(scene)
+    bpy.app.handlers.render_stats.clear()
+    report_progress()
 
 
 def render_picture(path):

@@ -83,6 +83,8 @@ def collection(name):
 
 def left_out(stay):
     """Ids of the parts of the room that are not in the picture: the ceiling, walls that are cut away and what belongs to them."""
+    if CAMERA.get("inside"):  # the camera stands in the door: its leaf would be before the lens
+        return {row["id"] for row in SHELL if row["kind"] == "opening" and row["id"] == CAMERA.get("stands_in")}
     return {row["id"] for row in SHELL if row["kind"] == "ceiling" or (row["wall"] != "" and row["wall"] not in stay)}
 
 
@@ -117,6 +119,8 @@ def build_rows(rows, out, meshes, materials):
         thing = place(row, data, group)
         thing["category"], thing["name in words"] = row["category"], row["name"]
         thing.hide_render = row["id"] in out
+        if row["kind"] == "ceiling":  # seen from inside, yet the light comes in as if it were not there
+            thing.visible_shadow = thing.visible_diffuse = thing.visible_glossy = thing.visible_transmission = False
         if row["id"] not in out:
             add_lights(row, thing, group)
 
@@ -135,7 +139,7 @@ def build_base(stay):
     group.objects.link(bpy.data.objects.new("base", mesh))
     for opening in OPENINGS:
         wall = next((w for w in WALLS if w["id"] == opening["wall"]), None)
-        if wall is None or wall["id"] in stay:
+        if wall is None or wall["id"] in stay:  # it is a real opening there
             continue
         (ax, ay), (bx, by) = wall["start"], wall["end"]
         length = math.hypot(bx - ax, by - ay)

@@ -144,6 +144,88 @@ def measure_visibility(stay, out, meshes, width=480, height=270):
     return report
 
 
+def floor_center():
+    xs, ys = zip(*ROOM["polygon"])
+    return ((min(xs) + max(xs)) / 2, (min(ys) + max(ys)) / 2)
+
+
+def blocked(point, gap=0.25):
+    """True where somebody who stands at the point would stand in a piece of furniture, or right before one that is high."""
+    for row in OBJECTS:
+        turn = math.radians(row["turn"])
+        dx, dy = point[0] - row["at"][0], point[1] - row["at"][1]
+        x, y = math.cos(turn) * dx + math.sin(turn) * dy, -math.sin(turn) * dx + math.cos(turn) * dy
+        low, high = row["at"][2], row["at"][2] + row["size"][2]
+        room = gap if high > 1.1 else -0.05
+        if abs(x) <= row["size"][0] / 2 + room and abs(y) <= row["size"][1] / 2 + room and low < EYE_HEIGHT + 0.2 and high > 0.9:
+            return True
+    return False
+
+
+def standing_places():
+    """Where the camera of an inside view may stand: in the corners and along the walls, a step away from them."""
+    polygon, places = ROOM["polygon"], []
+    for (ax, ay), (bx, by) in zip(polygon, polygon[1:] + polygon[:1]):
+        length = math.hypot(bx - ax, by - ay)
+        normal = (-(by - ay) / length, (bx - ax) / length)
+        for share in (0.06, 0.3, 0.5, 0.7, 0.94):
+            for step in (0.3, 0.55, 0.9):
+                places.append((ax + share * (bx - ax) + normal[0] * step, ay + share * (by - ay) + normal[1] * step))
+    return [place for place in places if well_inside(place, polygon, 0.25)]
+
+
+def stand_in_the_room(meshes):
+    """Puts the eye view's camera where most of the furniture is seen, all of it if possible, from as far as possible."""
+    vertices, triangles = [], []
+    for row in SHELL + OBJECTS:
+        if row["parts"] and row["kind"] != "ceiling":
+            points, faces = in_room(row, meshes)
+            first = len(vertices)
+            vertices += points
+            triangles += [(a + first, b + first, c + first) for a, b, c in faces]
+    tree = BVHTree.FromPolygons(vertices, triangles, all_triangles=True)
+    height = min(EYE_HEIGHT, ROOM["height"] - 0.3)
+    targets = [Vector((row["at"][0], row["at"][1], row["at"][2] + row["size"][2] + 0.02)) for row in OBJECTS if row["at"][2] < 2.0]
+    center = floor_center()
+    if targets:
+        center = [sum(t[i] for t in targets) / len(targets) for i in (0, 1)]
+    half = math.radians(CAMERA["lens_angle"]) / 2
+
+    def worth(place):
+        eye, points = Vector((*place, height)), 0.0
+        heading = math.atan2(center[1] - place[1], center[0] - place[0])
+        for target in targets:
+            way = target - eye
+            off = abs((math.atan2(way.y, way.x) - heading + math.pi) % (2 * math.pi) - math.pi)
+            hit = tree.ray_cast(eye, way.normalized(), way.length - 0.05)[0]
+            points += (off < 0.9 * half) * (1.0 if hit is None else 0.3)
+        clear = tree.ray_cast(eye, Vector((math.cos(heading), math.sin(heading), -0.1)).normalized(), 8.0)[3]
+        return points + 0.25 * math.dist(place, center) + 0.2 * min(clear if clear is not None else 8.0, 3.0)
+
+    places = standing_places()
+    place = max([p for p in places if not blocked(p)] or places or [center], key=worth)
+    stand_at((*place, height), (*center, 0.75))
+
+
+def stand_in_the_door(meshes):
+    """Puts the camera into the doorway, looking across the room; where there is no door, as for the eye view."""
+    doors = sorted((o for o in OPENINGS if o["type"] in ("door", "open")), key=lambda o: o["type"])
+    walls = {wall["id"]: wall for wall in WALLS}
+    if not doors or doors[0]["wall"] not in walls:
+        return stand_in_the_room(meshes)
+    door, wall = doors[0], walls[doors[0]["wall"]]
+    (ax, ay), (bx, by) = wall["start"], wall["end"]
+    length, normal, middle = math.hypot(bx - ax, by - ay), inward_normal(wall), door["offset"] + door["w"] / 2
+    x, y = ax + (bx - ax) / length * middle, ay + (by - ay) / length * middle
+    height = min(EYE_HEIGHT, door["h"] - 0.25)
+    center = floor_center()
+    ahead = (x + 3.0 * normal[0], y + 3.0 * normal[1])
+    CAMERA["stands_in"] = door["id"]
+    stand_at((x + 0.06 * normal[0], y + 0.06 * normal[1], height),
+             (0.5 * center[0] + 0.5 * ahead[0], 0.5 * center[1] + 0.5 * ahead[1], 0.8))
+    return None
+
+
 def mask_color(number):
     """Colours that differ clearly from one number to the next; 0 is the background's black."""
     return (number * 97 % 251 + 4, number * 57 % 241 + 14, number * 163 % 239 + 16) if number else (0, 0, 0)

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cstdio>
 
@@ -106,7 +107,27 @@ Status SolveFlags::apply(SolveOptions& options) const {
 void RenderFlags::add_to(CLI::App& command) {
   command.add_option("--quality", quality, "draft, preview or final")->capture_default_str();
   command.add_option("--size", size, "Width x height of the picture in pixels")->capture_default_str();
+  command.add_option("--views", views, "A picture each, with commas: iso, top, front, eye (in the room), door")
+      ->delimiter(',')
+      ->capture_default_str();
+  command.add_flag("--mask", mask, "Also mask.png and mask.json: which pixel is which object, and what is seen of each");
 }
+
+namespace {
+
+Result<std::vector<View>> views_named(const std::vector<std::string>& names) {
+  std::vector<View> views;
+  for (const std::string& name : names) {
+    const auto view = view_from_name(name);
+    if (!view) {
+      return layoutbox::fail(ErrorCode::kUsage, fmt::format("there is no view '{}'", name), "--views", "use iso, top, front, eye or door");
+    }
+    if (std::find(views.begin(), views.end(), *view) == views.end()) views.push_back(*view);
+  }
+  return views;
+}
+
+}  // namespace
 
 Status RenderFlags::apply(RenderOptions& options) const {
   if (quality == "draft") {
@@ -127,6 +148,13 @@ Status RenderFlags::apply(RenderOptions& options) const {
     return layoutbox::fail(ErrorCode::kUsage, fmt::format("'{}' is not a size of a picture", size), "--size",
                            "write it as 1920x1080, each side from 16 to 16384");
   }
+  if (!turntable.empty() && turntable != "gif" && turntable != "mp4") {
+    return layoutbox::fail(ErrorCode::kUsage, fmt::format("'{}' is no kind of film", turntable), "--turntable", "use gif or mp4");
+  }
+  LAYOUTBOX_ASSIGN(options.views, views_named(views));
+  options.overlay = overlay;
+  options.object_mask = mask;
+  options.turntable = turntable;
   options.stop = &stop_flag();
   return {};
 }

@@ -36,9 +36,12 @@ struct SolveFlags {
   Status apply(SolveOptions& options) const;
 };
 
-// Options of pictures: --quality, --size.
+// Options of pictures: --quality, --size, --views, --overlay, --mask, --turntable.
 struct RenderFlags {
   std::string quality = "preview";
+  std::vector<std::string> views{"iso"};
+  std::string turntable;
+  bool overlay = false, mask = false;
   std::string size = "1920x1080";
   void add_to(CLI::App& command);
   Status apply(RenderOptions& options) const;

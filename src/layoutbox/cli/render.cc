@@ -38,7 +38,10 @@ int run(Flags& flags, const Console& console) {
   flags.options.progress = [&console](double share) { console.progress("render", share); };
   const auto made = run_blender(*blender, script, folder, flags.options);
   if (!made) return console.fail(made.error());
-  console.result(made->picture.string(), R"({"files":["blender.py","scene.blend","scene.png"]})");
+  std::string files = R"("blender.py")", pictures;
+  for (const std::filesystem::path& file : made->files()) files += fmt::format(R"(,"{}")", file.filename().string());
+  for (const std::filesystem::path& file : made->pictures) pictures += (pictures.empty() ? "" : " ") + file.string();
+  console.result(pictures, fmt::format(R"({{"files":[{}]}})", files));
   return kDone;
 }
 

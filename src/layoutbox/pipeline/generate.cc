@@ -15,8 +15,10 @@
 namespace layoutbox {
 namespace {
 
-constexpr std::array kOutputs{"scene.json",  "layout.json", "floorplan.svg", "scene.glb", "blender.py",
-                              "report.json", "scene.blend", "scene.png",     "run.json"};
+constexpr std::array kOutputs{"scene.json",    "layout.json",    "floorplan.svg",     "scene.glb",           "blender.py",
+                              "report.json",   "scene.blend",    "scene.png",         "scene-top.png",       "scene-front.png",
+                              "scene-eye.png", "scene-door.png", "scene-overlay.png", "scene-turntable.gif", "scene-turntable.mp4",
+                              "mask.png",      "mask.json",      "run.json"};
 
 // One run: holds the folder, the clock and what has been made so far.
 class Run {
@@ -141,9 +143,10 @@ class Run {
         blender ? run_blender(*blender, folder_ / "blender.py", folder_, options_.render) : Result<RenderOutputs>(Failure(blender.error()));
     if (made) {
       outcome_.blender_version = made->blender_version;
-      if (!made->blend.empty()) outcome_.files.emplace_back("scene.blend");
-      outcome_.files.emplace_back("scene.png");
-      finish("render", fmt::format("scene.png {}×{}, Blender {}", options_.render.width, options_.render.height, made->blender_version));
+      std::string pictures;
+      for (const auto& file : made->files()) outcome_.files.push_back(file.filename().string());
+      for (const auto& file : made->pictures) pictures += file.filename().string() + " ";
+      finish("render", fmt::format("{}{}×{}, Blender {}", pictures, options_.render.width, options_.render.height, made->blender_version));
       return {};
     }
     if (made.error().code == ErrorCode::kInterrupted) return Failure(made.error());
