@@ -1,6 +1,8 @@
 // Conflicts in words, and the sums that show some of them at once.
 #include <fmt/format.h>
 
+#include <numeric>
+
 #include "layoutbox/solve/compile.h"
 #include "layoutbox/solve/conflict.h"
 
@@ -23,6 +25,29 @@ std::string listed(const std::vector<std::string>& words) {
   std::string out;
   for (std::size_t i = 0; i < words.size(); ++i) out += (i == 0 ? "" : i + 1 == words.size() ? " and " : ", ") + words[i];
   return out;
+}
+
+std::string name_of_item(const Item& item) {
+  if (!item.is_opening()) return item.object->name.empty() ? item.object->category : item.object->name;
+  switch (item.opening->type) {
+    case OpeningType::kWindow: return "window";
+    case OpeningType::kDoor: return "door";
+    default: return "opening";
+  }
+}
+
+std::string spaced(std::string name) {
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return name;
+}
+
+// "beds", "boxes", "bookshelves".
+std::string plural_of(const std::string& name) {
+  const auto ends = [&](std::string_view with) { return name.size() > with.size() && name.ends_with(with); };
+  if (ends("shelf")) return name.substr(0, name.size() - 1) + "ves";
+  if (ends("y") && std::string_view("aeiou").find(name[name.size() - 2]) == std::string_view::npos)
+    return name.substr(0, name.size() - 1) + "ies";
+  return name + (ends("s") || ends("x") || ends("ch") || ends("sh") ? "es" : "s");
 }
 
 std::string reference_in_words(const Model& model, const std::string& id) {
@@ -174,7 +199,22 @@ void add_too_wide(const Model& model, const std::vector<char>& given_up, const s
   }
 }
 
-void add_too_much(const Model& model, const std::vector<char>& left_out, std::vector<Clash>& out) {
+// The door that wants the most free floor before it, which lies within the room wherever in its walls it is; −1: none.
+int widest_door(const Model& model, const std::vector<char>& given_up, std::int64_t& area) {
+  int widest = -1;
+  area = 0;
+  for (std::size_t i = 0; i < model.items.size(); ++i) {
+    const Item& item = model.items[i];
+    if (!item.is_opening() || item.opening->sill > 0 || item.states.empty() || given_up[item.clearance_constraint]) continue;
+    if (!model.outside.empty() || item.opening->type == OpeningType::kWindow) continue;
+    const std::int64_t clear = floor_area(item.states[0].clear[0]);
+    const bool fits = item.opening->width <= std::min(model.room.extent(0), model.room.extent(1));
+    if (fits && clear > area) area = clear, widest = static_cast<int>(i);
+  }
+  return widest;
+}
+
+void add_too_much(const Model& model, const std::vector<char>& given_up, const std::vector<char>& left_out, std::vector<Clash>& out) {
   std::vector<std::pair<std::int64_t, int>> areas;
   for (std::size_t i = 0; i < model.items.size(); ++i) {
     const Item& item = model.items[i];
@@ -182,45 +222,68 @@ void add_too_much(const Model& model, const std::vector<char>& left_out, std::ve
     const auto close = [&](std::size_t j) { return j != i && model.pair(static_cast<int>(i), static_cast<int>(j)) == PairRule::kSolids; };
     bool alone = true;
     for (std::size_t j = 0; j < model.items.size() && alone; ++j) alone = !close(j) || !stands_on_floor_always(model.items[j]);
-    if (left_out[i] || !stands_on_floor_always(item) || !alone) continue;
+    if (left_out[i] || !stands_on_floor_always(item) || item.fixed || !alone) continue;
     areas.push_back({least_floor(item), static_cast<int>(i)});
   }
   std::stable_sort(areas.begin(), areas.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
   const std::int64_t room = room_area(model);
-  std::int64_t sum = 0;
+  std::int64_t sum = 0, before_door = 0;
+  int door = widest_door(model, given_up, before_door);
   Clash clash;
-  std::vector<std::string> words;
+  std::vector<int> items;
+  const std::int64_t all =
+      std::accumulate(areas.begin(), areas.end(), std::int64_t{0}, [](std::int64_t s, const auto& a) { return s + a.first; });
+  if (all > room) door = -1, before_door = 0;
   for (const auto& [area, item] : areas) {
-    if (sum > room) break;
+    if (sum + before_door > room) break;
     sum += area;
     clash.demands.push_back({Demand::Kind::kItem, item});
-    words.push_back(object_in_words(model, item));
+    items.push_back(item);
   }
-  if (sum <= room) return;
-  clash.sentence = fmt::format("{} cover at least {:.2f} m² of floor, and the room has {:.2f} m²", listed(words),
-                               static_cast<double>(sum) / 1e6, static_cast<double>(room) / 1e6);
+  if (sum + before_door <= room) return;
+  clash.minimal = false;  // by the sum alone: it says nothing of how the rest would fit
+  std::string door_words;
+  if (door >= 0) {
+    clash.demands.push_back({Demand::Kind::kItem, door});
+    clash.demands.push_back({Demand::Kind::kConstraint, model.items[door].clearance_constraint});
+    door_words = fmt::format(", {} keeps {:.2f} m² free before it", object_in_words(model, door), static_cast<double>(before_door) / 1e6);
+  }
+  clash.sentence = fmt::format("{} cover{} at least {:.2f} m² of floor{}, and the room has {:.2f} m²", things_in_words(model, items),
+                               items.size() == 1 ? "s" : "", static_cast<double>(sum) / 1e6, door_words, static_cast<double>(room) / 1e6);
   out.push_back(std::move(clash));
 }
 
 }  // namespace
 
 std::string object_in_words(const Model& model, int index) {
-  const Item& item = model.items[index];
-  const auto name_of_item = [](const Item& i) {
-    if (i.is_opening())
-      return std::string(i.opening->type == OpeningType::kWindow ? "window" : i.opening->type == OpeningType::kDoor ? "door" : "opening");
-    return i.object->name.empty() ? i.object->category : i.object->name;
-  };
-  const std::string name = name_of_item(item);
+  const std::string name = name_of_item(model.items[index]);
   int rank = 0, count = 0;
   for (std::size_t i = 0; i < model.items.size(); ++i) {
     if (name_of_item(model.items[i]) != name) continue;
     ++count;
     if (static_cast<int>(i) <= index) ++rank;
   }
-  std::string words = name;
-  std::replace(words.begin(), words.end(), '_', ' ');
+  const std::string words = spaced(name);
   return count > 1 ? fmt::format("the {} {}", words, rank) : "the " + words;
+}
+
+std::string things_in_words(const Model& model, const std::vector<int>& items) {
+  std::vector<std::string> words;
+  std::vector<std::string> done;
+  for (const int item : items) {
+    const std::string name = name_of_item(model.items[item]);
+    if (std::find(done.begin(), done.end(), name) != done.end()) continue;
+    done.push_back(name);
+    const auto of_name = [&](const Item& i) { return name_of_item(i) == name; };
+    const auto here = std::count_if(items.begin(), items.end(), [&](int i) { return of_name(model.items[i]); });
+    const auto all = std::count_if(model.items.begin(), model.items.end(), of_name);
+    if (here == 1) {
+      words.push_back(object_in_words(model, item));
+    } else {
+      words.push_back((here < all ? fmt::format("{} of the {} ", here, all) : fmt::format("the {} ", all)) + plural_of(spaced(name)));
+    }
+  }
+  return listed(words);
 }
 
 std::string relation_in_words(const Model& model, const Relation& relation) {
@@ -285,7 +348,7 @@ std::vector<Clash> clashes_by_sums(const Model& model, const std::vector<char>& 
   add_never(model, given_up, out);
   add_too_large(model, left_out, out);
   add_too_wide(model, given_up, left_out, out);
-  if (out.empty()) add_too_much(model, left_out, out);
+  if (out.empty()) add_too_much(model, given_up, left_out, out);
   return out;
 }
 

@@ -47,6 +47,8 @@ std::string describe_clash(const Model& model, const Clash& clash);
 
 // "the bed", "the nightstand 2".
 std::string object_in_words(const Model& model, int item);
+// "the 3 beds and 2 of the 3 desks".
+std::string things_in_words(const Model& model, const std::vector<int>& items);
 // The relation's own sentence from the table, filled in.
 std::string relation_in_words(const Model& model, const Relation& relation);
 

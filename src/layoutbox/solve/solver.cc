@@ -5,11 +5,14 @@
 #include <bit>
 #include <chrono>
 #include <cmath>
+#include <map>
+#include <memory>
 #include <optional>
 
 #include "layoutbox/solve/conflict.h"
 #include "layoutbox/solve/cost.h"
 #include "layoutbox/solve/cp_sat/library.h"
+#include "layoutbox/solve/relax.h"
 #include "layoutbox/solve/search.h"
 #include "layoutbox/solve/to_layout.h"
 
@@ -27,17 +30,15 @@ constexpr int kIdleStarts = 8;
 constexpr std::uint64_t kSeedStep = 0x9e3779b97f4a7c15;  // golden ratio: no start of one seed is a start of the next
 constexpr int kRestarts = 8;
 constexpr int kAllSizes = 1000;
+constexpr std::size_t kMostTrials = 40;
 constexpr int kStillWished = 4;  // points a metre, per weight, of a relation that was given up
 
 class Solver {
  public:
-  Solver(Model model, const SolveOptions& options)
-      : model_(std::move(model)),
-        options_(options),
-        started_(Clock::now()),
-        given_up_(model_.constraints.size(), 0),
-        left_out_(model_.items.size(), 0),
-        placements_(model_.items.size()) {
+  // REQUIRES: scene, catalog and options outlive it.
+  Solver(const SceneGraph& scene, const Catalog& catalog, const SolveOptions& options, Model model)
+      : asked_(scene), catalog_(catalog), model_(std::move(model)), options_(options), started_(Clock::now()) {
+    size_to_model();
     budget_.limit = options.effort * kStepsPerUnit;
     budget_.stop = [this] { return must_stop(); };
     proof_time_ = std::clamp(static_cast<double>(options.effort) * kProofTimePerUnit, 0.1, kLongestProof);
@@ -50,6 +51,13 @@ class Solver {
   }
 
  private:
+  void size_to_model() {
+    given_up_.assign(model_.constraints.size(), 0);
+    left_out_.assign(model_.items.size(), 0);
+    placements_.assign(model_.items.size(), {});
+    failed_.clear();
+  }
+
   bool interrupted() const { return options_.stop && options_.stop->load(); }
 
   double seconds() const { return std::chrono::duration<double>(Clock::now() - started_).count(); }
@@ -69,10 +77,15 @@ class Solver {
         LAYOUTBOX_CHECK(give_up(sums[0]));  // one at a time: giving up the first may settle the others
         continue;
       }
-      if (search(given_up_)) return {};
-      LAYOUTBOX_ASSIGN(const bool found, prove());
-      if (found) return {};
-      if (stopped_by_clock_) break;
+      if (!search(given_up_)) {
+        LAYOUTBOX_ASSIGN(const bool found, prove());
+        if (!found && !stopped_by_clock_) continue;
+        if (!found) break;
+      }
+      if (left_out_ids_.size() < 2 || brought_back_) return {};
+      brought_back_ = true;
+      LAYOUTBOX_ASSIGN(const bool more, bring_back());
+      if (!more) return {};
     }
     return fail(ErrorCode::kNotFound, "no layout was found within the limits, and no proof that there is none", {},
                 "raise --effort or --time-limit");
@@ -94,7 +107,8 @@ class Solver {
 
   // True: a layout was found. False: something was given up; try again.
   Result<bool> prove() {
-    const bool loose = search_without_clearances();
+    const bool loose = search_without(Firmness::kImplied);
+    const Placements loosely = placements_;
     const auto library = CpSatLibrary::get();
     if (!library && options_.on_conflict == OnConflict::kFail) return Failure(library.error());
     Proof proof;
@@ -112,7 +126,18 @@ class Solver {
       case Proof::Outcome::kUnknown: break;
     }
     must_stop();
+    return give_up_unproven(loose, loosely);
+  }
+
+  // Nothing found and nothing proven: what, once it is given up, lets a layout be found?
+  Result<bool> give_up_unproven(bool loose, const Placements& loosely) {
+    const bool relations = demands_left(Firmness::kHard);
+    if (!relations || !search_without(Firmness::kHard)) {  // relations are not what is in the way
+      LAYOUTBOX_CHECK(leave_out_least({}));
+      return false;
+    }
     if (loose) {
+      placements_ = loosely;
       LAYOUTBOX_CHECK(give_up_clearances());
       return true;
     }
@@ -120,20 +145,24 @@ class Solver {
     return false;
   }
 
-  bool clearances_left() const {
-    return std::any_of(model_.items.begin(), model_.items.end(),
-                       [&](const Item& i) { return i.is_opening() && !given_up_[i.clearance_constraint]; });
+  bool demands_left(Firmness firmness) const {
+    for (std::size_t c = 0; c < model_.constraints.size(); ++c) {
+      if (model_.constraints[c].firmness == firmness && !given_up_[c]) return true;
+    }
+    return false;
   }
 
-  // Door swings and the like are given up before anything else: is there a layout then?
-  bool search_without_clearances() {
+  bool clearances_left() const { return demands_left(Firmness::kImplied); }
+
+  // Is there a layout when all demands of that firmness are given up?
+  bool search_without(Firmness firmness) {
+    if (!demands_left(firmness)) return false;
     std::vector<char> more = given_up_;
-    bool any = false;
-    for (std::size_t c = 0; c < model_.constraints.size(); ++c) {
-      if (model_.constraints[c].firmness != Firmness::kImplied || more[c]) continue;
-      more[c] = any = true;
-    }
-    return any && search(more);
+    for (std::size_t c = 0; c < model_.constraints.size(); ++c) more[c] |= model_.constraints[c].firmness == firmness;
+    const std::vector<int> failed = failed_;
+    const bool found = search(more);
+    failed_ = failed;
+    return found;
   }
 
   // Those that the layout at hand breaks.
@@ -145,8 +174,8 @@ class Solver {
       Clash clash;
       clash.proven = clash.minimal = false;
       clash.demands = {{Demand::Kind::kConstraint, item.clearance_constraint}};
-      clash.sentence =
-          fmt::format("no layout was found that leaves the floor before {} free", object_in_words(model_, static_cast<int>(i)));
+      clash.sentence = fmt::format("no layout was found that holds all relations and leaves the floor before {} free",
+                                   object_in_words(model_, static_cast<int>(i)));
       LAYOUTBOX_CHECK(give_up(clash));
     }
     return {};
@@ -156,38 +185,83 @@ class Solver {
   Clash guess() const {
     Clash clash;
     clash.proven = clash.minimal = false;
-    for (std::size_t i = 0; i < model_.items.size(); ++i) {  // doors and windows first
-      const Item& item = model_.items[i];
-      if (!item.is_opening() || left_out_[i] || given_up_[item.clearance_constraint]) continue;
-      clash.demands = {{Demand::Kind::kConstraint, item.clearance_constraint}};
-      clash.sentence =
-          fmt::format("no layout was found that leaves the floor before {} free", object_in_words(model_, static_cast<int>(i)));
-      return clash;
-    }
-    if (!failed_.empty()) {
-      const int item = failed_[0];
-      clash.demands.push_back({Demand::Kind::kItem, item});
+    const auto asks = [&](int item) {
       for (const int c : model_.touching[item]) {
         if (model_.constraints[c].firmness == Firmness::kHard && !given_up_[c]) clash.demands.push_back({Demand::Kind::kConstraint, c});
       }
-      clash.sentence = fmt::format("no place was found for {}", object_in_words(model_, item));
+    };
+    int item = -1;
+    for (const int failed : failed_) {  // the first that asks for something
+      item = failed;
+      asks(failed);
+      if (!clash.demands.empty()) break;
     }
+    for (std::size_t i = 0; i < model_.items.size() && clash.demands.empty(); ++i) asks(item = static_cast<int>(i));
+    if (item < 0) return clash;
+    clash.demands.push_back({Demand::Kind::kItem, item});
+    clash.sentence = fmt::format("no place was found for {} where all that is asked of it holds", object_in_words(model_, item));
     return clash;
   }
 
-  // The cheapest member of a clash: what is implied, then what was assumed, then the least weight; objects last.
-  std::int64_t price_of(const Demand& demand) const {
-    if (demand.kind == Demand::Kind::kItem) {
-      const Item& item = model_.items[demand.index];
-      if (item.is_opening()) return 3'000'000;
-      std::int64_t rank = 0;
-      for (int i = 0; i < demand.index; ++i) rank += model_.items[i].entry == item.entry;
-      return (item.object->assumed ? 100'000 : 1'000'000) + (item.fixed ? 1'000'000 : 0) - 1000 * std::min<std::int64_t>(rank, 100);
+  // ---- too much in too little room
+
+  // Does a search place everything but these? How many it fails to place.
+  std::size_t unplaced_without(const std::vector<std::string>& ids) {
+    const LessScene less = without_objects(scene(), ids);
+    const Result<Model> model = build_model(less.scene, catalog_);
+    if (!model) return asked_.objects.size();
+    Search search(*model, given_up_in(*model), options_.seed, kAllSizes);
+    Budget budget{0, std::max<std::int64_t>(budget_.limit / 4, kLeastSteps), budget_.stop, false};
+    return search.construct(std::vector<char>(model->items.size(), 0), kRestarts, budget)
+               ? 0
+               : std::max<std::size_t>(1, search.failed().size());
+  }
+
+  // Leaves out the object (one of the items, of all where none are named) without which everything else finds a place; where one is not
+  // enough, the one that helps most. Of equals the one that is missed least.
+  Status leave_out_least(std::vector<int> items, const Clash* clash = nullptr) {
+    if (items.empty()) {
+      for (std::size_t i = 0; i < model_.items.size(); ++i) items.push_back(static_cast<int>(i));
+      items = least_missed_first(model_, std::move(items));
     }
-    const Constraint& constraint = model_.constraints[demand.index];
-    if (constraint.firmness == Firmness::kImplied) return 1;
-    const Relation& relation = model_.scene->relations[constraint.relation];
-    return (relation.assumed ? 1'000 : 10'000) + constraint.weight * 10;
+    if (items.size() > kMostTrials) items.resize(kMostTrials);
+    Clash found;
+    if (clash != nullptr) found = *clash;
+    if (clash == nullptr) {
+      found.proven = found.minimal = false;
+      found.sentence = too_much_in_words(model_);
+    }
+    int best = -1;
+    std::size_t least = std::numeric_limits<std::size_t>::max();
+    for (const int item : items) {
+      const std::size_t unplaced = items.size() == 1 ? 1 : unplaced_without({model_.items[item].id});
+      if (unplaced < least) least = unplaced, best = item;
+      if (least == 0 || must_stop()) break;
+    }
+    if (best < 0) return fail(ErrorCode::kNotFound, "no layout was found, and nothing is left to give up");
+    LAYOUTBOX_ASSIGN(const bool relaxing, note_conflict(found, false));
+    return relaxing ? leave_out(best, conflicts_.back().sentence) : Status{};
+  }
+
+  // What was left out before and finds a place now after all comes back.
+  Result<bool> bring_back() {
+    bool any = false;
+    for (std::size_t i = left_out_ids_.size(); i-- > 1;) {  // without the last there was no layout: that is why it went
+      std::vector<std::string> fewer = left_out_ids_;
+      const std::string back = fewer[i - 1];
+      fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i - 1));
+      const LessScene less = without_objects(asked_, fewer);
+      const Result<Model> model = build_model(less.scene, catalog_);
+      if (!model) continue;
+      Search search(*model, given_up_in(*model), options_.seed, kAllSizes);
+      Budget budget{0, std::max<std::int64_t>(budget_.limit / 4, kLeastSteps), budget_.stop, false};
+      if (!search.construct(std::vector<char>(model->items.size(), 0), kRestarts, budget)) continue;
+      left_out_ids_ = std::move(fewer);
+      std::erase_if(reasons_, [&](const Relaxation& r) { return r.relation == back; });
+      LAYOUTBOX_CHECK(rebuild());
+      any = true;
+    }
+    return any;
   }
 
   // How far a relation would be missed if it alone were given up; more than any distance where that does not help.
@@ -208,15 +282,16 @@ class Solver {
   // The least price; of equals the relation that is then missed by least, of those the last one said.
   std::vector<Demand>::const_iterator cheapest_of(const Clash& clash) {
     const auto begin = clash.demands.begin(), end = clash.demands.end();
+    const auto price = [&](const Demand& d) { return price_of(model_, clash, d); };
     const auto cheapest = std::min_element(
-        begin, end, [&](const Demand& a, const Demand& b) { return std::pair(price_of(a), -a.index) < std::pair(price_of(b), -b.index); });
+        begin, end, [&](const Demand& a, const Demand& b) { return std::pair(price(a), -a.index) < std::pair(price(b), -b.index); });
     if (cheapest == end || cheapest->kind == Demand::Kind::kItem || options_.on_conflict != OnConflict::kRelax) return cheapest;
     auto best = cheapest;
     std::int64_t least = -1;
     for (auto it = begin; it != end; ++it) {
-      if (price_of(*it) != price_of(*cheapest) || it->kind == Demand::Kind::kItem) continue;
+      if (price(*it) != price(*cheapest) || it->kind == Demand::Kind::kItem) continue;
       if (least < 0) {
-        if (std::count_if(begin, end, [&](const Demand& d) { return price_of(d) == price_of(*cheapest); }) == 1) return cheapest;
+        if (std::count_if(begin, end, [&](const Demand& d) { return price(d) == price(*cheapest); }) == 1) return cheapest;
         least = miss_without(cheapest->index);
       }
       if (it == cheapest) continue;
@@ -226,7 +301,8 @@ class Solver {
     return best;
   }
 
-  Status give_up(const Clash& clash) {
+  // True: something is to be given up for it. False: the scene's own positions were taken. An error where that is asked for.
+  Result<bool> note_conflict(const Clash& clash, bool only_implied) {
     Conflict conflict;
     conflict.sentence = describe_clash(model_, clash);
     conflict.minimal = clash.minimal;
@@ -237,10 +313,6 @@ class Solver {
         conflict.relations.push_back(model_.constraints[demand.index].name);
       }
     }
-    const auto cheapest = cheapest_of(clash);
-    if (cheapest == clash.demands.cend()) return fail(ErrorCode::kNotFound, "no layout was found, and nothing is left to give up");
-    const bool only_implied =
-        cheapest->kind == Demand::Kind::kConstraint && model_.constraints[cheapest->index].firmness == Firmness::kImplied;
     conflicts_.push_back(conflict);
     if (options_.on_conflict == OnConflict::kFail && !only_implied && !clash.proven) {
       return fail(ErrorCode::kNotFound, conflict.sentence + ", and no proof that there is none", {}, "raise --effort or --time-limit");
@@ -252,34 +324,73 @@ class Solver {
     }
     if (options_.on_conflict == OnConflict::kOriginal && !only_implied) {
       fall_back();
-      return {};
+      return false;
     }
-    if (cheapest->kind == Demand::Kind::kItem) {
-      leave_out(cheapest->index, conflict.sentence);
-    } else {
-      relax(cheapest->index, conflict.sentence);
-    }
+    return true;
+  }
+
+  Status give_up(const Clash& clash) {
+    const std::vector<int> objects = objects_to_blame(model_, clash);
+    if (!objects.empty()) return leave_out_least(objects, &clash);
+    const auto cheapest = cheapest_of(clash);
+    if (cheapest == clash.demands.cend()) return fail(ErrorCode::kNotFound, "no layout was found, and nothing is left to give up");
+    const bool only_implied =
+        cheapest->kind == Demand::Kind::kConstraint && model_.constraints[cheapest->index].firmness == Firmness::kImplied;
+    LAYOUTBOX_ASSIGN(const bool relaxing, note_conflict(clash, only_implied));
+    if (!relaxing) return {};
+    if (cheapest->kind == Demand::Kind::kItem) return leave_out(cheapest->index, conflicts_.back().sentence);
+    relax(model_.constraints[cheapest->index].name, conflicts_.back().sentence);
     return {};
   }
 
-  void leave_out(int item, const std::string& why) {
-    left_out_[item] = 1;
-    placements_[item] = {};
-    reasons_.push_back({model_.items[item].id, 0, "", object_in_words(model_, item) + " is left out: " + why});
-    // What stands on it goes with it, unless it can stand elsewhere; relations that speak of it have nothing to hold.
-    for (std::size_t c = 0; c < model_.constraints.size(); ++c) {
-      if (model_.constraints[c].firmness != Firmness::kHard || given_up_[c]) continue;
-      const auto& touched = model_.touching[item];
-      if (std::find(touched.begin(), touched.end(), static_cast<int>(c)) != touched.end()) relax(static_cast<int>(c), why);
+  const SceneGraph& scene() const { return *model_.scene; }
+
+  // The object goes; relations keep whom they still have.
+  Status leave_out(int item, const std::string& why) {
+    const std::string& id = model_.items[item].id;
+    for (const Relation& relation : scene().relations) {
+      const auto names = [&](const std::vector<std::string>& ids) { return std::find(ids.begin(), ids.end(), id) != ids.end(); };
+      if (names(relation.targets) || names(relation.references)) lost_words_[relation.id] = relation_in_words(model_, relation);
     }
+    left_out_ids_.push_back(id);
+    reasons_.push_back({model_.items[item].id, 0, "", object_in_words(model_, item) + " is left out: " + why});
+    return rebuild();
+  }
+
+  // The model of what is left of the scene, with the same given up as before.
+  Status rebuild() {
+    LessScene less = without_objects(asked_, left_out_ids_);
+    less_scene_ = std::make_unique<SceneGraph>(std::move(less.scene));
+    lost_ = std::move(less.lost);
+    LAYOUTBOX_ASSIGN(model_, build_model(*less_scene_, catalog_));
+    size_to_model();
+    for (const auto& [name, why] : relaxed_) soften(name);
+    return {};
+  }
+
+  std::vector<char> given_up_in(const Model& model) const {
+    std::vector<char> mask(model.constraints.size(), 0);
+    for (std::size_t c = 0; c < mask.size(); ++c) mask[c] = is_relaxed(model.constraints[c].name);
+    return mask;
+  }
+
+  bool is_relaxed(const std::string& name) const {
+    return std::any_of(relaxed_.begin(), relaxed_.end(), [&](const auto& r) { return r.first == name; });
+  }
+
+  void relax(const std::string& name, const std::string& why) {
+    relaxed_.push_back({name, why});
+    soften(name);
   }
 
   // Given up, but still wished for.
-  void relax(int index, const std::string& why) {
-    given_up_[index] = 1;
-    relaxed_.push_back({index, why});
-    Constraint& constraint = model_.constraints[index];
-    if (constraint.firmness == Firmness::kHard) {
+  void soften(const std::string& name) {
+    for (std::size_t c = 0; c < model_.constraints.size(); ++c) {
+      Constraint& constraint = model_.constraints[c];
+      const bool demanded = constraint.firmness == Firmness::kHard || constraint.firmness == Firmness::kImplied;
+      if (constraint.name != name || !demanded || given_up_[c]) continue;
+      given_up_[c] = 1;
+      if (constraint.firmness != Firmness::kHard) continue;
       constraint.firmness = Firmness::kSoft;
       constraint.weight *= kStillWished;
     }
@@ -332,8 +443,12 @@ class Solver {
   }
 
   // How far what was given up is from holding; nothing where it holds after all.
-  std::optional<Relaxation> relaxation_of(int index, const std::string& why) const {
-    const Constraint& constraint = model_.constraints[index];
+  std::optional<Relaxation> relaxation_of(const std::string& name, const std::string& why) const {
+    const auto found =
+        std::find_if(model_.constraints.begin(), model_.constraints.end(), [&](const Constraint& c) { return c.name == name; });
+    if (found == model_.constraints.end()) return std::nullopt;  // its objects are left out
+    const Constraint& constraint = *found;
+    const auto index = static_cast<int>(found - model_.constraints.begin());
     Relaxation out{constraint.name, 0, "m", why};
     std::int64_t miss = 0;
     bool placed = true;
@@ -354,10 +469,11 @@ class Solver {
 
   Layout finish() {
     Layout layout = to_layout(model_, placements_);
-    for (const auto& [index, why] : relaxed_) {
-      if (const auto relaxation = relaxation_of(index, why)) layout.relaxed.push_back(*relaxation);
+    for (const auto& [name, why] : relaxed_) {
+      if (const auto relaxation = relaxation_of(name, why)) layout.relaxed.push_back(*relaxation);
     }
     for (const Relaxation& reason : reasons_) layout.relaxed.push_back(reason);
+    for (const std::string& id : lost_) layout.relaxed.push_back({id, 0, "", lost_words_[id] + ": what it speaks of is left out"});
     for (const PlacedRelation& r : layout.relations) {  // not linear, so never in a proof
       if (r.held || !r.relation.hard || r.relation.type != RelationType::kReachable) continue;
       layout.relaxed.push_back({r.relation.id, 0, "", "no free way was found: " + relation_in_words(model_, r.relation)});
@@ -378,19 +494,24 @@ class Solver {
     return layout;
   }
 
+  const SceneGraph& asked_;
+  const Catalog& catalog_;
+  std::unique_ptr<SceneGraph> less_scene_;  // what the model is of, once something is left out
   Model model_;
   const SolveOptions& options_;
   Clock::time_point started_;
   Budget budget_;
   std::vector<char> given_up_, left_out_;
-  std::vector<std::pair<int, std::string>> relaxed_;  // constraints given up, and why
-  std::vector<Relaxation> reasons_;                   // objects left out
+  std::vector<std::pair<std::string, std::string>> relaxed_;  // constraints given up, and why
+  std::vector<std::string> left_out_ids_, lost_;              // objects, and the relations that went with them
+  std::map<std::string, std::string> lost_words_;             // by relation
+  std::vector<Relaxation> reasons_;                           // of the objects left out
   std::vector<Conflict> conflicts_;
   Placements placements_;
   std::vector<int> failed_;
   int size_limit_ = 0;
   double proof_time_ = 0;
-  bool used_cp_sat_ = false, fallback_ = false, stopped_by_clock_ = false;
+  bool used_cp_sat_ = false, fallback_ = false, stopped_by_clock_ = false, brought_back_ = false;
 };
 
 }  // namespace
@@ -398,7 +519,7 @@ class Solver {
 Result<Layout> solve(const SceneGraph& scene, const Catalog& catalog, const SolveOptions& options) {
   if (options.effort <= 0 || !(options.time_limit_s > 0)) return fail(ErrorCode::kUsage, "effort and time limit must be positive");
   LAYOUTBOX_ASSIGN(Model model, build_model(scene, catalog));
-  return Solver(std::move(model), options).run();
+  return Solver(scene, catalog, options, std::move(model)).run();
 }
 
 Result<std::string> describe_cp_sat_library() {

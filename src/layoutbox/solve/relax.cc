@@ -1,0 +1,110 @@
+#include "layoutbox/solve/relax.h"
+
+#include <fmt/format.h>
+
+#include <tuple>
+
+namespace layoutbox::placement {
+namespace {
+
+constexpr std::int64_t kAssumedRelation = 1'000, kImplied = 5'000, kRelation = 10'000, kAssumedObject = 100'000, kObject = 1'000'000,
+                       kImpliedLast = 2'000'000, kFixed = 3'000'000;
+
+bool has(const std::vector<std::string>& ids, const std::string& id) { return std::find(ids.begin(), ids.end(), id) != ids.end(); }
+
+const Relation* relation_of(const Model& model, const Demand& demand) {
+  if (demand.kind != Demand::Kind::kConstraint) return nullptr;
+  const int relation = model.constraints[demand.index].relation;
+  return relation < 0 ? nullptr : &model.scene->relations[relation];
+}
+
+// Its place among those of its kind, from 0.
+int rank_of(const Model& model, int item) {
+  int rank = 0;
+  for (int i = 0; i < item; ++i) {
+    const Item& other = model.items[i];
+    rank += !other.is_opening() && other.object->category == model.items[item].object->category;
+  }
+  return rank;
+}
+
+std::int64_t footprint(const Item& item) { return std::int64_t{item.states[0].extent[0]} * item.states[0].extent[1]; }
+
+}  // namespace
+
+std::int64_t price_of(const Model& model, const Clash& clash, const Demand& demand) {
+  if (demand.kind == Demand::Kind::kItem) {
+    const Item& item = model.items[demand.index];
+    if (item.is_opening() || item.fixed) return kFixed;
+    return (item.object->assumed ? kAssumedObject : kObject) - 1000 * std::min<std::int64_t>(rank_of(model, demand.index), 100);
+  }
+  if (const Relation* relation = relation_of(model, demand))
+    return (relation->assumed ? kAssumedRelation : kRelation + relation->weight * 10);
+  const bool said =
+      std::any_of(clash.demands.begin(), clash.demands.end(), [&](const Demand& d) { return relation_of(model, d) != nullptr; });
+  return said || clash.demands.size() == 1 ? kImplied : kImpliedLast;
+}
+
+std::vector<int> least_missed_first(const Model& model, std::vector<int> items) {
+  std::erase_if(items, [&](int i) { return model.items[i].is_opening() || model.items[i].fixed; });
+  const auto key = [&](int i) {
+    const Item& item = model.items[i];
+    return std::tuple(!item.object->assumed, rank_of(model, i) == 0, footprint(item), -i);
+  };
+  std::stable_sort(items.begin(), items.end(), [&](int a, int b) { return key(a) < key(b); });
+  return items;
+}
+
+std::vector<int> objects_to_blame(const Model& model, const Clash& clash) {
+  std::vector<int> items;
+  for (const Demand& demand : clash.demands) {
+    if (relation_of(model, demand) != nullptr) return {};
+    if (demand.kind == Demand::Kind::kItem) items.push_back(demand.index);
+  }
+  return least_missed_first(model, std::move(items));
+}
+
+LessScene without_objects(const SceneGraph& scene, const std::vector<std::string>& ids) {
+  LessScene less{scene, {}};
+  std::erase_if(less.scene.objects, [&](const SceneObject& o) { return has(ids, o.id); });
+  std::vector<Relation> kept;
+  for (Relation& relation : less.scene.relations) {
+    const bool referred = !relation.references.empty();
+    const auto is_out = [&](const std::string& id) { return has(ids, id); };
+    const std::size_t lost_targets = std::erase_if(relation.targets, is_out);
+    const std::size_t lost_references = std::erase_if(relation.references, is_out);
+    const bool too_few = relation.type == RelationType::kBetween && lost_references > 0 && relation.references.size() < 2;
+    if ((lost_targets > 0 && relation.targets.empty()) || (referred && relation.references.empty()) || too_few) {
+      less.lost.push_back(relation.id);
+    } else {
+      kept.push_back(std::move(relation));
+    }
+  }
+  less.scene.relations = std::move(kept);
+  return less;
+}
+
+std::string too_much_in_words(const Model& model) {
+  std::int64_t covered = 0, room = floor_area(model.room), door = 0;
+  for (const Box& outside : model.outside) room -= floor_area(outside);
+  int count = 0;
+  for (const Item& item : model.items) {
+    if (item.is_opening()) {
+      if (item.opening->type == OpeningType::kWindow || item.states.empty()) continue;
+      for (const Box& clear : item.states[0].clear) door += floor_area(clear);
+      continue;
+    }
+    ++count;
+    if (!item.thin && item.supports.size() == 1 && item.supports[0].kind == SupportOption::Kind::kFloor) {
+      std::int64_t least = footprint(item);
+      for (const State& state : item.states) least = std::min(least, std::int64_t{state.extent[0]} * state.extent[1]);
+      covered += least;
+    }
+  }
+  const std::string before = door > 0 ? fmt::format(", {:.2f} m² stay free for doors", static_cast<double>(door) / 1e6) : "";
+  return fmt::format(
+      "no layout was found for all {} objects together: they cover at least {:.2f} m² of floor{}, and the room has {:.2f} m²", count,
+      static_cast<double>(covered) / 1e6, before, static_cast<double>(room) / 1e6);
+}
+
+}  // namespace layoutbox::placement

@@ -1,0 +1,33 @@
+// What gives way when not everything can hold: what each demand is worth, and the scene less what is left out.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "layoutbox/solve/conflict.h"
+
+namespace layoutbox::placement {
+
+// The price of giving a demand of the clash up; the cheapest goes. In this order: relations that nobody asked for, the free floor before
+// doors and windows where somebody's words ask for what blocks it, relations by their weight, objects (what was assumed before what was
+// asked for, the last of many before the only one), that free floor where there is only too much in the room, and what is fixed.
+std::int64_t price_of(const Model& model, const Clash& clash, const Demand& demand);
+
+// Objects that may be left out, the one that is missed least first: assumed ones, the later ones of several of a kind, small ones, the
+// last said. Nothing fixed.
+std::vector<int> least_missed_first(const Model& model, std::vector<int> items);
+
+// The objects of a clash in which nothing but objects and the floor before openings take part; empty: relations do.
+std::vector<int> objects_to_blame(const Model& model, const Clash& clash);
+
+struct LessScene {
+  SceneGraph scene;
+  std::vector<std::string> lost;  // relations that have nobody left to hold them
+};
+// The scene without these objects; relations keep the members that are left.
+LessScene without_objects(const SceneGraph& scene, const std::vector<std::string>& ids);
+
+// Nothing was found for all of these, and nothing proven: how much there is, and how much room.
+std::string too_much_in_words(const Model& model);
+
+}  // namespace layoutbox::placement

@@ -1,0 +1,91 @@
+// What gives way when not everything fits: never a door, never by an overlap.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "layoutbox/solve/solver.h"
+#include "layoutbox/solve/test_judge.h"
+#include "layoutbox/solve/test_scene.h"
+#include "layoutbox/verify/verify.h"
+
+namespace layoutbox::placement {
+namespace {
+
+using testing::HasSubstr;
+
+std::size_t count_of(const Layout& layout, const std::string& category) {
+  return static_cast<std::size_t>(
+      std::count_if(layout.objects.begin(), layout.objects.end(), [&](const PlacedObject& o) { return o.category == category; }));
+}
+
+double opening_clearance(const Layout& layout) { return verify(layout, Catalog::builtin()).metrics.at("openingClearance"); }
+
+// The paper's sixth prompt: more than 4 × 2 m hold.
+TEST(Relax, TooMuchFurnitureLeavesTheDoorFree) {
+  const SceneGraph scene = SceneMaker(4000, 2000)
+                               .opening(OpeningType::kDoor, "wall1", 300)
+                               .add("bed", 3)
+                               .add("desk", 3)
+                               .add("lamp", 3)
+                               .add("bookshelf")
+                               .add("plant")
+                               .make(true);
+  const auto layout = solve(scene, Catalog::builtin());
+  ASSERT_TRUE(layout);
+  EXPECT_EQ(layout->status, LayoutStatus::kRelaxed);
+  expect_sound(*layout);
+  EXPECT_EQ(opening_clearance(*layout), 1.0);
+  EXPECT_GE(layout->objects.size(), 8u) << "no more is left out than need be";
+  EXPECT_GE(count_of(*layout, "bed"), 2u);
+  EXPECT_EQ(count_of(*layout, "bookshelf"), 1u) << "the only one of its kind stays";
+  for (const SceneObject& object : scene.objects) {
+    const auto says = [&](const Relaxation& r) { return r.relation == object.id && r.why.find("left out") != std::string::npos; };
+    if (layout->find_object(object.id) == nullptr) {
+      EXPECT_TRUE(std::any_of(layout->relaxed.begin(), layout->relaxed.end(), says)) << object.id;
+    }
+  }
+  ASSERT_FALSE(layout->conflicts.empty());
+  EXPECT_THAT(layout->conflicts[0].sentence, HasSubstr("m² of floor"));
+}
+
+TEST(Relax, RelationsKeepWhomTheyStillHave) {
+  const auto layout = solve(SceneMaker(2600, 2400)
+                                .opening(OpeningType::kDoor, "wall1", 300)
+                                .add("bed", 3)
+                                .relate("againstWall", {"bed_1", "bed_2", "bed_3"}, {"wall3"})
+                                .add("nightstand")
+                                .relate("nextTo", {"nightstand_1"}, {"bed_1"})
+                                .make(true),
+                            Catalog::builtin());
+  ASSERT_TRUE(layout);
+  expect_sound(*layout);
+  EXPECT_EQ(opening_clearance(*layout), 1.0);
+  EXPECT_TRUE(verify(*layout, Catalog::builtin()).passed);
+}
+
+TEST(Relax, WhatIsSaidOfAnObjectThatIsLeftOutIsListed) {
+  const auto layout =
+      solve(SceneMaker(2500, 2000).add("bed").sized(3000, 2800, 500).add("plant").relate("leftOf", {"plant_1"}, {"bed_1"}).make(),
+            Catalog::builtin());
+  ASSERT_TRUE(layout);
+  EXPECT_NE(layout->find_object("plant_1"), nullptr);
+  const auto listed = std::find_if(layout->relaxed.begin(), layout->relaxed.end(), [](const Relaxation& r) { return r.relation == "c1"; });
+  ASSERT_NE(listed, layout->relaxed.end());
+  EXPECT_THAT(listed->why, HasSubstr("the plant stands to the left of the bed"));
+}
+
+TEST(Relax, WordsThatBlockADoorAreHeldAndTheDoorIsListed) {
+  const auto layout = solve(SceneMaker(3000, 3000)
+                                .opening(OpeningType::kDoor, "wall1", 1050)
+                                .add("wardrobe")
+                                .sized(1200, 600, 2000)
+                                .relate("centeredOnWall", {"wardrobe_1"}, {"wall1"})
+                                .make(true),
+                            Catalog::builtin());
+  ASSERT_TRUE(layout);
+  EXPECT_TRUE(holds(*layout, "c1"));
+  ASSERT_EQ(layout->relaxed.size(), 1u);
+  EXPECT_EQ(layout->relaxed[0].relation, "door swing of door1");
+}
+
+}  // namespace
+}  // namespace layoutbox::placement
