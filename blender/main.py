@@ -58,3 +58,6 @@ def main():
             PROGRESS.update(before=number / len(VIEWS), share=1 / len(VIEWS))
             render_picture(os.path.join(folder, picture_of(view)))
             print(f"layoutbox: wrote {view}", flush=True)
+        if number == 0 and "--overlay" in words and "--no-picture" not in words:
+            write_overlay(stay, out, meshes, os.path.join(folder, picture_of(view)), os.path.join(folder, OUTPUT["overlay"]))
+            print("layoutbox: wrote overlay", flush=True)

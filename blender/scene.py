@@ -130,6 +130,8 @@ def build_base(stay):
     group = collection("Room")
     outline = outer_outline()
     count = len(outline)
+    if not outline:
+        return
     vertices = [(x, y, -BASE_GAP) for x, y in outline] + [(x, y, -BASE_DEPTH) for x, y in outline]
     faces = [tuple(range(count)), tuple(range(2 * count - 1, count - 1, -1))]
     faces += [(i, i + count, (i + 1) % count + count, (i + 1) % count) for i in range(count)]

@@ -111,6 +111,7 @@ CASES: list[tuple[str, list[str], int, list[str]]] = [
     ("unknown conflict choice", ["generate", "a bedroom", "--on-conflict", "pray", *GENERATE_OUT], 2, ["pray", "relax"]),
     ("repair without a model", ["generate", "a bedroom", "--on-conflict", "repair", *GENERATE_OUT], 2, ["repair", "relax"]),
     ("unknown quality", ["generate", "a bedroom", "--quality", "superb", *GENERATE_OUT], 2, ["superb", "preview"]),
+    ("unknown view", ["generate", "a bedroom", "--views", "iso,inside", *GENERATE_OUT], 2, ["inside", "iso"]),
     ("size without x", ["generate", "a bedroom", "--size", "1920", *GENERATE_OUT], 2, ["1920"]),
     ("size of nothing", ["generate", "a bedroom", "--size", "0x0", *GENERATE_OUT], 2, ["0x0"]),
     ("room of zero", ["generate", "a bedroom", "--room", "0x3x3", *GENERATE_OUT], 2, ["room"]),

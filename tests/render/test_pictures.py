@@ -142,6 +142,41 @@ class Pictures(PictureCase):
 
 
 @needs_blender
+class Views(PictureCase):
+    """Every view shows the room; inside ones fill the picture with it; the overlay changes the picture only where there are words."""
+
+    def test_all_views_and_overlay(self):
+        layout = self.write_json("layout.json", rooms.BEDROOM)
+        words = ["--views", "top,iso,front,eye,door", "--overlay", "--size", "240x136", "--quality", "draft"]
+        self.assert_done(self.run_layoutbox("render", layout, "-o", self.folder, *words))
+        pictures = {}
+        for view in ("-top", "", "-front", "-eye", "-door", "-overlay"):
+            width, height, pictures[view] = read_png(self.path(f"scene{view}.png"))
+            self.assertEqual((width, height), (240, 136), view)
+        background = pictures[""][3][3]
+        for view in ("-top", "", "-front"):
+            corners = [pictures[view][y][x] for x, y in ((3, 3), (236, 3), (3, 132), (236, 132))]
+            self.assertLess(max(abs(a - b) for corner in corners for a, b in zip(corner, background, strict=True)), 8, f"{view}: framed")
+        for view in ("-eye", "-door"):
+            flat = [pixel for row in pictures[view] for pixel in row]
+            empty = sum(1 for pixel in flat if max(abs(a - b) for a, b in zip(pixel, background, strict=True)) < 3) / len(flat)
+            self.assertLess(empty, 0.15, f"{view} shows what is behind the walls")
+            grey = sorted(sum(pixel) / 3 for pixel in flat)
+            self.assertGreater(grey[len(grey) // 2], 70, f"{view} is dark")
+        # the overlay lies over the first view
+        pairs = [(a, b) for one, two in zip(pictures["-top"], pictures["-overlay"], strict=True) for a, b in zip(one, two, strict=True)]
+        changed = sum(1 for a, b in pairs if max(abs(x - y) for x, y in zip(a, b, strict=True)) > 40) / len(pairs)
+        self.assertTrue(0.01 < changed < 0.6, changed)
+
+    def test_a_room_without_a_door_is_seen_from_inside_too(self):
+        layout = {**rooms.BEDROOM, "room": {**rooms.BEDROOM["room"], "openings": []}}
+        words = ["--views", "door", "--size", "96x54", "--quality", "draft"]
+        self.assert_done(self.run_layoutbox("render", self.write_json("layout.json", layout), "-o", self.folder, *words))
+        self.assertTrue(self.path("scene-door.png").exists())
+        self.assertFalse(self.path("scene.png").exists())
+
+
+@needs_blender
 class EveryBlender(PictureCase):
     """The same file runs in each Blender that is here, from a folder of its own and beside itself."""
 

@@ -110,6 +110,7 @@ void RenderFlags::add_to(CLI::App& command) {
   command.add_option("--views", views, "A picture each, with commas: iso, top, front, eye (in the room), door")
       ->delimiter(',')
       ->capture_default_str();
+  command.add_flag("--overlay", overlay, "Also scene-overlay.png: names, clearances, and what does not hold in red");
   command.add_flag("--mask", mask, "Also mask.png and mask.json: which pixel is which object, and what is seen of each");
 }
 

@@ -8,6 +8,7 @@
 #include "layoutbox/embedded/blender_scripts.h"
 #include "layoutbox/render/mesh_block.h"
 #include "layoutbox/render/render.h"
+#include "layoutbox/scene/relation_table.h"
 
 namespace layoutbox {
 namespace {
@@ -92,7 +93,8 @@ std::string settings(const RenderOptions& options) {
   std::string views;
   for (const View view : options.views) views += fmt::format("\"{}\", ", name_of(view));
   return fmt::format(
-      "OUTPUT = {{\"picture\": \"scene.png\", \"blend\": {}, \"mask\": \"mask.png\", \"mask_index\": \"mask.json\"}}\n\n"
+      "OUTPUT = {{\"picture\": \"scene.png\", \"blend\": {}, \"mask\": \"mask.png\", \"mask_index\": \"mask.json\",\n"
+      "          \"overlay\": \"scene-overlay.png\"}}\n\n"
       "# A picture each: iso (scene.png), top, front, eye (in the room), door (scene-top.png and so on).\n"
       "VIEWS = ({})\n\n"
       "# The camera of iso. Azimuth 0 looks from the front, 90 from the right. Walls that would stand before the room are cut away.\n"
@@ -120,6 +122,23 @@ std::string room_tables(const Layout& layout) {
     text += fmt::format("    {{\"id\": {}, \"type\": \"{}\", \"wall\": {}, \"offset\": {}, \"w\": {}, \"h\": {}, \"sill\": {}}},\n",
                         literal(opening.id), name_of(opening.type), literal(opening.wall), number(m_from_mm(opening.offset.value_or(0))),
                         number(m_from_mm(opening.width)), number(m_from_mm(opening.height)), number(m_from_mm(opening.sill)));
+  }
+  return text + "]\n\n";
+}
+
+// What does not hold, for the overlay.
+std::string failed_table(const Layout& layout) {
+  std::string text = "# What was asked and does not hold.\nFAILED = [\n";
+  for (const PlacedRelation& placed : layout.relations) {
+    if (placed.held) continue;
+    const Relation& relation = placed.relation;
+    std::string ids;
+    for (const auto* names : {&relation.targets, &relation.references}) {
+      for (const std::string& id : *names) ids += literal(id) + ", ";
+    }
+    const bool brief = !relation.why.empty() && relation.why.size() <= 32;
+    const std::string words = brief ? relation.why : std::string(relation_row(relation.type).name);
+    text += fmt::format("    {{\"targets\": [{}], \"words\": {}}},\n", ids, literal(words));
   }
   return text + "]\n\n";
 }
@@ -167,13 +186,17 @@ Size3f box_of(const Node& node, const Layout& layout) {
 std::string row(const Node& node, const Layout& layout, const Model& model, std::span<const int> meshes) {
   const PlacedObject* object = node.kind == NodeKind::kObject ? layout.find_object(node.id) : nullptr;
   const std::string support = object != nullptr ? object->supported_by : "";
+  std::string uses;
+  if (object != nullptr) {
+    for (const Side side : object->used_sides) uses += fmt::format("{}\"{}\"", uses.empty() ? "" : ", ", name_of(side));
+  }
   const std::string wall = node.kind == NodeKind::kWall ? node.id : node.kind == NodeKind::kObject ? "" : node.parent;
   std::string text = fmt::format(
       "    {{\"id\": {}, \"category\": {}, \"name\": {}, \"kind\": \"{}\", \"collection\": {},\n"
-      "     \"at\": {}, \"turn\": {}, \"size\": {}, \"stands_on\": {}, \"wall\": {}, \"hangs_on\": {},\n     \"parts\": [",
+      "     \"at\": {}, \"turn\": {}, \"size\": {}, \"stands_on\": {}, \"wall\": {}, \"hangs_on\": {}, \"uses\": [{}],\n     \"parts\": [",
       literal(node.id), literal(node.category), literal(node.name), kind_name(node.kind), literal(collection_name(node)),
       tuple(node.position), number(double{node.rotation_deg}), tuple(box_of(node, layout)), literal(support), literal(wall),
-      literal(hangs_on(layout, support)));
+      literal(hangs_on(layout, support)), uses);
   for (std::size_t i = 0; i < node.parts.size(); ++i) {
     const auto surface = static_cast<std::size_t>(node.parts[i].surface);
     text += fmt::format("{}({}, {})", i == 0 ? "" : ", ", literal(model.surfaces.at(surface).name), meshes[i]);
@@ -203,9 +226,9 @@ std::string write_blender_script(const Model& model, const Layout& layout, const
   std::string script = head(layout) + settings(options);
   script += embedded::light_py;
   script += "\n";
-  script += room_tables(layout) + objects + "]\n\n" + materials_table(model) + shell + "]\n\n";
+  script += room_tables(layout) + objects + "]\n\n" + failed_table(layout) + materials_table(model) + shell + "]\n\n";
   for (const std::string_view code : {embedded::geometry_py, embedded::materials_py, embedded::scene_py, embedded::render_py,
-                                      embedded::visibility_py, embedded::main_py}) {
+                                      embedded::visibility_py, embedded::overlay_py, embedded::main_py}) {
     script += "\n";
     script += code;
   }
