@@ -141,6 +141,10 @@ CASES: list[tuple[str, list[str], int, list[str]]] = [
     ("verify of a scene", ["verify", "{dir}/good.json"], 2, ["layout"]),
     ("catalog of an unknown word", ["catalog", "xylophagous"], 2, ["xylophagous"]),
     # files
+    ("earlier layout missing", ["solve", "{dir}/good.json", "--from", "{dir}/nowhere.json"], 3, ["nowhere.json"]),
+    ("earlier layout is a scene", ["solve", "{dir}/good.json", "--from", "{dir}/good.json"], 2, ["good.json"]),
+    ("who is locked is not there", ["solve", "{dir}/good.json", "--lock", "piano"], 2, ["piano"]),
+    ("who is locked had no place", ["solve", "{dir}/good.json", "--lock", "bed"], 2, ["bed", "earlier layout"]),
     ("not JSON", ["solve", "{dir}/not-json.json"], 2, ["not-json.json", "json"]),
     ("JSON cut off", ["solve", "{dir}/cut.json"], 2, ["cut.json"]),
     ("empty file", ["solve", "{dir}/empty.json"], 2, ["empty.json"]),

@@ -10,6 +10,7 @@
 #include "layoutbox/catalog/room_size.h"
 #include "layoutbox/catalog/user_catalog.h"
 #include "layoutbox/cli/console.h"
+#include "layoutbox/scene/layout_scene.h"
 #include "layoutbox/scene/scene_json.h"
 
 namespace layoutbox::cli {
@@ -172,6 +173,18 @@ Result<Layout> read_layout_file(const std::string& path) {
 Result<SceneGraph> read_scene_file(const std::string& path, const std::string& units) {
   LAYOUTBOX_ASSIGN(const std::string text, read_input(path));
   return located(read_scene(text, units), path);
+}
+
+Result<SceneOrLayout> read_scene_or_layout_file(const std::string& path, const std::string& units) {
+  LAYOUTBOX_ASSIGN(const std::string text, read_input(path));
+  SceneOrLayout file;
+  if (const auto kind = kind_of_document(text); kind && *kind == "layout") {
+    LAYOUTBOX_ASSIGN(file.layout, located(read_layout(text), path));
+    file.scene = scene_of(*file.layout);
+    return file;
+  }
+  LAYOUTBOX_ASSIGN(file.scene, located(read_scene(text, units), path));
+  return file;
 }
 
 Status write_output(const std::string& path, std::string_view bytes) {

@@ -55,6 +55,13 @@ Result<std::string> read_input(const std::string& path);
 Result<Layout> read_layout_file(const std::string& path);
 Result<SceneGraph> read_scene_file(const std::string& path, const std::string& units = {});
 
+// A file that may be either; of a layout also the scene it could have come from.
+struct SceneOrLayout {
+  SceneGraph scene;
+  std::optional<Layout> layout;
+};
+Result<SceneOrLayout> read_scene_or_layout_file(const std::string& path, const std::string& units = {});
+
 // Writes to a file, or to stdout for "-" or an empty path.
 Status write_output(const std::string& path, std::string_view bytes);
 

@@ -328,8 +328,9 @@ std::string describe_clash(const Model& model, const Clash& clash) {
       continue;
     }
     const Constraint& constraint = model.constraints[demand.index];
-    relations.push_back(constraint.relation >= 0 ? relation_in_words(model, model.scene->relations[constraint.relation])
-                                                 : clearance_in_words(model, constraint));
+    relations.push_back(constraint.relation >= 0    ? relation_in_words(model, model.scene->relations[constraint.relation])
+                        : !constraint.words.empty() ? constraint.words
+                                                    : clearance_in_words(model, constraint));
   }
   const std::string room = fmt::format("the room, which measures {}", room_in_words(model));
   if (relations.empty()) return fmt::format("{} do not fit together into {}", listed(objects), room);

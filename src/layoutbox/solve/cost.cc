@@ -232,12 +232,13 @@ std::int64_t ways_cost(const Model& model, const Placements& placements) {
 
 std::map<std::string, std::int64_t> cost_terms(const Model& model, const Placements& placements) {
   std::map<std::string, std::int64_t> terms{{"habits", 0}, {"relations", 0}, {"access", 0}, {"ways", 0}, {"sizes", 0}};
+  if (!model.start.empty()) terms["stay"] = 0;
   for (const Constraint& constraint : model.constraints) {
     const bool placed =
         std::all_of(constraint.formulas.begin(), constraint.formulas.end(), [&](const Formula& f) { return all_placed(f, placements); });
     if (!placed) continue;
-    const bool ours = constraint.relation < 0;
-    terms[ours ? "habits" : "relations"] += constraint_cost(model, constraint, placements);
+    const bool stay = constraint.stay || !constraint.words.empty();
+    terms[stay ? "stay" : constraint.relation < 0 ? "habits" : "relations"] += constraint_cost(model, constraint, placements);
   }
   for (std::size_t i = 0; i < model.items.size(); ++i) {
     if (placements[i].state < 0) continue;

@@ -44,7 +44,7 @@ bool reachable(const Model& model, int item, Mm width, const Placements& placeme
 // Cost of cut off floor, and of `reachable` relations that do not hold.
 std::int64_t ways_cost(const Model& model, const Placements& placements);
 
-// All terms by name, for the layout's score.
+// All terms by name, for the layout's score; "stay", the way from an earlier layout, is not part of it.
 std::map<std::string, std::int64_t> cost_terms(const Model& model, const Placements& placements);
 
 }  // namespace layoutbox::placement

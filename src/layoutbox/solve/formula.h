@@ -94,6 +94,8 @@ struct Constraint {
   std::vector<Formula> formulas;
   std::vector<std::pair<int, Mm>> reach;  // items to which somebody so wide must find a way; checked on layouts, not linear
   std::vector<int> hosts;                 // habits: the items that are to be placed first
+  std::string words;                      // what it says, where it is no relation of the scene: "the bed stays where it was"
+  bool stay = false;                      // how far something is from its earlier place: no part of the score
 };
 
 }  // namespace layoutbox::placement

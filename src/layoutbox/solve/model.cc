@@ -6,6 +6,7 @@
 #include <set>
 
 #include "layoutbox/solve/compile.h"
+#include "layoutbox/solve/guide.h"
 
 namespace layoutbox::placement {
 namespace {
@@ -171,13 +172,11 @@ Item object_item(const SceneGraph& scene, const SceneObject& object, const Catal
       catalog.is_a(object.category, "curtain") || catalog.is_a(object.category, "blinds") || catalog.is_a(object.category, "blind");
   item.fixed = object.fixed && object.hint.position.has_value();
   const bool odd = sits_around(scene, object.id);
-  const auto sizes = sizes_of(*object.size,
-                              item.fixed ? 0
-                              : odd      ? 1
-                                         : options.size_steps,
-                              !item.fixed && !odd && holds_others(scene, object.id));
+  auto sizes = sizes_of(*object.size, item.fixed ? 0 : odd ? 1 : options.size_steps, !item.fixed && !odd && holds_others(scene, object.id));
+  std::vector<int> turns = turns_of(item, object, odd);
+  if (!item.fixed) add_earlier_pose(options, item, sizes, turns);
   for (const auto& [size, step] : sizes) {
-    for (const int turn : turns_of(item, object, odd)) {
+    for (const int turn : turns) {
       const bool first = item.states.empty();
       item.states.push_back(make_state(object, *item.entry, size, step, turn, first ? &item.spaces : nullptr));
     }
@@ -413,7 +412,9 @@ Result<Model> build_model(const SceneGraph& scene, const Catalog& catalog, const
   }
   set_pair_rules(model);
   LAYOUTBOX_CHECK(add_relations(model));
+  LAYOUTBOX_CHECK(find_starts(model, options));
   add_habits(model);
+  add_stays(model);
   index_constraints(model);
   return model;
 }

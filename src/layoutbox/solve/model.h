@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "layoutbox/catalog/catalog.h"
+#include "layoutbox/scene/layout.h"
 #include "layoutbox/scene/scene_graph.h"
 #include "layoutbox/solve/formula.h"
 
@@ -50,6 +51,7 @@ struct Item {
   bool curtain = false;  // may hang before a window
   bool fixed = false;
   Vec3 fixed_at{};
+  bool locked = false;  // stays where it was, unless that has to be given up
   std::vector<State> states;
   std::uint64_t all_states = 0;
   std::vector<ItemSpace> spaces;
@@ -81,6 +83,14 @@ enum class PairRule : std::uint8_t {
   kOpenings  // two openings: not in the same stretch of wall
 };
 
+// Where everything stands.
+struct Placement {
+  int state = -1;  // −1: not placed
+  Vec3 at{};       // low corner
+  friend bool operator==(const Placement&, const Placement&) = default;
+};
+using Placements = std::vector<Placement>;
+
 struct Model {
   const SceneGraph* scene = nullptr;
   const Catalog* catalog = nullptr;
@@ -91,6 +101,8 @@ struct Model {
   std::vector<Constraint> constraints;
   std::vector<std::vector<int>> touching;  // item → constraints that speak of it
   std::vector<PairRule> pairs;             // items × items
+  const Layout* from = nullptr;            // the earlier layout that guides, if any
+  Placements start;                        // by item: where it had things; empty where there is none
 
   PairRule pair(int a, int b) const { return pairs[static_cast<std::size_t>(a) * items.size() + b]; }
   void set_pair(int a, int b, PairRule rule);
@@ -101,19 +113,13 @@ struct Model {
 
 // Whether sizes other than the usual ones are among the states, and how finely the room is cut.
 struct ModelOptions {
-  int size_steps = 3;  // below the usual size, the last is the least
+  int size_steps = 3;                      // below the usual size, the last is the least
+  const Layout* from = nullptr;            // an earlier layout: what it has stays near its place there
+  std::vector<std::string> locked, freed;  // ids: what stays exactly, and what looks for a new place (SolveOptions)
 };
 
 // REQUIRES: a normalised scene. Errors: kReference (a relation names what is not there), kTooLarge (more than 500 objects).
 Result<Model> build_model(const SceneGraph& scene, const Catalog& catalog, const ModelOptions& options = {});
-
-// Where everything stands.
-struct Placement {
-  int state = -1;  // −1: not placed
-  Vec3 at{};       // low corner
-  friend bool operator==(const Placement&, const Placement&) = default;
-};
-using Placements = std::vector<Placement>;
 
 inline Box box_of(const Item& item, const Placement& p) {
   const Vec3& e = item.states[p.state].extent;

@@ -8,7 +8,7 @@ namespace layoutbox::placement {
 namespace {
 
 constexpr std::int64_t kAssumedRelation = 1'000, kImplied = 5'000, kRelation = 10'000, kAssumedObject = 100'000, kObject = 1'000'000,
-                       kImpliedLast = 2'000'000, kFixed = 3'000'000;
+                       kImpliedLast = 2'000'000, kLock = 2'500'000, kFixed = 3'000'000;
 
 bool has(const std::vector<std::string>& ids, const std::string& id) { return std::find(ids.begin(), ids.end(), id) != ids.end(); }
 
@@ -35,18 +35,19 @@ std::int64_t footprint(const Item& item) { return std::int64_t{item.states[0].ex
 std::int64_t price_of(const Model& model, const Clash& clash, const Demand& demand) {
   if (demand.kind == Demand::Kind::kItem) {
     const Item& item = model.items[demand.index];
-    if (item.is_opening() || item.fixed) return kFixed;
+    if (item.is_opening() || item.fixed || item.locked) return kFixed;
     return (item.object->assumed ? kAssumedObject : kObject) - 1000 * std::min<std::int64_t>(rank_of(model, demand.index), 100);
   }
   if (const Relation* relation = relation_of(model, demand))
     return (relation->assumed ? kAssumedRelation : kRelation + relation->weight * 10);
+  if (model.constraints[demand.index].firmness == Firmness::kHard) return kLock;
   const bool said =
       std::any_of(clash.demands.begin(), clash.demands.end(), [&](const Demand& d) { return relation_of(model, d) != nullptr; });
   return said || clash.demands.size() == 1 ? kImplied : kImpliedLast;
 }
 
 std::vector<int> least_missed_first(const Model& model, std::vector<int> items) {
-  std::erase_if(items, [&](int i) { return model.items[i].is_opening() || model.items[i].fixed; });
+  std::erase_if(items, [&](int i) { return model.items[i].is_opening() || model.items[i].fixed || model.items[i].locked; });
   const auto key = [&](int i) {
     const Item& item = model.items[i];
     return std::tuple(!item.object->assumed, rank_of(model, i) == 0, footprint(item), -i);

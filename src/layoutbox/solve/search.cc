@@ -10,6 +10,9 @@ namespace {
 constexpr std::int64_t kPoint = 1000;
 constexpr std::size_t kWatchedTries = 160;
 constexpr int kEjectionsPerItem = 6;
+constexpr std::int64_t kStayingNoise = 40;  // an earlier layout makes every metre so much dearer
+
+bool stays(const Item& item) { return item.fixed || item.locked || (item.is_opening() && item.opening->offset); }
 
 }  // namespace
 
@@ -66,7 +69,7 @@ std::vector<int> Search::order() const {
       if (constraint.relation < 0 || constraint.firmness != Firmness::kHard) continue;
       at_wall_by_relation |= relation_row(model_.scene->relations[constraint.relation].type).group == RelationGroup::kRoomGroup;
     }
-    if (item.fixed || (item.is_opening() && item.opening->offset)) {
+    if (stays(item)) {
       key.group = 0;
     } else if (at_wall_by_relation && item.mount == Mount::kFloor) {
       key.group = 1;
@@ -131,12 +134,47 @@ bool Search::try_order(const std::vector<int>& order, Budget& budget) {
   return failed_.empty();
 }
 
+// Is the room there free, and does all that is asked of it hold, as far as the others are placed?
+bool Search::may_stay(int item, const Placement& placement) const {
+  const Box box = box_of(model_.items[item], placement);
+  if (!model_.items[item].is_opening() && !(intersection(box, model_.room) == box)) return false;
+  if (!finder_.legal(placements_, item, placement)) return false;
+  Placements probe = placements_;
+  probe[item] = placement;
+  for (const int c : model_.touching[item]) {
+    if (!finder_.enforced(c)) continue;
+    for (const Formula& formula : model_.constraints[c].formulas) {
+      if (formula.cases.empty()) return false;
+      if (all_placed(formula, probe) && miss_of(model_, formula, probe) > 0) return false;
+    }
+  }
+  return true;
+}
+
+// What can stay where an earlier layout had it stays; then everything else looks for a place near.
+bool Search::try_start(const std::vector<int>& order, Budget& budget) {
+  std::fill(placements_.begin(), placements_.end(), Placement{});
+  failed_.clear();
+  std::vector<int> rest;
+  for (const int item : order) {
+    if (model_.start[item].state >= 0 && may_stay(item, model_.start[item])) {
+      placements_[item] = model_.start[item];
+    } else {
+      rest.push_back(item);
+    }
+  }
+  for (const int item : rest) {
+    if (!place(item, 0, budget)) failed_.push_back(item);
+  }
+  return failed_.empty();
+}
+
 // Takes an item and what hangs on it out, and puts them in the queue, hosts first.
 void Search::take_out(int item, std::vector<int>& queue) {
   std::vector<int> group;
   group_of(item, true, group);
   for (const int member : group) {
-    if (model_.items[member].fixed) continue;
+    if (model_.items[member].fixed || model_.items[member].locked) continue;
     placements_[member] = {};
     if (std::find(queue.begin(), queue.end(), member) == queue.end()) queue.push_back(member);
   }
@@ -148,8 +186,7 @@ bool Search::repair(Budget& budget) {
   std::vector<std::int64_t> price(model_.items.size());
   for (std::size_t i = 0; i < price.size(); ++i) {
     const Item& item = model_.items[i];
-    const bool stays = item.fixed || (item.is_opening() && item.opening->offset);
-    price[i] = stays ? -1 : kPoint * (100 + std::int64_t{item.states[0].extent[0]} * item.states[0].extent[1] / 10000);
+    price[i] = stays(item) ? -1 : kPoint * (100 + std::int64_t{item.states[0].extent[0]} * item.states[0].extent[1] / 10000);
   }
   const Placements before = placements_;
   const int limit = kEjectionsPerItem * static_cast<int>(model_.items.size()) + 20;
@@ -200,7 +237,7 @@ bool Search::construct(const std::vector<char>& left_out, int restarts, Budget& 
   Placements best;
   std::vector<int> best_failed;
   for (int attempt = 0; attempt <= restarts; ++attempt) {
-    if (try_order(order(), budget) || repair(budget)) return true;
+    if ((model_.start.empty() ? try_order(order(), budget) : try_start(order(), budget)) || repair(budget)) return true;
     if (best.empty() || failed_.size() < best_failed.size()) best = placements_, best_failed = failed_;
     if (budget.spent()) break;
     bonus_[failed_[0]] += 1 + attempt / 4;
@@ -262,7 +299,7 @@ void Search::improve(Budget& budget) {
   std::vector<int> movable;
   for (std::size_t i = 0; i < model_.items.size(); ++i) {
     const Item& item = model_.items[i];
-    if (placements_[i].state >= 0 && !item.fixed && !(item.is_opening() && item.opening->offset)) movable.push_back(static_cast<int>(i));
+    if (placements_[i].state >= 0 && !stays(item)) movable.push_back(static_cast<int>(i));
   }
   if (movable.empty()) return;
   ways_ = ways_cost(model_, placements_);
@@ -281,7 +318,8 @@ void Search::improve(Budget& budget) {
         if (std::find(group.begin(), group.end(), m) == group.end()) group.push_back(m);
       }
     }
-    const std::int64_t noise = sweep || random_.below(3) == 0 ? 0 : kPoint * (50 + 50 * random_.below(8));
+    std::int64_t noise = sweep || random_.below(3) == 0 ? 0 : kPoint * (50 + 50 * random_.below(8));
+    if (!model_.start.empty()) noise *= kStayingNoise;
     idle = move(group, noise, budget) ? 0 : idle + 1;
   }
 }

@@ -33,6 +33,8 @@ class Search {
   std::vector<int> order() const;
   std::vector<int> depends_on(int item) const;
   bool try_order(const std::vector<int>& order, Budget& budget);
+  bool try_start(const std::vector<int>& order, Budget& budget);
+  bool may_stay(int item, const Placement& placement) const;
   bool place(int item, std::int64_t noise, Budget& budget);
   bool watched_fit(int item, Budget& budget);
   bool repair(Budget& budget);

@@ -12,6 +12,7 @@
 #include "layoutbox/solve/conflict.h"
 #include "layoutbox/solve/cost.h"
 #include "layoutbox/solve/cp_sat/library.h"
+#include "layoutbox/solve/guide.h"
 #include "layoutbox/solve/relax.h"
 #include "layoutbox/solve/search.h"
 #include "layoutbox/solve/to_layout.h"
@@ -72,7 +73,8 @@ class Solver {
     for (std::size_t round = 0; round <= model_.constraints.size() + model_.items.size(); ++round) {
       if (interrupted()) return fail(ErrorCode::kInterrupted, "stopped");
       if (fallback_) return {};
-      const std::vector<Clash> sums = clashes_by_sums(model_, given_up_, left_out_);
+      std::vector<Clash> sums = clashes_of_locks(model_, given_up_, left_out_);
+      if (sums.empty()) sums = clashes_by_sums(model_, given_up_, left_out_);
       if (!sums.empty()) {
         LAYOUTBOX_CHECK(give_up(sums[0]));  // one at a time: giving up the first may settle the others
         continue;
@@ -205,10 +207,17 @@ class Solver {
 
   // ---- too much in too little room
 
+  // The options of a model with fewer objects; nothing locked is ever left out.
+  ModelOptions guides() const {
+    ModelOptions options;
+    options.from = options_.from, options.locked = options_.locked, options.freed = options_.freed;
+    return options;
+  }
+
   // Does a search place everything but these? How many it fails to place.
   std::size_t unplaced_without(const std::vector<std::string>& ids) {
     const LessScene less = without_objects(scene(), ids);
-    const Result<Model> model = build_model(less.scene, catalog_);
+    const Result<Model> model = build_model(less.scene, catalog_, guides());
     if (!model) return asked_.objects.size();
     Search search(*model, given_up_in(*model), options_.seed, kAllSizes);
     Budget budget{0, std::max<std::int64_t>(budget_.limit / 4, kLeastSteps), budget_.stop, false};
@@ -251,7 +260,7 @@ class Solver {
       const std::string back = fewer[i - 1];
       fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i - 1));
       const LessScene less = without_objects(asked_, fewer);
-      const Result<Model> model = build_model(less.scene, catalog_);
+      const Result<Model> model = build_model(less.scene, catalog_, guides());
       if (!model) continue;
       Search search(*model, given_up_in(*model), options_.seed, kAllSizes);
       Budget budget{0, std::max<std::int64_t>(budget_.limit / 4, kLeastSteps), budget_.stop, false};
@@ -362,7 +371,7 @@ class Solver {
     LessScene less = without_objects(asked_, left_out_ids_);
     less_scene_ = std::make_unique<SceneGraph>(std::move(less.scene));
     lost_ = std::move(less.lost);
-    LAYOUTBOX_ASSIGN(model_, build_model(*less_scene_, catalog_));
+    LAYOUTBOX_ASSIGN(model_, build_model(*less_scene_, catalog_, guides()));
     size_to_model();
     for (const auto& [name, why] : relaxed_) soften(name);
     return {};
@@ -483,6 +492,7 @@ class Solver {
     if (layout.status == LayoutStatus::kSolved) layout.conflicts.clear();  // what seemed impossible was only not found
     double total = 0;
     for (const auto& [name, cost] : cost_terms(model_, placements_)) {
+      if (name == "stay") continue;
       layout.score_terms[name] = 1.0 / (1.0 + static_cast<double>(cost) / 1e6);
       total += static_cast<double>(cost) / 1e6;
     }
@@ -518,8 +528,24 @@ class Solver {
 
 Result<Layout> solve(const SceneGraph& scene, const Catalog& catalog, const SolveOptions& options) {
   if (options.effort <= 0 || !(options.time_limit_s > 0)) return fail(ErrorCode::kUsage, "effort and time limit must be positive");
-  LAYOUTBOX_ASSIGN(Model model, build_model(scene, catalog));
+  ModelOptions guides;
+  guides.from = options.from, guides.locked = options.locked, guides.freed = options.freed;
+  LAYOUTBOX_ASSIGN(Model model, build_model(scene, catalog, guides));
   return Solver(scene, catalog, options, std::move(model)).run();
+}
+
+Movement movement_between(const Layout& from, const Layout& to) {
+  constexpr double kSame = 0.6;  // mm, degrees
+  Movement sum;
+  for (const PlacedObject& now : to.objects) {
+    const PlacedObject* was = from.find_object(now.id);
+    if (was == nullptr) continue;
+    const double way = std::hypot(now.position[0] - was->position[0], now.position[1] - was->position[1]);
+    const bool turned = std::abs(std::remainder(now.rotation_deg - was->rotation_deg, 360)) > kSame;
+    sum.moved += way > kSame || turned || std::abs(now.position[2] - was->position[2]) > kSame;
+    sum.metres += way / 1000;
+  }
+  return sum;
 }
 
 Result<std::string> describe_cp_sat_library() {

@@ -3,6 +3,8 @@
 
 #include <atomic>
 #include <cstdint>
+#include <string>
+#include <vector>
 
 #include "layoutbox/base/result.h"
 #include "layoutbox/catalog/catalog.h"
@@ -28,13 +30,29 @@ struct SolveOptions {
   OnConflict on_conflict = OnConflict::kRelax;
   // Improve the soft score after the first legal layout. DEFAULT: true.
   bool improve = true;
+  // An earlier layout, legal or not, that guides: everything it has, by id, stays as near to its place there as can be (the sum of
+  // the ways things are moved counts before everything that makes rooms good), what stood on a thing stays in its place on that, and
+  // sizes and turns stay where the scene allows. Openings stay where the scene leaves their place open. Kept by the caller; may be null.
+  const Layout* from = nullptr;
+  // Ids of what stays exactly where it was in `from` (where there is none: at the scene's xform.pos), given up last of all: rather is another object left out.
+  std::vector<std::string> locked;
+  // Ids of what `from` has but shall look for a new place all the same.
+  std::vector<std::string> freed;
   // Set by another thread to stop; the best layout so far is returned if there is one, else Error kInterrupted. May be null.
   const std::atomic<bool>* stop = nullptr;
 };
 
 // REQUIRES: a normalised scene (catalog/normalize.h).
-// Errors: kInfeasible (with conflicts as details), kNotFound (limits reached without layout or proof), kNoSolver, kInterrupted.
+// Errors: kUsage (options out of range), kReference (a locked id that is not there), kInfeasible (with conflicts as details), kNotFound
+// (limits reached without layout or proof), kNoSolver, kInterrupted.
 Result<Layout> solve(const SceneGraph& scene, const Catalog& catalog, const SolveOptions& options = {});
+
+// How far things are from where `from` had them: how many stand elsewhere or otherwise, and the sum of their ways in metres.
+struct Movement {
+  int moved = 0;
+  double metres = 0;
+};
+Movement movement_between(const Layout& from, const Layout& to);
 
 // Is the CP-SAT library there and of the right version? A sentence with its path and version, or the reason why not (kNoSolver).
 Result<std::string> describe_cp_sat_library();

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "layoutbox/solve/cost.h"
+#include "layoutbox/solve/guide.h"
 
 namespace layoutbox::placement {
 namespace {
@@ -35,6 +36,16 @@ std::string supporter_of(const Model& model, int index, const Placements& placem
   }
 }
 
+// What was not moved keeps the very numbers it had: the solver's are whole millimetres and degrees.
+void keep_exactly(const Model& model, int index, const Placements& placements, PlacedObject& out) {
+  if (!unmoved(model, index, placements)) return;
+  if (const PlacedObject* earlier = model.from ? model.from->find_object(out.id) : nullptr) {
+    if (earlier->size != out.size) return;
+    for (int k = 0; k < 2; ++k) out.position[k] = earlier->position[k];
+    out.rotation_deg = earlier->rotation_deg;
+  }
+}
+
 PlacedObject placed_object(const Model& model, int index, const Placements& placements) {
   const Item& item = model.items[index];
   const SceneObject& object = *item.object;
@@ -47,6 +58,7 @@ PlacedObject placed_object(const Model& model, int index, const Placements& plac
   for (int k = 0; k < 2; ++k) out.position[k] = p.at[k] + state.extent[k] / 2.0;
   out.position[2] = p.at[2];
   out.rotation_deg = state.turn;
+  keep_exactly(model, index, placements, out);
   out.supported_by = supporter_of(model, index, placements);
   out.mount = item.mount;
   const bool on_item = model.find_item(out.supported_by) >= 0;

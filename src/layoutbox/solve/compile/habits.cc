@@ -347,6 +347,7 @@ class Habits {
 
   void keep_hint(int item) {
     const SceneObject& object = *model_.items[item].object;
+    if (!model_.start.empty() && model_.start[item].state >= 0) return;  // an earlier layout says more
     Formula f;
     Case& c = f.add();
     if (object.hint.rotation_deg) {
