@@ -34,7 +34,8 @@ struct SolveOptions {
   // the ways things are moved counts before everything that makes rooms good), what stood on a thing stays in its place on that, and
   // sizes and turns stay where the scene allows. Openings stay where the scene leaves their place open. Kept by the caller; may be null.
   const Layout* from = nullptr;
-  // Ids of what stays exactly where it was in `from` (where there is none: at the scene's xform.pos), given up last of all: rather is another object left out.
+  // Ids of what stays exactly where it was in `from` (where there is none: at the scene's xform.pos), given up last of all: rather is
+  // another object left out.
   std::vector<std::string> locked;
   // Ids of what `from` has but shall look for a new place all the same.
   std::vector<std::string> freed;
