@@ -61,11 +61,15 @@ int write_all(int fd, std::string_view bytes) {
   return 0;
 }
 
-// mkstemp makes files of mode 0600; ours get what open() would have given them.
+// mkstemp makes files of mode 0600; ours get what open() would have given them. Asked once: the question changes the mask for a moment,
+// which other threads must not see.
 mode_t usual_file_mode() {
-  const mode_t mask = ::umask(0);
-  ::umask(mask);
-  return 0666 & ~mask;
+  static const mode_t mode = [] {
+    const mode_t mask = ::umask(0);
+    ::umask(mask);
+    return 0666 & ~mask;
+  }();
+  return mode;
 }
 
 }  // namespace

@@ -107,6 +107,7 @@ int run(Flags& flags, bool prompt_given, const Console& console) {
   if (const Status ready = prepare(flags, console); !ready) return console.fail(ready.error());
   const auto catalog = flags.plan.load_catalog();
   if (!catalog) return console.fail(catalog.error());
+  flags.options.inputs.insert(flags.options.inputs.end(), catalog->inputs.begin(), catalog->inputs.end());
   const auto outcome = generate_room(flags, catalog->get());
   if (!outcome) return console.fail(outcome.error());
 

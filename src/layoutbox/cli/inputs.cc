@@ -10,6 +10,7 @@
 #include "layoutbox/catalog/room_size.h"
 #include "layoutbox/catalog/user_catalog.h"
 #include "layoutbox/cli/console.h"
+#include "layoutbox/pipeline/run_record.h"
 #include "layoutbox/scene/layout_scene.h"
 #include "layoutbox/scene/scene_json.h"
 
@@ -61,6 +62,7 @@ Status PlanFlags::apply(GenerateOptions& options) const {
   }
   if (!room_file.empty()) {
     LAYOUTBOX_ASSIGN(const std::string text, read_input(room_file));
+    options.inputs.push_back({"--room-file", room_file, content_key(text)});
     LAYOUTBOX_ASSIGN(options.shell, located(read_room(text, units), room_file));
   }
   return {};
@@ -70,6 +72,7 @@ Result<CatalogInUse> PlanFlags::load_catalog() const {
   CatalogInUse chosen;
   if (catalog_file.empty()) return chosen;
   LAYOUTBOX_ASSIGN(const std::string text, read_input(catalog_file));
+  chosen.inputs.push_back({catalog_only ? "--catalog-only" : "--catalog", catalog_file, content_key(text)});
   LAYOUTBOX_ASSIGN(UserCatalog user, located(read_user_catalog(text, units), catalog_file));
   chosen.own = with_articles(Catalog::builtin(), user, catalog_only ? CatalogMerge::kOnly : CatalogMerge::kAdd);
   chosen.notes = std::move(user.notes);

@@ -15,6 +15,7 @@ namespace layoutbox::cli {
 struct CatalogInUse {
   std::optional<Catalog> own;
   std::vector<Note> notes;  // what was inferred about the user's articles
+  std::vector<InputFile> inputs;
   const Catalog& get() const { return own ? *own : Catalog::builtin(); }
 };
 

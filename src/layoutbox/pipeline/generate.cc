@@ -138,9 +138,8 @@ class Run {
   // A missing or failing Blender costs the picture only: the error is kept beside the outcome.
   Status render() {
     begin();
-    const auto blender = find_blender();
-    auto made =
-        blender ? run_blender(*blender, folder_ / "blender.py", folder_, options_.render) : Result<RenderOutputs>(Failure(blender.error()));
+    const auto made = options_.draw ? options_.draw(folder_ / "blender.py", folder_, options_.render)
+                                    : draw_with_new_blender(folder_ / "blender.py", folder_, options_.render);
     if (made) {
       outcome_.blender_version = made->blender_version;
       std::string pictures;
@@ -185,6 +184,14 @@ Result<SceneGraph> prepare_scene(SceneGraph scene, const Catalog& catalog, const
   }
   return normalize_scene(std::move(scene), catalog, options.normalize);
 }
+
+Result<RenderOutputs> draw_with_new_blender(const std::filesystem::path& script, const std::filesystem::path& folder,
+                                            const RenderOptions& options) {
+  LAYOUTBOX_ASSIGN(const Blender blender, find_blender());
+  return run_blender(blender, script, folder, options);
+}
+
+bool is_output_name(std::string_view name) { return std::find(kOutputs.begin(), kOutputs.end(), name) != kOutputs.end(); }
 
 bool as_asked(const GenerateOutcome& outcome) {
   return outcome.layout.status == LayoutStatus::kSolved && outcome.layout.relaxed.empty() && outcome.report.passed;

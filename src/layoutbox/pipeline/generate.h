@@ -26,6 +26,15 @@ struct StageTime {
   std::string summary;  // "6 objects, 4 relations"
 };
 
+// A file besides the prompt that a run read: kept in run.json, so that it shows when one has changed.
+struct InputFile {
+  std::string option, file, key;  // "--catalog", its path, content_key() of its text
+};
+
+// Draws the pictures of a script that stands in a folder, into that folder.
+using DrawPictures =
+    std::function<Result<RenderOutputs>(const std::filesystem::path& script, const std::filesystem::path& folder, const RenderOptions&)>;
+
 struct GenerateOptions {
   PlanOptions plan;
   NormalizeOptions normalize;
@@ -38,6 +47,10 @@ struct GenerateOptions {
   VerifyOptions verify;
   // DEFAULT: true. False: no Blender is looked for; scene.blend and scene.png are not made.
   bool pictures = true;
+  // Who draws them; empty: a Blender that is looked for and started for this room alone.
+  DrawPictures draw;
+  // What else the room depends on. DEFAULT: none.
+  std::vector<InputFile> inputs;
   // Set by another thread or a signal to stop; what is finished is kept. May be null. Passed on to every stage.
   const std::atomic<bool>* stop = nullptr;
   // Called as each stage ends; may be empty.
@@ -67,6 +80,13 @@ Result<GenerateOutcome> generate_from_scene(SceneGraph scene, const Catalog& cat
 
 // The scene in the shell of `options`, with everything filled in: what solve() takes.
 Result<SceneGraph> prepare_scene(SceneGraph scene, const Catalog& catalog, const GenerateOptions& options);
+
+// What `draw` does where it is empty. Errors: those of find_blender() and run_blender().
+Result<RenderOutputs> draw_with_new_blender(const std::filesystem::path& script, const std::filesystem::path& folder,
+                                            const RenderOptions& options);
+
+// Is that the name of a file that a run writes?
+bool is_output_name(std::string_view name);
 
 // True when the room is what was asked for: solved, nothing hard given up, every required check passed.
 bool as_asked(const GenerateOutcome& outcome);

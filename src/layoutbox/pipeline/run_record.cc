@@ -1,6 +1,10 @@
 #include "layoutbox/pipeline/run_record.h"
 
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
+
+#include "layoutbox/scene/json_text.h"
 
 namespace layoutbox {
 namespace {
@@ -25,8 +29,15 @@ std::string_view name_of(Quality quality) {
   return "preview";
 }
 
+// Null where the scene says it.
+Json json_of(const Size& size) {
+  if (size.width == 0) return nullptr;
+  return {m_from_mm(size.width), m_from_mm(size.depth), m_from_mm(size.height)};
+}
+
 Json json_of(const GenerateOptions& options) {
-  return Json{{"seed", options.solve.seed},
+  return Json{{"room", json_of(options.normalize.room_size)},
+              {"seed", options.solve.seed},
               {"effort", options.solve.effort},
               {"timeLimit", options.solve.time_limit_s},
               {"onConflict", name_of(options.solve.on_conflict)},
@@ -35,18 +46,42 @@ Json json_of(const GenerateOptions& options) {
               {"size", {options.render.width, options.render.height}}};
 }
 
-Json json_of(const Error& error) {
-  Json json{{"code", error_code_name(error.code)}, {"message", error.message}, {"pointer", error.pointer}, {"hint", error.hint}};
-  for (const Error& detail : error.details) json["details"].push_back(json_of(detail));
+Json json_of(const std::vector<InputFile>& inputs) {
+  Json json = Json::array();
+  for (const InputFile& input : inputs) json.push_back({{"option", input.option}, {"file", input.file}, {"key", input.key}});
   return json;
 }
 
 }  // namespace
 
+Json json_of_error(const Error& error) {
+  Json json{{"code", error_code_name(error.code)}, {"message", error.message}, {"pointer", error.pointer}, {"hint", error.hint}};
+  for (const Error& detail : error.details) json["details"].push_back(json_of_error(detail));
+  return json;
+}
+
+std::string content_key(std::string_view text) {
+  std::uint64_t hash = 14695981039346656037u;  // FNV-1a
+  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211u;
+  return fmt::format("{:016x}", hash);
+}
+
+std::optional<RunState> state_of_same_run(std::string_view record, std::string_view prompt, const GenerateOptions& options) {
+  const auto json = parse_json(record);
+  if (!json || !json->is_object() || json->contains("pictureError")) return std::nullopt;
+  const auto is = [&json](const char* name, const nlohmann::json& value) { return json->value(name, nlohmann::json()) == value; };
+  if (!is("prompt", std::string(prompt)) || !is("options", json_of(options)) || !is("inputs", json_of(options.inputs))) return std::nullopt;
+  if (json->value("versions", nlohmann::json::object()).value("layoutbox", "") != program_version()) return std::nullopt;
+  if (is("status", "done")) return RunState::kDone;
+  if (is("status", "incomplete")) return RunState::kNotAsAsked;
+  return std::nullopt;
+}
+
 std::string write_run_record(std::string_view prompt, const GenerateOptions& options, const GenerateOutcome& outcome,
                              const Error* failure) {
   Json json{{"format", "layoutbox/run@1"}, {"prompt", prompt}, {"status", failure ? "failed" : as_asked(outcome) ? "done" : "incomplete"}};
   json["options"] = json_of(options);
+  json["inputs"] = json_of(options.inputs);
   json["versions"] = {{"layoutbox", program_version()}};
   if (!outcome.blender_version.empty()) json["versions"]["blender"] = outcome.blender_version;
   json["stages"] = Json::array();
@@ -59,8 +94,8 @@ std::string write_run_record(std::string_view prompt, const GenerateOptions& opt
   }
   json["files"] = outcome.files;
   json["modelRequests"] = Json::array();  // the offline planner asks no model
-  if (failure) json["error"] = json_of(*failure);
-  if (outcome.picture_error) json["pictureError"] = json_of(*outcome.picture_error);
+  if (failure) json["error"] = json_of_error(*failure);
+  if (outcome.picture_error) json["pictureError"] = json_of_error(*outcome.picture_error);
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

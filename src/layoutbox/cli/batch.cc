@@ -1,0 +1,117 @@
+#include "layoutbox/pipeline/batch.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <thread>
+
+#include "layoutbox/cli/commands.h"
+#include "layoutbox/cli/inputs.h"
+
+namespace layoutbox::cli {
+namespace {
+
+struct Flags {
+  std::string prompts, folder;
+  int jobs = 1;
+  bool no_render = false, force = false;
+  PlanFlags plan;
+  SolveFlags solve;
+  RenderFlags render;
+  BatchOptions options;
+};
+
+void tell(const Console& console, const BatchItem& item, std::size_t ended, std::size_t all) {
+  if (item.state == BatchState::kFailed && item.error) {
+    console.warn(fmt::format("{} (line {}): {}{}", item.id, item.line, item.error->message,
+                             item.error->hint.empty() ? "" : fmt::format(" ({})", item.error->hint)));
+  } else if (item.state == BatchState::kNotAsAsked) {
+    console.warn(fmt::format("{} (line {}): not as asked; its run.json and report.json say what", item.id, item.line));
+  }
+  console.progress("batch", static_cast<double>(ended) / static_cast<double>(all));
+}
+
+// "out: 24 rooms: 21 done (3 of them earlier), 2 not as asked, 1 failed; 12.3 s".
+std::string summary_line(const BatchOutcome& outcome, const std::string& folder) {
+  const std::size_t kept = outcome.kept();
+  std::string line = fmt::format("{}: {} rooms: {} done", folder, outcome.items.size(), outcome.count(BatchState::kDone));
+  line += fmt::format(", {} not as asked, {} failed", outcome.count(BatchState::kNotAsAsked), outcome.count(BatchState::kFailed));
+  if (kept > 0) line += fmt::format(", {} of them were there already", kept);
+  if (const std::size_t left = outcome.count(BatchState::kNotStarted)) line += fmt::format(", {} not started", left);
+  return line + fmt::format("; {:.1f} s", outcome.seconds);
+}
+
+// Stopped, part of it failed, or all that failed did so for want of something on this machine.
+int status_of(const BatchOutcome& outcome) {
+  if (outcome.stopped) return kStoppedByUser;
+  bool surroundings = false, other = outcome.count(BatchState::kNotAsAsked) > 0;
+  for (const BatchItem& item : outcome.items) {
+    if (item.state != BatchState::kFailed) continue;
+    const bool here = item.error && exit_status(*item.error) == kWrongSurroundings;
+    (here ? surroundings : other) = true;
+  }
+  if (other) return kNotAsAsked;
+  return surroundings ? kWrongSurroundings : kDone;
+}
+
+Status prepare(Flags& flags, const Console& console) {
+  GenerateOptions& options = flags.options.generate;
+  LAYOUTBOX_CHECK(flags.plan.apply(options));
+  LAYOUTBOX_CHECK(flags.solve.apply(options.solve));
+  LAYOUTBOX_CHECK(flags.render.apply(options.render));
+  options.pictures = !flags.no_render;
+  options.stop = &stop_flag();
+  flags.options.jobs = flags.jobs;
+  flags.options.force = flags.force;
+  flags.options.on_item = [&console](const BatchItem& item, std::size_t ended, std::size_t all) { tell(console, item, ended, all); };
+  return {};
+}
+
+Result<BatchOutcome> run_lines(Flags& flags, const Console& console) {
+  LAYOUTBOX_CHECK(prepare(flags, console));
+  LAYOUTBOX_ASSIGN(const std::string text, read_input(flags.prompts));
+  auto lines = read_batch(text);
+  if (!lines) {
+    Error error = lines.error();
+    error.pointer = flags.prompts == "-" ? "stdin" : flags.prompts;
+    return Failure(error);
+  }
+  LAYOUTBOX_ASSIGN(const CatalogInUse catalog, flags.plan.load_catalog());
+  console.notes(catalog.notes);
+  GenerateOptions& options = flags.options.generate;
+  options.inputs.insert(options.inputs.end(), catalog.inputs.begin(), catalog.inputs.end());
+  const auto planner = make_offline_planner(catalog.get());
+  return run_batch(*lines, *planner, catalog.get(), flags.folder, flags.options);
+}
+
+int run(Flags& flags, const Console& console) {
+  const auto outcome = run_lines(flags, console);
+  if (!outcome) return console.fail(outcome.error());
+  console.result(summary_line(*outcome, flags.folder), write_batch_summary(*outcome));
+  return status_of(*outcome);
+}
+
+}  // namespace
+
+void add_batch(CLI::App& app, Context& context) {
+  auto flags = std::make_shared<Flags>();
+  flags->jobs = static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u, 256u));
+  CLI::App* command = app.add_subcommand("batch", "Many rooms: a folder for every line of a file; goes on where it was stopped");
+  command
+      ->add_option(
+          "prompts", flags->prompts,
+          "Lines of {\"id\", \"prompt\"} (also room, units, seed, effort), a table with such columns, or a prompt a line; - reads stdin")
+      ->required();
+  command->add_option("-o,--output", flags->folder, "Folder for the rooms' folders and summary.json")->required();
+  command->add_option("-j,--jobs", flags->jobs, "How many rooms at a time (default: as many as there are cores)")
+      ->check(CLI::Range(1, 256));
+  command->add_flag("--force", flags->force, "Also make again what is there already");
+  command->add_flag("--no-render", flags->no_render, "Make no pictures: no Blender is needed");
+  flags->plan.add_to(*command);
+  flags->solve.add_to(*command, flags->options.generate.solve);
+  flags->render.add_to(*command);
+  command->callback([flags, &context] { context.status = run(*flags, context.console); });
+}
+
+}  // namespace layoutbox::cli
