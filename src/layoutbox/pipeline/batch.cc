@@ -179,7 +179,10 @@ class Batch {
   Result<RenderOutputs> draw_alone(const DrawPictures& draw, const fs::path& script, const fs::path& into, const RenderOptions& how) {
     const std::lock_guard guard(drawing_);
     if (stopped()) return fail(ErrorCode::kInterrupted, "stopped");
-    return draw ? draw(script, into, how) : draw_with_new_blender(script, into, how);
+    if (draw) return draw(script, into, how);
+    if (!blender_) blender_ = find_blender().map([](Blender found) { return BlenderServer(std::move(found)); });
+    if (!*blender_) return Failure(blender_->error());
+    return (*blender_)->render(script, into, how);
   }
 
   const std::vector<BatchLine>& lines_;
@@ -189,6 +192,7 @@ class Batch {
   BatchOptions options_;
   std::atomic<std::size_t> next_{0};
   std::mutex telling_, drawing_;
+  std::optional<Result<BlenderServer>> blender_;  // one for all rooms, from the first picture on
   std::size_t ended_ = 0;
   BatchOutcome outcome_;
 };

@@ -20,6 +20,13 @@ constexpr std::array kOutputs{"scene.json",    "layout.json",    "floorplan.svg"
                               "scene-eye.png", "scene-door.png", "scene-overlay.png", "scene-turntable.gif", "scene-turntable.mp4",
                               "mask.png",      "mask.json",      "run.json"};
 
+// A Blender that is started for this room alone.
+Result<RenderOutputs> draw_with_new_blender(const std::filesystem::path& script, const std::filesystem::path& folder,
+                                            const RenderOptions& options) {
+  LAYOUTBOX_ASSIGN(const Blender blender, find_blender());
+  return run_blender(blender, script, folder, options);
+}
+
 // One run: holds the folder, the clock and what has been made so far.
 class Run {
  public:
@@ -183,12 +190,6 @@ Result<SceneGraph> prepare_scene(SceneGraph scene, const Catalog& catalog, const
     scene.room.type = std::move(type);
   }
   return normalize_scene(std::move(scene), catalog, options.normalize);
-}
-
-Result<RenderOutputs> draw_with_new_blender(const std::filesystem::path& script, const std::filesystem::path& folder,
-                                            const RenderOptions& options) {
-  LAYOUTBOX_ASSIGN(const Blender blender, find_blender());
-  return run_blender(blender, script, folder, options);
 }
 
 bool is_output_name(std::string_view name) { return std::find(kOutputs.begin(), kOutputs.end(), name) != kOutputs.end(); }

@@ -81,10 +81,6 @@ Result<GenerateOutcome> generate_from_scene(SceneGraph scene, const Catalog& cat
 // The scene in the shell of `options`, with everything filled in: what solve() takes.
 Result<SceneGraph> prepare_scene(SceneGraph scene, const Catalog& catalog, const GenerateOptions& options);
 
-// What `draw` does where it is empty. Errors: those of find_blender() and run_blender().
-Result<RenderOutputs> draw_with_new_blender(const std::filesystem::path& script, const std::filesystem::path& folder,
-                                            const RenderOptions& options);
-
 // Is that the name of a file that a run writes?
 bool is_output_name(std::string_view name);
 

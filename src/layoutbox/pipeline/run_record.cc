@@ -35,6 +35,12 @@ Json json_of(const Size& size) {
   return {m_from_mm(size.width), m_from_mm(size.depth), m_from_mm(size.height)};
 }
 
+Json names_of(const std::vector<View>& views) {
+  Json json = Json::array();
+  for (const View view : views) json.push_back(name_of(view));
+  return json;
+}
+
 Json json_of(const GenerateOptions& options) {
   return Json{{"room", json_of(options.normalize.room_size)},
               {"seed", options.solve.seed},
@@ -43,7 +49,11 @@ Json json_of(const GenerateOptions& options) {
               {"onConflict", name_of(options.solve.on_conflict)},
               {"pictures", options.pictures},
               {"quality", name_of(options.render.quality)},
-              {"size", {options.render.width, options.render.height}}};
+              {"size", {options.render.width, options.render.height}},
+              {"views", names_of(options.render.views)},
+              {"overlay", options.render.overlay},
+              {"mask", options.render.object_mask},
+              {"turntable", options.render.turntable}};
 }
 
 Json json_of(const std::vector<InputFile>& inputs) {
