@@ -465,9 +465,12 @@ class Builder {
         if (target.items.size() > hosts.size()) {
           add_group(link, {R::kAround, Direction::kDirect, {}, {}, {}}, target.items, hosts, nullptr);
         } else {
+          // A school desk looks away from who sits at it.
+          const bool behind = host.entry != nullptr && host.entry->used_sides == std::vector<Side>{Side::kBack};
           for (std::size_t t = 0; t < target.items.size(); ++t) {
-            add(link, R::kInFrontOf, {id(target.items[t])}, {id(hosts[std::min(t, hosts.size() - 1)])});
-            add(link, R::kFacing, {id(target.items[t])}, {id(hosts[std::min(t, hosts.size() - 1)])});
+            const std::string& desk = id(hosts[std::min(t, hosts.size() - 1)]);
+            add(link, behind ? R::kTuckedUnder : R::kInFrontOf, {id(target.items[t])}, {desk});
+            if (!behind) add(link, R::kFacing, {id(target.items[t])}, {desk});
           }
         }
       } else if ((may_carry(catalog_, host, thing) || (link.holding && shows(link))) && !(mount == Mount::kWall && !link.holding)) {

@@ -1,6 +1,8 @@
 // What the catalogue knows of good rooms, as soft constraints in the same small form as the relations.
 #include <cmath>
+#include <optional>
 
+#include "layoutbox/solve/compile/formation.h"
 #include "layoutbox/solve/compile/phrases.h"
 
 namespace layoutbox::placement {
@@ -8,7 +10,11 @@ namespace {
 
 // Points per metre missed; docs/solve.md says where they come from.
 constexpr int kBackToWall = 900, kBeside = 500, kFaces = 600, kAtWall = 150, kRug = 300, kHint = 800, kOpeningPlace = 80, kHangs = 200,
-              kSits = 400, kCurtain = 900, kMiddle = 40, kLight = 25;
+              kSits = 400, kCurtain = 900, kMiddle = 40, kLight = 25, kFormation = 300;
+
+constexpr Mm kRugBeyondFoot = 500;
+constexpr std::size_t kMany = 4;
+constexpr std::int64_t kManySize = 3'000'000;  // mm²: larger things are no crowd
 
 const std::vector<std::string> kUnderPictures{"fireplace", "bed",  "sofa",     "sideboard", "console_table",
                                               "dresser",   "desk", "tv_stand", "cabinet"};
@@ -52,7 +58,7 @@ class Habits {
       case Mount::kFloor: break;
     }
     if (item.thin) {
-      if (!placed_by_relation(index)) lie_under(index);
+      if (!placed_by_relation(index) && !stand_in_formation(index)) lie_under(index);
       return;
     }
     stand(index);
@@ -62,8 +68,10 @@ class Habits {
   void stand(int index) {
     const Item& item = model_.items[index];
     sit_on_host(index);
-    const bool with_host = stand_beside(index);
+    const bool formed = stand_in_formation(index);
+    const bool with_host = !formed && stand_beside(index);
     look_at(index);
+    if (formed) return;
     if (item.entry->back_to_wall) {
       back_to_wall(index);
     } else if (!with_host && !placed_by_relation(index)) {
@@ -179,10 +187,13 @@ class Habits {
     const Item& ref = model_.items[host];
     Formula f;
     if (is_table_seat(self) && has_knee_room(ref)) {
-      for (const Side side : {Side::kFront, Side::kBack, Side::kLeft, Side::kRight}) {
-        if (!ref.has_front || side == used_side(ref)) add_tucked(f, model_, item, host, side, 50, self.states[0].size.depth * 6 / 10);
-      }
-    } else if (before_its_host(item)) {
+      const std::vector<int> seats = seats_at(item, host, static_cast<int>(hosts.size()));
+      const auto k = std::find(seats.begin(), seats.end(), item) - seats.begin();
+      add_seat_place(f, model_, item, host, static_cast<int>(k), static_cast<int>(seats.size()), kBeside);
+      habit("at table", item, kBeside, std::move(f), {host});
+      return true;
+    }
+    if (before_its_host(item)) {
       add_beyond(f, model_, item, host, Side::kFront, 600, model_.is_a(item, "coffee_table") ? 400 : 100);
     } else {
       add_beyond(f, model_, item, host, Side::kLeft, 500, 60);
@@ -192,13 +203,88 @@ class Habits {
         add_beyond(f, model_, item, host, Side::kBack, 500, 60);
       }
     }
+    // Near is what makes them belong together; the free floor wanted at the host's sides would push them off.
+    for (Case& c : f.cases) {
+      if (!c.wishes.empty()) c.wishes[0].weight = kBeside;
+    }
     habit("beside", item, kBeside, std::move(f), {host});
+    if (ref.has_front && !before_its_host(item) && !is_table_seat(self)) flank(item, host, static_cast<int>(hosts.size()));
     return true;
+  }
+
+  // Two of a kind by the same host stand one at each side: nightstands, speakers, plants.
+  void flank(int item, int host, int hosts) {
+    const int rank = rank_of(item);
+    if (rank / hosts % 2 == 0) return;
+    int twin = 0;
+    while (model_.items[twin].entry != model_.items[item].entry || rank_of(twin) != rank - hosts) ++twin;
+    if (model_.items[twin].fixed || related(twin, host)) return;
+    Formula f;
+    for_each_turn(model_.items[host], [&](int turn, std::uint64_t states) {
+      const Direction right = side_direction(model_.items[host], Side::kRight, turn);
+      for (const int sign : {1, -1}) {
+        const auto beyond = [&](int one, int towards) { return towards * (mid2(one, right.axis) - mid2(host, right.axis)); };
+        f.add().when(host, states).require(beyond(item, sign)).require(beyond(twin, -sign));
+      }
+    });
+    habit("other side", item, kBeside, std::move(f), {host, twin});
   }
 
   static Side used_side(const Item& item) {
     const std::vector<Side> used = used_sides(item);
     return used.empty() ? Side::kFront : used[0];
+  }
+
+  // All of the item's kind that no relation ties to the host and that share it.
+  std::vector<int> seats_at(int item, int host, int hosts) const {
+    std::vector<int> seats;
+    for (std::size_t i = 0; i < model_.items.size(); ++i) {
+      const int other = static_cast<int>(i);
+      if (model_.items[i].entry == model_.items[item].entry && rank_of(other) % hosts == rank_of(item) % hosts && !related(other, host))
+        seats.push_back(other);
+    }
+    return seats;
+  }
+
+  // The things of a kind that stand in formation: asked for as a grid, or many that nobody placed.
+  struct Group {
+    std::vector<int> members;
+    int columns = 0;
+  };
+  std::optional<Group> formation_with(int item) const {
+    for (const Relation& r : model_.scene->relations) {
+      if (r.type != RelationType::kGrid || std::find(r.targets.begin(), r.targets.end(), model_.items[item].id) == r.targets.end()) continue;
+      Group group{{}, r.parameters.columns.value_or(static_cast<int>(std::ceil(std::sqrt(static_cast<double>(r.targets.size())))))};
+      for (const std::string& id : r.targets) group.members.push_back(model_.find_item(id));
+      return group;
+    }
+    const Item& self = model_.items[item];
+    if (self.mount != Mount::kFloor || self.entry->back_to_wall || area_of(self) > kManySize) return std::nullopt;
+    if (!self.entry->beside.empty() && !has_knee_room(self)) return std::nullopt;
+    Group group;
+    for (std::size_t i = 0; i < model_.items.size(); ++i) {
+      const int other = static_cast<int>(i);
+      if (model_.items[i].entry == self.entry && !model_.items[i].fixed && !placed_besides_facing(other)) group.members.push_back(other);
+    }
+    if (group.members.size() < kMany || std::find(group.members.begin(), group.members.end(), item) == group.members.end()) return std::nullopt;
+    return group;
+  }
+
+  bool placed_besides_facing(int item) const {
+    return std::any_of(model_.scene->relations.begin(), model_.scene->relations.end(), [&](const Relation& r) {
+      return r.type != RelationType::kFacing && std::find(r.targets.begin(), r.targets.end(), model_.items[item].id) != r.targets.end();
+    });
+  }
+
+  bool stand_in_formation(int item) {
+    const std::optional<Group> group = formation_with(item);
+    if (!group) return false;
+    const int k = static_cast<int>(std::find(group->members.begin(), group->members.end(), item) - group->members.begin());
+    Formula f;
+    add_formation_place(f, model_, group->members, k, group->columns, kFormation);
+    if (f.cases.empty()) return false;
+    habit("in formation", item, kFormation, std::move(f), k > 0 ? std::vector<int>{group->members[0]} : std::vector<int>{});
+    return true;
   }
 
   bool before_its_host(int item) const {
@@ -225,16 +311,33 @@ class Habits {
     }
   }
 
-  // A rug lies under what stands in the middle of things, else in the middle of the room.
+  // A rug lies under what stands in the middle of things, else in the middle of the room; a bed would hide it, so there it shows at
+  // both sides and beyond the foot.
   void lie_under(int item) {
     const std::vector<int> over = items_of_kinds(kOnRugs, item);
     Formula f;
+    if (!over.empty() && has_family(model_.items[over[rank_of(item) % static_cast<int>(over.size())]], {"bed"})) {
+      lie_at_foot(item, over[rank_of(item) % static_cast<int>(over.size())]);
+      return;
+    }
     Case& c = f.add();
     std::vector<int> hosts;
     if (!over.empty()) hosts.push_back(over[rank_of(item) % static_cast<int>(over.size())]);
     for (int axis = 0; axis < 2; ++axis)
       c.wish(mid2(item, axis) - (hosts.empty() ? room_mid2(model_, axis) : mid2(hosts[0], axis)), kRug, 2);
     habit("rug", item, kRug, std::move(f), hosts);
+  }
+
+  void lie_at_foot(int item, int bed) {
+    Formula f;
+    for_each_turn(model_.items[bed], [&](int turn, std::uint64_t states) {
+      const Direction foot = side_direction(model_.items[bed], Side::kFront, turn);
+      Case& c = f.add().when(bed, states);
+      if (const std::uint64_t along = model_.items[item].states_at(turn)) c.when(item, along);
+      c.wish(mid2(item, across(foot)) - mid2(bed, across(foot)), kRug, 2);
+      c.wish(reach(item, foot) - reach(bed, foot) - Linear(kRugBeyondFoot), kRug);
+    });
+    habit("rug", item, kRug, std::move(f), {bed});
   }
 
   void hang_from_ceiling(int item) {

@@ -301,6 +301,7 @@ void add_tucked(Formula& f, const Model& model, int t, int r, Side side, Mm unde
     Case& in = f.add().when(r, states).when(t, facing);
     const Linear gap = gap_towards(t, r, d);
     in.require(Linear(-under) - gap).require(reach(t, d) - reach(r, d));
+    in.require(-2 * reach(t, opposite(d)) - d.sign * mid2(r, d.axis));  // not past the middle of the table
     in.require(lo(t, across(d)) - lo(r, across(d))).require(hi(r, across(d)) - hi(t, across(d)));
     in.wish(gap + Linear(wished_under), 60).wish(mid2(t, across(d)) - mid2(r, across(d)), 60, 2);
   });
