@@ -231,11 +231,13 @@ void CandidateFinder::cut(const Placements& placements, int item, int state, con
   const auto offer = [&](int axis, std::int64_t value) {
     if (value >= region.lo[axis] && value <= region.hi[axis]) grid.values[axis].push_back(static_cast<Mm>(value));
   };
+  std::array<std::vector<Mm>, 3> wished;  // always tried, however many others there are
   const auto offer_zero = [&](const Partial& form, bool clamp) {
     const int axis = form.axis();
     if (axis < 0) return;
     const std::int64_t value = floor_div(-form.constant, form.coefficient[axis]);
-    offer(axis, clamp ? std::clamp<std::int64_t>(value, region.lo[axis], region.hi[axis]) : value);
+    if (!clamp) return offer(axis, value);
+    wished[axis].push_back(static_cast<Mm>(std::clamp<std::int64_t>(value, region.lo[axis], region.hi[axis])));
   };
   for (int axis = 0; axis < 3; ++axis) {
     grid.values[axis].clear();
@@ -277,13 +279,20 @@ void CandidateFinder::cut(const Placements& placements, int item, int state, con
       for (const Box& part : own.solids) beside(body.shifted(placements[j].at), part);
     }
   }
-  for (std::vector<Mm>& values : grid.values) {
-    std::sort(values.begin(), values.end());
-    values.erase(std::unique(values.begin(), values.end()), values.end());
-    if (values.size() <= most) continue;
-    std::vector<Mm> fewer;  // evenly over all of them, both ends kept
-    for (std::size_t i = 0; i < most; ++i) fewer.push_back(values[i * (values.size() - 1) / (most - 1)]);
-    values = std::move(fewer);
+  for (int axis = 0; axis < 3; ++axis) {
+    std::vector<Mm>& values = grid.values[axis];
+    const auto in_order = [&] {
+      std::sort(values.begin(), values.end());
+      values.erase(std::unique(values.begin(), values.end()), values.end());
+    };
+    in_order();
+    if (values.size() > most) {
+      std::vector<Mm> fewer;  // evenly over all of them, both ends kept
+      for (std::size_t i = 0; i < most; ++i) fewer.push_back(values[i * (values.size() - 1) / (most - 1)]);
+      values = std::move(fewer);
+    }
+    values.insert(values.end(), wished[axis].begin(), wished[axis].end());
+    in_order();
   }
 }
 

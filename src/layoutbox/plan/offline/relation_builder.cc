@@ -1,6 +1,7 @@
 #include "layoutbox/plan/offline/relation_builder.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "layoutbox/plan/offline/knowledge.h"
 
@@ -538,8 +539,28 @@ class Builder {
     }
   }
 
+  // Rows of desks that face a board look its way; only those before it look straight at it.
+  void face_as_group() {
+    for (const Relation& grid : scene_.relations) {
+      if (grid.type != R::kGrid || grid.targets.size() < 2) continue;
+      const std::size_t n = grid.targets.size();
+      const std::size_t columns = static_cast<std::size_t>(
+          grid.parameters.columns.value_or(static_cast<int>(std::ceil(std::sqrt(static_cast<double>(n))))));
+      const std::string& middle = grid.targets[(columns - 1) / 2];
+      for (Relation& facing : scene_.relations) {
+        if (facing.type != R::kFacing || facing.targets.size() != 1) continue;
+        const auto at = std::find(grid.targets.begin(), grid.targets.end(), facing.targets[0]) - grid.targets.begin();
+        const std::size_t column = static_cast<std::size_t>(at) % columns;
+        if (static_cast<std::size_t>(at) == n || column == (columns - 1) / 2 || column == columns / 2) continue;
+        facing.type = R::kSameOrientation;
+        facing.references = {middle};
+      }
+    }
+  }
+
   // What a reader takes for granted; soft, and marked as ours.
   void add_habits() {
+    face_as_group();
     const std::size_t said = scene_.relations.size();
     for (std::size_t r = 0; r < said; ++r) {
       const Relation relation = scene_.relations[r];

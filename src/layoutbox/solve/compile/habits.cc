@@ -68,10 +68,9 @@ class Habits {
   void stand(int index) {
     const Item& item = model_.items[index];
     sit_on_host(index);
-    const bool formed = stand_in_formation(index);
-    const bool with_host = !formed && stand_beside(index);
-    look_at(index);
-    if (formed) return;
+    if (stand_in_formation(index)) return;
+    const bool with_host = stand_beside(index);
+    if (!with_host || !is_table_seat(item)) look_at(index);
     if (item.entry->back_to_wall) {
       back_to_wall(index);
     } else if (!with_host && !placed_by_relation(index)) {
@@ -284,6 +283,7 @@ class Habits {
     add_formation_place(f, model_, group->members, k, group->columns, kFormation);
     if (f.cases.empty()) return false;
     habit("in formation", item, kFormation, std::move(f), k > 0 ? std::vector<int>{group->members[0]} : std::vector<int>{});
+    if (k == 0) look_at(item);  // the others turn as it does
     return true;
   }
 
