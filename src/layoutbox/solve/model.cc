@@ -84,8 +84,10 @@ Box box_of_space(const Space& space, const Box& own) {
   for (int k = 0; k < 3; ++k) {
     box.lo[k] = std::max(own.lo[k], static_cast<Mm>(std::ceil(space.min[k] - 1e-6)));
     box.hi[k] = std::min(own.hi[k], static_cast<Mm>(std::floor(space.max[k] + 1e-6)));
+    // Odd sizes have their sides at half millimetres: what is open to a side stays open.
+    if (std::abs(space.min[k] - own.lo[k]) < 1.5) box.lo[k] = own.lo[k];
+    if (std::abs(space.max[k] - own.hi[k]) < 1.5) box.hi[k] = own.hi[k];
   }
-  if (std::abs(space.max[2] - own.hi[2]) < 1.5) box.hi[2] = own.hi[2];
   return box;
 }
 

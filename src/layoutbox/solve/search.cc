@@ -51,16 +51,32 @@ std::vector<int> Search::depends_on(int item) const {
   return found;
 }
 
+// Hard relations that tie an item to things of another kind: of a row or grid, those go first and the others follow them.
+int Search::anchors_of(int item) const {
+  int anchors = 0;
+  for (const int c : model_.touching[item]) {
+    const Constraint& constraint = model_.constraints[c];
+    if (constraint.relation < 0 || constraint.firmness != Firmness::kHard) continue;
+    const Relation& relation = model_.scene->relations[constraint.relation];
+    if (std::find(relation.targets.begin(), relation.targets.end(), model_.items[item].id) == relation.targets.end()) continue;
+    anchors += std::any_of(relation.references.begin(), relation.references.end(), [&](const std::string& id) {
+      const int other = model_.find_item(id);
+      return other >= 0 && model_.items[other].entry != model_.items[item].entry;
+    });
+  }
+  return anchors;
+}
+
 std::vector<int> Search::order() const {
   struct Key {
-    int item, bonus, group;
+    int item, bonus, group, anchors;
     std::int64_t area;
   };
   std::vector<Key> keys;
   for (std::size_t i = 0; i < model_.items.size(); ++i) {
     const Item& item = model_.items[i];
     if (left_out_[i]) continue;
-    Key key{static_cast<int>(i), bonus_[i], 3, 0};
+    Key key{static_cast<int>(i), bonus_[i], 3, anchors_of(static_cast<int>(i)), 0};
     const Vec3& e = item.states[0].extent;
     key.area = std::int64_t{e[0]} * e[1];
     bool at_wall_by_relation = false;
@@ -83,7 +99,8 @@ std::vector<int> Search::order() const {
     keys.push_back(key);
   }
   std::stable_sort(keys.begin(), keys.end(), [](const Key& a, const Key& b) {
-    return std::tuple(a.group != 0, -a.bonus, a.group, -a.area, a.item) < std::tuple(b.group != 0, -b.bonus, b.group, -b.area, b.item);
+    return std::tuple(a.group != 0, -a.bonus, a.group, -a.area, -a.anchors, a.item) <
+           std::tuple(b.group != 0, -b.bonus, b.group, -b.area, -b.anchors, b.item);
   });
   std::vector<int> out;
   std::vector<char> seen(model_.items.size(), 0);

@@ -30,6 +30,7 @@ class Search {
   const std::vector<int>& failed() const { return failed_; }
 
  private:
+  int anchors_of(int item) const;
   std::vector<int> order() const;
   std::vector<int> depends_on(int item) const;
   bool try_order(const std::vector<int>& order, Budget& budget);

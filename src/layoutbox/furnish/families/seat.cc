@@ -221,7 +221,7 @@ void office_chair(Piece& p) {
   for (const double x : {-1.0, 1.0}) {
     const double width = std::max(0.025, std::min(0.07, x < 0 ? s.left + p.w / 2 : p.w / 2 - s.right)),
                  x0 = x < 0 ? -p.w / 2 : p.w / 2 - width;
-    const double z = std::min(p.h * 0.75, s.level + 0.22);
+    const double z = std::min(p.h * 0.675, s.level + 0.22);  // low enough to go under a desk
     p.add(dark, rounded_box(sides(x0, x0 + width, -p.d * 0.2, p.d * 0.2, z - 0.03, z), 0.012, 2));
     const double xc = x0 + width / 2;
     p.add(dark, box(sides(xc - 0.012, xc + 0.012, -0.03, 0.03, s.level - 0.1, z - 0.03), 0.004));

@@ -53,25 +53,22 @@ void add_formation_place(Formula& f, const Model& model, const std::vector<int>&
   const int first = group[0], item = group[k], n = static_cast<int>(group.size());
   const auto [gap_across, gap_deep] = gaps_of(model.items[first]);
   const Size& size = model.items[first].states[0].size;
-  const auto add = [&](int row_axis, std::uint64_t first_states, std::uint64_t own_states) {
+  const auto add = [&](int row_axis, std::uint64_t states) {
     const int deep_axis = 1 - row_axis;
     const Formation form = formation_of(n, size, gap_across, gap_deep, model.room.extent(row_axis), model.room.extent(deep_axis), columns);
     if (form.columns == 0) return;
     const int rows = (n + form.columns - 1) / form.columns, row = k / form.columns, column = k % form.columns;
     Case& c = f.add();
-    if (first_states && item != first) c.when(first, first_states);
-    if (own_states) c.when(item, own_states);
+    if (states) c.when(item, states);
     const auto wish_at = [&](int axis, std::int64_t twice) {  // twice the way from the room's middle
       c.wish(mid2(item, axis) - Linear(std::int64_t{model.room.lo[axis]} + model.room.hi[axis] + twice), weight, 2);
     };
     wish_at(row_axis, std::int64_t{form.across} * (2 * column - (form.columns - 1)));
     wish_at(deep_axis, std::int64_t{form.deep} * (2 * row - (rows - 1)));
   };
-  if (!model.items[first].has_front) return add(0, 0, states_with_width_along(model.items[item], 0));
-  // The places do not depend on which of two opposite ways all look, so that they can turn about one by one.
-  for_each_turn(model.items[first], [&](int turn, std::uint64_t states) {
-    if (turn % 90 == 0) add(turn % 180 == 0 ? 0 : 1, states, model.items[item].states_at(turn));
-  });
+  if (!model.items[first].has_front) return add(0, states_with_width_along(model.items[item], 0));
+  // The places speak of nothing but the item itself, so that they hold whichever of the group comes first.
+  for (const int row_axis : {0, 1}) add(row_axis, states_with_width_along(model.items[item], row_axis));
 }
 
 void add_seat_place(Formula& f, const Model& model, int seat, int table, int k, int n, int weight) {

@@ -125,6 +125,34 @@ class Habits {
     });
   }
 
+  bool only_related_by(int a, int b, std::initializer_list<RelationType> types) const {
+    const auto has = [](const std::vector<std::string>& ids, const std::string& id) {
+      return std::find(ids.begin(), ids.end(), id) != ids.end();
+    };
+    const std::string &x = model_.items[a].id, &y = model_.items[b].id;
+    return std::none_of(model_.scene->relations.begin(), model_.scene->relations.end(), [&](const Relation& r) {
+      const bool both = (has(r.targets, x) && has(r.references, y)) || (has(r.targets, y) && has(r.references, x));
+      return both && std::find(types.begin(), types.end(), r.type) == types.end();
+    });
+  }
+
+  // What a relation leaves open between things that belong together: a chair stands close to its desk, a bench along the bed's foot.
+  void come_near(int item, int host) {
+    const Item &self = model_.items[item], &ref = model_.items[host];
+    const bool at_desk = is_table_seat(self) && has_knee_room(ref) && ref.has_front && used_side(ref) == Side::kFront &&
+                         only_related_by(item, host, {RelationType::kInFrontOf, RelationType::kFacing, RelationType::kCenteredOn});
+    const bool at_foot = only_related_by(item, host, {RelationType::kAtFootOf, RelationType::kParallel});
+    if (!at_desk && !at_foot) return;
+    Formula f;
+    for_each_turn(ref, [&](int turn, std::uint64_t states) {
+      if (turn % 90 != 0) return;
+      const Direction front = side_direction(ref, Side::kFront, turn);
+      Case& c = f.add().when(host, states).wish(gap_towards(item, host, front) - Linear(at_foot ? 50 : 10), kBeside);
+      if (at_foot) c.when(item, states_with_width_along(self, across(front)));
+    });
+    habit("near", item, kBeside, std::move(f), {host});
+  }
+
   bool placed_by_relation(int item) const {
     return std::any_of(model_.scene->relations.begin(), model_.scene->relations.end(), [&](const Relation& r) {
       return std::find(r.targets.begin(), r.targets.end(), model_.items[item].id) != r.targets.end();
@@ -179,7 +207,12 @@ class Habits {
     std::vector<int> hosts = items_of_kinds(self.entry->beside, item);
     std::erase_if(hosts, [&](int h) { return model_.items[h].thin || area_of(model_.items[h]) <= area_of(self); });
     if (hosts.empty()) return false;
-    if (std::any_of(hosts.begin(), hosts.end(), [&](int h) { return related(item, h); })) return true;
+    for (const int h : hosts) {
+      if (related(item, h) && !only_related_by(item, h, {RelationType::kBetween})) {
+        come_near(item, h);
+        return true;
+      }
+    }
     // Hosts of the best kind only: a lamp by the sofa rather than by the desk.
     std::erase_if(hosts, [&](int h) { return model_.items[h].entry != model_.items[hosts[0]].entry; });
     const int host = hosts[rank_of(item) % static_cast<int>(hosts.size())];
@@ -207,8 +240,18 @@ class Habits {
       if (!c.wishes.empty()) c.wishes[0].weight = kBeside;
     }
     habit("beside", item, kBeside, std::move(f), {host});
+    if (before_its_host(item)) stand_before_middle(item, host);
     if (ref.has_front && !before_its_host(item) && !is_table_seat(self)) flank(item, host, static_cast<int>(hosts.size()));
     return true;
+  }
+
+  void stand_before_middle(int item, int host) {
+    Formula f;
+    for_each_turn(model_.items[host], [&](int turn, std::uint64_t states) {
+      const int along = side_direction(model_.items[host], Side::kRight, turn).axis;
+      f.add().when(host, states).when(item, states_with_width_along(model_.items[item], along)).wish(mid2(item, along) - mid2(host, along), kBeside, 2);
+    });
+    habit("before the middle", item, kBeside, std::move(f), {host});
   }
 
   // Two of a kind by the same host stand one at each side: nightstands, speakers, plants.
@@ -275,6 +318,14 @@ class Habits {
     });
   }
 
+  void turn_as(int item, int other) {
+    Formula f;
+    for_each_turn(model_.items[item], [&](int turn, std::uint64_t states) {
+      if (const std::uint64_t same = model_.items[other].states_at(turn)) f.add().when(item, states).when(other, same);
+    });
+    habit("turned alike", item, kFaces, std::move(f), {other});
+  }
+
   bool stand_in_formation(int item) {
     const std::optional<Group> group = formation_with(item);
     if (!group) return false;
@@ -282,8 +333,12 @@ class Habits {
     Formula f;
     add_formation_place(f, model_, group->members, k, group->columns, kFormation);
     if (f.cases.empty()) return false;
-    habit("in formation", item, kFormation, std::move(f), k > 0 ? std::vector<int>{group->members[0]} : std::vector<int>{});
-    if (k == 0) look_at(item);  // the others turn as it does
+    habit("in formation", item, kFormation, std::move(f));
+    if (k == 0) {
+      look_at(item, true);
+    } else if (model_.items[item].has_front) {
+      turn_as(item, group->members[0]);
+    }
     return true;
   }
 
@@ -292,7 +347,7 @@ class Habits {
   }
 
   // Its front to what it is for: sofas to screens, easy chairs to the table between.
-  void look_at(int item) {
+  void look_at(int item, bool leads = false) {
     const Item& self = model_.items[item];
     if (!self.has_front) return;
     const std::vector<int> seen = items_of_kinds(self.entry->faces, item);
@@ -306,7 +361,7 @@ class Habits {
           for (int axis = 0; axis < 2; ++axis) c.wish(mid2(item, axis) - mid2(other, axis), 60, 2);
         }
       }
-      habit("faces", item, kFaces, std::move(f), is_easy_chair(self) ? std::vector<int>{other} : std::vector<int>{});
+      habit("faces", item, kFaces, std::move(f), is_easy_chair(self) || leads ? std::vector<int>{other} : std::vector<int>{});
       return;
     }
   }
@@ -314,7 +369,9 @@ class Habits {
   // A rug lies under what stands in the middle of things, else in the middle of the room; a bed would hide it, so there it shows at
   // both sides and beyond the foot.
   void lie_under(int item) {
-    const std::vector<int> over = items_of_kinds(kOnRugs, item);
+    std::vector<int> over = items_of_kinds(kOnRugs, item);
+    const auto beds = std::count_if(over.begin(), over.end(), [&](int i) { return model_.is_a(i, "bed"); });
+    std::erase_if(over, [&](int i) { return model_.is_a(i, "bed") && (beds > 1 || !has_family(model_.items[i], {"bed"})); });
     Formula f;
     if (!over.empty() && has_family(model_.items[over[rank_of(item) % static_cast<int>(over.size())]], {"bed"})) {
       lie_at_foot(item, over[rank_of(item) % static_cast<int>(over.size())]);

@@ -14,13 +14,15 @@ std::vector<Box> whole_boxes(const Item& item) {
 
 std::vector<std::vector<Box>> parts_of(const Item& item, std::vector<Box> State::*member) {
   std::vector<std::vector<Box>> parts;
-  const std::size_t count = (item.states[0].*member).size();
+  std::size_t least = (item.states[0].*member).size(), count = 0;
   for (const State& state : item.states) {
-    if ((state.*member).size() != count) return {whole_boxes(item)};  // not cut alike: taken whole
+    least = std::min(least, (state.*member).size());
+    count = std::max(count, (state.*member).size());
   }
+  if (least == 0 && count > 0) return {whole_boxes(item)};
   for (std::size_t k = 0; k < count; ++k) {
-    std::vector<Box> boxes;
-    for (const State& state : item.states) boxes.push_back((state.*member)[k]);
+    std::vector<Box> boxes;  // where a state is cut into fewer parts, its first stands in: said twice is still true
+    for (const State& state : item.states) boxes.push_back((state.*member)[k < (state.*member).size() ? k : 0]);
     parts.push_back(std::move(boxes));
   }
   return parts;
@@ -180,7 +182,10 @@ void Encoding::add_disjoint(int a, const std::vector<Box>& part_a, int b, const 
       const bool both_on_floor = model_.items[a].supports.size() == 1 && model_.items[b].supports.size() == 1 &&
                                  model_.items[a].supports[0].kind == SupportOption::Kind::kFloor &&
                                  model_.items[b].supports[0].kind == SupportOption::Kind::kFloor;
-      if (axis == 2 && both_on_floor && part_a[0].lo[2] == 0 && part_b[0].lo[2] == 0) continue;
+      const auto at_floor = [](const Box& part) { return part.lo[2] == 0; };
+      if (axis == 2 && both_on_floor && std::all_of(part_a.begin(), part_a.end(), at_floor) &&
+          std::all_of(part_b.begin(), part_b.end(), at_floor))
+        continue;
       Expanded form;  // low edge of the second − high edge of the first ≥ 0
       add_offset(form, a_first ? b : a, 1, a_first ? part_b : part_a, axis, false);
       add_offset(form, a_first ? a : b, -1, a_first ? part_a : part_b, axis, true);
