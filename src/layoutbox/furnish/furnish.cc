@@ -42,7 +42,7 @@ std::vector<FreeSpace> free_spaces(const PlacedObject& object, const CatalogEntr
   return spaces;
 }
 
-Node object_node(const PlacedObject& object, const Catalog& catalog, const Layout* layout, Palette& palette,
+Node object_node(const PlacedObject& object, const Catalog& catalog, const Layout* layout, Palette& palette, const Decor& decor,
                  const FurnishOptions& options) {
   const CatalogEntry& entry = catalog.entry_or_nearest(object.category);
   const Material* material = nullptr;
@@ -51,7 +51,7 @@ Node object_node(const PlacedObject& object, const Catalog& catalog, const Layou
         std::find_if(layout->materials.begin(), layout->materials.end(), [&](const Material& m) { return m.id == object.material; });
     if (found != layout->materials.end()) material = &*found;
   }
-  kit::Piece piece(object, entry, free_spaces(object, entry, layout), material, palette, options.seed, options.contents);
+  kit::Piece piece(object, entry, free_spaces(object, entry, layout), material, palette, decor, options.seed, options.contents);
   kit::family_or_generic(entry.shape.family)(piece);
   Node node = piece.take_node();
   node.position = {static_cast<float>(m_from_mm(object.position[0])), static_cast<float>(m_from_mm(object.position[1])),
@@ -72,10 +72,11 @@ Status check_size(const PlacedObject& object) {
 Result<Model> furnish(const Layout& layout, const Catalog& catalog, const FurnishOptions& options) {
   Model model;
   Palette palette;
-  add_room_shell(layout, palette, model);
+  const Decor decor = decor_of(layout, options.seed);
+  add_room_shell(layout, decor, palette, model);
   for (const PlacedObject& object : layout.objects) {
     LAYOUTBOX_CHECK(check_size(object));
-    model.nodes.push_back(object_node(object, catalog, &layout, palette, options));
+    model.nodes.push_back(object_node(object, catalog, &layout, palette, decor, options));
   }
   model.surfaces = palette.take();
   return model;
@@ -88,7 +89,7 @@ Result<Model> furnish_object(const PlacedObject& object, const Catalog& catalog,
   alone.rotation_deg = 0;
   Model model;
   Palette palette;
-  model.nodes.push_back(object_node(alone, catalog, nullptr, palette, options));
+  model.nodes.push_back(object_node(alone, catalog, nullptr, palette, {}, options));
   model.surfaces = palette.take();
   return model;
 }

@@ -59,7 +59,7 @@ std::string usual_look(const CatalogEntry& entry) {
 }  // namespace
 
 Piece::Piece(const PlacedObject& object, const CatalogEntry& entry, std::vector<FreeSpace> free_spaces, const Material* material,
-             Palette& palette, std::uint64_t seed, bool contents)
+             Palette& palette, const Decor& decor, std::uint64_t seed, bool contents)
     : w(m_from_mm(object.size.width)),
       d(m_from_mm(object.size.depth)),
       h(m_from_mm(object.size.height)),
@@ -68,6 +68,7 @@ Piece::Piece(const PlacedObject& object, const CatalogEntry& entry, std::vector<
       entry_(entry),
       own_(material),
       palette_(palette),
+      decor_(decor_of_thing(decor, said_of(object))),
       contents_(contents),
       random_state_(hash(object.id, seed)),
       kind_seed_(hash(object.category, seed)) {
@@ -127,11 +128,18 @@ bool Piece::is_free(const Box& b) const {
 Surface Piece::asked(std::string_view usual, bool with_color) const {
   const NamedSurface& like = named_surface(usual);
   const NamedSurface* fitting = wish_.fitting(like);
+  // What nobody said anything about is of the room's own wood or metal.
+  const auto said = std::span(wish_.materials).first(said_materials_);
+  if (fitting == nullptr || std::find(said.begin(), said.end(), fitting) == said.end()) {
+    const NamedSurface& now = fitting != nullptr ? *fitting : like;
+    const bool other_metal = now.surface.name == "steel" && !decor_.metal.empty();
+    const std::string_view own = other_metal ? std::string_view(decor_.metal) : decor_.wood_for(now.surface.name, kind_seed_);
+    if (own != now.surface.name) fitting = &named_surface(own);
+  }
   const NamedSurface& chosen = fitting != nullptr ? *fitting : like;
   Surface surface = chosen.surface;
   if (!with_color) {
     // A colour said together with a hard material is that material's: "white wooden bed".
-    const auto said = std::span(wish_.materials).first(said_materials_);
     if (fitting == nullptr || !wish_.color || chosen.soft() || std::find(said.begin(), said.end(), fitting) == said.end()) return surface;
   }
   if (own_ != nullptr && own_->color) {
@@ -153,10 +161,13 @@ Surface Piece::asked(std::string_view usual, bool with_color) const {
 int Piece::main(std::string_view usual) { return palette_.add(asked(usual, true)); }
 int Piece::frame(std::string_view usual) { return palette_.add(asked(usual, false)); }
 
+int Piece::variant(int n) const { return static_cast<int>((kind_seed_ >> 7) % static_cast<std::uint64_t>(n)); }
+
 Color Piece::accent() const {
   static constexpr Color kAccents[] = {{0.36, 0.52, 0.66}, {0.55, 0.63, 0.50}, {0.74, 0.47, 0.36}, {0.80, 0.66, 0.38}, {0.50, 0.53, 0.58},
                                        {0.38, 0.50, 0.48}, {0.72, 0.62, 0.52}, {0.62, 0.40, 0.42}, {0.44, 0.46, 0.60}, {0.78, 0.74, 0.68}};
   std::uint64_t state = kind_seed_;
+  if (!decor_.accents.empty()) return decor_.accents[next(state) % decor_.accents.size()];
   return kAccents[next(state) % std::size(kAccents)];
 }
 

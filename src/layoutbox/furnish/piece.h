@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "layoutbox/catalog/catalog.h"
+#include "layoutbox/furnish/decor.h"
 #include "layoutbox/furnish/kit.h"
 #include "layoutbox/furnish/palette.h"
 #include "layoutbox/scene/layout.h"
@@ -24,8 +25,9 @@ struct FreeSpace {
 class Piece {
  public:
   // `contents`: whether books, food and the like may be drawn in spaces that hold nothing. `material`: the scene's own, or null.
+  // `decor`: the look of the room, where nothing is said of the thing.
   Piece(const PlacedObject& object, const CatalogEntry& entry, std::vector<FreeSpace> spaces, const Material* material, Palette& palette,
-        std::uint64_t seed, bool contents);
+        const Decor& decor, std::uint64_t seed, bool contents);
 
   // Metres: the body reaches from −w/2 to w/2, −d/2 (front) to d/2, 0 to h.
   double w, d, h;
@@ -54,6 +56,8 @@ class Piece {
   int frame(std::string_view usual);
   int named(std::string_view name) { return palette_.named(name); }
   int tinted(std::string_view name, const Color& color) { return palette_.add(colored(named_surface(name), color)); }
+  // One of `n` ways to draw a kind, by its style and chance: the same for all things of a kind in a room.
+  int variant(int n) const;
   // A colour for what nobody gave a colour; the same for all things of a kind, so that a room looks of a piece.
   Color accent() const;
   // main with that accent where no colour was asked.
@@ -81,6 +85,7 @@ class Piece {
   const CatalogEntry& entry_;
   const Material* own_;
   Palette& palette_;
+  Decor decor_;
   bool contents_;
   SurfaceWish wish_;                // what was said of the object, then what the catalogue says of its kind
   std::size_t said_materials_ = 0;  // so many of its materials were said
@@ -121,6 +126,8 @@ void add_shop(Families& to);
 void add_games_and_clinic(Families& to);
 void add_workshop(Families& to);
 void add_hall(Families& to);
+void add_appliances(Families& to);
+void add_outdoor_things(Families& to);
 void add_generic(Families& to);
 
 }  // namespace layoutbox::kit

@@ -55,7 +55,7 @@ std::vector<Vec2> outline_of(const Room& room) {
   return outline;
 }
 
-void add_floor(const Layout& layout, Palette& palette, Model& model) {
+void add_floor(const Layout& layout, const Decor& decor, Palette& palette, Model& model) {
   const std::vector<Vec2> outline = outline_of(layout.room);
   Mesh top = kit::prism(outline, -0.02, 0), body = kit::prism(outline, -kSlab, -0.02);
   // Boards run along the longer side of the room; uvs of level faces are x and y.
@@ -66,8 +66,9 @@ void add_floor(const Layout& layout, Palette& palette, Model& model) {
   Node node;
   node.id = "floor";
   node.kind = NodeKind::kFloor;
-  node.parts = {{std::move(top), palette.add(surface_for(layout, layout.room.floor_material, "oak_planks", true))},
-                {std::move(body), palette.named("walnut")}};
+  const std::string& asked = layout.room.floor_material;
+  const Surface surface = surface_for(layout, asked.empty() ? decor.floor : asked, "oak_planks", true);
+  node.parts = {{std::move(top), palette.add(surface)}, {std::move(body), palette.named("walnut")}};
   model.nodes.push_back(std::move(node));
 }
 
@@ -81,7 +82,14 @@ double mitre(Vec2 along, double own, Vec2 next_along, double next) {
   return std::clamp(reach, -4 * own, 4 * own);
 }
 
-void add_wall(const Layout& layout, std::size_t index, Palette& palette, Model& model) {
+// What a wall is of: as asked, else as the room's look has it.
+Surface wall_surface(const Layout& layout, const Decor& decor, const std::string& asked) {
+  if (!asked.empty()) return surface_for(layout, asked, "plaster", false);
+  if (!decor.wall_tiles.empty()) return surface_for(layout, decor.wall_tiles, "tiles", false);
+  return colored(named_surface("plaster"), decor.wall);
+}
+
+void add_wall(const Layout& layout, const Decor& decor, std::size_t index, Palette& palette, Model& model) {
   const auto& walls = layout.room.walls;
   const Wall& wall = walls[index];
   const WallFrame frame(wall), before(walls[(index + walls.size() - 1) % walls.size()]), after(walls[(index + 1) % walls.size()]);
@@ -109,7 +117,7 @@ void add_wall(const Layout& layout, std::size_t index, Palette& palette, Model& 
   const double at_end = mitre(frame.along, frame.thickness, after.along, after.thickness);
   const double at_start = mitre({-frame.along.x, frame.along.y}, frame.thickness, {-before.along.x, before.along.y}, before.thickness);
   node.parts.push_back({kit::pierced_slab(frame.length, -kSlab, height, -frame.thickness, 0, holes, at_start, at_end),
-                        palette.add(surface_for(layout, asked, "plaster", false))});
+                        palette.add(wall_surface(layout, decor, asked))});
   Mesh boards;
   for (const auto& [a, b] : skirting) {
     if (b - a > 0.02) kit::append(boards, kit::box(kit::sides(a, b, 0, 0.012, 0, 0.08), 0.004));
@@ -129,10 +137,10 @@ void add_ceiling(const Layout& layout, Palette& palette, Model& model) {
 
 }  // namespace
 
-void add_room_shell(const Layout& layout, Palette& palette, Model& model) {
+void add_room_shell(const Layout& layout, const Decor& decor, Palette& palette, Model& model) {
   if (layout.room.polygon.size() < 3) return;
-  add_floor(layout, palette, model);
-  for (std::size_t i = 0; i < layout.room.walls.size(); ++i) add_wall(layout, i, palette, model);
+  add_floor(layout, decor, palette, model);
+  for (std::size_t i = 0; i < layout.room.walls.size(); ++i) add_wall(layout, decor, i, palette, model);
   add_openings(layout, palette, model);
   add_ceiling(layout, palette, model);
 }

@@ -57,6 +57,8 @@ const Families& families() {
     add_games_and_clinic(f);
     add_workshop(f);
     add_hall(f);
+    add_appliances(f);
+    add_outdoor_things(f);
     add_generic(f);
     return f;
   }();

@@ -1,0 +1,134 @@
+#include "layoutbox/furnish/decor.h"
+
+#include <algorithm>
+#include <cctype>
+#include <nlohmann/json.hpp>
+
+#include "layoutbox/embedded/catalog_data.h"
+#include "layoutbox/furnish/palette.h"
+
+namespace layoutbox {
+namespace {
+
+using Json = nlohmann::json;
+
+const Json& data() {
+  static const Json all = Json::parse(embedded::decor_json);
+  return all;
+}
+
+std::uint64_t hash(std::string_view text, std::uint64_t seed) {
+  std::uint64_t h = 1469598103934665603ULL ^ (seed * 0x9E3779B97F4A7C15ULL);
+  for (const char c : text) h = (h ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
+  return h ^ (h >> 29);
+}
+
+template <class List>
+const auto& one_of(const List& list, std::uint64_t number) {
+  return list[static_cast<typename List::size_type>(number % list.size())];
+}
+
+Color color_of(const Json& json) { return {json[0].get<double>(), json[1].get<double>(), json[2].get<double>()}; }
+
+// Whether a list of words "a b c" has the word.
+bool lists(std::string_view words, std::string_view word) {
+  for (std::size_t at = words.find(word); at != std::string_view::npos; at = words.find(word, at + 1)) {
+    const bool begins = at == 0 || words[at - 1] == ' ', ends = at + word.size() == words.size() || words[at + word.size()] == ' ';
+    if (begins && ends) return true;
+  }
+  return false;
+}
+
+// The style that a text names first, or null.
+const Json* style_of(std::string_view text) {
+  std::string word;
+  for (std::size_t i = 0; i <= text.size(); ++i) {
+    const char c = i < text.size() ? static_cast<char>(std::tolower(static_cast<unsigned char>(text[i]))) : ' ';
+    if (std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '-') {
+      word += c;
+      continue;
+    }
+    if (word.size() > 2) {
+      for (const auto& [words, style] : data().at("styles").items()) {
+        if (lists(words, word)) return &style;
+      }
+    }
+    word.clear();
+  }
+  return nullptr;
+}
+
+const Json& room_data(std::string_view kind) {
+  for (const auto& [kinds, room] : data().at("looks").items()) {
+    if (!kind.empty() && lists(kinds, kind)) return room;
+  }
+  return data().at("looks").at("default");
+}
+
+void take_palette(Decor& decor, const Json& colors) {
+  decor.accents.clear();
+  for (const Json& color : colors) decor.accents.push_back(color_of(color));
+}
+
+// The name of the floor's surface, so that the furniture can differ from it.
+std::string floor_name(const std::string& asked) {
+  const SurfaceWish wish = read_wish(asked);
+  return wish.materials.empty() ? "" : wish.materials.front()->surface.name;
+}
+
+std::vector<std::string> woods_on(const std::string& floor, std::uint64_t chance) {
+  std::vector<std::string> woods;
+  const Json& all = data().at("woods");
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const Json& wood = all[(i + chance) % all.size()];
+    const Json& not_on = wood.at("not_on");
+    if (std::find(not_on.begin(), not_on.end(), floor) == not_on.end()) woods.push_back(wood.at("name").get<std::string>());
+  }
+  return woods;
+}
+
+}  // namespace
+
+std::string_view Decor::wood_for(std::string_view usual, std::uint64_t kind) const {
+  if (woods.empty() || (usual != "oak" && usual != "walnut")) return usual;
+  // Most things are of the room's first wood; what is usually dark, and one kind in five, is of the next one that differs.
+  const auto other = std::find_if(woods.begin(), woods.end(), [&](const std::string& wood) { return wood != woods.front(); });
+  if (other != woods.end() && (usual == "walnut" || kind % 5 == 0)) return *other;
+  return woods.front();
+}
+
+Decor decor_of(const Layout& layout, std::uint64_t seed) {
+  const std::uint64_t chance = hash(layout.prompt, seed);
+  const std::string& kind = layout.room.type;
+  const Json& room = room_data(kind);
+  const Json* style = style_of(layout.prompt);
+  Decor decor;
+  const bool own_floor = style != nullptr && style->contains("floors") && !room.value("plain", false);
+  decor.floor = one_of(own_floor ? style->at("floors") : room.at("floors"), chance).get<std::string>();
+  const bool plain = room.value("plain", false);
+  decor.wall = color_of(one_of(data().at(plain ? "plain_walls" : "walls"), chance >> 8));
+  if (room.value("tiled", false)) decor.wall_tiles = data().at("tiled_wall").get<std::string>();
+  const std::string& floor = layout.room.floor_material.empty() ? decor.floor : layout.room.floor_material;
+  decor.woods = woods_on(floor_name(floor), chance >> 16);
+  const Json& children = data().at("child_rooms");
+  if (std::find(children.begin(), children.end(), kind) != children.end()) {
+    take_palette(decor, data().at("child_palette"));
+    decor.woods = {"birch", "lacquer"};
+  } else {
+    take_palette(decor, one_of(data().at("palettes"), chance >> 24));
+  }
+  return style == nullptr ? decor : decor_of_thing(decor, layout.prompt);
+}
+
+Decor decor_of_thing(const Decor& room, std::string_view text) {
+  const Json* style = style_of(text);
+  if (style == nullptr) return room;
+  Decor decor = room;
+  decor.woods.clear();
+  for (const Json& wood : style->at("woods")) decor.woods.push_back(wood.get<std::string>());
+  decor.metal = style->value("metal", room.metal);
+  if (style->contains("palette")) take_palette(decor, data().at("palettes")[style->at("palette").get<std::size_t>()]);
+  return decor;
+}
+
+}  // namespace layoutbox

@@ -1,0 +1,29 @@
+// How a room looks where nothing was said of it (catalog/decor.json): its floor, its walls, the wood and the colours of its furniture.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "layoutbox/scene/layout.h"
+
+namespace layoutbox {
+
+struct Decor {
+  std::string floor = "oak floor";  // as a text would ask for it
+  Color wall{0.93, 0.91, 0.88};     // of plaster
+  std::string wall_tiles;           // as a text would ask for them; empty: plaster
+  std::vector<std::string> woods;   // usual furniture is of the first, some of the others; empty: as each family says
+  std::string metal;                // instead of steel; empty: steel
+  std::vector<Color> accents;       // of cloth; empty: as of old
+  // A wood for a thing, where nobody said which: the room's. Stands for oak and walnut only.
+  std::string_view wood_for(std::string_view usual, std::uint64_t kind) const;
+};
+
+// Of a room: by its kind, the style words of its prompt, and chance (the prompt and the seed).
+Decor decor_of(const Layout& layout, std::uint64_t seed);
+// The same with what the words of one object change ("rustic dining table"); `text` in lower case.
+Decor decor_of_thing(const Decor& room, std::string_view text);
+
+}  // namespace layoutbox

@@ -1,0 +1,67 @@
+#include "layoutbox/furnish/decor.h"
+
+#include <gmock/gmock.h>
+
+#include "layoutbox/furnish/palette.h"
+
+namespace layoutbox {
+namespace {
+
+Layout room(std::string type, std::string prompt) {
+  Layout layout;
+  layout.room.type = std::move(type);
+  layout.prompt = std::move(prompt);
+  return layout;
+}
+
+TEST(Decor, TheSameRoomAlwaysLooksTheSame) {
+  const Decor a = decor_of(room("bedroom", "a bedroom"), 1), b = decor_of(room("bedroom", "a bedroom"), 1);
+  EXPECT_EQ(a.floor, b.floor);
+  EXPECT_EQ(a.woods, b.woods);
+  EXPECT_EQ(a.wall, b.wall);
+}
+
+TEST(Decor, RoomsOfAKindDiffer) {
+  std::vector<std::string> floors;
+  for (int i = 0; i < 20; ++i) floors.push_back(decor_of(room("living_room", "room " + std::to_string(i)), 1).floor);
+  std::sort(floors.begin(), floors.end());
+  EXPECT_GE(std::unique(floors.begin(), floors.end()) - floors.begin(), 3);
+}
+
+TEST(Decor, FurnitureDoesNotVanishOnTheFloor) {
+  for (int i = 0; i < 40; ++i) {
+    const Decor decor = decor_of(room("bedroom", "room " + std::to_string(i)), 1);
+    const std::string floor = read_wish(decor.floor).materials.front()->surface.name;
+    ASSERT_FALSE(decor.woods.empty());
+    if (floor == "oak_planks") EXPECT_NE(decor.woods.front(), "oak") << i;
+    if (floor == "walnut_planks") EXPECT_NE(decor.woods.front(), "walnut") << i;
+  }
+}
+
+TEST(Decor, WetRoomsAreTiledAndWorkshopsHaveConcrete) {
+  EXPECT_FALSE(decor_of(room("bathroom", "x"), 1).wall_tiles.empty());
+  EXPECT_TRUE(decor_of(room("bedroom", "x"), 1).wall_tiles.empty());
+  EXPECT_EQ(decor_of(room("workshop", "x"), 1).floor, "concrete");
+}
+
+TEST(Decor, StyleWordsOfThePromptRule) {
+  const Decor rustic = decor_of(room("dining_room", "A rustic dining room"), 1);
+  EXPECT_EQ(rustic.woods.front(), "reclaimed_wood");
+  EXPECT_EQ(decor_of(room("office", "An Industrial loft office"), 1).metal, "black_metal");
+  EXPECT_EQ(decor_of_thing(decor_of(room("office", "an office"), 1), "scandinavian desk").woods.front(), "birch");
+}
+
+TEST(Decor, EveryNamedMaterialAndFloorIsKnown) {
+  for (const char* kind : {"", "bedroom", "kitchen", "bathroom", "office", "kids_room", "gym", "library", "clinic", "cafe", "shop",
+                           "garage", "hallway", "sunroom", "game_room", "church", "yoga_studio"}) {
+    for (int i = 0; i < 20; ++i) {
+      const Decor decor = decor_of(room(kind, "x" + std::to_string(i)), 1);
+      EXPECT_FALSE(read_wish(decor.floor).materials.empty()) << decor.floor;
+      for (const std::string& wood : decor.woods) EXPECT_EQ(named_surface(wood).surface.name, wood);
+      EXPECT_GE(decor.accents.size(), 3U);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace layoutbox

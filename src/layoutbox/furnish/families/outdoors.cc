@@ -1,0 +1,361 @@
+// Sports gear, signs, umbrellas and other things that came in from outside; and what did not fit elsewhere.
+#include <algorithm>
+#include <cmath>
+
+#include "layoutbox/furnish/families/parts.h"
+
+namespace layoutbox::kit {
+namespace {
+
+void cone_family(Piece& p) {
+  const int orange = p.main("plastic"), white = p.named("plastic");
+  const double base = std::min(0.04, p.h * 0.06), r = std::min(p.w, p.d) * 0.4;
+  p.add(orange, box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, 0, base), 0.008));
+  const auto ring = [&](double a, double b, double more) {
+    const auto at = [&](double t) { return r * (1 - 0.86 * t) + more; };
+    return cone({0, 0, base + (p.h - base) * a}, at(a), at(b), (p.h - base) * (b - a), 28);
+  };
+  p.add(orange, ring(0, 1, 0));
+  p.add(white, ring(0.3, 0.45, 0.002));
+  p.add(white, ring(0.62, 0.75, 0.002));
+}
+
+// A board with round ends, standing upright.
+void surfboard(Piece& p) {
+  const int body = p.main_accent("plastic"), line = p.named("plastic");
+  std::vector<Vec2> outline;
+  for (int i = 0; i < 32; ++i) {
+    const double t = i / 32.0 * 2 * kPi, y = std::sin(t), narrow = y > 0 ? 1 - 0.35 * y * y : 1;
+    outline.push_back({std::cos(t) * narrow * 0.5, y * 0.5 + 0.5});
+  }
+  const Pose up{{p.w, 0, 0}, {0, 0, p.h}, {0, -p.d, 0}, {0, 0, 0}};
+  p.add(body, prism(outline, -0.35, 0.35, true), up);
+  std::vector<Vec2> stripe{{-0.06, 0.04}, {0.06, 0.04}, {0.06, 0.96}, {-0.06, 0.96}};
+  p.add(line, prism(stripe, 0.3, 0.4), up);
+  p.add(p.named("black_plastic"), prism({{-0.05, 0.06}, {0.05, 0.06}, {0.02, 0.18}}, -0.6, -0.3), up);
+  p.fit();
+}
+
+void skis(Piece& p) {
+  const int paint = p.main_accent("plastic"), dark = p.named("black_plastic"), steel = p.named("steel");
+  for (const double s : {-1.0, 1.0}) {
+    p.add(paint, box(sides(s * 0.25 - 0.17, s * 0.25 + 0.17, -0.05, 0.05, 0, 0.94), 0.01));
+    p.add(paint, beam({s * 0.25, 0, 0.93}, {s * 0.25, -0.3, 1.0}, {0.3, 0.04}));
+    p.add(dark, box(sides(s * 0.25 - 0.13, s * 0.25 + 0.13, -0.3, 0.02, 0.36, 0.5), 0.02));
+    p.add(steel, rod({s * 0.47, 0.1, 0}, {s * 0.46, 0.1, 0.68}, 0.022, 8));
+  }
+  p.fit();
+}
+
+void basketball_hoop(Piece& p) {
+  const int board = p.named("frosted_glass"), red = p.tinted("painted_metal", {0.82, 0.28, 0.16}), white = p.named("cotton"),
+            dark = p.frame("black_metal");
+  const double x = p.w / 2, y = p.d / 2, thick = 0.03, low = p.h > 1.6 ? p.h - std::min(1.0, p.h * 0.35) : 0,
+               r = std::min({0.23, x * 0.5, (p.d - thick) * 0.45});
+  p.add(board, box(sides(-x, x, y - thick - (low > 0 ? 0.1 : 0), y - (low > 0 ? 0.1 : 0), low, p.h), 0.004));
+  const double face = y - thick - (low > 0 ? 0.1 : 0), ring = low + (p.h - low) * 0.25;
+  for (const auto& [z0, z1, half] : {std::tuple{0.28, 0.3, 0.3}, {0.62, 0.64, 0.3}})
+    p.add(red, box(sides(-x * half, x * half, face - 0.002, face + 0.004, low + (p.h - low) * z0, low + (p.h - low) * z1), 0));
+  for (const double s : {-0.3, 0.28})
+    p.add(red, box(sides(x * s, x * s + 0.02, face - 0.002, face + 0.004, low + (p.h - low) * 0.28, low + (p.h - low) * 0.64), 0));
+  p.add(red, torus({0, face - r - 0.02, ring}, r, 0.012, 26, 8));
+  p.add(red, box(sides(-0.05, 0.05, face - 0.05, face, ring - 0.03, ring + 0.01), 0.003));
+  for (int i = 0; i < 10; ++i) {
+    const double a = 2 * kPi * i / 10, b = a + 0.5;
+    const Vec c{0, face - r - 0.02, 0};
+    p.add(white, rod({c.x + r * std::cos(a), c.y + r * std::sin(a), ring},
+                     {c.x + r * 0.62 * std::cos(b), c.y + r * 0.62 * std::sin(b), ring - r * 1.5}, 0.005, 6));
+  }
+  if (low > 0) {
+    p.add(dark, box(sides(-0.06, 0.06, y - 0.12, y, 0.04, p.h * 0.96), 0.006));
+    p.add(dark, box(sides(-x * 0.7, x * 0.7, -y, y, 0, 0.1), 0.02));
+  }
+  p.fit();
+}
+
+// A plate with writing: signs, name plates. "neon": glowing tubes on a dark plate.
+void sign(Piece& p) {
+  const bool neon = p.category() == "neon_sign" || p.says("neon");
+  const double x = p.w / 2, y = p.d / 2;
+  const int plate = neon ? p.named("black_plastic") : p.main_accent("painted_metal"),
+            writing = neon ? p.named("ember") : p.named("plastic");
+  p.add(plate, rounded_box(sides(-x, x, -y + p.d * 0.3, y, 0, p.h), std::min({0.02, p.d * 0.3, p.h * 0.2}), 3));
+  const int lines = p.h > p.w * 0.55 ? 3 : 2;
+  for (int i = 0; i < lines; ++i) {
+    const double z = p.h * (1 - (i + 0.75) / (lines + 0.5)), half = x * (i == 0 ? 0.7 : 0.5), thick = p.h * 0.09;
+    if (neon) {
+      std::vector<Vec> path;
+      for (int k = 0; k <= 12; ++k) path.push_back({-half + 2 * half * k / 12, -y + p.d * 0.15, z + thick * 0.7 * (k % 2 == 0 ? 1 : -1)});
+      p.add(writing, tube(curve(path, 3), std::min(0.008, p.h * 0.03), 6));
+    } else {
+      p.add(writing, box(sides(-half, half, -y + p.d * 0.2, y * 0.5, z - thick / 2, z + thick / 2), 0));
+    }
+  }
+  p.fit();
+}
+
+void ironing_board(Piece& p) {
+  const int cloth = p.main_accent("cotton"), metal = p.frame("painted_metal");
+  const double x = p.w / 2, y = p.d / 2, top = std::min(0.05, p.h * 0.07);
+  std::vector<Vec2> outline;
+  for (int i = 0; i <= 12; ++i) {  // one end narrow and round
+    const double a = -kPi / 2 + kPi * i / 12;
+    outline.push_back({x - y + y * std::cos(a), y * std::sin(a)});
+  }
+  outline.push_back({-x, y});
+  outline.push_back({-x, -y});
+  p.add(cloth, prism(outline, p.h - top, p.h));
+  // The legs stand where the room below leaves something: in the corners.
+  p.legs(metal, p.h - top, 0.035, 0.0, true);
+}
+
+void xylophone(Piece& p) {
+  const Color bars[] = {{0.82, 0.26, 0.24}, {0.92, 0.52, 0.22}, {0.95, 0.78, 0.28}, {0.40, 0.66, 0.36},
+                        {0.26, 0.58, 0.62}, {0.26, 0.44, 0.76}, {0.50, 0.36, 0.66}, {0.82, 0.40, 0.60}};
+  const int wood = p.frame("oak");
+  const double x = p.w / 2, y = p.d / 2, top = p.open_above() != nullptr ? p.open_above()->box.min.z : p.h, bar = std::min(0.02, top * 0.3);
+  p.legs(wood, top - bar, 0.04, 0.02);
+  for (const double s : {-0.5, 0.5})
+    p.add(wood, box(sides(-x, x, s * y - 0.012, s * y + 0.012, std::max(0.0, top - bar - 0.04), top - bar), 0.003));
+  for (int i = 0; i < 8; ++i) {
+    const double x0 = -x + p.w * i / 8, half = y * (1 - 0.06 * i);
+    p.add(p.tinted("lacquer", bars[i]), box(sides(x0 + p.w * 0.012, x0 + p.w / 8 - p.w * 0.012, -half, half, top - bar, top), 0.004));
+  }
+}
+
+void plate_stack(Piece& p) {
+  const int clay = p.main("ceramic");
+  const int n = std::clamp(static_cast<int>(p.h / 0.02), 2, 10);
+  const double step = p.h / (n + 1.2), r = p.w / 2;
+  for (int i = 0; i < n; ++i)
+    p.add(clay,
+          lathe({{0, 0}, {r * 0.55, 0}, {r * 0.65, step * 0.5}, {r, step * 1.9}, {r, step * 2.2}, {r * 0.62, step * 0.95}, {0, step * 0.7}},
+                32),
+          moved(0, 0, i * step));
+  p.fit();
+}
+
+void pizza(Piece& p) {
+  p.add(p.tinted("plaster", {0.80, 0.56, 0.30}), lathe({{0, 0}, {0.47, 0}, {0.5, 0.5}, {0.47, 1}, {0.42, 0.7}, {0, 0.6}}, 32));
+  p.add(p.tinted("plaster", {0.93, 0.74, 0.36}), lathe({{0, 0.59}, {0.43, 0.59}, {0.41, 0.82}, {0, 0.82}}, 30));
+  for (int i = 0; i < 9; ++i) {
+    const double a = 2.4 * i, r = 0.11 * std::sqrt(i + 0.4);
+    p.add(p.tinted("plaster", {0.70, 0.20, 0.14}), cylinder({r * std::cos(a), r * std::sin(a), 0.8}, 0.055, 0.12, 14));
+  }
+  for (int i = 0; i < 5; ++i)
+    p.add(p.named("leaf"), leaf({0.3 * std::cos(i * 1.9), 0.3 * std::sin(i * 1.9), 0.82},
+                                {0.22 * std::cos(i * 1.9 + 0.3), 0.22 * std::sin(i * 1.9 + 0.3), 0.95}, 0.05, 0.05));
+  p.fit();
+}
+
+void melon(Piece& p) {
+  const int rind = p.color_asked() ? p.main("plastic") : p.tinted("plastic", {0.24, 0.44, 0.22}),
+            pale = p.tinted("plastic", {0.45, 0.62, 0.34});
+  p.add(rind, ellipsoid({0, 0, p.h / 2}, {p.w / 2, p.d / 2, p.h / 2}, 28, 16));
+  for (int i = 0; i < 8; ++i) {
+    std::vector<Vec> path;
+    const double a = kPi * i / 4;
+    for (int k = 1; k < 10; ++k) {
+      const double t = -kPi / 2 + kPi * k / 10;
+      path.push_back({p.w / 2 * std::cos(t) * std::cos(a) * 0.995, p.d / 2 * std::cos(t) * std::sin(a) * 0.995,
+                      p.h / 2 + p.h / 2 * std::sin(t) * 0.995});
+    }
+    p.add(pale, tube(path, std::min(p.w, p.h) * 0.018, 5));
+  }
+  p.fit();
+}
+
+void vegetable(Piece& p) {
+  const int carrot = p.tinted("plastic", {0.90, 0.48, 0.16}), green = p.named("leaf");
+  for (int i = 0; i < 3; ++i) {
+    const double y = -0.22 + 0.22 * i, x = 0.04 * (i % 2);
+    p.add(carrot, cone({0, 0, 0}, 0.02, 0.085, 0.62, 14), moved(-0.4 + x, y, 0.09) * turned_y(90));
+    for (int k = 0; k < 4; ++k) p.add(green, leaf({0.21 + x, y, 0.09}, {0.48 + x, y + 0.1 * (k - 1.5), 0.13 + 0.05 * (k % 2)}, 0.07, 0.05));
+  }
+  p.fit();
+}
+
+void pen(Piece& p) {
+  const int body = p.main_accent("plastic"), dark = p.named("black_plastic"), metal = p.named("chrome");
+  // Lies along its longer side.
+  const Pose lie = (p.w >= p.d ? Pose{} : turned_z(90)) * turned_y(90);
+  p.add(body, cylinder({0, 0, -0.4}, 0.05, 0.66, 14), lie);
+  p.add(dark, cylinder({0, 0, 0.26}, 0.052, 0.2, 14), lie);
+  p.add(metal, cone({0, 0, -0.5}, 0.012, 0.05, 0.1, 14), lie);
+  p.add(metal, box(sides(-0.065, -0.045, -0.01, 0.01, 0.28, 0.44), 0.002), lie);
+  p.fit();
+}
+
+// Rolled up, standing on its point.
+void umbrella(Piece& p) {
+  const int cloth = p.main_accent("cotton"), wood = p.frame("walnut"), steel = p.named("steel");
+  p.add(steel, cylinder({0, 0, 0}, 0.03, 0.12, 10));
+  p.add(cloth, lathe({{0, 0.08}, {0.05, 0.08}, {0.22, 0.42}, {0.26, 0.62}, {0.12, 0.72}, {0, 0.72}}, 9));
+  p.add(steel, cylinder({0, 0, 0.7}, 0.025, 0.14, 10));
+  p.add(wood, tube(curve({{0, 0, 0.82}, {0, 0, 0.95}, {0.12, 0, 1.0}, {0.22, 0, 0.94}, {0.22, 0, 0.87}}, 4), 0.035, 8));
+  p.fit();
+}
+
+// Four posts, bars across and a loaded barbell.
+void squat_rack(Piece& p) {
+  const int steel = p.main("black_metal"), chrome = p.named("chrome"), rubber = p.named("black_plastic");
+  const double x = p.w / 2, y = p.d / 2, t = std::min(0.07, p.w * 0.06), in = std::min(x * 0.45, 0.55);
+  for (const double sx : {-1.0, 1.0}) {
+    for (const double sy : {-1.0, 1.0})
+      p.add(steel, box(sides(sx * in - t / 2, sx * in + t / 2, sy > 0 ? y - t : -y, sy > 0 ? y : -y + t, 0, p.h), 0.004));
+    for (const double z : {0.02, p.h * 0.5, p.h - t})
+      p.add(steel, box(sides(sx * in - t / 2, sx * in + t / 2, -y + t * 0.5, y - t * 0.5, z, z + t), 0.004));
+  }
+  for (const double s : {-1.0, 1.0}) p.add(steel, box(sides(-in, in, s > 0 ? y - t : -y, s > 0 ? y : -y + t, p.h - t, p.h), 0.004));
+  const double z = p.h * 0.62, cy = -y + t * 1.6;
+  p.add(chrome, rod({-x, cy, z}, {x, cy, z}, 0.016, 12));
+  for (const double s : {-1.0, 1.0}) {
+    for (const auto& [at, r] : {std::pair{0.84, 0.2}, {0.76, 0.15}}) {
+      const double r_in = std::min(r, y - t * 1.0);
+      p.add(rubber, rod({s * x * at - 0.02, cy + std::max(0.0, r_in - t * 1.6), z},
+                        {s * x * at + 0.02, cy + std::max(0.0, r_in - t * 1.6), z}, r_in, 24));
+    }
+  }
+  p.fit();
+}
+
+void iv_stand(Piece& p) {
+  const int steel = p.main("chrome"), dark = p.named("black_plastic");
+  const double r = std::min(p.w, p.d) / 2;
+  for (int i = 0; i < 5; ++i) {
+    const double a = kPi * (0.5 + 0.4 * i), x = std::cos(a) * (r - 0.02), y = std::sin(a) * (r - 0.02);
+    p.add(steel, beam({0, 0, 0.09}, {x, y, 0.06}, {0.03, 0.02}, 0.004));
+    p.add(dark, ellipsoid({x, y, 0.025}, {0.02, 0.02, 0.025}, 10, 6));
+  }
+  p.add(steel, cylinder({0, 0, 0.06}, 0.012, p.h - 0.08, 12));
+  for (const double s : {-1.0, 1.0})
+    p.add(steel, tube(curve({{0, 0, p.h - 0.04}, {s * r * 0.5, 0, p.h - 0.02}, {s * r * 0.62, 0, p.h - 0.05}}, 4), 0.006, 6));
+  p.add(p.named("frosted_glass"), rounded_box(sides(r * 0.62 - 0.05, r * 0.62 + 0.05, -0.02, 0.02, p.h - 0.32, p.h - 0.06), 0.015, 3));
+  p.add(p.named("plastic"), rod({r * 0.62, 0, p.h - 0.33}, {0.02, -0.02, p.h * 0.45}, 0.004, 6));
+  p.add(dark, box(sides(-0.06, 0.06, -0.07, 0.02, p.h * 0.45, p.h * 0.58), 0.008));
+  p.add(p.named("lit_screen"), box(sides(-0.04, 0.04, -0.072, -0.06, p.h * 0.5, p.h * 0.56), 0));
+  p.fit();
+}
+
+void trophy(Piece& p) {
+  const int gold = p.main("brass"), base = p.named("ebony");
+  p.add(base, box(sides(-0.22, 0.22, -0.22, 0.22, 0, 0.16), 0.02));
+  p.add(gold, lathe({{0, 0.16},
+                     {0.16, 0.16},
+                     {0.05, 0.24},
+                     {0.045, 0.4},
+                     {0.18, 0.52},
+                     {0.28, 0.72},
+                     {0.3, 1.0},
+                     {0.27, 1.0},
+                     {0.25, 0.74},
+                     {0, 0.56}},
+                    26));
+  for (const double s : {-1.0, 1.0})
+    p.add(gold, tube(curve({{s * 0.28, 0, 0.92}, {s * 0.46, 0, 0.9}, {s * 0.42, 0, 0.68}, {s * 0.2, 0, 0.58}}, 4), 0.025, 8));
+  p.fit();
+}
+
+// A sheet or a few of them, with lines of writing.
+void papers(Piece& p) {
+  const int white = p.named("paper"), ink = p.named("grey_plastic");
+  const double x = p.w / 2, y = p.d / 2;
+  p.add(white, box(sides(-x, x, -y, y, 0, p.h * 0.6), 0));
+  p.add(white, box(sides(-x * 0.96, x * 0.96, -y * 0.96, y * 0.96, p.h * 0.6, p.h * 0.9), 0), turned_z(2));
+  for (int i = 0; i < 6; ++i)
+    p.add(ink, box(sides(-x * 0.7, x * (i % 3 == 2 ? 0.2 : 0.7), y * (0.7 - 0.22 * i) - y * 0.03, y * (0.7 - 0.22 * i) + y * 0.03,
+                         p.h * 0.88, p.h),
+                   0));
+  p.fit();
+}
+
+void skateboard(Piece& p) {
+  const int deck = p.main_accent("lacquer"), dark = p.named("black_plastic"), wheel = p.named("plastic"), steel = p.named("steel");
+  const Pose turn = p.w >= p.d ? Pose{} : turned_z(90);
+  p.add(deck, prism(rounded_rectangle({-0.34, -0.13}, {0.34, 0.13}, 0.1, 6), 0.1, 0.13, true), turn);
+  p.add(dark, prism(rounded_rectangle({-0.34, -0.125}, {0.34, 0.125}, 0.1, 6), 0.13, 0.134, true), turn);
+  for (const double s : {-1.0, 1.0}) {
+    p.add(deck, beam({s * 0.32, 0, 0.115}, {s * 0.5, 0, 0.17}, {0.24, 0.03}, 0.01), turn);
+    p.add(steel, rod({s * 0.25, -0.1, 0.05}, {s * 0.25, 0.1, 0.05}, 0.015, 8), turn);
+    p.add(steel, box(sides(s * 0.25 - 0.04, s * 0.25 + 0.04, -0.04, 0.04, 0.05, 0.1), 0.004), turn);
+    for (const double y : {-1.0, 1.0}) p.add(wheel, rod({s * 0.25, y * 0.08, 0.045}, {s * 0.25, y * 0.13, 0.045}, 0.045, 18), turn);
+  }
+  p.fit();
+}
+
+void rocking_horse(Piece& p) {
+  const int wood = p.frame("oak"), body = p.main_accent("lacquer"), mane = p.tinted("wool", {0.36, 0.25, 0.17}),
+            dark = p.named("black_plastic");
+  const Pose turn = p.w >= p.d ? Pose{} : turned_z(90);
+  const auto add = [&](int s, const Mesh& m) { p.add(s, m, turn); };
+  for (const double y : {-0.17, 0.17}) {
+    add(wood, tube(curve({{-0.5, y, 0.14}, {-0.25, y, 0.035}, {0, y, 0.02}, {0.25, y, 0.035}, {0.5, y, 0.14}}, 5), 0.025, 8));
+    for (const double x : {-0.22, 0.2}) add(wood, beam({x * 1.3, y, 0.05}, {x, y * 0.5, 0.4}, {0.06, 0.05}, 0.01));
+  }
+  add(body, ellipsoid({0, 0, 0.46}, {0.3, 0.13, 0.14}, 18, 10));
+  add(body, beam({-0.2, 0, 0.48}, {-0.36, 0, 0.78}, {0.13, 0.14}, 0.03));
+  add(body, ellipsoid({-0.43, 0, 0.78}, {0.15, 0.07, 0.085}, 14, 8));
+  add(mane, beam({-0.16, 0, 0.58}, {-0.3, 0, 0.88}, {0.04, 0.07}, 0.01));
+  add(mane, tube(curve({{0.28, 0, 0.52}, {0.42, 0, 0.5}, {0.46, 0, 0.3}}, 4), 0.035, 8));
+  add(wood, rod({-0.34, -0.15, 0.72}, {-0.34, 0.15, 0.72}, 0.018, 10));
+  for (const double y : {-0.06, 0.06}) add(dark, ellipsoid({-0.46, y, 0.81}, {0.016, 0.012, 0.016}, 8, 4));
+  add(p.named("leather"), box(sides(-0.06, 0.2, -0.12, 0.12, 0.56, 0.62), 0.02));
+  p.fit();
+}
+
+// A car to sit in: body, glass house, wheels; drives along its longer side.
+void car(Piece& p) {
+  const int paint = p.color_asked() ? p.main("painted_metal") : p.tinted("painted_metal", {0.60, 0.14, 0.14}), glass = p.named("screen"),
+            tyre = p.named("black_plastic"), chrome = p.named("chrome");
+  const Pose turn = p.w >= p.d ? Pose{} : turned_z(90);
+  const auto add = [&](int s, const Mesh& m) { p.add(s, m, turn); };
+  add(paint, rounded_box(sides(-2.1, 2.1, -0.85, 0.85, 0.28, 0.82), 0.16, 4));
+  add(glass, taper({0.15, 0, 0.8}, {1.25, 0.74}, {0.2, 0, 1.32}, {0.78, 0.6}));
+  add(paint, rounded_box(sides(-0.62, 1.0, -0.62, 0.62, 1.3, 1.38), 0.035, 2));
+  for (const double x : {-1.3, 1.3}) {
+    for (const double y : {-1.0, 1.0}) {
+      add(tyre, rod({x, y * 0.66, 0.32}, {x, y * 0.88, 0.32}, 0.32, 26));
+      add(chrome, rod({x, y * 0.87, 0.32}, {x, y * 0.89, 0.32}, 0.19, 20));
+    }
+  }
+  for (const double y : {-0.58, 0.58}) {
+    add(p.named("lit_screen"), rounded_box(sides(-2.12, -2.04, y - 0.16, y + 0.16, 0.54, 0.66), 0.03, 2));
+    add(p.tinted("plastic", {0.7, 0.1, 0.1}), rounded_box(sides(2.04, 2.12, y - 0.16, y + 0.16, 0.56, 0.68), 0.03, 2));
+  }
+  p.fit();
+}
+
+// A roll on a spindle or of paper.
+void paper_roll(Piece& p) {
+  p.add(p.named("paper"), lathe({{0.2, 0}, {0.5, 0}, {0.5, 1}, {0.2, 1}, {0.2, 0}}, 30));
+  p.add(p.named("cardboard"), lathe({{0.18, 0}, {0.21, 0}, {0.21, 1}, {0.18, 1}, {0.18, 0}}, 20));
+  p.fit();
+}
+
+}  // namespace
+
+void add_outdoor_things(Families& to) {
+  to["cone"] = cone_family;
+  to["surfboard"] = surfboard;
+  to["skis"] = skis;
+  to["basketball_hoop"] = basketball_hoop;
+  to["sign"] = sign;
+  to["ironing_board"] = ironing_board;
+  to["xylophone"] = xylophone;
+  to["plate_stack"] = plate_stack;
+  to["pizza"] = pizza;
+  to["melon"] = melon;
+  to["vegetable"] = vegetable;
+  to["pen"] = pen;
+  to["umbrella"] = umbrella;
+  to["squat_rack"] = squat_rack;
+  to["iv_stand"] = iv_stand;
+  to["trophy"] = trophy;
+  to["papers"] = papers;
+  to["skateboard"] = skateboard;
+  to["rocking_horse"] = rocking_horse;
+  to["car"] = car;
+  to["paper_roll"] = paper_roll;
+}
+
+}  // namespace layoutbox::kit
