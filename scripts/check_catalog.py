@@ -11,26 +11,13 @@ from __future__ import annotations
 import ast
 import json
 import operator
+import re
 import sys
 from collections.abc import Iterator
 from pathlib import Path
 
-FAMILIES = {
-    "box", "chair", "armchair", "sofa", "stool", "bench", "office_chair", "bean_bag", "ottoman", "recliner", "table", "desk", "counter",
-    "nightstand", "chest_of_drawers", "bed", "bunk_bed", "crib", "wardrobe", "cabinet", "shelf", "rack", "kitchen_unit", "fridge",
-    "stove", "oven", "dishwasher", "washing_machine", "microwave", "sink", "toilet", "bathtub", "shower", "floor_lamp", "table_lamp",
-    "pendant", "chandelier", "wall_lamp", "ceiling_lamp", "tv", "monitor", "laptop", "keyboard", "mouse", "phone", "speaker", "printer",
-    "projector", "console_device", "computer_tower", "picture", "mirror", "clock", "board", "wall_shelf", "curtain", "blind", "rug",
-    "cushion", "blanket", "towel", "plant", "tree", "flower_vase", "vase", "bowl", "plate", "cup", "bottle", "glass", "cutlery", "pot",
-    "pan", "book", "book_stack", "magazine", "candle", "basket", "box_container", "bin", "jar", "tray", "teddy", "ball", "toy_blocks",
-    "toy_car", "doll_house", "piano", "grand_piano", "guitar", "drum_kit", "music_stand", "treadmill", "exercise_bike", "dumbbell_rack",
-    "dumbbell", "barbell_bench", "yoga_mat", "punching_bag", "fireplace", "fan", "heater", "air_conditioner", "radiator", "easel",
-    "workbench", "tool", "ladder", "cart", "trolley", "stand", "podium", "screen_divider", "mannequin", "cash_register", "display_case",
-    "vending_machine", "arcade_machine", "pool_table", "ping_pong_table", "foosball_table", "hospital_bed", "exam_table", "wheelchair",
-    "umbrella_stand", "coat_rack", "shoe_rack", "hanger", "aquarium", "fruit", "bread", "cake", "food_plate", "bicycle", "car_part",
-    "suitcase", "statue", "globe", "sewing_machine", "telescope", "microscope", "hammock", "swing", "tent", "pet_bed", "cat_tree",
-    "pillar", "stairs", "door", "window",
-}  # fmt: skip
+SHAPES = Path(__file__).parent.parent / "src/layoutbox/furnish/families"
+FAMILIES = {name for path in SHAPES.glob("*.cc") for name in re.findall(r'to\["([a-z_0-9]+)"\]', path.read_text(encoding="utf-8"))}
 MOUNTS = {"floor", "wall", "ceiling", "surface", "hung"}
 SIDES = {"front", "back", "left", "right"}
 KEYS = {

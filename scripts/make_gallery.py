@@ -20,61 +20,53 @@ BACKGROUND = (224, 229, 235)
 
 # What stands for a family where its first entry is not its plainest.
 FACES = {
-    "barbell_bench": "weight_bench", "ball": "exercise_ball", "bench": "entryway_bench", "bin": "trash_can", "board": "whiteboard",
-    "basket": "basket", "blanket": "throw_blanket", "bottle": "bottle", "bowl": "fruit_bowl", "box": "food_package", "box_container": "crate",
-    "bread": "bread", "cabinet": "sideboard", "candle": "candle", "car_part": "car", "chair": "dining_chair", "chest_of_drawers": "dresser",
-    "console_device": "record_player", "counter": "reception_desk", "crib": "crib", "cup": "mug", "curtain": "curtain", "cushion": "pillow",
-    "desk": "desk", "display_case": "display_cabinet", "fan": "fan", "glass": "wine_glass", "globe": "globe", "guitar": "guitar",
-    "hammock": "hammock", "jar": "jar", "kitchen_unit": "kitchen_sink", "magazine": "magazine", "mannequin": "mannequin",
-    "microwave": "microwave", "mouse": "mouse", "nightstand": "nightstand", "picture": "painting", "plant": "monstera", "plate": "plate",
-    "pot": "teapot", "projector": "projector", "rack": "clothes_rack", "recliner": "recliner", "rug": "rug", "shelf": "bookshelf",
-    "sink": "bathroom_vanity", "sofa": "sofa", "speaker": "floor_speaker", "stairs": "stairs", "stand": "plant_stand", "statue": "sculpture",
-    "stool": "bar_stool", "suitcase": "suitcase", "swing": "hanging_chair", "table": "dining_table", "table_lamp": "table_lamp",
-    "teddy": "teddy_bear", "tool": "gardening_tool", "towel": "towel", "toy_blocks": "building_block", "toy_car": "toy_car", "tray": "tea_set",
-    "tree": "fiddle_leaf_fig", "vase": "vase", "wall_shelf": "wall_shelf", "wardrobe": "wardrobe", "washing_machine": "washing_machine",
-    "workbench": "workbench", "clock": "clock", "fridge": "fridge", "cat_tree": "cat_tree", "bunk_bed": "bunk_bed",
+    "ball": "exercise_ball",
+    "barbell_bench": "weight_bench",
+    "bench": "entryway_bench",
+    "bin": "trash_can",
+    "blanket": "throw_blanket",
+    "board": "whiteboard",
+    "bowl": "fruit_bowl",
+    "box": "food_package",
+    "box_container": "crate",
+    "cabinet": "sideboard",
+    "car_part": "car",
+    "chair": "dining_chair",
+    "chest_of_drawers": "dresser",
+    "console_device": "record_player",
+    "counter": "reception_desk",
+    "cup": "mug",
+    "cushion": "pillow",
+    "display_case": "display_cabinet",
+    "glass": "wine_glass",
+    "kitchen_unit": "kitchen_sink",
+    "picture": "painting",
+    "plant": "monstera",
+    "pot": "teapot",
+    "rack": "clothes_rack",
+    "shelf": "bookshelf",
+    "sink": "bathroom_vanity",
+    "speaker": "floor_speaker",
+    "stand": "plant_stand",
+    "statue": "sculpture",
+    "stool": "bar_stool",
+    "swing": "hanging_chair",
+    "table": "dining_table",
+    "teddy": "teddy_bear",
+    "tool": "gardening_tool",
+    "toy_blocks": "building_block",
+    "tray": "tea_set",
+    "tree": "fiddle_leaf_fig",
 }
 
-PAPER = [json.loads(line)["prompt"] for line in (ROOT / "examples/prompts/paper.jsonl").read_text(encoding="utf-8").splitlines()]
-ROOMS = [(f"prompt {number}", PAPER[number - 1], []) for number in (1, 2, 3, 4, 5, 6)] + [
-    ("living room", "A 5.2 x 4.2 m modern living room. A grey sofa against the back wall, a round coffee table on a rug in front of it, two teal "
-     "armchairs facing the sofa, a TV stand with a TV on the right wall, a floor lamp beside the sofa, a bookshelf on the left wall, a large "
-     "plant in a corner and a painting above the sofa.", []),
-    ("kitchen", "A 4 x 3.5 m kitchen with a fridge, a stove, a kitchen sink and a dishwasher along the back wall, a kitchen island in the middle "
-     "with three bar stools, a pendant lamp above the island, a toaster and a kettle on the counter.", []),
-    ("home office", "A 3.6 x 3.2 m home office. A walnut desk facing the window with a monitor, a keyboard and a desk lamp on it, an office chair at "
-     "the desk, a bookshelf against the left wall, a file cabinet next to the desk, a rug and a plant.", []),
-    ("classroom", "A 8 x 7 m classroom with 12 desks in rows, each with a chair, a teacher's desk at the front, a whiteboard on the back wall, "
-     "a bookshelf and a globe on the teacher's desk.", []),
-    ("bathroom", "A 3 x 2.6 m bathroom with a bathtub along the back wall, a toilet, a bathroom vanity with a mirror above it, a bath mat, "
-     "a laundry basket and a towel rack on the wall.", []),
-    ("gym", "A 7 x 5 m gym with two treadmills, an exercise bike, a dumbbell rack against the left wall, a weight bench, a yoga mat, "
-     "a punching bag and a gym mirror on the back wall.", []),
-    ("café", "A 8 x 6 m cafe with a bar counter along the back wall, four bar stools at the counter, an espresso machine and a cash register on the "
-     "counter, four round tables with two chairs each, pendant lamps above the tables and two plants.", []),
-    ("children's room", "A 4 x 3.6 m children's room with a bunk bed, a small desk with a chair, a toy box, a teddy bear on the rug, a doll house, "
-     "a bookshelf, building blocks and a play tent.", []),
-    ("library", "A 7 x 5 m library with five bookshelves along the back wall and the left wall, two reading tables with four chairs each, an armchair "
-     "with a floor lamp next to it, and a globe on a stand.", []),
-    ("dining room", "A 4.5 x 4 m rustic dining room with an oak dining table in the middle and eight chairs, a chandelier above it, a display cabinet "
-     "against the back wall, a sideboard with a vase of flowers on it, curtains at the window and a rug under the table.", []),
-    ("studio flat", "A 6 x 5 m studio apartment with a double bed, a nightstand with a lamp, a sofa, a coffee table, a TV on a TV stand, "
-     "a kitchen counter with a stove and a fridge, a dining table with two chairs and a wardrobe.", []),
-    ("hotel room", "A 5 x 4 m hotel room with a king bed centred on the back wall, two nightstands with table lamps, a bench at the foot of the bed, "
-     "an armchair by the window, a desk with a chair, a TV on the right wall and curtains.", []),
-    ("music room", "A 5.5 x 5 m music room with a grand piano and a piano stool, a drum kit, a guitar on a stand, two music stands, "
-     "a floor speaker, a sofa and a rug.", []),
-    ("clinic", "A 4.5 x 4 m doctor's office with an exam table, a desk with a computer, an office chair, two chairs in front of the desk, a cabinet, "
-     "an iv stand, a sink and a screen divider.", []),
-    ("shop", "A 7 x 5 m clothing shop with three clothes racks, a shop counter with a cash register, two mannequins, a display case, a full length mirror, "
-     "a shelf along the back wall and a bench.", []),
-    ("workshop", "A 5 x 4 m workshop with a workbench along the back wall, a drill press, a tool chest, a ladder, a bicycle, a shelf with boxes "
-     "and a stool.", []),
-    ("meeting room", "A 6 x 4.5 m conference room with a conference table and eight office chairs around it, a projector screen on the back wall, "
-     "a projector on the table, a whiteboard, a water cooler and two plants.", []),
-    ("game room", "A 7 x 6 m game room with a pool table in the middle, a ping pong table, a foosball table, an arcade machine, a dart board on the wall, "
-     "a leather sofa and a bar counter with two bar stools.", []),
-]  # fmt: skip
+
+def prompts(name):
+    """(name, prompt) of a file of examples/prompts."""
+    lines = (ROOT / "examples/prompts" / name).read_text(encoding="utf-8").splitlines()
+    return [(row["id"], row["prompt"]) for row in map(json.loads, lines)]
+
+
+ROOMS = [(f"prompt {name}", prompt) for name, prompt in prompts("paper.jsonl")[:6]] + prompts("gallery.jsonl")
 
 
 def run(*words):
@@ -123,8 +115,10 @@ def alone(entry, work):
     walls = [{"id": f"wall{i + 1}", "start": corners[i], "end": corners[(i + 1) % 4], "thickness": 0.05} for i in range(4)]
     thing = {"id": "thing_1", "category": entry["id"], "name": entry["name"], "size": [w, d, h], "pos": [x / 2, y / 2, 0], "rotation": 0,
              "mount": "floor", "supportedBy": "floor"}  # fmt: skip
-    layout = {"format": "layoutbox/layout@1", "status": "solved", "room": {"polygon": corners, "height": h + 0.1, "walls": walls, "openings": []},
-              "objects": [thing], "relations": [], "relaxed": [], "conflicts": [], "score": {"total": 1, "terms": {}},
+    room = {"polygon": corners, "height": h + 0.1, "walls": walls, "openings": []}
+    layout = {"format": "layoutbox/layout@1", "status": "solved",
+              "room": room, "objects": [thing], "relations": [], "relaxed": [], "conflicts": [],
+              "score": {"total": 1, "terms": {}},
               "stats": {"solver": "hand", "seed": 1, "seconds": 0, "proven": False}}  # fmt: skip
     path = work / "layout.json"
     path.write_text(json.dumps(layout), encoding="utf-8")
@@ -202,17 +196,17 @@ def kinds(blender, arguments):
     chosen = [entry for entry in entries().values() if wanted(arguments, entry["id"], entry["shape"]["family"])]
     pictures = [(entry["id"].replace("_", " "), tile_of(entry, blender, arguments.work, "draft")) for entry in chosen]
     for page in range(0, len(pictures), 120):
-        sheet(pictures[page:page + 120], 12, (160, 140), arguments.work / f"kinds-{page // 120 + 1}.jpg", 12)
+        sheet(pictures[page : page + 120], 12, (160, 140), arguments.work / f"kinds-{page // 120 + 1}.jpg", 12)
 
 
 def rooms(blender, arguments):
     pictures = []
-    for number, (name, prompt, more) in enumerate(ROOMS, 1):
+    for number, (name, prompt) in enumerate(ROOMS, 1):
         if not wanted(arguments, name):
             continue
         folder = arguments.work / f"room-{number:02}"
         words = ["--size", arguments.size, "--quality", arguments.quality or "preview"]
-        subprocess.run([PROGRAM, "generate", prompt, "-o", folder, "--no-render", *words, *more], check=False, stdout=subprocess.DEVNULL,
+        subprocess.run([PROGRAM, "generate", prompt, "-o", folder, "--no-render", *words], check=False, stdout=subprocess.DEVNULL,
                        stderr=subprocess.DEVNULL)  # fmt: skip
         blender.draw(folder / "blender.py", folder)
         pictures.append((name, folder / "scene.png"))
