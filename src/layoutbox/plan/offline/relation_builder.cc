@@ -544,8 +544,8 @@ class Builder {
     for (const Relation& grid : scene_.relations) {
       if (grid.type != R::kGrid || grid.targets.size() < 2) continue;
       const std::size_t n = grid.targets.size();
-      const std::size_t columns = static_cast<std::size_t>(
-          grid.parameters.columns.value_or(static_cast<int>(std::ceil(std::sqrt(static_cast<double>(n))))));
+      const std::size_t columns =
+          static_cast<std::size_t>(grid.parameters.columns.value_or(static_cast<int>(std::ceil(std::sqrt(static_cast<double>(n))))));
       const std::string& middle = grid.targets[(columns - 1) / 2];
       for (Relation& facing : scene_.relations) {
         if (facing.type != R::kFacing || facing.targets.size() != 1) continue;

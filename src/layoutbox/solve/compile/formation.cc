@@ -90,12 +90,14 @@ void add_seat_place(Formula& f, const Model& model, int seat, int table, int k, 
     const Direction d = side_direction(host, side, turn);
     std::uint64_t facing = 0;
     for_each_turn(chair, [&](int chair_turn, std::uint64_t chair_states) {
-      if (!chair.has_front || (chair_turn % 90 == 0 && side_direction(chair, Side::kFront, chair_turn) == opposite(d))) facing |= chair_states;
+      if (!chair.has_front || (chair_turn % 90 == 0 && side_direction(chair, Side::kFront, chair_turn) == opposite(d)))
+        facing |= chair_states;
     });
     Case& c = f.add().when(table, states);
     if (facing) c.when(seat, facing);
     // places · mid2(seat) = 2 · places · lo(table) + (2 · place + 1) · extent(table)
-    c.wish(places * mid2(seat, across(d)) - 2 * places * lo(table, across(d)) - (2 * place + 1) * extent(table, across(d)), weight, 2 * places);
+    c.wish(places * mid2(seat, across(d)) - 2 * places * lo(table, across(d)) - (2 * place + 1) * extent(table, across(d)), weight,
+           2 * places);
     c.wish(gap_towards(seat, table, d) + Linear(std::min<Mm>(kTucked, own.depth / 2)), weight);
     c.require(reach(seat, d) - reach(table, d));
   });

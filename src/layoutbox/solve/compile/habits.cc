@@ -213,6 +213,14 @@ class Habits {
         return true;
       }
     }
+    if (is_easy_chair(self)) {
+      const std::vector<int> seen = items_of_kinds(self.entry->faces, item);
+      const auto low_table = std::find_if(seen.begin(), seen.end(), [&](int i) { return model_.is_a(i, "coffee_table"); });
+      if (low_table != seen.end() && !related(item, *low_table)) {
+        sit_round_low_table(item, *low_table);
+        return true;
+      }
+    }
     // Hosts of the best kind only: a lamp by the sofa rather than by the desk.
     std::erase_if(hosts, [&](int h) { return model_.items[h].entry != model_.items[hosts[0]].entry; });
     const int host = hosts[rank_of(item) % static_cast<int>(hosts.size())];
@@ -245,11 +253,30 @@ class Habits {
     return true;
   }
 
+  // Easy chairs make a talking group: at the ends of the coffee table, looking at it, two of them face to face.
+  void sit_round_low_table(int item, int table) {
+    Formula f;
+    add_beyond(f, model_, item, table, Side::kLeft, 700, 350);
+    add_beyond(f, model_, item, table, Side::kRight, 700, 350);
+    const std::size_t ends = f.cases.size();
+    add_beyond(f, model_, item, table, Side::kFront, 700, 350);
+    add_beyond(f, model_, item, table, Side::kBack, 700, 350);
+    for (std::size_t i = ends; i < f.cases.size(); ++i) f.cases[i].price += 150;  // there it may stand before the television
+    for (Case& c : f.cases) {
+      if (!c.wishes.empty()) c.wishes[0].weight = kBeside;
+    }
+    habit("round the low table", item, kBeside, std::move(f), {table});
+    flank(item, table, 1);
+  }
+
   void stand_before_middle(int item, int host) {
     Formula f;
     for_each_turn(model_.items[host], [&](int turn, std::uint64_t states) {
       const int along = side_direction(model_.items[host], Side::kRight, turn).axis;
-      f.add().when(host, states).when(item, states_with_width_along(model_.items[item], along)).wish(mid2(item, along) - mid2(host, along), kBeside, 2);
+      f.add()
+          .when(host, states)
+          .when(item, states_with_width_along(model_.items[item], along))
+          .wish(mid2(item, along) - mid2(host, along), kBeside, 2);
     });
     habit("before the middle", item, kBeside, std::move(f), {host});
   }
@@ -295,7 +322,8 @@ class Habits {
   };
   std::optional<Group> formation_with(int item) const {
     for (const Relation& r : model_.scene->relations) {
-      if (r.type != RelationType::kGrid || std::find(r.targets.begin(), r.targets.end(), model_.items[item].id) == r.targets.end()) continue;
+      if (r.type != RelationType::kGrid || std::find(r.targets.begin(), r.targets.end(), model_.items[item].id) == r.targets.end())
+        continue;
       Group group{{}, r.parameters.columns.value_or(static_cast<int>(std::ceil(std::sqrt(static_cast<double>(r.targets.size())))))};
       for (const std::string& id : r.targets) group.members.push_back(model_.find_item(id));
       return group;
@@ -308,7 +336,8 @@ class Habits {
       const int other = static_cast<int>(i);
       if (model_.items[i].entry == self.entry && !model_.items[i].fixed && !placed_besides_facing(other)) group.members.push_back(other);
     }
-    if (group.members.size() < kMany || std::find(group.members.begin(), group.members.end(), item) == group.members.end()) return std::nullopt;
+    if (group.members.size() < kMany || std::find(group.members.begin(), group.members.end(), item) == group.members.end())
+      return std::nullopt;
     return group;
   }
 

@@ -1,0 +1,118 @@
+// Rooms in which nobody said where things stand: what a person would expect of them.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+#include "layoutbox/solve/solver.h"
+#include "layoutbox/solve/test_judge.h"
+#include "layoutbox/solve/test_scene.h"
+
+namespace layoutbox::placement {
+namespace {
+
+Layout solved(const SceneGraph& scene) {
+  auto layout = solve(scene, Catalog::builtin(), {});
+  EXPECT_TRUE(layout) << (layout ? "" : layout.error().message);
+  if (!layout) return {};
+  expect_sound(*layout);
+  EXPECT_EQ(layout->status, LayoutStatus::kSolved);
+  return *layout;
+}
+
+const PlacedObject& object(const Layout& layout, const std::string& id) {
+  const PlacedObject* found = layout.find_object(id);
+  if (!found) throw std::runtime_error(id + " is not there");
+  return *found;
+}
+
+// Along the host's own axes, from its middle: x to its right, y to its back.
+Point seen_from(const PlacedObject& host, const PlacedObject& other) {
+  const double a = host.rotation_deg * 3.14159265358979 / 180, x = other.position[0] - host.position[0],
+               y = other.position[1] - host.position[1];
+  return {static_cast<Mm>(std::lround(std::cos(a) * x + std::sin(a) * y)),
+          static_cast<Mm>(std::lround(-std::sin(a) * x + std::cos(a) * y))};
+}
+
+TEST(Habits, NightstandsStandAtBothSidesOfTheirBed) {
+  const Layout layout = solved(SceneMaker(4300, 3900).add("bed").add("nightstand", 2).add("wardrobe").add("dresser").make(true));
+  const PlacedObject& bed = object(layout, "bed_1");
+  const Point one = seen_from(bed, object(layout, "nightstand_1")), two = seen_from(bed, object(layout, "nightstand_2"));
+  EXPECT_LT(std::int64_t{one.x} * two.x, 0);
+  for (const Point& p : {one, two}) {
+    EXPECT_LT(std::abs(p.x) - bed.size.width / 2.0, 450) << "beside it, not somewhere else";
+    EXPECT_GT(p.y, 0) << "at its head";
+  }
+}
+
+TEST(Habits, ARugShowsAtTheFootOfTheBed) {
+  const Layout layout = solved(SceneMaker(4300, 3900).add("bed").add("rug").make(true));
+  const PlacedObject& bed = object(layout, "bed_1");
+  const Point rug = seen_from(bed, object(layout, "rug_1"));
+  EXPECT_NEAR(rug.x, 0, 60);
+  EXPECT_LT(rug.y - object(layout, "rug_1").size.depth / 2, -bed.size.depth / 2 - 300);
+}
+
+TEST(Habits, ManyDesksStandInRowsWithTheirChairsBehindThem) {
+  const Layout layout =
+      solved(SceneMaker(8000, 7000, 3000).add("school_desk", 9).add("student_chair", 9).add("chalkboard").add("teacher_desk").make(true));
+  std::set<Mm> columns, rows;
+  for (int i = 1; i <= 9; ++i) {
+    const std::string n = std::to_string(i);
+    const PlacedObject& desk = object(layout, "school_desk_" + n);
+    EXPECT_EQ(desk.rotation_deg, object(layout, "school_desk_1").rotation_deg);
+    columns.insert(static_cast<Mm>(std::lround(desk.position[0] / 50))), rows.insert(static_cast<Mm>(std::lround(desk.position[1] / 50)));
+    const Point chair = seen_from(desk, object(layout, "student_chair_" + n));
+    EXPECT_NEAR(chair.x, 0, 60) << n;
+    EXPECT_GT(chair.y, 0) << n << ": a school desk looks away from who sits at it";
+  }
+  EXPECT_EQ(columns.size() * rows.size(), 9U);
+}
+
+TEST(Habits, ChairsAreSharedOutOverTheSidesOfTheirTable) {
+  const Layout layout = solved(SceneMaker(4200, 3600).add("dining_table").sized(1600, 900, 750).add("dining_chair", 6).make(true));
+  const PlacedObject& table = object(layout, "dining_table_1");
+  int front = 0, back = 0, left = 0, right = 0;
+  for (int i = 1; i <= 6; ++i) {
+    const Point p = seen_from(table, object(layout, "dining_chair_" + std::to_string(i)));
+    const bool end = std::abs(p.x) > table.size.width / 2;
+    front += !end && p.y < 0, back += !end && p.y > 0, left += end && p.x < 0, right += end && p.x > 0;
+  }
+  EXPECT_EQ(front, back);
+  EXPECT_EQ(left, right);
+  EXPECT_EQ(front + back + left + right, 6);
+}
+
+TEST(Habits, ATalkingGroupRoundTheCoffeeTable) {
+  const Layout layout = solved(SceneMaker(5000, 4200)
+                                   .add("sofa")
+                                   .add("armchair", 2)
+                                   .add("coffee_table")
+                                   .add("tv_stand")
+                                   .add("tv")
+                                   .relate("on", {"tv_1"}, {"tv_stand_1"})
+                                   .make(true));
+  const PlacedObject &sofa = object(layout, "sofa_1"), &table = object(layout, "coffee_table_1");
+  const Point before = seen_from(sofa, table);
+  EXPECT_NEAR(before.x, 0, 100);
+  EXPECT_LT(before.y, 0);
+  for (const char* id : {"armchair_1", "armchair_2"}) {
+    const Point p = seen_from(object(layout, id), table);  // before its front, not far
+    EXPECT_LT(p.y, 0) << id;
+    EXPECT_LT(std::abs(p.x), 400) << id;
+    EXPECT_GT(p.y, -1800) << id;
+  }
+}
+
+TEST(Habits, AGridThatFacesABoardFindsItsPlace) {
+  SceneMaker maker(8000, 6000, 3000);
+  maker.add("school_desk", 4).add("student_chair", 4).add("chalkboard");
+  maker.relate("grid", {"school_desk_1", "school_desk_2", "school_desk_3", "school_desk_4"});
+  maker.relate("facing", {"school_desk_4"}, {"chalkboard_1"}).relate("onWall", {"chalkboard_1"}, {"wall3"});
+  for (int i = 1; i <= 4; ++i) maker.relate("tuckedUnder", {"student_chair_" + std::to_string(i)}, {"school_desk_" + std::to_string(i)});
+  const Layout layout = solved(maker.make(true));
+  for (const PlacedRelation& r : layout.relations) EXPECT_TRUE(r.held || !r.relation.hard) << r.relation.id;
+}
+
+}  // namespace
+}  // namespace layoutbox::placement
