@@ -24,6 +24,9 @@ std::vector<std::string> singular_forms(std::string_view word);
 // ("chests of drawers" → chestofdrawers, chestsofdrawer…).
 std::vector<std::string> candidate_keys(std::span<const std::string> words);
 
+// Letters to change, add, leave out or swap with their neighbour to make one word of the other. REQUIRES: at most 64 bytes matter.
+std::size_t edit_distance(std::string_view a, std::string_view b);
+
 // The nearest of `known` to a misspelt word, or empty when none is near.
 std::string nearest_word(std::string_view word, std::span<const std::string> known);
 

@@ -21,6 +21,11 @@ const PhraseSenses& row_senses() {
   return senses;
 }
 
+const PhraseSenses& grid_senses() {
+  static const PhraseSenses senses{{RelationType::kGrid, PhraseSense::Direction::kAlone, {}, {}, {}}};
+  return senses;
+}
+
 class Chunker {
  public:
   Chunker(const Lexicon& lexicon, std::span<const Token> tokens) : lexicon_(lexicon), tokens_(tokens) {}
@@ -67,16 +72,22 @@ class Chunker {
   // A command or statement may begin here, so that a bare word is its verb and not a noun.
   bool clause_begins() const {
     const ChunkKind before = previous();
-    return before == ChunkKind::kStop || before == ChunkKind::kClause || before == ChunkKind::kComma || before == ChunkKind::kAnd;
+    return before == ChunkKind::kStop || before == ChunkKind::kClause || before == ChunkKind::kComma || before == ChunkKind::kAnd ||
+           before == ChunkKind::kCommand;
   }
 
   void read() {
-    if (read_distance() || read_size_chunk()) return;
+    if (read_distance() || read_size_chunk() || read_rows()) return;
     const PhraseMatch phrase = lexicon_.find_phrase(tokens_, i_);
     const ChunkKind before = previous();
+    // "my desk is 's": what a person owns was read with the noun; elsewhere the sign stands for "is" or "us".
+    if (tokens_[i_].text == "'s") {
+      add(before == ChunkKind::kThere ? ChunkKind::kThere : ChunkKind::kIgnored, 1);
+      return;
+    }
     // "The left nightstand", "two chairs": what opens a noun phrase is one, unless a longer phrase begins so ("one behind the other").
     const std::size_t there = length_of(Class::kThere), without = length_of(Class::kWithout);
-    if (there > 0 && there >= without && tokens_[i_].text != "i") {
+    if (there > 0 && there >= without) {
       if (there == 1 && before == ChunkKind::kNoun) {
         add(ChunkKind::kIgnored, 1);
       } else {
@@ -171,6 +182,9 @@ class Chunker {
     // A bare noun that begins with such a word and is longer: "standing lamp", "hanging chair", "set of drawers", "display cabinet".
     if (best.kind != ChunkKind::kAnd && best.kind != ChunkKind::kClause && before != ChunkKind::kNoun) {
       const auto noun = read_noun_phrase(lexicon_, tokens_, i_, true);
+      // "on opposite walls"
+      if (noun && noun->kind == NounKind::kWall && best.kind == ChunkKind::kRelation && before == ChunkKind::kRelation)
+        return read_noun(true);
       if (noun && noun->kind == NounKind::kObject && noun->last > i_ + best.length && noun->entry != nullptr) {
         const bool verb_first = (best.kind == ChunkKind::kParticiple || best.kind == ChunkKind::kVerb || best.kind == ChunkKind::kCommand ||
                                  best.kind == ChunkKind::kHave) &&
@@ -251,8 +265,17 @@ class Chunker {
     }
     if (tokens_[at].text == "apart") {
       Chunk& chunk = add(ChunkKind::kRelation, at + 1 - i_);
-      chunk.phrase = PhraseMatch{chunk.last - chunk.first, &row_senses(), false, false, false};
+      chunk.phrase = PhraseMatch{chunk.last - chunk.first, &row_senses()};
       chunk.distance = measure->metres;
+      return true;
+    }
+    if (tokens_[at].text == "between") {
+      Chunk& chunk = add(ChunkKind::kRelation, at + 1 - i_);
+      chunk.phrase = lexicon_.find_phrase(tokens_, at);
+      chunk.distance = measure->metres;
+      chunk.at_least = at_least;
+      chunk.at_most = at_most;
+      chunk.gap = true;
       return true;
     }
     const PhraseMatch phrase = lexicon_.find_phrase(tokens_, at);
@@ -261,10 +284,43 @@ class Chunker {
     const std::size_t first = i_;
     const std::size_t length = at - first + (tokens_[at - 1].text == "of" ? 0 : from ? 1 : phrase.length);
     Chunk& chunk = add(ChunkKind::kRelation, length);
-    chunk.phrase = from ? PhraseMatch{length, &distance_senses(), false, false, false} : phrase;
+    chunk.phrase = from ? PhraseMatch{length, &distance_senses()} : phrase;
     chunk.distance = measure->metres;
     chunk.at_least = at_least;
     chunk.at_most = at_most;
+    return true;
+  }
+
+  // "in three rows", "in rows of four", "in two rows of six".
+  bool read_rows() {
+    std::size_t at = i_;
+    if (tokens_[at].text != "in" && tokens_[at].text != "into") return false;
+    ++at;
+    const auto number = [&]() {
+      if (at >= tokens_.size()) return 0;
+      if (tokens_[at].kind == Token::Kind::kNumber) return static_cast<int>(tokens_[at++].number);
+      const Match match = lexicon_.find(tokens_, at, Class::kNumber);
+      if (match.length == 0) return 0;
+      at += match.length;
+      for (const Meaning& meaning : match.meanings) {
+        if (meaning.word_class == Class::kNumber) return static_cast<int>(meaning.value);
+      }
+      return 0;
+    };
+    const int rows = number();
+    if (at < tokens_.size() && (tokens_[at].text == "neat" || tokens_[at].text == "straight" || tokens_[at].text == "parallel")) ++at;
+    if (at >= tokens_.size() || tokens_[at].text != "rows") return false;
+    ++at;
+    int columns = 0;
+    if (at + 1 < tokens_.size() && tokens_[at].text == "of") {
+      const std::size_t before = at++;
+      columns = number();
+      if (columns == 0) at = before;
+    }
+    Chunk& chunk = add(ChunkKind::kRelation, at - i_);
+    chunk.phrase = PhraseMatch{chunk.last - chunk.first, &grid_senses()};
+    chunk.rows = rows;
+    chunk.columns = columns;
     return true;
   }
 

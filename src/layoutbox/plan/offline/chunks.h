@@ -40,6 +40,8 @@ struct Chunk {
   bool passive = false;            // a verb with is, are
   std::optional<double> distance;  // metres, of a relation: "50 cm from"
   bool at_least = false, at_most = false;
+  int rows = 0, columns = 0;  // "in three rows", "in rows of four"
+  bool gap = false;           // "80 cm between the sofa and the table"
   SaidSize size;
 };
 

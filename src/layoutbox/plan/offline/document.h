@@ -22,6 +22,7 @@ struct Mention {
   std::vector<int> items;    // indices; empty for walls, corners, the room …
   bool introduces = false;   // its items are new here
   bool distributes = false;  // "each desk": what is said holds for every single one
+  bool reciprocal = false;   // "each other": the targets themselves
 };
 
 struct Link {
@@ -35,11 +36,14 @@ struct Link {
   std::vector<int> targets, references;  // mentions
   bool each = false;                     // one (or as many as said) for every reference or side
   bool holding = false;                  // a have that says that the host carries ("holding", "filled with")
+  bool one_side = false;                 // "on one side of": "on the other" may follow
   bool weak = false;                     // a have that another link of the target makes needless
   bool soft = false;
   bool implied = false;      // the reference is not said: what was spoken of
   bool after_comma = false;  // ", with …"
   std::optional<double> distance;
+  int rows = 0, columns = 0;  // of a grid
+  bool gap = false;           // a distance between the references
   bool at_least = false, at_most = false;
   std::size_t first = 0, last = 0;  // tokens
 };

@@ -40,6 +40,13 @@ bool allowed(const PhraseSense& sense, const NounPhrase& reference) {
   }
 }
 
+// What things on one floor are to each other.
+bool is_beside(RelationType type) {
+  using R = RelationType;
+  return type == R::kEachSideOf || type == R::kNextTo || type == R::kLeftOf || type == R::kRightOf || type == R::kInFrontOf ||
+         type == R::kBehind || type == R::kAtFootOf;
+}
+
 }  // namespace
 
 Mount mount_of(const NounPhrase& noun) {
@@ -86,12 +93,30 @@ bool is_textile(const Catalog& catalog, const NounPhrase& noun) {
                             "sheet", "linen", "coverlet", "bolster", "towel"});
 }
 
+bool has_hooks(const NounPhrase& noun) {
+  if (!one_of(noun.head, {"pegboard", "rack", "hook", "rail", "ring", "hanger", "bar", "rod", "line", "tree", "stand"})) return false;
+  if (noun.entry == nullptr) return false;
+  const bool inside = std::any_of(noun.entry->spaces.begin(), noun.entry->spaces.end(), [](const SpaceFormula& s) { return s.carries; });
+  return !noun.entry->top_carries && !inside && (noun.entry->mount == Mount::kWall || noun.entry->mount == Mount::kCeiling);
+}
+
+bool is_heavy(const Catalog& catalog, const NounPhrase& noun) {
+  if (noun.entry == nullptr || mount_of(noun) != Mount::kFloor) return false;
+  if (is_table(catalog, noun) || is_seat(catalog, noun) || noun.entry->thin) return true;
+  if (one_of(noun.head, {"bed", "sofa", "couch", "dresser", "wardrobe", "sideboard", "fireplace", "stove", "fridge"})) return true;
+  constexpr double kHeavy = 0.25e9;  // mm³
+  constexpr Mm kTall = 1300;
+  const Size& usual = noun.entry->size.usual;
+  return noun.entry->back_to_wall && (usual.height >= kTall || 1.0 * usual.width * usual.depth * usual.height > kHeavy);
+}
+
 bool may_carry(const Catalog& catalog, const NounPhrase& host, const NounPhrase& item) {
   if (host.kind != NounKind::kObject) return false;
   const Mount mount = mount_of(item);
   const bool rug_host = host.entry != nullptr && host.entry->thin;
   if (rug_host) return true;
   if (item.collective) return true;
+  if (has_hooks(host)) return mount != Mount::kCeiling && !is_heavy(catalog, item);
   if (mount != Mount::kSurface && !(mount == Mount::kWall && one_of(item.head, {"mirror", "picture", "photo", "clock", "painting", "frame",
                                                                                 "photograph", "plant", "tv", "television", "screen"}))) {
     // A thing nobody knows may be small.
@@ -147,6 +172,7 @@ std::optional<PhraseSense> choose_sense(const Catalog& catalog, const PhraseSens
     }
     if (reference.kind == NounKind::kPart) {
       if (reference.head == "foot" || reference.head == "end" || (reference.head == "bottom" && !says(R::kOn))) return own(R::kAtFootOf);
+      if (reference.head == "headboard" && says(R::kAbove)) return own(R::kAbove);
       if (reference.head == "head" || reference.head == "headboard") return own(R::kAtHeadOf);
       if (reference.head == "side" || reference.head == "edge") {
         const auto has_word = [&](std::string_view word) {
@@ -168,12 +194,25 @@ std::optional<PhraseSense> choose_sense(const Catalog& catalog, const PhraseSens
     }
     if (reference.kind == NounKind::kWall) {
       const Mount mount = mount_of(target);
-      if (says(R::kOnWall) && says(R::kAgainstWall))
+      if (says(R::kOnWall) && says(R::kAgainstWall) && !says(R::kCenteredOnWall))
         return own(mount == Mount::kFloor || mount == Mount::kSurface ? R::kAgainstWall : R::kOnWall);
-      if (says(R::kInFrontOf)) return own(R::kAgainstWall);
+      if (says(R::kInFrontOf) || (says(R::kOn) && says(R::kOnWall) && !says(R::kCenteredOnWall) && is_heavy(catalog, target)))
+        return own(R::kAgainstWall);
     }
   }
   const Mount mount = mount_of(target);
+  const bool opening = reference.kind == NounKind::kDoor || reference.kind == NounKind::kWindow;
+  // A door has no left of its own: beside it. A seat "on the opposite side" of a table or "along one side" sits at it.
+  if (opening && (says(R::kLeftOf) || says(R::kRightOf))) return own(R::kNextTo);
+  const bool at_table = reference.kind == NounKind::kObject && is_seat(catalog, target) && is_table(catalog, reference);
+  if (at_table && (says(R::kAlongSide) || (says(R::kOpposite) && says(R::kEachSideOf))) &&
+      !(target.is_plural() && says(R::kEachSideOf) && !says(R::kOpposite))) {
+    const auto along = std::find_if(senses.begin(), senses.end(), [](const PhraseSense& s) { return s.type == R::kAlongSide; });
+    PhraseSense sense = along != senses.end() ? *along : own(R::kAlongSide);
+    sense.direction = direction;
+    if (!sense.side) sense.side = Side::kLong;
+    return sense;
+  }
   for (const PhraseSense& sense : senses) {
     if (sense.direction != direction || !allowed(sense, reference)) continue;
     if (sense.type == R::kTuckedUnder && !is_seat(catalog, target)) continue;
@@ -215,7 +254,10 @@ int suits(const Catalog& catalog, const PhraseSense& sense, const NounPhrase& ta
     case R::kInRegion: return mount == Mount::kSurface ? 1 : 2;
     case R::kAbove: return mount == Mount::kWall || mount == Mount::kCeiling ? 2 : 1;
     default:
-      return mount == Mount::kSurface &&
+      return mount == Mount::kSurface && is_beside(sense.type) && reference.kind == NounKind::kObject &&
+                     mount_of(reference) == Mount::kFloor
+                 ? 1
+             : mount == Mount::kSurface &&
                      (reference.kind == NounKind::kWindow || reference.kind == NounKind::kDoor || reference.kind == NounKind::kWall)
                  ? 1
                  : 2;

@@ -92,7 +92,7 @@ constexpr std::array kValueLists = {
 
 // Words within a relation phrase that do not change it.
 bool is_article(std::string_view word) {
-  static constexpr std::array<std::string_view, 6> kArticles = {"the", "a", "an", "one", "their", "its"};
+  static constexpr std::array<std::string_view, 8> kArticles = {"the", "a", "an", "one", "their", "its", "other", "opposite"};
   return std::find(kArticles.begin(), kArticles.end(), word) != kArticles.end();
 }
 
@@ -133,7 +133,10 @@ void Lexicon::add(std::string_view words, Meaning meaning) {
   const std::vector<std::string> parts = words_of(words);
   const std::string key = parts.empty() ? std::string(words) : key_of(words);
   if (key.empty()) return;
-  auto& meanings = words_[key].meanings;
+  for (const std::string& part : parts) learn(part);
+  Entry& entry = words_[key];
+  entry.words = std::max(entry.words, parts.size());
+  auto& meanings = entry.meanings;
   const auto same = [&](const Meaning& other) {
     return other.word_class == meaning.word_class && other.entry == meaning.entry && other.room == meaning.room;
   };
@@ -142,10 +145,31 @@ void Lexicon::add(std::string_view words, Meaning meaning) {
 
 void Lexicon::add_phrase(std::string_view words, PhraseSense sense) {
   std::string key(words);
+  for (const std::string& word : words_of(words)) learn(word);
   phrases_[key].push_back(std::move(sense));
   for (std::size_t space = key.find(' '); space != std::string::npos; space = key.find(' ', space + 1))
     phrase_starts_[key.substr(0, space)] = true;
   phrase_starts_[key] = true;
+}
+
+void Lexicon::learn(std::string_view word) {
+  if (!vocabulary_.emplace(word).second || word.size() < 2) return;
+  by_shape_[std::string(1, word.front()) + std::to_string(word.size())].emplace_back(word);
+}
+
+std::span<const std::string> Lexicon::words_like(char first, std::size_t length) const {
+  const auto found = by_shape_.find(std::string(1, first) + std::to_string(length));
+  return found == by_shape_.end() ? std::span<const std::string>{} : std::span<const std::string>(found->second);
+}
+
+const Lexicon::Set* Lexicon::set_of(std::string_view words) const {
+  const auto found = sets_.find(key_of(words));
+  return found == sets_.end() ? nullptr : &found->second;
+}
+
+std::string_view Lexicon::meant_by(std::string_view word) const {
+  const auto found = typing_errors_.find(std::string(word));
+  return found == typing_errors_.end() ? std::string_view{} : std::string_view(found->second);
 }
 
 void Lexicon::read_words() {
@@ -159,6 +183,15 @@ void Lexicon::read_words() {
     for (const auto& [word, value] : word_list("grammar").at(std::string(list.key)).items()) {
       add(word, {list.word_class, nullptr, nullptr, value.get<double>(), {}});
     }
+  }
+  for (const auto& [wrong, right] : word_list("grammar").at("typing_errors").items()) typing_errors_[wrong] = right.get<std::string>();
+  for (const auto& [words, members] : word_list("room").at("sets").items()) {
+    Set set;
+    for (const auto& [id, count] : members.items()) {
+      if (const CatalogEntry* entry = catalog_->find(id)) set.emplace_back(entry, count.get<int>());
+    }
+    if (set.size() == members.size()) sets_[key_of(words)] = std::move(set);
+    add(words, {WordClass::kAbstract, nullptr, nullptr, 0, {}});
   }
   const auto add_named = [&](std::string_view file, std::string_view key, WordClass word_class) {
     for (const auto& [word, value] : word_list(file).at(std::string(key)).items())
@@ -205,6 +238,17 @@ void Lexicon::read_phrases() {
   }
 }
 
+// "book shelf" is a bookshelf, "are a" is no area: small words do not run together with others.
+bool Lexicon::may_run_together(std::span<const Token> tokens, std::size_t at, std::size_t length, const Entry& entry) const {
+  if (length <= std::max<std::size_t>(entry.words, 1)) return true;
+  constexpr std::size_t kShortest = 3;
+  return std::all_of(tokens.begin() + static_cast<std::ptrdiff_t>(at), tokens.begin() + static_cast<std::ptrdiff_t>(at + length),
+                     [&](const Token& token) {
+                       return (token.text.size() >= kShortest || token.kind == Token::Kind::kNumber || token.glued) &&
+                              !is(token, WordClass::kBe) && !is(token, WordClass::kAnd) && !is(token, WordClass::kDefinite);
+                     });
+}
+
 Match Lexicon::find(std::span<const Token> tokens, std::size_t at) const {
   constexpr std::size_t kLongest = 6;
   Match best;
@@ -214,7 +258,8 @@ Match Lexicon::find(std::span<const Token> tokens, std::size_t at) const {
     if (token.kind == Token::Kind::kPunctuation && length > 1) break;
     if (token.text == "'s" && length > 1) break;
     std::string with_plural = key + token.text;
-    if (const auto found = words_.find(with_plural); found != words_.end()) {
+    if (const auto found = words_.find(with_plural);
+        found != words_.end() && (length == 1 || may_run_together(tokens, at, length, found->second))) {
       best = {length, found->second.meanings, false};
       // A plural that is listed as such: "bunk beds" beside "bunk bed".
       const std::string singular = singular_of(token.text);
@@ -225,7 +270,8 @@ Match Lexicon::find(std::span<const Token> tokens, std::size_t at) const {
     if (best.length != length) {
       for (const std::string& form : singular_forms(token.text)) {
         if (form == token.text) continue;
-        if (const auto found = words_.find(key + form); found != words_.end()) {
+        if (const auto found = words_.find(key + form);
+            found != words_.end() && (length == 1 || may_run_together(tokens, at, length, found->second))) {
           best = {length, found->second.meanings, true};
           break;
         }
@@ -248,7 +294,9 @@ Match Lexicon::find(std::span<const Token> tokens, std::size_t at, WordClass wor
     if (token.kind == Token::Kind::kPunctuation && length > 1) break;
     if (token.text == "'s" && length > 1) break;
     key += token.text;
-    if (const auto found = words_.find(key); found != words_.end() && has(found->second)) best = {length, found->second.meanings, false};
+    if (const auto found = words_.find(key);
+        found != words_.end() && has(found->second) && (length == 1 || may_run_together(tokens, at, length, found->second)))
+      best = {length, found->second.meanings, false};
   }
   return best;
 }
@@ -272,6 +320,7 @@ void Lexicon::extend_phrase(std::span<const Token> tokens, std::size_t at, std::
     PhraseMatch next = so_far;
     next.each |= is_distributor(word);
     next.plural |= plural;
+    next.other |= word == "other";
     // "on the left wall" is on a wall, not on the left of something.
     const bool adjective =
         (word == "left" || word == "right" || word == "back" || word == "front") && i + 1 < tokens.size() && names_place(tokens, i + 1);
@@ -292,6 +341,8 @@ void Lexicon::extend_phrase(std::span<const Token> tokens, std::size_t at, std::
   if (!adverb && (!inside || !(is_article(token.text) || is_distributor(token.text)))) return;
   so_far.each |= is_distributor(token.text);
   so_far.possessive |= token.text == "its" || token.text == "their";
+  so_far.one |= token.text == "one";
+  so_far.other |= token.text == "other";
   extend_phrase(tokens, at, i + 1, key, so_far, best);
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "layoutbox/catalog/catalog.h"
@@ -105,6 +106,8 @@ struct PhraseMatch {
   bool each = false;        // "on each side of": every, each, both, either
   bool possessive = false;  // "on its left side": the reference is spoken of
   bool plural = false;      // "in the corners"
+  bool one = false;         // "on one side of"
+  bool other = false;       // "on the other side"
 };
 
 class Lexicon {
@@ -119,17 +122,29 @@ class Lexicon {
   PhraseMatch find_phrase(std::span<const Token> tokens, std::size_t at) const;
 
   bool is(const Token& token, WordClass word_class) const;
+  // Whether the word stands in any list or phrase, by itself or as a part.
+  bool knows(std::string_view word) const { return vocabulary_.contains(std::string(word)); }
+  // The known words of that many letters that begin with that letter.
+  std::span<const std::string> words_like(char first, std::size_t length) const;
+  // What a set consists of, the host first ("dining set": table, chairs), or nothing.
+  using Set = std::vector<std::pair<const CatalogEntry*, int>>;
+  const Set* set_of(std::string_view words) const;
+  // What a common typing error stands for ("teh" → the, "infront" → in front), or empty.
+  std::string_view meant_by(std::string_view word) const;
   const Catalog& catalog() const { return *catalog_; }
 
  private:
   struct Entry {
     std::vector<Meaning> meanings;
+    std::size_t words = 0;  // in how many words it was listed, at most
   };
+  bool may_run_together(std::span<const Token> tokens, std::size_t at, std::size_t length, const Entry& entry) const;
   void add(std::string_view words, Meaning meaning);
   void extend_phrase(std::span<const Token> tokens, std::size_t at, std::size_t i, const std::string& key, PhraseMatch so_far,
                      PhraseMatch& best) const;
   bool names_place(std::span<const Token> tokens, std::size_t at) const;
   void add_phrase(std::string_view words, PhraseSense sense);
+  void learn(std::string_view words);
   void read_words();
   void read_phrases();
 
@@ -137,6 +152,10 @@ class Lexicon {
   std::unordered_map<std::string, Entry> words_;           // key_of
   std::unordered_map<std::string, PhraseSenses> phrases_;  // words joined by spaces
   std::unordered_map<std::string, bool> phrase_starts_;    // every beginning of a phrase
+  std::unordered_map<std::string, Set> sets_;              // key_of
+  std::unordered_set<std::string> vocabulary_;
+  std::unordered_map<std::string, std::vector<std::string>> by_shape_;  // first letter and length
+  std::unordered_map<std::string, std::string> typing_errors_;
 };
 
 }  // namespace layoutbox::offline

@@ -46,8 +46,10 @@ struct NounPhrase {
   std::vector<std::string> attributes;
   std::vector<WordClass> attribute_classes;
   int count = 0;  // 0: not said
+  int rows = 0;   // "two rows of chairs", "a row of three stools"
   bool at_least = false, vague = false, plural = false;
   bool subset = false;        // "two of the beds"
+  bool reciprocal = false;    // "each other"
   bool collective = false;    // "items", "essentials": things where something holds them
   std::string wall_word;      // left, right, back, front
   std::string wall_relation;  // opposite, other, adjacent, same

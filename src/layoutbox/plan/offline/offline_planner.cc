@@ -7,6 +7,7 @@
 #include "layoutbox/plan/offline/reader.h"
 #include "layoutbox/plan/offline/relation_builder.h"
 #include "layoutbox/plan/offline/room_reader.h"
+#include "layoutbox/plan/offline/spelling.h"
 #include "layoutbox/plan/planner.h"
 
 namespace layoutbox {
@@ -59,6 +60,7 @@ class OfflinePlanner final : public Planner {
     Document document;
     document.prompt = std::string(prompt);
     document.tokens = tokenize(prompt);
+    correct_spelling(lexicon_, document.tokens);
     if (std::none_of(document.tokens.begin(), document.tokens.end(), [](const Token& t) { return t.kind != Token::Kind::kPunctuation; })) {
       return fail(ErrorCode::kEmpty, "there is nothing in the prompt", {},
                   "describe a room: \"A bedroom with a bed and a desk under the window\"");

@@ -40,7 +40,7 @@ void DocumentReader::begin_clause() {
   frames_.clear();
   chain_.clear();
   after_verb_ = after_participle_ = imperative_ = false;
-  expects_reference_ = expects_content_ = skipping_ = negated_ = soft_ = hang_ = false;
+  expects_reference_ = expects_content_ = skipping_ = negated_ = soft_ = hang_ = centering_ = false;
   reference_link_ = last_reference_ = owner_ = relative_host_ = where_host_ = last_wall_ = arranging_link_ = held_for_with_ = -1;
   joiner_ = Joiner::kNone;
 }
@@ -54,7 +54,9 @@ void DocumentReader::begin_sentence() {
       break;
     }
   }
+  former_roots_ = std::move(roots_);
   roots_.clear();
+  last_it_ = outer_root_ = one_side_link_ = -1;
   sentence_links_ = document_.links.size();
   root_joiners_.clear();
   root_modified_.clear();
@@ -97,6 +99,10 @@ void DocumentReader::read_chunk(std::size_t k) {
       skipping_ = false;
       break;
     case ChunkKind::kPurpose:
+      if (names_contents(k)) {
+        read_have(k);
+        break;
+      }
       mark(k, Use::kIgnored, "purpose");
       skipping_ = true;
       joiner_ = Joiner::kNone;
@@ -228,9 +234,27 @@ void DocumentReader::read_break(std::size_t k) {
   if (comma) after_participle_ = hang_ = false;
 }
 
-int DocumentReader::implied_reference(const std::vector<int>& targets) const {
+// "a shelf for controllers and headsets", "the room offers a fireplace and two sofas": what a verb of purpose names is there.
+bool DocumentReader::names_contents(std::size_t k) const {
+  if (skipping_ || chain_.empty() || k == 0 || joiner_ != Joiner::kNone) return false;
+  const std::size_t n = next(k);
+  if (!is(n, ChunkKind::kNoun) || !is(previous(k), ChunkKind::kNoun)) return false;
+  const std::string& word = document_.tokens[chunk(k).first].text;
+  const NounPhrase &host = noun_of(chain_.back()), &thing = chunk(n).noun;
+  if (word == "for") {
+    return is_thing(chain_.back()) && is_storage(host) && thing.kind == NounKind::kObject && thing.exact && thing.plural &&
+           thing.determiner == Determiner::kNone && thing.count == 0 && mount_of(thing) == Mount::kSurface;
+  }
+  static constexpr std::string_view kShows[] = {"offers", "offer", "provides", "provide", "offering", "providing", "enjoys"};
+  const bool room = host.kind == NounKind::kRoom || host.kind == NounKind::kOutsideRoom;
+  return room && (thing.kind == NounKind::kObject || thing.kind == NounKind::kWindow || thing.kind == NounKind::kDoor) &&
+         std::find(std::begin(kShows), std::end(kShows), word) != std::end(kShows);
+}
+
+int DocumentReader::implied_reference(const std::vector<int>& targets, bool single) const {
   const auto usable = [&](int mention) {
     if (mention < 0 || !is_thing(mention)) return false;
+    if (single && document_.mentions[static_cast<std::size_t>(mention)].items.size() > 1) return false;
     for (const int target : targets) {
       for (const int item : document_.mentions[static_cast<std::size_t>(target)].items) {
         if (contains(document_.mentions[static_cast<std::size_t>(mention)].items, item)) return false;
@@ -249,11 +273,35 @@ int DocumentReader::implied_reference(const std::vector<int>& targets) const {
   for (std::size_t r = roots_.size(); r-- > 0;) {
     if (usable(roots_[r])) return roots_[r];
   }
+  // What lies on the floor or on something else is seldom what one places things by.
+  const auto stands = [&](int mention) {
+    const NounPhrase& noun = noun_of(mention);
+    return noun.kind != NounKind::kObject || (mount_of(noun) == Mount::kFloor && (noun.entry == nullptr || !noun.entry->thin));
+  };
+  const bool to_floor = !targets.empty() && stands(targets.front());
+  if (usable(last_topic_) && (single || !to_floor || stands(last_topic_))) return last_topic_;
+  for (std::size_t m = document_.mentions.size(), looked = 0; !single && to_floor && m-- > 0 && looked < kReach; ++looked) {
+    if (usable(static_cast<int>(m)) && stands(static_cast<int>(m))) return static_cast<int>(m);
+  }
   if (usable(last_topic_)) return last_topic_;
   for (std::size_t m = document_.mentions.size(), looked = 0; m-- > 0 && looked < kReach; ++looked) {
     if (usable(static_cast<int>(m))) return static_cast<int>(m);
   }
   return -1;
+}
+
+// "It" is one thing. Where the nearest was itself placed by an "it" ("a stool in front of it and a lamp behind it"), both mean the same.
+int DocumentReader::meant_by_it(const std::vector<int>& targets) const {
+  int meant = implied_reference(targets, true);
+  if (meant < 0) meant = implied_reference(targets);
+  if (meant < 0 || last_it_ < 0 || contains(targets, last_it_)) return meant;
+  const std::vector<int>& same = document_.mentions[static_cast<std::size_t>(last_it_)].items;
+  for (std::size_t l = document_.links.size(); l-- > sentence_links_;) {
+    const Link& link = document_.links[l];
+    if (!contains(link.targets, meant) || link.references.empty()) continue;
+    if (document_.mentions[static_cast<std::size_t>(link.references.front())].items == same) return last_it_;
+  }
+  return meant;
 }
 
 int DocumentReader::implied_group(const std::vector<int>& targets) const {
@@ -276,6 +324,7 @@ int DocumentReader::implied_group(const std::vector<int>& targets) const {
 
 void DocumentReader::read_noun(std::size_t k) {
   using Use = WordReading::Use;
+  if (k == passed_over_) return;
   const NounPhrase& noun = chunk(k).noun;
   if (skipping_) {
     mark(k, Use::kIgnored, "purpose");
@@ -297,7 +346,19 @@ void DocumentReader::read_noun(std::size_t k) {
   }
   if (noun.kind == NounKind::kRoom && !expects_reference_) document_.rooms.push_back(noun);
   if (noun.kind == NounKind::kRoom && expects_reference_ && noun.room != nullptr) document_.rooms.push_back(noun);
+  // "a cabinet with glass doors": parts of it.
+  const bool of_a_thing = expects_content_ && !frames_.empty() && !frames_.back().room && !frames_.back().hosts.empty() &&
+                          is_thing(frames_.back().hosts.front());
+  if ((noun.kind == NounKind::kDoor || noun.kind == NounKind::kWindow) && of_a_thing) {
+    mark(k, Use::kUsed, "part");
+    expects_content_ = false;
+    joiner_ = Joiner::kNone;
+    return;
+  }
   if (noun.kind == NounKind::kDoor || noun.kind == NounKind::kWindow) document_.openings.push_back(noun);
+
+  if (noun.kind == NounKind::kMember && take_all(k)) return;
+  if (read_set(k)) return;
 
   std::vector<int> busy;
   if (expects_reference_ && reference_link_ >= 0) busy = link_at(reference_link_).targets;
@@ -305,9 +366,15 @@ void DocumentReader::read_noun(std::size_t k) {
   int antecedent = -1;
   const bool base_is_pronoun = noun.of && (noun.of->kind == NounKind::kPronoun || noun.of->kind == NounKind::kMember);
   if (noun.kind == NounKind::kPronoun) {
-    antecedent = noun.plural ? implied_group(busy) : implied_reference(busy);
+    antecedent = noun.plural ? implied_group(busy) : meant_by_it(busy);
     if (noun.head == "which" && !chain_.empty()) antecedent = chain_.back();
+    if (noun.reciprocal) antecedent = -1;
+    if (noun.head == "it" && expects_reference_) last_it_ = antecedent;
   } else if (noun.kind == NounKind::kMember) {
+    if (expects_reference_ && other_side(k, {})) {
+      mark(k, Use::kUsed, "the other side");
+      return;
+    }
     antecedent = references_.latest_group();
     for (std::size_t c = chain_.size(); c-- > 0;) {
       if (mention_at(chain_[c]).items.size() > 1) {
@@ -348,10 +415,13 @@ void DocumentReader::read_noun(std::size_t k) {
   }
   // "the desk's left corner" is the left corner of the desk.
   NounPhrase owned = noun;
+  if (noun.kind == NounKind::kMember && whole_group(k, noun, antecedent)) owned.determiner = Determiner::kBoth;
   if (owner_ >= 0 && !owned.of) owned.of = std::make_shared<NounPhrase>(noun_of(owner_));
   if (owned.of && owner_ >= 0) owned.of->determiner = Determiner::kDefinite;
   owner_ = -1;
-  const int mention = references_.mention(owned, antecedent, expects_reference_);
+  const bool of_known = expects_reference_ || (roots_.size() == clause_start_ && frames_.empty() && joiner_ == Joiner::kNone);
+  const int mention = references_.mention(owned, antecedent, expects_reference_, of_known);
+  mention_at(mention).reciprocal = noun.reciprocal;
   if (expects_reference_ && mention_at(mention).items.empty() && (noun.kind == NounKind::kAbstract || noun.kind == NounKind::kRoom)) {
     const int meant = thing_of_zone(noun);
     if (meant >= 0) {
@@ -430,6 +500,125 @@ void DocumentReader::read_place(std::size_t k, int mention) {
     place_root(k, mention);
   }
   joiner_ = Joiner::kNone;
+}
+
+// "A, B and C, all against the wall", "both stand in the corner": what follows speaks of the things before.
+bool DocumentReader::take_all(std::size_t k) {
+  const NounPhrase& noun = chunk(k).noun;
+  if (noun.determiner != Determiner::kBoth || noun.of || expects_reference_ || expects_content_) return false;
+  const std::size_t n = next(k);
+  if (!is(n, ChunkKind::kRelation) && !is(n, ChunkKind::kParticiple) && !is(n, ChunkKind::kVerb)) return false;
+  const std::vector<int>& roots = roots_.empty() ? former_roots_ : roots_;
+  std::vector<int> things;
+  for (const int root : roots) {
+    if (is_thing(root) && noun_of(root).kind == NounKind::kObject) things.push_back(root);
+  }
+  const bool all = document_.tokens[chunk(k).first].text == "all";
+  if (!all && !things.empty() && mention_at(things.back()).items.size() == 2) things = {things.back()};
+  if (things.size() == 1) {
+    // "a wardrobe next to a dresser, both …": the other one is what it was placed by.
+    for (std::size_t c = chain_.size(); c-- > 0 && mention_at(things.front()).items.size() < 2 && things.size() < 2;) {
+      if (is_thing(chain_[c]) && mention_at(chain_[c]).items != mention_at(things.front()).items) things.push_back(chain_[c]);
+    }
+  }
+  if (!all && things.size() > 2) things.erase(things.begin(), things.end() - 2);
+  if (things.empty()) return false;
+  mark(k, WordReading::Use::kUsed, "reference");
+  if (roots_.empty()) {
+    roots_ = things;
+    root_joiners_.assign(things.size(), Joiner::kAnd);
+    root_modified_.assign(things.size(), false);
+  }
+  subject_ = things;
+  chain_ = {things.front()};
+  frames_.clear();
+  reference_link_ = -1;
+  after_verb_ = true;
+  joiner_ = Joiner::kNone;
+  return true;
+}
+
+// "a dining set for six": a table and six chairs around it.
+bool DocumentReader::read_set(std::size_t k) {
+  const NounPhrase& noun = chunk(k).noun;
+  if (expects_reference_ || noun.determiner == Determiner::kDefinite) return false;
+  std::string words = noun.name;  // with its article: the name is that of no object
+  const Lexicon::Set* set = lexicon_.set_of(words);
+  for (std::size_t space = 0; set == nullptr && (space = words.find(' ')) != std::string::npos;) {
+    words = words.substr(space + 1);
+    set = lexicon_.set_of(words);
+  }
+  if (set == nullptr) return false;
+  const auto member = [&](const CatalogEntry& entry, int count) {
+    NounPhrase one = noun;
+    one.kind = NounKind::kObject;
+    one.entry = &entry;
+    one.exact = true;
+    one.name = one.head = entry.name;
+    one.head = one.head.substr(one.head.rfind(' ') + 1);
+    one.category = entry.id;
+    one.count = count;
+    one.plural = count > 1;
+    one.collective = false;
+    return references_.mention(one, -1, false);
+  };
+  mark(k, WordReading::Use::kUsed, set->front().first->name);
+  const int host = member(*set->front().first, noun.count > 0 ? noun.count : set->front().second);
+  // "for six", "with four chairs": how many sit at it.
+  std::size_t n = next(k);
+  const bool seats_said = is(n, ChunkKind::kHave) && is(next(n), ChunkKind::kNoun) && is_seat(lexicon_.catalog(), chunk(next(n)).noun);
+  int seats = 0;
+  if (is(n, ChunkKind::kPurpose) && is(next(n), ChunkKind::kNoun)) seats = chunk(next(n)).noun.count;
+  read_place(k, host);
+  for (std::size_t m = 1; m < set->size() && !seats_said; ++m) {
+    const bool chairs = is_table(lexicon_.catalog(), noun_of(host));
+    const int others = member(*(*set)[m].first, chairs && seats > 0 ? seats : (*set)[m].second);
+    if (!chairs) continue;
+    Link link;
+    link.senses = {{RelationType::kAround, Direction::kDirect, {}, {}, {}}};
+    link.targets = {others};
+    link.references = {host};
+    link.first = chunk(k).first;
+    link.last = chunk(k).last;
+    add_link(std::move(link));
+  }
+  return true;
+}
+
+// "two tables, one on each side of the bed": the two, not one of them.
+bool DocumentReader::whole_group(std::size_t k, const NounPhrase& noun, int group) const {
+  if (noun.count == 0 || noun.subset || group < 0 || expects_reference_) return false;
+  const std::size_t n = next(k);
+  if (!is(n, ChunkKind::kRelation) || !chunk(n).phrase.each) return false;
+  const PhraseSenses& senses = *chunk(n).phrase.senses;
+  const std::size_t sides = says(senses, RelationType::kEachSideOf) || says(senses, RelationType::kAlongSide) ? 2 : 0;
+  return document_.mentions[static_cast<std::size_t>(group)].items.size() == sides * static_cast<std::size_t>(noun.count);
+}
+
+// "a lamp on one side of the sofa and a plant on the other": one on either side. False when no first side waits.
+bool DocumentReader::other_side(std::size_t k, const std::vector<int>& targets) {
+  if (one_side_link_ < 0 || (targets.empty() && chunk(k).noun.determiner != Determiner::kOther)) return false;
+  Link& link = link_at(one_side_link_);
+  if (link.targets.empty() || link.references.empty()) {
+    // "a fireplace with a chair on one side": by the fireplace.
+    if (link.targets.empty()) return false;
+  }
+  std::vector<int> more = targets;
+  if (more.empty() && reference_link_ >= 0) {
+    // The link that was opened for "on" is not needed.
+    for (std::size_t c = chain_.size(); c-- > 0 && more.empty();) {
+      if (is_thing(chain_[c]) && !contains(link.targets, chain_[c]) && !contains(link.references, chain_[c])) more = {chain_[c]};
+    }
+    if (more.empty()) return false;
+    link_at(reference_link_).senses = {};
+    expects_reference_ = false;
+    reference_link_ = -1;
+  }
+  link.targets.insert(link.targets.end(), more.begin(), more.end());
+  link.senses = {{RelationType::kEachSideOf, Direction::kDirect, {}, {}, {}}};
+  link.one_side = false;
+  one_side_link_ = -1;
+  return true;
 }
 
 }  // namespace layoutbox::offline

@@ -45,17 +45,30 @@ class DocumentReader {
   bool goes_on_with_contents(std::size_t k, const NounPhrase& noun) const;
 
   std::vector<int> targets_for(const PhraseSenses& senses, PhraseSense::Direction direction, const NounPhrase& reference,
-                               bool after_participle, std::size_t k) const;
-  std::vector<int> joined_with(int mention, bool after_participle, bool in_center = false) const;
+                               bool after_participle, int reference_mention) const;
+  // What shares the place of `mention`. With a host: things that lie on it together, seats around one table.
+  std::vector<int> joined_with(int mention, bool after_participle, bool in_center = false, const NounPhrase* host = nullptr) const;
   int implied_side_host(const PhraseSenses& senses, const std::vector<int>& targets) const;
   int thing_of_zone(const NounPhrase& noun) const;
-  void grow_for_sides(const PhraseSenses& senses, int target);
+  void grow_for_sides(const Link& link, int target, int reference);
   bool frames_are_room() const;
   bool is_content(int mention) const;
   bool verb_at(std::size_t k) const;
   bool place_comes_first(std::size_t k) const;
   std::size_t previous(std::size_t k) const;  // the chunk before, ignored ones left out; past the end if none
-  int implied_reference(const std::vector<int>& targets) const;
+  // Who is meant where it is not said, or by "it" (`single`: one thing). -1: nobody.
+  int implied_reference(const std::vector<int>& targets, bool single = false) const;
+  int meant_by_it(const std::vector<int>& targets) const;
+  bool take_all(std::size_t k);
+  bool read_set(std::size_t k);
+  bool read_relative_place(std::size_t k);
+  bool whole_group(std::size_t k, const NounPhrase& noun, int group) const;
+  bool other_side(std::size_t k, const std::vector<int>& targets);
+  void grow_contents(int host, std::size_t before);
+  void mean_each_other(Link& link);
+  std::vector<int> unplaced(const std::vector<int>& all, int last) const;
+  bool is_root(int mention) const;
+  bool names_contents(std::size_t k) const;
   int implied_group(const std::vector<int>& targets) const;
   void imply_adjective(int mention, std::size_t k);
   void hang(const std::vector<int>& targets, std::size_t k);
@@ -75,7 +88,13 @@ class DocumentReader {
   References references_;
 
   // Of the text so far.
-  int last_topic_ = -1;  // what the former clause spoke of
+  int last_topic_ = -1;            // what the former clause spoke of
+  std::vector<int> former_roots_;  // of the sentence before
+  // Of the sentence.
+  int last_it_ = -1;                                        // what "it" meant last
+  int outer_root_ = -1;                                     // "the desk, on which …, is": the subject that waits
+  int one_side_link_ = -1;                                  // "on one side of the bed": "on the other" may follow
+  std::size_t passed_over_ = static_cast<std::size_t>(-1);  // a chunk that was read with the one before
   // Of the clause.
   std::vector<int> roots_, subject_, chain_, fronted_;
   std::vector<Joiner> root_joiners_;  // how each root was joined to the one before it
@@ -85,7 +104,8 @@ class DocumentReader {
   bool after_participle_ = false;
   int reference_link_ = -1;  // the link whose reference comes next (or may be joined by "and")
   bool expects_reference_ = false, expects_content_ = false, skipping_ = false, negated_ = false, soft_ = false;
-  bool hang_ = false;  // a participle or verb of hanging waits for its place
+  bool hang_ = false;       // a participle or verb of hanging waits for its place
+  bool centering_ = false;  // "center the bed on the wall"
   int last_reference_ = -1;
   int owner_ = -1;
   int relative_host_ = -1, where_host_ = -1, last_wall_ = -1;

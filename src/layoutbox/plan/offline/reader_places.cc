@@ -30,8 +30,11 @@ void DocumentReader::place_root(std::size_t k, int mention) {
       waiting.references = {mention};
     else if (waiting.references.empty() || !contains(waiting.references, mention)) {
       waiting.targets.push_back(mention);
-      if (waiting.each) grow_for_sides(waiting.senses, mention);
+      if (waiting.each) grow_for_sides(waiting, mention, waiting.references.empty() ? -1 : waiting.references.front());
       for (const int reference : waiting.references) {
+        const NounPhrase& place = noun_of(reference);
+        if (place.kind == NounKind::kCorner && place.determiner == Determiner::kEach && noun_of(mention).count <= 1)
+          references_.grow(mention, 4);
         if (mention_at(reference).distributes && mention_at(reference).items.size() > 1)
           references_.grow(mention, mention_at(mention).items.size() * mention_at(reference).items.size());
       }
@@ -55,9 +58,9 @@ void DocumentReader::place_reference(std::size_t k, int mention) {
   link.last = chunk(k).last;
   last_reference_ = static_cast<int>(k);
   if (noun_of(mention).kind == NounKind::kWall) last_wall_ = mention;
-  const bool is_fronted = contains(fronted_, reference_link_) || reference_link_ == held_for_with_;
+  const bool is_fronted = contains(fronted_, reference_link_) || reference_link_ == held_for_with_ || link.gap;
   if (!is_fronted && link.references.size() == 1) {
-    link.targets = targets_for(link.senses, Direction::kDirect, noun_of(mention), after_participle_, k);
+    link.targets = targets_for(link.senses, Direction::kDirect, noun_of(mention), after_participle_, mention);
     for (const int target : link.targets) {
       for (std::size_t r = 0; r < roots_.size(); ++r) {
         if (roots_[r] == target) root_modified_[r] = true;
@@ -65,8 +68,9 @@ void DocumentReader::place_reference(std::size_t k, int mention) {
     }
     // Several at each side, desk or corner: as many as the places ask for.
     if (link.each && is_thing(mention)) {
-      for (const int target : link.targets) grow_for_sides(link.senses, target);
+      for (const int target : link.targets) grow_for_sides(link, target, mention);
     }
+    if (mention_at(mention).reciprocal) mean_each_other(link);
     if (noun_of(mention).kind == NounKind::kCorner && noun_of(mention).determiner == Determiner::kEach) {
       for (const int target : link.targets) {
         if (noun_of(target).count == 0 || noun_of(target).count == 1) references_.grow(target, 4);
@@ -166,7 +170,11 @@ bool DocumentReader::goes_on_with_contents(std::size_t k, const NounPhrase& noun
     return joiner_ == Joiner::kAnd && singular && noun.is_plural();
   }
   if (frame.hosts.empty()) return true;
-  const NounPhrase& host = noun_of(frame.hosts.front());
+  // "its top displaying …": the thing's.
+  const NounPhrase& host =
+      noun_of(frame.hosts.front()).kind == NounKind::kPart && is_thing(frame.hosts.front())
+          ? document_.items[static_cast<std::size_t>(document_.mentions[static_cast<std::size_t>(frame.hosts.front())].items.front())].noun
+          : noun_of(frame.hosts.front());
   if (host.kind == NounKind::kWall || host.kind == NounKind::kCorner) return joiner_ == Joiner::kAnd || joiner_ == Joiner::kComma;
   const Catalog& catalog = lexicon_.catalog();
   if (noun.kind == NounKind::kAbstract) return !noun.collective || joiner_ != Joiner::kNone;
@@ -190,7 +198,7 @@ bool DocumentReader::goes_on_with_contents(std::size_t k, const NounPhrase& noun
   return carried && mount_of(former) == Mount::kSurface;
 }
 
-std::vector<int> DocumentReader::joined_with(int mention, bool after_participle, bool in_center) const {
+std::vector<int> DocumentReader::joined_with(int mention, bool after_participle, bool in_center, const NounPhrase* host) const {
   if (contains(subject_, mention)) return subject_;
   const auto at = std::find(roots_.begin(), roots_.end(), mention);
   std::vector<int> joined{mention};
@@ -205,9 +213,23 @@ std::vector<int> DocumentReader::joined_with(int mention, bool after_participle,
     if (own != contents.end()) return joined;
   }
   if (at == roots_.end()) return joined;
+  const Catalog& catalog = lexicon_.catalog();
+  const auto alike = [&](int former) {
+    if (host == nullptr) return false;
+    const auto lies = [&](int m) {
+      return may_carry(catalog, *host, noun_of(m)) && mount_of(noun_of(m)) != Mount::kFloor &&
+             (host->entry == nullptr || !host->entry->thin);
+    };
+    return (lies(mention) && lies(former)) || (is_seat(catalog, noun_of(mention)) && is_seat(catalog, noun_of(former)));
+  };
   for (std::size_t r = static_cast<std::size_t>(at - roots_.begin()); r > clause_start_; --r) {
     const bool shares_article = shares(roots_[r], roots_[r - 1]);
-    if (root_joiners_[r] != Joiner::kAnd || root_modified_[r - 1] || !is_thing(roots_[r - 1])) break;
+    if (root_modified_[r - 1] || !is_thing(roots_[r - 1])) break;
+    if (root_joiners_[r] != Joiner::kNone && alike(roots_[r - 1])) {
+      joined.insert(joined.begin(), roots_[r - 1]);
+      continue;
+    }
+    if (root_joiners_[r] != Joiner::kAnd) break;
     const bool pair_in_center = in_center && r == clause_start_ + 1 && r + 1 == roots_.size();
     if (!shares_article && !after_participle && !pair_in_center) break;
     joined.insert(joined.begin(), roots_[r - 1]);
@@ -216,22 +238,24 @@ std::vector<int> DocumentReader::joined_with(int mention, bool after_participle,
 }
 
 std::vector<int> DocumentReader::targets_for(const PhraseSenses& senses, Direction direction, const NounPhrase& reference,
-                                             bool after_participle, std::size_t k) const {
-  (void)k;
+                                             bool after_participle, int reference_mention) const {
   const Catalog& catalog = lexicon_.catalog();
   const bool apart =
       joiner_before_relation_ == Joiner::kComma || joiner_before_relation_ == Joiner::kCommaAnd || joiner_before_relation_ == Joiner::kAnd;
   int best = -1, best_score = 0;
+  bool together = false;  // what lies on it or sits around it lies and sits there together
   const std::size_t count = chain_.size();
   for (std::size_t step = 0; step < count; ++step) {
     const std::size_t c = apart ? step : count - 1 - step;  // after a comma the root comes first
     const int mention = chain_[c];
-    if (!is_thing(mention)) continue;
+    if (!is_thing(mention) || document_.mentions[static_cast<std::size_t>(mention)].items ==
+                                  document_.mentions[static_cast<std::size_t>(reference_mention)].items)
+      continue;
     const NounPhrase& noun = noun_of(mention);
     const auto sense = choose_sense(catalog, senses, direction, noun, reference);
     if (!sense) continue;
     int score = 10 * suits(catalog, *sense, noun, reference);
-    const bool root = contains(roots_, mention) || contains(subject_, mention);
+    const bool root = is_root(mention);
     const bool room_place = reference.kind == NounKind::kCorner || reference.kind == NounKind::kWall ||
                             reference.kind == NounKind::kWindow || reference.kind == NounKind::kDoor || reference.kind == NounKind::kCenter;
     if (room_place && !apart && step == 0 && count > 1 && is_content(mention) &&
@@ -241,7 +265,12 @@ std::vector<int> DocumentReader::targets_for(const PhraseSenses& senses, Directi
     if (!document_.mentions[static_cast<std::size_t>(mention)].introduces && !root) score -= 15;
     if (hang_ && !apart && c + 1 == count && score > 0) score += 12;  // "a bicycle hung on the wall"
     if (reference.kind == NounKind::kObject && noun.name == reference.name && noun.first == reference.first) continue;
-    if (score > best_score) best = mention, best_score = score;
+    if (score <= best_score) continue;
+    best = mention;
+    best_score = score;
+    using R = RelationType;
+    together = reference.kind == NounKind::kObject &&
+               (sense->type == R::kOn || sense->type == R::kIn || sense->type == R::kAround || sense->type == R::kSurround);
   }
   if (best < 0) {
     for (const int mention : chain_) {
@@ -254,7 +283,7 @@ std::vector<int> DocumentReader::targets_for(const PhraseSenses& senses, Directi
     if (kind == NounKind::kDoor || kind == NounKind::kWindow) return {chain_.front()};
   }
   if (best < 0) return {};
-  return joined_with(best, after_participle, reference.kind == NounKind::kCenter);
+  return joined_with(best, after_participle, reference.kind == NounKind::kCenter, together ? &reference : nullptr);
 }
 
 void DocumentReader::imply_adjective(int mention, std::size_t k) {
@@ -281,13 +310,50 @@ void DocumentReader::imply_adjective(int mention, std::size_t k) {
   }
 }
 
-// "a lamp on each side" is two lamps, "two chairs on each long side" four.
-void DocumentReader::grow_for_sides(const PhraseSenses& senses, int target) {
+// "a lamp on each side" is two lamps, "two chairs on each long side" four, a chair on each side of a square table as well.
+void DocumentReader::grow_for_sides(const Link& link, int target, int reference) {
   const std::size_t count = mention_at(target).items.size();
-  if (says(senses, RelationType::kAlongSide))
+  const auto is_square = [&] {
+    const NounPhrase& host = noun_of(reference);
+    const bool each = words_between(document_, link.first, link.last).find("each") != std::string::npos;
+    return each && is_table(lexicon_.catalog(), host) && is_seat(lexicon_.catalog(), noun_of(target)) &&
+           std::find(host.attributes.begin(), host.attributes.end(), "square") != host.attributes.end();
+  };
+  if (says(link.senses, RelationType::kAlongSide))
     references_.grow(target, count * 2);
-  else if (says(senses, RelationType::kEachSideOf) && count != 2)
+  else if (says(link.senses, RelationType::kEachSideOf) && count == 1 && reference >= 0 && is_square())
+    references_.grow(target, 4);
+  else if (says(link.senses, RelationType::kEachSideOf) && count != 2)
     references_.grow(target, count * 2);
+  grow_contents(target, count);
+}
+
+// What each of the things has grows with them: "a nightstand with a lamp on each side".
+void DocumentReader::grow_contents(int host, std::size_t before) {
+  const std::size_t now = mention_at(host).items.size();
+  if (before == 0 || now <= before) return;
+  for (std::size_t l = sentence_links_; l < document_.links.size(); ++l) {
+    const Link& link = document_.links[l];
+    if (link.kind != Link::Kind::kHave || !contains(link.references, host)) continue;
+    for (const int content : link.targets) references_.grow(content, mention_at(content).items.size() * now / before);
+  }
+}
+
+// "a sofa and an armchair opposite each other": two, or a group of several.
+void DocumentReader::mean_each_other(Link& link) {
+  if (link.targets.size() == 1 && mention_at(link.targets.front()).items.size() == 1) {
+    const auto at = std::find(roots_.begin(), roots_.end(), link.targets.front());
+    if (at != roots_.end() && at != roots_.begin() && is_thing(*(at - 1))) link.targets.insert(link.targets.begin(), *(at - 1));
+  }
+}
+
+// A thing that the clause itself speaks of, whatever words are used for it.
+bool DocumentReader::is_root(int mention) const {
+  const auto same = [&](int root) {
+    return root == mention || (is_thing(root) && document_.mentions[static_cast<std::size_t>(root)].items ==
+                                                     document_.mentions[static_cast<std::size_t>(mention)].items);
+  };
+  return std::any_of(roots_.begin(), roots_.end(), same) || std::any_of(subject_.begin(), subject_.end(), same);
 }
 
 // "a laptop on the right side of the desk and a wallet on the left side": of the desk as well; "on the short side": of a table.

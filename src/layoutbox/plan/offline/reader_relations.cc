@@ -12,21 +12,33 @@ void DocumentReader::read_relation(std::size_t k) {
     return;
   }
   mark(k, WordReading::Use::kUsed, "relation");
+  if (read_relative_place(k)) return;
   joiner_before_relation_ = joiner_;
   const std::string& first_word = document_.tokens[relation.first].text;
   if (relation.placing || first_word.ends_with("ing") || first_word.ends_with("ed")) after_participle_ = true;
-  if (joiner_ != Joiner::kNone && joiner_ != Joiner::kComma && place_comes_first(k)) {
+  const bool more_places = !fronted_.empty() && roots_.size() == clause_start_;
+  if (joiner_ != Joiner::kNone && joiner_ != Joiner::kComma && !more_places && place_comes_first(k)) {
     begin_clause();
   }
   const PhraseSenses& senses = *relation.phrase.senses;
   const std::size_t n = next(k);
+  // "two sofas facing each other across a table": the table is between them.
+  if (const std::size_t before = previous(k); is(before, ChunkKind::kNoun) && chunk(before).noun.reciprocal && is(n, ChunkKind::kNoun) &&
+                                              (says(senses, RelationType::kOpposite) || says(senses, RelationType::kAbove))) {
+    read_inverse(k, {{RelationType::kBetween, Direction::kDirect, {}, {}, {}}});
+    return;
+  }
   const bool noun_follows = is(n, ChunkKind::kNoun);
   const bool at_start = roots_.size() == clause_start_ && chain_.empty() && !expects_content_;
   Link link;
   link.first = relation.first;
   link.last = relation.last;
   link.each = relation.phrase.each;
+  link.one_side = relation.phrase.one && says(senses, RelationType::kNextTo);
   link.distance = relation.distance;
+  link.rows = relation.rows;
+  link.columns = relation.columns;
+  link.gap = relation.gap;
   link.at_least = relation.at_least;
   link.at_most = relation.at_most;
   const bool direct = has_direction(senses, Direction::kDirect), inverse = has_direction(senses, Direction::kInverse),
@@ -42,7 +54,13 @@ void DocumentReader::read_relation(std::size_t k) {
   }
   if (noun_follows && direct) {
     link.senses = with_direction(senses, Direction::kDirect);
+    if (centering_) {
+      link.senses.insert(link.senses.begin(), {{RelationType::kCenteredOnWall, Direction::kDirect, {}, {}, {}}});
+      centering_ = false;
+    }
+    const bool one_side = link.one_side;
     reference_link_ = add_link(std::move(link));
+    if (one_side) one_side_link_ = reference_link_;
     expects_reference_ = true;
     hang_ |= relation.hang;
     // "Flank the bed with …": a command, not a place that comes first.
@@ -64,8 +82,32 @@ void DocumentReader::read_relation(std::size_t k) {
   }
   // The reference is what was spoken of.
   link.senses = with_direction(senses, alone ? Direction::kAlone : Direction::kDirect);
+  // "side by side": by each other.
+  if (first_word == "side" && document_.tokens[relation.last - 1].text == "side" && relation.last > relation.first + 1) {
+    if (chain_.empty()) return;
+    Mention other;
+    other.noun.kind = NounKind::kPronoun;
+    other.reciprocal = true;
+    document_.mentions.push_back(std::move(other));
+    link.references = {static_cast<int>(document_.mentions.size()) - 1};
+    const bool verb_before = is(previous(k), ChunkKind::kVerb);
+    link.targets = joined_with(verb_before ? chain_.front() : chain_.back(), true);
+    mean_each_other(link);
+    add_link(std::move(link));
+    joiner_ = Joiner::kNone;
+    return;
+  }
   if (at_start) {
-    const int reference = says(link.senses, RelationType::kRow) ? -1 : implied_reference({});
+    const bool side = says(link.senses, RelationType::kLeftOf) || says(link.senses, RelationType::kRightOf);
+    int reference = says(link.senses, RelationType::kRow) ? -1 : implied_reference({});
+    // "to the left of the sofa, a lamp; to the right, a table": of the sofa.
+    for (std::size_t l = document_.links.size(); side && l-- > 0 && l + 4 > document_.links.size();) {
+      const Link& before = document_.links[l];
+      const bool sides = says(before.senses, RelationType::kLeftOf) || says(before.senses, RelationType::kRightOf);
+      if (!sides || before.references.empty() || !is_thing(before.references.front())) continue;
+      reference = before.references.front();
+      break;
+    }
     if (reference >= 0) link.references = {reference};
     fronted_.push_back(add_link(std::move(link)));
     joiner_ = Joiner::kNone;
@@ -106,9 +148,13 @@ void DocumentReader::read_relation(std::size_t k) {
     // "cups and sodas on top": all that the host has.
     if (says(link.senses, RelationType::kOn) && !frames_.empty() && frames_.back().link >= 0 &&
         contains(link_at(frames_.back().link).targets, target))
-      targets = link_at(frames_.back().link).targets;
+      targets = unplaced(link_at(frames_.back().link).targets, target);
   }
   if (targets.empty()) return;
+  if (relation.phrase.other && one_side_link_ >= 0 && other_side(k, targets)) {
+    joiner_ = Joiner::kNone;
+    return;
+  }
   link.targets = targets;
   if (!group_only) {
     const int reference = implied_side_host(link.senses, targets);
@@ -117,15 +163,54 @@ void DocumentReader::read_relation(std::size_t k) {
   }
   // "a lamp on each side": one for either side.
   if (link.each) {
-    for (const int target : targets) grow_for_sides(link.senses, target);
+    for (const int target : targets) grow_for_sides(link, target, link.references.empty() ? -1 : link.references.front());
   }
   if (relation.hang || hang_) hang(targets, k);
   hang_ = false;
   for (std::size_t r = 0; r < roots_.size(); ++r) {
     if (contains(targets, roots_[r])) root_modified_[r] = true;
   }
-  add_link(std::move(link));
+  const bool one_side = link.one_side;
+  const int added = add_link(std::move(link));
+  if (one_side) one_side_link_ = added;
   joiner_ = Joiner::kNone;
+}
+
+// Those of a list that no relation of their own places; `last` is always of them.
+std::vector<int> DocumentReader::unplaced(const std::vector<int>& all, int last) const {
+  std::vector<int> free;
+  for (const int mention : all) {
+    const bool placed = std::any_of(document_.links.begin() + static_cast<std::ptrdiff_t>(sentence_links_), document_.links.end(),
+                                    [&](const Link& l) { return l.kind == Link::Kind::kRelation && contains(l.targets, mention); });
+    if (mention == last || !placed) free.push_back(mention);
+  }
+  return free;
+}
+
+// "a desk, on which a computer sits": a clause of its own whose place comes first.
+bool DocumentReader::read_relative_place(std::size_t k) {
+  const std::size_t n = next(k);
+  if (!is(n, ChunkKind::kNoun) || chunk(n).noun.kind != NounKind::kPronoun || chain_.empty()) return false;
+  if (chunk(n).noun.head != "which" && chunk(n).noun.head != "whom") return false;
+  int host = -1;
+  for (std::size_t c = chain_.size(); c-- > 0 && host < 0;) {
+    if (is_thing(chain_[c])) host = chain_[c];
+  }
+  const PhraseSenses direct = with_direction(*chunk(k).phrase.senses, Direction::kDirect);
+  if (host < 0 || direct.empty()) return false;
+  const int outer = roots_.size() > clause_start_ ? roots_.back() : -1;
+  begin_clause();
+  outer_root_ = outer;
+  Link link;
+  link.senses = direct;
+  link.references = {host};
+  link.each = chunk(k).phrase.each;
+  link.first = chunk(k).first;
+  link.last = chunk(n).last;
+  fronted_.push_back(add_link(std::move(link)));
+  mark(n, WordReading::Use::kUsed, "reference");
+  passed_over_ = n;
+  return true;
 }
 
 void DocumentReader::read_inverse(std::size_t k, PhraseSenses senses) {
@@ -194,6 +279,7 @@ void DocumentReader::read_have(std::size_t k) {
   }
   // The host: what stands right before; after a comma or a verb the clause's own thing.
   int host = chain_.empty() ? -1 : chain_.back();
+  for (std::size_t c = chain_.size(); c-- > 0 && host >= 0 && !is_thing(host) && noun_of(host).kind == NounKind::kPart;) host = chain_[c];
   if (host >= 0 && is_thing(host) && !mention_at(host).introduces && is_thing(chain_.front()) && noun_of(host).kind == NounKind::kObject)
     host = chain_.front();
   if ((after_comma || is(previous(k), ChunkKind::kVerb)) && !chain_.empty()) host = chain_.front();
@@ -258,6 +344,16 @@ void DocumentReader::read_verb(std::size_t k) {
     relative_host_ = -1;
     joiner_ = Joiner::kNone;
     return;
+  }
+  if (document_.tokens[chunk(k).last - 1].text.starts_with("center")) centering_ = true;
+  if (outer_root_ >= 0 && joiner_ == Joiner::kComma) {
+    // "the desk, on which a computer sits, is …": the desk is.
+    const int outer = outer_root_;
+    outer_root_ = -1;
+    begin_clause();
+    roots_.push_back(outer);
+    root_joiners_.push_back(Joiner::kNone);
+    root_modified_.push_back(false);
   }
   const bool has_root = roots_.size() > clause_start_;
   if (!has_root || (joiner_ != Joiner::kNone && !chunk(k).passive && is(next(k), ChunkKind::kNoun))) {

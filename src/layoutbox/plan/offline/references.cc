@@ -139,6 +139,22 @@ void References::choose_members(Mention& mention, const NounPhrase& noun, int an
   picked.insert(picked.end(), mention.items.begin(), mention.items.end());
 }
 
+// "both machines", "the appliances": the last things that were brought in, as many as there are words for.
+void References::general(const NounPhrase& noun, bool as_reference, Mention& mention) const {
+  static constexpr std::string_view kGeneral[] = {"machine", "appliance", "object", "item", "piece", "seat", "unit", "device", "fixture"};
+  if (!noun.is_plural() || noun.name.find(' ') != std::string::npos ||
+      std::find(std::begin(kGeneral), std::end(kGeneral), noun.head) == std::end(kGeneral))
+    return;
+  const std::size_t wanted = noun.count > 0 ? static_cast<std::size_t>(noun.count) : 2;
+  for (std::size_t i = document_.items.size(); i-- > 0 && mention.items.size() < wanted;) {
+    // What is being placed by them came last.
+    if (as_reference && document_.items[i].group == document_.items.back().group) continue;
+    const CatalogEntry* entry = document_.items[i].noun.entry;
+    if (entry == nullptr || (entry->mount == Mount::kFloor && !entry->thin)) mention.items.push_back(static_cast<int>(i));
+  }
+  std::reverse(mention.items.begin(), mention.items.end());
+}
+
 int References::latest_group() const {
   constexpr std::size_t kReach = 200;
   for (std::size_t m = document_.mentions.size(), looked = 0; m-- > 0 && looked < kReach; ++looked) {
@@ -147,7 +163,7 @@ int References::latest_group() const {
   return -1;
 }
 
-int References::mention(const NounPhrase& noun, int antecedent, bool as_reference) {
+int References::mention(const NounPhrase& noun, int antecedent, bool as_reference, bool of_known) {
   Mention mention;
   mention.noun = noun;
   switch (noun.kind) {
@@ -217,12 +233,20 @@ int References::mention(const NounPhrase& noun, int antecedent, bool as_referenc
       }
     }
     if (mention.items.empty() && noun.determiner == Determiner::kOther) mention.items = known(noun);
-  } else if (as_reference && noun.determiner == Determiner::kIndefinite && noun.attributes.empty()) {
-    // "two armchairs … near an armchair": one of them.
+  } else if (noun.attributes.empty() && ((as_reference && noun.determiner == Determiner::kIndefinite) ||
+                                         (of_known && noun.determiner == Determiner::kNone && noun.count == 1 && !noun.plural))) {
+    // "two armchairs … near an armchair", "one armchair": one of them.
     const std::vector<int> before = known(noun);
-    if (before.size() > 1 && fit(noun, document_.items[static_cast<std::size_t>(before.front())].noun) >= 3)
-      mention.items = {before.front()};
+    const bool same = before.size() > 1 && fit(noun, document_.items[static_cast<std::size_t>(before.front())].noun) >= 3;
+    auto& picked = picked_[same ? document_.items[static_cast<std::size_t>(before.front())].group : -1];
+    for (const int item : before) {
+      if (!same || !mention.items.empty() || (noun.count == 1 && contains(picked, item))) continue;
+      mention.items = {item};
+      if (noun.count == 1) picked.push_back(item);
+    }
   }
+  if (mention.items.empty() && (noun.determiner == Determiner::kDefinite || noun.determiner == Determiner::kBoth))
+    general(noun, as_reference, mention);
   if (mention.items.empty()) {
     const int unsaid = noun.plural ? 2 : 1;
     introduce(mention, noun, noun.count > 0 ? noun.count : unsaid);

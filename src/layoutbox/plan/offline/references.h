@@ -14,7 +14,8 @@ class References {
 
   // Adds the mention that a noun phrase makes. `antecedent` is what "it", "them" and "one" mean here (a mention, or -1);
   // `as_reference`: the phrase is what something else is placed by.
-  int mention(const NounPhrase& noun, int antecedent, bool as_reference);
+  // `of_known`: "one sofa" may be one of those that were named.
+  int mention(const NounPhrase& noun, int antecedent, bool as_reference, bool of_known = false);
 
   // More items of the mention's kind, until there are `count`.
   void grow(int mention, std::size_t count);
@@ -28,6 +29,7 @@ class References {
   std::vector<int> known(const NounPhrase& noun) const;
   bool same_kind(const NounPhrase& wanted, const NounPhrase& item) const;
   int fit(const NounPhrase& wanted, const NounPhrase& item) const;
+  void general(const NounPhrase& noun, bool as_reference, Mention& mention) const;
   void choose_members(Mention& mention, const NounPhrase& noun, int antecedent);
 
   const Lexicon& lexicon_;

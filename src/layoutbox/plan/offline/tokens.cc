@@ -105,6 +105,50 @@ void finish_word(Token& token) {
   }
 }
 
+// "1." or "2)" at the beginning of a line: the bytes it takes, else 0.
+std::size_t list_number(std::string_view prompt, std::size_t at) {
+  std::size_t back = at;
+  while (back > 0 && (prompt[back - 1] == ' ' || prompt[back - 1] == '\t')) --back;
+  if (back > 0 && prompt[back - 1] != '\n') return 0;
+  std::size_t i = at;
+  while (i < prompt.size() && is_digit(prompt[i])) ++i;
+  if (i == at || i > at + 3 || i + 1 >= prompt.size() || (prompt[i] != '.' && prompt[i] != ')') || prompt[i + 1] != ' ') return 0;
+  return i + 1 - at;
+}
+
+// Whether what begins at `at` opens a line of its own: an empty line, a list item, a capital.
+bool opens_line(std::string_view prompt, std::size_t at) {
+  while (at < prompt.size() && (prompt[at] == ' ' || prompt[at] == '\t' || prompt[at] == '\r')) ++at;
+  if (at >= prompt.size()) return false;
+  const char c = prompt[at];
+  return c == '\n' || c == '-' || c == '*' || (c >= 'A' && c <= 'Z') || list_number(prompt, at) > 0;
+}
+
+// "n't", "'d", "'ll" … after the word they are glued to: what they stand for becomes a word. Returns the bytes taken.
+std::size_t read_contraction(std::string_view prompt, std::size_t at, std::vector<Token>& tokens) {
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 6> kShort = {
+      {{"t", "not"}, {"d", "would"}, {"ll", "will"}, {"ve", "have"}, {"re", "are"}, {"m", "am"}}};
+  const Letter sign = letter_at(prompt, at);
+  if (sign.value != '\'' || tokens.empty() || tokens.back().kind != Token::Kind::kWord || tokens.back().end != at) return 0;
+  const std::size_t from = at + sign.size;
+  for (const auto& [letters, word] : kShort) {
+    const std::size_t end = from + letters.size();
+    if (end > prompt.size() || (end < prompt.size() && is_letter(letter_at(prompt, end).value))) continue;
+    if (!std::equal(letters.begin(), letters.end(), prompt.begin() + static_cast<std::ptrdiff_t>(from),
+                    [](char a, char b) { return a == lower(b); }))
+      continue;
+    Token& before = tokens.back();
+    if (word == "not") {
+      if (!before.text.ends_with('n')) return 0;
+      if (before.text == "won") before.text = "will";
+      if (before.text != "can" && before.text != "will") before.text.pop_back();
+    }
+    tokens.push_back({Token::Kind::kWord, std::string(word), at, end, 0, false, false, false});
+    return end - at;
+  }
+  return 0;
+}
+
 }  // namespace
 
 std::vector<Token> tokenize(std::string_view prompt) {
@@ -114,14 +158,16 @@ std::vector<Token> tokenize(std::string_view prompt) {
   while (at < prompt.size()) {
     const Letter first = letter_at(prompt, at);
     if (first.value == ' ' || first.value == '\t' || first.value == '\r' || first.value == '\n') {
-      // An empty line, or a new line that opens a list item, ends a sentence.
-      const bool blank_line =
-          first.value == '\n' && at + 1 < prompt.size() && (prompt[at + 1] == '\n' || prompt[at + 1] == '-' || prompt[at + 1] == '*');
-      if (blank_line && !tokens.empty() && !tokens.back().ends_sentence) {
+      if (first.value == '\n' && opens_line(prompt, at + 1) && !tokens.empty() && !tokens.back().ends_sentence) {
         tokens.push_back({Token::Kind::kPunctuation, ";", at, at + 1, 0, false, false, true});
       }
       space_before = true;
       at += first.size;
+      continue;
+    }
+    if (const std::size_t number = list_number(prompt, at); number > 0) {
+      tokens.push_back({Token::Kind::kPunctuation, ";", at, at + number, 0, false, false, true});
+      at += number;
       continue;
     }
     Token token;
@@ -163,6 +209,20 @@ std::vector<Token> tokenize(std::string_view prompt) {
         at += letter.size;
       }
       finish_word(token);
+    } else if (const std::size_t taken = read_contraction(prompt, at, tokens); taken > 0) {
+      at += taken;
+      continue;
+    } else if (first.value == '/' && token.glued && !tokens.empty() && tokens.back().text == "w") {  // w/, w/o
+      const bool without = at + 1 < prompt.size() && lower(prompt[at + 1]) == 'o' &&
+                           (at + 2 == prompt.size() || !is_letter(letter_at(prompt, at + 2).value));
+      at += without ? 2 : 1;
+      tokens.back().text = without ? "without" : "with";
+      tokens.back().end = at;
+      space_before = true;
+      continue;
+    } else if (first.value == '+' && first.size == 1) {
+      token.text = "and";
+      at += 1;
     } else if (first.value == '\'' && token.glued && !tokens.empty() && tokens.back().kind == Token::Kind::kWord) {
       // A possessive: "bed's", "inhabitants'".
       token.text = "'s";

@@ -1,0 +1,118 @@
+// How a thing is held where the relations say otherwise than its kind.
+#include <algorithm>
+
+#include "layoutbox/plan/offline/knowledge.h"
+#include "layoutbox/plan/offline/relation_builder_parts.h"
+
+namespace layoutbox::offline {
+
+using R = RelationType;
+
+namespace {
+
+bool is_beside(R type) {
+  return type == R::kNextTo || type == R::kNear || type == R::kLeftOf || type == R::kRightOf || type == R::kBehind ||
+         type == R::kInFrontOf || type == R::kEachSideOf || type == R::kBetween || type == R::kCorner || type == R::kAgainstWall ||
+         type == R::kCenterOfRoom || type == R::kAtFootOf || type == R::kDistance || type == R::kAround || type == R::kOpposite;
+}
+
+}  // namespace
+
+void RelationBuilder::settle_mount(std::size_t index) {
+  SceneObject& object = scene_.objects[index];
+  const NounPhrase& noun = document_.items[index].noun;
+  bool wall = false, ceiling = false, supported = false, beside = false;
+  std::string neighbour_support;
+  for (const Relation& relation : scene_.relations) {
+    if (std::find(relation.targets.begin(), relation.targets.end(), object.id) == relation.targets.end()) continue;
+    wall |= relation.type == R::kOnWall;
+    ceiling |= relation.type == R::kOnCeiling;
+    supported |= relation.type == R::kOn || relation.type == R::kIn || relation.type == R::kStacked;
+    if (!is_beside(relation.type)) continue;
+    beside = true;
+    for (const std::string& reference : relation.references) {
+      for (const Relation& other : scene_.relations) {
+        const bool carries = (other.type == R::kOn || other.type == R::kIn) &&
+                             std::find(other.targets.begin(), other.targets.end(), reference) != other.targets.end() &&
+                             !other.references.empty();
+        if (carries && relation.type != R::kCorner && relation.type != R::kAgainstWall) neighbour_support = other.references.front();
+      }
+    }
+  }
+  const auto specialise = [&](std::initializer_list<const char*> kinds) {
+    for (const char* kind : kinds) {
+      const CatalogEntry* entry = catalog_.find(kind);
+      if (entry == nullptr || !noun.exact) continue;
+      object.category = entry->id;
+      return;
+    }
+  };
+  if (ceiling) {
+    object.mount = Mount::kCeiling;
+    if (is_lamp(catalog_, noun) && mount_of(noun) != Mount::kCeiling) specialise({"pendant_lamp", "pendant_light", "ceiling_lamp"});
+    return;
+  }
+  if (wall) {
+    object.mount = Mount::kWall;
+    const CatalogEntry* on_wall = mount_of(noun) != Mount::kWall && noun.exact ? catalog_.find("wall_" + noun.entry->id) : nullptr;
+    if (on_wall != nullptr) {
+      object.category = on_wall->id;
+      // A board has a top and no inside.
+      const bool inside = std::any_of(on_wall->spaces.begin(), on_wall->spaces.end(), [](const SpaceFormula& s) { return s.carries; });
+      for (Relation& relation : scene_.relations) {
+        if (!inside && relation.type == R::kIn && !relation.references.empty() && relation.references.front() == object.id)
+          relation.type = R::kOn;
+      }
+    }
+    if (is_lamp(catalog_, noun) && mount_of(noun) != Mount::kWall) specialise({"wall_lamp", "sconce"});
+    return;
+  }
+  if (supported && hangs_on_hooks(object.id)) {
+    object.mount = Mount::kHung;
+    return;
+  }
+  if (supported && mount_of(noun) == Mount::kFloor && is_carried(object.id)) {
+    // A plant on a shelf is a small one.
+    object.mount = Mount::kSurface;
+    if (noun.exact && catalog_.find("small_" + noun.entry->id) != nullptr) object.category = "small_" + noun.entry->id;
+    return;
+  }
+  if (supported || mount_of(noun) != Mount::kSurface || !beside) return;
+  if (!neighbour_support.empty() && neighbour_support != "floor") {
+    Link link;  // "a mouse next to the keyboard" stands on the same desk
+    link.first = noun.first;
+    link.last = noun.last;
+    const SceneObject* support = scene_.find_object(neighbour_support);
+    if (support != nullptr && support->id != object.id) {
+      add(link, R::kOn, {object.id}, {neighbour_support});
+      scene_.relations.back().assumed = true;
+      return;
+    }
+  }
+  object.mount = Mount::kFloor;
+  if (is_lamp(catalog_, noun) && one_of(noun.name, {"lamp", "light"})) specialise({"floor_lamp"});
+}
+
+bool RelationBuilder::hangs_on_hooks(const std::string& object) const {
+  return std::any_of(scene_.relations.begin(), scene_.relations.end(), [&](const Relation& r) {
+    if (r.type != R::kOn || r.targets.front() != object || r.references.empty()) return false;
+    const SceneObject* host = scene_.find_object(r.references.front());
+    return host != nullptr && has_hooks(noun_of_object(*host));
+  });
+}
+
+bool RelationBuilder::is_carried(const std::string& object) const {
+  return std::any_of(scene_.relations.begin(), scene_.relations.end(), [&](const Relation& r) {
+    if ((r.type != R::kOn && r.type != R::kIn) || std::find(r.targets.begin(), r.targets.end(), object) == r.targets.end() ||
+        r.references.empty())
+      return false;
+    if (r.references.front().starts_with("window")) return true;  // on its sill
+    for (std::size_t i = 0; i < scene_.objects.size(); ++i) {
+      if (scene_.objects[i].id == r.references.front())
+        return document_.items[i].noun.entry == nullptr || !document_.items[i].noun.entry->thin;
+    }
+    return false;
+  });
+}
+
+}  // namespace layoutbox::offline

@@ -1,0 +1,186 @@
+// How a noun phrase opens: determiner, count, "two of them", pronouns.
+#include "layoutbox/base/words.h"
+#include "layoutbox/plan/offline/english.h"
+#include "layoutbox/plan/offline/noun_phrase_parts.h"
+
+namespace layoutbox::offline {
+
+using Class = WordClass;
+
+bool NounPhraseReader::read_count() {
+  // "2 m long", "120 cm wide", "4-seater" are no counts.
+  if (token().kind == Token::Kind::kNumber) {
+    if (read_measure(lexicon_, tokens_, i_)) {
+      const std::size_t taken = read_size(lexicon_, tokens_, i_, phrase_.size);
+      i_ += taken;
+      return taken > 0;
+    }
+    if (hyphenated(i_ + 1) && i_ + 1 < tokens_.size() && tokens_[i_ + 1].kind == Token::Kind::kWord) return false;
+    const double value = token().number;
+    if (value < 0 || value > 500 || value != static_cast<int>(value)) return false;
+    phrase_.count = std::max(phrase_.count, 1) * static_cast<int>(value);
+    ++i_;
+    // "2-3 chairs", "2 to 3": the smaller number, at least.
+    if (more() && token().kind == Token::Kind::kNumber && hyphenated(i_)) ++i_, phrase_.at_least = true;
+    counted_ = true;
+    return true;
+  }
+  const Match number = lexicon_.find(tokens_, i_, Class::kNumber), vague = lexicon_.find(tokens_, i_, Class::kVague);
+  if (number.length == 0 && vague.length == 0) return false;
+  // Another word's longer meaning wins: "single bed", "one another", "twin-size".
+  const Match any = at_word("dual") ? Match{} : lexicon_.find(tokens_, i_);
+  const bool is_number = number.length >= vague.length;
+  const Match& best = is_number ? number : vague;
+  if (any.length > best.length && !has(any, Class::kNumber) && !has(any, Class::kVague)) return false;
+  if (is_number && attribute_of(any) != nullptr && any.length == best.length && counted_) return false;
+  // "two-seater", "three-legged": a compound adjective.
+  if (best.length == 1 && hyphenated(i_ + 1)) return false;
+  const Meaning* meaning = meaning_of(best, is_number ? Class::kNumber : Class::kVague);
+  // "twin", "double", "single" and "full" are adjectives of beds and sofas as well: only "dual monitors" and the like are counts.
+  if (is_number && attribute_of(any) != nullptr) {
+    const Match next = lexicon_.find(tokens_, i_ + best.length);
+    if (!next.plural || has(next, Class::kSizeWord)) return false;
+  }
+  const int value = static_cast<int>(meaning->value);
+  // "a pair of two chairs" stays two; "several dozen" is not worth more than several.
+  phrase_.count = phrase_.count > 0 && !is_number ? phrase_.count : value;
+  phrase_.vague |= !is_number;
+  counted_ = true;
+  i_ += best.length;
+  if (is_number && more()) {  // "three to five", "two or three"
+    const bool range = at_word("to") || at_word("or") || (token().kind == Token::Kind::kPunctuation && token().text == "-");
+    if (range && i_ + 1 < tokens_.size()) {
+      const Match upper = lexicon_.find(tokens_, i_ + 1, Class::kNumber);
+      if (upper.length > 0) i_ += 1 + upper.length, phrase_.at_least = true;
+    }
+  }
+  return true;
+}
+
+// "two rows of four chairs", "a row of stools".
+bool NounPhraseReader::read_rows() {
+  const bool one = at_word("row") || at_word("line"), several = at_word("rows") || at_word("lines");
+  if ((!one && !several) || !at_word("of", 1) || i_ + 2 >= tokens_.size()) return false;
+  phrase_.rows = one ? 1 : std::max(phrase_.count, 2);
+  phrase_.count = 0;
+  phrase_.determiner = Determiner::kNone;
+  phrase_.vague = counted_ = true;
+  i_ += 2;
+  return true;
+}
+
+// "one of the beds", "two of them", "each of which".
+bool NounPhraseReader::read_subset() {
+  if (!at_word("of") || i_ + 1 >= tokens_.size()) return false;
+  const Token& next = tokens_[i_ + 1];
+  if (next.text == "which" || next.text == "them" || next.text == "these" || next.text == "those" || next.text == "whom") {
+    const bool alone =
+        i_ + 2 >= tokens_.size() || !lexicon_.find(tokens_, i_ + 2, Class::kObject).length || next.text == "which" || next.text == "them";
+    if (alone) {
+      phrase_.kind = NounKind::kMember;
+      phrase_.subset = true;
+      i_ += 2;
+      return done_ = true;
+    }
+  }
+  if (lexicon_.is(next, Class::kDefinite) || lexicon_.is(next, Class::kPossessive)) {
+    if (auto base = read_noun_phrase(lexicon_, tokens_, i_ + 1, false); base && base->kind == NounKind::kObject) {
+      phrase_.kind = NounKind::kMember;
+      phrase_.subset = true;
+      i_ = base->last;
+      phrase_.of = std::make_shared<NounPhrase>(std::move(*base));
+      return done_ = true;
+    }
+  }
+  return false;
+}
+
+bool NounPhraseReader::read_pronoun() {
+  const Match pronoun = lexicon_.find(tokens_, i_, Class::kPronoun);
+  if (pronoun.length == 0) return false;
+  const std::string& text = token().text;
+  const bool may_determine = text == "this" || text == "that" || text == "these" || text == "those";
+  if (may_determine) {
+    const Match next = lexicon_.find(tokens_, i_ + 1);
+    if (next.length > 0 && !has(next, Class::kBe) && !has(next, Class::kPlaceVerb)) return false;
+    if (next.length == 0 && i_ + 1 < tokens_.size() && tokens_[i_ + 1].kind == Token::Kind::kWord) return false;
+  }
+  phrase_.kind = NounKind::kPronoun;
+  phrase_.reciprocal = pronoun.length == 2;  // "each other", "one another"
+  phrase_.head = text;
+  phrase_.plural = text == "them" || text == "they" || text == "these" || text == "those" || text == "themselves";
+  i_ += pronoun.length;
+  return done_ = true;
+}
+
+bool NounPhraseReader::read_determiners() {
+  const std::size_t start = i_;
+  while (more()) {
+    if (token().kind == Token::Kind::kPunctuation) break;
+    if (phrase_.determiner == Determiner::kNone && !counted_ && read_pronoun()) return true;
+    const Match at_least = lexicon_.find(tokens_, i_, Class::kAtLeast), more_than = lexicon_.find(tokens_, i_, Class::kMoreThan),
+                at_most = lexicon_.find(tokens_, i_, Class::kAtMost), exactly = lexicon_.find(tokens_, i_, Class::kExactly);
+    const auto count_follows = [&](std::size_t length) {
+      return length > 0 && i_ + length < tokens_.size() &&
+             (tokens_[i_ + length].kind == Token::Kind::kNumber || lexicon_.find(tokens_, i_ + length, Class::kNumber).length > 0 ||
+              lexicon_.is(tokens_[i_ + length], Class::kIndefinite)) &&
+             !read_measure(lexicon_, tokens_, i_ + length);
+    };
+    if (count_follows(more_than.length) && !lexicon_.is(tokens_[i_ + more_than.length], Class::kIndefinite)) {
+      i_ += more_than.length;
+      if (!read_count()) break;
+      phrase_.count += 1;
+      phrase_.at_least = true;
+      continue;
+    }
+    if (count_follows(at_least.length)) {
+      phrase_.at_least = true;
+      i_ += at_least.length;
+      continue;
+    }
+    if (count_follows(at_most.length) ||
+        (count_follows(exactly.length) && !lexicon_.is(tokens_[i_ + exactly.length], Class::kIndefinite))) {
+      i_ += std::max(at_most.length, exactly.length);
+      continue;
+    }
+    if (read_rows()) continue;
+    if (read_count()) {
+      if (read_subset()) return true;
+      continue;
+    }
+    const auto take = [&](Class word_class, Determiner determiner) {
+      const Match match = lexicon_.find(tokens_, i_, word_class);
+      if (match.length == 0) return false;
+      phrase_.determiner = determiner;
+      i_ += match.length;
+      return true;
+    };
+    if (phrase_.determiner == Determiner::kNone || phrase_.determiner == Determiner::kBoth || phrase_.determiner == Determiner::kEach) {
+      if (take(Class::kAnother, Determiner::kAnother)) continue;
+      if (take(Class::kIndefinite, Determiner::kIndefinite)) {
+        if (at_word("few")) i_ += 1, phrase_.count = 3, phrase_.vague = counted_ = true;
+        continue;
+      }
+      if (take(Class::kDefinite, Determiner::kDefinite)) continue;
+      if (take(Class::kPossessive, Determiner::kPossessive)) continue;
+      if (take(Class::kEach, Determiner::kEach) || take(Class::kBoth, Determiner::kBoth)) {
+        counted_ |= phrase_.determiner == Determiner::kEach;
+        if (read_subset()) return true;
+        continue;
+      }
+    }
+    if (phrase_.determiner == Determiner::kDefinite || phrase_.determiner == Determiner::kNone) {
+      const Match other = lexicon_.find(tokens_, i_, Class::kOther);
+      if (other.length > 0 && (phrase_.determiner == Determiner::kDefinite || counted_ || at_word("other"))) {
+        phrase_.determiner = Determiner::kOther;
+        i_ += other.length;
+        continue;
+      }
+    }
+    break;
+  }
+  const bool opened = i_ > start;
+  return more() && (opened || bare_);
+}
+
+}  // namespace layoutbox::offline

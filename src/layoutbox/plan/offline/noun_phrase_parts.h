@@ -1,0 +1,103 @@
+// The class behind read_noun_phrase; its members stand in noun_phrase, noun_phrase_open and noun_phrase_words.
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "layoutbox/plan/offline/noun_phrase.h"
+
+namespace layoutbox::offline {
+
+inline bool has(const Match& match, WordClass word_class) {
+  return std::any_of(match.meanings.begin(), match.meanings.end(), [&](const Meaning& m) { return m.word_class == word_class; });
+}
+
+inline const Meaning* meaning_of(const Match& match, WordClass word_class) {
+  for (const Meaning& meaning : match.meanings) {
+    if (meaning.word_class == word_class) return &meaning;
+  }
+  return nullptr;
+}
+
+inline bool is_attribute_class(WordClass c) {
+  return c == WordClass::kSizeWord || c == WordClass::kColor || c == WordClass::kMaterial || c == WordClass::kShape ||
+         c == WordClass::kStyle || c == WordClass::kQuality;
+}
+
+inline const Meaning* attribute_of(const Match& match) {
+  for (const Meaning& meaning : match.meanings) {
+    if (is_attribute_class(meaning.word_class)) return &meaning;
+  }
+  return nullptr;
+}
+
+std::string text_of(std::span<const Token> tokens, std::size_t first, std::size_t last);
+
+// One word or compound before or at the head.
+struct Part {
+  std::size_t first = 0, last = 0;
+  WordClass word_class = WordClass::kFiller;  // kObject, an attribute, a place; kFiller: not in the lexicon
+  Meaning meaning{WordClass::kFiller, nullptr, nullptr, 0, {}};
+  bool plural = false;
+};
+
+class NounPhraseReader {
+ public:
+  NounPhraseReader(const Lexicon& lexicon, std::span<const Token> tokens, std::size_t at, bool bare)
+      : lexicon_(lexicon), tokens_(tokens), i_(at), bare_(bare) {
+    phrase_.first = at;
+  }
+
+  std::optional<NounPhrase> read() {
+    if (!read_determiners()) return std::nullopt;
+    if (done_) return finish();
+    read_parts();
+    return settle();
+  }
+
+ private:
+  bool more() const { return i_ < tokens_.size(); }
+  const Token& token() const { return tokens_[i_]; }
+  bool at_word(std::string_view text, std::size_t ahead = 0) const {
+    return i_ + ahead < tokens_.size() && tokens_[i_ + ahead].text == text;
+  }
+  bool hyphenated(std::size_t i) const {
+    return i > 0 && i < tokens_.size() && tokens_[i].glued && tokens_[i].kind != Token::Kind::kPunctuation &&
+           tokens_[i - 1].kind != Token::Kind::kPunctuation && tokens_[i].begin > tokens_[i - 1].end;
+  }
+
+  std::optional<NounPhrase> finish() {
+    phrase_.last = i_;
+    return phrase_;
+  }
+
+  // The, a, two, at least three, several, a pair of, both, each, no. False when nothing can follow.
+  bool read_determiners();
+  bool read_count();
+  bool read_rows();
+  bool read_subset();
+  bool read_pronoun();
+  void read_parts();
+  bool read_part();
+  bool goes_on_after_break() const;
+  bool word_may_belong() const;
+  std::optional<NounPhrase> settle();
+  void settle_object(const Part& head, std::size_t head_index);
+  void settle_place(const Part& head);
+  void read_of();
+  void take_attributes(std::size_t until);
+
+  const Lexicon& lexicon_;
+  std::span<const Token> tokens_;
+  std::size_t i_;
+  bool bare_;
+  bool done_ = false, counted_ = false;
+  NounPhrase phrase_;
+  std::vector<Part> parts_;
+};
+
+}  // namespace layoutbox::offline

@@ -1,0 +1,93 @@
+// The class behind build_relations; its members stand in relation_builder, relation_single, contents, mounts, relation_habits and
+// contradictions.
+#pragma once
+
+#include <algorithm>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "layoutbox/plan/offline/document.h"
+#include "layoutbox/plan/offline/relation_builder.h"
+
+namespace layoutbox::offline {
+
+inline bool one_of(std::string_view word, std::initializer_list<std::string_view> words) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+class RelationBuilder {
+ public:
+  RelationBuilder(const Lexicon& lexicon, Document& document, SceneGraph& scene)
+      : catalog_(lexicon.catalog()), document_(document), scene_(scene) {}
+  void run();
+
+ private:
+  const Mention& mention(int m) const { return document_.mentions[static_cast<std::size_t>(m)]; }
+  const std::string& id(int item) const { return scene_.objects[static_cast<std::size_t>(item)].id; }
+  const NounPhrase& noun_of_item(int item) const { return document_.items[static_cast<std::size_t>(item)].noun; }
+  void add(const Link& link, RelationType type, std::vector<std::string> targets, std::vector<std::string> references,
+           const PhraseSense& sense = {});
+  std::vector<std::string> ids(const std::vector<int>& items) const;
+  std::vector<int> items_of(const std::vector<int>& mentions) const;
+  // What relativeTo says for a reference that is a part of the room.
+  std::vector<std::string> room_reference(const NounPhrase& noun, RelationType type) const;
+  // A door or window that has an id of its own, else the word, which normalisation gives to the default one.
+  std::string opening_id(std::string_view type) const;
+  // As many of them as the words say: "between two windows".
+  std::vector<std::string> opening_ids(const NounPhrase& noun) const;
+  void add_relations(const Link& link);
+  void add_relations_to(const Link& link, const std::vector<int>& targets, const Mention& reference_mention);
+  void add_rows();
+  void set_heights();
+  // "on opposite walls", "both side walls": which walls they share out; empty where that is not said.
+  std::vector<std::string> shared_walls(const NounPhrase& walls) const;
+  std::string place_of(const Link& link) const;
+  // "facing each other": every one of the targets and its neighbour.
+  void add_each_other(const Link& link, const std::vector<int>& targets);
+  void add_between(const Link& link, const std::vector<int>& targets);
+  void add_group(const Link& link, PhraseSense sense, const std::vector<int>& targets, const std::vector<int>& references,
+                 const Mention* place);
+  void add_single(const Link& link, PhraseSense sense, const Mention& target, const std::vector<int>& references, const Mention* place);
+  // Two of a kind that stand by beds (sofas …) "beside" one stand on either side of it.
+  bool flanks(const NounPhrase& thing, const NounPhrase& host) const;
+  // What one sees into: things that it has are in it; on others they stand on top.
+  bool holds_inside(const NounPhrase& host) const;
+  bool has_inside(const NounPhrase& host) const;
+  // Who is in front of a desk or a screen looks at it; a screen in front of a bed looks at the bed.
+  void add_look(const Link& link, RelationType type, int item, int reference);
+  // "across from" is a gap as well, which holds even where the two cannot look at each other.
+  void add_across(const Link& link, int item, const std::vector<std::string>& reference);
+  void add_seats_at_sides(const Link& link, const std::vector<int>& seats, int table);
+  void add_corners(const Link& link, const Mention& target, const NounPhrase& corner);
+  bool is_placed(int item) const;
+  bool is_related(int item, int other) const;
+  // What a thing has: on it, in it, at it, by it, as the two allow.
+  void add_contents(const Link& link);
+  // "holding", "displaying": the host carries it, whatever it is.
+  bool shows(const Link& link) const;
+  void add_hanging(const Link& link);
+  // "a wall-mounted TV", "a floating shelf".
+  void add_mounts_said();
+  // Rows of desks that face a board look its way; only those before it look straight at it.
+  void face_as_group();
+  // What a reader takes for granted; soft, and marked as ours.
+  void add_habits();
+  bool is_only_table(std::size_t index) const;
+  const NounPhrase& noun_of_object(const SceneObject& object) const;
+  // How a thing is held where the relations say otherwise than its kind.
+  void settle_mount(std::size_t index);
+  bool hangs_on_hooks(const std::string& object) const;
+  // On or in a thing other than a rug.
+  bool is_carried(const std::string& object) const;
+  void note_contradictions();
+  // Two neighbouring walls make a corner.
+  static bool opposite_ok(const Relation& a, const Relation& b);
+  const Catalog& catalog_;
+  Document& document_;
+  SceneGraph& scene_;
+  std::vector<std::pair<std::string, Mm>> heights_;
+};
+
+}  // namespace layoutbox::offline

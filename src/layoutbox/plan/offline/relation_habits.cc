@@ -1,0 +1,90 @@
+// What a reader takes for granted; soft, and marked as ours.
+#include <algorithm>
+#include <cmath>
+
+#include "layoutbox/plan/offline/knowledge.h"
+#include "layoutbox/plan/offline/relation_builder_parts.h"
+
+namespace layoutbox::offline {
+
+using R = RelationType;
+
+void RelationBuilder::face_as_group() {
+  for (const Relation& grid : scene_.relations) {
+    if (grid.type != R::kGrid || grid.targets.size() < 2) continue;
+    const std::size_t n = grid.targets.size();
+    const std::size_t columns =
+        static_cast<std::size_t>(grid.parameters.columns.value_or(static_cast<int>(std::ceil(std::sqrt(static_cast<double>(n))))));
+    const std::string& middle = grid.targets[(columns - 1) / 2];
+    for (Relation& facing : scene_.relations) {
+      if (facing.type != R::kFacing || facing.targets.size() != 1) continue;
+      const auto at = std::find(grid.targets.begin(), grid.targets.end(), facing.targets[0]) - grid.targets.begin();
+      const std::size_t column = static_cast<std::size_t>(at) % columns;
+      if (static_cast<std::size_t>(at) == n || column == (columns - 1) / 2 || column == columns / 2) continue;
+      facing.type = R::kSameOrientation;
+      facing.references = {middle};
+    }
+  }
+}
+
+void RelationBuilder::add_habits() {
+  face_as_group();
+  const std::size_t said = scene_.relations.size();
+  for (std::size_t r = 0; r < said; ++r) {
+    const Relation relation = scene_.relations[r];
+    if (relation.targets.size() != 1 || relation.references.size() != 1) continue;
+    const SceneObject *target = scene_.find_object(relation.targets.front()), *reference = scene_.find_object(relation.references.front());
+    if (target == nullptr || reference == nullptr) continue;
+    const NounPhrase &thing = noun_of_object(*target), &other = noun_of_object(*reference);
+    if (relation.type == R::kInFrontOf && is_seat(catalog_, thing) && is_table(catalog_, other) &&
+        !one_of(thing.head, {"sofa", "couch", "loveseat"}) && !scene_.relations[r].parameters.max)
+      scene_.relations[r].parameters.max = 400;
+    // One thing in front of another stands in the middle of it.
+    const auto alone = std::count_if(scene_.relations.begin(), scene_.relations.end(),
+                                     [&](const Relation& o) { return o.type == R::kInFrontOf && o.references == relation.references; });
+    if (relation.type == R::kInFrontOf && alone == 1) {
+      Relation habit;
+      habit.id = "c" + std::to_string(scene_.relations.size() + 1);
+      habit.type = R::kCenteredOn;
+      habit.targets = relation.targets;
+      habit.references = relation.references;
+      habit.hard = false;
+      habit.assumed = true;
+      habit.weight = 80;
+      habit.why = "what is in front of something is in front of its middle";
+      scene_.relations.push_back(std::move(habit));
+    }
+  }
+  // "on either side of the sofa, near it": as far as near things are.
+  for (Relation& sides : scene_.relations) {
+    if (sides.type != R::kEachSideOf || sides.parameters.max) continue;
+    const bool near = std::any_of(scene_.relations.begin(), scene_.relations.end(), [&](const Relation& r) {
+      return r.type == R::kNear && r.references == sides.references &&
+             std::find(sides.targets.begin(), sides.targets.end(), r.targets.front()) != sides.targets.end();
+    });
+    if (near) sides.parameters.max = 1500;
+  }
+  // A plain table that one dines at.
+  for (std::size_t i = 0; i < scene_.objects.size(); ++i) {
+    SceneObject& object = scene_.objects[i];
+    if (object.category != "table" || catalog_.find("dining_table") == nullptr) continue;
+    const bool chairs = std::any_of(scene_.relations.begin(), scene_.relations.end(), [&](const Relation& r) {
+      return (r.type == R::kAround || r.type == R::kSurround) && !r.references.empty() && r.references.front() == object.id &&
+             r.targets.front().starts_with("dining_chair");
+    });
+    if (chairs || (scene_.room.type == "dining_room" && document_.items[i].noun.attributes.empty() && is_only_table(i)))
+      object.category = "dining_table";
+  }
+}
+
+bool RelationBuilder::is_only_table(std::size_t index) const {
+  return std::count_if(document_.items.begin(), document_.items.end(), [&](const Item& item) { return is_table(catalog_, item.noun); }) ==
+             1 &&
+         index < document_.items.size();
+}
+
+const NounPhrase& RelationBuilder::noun_of_object(const SceneObject& object) const {
+  return document_.items[static_cast<std::size_t>(&object - scene_.objects.data())].noun;
+}
+
+}  // namespace layoutbox::offline

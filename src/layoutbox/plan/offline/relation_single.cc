@@ -1,0 +1,167 @@
+// One relation for each single thing: what a phrase means for these two, and what it says besides.
+#include <algorithm>
+
+#include "layoutbox/plan/offline/knowledge.h"
+#include "layoutbox/plan/offline/relation_builder_parts.h"
+
+namespace layoutbox::offline {
+
+using R = RelationType;
+using Direction = PhraseSense::Direction;
+
+void RelationBuilder::add_single(const Link& link, PhraseSense sense, const Mention& target, const std::vector<int>& references,
+                                 const Mention* place) {
+  const auto place_kind = place != nullptr ? place->noun.kind : NounKind::kObject;
+  if (references.empty() && place != nullptr) {
+    if (place_kind == NounKind::kFloor) {
+      for (const int item : target.items) {
+        if (mount_of(noun_of_item(item)) == Mount::kSurface) add(link, R::kOn, {id(item)}, {"floor"});
+      }
+      return;
+    }
+    if (place_kind == NounKind::kRoom && (sense.type == R::kIn || sense.type == R::kOn || sense.type == R::kInside)) return;
+    if (sense.type == R::kCorner) {
+      add_corners(link, target, place->noun);
+      return;
+    }
+    const std::vector<std::string> walls = target.items.size() > 1 ? shared_walls(place->noun) : std::vector<std::string>{};
+    for (std::size_t t = 0; t < target.items.size() && !walls.empty(); ++t)
+      add(link, sense.type, {id(target.items[t])}, {walls[t % walls.size()]}, sense);
+    if (!walls.empty()) return;
+    for (const int item : target.items) {
+      add(link, sense.type, {id(item)}, room_reference(place->noun, sense.type), sense);
+      if (sense.type == R::kOpposite) add_across(link, item, room_reference(place->noun, sense.type));
+    }
+    return;
+  }
+  if (references.empty()) return;
+  // "on the left side of the desk" is on the desk for what stands on desks, beside it for the rest.
+  if (sense.type == R::kLeftOf || sense.type == R::kRightOf) {
+    const NounPhrase& host = noun_of_item(references.front());
+    const std::string words = words_between(document_, link.first, link.last);
+    const bool side_of = words.find("side") != std::string::npos || words.find("on the ") != std::string::npos;
+    const bool lies = one_of(host.head, {"bed", "sofa", "couch", "loveseat", "armchair"});
+    const bool carries = !lies && may_carry(catalog_, host, target.noun);
+    if (side_of && carries && mount_of(target.noun) == Mount::kSurface && mount_of(host) != Mount::kSurface) {
+      sense.part = sense.type == R::kLeftOf ? "left" : "right";
+      sense.type = R::kOn;
+    }
+  }
+  if (sense.type == R::kOn || sense.type == R::kIn) {
+    const NounPhrase& host = noun_of_item(references.front());
+    if (sense.type == R::kIn && !has_inside(host)) sense.type = R::kOn;
+  }
+  if (sense.type == R::kNextTo && target.items.size() == 2 && references.size() == 1 && link.references.size() == 1 &&
+      flanks(target.noun, noun_of_item(references.front()))) {
+    add(link, R::kEachSideOf, ids(target.items), {id(references.front())});
+    return;
+  }
+  // A seat "at" a table is used there.
+  if (sense.type == R::kNextTo && references.size() == 1 && is_seat(catalog_, target.noun) &&
+      is_table(catalog_, noun_of_item(references.front())) && document_.tokens[link.first].text == "at") {
+    if (target.items.size() > 1) {
+      add_group(link, {R::kAround, Direction::kDirect, {}, {}, {}}, target.items, references, nullptr);
+    } else {
+      add(link, R::kInFrontOf, {id(target.items.front())}, {id(references.front())});
+      add(link, R::kFacing, {id(target.items.front())}, {id(references.front())});
+    }
+    return;
+  }
+  if (sense.type == R::kUnder && mount_of(target.noun) == Mount::kFloor && references.size() == 1 && target.items.size() == 1) {
+    // What stands under a thing on the wall: the wall's thing is above it.
+    const Mount above = mount_of(noun_of_item(references.front()));
+    if (above == Mount::kWall || above == Mount::kCeiling) {
+      add(link, R::kAbove, {id(references.front())}, {id(target.items.front())});
+      return;
+    }
+  }
+  if (link.implied && (sense.type == R::kNear || sense.type == R::kNextTo || sense.type == R::kOpposite) &&
+      mount_of(target.noun) == Mount::kFloor && !references.empty()) {
+    for (const Relation& r : scene_.relations) {
+      const bool carried = (r.type == R::kOn || r.type == R::kIn) && !r.targets.empty() && r.targets.front() == id(references.front()) &&
+                           !r.references.empty();
+      if (!carried) continue;
+      const std::string host = r.references.front();
+      for (const int item : target.items) add(link, sense.type, {id(item)}, {host}, sense);
+      return;
+    }
+  }
+  const std::size_t n = target.items.size(), m = references.size();
+  const bool all = sense.type == R::kInFrontOf || sense.type == R::kOpposite;
+  for (std::size_t t = 0; t < n; ++t) {
+    const int item = target.items[t];
+    if (m == 1) {
+      add(link, sense.type, {id(item)}, {id(references.front())}, sense);
+      if (sense.type == R::kOpposite) add_across(link, item, {id(references.front())});
+      add_look(link, sense.type, item, references.front());
+    } else if (n > 1 || !all) {
+      // As many as there are references: one for each; more: shared out; fewer: the first.
+      const std::size_t r = n >= m ? t * m / n : t;
+      add(link, sense.type, {id(item)}, {id(references[n > 1 ? r : 0])}, sense);
+      add_look(link, sense.type, item, references[n > 1 ? r : 0]);
+    } else {
+      for (const int reference : references) {
+        add(link, sense.type, {id(item)}, {id(reference)}, sense);
+        if (sense.type == R::kOpposite) add_across(link, item, {id(reference)});
+      }
+      add_look(link, sense.type, item, references.front());
+    }
+  }
+}
+
+std::vector<std::string> RelationBuilder::shared_walls(const NounPhrase& walls) const {
+  if (walls.kind != NounKind::kWall || !(walls.is_plural() || walls.determiner == Determiner::kBoth)) return {};
+  const auto said = [&](std::string_view word) {
+    return walls.wall_relation == word || std::find(walls.attributes.begin(), walls.attributes.end(), word) != walls.attributes.end();
+  };
+  if (walls.count >= 3) return {"left", "back", "right"};
+  if (said("adjacent")) return {"left", "back"};
+  const bool pair = said("opposite") || walls.determiner == Determiner::kBoth || walls.name.find("side wall") != std::string::npos ||
+                    walls.name.find("long") != std::string::npos;
+  return pair ? std::vector<std::string>{"left", "right"} : std::vector<std::string>{};
+}
+
+bool RelationBuilder::flanks(const NounPhrase& thing, const NounPhrase& host) const {
+  if (thing.entry == nullptr || host.entry == nullptr) return false;
+  if (!one_of(host.head, {"bed", "sofa", "couch", "loveseat", "daybed"})) return false;
+  return std::any_of(thing.entry->beside.begin(), thing.entry->beside.end(),
+                     [&](const std::string& kind) { return catalog_.is_a(host.entry->id, kind); });
+}
+
+bool RelationBuilder::holds_inside(const NounPhrase& host) const {
+  static constexpr std::string_view kClosed[] = {"cabinet",  "sideboard", "dresser", "cupboard",         "credenza", "buffet",
+                                                 "drawers",  "desk",      "table",   "counter",          "vanity",   "nightstand",
+                                                 "island",   "hutch",     "commode", "chest of drawers", "stand",    "console",
+                                                 "wardrobe", "bench",     "bed",     "washstand",        "ladder"};
+  if (std::find(std::begin(kClosed), std::end(kClosed), host.head) != std::end(kClosed)) return false;
+  return is_storage(host) && has_inside(host);
+}
+
+bool RelationBuilder::has_inside(const NounPhrase& host) const {
+  if (host.entry == nullptr) return is_storage(host);
+  return std::any_of(host.entry->spaces.begin(), host.entry->spaces.end(), [](const SpaceFormula& s) { return s.carries; });
+}
+
+void RelationBuilder::add_look(const Link& link, R type, int item, int reference) {
+  const NounPhrase &thing = noun_of_item(item), &other = noun_of_item(reference);
+  const auto screen = [](const NounPhrase& n) {
+    return one_of(n.head, {"tv", "television", "screen", "monitor"}) || n.name.find("tv ") != std::string::npos ||
+           n.name.find("media") != std::string::npos;
+  };
+  const bool seat = is_seat(catalog_, thing);
+  if (type == R::kInFrontOf && ((seat && (is_table(catalog_, other) || screen(other))) || screen(thing)))
+    add(link, R::kFacing, {id(item)}, {id(reference)});
+  if (type == R::kAlongSide && seat) add(link, R::kFacing, {id(item)}, {id(reference)});
+}
+
+void RelationBuilder::add_across(const Link& link, int item, const std::vector<std::string>& reference) {
+  Link gap = link;
+  gap.distance.reset();
+  const std::size_t known = scene_.relations.size();
+  add(gap, R::kDistance, {id(item)}, reference);
+  if (scene_.relations.size() == known) return;
+  scene_.relations.back().parameters.min = mm_from_m(relation_default(R::kOpposite, "min").value_or(1.5));
+  scene_.relations.back().parameters.max = mm_from_m(relation_default(R::kOpposite, "max").value_or(4));
+}
+
+}  // namespace layoutbox::offline

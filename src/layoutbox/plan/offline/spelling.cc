@@ -1,0 +1,86 @@
+#include "layoutbox/plan/offline/spelling.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+#include "layoutbox/base/words.h"
+#include "layoutbox/plan/offline/english.h"
+
+namespace layoutbox::offline {
+namespace {
+
+constexpr std::size_t kMostLookups = 200;  // of different words in one text; keeps long texts linear
+constexpr std::size_t kShortest = 4, kLong = 8;
+
+// The nearest known word: one letter changed, added, left out or swapped; two in long words. Empty where there is none.
+std::string nearest(const Lexicon& lexicon, const std::string& word) {
+  const std::size_t reach = word.size() >= kLong ? 2 : 1;
+  std::string best;
+  std::size_t least = reach + 1;
+  const auto look = [&](char first) {
+    for (std::size_t length = word.size() - reach; length <= word.size() + reach; ++length) {
+      for (const std::string& known : lexicon.words_like(first, length)) {
+        const std::size_t distance = edit_distance(word, known);
+        // Of equals the one that is as long: letters are swapped more often than lost.
+        const bool longer = known.size() == word.size() && best.size() != word.size();
+        const bool better = distance < least || (distance == least && distance <= reach && longer);
+        if (better) best = known, least = distance;
+      }
+    }
+  };
+  look(word[0]);
+  if (least > 1 && word[1] != word[0]) look(word[1]);  // the first two swapped
+  return best;
+}
+
+bool is_known(const Lexicon& lexicon, const std::string& word) {
+  if (lexicon.knows(word) || word_form(word) != WordForm::kUnknown) return true;
+  const std::vector<std::string> forms = singular_forms(word);
+  return std::any_of(forms.begin(), forms.end(), [&](const std::string& form) { return lexicon.knows(form); });
+}
+
+// One token becomes several where a space was left out ("infront").
+void add_words(const Token& whole, const std::vector<std::string>& words, std::vector<Token>& tokens) {
+  std::size_t begin = whole.begin;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const bool last = i + 1 == words.size();
+    const std::size_t end = last ? whole.end : std::min(begin + words[i].size(), whole.end - (words.size() - 1 - i));
+    Token part = whole;
+    part.text = words[i];
+    part.begin = begin;
+    part.end = end;
+    part.glued = i == 0 && whole.glued;
+    begin = end;
+    tokens.push_back(std::move(part));
+  }
+}
+
+}  // namespace
+
+void correct_spelling(const Lexicon& lexicon, std::vector<Token>& tokens) {
+  std::unordered_map<std::string, std::string> seen;
+  std::vector<Token> corrected;
+  corrected.reserve(tokens.size());
+  for (Token& token : tokens) {
+    const bool word = token.kind == Token::Kind::kWord && token.text.find('~') == std::string::npos;
+    const std::vector<std::string> meant = word ? words_of(lexicon.meant_by(token.text)) : std::vector<std::string>{};
+    if (!meant.empty() && token.end - token.begin >= meant.size()) {
+      add_words(token, meant, corrected);
+      continue;
+    }
+    const bool name = token.capital && !corrected.empty() && !corrected.back().ends_sentence;
+    if (word && !name && token.text.size() >= kShortest && seen.size() < kMostLookups && !is_known(lexicon, token.text)) {
+      const auto [found, fresh] = seen.try_emplace(token.text);
+      if (fresh) found->second = nearest(lexicon, token.text);
+      if (fresh && found->second.empty() && token.text.ends_with('s') && token.text.size() > kShortest) {
+        const std::string one = nearest(lexicon, token.text.substr(0, token.text.size() - 1));
+        if (!one.empty()) found->second = one + "s";
+      }
+      if (!found->second.empty()) token.text = found->second;
+    }
+    corrected.push_back(std::move(token));
+  }
+  tokens = std::move(corrected);
+}
+
+}  // namespace layoutbox::offline
