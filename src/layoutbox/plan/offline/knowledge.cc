@@ -93,6 +93,12 @@ bool is_textile(const Catalog& catalog, const NounPhrase& noun) {
                             "sheet", "linen", "coverlet", "bolster", "towel"});
 }
 
+bool stands_by(const Catalog& catalog, const NounPhrase& noun, const NounPhrase& other) {
+  return noun.entry != nullptr && other.entry != nullptr &&
+         std::any_of(noun.entry->beside.begin(), noun.entry->beside.end(),
+                     [&](const std::string& kind) { return catalog.is_a(other.entry->id, kind); });
+}
+
 bool has_hooks(const NounPhrase& noun) {
   if (!one_of(noun.head, {"pegboard", "rack", "hook", "rail", "ring", "hanger", "bar", "rod", "line", "tree", "stand"})) return false;
   if (noun.entry == nullptr) return false;

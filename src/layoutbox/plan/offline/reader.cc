@@ -292,6 +292,14 @@ int DocumentReader::implied_reference(const std::vector<int>& targets, bool sing
 
 // "It" is one thing. Where the nearest was itself placed by an "it" ("a stool in front of it and a lamp behind it"), both mean the same.
 int DocumentReader::meant_by_it(const std::vector<int>& targets) const {
+  // "a nightstand with a lamp on each side of it": of what nightstands stand by.
+  if (expects_reference_ && reference_link_ >= 0 &&
+      says(document_.links[static_cast<std::size_t>(reference_link_)].senses, RelationType::kEachSideOf) && chain_.size() > 1 &&
+      is_thing(chain_.front())) {
+    const int front = chain_.front();
+    const int former = roots_.size() > 1 && roots_.back() == front ? roots_[roots_.size() - 2] : -1;
+    return former >= 0 && is_thing(former) && stands_by(lexicon_.catalog(), noun_of(front), noun_of(former)) ? former : front;
+  }
   int meant = implied_reference(targets, true);
   if (meant < 0) meant = implied_reference(targets);
   if (meant < 0 || last_it_ < 0 || contains(targets, last_it_)) return meant;

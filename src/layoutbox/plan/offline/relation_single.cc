@@ -124,8 +124,7 @@ std::vector<std::string> RelationBuilder::shared_walls(const NounPhrase& walls) 
 bool RelationBuilder::flanks(const NounPhrase& thing, const NounPhrase& host) const {
   if (thing.entry == nullptr || host.entry == nullptr) return false;
   if (!one_of(host.head, {"bed", "sofa", "couch", "loveseat", "daybed"})) return false;
-  return std::any_of(thing.entry->beside.begin(), thing.entry->beside.end(),
-                     [&](const std::string& kind) { return catalog_.is_a(host.entry->id, kind); });
+  return stands_by(catalog_, thing, host);
 }
 
 bool RelationBuilder::holds_inside(const NounPhrase& host) const {
