@@ -333,8 +333,10 @@ std::string describe_clash(const Model& model, const Clash& clash) {
                                                     : clearance_in_words(model, constraint));
   }
   const std::string room = fmt::format("the room, which measures {}", room_in_words(model));
+  if (relations.empty() && !clash.proven) return fmt::format("no layout was found for {} together in {}", listed(objects), room);
   if (relations.empty()) return fmt::format("{} do not fit together into {}", listed(objects), room);
-  const std::string what = relations.size() == 1   ? "it cannot be that "
+  const std::string what = !clash.proven           ? "no layout was found such that "
+                           : relations.size() == 1 ? "it cannot be that "
                            : relations.size() == 2 ? "it cannot both be that "
                                                    : "it cannot all be that ";
   std::string out = what;

@@ -1,6 +1,7 @@
 // Relations to formulas: one function each. A row in relation_list.inc without a function here does not link.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -16,6 +17,12 @@ struct Reference {
   int index = -1;
 };
 
+// Where a reference stands: an item's box, a wall's face from floor to ceiling, the room's box.
+struct Place {
+  std::array<Linear, 3> lo, hi;
+  int item = -1;  // −1: a wall or the room
+};
+
 // One relation on its way into the small form.
 struct Compilation {
   const Model& model;
@@ -27,7 +34,9 @@ struct Compilation {
   // The parameter where it is given, else the table's default, else the fallback.
   Mm length(const std::optional<Mm>& given, std::string_view parameter, Mm fallback = 0) const;
   Formula& formula() { return out.formulas.emplace_back(); }
+  void never() { out.formulas.emplace_back(); }
   const Item& item(int index) const { return model.items[index]; }
+  Place place(const Reference& reference) const;
   std::vector<int> reference_items() const;
   // The walls named; all straight walls where none is.
   std::vector<int> walls() const;

@@ -107,7 +107,8 @@ namespace {
 
 class WalkRaster {
  public:
-  WalkRaster(const Model& model, const Placements& placements, Mm half_person) : model_(model), half_(half_person) {
+  // `whole`: everything that begins below standing height is in the way, else only what has its middle there.
+  WalkRaster(const Model& model, const Placements& placements, Mm half_person, bool whole = false) : model_(model), half_(half_person) {
     const Mm longest = std::max(model.room.extent(0), model.room.extent(1));
     step_ = std::max<Mm>(25, longest / 160);
     columns_ = model.room.extent(0) / step_ + 1, rows_ = model.room.extent(1) / step_ + 1;
@@ -121,7 +122,8 @@ class WalkRaster {
     for (std::size_t i = 0; i < model.items.size(); ++i) {
       if (placements[i].state < 0) continue;
       const Box box = box_of(model.items[i], placements[i]);
-      if (blocks_floor(model.items[i], box)) block(box);
+      const Item& item = model.items[i];
+      if (whole ? !item.is_opening() && !item.thin && box.lo[2] < kBodyReach : blocks_floor(item, box)) block(box);
     }
   }
 
@@ -134,17 +136,20 @@ class WalkRaster {
     }
   }
 
-  // Is there a way from near one of the boxes `from` to near `to`?
-  bool way(const std::vector<Box>& from, const Box& to) {
+  // Is there a way from one of the places `from` to one of `to`? Empty `from`: from anywhere.
+  bool way(const std::vector<Box>& from, const std::vector<Box>& to) {
     const std::vector<char> free = free_;
     std::vector<int> stack;
     for (const Box& box : from) {
-      for (const int start : cells_near(box)) {
+      for (const int start : cells_in(box)) {
         if (free_[start]) flood(start, stack);
       }
     }
-    const std::vector<int> goal = cells_near(to);
-    return std::any_of(goal.begin(), goal.end(), [&](int at) { return free[at] && !free_[at]; });
+    for (const Box& box : to) {
+      const std::vector<int> goal = cells_in(box);
+      if (std::any_of(goal.begin(), goal.end(), [&](int at) { return free[at] && (from.empty() || !free_[at]); })) return true;
+    }
+    return false;
   }
 
   int largest_permille() {
@@ -162,15 +167,14 @@ class WalkRaster {
  private:
   int cell(Mm along, bool up) const { return up ? (along + step_ - 1 + 100 * step_) / step_ - 100 : (along + 100 * step_) / step_ - 100; }
 
-  std::vector<int> cells_near(const Box& box) const {
+  std::vector<int> cells_in(const Box& box) const {
     std::vector<int> cells;
-    const Mm reach = half_ + kArmLength;
-    for (int y = 0; y < rows_; ++y) {
-      for (int x = 0; x < columns_; ++x) {
-        const Mm px = model_.room.lo[0] + x * step_, py = model_.room.lo[1] + y * step_;
-        if (px >= box.lo[0] - reach && px <= box.hi[0] + reach && py >= box.lo[1] - reach && py <= box.hi[1] + reach)
-          cells.push_back(y * columns_ + x);
-      }
+    const int x0 = std::max(0, cell(box.lo[0] - model_.room.lo[0], true)),
+              x1 = std::min(columns_ - 1, cell(box.hi[0] - model_.room.lo[0], false));
+    const int y0 = std::max(0, cell(box.lo[1] - model_.room.lo[1], true)),
+              y1 = std::min(rows_ - 1, cell(box.hi[1] - model_.room.lo[1], false));
+    for (int y = y0; y <= y1; ++y) {
+      for (int x = x0; x <= x1; ++x) cells.push_back(y * columns_ + x);
     }
     return cells;
   }
@@ -209,15 +213,42 @@ int walk_permille(const Model& model, const Placements& placements) {
   return WalkRaster(model, placements, kHalfPerson).largest_permille();
 }
 
+namespace {
+
+// Where somebody stands who uses that side: as wide as it is, at most `off` away.
+Box place_before(const Box& body, Direction side, Mm off) {
+  Box place = body;
+  (side.sign > 0 ? place.lo : place.hi)[side.axis] = (side.sign > 0 ? body.hi : body.lo)[side.axis];
+  (side.sign > 0 ? place.hi : place.lo)[side.axis] += side.sign * off;
+  return place;
+}
+
+}  // namespace
+
 bool reachable(const Model& model, int item, Mm width, const Placements& placements) {
   if (placements[item].state < 0) return false;
-  std::vector<Box> doors;
+  const Mm near = width / 2 + kArmLength;
+  std::vector<Box> doors, sides;
   for (std::size_t i = 0; i < model.items.size(); ++i) {
     const Item& door = model.items[i];
-    if (door.is_opening() && door.opening->type != OpeningType::kWindow && placements[i].state >= 0)
-      doors.push_back(box_of(door, placements[i]));
+    if (!door.is_opening() || door.opening->type == OpeningType::kWindow || placements[i].state < 0) continue;
+    doors.push_back(
+        place_before(box_of(door, placements[i]), side_direction(door, Side::kFront, door.states[placements[i].state].turn), near));
   }
-  return !doors.empty() && WalkRaster(model, placements, width / 2).way(doors, box_of(model.items[item], placements[item]));
+  const Item& self = model.items[item];
+  std::vector<Side> used = self.object->used_sides.value_or(self.entry->used_sides);
+  std::erase_if(used, [](Side side) { return side == Side::kTop || side == Side::kBottom; });
+  if (used.empty() || self.thin || placements[item].at[2] > 50) used = {Side::kFront, Side::kBack, Side::kLeft, Side::kRight};
+  const int turn = self.states[placements[item].state].turn;
+  if (turn % 90 != 0) return false;
+  for (const Side side : used) {
+    Direction way{1, -1};  // in its own frame, front or not
+    if (side == Side::kBack) way = {1, 1};
+    if (side == Side::kLeft) way = {0, -1};
+    if (side == Side::kRight) way = {0, 1};
+    sides.push_back(place_before(box_of(self, placements[item]), turned(way, turn), near));
+  }
+  return WalkRaster(model, placements, width / 2, true).way(doors, sides);
 }
 
 std::int64_t ways_cost(const Model& model, const Placements& placements) {

@@ -71,11 +71,24 @@ struct Case {
   Case& wish(Linear form, int weight, int scale = 1) { return wishes.push_back({std::move(form), weight, scale}), *this; }
 };
 
+// What a formula is read for: what is enough (placing) or what is needed (proving).
+enum class Purpose { kPlacing, kProving };
+
 // One of the cases holds. No case at all: it can never hold.
+//
+// Some meanings are not linear (distances), or have too many ways to write down (orders of many things). Then the cases are sufficient:
+// what they allow is right, but they do not allow all that is; and `outer` is necessary: it is met wherever the meaning is. The search
+// and `held` go by the cases, a proof that something cannot be by `outer`.
 struct Formula {
   std::vector<Case> cases;
-  std::vector<int> items;  // all that it speaks of; filled by build_model
+  bool exact = true;        // the cases are the meaning itself
+  std::vector<Case> outer;  // where not exact; none: nothing is known to be necessary
+  std::vector<int> items;   // all that it speaks of; filled by build_model
   Case& add() { return cases.emplace_back(); }
+  Case& add_outer() {
+    exact = false;
+    return outer.emplace_back();
+  }
 };
 
 enum class Firmness {

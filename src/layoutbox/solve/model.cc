@@ -302,9 +302,9 @@ void set_pair_rules(Model& model) {
   }
 }
 
-std::vector<int> items_of(const Formula& formula) {
+std::vector<int> items_of(const std::vector<Case>& cases) {
   std::set<int> items;
-  for (const Case& one : formula.cases) {
+  for (const Case& one : cases) {
     for (const StateLiteral& literal : one.states) items.insert(literal.item);
     for (const Linear& form : one.at_least_zero) {
       for (const Term& term : form.terms) items.insert(term.item);
@@ -321,7 +321,7 @@ void index_constraints(Model& model) {
   for (std::size_t c = 0; c < model.constraints.size(); ++c) {
     std::set<int> items;
     for (Formula& formula : model.constraints[c].formulas) {
-      formula.items = items_of(formula);
+      formula.items = items_of(formula.cases);
       items.insert(formula.items.begin(), formula.items.end());
     }
     for (const int item : items) model.touching[item].push_back(static_cast<int>(c));

@@ -37,7 +37,8 @@ struct ItemSpace {
 // Something an item can rest on or hang from; each is a case of its support constraint, in the same order.
 struct SupportOption {
   enum class Kind { kFloor, kCeiling, kWall, kItem, kSill } kind = Kind::kFloor;
-  int index = -1;  // wall or item
+  int index = -1;      // wall or item
+  bool rests = false;  // on or in the item rather than hanging from it
 };
 
 struct Item {

@@ -483,9 +483,12 @@ class Solver {
     }
     for (const Relaxation& reason : reasons_) layout.relaxed.push_back(reason);
     for (const std::string& id : lost_) layout.relaxed.push_back({id, 0, "", lost_words_[id] + ": what it speaks of is left out"});
-    for (const PlacedRelation& r : layout.relations) {  // not linear, so never in a proof
-      if (r.held || !r.relation.hard || r.relation.type != RelationType::kReachable) continue;
-      layout.relaxed.push_back({r.relation.id, 0, "", "no free way was found: " + relation_in_words(model_, r.relation)});
+    for (const PlacedRelation& r : layout.relations) {  // what no proof knows of: ways to walk, two things that would hold one
+      const auto listed = [&](const Relaxation& relaxation) { return relaxation.relation == r.relation.id; };
+      if (r.held || !r.relation.hard || std::any_of(layout.relaxed.begin(), layout.relaxed.end(), listed)) continue;
+      const bool way = r.relation.type == RelationType::kReachable;
+      layout.relaxed.push_back(
+          {r.relation.id, 0, "", (way ? "no free way was found: " : "not so: ") + relation_in_words(model_, r.relation)});
     }
     layout.conflicts = conflicts_;
     layout.status = fallback_ ? LayoutStatus::kFallback : layout.relaxed.empty() ? LayoutStatus::kSolved : LayoutStatus::kRelaxed;

@@ -14,20 +14,19 @@ bool option_missing(const SupportOption& option, const Placements& placements) {
   return other && placements[option.index].state < 0;
 }
 
-// Which of the item's supports holds where it is; the nearest to holding where none does exactly.
-std::string supporter_of(const Model& model, int index, const Placements& placements) {
-  const Item& item = model.items[index];
-  const Formula& formula = model.constraints[item.support_constraint].formulas[0];
-  std::size_t best = 0;
-  std::int64_t least = std::numeric_limits<std::int64_t>::max();
-  for (std::size_t k = 0; k < formula.cases.size(); ++k) {
-    if (option_missing(item.supports[k], placements)) continue;
-    Formula one;
-    one.cases.push_back(formula.cases[k]);
-    const std::int64_t miss = miss_of(model, one, placements);
-    if (miss < least) least = miss, best = k;
-  }
-  const SupportOption& option = item.supports[best];
+// Do the scene's words say that it is held by that?
+bool is_said(const Model& model, const std::string& id, const std::string& holder) {
+  return std::any_of(model.scene->relations.begin(), model.scene->relations.end(), [&](const Relation& r) {
+    const bool holds =
+        r.type == RelationType::kOn || r.type == RelationType::kIn || r.type == RelationType::kOnWall || r.type == RelationType::kStacked;
+    const auto has = [](const std::vector<std::string>& ids, const std::string& one) {
+      return std::find(ids.begin(), ids.end(), one) != ids.end();
+    };
+    return holds && has(r.targets, id) && has(r.references, holder);
+  });
+}
+
+std::string name_of_support(const Model& model, const SupportOption& option) {
   switch (option.kind) {
     case SupportOption::Kind::kFloor: return "floor";
     case SupportOption::Kind::kCeiling: return "ceiling";
@@ -46,6 +45,61 @@ void keep_exactly(const Model& model, int index, const Placements& placements, P
   }
 }
 
+// What holds a thing is one thing: where words name two that both could, one of them is not so.
+bool support_agrees(const Model& model, const Relation& relation, const Layout& layout) {
+  const auto holder_of = [&](const std::string& id) {
+    const PlacedObject* object = layout.find_object(id);
+    return object ? object->supported_by : std::string();
+  };
+  const auto held_by = [&](const std::string& id, const std::string& reference) {
+    const int item = model.find_item(reference);
+    const bool floor = reference == "room" || (item >= 0 && model.items[item].thin);
+    return holder_of(id) == (floor ? "floor" : reference);
+  };
+  const auto all_by = [&](const std::string& id) {
+    return std::all_of(relation.references.begin(), relation.references.end(), [&](const std::string& r) { return held_by(id, r); });
+  };
+  const std::vector<std::string>& targets = relation.targets;
+  switch (relation.type) {
+    case RelationType::kOn: return std::all_of(targets.begin(), targets.end(), all_by);
+    case RelationType::kIn:
+      return std::all_of(targets.begin(), targets.end(), [&](const std::string& t) {
+        return std::all_of(relation.references.begin(), relation.references.end(),
+                           [&](const std::string& r) { return model.find_item(r) < 0 || held_by(t, r); });
+      });
+    case RelationType::kOnWall:
+      return std::all_of(targets.begin(), targets.end(), [&](const std::string& t) {
+        const int holder = model.find_wall(holder_of(t));
+        const auto is_holder = [&](const std::string& r) { return model.find_wall(r) == holder; };
+        const auto& named = relation.references;
+        const bool any = std::all_of(named.begin(), named.end(), [&](const std::string& r) { return model.find_wall(r) < 0; });
+        return holder >= 0 && (any || std::any_of(named.begin(), named.end(), is_holder));
+      });
+    case RelationType::kStacked:
+      for (std::size_t i = 1; i < targets.size(); ++i) {
+        if (holder_of(targets[i]) != targets[i - 1]) return false;
+      }
+      return targets.empty() || all_by(targets[0]);
+    default: return true;
+  }
+}
+
+// Which of the item's supports holds where it is, that of which words speak before others; the nearest to holding where none does exactly.
+SupportOption support_of(const Model& model, int index, const Placements& placements) {
+  const Item& item = model.items[index];
+  const Formula& formula = model.constraints[item.support_constraint].formulas[0];
+  std::size_t best = 0;
+  std::pair<std::int64_t, bool> least{std::numeric_limits<std::int64_t>::max(), true};
+  for (std::size_t k = 0; k < formula.cases.size(); ++k) {
+    if (option_missing(item.supports[k], placements)) continue;
+    Formula one;
+    one.cases.push_back(formula.cases[k]);
+    const std::pair miss{miss_of(model, one, placements), !is_said(model, item.id, name_of_support(model, item.supports[k]))};
+    if (miss < least) least = miss, best = k;
+  }
+  return item.supports[best];
+}
+
 PlacedObject placed_object(const Model& model, int index, const Placements& placements) {
   const Item& item = model.items[index];
   const SceneObject& object = *item.object;
@@ -59,12 +113,13 @@ PlacedObject placed_object(const Model& model, int index, const Placements& plac
   out.position[2] = p.at[2];
   out.rotation_deg = state.turn;
   keep_exactly(model, index, placements, out);
-  out.supported_by = supporter_of(model, index, placements);
+  const SupportOption support = support_of(model, index, placements);
+  out.supported_by = name_of_support(model, support);
   out.mount = item.mount;
   const bool on_item = model.find_item(out.supported_by) >= 0;
   if (out.supported_by == "floor") {
     out.mount = Mount::kFloor;
-  } else if (on_item && item.mount != Mount::kHung) {
+  } else if (on_item && (item.mount != Mount::kHung || support.rests)) {
     out.mount = Mount::kSurface;
   }
   out.used_sides = object.used_sides.value_or(item.entry->used_sides);
@@ -114,7 +169,9 @@ Layout to_layout(const Model& model, const Placements& placements) {
         std::all_of(constraint.formulas.begin(), constraint.formulas.end(), [&](const Formula& f) { return all_placed(f, placements); });
     const bool reached = std::all_of(constraint.reach.begin(), constraint.reach.end(),
                                      [&](const auto& r) { return reachable(model, r.first, r.second, placements); });
-    layout.relations.push_back({scene.relations[constraint.relation], placed && reached && miss_of(model, constraint, placements) == 0});
+    const Relation& relation = scene.relations[constraint.relation];
+    const bool held = placed && reached && miss_of(model, constraint, placements) == 0 && support_agrees(model, relation, layout);
+    layout.relations.push_back({relation, held});
   }
   return layout;
 }

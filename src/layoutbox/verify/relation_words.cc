@@ -116,8 +116,9 @@ Finding shares_half_along(const Case& c, const Body& t, const Face& face) {
 Finding side_along_wall(const Case& c, const Body& t, const Face& wall, const std::vector<Side>& sides, double max_gap) {
   std::vector<Finding> findings;
   for (const Side which : sides) {
-    const BodySide side = side_of(t, which);
-    const double turn = std::acos(std::clamp(dot(side.outward, wall.inward * -1), -1.0, 1.0)) * (180.0 / kPi);
+    // The direction of a side as the body stands, where it has no front that of the room's side it is nearest to.
+    const Vec outward = t.has_front ? side_of(t, which).outward : direction_of(t.shape.frame, which);
+    const double turn = std::acos(std::clamp(dot(outward, wall.inward * -1), -1.0, 1.0)) * (180.0 / kPi);
     findings.push_back(
         degrees_at_most(fmt::format("the {} of {} is turned from {} by", name_of(which), t.id(), wall.id), turn, kAngleSlack));
   }

@@ -4,6 +4,8 @@
 
 #include <array>
 
+#include "layoutbox/solve/compile/phrases.h"
+
 namespace layoutbox::placement {
 namespace {
 
@@ -30,6 +32,14 @@ Mm Compilation::length(const std::optional<Mm>& given, std::string_view paramete
   return usual ? mm_from_m(*usual) : fallback;
 }
 
+Place Compilation::place(const Reference& reference) const {
+  if (reference.kind == Reference::Kind::kItem) return place_of(reference.index);
+  if (reference.kind == Reference::Kind::kWall) return place_of(model, model.walls[reference.index]);
+  Place room;
+  for (int axis = 0; axis < 3; ++axis) room.lo[axis] = model.room.lo[axis], room.hi[axis] = model.room.hi[axis];
+  return room;
+}
+
 std::vector<int> Compilation::reference_items() const {
   std::vector<int> found;
   for (const Reference& r : references) {
@@ -43,7 +53,8 @@ std::vector<int> Compilation::walls() const {
   for (const Reference& r : references) {
     if (r.kind == Reference::Kind::kWall) found.push_back(r.index);
   }
-  if (!found.empty()) return found;
+  const auto named = [](const Reference& r) { return r.kind != Reference::Kind::kRoom; };
+  if (std::any_of(references.begin(), references.end(), named)) return found;
   for (std::size_t w = 0; w < model.walls.size(); ++w) found.push_back(static_cast<int>(w));
   return found;
 }
@@ -66,7 +77,15 @@ Status compile_relation(const Model& model, const Relation& relation, std::strin
     }
     c.references.push_back(reference);
   }
-  if (!c.targets.empty()) kFunctions[static_cast<std::size_t>(relation.type)](c);
+  if (c.targets.empty()) return {};
+  const RelationArity arity = relation_row(relation.type).arity;
+  if (c.references.empty() && (arity == RelationArity::kOne || arity == RelationArity::kMany)) {  // to nobody
+    c.never();
+    return {};
+  }
+  kFunctions[static_cast<std::size_t>(relation.type)](c);
+  // What cannot be said of such references (in front of the room) does not hold; without any, it holds of all there are.
+  if (out.formulas.empty() && out.reach.empty() && !relation.references.empty()) c.never();
   return {};
 }
 

@@ -1,6 +1,7 @@
 // Relations of several objects: around a table, on either side, in rows and grids, symmetric.
+#include <bit>
 #include <cmath>
-#include <numeric>
+#include <tuple>
 
 #include "layoutbox/solve/compile/phrases.h"
 #include "layoutbox/solve/compile/seating.h"
@@ -8,17 +9,18 @@
 namespace layoutbox::placement {
 namespace {
 
-// All orders of a few things; only the given one where there are more than four (identical objects need no other).
-std::vector<std::vector<int>> orders_of(std::vector<int> things, const Model& model) {
-  const auto same_kind = [&](int a, int b) { return model.items[a].entry == model.items[b].entry; };
-  const bool identical = std::all_of(things.begin(), things.end(), [&](int t) { return same_kind(t, things[0]); });
-  if (identical || things.size() > 4) return {things};
-  std::vector<std::vector<int>> orders;
-  std::sort(things.begin(), things.end());
-  do {
-    orders.push_back(things);
-  } while (std::next_permutation(things.begin(), things.end()));
-  return orders;
+// The orders to try, and whether they are all there are.
+std::vector<std::vector<int>> orders_into(Formula& f, const Compilation& c) {
+  std::vector<std::vector<int>> orders = orders_of(c.model, c.relation, c.targets);
+  if (!orders.empty()) return orders;
+  f.exact = false;
+  return {c.targets};
+}
+
+std::vector<int> axes_of(const Compilation& c) {
+  if (!c.relation.parameters.axis) return {0, 1};
+  const int axis = static_cast<int>(*c.relation.parameters.axis);
+  return axis < 2 ? std::vector<int>{axis} : std::vector<int>{};
 }
 
 // Targets in a line along an axis, in that order; `gap` 0 or more: exactly so far apart.
@@ -44,7 +46,7 @@ void line_of_all(Compilation& c, const std::vector<int>& axes) {
     f.add();
     return;
   }
-  for (const std::vector<int>& order : orders_of(c.targets, c.model)) {
+  for (const std::vector<int>& order : orders_into(f, c)) {
     for (const int axis : axes) {
       for (const int edge : {0, 1, 2}) {
         Case& in = f.add();
@@ -56,18 +58,19 @@ void line_of_all(Compilation& c, const std::vector<int>& axes) {
   }
 }
 
-// The extent of a reference: an item's box or a wall's line.
-Linear low_of(const Compilation& c, const Reference& r, int axis) {
-  if (r.kind == Reference::Kind::kItem) return lo(r.index, axis);
-  const RoomWall& wall = c.model.walls[r.index];
-  return {axis == wall.along ? wall.lo : wall.at};
+// Every choice of half of the things, of an odd number either half.
+std::vector<std::vector<char>> halves_of(std::size_t n) {
+  std::vector<std::vector<char>> halves;
+  for (std::uint32_t mask = 0; mask < (1u << n); ++mask) {
+    const auto count = static_cast<std::size_t>(std::popcount(mask));
+    if (count != n / 2 && count != n - n / 2) continue;
+    std::vector<char>& first = halves.emplace_back(n);
+    for (std::size_t i = 0; i < n; ++i) first[i] = static_cast<char>(mask >> i & 1);
+  }
+  return halves;
 }
 
-Linear high_of(const Compilation& c, const Reference& r, int axis) {
-  if (r.kind == Reference::Kind::kItem) return hi(r.index, axis);
-  const RoomWall& wall = c.model.walls[r.index];
-  return {axis == wall.along ? wall.hi : wall.at};
-}
+constexpr std::size_t kMostDivided = 6;
 
 }  // namespace
 
@@ -75,40 +78,32 @@ void compile_EachSideOf(Compilation& c) {
   const Mm most = c.length(c.relation.parameters.max, "max", 500);
   const bool fore_and_aft = c.relation.parameters.axis == Axis::kY;
   const Side first = fore_and_aft ? Side::kFront : Side::kLeft, second = fore_and_aft ? Side::kBack : Side::kRight;
+  const std::size_t n = c.targets.size();
+  // Alternately to either side, in the order given, where that is as good as any other or the others are too many.
+  const bool alike = orders_of(c.model, c.relation, c.targets).size() == 1;
+  std::vector<std::vector<char>> halves;
+  if (alike || n > kMostDivided) {
+    std::vector<char>& one = halves.emplace_back(n);
+    for (std::size_t i = 0; i < n; ++i) one[i] = i % 2 == 0;
+    if (n % 2 == 1) halves.push_back(halves[0]), std::for_each(halves[1].begin(), halves[1].end(), [](char& h) { h = !h; });
+  } else {
+    halves = halves_of(n);
+  }
   for (const int r : c.reference_items()) {
-    // Alternately to either side, in the order given (or turned round): how many to each side is then as it must be.
-    const auto orders = orders_of(c.targets, c.model);
-    std::vector<std::vector<Formula>> ways;
-    for (const bool swapped : {false, true}) {
-      if (swapped && orders.size() == 1 && c.targets.size() % 2 == 0) continue;  // identical: nothing new
-      std::vector<Formula>& way = ways.emplace_back();
-      for (std::size_t i = 0; i < c.targets.size(); ++i) {
-        const Side side = (i % 2 == 0) == !swapped ? first : second;
-        Formula& f = way.emplace_back();
-        add_beyond(f, c.model, c.targets[i], r, side, most, 50);
-      }
-    }
-    if (ways.size() == 1) {
-      for (Formula& f : ways[0]) c.formula() = std::move(f);
-      continue;
-    }
-    // Each target beyond one of the sides, and any two neighbours in the list beyond different ones.
-    for (std::size_t i = 0; i < c.targets.size(); ++i) {
+    for (const int t : c.targets) {  // each beyond one of the sides…
       Formula& f = c.formula();
-      for (auto& way : ways) {
-        for (Case& one : way[i].cases) f.cases.push_back(one);
+      for (const Side side : {first, second}) add_beside(f, c.model, t, r, side, {.most = most, .wished_gap = 50});
+    }
+    if (n < 2) continue;
+    Formula& f = c.formula();  // …and half of them beyond either
+    f.exact = alike || n <= kMostDivided;
+    for_each_turn(c.item(r), [&](int turn, std::uint64_t states) {
+      const Direction d = side_direction(c.item(r), first, turn);
+      for (const std::vector<char>& half : halves) {
+        Case& in = f.add().when(r, states);
+        for (std::size_t i = 0; i < n; ++i) in.require(gap_towards(c.targets[i], r, half[i] ? d : opposite(d)));
       }
-    }
-    for (std::size_t i = 1; i < c.targets.size(); ++i) {
-      Formula& f = c.formula();
-      for_each_turn(c.item(r), [&](int turn, std::uint64_t states) {
-        for (const Side side : {first, second}) {
-          const Direction d = side_direction(c.item(r), side, turn);
-          Case& in = f.add().when(r, states);
-          in.require(gap_towards(c.targets[i - 1], r, d)).require(gap_towards(c.targets[i], r, opposite(d)));
-        }
-      });
-    }
+    });
   }
 }
 
@@ -119,29 +114,30 @@ void compile_Between(Compilation& c) {
     for (std::size_t i = 0; i < n; ++i) {
       for (std::size_t j = 0; j < n; ++j) {
         if (i == j || c.references[i].kind == Reference::Kind::kRoom || c.references[j].kind == Reference::Kind::kRoom) continue;
+        const Place a = c.place(c.references[i]), b = c.place(c.references[j]);
         for (int axis = 0; axis < 2; ++axis) {
-          const Reference &a = c.references[i], &b = c.references[j];
-          Case& in = f.add();
-          in.require(lo(t, axis) - high_of(c, a, axis)).require(low_of(c, b, axis) - hi(t, axis));
-          in.wish(mid2(t, axis) - high_of(c, a, axis) - low_of(c, b, axis), 60, 2);
           const int other = 1 - axis;
-          for (const Reference* ref : {&a, &b}) {
-            if (ref->kind == Reference::Kind::kWall && c.model.walls[ref->index].along != other) continue;
-            in.require(mid2(t, other) - 2 * low_of(c, *ref, other)).require(2 * high_of(c, *ref, other) - mid2(t, other));
-            in.wish(mid2(t, other) - low_of(c, *ref, other) - high_of(c, *ref, other), 40, 2);
+          // The middle of t within the common extent of both along the other axis; best within either's own.
+          for (const auto& [low, high] : {std::pair{&a, &a}, {&b, &b}, {&a, &b}, {&b, &a}}) {
+            Case& in = f.add();
+            in.require(lo(t, axis) - a.hi[axis]).require(b.lo[axis] - hi(t, axis));
+            in.wish(mid2(t, axis) - a.hi[axis] - b.lo[axis], 60, 2);
+            in.require(mid2(t, other) - 2 * low->lo[other]).require(2 * high->hi[other] - mid2(t, other));
+            for (const Place* ref : {&a, &b}) {
+              if (ref->item >= 0) in.wish(mid2(t, other) - ref->lo[other] - ref->hi[other], 40, 2);
+            }
+            if (low != high) in.price = 60;
           }
         }
       }
     }
-    if (n < 2) f.add();
+    for (const Reference& r : c.references) {
+      if (r.kind == Reference::Kind::kRoom || (r.kind == Reference::Kind::kWall && !c.model.walls[r.index].straight)) f.exact = false;
+    }
   }
 }
 
-void compile_Row(Compilation& c) {
-  std::vector<int> axes{0, 1};
-  if (c.relation.parameters.axis) axes = {static_cast<int>(*c.relation.parameters.axis)};
-  line_of_all(c, axes);
-}
+void compile_Row(Compilation& c) { line_of_all(c, axes_of(c)); }
 
 void compile_Column(Compilation& c) { line_of_all(c, {1}); }
 
@@ -150,10 +146,10 @@ void compile_Grid(Compilation& c) {
   int columns = c.relation.parameters.columns.value_or(0);
   if (columns < 1) columns = static_cast<int>(std::ceil(std::sqrt(n)));
   columns = std::min(columns, std::max(n, 1));
-  Case& in = c.formula().add();
-  const auto centre_step = [&](int from, int to, int like_from, int like_to, int axis) {
-    in.require_small((mid2(to, axis) - mid2(from, axis)) - (mid2(like_to, axis) - mid2(like_from, axis)), 0);
-  };
+  Formula& f = c.formula();
+  const std::size_t first = c.out.formulas.size() - 1;
+  f.exact = false;  // in the order given only
+  Case& in = f.add();
   const auto at = [&](int row, int column) { return c.targets[row * columns + column]; };
   const int rows = (n + columns - 1) / columns;
   for (int i = 0; i < n; ++i) {
@@ -162,17 +158,36 @@ void compile_Grid(Compilation& c) {
       in.require_small(mid2(at(row, column), 0) - mid2(at(0, column), 0), 0);
       const Linear gap = lo(at(row, column), 1) - hi(at(row - 1, column), 1);
       in.require(gap);
-      if (c.relation.parameters.gap) in.require_small(gap - Linear(*c.relation.parameters.gap), 0);
       in.wish(gap - Linear(600), 20);
     }
     if (column > 0) {
       in.require_small(mid2(at(row, column), 1) - mid2(at(row, 0), 1), 0);
       const Linear gap = lo(at(row, column), 0) - hi(at(row, column - 1), 0);
       in.require(gap);
-      if (c.relation.parameters.gap) in.require_small(gap - Linear(*c.relation.parameters.gap), 0);
       in.wish(gap - Linear(400), 20);
     }
   }
+  // The gap is that between the longest: one of them is that.
+  if (c.relation.parameters.gap) {
+    for (const int axis : {0, 1}) {
+      const int next = axis == 0 ? (columns > 1 ? at(0, 1) : -1) : (rows > 1 ? at(1, 0) : -1);
+      if (next < 0) continue;
+      Formula& spacing = c.formula();
+      spacing.exact = false;
+      for (const int longest : c.targets) {
+        Case& one = spacing.add();
+        for (const int t : c.targets) {
+          if (t != longest) one.require(extent(longest, axis) - extent(t, axis));
+        }
+        one.require_small(
+            mid2(next, axis) - mid2(at(0, 0), axis) - 2 * extent(longest, axis) - Linear(std::int64_t{2} * *c.relation.parameters.gap), 2);
+      }
+    }
+  }
+  Case& even = c.out.formulas[first].cases[0];
+  const auto centre_step = [&](int from, int to, int like_from, int like_to, int axis) {
+    even.require_small((mid2(to, axis) - mid2(from, axis)) - (mid2(like_to, axis) - mid2(like_from, axis)), 0);
+  };
   for (int column = 2; column < columns; ++column) centre_step(at(0, column - 1), at(0, column), at(0, column - 2), at(0, column - 1), 0);
   for (int row = 2; row < rows; ++row) centre_step(at(row - 1, 0), at(row, 0), at(row - 2, 0), at(row - 1, 0), 1);
 }
@@ -182,60 +197,147 @@ void compile_EvenlySpaced(Compilation& c) {
     c.formula().add();
     return;
   }
-  std::vector<int> axes{0, 1};
-  if (c.relation.parameters.axis) axes = {static_cast<int>(*c.relation.parameters.axis)};
+  const std::vector<int> axes = axes_of(c);
   Formula& f = c.formula();
-  for (const std::vector<int>& order : orders_of(c.targets, c.model)) {
+  f.exact = false;  // overlapping things may be evenly spaced as well
+  for (const std::vector<int>& order : orders_into(f, c)) {
     for (const int axis : axes) {
       Case& in = f.add();
+      const auto gap = [&](std::size_t i) { return lo(order[i], axis) - hi(order[i - 1], axis); };
       for (std::size_t i = 1; i < order.size(); ++i) {
-        const Linear gap = lo(order[i], axis) - hi(order[i - 1], axis);
-        in.require(gap);
-        if (i > 1) in.require_small(gap - (lo(order[i - 1], axis) - hi(order[i - 2], axis)), 4);
+        in.require(gap(i));
+        if (i > 1) in.require_small(gap(i) - gap(1), 5);
       }
-      if (axes.size() > 1) {  // spread farther along this axis than along the other
-        const int a = order.front(), b = order.back();
-        for (const int sign : {1, -1}) {
-          in.require(lo(b, axis) - lo(a, axis) - sign * (lo(b, 1 - axis) - lo(a, 1 - axis)));
+      if (axes.size() < 2) continue;
+      // Spread farther along this axis than along the other; as far as along x counts as along x.
+      const Linear spread = mid2(order.back(), axis) - mid2(order.front(), axis) - Linear(axis == 0 ? 0 : 1);
+      for (const int a : order) {
+        for (const int b : order) {
+          if (a != b) in.require(spread - mid2(a, 1 - axis) + mid2(b, 1 - axis));
         }
       }
     }
   }
 }
 
+namespace {
+
+// All ways to pair things up, each with another or with itself.
+void add_pairings(std::vector<std::size_t>& partner, std::vector<std::vector<std::size_t>>& out) {
+  const auto free = std::find(partner.begin(), partner.end(), partner.size());
+  if (free == partner.end()) {
+    out.push_back(partner);
+    return;
+  }
+  const auto i = static_cast<std::size_t>(free - partner.begin());
+  for (std::size_t j = i; j < partner.size(); ++j) {
+    if (partner[j] != partner.size()) continue;
+    partner[i] = j, partner[j] = i;
+    add_pairings(partner, out);
+    partner[i] = partner[j] = partner.size();
+  }
+}
+
+std::vector<std::vector<std::size_t>> pairings(std::size_t n) {
+  std::vector<std::vector<std::size_t>> out;
+  if (n > 5) {  // first with last, and so on
+    std::vector<std::size_t>& one = out.emplace_back(n);
+    for (std::size_t i = 0; i < n; ++i) one[i] = n - 1 - i;
+    return out;
+  }
+  std::vector<std::size_t> partner(n, n);
+  add_pairings(partner, out);
+  return out;
+}
+
+}  // namespace
+
 void compile_SymmetricAbout(Compilation& c) {
   const std::size_t n = c.targets.size();
+  const std::vector<std::vector<std::size_t>> ways = pairings(n);
+  const bool along_y = c.relation.parameters.axis == Axis::kY;
   for (const Reference& r : c.references) {
     Formula& f = c.formula();
-    const auto mirror = [&](Case& in, int axis, const Linear& twice_middle) {
-      for (std::size_t i = 0; i < (n + 1) / 2; ++i) {
-        const int a = c.targets[i], b = c.targets[n - 1 - i];
-        in.require_small(mid2(a, axis) + mid2(b, axis) - 2 * twice_middle, 4);
-        if (a != b) in.require_small(mid2(a, 1 - axis) - mid2(b, 1 - axis), 4);
+    if (r.kind == Reference::Kind::kRoom) continue;
+    f.exact = false;  // two may share one mirror image
+    const Place place = c.place(r);
+    const auto mirror = [&](int axis, const Case& base) {
+      for (const std::vector<std::size_t>& partner : ways) {
+        for (const auto& [cases, off, aside] : {std::tuple{&f.cases, 14, 14}, {&f.outer, 40, 40}}) {
+          if (cases == &f.outer && n > 2) continue;
+          Case in = base;
+          for (std::size_t i = 0; i < n; ++i) {
+            const int a = c.targets[i], b = c.targets[partner[i]];
+            if (partner[i] < i) continue;
+            in.require_small(mid2(a, axis) + mid2(b, axis) - 2 * (place.lo[axis] + place.hi[axis]), off);
+            if (a != b) in.require_small(mid2(a, 1 - axis) - mid2(b, 1 - axis), aside);
+          }
+          cases->push_back(std::move(in));
+        }
       }
     };
     if (r.kind == Reference::Kind::kWall) {
       const RoomWall& wall = c.model.walls[r.index];
-      mirror(f.add(), wall.along, Linear(std::int64_t{wall.lo} + wall.hi));
-    } else if (r.kind == Reference::Kind::kItem) {
-      const Side along = c.relation.parameters.axis == Axis::kY ? Side::kBack : Side::kRight;
-      for_each_turn(c.item(r.index), [&](int turn, std::uint64_t states) {
-        const int axis = side_direction(c.item(r.index), along, turn).axis;
-        mirror(f.add().when(r.index, states), axis, mid2(r.index, axis));
-      });
+      if (wall.straight) mirror(along_y ? wall.normal() : wall.along, {});
+      continue;
     }
+    const Side along = along_y ? Side::kBack : Side::kRight;
+    for_each_turn(c.item(r.index), [&](int turn, std::uint64_t states) {
+      Case base;
+      mirror(side_direction(c.item(r.index), along, turn).axis, base.when(r.index, states));
+    });
   }
 }
+
+namespace {
+
+// All choices of a target of its own for each reference; those in the order given where they are too many.
+std::vector<std::vector<int>> choices(const std::vector<int>& targets, std::size_t refs) {
+  if (targets.size() > 4) return {{targets.begin(), targets.begin() + static_cast<std::ptrdiff_t>(refs)}};
+  std::vector<std::vector<int>> out;
+  std::vector<int> order = targets;
+  std::sort(order.begin(), order.end());
+  do {
+    std::vector<int> head(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(refs));
+    if (out.empty() || out.back() != head) out.push_back(std::move(head));
+  } while (std::next_permutation(order.begin(), order.end()));
+  std::sort(out.begin(), out.end());
+  out.erase(std::unique(out.begin(), out.end()), out.end());
+  return out;
+}
+
+}  // namespace
 
 void compile_PairedWith(Compilation& c) {
   const Mm most = c.length(c.relation.parameters.max, "max", 500);
   const std::vector<int> refs = c.reference_items();
-  if (refs.empty()) return;
-  for (std::size_t i = 0; i < c.targets.size(); ++i) {
+  if (refs.size() != c.references.size() || refs.size() > c.targets.size() || refs.empty()) {
+    c.never();
+    return;
+  }
+  for (const int t : c.targets) {  // by one of them each…
+    Formula& f = c.formula();
+    for (const int r : refs) add_band(f, c.model, t, place_of(r), 0, most, 100);
+  }
+  if (refs.size() < 2) return;
+  for (const int r : refs) {  // …and each has one, surely…
+    Formula& f = c.formula();
+    for (const int t : c.targets) add_band(f, c.model, t, place_of(r), 0, most, 100);
+  }
+  Formula& own = c.formula();  // …of its own
+  own.exact = false;
+  for (const std::vector<int>& chosen : choices(c.targets, refs.size())) {
     Case in;
-    const int r = refs[i % refs.size()];
-    for (int axis = 0; axis < 2; ++axis) in.wish(mid2(c.targets[i], axis) - mid2(r, axis), 20, 2);
-    add_within(c.formula(), std::move(in), c.model, c.targets[i], r, most);
+    for (std::size_t i = 0; i < refs.size(); ++i) {
+      std::vector<Case> near;
+      add_within(near, {}, c.model, chosen[i], place_of(refs[i]), most, Purpose::kPlacing);
+      if (near.empty()) continue;
+      const Case& round = near.back();
+      in.states.insert(in.states.end(), round.states.begin(), round.states.end());
+      in.at_least_zero.insert(in.at_least_zero.end(), round.at_least_zero.begin(), round.at_least_zero.end());
+      for (int axis = 0; axis < 2; ++axis) in.wish(mid2(chosen[i], axis) - mid2(refs[i], axis), 20, 2);
+    }
+    own.cases.push_back(std::move(in));
   }
 }
 

@@ -161,7 +161,7 @@ class Habits {
 
   void back_to_wall(int item) {
     Formula f;
-    for (const RoomWall& wall : model_.walls) add_against(f, model_, item, wall, Side::kBack, 20);
+    for (const RoomWall& wall : model_.walls) add_against(f, model_, item, states_with_back_to(model_.items[item], wall), wall, 20, true);
     habit("back to wall", item, kBackToWall, std::move(f));
   }
 
@@ -171,12 +171,12 @@ class Habits {
     for (std::size_t i = 0; i < model_.walls.size(); ++i) {
       const RoomWall &a = model_.walls[i], &b = model_.walls[(i + 1) % model_.walls.size()];
       if (!a.straight) continue;
-      require_within_wall(f.add(), item, a, 100);
+      require_near_wall(f.add(), model_, item, a, 100);
       f.cases.back().price = 60;
       if (!b.straight || a.along == b.along) continue;
       Case& corner = f.add();
-      require_within_wall(corner, item, a, 150);
-      require_within_wall(corner, item, b, 150);
+      require_near_wall(corner, model_, item, a, 150);
+      require_near_wall(corner, model_, item, b, 150);
     }
     habit("at a wall", item, kAtWall, std::move(f));
   }
@@ -234,13 +234,13 @@ class Habits {
       return true;
     }
     if (before_its_host(item)) {
-      add_beyond(f, model_, item, host, Side::kFront, 600, model_.is_a(item, "coffee_table") ? 400 : 100);
+      add_beside(f, model_, item, host, Side::kFront, {.most = 600, .wished_gap = model_.is_a(item, "coffee_table") ? 400 : 100});
     } else {
-      add_beyond(f, model_, item, host, Side::kLeft, 500, 60);
-      add_beyond(f, model_, item, host, Side::kRight, 500, 60);
+      add_beside(f, model_, item, host, Side::kLeft, {.most = 500, .wished_gap = 60});
+      add_beside(f, model_, item, host, Side::kRight, {.most = 500, .wished_gap = 60});
       if (!ref.has_front) {
-        add_beyond(f, model_, item, host, Side::kFront, 500, 60);
-        add_beyond(f, model_, item, host, Side::kBack, 500, 60);
+        add_beside(f, model_, item, host, Side::kFront, {.most = 500, .wished_gap = 60});
+        add_beside(f, model_, item, host, Side::kBack, {.most = 500, .wished_gap = 60});
       }
     }
     // Near is what makes them belong together; the free floor wanted at the host's sides would push them off.

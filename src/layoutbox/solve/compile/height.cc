@@ -14,54 +14,49 @@ void require_part(Formula& f, const Model& model, int t, int r, const std::strin
     const auto half = [&](Case& c, Side side) {
       const Direction d = side_direction(ref, side, turn);
       const Linear beyond2 = d.sign * mid2(t, d.axis) - d.sign * mid2(r, d.axis);
-      c.require(beyond2 - Linear(20)).wish(2 * beyond2 - extent(r, d.axis), 40, 4);
+      c.require(beyond2).wish(2 * beyond2 - extent(r, d.axis), 40, 4);
     };
     const auto outer_third = [&](Case& c, Side side) {
       const Direction d = side_direction(ref, side, turn);
       const Linear beyond2 = d.sign * mid2(t, d.axis) - d.sign * mid2(r, d.axis);  // ≥ extent/3: the outer third
-      c.require(3 * beyond2 - extent(r, d.axis) - Linear(15)).wish(reach(t, d) - reach(r, d) + Linear(60), 60);
+      c.require(3 * beyond2 - extent(r, d.axis)).wish(reach(t, d) - reach(r, d) + Linear(60), 60);
     };
-    Case base;
-    base.when(r, states);
+    std::vector<Case> cases(1);
+    cases[0].when(r, states);
+    const auto each = [&](const std::function<void(Case&)>& add) { std::for_each(cases.begin(), cases.end(), add); };
+    // Either of two, for each case so far.
+    const auto either = [&](const std::function<void(Case&, bool)>& add) {
+      std::vector<Case> more;
+      for (const Case& c : cases) {
+        for (const bool first : {true, false}) add(more.emplace_back(c), first);
+      }
+      cases = std::move(more);
+    };
     if (says(part, "center") || says(part, "middle") || says(part, "centre")) {
       for (int axis = 0; axis < 2; ++axis) {
         const Linear off = mid2(t, axis) - mid2(r, axis);
-        base.require(extent(r, axis) - 3 * off).require(extent(r, axis) + 3 * off).wish(off, 100, 2);
+        each([&](Case& c) { c.require(extent(r, axis) - 3 * off).require(extent(r, axis) + 3 * off).wish(off, 100, 2); });
       }
-      f.cases.push_back(base);
-      return;
     }
-    std::vector<Side> named;
     for (const auto& [word, side] :
          {std::pair{"left", Side::kLeft}, {"right", Side::kRight}, {"front", Side::kFront}, {"back", Side::kBack}}) {
-      if (says(part, word)) named.push_back(side);
+      if (says(part, word)) each([&, side = side](Case& c) { half(c, side); });
     }
-    const bool corner = says(part, "corner"), edge = says(part, "edge");
-    if (!corner && !edge) {
-      for (const Side side : named) half(base, side);
-      f.cases.push_back(base);
-      return;
+    if (says(part, "corner")) {
+      either([&](Case& c, bool left) { outer_third(c, left ? Side::kLeft : Side::kRight); });
+      either([&](Case& c, bool back) {
+        outer_third(c, back ? Side::kBack : Side::kFront);
+        if (!back) c.price += 20;
+      });
     }
-    // Every choice of one side along the width and one along the depth that the named sides allow.
-    for (const Side across_side : {Side::kLeft, Side::kRight}) {
-      for (const Side deep_side : {Side::kBack, Side::kFront}) {
-        const Side other_across = across_side == Side::kLeft ? Side::kRight : Side::kLeft;
-        const Side other_deep = deep_side == Side::kBack ? Side::kFront : Side::kBack;
-        const auto is_named = [&](Side s) { return std::find(named.begin(), named.end(), s) != named.end(); };
-        if (is_named(other_across) && !is_named(across_side)) continue;
-        if (is_named(other_deep) && !is_named(deep_side)) continue;
-        Case c = base;
-        if (corner) {
-          outer_third(c, across_side);
-          outer_third(c, deep_side);
-        } else {
-          const bool deep = is_named(Side::kFront) || is_named(Side::kBack);
-          outer_third(c, deep ? deep_side : across_side);
-        }
-        if (deep_side == Side::kFront) c.price = 20;
-        f.cases.push_back(std::move(c));
+    if (says(part, "edge")) {
+      std::vector<Case> more;
+      for (const Side side : {Side::kBack, Side::kLeft, Side::kRight, Side::kFront}) {
+        for (const Case& c : cases) outer_third(more.emplace_back(c), side);
       }
+      cases = std::move(more);
     }
+    for (Case& c : cases) f.cases.push_back(std::move(c));
   });
 }
 
@@ -76,45 +71,71 @@ bool names_space(const Item& item, const std::string& part) {
   return std::any_of(item.spaces.begin(), item.spaces.end(), [&](const ItemSpace& s) { return s.name == part; });
 }
 
+// t rests on r, or in it, at the part that is named.
+void add_at_part(Compilation& c, int t, int r, Resting how) {
+  const std::string& part = c.relation.parameters.part;
+  const Item& ref = c.item(r);
+  const bool space = names_space(ref, part), place = !space && is_place_word(part), top = part == "top" && !space;
+  if (!part.empty() && !space && !place && !top) {
+    c.never();  // it has no such part
+    return;
+  }
+  add_resting(c.formula(), c.model, t, r, space ? part : "", top && how == Resting::kOn ? Resting::kTop : how);
+  if (place) require_part(c.formula(), c.model, t, r, part);
+}
+
+void stand_on(Compilation& c, int t, const Reference& r, const std::string& id) {
+  if (r.kind == Reference::Kind::kItem) {
+    const Item& ref = c.item(r.index);
+    if (ref.thin) {
+      Case base;
+      base.require_small(lo(t, 2) - Linear(c.model.room.lo[2]), 0);
+      Formula& f = c.formula();
+      for (Case& one : cover(base, c.model, t, r.index, 0)) f.cases.push_back(std::move(one));
+      if (is_place_word(c.relation.parameters.part)) require_part(c.formula(), c.model, t, r.index, c.relation.parameters.part);
+    } else if (ref.is_opening()) {
+      Formula& f = c.formula();
+      if (ref.opening->type == OpeningType::kWindow) add_on_sill(f, c.model, t, r.index);
+    } else {
+      add_at_part(c, t, r.index, Resting::kOn);
+    }
+    return;
+  }
+  // The floor or the ceiling, where it can be held by them at all.
+  const bool ceiling = id == "ceiling";
+  const auto kind = ceiling ? SupportOption::Kind::kCeiling : SupportOption::Kind::kFloor;
+  const Item& item = c.item(t);
+  Formula& f = c.formula();
+  const auto is_held = [&](const SupportOption& s) { return s.kind == kind; };
+  if (r.kind == Reference::Kind::kWall || std::none_of(item.supports.begin(), item.supports.end(), is_held)) return;
+  f.add().require_small(ceiling ? hi(t, 2) - Linear(c.model.room.hi[2]) : lo(t, 2) - Linear(c.model.room.lo[2]), 0);
+}
+
 }  // namespace
 
 void compile_On(Compilation& c) {
-  const std::string& part = c.relation.parameters.part;
   for (const int t : c.targets) {
-    for (const Reference& r : c.references) {
-      if (r.kind == Reference::Kind::kRoom) {  // the floor
-        c.formula().add().require_small(lo(t, 2) - Linear(c.model.room.lo[2]), 0);
-        continue;
-      }
-      if (r.kind != Reference::Kind::kItem) continue;
-      const Item& ref = c.item(r.index);
-      Formula& f = c.formula();
-      if (ref.thin) {
-        Case& in = f.add().require_small(lo(t, 2) - Linear(c.model.room.lo[2]), 0);
-        require_cover(in, c.model, t, r.index, 0);
-      } else if (ref.is_opening()) {
-        add_on_sill(f, c.model, t, r.index);
-      } else {
-        add_resting(f, c.model, t, r.index, names_space(ref, part) ? part : "", Resting::kOn);
-      }
-      if (is_place_word(part) && !names_space(ref, part)) require_part(c.formula(), c.model, t, r.index, part);
-    }
+    for (std::size_t i = 0; i < c.references.size(); ++i) stand_on(c, t, c.references[i], c.relation.references[i]);
   }
 }
 
 void compile_In(Compilation& c) {
-  const std::string& part = c.relation.parameters.part;
   for (const int t : c.targets) {
-    for (const int r : c.reference_items()) {
-      add_resting(c.formula(), c.model, t, r, names_space(c.item(r), part) ? part : "", Resting::kIn);
+    for (const Reference& r : c.references) {
+      if (r.kind == Reference::Kind::kItem && !c.item(r.index).is_opening()) {
+        add_at_part(c, t, r.index, Resting::kIn);
+      } else if (r.kind == Reference::Kind::kRoom) {
+        c.formula().add().require(lo(t, 2) - Linear(c.model.room.lo[2]));  // everything is
+      } else {
+        c.never();
+      }
     }
   }
 }
 
 void compile_Stacked(Compilation& c) {
-  std::vector<int> pile = c.reference_items();
-  pile.insert(pile.end(), c.targets.begin(), c.targets.end());
-  for (std::size_t i = 1; i < pile.size(); ++i) add_resting(c.formula(), c.model, pile[i], pile[i - 1], "", Resting::kTop);
+  for (std::size_t i = 0; i < c.references.size(); ++i) stand_on(c, c.targets[0], c.references[i], c.relation.references[i]);
+  for (std::size_t i = 1; i < c.targets.size(); ++i) add_resting(c.formula(), c.model, c.targets[i], c.targets[i - 1], "", Resting::kTop);
 }
 
 void compile_Under(Compilation& c) {
@@ -125,10 +146,10 @@ void compile_Under(Compilation& c) {
         add_under_window(f, c.model, t, r, 500);
         continue;
       }
-      Case& in = f.add();
-      require_cover(in, c.model, t, r, 0);
-      in.require(mid2(r, 2) - mid2(t, 2) - Linear(1)).require(lo(r, 2) + Linear(50) - lo(t, 2));
-      for (int axis = 0; axis < 2; ++axis) in.wish(mid2(t, axis) - mid2(r, axis), 60, 2);
+      Case base;
+      base.require(mid2(r, 2) - mid2(t, 2)).require(lo(r, 2) + Linear(50) - lo(t, 2));
+      for (int axis = 0; axis < 2; ++axis) base.wish(mid2(t, axis) - mid2(r, axis), 60, 2);
+      for (Case& one : cover(base, c.model, t, r, 0)) f.cases.push_back(std::move(one));
     }
   }
 }
@@ -140,20 +161,21 @@ void compile_Above(Compilation& c) {
       if (c.item(r).is_opening()) {
         for_each_turn(c.item(r), [&](int turn, std::uint64_t states) {
           const Direction in_dir = side_direction(c.item(r), Side::kFront, turn);
-          Case& in = f.add().when(r, states);
-          in.require(lo(t, 2) - hi(r, 2)).require(gap_towards(t, r, in_dir)).require(Linear(90) - gap_towards(t, r, in_dir));
-          require_in_line(in, t, r, across(in_dir));
+          Case in;
+          in.when(r, states);
+          in.require(lo(t, 2) - hi(r, 2)).require(gap_towards(t, r, in_dir)).require(Linear(100) - gap_towards(t, r, in_dir));
           in.wish(mid2(t, across(in_dir)) - mid2(r, across(in_dir)), 100, 2).wish(lo(t, 2) - hi(r, 2) - Linear(50), 50);
+          for (Case& one : in_line(in, c.model, t, place_of(r), across(in_dir))) f.cases.push_back(std::move(one));
         });
         continue;
       }
-      Case& in = f.add();
-      require_cover(in, c.model, t, r, 100);
+      Case base;
       const Linear gap = lo(t, 2) - hi(r, 2);
-      in.require(gap);
-      if (c.relation.parameters.gap) in.require_small(gap - Linear(*c.relation.parameters.gap), 0);
-      for (int axis = 0; axis < 2; ++axis) in.wish(mid2(t, axis) - mid2(r, axis), 150, 2);
-      if (c.item(t).mount == Mount::kWall) in.wish(gap - Linear(250), 30);
+      base.require(gap);
+      if (c.relation.parameters.gap) base.require_small(gap - Linear(*c.relation.parameters.gap), 0);
+      for (int axis = 0; axis < 2; ++axis) base.wish(mid2(t, axis) - mid2(r, axis), 150, 2);
+      if (c.item(t).mount == Mount::kWall) base.wish(gap - Linear(250), 30);
+      for (Case& one : cover(base, c.model, t, r, 100)) f.cases.push_back(std::move(one));
     }
   }
 }

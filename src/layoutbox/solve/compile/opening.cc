@@ -6,7 +6,9 @@ namespace {
 
 std::vector<int> openings_meant(const Compilation& c, bool windows) {
   std::vector<int> found = c.reference_items();
-  if (!found.empty()) return found;
+  std::erase_if(found, [&](int i) { return !c.item(i).is_opening(); });
+  const auto named = [](const Reference& r) { return r.kind != Reference::Kind::kRoom; };
+  if (std::any_of(c.references.begin(), c.references.end(), named)) return found;
   for (std::size_t i = 0; i < c.model.items.size(); ++i) {
     const Item& item = c.model.items[i];
     if (item.is_opening() && (item.opening->type == OpeningType::kWindow) == windows) found.push_back(static_cast<int>(i));
@@ -18,26 +20,14 @@ void near_one(Compilation& c, bool windows) {
   const Mm least = c.length(c.relation.parameters.min, "min", 0), most = c.length(c.relation.parameters.max, "max", 1500);
   for (const int t : c.targets) {
     Formula& f = c.formula();
-    for (const int o : openings_meant(c, windows)) {
-      if (least == 0) {
-        Case in;
-        for (int axis = 0; axis < 2; ++axis) in.wish(mid2(t, axis) - mid2(o, axis), 15, 2);
-        add_within(f, std::move(in), c.model, t, o, most);
-        continue;
-      }
-      Formula apart;
-      add_apart(apart, t, o, least);
-      for (Case& in : apart.cases) {
-        add_within(f, std::move(in), c.model, t, o, most);
-      }
-    }
+    for (const int o : openings_meant(c, windows)) add_band(f, c.model, t, place_of(o), least, most, (least + most) / 4);
   }
 }
 
 void far_from_all(Compilation& c, bool windows) {
   const Mm least = c.length(c.relation.parameters.min, "min", 2000);
   for (const int t : c.targets) {
-    for (const int o : openings_meant(c, windows)) add_apart(c.formula(), t, o, least);
+    for (const int o : openings_meant(c, windows)) add_band(c.formula(), c.model, t, place_of(o), least, std::nullopt, 0);
   }
 }
 
@@ -47,13 +37,13 @@ void add_under_window(Formula& f, const Model& model, int t, int window, Mm most
   const Item& item = model.items[window];
   for_each_turn(item, [&](int turn, std::uint64_t states) {
     const Direction in = side_direction(item, Side::kFront, turn);
-    Case& c = f.add().when(window, states);
+    Case c;
+    c.when(window, states);
     const Linear off = gap_towards(t, window, in);
     c.require(off).require(Linear(most) - off).wish(off, 100);
-    require_in_line(c, t, window, across(in));
     c.wish(mid2(t, across(in)) - mid2(window, across(in)), 100, 2);
-    c.require(2 * lo(window, 2) - mid2(t, 2) - Linear(20));
-    c.require(lo(window, 2) - lo(t, 2) - Linear(1));
+    c.require(2 * lo(window, 2) - mid2(t, 2));
+    for (Case& one : in_line(c, model, t, place_of(window), across(in))) f.cases.push_back(std::move(one));
   });
 }
 
@@ -72,7 +62,8 @@ void compile_FarFromWindow(Compilation& c) { far_from_all(c, true); }
 
 void compile_NotBlocking(Compilation& c) {
   std::vector<int> openings = c.reference_items();
-  if (openings.empty()) {
+  std::erase_if(openings, [&](int o) { return !c.item(o).is_opening(); });
+  if (c.references.empty()) {
     openings = openings_meant(c, false);
     const std::vector<int> windows = openings_meant(c, true);
     openings.insert(openings.end(), windows.begin(), windows.end());
@@ -80,18 +71,30 @@ void compile_NotBlocking(Compilation& c) {
   for (const int t : c.targets) {
     for (const int o : openings) {
       const Item& item = c.item(o);
-      const bool window = item.opening && item.opening->type == OpeningType::kWindow;
-      const Mm usual = !item.opening ? 600 : window ? 500 : item.opening->width;
-      const Mm depth = c.relation.parameters.depth.value_or(usual);
+      const bool window = item.opening->type == OpeningType::kWindow;
+      if (c.item(t).thin || (window && c.item(t).curtain)) {  // in nobody's way
+        c.formula().add();
+        continue;
+      }
+      const Mm depth = c.relation.parameters.depth.value_or(window ? 500 : item.opening->width);
+      const bool swings =
+          item.opening->type == OpeningType::kDoor && (item.opening->swing == Swing::kInLeft || item.opening->swing == Swing::kInRight);
       Formula& f = c.formula();
-      for_each_turn(item, [&](int turn, std::uint64_t states) {
-        const Direction in = side_direction(item, Side::kFront, turn), side{across(in), 1};
-        f.add().when(o, states).require(gap_towards(t, o, in) - Linear(depth));
-        f.add().when(o, states).require(gap_towards(t, o, side));
-        f.add().when(o, states).require(gap_towards(t, o, opposite(side)));
-        f.add().when(o, states).require(gap_towards(t, o, {2, -1}));
-        f.add().when(o, states).require(gap_towards(t, o, {2, 1}));
-      });
+      const auto add = [&](std::vector<Case>& cases, Mm deep) {
+        for_each_turn(item, [&](int turn, std::uint64_t states) {
+          const Direction in = side_direction(item, Side::kFront, turn), side{across(in), 1};
+          cases.emplace_back().when(o, states).require(gap_towards(t, o, in) - Linear(deep));
+          cases.emplace_back().when(o, states).require(gap_towards(t, o, side));
+          cases.emplace_back().when(o, states).require(gap_towards(t, o, opposite(side)));
+          cases.emplace_back().when(o, states).require(gap_towards(t, o, {2, -1}));
+          cases.emplace_back().when(o, states).require(gap_towards(t, o, {2, 1}));
+        });
+      };
+      // The quarter disc that the door sweeps lies within the box as deep as the door is wide.
+      add(f.cases, swings ? std::max(depth, item.opening->width) : depth);
+      if (!swings || depth >= item.opening->width) continue;
+      f.exact = false;
+      add(f.outer, depth);
     }
   }
 }

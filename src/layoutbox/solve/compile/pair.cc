@@ -19,93 +19,80 @@ void beside_each(Compilation& c, Side side) {
   const Mm most = c.length(c.relation.parameters.max, "max", 1500);
   for (const int t : c.targets) {
     for (const int r : c.reference_items()) {
-      add_beyond(c.formula(), c.model, t, r, side, most, comfortable_gap(c.item(t), c.item(r), side));
+      const Mm wished = comfortable_gap(c.item(t), c.item(r), side);
+      const bool in_plan = c.item(r).is_opening() && c.relation.type == RelationType::kInFrontOf;
+      add_beside(c.formula(), c.model, t, r, side, {.most = most, .wished_gap = wished, .in_plan_only = in_plan});
     }
   }
 }
 
-// Cases for gap(t, reference) within [least, most].
-void add_band(Formula& f, const Compilation& c, int t, const Reference& r, Mm least, Mm most, Mm wished) {
-  Formula apart;
-  if (r.kind == Reference::Kind::kItem) {
-    if (least > 0) {
-      add_apart(apart, t, r.index, least);
-    } else {
-      apart.add();
-    }
-    for (Case& in : apart.cases) {
-      for (int axis = 0; axis < 2; ++axis) in.wish(mid2(t, axis) - mid2(r.index, axis), wished > 500 ? 4 : 15, 2);
-      add_within(f, std::move(in), c.model, t, r.index, most);
-    }
-    return;
-  }
-  if (r.kind != Reference::Kind::kWall) return;
-  const RoomWall& wall = c.model.walls[r.index];
-  if (least > 0) {
-    add_apart_from_wall(apart, t, wall, least);
-  } else {
-    apart.add();
-  }
-  for (Case& in : apart.cases) {
-    require_within_wall(in, t, wall, most);
-    f.cases.push_back(std::move(in));
-  }
-}
-
-void band_to_each(Compilation& c, Mm least, Mm most, Mm wished) {
+void band_to_each(Compilation& c, Mm least, std::optional<Mm> most, Mm wished) {
   for (const int t : c.targets) {
     for (const Reference& r : c.references) {
-      if (r.kind == Reference::Kind::kRoom) continue;
-      add_band(c.formula(), c, t, r, least, most, wished);
+      Formula& f = c.formula();
+      if (r.kind == Reference::Kind::kRoom) continue;  // no distance from it
+      if (r.kind == Reference::Kind::kWall && !c.model.walls[r.index].straight) {
+        f.exact = false;
+        continue;
+      }
+      add_band(f, c.model, t, c.place(r), least, most, wished);
     }
   }
 }
 
 constexpr std::array kFourSides{Side::kFront, Side::kBack, Side::kLeft, Side::kRight};
 
-// The states of r in which the side is one of those meant: a name, or the longer or shorter ones as it then stands.
-std::uint64_t states_where(const Item& r, Side one, Side meant) {
-  if (meant != Side::kLong && meant != Side::kShort) return one == meant ? r.all_states : 0;
-  std::uint64_t mask = 0;
-  for (std::size_t s = 0; s < r.states.size(); ++s) {
-    const State& state = r.states[s];
-    const Direction d = side_direction(r, one, state.turn);
-    const Mm length = state.extent[across(d)], other = state.extent[d.axis];
-    if (length == other || (length > other) == (meant == Side::kLong)) mask |= std::uint64_t{1} << s;
-  }
-  return mask;
-}
-
 void along_side(Compilation& c, int t, int r, Side side, Mm most) {
   Formula& f = c.formula();
   for (const Side one : kFourSides) {
     if (const std::uint64_t states = states_where(c.item(r), one, side)) {
-      add_at_side(f, c.model, t, r, one, most, comfortable_gap(c.item(t), c.item(r), one), states);
+      const Mm wished = comfortable_gap(c.item(t), c.item(r), one);
+      add_beside(f, c.model, t, r, one, {.most = most, .wished_gap = wished, .may_reach_under = true, .ref_states = states});
     }
   }
 }
 
-// Adds "the turns of t and r differ by one of these".
-void add_turned_by(Formula& f, const Model& model, int t, int r, std::initializer_list<int> differences) {
-  for_each_turn(model.items[r], [&](int ref_turn, std::uint64_t ref_states) {
-    std::uint64_t mask = 0;
-    for_each_turn(model.items[t], [&](int turn, std::uint64_t states) {
-      for (const int difference : differences) {
-        if ((turn - ref_turn - difference) % 360 == 0) mask |= states;
-      }
-    });
-    if (mask) f.add().when(r, ref_states).when(t, mask);
-  });
+// After how many degrees it looks the same again: without a front after half a turn, and where it is square after a quarter.
+int period_of(const Item& item, const State& state) {
+  if (item.is_opening()) return 180;
+  if (item.has_front) return 360;
+  return state.size.width == state.size.depth ? 90 : 180;
 }
 
-void turned_each(Compilation& c, std::initializer_list<int> differences, bool width_along) {
+// The states of t that are turned by `first` degrees, or by that and a multiple of `step`, against something that looks the same after
+// `period` and is turned by `ref_turn`.
+std::uint64_t states_turned(const Item& t, int ref_turn, int period, int first, int step) {
+  std::uint64_t mask = 0;
+  for (std::size_t s = 0; s < t.states.size(); ++s) {
+    const int modulus = std::min({step, period, period_of(t, t.states[s])});
+    if ((t.states[s].turn - ref_turn - first) % modulus == 0) mask |= std::uint64_t{1} << s;
+  }
+  return mask;
+}
+
+void turned_each(Compilation& c, int first, int step) {
   for (const int t : c.targets) {
     for (const Reference& r : c.references) {
       Formula& f = c.formula();
-      if (r.kind == Reference::Kind::kItem) add_turned_by(f, c.model, t, r.index, differences);
-      if (r.kind != Reference::Kind::kWall) continue;
-      const RoomWall& wall = c.model.walls[r.index];
-      f.add().when(t, states_with_width_along(c.item(t), width_along ? wall.along : wall.normal()));
+      if (r.kind == Reference::Kind::kWall) {
+        const RoomWall& wall = c.model.walls[r.index];
+        if (!wall.straight) f.exact = false;
+        const std::uint64_t mask = wall.straight ? states_turned(c.item(t), wall.turn, 180, first, step) : 0;
+        if (mask) f.add().when(t, mask);
+      }
+      if (r.kind != Reference::Kind::kItem) continue;
+      const Item& ref = c.item(r.index);
+      for (std::size_t s = 0; s < ref.states.size(); ++s) {
+        const std::uint64_t mask = states_turned(c.item(t), ref.states[s].turn, period_of(ref, ref.states[s]), first, step);
+        if (!mask) continue;
+        // Cases of one mask are one case.
+        const auto same = std::find_if(f.cases.begin(), f.cases.end(), [&](const Case& one) { return one.states[1].states == mask; });
+        if (same != f.cases.end()) {
+          same->states[0].states |= std::uint64_t{1} << s;
+        } else {
+          f.add().when(r.index, std::uint64_t{1} << s).when(t, mask);
+        }
+      }
     }
   }
 }
@@ -126,17 +113,12 @@ void compile_Near(Compilation& c) {
 
 void compile_Far(Compilation& c) {
   const Mm least = c.length(c.relation.parameters.min, "min", 4000);
-  for (const int t : c.targets) {
-    for (const Reference& r : c.references) {
-      if (r.kind == Reference::Kind::kItem) add_apart(c.formula(), t, r.index, least);
-      if (r.kind == Reference::Kind::kWall) add_apart_from_wall(c.formula(), t, c.model.walls[r.index], least);
-    }
-  }
+  band_to_each(c, least, std::nullopt, least);
 }
 
 void compile_Distance(Compilation& c) {
-  const Mm least = c.relation.parameters.min.value_or(0), most = c.relation.parameters.max.value_or(100000);
-  band_to_each(c, least, most, (least + std::min(most, 4000)) / 2);
+  const Mm least = c.relation.parameters.min.value_or(0);
+  band_to_each(c, least, c.relation.parameters.max, (least + std::min(c.relation.parameters.max.value_or(4000), 4000)) / 2);
 }
 
 void compile_Touching(Compilation& c) {
@@ -156,6 +138,9 @@ void compile_Touching(Compilation& c) {
           if (axis == 2) in.price = 50;
         }
       }
+      Case& within = f.add();  // one in a free space of the other, or on a rug
+      for (int axis = 0; axis < 3; ++axis) within.require(hi(t, axis) - lo(r, axis)).require(hi(r, axis) - lo(t, axis));
+      within.price = 60;
     }
   }
 }
@@ -167,7 +152,7 @@ void compile_EdgeAlign(Compilation& c) {
       Formula& f = c.formula();
       for_each_turn(c.item(r), [&](int turn, std::uint64_t states) {
         Case& in = f.add().when(r, states);
-        if (edge == "center" || edge == "middle") {
+        if (edge == "center" || edge == "centre" || edge == "middle") {
           const int axis = side_direction(c.item(r), Side::kRight, turn).axis;
           in.require_small(mid2(t, axis) - mid2(r, axis), 1);
           return;
@@ -201,43 +186,50 @@ void compile_Opposite(Compilation& c) {
       add_looks_at(c.formula(), c.model, t, r);
       if (c.item(r).is_opening()) {
         Formula& f = c.formula();
-        for (int axis = 0; axis < 2; ++axis) {
-          std::uint64_t states = states_with_width_along(c.item(r), axis);
-          if (!states) continue;
-          Case& in = f.add().when(r, states);
-          require_in_line(in, t, r, axis);
-          in.wish(mid2(t, axis) - mid2(r, axis), 50, 2);
-        }
+        for_each_turn(c.item(r), [&](int turn, std::uint64_t states) {
+          Case in;
+          const int axis = across(side_direction(c.item(r), Side::kFront, turn));
+          in.when(r, states).wish(mid2(t, axis) - mid2(r, axis), 50, 2);
+          for (Case& one : in_line(in, c.model, t, place_of(r), axis)) f.cases.push_back(std::move(one));
+        });
         continue;
       }
       add_looks_at(c.formula(), c.model, r, t);
-      add_band(c.formula(), c, t, {Reference::Kind::kItem, r}, least, most, (least + most) / 2);
+      add_band(c.formula(), c.model, t, place_of(r), least, most, (least + most) / 2);
     }
   }
 }
 
-void compile_Parallel(Compilation& c) { turned_each(c, {0, 180}, true); }
-void compile_Perpendicular(Compilation& c) { turned_each(c, {90, 270}, false); }
-void compile_SameOrientation(Compilation& c) { turned_each(c, {0}, true); }
+void compile_Parallel(Compilation& c) { turned_each(c, 0, 180); }
+void compile_Perpendicular(Compilation& c) { turned_each(c, 90, 180); }
+void compile_SameOrientation(Compilation& c) { turned_each(c, 0, 360); }
 
 void compile_CenteredOn(Compilation& c) {
   for (const int t : c.targets) {
     for (const int r : c.reference_items()) {
       const Item &target = c.item(t), &ref = c.item(r);
-      const bool along_only = ref.is_opening() || target.mount == Mount::kWall || ref.mount == Mount::kWall;
-      const bool over = c.model.pair(t, r) == PairRule::kFree || target.mount == Mount::kCeiling || ref.mount == Mount::kCeiling;
       const auto rests_on = [&](const SupportOption& s) { return s.kind == SupportOption::Kind::kItem && s.index == r; };
-      const bool both = over || std::any_of(target.supports.begin(), target.supports.end(), rests_on);
+      const bool may_rest = std::any_of(target.supports.begin(), target.supports.end(), rests_on);
+      const bool over = target.mount == Mount::kCeiling || target.thin || ref.thin;
+      const bool along_only = !over && (ref.is_opening() || target.mount == Mount::kWall || ref.mount == Mount::kWall);
       Formula& f = c.formula();
+      if (may_rest && !over) f.exact = false;  // it may also stand elsewhere: then one axis is enough
       for_each_turn(ref, [&](int turn, std::uint64_t states) {
         const int x = side_direction(ref, Side::kRight, turn).axis;
-        if (!along_only && both) {
-          Case& in = f.add().when(r, states);
-          for (int axis = 0; axis < 2; ++axis) in.require_small(mid2(t, axis) - mid2(r, axis), 1);
-          return;
+        const auto centre = [&](Case& in, int axis) { in.when(r, states).require_small(mid2(t, axis) - mid2(r, axis), 1); };
+        if (over || may_rest) {
+          Case& in = f.add();
+          centre(in, 0);
+          in.require_small(mid2(t, 1) - mid2(r, 1), 1);
+        } else {
+          centre(f.add(), x);
+          if (along_only) return;
+          centre(f.add(), 1 - x);
+          f.cases.back().price = 30;
         }
-        f.add().when(r, states).require_small(mid2(t, x) - mid2(r, x), 1);
-        if (!along_only) f.add().when(r, states).require_small(mid2(t, 1 - x) - mid2(r, 1 - x), 1).price = 30;
+        if (f.exact) return;
+        centre(f.outer.emplace_back(), x);
+        centre(f.outer.emplace_back(), 1 - x);
       });
     }
   }
@@ -246,7 +238,7 @@ void compile_CenteredOn(Compilation& c) {
 void compile_AtFootOf(Compilation& c) {
   const Mm most = c.length(c.relation.parameters.max, "max", 500);
   for (const int t : c.targets) {
-    for (const int r : c.reference_items()) add_beyond(c.formula(), c.model, t, r, Side::kFront, most, 50);
+    for (const int r : c.reference_items()) add_beside(c.formula(), c.model, t, r, Side::kFront, {.most = most, .wished_gap = 50});
   }
 }
 
@@ -254,27 +246,36 @@ void compile_AtHeadOf(Compilation& c) {
   const Mm most = c.length(c.relation.parameters.max, "max", 500);
   for (const int r : c.reference_items()) {
     const Item& ref = c.item(r);
-    const bool table = !ref.has_front || (ref.object && ref.object->used_sides && ref.object->used_sides->size() == 4);
-    if (table) {
-      for (const int t : c.targets) {
-        along_side(c, t, r, Side::kShort, most);
-      }
-      continue;
-    }
+    const std::vector<Side> used = ref.object ? ref.object->used_sides.value_or(ref.entry->used_sides) : std::vector<Side>{};
+    const auto is_used = [&](Side side) { return std::find(used.begin(), used.end(), side) != used.end(); };
+    const bool table = !ref.has_front || std::all_of(kFourSides.begin(), kFourSides.end(), is_used);
     for (const int t : c.targets) {
+      if (ref.is_opening()) {
+        c.never();
+        continue;
+      }
+      if (table) {
+        along_side(c, t, r, Side::kShort, most);
+        continue;
+      }
       Formula& f = c.formula();
-      add_beyond(f, c.model, t, r, Side::kBack, most, 50);
+      add_beside(f, c.model, t, r, Side::kBack, {.most = most, .wished_gap = 50});
+      std::vector<Case> outer = f.exact ? f.cases : f.outer;
       for (const Side side : {Side::kLeft, Side::kRight}) {
         for_each_turn(ref, [&](int turn, std::uint64_t states) {
           const Direction d = side_direction(ref, side, turn), back = side_direction(ref, Side::kBack, turn);
-          Case& in = f.add().when(r, states);
-          in.require(gap_towards(t, r, d)).require(Linear(most) - gap_towards(t, r, d)).wish(gap_towards(t, r, d) - Linear(50), 100);
-          // The centre of t in the rear third: 3·(2·back edge − mid2) ≤ 2·extent; and not behind it by more than half of t.
+          Case in;
+          in.when(r, states).require(gap_towards(t, r, d));
+          // The centre of t in the rear third: 3·(2·back edge − mid2) ≤ 2·extent.
           const Linear from_back = 2 * reach(r, back) - back.sign * mid2(t, back.axis);
-          in.require(2 * extent(r, back.axis) - 3 * from_back).require(from_back);
-          in.wish(reach(t, back) - reach(r, back), 60);
+          in.require(2 * extent(r, back.axis) - 3 * from_back);
+          add_within(outer, in, c.model, t, place_of(r), most, Purpose::kProving);
+          in.require(from_back).wish(gap_towards(t, r, d) - Linear(50), 100).wish(reach(t, back) - reach(r, back), 60);
+          add_within(f.cases, in, c.model, t, place_of(r), most, Purpose::kPlacing);
         });
       }
+      f.exact = false;
+      f.outer = std::move(outer);
     }
   }
 }
@@ -301,7 +302,7 @@ void add_tucked(Formula& f, const Model& model, int t, int r, Side side, Mm unde
     Case& in = f.add().when(r, states).when(t, facing);
     const Linear gap = gap_towards(t, r, d);
     in.require(Linear(-under) - gap).require(reach(t, d) - reach(r, d));
-    in.require(-2 * reach(t, opposite(d)) - d.sign * mid2(r, d.axis));  // not past the middle of the table
+    in.require(-2 * reach(t, opposite(d)) - d.sign * mid2(r, d.axis));  // its near edge not past the middle of r
     in.require(lo(t, across(d)) - lo(r, across(d))).require(hi(r, across(d)) - hi(t, across(d)));
     in.wish(gap + Linear(wished_under), 60).wish(mid2(t, across(d)) - mid2(r, across(d)), 60, 2);
   });
@@ -313,6 +314,11 @@ void compile_TuckedUnder(Compilation& c) {
       Formula& f = c.formula();
       for (const Side side : {Side::kFront, Side::kBack, Side::kLeft, Side::kRight}) {
         add_tucked(f, c.model, t, r, side, 50, 300);
+      }
+      f.exact = false;  // far under, it may look at r along the side as well
+      for (const Case& one : f.cases) {
+        Case& outer = f.outer.emplace_back(one);
+        std::erase_if(outer.states, [&](const StateLiteral& l) { return l.item == t; });
       }
     }
   }

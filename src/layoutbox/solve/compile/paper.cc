@@ -4,11 +4,6 @@
 namespace layoutbox::placement {
 namespace {
 
-// A coordinate that can be equal to another: of an item, or of a wall.
-struct Edge {
-  Linear twice;  // twice the coordinate
-};
-
 enum class Which { kLow, kMiddle, kHigh };
 
 Which which_edge(const std::string& edge) {
@@ -21,21 +16,16 @@ std::vector<int> axes_meant(const Compilation& c) {
   const std::string& edge = c.relation.parameters.edge;
   if (edge == "left" || edge == "right") return {0};
   if (edge == "front" || edge == "back") return {1};
+  if (edge == "bottom" || edge == "top") return {2};
   if (!c.relation.parameters.axis) return {0, 1};
   return {static_cast<int>(*c.relation.parameters.axis)};
 }
 
-Linear item_edge2(int item, int axis, Which which) {
-  if (which == Which::kLow) return 2 * lo(item, axis);
-  if (which == Which::kHigh) return 2 * hi(item, axis);
-  return mid2(item, axis);
-}
-
-Linear wall_edge2(const RoomWall& wall, int axis, Which which) {
-  if (axis != wall.along) return {std::int64_t{2} * wall.at};
-  if (which == Which::kLow) return {std::int64_t{2} * wall.lo};
-  if (which == Which::kHigh) return {std::int64_t{2} * wall.hi};
-  return {std::int64_t{wall.lo} + wall.hi};
+// Twice the coordinate that is to be equal.
+Linear edge2(const Linear& low, const Linear& high, Which which) {
+  if (which == Which::kLow) return 2 * low;
+  if (which == Which::kHigh) return 2 * high;
+  return low + high;
 }
 
 void align_all(Compilation& c) {
@@ -43,10 +33,10 @@ void align_all(Compilation& c) {
   Formula& f = c.formula();
   for (const int axis : axes_meant(c)) {
     std::vector<Linear> edges;
-    for (const int t : c.targets) edges.push_back(item_edge2(t, axis, which));
+    for (const int t : c.targets) edges.push_back(edge2(lo(t, axis), hi(t, axis), which));
     for (const Reference& r : c.references) {
-      if (r.kind == Reference::Kind::kItem) edges.push_back(item_edge2(r.index, axis, which));
-      if (r.kind == Reference::Kind::kWall) edges.push_back(wall_edge2(c.model.walls[r.index], axis, which));
+      const Place place = c.place(r);
+      edges.push_back(edge2(place.lo[axis], place.hi[axis], which));
     }
     Case& in = f.add();
     for (std::size_t i = 1; i < edges.size(); ++i) in.require_small(edges[i] - edges[0], 1);
@@ -63,9 +53,12 @@ void compile_Offset(Compilation& c) {
       if (r.kind == Reference::Kind::kWall) {
         const RoomWall& wall = c.model.walls[r.index];
         const int axis = c.relation.parameters.axis ? static_cast<int>(*c.relation.parameters.axis) : wall.normal();
+        if (!wall.straight) f.exact = false;
         if (axis == wall.normal()) {
-          const Direction out{axis, wall.inward};
-          f.add().require_small(Linear(0) - reach(t, opposite(out)) - Linear(std::int64_t{wall.inward} * wall.at + distance), 0);
+          for (const int sign : {wall.inward, -wall.inward}) {  // past a corner of the room there may be room behind a wall's line
+            Case& in = f.add().require_small(gap_towards(t, place_of(c.model, wall), {axis, sign}) - Linear(distance), 0);
+            if (sign != wall.inward) in.price = 100;
+          }
         } else if (axis == wall.along) {  // from either end of the wall
           f.add().require_small(lo(t, axis) - Linear(wall.lo + distance), 0);
           f.add().require_small(Linear(wall.hi - distance) - hi(t, axis), 0);
@@ -92,9 +85,11 @@ void compile_GroupAlign(Compilation& c) { align_all(c); }
 
 void compile_Inside(Compilation& c) {
   for (const int t : c.targets) {
-    for (const int r : c.reference_items()) {
+    for (const Reference& r : c.references) {
+      const Place place = c.place(r);
       Case& in = c.formula().add();
-      for (int axis = 0; axis < 2; ++axis) in.require(lo(t, axis) - lo(r, axis)).require(hi(r, axis) - hi(t, axis));
+      for (int axis = 0; axis < 2; ++axis) in.require(lo(t, axis) - place.lo[axis]).require(place.hi[axis] - hi(t, axis));
+      if (r.kind == Reference::Kind::kRoom) in.require(place.hi[2] - hi(t, 2));
     }
   }
 }

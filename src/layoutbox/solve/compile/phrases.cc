@@ -1,12 +1,13 @@
 #include "layoutbox/solve/compile/phrases.h"
 
 #include <cmath>
-#include <optional>
 
 namespace layoutbox::placement {
 namespace {
 
 constexpr int kNormalise = 1000;  // directions at odd angles are whole numbers in thousandths
+// tan 15° as a fraction; within what the verifier calls 15°.
+constexpr std::int32_t kLookAcross = 100000, kLookAhead = 26794;
 
 bool quarter(int turn) { return turn % 90 == 0; }
 
@@ -22,7 +23,74 @@ void wish_alignment(Case& c, const Item& ref, int t, int r, Side side, int turn,
   }
 }
 
+// The height of the underside where it cannot be anywhere else.
+std::optional<Mm> underside_of(const Item& item) {
+  if (item.is_opening()) return item.opening->sill;
+  return floor_only(item) ? std::optional<Mm>(0) : std::nullopt;
+}
+
+Mm gap_in_height(Mm low_a, Mm height_a, Mm low_b, Mm height_b) { return std::max({0, low_a - low_b - height_b, low_b - low_a - height_a}); }
+
+Mm greatest_extent(const Item& item, int axis) {
+  Mm greatest = 0;
+  for (const State& state : item.states) greatest = std::max(greatest, state.extent[axis]);
+  return greatest;
+}
+
+// What the distance in height leaves of a distance for the plan; no value: heights are not known beforehand.
+struct Heights {
+  bool known = false;
+  Mm gap = 0;                                // for proving the least, for placing of the states below
+  std::uint64_t states = ~std::uint64_t{0};  // of t
+};
+
+Heights heights_between(const Model& model, int t, const Place& r, Mm most, Purpose purpose) {
+  Heights h;
+  if (r.item < 0) return {true, 0, ~std::uint64_t{0}};  // walls go from floor to ceiling
+  const Item &a = model.items[t], &b = model.items[r.item];
+  const auto low_a = underside_of(a), low_b = underside_of(b);
+  if (!low_a || !low_b) return h;
+  h.known = true;
+  const auto gaps = [&](const State& s) {
+    std::pair<Mm, Mm> least_and_most{1 << 29, 0};
+    for (const State& other : b.states) {
+      const Mm gap = gap_in_height(*low_a, s.extent[2], *low_b, other.extent[2]);
+      least_and_most = {std::min(least_and_most.first, gap), std::max(least_and_most.second, gap)};
+    }
+    return least_and_most;
+  };
+  if (purpose == Purpose::kProving) {
+    h.gap = 1 << 29;
+    for (const State& state : a.states) h.gap = std::min(h.gap, gaps(state).first);
+    return h;
+  }
+  h.gap = gaps(a.states[0]).second;
+  if (h.gap * 10 > most * 9) {
+    for (const State& state : a.states) h.gap = std::min(h.gap, gaps(state).second);
+  }
+  h.states = 0;
+  for (std::size_t s = 0; s < a.states.size(); ++s) {
+    if (gaps(a.states[s]).second <= h.gap) h.states |= std::uint64_t{1} << s;
+  }
+  return h;
+}
+
 }  // namespace
+
+Place place_of(int item) {
+  Place place;
+  place.item = item;
+  for (int axis = 0; axis < 3; ++axis) place.lo[axis] = lo(item, axis), place.hi[axis] = hi(item, axis);
+  return place;
+}
+
+Place place_of(const Model& model, const RoomWall& wall) {
+  Place place;
+  place.lo[wall.along] = wall.lo, place.hi[wall.along] = wall.hi;
+  place.lo[wall.normal()] = place.hi[wall.normal()] = wall.at;
+  place.lo[2] = model.room.lo[2], place.hi[2] = model.room.hi[2];
+  return place;
+}
 
 void for_each_turn(const Item& item, const std::function<void(int, std::uint64_t)>& visit) {
   std::vector<int> seen;
@@ -33,54 +101,35 @@ void for_each_turn(const Item& item, const std::function<void(int, std::uint64_t
   }
 }
 
-Linear gap_towards(int t, int r, Direction d) { return Linear(0) - reach(t, opposite(d)) - reach(r, d); }
+Linear gap_towards(int t, const Place& r, Direction d) { return d.sign > 0 ? lo(t, d.axis) - r.hi[d.axis] : r.lo[d.axis] - hi(t, d.axis); }
 
-namespace {
-
-// The height of the underside where it cannot be anywhere else.
-std::optional<Mm> underside_of(const Item& item) {
-  if (item.is_opening()) return item.opening->sill;
-  const bool floor_only = item.supports.size() == 1 && item.supports[0].kind == SupportOption::Kind::kFloor;
-  return floor_only ? std::optional<Mm>(0) : std::nullopt;
+bool floor_only(const Item& item) {
+  return !item.is_opening() && item.supports.size() == 1 && item.supports[0].kind == SupportOption::Kind::kFloor;
 }
 
-Mm gap_in_height(Mm low_a, Mm height_a, Mm low_b, Mm height_b) { return std::max({0, low_a - low_b - height_b, low_b - low_a - height_a}); }
-
-}  // namespace
-
-void add_within(Formula& f, Case base, const Model& model, int t, int r, Mm most) {
-  const Item &a = model.items[t], &b = model.items[r];
-  const auto low_a = underside_of(a), low_b = underside_of(b);
-  const bool heights_known = low_a && low_b;
+void add_within(std::vector<Case>& cases, Case base, const Model& model, int t, const Place& r, Mm most, Purpose purpose) {
+  const Heights heights = heights_between(model, t, r, most, purpose);
   std::int64_t left = most;  // what the difference in height leaves for the plan
-  if (heights_known) {
-    // The states that come no farther apart in height than the first one does.
-    const auto gap_of = [&](const State& s) { return gap_in_height(*low_a, s.extent[2], *low_b, b.states[0].extent[2]); };
-    Mm up = gap_of(a.states[0]);
-    if (up * 10 > most * 9) {
-      for (const State& state : a.states) up = std::min(up, gap_of(state));
-    }
-    if (up > most) return;
-    std::uint64_t fitting = 0;
-    for (std::size_t s = 0; s < a.states.size(); ++s) {
-      if (gap_of(a.states[s]) <= up) fitting |= std::uint64_t{1} << s;
-    }
-    if (fitting != a.all_states) base.when(t, fitting);
-    left = static_cast<std::int64_t>(std::sqrt(static_cast<double>(most) * most - static_cast<double>(up) * up));
+  if (heights.known) {
+    if (heights.gap > most) return;
+    if (purpose == Purpose::kPlacing && heights.states != model.items[t].all_states && r.item >= 0) base.when(t, heights.states);
+    const double squared = static_cast<double>(most) * most - static_cast<double>(heights.gap) * heights.gap;
+    left = static_cast<std::int64_t>(std::floor(std::sqrt(squared) + (purpose == Purpose::kProving ? 1 : 0)));
   }
   const auto limit = [&](Case& c, int axis, std::int64_t length) {
     for (const int sign : {1, -1}) c.require(Linear(length) - gap_towards(t, r, {axis, sign}));
   };
-  for (int axis = 0; axis < 2; ++axis) {
-    Case across = base;
-    limit(across, axis, left);
-    limit(across, 1 - axis, 0);
-    if (!heights_known) limit(across, 2, 0);
-    f.cases.push_back(std::move(across));
+  const bool proving = purpose == Purpose::kProving;
+  for (int axis = 0; axis < 2 && !proving; ++axis) {
+    Case straight = base;
+    limit(straight, axis, left);
+    limit(straight, 1 - axis, 0);
+    if (!heights.known) limit(straight, 2, 0);
+    cases.push_back(std::move(straight));
   }
-  const int axes = heights_known ? 2 : 3;
-  for (int axis = 0; axis < axes; ++axis) limit(base, axis, heights_known ? left * 92 / 100 : left * 8 / 10);
-  const std::int64_t pair = heights_known ? left * 13 / 10 : left * 11 / 10;
+  const int axes = heights.known ? 2 : 3;
+  for (int axis = 0; axis < axes; ++axis) limit(base, axis, proving ? left : heights.known ? left * 92 / 100 : left * 8 / 10);
+  const std::int64_t pair = proving ? left * 14143 / 10000 + 1 : heights.known ? left * 13 / 10 : left * 11 / 10;
   for (int first = 0; first < axes; ++first) {
     for (int second = first + 1; second < axes; ++second) {
       for (const int s1 : {1, -1}) {
@@ -88,82 +137,139 @@ void add_within(Formula& f, Case base, const Model& model, int t, int r, Mm most
       }
     }
   }
-  f.cases.push_back(std::move(base));
+  cases.push_back(std::move(base));
 }
 
-void require_within_wall(Case& c, int t, const RoomWall& wall, Mm most) {
-  const Direction out{wall.normal(), wall.inward};
-  c.require(Linear(most) + reach(t, opposite(out)) + Linear(std::int64_t{wall.inward} * wall.at));
-  c.require(hi(t, wall.along) - Linear(wall.lo));
-  c.require(Linear(wall.hi) - lo(t, wall.along));
-}
-
-void add_apart(Formula& f, int t, int r, Mm least) {
-  for (int axis = 0; axis < 3; ++axis) {
-    for (const int sign : {1, -1}) f.add().require(gap_towards(t, r, {axis, sign}) - Linear(least));
+// An axis along which they are `least` apart is enough, and so is a sum over two axes of √2 times that. Needed is one of: 92 % along an
+// axis, or a sum over two or three of 1.31 times.
+void add_apart(std::vector<Case>& cases, const Model& model, int t, const Place& r, Mm least, Purpose purpose) {
+  const bool proving = purpose == Purpose::kProving;
+  const bool flat = heights_between(model, t, r, least, purpose).known && heights_between(model, t, r, least, purpose).gap == 0;
+  const int axes = flat ? 2 : 3;
+  const std::int64_t along = proving ? std::int64_t{least} * 92 / 100 : least;
+  const std::int64_t sum = proving ? std::int64_t{least} * 131 / 100 : std::int64_t{least} * 1415 / 1000;
+  for (int axis = 0; axis < axes; ++axis) {
+    for (const int sign : {1, -1}) cases.emplace_back().require(gap_towards(t, r, {axis, sign}) - Linear(along));
   }
-  if (least == 0) return;
+  if (least <= 0) return;
   for (const int sx : {1, -1}) {
     for (const int sy : {1, -1}) {
-      f.add().require(gap_towards(t, r, {0, sx}) + gap_towards(t, r, {1, sy}) - Linear(std::int64_t{least} * 1415 / 1000));
+      const Linear plan = gap_towards(t, r, {0, sx}) + gap_towards(t, r, {1, sy});
+      cases.emplace_back().require(plan - Linear(sum));
+      if (!proving || flat) continue;
+      for (const int sz : {1, -1}) cases.emplace_back().require(plan + gap_towards(t, r, {2, sz}) - Linear(sum));
+    }
+  }
+  if (!proving || flat) return;
+  for (const int axis : {0, 1}) {
+    for (const int s1 : {1, -1}) {
+      for (const int sz : {1, -1}) cases.emplace_back().require(gap_towards(t, r, {axis, s1}) + gap_towards(t, r, {2, sz}) - Linear(sum));
     }
   }
 }
 
-void add_apart_from_wall(Formula& f, int t, const RoomWall& wall, Mm least) {
-  const Direction out{wall.normal(), wall.inward};
-  f.add().require(Linear(0) - reach(t, opposite(out)) - Linear(std::int64_t{wall.inward} * wall.at + least));
-  f.add().require(lo(t, wall.along) - Linear(wall.hi + least));
-  f.add().require(Linear(wall.lo - least) - hi(t, wall.along));
+void add_band(Formula& f, const Model& model, int t, const Place& r, Mm least, std::optional<Mm> most, Mm wished) {
+  f.exact = false;
+  for (const Purpose purpose : {Purpose::kPlacing, Purpose::kProving}) {
+    std::vector<Case> apart;
+    if (least > 0) {
+      add_apart(apart, model, t, r, least, purpose);
+    } else {
+      apart.emplace_back();
+    }
+    std::vector<Case>& out = purpose == Purpose::kPlacing ? f.cases : f.outer;
+    for (Case& in : apart) {
+      if (purpose == Purpose::kPlacing && r.item >= 0) {
+        for (int axis = 0; axis < 2; ++axis) in.wish(mid2(t, axis) - mid2(r.item, axis), wished > 500 ? 4 : 15, 2);
+      }
+      if (most) {
+        add_within(out, std::move(in), model, t, r, *most, purpose);
+      } else {
+        out.push_back(std::move(in));
+      }
+    }
+  }
 }
 
-void require_in_line(Case& c, int t, int r, int axis) {
-  const Linear off = mid2(t, axis) - mid2(r, axis);
-  c.require(extent(r, axis) - off);
-  c.require(extent(r, axis) + off);
+void require_near_wall(Case& c, const Model& model, int t, const RoomWall& wall, Mm most) {
+  c.require(Linear(most) - gap_towards(t, place_of(model, wall), {wall.normal(), wall.inward}));
+  c.require(hi(t, wall.along) - Linear(wall.lo)).require(Linear(wall.hi) - lo(t, wall.along));
 }
 
-namespace {
+std::vector<Case> away_from_angled(const Model& model, int t, const RoomWall& wall, Mm least) {
+  std::vector<Case> cases;
+  const Place box = place_of(model, wall);  // the least that is surely enough: away from the box around it
+  Place around = box;
+  const Wall& drawn = model.scene->room.walls[static_cast<std::size_t>(&wall - model.walls.data())];
+  around.lo[0] = std::min(drawn.start.x, drawn.end.x), around.hi[0] = std::max(drawn.start.x, drawn.end.x);
+  around.lo[1] = std::min(drawn.start.y, drawn.end.y), around.hi[1] = std::max(drawn.start.y, drawn.end.y);
+  add_apart(cases, model, t, around, least, Purpose::kPlacing);
+  return cases;
+}
 
-// The shared body of "beyond" and "at side": `near_limit` is what the near edge must not pass.
-void add_side(Formula& f, const Model& model, int t, int r, Side side, Mm most, Mm wished_gap, bool may_reach_under,
-              std::uint64_t ref_states) {
+std::vector<Case> in_line(const Case& base, const Model& model, int t, const Place& r, int axis) {
+  const Linear off = mid2(t, axis) - r.lo[axis] - r.hi[axis];
+  const auto within = [&](const Linear& length) {
+    Case c = base;
+    c.require(length - off).require(length + off);
+    return c;
+  };
+  const Linear length = r.hi[axis] - r.lo[axis];
+  const Item& item = model.items[t];
+  const Mm shortest = r.item >= 0 ? model.items[r.item].least_extent(axis) : static_cast<Mm>(length.constant);
+  const Mm longest = r.item >= 0 ? greatest_extent(model.items[r.item], axis) : static_cast<Mm>(length.constant);
+  std::vector<Case> cases;
+  if (item.least_extent(axis) < longest) cases.push_back(within(length));
+  if (greatest_extent(item, axis) >= shortest || cases.empty()) cases.push_back(within(extent(t, axis)));
+  return cases;
+}
+
+void add_beside(Formula& f, const Model& model, int t, int r, Side side, const Beside& how) {
   const Item& ref = model.items[r];
+  const Place place = place_of(r);
+  const Heights heights = heights_between(model, t, place, how.most, Purpose::kPlacing);
+  const bool level = how.in_plan_only || (heights.known && heights.gap == 0);
   for_each_turn(ref, [&](int turn, std::uint64_t all) {
-    const std::uint64_t states = all & ref_states;
+    const std::uint64_t states = all & how.ref_states;
     if (!states) return;
     const Direction d = side_direction(ref, side, turn);
-    const int a = across(d);
-    for (const bool longer : {false, true}) {  // the middle of the shorter faces the longer
-      Case& c = f.add();
-      c.when(r, states);
-      if (may_reach_under) {
-        c.require(reach(t, d) - reach(r, d));
-        c.require(-2 * reach(t, opposite(d)) - d.sign * mid2(r, d.axis));  // its near edge not past the middle of r
-      } else {
-        c.require(gap_towards(t, r, d));
-      }
-      c.require(Linear(most) - gap_towards(t, r, d));
-      c.require(Linear(most) - lo(t, 2) + hi(r, 2));
-      c.require(Linear(most) - lo(r, 2) + hi(t, 2));
-      const Linear off = mid2(t, a) - mid2(r, a);
-      c.require(extent(longer ? t : r, a) - off);
-      c.require(extent(longer ? t : r, a) + off);
-      if (longer) c.price = 150;
-      c.wish(gap_towards(t, r, d) - Linear(std::min(wished_gap, most)), 100);
-      wish_alignment(c, ref, t, r, side, turn, d);
+    const Linear gap = gap_towards(t, r, d);
+    Case base;
+    base.when(r, states);
+    if (how.may_reach_under) {
+      base.require(reach(t, d) - reach(r, d));
+      base.require(-2 * reach(t, opposite(d)) - d.sign * mid2(r, d.axis));  // its near edge not past the middle of r
+    } else {
+      base.require(gap);
     }
+    // In line, so the distance is that along d and the one in height.
+    const auto add = [&](std::vector<Case>& to, bool proving, bool straight) {
+      const std::vector<Case> lines = in_line(base, model, t, place, across(d));
+      for (std::size_t k = 0; k < lines.size(); ++k) {
+        Case c = lines[k];
+        const auto share = [&](std::int64_t percent) { return Linear(how.most * percent / 100); };
+        c.require(share(proving || straight || level ? 100 : 92) - gap);
+        for (const int up : {1, -1}) {
+          if (level) continue;
+          const Linear rise = gap_towards(t, r, {2, up});
+          c.require((proving ? Linear(how.most) : straight ? Linear(0) : share(92)) - rise);
+          if (proving || !straight) c.require(Linear(how.most * (proving ? 14143 : 13000) / 10000 + (proving ? 1 : 0)) - rise - gap);
+        }
+        if (!proving) {
+          if (k > 0) c.price = 150;
+          if (!straight) c.price += 40;
+          c.wish(gap - Linear(std::min(how.wished_gap, how.most)), 100);
+          wish_alignment(c, ref, t, r, side, turn, d);
+        }
+        to.push_back(std::move(c));
+      }
+    };
+    add(f.cases, false, true);
+    if (level) return;
+    f.exact = false;
+    add(f.cases, false, false);
+    add(f.outer, true, false);
   });
-}
-
-}  // namespace
-
-void add_beyond(Formula& f, const Model& model, int t, int r, Side side, Mm most, Mm wished_gap) {
-  add_side(f, model, t, r, side, most, wished_gap, false, ~std::uint64_t{0});
-}
-
-void add_at_side(Formula& f, const Model& model, int t, int r, Side side, Mm most, Mm wished_gap, std::uint64_t ref_states) {
-  add_side(f, model, t, r, side, most, wished_gap, true, ref_states);
 }
 
 void add_looks_at(Formula& f, const Model& model, int t, int r) {
@@ -188,23 +294,40 @@ void add_looks_at(Formula& f, const Model& model, int t, int r) {
     const int a = across(d);
     const Linear off = mid2(t, a) - mid2(r, a);
     const Linear ahead = reach(r, d) - reach(t, d);
-    // Its whole front looks at r, or r's at its front within about 11°, or the ray from its middle meets r.
+    // Its whole front looks at r, or r's near edge is within 15°, or the ray from its middle meets r.
     Case& whole = f.add().when(t, states).require(ahead);
     whole.require(lo(t, a) - lo(r, a)).require(hi(r, a) - hi(t, a)).wish(off, 100, 2);
-    Case& narrow = f.add().when(t, states).require(ahead);
+    Case& cone = f.add().when(t, states).require(ahead);
     const Linear distance2 = Linear(0) - 2 * reach(r, opposite(d)) - d.sign * mid2(t, d.axis);
-    narrow.require(distance2 - 5 * off).require(distance2 + 5 * off).wish(off, 100, 2);
+    cone.require(kLookAhead * distance2 - kLookAcross * off).require(kLookAhead * distance2 + kLookAcross * off).wish(off, 100, 2);
     Case& middle = f.add().when(t, states).require(ahead);
     middle.require(extent(r, a) - off).require(extent(r, a) + off).wish(off, 100, 2);
     middle.price = 80;
+  });
+  const bool odd = std::any_of(item.states.begin(), item.states.end(), [](const State& s) { return !quarter(s.turn); });
+  if (!odd) return;
+  f.outer = f.cases;
+  f.exact = false;
+  for_each_turn(item, [&](int turn, std::uint64_t states) {
+    if (!quarter(turn)) f.outer.emplace_back().when(t, states);
   });
 }
 
 void add_looks_at_wall(Formula& f, const Model& model, int t, const RoomWall& wall) {
   const Item& item = model.items[t];
+  if (!item.has_front) {
+    f.add();
+    return;
+  }
+  if (!model.outside.empty()) f.exact = false;  // past the end of a wall there may be more room, from where it can be seen
+  const Direction towards{wall.normal(), -wall.inward};
   for_each_turn(item, [&](int turn, std::uint64_t states) {
-    if (!quarter(turn) || (item.has_front && !(front_at(item, turn) == Direction{wall.normal(), -wall.inward}))) return;
-    f.add().when(t, states).require(mid2(t, wall.along) - Linear(2 * wall.lo)).require(Linear(2 * wall.hi) - mid2(t, wall.along));
+    if (!wall.straight || !quarter(turn) || !(front_at(item, turn) == towards)) return;
+    f.add()
+        .when(t, states)
+        .require(mid2(t, wall.along) - Linear(2 * wall.lo))
+        .require(Linear(2 * wall.hi) - mid2(t, wall.along))
+        .require(Linear(std::int64_t{towards.sign} * wall.at) - reach(t, towards));
   });
 }
 
@@ -213,51 +336,121 @@ void add_looks_at_point(Formula& f, const Model& model, int t, Point point) {
   for_each_turn(item, [&](int turn, std::uint64_t states) {
     if (!item.has_front || !quarter(turn)) return;
     const Direction d = front_at(item, turn);
-    const Linear ahead2 = Linear(std::int64_t{2} * d.sign * (d.axis == 0 ? point.x : point.y)) - d.sign * mid2(t, d.axis);
+    const std::int64_t at = std::int64_t{d.sign} * (d.axis == 0 ? point.x : point.y);
+    const Linear ahead2 = Linear(2 * at) - d.sign * mid2(t, d.axis);
     const Linear off2 = mid2(t, across(d)) - Linear(2 * (across(d) == 0 ? point.x : point.y));
-    f.add().when(t, states).require(ahead2 - 4 * off2).require(ahead2 + 4 * off2).wish(off2, 50, 2);
+    Case& c = f.add().when(t, states).require(Linear(at) - reach(t, d));
+    c.require(kLookAhead * ahead2 - kLookAcross * off2).require(kLookAhead * ahead2 + kLookAcross * off2).wish(off2, 50, 2);
   });
   if (!item.has_front) f.add();
 }
 
-void add_against(Formula& f, const Model& model, int t, const RoomWall& wall, Side side, Mm gap) {
-  if (!wall.straight) return;
-  const Item& item = model.items[t];
-  const Direction out{wall.normal(), wall.inward};
-  for_each_turn(item, [&](int turn, std::uint64_t states) {
-    if (!quarter(turn)) return;
-    if (item.has_front && !(side_direction(item, side, turn) == opposite(out))) return;
-    Case& c = f.add().when(t, states);
-    const Linear off = Linear(0) - reach(t, opposite(out)) - Linear(std::int64_t{wall.inward} * wall.at);
-    c.require(off).require(Linear(gap) - off).wish(off, 400);
-    const bool fits = item.least_extent(wall.along) <= wall.hi - wall.lo;
-    if (fits) {
-      c.require(lo(t, wall.along) - Linear(wall.lo)).require(Linear(wall.hi) - hi(t, wall.along));
-    } else {
-      c.require(mid2(t, wall.along) - Linear(2 * wall.lo)).require(Linear(2 * wall.hi) - mid2(t, wall.along));
-    }
-  });
+std::uint64_t states_with_back_to(const Item& item, const RoomWall& wall) { return states_with_side_to(item, wall, Side::kBack); }
+
+std::uint64_t states_where(const Item& r, Side one, Side meant) {
+  if (meant != Side::kLong && meant != Side::kShort) return one == meant ? r.all_states : 0;
+  std::uint64_t mask = 0;
+  for (std::size_t s = 0; s < r.states.size(); ++s) {
+    const State& state = r.states[s];
+    const Direction d = side_direction(r, one, state.turn);
+    const Mm length = state.extent[across(d)], other = state.extent[d.axis];
+    if (length == other || (length > other) == (meant == Side::kLong)) mask |= std::uint64_t{1} << s;
+  }
+  return mask;
 }
 
-void require_cover(Case& c, const Model& model, int t, int r, Mm grow) {
-  // |mid(t) − mid(r)| ≤ max(half) − min(half)/2 without knowing which is greater: both ways round must hold for the box that is
-  // surely greater; extents differ by state, so the bound is posted for t greater, for r greater, as the states' extents say.
+std::uint64_t states_with_side_to(const Item& item, const RoomWall& wall, Side side) {
+  const Direction towards{wall.normal(), -wall.inward};
+  const bool by_length = side == Side::kLong || side == Side::kShort;
+  std::uint64_t mask = 0;
+  for (const Side one : {Side::kFront, Side::kBack, Side::kLeft, Side::kRight}) {
+    if (item.has_front && !by_length && one != side) continue;
+    const std::uint64_t meant = by_length ? states_where(item, one, side) : item.all_states;
+    for_each_turn(item, [&](int turn, std::uint64_t states) {
+      if (quarter(turn) && side_direction(item, one, turn) == towards) mask |= states & meant;
+    });
+  }
+  return mask;
+}
+
+void add_against(Formula& f, const Model& model, int t, std::uint64_t states, const RoomWall& wall, Mm gap, bool whole) {
+  if (!wall.straight) f.exact = false;
+  if (!wall.straight || !states) return;
+  const Item& item = model.items[t];
+  const Direction out{wall.normal(), wall.inward};
+  Case c;
+  if (states != item.all_states) c.when(t, states);
+  const Linear off = Linear(0) - reach(t, opposite(out)) - Linear(std::int64_t{wall.inward} * wall.at);
+  c.require(off).require(Linear(gap) - off).wish(off, 400);
+  const bool open_ends = wall.lo > model.room.lo[wall.along] || wall.hi < model.room.hi[wall.along];
+  if (!whole && open_ends) {  // half of it before the wall will do
+    for (Case& loose : in_line(c, model, t, place_of(model, wall), wall.along)) {
+      loose.price += 200;
+      f.cases.push_back(std::move(loose));
+    }
+  }
+  c.require(lo(t, wall.along) - Linear(wall.lo)).require(Linear(wall.hi) - hi(t, wall.along));
+  f.cases.push_back(std::move(c));
+}
+
+std::vector<Case> cover(const Case& base, const Model& model, int t, int r, Mm grow) {
+  // |mid(t) − mid(r)| ≤ max(half) − min(half)/2 along both axes: one case for each that may be the greater.
   const Item &a = model.items[t], &b = model.items[r];
+  std::vector<Case> cases{base};
   for (int axis = 0; axis < 2; ++axis) {
     const Linear off = mid2(t, axis) - mid2(r, axis);
-    const bool r_greater = a.least_extent(axis) <= b.least_extent(axis);
-    const Linear bound2 = 2 * extent(r_greater ? r : t, axis) - extent(r_greater ? t : r, axis) + Linear(r_greater ? 4 * grow : 0);
-    c.require(bound2 - 2 * off).require(bound2 + 2 * off);
+    std::vector<Case> next;
+    for (const Case& c : cases) {
+      if (b.least_extent(axis) + 2 * grow < greatest_extent(a, axis)) {  // t may be the greater
+        const Linear bound2 = 2 * extent(t, axis) - extent(r, axis) - Linear(2 * grow);
+        next.push_back(c);
+        next.back().require(bound2 - 2 * off).require(bound2 + 2 * off);
+      }
+      if (greatest_extent(b, axis) + 2 * grow >= a.least_extent(axis)) {
+        const Linear bound2 = 2 * extent(r, axis) + Linear(4 * grow) - extent(t, axis);
+        next.push_back(c);
+        next.back().require(bound2 - 2 * off).require(bound2 + 2 * off);
+      }
+    }
+    cases = std::move(next);
   }
+  return cases;
 }
 
 std::uint64_t states_with_width_along(const Item& item, int axis) {
   std::uint64_t mask = 0;
   for (std::size_t s = 0; s < item.states.size(); ++s) {
     const int turn = item.states[s].turn;
-    if (turn % 90 == 0 && (turn % 180 == 0) == (axis == 0)) mask |= std::uint64_t{1} << s;
+    if (quarter(turn) && (turn % 180 == 0) == (axis == 0)) mask |= std::uint64_t{1} << s;
   }
   return mask;
+}
+
+std::vector<std::vector<int>> orders_of(const Model& model, const Relation& relation, std::vector<int> things) {
+  if (things.size() < 2) return {things};
+  // Alike: one kind, one size, nothing said of one that is not said of the others in this very relation.
+  const auto is_alone = [&](int t) {
+    const std::string& id = model.items[t].id;
+    const auto speaks = [&](const Relation& r) {
+      const auto has = [&](const std::vector<std::string>& ids) { return std::find(ids.begin(), ids.end(), id) != ids.end(); };
+      return &r != &relation && (has(r.targets) || has(r.references));
+    };
+    return !model.items[t].fixed && std::none_of(model.scene->relations.begin(), model.scene->relations.end(), speaks);
+  };
+  const Item& first = model.items[things[0]];
+  const bool alike = std::all_of(things.begin(), things.end(), [&](int t) {
+    const Item& item = model.items[t];
+    return item.entry == first.entry && item.mount == first.mount && item.states.size() == first.states.size() &&
+           item.states[0].size == first.states[0].size && is_alone(t);
+  });
+  if (alike) return {things};
+  if (things.size() > 4) return {};
+  std::vector<std::vector<int>> orders;
+  std::sort(things.begin(), things.end());
+  do {
+    orders.push_back(things);
+  } while (std::next_permutation(things.begin(), things.end()));
+  return orders;
 }
 
 }  // namespace layoutbox::placement

@@ -1,7 +1,9 @@
 // What the meanings of relations are made of: being beside, looking at, standing against, keeping a distance.
 #pragma once
 
+#include <array>
 #include <functional>
+#include <optional>
 
 #include "layoutbox/solve/compile.h"
 
@@ -13,35 +15,57 @@ inline int across(Direction d) { return 1 - d.axis; }
 // The turns an item can take, each with the states that have it.
 void for_each_turn(const Item& item, const std::function<void(int turn, std::uint64_t states)>& visit);
 
-// Distance along `d` from the edge of r to the nearer edge of t; negative where t reaches back over it.
-Linear gap_towards(int t, int r, Direction d);
+Place place_of(int item);
+Place place_of(const Model& model, const RoomWall& wall);
 
-// gap(t, r) ≤ most, as cases of a formula that begin like `base`: straight across exactly, else an octagon within the circle.
-void add_within(Formula& f, Case base, const Model& model, int t, int r, Mm most);
-void require_within_wall(Case& c, int t, const RoomWall& wall, Mm most);
-// gap(t, r) ≥ least, as cases of a formula (an octagon around the circle).
-void add_apart(Formula& f, int t, int r, Mm least);
-void add_apart_from_wall(Formula& f, int t, const RoomWall& wall, Mm least);
+// Distance along `d` from the edge of r to the nearer edge of t; negative where t reaches back over it.
+Linear gap_towards(int t, const Place& r, Direction d);
+inline Linear gap_towards(int t, int r, Direction d) { return gap_towards(t, place_of(r), d); }
+
+// The item stands on the floor and nowhere else.
+bool floor_only(const Item& item);
+
+// gap(t, r) ≤ most, as cases that begin like `base`: straight across exactly, else an octagon within (or around) the circle.
+void add_within(std::vector<Case>& cases, Case base, const Model& model, int t, const Place& r, Mm most, Purpose purpose);
+// gap(t, r) ≥ least, as cases (an octagon around, or within, the circle).
+void add_apart(std::vector<Case>& cases, const Model& model, int t, const Place& r, Mm least, Purpose purpose);
+// least ≤ gap(t, r) ≤ most. `wished`: which distance the middles would best have; no `most`: any distance beyond `least`.
+void add_band(Formula& f, const Model& model, int t, const Place& r, Mm least, std::optional<Mm> most, Mm wished);
 
 // Adds the cases of "all of t lies beyond that side of r, in line with it, at most `most` off", one per turn of r.
-// `wished_gap`: the distance that looks best.
-void add_beyond(Formula& f, const Model& model, int t, int r, Side side, Mm most, Mm wished_gap);
-// The same, but t may be pushed under r up to its middle.
-void add_at_side(Formula& f, const Model& model, int t, int r, Side side, Mm most, Mm wished_gap,
-                 std::uint64_t ref_states = ~std::uint64_t{0});
+struct Beside {
+  Mm most = 0;
+  Mm wished_gap = 0;             // the distance that looks best
+  bool may_reach_under = false;  // t may be pushed under r up to its middle
+  bool in_plan_only = false;     // whatever the heights
+  std::uint64_t ref_states = ~std::uint64_t{0};
+};
+void add_beside(Formula& f, const Model& model, int t, int r, Side side, const Beside& how);
 
 // "The front of t looks at r."
 void add_looks_at(Formula& f, const Model& model, int t, int r);
 void add_looks_at_wall(Formula& f, const Model& model, int t, const RoomWall& wall);
 void add_looks_at_point(Formula& f, const Model& model, int t, Point point);
 
-// "That side of t stands against the wall", at most `gap` off; within the wall's length.
-void add_against(Formula& f, const Model& model, int t, const RoomWall& wall, Side side, Mm gap);
+// "In one of these states t stands against the wall", at most `gap` off; `whole`: within the wall's length, else at least half of it is.
+void add_against(Formula& f, const Model& model, int t, std::uint64_t states, const RoomWall& wall, Mm gap, bool whole = false);
+// The states in which the item has its back to the wall; any quarter turn where it has no front.
+std::uint64_t states_with_back_to(const Item& item, const RoomWall& wall);
+// The states in which that side of the item (also long, short: either of the two) looks at the wall. No front: any side, long and short
+// as it then stands.
+std::uint64_t states_with_side_to(const Item& item, const RoomWall& wall, Side side);
+// The states of r in which its side `one` is one of those meant: a name, or the longer or shorter ones as it then stands.
+std::uint64_t states_where(const Item& r, Side one, Side meant);
 
-// In line along an axis: the middle of t within the extent of r.
-void require_in_line(Case& c, int t, int r, int axis);
-// t covers r (or is covered) in plan well enough for "under" and "above".
-void require_cover(Case& c, const Model& model, int t, int r, Mm grow);
+// gap(t, wall) ≤ most, before the wall.
+void require_near_wall(Case& c, const Model& model, int t, const RoomWall& wall, Mm most);
+// gap(t, wall) ≥ least for a wall at an angle: beyond its line, or past one of its ends.
+std::vector<Case> away_from_angled(const Model& model, int t, const RoomWall& wall, Mm least);
+
+// The middle of the shorter faces the longer, as one or two cases like `base` each.
+std::vector<Case> in_line(const Case& base, const Model& model, int t, const Place& r, int axis);
+// t covers r (or is covered) in plan well enough for "under" and "above"; r is taken `grow` longer at either end.
+std::vector<Case> cover(const Case& base, const Model& model, int t, int r, Mm grow);
 
 // A low thing before a window, below its sill.
 void add_under_window(Formula& f, const Model& model, int t, int window, Mm most);
@@ -49,7 +73,10 @@ void add_under_window(Formula& f, const Model& model, int t, int window, Mm most
 // A seat at one side of a table: it looks at it, stands within the side's length, and reaches under it by at least `under`.
 void add_tucked(Formula& f, const Model& model, int t, int r, Side side, Mm under, Mm wished_under);
 
-// The turn states that make the width of the item run along an axis.
+// The states in which the width of the item runs along an axis.
 std::uint64_t states_with_width_along(const Item& item, int axis);
+
+// All orders of a few things that matter: one where they are alike in all that is said of them. Empty: too many.
+std::vector<std::vector<int>> orders_of(const Model& model, const Relation& relation, std::vector<int> things);
 
 }  // namespace layoutbox::placement

@@ -4,21 +4,16 @@
 namespace layoutbox::placement {
 namespace {
 
-Side back_of(const Item&) { return Side::kBack; }
-
 // Twice the middle of the floor's extent.
 std::int64_t room_mid2(const Model& model, int axis) { return std::int64_t{model.room.lo[axis]} + model.room.hi[axis]; }
 
-std::vector<Side> sides_meant(const Compilation& c, const Item& item) {
-  const Side side = c.relation.parameters.side.value_or(Side::kLeft);
-  if (!c.relation.parameters.side) return {Side::kLeft, Side::kRight};
-  if (side == Side::kLong || side == Side::kShort) {
-    const Size& size = item.states[0].size;
-    const bool wide = size.width >= size.depth;
-    if ((side == Side::kLong) == wide) return {Side::kBack, Side::kFront};
-    return {Side::kLeft, Side::kRight};
-  }
-  return {side};
+// Both at once.
+Case both(Case a, const Case& b) {
+  a.states.insert(a.states.end(), b.states.begin(), b.states.end());
+  a.at_least_zero.insert(a.at_least_zero.end(), b.at_least_zero.begin(), b.at_least_zero.end());
+  a.wishes.insert(a.wishes.end(), b.wishes.begin(), b.wishes.end());
+  a.price += b.price;
+  return a;
 }
 
 }  // namespace
@@ -27,16 +22,24 @@ void compile_AgainstWall(Compilation& c) {
   const Mm gap = c.length(c.relation.parameters.gap, "gap", 20);
   for (const int t : c.targets) {
     Formula& f = c.formula();
-    for (const int w : c.walls()) add_against(f, c.model, t, c.model.walls[w], back_of(c.item(t)), gap);
+    for (const int w : c.walls()) {
+      const RoomWall& wall = c.model.walls[w];
+      add_against(f, c.model, t, states_with_back_to(c.item(t), wall), wall, gap);
+    }
   }
 }
 
 void compile_SideAgainstWall(Compilation& c) {
   const Mm gap = c.length(c.relation.parameters.gap, "gap", 20);
+  const std::vector<Side> sides =
+      c.relation.parameters.side ? std::vector{*c.relation.parameters.side} : std::vector{Side::kLeft, Side::kRight};
   for (const int t : c.targets) {
     Formula& f = c.formula();
     for (const int w : c.walls()) {
-      for (const Side side : sides_meant(c, c.item(t))) add_against(f, c.model, t, c.model.walls[w], side, gap);
+      const RoomWall& wall = c.model.walls[w];
+      std::uint64_t states = 0;
+      for (const Side side : sides) states |= states_with_side_to(c.item(t), wall, side);
+      add_against(f, c.model, t, states, wall, gap);
     }
   }
 }
@@ -50,19 +53,21 @@ void compile_Corner(Compilation& c) {
   }
   for (const int t : c.targets) {
     Formula& f = c.formula();
+    // Near the end of a wall that goes on past another the distance runs round a corner.
+    if (!c.model.outside.empty()) f.exact = false;
     for (std::size_t i = 0; i < n; ++i) {
       const int first = static_cast<int>(i), second = static_cast<int>((i + 1) % n);
       const RoomWall &a = c.model.walls[first], &b = c.model.walls[second];
       if (!a.straight || !b.straight || a.along == b.along) continue;
       // Inner angle under 180°: the second wall runs the way the first one looks.
       if ((b.runs_up ? 1 : -1) != a.inward) continue;
-      const auto is_named = [&](int w) { return w == first || w == second; };
-      if (!std::all_of(named.begin(), named.end(), is_named)) continue;
+      const auto is_named = [&](int w) { return std::find(named.begin(), named.end(), w) != named.end(); };
+      if (named.size() == 1 && !is_named(first) && !is_named(second)) continue;
+      if (named.size() > 1 && (!is_named(first) || !is_named(second))) continue;
       Case& inside = f.add();
       for (const RoomWall* wall : {&a, &b}) {
-        require_within_wall(inside, t, *wall, most);
-        const Direction out{wall->normal(), wall->inward};
-        const Linear off = Linear(0) - reach(t, opposite(out)) - Linear(std::int64_t{wall->inward} * wall->at);
+        require_near_wall(inside, c.model, t, *wall, most);
+        const Linear off = gap_towards(t, place_of(c.model, *wall), {wall->normal(), wall->inward});
         inside.require(off).wish(off, 200);
       }
     }
@@ -101,42 +106,58 @@ void compile_CenteredOnWall(Compilation& c) {
   Formula& f = c.formula();
   for (const int w : c.walls()) {
     const RoomWall& wall = c.model.walls[w];
+    if (!wall.straight) f.exact = false;
     if (!wall.straight) continue;
-    // One target per case; several targets share the middle by their extent, posted as a chain in the order given.
-    Formula each;
-    add_against(each, c.model, c.targets[0], wall, Side::kBack, gap);
-    for (Case& first : each.cases) {
-      const int last = c.targets.back();
-      const Linear off = lo(c.targets[0], wall.along) + hi(last, wall.along) - Linear(std::int64_t{wall.lo} + wall.hi);
-      first.require_small(off, 1).wish(off, 1, 2);
-      for (std::size_t i = 0; i + 1 < c.targets.size(); ++i) {
-        first.require(lo(c.targets[i + 1], wall.along) - hi(c.targets[i], wall.along));
+    // All of them at the wall…
+    std::vector<Case> ways{Case{}};
+    for (const int t : c.targets) {
+      Formula one;
+      add_against(one, c.model, t, states_with_back_to(c.item(t), wall), wall, gap);
+      std::vector<Case> more;
+      for (const Case& way : ways) {
+        for (const Case& at : one.cases) more.push_back(both(way, at));
       }
-      f.cases.push_back(std::move(first));
+      ways = std::move(more);
     }
-  }
-  for (std::size_t i = 1; i < c.targets.size(); ++i) {
-    Formula& more = c.formula();
-    for (const int w : c.walls()) add_against(more, c.model, c.targets[i], c.model.walls[w], Side::kBack, gap);
+    // …and the middle of their common extent the wall's: one of them is the lowest and one the highest.
+    for (const Case& way : ways) {
+      for (const int low : c.targets) {
+        for (const int high : c.targets) {
+          Case in = way;
+          for (const int t : c.targets) {
+            if (t != low) in.require(lo(t, wall.along) - lo(low, wall.along));
+            if (t != high) in.require(hi(high, wall.along) - hi(t, wall.along));
+          }
+          const Linear off = lo(low, wall.along) + hi(high, wall.along) - Linear(std::int64_t{wall.lo} + wall.hi);
+          in.require_small(off, 1).wish(off, 1, 2);
+          f.cases.push_back(std::move(in));
+        }
+      }
+    }
   }
 }
 
 void compile_InRegion(Compilation& c) {
   const std::string& region = c.relation.parameters.region;
   const auto says = [&](std::string_view word) { return region.find(word) != std::string::npos; };
+  const bool middle = says("middle") || says("cent");
+  if (!middle && !says("left") && !says("right") && !says("front") && !says("back")) {
+    c.never();
+    return;
+  }
   for (const int t : c.targets) {
     Case& in = c.formula().add();
     for (int axis = 0; axis < 2; ++axis) {
       const std::int64_t low = c.model.room.lo[axis], high = c.model.room.hi[axis], span = high - low;
       const bool lower = axis == 0 ? says("left") : says("front"), upper = axis == 0 ? says("right") : says("back");
-      if (lower) in.require(Linear(low + high - span / 20) - mid2(t, axis)).wish(mid2(t, axis) - Linear(2 * low + span / 2), 20, 2);
-      if (upper) in.require(mid2(t, axis) - Linear(low + high + span / 20)).wish(mid2(t, axis) - Linear(2 * high - span / 2), 20, 2);
+      if (lower) in.require(Linear(low + high) - mid2(t, axis)).wish(mid2(t, axis) - Linear(2 * low + span / 2), 20, 2);
+      if (upper) in.require(mid2(t, axis) - Linear(low + high)).wish(mid2(t, axis) - Linear(2 * high - span / 2), 20, 2);
     }
-    if (says("middle") || says("cent")) {
+    if (middle) {
       for (int axis = 0; axis < 2; ++axis) {
         const std::int64_t span = c.model.room.extent(axis);
         const Linear off = mid2(t, axis) - Linear(room_mid2(c.model, axis));
-        in.require_small(off, static_cast<Mm>(span / 3 - 10)).wish(off, 60, 2);
+        in.require_small(off, static_cast<Mm>(span / 3)).wish(off, 60, 2);
       }
     }
   }
@@ -144,12 +165,16 @@ void compile_InRegion(Compilation& c) {
 
 void compile_OnWall(Compilation& c) {
   for (const int t : c.targets) {
+    const Item& item = c.item(t);
+    const auto hangs = [](const SupportOption& s) { return s.kind == SupportOption::Kind::kWall; };
     Formula& f = c.formula();
-    for (const int w : c.walls()) add_against(f, c.model, t, c.model.walls[w], Side::kBack, 0);
-    if (c.relation.parameters.height) {
-      Case& at = c.formula().add();
-      at.require_small(lo(t, 2) - Linear(*c.relation.parameters.height), 0);
+    if (std::none_of(item.supports.begin(), item.supports.end(), hangs)) continue;  // a wish that a floor lamp hang
+    for (const int w : c.walls()) {
+      const RoomWall& wall = c.model.walls[w];
+      add_against(f, c.model, t, states_with_back_to(item, wall), wall, 0, true);
     }
+    if (!c.relation.parameters.height) continue;
+    c.formula().add().require_small(lo(t, 2) - Linear(*c.relation.parameters.height), 0);
   }
 }
 
@@ -160,7 +185,15 @@ void compile_OnCeiling(Compilation& c) {
 void compile_AwayFromWall(Compilation& c) {
   const Mm least = c.length(c.relation.parameters.min, "min", 500);
   for (const int t : c.targets) {
-    for (const int w : c.walls()) add_apart_from_wall(c.formula(), t, c.model.walls[w], least);
+    for (const int w : c.walls()) {
+      const RoomWall& wall = c.model.walls[w];
+      if (!wall.straight) {
+        c.formula().exact = false;
+        c.out.formulas.back().cases = away_from_angled(c.model, t, wall, least);
+        continue;
+      }
+      add_band(c.formula(), c.model, t, place_of(c.model, wall), least, std::nullopt, 0);
+    }
   }
 }
 

@@ -3,40 +3,87 @@
 
 namespace layoutbox::placement {
 
+namespace {
+
+// The scene says that the other stands at t: a chair under its desk.
+bool belongs_to(const Model& model, int other, int t) {
+  const auto has = [](const std::vector<std::string>& ids, const std::string& id) {
+    return std::find(ids.begin(), ids.end(), id) != ids.end();
+  };
+  return std::any_of(model.scene->relations.begin(), model.scene->relations.end(), [&](const Relation& r) {
+    const bool brings = r.type == RelationType::kTuckedUnder || r.type == RelationType::kAround || r.type == RelationType::kSurround ||
+                        r.type == RelationType::kPairedWith;
+    return brings && has(r.targets, model.items[other].id) && has(r.references, model.items[t].id);
+  });
+}
+
+bool may_rest_on(const Item& item, int host) {
+  return std::any_of(item.supports.begin(), item.supports.end(),
+                     [&](const SupportOption& s) { return s.kind == SupportOption::Kind::kItem && s.index == host; });
+}
+
+constexpr Mm kStandingRoom = 2000;
+
+// The floor beyond one side of t, in the states given.
+void add_free_floor(Compilation& c, int t, Side side, Mm depth, std::uint64_t in_states) {
+  const Item& item = c.item(t);
+  // The strip as edges: from the side outward, as wide as the side.
+  const auto each_strip = [&](Formula& f, const std::function<void(const Case&, Direction)>& add) {
+    if (in_states != item.all_states) f.add().when(t, item.all_states & ~in_states);
+    for_each_turn(item, [&](int turn, std::uint64_t states) {
+      Case c_turn;
+      if (states & in_states) add(c_turn.when(t, states & in_states), side_direction(item, side, turn));
+    });
+  };
+  Formula& room = c.formula();
+  each_strip(room, [&](const Case& base, Direction d) {
+    const Mm edge = d.sign > 0 ? c.model.room.hi[d.axis] : -c.model.room.lo[d.axis];
+    Case one = base;
+    room.cases.push_back(one.require(Linear(edge - depth) - reach(t, d)));
+  });
+  const auto keep_off = [&](const Place& other, bool high) {
+    Formula& f = c.formula();
+    each_strip(f, [&](const Case& base, Direction d) {
+      const Direction across_it{across(d), 1};
+      const auto add = [&](const Linear& form) {
+        Case one = base;
+        f.cases.push_back(one.require(form));
+      };
+      const auto near_edge = [&](Direction way) { return way.sign > 0 ? other.lo[way.axis] : -1 * other.hi[way.axis]; };
+      const auto far_edge = [&](Direction way) { return way.sign > 0 ? other.hi[way.axis] : -1 * other.lo[way.axis]; };
+      add(near_edge(d) - reach(t, d) - Linear(depth));
+      add(reach(t, d) - far_edge(d));
+      add(near_edge(across_it) - reach(t, across_it));
+      add(near_edge(opposite(across_it)) - reach(t, opposite(across_it)));
+      if (high) add(other.lo[2] - Linear(kStandingRoom));
+    });
+  };
+  for (const Box& outside : c.model.outside) {
+    Place wall;
+    for (int axis = 0; axis < 3; ++axis) wall.lo[axis] = outside.lo[axis], wall.hi[axis] = outside.hi[axis];
+    keep_off(wall, false);
+  }
+  for (std::size_t o = 0; o < c.model.items.size(); ++o) {
+    const int other = static_cast<int>(o);
+    const Item& body = c.item(other);
+    if (other == t || body.is_opening() || body.thin || belongs_to(c.model, other, t)) continue;
+    keep_off(place_of(other), true);
+    if (may_rest_on(body, t)) c.out.formulas.back().exact = false;  // on t it does not count, even where it hangs over
+  }
+}
+
+}  // namespace
+
 void compile_Clearance(Compilation& c) {
   const Side named = c.relation.parameters.side.value_or(Side::kFront);
   for (const int t : c.targets) {
     const Item& item = c.item(t);
-    Mm depth = 600;
-    if (item.entry) {
-      const auto usual = item.entry->clearance.find(named);
-      if (usual != item.entry->clearance.end()) depth = usual->second;
-    }
-    depth = c.relation.parameters.depth.value_or(depth);
-    // Inside the room…
-    Formula& room = c.formula();
-    for_each_turn(item, [&](int turn, std::uint64_t states) {
-      const Direction d = side_direction(item, named, turn);
-      const Mm edge = d.sign > 0 ? c.model.room.hi[d.axis] : -c.model.room.lo[d.axis];
-      room.add().when(t, states).require(Linear(edge - depth) - reach(t, d));
-    });
-    // …and free of everything that could stand there.
-    for (std::size_t o = 0; o < c.model.items.size(); ++o) {
-      const int other = static_cast<int>(o);
-      const Item& body = c.item(other);
-      if (other == t || body.is_opening() || body.thin || body.mount == Mount::kCeiling) continue;
-      const auto on_t = [&](const SupportOption& s) { return s.kind == SupportOption::Kind::kItem && s.index == t; };
-      if (std::any_of(body.supports.begin(), body.supports.end(), on_t)) continue;
-      if (c.model.pair(t, other) == PairRule::kFree) continue;
-      Formula& f = c.formula();
-      for_each_turn(item, [&](int turn, std::uint64_t states) {
-        const Direction d = side_direction(item, named, turn), side{across(d), 1};
-        f.add().when(t, states).require(gap_towards(other, t, d) - Linear(depth));
-        f.add().when(t, states).require(gap_towards(other, t, opposite(d)) + extent(t, d.axis));
-        f.add().when(t, states).require(gap_towards(other, t, side));
-        f.add().when(t, states).require(gap_towards(other, t, opposite(side)));
-        f.add().when(t, states).require(lo(other, 2) - Linear(2000));
-      });
+    for (const Side side : {Side::kFront, Side::kBack, Side::kLeft, Side::kRight}) {
+      const std::uint64_t states = states_where(item, side, named);
+      if (!states) continue;
+      const auto usual = item.entry->clearance.find(side);
+      const Mm otherwise = usual == item.entry->clearance.end() ? 600 : usual->second;
+      add_free_floor(c, t, side, c.relation.parameters.depth.value_or(otherwise), states);
     }
   }
 }
@@ -48,24 +95,28 @@ void compile_Reachable(Compilation& c) {
 
 void compile_KeepClear(Compilation& c) {
   const std::string& region = c.relation.parameters.region;
-  const std::vector<int> refs = c.reference_items();
+  const auto says = [&](std::string_view word) { return region.find(word) != std::string::npos; };
   bool openings = false;
   for (const int t : c.targets) {
-    for (const int r : refs) {
-      if (c.item(r).is_opening()) {
+    for (const Reference& r : c.references) {
+      if (r.kind == Reference::Kind::kItem && c.item(r.index).is_opening()) {
         openings = true;
+      } else if (r.kind != Reference::Kind::kRoom) {
+        add_band(c.formula(), c.model, t, c.place(r), c.relation.parameters.depth.value_or(600), std::nullopt, 0);
       } else {
-        add_apart(c.formula(), t, r, c.relation.parameters.depth.value_or(600));
+        c.never();
       }
     }
+    if (!c.references.empty()) continue;
+    Formula& f = c.formula();  // beside one of the edges of that part; a word that is none names no part
     if (region.empty()) continue;
-    Formula& f = c.formula();
-    const bool middle = region == "middle" || region == "center" || region == "centre";
+    const bool middle = says("middle") || says("center") || says("centre");
     for (int axis = 0; axis < 2; ++axis) {
-      const Mm from = c.model.room.lo[axis], third = c.model.room.extent(axis) / 3;
-      const bool lower = region == (axis == 0 ? "left" : "front"), upper = region == (axis == 0 ? "right" : "back");
-      if (middle || lower) f.add().require(lo(t, axis) - Linear(from + (middle ? 2 * third : third) + 2));
-      if (middle || upper) f.add().require(Linear(from + (middle ? third : 2 * third)) - hi(t, axis));
+      const std::int64_t from = c.model.room.lo[axis], span = c.model.room.extent(axis);
+      const bool lower = says(axis == 0 ? "left" : "front"), upper = says(axis == 0 ? "right" : "back");
+      const std::int64_t first = middle || upper ? (middle ? 1 : 2) : 0, last = middle || lower ? (middle ? 2 : 1) : 3;
+      f.add().require(3 * lo(t, axis) - Linear(3 * from + last * span));
+      f.add().require(Linear(3 * from + first * span) - 3 * hi(t, axis));
     }
   }
   if (openings) compile_NotBlocking(c);

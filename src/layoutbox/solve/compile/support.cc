@@ -31,43 +31,51 @@ bool fits(const Item& t, Mm width, Mm depth) {
 // Eye and hand height suits most things; the tops of tall cupboards do not.
 int price_of_height(Mm z) { return std::abs(z - 900) / 25 + (z > 1700 ? 120 : 0); }
 
-void add_top(Formula& f, const Model& model, int t, int r) {
-  const Item &item = model.items[t], &ref = model.items[r];
-  Case& c = f.add();
-  c.require_small(lo(t, 2) - hi(r, 2), 0);
-  const Size& size = ref.states[0].size;
-  for (int axis = 0; axis < 2; ++axis) {
-    if (fits(item, size.width, size.depth)) {
-      c.require(lo(t, axis) - lo(r, axis)).require(hi(r, axis) - hi(t, axis));
-    } else {
-      const Linear off = mid2(t, axis) - mid2(r, axis);
-      c.require(extent(r, axis) - 2 * off).require(extent(r, axis) + 2 * off).wish(off, 100, 2);
-    }
+// Between those edges; where it cannot be, its middle is. Needed is the middle alone.
+void add_over(Case& placing, Case& proving, int t, int axis, const Linear& low, const Linear& high, bool fits) {
+  proving.require(mid2(t, axis) - 2 * low).require(2 * high - mid2(t, axis));
+  if (fits) {
+    placing.require(lo(t, axis) - low).require(high - hi(t, axis));
+  } else {
+    placing.require(mid2(t, axis) - 2 * low).require(2 * high - mid2(t, axis)).wish(mid2(t, axis) - low - high, 100, 2);
   }
-  c.price = price_of_height(size.height);
 }
 
-void add_space(Formula& f, const Model& model, int t, int r, const ItemSpace& space) {
+void add_top(Formula& f, const Model& model, int t, int r) {
+  const Item &item = model.items[t], &ref = model.items[r];
+  Case c, outer;
+  c.require_small(lo(t, 2) - hi(r, 2), 0);
+  outer.require_small(lo(t, 2) - hi(r, 2), 0);
+  const Size& size = ref.states[0].size;
+  const bool within = fits(item, size.width, size.depth);
+  for (int axis = 0; axis < 2; ++axis) add_over(c, outer, t, axis, lo(r, axis), hi(r, axis), within);
+  c.price = price_of_height(size.height);
+  f.cases.push_back(std::move(c));
+  f.add_outer() = std::move(outer);
+}
+
+void add_space(Formula& f, const Model& model, int t, int r, const ItemSpace& space, bool inside) {
   const Item &item = model.items[t], &ref = model.items[r];
   Linear low[3], high[3];
   for (int axis = 0; axis < 3; ++axis) {
     low[axis] = lo(r, axis) + constant_of(r, space.quantity + axis);
     high[axis] = lo(r, axis) + constant_of(r, space.quantity + 3 + axis);
   }
-  Case& c = f.add();
-  c.require_small(lo(t, 2) - low[2], 0);
-  if (!space.open_above) c.require(high[2] - hi(t, 2));
+  Case c, outer;
+  for (Case* one : {&c, &outer}) {
+    one->require_small(lo(t, 2) - low[2], 0);
+    if (!space.open_above) one->require(high[2] - hi(t, 2));
+    if (!inside) continue;  // half of it below the top, and no wider than its host
+    one->require(2 * hi(r, 2) - 2 * lo(t, 2) - extent(t, 2));
+    for (int axis = 0; axis < 2; ++axis) one->require(lo(t, axis) - lo(r, axis)).require(hi(r, axis) - hi(t, axis));
+  }
   const std::vector<Mm>& sides = ref.states[0].constants;
   const int first = space.quantity - kFirstConstant;
   const bool within = fits(item, sides[first + 3] - sides[first], sides[first + 4] - sides[first + 1]);
-  for (int axis = 0; axis < 2; ++axis) {
-    if (within) {
-      c.require(lo(t, axis) - low[axis]).require(high[axis] - hi(t, axis));
-    } else {
-      c.require(mid2(t, axis) - 2 * low[axis]).require(2 * high[axis] - mid2(t, axis));
-    }
-  }
+  for (int axis = 0; axis < 2; ++axis) add_over(c, outer, t, axis, low[axis], high[axis], within);
   c.price = price_of_height(sides[first + 2]);
+  f.cases.push_back(std::move(c));
+  f.add_outer() = std::move(outer);
 }
 
 // Hanging on something: against one of its sides, no higher than its top, off the floor.
@@ -76,7 +84,8 @@ void add_hanging(Formula& f, const Model& model, int t, int r) {
     for (const int sign : {1, -1}) {
       Case& c = f.add();
       c.require_small(gap_towards(t, r, {axis, sign}), 0);
-      require_in_line(c, t, r, 1 - axis);
+      const Linear off = mid2(t, 1 - axis) - mid2(r, 1 - axis);
+      c.require(extent(r, 1 - axis) - off).require(extent(r, 1 - axis) + off);
       c.require(hi(r, 2) - hi(t, 2)).require(hi(t, 2) - lo(r, 2)).require(lo(t, 2) - Linear(model.room.lo[2] + 60));
       c.wish(mid2(t, 1 - axis) - mid2(r, 1 - axis), 30, 2);
     }
@@ -88,6 +97,7 @@ std::vector<int> hosts_named(const Model& model, int t) {
   std::vector<int> hosts;
   const auto add = [&](std::string_view id) {
     const int host = model.find_item(id);
+    if (host >= 0 && model.items[host].is_opening() && model.items[host].opening->type != OpeningType::kWindow) return;  // no sill
     if (host >= 0 && host != t && std::find(hosts.begin(), hosts.end(), host) == hosts.end()) hosts.push_back(host);
   };
   for (const Relation& relation : model.scene->relations) {
@@ -120,15 +130,14 @@ std::vector<int> usual_hosts(const Model& model, int t) {
 
 void add_resting(Formula& f, const Model& model, int t, int r, const std::string& space, Resting how) {
   const Item& ref = model.items[r];
-  if (model.items[t].mount == Mount::kHung && how != Resting::kTop) {
+  if (model.items[t].mount == Mount::kHung && how == Resting::kOn) {
     add_hanging(f, model, t, r);
     return;
   }
   if (how != Resting::kTop) {
     for (const ItemSpace& s : ref.spaces) {
       if (!((space.empty() && s.carries) || s.name == space)) continue;
-      add_space(f, model, t, r, s);
-      if (how == Resting::kIn) f.cases.back().require(2 * hi(r, 2) - 2 * lo(t, 2) - extent(t, 2));  // half of it below the top
+      add_space(f, model, t, r, s, how == Resting::kIn);
       if (how == Resting::kOn && !is_shelf(ref) && is_low(ref, s)) f.cases.back().price += kLowPlace;
     }
   }
@@ -160,11 +169,15 @@ Constraint compile_support(Model& model, int t) {
   out.name = "support of " + item.id;
   out.firmness = Firmness::kAlways;
   Formula& f = out.formulas.emplace_back();
+  std::size_t outer_before = 0;
   const auto note = [&](SupportOption option, int price) {
+    const bool exact = f.outer.size() == outer_before;  // what was added just now is meant exactly
     while (item.supports.size() < f.cases.size()) {
       f.cases[item.supports.size()].price += price;
+      if (exact) f.outer.push_back(f.cases[item.supports.size()]);
       item.supports.push_back(option);
     }
+    outer_before = f.outer.size();
   };
   using Kind = SupportOption::Kind;
   std::vector<int> hosts = hosts_named(model, t);
@@ -179,19 +192,17 @@ Constraint compile_support(Model& model, int t) {
       note({Kind::kSill, host}, 0);
     } else {
       add_resting(f, model, t, host, "", Resting::kOn);
-      note({Kind::kItem, host}, 0);
+      note({Kind::kItem, host, item.mount != Mount::kHung}, 0);
     }
-    if (named && !model.items[host].is_opening() && item.mount != Mount::kHung) {  // also where only "on its top" or "in it" was meant
-      Formula more;
-      add_resting(more, model, t, host, "", Resting::kTop);
-      for (Case& c : more.cases) f.cases.push_back(std::move(c));
-      note({Kind::kItem, host}, 400);
-    }
+    if (!named || model.items[host].is_opening()) continue;
+    // Also where only "on its top" was meant; and what usually hangs may lie in it.
+    add_resting(f, model, t, host, "", item.mount == Mount::kHung ? Resting::kIn : Resting::kTop);
+    note({Kind::kItem, host, true}, 400);
   }
   const int otherwise = named ? 4000 : hosts.empty() ? 0 : 1500;
   if (item.mount == Mount::kWall) {
     for (std::size_t w = 0; w < model.walls.size(); ++w) {
-      add_against(f, model, t, model.walls[w], Side::kBack, 0);
+      add_against(f, model, t, states_with_back_to(item, model.walls[w]), model.walls[w], 0, true);
       note({Kind::kWall, static_cast<int>(w)}, otherwise);
     }
   } else if (item.mount == Mount::kCeiling) {
@@ -201,6 +212,7 @@ Constraint compile_support(Model& model, int t) {
     f.add().require_small(lo(t, 2) - Linear(model.room.lo[2]), 0);
     note({Kind::kFloor, -1}, otherwise);
   }
+  f.exact = false;
   return out;
 }
 

@@ -30,8 +30,8 @@ std::vector<std::vector<Box>> parts_of(const Item& item, std::vector<Box> State:
 
 }  // namespace
 
-Encoding::Encoding(const Model& model, const std::vector<char>& given_up, const std::vector<char>& left_out)
-    : model_(model), items_(model.items.size()) {
+Encoding::Encoding(const Model& model, const std::vector<char>& given_up, const std::vector<char>& left_out, Purpose purpose)
+    : model_(model), purpose_(purpose), items_(model.items.size()) {
   always_ = cp_.add_variable(1, 1);
   const int count = static_cast<int>(model.items.size());
   for (int i = 0; i < count; ++i) {
@@ -142,11 +142,14 @@ void Encoding::add_constraint(int index, CpLiteral when) {
                return std::all_of(form.terms.begin(), form.terms.end(), [&](const Term& t) { return used(t.item); });
              });
     };
+    const bool outer = purpose_ == Purpose::kProving && !formula.exact;
+    const std::vector<Case>& all = outer ? formula.outer : formula.cases;
+    if (outer && all.empty()) continue;  // nothing is known to be necessary
     std::vector<const Case*> cases;
-    for (const Case& one : formula.cases) {
+    for (const Case& one : all) {
       if (is_there(one)) cases.push_back(&one);
     }
-    if (cases.empty() && !formula.cases.empty()) continue;
+    if (cases.size() < all.size() && (cases.empty() || outer)) continue;
     if (cases.size() == 1) {
       add_case(*cases[0], std::array{when});
       continue;
@@ -220,7 +223,8 @@ void Encoding::add_pair(int a, int b) {
     }
     return;
   }
-  if (rule == PairRule::kBoxes) {
+  const bool hollow = x.states[0].solids.size() > 1 || y.states[0].solids.size() > 1;
+  if (rule == PairRule::kBoxes && (purpose_ == Purpose::kPlacing || !hollow)) {
     add_disjoint(a, whole_boxes(x), b, whole_boxes(y), when);
     return;
   }

@@ -20,7 +20,9 @@ struct Demand {
 class Encoding {
  public:
   // Everything but what is given up and the items that are left out. Items of `given_up` constraints are not bound by them.
-  Encoding(const Model& model, const std::vector<char>& given_up, const std::vector<char>& left_out);
+  // kPlacing: every solution is a layout. kProving: every layout is a solution, so that what has none has no layout; free spaces count
+  // between all bodies then, not only between those that belong together.
+  Encoding(const Model& model, const std::vector<char>& given_up, const std::vector<char>& left_out, Purpose purpose = Purpose::kPlacing);
 
   // The model with exactly these demands assumed (by their index in `demands()`); all others are free.
   std::string bytes(const std::vector<char>& demanded);
@@ -58,6 +60,7 @@ class Encoding {
   CpLiteral always() const { return always_; }
 
   const Model& model_;
+  Purpose purpose_;
   CpModel cp_;
   CpLiteral always_ = 0;
   std::vector<ItemVariables> items_;

@@ -1,12 +1,18 @@
 // Relations of an object and doors or windows.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "layoutbox/verify/relation_check.h"
 
 namespace layoutbox::judge {
 namespace {
 
 bool any_opening(const Face& face) { return face.opening != nullptr; }
+
+bool names_something(const Case& c) {
+  return std::any_of(c.references.begin(), c.references.end(), [](const Reference& r) { return !r.is_place(); });
+}
 
 Finding near_face(const Case& c, const Body& t, const Face& face) {
   const RelationParameters& given = c.relation.parameters;
@@ -16,6 +22,7 @@ Finding near_face(const Case& c, const Body& t, const Face& face) {
 
 Finding far_from_all(const Case& c, const std::function<bool(const Face&)>& wanted) {
   const std::vector<const Face*> faces = named_or_all(c, c.view.openings, wanted);
+  if (faces.empty() && names_something(c)) return condition(false, "names neither a door nor a window");
   return each_target(c, [&](const Body& t) {
     std::vector<Finding> findings;
     for (const Face* face : faces) findings.push_back(near_face(c, t, *face));
@@ -49,6 +56,7 @@ Finding check_FarFromWindow(const Case& c) {
 Finding check_NotBlocking(const Case& c) {
   const std::optional<double> depth = c.metres(c.relation.parameters.depth, "depth");
   const std::vector<const Face*> faces = named_or_all(c, c.view.openings, any_opening);
+  if (faces.empty() && names_something(c)) return condition(false, "names neither a door nor a window");
   return each_target(c, [&](const Body& t) {
     std::vector<Finding> findings;
     for (const Face* face : faces) findings.push_back(keeps_out_of_opening(c, t, *face, depth));

@@ -48,8 +48,11 @@ Finding check_AgainstWall(const Case& c) {
 
 Finding check_SideAgainstWall(const Case& c) {
   return each_target(c, [&](const Body& t) {
-    const std::vector<Side> sides =
-        c.relation.parameters.side ? sides_named(t, *c.relation.parameters.side) : std::vector{Side::kLeft, Side::kRight};
+    const Side side = c.relation.parameters.side.value_or(Side::kLeft);
+    const bool by_length = side == Side::kLong || side == Side::kShort;
+    std::vector<Side> sides = sides_named(t, side);
+    if (!c.relation.parameters.side) sides = {Side::kLeft, Side::kRight};
+    if (!t.has_front && !by_length) sides = back_of(t);  // any of its sides
     return any_wall(c, [&](const Face& wall) { return side_along_wall(c, t, wall, sides, wall_gap(c)); });
   });
 }

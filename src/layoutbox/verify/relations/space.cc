@@ -30,10 +30,10 @@ bool carried_by(const RoomView& view, const Body& other, const Body& body) {
 }
 
 Finding strip_free(const Case& c, const Body& t, Side which) {
-  const BodySide side = side_of(t, which);
+  const Vec outward = direction_of(t.shape.frame, which), along{-outward.y, outward.x};
   const double depth = depth_wanted(c, t, which);
-  const Vec centre = t.shape.center + side.outward * (side.reach + depth / 2);
-  const Shape strip = make_box(centre, depth, 2 * side.half_width, {0, kStandingRoom}, {side.outward, {-side.outward.y, side.outward.x}});
+  const Vec centre = t.shape.center + outward * (extent(t.shape, outward).half() + depth / 2);
+  const Shape strip = make_box(centre, depth, extent(t.shape, along).length(), {0, kStandingRoom}, {outward, along});
   const double area = signed_area(strip.plan);
   const double off = area > 0 ? 1 - signed_area(clip(c.view.floor, strip.plan)) / area : 0;
   std::vector<Finding> findings{condition(off <= 0.01, fmt::format("{:.0f} % of the {} m at the {} of {} are outside the room", off * 100,
