@@ -51,6 +51,11 @@ void compile_Corner(Compilation& c) {
   for (const Reference& r : c.references) {
     if (r.kind == Reference::Kind::kWall) named.push_back(r.index);
   }
+  const auto is_named_at_all = [](const Reference& r) { return r.kind != Reference::Kind::kRoom; };
+  if (named.empty() && std::any_of(c.references.begin(), c.references.end(), is_named_at_all)) {
+    c.never();  // a corner of no wall
+    return;
+  }
   for (const int t : c.targets) {
     Formula& f = c.formula();
     // Near the end of a wall that goes on past another the distance runs round a corner.
