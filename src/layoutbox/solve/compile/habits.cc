@@ -256,11 +256,11 @@ class Habits {
   // Easy chairs make a talking group: at the ends of the coffee table, looking at it, two of them face to face.
   void sit_round_low_table(int item, int table) {
     Formula f;
-    add_beyond(f, model_, item, table, Side::kLeft, 700, 350);
-    add_beyond(f, model_, item, table, Side::kRight, 700, 350);
+    add_beside(f, model_, item, table, Side::kLeft, {.most = 700, .wished_gap = 350});
+    add_beside(f, model_, item, table, Side::kRight, {.most = 700, .wished_gap = 350});
     const std::size_t ends = f.cases.size();
-    add_beyond(f, model_, item, table, Side::kFront, 700, 350);
-    add_beyond(f, model_, item, table, Side::kBack, 700, 350);
+    add_beside(f, model_, item, table, Side::kFront, {.most = 700, .wished_gap = 350});
+    add_beside(f, model_, item, table, Side::kBack, {.most = 700, .wished_gap = 350});
     for (std::size_t i = ends; i < f.cases.size(); ++i) f.cases[i].price += 150;  // there it may stand before the television
     for (Case& c : f.cases) {
       if (!c.wishes.empty()) c.wishes[0].weight = kBeside;

@@ -42,6 +42,10 @@ struct Beside {
 };
 void add_beside(Formula& f, const Model& model, int t, int r, Side side, const Beside& how);
 
+inline void add_beyond(Formula& f, const Model& model, int t, int r, Side side, Mm most, Mm wished_gap) {
+  add_beside(f, model, t, r, side, {.most = most, .wished_gap = wished_gap});
+}
+
 // "The front of t looks at r."
 void add_looks_at(Formula& f, const Model& model, int t, int r);
 void add_looks_at_wall(Formula& f, const Model& model, int t, const RoomWall& wall);
