@@ -142,13 +142,15 @@ class Habits {
     const bool at_desk = is_table_seat(self) && has_knee_room(ref) && ref.has_front && used_side(ref) == Side::kFront &&
                          only_related_by(item, host, {RelationType::kInFrontOf, RelationType::kFacing, RelationType::kCenteredOn});
     const bool at_foot = only_related_by(item, host, {RelationType::kAtFootOf, RelationType::kParallel});
-    if (!at_desk && !at_foot) return;
+    const bool before =
+        before_its_host(item) && ref.has_front && only_related_by(item, host, {RelationType::kInFrontOf, RelationType::kCenteredOn});
+    if (!at_desk && !at_foot && !before) return;
     Formula f;
     for_each_turn(ref, [&](int turn, std::uint64_t states) {
       if (turn % 90 != 0) return;
       const Direction front = side_direction(ref, Side::kFront, turn);
-      Case& c = f.add().when(host, states).wish(gap_towards(item, host, front) - Linear(at_foot ? 50 : 10), kBeside);
-      if (at_foot) c.when(item, states_with_width_along(self, across(front)));
+      Case& c = f.add().when(host, states).wish(gap_towards(item, host, front) - Linear(before ? 400 : at_foot ? 50 : 10), kBeside);
+      if (at_foot || before) c.when(item, states_with_width_along(self, across(front)));
     });
     habit("near", item, kBeside, std::move(f), {host});
   }
@@ -161,7 +163,13 @@ class Habits {
 
   void back_to_wall(int item) {
     Formula f;
-    for (const RoomWall& wall : model_.walls) add_against(f, model_, item, states_with_back_to(model_.items[item], wall), wall, 20, true);
+    const bool heart = has_family(model_.items[item], {"bed", "sofa"});  // what the room is about stands rather in the middle of its wall
+    for (const RoomWall& wall : model_.walls) {
+      const std::size_t known = f.cases.size();
+      add_against(f, model_, item, states_with_back_to(model_.items[item], wall), wall, 20, true);
+      for (std::size_t i = known; heart && i < f.cases.size(); ++i)
+        f.cases[i].wish(mid2(item, wall.along) - Linear(std::int64_t{wall.lo} + wall.hi), kMiddle, 2);
+    }
     habit("back to wall", item, kBackToWall, std::move(f));
   }
 
@@ -400,7 +408,10 @@ class Habits {
   void lie_under(int item) {
     std::vector<int> over = items_of_kinds(kOnRugs, item);
     const auto beds = std::count_if(over.begin(), over.end(), [&](int i) { return model_.is_a(i, "bed"); });
-    std::erase_if(over, [&](int i) { return model_.is_a(i, "bed") && (beds > 1 || !has_family(model_.items[i], {"bed"})); });
+    std::erase_if(over, [&](int i) {
+      if (model_.is_a(i, "bed")) return beds > 1 || !has_family(model_.items[i], {"bed"});
+      return model_.is_a(i, "table") && !model_.is_a(i, "desk") && model_.items[i].entry->back_to_wall;
+    });
     Formula f;
     if (!over.empty() && has_family(model_.items[over[rank_of(item) % static_cast<int>(over.size())]], {"bed"})) {
       lie_at_foot(item, over[rank_of(item) % static_cast<int>(over.size())]);
