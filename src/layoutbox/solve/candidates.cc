@@ -7,58 +7,9 @@ namespace {
 
 constexpr std::int64_t kNoCost = std::numeric_limits<std::int64_t>::max() / 4;
 constexpr std::int64_t kPoint = 1000;
-constexpr std::size_t kMostRegions = 48;
-constexpr int kMostNodes = 4000;
 constexpr std::array<Mm, 2> kRoomBehind{400, 700};  // off the ends of a region: for a lamp behind a sofa, for somebody to pass
 
 std::int64_t floor_div(std::int64_t a, std::int64_t b) { return a / b - ((a % b != 0) && ((a < 0) != (b < 0))); }
-std::int64_t ceil_div(std::int64_t a, std::int64_t b) { return -floor_div(-a, b); }
-
-// A linear form in which only the position of one item is free.
-struct Partial {
-  std::int64_t constant = 0;
-  std::array<std::int32_t, 3> coefficient{};
-  bool unknown = false;  // speaks of something else that is not placed
-
-  std::int64_t at(const Vec3& p) const {
-    return constant + std::int64_t{coefficient[0]} * p[0] + std::int64_t{coefficient[1]} * p[1] + std::int64_t{coefficient[2]} * p[2];
-  }
-  // The only axis with a coefficient; −1: none, −2: several.
-  int axis() const {
-    int found = -1;
-    for (int k = 0; k < 3; ++k) {
-      if (coefficient[k] == 0) continue;
-      if (found >= 0) return -2;
-      found = k;
-    }
-    return found;
-  }
-};
-
-struct Wish {
-  Partial form;
-  std::int32_t weight = 1, scale = 1;
-  std::int64_t cost(const Vec3& at) const { return std::abs(form.at(at)) * weight / scale; }
-};
-
-Partial partial_of(const Model& model, const Placements& placements, const Linear& form, int item, int state) {
-  Partial p;
-  p.constant = form.constant;
-  for (const Term& term : form.terms) {
-    if (term.item == item) {
-      if (term.quantity < kExtentX) {
-        p.coefficient[term.quantity] += term.coefficient;
-      } else {
-        p.constant += std::int64_t{term.coefficient} * value_of(model.items[item], Placement{state, {}}, term.quantity);
-      }
-    } else if (placements[term.item].state < 0) {
-      p.unknown = true;
-    } else {
-      p.constant += std::int64_t{term.coefficient} * value_of(model.items[term.item], placements[term.item], term.quantity);
-    }
-  }
-  return p;
-}
 
 // What a case costs along one axis, for each coordinate tried there.
 struct AxisCosts {
@@ -80,124 +31,15 @@ struct SoftTable {
 
 }  // namespace
 
-// A case in which only the item at hand is free.
-struct CandidateFinder::Reduced {
-  Vec3 lo{-(1 << 29), -(1 << 29), -(1 << 29)}, hi{1 << 29, 1 << 29, 1 << 29};
-  std::vector<Partial> checks;  // over several axes; for soft cases all forms
-  std::vector<Wish> wishes;
-  std::int64_t price = 0;
-  std::int64_t miss = 0;  // soft cases: whatever the position
-};
-
-struct CandidateFinder::Region {
-  Vec3 lo{}, hi{};
-  std::vector<const Reduced*> cases;
-  std::int64_t price = 0;
-  bool empty() const { return lo[0] > hi[0] || lo[1] > hi[1] || lo[2] > hi[2]; }
-};
-
 struct CandidateFinder::Grid {
   std::array<std::vector<Mm>, 3> values;
   CaseTable hard;  // the wishes of the region's cases
   std::vector<SoftTable> soft;
 };
 
-CandidateFinder::CandidateFinder(const Model& model, std::vector<char> given_up) : model_(model), given_up_(std::move(given_up)) {
-  given_up_.resize(model.constraints.size(), 0);
-  left_out_.resize(model.items.size(), 0);
-}
+CandidateFinder::CandidateFinder(const Model& model, std::vector<char> given_up) : model_(model), regions_(model, std::move(given_up)) {}
 
 CandidateFinder::~CandidateFinder() = default;
-
-bool CandidateFinder::enforced(int constraint) const {
-  return !given_up_[constraint] && model_.constraints[constraint].firmness != Firmness::kSoft;
-}
-
-bool CandidateFinder::reduce(const Placements& placements, const Case& one, int item, int state, Reduced& out) const {
-  out.price = one.price * kPoint;
-  for (const StateLiteral& literal : one.states) {
-    if (left_out_[literal.item]) return false;
-    const int s = literal.item == item ? state : placements[literal.item].state;
-    if (s >= 0 && !(literal.states >> s & 1)) return false;
-  }
-  const auto is_out = [&](const Term& term) { return left_out_[term.item] != 0; };
-  for (const Linear& form : one.at_least_zero) {
-    if (std::any_of(form.terms.begin(), form.terms.end(), is_out)) return false;
-    const Partial p = partial_of(model_, placements, form, item, state);
-    if (p.unknown) continue;
-    const int axis = p.axis();
-    if (axis == -1) {
-      if (p.constant < 0) return false;
-      continue;
-    }
-    if (axis < 0) {
-      out.checks.push_back(p);
-      continue;
-    }
-    const std::int64_t a = p.coefficient[axis];  // a·x + constant ≥ 0
-    if (a > 0) {
-      out.lo[axis] = static_cast<Mm>(std::clamp<std::int64_t>(ceil_div(-p.constant, a), out.lo[axis], 1 << 30));
-    } else {
-      out.hi[axis] = static_cast<Mm>(std::clamp<std::int64_t>(floor_div(p.constant, -a), -(1 << 30), out.hi[axis]));
-    }
-    if (out.lo[axis] > out.hi[axis]) return false;
-  }
-  for (const Preference& wish : one.wishes) {
-    const Partial p = partial_of(model_, placements, wish.form, item, state);
-    if (!p.unknown) out.wishes.push_back({p, wish.weight, wish.scale});
-  }
-  return true;
-}
-
-void CandidateFinder::find_regions(const Placements& placements, int item, int state) {
-  pool_.clear();
-  regions_.clear();
-  for (const int c : model_.touching[item]) {
-    if (!enforced(c)) continue;
-    for (const Formula& formula : model_.constraints[c].formulas) {
-      const bool speaks = formula.cases.empty() || std::find(formula.items.begin(), formula.items.end(), item) != formula.items.end();
-      if (!speaks) continue;
-      std::vector<Reduced> cases;
-      for (const Case& one : formula.cases) {
-        Reduced reduced;
-        if (reduce(placements, one, item, state, reduced)) cases.push_back(std::move(reduced));
-      }
-      if (cases.empty()) return;
-      std::stable_sort(cases.begin(), cases.end(), [](const Reduced& a, const Reduced& b) { return a.price < b.price; });
-      pool_.push_back(std::move(cases));
-    }
-  }
-  std::stable_sort(pool_.begin(), pool_.end(), [](const auto& a, const auto& b) { return a.size() < b.size(); });
-  Region whole;
-  const Item& self = model_.items[item];
-  for (int k = 0; k < 3; ++k) {
-    whole.lo[k] = model_.room.lo[k];
-    whole.hi[k] = model_.room.hi[k] - self.states[state].extent[k];
-  }
-  if (self.fixed) whole.lo = whole.hi = self.fixed_at;
-  int nodes = 0;
-  if (!whole.empty()) descend(0, whole, nodes);
-}
-
-void CandidateFinder::descend(std::size_t depth, const Region& region, int& nodes) {
-  if (regions_.size() >= kMostRegions || ++nodes > kMostNodes) return;
-  if (depth == pool_.size()) {
-    regions_.push_back(region);
-    return;
-  }
-  for (const Reduced& one : pool_[depth]) {
-    Region next;
-    for (int k = 0; k < 3; ++k) {
-      next.lo[k] = std::max(region.lo[k], one.lo[k]);
-      next.hi[k] = std::min(region.hi[k], one.hi[k]);
-    }
-    if (next.empty()) continue;
-    next.cases = region.cases;
-    next.cases.push_back(&one);
-    next.price = region.price + one.price;
-    descend(depth + 1, next, nodes);
-  }
-}
 
 void CandidateFinder::find_soft(const Placements& placements, int item, int state) {
   soft_.clear();
@@ -215,9 +57,10 @@ void CandidateFinder::find_soft(const Placements& placements, int item, int stat
           const int s = literal.item == item ? state : placements[literal.item].state;
           if (!(literal.states >> s & 1)) reduced.miss = kStateMiss;
         }
-        for (const Linear& form : one.at_least_zero) reduced.checks.push_back(partial_of(model_, placements, form, item, state));
+        for (const Linear& form : one.at_least_zero)
+          reduced.checks.push_back(partial_of(model_, placements, regions_.domains(), form, item, state));
         for (const Preference& wish : one.wishes) {
-          reduced.wishes.push_back({partial_of(model_, placements, wish.form, item, state), wish.weight, wish.scale});
+          reduced.wishes.push_back({partial_of(model_, placements, regions_.domains(), wish.form, item, state), wish.weight, wish.scale});
         }
       }
       soft_.emplace_back(constraint.weight, std::move(cases));
@@ -364,11 +207,10 @@ bool CandidateFinder::collisions(const Placements& placements, int item, const P
       if (overlap(outside, box)) return false;
     }
   }
-  const auto clearance_off = [&](const Item& i) { return i.clearance_constraint >= 0 && given_up_[i.clearance_constraint]; };
   for (std::size_t j = 0; j < model_.items.size(); ++j) {
     const int other = static_cast<int>(j);
     if (placements[j].state < 0 || other == item || (self.fixed && model_.items[j].fixed)) continue;
-    const bool clear_boxes = !clearance_off(model_.items[j]) && !clearance_off(self);
+    const bool clear_boxes = !regions_.clearance_off(model_.items[j]) && !regions_.clearance_off(self);
     if (!collide(model_, item, placement, other, placements[j], clear_boxes)) continue;
     if (price.empty() || price[j] < 0) return false;
     hit.push_back(other);
@@ -426,11 +268,11 @@ std::vector<Candidate> CandidateFinder::find(const Placements& placements, int i
   for (std::size_t s = 0; s < self.states.size(); ++s) {
     const int state = static_cast<int>(s);
     if (self.states[s].size_step > options.most_size_step) continue;
-    find_regions(placements, item, state);
-    if (regions_.empty()) continue;
+    const std::vector<Region>& regions = regions_.find(placements, item, state);
+    if (regions.empty()) continue;
     find_soft(placements, item, state);
     const std::int64_t size_cost = kPoint * kCostWeights.size_step * self.states[s].size_step;
-    for (const Region& region : regions_) {
+    for (const Region& region : regions) {
       cut(placements, item, state, region, grid);
       tabulate(region, grid);
       budget.count(50);

@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-#include "layoutbox/solve/model.h"
+#include "layoutbox/solve/region.h"
 
 namespace layoutbox::placement {
 
@@ -61,7 +61,7 @@ class CandidateFinder {
   // `given_up`: by constraint index; those need not hold.
   CandidateFinder(const Model& model, std::vector<char> given_up);
   // By item: not there at all; what speaks of them cannot hold.
-  void leave_out(const std::vector<char>& items) { left_out_ = items; }
+  void leave_out(const std::vector<char>& items) { regions_.leave_out(items); }
   ~CandidateFinder();
 
   // The item itself is taken as not placed.
@@ -74,26 +74,19 @@ class CandidateFinder {
   bool collisions(const Placements& placements, int item, const Placement& placement, const std::vector<std::int64_t>& price,
                   std::vector<int>& hit) const;
 
-  bool enforced(int constraint) const;
+  bool enforced(int constraint) const { return regions_.enforced(constraint); }
 
  private:
-  struct Reduced;
-  struct Region;
   struct Grid;
 
-  bool reduce(const Placements& placements, const Case& one, int item, int state, Reduced& out) const;
-  void find_regions(const Placements& placements, int item, int state);
-  void descend(std::size_t depth, const Region& region, int& nodes);
   void find_soft(const Placements& placements, int item, int state);
   void cut(const Placements& placements, int item, int state, const Region& region, Grid& grid) const;
   void tabulate(const Region& region, Grid& grid) const;
   std::int64_t access_cost(int item, const Placement& placement);
 
   const Model& model_;
-  std::vector<char> given_up_, left_out_;
-  Placements probe_;                        // the placements, with the item tried
-  std::vector<std::vector<Reduced>> pool_;  // per enforced formula, its cases that are possible
-  std::vector<Region> regions_;
+  RegionFinder regions_;
+  Placements probe_;                                                 // the placements, with the item tried
   std::vector<std::pair<std::int64_t, std::vector<Reduced>>> soft_;  // weight, cases
 };
 

@@ -1,7 +1,5 @@
 #include "layoutbox/solve/search.h"
 
-#include <tuple>
-
 #include "layoutbox/solve/cost.h"
 
 namespace layoutbox::placement {
@@ -11,8 +9,6 @@ constexpr std::int64_t kPoint = 1000;
 constexpr std::size_t kWatchedTries = 160;
 constexpr int kEjectionsPerItem = 6;
 constexpr std::int64_t kStayingNoise = 40;  // an earlier layout makes every metre so much dearer
-
-bool stays(const Item& item) { return item.fixed || item.locked || (item.is_opening() && item.opening->offset); }
 
 }  // namespace
 
@@ -24,101 +20,13 @@ Search::Search(const Model& model, std::vector<char> given_up, std::uint64_t see
       placements_(model.items.size()),
       left_out_(model.items.size(), 0),
       bonus_(model.items.size(), 0),
-      depends_(model.items.size()),
-      dependents_(model.items.size()) {
-  for (std::size_t i = 0; i < model.items.size(); ++i) {
-    depends_[i] = depends_on(static_cast<int>(i));
-    for (const int other : depends_[i]) dependents_[other].push_back(static_cast<int>(i));
-  }
-}
-
-std::vector<int> Search::depends_on(int item) const {
-  std::vector<int> found;
-  const auto add = [&](int other) {
-    if (other != item && other >= 0 && std::find(found.begin(), found.end(), other) == found.end()) found.push_back(other);
-  };
-  for (const SupportOption& support : model_.items[item].supports) {
-    if (support.kind == SupportOption::Kind::kItem || support.kind == SupportOption::Kind::kSill) add(support.index);
-  }
-  for (const int c : model_.touching[item]) {
-    const Constraint& constraint = model_.constraints[c];
-    for (const int other : constraint.hosts) add(other);
-    if (constraint.relation < 0) continue;
-    const Relation& relation = model_.scene->relations[constraint.relation];
-    if (std::find(relation.targets.begin(), relation.targets.end(), model_.items[item].id) == relation.targets.end()) continue;
-    for (const std::string& id : relation.references) add(model_.find_item(id));
-  }
-  return found;
-}
-
-// Hard relations that tie an item to things of another kind: of a row or grid, those go first and the others follow them.
-int Search::anchors_of(int item) const {
-  int anchors = 0;
-  for (const int c : model_.touching[item]) {
-    const Constraint& constraint = model_.constraints[c];
-    if (constraint.relation < 0 || constraint.firmness != Firmness::kHard) continue;
-    const Relation& relation = model_.scene->relations[constraint.relation];
-    if (std::find(relation.targets.begin(), relation.targets.end(), model_.items[item].id) == relation.targets.end()) continue;
-    anchors += std::any_of(relation.references.begin(), relation.references.end(), [&](const std::string& id) {
-      const int other = model_.find_item(id);
-      return other >= 0 && model_.items[other].entry != model_.items[item].entry;
-    });
-  }
-  return anchors;
-}
-
-std::vector<int> Search::order() const {
-  struct Key {
-    int item, bonus, group, anchors;
-    std::int64_t area;
-  };
-  std::vector<Key> keys;
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
-    const Item& item = model_.items[i];
-    if (left_out_[i]) continue;
-    Key key{static_cast<int>(i), bonus_[i], 3, anchors_of(static_cast<int>(i)), 0};
-    const Vec3& e = item.states[0].extent;
-    key.area = std::int64_t{e[0]} * e[1];
-    bool at_wall_by_relation = false;
-    for (const int c : model_.touching[i]) {
-      const Constraint& constraint = model_.constraints[c];
-      if (constraint.relation < 0 || constraint.firmness != Firmness::kHard) continue;
-      at_wall_by_relation |= relation_row(model_.scene->relations[constraint.relation].type).group == RelationGroup::kRoomGroup;
-    }
-    if (stays(item)) {
-      key.group = 0;
-    } else if (at_wall_by_relation && item.mount == Mount::kFloor) {
-      key.group = 1;
-    } else if (item.is_opening()) {
-      key.group = 2;
-    } else if (item.thin) {
-      key.group = 5;
-    } else if (item.mount != Mount::kFloor) {
-      key.group = 4;
-    }
-    keys.push_back(key);
-  }
-  std::stable_sort(keys.begin(), keys.end(), [](const Key& a, const Key& b) {
-    return std::tuple(a.group != 0, -a.bonus, a.group, -a.area, -a.anchors, a.item) <
-           std::tuple(b.group != 0, -b.bonus, b.group, -b.area, -b.anchors, b.item);
-  });
-  std::vector<int> out;
-  std::vector<char> seen(model_.items.size(), 0);
-  const std::function<void(int)> emit = [&](int item) {
-    if (seen[item] || left_out_[item]) return;
-    seen[item] = 1;
-    for (const int other : depends_[item]) emit(other);
-    out.push_back(item);
-  };
-  for (const Key& key : keys) emit(key.item);
-  return out;
-}
+      dependencies_(model) {}
 
 bool Search::watched_fit(int item, Budget& budget) {
   CandidateOptions options;
   options.first_legal = true;
   options.most_size_step = most_size_step_;
-  for (const int dependent : dependents_[item]) {
+  for (const int dependent : dependencies_.tenants[item]) {
     if (bonus_[dependent] == 0 || placements_[dependent].state >= 0 || left_out_[dependent]) continue;
     if (finder_.find(placements_, dependent, options, budget).empty()) return false;
   }
@@ -126,7 +34,8 @@ bool Search::watched_fit(int item, Budget& budget) {
 }
 
 bool Search::place(int item, std::int64_t noise, Budget& budget) {
-  const bool watched = std::any_of(dependents_[item].begin(), dependents_[item].end(), [&](int d) { return bonus_[d] > 0; });
+  const bool watched =
+      std::any_of(dependencies_.tenants[item].begin(), dependencies_.tenants[item].end(), [&](int d) { return bonus_[d] > 0; });
   CandidateOptions options;
   options.most = watched ? kWatchedTries : 1;
   options.diverse = watched;
@@ -189,7 +98,7 @@ bool Search::try_start(const std::vector<int>& order, Budget& budget) {
 // Takes an item and what hangs on it out, and puts them in the queue, hosts first.
 void Search::take_out(int item, std::vector<int>& queue) {
   std::vector<int> group;
-  group_of(item, true, group);
+  group_of(dependencies_, placements_, item, group);
   for (const int member : group) {
     if (model_.items[member].fixed || model_.items[member].locked) continue;
     placements_[member] = {};
@@ -230,7 +139,7 @@ bool Search::repair(Budget& budget) {
     }
     // What it refers to stands where it cannot follow.
     std::vector<int> again;
-    for (const int other : depends_[item]) {
+    for (const int other : dependencies_.hosts[item]) {
       if (price[other] >= 0 && placements_[other].state >= 0) take_out(other, again);
     }
     if (again.empty()) break;
@@ -254,7 +163,10 @@ bool Search::construct(const std::vector<char>& left_out, int restarts, Budget& 
   Placements best;
   std::vector<int> best_failed;
   for (int attempt = 0; attempt <= restarts; ++attempt) {
-    if ((model_.start.empty() ? try_order(order(), budget) : try_start(order(), budget)) || repair(budget)) return true;
+    if ((model_.start.empty() ? try_order(placing_order(model_, dependencies_, left_out_, bonus_), budget)
+                              : try_start(placing_order(model_, dependencies_, left_out_, bonus_), budget)) ||
+        repair(budget))
+      return true;
     if (best.empty() || failed_.size() < best_failed.size()) best = placements_, best_failed = failed_;
     if (budget.spent()) break;
     bonus_[failed_[0]] += 1 + attempt / 4;
@@ -262,15 +174,6 @@ bool Search::construct(const std::vector<char>& left_out, int restarts, Budget& 
   placements_ = std::move(best);
   failed_ = std::move(best_failed);
   return false;
-}
-
-void Search::group_of(int item, bool with_dependents, std::vector<int>& group) {
-  group.assign(1, item);
-  for (std::size_t i = 0; with_dependents && i < group.size(); ++i) {
-    for (const int dependent : dependents_[group[i]]) {
-      if (placements_[dependent].state >= 0 && std::find(group.begin(), group.end(), dependent) == group.end()) group.push_back(dependent);
-    }
-  }
 }
 
 // All terms that change when the group moves; ways to walk apart.
@@ -326,11 +229,12 @@ void Search::improve(Budget& budget) {
   for (std::int64_t turn = 0; !budget.spent() && idle < 12 * count; ++turn) {
     const bool sweep = turn < count;  // first everything once, alone
     const int item = movable[sweep ? turn : random_.below(count)];
-    group_of(item, !sweep, group);
+    group.assign(1, item);
+    if (!sweep) group_of(dependencies_, placements_, item, group);
     if (!sweep && random_.below(3) == 0) {  // and a second one, so that two can change places
       const int other = movable[random_.below(count)];
       std::vector<int> more;
-      group_of(other, true, more);
+      group_of(dependencies_, placements_, other, more);
       for (const int m : more) {
         if (std::find(group.begin(), group.end(), m) == group.end()) group.push_back(m);
       }

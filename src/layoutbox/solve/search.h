@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "layoutbox/solve/candidates.h"
+#include "layoutbox/solve/order.h"
 
 namespace layoutbox::placement {
 
@@ -30,9 +31,6 @@ class Search {
   const std::vector<int>& failed() const { return failed_; }
 
  private:
-  int anchors_of(int item) const;
-  std::vector<int> order() const;
-  std::vector<int> depends_on(int item) const;
   bool try_order(const std::vector<int>& order, Budget& budget);
   bool try_start(const std::vector<int>& order, Budget& budget);
   bool may_stay(int item, const Placement& placement) const;
@@ -40,7 +38,6 @@ class Search {
   bool watched_fit(int item, Budget& budget);
   bool repair(Budget& budget);
   void take_out(int item, std::vector<int>& queue);
-  void group_of(int item, bool with_dependents, std::vector<int>& group);
   bool move(const std::vector<int>& group, std::int64_t noise, Budget& budget);
   std::int64_t cost_touching(const std::vector<int>& group) const;
 
@@ -52,9 +49,8 @@ class Search {
   std::vector<int> failed_;
   std::int64_t ways_ = 0;  // cost of the ways as things stand, while improving
   std::vector<char> left_out_;
-  std::vector<int> bonus_;                 // how often an item failed
-  std::vector<std::vector<int>> depends_;  // item → items it refers to
-  std::vector<std::vector<int>> dependents_;
+  std::vector<int> bonus_;  // how often an item failed
+  Dependencies dependencies_;
 };
 
 }  // namespace layoutbox::placement

@@ -13,6 +13,7 @@
 #include "layoutbox/solve/cost.h"
 #include "layoutbox/solve/cp_sat/library.h"
 #include "layoutbox/solve/guide.h"
+#include "layoutbox/solve/quick.h"
 #include "layoutbox/solve/relax.h"
 #include "layoutbox/solve/search.h"
 #include "layoutbox/solve/to_layout.h"
@@ -94,13 +95,22 @@ class Solver {
   }
 
   bool search(const std::vector<char>& given_up) {
+    const Dependencies dependencies(model_);
     for (const int sizes : {0, kAllSizes}) {
-      Search search(model_, given_up, options_.seed, sizes);
-      Budget budget{0, std::max<std::int64_t>(budget_.limit / 2, kLeastSteps), budget_.stop, false};
-      const bool found = search.construct(left_out_, kRestarts, budget);
-      placements_ = search.placements();
-      failed_ = search.failed();
       size_limit_ = sizes;
+      Budget budget{0, std::max<std::int64_t>(budget_.limit / 2, kLeastSteps), budget_.stop, false};
+      if (!model_.start.empty()) {  // what stays near its earlier place is looked for there
+        Search search(model_, given_up, options_.seed, sizes);
+        const bool found = search.construct(left_out_, kRestarts, budget);
+        placements_ = search.placements();
+        if (found) return true;
+        budget.limit += kLeastSteps;
+      } else {
+        placements_.assign(model_.items.size(), {});
+      }
+      QuickSearch quick(model_, dependencies, given_up, options_.seed, sizes);
+      const bool found = quick.complete(placements_, left_out_, budget);
+      failed_ = quick.failed();
       if (found) return true;
       if (must_stop()) return false;
     }
@@ -431,10 +441,18 @@ class Solver {
   // Local moves end where none helps; then from another start, until the effort is spent. The best of all is kept.
   void improve() {
     Search search(model_, given_up_, options_.seed, size_limit_);
-    search.adopt(placements_, left_out_);
+    // The first legal layout was found without a look at costs; where one can be built that way, it is a better start.
+    const bool built = model_.start.empty() && search.construct(left_out_, 1, budget_);
+    if (!built) search.adopt(placements_, left_out_);
     search.improve(budget_);
-    placements_ = search.placements();
     std::int64_t least = cost();
+    Placements first = search.placements();
+    std::swap(placements_, first);
+    if (const std::int64_t now = cost(); now <= least) {
+      least = now;
+    } else {
+      std::swap(placements_, first);
+    }
     int idle = 0;  // starts since the last that brought something
     for (int start = 1; idle < kIdleStarts && !budget_.spent(); ++start, ++idle) {
       Search other(model_, given_up_, options_.seed + kSeedStep * static_cast<std::uint64_t>(start), size_limit_);

@@ -1,0 +1,207 @@
+// The solver's figures: docs/benchmarks.md has them and the commands. Every part writes a table, and with --json one object a line.
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "layoutbox/solve/solver.h"
+#include "other_models.h"
+#include "rooms.h"
+
+namespace layoutbox::bench {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using Json = nlohmann::ordered_json;
+
+struct Options {
+  std::string part, json;
+  std::vector<int> sizes{5, 10, 20, 30, 50};
+  std::vector<std::string> against;
+  int rooms = 20;
+  double limit = 20, best_known = 20;
+};
+
+struct Times {
+  std::vector<double> ms;
+  int asked = 0, found = 0;
+
+  void add(double seconds, bool ok) { ms.push_back(seconds * 1000), ++asked, found += ok; }
+  double at(double share) {
+    if (ms.empty()) return 0;
+    std::sort(ms.begin(), ms.end());
+    return ms[std::min(ms.size() - 1, static_cast<std::size_t>(share * static_cast<double>(ms.size())))];
+  }
+};
+
+class Report {
+ public:
+  explicit Report(const std::string& path) {
+    if (!path.empty()) file_.open(path, std::ios::app);
+  }
+  void row(const std::string& what, const std::string& who, int objects, Times times) {
+    fmt::print("{:<22}{:<18}{:>5} objects{:>6} of {:<5} found   median {:>9.2f}   p99 {:>9.2f}   most {:>9.2f} ms\n", what, who, objects,
+               times.found, times.asked, times.at(0.5), times.at(0.99), times.at(1));
+    std::fflush(stdout);
+    if (file_)
+      file_ << Json{{"what", what},       {"who", who},           {"objects", objects},     {"asked", times.asked},
+                    {"found", times.found}, {"median", times.at(0.5)}, {"p99", times.at(0.99)}, {"most", times.at(1)}}
+            << "\n";
+  }
+
+ private:
+  std::ofstream file_;
+};
+
+SolveOptions first_legal(double limit) {
+  SolveOptions options;
+  options.improve = false;
+  options.effort = 400'000;
+  options.time_limit_s = limit;
+  options.on_conflict = OnConflict::kFail;
+  return options;
+}
+
+double timed(const std::function<void()>& what) {
+  const auto start = Clock::now();
+  what();
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+bool find_first(const SceneGraph& scene, double limit, Times& times) {
+  bool ok = false;
+  std::string why;
+  const double seconds = timed([&] {
+    const auto layout = solve(scene, Catalog::builtin(), first_legal(limit));
+    ok = layout && layout->status == LayoutStatus::kSolved;
+    if (!ok) why = layout ? (layout->relaxed.empty() ? "?" : layout->relaxed[0].relation + " " + layout->relaxed[0].why) : layout.error().message;
+  });
+  if (!ok) fmt::print("  not found: {}\n", why);
+  times.add(seconds, ok);
+  return ok;
+}
+
+void boxes(const Options& options, Report& report) {
+  const std::map<std::string, OtherModel> others{
+      {"paper", OtherModel::kPaperCentres}, {"paper-boxes", OtherModel::kPaperBoxes}, {"highs", OtherModel::kBigM}};
+  for (const int n : options.sizes) {
+    Times ours;
+    std::map<std::string, Times> theirs;
+    for (int seed = 1; seed <= options.rooms; ++seed) {
+      const PlainRoom room = plain_room(n, static_cast<std::uint64_t>(seed));
+      if (!find_first(scene_of(room), options.limit, ours)) fmt::print("  not found: --sizes {} room {}\n", n, seed);
+      for (const std::string& other : options.against) {
+        const Outcome outcome = solve_otherwise(others.at(other), room, options.limit);
+        if (!outcome.trouble.empty()) fmt::print("  {}: {}\n", other, outcome.trouble);
+        theirs[other].add(outcome.seconds, outcome.found);
+      }
+    }
+    report.row("boxes", "ours", n, ours);
+    for (const auto& [name, times] : theirs) report.row("boxes", name, n, times);
+  }
+}
+
+void furnished(const Options& options, Report& report) {
+  for (const int n : options.sizes) {
+    Times ours;
+    for (int seed = 1; seed <= options.rooms; ++seed) find_first(furnished_scene(n, static_cast<std::uint64_t>(seed)), options.limit, ours);
+    report.row("furnished", "ours", n, ours);
+  }
+}
+
+void impossible(const Options& options, Report& report) {
+  for (int kind = 0; kind < kClashKinds; ++kind) {
+    Times times;
+    int minimal = 0;
+    std::string said;
+    for (int seed = 1; seed <= options.rooms; ++seed) {
+      const SceneGraph scene = impossible_scene(kind, static_cast<std::uint64_t>(seed));
+      SolveOptions ask = first_legal(options.limit);
+      bool proven = false;
+      const double seconds = timed([&] {
+        const auto layout = solve(scene, Catalog::builtin(), ask);
+        proven = !layout && layout.error().code == ErrorCode::kInfeasible;
+        said = layout ? "a layout was found" : layout.error().message;
+      });
+      times.add(seconds, proven);
+      if (!proven) fmt::print("  room {}: {}\n", seed, said);
+      // Whether it called the conflict minimal is said by the layout that gives something up.
+      ask.on_conflict = OnConflict::kRelax;
+      const auto relaxed = solve(scene, Catalog::builtin(), ask);
+      minimal += relaxed && !relaxed->conflicts.empty() && relaxed->conflicts[0].minimal;
+    }
+    report.row(clash_kind_in_words(kind), fmt::format("minimal {}", minimal), 15, times);
+    fmt::print("  {}\n", said);
+  }
+}
+
+double cost_of(const Layout& layout) { return 1 / layout.score - 1; }
+
+void improvement(const Options& options, Report&) {
+  for (const int n : options.sizes) {
+    std::vector<double> shares;
+    for (int seed = 1; seed <= options.rooms; ++seed) {
+      const SceneGraph scene = furnished_scene(n, static_cast<std::uint64_t>(seed));
+      SolveOptions ask = first_legal(options.limit);
+      const auto first = solve(scene, Catalog::builtin(), ask);
+      ask.improve = true, ask.effort = 10'000'000, ask.time_limit_s = 0.1;
+      const auto soon = solve(scene, Catalog::builtin(), ask);
+      ask.time_limit_s = options.best_known;
+      const auto late = solve(scene, Catalog::builtin(), ask);
+      if (!first || !soon || !late) continue;
+      const double way = cost_of(*first) - std::min(cost_of(*late), cost_of(*soon));
+      shares.push_back(way <= 0 ? 1 : (cost_of(*first) - cost_of(*soon)) / way);
+      fmt::print("  first {:.3f}  100 ms {:.3f}  {:.0f} s {:.3f}: share {:.2f}\n", cost_of(*first), cost_of(*soon), options.best_known,
+                 cost_of(*late), shares.back());
+    }
+    std::sort(shares.begin(), shares.end());
+    if (!shares.empty())
+      fmt::print("{} objects, {} rooms: share of the way in 100 ms: median {:.2f}, least {:.2f}\n", n, shares.size(),
+                 shares[shares.size() / 2], shares[0]);
+  }
+}
+
+void memory(const Options& options, Report&) {
+  for (const int n : options.sizes) {
+    const SceneGraph scene = scene_of(plain_room(n, 1));
+    SolveOptions ask = first_legal(options.limit);
+    ask.improve = true, ask.effort = 1000;
+    const auto layout = solve(scene, Catalog::builtin(), ask);
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    fmt::print("{} objects: {}, at most {} MB\n", n, layout ? layout->stats.solver : layout.error().message, usage.ru_maxrss / 1024);
+  }
+}
+
+int main_with(int argc, char** argv) {
+  Options options;
+  CLI::App app("Figures of the solver");
+  app.add_option("part", options.part, "boxes, furnished, impossible, improvement, memory")->required();
+  app.add_option("--sizes", options.sizes, "How many objects")->delimiter(',');
+  app.add_option("--rooms", options.rooms, "How many rooms of each size");
+  app.add_option("--against", options.against, "paper, paper-boxes, highs")->delimiter(',');
+  app.add_option("--limit", options.limit, "Seconds a room at most");
+  app.add_option("--best-known", options.best_known, "Seconds of the long run");
+  app.add_option("--json", options.json, "Append the rows to this file");
+  CLI11_PARSE(app, argc, argv);
+  Report report(options.json);
+  const std::map<std::string, void (*)(const Options&, Report&)> parts{
+      {"boxes", boxes}, {"furnished", furnished}, {"impossible", impossible}, {"improvement", improvement}, {"memory", memory}};
+  const auto part = parts.find(options.part);
+  if (part == parts.end()) return 2;
+  if (!describe_cp_sat_library()) fmt::print("without CP-SAT: {}\n", describe_cp_sat_library().error().message);  // and it is loaded now
+  part->second(options, report);
+  return 0;
+}
+
+}  // namespace
+}  // namespace layoutbox::bench
+
+int main(int argc, char** argv) { return layoutbox::bench::main_with(argc, argv); }

@@ -1,0 +1,184 @@
+#include "layoutbox/solve/region.h"
+
+namespace layoutbox::placement {
+namespace {
+
+constexpr std::int64_t kPoint = 1000;
+constexpr std::size_t kMostRegions = 48;
+constexpr int kMostNodes = 4000;
+constexpr int kNarrowings = 2;
+
+std::int64_t floor_div(std::int64_t a, std::int64_t b) { return a / b - ((a % b != 0) && ((a < 0) != (b < 0))); }
+std::int64_t ceil_div(std::int64_t a, std::int64_t b) { return -floor_div(-a, b); }
+
+// The greatest value of a term over all places and states of its item.
+std::int64_t most_of(const Item& item, const Domain& domain, const Term& term) {
+  const std::int64_t c = term.coefficient;
+  if (term.quantity < kExtentX) return c * (c > 0 ? domain.hi[term.quantity] : domain.lo[term.quantity]);
+  if (term.quantity < kFirstConstant) {
+    const int axis = term.quantity - kExtentX;
+    return c * (c > 0 ? domain.greatest[axis] : domain.least[axis]);
+  }
+  std::int64_t most = std::numeric_limits<std::int64_t>::min();
+  for (const State& state : item.states) most = std::max(most, c * state.constants[term.quantity - kFirstConstant]);
+  return most;
+}
+
+}  // namespace
+
+Partial partial_of(const Model& model, const Placements& placements, const std::vector<Domain>& domains, const Linear& form, int item,
+                   int state) {
+  Partial p;
+  p.constant = form.constant;
+  for (const Term& term : form.terms) {
+    if (term.item == item) {
+      if (term.quantity < kExtentX) {
+        p.coefficient[term.quantity] += term.coefficient;
+      } else {
+        p.constant += std::int64_t{term.coefficient} * value_of(model.items[item], Placement{state, {}}, term.quantity);
+      }
+    } else if (placements[term.item].state < 0) {
+      p.unknown = true;
+      p.constant += most_of(model.items[term.item], domains[term.item], term);
+    } else {
+      p.constant += std::int64_t{term.coefficient} * value_of(model.items[term.item], placements[term.item], term.quantity);
+    }
+  }
+  return p;
+}
+
+RegionFinder::RegionFinder(const Model& model, std::vector<char> given_up)
+    : model_(model), given_up_(std::move(given_up)), left_out_(model.items.size(), 0) {
+  given_up_.resize(model.constraints.size(), 0);
+  narrow_domains();
+}
+
+// Bounds that follow from the constraints, found by going over all items a few times.
+void RegionFinder::narrow_domains() {
+  const Placements nowhere(model_.items.size());
+  domains_.resize(model_.items.size());
+  for (std::size_t i = 0; i < domains_.size(); ++i) {
+    const Item& item = model_.items[i];
+    Domain& d = domains_[i];
+    d.least = d.greatest = item.states[0].extent;
+    for (const State& state : item.states) {
+      for (int k = 0; k < 3; ++k) {
+        d.least[k] = std::min(d.least[k], state.extent[k]);
+        d.greatest[k] = std::max(d.greatest[k], state.extent[k]);
+      }
+    }
+    for (int k = 0; k < 3; ++k) {
+      d.lo[k] = item.fixed ? item.fixed_at[k] : model_.room.lo[k];
+      d.hi[k] = item.fixed ? item.fixed_at[k] : model_.room.hi[k] - d.least[k];
+    }
+  }
+  for (int round = 0; round < kNarrowings; ++round) {
+    for (std::size_t i = 0; i < domains_.size(); ++i) {
+      if (model_.items[i].fixed) continue;
+      Domain all = domains_[i];
+      bool any = false;
+      for (std::size_t s = 0; s < model_.items[i].states.size(); ++s) {
+        for (const Region& region : find(nowhere, static_cast<int>(i), static_cast<int>(s))) {
+          for (int k = 0; k < 3; ++k) {
+            all.lo[k] = any ? std::min(all.lo[k], region.lo[k]) : region.lo[k];
+            all.hi[k] = any ? std::max(all.hi[k], region.hi[k]) : region.hi[k];
+          }
+          any = true;
+        }
+      }
+      if (any) domains_[i] = all;
+    }
+  }
+}
+
+bool RegionFinder::enforced(int constraint) const {
+  return !given_up_[constraint] && model_.constraints[constraint].firmness != Firmness::kSoft;
+}
+
+bool RegionFinder::reduce(const Placements& placements, const Case& one, int item, int state, Reduced& out) const {
+  out.price = one.price * kPoint;
+  for (const StateLiteral& literal : one.states) {
+    if (left_out_[literal.item]) return false;
+    const int s = literal.item == item ? state : placements[literal.item].state;
+    if (s >= 0 && !(literal.states >> s & 1)) return false;
+  }
+  const auto is_out = [&](const Term& term) { return left_out_[term.item] != 0; };
+  for (const Linear& form : one.at_least_zero) {
+    if (std::any_of(form.terms.begin(), form.terms.end(), is_out)) return false;
+    const Partial p = partial_of(model_, placements, domains_, form, item, state);
+    const int axis = p.axis();
+    if (axis == -1) {
+      if (p.constant < 0) return false;
+      continue;
+    }
+    if (axis < 0) {
+      out.checks.push_back(p);
+      continue;
+    }
+    const std::int64_t a = p.coefficient[axis];  // a·x + constant ≥ 0
+    if (a > 0) {
+      out.lo[axis] = static_cast<Mm>(std::clamp<std::int64_t>(ceil_div(-p.constant, a), out.lo[axis], 1 << 30));
+    } else {
+      out.hi[axis] = static_cast<Mm>(std::clamp<std::int64_t>(floor_div(p.constant, -a), -(1 << 30), out.hi[axis]));
+    }
+    if (out.lo[axis] > out.hi[axis]) return false;
+  }
+  for (const Preference& wish : one.wishes) {
+    const Partial p = partial_of(model_, placements, domains_, wish.form, item, state);
+    if (!p.unknown) out.wishes.push_back({p, wish.weight, wish.scale});
+  }
+  return true;
+}
+
+const std::vector<Region>& RegionFinder::find(const Placements& placements, int item, int state) {
+  pool_.clear();
+  regions_.clear();
+  for (const int c : model_.touching[item]) {
+    if (!enforced(c)) continue;
+    for (const Formula& formula : model_.constraints[c].formulas) {
+      const bool speaks = formula.cases.empty() || std::find(formula.items.begin(), formula.items.end(), item) != formula.items.end();
+      if (!speaks) continue;
+      std::vector<Reduced> cases;
+      for (const Case& one : formula.cases) {
+        Reduced reduced;
+        if (reduce(placements, one, item, state, reduced)) cases.push_back(std::move(reduced));
+      }
+      if (cases.empty()) return regions_;
+      std::stable_sort(cases.begin(), cases.end(), [](const Reduced& a, const Reduced& b) { return a.price < b.price; });
+      pool_.push_back(std::move(cases));
+    }
+  }
+  std::stable_sort(pool_.begin(), pool_.end(), [](const auto& a, const auto& b) { return a.size() < b.size(); });
+  Region whole;
+  const Item& self = model_.items[item];
+  for (int k = 0; k < 3; ++k) {
+    whole.lo[k] = model_.room.lo[k];
+    whole.hi[k] = model_.room.hi[k] - self.states[state].extent[k];
+  }
+  if (self.fixed) whole.lo = whole.hi = self.fixed_at;
+  int nodes = 0;
+  if (!whole.empty()) descend(0, whole, nodes);
+  return regions_;
+}
+
+void RegionFinder::descend(std::size_t depth, const Region& region, int& nodes) {
+  if (regions_.size() >= kMostRegions || ++nodes > kMostNodes) return;
+  if (depth == pool_.size()) {
+    regions_.push_back(region);
+    return;
+  }
+  for (const Reduced& one : pool_[depth]) {
+    Region next;
+    for (int k = 0; k < 3; ++k) {
+      next.lo[k] = std::max(region.lo[k], one.lo[k]);
+      next.hi[k] = std::min(region.hi[k], one.hi[k]);
+    }
+    if (next.empty()) continue;
+    next.cases = region.cases;
+    next.cases.push_back(&one);
+    next.price = region.price + one.price;
+    descend(depth + 1, next, nodes);
+  }
+}
+
+}  // namespace layoutbox::placement
