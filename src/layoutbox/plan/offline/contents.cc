@@ -78,7 +78,7 @@ void RelationBuilder::add_contents(const Link& link) {
     } else if (!is_placed(target.items.front()) &&
                (!link.after_comma ||
                 one_of(document_.tokens[link.first].text, {"accompanied", "joined", "paired", "complemented", "coupled"}))) {
-      const bool pair = target.items.size() == 2 && hosts.size() == 1;
+      const bool pair = target.items.size() == 2 && hosts.size() == 1 && mount == Mount::kFloor;
       if (pair)
         add(link, R::kEachSideOf, ids(target.items), {id(hosts.front())});
       else

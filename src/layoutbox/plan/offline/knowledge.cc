@@ -40,11 +40,16 @@ bool allowed(const PhraseSense& sense, const NounPhrase& reference) {
   }
 }
 
+bool may_be_under(const Catalog& catalog, const NounPhrase& host) {
+  return is_table(catalog, host) || one_of(host.head, {"bed", "sofa", "couch", "shelf", "loft", "window", "tv", "stairs"}) ||
+         mount_of(host) == Mount::kWall || mount_of(host) == Mount::kCeiling;
+}
+
 // What things on one floor are to each other.
 bool is_beside(RelationType type) {
   using R = RelationType;
   return type == R::kEachSideOf || type == R::kNextTo || type == R::kLeftOf || type == R::kRightOf || type == R::kInFrontOf ||
-         type == R::kBehind || type == R::kAtFootOf;
+         type == R::kBehind || type == R::kAtFootOf || type == R::kBetween;
 }
 
 }  // namespace
@@ -100,10 +105,13 @@ bool stands_by(const Catalog& catalog, const NounPhrase& noun, const NounPhrase&
 }
 
 bool has_hooks(const NounPhrase& noun) {
-  if (!one_of(noun.head, {"pegboard", "rack", "hook", "rail", "ring", "hanger", "bar", "rod", "line", "tree", "stand"})) return false;
+  if (!one_of(noun.head, {"pegboard", "corkboard", "pinboard", "board", "rack", "hook", "rail", "ring", "hanger", "bar", "rod", "line",
+                          "tree", "stand"}))
+    return false;
   if (noun.entry == nullptr) return false;
   const bool inside = std::any_of(noun.entry->spaces.begin(), noun.entry->spaces.end(), [](const SpaceFormula& s) { return s.carries; });
-  return !noun.entry->top_carries && !inside && (noun.entry->mount == Mount::kWall || noun.entry->mount == Mount::kCeiling);
+  return !noun.entry->top_carries && !inside && !one_of(noun.entry->shape.family, {"tv"}) &&
+         (noun.entry->mount == Mount::kWall || noun.entry->mount == Mount::kCeiling);
 }
 
 bool is_heavy(const Catalog& catalog, const NounPhrase& noun) {
@@ -122,6 +130,9 @@ bool may_carry(const Catalog& catalog, const NounPhrase& host, const NounPhrase&
   const bool rug_host = host.entry != nullptr && host.entry->thin;
   if (rug_host) return true;
   if (item.collective) return true;
+  if (mount == Mount::kHung &&
+      one_of(host.head, {"rack", "hook", "stand", "rail", "rod", "tree", "hanger", "line", "chair", "wardrobe", "ladder"}))
+    return true;
   if (has_hooks(host)) return mount != Mount::kCeiling && !is_heavy(catalog, item);
   if (mount != Mount::kSurface && !(mount == Mount::kWall && one_of(item.head, {"mirror", "picture", "photo", "clock", "painting", "frame",
                                                                                 "photograph", "plant", "tv", "television", "screen"}))) {
@@ -137,6 +148,19 @@ bool may_carry(const Catalog& catalog, const NounPhrase& host, const NounPhrase&
   if (host.entry == nullptr) return true;
   return host.entry->top_carries ||
          std::any_of(host.entry->spaces.begin(), host.entry->spaces.end(), [](const SpaceFormula& s) { return s.carries; });
+}
+
+bool may_refer(const Catalog& catalog, const PhraseSenses& senses, const NounPhrase& target, const NounPhrase& reference) {
+  const auto says = [&](RelationType type) {
+    return std::any_of(senses.begin(), senses.end(), [&](const PhraseSense& s) { return s.type == type; });
+  };
+  if (reference.kind != NounKind::kObject || target.kind != NounKind::kObject) return true;
+  if (says(RelationType::kOn) || says(RelationType::kIn)) return may_carry(catalog, reference, target);
+  if (says(RelationType::kUnder) && mount_of(target) == Mount::kFloor && (target.entry == nullptr || !target.entry->thin))
+    return may_be_under(catalog, reference);
+  const bool beside = std::any_of(senses.begin(), senses.end(), [](const PhraseSense& s) { return is_beside(s.type); });
+  if (beside && mount_of(target) == Mount::kFloor) return mount_of(reference) != Mount::kSurface && mount_of(reference) != Mount::kCeiling;
+  return true;
 }
 
 std::optional<PhraseSense> choose_sense(const Catalog& catalog, const PhraseSenses& senses, PhraseSense::Direction direction,
@@ -258,7 +282,7 @@ int suits(const Catalog& catalog, const PhraseSense& sense, const NounPhrase& ta
     case R::kFacing: return known && !target.entry->has_front ? 1 : 2;
     case R::kCenterOfRoom:
     case R::kInRegion: return mount == Mount::kSurface ? 1 : 2;
-    case R::kAbove: return mount == Mount::kWall || mount == Mount::kCeiling ? 2 : 1;
+    case R::kAbove: return mount == Mount::kWall || mount == Mount::kCeiling ? 2 : mount == Mount::kSurface ? 0 : 1;
     default:
       return mount == Mount::kSurface && is_beside(sense.type) && reference.kind == NounKind::kObject &&
                      mount_of(reference) == Mount::kFloor

@@ -95,7 +95,7 @@ void RelationBuilder::settle_mount(std::size_t index) {
 
 bool RelationBuilder::hangs_on_hooks(const std::string& object) const {
   return std::any_of(scene_.relations.begin(), scene_.relations.end(), [&](const Relation& r) {
-    if (r.type != R::kOn || r.targets.front() != object || r.references.empty()) return false;
+    if ((r.type != R::kOn && r.type != R::kIn) || r.targets.front() != object || r.references.empty()) return false;
     const SceneObject* host = scene_.find_object(r.references.front());
     return host != nullptr && has_hooks(noun_of_object(*host));
   });

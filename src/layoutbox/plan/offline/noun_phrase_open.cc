@@ -84,7 +84,15 @@ bool NounPhraseReader::read_subset() {
     }
   }
   if (lexicon_.is(next, Class::kDefinite) || lexicon_.is(next, Class::kPossessive)) {
-    if (auto base = read_noun_phrase(lexicon_, tokens_, i_ + 1, false); base && base->kind == NounKind::kObject) {
+    auto base = read_noun_phrase(lexicon_, tokens_, i_ + 1, false);
+    if (base && (base->kind == NounKind::kWall || base->kind == NounKind::kCorner)) {  // "three of the walls"
+      base->count = phrase_.count;
+      base->first = phrase_.first;
+      phrase_ = std::move(*base);
+      i_ = phrase_.last;
+      return done_ = true;
+    }
+    if (base && base->kind == NounKind::kObject) {
       phrase_.kind = NounKind::kMember;
       phrase_.subset = true;
       i_ = base->last;

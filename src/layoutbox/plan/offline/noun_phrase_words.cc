@@ -64,6 +64,10 @@ bool NounPhraseReader::read_part() {
   });
   if (match.length > 0) {
     const Meaning* object = meaning_of(match, Class::kObject);
+    // "A bar with a counter": at the very beginning what something is in is the room.
+    if (object != nullptr && has(match, Class::kRoom) && phrase_.first < 2 && i_ + match.length < tokens_.size() &&
+        lexicon_.is(tokens_[i_ + match.length], Class::kHave))
+      return add(Class::kRoom, *meaning_of(match, Class::kRoom), match.length, match.plural);
     const Meaning* attribute = attribute_of(match);
     // "mid-century style table", "tan colored rug": the word belongs to the attribute before it.
     static constexpr std::string_view kOfAttribute[] = {"style", "styled", "themed", "inspired", "shaped", "toned", "colored",
@@ -141,8 +145,9 @@ bool NounPhraseReader::read_part() {
     return false;
   }
   if (token().kind != Token::Kind::kWord) {
-    if (token().kind == Token::Kind::kNumber && hyphenated(i_ + 1))
-      return add(Class::kFiller, {Class::kFiller, nullptr, nullptr, 0, {}}, 1, false);
+    // "55-inch", "2-seater": one adjective.
+    if (token().kind == Token::Kind::kNumber && i_ + 1 < tokens_.size() && hyphenated(i_ + 1) && tokens_[i_ + 1].kind == Token::Kind::kWord)
+      return add(Class::kQuality, {Class::kQuality, nullptr, nullptr, 0, {}}, 2, false);
     return false;
   }
   if (lexicon_.find_phrase(tokens_, i_).length > 0) return false;

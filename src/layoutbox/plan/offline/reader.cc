@@ -103,6 +103,7 @@ void DocumentReader::read_chunk(std::size_t k) {
         read_have(k);
         break;
       }
+      if (passes_count(k)) break;
       mark(k, Use::kIgnored, "purpose");
       skipping_ = true;
       joiner_ = Joiner::kNone;
@@ -242,7 +243,10 @@ bool DocumentReader::names_contents(std::size_t k) const {
   const std::string& word = document_.tokens[chunk(k).first].text;
   const NounPhrase &host = noun_of(chain_.back()), &thing = chunk(n).noun;
   if (word == "for") {
-    return is_thing(chain_.back()) && is_storage(host) && thing.kind == NounKind::kObject && thing.exact && thing.plural &&
+    static constexpr std::string_view kOpen[] = {"shelf",     "rack",     "basket",    "bin",   "box",  "crate",
+                                                 "bookshelf", "bookcase", "organizer", "cubby", "chest"};
+    return is_thing(chain_.back()) && std::find(std::begin(kOpen), std::end(kOpen), host.head) != std::end(kOpen) &&
+           !is(next(n), ChunkKind::kRelation) && thing.kind == NounKind::kObject && thing.exact && thing.plural &&
            thing.determiner == Determiner::kNone && thing.count == 0 && mount_of(thing) == Mount::kSurface;
   }
   static constexpr std::string_view kShows[] = {"offers", "offer", "provides", "provide", "offering", "providing", "enjoys"};
@@ -251,9 +255,28 @@ bool DocumentReader::names_contents(std::size_t k) const {
          std::find(std::begin(kShows), std::end(kShows), word) != std::end(kShows);
 }
 
-int DocumentReader::implied_reference(const std::vector<int>& targets, bool single) const {
+// "a table for six": a size, after which the list goes on.
+bool DocumentReader::passes_count(std::size_t k) {
+  const std::size_t n = next(k);
+  if (skipping_ || chain_.empty() || !is(n, ChunkKind::kNoun) || chunk(n).noun.count == 0 || document_.tokens[chunk(k).first].text != "for")
+    return false;
+  const NounPhrase& noun = chunk(n).noun;
+  static constexpr std::string_view kPersons[] = {"person", "people", "guest", "diner", "child", "student", "adult"};
+  const bool persons =
+      noun.kind == NounKind::kMember || std::find(std::begin(kPersons), std::end(kPersons), noun.head) != std::end(kPersons);
+  if (!persons || !is_table(lexicon_.catalog(), noun_of(chain_.back()))) return false;
+  mark(k, WordReading::Use::kIgnored, "size");
+  mark(n, WordReading::Use::kIgnored, "size");
+  passed_over_ = n;
+  return true;
+}
+
+int DocumentReader::implied_reference(const std::vector<int>& targets, bool single, const PhraseSenses* senses, bool pronoun) const {
   const auto usable = [&](int mention) {
     if (mention < 0 || !is_thing(mention)) return false;
+    if (senses != nullptr && !targets.empty() && is_thing(targets.front()) &&
+        !may_refer(lexicon_.catalog(), *senses, noun_of(targets.front()), noun_of(mention)))
+      return false;
     if (single && document_.mentions[static_cast<std::size_t>(mention)].items.size() > 1) return false;
     for (const int target : targets) {
       for (const int item : document_.mentions[static_cast<std::size_t>(target)].items) {
@@ -279,8 +302,8 @@ int DocumentReader::implied_reference(const std::vector<int>& targets, bool sing
     return noun.kind != NounKind::kObject || (mount_of(noun) == Mount::kFloor && (noun.entry == nullptr || !noun.entry->thin));
   };
   const bool to_floor = !targets.empty() && stands(targets.front());
-  if (usable(last_topic_) && (single || !to_floor || stands(last_topic_))) return last_topic_;
-  for (std::size_t m = document_.mentions.size(), looked = 0; !single && to_floor && m-- > 0 && looked < kReach; ++looked) {
+  if (usable(last_topic_) && (pronoun || !to_floor || stands(last_topic_))) return last_topic_;
+  for (std::size_t m = document_.mentions.size(), looked = 0; !pronoun && to_floor && m-- > 0 && looked < kReach; ++looked) {
     if (usable(static_cast<int>(m)) && stands(static_cast<int>(m))) return static_cast<int>(m);
   }
   if (usable(last_topic_)) return last_topic_;
@@ -300,7 +323,10 @@ int DocumentReader::meant_by_it(const std::vector<int>& targets) const {
     const int former = roots_.size() > 1 && roots_.back() == front ? roots_[roots_.size() - 2] : -1;
     return former >= 0 && is_thing(former) && stands_by(lexicon_.catalog(), noun_of(front), noun_of(former)) ? former : front;
   }
-  int meant = implied_reference(targets, true);
+  const bool placed = expects_reference_ && reference_link_ >= 0;
+  const PhraseSenses* senses = placed ? &document_.links[static_cast<std::size_t>(reference_link_)].senses : nullptr;
+  int meant = implied_reference(targets, true, senses, true);
+  if (meant < 0) meant = implied_reference(targets, true, nullptr, true);
   if (meant < 0) meant = implied_reference(targets);
   if (meant < 0 || last_it_ < 0 || contains(targets, last_it_)) return meant;
   const std::vector<int>& same = document_.mentions[static_cast<std::size_t>(last_it_)].items;
@@ -357,15 +383,29 @@ void DocumentReader::read_noun(std::size_t k) {
   // "a cabinet with glass doors": parts of it.
   const bool of_a_thing = expects_content_ && !frames_.empty() && !frames_.back().room && !frames_.back().hosts.empty() &&
                           is_thing(frames_.back().hosts.front());
-  if ((noun.kind == NounKind::kDoor || noun.kind == NounKind::kWindow) && of_a_thing) {
+  const bool of_bed = noun.kind == NounKind::kObject && noun.head == "mattress" && of_a_thing &&
+                      noun_of(frames_.back().hosts.front()).name.find("bed") != std::string::npos;
+  if (((noun.kind == NounKind::kDoor || noun.kind == NounKind::kWindow) && of_a_thing) || of_bed) {
     mark(k, Use::kUsed, "part");
-    expects_content_ = false;
+    expects_content_ = is(next(k), ChunkKind::kAnd);  // "with a soft mattress and two pillows"
     joiner_ = Joiner::kNone;
     return;
   }
   if (noun.kind == NounKind::kDoor || noun.kind == NounKind::kWindow) document_.openings.push_back(noun);
 
   if (noun.kind == NounKind::kMember && take_all(k)) return;
+  // "three tables with two stools each"
+  if (noun.kind == NounKind::kMember && noun.determiner == Determiner::kEach && noun.count == 0 && !expects_reference_ &&
+      !expects_content_ && joiner_ == Joiner::kNone && !frames_.empty() && frames_.back().link >= 0 &&
+      !link_at(frames_.back().link).targets.empty() && !is(next(k), ChunkKind::kHave) && !is(next(k), ChunkKind::kRelation) &&
+      !is(next(k), ChunkKind::kParticiple)) {
+    std::size_t hosts = 0;
+    for (const int host : frames_.back().hosts) hosts += mention_at(host).items.size();
+    const int content = link_at(frames_.back().link).targets.back();
+    references_.grow(content, mention_at(content).items.size() * std::max<std::size_t>(hosts, 1));
+    mark(k, Use::kUsed, "reference");
+    return;
+  }
   if (read_set(k)) return;
 
   std::vector<int> busy;

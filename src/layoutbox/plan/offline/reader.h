@@ -57,12 +57,15 @@ class DocumentReader {
   bool place_comes_first(std::size_t k) const;
   std::size_t previous(std::size_t k) const;  // the chunk before, ignored ones left out; past the end if none
   // Who is meant where it is not said, or by "it" (`single`: one thing). -1: nobody.
-  int implied_reference(const std::vector<int>& targets, bool single = false) const;
+  // With senses: only who makes sense of them. A pronoun may also mean what lies on the floor.
+  int implied_reference(const std::vector<int>& targets, bool single = false, const PhraseSenses* senses = nullptr,
+                        bool pronoun = false) const;
   int meant_by_it(const std::vector<int>& targets) const;
   bool take_all(std::size_t k);
   bool read_set(std::size_t k);
   bool read_relative_place(std::size_t k);
   bool whole_group(std::size_t k, const NounPhrase& noun, int group) const;
+  bool passes_count(std::size_t k);
   bool other_side(std::size_t k, const std::vector<int>& targets);
   void grow_contents(int host, std::size_t before);
   void mean_each_other(Link& link);

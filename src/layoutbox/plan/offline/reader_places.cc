@@ -23,6 +23,10 @@ void DocumentReader::place_root(std::size_t k, int mention) {
   root_modified_.push_back(false);
   chain_ = {mention};
   if (!thing) return;
+  // ", and a rug under the bed": has a place of its own.
+  if ((joiner_ == Joiner::kComma || joiner_ == Joiner::kCommaAnd) && !fronted_.empty() && roots_.size() > clause_start_ + 1 &&
+      is(next(k), ChunkKind::kRelation))
+    fronted_.clear();
   // "each", "one": speaks of things that are there already.
   for (const int link : fronted_) {
     Link& waiting = link_at(link);
@@ -179,6 +183,13 @@ bool DocumentReader::goes_on_with_contents(std::size_t k, const NounPhrase& noun
   const Catalog& catalog = lexicon_.catalog();
   if (noun.kind == NounKind::kAbstract) return !noun.collective || joiner_ != Joiner::kNone;
   if (host.entry != nullptr && host.entry->thin) return false;
+  // "a desk with a lamp, and a chair": two would not be parted by a comma.
+  if (joiner_ == Joiner::kCommaAnd && link.kind == Link::Kind::kHave && !link.holding && link.targets.size() == 1) return false;
+  // "each with a lamp and a chair", "a desk with a lamp and a chair"
+  const bool bare_and = joiner_ == Joiner::kAnd && !is(n, ChunkKind::kRelation) && !is(n, ChunkKind::kHave);
+  if (bare_and && (document_.mentions[static_cast<std::size_t>(frame.hosts.front())].distributes ||
+                   (is_table(catalog, host) && is_seat(catalog, noun))))
+    return true;
   const bool shares_article = joiner_ == Joiner::kAnd && noun.determiner == Determiner::kNone && noun.count == 0 && !noun.plural &&
                               noun_of(link.targets.back()).determiner != Determiner::kNone;
   if (shares_article) return true;
@@ -274,7 +285,10 @@ std::vector<int> DocumentReader::targets_for(const PhraseSenses& senses, Directi
   }
   if (best < 0) {
     for (const int mention : chain_) {
-      if (is_thing(mention) && best < 0) best = mention;
+      if (is_thing(mention) && best < 0 &&
+          document_.mentions[static_cast<std::size_t>(mention)].items !=
+              document_.mentions[static_cast<std::size_t>(reference_mention)].items)
+        best = mention;
     }
   }
   // "a door in the left wall", "two windows on the back wall".
@@ -391,7 +405,11 @@ int DocumentReader::implied_side_host(const PhraseSenses& senses, const std::vec
       if (fits(static_cast<int>(m))) return static_cast<int>(m);
     }
   }
-  return implied_reference(targets);
+  if (says(senses, RelationType::kBetween)) return implied_group(targets);
+  const bool hosts = !frames_.empty() && !frames_.back().room;
+  int meant = hosts ? -1 : implied_reference(targets, true, &senses);
+  if (meant < 0) meant = implied_reference(targets, false, &senses);
+  return meant >= 0 ? meant : implied_reference(targets);
 }
 
 bool DocumentReader::is_content(int mention) const {

@@ -82,6 +82,12 @@ void DocumentReader::read_relation(std::size_t k) {
   }
   // The reference is what was spoken of.
   link.senses = with_direction(senses, alone ? Direction::kAlone : Direction::kDirect);
+  // "on the shelf below": which shelf.
+  if (const std::size_t before = previous(k); static_cast<int>(before) == last_reference_ && joiner_ == Joiner::kNone &&
+                                              (says(link.senses, RelationType::kUnder) || says(link.senses, RelationType::kAbove)) &&
+                                              document_.tokens[relation.last - 1].text != "it" &&
+                                              chunk(before).noun.determiner == Determiner::kDefinite)
+    return;
   // "side by side": by each other.
   if (first_word == "side" && document_.tokens[relation.last - 1].text == "side" && relation.last > relation.first + 1) {
     if (chain_.empty()) return;
@@ -144,7 +150,11 @@ void DocumentReader::read_relation(std::size_t k) {
         if (score > best) best = score, target = chain_[c];
       }
     }
-    if (is_thing(target)) targets = joined_with(target, after_participle_, group_only && says(link.senses, RelationType::kCenterOfRoom));
+    const bool lies = says(link.senses, RelationType::kOn) || says(link.senses, RelationType::kIn);
+    const int host = lies && is_thing(target) ? implied_side_host(link.senses, {target}) : -1;
+    if (is_thing(target))
+      targets = joined_with(target, after_participle_, group_only && says(link.senses, RelationType::kCenterOfRoom),
+                            host >= 0 ? &noun_of(host) : nullptr);
     // "cups and sodas on top": all that the host has.
     if (says(link.senses, RelationType::kOn) && !frames_.empty() && frames_.back().link >= 0 &&
         contains(link_at(frames_.back().link).targets, target))
@@ -159,6 +169,15 @@ void DocumentReader::read_relation(std::size_t k) {
   if (!group_only) {
     const int reference = implied_side_host(link.senses, targets);
     if (reference >= 0) link.references = {reference};
+    // "a sofa facing a TV, with a table in between": between the two.
+    if (says(link.senses, RelationType::kBetween) && reference >= 0 && mention_at(reference).items.size() == 1) {
+      for (std::size_t l = document_.links.size(); l-- > sentence_links_;) {
+        const Link& looks = document_.links[l];
+        if (!contains(looks.targets, reference) || looks.references.empty() || !is_thing(looks.references.front())) continue;
+        link.references.push_back(looks.references.front());
+        break;
+      }
+    }
     link.implied = true;
   }
   // "a lamp on each side": one for either side.
@@ -225,6 +244,14 @@ void DocumentReader::read_inverse(std::size_t k, PhraseSenses senses) {
     int host = chain_.empty() ? -1 : chain_.back();
     const bool apart = joiner_ != Joiner::kNone || is(previous(k), ChunkKind::kVerb);
     if (apart && !chain_.empty()) host = chain_.front();
+    // "a chandelier over a table, flanked by two sofas": sofas stand by the table.
+    if (const std::size_t n = next(k); apart && is(n, ChunkKind::kNoun) && chunk(n).noun.kind == NounKind::kObject) {
+      for (const int mention : chain_) {
+        if (!is_thing(mention) || !may_refer(lexicon_.catalog(), link.senses, chunk(n).noun, noun_of(mention))) continue;
+        host = mention;
+        break;
+      }
+    }
     if (is_finite(document_.tokens[chunk(k).first].text) && roots_.size() > clause_start_) host = roots_.back();
     if (host >= 0 && !is_thing(host)) {
       for (const int mention : chain_) {

@@ -5,6 +5,8 @@
 namespace layoutbox::offline {
 namespace {
 
+constexpr std::size_t kReach = 300;  // keeps long texts linear
+
 bool contains(const std::vector<int>& all, int one) { return std::find(all.begin(), all.end(), one) != all.end(); }
 
 std::string last_word(const std::string& name) {
@@ -69,7 +71,13 @@ int References::fit(const NounPhrase& wanted, const NounPhrase& item) const {
     return 2;
   if (wanted.entry != nullptr && item.entry == wanted.entry && (wanted.exact || item.exact) && wanted.name.find(' ') == std::string::npos)
     return 2;
-  if (wanted.exact && item.exact && catalog.is_a(wanted.entry->id, item.entry->id) && wanted.determiner == Determiner::kDefinite) return 1;
+  // "the bench" is the workbench.
+  constexpr std::size_t kShortest = 5;
+  if (wanted.name.size() >= kShortest && item.head.size() > wanted.name.size() && item.head.ends_with(wanted.name)) return 1;
+  const bool same_head = wanted.head.ends_with(item.head) || item.head.ends_with(wanted.head);
+  if (same_head && wanted.exact && item.exact && catalog.is_a(wanted.entry->id, item.entry->id) &&
+      wanted.determiner == Determiner::kDefinite)
+    return 1;
   return 0;
 }
 
@@ -77,7 +85,6 @@ std::vector<int> References::known(const NounPhrase& noun) const {
   // The best fitting kind; of equals the latest mention. Attributes that were said of it count.
   int best_score = 0;
   std::vector<int> found;
-  constexpr std::size_t kReach = 300;  // keeps long texts linear
   for (std::size_t i = document_.items.size(), looked = 0; i-- > 0 && looked < kReach; ++looked) {
     const NounPhrase& item = document_.items[i].noun;
     int score = fit(noun, item) * 10;
@@ -156,7 +163,6 @@ void References::general(const NounPhrase& noun, bool as_reference, Mention& men
 }
 
 int References::latest_group() const {
-  constexpr std::size_t kReach = 200;
   for (std::size_t m = document_.mentions.size(), looked = 0; m-- > 0 && looked < kReach; ++looked) {
     if (document_.mentions[m].items.size() > 1) return static_cast<int>(m);
   }
@@ -243,6 +249,15 @@ int References::mention(const NounPhrase& noun, int antecedent, bool as_referenc
       if (!same || !mention.items.empty() || (noun.count == 1 && contains(picked, item))) continue;
       mention.items = {item};
       if (noun.count == 1) picked.push_back(item);
+    }
+  }
+  if (mention.items.empty() && as_reference && noun.determiner == Determiner::kDefinite && noun.name == "shelf") {
+    // "the shelf below": of what was named and has one.
+    for (std::size_t i = document_.items.size(), looked = 0; i-- > 0 && mention.items.empty() && looked < kReach; ++looked) {
+      const CatalogEntry* entry = document_.items[i].noun.entry;
+      if (entry != nullptr && entry->mount == Mount::kFloor &&
+          std::any_of(entry->spaces.begin(), entry->spaces.end(), [](const SpaceFormula& s) { return s.carries; }))
+        mention.items = {static_cast<int>(i)};
     }
   }
   if (mention.items.empty() && (noun.determiner == Determiner::kDefinite || noun.determiner == Determiner::kBoth))
