@@ -35,6 +35,7 @@ std::string unused_id(const SceneGraph& scene, const std::string& base) {
 Result<SceneGraph> normalize_scene(SceneGraph scene, const Catalog& catalog, const NormalizeOptions& options) {
   NormalizeContext context{scene, catalog, options, {}, {}};
   normalize_objects(context);
+  normalize_hosts(context);
   normalize_room(context);
   if (context.errors.empty()) {
     normalize_relations(context);

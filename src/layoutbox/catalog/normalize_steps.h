@@ -23,6 +23,9 @@ struct NormalizeContext {
 // Ids, categories, sizes, used sides and mounts of all objects.
 void normalize_objects(NormalizeContext& context);
 
+// Larger usual sizes, within their ranges, for furniture that must hold more than usual. REQUIRES: sizes are known.
+void normalize_hosts(NormalizeContext& context);
+
 // The article of the user's that an object is: the one it names, else of its kind, the best by words, the least used; null for none.
 const CatalogEntry* choose_article(const NormalizeContext& context, const SceneObject& object);
 

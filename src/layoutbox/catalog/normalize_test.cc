@@ -100,6 +100,46 @@ TEST(NormalizeRoom, FillsASizeForTheKindOfRoom) {
 
 double area(const SceneGraph& scene) { return static_cast<double>(doubled_area(scene.room.polygon)) / 2e6; }
 
+TEST(NormalizeHosts, GrowForWhatTheyHold) {
+  const auto width = [](int lamps) {
+    std::vector<SceneObject> objects{object("desk_1", "desk")};
+    std::vector<Relation> relations;
+    for (int i = 0; i < lamps; ++i) {
+      objects.push_back(object("lamp_" + std::to_string(i), "lamp"));
+      relations.push_back(relation(RelationType::kOn, {objects.back().id}, {"desk_1"}));
+    }
+    return normalized(scene_of(objects, relations)).find_object("desk_1")->size->usual.width;
+  };
+  EXPECT_EQ(width(1), 1200);
+  EXPECT_EQ(width(3), 1200);
+  EXPECT_GT(width(6), 1200);
+  EXPECT_EQ(width(40), 1600);  // its range is the limit
+}
+
+TEST(NormalizeHosts, ASizeThatWasGivenStays) {
+  SceneObject desk = object("desk_1", "desk");
+  desk.size = SizeRange{{1000, 500, 750}, {1000, 500, 750}, {1000, 500, 750}};
+  desk.size_source = SizeSource::kUser;
+  std::vector<SceneObject> objects{desk};
+  std::vector<Relation> relations;
+  for (int i = 0; i < 8; ++i) {
+    objects.push_back(object("lamp_" + std::to_string(i), "lamp"));
+    relations.push_back(relation(RelationType::kOn, {objects.back().id}, {"desk_1"}));
+  }
+  EXPECT_EQ(normalized(scene_of(objects, relations)).find_object("desk_1")->size->usual.width, 1000);
+}
+
+TEST(NormalizeHosts, ATableSeatsAllThatSitAroundIt) {
+  std::vector<SceneObject> objects{object("desk_1", "desk")};
+  Relation around = relation(RelationType::kAround, {}, {"desk_1"});
+  for (int i = 0; i < 7; ++i) {
+    objects.push_back(object("plant_" + std::to_string(i), "plant"));
+    around.targets.push_back(objects.back().id);
+  }
+  const Size size = normalized(scene_of(objects, {around})).find_object("desk_1")->size->usual;
+  EXPECT_GE(2 * (size.width + size.depth), 7 * 600);
+}
+
 TEST(NormalizeRoom, GrowsWithItsFurniture) {
   std::vector<SceneObject> beds;
   for (int i = 0; i < 6; ++i) beds.push_back(object("bed_" + std::to_string(i), "bed"));

@@ -227,6 +227,13 @@ void RelationBuilder::add_relations_to(const Link& link, const std::vector<int>&
     } else {
       add_single(link, *sense, target, reference_items, place);
     }
+    // "a desk and bookshelf in the corner": in the same one, if that can be.
+    if (sense->type == R::kCorner && m != link.targets.front() && !reference.is_plural() && target.items.size() == 1 &&
+        mention(link.targets.front()).items.size() == 1) {
+      Link together = link;
+      together.soft = true;
+      add(together, R::kNear, {id(target.items.front())}, {id(mention(link.targets.front()).items.front())});
+    }
     if (link.distance && sense->type != R::kDistance && !reference_items.empty()) {
       for (const int item : target.items) add(link, R::kDistance, {id(item)}, {id(reference_items.front())});
     }

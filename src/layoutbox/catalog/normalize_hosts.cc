@@ -1,0 +1,111 @@
+// Furniture whose size nobody gave is made large enough for what stands on it, lies in it or sits around it.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <numbers>
+
+#include "layoutbox/catalog/normalize_steps.h"
+
+namespace layoutbox {
+namespace {
+
+constexpr Mm kGap = 20;         // between things that stand side by side
+constexpr Mm kSeatWidth = 620;  // of a table's edge that one person needs
+constexpr int kSteps = 10;      // from the usual size to the greatest
+
+struct Contents {
+  std::vector<Size> on_top, inside;
+  int around = 0, along = 0;  // seats
+};
+
+// Whether the things find room in rows on a plane, the deepest first; `planes` of the same size may be used.
+bool fit_in_rows(std::vector<Size> things, Mm width, Mm depth, int planes) {
+  std::ranges::sort(things, std::greater{}, &Size::depth);
+  Mm used_width = 0, used_depth = 0, row_depth = 0;
+  for (Size thing : things) {
+    if (thing.width > width || thing.depth > depth) std::swap(thing.width, thing.depth);
+    if (thing.width > width || thing.depth > depth) return false;
+    if (used_width > 0 && used_width + kGap + thing.width > width) {
+      used_depth += row_depth + kGap;
+      used_width = row_depth = 0;
+    }
+    if (used_depth > 0 && used_depth + thing.depth > depth) {
+      if (--planes == 0) return false;
+      used_width = used_depth = row_depth = 0;
+    }
+    used_width += thing.width + (used_width > 0 ? kGap : 0);
+    row_depth = std::max(row_depth, thing.depth);
+  }
+  return true;
+}
+
+bool is_round(const SceneObject& object) {
+  return std::ranges::any_of(object.attributes, [](const std::string& a) { return a == "round" || a == "circular"; });
+}
+
+bool holds(const CatalogEntry& entry, const SceneObject& host, const Size& size, const Contents& contents) {
+  if (entry.top_carries && !fit_in_rows(contents.on_top, size.width, size.depth, 1)) return false;
+  std::vector<Space> carrying = spaces_at(entry, size);
+  std::erase_if(carrying, [](const Space& space) { return !space.carries; });
+  std::vector<Size> inside = contents.inside;
+  if (!entry.top_carries) inside.insert(inside.end(), contents.on_top.begin(), contents.on_top.end());
+  if (!inside.empty() && !carrying.empty()) {
+    const Space& space = carrying.front();
+    const Mm width = static_cast<Mm>(space.max[0] - space.min[0]), depth = static_cast<Mm>(space.max[1] - space.min[1]);
+    if (!fit_in_rows(inside, width, depth, static_cast<int>(carrying.size()))) return false;
+  }
+  const double edge = is_round(host) ? std::numbers::pi * size.width : 2.0 * (size.width + size.depth);
+  return edge >= 1.0 * contents.around * kSeatWidth && size.width >= (contents.along + 1) / 2 * kSeatWidth;
+}
+
+Mm between(Mm from, Mm to, int step) { return from + (to - from) * step / kSteps; }
+
+// The first size on the way to the greatest that holds it all; the greatest where none does.
+Size size_that_holds(const CatalogEntry& entry, const SceneObject& host, const Contents& contents) {
+  Size size = host.size->usual;
+  for (int step = 0; step <= kSteps; ++step) {
+    size.width = between(host.size->usual.width, host.size->greatest.width, step);
+    size.depth = between(host.size->usual.depth, host.size->greatest.depth, step);
+    if (holds(entry, host, size, contents)) break;
+  }
+  return size;
+}
+
+}  // namespace
+
+void normalize_hosts(NormalizeContext& context) {
+  SceneGraph& scene = context.scene;
+  std::map<std::string, const SceneObject*> by_id;
+  for (const SceneObject& object : scene.objects) by_id.emplace(object.id, &object);
+  std::map<std::string, Contents> hosts;
+  for (const Relation& relation : scene.relations) {
+    if (relation.references.size() != 1) continue;
+    Contents& contents = hosts[relation.references.front()];
+    const int seats = static_cast<int>(relation.targets.size());
+    if (relation.type == RelationType::kAround || relation.type == RelationType::kSurround) contents.around += seats;
+    if (relation.type == RelationType::kAlongSide && relation.parameters.side.value_or(Side::kLong) == Side::kLong) contents.along += seats;
+    const bool on = relation.type == RelationType::kOn, in = relation.type == RelationType::kIn;
+    for (const std::string& target : relation.targets) {
+      const auto thing = by_id.find(target);
+      if ((!on && !in) || thing == by_id.end() || !thing->second->size) continue;
+      (on ? contents.on_top : contents.inside).push_back(thing->second->size->usual);
+    }
+  }
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    SceneObject& host = scene.objects[i];
+    const auto found = hosts.find(host.id);
+    if (found == hosts.end() || !host.size || host.size_source != SizeSource::kCatalog || !host.catalog_id.empty()) continue;
+    const CatalogEntry& entry = context.catalog.entry_or_nearest(host.category);
+    if (entry.thin) continue;
+    const Size size = size_that_holds(entry, host, found->second);
+    if (size == host.size->usual) continue;
+    host.size->usual = size;
+    context.note("filled",
+                 fmt::format("\"{}\" is {} wide and {} deep, so that what it is to hold finds room", host.id, metres_text(size.width),
+                             metres_text(size.depth)),
+                 fmt::format("/furniture/{}/dims", i));
+  }
+}
+
+}  // namespace layoutbox
