@@ -11,7 +11,8 @@ namespace {
 using Class = WordClass;
 
 const PhraseSenses& distance_senses() {
-  static const PhraseSenses senses{{RelationType::kDistance, PhraseSense::Direction::kDirect, {}, {}, {}}};
+  static const PhraseSenses senses{{RelationType::kDistance, PhraseSense::Direction::kDirect, {}, {}, {}},
+                                   {RelationType::kDistance, PhraseSense::Direction::kAlone, {}, {}, {}}};
   return senses;
 }
 
@@ -249,6 +250,12 @@ class Chunker {
       return length > 0;
     };
     bool at_least = false, at_most = false;
+    // "at a distance of 50 cm"
+    bool apart = false;
+    if (at + 4 < tokens_.size() && tokens_[at].text == "at" && tokens_[at + 2].text == "distance" && tokens_[at + 3].text == "of") {
+      at += 4;
+      apart = true;
+    }
     if (tokens_[at].text == "within") at_most = true, ++at;
     at_least = skip_class(Class::kAtLeast) || skip_class(Class::kMoreThan);
     at_most |= skip_class(Class::kAtMost);
@@ -258,6 +265,12 @@ class Chunker {
     const auto measure = read_measure(lexicon_, tokens_, at);
     if (!measure) return false;
     at += measure->length;
+    if (apart && (at >= tokens_.size() || (tokens_[at].text != "from" && tokens_[at].text != "to"))) {
+      Chunk& chunk = add(ChunkKind::kRelation, at - i_);
+      chunk.phrase = PhraseMatch{chunk.last - chunk.first, &distance_senses()};
+      chunk.distance = measure->metres;
+      return true;
+    }
     if (at >= tokens_.size()) return false;
     while (at < tokens_.size() && (tokens_[at].text == "away" || tokens_[at].text == "of") && at + 1 < tokens_.size()) {
       if (tokens_[at].text == "of" && !at_most) return false;

@@ -92,7 +92,7 @@ constexpr std::array kValueLists = {
 
 // Words within a relation phrase that do not change it.
 bool is_article(std::string_view word) {
-  static constexpr std::array<std::string_view, 8> kArticles = {"the", "a", "an", "one", "their", "its", "other", "opposite"};
+  static constexpr std::array<std::string_view, 9> kArticles = {"the", "a", "an", "one", "their", "its", "other", "opposite", "two"};
   return std::find(kArticles.begin(), kArticles.end(), word) != kArticles.end();
 }
 
@@ -322,8 +322,8 @@ void Lexicon::extend_phrase(std::span<const Token> tokens, std::size_t at, std::
     next.plural |= plural;
     next.other |= word == "other";
     // "on the left wall" is on a wall, not on the left of something.
-    const bool adjective =
-        (word == "left" || word == "right" || word == "back" || word == "front") && i + 1 < tokens.size() && names_place(tokens, i + 1);
+    const bool adjective = (word == "left" || word == "right" || word == "back" || word == "front" || word == "top" || word == "bottom") &&
+                           i + 1 < tokens.size() && names_place(tokens, i + 1);
     if (const auto found = phrases_.find(extended); found != phrases_.end() && i + 1 - at > best.length && !adjective) {
       best = next;
       best.length = i + 1 - at;

@@ -54,6 +54,8 @@ void DocumentReader::begin_sentence() {
       break;
     }
   }
+  former_fronted_ = fronted_topic_;
+  fronted_topic_ = -1;
   former_roots_ = std::move(roots_);
   roots_.clear();
   last_it_ = outer_root_ = one_side_link_ = -1;
@@ -182,6 +184,10 @@ bool DocumentReader::verb_at(std::size_t k) const {
 // "in front of the sofa is a table", "near the window, a chair": a place before its thing.
 bool DocumentReader::place_comes_first(std::size_t k) const {
   const std::size_t n = next(k);
+  // "and to its right is a lamp"
+  if (is(n, ChunkKind::kVerb) && chunk(n).passive && is(k, ChunkKind::kRelation) &&
+      has_direction(*chunk(k).phrase.senses, Direction::kAlone))
+    return is(next(n), ChunkKind::kNoun) && chunk(next(n)).noun.kind == NounKind::kObject;
   if (!is(n, ChunkKind::kNoun) || verb_at(k)) return false;
   std::size_t after = next(n);
   if (chunk(n).noun.owner) after = next(after);
@@ -325,6 +331,10 @@ int DocumentReader::meant_by_it(const std::vector<int>& targets) const {
   }
   const bool placed = expects_reference_ && reference_link_ >= 0;
   const PhraseSenses* senses = placed ? &document_.links[static_cast<std::size_t>(reference_link_)].senses : nullptr;
+  if (const int opening = meant_opening(targets); opening >= 0) return opening;
+  // "To its left is a lamp. Opposite it …": what the lamp stood by.
+  const bool lies = senses != nullptr && (says(*senses, RelationType::kOn) || says(*senses, RelationType::kIn));
+  if (former_fronted_ >= 0 && !lies && roots_.empty() && frames_.empty()) return former_fronted_;
   int meant = implied_reference(targets, true, senses, true);
   if (meant < 0) meant = implied_reference(targets, true, nullptr, true);
   if (meant < 0) meant = implied_reference(targets);
@@ -338,7 +348,46 @@ int DocumentReader::meant_by_it(const std::vector<int>& targets) const {
   return meant;
 }
 
-int DocumentReader::implied_group(const std::vector<int>& targets) const {
+// "a window with a radiator below it", "to the right of the door … to the left of it": an opening that was just spoken of, or -1.
+int DocumentReader::meant_opening(const std::vector<int>& targets) const {
+  if (!expects_reference_ || reference_link_ < 0) return -1;
+  const auto opening = [&](int mention) { return noun_of(mention).kind == NounKind::kWindow || noun_of(mention).kind == NounKind::kDoor; };
+  const PhraseSenses& senses = document_.links[static_cast<std::size_t>(reference_link_)].senses;
+  const bool side = says(senses, RelationType::kLeftOf) || says(senses, RelationType::kRightOf);
+  for (std::size_t l = static_cast<std::size_t>(reference_link_); side && l-- > sentence_links_;) {
+    const Link& before = document_.links[l];
+    const bool sides = says(before.senses, RelationType::kLeftOf) || says(before.senses, RelationType::kRightOf);
+    if (sides && !before.references.empty()) return opening(before.references.front()) ? before.references.front() : -1;
+  }
+  if (!says(senses, RelationType::kUnder) && !says(senses, RelationType::kAbove) && !says(senses, RelationType::kNextTo)) return -1;
+  for (std::size_t r = roots_.size(); r-- > 0;) {
+    if (opening(roots_[r])) return roots_[r];
+    const bool target = contains(targets, roots_[r]) || (!chain_.empty() && roots_[r] == chain_.front());
+    const bool hangs_there = is_thing(roots_[r]) && noun_of(roots_[r]).entry != nullptr && mount_of(noun_of(roots_[r])) == Mount::kWall;
+    if (!target && !hangs_there) return -1;
+  }
+  return -1;
+}
+
+// "the sofa and the armchair … between them": the last two things as one mention, or -1.
+int DocumentReader::last_two(const std::vector<int>& targets) {
+  const std::vector<int>& roots = roots_.size() > 1 ? roots_ : former_roots_;
+  std::vector<int> things;
+  for (std::size_t r = roots.size(); r-- > 0 && things.size() < 2;) {
+    if (is_thing(roots[r]) && !contains(targets, roots[r]) && noun_of(roots[r]).kind == NounKind::kObject)
+      things.insert(things.begin(), roots[r]);
+  }
+  if (things.size() < 2) return -1;
+  Mention both = mention_at(things.front());
+  both.introduces = both.distributes = false;
+  for (const int item : mention_at(things.back()).items) {
+    if (!contains(both.items, item)) both.items.push_back(item);
+  }
+  document_.mentions.push_back(std::move(both));
+  return static_cast<int>(document_.mentions.size()) - 1;
+}
+
+int DocumentReader::implied_group(const std::vector<int>& targets) {
   const auto usable = [&](int mention) {
     return mention >= 0 && document_.mentions[static_cast<std::size_t>(mention)].items.size() > 1 && !contains(targets, mention);
   };
@@ -350,6 +399,10 @@ int DocumentReader::implied_group(const std::vector<int>& targets) const {
   for (std::size_t c = chain_.size(); c-- > 0;) {
     if (usable(chain_[c])) return chain_[c];
   }
+  for (std::size_t r = roots_.size(); r-- > 0;) {
+    if (usable(roots_[r])) return roots_[r];
+  }
+  if (const int both = last_two(targets); both >= 0) return both;
   for (std::size_t m = document_.mentions.size(), looked = 0; m-- > 0 && looked < kReach; ++looked) {
     if (usable(static_cast<int>(m))) return static_cast<int>(m);
   }
@@ -430,10 +483,12 @@ void DocumentReader::read_noun(std::size_t k) {
         break;
       }
     }
+    // "ten books, five on the top shelf and five on the bottom shelf": the other five.
+    if (references_.has_left(antecedent, noun.count)) antecedent = references_.whole_group(antecedent);
     // "two chairs on each long side and one on each short side": another one of the kind.
     const bool direct_follows = is(next(k), ChunkKind::kRelation) && has_direction(*chunk(next(k)).phrase.senses, Direction::kDirect);
     if ((joiner_ == Joiner::kAnd || joiner_ == Joiner::kCommaAnd) && noun.determiner == Determiner::kNone && noun.count > 0 &&
-        !noun.subset && !expects_reference_ &&
+        !noun.subset && !expects_reference_ && !references_.has_left(antecedent, noun.count) &&
         (direct_follows || (is(next(k), ChunkKind::kRelation) && has_direction(*chunk(next(k)).phrase.senses, Direction::kAlone)))) {
       if (antecedent < 0 && !chain_.empty()) antecedent = chain_.front();
       int kind = frames_.empty() || frames_.back().room || frames_.back().link < 0 || link_at(frames_.back().link).targets.empty()

@@ -48,7 +48,7 @@ class DocumentReader {
                                bool after_participle, int reference_mention) const;
   // What shares the place of `mention`. With a host: things that lie on it together, seats around one table.
   std::vector<int> joined_with(int mention, bool after_participle, bool in_center = false, const NounPhrase* host = nullptr) const;
-  int implied_side_host(const PhraseSenses& senses, const std::vector<int>& targets) const;
+  int implied_side_host(const PhraseSenses& senses, const std::vector<int>& targets);
   int thing_of_zone(const NounPhrase& noun) const;
   void grow_for_sides(const Link& link, int target, int reference);
   bool frames_are_room() const;
@@ -72,7 +72,9 @@ class DocumentReader {
   std::vector<int> unplaced(const std::vector<int>& all, int last) const;
   bool is_root(int mention) const;
   bool names_contents(std::size_t k) const;
-  int implied_group(const std::vector<int>& targets) const;
+  int implied_group(const std::vector<int>& targets);
+  int last_two(const std::vector<int>& targets);
+  int meant_opening(const std::vector<int>& targets) const;
   void imply_adjective(int mention, std::size_t k);
   void hang(const std::vector<int>& targets, std::size_t k);
 
@@ -91,8 +93,9 @@ class DocumentReader {
   References references_;
 
   // Of the text so far.
-  int last_topic_ = -1;            // what the former clause spoke of
-  std::vector<int> former_roots_;  // of the sentence before
+  int last_topic_ = -1;                           // what the former clause spoke of
+  int fronted_topic_ = -1, former_fronted_ = -1;  // "to its left is a lamp": what stands there is by this; of this sentence, of the former
+  std::vector<int> former_roots_;                 // of the sentence before
   // Of the sentence.
   int last_it_ = -1;                                        // what "it" meant last
   int outer_root_ = -1;                                     // "the desk, on which …, is": the subject that waits

@@ -16,7 +16,7 @@ void DocumentReader::place_root(std::size_t k, int mention) {
   }
   if (imperative_ && is(next(k), ChunkKind::kVerb)) imperative_ = false;
   while (!frames_.empty() && !frames_.back().room) frames_.pop_back();
-  reference_link_ = -1;
+  reference_link_ = relative_host_ = -1;
   after_participle_ = false;
   roots_.push_back(mention);
   root_joiners_.push_back(joiner_);
@@ -34,6 +34,7 @@ void DocumentReader::place_root(std::size_t k, int mention) {
       waiting.references = {mention};
     else if (waiting.references.empty() || !contains(waiting.references, mention)) {
       waiting.targets.push_back(mention);
+      if (!waiting.references.empty() && is_thing(waiting.references.front())) fronted_topic_ = waiting.references.front();
       if (waiting.each) grow_for_sides(waiting, mention, waiting.references.empty() ? -1 : waiting.references.front());
       for (const int reference : waiting.references) {
         const NounPhrase& place = noun_of(reference);
@@ -144,7 +145,10 @@ bool DocumentReader::goes_on_with_reference(std::size_t k, const NounPhrase& nou
   const Link& link = document_.links[static_cast<std::size_t>(reference_link_)];
   const bool adjacent = next(next(static_cast<std::size_t>(last_reference_))) == k;
   if (!adjacent || link.references.empty()) return false;
-  if (says(link.senses, RelationType::kBetween)) return joiner_ == Joiner::kAnd;
+  if (says(link.senses, RelationType::kBetween)) {
+    const NounPhrase& first = noun_of(link.references.back());
+    return joiner_ == Joiner::kAnd && link.references.size() == 1 && !first.is_plural();
+  }
   if (joiner_ != Joiner::kAnd) return false;
   const NounPhrase& former = noun_of(link.references.back());
   const auto definite = [](const NounPhrase& n) {
@@ -186,7 +190,8 @@ bool DocumentReader::goes_on_with_contents(std::size_t k, const NounPhrase& noun
   // "a desk with a lamp, and a chair": two would not be parted by a comma.
   if (joiner_ == Joiner::kCommaAnd && link.kind == Link::Kind::kHave && !link.holding && link.targets.size() == 1) return false;
   // "each with a lamp and a chair", "a desk with a lamp and a chair"
-  const bool bare_and = joiner_ == Joiner::kAnd && !is(n, ChunkKind::kRelation) && !is(n, ChunkKind::kHave);
+  const bool last_of_list = joiner_ == Joiner::kAnd || (joiner_ == Joiner::kCommaAnd && link.targets.size() > 1);
+  const bool bare_and = last_of_list && !is(n, ChunkKind::kRelation) && !is(n, ChunkKind::kHave);
   if (bare_and && (document_.mentions[static_cast<std::size_t>(frame.hosts.front())].distributes ||
                    (is_table(catalog, host) && is_seat(catalog, noun))))
     return true;
@@ -371,7 +376,7 @@ bool DocumentReader::is_root(int mention) const {
 }
 
 // "a laptop on the right side of the desk and a wallet on the left side": of the desk as well; "on the short side": of a table.
-int DocumentReader::implied_side_host(const PhraseSenses& senses, const std::vector<int>& targets) const {
+int DocumentReader::implied_side_host(const PhraseSenses& senses, const std::vector<int>& targets) {
   const bool side = says(senses, RelationType::kLeftOf) || says(senses, RelationType::kRightOf);
   const bool table = says(senses, RelationType::kAlongSide);
   const auto own = [&](int mention) {
@@ -405,7 +410,13 @@ int DocumentReader::implied_side_host(const PhraseSenses& senses, const std::vec
       if (fits(static_cast<int>(m))) return static_cast<int>(m);
     }
   }
-  if (says(senses, RelationType::kBetween)) return implied_group(targets);
+  if (says(senses, RelationType::kBetween)) {
+    const int one = implied_reference(targets, true, &senses);
+    const bool looks =
+        one >= 0 && std::any_of(document_.links.begin() + static_cast<std::ptrdiff_t>(sentence_links_), document_.links.end(),
+                                [&](const Link& l) { return contains(l.targets, one) && says(l.senses, RelationType::kFacing); });
+    return looks ? one : implied_group(targets);
+  }
   const bool hosts = !frames_.empty() && !frames_.back().room;
   int meant = hosts ? -1 : implied_reference(targets, true, &senses);
   if (meant < 0) meant = implied_reference(targets, false, &senses);

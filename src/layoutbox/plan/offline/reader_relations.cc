@@ -89,7 +89,8 @@ void DocumentReader::read_relation(std::size_t k) {
                                               chunk(before).noun.determiner == Determiner::kDefinite)
     return;
   // "side by side": by each other.
-  if (first_word == "side" && document_.tokens[relation.last - 1].text == "side" && relation.last > relation.first + 1) {
+  if ((first_word == "side" || first_word == "back") && document_.tokens[relation.last - 1].text == first_word &&
+      relation.last > relation.first + 1) {
     if (chain_.empty()) return;
     Mention other;
     other.noun.kind = NounKind::kPronoun;
@@ -105,7 +106,10 @@ void DocumentReader::read_relation(std::size_t k) {
   }
   if (at_start) {
     const bool side = says(link.senses, RelationType::kLeftOf) || says(link.senses, RelationType::kRightOf);
-    int reference = says(link.senses, RelationType::kRow) ? -1 : implied_reference({});
+    const bool lies = says(link.senses, RelationType::kOn) || says(link.senses, RelationType::kIn);
+    int reference = says(link.senses, RelationType::kRow)             ? -1
+                    : former_fronted_ >= 0 && !lies && roots_.empty() ? former_fronted_
+                                                                      : implied_reference({});
     // "to the left of the sofa, a lamp; to the right, a table": of the sofa.
     for (std::size_t l = document_.links.size(); side && l-- > 0 && l + 4 > document_.links.size();) {
       const Link& before = document_.links[l];
@@ -129,6 +133,24 @@ void DocumentReader::read_relation(std::size_t k) {
   if (is(before, ChunkKind::kNoun) && (chunk(before).noun.kind == NounKind::kAbstract || chunk(before).noun.kind == NounKind::kPart) &&
       joiner_ == Joiner::kNone)
     return;
+  // "in front of it, at a distance of 50 cm": of what was placed last.
+  if (says(link.senses, RelationType::kDistance) && document_.links.size() > sentence_links_) {
+    const Link& placed = document_.links.back();
+    link.targets = placed.targets;
+    link.references = placed.references;
+    if (!link.targets.empty() && !link.references.empty()) add_link(std::move(link));
+    return;
+  }
+  // "a table with a laptop in the center": of the table.
+  if (says(link.senses, RelationType::kCenterOfRoom) && !chain_.empty() && joiner_ == Joiner::kNone && is_content(chain_.back()) &&
+      is_thing(chain_.back()) && mention_at(chain_.back()).items.size() == 1 && mount_of(noun_of(chain_.back())) == Mount::kSurface &&
+      !frames_.back().hosts.empty()) {
+    link.senses = {{RelationType::kOn, Direction::kDirect, "center", {}, {}}};
+    link.targets = {chain_.back()};
+    link.references = frames_.back().hosts;
+    add_link(std::move(link));
+    return;
+  }
   const bool group_only = std::all_of(link.senses.begin(), link.senses.end(),
                                       [](const PhraseSense& s) { return relation_row(s.type).arity == RelationArity::kNone; });
   std::vector<int> targets;
@@ -146,6 +168,9 @@ void DocumentReader::read_relation(std::size_t k) {
       int best = -1;
       for (std::size_t c = chain_.size(); c-- > 0;) {
         if (!is_thing(chain_[c]) || !document_.mentions[static_cast<std::size_t>(chain_[c])].introduces) continue;
+        const bool many =
+            says(link.senses, RelationType::kRow) || says(link.senses, RelationType::kGrid) || says(link.senses, RelationType::kColumn);
+        if (many && mention_at(chain_[c]).items.size() < 2) continue;
         const int score = suits(lexicon_.catalog(), link.senses.front(), noun_of(chain_[c]), room);
         if (score > best) best = score, target = chain_[c];
       }

@@ -15,6 +15,13 @@ std::string last_word(const std::string& name) {
   return space == std::string::npos ? plain : plain.substr(space + 1);
 }
 
+// "the shelf", "the top shelf": a part of what has shelves.
+bool is_own_shelf(const NounPhrase& noun) {
+  static constexpr std::string_view kWhich[] = {"shelf",       "top shelf",   "bottom shelf", "middle shelf",
+                                                "lower shelf", "upper shelf", "lowest shelf", "highest shelf"};
+  return std::find(std::begin(kWhich), std::end(kWhich), noun.name) != std::end(kWhich);
+}
+
 }  // namespace
 
 int References::add(Mention mention) {
@@ -162,6 +169,26 @@ void References::general(const NounPhrase& noun, bool as_reference, Mention& men
   std::reverse(mention.items.begin(), mention.items.end());
 }
 
+bool References::has_left(int mention, int count) const {
+  if (mention < 0 || document_.mentions[static_cast<std::size_t>(mention)].items.empty()) return false;
+  const std::vector<int>& items = document_.mentions[static_cast<std::size_t>(whole_group(mention))].items;
+  const auto picked = picked_.find(document_.items[static_cast<std::size_t>(items.front())].group);
+  if (picked == picked_.end() || picked->second.empty()) return false;
+  const auto left = std::count_if(items.begin(), items.end(), [&](int item) { return !contains(picked->second, item); });
+  return left >= count;
+}
+
+int References::whole_group(int mention) const {
+  const auto group_of = [&](const Mention& m) {
+    return m.items.empty() ? -1 : document_.items[static_cast<std::size_t>(m.items.front())].group;
+  };
+  const int group = group_of(document_.mentions[static_cast<std::size_t>(mention)]);
+  for (std::size_t m = document_.mentions.size(), looked = 0; m-- > 0 && looked < kReach; ++looked) {
+    if (document_.mentions[m].introduces && group_of(document_.mentions[m]) == group) return static_cast<int>(m);
+  }
+  return mention;
+}
+
 int References::latest_group() const {
   for (std::size_t m = document_.mentions.size(), looked = 0; m-- > 0 && looked < kReach; ++looked) {
     if (document_.mentions[m].items.size() > 1) return static_cast<int>(m);
@@ -234,6 +261,8 @@ int References::mention(const NounPhrase& noun, int antecedent, bool as_referenc
           mention.items = {mention.items.back()};
         else
           mention.items = {mention.items.front()};
+        auto& picked = picked_[group];
+        if (picked.empty()) picked.push_back(mention.items.front());
       } else if (noun.count > 1 && mention.items.size() > static_cast<std::size_t>(noun.count)) {
         mention.items.resize(static_cast<std::size_t>(noun.count));
       }
@@ -251,7 +280,7 @@ int References::mention(const NounPhrase& noun, int antecedent, bool as_referenc
       if (noun.count == 1) picked.push_back(item);
     }
   }
-  if (mention.items.empty() && as_reference && noun.determiner == Determiner::kDefinite && noun.name == "shelf") {
+  if (mention.items.empty() && as_reference && noun.determiner == Determiner::kDefinite && is_own_shelf(noun)) {
     // "the shelf below": of what was named and has one.
     for (std::size_t i = document_.items.size(), looked = 0; i-- > 0 && mention.items.empty() && looked < kReach; ++looked) {
       const CatalogEntry* entry = document_.items[i].noun.entry;

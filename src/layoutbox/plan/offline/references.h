@@ -20,6 +20,11 @@ class References {
   // More items of the mention's kind, until there are `count`.
   void grow(int mention, std::size_t count);
 
+  // True when some of the group were taken by "one", "five" … before, and that many are left.
+  bool has_left(int mention, int count) const;
+  // The mention that brought in the group.
+  int whole_group(int mention) const;
+
   // The latest mention of a group of two or more things, or -1.
   int latest_group() const;
 

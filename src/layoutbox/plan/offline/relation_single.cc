@@ -86,6 +86,9 @@ void RelationBuilder::add_single(const Link& link, PhraseSense sense, const Ment
       return;
     }
   }
+  const bool seat_at = sense.type == R::kNextTo && references.size() > 1 && is_seat(catalog_, target.noun) &&
+                       is_table(catalog_, noun_of_item(references.front())) && document_.tokens[link.first].text == "at";
+  if (seat_at) sense.type = R::kInFrontOf;  // "a chair at each"
   const std::size_t n = target.items.size(), m = references.size();
   const bool all = sense.type == R::kInFrontOf || sense.type == R::kOpposite;
   for (std::size_t t = 0; t < n; ++t) {
