@@ -33,6 +33,7 @@ constexpr std::uint64_t kSeedStep = 0x9e3779b97f4a7c15;  // golden ratio: no sta
 constexpr int kRestarts = 8;
 constexpr int kAllSizes = 1000;
 constexpr std::size_t kMostTrials = 40;
+constexpr int kGuesses = 2;      // relations given up one by one without a proof, before all that do not fit are given up at once
 constexpr int kStillWished = 4;  // points a metre, per weight, of a relation that was given up
 
 class Solver {
@@ -83,7 +84,10 @@ class Solver {
       if (!search(given_up_)) {
         LAYOUTBOX_ASSIGN(const bool found, prove());
         if (!found && !stopped_by_clock_) continue;
-        if (!found) break;
+        if (!found && !fallback_) {
+          LAYOUTBOX_ASSIGN(const bool settled, settle());
+          if (!settled) break;
+        }
       }
       if (left_out_ids_.size() < 2 || brought_back_) return {};
       brought_back_ = true;
@@ -143,6 +147,10 @@ class Solver {
 
   // Nothing found and nothing proven: what, once it is given up, lets a layout be found?
   Result<bool> give_up_unproven(bool loose, const Placements& loosely) {
+    if (++unproven_ > kGuesses && demands_left(Firmness::kHard)) {
+      LAYOUTBOX_ASSIGN(const bool settled, settle());
+      if (settled) return true;
+    }
     const bool relations = demands_left(Firmness::kHard);
     if (!relations || !search_without(Firmness::kHard)) {  // relations are not what is in the way
       LAYOUTBOX_CHECK(leave_out_least({}));
@@ -155,6 +163,38 @@ class Solver {
     }
     LAYOUTBOX_CHECK(give_up(guess()));
     return false;
+  }
+
+  // All that is asked for becomes a wish; what the layout then misses is given up, in one go and whatever the clock says.
+  Result<bool> settle() {
+    Model trial = model_;
+    std::vector<char> given_up = given_up_;
+    for (std::size_t c = 0; c < trial.constraints.size(); ++c) {
+      Constraint& constraint = trial.constraints[c];
+      if (constraint.firmness != Firmness::kHard || given_up[c]) continue;
+      constraint.firmness = Firmness::kSoft;
+      constraint.weight *= kStillWished;
+      given_up[c] = 1;
+    }
+    Budget budget{0, 4 * kLeastSteps, [this] { return interrupted(); }, false};
+    Search search(trial, given_up, options_.seed, kAllSizes);
+    if (!search.construct(left_out_, kRestarts, budget)) return false;
+    budget.limit = budget.steps + 2 * kLeastSteps;
+    search.improve(budget);
+    placements_ = search.placements();
+    for (std::size_t c = 0; c < trial.constraints.size() && !fallback_; ++c) {
+      const bool asked = model_.constraints[c].firmness == Firmness::kHard && !given_up_[c];
+      if (!asked || miss_of(trial, trial.constraints[c], placements_) == 0) continue;
+      Clash clash;
+      clash.proven = clash.minimal = false;
+      clash.demands = {{Demand::Kind::kConstraint, static_cast<int>(c)}};
+      const int relation = model_.constraints[c].relation;
+      clash.sentence = relation < 0 ? std::string("no layout was found in which all relations hold together")
+                                    : fmt::format("no layout was found in which, beside all else, {}",
+                                                  relation_in_words(model_, scene().relations[static_cast<std::size_t>(relation)]));
+      LAYOUTBOX_CHECK(give_up(clash));
+    }
+    return true;
   }
 
   bool demands_left(Firmness firmness) const {
@@ -542,6 +582,7 @@ class Solver {
   std::vector<int> failed_;
   int size_limit_ = 0;
   double proof_time_ = 0;
+  int unproven_ = 0;  // rounds that ended without a layout and without a proof
   bool used_cp_sat_ = false, fallback_ = false, stopped_by_clock_ = false, brought_back_ = false;
 };
 

@@ -72,6 +72,7 @@ class RelationBuilder {
   void add_mounts_said();
   // Rows of desks that face a board look its way; only those before it look straight at it.
   void face_as_group();
+  void face_as_crowd();
   // What a reader takes for granted; soft, and marked as ours.
   void add_habits();
   bool is_only_table(std::size_t index) const;

@@ -27,8 +27,31 @@ void RelationBuilder::face_as_group() {
   }
 }
 
+// So do the many that stand before one thing without being called a grid: not all of them can have it straight ahead.
+void RelationBuilder::face_as_crowd() {
+  constexpr std::ptrdiff_t kCrowd = 7;
+  const auto category_of = [&](const Relation& r) {
+    return scene_.find_object(r.targets[0]) ? scene_.find_object(r.targets[0])->category : "";
+  };
+  for (std::size_t i = 0; i < scene_.relations.size(); ++i) {
+    const Relation first = scene_.relations[i];
+    if (first.type != R::kFacing || first.targets.size() != 1) continue;
+    const auto alike = [&](const Relation& r) {
+      return r.type == R::kFacing && r.targets.size() == 1 && r.references == first.references && category_of(r) == category_of(first);
+    };
+    if (std::count_if(scene_.relations.begin(), scene_.relations.end(), alike) < kCrowd) continue;
+    for (std::size_t j = i + 1; j < scene_.relations.size(); ++j) {
+      Relation& other = scene_.relations[j];
+      if (!alike(other)) continue;
+      other.type = R::kSameOrientation;
+      other.references = first.targets;
+    }
+  }
+}
+
 void RelationBuilder::add_habits() {
   face_as_group();
+  face_as_crowd();
   const std::size_t said = scene_.relations.size();
   for (std::size_t r = 0; r < said; ++r) {
     const Relation relation = scene_.relations[r];
