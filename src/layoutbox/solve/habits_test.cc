@@ -114,5 +114,31 @@ TEST(Habits, AGridThatFacesABoardFindsItsPlace) {
   for (const PlacedRelation& r : layout.relations) EXPECT_TRUE(r.held || !r.relation.hard) << r.relation.id;
 }
 
+TEST(Habits, ACrowdThatLooksOneWayStandsInRows) {
+  SceneMaker maker(7700, 6700, 3000);
+  maker.add("school_desk", 30).add("chair", 30).add("whiteboard").relate("facing", {"school_desk_1"}, {"whiteboard_1"});
+  for (int i = 2; i <= 30; ++i) maker.relate("sameOrientation", {"school_desk_" + std::to_string(i)}, {"school_desk_1"});
+  for (int i = 1; i <= 30; ++i) maker.relate("tuckedUnder", {"chair_" + std::to_string(i)}, {"school_desk_" + std::to_string(i)});
+  const Layout layout = solved(maker.make(true));
+  EXPECT_EQ(layout.stats.solver.find("cp-sat"), std::string::npos) << "found by search";
+  for (const PlacedRelation& r : layout.relations) EXPECT_TRUE(r.held || !r.relation.hard) << r.relation.id;
+}
+
+TEST(Habits, WhatTheClockCutsShortIsALayoutAllTheSame) {
+  SceneMaker maker(5000, 4000);
+  maker.add("desk", 6);
+  for (int i = 1; i <= 6; ++i) {
+    const std::string desk = "desk_" + std::to_string(i);
+    maker.relate("underWindow", {desk}).relate("corner", {desk}).relate("nearDoor", {desk});
+  }
+  SolveOptions options;
+  options.time_limit_s = 0.05;
+  const auto layout = solve(maker.make(true), Catalog::builtin(), options);
+  ASSERT_TRUE(layout) << layout.error().message;
+  expect_sound(*layout);
+  EXPECT_FALSE(layout->relaxed.empty());
+  for (const Relaxation& given_up : layout->relaxed) EXPECT_FALSE(given_up.why.empty());
+}
+
 }  // namespace
 }  // namespace layoutbox::placement

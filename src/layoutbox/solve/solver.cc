@@ -116,6 +116,16 @@ class Solver {
       const bool found = quick.complete(placements_, left_out_, budget);
       failed_ = quick.failed();
       if (found) return true;
+      // Crowds that only fit in order: where what is wished for shows the way, the search that looks at costs finds what the quick one
+      // does not.
+      if (model_.start.empty() && !must_stop()) {
+        Search search(model_, given_up, options_.seed, sizes);
+        Budget more{0, kLeastSteps, budget_.stop, false};
+        if (search.construct(left_out_, 1, more)) {
+          placements_ = search.placements();
+          return true;
+        }
+      }
       if (must_stop()) return false;
     }
     return false;

@@ -188,8 +188,14 @@ void compile_Grid(Compilation& c) {
   const auto centre_step = [&](int from, int to, int like_from, int like_to, int axis) {
     even.require_small((mid2(to, axis) - mid2(from, axis)) - (mid2(like_to, axis) - mid2(like_from, axis)), 0);
   };
-  for (int column = 2; column < columns; ++column) centre_step(at(0, column - 1), at(0, column), at(0, column - 2), at(0, column - 1), 0);
-  for (int row = 2; row < rows; ++row) centre_step(at(row - 1, 0), at(row, 0), at(row - 2, 0), at(row - 1, 0), 1);
+  // Said of every row and column, not of the first alone: a search that places one after another sees at once what each must keep to.
+  for (int i = 0; i < n; ++i) {
+    const int row = i / columns, column = i % columns;
+    if (column > 1) centre_step(at(row, column - 1), at(row, column), at(row, column - 2), at(row, column - 1), 0);
+    if (row > 1) centre_step(at(row - 1, column), at(row, column), at(row - 2, column), at(row - 1, column), 1);
+    if (row > 1) even.require_small(mid2(at(row, column), 0) - mid2(at(row - 1, column), 0), 0);
+    if (column > 1) even.require_small(mid2(at(row, column), 1) - mid2(at(row, column - 1), 1), 0);
+  }
 }
 
 void compile_EvenlySpaced(Compilation& c) {

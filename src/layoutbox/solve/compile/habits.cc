@@ -349,9 +349,12 @@ class Habits {
     return group;
   }
 
+  // Does a relation say where it stands, not only which way it looks?
   bool placed_besides_facing(int item) const {
     return std::any_of(model_.scene->relations.begin(), model_.scene->relations.end(), [&](const Relation& r) {
-      return r.type != RelationType::kFacing && std::find(r.targets.begin(), r.targets.end(), model_.items[item].id) != r.targets.end();
+      const bool turns_only =
+          r.type == RelationType::kFacing || r.type == RelationType::kSameOrientation || r.type == RelationType::kParallel;
+      return !turns_only && std::find(r.targets.begin(), r.targets.end(), model_.items[item].id) != r.targets.end();
     });
   }
 
