@@ -1,0 +1,98 @@
+// Reads commands into steps.
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "layoutbox/plan/edit.h"
+#include "layoutbox/plan/edit/changes.h"
+#include "layoutbox/plan/edit/commands.h"
+#include "layoutbox/plan/edit/world.h"
+
+namespace layoutbox::edit {
+
+class EditReader {
+ public:
+  EditReader(const offline::Lexicon& lexicon, const Layout& layout, std::string_view text)
+      : lexicon_(lexicon), world_(lexicon, layout), text_(text) {}
+  Result<EditPlan> read();
+
+ private:
+  // One command as chunks, with a cursor.
+  struct Clause {
+    Verb verb = Verb::kNone;
+    std::string word, why;
+    offline::Document document;
+    std::vector<PickedAt> picks;
+    std::size_t k = 0;         // the chunk that comes next
+    std::vector<int> earlier;  // what was spoken of before it
+    std::vector<int> targets;  // what it acts on
+    std::size_t reserved = 0;  // so many relation phrases at its end say where things go
+  };
+  // What a noun phrase speaks of: things, or a part of the room.
+  struct Found {
+    std::vector<int> things;
+    offline::NounPhrase noun;
+    bool each = false;
+  };
+
+  Status read_command(const Command& command);
+  Status read_add(Clause& clause);
+  Status read_place(Clause& clause);
+  Status read_remove(Clause& clause);
+  Status read_move(Clause& clause, const std::optional<ShiftAt>& shift);
+  Status read_swap(Clause& clause);
+  Status read_replace(Clause& clause, bool new_first);
+  Status read_turn(Clause& clause, std::optional<double> degrees);
+  Status read_predicates(Clause& clause, const std::vector<int>& things, const std::vector<std::string>& surfaces, bool& any);
+  Status read_make(Clause& clause, const std::optional<EditResize>& resize, std::optional<double> degrees,
+                   const std::optional<ShiftAt>& shift);
+  Status read_rename(Clause& clause);
+  Status read_keep(Clause& clause);
+
+  // The clause as a row of chunks.
+  void chunk(Clause& clause) const;
+  bool more(const Clause& clause) const { return clause.k < clause.document.chunks.size(); }
+  const offline::Chunk* peek(const Clause& clause, std::size_t ahead = 0) const;
+  void skip(Clause& clause, std::initializer_list<offline::ChunkKind> kinds) const;
+  bool take_word(Clause& clause, std::initializer_list<std::string_view> words) const;
+  bool noun_next(const Clause& clause) const;
+
+  // Nouns that are in the room: "the desk and the two chairs". `places_follow`: what stands behind them may be their new place.
+  Result<std::vector<int>> read_things(Clause& clause, bool places_follow);
+  Result<Found> find_things(Clause& clause, const offline::NounPhrase& noun, bool as_target);
+  Result<Found> find_reference(Clause& clause, const offline::Chunk& chunk);
+  Result<std::vector<int>> narrow(Clause& clause, std::vector<int> found, const offline::NounPhrase& noun, bool as_target);
+  static std::size_t relations_ahead(const Clause& clause);
+  static std::string words_of(const Clause& clause, const offline::Chunk& chunk);
+  std::optional<Modifier> read_modifier(Clause& clause);
+  std::vector<int> exceptions(Clause& clause);
+
+  // Places behind the cursor become links from `targets`; new things may multiply ("a lamp on each table").
+  Status read_links(Clause& clause, std::vector<int>& targets, EditStep& step, bool& any);
+  // The links of the clause as relations of the step.
+  Status build(Clause& clause, EditStep& step);
+
+  int bring_in(Clause& clause, const offline::NounPhrase& noun, EditStep& step);
+  int mention_of(Clause& clause, const std::vector<int>& things, bool each) const;
+  int mention_of(Clause& clause, const offline::NounPhrase& noun, const std::vector<int>& things) const;
+  EditStep& begin(EditKind kind, const Clause& clause, const std::vector<int>& targets = {});
+  void remember(const std::vector<int>& things);
+  std::vector<std::string> ids(const std::vector<int>& things) const;
+  Status rest_understood(const Clause& clause) const;
+  Failure not_understood(const Clause& clause, std::string_view words = {}) const;
+  std::string_view class_of(std::span<const offline::Token> tokens, std::size_t at) const;
+
+  const offline::Lexicon& lexicon_;
+  World world_;
+  std::string_view text_;
+  EditPlan plan_;
+  std::map<std::string, SceneObject> added_;  // by id
+  std::vector<int> last_;                     // what "it" and "them" mean
+  std::vector<int> mentioned_;                // what "the other" is not
+};
+
+}  // namespace layoutbox::edit
