@@ -14,6 +14,7 @@ struct Context {
 
 void add_generate(CLI::App& app, Context& context);
 void add_batch(CLI::App& app, Context& context);
+void add_edit(CLI::App& app, Context& context);
 void add_plan(CLI::App& app, Context& context);
 void add_solve(CLI::App& app, Context& context);
 void add_render(CLI::App& app, Context& context);

@@ -39,8 +39,8 @@ int run(int count, char** arguments) {
   app.fallthrough();
   Context context;
   add_common_options(app, context.console);
-  for (const auto add :
-       {add_generate, add_batch, add_plan, add_solve, add_render, add_export, add_verify, add_validate, add_catalog, add_doctor}) {
+  for (const auto add : {add_generate, add_batch, add_edit, add_plan, add_solve, add_render, add_export, add_verify, add_validate,
+                         add_catalog, add_doctor}) {
     add(app, context);
   }
   try {

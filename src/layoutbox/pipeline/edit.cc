@@ -201,7 +201,8 @@ class Edit {
 
   Status face(const EditStep& step) {
     for (const std::string& id : step.targets) {
-      soften_targets(id, [](R type) { return is_turn(type) || type == R::kAgainstWall || type == R::kCenteredOnWall || type == R::kCorner; });
+      soften_targets(id,
+                     [](R type) { return is_turn(type) || type == R::kAgainstWall || type == R::kCenteredOnWall || type == R::kCorner; });
     }
     scene_.relations.insert(scene_.relations.end(), step.relations.begin(), step.relations.end());
     return {};
@@ -365,17 +366,16 @@ class Edit {
   }
 
   void drop_relations_of_what_is_gone() {
-    const auto gone = [&](const std::string& id) {
-      return before_.find_object(id) != nullptr && object(id) == nullptr;
-    };
+    const auto gone = [&](const std::string& id) { return before_.find_object(id) != nullptr && object(id) == nullptr; };
     std::vector<Relation> kept;
     for (Relation& relation : scene_.relations) {
       const bool referred = !relation.references.empty();
       const Relation whole = relation;
       std::erase_if(relation.targets, gone);
       std::erase_if(relation.references, gone);
-      const bool alone = relation.targets.size() < 2 && whole.targets.size() >= 2 && relation_row(relation.type).arity == RelationArity::kNone &&
-                         (relation.type == R::kRow || relation.type == R::kGrid || relation.type == R::kColumn || relation.type == R::kEvenlySpaced);
+      const bool alone =
+          relation.targets.size() < 2 && whole.targets.size() >= 2 && relation_row(relation.type).arity == RelationArity::kNone &&
+          (relation.type == R::kRow || relation.type == R::kGrid || relation.type == R::kColumn || relation.type == R::kEvenlySpaced);
       if (relation.targets.empty() || (referred && relation.references.empty()) || alone) {
         if (!whole.assumed) dropped_.push_back(whole);
         softened_.erase(whole.id);
@@ -476,9 +476,8 @@ class Edit {
     }
     layout.relations = std::move(kept);
     for (const Relaxation& relaxation : before_.relaxed) {
-      const auto still = std::find_if(layout.relations.begin(), layout.relations.end(), [&](const PlacedRelation& r) {
-        return r.relation.id == relaxation.relation && !r.held;
-      });
+      const auto still = std::find_if(layout.relations.begin(), layout.relations.end(),
+                                      [&](const PlacedRelation& r) { return r.relation.id == relaxation.relation && !r.held; });
       if (still != layout.relations.end()) layout.relaxed.push_back(relaxation);
     }
     if (!layout.relaxed.empty() && layout.status == LayoutStatus::kSolved) layout.status = LayoutStatus::kRelaxed;

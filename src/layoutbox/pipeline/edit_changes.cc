@@ -46,7 +46,8 @@ Result<std::array<double, 3>> way_of(const PlacedObject& placed, const EditShift
     case Way::kAway: break;
   }
   const auto to = place_of(layout, shift.reference, placed.position[0], placed.position[1]);
-  if (!to || shift.reference == placed.id) return fail(ErrorCode::kReference, fmt::format("{} is nothing to go towards", shift.reference), "text");
+  if (!to || shift.reference == placed.id)
+    return fail(ErrorCode::kReference, fmt::format("{} is nothing to go towards", shift.reference), "text");
   const double dx = (*to)[0] - placed.position[0], dy = (*to)[1] - placed.position[1], far = std::hypot(dx, dy);
   if (far < 1) return fail(ErrorCode::kGeometry, fmt::format("{} is there already", placed.id), "text");
   double step = shift.way == Way::kTowards ? distance : -distance;

@@ -36,9 +36,14 @@ class Run {
     options_.render.stop = options_.stop;
   }
 
+  // The layout is this one; nothing is solved.
+  void use(Layout layout) { given_ = std::move(layout); }
+
   // Plans (when there is no scene yet), runs all stages, and writes run.json whatever happens after the folder is ours.
   Result<GenerateOutcome> operator()(const Planner* planner, SceneGraph scene) {
-    LAYOUTBOX_CHECK(planner ? plan(*planner) : adopt(std::move(scene)));  // a text that says nothing touches no folder
+    LAYOUTBOX_CHECK(planner  ? plan(*planner)
+                    : given_ ? take(std::move(scene))
+                             : adopt(std::move(scene)));  // a text that says nothing touches no folder
     LAYOUTBOX_CHECK(make_folder(folder_));
     LAYOUTBOX_ASSIGN(const FolderLock lock, FolderLock::acquire(folder_));
     remove_earlier_outputs();
@@ -91,6 +96,13 @@ class Run {
     return normalize(std::move(scene));
   }
 
+  Status take(SceneGraph scene) {
+    begin();
+    outcome_.scene = std::move(scene);
+    finish("plan", fmt::format("{} objects, {} relations", outcome_.scene.objects.size(), outcome_.scene.relations.size()));
+    return {};
+  }
+
   Status normalize(SceneGraph scene) {
     LAYOUTBOX_ASSIGN(outcome_.scene, prepare_scene(std::move(scene), catalog_, options_));
     finish("plan", fmt::format("{} objects, {} relations", outcome_.scene.objects.size(), outcome_.scene.relations.size()));
@@ -110,7 +122,11 @@ class Run {
 
   Status solve_scene() {
     begin();
-    LAYOUTBOX_ASSIGN(outcome_.layout, solve(outcome_.scene, catalog_, options_.solve));
+    if (given_) {
+      outcome_.layout = *std::move(given_);
+    } else {
+      LAYOUTBOX_ASSIGN(outcome_.layout, solve(outcome_.scene, catalog_, options_.solve));
+    }
     const Layout& layout = outcome_.layout;
     LAYOUTBOX_CHECK(write("layout.json", write_layout(layout)));
     const auto held = std::count_if(layout.relations.begin(), layout.relations.end(), [](const auto& r) { return r.held; });
@@ -167,6 +183,7 @@ class Run {
   GenerateOptions options_;
   Clock::time_point started_;
   GenerateOutcome outcome_;
+  std::optional<Layout> given_;
   Model model_;
 };
 
@@ -181,6 +198,14 @@ Result<GenerateOutcome> generate_from_scene(SceneGraph scene, const Catalog& cat
                                             const GenerateOptions& options) {
   const std::string prompt = scene.prompt;
   return Run(prompt, catalog, folder, options)(nullptr, std::move(scene));
+}
+
+Result<GenerateOutcome> generate_from_layout(SceneGraph scene, Layout layout, const Catalog& catalog, const std::filesystem::path& folder,
+                                             const GenerateOptions& options) {
+  const std::string prompt = scene.prompt;
+  Run run(prompt, catalog, folder, options);
+  run.use(std::move(layout));
+  return run(nullptr, std::move(scene));
 }
 
 Result<SceneGraph> prepare_scene(SceneGraph scene, const Catalog& catalog, const GenerateOptions& options) {

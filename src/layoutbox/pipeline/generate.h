@@ -78,6 +78,10 @@ Result<GenerateOutcome> generate(std::string_view prompt, const Planner& planner
 Result<GenerateOutcome> generate_from_scene(SceneGraph scene, const Catalog& catalog, const std::filesystem::path& folder,
                                             const GenerateOptions& options = {});
 
+// The same from a layout that is there already (an edited one), and the normalised scene it belongs to: nothing is solved.
+Result<GenerateOutcome> generate_from_layout(SceneGraph scene, Layout layout, const Catalog& catalog, const std::filesystem::path& folder,
+                                             const GenerateOptions& options = {});
+
 // The scene in the shell of `options`, with everything filled in: what solve() takes.
 Result<SceneGraph> prepare_scene(SceneGraph scene, const Catalog& catalog, const GenerateOptions& options);
 

@@ -167,14 +167,16 @@ std::pair<Verb, std::size_t> verb_at(std::span<const Token> tokens, std::size_t 
   // "set of …", "double bed", "lower shelf": a verb is followed by what it acts on.
   if (best.second == 0 || at + best.second >= tokens.size()) return {Verb::kNone, 0};
   if (tokens[at + best.second].text == "of" || tokens[at + best.second].text == "'s") return {Verb::kNone, 0};
-  static constexpr std::string_view kAlsoOther[] = {"double", "narrow", "lower", "set", "stand", "face", "color", "call", "switch", "drop", "have", "lean"};
+  static constexpr std::string_view kAlsoOther[] = {"double", "narrow", "lower",  "set",  "stand", "face",
+                                                    "color",  "call",   "switch", "drop", "have",  "lean"};
   const bool doubtful =
       best.second == 1 && std::find(std::begin(kAlsoOther), std::end(kAlsoOther), tokens[at].text) != std::end(kAlsoOther);
   static constexpr std::string_view kActedOn[] = {"the",   "it",      "them",       "a",    "an",  "all",  "both", "every",
                                                   "each",  "two",     "my",         "our",  "its", "this", "that", "these",
                                                   "those", "another", "everything", "down", "out", "away"};
   const std::string& next = tokens[at + best.second].text;
-  if (doubtful && std::find(std::begin(kActedOn), std::end(kActedOn), next) == std::end(kActedOn) && next.find('_') == std::string::npos && tokens[at + 1].kind != Token::Kind::kNumber)
+  if (doubtful && std::find(std::begin(kActedOn), std::end(kActedOn), next) == std::end(kActedOn) && next.find('_') == std::string::npos &&
+      tokens[at + 1].kind != Token::Kind::kNumber)
     return {Verb::kNone, 0};
   return best;
 }

@@ -30,7 +30,8 @@ Pick pick_of(const NounPhrase& noun) {
 bool is_opposite_wall(const NounPhrase& noun) {
   const auto& said = noun.attributes;
   return noun.kind == NounKind::kWall && noun.wall_word.empty() &&
-         (noun.determiner == Determiner::kOther || noun.wall_relation == "opposite" || std::find(said.begin(), said.end(), "opposite") != said.end());
+         (noun.determiner == Determiner::kOther || noun.wall_relation == "opposite" ||
+          std::find(said.begin(), said.end(), "opposite") != said.end());
 }
 
 bool only_turns(const EditStep& step) {
@@ -753,7 +754,9 @@ Status EditReader::read_turn(Clause& clause, std::optional<double> degrees) {
 
 // What an attribute says: a color, a material …
 std::string_view EditReader::class_of(std::span<const Token> tokens, std::size_t at) const {
-  while (at + 1 < tokens.size() && (tokens[at].text == "dark" || tokens[at].text == "light" || tokens[at].text == "pale" || tokens[at].text == "bright")) ++at;
+  while (at + 1 < tokens.size() &&
+         (tokens[at].text == "dark" || tokens[at].text == "light" || tokens[at].text == "pale" || tokens[at].text == "bright"))
+    ++at;
   const Match match = lexicon_.find(tokens, at);
   for (const Meaning& meaning : match.meanings) {
     switch (meaning.word_class) {
@@ -813,7 +816,8 @@ Status EditReader::read_predicates(Clause& clause, const std::vector<int>& thing
       const std::string_view old_class = class_of(tokenize(old), 0);
       const auto& now = step.attribute_class;
       const auto& kept = step.attributes;
-      if (!old_class.empty() && std::find(now.begin(), now.end(), old_class) != now.end() && std::find(kept.begin(), kept.end(), old) == kept.end())
+      if (!old_class.empty() && std::find(now.begin(), now.end(), old_class) != now.end() &&
+          std::find(kept.begin(), kept.end(), old) == kept.end())
         step.dropped_attributes.push_back(old);
     }
   }

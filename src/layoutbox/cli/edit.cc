@@ -1,0 +1,133 @@
+#include "layoutbox/pipeline/edit.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "layoutbox/cli/commands.h"
+#include "layoutbox/cli/inputs.h"
+#include "layoutbox/scene/scene_json.h"
+
+namespace layoutbox::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Flags {
+  std::string layout, text, output, catalog_file;
+  bool no_render = false;
+  RenderFlags render;
+  GenerateOptions options;
+};
+
+// A name that ends in .json (or stdout) is the layout alone; any other the folder of a whole room.
+bool is_folder(const std::string& output) {
+  std::error_code ignored;
+  const std::filesystem::path path(output);
+  return output != "-" && (std::filesystem::is_directory(path, ignored) || path.extension() != ".json");
+}
+
+std::string words_of(const ObjectChange& change) {
+  std::string what;
+  for (const std::string& word : change.what) {
+    what += (what.empty() ? "" : ", ") + word;
+    if (word == "moved") what += fmt::format(" {:.2f} m", change.metres);
+    if (word == "turned") what += fmt::format(" {:.0f}°", change.degrees);
+  }
+  return fmt::format("{} {}{}", change.id, what, change.asked ? "" : " (made room, or went along)");
+}
+
+std::string text_of(const EditOutcome& outcome) {
+  std::string text;
+  for (const ObjectChange& change : outcome.changes) text += words_of(change) + "\n";
+  for (const Relation& relation : outcome.dropped) {
+    text += fmt::format("no longer asked for: {}\n", relation.why.empty() ? std::string(relation_row(relation.type).name) : relation.why);
+  }
+  if (text.empty()) return "nothing changed";
+  text.pop_back();
+  return text;
+}
+
+std::string json_of(const EditOutcome& outcome, const Flags& flags) {
+  Json json{{"output", flags.output}, {"status", name_of(outcome.layout.status)}};
+  json["changes"] = Json::array();
+  for (const ObjectChange& change : outcome.changes) {
+    json["changes"].push_back(
+        {{"id", change.id}, {"what", change.what}, {"metres", change.metres}, {"degrees", change.degrees}, {"asked", change.asked}});
+  }
+  json["dropped"] = Json::array();
+  for (const Relation& relation : outcome.dropped) {
+    json["dropped"].push_back({{"id", relation.id},
+                               {"type", relation_row(relation.type).name},
+                               {"targets", relation.targets},
+                               {"relativeTo", relation.references},
+                               {"why", relation.why}});
+  }
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+// The whole room; a missing picture costs exit status 3 and nothing else.
+int write_folder(Flags& flags, const EditOutcome& edited, const Catalog& catalog, const Console& console) {
+  flags.options.pictures = !flags.no_render;
+  flags.options.on_stage = [&console](const StageTime& stage) { console.stage(stage); };
+  flags.options.render.progress = [&console](double share) { console.progress("render", share); };
+  const auto made = generate_from_layout(edited.scene, edited.layout, catalog, flags.output, flags.options);
+  if (!made) return console.fail(made.error());
+  if (made->picture_error) {
+    Console without_json = console;
+    without_json.json = false;
+    return without_json.fail(*made->picture_error);
+  }
+  return as_asked(*made) ? kDone : kNotAsAsked;
+}
+
+int run(Flags& flags, const Console& console) {
+  if (const Status ready = flags.render.apply(flags.options.render); !ready) return console.fail(ready.error());
+  flags.options.stop = &stop_flag();
+  flags.options.solve.stop = &stop_flag();
+  const auto layout = read_layout_file(flags.layout);
+  if (!layout) return console.fail(layout.error());
+  const auto text = read_prompt(flags.text);
+  if (!text) return console.fail(text.error());
+  PlanFlags plan;
+  plan.catalog_file = flags.catalog_file;
+  const auto catalog = plan.load_catalog();
+  if (!catalog) return console.fail(catalog.error());
+  const auto edited = edit_layout(*text, *layout, catalog->get(), flags.options.solve);
+  if (!edited) return console.fail(edited.error());
+  console.notes(edited->notes);
+  int status = edited->layout.status == LayoutStatus::kSolved ? kDone : kNotAsAsked;
+  if (is_folder(flags.output)) {
+    status = write_folder(flags, *edited, catalog->get(), console);
+  } else if (const Status written = write_output(flags.output, write_layout(edited->layout)); !written) {
+    return console.fail(written.error());
+  }
+  if (flags.output != "-") console.result(text_of(*edited), json_of(*edited, flags));
+  return status;
+}
+
+}  // namespace
+
+void add_edit(CLI::App& app, Context& context) {
+  auto flags = std::make_shared<Flags>();
+  CLI::App* command = app.add_subcommand("edit", "A layout changed by words; all else stays where it is as far as can be");
+  command->add_option("layout", flags->layout, "layout.json; - reads stdin")->required();
+  command->add_option("text", flags->text, "What to change: \"move the desk under the window and remove the rug\"; - reads stdin")
+      ->required();
+  command->add_option("-o,--output", flags->output, "The new layout (a name in .json, or - for stdout), or a folder for all files")
+      ->required();
+  command->add_option("--catalog", flags->catalog_file, "Furniture of your own, JSON or CSV: id, category, width, depth, height");
+  flags->options.solve.effort = 100;
+  command->add_option("--seed", flags->options.solve.seed, "Which of the good layouts; the same seed gives the same bytes")
+      ->capture_default_str();
+  command->add_option("--effort", flags->options.solve.effort, "Deterministic work units of the solver")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 10'000'000));
+  command->add_flag("--no-render", flags->no_render, "Into a folder: make no picture, no Blender is needed");
+  flags->render.add_to(*command);
+  command->callback([flags, &context] { context.status = run(*flags, context.console); });
+}
+
+}  // namespace layoutbox::cli
