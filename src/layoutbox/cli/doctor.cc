@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "layoutbox/cli/commands.h"
+#include "layoutbox/export/cairo_canvas.h"
 
 namespace layoutbox::cli {
 namespace {
@@ -32,6 +33,12 @@ Finding examine_blender() {
   return {"Blender", true, fmt::format("{}, {}", fmt::join(blender->command, " "), blender->version), "", ""};
 }
 
+Finding examine_cairo() {
+  const auto cairo = describe_cairo();
+  if (!cairo) return {"Cairo", false, cairo.error().message, "floor plans as PDF and PNG; SVG needs it not", cairo.error().hint};
+  return {"Cairo", true, *cairo, "", ""};
+}
+
 int run(const Console& console) {
   const Catalog& catalog = Catalog::builtin();
   const Finding findings[] = {{"layoutbox", true,
@@ -39,7 +46,8 @@ int run(const Console& console) {
                                            catalog.entries().size(), catalog.rooms().size()),
                                "", ""},
                               examine_solver(),
-                              examine_blender()};
+                              examine_blender(),
+                              examine_cairo()};
   std::string text;
   Json json = Json::array();
   bool all_there = true;

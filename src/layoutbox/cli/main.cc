@@ -2,6 +2,7 @@
 #include <string>
 
 #include "layoutbox/cli/commands.h"
+#include "layoutbox/cli/config_file.h"
 
 namespace layoutbox::cli {
 namespace {
@@ -39,6 +40,7 @@ int run(int count, char** arguments) {
   app.fallthrough();
   Context context;
   add_common_options(app, context.console);
+  add_config_option(app);
   for (const auto add : {add_generate, add_batch, add_edit, add_plan, add_solve, add_render, add_export, add_verify, add_validate,
                          add_catalog, add_doctor}) {
     add(app, context);

@@ -14,9 +14,14 @@ Result<std::string> write_glb(const Model& model, const Layout& layout);
 
 struct FloorPlanOptions {
   bool names = true, sizes = true, scale_bar = true;
+  double dots_per_inch = 200;  // of PNG. REQUIRES: 10…2000
 };
 
 // An SVG floor plan, seen from above, x to the right, y up the page.
 std::string write_floor_plan_svg(const Layout& layout, const FloorPlanOptions& options = {});
+
+// The same page as PDF, to scale on A4, and as PNG. Errors: kIo where the library Cairo is missing.
+Result<std::string> write_floor_plan_pdf(const Layout& layout, const FloorPlanOptions& options = {});
+Result<std::string> write_floor_plan_png(const Layout& layout, const FloorPlanOptions& options = {});
 
 }  // namespace layoutbox

@@ -15,10 +15,16 @@ Result<std::string> glb(const Layout& layout, const Catalog& catalog) {
   return write_glb(model, layout);
 }
 
+Result<std::string> pdf(const Layout& layout, const Catalog&) { return write_floor_plan_pdf(layout); }
+
+Result<std::string> png(const Layout& layout, const Catalog&) { return write_floor_plan_png(layout); }
+
 Result<std::string> svg(const Layout& layout, const Catalog&) { return write_floor_plan_svg(layout); }
 
 constexpr std::array kFormats{
     ExportFormat{"glb", "binary glTF 2.0 with meshes, materials and lights; y up, metres", glb},
+    ExportFormat{"pdf", "the floor plan as PDF, to scale on A4", pdf},
+    ExportFormat{"png", "the floor plan as a picture, 2339 × 1654", png},
     ExportFormat{"svg", "floor plan with names, sizes, door swings and a scale bar", svg},
 };
 

@@ -60,8 +60,8 @@ PaperBox box_on_paper(const PlanScale& scale, const PlacedObject& object) {
 
 class Labels {
  public:
-  Labels(SvgWriter& svg, const PlanScale& scale, const Layout& layout, const FloorPlanOptions& options, const LabelArea& area)
-      : svg_(svg), scale_(scale), layout_(layout), options_(options), area_(area) {}
+  Labels(Canvas& page, const PlanScale& scale, const Layout& layout, const FloorPlanOptions& options, const LabelArea& area)
+      : page_(page), scale_(scale), layout_(layout), options_(options), area_(area) {}
 
   void draw() {
     // Large things first: their labels have room to give way.
@@ -137,7 +137,7 @@ class Labels {
       const double off = (static_cast<double>(i) - (static_cast<double>(lines.size()) - 1) / 2) * size * kLineHeight + 0.35 * size;
       const bool small = is_size(object, lines[i]);
       const PaperPoint at = upright ? PaperPoint{center.x + off, center.y} : PaperPoint{center.x, center.y + off};
-      svg_.text(at, small ? 0.8 * size : size, lines[i], TextAnchor::kMiddle, upright ? -90 : 0, small ? "#666" : "#222");
+      page_.text(at, small ? 0.8 * size : size, lines[i], TextAnchor::kMiddle, upright ? -90 : 0, small ? "#666" : "#222");
     }
   }
 
@@ -175,16 +175,17 @@ class Labels {
       last += step;
       const PaperPoint target = scale_.at(object->position[0], object->position[1]);
       const double sign = anchor == TextAnchor::kEnd ? -1 : 1;
-      svg_.polyline({target, {x - sign * 1.2, y}, {x, y}}, {"none", "#888", 0.12, {}});
-      svg_.circle(target, 0.4, {"#555", "none", 0, {}});
+      page_.polyline({target, {x - sign * 1.2, y}, {x, y}}, {"none", "#888", 0.12, {}});
+      page_.circle(target, 0.4, {"#555", "none", 0, {}});
       const std::string name = name_of_object(*object);
       const double size = std::min(kNameSize, kNameSize * room / std::max(room, text_width(name, kNameSize) + 1));
-      svg_.text({x + sign * 0.6, y + 0.3 * size}, size, name, anchor);
-      if (options_.sizes && step > 5) svg_.text({x + sign * 0.6, y + 0.3 * size + 2.2}, 0.75 * size, size_text(*object), anchor, 0, "#666");
+      page_.text({x + sign * 0.6, y + 0.3 * size}, size, name, anchor);
+      if (options_.sizes && step > 5)
+        page_.text({x + sign * 0.6, y + 0.3 * size + 2.2}, 0.75 * size, size_text(*object), anchor, 0, "#666");
     }
   }
 
-  SvgWriter& svg_;
+  Canvas& page_;
   const PlanScale& scale_;
   const Layout& layout_;
   const FloorPlanOptions& options_;
@@ -195,8 +196,8 @@ class Labels {
 
 }  // namespace
 
-void draw_labels(SvgWriter& svg, const PlanScale& scale, const Layout& layout, const FloorPlanOptions& options, const LabelArea& area) {
-  if (options.names) Labels(svg, scale, layout, options, area).draw();
+void draw_labels(Canvas& page, const PlanScale& scale, const Layout& layout, const FloorPlanOptions& options, const LabelArea& area) {
+  if (options.names) Labels(page, scale, layout, options, area).draw();
 }
 
 }  // namespace layoutbox

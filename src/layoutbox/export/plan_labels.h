@@ -13,6 +13,6 @@ struct LabelArea {
   double top = 0, bottom = 0;
 };
 
-void draw_labels(SvgWriter& svg, const PlanScale& scale, const Layout& layout, const FloorPlanOptions& options, const LabelArea& area);
+void draw_labels(Canvas& page, const PlanScale& scale, const Layout& layout, const FloorPlanOptions& options, const LabelArea& area);
 
 }  // namespace layoutbox

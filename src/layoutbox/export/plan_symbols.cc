@@ -11,7 +11,7 @@ namespace {
 // Draws in an object's own frame: millimetres, origin at the centre of the footprint, front to −y.
 class Pen {
  public:
-  Pen(SvgWriter& svg, const PlanScale& scale, const PlacedObject& object) : svg_(svg), scale_(scale), object_(object) {
+  Pen(Canvas& page, const PlanScale& scale, const PlacedObject& object) : page_(page), scale_(scale), object_(object) {
     const double turn = radians_from_degrees(object.rotation_deg);
     cos_ = std::cos(turn);
     sin_ = std::sin(turn);
@@ -23,7 +23,7 @@ class Pen {
   PaperPoint at(double x, double y) const {
     return scale_.at(object_.position[0] + cos_ * x - sin_ * y, object_.position[1] + sin_ * x + cos_ * y);
   }
-  void box(double x0, double x1, double y0, double y1) { svg_.polygon({at(x0, y0), at(x1, y0), at(x1, y1), at(x0, y1)}, style); }
+  void box(double x0, double x1, double y0, double y1) { page_.polygon({at(x0, y0), at(x1, y0), at(x1, y1), at(x0, y1)}, style); }
   // The same with round corners.
   void cushion(double x0, double x1, double y0, double y1, double radius) {
     radius = std::min({radius, (x1 - x0) / 2, (y1 - y0) / 2});
@@ -36,20 +36,20 @@ class Pen {
         points.push_back(at(x + radius * std::cos(angle), y + radius * std::sin(angle)));
       }
     }
-    svg_.polygon(points, style);
+    page_.polygon(points, style);
   }
   void ellipse(double x, double y, double rx, double ry) {
     std::vector<PaperPoint> points;
     for (int i = 0; i < 32; ++i) points.push_back(at(x + rx * std::cos(i * kPi / 16), y + ry * std::sin(i * kPi / 16)));
-    svg_.polygon(points, style);
+    page_.polygon(points, style);
   }
-  void line(double x0, double y0, double x1, double y1) { svg_.line(at(x0, y0), at(x1, y1), style); }
+  void line(double x0, double y0, double x1, double y1) { page_.line(at(x0, y0), at(x1, y1), style); }
   void outline() { box(-w() / 2, w() / 2, -d() / 2, d() / 2); }
 
-  SvgStyle style;
+  DrawStyle style;
 
  private:
-  SvgWriter& svg_;
+  Canvas& page_;
   const PlanScale& scale_;
   const PlacedObject& object_;
   double cos_ = 1, sin_ = 0;
@@ -305,8 +305,8 @@ double plan_height(const PlacedObject& object) {
   return object.position[2] + (seat ? std::min<double>(object.size.height, 460) : object.size.height);
 }
 
-void draw_symbol(SvgWriter& svg, const PlanScale& scale, const PlacedObject& object) {
-  Pen pen(svg, scale, object);
+void draw_symbol(Canvas& page, const PlanScale& scale, const PlacedObject& object) {
+  Pen pen(page, scale, object);
   if (object.mount == Mount::kCeiling) {
     pen.style.dash = "0.8 0.6";
     pen.style.fill = "none";

@@ -1,7 +1,7 @@
 // The symbols of a floor plan: what a piece of furniture looks like from above, by its kind.
 #pragma once
 
-#include "layoutbox/export/svg.h"
+#include "layoutbox/export/canvas.h"
 #include "layoutbox/scene/layout.h"
 
 namespace layoutbox {
@@ -18,6 +18,6 @@ struct PlanScale {
 double plan_height(const PlacedObject& object);
 
 // Draws the object's symbol at its place. Objects that hang from the ceiling are dashed.
-void draw_symbol(SvgWriter& svg, const PlanScale& scale, const PlacedObject& object);
+void draw_symbol(Canvas& page, const PlanScale& scale, const PlacedObject& object);
 
 }  // namespace layoutbox

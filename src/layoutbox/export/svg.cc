@@ -15,7 +15,7 @@ std::string number(double value) {
   return text == "-0" ? "0" : text;
 }
 
-std::string attributes(const SvgStyle& style) {
+std::string attributes(const DrawStyle& style) {
   std::string text = fmt::format(R"( fill="{}" stroke="{}")", style.fill, style.stroke);
   if (style.stroke != "none") text += fmt::format(R"( stroke-width="{}")", number(style.width));
   if (!style.dash.empty()) text += fmt::format(R"( stroke-dasharray="{}")", style.dash);
@@ -28,54 +28,20 @@ std::string list(const std::vector<PaperPoint>& points) {
   return text;
 }
 
-// The length of the UTF-8 sequence at the start of `text`, or 0 where it is not one that XML allows.
-std::size_t sequence_length(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  const unsigned first = byte(0);
-  if (first < 0x80) return first >= 0x20 && first != 0x7f ? 1 : 0;
-  const std::size_t length = first >= 0xc2 && first < 0xe0 ? 2 : first >= 0xe0 && first < 0xf0 ? 3 : first >= 0xf0 && first < 0xf5 ? 4 : 0;
-  if (length == 0 || length > text.size()) return 0;
-  for (std::size_t i = 1; i < length; ++i) {
-    if ((byte(i) & 0xc0u) != 0x80u) return 0;
-  }
-  if ((first == 0xe0 && byte(1) < 0xa0) || (first == 0xed && byte(1) >= 0xa0)) return 0;  // overlong, surrogates
-  if ((first == 0xf0 && byte(1) < 0x90) || (first == 0xf4 && byte(1) >= 0x90)) return 0;  // overlong, beyond Unicode
-  if (first == 0xef && byte(1) == 0xbf && byte(2) >= 0xbe) return 0;                      // not characters
-  return length;
-}
-
 }  // namespace
 
 std::string escape_xml(std::string_view text) {
   std::string out;
-  while (!text.empty()) {
-    const std::size_t length = sequence_length(text);
-    switch (text[0]) {
+  for (const char c : printable(text)) {
+    switch (c) {
       case '&': out += "&amp;"; break;
       case '<': out += "&lt;"; break;
       case '>': out += "&gt;"; break;
       case '"': out += "&quot;"; break;
-      default:
-        if (length > 0) {
-          out += text.substr(0, length);
-        } else {
-          out += ' ';
-        }
+      default: out += c;
     }
-    text.remove_prefix(std::max<std::size_t>(1, length));
   }
   return out;
-}
-
-double text_width(std::string_view words, double size) {
-  double width = 0;
-  for (const char c : words) {
-    if ((static_cast<unsigned char>(c) & 0xc0u) == 0x80u) continue;  // within a character
-    width += std::string_view("iljtfr.,:;'|! ").find(c) != std::string_view::npos ? 0.32
-             : std::string_view("mwMW%@").find(c) != std::string_view::npos       ? 0.85
-                                                                                  : 0.56;
-  }
-  return width * size;
 }
 
 SvgWriter::SvgWriter(double width, double height) {
@@ -87,15 +53,15 @@ SvgWriter::SvgWriter(double width, double height) {
       number(width), number(height));
 }
 
-void SvgWriter::polygon(const std::vector<PaperPoint>& points, const SvgStyle& style) {
+void SvgWriter::polygon(const std::vector<PaperPoint>& points, const DrawStyle& style) {
   body_ += fmt::format("<polygon points=\"{}\"{}/>\n", list(points), attributes(style));
 }
 
-void SvgWriter::polyline(const std::vector<PaperPoint>& points, const SvgStyle& style) {
+void SvgWriter::polyline(const std::vector<PaperPoint>& points, const DrawStyle& style) {
   body_ += fmt::format("<polyline points=\"{}\"{}/>\n", list(points), attributes(style));
 }
 
-void SvgWriter::circle(PaperPoint center, double radius, const SvgStyle& style) {
+void SvgWriter::circle(PaperPoint center, double radius, const DrawStyle& style) {
   body_ += fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\"{}/>\n", number(center.x), number(center.y), number(radius), attributes(style));
 }
 

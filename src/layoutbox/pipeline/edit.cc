@@ -9,6 +9,7 @@
 #include "layoutbox/catalog/normalize.h"
 #include "layoutbox/pipeline/edit_changes.h"
 #include "layoutbox/scene/layout_scene.h"
+#include "layoutbox/verify/verify.h"
 
 namespace layoutbox {
 namespace {
@@ -440,7 +441,35 @@ class Edit {
     solve_.on_conflict = OnConflict::kFail;
     auto layout = solve(outcome_scene_, catalog_, solve_);
     solve_.from = nullptr;
+    if (layout) LAYOUTBOX_CHECK(check_pins(*layout));
     return layout;
+  }
+
+  // What is fixed may stand anywhere as far as the solver is concerned: what the text puts exactly somewhere must be well there.
+  Status check_pins(const Layout& layout) const {
+    if (pins_.empty()) return {};
+    const Report report = verify(layout, catalog_);
+    for (const Check& check : report.checks) {
+      if (check.passed || !check.required || check.name == "relation") continue;
+      const auto concerned = [&](const Pin& pin) { return has(split(check.subject), pin.id); };
+      if (std::any_of(pins_.begin(), pins_.end(), concerned)) {
+        return fail(ErrorCode::kInfeasible, check.message, "text", "say another way, or less of it");
+      }
+    }
+    return {};
+  }
+
+  // "bed_1 / desk_1": both.
+  static Ids split(const std::string& subject) {
+    Ids ids(1);
+    for (const char c : subject) {
+      if (c == ' ' || c == '/') {
+        if (!ids.back().empty()) ids.emplace_back();
+      } else {
+        ids.back() += c;
+      }
+    }
+    return ids;
   }
 
   // As exactly as it is said; a little less where that is loose.

@@ -394,7 +394,10 @@ std::optional<EditResize> take_resize(const Lexicon& lexicon, Tokens& tokens, st
     }
     resize = next;
     any = true;
-    erase(tokens, i, i + taken);
+    // A stop stays in its place: "the desk 20 cm wider and the bed green" are two things.
+    tokens[i] = Token{Token::Kind::kPunctuation, ";", tokens[i].begin, tokens[i].end, 0, false, false, true};
+    erase(tokens, i + 1, i + taken);
+    ++i;
     if (is_at(tokens, i, "and") && i + 1 < tokens.size()) {  // "1.6 m wide and 2 m long"
       EditResize more = resize;
       if (read_resize(lexicon, tokens, i + 1, verb, more) > 0) erase(tokens, i, i + 1);

@@ -776,6 +776,7 @@ Status EditReader::read_predicates(Clause& clause, const std::vector<int>& thing
   std::vector<std::string> attributes, classes;
   while (more(clause)) {
     skip(clause, {ChunkKind::kIgnored, ChunkKind::kAnd, ChunkKind::kComma, ChunkKind::kVerb, ChunkKind::kParticiple, ChunkKind::kSoft});
+    skip(clause, {ChunkKind::kStop, ChunkKind::kAnd, ChunkKind::kComma, ChunkKind::kIgnored});
     if (!more(clause) || noun_next(clause)) break;
     const Chunk chunk = *peek(clause);
     if (chunk.kind == ChunkKind::kAttribute) {

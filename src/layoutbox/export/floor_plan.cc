@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "layoutbox/export/cairo_canvas.h"
 #include "layoutbox/export/export.h"
 #include "layoutbox/export/plan_labels.h"
 #include "layoutbox/export/plan_symbols.h"
@@ -39,22 +40,28 @@ WallFrame frame_of(const Wall& wall) {
   return {a, along, {along.y, -along.x}, length, double(wall.thickness)};
 }
 
+std::string title_of(const Layout& layout) {
+  std::string title = !layout.name.empty() ? layout.name : !layout.room.type.empty() ? layout.room.type : std::string("room");
+  std::replace(title.begin(), title.end(), '_', ' ');
+  if (title[0] >= 'a' && title[0] <= 'z') title[0] = static_cast<char>(title[0] - 'a' + 'A');
+  return title;
+}
+
 class FloorPlan {
  public:
-  FloorPlan(const Layout& layout, const FloorPlanOptions& options) : layout_(layout), options_(options), svg_(kPageWidth, kPageHeight) {
+  FloorPlan(const Layout& layout, const FloorPlanOptions& options, Canvas& canvas) : layout_(layout), options_(options), page_(canvas) {
     for (const Wall& wall : layout.room.walls) walls_.push_back(frame_of(wall));
     choose_scale();
   }
 
-  std::string draw() {
+  void draw() {
     draw_walls();
     for (const Opening& opening : layout_.room.openings) draw_opening(opening);
     draw_furniture();
     draw_dimensions();
-    draw_labels(svg_, scale_, layout_, options_, area_);
+    draw_labels(page_, scale_, layout_, options_, area_);
     draw_title();
     draw_north();
-    return std::move(svg_).finish();
   }
 
  private:
@@ -99,8 +106,8 @@ class FloorPlan {
     std::vector<PaperPoint> outer;
     const std::size_t count = walls_.size();
     for (std::size_t i = 0; i < count; ++i) outer.push_back(paper(outer_corner(walls_[(i + count - 1) % count], walls_[i])));
-    svg_.polygon(outer, {"#4a4a4a", "#222", 0.3, {}});
-    svg_.polygon(floor, {"#fdfcf9", "#222", 0.3, {}});
+    page_.polygon(outer, {"#4a4a4a", "#222", 0.3, {}});
+    page_.polygon(floor, {"#fdfcf9", "#222", 0.3, {}});
   }
 
   // Where the outer faces of two walls that follow one another meet.
@@ -117,24 +124,24 @@ class FloorPlan {
     if (wall == layout_.room.walls.end()) return;
     const WallFrame& frame = walls_[static_cast<std::size_t>(wall - layout_.room.walls.begin())];
     const double s = opening.offset.value_or(0), e = s + opening.width, t = frame.thickness;
-    const auto strip = [&](double from, double to, const SvgStyle& style) {
-      svg_.polygon({paper(frame.at(s, from)), paper(frame.at(e, from)), paper(frame.at(e, to)), paper(frame.at(s, to))}, style);
+    const auto strip = [&](double from, double to, const DrawStyle& style) {
+      page_.polygon({paper(frame.at(s, from)), paper(frame.at(e, from)), paper(frame.at(e, to)), paper(frame.at(s, to))}, style);
     };
-    svg_.open_group(opening.id, opening.id);
+    page_.open_group(opening.id, opening.id);
     strip(0, t, {"#fff", "#222", 0.25, {}});
     switch (opening.type) {
       case OpeningType::kWindow: strip(0.38 * t, 0.62 * t, {"#dbeaf4", "#222", 0.15, {}}); break;
       case OpeningType::kOpen: strip(0, t, {"#fff", "#888", 0.15, "1.2 0.8"}); break;
       case OpeningType::kDoor: draw_door(opening, frame, s, e); break;
     }
-    svg_.close_group();
+    page_.close_group();
   }
 
   // Seen from within looking at the wall, the wall's end is at the left.
   void draw_door(const Opening& opening, const WallFrame& frame, double s, double e) {
     const double width = e - s;
     if (opening.swing == Swing::kSliding) {
-      svg_.line(paper(frame.at(s, -30)), paper(frame.at(e - 0.05 * width, -30)), {"none", "#222", 0.5, {}});
+      page_.line(paper(frame.at(s, -30)), paper(frame.at(e - 0.05 * width, -30)), {"none", "#222", 0.5, {}});
       return;
     }
     if (opening.swing == Swing::kNone) return;
@@ -146,8 +153,8 @@ class FloorPlan {
       const double angle = i * kPi / 36;
       arc.push_back(paper(frame.at(hinge + side * width * std::cos(angle), depth + way * width * std::sin(angle))));
     }
-    svg_.polyline(arc, {"none", "#777", 0.15, "1 0.7"});
-    svg_.line(paper(frame.at(hinge, depth)), paper(frame.at(hinge, depth + way * width)), {"none", "#222", 0.5, {}});
+    page_.polyline(arc, {"none", "#777", 0.15, "1 0.7"});
+    page_.line(paper(frame.at(hinge, depth)), paper(frame.at(hinge, depth + way * width)), {"none", "#222", 0.5, {}});
   }
 
   void draw_furniture() {
@@ -155,9 +162,9 @@ class FloorPlan {
     for (const PlacedObject& object : layout_.objects) order.push_back(&object);
     std::stable_sort(order.begin(), order.end(), [&](auto* a, auto* b) { return plan_height(*a) < plan_height(*b); });
     for (const PlacedObject* object : order) {
-      svg_.open_group(object->id, object->name.empty() ? object->category : object->name);
-      draw_symbol(svg_, scale_, *object);
-      svg_.close_group();
+      page_.open_group(object->id, object->name.empty() ? object->category : object->name);
+      draw_symbol(page_, scale_, *object);
+      page_.close_group();
     }
   }
 
@@ -184,11 +191,11 @@ class FloorPlan {
 
   void draw_chain(const WallFrame& frame, const std::vector<double>& stops, double off) {
     const double t = frame.thickness + off / scale_.factor, tick = 0.9 / scale_.factor;
-    const SvgStyle thin{"none", "#888", 0.12, {}}, bold{"none", "#555", 0.3, {}};
-    svg_.line(paper(frame.at(stops.front(), t)), paper(frame.at(stops.back(), t)), thin);
+    const DrawStyle thin{"none", "#888", 0.12, {}}, bold{"none", "#555", 0.3, {}};
+    page_.line(paper(frame.at(stops.front(), t)), paper(frame.at(stops.back(), t)), thin);
     for (const double s : stops) {
-      svg_.line(paper(frame.at(s, frame.thickness + 0.8 / scale_.factor)), paper(frame.at(s, t + tick)), thin);
-      svg_.line(paper(frame.at(s - tick / 1.5, t - tick / 1.5)), paper(frame.at(s + tick / 1.5, t + tick / 1.5)), bold);
+      page_.line(paper(frame.at(s, frame.thickness + 0.8 / scale_.factor)), paper(frame.at(s, t + tick)), thin);
+      page_.line(paper(frame.at(s - tick / 1.5, t - tick / 1.5)), paper(frame.at(s + tick / 1.5, t + tick / 1.5)), bold);
     }
     // Text along the wall, never upside down.
     double degrees = -std::atan2(frame.along.y, frame.along.x) * 180 / kPi;
@@ -200,21 +207,18 @@ class FloorPlan {
       if (text_width(text, size) > (stops[i + 1] - stops[i]) * scale_.factor) continue;
       const PaperPoint middle = paper(frame.at((stops[i] + stops[i + 1]) / 2, t));
       const double turn = radians_from_degrees(degrees);
-      svg_.text({middle.x + 0.6 * std::sin(turn), middle.y - 0.6 * std::cos(turn)}, size, text, TextAnchor::kMiddle, degrees, "#444");
+      page_.text({middle.x + 0.6 * std::sin(turn), middle.y - 0.6 * std::cos(turn)}, size, text, TextAnchor::kMiddle, degrees, "#444");
     }
   }
 
   void draw_title() {
     const double top = kPageHeight - kMargin - kTitleHeight;
-    svg_.line({kMargin, top}, {kPageWidth - kMargin, top}, {"none", "#222", 0.3, {}});
-    std::string title = !layout_.name.empty() ? layout_.name : !layout_.room.type.empty() ? layout_.room.type : std::string("room");
-    std::replace(title.begin(), title.end(), '_', ' ');
-    if (title[0] >= 'a' && title[0] <= 'z') title[0] = static_cast<char>(title[0] - 'a' + 'A');
-    svg_.text({kMargin, top + 6.5}, 5, title, TextAnchor::kStart);
-    svg_.text({kMargin, top + 11}, 2.6,
-              fmt::format("{:.1f} m² · ceiling {:.2f} m · {} objects · scale 1 : {} on A4 · lengths in metres, furniture in centimetres",
-                          area_m2(), m_from_mm(layout_.room.height), layout_.objects.size(), ratio_),
-              TextAnchor::kStart, 0, "#555");
+    page_.line({kMargin, top}, {kPageWidth - kMargin, top}, {"none", "#222", 0.3, {}});
+    page_.text({kMargin, top + 6.5}, 5, title_of(layout_), TextAnchor::kStart);
+    page_.text({kMargin, top + 11}, 2.6,
+               fmt::format("{:.1f} m² · ceiling {:.2f} m · {} objects · scale 1 : {} on A4 · lengths in metres, furniture in centimetres",
+                           area_m2(), m_from_mm(layout_.room.height), layout_.objects.size(), ratio_),
+               TextAnchor::kStart, 0, "#555");
     draw_prompt(top + 15);
     if (options_.scale_bar) draw_scale_bar({kPageWidth - kMargin, top + 8});
   }
@@ -239,7 +243,7 @@ class FloorPlan {
         end = space == std::string::npos || space == 0 ? end / 2 : space;
       }
       const bool cut = line == 1 && end < rest.size();
-      svg_.text({kMargin, y}, 2.2, rest.substr(0, end) + (cut ? " …" : ""), TextAnchor::kStart, 0, "#777");
+      page_.text({kMargin, y}, 2.2, rest.substr(0, end) + (cut ? " …" : ""), TextAnchor::kStart, 0, "#777");
       rest.erase(0, std::min(rest.size(), end + 1));
     }
   }
@@ -253,25 +257,25 @@ class FloorPlan {
     const double width = metres * 1000 * scale_.factor, x = right.x - width - 6, step = width / 4;
     for (int i = 0; i < 4; ++i) {
       const double a = x + i * step;
-      svg_.polygon({{a, right.y - 1.2}, {a + step, right.y - 1.2}, {a + step, right.y}, {a, right.y}},
-                   {i % 2 == 0 ? "#222" : "#fff", "#222", 0.15, {}});
+      page_.polygon({{a, right.y - 1.2}, {a + step, right.y - 1.2}, {a + step, right.y}, {a, right.y}},
+                    {i % 2 == 0 ? "#222" : "#fff", "#222", 0.15, {}});
     }
-    svg_.text({x, right.y - 2}, 2.2, "0", TextAnchor::kMiddle);
-    svg_.text({x + width / 2, right.y - 2}, 2.2, fmt::format("{:g}", metres / 2), TextAnchor::kMiddle);
-    svg_.text({x + width, right.y - 2}, 2.2, fmt::format("{:g} m", metres), TextAnchor::kMiddle);
+    page_.text({x, right.y - 2}, 2.2, "0", TextAnchor::kMiddle);
+    page_.text({x + width / 2, right.y - 2}, 2.2, fmt::format("{:g}", metres / 2), TextAnchor::kMiddle);
+    page_.text({x + width, right.y - 2}, 2.2, fmt::format("{:g} m", metres), TextAnchor::kMiddle);
   }
 
   // North is the back of the room: +y, up the page.
   void draw_north() {
     const PaperPoint c{kPageWidth - kMargin - 6, kMargin + 7};
-    svg_.circle(c, 4.5, {"none", "#444", 0.2, {}});
-    svg_.polygon({{c.x, c.y - 4.5}, {c.x + 1.8, c.y + 3.2}, {c.x, c.y + 1.8}, {c.x - 1.8, c.y + 3.2}}, {"#444", "none", 0, {}});
-    svg_.text({c.x, c.y - 5.2}, 2.8, "N", TextAnchor::kMiddle);
+    page_.circle(c, 4.5, {"none", "#444", 0.2, {}});
+    page_.polygon({{c.x, c.y - 4.5}, {c.x + 1.8, c.y + 3.2}, {c.x, c.y + 1.8}, {c.x - 1.8, c.y + 3.2}}, {"#444", "none", 0, {}});
+    page_.text({c.x, c.y - 5.2}, 2.8, "N", TextAnchor::kMiddle);
   }
 
   const Layout& layout_;
   const FloorPlanOptions& options_;
-  SvgWriter svg_;
+  Canvas& page_;
   PlanScale scale_;
   LabelArea area_;
   std::vector<WallFrame> walls_;
@@ -280,6 +284,28 @@ class FloorPlan {
 
 }  // namespace
 
-std::string write_floor_plan_svg(const Layout& layout, const FloorPlanOptions& options) { return FloorPlan(layout, options).draw(); }
+std::string write_floor_plan_svg(const Layout& layout, const FloorPlanOptions& options) {
+  SvgWriter svg(kPageWidth, kPageHeight);
+  FloorPlan(layout, options, svg).draw();
+  return std::move(svg).finish();
+}
+
+namespace {
+
+Result<std::string> write_by_cairo(PageFormat format, const Layout& layout, const FloorPlanOptions& options) {
+  LAYOUTBOX_ASSIGN(const auto page, CairoCanvas::make(format, kPageWidth, kPageHeight, options.dots_per_inch, title_of(layout)));
+  FloorPlan(layout, options, *page).draw();
+  return page->finish();
+}
+
+}  // namespace
+
+Result<std::string> write_floor_plan_pdf(const Layout& layout, const FloorPlanOptions& options) {
+  return write_by_cairo(PageFormat::kPdf, layout, options);
+}
+
+Result<std::string> write_floor_plan_png(const Layout& layout, const FloorPlanOptions& options) {
+  return write_by_cairo(PageFormat::kPng, layout, options);
+}
 
 }  // namespace layoutbox
