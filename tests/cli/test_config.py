@@ -17,7 +17,9 @@ class ConfigFiles(CliTestCase):
         self.assertEqual((options["seed"], options["room"], options["pictures"], options["quality"]), (7, [5, 4, 2.6], False, "draft"))
 
     def test_json(self):
-        options = self.options('{"seed": 7, "room": "5x4x2.6", "no-render": true, "views": ["top", "iso"], "effort": null}', name="config.json")
+        options = self.options(
+            '{"seed": 7, "room": "5x4x2.6", "no-render": true, "views": ["top", "iso"], "effort": null}', name="config.json"
+        )
         self.assertEqual((options["seed"], options["room"], options["views"]), (7, [5, 4, 2.6], ["top", "iso"]))
 
     def test_the_command_line_beats_it(self):
@@ -25,7 +27,7 @@ class ConfigFiles(CliTestCase):
         self.assertEqual((options["seed"], options["effort"]), (8, 50))
 
     def test_one_file_for_all_commands(self):
-        text = 'seed = 7\nno-render = true\nforce = true\njobs = 1\n[batch]\nseed = 9\n[generate]\neffort = 60\n'
+        text = "seed = 7\nno-render = true\nforce = true\njobs = 1\n[batch]\nseed = 9\n[generate]\neffort = 60\n"
         options = self.options(text)
         self.assertEqual((options["seed"], options["effort"]), (7, 60))
         solved = self.run_layoutbox("solve", self.path("out/scene.json"), "-o", self.path("l.json"), "--config", self.path("config.toml"))
