@@ -20,7 +20,8 @@ constexpr Mm kStep = 20;  // sizes are multiples: centres and edges then lie on 
 // A small generator of its own: the library's distributions differ between machines.
 class Random {
  public:
-  explicit Random(std::uint64_t seed) : state_(seed * 0x9E3779B97F4A7C15u + 0x632BE59BD9B4E019u) {}
+  // Mixed: the streams of neighbouring seeds would else be one stream, begun at other places.
+  explicit Random(std::uint64_t seed) : state_(mixed(seed * 0x9E3779B97F4A7C15u + 0x632BE59BD9B4E019u)) {}
 
   // In [low, high].
   int number(int low, int high) { return high <= low ? low : low + static_cast<int>(next() % static_cast<std::uint64_t>(high - low + 1)); }
@@ -31,12 +32,12 @@ class Random {
   }
 
  private:
-  std::uint64_t next() {  // splitmix64
-    std::uint64_t z = (state_ += 0x9E3779B97F4A7C15u);
+  static std::uint64_t mixed(std::uint64_t z) {
     z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
     z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
     return z ^ (z >> 31);
   }
+  std::uint64_t next() { return mixed(state_ += 0x9E3779B97F4A7C15u); }  // splitmix64
   std::uint64_t state_;
 };
 

@@ -12,7 +12,11 @@ namespace {
 std::string metres(Mm length) { return fmt::format("{:.2f} m", length / 1000.0); }
 
 std::string wall_in_words(const RoomWall& wall, bool rectangle) {
-  if (!rectangle) return "the wall " + wall.id;
+  if (!rectangle) {  // "wall5" is wall 5
+    const std::size_t digits = wall.id.find_first_of("0123456789");
+    const bool numbered = digits != std::string::npos && wall.id.substr(0, digits) == "wall";
+    return numbered ? "wall " + wall.id.substr(digits) : "the wall " + wall.id;
+  }
   switch (wall.turn) {
     case 0: return "the back wall";
     case 90: return "the left wall";
@@ -88,6 +92,8 @@ void make_plural(std::string& sentence) {
                                   {"{targets} keeps", "{targets} keep"},
                                   {"{targets} has", "{targets} have"},
                                   {"{targets} looks", "{targets} look"},
+                                  {"at its ", "at their "},
+                                  {"with a side", "with a side each"},
                                   {"with its back", "with their backs"}}) {
     replace(sentence, one, many);
   }
@@ -286,31 +292,70 @@ std::string things_in_words(const Model& model, const std::vector<int>& items) {
   return listed(words);
 }
 
+namespace {
+
+// What is meant where nothing is named.
+std::string anything_in_words(RelationType type, const RelationRow& row) {
+  switch (type) {
+    case RelationType::kUnderWindow:
+    case RelationType::kNearWindow: return "a window";
+    case RelationType::kFarFromWindow: return "the windows";
+    case RelationType::kNearDoor: return "a door";
+    case RelationType::kFarFromDoor: return "the doors";
+    case RelationType::kNotBlocking: return "the doors and windows";
+    case RelationType::kKeepClear: return "that part of the room";
+    case RelationType::kAwayFromWall: return "the walls";
+    case RelationType::kCorner: return "the room";
+    case RelationType::kStacked: return "one another";
+    case RelationType::kAlign: return "one another";
+    default: return row.reference_kinds & kWall ? "a wall" : row.reference_kinds & kOpening ? "an opening" : "the room";
+  }
+}
+
+}  // namespace
+
 std::string relation_in_words(const Model& model, const Relation& relation) {
   std::vector<std::string> targets, references;
   for (const std::string& id : relation.targets) targets.push_back(reference_in_words(model, id));
   for (const std::string& id : relation.references) references.push_back(reference_in_words(model, id));
   const RelationRow& row = relation_row(relation.type);
-  if (references.empty()) {
-    const bool walls = row.reference_kinds & kWall, openings = row.reference_kinds & kOpening;
-    references.push_back(walls ? "a wall" : openings ? "an opening" : "the room");
+  if (references.empty()) references.push_back(anything_in_words(relation.type, row));
+  const bool stands = relation.type == RelationType::kOn || relation.type == RelationType::kStacked;
+  for (std::string& reference : references) {
+    if (stands && reference == "the room") reference = "the floor";
   }
   std::string text(row.sentence);
   if (targets.size() > 1) make_plural(text);
   Constraint unused;
   const Compilation c{model, relation, {}, {}, unused};
   const RelationParameters& p = relation.parameters;
+  if (!p.axis)
+    replace(text, " along {axis}",
+            relation.type == RelationType::kGroupAlign || relation.type == RelationType::kAlign ? " along x or y" : "");
+  if (targets.size() == 1) replace(text, "each of {targets}", "{targets}");
   replace(text, "{targets}", listed(targets));
   replace(text, "{references}", listed(references));
   replace(text, "{distance}", parameter_in_words(c, "distance", p.distance));
   replace(text, "{min}", parameter_in_words(c, "min", p.min));
+  if (relation.type == RelationType::kDistance && !p.max) replace(text, " and {max}", " and any distance");
   replace(text, "{max}", parameter_in_words(c, "max", p.max));
+  if (relation.type == RelationType::kClearance && !p.depth) replace(text, "{depth} of ", "");
   replace(text, "{depth}", parameter_in_words(c, "depth", p.depth));
-  replace(text, "{axis}", p.axis ? std::string(name_of(*p.axis)) : "an axis");
-  replace(text, "{side}", p.side ? std::string(name_of(*p.side)) : "front");
-  replace(text, "{edge}", p.edge.empty() ? "middle" : p.edge);
+  if (p.axis) replace(text, "{axis}", *p.axis == Axis::kX ? "x" : *p.axis == Axis::kY ? "y" : "z");
+  replace(text, "{side}", std::string(name_of(p.side.value_or(relation.type == RelationType::kAlongSide ? Side::kLong : Side::kFront))));
+  replace(text, "{edge}", p.edge.empty() ? "front" : p.edge);
   replace(text, "{region}", p.region);
+  if (!p.columns) replace(text, " of {columns} columns", "");
   replace(text, "{columns}", std::to_string(p.columns.value_or(0)));
+  if (p.columns == 1) replace(text, "1 columns", "1 column");
+  switch (relation.type) {  // words that stand for a figure
+    case RelationType::kFar: text += fmt::format(" (at least {})", parameter_in_words(c, "min", p.min)); break;
+    case RelationType::kNextTo: text += fmt::format(" (at most {} apart)", parameter_in_words(c, "max", p.max)); break;
+    case RelationType::kNear:
+      text += fmt::format(" ({} to {} apart)", parameter_in_words(c, "min", p.min), parameter_in_words(c, "max", p.max));
+      break;
+    default: break;
+  }
   return text;
 }
 

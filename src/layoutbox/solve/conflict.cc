@@ -15,44 +15,116 @@ Result<CpAnswer> ask(Encoding& encoding, const CpSatLibrary& library, const std:
 
 bool stopped(const ProofLimits& limits) { return limits.stop && limits.stop->load(); }
 
-// Drops one demand after another: what is still impossible without it does not need it.
-Result<Clash> shrink(Encoding& encoding, const CpSatLibrary& library, std::vector<std::size_t> core, const ProofLimits& limits,
-                     double& used) {
-  Clash clash;
-  const auto mask = [&](const std::vector<std::size_t>& chosen) {
-    std::vector<char> demanded(encoding.demands().size(), 0);
-    for (const std::size_t d : chosen) demanded[d] = 1;
-    return demanded;
-  };
-  for (std::size_t i = 0; i < core.size() && !stopped(limits);) {
-    std::vector<std::size_t> fewer = core;
-    fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
-    ProofLimits rest = limits;
-    rest.deterministic_time = (limits.deterministic_time - used) / 2;
-    if (rest.deterministic_time < 0.001) {
-      clash.minimal = false;
-      break;
+// What a relation speaks of is there: to ask for a relation is to ask for its objects.
+class Shrinking {
+ public:
+  Shrinking(const Model& model, Encoding& encoding, const CpSatLibrary& library, const ProofLimits& limits, double& used)
+      : encoding_(encoding), library_(library), limits_(limits), used_(used), spoken_of_(encoding.demands().size()) {
+    std::vector<int> demand_of(model.items.size(), -1);
+    for (std::size_t d = 0; d < encoding.demands().size(); ++d) {
+      if (encoding.demands()[d].kind == Demand::Kind::kItem) demand_of[encoding.demands()[d].index] = static_cast<int>(d);
     }
-    LAYOUTBOX_ASSIGN(const CpAnswer answer, ask(encoding, library, mask(fewer), rest));
-    used += answer.deterministic_time;
-    if (answer.status == CpStatus::kInfeasible) {
-      const std::vector<std::size_t> again = encoding.demands_in(answer.core);
-      std::vector<std::size_t> kept;  // those before `i` are known to be needed
-      for (const std::size_t d : fewer) {
-        const bool known = again.empty() || std::find(core.begin(), core.begin() + static_cast<std::ptrdiff_t>(i), d) !=
-                                                core.begin() + static_cast<std::ptrdiff_t>(i);
-        if (known || std::find(again.begin(), again.end(), d) != again.end()) kept.push_back(d);
+    for (std::size_t d = 0; d < encoding.demands().size(); ++d) {
+      const Demand& demand = encoding.demands()[d];
+      if (demand.kind == Demand::Kind::kItem) continue;
+      const Constraint& constraint = model.constraints[demand.index];
+      for (const Formula& formula : constraint.formulas) {
+        for (const int item : formula.items) {
+          if (demand_of[item] >= 0) spoken_of_[d].push_back(static_cast<std::size_t>(demand_of[item]));
+        }
       }
-      core = std::move(kept);
-    } else {
-      clash.minimal = clash.minimal && answer.status != CpStatus::kUnknown;
-      ++i;
+      if (constraint.relation < 0) continue;
+      const Relation& relation = model.scene->relations[constraint.relation];
+      for (const auto* ids : {&relation.targets, &relation.references}) {
+        for (const std::string& id : *ids) {
+          if (const int item = model.find_item(id); item >= 0 && demand_of[item] >= 0)
+            spoken_of_[d].push_back(static_cast<std::size_t>(demand_of[item]));
+        }
+      }
     }
   }
-  clash.minimal = clash.minimal && !stopped(limits);
-  for (const std::size_t d : core) clash.demands.push_back(encoding.demands()[d]);
-  return clash;
-}
+
+  // Drops one demand after another: what is still impossible without it does not need it. Then of the objects spoken of those remain
+  // whose sizes take part.
+  Result<Clash> smallest(std::vector<std::size_t> core) {
+    Clash clash;
+    for (std::size_t i = 0; i < core.size() && !out_of_time(clash);) {
+      std::vector<std::size_t> fewer = core;
+      fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
+      if (with_objects(fewer) == with_objects(core)) {  // a relation asks for it anyway
+        core = std::move(fewer);
+        continue;
+      }
+      LAYOUTBOX_ASSIGN(const CpAnswer answer, question(with_objects(fewer)));
+      if (answer.status == CpStatus::kInfeasible) {
+        keep_what_the_core_needs(core, std::move(fewer), i, encoding_.demands_in(answer.core));
+      } else {
+        clash.minimal = clash.minimal && answer.status != CpStatus::kUnknown;
+        ++i;
+      }
+    }
+    std::vector<char> mask = with_objects(core);
+    for (std::size_t d = 0; d < mask.size() && !out_of_time(clash); ++d) {
+      if (!mask[d] || std::find(core.begin(), core.end(), d) != core.end()) continue;
+      mask[d] = 0;
+      LAYOUTBOX_ASSIGN(const CpAnswer answer, question(mask));
+      mask[d] = answer.status != CpStatus::kInfeasible;
+    }
+    for (std::size_t d = 0; d < mask.size(); ++d) {
+      if (mask[d]) clash.demands.push_back(encoding_.demands()[d]);
+    }
+    return clash;
+  }
+
+ private:
+  std::vector<char> with_objects(const std::vector<std::size_t>& chosen) const {
+    std::vector<char> demanded(encoding_.demands().size(), 0);
+    for (const std::size_t d : chosen) {
+      demanded[d] = 1;
+      for (const std::size_t item : spoken_of_[d]) demanded[item] = 1;
+    }
+    return demanded;
+  }
+
+  Result<CpAnswer> question(const std::vector<char>& demanded) {
+    ProofLimits rest = limits_;
+    rest.deterministic_time = (limits_.deterministic_time - used_) / 2;
+    LAYOUTBOX_ASSIGN(const CpAnswer answer, ask(encoding_, library_, demanded, rest));
+    used_ += answer.deterministic_time;
+    return answer;
+  }
+
+  bool out_of_time(Clash& clash) const {
+    const bool out = stopped(limits_) || (limits_.deterministic_time - used_) / 2 < 0.001;
+    if (out) clash.minimal = false;
+    return out;
+  }
+
+  // The solver's own core may be smaller still; relations only, objects come with them. Those before `i` are known to be needed.
+  void keep_what_the_core_needs(std::vector<std::size_t>& core, std::vector<std::size_t> fewer, std::size_t i,
+                                const std::vector<std::size_t>& again) const {
+    const auto needed_before = core.begin() + static_cast<std::ptrdiff_t>(i);
+    std::vector<std::size_t> kept;
+    for (const std::size_t d : fewer) {
+      const bool known = again.empty() || std::find(core.begin(), needed_before, d) != needed_before;
+      // An object may be needed for itself: the one that asks for it may be dropped later.
+      if (known || std::find(again.begin(), again.end(), d) != again.end()) kept.push_back(d);
+    }
+    for (const std::size_t d : again) {
+      if (std::find(kept.begin(), kept.end(), d) == kept.end() && encoding_.demands()[d].kind == Demand::Kind::kItem && !covered(kept, d))
+        kept.push_back(d);
+    }
+    core = std::move(kept);
+  }
+
+  bool covered(const std::vector<std::size_t>& chosen, std::size_t item) const { return with_objects(chosen)[item] != 0; }
+
+  Encoding& encoding_;
+  const CpSatLibrary& library_;
+  const ProofLimits& limits_;
+  double& used_;
+  std::vector<std::vector<std::size_t>> spoken_of_;  // demand → the demands of the items it speaks of
+};
 
 // The items that some demands are about: those that must be there, and those of which the relations speak.
 std::vector<char> outside_of(const Model& model, const Encoding& encoding, const std::vector<std::size_t>& core) {
@@ -74,6 +146,17 @@ std::vector<char> outside_of(const Model& model, const Encoding& encoding, const
     for (const Formula& formula : model.constraints[demand.index].formulas) keep(formula.exact ? formula.cases : formula.outer);
     for (std::size_t i = 0; i < model.items.size(); ++i) {
       if (model.items[i].clearance_constraint == demand.index) out[i] = 0;
+    }
+  }
+  // And what could hold them up.
+  for (bool more = true; more;) {
+    more = false;
+    for (std::size_t i = 0; i < model.items.size(); ++i) {
+      if (out[i]) continue;
+      for (const SupportOption& support : model.items[i].supports) {
+        const bool item = support.kind == SupportOption::Kind::kItem || support.kind == SupportOption::Kind::kSill;
+        if (item && out[support.index]) out[support.index] = 0, more = true;
+      }
     }
   }
   return out;
@@ -109,7 +192,7 @@ Result<std::optional<Clash>> prove(const Model& model, const CpSatLibrary& libra
   std::vector<std::size_t> core = encoding.demands_in(answer.core);
   if (core.empty()) core = all;
   sort_for_shrinking(encoding, core);
-  LAYOUTBOX_ASSIGN(Clash clash, shrink(encoding, library, std::move(core), limits, used));
+  LAYOUTBOX_ASSIGN(Clash clash, Shrinking(model, encoding, library, limits, used).smallest(std::move(core)));
   return std::optional<Clash>{std::move(clash)};
 }
 
@@ -150,7 +233,7 @@ Result<Proof> decide(const Model& model, const CpSatLibrary& library, const std:
   }
   // Not in the way we place things; that there is no other is not shown.
   sort_for_shrinking(encoding, core);
-  LAYOUTBOX_ASSIGN(proof.clash, shrink(encoding, library, std::move(core), limits, proof.deterministic_time));
+  LAYOUTBOX_ASSIGN(proof.clash, Shrinking(model, encoding, library, limits, proof.deterministic_time).smallest(std::move(core)));
   proof.clash.proven = proof.clash.minimal = false;
   return proof;
 }

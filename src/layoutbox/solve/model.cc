@@ -125,7 +125,7 @@ State make_state(const SceneObject& object, const CatalogEntry& entry, const Siz
 // The turns an object may take.
 std::vector<int> turns_of(const Item& item, const SceneObject& object, bool odd_angles) {
   if (item.fixed) return {static_cast<int>(std::lround(normalized_degrees(object.hint.rotation_deg.value_or(0)))) % 360};
-  if (item.thin || item.mount == Mount::kCeiling) return {0, 90};
+  if (item.thin || (item.mount == Mount::kCeiling && item.usual_mount == Mount::kCeiling)) return {0, 90};
   const Size& size = object.size->usual;
   const bool wall = item.mount == Mount::kWall || item.mount == Mount::kHung;
   if (!item.has_front && !wall && size.width == size.depth) return {0};
@@ -168,6 +168,7 @@ Item object_item(const SceneGraph& scene, const SceneObject& object, const Catal
   item.object = &object;
   item.entry = &catalog.entry_or_nearest(object.category);
   item.mount = mount_of(scene, object, *item.entry);
+  item.usual_mount = object.mount.value_or(item.entry->mount);
   item.has_front = item.entry->has_front;
   item.thin = item.entry->thin && object.size->usual.height <= kThin && item.mount == Mount::kFloor;
   item.curtain =

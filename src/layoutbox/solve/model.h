@@ -47,6 +47,7 @@ struct Item {
   const CatalogEntry* entry = nullptr;  // with its kind
   const Opening* opening = nullptr;     // …or an opening
   Mount mount = Mount::kFloor;
+  Mount usual_mount = Mount::kFloor;  // where no relation hangs it on a wall or from the ceiling
   bool has_front = true;
   bool thin = false;     // a rug: collides with nothing
   bool curtain = false;  // may hang before a window

@@ -200,18 +200,23 @@ Constraint compile_support(Model& model, int t) {
     note({Kind::kItem, host, true}, 400);
   }
   const int otherwise = named ? 4000 : hosts.empty() ? 0 : 1500;
-  if (item.mount == Mount::kWall) {
-    for (std::size_t w = 0; w < model.walls.size(); ++w) {
-      add_against(f, model, t, states_with_back_to(item, model.walls[w]), model.walls[w], 0, true);
-      note({Kind::kWall, static_cast<int>(w)}, otherwise);
+  const auto add_mount = [&](Mount mount, int price) {
+    if (mount == Mount::kWall) {
+      for (std::size_t w = 0; w < model.walls.size(); ++w) {
+        add_against(f, model, t, states_with_back_to(item, model.walls[w]), model.walls[w], 0, true);
+        note({Kind::kWall, static_cast<int>(w)}, price);
+      }
+    } else if (mount == Mount::kCeiling) {
+      f.add().require_small(hi(t, 2) - Linear(model.room.hi[2]), 0);
+      note({Kind::kCeiling, -1}, price);
+    } else {
+      f.add().require_small(lo(t, 2) - Linear(model.room.lo[2]), 0);
+      note({Kind::kFloor, -1}, price);
     }
-  } else if (item.mount == Mount::kCeiling) {
-    f.add().require_small(hi(t, 2) - Linear(model.room.hi[2]), 0);
-    note({Kind::kCeiling, -1}, otherwise);
-  } else {
-    f.add().require_small(lo(t, 2) - Linear(model.room.lo[2]), 0);
-    note({Kind::kFloor, -1}, otherwise);
-  }
+  };
+  add_mount(item.mount, otherwise);
+  // What only a relation hangs up stands as usual once that is given up.
+  if (item.usual_mount != item.mount) add_mount(item.usual_mount, 4000);
   f.exact = false;
   return out;
 }

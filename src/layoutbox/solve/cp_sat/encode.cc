@@ -132,6 +132,16 @@ void Encoding::add_case(const Case& one, std::span<const CpLiteral> when) {
   for (const Linear& form : one.at_least_zero) require(expand(form), when);
 }
 
+void Encoding::require_present(const Case& one, CpLiteral when) {
+  const auto present = [&](int item) {
+    if (items_[item].present != when) cp_.add_or(std::array{items_[item].present}, std::array{when});
+  };
+  for (const StateLiteral& literal : one.states) present(literal.item);
+  for (const Linear& form : one.at_least_zero) {
+    for (const Term& term : form.terms) present(term.item);
+  }
+}
+
 void Encoding::add_constraint(int index, CpLiteral when) {
   for (const Formula& formula : model_.constraints[index].formulas) {
     // What is left out can neither break nor keep a relation.
@@ -152,12 +162,14 @@ void Encoding::add_constraint(int index, CpLiteral when) {
     if (cases.size() < all.size() && (cases.empty() || outer)) continue;
     if (cases.size() == 1) {
       add_case(*cases[0], std::array{when});
+      if (model_.constraints[index].firmness == Firmness::kAlways) require_present(*cases[0], when);
       continue;
     }
     std::vector<CpLiteral> chosen;
     for (const Case* one : cases) {
       chosen.push_back(cp_.add_boolean());
       add_case(*one, std::array{chosen.back()});
+      if (model_.constraints[index].firmness == Firmness::kAlways) require_present(*one, chosen.back());  // only what is there holds
     }
     cp_.add_or(chosen, std::array{when});
   }

@@ -49,6 +49,7 @@ class Encoding {
 
   void add_item(int item);
   void add_constraint(int constraint, CpLiteral when);
+  void require_present(const Case& one, CpLiteral when);
   void add_case(const Case& one, std::span<const CpLiteral> when);
   void add_pair(int a, int b);
   void add_outside(int item);
