@@ -16,17 +16,20 @@ bool places(R type) { return type != R::kFacing && type != R::kParallel && type 
 }  // namespace
 
 bool RelationBuilder::is_placed(int item) const {
-  return std::any_of(scene_.relations.begin(), scene_.relations.end(), [&](const Relation& r) {
-    return places(r.type) && std::find(r.targets.begin(), r.targets.end(), id(item)) != r.targets.end();
-  });
+  const std::vector<std::size_t>& all = relations_of(id(item));
+  return std::any_of(all.begin(), all.end(), [&](std::size_t r) { return places(scene_.relations[r].type); });
 }
 
 bool RelationBuilder::is_related(int item, int other) const {
-  return std::any_of(scene_.relations.begin(), scene_.relations.end(), [&](const Relation& r) {
-    const auto names = [&](const std::vector<std::string>& all, int i) { return std::find(all.begin(), all.end(), id(i)) != all.end(); };
-    return places(r.type) &&
-           ((names(r.targets, item) && names(r.references, other)) || (names(r.targets, other) && names(r.references, item)));
-  });
+  const auto by = [&](int one, int two) {
+    const std::vector<std::size_t>& all = relations_of(id(one));
+    return std::any_of(all.begin(), all.end(), [&](std::size_t r) {
+      const Relation& relation = scene_.relations[r];
+      return places(relation.type) &&
+             std::find(relation.references.begin(), relation.references.end(), id(two)) != relation.references.end();
+    });
+  };
+  return by(item, other) || by(other, item);
 }
 
 void RelationBuilder::add_contents(const Link& link) {

@@ -1,4 +1,4 @@
-// What the text says of a thing that cannot all be true.
+// What the text says of a thing that cannot all be true; all of it goes to the solver, which gives up the weakest.
 #include <algorithm>
 
 #include "layoutbox/plan/offline/knowledge.h"
@@ -8,30 +8,55 @@ namespace layoutbox::offline {
 
 using R = RelationType;
 
-void RelationBuilder::note_contradictions() {
-  for (const SceneObject& object : scene_.objects) {
-    const Relation *wall = nullptr, *middle = nullptr;
-    for (const Relation& relation : scene_.relations) {
-      if (std::find(relation.targets.begin(), relation.targets.end(), object.id) == relation.targets.end()) continue;
-      const bool at_wall = relation.type == R::kAgainstWall || relation.type == R::kCorner || relation.type == R::kCenteredOnWall;
-      if (at_wall && wall != nullptr && relation.type == R::kAgainstWall && wall->type == R::kAgainstWall && !relation.references.empty() &&
-          !wall->references.empty() && relation.references != wall->references && !opposite_ok(relation, *wall)) {
-        scene_.notes.push_back(
-            {"contradiction", "\"" + object.name + "\" cannot be \"" + wall->why + "\" and \"" + relation.why + "\"", "prompt"});
-      }
-      if (at_wall) wall = &relation;
-      if (relation.type == R::kCenterOfRoom) middle = &relation;
-    }
-    if (wall != nullptr && middle != nullptr) {
-      scene_.notes.push_back(
-          {"contradiction", "\"" + object.name + "\" cannot be \"" + wall->why + "\" and \"" + middle->why + "\"", "prompt"});
+namespace {
+
+bool at_wall(R type) { return type == R::kAgainstWall || type == R::kCorner || type == R::kCenteredOnWall || type == R::kUnderWindow; }
+
+bool names_walls(const Relation& relation) { return !relation.references.empty() && relation.type != R::kUnderWindow; }
+
+// Two neighbouring walls make a corner; left and right, front and back do not.
+bool walls_meet(const Relation& a, const Relation& b) {
+  const auto side = [](const std::string& w) { return w == "left" || w == "right"; };
+  for (const std::string& one : a.references) {
+    for (const std::string& two : b.references) {
+      if (one == two || side(one) != side(two)) return true;
     }
   }
+  return false;
 }
 
-bool RelationBuilder::opposite_ok(const Relation& a, const Relation& b) {
-  const auto side = [](const std::string& w) { return w == "left" || w == "right"; };
-  return side(a.references.front()) != side(b.references.front());
+// Of the same two things: next to and far from, left and right, in front of and behind, on and under.
+bool exclude(R a, R b) {
+  static constexpr std::pair<R, R> kPairs[] = {{R::kLeftOf, R::kRightOf},  {R::kInFrontOf, R::kBehind}, {R::kNextTo, R::kFar},
+                                               {R::kNear, R::kFar},        {R::kOn, R::kUnder},         {R::kAbove, R::kUnder},
+                                               {R::kNextTo, R::kOpposite}, {R::kOn, R::kNextTo},        {R::kAtFootOf, R::kAtHeadOf}};
+  return std::any_of(std::begin(kPairs), std::end(kPairs),
+                     [&](const auto& pair) { return (pair.first == a && pair.second == b) || (pair.first == b && pair.second == a); });
+}
+
+bool contradict(const Relation& a, const Relation& b) {
+  if (at_wall(a.type) && at_wall(b.type)) return names_walls(a) && names_walls(b) && !walls_meet(a, b);
+  const bool middle = a.type == R::kCenterOfRoom || b.type == R::kCenterOfRoom;
+  if (middle && (at_wall(a.type) || at_wall(b.type))) return true;
+  if ((a.type == R::kOnWall && b.type == R::kOnCeiling) || (a.type == R::kOnCeiling && b.type == R::kOnWall)) return true;
+  return !a.references.empty() && a.references == b.references && exclude(a.type, b.type);
+}
+
+}  // namespace
+
+void RelationBuilder::note_contradictions() {
+  constexpr std::size_t kMost = 20;  // relations of one thing that are compared
+  for (const SceneObject& object : scene_.objects) {
+    const std::vector<std::size_t>& all = relations_of(object.id);
+    for (std::size_t a = 0; a < std::min(all.size(), kMost); ++a) {
+      for (std::size_t b = 0; b < a; ++b) {
+        const Relation &one = scene_.relations[all[b]], &other = scene_.relations[all[a]];
+        if (one.why == other.why || one.assumed || other.assumed || !contradict(one, other)) continue;
+        scene_.notes.push_back(
+            {"contradiction", "\"" + object.name + "\" cannot be \"" + one.why + "\" and \"" + other.why + "\"", "prompt"});
+      }
+    }
+  }
 }
 
 }  // namespace layoutbox::offline

@@ -23,18 +23,17 @@ void RelationBuilder::settle_mount(std::size_t index) {
   const NounPhrase& noun = document_.items[index].noun;
   bool wall = false, ceiling = false, supported = false, beside = false;
   std::string neighbour_support;
-  for (const Relation& relation : scene_.relations) {
-    if (std::find(relation.targets.begin(), relation.targets.end(), object.id) == relation.targets.end()) continue;
+  for (const std::size_t r : relations_of(object.id)) {
+    const Relation& relation = scene_.relations[r];
     wall |= relation.type == R::kOnWall;
     ceiling |= relation.type == R::kOnCeiling;
     supported |= relation.type == R::kOn || relation.type == R::kIn || relation.type == R::kStacked;
     if (!is_beside(relation.type)) continue;
     beside = true;
     for (const std::string& reference : relation.references) {
-      for (const Relation& other : scene_.relations) {
-        const bool carries = (other.type == R::kOn || other.type == R::kIn) &&
-                             std::find(other.targets.begin(), other.targets.end(), reference) != other.targets.end() &&
-                             !other.references.empty();
+      for (const std::size_t o : relations_of(reference)) {
+        const Relation& other = scene_.relations[o];
+        const bool carries = (other.type == R::kOn || other.type == R::kIn) && !other.references.empty();
         if (carries && relation.type != R::kCorner && relation.type != R::kAgainstWall) neighbour_support = other.references.front();
       }
     }
@@ -82,7 +81,7 @@ void RelationBuilder::settle_mount(std::size_t index) {
     Link link;  // "a mouse next to the keyboard" stands on the same desk
     link.first = noun.first;
     link.last = noun.last;
-    const SceneObject* support = scene_.find_object(neighbour_support);
+    const SceneObject* support = object_of(neighbour_support);
     if (support != nullptr && support->id != object.id) {
       add(link, R::kOn, {object.id}, {neighbour_support});
       scene_.relations.back().assumed = true;
@@ -94,24 +93,25 @@ void RelationBuilder::settle_mount(std::size_t index) {
 }
 
 bool RelationBuilder::hangs_on_hooks(const std::string& object) const {
-  return std::any_of(scene_.relations.begin(), scene_.relations.end(), [&](const Relation& r) {
-    if ((r.type != R::kOn && r.type != R::kIn) || r.targets.front() != object || r.references.empty()) return false;
-    const SceneObject* host = scene_.find_object(r.references.front());
+  const std::vector<std::size_t>& all = relations_of(object);
+  return std::any_of(all.begin(), all.end(), [&](std::size_t i) {
+    const Relation& r = scene_.relations[i];
+    if ((r.type != R::kOn && r.type != R::kIn) || r.references.empty()) return false;
+    const SceneObject* host = object_of(r.references.front());
     return host != nullptr && has_hooks(noun_of_object(*host));
   });
 }
 
 bool RelationBuilder::is_carried(const std::string& object) const {
-  return std::any_of(scene_.relations.begin(), scene_.relations.end(), [&](const Relation& r) {
-    if ((r.type != R::kOn && r.type != R::kIn) || std::find(r.targets.begin(), r.targets.end(), object) == r.targets.end() ||
-        r.references.empty())
-      return false;
+  const std::vector<std::size_t>& all = relations_of(object);
+  return std::any_of(all.begin(), all.end(), [&](std::size_t i) {
+    const Relation& r = scene_.relations[i];
+    if ((r.type != R::kOn && r.type != R::kIn) || r.references.empty()) return false;
     if (r.references.front().starts_with("window")) return true;  // on its sill
-    for (std::size_t i = 0; i < scene_.objects.size(); ++i) {
-      if (scene_.objects[i].id == r.references.front())
-        return document_.items[i].noun.entry == nullptr || !document_.items[i].noun.entry->thin;
-    }
-    return false;
+    const SceneObject* host = object_of(r.references.front());
+    if (host == nullptr) return false;
+    const CatalogEntry* entry = noun_of_object(*host).entry;
+    return entry == nullptr || !entry->thin;
   });
 }
 

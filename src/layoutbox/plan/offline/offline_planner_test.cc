@@ -110,7 +110,19 @@ TEST_F(OfflinePlannerTest, ListsWhatItDoesNotUnderstand) {
 TEST_F(OfflinePlannerTest, PointsOutContradictions) {
   EXPECT_TRUE(notes(scene("A table against the left wall. The table stands in the middle of the room."), "contradiction"));
   EXPECT_TRUE(notes(scene("A bed against the left wall. The bed stands against the right wall."), "contradiction"));
-  EXPECT_FALSE(notes(scene("A bed against the left wall and a table in the middle of the room."), "contradiction"));
+  for (const char* text :
+       {"A lamp to the left of the sofa. The lamp stands to the right of the sofa.",
+        "A chair next to the desk. The chair stands far from the desk.", "A rug in the corner and in the middle of the room.",
+        "A plant in front of the sofa. The plant is behind the sofa."}) {
+    EXPECT_TRUE(notes(scene(text), "contradiction")) << text;
+  }
+  for (const char* text :
+       {"A bed against the left wall and a table in the middle of the room.", "A bed against the left wall in the back left corner.",
+        "A desk against the back wall under the window.", "A desk against the left wall. The desk stands against the back wall.",
+        "A lamp to the left of the sofa and a lamp to the right of the sofa.", "A bed with two nightstands, one left and one right of it.",
+        "A chair in front of the desk, facing the desk."}) {
+    EXPECT_FALSE(notes(scene(text), "contradiction")) << text;
+  }
 }
 
 TEST_F(OfflinePlannerTest, SeveralRoomsAreNamedInAWarning) {

@@ -44,11 +44,15 @@ void RelationBuilder::add(const Link& link, R type, std::vector<std::string> tar
   std::erase_if(references, [&](const std::string& r) { return std::find(targets.begin(), targets.end(), r) != targets.end(); });
   if (references.empty() && relation_row(type).arity != RelationArity::kNone && relation_row(type).arity != RelationArity::kOptional)
     return;
-  for (Relation& known : scene_.relations) {
-    if (known.type != type || known.targets != targets || known.references != references) continue;
-    if (type == R::kRow && link.distance) known.parameters.gap = mm_from_m(*link.distance);
+  std::string key(relation_row(type).name);
+  for (const std::string& target : targets) key += " " + target;
+  key += ">";
+  for (const std::string& reference : references) key += " " + reference;
+  if (const auto [known, fresh] = known_.try_emplace(key, scene_.relations.size()); !fresh) {
+    if (type == R::kRow && link.distance) scene_.relations[known->second].parameters.gap = mm_from_m(*link.distance);
     return;
   }
+  for (const std::string& target : targets) of_target_[target].push_back(scene_.relations.size());
   Relation relation;
   relation.id = "c" + std::to_string(scene_.relations.size() + 1);
   relation.type = type;
@@ -77,6 +81,17 @@ void RelationBuilder::add(const Link& link, R type, std::vector<std::string> tar
       document_.readings[i].role = "relation " + relation.id;
   }
   scene_.relations.push_back(std::move(relation));
+}
+
+const std::vector<std::size_t>& RelationBuilder::relations_of(const std::string& object) const {
+  static const std::vector<std::size_t> none;
+  const auto found = of_target_.find(object);
+  return found == of_target_.end() ? none : found->second;
+}
+
+const SceneObject* RelationBuilder::object_of(const std::string& object) const {
+  const auto found = objects_.find(object);
+  return found == objects_.end() ? nullptr : &scene_.objects[found->second];
 }
 
 std::vector<std::string> RelationBuilder::ids(const std::vector<int>& items) const {
@@ -320,7 +335,8 @@ void RelationBuilder::add_rows() {
 // How high things hang that hang on a wall.
 void RelationBuilder::set_heights() {
   for (const auto& [object, height] : heights_) {
-    for (Relation& relation : scene_.relations) {
+    for (const std::size_t r : relations_of(object)) {
+      Relation& relation = scene_.relations[r];
       if (relation.type == R::kOnWall && relation.targets.front() == object) relation.parameters.height = height;
     }
   }

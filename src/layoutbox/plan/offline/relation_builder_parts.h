@@ -6,6 +6,7 @@
 #include <initializer_list>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "layoutbox/plan/offline/document.h"
@@ -20,11 +21,16 @@ inline bool one_of(std::string_view word, std::initializer_list<std::string_view
 class RelationBuilder {
  public:
   RelationBuilder(const Lexicon& lexicon, Document& document, SceneGraph& scene)
-      : catalog_(lexicon.catalog()), document_(document), scene_(scene) {}
+      : catalog_(lexicon.catalog()), document_(document), scene_(scene) {
+    for (std::size_t i = 0; i < scene_.objects.size(); ++i) objects_.emplace(scene_.objects[i].id, i);
+  }
   void run();
 
  private:
   const Mention& mention(int m) const { return document_.mentions[static_cast<std::size_t>(m)]; }
+  // The relations that place the object, by their numbers.
+  const std::vector<std::size_t>& relations_of(const std::string& object) const;
+  const SceneObject* object_of(const std::string& object) const;
   const std::string& id(int item) const { return scene_.objects[static_cast<std::size_t>(item)].id; }
   const NounPhrase& noun_of_item(int item) const { return document_.items[static_cast<std::size_t>(item)].noun; }
   void add(const Link& link, RelationType type, std::vector<std::string> targets, std::vector<std::string> references,
@@ -83,12 +89,14 @@ class RelationBuilder {
   // On or in a thing other than a rug.
   bool is_carried(const std::string& object) const;
   void note_contradictions();
-  // Two neighbouring walls make a corner.
-  static bool opposite_ok(const Relation& a, const Relation& b);
   const Catalog& catalog_;
   Document& document_;
   SceneGraph& scene_;
   std::vector<std::pair<std::string, Mm>> heights_;
+  // Where in scene_.relations things stand; keeps long texts linear. By what they say, and by each target.
+  std::unordered_map<std::string, std::size_t> known_;
+  std::unordered_map<std::string, std::vector<std::size_t>> of_target_;
+  std::unordered_map<std::string, std::size_t> objects_;
 };
 
 }  // namespace layoutbox::offline

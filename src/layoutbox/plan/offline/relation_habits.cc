@@ -56,7 +56,7 @@ void RelationBuilder::add_habits() {
   for (std::size_t r = 0; r < said; ++r) {
     const Relation relation = scene_.relations[r];
     if (relation.targets.size() != 1 || relation.references.size() != 1) continue;
-    const SceneObject *target = scene_.find_object(relation.targets.front()), *reference = scene_.find_object(relation.references.front());
+    const SceneObject *target = object_of(relation.targets.front()), *reference = object_of(relation.references.front());
     if (target == nullptr || reference == nullptr) continue;
     const NounPhrase &thing = noun_of_object(*target), &other = noun_of_object(*reference);
     if (relation.type == R::kInFrontOf && is_seat(catalog_, thing) && is_table(catalog_, other) &&
