@@ -103,7 +103,13 @@ class Chunker {
         (length_of(Class::kMoreThan) > 0 && i_ + 1 < tokens_.size() &&
          (tokens_[i_ + 1].kind == Token::Kind::kNumber || lexicon_.is(tokens_[i_ + 1], Class::kNumber)) && before != ChunkKind::kNoun) ||
         length_of(Class::kExactly) > 0;
-    if (opens_noun(tokens_[i_]) && phrase.length < 3 && count_follows) {
+    const bool both_sides = phrase.length == 2 && std::any_of(phrase.senses->begin(), phrase.senses->end(), [](const PhraseSense& s) {
+                              return s.type == RelationType::kEachSideOf && s.direction == PhraseSense::Direction::kAlone;
+                            });
+    const std::size_t after_sides = i_ + phrase.length;
+    const bool sides_end = both_sides && (after_sides >= tokens_.size() || tokens_[after_sides].kind == Token::Kind::kPunctuation ||
+                                          lexicon_.is(tokens_[after_sides], Class::kAnd));
+    if (opens_noun(tokens_[i_]) && phrase.length < 3 && !sides_end && count_follows) {
       const bool relative =
           lexicon_.is(tokens_[i_], Class::kRelative) && before == ChunkKind::kNoun && !(tokens_[i_].text == "that" && noun_follows());
       if (relative || (before == ChunkKind::kComma && tokens_[i_].text == "which")) {
@@ -128,9 +134,11 @@ class Chunker {
 
   bool read_noun(bool bare) {
     // Right after a noun phrase no bare one begins: "lamps light the room", "a table holds".
-    if (bare && previous() == ChunkKind::kNoun && !chunks_.back().noun.owner) return false;
+    const bool after_noun = bare && previous() == ChunkKind::kNoun && !chunks_.back().noun.owner;
+    if (after_noun && !lexicon_.is(tokens_[i_], Class::kWallWord)) return false;
     auto noun = read_noun_phrase(lexicon_, tokens_, i_, bare);
     if (!noun || noun->last <= i_) return false;
+    if (after_noun && noun->kind != NounKind::kWall && noun->kind != NounKind::kCorner) return false;
     if (bare && noun->kind == NounKind::kAbstract && !noun->collective && noun->last == i_ + 1 &&
         lexicon_.find_phrase(tokens_, i_).length > 0)
       return false;

@@ -234,6 +234,8 @@ std::optional<PhraseSense> choose_sense(const Catalog& catalog, const PhraseSens
   const bool opening = reference.kind == NounKind::kDoor || reference.kind == NounKind::kWindow;
   // A door has no left of its own: beside it. A seat "on the opposite side" of a table or "along one side" sits at it.
   if (opening && (says(R::kLeftOf) || says(R::kRightOf))) return own(R::kNextTo);
+  if (opening && says(R::kIn) && !says(R::kOn) && mount == Mount::kFloor && direction == PhraseSense::Direction::kDirect)
+    return own(R::kNextTo);
   const bool at_table = reference.kind == NounKind::kObject && is_seat(catalog, target) && is_table(catalog, reference);
   if (at_table && (says(R::kAlongSide) || (says(R::kOpposite) && says(R::kEachSideOf))) &&
       !(target.is_plural() && says(R::kEachSideOf) && !says(R::kOpposite))) {
@@ -246,6 +248,7 @@ std::optional<PhraseSense> choose_sense(const Catalog& catalog, const PhraseSens
   for (const PhraseSense& sense : senses) {
     if (sense.direction != direction || !allowed(sense, reference)) continue;
     if (sense.type == R::kTuckedUnder && !is_seat(catalog, target)) continue;
+    if (sense.type == R::kOnWall && says(R::kOnCeiling) && is_heavy(catalog, target)) return own(R::kAgainstWall);  // "from the wall"
     // A lamp is over the table, a cloth on it; "at the end of the table" and "at the end of the bed" are two things.
     if (sense.type == R::kAlongSide && reference.kind == NounKind::kObject && !says(R::kAlongSide)) continue;
     if (sense.type == R::kAtFootOf && is_table(catalog, reference)) continue;

@@ -168,6 +168,14 @@ std::optional<NounPhrase> NounPhraseReader::settle() {
       phrase_.collective = true;
     }
   }
+  if (phrase_.kind == NounKind::kWall && phrase_.wall_word.empty() && more()) {  // "wall east"
+    const Match which = lexicon_.find(tokens_, i_, Class::kWallWord);
+    const std::size_t after = i_ + which.length;
+    if (which.length > 0 && (after >= tokens_.size() || tokens_[after].kind == Token::Kind::kPunctuation)) {
+      phrase_.wall_word = meaning_of(which, Class::kWallWord)->word;
+      i_ = after;
+    }
+  }
   read_of();
   if (more() && token().text == "'s") phrase_.owner = true;
   return finish();

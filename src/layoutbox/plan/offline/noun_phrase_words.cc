@@ -34,6 +34,14 @@ bool NounPhraseReader::word_may_belong() const {
 
 bool NounPhraseReader::read_part() {
   Match match = lexicon_.find(tokens_, i_);
+  // "light-filled", "hand-knotted": one adjective, whatever its first word is.
+  if (match.length < 2 && i_ + 1 < tokens_.size() && hyphenated(i_ + 1) && token().kind == Token::Kind::kWord &&
+      (tokens_[i_ + 1].text.ends_with("ed") || tokens_[i_ + 1].text == "style" || tokens_[i_ + 1].text == "free") &&
+      lexicon_.find(tokens_, i_ + 1, Class::kObject).length == 0) {
+    parts_.push_back({i_, i_ + 2, Class::kQuality, {Class::kQuality, nullptr, nullptr, 0, {}}, false});
+    i_ += 2;
+    return true;
+  }
   // "a plant stands in the corner" is no plant stand.
   const auto plural_at = [&](std::size_t i) { return singular_of(tokens_[i].text) != tokens_[i].text; };
   if (match.length > 1 && lexicon_.is(tokens_[i_ + match.length - 1], Class::kPlaceVerb)) {

@@ -446,6 +446,19 @@ void DocumentReader::read_noun(std::size_t k) {
   }
   if (noun.kind == NounKind::kDoor || noun.kind == NounKind::kWindow) document_.openings.push_back(noun);
 
+  // "king bed north wall": against it.
+  if ((noun.kind == NounKind::kWall || noun.kind == NounKind::kCorner) && !noun.wall_word.empty() && !expects_reference_ &&
+      !expects_content_ && k > 0 && is(k - 1, ChunkKind::kNoun) && chunk(k - 1).noun.kind == NounKind::kObject && !chain_.empty()) {
+    Link link;
+    link.senses = {{RelationType::kAgainstWall, Direction::kDirect, {}, {}, {}}};
+    link.targets = {chain_.back()};
+    link.references = {references_.mention(noun, -1, true)};
+    link.first = chunk(k).first;
+    link.last = chunk(k).last;
+    add_link(std::move(link));
+    mark(k, Use::kUsed, "wall");
+    return;
+  }
   if (noun.kind == NounKind::kMember && take_all(k)) return;
   // "three tables with two stools each"
   if (noun.kind == NounKind::kMember && noun.determiner == Determiner::kEach && noun.count == 0 && !expects_reference_ &&

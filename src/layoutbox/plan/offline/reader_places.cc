@@ -278,7 +278,7 @@ std::vector<int> DocumentReader::targets_for(const PhraseSenses& senses, Directi
         (is_seat(catalog, noun) || mount_of(noun) == Mount::kSurface) && !hang_)
       score -= 12;
     // What was there before is seldom placed anew by the way.
-    if (!document_.mentions[static_cast<std::size_t>(mention)].introduces && !root) score -= 15;
+    if (!document_.mentions[static_cast<std::size_t>(mention)].introduces && !root && !is_content(mention)) score -= 15;
     if (hang_ && !apart && c + 1 == count && score > 0) score += 12;  // "a bicycle hung on the wall"
     if (reference.kind == NounKind::kObject && noun.name == reference.name && noun.first == reference.first) continue;
     if (score <= best_score) continue;

@@ -14,6 +14,7 @@ void DocumentReader::read_relation(std::size_t k) {
   mark(k, WordReading::Use::kUsed, "relation");
   if (read_relative_place(k)) return;
   joiner_before_relation_ = joiner_;
+  if (document_.tokens[relation.first].text == "from") joiner_before_relation_ = Joiner::kComma;  // of the clause's own thing
   const std::string& first_word = document_.tokens[relation.first].text;
   if (relation.placing || first_word.ends_with("ing") || first_word.ends_with("ed")) after_participle_ = true;
   const bool more_places = !fronted_.empty() && roots_.size() == clause_start_;
@@ -22,6 +23,10 @@ void DocumentReader::read_relation(std::size_t k) {
   }
   const PhraseSenses& senses = *relation.phrase.senses;
   const std::size_t n = next(k);
+  // "to your left a bookcase, to your right a fireplace"
+  if (joiner_ != Joiner::kNone && has_direction(senses, Direction::kAlone) && !has_direction(senses, Direction::kDirect) &&
+      says(senses, RelationType::kInRegion) && is(n, ChunkKind::kNoun) && chunk(n).noun.kind == NounKind::kObject)
+    begin_clause();
   // "two sofas facing each other across a table": the table is between them.
   if (const std::size_t before = previous(k); is(before, ChunkKind::kNoun) && chunk(before).noun.reciprocal && is(n, ChunkKind::kNoun) &&
                                               (says(senses, RelationType::kOpposite) || says(senses, RelationType::kAbove))) {
@@ -107,9 +112,9 @@ void DocumentReader::read_relation(std::size_t k) {
   if (at_start) {
     const bool side = says(link.senses, RelationType::kLeftOf) || says(link.senses, RelationType::kRightOf);
     const bool lies = says(link.senses, RelationType::kOn) || says(link.senses, RelationType::kIn);
-    int reference = says(link.senses, RelationType::kRow)             ? -1
-                    : former_fronted_ >= 0 && !lies && roots_.empty() ? former_fronted_
-                                                                      : implied_reference({});
+    const bool of_room = std::all_of(link.senses.begin(), link.senses.end(),
+                                     [](const PhraseSense& s) { return relation_row(s.type).arity == RelationArity::kNone; });
+    int reference = of_room ? -1 : former_fronted_ >= 0 && !lies && roots_.empty() ? former_fronted_ : implied_reference({});
     // "to the left of the sofa, a lamp; to the right, a table": of the sofa.
     for (std::size_t l = document_.links.size(); side && l-- > 0 && l + 4 > document_.links.size();) {
       const Link& before = document_.links[l];
@@ -160,7 +165,7 @@ void DocumentReader::read_relation(std::size_t k) {
     const bool verb_before = is(before, ChunkKind::kVerb);
     if (apart || verb_before) target = chain_.front();
     // "a lamp on the nightstand to the left": the new thing, not the one that was there.
-    if (!document_.mentions[static_cast<std::size_t>(target)].introduces) target = chain_.front();
+    if (!document_.mentions[static_cast<std::size_t>(target)].introduces && !is_content(target)) target = chain_.front();
     if (!is_thing(target)) target = chain_.front();
     if (group_only) {
       NounPhrase room;
@@ -234,8 +239,9 @@ std::vector<int> DocumentReader::unplaced(const std::vector<int>& all, int last)
 // "a desk, on which a computer sits": a clause of its own whose place comes first.
 bool DocumentReader::read_relative_place(std::size_t k) {
   const std::size_t n = next(k);
-  if (!is(n, ChunkKind::kNoun) || chunk(n).noun.kind != NounKind::kPronoun || chain_.empty()) return false;
-  if (chunk(n).noun.head != "which" && chunk(n).noun.head != "whom") return false;
+  if (!is(n, ChunkKind::kNoun) || chain_.empty()) return false;
+  const std::string& word = document_.tokens[chunk(n).last - 1].text;
+  if ((chunk(n).noun.kind != NounKind::kPronoun && !chunk(n).noun.subset) || (word != "which" && word != "whom")) return false;
   int host = -1;
   for (std::size_t c = chain_.size(); c-- > 0 && host < 0;) {
     if (is_thing(chain_[c])) host = chain_[c];
@@ -245,6 +251,13 @@ bool DocumentReader::read_relative_place(std::size_t k) {
   const int outer = roots_.size() > clause_start_ ? roots_.back() : -1;
   begin_clause();
   outer_root_ = outer;
+  if (chunk(n).noun.determiner == Determiner::kEach) {  // "above each of which"
+    Mention each = mention_at(host);
+    each.introduces = false;
+    each.distributes = true;
+    document_.mentions.push_back(std::move(each));
+    host = static_cast<int>(document_.mentions.size()) - 1;
+  }
   Link link;
   link.senses = direct;
   link.references = {host};

@@ -241,7 +241,9 @@ int References::mention(const NounPhrase& noun, int antecedent, bool as_referenc
   }
   const bool definite = noun.determiner == Determiner::kDefinite || noun.determiner == Determiner::kPossessive ||
                         noun.determiner == Determiner::kBoth || noun.determiner == Determiner::kEach ||
-                        noun.determiner == Determiner::kOther;
+                        noun.determiner == Determiner::kOther ||
+                        // "lamp on nightstand", where articles are left out
+                        (as_reference && noun.determiner == Determiner::kNone && noun.count == 0 && !noun.plural);
   if (definite) {
     mention.items = known(noun);
     if (noun.determiner == Determiner::kEach) mention.distributes = true;

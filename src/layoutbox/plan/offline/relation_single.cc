@@ -88,6 +88,10 @@ void RelationBuilder::add_single(const Link& link, PhraseSense sense, const Ment
   }
   const bool seat_at = sense.type == R::kNextTo && references.size() > 1 && is_seat(catalog_, target.noun) &&
                        is_table(catalog_, noun_of_item(references.front())) && document_.tokens[link.first].text == "at";
+  if (seat_at && target.items.size() > references.size()) {
+    add_group(link, {R::kAround, Direction::kDirect, {}, {}, {}}, target.items, references, nullptr);
+    return;
+  }
   if (seat_at) sense.type = R::kInFrontOf;  // "a chair at each"
   const std::size_t n = target.items.size(), m = references.size();
   const bool all = sense.type == R::kInFrontOf || sense.type == R::kOpposite;

@@ -62,13 +62,15 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
 // British spellings whose American twin is what the word lists have.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 34> kSpellings = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 36> kSpellings = {{
     {"colour", "color"},
     {"coloured", "colored"},
     {"colourful", "colorful"},
     {"grey", "gray"},
     {"centre", "center"},
     {"centred", "centered"},
+    {"centres", "centers"},
+    {"storeys", "stories"},
     {"metre", "meter"},
     {"metres", "meters"},
     {"cosy", "cozy"},
@@ -228,7 +230,7 @@ std::vector<Token> tokenize(std::string_view prompt) {
       token.text = "'s";
       at += first.size;
       if (at < prompt.size() && lower(prompt[at]) == 's' && (at + 1 == prompt.size() || !is_letter(letter_at(prompt, at + 1).value))) ++at;
-    } else if (first.value == '-' && token.glued && at + first.size < prompt.size() && !tokens.empty() &&
+    } else if ((first.value == '-' || first.value == '/') && token.glued && at + first.size < prompt.size() && !tokens.empty() &&
                (is_letter(letter_at(prompt, at + first.size).value) || is_digit(prompt[at + first.size])) && tokens.back().end == at &&
                tokens.back().kind != Token::Kind::kPunctuation) {
       at += first.size;  // a hyphen within a word leaves no token; what follows is glued
