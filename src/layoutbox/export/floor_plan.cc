@@ -56,8 +56,8 @@ class FloorPlan {
 
   void draw() {
     draw_walls();
-    for (const Opening& opening : layout_.room.openings) draw_opening(opening);
     draw_furniture();
+    for (const Opening& opening : layout_.room.openings) draw_opening(opening);  // swings lie over rugs
     draw_dimensions();
     draw_labels(page_, scale_, layout_, options_, area_);
     draw_title();

@@ -31,8 +31,8 @@ class Pen {
     const std::array<std::array<double, 3>, 4> corners{
         {{x1 - radius, y1 - radius, 0}, {x0 + radius, y1 - radius, 90}, {x0 + radius, y0 + radius, 180}, {x1 - radius, y0 + radius, 270}}};
     for (const auto& [x, y, start] : corners) {
-      for (int i = 0; i <= 4; ++i) {
-        const double angle = radians_from_degrees(start + 22.5 * i);
+      for (int i = 0; i <= 8; ++i) {
+        const double angle = radians_from_degrees(start + 11.25 * i);
         points.push_back(at(x + radius * std::cos(angle), y + radius * std::sin(angle)));
       }
     }
@@ -41,6 +41,11 @@ class Pen {
   void ellipse(double x, double y, double rx, double ry) {
     std::vector<PaperPoint> points;
     for (int i = 0; i < 32; ++i) points.push_back(at(x + rx * std::cos(i * kPi / 16), y + ry * std::sin(i * kPi / 16)));
+    page_.polygon(points, style);
+  }
+  void shape(const std::vector<PaperPoint>& corners) {
+    std::vector<PaperPoint> points;
+    for (const PaperPoint& p : corners) points.push_back(at(p.x, p.y));
     page_.polygon(points, style);
   }
   void line(double x0, double y0, double x1, double y1) { page_.line(at(x0, y0), at(x1, y1), style); }
@@ -81,7 +86,30 @@ void draw_bed(Pen& pen, const PlacedObject&) {
   }
 }
 
+// An L: its box without the free corner, a cushion for each place to sit.
+void draw_corner_sofa(Pen& pen, const PlacedObject& object, const Space& corner) {
+  const double w = pen.w() / 2, d = pen.d() / 2;
+  pen.style.fill = "#d9e4d6";
+  if (corner.min[0] <= -w + 1) {
+    pen.shape({{-w, d}, {w, d}, {w, -d}, {corner.max[0], -d}, {corner.max[0], corner.max[1]}, {-w, corner.max[1]}});
+  } else {
+    pen.shape({{-w, d}, {w, d}, {w, corner.max[1]}, {corner.min[0], corner.max[1]}, {corner.min[0], -d}, {-w, -d}});
+  }
+  pen.style.fill = "#ebf2e8";
+  for (const Space& space : object.spaces) {
+    if (!space.carries) continue;
+    const int seats = std::clamp(static_cast<int>(std::lround((space.max[0] - space.min[0]) / 700)), 1, 6);
+    const double seat = (space.max[0] - space.min[0]) / seats;
+    for (int i = 0; i < seats; ++i) {
+      pen.cushion(space.min[0] + i * seat, space.min[0] + (i + 1) * seat, space.min[1], space.max[1], 60);
+    }
+  }
+}
+
 void draw_sofa(Pen& pen, const PlacedObject& object) {
+  for (const Space& space : object.spaces) {
+    if (space.name == "corner") return draw_corner_sofa(pen, object, space);
+  }
   const double w = pen.w(), d = pen.d(), arm = std::min(180.0, w * 0.14), back = std::min(220.0, d * 0.28);
   pen.style.fill = "#d9e4d6";
   pen.cushion(-w / 2, w / 2, -d / 2, d / 2, 70);
@@ -237,20 +265,38 @@ void draw_appliance(Pen& pen, const PlacedObject& object) {
   const double w = pen.w() / 2, d = pen.d() / 2;
   pen.style.fill = "#ececec";
   pen.outline();
-  if (has(object.category, {"washing", "dryer", "washer"})) return pen.ellipse(0, 0, 0.6 * w, 0.6 * w);
+  if (has(object.category, {"washing", "dryer", "washer"}) && !has(object.category, {"dish"})) return pen.ellipse(0, 0, 0.6 * w, 0.6 * w);
   pen.line(-w, -d, w, d);
   pen.line(-w, d, w, -d);
 }
 
 void draw_screen(Pen& pen, const PlacedObject&) {
-  pen.style.fill = "#555";
+  pen.style.fill = "#c3c8cd";
   pen.outline();
+  pen.line(-pen.w() / 2, -pen.d() / 2, pen.w() / 2, -pen.d() / 2);
 }
 
-void draw_piano(Pen& pen, const PlacedObject&) {
+void draw_piano(Pen& pen, const PlacedObject& object) {
   const double w = pen.w(), d = pen.d();
   pen.style.fill = "#d6d2cd";
-  pen.outline();
+  if (has(object.category, {"grand"})) {
+    // The straight side at the bass, left of the keys; the bent side from the treble to the tail.
+    std::vector<PaperPoint> outline{{w / 2, -d / 2}, {w / 2, -0.1 * d}};
+    for (int i = 0; i <= 12; ++i) {
+      const double share = i / 12.0, bend = 0.5 - 0.5 * std::cos(share * kPi);
+      outline.push_back({w / 2 - bend * 0.38 * w, -0.1 * d + share * 0.45 * d});
+    }
+    for (int i = 0; i <= 8; ++i) {
+      const double angle = i * kPi / 16;
+      outline.push_back(
+          {-w / 2 + 0.25 * w + 0.37 * w * std::cos(angle) - 0.12 * w * (1 - std::cos(angle)), 0.35 * d + 0.15 * d * std::sin(angle)});
+    }
+    outline.push_back({-w / 2, 0.5 * d});
+    outline.push_back({-w / 2, -d / 2});
+    pen.shape(outline);
+  } else {
+    pen.outline();
+  }
   pen.style.fill = "#fff";
   pen.box(-0.45 * w, 0.45 * w, -d / 2, -d / 2 + std::min(180.0, 0.3 * d));
 }
