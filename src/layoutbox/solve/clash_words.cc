@@ -136,7 +136,7 @@ void add_never(const Model& model, const std::vector<char>& given_up, std::vecto
   for (std::size_t c = 0; c < model.constraints.size(); ++c) {
     const Constraint& constraint = model.constraints[c];
     if (constraint.relation < 0 || constraint.firmness != Firmness::kHard || given_up[c]) continue;
-    const auto never = [](const Formula& f) { return f.cases.empty(); };
+    const auto never = [](const Formula& f) { return f.cases.empty() && f.exact; };
     if (std::none_of(constraint.formulas.begin(), constraint.formulas.end(), never)) continue;
     Clash clash;
     clash.demands.push_back({Demand::Kind::kConstraint, static_cast<int>(c)});

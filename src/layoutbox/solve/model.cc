@@ -192,7 +192,40 @@ Item object_item(const SceneGraph& scene, const SceneObject& object, const Catal
   return item;
 }
 
-Item opening_item(const Opening& opening, const std::vector<RoomWall>& walls) {
+// The wall at an angle in which an opening is: the one it names, the longest where no wall of the room runs along x or y; else null.
+// An opening there does not move: it is where its offset says, in the middle of the wall where it says nothing.
+const Wall* angled_wall_of(const Opening& opening, const Room& room) {
+  const Wall* found = nullptr;
+  double longest = 0;
+  for (const Wall& wall : room.walls) {
+    const double length = std::hypot(wall.end.x - wall.start.x, wall.end.y - wall.start.y);
+    const bool straight = room_wall(wall).straight;
+    if (wall.id == opening.wall) return straight ? nullptr : &wall;
+    if (straight && opening.wall.empty()) return nullptr;
+    if (opening.wall.empty() && length > longest) longest = length, found = &wall;
+  }
+  return found;
+}
+
+int turn_of_angled(const Wall& wall) {
+  const double turn = std::atan2(wall.start.y - wall.end.y, wall.start.x - wall.end.x) * 180 / kPi;
+  return static_cast<int>(std::lround(normalized_degrees(turn))) % 360;
+}
+
+// The low corner of the box around an opening in such a wall.
+std::array<Mm, 2> place_in_angled(const Wall& wall, const Opening& opening, const Vec3& extent, const Box& room) {
+  const double dx = wall.end.x - wall.start.x, dy = wall.end.y - wall.start.y, length = std::hypot(dx, dy);
+  const double middle = (opening.offset ? *opening.offset + opening.width / 2.0 : length / 2) / length;
+  const double at[2] = {wall.start.x + dx * middle, wall.start.y + dy * middle};
+  std::array<Mm, 2> low{};
+  for (int k = 0; k < 2; ++k) {
+    low[k] = static_cast<Mm>(std::lround(at[k] - extent[k] / 2.0));
+    low[k] = std::max(room.lo[k], std::min(low[k], room.hi[k] - extent[k]));
+  }
+  return low;
+}
+
+Item opening_item(const Opening& opening, const Room& room, const std::vector<RoomWall>& walls) {
   Item item;
   item.id = opening.id;
   item.opening = &opening;
@@ -201,6 +234,7 @@ Item opening_item(const Opening& opening, const std::vector<RoomWall>& walls) {
   for (const RoomWall& wall : walls) {
     if (wall.straight && (opening.wall.empty() || wall.id == opening.wall)) turns.insert(wall.turn);
   }
+  if (const Wall* angled = angled_wall_of(opening, room)) turns = {turn_of_angled(*angled)};
   const Mm depth = opening.type == OpeningType::kWindow ? kWindowDepth : opening.width;
   for (const int turn : turns) {
     State state;
@@ -223,6 +257,12 @@ Constraint opening_place(const Model& model, int index) {
   out.name = "place of " + item.id;
   out.firmness = Firmness::kAlways;
   Formula& f = out.formulas.emplace_back();
+  if (const Wall* angled = angled_wall_of(opening, model.scene->room)) {
+    Case& c = f.add();
+    const auto low = place_in_angled(*angled, opening, item.states[0].extent, model.room);
+    for (int k = 0; k < 2; ++k) c.require_small(lo(index, k) - Linear(low[k]), 0);
+    c.require_small(lo(index, 2) - Linear(opening.sill), 0);
+  }
   for (const RoomWall& wall : model.walls) {
     if (!wall.straight || (!opening.wall.empty() && wall.id != opening.wall)) continue;
     Case& c = f.add();
@@ -399,7 +439,7 @@ Result<Model> build_model(const SceneGraph& scene, const Catalog& catalog, const
   model.outside = outside_of(polygon, 0, scene.room.height, 100);
   for (const Wall& wall : scene.room.walls) model.walls.push_back(room_wall(wall));
   for (const SceneObject& object : scene.objects) model.items.push_back(object_item(scene, object, catalog, options));
-  for (const Opening& opening : scene.room.openings) model.items.push_back(opening_item(opening, model.walls));
+  for (const Opening& opening : scene.room.openings) model.items.push_back(opening_item(opening, scene.room, model.walls));
   for (Item& item : model.items) {
     item.all_states = item.states.size() >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << item.states.size()) - 1;
   }

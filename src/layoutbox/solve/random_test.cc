@@ -188,5 +188,33 @@ TEST(OtherRooms, AnLShapeKeepsItsNotchFree) {
   }
 }
 
+// A round room as a polygon: windows and doors in its walls at an angle are kept free.
+TEST(OtherRooms, OpeningsInWallsAtAnAngle) {
+  const std::vector<Point> octagon{{1500, 0}, {3500, 0}, {5000, 1500}, {5000, 3500}, {3500, 5000}, {1500, 5000}, {0, 3500}, {0, 1500}};
+  for (const std::optional<Mm> offset : {std::optional<Mm>(300), std::optional<Mm>()}) {
+    const auto layout = solve(SceneMaker(octagon)
+                                  .opening(OpeningType::kWindow, "wall2", offset, 1000, 900, 1200)
+                                  .opening(OpeningType::kDoor, "wall4", offset)
+                                  .add("bed")
+                                  .add("wardrobe")
+                                  .add("desk")
+                                  .make(true),
+                              Catalog::builtin());
+    ASSERT_TRUE(layout);
+    EXPECT_EQ(layout->status, LayoutStatus::kSolved);
+    ASSERT_EQ(layout->room.openings.size(), 2u);
+    for (const Opening& opening : layout->room.openings) EXPECT_TRUE(opening.offset) << opening.id;
+    EXPECT_EQ(layout->room.openings[1].wall, "wall4");
+  }
+  // Where no wall runs along x or y, openings without a place take one all the same.
+  const auto diamond = solve(SceneMaker(std::vector<Point>{{3000, 0}, {6000, 3000}, {3000, 6000}, {0, 3000}})
+                                 .opening(OpeningType::kDoor, "", std::nullopt)
+                                 .add("table")
+                                 .make(true),
+                             Catalog::builtin());
+  ASSERT_TRUE(diamond);
+  EXPECT_FALSE(diamond->room.openings[0].wall.empty());
+}
+
 }  // namespace
 }  // namespace layoutbox::placement

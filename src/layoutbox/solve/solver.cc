@@ -556,7 +556,7 @@ class Solver {
       if (r.held || !r.relation.hard || std::any_of(layout.relaxed.begin(), layout.relaxed.end(), listed)) continue;
       const bool way = r.relation.type == RelationType::kReachable;
       layout.relaxed.push_back(
-          {r.relation.id, 0, "", (way ? "no free way was found: " : "not so: ") + relation_in_words(model_, r.relation)});
+          {r.relation.id, 0, "", (way ? "no free way was found: " : "no layout was found such that ") + relation_in_words(model_, r.relation)});
     }
     layout.conflicts = conflicts_;
     layout.status = fallback_ ? LayoutStatus::kFallback : layout.relaxed.empty() ? LayoutStatus::kSolved : LayoutStatus::kRelaxed;

@@ -142,6 +142,20 @@ Opening placed_opening(const Model& model, int index, const Placements& placemen
     out.offset = wall.runs_up ? box.lo[wall.along] - wall.lo : wall.hi - box.hi[wall.along];
     return out;
   }
+  // In a wall at an angle: where it was said, else in the middle of the wall that it is nearest to.
+  if (!out.offset || out.wall.empty()) {
+    double nearest = std::numeric_limits<double>::max();
+    const double x = (box.lo[0] + box.hi[0]) / 2.0, y = (box.lo[1] + box.hi[1]) / 2.0;
+    for (const Wall& wall : model.scene->room.walls) {
+      if (!out.wall.empty() && item.opening->wall != wall.id && !item.opening->wall.empty()) continue;
+      const double off = std::hypot((wall.start.x + wall.end.x) / 2.0 - x, (wall.start.y + wall.end.y) / 2.0 - y);
+      if (off >= nearest) continue;
+      nearest = off;
+      out.wall = wall.id;
+      const double length = std::hypot(wall.end.x - wall.start.x, wall.end.y - wall.start.y);
+      out.offset = std::max<Mm>(0, static_cast<Mm>(std::lround((length - out.width) / 2)));
+    }
+  }
   return out;
 }
 

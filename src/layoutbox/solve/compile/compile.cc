@@ -84,6 +84,20 @@ Status compile_relation(const Model& model, const Relation& relation, std::strin
     return {};
   }
   kFunctions[static_cast<std::size_t>(relation.type)](c);
+  // Openings in walls at an angle are known by the box around them only.
+  const auto angled = [&](const Reference& r) {
+    return r.kind == Reference::Kind::kItem && !model.items[r.index].states.empty() && model.items[r.index].is_opening() &&
+           model.items[r.index].states[0].turn % 90 != 0;
+  };
+  if (std::any_of(c.references.begin(), c.references.end(), angled)) {
+    const bool far = relation.type == RelationType::kFar || relation.type == RelationType::kFarFromDoor ||
+                     relation.type == RelationType::kFarFromWindow || relation.type == RelationType::kNotBlocking;
+    for (Formula& formula : out.formulas) {
+      formula.exact = false;
+      formula.outer.clear();
+      if (!far) formula.cases.clear();  // not placed, and not said to be impossible
+    }
+  }
   // What cannot be said of such references (in front of the room) does not hold; without any, it holds of all there are.
   if (out.formulas.empty() && out.reach.empty() && !relation.references.empty()) c.never();
   return {};

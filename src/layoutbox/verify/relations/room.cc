@@ -143,6 +143,7 @@ Finding check_OnCeiling(const Case& c) {
 Finding check_AwayFromWall(const Case& c) {
   const double min = c.metres(c.relation.parameters.min, "min").value_or(0.5);
   const auto walls = named_or_all(c, c.view.walls, [](const Face& face) { return face.opening == nullptr; });
+  if (walls.empty()) return condition(false, "there is no such wall");
   return each_target(c, [&](const Body& t) {
     std::vector<Finding> findings;
     for (const Face* wall : walls) {
