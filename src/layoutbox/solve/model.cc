@@ -125,7 +125,8 @@ State make_state(const SceneObject& object, const CatalogEntry& entry, const Siz
 // The turns an object may take.
 std::vector<int> turns_of(const Item& item, const SceneObject& object, bool odd_angles) {
   if (item.fixed) return {static_cast<int>(std::lround(normalized_degrees(object.hint.rotation_deg.value_or(0)))) % 360};
-  if (item.thin || (item.mount == Mount::kCeiling && item.usual_mount == Mount::kCeiling)) return {0, 90};
+  const bool hangs = item.mount == Mount::kCeiling && item.usual_mount == Mount::kCeiling;
+  if (item.thin || (hangs && !item.has_front)) return {0, 90};
   const Size& size = object.size->usual;
   const bool wall = item.mount == Mount::kWall || item.mount == Mount::kHung;
   if (!item.has_front && !wall && size.width == size.depth) return {0};

@@ -48,7 +48,15 @@ class Solver {
   }
 
   Result<Layout> run() {
-    if (const Status found = find_legal(); !found) return Failure(found.error());
+    const Status found = find_legal();
+    if (!found && (found.error().code == ErrorCode::kInterrupted || (impossible_.empty() && not_found_.empty()))) return Failure(found.error());
+    if (!impossible_.empty()) {
+      Error error{ErrorCode::kInfeasible, "there is no such layout: " + impossible_[0], {}, "change or drop one of these", {}};
+      for (const std::string& sentence : impossible_) error.details.push_back({ErrorCode::kInfeasible, sentence, {}, {}, {}});
+      return Failure(std::move(error));
+    }
+    if (!not_found_.empty())
+      return fail(ErrorCode::kNotFound, not_found_[0] + ", and no proof that there is none", {}, "raise --effort or --time-limit");
     if (options_.improve && !fallback_) improve();
     return finish();
   }
@@ -383,14 +391,8 @@ class Solver {
       }
     }
     conflicts_.push_back(conflict);
-    if (options_.on_conflict == OnConflict::kFail && !only_implied && !clash.proven) {
-      return fail(ErrorCode::kNotFound, conflict.sentence + ", and no proof that there is none", {}, "raise --effort or --time-limit");
-    }
-    if (options_.on_conflict == OnConflict::kFail && !only_implied) {
-      Error error{ErrorCode::kInfeasible, "there is no such layout: " + conflict.sentence, {}, "change or drop one of these", {}};
-      for (const Conflict& c : conflicts_) error.details.push_back({ErrorCode::kInfeasible, c.sentence, {}, {}, {}});
-      return Failure(std::move(error));
-    }
+    // Where conflicts are errors, what could be given up is, only to see whether there are others.
+    if (options_.on_conflict == OnConflict::kFail && !only_implied) (clash.proven ? impossible_ : not_found_).push_back(conflict.sentence);
     if (options_.on_conflict == OnConflict::kOriginal && !only_implied) {
       fall_back();
       return false;
@@ -556,7 +558,8 @@ class Solver {
       if (r.held || !r.relation.hard || std::any_of(layout.relaxed.begin(), layout.relaxed.end(), listed)) continue;
       const bool way = r.relation.type == RelationType::kReachable;
       layout.relaxed.push_back(
-          {r.relation.id, 0, "", (way ? "no free way was found: " : "no layout was found such that ") + relation_in_words(model_, r.relation)});
+          {r.relation.id, 0, "",
+           (way ? "no free way was found: " : "no layout was found such that ") + relation_in_words(model_, r.relation)});
     }
     layout.conflicts = conflicts_;
     layout.status = fallback_ ? LayoutStatus::kFallback : layout.relaxed.empty() ? LayoutStatus::kSolved : LayoutStatus::kRelaxed;
@@ -588,6 +591,7 @@ class Solver {
   std::map<std::string, std::string> lost_words_;             // by relation
   std::vector<Relaxation> reasons_;                           // of the objects left out
   std::vector<Conflict> conflicts_;
+  std::vector<std::string> impossible_, not_found_;  // conflicts that are errors
   Placements placements_;
   std::vector<int> failed_;
   int size_limit_ = 0;

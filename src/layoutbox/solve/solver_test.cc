@@ -215,6 +215,40 @@ TEST(Conflict, SmallestSetIsNamed) {
   EXPECT_EQ(layout.status, LayoutStatus::kRelaxed);
 }
 
+TEST(Conflict, IndependentOnesAreAllNamed) {
+  if (!describe_cp_sat_library()) GTEST_SKIP() << "no CP-SAT library: run scripts/setup.sh";
+  const SceneGraph scene = SceneMaker(5000, 4000)
+                               .add("table")
+                               .add("chair")
+                               .add("plant")
+                               .relate("leftOf", {"chair_1"}, {"table_1"})
+                               .relate("rightOf", {"chair_1"}, {"table_1"})
+                               .relate("corner", {"plant_1"})
+                               .relate("centerOfRoom", {"plant_1"})
+                               .make();
+  SolveOptions options;
+  options.on_conflict = OnConflict::kFail;
+  const auto failed = solve(scene, Catalog::builtin(), options);
+  ASSERT_FALSE(failed);
+  EXPECT_EQ(failed.error().code, ErrorCode::kInfeasible);
+  ASSERT_EQ(failed.error().details.size(), 2u);
+  const Layout layout = solved(scene);
+  ASSERT_EQ(layout.conflicts.size(), 2u);
+  std::vector<std::string> named = layout.conflicts[0].relations;
+  named.insert(named.end(), layout.conflicts[1].relations.begin(), layout.conflicts[1].relations.end());
+  EXPECT_THAT(named, testing::UnorderedElementsAre("c1", "c2", "c3", "c4"));
+  EXPECT_TRUE(layout.conflicts[0].minimal && layout.conflicts[1].minimal);
+}
+
+// What lies outside our ways to place things but is not impossible is not called so.
+TEST(Conflict, NotFoundIsNotCalledImpossible) {
+  const std::vector<Point> octagon{{1500, 0}, {3500, 0}, {5000, 1500}, {5000, 3500}, {3500, 5000}, {1500, 5000}, {0, 3500}, {0, 1500}};
+  const Layout layout = solved(SceneMaker(octagon).add("bed").relate("againstWall", {"bed_1"}, {"wall2"}).make());
+  ASSERT_EQ(layout.relaxed.size(), 1u);
+  EXPECT_THAT(layout.relaxed[0].why, testing::HasSubstr("no layout was found"));
+  EXPECT_FALSE(holds(layout, "c1"));
+}
+
 TEST(Conflict, TheLighterOneIsGivenUp) {
   if (!describe_cp_sat_library()) GTEST_SKIP() << "no CP-SAT library: run scripts/setup.sh";
   SceneMaker maker = SceneMaker(5000, 4000).add("plant").relate("corner", {"plant_1"}).relate("centerOfRoom", {"plant_1"});
