@@ -79,6 +79,17 @@ class Edits(EditCase):
         chair = next(name for name in after if "chair" in name)
         self.assertEqual((after[chair]["rotation"] - self.object(chair)["rotation"]) % 360, 180)
 
+    def test_loose_ways_end_where_there_is_room(self):
+        after, _ = self.edited("move the desk a bit away from the door")
+        self.assertGreater(after["desk_1"]["pos"][1], self.object("desk_1")["pos"][1])
+
+    def test_turn_askew_at_a_wall(self):
+        first, _ = self.edited("add a potted plant in a corner")
+        plant = next(item["id"] for item in first.values() if "plant" in item["category"])
+        self.path("new.json").rename(self.path("plant.json"))
+        after, _ = self.edited("turn the plant by 45 degrees", layout=self.path("plant.json"))
+        self.assertEqual((after[plant]["rotation"] - first[plant]["rotation"]) % 360, 45)
+
     def test_swap(self):
         after, _ = self.edited("swap the desk and the wardrobe")
         self.assertLess(abs(after["desk_1"]["pos"][1] - self.object("wardrobe_1")["pos"][1]), 0.6)

@@ -410,17 +410,43 @@ class Edit {
     bool may_move = false;  // turned on the spot, or else beside it
   };
 
-  Result<Layout> solve_with(double share, bool turn_free) {
+  // How an attempt differs from what is said: how much of a loose way is gone along x and y, how far what turns steps towards the middle
+  // of the room, and whether it may step anywhere.
+  struct Attempt {
+    double share_x = 1, share_y = 1, step_in = 0;
+    bool turn_free = false;
+  };
+
+  std::array<double, 2> middle() const {
+    std::array<double, 2> sum{};
+    for (const Point& corner : before_.room.polygon) sum[0] += corner.x, sum[1] += corner.y;
+    const auto count = static_cast<double>(std::max<std::size_t>(before_.room.polygon.size(), 1));
+    return {sum[0] / count, sum[1] / count};
+  }
+
+  std::array<double, 3> position_of(const Pin& pin, const Attempt& attempt) const {
+    std::array<double, 3> position = pin.from;
+    const std::array<double, 3> shares =
+        pin.loose ? std::array<double, 3>{attempt.share_x, attempt.share_y, 1} : std::array<double, 3>{1, 1, 1};
+    for (std::size_t i = 0; i < 3; ++i) position[i] += std::round(pin.way[i] * shares[i] / kGridMm) * kGridMm;
+    if (pin.may_move && attempt.step_in > 0) {
+      const auto center = middle();
+      const double dx = center[0] - position[0], dy = center[1] - position[1], far = std::max(std::hypot(dx, dy), 1.0);
+      position[0] += std::round(dx / far * attempt.step_in / kGridMm) * kGridMm;
+      position[1] += std::round(dy / far * attempt.step_in / kGridMm) * kGridMm;
+    }
+    return position;
+  }
+
+  Result<Layout> solve_with(const Attempt& attempt) {
     SceneGraph scene = scene_;
     Layout guide = guide_;
     for (const Pin& pin : pins_) {
       for (SceneObject& object : scene.objects) {
         if (object.id != pin.id) continue;
-        const double part = pin.loose ? share : 1;
-        std::array<double, 3> position = pin.from;
-        for (std::size_t i = 0; i < 3; ++i) position[i] += std::round(pin.way[i] * part / kGridMm) * kGridMm;
+        const std::array<double, 3> position = position_of(pin, attempt);
         const auto side = side_looked_at(pin.rotation);
-        if (turn_free && pin.may_move && side) {  // which way it looks is what counts; it may step aside
+        if (attempt.turn_free && pin.may_move && side) {  // which way it looks is what counts; it may step aside
           Relation facing;
           facing.id = "turned_" + pin.id;
           facing.type = R::kFacing;
@@ -472,16 +498,31 @@ class Edit {
     return ids;
   }
 
+  // A way of which nothing is left is no answer.
+  bool something_moved(const Attempt& attempt) const {
+    return std::all_of(pins_.begin(), pins_.end(), [&](const Pin& pin) { return pin.may_move || position_of(pin, attempt) != pin.from; });
+  }
+
   // As exactly as it is said; a little less where that is loose.
   Result<Layout> place() {
-    auto first = solve_with(1, false);
-    if (first || first.error().code == ErrorCode::kInterrupted || first.error().code == ErrorCode::kNoSolver) return first;
-    for (const double share : {0.5, 0.2}) {
-      if (std::none_of(pins_.begin(), pins_.end(), [](const Pin& pin) { return pin.loose; })) break;
-      if (auto layout = solve_with(share, false)) return layout;
+    auto first = solve_with({});
+    if (first || pins_.empty() || first.error().code == ErrorCode::kInterrupted || first.error().code == ErrorCode::kNoSolver) return first;
+    std::vector<Attempt> attempts;
+    if (std::any_of(pins_.begin(), pins_.end(), [](const Pin& pin) { return pin.loose; })) {
+      for (const double share : {1.0, 0.5, 0.2}) {
+        for (const auto& [x, y] : {std::pair{share, share}, {share, 0.0}, {0.0, share}}) attempts.push_back({x, y, 0, false});
+      }
+      attempts.erase(attempts.begin());
     }
-    if (std::any_of(pins_.begin(), pins_.end(), [](const Pin& pin) { return pin.may_move; })) {
-      if (auto layout = solve_with(1, true)) return layout;
+    const auto quarter = [](const Pin& pin) { return pin.may_move && side_looked_at(pin.rotation); };
+    const auto askew = [](const Pin& pin) { return pin.may_move && !side_looked_at(pin.rotation); };
+    if (std::any_of(pins_.begin(), pins_.end(), quarter)) attempts.push_back({1, 1, 0, true});
+    if (std::any_of(pins_.begin(), pins_.end(), askew)) {
+      for (const double step : {50.0, 100.0, 200.0, 400.0}) attempts.push_back({1, 1, step, false});
+    }
+    for (const Attempt& attempt : attempts) {
+      if (solve_.stop != nullptr && solve_.stop->load()) break;
+      if (auto layout = solve_with(attempt); layout && something_moved(attempt)) return layout;
     }
     return first;
   }

@@ -217,6 +217,9 @@ std::vector<int> World::modified(const std::vector<int>& found, const Modifier& 
     if (holds) said.push_back(i);
   }
   if (!said.empty()) return said;
+  const auto carries = [](const PhraseSense& s) { return s.type == RelationType::kOn || s.type == RelationType::kIn; };
+  // "the lamp on the desk" where there is none: not the one that is nearest.
+  if (!modifier.things.empty() && std::any_of(modifier.senses.begin(), modifier.senses.end(), carries)) return {};
   // Else the side, where it says one; else the nearest.
   double best = kUnknown;
   std::vector<int> nearest;
