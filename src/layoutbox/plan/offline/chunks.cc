@@ -134,7 +134,8 @@ class Chunker {
 
   bool read_noun(bool bare) {
     // Right after a noun phrase no bare one begins: "lamps light the room", "a table holds".
-    const bool after_noun = bare && previous() == ChunkKind::kNoun && !chunks_.back().noun.owner;
+    const bool after_which = !chunks_.empty() && chunks_.back().noun.kind == NounKind::kPronoun && chunks_.back().noun.head == "which";
+    const bool after_noun = bare && previous() == ChunkKind::kNoun && !chunks_.back().noun.owner && !after_which;
     if (after_noun && !lexicon_.is(tokens_[i_], Class::kWallWord)) return false;
     auto noun = read_noun_phrase(lexicon_, tokens_, i_, bare);
     if (!noun || noun->last <= i_) return false;
