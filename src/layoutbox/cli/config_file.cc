@@ -60,6 +60,9 @@ class ConfigFile final : public CLI::ConfigTOML {
     const std::string text = buffer.str();
     const std::size_t first = text.find_first_not_of(" \t\r\n");
     Items read;
+    if (first != std::string::npos && text[first] == '[' && parse_json(text)) {  // "[batch]" opens a section, "[1, 2]" is JSON
+      throw CLI::ConfigError("the configuration file is a list, and not an object of options and their values");
+    }
     if (first != std::string::npos && text[first] == '{') {
       read = read_json(text);
     } else {

@@ -479,7 +479,7 @@ class Edit {
       if (check.passed || !check.required || check.name == "relation") continue;
       const auto concerned = [&](const Pin& pin) { return has(split(check.subject), pin.id); };
       if (std::any_of(pins_.begin(), pins_.end(), concerned)) {
-        return fail(ErrorCode::kInfeasible, check.message, "text", "say another way, or less of it");
+        return fail(ErrorCode::kInfeasible, "it would not stand well there: " + check.message, "text", "say another way, or less of it");
       }
     }
     return {};

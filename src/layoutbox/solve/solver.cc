@@ -49,7 +49,8 @@ class Solver {
 
   Result<Layout> run() {
     const Status found = find_legal();
-    if (!found && (found.error().code == ErrorCode::kInterrupted || (impossible_.empty() && not_found_.empty()))) return Failure(found.error());
+    if (!found && (found.error().code == ErrorCode::kInterrupted || (impossible_.empty() && not_found_.empty())))
+      return Failure(found.error());
     if (!impossible_.empty()) {
       Error error{ErrorCode::kInfeasible, "there is no such layout: " + impossible_[0], {}, "change or drop one of these", {}};
       for (const std::string& sentence : impossible_) error.details.push_back({ErrorCode::kInfeasible, sentence, {}, {}, {}});
