@@ -26,6 +26,7 @@ KEYS = {
 }  # fmt: skip
 THIN = 0.03  # m, rugs and mats up to this height collide with nothing
 ROOM_SHARE = 0.6  # of a room's floor that its usual furniture may cover
+NEIGHBOUR = 5  # how many times larger or smaller a kind may be than the range of what it is a kind of
 SLACK = 1e-9  # m
 
 Size = dict[str, float]
@@ -116,6 +117,20 @@ def check_supports(entry: dict, ids: dict[str, dict]) -> Iterator[str]:
             yield f"standsOn: {host['name']} carries nothing, on its top or in a space"
 
 
+def check_neighbours(entry: dict, ids: dict[str, dict]) -> Iterator[str]:
+    """A kind is of the same order of size as what it is a kind of, where both stand or hang alike."""
+    parent = ids.get(entry.get("kindOf", ""))
+    if parent is None or parent.get("mount", "floor") != entry.get("mount", "floor"):
+        return
+
+    def sides(thing: dict) -> list[list[float]]:
+        return [*sorted((three(thing["size"][side]) for side in "wd"), key=lambda lengths: lengths[1]), three(thing["size"]["h"])]
+
+    for name, own, others in zip(("short side", "long side", "height"), sides(entry), sides(parent)):
+        if not others[0] / NEIGHBOUR <= own[1] <= others[2] * NEIGHBOUR:
+            yield f"{name} of usually {own[1]} m is far from that of {parent['name']} ({others[0]} to {others[2]} m)"
+
+
 def check_entry(entry: dict, ids: dict[str, dict], rooms: set[str]) -> Iterator[str]:
     """Faults of one entry by itself and of the ids that it names."""
     for key in entry.keys() - KEYS:
@@ -149,6 +164,7 @@ def check_entry(entry: dict, ids: dict[str, dict], rooms: set[str]) -> Iterator[
         yield "no source"
     yield from check_spaces(entry)
     yield from check_supports(entry, ids)
+    yield from check_neighbours(entry, ids)
 
 
 def check_ancestors(entry: dict, ids: dict[str, dict]) -> Iterator[str]:

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cctype>
 #include <fstream>
 #include <map>
 #include <set>
@@ -262,9 +263,11 @@ TEST(Sentences, EveryWordIsAccountedForOnceAndInOrder) {
     for (const WordReading& reading : plan->readings) {
       EXPECT_GE(reading.begin, at) << row.text;
       EXPECT_GT(reading.end, reading.begin) << row.text;
+      for (; at < reading.begin; ++at) EXPECT_FALSE(std::isalnum(static_cast<unsigned char>(row.text[at]))) << row.text.substr(at);
       at = reading.end;
     }
     EXPECT_LE(at, row.text.size());
+    for (; at < row.text.size(); ++at) EXPECT_FALSE(std::isalnum(static_cast<unsigned char>(row.text[at]))) << row.text.substr(at);
   }
 }
 
