@@ -12,7 +12,7 @@ from pathlib import Path
 # From the ground up; the folders of one floor do not know each other.
 FLOORS = (
     ("base",),
-    ("scene",),
+    ("scene", "chat"),
     ("catalog",),
     ("plan", "solve", "furnish"),
     ("render", "export", "verify"),

@@ -127,6 +127,10 @@ wants_blender() { [[ $mode != build ]]; }
 wants_tests() { [[ $mode == tests || $mode == nightly ]]; }
 
 has_python_tools() { has_environment tools tests.txt; }
+has_mocks() {
+  has_environment mocks-python mocks.txt && [[ -d $deps/mocks-node/node_modules ]] &&
+    cmp -s "$deps/mocks-node/package-lock.json" "$root/tests/llm/mocks/package-lock.json"
+}
 has_gltf_validator() { [[ -d $deps/node/node_modules/gltf-validator ]] && cmp -s "$deps/node/package-lock.json" "$root/tests/tools/package-lock.json"; }
 
 # ---- installing packages --------------------------------------------------------------------------------------------------------
@@ -256,6 +260,15 @@ fetch_test_tools() {
     cp "$root"/tests/tools/package*.json "$deps/node/"
     logged npm ci --prefix "$deps/node" --ignore-scripts --no-audit --no-fund || die "the glTF validator could not be fetched"
   fi
+  if ! has_mocks; then
+    say "fetching mock servers of language models"
+    if ! make_environment "$deps/mocks-python" python3 || ! install_requirements "$deps/mocks-python" mocks.txt; then
+      die "the mock server llmock could not be fetched"
+    fi
+    mkdir -p "$deps/mocks-node"
+    cp "$root"/tests/llm/mocks/package*.json "$deps/mocks-node/"
+    logged npm ci --prefix "$(readlink -f "$deps/mocks-node")" --ignore-scripts --no-audit --no-fund || die "the mock server aimock could not be fetched"
+  fi
 }
 
 # ---- the run ----------------------------------------------------------------------------------------------------------------------
@@ -265,7 +278,7 @@ if wants_tests; then groups+=(tests); fi
 if [[ $mode == nightly ]]; then groups+=(nightly); fi
 
 fingerprint() {
-  cat "$root"/scripts/setup.sh "$root"/scripts/packages.txt "$root"/scripts/requirements/*.txt "$root"/tests/tools/package*.json |
+  cat "$root"/scripts/setup.sh "$root"/scripts/packages.txt "$root"/scripts/requirements/*.txt "$root"/tests/tools/package*.json "$root"/tests/llm/mocks/package*.json |
     cat - <(printf '%s\n' "$root" "${ORTOOLS_ROOT:-}" "${LAYOUTBOX_BLENDER:-}") | sha256sum | cut -d' ' -f1
 }
 
@@ -274,7 +287,7 @@ is_complete() {
   [[ -e $deps/$mode.stamp && $(<"$deps/$mode.stamp") == "$(fingerprint)" ]] || return 1
   [[ ! $(missing_packages "${groups[@]}") ]] && has_solver || return 1
   if wants_blender; then has_private_bpy || own_blender >/dev/null || return 1; fi
-  ! wants_tests || { has_python_tools && has_gltf_validator; }
+  ! wants_tests || { has_python_tools && has_gltf_validator && has_mocks; }
 }
 
 mkdir -p "$deps" "$root/build/logs"

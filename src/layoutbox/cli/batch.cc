@@ -8,6 +8,7 @@
 
 #include "layoutbox/cli/commands.h"
 #include "layoutbox/cli/inputs.h"
+#include "layoutbox/cli/model_flags.h"
 
 namespace layoutbox::cli {
 namespace {
@@ -17,6 +18,7 @@ struct Flags {
   int jobs = 1;
   bool no_render = false, force = false;
   PlanFlags plan;
+  ModelFlags model;
   SolveFlags solve;
   RenderFlags render;
   BatchOptions options;
@@ -58,7 +60,7 @@ int status_of(const BatchOutcome& outcome) {
 Status prepare(Flags& flags, const Console& console) {
   GenerateOptions& options = flags.options.generate;
   LAYOUTBOX_CHECK(flags.plan.apply(options));
-  LAYOUTBOX_CHECK(flags.solve.apply(options.solve));
+  LAYOUTBOX_CHECK(flags.solve.apply(options.solve, flags.plan.by_model()));
   LAYOUTBOX_CHECK(flags.render.apply(options.render));
   options.pictures = !flags.no_render;
   options.stop = &stop_flag();
@@ -69,6 +71,8 @@ Status prepare(Flags& flags, const Console& console) {
 }
 
 Result<BatchOutcome> run_lines(Flags& flags, const Console& console) {
+  if (flags.model.dry_run)
+    return layoutbox::fail(ErrorCode::kUsage, "a batch has many requests", "--dry-run", "try one line of it with generate");
   LAYOUTBOX_CHECK(prepare(flags, console));
   LAYOUTBOX_ASSIGN(const std::string text, read_input(flags.prompts));
   auto lines = read_batch(text);
@@ -81,7 +85,7 @@ Result<BatchOutcome> run_lines(Flags& flags, const Console& console) {
   console.notes(catalog.notes);
   GenerateOptions& options = flags.options.generate;
   options.inputs.insert(options.inputs.end(), catalog.inputs.begin(), catalog.inputs.end());
-  const auto planner = make_offline_planner(catalog.get());
+  LAYOUTBOX_ASSIGN(const auto planner, flags.model.make_planner(flags.plan.planner, catalog.get(), options, console));
   return run_batch(*lines, *planner, catalog.get(), flags.folder, flags.options);
 }
 
@@ -109,6 +113,7 @@ void add_batch(CLI::App& app, Context& context) {
   command->add_flag("--force", flags->force, "Also make again what is there already");
   command->add_flag("--no-render", flags->no_render, "Make no pictures: no Blender is needed");
   flags->plan.add_to(*command);
+  flags->model.add_to(*command, flags->options.generate.repair);
   flags->solve.add_to(*command, flags->options.generate.solve);
   flags->render.add_to(*command);
   command->callback([flags, &context] { context.status = run(*flags, context.console); });

@@ -22,6 +22,7 @@ void add_export(CLI::App& app, Context& context);
 void add_verify(CLI::App& app, Context& context);
 void add_validate(CLI::App& app, Context& context);
 void add_catalog(CLI::App& app, Context& context);
+void add_cache(CLI::App& app, Context& context);
 void add_doctor(CLI::App& app, Context& context);
 
 }  // namespace layoutbox::cli

@@ -84,8 +84,10 @@ void Console::stage(const StageTime& stage) const {
 void Console::notes(const std::vector<Note>& notes) const {
   for (const Note& note : notes) {
     const std::string line = note.pointer.empty() ? note.message : fmt::format("{} [{}]", note.message, note.pointer);
-    if (note.code == "not-understood" || note.code == "contradiction" || note.code == "warning") {
+    if (note.code == "not-understood" || note.code == "contradiction" || note.code == "warning" || note.code == "left-out") {
       warn(line);
+    } else if (note.code == "text-differs") {
+      say(fmt::format("model: {}", line));
     } else if (verbosity > 0) {
       say(fmt::format("note: {}", line));
     }

@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "layoutbox/chat/endpoint.h"
+#include "layoutbox/chat/http_client.h"
 #include "layoutbox/cli/commands.h"
 #include "layoutbox/export/cairo_canvas.h"
 
@@ -13,6 +15,7 @@ using Json = nlohmann::ordered_json;
 struct Finding {
   std::string what;
   bool there = false;
+  bool needed = true;  // without it something is missing that every run may want
   std::string detail;  // path and version, or why it is missing
   std::string costs;   // what does not work without it
   std::string remedy;  // how to get it
@@ -20,43 +23,67 @@ struct Finding {
 
 Finding examine_solver() {
   const auto library = describe_cp_sat_library();
-  if (library) return {"CP-SAT solver library", true, *library, "", ""};
-  return {"CP-SAT solver library", false, library.error().message,
-          "rooms that the quick search cannot furnish, and proofs that a room is impossible", library.error().hint};
+  if (library) return {"CP-SAT solver library", true, true, *library, "", ""};
+  return {"CP-SAT solver library",
+          false,
+          true,
+          library.error().message,
+          "rooms that the quick search cannot furnish, and proofs that a room is impossible",
+          library.error().hint};
 }
 
 Finding examine_blender() {
   const auto blender = find_blender();
   if (!blender)
-    return {"Blender", false, blender.error().message, "pictures (scene.png) and scene.blend; all other files are made",
+    return {"Blender",           false, true, blender.error().message, "pictures (scene.png) and scene.blend; all other files are made",
             blender.error().hint};
-  return {"Blender", true, fmt::format("{}, {}", fmt::join(blender->command, " "), blender->version), "", ""};
+  return {"Blender", true, true, fmt::format("{}, {}", fmt::join(blender->command, " "), blender->version), "", ""};
+}
+
+Finding examine_http() {
+  const auto library = chat::describe_http_library();
+  if (library) return {"libcurl", true, false, *library, "", ""};
+  return {"libcurl", false, false, library.error().message, "planning by a language model (--planner llm)", "install the package libcurl4"};
+}
+
+// Whether a model could be asked; the key itself is never shown, and nothing is sent.
+Finding examine_model() {
+  const auto endpoint = chat::find_endpoint();
+  const std::string costs = "planning by a language model (--planner llm)";
+  if (!endpoint) return {"language model", false, false, endpoint.error().message, costs, endpoint.error().hint};
+  const std::string detail =
+      fmt::format("{} at {}, key {}, not tried", endpoint->model, endpoint->base_url, endpoint->key.empty() ? "not set" : "set");
+  if (const Status key = chat::check_key(*endpoint); !key) return {"language model", false, false, detail, costs, key.error().hint};
+  return {"language model", true, false, detail, "", ""};
 }
 
 Finding examine_cairo() {
   const auto cairo = describe_cairo();
-  if (!cairo) return {"Cairo", false, cairo.error().message, "floor plans as PDF and PNG; SVG needs it not", cairo.error().hint};
-  return {"Cairo", true, *cairo, "", ""};
+  if (!cairo) return {"Cairo", false, true, cairo.error().message, "floor plans as PDF and PNG; SVG needs it not", cairo.error().hint};
+  return {"Cairo", true, true, *cairo, "", ""};
 }
 
 int run(const Console& console) {
   const Catalog& catalog = Catalog::builtin();
-  const Finding findings[] = {{"layoutbox", true,
+  const Finding findings[] = {{"layoutbox", true, true,
                                fmt::format("version {}, {} kinds of furniture, {} kinds of room", program_version(),
                                            catalog.entries().size(), catalog.rooms().size()),
                                "", ""},
                               examine_solver(),
                               examine_blender(),
-                              examine_cairo()};
+                              examine_cairo(),
+                              examine_http(),
+                              examine_model()};
   std::string text;
   Json json = Json::array();
   bool all_there = true;
   for (const Finding& finding : findings) {
-    all_there = all_there && finding.there;
-    text += fmt::format("{} {}: {}\n", finding.there ? "ok     " : "MISSING", finding.what, finding.detail);
+    all_there = all_there && (finding.there || !finding.needed);
+    text += fmt::format("{} {}: {}\n", finding.there ? "ok     " : finding.needed ? "MISSING" : "not set", finding.what, finding.detail);
     if (!finding.there) text += fmt::format("        without it: no {}\n        to get it: {}\n", finding.costs, finding.remedy);
     json.push_back({{"what", finding.what},
                     {"there", finding.there},
+                    {"needed", finding.needed},
                     {"detail", finding.detail},
                     {"costs", finding.costs},
                     {"remedy", finding.remedy}});

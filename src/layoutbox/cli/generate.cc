@@ -7,6 +7,8 @@
 
 #include "layoutbox/cli/commands.h"
 #include "layoutbox/cli/inputs.h"
+#include "layoutbox/cli/model_flags.h"
+#include "layoutbox/plan/llm/conversation.h"
 
 namespace layoutbox::cli {
 namespace {
@@ -17,6 +19,7 @@ struct Flags {
   std::string prompt, room_kind, scene_file, folder;
   bool no_render = false;
   PlanFlags plan;
+  ModelFlags model;
   SolveFlags solve;
   RenderFlags render;
   GenerateOptions options;
@@ -73,7 +76,7 @@ void say_what_was_given_up(const Console& console, const GenerateOutcome& outcom
 
 Status prepare(Flags& flags, const Console& console) {
   LAYOUTBOX_CHECK(flags.plan.apply(flags.options));
-  LAYOUTBOX_CHECK(flags.solve.apply(flags.options.solve));
+  LAYOUTBOX_CHECK(flags.solve.apply(flags.options.solve, flags.plan.by_model()));
   LAYOUTBOX_CHECK(flags.render.apply(flags.options.render));
   flags.options.pictures = !flags.no_render;
   flags.options.stop = &stop_flag();
@@ -90,15 +93,28 @@ Status check_source(const Flags& flags, bool prompt_given) {
   return layoutbox::fail(ErrorCode::kUsage, what, {}, "say what the room is like: layoutbox generate \"A bedroom with a bed and a desk.\"");
 }
 
-Result<GenerateOutcome> generate_room(Flags& flags, const Catalog& catalog) {
+Result<std::string> prompt_of(const Flags& flags) {
+  return flags.room_kind.empty() ? read_prompt(flags.prompt) : fmt::format("A {}.", flags.room_kind);
+}
+
+// --dry-run: what a model would be asked.
+int print_request(Flags& flags, const Catalog& catalog, const Console& console) {
+  const auto prompt = prompt_of(flags);
+  if (!prompt) return console.fail(prompt.error());
+  const auto planner = flags.model.make_planner(flags.plan.planner, catalog, flags.options, console);
+  if (!planner) return console.fail(planner.error());
+  return print_first_request(**planner, *prompt, flags.options, console);
+}
+
+Result<GenerateOutcome> generate_room(Flags& flags, const Catalog& catalog, const Console& console) {
   if (!flags.scene_file.empty()) {
     LAYOUTBOX_ASSIGN(SceneGraph scene, read_scene_file(flags.scene_file, flags.plan.units));
     if (flags.folder.empty()) flags.folder = default_folder(std::filesystem::path(flags.scene_file).stem().string());
     return generate_from_scene(std::move(scene), catalog, flags.folder, flags.options);
   }
-  LAYOUTBOX_ASSIGN(const std::string prompt, flags.room_kind.empty() ? read_prompt(flags.prompt) : fmt::format("A {}.", flags.room_kind));
+  LAYOUTBOX_ASSIGN(const std::string prompt, prompt_of(flags));
   if (flags.folder.empty()) flags.folder = default_folder(prompt);
-  const auto planner = make_offline_planner(catalog);
+  LAYOUTBOX_ASSIGN(const auto planner, flags.model.make_planner(flags.plan.planner, catalog, flags.options, console));
   return generate(prompt, *planner, catalog, flags.folder, flags.options);
 }
 
@@ -108,7 +124,8 @@ int run(Flags& flags, bool prompt_given, const Console& console) {
   const auto catalog = flags.plan.load_catalog();
   if (!catalog) return console.fail(catalog.error());
   flags.options.inputs.insert(flags.options.inputs.end(), catalog->inputs.begin(), catalog->inputs.end());
-  const auto outcome = generate_room(flags, catalog->get());
+  if (flags.model.dry_run) return print_request(flags, catalog->get(), console);
+  const auto outcome = generate_room(flags, catalog->get(), console);
   if (!outcome) return console.fail(outcome.error());
 
   console.notes(catalog->notes);
@@ -136,6 +153,7 @@ void add_generate(CLI::App& app, Context& context) {
   command->add_option("-o,--output", flags->folder, "Folder for the files (default: out/ and the first words of the prompt)");
   command->add_flag("--no-render", flags->no_render, "Make no picture: no Blender is needed");
   flags->plan.add_to(*command);
+  flags->model.add_to(*command, flags->options.repair);
   flags->solve.add_to(*command, flags->options.solve);
   flags->render.add_to(*command);
   command->callback([flags, prompt, &context] { context.status = run(*flags, prompt->count() > 0, context.console); });

@@ -44,7 +44,9 @@ Result<T> located(Result<T> result, const std::string& path) {
 }  // namespace
 
 void PlanFlags::add_to(CLI::App& command) {
-  command.add_option("--planner", planner, "How text is understood: offline (no model, no network)")->capture_default_str();
+  command
+      .add_option("--planner", planner, "How text is understood: offline (no model, no network), or llm (a language model, docs/llm.md)")
+      ->capture_default_str();
   command.add_option("--room", room, "Size of the room, width x depth x height: 4x3.2x3");
   command.add_option("--room-file", room_file, "A room of your own: polygon, walls and openings in the form of a scene's room")
       ->excludes("--room");
@@ -54,8 +56,8 @@ void PlanFlags::add_to(CLI::App& command) {
 }
 
 Status PlanFlags::apply(GenerateOptions& options) const {
-  if (planner != "offline") {
-    return layoutbox::fail(ErrorCode::kUsage, fmt::format("there is no planner '{}'", planner), "--planner", "use offline");
+  if (planner != "offline" && planner != "llm") {
+    return layoutbox::fail(ErrorCode::kUsage, fmt::format("there is no planner '{}'", planner), "--planner", "use offline or llm");
   }
   if (!room.empty()) {
     LAYOUTBOX_ASSIGN(options.normalize.room_size, parse_room_size(room, units));
@@ -87,11 +89,12 @@ void SolveFlags::add_to(CLI::App& command, SolveOptions& options) {
   command.add_option("--time-limit", options.time_limit_s, "Seconds after which the solver stops at the latest")
       ->capture_default_str()
       ->check(CLI::Range(0.001, 86400.0));
-  command.add_option("--on-conflict", on_conflict, "When not everything can hold: relax (default), original, fail");
+  command.add_option("--on-conflict", on_conflict,
+                     "When not everything can hold: relax (default), original, fail; with --planner llm: repair");
 }
 
-Status SolveFlags::apply(SolveOptions& options) const {
-  if (on_conflict.empty() || on_conflict == "relax") {
+Status SolveFlags::apply(SolveOptions& options, bool model_plans) const {
+  if (on_conflict.empty() || on_conflict == "relax" || (on_conflict == "repair" && model_plans)) {
     options.on_conflict = OnConflict::kRelax;
   } else if (on_conflict == "fail") {
     options.on_conflict = OnConflict::kFail;

@@ -27,6 +27,7 @@ struct PlanFlags {
   bool catalog_only = false;
   void add_to(CLI::App& command);
   Status apply(GenerateOptions& options) const;
+  bool by_model() const { return planner == "llm"; }
   Result<CatalogInUse> load_catalog() const;
 };
 
@@ -34,7 +35,8 @@ struct PlanFlags {
 struct SolveFlags {
   std::string on_conflict;
   void add_to(CLI::App& command, SolveOptions& options);
-  Status apply(SolveOptions& options) const;
+  // `model_plans`: the planner can be told of a conflict, so that "repair" means something.
+  Status apply(SolveOptions& options, bool model_plans = false) const;
 };
 
 // Options of pictures: --quality, --size, --views, --overlay, --mask, --turntable.

@@ -4,6 +4,7 @@
 
 #include "layoutbox/cli/commands.h"
 #include "layoutbox/cli/inputs.h"
+#include "layoutbox/cli/model_flags.h"
 #include "layoutbox/scene/scene_json.h"
 
 namespace layoutbox::cli {
@@ -13,6 +14,7 @@ struct Flags {
   std::string prompt, output;
   bool explain = false;
   PlanFlags plan;
+  ModelFlags model;
   GenerateOptions options;
 };
 
@@ -53,8 +55,10 @@ int run(Flags& flags, const Console& console) {
   if (!prompt) return console.fail(prompt.error());
   const auto catalog = flags.plan.load_catalog();
   if (!catalog) return console.fail(catalog.error());
-  const auto planner = make_offline_planner(catalog->get());
-  const auto plan = planner->plan(*prompt, flags.options.plan);
+  const auto planner = flags.model.make_planner(flags.plan.planner, catalog->get(), flags.options, console);
+  if (!planner) return console.fail(planner.error());
+  if (flags.model.dry_run) return print_first_request(**planner, *prompt, flags.options, console);
+  const auto plan = (*planner)->plan(*prompt, flags.options.plan);
   if (!plan) return console.fail(plan.error());
   const auto scene = prepare_scene(plan->scene, catalog->get(), flags.options);
   if (!scene) return console.fail(scene.error());
@@ -77,6 +81,7 @@ void add_plan(CLI::App& app, Context& context) {
   command->add_option("-o,--output", flags->output, "The scene file (default: stdout)");
   command->add_flag("--explain", flags->explain, "Show how each word was read");
   flags->plan.add_to(*command);
+  flags->model.add_to(*command, flags->options.repair);
   command->callback([flags, &context] { context.status = run(*flags, context.console); });
 }
 

@@ -9,6 +9,7 @@
 
 #include "layoutbox/base/files.h"
 #include "layoutbox/pipeline/folder_lock.h"
+#include "layoutbox/pipeline/repair.h"
 #include "layoutbox/pipeline/run_record.h"
 #include "layoutbox/scene/scene_json.h"
 
@@ -41,13 +42,20 @@ class Run {
 
   // Plans (when there is no scene yet), runs all stages, and writes run.json whatever happens after the folder is ours.
   Result<GenerateOutcome> operator()(const Planner* planner, SceneGraph scene) {
-    LAYOUTBOX_CHECK(planner  ? plan(*planner)
-                    : given_ ? take(std::move(scene))
-                             : adopt(std::move(scene)));  // a text that says nothing touches no folder
+    if (planner)
+      conversation_ =
+          planner->converse(prompt_, options_.plan, {options_.normalize.room_size, options_.shell ? &*options_.shell : nullptr});
+    // A text that says nothing touches no folder.
+    LAYOUTBOX_CHECK(conversation_ ? plan_with_model()
+                    : planner     ? plan(*planner)
+                    : given_      ? take(std::move(scene))
+                                  : adopt(std::move(scene)));
     LAYOUTBOX_CHECK(make_folder(folder_));
     LAYOUTBOX_ASSIGN(const FolderLock lock, FolderLock::acquire(folder_));
     remove_earlier_outputs();
-    const Status status = run_stages();
+    Status status = run_stages();
+    while (status && picture_may_be_mended()) status = run_stages_again();
+    if (conversation_) outcome_.model_requests = write_attempts(conversation_->attempts());
     const Error* failure = status ? nullptr : &status.error();
     const Status recorded = write("run.json", write_run_record(prompt_, options_, outcome_, failure));
     if (failure) return Failure(*failure);
@@ -91,6 +99,59 @@ class Run {
     return normalize(std::move(plan.scene));
   }
 
+  Status plan_with_model() {
+    begin();
+    loop_.emplace(*conversation_, catalog_, options_);
+    auto room = loop_->run();
+    if (!room) {
+      record_failure(room.error());
+      return Failure(room.error());
+    }
+    take_room(std::move(*room));
+    return {};
+  }
+
+  void take_room(PlannedRoom room) {
+    outcome_.scene = std::move(room.scene);
+    given_ = std::move(room.layout);
+    const chat::Usage usage = conversation_->client().usage();
+    const auto cost = conversation_->client().cost();
+    std::string price = cost && *cost > 0 ? fmt::format(", ${:.4f}", *cost) : "";
+    finish("plan",
+           fmt::format("{} objects, {} relations; {} answer{}, {} tokens{}", outcome_.scene.objects.size(), outcome_.scene.relations.size(),
+                       loop_->attempts(), loop_->attempts() == 1 ? "" : "s", usage.question_tokens + usage.answer_tokens, price));
+  }
+
+  // What a model was asked in vain is worth keeping, but not in the place of an earlier run.
+  void record_failure(const Error& error) {
+    std::error_code ignored;
+    if (conversation_->attempts().empty() || std::filesystem::exists(folder_ / "run.json", ignored)) return;
+    outcome_.model_requests = write_attempts(conversation_->attempts());
+    if (!make_folder(folder_)) return;
+    const auto lock = FolderLock::acquire(folder_);
+    if (lock) (void)write("run.json", write_run_record(prompt_, options_, outcome_, &error));  // the first error is the one that counts
+  }
+
+  // A script or a picture that failed is told the model while attempts are left; a Blender that is missing is not its fault.
+  bool picture_may_be_mended() const {
+    return loop_ && outcome_.picture_error && outcome_.picture_error->code == ErrorCode::kRenderFailed && !given_up_on_picture_ &&
+           loop_->has_attempts_left();
+  }
+
+  Status run_stages_again() {
+    begin();
+    auto room = loop_->run_again("The scene has a layout, but its picture failed: " + outcome_.picture_error->message +
+                                 ". Change what may be the reason and call create_scene with the whole scene.");
+    if (!room) {
+      given_up_on_picture_ = true;
+      return room.error().code == ErrorCode::kInterrupted ? Status(Failure(room.error())) : Status{};
+    }
+    take_room(std::move(*room));
+    outcome_.files.clear();
+    outcome_.picture_error.reset();
+    return run_stages();
+  }
+
   Status adopt(SceneGraph scene) {
     begin();
     return normalize(std::move(scene));
@@ -123,11 +184,12 @@ class Run {
   Status solve_scene() {
     begin();
     if (given_) {
-      outcome_.layout = *std::move(given_);
+      outcome_.layout = *std::exchange(given_, std::nullopt);
     } else {
       LAYOUTBOX_ASSIGN(outcome_.layout, solve(outcome_.scene, catalog_, options_.solve));
     }
     const Layout& layout = outcome_.layout;
+    if (loop_) started_ = Clock::now() - std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(layout.stats.seconds));
     LAYOUTBOX_CHECK(write("layout.json", write_layout(layout)));
     const auto held = std::count_if(layout.relations.begin(), layout.relations.end(), [](const auto& r) { return r.held; });
     std::string given_up = layout.relaxed.empty() ? "" : fmt::format(", {} given up", layout.relaxed.size());
@@ -185,6 +247,9 @@ class Run {
   GenerateOutcome outcome_;
   std::optional<Layout> given_;
   Model model_;
+  std::unique_ptr<llm::Conversation> conversation_;  // where a model plans
+  std::optional<RepairLoop> loop_;
+  bool given_up_on_picture_ = false;
 };
 
 }  // namespace

@@ -35,8 +35,23 @@ struct InputFile {
 using DrawPictures =
     std::function<Result<RenderOutputs>(const std::filesystem::path& script, const std::filesystem::path& folder, const RenderOptions&)>;
 
+// How often a model is asked, where a model plans (pipeline/repair.h).
+struct RepairOptions {
+  // All answers of a run, those that do not validate included. REQUIRES: > 0. DEFAULT: 5, as in the paper.
+  int max_attempts = 5;
+  // Of these after the first scene that has no layout, each with the reason and ways out. DEFAULT: 2.
+  int repair_attempts = 2;
+  // As the paper does: a notice without a reason, one new scene, then the scene's own positions. DEFAULT: false.
+  bool paper_retries = false;
+  // Seconds between attempts. DEFAULT: 1.
+  double pause_s = 1;
+};
+
 struct GenerateOptions {
+  // Who plans, in words that differ where the scene may: kept in run.json.
+  std::string planner = "offline";
   PlanOptions plan;
+  RepairOptions repair;
   NormalizeOptions normalize;
   // A shell of the user's own (polygon, walls, openings) that takes the place of the scene's; its kind of room stays the scene's where
   // the shell names none. DEFAULT: none.
@@ -64,6 +79,7 @@ struct GenerateOutcome {
   Report report;
   std::vector<StageTime> stages;
   std::vector<std::string> files;
+  std::string model_requests;          // what was asked of a model and answered, as a JSON list; empty: nothing
   std::string blender_version;         // empty when no picture was made
   std::optional<Error> picture_error;  // why there is no picture although one was asked for; all else is there
 };

@@ -42,7 +42,8 @@ Json names_of(const std::vector<View>& views) {
 }
 
 Json json_of(const GenerateOptions& options) {
-  return Json{{"room", json_of(options.normalize.room_size)},
+  return Json{{"planner", options.planner},
+              {"room", json_of(options.normalize.room_size)},
               {"seed", options.solve.seed},
               {"effort", options.solve.effort},
               {"timeLimit", options.solve.time_limit_s},
@@ -53,7 +54,10 @@ Json json_of(const GenerateOptions& options) {
               {"views", names_of(options.render.views)},
               {"overlay", options.render.overlay},
               {"mask", options.render.object_mask},
-              {"turntable", options.render.turntable}};
+              {"turntable", options.render.turntable},
+              {"maxAttempts", options.repair.max_attempts},
+              {"repairAttempts", options.repair.repair_attempts},
+              {"paperRetries", options.repair.paper_retries}};
 }
 
 Json json_of(const std::vector<InputFile>& inputs) {
@@ -103,7 +107,7 @@ std::string write_run_record(std::string_view prompt, const GenerateOptions& opt
     json["notes"].push_back({{"code", note.code}, {"message", note.message}, {"pointer", note.pointer}});
   }
   json["files"] = outcome.files;
-  json["modelRequests"] = Json::array();  // the offline planner asks no model
+  json["modelRequests"] = outcome.model_requests.empty() ? Json::array() : Json::parse(outcome.model_requests);
   if (failure) json["error"] = json_of_error(*failure);
   if (outcome.picture_error) json["pictureError"] = json_of_error(*outcome.picture_error);
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -12,6 +12,10 @@
 
 namespace layoutbox {
 
+namespace llm {
+class Conversation;
+}
+
 struct PlanOptions {
   // DEFAULT: 1. Only models use it; the offline planner has no randomness.
   std::uint64_t seed = 1;
@@ -32,11 +36,21 @@ struct Plan {
   std::vector<WordReading> readings;  // every word of the prompt once, in order (offline planner)
 };
 
+// What the room is, where it is given beside the text.
+struct RoomGiven {
+  Size size{};                  // millimetres; 0: not given
+  const Room* shell = nullptr;  // the user's own room, or null
+};
+
 class Planner {
  public:
   virtual ~Planner() = default;
-  // Errors: kEmpty (nothing in the prompt), kTooLarge, kParse (not UTF-8); a model's own in part E.
+  // Errors: kEmpty (nothing in the prompt), kTooLarge, kParse (not UTF-8); of a model also kNetwork, kNotFound, kInterrupted.
   virtual Result<Plan> plan(std::string_view prompt, const PlanOptions& options) const = 0;
+
+  // A planner that can be told what is wrong with its scene begins a conversation; null: it has one answer, that of plan().
+  // The planner must outlive the conversation. May be called from several threads.
+  virtual std::unique_ptr<llm::Conversation> converse(std::string_view prompt, const PlanOptions& options, const RoomGiven& room) const;
 };
 
 // The catalogue must outlive the planner.

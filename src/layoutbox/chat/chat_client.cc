@@ -1,0 +1,217 @@
+#include "layoutbox/chat/chat_client.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <random>
+#include <thread>
+
+#include "layoutbox/chat/server_errors.h"
+
+namespace layoutbox::chat {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+// The text of a question as the server counts it.
+std::int64_t tokens_of(const Question& question) {
+  std::int64_t tokens = 0;
+  for (const Message& message : question.messages) tokens += estimated_tokens(message.content);
+  for (const Function& function : question.functions) tokens += estimated_tokens(function.parameters);
+  return tokens;
+}
+
+void fill_estimates(const Question& question, Answer& answer) {
+  if (!answer.usage.estimated) return;
+  std::string text = answer.content;
+  for (const Call& call : answer.calls) text += call.arguments;
+  answer.usage.question_tokens = tokens_of(question);
+  answer.usage.answer_tokens = estimated_tokens(text);
+}
+
+// Such an answer would come again, and a later run may read it.
+bool worth_keeping(const Answer& answer) {
+  return answer.refusal.empty() && answer.finish_reason != "length" && answer.finish_reason != "content_filter";
+}
+
+}  // namespace
+
+// One question on its way.
+struct ChatClient::Exchange {
+  explicit Exchange(const RetryOptions& options) : policy(options, std::random_device{}()) {}
+  RetryPolicy policy;
+  Clock::time_point started = Clock::now();
+  double waited_s = 0;  // for the server and between tries
+  int adaptations = 0;
+  std::string request;
+};
+
+ChatClient::ChatClient(ChatOptions options)
+    : options_(std::move(options)),
+      cache_(options_.cache),
+      habits_(load_habits(options_.cache, options_.endpoint.base_url, options_.endpoint.model)) {}
+
+Result<Answer> ChatClient::ask(const Question& question) {
+  if (options_.use_cached_answers) {
+    if (auto answer = from_cache(question)) return std::move(*answer);
+  }
+  LAYOUTBOX_CHECK(check_key(options_.endpoint));
+  LAYOUTBOX_CHECK(check_budget(question));
+  LAYOUTBOX_ASSIGN(Answer answer, from_server(question));
+  count(answer);
+  if (options_.use_cached_answers && worth_keeping(answer)) cache_.store(options_.endpoint.base_url, answer.request, answer.body);
+  return answer;
+}
+
+// In whichever way it was asked before.
+std::optional<Answer> ChatClient::from_cache(const Question& question) const {
+  for (int mode = 0; mode < kModeCount; ++mode) {
+    Habits habits = habits_;
+    if (!habits.known)
+      habits.mode = static_cast<Mode>(mode);
+    else if (mode > 0)
+      break;
+    std::string request = safe(write_request(question, options_.endpoint.model, habits, options_.stream));
+    auto body = cache_.find(options_.endpoint.base_url, request);
+    if (!body) continue;
+    ReadAnswer read = read_answer({200, {}, {}, {}, *body});
+    if (read.kind != ReadAnswer::Kind::kAnswer) continue;
+    read.answer.mode = habits.mode;
+    read.answer.cached = true;
+    read.answer.cost = 0;
+    fill_estimates(question, read.answer);
+    read.answer.request = std::move(request);
+    read.answer.body = std::move(*body);
+    return std::move(read.answer);
+  }
+  return std::nullopt;
+}
+
+Result<Answer> ChatClient::from_server(const Question& question) {
+  Exchange so_far(options_.retry);
+  Result<Answer> answer = exchange(question, so_far);
+  if (!answer) {
+    answer.error().message = safe(answer.error().message);
+    return answer;
+  }
+  answer->mode = habits_.mode;
+  answer->retries = so_far.policy.retries();
+  answer->seconds = seconds_since(so_far.started);
+  answer->own_seconds = answer->seconds - so_far.waited_s;
+  answer->request = safe(so_far.request);
+  fill_estimates(question, *answer);
+  if (!habits_.known) {
+    habits_.known = true;
+    save_habits(options_.cache, options_.endpoint.base_url, options_.endpoint.model, habits_);
+  }
+  return answer;
+}
+
+// Asks until there is an answer or no more sense in asking.
+Result<Answer> ChatClient::exchange(const Question& question, Exchange& so_far) {
+  for (;;) {
+    so_far.request = write_request(question, options_.endpoint.model, habits_, options_.stream);
+    HttpRequest request{url(),
+                        {"Content-Type: application/json", "Accept: application/json, text/event-stream", "Expect:"},
+                        so_far.request,
+                        std::min(options_.request_limit_s, std::max(0.1, options_.retry.total_s - seconds_since(so_far.started)))};
+    if (!options_.endpoint.key.empty()) request.headers.push_back("Authorization: Bearer " + options_.endpoint.key);
+    const Clock::time_point sent = Clock::now();
+    const auto response = http_.post(request, options_.stop);
+    so_far.waited_s += seconds_since(sent);
+
+    Problem problem;
+    if (!response) {
+      if (response.error().fault == HttpFault::kStopped) return fail(ErrorCode::kInterrupted, "stopped");
+      problem = problem_of(response.error(), options_.endpoint);
+    } else if (response->status >= 200 && response->status < 300) {
+      ReadAnswer read = read_answer(*response);
+      if (read.kind == ReadAnswer::Kind::kAnswer) {
+        read.answer.body = safe(response->body);
+        return std::move(read.answer);
+      }
+      problem = problem_of(read, *response, options_.endpoint);
+    } else {
+      const ServerError error = read_error(response->body);
+      if (so_far.adaptations < 8 && adapt(response->status, error)) {
+        ++so_far.adaptations;
+        continue;
+      }
+      problem = problem_of(*response, error, options_.endpoint);
+    }
+    const auto wait_s = so_far.policy.wait_after(problem.outcome, problem.retry_after_s, seconds_since(so_far.started));
+    if (!wait_s) return Failure(final_error(problem, so_far.policy.retries(), seconds_since(so_far.started)));
+    LAYOUTBOX_CHECK(wait(*wait_s, problem.message));
+    so_far.waited_s += *wait_s;
+  }
+}
+
+// A server that does not know a parameter or a way of asking is asked without it, now and from now on.
+bool ChatClient::adapt(int status, const ServerError& error) {
+  const auto change = change_for(status, error, habits_);
+  if (!change) return false;
+  habits_ = *change;
+  habits_.known = false;
+  return true;
+}
+
+Status ChatClient::wait(double seconds, const std::string& why) const {
+  if (options_.on_wait) options_.on_wait(safe(fmt::format("{}; asking again in {:.1f} s", why, seconds)));
+  const auto end = Clock::now() + std::chrono::duration<double>(seconds);
+  while (Clock::now() < end) {
+    if (options_.stop != nullptr && options_.stop->load()) return fail(ErrorCode::kInterrupted, "stopped");
+    std::this_thread::sleep_for(std::min<std::chrono::duration<double>>(end - Clock::now(), std::chrono::milliseconds(50)));
+  }
+  return {};
+}
+
+Status ChatClient::check_budget(const Question& question) const {
+  const Usage next{tokens_of(question), question.max_answer_tokens, true};
+  const std::int64_t spent = usage_.question_tokens + usage_.answer_tokens;
+  if (options_.max_tokens && spent + next.question_tokens >= *options_.max_tokens) {
+    return fail(ErrorCode::kNotFound,
+                fmt::format("the limit of {} tokens is reached: {} are used and the next question has about {}", *options_.max_tokens,
+                            spent, next.question_tokens),
+                "--max-tokens", "raise --max-tokens, or take the offline planner");
+  }
+  if (!options_.max_cost) return {};
+  if (is_local(options_.endpoint)) return {};
+  const auto price = options_.prices.find(options_.endpoint.model);
+  if (!price) {
+    return fail(ErrorCode::kUsage,
+                fmt::format("no price is known for the model {}, so its cost cannot be limited", options_.endpoint.model), "--max-cost",
+                "give its price by --prices FILE");
+  }
+  if (cost_ + cost_of(*price, next) > *options_.max_cost) {
+    return fail(ErrorCode::kNotFound,
+                fmt::format("the limit of ${:g} would be passed: ${:.4f} are spent and the next question may cost ${:.4f}",
+                            *options_.max_cost, cost_, cost_of(*price, next)),
+                "--max-cost", "raise --max-cost, or take the offline planner");
+  }
+  return {};
+}
+
+void ChatClient::count(Answer& answer) {
+  usage_.question_tokens += answer.usage.question_tokens;
+  usage_.answer_tokens += answer.usage.answer_tokens;
+  usage_.estimated = usage_.estimated || answer.usage.estimated;
+  const auto price = options_.prices.find(options_.endpoint.model);
+  if (is_local(options_.endpoint)) {
+    answer.cost = 0;
+  } else if (price) {
+    answer.cost = cost_of(*price, answer.usage);
+  }
+  cost_ += answer.cost.value_or(0);
+  cost_known_ = cost_known_ && answer.cost.has_value();
+}
+
+std::string ChatClient::describe_request(const Question& question) const {
+  std::string text = fmt::format("POST {}\nContent-Type: application/json\n", url());
+  text += options_.endpoint.key.empty() ? "(no key is set)\n" : "Authorization: Bearer [key]\n";
+  return text + "\n" + safe(write_request(question, options_.endpoint.model, habits_, options_.stream)) + "\n";
+}
+
+}  // namespace layoutbox::chat

@@ -1,0 +1,71 @@
+// Asks a model: finds out how its server wants to be asked, asks again where that helps, keeps answers, counts tokens and money.
+#pragma once
+
+#include <atomic>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "layoutbox/base/result.h"
+#include "layoutbox/chat/cache_folder.h"
+#include "layoutbox/chat/chat.h"
+#include "layoutbox/chat/endpoint.h"
+#include "layoutbox/chat/prices.h"
+#include "layoutbox/chat/retry.h"
+
+namespace layoutbox::chat {
+
+struct ChatOptions {
+  Endpoint endpoint;
+  RetryOptions retry;
+  double request_limit_s = 300;  // of one request. DEFAULT: 300, for models on slow machines
+  bool stream = false;           // ask for the answer in pieces
+  // Where answers and what is known of servers are kept. Empty: nowhere.
+  std::filesystem::path cache = cache_folder();
+  bool use_cached_answers = true;
+  Prices prices = Prices::builtin();
+  std::optional<double> max_cost;          // US dollars, of all questions of this client
+  std::optional<std::int64_t> max_tokens;  // of all questions and answers of this client
+  const std::atomic<bool>* stop = nullptr;
+  std::function<void(const std::string&)> on_wait;  // told before each wait: "the server is busy (503), again in 2 s"
+};
+
+class ChatClient {
+ public:
+  explicit ChatClient(ChatOptions options);
+
+  // Errors: kNetwork (no key, no server, refused, given up after retries: the reason and what to do), kNotFound (the limits of cost or
+  // tokens would be passed), kInterrupted. Cached answers need neither key nor network.
+  Result<Answer> ask(const Question& question);
+
+  // What would be sent, without sending it: method and address, headers (the key only as set or not), body.
+  std::string describe_request(const Question& question) const;
+
+  // So far.
+  Usage usage() const { return usage_; }
+  std::optional<double> cost() const { return cost_known_ ? std::optional(cost_) : std::nullopt; }
+  const Endpoint& endpoint() const { return options_.endpoint; }
+
+ private:
+  struct Exchange;
+  std::optional<Answer> from_cache(const Question& question) const;
+  Result<Answer> from_server(const Question& question);
+  Result<Answer> exchange(const Question& question, Exchange& so_far);
+  Status check_budget(const Question& question) const;
+  void count(Answer& answer);
+  bool adapt(int status, const ServerError& error);
+  Status wait(double seconds, const std::string& why) const;
+  std::string safe(std::string text) const { return without_key(std::move(text), options_.endpoint); }
+  std::string url() const { return options_.endpoint.base_url + "/chat/completions"; }
+
+  ChatOptions options_;
+  AnswerCache cache_;
+  Habits habits_;
+  HttpClient http_;
+  Usage usage_;
+  double cost_ = 0;
+  bool cost_known_ = true;
+};
+
+}  // namespace layoutbox::chat

@@ -1,0 +1,116 @@
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "layoutbox/chat/endpoint.h"
+#include "layoutbox/chat/prices.h"
+#include "layoutbox/chat/retry.h"
+#include "layoutbox/chat/server_errors.h"
+#include "layoutbox/chat/sse.h"
+#include "layoutbox/chat/wire.h"
+
+namespace layoutbox::chat {
+namespace {
+
+using nlohmann::json;
+
+constexpr const char* kStream =
+    ": hello\r\n\r\ndata: {\"choices\":[{\"delta\":{\"role\":\"assistant\",\"content\":\"\"}}]}\n\n"
+    "event: x\ndata: "
+    "{\"choices\":[{\"delta\":{\"tool_calls\":[{\"index\":0,\"function\":{\"name\":\"create_scene\",\"arguments\":\"{\\\"a\\\"\"}}]}}]}\n\n"
+    "data: {\"choices\":[{\"delta\":{\"tool_calls\":[{\"index\":0,\"function\":{\"arguments\":\":1}\"}}]}}]}\n\n"
+    "data: {\"choices\":[{\"delta\":{},\"finish_reason\":\"tool_calls\"}]}\n\n"
+    "data: {\"choices\":[],\"usage\":{\"prompt_tokens\":7,\"completion_tokens\":3}}\n\ndata: [DONE]\n\n";
+
+TEST(Stream, is_put_together) {
+  const ReadAnswer read = read_answer({200, "text/event-stream", {}, {}, kStream});
+  ASSERT_EQ(read.kind, ReadAnswer::Kind::kAnswer);
+  ASSERT_EQ(read.answer.calls.size(), 1u);
+  EXPECT_EQ(read.answer.calls[0].name, "create_scene");
+  EXPECT_EQ(read.answer.calls[0].arguments, "{\"a\":1}");
+  EXPECT_EQ(read.answer.finish_reason, "tool_calls");
+  EXPECT_EQ(read.answer.usage.question_tokens, 7);
+}
+
+TEST(Stream, cut_anywhere_is_never_taken_for_whole) {
+  const std::string whole = kStream;
+  const std::size_t finished = whole.find("\"finish_reason\":\"tool_calls\"") + 30;
+  for (std::size_t cut = 0; cut < finished - 2; ++cut) {
+    const ReadAnswer read = read_answer({200, "text/event-stream", {}, {}, whole.substr(0, cut)});
+    EXPECT_NE(read.kind, ReadAnswer::Kind::kAnswer) << "cut after " << cut << " bytes";
+  }
+}
+
+TEST(Stream, a_broken_piece_in_the_middle_is_a_fault) {
+  std::string broken = kStream;
+  broken.replace(broken.find("{\"choices\":[{\"delta\":{\"tool_calls\""), 1, "(");
+  EXPECT_EQ(read_answer({200, "text/event-stream", {}, {}, broken}).kind, ReadAnswer::Kind::kBroken);
+}
+
+TEST(Answer, forms_of_content) {
+  const auto content_of = [](const std::string& message) {
+    return read_answer({200, "application/json", {}, {}, R"({"choices":[{"message":)" + message + R"(,"finish_reason":"stop"}]})"}).answer;
+  };
+  EXPECT_EQ(content_of(R"({"content":[{"type":"text","text":"a"},{"type":"text","text":"b"}]})").content, "ab");
+  EXPECT_EQ(content_of(R"({"content":null,"refusal":"no"})").refusal, "no");
+  EXPECT_TRUE(content_of(R"({"content":"x"})").usage.estimated);
+}
+
+TEST(Retry, doubles_and_never_undercuts_the_server) {
+  for (std::uint64_t seed = 1; seed < 50; ++seed) {
+    RetryPolicy policy({.max_retries = 5}, seed);
+    double doubled = 0.5;
+    for (int i = 0; i < 5; ++i, doubled *= 2) {
+      const auto wait = policy.wait_after(Outcome::kBusy, std::nullopt, 0);
+      ASSERT_TRUE(wait);
+      EXPECT_GE(*wait, doubled * 0.75);
+      EXPECT_LE(*wait, doubled * 1.25);
+    }
+    EXPECT_FALSE(policy.wait_after(Outcome::kBusy, std::nullopt, 0));
+    EXPECT_GT(*RetryPolicy({}, seed).wait_after(Outcome::kBusy, 7.0, 0), 7.0);
+  }
+}
+
+TEST(Retry, ends) {
+  EXPECT_FALSE(RetryPolicy({}, 1).wait_after(Outcome::kFinal, std::nullopt, 0));
+  EXPECT_FALSE(RetryPolicy({.total_s = 60}, 1).wait_after(Outcome::kBusy, 61.0, 0));
+  EXPECT_FALSE(RetryPolicy({.total_s = 60}, 1).wait_after(Outcome::kBusy, std::nullopt, 60));
+  RetryPolicy unclear({}, 1);
+  EXPECT_TRUE(unclear.wait_after(Outcome::kUnclear, std::nullopt, 0));
+  EXPECT_TRUE(unclear.wait_after(Outcome::kUnclear, std::nullopt, 0));
+  EXPECT_FALSE(unclear.wait_after(Outcome::kUnclear, std::nullopt, 0));
+}
+
+TEST(Key, shows_nowhere) {
+  const Endpoint endpoint{"https://x/v1", "m", "sk-1"};
+  EXPECT_EQ(without_key("a sk-1 b sk-1", endpoint), "a [key] b [key]");
+}
+
+TEST(OneLine, cuts_between_characters) {
+  EXPECT_EQ(one_line("a\n\tb"), "a b");
+  EXPECT_EQ(one_line("ééé", 3), "éé…");
+}
+
+TEST(Prices, by_the_longest_name) {
+  EXPECT_EQ(Prices::builtin().find("gpt-4o-mini-2024-07-18")->question, 0.15);
+  EXPECT_EQ(Prices::builtin().find("openai/gpt-4o")->question, 2.5);
+  EXPECT_FALSE(Prices::builtin().find("gpt-4omega"));
+}
+
+TEST(Ways, from_the_best_to_the_last) {
+  Habits habits;
+  for (const Mode expected : {Mode::kTools, Mode::kJsonSchema, Mode::kJson}) {
+    const auto changed = change_for(400, {"bad request", {}, {}}, habits);
+    ASSERT_TRUE(changed);
+    EXPECT_EQ(changed->mode, expected);
+    habits = *changed;
+  }
+  habits.known = true;
+  EXPECT_FALSE(change_for(400, {"bad request", {}, {}}, habits));
+  EXPECT_FALSE(change_for(400, {"maximum context length is 2048", {}, {}}, Habits{}));
+  EXPECT_FALSE(change_for(401, {"tools", {}, {}}, Habits{}));
+}
+
+}  // namespace
+}  // namespace layoutbox::chat

@@ -1,0 +1,38 @@
+// Where a model is asked, and with which key. Any server that speaks the chat-completions form of OpenAI will do.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "layoutbox/base/result.h"
+
+namespace layoutbox::chat {
+
+struct Endpoint {
+  std::string base_url;  // without a slash at its end: "https://api.openai.com/v1"
+  std::string model;
+  std::string key;  // empty: none is sent
+};
+
+// What was said on the command line; empty members come from OPENAI_BASE_URL, LAYOUTBOX_MODEL, else from the defaults.
+// The key comes from OPENAI_API_KEY alone, so that it stands in no list of processes.
+struct EndpointChoice {
+  std::string base_url, model;
+};
+
+// Errors: kUsage for an address that is none or carries a password, for a key that is no line of printable characters.
+Result<Endpoint> find_endpoint(const EndpointChoice& choice = {});
+
+// True where the address names this machine: no key is needed, nothing is paid.
+bool is_local(const Endpoint& endpoint);
+
+// kNetwork where the server will want a key and there is none.
+Status check_key(const Endpoint& endpoint);
+
+// The text without the key, wherever it stands in it.
+std::string without_key(std::string text, const Endpoint& endpoint);
+
+// Text of a server for people: one line without control characters, at most `most` bytes, cut between characters.
+std::string one_line(std::string_view text, std::size_t most = 300);
+
+}  // namespace layoutbox::chat

@@ -1,0 +1,171 @@
+#include "layoutbox/chat/server_errors.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace layoutbox::chat {
+namespace {
+
+std::string lower(std::string_view text) {
+  std::string out(text);
+  std::ranges::transform(out, out.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+  return out;
+}
+
+bool says_any(std::string_view text, std::initializer_list<std::string_view> words) {
+  return std::ranges::any_of(words, [&](std::string_view word) { return text.find(word) != std::string_view::npos; });
+}
+
+// ": the server's own words", or nothing.
+std::string own_words(const ServerError& error) { return error.message.empty() ? "" : ": " + one_line(error.message, 250); }
+
+bool is_about_money(const ServerError& error) {
+  const std::string text = lower(error.code + " " + error.message);
+  return says_any(text, {"insufficient_quota", "insufficient credits", "billing", "exceeded your current quota"});
+}
+
+bool is_about_length(std::string_view text) {
+  return says_any(text, {"context length", "context_length", "context size", "context window", "maximum context", "too many tokens"});
+}
+
+}  // namespace
+
+Problem problem_of(const HttpFailure& failure, const Endpoint& endpoint) {
+  Problem problem{outcome_of_fault(failure.fault), {}, {}, {}};
+  const std::string& where = endpoint.base_url;
+  switch (failure.fault) {
+    case HttpFault::kNoLibrary:
+      problem.message = failure.message;
+      problem.hint = "install the package libcurl4, or leave out --planner llm";
+      break;
+    case HttpFault::kResolve:
+      problem.message = fmt::format("the name in {} has no address", where);
+      problem.hint = "check OPENAI_BASE_URL and the network";
+      break;
+    case HttpFault::kConnect:
+      problem.message = fmt::format("nothing answers at {}", where);
+      problem.hint = "start the server, or check OPENAI_BASE_URL and the network";
+      break;
+    case HttpFault::kTls:
+      problem.message = fmt::format("there is no safe connection to {}: {}", where, one_line(failure.message, 200));
+      problem.hint = "certificates are always checked; name the file of an authority of your own in SSL_CERT_FILE";
+      break;
+    case HttpFault::kCut: problem.message = fmt::format("the connection to {} broke off before the answer was whole", where); break;
+    case HttpFault::kTimeout:
+      problem.message = fmt::format("{}: {}", where, failure.message);
+      problem.hint = "raise --model-timeout for a slow model";
+      break;
+    case HttpFault::kTooLarge:
+      problem.message = fmt::format("{}: {}, and no scene is", where, failure.message);
+      problem.hint = "check OPENAI_BASE_URL";
+      break;
+    case HttpFault::kStopped:
+    case HttpFault::kOther: problem.message = fmt::format("{} cannot be asked: {}", where, one_line(failure.message, 200)); break;
+  }
+  return problem;
+}
+
+Problem problem_of(const HttpResponse& response, const ServerError& error, const Endpoint& endpoint) {
+  Problem problem{outcome_of_status(response.status), {}, {}, response.retry_after_s};
+  const int status = response.status;
+  const std::string words = own_words(error);
+  if (status == 401) {
+    problem.message = fmt::format("{} does not accept the key (401{})", endpoint.base_url, words);
+    problem.hint = endpoint.key.empty() ? "set OPENAI_API_KEY" : "check OPENAI_API_KEY";
+  } else if (status == 403) {
+    problem.message = fmt::format("{} does not allow this (403{})", endpoint.base_url, words);
+    problem.hint = "check what the key may be used for";
+  } else if (status == 404) {
+    problem.message = fmt::format("{} knows no model {}, or is no such server (404{})", endpoint.base_url, endpoint.model, words);
+    problem.hint = "check LAYOUTBOX_MODEL and OPENAI_BASE_URL; the address usually ends in /v1";
+  } else if (status == 407) {
+    problem.message = fmt::format("the proxy wants a password (407{})", words);
+    problem.hint = "check HTTPS_PROXY";
+  } else if (status >= 300 && status < 400) {
+    problem.message = fmt::format("{} leads elsewhere ({} to {}), and a key is sent to the named server alone", endpoint.base_url, status,
+                                  response.location.empty() ? "nowhere" : one_line(response.location, 150));
+    problem.hint = "set OPENAI_BASE_URL to the right address";
+  } else if (is_about_money(error)) {
+    problem.outcome = Outcome::kFinal;
+    problem.message = fmt::format("nothing is left to pay with at {} ({}{})", endpoint.base_url, status, words);
+    problem.hint = "check the account";
+  } else if (problem.outcome == Outcome::kBusy) {
+    problem.message = fmt::format("{} is busy or out of order ({}{})", endpoint.base_url, status, words);
+    problem.hint = "try again later";
+  } else if (is_about_length(lower(error.message)) || status == 413) {
+    problem.message = fmt::format("the question is too long for the model {} ({}{})", endpoint.model, status, words);
+    problem.hint = "take a model with a longer context, or start the server with one";
+  } else {
+    problem.message = fmt::format("{} refuses the question ({}{})", endpoint.base_url, status, words);
+    problem.hint = "check that it is an OpenAI-compatible server";
+  }
+  return problem;
+}
+
+Problem problem_of(const ReadAnswer& read, const HttpResponse& response, const Endpoint& endpoint) {
+  Problem problem;
+  switch (read.kind) {
+    case ReadAnswer::Kind::kAnswer: break;
+    case ReadAnswer::Kind::kCut:
+      problem.outcome = Outcome::kBusy;
+      problem.message = fmt::format("the answer of {} broke off before it was whole", endpoint.base_url);
+      break;
+    case ReadAnswer::Kind::kBroken:
+      problem.outcome = Outcome::kUnclear;
+      problem.message = fmt::format("{}: {}", endpoint.base_url, read.error.message);
+      problem.hint = "check that it is an OpenAI-compatible server";
+      break;
+    case ReadAnswer::Kind::kPage:
+      problem.message = fmt::format("{} answers with a web page, so some other server or a proxy stands there", endpoint.base_url);
+      problem.hint = "check OPENAI_BASE_URL, which usually ends in /v1, and the proxy";
+      break;
+    case ReadAnswer::Kind::kError: {
+      // Some gateways put the status of the server behind them into the error.
+      int status = 0;
+      if (read.error.code.size() == 3 && std::ranges::all_of(read.error.code, [](char c) { return c >= '0' && c <= '9'; })) {
+        status = std::stoi(read.error.code);
+      }
+      HttpResponse inner = response;
+      inner.status = status >= 400 ? status : 400;
+      return problem_of(inner, read.error, endpoint);
+    }
+  }
+  return problem;
+}
+
+Error final_error(const Problem& problem, int retries, double seconds) {
+  std::string message = problem.message;
+  if (problem.retry_after_s && problem.outcome == Outcome::kBusy)
+    message += fmt::format("; it asks for {:g} s of patience", *problem.retry_after_s);
+  if (retries > 0) message += fmt::format("; asked {} times in {:.0f} s", retries + 1, seconds);
+  return {ErrorCode::kNetwork, message, {}, problem.hint, {}};
+}
+
+std::optional<Habits> change_for(int status, const ServerError& error, const Habits& habits) {
+  if (status != 400 && status != 404 && status != 405 && status != 415 && status != 422 && status != 500 && status != 501)
+    return std::nullopt;
+  const std::string text = lower(error.parameter + " " + error.message);
+  if (is_about_length(text)) return std::nullopt;
+  Habits changed = habits;
+  for (const char* parameter : {"max_completion_tokens", "temperature", "seed", "stream_options"}) {
+    if (text.find(parameter) != std::string::npos && changed.without.insert(parameter).second) return changed;
+  }
+  const bool tools = habits.mode == Mode::kStrictTools || habits.mode == Mode::kTools;
+  const bool about_tools = says_any(text, {"tool", "function", "strict", "schema"});
+  const bool about_format = says_any(text, {"response_format", "json_schema", "json_object", "schema", "grammar"});
+  // A server that says no more than "bad request" may mean anything; the way that is known to work is not given up for it.
+  const bool unclear = (status == 400 || status == 422) && !habits.known;
+  if (tools && text.find("tool_choice") != std::string::npos && changed.without.insert("tool_choice").second) return changed;
+  if (tools ? about_tools || unclear : about_format || unclear) {
+    if (habits.mode != Mode::kJson) {
+      changed.mode = static_cast<Mode>(static_cast<int>(habits.mode) + 1);
+      return changed;
+    }
+    if (about_format && changed.without.insert("response_format").second) return changed;
+  }
+  return std::nullopt;
+}
+
+}  // namespace layoutbox::chat

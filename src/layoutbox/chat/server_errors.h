@@ -1,0 +1,32 @@
+// What a failed request means: whether to ask again, how to ask otherwise, and what to tell the user.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "layoutbox/base/result.h"
+#include "layoutbox/chat/endpoint.h"
+#include "layoutbox/chat/retry.h"
+#include "layoutbox/chat/wire.h"
+
+namespace layoutbox::chat {
+
+struct Problem {
+  Outcome outcome = Outcome::kFinal;
+  std::string message;  // "the server is busy (503: try later)"
+  std::string hint;
+  std::optional<double> retry_after_s;
+};
+
+Problem problem_of(const HttpFailure& failure, const Endpoint& endpoint);
+Problem problem_of(const HttpResponse& response, const ServerError& error, const Endpoint& endpoint);
+// Of a status 2xx whose body is no answer.
+Problem problem_of(const ReadAnswer& read, const HttpResponse& response, const Endpoint& endpoint);
+
+// The error after the last try.
+Error final_error(const Problem& problem, int retries, double seconds);
+
+// How to ask instead, where the server's words say that it does not know a parameter or a way of asking; empty where they do not.
+std::optional<Habits> change_for(int status, const ServerError& error, const Habits& habits);
+
+}  // namespace layoutbox::chat

@@ -1,0 +1,60 @@
+#include "layoutbox/pipeline/edit_by_model.h"
+
+#include <algorithm>
+
+#include "layoutbox/pipeline/repair.h"
+#include "layoutbox/plan/llm/conversation.h"
+#include "layoutbox/scene/layout_scene.h"
+#include "layoutbox/scene/scene_json.h"
+
+namespace layoutbox {
+namespace {
+
+// What a model sees: no walls, spaces or notes, whose rules are its own.
+std::string scene_for_model(const Layout& layout) {
+  SceneGraph scene = scene_of(layout);
+  scene.notes.clear();
+  for (SceneObject& object : scene.objects) {
+    object.spaces.clear();
+    object.spaces_given = false;
+    object.used_sides.reset();
+    if (const PlacedObject* placed = layout.find_object(object.id)) {
+      object.hint = {placed->position, placed->rotation_deg, false};
+    }
+  }
+  return write_scene(scene);
+}
+
+// Members that no model writes come back from the earlier scene, for things that it left as they were.
+void restore(const SceneGraph& before, SceneGraph& scene) {
+  for (SceneObject& object : scene.objects) {
+    const SceneObject* earlier = before.find_object(object.id);
+    if (earlier == nullptr || earlier->category != object.category) continue;
+    if (!object.mount) object.mount = earlier->mount;
+    if (!object.used_sides) object.used_sides = earlier->used_sides;
+    if (!object.size) object.size = earlier->size, object.size_source = earlier->size_source;
+    const bool same_size = object.size == earlier->size;
+    if (same_size && !object.spaces_given) object.spaces = earlier->spaces, object.spaces_given = earlier->spaces_given;
+    if (object.mesh.empty()) object.mesh = earlier->mesh, object.mesh_front = earlier->mesh_front;
+  }
+}
+
+}  // namespace
+
+Result<ModelEdit> edit_by_model(std::string_view text, const Layout& layout, const Catalog& catalog, chat::ChatOptions chat,
+                                const GenerateOptions& options) {
+  const SceneGraph before = scene_of(layout);
+  GenerateOptions own = options;
+  own.shell = before.room;
+  own.solve.from = &layout;
+  llm::ConversationOptions conversation_options;
+  conversation_options.trust = llm::Trust::kModel;
+  conversation_options.scene_to_edit = scene_for_model(layout);
+  llm::Conversation conversation(catalog, std::move(chat), std::string(text), own.plan, {{}, &*own.shell}, std::move(conversation_options));
+  RepairLoop loop(conversation, catalog, own);
+  loop.adjust = [&before](SceneGraph& scene) { restore(before, scene); };
+  LAYOUTBOX_ASSIGN(PlannedRoom room, loop.run());
+  return ModelEdit{std::move(room.scene), std::move(room.layout), write_attempts(conversation.attempts())};
+}
+
+}  // namespace layoutbox

@@ -1,0 +1,336 @@
+#include "layoutbox/pipeline/ways_out.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "layoutbox/scene/scene_json.h"
+
+namespace layoutbox {
+namespace {
+
+using Json = nlohmann::json;
+using Clock = std::chrono::steady_clock;
+
+constexpr std::int64_t kTryEffort = 30;
+constexpr double kLongestTry = 1.5;
+constexpr int kDeepest = 4;  // changes in one way out, where one conflict hides another
+
+struct Candidate {
+  std::string sentence;
+  std::string subject;  // of one subject and kind only one is shown
+  Json patch;
+};
+
+std::string object_name(const SceneObject& object) {
+  std::string words = object.name.empty() ? object.category : object.name;
+  std::ranges::replace(words, '_', ' ');
+  return fmt::format("the {} ({})", words, object.id);
+}
+
+std::string side_word(const SceneGraph& scene, const Wall& wall) {
+  for (const Side side : {Side::kFront, Side::kRight, Side::kBack, Side::kLeft}) {
+    if (wall_on_side(scene.room.walls, side) == &wall) return fmt::format("the {} wall ({})", name_of(side), wall.id);
+  }
+  return wall.id;
+}
+
+Json replace(const std::string& path, Json value) { return {{"op", "replace"}, {"path", path}, {"value", std::move(value)}}; }
+Json add(const std::string& path, Json value) { return {{"op", "add"}, {"path", path}, {"value", std::move(value)}}; }
+Json remove(const std::string& path) { return {{"op", "remove"}, {"path", path}}; }
+
+// Changes to one scene that may settle its conflicts, the least first.
+class Proposer {
+ public:
+  Proposer(const Json& document, const SceneGraph& scene, const Layout& layout, const Catalog& catalog, bool room_may_grow)
+      : document_(document), scene_(scene), layout_(layout), catalog_(catalog), room_may_grow_(room_may_grow) {}
+
+  std::vector<Candidate> run() {
+    collect();
+    for (auto it = relations_.rbegin(); it != relations_.rend(); ++it) other_walls(**it);  // what was said last gives way first
+    for (auto it = relations_.rbegin(); it != relations_.rend(); ++it) other_sides(**it);
+    for (const SceneObject* object : objects_) smaller(*object, 0.8);
+    for (const SceneObject* object : objects_) smaller(*object, 0.6);
+    for (auto it = relations_.rbegin(); it != relations_.rend(); ++it) looser(**it);
+    if (room_may_grow_) larger_room();
+    for (auto it = relations_.rbegin(); it != relations_.rend(); ++it) dropped(**it);
+    left_out();
+    return std::move(candidates_);
+  }
+
+ private:
+  // What takes part in the conflicts and what was given up.
+  void collect() {
+    std::set<std::string> names;
+    for (const Conflict& conflict : layout_.conflicts) {
+      names.insert(conflict.relations.begin(), conflict.relations.end());
+      names.insert(conflict.objects.begin(), conflict.objects.end());
+    }
+    for (const Relaxation& relaxation : layout_.relaxed) names.insert(relaxation.relation);
+    for (const Relation& relation : scene_.relations) {
+      if (names.contains(relation.id) && index_of("constraints", relation.id) >= 0) {
+        relations_.push_back(&relation);
+        names.insert(relation.targets.begin(), relation.targets.end());
+      }
+    }
+    for (const SceneObject& object : scene_.objects) {
+      if (names.contains(object.id) && index_of("furniture", object.id) >= 0) objects_.push_back(&object);
+    }
+    std::ranges::stable_sort(objects_, [](const SceneObject* a, const SceneObject* b) { return area(*a) > area(*b); });
+  }
+
+  static std::int64_t area(const SceneObject& object) {
+    return object.size ? std::int64_t{object.size->usual.width} * object.size->usual.depth : 0;
+  }
+
+  int index_of(const char* list, std::string_view id) const {
+    if (!document_.contains(list)) return -1;
+    int index = 0;
+    for (const Json& item : document_[list]) {
+      if (item.value("id", "") == id) return index;
+      ++index;
+    }
+    return -1;
+  }
+
+  std::string path_of(const Relation& relation) const { return fmt::format("/constraints/{}", index_of("constraints", relation.id)); }
+
+  std::string target_words(const Relation& relation) const {
+    const SceneObject* object = relation.targets.empty() ? nullptr : scene_.find_object(relation.targets[0]);
+    return object != nullptr ? object_name(*object) : "it";
+  }
+
+  void propose(std::string sentence, std::string subject, Json patch) {
+    candidates_.push_back({std::move(sentence), std::move(subject), std::move(patch)});
+  }
+
+  Json set_member(const Relation& relation, const char* key, Json value) const {
+    const Json& written = document_["constraints"][static_cast<std::size_t>(index_of("constraints", relation.id))];
+    const std::string path = path_of(relation) + "/" + key;
+    return written.contains(key) ? replace(path, std::move(value)) : add(path, std::move(value));
+  }
+
+  void other_walls(const Relation& relation) {
+    const RelationRow& row = relation_row(relation.type);
+    if (row.group != RelationGroup::kRoomGroup || (row.reference_kinds & kWall) == 0 || relation.references.empty()) return;
+    for (const Wall& wall : scene_.room.walls) {
+      if (std::ranges::find(relation.references, wall.id) != relation.references.end()) continue;
+      propose(fmt::format("put {} at {} instead", target_words(relation), side_word(scene_, wall)), "wall " + relation.id,
+              Json::array({set_member(relation, "relativeTo", wall.id)}));
+    }
+  }
+
+  // The other side of the same thing; then merely near it.
+  void other_sides(const Relation& relation) {
+    using R = RelationType;
+    static const std::pair<R, R> kTurned[] = {
+        {R::kLeftOf, R::kRightOf},   {R::kRightOf, R::kLeftOf},  {R::kInFrontOf, R::kBehind},
+        {R::kBehind, R::kInFrontOf}, {R::kAtFootOf, R::kNextTo}, {R::kAtHeadOf, R::kNextTo},
+        {R::kNextTo, R::kNear},      {R::kTouching, R::kNextTo}, {R::kCenteredOnWall, R::kAgainstWall},
+        {R::kFar, R::kNear},         {R::kAlongSide, R::kNextTo}};
+    for (const auto& [from, to] : kTurned) {
+      if (relation.type != from) continue;
+      propose(fmt::format("let {} be {} instead of {}", target_words(relation), relation_row(to).name, relation_row(from).name),
+              "side " + relation.id, Json::array({replace(path_of(relation) + "/type", relation_row(to).name)}));
+    }
+  }
+
+  // Not below what the catalogue knows of such a thing.
+  void smaller(const SceneObject& object, double share) {
+    if (!object.size) return;
+    const CatalogEntry& entry = catalog_.entry_or_nearest(object.category);
+    if (!entry.article.empty() || object.fixed) return;  // the user's own have the size they have
+    const Size& now = object.size->usual;
+    const auto shrunk = [&](Mm side, Mm least) { return std::min(side, std::max(static_cast<Mm>(side * share) / 10 * 10, least)); };
+    const Size to{shrunk(now.width, entry.size.least.width), shrunk(now.depth, entry.size.least.depth), now.height};
+    if (to.width == now.width && to.depth == now.depth) return;
+    const int index = index_of("furniture", object.id);
+    const Json dims{{"w", m_from_mm(to.width)}, {"d", m_from_mm(to.depth)}, {"h", m_from_mm(to.height)}};
+    Json patch = Json::array({add(fmt::format("/furniture/{}/dims", index), dims)});
+    propose(fmt::format("make {} {:.2f} x {:.2f} m instead of {:.2f} x {:.2f} m", object_name(object), m_from_mm(to.width),
+                        m_from_mm(to.depth), m_from_mm(now.width), m_from_mm(now.depth)),
+            "size " + object.id, std::move(patch));
+  }
+
+  void looser(const Relation& relation) {
+    if (!relation.hard) return;
+    propose(fmt::format("make {} a wish only (hard: false): {}", relation.id, words_of_relation(relation)), "wish " + relation.id,
+            Json::array({set_member(relation, "hard", false)}));
+  }
+
+  void dropped(const Relation& relation) {
+    propose(fmt::format("leave {} away: {}", relation.id, words_of_relation(relation)), "drop " + relation.id,
+            Json::array({remove(path_of(relation))}));
+  }
+
+  std::string words_of_relation(const Relation& relation) const {
+    return fmt::format("{} {} {}", fmt::join(relation.targets, ", "), relation_row(relation.type).name,
+                       fmt::join(relation.references, ", "));
+  }
+
+  void larger_room() {
+    if (scene_.room.polygon.size() != 4 || !document_.contains("room") || document_["room"].contains("walls") ||
+        document_["room"].contains("polygon"))
+      return;
+    const Point far = scene_.room.polygon[2];
+    for (const double more : {0.5, 1.0, 2.0}) {
+      const double w = m_from_mm(far.x) + more, d = m_from_mm(far.y) + more;
+      Json dims{{"w", w}, {"d", d}};
+      if (scene_.room.height > 0) dims["h"] = m_from_mm(scene_.room.height);
+      propose(fmt::format("make the room {:g} x {:g} m", w, d), "room", Json::array({add("/room/dims", std::move(dims))}));
+    }
+  }
+
+  // The smallest of the things that take part, of several of one kind the last; with what speaks of it.
+  void left_out() {
+    for (auto it = objects_.rbegin(); it != objects_.rend(); ++it) {
+      const SceneObject& object = **it;
+      Json patch = Json::array();
+      if (document_.contains("constraints")) {
+        for (std::size_t i = document_["constraints"].size(); i-- > 0;) {
+          const std::string path = fmt::format("/constraints/{}", i);
+          for (const char* key : {"relativeTo", "targets"}) take_out(document_["constraints"][i], key, path, object.id, patch);
+        }
+      }
+      patch.push_back(remove(fmt::format("/furniture/{}", index_of("furniture", object.id))));
+      propose(fmt::format("leave out {}", object_name(object)), "object " + object.category, std::move(patch));
+    }
+  }
+
+  // An id out of a list of a relation; the relation with it where nothing else is left there.
+  static void take_out(const Json& relation, const char* key, const std::string& path, const std::string& id, Json& patch) {
+    if (!relation.contains(key) || (!patch.empty() && patch.back() == remove(path))) return;
+    const Json& value = relation[key];
+    const bool alone = value == id || (value.is_array() && value.size() == 1 && value[0] == id);
+    if (alone) {
+      patch.push_back(remove(path));
+      return;
+    }
+    if (!value.is_array()) return;
+    Json rest = Json::array();
+    std::ranges::copy_if(value, std::back_inserter(rest), [&](const Json& one) { return one != id; });
+    if (rest.size() < value.size()) patch.push_back(replace(path + "/" + key, std::move(rest)));
+  }
+
+  const Json& document_;
+  const SceneGraph& scene_;
+  const Layout& layout_;
+  const Catalog& catalog_;
+  bool room_may_grow_;
+  std::vector<const Relation*> relations_;
+  std::vector<const SceneObject*> objects_;
+  std::vector<Candidate> candidates_;
+};
+
+class Searcher {
+ public:
+  Searcher(const Catalog& catalog, const GenerateOptions& options, const WaysOutOptions& limits)
+      : catalog_(catalog), options_(options), limits_(limits), started_(Clock::now()) {
+    options_.solve.improve = false;
+    options_.solve.effort = std::min(options_.solve.effort, kTryEffort);
+    options_.solve.from = nullptr;
+  }
+
+  void search(const Json& document, const Layout& layout, const Candidate& so_far, int depth) {
+    const auto scene = prepared(document);
+    if (!scene) return;
+    Candidate best;  // gives up the least of those that are not enough
+    std::size_t least = layout.objects.empty() ? std::numeric_limits<std::size_t>::max() : layout.relaxed.size();
+    std::optional<Layout> best_layout;
+    for (Candidate& candidate : Proposer(document, *scene, layout, catalog_, limits_.room_may_grow).run()) {
+      if (enough() || spent()) return;
+      if (subjects_.contains(candidate.subject)) continue;
+      Json changed;
+      try {
+        changed = document.patch(candidate.patch);
+      } catch (const Json::exception&) {
+        continue;
+      }
+      auto tried = layout_of(changed);
+      if (!tried) continue;
+      Candidate whole = joined(so_far, candidate);
+      if (!tried->second) {
+        subjects_.insert(candidate.subject);
+        found_.push_back({whole.sentence, whole.patch.dump()});
+        continue;
+      }
+      if (tried->first.relaxed.size() < least)
+        least = tried->first.relaxed.size(), best = std::move(whole), best_layout = std::move(tried->first);
+    }
+    if (!found_.empty() || !best_layout || depth + 1 >= kDeepest) return;
+    search(root_.patch(best.patch), *best_layout, best, depth + 1);  // it was applied before
+  }
+
+  void start(const Json& document) { root_ = document; }
+  std::vector<WayOut> take() { return std::move(found_); }
+
+ private:
+  static Candidate joined(const Candidate& a, const Candidate& b) {
+    if (a.sentence.empty()) return b;
+    Candidate both{a.sentence + ", and " + b.sentence, a.subject + " " + b.subject, a.patch};
+    for (const Json& operation : b.patch) both.patch.push_back(operation);
+    return both;
+  }
+
+  bool enough() const { return found_.size() >= limits_.most; }
+  double seconds() const { return std::chrono::duration<double>(Clock::now() - started_).count(); }
+  bool spent() const {
+    return tries_ >= limits_.most_tries || seconds() > limits_.time_limit_s || (options_.stop != nullptr && options_.stop->load());
+  }
+
+  std::optional<SceneGraph> prepared(const Json& document) const {
+    auto read = read_scene(document.dump());
+    if (!read) return std::nullopt;
+    auto scene = prepare_scene(std::move(*read), catalog_, options_);
+    return scene ? std::optional(std::move(*scene)) : std::nullopt;
+  }
+
+  // The layout, and whether it gives up what was asked.
+  std::optional<std::pair<Layout, bool>> layout_of(const Json& document) {
+    ++tries_;
+    const auto scene = prepared(document);
+    if (!scene) return std::nullopt;
+    SolveOptions solve_options = options_.solve;
+    solve_options.on_conflict = OnConflict::kRelax;
+    solve_options.time_limit_s = std::clamp(limits_.time_limit_s - seconds(), 0.05, kLongestTry);
+    auto layout = solve(*scene, catalog_, solve_options);
+    if (!layout) return std::nullopt;
+    const bool gives_up = gives_up_what_was_asked(*layout, *scene);
+    return std::pair(std::move(*layout), gives_up);
+  }
+
+  const Catalog& catalog_;
+  GenerateOptions options_;
+  WaysOutOptions limits_;
+  Clock::time_point started_;
+  Json root_;
+  std::set<std::string> subjects_;
+  std::vector<WayOut> found_;
+  std::size_t tries_ = 0;
+};
+
+}  // namespace
+
+std::vector<WayOut> find_ways_out(const std::string& document, const Layout& layout, const Catalog& catalog, const GenerateOptions& options,
+                                  const WaysOutOptions& limits) {
+  const Json json = Json::parse(document, nullptr, false);
+  if (!json.is_object()) return {};
+  Searcher searcher(catalog, options, limits);
+  searcher.start(json);
+  searcher.search(json, layout, {}, 0);
+  return searcher.take();
+}
+
+bool gives_up_what_was_asked(const Layout& layout, const SceneGraph& scene) {
+  if (layout.status == LayoutStatus::kSolved) return false;
+  return std::ranges::any_of(layout.relaxed, [&](const Relaxation& relaxation) {
+    if (scene.find_object(relaxation.relation) != nullptr) return true;
+    return std::ranges::any_of(scene.relations, [&](const Relation& r) { return r.id == relaxation.relation && r.hard && !r.assumed; });
+  });
+}
+
+}  // namespace layoutbox

@@ -1,0 +1,32 @@
+// The model's scene beside what the text says outright: counts, sizes and relations of which the offline planner is sure.
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "layoutbox/catalog/catalog.h"
+#include "layoutbox/plan/llm/draft.h"
+#include "layoutbox/plan/planner.h"
+
+namespace layoutbox::llm {
+
+// Whom to believe where the model's scene is not what the text says outright.
+enum class Trust {
+  kText,   // the text: what is missing is added, what is too much left out, sizes are set right
+  kModel,  // the model: differences are listed only
+};
+
+// What is set right after the text; all else is listed only.
+struct Settling {
+  bool objects = true;
+  bool room = true;
+  bool sizes_and_relations = true;
+  std::set<std::string> open;  // categories of which a thing may be missing: the model was asked to choose
+};
+
+// One sentence for each difference; each is also a note of the scene, and its document follows what is settled.
+// Nothing is compared that the offline planner only assumed or may have misread ("some chairs").
+std::vector<std::string> compare_with_text(const Plan& read_offline, const Catalog& catalog, const Settling& settling, Draft& draft);
+
+}  // namespace layoutbox::llm
