@@ -166,6 +166,31 @@ class PictureFails(model_case.ModelCase):
         self.assertEqual(len(server.requests), 3)  # the third gives the second's scene again
 
 
+class Editing(model_case.ModelCase):
+    """A change in words that a model reads: the rest stays where it is."""
+
+    @staticmethod
+    def moves_the_desk(request):
+        scene = json.loads(request.json()["messages"][0]["content"].split("The scene:\n")[1])
+        scene["constraints"] = [c for c in scene.get("constraints", []) if c["targets"] != ["desk_1"]]
+        scene["constraints"].append({"type": "againstWall", "targets": ["desk_1"], "relativeTo": "wall2"})
+        return fault.call("create_scene", scene)
+
+    def test_a_desk_is_moved(self):
+        text = "A bedroom of 5 x 4 x 2.6 m with a bed against the back wall and a desk against the left wall."
+        self.assert_done(self.run_layoutbox("generate", text, "--no-render", "-o", self.path("out")))
+        before = {item["id"]: item for item in self.read_json("out/layout.json")["objects"]}
+        edit = ["edit", self.path("out/layout.json"), "put the desk on the other side", "-o", self.path("edited.json"), "--planner", "llm"]
+        with FaultServer([fault.scripted(self.moves_the_desk)]) as server:
+            run = self.run_layoutbox(*edit, env=self.environment(server))
+        self.assert_done(run)
+        self.assertIn("desk_1", run.out)
+        after = {item["id"]: item for item in self.read_json("edited.json")["objects"]}
+        self.assertEqual(after["bed_1"]["pos"], before["bed_1"]["pos"])
+        self.assertGreater(after["desk_1"]["pos"][0], 4)
+        self.assertIn("put the desk on the other side", server.requests[0].last_message())
+
+
 class TextAndModel(model_case.ModelCase):
     """What the text says outright is compared with the model's scene."""
 

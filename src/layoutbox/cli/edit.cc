@@ -8,6 +8,8 @@
 
 #include "layoutbox/cli/commands.h"
 #include "layoutbox/cli/inputs.h"
+#include "layoutbox/cli/model_flags.h"
+#include "layoutbox/pipeline/edit_by_model.h"
 #include "layoutbox/scene/scene_json.h"
 
 namespace layoutbox::cli {
@@ -17,7 +19,9 @@ using Json = nlohmann::ordered_json;
 
 struct Flags {
   std::string layout, text, output, catalog_file;
+  std::string planner = "offline";
   bool no_render = false;
+  ModelFlags model;
   RenderFlags render;
   GenerateOptions options;
 };
@@ -83,6 +87,14 @@ int write_folder(Flags& flags, const EditOutcome& edited, const Catalog& catalog
   return as_asked(*made) ? kDone : kNotAsAsked;
 }
 
+Result<EditOutcome> edited_layout(const Flags& flags, const std::string& text, const Layout& layout, const Catalog& catalog,
+                                  const Console& console) {
+  if (flags.model.dry_run) return layoutbox::fail(ErrorCode::kUsage, "edit shows no request", "--dry-run", "generate and plan do");
+  if (flags.planner == "offline") return edit_layout(text, layout, catalog, flags.options.solve);
+  LAYOUTBOX_ASSIGN(chat::ChatOptions chat, flags.model.chat_options(console));
+  return edit_by_model(text, layout, catalog, std::move(chat), flags.options);
+}
+
 int run(Flags& flags, const Console& console) {
   if (const Status ready = flags.render.apply(flags.options.render); !ready) return console.fail(ready.error());
   flags.options.stop = &stop_flag();
@@ -95,7 +107,7 @@ int run(Flags& flags, const Console& console) {
   plan.catalog_file = flags.catalog_file;
   const auto catalog = plan.load_catalog();
   if (!catalog) return console.fail(catalog.error());
-  const auto edited = edit_layout(*text, *layout, catalog->get(), flags.options.solve);
+  const auto edited = edited_layout(flags, *text, *layout, catalog->get(), console);
   if (!edited) return console.fail(edited.error());
   console.notes(edited->notes);
   int status = edited->layout.status == LayoutStatus::kSolved ? kDone : kNotAsAsked;
@@ -125,6 +137,10 @@ void add_edit(CLI::App& app, Context& context) {
   command->add_option("--effort", flags->options.solve.effort, "Deterministic work units of the solver")
       ->capture_default_str()
       ->check(CLI::Range(1, 10'000'000));
+  command->add_option("--planner", flags->planner, "Who reads the text: offline, or llm (a language model)")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"offline", "llm"}));
+  flags->model.add_to(*command, flags->options.repair);
   command->add_flag("--no-render", flags->no_render, "Into a folder: make no picture, no Blender is needed");
   flags->render.add_to(*command);
   command->callback([flags, &context] { context.status = run(*flags, context.console); });

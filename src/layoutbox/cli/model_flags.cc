@@ -43,17 +43,7 @@ void ModelFlags::add_to(CLI::App& command, RepairOptions& repair) {
   command.add_flag("--dry-run", dry_run, "Print the first request instead of sending it")->group(group);
 }
 
-Result<std::unique_ptr<Planner>> ModelFlags::make_planner(const std::string& name, const Catalog& catalog, GenerateOptions& options,
-                                                          const Console& console) const {
-  if (name != "llm") {
-    if (dry_run) return layoutbox::fail(ErrorCode::kUsage, "the offline planner sends no request", "--dry-run", "add --planner llm");
-    return make_offline_planner(catalog);
-  }
-  llm::ConversationOptions conversation;
-  if (trust != "text" && trust != "model") {
-    return layoutbox::fail(ErrorCode::kUsage, fmt::format("'{}' is nobody to trust", trust), "--trust", "use text or model");
-  }
-  conversation.trust = trust == "text" ? llm::Trust::kText : llm::Trust::kModel;
+Result<chat::ChatOptions> ModelFlags::chat_options(const Console& console) const {
   chat::ChatOptions chat;
   LAYOUTBOX_ASSIGN(chat.endpoint, chat::find_endpoint({base_url, model}));
   if (!prices_file.empty()) {
@@ -73,6 +63,21 @@ Result<std::unique_ptr<Planner>> ModelFlags::make_planner(const std::string& nam
   chat.stream = stream;
   chat.stop = &stop_flag();
   chat.on_wait = [&console](const std::string& line) { console.say("model    " + line); };
+  return chat;
+}
+
+Result<std::unique_ptr<Planner>> ModelFlags::make_planner(const std::string& name, const Catalog& catalog, GenerateOptions& options,
+                                                          const Console& console) const {
+  if (name != "llm") {
+    if (dry_run) return layoutbox::fail(ErrorCode::kUsage, "the offline planner sends no request", "--dry-run", "add --planner llm");
+    return make_offline_planner(catalog);
+  }
+  llm::ConversationOptions conversation;
+  if (trust != "text" && trust != "model") {
+    return layoutbox::fail(ErrorCode::kUsage, fmt::format("'{}' is nobody to trust", trust), "--trust", "use text or model");
+  }
+  conversation.trust = trust == "text" ? llm::Trust::kText : llm::Trust::kModel;
+  LAYOUTBOX_ASSIGN(chat::ChatOptions chat, chat_options(console));
   options.planner = fmt::format("llm {} at {}, trust {}", chat.endpoint.model, chat.endpoint.base_url, trust);
   return llm::make_model_planner(catalog, std::move(chat), std::move(conversation), options.repair.max_attempts);
 }

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "layoutbox/chat/chat_client.h"
 #include "layoutbox/cli/console.h"
 #include "layoutbox/pipeline/generate.h"
 #include "layoutbox/plan/planner.h"
@@ -20,6 +21,8 @@ struct ModelFlags {
   bool no_cache = false, stream = false, dry_run = false;
 
   void add_to(CLI::App& command, RepairOptions& repair);
+  // Errors: those of find_endpoint(), of the prices.
+  Result<chat::ChatOptions> chat_options(const Console& console) const;
   // The offline planner, or the one by model. Errors: kUsage, those of find_endpoint().
   Result<std::unique_ptr<Planner>> make_planner(const std::string& name, const Catalog& catalog, GenerateOptions& options,
                                                 const Console& console) const;

@@ -1,7 +1,9 @@
 #include "layoutbox/pipeline/edit_by_model.h"
 
-#include <algorithm>
+#include <set>
+#include <string>
 
+#include "layoutbox/pipeline/edit_changes.h"
 #include "layoutbox/pipeline/repair.h"
 #include "layoutbox/plan/llm/conversation.h"
 #include "layoutbox/scene/layout_scene.h"
@@ -41,12 +43,13 @@ void restore(const SceneGraph& before, SceneGraph& scene) {
 
 }  // namespace
 
-Result<ModelEdit> edit_by_model(std::string_view text, const Layout& layout, const Catalog& catalog, chat::ChatOptions chat,
-                                const GenerateOptions& options) {
+Result<EditOutcome> edit_by_model(std::string_view text, const Layout& layout, const Catalog& catalog, chat::ChatOptions chat,
+                                  const GenerateOptions& options) {
   const SceneGraph before = scene_of(layout);
   GenerateOptions own = options;
   own.shell = before.room;
   own.solve.from = &layout;
+  own.solve.on_conflict = OnConflict::kFail;
   llm::ConversationOptions conversation_options;
   conversation_options.trust = llm::Trust::kModel;
   conversation_options.scene_to_edit = scene_for_model(layout);
@@ -54,7 +57,16 @@ Result<ModelEdit> edit_by_model(std::string_view text, const Layout& layout, con
   RepairLoop loop(conversation, catalog, own);
   loop.adjust = [&before](SceneGraph& scene) { restore(before, scene); };
   LAYOUTBOX_ASSIGN(PlannedRoom room, loop.run());
-  return ModelEdit{std::move(room.scene), std::move(room.layout), write_attempts(conversation.attempts())};
+  EditOutcome outcome;
+  outcome.scene = std::move(room.scene);
+  outcome.layout = std::move(room.layout);
+  outcome.scene.prompt = outcome.layout.prompt = layout.prompt.empty() ? std::string(text) : layout.prompt + "\n" + std::string(text);
+  std::set<std::string> all;  // which of the changes the text asks for, only the model knows
+  for (const PlacedObject& object : layout.objects) all.insert(object.id);
+  for (const PlacedObject& object : outcome.layout.objects) all.insert(object.id);
+  outcome.changes = changes_between(layout, outcome.layout, all);
+  outcome.notes = outcome.scene.notes;
+  return outcome;
 }
 
 }  // namespace layoutbox
