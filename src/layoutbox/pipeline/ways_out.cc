@@ -18,6 +18,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::int64_t kTryEffort = 30;
 constexpr double kLongestTry = 1.5;
+constexpr int kMostRelaxed = 8;
 constexpr int kDeepest = 4;  // changes in one way out, where one conflict hides another
 
 struct Candidate {
@@ -53,10 +54,13 @@ class Proposer {
     collect();
     for (auto it = relations_.rbegin(); it != relations_.rend(); ++it) other_walls(**it);  // what was said last gives way first
     for (auto it = relations_.rbegin(); it != relations_.rend(); ++it) other_sides(**it);
-    for (const SceneObject* object : objects_) smaller(*object, 0.8);
-    for (const SceneObject* object : objects_) smaller(*object, 0.6);
+    if (sizes_matter()) {
+      for (const double share : {0.8, 0.6}) {
+        for (const SceneObject* object : objects_) smaller(*object, share);
+      }
+    }
     for (auto it = relations_.rbegin(); it != relations_.rend(); ++it) looser(**it);
-    if (room_may_grow_) larger_room();
+    if (room_may_grow_ && sizes_matter()) larger_room();
     for (auto it = relations_.rbegin(); it != relations_.rend(); ++it) dropped(**it);
     left_out();
     return std::move(candidates_);
@@ -81,6 +85,12 @@ class Proposer {
       if (names.contains(object.id) && index_of("furniture", object.id) >= 0) objects_.push_back(&object);
     }
     std::ranges::stable_sort(objects_, [](const SceneObject* a, const SceneObject* b) { return area(*a) > area(*b); });
+  }
+
+  // Where relations of things to one another contradict each other, no size helps.
+  bool sizes_matter() const {
+    return relations_.empty() || std::ranges::any_of(layout_.conflicts, [](const Conflict& c) { return !c.objects.empty(); }) ||
+           std::ranges::any_of(relations_, [](const Relation* r) { return relation_row(r->type).group == RelationGroup::kRoomGroup; });
   }
 
   static std::int64_t area(const SceneObject& object) {
@@ -250,16 +260,15 @@ class Searcher {
       } catch (const Json::exception&) {
         continue;
       }
-      auto tried = layout_of(changed);
-      if (!tried) continue;
       Candidate whole = joined(so_far, candidate);
-      if (!tried->second) {
+      if (is_enough(changed)) {
         subjects_.insert(candidate.subject);
         found_.push_back({whole.sentence, whole.patch.dump()});
         continue;
       }
-      if (tried->first.relaxed.size() < least)
-        least = tried->first.relaxed.size(), best = std::move(whole), best_layout = std::move(tried->first);
+      if (!found_.empty() || relaxed_tries_++ >= kMostRelaxed) continue;  // what is not enough matters only where nothing is
+      auto tried = layout_of(changed);
+      if (tried && tried->relaxed.size() < least) least = tried->relaxed.size(), best = std::move(whole), best_layout = std::move(*tried);
     }
     if (!found_.empty() || !best_layout || depth + 1 >= kDeepest) return;
     search(root_.patch(best.patch), *best_layout, best, depth + 1);  // it was applied before
@@ -289,18 +298,27 @@ class Searcher {
     return scene ? std::optional(std::move(*scene)) : std::nullopt;
   }
 
-  // The layout, and whether it gives up what was asked.
-  std::optional<std::pair<Layout, bool>> layout_of(const Json& document) {
+  // Is there a layout that gives up nothing?
+  bool is_enough(const Json& document) {
     ++tries_;
     const auto scene = prepared(document);
+    if (!scene) return false;
+    const auto layout = solve(*scene, catalog_, solve_options(OnConflict::kFail));
+    return layout && !gives_up_what_was_asked(*layout, *scene);
+  }
+
+  std::optional<Layout> layout_of(const Json& document) {
+    const auto scene = prepared(document);
     if (!scene) return std::nullopt;
-    SolveOptions solve_options = options_.solve;
-    solve_options.on_conflict = OnConflict::kRelax;
-    solve_options.time_limit_s = std::clamp(limits_.time_limit_s - seconds(), 0.05, kLongestTry);
-    auto layout = solve(*scene, catalog_, solve_options);
-    if (!layout) return std::nullopt;
-    const bool gives_up = gives_up_what_was_asked(*layout, *scene);
-    return std::pair(std::move(*layout), gives_up);
+    auto layout = solve(*scene, catalog_, solve_options(OnConflict::kRelax));
+    return layout ? std::optional(std::move(*layout)) : std::nullopt;
+  }
+
+  SolveOptions solve_options(OnConflict on_conflict) const {
+    SolveOptions made = options_.solve;
+    made.on_conflict = on_conflict;
+    made.time_limit_s = std::clamp(limits_.time_limit_s - seconds(), 0.05, kLongestTry);
+    return made;
   }
 
   const Catalog& catalog_;
@@ -311,6 +329,7 @@ class Searcher {
   std::set<std::string> subjects_;
   std::vector<WayOut> found_;
   std::size_t tries_ = 0;
+  int relaxed_tries_ = 0;
 };
 
 }  // namespace
