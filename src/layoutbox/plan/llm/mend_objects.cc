@@ -76,6 +76,9 @@ class ObjectMender {
  public:
   ObjectMender(json& scene, const Catalog& catalog, Notes& notes) : scene_(scene), catalog_(catalog), notes_(notes) {}
 
+  // Ids as they were written, and as they are now.
+  const std::map<std::string, std::string>& renamed() const { return renamed_; }
+
   void run() {
     json& furniture = scene_["furniture"];
     for (std::size_t i = 0; i < furniture.size();) {
@@ -184,8 +187,6 @@ class ObjectMender {
   const Catalog& catalog_;
   Notes& notes_;
   std::set<std::string> ids_;  // keys of those settled
-
- public:
   std::map<std::string, std::string> renamed_;
 };
 
@@ -208,7 +209,7 @@ void mend_objects(json& scene, const Catalog& catalog, Notes& notes) {
     for (json& relation : scene["constraints"]) {
       if (!relation.is_object()) continue;
       for (const char* key : {"targets", "relativeTo"}) {
-        if (relation.contains(key)) replace_names(relation[key], mender.renamed_);
+        if (relation.contains(key)) replace_names(relation[key], mender.renamed());
       }
       clean_text(relation, "why", "/constraints", notes);
     }
