@@ -16,10 +16,10 @@ def wishes():
     return sys.argv[1:] if os.path.basename(sys.argv[0]) == os.path.basename(__file__) else []
 
 
-def build(view, meshes):
-    """The scene for one view; gives what stays of the walls and what is left out."""
+def build(view, meshes, turn=0.0):
+    """The scene for one view, turned so many degrees; gives what stays of the walls and what is left out."""
     bpy.ops.wm.read_factory_settings(use_empty=True)
-    use_view(view)
+    use_view(view, turn)
     if view == "eye":
         stand_in_the_room(meshes)
     elif view == "door":
@@ -61,3 +61,7 @@ def main():
         if number == 0 and "--overlay" in words and "--no-picture" not in words:
             write_overlay(stay, out, meshes, os.path.join(folder, picture_of(view)), os.path.join(folder, OUTPUT["overlay"]))
             print("layoutbox: wrote overlay", flush=True)
+    kind = next((word.split("=")[1] for word in words if word.startswith("--turntable=")), "")
+    if kind:
+        write_turntable(kind, engine, meshes, os.path.join(folder, f"{OUTPUT['turntable']}.{kind}"))
+        print("layoutbox: wrote turntable", flush=True)

@@ -1,6 +1,8 @@
 # ---- Materials: one node material per row of MATERIALS, textures made by procedure. --------------------------------------------------
+import base64
 import math
 import os
+import tempfile
 
 import bpy
 
@@ -292,12 +294,22 @@ PAINTERS = {"wood": paint_wood, "planks": paint_planks, "parquet": paint_parquet
 
 def user_image(nodes, row):
     """The user's own picture as colour, if the file is there (relative names count from this script's folder)."""
+    inside = IMAGES.get(row["image"])
     path = os.path.join(script_folder(), row["image"])
-    if not os.path.isfile(path):
+    if inside:  # the file is in this one: Blender reads files only
+        data = base64.b64decode("".join(inside.split()))
+        handle, path = tempfile.mkstemp(suffix=".png" if data.startswith(b"\x89PNG") else ".jpg")
+        with os.fdopen(handle, "wb") as file:
+            file.write(data)
+    elif not os.path.isfile(path):
         print(f"layoutbox: note: no image {row['image']}, plain colour instead")
         return None
-    node = nodes.add("ShaderNodeTexImage", image=bpy.data.images.load(path, check_existing=True))
-    node.image.pack()
+    image = bpy.data.images.load(path)
+    image.name = row["image"]
+    image.pack()
+    if inside:
+        os.remove(path)
+    node = nodes.add("ShaderNodeTexImage", image=image)
     nodes.tree.links.new(nodes.surface_point(row["scale"]).outputs[0], node.inputs["Vector"])
     return node.outputs[0]
 

@@ -68,7 +68,7 @@ struct CatalogEntry {
   // Of an article from the user's catalogue (user_catalog.h): its number, how many there are (-1: not said), and its own looks.
   std::string article;
   int stock = -1;
-  std::string article_material, article_mesh;
+  std::string article_material, article_mesh, article_mesh_front;
   std::vector<std::string> article_attributes;  // colour, style…
 };
 

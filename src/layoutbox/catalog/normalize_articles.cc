@@ -114,7 +114,10 @@ void take_article(NormalizeContext& context, SceneObject& object, const CatalogE
   if (!article.kind_of.empty()) object.category = article.kind_of;
   if (object.name.empty() || object.assumed) object.name = article.name;
   if (object.material.empty()) object.material = article.article_material;
-  if (object.mesh.empty()) object.mesh = article.article_mesh;
+  if (object.mesh.empty()) {
+    object.mesh = article.article_mesh;
+    object.mesh_front = article.article_mesh_front;
+  }
   for (const std::string& attribute : article.article_attributes) {
     if (std::ranges::find(object.attributes, attribute) == object.attributes.end()) object.attributes.push_back(attribute);
   }

@@ -36,6 +36,7 @@ enum class Column {
   kStyle,
   kStock,
   kMesh,
+  kMeshFront,
   kUnits,
   kSource,
   kUnknown
@@ -60,7 +61,8 @@ constexpr ColumnNames kColumns[] = {
     {Column::kMaterial, " material materials matoverride "},
     {Column::kStyle, " style styles attributes tags features "},
     {Column::kStock, " stock quantity qty count available instock pieces "},
-    {Column::kMesh, " mesh model3d file glb gltf meshfile path "},
+    {Column::kMesh, " mesh model3d file glb gltf obj meshfile path "},
+    {Column::kMeshFront, " meshfront front facing "},
     {Column::kUnits, " units unit lengthunit "},
     {Column::kSource, " source price cost currency url link image brand supplier vendor weight "},
 };
@@ -251,6 +253,7 @@ class CatalogReader {
       case Column::kStyle: article.attributes.push_back(text); break;
       case Column::kMaterial: article.material = text; break;
       case Column::kMesh: article.mesh = text; break;
+      case Column::kMeshFront: article.mesh_front = text; break;
       case Column::kStock: set_stock(article, text, pointer); break;
       case Column::kUnits:
       case Column::kSource:

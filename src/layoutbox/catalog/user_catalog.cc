@@ -44,6 +44,7 @@ CatalogEntry entry_of(const Article& article, const CatalogEntry& kind, std::str
   entry.stock = article.stock;
   entry.article_material = article.material;
   entry.article_mesh = article.mesh;
+  entry.article_mesh_front = article.mesh_front;
   entry.article_attributes = article.attributes;
   return entry;
 }

@@ -18,7 +18,7 @@ struct Article {
   std::string name;      // what it is called, or the category
   Size size;
   std::vector<std::string> attributes;  // colour, style…
-  std::string material, mesh;
+  std::string material, mesh, mesh_front;
   int stock = -1;  // how many there are; -1: not said
 };
 

@@ -12,7 +12,7 @@ namespace layoutbox::cli {
 namespace {
 
 struct Flags {
-  std::string layout, output, format;
+  std::string layout, output, format, assets;
 };
 
 std::string format_names() {
@@ -34,6 +34,13 @@ Result<const ExportFormat*> choose_format(const Flags& flags) {
 Status run_export(const Flags& flags) {
   LAYOUTBOX_ASSIGN(const ExportFormat* format, choose_format(flags));
   LAYOUTBOX_ASSIGN(const Layout layout, read_layout_file(flags.layout));
+  if (format->name == "glb") {  // the only one that draws meshes of the user's own
+    FurnishOptions options;
+    options.asset_folders = asset_folders(flags.layout, flags.assets);
+    LAYOUTBOX_ASSIGN(const Model model, furnish(layout, Catalog::builtin(), options));
+    LAYOUTBOX_ASSIGN(const std::string bytes, write_glb(model, layout));
+    return write_output(flags.output, bytes);
+  }
   LAYOUTBOX_ASSIGN(const std::string bytes, format->write(layout, Catalog::builtin()));
   return write_output(flags.output, bytes);
 }
@@ -51,6 +58,7 @@ void add_export(CLI::App& app, Context& context) {
   command->add_option("layout", flags->layout, "layout.json; - reads stdin")->required();
   command->add_option("--format", flags->format, "One of: " + format_names() + " (default: the output's ending)");
   command->add_option("-o,--output", flags->output, "The file to write; - writes to stdout")->required();
+  command->add_option("--assets", flags->assets, "Folder that meshes and images are named from (default: the layout's)");
   command->callback([flags, &context] { context.status = run(*flags, context.console); });
 }
 

@@ -79,6 +79,8 @@ Status prepare(Flags& flags, const Console& console) {
   LAYOUTBOX_CHECK(flags.solve.apply(flags.options.solve, flags.plan.by_model()));
   LAYOUTBOX_CHECK(flags.render.apply(flags.options.render));
   flags.options.pictures = !flags.no_render;
+  const std::string& beside = flags.scene_file.empty() ? flags.plan.catalog_file : flags.scene_file;
+  flags.options.furnish.asset_folders = asset_folders(beside, flags.plan.assets);
   flags.options.stop = &stop_flag();
   flags.options.on_stage = [&console](const StageTime& stage) { console.stage(stage); };
   flags.options.render.progress = [&console](double share) { console.progress("render", share); };

@@ -53,6 +53,8 @@ void PlanFlags::add_to(CLI::App& command) {
   command.add_option("--units", units, "Units of --room and of files that name none: m, cm, mm, ft, in");
   auto* file = command.add_option("--catalog", catalog_file, "Furniture of your own, JSON or CSV: id, category, width, depth, height");
   command.add_flag("--catalog-only", catalog_only, "Place nothing but the furniture of --catalog")->needs(file);
+  command.add_option("--assets", assets, "Folder of meshes (GLB, glTF, OBJ) with an index.csv or index.json: category, file, size, front")
+      ->excludes(file);
 }
 
 Status PlanFlags::apply(GenerateOptions& options) const {
@@ -70,8 +72,30 @@ Status PlanFlags::apply(GenerateOptions& options) const {
   return {};
 }
 
+namespace {
+
+// The index of a folder of meshes.
+Result<std::string> index_of(const std::string& folder) {
+  std::error_code ignored;
+  if (!std::filesystem::is_directory(folder, ignored)) {
+    return layoutbox::fail(ErrorCode::kIo, fmt::format("{} is not a folder", folder), "--assets", "name a folder of meshes");
+  }
+  for (const char* name : {"index.csv", "index.json"}) {
+    const auto path = std::filesystem::path(folder) / name;
+    if (std::filesystem::exists(path, ignored)) return path.string();
+  }
+  return layoutbox::fail(ErrorCode::kIo, fmt::format("there is no index.csv or index.json in {}", folder), "--assets",
+                         "list its meshes there: category,file,width,depth,height,front");
+}
+
+}  // namespace
+
 Result<CatalogInUse> PlanFlags::load_catalog() const {
   CatalogInUse chosen;
+  std::string catalog_file = this->catalog_file;
+  if (catalog_file.empty() && !assets.empty()) {
+    LAYOUTBOX_ASSIGN(catalog_file, index_of(assets));
+  }
   if (catalog_file.empty()) return chosen;
   LAYOUTBOX_ASSIGN(const std::string text, read_input(catalog_file));
   chosen.inputs.push_back({catalog_only ? "--catalog-only" : "--catalog", catalog_file, content_key(text)});
@@ -119,6 +143,7 @@ void RenderFlags::add_to(CLI::App& command) {
       ->capture_default_str();
   command.add_flag("--overlay", overlay, "Also scene-overlay.png: names, clearances, and what does not hold in red");
   command.add_flag("--mask", mask, "Also mask.png and mask.json: which pixel is which object, and what is seen of each");
+  command.add_option("--turntable", turntable, "Also a film once round the room: gif or mp4");
 }
 
 namespace {
@@ -191,6 +216,14 @@ Result<SceneOrLayout> read_scene_or_layout_file(const std::string& path, const s
   }
   LAYOUTBOX_ASSIGN(file.scene, located(read_scene(text, units), path));
   return file;
+}
+
+std::vector<std::filesystem::path> asset_folders(const std::string& input, const std::string& assets) {
+  std::vector<std::filesystem::path> folders;
+  if (!assets.empty()) folders.emplace_back(assets);
+  const std::filesystem::path beside = input.empty() || input == "-" ? "." : std::filesystem::path(input).parent_path();
+  folders.push_back(beside.empty() ? "." : beside);
+  return folders;
 }
 
 Status write_output(const std::string& path, std::string_view bytes) {

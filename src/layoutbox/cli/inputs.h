@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,11 +20,11 @@ struct CatalogInUse {
   const Catalog& get() const { return own ? *own : Catalog::builtin(); }
 };
 
-// Options of planning, of the room and of the catalogue: --planner, --room, --room-file, --units, --catalog, --catalog-only.
+// Options of planning, of the room and of the catalogue: --planner, --room, --room-file, --units, --catalog, --catalog-only, --assets.
 struct PlanFlags {
   std::string planner = "offline";
   std::string room, room_file, units;
-  std::string catalog_file;
+  std::string catalog_file, assets;
   bool catalog_only = false;
   void add_to(CLI::App& command);
   Status apply(GenerateOptions& options) const;
@@ -64,6 +65,9 @@ struct SceneOrLayout {
   std::optional<Layout> layout;
 };
 Result<SceneOrLayout> read_scene_or_layout_file(const std::string& path, const std::string& units = {});
+
+// Where meshes and images of the user's own are looked for: beside the input file (in this folder for "-"), and in --assets.
+std::vector<std::filesystem::path> asset_folders(const std::string& input, const std::string& assets);
 
 // Writes to a file, or to stdout for "-" or an empty path.
 Status write_output(const std::string& path, std::string_view bytes);

@@ -11,7 +11,7 @@ namespace layoutbox::cli {
 namespace {
 
 struct Flags {
-  std::string layout, folder = ".";
+  std::string layout, folder = ".", assets;
   bool no_render = false;
   RenderFlags render;
   RenderOptions options;
@@ -21,7 +21,9 @@ int run(Flags& flags, const Console& console) {
   if (const Status ready = flags.render.apply(flags.options); !ready) return console.fail(ready.error());
   const auto layout = read_layout_file(flags.layout);
   if (!layout) return console.fail(layout.error());
-  const auto model = furnish(*layout, Catalog::builtin());
+  FurnishOptions furnish_options;
+  furnish_options.asset_folders = asset_folders(flags.layout, flags.assets);
+  const auto model = furnish(*layout, Catalog::builtin(), furnish_options);
   if (!model) return console.fail(model.error());
   const std::filesystem::path folder = flags.folder;
   if (const Status made = make_folder(folder); !made) return console.fail(made.error());
@@ -53,6 +55,7 @@ void add_render(CLI::App& app, Context& context) {
   command->add_option("layout", flags->layout, "layout.json; - reads stdin")->required();
   command->add_option("-o,--output", flags->folder, "Folder for the files (default: this folder)");
   command->add_flag("--no-render", flags->no_render, "Write blender.py only: no Blender is needed");
+  command->add_option("--assets", flags->assets, "Folder that meshes and images are named from (default: the layout's)");
   flags->render.add_to(*command);
   command->callback([flags, &context] { context.status = run(*flags, context.console); });
 }

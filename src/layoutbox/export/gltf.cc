@@ -1,4 +1,4 @@
-// Binary glTF by tinygltf, whose headers are heavy: they are included here and nowhere else.
+// Binary glTF by tinygltf, whose code is compiled in furnish/read_gltf.cc.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,20 +9,7 @@
 #include "layoutbox/export/export.h"
 #include "layoutbox/export/pattern.h"
 
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wall"
-#pragma GCC diagnostic ignored "-Wextra"
-#pragma GCC diagnostic ignored "-Wshadow"
-#pragma GCC diagnostic ignored "-Wold-style-cast"
-#pragma GCC diagnostic ignored "-Wdouble-promotion"
-#pragma GCC diagnostic ignored "-Wcast-qual"
-#pragma GCC diagnostic ignored "-Wunused-function"
-#define TINYGLTF_IMPLEMENTATION
-#define TINYGLTF_NO_STB_IMAGE
-#define TINYGLTF_NO_STB_IMAGE_WRITE
-#define TINYGLTF_NO_EXTERNAL_IMAGE
-#include <tiny_gltf.h>
-#pragma GCC diagnostic pop
+#include "layoutbox/furnish/tinygltf_quietly.h"
 
 namespace layoutbox {
 namespace {
@@ -71,7 +58,7 @@ class GltfWriter {
     auto& pbr = material.pbrMetallicRoughness;
     pbr.roughnessFactor = double{surface.roughness};
     pbr.metallicFactor = double{surface.metallic};
-    if (has_pattern(surface.texture)) {
+    if (has_texture(surface)) {
       pbr.baseColorTexture.index = add_texture(surface);
       pbr.baseColorFactor = {1, 1, 1, double{surface.alpha}};
     } else {
@@ -89,13 +76,15 @@ class GltfWriter {
     out_.materials.push_back(std::move(material));
   }
 
+  static bool has_texture(const Surface& surface) { return surface.image_data || has_pattern(surface.texture); }
+
   int add_texture(const Surface& surface) {
-    const std::string png = pattern_png(surface);
+    const std::string png = surface.image_data ? *surface.image_data : pattern_png(surface);
     const auto [place, is_new] = textures_.try_emplace(png, static_cast<int>(out_.textures.size()));
     if (is_new) {
       tinygltf::Image image;
       image.name = surface.name;
-      image.mimeType = "image/png";
+      image.mimeType = png.starts_with("\xff\xd8") ? "image/jpeg" : "image/png";
       image.bufferView = add_view(png.data(), png.size(), 0);
       tinygltf::Texture texture;
       texture.source = static_cast<int>(out_.images.size());
@@ -142,14 +131,15 @@ class GltfWriter {
 
   // Coordinates of one repeat of the surface's pattern.
   std::vector<Vec2f> texture_coordinates(const Mesh& mesh, const Surface& surface) const {
-    const PatternSize size = pattern_size(surface.texture);
+    const PatternSize size = surface.image_data ? PatternSize{} : pattern_size(surface.texture);
     const double scale = std::max(1e-4, double{surface.scale}), half = std::sqrt(0.5);
     std::vector<Vec2f> coordinates;
     coordinates.reserve(mesh.uvs.size());
     for (const Vec2f& uv : mesh.uvs) {
       const double u = size.turned ? half * (double{uv[0]} + double{uv[1]}) : double{uv[0]};
       const double v = size.turned ? half * (double{uv[1]} - double{uv[0]}) : double{uv[1]};
-      coordinates.push_back({static_cast<float>(u / (size.u * scale)), static_cast<float>(v / (size.v * scale))});
+      const double across = u / (size.u * scale), up = v / (size.v * scale);  // glTF counts pictures from their top
+      coordinates.push_back({static_cast<float>(across), static_cast<float>(surface.image_data ? 1 - up : up)});
     }
     return coordinates;
   }
@@ -185,7 +175,7 @@ class GltfWriter {
     constexpr int kVertices = TINYGLTF_TARGET_ARRAY_BUFFER;
     primitive.attributes["POSITION"] = add_accessor(positions, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3, kVertices, true);
     primitive.attributes["NORMAL"] = add_accessor(normals, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3, kVertices);
-    if (has_pattern(surface.texture)) {
+    if (has_texture(surface)) {
       primitive.attributes["TEXCOORD_0"] =
           add_accessor(texture_coordinates(mesh, surface), TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC2, kVertices);
     }

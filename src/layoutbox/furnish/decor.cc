@@ -39,8 +39,13 @@ bool lists(std::string_view words, std::string_view word) {
   return false;
 }
 
-// The style that a text names first, or null.
-const Json* style_of(std::string_view text) {
+struct Style {
+  std::string name;
+  const Json* data = nullptr;
+};
+
+// The style that a text names first; without data where it names none.
+Style style_of(std::string_view text) {
   std::string word;
   for (std::size_t i = 0; i <= text.size(); ++i) {
     const char c = i < text.size() ? static_cast<char>(std::tolower(static_cast<unsigned char>(text[i]))) : ' ';
@@ -50,12 +55,12 @@ const Json* style_of(std::string_view text) {
     }
     if (word.size() > 2) {
       for (const auto& [words, style] : data().at("styles").items()) {
-        if (lists(words, word)) return &style;
+        if (lists(words, word)) return {words.substr(0, words.find(' ')), &style};
       }
     }
     word.clear();
   }
-  return nullptr;
+  return {};
 }
 
 const Json& room_data(std::string_view kind) {
@@ -101,8 +106,9 @@ Decor decor_of(const Layout& layout, std::uint64_t seed) {
   const std::uint64_t chance = hash(layout.prompt, seed);
   const std::string& kind = layout.room.type;
   const Json& room = room_data(kind);
-  const Json* style = style_of(layout.prompt);
+  const Json* style = style_of(layout.prompt).data;
   Decor decor;
+  decor.chance = chance;
   const bool own_floor = style != nullptr && style->contains("floors") && !room.value("plain", false);
   decor.floor = one_of(own_floor ? style->at("floors") : room.at("floors"), chance).get<std::string>();
   const bool plain = room.value("plain", false);
@@ -121,9 +127,10 @@ Decor decor_of(const Layout& layout, std::uint64_t seed) {
 }
 
 Decor decor_of_thing(const Decor& room, std::string_view text) {
-  const Json* style = style_of(text);
+  const auto [name, style] = style_of(text);
   if (style == nullptr) return room;
   Decor decor = room;
+  decor.style = name;
   decor.woods.clear();
   for (const Json& wood : style->at("woods")) decor.woods.push_back(wood.get<std::string>());
   decor.metal = style->value("metal", room.metal);

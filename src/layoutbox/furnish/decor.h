@@ -11,6 +11,8 @@
 namespace layoutbox {
 
 struct Decor {
+  std::string style;                // "modern", "rustic", … (the first word of its line in decor.json); empty: none was named
+  std::uint64_t chance = 0;         // of the room: which of several ways its things are drawn
   std::string floor = "oak floor";  // as a text would ask for it
   Color wall{0.93, 0.91, 0.88};     // of plaster
   std::string wall_tiles;           // as a text would ask for them; empty: plaster

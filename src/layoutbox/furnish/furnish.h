@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
+#include <vector>
 
 #include "layoutbox/base/result.h"
 #include "layoutbox/catalog/catalog.h"
@@ -15,8 +17,12 @@ struct FurnishOptions {
   std::uint64_t seed = 1;
   // Books in shelves, food in bowls: what a piece shows in spaces where nothing of the layout stands. DEFAULT: true.
   bool contents = true;
+  // Where meshes and images of the user's own are looked for, in this order (the scene file's folder, that of --assets). Empty: none is
+  // read, and what names one is drawn as its kind.
+  std::vector<std::filesystem::path> asset_folders;
 };
 
+// Errors: those of read_mesh_file(), with the object's id, for meshes of the user's own.
 // The furnished room: floor, one node per wall with its real openings, ceiling, one node per opening, one per object.
 Result<Model> furnish(const Layout& layout, const Catalog& catalog, const FurnishOptions& options = {});
 

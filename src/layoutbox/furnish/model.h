@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -48,7 +49,8 @@ struct Surface {
   std::string texture;                                            // one of the above, or empty
   Color second;                                                   // the texture's other colour (grain, joints)
   float scale = 1;                                                // metres, as said above
-  std::string image;  // a user's own image file, or empty; it is laid over the uvs, `scale` metres per repeat
+  std::string image;                              // a user's own image file, or empty; it is laid over the uvs, `scale` metres per repeat
+  std::shared_ptr<const std::string> image_data;  // its bytes, PNG or JPEG; null where it was not read
 };
 
 struct Part {

@@ -97,7 +97,7 @@ bool brownish(const Color& c) { return c.r > c.g && c.g > c.b && c.r - c.b > 0.1
 std::span<const NamedSurface> named_surfaces() { return tables().surfaces; }
 
 const NamedSurface& named_surface(std::string_view name) {
-  static const NamedSurface grey{{"grey", {0.6, 0.6, 0.6}, 0.7F, 0, 1, 0, "", {0.6, 0.6, 0.6}, 1, ""}, "other", {}, true};
+  static const NamedSurface grey{{"grey", {0.6, 0.6, 0.6}, 0.7F, 0, 1, 0, "", {0.6, 0.6, 0.6}, 1, "", nullptr}, "other", {}, true};
   const auto found = tables().by_name.find(name);
   assert(found != tables().by_name.end());
   return found == tables().by_name.end() ? grey : tables().surfaces[found->second];

@@ -71,7 +71,7 @@ Piece::Piece(const PlacedObject& object, const CatalogEntry& entry, std::vector<
       decor_(decor_of_thing(decor, said_of(object))),
       contents_(contents),
       random_state_(hash(object.id, seed)),
-      kind_seed_(hash(object.category, seed)) {
+      kind_seed_(hash(object.category, seed ^ decor.chance)) {
   std::vector<std::string> own_name = split(lower_words(object.category));
   for (const std::string& word : split(lower_words(entry.name))) own_name.push_back(word);
   wish_ = read_wish(said_of(object), own_name);
@@ -160,6 +160,8 @@ Surface Piece::asked(std::string_view usual, bool with_color) const {
 
 int Piece::main(std::string_view usual) { return palette_.add(asked(usual, true)); }
 int Piece::frame(std::string_view usual) { return palette_.add(asked(usual, false)); }
+
+bool Piece::is_style(std::string_view style) const { return decor_.style == style; }
 
 int Piece::variant(int n) const { return static_cast<int>((kind_seed_ >> 7) % static_cast<std::uint64_t>(n)); }
 

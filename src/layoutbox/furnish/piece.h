@@ -56,6 +56,8 @@ class Piece {
   int frame(std::string_view usual);
   int named(std::string_view name) { return palette_.named(name); }
   int tinted(std::string_view name, const Color& color) { return palette_.add(colored(named_surface(name), color)); }
+  // Whether the object or its room is of that style ("modern", "rustic", …).
+  bool is_style(std::string_view style) const;
   // One of `n` ways to draw a kind, by its style and chance: the same for all things of a kind in a room.
   int variant(int n) const;
   // A colour for what nobody gave a colour; the same for all things of a kind, so that a room looks of a piece.

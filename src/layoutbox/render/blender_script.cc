@@ -3,6 +3,7 @@
 
 #include <array>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <span>
 
 #include "layoutbox/embedded/blender_scripts.h"
@@ -94,7 +95,7 @@ std::string settings(const RenderOptions& options) {
   for (const View view : options.views) views += fmt::format("\"{}\", ", name_of(view));
   return fmt::format(
       "OUTPUT = {{\"picture\": \"scene.png\", \"blend\": {}, \"mask\": \"mask.png\", \"mask_index\": \"mask.json\",\n"
-      "          \"overlay\": \"scene-overlay.png\"}}\n\n"
+      "          \"overlay\": \"scene-overlay.png\", \"turntable\": \"scene-turntable\"}}\n\n"
       "# A picture each: iso (scene.png), top, front, eye (in the room), door (scene-top.png and so on).\n"
       "VIEWS = ({})\n\n"
       "# The camera of iso. Azimuth 0 looks from the front, 90 from the right. Walls that would stand before the room are cut away.\n"
@@ -141,6 +142,17 @@ std::string failed_table(const Layout& layout) {
     text += fmt::format("    {{\"targets\": [{}], \"words\": {}}},\n", ids, literal(words));
   }
   return text + "]\n\n";
+}
+
+// The images of surfaces, as text.
+std::string images_table(const Model& model) {
+  std::string text = "# Image files that materials name: base64.\nIMAGES = {\n";
+  std::set<std::string> done;
+  for (const Surface& s : model.surfaces) {
+    if (!s.image_data || !done.insert(s.image).second) continue;
+    text += fmt::format("    {}: \"\"\"\n{}\"\"\",\n", literal(s.image), base64_lines(*s.image_data));
+  }
+  return text + "}\n\n";
 }
 
 std::string materials_table(const Model& model) {
@@ -226,9 +238,9 @@ std::string write_blender_script(const Model& model, const Layout& layout, const
   std::string script = head(layout) + settings(options);
   script += embedded::light_py;
   script += "\n";
-  script += room_tables(layout) + objects + "]\n\n" + failed_table(layout) + materials_table(model) + shell + "]\n\n";
+  script += room_tables(layout) + objects + "]\n\n" + failed_table(layout) + images_table(model) + materials_table(model) + shell + "]\n\n";
   for (const std::string_view code : {embedded::geometry_py, embedded::materials_py, embedded::scene_py, embedded::render_py,
-                                      embedded::visibility_py, embedded::overlay_py, embedded::main_py}) {
+                                      embedded::visibility_py, embedded::overlay_py, embedded::turntable_py, embedded::main_py}) {
     script += "\n";
     script += code;
   }

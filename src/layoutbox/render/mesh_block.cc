@@ -44,6 +44,8 @@ std::string encode(const Mesh& mesh) {
   return bytes;
 }
 
+}  // namespace
+
 std::string base64_lines(std::string_view bytes) {
   constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string text;
@@ -61,8 +63,6 @@ std::string base64_lines(std::string_view bytes) {
   if (!text.empty() && text.back() != '\n') text += '\n';
   return text;
 }
-
-}  // namespace
 
 int MeshBlock::add(const Mesh& mesh) {
   std::string bytes = encode(mesh);

@@ -9,6 +9,9 @@
 
 namespace layoutbox {
 
+// Base64, in lines of 120 characters.
+std::string base64_lines(std::string_view bytes);
+
 using Size3f = std::array<double, 3>;
 
 class MeshBlock {

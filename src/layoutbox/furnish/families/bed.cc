@@ -20,6 +20,13 @@ void bedding(Piece& p, const Box& b, int pillows, int duvet, int white) {
         rounded_box(sides(b.min.x, b.max.x, b.min.y, fold - turned + 0.05, sheet - drop, b.max.z - 0.008), std::min(0.045, puff), 3));
   p.add(white, rounded_box(sides(b.min.x + 0.004, b.max.x - 0.004, fold - turned, fold + 0.02, sheet - drop * 0.7, b.max.z),
                            std::min(0.045, puff), 3));
+  // A throw over the foot end, in a colour that goes with the duvet.
+  if (p.may_show_contents() && length > 1.5 && p.variant(3) != 0) {
+    const Color own = p.accent();
+    const double y0 = b.min.y + length * 0.06, y1 = b.min.y + length * 0.24;
+    p.add(p.tinted("wool", mixed(own, {0.93, 0.89, 0.80}, 0.55)),
+          rounded_box(sides(b.min.x - 0.004, b.max.x + 0.004, y0, y1, sheet - drop * 0.8, b.max.z - 0.003), std::min(0.045, puff), 3));
+  }
   const double room = b.size().x - 0.06, each = std::min(0.75, room / std::max(1, pillows));
   for (int i = 0; i < pillows; ++i) {
     const double x = (i - (pillows - 1) / 2.0) * std::max(each, std::min(room / pillows, 0.85));
@@ -71,7 +78,36 @@ void bed(Piece& p) {
   const bool soft = p.says("upholstered") || p.says("velvet") || p.says("tufted");
   p.legs(wood, under, 0.07, 0.03, false, 0.8);
   p.add(wood, box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2 - std::min(head, 0.03), under, under + rail), 0.008));
-  if (p.h > l.top + 0.03) {
+  const int look = soft                                               ? 0
+                   : p.is_style("modern") || p.is_style("minimalist") ? 0
+                   : p.is_style("rustic")                             ? 1
+                   : p.is_style("traditional")                        ? 2
+                                                                      : p.variant(4);
+  const double thick = std::min(head, 0.05);
+  if (p.h > l.top + 0.2 && look == 1) {  // boards between two posts
+    for (const double x : {-1.0, 1.0})
+      p.add(head_surface,
+            box(sides(x > 0 ? p.w / 2 - 0.06 : -p.w / 2, x > 0 ? p.w / 2 : -p.w / 2 + 0.06, p.d / 2 - thick, p.d / 2, 0, p.h), 0.008));
+    const double low = under * 0.5 + 0.1, pitch = (p.h - 0.02 - low) / 4;
+    for (int i = 0; i < 4; ++i)
+      p.add(head_surface, box(sides(-p.w / 2 + 0.055, p.w / 2 - 0.055, p.d / 2 - thick * 0.8, p.d / 2 - thick * 0.2, low + pitch * i,
+                                    low + pitch * (i + 0.82)),
+                              0.005));
+  } else if (p.h > l.top + 0.2 && look == 2) {  // a framed panel
+    p.add(head_surface, box(sides(-p.w / 2, p.w / 2, p.d / 2 - thick * 0.6, p.d / 2, under * 0.5, p.h - 0.02), 0.004));
+    p.add(head_surface, box(sides(-p.w / 2, p.w / 2, p.d / 2 - thick, p.d / 2, p.h - 0.07, p.h), 0.01));
+    for (const double x : {-1.0, 1.0})
+      p.add(head_surface, box(sides(x > 0 ? p.w / 2 - 0.07 : -p.w / 2, x > 0 ? p.w / 2 : -p.w / 2 + 0.07, p.d / 2 - thick, p.d / 2,
+                                    under * 0.5, p.h - 0.06),
+                              0.006));
+  } else if (p.h > l.top + 0.2 && look == 3 && head > 0.03) {  // cloth in panels
+    const int n = std::max(2, static_cast<int>(p.w / 0.32)), cloth = p.main_accent("linen");
+    p.add(wood, box(sides(-p.w / 2, p.w / 2, p.d / 2 - thick * 0.4, p.d / 2, under * 0.5, p.h), 0.004));
+    for (int i = 0; i < n; ++i)
+      p.add(cloth, rounded_box(sides(-p.w / 2 + p.w * i / n + 0.002, -p.w / 2 + p.w * (i + 1) / n - 0.002, p.d / 2 - thick,
+                                     p.d / 2 - thick * 0.3, l.top - 0.1, p.h - 0.004),
+                               thick * 0.3, 3));
+  } else if (p.h > l.top + 0.03) {
     p.add(head_surface, soft ? rounded_box(sides(-p.w / 2, p.w / 2, p.d / 2 - head, p.d / 2, under, p.h), head * 0.4, 3)
                              : box(sides(-p.w / 2, p.w / 2, p.d / 2 - std::min(head, 0.05), p.d / 2, under * 0.5, p.h), 0.008));
   } else {

@@ -61,7 +61,8 @@ void floor_lamp(Piece& p) {
     p.add(metal, lathe({{0, 0}, {foot, 0}, {foot, 0.015}, {foot * 0.9, 0.022}, {0.02, 0.03}, {0, 0.03}}, 28), scaled(1, k, 1));
     p.add(metal, cylinder({0, 0, 0.02}, 0.011, p.h - tall * 0.55 - 0.02, 12));
   }
-  shade(p, cloth, r, r * 0.72, p.h - tall, p.h);
+  const int look = p.is_style("modern") ? 1 : p.is_style("traditional") ? 2 : p.variant(3);
+  shade(p, cloth, r, r * (look == 1 ? 1 : look == 2 ? 0.5 : 0.72), p.h - tall, p.h);
   p.add(p.named("bulb"), ellipsoid({0, 0, p.h - tall * 0.5}, {0.035, 0.035, 0.05}, 12, 6));
   p.light({0, 0, p.h - tall * 0.5}, 25, 0.08);
 }
@@ -69,19 +70,29 @@ void floor_lamp(Piece& p) {
 void table_lamp(Piece& p) {
   const double r = p.w / 2, tall = p.h * 0.42, k = p.d / p.w, neck = p.h - tall;
   const int base = p.main_accent("ceramic"), cloth = p.named("lampshade"), metal = p.named("brass");
-  p.add(base,
-        lathe({{0, 0},
-               {r * 0.42, 0},
-               {r * 0.45, neck * 0.05},
-               {r * 0.58, neck * 0.35},
-               {r * 0.52, neck * 0.6},
-               {r * 0.2, neck * 0.85},
-               {r * 0.14, neck * 0.95},
-               {0, neck * 0.95}},
-              24),
-        scaled(1, k, 1));
+  const int look = p.is_style("modern") || p.is_style("minimalist") ? 1 : p.is_style("traditional") ? 0 : p.variant(3);
+  if (look == 1) {  // a slim column on a plate
+    p.add(base, lathe({{0, 0}, {r * 0.5, 0}, {r * 0.5, neck * 0.06}, {r * 0.1, neck * 0.1}, {r * 0.1, neck * 0.95}, {0, neck * 0.95}}, 24),
+          scaled(1, k, 1));
+  } else if (look == 2) {  // a ball
+    const double ball = std::min(r * 0.72, neck * 0.44);
+    p.add(base, lathe({{0, 0}, {ball * 0.7, 0}, {ball * 0.7, neck * 0.08}, {0, neck * 0.08}}, 22), scaled(1, k, 1));
+    p.add(base, ellipsoid({0, 0, neck * 0.06 + ball * 0.95}, {ball, ball * k, ball}, 22, 14));
+    p.add(metal, cylinder({0, 0, neck * 0.5}, std::min(0.008, r * 0.1), neck * 0.46, 10));
+  } else
+    p.add(base,
+          lathe({{0, 0},
+                 {r * 0.42, 0},
+                 {r * 0.45, neck * 0.05},
+                 {r * 0.58, neck * 0.35},
+                 {r * 0.52, neck * 0.6},
+                 {r * 0.2, neck * 0.85},
+                 {r * 0.14, neck * 0.95},
+                 {0, neck * 0.95}},
+                24),
+          scaled(1, k, 1));
   p.add(metal, cylinder({0, 0, neck * 0.94}, std::min(0.008, r * 0.1), tall * 0.45, 8));
-  shade(p, cloth, r, r * 0.68, p.h - tall, p.h);
+  shade(p, cloth, r, r * (look == 1 ? 0.95 : 0.68), p.h - tall, p.h);
   p.add(p.named("bulb"), ellipsoid({0, 0, p.h - tall * 0.5}, {r * 0.2, r * 0.2, r * 0.28}, 10, 6));
   p.light({0, 0, p.h - tall * 0.5}, 10, 0.05);
 }

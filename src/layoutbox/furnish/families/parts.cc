@@ -43,6 +43,8 @@ void handle(Piece& p, int surface, Handle kind, Vec at, double size, double out)
 }
 
 void fronts(Piece& p, int surface, int handle_surface, const Fronts& f) {
+  // Knobs in some rooms, bars in others, the same for all fronts of a kind.
+  const bool knobs = p.is_style("traditional") || p.is_style("rustic") || (!p.is_style("modern") && p.variant(3) == 0);
   const double gap = 0.003, cw = (f.x1 - f.x0) / f.columns, rh = (f.z1 - f.z0) / f.rows;
   for (int i = 0; i < f.columns; ++i) {
     for (int j = 0; j < f.rows; ++j) {
@@ -54,11 +56,11 @@ void fronts(Piece& p, int surface, int handle_surface, const Fronts& f) {
         const double hx = opens_right ? x0 + 0.03 : x1 - 0.03, size = std::min(0.16, (z1 - z0) * 0.4);
         // Hands reach down to low doors and up to hanging ones.
         const double hz = z0 > 1.1 ? z0 + size : z1 > 1.4 ? std::clamp(1.05, z0 + size, z1 - size) : z1 - size * 0.9 - 0.02;
-        handle(p, handle_surface, Handle::kVertical, {hx, f.y, hz}, size, f.out);
+        handle(p, handle_surface, knobs ? Handle::kKnob : Handle::kVertical, {hx, f.y, hz}, size, f.out);
       } else {
         const double width = x1 - x0;
-        handle(p, handle_surface, width < 0.3 || z1 - z0 < 0.05 ? Handle::kKnob : Handle::kHorizontal, {(x0 + x1) / 2, f.y, (z0 + z1) / 2},
-               std::min({0.16, width * 0.35, 2 * (z1 - z0)}), f.out);
+        handle(p, handle_surface, knobs || width < 0.3 || z1 - z0 < 0.05 ? Handle::kKnob : Handle::kHorizontal,
+               {(x0 + x1) / 2, f.y, (z0 + z1) / 2}, std::min({0.16, width * 0.35, 2 * (z1 - z0)}), f.out);
       }
     }
   }

@@ -22,7 +22,22 @@ bool upholstered(const Piece& p) {
          p.says("padded");
 }
 
+enum class Back { kSlats, kPanel, kSpindles, kUprights };
+
+// What a chair's back is like: as the catalogue says, else by style and chance.
+Back back_of(const Piece& p) {
+  const std::string said = p.word("back", "");
+  if (said == "panel" || p.count("slats", 3) == 0) return Back::kPanel;
+  if (said == "spindles") return Back::kSpindles;
+  if (!said.empty()) return Back::kSlats;
+  if (p.is_style("modern") || p.is_style("scandinavian")) return Back::kPanel;
+  if (p.is_style("traditional")) return Back::kSpindles;
+  constexpr Back kWays[] = {Back::kSlats, Back::kPanel, Back::kUprights, Back::kSpindles};
+  return p.is_style("rustic") ? Back::kSlats : kWays[p.variant(4)];
+}
+
 void chair(Piece& p) {
+  const Back style = back_of(p);
   const Seat s = seat_of(p, 0.46, 0, 0.06);
   const double back = std::max(0.02, p.d / 2 - s.back), post = std::min({0.035, back, p.w / 6});
   const bool soft = upholstered(p);
@@ -45,9 +60,16 @@ void chair(Piece& p) {
   if (soft) {
     p.add(colored,
           rounded_box(sides(-inner, inner, std::max(s.back, p.d / 2 - 0.06), p.d / 2 - 0.004, low * 0.6 + s.level * 0.4, p.h), 0.02, 3));
-  } else if (p.word("back", "") == "panel" || p.count("slats", 3) == 0) {
+  } else if (style == Back::kPanel) {
     p.add(colored, rounded_box(sides(-inner, inner, y0, y0 + thick, low, p.h), 0.012, 2));
-  } else if (p.word("back", "") == "spindles") {
+  } else if (style == Back::kUprights) {
+    p.add(colored, box(sides(-inner, inner, y0, y0 + thick, p.h - 0.07, p.h - 0.005), 0.006));
+    p.add(wood, box(sides(-inner, inner, y0, y0 + thick, low - 0.03, low), 0.004));
+    for (const double x : {-0.5, 0.0, 0.5}) {
+      const double half = inner * 0.14;
+      p.add(wood, box(sides(x * inner - half, x * inner + half, y0 + thick * 0.25, y0 + thick * 0.75, low, p.h - 0.07), 0.003));
+    }
+  } else if (style == Back::kSpindles) {
     for (int i = 0; i < 6; ++i)
       p.add(wood, rod({-inner * 0.85 + inner * 1.7 * i / 5, p.d / 2 - post / 2, s.level},
                       {-inner * 0.85 + inner * 1.7 * i / 5, p.d / 2 - post / 2, p.h - 0.05}, 0.007, 8));
@@ -118,6 +140,27 @@ void corner_sofa(Piece& p, const FreeSpace& middle) {
   }
 }
 
+// A cushion at each end of a wide sofa that nothing else lies on.
+void scatter_cushions(Piece& p, const Seat& s, int seats) {
+  const FreeSpace* open = p.open_above();
+  const double size = std::min({0.42, (p.h - s.level) * 1.05, (s.back + p.d / 2) * 0.6});
+  if (!p.may_show_contents() || seats < 2 || open == nullptr || open->held || size < 0.2) return;
+  const Color base = p.accent();
+  const int colors[] = {p.tinted("linen", mixed(base, {0.95, 0.92, 0.86}, 0.6)), p.tinted("wool", mixed(base, {0.80, 0.56, 0.30}, 0.6))};
+  const double lean = 68, depth = size * 0.34;
+  for (const int i : {0, 1}) {
+    const double x = i == 0 ? s.left + size * 0.56 : s.right - size * 0.56;
+    if (p.variant(5) == 0 && i == 1) continue;
+    const Pose pose = moved(x, s.back - depth * 0.95, s.level + size * 0.47) * turned_z(i == 0 ? 8 : -10) * turned_x(lean);
+    Mesh mesh = posed(pillow({{-size / 2, -size / 2, -depth / 2}, {size / 2, size / 2, depth / 2}}, 8), pose);
+    const Box b = bounds(mesh);
+    const double up = s.level + 0.002 - b.min.z;
+    mesh = posed(std::move(mesh), moved(0, 0, std::max(0.0, up)));
+    const Box in = bounds(mesh);
+    if (in.max.z < p.h && in.max.y < s.back + 0.01 && in.min.y > -p.d / 2) p.add(colors[i], mesh);
+  }
+}
+
 // Sofas and armchairs are the same thing of another width.
 void sofa(Piece& p) {
   for (const FreeSpace& s : p.spaces) {
@@ -128,14 +171,21 @@ void sofa(Piece& p) {
   const double foot = std::max(p.clear_below(0), std::min(0.12, s.level * 0.25)),
                arm_top = std::min(p.h, s.level + std::min(0.22, (p.h - s.level) * 0.6));
   const double back = std::max(0.04, p.d / 2 - s.back), left = s.left + p.w / 2, right = p.w / 2 - s.right;
-  p.legs(feet, foot, 0.05, 0.04, true, 0.65);
+  const int look = p.is_style("modern") || p.is_style("minimalist") ? 1 : p.is_style("traditional") ? 2 : p.variant(3);
+  p.legs(look == 1 ? p.frame("black_metal") : feet, foot, look == 1 ? 0.035 : 0.05, look == 2 ? 0.02 : 0.04, look != 1,
+         look == 2 ? 1 : 0.65);
   const double pad = std::min(0.15, (s.level - foot) * 0.5);
   p.add(cloth, rounded_box(sides(-p.w / 2 + 0.01, p.w / 2 - 0.01, -p.d / 2 + 0.012, p.d / 2 - 0.01, foot, s.level - pad), 0.02, 2));
   for (const double x : {-1.0, 1.0}) {
     const double width = x < 0 ? left : right;
     if (width < 0.02) continue;
     const double x0 = x < 0 ? -p.w / 2 : p.w / 2 - width;
-    p.add(cloth, rounded_box(sides(x0, x0 + width, -p.d / 2, p.d / 2 - 0.005, foot + 0.01, arm_top), std::min(0.05, width * 0.4), 3));
+    p.add(cloth, rounded_box(sides(x0, x0 + width, -p.d / 2, p.d / 2 - 0.005, foot + 0.01, arm_top),
+                             std::min(look == 1   ? 0.02
+                                      : look == 2 ? 0.09
+                                                  : 0.05,
+                                      width * 0.45),
+                             look == 2 ? 4 : 3));
   }
   const bool split = back > 0.13;
   const double shell = split ? 0.1 : back;
@@ -151,6 +201,7 @@ void sofa(Piece& p) {
                                std::min(0.06, (back - shell) * 0.5 + 0.01), 3));
     }
   }
+  scatter_cushions(p, s, seats);
 }
 
 void stool(Piece& p) {

@@ -91,7 +91,13 @@ void table(Piece& p) {
         p.add(frame, box(sides(s * x - 0.009, s * x + 0.009, -y, y, under, level), 0.003));
       }
     }
-    p.legs(frame, level, std::min(0.06, 0.025 + p.w * 0.025), in * 0.7, false, p.says("modern") ? 0.6 : 1);
+    const bool slim = p.is_style("modern") || p.is_style("scandinavian") || p.is_style("mid-century") || p.says("modern");
+    const int look = slim ? 1 : p.is_style("industrial") ? 3 : p.is_style("traditional") ? 2 : p.is_style("rustic") ? 0 : p.variant(3);
+    p.legs(look == 3 ? p.named("black_metal") : frame, level, std::min(0.06, 0.025 + p.w * 0.025) * (look == 3 ? 0.7 : 1), in * 0.7,
+           look == 2,
+           look == 1   ? 0.6
+           : look == 2 ? 0.75
+                       : 1);
   }
   // A shelf below, where the catalogue has a space that stands on one.
   for (const FreeSpace& s : p.spaces) {

@@ -30,7 +30,28 @@ void rug(Piece& p) {
   const auto band = [&](int surface, double u0, double u1, double v0, double v1) {
     p.add(surface, along ? box(sides(u0, u1, v0, v1, low - 0.001, p.h), 0.001) : box(sides(v0, v1, u0, u1, low - 0.001, p.h), 0.001));
   };
-  if (p.word("pattern", p.pick(2) == 0 ? "bands" : "border") == "border") {
+  constexpr const char* kPatterns[] = {"bands", "border", "diamonds", "checks"};
+  const std::string pattern = p.word("pattern", std::min(p.w, p.d) > 0.9 ? kPatterns[p.pick(4)] : kPatterns[p.pick(2)]);
+  if (pattern == "diamonds" || pattern == "checks") {
+    const int nu = std::clamp(static_cast<int>(std::lround(2 * a / 0.42)), 2, 12),
+              nv = std::clamp(static_cast<int>(std::lround(2 * b / 0.42)), 2, 12);
+    const double in = 0.06, su = 2 * (a - in) / nu, sv = 2 * (b - in) / nv;
+    for (int i = 0; i < nu; ++i) {
+      for (int j = 0; j < nv; ++j) {
+        const double u = -a + in + su * (i + 0.5), v = -b + in + sv * (j + 0.5);
+        if (pattern == "checks") {
+          if ((i + j) % 2 == 0) band(stripe, u - su * 0.5, u + su * 0.5, v - sv * 0.5, v + sv * 0.5);
+          continue;
+        }
+        const double hu = su * 0.36, hv = sv * 0.36;
+        const std::vector<Vec2> outline = along ? std::vector<Vec2>{{u + hu, v}, {u, v + hv}, {u - hu, v}, {u, v - hv}}
+                                                : std::vector<Vec2>{{v + hv, u}, {v, u + hu}, {v - hv, u}, {v, u - hu}};
+        p.add(stripe, prism(outline, low - 0.001, p.h));
+      }
+    }
+    return;
+  }
+  if (pattern == "border") {
     const double in = std::min(0.08, b * 0.2), t = std::min(0.05, b * 0.12);
     band(stripe, -a + in, a - in, -b + in, -b + in + t);
     band(stripe, -a + in, a - in, b - in - t, b - in);

@@ -1,0 +1,123 @@
+# ---- The turntable: iso turned once round the room, as a GIF or an MP4. --------------------------------------------------------------
+import os
+import tempfile
+
+import bpy
+
+TURNTABLE = {"frames": 36, "seconds": 6.0, "width": 960, "samples": {"denoised": 4, "filtered": 10}}
+
+
+def write_turntable(kind, engine, meshes, path):
+    """Walls are cut away anew for each frame. The scene is the last frame's afterwards."""
+    usual_size = USUAL_CAMERA["width"], USUAL_CAMERA["height"]
+    width = min(TURNTABLE["width"], usual_size[0])
+    USUAL_CAMERA.update(width=width // 2 * 2, height=max(2, round(width * usual_size[1] / usual_size[0] / 2) * 2))
+    with tempfile.TemporaryDirectory() as folder:
+        frames = []
+        for number in range(TURNTABLE["frames"]):
+            build("iso", meshes, 360.0 * number / TURNTABLE["frames"])
+            set_up_render(engine)
+            if engine != "workbench":
+                cycles = bpy.context.scene.cycles
+                cycles.samples = min(cycles.samples, TURNTABLE["samples"]["denoised" if has_denoiser() else "filtered"])
+            PROGRESS.update(before=number / TURNTABLE["frames"], share=1 / TURNTABLE["frames"])
+            frames.append(os.path.join(folder, f"frame{number:03}.png"))
+            render_picture(frames[-1])
+        (write_mp4 if kind == "mp4" else write_gif)(frames, path)
+    USUAL_CAMERA.update(width=usual_size[0], height=usual_size[1])
+
+
+def write_mp4(frames, path):
+    """By Blender's own sequencer and FFmpeg."""
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    scene = bpy.context.scene
+    editor = scene.sequence_editor_create()
+    strips = editor.strips if hasattr(editor, "strips") else editor.sequences  # renamed in 4.4
+    strip = strips.new_image(name="turn", filepath=frames[0], channel=1, frame_start=1)
+    for frame in frames[1:]:
+        strip.elements.append(os.path.basename(frame))
+    render = scene.render
+    render.resolution_x, render.resolution_y, render.resolution_percentage = USUAL_CAMERA["width"], USUAL_CAMERA["height"], 100
+    scene.frame_start, scene.frame_end = 1, len(frames)
+    render.fps = max(1, round(len(frames) / TURNTABLE["seconds"]))
+    set_first(scene.view_settings, "view_transform", ("Standard",))
+    if hasattr(render.image_settings, "media_type"):  # from 5.0
+        render.image_settings.media_type = "VIDEO"
+    render.image_settings.file_format = "FFMPEG"
+    render.ffmpeg.format, render.ffmpeg.codec = "MPEG4", "H264"
+    render.ffmpeg.constant_rate_factor = "HIGH"
+    render.use_file_extension = False
+    render.filepath = path
+    bpy.ops.render.render(animation=True)
+
+
+def write_gif(frames, path):
+    """252 colours, 6 × 7 × 6 of them, evenly spread, mixed by a pattern of dots."""
+    import numpy
+
+    levels = numpy.array([6, 7, 6])
+    pattern = numpy.array([[0, 8, 2, 10], [12, 4, 14, 6], [3, 11, 1, 9], [15, 7, 13, 5]]) / 16.0 - 0.5
+    grid = ((r / 5, g / 6, b / 5) for r in range(6) for g in range(7) for b in range(6))
+    palette = bytes(round(255 * value) for color in grid for value in color)
+    delay = max(2, round(100 * TURNTABLE["seconds"] / len(frames)))
+    with open(path, "wb") as file:
+        for number, frame in enumerate(frames):
+            image = bpy.data.images.load(frame)
+            width, height = image.size
+            values = numpy.empty(len(image.pixels), numpy.float32)
+            image.pixels.foreach_get(values)
+            bpy.data.images.remove(image)
+            colors = values.reshape(height, width, 4)[::-1, :, :3] * (levels - 1)
+            dots = numpy.tile(pattern, (height // 4 + 1, width // 4 + 1))[:height, :width, None]
+            steps = numpy.clip(numpy.rint(colors + dots * 0.8), 0, levels - 1).astype(numpy.uint8)
+            indices = (steps[:, :, 0] * 42 + steps[:, :, 1] * 6 + steps[:, :, 2]).astype(numpy.uint8).tobytes()
+            if number == 0:
+                file.write(b"GIF89a" + struct.pack("<HHBBB", width, height, 0xF7, 0, 0) + palette + bytes(12))
+                file.write(b"\x21\xff\x0bNETSCAPE2.0\x03\x01\x00\x00\x00")  # again and again
+            file.write(struct.pack("<BBBBHBB", 0x21, 0xF9, 4, 0, delay, 0, 0))
+            file.write(struct.pack("<BHHHHB", 0x2C, 0, 0, width, height, 0) + b"\x08")
+            packed = lzw(indices)
+            for place in range(0, len(packed), 255):
+                part = packed[place:place + 255]
+                file.write(bytes([len(part)]) + part)
+            file.write(b"\x00")
+        file.write(b"\x3b")
+
+
+def lzw(data):
+    """GIF's compression, for symbols of 8 bits."""
+    out, bits, count = bytearray(), 0, 0
+    clear, table, size, following = 256, {}, 9, 258
+
+    def put(code):
+        nonlocal bits, count
+        bits |= code << count
+        count += size
+        while count >= 8:
+            out.append(bits & 255)
+            bits >>= 8
+            count -= 8
+
+    put(clear)
+    last = data[0]
+    for symbol in data[1:]:
+        key = last << 8 | symbol
+        found = table.get(key)
+        if found is not None:
+            last = found
+            continue
+        put(last)
+        table[key] = following
+        following += 1
+        if following > 1 << size:
+            if size < 12:
+                size += 1
+            else:
+                put(clear)
+                table, size, following = {}, 9, 258
+        last = symbol
+    put(last)
+    put(257)
+    if count:
+        out.append(bits & 255)
+    return bytes(out)

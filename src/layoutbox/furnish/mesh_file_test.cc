@@ -1,0 +1,211 @@
+#include "layoutbox/furnish/mesh_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstring>
+#include <fstream>
+
+#include "layoutbox/base/files.h"
+#include "layoutbox/furnish/furnish.h"
+#include "layoutbox/furnish/mesh_checks.h"
+
+namespace layoutbox {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+// A box 2 wide (x), 1 high (y), 4 deep (z), with a red material.
+constexpr std::string_view kBox =
+    "mtllib box.mtl\nusemtl red\n"
+    "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\nv 0 0 4\nv 2 0 4\nv 2 1 4\nv 0 1 4\n"
+    "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 3 4 8 7\nf 2 3 7 6\nf 4 1 5 8\n";
+
+class MeshFiles : public ::testing::Test {
+ protected:
+  MeshFiles() : folder_(TemporaryFolder::make("mesh-test").value()) {
+    fs::create_directories(assets());
+    put("box.obj", kBox);
+    put("box.mtl", "newmtl red\nKd 0.9 0.1 0.1\n");
+  }
+  fs::path assets() const { return folder_.path() / "assets"; }
+  void put(const std::string& name, std::string_view bytes) const { std::ofstream(assets() / name, std::ios::binary) << bytes; }
+  Result<MeshFile> read(const std::string& name, const MeshLimits& limits = {}) const {
+    const std::array folders{assets()};
+    return read_mesh_file(folders, name, limits);
+  }
+  void expect_error(const std::string& name, ErrorCode code, const char* words, const MeshLimits& limits = {}) const {
+    const auto mesh = read(name, limits);
+    ASSERT_FALSE(mesh) << name;
+    EXPECT_EQ(mesh.error().code, code) << mesh.error().message;
+    EXPECT_THAT(mesh.error().message, HasSubstr(words));
+    EXPECT_THAT(mesh.error().message, HasSubstr(fs::path(name).filename().string()));
+  }
+  static kit::Box bounds(const MeshFile& mesh) {
+    Node node;
+    node.parts = mesh.parts;
+    return mesh_checks::bounds_of(node);
+  }
+
+  TemporaryFolder folder_;
+};
+
+// A triangle as glTF; `buffer` is what its buffer's uri says.
+std::string gltf(const std::string& buffer, int last_index = 2) {
+  return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0,"translation":[0,5,0]}],
+    "meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1,"material":0}]}],
+    "materials":[{"name":"paint","pbrMetallicRoughness":{"baseColorFactor":[0.5,0.5,0.5,1],"roughnessFactor":0.25}}],
+    "buffers":[{"byteLength":42,"uri":")" +
+         buffer + R"("}],"bufferViews":[{"buffer":0,"byteLength":36},{"buffer":0,"byteOffset":36,"byteLength":6}],
+    "accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]},
+                 {"bufferView":1,"componentType":5123,"count":)" +
+         std::to_string(last_index + 1) + R"(,"type":"SCALAR"}]})";
+}
+
+std::string triangle_bytes() {
+  const std::array<float, 9> points{0, 0, 0, 1, 0, 0, 0, 1, 0};
+  const std::array<std::uint16_t, 3> indices{0, 1, 2};
+  std::string bytes(42, '\0');
+  std::memcpy(bytes.data(), points.data(), 36);
+  std::memcpy(bytes.data() + 36, indices.data(), 6);
+  return bytes;
+}
+
+TEST_F(MeshFiles, ReadsAnObjWithItsMaterial) {
+  const auto mesh = read("box.obj");
+  ASSERT_TRUE(mesh) << mesh.error().message;
+  ASSERT_EQ(mesh->parts.size(), 1U);
+  EXPECT_EQ(mesh->parts[0].mesh.indices.size(), 36U);
+  const Surface& red = mesh->surfaces.at(static_cast<std::size_t>(mesh->parts[0].surface));
+  EXPECT_NEAR(red.base.r, 0.9, 1e-6);
+  EXPECT_EQ(mesh_checks::open_edges(mesh->parts[0].mesh), 0);
+  EXPECT_NEAR(mesh_checks::volume(mesh->parts[0].mesh), 8, 1e-4) << "outside stays outside";
+  const kit::Vec size = bounds(*mesh).size();
+  EXPECT_NEAR(size.z, 1, 1e-6) << "the file's y is up";
+  EXPECT_NEAR(size.y, 4, 1e-6);
+}
+
+TEST_F(MeshFiles, ReadsGltfWithItsNodesAndColours) {
+  put("triangle.bin", triangle_bytes());
+  put("triangle.gltf", gltf("triangle.bin"));
+  const auto mesh = read("triangle.gltf");
+  ASSERT_TRUE(mesh) << mesh.error().message;
+  EXPECT_NEAR(bounds(*mesh).min.z, 5, 1e-6) << "where its node stands";
+  const Surface& paint = mesh->surfaces.at(static_cast<std::size_t>(mesh->parts.at(0).surface));
+  EXPECT_NEAR(paint.base.r, 0.735, 0.01) << "its colours are linear";
+  EXPECT_NEAR(static_cast<double>(paint.roughness), 0.25, 1e-6);
+}
+
+TEST_F(MeshFiles, FitsEvenlyAndStandsOnTheFloor) {
+  auto mesh = read("box.obj");
+  ASSERT_TRUE(mesh && fit_mesh(*mesh, {1, 1, 1}, "", Mount::kFloor));
+  const kit::Box b = bounds(*mesh);
+  EXPECT_NEAR(b.size().y, 1, 1e-6);
+  EXPECT_NEAR(b.size().x, 0.5, 1e-6);
+  EXPECT_NEAR(b.size().z, 0.25, 1e-6);
+  EXPECT_NEAR(b.min.z, 0, 1e-6);
+  EXPECT_NEAR(b.center().x, 0, 1e-6);
+}
+
+TEST_F(MeshFiles, FillsTheSizeExactlyWhereTheProportionsAreTheSame) {
+  auto mesh = read("box.obj");
+  ASSERT_TRUE(mesh && fit_mesh(*mesh, {1.01, 2, 0.5}, "", Mount::kFloor));
+  EXPECT_NEAR(bounds(*mesh).size().x, 1.01, 1e-6);
+  EXPECT_NEAR(bounds(*mesh).size().y, 2, 1e-6);
+}
+
+TEST_F(MeshFiles, TheFrontIsTurnedToUs) {
+  // A wedge that is high at the file's +x end: with front +x, the high end is at −y.
+  put("wedge.obj", "v 0 0 0\nv 0 0 1\nv 2 0 0\nv 2 0 1\nv 2 1 0\nv 2 1 1\nf 1 3 4 2\nf 3 5 6 4\nf 1 2 6 5\nf 1 5 3\nf 2 4 6\n");
+  const auto high_end = [&](const char* front) {
+    auto mesh = read("wedge.obj");
+    EXPECT_TRUE(mesh && fit_mesh(*mesh, {5, 5, 5}, front, Mount::kFloor)) << front;
+    kit::Vec high;
+    for (const Vec3f& p : mesh->parts[0].mesh.positions) {
+      if (double{p[2]} > high.z) high = {double{p[0]}, double{p[1]}, double{p[2]}};
+    }
+    return high;
+  };
+  EXPECT_LT(high_end("+x").y, -1);
+  EXPECT_GT(high_end("-x").y, 1);
+  EXPECT_GT(high_end("+z").x, 1);
+  EXPECT_LT(high_end("-z").x, -1);
+  auto mesh = read("wedge.obj");
+  EXPECT_FALSE(fit_mesh(*mesh, {1, 1, 1}, "sideways", Mount::kFloor));
+}
+
+TEST_F(MeshFiles, WhatIsWrongIsSaidWithTheName) {
+  put("broken.glb", "glTF\2\0\0\0 this is no glTF");
+  put("words.obj", "these are words\n");
+  put("list.txt", "x");
+  put("short.gltf", gltf("triangle.bin", 90));
+  put("triangle.bin", triangle_bytes());
+  put("wild.obj", "v 0 0 0\nv 1 0 0\nf 1 2 99\n");
+  std::ofstream(folder_.path() / "secret.obj") << kBox;
+  expect_error("none.glb", ErrorCode::kIo, "not there");
+  expect_error("../secret.obj", ErrorCode::kUsage, "outside");
+  expect_error((folder_.path() / "secret.obj").string(), ErrorCode::kUsage, "whole path");
+  expect_error("broken.glb", ErrorCode::kParse, "glTF");
+  expect_error("words.obj", ErrorCode::kParse, "no triangles");
+  expect_error("list.txt", ErrorCode::kParse, "no glTF, GLB or OBJ");
+  expect_error("short.gltf", ErrorCode::kParse, "shorter");
+  expect_error("wild.obj", ErrorCode::kParse, "wild.obj");
+  expect_error("box.obj", ErrorCode::kTooLarge, "MB", {20, 400'000});
+  expect_error("box.obj", ErrorCode::kTooLarge, "12 triangles", {1 << 20, 5});
+}
+
+TEST_F(MeshFiles, WhatAFileNamesMustLieInItsFolderToo) {
+  std::ofstream(folder_.path() / "secret.bin", std::ios::binary) << triangle_bytes();
+  put("thief.gltf", gltf("../secret.bin"));
+  expect_error("thief.gltf", ErrorCode::kParse, "outside");
+  fs::create_symlink(folder_.path() / "secret.bin", assets() / "link.bin");
+  put("linked.gltf", gltf("link.bin"));
+  expect_error("linked.gltf", ErrorCode::kParse, "outside");
+}
+
+TEST_F(MeshFiles, AnObjectIsDrawnByItsOwnMesh) {
+  Layout layout;
+  PlacedObject object;
+  object.id = "shelf_1";
+  object.category = "shelf";
+  object.size = {1000, 2000, 500};
+  object.mesh = "box.obj";
+  layout.objects = {object};
+  FurnishOptions options;
+  options.asset_folders = {assets()};
+  const auto model = furnish(layout, Catalog::builtin(), options);
+  ASSERT_TRUE(model) << model.error().message;
+  EXPECT_EQ(mesh_checks::triangles_of(model->nodes.at(0)), 12U);
+  layout.objects[0].mesh = "none.obj";
+  const auto failed = furnish(layout, Catalog::builtin(), options);
+  ASSERT_FALSE(failed);
+  EXPECT_THAT(failed.error().message, HasSubstr("shelf_1"));
+  EXPECT_THAT(failed.error().message, HasSubstr("none.obj"));
+}
+
+TEST_F(MeshFiles, ASceneMaterialsImageIsReadAndAMissingOneIsAnError) {
+  put("paint.png", "\x89PNG\r\n\x1a\n and so on");
+  Layout layout;
+  Material own;
+  own.id = "paper";
+  own.texture = "paint.png";
+  layout.materials = {own};
+  PlacedObject table;
+  table.id = "table_1";
+  table.category = "table";
+  table.size = {1000, 700, 750};
+  table.material = "paper";
+  layout.objects = {table};
+  FurnishOptions options;
+  options.asset_folders = {assets()};
+  const auto model = furnish(layout, Catalog::builtin(), options);
+  ASSERT_TRUE(model) << model.error().message;
+  EXPECT_TRUE(std::any_of(model->surfaces.begin(), model->surfaces.end(), [](const Surface& s) { return s.image_data != nullptr; }));
+  layout.materials[0].texture = "gone.png";
+  EXPECT_FALSE(furnish(layout, Catalog::builtin(), options));
+}
+
+}  // namespace
+}  // namespace layoutbox
