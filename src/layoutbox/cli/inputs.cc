@@ -92,14 +92,14 @@ Result<std::string> index_of(const std::string& folder) {
 
 Result<CatalogInUse> PlanFlags::load_catalog() const {
   CatalogInUse chosen;
-  std::string catalog_file = this->catalog_file;
-  if (catalog_file.empty() && !assets.empty()) {
-    LAYOUTBOX_ASSIGN(catalog_file, index_of(assets));
+  std::string file = catalog_file;
+  if (file.empty() && !assets.empty()) {
+    LAYOUTBOX_ASSIGN(file, index_of(assets));
   }
-  if (catalog_file.empty()) return chosen;
-  LAYOUTBOX_ASSIGN(const std::string text, read_input(catalog_file));
-  chosen.inputs.push_back({catalog_only ? "--catalog-only" : "--catalog", catalog_file, content_key(text)});
-  LAYOUTBOX_ASSIGN(UserCatalog user, located(read_user_catalog(text, units), catalog_file));
+  if (file.empty()) return chosen;
+  LAYOUTBOX_ASSIGN(const std::string text, read_input(file));
+  chosen.inputs.push_back({catalog_only ? "--catalog-only" : "--catalog", file, content_key(text)});
+  LAYOUTBOX_ASSIGN(UserCatalog user, located(read_user_catalog(text, units), file));
   chosen.own = with_articles(Catalog::builtin(), user, catalog_only ? CatalogMerge::kOnly : CatalogMerge::kAdd);
   chosen.notes = std::move(user.notes);
   return chosen;
