@@ -8,6 +8,8 @@ namespace layoutbox::offline {
 using Class = WordClass;
 
 bool NounPhraseReader::read_count() {
+  // "the other a stack of books" is two phrases.
+  if (phrase_.determiner == Determiner::kOther && lexicon_.is(token(), Class::kIndefinite)) return false;
   // "2 m long", "120 cm wide", "4-seater" are no counts.
   if (token().kind == Token::Kind::kNumber) {
     if (read_measure(lexicon_, tokens_, i_)) {

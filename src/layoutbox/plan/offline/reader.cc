@@ -370,6 +370,20 @@ void DocumentReader::read_noun(std::size_t k) {
   const bool of_known = expects_reference_ || (roots_.size() == clause_start_ && frames_.empty() && joiner_ == Joiner::kNone);
   const int mention = references_.mention(owned, antecedent, expects_reference_, of_known);
   mention_at(mention).reciprocal = noun.reciprocal;
+  // "one holding a lamp and the other a vase": the verb is said once.
+  if (noun.kind == NounKind::kMember && noun.determiner == Determiner::kOther && !expects_reference_ && !expects_content_ &&
+      (joiner_ == Joiner::kAnd || joiner_ == Joiner::kCommaAnd) && !frames_.empty() && frames_.back().link >= 0 && is_thing(mention) &&
+      is(next(k), ChunkKind::kNoun) && chunk(next(k)).noun.kind == NounKind::kObject) {
+    Link same = link_at(frames_.back().link);
+    same.targets.clear();
+    same.references = {mention};
+    frames_.push_back({add_link(std::move(same)), {mention}, false, false});
+    chain_ = {mention};
+    expects_content_ = true;
+    joiner_ = Joiner::kNone;
+    mark(k, Use::kUsed, "reference");
+    return;
+  }
   if (expects_reference_ && mention_at(mention).items.empty() && (noun.kind == NounKind::kAbstract || noun.kind == NounKind::kRoom)) {
     const int meant = thing_of_zone(noun);
     if (meant >= 0) {
