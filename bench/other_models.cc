@@ -3,7 +3,6 @@
 #include <dlfcn.h>
 
 #include <array>
-#include <chrono>
 #include <filesystem>
 #include <limits>
 #include <protozero/pbf_writer.hpp>
@@ -17,12 +16,9 @@ namespace layoutbox::bench {
 namespace {
 
 using namespace placement;
-using Clock = std::chrono::steady_clock;
 
 constexpr Mm kCell = 10;
 constexpr std::int64_t kUnbounded = std::numeric_limits<std::int64_t>::max() / 4;
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 // Defaults but for one worker (the figures are for one core) and the limit.
 std::string default_parameters(double limit) {
@@ -46,7 +42,7 @@ std::pair<int, Mm> wall_middle(const PlainRoom& room, const PlainBox& box) {
 Outcome solve_paper(const PlainRoom& room, bool whole_boxes, double limit) {
   const auto library = CpSatLibrary::get();
   if (!library) return {false, 0, library.error().message};
-  const auto start = Clock::now();
+  const double start = cpu_seconds();
   CpModel model;
   const Mm half = 2 * kCell;
   std::vector<std::array<std::int32_t, 2>> middle;
@@ -78,7 +74,7 @@ Outcome solve_paper(const PlainRoom& room, bool whole_boxes, double limit) {
     }
   }
   const auto answer = read_answer((*library)->solve(model.bytes(), default_parameters(limit), nullptr, limit + 1), model.variable_count());
-  Outcome out{false, seconds_since(start), answer ? "" : answer.error().message};
+  Outcome out{false, cpu_seconds() - start, answer ? "" : answer.error().message};
   out.found = answer && (answer->status == CpStatus::kFeasible || answer->status == CpStatus::kOptimal);
   return out;
 }
@@ -139,12 +135,13 @@ struct Programme {
 Outcome solve_big_m(const PlainRoom& room, double limit) {
   const Highs* highs = Highs::get();
   if (highs == nullptr) return {false, 0, "HiGHS is not beside OR-Tools"};
-  const auto start = Clock::now();
+  const double start = cpu_seconds();
   constexpr double kMuch = 1e30;
   Programme p;
   std::vector<std::array<int, 2>> middle;
   for (const PlainBox& b : room.boxes) {
-    middle.push_back({p.column(b.width / 20.0, (room.width - b.width / 2.0) / kCell), p.column(b.depth / 20.0, (room.depth - b.depth / 2.0) / kCell)});
+    middle.push_back(
+        {p.column(b.width / 20.0, (room.width - b.width / 2.0) / kCell), p.column(b.depth / 20.0, (room.depth - b.depth / 2.0) / kCell)});
   }
   for (std::size_t i = 0; i < room.boxes.size(); ++i) {
     const PlainBox& box = room.boxes[i];
@@ -183,7 +180,7 @@ Outcome solve_big_m(const PlainRoom& room, double limit) {
   highs->get_int_info(model, "primal_solution_status", &status);
   highs->destroy(model);
   constexpr int kFeasiblePoint = 2;
-  return {status == kFeasiblePoint, seconds_since(start), ""};
+  return {status == kFeasiblePoint, cpu_seconds() - start, ""};
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 #include <string>
 
 #include "layoutbox/catalog/normalize.h"
@@ -131,7 +132,8 @@ PlainRoom plain_room(int boxes, std::uint64_t seed) {
       area += double(box.width) * box.depth;
       room.boxes.push_back(box);
     }
-    std::sort(room.boxes.begin(), room.boxes.end(), [](const PlainBox& a, const PlainBox& b) { return a.width * a.depth > b.width * b.depth; });
+    std::sort(room.boxes.begin(), room.boxes.end(),
+              [](const PlainBox& a, const PlainBox& b) { return a.width * a.depth > b.width * b.depth; });
     const double aspect = random.number(100, 160) / 100.0;
     room.width = kGrid * static_cast<Mm>(std::lround(std::sqrt(area / 0.35 * aspect) / kGrid));
     room.depth = kGrid * static_cast<Mm>(std::lround(area / 0.35 / room.width / kGrid));
@@ -243,9 +245,19 @@ class Furnisher {
 
 SceneGraph furnished_scene(int objects, std::uint64_t seed) { return Furnisher(objects, seed).make(); }
 
+double cpu_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
+}
+
 const char* clash_kind_in_words(int kind) {
-  constexpr const char* kWords[kClashKinds] = {"left of one another",         "three in a ring, left of the next", "four offsets that do not add up",
-                                               "centred on the same wall", "too wide for a wall",               "too much for the floor"};
+  constexpr const char* kWords[kClashKinds] = {"left of one another",
+                                               "three in a ring, left of the next",
+                                               "four offsets that do not add up",
+                                               "centred on the same wall",
+                                               "too wide for a wall",
+                                               "too much for the floor"};
   return kWords[kind];
 }
 

@@ -8,6 +8,9 @@
 
 namespace layoutbox::bench {
 
+// Of this process: everything measured runs in one thread, and other work on the machine does not count.
+double cpu_seconds();
+
 struct PlainBox {
   Mm width = 0, depth = 0;
   int wall = -1;   // index of the wall it stands at: 0 front, 1 right, 2 back, 3 left; −1: none

@@ -157,6 +157,7 @@ void add_generate(CLI::App& app, Context& context) {
   flags->plan.add_to(*command);
   flags->model.add_to(*command, flags->options.repair);
   flags->solve.add_to(*command, flags->options.solve);
+  add_variants_to(*command, flags->options);
   flags->render.add_to(*command);
   command->callback([flags, prompt, &context] { context.status = run(*flags, prompt->count() > 0, context.console); });
 }

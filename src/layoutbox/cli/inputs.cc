@@ -117,6 +117,12 @@ void SolveFlags::add_to(CLI::App& command, SolveOptions& options) {
                      "When not everything can hold: relax (default), original, fail; with --planner llm: repair");
 }
 
+void add_variants_to(CLI::App& command, GenerateOptions& options) {
+  command.add_option("--variants", options.variants, "So many different layouts: layout.json, layout-2.json, …")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 50));
+}
+
 Status SolveFlags::apply(SolveOptions& options, bool model_plans) const {
   if (on_conflict.empty() || on_conflict == "relax" || (on_conflict == "repair" && model_plans)) {
     options.on_conflict = OnConflict::kRelax;

@@ -40,6 +40,9 @@ struct SolveFlags {
   Status apply(SolveOptions& options, bool model_plans = false) const;
 };
 
+// --variants.
+void add_variants_to(CLI::App& command, GenerateOptions& options);
+
 // Options of pictures: --quality, --size, --views, --overlay, --mask, --turntable.
 struct RenderFlags {
   std::string quality = "preview";

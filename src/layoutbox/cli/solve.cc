@@ -5,6 +5,7 @@
 
 #include "layoutbox/cli/commands.h"
 #include "layoutbox/cli/inputs.h"
+#include "layoutbox/pipeline/variants.h"
 #include "layoutbox/scene/layout_scene.h"
 #include "layoutbox/scene/scene_json.h"
 
@@ -41,8 +42,22 @@ std::string moved_in_words(const Flags& flags, const Layout& layout) {
   return fmt::format(", {} of {} objects moved, by {:.2f} m in all", way.moved, layout.objects.size(), way.metres);
 }
 
+// How it went: what holds, what was given up, how far things were moved.
+void tell(const Flags& flags, const Layout& layout, const Console& console) {
+  const auto held = std::count_if(layout.relations.begin(), layout.relations.end(), [](const auto& r) { return r.held; });
+  console.stage({"solve", layout.stats.seconds,
+                 fmt::format("{} of {} relations held, {} given up ({}){}", held, layout.relations.size(), layout.relaxed.size(),
+                             layout.stats.solver, moved_in_words(flags, layout))});
+  for (const Conflict& conflict : layout.conflicts) console.warn("cannot all hold: " + conflict.sentence);
+  for (const Relaxation& relaxation : layout.relaxed)
+    console.warn("given up: " + (relaxation.why.empty() ? relaxation.relation : relaxation.why));
+}
+
 int run(Flags& flags, const Console& console) {
   if (const Status ready = prepare(flags); !ready) return console.fail(ready.error());
+  if (flags.options.variants > 1 && (flags.output.empty() || flags.output == "-")) {
+    return console.fail({ErrorCode::kUsage, "several layouts need files to go to", "--variants", "name the first one with -o", {}});
+  }
   auto scene = read_room(flags);
   if (!scene) return console.fail(scene.error());
   const auto catalog = flags.plan.load_catalog();
@@ -51,20 +66,18 @@ int run(Flags& flags, const Console& console) {
   if (!normalized) return console.fail(normalized.error());
   console.notes(catalog->notes);
   console.notes(normalized->notes);
-  const auto layout = solve(*normalized, catalog->get(), flags.options.solve);
-  if (!layout) return console.fail(layout.error());
-  const auto held = std::count_if(layout->relations.begin(), layout->relations.end(), [](const auto& r) { return r.held; });
-  console.stage({"solve", layout->stats.seconds,
-                 fmt::format("{} of {} relations held, {} given up ({}){}", held, layout->relations.size(), layout->relaxed.size(),
-                             layout->stats.solver, moved_in_words(flags, *layout))});
-  for (const Conflict& conflict : layout->conflicts) console.warn("cannot all hold: " + conflict.sentence);
-  for (const Relaxation& relaxation : layout->relaxed)
-    console.warn("given up: " + (relaxation.why.empty() ? relaxation.relation : relaxation.why));
-  const Status written = write_output(flags.output, write_layout(*layout));
-  if (!written) return console.fail(written.error());
-  return layout->status == LayoutStatus::kSolved && layout->relaxed.empty() ? kDone : kNotAsAsked;
+  const auto layouts = solve_variants(*normalized, catalog->get(), flags.options.solve, flags.options.variants);
+  if (!layouts) return console.fail(layouts.error());
+  int status = kDone;
+  for (std::size_t k = 0; k < layouts->size(); ++k) {
+    tell(flags, (*layouts)[k], console);
+    if (k > 0) console.stage({"variant", 0, fmt::format("{}: {}", variant_name(flags.output, k), variant_in_words(*layouts, k))});
+    const Status written = write_output(variant_name(flags.output, k), write_layout((*layouts)[k]));
+    if (!written) return console.fail(written.error());
+    if ((*layouts)[k].status != LayoutStatus::kSolved) status = kNotAsAsked;
+  }
+  return status;
 }
-
 }  // namespace
 
 void add_solve(CLI::App& app, Context& context) {
@@ -77,6 +90,7 @@ void add_solve(CLI::App& app, Context& context) {
       ->delimiter(',');
   flags->plan.add_to(*command);
   flags->solve.add_to(*command, flags->options.solve);
+  add_variants_to(*command, flags->options);
   command->callback([flags, &context] { context.status = run(*flags, context.console); });
 }
 

@@ -11,6 +11,7 @@
 #include "layoutbox/pipeline/folder_lock.h"
 #include "layoutbox/pipeline/repair.h"
 #include "layoutbox/pipeline/run_record.h"
+#include "layoutbox/pipeline/variants.h"
 #include "layoutbox/scene/scene_json.h"
 
 namespace layoutbox {
@@ -27,6 +28,8 @@ Result<RenderOutputs> draw_with_new_blender(const std::filesystem::path& script,
   LAYOUTBOX_ASSIGN(const Blender blender, find_blender());
   return run_blender(blender, script, folder, options);
 }
+
+constexpr int kMostVariants = 50;
 
 // One run: holds the folder, the clock and what has been made so far.
 class Run {
@@ -80,7 +83,7 @@ class Run {
     if (options_.on_stage) options_.on_stage(outcome_.stages.back());
   }
 
-  Status write(const char* name, std::string_view bytes) {
+  Status write(const std::string& name, std::string_view bytes) {
     LAYOUTBOX_CHECK(write_file(folder_ / name, bytes));
     outcome_.files.emplace_back(name);
     return {};
@@ -91,6 +94,9 @@ class Run {
     std::error_code ignored;
     if (!std::filesystem::exists(folder_ / "run.json", ignored)) return;
     for (const char* name : kOutputs) std::filesystem::remove(folder_ / name, ignored);
+    for (int k = 1; k < kMostVariants; ++k) {
+      for (const char* name : {"layout.json", "floorplan.svg"}) std::filesystem::remove(folder_ / variant_name(name, k), ignored);
+    }
   }
 
   Status plan(const Planner& planner) {
@@ -183,17 +189,25 @@ class Run {
 
   Status solve_scene() {
     begin();
+    std::string others;
     if (given_) {
       outcome_.layout = *std::exchange(given_, std::nullopt);
     } else {
-      LAYOUTBOX_ASSIGN(outcome_.layout, solve(outcome_.scene, catalog_, options_.solve));
+      LAYOUTBOX_ASSIGN(std::vector<Layout> layouts, solve_variants(outcome_.scene, catalog_, options_.solve, options_.variants));
+      for (std::size_t k = 1; k < layouts.size(); ++k) {
+        LAYOUTBOX_CHECK(write(variant_name("layout.json", k), write_layout(layouts[k])));
+        LAYOUTBOX_CHECK(write(variant_name("floorplan.svg", k), write_floor_plan_svg(layouts[k])));
+        others += fmt::format("; variant {}: {}", k + 1, variant_in_words(layouts, k));
+      }
+      outcome_.layout = std::move(layouts[0]);
+      outcome_.more_layouts.assign(std::make_move_iterator(layouts.begin() + 1), std::make_move_iterator(layouts.end()));
     }
     const Layout& layout = outcome_.layout;
     if (loop_) started_ = Clock::now() - std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(layout.stats.seconds));
     LAYOUTBOX_CHECK(write("layout.json", write_layout(layout)));
     const auto held = std::count_if(layout.relations.begin(), layout.relations.end(), [](const auto& r) { return r.held; });
     std::string given_up = layout.relaxed.empty() ? "" : fmt::format(", {} given up", layout.relaxed.size());
-    finish("solve", fmt::format("{} of {} relations held{} ({})", held, layout.relations.size(), given_up, layout.stats.solver));
+    finish("solve", fmt::format("{} of {} relations held{} ({}){}", held, layout.relations.size(), given_up, layout.stats.solver, others));
     return {};
   }
 
@@ -282,7 +296,9 @@ Result<SceneGraph> prepare_scene(SceneGraph scene, const Catalog& catalog, const
   return normalize_scene(std::move(scene), catalog, options.normalize);
 }
 
-bool is_output_name(std::string_view name) { return std::find(kOutputs.begin(), kOutputs.end(), name) != kOutputs.end(); }
+bool is_output_name(std::string_view name) {
+  return is_variant_name(name) || std::find(kOutputs.begin(), kOutputs.end(), name) != kOutputs.end();
+}
 
 bool as_asked(const GenerateOutcome& outcome) {
   return outcome.layout.status == LayoutStatus::kSolved && outcome.layout.relaxed.empty() && outcome.report.passed;

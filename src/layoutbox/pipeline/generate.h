@@ -57,6 +57,9 @@ struct GenerateOptions {
   // the shell names none. DEFAULT: none.
   std::optional<Room> shell;
   SolveOptions solve;
+  // How many layouts are made, each unlike the others; the first is furnished, drawn and judged, of the others there is the layout and
+  // its floor plan. REQUIRES: > 0. DEFAULT: 1.
+  int variants = 1;
   FurnishOptions furnish;
   RenderOptions render;
   VerifyOptions verify;
@@ -76,6 +79,7 @@ struct GenerateOptions {
 struct GenerateOutcome {
   SceneGraph scene;  // normalised, with its notes
   Layout layout;
+  std::vector<Layout> more_layouts;  // the other variants
   Report report;
   std::vector<StageTime> stages;
   std::vector<std::string> files;

@@ -47,6 +47,7 @@ Json json_of(const GenerateOptions& options) {
               {"seed", options.solve.seed},
               {"effort", options.solve.effort},
               {"timeLimit", options.solve.time_limit_s},
+              {"variants", options.variants},
               {"onConflict", name_of(options.solve.on_conflict)},
               {"pictures", options.pictures},
               {"quality", name_of(options.render.quality)},
@@ -105,6 +106,12 @@ std::string write_run_record(std::string_view prompt, const GenerateOptions& opt
   json["notes"] = Json::array();
   for (const Note& note : outcome.scene.notes) {
     json["notes"].push_back({{"code", note.code}, {"message", note.message}, {"pointer", note.pointer}});
+  }
+  json["layout"] = {
+      {"score", outcome.layout.score}, {"proven", outcome.layout.stats.proven}, {"stoppedByClock", outcome.layout.stats.stopped_by_clock}};
+  for (const Layout& other : outcome.more_layouts) {
+    const Difference difference = difference_between(outcome.layout, other);
+    json["variants"].push_back({{"score", other.score}, {"meanDistance", difference.mean_m}, {"otherWall", difference.other_wall}});
   }
   json["files"] = outcome.files;
   json["modelRequests"] = outcome.model_requests.empty() ? Json::array() : Json::parse(outcome.model_requests);

@@ -6,7 +6,10 @@ namespace {
 constexpr std::int64_t kPoint = 1000;
 constexpr Mm kBodyReach = 2000;  // what begins higher is in nobody's way
 constexpr Mm kHalfPerson = 100;
-constexpr Mm kArmLength = 150;  // how near one must come to a door or a thing
+constexpr Mm kWideWay = 600;             // what building codes and handbooks ask of a way within a room
+constexpr Mm kBesideStrip = 200;         // from the strip at a used side to where somebody's middle is
+constexpr std::int64_t kGreat = 400000;  // mm²: seats and bedside tables have their own ways
+constexpr Mm kArmLength = 150;           // how near one must come to a door or a thing
 
 }  // namespace
 
@@ -108,9 +111,10 @@ namespace {
 class WalkRaster {
  public:
   // `whole`: everything that begins below standing height is in the way, else only what has its middle there.
-  WalkRaster(const Model& model, const Placements& placements, Mm half_person, bool whole = false) : model_(model), half_(half_person) {
+  WalkRaster(const Model& model, const Placements& placements, Mm half_person, bool whole = false, Mm finest = 25)
+      : model_(model), half_(half_person) {
     const Mm longest = std::max(model.room.extent(0), model.room.extent(1));
-    step_ = std::max<Mm>(25, longest / 160);
+    step_ = std::max<Mm>(finest, longest * finest / 4000);
     columns_ = model.room.extent(0) / step_ + 1, rows_ = model.room.extent(1) / step_ + 1;
     free_.assign(static_cast<std::size_t>(columns_) * rows_, 1);
     const Box& r = model.room;
@@ -150,6 +154,21 @@ class WalkRaster {
       if (std::any_of(goal.begin(), goal.end(), [&](int at) { return free[at] && (from.empty() || !free_[at]); })) return true;
     }
     return false;
+  }
+
+  // Takes away all that can be walked to from these places; `untouched` then tells whether a place is none of it.
+  void walk_from(const std::vector<Box>& places) {
+    before_ = free_;
+    std::vector<int> stack;
+    for (const Box& box : places) {
+      for (const int start : cells_in(box)) {
+        if (free_[start]) flood(start, stack);
+      }
+    }
+  }
+  bool untouched(const Box& place) const {
+    const std::vector<int> cells = cells_in(place);
+    return std::none_of(cells.begin(), cells.end(), [&](int at) { return before_[at] && !free_[at]; });
   }
 
   int largest_permille() {
@@ -204,7 +223,7 @@ class WalkRaster {
   Mm half_;
   Mm step_ = 25;
   int columns_ = 0, rows_ = 0;
-  std::vector<char> free_;
+  std::vector<char> free_, before_;
 };
 
 }  // namespace
@@ -225,16 +244,48 @@ Box place_before(const Box& body, Direction side, Mm off) {
 
 }  // namespace
 
-bool reachable(const Model& model, int item, Mm width, const Placements& placements) {
-  if (placements[item].state < 0) return false;
-  const Mm near = width / 2 + kArmLength;
-  std::vector<Box> doors, sides;
+namespace {
+
+std::vector<Box> places_before_doors(const Model& model, const Placements& placements, Mm near) {
+  std::vector<Box> doors;
   for (std::size_t i = 0; i < model.items.size(); ++i) {
     const Item& door = model.items[i];
     if (!door.is_opening() || door.opening->type == OpeningType::kWindow || placements[i].state < 0) continue;
     doors.push_back(
         place_before(box_of(door, placements[i]), side_direction(door, Side::kFront, door.states[placements[i].state].turn), near));
   }
+  return doors;
+}
+
+// Of the greater things that stand on the floor: how many have no used side to which a way of full width leads from a door.
+int without_wide_way(const Model& model, const Placements& placements) {
+  const std::vector<Box> doors = places_before_doors(model, placements, kWideWay / 2 + kArmLength);
+  if (doors.empty()) return 0;
+  WalkRaster raster(model, placements, kWideWay / 2, false, 50);
+  raster.walk_from(doors);
+  int count = 0;
+  for (std::size_t i = 0; i < model.items.size(); ++i) {
+    const Item& item = model.items[i];
+    const Placement& p = placements[i];
+    if (p.state < 0 || item.is_opening() || item.thin || p.at[2] > 50) continue;
+    const State& state = item.states[p.state];
+    if (state.strips.empty() || std::int64_t{state.size.width} * state.size.depth < kGreat) continue;
+    count += std::all_of(state.strips.begin(), state.strips.end(), [&](const Box& strip) {
+      Box near = strip.shifted(p.at);
+      for (int k = 0; k < 2; ++k) near.lo[k] -= kBesideStrip, near.hi[k] += kBesideStrip;
+      return raster.untouched(near);
+    });
+  }
+  return count;
+}
+
+}  // namespace
+
+bool reachable(const Model& model, int item, Mm width, const Placements& placements) {
+  if (placements[item].state < 0) return false;
+  const Mm near = width / 2 + kArmLength;
+  const std::vector<Box> doors = places_before_doors(model, placements, near);
+  std::vector<Box> sides;
   const Item& self = model.items[item];
   std::vector<Side> used = self.object->used_sides.value_or(self.entry->used_sides);
   std::erase_if(used, [](Side side) { return side == Side::kTop || side == Side::kBottom; });
@@ -253,6 +304,7 @@ bool reachable(const Model& model, int item, Mm width, const Placements& placeme
 
 std::int64_t ways_cost(const Model& model, const Placements& placements) {
   std::int64_t cost = kPoint * kCostWeights.walk * std::max(0, 998 - walk_permille(model, placements));
+  cost += kPoint * kCostWeights.narrow * without_wide_way(model, placements);
   for (const Constraint& constraint : model.constraints) {
     for (const auto& [item, width] : constraint.reach) {
       if (!reachable(model, item, width, placements)) cost += kPoint * kCostWeights.unreached;
@@ -263,7 +315,6 @@ std::int64_t ways_cost(const Model& model, const Placements& placements) {
 
 std::map<std::string, std::int64_t> cost_terms(const Model& model, const Placements& placements) {
   std::map<std::string, std::int64_t> terms{{"habits", 0}, {"relations", 0}, {"access", 0}, {"ways", 0}, {"sizes", 0}};
-  if (!model.start.empty()) terms["stay"] = 0;
   for (const Constraint& constraint : model.constraints) {
     const bool placed =
         std::all_of(constraint.formulas.begin(), constraint.formulas.end(), [&](const Formula& f) { return all_placed(f, placements); });

@@ -9,12 +9,14 @@
 namespace layoutbox::placement {
 
 // Points: for a used side that cannot be reached at all, for wanted floor that is blocked, per thousandth of free floor that is cut off,
+// for a greater thing to whose used sides no way 0.6 m wide leads from a door,
 // per step below the usual size, per metre that something reaches into a door's swing that had to be given up, per relation `reachable`
 // that does not hold.
 struct CostWeights {
   int access = 700;
   int wanted = 350;
   int walk = 6;
+  int narrow = 120;
   int size_step = 150;
   int swing = 1500;
   int unreached = 800;

@@ -12,6 +12,10 @@ namespace {
 // good rooms (at most 900 a metre) only decide between places that are equally near.
 constexpr int kStay = 20000, kTurned = 20000, kMoved = 200;
 constexpr int kLock = 5000;
+// Points for standing where another layout has it (within so many millimetres, turned alike), of so many of the largest things.
+constexpr int kSamePlace = 400;
+constexpr Mm kElsewhere = 900;
+constexpr std::size_t kDifferentThings = 4;
 constexpr std::size_t kMostStates = 64;  // a mask holds so many
 
 bool named(const std::vector<std::string>& ids, const std::string& id) { return std::find(ids.begin(), ids.end(), id) != ids.end(); }
@@ -232,6 +236,41 @@ void add_stays(Model& model) {
     stay.stay = true;
     stay.formulas.push_back(on_host ? stay_on_host(model, index, host) : stay_in_room(model, index));
     if (on_host) stay.hosts.push_back(host);
+  }
+}
+
+void add_differences(Model& model, const std::vector<const Layout*>& unlike) {
+  if (unlike.empty()) return;
+  std::vector<int> largest;
+  for (std::size_t i = 0; i < model.items.size(); ++i) {
+    const Item& item = model.items[i];
+    if (!item.is_opening() && !item.thin && !item.fixed && !item.locked && item.mount == Mount::kFloor)
+      largest.push_back(static_cast<int>(i));
+  }
+  const auto area = [&](int i) { return std::int64_t{model.items[i].states[0].size.width} * model.items[i].states[0].size.depth; };
+  std::stable_sort(largest.begin(), largest.end(), [&](int a, int b) { return area(a) > area(b); });
+  if (largest.size() > kDifferentThings) largest.resize(kDifferentThings);
+  for (std::size_t rank = 0; rank < largest.size(); ++rank) {
+    const int index = largest[rank];
+    const Item& item = model.items[index];
+    for (const Layout* layout : unlike) {
+      const PlacedObject* there = layout->find_object(item.id);
+      if (there == nullptr) continue;
+      Constraint& other = model.constraints.emplace_back();
+      other.name = "unlike: " + item.id;
+      other.firmness = Firmness::kSoft;
+      other.weight = kSamePlace;
+      other.stay = true;
+      Formula& f = other.formulas.emplace_back();
+      const std::uint64_t same = item.states_at(whole_turn(there->rotation_deg));
+      if ((item.all_states & ~same) != 0) f.add().when(index, item.all_states & ~same);
+      for (int k = 0; k < 2; ++k) {
+        const auto was2 = static_cast<std::int64_t>(std::lround(2 * there->position[k]));
+        f.add().require(mid2(index, k) - Linear(was2 + 2 * kElsewhere));
+        f.add().require(Linear(was2 - 2 * kElsewhere) - mid2(index, k));
+      }
+      f.add().price = rank == 0 ? 2 * kSamePlace : kSamePlace;
+    }
   }
 }
 

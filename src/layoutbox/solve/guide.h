@@ -20,6 +20,9 @@ Status find_starts(Model& model, const ModelOptions& options);
 // The wishes and locks that keep things where model.start has them.
 void add_stays(Model& model);
 
+// Wishes that the largest things that stand on the floor stand elsewhere than in these layouts, or otherwise.
+void add_differences(Model& model, const std::vector<const Layout*>& unlike);
+
 // Locked or fixed things that overlap each other or stick out of the room: clashes that need no proof.
 std::vector<Clash> clashes_of_locks(const Model& model, const std::vector<char>& given_up, const std::vector<char>& left_out);
 

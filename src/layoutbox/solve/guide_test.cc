@@ -80,6 +80,15 @@ TEST(Guide, ALegalLayoutStaysAsItIs) {
   for (const PlacedObject& o : again.objects) EXPECT_EQ(o.position, good.find_object(o.id)->position) << o.id;
 }
 
+TEST(Guide, WhatIsPushedPushesOn) {
+  // Three cupboards in a row, the first sticks out by 0.1 m: all move by as much, none round the others.
+  Layout bad = empty_room(4000, 3000);
+  for (int i = 0; i < 3; ++i)
+    bad.objects.push_back(piece("cupboard_" + std::to_string(i + 1), "cabinet", {1000, 500, 900}, 400.0 + 1000 * i, 2740));
+  const Layout good = mended(bad);
+  EXPECT_NEAR(movement_between(bad, good).metres, 0.3, 0.002);
+}
+
 TEST(Guide, AnUnusualTurnIsKept) {
   Layout bad = bad_bedroom();
   bad.objects.push_back(piece("armchair", "armchair", {700, 700, 800}, 1500, 1000, 33));
@@ -197,6 +206,35 @@ TEST(Guide, OpeningsStayWhereTheyWere) {
     EXPECT_EQ(again->find_opening(o.id)->wall, o.wall);
     EXPECT_EQ(again->find_opening(o.id)->offset, o.offset);
   }
+}
+
+TEST(Variants, AreGoodAndDifferent) {
+  const SceneGraph scene =
+      SceneMaker(5000, 4500).add("bed").add("desk").add("wardrobe").add("armchair").relate("againstWall", {"bed_1"}).make(true);
+  const auto layouts = solve_variants(scene, Catalog::builtin(), {}, 3);
+  ASSERT_TRUE(layouts);
+  ASSERT_EQ(layouts->size(), 3u);
+  for (std::size_t i = 0; i < 3; ++i) {
+    expect_sound((*layouts)[i]);
+    EXPECT_EQ((*layouts)[i].status, LayoutStatus::kSolved);
+    EXPECT_GT((*layouts)[i].score, 0.5 * (*layouts)[0].score);
+    for (std::size_t j = 0; j < i; ++j) {
+      const Difference difference = difference_between((*layouts)[i], (*layouts)[j]);
+      EXPECT_GT(difference.mean_m, 0.4) << i << " and " << j;
+    }
+  }
+  const auto again = solve_variants(scene, Catalog::builtin(), {}, 2);
+  ASSERT_TRUE(again);
+  EXPECT_EQ(difference_between((*again)[1], (*layouts)[1]).mean_m, 0);  // the same options, the same layouts
+}
+
+TEST(Variants, OneIsWhatSolveGives) {
+  const SceneGraph scene = SceneMaker(4000, 3500).add("bed").add("desk").make(true);
+  const auto one = solve(scene, Catalog::builtin());
+  const auto variants = solve_variants(scene, Catalog::builtin(), {}, 1);
+  ASSERT_TRUE(one && variants);
+  EXPECT_EQ(difference_between(*one, (*variants)[0]).mean_m, 0);
+  EXPECT_EQ(difference_between(*one, (*variants)[0]).other_wall, 0);
 }
 
 }  // namespace

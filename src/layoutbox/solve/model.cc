@@ -459,6 +459,7 @@ Result<Model> build_model(const SceneGraph& scene, const Catalog& catalog, const
   LAYOUTBOX_CHECK(find_starts(model, options));
   add_habits(model);
   add_stays(model);
+  add_differences(model, options.unlike);
   index_constraints(model);
   return model;
 }

@@ -117,6 +117,7 @@ struct Model {
 struct ModelOptions {
   int size_steps = 3;                      // below the usual size, the last is the least
   const Layout* from = nullptr;            // an earlier layout: what it has stays near its place there
+  std::vector<const Layout*> unlike;       // layouts that the new one is to differ from
   std::vector<std::string> locked, freed;  // ids: what stays exactly, and what looks for a new place (SolveOptions)
 };
 

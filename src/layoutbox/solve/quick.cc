@@ -14,7 +14,7 @@ QuickSearch::QuickSearch(const Model& model, const Dependencies& dependencies, s
                          int most_size_step)
     : model_(model),
       dependencies_(dependencies),
-      regions_(model, std::move(given_up)),
+      regions_(model, std::move(given_up), most_size_step),
       random_(seed),
       most_size_step_(most_size_step),
       weight_(model.items.size(), 0) {}
@@ -118,7 +118,7 @@ bool QuickSearch::settle_once(int item, Budget& budget) {
   const bool failed_before = weight_[item] > 0 || std::any_of(tenants.begin(), tenants.end(), [&](int t) { return weight_[t] > 0; });
   const Sweep how{static_cast<int>(random_.below(2)), {random_.below(2) == 0, random_.below(2) == 0}};
   for (const int state : states_in_turn(item)) {
-    const std::vector<Region>& regions = regions_.find(placements_, item, state);
+    const std::vector<Region>& regions = regions_.find(placements_, item, state, false);
     budget.count(40);
     if (regions.empty()) continue;
     forbid(item, state);
@@ -273,7 +273,7 @@ bool QuickSearch::push_out(int item, std::vector<int>& pending, Budget& budget) 
   std::array<std::vector<Mm>, 3> tried;
   int stamp = 0;
   for (const int state : states_in_turn(item)) {
-    const std::vector<Region>& regions = regions_.find(placements_, item, state);
+    const std::vector<Region>& regions = regions_.find(placements_, item, state, false);
     if (regions.empty()) continue;
     forbid(item, state);
     for (const Region& region : regions) {

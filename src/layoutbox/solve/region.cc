@@ -47,10 +47,19 @@ Partial partial_of(const Model& model, const Placements& placements, const std::
   return p;
 }
 
-RegionFinder::RegionFinder(const Model& model, std::vector<char> given_up)
-    : model_(model), given_up_(std::move(given_up)), left_out_(model.items.size(), 0) {
+RegionFinder::RegionFinder(const Model& model, std::vector<char> given_up, int most_size_step)
+    : model_(model), given_up_(std::move(given_up)), left_out_(model.items.size(), 0), most_size_step_(most_size_step) {
   given_up_.resize(model.constraints.size(), 0);
   narrow_domains();
+}
+
+// Something that must hold speaks of it and of something else.
+bool RegionFinder::is_linked(int item) const {
+  if (model_.items[item].fixed) return false;
+  return std::any_of(model_.touching[item].begin(), model_.touching[item].end(), [&](int c) {
+    const auto& formulas = model_.constraints[c].formulas;
+    return enforced(c) && std::any_of(formulas.begin(), formulas.end(), [](const Formula& f) { return f.items.size() > 1; });
+  });
 }
 
 // Bounds that follow from the constraints, found by going over all items a few times.
@@ -74,11 +83,12 @@ void RegionFinder::narrow_domains() {
   }
   for (int round = 0; round < kNarrowings; ++round) {
     for (std::size_t i = 0; i < domains_.size(); ++i) {
-      if (model_.items[i].fixed) continue;
+      if (!is_linked(static_cast<int>(i))) continue;
       Domain all = domains_[i];
       bool any = false;
       for (std::size_t s = 0; s < model_.items[i].states.size(); ++s) {
-        for (const Region& region : find(nowhere, static_cast<int>(i), static_cast<int>(s))) {
+        if (model_.items[i].states[s].size_step > most_size_step_) continue;
+        for (const Region& region : find(nowhere, static_cast<int>(i), static_cast<int>(s), false)) {
           for (int k = 0; k < 3; ++k) {
             all.lo[k] = any ? std::min(all.lo[k], region.lo[k]) : region.lo[k];
             all.hi[k] = any ? std::max(all.hi[k], region.hi[k]) : region.hi[k];
@@ -95,7 +105,7 @@ bool RegionFinder::enforced(int constraint) const {
   return !given_up_[constraint] && model_.constraints[constraint].firmness != Firmness::kSoft;
 }
 
-bool RegionFinder::reduce(const Placements& placements, const Case& one, int item, int state, Reduced& out) const {
+bool RegionFinder::reduce(const Placements& placements, const Case& one, int item, int state, bool with_wishes, Reduced& out) const {
   out.price = one.price * kPoint;
   for (const StateLiteral& literal : one.states) {
     if (left_out_[literal.item]) return false;
@@ -123,6 +133,7 @@ bool RegionFinder::reduce(const Placements& placements, const Case& one, int ite
     }
     if (out.lo[axis] > out.hi[axis]) return false;
   }
+  if (!with_wishes) return true;
   for (const Preference& wish : one.wishes) {
     const Partial p = partial_of(model_, placements, domains_, wish.form, item, state);
     if (!p.unknown) out.wishes.push_back({p, wish.weight, wish.scale});
@@ -130,7 +141,7 @@ bool RegionFinder::reduce(const Placements& placements, const Case& one, int ite
   return true;
 }
 
-const std::vector<Region>& RegionFinder::find(const Placements& placements, int item, int state) {
+const std::vector<Region>& RegionFinder::find(const Placements& placements, int item, int state, bool with_wishes) {
   pool_.clear();
   regions_.clear();
   for (const int c : model_.touching[item]) {
@@ -141,10 +152,11 @@ const std::vector<Region>& RegionFinder::find(const Placements& placements, int 
       std::vector<Reduced> cases;
       for (const Case& one : formula.cases) {
         Reduced reduced;
-        if (reduce(placements, one, item, state, reduced)) cases.push_back(std::move(reduced));
+        if (reduce(placements, one, item, state, with_wishes, reduced)) cases.push_back(std::move(reduced));
       }
       if (cases.empty()) return regions_;
-      std::stable_sort(cases.begin(), cases.end(), [](const Reduced& a, const Reduced& b) { return a.price < b.price; });
+      const auto cheaper = [](const Reduced& a, const Reduced& b) { return a.price < b.price; };
+      if (!std::is_sorted(cases.begin(), cases.end(), cheaper)) std::stable_sort(cases.begin(), cases.end(), cheaper);
       pool_.push_back(std::move(cases));
     }
   }

@@ -64,8 +64,8 @@ struct Region {
 
 class RegionFinder {
  public:
-  // `given_up`: by constraint index; those need not hold.
-  RegionFinder(const Model& model, std::vector<char> given_up);
+  // `given_up`: by constraint index; those need not hold. `most_size_step`: how far from the usual size items may be.
+  RegionFinder(const Model& model, std::vector<char> given_up, int most_size_step = std::numeric_limits<int>::max());
   // By item: not there at all; what speaks of them cannot hold.
   void leave_out(const std::vector<char>& items) { left_out_ = items; }
 
@@ -76,15 +76,17 @@ class RegionFinder {
   const std::vector<Domain>& domains() const { return domains_; }
 
   // Good until the next call. The item itself is taken as not placed; what is not placed yet binds as far as its domain does.
-  const std::vector<Region>& find(const Placements& placements, int item, int state);
+  const std::vector<Region>& find(const Placements& placements, int item, int state, bool with_wishes = true);
 
  private:
-  bool reduce(const Placements& placements, const Case& one, int item, int state, Reduced& out) const;
+  bool reduce(const Placements& placements, const Case& one, int item, int state, bool with_wishes, Reduced& out) const;
+  bool is_linked(int item) const;
   void narrow_domains();
   void descend(std::size_t depth, const Region& region, int& nodes);
 
   const Model& model_;
   std::vector<char> given_up_, left_out_;
+  int most_size_step_;
   std::vector<Domain> domains_;
   std::vector<std::vector<Reduced>> pool_;  // per enforced formula, its cases that are possible
   std::vector<Region> regions_;

@@ -203,7 +203,7 @@ bool Search::move(const std::vector<int>& group, std::int64_t noise, Budget& bud
     budget.count(100);
     // The ways are costly to measure: only for what is better, or nearly as good, without them.
     if (gain > -kPoint * 400) {
-      budget.count(600);
+      budget.count(900);
       const std::int64_t ways_after = ways_cost(model_, placements_);
       if (gain + ways_ - ways_after > 0) {
         ways_ = ways_after;
@@ -229,6 +229,10 @@ void Search::improve(Budget& budget) {
   for (std::int64_t turn = 0; !budget.spent() && idle < 12 * count; ++turn) {
     const bool sweep = turn < count;  // first everything once, alone
     const int item = movable[sweep ? turn : random_.below(count)];
+    if (!model_.start.empty() && (sweep || random_.below(3) == 0) && slide(item, budget)) {
+      idle = 0;
+      continue;
+    }
     group.assign(1, item);
     if (!sweep) group_of(dependencies_, placements_, item, group);
     if (!sweep && random_.below(3) == 0) {  // and a second one, so that two can change places

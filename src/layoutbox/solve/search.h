@@ -33,6 +33,8 @@ class Search {
  private:
   bool try_order(const std::vector<int>& order, Budget& budget);
   bool try_start(const std::vector<int>& order, Budget& budget);
+  bool slide(int item, Budget& budget);
+  bool push_away(std::vector<int>& moved, std::vector<int> in_way, const std::vector<std::int64_t>& price);
   bool may_stay(int item, const Placement& placement) const;
   bool place(int item, std::int64_t noise, Budget& budget);
   bool watched_fit(int item, Budget& budget);

@@ -27,7 +27,8 @@ using Clock = std::chrono::steady_clock;
 constexpr std::int64_t kStepsPerUnit = 5000;  // candidate positions tried in about a quarter of a millisecond
 constexpr double kProofTimePerUnit = 0.04;    // of CP-SAT's deterministic time
 constexpr double kLongestProof = 20, kShortProof = 0.3;
-constexpr std::int64_t kLeastSteps = 60000;
+constexpr std::int64_t kLeastSteps = 60000, kFirstSteps = 400'000;
+constexpr std::size_t kMostForEarlyProof = 40;
 constexpr int kIdleStarts = 8;
 constexpr std::uint64_t kSeedStep = 0x9e3779b97f4a7c15;  // golden ratio: no start of one seed is a start of the next
 constexpr int kRestarts = 8;
@@ -91,7 +92,9 @@ class Solver {
         continue;
       }
       if (!search(given_up_)) {
-        LAYOUTBOX_ASSIGN(const bool found, prove());
+        LAYOUTBOX_ASSIGN(const Early early, prove_early());
+        if (early == Early::kGivenUp) continue;
+        LAYOUTBOX_ASSIGN(const bool found, early == Early::kFound ? Result<bool>(true) : prove());
         if (!found && !stopped_by_clock_) continue;
         if (!found && !fallback_) {
           LAYOUTBOX_ASSIGN(const bool settled, settle());
@@ -107,11 +110,34 @@ class Solver {
                 "raise --effort or --time-limit");
   }
 
-  bool search(const std::vector<char>& given_up) {
+  enum class Early { kFound, kGivenUp, kUnknown };
+
+  // With much effort to spend: a short look for a proof before a long search, then that search.
+  Result<Early> prove_early() {
+    const std::int64_t whole = budget_.limit / 2;
+    if (whole <= kFirstSteps || must_stop()) return Early::kUnknown;
+    if (const auto library = CpSatLibrary::get(); library && model_.items.size() <= kMostForEarlyProof) {
+      used_cp_sat_ = true;
+      const ProofLimits limits{options_.seed, kShortProof, std::max(0.1, options_.time_limit_s - seconds()), options_.stop};
+      LAYOUTBOX_ASSIGN(const Proof proof, decide(model_, **library, given_up_, left_out_, placements_, limits));
+      if (interrupted()) return fail(ErrorCode::kInterrupted, "stopped");
+      if (proof.outcome == Proof::Outcome::kLayout) {
+        placements_ = proof.placements;
+        return Early::kFound;
+      }
+      if (proof.outcome == Proof::Outcome::kClash) {
+        LAYOUTBOX_CHECK(give_up(proof.clash));
+        return Early::kGivenUp;
+      }
+    }
+    return search(given_up_, whole) ? Early::kFound : Early::kUnknown;
+  }
+
+  bool search(const std::vector<char>& given_up, std::int64_t most_steps = kFirstSteps) {
     const Dependencies dependencies(model_);
     for (const int sizes : {0, kAllSizes}) {
       size_limit_ = sizes;
-      Budget budget{0, std::max<std::int64_t>(budget_.limit / 2, kLeastSteps), budget_.stop, false};
+      Budget budget{0, std::max(std::min(budget_.limit / 2, most_steps), kLeastSteps), budget_.stop, false};
       if (!model_.start.empty()) {  // what stays near its earlier place is looked for there
         Search search(model_, given_up, options_.seed, sizes);
         const bool found = search.construct(left_out_, kRestarts, budget);
@@ -279,7 +305,7 @@ class Solver {
   // The options of a model with fewer objects; nothing locked is ever left out.
   ModelOptions guides() const {
     ModelOptions options;
-    options.from = options_.from, options.locked = options_.locked, options.freed = options_.freed;
+    options.from = options_.from, options.locked = options_.locked, options.freed = options_.freed, options.unlike = options_.unlike;
     return options;
   }
 
@@ -308,6 +334,10 @@ class Solver {
     if (clash == nullptr) {
       found.proven = found.minimal = false;
       found.sentence = too_much_in_words(model_);
+    }
+    if (options_.on_conflict != OnConflict::kRelax) {  // nothing is left out: no need to look for what
+      LAYOUTBOX_ASSIGN([[maybe_unused]] const bool relaxing, note_conflict(found, false));
+      return {};
     }
     int best = -1;
     std::size_t least = std::numeric_limits<std::size_t>::max();
@@ -606,7 +636,7 @@ class Solver {
 Result<Layout> solve(const SceneGraph& scene, const Catalog& catalog, const SolveOptions& options) {
   if (options.effort <= 0 || !(options.time_limit_s > 0)) return fail(ErrorCode::kUsage, "effort and time limit must be positive");
   ModelOptions guides;
-  guides.from = options.from, guides.locked = options.locked, guides.freed = options.freed;
+  guides.from = options.from, guides.locked = options.locked, guides.freed = options.freed, guides.unlike = options.unlike;
   LAYOUTBOX_ASSIGN(Model model, build_model(scene, catalog, guides));
   return Solver(scene, catalog, options, std::move(model)).run();
 }

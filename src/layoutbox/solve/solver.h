@@ -39,6 +39,8 @@ struct SolveOptions {
   std::vector<std::string> locked;
   // Ids of what `from` has but shall look for a new place all the same.
   std::vector<std::string> freed;
+  // Layouts that this one is to be unlike: its largest things rather stand elsewhere or otherwise. Kept by the caller.
+  std::vector<const Layout*> unlike;
   // Set by another thread to stop; the best layout so far is returned if there is one, else Error kInterrupted. May be null.
   const std::atomic<bool>* stop = nullptr;
 };
@@ -54,6 +56,18 @@ struct Movement {
   double metres = 0;
 };
 Movement movement_between(const Layout& from, const Layout& to);
+
+// How different two layouts of one scene are: how far apart the two places of a thing are on average, and how many things have another
+// wall nearest to them.
+struct Difference {
+  double mean_m = 0;
+  int other_wall = 0;
+};
+Difference difference_between(const Layout& a, const Layout& b);
+
+// So many good layouts, each with the next seed and unlike those before it; fewer when it is stopped after the first.
+// REQUIRES: count > 0. Errors: as of solve.
+Result<std::vector<Layout>> solve_variants(const SceneGraph& scene, const Catalog& catalog, const SolveOptions& options, int count);
 
 // Is the CP-SAT library there and of the right version? A sentence with its path and version, or the reason why not (kNoSolver).
 Result<std::string> describe_cp_sat_library();

@@ -1,0 +1,129 @@
+// Absurd scenes, large ones, being stopped, and rooms that differ only in how they lie.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <thread>
+
+#include "layoutbox/solve/solver.h"
+#include "layoutbox/solve/test_judge.h"
+#include "layoutbox/solve/test_scene.h"
+
+namespace layoutbox::placement {
+namespace {
+
+using testing::HasSubstr;
+
+// Either nothing, with a reason, or a sound layout that names what does not hold.
+void expect_honest(const SceneGraph& scene, const std::string& about) {
+  for (const OnConflict choice : {OnConflict::kRelax, OnConflict::kFail}) {
+    SolveOptions options;
+    options.on_conflict = choice;
+    options.time_limit_s = 10;
+    const auto layout = solve(scene, Catalog::builtin(), options);
+    if (!layout) {
+      EXPECT_EQ(choice, OnConflict::kFail) << layout.error().message;
+      EXPECT_THAT(layout.error().message, HasSubstr(about));
+      continue;
+    }
+    expect_sound(*layout);
+    EXPECT_EQ(layout->status, LayoutStatus::kRelaxed);
+    ASSERT_FALSE(layout->conflicts.empty());
+    EXPECT_THAT(layout->conflicts[0].sentence, HasSubstr(about));
+  }
+}
+
+TEST(Absurd, ThingsThatContainOneAnother) {
+  expect_honest(SceneMaker(4000, 4000).add("box", 2).relate("in", {"box_1"}, {"box_2"}).relate("in", {"box_2"}, {"box_1"}).make(), "box");
+}
+
+TEST(Absurd, AnEmptyRoom) {
+  const auto layout = solve(SceneMaker(3000, 3000).make(), Catalog::builtin());
+  ASSERT_TRUE(layout);
+  EXPECT_TRUE(layout->objects.empty());
+  EXPECT_EQ(layout->status, LayoutStatus::kSolved);
+}
+
+TEST(Large, FiveHundredObjectsEndWithAnHonestAnswer) {
+  SceneMaker maker(22000, 20000);
+  for (int i = 0; i < 500; ++i) maker.add("box").sized(300 + 20 * (i % 30), 300 + 20 * (i % 17), 400);
+  SolveOptions options;
+  options.improve = false;
+  options.time_limit_s = 20;
+  const auto layout = solve(maker.make(), Catalog::builtin(), options);
+  ASSERT_TRUE(layout) << layout.error().message;
+  EXPECT_EQ(layout->objects.size(), 500u);
+  for (std::size_t i = 0; i < layout->objects.size(); ++i) {
+    const PlacedObject& a = layout->objects[i];
+    const auto extent = [](const PlacedObject& o, int axis) {
+      const bool across = std::lround(o.rotation_deg / 90) % 2 != 0;
+      return (axis == 0) != across ? o.size.width : o.size.depth;
+    };
+    for (std::size_t j = i + 1; j < layout->objects.size(); ++j) {
+      const PlacedObject& b = layout->objects[j];
+      bool apart = false;
+      for (int k = 0; k < 2; ++k) apart = apart || std::abs(a.position[k] - b.position[k]) * 2 >= extent(a, k) + extent(b, k) - 1;
+      EXPECT_TRUE(apart) << a.id << " and " << b.id;
+    }
+  }
+}
+
+TEST(Limits, TheClockEndsTheSearchAndIsNamed) {
+  SolveOptions options;
+  options.effort = 10'000'000;
+  options.time_limit_s = 0.2;
+  const auto layout = solve(SceneMaker(7000, 6000).add("bed").add("desk").add("wardrobe").add("sofa").add("armchair", 4).make(true),
+                            Catalog::builtin(), options);
+  ASSERT_TRUE(layout);
+  expect_sound(*layout);
+  EXPECT_TRUE(layout->stats.stopped_by_clock);
+}
+
+TEST(Limits, StoppedFromAnotherThreadTheBestSoFarIsKept) {
+  std::atomic<bool> stop = false;
+  SolveOptions options;
+  options.effort = 10'000'000;
+  options.time_limit_s = 600;
+  options.stop = &stop;
+  const SceneGraph scene = SceneMaker(7000, 6000).add("bed").add("desk").add("wardrobe").add("sofa").add("armchair", 4).make(true);
+  std::thread other([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    stop = true;
+  });
+  const auto layout = solve(scene, Catalog::builtin(), options);
+  other.join();
+  if (layout) {
+    expect_sound(*layout);
+    EXPECT_FALSE(layout->stats.stopped_by_clock);
+  } else {
+    EXPECT_EQ(layout.error().code, ErrorCode::kInterrupted);
+  }
+}
+
+// The same room as it is, mirrored, turned and shifted.
+double score_of(const std::vector<Point>& polygon, const std::string& door_wall, Mm door, const std::string& bed_wall) {
+  SceneMaker maker(polygon, 2700);
+  maker.opening(OpeningType::kDoor, door_wall, door).add("bed").add("nightstand", 2).add("wardrobe").add("desk").add("chair");
+  maker.relate("againstWall", {"bed_1"}, {bed_wall}).relate("eachSideOf", {"nightstand_1", "nightstand_2"}, {"bed_1"});
+  SolveOptions options;
+  options.effort = 300;
+  const auto layout = solve(maker.make(), Catalog::builtin(), options);
+  EXPECT_TRUE(layout);
+  if (!layout) return 0;
+  EXPECT_EQ(layout->status, LayoutStatus::kSolved);
+  return layout->score;
+}
+
+TEST(Alike, MirroredTurnedAndShiftedRoomsGetEquallyGoodLayouts) {
+  const Mm w = 4600, d = 3800, door = 300, width = 900;
+  const double plain = score_of({{0, 0}, {w, 0}, {w, d}, {0, d}}, "wall1", door, "wall3");
+  EXPECT_GT(plain, 0.5);
+  EXPECT_NEAR(score_of({{0, 0}, {w, 0}, {w, d}, {0, d}}, "wall1", w - door - width, "wall3"), plain, 0.06) << "mirrored";
+  EXPECT_NEAR(score_of({{0, 0}, {w, 0}, {w, d}, {0, d}}, "wall3", door, "wall1"), plain, 0.06) << "turned by half";
+  EXPECT_NEAR(score_of({{0, 0}, {d, 0}, {d, w}, {0, w}}, "wall2", door, "wall4"), plain, 0.06) << "turned by a quarter";
+  EXPECT_NEAR(score_of({{1230, 2340}, {w + 1230, 2340}, {w + 1230, d + 2340}, {1230, d + 2340}}, "wall1", door, "wall3"), plain, 0.06)
+      << "shifted";
+}
+
+}  // namespace
+}  // namespace layoutbox::placement
