@@ -156,6 +156,18 @@ Mount mount_of(const SceneGraph& scene, const SceneObject& object, const Catalog
   return object.mount.value_or(entry.mount);
 }
 
+// Words put it on or into something: a rug there is no longer one that is walked on.
+bool rests_on_others(const SceneGraph& scene, const std::string& id) {
+  return std::any_of(scene.relations.begin(), scene.relations.end(), [&](const Relation& r) {
+    const bool rests = r.type == RelationType::kOn || r.type == RelationType::kIn || r.type == RelationType::kStacked;
+    const auto at = std::find(r.targets.begin(), r.targets.end(), id);
+    if (!rests || at == r.targets.end()) return false;
+    const auto is_object = [&](const std::string& reference) { return scene.find_object(reference) || scene.find_opening(reference); };
+    return (r.type == RelationType::kStacked && at != r.targets.begin()) ||
+           std::any_of(r.references.begin(), r.references.end(), is_object);
+  });
+}
+
 bool holds_others(const SceneGraph& scene, const std::string& id) {
   return std::any_of(scene.relations.begin(), scene.relations.end(), [&](const Relation& r) {
     const bool holds = r.type == RelationType::kOn || r.type == RelationType::kIn;
@@ -171,7 +183,7 @@ Item object_item(const SceneGraph& scene, const SceneObject& object, const Catal
   item.mount = mount_of(scene, object, *item.entry);
   item.usual_mount = object.mount.value_or(item.entry->mount);
   item.has_front = item.entry->has_front;
-  item.thin = item.entry->thin && object.size->usual.height <= kThin && item.mount == Mount::kFloor;
+  item.thin = item.entry->thin && object.size->usual.height <= kThin && item.mount == Mount::kFloor && !rests_on_others(scene, object.id);
   item.curtain =
       catalog.is_a(object.category, "curtain") || catalog.is_a(object.category, "blinds") || catalog.is_a(object.category, "blind");
   item.fixed = object.fixed && object.hint.position.has_value();
