@@ -18,6 +18,9 @@ class Setup(unittest.TestCase):
         (self.root / "tests/tools").mkdir(parents=True)
         for file in (SOURCE / "tests/tools").glob("package*.json"):
             shutil.copy(file, self.root / "tests/tools")
+        (self.root / "tests/llm/mocks").mkdir(parents=True)
+        for file in (ROOT / "tests/llm/mocks").glob("package*.json"):
+            shutil.copy(file, self.root / "tests/llm/mocks")
         self.packages("build cmd:sh dash\n")
         self.solver = self.folder / "own solver/lib"
         self.solver.mkdir(parents=True)
