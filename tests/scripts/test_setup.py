@@ -19,7 +19,7 @@ class Setup(unittest.TestCase):
         for file in (SOURCE / "tests/tools").glob("package*.json"):
             shutil.copy(file, self.root / "tests/tools")
         (self.root / "tests/llm/mocks").mkdir(parents=True)
-        for file in (ROOT / "tests/llm/mocks").glob("package*.json"):
+        for file in (SOURCE / "tests/llm/mocks").glob("package*.json"):
             shutil.copy(file, self.root / "tests/llm/mocks")
         self.packages("build cmd:sh dash\n")
         self.solver = self.folder / "own solver/lib"
