@@ -320,7 +320,7 @@ class Chunker {
     ++at;
     const auto number = [&]() {
       if (at >= tokens_.size()) return 0;
-      if (tokens_[at].kind == Token::Kind::kNumber) return static_cast<int>(tokens_[at++].number);
+      if (tokens_[at].kind == Token::Kind::kNumber) return static_cast<int>(std::clamp(tokens_[at++].number, 0.0, 1000.0));
       const Match match = lexicon_.find(tokens_, at, Class::kNumber);
       if (match.length == 0) return 0;
       at += match.length;

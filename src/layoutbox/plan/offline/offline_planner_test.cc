@@ -149,6 +149,16 @@ TEST_F(OfflinePlannerTest, HundredThousandWordsDoNotHangIt) {
 }
 
 // Any row of words gives a plan whose relations name objects that are there.
+// Found by the fuzz target: more rows than an int can count.
+TEST_F(OfflinePlannerTest, AbsurdNumbersOfRowsStayCountable) {
+  const auto plan = planner_->plan("A room with six desks in " + std::string(60, '5') + " rows.", {});
+  ASSERT_TRUE(plan) << plan.error().message;
+  for (const Relation& relation : plan->scene.relations) {
+    EXPECT_GE(relation.parameters.columns.value_or(1), 1);
+    EXPECT_LE(relation.parameters.columns.value_or(1), 1000);
+  }
+}
+
 TEST_F(OfflinePlannerTest, AnyWordsGiveASoundScene) {
   const std::vector<std::string> words = {"a",          "the",         "bed",     "two",   "chairs",   "on",     "with", "and",
                                           ",",          ".",           "it",      "them",  "each",     "one",    "of",   "which",
