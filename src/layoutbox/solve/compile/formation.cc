@@ -10,20 +10,11 @@ constexpr Mm kWayAround = 600;  // left free between a formation and the walls
 constexpr Mm kSeatRoom = 850;   // behind a desk: the chair, and somebody getting up
 constexpr Mm kTucked = 200;     // how far a seat goes under its table
 
-bool has_knee_room(const Item& item) {
-  return std::any_of(item.spaces.begin(), item.spaces.end(), [](const ItemSpace& s) { return !s.carries; });
-}
-
 // Gaps wanted between neighbours, along the rows and from row to row.
 std::pair<Mm, Mm> gaps_of(const Item& item) {
   if (has_knee_room(item)) return item.has_front ? std::pair<Mm, Mm>{500, kSeatRoom} : std::pair<Mm, Mm>{1300, 1300};
   if (item.thin) return {500, 400};
   return item.has_front ? std::pair<Mm, Mm>{80, 600} : std::pair<Mm, Mm>{500, 500};
-}
-
-Side used_side(const Item& item) {
-  const std::vector<Side> used = item.object->used_sides.value_or(item.entry->used_sides);
-  return used.empty() ? Side::kFront : used[0];
 }
 
 }  // namespace

@@ -29,10 +29,6 @@ bool has_family(const Item& item, std::initializer_list<std::string_view> famili
 bool is_table_seat(const Item& item) { return has_family(item, {"chair", "office_chair", "stool"}); }
 bool is_easy_chair(const Item& item) { return has_family(item, {"armchair", "recliner"}); }
 
-bool has_knee_room(const Item& item) {
-  return std::any_of(item.spaces.begin(), item.spaces.end(), [](const ItemSpace& s) { return !s.carries; });
-}
-
 std::int64_t area_of(const Item& item) { return std::int64_t{item.states[0].size.width} * item.states[0].size.depth; }
 
 // Twice the middle of the floor's extent.
@@ -305,11 +301,6 @@ class Habits {
       }
     });
     habit("other side", item, kBeside, std::move(f), {host, twin});
-  }
-
-  static Side used_side(const Item& item) {
-    const std::vector<Side> used = used_sides(item);
-    return used.empty() ? Side::kFront : used[0];
   }
 
   // All of the item's kind that no relation ties to the host and that share it.

@@ -92,6 +92,15 @@ Place place_of(const Model& model, const RoomWall& wall) {
   return place;
 }
 
+bool has_knee_room(const Item& item) {
+  return std::any_of(item.spaces.begin(), item.spaces.end(), [](const ItemSpace& s) { return !s.carries; });
+}
+
+Side used_side(const Item& item) {
+  const std::vector<Side> used = item.object->used_sides.value_or(item.entry->used_sides);
+  return used.empty() ? Side::kFront : used[0];
+}
+
 void for_each_turn(const Item& item, const std::function<void(int, std::uint64_t)>& visit) {
   std::vector<int> seen;
   for (const State& state : item.states) {

@@ -25,6 +25,10 @@ inline Linear gap_towards(int t, int r, Direction d) { return gap_towards(t, pla
 // The item stands on the floor and nowhere else.
 bool floor_only(const Item& item);
 
+// Has it room for knees (a free space that carries nothing)? The side it is used from, the first where there are several.
+bool has_knee_room(const Item& item);
+Side used_side(const Item& item);
+
 // gap(t, r) ≤ most, as cases that begin like `base`: straight across exactly, else an octagon within (or around) the circle.
 void add_within(std::vector<Case>& cases, Case base, const Model& model, int t, const Place& r, Mm most, Purpose purpose);
 // gap(t, r) ≥ least, as cases (an octagon around, or within, the circle).

@@ -64,8 +64,7 @@ std::vector<Arm> arms_of(const Seats& seats, Mm width, Mm depth, Mm out) {
 Mm wished_reach_under(const Item& seat, const Item& table) {
   const std::vector<Side> used = seat.object->used_sides.value_or(seat.entry->used_sides);
   if (used.size() == 1 && used[0] == Side::kFront) return kEasyChair;  // got into from the front only
-  const bool knees = std::any_of(table.spaces.begin(), table.spaces.end(), [](const ItemSpace& s) { return !s.carries; });
-  return knees ? kReachUnder : kKneeless;
+  return has_knee_room(table) ? kReachUnder : kKneeless;
 }
 
 // At the same height somewhere, so that the distance is that in plan.
