@@ -1,0 +1,89 @@
+// What the catalogue knows of good rooms, as soft constraints in the same small form as the relations. Each file habits_*.cc has those of
+// one kind.
+#pragma once
+
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "layoutbox/solve/compile/phrases.h"
+
+namespace layoutbox::placement {
+
+// Points per metre missed; docs/solve.md says where they come from.
+inline constexpr int kBackToWall = 900, kBeside = 500, kFaces = 600, kAtWall = 150, kRug = 300, kHint = 800, kOpeningPlace = 80,
+                     kHangs = 200, kSits = 400, kCurtain = 900, kMiddle = 40, kLight = 25, kFormation = 300;
+
+inline bool has_family(const Item& item, std::initializer_list<std::string_view> families) {
+  return item.entry && std::find(families.begin(), families.end(), item.entry->shape.family) != families.end();
+}
+
+inline bool is_table_seat(const Item& item) { return has_family(item, {"chair", "office_chair", "stool"}); }
+inline bool is_easy_chair(const Item& item) { return has_family(item, {"armchair", "recliner"}); }
+
+inline std::int64_t area_of(const Item& item) { return std::int64_t{item.states[0].size.width} * item.states[0].size.depth; }
+
+// Twice the middle of the floor's extent.
+inline Linear room_mid2(const Model& model, int axis) { return {std::int64_t{model.room.lo[axis]} + model.room.hi[axis]}; }
+
+class Habits {
+ public:
+  explicit Habits(Model& model) : model_(model) {}
+  void add(int index);
+
+ private:
+  void stand(int index);
+  Constraint& habit(const std::string& what, int item, int weight, Formula formula, std::vector<int> hosts = {});
+  std::vector<int> items_of_kinds(const std::vector<std::string>& kinds, int except) const;
+  int rank_of(int item) const;
+  bool related(int a, int b) const;
+  bool only_related_by(int a, int b, std::initializer_list<RelationType> types) const;
+  bool placed_by_relation(int item) const;
+  void sit_on_host(int item);
+  int riders_of(int host) const;
+  void keep_hint(int item);
+  static std::vector<Side> used_sides(const Item& item) { return item.object->used_sides.value_or(item.entry->used_sides); }
+
+  // Habits towards the room: backs to walls, the middle, light, rugs; doors and windows nobody placed.
+  void back_to_wall(int item);
+  void stand_at_wall(int item);
+  void stand_in_middle(int item);
+  void near_light(int item);
+  void lie_under(int item);
+  void lie_at_foot(int item, int bed);
+  void open_well(int item);
+
+  // Habits of what hangs on walls and from ceilings.
+  void hang_from_ceiling(int item);
+  void hang_on_wall(int item);
+  std::uint64_t states_facing(int item, const RoomWall& wall) const;
+  bool placed_by_relation_besides_walls(int item) const;
+  void cover_window(int item);
+
+  // Habits towards other things: beside, round, before and facing what they belong to.
+  void come_near(int item, int host);
+  bool stand_beside(int item);
+  void sit_round_low_table(int item, int table);
+  void stand_before_middle(int item, int host);
+  void flank(int item, int host, int hosts);
+  std::vector<int> seats_at(int item, int host, int hosts) const;
+  bool before_its_host(int item) const;
+  void look_at(int item, bool leads = false);
+
+  // Habits of things that come in numbers.
+  // The things of a kind that stand in formation: asked for as a grid, or many that nobody placed.
+  struct Group {
+    std::vector<int> members;
+    int columns = 0;
+  };
+  std::optional<Group> formation_with(int item) const;
+  bool placed_besides_facing(int item) const;
+  void turn_as(int item, int other);
+  bool stand_in_formation(int item);
+
+  Model& model_;
+};
+
+}  // namespace layoutbox::placement

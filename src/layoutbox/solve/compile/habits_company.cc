@@ -1,0 +1,159 @@
+// Habits towards other things: beside, round, before and facing what they belong to.
+#include "layoutbox/solve/compile/formation.h"
+#include "layoutbox/solve/compile/habits.h"
+
+namespace layoutbox::placement {
+
+// What a relation leaves open between things that belong together: a chair stands close to its desk, a bench along the bed's foot.
+void Habits::come_near(int item, int host) {
+  const Item &self = model_.items[item], &ref = model_.items[host];
+  const bool at_desk = is_table_seat(self) && has_knee_room(ref) && ref.has_front && used_side(ref) == Side::kFront &&
+                       only_related_by(item, host, {RelationType::kInFrontOf, RelationType::kFacing, RelationType::kCenteredOn});
+  const bool at_foot = only_related_by(item, host, {RelationType::kAtFootOf, RelationType::kParallel});
+  const bool before =
+      before_its_host(item) && ref.has_front && only_related_by(item, host, {RelationType::kInFrontOf, RelationType::kCenteredOn});
+  if (!at_desk && !at_foot && !before) return;
+  Formula f;
+  for_each_turn(ref, [&](int turn, std::uint64_t states) {
+    if (turn % 90 != 0) return;
+    const Direction front = side_direction(ref, Side::kFront, turn);
+    Case& c = f.add().when(host, states).wish(gap_towards(item, host, front) - Linear(before ? 400 : at_foot ? 50 : 10), kBeside);
+    if (at_foot || before) c.when(item, states_with_width_along(self, across(front)));
+  });
+  habit("near", item, kBeside, std::move(f), {host});
+}
+
+// By one of the greater things it goes with: a seat at its table, a nightstand beside its bed, a table before its sofa.
+bool Habits::stand_beside(int item) {
+  const Item& self = model_.items[item];
+  std::vector<int> hosts = items_of_kinds(self.entry->beside, item);
+  std::erase_if(hosts, [&](int h) { return model_.items[h].thin || area_of(model_.items[h]) <= area_of(self); });
+  if (hosts.empty()) return false;
+  for (const int h : hosts) {
+    if (related(item, h) && !only_related_by(item, h, {RelationType::kBetween})) {
+      come_near(item, h);
+      return true;
+    }
+  }
+  if (is_easy_chair(self)) {
+    const std::vector<int> seen = items_of_kinds(self.entry->faces, item);
+    const auto low_table = std::find_if(seen.begin(), seen.end(), [&](int i) { return model_.is_a(i, "coffee_table"); });
+    if (low_table != seen.end() && !related(item, *low_table)) {
+      sit_round_low_table(item, *low_table);
+      return true;
+    }
+  }
+  // Hosts of the best kind only: a lamp by the sofa rather than by the desk.
+  std::erase_if(hosts, [&](int h) { return model_.items[h].entry != model_.items[hosts[0]].entry; });
+  const int host = hosts[rank_of(item) % static_cast<int>(hosts.size())];
+  const Item& ref = model_.items[host];
+  Formula f;
+  if (is_table_seat(self) && has_knee_room(ref)) {
+    const std::vector<int> seats = seats_at(item, host, static_cast<int>(hosts.size()));
+    const auto k = std::find(seats.begin(), seats.end(), item) - seats.begin();
+    add_seat_place(f, model_, item, host, static_cast<int>(k), static_cast<int>(seats.size()), kBeside);
+    habit("at table", item, kBeside, std::move(f), {host});
+    return true;
+  }
+  if (before_its_host(item)) {
+    add_beside(f, model_, item, host, Side::kFront, {.most = 600, .wished_gap = model_.is_a(item, "coffee_table") ? 400 : 100});
+  } else {
+    add_beside(f, model_, item, host, Side::kLeft, {.most = 500, .wished_gap = 60});
+    add_beside(f, model_, item, host, Side::kRight, {.most = 500, .wished_gap = 60});
+    if (!ref.has_front) {
+      add_beside(f, model_, item, host, Side::kFront, {.most = 500, .wished_gap = 60});
+      add_beside(f, model_, item, host, Side::kBack, {.most = 500, .wished_gap = 60});
+    }
+  }
+  // Near is what makes them belong together; the free floor wanted at the host's sides would push them off.
+  for (Case& c : f.cases) {
+    if (!c.wishes.empty()) c.wishes[0].weight = kBeside;
+  }
+  habit("beside", item, kBeside, std::move(f), {host});
+  if (before_its_host(item)) stand_before_middle(item, host);
+  if (ref.has_front && !before_its_host(item) && !is_table_seat(self)) flank(item, host, static_cast<int>(hosts.size()));
+  return true;
+}
+
+// Easy chairs make a talking group: at the ends of the coffee table, looking at it, two of them face to face.
+void Habits::sit_round_low_table(int item, int table) {
+  Formula f;
+  add_beside(f, model_, item, table, Side::kLeft, {.most = 700, .wished_gap = 350});
+  add_beside(f, model_, item, table, Side::kRight, {.most = 700, .wished_gap = 350});
+  const std::size_t ends = f.cases.size();
+  add_beside(f, model_, item, table, Side::kFront, {.most = 700, .wished_gap = 350});
+  add_beside(f, model_, item, table, Side::kBack, {.most = 700, .wished_gap = 350});
+  for (std::size_t i = ends; i < f.cases.size(); ++i) f.cases[i].price += 150;  // there it may stand before the television
+  for (Case& c : f.cases) {
+    if (!c.wishes.empty()) c.wishes[0].weight = kBeside;
+  }
+  habit("round the low table", item, kBeside, std::move(f), {table});
+  flank(item, table, 1);
+}
+
+void Habits::stand_before_middle(int item, int host) {
+  Formula f;
+  for_each_turn(model_.items[host], [&](int turn, std::uint64_t states) {
+    const int along = side_direction(model_.items[host], Side::kRight, turn).axis;
+    f.add()
+        .when(host, states)
+        .when(item, states_with_width_along(model_.items[item], along))
+        .wish(mid2(item, along) - mid2(host, along), kBeside, 2);
+  });
+  habit("before the middle", item, kBeside, std::move(f), {host});
+}
+
+// Two of a kind by the same host stand one at each side: nightstands, speakers, plants.
+void Habits::flank(int item, int host, int hosts) {
+  const int rank = rank_of(item);
+  if (rank / hosts % 2 == 0) return;
+  int twin = 0;
+  while (model_.items[twin].entry != model_.items[item].entry || rank_of(twin) != rank - hosts) ++twin;
+  if (model_.items[twin].fixed || related(twin, host)) return;
+  Formula f;
+  for_each_turn(model_.items[host], [&](int turn, std::uint64_t states) {
+    const Direction right = side_direction(model_.items[host], Side::kRight, turn);
+    for (const int sign : {1, -1}) {
+      const auto beyond = [&](int one, int towards) { return towards * (mid2(one, right.axis) - mid2(host, right.axis)); };
+      f.add().when(host, states).require(beyond(item, sign)).require(beyond(twin, -sign));
+    }
+  });
+  habit("other side", item, kBeside, std::move(f), {host, twin});
+}
+
+// All of the item's kind that no relation ties to the host and that share it.
+std::vector<int> Habits::seats_at(int item, int host, int hosts) const {
+  std::vector<int> seats;
+  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+    const int other = static_cast<int>(i);
+    if (model_.items[i].entry == model_.items[item].entry && rank_of(other) % hosts == rank_of(item) % hosts && !related(other, host))
+      seats.push_back(other);
+  }
+  return seats;
+}
+
+bool Habits::before_its_host(int item) const {
+  return model_.is_a(item, "coffee_table") || model_.is_a(item, "ottoman") || model_.is_a(item, "bench") || model_.is_a(item, "pouf");
+}
+
+// Its front to what it is for: sofas to screens, easy chairs to the table between.
+void Habits::look_at(int item, bool leads) {
+  const Item& self = model_.items[item];
+  if (!self.has_front) return;
+  const std::vector<int> seen = items_of_kinds(self.entry->faces, item);
+  for (const int other : seen) {
+    if (model_.items[other].mount != Mount::kFloor && model_.items[other].mount != Mount::kWall && seen.size() > 1 && other != seen[0])
+      continue;
+    Formula f;
+    add_looks_at(f, model_, item, other);
+    if (is_easy_chair(self) && !related(item, other)) {
+      for (Case& c : f.cases) {  // near enough to put a cup down
+        for (int axis = 0; axis < 2; ++axis) c.wish(mid2(item, axis) - mid2(other, axis), 60, 2);
+      }
+    }
+    habit("faces", item, kFaces, std::move(f), is_easy_chair(self) || leads ? std::vector<int>{other} : std::vector<int>{});
+    return;
+  }
+}
+
+}  // namespace layoutbox::placement

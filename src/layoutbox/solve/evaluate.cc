@@ -1,0 +1,82 @@
+#include "layoutbox/solve/model.h"
+
+namespace layoutbox::placement {
+namespace {
+
+bool bodies_overlap(const State& a, const Vec3& at_a, const State& b, const Vec3& at_b) {
+  for (const Box& x : a.solids) {
+    const Box here = x.shifted(at_a);
+    for (const Box& y : b.solids) {
+      if (overlap(here, y.shifted(at_b))) return true;
+    }
+  }
+  return false;
+}
+
+bool enters_clear(const State& owner, const Vec3& at, const Box& body) {
+  return std::any_of(owner.clear.begin(), owner.clear.end(), [&](const Box& clear) { return overlap(clear.shifted(at), body); });
+}
+
+}  // namespace
+
+std::int64_t value_of(const Model& model, const Linear& form, const Placements& placements) {
+  std::int64_t sum = form.constant;
+  for (const Term& term : form.terms) sum += term.coefficient * value_of(model.items[term.item], placements[term.item], term.quantity);
+  return sum;
+}
+
+bool all_placed(const Formula& formula, const Placements& placements) {
+  return std::all_of(formula.items.begin(), formula.items.end(), [&](int item) { return placements[item].state >= 0; });
+}
+
+std::int64_t miss_of(const Model& model, const Formula& formula, const Placements& placements) {
+  std::int64_t least = std::numeric_limits<std::int64_t>::max() / 4;
+  for (const Case& one : formula.cases) {
+    std::int64_t miss = 0;
+    for (const StateLiteral& literal : one.states) {
+      if (!(literal.states >> placements[literal.item].state & 1)) miss = std::max(miss, kStateMiss);
+    }
+    for (const Linear& form : one.at_least_zero) {
+      if (miss >= least) break;
+      miss = std::max(miss, -value_of(model, form, placements));
+    }
+    least = std::min(least, miss);
+    if (least == 0) break;
+  }
+  return least;
+}
+
+std::int64_t miss_of(const Model& model, const Constraint& constraint, const Placements& placements) {
+  std::int64_t worst = 0;
+  for (const Formula& formula : constraint.formulas) worst = std::max(worst, miss_of(model, formula, placements));
+  return worst;
+}
+
+Direction side_direction(const Item& item, Side side, int turn) {
+  Direction d{1, -1};
+  if (side == Side::kBack) d = {1, 1};
+  if (side == Side::kLeft) d = {0, -1};
+  if (side == Side::kRight) d = {0, 1};
+  return item.has_front ? turned(d, ((turn + 45) / 90 * 90) % 360) : d;
+}
+
+bool collide(const Model& model, int a, const Placement& pa, int b, const Placement& pb, bool clear_boxes) {
+  const PairRule rule = model.pair(a, b);
+  if (rule == PairRule::kFree) return false;
+  const Item &item_a = model.items[a], &item_b = model.items[b];
+  const State &sa = item_a.states[pa.state], &sb = item_b.states[pb.state];
+  const Box box_a = box_of(item_a, pa), box_b = box_of(item_b, pb);
+  if (rule == PairRule::kOpenings) {
+    Box grown = box_a;  // openings have no depth
+    for (int k = 0; k < 2; ++k) grown.lo[k] -= 1, grown.hi[k] += 1;
+    return overlap(grown, {{box_b.lo[0] - 1, box_b.lo[1] - 1, box_b.lo[2]}, {box_b.hi[0] + 1, box_b.hi[1] + 1, box_b.hi[2]}});
+  }
+  if (item_a.is_opening() || item_b.is_opening()) {
+    if (!clear_boxes) return false;
+    return item_a.is_opening() ? enters_clear(sa, pa.at, box_b) : enters_clear(sb, pb.at, box_a);
+  }
+  if (!overlap(box_a, box_b)) return false;
+  return rule == PairRule::kBoxes || bodies_overlap(sa, pa.at, sb, pb.at);
+}
+
+}  // namespace layoutbox::placement

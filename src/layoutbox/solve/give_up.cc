@@ -1,0 +1,237 @@
+#include "layoutbox/solve/solving.h"
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <cmath>
+
+#include "layoutbox/solve/cost.h"
+#include "layoutbox/solve/relax.h"
+#include "layoutbox/solve/search.h"
+
+namespace layoutbox::placement {
+namespace {
+
+constexpr int kGuesses = 2;      // relations given up one by one without a proof, before all that do not fit are given up at once
+constexpr int kStillWished = 4;  // points a metre, per weight, of a relation that was given up
+
+}  // namespace
+
+// Nothing found and nothing proven: what, once it is given up, lets a layout be found?
+Result<bool> Solver::give_up_unproven(bool loose, const Placements& loosely) {
+  if (++unproven_ > kGuesses && demands_left(Firmness::kHard)) {
+    LAYOUTBOX_ASSIGN(const bool settled, settle());
+    if (settled) return true;
+  }
+  const bool relations = demands_left(Firmness::kHard);
+  if (!relations || !search_without(Firmness::kHard)) {  // relations are not what is in the way
+    LAYOUTBOX_CHECK(leave_out_least({}));
+    return false;
+  }
+  if (loose) {
+    placements_ = loosely;
+    LAYOUTBOX_CHECK(give_up_clearances());
+    return true;
+  }
+  LAYOUTBOX_CHECK(give_up(guess()));
+  return false;
+}
+
+// All that is asked for becomes a wish; what the layout then misses is given up, in one go and whatever the clock says.
+Result<bool> Solver::settle() {
+  Model trial = model_;
+  std::vector<char> given_up = given_up_;
+  for (std::size_t c = 0; c < trial.constraints.size(); ++c) {
+    Constraint& constraint = trial.constraints[c];
+    if (constraint.firmness != Firmness::kHard || given_up[c]) continue;
+    constraint.firmness = Firmness::kSoft;
+    constraint.weight *= kStillWished;
+    given_up[c] = 1;
+  }
+  Budget budget{0, 4 * kLeastSteps, [this] { return interrupted(); }, false};
+  Search search(trial, given_up, options_.seed, kAllSizes);
+  if (!search.construct(left_out_, kRestarts, budget)) return false;
+  budget.limit = budget.steps + 2 * kLeastSteps;
+  search.improve(budget);
+  placements_ = search.placements();
+  for (std::size_t c = 0; c < trial.constraints.size() && !fallback_; ++c) {
+    const bool asked = model_.constraints[c].firmness == Firmness::kHard && !given_up_[c];
+    if (!asked || miss_of(trial, trial.constraints[c], placements_) == 0) continue;
+    Clash clash;
+    clash.proven = clash.minimal = false;
+    clash.demands = {{Demand::Kind::kConstraint, static_cast<int>(c)}};
+    const int relation = model_.constraints[c].relation;
+    clash.sentence = relation < 0 ? std::string("no layout was found in which all relations hold together")
+                                  : fmt::format("no layout was found in which, beside all else, {}",
+                                                relation_in_words(model_, scene().relations[static_cast<std::size_t>(relation)]));
+    LAYOUTBOX_CHECK(give_up(clash));
+  }
+  return true;
+}
+
+bool Solver::demands_left(Firmness firmness) const {
+  for (std::size_t c = 0; c < model_.constraints.size(); ++c) {
+    if (model_.constraints[c].firmness == firmness && !given_up_[c]) return true;
+  }
+  return false;
+}
+
+// Is there a layout when all demands of that firmness are given up?
+bool Solver::search_without(Firmness firmness) {
+  if (!demands_left(firmness)) return false;
+  std::vector<char> more = given_up_;
+  for (std::size_t c = 0; c < model_.constraints.size(); ++c) more[c] |= model_.constraints[c].firmness == firmness;
+  const std::vector<int> failed = failed_;
+  const bool found = search(more);
+  failed_ = failed;
+  return found;
+}
+
+// Those that the layout at hand breaks.
+Status Solver::give_up_clearances() {
+  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+    const Item& item = model_.items[i];
+    if (!item.is_opening() || placements_[i].state < 0 || given_up_[item.clearance_constraint]) continue;
+    if (intrusion_of(model_, static_cast<int>(i), placements_) == 0) continue;
+    Clash clash;
+    clash.proven = clash.minimal = false;
+    clash.demands = {{Demand::Kind::kConstraint, item.clearance_constraint}};
+    clash.sentence = fmt::format("no layout was found that holds all relations and leaves the floor before {} free",
+                                 object_in_words(model_, static_cast<int>(i)));
+    LAYOUTBOX_CHECK(give_up(clash));
+  }
+  return {};
+}
+
+// Without a proof: what the first item that found no place asks for.
+Clash Solver::guess() const {
+  Clash clash;
+  clash.proven = clash.minimal = false;
+  const auto asks = [&](int item) {
+    for (const int c : model_.touching[item]) {
+      if (model_.constraints[c].firmness == Firmness::kHard && !given_up_[c]) clash.demands.push_back({Demand::Kind::kConstraint, c});
+    }
+  };
+  int item = -1;
+  for (const int failed : failed_) {  // the first that asks for something
+    item = failed;
+    asks(failed);
+    if (!clash.demands.empty()) break;
+  }
+  for (std::size_t i = 0; i < model_.items.size() && clash.demands.empty(); ++i) asks(item = static_cast<int>(i));
+  if (item < 0) return clash;
+  clash.demands.push_back({Demand::Kind::kItem, item});
+  clash.sentence = fmt::format("no place was found for {} where all that is asked of it holds", object_in_words(model_, item));
+  return clash;
+}
+
+// How far a relation would be missed if it alone were given up; more than any distance where that does not help.
+std::int64_t Solver::miss_without(int constraint) {
+  Model trial = model_;
+  trial.constraints[constraint].firmness = Firmness::kSoft;
+  trial.constraints[constraint].weight *= kStillWished;
+  std::vector<char> given_up = given_up_;
+  given_up[constraint] = 1;
+  Search search(trial, given_up, options_.seed, size_limit_);
+  Budget budget{0, kLeastSteps, budget_.stop, false};
+  if (!search.construct(left_out_, 2, budget)) return 1 << 30;
+  budget.limit = budget.steps + kLeastSteps / 2;
+  search.improve(budget);
+  return miss_of(trial, trial.constraints[constraint], search.placements());
+}
+
+// The least price; of equals the relation that is then missed by least, of those the last one said.
+std::vector<Demand>::const_iterator Solver::cheapest_of(const Clash& clash) {
+  const auto begin = clash.demands.begin(), end = clash.demands.end();
+  const auto price = [&](const Demand& d) { return price_of(model_, clash, d); };
+  const auto cheapest = std::min_element(
+      begin, end, [&](const Demand& a, const Demand& b) { return std::pair(price(a), -a.index) < std::pair(price(b), -b.index); });
+  if (cheapest == end || cheapest->kind == Demand::Kind::kItem || options_.on_conflict != OnConflict::kRelax) return cheapest;
+  auto best = cheapest;
+  std::int64_t least = -1;
+  for (auto it = begin; it != end; ++it) {
+    if (price(*it) != price(*cheapest) || it->kind == Demand::Kind::kItem) continue;
+    if (least < 0) {
+      if (std::count_if(begin, end, [&](const Demand& d) { return price(d) == price(*cheapest); }) == 1) return cheapest;
+      least = miss_without(cheapest->index);
+    }
+    if (it == cheapest) continue;
+    const std::int64_t miss = miss_without(it->index);
+    if (miss < least) least = miss, best = it;
+  }
+  return best;
+}
+
+// True: something is to be given up for it. False: the scene's own positions were taken. An error where that is asked for.
+Result<bool> Solver::note_conflict(const Clash& clash, bool only_implied) {
+  Conflict conflict;
+  conflict.sentence = describe_clash(model_, clash);
+  conflict.minimal = clash.minimal;
+  for (const Demand& demand : clash.demands) {
+    if (demand.kind == Demand::Kind::kItem) {
+      conflict.objects.push_back(model_.items[demand.index].id);
+    } else {
+      conflict.relations.push_back(model_.constraints[demand.index].name);
+    }
+  }
+  conflicts_.push_back(conflict);
+  // Where conflicts are errors, what could be given up is, only to see whether there are others.
+  if (options_.on_conflict == OnConflict::kFail && !only_implied) (clash.proven ? impossible_ : not_found_).push_back(conflict.sentence);
+  if (options_.on_conflict == OnConflict::kOriginal && !only_implied) {
+    fall_back();
+    return false;
+  }
+  return true;
+}
+
+Status Solver::give_up(const Clash& clash) {
+  const std::vector<int> objects = objects_to_blame(model_, clash);
+  if (!objects.empty()) return leave_out_least(objects, &clash);
+  const auto cheapest = cheapest_of(clash);
+  if (cheapest == clash.demands.cend()) return fail(ErrorCode::kNotFound, "no layout was found, and nothing is left to give up");
+  const bool only_implied =
+      cheapest->kind == Demand::Kind::kConstraint && model_.constraints[cheapest->index].firmness == Firmness::kImplied;
+  LAYOUTBOX_ASSIGN(const bool relaxing, note_conflict(clash, only_implied));
+  if (!relaxing) return {};
+  if (cheapest->kind == Demand::Kind::kItem) return leave_out(cheapest->index, conflicts_.back().sentence);
+  relax(model_.constraints[cheapest->index].name, conflicts_.back().sentence);
+  return {};
+}
+
+std::vector<char> Solver::given_up_in(const Model& model) const {
+  std::vector<char> mask(model.constraints.size(), 0);
+  for (std::size_t c = 0; c < mask.size(); ++c) mask[c] = is_relaxed(model.constraints[c].name);
+  return mask;
+}
+
+// Given up, but still wished for.
+void Solver::soften(const std::string& name) {
+  for (std::size_t c = 0; c < model_.constraints.size(); ++c) {
+    Constraint& constraint = model_.constraints[c];
+    const bool demanded = constraint.firmness == Firmness::kHard || constraint.firmness == Firmness::kImplied;
+    if (constraint.name != name || !demanded || given_up_[c]) continue;
+    given_up_[c] = 1;
+    if (constraint.firmness != Firmness::kHard) continue;
+    constraint.firmness = Firmness::kSoft;
+    constraint.weight *= kStillWished;
+  }
+}
+
+// The paper's way out: the scene's own positions, or a metre from the corner.
+void Solver::fall_back() {
+  fallback_ = true;
+  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+    const Item& item = model_.items[i];
+    if (item.is_opening()) continue;
+    const auto& hint = item.object->hint;
+    Placement p{0, {}};
+    const int turn = static_cast<int>(std::lround(normalized_degrees(hint.rotation_deg.value_or(0)))) % 360;
+    if (const std::uint64_t states = item.states_at(turn)) p.state = std::countr_zero(states);
+    const Vec3& e = item.states[p.state].extent;
+    const std::array<double, 3> at = hint.position.value_or(std::array<double, 3>{1000, 1000, 0});
+    for (int k = 0; k < 3; ++k) p.at[k] = static_cast<Mm>(std::lround(at[k] - (k < 2 ? e[k] / 2.0 : 0)));
+    placements_[i] = p;
+  }
+}
+
+}  // namespace layoutbox::placement

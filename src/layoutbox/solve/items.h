@@ -1,0 +1,23 @@
+// What a model is put together from: its items, an object or an opening each.
+#pragma once
+
+#include "layoutbox/solve/model.h"
+
+namespace layoutbox::placement {
+
+// An object's own box with its origin under the middle of the footprint; odd lengths put the extra millimetre on the high side.
+Box own_box(const Size& size);
+// A box in the object's frame as it lies in the turned box, from its low corner.
+Box in_turned(const Box& own, const Box& box, int turn);
+// Free floor at a side of an own box: `from` to `to` off it.
+Box beside(const Box& own, Side side, Mm from, Mm to, Mm height);
+
+RoomWall room_wall(const Wall& wall);
+
+Item object_item(const SceneGraph& scene, const SceneObject& object, const Catalog& catalog, const ModelOptions& options);
+Item opening_item(const Opening& opening, const Room& room, const std::vector<RoomWall>& walls);
+// Where an opening may be: in one of the walls it fits, where it is when that is given.
+Constraint opening_place(const Model& model, int index);
+Constraint opening_clearance(const Item& item);
+
+}  // namespace layoutbox::placement

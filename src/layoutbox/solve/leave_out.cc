@@ -1,0 +1,98 @@
+#include "layoutbox/solve/solving.h"
+
+#include "layoutbox/solve/relax.h"
+#include "layoutbox/solve/search.h"
+
+namespace layoutbox::placement {
+namespace {
+
+constexpr std::size_t kMostTrials = 40;
+
+}  // namespace
+
+// Does a search place everything but these? How many it fails to place.
+std::size_t Solver::unplaced_without(const std::vector<std::string>& ids) {
+  const LessScene less = without_objects(scene(), ids);
+  const Result<Model> model = build_model(less.scene, catalog_, guides());
+  if (!model) return asked_.objects.size();
+  Search search(*model, given_up_in(*model), options_.seed, kAllSizes);
+  Budget budget{0, std::max<std::int64_t>(budget_.limit / 4, kLeastSteps), budget_.stop, false};
+  return search.construct(std::vector<char>(model->items.size(), 0), kRestarts, budget) ? 0
+                                                                                        : std::max<std::size_t>(1, search.failed().size());
+}
+
+// Leaves out the object (one of the items, of all where none are named) without which everything else finds a place; where one is not
+// enough, the one that helps most. Of equals the one that is missed least.
+Status Solver::leave_out_least(std::vector<int> items, const Clash* clash) {
+  if (items.empty()) {
+    for (std::size_t i = 0; i < model_.items.size(); ++i) items.push_back(static_cast<int>(i));
+    items = least_missed_first(model_, std::move(items));
+  }
+  if (items.size() > kMostTrials) items.resize(kMostTrials);
+  Clash found;
+  if (clash != nullptr) found = *clash;
+  if (clash == nullptr) {
+    found.proven = found.minimal = false;
+    found.sentence = too_much_in_words(model_);
+  }
+  if (options_.on_conflict != OnConflict::kRelax) {  // nothing is left out: no need to look for what
+    LAYOUTBOX_ASSIGN([[maybe_unused]] const bool relaxing, note_conflict(found, false));
+    return {};
+  }
+  int best = -1;
+  std::size_t least = std::numeric_limits<std::size_t>::max();
+  for (const int item : items) {
+    const std::size_t unplaced = items.size() == 1 ? 1 : unplaced_without({model_.items[item].id});
+    if (unplaced < least) least = unplaced, best = item;
+    if (least == 0 || must_stop()) break;
+  }
+  if (best < 0) return fail(ErrorCode::kNotFound, "no layout was found, and nothing is left to give up");
+  LAYOUTBOX_ASSIGN(const bool relaxing, note_conflict(found, false));
+  return relaxing ? leave_out(best, conflicts_.back().sentence) : Status{};
+}
+
+// What was left out before and finds a place now after all comes back.
+Result<bool> Solver::bring_back() {
+  bool any = false;
+  for (std::size_t i = left_out_ids_.size(); i-- > 1;) {  // without the last there was no layout: that is why it went
+    std::vector<std::string> fewer = left_out_ids_;
+    const std::string back = fewer[i - 1];
+    fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i - 1));
+    const LessScene less = without_objects(asked_, fewer);
+    const Result<Model> model = build_model(less.scene, catalog_, guides());
+    if (!model) continue;
+    Search search(*model, given_up_in(*model), options_.seed, kAllSizes);
+    Budget budget{0, std::max<std::int64_t>(budget_.limit / 4, kLeastSteps), budget_.stop, false};
+    if (!search.construct(std::vector<char>(model->items.size(), 0), kRestarts, budget)) continue;
+    left_out_ids_ = std::move(fewer);
+    std::erase_if(reasons_, [&](const Relaxation& r) { return r.relation == back; });
+    LAYOUTBOX_CHECK(rebuild());
+    any = true;
+  }
+  return any;
+}
+
+// The object goes; relations keep whom they still have.
+Status Solver::leave_out(int item, const std::string& why) {
+  const std::string& id = model_.items[item].id;
+  for (const Relation& relation : scene().relations) {
+    const auto names = [&](const std::vector<std::string>& ids) { return std::find(ids.begin(), ids.end(), id) != ids.end(); };
+    if (names(relation.targets) || names(relation.references)) lost_words_[relation.id] = relation_in_words(model_, relation);
+  }
+  left_out_ids_.push_back(id);
+  reasons_.push_back({model_.items[item].id, 0, "", object_in_words(model_, item) + " is left out: " + why});
+  return rebuild();
+}
+
+// The model of what is left of the scene, with the same given up as before.
+Status Solver::rebuild() {
+  LessScene less = without_objects(asked_, left_out_ids_);
+  less_scene_ = std::make_unique<SceneGraph>(std::move(less.scene));
+  lost_ = std::move(less.lost);
+  LAYOUTBOX_ASSIGN(model_, build_model(*less_scene_, catalog_, guides()));
+  size_to_model();
+  for (const auto& [name, why] : relaxed_) soften(name);
+  return {};
+}
+
+}  // namespace layoutbox::placement

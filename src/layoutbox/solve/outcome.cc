@@ -1,0 +1,65 @@
+#include "layoutbox/solve/solving.h"
+
+#include "layoutbox/solve/cost.h"
+#include "layoutbox/solve/to_layout.h"
+
+namespace layoutbox::placement {
+
+// How far what was given up is from holding; nothing where it holds after all.
+std::optional<Relaxation> Solver::relaxation_of(const std::string& name, const std::string& why) const {
+  const auto found =
+      std::find_if(model_.constraints.begin(), model_.constraints.end(), [&](const Constraint& c) { return c.name == name; });
+  if (found == model_.constraints.end()) return std::nullopt;  // its objects are left out
+  const Constraint& constraint = *found;
+  const auto index = static_cast<int>(found - model_.constraints.begin());
+  Relaxation out{constraint.name, 0, "m", why};
+  std::int64_t miss = 0;
+  bool placed = true;
+  for (const Formula& formula : constraint.formulas) {
+    placed = placed && all_placed(formula, placements_);
+    if (placed) miss = std::max(miss, miss_of(model_, formula, placements_));
+  }
+  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+    if (model_.items[i].clearance_constraint != index) continue;
+    placed = placements_[i].state >= 0;
+    if (placed) miss = intrusion_of(model_, static_cast<int>(i), placements_);
+  }
+  if (placed && miss == 0) return std::nullopt;
+  if (!placed || miss > 100'000'000) return Relaxation{constraint.name, 0, "", why};  // it can never hold, or its object is left out
+  out.by = static_cast<double>(miss) / 1000;
+  return out;
+}
+
+Layout Solver::finish() {
+  Layout layout = to_layout(model_, placements_);
+  for (const auto& [name, why] : relaxed_) {
+    if (const auto relaxation = relaxation_of(name, why)) layout.relaxed.push_back(*relaxation);
+  }
+  for (const Relaxation& reason : reasons_) layout.relaxed.push_back(reason);
+  for (const std::string& id : lost_) layout.relaxed.push_back({id, 0, "", lost_words_[id] + ": what it speaks of is left out"});
+  for (const PlacedRelation& r : layout.relations) {  // what no proof knows of: ways to walk, two things that would hold one
+    const auto listed = [&](const Relaxation& relaxation) { return relaxation.relation == r.relation.id; };
+    if (r.held || !r.relation.hard || std::any_of(layout.relaxed.begin(), layout.relaxed.end(), listed)) continue;
+    const bool way = r.relation.type == RelationType::kReachable;
+    layout.relaxed.push_back(
+        {r.relation.id, 0, "",
+         (way ? "no free way was found: " : "no layout was found such that ") + relation_in_words(model_, r.relation)});
+  }
+  layout.conflicts = conflicts_;
+  layout.status = fallback_ ? LayoutStatus::kFallback : layout.relaxed.empty() ? LayoutStatus::kSolved : LayoutStatus::kRelaxed;
+  if (layout.status == LayoutStatus::kSolved) layout.conflicts.clear();  // what seemed impossible was only not found
+  double total = 0;
+  for (const auto& [name, cost] : cost_terms(model_, placements_)) {
+    if (name == "stay") continue;
+    layout.score_terms[name] = 1.0 / (1.0 + static_cast<double>(cost) / 1e6);
+    total += static_cast<double>(cost) / 1e6;
+  }
+  layout.score = 1.0 / (1.0 + total);
+  layout.stats.solver = used_cp_sat_ ? "search+cp-sat" : "search";
+  layout.stats.seed = options_.seed;
+  layout.stats.stopped_by_clock = stopped_by_clock_;
+  layout.stats.seconds = seconds();
+  return layout;
+}
+
+}  // namespace layoutbox::placement

@@ -1,0 +1,111 @@
+// One scene on its way to a layout: search, proof, giving up one thing after another until everything that is left fits, improvement.
+#pragma once
+
+#include <chrono>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "layoutbox/solve/candidates.h"
+#include "layoutbox/solve/conflict.h"
+#include "layoutbox/solve/solver.h"
+
+namespace layoutbox::placement {
+
+// Steps (see Budget) of a first search, and the fewest that any gets; tries of the constructive search; no limit to how far sizes may be
+// from the usual ones.
+inline constexpr std::int64_t kFirstSteps = 400'000, kLeastSteps = 60'000;
+inline constexpr int kRestarts = 8;
+inline constexpr int kAllSizes = 1000;
+
+class Solver {
+ public:
+  // REQUIRES: scene, catalog and options outlive it.
+  Solver(const SceneGraph& scene, const Catalog& catalog, const SolveOptions& options, Model model);
+
+  Result<Layout> run();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void size_to_model();
+  bool interrupted() const { return options_.stop && options_.stop->load(); }
+  double seconds() const { return std::chrono::duration<double>(Clock::now() - started_).count(); }
+  bool must_stop();
+  const SceneGraph& scene() const { return *model_.scene; }
+  // The options of a model with fewer objects; nothing locked is ever left out.
+  ModelOptions guides() const {
+    ModelOptions options;
+    options.from = options_.from, options.locked = options_.locked, options.freed = options_.freed, options.unlike = options_.unlike;
+    return options;
+  }
+
+  // ---- finding (solving.cc)
+  Status find_legal();
+  enum class Early { kFound, kGivenUp, kUnknown };
+  Result<Early> prove_early();
+  bool search(const std::vector<char>& given_up, std::int64_t most_steps = kFirstSteps);
+  Result<bool> prove();
+  void improve();
+  std::int64_t cost() const;
+
+  // ---- what is given up when not everything can hold (give_up.cc)
+  bool demands_left(Firmness firmness) const;
+  bool clearances_left() const { return demands_left(Firmness::kImplied); }
+  bool search_without(Firmness firmness);
+  Result<bool> give_up_unproven(bool loose, const Placements& loosely);
+  Result<bool> settle();
+  Status give_up_clearances();
+  Clash guess() const;
+  Status give_up(const Clash& clash);
+  std::vector<Demand>::const_iterator cheapest_of(const Clash& clash);
+  std::int64_t miss_without(int constraint);
+  Result<bool> note_conflict(const Clash& clash, bool only_implied);
+  void fall_back();
+  std::vector<char> given_up_in(const Model& model) const;
+  bool is_relaxed(const std::string& name) const {
+    return std::any_of(relaxed_.begin(), relaxed_.end(), [&](const auto& r) { return r.first == name; });
+  }
+  void relax(const std::string& name, const std::string& why) {
+    relaxed_.push_back({name, why});
+    soften(name);
+  }
+  void soften(const std::string& name);
+
+  // ---- too much in too little room (leave_out.cc)
+  Status leave_out_least(std::vector<int> items, const Clash* clash = nullptr);
+  std::size_t unplaced_without(const std::vector<std::string>& ids);
+  Status leave_out(int item, const std::string& why);
+  Status rebuild();
+  Result<bool> bring_back();
+
+  // ---- what is said of it in the end (outcome.cc)
+  std::optional<Relaxation> relaxation_of(const std::string& name, const std::string& why) const;
+  Layout finish();
+
+  const SceneGraph& asked_;
+  const Catalog& catalog_;
+  std::unique_ptr<SceneGraph> less_scene_;  // what the model is of, once something is left out
+  Model model_;
+  const SolveOptions& options_;
+  Clock::time_point started_;
+  Budget budget_;
+  std::vector<char> given_up_, left_out_;
+  std::vector<std::pair<std::string, std::string>> relaxed_;  // constraints given up, and why
+  std::vector<std::string> left_out_ids_, lost_;              // objects, and the relations that went with them
+  std::map<std::string, std::string> lost_words_;             // by relation
+  std::vector<Relaxation> reasons_;                           // of the objects left out
+  std::vector<Conflict> conflicts_;
+  std::vector<std::string> impossible_, not_found_;  // conflicts that are errors
+  Placements placements_;
+  std::vector<int> failed_;
+  int size_limit_ = 0;
+  double proof_time_ = 0;
+  int unproven_ = 0;  // rounds that ended without a layout and without a proof
+  bool used_cp_sat_ = false, fallback_ = false, stopped_by_clock_ = false, brought_back_ = false;
+};
+
+}  // namespace layoutbox::placement
