@@ -100,6 +100,23 @@ class Cost(model_case.ModelCase):
         self.assertIn("50 tokens", run.err)
         self.assertEqual(server.requests, [])
 
+    def test_a_batch_has_one_purse(self):
+        lines = "".join(json.dumps({"id": f"room{i}", "prompt": PROMPT + f" Room {i}."}) + "\n" for i in range(6))
+        prompts = self.write_text("prompts.jsonl", lines)
+        for jobs in (1, 4):
+            with self.subTest(jobs=jobs), FaultServer([scene_call(SCENE)]) as server:
+                env = {"http_proxy": f"http://127.0.0.1:{server.port}", "NO_PROXY": None}
+                out = self.path(f"batch{jobs}")
+                command = ["batch", prompts, "-o", out, "-j", str(jobs), "--planner", "llm", "--model", "gpt-4o", "--no-cache", "--no-render"]
+                # An answer costs 0.0045; a question may cost about 0.09.
+                run = self.run_layoutbox(*command, "--max-cost", "0.1", env=self.environment("http://model.example/v1", **env))
+                self.assert_status(run, 1)
+                items = self.read_json(f"batch{jobs}/summary.json")["items"]
+                failed = [item for item in items if item["state"] == "failed"]
+                self.assertEqual(len(items) - len(failed), len(server.requests))
+                self.assertTrue(1 <= len(server.requests) < 6, len(server.requests))
+                self.assertTrue(all("limit of $0.1" in item["error"]["message"] for item in failed), failed)
+
     def test_a_limit_needs_a_price(self):
         with FaultServer([scene_call(SCENE)]) as server:
             run = self.paid(server, "--max-cost", "1", model="unheard-of")

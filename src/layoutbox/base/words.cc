@@ -50,6 +50,12 @@ std::string key_of(std::string_view phrase) {
 
 std::string snake_case(std::string_view phrase) { return joined(words_of(phrase), "_"); }
 
+std::string counted(std::size_t count, std::string_view one, std::string_view many) {
+  std::string text = std::to_string(count) + " ";
+  if (count == 1) return text.append(one);
+  return many.empty() ? text.append(one).append("s") : text.append(many);
+}
+
 std::vector<std::string> singular_forms(std::string_view word) {
   std::vector<std::string> forms{std::string(word)};
   const auto add = [&](std::size_t drop, std::string_view ending) {

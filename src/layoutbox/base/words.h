@@ -17,6 +17,9 @@ std::string key_of(std::string_view phrase);
 // The words joined by underscores: "Dining Table" → dining_table.
 std::string snake_case(std::string_view phrase);
 
+// "1 relation", "2 relations"; `many` where it takes more than an s ("boxes").
+std::string counted(std::size_t count, std::string_view one, std::string_view many = {});
+
 // What a word may be the plural of, itself first: "shelves" → shelves, shelve, shelf…; not all are words.
 std::vector<std::string> singular_forms(std::string_view word);
 

@@ -20,6 +20,13 @@ TEST(Words, HaveKeysAndSnakeCase) {
   EXPECT_EQ(snake_case("Dining Table"), "dining_table");
 }
 
+TEST(Words, AreCounted) {
+  EXPECT_EQ(counted(0, "relation"), "0 relations");
+  EXPECT_EQ(counted(1, "relation"), "1 relation");
+  EXPECT_EQ(counted(2, "relation"), "2 relations");
+  EXPECT_EQ(counted(2, "box", "boxes"), "2 boxes");
+}
+
 TEST(Words, PluralsHaveTheirSingular) {
   EXPECT_THAT(singular_forms("shelves"), Contains("shelf"));
   EXPECT_THAT(singular_forms("knives"), Contains("knife"));

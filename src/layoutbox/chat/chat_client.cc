@@ -59,10 +59,15 @@ Result<Answer> ChatClient::ask(const Question& question) {
     if (auto answer = from_cache(question)) return std::move(*answer);
   }
   LAYOUTBOX_CHECK(check_key(options_.endpoint));
-  LAYOUTBOX_CHECK(check_budget(question));
-  LAYOUTBOX_ASSIGN(Answer answer, from_server(question));
-  count(answer);
-  if (options_.use_cached_answers && worth_keeping(answer)) cache_.store(options_.endpoint.base_url, answer.request, answer.body);
+  LAYOUTBOX_ASSIGN(const Amount aside, set_aside(question));
+  Result<Answer> answer = from_server(question);
+  if (answer) count(*answer);
+  if (options_.purse != nullptr) {
+    const Amount spent = answer ? Amount{answer->cost.value_or(0), answer->usage.question_tokens + answer->usage.answer_tokens} : Amount{};
+    options_.purse->settle(aside, spent);
+  }
+  if (!answer) return answer;
+  if (options_.use_cached_answers && worth_keeping(*answer)) cache_.store(options_.endpoint.base_url, answer->request, answer->body);
   return answer;
 }
 
@@ -168,30 +173,35 @@ Status ChatClient::wait(double seconds, const std::string& why) const {
   return {};
 }
 
-Status ChatClient::check_budget(const Question& question) const {
-  const Usage next{tokens_of(question), question.max_answer_tokens, true};
-  const std::int64_t spent = usage_.question_tokens + usage_.answer_tokens;
-  if (options_.max_tokens && spent + next.question_tokens >= *options_.max_tokens) {
-    return fail(ErrorCode::kNotFound,
-                fmt::format("the limit of {} tokens is reached: {} are used and the next question has about {}", *options_.max_tokens,
-                            spent, next.question_tokens),
-                "--max-tokens", "raise --max-tokens, or take the offline planner");
+// What the question may take, out of the purse. Errors: kUsage (no price is known), kNotFound (too much), kInterrupted.
+Result<Amount> ChatClient::set_aside(const Question& question) const {
+  if (options_.purse == nullptr) return Amount{};
+  Purse& purse = *options_.purse;
+  const std::int64_t tokens = tokens_of(question);
+  Amount most{0, tokens};
+  if (purse.max_cost && !is_local(options_.endpoint)) {
+    const auto price = options_.prices.find(options_.endpoint.model);
+    if (!price) {
+      return fail(ErrorCode::kUsage,
+                  fmt::format("no price is known for the model {}, so its cost cannot be limited", options_.endpoint.model), "--max-cost",
+                  "give its price by --prices FILE");
+    }
+    most.cost = cost_of(*price, {tokens, question.max_answer_tokens, true});
   }
-  if (!options_.max_cost) return {};
-  if (is_local(options_.endpoint)) return {};
-  const auto price = options_.prices.find(options_.endpoint.model);
-  if (!price) {
-    return fail(ErrorCode::kUsage,
-                fmt::format("no price is known for the model {}, so its cost cannot be limited", options_.endpoint.model), "--max-cost",
-                "give its price by --prices FILE");
+  switch (purse.set_aside(most, options_.stop)) {
+    case Purse::Draw::kDone: return most;
+    case Purse::Draw::kStopped: return fail(ErrorCode::kInterrupted, "stopped");
+    case Purse::Draw::kTooManyTokens:
+      return fail(ErrorCode::kNotFound,
+                  fmt::format("the limit of {} tokens is reached: {} are used and the next question has about {}", *purse.max_tokens,
+                              purse.spent().tokens, tokens),
+                  "--max-tokens", "raise --max-tokens, or take the offline planner");
+    case Purse::Draw::kTooDear: break;
   }
-  if (cost_ + cost_of(*price, next) > *options_.max_cost) {
-    return fail(ErrorCode::kNotFound,
-                fmt::format("the limit of ${:g} would be passed: ${:.4f} are spent and the next question may cost ${:.4f}",
-                            *options_.max_cost, cost_, cost_of(*price, next)),
-                "--max-cost", "raise --max-cost, or take the offline planner");
-  }
-  return {};
+  return fail(ErrorCode::kNotFound,
+              fmt::format("the limit of ${:g} would be passed: ${:.4f} are spent and the next question may cost ${:.4f}", *purse.max_cost,
+                          purse.spent().cost, most.cost),
+              "--max-cost", "raise --max-cost, or take the offline planner");
 }
 
 void ChatClient::count(Answer& answer) {

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -12,6 +13,7 @@
 #include "layoutbox/chat/chat.h"
 #include "layoutbox/chat/endpoint.h"
 #include "layoutbox/chat/prices.h"
+#include "layoutbox/chat/purse.h"
 #include "layoutbox/chat/retry.h"
 
 namespace layoutbox::chat {
@@ -25,8 +27,8 @@ struct ChatOptions {
   std::filesystem::path cache = cache_folder();
   bool use_cached_answers = true;
   Prices prices = Prices::builtin();
-  std::optional<double> max_cost;          // US dollars, of all questions of this client
-  std::optional<std::int64_t> max_tokens;  // of all questions and answers of this client
+  // The limits of cost and tokens: of all clients whose options are copies of these. May be null, for none.
+  std::shared_ptr<Purse> purse = std::make_shared<Purse>();
   const std::atomic<bool>* stop = nullptr;
   std::function<void(const std::string&)> on_wait;  // told before each wait: "the server is busy (503), again in 2 s"
 };
@@ -52,7 +54,7 @@ class ChatClient {
   std::optional<Answer> from_cache(const Question& question) const;
   Result<Answer> from_server(const Question& question);
   Result<Answer> exchange(const Question& question, Exchange& so_far);
-  Status check_budget(const Question& question) const;
+  Result<Amount> set_aside(const Question& question) const;
   void count(Answer& answer);
   bool adapt(int status, const ServerError& error);
   Status wait(double seconds, const std::string& why) const;

@@ -1,10 +1,13 @@
 #include <gmock/gmock.h>
 
+#include <atomic>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <thread>
 
 #include "layoutbox/chat/endpoint.h"
 #include "layoutbox/chat/prices.h"
+#include "layoutbox/chat/purse.h"
 #include "layoutbox/chat/retry.h"
 #include "layoutbox/chat/server_errors.h"
 #include "layoutbox/chat/sse.h"
@@ -96,6 +99,22 @@ TEST(Prices, by_the_longest_name) {
   EXPECT_EQ(Prices::builtin().find("gpt-4o-mini-2024-07-18")->question, 0.15);
   EXPECT_EQ(Prices::builtin().find("openai/gpt-4o")->question, 2.5);
   EXPECT_FALSE(Prices::builtin().find("gpt-4omega"));
+}
+
+TEST(Purse, sets_aside_and_takes_back) {
+  Purse purse;
+  purse.max_cost = 1.0;
+  EXPECT_EQ(purse.set_aside({0.6, 10}, nullptr), Purse::Draw::kDone);
+  EXPECT_EQ(purse.set_aside({1.1, 10}, nullptr), Purse::Draw::kTooDear);
+  const std::atomic<bool> stopped{true};
+  EXPECT_EQ(purse.set_aside({0.6, 10}, &stopped), Purse::Draw::kStopped);  // it would have to wait for the first
+  std::thread other([&] { purse.settle({0.6, 10}, {0.1, 7}); });
+  EXPECT_EQ(purse.set_aside({0.6, 10}, nullptr), Purse::Draw::kDone);
+  other.join();
+  purse.settle({0.6, 10}, {0.6, 5});
+  EXPECT_DOUBLE_EQ(purse.spent().cost, 0.7);
+  EXPECT_EQ(purse.spent().tokens, 12);
+  EXPECT_EQ(purse.set_aside({0.4, 10}, nullptr), Purse::Draw::kTooDear);
 }
 
 TEST(Ways, from_the_best_to_the_last) {

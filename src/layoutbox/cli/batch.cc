@@ -6,6 +6,7 @@
 #include <memory>
 #include <thread>
 
+#include "layoutbox/base/words.h"
 #include "layoutbox/cli/commands.h"
 #include "layoutbox/cli/inputs.h"
 #include "layoutbox/cli/model_flags.h"
@@ -37,7 +38,7 @@ void tell(const Console& console, const BatchItem& item, std::size_t ended, std:
 // "out: 24 rooms: 21 done (3 of them earlier), 2 not as asked, 1 failed; 12.3 s".
 std::string summary_line(const BatchOutcome& outcome, const std::string& folder) {
   const std::size_t kept = outcome.kept();
-  std::string line = fmt::format("{}: {} rooms: {} done", folder, outcome.items.size(), outcome.count(BatchState::kDone));
+  std::string line = fmt::format("{}: {}: {} done", folder, counted(outcome.items.size(), "room"), outcome.count(BatchState::kDone));
   line += fmt::format(", {} not as asked, {} failed", outcome.count(BatchState::kNotAsAsked), outcome.count(BatchState::kFailed));
   if (kept > 0) line += fmt::format(", {} of them were there already", kept);
   if (const std::size_t left = outcome.count(BatchState::kNotStarted)) line += fmt::format(", {} not started", left);

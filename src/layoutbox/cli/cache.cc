@@ -3,6 +3,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "layoutbox/base/words.h"
 #include "layoutbox/chat/cache_folder.h"
 #include "layoutbox/cli/commands.h"
 
@@ -28,7 +29,7 @@ int list(const chat::AnswerCache& cache, bool only_size, const Console& console)
         {{"file", answer.file.filename().string()}, {"model", answer.model}, {"bytes", answer.bytes}, {"begins", answer.begins}});
   }
   json["bytes"] = bytes;
-  text += fmt::format("{} answers, {}, in {}", json["answers"].size(), size_text(bytes), folder.string());
+  text += fmt::format("{}, {}, in {}", counted(json["answers"].size(), "answer"), size_text(bytes), folder.string());
   console.result(text, json.dump(-1, ' ', false, Json::error_handler_t::replace));
   return kDone;
 }
@@ -36,7 +37,7 @@ int list(const chat::AnswerCache& cache, bool only_size, const Console& console)
 int clear(const chat::AnswerCache& cache, const Console& console) {
   const auto count = cache.clear();
   if (!count) return console.fail(count.error());
-  console.result(fmt::format("{} answers removed", *count), Json{{"removed", *count}}.dump());
+  console.result(counted(*count, "answer") + " removed", Json{{"removed", *count}}.dump());
   return kDone;
 }
 

@@ -33,8 +33,10 @@ void ModelFlags::add_to(CLI::App& command, RepairOptions& repair) {
       ->capture_default_str()
       ->check(CLI::Range(0.1, 86400.0))
       ->group(group);
-  command.add_option("--max-cost", max_cost, "US dollars that a room may cost")->check(CLI::Range(0.0, 1e6))->group(group);
-  command.add_option("--max-tokens", max_tokens, "Tokens that a room may take, questions and answers")
+  command.add_option("--max-cost", max_cost, "US dollars that the answers may cost, in a batch those of all rooms")
+      ->check(CLI::Range(0.0, 1e6))
+      ->group(group);
+  command.add_option("--max-tokens", max_tokens, "Tokens that questions and answers may take, in a batch those of all rooms")
       ->check(CLI::Range(1, 1'000'000'000))
       ->group(group);
   command.add_option("--prices", prices_file, "Prices of models of your own, in the form of models/prices.json")->group(group);
@@ -57,8 +59,8 @@ Result<chat::ChatOptions> ModelFlags::chat_options(const Console& console) const
   }
   chat.request_limit_s = timeout_s;
   chat.retry.total_s = std::max(chat.retry.total_s, timeout_s);
-  chat.max_cost = max_cost;
-  chat.max_tokens = max_tokens;
+  chat.purse->max_cost = max_cost;
+  chat.purse->max_tokens = max_tokens;
   chat.use_cached_answers = !no_cache;
   chat.stream = stream;
   chat.stop = &stop_flag();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "layoutbox/base/words.h"
 #include "layoutbox/cli/commands.h"
 #include "layoutbox/cli/inputs.h"
 #include "layoutbox/pipeline/variants.h"
@@ -39,14 +40,14 @@ Result<SceneGraph> read_room(Flags& flags) {
 std::string moved_in_words(const Flags& flags, const Layout& layout) {
   if (!flags.earlier) return {};
   const Movement way = movement_between(*flags.earlier, layout);
-  return fmt::format(", {} of {} objects moved, by {:.2f} m in all", way.moved, layout.objects.size(), way.metres);
+  return fmt::format(", {} of {} moved, by {:.2f} m in all", way.moved, counted(layout.objects.size(), "object"), way.metres);
 }
 
 // How it went: what holds, what was given up, how far things were moved.
 void tell(const Flags& flags, const Layout& layout, const Console& console) {
   const auto held = std::count_if(layout.relations.begin(), layout.relations.end(), [](const auto& r) { return r.held; });
   console.stage({"solve", layout.stats.seconds,
-                 fmt::format("{} of {} relations held, {} given up ({}){}", held, layout.relations.size(), layout.relaxed.size(),
+                 fmt::format("{} of {} held, {} given up ({}){}", held, counted(layout.relations.size(), "relation"), layout.relaxed.size(),
                              layout.stats.solver, moved_in_words(flags, layout))});
   for (const Conflict& conflict : layout.conflicts) console.warn("cannot all hold: " + conflict.sentence);
   for (const Relaxation& relaxation : layout.relaxed)

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "layoutbox/base/words.h"
 #include "layoutbox/export/cairo_canvas.h"
 #include "layoutbox/export/export.h"
 #include "layoutbox/export/plan_labels.h"
@@ -216,8 +217,8 @@ class FloorPlan {
     page_.line({kMargin, top}, {kPageWidth - kMargin, top}, {"none", "#222", 0.3, {}});
     page_.text({kMargin, top + 6.5}, 5, title_of(layout_), TextAnchor::kStart);
     page_.text({kMargin, top + 11}, 2.6,
-               fmt::format("{:.1f} m² · ceiling {:.2f} m · {} objects · scale 1 : {} on A4 · lengths in metres, furniture in centimetres",
-                           area_m2(), m_from_mm(layout_.room.height), layout_.objects.size(), ratio_),
+               fmt::format("{:.1f} m² · ceiling {:.2f} m · {} · scale 1 : {} on A4 · lengths in metres, furniture in centimetres",
+                           area_m2(), m_from_mm(layout_.room.height), counted(layout_.objects.size(), "object"), ratio_),
                TextAnchor::kStart, 0, "#555");
     draw_prompt(top + 15);
     if (options_.scale_bar) draw_scale_bar({kPageWidth - kMargin, top + 8});

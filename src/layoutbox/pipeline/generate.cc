@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "layoutbox/base/files.h"
+#include "layoutbox/base/words.h"
 #include "layoutbox/pipeline/folder_lock.h"
 #include "layoutbox/pipeline/repair.h"
 #include "layoutbox/pipeline/run_record.h"
@@ -83,6 +84,10 @@ class Run {
     if (options_.on_stage) options_.on_stage(outcome_.stages.back());
   }
 
+  std::string scene_in_words() const {
+    return counted(outcome_.scene.objects.size(), "object") + ", " + counted(outcome_.scene.relations.size(), "relation");
+  }
+
   Status write(const std::string& name, std::string_view bytes) {
     LAYOUTBOX_CHECK(write_file(folder_ / name, bytes));
     outcome_.files.emplace_back(name);
@@ -123,9 +128,8 @@ class Run {
     const chat::Usage usage = conversation_->client().usage();
     const auto cost = conversation_->client().cost();
     std::string price = cost && *cost > 0 ? fmt::format(", ${:.4f}", *cost) : "";
-    finish("plan",
-           fmt::format("{} objects, {} relations; {} answer{}, {} tokens{}", outcome_.scene.objects.size(), outcome_.scene.relations.size(),
-                       loop_->attempts(), loop_->attempts() == 1 ? "" : "s", usage.question_tokens + usage.answer_tokens, price));
+    finish("plan", fmt::format("{}; {}, {}{}", scene_in_words(), counted(static_cast<std::size_t>(loop_->attempts()), "answer"),
+                               counted(static_cast<std::size_t>(usage.question_tokens + usage.answer_tokens), "token"), price));
   }
 
   // What a model was asked in vain is worth keeping, but not in the place of an earlier run.
@@ -166,13 +170,13 @@ class Run {
   Status take(SceneGraph scene) {
     begin();
     outcome_.scene = std::move(scene);
-    finish("plan", fmt::format("{} objects, {} relations", outcome_.scene.objects.size(), outcome_.scene.relations.size()));
+    finish("plan", scene_in_words());
     return {};
   }
 
   Status normalize(SceneGraph scene) {
     LAYOUTBOX_ASSIGN(outcome_.scene, prepare_scene(std::move(scene), catalog_, options_));
-    finish("plan", fmt::format("{} objects, {} relations", outcome_.scene.objects.size(), outcome_.scene.relations.size()));
+    finish("plan", scene_in_words());
     return {};
   }
 
@@ -207,14 +211,15 @@ class Run {
     LAYOUTBOX_CHECK(write("layout.json", write_layout(layout)));
     const auto held = std::count_if(layout.relations.begin(), layout.relations.end(), [](const auto& r) { return r.held; });
     std::string given_up = layout.relaxed.empty() ? "" : fmt::format(", {} given up", layout.relaxed.size());
-    finish("solve", fmt::format("{} of {} relations held{} ({}){}", held, layout.relations.size(), given_up, layout.stats.solver, others));
+    finish("solve", fmt::format("{} of {} held{} ({}){}", held, counted(layout.relations.size(), "relation"), given_up, layout.stats.solver,
+                                others));
     return {};
   }
 
   Status furnish_layout() {
     begin();
     LAYOUTBOX_ASSIGN(model_, furnish(outcome_.layout, catalog_, options_.furnish));
-    finish("furnish", fmt::format("{} pieces", model_.nodes.size()));
+    finish("furnish", counted(model_.nodes.size(), "piece"));
     begin();
     LAYOUTBOX_CHECK(write("floorplan.svg", write_floor_plan_svg(outcome_.layout)));
     LAYOUTBOX_ASSIGN(const std::string glb, write_glb(model_, outcome_.layout));
@@ -230,7 +235,8 @@ class Run {
     LAYOUTBOX_CHECK(write("report.json", write_report(outcome_.report)));
     const auto& checks = outcome_.report.checks;
     const auto failed = std::count_if(checks.begin(), checks.end(), [](const Check& c) { return c.required && !c.passed; });
-    finish("verify", failed == 0 ? fmt::format("all {} checks passed or warned", checks.size()) : fmt::format("{} checks failed", failed));
+    finish("verify", failed == 0 ? fmt::format("all {} checks passed or warned", checks.size())
+                                 : counted(static_cast<std::size_t>(failed), "check") + " failed");
     return {};
   }
 

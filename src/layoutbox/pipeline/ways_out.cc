@@ -17,7 +17,6 @@ using Json = nlohmann::json;
 using Clock = std::chrono::steady_clock;
 
 constexpr std::int64_t kTryEffort = 30;
-constexpr double kLongestTry = 1.5;
 constexpr int kMostRelaxed = 8;
 constexpr int kDeepest = 4;  // changes in one way out, where one conflict hides another
 
@@ -243,6 +242,7 @@ class Searcher {
     options_.solve.improve = false;
     options_.solve.effort = std::min(options_.solve.effort, kTryEffort);
     options_.solve.from = nullptr;
+    options_.solve.prove = false;
   }
 
   void search(const Json& document, const Layout& layout, const Candidate& so_far, int depth) {
@@ -317,7 +317,7 @@ class Searcher {
   SolveOptions solve_options(OnConflict on_conflict) const {
     SolveOptions made = options_.solve;
     made.on_conflict = on_conflict;
-    made.time_limit_s = std::clamp(limits_.time_limit_s - seconds(), 0.05, kLongestTry);
+    made.time_limit_s = std::max(limits_.time_limit_s - seconds(), 0.05);
     return made;
   }
 

@@ -16,7 +16,7 @@ struct WayOut {
 struct WaysOutOptions {
   std::size_t most = 3;         // how many are enough
   std::size_t most_tries = 60;  // layouts that are tried
-  double time_limit_s = 20;     // of all tries. REQUIRES: > 0
+  double time_limit_s = 60;     // of all tries, the safety net: what is found is decided by counted work. REQUIRES: > 0
   bool room_may_grow = true;    // nobody gave the room's size
 };
 

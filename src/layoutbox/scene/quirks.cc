@@ -14,16 +14,6 @@ using nlohmann::json;
 
 bool is_own(const json& scene) { return scene.contains("format"); }
 
-// Lets a member be found under other names: {"length": 2} → {"d": 2}. Only when the right name is not there.
-bool rename(json& object, std::string_view from, std::string_view to) {
-  const auto found = object.find(from);
-  if (found == object.end() || object.contains(to)) return false;
-  json value = std::move(*found);
-  object.erase(std::string(from));
-  object[std::string(to)] = std::move(value);
-  return true;
-}
-
 class SceneRewriter {
  public:
   SceneRewriter(double metres_per_unit, const Axes& axes, std::vector<Note>& notes)
@@ -94,11 +84,12 @@ class SceneRewriter {
       note("converted", "the list is read as width, depth, height", at);
     }
     if (!dims.is_object()) return;
-    bool renamed = rename(dims, "width", "w");
-    renamed |= rename(dims, "depth", "d");
-    renamed |= rename(dims, "height", "h");
+    bool renamed = rename_member(dims, "width", "w");
+    renamed |= rename_member(dims, "depth", "d");
+    renamed |= rename_member(dims, "height", "h");
     // A length is the depth where the width is named, else the width.
-    for (const char* length : {"l", "length"}) renamed |= dims.contains("w") ? rename(dims, length, "d") : rename(dims, length, "w");
+    for (const char* length : {"l", "length"})
+      renamed |= dims.contains("w") ? rename_member(dims, length, "d") : rename_member(dims, length, "w");
     if (renamed) note("converted", "sizes under other names are read as w, d, h", at);
     for (const char* key : {"w", "d", "h"}) scale_member(dims, key);
     if (const auto source = dims.find("source"); source != dims.end() && source->is_string()) {
@@ -129,10 +120,10 @@ class SceneRewriter {
   }
 
   void opening(json& opening, const std::string& at) {
-    bool renamed = rename(opening, "wall", "wallId");
-    renamed |= rename(opening, "width", "w");
-    renamed |= rename(opening, "height", "h");
-    renamed |= rename(opening, "sillHeight", "sill");
+    bool renamed = rename_member(opening, "wall", "wallId");
+    renamed |= rename_member(opening, "width", "w");
+    renamed |= rename_member(opening, "height", "h");
+    renamed |= rename_member(opening, "sillHeight", "sill");
     if (renamed) note("converted", "members under other names are read as wallId, w, h, sill", at);
     for (const char* key : {"offset", "w", "h", "sill", "sillDepth"}) scale_member(opening, key);
     if (const auto type = opening.find("type"); type != opening.end() && type->is_string()) {
@@ -161,8 +152,8 @@ class SceneRewriter {
   }
 
   void transform(json& xform, const std::string& at) {
-    bool renamed = rename(xform, "position", "pos");
-    renamed |= rename(xform, "rotation", "rot");
+    bool renamed = rename_member(xform, "position", "pos");
+    renamed |= rename_member(xform, "rotation", "rot");
     if (renamed) note("converted", "members under other names are read as pos, rot", at);
     if (const auto pos = xform.find("pos"); pos != xform.end()) {
       if (pos->is_array() && pos->size() == 2 && axes_.is_usual()) pos->push_back(0);
@@ -199,7 +190,7 @@ class SceneRewriter {
         note("converted", fmt::format("the relation \"{}\" is read as \"{}\"", written, row.name), at + "/type");
       }
     }
-    if (rename(relation, "target", "targets")) note("converted", "\"target\" is read as \"targets\"", at);
+    if (rename_member(relation, "target", "targets")) note("converted", "\"target\" is read as \"targets\"", at);
     if (const auto targets = relation.find("targets"); targets != relation.end() && targets->is_string())
       *targets = json::array({*targets});
     for (const char* key : {"axis", "alignAxis"}) {
@@ -256,6 +247,15 @@ std::string text_member(const json& object, const char* key) {
 }
 
 }  // namespace
+
+bool rename_member(json& object, std::string_view from, std::string_view to) {
+  const auto found = object.find(from);
+  if (found == object.end() || object.contains(to)) return false;
+  json value = std::move(*found);
+  object.erase(std::string(from));
+  object[std::string(to)] = std::move(value);
+  return true;
+}
 
 void drop_nulls(json& value) {
   if (value.is_object()) {

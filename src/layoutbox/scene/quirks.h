@@ -13,6 +13,9 @@ namespace layoutbox {
 // Takes members that are null out of all objects.
 void drop_nulls(nlohmann::json& value);
 
+// Lets a member be found under another name: {"length": 2} → {"d": 2}. Only where the right name is not there; says whether it did.
+bool rename_member(nlohmann::json& object, std::string_view from, std::string_view to);
+
 // Rewrites what can be rewritten and notes it; what is wrong is left as it is, for the schema to name. `units` overrides metadata.units.
 void bring_into_form(nlohmann::json& scene, std::string_view units, std::vector<Note>& notes);
 

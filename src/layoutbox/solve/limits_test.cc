@@ -44,6 +44,20 @@ TEST(Absurd, AnEmptyRoom) {
   EXPECT_EQ(layout->status, LayoutStatus::kSolved);
 }
 
+TEST(Without, AProofTheSearchHasTheLastWord) {
+  SolveOptions options;
+  options.on_conflict = OnConflict::kFail;
+  options.prove = false;
+  const auto maker = [] { return SceneMaker(5000, 4000).add("bed").add("armchair").relate("nextTo", {"armchair_1"}, {"bed_1"}); };
+  const auto layout = solve(maker().make(), Catalog::builtin(), options);
+  ASSERT_TRUE(layout) << layout.error().message;
+  EXPECT_EQ(layout->stats.solver, "search");
+  const auto none = solve(maker().relate("inFrontOf", {"armchair_1"}, {"bed_1"}).relate("behind", {"armchair_1"}, {"bed_1"}).make(),
+                          Catalog::builtin(), options);
+  ASSERT_FALSE(none);
+  EXPECT_EQ(none.error().code, ErrorCode::kNotFound);
+}
+
 TEST(Large, FiveHundredObjectsEndWithAnHonestAnswer) {
   SceneMaker maker(22000, 20000);
   for (int i = 0; i < 500; ++i) maker.add("box").sized(300 + 20 * (i % 30), 300 + 20 * (i % 17), 400);

@@ -68,6 +68,7 @@ Status Solver::find_legal() {
       continue;
     }
     if (!search(given_up_)) {
+      if (!options_.prove && options_.on_conflict == OnConflict::kFail) break;
       LAYOUTBOX_ASSIGN(const Early early, prove_early());
       if (early == Early::kGivenUp) continue;
       LAYOUTBOX_ASSIGN(const bool found, early == Early::kFound ? Result<bool>(true) : prove());
@@ -90,7 +91,7 @@ Status Solver::find_legal() {
 Result<Solver::Early> Solver::prove_early() {
   const std::int64_t whole = budget_.limit / 2;
   if (whole <= kFirstSteps || must_stop()) return Early::kUnknown;
-  if (const auto library = CpSatLibrary::get(); library && model_.items.size() <= kMostForEarlyProof) {
+  if (const auto library = CpSatLibrary::get(); library && options_.prove && model_.items.size() <= kMostForEarlyProof) {
     used_cp_sat_ = true;
     const ProofLimits limits{options_.seed, kShortProof, std::max(0.1, options_.time_limit_s - seconds()), options_.stop};
     LAYOUTBOX_ASSIGN(const Proof proof, decide(model_, **library, given_up_, left_out_, placements_, limits));
@@ -147,7 +148,7 @@ Result<bool> Solver::prove() {
   const auto library = CpSatLibrary::get();
   if (!library && options_.on_conflict == OnConflict::kFail) return Failure(library.error());
   Proof proof;
-  if (library && proof_time_ > 0) {
+  if (library && options_.prove && proof_time_ > 0) {
     used_cp_sat_ = true;
     ProofLimits limits{options_.seed, loose || clearances_left() ? std::min(proof_time_, kShortProof) : proof_time_,
                        std::max(0.1, options_.time_limit_s - seconds()), options_.stop};

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "layoutbox/base/words.h"
 #include "layoutbox/plan/llm/functions.h"
 #include "layoutbox/plan/llm/prompt.h"
 
@@ -167,7 +168,7 @@ class ModelPlanner final : public Planner {
 
 Error no_usable_answer(int attempts, const std::vector<Error>& faults) {
   Error error{ErrorCode::kNotFound,
-              fmt::format("the model gave no usable scene in {} answer{}", attempts, attempts == 1 ? "" : "s"),
+              fmt::format("the model gave no usable scene in {}", counted(static_cast<std::size_t>(attempts), "answer")),
               {},
               "take another model, or the offline planner",
               faults};

@@ -84,7 +84,7 @@ class Conversation {
   std::vector<Attempt> attempts_;
 };
 
-// The planner by model. Each conversation has a client, and with it limits of cost and tokens, of its own. plan() asks again up to
+// The planner by model. Each conversation has a client of its own; all draw on the one purse of `chat`. plan() asks again up to
 // `max_attempts` times in all while the answers do not validate. The catalogue must outlive the planner.
 std::unique_ptr<Planner> make_model_planner(const Catalog& catalog, chat::ChatOptions chat, ConversationOptions options, int max_attempts);
 

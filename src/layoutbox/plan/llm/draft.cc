@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "layoutbox/base/words.h"
 #include "layoutbox/chat/endpoint.h"
 #include "layoutbox/plan/llm/functions.h"
 #include "layoutbox/plan/llm/loose_json.h"
@@ -50,7 +51,7 @@ Chosen apply_patch(const json& patch, std::string_view previous, Notes& notes) {
     return wrong(ErrorCode::kReference, "there is no scene yet that could be changed", "call create_scene with the whole scene");
   try {
     json document = json::parse(previous).patch(patch);
-    notes.push_back({"mended", fmt::format("{} changes are applied to the scene before", patch.size()), {}});
+    notes.push_back({"mended", counted(patch.size(), "change") + " to the scene before taken over", {}});
     return {std::move(document), {}};
   } catch (const json::exception& error) {
     return wrong(ErrorCode::kReference, fmt::format("the changes do not fit the scene: {}", chat::one_line(error.what(), 160)),

@@ -37,15 +37,6 @@ void unwrap(json& scene, Notes& notes) {
   }
 }
 
-bool rename(json& object, std::string_view from, std::string_view to) {
-  const auto found = object.find(from);
-  if (found == object.end() || object.contains(to)) return false;
-  json value = std::move(*found);
-  object.erase(std::string(from));
-  object[std::string(to)] = std::move(value);
-  return true;
-}
-
 struct OtherName {
   const char *from, *to;
 };
@@ -53,7 +44,7 @@ struct OtherName {
 void rename_all(json& object, std::initializer_list<OtherName> names, const std::string& at, Notes& notes) {
   if (!object.is_object()) return;
   for (const auto& [from, to] : names) {
-    if (rename(object, from, to)) note(notes, fmt::format("\"{}\" is read as \"{}\"", from, to), at);
+    if (rename_member(object, from, to)) note(notes, fmt::format("\"{}\" is read as \"{}\"", from, to), at);
   }
 }
 
