@@ -266,6 +266,30 @@ class Ways(model_case.ModelCase):
         self.assertEqual(server.requests[-1].json()["response_format"]["type"], "json_object")
         self.assertIn('"furniture"', server.requests[-1].json()["messages"][0]["content"])
 
+    def test_a_choice_by_word_alone(self):
+        """llama.cpp takes no function by name: it lets the model talk."""
+
+        def behave(connection, request):
+            forced = request.json().get("tool_choice") == "required"
+            return (GOOD if forced else fault.content("A lovely room!"))(connection, request)
+
+        with FaultServer([behave]) as server:
+            self.assert_done(self.plan(server))
+            self.assert_done(self.plan(server))  # the same two answers, kept
+            self.assertEqual(len(server.requests), 2)
+            self.assert_done(self.plan(server, "--no-cache"))
+        self.assertEqual(len(server.requests), 3)  # remembered
+        self.assertIn("The scene cannot be used", server.requests[1].last_message())
+
+    def test_a_model_that_only_writes(self):
+        def behave(connection, request):
+            mode = request.json().get("response_format", {}).get("type")
+            return fault.content(json.dumps(SCENE) if mode == "json_schema" else "A lovely room!")(connection, request)
+
+        with FaultServer([behave]) as server:
+            self.assert_done(self.plan(server))
+        self.assertEqual(len(server.requests), 3)
+
     def test_parameters_that_are_not_known(self):
         def refuses(body):
             for name in ("temperature", "seed", "max_completion_tokens"):

@@ -73,12 +73,7 @@ Result<Answer> ChatClient::ask(const Question& question) {
 
 // In whichever way it was asked before.
 std::optional<Answer> ChatClient::from_cache(const Question& question) const {
-  for (int mode = 0; mode < kModeCount; ++mode) {
-    Habits habits = habits_;
-    if (!habits.known)
-      habits.mode = static_cast<Mode>(mode);
-    else if (mode > 0)
-      break;
+  for (const Habits& habits : all_ways(habits_)) {
     std::string request = safe(write_request(question, options_.endpoint.model, habits, options_.stream));
     auto body = cache_.find(options_.endpoint.base_url, request);
     if (!body) continue;
@@ -108,7 +103,9 @@ Result<Answer> ChatClient::from_server(const Question& question) {
   answer->own_seconds = answer->seconds - so_far.waited_s;
   answer->request = safe(so_far.request);
   fill_estimates(question, *answer);
-  if (!habits_.known) {
+  if (auto other = change_for(*answer, habits_)) {  // the next question is asked so; it is remembered once it has worked
+    habits_ = std::move(*other);
+  } else if (!habits_.known) {
     habits_.known = true;
     save_habits(options_.cache, options_.endpoint.base_url, options_.endpoint.model, habits_);
   }

@@ -101,6 +101,23 @@ TEST(Prices, by_the_longest_name) {
   EXPECT_FALSE(Prices::builtin().find("gpt-4omega"));
 }
 
+TEST(Ways, where_a_model_talks_instead) {
+  Answer words;
+  words.content = "Here is your room.";
+  Habits habits;
+  habits = *change_for(words, habits);
+  EXPECT_EQ(habits.mode, Mode::kStrictTools);
+  EXPECT_TRUE(habits.without.contains("named_tool"));
+  for (const Mode expected : {Mode::kJsonSchema, Mode::kJson}) {
+    habits = *change_for(words, habits);
+    EXPECT_EQ(habits.mode, expected);
+  }
+  EXPECT_FALSE(change_for(words, habits));
+  Answer call;
+  call.calls = {{"create_scene", "{"}};
+  EXPECT_FALSE(change_for(call, Habits{}));
+}
+
 TEST(Purse, sets_aside_and_takes_back) {
   Purse purse;
   purse.max_cost = 1.0;

@@ -168,4 +168,29 @@ std::optional<Habits> change_for(int status, const ServerError& error, const Hab
   return std::nullopt;
 }
 
+std::optional<Habits> change_for(const Answer& answer, const Habits& habits) {
+  if (!answer.calls.empty() || !answer.refusal.empty() || answer.finish_reason == "content_filter") return std::nullopt;
+  const bool tools = habits.mode == Mode::kStrictTools || habits.mode == Mode::kTools;
+  if (!tools && (habits.mode == Mode::kJson || answer.content.find('{') != std::string::npos)) return std::nullopt;
+  Habits changed = habits;
+  changed.known = false;
+  if (habits.mode == Mode::kStrictTools && !habits.without.contains("tool_choice") && changed.without.insert("named_tool").second)
+    return changed;
+  changed.mode = tools ? Mode::kJsonSchema : Mode::kJson;
+  return changed;
+}
+
+std::vector<Habits> all_ways(const Habits& habits) {
+  std::vector<Habits> ways = {habits};
+  for (int mode = 0; mode < kModeCount; ++mode) {
+    ways.push_back(habits);
+    ways.back().mode = static_cast<Mode>(mode);
+    ways.back().without.erase("named_tool");
+    if (ways.back().mode != Mode::kStrictTools) continue;
+    ways.push_back(ways.back());
+    ways.back().without.insert("named_tool");
+  }
+  return ways;
+}
+
 }  // namespace layoutbox::chat

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "layoutbox/base/result.h"
 #include "layoutbox/chat/endpoint.h"
@@ -28,5 +29,12 @@ Error final_error(const Problem& problem, int retries, double seconds);
 
 // How to ask instead, where the server's words say that it does not know a parameter or a way of asking; empty where they do not.
 std::optional<Habits> change_for(int status, const ServerError& error, const Habits& habits);
+
+// How to ask instead, where an answer came that is in words although a call or JSON was asked for: the server leaves the choice to the
+// model. Empty where it is as asked, or where there is no other way.
+std::optional<Habits> change_for(const Answer& answer, const Habits& habits);
+
+// Every way of asking, the present one first.
+std::vector<Habits> all_ways(const Habits& habits);
 
 }  // namespace layoutbox::chat

@@ -25,8 +25,8 @@ Ordered tool_of(const Function& function, Mode mode) {
 void add_tools(Ordered& body, const Question& question, const Habits& habits) {
   for (const Function& function : question.functions) body["tools"].push_back(tool_of(function, habits.mode));
   if (habits.without.contains("tool_choice")) return;
-  // Every server that knows tool_choice knows one function by name; "required" is for the choice between two.
-  if (question.functions.size() == 1 && habits.mode == Mode::kStrictTools) {
+  // By name it is one call and no other; "required" is for the choice between two, and for servers (llama.cpp) that know words alone.
+  if (question.functions.size() == 1 && habits.mode == Mode::kStrictTools && !habits.without.contains("named_tool")) {
     body["tool_choice"] = {{"type", "function"}, {"function", {{"name", question.functions[0].name}}}};
   } else {
     body["tool_choice"] = "required";

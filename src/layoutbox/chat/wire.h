@@ -14,7 +14,7 @@ namespace layoutbox::chat {
 struct Habits {
   Mode mode = Mode::kStrictTools;
   bool known = false;             // the mode has worked before
-  std::set<std::string> without;  // "temperature", "seed", "max_completion_tokens", "tool_choice", "response_format"
+  std::set<std::string> without;  // "temperature", "seed", "max_completion_tokens", "tool_choice", "named_tool", "response_format"
 };
 
 // The body of the request.
