@@ -43,15 +43,29 @@ std::vector<Box> less(const Box& box, std::span<const Box> holes) {
   return pieces;
 }
 
-Box turned(const Box& box, int degrees) {
+namespace {
+
+bool is_quarter(double degrees) { return degrees == 90 * std::round(degrees / 90); }
+
+Box turned_by_quarters(const Box& box, int quarters) {
   Box out = box;
-  switch (degrees) {
-    case 0: return out;
-    case 90: out.lo[0] = -box.hi[1], out.hi[0] = -box.lo[1], out.lo[1] = box.lo[0], out.hi[1] = box.hi[0]; return out;
-    case 180: out.lo[0] = -box.hi[0], out.hi[0] = -box.lo[0], out.lo[1] = -box.hi[1], out.hi[1] = -box.lo[1]; return out;
-    case 270: out.lo[0] = box.lo[1], out.hi[0] = box.hi[1], out.lo[1] = -box.hi[0], out.hi[1] = -box.lo[0]; return out;
-    default: break;
+  switch (quarters) {
+    case 1: out.lo[0] = -box.hi[1], out.hi[0] = -box.lo[1], out.lo[1] = box.lo[0], out.hi[1] = box.hi[0]; return out;
+    case 2: out.lo[0] = -box.hi[0], out.hi[0] = -box.lo[0], out.lo[1] = -box.hi[1], out.hi[1] = -box.lo[1]; return out;
+    case 3: out.lo[0] = box.lo[1], out.hi[0] = box.hi[1], out.lo[1] = -box.hi[0], out.hi[1] = -box.lo[0]; return out;
+    default: return out;
   }
+}
+
+// A thousandth against the last bits of sin and cos, which differ between machines.
+Mm rounded_down(double value) { return static_cast<Mm>(std::floor(value + 1e-3)); }
+Mm rounded_up(double value) { return static_cast<Mm>(std::ceil(value - 1e-3)); }
+
+}  // namespace
+
+Box turned(const Box& box, double degrees) {
+  if (is_quarter(degrees)) return turned_by_quarters(box, static_cast<int>(std::lround(degrees / 90)) & 3);
+  Box out = box;
   const double c = std::cos(radians_from_degrees(degrees)), s = std::sin(radians_from_degrees(degrees));
   double lo[2] = {1e9, 1e9}, hi[2] = {-1e9, -1e9};
   for (const double x : {double(box.lo[0]), double(box.hi[0])}) {
@@ -60,9 +74,30 @@ Box turned(const Box& box, int degrees) {
       for (int k = 0; k < 2; ++k) lo[k] = std::min(lo[k], p[k]), hi[k] = std::max(hi[k], p[k]);
     }
   }
-  for (int k = 0; k < 2; ++k) {  // a thousandth against the last bits of sin and cos, which differ between machines
-    out.lo[k] = static_cast<Mm>(std::floor(lo[k] + 1e-3));
-    out.hi[k] = static_cast<Mm>(std::ceil(hi[k] - 1e-3));
+  for (int k = 0; k < 2; ++k) out.lo[k] = rounded_down(lo[k]), out.hi[k] = rounded_up(hi[k]);
+  return out;
+}
+
+Box turned_within(const Box& box, double degrees) {
+  if (is_quarter(degrees)) return turned(box, degrees);
+  const double c = std::abs(std::cos(radians_from_degrees(degrees))), s = std::abs(std::sin(radians_from_degrees(degrees)));
+  const double length[2] = {double(box.extent(0)), double(box.extent(1))};
+  const double longer = std::max(length[0], length[1]), shorter = std::min(length[0], length[1]);
+  double half[2];
+  if (shorter <= 2 * s * c * longer || std::abs(s - c) < 1e-9) {  // two corners at the longer sides
+    const bool wide = length[0] >= length[1];
+    half[0] = shorter / 4 / (wide ? s : c), half[1] = shorter / 4 / (wide ? c : s);
+  } else {
+    const double cos2 = c * c - s * s;
+    half[0] = (length[0] * c - length[1] * s) / cos2 / 2, half[1] = (length[1] * c - length[0] * s) / cos2 / 2;
+  }
+  const double turn = radians_from_degrees(degrees);
+  const double x = (double(box.lo[0]) + box.hi[0]) / 2, y = (double(box.lo[1]) + box.hi[1]) / 2;
+  const double middle[2] = {std::cos(turn) * x - std::sin(turn) * y, std::sin(turn) * x + std::cos(turn) * y};
+  Box out = box;
+  for (int k = 0; k < 2; ++k) {
+    out.lo[k] = rounded_up(middle[k] - half[k]), out.hi[k] = rounded_down(middle[k] + half[k]);
+    if (out.hi[k] < out.lo[k]) out.hi[k] = out.lo[k];  // so thin that no whole millimetre is in it
   }
   return out;
 }

@@ -56,7 +56,11 @@ std::vector<Box> less(const Box& box, std::span<const Box> holes);
 
 // The smallest upright box around `box` (in a frame whose origin is the turning point) turned counter-clockwise about z; exact for
 // quarter turns, else rounded outward.
-Box turned(const Box& box, int degrees);
+Box turned(const Box& box, double degrees);
+
+// An upright box within the turned one, about the same middle; of all such boxes the one of greatest area. Exact for quarter turns, else
+// rounded inward.
+Box turned_within(const Box& box, double degrees);
 
 // A direction in the plan: the axis it runs along and which way.
 struct Direction {

@@ -8,7 +8,11 @@ namespace layoutbox::placement {
 // An object's own box with its origin under the middle of the footprint; odd lengths put the extra millimetre on the high side.
 Box own_box(const Size& size);
 // A box in the object's frame as it lies in the turned box, from its low corner.
-Box in_turned(const Box& own, const Box& box, int turn);
+Box in_turned(const Box& own, const Box& box, double turn);
+// An upright box within it, where it lies at an odd angle.
+Box within_turned(const Box& own, const Box& box, double turn);
+// Fills Item::odd_states and the constants about the turned footprint.
+void note_odd_states(Item& item);
 // Free floor at a side of an own box: `from` to `to` off it.
 Box beside(const Box& own, Side side, Mm from, Mm to, Mm height);
 

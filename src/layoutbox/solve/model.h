@@ -15,7 +15,8 @@ namespace layoutbox::placement {
 
 // A way an item can stand: turned so, this big.
 struct State {
-  int turn = 0;               // degrees, counter-clockwise
+  int turn = 0;               // degrees, counter-clockwise; the nearest whole one
+  double angle = 0;           // exactly
   int size_step = 0;          // 0: the usual size; more: farther from it
   Size size;                  // at turn 0
   Vec3 extent{};              // of the box around the turned body
@@ -56,6 +57,10 @@ struct Item {
   bool locked = false;  // stays where it was, unless that has to be given up
   std::vector<State> states;
   std::uint64_t all_states = 0;
+  std::uint64_t odd_states = 0;  // those at other than quarter turns, in which the body is less than the box around it
+  // Where there are such: in each state eight constants about the turned footprint, from the low corner of its box: an upright box within
+  // (low x, low y, high x, high y), then its four corners (x and y each).
+  int footprint = -1;
   std::vector<ItemSpace> spaces;
   std::vector<SupportOption> supports;
   int support_constraint = -1;
@@ -123,6 +128,8 @@ struct ModelOptions {
 
 // REQUIRES: a normalised scene. Errors: kReference (a relation names what is not there), kTooLarge (more than 500 objects).
 Result<Model> build_model(const SceneGraph& scene, const Catalog& catalog, const ModelOptions& options = {});
+
+inline bool is_quarter(const State& state) { return state.angle == 90 * (state.turn / 90); }
 
 inline Box box_of(const Item& item, const Placement& p) {
   const Vec3& e = item.states[p.state].extent;

@@ -42,10 +42,10 @@ Box box_of_space(const Space& space, const Box& own) {
   return box;
 }
 
-State make_state(const SceneObject& object, const CatalogEntry& entry, const Size& size, int step, int turn,
+State make_state(const SceneObject& object, const CatalogEntry& entry, const Size& size, int step, double turn,
                  std::vector<ItemSpace>* describe) {
   State state;
-  state.turn = turn, state.size_step = step, state.size = size;
+  state.turn = static_cast<int>(std::lround(turn)) % 360, state.angle = turn, state.size_step = step, state.size = size;
   const Box own = own_box(size);
   const Box whole = turned(own, turn);
   for (int k = 0; k < 3; ++k) state.extent[k] = whole.extent(k);
@@ -54,7 +54,7 @@ State make_state(const SceneObject& object, const CatalogEntry& entry, const Siz
   for (const Space& space : spaces) {
     const Box hole = box_of_space(space, own);
     if (!hole.empty()) holes.push_back(hole);
-    const Box here = in_turned(own, hole, turn);
+    const Box here = within_turned(own, hole, turn);
     if (describe) {
       describe->push_back(
           {space.name, space.carries, hole.hi[2] >= size.height, kFirstConstant + static_cast<int>(state.constants.size())});
@@ -132,9 +132,33 @@ Box own_box(const Size& size) {
   return {{-(size.width / 2), -(size.depth / 2), 0}, {size.width - size.width / 2, size.depth - size.depth / 2, size.height}};
 }
 
-Box in_turned(const Box& own, const Box& box, int turn) {
+Box in_turned(const Box& own, const Box& box, double turn) {
   const Box whole = turned(own, turn);
   return turned(box, turn).shifted({-whole.lo[0], -whole.lo[1], -whole.lo[2]});
+}
+
+Box within_turned(const Box& own, const Box& box, double turn) {
+  const Box whole = turned(own, turn);
+  return turned_within(box, turn).shifted({-whole.lo[0], -whole.lo[1], -whole.lo[2]});
+}
+
+void note_odd_states(Item& item) {
+  for (std::size_t s = 0; s < item.states.size(); ++s) {
+    if (!is_quarter(item.states[s])) item.odd_states |= std::uint64_t{1} << s;
+  }
+  if (item.odd_states == 0) return;
+  item.footprint = kFirstConstant + static_cast<int>(item.states[0].constants.size());
+  for (State& state : item.states) {
+    const Box own = own_box(state.size), whole = turned(own, state.angle), within = within_turned(own, own, state.angle);
+    for (const Vec3& corner : {within.lo, within.hi}) state.constants.insert(state.constants.end(), corner.begin(), corner.begin() + 2);
+    const double c = std::cos(radians_from_degrees(state.angle)), s = std::sin(radians_from_degrees(state.angle));
+    const std::array corners{Point{own.lo[0], own.lo[1]}, Point{own.hi[0], own.lo[1]}, Point{own.hi[0], own.hi[1]},
+                             Point{own.lo[0], own.hi[1]}};
+    for (const auto& [x, y] : corners) {
+      state.constants.push_back(static_cast<Mm>(std::lround(c * x - s * y)) - whole.lo[0]);
+      state.constants.push_back(static_cast<Mm>(std::lround(s * x + c * y)) - whole.lo[1]);
+    }
+  }
 }
 
 Box beside(const Box& own, Side side, Mm from, Mm to, Mm height) {
@@ -171,6 +195,7 @@ Item object_item(const SceneGraph& scene, const SceneObject& object, const Catal
       item.states.push_back(make_state(object, *item.entry, size, step, turn, first ? &item.spaces : nullptr));
     }
   }
+  note_odd_states(item);
   if (item.fixed) {
     const auto& at = *object.hint.position;
     const Vec3& e = item.states[0].extent;

@@ -75,7 +75,7 @@ Item opening_item(const Opening& opening, const Room& room, const std::vector<Ro
   const Mm depth = opening.type == OpeningType::kWindow ? kWindowDepth : opening.width;
   for (const int turn : turns) {
     State state;
-    state.turn = turn;
+    state.turn = turn, state.angle = turn;
     state.size = {opening.width, kOpeningDepth, opening.height};
     const Box own = own_box(state.size);
     const Box whole = turned(own, turn);
@@ -83,6 +83,7 @@ Item opening_item(const Opening& opening, const Room& room, const std::vector<Ro
     state.clear.push_back(in_turned(own, beside(own, Side::kFront, 0, depth, opening.height), turn));
     item.states.push_back(std::move(state));
   }
+  note_odd_states(item);
   return item;
 }
 

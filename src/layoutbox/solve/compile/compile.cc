@@ -24,6 +24,98 @@ Result<Reference> resolve(const Model& model, const std::string& id, std::string
   return fail(ErrorCode::kReference, fmt::format("a relation speaks of \"{}\", which is not in the scene", id), std::string(pointer));
 }
 
+// Whether the cases of a relation are right for targets and references at odd angles too, of which most see the box around them.
+struct Exactness {
+  bool targets = false, references = false;
+};
+
+Exactness exactness_of(RelationType type) {
+  switch (type) {
+    // Distances are to what lies within the turned body; angles, middles and extents along the room's axes are what they are; what stands
+    // on others stays within their turned tops.
+    case RelationType::kNextTo:
+    case RelationType::kNear:
+    case RelationType::kFar:
+    case RelationType::kDistance:
+    case RelationType::kNearDoor:
+    case RelationType::kNearWindow:
+    case RelationType::kFarFromDoor:
+    case RelationType::kFarFromWindow:
+    case RelationType::kParallel:
+    case RelationType::kPerpendicular:
+    case RelationType::kSameOrientation:
+    case RelationType::kOffset:
+    case RelationType::kAlign:
+    case RelationType::kGroupAlign:
+    case RelationType::kCenterOfRoom:
+    case RelationType::kInRegion:
+    case RelationType::kAwayFromWall:
+    case RelationType::kOn:
+    case RelationType::kIn:
+    case RelationType::kStacked:
+    case RelationType::kOnCeiling:
+    case RelationType::kFacing: return {true, true};
+    case RelationType::kLeftOf:
+    case RelationType::kRightOf:
+    case RelationType::kInFrontOf:
+    case RelationType::kBehind:
+    case RelationType::kAtFootOf:
+    case RelationType::kAround:
+    case RelationType::kSurround:
+    case RelationType::kCenteredOn:
+    case RelationType::kEdgeAlign:
+    case RelationType::kUnder:
+    case RelationType::kAbove:
+    case RelationType::kNotBlocking:
+    case RelationType::kKeepClear:
+    case RelationType::kAgainstWall:
+    case RelationType::kSideAgainstWall:
+    case RelationType::kCenteredOnWall:
+    case RelationType::kOnWall:
+    case RelationType::kOpposite: return {true, false};
+    default: return {};
+  }
+}
+
+// Where the cases do not see that an item is turned, they speak of its quarter turns only, and at the others nothing is known.
+void allow_quarter_turns(Formula& f, int item, const Item& self) {
+  const auto speaks_of = [&](const Case& one) {
+    const auto names = [&](const Term& term) { return term.item == item; };
+    return std::any_of(one.states.begin(), one.states.end(), [&](const StateLiteral& l) { return l.item == item; }) ||
+           std::any_of(one.at_least_zero.begin(), one.at_least_zero.end(),
+                       [&](const Linear& form) { return std::any_of(form.terms.begin(), form.terms.end(), names); });
+  };
+  if (std::none_of(f.cases.begin(), f.cases.end(), speaks_of)) return;
+  if (f.exact) f.outer = f.cases;
+  const bool known = f.exact || !f.outer.empty();
+  f.exact = false;
+  const std::uint64_t quarters = quarter_states(self);
+  for (std::vector<Case>* cases : {&f.cases, &f.outer}) {
+    for (Case& one : *cases) {
+      if (speaks_of(one)) one.when(item, quarters);
+    }
+  }
+  if (quarters == 0) std::erase_if(f.cases, speaks_of);
+  if (known) f.outer.emplace_back().when(item, self.odd_states);
+}
+
+void allow_turned_only_where_exact(Compilation& c) {
+  const Exactness exact = exactness_of(c.relation.type);
+  const auto restrict = [&](int item) {
+    if (c.item(item).odd_states == 0) return;
+    if (c.relation.type == RelationType::kOpposite && !c.item(item).is_opening()) return;  // they look at each other
+    for (Formula& f : c.out.formulas) allow_quarter_turns(f, item, c.item(item));
+  };
+  if (!exact.targets) std::for_each(c.targets.begin(), c.targets.end(), restrict);
+  if (exact.references) return;
+  const std::vector<int> references = c.reference_items();
+  std::for_each(references.begin(), references.end(), restrict);
+  if (!references.empty()) return;
+  for (std::size_t i = 0; i < c.model.items.size(); ++i) {  // those that are meant where none is named
+    if (c.model.items[i].is_opening()) restrict(static_cast<int>(i));
+  }
+}
+
 }  // namespace
 
 Mm Compilation::length(const std::optional<Mm>& given, std::string_view parameter, Mm fallback) const {
@@ -84,20 +176,7 @@ Status compile_relation(const Model& model, const Relation& relation, std::strin
     return {};
   }
   kFunctions[static_cast<std::size_t>(relation.type)](c);
-  // Openings in walls at an angle are known by the box around them only.
-  const auto angled = [&](const Reference& r) {
-    return r.kind == Reference::Kind::kItem && !model.items[r.index].states.empty() && model.items[r.index].is_opening() &&
-           model.items[r.index].states[0].turn % 90 != 0;
-  };
-  if (std::any_of(c.references.begin(), c.references.end(), angled)) {
-    const bool far = relation.type == RelationType::kFar || relation.type == RelationType::kFarFromDoor ||
-                     relation.type == RelationType::kFarFromWindow || relation.type == RelationType::kNotBlocking;
-    for (Formula& formula : out.formulas) {
-      formula.exact = false;
-      formula.outer.clear();
-      if (!far) formula.cases.clear();  // not placed, and not said to be impossible
-    }
-  }
+  allow_turned_only_where_exact(c);
   // What cannot be said of such references (in front of the room) does not hold; without any, it holds of all there are.
   if (out.formulas.empty() && out.reach.empty() && !relation.references.empty()) c.never();
   return {};

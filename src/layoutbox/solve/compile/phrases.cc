@@ -110,13 +110,59 @@ void for_each_turn(const Item& item, const std::function<void(int, std::uint64_t
   }
 }
 
-Linear gap_towards(int t, const Place& r, Direction d) { return d.sign > 0 ? lo(t, d.axis) - r.hi[d.axis] : r.lo[d.axis] - hi(t, d.axis); }
+Linear gap_towards(const Place& t, const Place& r, Direction d) {
+  return d.sign > 0 ? t.lo[d.axis] - r.hi[d.axis] : r.lo[d.axis] - t.hi[d.axis];
+}
+
+Linear gap_towards(int t, const Place& r, Direction d) { return gap_towards(place_of(t), r, d); }
 
 bool floor_only(const Item& item) {
   return !item.is_opening() && item.supports.size() == 1 && item.supports[0].kind == SupportOption::Kind::kFloor;
 }
 
-void add_within(std::vector<Case>& cases, Case base, const Model& model, int t, const Place& r, Mm most, Purpose purpose) {
+std::vector<Part> parts_of(const Model& model, int index) {
+  const Item& item = model.items[index];
+  std::vector<Part> parts;
+  if (quarter_states(item)) parts.push_back({place_of(index), quarter_states(item)});
+  if (item.odd_states == 0) return parts;
+  const auto constant = [&](int k) { return constant_of(index, item.footprint + k); };
+  Part within{place_of(index), item.odd_states};
+  for (int axis = 0; axis < 2; ++axis) {
+    within.place.lo[axis] = lo(index, axis) + constant(axis);
+    within.place.hi[axis] = lo(index, axis) + constant(2 + axis);
+  }
+  parts.push_back(within);
+  for (int corner = 0; corner < 4; ++corner) {
+    Part point = within;
+    point.corner = true;
+    for (int axis = 0; axis < 2; ++axis) point.place.lo[axis] = point.place.hi[axis] = lo(index, axis) + constant(4 + 2 * corner + axis);
+    parts.push_back(point);
+  }
+  return parts;
+}
+
+namespace {
+
+struct Pair {
+  Part t, r;
+};
+
+// Pairs of places within t and r, one of which is as near as need be: corners meet what is no corner.
+std::vector<Pair> pairs_of_parts(const Model& model, int t, const Place& r, std::uint64_t t_states) {
+  const std::vector<Part> references = r.item >= 0 ? parts_of(model, r.item) : std::vector<Part>{{r, 0}};
+  std::vector<Pair> pairs;
+  for (const Part& own : parts_of(model, t)) {
+    for (const Part& other : references) {
+      if ((own.states & t_states) && !(own.corner && other.corner)) pairs.push_back({own, other});
+    }
+  }
+  return pairs;
+}
+
+}  // namespace
+
+void add_within(std::vector<Case>& cases, Case base, const Model& model, int t, const Place& r, Mm most, Purpose purpose,
+                std::uint64_t t_states) {
   const Heights heights = heights_between(model, t, r, most, purpose);
   std::int64_t left = most;  // what the difference in height leaves for the plan
   if (heights.known) {
@@ -125,28 +171,43 @@ void add_within(std::vector<Case>& cases, Case base, const Model& model, int t, 
     const double squared = static_cast<double>(most) * most - static_cast<double>(heights.gap) * heights.gap;
     left = static_cast<std::int64_t>(std::floor(std::sqrt(squared) + (purpose == Purpose::kProving ? 1 : 0)));
   }
-  const auto limit = [&](Case& c, int axis, std::int64_t length) {
-    for (const int sign : {1, -1}) c.require(Linear(length) - gap_towards(t, r, {axis, sign}));
-  };
   const bool proving = purpose == Purpose::kProving;
-  for (int axis = 0; axis < 2 && !proving; ++axis) {
-    Case straight = base;
-    limit(straight, axis, left);
-    limit(straight, 1 - axis, 0);
-    if (!heights.known) limit(straight, 2, 0);
-    cases.push_back(std::move(straight));
-  }
-  const int axes = heights.known ? 2 : 3;
-  for (int axis = 0; axis < axes; ++axis) limit(base, axis, proving ? left : heights.known ? left * 92 / 100 : left * 8 / 10);
-  const std::int64_t pair = proving ? left * 14143 / 10000 + 1 : heights.known ? left * 13 / 10 : left * 11 / 10;
-  for (int first = 0; first < axes; ++first) {
-    for (int second = first + 1; second < axes; ++second) {
-      for (const int s1 : {1, -1}) {
-        for (const int s2 : {1, -1}) base.require(Linear(pair) - gap_towards(t, r, {first, s1}) - gap_towards(t, r, {second, s2}));
+  const bool odd = model.items[t].odd_states != 0 || (r.item >= 0 && model.items[r.item].odd_states != 0);
+  const auto add = [&](const Case& from, const Place& own, const Place& other) {
+    const auto limit = [&](Case& c, int axis, std::int64_t length) {
+      for (const int sign : {1, -1}) c.require(Linear(length) - gap_towards(own, other, {axis, sign}));
+    };
+    for (int axis = 0; axis < 2 && !proving; ++axis) {
+      Case straight = from;
+      limit(straight, axis, left);
+      limit(straight, 1 - axis, 0);
+      if (!heights.known) limit(straight, 2, 0);
+      cases.push_back(std::move(straight));
+    }
+    Case round = from;
+    const int axes = heights.known ? 2 : 3;
+    for (int axis = 0; axis < axes; ++axis) limit(round, axis, proving ? left : heights.known ? left * 92 / 100 : left * 8 / 10);
+    const std::int64_t pair = proving ? left * 14143 / 10000 + 1 : heights.known ? left * 13 / 10 : left * 11 / 10;
+    for (int first = 0; first < axes; ++first) {
+      for (int second = first + 1; second < axes; ++second) {
+        for (const int s1 : {1, -1}) {
+          for (const int s2 : {1, -1})
+            round.require(Linear(pair) - gap_towards(own, other, {first, s1}) - gap_towards(own, other, {second, s2}));
+        }
       }
     }
+    cases.push_back(std::move(round));
+  };
+  if (proving || !odd) {  // the box around a turned body is no farther than the body
+    add(base, place_of(t), r);
+    return;
   }
-  cases.push_back(std::move(base));
+  for (const Pair& pair : pairs_of_parts(model, t, r, t_states)) {
+    Case c = base;
+    if (pair.t.states != model.items[t].all_states) c.when(t, pair.t.states);
+    if (r.item >= 0 && pair.r.states != model.items[r.item].all_states) c.when(r.item, pair.r.states);
+    add(c, pair.t.place, pair.r.place);
+  }
 }
 
 // An axis along which they are `least` apart is enough, and so is a sum over two axes of √2 times that. Needed is one of: 92 % along an
@@ -181,8 +242,13 @@ void add_band(Formula& f, const Model& model, int t, const Place& r, Mm least, s
   f.exact = false;
   for (const Purpose purpose : {Purpose::kPlacing, Purpose::kProving}) {
     std::vector<Case> apart;
+    const auto odd_states = [&](int item) { return item >= 0 ? model.items[item].odd_states : 0; };
     if (least > 0) {
       add_apart(apart, model, t, r, least, purpose);
+      // What is turned may be farther than the box around it.
+      for (const int item : {t, r.item}) {
+        if (purpose == Purpose::kProving && odd_states(item)) apart.emplace_back().when(item, odd_states(item));
+      }
     } else {
       apart.emplace_back();
     }
@@ -238,6 +304,7 @@ void add_beside(Formula& f, const Model& model, int t, int r, Side side, const B
   const Place place = place_of(r);
   const Heights heights = heights_between(model, t, place, how.most, Purpose::kPlacing);
   const bool level = how.in_plan_only || (heights.known && heights.gap == 0);
+  const std::uint64_t odd = model.items[t].odd_states;
   for_each_turn(ref, [&](int turn, std::uint64_t all) {
     const std::uint64_t states = all & how.ref_states;
     if (!states) return;
@@ -269,6 +336,9 @@ void add_beside(Formula& f, const Model& model, int t, int r, Side side, const B
           if (!straight) c.price += 40;
           c.wish(gap - Linear(std::min(how.wished_gap, how.most)), 100);
           wish_alignment(c, ref, t, r, side, turn, d);
+          // Turned, it may reach less far than the box around it.
+          if (odd && straight && !how.in_plan_only) add_within(to, c, model, t, place, how.most, Purpose::kPlacing, odd);
+          if (odd && !how.in_plan_only) c.when(t, quarter_states(model.items[t]));
         }
         to.push_back(std::move(c));
       }

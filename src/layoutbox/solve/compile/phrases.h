@@ -19,8 +19,20 @@ Place place_of(int item);
 Place place_of(const Model& model, const RoomWall& wall);
 
 // Distance along `d` from the edge of r to the nearer edge of t; negative where t reaches back over it.
+Linear gap_towards(const Place& t, const Place& r, Direction d);
 Linear gap_towards(int t, const Place& r, Direction d);
 inline Linear gap_towards(int t, int r, Direction d) { return gap_towards(t, place_of(r), d); }
+
+// Places that lie within the body of an item, whatever its turn: the item's box in the states at quarter turns, an upright box within the
+// turned body and its corners in the others. A thing is at most as far from the body as from one of these.
+struct Part {
+  Place place;
+  std::uint64_t states;  // in these
+  bool corner = false;
+};
+std::vector<Part> parts_of(const Model& model, int item);
+// The states of an item at quarter turns.
+inline std::uint64_t quarter_states(const Item& item) { return item.all_states & ~item.odd_states; }
 
 // The item stands on the floor and nowhere else.
 bool floor_only(const Item& item);
@@ -29,8 +41,10 @@ bool floor_only(const Item& item);
 bool has_knee_room(const Item& item);
 Side used_side(const Item& item);
 
-// gap(t, r) ≤ most, as cases that begin like `base`: straight across exactly, else an octagon within (or around) the circle.
-void add_within(std::vector<Case>& cases, Case base, const Model& model, int t, const Place& r, Mm most, Purpose purpose);
+// gap(t, r) ≤ most, as cases that begin like `base`: straight across exactly, else an octagon within (or around) the circle. `t_states`:
+// when placing, for t in these states only.
+void add_within(std::vector<Case>& cases, Case base, const Model& model, int t, const Place& r, Mm most, Purpose purpose,
+                std::uint64_t t_states = ~std::uint64_t{0});
 // gap(t, r) ≥ least, as cases (an octagon around, or within, the circle).
 void add_apart(std::vector<Case>& cases, const Model& model, int t, const Place& r, Mm least, Purpose purpose);
 // least ≤ gap(t, r) ≤ most. `wished`: which distance the middles would best have; no `most`: any distance beyond `least`.

@@ -48,7 +48,13 @@ void add_top(Formula& f, const Model& model, int t, int r) {
   outer.require_small(lo(t, 2) - hi(r, 2), 0);
   const Size& size = ref.states[0].size;
   const bool within = fits(item, size.width, size.depth);
-  for (int axis = 0; axis < 2; ++axis) add_over(c, outer, t, axis, lo(r, axis), hi(r, axis), within);
+  for (int axis = 0; axis < 2; ++axis) {
+    // Turned, it carries nothing in the corners of the box around it.
+    const bool odd = ref.odd_states != 0;
+    const Linear low = odd ? lo(r, axis) + constant_of(r, ref.footprint + axis) : lo(r, axis);
+    const Linear high = odd ? lo(r, axis) + constant_of(r, ref.footprint + 2 + axis) : hi(r, axis);
+    add_over(c, outer, t, axis, low, high, within);
+  }
   c.price = price_of_height(size.height);
   f.cases.push_back(std::move(c));
   f.add_outer() = std::move(outer);
