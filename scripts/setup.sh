@@ -127,8 +127,13 @@ wants_blender() { [[ $mode != build ]]; }
 wants_tests() { [[ $mode == tests || $mode == nightly ]]; }
 
 has_python_tools() { has_environment tools tests.txt; }
+# Node.js 20 or later, for the mock server aimock.
+has_node() {
+  local version
+  version=$(node --version 2>/dev/null) && [[ $version =~ ^v([0-9]+) ]] && ((BASH_REMATCH[1] >= 20)) || has_environment nodejs nodejs.txt
+}
 has_mocks() {
-  has_environment mocks-python mocks.txt && [[ -d $deps/mocks-node/node_modules ]] &&
+  has_environment mocks-python mocks.txt && has_node && [[ -d $deps/mocks-node/node_modules ]] &&
     cmp -s "$deps/mocks-node/package-lock.json" "$root/tests/llm/mocks/package-lock.json"
 }
 has_gltf_validator() { [[ -d $deps/node/node_modules/gltf-validator ]] && cmp -s "$deps/node/package-lock.json" "$root/tests/tools/package-lock.json"; }
@@ -264,6 +269,9 @@ fetch_test_tools() {
     say "fetching mock servers of language models"
     if ! make_environment "$deps/mocks-python" python3 || ! install_requirements "$deps/mocks-python" mocks.txt; then
       die "the mock server llmock could not be fetched"
+    fi
+    if ! has_node && ! { make_environment "$deps/nodejs" python3 && install_requirements "$deps/nodejs" nodejs.txt; }; then
+      die "Node.js for the mock server aimock could not be fetched"
     fi
     mkdir -p "$deps/mocks-node"
     cp "$root"/tests/llm/mocks/package*.json "$deps/mocks-node/"

