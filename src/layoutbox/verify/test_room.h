@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "layoutbox/scene/test_turned.h"
 #include "layoutbox/verify/verify.h"
 
 namespace layoutbox::judge {
@@ -123,71 +124,5 @@ inline bool passes(const Report& report, std::string_view name, std::string_view
 
 inline Mm depth_of(const Layout& layout) { return layout.room.polygon[2].y; }
 inline Mm width_of(const Layout& layout) { return layout.room.polygon[1].x; }
-
-inline std::string swapped_words(std::string text, const std::vector<std::pair<std::string, std::string>>& changes) {
-  for (const auto& [from, to] : changes) {
-    if (const std::size_t at = text.find(from); at != std::string::npos) return text.replace(at, from.size(), to);
-  }
-  return text;
-}
-
-// The whole room turned counter-clockwise by 90°: what was along x is along y.
-inline Layout quarter_turned(Layout layout) {
-  const Mm depth = depth_of(layout);
-  const auto turn = [depth](Point p) { return Point{depth - p.y, p.x}; };
-  for (Point& p : layout.room.polygon) p = turn(p);
-  // The corner at the origin comes first again.
-  std::rotate(layout.room.polygon.begin(), layout.room.polygon.end() - 1, layout.room.polygon.end());
-  for (Wall& wall : layout.room.walls) wall.start = turn(wall.start), wall.end = turn(wall.end);
-  for (PlacedObject& object : layout.objects) {
-    object.position = {depth - object.position[1], object.position[0], object.position[2]};
-    object.rotation_deg = normalized_degrees(object.rotation_deg + 90);
-  }
-  for (PlacedRelation& placed : layout.relations) {
-    RelationParameters& p = placed.relation.parameters;
-    if (p.axis && placed.relation.type != RelationType::kEachSideOf && placed.relation.type != RelationType::kSymmetricAbout) {
-      p.axis = *p.axis == Axis::kX ? Axis::kY : *p.axis == Axis::kY ? Axis::kX : Axis::kZ;
-    }
-    p.region = swapped_words(p.region, {{"left", "front"}, {"front", "right"}, {"right", "back"}, {"back", "left"}});
-  }
-  return layout;
-}
-
-// The room as a mirror at its left wall shows it: left and right change places, for the room and for every object.
-inline Layout mirrored(Layout layout) {
-  const Mm width = width_of(layout);
-  const auto mirror = [width](Point p) { return Point{width - p.x, p.y}; };
-  std::vector<Point>& polygon = layout.room.polygon;
-  for (Point& p : polygon) p = mirror(p);
-  std::reverse(polygon.begin(), polygon.end());
-  for (Opening& opening : layout.room.openings) {
-    const Wall* wall = layout.find_wall(opening.wall);
-    const double length = std::hypot(wall->end.x - wall->start.x, wall->end.y - wall->start.y);
-    opening.offset = static_cast<Mm>(length) - *opening.offset - opening.width;
-    opening.swing = opening.swing == Swing::kInLeft ? Swing::kInRight : opening.swing == Swing::kInRight ? Swing::kInLeft : opening.swing;
-  }
-  for (Wall& wall : layout.room.walls) {
-    const Point start = wall.start;
-    wall.start = mirror(wall.end), wall.end = mirror(start);
-  }
-  const auto other_side = [](Side side) { return side == Side::kLeft ? Side::kRight : side == Side::kRight ? Side::kLeft : side; };
-  for (PlacedObject& object : layout.objects) {
-    object.position[0] = width - object.position[0];
-    object.rotation_deg = normalized_degrees(-object.rotation_deg);
-    for (Space& space : object.spaces) space.min[0] = std::exchange(space.max[0], -space.min[0]) * -1;
-    for (Side& side : object.used_sides) side = other_side(side);
-  }
-  const std::vector<std::pair<std::string, std::string>> words{{"left", "right"}, {"right", "left"}, {"min", "max"}, {"max", "min"}};
-  for (PlacedRelation& placed : layout.relations) {
-    Relation& relation = placed.relation;
-    RelationParameters& p = relation.parameters;
-    if (p.side) p.side = other_side(*p.side);
-    p.part = swapped_words(p.part, words), p.edge = swapped_words(p.edge, words), p.region = swapped_words(p.region, words);
-    if (relation.type == RelationType::kLeftOf || relation.type == RelationType::kRightOf) {
-      relation.type = relation.type == RelationType::kLeftOf ? RelationType::kRightOf : RelationType::kLeftOf;
-    }
-  }
-  return layout;
-}
 
 }  // namespace layoutbox::judge
