@@ -51,9 +51,9 @@ std::vector<Example> group_examples() {
                                   }));
        },
        [](SceneMaker& s) {
-         s.add("table", 4);
-         for (SceneObject& o : s.raw().objects) o.size = SizeRange{{900, 900, 700}, {900, 900, 700}, {900, 900, 700}};
-         s.relate("grid", {"table_1", "table_2", "table_3", "table_4"}, {}, with([](auto& p) { p.columns = 4; }));
+         s.add("table", 2);
+         for (SceneObject& o : s.raw().objects) o.size = SizeRange{{1600, 1600, 700}, {1600, 1600, 700}, {1600, 1600, 700}};
+         s.relate("grid", {"table_1", "table_2"}, {}, with([](auto& p) { p.columns = 2; }));
        }},
       {"column",
        [](SceneMaker& s) {

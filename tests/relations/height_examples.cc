@@ -8,10 +8,9 @@ std::vector<Example> height_examples() {
       {"on", [](SceneMaker& s) { s.add("desk").add("table_lamp").relate("on", {"table_lamp_1"}, {"desk_1"}); },
        [](SceneMaker& s) {
          s.add("desk")
-             .add("dresser")
              .add("table_lamp")
              .relate("on", {"table_lamp_1"}, {"desk_1"})
-             .relate("on", {"table_lamp_1"}, {"dresser_1"});
+             .relate("distance", {"table_lamp_1"}, {"desk_1"}, with([](auto& p) { p.min = 500; }));
        }},
       {"under", [](SceneMaker& s) { s.add("table").add("rug").relate("under", {"rug_1"}, {"table_1"}); },
        [](SceneMaker& s) { s.add("table").add("wardrobe").relate("under", {"wardrobe_1"}, {"table_1"}); }},

@@ -41,11 +41,9 @@ std::vector<Example> room_examples() {
        }},
       {"onCeiling", [](SceneMaker& s) { s.add("pendant_lamp").relate("onCeiling", {"pendant_lamp_1"}); },
        [](SceneMaker& s) {
-         s.add("rug")
-             .add("pendant_lamp")
-             .sized(400, 400, 500)
-             .relate("onCeiling", {"pendant_lamp_1"})
-             .relate("nextTo", {"pendant_lamp_1"}, {"rug_1"});
+         s.add("mirror").mounted(Mount::kWall).relate("onCeiling", {"mirror_1"}).relate("onWall", {"mirror_1"}, {}, with([](auto& p) {
+                                                                                          p.height = 900;
+                                                                                        }));
        }},
       {"awayFromWall", [](SceneMaker& s) { s.add("sofa").relate("awayFromWall", {"sofa_1"}); },
        [](SceneMaker& s) { s.add("sofa").relate("awayFromWall", {"sofa_1"}, {}, with([](auto& p) { p.min = 1400; })); }},

@@ -30,6 +30,7 @@ Result<Layout> answer(const SceneGraph& scene, OnConflict on_conflict) {
 class SolverLimit : public testing::TestWithParam<Limit> {};
 
 TEST_P(SolverLimit, JustHeldIsClaimedJustBrokenIsNamed) {
+  if (!GetParam().solver) GTEST_SKIP() << "not a place where the solver lets it be";
   const SceneGraph held = fixed_scene(furnished(GetParam(), 0));
   const auto layout = answer(held, OnConflict::kFail);
   EXPECT_TRUE(layout) << layout.error().message;

@@ -5,12 +5,24 @@
 namespace layoutbox::placement {
 namespace {
 
+// Most questions are answered at once, faster than presolve reads them; distances that clash are answered only after it.
+constexpr double kWithoutPresolve = 0.001;
+
 Result<CpAnswer> ask(Encoding& encoding, const CpSatLibrary& library, const std::vector<char>& demanded, const ProofLimits& limits) {
   CpParameters parameters;
   parameters.seed = limits.seed;
-  parameters.deterministic_time = limits.deterministic_time;
-  const std::string bytes = library.solve(encoding.bytes(demanded), write_parameters(parameters), limits.stop, limits.seconds);
-  return read_answer(bytes, encoding.variable_count());
+  const std::string model = encoding.bytes(demanded);
+  double used = 0;
+  for (const bool presolve : {false, true}) {
+    parameters.presolve = presolve;
+    parameters.deterministic_time = presolve ? limits.deterministic_time - used : std::min(kWithoutPresolve, limits.deterministic_time);
+    const std::string bytes = library.solve(model, write_parameters(parameters), limits.stop, limits.seconds);
+    LAYOUTBOX_ASSIGN(CpAnswer answer, read_answer(bytes, encoding.variable_count()));
+    used = answer.deterministic_time += used;
+    const bool stopped = limits.stop && limits.stop->load();
+    if (presolve || stopped || answer.status != CpStatus::kUnknown || used >= limits.deterministic_time) return answer;
+  }
+  return CpAnswer{};
 }
 
 bool stopped(const ProofLimits& limits) { return limits.stop && limits.stop->load(); }

@@ -17,6 +17,9 @@ std::vector<std::vector<int>> orders_into(Formula& f, const Compilation& c) {
   return {c.targets};
 }
 
+// Well beyond what the meanings of rows, columns and spacings allow.
+constexpr Mm kSurelyUneven = 50;
+
 std::vector<int> axes_of(const Compilation& c) {
   if (!c.relation.parameters.axis) return {0, 1};
   const int axis = static_cast<int>(*c.relation.parameters.axis);
@@ -152,6 +155,10 @@ void compile_Grid(Compilation& c) {
   Case& in = f.add();
   const auto at = [&](int row, int column) { return c.targets[row * columns + column]; };
   const int rows = (n + columns - 1) / columns;
+  if (rows == 1 || columns == 1) {  // whatever the order: one line
+    Case& line = f.add_outer();
+    for (const int t : c.targets) line.require_small(mid2(t, rows == 1 ? 1 : 0) - mid2(c.targets[0], rows == 1 ? 1 : 0), 2 * kSurelyUneven);
+  }
   for (int i = 0; i < n; ++i) {
     const int row = i / columns, column = i % columns;
     if (row > 0) {
@@ -205,11 +212,17 @@ void compile_EvenlySpaced(Compilation& c) {
   }
   const std::vector<int> axes = axes_of(c);
   Formula& f = c.formula();
-  f.exact = false;  // overlapping things may be evenly spaced as well
-  for (const std::vector<int>& order : orders_into(f, c)) {
+  f.exact = false;
+  const std::vector<std::vector<int>> orders = orders_into(f, c);
+  const bool all_orders = !orders_of(c.model, c.relation, c.targets).empty();
+  for (const std::vector<int>& order : orders) {
     for (const int axis : axes) {
-      Case& in = f.add();
       const auto gap = [&](std::size_t i) { return lo(order[i], axis) - hi(order[i - 1], axis); };
+      if (all_orders) {  // overlapping things may be evenly spaced as well
+        Case& outer = f.add_outer();
+        for (std::size_t i = 2; i < order.size(); ++i) outer.require_small(gap(i) - gap(1), kSurelyUneven);
+      }
+      Case& in = f.add();
       for (std::size_t i = 1; i < order.size(); ++i) {
         in.require(gap(i));
         if (i > 1) in.require_small(gap(i) - gap(1), 5);

@@ -84,8 +84,9 @@ void compile_Align(Compilation& c) { align_all(c); }
 void compile_GroupAlign(Compilation& c) { align_all(c); }
 
 void compile_Inside(Compilation& c) {
+  const std::vector<Reference> room{{Reference::Kind::kRoom, -1}};
   for (const int t : c.targets) {
-    for (const Reference& r : c.references) {
+    for (const Reference& r : c.references.empty() ? room : c.references) {
       const Place place = c.place(r);
       Case& in = c.formula().add();
       for (int axis = 0; axis < 2; ++axis) in.require(lo(t, axis) - place.lo[axis]).require(place.hi[axis] - hi(t, axis));

@@ -113,7 +113,7 @@ std::string write_parameters(const CpParameters& parameters) {
   writer.add_int32(field::kSeed, static_cast<std::int32_t>(parameters.seed & 0x7fffffff));
   writer.add_double(field::kDeterministicTime, parameters.deterministic_time);
   writer.add_int32(field::kWorkers, 1);
-  writer.add_bool(field::kPresolve, false);
+  writer.add_bool(field::kPresolve, parameters.presolve);
   writer.add_int32(field::kLinearization, 0);
   writer.add_int32(field::kProbing, 0);
   writer.add_int32(field::kSymmetry, 0);

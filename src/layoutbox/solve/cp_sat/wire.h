@@ -49,6 +49,7 @@ struct CpParameters {
   std::uint64_t seed = 1;
   double deterministic_time = 1;  // CP-SAT's own units, about a second each
   bool first_solution = true;
+  bool presolve = false;
 };
 std::string write_parameters(const CpParameters& parameters);
 
