@@ -89,7 +89,9 @@ TEST_P(RelationExample, IsNamedWhereItCannot) {
   GetParam().impossible(maker);
   const SceneGraph written = maker.make();
   const std::string id = relation_of(written, GetParam().relation).id;
-  for (const auto& [how, scene] : all_ways(written)) {
+  const std::vector<Turned> ways = all_ways(written);
+  for (const std::size_t way : {0, 1, 7}) {  // as written, turned, and turned and mirrored
+    const auto& [how, scene] = ways[way];
     SCOPED_TRACE(how);
     SolveOptions options;
     options.improve = false;

@@ -51,9 +51,9 @@ std::vector<Example> group_examples() {
                                   }));
        },
        [](SceneMaker& s) {
-         s.add("table", 2);
-         for (SceneObject& o : s.raw().objects) o.size = SizeRange{{1600, 1600, 700}, {1600, 1600, 700}, {1600, 1600, 700}};
-         s.relate("grid", {"table_1", "table_2"}, {}, with([](auto& p) { p.columns = 2; }));
+         s.add("table", 3);
+         for (SceneObject& o : s.raw().objects) o.size = SizeRange{{1050, 1050, 700}, {1050, 1050, 700}, {1050, 1050, 700}};
+         s.relate("grid", {"table_1", "table_2", "table_3"}, {}, with([](auto& p) { p.columns = 3; }));
        }},
       {"column",
        [](SceneMaker& s) {

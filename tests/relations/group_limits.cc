@@ -90,7 +90,8 @@ std::vector<Limit> group_limits() {
              .add("c", "chair", kChair, {1.7, 1.99, 0, 90});
          r.relation(Type::kSurround, {"a", "b", "c"}, {"table"});
        },
-       {"c", {0, 0.1}}},
+       {"c", {0, 0.1}},
+       false},
       {"pairedWith",
        Type::kPairedWith,
        [](TestRoom& r) {
@@ -100,7 +101,25 @@ std::vector<Limit> group_limits() {
              .add("c2", "chair", kChair, {3.5, 2.0});
          r.relation(Type::kPairedWith, {"c1", "c2"}, {"d1", "d2"});
        },
-       {"c2", {0, -0.02}}},
+       {"c2", {0, -0.02}},
+       false},
+      {"surround, one too far",
+       Type::kSurround,
+       [](TestRoom& r) {
+         r.add("table", "table", {1, 1, 0.7}, {2.5, 2})
+             .add("a", "chair", kChair, {2.5, 1.2, 0, 180})
+             .add("b", "chair", kChair, {2.5, 2.8});
+         r.relation(Type::kSurround, {"a", "b"}, {"table"});
+       },
+       {"a", {0, -0.48}}},
+      {"pairedWith, well within reach",
+       Type::kPairedWith,
+       [](TestRoom& r) {
+         r.add("d1", "desk", {1, 0.6, 0.7}, {1, 3}).add("d2", "desk", {1, 0.6, 0.7}, {3.5, 3});
+         r.add("c1", "chair", kChair, {1, 2.4}).add("c2", "chair", kChair, {3.5, 2.2});
+         r.relation(Type::kPairedWith, {"c1", "c2"}, {"d1", "d2"});
+       },
+       {"c2", {0, -0.22}}},
   };
 }
 

@@ -10,7 +10,8 @@ std::vector<Limit> height_limits() {
        [](TestRoom& r) {
          table(r).add("vase", "vase", {0.2, 0.2, 0.3}, {2.5, 2.4, 0.75}, "table").relation(Type::kOn, {"vase"}, {"table"});
        },
-       {"vase", {0, 0, 0.02}}},
+       {"vase", {0, 0, 0.02}},
+       false},
       {"on the left part",
        Type::kOn,
        [](TestRoom& r) {

@@ -25,7 +25,9 @@ struct Limit {
   Type type;
   std::function<void(TestRoom&)> furnish;  // the relation is its only one, and just holds
   Break breaks;
-  bool solver = true;  // something that the solver can place as well: it stands on what holds it, and does not reach out of the room
+  // The solver claims it as well when everything is fixed there. Not where something reaches out of the room or stands where only a
+  // relation could put it, and not at the very limit of what the solver takes a little tighter (docs/solve.md, "Enough and needed").
+  bool solver = true;
 };
 
 inline void PrintTo(const Limit& limit, std::ostream* out) { *out << limit.name; }

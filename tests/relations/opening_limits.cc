@@ -15,10 +15,12 @@ std::vector<Limit> opening_limits() {
        Type::kUnderWindow,
        [](TestRoom& r) {
          r.window("window1", "wall3", 2)
-             .add("box", "box", {1.2, 0.6, 0.2}, {2.4, 3.7, 0.8})
+             .add("chest", "chest", {1.2, 0.6, 0.8}, {2.4, 3.7})
+             .add("box", "box", {1.2, 0.6, 0.2}, {2.4, 3.7, 0.8}, "chest")
              .relation(Type::kUnderWindow, {"box"}, {"window1"});
        },
-       {"box", {0, 0, 0.02}}},
+       {"box", {0, 0, 0.02}},
+       false},
       {"nearDoor",
        Type::kNearDoor,
        [](TestRoom& r) {

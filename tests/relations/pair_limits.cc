@@ -79,10 +79,11 @@ std::vector<Limit> pair_limits() {
        Type::kDistance,
        [](TestRoom& r) {
          bed(r)
-             .add("lamp", "pendant_lamp", kStand, {2.5, 3, 1.5}, "ceiling")
-             .relation(Type::kDistance, {"lamp"}, {"bed"}, with([](auto& p) { p.max = 1000; }));
+             .add("lamp", "pendant_lamp", kStand, {2.5, 3, 2.1}, "ceiling")
+             .relation(Type::kDistance, {"lamp"}, {"bed"}, with([](auto& p) { p.max = 1600; }));
        },
-       {"lamp", {0, 0, 0.02}}},
+       {"lamp", {0, 0, 0.02}},
+       false},
       {"touching",
        Type::kTouching,
        [](TestRoom& r) {
@@ -198,7 +199,7 @@ std::vector<Limit> pair_limits() {
       {"atHeadOf",
        Type::kAtHeadOf,
        [](TestRoom& r) {
-         bed(r).add("stand", "nightstand", kStand, {1.4, 2 + 4.0 / 3}).relation(Type::kAtHeadOf, {"stand"}, {"bed"});
+         bed(r).add("stand", "nightstand", kStand, {1.4, 3.334}).relation(Type::kAtHeadOf, {"stand"}, {"bed"});
        },
        {"stand", {0, -0.02}}},
       {"alongSide",

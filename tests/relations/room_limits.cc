@@ -22,7 +22,8 @@ std::vector<Limit> room_limits() {
        [](TestRoom& r) {
          r.add("bed", "bed", kBed, {0, 3}).relation(Type::kAgainstWall, {"bed"}, {"wall3"});
        },
-       {"bed", {-0.02, 0}}},
+       {"bed", {-0.02, 0}},
+       false},
       {"sideAgainstWall",
        Type::kSideAgainstWall,
        [](TestRoom& r) {
@@ -83,7 +84,7 @@ std::vector<Limit> room_limits() {
       {"onCeiling",
        Type::kOnCeiling,
        [](TestRoom& r) {
-         r.add("lamp", "pendant_lamp", {0.4, 0.4, 0.5}, {2, 2, 2.095}, "ceiling").relation(Type::kOnCeiling, {"lamp"});
+         r.add("lamp", "pendant_lamp", {0.4, 0.4, 0.5}, {2, 2, 2.1}, "ceiling").relation(Type::kOnCeiling, {"lamp"});
        },
        {"lamp", {0, 0, -0.02}}},
       {"awayFromWall",

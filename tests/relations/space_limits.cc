@@ -22,7 +22,8 @@ std::vector<Limit> space_limits() {
              .used({Side::kFront});
          r.relation(Type::kReachable, {"desk"});
        },
-       {"a", {0.08, 0}}},
+       {"a", {0.08, 0}},
+       false},
       {"keepClear",
        Type::kKeepClear,
        [](TestRoom& r) {
@@ -45,6 +46,17 @@ std::vector<Limit> space_limits() {
              .relation(Type::kKeepClear, {"sofa"}, {"door1"}, with([](auto& p) { p.depth = 1000; }));
        },
        {"sofa", {0, -0.02}}},
+      {"reachable, with room to spare",
+       Type::kReachable,  // a gap of 0.8 m
+       [](TestRoom& r) {
+         r.door("door1", "wall1", 2)
+             .add("a", "wardrobe", {2.1, 0.6, 2}, {1.05, 2})
+             .add("b", "wardrobe", {2.1, 0.6, 2}, {3.95, 2})
+             .add("desk", "desk", {1, 0.6, 0.7}, {2.5, 3.7})
+             .used({Side::kFront});
+         r.relation(Type::kReachable, {"desk"});
+       },
+       {"a", {0.3, 0}}},
   };
 }
 

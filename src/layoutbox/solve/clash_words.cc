@@ -5,6 +5,7 @@
 
 #include "layoutbox/solve/compile.h"
 #include "layoutbox/solve/conflict.h"
+#include "layoutbox/solve/fixed.h"
 
 namespace layoutbox::placement {
 namespace {
@@ -392,7 +393,7 @@ std::string describe_clash(const Model& model, const Clash& clash) {
 }
 
 std::vector<Clash> clashes_by_sums(const Model& model, const std::vector<char>& given_up, const std::vector<char>& left_out) {
-  std::vector<Clash> out;
+  std::vector<Clash> out = clashes_of_fixed(model, left_out);
   add_never(model, given_up, out);
   add_too_large(model, left_out, out);
   add_too_wide(model, given_up, left_out, out);

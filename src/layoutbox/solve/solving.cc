@@ -58,7 +58,9 @@ bool Solver::must_stop() {
 
 // Search, then proof, giving up one thing after another until everything that is left fits.
 Status Solver::find_legal() {
-  for (std::size_t round = 0; round <= model_.constraints.size() + model_.items.size(); ++round) {
+  // Each gives up one thing of the scene as it was asked for.
+  const std::size_t most_rounds = model_.constraints.size() + model_.items.size();
+  for (std::size_t round = 0; round <= most_rounds; ++round) {
     if (interrupted()) return fail(ErrorCode::kInterrupted, "stopped");
     if (fallback_) return {};
     std::vector<Clash> sums = clashes_of_locks(model_, given_up_, left_out_);
