@@ -1,7 +1,9 @@
 #include "layoutbox/base/words.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
+#include <utility>
 
 namespace layoutbox {
 namespace {
@@ -56,11 +58,39 @@ std::string counted(std::size_t count, std::string_view one, std::string_view ma
   return many.empty() ? text.append(one).append("s") : text.append(many);
 }
 
+std::string singular_of(std::string_view word) {
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 22> kIrregular = {{
+      {"shelves", "shelf"},  {"bookshelves", "bookshelf"},
+      {"knives", "knife"},   {"loaves", "loaf"},
+      {"leaves", "leaf"},    {"scarves", "scarf"},
+      {"cookies", "cookie"}, {"movies", "movie"},
+      {"mice", "mouse"},     {"children", "child"},
+      {"people", "person"},  {"feet", "foot"},
+      {"men", "man"},        {"women", "woman"},
+      {"halves", "half"},    {"wolves", "wolf"},
+      {"wives", "wife"},     {"men's", "man"},
+      {"chaises", "chaise"}, {"vases", "vase"},
+      {"glasses", "glass"},  {"lenses", "lens"},
+  }};
+  for (const auto& [plural, singular] : kIrregular) {
+    if (word == plural) return std::string(singular);
+  }
+  const auto ends = [&](std::string_view end) { return word.size() > end.size() && word.ends_with(end); };
+  if (word.size() > 4 && ends("ies")) return std::string(word.substr(0, word.size() - 3)) + "y";
+  if (ends("ches") || ends("shes") || ends("xes") || ends("sses") || ends("zzes")) return std::string(word.substr(0, word.size() - 2));
+  if (word.size() > 3 && ends("s") && !ends("ss") && !ends("us") && !ends("is")) return std::string(word.substr(0, word.size() - 1));
+  return std::string(word);
+}
+
 std::vector<std::string> singular_forms(std::string_view word) {
   std::vector<std::string> forms{std::string(word)};
-  const auto add = [&](std::size_t drop, std::string_view ending) {
-    if (word.size() > drop + 1) forms.push_back(std::string(word.substr(0, word.size() - drop)) + std::string(ending));
+  const auto add_form = [&](std::string form) {
+    if (std::find(forms.begin(), forms.end(), form) == forms.end()) forms.push_back(std::move(form));
   };
+  const auto add = [&](std::size_t drop, std::string_view ending) {
+    if (word.size() > drop + 1) add_form(std::string(word.substr(0, word.size() - drop)) + std::string(ending));
+  };
+  add_form(singular_of(word));  // the likeliest first
   if (word.ends_with("men")) add(3, "man");
   if (word.ends_with("feet")) add(4, "foot");
   if (!word.ends_with('s') || word.ends_with("ss")) return forms;

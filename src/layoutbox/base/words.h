@@ -20,6 +20,9 @@ std::string snake_case(std::string_view phrase);
 // "1 relation", "2 relations"; `many` where it takes more than an s ("boxes").
 std::string counted(std::size_t count, std::string_view one, std::string_view many = {});
 
+// The likeliest singular of a lower-case word, or the word itself: by its ending alone, no list of words is asked.
+std::string singular_of(std::string_view word);
+
 // What a word may be the plural of, itself first: "shelves" → shelves, shelve, shelf…; not all are words.
 std::vector<std::string> singular_forms(std::string_view word);
 

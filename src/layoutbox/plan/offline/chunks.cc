@@ -3,429 +3,227 @@
 #include <algorithm>
 #include <array>
 
+#include "layoutbox/plan/offline/chunks_parts.h"
 #include "layoutbox/plan/offline/english.h"
 
 namespace layoutbox::offline {
-namespace {
 
 using Class = WordClass;
 
-const PhraseSenses& distance_senses() {
-  static const PhraseSenses senses{{RelationType::kDistance, PhraseSense::Direction::kDirect, {}, {}, {}},
-                                   {RelationType::kDistance, PhraseSense::Direction::kAlone, {}, {}, {}}};
-  return senses;
-}
-
-// "50 cm apart": a row with that much between its members.
-const PhraseSenses& row_senses() {
-  static const PhraseSenses senses{{RelationType::kRow, PhraseSense::Direction::kAlone, {}, {}, {}}};
-  return senses;
-}
-
-const PhraseSenses& grid_senses() {
-  static const PhraseSenses senses{{RelationType::kGrid, PhraseSense::Direction::kAlone, {}, {}, {}}};
-  return senses;
-}
-
-class Chunker {
- public:
-  Chunker(const Lexicon& lexicon, std::span<const Token> tokens) : lexicon_(lexicon), tokens_(tokens) {}
-
-  std::vector<Chunk> run() {
-    while (i_ < tokens_.size()) {
-      if (tokens_[i_].kind == Token::Kind::kPunctuation) {
-        add(tokens_[i_].ends_sentence ? ChunkKind::kStop : ChunkKind::kComma, 1);
-      } else {
-        read();
-      }
-    }
-    return std::move(chunks_);
+ChunkKind Chunker::previous() const {
+  for (std::size_t k = chunks_.size(); k-- > 0;) {
+    if (chunks_[k].kind != ChunkKind::kIgnored && chunks_[k].kind != ChunkKind::kSoft) return chunks_[k].kind;
   }
+  return ChunkKind::kStop;
+}
 
- private:
-  Chunk& add(ChunkKind kind, std::size_t length) {
-    Chunk chunk;
-    chunk.kind = kind;
-    chunk.first = i_;
-    i_ += length;
+bool Chunker::opens_noun(const Token& token) const {
+  return token.kind == Token::Kind::kNumber || lexicon_.is(token, Class::kDefinite) || lexicon_.is(token, Class::kIndefinite) ||
+         lexicon_.is(token, Class::kPossessive) || lexicon_.is(token, Class::kEach) || lexicon_.is(token, Class::kBoth) ||
+         lexicon_.is(token, Class::kPronoun) || lexicon_.is(token, Class::kAnother) || token.text == "over" || token.text == "at" ||
+         token.text == "more" || token.text == "exactly" ||
+         (lexicon_.is(token, Class::kNumber) && token.text != "double" && token.text != "twin" && token.text != "single");
+}
+
+bool Chunker::clause_begins() const {
+  const ChunkKind before = previous();
+  return before == ChunkKind::kStop || before == ChunkKind::kClause || before == ChunkKind::kComma || before == ChunkKind::kAnd ||
+         before == ChunkKind::kCommand;
+}
+
+void Chunker::read() {
+  if (read_distance() || read_size_chunk() || read_rows()) return;
+  const PhraseMatch phrase = lexicon_.find_phrase(tokens_, i_);
+  const ChunkKind before = previous();
+  // "my desk is 's": what a person owns was read with the noun; elsewhere the sign stands for "is" or "us".
+  if (tokens_[i_].text == "'s") {
+    add(before == ChunkKind::kThere ? ChunkKind::kThere : ChunkKind::kIgnored, 1);
+    return;
+  }
+  // "The left nightstand", "two chairs": what opens a noun phrase is one, unless a longer phrase begins so ("one behind the other").
+  const std::size_t there = length_of(Class::kThere), without = length_of(Class::kWithout);
+  if (there > 0 && there >= without) {
+    if (there == 1 && before == ChunkKind::kNoun) {
+      add(ChunkKind::kIgnored, 1);
+    } else {
+      add(ChunkKind::kThere, there);
+    }
+    return;
+  }
+  const bool counts = tokens_[i_].text == "over" || tokens_[i_].text == "at" || tokens_[i_].text == "more" || tokens_[i_].text == "exactly";
+  const bool count_follows =
+      !counts || length_of(Class::kAtLeast) > 0 ||
+      (length_of(Class::kMoreThan) > 0 && i_ + 1 < tokens_.size() &&
+       (tokens_[i_ + 1].kind == Token::Kind::kNumber || lexicon_.is(tokens_[i_ + 1], Class::kNumber)) && before != ChunkKind::kNoun) ||
+      length_of(Class::kExactly) > 0;
+  const bool both_sides = phrase.length == 2 && std::any_of(phrase.senses->begin(), phrase.senses->end(), [](const PhraseSense& s) {
+                            return s.type == RelationType::kEachSideOf && s.direction == PhraseSense::Direction::kAlone;
+                          });
+  const std::size_t after_sides = i_ + phrase.length;
+  const bool sides_end = both_sides && (after_sides >= tokens_.size() || tokens_[after_sides].kind == Token::Kind::kPunctuation ||
+                                        lexicon_.is(tokens_[after_sides], Class::kAnd));
+  if (opens_noun(tokens_[i_]) && phrase.length < 3 && !sides_end && count_follows) {
+    const bool relative =
+        lexicon_.is(tokens_[i_], Class::kRelative) && before == ChunkKind::kNoun && !(tokens_[i_].text == "that" && noun_follows());
+    if (relative || (before == ChunkKind::kComma && tokens_[i_].text == "which")) {
+      add(ChunkKind::kRelative, 1);
+      return;
+    }
+    if (read_noun(false)) return;
+  }
+  if (read_words(phrase, without)) return;
+  if (read_noun(true)) return;
+  if (phrase.length > 0) {
+    add_phrase(phrase);
+    return;
+  }
+  read_small_word();
+}
+
+bool Chunker::noun_follows() const {
+  const auto noun = read_noun_phrase(lexicon_, tokens_, i_, false);
+  return noun && noun->kind == NounKind::kObject;
+}
+
+bool Chunker::read_noun(bool bare) {
+  // Right after a noun phrase no bare one begins: "lamps light the room", "a table holds".
+  const bool after_which = !chunks_.empty() && chunks_.back().noun.kind == NounKind::kPronoun && chunks_.back().noun.head == "which";
+  const bool after_noun = bare && previous() == ChunkKind::kNoun && !chunks_.back().noun.owner && !after_which;
+  if (after_noun && !lexicon_.is(tokens_[i_], Class::kWallWord)) return false;
+  auto noun = read_noun_phrase(lexicon_, tokens_, i_, bare);
+  if (!noun || noun->last <= i_) return false;
+  if (after_noun && noun->kind != NounKind::kWall && noun->kind != NounKind::kCorner) return false;
+  if (bare && noun->kind == NounKind::kAbstract && !noun->collective && noun->last == i_ + 1 &&
+      lexicon_.find_phrase(tokens_, i_).length > 0)
+    return false;
+  Chunk& chunk = add(ChunkKind::kNoun, noun->last - i_);
+  chunk.noun = std::move(*noun);
+  if (chunk.noun.owner && i_ < tokens_.size() && tokens_[i_].text == "'s") {
+    ++i_;
     chunk.last = i_;
-    chunks_.push_back(std::move(chunk));
-    return chunks_.back();
   }
+  return true;
+}
 
-  ChunkKind previous() const {
-    for (std::size_t k = chunks_.size(); k-- > 0;) {
-      if (chunks_[k].kind != ChunkKind::kIgnored && chunks_[k].kind != ChunkKind::kSoft) return chunks_[k].kind;
-    }
-    return ChunkKind::kStop;
+void Chunker::add_phrase(const PhraseMatch& phrase) {
+  const std::size_t first = i_;
+  Chunk& chunk = add(ChunkKind::kRelation, phrase.length);
+  chunk.phrase = phrase;
+  for (std::size_t i = first; i < first + phrase.length; ++i) {
+    chunk.hang |= lexicon_.is(tokens_[i], Class::kHang);
+    chunk.placing |= lexicon_.is(tokens_[i], Class::kParticiple) || chunk.hang;
   }
+}
 
-  std::size_t length_of(Class word_class) const { return lexicon_.find(tokens_, i_, word_class).length; }
-
-  bool opens_noun(const Token& token) const {
-    return token.kind == Token::Kind::kNumber || lexicon_.is(token, Class::kDefinite) || lexicon_.is(token, Class::kIndefinite) ||
-           lexicon_.is(token, Class::kPossessive) || lexicon_.is(token, Class::kEach) || lexicon_.is(token, Class::kBoth) ||
-           lexicon_.is(token, Class::kPronoun) || lexicon_.is(token, Class::kAnother) || token.text == "over" || token.text == "at" ||
-           token.text == "more" || token.text == "exactly" ||
-           (lexicon_.is(token, Class::kNumber) && token.text != "double" && token.text != "twin" && token.text != "single");
+bool Chunker::read_words(const PhraseMatch& phrase, std::size_t without) {
+  struct Choice {
+    ChunkKind kind;
+    std::size_t length;
+  };
+  const ChunkKind before = previous();
+  const bool after_noun = before == ChunkKind::kNoun || before == ChunkKind::kRelation;
+  const std::size_t be = be_length();
+  const std::size_t hang = length_of(Class::kHang), participle = length_of(Class::kParticiple), place = length_of(Class::kPlaceVerb);
+  std::array<Choice, 12> choices = {{
+      {ChunkKind::kCommand, clause_begins() ? length_of(Class::kCommand) : 0},
+      {ChunkKind::kWithout, without},
+      {ChunkKind::kSoft, length_of(Class::kSoft)},
+      {ChunkKind::kHave, length_of(Class::kHave)},
+      {ChunkKind::kRelation, phrase.length},
+      {ChunkKind::kVerb, be},
+      {ChunkKind::kParticiple, std::max(participle, hang)},
+      {ChunkKind::kVerb, place},
+      {ChunkKind::kClause, length_of(Class::kClause)},
+      {ChunkKind::kAnd, length_of(Class::kAnd)},
+      {ChunkKind::kPurpose, length_of(Class::kPurpose)},
+      {ChunkKind::kRelative, after_noun ? length_of(Class::kRelative) : 0},
+  }};
+  const Choice best =
+      *std::max_element(choices.begin(), choices.end(), [](const Choice& a, const Choice& b) { return a.length < b.length; });
+  if (best.length == 0) return false;
+  // A bare noun that begins with such a word and is longer: "standing lamp", "hanging chair", "set of drawers", "display cabinet".
+  if (best.kind != ChunkKind::kAnd && best.kind != ChunkKind::kClause && before != ChunkKind::kNoun) {
+    const auto noun = read_noun_phrase(lexicon_, tokens_, i_, true);
+    // "on opposite walls"
+    if (noun && noun->kind == NounKind::kWall && best.kind == ChunkKind::kRelation && before == ChunkKind::kRelation)
+      return read_noun(true);
+    if (noun && noun->kind == NounKind::kObject && noun->last > i_ + best.length && noun->entry != nullptr) {
+      const bool verb_first = (best.kind == ChunkKind::kParticiple || best.kind == ChunkKind::kVerb || best.kind == ChunkKind::kCommand ||
+                               best.kind == ChunkKind::kHave) &&
+                              clause_begins() && !noun->exact && !noun->plural && noun->determiner == Determiner::kNone &&
+                              noun->attributes.empty();
+      const bool preposition = best.kind == ChunkKind::kRelation && noun->name.find(tokens_[i_].text) == std::string::npos;
+      if (!verb_first && !preposition && best.kind != ChunkKind::kWithout && best.kind != ChunkKind::kPurpose) return read_noun(true);
+    }
   }
-
-  // A command or statement may begin here, so that a bare word is its verb and not a noun.
-  bool clause_begins() const {
-    const ChunkKind before = previous();
-    return before == ChunkKind::kStop || before == ChunkKind::kClause || before == ChunkKind::kComma || before == ChunkKind::kAnd ||
-           before == ChunkKind::kCommand;
-  }
-
-  void read() {
-    if (read_distance() || read_size_chunk() || read_rows()) return;
-    const PhraseMatch phrase = lexicon_.find_phrase(tokens_, i_);
-    const ChunkKind before = previous();
-    // "my desk is 's": what a person owns was read with the noun; elsewhere the sign stands for "is" or "us".
-    if (tokens_[i_].text == "'s") {
-      add(before == ChunkKind::kThere ? ChunkKind::kThere : ChunkKind::kIgnored, 1);
-      return;
-    }
-    // "The left nightstand", "two chairs": what opens a noun phrase is one, unless a longer phrase begins so ("one behind the other").
-    const std::size_t there = length_of(Class::kThere), without = length_of(Class::kWithout);
-    if (there > 0 && there >= without) {
-      if (there == 1 && before == ChunkKind::kNoun) {
-        add(ChunkKind::kIgnored, 1);
-      } else {
-        add(ChunkKind::kThere, there);
-      }
-      return;
-    }
-    const bool counts =
-        tokens_[i_].text == "over" || tokens_[i_].text == "at" || tokens_[i_].text == "more" || tokens_[i_].text == "exactly";
-    const bool count_follows =
-        !counts || length_of(Class::kAtLeast) > 0 ||
-        (length_of(Class::kMoreThan) > 0 && i_ + 1 < tokens_.size() &&
-         (tokens_[i_ + 1].kind == Token::Kind::kNumber || lexicon_.is(tokens_[i_ + 1], Class::kNumber)) && before != ChunkKind::kNoun) ||
-        length_of(Class::kExactly) > 0;
-    const bool both_sides = phrase.length == 2 && std::any_of(phrase.senses->begin(), phrase.senses->end(), [](const PhraseSense& s) {
-                              return s.type == RelationType::kEachSideOf && s.direction == PhraseSense::Direction::kAlone;
-                            });
-    const std::size_t after_sides = i_ + phrase.length;
-    const bool sides_end = both_sides && (after_sides >= tokens_.size() || tokens_[after_sides].kind == Token::Kind::kPunctuation ||
-                                          lexicon_.is(tokens_[after_sides], Class::kAnd));
-    if (opens_noun(tokens_[i_]) && phrase.length < 3 && !sides_end && count_follows) {
-      const bool relative =
-          lexicon_.is(tokens_[i_], Class::kRelative) && before == ChunkKind::kNoun && !(tokens_[i_].text == "that" && noun_follows());
-      if (relative || (before == ChunkKind::kComma && tokens_[i_].text == "which")) {
-        add(ChunkKind::kRelative, 1);
-        return;
-      }
-      if (read_noun(false)) return;
-    }
-    if (read_words(phrase, without)) return;
-    if (read_noun(true)) return;
-    if (phrase.length > 0) {
-      add_phrase(phrase);
-      return;
-    }
-    read_small_word();
-  }
-
-  bool noun_follows() const {
-    const auto noun = read_noun_phrase(lexicon_, tokens_, i_, false);
-    return noun && noun->kind == NounKind::kObject;
-  }
-
-  bool read_noun(bool bare) {
-    // Right after a noun phrase no bare one begins: "lamps light the room", "a table holds".
-    const bool after_which = !chunks_.empty() && chunks_.back().noun.kind == NounKind::kPronoun && chunks_.back().noun.head == "which";
-    const bool after_noun = bare && previous() == ChunkKind::kNoun && !chunks_.back().noun.owner && !after_which;
-    if (after_noun && !lexicon_.is(tokens_[i_], Class::kWallWord)) return false;
-    auto noun = read_noun_phrase(lexicon_, tokens_, i_, bare);
-    if (!noun || noun->last <= i_) return false;
-    if (after_noun && noun->kind != NounKind::kWall && noun->kind != NounKind::kCorner) return false;
-    if (bare && noun->kind == NounKind::kAbstract && !noun->collective && noun->last == i_ + 1 &&
-        lexicon_.find_phrase(tokens_, i_).length > 0)
-      return false;
-    Chunk& chunk = add(ChunkKind::kNoun, noun->last - i_);
-    chunk.noun = std::move(*noun);
-    if (chunk.noun.owner && i_ < tokens_.size() && tokens_[i_].text == "'s") {
-      ++i_;
-      chunk.last = i_;
-    }
+  if (best.kind == ChunkKind::kRelation) {
+    add_phrase(phrase);
     return true;
   }
-
-  void add_phrase(const PhraseMatch& phrase) {
-    const std::size_t first = i_;
-    Chunk& chunk = add(ChunkKind::kRelation, phrase.length);
-    chunk.phrase = phrase;
-    for (std::size_t i = first; i < first + phrase.length; ++i) {
-      chunk.hang |= lexicon_.is(tokens_[i], Class::kHang);
-      chunk.placing |= lexicon_.is(tokens_[i], Class::kParticiple) || chunk.hang;
-    }
+  const std::size_t first = i_;
+  Chunk& chunk = add(best.kind, best.length);
+  if (best.kind == ChunkKind::kVerb || best.kind == ChunkKind::kParticiple) {
+    for (std::size_t i = first; i < chunk.last; ++i) chunk.hang |= lexicon_.is(tokens_[i], Class::kHang);
+    chunk.placing = true;
+    // "hangs", "is mounted", "hang the lamp": finite.
+    const std::string& word = tokens_[chunk.last - 1].text;
+    const bool ing_or_ed = word.ends_with("ing") || word.ends_with("ed") || word == "hung" || word == "set" || word == "put" ||
+                           word == "laid" || word == "left" || word == "kept" || word == "built" || word == "found" || word == "held";
+    chunk.passive = be > 0 && best.kind == ChunkKind::kVerb && be == best.length;
+    if (best.kind == ChunkKind::kParticiple && !ing_or_ed) chunk.kind = ChunkKind::kVerb;
+    if (best.kind == ChunkKind::kParticiple && clause_begins() && (word == "set" || word == "put" || word == "left" || word == "leave") &&
+        before != ChunkKind::kComma)
+      chunk.kind = ChunkKind::kVerb;
   }
+  return true;
+}
 
-  // Verbs, joining words and relation phrases; the longest wins, and of equals the first of this order.
-  bool read_words(const PhraseMatch& phrase, std::size_t without) {
-    struct Choice {
-      ChunkKind kind;
-      std::size_t length;
-    };
-    const ChunkKind before = previous();
-    const bool after_noun = before == ChunkKind::kNoun || before == ChunkKind::kRelation;
-    const std::size_t be = be_length();
-    const std::size_t hang = length_of(Class::kHang), participle = length_of(Class::kParticiple), place = length_of(Class::kPlaceVerb);
-    std::array<Choice, 12> choices = {{
-        {ChunkKind::kCommand, clause_begins() ? length_of(Class::kCommand) : 0},
-        {ChunkKind::kWithout, without},
-        {ChunkKind::kSoft, length_of(Class::kSoft)},
-        {ChunkKind::kHave, length_of(Class::kHave)},
-        {ChunkKind::kRelation, phrase.length},
-        {ChunkKind::kVerb, be},
-        {ChunkKind::kParticiple, std::max(participle, hang)},
-        {ChunkKind::kVerb, place},
-        {ChunkKind::kClause, length_of(Class::kClause)},
-        {ChunkKind::kAnd, length_of(Class::kAnd)},
-        {ChunkKind::kPurpose, length_of(Class::kPurpose)},
-        {ChunkKind::kRelative, after_noun ? length_of(Class::kRelative) : 0},
-    }};
-    const Choice best =
-        *std::max_element(choices.begin(), choices.end(), [](const Choice& a, const Choice& b) { return a.length < b.length; });
-    if (best.length == 0) return false;
-    // A bare noun that begins with such a word and is longer: "standing lamp", "hanging chair", "set of drawers", "display cabinet".
-    if (best.kind != ChunkKind::kAnd && best.kind != ChunkKind::kClause && before != ChunkKind::kNoun) {
-      const auto noun = read_noun_phrase(lexicon_, tokens_, i_, true);
-      // "on opposite walls"
-      if (noun && noun->kind == NounKind::kWall && best.kind == ChunkKind::kRelation && before == ChunkKind::kRelation)
-        return read_noun(true);
-      if (noun && noun->kind == NounKind::kObject && noun->last > i_ + best.length && noun->entry != nullptr) {
-        const bool verb_first = (best.kind == ChunkKind::kParticiple || best.kind == ChunkKind::kVerb || best.kind == ChunkKind::kCommand ||
-                                 best.kind == ChunkKind::kHave) &&
-                                clause_begins() && !noun->exact && !noun->plural && noun->determiner == Determiner::kNone &&
-                                noun->attributes.empty();
-        const bool preposition = best.kind == ChunkKind::kRelation && noun->name.find(tokens_[i_].text) == std::string::npos;
-        if (!verb_first && !preposition && best.kind != ChunkKind::kWithout && best.kind != ChunkKind::kPurpose) return read_noun(true);
-      }
+std::size_t Chunker::be_length() const {
+  std::size_t length = length_of(Class::kBe);
+  if (length == 0) return 0;
+  while (i_ + length < tokens_.size() && tokens_[i_ + length].kind == Token::Kind::kWord) {
+    const std::size_t at = i_ + length;
+    const std::size_t again = lexicon_.find(tokens_, at, Class::kBe).length;
+    if (again > 0) {
+      length += again;
+      continue;
     }
-    if (best.kind == ChunkKind::kRelation) {
-      add_phrase(phrase);
-      return true;
-    }
-    const std::size_t first = i_;
-    Chunk& chunk = add(best.kind, best.length);
-    if (best.kind == ChunkKind::kVerb || best.kind == ChunkKind::kParticiple) {
-      for (std::size_t i = first; i < chunk.last; ++i) chunk.hang |= lexicon_.is(tokens_[i], Class::kHang);
-      chunk.placing = true;
-      // "hangs", "is mounted", "hang the lamp": finite.
-      const std::string& word = tokens_[chunk.last - 1].text;
-      const bool ing_or_ed = word.ends_with("ing") || word.ends_with("ed") || word == "hung" || word == "set" || word == "put" ||
-                             word == "laid" || word == "left" || word == "kept" || word == "built" || word == "found" || word == "held";
-      chunk.passive = be > 0 && best.kind == ChunkKind::kVerb && be == best.length;
-      if (best.kind == ChunkKind::kParticiple && !ing_or_ed) chunk.kind = ChunkKind::kVerb;
-      if (best.kind == ChunkKind::kParticiple && clause_begins() && (word == "set" || word == "put" || word == "left" || word == "leave") &&
-          before != ChunkKind::kComma)
-        chunk.kind = ChunkKind::kVerb;
-    }
-    return true;
-  }
-
-  // "is", "are placed", "is also gently mounted": the verb with its participle; 0 if there is none.
-  std::size_t be_length() const {
-    std::size_t length = length_of(Class::kBe);
-    if (length == 0) return 0;
-    while (i_ + length < tokens_.size() && tokens_[i_ + length].kind == Token::Kind::kWord) {
-      const std::size_t at = i_ + length;
-      const std::size_t again = lexicon_.find(tokens_, at, Class::kBe).length;
-      if (again > 0) {
-        length += again;
-        continue;
-      }
-      // A relation phrase that begins with the participle ("is flanked by", "is centered on") is left to be read as one.
-      const PhraseMatch phrase = lexicon_.find_phrase(tokens_, at);
-      if (lexicon_.find(tokens_, at, Class::kHave).length > 1) break;
-      if (phrase.length > 1 || (phrase.length == 1 && !lexicon_.is(tokens_[at], Class::kParticiple))) break;
-      const std::size_t more =
-          std::max({lexicon_.find(tokens_, at, Class::kParticiple).length, lexicon_.find(tokens_, at, Class::kHang).length,
-                    lexicon_.find(tokens_, at, Class::kAdverb).length});
-      if (more == 0) break;
-      length += more;
-    }
-    return length;
-  }
-
-  // "50 cm from the wall", "1 m to the left of", "at least 2 m away from".
-  bool read_distance() {
-    std::size_t at = i_;
-    const auto skip_class = [&](Class word_class) {
-      const std::size_t length = lexicon_.find(tokens_, at, word_class).length;
-      at += length;
-      return length > 0;
-    };
-    bool at_least = false, at_most = false;
-    // "at a distance of 50 cm"
-    bool apart = false;
-    if (at + 4 < tokens_.size() && tokens_[at].text == "at" && tokens_[at + 2].text == "distance" && tokens_[at + 3].text == "of") {
-      at += 4;
-      apart = true;
-    }
-    if (tokens_[at].text == "within") at_most = true, ++at;
-    at_least = skip_class(Class::kAtLeast) || skip_class(Class::kMoreThan);
-    at_most |= skip_class(Class::kAtMost);
-    skip_class(Class::kExactly);
-    if (at < tokens_.size() && tokens_[at].text == "a" && at + 1 < tokens_.size() && lexicon_.is(tokens_[at + 1], Class::kUnit))
-      return false;
-    const auto measure = read_measure(lexicon_, tokens_, at);
-    if (!measure) return false;
-    at += measure->length;
-    if (apart && (at >= tokens_.size() || (tokens_[at].text != "from" && tokens_[at].text != "to"))) {
-      Chunk& chunk = add(ChunkKind::kRelation, at - i_);
-      chunk.phrase = PhraseMatch{chunk.last - chunk.first, &distance_senses()};
-      chunk.distance = measure->metres;
-      return true;
-    }
-    if (at >= tokens_.size()) return false;
-    while (at < tokens_.size() && (tokens_[at].text == "away" || tokens_[at].text == "of") && at + 1 < tokens_.size()) {
-      if (tokens_[at].text == "of" && !at_most) return false;
-      ++at;
-    }
-    if (tokens_[at].text == "apart") {
-      Chunk& chunk = add(ChunkKind::kRelation, at + 1 - i_);
-      chunk.phrase = PhraseMatch{chunk.last - chunk.first, &row_senses()};
-      chunk.distance = measure->metres;
-      return true;
-    }
-    if (tokens_[at].text == "between") {
-      Chunk& chunk = add(ChunkKind::kRelation, at + 1 - i_);
-      chunk.phrase = lexicon_.find_phrase(tokens_, at);
-      chunk.distance = measure->metres;
-      chunk.at_least = at_least;
-      chunk.at_most = at_most;
-      chunk.gap = true;
-      return true;
-    }
+    // A relation phrase that begins with the participle ("is flanked by", "is centered on") is left to be read as one.
     const PhraseMatch phrase = lexicon_.find_phrase(tokens_, at);
-    const bool from = tokens_[at].text == "from" || tokens_[at - 1].text == "of" || tokens_[at].text == "off";
-    if (!from && phrase.length == 0) return false;
-    const std::size_t first = i_;
-    const std::size_t length = at - first + (tokens_[at - 1].text == "of" ? 0 : from ? 1 : phrase.length);
-    Chunk& chunk = add(ChunkKind::kRelation, length);
-    chunk.phrase = from ? PhraseMatch{length, &distance_senses()} : phrase;
-    chunk.distance = measure->metres;
-    chunk.at_least = at_least;
-    chunk.at_most = at_most;
-    return true;
+    if (lexicon_.find(tokens_, at, Class::kHave).length > 1) break;
+    if (phrase.length > 1 || (phrase.length == 1 && !lexicon_.is(tokens_[at], Class::kParticiple))) break;
+    const std::size_t more = std::max({lexicon_.find(tokens_, at, Class::kParticiple).length,
+                                       lexicon_.find(tokens_, at, Class::kHang).length, lexicon_.find(tokens_, at, Class::kAdverb).length});
+    if (more == 0) break;
+    length += more;
   }
+  return length;
+}
 
-  // "in three rows", "in rows of four", "in two rows of six".
-  bool read_rows() {
-    std::size_t at = i_;
-    if (tokens_[at].text != "in" && tokens_[at].text != "into") return false;
-    ++at;
-    const auto number = [&]() {
-      if (at >= tokens_.size()) return 0;
-      if (tokens_[at].kind == Token::Kind::kNumber) return static_cast<int>(std::clamp(tokens_[at++].number, 0.0, 1000.0));
-      const Match match = lexicon_.find(tokens_, at, Class::kNumber);
-      if (match.length == 0) return 0;
-      at += match.length;
-      for (const Meaning& meaning : match.meanings) {
-        if (meaning.word_class == Class::kNumber) return static_cast<int>(meaning.value);
-      }
-      return 0;
-    };
-    const int rows = number();
-    if (at < tokens_.size() && (tokens_[at].text == "neat" || tokens_[at].text == "straight" || tokens_[at].text == "parallel")) ++at;
-    if (at >= tokens_.size() || tokens_[at].text != "rows") return false;
-    ++at;
-    int columns = 0;
-    if (at + 1 < tokens_.size() && tokens_[at].text == "of") {
-      const std::size_t before = at++;
-      columns = number();
-      if (columns == 0) at = before;
-    }
-    Chunk& chunk = add(ChunkKind::kRelation, at - i_);
-    chunk.phrase = PhraseMatch{chunk.last - chunk.first, &grid_senses()};
-    chunk.rows = rows;
-    chunk.columns = columns;
-    return true;
+void Chunker::read_small_word() {
+  const Match match = lexicon_.find(tokens_, i_);
+  const auto is = [&](Class word_class) {
+    return std::any_of(match.meanings.begin(), match.meanings.end(), [&](const Meaning& m) { return m.word_class == word_class; });
+  };
+  if (match.length > 0 && (is(Class::kVerb) || is(Class::kOwnClause))) {
+    add(ChunkKind::kPurpose, match.length);  // what such a verb says of the room is no placing
+    return;
   }
-
-  // A size by itself: "120 cm wide", "2 m by 1 m", "(1.6 x 2.0 m)".
-  bool read_size_chunk() {
-    SaidSize size;
-    std::size_t at = i_;
-    std::vector<double> values;
-    double unit = 0;
-    while (at < tokens_.size() && tokens_[at].kind == Token::Kind::kNumber) {
-      const auto measure = read_measure(lexicon_, tokens_, at);
-      values.push_back(measure ? measure->metres : tokens_[at].number);
-      if (measure) {
-        unit = measure->metres / std::max(tokens_[at].number, 1e-9);
-        SaidSize named;
-        const std::size_t taken = read_size(lexicon_, tokens_, at, named);
-        if (taken > 0 && values.size() == 1) {  // "120 cm wide and 60 cm deep" comes in two
-          // Before a noun it belongs to the noun phrase.
-          if (previous() != ChunkKind::kNoun && previous() != ChunkKind::kComma && previous() != ChunkKind::kAnd &&
-              previous() != ChunkKind::kVerb && previous() != ChunkKind::kIgnored)
-            return false;
-          if (at + taken < tokens_.size() && lexicon_.find(tokens_, at + taken, Class::kObject).length > 0) return false;
-          Chunk& chunk = add(ChunkKind::kSize, at + taken - i_);
-          chunk.size = named;
-          return true;
-        }
-      }
-      at += measure ? measure->length : 1;
-      if (at + 1 < tokens_.size() && (tokens_[at].text == "x" || tokens_[at].text == "by" || tokens_[at].text == "*") &&
-          tokens_[at + 1].kind == Token::Kind::kNumber) {
-        ++at;
-        continue;
-      }
-      break;
-    }
-    if (values.size() < 2 || unit == 0) return false;
-    // One unit at the end holds for all: "120 x 60 cm".
-    std::size_t check = i_;
-    for (double& value : values) {
-      const auto measure = read_measure(lexicon_, tokens_, check);
-      if (!measure) value *= unit;
-      check += (measure ? measure->length : 1) + 1;
-    }
-    size.width = values[0];
-    size.depth = values[1];
-    if (values.size() > 2) size.height = values[2];
-    Chunk& chunk = add(ChunkKind::kSize, at - i_);
-    chunk.size = size;
-    return true;
+  if (is(Class::kColor) || is(Class::kMaterial) || is(Class::kSizeWord) || is(Class::kShape) || is(Class::kStyle)) {
+    add(ChunkKind::kAttribute, match.length);
+    return;
   }
-
-  void read_small_word() {
-    const Match match = lexicon_.find(tokens_, i_);
-    const auto is = [&](Class word_class) {
-      return std::any_of(match.meanings.begin(), match.meanings.end(), [&](const Meaning& m) { return m.word_class == word_class; });
-    };
-    if (match.length > 0 && (is(Class::kVerb) || is(Class::kOwnClause))) {
-      add(ChunkKind::kPurpose, match.length);  // what such a verb says of the room is no placing
-      return;
-    }
-    if (is(Class::kColor) || is(Class::kMaterial) || is(Class::kSizeWord) || is(Class::kShape) || is(Class::kStyle)) {
-      add(ChunkKind::kAttribute, match.length);
-      return;
-    }
-    if (match.length > 0) {
-      add(ChunkKind::kIgnored, match.length);
-      return;
-    }
-    const WordForm form = word_form(tokens_[i_].text);
-    if (form == WordForm::kVerb && previous() == ChunkKind::kNoun) {
-      add(ChunkKind::kPurpose, 1);
-      return;
-    }
-    add(form == WordForm::kAdverb || form == WordForm::kAdjective ? ChunkKind::kIgnored : ChunkKind::kUnknown, 1);
+  if (match.length > 0) {
+    add(ChunkKind::kIgnored, match.length);
+    return;
   }
-
-  const Lexicon& lexicon_;
-  std::span<const Token> tokens_;
-  std::size_t i_ = 0;
-  std::vector<Chunk> chunks_;
-};
-
-}  // namespace
+  const WordForm form = word_form(tokens_[i_].text);
+  if (form == WordForm::kVerb && previous() == ChunkKind::kNoun) {
+    add(ChunkKind::kPurpose, 1);
+    return;
+  }
+  add(form == WordForm::kAdverb || form == WordForm::kAdjective ? ChunkKind::kIgnored : ChunkKind::kUnknown, 1);
+}
 
 std::vector<Chunk> chunk_tokens(const Lexicon& lexicon, std::span<const Token> tokens) { return Chunker(lexicon, tokens).run(); }
 

@@ -116,6 +116,8 @@ void NounPhraseReader::read_of() {
     if (base->kind != NounKind::kObject && base->kind != NounKind::kAbstract) return;
     phrase_.name += " of " + (base->name.empty() ? text_of(tokens_, base->first, base->last) : base->name);
     i_ = base->last;
+    const bool things = base->kind == NounKind::kObject && base->exact && base->plural && base->determiner == Determiner::kNone;
+    if (things) phrase_.contents = std::make_shared<NounPhrase>(std::move(*base));
     return;
   }
   i_ = base->last;
@@ -159,6 +161,14 @@ std::optional<NounPhrase> NounPhraseReader::settle() {
     settle_object(part, head - 1);
   } else {
     take_attributes(head - 1);
+    if (part.word_class == Class::kPart && part.meaning.entry != nullptr && (counted_ || phrase_.determiner == Determiner::kIndefinite)) {
+      const NounPhrase opened = phrase_;
+      settle_object(part, head - 1);
+      auto object = std::make_shared<NounPhrase>(phrase_);
+      object->last = i_;
+      phrase_ = opened;
+      phrase_.as_object = std::move(object);
+    }
     settle_place(part);
     // "bath essentials", "decorative items": things, where something holds them.
     if (phrase_.kind == NounKind::kAbstract && is_collective(phrase_.head)) {

@@ -54,9 +54,11 @@ struct NounPhrase {
   std::string wall_word;      // left, right, back, front
   std::string wall_relation;  // opposite, other, adjacent, same
   SaidSize size;
-  std::shared_ptr<NounPhrase> of;   // "the corner of the desk", "two of the beds"
-  bool owner = false;               // followed by 's
-  std::size_t first = 0, last = 0;  // tokens [first, last)
+  std::shared_ptr<NounPhrase> of;         // "the corner of the desk", "two of the beds"
+  std::shared_ptr<NounPhrase> contents;   // "a rack of dumbbells": what is in it
+  std::shared_ptr<NounPhrase> as_object;  // of a part: the thing that has its name ("two sinks"), should no host be there
+  bool owner = false;                     // followed by 's
+  std::size_t first = 0, last = 0;        // tokens [first, last)
   bool is_plural() const { return count > 1 || (count == 0 && plural); }
 };
 

@@ -45,7 +45,9 @@ bool NounPhraseReader::read_count() {
   }
   const int value = static_cast<int>(meaning->value);
   // "a pair of two chairs" stays two; "several dozen" is not worth more than several.
-  phrase_.count = phrase_.count > 0 && !is_number ? phrase_.count : value;
+  // "two pairs of boots", "three dozen": so many times.
+  const bool times = is_number && phrase_.count > 0 && (at_word("pairs") || at_word("pair") || at_word("dozen"));
+  phrase_.count = times ? phrase_.count * value : phrase_.count > 0 && !is_number ? phrase_.count : value;
   phrase_.vague |= !is_number;
   counted_ = true;
   i_ += best.length;
@@ -116,8 +118,8 @@ bool NounPhraseReader::read_pronoun() {
     if (next.length == 0 && i_ + 1 < tokens_.size() && tokens_[i_ + 1].kind == Token::Kind::kWord) return false;
   }
   phrase_.kind = NounKind::kPronoun;
-  phrase_.reciprocal = pronoun.length == 2;  // "each other", "one another"
-  phrase_.head = text;
+  phrase_.head = tokens_[i_ + pronoun.length - 1].text;
+  phrase_.reciprocal = phrase_.head == "other" || phrase_.head == "another";  // "each other", "one another"
   phrase_.plural = text == "them" || text == "they" || text == "these" || text == "those" || text == "themselves";
   i_ += pronoun.length;
   return done_ = true;

@@ -143,7 +143,8 @@ bool NounPhraseReader::read_part() {
     }
     // Participles and verbs stand before the noun only: "a folded blanket", "a rolling chair".
     if (!noun_before && named && (has(match, Class::kParticiple) || has(match, Class::kHang) || has(match, Class::kVerb)) &&
-        match.length == 1 && (token().text.ends_with("ed") || token().text.ends_with("ing"))) {
+        match.length == 1 && (token().text.ends_with("ed") || token().text.ends_with("ing")) &&
+        lexicon_.find_phrase(tokens_, i_).length < 2 && lexicon_.find(tokens_, i_, Class::kHave).length < 2) {  // "each filled with"
       return add(Class::kFiller, match.meanings.front(), 1, false);
     }
     if (!noun_before && named && has(match, Class::kAdverb)) {

@@ -202,19 +202,6 @@ void RelationBuilder::add_relations(const Link& link) {
   }
 }
 
-void RelationBuilder::add_each_other(const Link& link, const std::vector<int>& targets) {
-  if (targets.size() < 2 || link.senses.empty()) return;
-  const NounPhrase& other = noun_of_item(targets.front());
-  const auto sense = choose_sense(catalog_, link.senses, Direction::kDirect, noun_of_item(targets.back()), other);
-  if (!sense) return;
-  for (std::size_t t = 1; t < targets.size(); ++t) {
-    const std::string &one = id(targets[t - 1]), &next = id(targets[t]);
-    add(link, sense->type, {one}, {next}, *sense);
-    if (sense->type == R::kOpposite) add_across(link, targets[t - 1], {next});
-    if (sense->type == R::kFacing) add(link, sense->type, {next}, {one}, *sense);
-  }
-}
-
 void RelationBuilder::add_relations_to(const Link& link, const std::vector<int>& targets, const Mention& reference_mention) {
   const Mention* place = reference_mention.items.empty() ? &reference_mention : nullptr;
   const std::vector<int>& reference_items = reference_mention.items;
@@ -260,78 +247,6 @@ std::string RelationBuilder::place_of(const Link& link) const {
   return "prompt:" + std::to_string(document_.tokens[link.first].begin) + "-" + std::to_string(document_.tokens[link.last - 1].end);
 }
 
-void RelationBuilder::add_between(const Link& link, const std::vector<int>& targets) {
-  std::vector<std::string> references;
-  for (const int m : link.references) {
-    if (!mention(m).items.empty()) {
-      for (const int item : mention(m).items) references.push_back(id(item));
-    } else if (mention(m).noun.kind == NounKind::kDoor || mention(m).noun.kind == NounKind::kWindow) {
-      for (const std::string& opening : opening_ids(mention(m).noun)) references.push_back(opening);
-    } else if (mention(m).noun.kind == NounKind::kWall) {
-      references.push_back(mention(m).noun.wall_word.empty() ? "back" : mention(m).noun.wall_word);
-    }
-  }
-  if (references.size() < 2) return;
-  for (const int target : targets) add(link, R::kBetween, {id(target)}, references);
-}
-
-void RelationBuilder::add_group(const Link& link, PhraseSense sense, const std::vector<int>& targets, const std::vector<int>& references,
-                                const Mention* place) {
-  if (sense.type == R::kCenterOfRoom) {
-    // What lies flat shares the middle with what stands there.
-    std::vector<int> flat, standing;
-    for (const int target : targets)
-      (noun_of_item(target).entry != nullptr && noun_of_item(target).entry->thin ? flat : standing).push_back(target);
-    if (!flat.empty()) add(link, sense.type, ids(flat), {}, sense);
-    if (!standing.empty()) add(link, sense.type, ids(standing), {}, sense);
-    if (flat.size() == 1 && standing.size() == 1) add(link, R::kUnder, ids(flat), ids(standing));
-    return;
-  }
-  if (sense.type == R::kAround && !references.empty()) {
-    // In a ring where nothing has sides; spread over the sides of a table.
-    const NounPhrase& host = noun_of_item(references.front());
-    const bool enough = targets.size() >= 3 * references.size();
-    const bool round = std::any_of(host.attributes.begin(), host.attributes.end(),
-                                   [](const std::string& a) { return a == "round" || a == "circular" || a == "oval"; });
-    if ((round || !is_table(catalog_, host)) && enough) sense.type = R::kSurround;
-  }
-  if (sense.type == R::kEachSideOf && references.size() == 1 && targets.size() >= 4 && is_seat(catalog_, noun_of_item(targets.front())) &&
-      is_table(catalog_, noun_of_item(references.front()))) {
-    add_seats_at_sides(link, targets, references.front());
-    return;
-  }
-  if (references.empty()) {
-    add(link, sense.type, ids(targets), place != nullptr ? room_reference(place->noun, sense.type) : std::vector<std::string>{}, sense);
-    return;
-  }
-  const std::size_t hosts = relation_row(sense.type).arity == RelationArity::kNone ? 1 : references.size();
-  // Several hosts share the targets out.
-  for (std::size_t h = 0; h < hosts; ++h) {
-    std::vector<int> share;
-    for (std::size_t t = h; t < targets.size(); t += hosts) share.push_back(targets[t]);
-    if (share.empty()) continue;
-    const std::vector<std::string> host =
-        relation_row(sense.type).arity == RelationArity::kNone ? std::vector<std::string>{} : std::vector<std::string>{id(references[h])};
-    if (sense.type == R::kEachSideOf && share.size() == 1) {
-      add(link, R::kNextTo, ids(share), host);
-    } else {
-      add(link, sense.type, ids(share), host, sense);
-    }
-  }
-}
-
-// "two rows of four chairs".
-void RelationBuilder::add_rows() {
-  for (const Mention& mention : document_.mentions) {
-    if (!mention.introduces || mention.noun.rows == 0 || mention.items.size() < 2) continue;
-    Link link;
-    link.first = mention.noun.first;
-    link.last = mention.noun.last;
-    link.rows = mention.noun.rows;
-    add(link, mention.noun.rows > 1 ? R::kGrid : R::kRow, ids(mention.items), {});
-  }
-}
-
 // How high things hang that hang on a wall.
 void RelationBuilder::set_heights() {
   for (const auto& [object, height] : heights_) {
@@ -339,30 +254,6 @@ void RelationBuilder::set_heights() {
       Relation& relation = scene_.relations[r];
       if (relation.type == R::kOnWall && relation.targets.front() == object) relation.parameters.height = height;
     }
-  }
-}
-
-// "four chairs on each side" of a table sit along its long sides; one on each side of a square table is around it.
-void RelationBuilder::add_seats_at_sides(const Link& link, const std::vector<int>& seats, int table) {
-  const std::vector<std::string>& attributes = noun_of_item(table).attributes;
-  if (std::find(attributes.begin(), attributes.end(), "square") != attributes.end()) {
-    add(link, R::kAround, ids(seats), {id(table)});
-    return;
-  }
-  PhraseSense along{R::kAlongSide, Direction::kDirect, {}, {}, Side::kLong};
-  for (const int seat : seats) {
-    add(link, along.type, {id(seat)}, {id(table)}, along);
-    add_look(link, along.type, seat, table);
-  }
-}
-
-void RelationBuilder::add_corners(const Link& link, const Mention& target, const NounPhrase& corner) {
-  static const std::vector<std::vector<std::string>> kCorners = {
-      {"left", "back"}, {"right", "back"}, {"left", "front"}, {"right", "front"}};
-  const bool every = corner.determiner == Determiner::kEach || corner.determiner == Determiner::kBoth || corner.count == 4;
-  for (std::size_t t = 0; t < target.items.size(); ++t) {
-    const auto references = every && target.items.size() > 1 ? kCorners[t % kCorners.size()] : room_reference(corner, R::kCorner);
-    add(link, R::kCorner, {id(target.items[t])}, references);
   }
 }
 

@@ -250,36 +250,14 @@ std::vector<Token> tokenize(std::string_view prompt) {
       token.text = std::string(1, first.value);
       at += first.size;
       token.ends_sentence = first.value == '.' || first.value == '!' || first.value == '?' || first.value == ';';
+      // "(not under the window!)" ends no sentence.
+      if (at < prompt.size() && prompt[at] == ')') token.ends_sentence = false;
       if (first.value == '-' && !token.glued) token.text = ",";
     }
     token.end = at;
     tokens.push_back(std::move(token));
   }
   return tokens;
-}
-
-std::string singular_of(std::string_view word) {
-  static constexpr std::array<std::pair<std::string_view, std::string_view>, 22> kIrregular = {{
-      {"shelves", "shelf"},  {"bookshelves", "bookshelf"},
-      {"knives", "knife"},   {"loaves", "loaf"},
-      {"leaves", "leaf"},    {"scarves", "scarf"},
-      {"cookies", "cookie"}, {"movies", "movie"},
-      {"mice", "mouse"},     {"children", "child"},
-      {"people", "person"},  {"feet", "foot"},
-      {"men", "man"},        {"women", "woman"},
-      {"halves", "half"},    {"wolves", "wolf"},
-      {"wives", "wife"},     {"men's", "man"},
-      {"chaises", "chaise"}, {"vases", "vase"},
-      {"glasses", "glass"},  {"lenses", "lens"},
-  }};
-  for (const auto& [plural, singular] : kIrregular) {
-    if (word == plural) return std::string(singular);
-  }
-  const auto ends = [&](std::string_view end) { return word.size() > end.size() && word.ends_with(end); };
-  if (word.size() > 4 && ends("ies")) return std::string(word.substr(0, word.size() - 3)) + "y";
-  if (ends("ches") || ends("shes") || ends("xes") || ends("sses") || ends("zzes")) return std::string(word.substr(0, word.size() - 2));
-  if (word.size() > 3 && ends("s") && !ends("ss") && !ends("us") && !ends("is")) return std::string(word.substr(0, word.size() - 1));
-  return std::string(word);
 }
 
 }  // namespace layoutbox::offline

@@ -21,7 +21,4 @@ struct Token {
 // Splits a prompt. Hyphens within a word and possessive apostrophes part it ("bed's" → bed, 's). REQUIRES: valid UTF-8.
 std::vector<Token> tokenize(std::string_view prompt);
 
-// The singular of a lower-case word, or the word itself.
-std::string singular_of(std::string_view word);
-
 }  // namespace layoutbox::offline

@@ -1,0 +1,171 @@
+// Distances, rows and sizes that stand by themselves.
+#include <algorithm>
+
+#include "layoutbox/plan/offline/chunks_parts.h"
+
+namespace layoutbox::offline {
+
+using Class = WordClass;
+
+namespace {
+
+const PhraseSenses& distance_senses() {
+  static const PhraseSenses senses{{RelationType::kDistance, PhraseSense::Direction::kDirect, {}, {}, {}},
+                                   {RelationType::kDistance, PhraseSense::Direction::kAlone, {}, {}, {}}};
+  return senses;
+}
+
+// "50 cm apart": a row with that much between its members.
+const PhraseSenses& row_senses() {
+  static const PhraseSenses senses{{RelationType::kRow, PhraseSense::Direction::kAlone, {}, {}, {}}};
+  return senses;
+}
+
+const PhraseSenses& grid_senses() {
+  static const PhraseSenses senses{{RelationType::kGrid, PhraseSense::Direction::kAlone, {}, {}, {}}};
+  return senses;
+}
+
+}  // namespace
+
+bool Chunker::read_distance() {
+  std::size_t at = i_;
+  const auto skip_class = [&](Class word_class) {
+    const std::size_t length = lexicon_.find(tokens_, at, word_class).length;
+    at += length;
+    return length > 0;
+  };
+  bool at_least = false, at_most = false;
+  // "at a distance of 50 cm"
+  bool apart = false;
+  if (at + 4 < tokens_.size() && tokens_[at].text == "at" && tokens_[at + 2].text == "distance" && tokens_[at + 3].text == "of") {
+    at += 4;
+    apart = true;
+  }
+  if (tokens_[at].text == "within") at_most = true, ++at;
+  at_least = skip_class(Class::kAtLeast) || skip_class(Class::kMoreThan);
+  at_most |= skip_class(Class::kAtMost);
+  skip_class(Class::kExactly);
+  if (at < tokens_.size() && tokens_[at].text == "a" && at + 1 < tokens_.size() && lexicon_.is(tokens_[at + 1], Class::kUnit)) return false;
+  const auto measure = read_measure(lexicon_, tokens_, at);
+  if (!measure) return false;
+  at += measure->length;
+  if (apart && (at >= tokens_.size() || (tokens_[at].text != "from" && tokens_[at].text != "to"))) {
+    Chunk& chunk = add(ChunkKind::kRelation, at - i_);
+    chunk.phrase = PhraseMatch{chunk.last - chunk.first, &distance_senses()};
+    chunk.distance = measure->metres;
+    return true;
+  }
+  if (at >= tokens_.size()) return false;
+  while (at < tokens_.size() && (tokens_[at].text == "away" || tokens_[at].text == "of") && at + 1 < tokens_.size()) {
+    if (tokens_[at].text == "of" && !at_most) return false;
+    ++at;
+  }
+  if (tokens_[at].text == "apart") {
+    Chunk& chunk = add(ChunkKind::kRelation, at + 1 - i_);
+    chunk.phrase = PhraseMatch{chunk.last - chunk.first, &row_senses()};
+    chunk.distance = measure->metres;
+    return true;
+  }
+  if (tokens_[at].text == "between") {
+    Chunk& chunk = add(ChunkKind::kRelation, at + 1 - i_);
+    chunk.phrase = lexicon_.find_phrase(tokens_, at);
+    chunk.distance = measure->metres;
+    chunk.at_least = at_least;
+    chunk.at_most = at_most;
+    chunk.gap = true;
+    return true;
+  }
+  const PhraseMatch phrase = lexicon_.find_phrase(tokens_, at);
+  const bool from = tokens_[at].text == "from" || tokens_[at - 1].text == "of" || tokens_[at].text == "off";
+  if (!from && phrase.length == 0) return false;
+  const std::size_t first = i_;
+  const std::size_t length = at - first + (tokens_[at - 1].text == "of" ? 0 : from ? 1 : phrase.length);
+  Chunk& chunk = add(ChunkKind::kRelation, length);
+  chunk.phrase = from ? PhraseMatch{length, &distance_senses()} : phrase;
+  chunk.distance = measure->metres;
+  chunk.at_least = at_least;
+  chunk.at_most = at_most;
+  return true;
+}
+
+bool Chunker::read_rows() {
+  std::size_t at = i_;
+  if (tokens_[at].text != "in" && tokens_[at].text != "into") return false;
+  ++at;
+  const auto number = [&]() {
+    if (at >= tokens_.size()) return 0;
+    if (tokens_[at].kind == Token::Kind::kNumber) return static_cast<int>(std::clamp(tokens_[at++].number, 0.0, 1000.0));
+    const Match match = lexicon_.find(tokens_, at, Class::kNumber);
+    if (match.length == 0) return 0;
+    at += match.length;
+    for (const Meaning& meaning : match.meanings) {
+      if (meaning.word_class == Class::kNumber) return static_cast<int>(meaning.value);
+    }
+    return 0;
+  };
+  const int rows = number();
+  if (at < tokens_.size() && (tokens_[at].text == "neat" || tokens_[at].text == "straight" || tokens_[at].text == "parallel")) ++at;
+  if (at >= tokens_.size() || tokens_[at].text != "rows") return false;
+  ++at;
+  int columns = 0;
+  if (at + 1 < tokens_.size() && tokens_[at].text == "of") {
+    const std::size_t before = at++;
+    columns = number();
+    if (columns == 0) at = before;
+  }
+  Chunk& chunk = add(ChunkKind::kRelation, at - i_);
+  chunk.phrase = PhraseMatch{chunk.last - chunk.first, &grid_senses()};
+  chunk.rows = rows;
+  chunk.columns = columns;
+  return true;
+}
+
+bool Chunker::read_size_chunk() {
+  SaidSize size;
+  std::size_t at = i_;
+  std::vector<double> values;
+  double unit = 0;
+  while (at < tokens_.size() && tokens_[at].kind == Token::Kind::kNumber) {
+    const auto measure = read_measure(lexicon_, tokens_, at);
+    values.push_back(measure ? measure->metres : tokens_[at].number);
+    if (measure) {
+      unit = measure->metres / std::max(tokens_[at].number, 1e-9);
+      SaidSize named;
+      const std::size_t taken = read_size(lexicon_, tokens_, at, named);
+      if (taken > 0 && values.size() == 1) {  // "120 cm wide and 60 cm deep" comes in two
+        // Before a noun it belongs to the noun phrase.
+        if (previous() != ChunkKind::kNoun && previous() != ChunkKind::kComma && previous() != ChunkKind::kAnd &&
+            previous() != ChunkKind::kVerb && previous() != ChunkKind::kIgnored)
+          return false;
+        if (at + taken < tokens_.size() && lexicon_.find(tokens_, at + taken, Class::kObject).length > 0) return false;
+        Chunk& chunk = add(ChunkKind::kSize, at + taken - i_);
+        chunk.size = named;
+        return true;
+      }
+    }
+    at += measure ? measure->length : 1;
+    if (at + 1 < tokens_.size() && (tokens_[at].text == "x" || tokens_[at].text == "by" || tokens_[at].text == "*") &&
+        tokens_[at + 1].kind == Token::Kind::kNumber) {
+      ++at;
+      continue;
+    }
+    break;
+  }
+  if (values.size() < 2 || unit == 0) return false;
+  // One unit at the end holds for all: "120 x 60 cm".
+  std::size_t check = i_;
+  for (double& value : values) {
+    const auto measure = read_measure(lexicon_, tokens_, check);
+    if (!measure) value *= unit;
+    check += (measure ? measure->length : 1) + 1;
+  }
+  size.width = values[0];
+  size.depth = values[1];
+  if (values.size() > 2) size.height = values[2];
+  Chunk& chunk = add(ChunkKind::kSize, at - i_);
+  chunk.size = size;
+  return true;
+}
+
+}  // namespace layoutbox::offline

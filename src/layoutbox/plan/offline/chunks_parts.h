@@ -1,0 +1,65 @@
+// The class behind chunk_tokens; its members stand in chunks and chunk_sizes.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "layoutbox/plan/offline/chunks.h"
+
+namespace layoutbox::offline {
+
+class Chunker {
+ public:
+  Chunker(const Lexicon& lexicon, std::span<const Token> tokens) : lexicon_(lexicon), tokens_(tokens) {}
+
+  std::vector<Chunk> run() {
+    while (i_ < tokens_.size()) {
+      if (tokens_[i_].kind == Token::Kind::kPunctuation) {
+        add(tokens_[i_].ends_sentence ? ChunkKind::kStop : ChunkKind::kComma, 1);
+      } else {
+        read();
+      }
+    }
+    return std::move(chunks_);
+  }
+
+ private:
+  Chunk& add(ChunkKind kind, std::size_t length) {
+    Chunk chunk;
+    chunk.kind = kind;
+    chunk.first = i_;
+    i_ += length;
+    chunk.last = i_;
+    chunks_.push_back(std::move(chunk));
+    return chunks_.back();
+  }
+
+  ChunkKind previous() const;
+  std::size_t length_of(WordClass word_class) const { return lexicon_.find(tokens_, i_, word_class).length; }
+
+  bool opens_noun(const Token& token) const;
+  // A command or statement may begin here, so that a bare word is its verb and not a noun.
+  bool clause_begins() const;
+  void read();
+  bool noun_follows() const;
+  bool read_noun(bool bare);
+  void add_phrase(const PhraseMatch& phrase);
+  // Verbs, joining words and relation phrases; the longest wins, and of equals the first of this order.
+  bool read_words(const PhraseMatch& phrase, std::size_t without);
+  // "is", "are placed", "is also gently mounted": the verb with its participle; 0 if there is none.
+  std::size_t be_length() const;
+  // "50 cm from the wall", "1 m to the left of", "at least 2 m away from".
+  bool read_distance();
+  // "in three rows", "in rows of four", "in two rows of six".
+  bool read_rows();
+  // A size by itself: "120 cm wide", "2 m by 1 m", "(1.6 x 2.0 m)".
+  bool read_size_chunk();
+  void read_small_word();
+  const Lexicon& lexicon_;
+  std::span<const Token> tokens_;
+  std::size_t i_ = 0;
+  std::vector<Chunk> chunks_;
+};
+
+}  // namespace layoutbox::offline

@@ -1,0 +1,219 @@
+// What stands in the lists: the catalogue's names, the word lists and the relation phrases.
+#include "layoutbox/plan/offline/lexicon.h"
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "layoutbox/base/words.h"
+#include "layoutbox/embedded/catalog_data.h"
+
+namespace layoutbox::offline {
+namespace {
+
+using Json = nlohmann::ordered_json;  // the order of the relations counts
+
+// The lists' texts are kept for the life of the program, so that meanings can point into them.
+const Json& word_list(std::string_view name) {
+  static const Json grammar = Json::parse(embedded::words_grammar_json);
+  static const Json room = Json::parse(embedded::words_room_json);
+  static const Json attributes = Json::parse(embedded::words_attributes_json);
+  static const Json phrases = Json::parse(embedded::relation_phrases_json);
+  static const Json colors = Json::parse(embedded::colors_json);
+  static const Json materials = Json::parse(embedded::materials_json);
+  if (name == "grammar") return grammar;
+  if (name == "room") return room;
+  if (name == "attributes") return attributes;
+  if (name == "phrases") return phrases;
+  return name == "colors" ? colors : materials;
+}
+
+struct PlainList {
+  std::string_view file, key;
+  WordClass word_class;
+};
+
+constexpr std::array kPlainLists = {
+    PlainList{"room", "wall", WordClass::kWall},
+    PlainList{"room", "corner", WordClass::kCorner},
+    PlainList{"room", "center", WordClass::kCenter},
+    PlainList{"room", "floor", WordClass::kFloor},
+    PlainList{"room", "ceiling", WordClass::kCeiling},
+    PlainList{"room", "door", WordClass::kDoor},
+    PlainList{"room", "window", WordClass::kWindow},
+    PlainList{"room", "room_nouns", WordClass::kRoomNoun},
+    PlainList{"room", "outside_rooms", WordClass::kOutsideRoom},
+    PlainList{"room", "sides", WordClass::kSide},
+    PlainList{"room", "parts", WordClass::kPart},
+    PlainList{"room", "abstract", WordClass::kAbstract},
+    PlainList{"room", "zones", WordClass::kZone},
+    PlainList{"grammar", "definite", WordClass::kDefinite},
+    PlainList{"grammar", "indefinite", WordClass::kIndefinite},
+    PlainList{"grammar", "possessive", WordClass::kPossessive},
+    PlainList{"grammar", "each", WordClass::kEach},
+    PlainList{"grammar", "both", WordClass::kBoth},
+    PlainList{"grammar", "another", WordClass::kAnother},
+    PlainList{"grammar", "other", WordClass::kOther},
+    PlainList{"grammar", "pronouns", WordClass::kPronoun},
+    PlainList{"grammar", "at_least", WordClass::kAtLeast},
+    PlainList{"grammar", "more_than", WordClass::kMoreThan},
+    PlainList{"grammar", "at_most", WordClass::kAtMost},
+    PlainList{"grammar", "exactly", WordClass::kExactly},
+    PlainList{"grammar", "and", WordClass::kAnd},
+    PlainList{"grammar", "clause", WordClass::kClause},
+    PlainList{"grammar", "relative", WordClass::kRelative},
+    PlainList{"grammar", "be", WordClass::kBe},
+    PlainList{"grammar", "there", WordClass::kThere},
+    PlainList{"grammar", "commands", WordClass::kCommand},
+    PlainList{"grammar", "purpose", WordClass::kPurpose},
+    PlainList{"grammar", "own_clause", WordClass::kOwnClause},
+    PlainList{"grammar", "adverbs", WordClass::kAdverb},
+    PlainList{"grammar", "fillers", WordClass::kFiller},
+    PlainList{"grammar", "verbs_other", WordClass::kVerb},
+    PlainList{"attributes", "size", WordClass::kSizeWord},
+    PlainList{"attributes", "material", WordClass::kMaterial},
+    PlainList{"attributes", "shape", WordClass::kShape},
+    PlainList{"attributes", "style", WordClass::kStyle},
+    PlainList{"attributes", "quality", WordClass::kQuality},
+    PlainList{"phrases", "without", WordClass::kWithout},
+    PlainList{"phrases", "soft", WordClass::kSoft},
+};
+
+struct ValueList {
+  std::string_view key;
+  WordClass word_class;
+};
+
+constexpr std::array kValueLists = {
+    ValueList{"numbers", WordClass::kNumber},
+    ValueList{"vague", WordClass::kVague},
+    ValueList{"units", WordClass::kUnit},
+    ValueList{"area_units", WordClass::kAreaUnit},
+};
+
+PhraseSense sense_of(RelationType type, PhraseSense::Direction direction, const Json& item) {
+  PhraseSense sense{type, direction, {}, {}, {}};
+  if (item.is_object()) {
+    sense.part = item.value("part", "");
+    sense.region = item.value("region", "");
+    if (item.contains("side")) sense.side = side_from_name(item.at("side").get<std::string>());
+  }
+  return sense;
+}
+
+std::string text_of(const Json& item) { return item.is_string() ? item.get<std::string>() : item.at("say").get<std::string>(); }
+
+}  // namespace
+
+Lexicon::Lexicon(const Catalog& catalog) : catalog_(&catalog) {
+  for (const CatalogEntry& entry : catalog.entries()) {
+    const Meaning meaning{WordClass::kObject, &entry, nullptr, 0, entry.id};
+    add(entry.id, meaning);
+    add(entry.name, meaning);
+    for (const std::string& word : entry.synonyms) add(word, meaning);
+  }
+  for (const RoomKind& room : catalog.rooms()) {
+    const Meaning meaning{WordClass::kRoom, nullptr, &room, 0, room.id};
+    add(room.id, meaning);
+    add(room.name, meaning);
+    for (const std::string& word : room.synonyms) add(word, meaning);
+  }
+  read_words();
+  read_phrases();
+}
+
+void Lexicon::add(std::string_view words, Meaning meaning) {
+  const std::vector<std::string> parts = words_of(words);
+  const std::string key = parts.empty() ? std::string(words) : key_of(words);
+  if (key.empty()) return;
+  for (const std::string& part : parts) learn(part);
+  Entry& entry = words_[key];
+  entry.words = std::max(entry.words, parts.size());
+  auto& meanings = entry.meanings;
+  const auto same = [&](const Meaning& other) {
+    return other.word_class == meaning.word_class && other.entry == meaning.entry && other.room == meaning.room;
+  };
+  if (std::none_of(meanings.begin(), meanings.end(), same)) meanings.push_back(meaning);
+}
+
+void Lexicon::add_phrase(std::string_view words, PhraseSense sense) {
+  std::string key(words);
+  for (const std::string& word : words_of(words)) learn(word);
+  phrases_[key].push_back(std::move(sense));
+  for (std::size_t space = key.find(' '); space != std::string::npos; space = key.find(' ', space + 1))
+    phrase_starts_[key.substr(0, space)] = true;
+  phrase_starts_[key] = true;
+}
+
+void Lexicon::learn(std::string_view word) {
+  if (!vocabulary_.emplace(word).second || word.size() < 2) return;
+  by_shape_[std::string(1, word.front()) + std::to_string(word.size())].emplace_back(word);
+}
+
+void Lexicon::read_words() {
+  for (const PlainList& list : kPlainLists) {
+    for (const Json& word : word_list(list.file).at(std::string(list.key))) {
+      const auto& text = word.get_ref<const std::string&>();
+      add(text, {list.word_class, nullptr, nullptr, 0, text});
+    }
+  }
+  for (const ValueList& list : kValueLists) {
+    for (const auto& [word, value] : word_list("grammar").at(std::string(list.key)).items()) {
+      add(word, {list.word_class, nullptr, nullptr, value.get<double>(), {}});
+    }
+  }
+  for (const auto& [wrong, right] : word_list("grammar").at("typing_errors").items()) typing_errors_[wrong] = right.get<std::string>();
+  for (const auto& [words, members] : word_list("room").at("sets").items()) {
+    Set set;
+    for (const auto& [id, count] : members.items()) {
+      if (const CatalogEntry* entry = catalog_->find(id)) set.emplace_back(entry, count.get<int>());
+    }
+    if (set.size() == members.size()) sets_[key_of(words)] = std::move(set);
+    add(words, {WordClass::kAbstract, nullptr, nullptr, 0, {}});
+  }
+  const auto add_named = [&](std::string_view file, std::string_view key, WordClass word_class) {
+    for (const auto& [word, value] : word_list(file).at(std::string(key)).items())
+      add(word, {word_class, nullptr, nullptr, 0, value.get_ref<const std::string&>()});
+  };
+  add_named("room", "wall_words", WordClass::kWallWord);
+  add_named("room", "wall_relations", WordClass::kWallRelation);
+  add_named("grammar", "dimension_words", WordClass::kDimension);
+  for (const auto& [word, value] : word_list("colors").at("colors").items()) {
+    add(word, {WordClass::kColor, nullptr, nullptr, 0, {}});
+    for (const char* shade : {"light ", "dark ", "pale ", "deep ", "bright ", "soft "})
+      add(shade + word, {WordClass::kColor, nullptr, nullptr, 0, {}});
+    add(word + " colored", {WordClass::kColor, nullptr, nullptr, 0, {}});
+  }
+  for (const Json& surface : word_list("materials").at("surfaces")) {
+    for (const Json& word : surface.at("words")) {
+      const auto text = word.get<std::string>();
+      // "wooden floor" is a floor that is wooden.
+      if (!text.ends_with("floor") && !text.ends_with("wall") && !text.ends_with("boards"))
+        add(text, {WordClass::kMaterial, nullptr, nullptr, 0, {}});
+    }
+  }
+  const Json& phrases = word_list("phrases");
+  const auto add_group = [&](const Json& words, WordClass word_class) {
+    for (const Json& word : words) add(word.get<std::string>(), {word_class, nullptr, nullptr, 0, {}});
+  };
+  add_group(phrases.at("placing").at("participles"), WordClass::kParticiple);
+  add_group(phrases.at("placing").at("verbs"), WordClass::kPlaceVerb);
+  add_group(phrases.at("hanging").at("words"), WordClass::kHang);
+  add_group(phrases.at("having").at("words"), WordClass::kHave);
+}
+
+void Lexicon::read_phrases() {
+  using Direction = PhraseSense::Direction;
+  constexpr std::array<std::pair<const char*, Direction>, 3> kKeys = {
+      {{"phrases", Direction::kDirect}, {"inverse", Direction::kInverse}, {"alone", Direction::kAlone}}};
+  for (const auto& [name, ways] : word_list("phrases").at("relations").items()) {
+    const RelationRow* row = find_relation(name);
+    if (row == nullptr) continue;
+    for (const auto& [key, direction] : kKeys) {
+      if (!ways.contains(key)) continue;
+      for (const Json& item : ways.at(key)) add_phrase(text_of(item), sense_of(row->type, direction, item));
+    }
+  }
+}
+
+}  // namespace layoutbox::offline

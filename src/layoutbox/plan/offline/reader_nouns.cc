@@ -1,0 +1,203 @@
+// A noun phrase: what it brings in or speaks of again.
+#include "layoutbox/plan/offline/knowledge.h"
+#include "layoutbox/plan/offline/reader.h"
+#include "layoutbox/plan/offline/reader_words.h"
+
+namespace layoutbox::offline {
+
+void DocumentReader::read_noun(std::size_t k) {
+  using Use = WordReading::Use;
+  if (k == passed_over_) return;
+  const NounPhrase& noun = chunk(k).noun;
+  if (skipping_) {
+    mark(k, Use::kIgnored, "purpose");
+    if (noun.kind == NounKind::kRoom) document_.rooms.push_back(noun);
+    return;
+  }
+  if (negated_) {
+    mark(k, Use::kUsed, "not wanted");
+    if (noun.kind == NounKind::kObject) document_.excluded.push_back(noun);
+    return;
+  }
+  if (noun.kind == NounKind::kOutsideRoom) {
+    mark(k, Use::kIgnored, "another room");
+    document_.notes.push_back(
+        {"ignored",
+         "\"" + words_between(document_, chunk(k).first, chunk(k).last) + "\" is another room: what is said to be in it goes into this one",
+         "prompt:" + std::to_string(document_.tokens[chunk(k).first].begin) + "-" +
+             std::to_string(document_.tokens[chunk(k).last - 1].end)});
+  }
+  if (noun.kind == NounKind::kRoom && !expects_reference_) document_.rooms.push_back(noun);
+  if (noun.kind == NounKind::kRoom && expects_reference_ && noun.room != nullptr) document_.rooms.push_back(noun);
+  // "a cabinet with glass doors": parts of it.
+  const bool of_a_thing = expects_content_ && !frames_.empty() && !frames_.back().room && !frames_.back().hosts.empty() &&
+                          is_thing(frames_.back().hosts.front());
+  const bool of_bed = noun.kind == NounKind::kObject && noun.head == "mattress" && of_a_thing &&
+                      noun_of(frames_.back().hosts.front()).name.find("bed") != std::string::npos;
+  if (((noun.kind == NounKind::kDoor || noun.kind == NounKind::kWindow) && of_a_thing) || of_bed) {
+    mark(k, Use::kUsed, "part");
+    expects_content_ = is(next(k), ChunkKind::kAnd);  // "with a soft mattress and two pillows"
+    joiner_ = Joiner::kNone;
+    return;
+  }
+  if (noun.kind == NounKind::kDoor || noun.kind == NounKind::kWindow) document_.openings.push_back(noun);
+
+  // "king bed north wall": against it.
+  if ((noun.kind == NounKind::kWall || noun.kind == NounKind::kCorner) && !noun.wall_word.empty() && !expects_reference_ &&
+      !expects_content_ && k > 0 && is(k - 1, ChunkKind::kNoun) && chunk(k - 1).noun.kind == NounKind::kObject && !chain_.empty()) {
+    Link link;
+    link.senses = {{RelationType::kAgainstWall, Direction::kDirect, {}, {}, {}}};
+    link.targets = {chain_.back()};
+    link.references = {references_.mention(noun, -1, true)};
+    link.first = chunk(k).first;
+    link.last = chunk(k).last;
+    add_link(std::move(link));
+    mark(k, Use::kUsed, "wall");
+    return;
+  }
+  if (noun.kind == NounKind::kMember && take_all(k)) return;
+  // "three tables with two stools each"
+  if (noun.kind == NounKind::kMember && noun.determiner == Determiner::kEach && noun.count == 0 && !expects_reference_ &&
+      !expects_content_ && joiner_ == Joiner::kNone && !frames_.empty() && frames_.back().link >= 0 &&
+      !link_at(frames_.back().link).targets.empty() && !is(next(k), ChunkKind::kHave) && !is(next(k), ChunkKind::kRelation) &&
+      !is(next(k), ChunkKind::kParticiple)) {
+    std::size_t hosts = 0;
+    for (const int host : frames_.back().hosts) hosts += mention_at(host).items.size();
+    const int content = link_at(frames_.back().link).targets.back();
+    references_.grow(content, mention_at(content).items.size() * std::max<std::size_t>(hosts, 1));
+    mark(k, Use::kUsed, "reference");
+    return;
+  }
+  if (read_set(k)) return;
+
+  std::vector<int> busy;
+  if (expects_reference_ && reference_link_ >= 0) busy = link_at(reference_link_).targets;
+  if (expects_reference_ && busy.empty() && !chain_.empty()) busy = {chain_.back()};
+  int antecedent = -1;
+  const bool base_is_pronoun = noun.of && (noun.of->kind == NounKind::kPronoun || noun.of->kind == NounKind::kMember);
+  if (noun.kind == NounKind::kPronoun) {
+    antecedent = noun.plural ? implied_group(busy) : meant_by_it(busy);
+    if (noun.head == "which" && !chain_.empty()) antecedent = chain_.back();
+    if (noun.reciprocal) antecedent = -1;
+    if (noun.head == "it" && expects_reference_) last_it_ = antecedent;
+  } else if (noun.kind == NounKind::kMember) {
+    if (expects_reference_ && other_side(k, {})) {
+      mark(k, Use::kUsed, "the other side");
+      return;
+    }
+    antecedent = references_.latest_group();
+    for (std::size_t c = chain_.size(); c-- > 0;) {
+      if (mention_at(chain_[c]).items.size() > 1) {
+        antecedent = chain_[c];
+        break;
+      }
+    }
+    // "ten books, five on the top shelf and five on the bottom shelf": the other five.
+    if (references_.has_left(antecedent, noun.count)) antecedent = references_.whole_group(antecedent);
+    // "two chairs on each long side and one on each short side": another one of the kind.
+    const bool direct_follows = is(next(k), ChunkKind::kRelation) && has_direction(*chunk(next(k)).phrase.senses, Direction::kDirect);
+    if ((joiner_ == Joiner::kAnd || joiner_ == Joiner::kCommaAnd) && noun.determiner == Determiner::kNone && noun.count > 0 &&
+        !noun.subset && !expects_reference_ && !references_.has_left(antecedent, noun.count) &&
+        (direct_follows || (is(next(k), ChunkKind::kRelation) && has_direction(*chunk(next(k)).phrase.senses, Direction::kAlone)))) {
+      if (antecedent < 0 && !chain_.empty()) antecedent = chain_.front();
+      int kind = frames_.empty() || frames_.back().room || frames_.back().link < 0 || link_at(frames_.back().link).targets.empty()
+                     ? antecedent
+                     : link_at(frames_.back().link).targets.back();
+      if (kind >= 0) {
+        NounPhrase copy = mention_at(kind).noun;
+        copy.determiner = Determiner::kNone;
+        copy.count = noun.count;
+        copy.plural = noun.count > 1;
+        copy.first = noun.first;
+        copy.last = noun.last;
+        const int mention = references_.mention(copy, -1, false);
+        mark(k, Use::kUsed, "count of " + copy.name);
+        read_place(k, mention);
+        return;
+      }
+    }
+  } else if (noun.kind == NounKind::kPart || noun.determiner == Determiner::kPossessive || base_is_pronoun) {
+    const bool of_something = noun.kind != NounKind::kPart || expects_reference_ || expects_content_ ||
+                              noun.determiner == Determiner::kDefinite || noun.determiner == Determiner::kPossessive || base_is_pronoun;
+    antecedent = owner_ >= 0 ? owner_ : of_something ? implied_reference(busy) : -1;
+    if (noun.determiner == Determiner::kPossessive && noun.kind != NounKind::kPart && noun.kind != NounKind::kObject &&
+        noun.kind != NounKind::kCorner && noun.kind != NounKind::kCenter)
+      antecedent = -1;
+    if (noun.kind == NounKind::kCenter && noun.determiner == Determiner::kPossessive && document_.items.empty()) antecedent = -1;
+  }
+  // "the desk's left corner" is the left corner of the desk.
+  NounPhrase owned = noun;
+  if (noun.kind == NounKind::kMember && whole_group(k, noun, antecedent)) owned.determiner = Determiner::kBoth;
+  if (owner_ >= 0 && !owned.of) owned.of = std::make_shared<NounPhrase>(noun_of(owner_));
+  if (owned.of && owner_ >= 0) owned.of->determiner = Determiner::kDefinite;
+  owner_ = -1;
+  const bool of_known = expects_reference_ || (roots_.size() == clause_start_ && frames_.empty() && joiner_ == Joiner::kNone);
+  const int mention = references_.mention(owned, antecedent, expects_reference_, of_known);
+  mention_at(mention).reciprocal = noun.reciprocal;
+  // "one holding a lamp and the other a vase": the verb is said once.
+  if (noun.kind == NounKind::kMember && noun.determiner == Determiner::kOther && !expects_reference_ && !expects_content_ &&
+      (joiner_ == Joiner::kAnd || joiner_ == Joiner::kCommaAnd) && !frames_.empty() && frames_.back().link >= 0 && is_thing(mention) &&
+      is(next(k), ChunkKind::kNoun) && chunk(next(k)).noun.kind == NounKind::kObject) {
+    Link same = link_at(frames_.back().link);
+    same.targets.clear();
+    same.references = {mention};
+    frames_.push_back({add_link(std::move(same)), {mention}, false, false});
+    chain_ = {mention};
+    expects_content_ = true;
+    joiner_ = Joiner::kNone;
+    mark(k, Use::kUsed, "reference");
+    return;
+  }
+  if (expects_reference_ && mention_at(mention).items.empty() && (noun.kind == NounKind::kAbstract || noun.kind == NounKind::kRoom)) {
+    const int meant = thing_of_zone(noun);
+    if (meant >= 0) {
+      if (reference_link_ >= 0) link_at(reference_link_).implied = true;
+      mention_at(mention).items = mention_at(meant).items;
+      mention_at(mention).noun = noun_of(meant);
+    }
+  }
+  if (noun.owner) {
+    owner_ = mention;
+    mark(k, Use::kUsed, "owner");
+    return;
+  }
+  const bool abstract = noun.kind == NounKind::kAbstract && !(noun.collective && expects_content_);
+  mark(k, abstract ? Use::kIgnored : Use::kUsed, abstract ? "no object" : noun.name.empty() ? "reference" : noun.name);
+  read_place(k, mention);
+}
+
+void DocumentReader::read_place(std::size_t k, int mention) {
+  // Collectives ("bath essentials") are things where something holds them.
+  NounPhrase& noun = mention_at(mention).noun;
+  if (noun.kind == NounKind::kAbstract && noun.collective && mention_at(mention).items.empty()) {
+    const bool contents = (expects_content_ && !frames_.empty() && !frames_.back().room) ||
+                          (joiner_ != Joiner::kNone && !frames_.empty() && !frames_.back().room);
+    if (contents) {
+      noun.kind = NounKind::kObject;
+      document_.mentions.pop_back();
+      const NounPhrase copy = [&] {
+        NounPhrase n = chunk(k).noun;
+        n.kind = NounKind::kObject;
+        return n;
+      }();
+      mention = references_.mention(copy, -1, false);
+      mark(k, WordReading::Use::kUsed, copy.name);
+    }
+  }
+  NounPhrase read = mention_at(mention).noun;
+  if (chunk(k).noun.kind == NounKind::kMember && !mention_at(mention).introduces) read.kind = NounKind::kMember;
+  if (expects_reference_) {
+    place_reference(k, mention);
+  } else if (expects_content_) {
+    place_content(k, mention);
+  } else if (goes_on_with_reference(k, read)) {
+    place_reference(k, mention);
+  } else if (goes_on_with_contents(k, read)) {
+    place_content(k, mention);
+  } else {
+    place_root(k, mention);
+  }
+  joiner_ = Joiner::kNone;
+}
+
+}  // namespace layoutbox::offline

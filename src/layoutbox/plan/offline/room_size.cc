@@ -1,0 +1,195 @@
+// The size of the room: "4 x 3 m", "20 square meters", "ceilings 3 m high".
+#include <algorithm>
+
+#include "layoutbox/plan/offline/room_reader.h"
+
+namespace layoutbox::offline {
+namespace {
+
+using Class = WordClass;
+
+bool is_by(const Token& token) { return token.text == "x" || token.text == "by" || token.text == "*"; }
+
+bool has_class(const Match& match, Class word_class) {
+  return std::any_of(match.meanings.begin(), match.meanings.end(), [&](const Meaning& m) { return m.word_class == word_class; });
+}
+
+constexpr double kLongestSide = 100;  // m, as in scene files
+
+class SizeReader {
+ public:
+  SizeReader(const Lexicon& lexicon, Document& document, std::vector<bool>& skip)
+      : lexicon_(lexicon), document_(document), tokens_(document.tokens), skip_(skip) {}
+
+  RoomSize run() {
+    for (std::size_t i = 0; i < tokens_.size(); ++i) {
+      if (tokens_[i].kind != Token::Kind::kNumber && lexicon_.find(tokens_, i, Class::kNumber).length == 0) continue;
+      if (const std::size_t taken = read_product(i) + 0; taken > 0) {
+        i += taken - 1;
+      } else if (const std::size_t area = read_area(i); area > 0) {
+        i += area - 1;
+      } else if (const std::size_t height = read_height(i); height > 0) {
+        i += height - 1;
+      } else if (const std::size_t side = read_side(i); side > 0) {
+        i += side - 1;
+      }
+    }
+    return size_;
+  }
+
+ private:
+  void take(std::size_t first, std::size_t last, const char* role) {
+    for (std::size_t i = first; i < last && i < tokens_.size(); ++i) {
+      skip_[i] = true;
+      document_.readings[i].use = WordReading::Use::kUsed;
+      document_.readings[i].role = role;
+    }
+  }
+
+  // Whether a size at [first, last) is the room's: a room follows, or is the last thing that was named before it.
+  bool speaks_of_room(std::size_t first, std::size_t last) const {
+    for (std::size_t i = last; i < std::min(last + 4, tokens_.size()); ++i) {
+      if (tokens_[i].kind == Token::Kind::kPunctuation) break;
+      const Match match = lexicon_.find(tokens_, i);
+      if (has_class(match, Class::kHave) || has_class(match, Class::kBe) || lexicon_.find_phrase(tokens_, i).length > 0) break;
+      if (has_class(match, Class::kRoom) || has_class(match, Class::kRoomNoun)) return true;
+      if (has_class(match, Class::kObject)) return false;
+    }
+    for (std::size_t i = first; i-- > 0;) {
+      if (tokens_[i].ends_sentence) break;
+      const Match match = lexicon_.find(tokens_, i);
+      if (has_class(match, Class::kRoom) || has_class(match, Class::kRoomNoun)) return true;
+      if (has_class(match, Class::kObject)) return false;
+    }
+    return first < 12;
+  }
+
+  std::size_t read_product(std::size_t at) {
+    std::vector<double> values;
+    std::vector<bool> united;
+    double unit = 0;
+    std::size_t i = at;
+    while (i < tokens_.size() && values.size() < 3) {
+      const auto measure = read_measure(lexicon_, tokens_, i);
+      double value = 0;
+      std::size_t length = 1;
+      if (tokens_[i].kind == Token::Kind::kNumber) {
+        value = tokens_[i].number;
+      } else {
+        const Match number = lexicon_.find(tokens_, i, Class::kNumber);
+        if (number.length == 0) break;
+        for (const Meaning& m : number.meanings) {
+          if (m.word_class == Class::kNumber) value = m.value;
+        }
+        length = number.length;
+      }
+      values.push_back(measure ? measure->metres : value);
+      united.push_back(measure.has_value());
+      if (measure) unit = value > 0 ? measure->metres / value : 1, length = measure->length;
+      i += length;
+      // "4 m wide by 3 m deep"
+      const Match dimension = i < tokens_.size() ? lexicon_.find(tokens_, i, Class::kDimension) : Match{};
+      if (measure && dimension.length > 0 && i + dimension.length < tokens_.size() && is_by(tokens_[i + dimension.length]))
+        i += dimension.length;
+      if (i + 1 < tokens_.size() && (is_by(tokens_[i])) &&
+          (tokens_[i + 1].kind == Token::Kind::kNumber || lexicon_.find(tokens_, i + 1, Class::kNumber).length > 0)) {
+        ++i;
+      } else {
+        break;
+      }
+    }
+    if (values.size() < 2 || !speaks_of_room(at, i)) return 0;
+    if (unit == 0) unit = *std::max_element(values.begin(), values.end()) > 20 ? 0.3048 : 1.0;
+    for (std::size_t v = 0; v < values.size(); ++v) {
+      if (!united[v]) values[v] *= unit;
+    }
+    const auto impossible = [](double side) { return side == 0 || side > kLongestSide; };
+    size_.impossible = size_.impossible || std::any_of(values.begin(), values.end(), impossible);
+    if (values[0] < 0.8 || values[1] < 0.8) return 0;
+    size_.width = values[0];
+    size_.depth = values[1];
+    if (values.size() > 2) size_.height = values[2];
+    take(at, i, "size of the room");
+    return i - at;
+  }
+
+  std::size_t read_area(std::size_t at) {
+    if (tokens_[at].kind != Token::Kind::kNumber || at + 1 >= tokens_.size()) return 0;
+    Match unit = lexicon_.find(tokens_, at + 1, Class::kAreaUnit);
+    double scale = 1;
+    std::size_t length = 0;
+    if (unit.length > 0) {
+      for (const Meaning& m : unit.meanings) {
+        if (m.word_class == Class::kAreaUnit) scale = m.value;
+      }
+      length = 1 + unit.length;
+    } else if ((tokens_[at + 1].text == "m" || tokens_[at + 1].text == "ft") && at + 2 < tokens_.size() && tokens_[at + 2].glued &&
+               tokens_[at + 2].text == "2") {
+      scale = tokens_[at + 1].text == "m" ? 1 : 0.09290304;
+      length = 3;
+    } else {
+      return 0;
+    }
+    if (!speaks_of_room(at, at + length)) return 0;
+    size_.area = tokens_[at].number * scale;
+    take(at, at + length, "area of the room");
+    return length;
+  }
+
+  // "ceilings 3 m high", "3 m high ceiling", "a ceiling height of 2.8 m".
+  std::size_t read_height(std::size_t at) {
+    const auto measure = read_measure(lexicon_, tokens_, at);
+    if (!measure) return 0;
+    const std::size_t last = at + measure->length;
+    const auto ceiling_at = [&](std::size_t i) {
+      return i < tokens_.size() &&
+             lexicon_.find(tokens_, i, Class::kCeiling).length +
+                     (lexicon_.find(tokens_, i).plural && has_class(lexicon_.find(tokens_, i), Class::kCeiling) ? 1 : 0) >
+                 0;
+    };
+    const bool after =
+        (last < tokens_.size() && ceiling_at(last)) ||
+        (last + 1 < tokens_.size() && (tokens_[last].text == "high" || tokens_[last].text == "tall") && ceiling_at(last + 1));
+    bool before = false;
+    for (std::size_t back = 1; back <= 5 && back <= at; ++back) {
+      if (tokens_[at - back].kind == Token::Kind::kPunctuation) break;
+      if (ceiling_at(at - back))
+        before = tokens_[last < tokens_.size() ? last : at].text == "high" ||
+                 std::any_of(tokens_.begin() + static_cast<std::ptrdiff_t>(at - back), tokens_.begin() + static_cast<std::ptrdiff_t>(at),
+                             [](const Token& t) { return t.text == "height" || t.text == "at" || t.text == "of"; });
+    }
+    if (!after && !before) return 0;
+    size_.height = measure->metres;
+    take(at, last, "height of the room");
+    return last - at;
+  }
+
+  // "the room is 4 m wide and 3 m long": one side at a time.
+  std::size_t read_side(std::size_t at) {
+    SaidSize said;
+    const std::size_t length = read_size(lexicon_, tokens_, at, said);
+    if (length == 0 || !speaks_of_room(at, at + length)) return 0;
+    const double value = said.width.value_or(said.depth.value_or(said.length.value_or(0)));
+    if (value > 0 && value < 1.2) return 0;
+    if (said.width) size_.width = *said.width;
+    if (said.depth) size_.depth = *said.depth;
+    if (said.length) size_.depth = *said.length;
+    if (said.height) size_.height = *said.height;
+    take(at, at + length, "size of the room");
+    return length;
+  }
+
+  const Lexicon& lexicon_;
+  Document& document_;
+  const std::vector<Token>& tokens_;
+  std::vector<bool>& skip_;
+  RoomSize size_;
+};
+
+}  // namespace
+
+RoomSize read_room_size(const Lexicon& lexicon, Document& document, std::vector<bool>& skip) {
+  return SizeReader(lexicon, document, skip).run();
+}
+
+}  // namespace layoutbox::offline
