@@ -226,6 +226,8 @@ std::optional<PhraseSense> choose_sense(const Catalog& catalog, const PhraseSens
       const Mount mount = mount_of(target);
       if (says(R::kOnWall) && says(R::kAgainstWall) && !says(R::kCenteredOnWall))
         return own(mount == Mount::kFloor || mount == Mount::kSurface ? R::kAgainstWall : R::kOnWall);
+      if (says(R::kOn) && says(R::kOnWall) && !says(R::kCenteredOnWall) && one_of(target.head, {"shelf", "rack", "hook"}))
+        return own(R::kOnWall);
       if (says(R::kInFrontOf) || (says(R::kOn) && says(R::kOnWall) && !says(R::kCenteredOnWall) && is_heavy(catalog, target)))
         return own(R::kAgainstWall);
     }
@@ -233,7 +235,7 @@ std::optional<PhraseSense> choose_sense(const Catalog& catalog, const PhraseSens
   const Mount mount = mount_of(target);
   const bool opening = reference.kind == NounKind::kDoor || reference.kind == NounKind::kWindow;
   // A door has no left of its own: beside it. A seat "on the opposite side" of a table or "along one side" sits at it.
-  if (opening && (says(R::kLeftOf) || says(R::kRightOf))) return own(R::kNextTo);
+  if (opening && (says(R::kLeftOf) || says(R::kRightOf) || says(R::kBehind))) return own(R::kNextTo);
   if (opening && says(R::kIn) && !says(R::kOn) && mount == Mount::kFloor && direction == PhraseSense::Direction::kDirect)
     return own(R::kNextTo);
   const bool at_table = reference.kind == NounKind::kObject && is_seat(catalog, target) && is_table(catalog, reference);

@@ -51,7 +51,10 @@ Match Lexicon::find(std::span<const Token> tokens, std::size_t at) const {
   for (std::size_t length = 1; length <= kLongest && at + length <= tokens.size(); ++length) {
     const Token& token = tokens[at + length - 1];
     if (token.kind == Token::Kind::kPunctuation && length > 1) break;
-    if (token.text == "'s" && length > 1) break;
+    if (token.text == "'s" && length > 1) {  // "children's room", "boys' room"
+      if (!key.ends_with('s')) key += 's';
+      continue;
+    }
     std::string with_plural = key + token.text;
     if (const auto found = words_.find(with_plural);
         found != words_.end() && (length == 1 || may_run_together(tokens, at, length, found->second))) {
@@ -87,7 +90,10 @@ Match Lexicon::find(std::span<const Token> tokens, std::size_t at, WordClass wor
   for (std::size_t length = 1; length <= kLongest && at + length <= tokens.size(); ++length) {
     const Token& token = tokens[at + length - 1];
     if (token.kind == Token::Kind::kPunctuation && length > 1) break;
-    if (token.text == "'s" && length > 1) break;
+    if (token.text == "'s" && length > 1) {
+      if (!key.ends_with('s')) key += 's';
+      continue;
+    }
     key += token.text;
     if (const auto found = words_.find(key);
         found != words_.end() && has(found->second) && (length == 1 || may_run_together(tokens, at, length, found->second)))
@@ -114,6 +120,7 @@ void Lexicon::extend_phrase(std::span<const Token> tokens, std::size_t at, std::
     if (!phrase_starts_.contains(extended)) return false;
     PhraseMatch next = so_far;
     next.each |= is_distributor(word);
+    next.possessive |= word == "its" || word == "their";
     next.plural |= plural;
     next.other |= word == "other";
     // "on the left wall" is on a wall, not on the left of something.

@@ -125,7 +125,12 @@ void NounPhraseReader::read_of() {
 }
 
 std::optional<NounPhrase> NounPhraseReader::settle() {
-  if (done_) {  // "the left one"
+  if (done_) {  // "the left one", "a smaller one"
+    for (const Part& part : parts_) {
+      if (part.word_class != Class::kFiller) continue;
+      phrase_.attributes.push_back(text_of(tokens_, part.first, part.last));
+      phrase_.attribute_classes.push_back(Class::kQuality);
+    }
     take_attributes(parts_.size());
     return finish();
   }
@@ -139,7 +144,8 @@ std::optional<NounPhrase> NounPhraseReader::settle() {
   if (head == 0) {
     // Nothing but attributes: "each", "the other", "both", "the larger", a count alone.
     const bool member = phrase_.determiner == Determiner::kEach || phrase_.determiner == Determiner::kBoth ||
-                        phrase_.determiner == Determiner::kOther || phrase_.determiner == Determiner::kAnother || counted_;
+                        phrase_.determiner == Determiner::kOther || phrase_.determiner == Determiner::kAnother || counted_ ||
+                        phrase_.ordinal != 0;
     if (!member || (bare_ && !counted_ && phrase_.determiner == Determiner::kNone)) return std::nullopt;
     if (!parts_.empty()) i_ = parts_.front().first;
     phrase_.kind = NounKind::kMember;

@@ -90,7 +90,8 @@ bool NounPhraseReader::read_subset() {
   if (lexicon_.is(next, Class::kDefinite) || lexicon_.is(next, Class::kPossessive)) {
     auto base = read_noun_phrase(lexicon_, tokens_, i_ + 1, false);
     if (base && (base->kind == NounKind::kWall || base->kind == NounKind::kCorner)) {  // "three of the walls"
-      base->count = phrase_.count;
+      if (phrase_.determiner == Determiner::kEach) base->determiner = Determiner::kEach;
+      if (phrase_.count > 0) base->count = phrase_.count;
       base->first = phrase_.first;
       phrase_ = std::move(*base);
       i_ = phrase_.last;

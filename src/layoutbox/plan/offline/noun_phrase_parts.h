@@ -83,6 +83,7 @@ class NounPhraseReader {
   bool read_pronoun();
   void read_parts();
   bool read_part();
+  bool read_ordinal();
   bool goes_on_after_break() const;
   bool word_may_belong() const;
   std::optional<NounPhrase> settle();

@@ -1,4 +1,7 @@
 // The words of a noun phrase up to its head: attributes, compounds, and where it ends.
+#include <string_view>
+#include <utility>
+
 #include "layoutbox/base/words.h"
 #include "layoutbox/plan/offline/english.h"
 #include "layoutbox/plan/offline/noun_phrase_parts.h"
@@ -32,7 +35,22 @@ bool NounPhraseReader::word_may_belong() const {
   return form == WordForm::kThing || form == WordForm::kNoun || form == WordForm::kUnknown;
 }
 
+// "the second bed", "the last one"
+bool NounPhraseReader::read_ordinal() {
+  static constexpr std::pair<std::string_view, int> kOrdinals[] = {{"first", 1},  {"1st", 1},   {"second", 2}, {"2nd", 2},  {"third", 3},
+                                                                   {"fourth", 4}, {"fifth", 5}, {"sixth", 6},  {"last", -1}};
+  if (!parts_.empty() || counted_ || phrase_.determiner != Determiner::kDefinite || hyphenated(i_ + 1)) return false;
+  for (const auto& [word, place] : kOrdinals) {
+    if (!at_word(word)) continue;
+    phrase_.ordinal = place;
+    ++i_;
+    return true;
+  }
+  return false;
+}
+
 bool NounPhraseReader::read_part() {
+  if (read_ordinal()) return true;
   Match match = lexicon_.find(tokens_, i_);
   // "light-filled", "hand-knotted": one adjective, whatever its first word is.
   if (match.length < 2 && i_ + 1 < tokens_.size() && hyphenated(i_ + 1) && token().kind == Token::Kind::kWord &&
@@ -102,6 +120,11 @@ bool NounPhraseReader::read_part() {
     if (object != nullptr && !(verbal && noun_before && !hyphenated(i_)) && !part)
       return add(Class::kObject, *object, match.length, match.plural);
     if (object != nullptr && part) return add(Class::kPart, *object, match.length, match.plural);
+    if (part && match.length == 1 && has(match, Class::kPart)) {  // "two sinks": parts of a vanity, or things
+      const Match one = lexicon_.find({&single, 1}, 0);
+      if (const Meaning* thing = meaning_of(one, Class::kObject); thing != nullptr && single.text != token().text)
+        return add(Class::kPart, *thing, 1, true);
+    }
     if (attribute != nullptr && !(noun_before && verbal)) {
       if (noun_before && !hyphenated(i_)) {
         // "bed king size": an attribute after the noun ends the phrase, unless another noun follows it ("table glass lamp").

@@ -72,6 +72,7 @@ void DocumentReader::read() {
 
 void DocumentReader::read_chunk(std::size_t k) {
   using Use = WordReading::Use;
+  if (k < passed_until_) return;
   switch (chunk(k).kind) {
     case ChunkKind::kStop: begin_sentence(); break;
     case ChunkKind::kClause: {
@@ -97,15 +98,16 @@ void DocumentReader::read_chunk(std::size_t k) {
       break;
     case ChunkKind::kWithout:
       mark(k, Use::kUsed, "negation");
-      negated_ = true;
       skipping_ = false;
+      if (denies_place(k)) break;
+      negated_ = !excepts_from_nothing(k);
       break;
     case ChunkKind::kPurpose:
       if (names_contents(k)) {
         read_have(k);
         break;
       }
-      if (passes_count(k)) break;
+      if (passes_count(k) || passes_role(k)) break;
       mark(k, Use::kIgnored, "purpose");
       skipping_ = true;
       joiner_ = Joiner::kNone;
@@ -181,6 +183,20 @@ bool DocumentReader::verb_at(std::size_t k) const {
   return (is(k, ChunkKind::kRelation) || is(k, ChunkKind::kHave)) && is_finite(document_.tokens[chunk(k).first].text);
 }
 
+// "a table", "two chairs": brought in here.
+bool DocumentReader::new_thing_at(std::size_t k) const {
+  if (!is(k, ChunkKind::kNoun) || chunk(k).noun.kind != NounKind::kObject) return false;
+  const NounPhrase& noun = chunk(k).noun;
+  return noun.determiner == Determiner::kIndefinite || noun.determiner == Determiner::kAnother ||
+         (noun.determiner == Determiner::kNone && noun.count > 0);
+}
+
+// "the bed", "it", "the corner", "each desk".
+bool DocumentReader::speaks_of_known(const NounPhrase& noun) const {
+  return noun.kind != NounKind::kObject || noun.determiner == Determiner::kDefinite || noun.determiner == Determiner::kEach ||
+         noun.determiner == Determiner::kPossessive || noun.determiner == Determiner::kBoth;
+}
+
 // "in front of the sofa is a table", "near the window, a chair": a place before its thing.
 bool DocumentReader::place_comes_first(std::size_t k) const {
   const std::size_t n = next(k);
@@ -191,6 +207,7 @@ bool DocumentReader::place_comes_first(std::size_t k) const {
   if (!is(n, ChunkKind::kNoun) || verb_at(k)) return false;
   std::size_t after = next(n);
   if (chunk(n).noun.owner) after = next(after);
+  if (new_thing_at(after) && speaks_of_known(chunk(n).noun)) return true;  // "in front of it a table"
   if (is(after, ChunkKind::kVerb) || is(after, ChunkKind::kThere)) {
     const std::size_t thing = next(after);
     return is(thing, ChunkKind::kNoun) && chunk(thing).noun.kind == NounKind::kObject;
@@ -217,6 +234,10 @@ void DocumentReader::read_break(std::size_t k) {
       resume = (said && noun.kind != NounKind::kAbstract) || definite || (noun.kind == NounKind::kMember && comma) ||
                is(next(n), ChunkKind::kVerb);
       if (!comma && noun.kind != NounKind::kAbstract && said) resume = true;
+      // In a list without articles the next bare thing goes on with it: "bed for guests, desk, lamp".
+      const bool bare_list = !roots_.empty() && noun_of(roots_.front()).determiner == Determiner::kNone &&
+                             noun_of(roots_.front()).kind == NounKind::kObject && noun_of(roots_.front()).count == 0;
+      if (comma && bare_list && noun.kind == NounKind::kObject && noun.exact) resume = true;
     } else if (comma) {
       resume = is(n, ChunkKind::kRelation) || is(n, ChunkKind::kHave) || is(n, ChunkKind::kParticiple) || is(n, ChunkKind::kRelative) ||
                is(n, ChunkKind::kThere) || is(n, ChunkKind::kAnd) || is(n, ChunkKind::kVerb);

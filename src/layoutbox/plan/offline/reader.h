@@ -31,6 +31,10 @@ class DocumentReader {
   void read_chunk(std::size_t k);
   void read_noun(std::size_t k);
   void read_place(std::size_t k, int mention);
+  void add_named_contents(std::size_t k, int host);
+  int another_one(const NounPhrase& noun);
+  int last_ordinal() const;
+  int of_the_two(bool former, const std::vector<int>& busy) const;
   void read_relation(std::size_t k);
   void read_inverse(std::size_t k, PhraseSenses senses);
   void read_have(std::size_t k);
@@ -54,6 +58,8 @@ class DocumentReader {
   bool frames_are_room() const;
   bool is_content(int mention) const;
   bool verb_at(std::size_t k) const;
+  bool new_thing_at(std::size_t k) const;
+  bool speaks_of_known(const NounPhrase& noun) const;
   bool place_comes_first(std::size_t k) const;
   std::size_t previous(std::size_t k) const;  // the chunk before, ignored ones left out; past the end if none
   // Who is meant where it is not said, or by "it" (`single`: one thing). -1: nobody.
@@ -66,6 +72,9 @@ class DocumentReader {
   bool read_relative_place(std::size_t k);
   bool whole_group(std::size_t k, const NounPhrase& noun, int group) const;
   bool passes_count(std::size_t k);
+  bool denies_place(std::size_t k);
+  bool excepts_from_nothing(std::size_t k) const;
+  bool passes_role(std::size_t k);
   bool other_side(std::size_t k, const std::vector<int>& targets);
   void grow_contents(int host, std::size_t before);
   void mean_each_other(Link& link);
@@ -101,6 +110,7 @@ class DocumentReader {
   int outer_root_ = -1;                                     // "the desk, on which …, is": the subject that waits
   int one_side_link_ = -1;                                  // "on one side of the bed": "on the other" may follow
   std::size_t passed_over_ = static_cast<std::size_t>(-1);  // a chunk that was read with the one before
+  std::size_t passed_until_ = 0;                            // the first chunk after those that were passed over together
   // Of the clause.
   std::vector<int> roots_, subject_, chain_, fronted_;
   std::vector<Joiner> root_joiners_;  // how each root was joined to the one before it

@@ -28,16 +28,53 @@ bool DocumentReader::names_contents(std::size_t k) const {
 // "a table for six": a size, after which the list goes on.
 bool DocumentReader::passes_count(std::size_t k) {
   const std::size_t n = next(k);
-  if (skipping_ || chain_.empty() || !is(n, ChunkKind::kNoun) || chunk(n).noun.count == 0 || document_.tokens[chunk(k).first].text != "for")
-    return false;
+  if (skipping_ || !is(n, ChunkKind::kNoun) || chunk(n).noun.count == 0 || document_.tokens[chunk(k).first].text != "for") return false;
   const NounPhrase& noun = chunk(n).noun;
-  static constexpr std::string_view kPersons[] = {"person", "people", "guest", "diner", "child", "student", "adult"};
+  static constexpr std::string_view kPersons[] = {"person", "people",  "guest", "diner", "child", "student",  "adult", "kid",
+                                                  "sister", "brother", "girl",  "boy",   "twin",  "roommate", "baby",  "teenager"};
   const bool persons =
       noun.kind == NounKind::kMember || std::find(std::begin(kPersons), std::end(kPersons), noun.head) != std::end(kPersons);
-  if (!persons || !is_table(lexicon_.catalog(), noun_of(chain_.back()))) return false;
+  const bool room = chain_.empty() || noun_of(chain_.back()).kind == NounKind::kRoom;
+  if (!persons || (!room && !is_table(lexicon_.catalog(), noun_of(chain_.back())))) return false;
   mark(k, WordReading::Use::kIgnored, "size");
   mark(n, WordReading::Use::kIgnored, "size");
   passed_over_ = n;
+  return true;
+}
+
+// "not under the window": a place where it is not says nothing of where it is.
+bool DocumentReader::denies_place(std::size_t k) {
+  const std::string& word = document_.tokens[chunk(k).last - 1].text;
+  const std::size_t r = next(k), n = next(r);
+  if ((word != "not" && word != "never") || !is(r, ChunkKind::kRelation) || !is(n, ChunkKind::kNoun)) return false;
+  if (chunk(n).noun.determiner != Determiner::kDefinite && chunk(n).noun.kind == NounKind::kObject) return false;
+  mark(r, WordReading::Use::kIgnored, "not there");
+  mark(n, WordReading::Use::kIgnored, "not there");
+  passed_until_ = n + 1;
+  return true;
+}
+
+// "nothing else, except a lamp", "no chairs except one": it is there.
+bool DocumentReader::excepts_from_nothing(std::size_t k) const {
+  const std::string& word = document_.tokens[chunk(k).first].text;
+  if (word != "except" && word != "excepting") return false;
+  for (std::size_t i = chunk(k).first; i-- > 0 && !document_.tokens[i].ends_sentence;) {
+    const std::string& before = document_.tokens[i].text;
+    if (before == "nothing" || before == "no" || before == "empty" || before == "without" || before == "nobody") return true;
+  }
+  return false;
+}
+
+// "a dresser that doubles as a changing table next to it": what it is used as is no thing; what follows is said of it.
+bool DocumentReader::passes_role(std::size_t k) {
+  const std::size_t n = next(k);
+  if (document_.tokens[chunk(k).last - 1].text != "as" || !is(n, ChunkKind::kNoun) || chunk(n).noun.kind != NounKind::kObject) return false;
+  if (skipping_ && (k == 0 || !is(k - 1, ChunkKind::kPurpose))) return false;
+  if (is(next(n), ChunkKind::kAnd) || (chunk(k).first > 0 && document_.tokens[chunk(k).first - 1].text == "such")) return false;
+  mark(k, WordReading::Use::kIgnored, "purpose");
+  mark(n, WordReading::Use::kIgnored, "purpose");
+  passed_over_ = n;
+  skipping_ = false;
   return true;
 }
 
@@ -46,7 +83,8 @@ bool DocumentReader::take_all(std::size_t k) {
   const NounPhrase& noun = chunk(k).noun;
   if (noun.determiner != Determiner::kBoth || noun.of || expects_reference_ || expects_content_) return false;
   const std::size_t n = next(k);
-  if (!is(n, ChunkKind::kRelation) && !is(n, ChunkKind::kParticiple) && !is(n, ChunkKind::kVerb)) return false;
+  const bool has = is(n, ChunkKind::kHave);
+  if (!is(n, ChunkKind::kRelation) && !is(n, ChunkKind::kParticiple) && !is(n, ChunkKind::kVerb) && !has) return false;
   const std::vector<int>& roots = roots_.empty() ? former_roots_ : roots_;
   std::vector<int> things;
   for (const int root : roots) {
@@ -63,6 +101,22 @@ bool DocumentReader::take_all(std::size_t k) {
   if (!all && things.size() > 2) things.erase(things.begin(), things.end() - 2);
   if (things.empty()) return false;
   mark(k, WordReading::Use::kUsed, "reference");
+  if (has) {  // every single one has it
+    Mention all_of_them = mention_at(things.front());
+    for (const int thing : things) {
+      for (const int item : mention_at(thing).items) {
+        if (!contains(all_of_them.items, item)) all_of_them.items.push_back(item);
+      }
+    }
+    all_of_them.introduces = false;
+    all_of_them.distributes = true;
+    document_.mentions.push_back(std::move(all_of_them));
+    things = {static_cast<int>(document_.mentions.size()) - 1};
+    roots_ = things;
+    root_joiners_.assign(1, joiner_);
+    root_modified_.assign(1, false);
+    clause_start_ = 0;
+  }
   if (roots_.empty()) {
     roots_ = things;
     root_joiners_.assign(things.size(), Joiner::kAnd);

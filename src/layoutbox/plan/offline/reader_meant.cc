@@ -66,6 +66,21 @@ int DocumentReader::meant_by_it(const std::vector<int>& targets) const {
   int meant = implied_reference(targets, true, senses, true);
   if (meant < 0) meant = implied_reference(targets, true, nullptr, true);
   if (meant < 0) meant = implied_reference(targets);
+  // "a stool in front of the armchair, a table to the left of it": of the armchair, which was named for the stool's sake.
+  const bool beside = senses != nullptr && std::any_of(senses->begin(), senses->end(), [](const PhraseSense& s) {
+                        return s.type == RelationType::kLeftOf || s.type == RelationType::kRightOf || s.type == RelationType::kBehind ||
+                               s.type == RelationType::kInFrontOf || s.type == RelationType::kNextTo;
+                      });
+  for (std::size_t l = document_.links.size(); meant >= 0 && beside && joiner_before_relation_ == Joiner::kNone && l-- > sentence_links_;) {
+    const Link& link = document_.links[l];
+    if (!contains(link.targets, meant) || link.references.size() != 1) continue;
+    const int named = link.references.front();
+    const Mention& mention = document_.mentions[static_cast<std::size_t>(named)];
+    const bool again = mention.noun.determiner == Determiner::kDefinite && !mention.introduces && mention.items.size() == 1;
+    const bool seats_round = mention.noun.kind == NounKind::kObject && is_root(named) && !contains(targets, named);
+    if (again && seats_round && !roots_.empty() && roots_.back() != meant) return named;
+    break;
+  }
   if (meant < 0 || last_it_ < 0 || contains(targets, last_it_)) return meant;
   const std::vector<int>& same = document_.mentions[static_cast<std::size_t>(last_it_)].items;
   for (std::size_t l = document_.links.size(); l-- > sentence_links_;) {

@@ -8,12 +8,19 @@ namespace layoutbox::offline {
 void DocumentReader::read_noun(std::size_t k) {
   using Use = WordReading::Use;
   if (k == passed_over_) return;
+  if (const auto& object = chunk(k).noun.as_object;
+      object != nullptr && !expects_reference_ &&
+      (frames_.empty() || frames_.back().room || (joiner_ == Joiner::kNone && !expects_content_)))
+    document_.chunks[k].noun = NounPhrase(*object);
   const NounPhrase& noun = chunk(k).noun;
   if (skipping_) {
     mark(k, Use::kIgnored, "purpose");
     if (noun.kind == NounKind::kRoom) document_.rooms.push_back(noun);
     return;
   }
+  // "instead of a bathtub a shower": what stands beside what is not wanted.
+  if (negated_ && joiner_ == Joiner::kNone && k > 0 && is(k - 1, ChunkKind::kNoun) && noun.determiner == Determiner::kIndefinite)
+    negated_ = false;
   if (negated_) {
     mark(k, Use::kUsed, "not wanted");
     if (noun.kind == NounKind::kObject) document_.excluded.push_back(noun);
@@ -78,6 +85,7 @@ void DocumentReader::read_noun(std::size_t k) {
   if (noun.kind == NounKind::kPronoun) {
     antecedent = noun.plural ? implied_group(busy) : meant_by_it(busy);
     if (noun.head == "which" && !chain_.empty()) antecedent = chain_.back();
+    if (noun.head == "latter" || noun.head == "former") antecedent = of_the_two(noun.head == "former", busy);
     if (noun.reciprocal) antecedent = -1;
     if (noun.head == "it" && expects_reference_) last_it_ = antecedent;
   } else if (noun.kind == NounKind::kMember) {
@@ -85,7 +93,24 @@ void DocumentReader::read_noun(std::size_t k) {
       mark(k, Use::kUsed, "the other side");
       return;
     }
-    antecedent = references_.latest_group();
+    if (const int more = another_one(noun); more >= 0) {
+      mark(k, Use::kUsed, "one more " + noun_of(more).name);
+      read_place(k, more);
+      return;
+    }
+    antecedent = noun.ordinal != 0 ? last_ordinal() : references_.latest_group();
+    if (noun.ordinal != 0 && antecedent >= 0) {  // "the first wardrobe … the second": of the same kind
+      NounPhrase same = mention_at(antecedent).noun;
+      same.ordinal = noun.ordinal;
+      same.determiner = Determiner::kDefinite;
+      same.first = noun.first;
+      same.last = noun.last;
+      const int mention = references_.mention(same, -1, expects_reference_);
+      mark(k, Use::kUsed, "reference");
+      read_place(k, mention);
+      return;
+    }
+    if (antecedent < 0) antecedent = references_.latest_group();
     for (std::size_t c = chain_.size(); c-- > 0;) {
       if (mention_at(chain_[c]).items.size() > 1) {
         antecedent = chain_[c];
@@ -166,6 +191,49 @@ void DocumentReader::read_noun(std::size_t k) {
   read_place(k, mention);
 }
 
+// "a large bookcase and a smaller one", "a mat by the tub and another one by the shower": brought in anew. -1: it is not.
+int DocumentReader::another_one(const NounPhrase& noun) {
+  const bool another = noun.determiner == Determiner::kAnother;
+  const bool described = noun.determiner == Determiner::kIndefinite && !noun.attributes.empty();
+  if ((!another && !described) || noun.subset || noun.of) return -1;
+  if (another && references_.has_left(references_.latest_group(), std::max(noun.count, 1))) return -1;
+  int kind = roots_.empty() ? last_topic_ : roots_.back();
+  const bool listed = !frames_.empty() && !frames_.back().room && frames_.back().link >= 0 && joiner_ != Joiner::kNone;
+  if (listed && !link_at(frames_.back().link).targets.empty()) kind = link_at(frames_.back().link).targets.back();
+  if (kind < 0 || !is_thing(kind) || noun_of(kind).kind != NounKind::kObject) return -1;
+  NounPhrase copy = noun_of(kind);
+  copy.determiner = Determiner::kIndefinite;
+  copy.count = noun.count;
+  copy.plural = noun.count > 1;
+  copy.rows = 0;
+  if (!noun.attributes.empty()) {
+    copy.attributes = noun.attributes;
+    copy.attribute_classes = noun.attribute_classes;
+  }
+  copy.first = noun.first;
+  copy.last = noun.last;
+  return references_.mention(copy, -1, false);
+}
+
+// The latest thing that was named by its place in a row ("the first wardrobe"), or -1.
+int DocumentReader::last_ordinal() const {
+  for (std::size_t m = document_.mentions.size(), looked = 0; m-- > 0 && looked < kReach; ++looked) {
+    if (document_.mentions[m].noun.ordinal != 0 && is_thing(static_cast<int>(m))) return static_cast<int>(m);
+  }
+  return -1;
+}
+
+// "a lamp and a table; the latter …": the last of the things that were named, or the one before it.
+int DocumentReader::of_the_two(bool former, const std::vector<int>& busy) const {
+  for (std::size_t m = document_.mentions.size(), looked = 0; m-- > 0 && looked < kReach; ++looked) {
+    const int mention = static_cast<int>(m);
+    if (!is_thing(mention) || !document_.mentions[m].introduces || contains(busy, mention)) continue;
+    if (!former) return mention;
+    former = false;
+  }
+  return -1;
+}
+
 void DocumentReader::read_place(std::size_t k, int mention) {
   // Collectives ("bath essentials") are things where something holds them.
   NounPhrase& noun = mention_at(mention).noun;
@@ -198,6 +266,24 @@ void DocumentReader::read_place(std::size_t k, int mention) {
     place_root(k, mention);
   }
   joiner_ = Joiner::kNone;
+  add_named_contents(k, mention);
+}
+
+// "a rack of dumbbells": the dumbbells are on it.
+void DocumentReader::add_named_contents(std::size_t k, int host) {
+  if (chunk(k).noun.contents == nullptr || !is_thing(host) || !mention_at(host).introduces || !is_storage(noun_of(host))) return;
+  const NounPhrase things = *chunk(k).noun.contents;
+  if (!may_carry(lexicon_.catalog(), noun_of(host), things)) return;
+  const int content = references_.mention(things, -1, false);
+  references_.grow(content, mention_at(content).items.size() * mention_at(host).items.size());
+  Link link;
+  link.kind = Link::Kind::kHave;
+  link.holding = true;
+  link.targets = {content};
+  link.references = {host};
+  link.first = chunk(k).first;
+  link.last = chunk(k).last;
+  add_link(std::move(link));
 }
 
 }  // namespace layoutbox::offline

@@ -4,6 +4,12 @@
 #include "layoutbox/plan/offline/reader_words.h"
 
 namespace layoutbox::offline {
+namespace {
+
+// "in every corner" four, "in each of the two far corners" two.
+std::size_t corners_meant(const NounPhrase& corner) { return corner.count > 0 ? static_cast<std::size_t>(corner.count) : 4; }
+
+}  // namespace
 
 void DocumentReader::place_root(std::size_t k, int mention) {
   const NounPhrase& noun = noun_of(mention);
@@ -39,7 +45,7 @@ void DocumentReader::place_root(std::size_t k, int mention) {
       for (const int reference : waiting.references) {
         const NounPhrase& place = noun_of(reference);
         if (place.kind == NounKind::kCorner && place.determiner == Determiner::kEach && noun_of(mention).count <= 1)
-          references_.grow(mention, 4);
+          references_.grow(mention, corners_meant(place));
         if (mention_at(reference).distributes && mention_at(reference).items.size() > 1)
           references_.grow(mention, mention_at(mention).items.size() * mention_at(reference).items.size());
       }
@@ -78,9 +84,13 @@ void DocumentReader::place_reference(std::size_t k, int mention) {
     if (mention_at(mention).reciprocal) mean_each_other(link);
     if (noun_of(mention).kind == NounKind::kCorner && noun_of(mention).determiner == Determiner::kEach) {
       for (const int target : link.targets) {
-        if (noun_of(target).count == 0 || noun_of(target).count == 1) references_.grow(target, 4);
+        if (noun_of(target).count <= 1) references_.grow(target, corners_meant(noun_of(mention)));
       }
     }
+    // "three chairs, each facing a mirror": a mirror for each.
+    if (mention_at(mention).introduces && mention_at(mention).items.size() == 1 && noun_of(mention).determiner == Determiner::kIndefinite &&
+        link.targets.size() == 1 && mention_at(link.targets.front()).distributes && !mention_at(link.targets.front()).introduces)
+      references_.grow(mention, mention_at(link.targets.front()).items.size());
     if (mention_at(mention).distributes) {
       for (const int target : link.targets) {
         const std::size_t places = std::max<std::size_t>(mention_at(mention).items.size(), 1);
@@ -98,6 +108,9 @@ void DocumentReader::place_reference(std::size_t k, int mention) {
       const NounKind kind = noun_of(mention).kind;
       const std::vector<int> hung = link.targets;  // `link` does not outlive a new one
       if (kind != NounKind::kWall && kind != NounKind::kCeiling) hang(hung, k);
+      // "a shelf mounted on the wall": not before it.
+      if (kind == NounKind::kWall && says(link.senses, RelationType::kOnWall))
+        link.senses = {{RelationType::kOnWall, Direction::kDirect, {}, {}, {}}};
       hang_ = false;
     }
   }

@@ -18,11 +18,17 @@ void DocumentReader::read_relation(std::size_t k) {
   const std::string& first_word = document_.tokens[relation.first].text;
   if (relation.placing || first_word.ends_with("ing") || first_word.ends_with("ed")) after_participle_ = true;
   const bool more_places = !fronted_.empty() && roots_.size() == clause_start_;
-  if (joiner_ != Joiner::kNone && joiner_ != Joiner::kComma && !more_places && place_comes_first(k)) {
-    begin_clause();
-  }
   const PhraseSenses& senses = *relation.phrase.senses;
   const std::size_t n = next(k);
+  const bool thing_at_once = is(n, ChunkKind::kNoun) && !is_finite(first_word) && has_direction(senses, Direction::kDirect) &&
+                             speaks_of_known(chunk(n).noun) && !chunk(n).noun.owner && new_thing_at(next(n));
+  if (joiner_ != Joiner::kNone && !more_places && (joiner_ == Joiner::kComma ? thing_at_once : place_comes_first(k))) {
+    begin_clause();
+  }
+  // "to its right there is a plant, to its left a table": by the same thing.
+  if (joiner_ != Joiner::kNone && fronted_topic_ >= 0 && has_direction(senses, Direction::kAlone) && new_thing_at(n) &&
+      (says(senses, RelationType::kLeftOf) || says(senses, RelationType::kRightOf)))
+    begin_clause();
   // "to your left a bookcase, to your right a fireplace"
   if (joiner_ != Joiner::kNone && has_direction(senses, Direction::kAlone) && !has_direction(senses, Direction::kDirect) &&
       says(senses, RelationType::kInRegion) && is(n, ChunkKind::kNoun) && chunk(n).noun.kind == NounKind::kObject)
@@ -94,8 +100,9 @@ void DocumentReader::read_relation(std::size_t k) {
                                               chunk(before).noun.determiner == Determiner::kDefinite)
     return;
   // "side by side": by each other.
-  if ((first_word == "side" || first_word == "back") && document_.tokens[relation.last - 1].text == first_word &&
-      relation.last > relation.first + 1) {
+  const bool by_each_other = (first_word == "side" || first_word == "back") && document_.tokens[relation.last - 1].text == first_word &&
+                             relation.last > relation.first + 1;
+  if (by_each_other || says(link.senses, RelationType::kStacked)) {
     if (chain_.empty()) return;
     Mention other;
     other.noun.kind = NounKind::kPronoun;
@@ -124,6 +131,7 @@ void DocumentReader::read_relation(std::size_t k) {
       break;
     }
     if (reference >= 0) link.references = {reference};
+    if (relation.phrase.possessive && reference >= 0) last_it_ = reference;
     fronted_.push_back(add_link(std::move(link)));
     joiner_ = Joiner::kNone;
     return;

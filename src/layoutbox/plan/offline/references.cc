@@ -15,6 +15,19 @@ std::string last_word(const std::string& name) {
   return space == std::string::npos ? plain : plain.substr(space + 1);
 }
 
+// "large", "larger", "largest" and "big", "bigger": one quality.
+bool same_quality(std::string_view one, std::string_view other) {
+  const auto stem = [](std::string_view word) {
+    for (const std::string_view ending : {"est", "er"}) {
+      if (word.size() > ending.size() + 2 && word.ends_with(ending)) word.remove_suffix(ending.size());
+    }
+    if (word.size() > 2 && word.back() == word[word.size() - 2]) word.remove_suffix(1);
+    if (word.size() > 2 && (word.back() == 'e' || word.back() == 'i' || word.back() == 'y')) word.remove_suffix(1);
+    return word;
+  };
+  return one == other || stem(one) == stem(other);
+}
+
 // "the shelf", "the top shelf": a part of what has shelves.
 bool is_own_shelf(const NounPhrase& noun) {
   static constexpr std::string_view kWhich[] = {"shelf",       "top shelf",   "bottom shelf", "middle shelf",
@@ -71,7 +84,9 @@ int References::fit(const NounPhrase& wanted, const NounPhrase& item) const {
   if (last_word(wanted.name) == last_word(item.name) &&
       (wanted.name.find(' ') == std::string::npos || item.name.find(' ') == std::string::npos)) {
     // "the table" is any table; "the coffee table" is not a plain table that was named before it.
-    return wanted.name.find(' ') == std::string::npos ? 2 : 1;
+    const bool kind_apart = wanted.exact && item.exact && wanted.entry != item.entry && item.is_plural() && !wanted.is_plural();
+    if (wanted.name.find(' ') == std::string::npos) return 2;
+    return kind_apart ? 0 : 1;  // "the teacher's desk" is none of the desks
   }
   if (wanted.exact && item.entry != nullptr && wanted.entry != nullptr && wanted.entry != item.entry &&
       catalog.is_a(item.entry->id, wanted.entry->id))
@@ -97,9 +112,12 @@ std::vector<int> References::known(const NounPhrase& noun) const {
     int score = fit(noun, item) * 10;
     if (score == 0) continue;
     for (const std::string& attribute : noun.attributes) {
-      score += std::find(item.attributes.begin(), item.attributes.end(), attribute) != item.attributes.end() ? 3 : -1;
+      score +=
+          std::any_of(item.attributes.begin(), item.attributes.end(), [&](const std::string& own) { return same_quality(own, attribute); })
+              ? 3
+              : -1;
     }
-    const bool all = noun.is_plural() || noun.determiner == Determiner::kEach;
+    const bool all = noun.is_plural() || noun.determiner == Determiner::kEach || noun.ordinal != 0;
     if (!all && score == best_score) continue;
     if (score < best_score) continue;
     if (score > best_score) found.clear();
@@ -107,6 +125,10 @@ std::vector<int> References::known(const NounPhrase& noun) const {
     found.push_back(static_cast<int>(i));
   }
   std::reverse(found.begin(), found.end());
+  if (!found.empty() && noun.ordinal != 0) {
+    const std::size_t at = noun.ordinal < 0 ? found.size() : static_cast<std::size_t>(noun.ordinal);
+    return at > found.size() ? std::vector<int>{} : std::vector<int>{found[at - 1]};
+  }
   if (!found.empty() && !noun.is_plural() && noun.determiner != Determiner::kEach) {
     // A singular names one thing; which member of a group, "left" and "other" say.
     const int group = document_.items[static_cast<std::size_t>(found.front())].group;
@@ -127,7 +149,25 @@ std::vector<int> References::known(const NounPhrase& noun) const {
   return found;
 }
 
+int References::described(const NounPhrase& noun) const {
+  if (noun.attributes.empty()) return -1;
+  for (std::size_t i = document_.items.size(), looked = 0; i-- > 0 && looked < kReach; ++looked) {
+    const std::vector<std::string>& own = document_.items[i].noun.attributes;
+    const bool all = std::all_of(noun.attributes.begin(), noun.attributes.end(), [&](const std::string& said) {
+      return std::any_of(own.begin(), own.end(), [&](const std::string& word) { return same_quality(said, word); });
+    });
+    if (all) return static_cast<int>(i);
+  }
+  return -1;
+}
+
 void References::choose_members(Mention& mention, const NounPhrase& noun, int antecedent) {
+  if (noun.determiner == Determiner::kDefinite) {
+    if (const int item = described(noun); item >= 0) {
+      mention.items = {item};
+      return;
+    }
+  }
   const std::vector<int> all = antecedent >= 0 ? document_.mentions[static_cast<std::size_t>(antecedent)].items : std::vector<int>{};
   if (all.empty()) return;
   const int group = document_.items[static_cast<std::size_t>(all.front())].group;
@@ -138,6 +178,13 @@ void References::choose_members(Mention& mention, const NounPhrase& noun, int an
     return;
   }
   const std::size_t count = noun.count > 0 ? static_cast<std::size_t>(noun.count) : 1;
+  const bool side = noun.wall_word == "left" || noun.wall_word == "right";
+  if (noun.ordinal != 0 || (side && noun.determiner == Determiner::kDefinite && noun.count == 0)) {
+    const std::size_t at = noun.ordinal < 0 || noun.wall_word == "right" ? all.size() : side ? 1 : static_cast<std::size_t>(noun.ordinal);
+    mention.items = {all[std::min(at, all.size()) - 1]};
+    picked.push_back(mention.items.front());
+    return;
+  }
   if (noun.determiner == Determiner::kOther && noun.count == 0) {
     for (const int item : all) {
       if (!contains(picked, item)) mention.items.push_back(item);

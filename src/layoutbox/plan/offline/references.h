@@ -32,6 +32,8 @@ class References {
   int add(Mention mention);
   void introduce(Mention& mention, const NounPhrase& noun, int count);
   std::vector<int> known(const NounPhrase& noun) const;
+  // "the red one", "the smaller one": the latest thing that was called so, or -1.
+  int described(const NounPhrase& noun) const;
   bool same_kind(const NounPhrase& wanted, const NounPhrase& item) const;
   int fit(const NounPhrase& wanted, const NounPhrase& item) const;
   void general(const NounPhrase& noun, bool as_reference, Mention& mention) const;

@@ -24,6 +24,7 @@ void RelationBuilder::run() {
     if (link.kind == Link::Kind::kRelation) add_relations(link);
   }
   add_rows();
+  complete_sides();
   for (const Link& link : document_.links) {
     if (link.kind == Link::Kind::kHave) add_contents(link);
   }

@@ -47,12 +47,17 @@ class RelationBuilder {
   void add_relations_to(const Link& link, const std::vector<int>& targets, const Mention& reference_mention);
   void add_rows();
   void set_heights();
+  bool add_on_other_side(const Link& link, PhraseSense& sense, const Mention& target, int reference);
+  // "eight chairs around the table, two of them at its ends": the others at its long sides.
+  void complete_sides();
   // "on opposite walls", "both side walls": which walls they share out; empty where that is not said.
   std::vector<std::string> shared_walls(const NounPhrase& walls) const;
   std::string place_of(const Link& link) const;
   // "facing each other": every one of the targets and its neighbour.
   void add_each_other(const Link& link, const std::vector<int>& targets);
   void add_between(const Link& link, const std::vector<int>& targets);
+  // Small things that stand on the host wherever they are said to be by it.
+  bool lie_on(const std::vector<int>& items, int host) const;
   void add_group(const Link& link, PhraseSense sense, const std::vector<int>& targets, const std::vector<int>& references,
                  const Mention* place);
   void add_single(const Link& link, PhraseSense sense, const Mention& target, const std::vector<int>& references, const Mention* place);

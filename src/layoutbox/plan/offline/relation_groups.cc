@@ -1,5 +1,6 @@
 // Relations of groups: around, between, on each side, in rows, in corners.
 #include <algorithm>
+#include <iterator>
 
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/relation_builder_parts.h"
@@ -16,6 +17,13 @@ void RelationBuilder::add_each_other(const Link& link, const std::vector<int>& t
   if (!sense) return;
   for (std::size_t t = 1; t < targets.size(); ++t) {
     const std::string &one = id(targets[t - 1]), &next = id(targets[t]);
+    if (sense->type == R::kStacked) {  // shelves on a wall are above each other, boxes stand on each other
+      const std::vector<std::size_t>& all = relations_of(one);
+      const bool hangs = mount_of(other) == Mount::kWall ||
+                         std::any_of(all.begin(), all.end(), [&](std::size_t r) { return scene_.relations[r].type == R::kOnWall; });
+      add(link, hangs ? R::kAbove : R::kOn, {next}, {one});
+      continue;
+    }
     add(link, sense->type, {one}, {next}, *sense);
     if (sense->type == R::kOpposite) add_across(link, targets[t - 1], {next});
     if (sense->type == R::kFacing) add(link, sense->type, {next}, {one}, *sense);
@@ -35,6 +43,14 @@ void RelationBuilder::add_between(const Link& link, const std::vector<int>& targ
   }
   if (references.size() < 2) return;
   for (const int target : targets) add(link, R::kBetween, {id(target)}, references);
+}
+
+bool RelationBuilder::lie_on(const std::vector<int>& items, int host) const {
+  const NounPhrase& carrier = noun_of_item(host);
+  if (mount_of(carrier) != Mount::kFloor || one_of(carrier.head, {"bed", "sofa", "couch", "loveseat", "daybed", "crib"})) return false;
+  return std::all_of(items.begin(), items.end(), [&](int item) {
+    return mount_of(noun_of_item(item)) == Mount::kSurface && may_carry(catalog_, carrier, noun_of_item(item));
+  });
 }
 
 void RelationBuilder::add_group(const Link& link, PhraseSense sense, const std::vector<int>& targets, const std::vector<int>& references,
@@ -57,6 +73,15 @@ void RelationBuilder::add_group(const Link& link, PhraseSense sense, const std::
                                    [](const std::string& a) { return a == "round" || a == "circular" || a == "oval"; });
     if ((round || !is_table(catalog_, host)) && enough) sense.type = R::kSurround;
   }
+  // "a lamp at each end" of a console table: on it.
+  if (sense.type == R::kEachSideOf && references.size() == 1 && lie_on(targets, references.front())) {
+    for (std::size_t t = 0; t < targets.size(); ++t) {
+      PhraseSense on{R::kOn, Direction::kDirect, t % 2 == 0 ? "left" : "right", {}, {}};
+      if (targets.size() > 2) on.part.clear();
+      add(link, R::kOn, {id(targets[t])}, {id(references.front())}, on);
+    }
+    return;
+  }
   if (sense.type == R::kEachSideOf && references.size() == 1 && targets.size() >= 4 && is_seat(catalog_, noun_of_item(targets.front())) &&
       is_table(catalog_, noun_of_item(references.front()))) {
     add_seats_at_sides(link, targets, references.front());
@@ -78,6 +103,33 @@ void RelationBuilder::add_group(const Link& link, PhraseSense sense, const std::
       add(link, R::kNextTo, ids(share), host);
     } else {
       add(link, sense.type, ids(share), host, sense);
+    }
+  }
+}
+
+void RelationBuilder::complete_sides() {
+  const std::size_t said = scene_.relations.size();
+  for (std::size_t r = 0; r < said; ++r) {
+    const Relation around = scene_.relations[r];
+    if ((around.type != R::kAround && around.type != R::kSurround) || around.references.size() != 1) continue;
+    std::vector<std::string> others;
+    std::optional<Side> taken;
+    for (const std::string& seat : around.targets) {
+      const std::vector<std::size_t>& all = relations_of(seat);
+      const auto along = std::find_if(all.begin(), all.end(), [&](std::size_t i) {
+        return scene_.relations[i].type == R::kAlongSide && scene_.relations[i].references == around.references;
+      });
+      if (along == all.end())
+        others.push_back(seat);
+      else
+        taken = scene_.relations[*along].parameters.side;
+    }
+    if (others.empty() || !taken || (*taken != Side::kLong && *taken != Side::kShort)) continue;
+    Link link;
+    for (const std::string& seat : others) {
+      PhraseSense along{R::kAlongSide, Direction::kDirect, {}, {}, *taken == Side::kLong ? Side::kShort : Side::kLong};
+      add(link, R::kAlongSide, {seat}, around.references, along);
+      scene_.relations.back().hard = false;
     }
   }
 }
@@ -111,6 +163,16 @@ void RelationBuilder::add_seats_at_sides(const Link& link, const std::vector<int
 void RelationBuilder::add_corners(const Link& link, const Mention& target, const NounPhrase& corner) {
   static const std::vector<std::vector<std::string>> kCorners = {
       {"left", "back"}, {"right", "back"}, {"left", "front"}, {"right", "front"}};
+  // "the two far corners": of those that the word names.
+  const std::vector<std::string> side = room_reference(corner, R::kCorner);
+  if (corner.is_plural() && target.items.size() > 1 && side.size() == 1) {
+    std::vector<std::vector<std::string>> named;
+    std::copy_if(kCorners.begin(), kCorners.end(), std::back_inserter(named),
+                 [&](const auto& c) { return std::find(c.begin(), c.end(), side.front()) != c.end(); });
+    for (std::size_t t = 0; t < target.items.size() && !named.empty(); ++t)
+      add(link, R::kCorner, {id(target.items[t])}, named[t % named.size()]);
+    if (!named.empty()) return;
+  }
   const bool every = corner.determiner == Determiner::kEach || corner.determiner == Determiner::kBoth || corner.count == 4;
   for (std::size_t t = 0; t < target.items.size(); ++t) {
     const auto references = every && target.items.size() > 1 ? kCorners[t % kCorners.size()] : room_reference(corner, R::kCorner);

@@ -35,6 +35,14 @@ void RelationBuilder::add_single(const Link& link, PhraseSense sense, const Ment
     return;
   }
   if (references.empty()) return;
+  if (sense.type == R::kOpposite && references.size() == 1 && add_on_other_side(link, sense, target, references.front())) return;
+  // "on the wall opposite the bed": on or against that wall.
+  if (sense.type == R::kOpposite && words_between(document_, link.first, link.last).find("wall") != std::string::npos) {
+    const Mount mount = mount_of(target.noun);
+    const R type = mount == Mount::kFloor && is_heavy(catalog_, target.noun) ? R::kAgainstWall : R::kOnWall;
+    if (mount != Mount::kCeiling)
+      for (const int item : target.items) add(link, type, {id(item)}, {});
+  }
   // "on the left side of the desk" is on the desk for what stands on desks, beside it for the rest.
   if (sense.type == R::kLeftOf || sense.type == R::kRightOf) {
     const NounPhrase& host = noun_of_item(references.front());
@@ -47,6 +55,8 @@ void RelationBuilder::add_single(const Link& link, PhraseSense sense, const Ment
       sense.type = R::kOn;
     }
   }
+  // "magazines at one end" of a table lie on it.
+  if (sense.type == R::kAlongSide && mount_of(target.noun) == Mount::kSurface) sense = {R::kOn, Direction::kDirect, "end", {}, {}};
   if (sense.type == R::kOn || sense.type == R::kIn) {
     const NounPhrase& host = noun_of_item(references.front());
     if (sense.type == R::kIn && !has_inside(host)) sense.type = R::kOn;
@@ -67,11 +77,13 @@ void RelationBuilder::add_single(const Link& link, PhraseSense sense, const Ment
     }
     return;
   }
-  if (sense.type == R::kUnder && mount_of(target.noun) == Mount::kFloor && references.size() == 1 && target.items.size() == 1) {
+  if (sense.type == R::kUnder && mount_of(target.noun) == Mount::kFloor && target.items.size() == 1) {
     // What stands under a thing on the wall: the wall's thing is above it.
-    const Mount above = mount_of(noun_of_item(references.front()));
+    const std::vector<std::size_t>& all = relations_of(id(references.front()));
+    const bool hung = std::any_of(all.begin(), all.end(), [&](std::size_t r) { return scene_.relations[r].type == R::kOnWall; });
+    const Mount above = hung ? Mount::kWall : mount_of(noun_of_item(references.front()));
     if (above == Mount::kWall || above == Mount::kCeiling) {
-      add(link, R::kAbove, {id(references.front())}, {id(target.items.front())});
+      for (const int reference : references) add(link, R::kAbove, {id(reference)}, {id(target.items.front())});
       return;
     }
   }
@@ -114,6 +126,27 @@ void RelationBuilder::add_single(const Link& link, PhraseSense sense, const Ment
       add_look(link, sense.type, item, references.front());
     }
   }
+}
+
+// "on the other side of the bed is a nightstand": beside it, where the thing on its first side is not. False: the phrase does not say so.
+bool RelationBuilder::add_on_other_side(const Link& link, PhraseSense& sense, const Mention& target, int reference) {
+  if (words_between(document_, link.first, link.last).find("other side") == std::string::npos || mount_of(target.noun) != Mount::kFloor)
+    return false;
+  sense.type = R::kNextTo;
+  for (std::size_t r = 0; r < scene_.relations.size(); ++r) {
+    Relation& first = scene_.relations[r];
+    if (first.references != std::vector<std::string>{id(reference)} || first.targets.size() != 1) continue;
+    if (first.type == R::kLeftOf) sense.type = R::kRightOf;
+    if (first.type == R::kRightOf) sense.type = R::kLeftOf;
+    if (first.type != R::kNextTo && first.type != R::kNear) continue;
+    first.type = R::kEachSideOf;
+    for (const int item : target.items) {
+      first.targets.push_back(id(item));
+      of_target_[id(item)].push_back(r);
+    }
+    return true;
+  }
+  return false;
 }
 
 std::vector<std::string> RelationBuilder::shared_walls(const NounPhrase& walls) const {
