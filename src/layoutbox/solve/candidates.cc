@@ -183,12 +183,12 @@ void CandidateFinder::tabulate(const Region& region, Grid& grid) const {
         if (axis == -2) {
           table.crossing.push_back(form);
         } else if (axis == -1) {
-          for (std::int64_t& miss : table.axes[2].miss) miss = std::max(miss, -form.constant);
+          for (std::int64_t& miss : table.axes[2].miss) miss = std::max(miss, missing(form.constant, form.scale));
         } else {
           const std::vector<Mm>& values = grid.values[axis];
           for (std::size_t i = 0; i < values.size(); ++i) {
             std::int64_t& miss = table.axes[axis].miss[i];
-            miss = std::max(miss, -(form.constant + std::int64_t{form.coefficient[axis]} * values[i]));
+            miss = std::max(miss, missing(form.constant + std::int64_t{form.coefficient[axis]} * values[i], form.scale));
           }
         }
       }
@@ -203,7 +203,7 @@ bool CandidateFinder::collisions(const Placements& placements, int item, const P
   const Box box = box_of(self, placement);
   hit.clear();
   if (!self.is_opening() && !self.fixed) {
-    for (const Box& outside : model_.outside) {
+    for (const Box& outside : model_.off_limits) {
       if (overlap(outside, box)) return false;
     }
   }
@@ -264,6 +264,57 @@ std::vector<Candidate> CandidateFinder::find(const Placements& placements, int i
     best.insert(place, std::move(candidate));
     if (!options.diverse && best.size() > options.most) best.pop_back();
   };
+  // Keeps it where it is legal; true: that was enough.
+  const auto consider = [&](int state, const Vec3& at, std::int64_t cost) {
+    Candidate candidate{{state, at}, cost, {}};
+    if (!collisions(placements, item, candidate.placement, options.eject_price ? *options.eject_price : kNoPrice, candidate.hit))
+      return false;
+    if (options.first_legal) {
+      best = {std::move(candidate)};
+      return true;
+    }
+    for (const int other : candidate.hit) candidate.cost += (*options.eject_price)[other];
+    if (options.noise > 0) candidate.cost += options.random->below(options.noise);
+    if (candidate.cost >= worst()) return false;
+    if (candidate.hit.empty()) candidate.cost += access_cost(item, candidate.placement);
+    budget.count(8);
+    keep(std::move(candidate));
+    return false;
+  };
+  // All of the grid; true: that was enough.
+  const auto try_grid = [&](int state, std::int64_t size_cost, const Grid& grid) {
+    for (std::size_t iz = 0; iz < grid.values[2].size(); ++iz) {
+      for (std::size_t iy = 0; iy < grid.values[1].size(); ++iy) {
+        budget.count(static_cast<std::int64_t>(grid.values[0].size()));
+        if (budget.stopped) return true;
+        const std::int64_t row = size_cost + grid.hard.price + grid.hard.axes[2].wish[iz] + grid.hard.axes[1].wish[iy];
+        if (row >= worst()) continue;
+        for (std::size_t ix = 0; ix < grid.values[0].size(); ++ix) {
+          const Vec3 at{grid.values[0][ix], grid.values[1][iy], grid.values[2][iz]};
+          std::int64_t cost = row + grid.hard.axes[0].wish[ix];
+          if (cost >= worst()) continue;
+          bool holds = true;
+          for (const Partial& check : grid.hard.crossing) holds = holds && check.at(at) >= 0;
+          if (!holds) continue;
+          for (const Wish& wish : grid.hard.crossing_wishes) cost += wish.cost(at);
+          for (const SoftTable& soft : grid.soft) {
+            std::int64_t least = kNoCost;
+            for (const CaseTable& one : soft.cases) {
+              std::int64_t miss = std::max({one.axes[0].miss[ix], one.axes[1].miss[iy], one.axes[2].miss[iz]});
+              for (const Partial& form : one.crossing) miss = std::max(miss, missing(form.at(at), form.scale));
+              std::int64_t c = one.price + miss * soft.weight + one.axes[0].wish[ix] + one.axes[1].wish[iy] + one.axes[2].wish[iz];
+              for (const Wish& wish : one.crossing_wishes) c += wish.cost(at);
+              least = std::min(least, c);
+            }
+            cost += least;
+            if (cost >= worst()) break;
+          }
+          if (cost < worst() && consider(state, at, cost)) return true;
+        }
+      }
+    }
+    return false;
+  };
   Grid grid;
   for (std::size_t s = 0; s < self.states.size(); ++s) {
     const int state = static_cast<int>(s);
@@ -274,46 +325,17 @@ std::vector<Candidate> CandidateFinder::find(const Placements& placements, int i
     const std::int64_t size_cost = kPoint * kCostWeights.size_step * self.states[s].size_step;
     for (const Region& region : regions) {
       cut(placements, item, state, region, grid);
+      const std::vector<Point> points = crossings(placements, item, state, region, grid.values, budget);
       tabulate(region, grid);
-      budget.count(50);
-      for (std::size_t iz = 0; iz < grid.values[2].size(); ++iz) {
-        for (std::size_t iy = 0; iy < grid.values[1].size(); ++iy) {
-          budget.count(static_cast<std::int64_t>(grid.values[0].size()));
-          if (budget.stopped) return best;
-          const std::int64_t row = size_cost + grid.hard.price + grid.hard.axes[2].wish[iz] + grid.hard.axes[1].wish[iy];
-          if (row >= worst()) continue;
-          for (std::size_t ix = 0; ix < grid.values[0].size(); ++ix) {
-            const Vec3 at{grid.values[0][ix], grid.values[1][iy], grid.values[2][iz]};
-            std::int64_t cost = row + grid.hard.axes[0].wish[ix];
-            if (cost >= worst()) continue;
-            bool holds = true;
-            for (const Partial& check : grid.hard.crossing) holds = holds && check.at(at) >= 0;
-            if (!holds) continue;
-            for (const Wish& wish : grid.hard.crossing_wishes) cost += wish.cost(at);
-            for (const SoftTable& soft : grid.soft) {
-              std::int64_t least = kNoCost;
-              for (const CaseTable& one : soft.cases) {
-                std::int64_t miss = std::max({one.axes[0].miss[ix], one.axes[1].miss[iy], one.axes[2].miss[iz]});
-                for (const Partial& form : one.crossing) miss = std::max(miss, -form.at(at));
-                std::int64_t c = one.price + miss * soft.weight + one.axes[0].wish[ix] + one.axes[1].wish[iy] + one.axes[2].wish[iz];
-                for (const Wish& wish : one.crossing_wishes) c += wish.cost(at);
-                least = std::min(least, c);
-              }
-              cost += least;
-              if (cost >= worst()) break;
-            }
-            if (cost >= worst()) continue;
-            Candidate candidate{{state, at}, cost, {}};
-            if (!collisions(placements, item, candidate.placement, options.eject_price ? *options.eject_price : kNoPrice, candidate.hit))
-              continue;
-            if (options.first_legal) return {candidate};
-            for (const int other : candidate.hit) candidate.cost += (*options.eject_price)[other];
-            if (options.noise > 0) candidate.cost += options.random->below(options.noise);
-            if (candidate.cost >= worst()) continue;
-            if (candidate.hit.empty()) candidate.cost += access_cost(item, candidate.placement);
-            budget.count(8);
-            keep(std::move(candidate));
-          }
+      budget.count(50 + static_cast<std::int64_t>(4 * points.size()));
+      if (try_grid(state, size_cost, grid)) return best;
+      for (const Point& point : points) {
+        budget.count(4);
+        if (budget.stopped) return best;
+        for (const Mm z : grid.values[2]) {
+          const Vec3 at{point.x, point.y, z};
+          const std::int64_t cost = size_cost + cost_at(region, at);
+          if (cost < worst() && holds_at(region, at) && consider(state, at, cost)) return best;
         }
       }
     }

@@ -81,6 +81,9 @@ class CandidateFinder {
 
   void find_soft(const Placements& placements, int item, int state);
   void cut(const Placements& placements, int item, int state, const Region& region, Grid& grid) const;
+  std::vector<Point> crossings(const Placements& placements, int item, int state, const Region& region,
+                               const std::array<std::vector<Mm>, 3>& grid, Budget& budget) const;
+  std::int64_t cost_at(const Region& region, const Vec3& at) const;
   void tabulate(const Region& region, Grid& grid) const;
   std::int64_t access_cost(int item, const Placement& placement);
 

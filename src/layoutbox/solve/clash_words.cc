@@ -1,6 +1,7 @@
 // Conflicts in words, and the sums that show some of them at once.
 #include <fmt/format.h>
 
+#include <cmath>
 #include <numeric>
 
 #include "layoutbox/solve/compile.h"
@@ -120,16 +121,20 @@ std::int64_t least_floor(const Item& item) {
   std::int64_t least = std::numeric_limits<std::int64_t>::max();
   for (const State& state : item.states) {
     std::int64_t covered = 0;  // what of the floor is body: a table's legs are little, but two tables never share their outline
-    covered = std::int64_t{state.extent[0]} * state.extent[1];
+    covered = std::int64_t{state.size.width} * state.size.depth;
     least = std::min(least, covered);
   }
   return least;
 }
 
 std::int64_t room_area(const Model& model) {
-  std::int64_t area = floor_area(model.room);
-  for (const Box& outside : model.outside) area -= floor_area(outside);
-  return area;
+  std::int64_t twice = 0;
+  const std::vector<Point>& polygon = model.scene->room.polygon;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Point &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+    twice += std::int64_t{a.x} * b.y - std::int64_t{b.x} * a.y;
+  }
+  return (std::abs(twice) + 1) / 2;
 }
 
 // Relations without a single case: left of itself, in a thing that has no inside.
@@ -187,8 +192,9 @@ void add_too_wide(const Model& model, const std::vector<char>& given_up, const s
     std::stable_sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) { return a.width > b.width; });
     std::int64_t sum = 0;
     std::size_t needed = 0;
-    while (needed < pieces.size() && sum <= wall.hi - wall.lo) sum += pieces[needed++].width;
-    if (sum <= wall.hi - wall.lo) continue;
+    const auto length = static_cast<Mm>(std::ceil(std::hypot(wall.end.x - wall.start.x, wall.end.y - wall.start.y)));
+    while (needed < pieces.size() && sum <= length) sum += pieces[needed++].width;
+    if (sum <= length) continue;
     Clash clash;
     std::vector<std::string> words;
     for (std::size_t i = 0; i < needed; ++i) {

@@ -23,7 +23,7 @@ std::int64_t constraint_cost(const Model& model, const Constraint& constraint, c
       for (const StateLiteral& literal : one.states) {
         if (!(literal.states >> placements[literal.item].state & 1)) miss = kStateMiss;
       }
-      for (const Linear& form : one.at_least_zero) miss = std::max(miss, -value_of(model, form, placements));
+      for (const Linear& form : one.at_least_zero) miss = std::max(miss, missing(value_of(model, form, placements), form.scale));
       if (!soft && miss > 0) continue;
       std::int64_t cost = one.price * kPoint + miss * constraint.weight;
       for (const Preference& wish : one.wishes) {

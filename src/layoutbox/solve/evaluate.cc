@@ -1,13 +1,21 @@
-#include "layoutbox/solve/model.h"
+#include "layoutbox/solve/slanted.h"
 
 namespace layoutbox::placement {
 namespace {
 
-bool bodies_overlap(const State& a, const Vec3& at_a, const State& b, const Vec3& at_b) {
-  for (const Box& x : a.solids) {
-    const Box here = x.shifted(at_a);
-    for (const Box& y : b.solids) {
-      if (overlap(here, y.shifted(at_b))) return true;
+// Turned with a slanted wall they may be apart although the boxes around them are not.
+bool apart_turned(const Model& model, const BodyPart& a, const BodyPart& b) {
+  const auto odd = [](const BodyPart& part) { return !is_quarter(part.item->states[part.placement->state]); };
+  return !model.headings.empty() && (odd(a) || odd(b)) && apart_along_headings(model, a, b);
+}
+
+bool bodies_overlap(const Model& model, const BodyPart& a, const BodyPart& b) {
+  const State &sa = a.item->states[a.placement->state], &sb = b.item->states[b.placement->state];
+  for (std::size_t i = 0; i < sa.solids.size(); ++i) {
+    const Box here = sa.solids[i].shifted(a.placement->at);
+    for (std::size_t j = 0; j < sb.solids.size(); ++j) {
+      if (!overlap(here, sb.solids[j].shifted(b.placement->at))) continue;
+      if (!apart_turned(model, {a.item, a.placement, static_cast<int>(i)}, {b.item, b.placement, static_cast<int>(j)})) return true;
     }
   }
   return false;
@@ -38,7 +46,7 @@ std::int64_t miss_of(const Model& model, const Formula& formula, const Placement
     }
     for (const Linear& form : one.at_least_zero) {
       if (miss >= least) break;
-      miss = std::max(miss, -value_of(model, form, placements));
+      miss = std::max(miss, missing(value_of(model, form, placements), form.scale));
     }
     least = std::min(least, miss);
     if (least == 0) break;
@@ -76,7 +84,9 @@ bool collide(const Model& model, int a, const Placement& pa, int b, const Placem
     return item_a.is_opening() ? enters_clear(sa, pa.at, box_b) : enters_clear(sb, pb.at, box_a);
   }
   if (!overlap(box_a, box_b)) return false;
-  return rule == PairRule::kBoxes || bodies_overlap(sa, pa.at, sb, pb.at);
+  const BodyPart whole_a{&item_a, &pa, -1}, whole_b{&item_b, &pb, -1};
+  if (apart_turned(model, whole_a, whole_b)) return false;
+  return rule == PairRule::kBoxes || bodies_overlap(model, whole_a, whole_b);
 }
 
 }  // namespace layoutbox::placement

@@ -27,6 +27,7 @@ struct Term {
 struct Linear {
   std::vector<Term> terms;
   std::int64_t constant = 0;
+  std::int32_t scale = 1;  // of a requirement: so much is a millimetre, where somebody asks how far it is from holding
 
   Linear() = default;
   Linear(std::int64_t value) : constant(value) {}  // NOLINT: a number is a linear form
@@ -45,6 +46,9 @@ Linear constant_of(int item, int quantity);
 // The edge towards a direction, and how far towards it the item reaches: sign · edge.
 Linear reach(int item, Direction towards);
 
+// How many millimetres a requirement of that scale is from holding, whose form has that value; 0 or less: it holds.
+inline std::int64_t missing(std::int64_t value, std::int32_t scale) { return scale == 1 ? -value : (scale - 1 - value) / scale; }
+
 // The item's state is one of those in the mask.
 struct StateLiteral {
   int item = 0;
@@ -62,10 +66,14 @@ struct Case {
   std::vector<StateLiteral> states;
   std::vector<Linear> at_least_zero;
   std::vector<Preference> wishes;
+  bool turned = false;     // right for things at odd angles too, whatever its relation
   std::int32_t price = 0;  // points for choosing this case rather than another
 
   Case& when(int item, std::uint64_t mask) { return states.push_back({item, mask}), *this; }
-  Case& require(Linear form) { return at_least_zero.push_back(std::move(form)), *this; }
+  Case& require(Linear form, std::int32_t scale = 1) {
+    form.scale = scale;
+    return at_least_zero.push_back(std::move(form)), *this;
+  }
   // |form| <= tolerance
   Case& require_small(const Linear& form, Mm tolerance);
   Case& wish(Linear form, int weight, int scale = 1) { return wishes.push_back({std::move(form), weight, scale}), *this; }

@@ -182,4 +182,18 @@ std::vector<Box> outside_of(std::span<const Point> polygon, Mm z_lo, Mm z_hi, Mm
   return boxes;
 }
 
+std::vector<Box> wholly_outside_of(std::span<const Point> polygon, Mm z_lo, Mm z_hi) {
+  std::set<Mm> xs, ys;
+  for (const Point& p : polygon) xs.insert(p.x), ys.insert(p.y);
+  std::vector<Box> boxes;
+  for (auto y = ys.begin(); std::next(y) != ys.end(); ++y) {
+    for (auto x = xs.begin(); std::next(x) != xs.end(); ++x) {
+      const Mm x1 = *std::next(x), y1 = *std::next(y);
+      if (edge_crosses(polygon, *x, *y, x1, y1) || contains(polygon, (*x + x1) / 2.0, (*y + y1) / 2.0)) continue;
+      boxes.push_back({{*x, *y, z_lo}, {x1, y1, z_hi}});
+    }
+  }
+  return boxes;
+}
+
 }  // namespace layoutbox::placement

@@ -79,6 +79,9 @@ bool is_rectilinear(std::span<const Point> polygon);
 // edges the boxes reach at most `step` into the polygon, never less than its edge.
 std::vector<Box> outside_of(std::span<const Point> polygon, Mm z_lo, Mm z_hi, Mm step);
 
+// The cells between the polygon's corners that lie outside of it and that no edge passes through.
+std::vector<Box> wholly_outside_of(std::span<const Point> polygon, Mm z_lo, Mm z_hi);
+
 bool contains(std::span<const Point> polygon, double x, double y);
 
 }  // namespace layoutbox::placement

@@ -286,14 +286,20 @@ std::vector<Clash> clashes_of_locks(const Model& model, const std::vector<char>&
     const int lock = item.locked ? lock_of(model, static_cast<int>(i)) : -1;
     return !item.is_opening() && !left_out[i] && (item.fixed || (lock >= 0 && !given_up[lock]));
   };
+  const auto beyond_walls = [&](std::size_t i) {
+    Placements alone(model.items.size());
+    alone[i] = at_of(i);
+    return miss_of(model, model.constraints[model.items[i].within_constraint], alone) > 0;
+  };
   for (std::size_t i = 0; i < model.items.size(); ++i) {
     if (!stays(i) || model.items[i].fixed) continue;
     const Demand lock{Demand::Kind::kConstraint, lock_of(model, static_cast<int>(i))};
     const std::string who = object_in_words(model, static_cast<int>(i));
     const Box box = box_of(model.items[i], at_of(i));
     const Box inside = intersection(box, model.room);
-    const bool in_obstacle = std::any_of(model.outside.begin(), model.outside.end(), [&](const Box& o) { return overlap(o, box); });
-    if (!(inside == box) || in_obstacle) {
+    const bool in_obstacle = std::any_of(model.off_limits.begin(), model.off_limits.end(), [&](const Box& o) { return overlap(o, box); });
+    const bool behind_wall = model.items[i].within_constraint >= 0 && beyond_walls(i);
+    if (!(inside == box) || in_obstacle || behind_wall) {
       Clash clash;
       clash.demands = {lock};
       clash.sentence = fmt::format("{} sticks out of the room where it is to stay", who);

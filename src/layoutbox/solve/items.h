@@ -17,8 +17,11 @@ void note_odd_states(Item& item);
 Box beside(const Box& own, Side side, Mm from, Mm to, Mm height);
 
 RoomWall room_wall(const Wall& wall);
+// The turn by which states at that angle are known: the nearest whole degree that is no quarter turn where the angle is none.
+int nearest_turn(double angle);
 
-Item object_item(const SceneGraph& scene, const SceneObject& object, const Catalog& catalog, const ModelOptions& options);
+Item object_item(const SceneGraph& scene, const SceneObject& object, const Catalog& catalog, const ModelOptions& options,
+                 const std::vector<RoomWall>& walls);
 Item opening_item(const Opening& opening, const Room& room, const std::vector<RoomWall>& walls);
 // Where an opening may be: in one of the walls it fits, where it is when that is given.
 Constraint opening_place(const Model& model, int index);

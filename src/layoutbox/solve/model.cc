@@ -7,6 +7,7 @@
 #include "layoutbox/solve/compile.h"
 #include "layoutbox/solve/guide.h"
 #include "layoutbox/solve/items.h"
+#include "layoutbox/solve/slanted.h"
 
 namespace layoutbox::placement {
 namespace {
@@ -164,9 +165,12 @@ Result<Model> build_model(const SceneGraph& scene, const Catalog& catalog, const
   }
   model.outside = outside_of(polygon, 0, scene.room.height, 100);
   for (const Wall& wall : scene.room.walls) model.walls.push_back(room_wall(wall));
-  for (const SceneObject& object : scene.objects) model.items.push_back(object_item(scene, object, catalog, options));
+  add_headings(model);
+  model.off_limits = off_limits_of(model);
+  for (const SceneObject& object : scene.objects) model.items.push_back(object_item(scene, object, catalog, options, model.walls));
   for (const Opening& opening : scene.room.openings) model.items.push_back(opening_item(opening, scene.room, model.walls));
   for (Item& item : model.items) {
+    add_spans(model, item);
     item.all_states = item.states.size() >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << item.states.size()) - 1;
   }
   for (std::size_t i = 0; i < model.items.size(); ++i) {
@@ -174,6 +178,10 @@ Result<Model> build_model(const SceneGraph& scene, const Catalog& catalog, const
     item.support_constraint = static_cast<int>(model.constraints.size());
     model.constraints.push_back(item.is_opening() ? opening_place(model, static_cast<int>(i))
                                                   : compile_support(model, static_cast<int>(i)));
+    if (!model.headings.empty() && !item.is_opening() && !item.fixed) {
+      item.within_constraint = static_cast<int>(model.constraints.size());
+      model.constraints.push_back(within_walls(model, static_cast<int>(i)));
+    }
     if (item.is_opening()) {
       item.clearance_constraint = static_cast<int>(model.constraints.size());
       model.constraints.push_back(opening_clearance(item));

@@ -15,16 +15,17 @@ namespace layoutbox::placement {
 
 // A way an item can stand: turned so, this big.
 struct State {
-  int turn = 0;               // degrees, counter-clockwise; the nearest whole one
-  double angle = 0;           // exactly
-  int size_step = 0;          // 0: the usual size; more: farther from it
-  Size size;                  // at turn 0
-  Vec3 extent{};              // of the box around the turned body
-  std::vector<Mm> constants;  // by Quantity − kFirstConstant
-  std::vector<Box> solids;    // what of the box is body, from its low corner; the box itself where nothing is free
-  std::vector<Box> clear;     // boxes that no body may enter, from its low corner
-  std::vector<Box> strips;    // free floor wanted at its used sides (0.2 m deep, 0.05 m off), from its low corner
-  std::vector<Box> wanted;    // free floor the catalogue wants, from its low corner
+  int turn = 0;                 // degrees, counter-clockwise; the nearest whole one
+  double angle = 0;             // exactly
+  int size_step = 0;            // 0: the usual size; more: farther from it
+  Size size;                    // at turn 0
+  Vec3 extent{};                // of the box around the turned body
+  std::vector<Mm> constants;    // by Quantity − kFirstConstant
+  std::vector<Box> solids;      // what of the box is body, from its low corner; the box itself where nothing is free
+  std::vector<Box> own_solids;  // at odd angles: the same in the object's own frame
+  std::vector<Box> clear;       // boxes that no body may enter, from its low corner
+  std::vector<Box> strips;      // free floor wanted at its used sides (0.2 m deep, 0.05 m off), from its low corner
+  std::vector<Box> wanted;      // free floor the catalogue wants, from its low corner
 };
 
 // A free box within an item that other things may be in; its sides are the six constants from `quantity` on (low x, y, z, high x, y, z).
@@ -61,6 +62,8 @@ struct Item {
   // Where there are such: in each state eight constants about the turned footprint, from the low corner of its box: an upright box within
   // (low x, low y, high x, high y), then its four corners (x and y each).
   int footprint = -1;
+  int spans = -1;              // in rooms with slanted walls: how far it reaches along each of the model's headings
+  int within_constraint = -1;  // and the constraint that keeps it before them
   std::vector<ItemSpace> spaces;
   std::vector<SupportOption> supports;
   int support_constraint = -1;
@@ -73,14 +76,24 @@ struct Item {
 
 struct RoomWall {
   std::string id;
-  bool straight = true;  // along x or y; others are obstacles only
-  int along = 0;         // axis it runs along
-  int inward = 1;        // sign of its normal
-  Mm at = 0;             // where it stands on the other axis
-  Mm lo = 0, hi = 0;     // from where to where it runs
-  int turn = 0;          // of an object with its back against it
-  bool runs_up = true;   // its start is at `lo`
+  Point start, end;                          // counter-clockwise round the room
+  bool straight = true;                      // along x or y; of the others `at`, `lo`, `hi` are about the box around them
+  double angle = 0;                          // of an object with its back against it, degrees
+  int normal_heading = -1, normal_sign = 1;  // slanted walls: the way into the room, as one of the model's headings
+  int along_heading = -1, along_sign = 1;    // and the way from start to end
+  int along = 0;                             // axis it runs along
+  int inward = 1;                            // sign of its normal
+  Mm at = 0;                                 // where it stands on the other axis
+  Mm lo = 0, hi = 0;                         // from where to where it runs
+  int turn = 0;                              // of an object with its back against it
+  bool runs_up = true;                       // its start is at `lo`
   int normal() const { return 1 - along; }
+};
+
+// A direction in whole numbers (of length kHeading, slanted.h).
+struct Heading {
+  double angle = 0;  // 0 … 180 degrees
+  std::int32_t x = 0, y = 0;
 };
 
 enum class PairRule : std::uint8_t {
@@ -101,8 +114,10 @@ using Placements = std::vector<Placement>;
 struct Model {
   const SceneGraph* scene = nullptr;
   const Catalog* catalog = nullptr;
-  Box room;                  // the bounding box of the floor, floor to ceiling
-  std::vector<Box> outside;  // what of it is not room
+  Box room;                       // the bounding box of the floor, floor to ceiling
+  std::vector<Box> outside;       // what of it is not room; before slanted walls a little more, in steps
+  std::vector<Box> off_limits;    // the same, where no body may be; what is behind slanted walls is said by within_walls (slanted.h)
+  std::vector<Heading> headings;  // along and across the slanted walls
   std::vector<RoomWall> walls;
   std::vector<Item> items;  // objects in the scene's order, then openings
   std::vector<Constraint> constraints;

@@ -7,7 +7,8 @@
 namespace layoutbox::placement {
 namespace {
 
-constexpr Mm kThin = 30;  // rugs and mats up to this height are walked on
+constexpr Mm kThin = 30;                 // rugs and mats up to this height are walked on
+constexpr std::size_t kMostStates = 64;  // a mask holds so many
 constexpr Mm kStripGap = 50, kStripDepth = 200;
 
 Mm step_between(Mm usual, Mm least, int step, int steps) { return usual - static_cast<Mm>(std::int64_t{usual - least} * step / steps); }
@@ -45,7 +46,7 @@ Box box_of_space(const Space& space, const Box& own) {
 State make_state(const SceneObject& object, const CatalogEntry& entry, const Size& size, int step, double turn,
                  std::vector<ItemSpace>* describe) {
   State state;
-  state.turn = static_cast<int>(std::lround(turn)) % 360, state.angle = turn, state.size_step = step, state.size = size;
+  state.turn = nearest_turn(turn), state.angle = turn, state.size_step = step, state.size = size;
   const Box own = own_box(size);
   const Box whole = turned(own, turn);
   for (int k = 0; k < 3; ++k) state.extent[k] = whole.extent(k);
@@ -62,7 +63,9 @@ State make_state(const SceneObject& object, const CatalogEntry& entry, const Siz
     state.constants.insert(state.constants.end(), here.lo.begin(), here.lo.end());
     state.constants.insert(state.constants.end(), here.hi.begin(), here.hi.end());
   }
-  for (const Box& solid : less(own, holes)) state.solids.push_back(in_turned(own, solid, turn));
+  const std::vector<Box> solids = less(own, holes);
+  for (const Box& solid : solids) state.solids.push_back(in_turned(own, solid, turn));
+  if (!is_quarter(state)) state.own_solids = solids;
   const std::vector<Side> used = object.used_sides.value_or(entry.used_sides);
   for (const Side side : used) {
     if (!is_not_in_plan(side)) state.strips.push_back(in_turned(own, beside(own, side, kStripGap, kStripGap + kStripDepth, 1800), turn));
@@ -87,6 +90,22 @@ std::vector<int> turns_of(const Item& item, const SceneObject& object, bool odd_
     if (turn % 90 != 0) turns.push_back(turn);
   }
   return turns;
+}
+
+// Where walls are slanted, what has a front may have its back to them or look at them; rugs lie along them.
+void add_turns_at_walls(const Item& item, const std::vector<RoomWall>& walls, std::vector<double>& turns) {
+  if (item.fixed || item.locked || (!item.has_front && !item.thin) || item.mount == Mount::kCeiling) return;
+  const bool hangs = item.mount == Mount::kWall || item.mount == Mount::kHung;
+  const auto add = [&](double turn) {
+    turn = std::fmod(turn, item.thin ? 180 : 360);
+    if (turns.size() < kMostStates && std::find(turns.begin(), turns.end(), turn) == turns.end()) turns.push_back(turn);
+  };
+  for (const RoomWall& wall : walls) {
+    if (!wall.straight) add(wall.angle);
+  }
+  for (const RoomWall& wall : walls) {
+    if (!wall.straight && !hangs && !item.thin) add(std::round((wall.angle + 180) * 1e4) / 1e4);
+  }
 }
 
 // Seats around something may stand at odd angles.
@@ -142,6 +161,11 @@ Box within_turned(const Box& own, const Box& box, double turn) {
   return turned_within(box, turn).shifted({-whole.lo[0], -whole.lo[1], -whole.lo[2]});
 }
 
+int nearest_turn(double angle) {
+  const int turn = static_cast<int>(std::lround(normalized_degrees(angle))) % 360;
+  return turn % 90 == 0 && angle != 90 * std::round(angle / 90) ? turn + 1 : turn;
+}
+
 void note_odd_states(Item& item) {
   for (std::size_t s = 0; s < item.states.size(); ++s) {
     if (!is_quarter(item.states[s])) item.odd_states |= std::uint64_t{1} << s;
@@ -173,7 +197,8 @@ Box beside(const Box& own, Side side, Mm from, Mm to, Mm height) {
   return strip;
 }
 
-Item object_item(const SceneGraph& scene, const SceneObject& object, const Catalog& catalog, const ModelOptions& options) {
+Item object_item(const SceneGraph& scene, const SceneObject& object, const Catalog& catalog, const ModelOptions& options,
+                 const std::vector<RoomWall>& walls) {
   Item item;
   item.id = object.id;
   item.object = &object;
@@ -189,8 +214,11 @@ Item object_item(const SceneGraph& scene, const SceneObject& object, const Catal
   auto sizes = sizes_of(*object.size, item.fixed ? 0 : odd ? 1 : options.size_steps, !item.fixed && !odd && holds_others(scene, object.id));
   std::vector<int> turns = turns_of(item, object, odd);
   if (!item.fixed) add_earlier_pose(options, item, sizes, turns);
+  std::vector<double> angles(turns.begin(), turns.end());
+  add_turns_at_walls(item, walls, angles);
+  while (sizes.size() > 1 && sizes.size() * angles.size() > kMostStates) sizes.pop_back();
   for (const auto& [size, step] : sizes) {
-    for (const int turn : turns) {
+    for (const double turn : angles) {
       const bool first = item.states.empty();
       item.states.push_back(make_state(object, *item.entry, size, step, turn, first ? &item.spaces : nullptr));
     }

@@ -11,6 +11,12 @@ constexpr Mm kOpeningDepth = 0;   // an opening is a box of no depth in the wall
 
 int turn_of_wall(int along, int inward) { return along == 0 ? (inward < 0 ? 0 : 180) : (inward > 0 ? 90 : 270); }
 
+// The turn of what has its back against the wall, to a ten-thousandth of a degree.
+double angle_at(const Wall& wall) {
+  const double degrees = std::atan2(wall.start.y - wall.end.y, wall.start.x - wall.end.x) * 180 / kPi;
+  return normalized_degrees(std::round(degrees * 1e4) / 1e4);
+}
+
 // The wall at an angle in which an opening is: the one it names, the longest where no wall of the room runs along x or y; else null.
 // An opening there does not move: it is where its offset says, in the middle of the wall where it says nothing.
 const Wall* angled_wall_of(const Opening& opening, const Room& room) {
@@ -24,11 +30,6 @@ const Wall* angled_wall_of(const Opening& opening, const Room& room) {
     if (opening.wall.empty() && length > longest) longest = length, found = &wall;
   }
   return found;
-}
-
-int turn_of_angled(const Wall& wall) {
-  const double turn = std::atan2(wall.start.y - wall.end.y, wall.start.x - wall.end.x) * 180 / kPi;
-  return static_cast<int>(std::lround(normalized_degrees(turn))) % 360;
 }
 
 // The low corner of the box around an opening in such a wall.
@@ -59,6 +60,9 @@ RoomWall room_wall(const Wall& wall) {
   // Counter-clockwise: the room lies to the left of the wall's direction.
   out.inward = out.along == 0 ? (out.runs_up ? 1 : -1) : (out.runs_up ? -1 : 1);
   out.turn = turn_of_wall(out.along, out.inward);
+  out.start = a, out.end = b;
+  out.angle = angle_at(wall);
+  if (!out.straight) out.turn = nearest_turn(out.angle);
   return out;
 }
 
@@ -71,16 +75,17 @@ Item opening_item(const Opening& opening, const Room& room, const std::vector<Ro
   for (const RoomWall& wall : walls) {
     if (wall.straight && (opening.wall.empty() || wall.id == opening.wall)) turns.insert(wall.turn);
   }
-  if (const Wall* angled = angled_wall_of(opening, room)) turns = {turn_of_angled(*angled)};
+  if (const Wall* in_angled = angled_wall_of(opening, room)) turns = {nearest_turn(angle_at(*in_angled))};
   const Mm depth = opening.type == OpeningType::kWindow ? kWindowDepth : opening.width;
+  const Wall* angled = angled_wall_of(opening, room);
   for (const int turn : turns) {
     State state;
-    state.turn = turn, state.angle = turn;
+    state.turn = turn, state.angle = angled ? angle_at(*angled) : turn;
     state.size = {opening.width, kOpeningDepth, opening.height};
     const Box own = own_box(state.size);
-    const Box whole = turned(own, turn);
+    const Box whole = turned(own, state.angle);
     for (int k = 0; k < 3; ++k) state.extent[k] = whole.extent(k);
-    state.clear.push_back(in_turned(own, beside(own, Side::kFront, 0, depth, opening.height), turn));
+    state.clear.push_back(in_turned(own, beside(own, Side::kFront, 0, depth, opening.height), state.angle));
     item.states.push_back(std::move(state));
   }
   note_odd_states(item);

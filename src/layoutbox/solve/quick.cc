@@ -1,12 +1,17 @@
 #include "layoutbox/solve/quick.h"
 
+#include "layoutbox/solve/slanted.h"
+
 namespace layoutbox::placement {
 namespace {
 
 constexpr int kPushesPerItem = 3, kPushesMore = 20, kLongerBy = 2;
 constexpr int kWatchedTries = 8;
 constexpr std::size_t kMostCoordinates = 14;
-constexpr int kCheckedAlongLine = 12;
+constexpr int kLinesAcross = 14;  // of a region that is cut slantwise
+
+std::int64_t floor_div(std::int64_t a, std::int64_t b) { return a / b - ((a % b != 0) && ((a < 0) != (b < 0))); }
+std::int64_t ceil_div(std::int64_t a, std::int64_t b) { return -floor_div(-a, b); }
 
 }  // namespace
 
@@ -91,7 +96,7 @@ bool QuickSearch::somewhere(const Region& region, Vec3& at) {
   if (random_.below(2) == 0) return false;
   for (int k = 0; k < 3; ++k) at[k] = region.lo[k] + static_cast<Mm>(random_.below(std::int64_t{region.hi[k]} - region.lo[k] + 1));
   const auto in_way = [&](const Forbidden& f) { return f.holds(at); };
-  return std::none_of(forbidden_.begin(), forbidden_.end(), in_way) && checks_hold(region, at);
+  return std::none_of(forbidden_.begin(), forbidden_.end(), in_way) && holds_at(region, at);
 }
 
 // Where what hangs on it and has failed before finds a place too, if a few tries come to such a place.
@@ -138,12 +143,21 @@ void QuickSearch::forbid_pair(int item, int state, int other) {
   if (rule == PairRule::kFree || (self.fixed && them.fixed)) return;
   const State &own = self.states[state], &theirs = them.states[placements_[other].state];
   const Box box = box_of(them, placements_[other]);
-  const auto add = [&](const Box& mine, const Box& body, Mm more) {
+  const bool turned = !model_.headings.empty() && (!is_quarter(own) || !is_quarter(theirs));
+  const auto add = [&](const Box& mine, const Box& body, Mm more, int my_solid = -1, int their_solid = -1) {
     Forbidden f;
     for (int k = 0; k < 3; ++k) f.lo[k] = body.lo[k] - mine.hi[k], f.hi[k] = body.hi[k] - mine.lo[k];
     for (int k = 0; k < 2; ++k) f.lo[k] -= more, f.hi[k] += more;
     f.owner = other;
-    forbidden_.push_back(f);
+    for (std::size_t k = 0; turned && !self.is_opening() && !them.is_opening() && k < model_.headings.size(); ++k) {
+      const Heading& h = model_.headings[k];
+      const Reach a = reach_of(model_, self, state, my_solid, static_cast<int>(k));
+      const Reach b = reach_of(model_, them, placements_[other].state, their_solid, static_cast<int>(k));
+      const Vec3& at = placements_[other].at;
+      const std::int64_t middle = 2 * (std::int64_t{h.x} * at[0] + std::int64_t{h.y} * at[1]) + b.middle2;
+      f.stripes.push_back({h.x, h.y, a.middle2 - middle, a.span + b.span});
+    }
+    forbidden_.push_back(std::move(f));
   };
   const Box whole{{0, 0, 0}, own.extent};
   if (rule == PairRule::kOpenings) {
@@ -155,8 +169,9 @@ void QuickSearch::forbid_pair(int item, int state, int other) {
   } else if (rule == PairRule::kBoxes) {
     add(whole, box, 0);
   } else {
-    for (const Box& part : own.solids) {
-      for (const Box& body : theirs.solids) add(part, body.shifted(placements_[other].at), 0);
+    for (std::size_t i = 0; i < own.solids.size(); ++i) {
+      for (std::size_t j = 0; j < theirs.solids.size(); ++j)
+        add(own.solids[i], theirs.solids[j].shifted(placements_[other].at), 0, static_cast<int>(i), static_cast<int>(j));
     }
   }
 }
@@ -166,7 +181,7 @@ void QuickSearch::forbid(int item, int state) {
   const Item& self = model_.items[item];
   if (!self.is_opening() && !self.fixed) {
     const Vec3& e = self.states[state].extent;
-    for (const Box& outside : model_.outside) {
+    for (const Box& outside : model_.off_limits) {
       forbidden_.push_back({{outside.lo[0] - e[0], outside.lo[1] - e[1], outside.lo[2] - e[2]}, outside.hi, -1});
     }
   }
@@ -175,38 +190,59 @@ void QuickSearch::forbid(int item, int state) {
   }
 }
 
-bool QuickSearch::checks_hold(const Region& region, const Vec3& at) const {
-  return std::all_of(region.cases.begin(), region.cases.end(), [&](const Reduced* one) {
-    return std::all_of(one->checks.begin(), one->checks.end(), [&](const Partial& check) { return check.at(at) >= 0; });
-  });
+bool QuickSearch::Forbidden::along(int b, Mm line, Mm& from, Mm& to) const {
+  const int a = 1 - b;
+  if (!(lo[a] < line && line < hi[a])) return false;
+  from = lo[b], to = hi[b];
+  for (const Stripe& stripe : stripes) {  // −half < 2·p·x + q < half
+    const std::int64_t p = 2 * (b == 0 ? stripe.x : stripe.y), q = 2 * (a == 0 ? stripe.x : stripe.y) * line + stripe.constant;
+    if (p == 0) {
+      if (std::abs(q) >= stripe.half) return false;
+      continue;
+    }
+    const std::int64_t first = p > 0 ? -stripe.half - q : q - stripe.half, last = p > 0 ? stripe.half - q : q + stripe.half,
+                       by = std::abs(p);
+    from = static_cast<Mm>(std::max<std::int64_t>(from, floor_div(first, by)));
+    to = static_cast<Mm>(std::min<std::int64_t>(to, ceil_div(last, by)));
+  }
+  return from + 1 < to;
+}
+
+// What of the line the checks of the region leave; false: nothing.
+bool QuickSearch::narrow(const Region& region, int b, const Vec3& at, Mm& from, Mm& to) const {
+  for (const Reduced* one : region.cases) {
+    for (const Partial& check : one->checks) {  // coefficient · x + rest ≥ 0
+      Vec3 start = at;
+      start[b] = 0;
+      const std::int64_t rest = check.at(start), by = check.coefficient[b];
+      if (by == 0 && rest < 0) return false;
+      if (by > 0) from = static_cast<Mm>(std::max<std::int64_t>(from, ceil_div(-rest, by)));
+      if (by < 0) to = static_cast<Mm>(std::min<std::int64_t>(to, floor_div(rest, -by)));
+      if (from > to) return false;
+    }
+  }
+  return true;
 }
 
 // Along one line: from its beginning past everything that is in the way.
 bool QuickSearch::sweep_line(const Region& region, const Sweep& how, Vec3& at) const {
   const int a = how.outer, b = 1 - a;
   const bool down = how.down[1];
-  at[b] = down ? region.hi[b] : region.lo[b];
-  for (int checked = 0; checked < kCheckedAlongLine; ++checked) {
-    for (bool moved = true; moved;) {
-      moved = false;
-      for (const Forbidden* f : near_) {
-        if (!(f->lo[a] < at[a] && at[a] < f->hi[a] && f->lo[b] < at[b] && at[b] < f->hi[b])) continue;
-        at[b] = down ? f->lo[b] : f->hi[b];
-        moved = true;
-      }
-      if (at[b] < region.lo[b] || at[b] > region.hi[b]) return false;
-    }
-    if (checks_hold(region, at)) return true;
-    Mm next = down ? region.lo[b] : region.hi[b];  // the nearest place where something begins
+  Mm first = region.lo[b], last = region.hi[b];
+  if (!narrow(region, b, at, first, last)) return false;
+  at[b] = down ? last : first;
+  for (bool moved = true; moved;) {
+    moved = false;
     for (const Forbidden* f : near_) {
-      for (const Mm edge : {f->lo[b], f->hi[b]}) {
-        if (down ? edge < at[b] && edge > next : edge > at[b] && edge < next) next = edge;
-      }
+      Mm from = f->lo[b], to = f->hi[b];
+      const bool inside = f->stripes.empty() ? f->lo[a] < at[a] && at[a] < f->hi[a] : f->along(b, at[a], from, to);
+      if (!inside || !(from < at[b] && at[b] < to)) continue;
+      at[b] = down ? from : to;
+      moved = true;
     }
-    if (next == at[b]) return false;
-    at[b] = next;
+    if (at[b] < first || at[b] > last) return false;
   }
-  return false;
+  return true;
 }
 
 bool QuickSearch::sweep(const Region& region, const Sweep& how, Vec3& at, Budget& budget) {
@@ -222,6 +258,9 @@ bool QuickSearch::sweep(const Region& region, const Sweep& how, Vec3& at, Budget
         if (line > region.lo[a] && line < region.hi[a]) lines_.push_back(line);
       }
     }
+    const bool slantwise = std::any_of(region.cases.begin(), region.cases.end(), [](const Reduced* one) { return !one->checks.empty(); });
+    for (int k = 1; slantwise && k < kLinesAcross; ++k)
+      lines_.push_back(region.lo[a] + static_cast<Mm>(std::int64_t{region.hi[a] - region.lo[a]} * k / kLinesAcross));
     std::sort(lines_.begin(), lines_.end());
     lines_.erase(std::unique(lines_.begin(), lines_.end()), lines_.end());
     if (how.down[0]) std::reverse(lines_.begin(), lines_.end());
@@ -310,7 +349,7 @@ bool QuickSearch::push_out(int item, std::vector<int>& pending, Budget& budget) 
               sum += 2 * std::int64_t{price[f.owner]};
               if (sum >= least) break;
             }
-            if (sum >= least || !checks_hold(region, at)) continue;
+            if (sum >= least || !holds_at(region, at)) continue;
             least = sum, best = {state, at}, best_hit = hit;
           }
         }

@@ -23,13 +23,22 @@ class QuickSearch {
   const std::vector<int>& failed() const { return failed_; }
 
  private:
+  // |2 · (x, y) · position + constant| < half.
+  struct Stripe {
+    std::int64_t x = 0, y = 0, constant = 0, half = 0;
+  };
   // Positions of the item's low corner, all inside of the box, at which it would collide with the owner (−1: the room).
   struct Forbidden {
     Vec3 lo{}, hi{};
     int owner = -1;
+    std::vector<Stripe> stripes = {};  // and within all of these
     bool holds(const Vec3& at) const {
-      return lo[0] < at[0] && at[0] < hi[0] && lo[1] < at[1] && at[1] < hi[1] && lo[2] < at[2] && at[2] < hi[2];
+      const auto within = [&](const Stripe& s) { return std::abs(2 * (s.x * at[0] + s.y * at[1]) + s.constant) < s.half; };
+      return lo[0] < at[0] && at[0] < hi[0] && lo[1] < at[1] && at[1] < hi[1] && lo[2] < at[2] && at[2] < hi[2] &&
+             std::all_of(stripes.begin(), stripes.end(), within);
     }
+    // What of the line along axis `b` lies in it, open at both ends; false: nothing.
+    bool along(int b, Mm line, Mm& from, Mm& to) const;
   };
   struct Sweep {
     int outer = 0;
@@ -49,7 +58,7 @@ class QuickSearch {
   bool somewhere(const Region& region, Vec3& at);
   bool sweep(const Region& region, const Sweep& how, Vec3& at, Budget& budget);
   bool sweep_line(const Region& region, const Sweep& how, Vec3& at) const;
-  bool checks_hold(const Region& region, const Vec3& at) const;
+  bool narrow(const Region& region, int b, const Vec3& at, Mm& from, Mm& to) const;
   std::vector<int> states_in_turn(int item);
 
   const Model& model_;

@@ -30,6 +30,7 @@ Partial partial_of(const Model& model, const Placements& placements, const std::
                    int state) {
   Partial p;
   p.constant = form.constant;
+  p.scale = form.scale;
   for (const Term& term : form.terms) {
     if (term.item == item) {
       if (term.quantity < kExtentX) {

@@ -12,7 +12,8 @@ namespace layoutbox::placement {
 struct Partial {
   std::int64_t constant = 0;
   std::array<std::int32_t, 3> coefficient{};
-  bool unknown = false;  // speaks of something else that is not placed; `constant` then has the most that can add
+  std::int32_t scale = 1;  // as of the form
+  bool unknown = false;    // speaks of something else that is not placed; `constant` then has the most that can add
 
   std::int64_t at(const Vec3& p) const {
     return constant + std::int64_t{coefficient[0]} * p[0] + std::int64_t{coefficient[1]} * p[1] + std::int64_t{coefficient[2]} * p[2];
@@ -61,6 +62,12 @@ struct Region {
   std::int64_t price = 0;
   bool empty() const { return lo[0] > hi[0] || lo[1] > hi[1] || lo[2] > hi[2]; }
 };
+
+inline bool holds_at(const Region& region, const Vec3& at) {
+  return std::all_of(region.cases.begin(), region.cases.end(), [&](const Reduced* one) {
+    return std::all_of(one->checks.begin(), one->checks.end(), [&](const Partial& check) { return check.at(at) >= 0; });
+  });
+}
 
 class RegionFinder {
  public:

@@ -243,7 +243,8 @@ TEST(Conflict, IndependentOnesAreAllNamed) {
 // What lies outside our ways to place things but is not impossible is not called so.
 TEST(Conflict, NotFoundIsNotCalledImpossible) {
   const std::vector<Point> octagon{{1500, 0}, {3500, 0}, {5000, 1500}, {5000, 3500}, {3500, 5000}, {1500, 5000}, {0, 3500}, {0, 1500}};
-  const Layout layout = solved(SceneMaker(octagon).add("bed").relate("againstWall", {"bed_1"}, {"wall2"}).make());
+  const Layout layout =
+      solved(SceneMaker(octagon).add("bed").add("nightstand").relate("centeredOnWall", {"bed_1", "nightstand_1"}, {"wall2"}).make());
   ASSERT_EQ(layout.relaxed.size(), 1u);
   EXPECT_THAT(layout.relaxed[0].why, testing::HasSubstr("no layout was found"));
   EXPECT_FALSE(holds(layout, "c1"));

@@ -111,7 +111,7 @@ PlacedObject placed_object(const Model& model, int index, const Placements& plac
   out.size = state.size;
   for (int k = 0; k < 2; ++k) out.position[k] = p.at[k] + state.extent[k] / 2.0;
   out.position[2] = p.at[2];
-  out.rotation_deg = state.turn;
+  out.rotation_deg = state.angle;
   keep_exactly(model, index, placements, out);
   const SupportOption support = support_of(model, index, placements);
   out.supported_by = name_of_support(model, support);

@@ -80,12 +80,13 @@ Exactness exactness_of(RelationType type) {
 // Where the cases do not see that an item is turned, they speak of its quarter turns only, and at the others nothing is known.
 void allow_quarter_turns(Formula& f, int item, const Item& self) {
   const auto speaks_of = [&](const Case& one) {
+    if (one.turned) return false;
     const auto names = [&](const Term& term) { return term.item == item; };
     return std::any_of(one.states.begin(), one.states.end(), [&](const StateLiteral& l) { return l.item == item; }) ||
            std::any_of(one.at_least_zero.begin(), one.at_least_zero.end(),
                        [&](const Linear& form) { return std::any_of(form.terms.begin(), form.terms.end(), names); });
   };
-  if (std::none_of(f.cases.begin(), f.cases.end(), speaks_of)) return;
+  if (f.exact && std::none_of(f.cases.begin(), f.cases.end(), speaks_of)) return;
   if (f.exact) f.outer = f.cases;
   const bool known = f.exact || !f.outer.empty();
   f.exact = false;

@@ -92,6 +92,16 @@ void add_seat_place(Formula& f, const Model& model, int seat, int table, int k, 
     c.wish(gap_towards(seat, table, d) + Linear(std::min<Mm>(kTucked, own.depth / 2)), weight);
     c.require(reach(seat, d) - reach(table, d));
   });
+  if (host.spans < 0 || side != Side::kFront) return;
+  for (const State& state : host.states) {  // before a desk at a slanted wall, looking at it
+    const std::uint64_t states = states_at_angle(host, state.angle, 360), facing = states_at_angle(chair, state.angle + 180, 360);
+    if (is_quarter(state) || !facing || !(states & host.odd_states)) continue;
+    const std::size_t known = f.cases.size();
+    add_beside(f, model, seat, table, side, {.most = 600, .wished_gap = 10, .ref_states = states});
+    for (std::size_t i = known; i < f.cases.size(); ++i) {
+      f.cases[i].when(seat, facing).wishes[0].weight = weight;
+    }
+  }
 }
 
 }  // namespace layoutbox::placement

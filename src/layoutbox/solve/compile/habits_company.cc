@@ -20,6 +20,12 @@ void Habits::come_near(int item, int host) {
     Case& c = f.add().when(host, states).wish(gap_towards(item, host, front) - Linear(before ? 400 : at_foot ? 50 : 10), kBeside);
     if (at_foot || before) c.when(item, states_with_width_along(self, across(front)));
   });
+  if (ref.spans >= 0 && ref.odd_states != 0) {
+    const std::size_t known = f.cases.size();
+    const Mm wished = before ? 400 : at_foot ? 50 : 10;
+    add_beside(f, model_, item, host, Side::kFront, {.most = 1500, .wished_gap = wished, .ref_states = ref.odd_states});
+    for (std::size_t i = known; i < f.cases.size(); ++i) f.cases[i].wishes[0].weight = kBeside;
+  }
   habit("near", item, kBeside, std::move(f), {host});
 }
 

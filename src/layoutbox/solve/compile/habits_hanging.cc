@@ -42,7 +42,6 @@ void Habits::hang_on_wall(int item) {
   if (static_cast<std::size_t>(rank_of(item)) < under.size()) {
     hosts.push_back(under[rank_of(item)]);
     for (const RoomWall& wall : model_.walls) {
-      if (!wall.straight) continue;
       Case& c = f.add().when(item, states_facing(item, wall));
       c.wish(mid2(item, wall.along) - mid2(hosts[0], wall.along), kHangs, 2);
       c.wish(mid2(item, wall.normal()) - mid2(hosts[0], wall.normal()), kHangs / 2, 2);
@@ -50,9 +49,8 @@ void Habits::hang_on_wall(int item) {
     }
   } else {
     for (const RoomWall& wall : model_.walls) {
-      if (!wall.straight) continue;
       Case& c = f.add().when(item, states_facing(item, wall));
-      c.wish(mid2(item, wall.along) - Linear(std::int64_t{wall.lo} + wall.hi), kHangs / 4, 2);
+      wish_middle_of_wall(c, model_, item, wall, kHangs / 4);
       // The picture cuts away the front and the right wall: hung there, nobody sees it.
       c.price = wall.turn == 180 || wall.turn == 270 ? 60 : 0;
     }
@@ -61,7 +59,7 @@ void Habits::hang_on_wall(int item) {
 }
 
 std::uint64_t Habits::states_facing(int item, const RoomWall& wall) const {
-  const std::uint64_t states = model_.items[item].states_at(wall.turn);
+  const std::uint64_t states = states_at_angle(model_.items[item], wall.angle, 360);
   return states ? states : model_.items[item].all_states;
 }
 

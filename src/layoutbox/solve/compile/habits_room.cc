@@ -15,8 +15,7 @@ void Habits::back_to_wall(int item) {
   for (const RoomWall& wall : model_.walls) {
     const std::size_t known = f.cases.size();
     add_against(f, model_, item, states_with_back_to(model_.items[item], wall), wall, 20, true);
-    for (std::size_t i = known; heart && i < f.cases.size(); ++i)
-      f.cases[i].wish(mid2(item, wall.along) - Linear(std::int64_t{wall.lo} + wall.hi), kMiddle, 2);
+    for (std::size_t i = known; heart && i < f.cases.size(); ++i) wish_middle_of_wall(f.cases[i], model_, item, wall, kMiddle);
   }
   habit("back to wall", item, kBackToWall, std::move(f));
 }
@@ -26,7 +25,11 @@ void Habits::stand_at_wall(int item) {
   Formula f;
   for (std::size_t i = 0; i < model_.walls.size(); ++i) {
     const RoomWall &a = model_.walls[i], &b = model_.walls[(i + 1) % model_.walls.size()];
-    if (!a.straight) continue;
+    if (!a.straight) {
+      require_near_slanted_wall(f.add(), model_, item, a, 100);
+      f.cases.back().price = 60;
+      continue;
+    }
     require_near_wall(f.add(), model_, item, a, 100);
     f.cases.back().price = 60;
     if (!b.straight || a.along == b.along) continue;

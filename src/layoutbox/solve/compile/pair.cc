@@ -77,7 +77,8 @@ void turned_each(Compilation& c, int first, int step) {
       if (r.kind == Reference::Kind::kWall) {
         const RoomWall& wall = c.model.walls[r.index];
         if (!wall.straight) f.exact = false;
-        const std::uint64_t mask = wall.straight ? states_turned(c.item(t), wall.turn, 180, first, step) : 0;
+        const std::uint64_t mask = wall.straight ? states_turned(c.item(t), wall.turn, 180, first, step)
+                                                 : states_at_angle(c.item(t), wall.angle + first, std::min(step, 180));
         if (mask) f.add().when(t, mask);
       }
       if (r.kind != Reference::Kind::kItem) continue;

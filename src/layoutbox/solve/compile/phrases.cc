@@ -1,6 +1,9 @@
 #include "layoutbox/solve/compile/phrases.h"
 
+#include <bit>
 #include <cmath>
+
+#include "layoutbox/solve/slanted.h"
 
 namespace layoutbox::placement {
 namespace {
@@ -8,6 +11,9 @@ namespace {
 constexpr int kNormalise = 1000;  // directions at odd angles are whole numbers in thousandths
 // tan 15° as a fraction; within what the verifier calls 15°.
 constexpr std::int32_t kLookAcross = 100000, kLookAhead = 26794;
+
+constexpr Mm kFlush = 3;             // off a slanted wall, that some whole millimetre may be there
+constexpr double kSameAngle = 0.01;  // degrees
 
 bool quarter(int turn) { return turn % 90 == 0; }
 
@@ -118,6 +124,23 @@ Linear gap_towards(int t, const Place& r, Direction d) { return gap_towards(plac
 
 bool floor_only(const Item& item) {
   return !item.is_opening() && item.supports.size() == 1 && item.supports[0].kind == SupportOption::Kind::kFloor;
+}
+
+std::uint64_t states_at_angle(const Item& item, double angle, double period) {
+  std::uint64_t mask = 0;
+  for (std::size_t s = 0; s < item.states.size(); ++s) {
+    if (std::abs(std::remainder(item.states[s].angle - angle, period)) < kSameAngle) mask |= std::uint64_t{1} << s;
+  }
+  return mask;
+}
+
+std::optional<SignedHeading> signed_heading(const Model& model, double degrees) {
+  for (std::size_t k = 0; k < model.headings.size(); ++k) {
+    const double off = std::remainder(degrees - model.headings[k].angle, 360);
+    if (std::abs(off) < kSameAngle) return SignedHeading{static_cast<int>(k), 1};
+    if (std::abs(std::abs(off) - 180) < kSameAngle) return SignedHeading{static_cast<int>(k), -1};
+  }
+  return std::nullopt;
 }
 
 std::vector<Part> parts_of(const Model& model, int index) {
@@ -271,6 +294,33 @@ void require_near_wall(Case& c, const Model& model, int t, const RoomWall& wall,
   c.require(hi(t, wall.along) - Linear(wall.lo)).require(Linear(wall.hi) - lo(t, wall.along));
 }
 
+void require_near_slanted_wall(Case& c, const Model& model, int t, const RoomWall& wall, Mm most) {
+  const std::int64_t millimetre = 2 * kHeading;
+  const auto length = static_cast<std::int64_t>(std::hypot(wall.end.x - wall.start.x, wall.end.y - wall.start.y));
+  const Linear along = along_wall2(model, t, wall);
+  c.require(Linear(millimetre * most) - slanted_gap2(model, t, wall), millimetre);
+  c.require(along, millimetre).require(Linear(millimetre * length) - along, millimetre);
+}
+
+void wish_middle_of_wall(Case& c, const Model& model, int t, const RoomWall& wall, int weight) {
+  if (wall.straight) {
+    c.wish(mid2(t, wall.along) - Linear(std::int64_t{wall.lo} + wall.hi), weight, 2);
+    return;
+  }
+  const double length = std::hypot(wall.end.x - wall.start.x, wall.end.y - wall.start.y);
+  c.wish(along_wall2(model, t, wall) - Linear(static_cast<std::int64_t>(kHeading * length)), weight, 2 * kHeading);
+}
+
+void wish_beside_on_wall(Case& c, const Model& model, int t, int r, const RoomWall& wall, int weight) {
+  if (wall.straight) {
+    c.wish(mid2(t, wall.along) - mid2(r, wall.along), weight, 2);
+    c.wish(mid2(t, wall.normal()) - mid2(r, wall.normal()), weight / 2, 2);
+    return;
+  }
+  c.wish(along2(model, t, wall.along_heading) - along2(model, r, wall.along_heading), weight, 2 * kHeading);
+  c.wish(along2(model, t, wall.normal_heading) - along2(model, r, wall.normal_heading), weight / 2, 2 * kHeading);
+}
+
 std::vector<Case> away_from_angled(const Model& model, int t, const RoomWall& wall, Mm least) {
   std::vector<Case> cases;
   const Place box = place_of(model, wall);  // the least that is surely enough: away from the box around it
@@ -299,6 +349,48 @@ std::vector<Case> in_line(const Case& base, const Model& model, int t, const Pla
   return cases;
 }
 
+namespace {
+
+// Beside what is turned with a slanted wall: t is turned with it too (by quarters more or less), so that their distance is the gap
+// between two parallel sides.
+void add_beside_slanted(Formula& f, const Model& model, int t, int r, Side side, const Beside& how, bool level) {
+  const Item &self = model.items[t], &ref = model.items[r];
+  if (self.spans < 0 || ref.spans < 0 || !ref.has_front || how.may_reach_under) return;
+  const double by = side == Side::kFront ? 270 : side == Side::kBack ? 90 : side == Side::kLeft ? 180 : 0;
+  std::vector<double> seen;
+  for (const State& state : ref.states) {
+    if (is_quarter(state) || std::find(seen.begin(), seen.end(), state.angle) != seen.end()) continue;
+    seen.push_back(state.angle);
+    const std::uint64_t ref_states = states_at_angle(ref, state.angle, 360) & how.ref_states,
+                        states = states_at_angle(self, state.angle, 90);
+    const auto d = signed_heading(model, state.angle + by), u = signed_heading(model, state.angle + by + 90);
+    if (!ref_states || !states || !d || !u) continue;
+    const std::int64_t millimetre = 2 * kHeading;
+    const Linear gap =
+        d->sign * (along2(model, t, d->heading) - along2(model, r, d->heading)) - span(model, t, d->heading) - span(model, r, d->heading);
+    const Linear off = u->sign * (along2(model, t, u->heading) - along2(model, r, u->heading));
+    for (const int shorter : {t, r}) {  // its middle faces the longer
+      const Linear length = span(model, shorter == t ? r : t, u->heading);
+      Case& c = f.add().when(r, ref_states).when(t, states);
+      c.require(gap, millimetre).require(Linear(millimetre * how.most) - gap, millimetre);
+      c.require(length - off, millimetre).require(length + off, millimetre);
+      c.turned = true;
+      c.price = shorter == t ? 0 : 150;
+      if (!level) c.require(hi(r, 2) - lo(t, 2)).require(hi(t, 2) - lo(r, 2));
+      c.wish(gap - Linear(millimetre * std::min(how.wished_gap, how.most)), 100, millimetre);
+      if (side == Side::kLeft || side == Side::kRight) {  // backs flush
+        const int back = side == Side::kRight ? 1 : -1;
+        c.wish(back * off + span(model, t, u->heading) - span(model, r, u->heading), 60, millimetre);
+      } else {
+        c.wish(off, 120, millimetre);
+      }
+    }
+  }
+  f.exact = false;
+}
+
+}  // namespace
+
 void add_beside(Formula& f, const Model& model, int t, int r, Side side, const Beside& how) {
   const Item& ref = model.items[r];
   const Place place = place_of(r);
@@ -307,7 +399,7 @@ void add_beside(Formula& f, const Model& model, int t, int r, Side side, const B
   const std::uint64_t odd = model.items[t].odd_states;
   for_each_turn(ref, [&](int turn, std::uint64_t all) {
     const std::uint64_t states = all & how.ref_states;
-    if (!states) return;
+    if (!states || (!quarter(turn) && ref.spans >= 0)) return;
     const Direction d = side_direction(ref, side, turn);
     const Linear gap = gap_towards(t, r, d);
     Case base;
@@ -349,6 +441,9 @@ void add_beside(Formula& f, const Model& model, int t, int r, Side side, const B
     add(f.cases, false, false);
     add(f.outer, true, false);
   });
+  if (ref.odd_states == 0 || ref.spans < 0) return;
+  if (f.exact) f.outer = f.cases;
+  add_beside_slanted(f, model, t, r, side, how, level);
 }
 
 void add_looks_at(Formula& f, const Model& model, int t, int r) {
@@ -359,7 +454,7 @@ void add_looks_at(Formula& f, const Model& model, int t, int r) {
   }
   for_each_turn(item, [&](int turn, std::uint64_t states) {
     if (!quarter(turn)) {
-      const double angle = radians_from_degrees(turn);
+      const double angle = radians_from_degrees(item.states[static_cast<std::size_t>(std::countr_zero(states))].angle);
       const auto nx = static_cast<std::int32_t>(std::lround(std::sin(angle) * kNormalise));
       const auto ny = static_cast<std::int32_t>(std::lround(-std::cos(angle) * kNormalise));
       const Linear dx = mid2(r, 0) - mid2(t, 0), dy = mid2(r, 1) - mid2(t, 1);
@@ -439,6 +534,19 @@ std::uint64_t states_where(const Item& r, Side one, Side meant) {
 }
 
 std::uint64_t states_with_side_to(const Item& item, const RoomWall& wall, Side side) {
+  if (!wall.straight) {
+    std::uint64_t mask = 0;
+    const double quarters = side == Side::kBack    ? 0
+                            : side == Side::kFront ? 180
+                            : side == Side::kLeft  ? 270
+                            : side == Side::kRight ? 90
+                                                   : -1;
+    for (std::size_t s = 0; s < item.states.size(); ++s) {
+      const bool looks = std::abs(std::remainder(item.states[s].angle - wall.angle - quarters, 360)) < kSameAngle;
+      if (item.has_front && quarters >= 0 && looks) mask |= std::uint64_t{1} << s;
+    }
+    return mask;
+  }
   const Direction towards{wall.normal(), -wall.inward};
   const bool by_length = side == Side::kLong || side == Side::kShort;
   std::uint64_t mask = 0;
@@ -452,9 +560,25 @@ std::uint64_t states_with_side_to(const Item& item, const RoomWall& wall, Side s
   return mask;
 }
 
+void add_against_slanted(Formula& f, const Model& model, int t, std::uint64_t states, const RoomWall& wall, Mm gap) {
+  f.exact = false;
+  if (!states || model.items[t].spans < 0) return;
+  const Linear off = slanted_gap2(model, t, wall), along = along_wall2(model, t, wall), half = span(model, t, wall.along_heading);
+  const std::int64_t millimetre = 2 * kHeading;
+  Case& c = f.add().when(t, states);
+  // Its place is in whole millimetres: nothing is nearer than one of them allows.
+  c.require(off, millimetre).require(Linear(millimetre * std::max(gap, kFlush)) - off, millimetre).wish(off, 400, millimetre);
+  const double length = std::hypot(wall.end.x - wall.start.x, wall.end.y - wall.start.y);
+  c.require(along - half, millimetre);
+  c.require(Linear(static_cast<std::int64_t>(millimetre * length)) - along - half, millimetre);
+}
+
 void add_against(Formula& f, const Model& model, int t, std::uint64_t states, const RoomWall& wall, Mm gap, bool whole) {
-  if (!wall.straight) f.exact = false;
-  if (!wall.straight || !states) return;
+  if (!wall.straight) {
+    add_against_slanted(f, model, t, states, wall, gap);
+    return;
+  }
+  if (!states) return;
   const Item& item = model.items[t];
   const Direction out{wall.normal(), wall.inward};
   Case c;

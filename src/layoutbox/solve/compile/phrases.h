@@ -34,6 +34,14 @@ std::vector<Part> parts_of(const Model& model, int item);
 // The states of an item at quarter turns.
 inline std::uint64_t quarter_states(const Item& item) { return item.all_states & ~item.odd_states; }
 
+// The states at that angle, or at one that differs by multiples of `period` degrees.
+std::uint64_t states_at_angle(const Item& item, double angle, double period);
+// One of the model's headings or its opposite.
+struct SignedHeading {
+  int heading = 0, sign = 1;
+};
+std::optional<SignedHeading> signed_heading(const Model& model, double degrees);
+
 // The item stands on the floor and nowhere else.
 bool floor_only(const Item& item);
 
@@ -81,6 +89,10 @@ std::uint64_t states_where(const Item& r, Side one, Side meant);
 
 // gap(t, wall) ≤ most, before the wall.
 void require_near_wall(Case& c, const Model& model, int t, const RoomWall& wall, Mm most);
+void require_near_slanted_wall(Case& c, const Model& model, int t, const RoomWall& wall, Mm most);
+// The middle of t wishes to be at the middle of the wall, or where the middle of r is along it, and near.
+void wish_middle_of_wall(Case& c, const Model& model, int t, const RoomWall& wall, int weight);
+void wish_beside_on_wall(Case& c, const Model& model, int t, int r, const RoomWall& wall, int weight);
 // gap(t, wall) ≥ least for a wall at an angle: beyond its line, or past one of its ends.
 std::vector<Case> away_from_angled(const Model& model, int t, const RoomWall& wall, Mm least);
 

@@ -1,5 +1,8 @@
 // Relations between an object and the room: walls, corners, middle, parts.
+#include <cmath>
+
 #include "layoutbox/solve/compile/phrases.h"
+#include "layoutbox/solve/slanted.h"
 
 namespace layoutbox::placement {
 namespace {
@@ -14,6 +17,40 @@ Case both(Case a, const Case& b) {
   a.wishes.insert(a.wishes.end(), b.wishes.begin(), b.wishes.end());
   a.price += b.price;
   return a;
+}
+
+// The inner angle between two walls that follow one another is under 180°, by more than a hair.
+bool turns_left(const RoomWall& a, const RoomWall& b) {
+  const double turn = std::remainder(b.angle - a.angle, 360);
+  return turn > 1;
+}
+
+// One thing, its back to the wall and its middle before the wall's.
+void centre_on_slanted(Formula& f, const Compilation& c, const RoomWall& wall, Mm gap) {
+  f.exact = false;
+  if (c.targets.size() != 1) return;
+  const int t = c.targets[0];
+  const std::size_t known = f.cases.size();
+  add_against(f, c.model, t, states_with_back_to(c.item(t), wall), wall, gap);
+  const std::int64_t millimetre = 2 * kHeading;
+  const double length = std::hypot(wall.end.x - wall.start.x, wall.end.y - wall.start.y);
+  const Linear off = along_wall2(c.model, t, wall) - Linear(static_cast<std::int64_t>(kHeading * length));
+  for (std::size_t i = known; i < f.cases.size(); ++i) {
+    const Linear most(2 * millimetre);
+    f.cases[i].require(most - off, millimetre).require(most + off, millimetre).wish(off, 10, millimetre);
+  }
+}
+
+// In a corner of which a wall is slanted: near where they meet.
+void stand_in_slanted_corner(Formula& f, const Compilation& c, int t, const RoomWall& first, Mm most) {
+  f.exact = false;
+  Place corner;
+  const Point& at = first.end;
+  corner.lo[0] = corner.hi[0] = at.x, corner.lo[1] = corner.hi[1] = at.y;
+  corner.lo[2] = c.model.room.lo[2], corner.hi[2] = c.model.room.hi[2];
+  Case base;
+  for (int axis = 0; axis < 2; ++axis) base.wish(mid2(t, axis) - Linear(2 * (axis == 0 ? at.x : at.y)), 200, 2);
+  add_within(f.cases, base, c.model, t, corner, most, Purpose::kPlacing);
 }
 
 }  // namespace
@@ -63,12 +100,18 @@ void compile_Corner(Compilation& c) {
     for (std::size_t i = 0; i < n; ++i) {
       const int first = static_cast<int>(i), second = static_cast<int>((i + 1) % n);
       const RoomWall &a = c.model.walls[first], &b = c.model.walls[second];
-      if (!a.straight || !b.straight || a.along == b.along) continue;
+      const bool slanted = !a.straight || !b.straight;
+      if (slanted && !turns_left(a, b)) continue;
+      if (!slanted && a.along == b.along) continue;
       // Inner angle under 180°: the second wall runs the way the first one looks.
-      if ((b.runs_up ? 1 : -1) != a.inward) continue;
+      if (!slanted && (b.runs_up ? 1 : -1) != a.inward) continue;
       const auto is_named = [&](int w) { return std::find(named.begin(), named.end(), w) != named.end(); };
       if (named.size() == 1 && !is_named(first) && !is_named(second)) continue;
       if (named.size() > 1 && (!is_named(first) || !is_named(second))) continue;
+      if (slanted) {
+        stand_in_slanted_corner(f, c, t, a, most);
+        continue;
+      }
       Case& inside = f.add();
       for (const RoomWall* wall : {&a, &b}) {
         require_near_wall(inside, c.model, t, *wall, most);
@@ -111,8 +154,10 @@ void compile_CenteredOnWall(Compilation& c) {
   Formula& f = c.formula();
   for (const int w : c.walls()) {
     const RoomWall& wall = c.model.walls[w];
-    if (!wall.straight) f.exact = false;
-    if (!wall.straight) continue;
+    if (!wall.straight) {
+      centre_on_slanted(f, c, wall, gap);
+      continue;
+    }
     // All of them at the wall…
     std::vector<Case> ways{Case{}};
     for (const int t : c.targets) {

@@ -1,28 +1,39 @@
 #include "layoutbox/solve/cp_sat/encode.h"
 
+#include "layoutbox/solve/items.h"
+#include "layoutbox/solve/slanted.h"
+
 namespace layoutbox::placement {
 namespace {
 
 constexpr std::int64_t kNoBound = std::numeric_limits<std::int64_t>::max() / 4;
 
-// The box of the item in each of its states, from its low corner.
-std::vector<Box> whole_boxes(const Item& item) {
+// The box of the item in each of its states, from its low corner. To prove something: what of it is surely body, turned as it is.
+std::vector<Box> whole_boxes(const Item& item, Purpose purpose) {
   std::vector<Box> boxes;
-  for (const State& state : item.states) boxes.push_back({{0, 0, 0}, state.extent});
+  for (const State& state : item.states) {
+    const bool within = purpose == Purpose::kProving && !is_quarter(state);
+    boxes.push_back(within ? within_turned(own_box(state.size), own_box(state.size), state.angle) : Box{{0, 0, 0}, state.extent});
+  }
   return boxes;
 }
 
-std::vector<std::vector<Box>> parts_of(const Item& item, std::vector<Box> State::*member) {
+Box part_of(const State& state, std::vector<Box> State::*member, std::size_t k, Purpose purpose) {
+  const bool within = purpose == Purpose::kProving && member == &State::solids && !is_quarter(state);
+  return within ? within_turned(own_box(state.size), state.own_solids[k], state.angle) : (state.*member)[k];
+}
+
+std::vector<std::vector<Box>> parts_of(const Item& item, std::vector<Box> State::*member, Purpose purpose) {
   std::vector<std::vector<Box>> parts;
   std::size_t least = (item.states[0].*member).size(), count = 0;
   for (const State& state : item.states) {
     least = std::min(least, (state.*member).size());
     count = std::max(count, (state.*member).size());
   }
-  if (least == 0 && count > 0) return {whole_boxes(item)};
+  if (least == 0 && count > 0) return {whole_boxes(item, purpose)};
   for (std::size_t k = 0; k < count; ++k) {
     std::vector<Box> boxes;  // where a state is cut into fewer parts, its first stands in: said twice is still true
-    for (const State& state : item.states) boxes.push_back((state.*member)[k < (state.*member).size() ? k : 0]);
+    for (const State& state : item.states) boxes.push_back(part_of(state, member, k < (state.*member).size() ? k : 0, purpose));
     parts.push_back(std::move(boxes));
   }
   return parts;
@@ -50,6 +61,7 @@ Encoding::Encoding(const Model& model, const std::vector<char>& given_up, const 
   for (int i = 0; i < count; ++i) {
     if (!items_[i].used) continue;
     add_constraint(model.items[i].support_constraint, items_[i].present);
+    if (model.items[i].within_constraint >= 0) add_constraint(model.items[i].within_constraint, items_[i].present);
     add_outside(i);
     for (int j = i + 1; j < count; ++j) {
       if (items_[j].used) add_pair(i, j);
@@ -189,7 +201,7 @@ void Encoding::add_offset(Expanded& out, int item, std::int64_t factor, const st
 }
 
 void Encoding::add_disjoint(int a, const std::vector<Box>& part_a, int b, const std::vector<Box>& part_b,
-                            const std::vector<CpLiteral>& when) {
+                            const std::vector<CpLiteral>& when, bool headings) {
   std::vector<CpLiteral> sides;
   for (int axis = 0; axis < 3; ++axis) {
     for (const bool a_first : {true, false}) {
@@ -208,6 +220,17 @@ void Encoding::add_disjoint(int a, const std::vector<Box>& part_a, int b, const 
       require(form, std::array{sides.back()});
     }
   }
+  if (headings) {  // or along a slanted wall
+    for (std::size_t k = 0; k < model_.headings.size(); ++k) {
+      const int heading = static_cast<int>(k);
+      const Linear between = along2(model_, b, heading) - along2(model_, a, heading);
+      const Linear spans = span(model_, a, heading) + span(model_, b, heading);
+      for (const int sign : {1, -1}) {
+        sides.push_back(cp_.add_boolean());
+        require(expand(sign * between - spans), std::array{sides.back()});
+      }
+    }
+  }
   cp_.add_or(sides, when);
 }
 
@@ -217,37 +240,40 @@ void Encoding::add_pair(int a, int b) {
   if (rule == PairRule::kFree || (x.fixed && y.fixed)) return;
   std::vector<CpLiteral> when{items_[a].present, items_[b].present};
   if (rule == PairRule::kOpenings) {
-    std::vector<Box> grown = whole_boxes(x);  // openings have no depth
+    std::vector<Box> grown = whole_boxes(x, purpose_);  // openings have no depth
     for (Box& box : grown) {
       for (int k = 0; k < 2; ++k) box.lo[k] -= 2, box.hi[k] += 2;
     }
-    add_disjoint(a, grown, b, whole_boxes(y), when);
+    add_disjoint(a, grown, b, whole_boxes(y, purpose_), when);
     return;
   }
   if (x.is_opening() || y.is_opening()) {
     const int opening = x.is_opening() ? a : b, body = x.is_opening() ? b : a;
+    if (purpose_ == Purpose::kProving && model_.items[opening].odd_states) return;  // its box is more than what is to be free
     const int clearance = model_.items[opening].clearance_constraint;
     const auto demand = std::find(demands_.begin(), demands_.end(), Demand{Demand::Kind::kConstraint, clearance});
     if (demand == demands_.end()) return;
     when.push_back(demand_literals_[static_cast<std::size_t>(demand - demands_.begin())]);
-    for (const std::vector<Box>& clear : parts_of(model_.items[opening], &State::clear)) {
-      add_disjoint(opening, clear, body, whole_boxes(model_.items[body]), when);
+    for (const std::vector<Box>& clear : parts_of(model_.items[opening], &State::clear, purpose_)) {
+      add_disjoint(opening, clear, body, whole_boxes(model_.items[body], purpose_), when);
     }
     return;
   }
+  const bool odd = x.odd_states != 0 || y.odd_states != 0;
   const bool hollow = x.states[0].solids.size() > 1 || y.states[0].solids.size() > 1;
   if (rule == PairRule::kBoxes && (purpose_ == Purpose::kPlacing || !hollow)) {
-    add_disjoint(a, whole_boxes(x), b, whole_boxes(y), when);
+    add_disjoint(a, whole_boxes(x, purpose_), b, whole_boxes(y, purpose_), when, odd);
     return;
   }
-  for (const std::vector<Box>& part_a : parts_of(x, &State::solids)) {
-    for (const std::vector<Box>& part_b : parts_of(y, &State::solids)) add_disjoint(a, part_a, b, part_b, when);
+  for (const std::vector<Box>& part_a : parts_of(x, &State::solids, purpose_)) {
+    for (const std::vector<Box>& part_b : parts_of(y, &State::solids, purpose_)) add_disjoint(a, part_a, b, part_b, when, odd);
   }
 }
 
 void Encoding::add_outside(int index) {
   if (model_.items[index].is_opening() || model_.items[index].fixed) return;
-  for (const Box& outside : model_.outside) {
+  if (purpose_ == Purpose::kProving && model_.items[index].odd_states) return;  // its box is more than its body
+  for (const Box& outside : model_.off_limits) {
     std::vector<CpLiteral> sides;
     for (int axis = 0; axis < 2; ++axis) {
       sides.push_back(cp_.add_boolean());

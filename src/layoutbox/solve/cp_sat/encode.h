@@ -54,7 +54,9 @@ class Encoding {
   void add_pair(int a, int b);
   void add_outside(int item);
   // The bodies (or clear boxes) a and b, given by their state-dependent offsets, do not share room.
-  void add_disjoint(int a, const std::vector<Box>& part_a, int b, const std::vector<Box>& part_b, const std::vector<CpLiteral>& when);
+  // `headings`: they may also pass along a slanted wall.
+  void add_disjoint(int a, const std::vector<Box>& part_a, int b, const std::vector<Box>& part_b, const std::vector<CpLiteral>& when,
+                    bool headings = false);
   Expanded expand(const Linear& form) const;
   void add_offset(Expanded& out, int item, std::int64_t factor, const std::vector<Box>& parts, int axis, bool high) const;
   void require(const Expanded& form, std::span<const CpLiteral> when);
