@@ -129,8 +129,8 @@ wants_tests() { [[ $mode == tests || $mode == nightly ]]; }
 has_python_tools() { has_environment tools tests.txt; }
 # Node.js 20 or later, for the mock server aimock.
 has_node() {
-  local version
-  version=$(node --version 2>/dev/null) && [[ $version =~ ^v([0-9]+) ]] && ((BASH_REMATCH[1] >= 20)) || has_environment nodejs nodejs.txt
+  if [[ $(node --version 2>/dev/null) =~ ^v([0-9]+) ]] && ((BASH_REMATCH[1] >= 20)); then return 0; fi
+  has_environment nodejs nodejs.txt
 }
 has_mocks() {
   has_environment mocks-python mocks.txt && has_node && [[ -d $deps/mocks-node/node_modules ]] &&

@@ -107,9 +107,11 @@ class Cost(model_case.ModelCase):
             with self.subTest(jobs=jobs), FaultServer([scene_call(SCENE)]) as server:
                 env = {"http_proxy": f"http://127.0.0.1:{server.port}", "NO_PROXY": None}
                 out = self.path(f"batch{jobs}")
-                command = ["batch", prompts, "-o", out, "-j", str(jobs), "--planner", "llm", "--model", "gpt-4o", "--no-cache", "--no-render"]
+                command = ["batch", prompts, "-o", out, "-j", str(jobs), "--planner", "llm", "--model", "gpt-4o", "--no-cache"]
                 # An answer costs 0.0045; a question may cost about 0.09.
-                run = self.run_layoutbox(*command, "--max-cost", "0.1", env=self.environment("http://model.example/v1", **env))
+                run = self.run_layoutbox(
+                    *command, "--no-render", "--max-cost", "0.1", env=self.environment("http://model.example/v1", **env)
+                )
                 self.assert_status(run, 1)
                 items = self.read_json(f"batch{jobs}/summary.json")["items"]
                 failed = [item for item in items if item["state"] == "failed"]

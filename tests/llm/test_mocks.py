@@ -118,7 +118,7 @@ class Aimock(MockCase):
         body = next(entry["body"] for entry in reversed(entries) if "CASE:ok" in json.dumps(entry))
         self.assertEqual(body["temperature"], 0)
         self.assertEqual(body["tools"][0]["function"]["name"], "create_scene")
-        self.assertEqual(body["tool_choice"]["function"]["name"], "create_scene")
+        self.assertEqual(body["tool_choice"], "required")
 
     def test_streamed(self):
         self.assert_done(self.plan_case("ok", "--stream"))

@@ -52,7 +52,10 @@ struct ChatClient::Exchange {
 ChatClient::ChatClient(ChatOptions options)
     : options_(std::move(options)),
       cache_(options_.cache),
-      habits_(load_habits(options_.cache, options_.endpoint.base_url, options_.endpoint.model)) {}
+      habits_(load_habits(options_.cache, options_.endpoint.base_url, options_.endpoint.model)) {
+  // Hosted servers know a function by name; those at home (llama.cpp, LM Studio) often but the word, and then let the model talk.
+  if (!habits_.known && is_local(options_.endpoint)) habits_.without.insert("named_tool");
+}
 
 Result<Answer> ChatClient::ask(const Question& question) {
   if (options_.use_cached_answers) {
