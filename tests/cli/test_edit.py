@@ -141,6 +141,68 @@ class Edits(EditCase):
         self.assertIn("nothing changed", run.out)
 
 
+class TheRoom(EditCase):
+    """The room itself, its doors and windows: what is not spoken of stays where it is."""
+
+    def openings(self):
+        return {opening["id"]: opening for opening in self.read_json("new.json")["room"]["openings"]}
+
+    def test_wider(self):
+        after, answer = self.edited("make the room 50 cm wider")
+        self.assertEqual(self.read_json("new.json")["room"]["polygon"][2], [5.5, 4])
+        self.assertEqual(self.changed(answer)["room"], ["resized"])
+        for name in ("desk_1", "chair_1"):  # at the wall that stays
+            self.assertEqual(after[name], self.object(name))
+        self.assertAlmostEqual(after["wardrobe_1"]["pos"][0], self.object("wardrobe_1")["pos"][0] + 0.5, places=3)
+        self.assertAlmostEqual(after["wardrobe_1"]["pos"][1], self.object("wardrobe_1")["pos"][1], places=3)
+        self.assertEqual(self.openings()["window1"], self.before["room"]["openings"][1])
+
+    def test_size_and_height(self):
+        self.edited("make the bedroom 4.5 by 4.2 m and raise the ceiling by 10 cm")
+        room = self.read_json("new.json")["room"]
+        self.assertEqual((room["polygon"][2], room["height"]), ([4.5, 4.2], 2.8))
+
+    def test_a_door_is_moved(self):
+        after, answer = self.edited("move the door to the right wall")
+        self.assertEqual(self.openings()["door1"]["wall"], "wall2")
+        self.assertEqual(set(self.changed(answer)), {"door1"})
+        self.assertEqual(after["bed_1"], self.object("bed_1"))
+
+    def test_a_window_comes_in(self):
+        _, answer = self.edited("add a window in the middle of the right wall")
+        window = self.openings()["window2"]
+        self.assertEqual((window["wall"], window["offset"]), ("wall2", 1.4))
+        self.assertEqual(self.changed(answer), {"window2": ["added"]})
+
+    def test_shifted_and_resized(self):
+        self.edited("move the window 40 cm to the left and make the window 20 cm wider")
+        window, before = self.openings()["window1"], self.before["room"]["openings"][1]
+        self.assertAlmostEqual(window["w"], before["w"] + 0.2)
+        self.assertAlmostEqual(window["offset"], before["offset"] + 0.4 - 0.1)  # the left wall runs to the front
+
+    def test_goes_out_with_what_stands_on_its_sill(self):
+        text = "A room (4 x 4 x 2.7 m) with a table. A potted plant stands on the windowsill. There is a window in the left wall."
+        self.assert_done(self.run_layoutbox("generate", text, "--no-render", "-o", self.path("room")))
+        after, _ = self.edited("remove the window", layout=self.path("room/layout.json"))
+        self.assertEqual(list(after), ["table_1"])
+
+    def test_impossible(self):
+        for text, words in (
+            ("make the room 60 m wide", "60.00 m wide"),
+            ("make the room 1 m high", "1.00 m high"),
+            ("move the door 10 m to the left", "cannot go so far"),
+            ("add a window 6 m wide on the back wall", "no room for window2"),
+            ("move the window up by 2 m", "2.7 m high"),
+            ("remove the third window", "third window"),
+            ("rotate the door", "not understood"),
+        ):
+            with self.subTest(text):
+                run = self.edit(text)
+                self.assert_status(run, WRONG_INPUT)
+                self.assertIn(words, run.err)
+                self.assertFalse(self.path("new.json").exists())
+
+
 class WhatCannotBe(EditCase):
     def test_not_understood(self):
         for text, words in (

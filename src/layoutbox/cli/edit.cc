@@ -49,6 +49,9 @@ std::string text_of(const EditOutcome& outcome) {
   for (const Relation& relation : outcome.dropped) {
     text += fmt::format("no longer asked for: {}\n", relation.why.empty() ? std::string(relation_row(relation.type).name) : relation.why);
   }
+  for (const Relaxation& relaxation : outcome.layout.relaxed) {
+    text += fmt::format("given up: {}\n", relaxation.why.empty() ? relaxation.relation : relaxation.why);
+  }
   if (text.empty()) return "nothing changed";
   text.pop_back();
   return text;

@@ -23,6 +23,7 @@ Result<EditOutcome> Edit::run(std::string_view text) {
   for (const EditStep& step : plan.steps) {
     for (const std::string& id : step.targets) asked_.insert(id);
     for (const SceneObject& object : step.objects) asked_.insert(object.id);
+    for (const Opening& opening : step.openings) asked_.insert(opening.id);
     LAYOUTBOX_CHECK(apply(step));
   }
   remove_what_stood_on_it();
@@ -38,6 +39,7 @@ Result<EditOutcome> Edit::run(std::string_view text) {
 }
 
 Status Edit::apply(const EditStep& step) {
+  if (is_of_room(step)) return apply_to_room(step);
   switch (step.kind) {
     case EditKind::kAdd: return add(step);
     case EditKind::kRemove: return remove(step.targets);
@@ -76,7 +78,10 @@ void Edit::remove_what_stood_on_it() {
     found = false;
     for (const PlacedObject& placed : before_.objects) {
       const std::string& support = placed.supported_by;
-      if (object(placed.id) == nullptr || before_.find_object(support) == nullptr || object(support) != nullptr) continue;
+      if (object(placed.id) == nullptr) continue;
+      const bool thing_gone = before_.find_object(support) != nullptr && object(support) == nullptr;
+      const bool sill_gone = before_.find_opening(support) != nullptr && opening(support) == nullptr;
+      if (!thing_gone && !sill_gone) continue;
       const PlacedObject* now = guide(placed.id);
       const bool elsewhere = (now != nullptr && now->supported_by != support) || has_id(solve_.freed, placed.id);
       if (elsewhere) continue;
@@ -87,7 +92,9 @@ void Edit::remove_what_stood_on_it() {
 }
 
 void Edit::drop_relations_of_what_is_gone() {
-  const auto gone = [&](const std::string& id) { return before_.find_object(id) != nullptr && object(id) == nullptr; };
+  const auto gone = [&](const std::string& id) {
+    return (before_.find_object(id) != nullptr && object(id) == nullptr) || (before_.find_opening(id) != nullptr && opening(id) == nullptr);
+  };
   std::vector<Relation> kept;
   for (Relation& relation : scene_.relations) {
     const bool referred = !relation.references.empty();

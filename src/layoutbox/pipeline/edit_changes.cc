@@ -25,6 +25,34 @@ std::optional<std::array<double, 2>> place_of(const Layout& layout, const std::s
 
 bool differs(double a, double b) { return std::abs(a - b) > 0.5; }
 
+// The room, its doors and windows.
+std::vector<ObjectChange> changes_of_room(const Layout& before, const Layout& after, const std::set<std::string>& asked) {
+  std::vector<ObjectChange> changes;
+  const std::string room(kEditRoom);
+  const bool same_shape = before.room.height == after.room.height &&
+                          std::equal(before.room.polygon.begin(), before.room.polygon.end(), after.room.polygon.begin(),
+                                     after.room.polygon.end(), [](const Point& a, const Point& b) { return a.x == b.x && a.y == b.y; });
+  if (!same_shape) changes.push_back({room, {"resized"}, 0, 0, asked.contains(room)});
+  for (const Opening& now : after.room.openings) {
+    ObjectChange change{now.id, {}, 0, 0, asked.contains(now.id)};
+    const Opening* was = before.find_opening(now.id);
+    if (was == nullptr) {
+      change.what = {"added"};
+      changes.push_back(std::move(change));
+      continue;
+    }
+    const auto from = place_of(before, was->id, 0, 0), to = place_of(after, now.id, 0, 0);
+    if (from && to) change.metres = m_from_mm(std::hypot((*to)[0] - (*from)[0], (*to)[1] - (*from)[1], now.sill - was->sill));
+    if (change.metres > 0.0005) change.what.emplace_back("moved");
+    if (now.width != was->width || now.height != was->height) change.what.emplace_back("resized");
+    if (!change.what.empty()) changes.push_back(std::move(change));
+  }
+  for (const Opening& was : before.room.openings) {
+    if (after.find_opening(was.id) == nullptr) changes.push_back({was.id, {"removed"}, 0, 0, asked.contains(was.id)});
+  }
+  return changes;
+}
+
 }  // namespace
 
 Result<std::array<double, 3>> way_of(const PlacedObject& placed, const EditShift& shift, const Layout& layout, bool placed_before) {
@@ -74,7 +102,7 @@ std::optional<Side> side_looked_at(double rotation_deg) {
 }
 
 std::vector<ObjectChange> changes_between(const Layout& before, const Layout& after, const std::set<std::string>& asked) {
-  std::vector<ObjectChange> changes;
+  std::vector<ObjectChange> changes = changes_of_room(before, after, asked);
   for (const PlacedObject& now : after.objects) {
     ObjectChange change;
     change.id = now.id;

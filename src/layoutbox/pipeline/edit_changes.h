@@ -21,7 +21,7 @@ void take_place(PlacedObject& placed, const PlacedObject& other);
 // The side of the room that the front looks at, for quarter turns.
 std::optional<Side> side_looked_at(double rotation_deg);
 
-// What differs, object by object, in the order of the later layout, then what is gone.
+// What differs: the room, its doors and windows, then object by object in the order of the later layout, then what is gone.
 std::vector<ObjectChange> changes_between(const Layout& before, const Layout& after, const std::set<std::string>& asked);
 
 }  // namespace layoutbox

@@ -1,10 +1,14 @@
 // One edit at work: a scene that changes step by step, and a layout that guides the solver to the places. Its functions stand in
-// edit.cc (the order), edit_steps.cc and edit_exchange.cc (what becomes of things), edit_room.cc (of the room, its doors and windows)
-// and edit_places.cc (where all then is).
+// edit.cc (the order), edit_steps.cc and edit_exchange.cc (what becomes of things), edit_room.cc and edit_openings.cc (of the room, its
+// doors and windows) and edit_places.cc (where all then is).
 #pragma once
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -66,6 +70,19 @@ class Edit {
   Status resize(const EditStep& step);
   Status recolor(const EditStep& step);
 
+  Opening* opening(const std::string& id);
+  bool is_of_room(const EditStep& step);
+  Status apply_to_room(const EditStep& step);
+  std::optional<Mm> free_offset(const Opening& opening, const Wall& wall, Mm wanted) const;
+  std::optional<Mm> offset_least_in_the_way(const Opening& opening, const Wall& wall) const;
+  Status put(Opening fresh, const EditOpeningPlace& place);
+  void settle_opening(Opening changed);
+  Status shift_opening(const std::string& id, const EditShift& shift);
+  Status swap_openings(const std::string& a, const std::string& b);
+  Status resize_opening(const std::string& id, const EditResize& resize);
+  Status resize_room(const EditResize& resize);
+  Status move_far_wall(int axis, Mm far, Mm by);
+
   void remove_what_stood_on_it();
   void drop_relations_of_what_is_gone();
   void number_relations();
@@ -106,5 +123,12 @@ inline bool says_where(RelationType type) {
   return !is_turn(type) && type != RelationType::kClearance && type != RelationType::kReachable && type != RelationType::kKeepClear &&
          type != RelationType::kNotBlocking;
 }
+
+// What a factor or a length makes of one side, on the grid.
+inline Mm side_after(Mm before, const EditResize::Side& side) {
+  return side.exact ? *side.exact : static_cast<Mm>(std::lround(before * side.factor / kGridMm) * kGridMm) + side.more;
+}
+
+inline std::string in_metres(Mm length) { return fmt::format("{:.2f} m", m_from_mm(length)); }
 
 }  // namespace layoutbox

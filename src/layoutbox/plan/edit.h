@@ -14,9 +14,9 @@
 namespace layoutbox {
 
 enum class EditKind {
-  kAdd,      // `objects` come in, with `relations`
+  kAdd,      // `objects` come in, with `relations`; or `openings`
   kRemove,   // `targets` go
-  kMove,     // `targets` get new `relations`
+  kMove,     // `targets` get new `relations`; doors and windows an `opening_place`
   kShift,    // `targets` move by `shift`
   kSwap,     // targets[0] and targets[1] take each other's place
   kReplace,  // `objects` take the places of `targets`, one each
@@ -47,11 +47,23 @@ struct EditResize {
   bool longer_side = false;  // sides[0] speaks of the longer of width and depth
 };
 
+// Where a door or a window goes.
+struct EditOpeningPlace {
+  std::string wall;                           // a wall's id; empty: the one at hand, or any
+  std::optional<std::array<double, 2>> near;  // mm; its centre as near to there as can be; empty: anywhere along the wall
+};
+
+// The room itself, among the targets of a step.
+inline constexpr std::string_view kEditRoom = "room";
+
 struct EditStep {
   EditKind kind = EditKind::kMove;
-  std::vector<std::string> targets;  // ids of objects of the layout, or of those that an earlier step added
+  // Ids of objects of the layout, or of those that an earlier step added; or of doors and windows; or kEditRoom.
+  std::vector<std::string> targets;
   std::vector<SceneObject> objects;  // new ones, with ids of their own
   std::vector<Relation> relations;   // without ids
+  std::vector<Opening> openings;     // new doors and windows, with ids of their own
+  std::optional<EditOpeningPlace> opening_place;
   std::optional<EditShift> shift;
   double degrees = 0;  // counter-clockwise
   EditResize resize;

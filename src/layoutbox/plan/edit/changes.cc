@@ -109,7 +109,7 @@ struct Factor {
 std::optional<Factor> factor_at(const Lexicon& lexicon, const Tokens& tokens, std::size_t at) {
   if (is_at(tokens, at, "twice")) return Factor{2, 1, false};
   if (is_at(tokens, at, "double")) return Factor{2, 1, false};
-  if (is_at(tokens, at, "half")) return Factor{0.5, 1, false};
+  if (is_at(tokens, at, "half") && !is_at(tokens, at + 1, "a")) return Factor{0.5, 1, false};  // "half a meter" is a length
   double number = 0;
   std::size_t length = 0;
   if (at < tokens.size() && tokens[at].kind == Token::Kind::kNumber) {

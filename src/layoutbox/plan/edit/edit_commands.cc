@@ -80,26 +80,30 @@ Status EditReader::read_remove(Clause& clause) {
   return {};
 }
 
+// "closer to the window": what it goes towards or away from. "The wall" is the one that it is at.
+Result<EditShift> EditReader::read_shift_reference(Clause& clause, EditShift way, const Wall* at_wall) {
+  if (way.way != EditShift::Way::kTowards && way.way != EditShift::Way::kAway) return way;
+  if (!noun_next(clause)) return not_understood(clause);
+  const Chunk chunk = *peek(clause);
+  ++clause.k;
+  LAYOUTBOX_ASSIGN(const Found found, find_reference(clause, chunk));
+  if (!found.things.empty()) {
+    way.reference = world_.thing(found.things.front()).id;
+  } else if (const auto openings = world_.openings_of(chunk.noun);
+             !openings.empty() && (chunk.noun.kind == NounKind::kWindow || chunk.noun.kind == NounKind::kDoor)) {
+    way.reference = openings.front()->id;
+  } else if (chunk.noun.kind == NounKind::kWall) {
+    const Wall* wall = chunk.noun.wall_word.empty() ? at_wall : world_.layout().find_wall(chunk.noun.wall_word);
+    if (wall != nullptr) way.reference = wall->id;
+  }
+  if (way.reference.empty()) return not_understood(clause, words_between(clause.document, chunk.first, chunk.last));
+  return way;
+}
+
 Status EditReader::read_move(Clause& clause, const std::optional<ShiftAt>& shift) {
   if (shift) {
     LAYOUTBOX_ASSIGN(const std::vector<int> things, read_things(clause, false));
-    EditShift way = shift->shift;
-    if (way.way == EditShift::Way::kTowards || way.way == EditShift::Way::kAway) {
-      if (!noun_next(clause)) return not_understood(clause);
-      const Chunk chunk = *peek(clause);
-      ++clause.k;
-      LAYOUTBOX_ASSIGN(const Found found, find_reference(clause, chunk));
-      if (!found.things.empty()) {
-        way.reference = world_.thing(found.things.front()).id;
-      } else if (const auto openings = world_.openings_of(chunk.noun);
-                 !openings.empty() && (chunk.noun.kind == NounKind::kWindow || chunk.noun.kind == NounKind::kDoor)) {
-        way.reference = openings.front()->id;
-      } else if (chunk.noun.kind == NounKind::kWall) {
-        const Wall* wall = chunk.noun.wall_word.empty() ? world_.wall_of(things.front()) : world_.layout().find_wall(chunk.noun.wall_word);
-        if (wall != nullptr) way.reference = wall->id;
-      }
-      if (way.reference.empty()) return not_understood(clause, words_between(clause.document, chunk.first, chunk.last));
-    }
+    LAYOUTBOX_ASSIGN(const EditShift way, read_shift_reference(clause, shift->shift, world_.wall_of(things.front())));
     LAYOUTBOX_CHECK(rest_understood(clause));
     begin(EditKind::kShift, clause, things).shift = way;
     return {};

@@ -62,8 +62,18 @@ void EditReader::chunk(Clause& clause) const {
   document.readings.clear();
   for (const Token& token : document.tokens) document.readings.push_back({token.begin, token.end, WordReading::Use::kIgnored, {}});
   document.chunks = chunk_tokens(lexicon_, document.tokens);
-  // "bed_1": a thing by its id.
+  // "bed_1", "window2": a thing by its id.
   for (Chunk& chunk : document.chunks) {
+    const Opening* opening = chunk.last == chunk.first + 1 ? world_.layout().find_opening(document.tokens[chunk.first].text) : nullptr;
+    if (opening != nullptr) {
+      chunk.kind = ChunkKind::kNoun;
+      chunk.noun = NounPhrase{};
+      chunk.noun.kind = opening->type == OpeningType::kWindow ? NounKind::kWindow : NounKind::kDoor;
+      chunk.noun.name = chunk.noun.head = opening->id;
+      chunk.noun.determiner = Determiner::kDefinite;
+      chunk.noun.first = chunk.first, chunk.noun.last = chunk.last;
+      continue;
+    }
     if (chunk.kind == ChunkKind::kNoun || chunk.last != chunk.first + 1) continue;
     const std::string& word = document.tokens[chunk.first].text;
     if (word.find('_') == std::string::npos && word != "everything") continue;
@@ -179,6 +189,7 @@ Status EditReader::read_command(const Command& command) {
   clause.document.tokens = std::move(tokens);
   for (const Thing& thing : world_.things()) clause.document.items.push_back({thing.noun, clause.document.groups++});
   chunk(clause);
+  if (const auto room = read_room_command(clause, resize, shift)) return *room;
   switch (clause.verb) {
     case Verb::kAdd: return read_add(clause);
     case Verb::kPlace: return shift ? read_move(clause, shift) : read_place(clause);
@@ -208,6 +219,12 @@ Result<EditPlan> EditReader::read() {
       tokens[i].kind = Token::Kind::kWord;
       tokens.erase(tokens.begin() + static_cast<std::ptrdiff_t>(i) + 1, tokens.begin() + static_cast<std::ptrdiff_t>(i) + 3);
     }
+  }
+  for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {  // and "window1" in two
+    if (!tokens[i + 1].glued || world_.layout().find_opening(tokens[i].text + tokens[i + 1].text) == nullptr) continue;
+    tokens[i].text += tokens[i + 1].text;
+    tokens[i].end = tokens[i + 1].end;
+    tokens.erase(tokens.begin() + static_cast<std::ptrdiff_t>(i) + 1);
   }
   const std::vector<Command> commands = split_commands(tokens);
   if (commands.empty()) return fail(ErrorCode::kEmpty, "there is nothing in the text", "text", kWhatToSay);

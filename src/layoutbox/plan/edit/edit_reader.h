@@ -51,6 +51,14 @@ class EditReader {
   Status read_make(Clause& clause, const std::optional<EditResize>& resize, std::optional<double> degrees,
                    const std::optional<ShiftAt>& shift);
   Status read_rename(Clause& clause);
+  // Commands about the room itself, its doors and windows; empty where the clause is about furniture.
+  std::optional<Status> read_room_command(Clause& clause, const std::optional<EditResize>& resize, const std::optional<ShiftAt>& shift);
+  Status read_room_size(Clause& clause, const std::optional<EditResize>& resize, const std::optional<ShiftAt>& shift);
+  Status read_openings(Clause& clause, const std::optional<EditResize>& resize, const std::optional<ShiftAt>& shift);
+  Status add_openings(Clause& clause);
+  Result<std::vector<std::string>> find_openings(Clause& clause, const offline::NounPhrase& noun);
+  Result<EditOpeningPlace> read_opening_place(Clause& clause, const std::vector<std::string>& openings);
+  Result<EditShift> read_shift_reference(Clause& clause, EditShift way, const Wall* at_wall);
   Status read_keep(Clause& clause);
 
   // The clause as a row of chunks.
@@ -91,6 +99,7 @@ class EditReader {
   std::string_view text_;
   EditPlan plan_;
   std::map<std::string, SceneObject> added_;  // by id
+  std::vector<std::string> added_openings_;   // ids
   std::vector<int> last_;                     // what "it" and "them" mean
   std::vector<int> mentioned_;                // what "the other" is not
 };

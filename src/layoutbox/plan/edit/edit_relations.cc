@@ -11,18 +11,6 @@ namespace layoutbox::edit {
 
 using namespace offline;
 
-namespace {
-
-// "the opposite wall", "the other wall": of the one that the thing stands at.
-bool is_opposite_wall(const NounPhrase& noun) {
-  const auto& said = noun.attributes;
-  return noun.kind == NounKind::kWall && noun.wall_word.empty() &&
-         (noun.determiner == Determiner::kOther || noun.wall_relation == "opposite" ||
-          std::find(said.begin(), said.end(), "opposite") != said.end());
-}
-
-}  // namespace
-
 Status EditReader::read_links(Clause& clause, std::vector<int>& targets, EditStep& step, bool& any) {
   Document& document = clause.document;
   bool soft = false;

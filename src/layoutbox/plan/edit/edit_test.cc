@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
@@ -87,6 +88,14 @@ std::string text_of(const EditPlan& plan) {
     for (const SceneObject& object : step.objects) {
       text += " new " + object.id;
       for (const std::string& attribute : object.attributes) text += "," + attribute;
+    }
+    for (const Opening& opening : step.openings) {
+      text += " new " + opening.id + " " + std::to_string(opening.width) + "x" + std::to_string(opening.height);
+    }
+    if (step.opening_place) {
+      const EditOpeningPlace& place = *step.opening_place;
+      text += " at " + (place.wall.empty() ? "any" : place.wall);
+      if (place.near) text += " " + std::to_string(std::lround((*place.near)[0])) + " " + std::to_string(std::lround((*place.near)[1]));
     }
     for (const Relation& relation : step.relations) {
       if (relation.assumed) continue;

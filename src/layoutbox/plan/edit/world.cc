@@ -289,6 +289,7 @@ std::vector<const Opening*> World::openings_of(const NounPhrase& noun) const {
   for (const Opening& opening : layout_->room.openings) {
     const bool window = opening.type == OpeningType::kWindow;
     if (window != (noun.kind == NounKind::kWindow)) continue;
+    if (noun.name == opening.id) return {&opening};
     if (!noun.wall_word.empty() && layout_->find_wall(noun.wall_word) != layout_->find_wall(opening.wall)) continue;
     found.push_back(&opening);
   }

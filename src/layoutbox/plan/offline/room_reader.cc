@@ -31,12 +31,19 @@ std::string room_type(const NounPhrase& noun) {
 }
 
 void add_opening(SceneGraph& scene, OpeningType type, const NounPhrase& noun, const std::string& wall) {
-  Opening opening;
-  opening.type = type;
+  Opening opening = opening_said(type, noun);
   const auto number =
       std::count_if(scene.room.openings.begin(), scene.room.openings.end(), [&](const Opening& o) { return o.type == type; }) + 1;
   opening.id = std::string(name_of(type)) + std::to_string(number);
   opening.wall = wall;
+  scene.room.openings.push_back(std::move(opening));
+}
+
+}  // namespace
+
+Opening opening_said(OpeningType type, const NounPhrase& noun) {
+  Opening opening;
+  opening.type = type;
   const auto said = [&](std::string_view word) {
     return std::find(noun.attributes.begin(), noun.attributes.end(), word) != noun.attributes.end();
   };
@@ -54,10 +61,8 @@ void add_opening(SceneGraph& scene, OpeningType type, const NounPhrase& noun, co
   }
   if (noun.size.width) opening.width = mm_from_m(*noun.size.width);
   if (noun.size.height) opening.height = mm_from_m(*noun.size.height);
-  scene.room.openings.push_back(std::move(opening));
+  return opening;
 }
-
-}  // namespace
 
 void build_room(const Lexicon& lexicon, const Document& document, const RoomSize& size, SceneGraph& scene) {
   Room& room = scene.room;

@@ -12,6 +12,9 @@ struct RoomSize {
 };
 RoomSize read_room_size(const Lexicon& lexicon, Document& document, std::vector<bool>& skip);
 
+// A door or a window as a noun phrase says it, without an id and a place.
+Opening opening_said(OpeningType type, const NounPhrase& noun);
+
 // Fills the scene's room from what was read.
 void build_room(const Lexicon& lexicon, const Document& document, const RoomSize& size, SceneGraph& scene);
 
