@@ -106,9 +106,7 @@ std::vector<Limit> group_limits() {
       {"surround, one too far",
        Type::kSurround,
        [](TestRoom& r) {
-         r.add("table", "table", {1, 1, 0.7}, {2.5, 2})
-             .add("a", "chair", kChair, {2.5, 1.2, 0, 180})
-             .add("b", "chair", kChair, {2.5, 2.8});
+         r.add("table", "table", {1, 1, 0.7}, {2.5, 2}).add("a", "chair", kChair, {2.5, 1.2, 0, 180}).add("b", "chair", kChair, {2.5, 2.8});
          r.relation(Type::kSurround, {"a", "b"}, {"table"});
        },
        {"a", {0, -0.48}}},

@@ -106,7 +106,8 @@ bool Chunker::read_rows() {
   };
   const int rows = number();
   if (at < tokens_.size() && (tokens_[at].text == "neat" || tokens_[at].text == "straight" || tokens_[at].text == "parallel")) ++at;
-  if (at >= tokens_.size() || tokens_[at].text != "rows") return false;
+  const bool columns_first = at < tokens_.size() && tokens_[at].text == "columns";
+  if (at >= tokens_.size() || (tokens_[at].text != "rows" && !columns_first)) return false;
   ++at;
   int columns = 0;
   if (at + 1 < tokens_.size() && tokens_[at].text == "of") {
@@ -116,8 +117,8 @@ bool Chunker::read_rows() {
   }
   Chunk& chunk = add(ChunkKind::kRelation, at - i_);
   chunk.phrase = PhraseMatch{chunk.last - chunk.first, &grid_senses()};
-  chunk.rows = rows;
-  chunk.columns = columns;
+  chunk.rows = columns_first ? columns : rows;
+  chunk.columns = columns_first ? rows : columns;
   return true;
 }
 

@@ -41,8 +41,14 @@ bool allowed(const PhraseSense& sense, const NounPhrase& reference) {
 }
 
 bool may_be_under(const Catalog& catalog, const NounPhrase& host) {
-  return is_table(catalog, host) || one_of(host.head, {"bed", "sofa", "couch", "shelf", "loft", "window", "tv", "stairs"}) ||
+  return is_table(catalog, host) ||
+         one_of(host.head, {"bed", "sofa", "couch", "shelf", "loft", "window", "tv", "stairs", "stand", "console", "bench", "piano"}) ||
          mount_of(host) == Mount::kWall || mount_of(host) == Mount::kCeiling;
+}
+
+// A table with a head and a foot.
+bool one_lies_on(const NounPhrase& noun) {
+  return noun.entry != nullptr && one_of(noun.entry->id, {"exam_table", "massage_table", "operating_table"});
 }
 
 // What things on one floor are to each other.
@@ -253,8 +259,8 @@ std::optional<PhraseSense> choose_sense(const Catalog& catalog, const PhraseSens
     if (sense.type == R::kOnWall && says(R::kOnCeiling) && is_heavy(catalog, target)) return own(R::kAgainstWall);  // "from the wall"
     // A lamp is over the table, a cloth on it; "at the end of the table" and "at the end of the bed" are two things.
     if (sense.type == R::kAlongSide && reference.kind == NounKind::kObject && !says(R::kAlongSide)) continue;
-    if (sense.type == R::kAtFootOf && is_table(catalog, reference)) continue;
-    if (sense.type == R::kAtHeadOf && is_table(catalog, reference)) continue;
+    if (sense.type == R::kAlongSide && (says(R::kAtFootOf) || says(R::kAtHeadOf)) && one_lies_on(reference)) continue;
+    if ((sense.type == R::kAtFootOf || sense.type == R::kAtHeadOf) && is_table(catalog, reference) && !one_lies_on(reference)) continue;
     if (sense.type == R::kOn && !sense.part.empty() && mount != Mount::kSurface && reference.kind == NounKind::kObject &&
         target.entry != nullptr && target.entry->thin)
       continue;

@@ -156,6 +156,10 @@ void Lexicon::extend_phrase(std::span<const Token> tokens, std::size_t at, std::
 
 bool Lexicon::names_place(std::span<const Token> tokens, std::size_t at) const {
   const Match match = find(tokens, at);
+  // "to the left stand two machines": the verb.
+  if (at + 1 < tokens.size() && is(tokens[at], WordClass::kPlaceVerb) &&
+      (tokens[at + 1].kind == Token::Kind::kNumber || is(tokens[at + 1], WordClass::kIndefinite) || is(tokens[at + 1], WordClass::kNumber)))
+    return false;
   return std::any_of(match.meanings.begin(), match.meanings.end(), [](const Meaning& m) {
     return m.word_class == WordClass::kWall || m.word_class == WordClass::kCorner || m.word_class == WordClass::kObject ||
            m.word_class == WordClass::kWallWord || m.word_class == WordClass::kDoor || m.word_class == WordClass::kWindow;

@@ -161,7 +161,8 @@ void DocumentReader::read_chunk(std::size_t k) {
       }
       mark(k, Use::kUsed, "placing");
       after_participle_ = true;
-      if (chunk(k).hang && !chain_.empty()) {
+      if (chunk(k).hang && !chain_.empty() &&
+          !(is(next(next(k)), ChunkKind::kNoun) && chunk(next(next(k))).noun.kind == NounKind::kFloor)) {
         int best = chain_.back();
         for (std::size_t c = chain_.size(); c-- > 0;) {
           if (!is_thing(chain_[c])) continue;
@@ -201,7 +202,7 @@ bool DocumentReader::speaks_of_known(const NounPhrase& noun) const {
 bool DocumentReader::place_comes_first(std::size_t k) const {
   const std::size_t n = next(k);
   // "and to its right is a lamp"
-  if (is(n, ChunkKind::kVerb) && chunk(n).passive && is(k, ChunkKind::kRelation) &&
+  if (((is(n, ChunkKind::kVerb) && chunk(n).passive) || is(n, ChunkKind::kThere)) && is(k, ChunkKind::kRelation) &&
       has_direction(*chunk(k).phrase.senses, Direction::kAlone))
     return is(next(n), ChunkKind::kNoun) && chunk(next(n)).noun.kind == NounKind::kObject;
   if (!is(n, ChunkKind::kNoun) || verb_at(k)) return false;

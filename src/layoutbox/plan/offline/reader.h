@@ -34,6 +34,8 @@ class DocumentReader {
   void add_named_contents(std::size_t k, int host);
   int another_one(const NounPhrase& noun);
   int last_ordinal() const;
+  int group_meant(std::size_t k, const NounPhrase& noun) const;
+  int just_related();
   int of_the_two(bool former, const std::vector<int>& busy) const;
   void read_relation(std::size_t k);
   void read_inverse(std::size_t k, PhraseSenses senses);
@@ -44,6 +46,7 @@ class DocumentReader {
   // What the next noun phrase is for.
   void place_root(std::size_t k, int mention);
   void place_reference(std::size_t k, int mention);
+  bool lies_there(std::size_t k) const;
   void place_content(std::size_t k, int mention);
   bool goes_on_with_reference(std::size_t k, const NounPhrase& noun) const;
   bool goes_on_with_contents(std::size_t k, const NounPhrase& noun) const;
@@ -52,6 +55,7 @@ class DocumentReader {
                                bool after_participle, int reference_mention) const;
   // What shares the place of `mention`. With a host: things that lie on it together, seats around one table.
   std::vector<int> joined_with(int mention, bool after_participle, bool in_center = false, const NounPhrase* host = nullptr) const;
+  int fronted_host() const;
   int implied_side_host(const PhraseSenses& senses, const std::vector<int>& targets);
   int thing_of_zone(const NounPhrase& noun) const;
   void grow_for_sides(const Link& link, int target, int reference);
@@ -78,8 +82,9 @@ class DocumentReader {
   bool other_side(std::size_t k, const std::vector<int>& targets);
   void grow_contents(int host, std::size_t before);
   void mean_each_other(Link& link);
-  std::vector<int> unplaced(const std::vector<int>& all, int last) const;
+  std::vector<int> unplaced(const std::vector<int>& all, int last, int host) const;
   bool is_root(int mention) const;
+  bool was_root(int mention) const;
   bool names_contents(std::size_t k) const;
   int implied_group(const std::vector<int>& targets);
   int last_two(const std::vector<int>& targets);

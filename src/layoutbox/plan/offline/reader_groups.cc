@@ -21,13 +21,24 @@ bool DocumentReader::names_contents(std::size_t k) const {
   }
   static constexpr std::string_view kShows[] = {"offers", "offer", "provides", "provide", "offering", "providing", "enjoys"};
   const bool room = host.kind == NounKind::kRoom || host.kind == NounKind::kOutsideRoom;
-  return room && (thing.kind == NounKind::kObject || thing.kind == NounKind::kWindow || thing.kind == NounKind::kDoor) &&
+  return room &&
+         (thing.kind == NounKind::kObject || thing.as_object != nullptr || thing.kind == NounKind::kWindow ||
+          thing.kind == NounKind::kDoor) &&
          std::find(std::begin(kShows), std::end(kShows), word) != std::end(kShows);
 }
 
 // "a table for six": a size, after which the list goes on.
 bool DocumentReader::passes_count(std::size_t k) {
   const std::size_t n = next(k);
+  // "For the bedroom I imagine …": which room.
+  if (!skipping_ && (k == 0 || is(k - 1, ChunkKind::kStop)) && document_.tokens[chunk(k).first].text == "for" && is(n, ChunkKind::kNoun) &&
+      chunk(n).noun.kind == NounKind::kRoom) {
+    mark(k, WordReading::Use::kIgnored, "which room");
+    mark(n, WordReading::Use::kUsed, "room");
+    document_.rooms.push_back(chunk(n).noun);
+    passed_until_ = n + 1;
+    return true;
+  }
   if (skipping_ || !is(n, ChunkKind::kNoun) || chunk(n).noun.count == 0 || document_.tokens[chunk(k).first].text != "for") return false;
   const NounPhrase& noun = chunk(n).noun;
   static constexpr std::string_view kPersons[] = {"person", "people",  "guest", "diner", "child", "student",  "adult", "kid",

@@ -11,7 +11,8 @@ int DocumentReader::implied_reference(const std::vector<int>& targets, bool sing
     if (senses != nullptr && !targets.empty() && is_thing(targets.front()) &&
         !may_refer(lexicon_.catalog(), *senses, noun_of(targets.front()), noun_of(mention)))
       return false;
-    if (single && document_.mentions[static_cast<std::size_t>(mention)].items.size() > 1) return false;
+    const Mention& meant = document_.mentions[static_cast<std::size_t>(mention)];
+    if (single && meant.items.size() > 1 && !meant.distributes) return false;
     for (const int target : targets) {
       for (const int item : document_.mentions[static_cast<std::size_t>(target)].items) {
         if (contains(document_.mentions[static_cast<std::size_t>(mention)].items, item)) return false;
@@ -77,7 +78,7 @@ int DocumentReader::meant_by_it(const std::vector<int>& targets) const {
     const int named = link.references.front();
     const Mention& mention = document_.mentions[static_cast<std::size_t>(named)];
     const bool again = mention.noun.determiner == Determiner::kDefinite && !mention.introduces && mention.items.size() == 1;
-    const bool seats_round = mention.noun.kind == NounKind::kObject && is_root(named) && !contains(targets, named);
+    const bool seats_round = mention.noun.kind == NounKind::kObject && (is_root(named) || was_root(named)) && !contains(targets, named);
     if (again && seats_round && !roots_.empty() && roots_.back() != meant) return named;
     break;
   }
@@ -91,6 +92,13 @@ int DocumentReader::meant_by_it(const std::vector<int>& targets) const {
   return meant;
 }
 
+// What the sentence before spoke of.
+bool DocumentReader::was_root(int mention) const {
+  const std::vector<int>& items = document_.mentions[static_cast<std::size_t>(mention)].items;
+  return std::any_of(former_roots_.begin(), former_roots_.end(),
+                     [&](int root) { return is_thing(root) && document_.mentions[static_cast<std::size_t>(root)].items == items; });
+}
+
 // "a window with a radiator below it", "to the right of the door … to the left of it": an opening that was just spoken of, or -1.
 int DocumentReader::meant_opening(const std::vector<int>& targets) const {
   if (!expects_reference_ || reference_link_ < 0) return -1;
@@ -100,6 +108,9 @@ int DocumentReader::meant_opening(const std::vector<int>& targets) const {
   for (std::size_t l = static_cast<std::size_t>(reference_link_); side && l-- > sentence_links_;) {
     const Link& before = document_.links[l];
     const bool sides = says(before.senses, RelationType::kLeftOf) || says(before.senses, RelationType::kRightOf);
+    // "to the left of the dresser a mirror, to the right of it a wardrobe"
+    if (sides && !before.references.empty() && contains(fronted_, reference_link_) && is_thing(before.references.front()))
+      return before.references.front();
     if (sides && !before.references.empty()) return opening(before.references.front()) ? before.references.front() : -1;
   }
   if (!says(senses, RelationType::kUnder) && !says(senses, RelationType::kAbove) && !says(senses, RelationType::kNextTo)) return -1;

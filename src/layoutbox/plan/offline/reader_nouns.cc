@@ -12,6 +12,11 @@ void DocumentReader::read_noun(std::size_t k) {
       object != nullptr && !expects_reference_ &&
       (frames_.empty() || frames_.back().room || (joiner_ == Joiner::kNone && !expects_content_)))
     document_.chunks[k].noun = NounPhrase(*object);
+  // "A craft brewery taproom has a bar": what nobody knows and has things, at the very beginning, is the room.
+  if (NounPhrase& first = document_.chunks[k].noun; document_.mentions.empty() && first.kind == NounKind::kObject &&
+                                                    first.entry == nullptr && !first.is_plural() && is(next(k), ChunkKind::kHave) &&
+                                                    !skipping_ && !negated_)
+    first.kind = NounKind::kRoom;
   const NounPhrase& noun = chunk(k).noun;
   if (skipping_) {
     mark(k, Use::kIgnored, "purpose");
@@ -98,7 +103,7 @@ void DocumentReader::read_noun(std::size_t k) {
       read_place(k, more);
       return;
     }
-    antecedent = noun.ordinal != 0 ? last_ordinal() : references_.latest_group();
+    antecedent = noun.ordinal != 0 ? last_ordinal() : -1;
     if (noun.ordinal != 0 && antecedent >= 0) {  // "the first wardrobe … the second": of the same kind
       NounPhrase same = mention_at(antecedent).noun;
       same.ordinal = noun.ordinal;
@@ -110,13 +115,13 @@ void DocumentReader::read_noun(std::size_t k) {
       read_place(k, mention);
       return;
     }
-    if (antecedent < 0) antecedent = references_.latest_group();
-    for (std::size_t c = chain_.size(); c-- > 0;) {
-      if (mention_at(chain_[c]).items.size() > 1) {
-        antecedent = chain_[c];
-        break;
-      }
+    const bool the_two = noun.determiner == Determiner::kDefinite && noun.count == 2 && noun.attributes.empty() && expects_reference_;
+    if (const int pair = the_two ? just_related() : -1; pair >= 0) {  // "a sofa opposite the fireplace, and between the two …"
+      mark(k, Use::kUsed, "reference");
+      read_place(k, pair);
+      return;
     }
+    if (antecedent < 0) antecedent = group_meant(k, noun);
     // "ten books, five on the top shelf and five on the bottom shelf": the other five.
     if (references_.has_left(antecedent, noun.count)) antecedent = references_.whole_group(antecedent);
     // "two chairs on each long side and one on each short side": another one of the kind.
@@ -219,6 +224,59 @@ int DocumentReader::another_one(const NounPhrase& noun) {
 int DocumentReader::last_ordinal() const {
   for (std::size_t m = document_.mentions.size(), looked = 0; m-- > 0 && looked < kReach; ++looked) {
     if (document_.mentions[m].noun.ordinal != 0 && is_thing(static_cast<int>(m))) return static_cast<int>(m);
+  }
+  return -1;
+}
+
+// The group that "the right one", "the first", "the other" speak of: one whose members make sense there, the nearest first.
+int DocumentReader::group_meant(std::size_t k, const NounPhrase& noun) const {
+  const Catalog& catalog = lexicon_.catalog();
+  std::vector<int> groups;
+  const auto consider = [&](int mention) {
+    if (mention >= 0 && document_.mentions[static_cast<std::size_t>(mention)].items.size() > 1 && !contains(groups, mention))
+      groups.push_back(mention);
+  };
+  for (std::size_t c = chain_.size(); c-- > 0;) consider(chain_[c]);
+  consider(last_topic_);
+  for (std::size_t r = former_roots_.size(); r-- > 0 && roots_.empty();) consider(former_roots_[r]);
+  consider(references_.latest_group());
+  for (std::size_t m = document_.mentions.size(), looked = 0; expects_reference_ && m-- > 0 && looked < 20; ++looked)
+    consider(static_cast<int>(m));
+  if (groups.empty()) return -1;
+  if (noun.determiner == Determiner::kOther) {  // of those that a "one" was taken from
+    for (const int group : groups) {
+      if (references_.has_left(group, 1)) return group;
+    }
+  }
+  const std::size_t n = next(k);
+  const bool has = (is(n, ChunkKind::kHave) || is(n, ChunkKind::kRelation)) && is(next(n), ChunkKind::kNoun) &&
+                   chunk(next(n)).noun.kind == NounKind::kObject && mount_of(chunk(next(n)).noun) == Mount::kSurface &&
+                   (is(n, ChunkKind::kHave) || has_direction(*chunk(n).phrase.senses, Direction::kInverse));
+  const Link* waiting = expects_reference_ && reference_link_ >= 0 ? &document_.links[static_cast<std::size_t>(reference_link_)] : nullptr;
+  const std::vector<int>& placed = waiting != nullptr && !waiting->targets.empty() ? waiting->targets : chain_;
+  for (const int group : groups) {
+    if (has && !may_carry(catalog, noun_of(group), chunk(next(n)).noun)) continue;
+    if (waiting != nullptr && !placed.empty() &&
+        (contains(placed, group) || !may_refer(catalog, waiting->senses, noun_of(placed.back()), noun_of(group))))
+      continue;
+    return group;
+  }
+  return groups.front();
+}
+
+// Two single things of this sentence of which one was placed by the other, as one mention, or -1.
+int DocumentReader::just_related() {
+  for (std::size_t l = document_.links.size(); l-- > sentence_links_;) {
+    const Link& link = document_.links[l];
+    if (link.targets.size() != 1 || link.references.size() != 1) continue;
+    const Mention &one = mention_at(link.targets.front()), &other = mention_at(link.references.front());
+    if (one.items.size() != 1 || other.items.size() != 1 || one.items == other.items) continue;
+    if (mount_of(one.noun) != Mount::kFloor || mount_of(other.noun) != Mount::kFloor) continue;
+    Mention both = one;
+    both.introduces = both.distributes = false;
+    both.items.push_back(other.items.front());
+    document_.mentions.push_back(std::move(both));
+    return static_cast<int>(document_.mentions.size()) - 1;
   }
   return -1;
 }

@@ -31,7 +31,7 @@ void DocumentReader::place_root(std::size_t k, int mention) {
   if (!thing) return;
   // ", and a rug under the bed": has a place of its own.
   if ((joiner_ == Joiner::kComma || joiner_ == Joiner::kCommaAnd) && !fronted_.empty() && roots_.size() > clause_start_ + 1 &&
-      is(next(k), ChunkKind::kRelation))
+      is(next(k), ChunkKind::kRelation) && !lies_there(k))
     fronted_.clear();
   // "each", "one": speaks of things that are there already.
   for (const int link : fronted_) {
@@ -60,6 +60,14 @@ void DocumentReader::place_root(std::size_t k, int mention) {
   }
   (void)noun;
   imply_adjective(mention, k);
+}
+
+// "on the altar two candles and a bible in the middle": in the middle of the altar.
+bool DocumentReader::lies_there(std::size_t k) const {
+  const std::size_t r = next(k);
+  if (fronted_.empty() || mount_of(chunk(k).noun) != Mount::kSurface || is(next(r), ChunkKind::kNoun)) return false;
+  return says(document_.links[static_cast<std::size_t>(fronted_.front())].senses, RelationType::kOn) &&
+         has_direction(*chunk(r).phrase.senses, Direction::kAlone);
 }
 
 void DocumentReader::place_reference(std::size_t k, int mention) {
@@ -188,6 +196,10 @@ bool DocumentReader::goes_on_with_contents(std::size_t k, const NounPhrase& noun
     // "a cart stocked with glasses and bottles stands": the verb's number tells that the cart is its subject.
     const std::string& verb = document_.tokens[chunk(n).first].text;
     const bool singular = verb == "is" || verb == "was" || (verb != "was" && verb.ends_with("s"));
+    // "a sink with a soap dispenser and a holder is next to it": the sink is.
+    const bool host_waits = !frame.hosts.empty() && !roots_.empty() && frame.hosts.front() == roots_.back() && !frame.after_comma &&
+                            link.kind == Link::Kind::kHave && subject_.empty() && !noun_of(roots_.back()).is_plural();
+    if (joiner_ == Joiner::kAnd && singular && host_waits && may_carry(lexicon_.catalog(), noun_of(roots_.back()), noun)) return true;
     return joiner_ == Joiner::kAnd && singular && noun.is_plural();
   }
   if (frame.hosts.empty()) return true;
@@ -216,7 +228,7 @@ bool DocumentReader::goes_on_with_contents(std::size_t k, const NounPhrase& noun
   const bool carried = may_carry(catalog, host, noun);
   if (link.kind == Link::Kind::kHave) {
     if (link.holding && mount_of(noun) == Mount::kSurface) return true;
-    if (carried && (link.holding || may_carry(catalog, host, former))) return true;
+    if (carried && (link.holding || may_carry(catalog, host, former) || mount_of(noun) == Mount::kSurface)) return true;
     const bool on_top = is(n, ChunkKind::kRelation) && says(*chunk(n).phrase.senses, RelationType::kOn) && !is(next(n), ChunkKind::kNoun);
     if (joiner_ == Joiner::kAnd && on_top) return true;
     if (joiner_ == Joiner::kAnd) return mount_of(former) == mount_of(noun) && !is(n, ChunkKind::kRelation) && !is(n, ChunkKind::kHave);

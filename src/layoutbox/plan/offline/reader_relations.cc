@@ -116,6 +116,12 @@ void DocumentReader::read_relation(std::size_t k) {
     joiner_ = Joiner::kNone;
     return;
   }
+  // "against the wall to the right": which wall.
+  if (is(previous(k), ChunkKind::kNoun) && chunk(previous(k)).noun.kind == NounKind::kWall && last_wall_ >= 0 &&
+      (says(link.senses, RelationType::kLeftOf) || says(link.senses, RelationType::kRightOf))) {
+    mention_at(last_wall_).noun.wall_word = says(link.senses, RelationType::kLeftOf) ? "left" : "right";
+    return;
+  }
   if (at_start) {
     const bool side = says(link.senses, RelationType::kLeftOf) || says(link.senses, RelationType::kRightOf);
     const bool lies = says(link.senses, RelationType::kOn) || says(link.senses, RelationType::kIn);
@@ -137,12 +143,6 @@ void DocumentReader::read_relation(std::size_t k) {
     return;
   }
   const std::size_t before = previous(k);
-  // "against the wall to the right": which wall.
-  if (is(before, ChunkKind::kNoun) && chunk(before).noun.kind == NounKind::kWall && last_wall_ >= 0 &&
-      (says(link.senses, RelationType::kLeftOf) || says(link.senses, RelationType::kRightOf))) {
-    mention_at(last_wall_).noun.wall_word = says(link.senses, RelationType::kLeftOf) ? "left" : "right";
-    return;
-  }
   if (is(before, ChunkKind::kNoun) && (chunk(before).noun.kind == NounKind::kAbstract || chunk(before).noun.kind == NounKind::kPart) &&
       joiner_ == Joiner::kNone)
     return;
@@ -161,6 +161,16 @@ void DocumentReader::read_relation(std::size_t k) {
     link.senses = {{RelationType::kOn, Direction::kDirect, "center", {}, {}}};
     link.targets = {chain_.back()};
     link.references = frames_.back().hosts;
+    add_link(std::move(link));
+    return;
+  }
+  // "on the altar two candles and a bible in the middle": of the altar.
+  if (const int host = fronted_host(); host >= 0 && says(link.senses, RelationType::kCenterOfRoom) && !chain_.empty() &&
+                                       joiner_ == Joiner::kNone && is_thing(chain_.back()) &&
+                                       mount_of(noun_of(chain_.back())) == Mount::kSurface) {
+    link.senses = {{RelationType::kOn, Direction::kDirect, "center", {}, {}}};
+    link.targets = {chain_.back()};
+    link.references = {host};
     add_link(std::move(link));
     return;
   }
@@ -196,7 +206,7 @@ void DocumentReader::read_relation(std::size_t k) {
     // "cups and sodas on top": all that the host has.
     if (says(link.senses, RelationType::kOn) && !frames_.empty() && frames_.back().link >= 0 &&
         contains(link_at(frames_.back().link).targets, target))
-      targets = unplaced(link_at(frames_.back().link).targets, target);
+      targets = unplaced(link_at(frames_.back().link).targets, target, host);
   }
   if (targets.empty()) return;
   if (relation.phrase.other && one_side_link_ >= 0 && other_side(k, targets)) {
@@ -234,12 +244,13 @@ void DocumentReader::read_relation(std::size_t k) {
 }
 
 // Those of a list that no relation of their own places; `last` is always of them.
-std::vector<int> DocumentReader::unplaced(const std::vector<int>& all, int last) const {
+std::vector<int> DocumentReader::unplaced(const std::vector<int>& all, int last, int host) const {
   std::vector<int> free;
   for (const int mention : all) {
     const bool placed = std::any_of(document_.links.begin() + static_cast<std::ptrdiff_t>(sentence_links_), document_.links.end(),
                                     [&](const Link& l) { return l.kind == Link::Kind::kRelation && contains(l.targets, mention); });
-    if (mention == last || !placed) free.push_back(mention);
+    const bool fits = host < 0 || may_carry(lexicon_.catalog(), noun_of(host), noun_of(mention));
+    if (mention == last || (!placed && fits)) free.push_back(mention);
   }
   return free;
 }

@@ -49,6 +49,11 @@ std::vector<int> DocumentReader::targets_for(const PhraseSenses& senses, Directi
   const Catalog& catalog = lexicon_.catalog();
   const bool apart =
       joiner_before_relation_ == Joiner::kComma || joiner_before_relation_ == Joiner::kCommaAnd || joiner_before_relation_ == Joiner::kAnd;
+  // "pans on a rack mounted on the ceiling": what was named right before and is new.
+  if (hang_ && after_participle && !apart && !chain_.empty() && reference.kind == NounKind::kCeiling && is_thing(chain_.back()) &&
+      document_.mentions[static_cast<std::size_t>(chain_.back())].introduces &&
+      noun_of(chain_.back()).determiner == Determiner::kIndefinite && chain_.size() > 1 && !is_lamp(catalog, noun_of(chain_.front())))
+    return {chain_.back()};
   int best = -1, best_score = 0;
   bool together = false;  // what lies on it or sits around it lies and sits there together
   const std::size_t count = chain_.size();
@@ -80,6 +85,10 @@ std::vector<int> DocumentReader::targets_for(const PhraseSenses& senses, Directi
                (sense->type == R::kOn || sense->type == R::kIn || sense->type == R::kAround || sense->type == R::kSurround);
   }
   if (best < 0) {
+    const auto introduced = std::find_if(chain_.rbegin(), chain_.rend(), [&](int m) {
+      return is_thing(m) && document_.mentions[static_cast<std::size_t>(m)].introduces && is_content(m) && m != reference_mention;
+    });
+    if (introduced != chain_.rend()) best = *introduced;
     for (const int mention : chain_) {
       if (is_thing(mention) && best < 0 &&
           document_.mentions[static_cast<std::size_t>(mention)].items !=
@@ -178,6 +187,7 @@ int DocumentReader::implied_side_host(const PhraseSenses& senses, const std::vec
     }
     return false;
   };
+  if (const int host = side ? fronted_host() : -1; host >= 0 && !own(host)) return host;  // "on the desk: a lamp on the left side"
   if (side && (joiner_before_relation_ == Joiner::kNone)) {
     for (std::size_t l = document_.links.size(); l-- > sentence_links_;) {
       const Link& link = document_.links[l];
@@ -212,6 +222,14 @@ int DocumentReader::implied_side_host(const PhraseSenses& senses, const std::vec
   int meant = hosts ? -1 : implied_reference(targets, true, &senses);
   if (meant < 0) meant = implied_reference(targets, false, &senses);
   return meant >= 0 ? meant : implied_reference(targets);
+}
+
+// What the clause's things stand on where that was said first ("on the desk are a lamp and …"), or -1.
+int DocumentReader::fronted_host() const {
+  if (fronted_.empty()) return -1;
+  const Link& link = document_.links[static_cast<std::size_t>(fronted_.front())];
+  return says(link.senses, RelationType::kOn) && link.references.size() == 1 && is_thing(link.references.front()) ? link.references.front()
+                                                                                                                  : -1;
 }
 
 bool DocumentReader::is_content(int mention) const {

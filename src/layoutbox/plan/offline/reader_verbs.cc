@@ -7,6 +7,10 @@ namespace layoutbox::offline {
 
 void DocumentReader::read_have(std::size_t k) {
   if (skipping_ && is_finite(document_.tokens[chunk(k).first].text) && is(previous(k), ChunkKind::kNoun)) skipping_ = false;
+  // "the lobby welcomes guests with a desk"
+  if (skipping_ && document_.tokens[chunk(k).first].text == "with" && !roots_.empty() && noun_of(roots_.back()).kind == NounKind::kRoom &&
+      is(previous(k), ChunkKind::kNoun) && new_thing_at(next(k)) && chunk(next(k)).noun.entry != nullptr)
+    skipping_ = false;
   if (skipping_) {
     mark(k, WordReading::Use::kIgnored, "purpose");
     return;
@@ -86,7 +90,11 @@ void DocumentReader::read_have(std::size_t k) {
 }
 
 void DocumentReader::read_verb(std::size_t k) {
-  if (skipping_ && is_finite(document_.tokens[chunk(k).first].text) && is(previous(k), ChunkKind::kNoun)) skipping_ = false;
+  // "two chairs for the owners stand …"
+  const bool plural_stands = !roots_.empty() && is_thing(roots_.back()) && noun_of(roots_.back()).is_plural() && !chunk(k).passive &&
+                             chunk(k).kind == ChunkKind::kVerb && is(next(k), ChunkKind::kRelation) && subject_.empty();
+  if (skipping_ && (is_finite(document_.tokens[chunk(k).first].text) || plural_stands) && is(previous(k), ChunkKind::kNoun))
+    skipping_ = false;
   if (skipping_) {
     mark(k, WordReading::Use::kIgnored, "purpose");
     return;

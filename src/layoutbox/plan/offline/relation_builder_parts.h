@@ -47,6 +47,7 @@ class RelationBuilder {
   void add_relations_to(const Link& link, const std::vector<int>& targets, const Mention& reference_mention);
   void add_rows();
   void set_heights();
+  std::string table_of(const std::string& seat) const;
   bool add_on_other_side(const Link& link, PhraseSense& sense, const Mention& target, int reference);
   // "eight chairs around the table, two of them at its ends": the others at its long sides.
   void complete_sides();
@@ -55,6 +56,7 @@ class RelationBuilder {
   std::string place_of(const Link& link) const;
   // "facing each other": every one of the targets and its neighbour.
   void add_each_other(const Link& link, const std::vector<int>& targets);
+  std::string carrier_of(const std::vector<std::string>& objects) const;
   void add_between(const Link& link, const std::vector<int>& targets);
   // Small things that stand on the host wherever they are said to be by it.
   bool lie_on(const std::vector<int>& items, int host) const;
@@ -84,6 +86,7 @@ class RelationBuilder {
   // Rows of desks that face a board look its way; only those before it look straight at it.
   void face_as_group();
   void face_as_crowd();
+  bool sits_at(const std::string& seat) const;
   // What a reader takes for granted; soft, and marked as ours.
   void add_habits();
   bool is_only_table(std::size_t index) const;

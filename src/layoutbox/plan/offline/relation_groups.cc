@@ -30,6 +30,20 @@ void RelationBuilder::add_each_other(const Link& link, const std::vector<int>& t
   }
 }
 
+// What all of them stand on, or empty.
+std::string RelationBuilder::carrier_of(const std::vector<std::string>& objects) const {
+  std::string host;
+  for (const std::string& object : objects) {
+    const std::vector<std::size_t>& all = relations_of(object);
+    const auto on = std::find_if(all.begin(), all.end(), [&](std::size_t r) { return scene_.relations[r].type == R::kOn; });
+    if (on == all.end() || scene_.relations[*on].references.size() != 1) return {};
+    const std::string& carrier = scene_.relations[*on].references.front();
+    if (!host.empty() && host != carrier) return {};
+    host = carrier;
+  }
+  return host;
+}
+
 void RelationBuilder::add_between(const Link& link, const std::vector<int>& targets) {
   std::vector<std::string> references;
   for (const int m : link.references) {
@@ -42,7 +56,13 @@ void RelationBuilder::add_between(const Link& link, const std::vector<int>& targ
     }
   }
   if (references.size() < 2) return;
-  for (const int target : targets) add(link, R::kBetween, {id(target)}, references);
+  const std::string host = carrier_of(references);
+  for (const int target : targets) {
+    // "two candlesticks on the mantel with a clock between them": there as well.
+    const SceneObject* carrier = host.empty() ? nullptr : object_of(host);
+    if (carrier != nullptr && may_carry(catalog_, noun_of_object(*carrier), noun_of_item(target))) add(link, R::kOn, {id(target)}, {host});
+    add(link, R::kBetween, {id(target)}, references);
+  }
 }
 
 bool RelationBuilder::lie_on(const std::vector<int>& items, int host) const {

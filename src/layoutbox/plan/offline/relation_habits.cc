@@ -28,6 +28,11 @@ void RelationBuilder::face_as_group() {
 }
 
 // So do the many that stand before one thing without being called a grid: not all of them can have it straight ahead.
+bool RelationBuilder::sits_at(const std::string& seat) const {
+  const std::vector<std::size_t>& all = relations_of(seat);
+  return std::any_of(all.begin(), all.end(), [&](std::size_t r) { return scene_.relations[r].type == R::kAlongSide; });
+}
+
 void RelationBuilder::face_as_crowd() {
   constexpr std::ptrdiff_t kCrowd = 7;
   const auto category_of = [&](const Relation& r) {
@@ -35,7 +40,7 @@ void RelationBuilder::face_as_crowd() {
   };
   for (std::size_t i = 0; i < scene_.relations.size(); ++i) {
     const Relation first = scene_.relations[i];
-    if (first.type != R::kFacing || first.targets.size() != 1) continue;
+    if (first.type != R::kFacing || first.targets.size() != 1 || sits_at(first.targets[0])) continue;
     const auto alike = [&](const Relation& r) {
       return r.type == R::kFacing && r.targets.size() == 1 && r.references == first.references && category_of(r) == category_of(first);
     };

@@ -55,6 +55,17 @@ void RelationBuilder::add_single(const Link& link, PhraseSense sense, const Ment
       sense.type = R::kOn;
     }
   }
+  // "a glass in front of every chair": on the table where it stands.
+  if (sense.type == R::kInFrontOf && mount_of(target.noun) == Mount::kSurface && is_seat(catalog_, noun_of_item(references.front()))) {
+    std::size_t laid = 0;
+    for (std::size_t t = 0; t < target.items.size(); ++t) {
+      const std::string table = table_of(id(references[std::min(t * references.size() / target.items.size(), references.size() - 1)]));
+      if (table.empty()) break;
+      add(link, R::kOn, {id(target.items[t])}, {table});
+      ++laid;
+    }
+    if (laid == target.items.size()) return;
+  }
   // "magazines at one end" of a table lie on it.
   if (sense.type == R::kAlongSide && mount_of(target.noun) == Mount::kSurface) sense = {R::kOn, Direction::kDirect, "end", {}, {}};
   if (sense.type == R::kOn || sense.type == R::kIn) {
@@ -126,6 +137,18 @@ void RelationBuilder::add_single(const Link& link, PhraseSense sense, const Ment
       add_look(link, sense.type, item, references.front());
     }
   }
+}
+
+// The table that a seat was placed at, or empty.
+std::string RelationBuilder::table_of(const std::string& seat) const {
+  for (const std::size_t r : relations_of(seat)) {
+    const Relation& relation = scene_.relations[r];
+    const bool at = relation.type == R::kAround || relation.type == R::kSurround || relation.type == R::kAlongSide ||
+                    relation.type == R::kInFrontOf || relation.type == R::kTuckedUnder;
+    const SceneObject* table = at && relation.references.size() == 1 ? object_of(relation.references.front()) : nullptr;
+    if (table != nullptr && is_table(catalog_, noun_of_object(*table))) return table->id;
+  }
+  return {};
 }
 
 // "on the other side of the bed is a nightstand": beside it, where the thing on its first side is not. False: the phrase does not say so.
