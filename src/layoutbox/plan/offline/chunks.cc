@@ -142,7 +142,9 @@ bool Chunker::read_words(const PhraseMatch& phrase, std::size_t without) {
       *std::max_element(choices.begin(), choices.end(), [](const Choice& a, const Choice& b) { return a.length < b.length; });
   if (best.length == 0) return false;
   // A bare noun that begins with such a word and is longer: "standing lamp", "hanging chair", "set of drawers", "display cabinet".
-  if (best.kind != ChunkKind::kAnd && best.kind != ChunkKind::kClause && before != ChunkKind::kNoun) {
+  const bool verb_follows_that = before == ChunkKind::kRelative &&
+                                 (best.kind == ChunkKind::kRelation || best.kind == ChunkKind::kHave || best.kind == ChunkKind::kVerb);
+  if (best.kind != ChunkKind::kAnd && best.kind != ChunkKind::kClause && before != ChunkKind::kNoun && !verb_follows_that) {
     const auto noun = read_noun_phrase(lexicon_, tokens_, i_, true);
     // "on opposite walls"
     if (noun && noun->kind == NounKind::kWall && best.kind == ChunkKind::kRelation && before == ChunkKind::kRelation)

@@ -159,9 +159,13 @@ std::optional<NounPhrase> NounPhraseReader::settle() {
     const bool thing = form == WordForm::kThing || (form == WordForm::kUnknown && (named || part.plural)) ||
                        (hyphenated(part.first) && form != WordForm::kNoun);
     take_attributes(head - 1);
+    // "a wooden cross": what is made of something is a thing.
+    const bool made =
+        form != WordForm::kAdverb && form != WordForm::kAdjective && named &&
+        std::find(phrase_.attribute_classes.begin(), phrase_.attribute_classes.end(), Class::kMaterial) != phrase_.attribute_classes.end();
     if (!thing && !named && form != WordForm::kNoun) return std::nullopt;
     settle_object(part, head - 1);
-    if (!thing) phrase_.kind = NounKind::kAbstract;
+    if (!thing && !made) phrase_.kind = NounKind::kAbstract;
   } else if (part.word_class == Class::kObject) {
     take_attributes(head - 1);
     settle_object(part, head - 1);

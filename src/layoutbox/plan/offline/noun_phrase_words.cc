@@ -158,6 +158,11 @@ bool NounPhraseReader::read_part() {
       if (const Meaning* meaning = meaning_of(match, word); meaning != nullptr && (named || bare_) && !noun_before)
         return add(word, *meaning, match.length, false);
     }
+    if (has(match, Class::kNumber) && hyphenated(i_ + 1) && i_ + 1 < tokens_.size()) {  // "one-way", "two-tone"
+      parts_.push_back({i_, i_ + 2, Class::kQuality, {Class::kQuality, nullptr, nullptr, 0, {}}, false});
+      i_ += 2;
+      return true;
+    }
     if (has(match, Class::kNumber) && at_word("one") && named) {  // "the left one", "the other one"
       phrase_.kind = NounKind::kMember;
       i_ += 1;

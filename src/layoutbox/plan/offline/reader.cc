@@ -108,6 +108,11 @@ void DocumentReader::read_chunk(std::size_t k) {
         break;
       }
       if (passes_count(k) || passes_role(k)) break;
+      if (k > 0 && chunk(k).first > 0 && lexicon_.is(document_.tokens[chunk(k).first - 1], WordClass::kCommand) &&
+          lexicon_.is(document_.tokens[chunk(k).first], WordClass::kCommand)) {
+        mark(k, Use::kIgnored, "opens a statement");  // "for the bedroom I imagine a bed"
+        break;
+      }
       mark(k, Use::kIgnored, "purpose");
       skipping_ = true;
       joiner_ = Joiner::kNone;

@@ -46,6 +46,7 @@ class DocumentReader {
   // What the next noun phrase is for.
   void place_root(std::size_t k, int mention);
   void place_reference(std::size_t k, int mention);
+  std::vector<int> chained_targets(const Link& link, int reference) const;
   bool lies_there(std::size_t k) const;
   void place_content(std::size_t k, int mention);
   bool goes_on_with_reference(std::size_t k, const NounPhrase& noun) const;
@@ -128,6 +129,8 @@ class DocumentReader {
   bool hang_ = false;       // a participle or verb of hanging waits for its place
   bool centering_ = false;  // "center the bed on the wall"
   int last_reference_ = -1;
+  int place_link_ = -1;          // the link whose reference was a place of the room …
+  std::size_t place_chunk_ = 0;  // … and where that stands
   int owner_ = -1;
   int relative_host_ = -1, where_host_ = -1, last_wall_ = -1;
   int arranging_link_ = -1, held_for_with_ = -1;  // "flank the bed with …": the link whose targets "with" names

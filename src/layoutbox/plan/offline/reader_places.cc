@@ -31,7 +31,7 @@ void DocumentReader::place_root(std::size_t k, int mention) {
   if (!thing) return;
   // ", and a rug under the bed": has a place of its own.
   if ((joiner_ == Joiner::kComma || joiner_ == Joiner::kCommaAnd) && !fronted_.empty() && roots_.size() > clause_start_ + 1 &&
-      is(next(k), ChunkKind::kRelation) && !lies_there(k))
+      is(next(k), ChunkKind::kRelation) && chunk(k).noun.kind == NounKind::kObject && !lies_there(k))
     fronted_.clear();
   // "each", "one": speaks of things that are there already.
   for (const int link : fronted_) {
@@ -77,9 +77,13 @@ void DocumentReader::place_reference(std::size_t k, int mention) {
   link.last = chunk(k).last;
   last_reference_ = static_cast<int>(k);
   if (noun_of(mention).kind == NounKind::kWall) last_wall_ = mention;
+  const NounKind place = noun_of(mention).kind;
+  const bool of_room = place == NounKind::kWall || place == NounKind::kCorner || place == NounKind::kCeiling;
+  const int chained = of_room ? reference_link_ : -1;
   const bool is_fronted = contains(fronted_, reference_link_) || reference_link_ == held_for_with_ || link.gap;
   if (!is_fronted && link.references.size() == 1) {
-    link.targets = targets_for(link.senses, Direction::kDirect, noun_of(mention), after_participle_, mention);
+    link.targets = chained_targets(link, mention);
+    if (link.targets.empty()) link.targets = targets_for(link.senses, Direction::kDirect, noun_of(mention), after_participle_, mention);
     for (const int target : link.targets) {
       for (std::size_t r = 0; r < roots_.size(); ++r) {
         if (roots_[r] == target) root_modified_[r] = true;
@@ -123,6 +127,22 @@ void DocumentReader::place_reference(std::size_t k, int mention) {
     }
   }
   if (is_thing(mention) && !is_fronted) chain_.push_back(mention);
+  place_link_ = chained;
+  place_chunk_ = k;
+}
+
+// "a rack on the wall above the stove", "a lamp in the corner by the door": the second place is of the same thing.
+std::vector<int> DocumentReader::chained_targets(const Link& link, int reference) const {
+  if (place_link_ < 0 || joiner_before_relation_ != Joiner::kNone ||
+      previous(previous(static_cast<std::size_t>(last_reference_))) != place_chunk_)
+    return {};
+  const std::vector<int>& targets = document_.links[static_cast<std::size_t>(place_link_)].targets;
+  if (targets.empty() ||
+      document_.mentions[static_cast<std::size_t>(targets.front())].items == document_.mentions[static_cast<std::size_t>(reference)].items)
+    return {};
+  return choose_sense(lexicon_.catalog(), link.senses, Direction::kDirect, noun_of(targets.front()), noun_of(reference))
+             ? targets
+             : std::vector<int>{};
 }
 
 void DocumentReader::place_content(std::size_t k, int mention) {
@@ -199,7 +219,7 @@ bool DocumentReader::goes_on_with_contents(std::size_t k, const NounPhrase& noun
     // "a sink with a soap dispenser and a holder is next to it": the sink is.
     const bool host_waits = !frame.hosts.empty() && !roots_.empty() && frame.hosts.front() == roots_.back() && !frame.after_comma &&
                             link.kind == Link::Kind::kHave && subject_.empty() && !noun_of(roots_.back()).is_plural();
-    if (joiner_ == Joiner::kAnd && singular && host_waits && may_carry(lexicon_.catalog(), noun_of(roots_.back()), noun)) return true;
+    if (joiner_ == Joiner::kAnd && singular && host_waits && mount_of(noun) != Mount::kFloor) return true;
     return joiner_ == Joiner::kAnd && singular && noun.is_plural();
   }
   if (frame.hosts.empty()) return true;

@@ -249,7 +249,7 @@ std::vector<int> DocumentReader::unplaced(const std::vector<int>& all, int last,
   for (const int mention : all) {
     const bool placed = std::any_of(document_.links.begin() + static_cast<std::ptrdiff_t>(sentence_links_), document_.links.end(),
                                     [&](const Link& l) { return l.kind == Link::Kind::kRelation && contains(l.targets, mention); });
-    const bool fits = host < 0 || may_carry(lexicon_.catalog(), noun_of(host), noun_of(mention));
+    const bool fits = host < 0 || (!is_seat(lexicon_.catalog(), noun_of(mention)) && !is_table(lexicon_.catalog(), noun_of(mention)));
     if (mention == last || (!placed && fits)) free.push_back(mention);
   }
   return free;

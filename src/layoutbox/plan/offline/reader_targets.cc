@@ -187,6 +187,11 @@ int DocumentReader::implied_side_host(const PhraseSenses& senses, const std::vec
     }
     return false;
   };
+  // "with a microwave on top": of what has it.
+  if ((says(senses, RelationType::kOn) || says(senses, RelationType::kIn)) && !frames_.empty() && !frames_.back().room &&
+      frames_.back().link >= 0 && frames_.back().hosts.size() == 1 && targets.size() == 1 && is_thing(frames_.back().hosts.front()) &&
+      document_.links[static_cast<std::size_t>(frames_.back().link)].kind == Link::Kind::kHave && is_content(targets.front()))
+    return frames_.back().hosts.front();
   if (const int host = side ? fronted_host() : -1; host >= 0 && !own(host)) return host;  // "on the desk: a lamp on the left side"
   if (side && (joiner_before_relation_ == Joiner::kNone)) {
     for (std::size_t l = document_.links.size(); l-- > sentence_links_;) {

@@ -55,6 +55,14 @@ void RelationBuilder::add_single(const Link& link, PhraseSense sense, const Ment
       sense.type = R::kOn;
     }
   }
+  // "behind the desk a clock is mounted on the wall": above it where the desk itself stands against the wall.
+  if (sense.type == R::kBehind && mount_of(target.noun) == Mount::kWall && references.size() == 1) {
+    const std::vector<std::size_t>& all = relations_of(id(references.front()));
+    if (std::any_of(all.begin(), all.end(), [&](std::size_t r) {
+          return scene_.relations[r].type == R::kAgainstWall || scene_.relations[r].type == R::kCenteredOnWall;
+        }))
+      sense.type = R::kAbove;
+  }
   // "a glass in front of every chair": on the table where it stands.
   if (sense.type == R::kInFrontOf && mount_of(target.noun) == Mount::kSurface && is_seat(catalog_, noun_of_item(references.front()))) {
     std::size_t laid = 0;
