@@ -59,18 +59,21 @@ std::string counted(std::size_t count, std::string_view one, std::string_view ma
 }
 
 std::string singular_of(std::string_view word) {
-  static constexpr std::array<std::pair<std::string_view, std::string_view>, 22> kIrregular = {{
-      {"shelves", "shelf"},  {"bookshelves", "bookshelf"},
-      {"knives", "knife"},   {"loaves", "loaf"},
-      {"leaves", "leaf"},    {"scarves", "scarf"},
-      {"cookies", "cookie"}, {"movies", "movie"},
-      {"mice", "mouse"},     {"children", "child"},
-      {"people", "person"},  {"feet", "foot"},
-      {"men", "man"},        {"women", "woman"},
-      {"halves", "half"},    {"wolves", "wolf"},
-      {"wives", "wife"},     {"men's", "man"},
-      {"chaises", "chaise"}, {"vases", "vase"},
-      {"glasses", "glass"},  {"lenses", "lens"},
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 28> kIrregular = {{
+      {"shelves", "shelf"},   {"bookshelves", "bookshelf"},
+      {"knives", "knife"},    {"loaves", "loaf"},
+      {"leaves", "leaf"},     {"scarves", "scarf"},
+      {"cookies", "cookie"},  {"movies", "movie"},
+      {"mice", "mouse"},      {"children", "child"},
+      {"people", "person"},   {"feet", "foot"},
+      {"men", "man"},         {"women", "woman"},
+      {"halves", "half"},     {"wolves", "wolf"},
+      {"wives", "wife"},      {"men's", "man"},
+      {"chaises", "chaise"},  {"vases", "vase"},
+      {"glasses", "glass"},   {"lenses", "lens"},
+      {"canvases", "canvas"}, {"tomatoes", "tomato"},
+      {"potatoes", "potato"}, {"buses", "bus"},
+      {"cacti", "cactus"},    {"geese", "goose"},
   }};
   for (const auto& [plural, singular] : kIrregular) {
     if (word == plural) return std::string(singular);
@@ -103,7 +106,11 @@ std::vector<std::string> singular_forms(std::string_view word) {
     add(1, "");
   } else {
     add(1, "");
-    if (word.ends_with("es")) add(2, "");
+    // "tubes" are no tubs.
+    const auto stem_ends = [&](std::string_view end) { return word.substr(0, word.size() - 2).ends_with(end); };
+    if (word.ends_with("es") &&
+        (stem_ends("s") || stem_ends("x") || stem_ends("z") || stem_ends("ch") || stem_ends("sh") || stem_ends("o")))
+      add(2, "");
   }
   return forms;
 }

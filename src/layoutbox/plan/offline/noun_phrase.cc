@@ -151,6 +151,13 @@ std::optional<NounPhrase> NounPhraseReader::settle() {
     phrase_.kind = NounKind::kMember;
     return finish();
   }
+  // "a bear guards a safe": one bear, and what it does.
+  if (head > 1 && phrase_.determiner == Determiner::kIndefinite && phrase_.count == 0 && parts_[head - 1].plural &&
+      parts_[head - 1].word_class == Class::kFiller &&
+      (parts_[head - 2].word_class == Class::kObject ||
+       (parts_[head - 2].word_class == Class::kFiller && word_form(tokens_[parts_[head - 2].last - 1].text) == WordForm::kThing)) &&
+      !parts_[head - 2].plural)
+    --head;
   const Part part = parts_[head - 1];
   i_ = part.last;
   if (part.word_class == Class::kFiller) {

@@ -129,6 +129,7 @@ class DocumentReader {
   bool hang_ = false;       // a participle or verb of hanging waits for its place
   bool centering_ = false;  // "center the bed on the wall"
   int last_reference_ = -1;
+  int last_wall_said_ = -1;      // of the text
   int place_link_ = -1;          // the link whose reference was a place of the room …
   std::size_t place_chunk_ = 0;  // … and where that stands
   int owner_ = -1;

@@ -109,6 +109,18 @@ bool DocumentReader::take_all(std::size_t k) {
       if (is_thing(chain_[c]) && mention_at(chain_[c]).items != mention_at(things.front()).items) things.push_back(chain_[c]);
     }
   }
+  // "the crib is between the wardrobe and the dresser; all three …": also what it was placed by
+  if (noun.count > 0) {
+    std::size_t items = 0;
+    for (const int thing : things) items += mention_at(thing).items.size();
+    for (std::size_t m = document_.mentions.size(), looked = 0; m-- > 0 && looked < 8 && items < static_cast<std::size_t>(noun.count);
+         ++looked) {
+      const int mention = static_cast<int>(m);
+      if (!is_thing(mention) || !document_.mentions[m].introduces || contains(things, mention)) continue;
+      things.push_back(mention);
+      items += document_.mentions[m].items.size();
+    }
+  }
   if (!all && things.size() > 2) things.erase(things.begin(), things.end() - 2);
   if (things.empty()) return false;
   mark(k, WordReading::Use::kUsed, "reference");

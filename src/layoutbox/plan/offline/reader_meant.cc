@@ -78,6 +78,12 @@ int DocumentReader::meant_by_it(const std::vector<int>& targets) const {
     const int named = link.references.front();
     const Mention& mention = document_.mentions[static_cast<std::size_t>(named)];
     const bool again = mention.noun.determiner == Determiner::kDefinite && !mention.introduces && mention.items.size() == 1;
+    const auto at_side = [](const PhraseSenses& all) {
+      return says(all, RelationType::kLeftOf) || says(all, RelationType::kRightOf) || says(all, RelationType::kInFrontOf) ||
+             says(all, RelationType::kBehind);
+    };
+    if (again && at_side(link.senses) && at_side(*senses) && mention.noun.kind == NounKind::kObject && !contains(targets, named))
+      return named;
     const bool seats_round = mention.noun.kind == NounKind::kObject && (is_root(named) || was_root(named)) && !contains(targets, named);
     if (again && seats_round && !roots_.empty() && roots_.back() != meant) return named;
     break;
@@ -131,7 +137,7 @@ int DocumentReader::last_two(const std::vector<int>& targets) {
     if (is_thing(roots[r]) && !contains(targets, roots[r]) && noun_of(roots[r]).kind == NounKind::kObject)
       things.insert(things.begin(), roots[r]);
   }
-  if (things.size() < 2) return -1;
+  if (things.size() < 2) return just_related();
   Mention both = mention_at(things.front());
   both.introduces = both.distributes = false;
   for (const int item : mention_at(things.back()).items) {

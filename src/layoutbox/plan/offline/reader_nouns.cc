@@ -9,7 +9,7 @@ void DocumentReader::read_noun(std::size_t k) {
   using Use = WordReading::Use;
   if (k == passed_over_) return;
   if (const auto& object = chunk(k).noun.as_object;
-      object != nullptr && !expects_reference_ &&
+      object != nullptr && (!expects_reference_ || chunk(k).noun.determiner == Determiner::kIndefinite) &&
       (frames_.empty() || frames_.back().room || (joiner_ == Joiner::kNone && !expects_content_)))
     document_.chunks[k].noun = NounPhrase(*object);
   // "A craft brewery taproom has a bar": what nobody knows and has things, at the very beginning, is the room.
@@ -96,6 +96,17 @@ void DocumentReader::read_noun(std::size_t k) {
   } else if (noun.kind == NounKind::kMember) {
     if (expects_reference_ && other_side(k, {})) {
       mark(k, Use::kUsed, "the other side");
+      return;
+    }
+    // "the bed against the left wall, the desk against the right one"
+    if (expects_reference_ && last_wall_said_ >= 0 && !noun.wall_word.empty() && reference_link_ >= 0 &&
+        says(link_at(reference_link_).senses, RelationType::kAgainstWall)) {
+      NounPhrase wall = noun_of(last_wall_said_);
+      wall.wall_word = noun.wall_word;
+      wall.first = noun.first;
+      wall.last = noun.last;
+      mark(k, Use::kUsed, "wall");
+      read_place(k, references_.mention(wall, -1, true));
       return;
     }
     if (const int more = another_one(noun); more >= 0) {
@@ -266,9 +277,9 @@ int DocumentReader::group_meant(std::size_t k, const NounPhrase& noun) const {
 
 // Two single things of this sentence of which one was placed by the other, as one mention, or -1.
 int DocumentReader::just_related() {
-  for (std::size_t l = document_.links.size(); l-- > sentence_links_;) {
+  for (std::size_t l = document_.links.size(), looked = 0; l-- > 0 && looked < 6; ++looked) {
     const Link& link = document_.links[l];
-    if (link.targets.size() != 1 || link.references.size() != 1) continue;
+    if (link.kind != Link::Kind::kRelation || link.targets.size() != 1 || link.references.size() != 1) continue;
     const Mention &one = mention_at(link.targets.front()), &other = mention_at(link.references.front());
     if (one.items.size() != 1 || other.items.size() != 1 || one.items == other.items) continue;
     if (mount_of(one.noun) != Mount::kFloor || mount_of(other.noun) != Mount::kFloor) continue;

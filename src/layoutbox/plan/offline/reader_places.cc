@@ -31,7 +31,8 @@ void DocumentReader::place_root(std::size_t k, int mention) {
   if (!thing) return;
   // ", and a rug under the bed": has a place of its own.
   if ((joiner_ == Joiner::kComma || joiner_ == Joiner::kCommaAnd) && !fronted_.empty() && roots_.size() > clause_start_ + 1 &&
-      is(next(k), ChunkKind::kRelation) && chunk(k).noun.kind == NounKind::kObject && !lies_there(k))
+      (is(next(k), ChunkKind::kRelation) || (is(next(k), ChunkKind::kParticiple) && is(next(next(k)), ChunkKind::kRelation))) &&
+      chunk(k).noun.kind == NounKind::kObject && !lies_there(k))
     fronted_.clear();
   // "each", "one": speaks of things that are there already.
   for (const int link : fronted_) {
@@ -65,7 +66,8 @@ void DocumentReader::place_root(std::size_t k, int mention) {
 // "on the altar two candles and a bible in the middle": in the middle of the altar.
 bool DocumentReader::lies_there(std::size_t k) const {
   const std::size_t r = next(k);
-  if (fronted_.empty() || mount_of(chunk(k).noun) != Mount::kSurface || is(next(r), ChunkKind::kNoun)) return false;
+  const bool small = mount_of(chunk(k).noun) == Mount::kSurface || chunk(k).noun.entry == nullptr;
+  if (fronted_.empty() || !small || !is(r, ChunkKind::kRelation) || is(next(r), ChunkKind::kNoun)) return false;
   return says(document_.links[static_cast<std::size_t>(fronted_.front())].senses, RelationType::kOn) &&
          has_direction(*chunk(r).phrase.senses, Direction::kAlone);
 }
@@ -76,7 +78,7 @@ void DocumentReader::place_reference(std::size_t k, int mention) {
   link.references.push_back(mention);
   link.last = chunk(k).last;
   last_reference_ = static_cast<int>(k);
-  if (noun_of(mention).kind == NounKind::kWall) last_wall_ = mention;
+  if (noun_of(mention).kind == NounKind::kWall) last_wall_ = last_wall_said_ = mention;
   const NounKind place = noun_of(mention).kind;
   const bool of_room = place == NounKind::kWall || place == NounKind::kCorner || place == NounKind::kCeiling;
   const int chained = of_room ? reference_link_ : -1;
@@ -236,7 +238,8 @@ bool DocumentReader::goes_on_with_contents(std::size_t k, const NounPhrase& noun
   if (joiner_ == Joiner::kCommaAnd && link.kind == Link::Kind::kHave && !link.holding && link.targets.size() == 1) return false;
   // "each with a lamp and a chair", "a desk with a lamp and a chair"
   const bool last_of_list = joiner_ == Joiner::kAnd || (joiner_ == Joiner::kCommaAnd && link.targets.size() > 1);
-  const bool bare_and = last_of_list && !is(n, ChunkKind::kRelation) && !is(n, ChunkKind::kHave);
+  const bool each_other = is(n, ChunkKind::kRelation) && is(next(n), ChunkKind::kNoun) && chunk(next(n)).noun.reciprocal;
+  const bool bare_and = last_of_list && (!is(n, ChunkKind::kRelation) || each_other) && !is(n, ChunkKind::kHave);
   if (bare_and && (document_.mentions[static_cast<std::size_t>(frame.hosts.front())].distributes ||
                    (is_table(catalog, host) && is_seat(catalog, noun))))
     return true;

@@ -11,6 +11,14 @@ void DocumentReader::read_relation(std::size_t k) {
     mark(k, WordReading::Use::kIgnored, "purpose");
     return;
   }
+  // "no chairs in the room": where they are not.
+  if (negated_ && joiner_ == Joiner::kNone && is(previous(k), ChunkKind::kNoun) && is(next(k), ChunkKind::kNoun)) {
+    mark(k, WordReading::Use::kIgnored, "not wanted");
+    mark(next(k), WordReading::Use::kIgnored, "not wanted");
+    if (chunk(next(k)).noun.kind == NounKind::kRoom) document_.rooms.push_back(chunk(next(k)).noun);
+    passed_until_ = next(k) + 1;
+    return;
+  }
   mark(k, WordReading::Use::kUsed, "relation");
   if (read_relative_place(k)) return;
   joiner_before_relation_ = joiner_;
@@ -177,9 +185,15 @@ void DocumentReader::read_relation(std::size_t k) {
   const bool group_only = std::all_of(link.senses.begin(), link.senses.end(),
                                       [](const PhraseSense& s) { return relation_row(s.type).arity == RelationArity::kNone; });
   std::vector<int> targets;
+  bool all_in_row = false;
   if (!chain_.empty()) {
     int target = chain_.back();
     const bool apart = joiner_ != Joiner::kNone;
+    // "a low table with a vase between them": the table is.
+    if (says(link.senses, RelationType::kBetween) && is_content(target) && is_thing(chain_.front()) &&
+        may_carry(lexicon_.catalog(), noun_of(chain_.front()), noun_of(target)) && mention_at(chain_.front()).items.size() == 1 &&
+        is_root(chain_.front()))
+      target = chain_.front();
     const bool verb_before = is(before, ChunkKind::kVerb);
     if (apart || verb_before) target = chain_.front();
     // "a lamp on the nightstand to the left": the new thing, not the one that was there.
@@ -198,9 +212,17 @@ void DocumentReader::read_relation(std::size_t k) {
         if (score > best) best = score, target = chain_[c];
       }
     }
+    // "a fridge, a stove and a sink in a row": all of them.
+    if (says(link.senses, RelationType::kRow) && is_thing(target) && mention_at(target).items.size() == 1 && is_root(target)) {
+      for (std::size_t r = clause_start_; r < roots_.size(); ++r) {
+        if (is_thing(roots_[r])) targets.push_back(roots_[r]);
+      }
+    }
     const bool lies = says(link.senses, RelationType::kOn) || says(link.senses, RelationType::kIn);
     const int host = lies && is_thing(target) ? implied_side_host(link.senses, {target}) : -1;
-    if (is_thing(target))
+    if (targets.size() > 1)
+      all_in_row = true;
+    else if (is_thing(target))
       targets = joined_with(target, after_participle_, group_only && says(link.senses, RelationType::kCenterOfRoom),
                             host >= 0 ? &noun_of(host) : nullptr);
     // "cups and sodas on top": all that the host has.
@@ -240,6 +262,7 @@ void DocumentReader::read_relation(std::size_t k) {
   const bool one_side = link.one_side;
   const int added = add_link(std::move(link));
   if (one_side) one_side_link_ = added;
+  if (all_in_row) place_link_ = added, place_chunk_ = k;  // "… along the wall"
   joiner_ = Joiner::kNone;
 }
 

@@ -67,7 +67,9 @@ void RelationBuilder::add_between(const Link& link, const std::vector<int>& targ
 
 bool RelationBuilder::lie_on(const std::vector<int>& items, int host) const {
   const NounPhrase& carrier = noun_of_item(host);
-  if (mount_of(carrier) != Mount::kFloor || one_of(carrier.head, {"bed", "sofa", "couch", "loveseat", "daybed", "crib"})) return false;
+  if (mount_of(carrier) != Mount::kFloor || carrier.entry == nullptr || !carrier.entry->top_carries ||
+      one_of(carrier.head, {"bed", "sofa", "couch", "loveseat", "daybed", "crib"}))
+    return false;
   return std::all_of(items.begin(), items.end(), [&](int item) {
     return mount_of(noun_of_item(item)) == Mount::kSurface && may_carry(catalog_, carrier, noun_of_item(item));
   });
@@ -99,6 +101,17 @@ void RelationBuilder::add_group(const Link& link, PhraseSense sense, const std::
       PhraseSense on{R::kOn, Direction::kDirect, t % 2 == 0 ? "left" : "right", {}, {}};
       if (targets.size() > 2) on.part.clear();
       add(link, R::kOn, {id(targets[t])}, {id(references.front())}, on);
+    }
+    return;
+  }
+  // "two chairs, one at each end" of a table
+  if (sense.type == R::kEachSideOf && references.size() == 1 && targets.size() == 2 && is_seat(catalog_, noun_of_item(targets.front())) &&
+      is_table(catalog_, noun_of_item(references.front())) &&
+      words_between(document_, link.first, link.last).find("end") != std::string::npos) {
+    const PhraseSense along{R::kAlongSide, Direction::kDirect, {}, {}, Side::kShort};
+    for (const int seat : targets) {
+      add(link, along.type, {id(seat)}, {id(references.front())}, along);
+      add_look(link, along.type, seat, references.front());
     }
     return;
   }

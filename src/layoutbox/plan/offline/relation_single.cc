@@ -50,11 +50,15 @@ void RelationBuilder::add_single(const Link& link, PhraseSense sense, const Ment
     const bool side_of = words.find("side") != std::string::npos || words.find("on the ") != std::string::npos;
     const bool lies = one_of(host.head, {"bed", "sofa", "couch", "loveseat", "armchair"});
     const bool carries = !lies && may_carry(catalog_, host, target.noun);
-    if (side_of && carries && mount_of(target.noun) == Mount::kSurface && mount_of(host) != Mount::kSurface) {
+    if (side_of && carries && (mount_of(target.noun) == Mount::kSurface || target.noun.entry == nullptr) &&
+        mount_of(host) != Mount::kSurface) {
       sense.part = sense.type == R::kLeftOf ? "left" : "right";
       sense.type = R::kOn;
     }
   }
+  if (sense.type == R::kOpposite && mount_of(target.noun) == Mount::kSurface && document_.tokens[link.first].text == "across" &&
+      link.last - link.first <= 3 && mount_of(noun_of_item(references.front())) == Mount::kFloor && !link.implied)
+    sense.type = R::kOn;  // "a tray across the tub"
   // "behind the desk a clock is mounted on the wall": above it where the desk itself stands against the wall.
   if (sense.type == R::kBehind && mount_of(target.noun) == Mount::kWall && references.size() == 1) {
     const std::vector<std::size_t>& all = relations_of(id(references.front()));
