@@ -133,4 +133,9 @@ std::vector<Space> spaces_at(const CatalogEntry& entry, const Size& size) {
   return spaces;
 }
 
+bool is_table_seat(const CatalogEntry& entry) {
+  const std::string& family = entry.shape.family;
+  return family == "chair" || family == "office_chair" || family == "stool";
+}
+
 }  // namespace layoutbox

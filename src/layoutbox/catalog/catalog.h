@@ -72,6 +72,9 @@ struct CatalogEntry {
   std::vector<std::string> article_attributes;  // colour, style…
 };
 
+// Chairs and stools that one sits on at tables, desks and counters.
+bool is_table_seat(const CatalogEntry& entry);
+
 // The usual furniture and size of a kind of room.
 struct RoomKind {
   std::string id, name;  // "living_room", "living room"

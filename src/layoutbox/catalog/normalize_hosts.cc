@@ -12,11 +12,13 @@ namespace {
 
 constexpr Mm kGap = 20;         // between things that stand side by side
 constexpr Mm kSeatWidth = 620;  // of a table's edge that one person needs
+constexpr Mm kElbows = 60;      // between seats at a counter
 constexpr int kSteps = 10;      // from the usual size to the greatest
 
 struct Contents {
   std::vector<Size> on_top, inside;
   int around = 0, along = 0;  // seats
+  Mm front = 0;               // width of the seats before it
 };
 
 // Whether the things find room in rows on a plane, the deepest first; `planes` of the same size may be used.
@@ -56,7 +58,7 @@ bool holds(const CatalogEntry& entry, const SceneObject& host, const Size& size,
     if (!fit_in_rows(inside, width, depth, static_cast<int>(carrying.size()))) return false;
   }
   const double edge = is_round(host) ? std::numbers::pi * size.width : 2.0 * (size.width + size.depth);
-  return edge >= 1.0 * contents.around * kSeatWidth && size.width >= (contents.along + 1) / 2 * kSeatWidth;
+  return edge >= 1.0 * contents.around * kSeatWidth && size.width >= contents.front && size.width >= (contents.along + 1) / 2 * kSeatWidth;
 }
 
 Mm between(Mm from, Mm to, int step) { return from + (to - from) * step / kSteps; }
@@ -72,11 +74,43 @@ Size size_that_holds(const CatalogEntry& entry, const SceneObject& host, const C
   return size;
 }
 
+using ById = std::map<std::string, const SceneObject*>;
+
+Mm seat_width(const Catalog& catalog, const ById& by_id, const std::vector<std::string>& ids) {
+  Mm width = 0;
+  for (const std::string& id : ids) {
+    const auto seat = by_id.find(id);
+    if (seat == by_id.end() || !seat->second->size || !is_table_seat(catalog.entry_or_nearest(seat->second->category))) continue;
+    width += seat->second->size->usual.width + kElbows;
+  }
+  return width;
+}
+
+// Seats that no relation places go to the only thing of the kind they usually stand by: bar stools to the island.
+void share_out_seats(const NormalizeContext& context, std::map<std::string, Contents>& hosts, const ById& by_id) {
+  const SceneGraph& scene = context.scene;
+  std::map<std::string, Mm> widths;
+  for (const SceneObject& seat : scene.objects) {
+    const CatalogEntry& entry = context.catalog.entry_or_nearest(seat.category);
+    const bool placed =
+        std::ranges::any_of(scene.relations, [&](const Relation& r) { return std::ranges::find(r.targets, seat.id) != r.targets.end(); });
+    if (placed || !is_table_seat(entry)) continue;
+    for (const std::string& kind : entry.beside) {
+      const auto host = std::ranges::find(scene.objects, kind, &SceneObject::category);
+      if (host == scene.objects.end()) continue;
+      const bool only = std::ranges::count(scene.objects, kind, &SceneObject::category) == 1;
+      if (only && context.catalog.entry_or_nearest(kind).has_front) widths[host->id] += seat_width(context.catalog, by_id, {seat.id});
+      break;
+    }
+  }
+  for (const auto& [host, width] : widths) hosts[host].front += width;
+}
+
 }  // namespace
 
 void normalize_hosts(NormalizeContext& context) {
   SceneGraph& scene = context.scene;
-  std::map<std::string, const SceneObject*> by_id;
+  ById by_id;
   for (const SceneObject& object : scene.objects) by_id.emplace(object.id, &object);
   std::map<std::string, Contents> hosts;
   for (const Relation& relation : scene.relations) {
@@ -85,6 +119,7 @@ void normalize_hosts(NormalizeContext& context) {
     const int seats = static_cast<int>(relation.targets.size());
     if (relation.type == RelationType::kAround || relation.type == RelationType::kSurround) contents.around += seats;
     if (relation.type == RelationType::kAlongSide && relation.parameters.side.value_or(Side::kLong) == Side::kLong) contents.along += seats;
+    if (relation.type == RelationType::kInFrontOf) contents.front += seat_width(context.catalog, by_id, relation.targets);
     const bool on = relation.type == RelationType::kOn, in = relation.type == RelationType::kIn;
     for (const std::string& target : relation.targets) {
       const auto thing = by_id.find(target);
@@ -92,6 +127,7 @@ void normalize_hosts(NormalizeContext& context) {
       (on ? contents.on_top : contents.inside).push_back(thing->second->size->usual);
     }
   }
+  share_out_seats(context, hosts, by_id);
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     SceneObject& host = scene.objects[i];
     const auto found = hosts.find(host.id);

@@ -14,6 +14,9 @@ constexpr Mm kSmallestRoom = 500, kLargestRoom = 100'000, kLowestRoom = 500, kHi
 constexpr Size kOrdinaryRoom{4000, 3500, 2600};
 // Furniture that stands on the floor of a room whose size is ours to choose covers at most this share of it.
 constexpr double kMostCovered = 0.32;
+// The same with the free floor that the catalogue wants at its sides; neighbours may share some of that.
+constexpr double kMostUsed = 0.58;
+constexpr Point kGridWay{350, 850};  // free between the columns and rows of a grid
 
 struct SizeWordFactor {
   std::string_view word;
@@ -37,6 +40,16 @@ std::vector<Point> outline(std::string_view shape, Mm w, Mm d) {
 double share_of_box(std::string_view shape) {
   constexpr Mm kUnit = 60'000;
   return static_cast<double>(doubled_area(outline(shape, kUnit, kUnit))) / 2.0 / (double{kUnit} * kUnit);
+}
+
+// Of the strips that the catalogue wants free at its sides, mm².
+double wanted_floor(const CatalogEntry& entry, const Size& size) {
+  double area = 0;
+  for (const auto& [side, depth] : entry.clearance) {
+    const bool long_side = side == Side::kFront || side == Side::kBack;
+    area += double(long_side ? size.width : size.depth) * depth;
+  }
+  return area;
 }
 
 class RoomNormalizer {
@@ -138,14 +151,24 @@ class RoomNormalizer {
 
   // By how much both sides must grow so that the floor holds what stands on it, and the longest piece fits along a wall.
   double growth(double area, double longest_side) const {
-    double covered = 0, longest = 0;
+    double covered = 0, used = 0, longest = 0;
     for (const SceneObject& object : context_.scene.objects) {
-      if (object.mount != Mount::kFloor || !object.size || context_.catalog.entry_or_nearest(object.category).thin) continue;
+      const CatalogEntry& entry = context_.catalog.entry_or_nearest(object.category);
+      if (object.mount != Mount::kFloor || !object.size || entry.thin) continue;
       const Size& size = object.size->usual;
       covered += double(size.width) * size.depth;
+      used += stands_in_grid(object.id) ? double(size.width + kGridWay.x) * (size.depth + kGridWay.y)
+                                        : double(size.width) * size.depth + wanted_floor(entry, size);
       longest = std::max({longest, double(size.width), double(size.depth)});
     }
-    return std::max({1.0, std::sqrt(covered / kMostCovered / area), (longest + 600) / longest_side, span_wanted() / longest_side});
+    return std::max({1.0, std::sqrt(covered / kMostCovered / area), std::sqrt(used / kMostUsed / area), (longest + 600) / longest_side,
+                     span_wanted() / longest_side});
+  }
+
+  bool stands_in_grid(const std::string& id) const {
+    return std::ranges::any_of(context_.scene.relations, [&](const Relation& r) {
+      return r.type == RelationType::kGrid && std::ranges::find(r.targets, id) != r.targets.end();
+    });
   }
 
   // The longer side that distances ask for: "far from the door", "across from the table in the middle".

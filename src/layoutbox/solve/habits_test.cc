@@ -1,6 +1,7 @@
 // Rooms in which nobody said where things stand: what a person would expect of them.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -122,6 +123,61 @@ TEST(Habits, ACrowdThatLooksOneWayStandsInRows) {
   const Layout layout = solved(maker.make(true));
   EXPECT_EQ(layout.stats.solver.find("cp-sat"), std::string::npos) << "found by search";
   for (const PlacedRelation& r : layout.relations) EXPECT_TRUE(r.held || !r.relation.hard) << r.relation.id;
+}
+
+TEST(Habits, TwinBedsStandSideBySideWithTheNightstandBetween) {
+  const Layout layout = solved(SceneMaker(5200, 4700)
+                                   .add("single_bed", 2)
+                                   .add("nightstand")
+                                   .add("wardrobe")
+                                   .relate("between", {"nightstand_1"}, {"single_bed_1", "single_bed_2"})
+                                   .make(true));
+  const PlacedObject &one = object(layout, "single_bed_1"), &two = object(layout, "single_bed_2");
+  EXPECT_EQ(one.rotation_deg, two.rotation_deg);
+  const Point seen = seen_from(one, two);
+  EXPECT_NEAR(seen.y, 0, 60) << "heads in line";
+  EXPECT_LT(std::abs(seen.x) - one.size.width, 900) << "no farther apart than the nightstand needs";
+}
+
+TEST(Habits, StoolsShareOutTheWidthOfTheCounterTheyStandBefore) {
+  SceneMaker maker = SceneMaker(6000, 5000).add("bar_counter").add("bar_stool", 4);
+  for (int i = 1; i <= 4; ++i) maker.relate("inFrontOf", {"bar_stool_" + std::to_string(i)}, {"bar_counter_1"});
+  const Layout layout = solved(maker.make(true));
+  const PlacedObject& bar = object(layout, "bar_counter_1");
+  std::vector<Mm> along;
+  for (int i = 1; i <= 4; ++i) {
+    const PlacedObject& stool = object(layout, "bar_stool_" + std::to_string(i));
+    const Point seen = seen_from(bar, stool);
+    along.push_back(seen.x);
+    EXPECT_LT(-seen.y - (bar.size.depth + stool.size.depth) / 2, 120) << "within reach of the counter";
+  }
+  std::sort(along.begin(), along.end());
+  for (std::size_t i = 1; i < along.size(); ++i) EXPECT_NEAR(along[i] - along[i - 1], bar.size.width / 4.0, 40);
+}
+
+TEST(Habits, ChairsToldToStandAtTheWallsStandCloseToThem) {
+  SceneMaker maker = SceneMaker(6000, 5000).add("chair", 6).add("desk");
+  for (int i = 1; i <= 6; ++i) maker.relate("againstWall", {"chair_" + std::to_string(i)}, {});
+  const Layout layout = solved(maker.make(true));
+  for (int i = 1; i <= 6; ++i) {
+    const PlacedObject& chair = object(layout, "chair_" + std::to_string(i));
+    const double x = chair.position[0], y = chair.position[1];
+    EXPECT_LT(std::min({x, y, 6000 - x, 5000 - y}) - chair.size.depth / 2.0, 60) << chair.id;
+  }
+}
+
+TEST(Habits, KitchenUnitsStandInOneRun) {
+  const Layout layout = solved(SceneMaker(5000, 4000).add("fridge").add("stove").add("kitchen_sink").add("dishwasher").make(true));
+  std::vector<std::string> ids{"fridge_1", "stove_1", "kitchen_sink_1", "dishwasher_1"};
+  for (const std::string& id : ids) {
+    double nearest = 1e9;
+    for (const std::string& other : ids) {
+      if (other == id) continue;
+      const Point seen = seen_from(object(layout, id), object(layout, other));
+      nearest = std::min(nearest, std::abs(seen.x) - (object(layout, id).size.width + object(layout, other).size.width) / 2.0);
+    }
+    EXPECT_LT(nearest, 100) << id << " has a neighbour";
+  }
 }
 
 TEST(Habits, WhatTheClockCutsShortIsALayoutAllTheSame) {

@@ -1,6 +1,7 @@
 #include "layoutbox/solve/items.h"
 
 #include <cmath>
+#include <map>
 
 #include "layoutbox/solve/guide.h"
 
@@ -43,8 +44,22 @@ Box box_of_space(const Space& space, const Box& own) {
   return box;
 }
 
-State make_state(const SceneObject& object, const CatalogEntry& entry, const Size& size, int step, double turn,
-                 std::vector<ItemSpace>* describe) {
+// The floor that its use wants free, less what words give to something else: the back of a chair told to stand at a wall, a counter's
+// front told to have stools.
+std::map<Side, Mm> wanted_floor(const SceneGraph& scene, const SceneObject& object, const CatalogEntry& entry, const Catalog& catalog) {
+  std::map<Side, Mm> wanted = entry.clearance;
+  for (const Relation& r : scene.relations) {
+    const auto names = [&](const std::vector<std::string>& ids) { return std::find(ids.begin(), ids.end(), object.id) != ids.end(); };
+    if ((r.type == RelationType::kAgainstWall || r.type == RelationType::kCorner) && names(r.targets)) wanted.erase(Side::kBack);
+    if (r.type != RelationType::kInFrontOf || !names(r.references)) continue;
+    const SceneObject* seat = r.targets.empty() ? nullptr : scene.find_object(r.targets.front());
+    if (seat && is_table_seat(catalog.entry_or_nearest(seat->category))) wanted.erase(Side::kFront);
+  }
+  return wanted;
+}
+
+State make_state(const SceneObject& object, const CatalogEntry& entry, const std::map<Side, Mm>& wanted, const Size& size, int step,
+                 double turn, std::vector<ItemSpace>* describe) {
   State state;
   state.turn = nearest_turn(turn), state.angle = turn, state.size_step = step, state.size = size;
   const Box own = own_box(size);
@@ -70,7 +85,7 @@ State make_state(const SceneObject& object, const CatalogEntry& entry, const Siz
   for (const Side side : used) {
     if (!is_not_in_plan(side)) state.strips.push_back(in_turned(own, beside(own, side, kStripGap, kStripGap + kStripDepth, 1800), turn));
   }
-  for (const auto& [side, depth] : entry.clearance) {
+  for (const auto& [side, depth] : wanted) {
     if (!is_not_in_plan(side) && depth > 0) state.wanted.push_back(in_turned(own, beside(own, side, 0, depth, 1800), turn));
   }
   return state;
@@ -217,10 +232,11 @@ Item object_item(const SceneGraph& scene, const SceneObject& object, const Catal
   std::vector<double> angles(turns.begin(), turns.end());
   add_turns_at_walls(item, walls, angles);
   while (sizes.size() > 1 && sizes.size() * angles.size() > kMostStates) sizes.pop_back();
+  const std::map<Side, Mm> wanted = wanted_floor(scene, object, *item.entry, catalog);
   for (const auto& [size, step] : sizes) {
     for (const double turn : angles) {
       const bool first = item.states.empty();
-      item.states.push_back(make_state(object, *item.entry, size, step, turn, first ? &item.spaces : nullptr));
+      item.states.push_back(make_state(object, *item.entry, wanted, size, step, turn, first ? &item.spaces : nullptr));
     }
   }
   note_odd_states(item);

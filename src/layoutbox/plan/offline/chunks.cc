@@ -149,6 +149,9 @@ bool Chunker::read_words(const PhraseMatch& phrase, std::size_t without) {
     // "on opposite walls"
     if (noun && noun->kind == NounKind::kWall && best.kind == ChunkKind::kRelation && before == ChunkKind::kRelation)
       return read_noun(true);
+    // "Waiting room with eight chairs", "Meeting room for ten".
+    if (noun && noun->kind == NounKind::kRoom && noun->room != nullptr && noun->last > i_ + best.length && clause_begins())
+      return read_noun(true);
     if (noun && noun->kind == NounKind::kObject && noun->last > i_ + best.length && noun->entry != nullptr) {
       const bool verb_first = (best.kind == ChunkKind::kParticiple || best.kind == ChunkKind::kVerb || best.kind == ChunkKind::kCommand ||
                                best.kind == ChunkKind::kHave) &&

@@ -60,6 +60,7 @@ class OfflinePlanner final : public Planner {
     Document document;
     document.prompt = std::string(prompt);
     document.tokens = tokenize(prompt);
+    end_last_sentence(document);
     correct_spelling(lexicon_, document.tokens);
     if (std::none_of(document.tokens.begin(), document.tokens.end(), [](const Token& t) { return t.kind != Token::Kind::kPunctuation; })) {
       return fail(ErrorCode::kEmpty, "there is nothing in the prompt", {},
@@ -98,6 +99,16 @@ class OfflinePlanner final : public Planner {
   }
 
  private:
+  // What stops without a full stop reads as if it had one.
+  static void end_last_sentence(Document& document) {
+    if (document.tokens.empty() || document.tokens.back().kind == Token::Kind::kPunctuation) return;
+    Token& stop = document.tokens.emplace_back();
+    stop.kind = Token::Kind::kPunctuation;
+    stop.text = ".";
+    stop.begin = stop.end = document.prompt.size();
+    stop.ends_sentence = true;
+  }
+
   // Takes the words that said the room's size out of the text: the rest reads as if they were not there.
   static std::vector<WordReading> take_out(Document& document, const std::vector<bool>& taken) {
     std::vector<WordReading> readings;

@@ -35,6 +35,9 @@ TEST_F(OfflinePlannerTest, ReadsRoomSizesInTheirUsualForms) {
     EXPECT_EQ(read.room.height, 3000) << text;
     EXPECT_EQ(read.objects.size(), 1u) << text;
   }
+  // A size that no such thing has is the room's; one that it may have is its own.
+  EXPECT_EQ(scene("A student room with a desk and a bookshelf, 3 x 4 m.").room.polygon, rectangle(3, 4));
+  EXPECT_TRUE(scene("A living room with a sofa and a rug, 2 x 3 m.").room.polygon.empty());
   EXPECT_EQ(scene("A room 12 by 14 feet with a bed.").room.polygon, rectangle(3.658, 4.267));
   EXPECT_NEAR(scene("A bedroom of 20 m² with a bed.").room.area_m2.value_or(0), 20, 1e-9);
   EXPECT_NEAR(scene("A bedroom of 20 square meters with a bed.").room.area_m2.value_or(0), 20, 1e-9);
@@ -45,6 +48,13 @@ TEST_F(OfflinePlannerTest, KnowsTheKindOfRoom) {
   EXPECT_EQ(scene("Design Bedroom (4.0 × 3.2 × 3.0 m). Place the bed centred on the back wall.").room.type, "bedroom");
   EXPECT_EQ(scene("In this bathroom, a vanity stands against the wall.").room.type, "bathroom");
   EXPECT_EQ(scene("A cozy living room with a sofa.").room.type, "living_room");
+  EXPECT_EQ(scene("Waiting room with eight chairs").room.type, "waiting_room");
+  EXPECT_EQ(scene("Meeting room for ten: long table, ten chairs.").room.type, "conference_room");
+}
+
+TEST_F(OfflinePlannerTest, TheLastSentenceNeedsNoFullStop) {
+  EXPECT_EQ(scene("Two tables with three chairs each").objects.size(), 8);
+  EXPECT_EQ(scene("Two tables with three chairs each.").objects.size(), 8);
 }
 
 TEST_F(OfflinePlannerTest, PutsDoorsAndWindowsWhereTheTextSays) {

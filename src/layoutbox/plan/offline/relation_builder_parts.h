@@ -60,6 +60,7 @@ class RelationBuilder {
   void add_between(const Link& link, const std::vector<int>& targets);
   // Small things that stand on the host wherever they are said to be by it.
   bool lie_on(const std::vector<int>& items, int host) const;
+  bool seats_one_side(const Link& link, int seat, int host) const;
   void add_group(const Link& link, PhraseSense sense, const std::vector<int>& targets, const std::vector<int>& references,
                  const Mention* place);
   void add_single(const Link& link, PhraseSense sense, const Mention& target, const std::vector<int>& references, const Mention* place);

@@ -75,6 +75,15 @@ bool RelationBuilder::lie_on(const std::vector<int>& items, int host) const {
   });
 }
 
+// Stools at a bar, a counter or an island stand in a row before it, unless the words say that they go round it.
+bool RelationBuilder::seats_one_side(const Link& link, int seat, int host) const {
+  const CatalogEntry* entry = noun_of_item(host).entry;
+  if (entry == nullptr || !entry->has_front || !is_seat(catalog_, noun_of_item(seat))) return false;
+  const bool counter = catalog_.is_a(entry->id, "counter") || entry->shape.family == "counter";
+  const std::string words = words_between(document_, link.first, link.last);
+  return counter && words.find("around") == std::string::npos && words.find("surround") == std::string::npos;
+}
+
 void RelationBuilder::add_group(const Link& link, PhraseSense sense, const std::vector<int>& targets, const std::vector<int>& references,
                                 const Mention* place) {
   if (sense.type == R::kCenterOfRoom) {
@@ -85,6 +94,14 @@ void RelationBuilder::add_group(const Link& link, PhraseSense sense, const std::
     if (!flat.empty()) add(link, sense.type, ids(flat), {}, sense);
     if (!standing.empty()) add(link, sense.type, ids(standing), {}, sense);
     if (flat.size() == 1 && standing.size() == 1) add(link, R::kUnder, ids(flat), ids(standing));
+    return;
+  }
+  if (sense.type == R::kAround && !references.empty() && seats_one_side(link, targets.front(), references.front())) {
+    for (std::size_t t = 0; t < targets.size(); ++t) {
+      const std::string& host = id(references[t % references.size()]);
+      add(link, R::kInFrontOf, {id(targets[t])}, {host});
+      add(link, R::kFacing, {id(targets[t])}, {host});
+    }
     return;
   }
   if (sense.type == R::kAround && !references.empty()) {

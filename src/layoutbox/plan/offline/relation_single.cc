@@ -143,7 +143,10 @@ void RelationBuilder::add_single(const Link& link, PhraseSense sense, const Ment
       add_look(link, sense.type, item, references[n > 1 ? r : 0]);
     } else {
       for (const int reference : references) {
-        add(link, sense.type, {id(item)}, {id(reference)}, sense);
+        // Nothing is straight opposite two beds that stand side by side; it is across from both.
+        Link one = link;
+        one.soft |= sense.type == R::kOpposite && reference != references.front();
+        add(one, sense.type, {id(item)}, {id(reference)}, sense);
         if (sense.type == R::kOpposite) add_across(link, item, {id(reference)});
       }
       add_look(link, sense.type, item, references.front());

@@ -47,7 +47,8 @@ class SizeReader {
   }
 
   // Whether a size at [first, last) is the room's: a room follows, or is the last thing that was named before it.
-  bool speaks_of_room(std::size_t first, std::size_t last) const {
+  // `sides`: what it says, in metres; what is far too large for a thing is no size of that ("a desk and a bookshelf, 3 x 4 m").
+  bool speaks_of_room(std::size_t first, std::size_t last, const std::vector<double>& sides = {}) const {
     for (std::size_t i = last; i < std::min(last + 4, tokens_.size()); ++i) {
       if (tokens_[i].kind == Token::Kind::kPunctuation) break;
       const Match match = lexicon_.find(tokens_, i);
@@ -59,9 +60,19 @@ class SizeReader {
       if (tokens_[i].ends_sentence) break;
       const Match match = lexicon_.find(tokens_, i);
       if (has_class(match, Class::kRoom) || has_class(match, Class::kRoomNoun)) return true;
-      if (has_class(match, Class::kObject)) return false;
+      if (has_class(match, Class::kObject) && !beyond(match, sides)) return false;
     }
     return first < 12;
+  }
+
+  // Do the first two sides make several times the floor that the largest such thing takes?
+  static bool beyond(const Match& match, const std::vector<double>& sides) {
+    constexpr double kTimes = 2.5;
+    return sides.size() >= 2 && std::all_of(match.meanings.begin(), match.meanings.end(), [&](const Meaning& m) {
+             if (m.word_class != Class::kObject || m.entry == nullptr) return true;
+             const Size& most = m.entry->size.greatest;
+             return sides[0] * sides[1] > kTimes * m_from_mm(most.width) * m_from_mm(most.depth);
+           });
   }
 
   std::size_t read_product(std::size_t at) {
@@ -98,11 +109,12 @@ class SizeReader {
         break;
       }
     }
-    if (values.size() < 2 || !speaks_of_room(at, i)) return 0;
+    if (values.size() < 2) return 0;
     if (unit == 0) unit = *std::max_element(values.begin(), values.end()) > 20 ? 0.3048 : 1.0;
     for (std::size_t v = 0; v < values.size(); ++v) {
       if (!united[v]) values[v] *= unit;
     }
+    if (!speaks_of_room(at, i, values)) return 0;
     const auto impossible = [](double side) { return side == 0 || side > kLongestSide; };
     size_.impossible = size_.impossible || std::any_of(values.begin(), values.end(), impossible);
     if (values[0] < 0.8 || values[1] < 0.8) return 0;

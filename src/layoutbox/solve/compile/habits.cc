@@ -35,6 +35,8 @@ void Habits::stand(int index) {
   if (!with_host || !is_table_seat(item)) look_at(index);
   if (item.entry->back_to_wall) {
     back_to_wall(index);
+    stand_in_run(index);
+    stand_as_twin(index);
   } else if (!with_host && !placed_by_relation(index)) {
     if (used_sides(item).size() >= 4) {
       stand_in_middle(index);
@@ -42,6 +44,7 @@ void Habits::stand(int index) {
       stand_at_wall(index);
     }
   }
+  if (!item.entry->back_to_wall && has_family(item, {"counter"})) open_to_room(index);
   if (model_.is_a(index, "desk")) near_light(index);
 }
 
@@ -93,6 +96,14 @@ bool Habits::only_related_by(int a, int b, std::initializer_list<RelationType> t
   return std::none_of(model_.scene->relations.begin(), model_.scene->relations.end(), [&](const Relation& r) {
     const bool both = (has(r.targets, x) && has(r.references, y)) || (has(r.targets, y) && has(r.references, x));
     return both && std::find(types.begin(), types.end(), r.type) == types.end();
+  });
+}
+
+bool Habits::related_as_target(int item, int reference, RelationType type) const {
+  const std::string &x = model_.items[item].id, &y = model_.items[reference].id;
+  return std::any_of(model_.scene->relations.begin(), model_.scene->relations.end(), [&](const Relation& r) {
+    return r.type == type && std::find(r.targets.begin(), r.targets.end(), x) != r.targets.end() &&
+           std::find(r.references.begin(), r.references.end(), y) != r.references.end();
   });
 }
 

@@ -20,7 +20,7 @@ inline bool has_family(const Item& item, std::initializer_list<std::string_view>
   return item.entry && std::find(families.begin(), families.end(), item.entry->shape.family) != families.end();
 }
 
-inline bool is_table_seat(const Item& item) { return has_family(item, {"chair", "office_chair", "stool"}); }
+inline bool is_table_seat(const Item& item) { return item.entry && is_table_seat(*item.entry); }
 inline bool is_easy_chair(const Item& item) { return has_family(item, {"armchair", "recliner"}); }
 
 inline std::int64_t area_of(const Item& item) { return std::int64_t{item.states[0].size.width} * item.states[0].size.depth; }
@@ -40,6 +40,7 @@ class Habits {
   int rank_of(int item) const;
   bool related(int a, int b) const;
   bool only_related_by(int a, int b, std::initializer_list<RelationType> types) const;
+  bool related_as_target(int item, int reference, RelationType type) const;
   bool placed_by_relation(int item) const;
   void sit_on_host(int item);
   int riders_of(int host) const;
@@ -50,6 +51,7 @@ class Habits {
   void back_to_wall(int item);
   void stand_at_wall(int item);
   void stand_in_middle(int item);
+  void open_to_room(int item);
   void near_light(int item);
   void lie_under(int item);
   void lie_at_foot(int item, int bed);
@@ -64,6 +66,7 @@ class Habits {
 
   // Habits towards other things: beside, round, before and facing what they belong to.
   void come_near(int item, int host);
+  bool sit_in_row(int item, int host);
   bool stand_beside(int item);
   void sit_round_low_table(int item, int table);
   void stand_before_middle(int item, int host);
@@ -82,6 +85,9 @@ class Habits {
   bool placed_besides_facing(int item) const;
   void turn_as(int item, int other);
   bool stand_in_formation(int item);
+  void keep_off_faced(int item);
+  void stand_in_run(int item);
+  void stand_as_twin(int item);
 
   Model& model_;
 };

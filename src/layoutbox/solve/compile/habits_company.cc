@@ -12,6 +12,7 @@ void Habits::come_near(int item, int host) {
   const bool at_foot = only_related_by(item, host, {RelationType::kAtFootOf, RelationType::kParallel});
   const bool before =
       before_its_host(item) && ref.has_front && only_related_by(item, host, {RelationType::kInFrontOf, RelationType::kCenteredOn});
+  if (sit_in_row(item, host)) return;
   if (!at_desk && !at_foot && !before) return;
   Formula f;
   for_each_turn(ref, [&](int turn, std::uint64_t states) {
@@ -29,6 +30,25 @@ void Habits::come_near(int item, int host) {
   habit("near", item, kBeside, std::move(f), {host});
 }
 
+// Several seats before a counter or a long desk share its width out. False: it is the only one.
+bool Habits::sit_in_row(int item, int host) {
+  const std::initializer_list<RelationType> in_front{RelationType::kInFrontOf, RelationType::kFacing, RelationType::kCenteredOn};
+  if (!is_table_seat(model_.items[item]) || !model_.items[host].has_front) return false;
+  std::vector<int> seats;
+  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+    const int other = static_cast<int>(i);
+    if (model_.items[i].entry == model_.items[item].entry && related_as_target(other, host, RelationType::kInFrontOf) &&
+        only_related_by(other, host, in_front))
+      seats.push_back(other);
+  }
+  const auto k = std::find(seats.begin(), seats.end(), item) - seats.begin();
+  if (seats.size() < 2 || k == static_cast<std::ptrdiff_t>(seats.size())) return false;
+  Formula f;
+  add_seat_place(f, model_, item, host, static_cast<int>(k), static_cast<int>(seats.size()), kBeside);
+  habit("in a row before it", item, kBeside, std::move(f), {host});
+  return true;
+}
+
 // By one of the greater things it goes with: a seat at its table, a nightstand beside its bed, a table before its sofa.
 bool Habits::stand_beside(int item) {
   const Item& self = model_.items[item];
@@ -41,6 +61,7 @@ bool Habits::stand_beside(int item) {
       return true;
     }
   }
+  if (is_table_seat(self) && placed_besides_facing(item)) return false;  // told to stand elsewhere: chairs along the walls, in rows
   if (is_easy_chair(self)) {
     const std::vector<int> seen = items_of_kinds(self.entry->faces, item);
     const auto low_table = std::find_if(seen.begin(), seen.end(), [&](int i) { return model_.is_a(i, "coffee_table"); });

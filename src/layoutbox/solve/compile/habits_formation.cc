@@ -8,7 +8,10 @@ namespace layoutbox::placement {
 namespace {
 
 constexpr std::size_t kMany = 4;
-constexpr std::int64_t kManySize = 3'000'000;  // mm²: larger things are no crowd
+constexpr std::int64_t kManySize = 3'000'000;              // mm²: larger things are no crowd
+constexpr Mm kBeforeCrowd = 1000;                          // free before the first row, between it and what all look at
+constexpr Mm kTwinAir = 60;                                // between twins besides what stands there
+constexpr int kKeepOff = 300, kInRun = 250, kTwins = 300;  // points a metre
 
 }  // namespace
 
@@ -49,6 +52,67 @@ void Habits::turn_as(int item, int other) {
   habit("turned alike", item, kFaces, std::move(f), {other});
 }
 
+// What a crowd looks at stands clear of its first row.
+void Habits::keep_off_faced(int item) {
+  for (const Relation& r : model_.scene->relations) {
+    if (r.type != RelationType::kFacing || r.references.size() != 1 || !related_as_target(item, model_.find_item(r.references[0]), r.type))
+      continue;
+    const int faced = model_.find_item(r.references[0]);
+    if (faced < 0 || model_.items[faced].mount != Mount::kFloor) continue;
+    Formula f;
+    for (const int axis : {0, 1}) {
+      for (const int sign : {1, -1}) f.add().require(gap_towards(item, faced, {axis, sign}) - Linear(kBeforeCrowd));
+    }
+    habit("keeps off", item, kKeepOff, std::move(f), {faced});
+    return;
+  }
+}
+
+// Twins with something between them (beds and a nightstand) stand side by side, turned alike, as far apart as that needs.
+void Habits::stand_as_twin(int item) {
+  const Item& self = model_.items[item];
+  for (const Relation& r : model_.scene->relations) {
+    if (r.type != RelationType::kBetween || r.references.size() != 2 || r.targets.empty() || r.references[1] != self.id) continue;
+    const int twin = model_.find_item(r.references[0]), middle = model_.find_item(r.targets[0]);
+    if (twin < 0 || middle < 0 || model_.items[twin].entry != self.entry || !self.entry->back_to_wall) continue;
+    if (model_.items[middle].mount != Mount::kFloor) continue;
+    const Mm apart = model_.items[middle].states[0].size.width + kTwinAir;
+    Formula f;
+    for_each_turn(model_.items[twin], [&](int turn, std::uint64_t states) {
+      const std::uint64_t alike = self.states_at(turn);
+      if (!alike) return;
+      const Direction back = side_direction(self, Side::kBack, turn);
+      for (const Side side : {Side::kLeft, Side::kRight}) {
+        const Linear gap = gap_towards(item, twin, side_direction(self, side, turn));
+        f.add()
+            .when(twin, states)
+            .when(item, alike)
+            .require(gap)
+            .wish(gap - Linear(apart), kTwins)
+            .wish(reach(item, back) - reach(twin, back), kTwins);
+      }
+    });
+    habit("twins", item, kTwins, std::move(f), {twin});
+    return;
+  }
+}
+
+// Kitchen units and machines stand side by side in one run.
+void Habits::stand_in_run(int item) {
+  const auto in_runs = [&](int i) {
+    return model_.items[i].mount == Mount::kFloor && model_.items[i].entry->back_to_wall &&
+           has_family(model_.items[i], {"kitchen_unit", "fridge", "stove", "oven", "dishwasher", "washing_machine"});
+  };
+  if (!in_runs(item)) return;
+  Formula f;
+  for (int other = 0; other < item; ++other) {
+    if (!in_runs(other)) continue;
+    if (!only_related_by(item, other, {RelationType::kNextTo, RelationType::kNear})) return;  // words say how these two stand
+    for (const Side side : {Side::kLeft, Side::kRight}) add_beside(f, model_, item, other, side, {.most = 100});
+  }
+  if (!f.cases.empty()) habit("in the run", item, kInRun, std::move(f));
+}
+
 bool Habits::stand_in_formation(int item) {
   const std::optional<Group> group = formation_with(item);
   if (!group) return false;
@@ -57,6 +121,7 @@ bool Habits::stand_in_formation(int item) {
   add_formation_place(f, model_, group->members, k, group->columns, kFormation);
   if (f.cases.empty()) return false;
   habit("in formation", item, kFormation, std::move(f));
+  keep_off_faced(item);
   if (k == 0) {
     look_at(item, true);
   } else if (model_.items[item].has_front) {

@@ -47,6 +47,18 @@ void Habits::stand_in_middle(int item) {
   habit("in the middle", item, kMiddle, std::move(f));
 }
 
+// A bar or a reception desk turns its front to where the guests are.
+void Habits::open_to_room(int item) {
+  if (!model_.items[item].has_front) return;
+  Formula f;
+  for_each_turn(model_.items[item], [&](int turn, std::uint64_t states) {
+    if (turn % 90 != 0) return;
+    const Direction d = side_direction(model_.items[item], Side::kFront, turn);
+    f.add().when(item, states).require(d.sign * (room_mid2(model_, d.axis) - mid2(item, d.axis)));
+  });
+  habit("open to the room", item, kAtWall, std::move(f));
+}
+
 void Habits::near_light(int item) {
   Formula f;
   std::vector<int> windows;
