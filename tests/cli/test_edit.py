@@ -169,9 +169,9 @@ class TheRoom(EditCase):
         self.assertEqual(after["bed_1"], self.object("bed_1"))
 
     def test_a_window_comes_in(self):
-        _, answer = self.edited("add a window in the middle of the right wall")
+        _, answer = self.edited("add a window in the middle of the front wall")
         window = self.openings()["window2"]
-        self.assertEqual((window["wall"], window["offset"]), ("wall2", 1.4))
+        self.assertEqual((window["wall"], window["offset"]), ("wall1", 1.9))
         self.assertEqual(self.changed(answer), {"window2": ["added"]})
 
     def test_shifted_and_resized(self):
