@@ -42,6 +42,7 @@ struct NounPhrase {
   const CatalogEntry* entry = nullptr;  // what it is, or what it most resembles
   bool exact = false;                   // the entry is that very kind
   const RoomKind* room = nullptr;
+  std::string owner_word;            // "dentist" of "the dentist's stool"
   std::string category, name, head;  // head: the last word in the singular
   std::vector<std::string> attributes;
   std::vector<WordClass> attribute_classes;

@@ -212,6 +212,7 @@ void NounPhraseReader::read_parts() {
         phrase_.owner = true;
         break;
       }
+      phrase_.owner_word = text_of(tokens_, parts_.back().first, parts_.back().last);
       parts_.clear();
       ++i_;
       continue;

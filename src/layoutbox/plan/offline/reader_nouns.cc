@@ -340,7 +340,11 @@ void DocumentReader::read_place(std::size_t k, int mention) {
 
 // "a rack of dumbbells": the dumbbells are on it.
 void DocumentReader::add_named_contents(std::size_t k, int host) {
-  if (chunk(k).noun.contents == nullptr || !is_thing(host) || !mention_at(host).introduces || !is_storage(noun_of(host))) return;
+  static constexpr std::string_view kOpen[] = {"rack",   "crate", "basket",  "shelf", "tray",
+                                               "bucket", "cart",  "trolley", "vase",  "bookshelf"};
+  if (chunk(k).noun.contents == nullptr || !is_thing(host) || !mention_at(host).introduces ||
+      std::find(std::begin(kOpen), std::end(kOpen), noun_of(host).head) == std::end(kOpen))
+    return;
   const NounPhrase things = *chunk(k).noun.contents;
   if (!may_carry(lexicon_.catalog(), noun_of(host), things)) return;
   const int content = references_.mention(things, -1, false);

@@ -37,6 +37,7 @@ void DocumentReader::place_root(std::size_t k, int mention) {
   // "each", "one": speaks of things that are there already.
   for (const int link : fronted_) {
     Link& waiting = link_at(link);
+    if (chunk(k).noun.subset && !waiting.targets.empty()) continue;  // "…, one of which holds a lamp"
     if (!waiting.targets.empty() && waiting.references.empty())
       waiting.references = {mention};
     else if (waiting.references.empty() || !contains(waiting.references, mention)) {

@@ -22,6 +22,13 @@ void DocumentReader::read_relation(std::size_t k) {
   mark(k, WordReading::Use::kUsed, "relation");
   if (read_relative_place(k)) return;
   joiner_before_relation_ = joiner_;
+  // "shelves full of figurines hang on the wall": the shelves do.
+  const std::string& verb = document_.tokens[relation.first].text;
+  if (relation.hang && (verb == "hang" || verb == "hangs") && !chain_.empty() && is_content(chain_.back()) &&
+      roots_.size() > clause_start_ && is_thing(roots_.back()) && noun_of(roots_.back()).is_plural() == (verb == "hang")) {
+    chain_ = {roots_.back()};
+    frames_.clear();
+  }
   if (document_.tokens[relation.first].text == "from") joiner_before_relation_ = Joiner::kComma;  // of the clause's own thing
   const std::string& first_word = document_.tokens[relation.first].text;
   if (relation.placing || first_word.ends_with("ing") || first_word.ends_with("ed")) after_participle_ = true;

@@ -49,6 +49,13 @@ std::vector<int> DocumentReader::targets_for(const PhraseSenses& senses, Directi
   const Catalog& catalog = lexicon_.catalog();
   const bool apart =
       joiner_before_relation_ == Joiner::kComma || joiner_before_relation_ == Joiner::kCommaAnd || joiner_before_relation_ == Joiner::kAnd;
+  // "a table and two benches facing each other": the nearest that are several.
+  if (document_.mentions[static_cast<std::size_t>(reference_mention)].reciprocal && !apart) {
+    for (std::size_t c = chain_.size(); c-- > 0;) {
+      const Mention& several = document_.mentions[static_cast<std::size_t>(chain_[c])];
+      if (several.items.size() > 1 && several.introduces && is_content(chain_[c])) return {chain_[c]};
+    }
+  }
   // "pans on a rack mounted on the ceiling": what was named right before and is new.
   if (hang_ && after_participle && !apart && !chain_.empty() && reference.kind == NounKind::kCeiling && is_thing(chain_.back()) &&
       document_.mentions[static_cast<std::size_t>(chain_.back())].introduces &&

@@ -75,6 +75,8 @@ bool References::same_kind(const NounPhrase& wanted, const NounPhrase& item) con
 // 4: the same words, 3: the same kind, 2: a kind of it, 1: a word for something more general or the same head noun.
 int References::fit(const NounPhrase& wanted, const NounPhrase& item) const {
   const Catalog& catalog = lexicon_.catalog();
+  // "the dentist's stool … the assistant's stool": two.
+  if (!wanted.owner_word.empty() && !item.owner_word.empty() && wanted.owner_word != item.owner_word) return 0;
   if (wanted.name == item.name) return 4;
   static constexpr std::string_view kOfIt[] = {"screen", "top", "surface", "area", "set"};
   if (wanted.name.starts_with(item.name + " ") &&
@@ -84,7 +86,7 @@ int References::fit(const NounPhrase& wanted, const NounPhrase& item) const {
   if (last_word(wanted.name) == last_word(item.name) &&
       (wanted.name.find(' ') == std::string::npos || item.name.find(' ') == std::string::npos)) {
     // "the table" is any table; "the coffee table" is not a plain table that was named before it.
-    const bool kind_apart = wanted.exact && item.exact && wanted.entry != item.entry && item.is_plural() && !wanted.is_plural();
+    const bool kind_apart = wanted.exact && wanted.entry != item.entry && item.is_plural() && !wanted.is_plural();
     if (wanted.name.find(' ') == std::string::npos) return 2;
     return kind_apart ? 0 : 1;  // "the teacher's desk" is none of the desks
   }
