@@ -123,6 +123,14 @@ void add_turns_at_walls(const Item& item, const std::vector<RoomWall>& walls, st
   }
 }
 
+// The scene's own turn, where it is an odd one.
+void add_hinted_turn(const Item& item, std::vector<double>& turns) {
+  if (item.fixed || !item.has_front || item.mount != Mount::kFloor || !item.object->hint.rotation_deg) return;
+  const double turn = std::round(normalized_degrees(*item.object->hint.rotation_deg) * 1e4) / 1e4;
+  const auto same = [&](double known) { return std::abs(std::remainder(known - turn, 360)) < 0.5; };
+  if (turns.size() < kMostStates && std::none_of(turns.begin(), turns.end(), same)) turns.push_back(turn);
+}
+
 // Seats around something may stand at odd angles.
 bool sits_around(const SceneGraph& scene, const std::string& id) {
   return std::any_of(scene.relations.begin(), scene.relations.end(), [&](const Relation& r) {
@@ -231,6 +239,7 @@ Item object_item(const SceneGraph& scene, const SceneObject& object, const Catal
   if (!item.fixed) add_earlier_pose(options, item, sizes, turns);
   std::vector<double> angles(turns.begin(), turns.end());
   add_turns_at_walls(item, walls, angles);
+  add_hinted_turn(item, angles);
   while (sizes.size() > 1 && sizes.size() * angles.size() > kMostStates) sizes.pop_back();
   const std::map<Side, Mm> wanted = wanted_floor(scene, object, *item.entry, catalog);
   for (const auto& [size, step] : sizes) {

@@ -148,18 +148,29 @@ int Habits::riders_of(int host) const {
 void Habits::keep_hint(int item) {
   const SceneObject& object = *model_.items[item].object;
   if (!model_.start.empty() && model_.start[item].state >= 0) return;  // an earlier layout says more
+  if (object.hint.rotation_deg) keep_turn(item, *object.hint.rotation_deg);
+  if (!object.hint.position) return;
   Formula f;
   Case& c = f.add();
-  if (object.hint.rotation_deg) {
-    const int turn = static_cast<int>(std::lround(normalized_degrees(*object.hint.rotation_deg))) % 360;
-    if (const std::uint64_t states = model_.items[item].states_at(turn)) c.when(item, states);
+  for (int axis = 0; axis < 2; ++axis) {
+    c.wish(mid2(item, axis) - Linear(std::lround(2 * (*object.hint.position)[axis])), kHint, 2);
   }
-  if (object.hint.position) {
-    for (int axis = 0; axis < 2; ++axis) {
-      c.wish(mid2(item, axis) - Linear(std::lround(2 * (*object.hint.position)[axis])), kHint, 2);
-    }
+  habit("hint", item, kHint, std::move(f));
+}
+
+// The scene's own turn holds before everything that makes rooms good, unless what is asked for says otherwise; it is no part of the score.
+void Habits::keep_turn(int item, double degrees) {
+  const Item& self = model_.items[item];
+  const bool square = self.states[0].size.width == self.states[0].size.depth;
+  std::uint64_t states = 0;
+  for (std::size_t s = 0; s < self.states.size(); ++s) {
+    const double off = std::remainder(self.states[s].angle - degrees, self.has_front ? 360 : square ? 90 : 180);
+    if (std::abs(off) < 0.5) states |= std::uint64_t{1} << s;
   }
-  if (object.hint.rotation_deg || object.hint.position) habit("hint", item, kHint, std::move(f));
+  if (!states) return;
+  Formula f;
+  f.add().when(item, states);
+  habit("hint of turn", item, kHintOfTurn, std::move(f)).stay = true;
 }
 
 void add_habits(Model& model) {

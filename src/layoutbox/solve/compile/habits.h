@@ -13,8 +13,8 @@
 namespace layoutbox::placement {
 
 // Points per metre missed; docs/solve.md says where they come from.
-inline constexpr int kBackToWall = 900, kBeside = 500, kFaces = 600, kAtWall = 150, kRug = 300, kHint = 800, kOpeningPlace = 80,
-                     kHangs = 200, kSits = 400, kCurtain = 900, kMiddle = 40, kLight = 25, kFormation = 300;
+inline constexpr int kBackToWall = 900, kBeside = 500, kFaces = 600, kAtWall = 150, kRug = 300, kHint = 800, kHintOfTurn = 20000,
+                     kOpeningPlace = 80, kHangs = 200, kSits = 400, kCurtain = 900, kMiddle = 40, kLight = 25, kFormation = 300;
 
 inline bool has_family(const Item& item, std::initializer_list<std::string_view> families) {
   return item.entry && std::find(families.begin(), families.end(), item.entry->shape.family) != families.end();
@@ -45,6 +45,7 @@ class Habits {
   void sit_on_host(int item);
   int riders_of(int host) const;
   void keep_hint(int item);
+  void keep_turn(int item, double degrees);
   static std::vector<Side> used_sides(const Item& item) { return item.object->used_sides.value_or(item.entry->used_sides); }
 
   // Habits towards the room: backs to walls, the middle, light, rugs; doors and windows nobody placed.

@@ -1,4 +1,7 @@
 // The paper's four relations.
+#include <cmath>
+#include <optional>
+
 #include "layoutbox/solve/compile/phrases.h"
 
 namespace layoutbox::placement {
@@ -19,6 +22,20 @@ std::vector<int> axes_meant(const Compilation& c) {
   if (edge == "bottom" || edge == "top") return {2};
   if (!c.relation.parameters.axis) return {0, 1};
   return {static_cast<int>(*c.relation.parameters.axis)};
+}
+
+constexpr std::int32_t kOtherSide = 3000;  // points for the side where the scene's own positions do not have it
+
+// On which side of r the scene's own positions have t, along the relation's axis or else the one along which they are farther apart.
+std::optional<Direction> hinted_side(const Compilation& c, int t, int r) {
+  const Item &target = c.item(t), &ref = c.item(r);
+  if (target.is_opening() || ref.is_opening() || !target.object->hint.position || !ref.object->hint.position) return std::nullopt;
+  const auto off = [&](int axis) { return (*target.object->hint.position)[axis] - (*ref.object->hint.position)[axis]; };
+  const int axis = c.relation.parameters.axis             ? static_cast<int>(*c.relation.parameters.axis)
+                   : std::abs(off(0)) >= std::abs(off(1)) ? 0
+                                                          : 1;
+  if (std::abs(off(axis)) < 1) return std::nullopt;
+  return Direction{axis, off(axis) > 0 ? 1 : -1};
 }
 
 // Twice the coordinate that is to be equal.
@@ -70,6 +87,7 @@ void compile_Offset(Compilation& c) {
         if (c.relation.parameters.axis ? static_cast<int>(*c.relation.parameters.axis) != axis : axis == 2) continue;
         for (const int sign : {1, -1}) {
           Case& in = f.add();
+          if (const auto side = hinted_side(c, t, r.index); side && !(*side == Direction{axis, sign})) in.price = kOtherSide;
           in.require_small(gap_towards(t, r.index, {axis, sign}) - Linear(distance), 0);
           if (!c.relation.parameters.axis) {  // the axis with the larger gap
             for (const int way : {1, -1}) in.require(Linear(distance) - gap_towards(t, r.index, {1 - axis, way}));
