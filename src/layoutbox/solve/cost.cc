@@ -54,6 +54,14 @@ bool sits_round(const Model& model, int seat, int table) {
 
 }  // namespace
 
+bool surely_blocks(const Model& model, int body, int owner) {
+  const Item& item = model.items[body];
+  const bool on_floor = item.supports.size() == 1 && item.supports[0].kind == SupportOption::Kind::kFloor;
+  const auto low = [](const State& state) { return state.extent[2] <= 2 * kBodyReach; };
+  return on_floor && !item.is_opening() && !item.thin && !sits_round(model, body, owner) &&
+         std::all_of(item.states.begin(), item.states.end(), low);
+}
+
 std::int64_t blocked_permille(const Model& model, const Box& strip, const Placements& placements, int owner, int except) {
   const std::int64_t area = floor_area(strip);
   if (area == 0) return 0;

@@ -29,6 +29,9 @@ std::int64_t constraint_cost(const Model& model, const Constraint& constraint, c
 // Does the item stand in somebody's way on the floor?
 bool blocks_floor(const Item& item, const Box& box);
 
+// Does `body`, which stands on the floor whenever it is there, count as in the way of the floor that `owner` wants?
+bool surely_blocks(const Model& model, int body, int owner);
+
 // Blocked share, in thousandths, of one floor rectangle: by the room's edge and by `item` of the others, `except` left out.
 std::int64_t blocked_permille(const Model& model, const Box& strip, const Placements& placements, int owner, int except);
 

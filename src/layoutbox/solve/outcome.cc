@@ -56,6 +56,7 @@ Layout Solver::finish() {
   }
   layout.score = 1.0 / (1.0 + total);
   layout.stats.solver = used_cp_sat_ ? "search+cp-sat" : "search";
+  layout.stats.proven = proven_best_ && layout.status == LayoutStatus::kSolved;
   layout.stats.seed = options_.seed;
   layout.stats.stopped_by_clock = stopped_by_clock_;
   layout.stats.seconds = seconds();

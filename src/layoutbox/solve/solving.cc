@@ -40,7 +40,10 @@ Result<Layout> Solver::run() {
   }
   if (!not_found_.empty())
     return fail(ErrorCode::kNotFound, not_found_[0] + ", and no proof that there is none", {}, "raise --effort or --time-limit");
-  if (options_.improve && !fallback_) improve();
+  if (options_.improve && !fallback_) {
+    improve();
+    prove_best();
+  }
   return finish();
 }
 

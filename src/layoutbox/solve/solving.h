@@ -50,6 +50,7 @@ class Solver {
   bool search(const std::vector<char>& given_up, std::int64_t most_steps = kFirstSteps);
   Result<bool> prove();
   void improve();
+  void prove_best();
   std::int64_t cost() const;
 
   // ---- what is given up when not everything can hold (give_up.cc)
@@ -104,7 +105,8 @@ class Solver {
   std::vector<int> failed_;
   int size_limit_ = 0;
   double proof_time_ = 0;
-  int unproven_ = 0;  // rounds that ended without a layout and without a proof
+  int unproven_ = 0;          // rounds that ended without a layout and without a proof
+  bool proven_best_ = false;  // no layout is better by a point
   bool used_cp_sat_ = false, fallback_ = false, stopped_by_clock_ = false, brought_back_ = false;
 };
 

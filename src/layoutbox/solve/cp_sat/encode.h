@@ -31,6 +31,10 @@ class Encoding {
   // The demands whose literals are in a core.
   std::vector<std::size_t> demands_in(const std::vector<CpLiteral>& core) const;
 
+  // Only layouts that cost at most so much, in thousandths of a point; of the terms that are not linear those of floor that is wanted free
+  // count where it is said, ways never.
+  void bound_cost(std::int64_t most, bool with_access);
+
   void hint(const Placements& placements);
   Placements placements_of(const std::vector<std::int64_t>& values) const;
 
@@ -53,6 +57,10 @@ class Encoding {
   void add_case(const Case& one, std::span<const CpLiteral> when);
   void add_pair(int a, int b);
   void add_outside(int item);
+  void add_case_cost(const Constraint& constraint, const Case& one, std::int32_t cost, std::int64_t most, CpLiteral when);
+  void add_access_cost(int item, std::int64_t most, std::vector<CpTerm>& total);
+  std::int32_t blocked_share(int item, const std::vector<Box>& strip);
+  std::int32_t shared_length(int item, const std::vector<Box>& strip, int body, int axis);
   // The bodies (or clear boxes) a and b, given by their state-dependent offsets, do not share room.
   // `headings`: they may also pass along a slanted wall.
   void add_disjoint(int a, const std::vector<Box>& part_a, int b, const std::vector<Box>& part_b, const std::vector<CpLiteral>& when,

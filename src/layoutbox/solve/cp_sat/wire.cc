@@ -15,9 +15,11 @@ constexpr std::uint32_t kVariables = 2, kConstraints = 3, kObjective = 4, kHint 
 // IntegerVariableProto
 constexpr std::uint32_t kVariableDomain = 2;
 // ConstraintProto
-constexpr std::uint32_t kEnforcement = 2, kBoolOr = 3, kLinear = 12, kExactlyOne = 29;
+constexpr std::uint32_t kEnforcement = 2, kBoolOr = 3, kProduct = 11, kLinear = 12, kExactlyOne = 29;
 // LinearConstraintProto, BoolArgumentProto
 constexpr std::uint32_t kVars = 1, kCoefficients = 2, kDomain = 3, kLiterals = 1;
+// LinearArgumentProto, LinearExpressionProto
+constexpr std::uint32_t kTarget = 1, kExpressions = 2, kExpressionVars = 1, kExpressionCoefficients = 2;
 // CpObjectiveProto, PartialVariableAssignment
 constexpr std::uint32_t kObjectiveVars = 1, kObjectiveCoefficients = 4, kHintVars = 1, kHintValues = 2;
 // SatParameters
@@ -77,6 +79,22 @@ void CpModel::add_exactly_one(std::span<const CpLiteral> literals) {
   add_constraint(field::kExactlyOne, body, {});
 }
 
+void CpModel::add_product(std::int32_t target, std::int32_t a, std::int32_t b) {
+  const auto expression = [](std::int32_t variable) {
+    std::string bytes;
+    protozero::pbf_writer writer(bytes);
+    const std::int64_t one = 1;
+    writer.add_packed_int32(field::kExpressionVars, &variable, &variable + 1);
+    writer.add_packed_int64(field::kExpressionCoefficients, &one, &one + 1);
+    return bytes;
+  };
+  std::string body;
+  protozero::pbf_writer writer(body);
+  writer.add_message(field::kTarget, expression(target));
+  for (const std::int32_t factor : {a, b}) writer.add_message(field::kExpressions, expression(factor));
+  add_constraint(field::kProduct, body, {});
+}
+
 void CpModel::minimize(std::span<const CpTerm> terms) { objective_.assign(terms.begin(), terms.end()); }
 
 void CpModel::hint(std::int32_t variable, std::int64_t value) {
@@ -114,7 +132,7 @@ std::string write_parameters(const CpParameters& parameters) {
   writer.add_double(field::kDeterministicTime, parameters.deterministic_time);
   writer.add_int32(field::kWorkers, 1);
   writer.add_bool(field::kPresolve, parameters.presolve);
-  writer.add_int32(field::kLinearization, 0);
+  writer.add_int32(field::kLinearization, parameters.linearization);
   writer.add_int32(field::kProbing, 0);
   writer.add_int32(field::kSymmetry, 0);
   writer.add_bool(field::kFirstSolution, parameters.first_solution);

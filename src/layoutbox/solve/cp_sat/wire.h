@@ -27,6 +27,8 @@ class CpModel {
   void add_linear(std::span<const CpTerm> terms, std::int64_t low, std::int64_t high, std::span<const CpLiteral> when = {});
   void add_or(std::span<const CpLiteral> literals, std::span<const CpLiteral> when = {});
   void add_exactly_one(std::span<const CpLiteral> literals);
+  // target = a · b.
+  void add_product(std::int32_t target, std::int32_t a, std::int32_t b);
   void minimize(std::span<const CpTerm> terms);
   void hint(std::int32_t variable, std::int64_t value);
   void assume(CpLiteral literal) { assumptions_.push_back(literal); }
@@ -50,6 +52,7 @@ struct CpParameters {
   double deterministic_time = 1;  // CP-SAT's own units, about a second each
   bool first_solution = true;
   bool presolve = false;
+  int linearization = 0;
 };
 std::string write_parameters(const CpParameters& parameters);
 
