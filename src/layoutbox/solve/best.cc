@@ -9,8 +9,8 @@ namespace {
 constexpr std::size_t kFew = 4, kFewOpenings = 3;  // objects, doors and windows
 constexpr int kMostQuestions = 12;
 constexpr std::int64_t kPoint = 1000;
-constexpr double kProofTimePerUnit = 0.01;  // of CP-SAT's deterministic time
-constexpr std::int64_t kPolish = 20'000;    // steps
+constexpr double kProofTimePerUnit = 0.002;  // of CP-SAT's deterministic time
+constexpr std::int64_t kPolish = 20'000;     // steps
 
 }  // namespace
 
@@ -30,7 +30,7 @@ void Solver::prove_best() {
     Encoding encoding(model_, given_up_, left_out_);
     encoding.bound_cost(best - kPoint, access);
     CpParameters parameters;
-    parameters.seed = options_.seed, parameters.presolve = true, parameters.linearization = 1;
+    parameters.seed = options_.seed, parameters.presolve = true;
     parameters.deterministic_time = time;
     const std::string model = encoding.bytes(std::vector<char>(encoding.demands().size(), 1));
     const std::string bytes = (*library)->solve(model, write_parameters(parameters), options_.stop, options_.time_limit_s - seconds());

@@ -9,6 +9,7 @@ namespace {
 Layout solved(const SceneMaker& maker, std::uint64_t seed) {
   SolveOptions options;
   options.seed = seed;
+  options.prove = false;
   const auto layout = solve(maker.make(), Catalog::builtin(), options);
   EXPECT_TRUE(layout) << layout.error().message;
   if (!layout) return {};

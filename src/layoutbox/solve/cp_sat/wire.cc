@@ -132,7 +132,7 @@ std::string write_parameters(const CpParameters& parameters) {
   writer.add_double(field::kDeterministicTime, parameters.deterministic_time);
   writer.add_int32(field::kWorkers, 1);
   writer.add_bool(field::kPresolve, parameters.presolve);
-  writer.add_int32(field::kLinearization, parameters.linearization);
+  writer.add_int32(field::kLinearization, 0);
   writer.add_int32(field::kProbing, 0);
   writer.add_int32(field::kSymmetry, 0);
   writer.add_bool(field::kFirstSolution, parameters.first_solution);

@@ -52,7 +52,6 @@ struct CpParameters {
   double deterministic_time = 1;  // CP-SAT's own units, about a second each
   bool first_solution = true;
   bool presolve = false;
-  int linearization = 0;
 };
 std::string write_parameters(const CpParameters& parameters);
 
