@@ -91,7 +91,8 @@ def check_space(space: dict, at: str, size: Size) -> Iterator[str]:
 
 
 def check_spaces(entry: dict) -> Iterator[str]:
-    for space in entry.get("spaces", []):
+    of_variants = [space for variant in entry.get("variants", []) for space in variant.get("spaces", [])]
+    for space in [*entry.get("spaces", []), *of_variants]:
         try:
             if not all(is_linear(formula) for corner in ("min", "max") for formula in space[corner]):
                 yield f"space '{space['name']}': a formula is not linear"

@@ -114,7 +114,7 @@ def alone(entry, work):
     corners = [[0, 0], [x, 0], [x, y], [0, y]]
     walls = [{"id": f"wall{i + 1}", "start": corners[i], "end": corners[(i + 1) % 4], "thickness": 0.05} for i in range(4)]
     thing = {"id": "thing_1", "category": entry["id"], "name": entry["name"], "size": [w, d, h], "pos": [x / 2, y / 2, 0], "rotation": 0,
-             "mount": "floor", "supportedBy": "floor"}  # fmt: skip
+             "mount": entry.get("mount", "floor"), "supportedBy": "floor"}  # fmt: skip
     room = {"polygon": corners, "height": h + 0.1, "walls": walls, "openings": []}
     layout = {"format": "layoutbox/layout@1", "status": "solved",
               "room": room, "objects": [thing], "relations": [], "relaxed": [], "conflicts": [],

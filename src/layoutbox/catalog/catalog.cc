@@ -1,5 +1,7 @@
 #include "layoutbox/catalog/catalog.h"
 
+#include "layoutbox/catalog/size_words.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -115,12 +117,14 @@ std::vector<const CatalogEntry*> Catalog::articles_of(std::string_view id) const
   return articles;
 }
 
-std::vector<Space> spaces_at(const CatalogEntry& entry, const Size& size) {
+namespace {
+
+std::vector<Space> spaces_from(const std::vector<SpaceFormula>& formulas, const Size& size) {
   // To a tenth of a millimetre, which is what layout files hold.
   const auto rounded = [](double mm) { return std::round(mm * 10) / 10; };
   std::vector<Space> spaces;
-  spaces.reserve(entry.spaces.size());
-  for (const SpaceFormula& formula : entry.spaces) {
+  spaces.reserve(formulas.size());
+  for (const SpaceFormula& formula : formulas) {
     Space space;
     space.name = formula.name;
     space.carries = formula.carries;
@@ -131,6 +135,22 @@ std::vector<Space> spaces_at(const CatalogEntry& entry, const Size& size) {
     spaces.push_back(std::move(space));
   }
   return spaces;
+}
+
+}  // namespace
+
+std::vector<Space> spaces_at(const CatalogEntry& entry, const Size& size) { return spaces_from(entry.spaces, size); }
+
+std::vector<Space> spaces_of(const SceneObject& object, const CatalogEntry& entry, const Size& size) {
+  if (object.spaces_given) return object.spaces;
+  const bool differ = std::ranges::any_of(entry.variants, [](const SizeVariant& variant) { return !variant.spaces.empty(); });
+  if (!differ) return spaces_at(entry, size);
+  const std::vector<std::string> said = words_said_of(object);
+  for (const SizeVariant& variant : entry.variants) {
+    const bool named = std::ranges::any_of(variant.words, [&](const std::string& word) { return says(said, word); });
+    if (named && !variant.spaces.empty()) return spaces_from(variant.spaces, size);
+  }
+  return spaces_at(entry, size);
 }
 
 bool is_table_seat(const CatalogEntry& entry) {

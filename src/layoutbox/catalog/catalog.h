@@ -31,10 +31,12 @@ struct SpaceFormula {
   bool carries = true;
 };
 
-// A size that goes with a word: "king" bed, "round" table, "two-seater" sofa.
+// A size that goes with a word: "king" bed, "round" table, "two-seater" sofa; and the spaces, where they are others than the entry's
+// (a round table stands on one foot).
 struct SizeVariant {
   std::vector<std::string> words;
   SizeRange size;
+  std::vector<SpaceFormula> spaces;  // none: the entry's
 };
 
 struct ShapeSpec {
@@ -131,8 +133,12 @@ class Catalog {
   CatalogIndex index_;
 };
 
-// The free spaces of an object: the scene's own where a file gave them, else the catalogue's formulas at that size.
+// The catalogue's free spaces at that size.
 std::vector<Space> spaces_at(const CatalogEntry& entry, const Size& size);
+
+// The free spaces of an object: the scene's own where a file gave them, else those of the first variant of its entry that its words name
+// ("round" table) where that has any, else the entry's.
+std::vector<Space> spaces_of(const SceneObject& object, const CatalogEntry& entry, const Size& size);
 
 // "w/2 - 0.02" in metres → millimetres; error with the place in the text.
 Result<LinearFormula> parse_formula(std::string_view text, double index = 0);

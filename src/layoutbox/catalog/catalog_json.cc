@@ -94,6 +94,7 @@ Result<CatalogEntry> read_entry(const json& value) {
       SizeVariant variant;
       read_strings(item, "words", variant.words);
       variant.size = read_size(item.at("size"), entry.size);
+      if (const auto spaces = item.find("spaces"); spaces != item.end()) LAYOUTBOX_CHECK(read_spaces(*spaces, variant.spaces));
       entry.variants.push_back(std::move(variant));
     }
   }

@@ -48,7 +48,7 @@ bool is_round(const SceneObject& object) {
 
 bool holds(const CatalogEntry& entry, const SceneObject& host, const Size& size, const Contents& contents) {
   if (entry.top_carries && !fit_in_rows(contents.on_top, size.width, size.depth, 1)) return false;
-  std::vector<Space> carrying = spaces_at(entry, size);
+  std::vector<Space> carrying = spaces_of(host, entry, size);
   std::erase_if(carrying, [](const Space& space) { return !space.carries; });
   std::vector<Size> inside = contents.inside;
   if (!entry.top_carries) inside.insert(inside.end(), contents.on_top.begin(), contents.on_top.end());

@@ -14,15 +14,6 @@ namespace {
 constexpr Mm kLargestObject = 50'000;
 constexpr std::array kSides{&Size::width, &Size::depth, &Size::height};
 
-// What is said of the object: its attributes, its name and its category.
-std::vector<std::string> words_said_of(const SceneObject& object) {
-  std::vector<std::string> words;
-  for (const std::string& attribute : object.attributes) std::ranges::copy(words_of(attribute), std::back_inserter(words));
-  std::ranges::copy(words_of(object.name), std::back_inserter(words));
-  std::ranges::copy(words_of(object.category), std::back_inserter(words));
-  return words;
-}
-
 // True when what stands before the kind's own words is known to be no kind of its own: "queen" bed, "large wooden" desk.
 bool only_adjectives(const CatalogEntry& entry, const SceneObject& object, const std::vector<std::string>& before) {
   return std::ranges::all_of(before, [&](const std::string& word) {

@@ -125,7 +125,7 @@ void describe(Archive& archive, T& value) {
   } else if constexpr (std::is_same_v<Plain, SpaceFormula>) {
     members(archive, value.name, value.min[0], value.min[1], value.min[2], value.max[0], value.max[1], value.max[2], value.carries);
   } else if constexpr (std::is_same_v<Plain, SizeVariant>) {
-    members(archive, value.words, value.size);
+    members(archive, value.words, value.size, value.spaces);
   } else if constexpr (std::is_same_v<Plain, CatalogEntry>) {
     members(archive, value.id, value.name, value.synonyms, value.kind_of, value.size, value.variants, value.mount, value.used_sides,
             value.has_front, value.back_to_wall, value.thin, value.top_carries, value.clearance, value.hang_height, value.spaces,

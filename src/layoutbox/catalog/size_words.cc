@@ -31,6 +31,14 @@ bool says(const std::vector<std::string>& said, std::string_view phrase) {
   return !words.empty() && std::search(said.begin(), said.end(), words.begin(), words.end()) != said.end();
 }
 
+std::vector<std::string> words_said_of(const SceneObject& object) {
+  std::vector<std::string> words;
+  for (const std::string& attribute : object.attributes) std::ranges::copy(words_of(attribute), std::back_inserter(words));
+  std::ranges::copy(words_of(object.name), std::back_inserter(words));
+  std::ranges::copy(words_of(object.category), std::back_inserter(words));
+  return words;
+}
+
 SizeRange size_by_words(const CatalogEntry& entry, const std::vector<std::string>& said) {
   for (const SizeVariant& variant : entry.variants) {
     if (std::ranges::any_of(variant.words, [&](const std::string& word) { return says(said, word); })) return variant.size;

@@ -9,6 +9,9 @@
 
 namespace layoutbox {
 
+// What is said of the object: its attributes, its name and its category.
+std::vector<std::string> words_said_of(const SceneObject& object);
+
 // The entry's size, narrowed by its variants or by general words among `said` (lower-case words in order).
 SizeRange size_by_words(const CatalogEntry& entry, const std::vector<std::string>& said);
 

@@ -50,6 +50,28 @@ void for_every_piece(Check check) {
   }
 }
 
+// Every entry as each of its variants: "round" dining table, "king" bed.
+template <class Check>
+void for_every_variant(Check check) {
+  for (const CatalogEntry& entry : catalog().entries()) {
+    for (const SizeVariant& variant : entry.variants) {
+      for (const std::string& word : variant.words) {
+        SceneObject said;
+        said.attributes = {word};
+        said.category = entry.id;
+        said.name = entry.name;
+        for (const Size& size : {variant.size.least, variant.size.usual, variant.size.greatest}) {
+          PlacedObject object = object_of(entry, size);
+          object.attributes = {word};
+          object.spaces = spaces_of(said, entry, size);
+          SCOPED_TRACE(word + " " + entry.id + " " + std::to_string(size.width) + "x" + std::to_string(size.depth));
+          check(object);
+        }
+      }
+    }
+  }
+}
+
 TEST(Furnish, EveryFamilyOfTheCatalogueIsThere) {
   for (const CatalogEntry& entry : catalog().entries())
     EXPECT_TRUE(kit::families().contains(entry.shape.family)) << entry.id << " " << entry.shape.family;
@@ -73,6 +95,19 @@ TEST(Furnish, NothingOfAPieceIsInItsSpaces) {
   empty.contents = false;
   for_every_piece([&](const PlacedObject& object) {
     const Model model = furnished(object, empty);
+    for (const Space& space : object.spaces) EXPECT_EQ(mesh_checks::intrusion(model.nodes.at(0), metres(space), 0.0015), "") << space.name;
+  });
+}
+
+TEST(Furnish, EveryVariantFillsItsBoxAndKeepsOutOfItsSpaces) {
+  FurnishOptions empty;
+  empty.contents = false;
+  for_every_variant([&](const PlacedObject& object) {
+    const Model model = furnished(object, empty);
+    const kit::Vec size = mesh_checks::bounds_of(model.nodes.at(0)).size();
+    EXPECT_NEAR(size.x, object.size.width / 1000.0, 0.005);
+    EXPECT_NEAR(size.y, object.size.depth / 1000.0, 0.005);
+    EXPECT_NEAR(size.z, object.size.height / 1000.0, 0.005);
     for (const Space& space : object.spaces) EXPECT_EQ(mesh_checks::intrusion(model.nodes.at(0), metres(space), 0.0015), "") << space.name;
   });
 }

@@ -91,6 +91,12 @@ std::vector<Vec2> rounded_rectangle(Vec2 min, Vec2 max, double radius, int steps
 // Triangles of a simple polygon (indices into it).
 std::vector<std::array<std::uint32_t, 3>> triangulate(std::span<const Vec2> outline);
 
+// A body through rings of equally many points (at least two rings), capped at both ends; a ring runs counter-clockwise seen from where
+// the next one lies, so a tub is listed up its outside, over its rim and down its inside. Edges sharper than 42° stay sharp.
+Mesh loft(std::span<const std::vector<Vec>> rings);
+// An outline as such a ring, at a height.
+std::vector<Vec> ring_at(std::span<const Vec2> outline, double z);
+
 Mesh ellipsoid(Vec center, Vec radius, int sides = 16, int rings = 8);
 // A leaf of two faces, from `root` to `tip`, `width` wide, arched by `arch` (its middle lies so much above the straight line).
 Mesh leaf(Vec root, Vec tip, double width, double arch, int steps = 4);

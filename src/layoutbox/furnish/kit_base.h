@@ -47,6 +47,8 @@ class Maker {
     quad(vertex(a, n, uv(0, 0)), vertex(b, n, uv(1, 0)), vertex(c, n, uv(1, 1)), vertex(d, n, uv(0, 1)));
   }
 
+  void wound_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) { mesh_.indices.insert(mesh_.indices.end(), {a, b, c}); }
+
   Mesh take() { return std::move(mesh_); }
 
  private:

@@ -130,6 +130,8 @@ void add_workshop(Families& to);
 void add_hall(Families& to);
 void add_appliances(Families& to);
 void add_outdoor_things(Families& to);
+void add_media(Families& to);
+void add_household(Families& to);
 void add_generic(Families& to);
 
 }  // namespace layoutbox::kit

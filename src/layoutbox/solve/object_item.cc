@@ -65,7 +65,7 @@ State make_state(const SceneObject& object, const CatalogEntry& entry, const std
   const Box own = own_box(size);
   const Box whole = turned(own, turn);
   for (int k = 0; k < 3; ++k) state.extent[k] = whole.extent(k);
-  const std::vector<Space> spaces = object.spaces_given ? object.spaces : spaces_at(entry, size);
+  const std::vector<Space> spaces = spaces_of(object, entry, size);
   std::vector<Box> holes;
   for (const Space& space : spaces) {
     const Box hole = box_of_space(space, own);

@@ -123,7 +123,7 @@ PlacedObject placed_object(const Model& model, int index, const Placements& plac
     out.mount = Mount::kSurface;
   }
   out.used_sides = object.used_sides.value_or(item.entry->used_sides);
-  out.spaces = object.spaces_given ? object.spaces : spaces_at(*item.entry, state.size);
+  out.spaces = spaces_of(object, *item.entry, state.size);
   out.mesh = object.mesh, out.mesh_front = object.mesh_front, out.material = object.material;
   out.fixed = object.fixed;
   return out;

@@ -24,15 +24,30 @@ void toilet(Piece& p) {
   p.add(p.named("chrome"), cylinder({0, p.d / 2 - tank / 2, p.h - 0.006}, 0.02, 0.006, 16));
 }
 
+// A tub with round corners, its inside falling to the drain; the mixer lies on the rim at one end, as flat as the height leaves it.
 void bathtub(Piece& p) {
   const int white = p.main("ceramic"), chrome = p.named("chrome");
-  open_box(p, white, p.body(), 0.06, 0.02);
   const FreeSpace* in = p.open_above();
-  const Box b = in != nullptr ? in->box : sides(-p.w / 2 + 0.06, p.w / 2 - 0.06, -p.d / 2 + 0.06, p.d / 2 - 0.06, 0.06, p.h);
+  const Box b = in != nullptr ? in->box : sides(-p.w / 2 + 0.08, p.w / 2 - 0.08, -p.d / 2 + 0.08, p.d / 2 - 0.08, 0.1, p.h);
+  const double h = p.h - 0.003, x = p.w / 2, y = p.d / 2, round = std::min({0.09, x * 0.4, y * 0.4}), lip = std::min(0.035, p.h * 0.1);
+  const auto outside = [&](double by, double z) {
+    return ring_at(rounded_rectangle({-x + by, -y + by}, {x - by, y - by}, std::max(0.01, round - by * 0.5), 5), z);
+  };
+  // The free room is a box: its corners stay sharp enough to hold it.
+  const auto inside = [&](double by, double z, double r) {
+    return ring_at(rounded_rectangle({b.min.x - by, b.min.y - by}, {b.max.x + by, b.max.y + by}, r, 5), z);
+  };
+  const double give = std::min({0.03, b.min.x + x - 0.02, b.min.y + y - 0.02});
+  p.add(white,
+        loft(std::vector<std::vector<Vec>>{outside(0.05, 0), outside(0.035, p.h * 0.06), outside(0.012, p.h * 0.55),
+                                           outside(0.008, h - lip), outside(0.001, h - lip * 0.9), outside(0, h - lip * 0.4),
+                                           outside(0.006, h), inside(give, h, give * 3.2), inside(give * 0.6, h - lip * 0.6, give * 1.9),
+                                           inside(give * 0.2, b.min.z + 0.03, give * 0.6), inside(0.001, b.min.z, 0.002)}));
   p.add(chrome, lathe({{0, 0}, {0.03, 0}, {0.03, 0.0008}, {0, 0.0008}}, 16), moved(b.min.x + 0.2, 0, b.min.z));
-  // The mixer lies on the rim at one end, as flat as the height leaves it.
-  for (const double y : {-0.07, 0.07})
-    p.add(chrome, cylinder({(b.min.x - p.w / 2) / 2, y, p.h - 0.004}, std::min(0.02, (b.min.x + p.w / 2) * 0.3), 0.004, 14));
+  p.add(chrome, lathe({{0, 0}, {0.03, 0}, {0.03, 0.001}, {0, 0.001}}, 16), aimed({b.min.x - give * 0.4, 0, p.h - 0.14}, {1, 0, 0}));
+  const double mid = (b.min.x - give - x) / 2, deep = b.min.x - give + x, r = std::min(0.022, deep * 0.36);
+  for (const double s : {-0.1, 0.1}) p.add(chrome, lathe({{0, 0}, {r, 0}, {r * 0.9, 0.004}, {0, 0.004}}, 16), moved(mid, s, h - 0.001));
+  p.add(chrome, box(sides(mid - r * 0.8, mid + deep * 0.5 - 0.001, -r * 0.8, r * 0.8, h - 0.001, p.h), 0.001));
 }
 
 void shower(Piece& p) {
@@ -61,12 +76,21 @@ void shower(Piece& p) {
     return;
   }
   handle(p, chrome, Handle::kVertical, {-p.w * 0.3, -p.d / 2 + 0.004, p.h * 0.5}, 0.3, 0.004);
-  const double y = p.d / 2 - 0.012;
-  p.add(chrome, rod({0, y, p.h * 0.5}, {0, y, p.h - 0.05}, 0.009, 8));
-  const Box head = sides(-0.1, 0.1, y - 0.36, y - 0.14, p.h - 0.075, p.h - 0.05);
+  // On the wall behind: a mixer, a rail with a hand shower and its hose; a head above where there is room for it.
+  const double y = p.d / 2 - 0.012, deep = in != nullptr ? p.d / 2 - in->box.max.y : 0.06, out = p.d / 2 - deep * 0.92, cx = -0.02;
+  p.add(chrome, rod({cx, y, p.h * 0.5}, {cx, y, p.h - 0.06}, 0.009, 8));
+  p.add(chrome, box(sides(cx - 0.13, cx + 0.13, out + 0.008, p.d / 2 - 0.004, p.h * 0.48, p.h * 0.5), 0.006));
+  for (const double s : {-0.12, 0.12})
+    p.add(chrome, rod({cx + s, out, p.h * 0.49}, {cx + s, p.d / 2 - 0.004, p.h * 0.49}, std::min(0.022, deep * 0.4), 14));
+  p.add(chrome,
+        tube(curve({{cx, y, p.h * 0.48}, {cx + 0.1, y, p.h * 0.36}, {cx + 0.14, y, p.h * 0.55}, {cx + 0.02, y, p.h * 0.8}}, 5), 0.006, 6));
+  p.add(chrome, lathe({{0, 0}, {0.055, 0}, {0.06, deep * 0.16}, {0.03, deep * 0.34}, {0, deep * 0.34}}, 24),
+        aimed({cx, out + deep * 0.36, p.h * 0.86}, {0, -1, 0}));
+  p.add(chrome, rod({cx, out + deep * 0.3, p.h * 0.85}, {cx + 0.01, y - 0.004, p.h * 0.76}, 0.011, 8));
+  const Box head = sides(-0.12, 0.12, y - 0.38, y - 0.14, p.h - 0.075, p.h - 0.05);
   if (p.is_free(head)) {
     p.add(chrome, rod({0, y, p.h - 0.055}, {0, y - 0.25, p.h - 0.055}, 0.009, 8));
-    p.add(chrome, lathe({{0, 0}, {0.1, 0}, {0.1, 0.008}, {0.02, 0.016}, {0, 0.016}}, 24), moved(0, y - 0.25, p.h - 0.072));
+    p.add(chrome, lathe({{0, 0}, {0.12, 0}, {0.12, 0.008}, {0.02, 0.016}, {0, 0.016}}, 24), moved(0, y - 0.25, p.h - 0.072));
   }
 }
 

@@ -8,8 +8,16 @@ namespace layoutbox::kit {
 namespace {
 
 void mouse(Piece& p) {
-  p.add(p.main("black_plastic"), lathe({{0, 0}, {0.96, 0}, {1, 0.3}, {0.8, 0.8}, {0.4, 1}, {0, 1}}, 24), scaled(p.w / 2, p.d / 2, p.h));
-  p.add(p.named("grey_plastic"), box(sides(-p.w * 0.05, p.w * 0.05, -p.d * 0.3, -p.d * 0.08, p.h * 0.75, p.h * 0.98), 0.001));
+  std::vector<Vec2> arch{{0, 0}, {0.94, 0}, {1, 0.1}};
+  for (int i = 1; i <= 8; ++i) {
+    const double a = kPi / 2 * i / 8;
+    arch.push_back({std::cos(a) * (i == 8 ? 0 : 1), 0.16 + 0.84 * std::sin(a)});
+  }
+  p.add(p.main("black_plastic"), lathe(arch, 32), scaled(p.w / 2, p.d / 2, p.h * 0.97));
+  // Its wheel stands a little out of the back, near the front.
+  const double r = p.h * 0.3, z = p.h * 0.97 * (0.16 + 0.84 * 0.79) - r * 0.35;
+  p.add(p.named("grey_plastic"), rod({-p.w * 0.05, -p.d * 0.3, z}, {p.w * 0.05, -p.d * 0.3, z}, r * 0.7, 16));
+  p.fit();
 }
 
 void phone(Piece& p) {

@@ -59,6 +59,8 @@ const Families& families() {
     add_hall(f);
     add_appliances(f);
     add_outdoor_things(f);
+    add_media(f);
+    add_household(f);
     add_generic(f);
     return f;
   }();

@@ -167,6 +167,28 @@ void window(Piece& p) {
   bar(-p.w / 2, p.w / 2, p.h - t, p.h);
   bar(-p.w / 2, -p.w / 2 + t, t, p.h - t);
   bar(p.w / 2 - t, p.w / 2, t, p.h - t);
+  if (p.category() == "stained_glass") {
+    // Panes in lead: a sun over hills, as rays and bands.
+    static constexpr Color kPanes[] = {{0.92, 0.72, 0.26}, {0.80, 0.34, 0.24}, {0.26, 0.46, 0.66},
+                                       {0.36, 0.58, 0.40}, {0.58, 0.36, 0.56}, {0.86, 0.54, 0.30}};
+    const double x0 = -p.w / 2 + t * 0.9, z0 = t * 0.9, wide = p.w - 1.8 * t, tall = p.h - 1.8 * t;
+    const int columns = std::max(2, static_cast<int>(wide / 0.14)), rows = std::max(3, static_cast<int>(tall / 0.16));
+    const int lead = p.named("black_metal");
+    for (int i = 0; i < columns; ++i) {
+      for (int k = 0; k < rows; ++k) {
+        const double px = x0 + wide * i / columns, pz = z0 + tall * k / rows, cx = px + wide / columns / 2, cz = pz + tall / rows / 2;
+        const double dx = cx / wide, dz = (cz - p.h / 2) / tall;
+        const int color = dx * dx + dz * dz < 0.06 ? 0 : (static_cast<int>(4 + 3 * dz + 2 * std::abs(dx)) + i * k) % 5 + 1;
+        p.add(p.tinted("frosted_glass", kPanes[color]),
+              box(sides(px + 0.004, px + wide / columns - 0.004, -y * 0.3, y * 0.3, pz + 0.004, pz + tall / rows - 0.004), 0));
+      }
+    }
+    for (int i = 0; i <= columns; ++i)
+      p.add(lead, box(sides(x0 + wide * i / columns - 0.004, x0 + wide * i / columns + 0.004, -y * 0.5, y * 0.5, z0, z0 + tall), 0));
+    for (int k = 0; k <= rows; ++k)
+      p.add(lead, box(sides(x0, x0 + wide, -y * 0.48, y * 0.48, z0 + tall * k / rows - 0.004, z0 + tall * k / rows + 0.004), 0));
+    return;
+  }
   if (p.w > 0.7) bar(-t * 0.3, t * 0.3, t, p.h - t);
   p.add(p.named("glass"), box(sides(-p.w / 2 + t * 0.8, p.w / 2 - t * 0.8, -0.003, 0.003, t * 0.8, p.h - t * 0.8), 0));
 }

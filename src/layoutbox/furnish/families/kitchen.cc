@@ -65,7 +65,7 @@ void burners(Piece& p, double level, double room) {
   for (const double x : {-0.24, 0.24}) {
     for (const double y : {-0.2, 0.22}) {
       const double r = std::min(p.w, p.d) * (x * y > 0 ? 0.16 : 0.12);
-      p.add(black, lathe({{r * 0.8, 0}, {r, 0}, {r, room * 0.6}, {r * 0.8, room * 0.6}, {r * 0.8, 0}}, 28),
+      p.add(black, lathe({{r * 0.86, 0}, {r, 0}, {r, room * 0.6}, {r * 0.86, room * 0.6}, {r * 0.86, 0}}, 28),
             moved(x * p.w, y * p.d, level + room * 0.4));
     }
   }
@@ -73,8 +73,10 @@ void burners(Piece& p, double level, double room) {
 
 // A glass plate with rings, let into a counter.
 void cooktop(Piece& p) {
-  burners(p, 0, p.h);
-  p.add(p.main("black_metal"), box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, 0, p.h * 0.35), 0.002));
+  const double plate = std::max(p.h * 0.35, p.h - 0.012);
+  burners(p, plate, p.h - plate);
+  p.add(p.main("black_metal"), box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, 0, plate), 0.002));
+  for (int i = 0; i < 4; ++i) dial(p, p.named("steel"), {p.w * (-0.12 + 0.08 * i), -p.d / 2 + 0.006, plate * 0.6}, plate * 0.28, 0.006);
 }
 
 void stove(Piece& p) {
@@ -134,15 +136,21 @@ void microwave(Piece& p) {
   }
 }
 
-void tap(Piece& p, double y, double z, double tall, double reach) {
+// A swan neck that ends `reach` before its foot, and two handles.
+void tap(Piece& p, double x, double y, double z, double tall, double reach) {
   const int chrome = p.named("chrome");
-  const double r = 0.009;
-  p.add(chrome, cylinder({0, y, z}, 0.02, 0.02, 14));
+  const double r = std::min(0.012, tall * 0.12);
+  p.add(chrome, cylinder({x, y, z}, r * 2, std::min(0.02, tall * 0.2), 16));
   p.add(
       chrome,
-      tube(curve({{0, y, z + 0.01}, {0, y, z + tall * 0.7}, {0, y - reach * 0.4, z + tall - r}, {0, y - reach, z + tall * 0.6}}, 5), r, 8));
-  p.add(chrome, ellipsoid({0, y - reach * 0.4, z + tall - r}, {r, r, r}, 10, 6));
-  for (const double s : {-1.0, 1.0}) p.add(chrome, rod({s * 0.07, y, z}, {s * 0.07, y, z + std::min(0.04, tall * 0.6)}, 0.014, 10));
+      tube(curve({{x, y, z + 0.005}, {x, y, z + tall * 0.7}, {x, y - reach * 0.4, z + tall - r * 1.2}, {x, y - reach, z + tall * 0.68}}, 6),
+           r, 10));
+  p.add(chrome, ellipsoid({x, y - reach * 0.4, z + tall - r}, {r, r, r}, 12, 6));
+  for (const double s : {-1.0, 1.0}) {
+    p.add(chrome, cylinder({x + s * 0.08, y, z}, r * 1.5, std::min(0.035, tall * 0.35), 14));
+    p.add(chrome, rod({x + s * 0.08, y, z + std::min(0.04, tall * 0.38)}, {x + s * (0.08 + r * 3.5), y, z + std::min(0.046, tall * 0.45)},
+                      r * 0.6, 8));
+  }
 }
 
 void urinal(Piece& p) {
@@ -156,30 +164,93 @@ void urinal(Piece& p) {
   p.add(p.named("chrome"), cylinder({0, p.d / 2 - 0.04, p.h - 0.012}, 0.02, 0.012, 14));
 }
 
-// A wash basin or kitchen sink: a bowl in a top, on a cabinet, a pedestal or a wall. Where the bowl's space reaches far above its floor,
-// the rim lies lower than the top and a tap stands on it.
+// A bowl let into a slab: the slab's ring round it at `rim`, walls and floor of the bowl below.
+void basin(Piece& p, int surface, const Box& in, const Box& around, double rim, double slab_thick, double wall, bool bottom = true) {
+  const double low = rim - slab_thick, e = 0.003;
+  p.add(surface, box(sides(around.min.x, in.min.x, around.min.y, around.max.y, low, rim), e));
+  p.add(surface, box(sides(in.max.x, around.max.x, around.min.y, around.max.y, low, rim), e));
+  p.add(surface, box(sides(in.min.x - e, in.max.x + e, around.min.y, in.min.y, low, rim), e));
+  p.add(surface, box(sides(in.min.x - e, in.max.x + e, in.max.y, around.max.y, low, rim), e));
+  if (!bottom) return;
+  if (low > in.min.z) {
+    const Box out = {{in.min.x - wall, in.min.y - wall, in.min.z - wall}, {in.max.x + wall, in.max.y + wall, low + 0.002}};
+    p.add(surface, box(sides(out.min.x, in.min.x, out.min.y, out.max.y, out.min.z, out.max.z), e));
+    p.add(surface, box(sides(in.max.x, out.max.x, out.min.y, out.max.y, out.min.z, out.max.z), e));
+    p.add(surface, box(sides(in.min.x - e, in.max.x + e, out.min.y, in.min.y, out.min.z, out.max.z), e));
+    p.add(surface, box(sides(in.min.x - e, in.max.x + e, in.max.y, out.max.y, out.min.z, out.max.z), e));
+  }
+  p.add(surface, box(sides(in.min.x - e, in.max.x + e, in.min.y - e, in.max.y + e, in.min.z - wall, in.min.z), 0.001));
+  p.add(p.named("chrome"), lathe({{0, 0}, {0.022, 0}, {0.022, 0.0008}, {0, 0.0008}}, 16), moved(in.center().x, in.center().y, in.min.z));
+}
+
+// A wash basin or kitchen sink: bowls in a slab, on a cabinet, a pedestal or a wall. A bowl is a space with a floor below the others'
+// (worktops beside it); where no other says how high the slab lies and the bowl reaches far above its floor, the tap takes the rest.
 void sink(Piece& p) {
   if (p.category() == "urinal") return urinal(p);
-  const int ceramic = p.main("ceramic");
-  const FreeSpace* bowl = p.open_above();
-  const Box in = bowl != nullptr ? bowl->box : sides(-p.w * 0.36, p.w * 0.36, -p.d * 0.36, p.d * 0.2, p.h - std::min(0.14, p.h * 0.5), p.h);
-  const double deep = p.h - in.min.z, tall = deep > 0.18 ? deep - 0.13 : 0, rim = p.h - tall, floor = in.min.z - 0.015;
-  const double body = p.mount() == Mount::kWall ? 0 : std::max(0.0, std::min(floor, rim - 0.06)), x = p.w / 2, y = p.d / 2;
-  p.add(ceramic, box(sides(-x, x, -y, y, body, in.min.z), 0.01));
-  p.add(ceramic, box(sides(-x, in.min.x, -y, y, in.min.z - 0.004, rim), 0.008));
-  p.add(ceramic, box(sides(in.max.x, x, -y, y, in.min.z - 0.004, rim), 0.008));
-  p.add(ceramic, box(sides(in.min.x - 0.008, in.max.x + 0.008, -y, in.min.y, in.min.z - 0.004, rim), 0.008));
-  p.add(ceramic, box(sides(in.min.x - 0.008, in.max.x + 0.008, in.max.y, y, in.min.z - 0.004, rim), 0.008));
-  p.add(p.named("chrome"), lathe({{0, 0}, {0.022, 0}, {0.022, 0.0008}, {0, 0.0008}}, 16), moved(in.center().x, in.center().y, in.min.z));
-  if (tall > 0) tap(p, (in.max.y + y) / 2, rim - 0.002, tall + 0.002, std::min(0.02, (y - in.max.y) * 0.3));
-  if (p.mount() == Mount::kWall || body < 0.1) return;
-  if (p.w > 0.55 || p.says("vanity")) {
-    const int wood = p.frame("oak");
-    carcass(p, {sides(-x + 0.01, x - 0.01, -y + 0.005, y, 0.08, body), wood, wood, p.named("steel")});
-    p.add(p.named("black_plastic"), box(sides(-x + 0.03, x - 0.03, -y + 0.06, y - 0.002, 0, 0.08), 0));
+  const bool steel_bowl = p.word("kind", "") == "sink";  // a kitchen's
+  const int ceramic = steel_bowl ? p.named("steel") : p.main("ceramic");
+  std::vector<Box> bowls;
+  double floor = p.h, worktop = 0;
+  for (const FreeSpace& s : p.spaces) floor = s.carries ? std::min(floor, s.box.min.z) : floor;
+  for (const FreeSpace& s : p.spaces) {
+    if (!s.carries) continue;
+    if (s.box.min.z < floor + 0.02)
+      bowls.push_back(s.box);
+    else
+      worktop = s.box.min.z;
+  }
+  if (bowls.empty()) bowls.push_back(sides(-p.w * 0.36, p.w * 0.36, -p.d * 0.36, p.d * 0.2, p.h - std::min(0.14, p.h * 0.5), p.h));
+  const double deep = p.h - bowls.front().min.z, x = p.w / 2, y = p.d / 2;
+  const double rim = worktop > 0 ? worktop : deep > 0.18 ? p.h - deep + 0.13 : p.h, tall = p.h - rim;
+  const bool cabinet = p.mount() != Mount::kWall && (p.w > 0.5 || p.says("vanity") || steel_bowl) && p.h > 0.5;
+  // Each bowl has the slab to half way to the next one.
+  for (std::size_t i = 0; i < bowls.size(); ++i) {
+    const auto middle = [&](std::size_t k) { return (bowls[k].max.x + bowls[k + 1].min.x) / 2; };
+    const Box& in = bowls[i];
+    const double x0 = i == 0 ? -x : middle(i - 1), x1 = i + 1 == bowls.size() ? x : middle(i);
+    const double thick = cabinet ? std::min(0.04, rim - in.min.z) : rim - in.min.z;
+    const double wall = std::min({0.02, in.min.z, in.min.x - x0, x1 - in.max.x, in.min.y + y, y - in.max.y}) * 0.9;
+    if (steel_bowl) {
+      // A steel bowl in a worktop of another stuff: a sheet lies on it round the bowl.
+      const int top = p.named(p.says("marble") ? "marble" : p.says("wood") || p.says("wooden") ? "oak" : "granite");
+      basin(p, top, {{in.min.x, in.min.y, rim - 0.038}, in.max}, sides(x0, x1, -y, y, 0, 0), rim - 0.002, 0.036, wall, false);
+      basin(p, ceramic, in,
+            sides(std::max(x0, in.min.x - 0.025), std::min(x1, in.max.x + 0.025), in.min.y - 0.025, std::min(y, in.max.y + 0.08), 0, 0),
+            rim, 0.003, wall);
+      for (int k = 0; k < 6 && worktop > 0; ++k) {  // grooves of the drainer
+        const double gx = in.max.x + 0.07 + 0.045 * k;
+        if (gx < x1 - 0.03) p.add(ceramic, box(sides(gx, gx + 0.012, in.min.y, in.max.y, rim - 0.003, rim), 0.001));
+      }
+    } else {
+      basin(p, ceramic, in, sides(x0, x1, -y, y, 0, 0), rim, std::max(thick, 0.004), std::max(wall, 0.004));
+    }
+    if (tall > 0) tap(p, in.center().x, (in.max.y + y) / 2, rim - 0.002, tall + 0.002, std::min(0.03, (y - in.max.y) * 0.4));
+  }
+  if (p.mount() == Mount::kWall || floor < 0.15) {
+    if (floor > 0.01 && p.mount() == Mount::kWall)
+      p.add(ceramic, rounded_box(sides(-x * 0.8, x * 0.8, -y * 0.7, y, 0, floor - 0.003), std::min(0.03, floor * 0.4), 3));
+    if (p.mount() != Mount::kWall && floor > 0.004) p.add(ceramic, box(sides(-x, x, -y, y, 0, floor), 0.006));
     return;
   }
-  p.add(ceramic, lathe({{0, 0}, {0.13, 0}, {0.12, 0.03}, {0.075, 0.25}, {0.08, body * 0.7}, {0.14, body + 0.005}, {0, body + 0.005}}, 24),
+  if (cabinet) {
+    // The cabinet's sheets stand round the bowls.
+    const int wood = steel_bowl ? p.main("lacquer") : p.frame("oak");
+    const double foot = std::min(0.1, rim * 0.12), top = rim - 0.036, t = std::min(0.016, bowls.front().min.x + x - 0.006),
+                 front = -y + 0.045;
+    p.add(p.named("black_plastic"), box(sides(-x + 0.03, x - 0.03, -y + 0.08, y - 0.002, 0, foot), 0));
+    for (const double s : {-1.0, 1.0})
+      p.add(wood, box(sides(s > 0 ? x - 0.006 - t : -x + 0.006, s > 0 ? x - 0.006 : -x + 0.006 + t, front, y - 0.003, foot, top), 0.002));
+    p.add(wood, box(sides(-x + 0.006, x - 0.006, y - 0.012, y - 0.003, foot, top), 0.001));
+    p.add(wood, box(sides(-x + 0.006, x - 0.006, front, y - 0.004, foot, foot + 0.018), 0.001));
+    Fronts f{-x + 0.01, x - 0.01, foot + 0.004, top - 0.006, -y + 0.027};
+    f.thick = 0.018;
+    f.out = 0.022;
+    f.doors = true;
+    f.columns = std::max(1, static_cast<int>(std::lround(p.w / 0.45)));
+    fronts(p, wood, p.named("steel"), f);
+    return;
+  }
+  p.add(ceramic, lathe({{0, 0}, {0.13, 0}, {0.12, 0.03}, {0.075, 0.25}, {0.08, floor * 0.7}, {0.14, floor}, {0, floor}}, 24),
         moved(0, p.d * 0.1, 0));
 }
 

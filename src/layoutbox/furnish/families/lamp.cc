@@ -67,7 +67,42 @@ void floor_lamp(Piece& p) {
   p.light({0, 0, p.h - tall * 0.5}, 25, 0.08);
 }
 
+// A glowing body on a foot: a rough lump of salt, a cone of glass with blobs, a small globe.
+void glowing_lamp(Piece& p, std::string_view kind) {
+  const double r = p.w / 2, k = p.d / p.w;
+  if (kind == "lava") {
+    const int metal = p.named("steel"), blob = p.tinted("ember", {0.96, 0.32, 0.20});
+    p.add(metal, lathe({{0, 0}, {r, 0}, {r * 0.62, p.h * 0.24}, {r * 0.7, p.h * 0.28}, {0, p.h * 0.28}}, 28), scaled(1, k, 1));
+    p.add(p.tinted("frosted_glass", {0.98, 0.62, 0.36}),
+          lathe({{0, p.h * 0.27}, {r * 0.68, p.h * 0.27}, {r * 0.78, p.h * 0.4}, {r * 0.4, p.h * 0.86}, {0, p.h * 0.86}}, 28),
+          scaled(1, k, 1));
+    p.add(metal, lathe({{0, p.h * 0.85}, {r * 0.42, p.h * 0.85}, {r * 0.3, p.h}, {0, p.h}}, 22), scaled(1, k, 1));
+    for (const auto& [z, s] : {std::pair{0.4, 0.3}, {0.56, 0.2}, {0.7, 0.14}})
+      p.add(blob, ellipsoid({r * 0.1 * (s - 0.2), -r * 0.28, p.h * z}, {r * s, r * s, r * s * 1.3}, 12, 8));
+  } else if (kind == "salt") {
+    p.add(p.named("walnut"), cylinder({0, 0, 0}, r * 0.86, p.h * 0.1, 24));
+    std::vector<std::vector<Vec>> rings;
+    static constexpr Vec2 kSide[] = {{0.72, 0.09}, {0.98, 0.25}, {0.86, 0.5}, {0.6, 0.76}, {0.3, 0.96}};
+    for (const Vec2& at : kSide) {
+      std::vector<Vec> ring;
+      for (int i = 0; i < 9; ++i) {
+        const double a = 2 * kPi * i / 9, rough = 1 + 0.12 * (p.random() - 0.5);
+        ring.push_back({std::cos(a) * r * at.x * rough, std::sin(a) * r * k * at.x * rough, p.h * (at.y + 0.05 * (p.random() - 0.5))});
+      }
+      rings.push_back(ring);
+    }
+    p.add(p.tinted("lampshade", {0.98, 0.62, 0.44}), loft(rings));
+    p.fit();
+  } else {
+    p.add(p.main("plastic"), lathe({{0, 0}, {r * 0.7, 0}, {r * 0.74, p.h * 0.14}, {r * 0.5, p.h * 0.2}, {0, p.h * 0.2}}, 26),
+          scaled(1, k, 1));
+    p.add(p.named("lampshade"), ellipsoid({0, 0, p.h * 0.58}, {r, r * k, p.h * 0.42}, 26, 16));
+  }
+  p.light({0, 0, p.h * 0.6}, 5, 0.05);
+}
+
 void table_lamp(Piece& p) {
+  if (const std::string kind = p.word("kind", ""); kind == "lava" || kind == "salt" || kind == "globe") return glowing_lamp(p, kind);
   const double r = p.w / 2, tall = p.h * 0.42, k = p.d / p.w, neck = p.h - tall;
   const int base = p.main_accent("ceramic"), cloth = p.named("lampshade"), metal = p.named("brass");
   const int look = p.is_style("modern") || p.is_style("minimalist") ? 1 : p.is_style("traditional") ? 0 : p.variant(3);
@@ -127,6 +162,33 @@ void pendant(Piece& p) {
   }
   const double r = p.w / 2, tall = std::min({0.3, p.h * 0.6, r * 1.3}), k = p.d / p.w;
   const int metal = p.named("black_metal"), outside = p.main_accent("painted_metal");
+  if (p.word("kind", "") == "globe" || p.says("globe") || p.category() == "paper_lantern") {
+    const double ball = std::min(r, p.h * 0.46);
+    const bool mirrored = p.category() == "disco_ball", paper = p.category() == "paper_lantern";
+    const int surface = mirrored ? p.named("mirror") : p.named("lampshade");
+    if (mirrored) {  // flat tiles
+      std::vector<std::vector<Vec>> rings;
+      for (int j = 0; j <= 12; ++j) {
+        const double a = kPi * (j + 0.25) / 12.5 - kPi / 2;
+        std::vector<Vec> ring;
+        for (int i = 0; i < 20; ++i)
+          ring.push_back({std::cos(2 * kPi * i / 20) * std::cos(a), std::sin(2 * kPi * i / 20) * std::cos(a), std::sin(a)});
+        rings.push_back(ring);
+      }
+      p.add(surface, loft(rings), moved(0, 0, ball) * scaled(r, r * k, ball));
+    } else {
+      p.add(surface, ellipsoid({0, 0, ball}, {r, r * k, ball}, 32, 18));
+      for (int j = 1; paper && j < 8; ++j) {
+        const double a = kPi * j / 8 - kPi / 2;
+        p.add(surface, torus({0, 0, 0}, r * std::cos(a), 0.003, 32, 5), moved(0, 0, ball + ball * std::sin(a)) * scaled(1, k, 1));
+      }
+    }
+    p.add(metal, cylinder({0, 0, ball * 1.96}, 0.004, p.h - ball * 1.96 - 0.01, 8));
+    p.add(metal, cylinder({0, 0, p.h - std::min(0.03, p.h * 0.1)}, std::min(0.05, r * 0.5), std::min(0.03, p.h * 0.1), 20));
+    p.fit();
+    if (!mirrored) p.light({0, 0, -0.02}, 25, 0.1);
+    return;
+  }
   p.add(metal, cylinder({0, 0, p.h - std::min(0.03, p.h * 0.1)}, std::min(0.05, r * 0.5), std::min(0.03, p.h * 0.1), 20));
   p.add(metal, cylinder({0, 0, tall * 0.95}, 0.004, p.h - tall, 8));
   // A dome: an arc from the rim up to the neck, and back inside.
@@ -171,7 +233,34 @@ void chandelier(Piece& p) {
   p.light({0, 0, body * 0.5}, 45, 0.15);
 }
 
+// Globes in a row on a bar, or a tube before a picture.
+void bar_lamp(Piece& p) {
+  const int metal = p.frame("brass"), shade_surface = p.named("lampshade");
+  const double x = p.w / 2, y = p.d / 2, r = std::min(p.h, p.d * 0.8) / 2;
+  const int n = p.count("bulbs", 0);
+  if (n == 0) {
+    const double tube_radius = std::min(0.02, r * 0.5);
+    p.add(metal, rod({-x, -y + tube_radius * 1.2, p.h - tube_radius * 1.2}, {x, -y + tube_radius * 1.2, p.h - tube_radius * 1.2},
+                     tube_radius * 1.2, 16));
+    p.add(shade_surface, rod({-x * 0.94, -y + tube_radius * 1.6, p.h - tube_radius * 2},
+                             {x * 0.94, -y + tube_radius * 1.6, p.h - tube_radius * 2}, tube_radius, 14));
+    p.add(metal, tube(curve({{0, y - 0.01, p.h * 0.2}, {0, 0, p.h * 0.8}, {0, -y + tube_radius * 2, p.h - tube_radius}}, 5), 0.007, 8));
+    p.add(metal, box(sides(-std::min(0.05, x * 0.4), std::min(0.05, x * 0.4), y - 0.014, y, 0, p.h * 0.5), 0.004));
+    p.light({0, -y + tube_radius, p.h * 0.5}, 8, 0.04);
+    p.fit();
+    return;
+  }
+  p.add(metal, box(sides(-x, x, y - 0.025, y, p.h * 0.3, p.h * 0.7), 0.006));
+  for (int i = 0; i < n; ++i) {
+    const double cx = -x + p.w * (i + 0.5) / n, globe = std::min(r, x / n * 0.86);
+    p.add(metal, rod({cx, y - 0.02, p.h / 2}, {cx, -y + globe * 1.7, p.h / 2}, globe * 0.4, 14));
+    p.add(shade_surface, ellipsoid({cx, -y + globe, p.h / 2}, {globe, globe, p.h / 2}, 20, 12));
+    p.light({cx, -y + globe, p.h / 2}, 14.0 / n, 0.05);
+  }
+}
+
 void wall_lamp(Piece& p) {
+  if (p.word("kind", "") == "bar") return bar_lamp(p);
   const int metal = p.frame("brass"), cloth = p.named("lampshade");
   const double r = std::min(p.w / 2, p.d * 0.45), y = -p.d / 2 + r;
   p.add(metal, box(sides(-std::min(0.05, p.w * 0.35), std::min(0.05, p.w * 0.35), p.d / 2 - 0.015, p.d / 2, 0, std::min(p.h, 0.2)), 0.004));

@@ -105,8 +105,16 @@ void ironing_board(Piece& p) {
   outline.push_back({-x, y});
   outline.push_back({-x, -y});
   p.add(cloth, prism(outline, p.h - top, p.h));
-  // The legs stand where the room below leaves something: in the corners.
-  p.legs(metal, p.h - top, 0.035, 0.0, true);
+  // Two frames of legs cross, in the strips that the room below leaves at the front and at the back.
+  double strip = y;
+  for (const FreeSpace& s : p.spaces) strip = std::min({strip, y + s.box.min.y, y - s.box.max.y});
+  const double r = std::min(0.012, strip * 0.4), ly = y - r * 1.05, high = p.h - top;
+  for (const double s : {-1.0, 1.0}) {
+    p.add(metal, rod({-x * 0.62, s * ly, r}, {x * 0.5, s * ly, high}, r, 10));
+    p.add(metal, rod({x * 0.62, s * ly, r}, {-x * 0.5, s * ly, high}, r * 0.9, 10));
+    for (const double k : {-1.0, 1.0})
+      p.add(p.named("black_plastic"), rod({k * x * 0.62 - 0.03, s * ly, r}, {k * x * 0.62 + 0.03, s * ly, r}, r, 10));
+  }
 }
 
 void xylophone(Piece& p) {

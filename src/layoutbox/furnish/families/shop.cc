@@ -28,32 +28,73 @@ void cash_register(Piece& p) {
   p.fit();
 }
 
-// A glass case on a base; its shelves stand at its spaces' floors.
+// A glass case on a base, framed at its corners; its shelves stand at its spaces' floors. Under a wooden top the back is of wood, too.
 void display_case(Piece& p) {
-  const int base = p.main("oak"), glass = p.named("glass"), metal = p.named("steel");
-  double low = p.h * 0.25;
+  const int base = p.main("oak"), glass = p.named("glass");
+  double low = p.h * 0.25, side = 0.02;
   std::vector<double> levels;
-  for (const FreeSpace& s : p.spaces) levels.push_back(s.box.min.z);
+  for (const FreeSpace& s : p.spaces) {
+    levels.push_back(s.box.min.z);
+    side = std::min({side, s.box.min.x + p.w / 2, p.w / 2 - s.box.max.x, s.box.min.y + p.d / 2, p.d / 2 - s.box.max.y});
+  }
   std::sort(levels.begin(), levels.end());
   if (!levels.empty()) low = levels.front();
   if (levels.empty()) levels = {low, low + (p.h - low) * 0.45};
-  p.add(base, box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, 0, low), 0.006));
-  p.add(base, box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, p.h - 0.012, p.h), 0.004));
-  for (const double x : {-1.0, 1.0}) {
-    p.add(glass, box(sides(x > 0 ? p.w / 2 - 0.007 : -p.w / 2 + 0.002, x > 0 ? p.w / 2 - 0.002 : -p.w / 2 + 0.007, -p.d / 2 + 0.008,
-                           p.d / 2 - 0.008, low, p.h - 0.012),
-                     0));
-    for (const double y : {-1.0, 1.0})
-      p.add(metal, box(sides(x * (p.w / 2 - 0.005) - 0.005, x * (p.w / 2 - 0.005) + 0.005, y * (p.d / 2 - 0.005) - 0.005,
-                             y * (p.d / 2 - 0.005) + 0.005, low - 0.002, p.h - 0.01),
-                       0.001));
+  const double x = p.w / 2, y = p.d / 2, t = std::max(0.004, side), top = std::min(0.03, p.h * 0.02);
+  double roof = p.h - top;
+  for (const FreeSpace& s : p.spaces) roof = std::max(roof, s.box.max.z);
+  roof = std::min(roof, p.h - 0.004);
+  p.add(base, box(sides(-x, x, -y, y, 0, low), 0.006));
+  p.add(base, box(sides(-x, x, -y, y, roof, p.h), std::min(0.004, (p.h - roof) * 0.4)));
+  for (const double sx : {-1.0, 1.0}) {
+    for (const double sy : {-1.0, 1.0})
+      p.add(base,
+            box(sides(sx > 0 ? x - t : -x, sx > 0 ? x : t - x, sy > 0 ? y - t : -y, sy > 0 ? y : t - y, low - 0.001, roof + 0.001), 0.001));
+    p.add(glass, box(sides(sx > 0 ? x - t * 0.6 : -x + t * 0.4, sx > 0 ? x - t * 0.4 : -x + t * 0.6, -y + t, y - t, low, roof), 0));
   }
-  for (const double y : {-1.0, 1.0})
-    p.add(glass, box(sides(-p.w / 2 + 0.01, p.w / 2 - 0.01, y > 0 ? p.d / 2 - 0.007 : -p.d / 2 + 0.002,
-                           y > 0 ? p.d / 2 - 0.002 : -p.d / 2 + 0.007, low, p.h - 0.012),
-                     0));
-  for (std::size_t i = 1; i < levels.size(); ++i)
-    p.add(glass, box(sides(-p.w / 2 + 0.008, p.w / 2 - 0.008, -p.d / 2 + 0.008, p.d / 2 - 0.008, levels[i] - 0.006, levels[i]), 0));
+  p.add(glass, box(sides(-x + t, x - t, -y + t * 0.4, -y + t * 0.6, low, roof), 0));
+  const bool cabinet = p.count("doors", 0) > 0;
+  if (cabinet) {
+    p.add(base, box(sides(-x + t, x - t, y - t, y - t * 0.4, low, roof), 0));
+    p.add(base, box(sides(-t * 0.7, t * 0.7, -y, -y + t, low, roof), 0.001));  // where its doors meet
+    for (const double s : {-1.0, 1.0})
+      handle(p, p.named("brass"), Handle::kKnob, {s * t * 2.4, -y + t * 0.45, low + (roof - low) * 0.5}, 0.02, t * 0.44);
+  } else {
+    p.add(glass, box(sides(-x + t, x - t, y - t * 0.6, y - t * 0.4, low, roof), 0));
+  }
+  for (std::size_t i = 1; i < levels.size(); ++i) {
+    double thick = cabinet ? 0.014 : 0.006;
+    for (const FreeSpace& s : p.spaces) {
+      if (s.box.max.z < levels[i] + 0.001) thick = std::min(thick, std::max(0.002, levels[i] - s.box.max.z));
+    }
+    p.add(cabinet ? base : glass, box(sides(-x + t, x - t, -y + t, y - t, levels[i] - thick, levels[i]), 0));
+  }
+  if (!p.may_show_contents() || !cabinet) return;
+  // China where nothing of the room stands: plates leaning at the back, cups and bowls before them.
+  int k = 0;
+  for (const FreeSpace& s : p.spaces) {
+    if (!s.carries || s.held || s.box.size().z < 0.2 || s.box.size().y < 0.16) continue;
+    const Vec c = s.box.center();
+    const double plate = std::min({0.11, s.box.size().z * 0.38, s.box.size().y * 0.4});
+    for (double px = s.box.min.x + plate * 1.2; px + plate < s.box.max.x; px += plate * 2.6, ++k) {
+      const int china = p.tinted("ceramic", k % 3 == 1 ? mixed(p.accent(), {0.95, 0.95, 0.93}, 0.5) : Color{0.95, 0.95, 0.93});
+      if (k % 2 == 0) {
+        p.add(china, lathe({{0, 0}, {plate * 0.6, 0}, {plate, 0.012}, {plate, 0.016}, {plate * 0.6, 0.005}, {0, 0.005}}, 28),
+              aimed({px, s.box.max.y - 0.03, s.box.min.z + plate + 0.001}, unit({0, -1, 0.12})));
+      } else {
+        p.add(china,
+              lathe({{0, 0},
+                     {plate * 0.35, 0},
+                     {plate * 0.5, plate * 0.2},
+                     {plate * 0.66, plate * 0.75},
+                     {plate * 0.6, plate * 0.75},
+                     {plate * 0.45, plate * 0.25},
+                     {0, plate * 0.12}},
+                    22),
+              moved(px, c.y, s.box.min.z));
+      }
+    }
+  }
 }
 
 void vending_machine(Piece& p) {
@@ -139,6 +180,12 @@ void cart(Piece& p) {
   if (levels.empty()) levels = {r * 1.6 + 0.04, (r * 1.6 + p.h) / 2, p.h - 0.05};
   for (const double z : levels) {
     p.add(board, box(sides(-p.w / 2 + 0.002, p.w / 2 - 0.002, -p.d / 2 + 0.002, p.d / 2 - 0.002, std::max(0.002, z - 0.018), z), 0.003));
+  }
+  // A bar to push at by both ends, in the width that the shelves leave beside them.
+  for (const double x : {-1.0, 1.0}) {
+    const double cx = x * (p.w / 2 - t / 2);
+    p.add(metal, rod({cx, -p.d / 2 + t / 2, p.h - t * 0.5}, {cx, p.d / 2 - t / 2, p.h - t * 0.5}, t * 0.5, 10));
+    p.add(metal, rod({cx, -p.d / 2 + t / 2, p.h * 0.6}, {cx, p.d / 2 - t / 2, p.h * 0.6}, t * 0.35, 8));
   }
   if (p.open_above() == nullptr) {
     for (const double y : {-1.0, 1.0})

@@ -88,6 +88,18 @@ void shelf(Piece& p) {
 // A rod between brackets on a wall, for towels, clothes or curtains.
 void rail(Piece& p) {
   const int metal = p.main("steel");
+  if (p.category() == "toilet_paper_holder") {
+    const double y0 = -p.d / 2, roll = std::min(p.h, p.d * 0.9) / 2, mid = y0 + roll;
+    p.add(
+        p.named("paper"),
+        lathe({{roll * 0.36, -p.w * 0.4}, {roll, -p.w * 0.4}, {roll, p.w * 0.4}, {roll * 0.36, p.w * 0.4}, {roll * 0.36, -p.w * 0.4}}, 32),
+        aimed({0, mid, p.h / 2}, {1, 0, 0}));
+    p.add(metal, rod({-p.w / 2, mid, p.h / 2}, {p.w / 2, mid, p.h / 2}, roll * 0.16, 12));
+    p.add(metal, rod({-p.w * 0.47, mid, p.h / 2}, {-p.w * 0.47, p.d / 2, p.h / 2}, roll * 0.16, 12));
+    p.add(metal, box(sides(-p.w / 2, -p.w * 0.34, p.d / 2 - 0.01, p.d / 2, p.h * 0.25, p.h * 0.75), 0.003));
+    p.fit();
+    return;
+  }
   const int n = std::max(1, std::min(p.count("rails", 1), static_cast<int>(p.h / 0.06)));
   const double r = std::min({0.012, p.d * 0.3, p.h * 0.4}), y = -p.d / 2 + r;
   for (int i = 0; i < n; ++i) {

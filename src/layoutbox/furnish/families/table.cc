@@ -11,7 +11,19 @@ namespace {
 void round_support(Piece& p, int surface, double top) {
   const double column = std::min(0.06, p.w * 0.1), foot = p.w * 0.22, ky = p.d / p.w;
   // Chairs are pushed in from all sides, so what many sit at stands on one foot.
-  if (p.count("legs", 4) <= 1 || std::min(p.w, p.d) > 0.75) {
+  const int n = p.count("legs", 4) == 3 ? 3 : 4;
+  const double t = std::min(0.022, p.w * 0.05);
+  const auto angle = [&](int i) { return kPi * (n == 3 ? 0.5 + 2.0 * i / 3 : 0.25 + 0.5 * i); };
+  const auto at = [&](int i, double k) { return Vec{std::cos(angle(i)) * (p.w / 2 - t) * k, std::sin(angle(i)) * (p.d / 2 - t) * k, 0}; };
+  const auto stands = [&](double k) {
+    for (int i = 0; i < n; ++i) {
+      const Vec c = at(i, k);
+      if (!p.is_free(sides(c.x - t, c.x + t, c.y - t, c.y + t, 0, top))) return false;
+    }
+    return true;
+  };
+  const double reach = stands(0.86) ? 0.86 : 0.98;
+  if (p.count("legs", 4) <= 1 || std::min(p.w, p.d) > 0.75 || !stands(reach)) {
     p.add(surface,
           lathe({{0, 0},
                  {foot, 0},
@@ -26,17 +38,8 @@ void round_support(Piece& p, int surface, double top) {
           scaled(1, ky, 1));
     return;
   }
-  const int n = p.count("legs", 4) == 3 ? 3 : 4;
   for (int i = 0; i < n; ++i) {
-    const double a = kPi * (n == 3 ? 0.5 + 2.0 * i / 3 : 0.25 + 0.5 * i), t = std::min(0.022, p.w * 0.05);
-    double reach = 0.86;
-    const auto at = [&](double k) { return Vec{std::cos(a) * (p.w / 2 - t) * k, std::sin(a) * (p.d / 2 - t) * k, 0}; };
-    const auto stands = [&](double k) {
-      const Vec c = at(k);
-      return p.is_free(sides(c.x - t, c.x + t, c.y - t, c.y + t, 0, top));
-    };
-    if (!stands(reach)) reach = stands(0.98) ? 0.98 : reach;
-    const Vec c = at(reach);
+    const Vec c = at(i, reach);
     p.add(surface, cone({c.x, c.y, 0}, t * 0.7, t, top, 14));
   }
 }
@@ -72,7 +75,7 @@ void picnic_table(Piece& p) {
 
 void table(Piece& p) {
   if (p.count("benches", 0) > 0) return picnic_table(p);
-  const std::string top = p.says("round")                             ? "round"
+  const std::string top = p.says("round") || p.says("circular")       ? "round"
                           : p.says("oval")                            ? "oval"
                           : p.says("rectangular") || p.says("square") ? "rect"
                                                                       : p.word("top", "rect");

@@ -169,7 +169,20 @@ void jar(Piece& p) {
 void fruit(Piece& p) {
   static constexpr Color kFruit[] = {{0.76, 0.22, 0.18}, {0.90, 0.55, 0.18}, {0.62, 0.72, 0.26}, {0.90, 0.78, 0.30}};
   const auto apple = [&](Vec at, double r, const Color& color) {
-    p.add(p.tinted("wax", color), lathe({{0, 0.12}, {0.45, 0}, {0.9, 0.5}, {1, 1.1}, {0.75, 1.75}, {0.3, 1.85}, {0, 1.65}}, 18),
+    p.add(p.tinted("wax", color),
+          lathe({{0, 0.12},
+                 {0.3, 0.02},
+                 {0.52, 0.08},
+                 {0.74, 0.3},
+                 {0.9, 0.62},
+                 {0.99, 1.0},
+                 {0.98, 1.3},
+                 {0.88, 1.58},
+                 {0.68, 1.78},
+                 {0.42, 1.86},
+                 {0.2, 1.78},
+                 {0, 1.62}},
+                20),
           moved(at) * scaled(r, r, r));
     p.add(p.named("walnut"), rod(at + Vec{0, 0, r * 1.6}, at + Vec{r * 0.15, 0, r * 2.1}, r * 0.06, 5));
   };
