@@ -31,6 +31,7 @@ def build(view, meshes, turn=0.0):
     build_base(stay)
     build_rows(SHELL + OBJECTS, out, meshes, materials)
     build_light()
+    build_beams(stay)
     build_camera(stay)
     hidden = bpy.data.collections.get("Left out")
     if hidden:

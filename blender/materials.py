@@ -190,7 +190,7 @@ def paint_parquet(nodes, point, row):
 
 def paint_tiles(nodes, point, row):
     base, second = row["color"], row["second"]
-    tile, joint = nodes.bricks(point, 1.0, 1.0, 1 / 160, offset=0.0)
+    tile, joint = nodes.bricks(point, 1.0, 1.0, 1 / 90, offset=0.0)
     body = nodes.ramp(tile, (0.0, between(base, second, 0.10)), (1.0, base))
     return nodes.mix(joint, body, rgba(second))
 

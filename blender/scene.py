@@ -177,6 +177,32 @@ def build_camera(stay):
     bpy.context.scene.camera = camera
 
 
+def build_beams(stay):
+    """Sun that falls in through the windows of the walls that stay, as patches on the floor: before each window a lamp of its size whose
+    rays are nearly parallel, so that nothing else is lit by it."""
+    group = collection("Light and camera")
+    turn, down = math.radians(LIGHT["beam_turn"]), math.radians(LIGHT["beam_down"])
+    for opening in OPENINGS:
+        wall = next((w for w in WALLS if w["id"] == opening["wall"]), None)
+        if wall is None or wall["id"] not in stay or opening["type"] != "window":
+            continue
+        (ax, ay), (bx, by) = wall["start"], wall["end"]
+        share = (opening["offset"] + opening["w"] / 2) / math.hypot(bx - ax, by - ay)
+        nx, ny = inward_normal(wall)
+        hx, hy = nx * math.cos(turn) - ny * math.sin(turn), nx * math.sin(turn) + ny * math.cos(turn)
+        away = 0.6  # m from the window, up along the rays
+        data = bpy.data.lights.new(f"sun in {opening['id']}", "AREA")
+        data.shape, data.size, data.size_y = "RECTANGLE", opening["w"], opening["h"]
+        data.spread, data.color = math.radians(4.0), linear(LIGHT["beam_color"])
+        data.energy = LIGHT["beams"] * opening["w"] * opening["h"]
+        beam = bpy.data.objects.new(data.name, data)
+        beam.location = (ax + (bx - ax) * share - hx * math.cos(down) * away, ay + (by - ay) * share - hy * math.cos(down) * away,
+                         opening["sill"] + opening["h"] / 2 + math.sin(down) * away)
+        beam.rotation_euler = (math.pi / 2 - down, 0, math.atan2(hy, hx) - math.pi / 2)
+        beam.visible_camera = False
+        group.objects.link(beam)
+
+
 def build_light():
     """A soft sun from the camera's left, the sky all round, and a plain colour behind the room."""
     group = collection("Light and camera")

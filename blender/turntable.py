@@ -51,32 +51,70 @@ def write_mp4(frames, path):
     bpy.ops.render.render(animation=True)
 
 
-def write_gif(frames, path):
-    """252 colours, 6 × 7 × 6 of them, evenly spread, mixed by a pattern of dots."""
+def coarse(frame):
+    """A picture's size and, for each pixel from the top left, its colour in steps of 1/63: one number, six bits a channel."""
     import numpy
 
-    levels = numpy.array([6, 7, 6])
-    pattern = numpy.array([[0, 8, 2, 10], [12, 4, 14, 6], [3, 11, 1, 9], [15, 7, 13, 5]]) / 16.0 - 0.5
-    grid = ((r / 5, g / 6, b / 5) for r in range(6) for g in range(7) for b in range(6))
-    palette = bytes(round(255 * value) for color in grid for value in color)
+    image = bpy.data.images.load(frame)
+    width, height = image.size
+    values = numpy.empty(len(image.pixels), numpy.float32)
+    image.pixels.foreach_get(values)
+    bpy.data.images.remove(image)
+    steps = numpy.clip(numpy.rint(values.reshape(height, width, 4)[::-1, :, :3] * 63), 0, 63).astype(numpy.int64)
+    return width, height, (steps[:, :, 0] * 4096 + steps[:, :, 1] * 64 + steps[:, :, 2]).ravel()
+
+
+def best_colors(colors, weights, count=256):
+    """So many colours that stand for the given ones: boxes cut at the middle of their longest side, then moved to what is nearest them."""
+    import numpy
+
+    boxes = [numpy.arange(len(colors))]
+    while len(boxes) < min(count, len(colors)):
+        worth = [numpy.ptp(colors[box], axis=0).max() * weights[box].sum() ** 0.5 if len(box) > 1 else -1 for box in boxes]
+        box = boxes.pop(int(numpy.argmax(worth)))
+        order = box[numpy.argsort(colors[box][:, int(numpy.argmax(numpy.ptp(colors[box], axis=0)))], kind="stable")]
+        half = numpy.searchsorted(numpy.cumsum(weights[order]), weights[order].sum() / 2)
+        half = min(max(int(half), 1), len(order) - 1)
+        boxes += [order[:half], order[half:]]
+    palette = numpy.array([numpy.average(colors[box], axis=0, weights=weights[box]) for box in boxes])
+    for _ in range(3):
+        near = nearest(colors, palette)
+        for number in range(len(palette)):
+            mine = near == number
+            if mine.any():
+                palette[number] = numpy.average(colors[mine], axis=0, weights=weights[mine])
+    return palette
+
+
+def nearest(colors, palette):
+    """For each colour the number of the palette's nearest one."""
+    import numpy
+
+    parts = [colors[place:place + 4096] for place in range(0, len(colors), 4096)]
+    return numpy.concatenate([((part[:, None, :] - palette[None]) ** 2).sum(axis=2).argmin(axis=1) for part in parts])
+
+
+def write_gif(frames, path):
+    """One palette for all frames, made of their own colours; no dots."""
+    import numpy
+
+    pictures = [coarse(frame) for frame in frames]
+    width, height = pictures[0][:2]
+    counts = sum(numpy.bincount(codes, minlength=64 ** 3) for _, _, codes in pictures)
+    used = numpy.flatnonzero(counts)
+    colors = numpy.stack([used >> 12, used >> 6 & 63, used & 63], axis=1) / 63.0
+    palette = best_colors(colors, counts[used].astype(float))
+    number_of = numpy.zeros(64 ** 3, numpy.uint8)
+    number_of[used] = nearest(colors, palette)
     delay = max(2, round(100 * TURNTABLE["seconds"] / len(frames)))
+    table = numpy.rint(255 * palette).astype(numpy.uint8).tobytes().ljust(768, b"\0")
     with open(path, "wb") as file:
-        for number, frame in enumerate(frames):
-            image = bpy.data.images.load(frame)
-            width, height = image.size
-            values = numpy.empty(len(image.pixels), numpy.float32)
-            image.pixels.foreach_get(values)
-            bpy.data.images.remove(image)
-            colors = values.reshape(height, width, 4)[::-1, :, :3] * (levels - 1)
-            dots = numpy.tile(pattern, (height // 4 + 1, width // 4 + 1))[:height, :width, None]
-            steps = numpy.clip(numpy.rint(colors + dots * 0.8), 0, levels - 1).astype(numpy.uint8)
-            indices = (steps[:, :, 0] * 42 + steps[:, :, 1] * 6 + steps[:, :, 2]).astype(numpy.uint8).tobytes()
-            if number == 0:
-                file.write(b"GIF89a" + struct.pack("<HHBBB", width, height, 0xF7, 0, 0) + palette + bytes(12))
-                file.write(b"\x21\xff\x0bNETSCAPE2.0\x03\x01\x00\x00\x00")  # again and again
+        file.write(b"GIF89a" + struct.pack("<HHBBB", width, height, 0xF7, 0, 0) + table)
+        file.write(b"\x21\xff\x0bNETSCAPE2.0\x03\x01\x00\x00\x00")  # again and again
+        for _, _, codes in pictures:
             file.write(struct.pack("<BBBBHBB", 0x21, 0xF9, 4, 0, delay, 0, 0))
             file.write(struct.pack("<BHHHHB", 0x2C, 0, 0, width, height, 0) + b"\x08")
-            packed = lzw(indices)
+            packed = lzw(number_of[codes].tobytes())
             for place in range(0, len(packed), 255):
                 part = packed[place:place + 255]
                 file.write(bytes([len(part)]) + part)

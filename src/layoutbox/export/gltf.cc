@@ -147,7 +147,12 @@ class GltfWriter {
   // Triangles of the part that are exported. Ceiling and walls are seen from within only, so that a viewer looks into the room.
   static std::vector<std::uint32_t> triangles(const Mesh& mesh, const Node& node) {
     if (node.kind != NodeKind::kCeiling && !(node.kind == NodeKind::kWall && node.inward)) return mesh.indices;
-    const Vec3f out = node.kind == NodeKind::kCeiling ? Vec3f{0, 0, 1} : Vec3f{-(*node.inward)[0], -(*node.inward)[1], 0};
+    Vec3f out{0, 0, 1};
+    if (node.kind == NodeKind::kWall) {  // `inward` is the room's, normals are the node's own
+      const double turn = radians_from_degrees(double{node.rotation_deg});
+      const double c = std::cos(turn), s = std::sin(turn), x = double{-(*node.inward)[0]}, y = double{-(*node.inward)[1]};
+      out = {static_cast<float>(c * x + s * y), static_cast<float>(c * y - s * x), 0};
+    }
     std::vector<std::uint32_t> kept;
     for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
       const Vec3f& n = mesh.normals[mesh.indices[i]];

@@ -107,6 +107,24 @@ TEST(Gltf, TurnsTheRoomSoThatYIsUp) {
   EXPECT_NEAR(chair["rotation"][3].get<double>(), std::sqrt(0.5), 1e-6);
 }
 
+TEST(Gltf, WallsKeepTheFacesThatLookIntoTheRoom) {
+  Room2 room = small_room();
+  const auto face = [](float side) {
+    return Mesh{{{0, 0, 0}, {1, 0, 0}, {1, 0, 1}}, {{0, side, 0}, {0, side, 0}, {0, side, 0}}, {{0, 0}, {1, 0}, {1, 1}}, {0, 1, 2}};
+  };
+  const std::pair<float, Vec2f> walls[] = {{0.0f, {0, 1}}, {90.0f, {-1, 0}}, {180.0f, {0, -1}}, {270.0f, {1, 0}}};
+  for (const auto& [turn, inward] : walls) {
+    Node wall = node("wall_" + std::to_string(turn), NodeKind::kWall, {{face(1), 0}, {face(-1), 1}});
+    wall.rotation_deg = turn;
+    wall.inward = inward;
+    room.model.nodes = {wall};
+    const Glb glb = write(room);
+    const json& primitives = glb.document["meshes"][0]["primitives"];
+    ASSERT_EQ(primitives.size(), 1u) << turn;
+    EXPECT_EQ(primitives[0]["material"], 0) << "the inner face, of the wall turned by " << turn;
+  }
+}
+
 TEST(Gltf, SharesTheMeshOfEqualObjects) {
   const Glb glb = write(small_room());
   EXPECT_EQ(node_named(glb, "chair_1")["mesh"], node_named(glb, "chair_2")["mesh"]);

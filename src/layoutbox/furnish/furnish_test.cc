@@ -124,6 +124,19 @@ TEST(Furnish, EveryMeshIsClosedFacesOutwardsAndIsOfSensibleSize) {
   });
 }
 
+TEST(Furnish, RoomsOfTwentyThingsHaveFewTriangles) {
+  for (const RoomKind& room : catalog().rooms()) {
+    std::size_t things = 0, triangles = 0;
+    for (const auto& [id, count] : room.usual) {
+      const CatalogEntry* entry = catalog().find(id);
+      ASSERT_NE(entry, nullptr) << id;
+      things += static_cast<std::size_t>(count);
+      triangles += static_cast<std::size_t>(count) * mesh_checks::triangles_of(furnished(object_of(*entry, entry->size.usual)).nodes.at(0));
+    }
+    EXPECT_LT(20 * triangles, 50'000U * std::max<std::size_t>(1, things)) << room.id;
+  }
+}
+
 TEST(Furnish, ContentsStayWithinTheBoxAndOutOfWhatIsHeld) {
   Layout layout;
   PlacedObject shelf = object_of("bookshelf");

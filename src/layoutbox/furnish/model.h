@@ -29,7 +29,7 @@ struct Mesh {
 //   wood      fine grain along u: base with streaks of second; `scale` = metres between growth rings across the grain
 //   planks    floor boards along u, `scale` long and scale/8 wide, joints staggered and of second, each board a shade of base, wood grain
 //   parquet   herringbone of blocks `scale` long and scale/5 wide, shades of base, joints of second
-//   tiles     square tiles of edge `scale`, joints of second 1/80 of it wide
+//   tiles     square tiles of edge `scale`, joints of second 1/45 of it wide
 //   checker   square tiles of edge `scale`, by turns base and second
 //   bricks    bricks `scale` long and scale/3 high in running bond, joints of second
 //   marble    base with thin turbulent veins of second about `scale` apart
