@@ -122,9 +122,14 @@ def draw(glb, picture, three=THREE, size=(960, 540), timeout=120):
 
         # The window has a frame that the page does not know of: the canvas is the screenshot's top left part.
         run(f"--screenshot={picture}")
-        page = run("--dump-dom").stdout
+        title = "no title"
+        for _ in range(3):  # on a busy machine the page may be asked before it has drawn
+            page = run("--dump-dom").stdout
+            title = page.split("<title>")[1].split("</title>")[0] if "<title>" in page else title
+            if title.startswith(("nodes ", "failed ")):
+                break
     server.shutdown()
-    title = page.split("<title>")[1].split("</title>")[0] if "<title>" in page else "no title"
+    server.server_close()
     if not title.startswith("nodes ") or not Path(picture).is_file():
         raise RuntimeError(f"three.js did not draw {glb}: {title}")
     words = title.split()
