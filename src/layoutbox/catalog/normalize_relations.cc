@@ -47,6 +47,7 @@ class SupportChooser {
     for (const std::string& id : entry(object_).stands_on) {
       if (const SceneObject* found = freest([&](const SceneObject& o) { return context_.catalog.is_a(entry(o).id, id); })) return found;
     }
+    if (entry(object_).hang_height > 0) return nullptr;  // a television rather hangs than stands on the coffee table
     return freest([&](const SceneObject& o) { return entry(o).top_carries && o.mount == Mount::kFloor; });
   }
 
@@ -136,7 +137,7 @@ void become_floor_kind(NormalizeContext& context, SceneObject& object, const std
 
 // Nothing to stand on.
 void settle_without_support(NormalizeContext& context, SceneObject& object, const std::string& pointer) {
-  const bool hangs = object.mount == Mount::kHung;
+  const bool hangs = object.mount == Mount::kHung || context.catalog.entry_or_nearest(object.category).hang_height > 0;
   object.mount = hangs ? Mount::kWall : Mount::kFloor;
   context.note("guessed", fmt::format("there is nothing that \"{}\" could be on: it goes on {}", object.id, hangs ? "a wall" : "the floor"),
                pointer + "/mount");

@@ -10,6 +10,25 @@ constexpr std::size_t kWatchedTries = 160;
 constexpr int kEjectionsPerItem = 6;
 constexpr std::int64_t kStayingNoise = 40;  // an earlier layout makes every metre so much dearer
 
+// What any of them is told to face, then those that face it, then the others.
+std::vector<std::string> in_facing_order(const SceneGraph& scene, const std::vector<std::string>& ids) {
+  std::vector<std::string> order;
+  const auto add = [&](const std::string& id) {
+    if (std::find(order.begin(), order.end(), id) == order.end()) order.push_back(id);
+  };
+  const auto is_member = [&](const std::string& id) { return std::find(ids.begin(), ids.end(), id) != ids.end(); };
+  for (const bool faced : {true, false}) {
+    for (const Relation& r : scene.relations) {
+      if (r.type != RelationType::kFacing || r.targets.empty() || !is_member(r.targets[0])) continue;
+      for (const std::string& id : faced ? r.references : r.targets) {
+        if (!faced || !is_member(id)) add(id);
+      }
+    }
+  }
+  for (const std::string& id : ids) add(id);
+  return order;
+}
+
 }  // namespace
 
 Search::Search(const Model& model, std::vector<char> given_up, std::uint64_t seed, int most_size_step)
@@ -215,6 +234,29 @@ bool Search::move(const std::vector<int>& group, std::int64_t noise, Budget& bud
   return false;
 }
 
+// Rows and grids, each with what they look at and all that hangs on them: bound to one another, they can only move together.
+std::vector<std::vector<int>> Search::formations() const {
+  constexpr std::size_t kMany = 4;
+  std::vector<std::vector<int>> found;
+  for (const Relation& r : model_.scene->relations) {
+    if ((r.type != RelationType::kGrid && r.type != RelationType::kRow) || r.targets.size() < kMany) continue;
+    std::vector<int> group;
+    bool movable = true;
+    for (const std::string& id : in_facing_order(*model_.scene, r.targets)) {
+      std::vector<int> more;
+      const int item = model_.find_item(id);
+      if (item < 0 || placements_[item].state < 0) continue;
+      group_of(dependencies_, placements_, item, more);
+      for (const int m : more) {
+        movable = movable && !stays(model_.items[m]);
+        if (std::find(group.begin(), group.end(), m) == group.end()) group.push_back(m);
+      }
+    }
+    if (movable && group.size() >= kMany) found.push_back(std::move(group));
+  }
+  return found;
+}
+
 void Search::improve(Budget& budget) {
   std::vector<int> movable;
   for (std::size_t i = 0; i < model_.items.size(); ++i) {
@@ -225,12 +267,18 @@ void Search::improve(Budget& budget) {
   ways_ = ways_cost(model_, placements_);
   const auto count = static_cast<std::int64_t>(movable.size());
   std::vector<int> group;
+  const std::vector<std::vector<int>> together = model_.start.empty() ? formations() : std::vector<std::vector<int>>{};
+  for (const std::vector<int>& formation : together) move(formation, 0, budget);
   std::int64_t idle = 0;
   for (std::int64_t turn = 0; !budget.spent() && idle < 12 * count; ++turn) {
     const bool sweep = turn < count;  // first everything once, alone
     const int item = movable[sweep ? turn : random_.below(count)];
     if (!model_.start.empty() && (sweep || random_.below(3) == 0) && slide(item, budget)) {
       idle = 0;
+      continue;
+    }
+    if (!sweep && !together.empty() && random_.below(20) == 0) {
+      if (move(together[random_.below(static_cast<std::int64_t>(together.size()))], kPoint * 50 * random_.below(4), budget)) idle = 0;
       continue;
     }
     group.assign(1, item);

@@ -19,6 +19,7 @@ class Search {
   bool construct(const std::vector<char>& left_out, int restarts, Budget& budget);
 
   // Local moves from a complete layout; never makes it worse.
+  std::vector<std::vector<int>> formations() const;
   void improve(Budget& budget);
 
   const Placements& placements() const { return placements_; }

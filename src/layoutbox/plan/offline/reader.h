@@ -50,6 +50,7 @@ class DocumentReader {
   bool lies_there(std::size_t k) const;
   void place_content(std::size_t k, int mention);
   bool goes_on_with_reference(std::size_t k, const NounPhrase& noun) const;
+  bool ended_list(const Link& link) const;
   bool goes_on_with_contents(std::size_t k, const NounPhrase& noun) const;
 
   std::vector<int> targets_for(const PhraseSenses& senses, PhraseSense::Direction direction, const NounPhrase& reference,

@@ -207,6 +207,15 @@ bool DocumentReader::goes_on_with_reference(std::size_t k, const NounPhrase& nou
   return !is(n, ChunkKind::kRelation) && !verb_at(n) && !is(n, ChunkKind::kParticiple) && !is(n, ChunkKind::kHave);
 }
 
+// Did an "and" come before the last of several?
+bool DocumentReader::ended_list(const Link& link) const {
+  if (link.targets.size() < 2) return false;
+  const NounPhrase &former = noun_of(link.targets[link.targets.size() - 2]), &last = noun_of(link.targets.back());
+  return former.last <= last.first && last.first <= document_.tokens.size() &&
+         std::any_of(document_.tokens.begin() + static_cast<std::ptrdiff_t>(former.last),
+                     document_.tokens.begin() + static_cast<std::ptrdiff_t>(last.first), [&](const Token& t) { return t.text == "and"; });
+}
+
 bool DocumentReader::goes_on_with_contents(std::size_t k, const NounPhrase& noun) const {
   if (frames_.empty() || joiner_ == Joiner::kNone) return false;
   const Frame& frame = frames_.back();
@@ -214,6 +223,8 @@ bool DocumentReader::goes_on_with_contents(std::size_t k, const NounPhrase& noun
   const Link& link = document_.links[static_cast<std::size_t>(frame.link)];
   if (noun.kind != NounKind::kObject && !noun.collective && noun.kind != NounKind::kAbstract) return false;
   if (noun.kind == NounKind::kMember || link.targets.empty()) return false;
+  // "each with a chair and a monitor, a printer …": the list ended with its "and".
+  if (joiner_ != Joiner::kAnd && ended_list(link)) return false;
   const std::size_t n = next(k);
   if (verb_at(n)) {
     // "a cart stocked with glasses and bottles stands": the verb's number tells that the cart is its subject.

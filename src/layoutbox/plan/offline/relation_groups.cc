@@ -15,22 +15,26 @@ void RelationBuilder::add_each_other(const Link& link, const std::vector<int>& t
   const NounPhrase& other = noun_of_item(targets.front());
   const auto sense = choose_sense(catalog_, link.senses, Direction::kDirect, noun_of_item(targets.back()), other);
   if (!sense) return;
-  // Two benches at each of four tables face each other two by two; many cannot all look at their neighbours.
+  // Two benches at each of four tables face each other two by two.
   const bool in_pairs = targets.size() > 2 && other.count == 2;
-  Link said = link;
-  said.soft |= sense->type == R::kFacing && targets.size() > 3 && !in_pairs;
+  // "two rows of desks facing each other", "four armchairs face each other": each has one across; of an odd number they go round.
+  if (sense->type == R::kFacing && targets.size() > 2 && !in_pairs) {
+    for (std::size_t t = 0; t < targets.size(); ++t)
+      add(link, sense->type, {id(targets[t])}, {id(targets[(t + targets.size() / 2) % targets.size()])}, *sense);
+    return;
+  }
   for (std::size_t t = 1; t < targets.size(); t += in_pairs ? 2 : 1) {
     const std::string &one = id(targets[t - 1]), &next = id(targets[t]);
     if (sense->type == R::kStacked) {  // shelves on a wall are above each other, boxes stand on each other
       const std::vector<std::size_t>& all = relations_of(one);
       const bool hangs = mount_of(other) == Mount::kWall ||
                          std::any_of(all.begin(), all.end(), [&](std::size_t r) { return scene_.relations[r].type == R::kOnWall; });
-      add(said, hangs ? R::kAbove : R::kOn, {next}, {one});
+      add(link, hangs ? R::kAbove : R::kOn, {next}, {one});
       continue;
     }
-    add(said, sense->type, {one}, {next}, *sense);
+    add(link, sense->type, {one}, {next}, *sense);
     if (sense->type == R::kOpposite) add_across(link, targets[t - 1], {next});
-    if (sense->type == R::kFacing) add(said, sense->type, {next}, {one}, *sense);
+    if (sense->type == R::kFacing) add(link, sense->type, {next}, {one}, *sense);
   }
 }
 

@@ -11,13 +11,16 @@ using R = RelationType;
 
 void RelationBuilder::face_as_group() {
   for (const Relation& grid : scene_.relations) {
-    if (grid.type != R::kGrid || grid.targets.size() < 2) continue;
+    const bool row = grid.type == R::kRow && grid.targets.size() > 3;
+    if (!row && (grid.type != R::kGrid || grid.targets.size() < 2)) continue;
     const std::size_t n = grid.targets.size();
     const std::size_t columns =
-        static_cast<std::size_t>(grid.parameters.columns.value_or(static_cast<int>(std::ceil(std::sqrt(static_cast<double>(n))))));
+        row ? n
+            : static_cast<std::size_t>(grid.parameters.columns.value_or(static_cast<int>(std::ceil(std::sqrt(static_cast<double>(n))))));
     const std::string& middle = grid.targets[(columns - 1) / 2];
     for (Relation& facing : scene_.relations) {
       if (facing.type != R::kFacing || facing.targets.size() != 1) continue;
+      if (std::find(grid.targets.begin(), grid.targets.end(), facing.references.front()) != grid.targets.end()) continue;  // each other
       const auto at = std::find(grid.targets.begin(), grid.targets.end(), facing.targets[0]) - grid.targets.begin();
       const std::size_t column = static_cast<std::size_t>(at) % columns;
       if (static_cast<std::size_t>(at) == n || column == (columns - 1) / 2 || column == columns / 2) continue;

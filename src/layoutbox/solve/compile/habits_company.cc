@@ -12,7 +12,6 @@ void Habits::come_near(int item, int host) {
   const bool at_foot = only_related_by(item, host, {RelationType::kAtFootOf, RelationType::kParallel});
   const bool before =
       before_its_host(item) && ref.has_front && only_related_by(item, host, {RelationType::kInFrontOf, RelationType::kCenteredOn});
-  if (sit_in_row(item, host)) return;
   if (!at_desk && !at_foot && !before) return;
   Formula f;
   for_each_turn(ref, [&](int turn, std::uint64_t states) {
@@ -52,6 +51,9 @@ bool Habits::sit_in_row(int item, int host) {
 // By one of the greater things it goes with: a seat at its table, a nightstand beside its bed, a table before its sofa.
 bool Habits::stand_beside(int item) {
   const Item& self = model_.items[item];
+  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+    if (related_as_target(item, static_cast<int>(i), RelationType::kInFrontOf) && sit_in_row(item, static_cast<int>(i))) return true;
+  }
   std::vector<int> hosts = items_of_kinds(self.entry->beside, item);
   std::erase_if(hosts, [&](int h) { return model_.items[h].thin || area_of(model_.items[h]) <= area_of(self); });
   if (hosts.empty()) return false;
