@@ -35,6 +35,7 @@ const Catalog& catalog() {
     {"id": "towel", "name": "towel", "mount": "hung", "size": {"w": 0.5, "d": 0.05, "h": 0.7}, "shape": {"family": "cloth"}},
     {"id": "rug", "name": "rug", "thin": true, "size": {"w": 2.0, "d": 1.4, "h": 0.02}, "shape": {"family": "rug"}},
     {"id": "plant", "name": "plant", "size": {"w": 0.4, "d": 0.4, "h": [0.3, 0.8, 1.5]}, "hasFront": false, "shape": {"family": "plant"}},
+    {"id": "tv", "name": "TV", "mount": "surface", "hangHeight": 1.0, "size": {"w": 1.2, "d": 0.1, "h": 0.7}, "standsOn": ["nightstand"], "shape": {"family": "tv"}},
     {"id": "wardrobe", "name": "wardrobe", "size": {"w": [0.8, 1.5, 2.4], "d": 0.6, "h": [1.8, 2.0, 2.4]}, "shape": {"family": "cabinet"}}
   ]})",
                                                   R"({"rooms": [{"id": "bedroom", "name": "bedroom", "synonyms": ["master bedroom"],
@@ -271,6 +272,11 @@ TEST(NormalizeObjects, WordsNarrowTheSize) {
   EXPECT_EQ(scene.objects[1].size->usual.width, 400);
   EXPECT_LE(scene.objects[2].size->greatest.width, 1200);
   EXPECT_LT(scene.objects[2].size->usual.width, 1100);
+}
+
+TEST(NormalizeSupport, ATelevisionHangsWhereNothingOfItsKindCarriesIt) {
+  EXPECT_EQ(normalized(scene_of({object("desk_1", "desk"), object("tv_1", "tv")})).objects[1].mount, Mount::kWall);
+  EXPECT_EQ(normalized(scene_of({object("night_1", "nightstand"), object("tv_1", "tv")})).objects[1].mount, Mount::kSurface);
 }
 
 TEST(NormalizeObjects, GivenSidesStayExact) {

@@ -9,8 +9,9 @@ namespace {
 constexpr std::size_t kFew = 4, kFewOpenings = 3;  // objects, doors and windows
 constexpr int kMostQuestions = 12;
 constexpr std::int64_t kPoint = 1000;
-constexpr double kProofTimePerUnit = 0.002;  // of CP-SAT's deterministic time
-constexpr std::int64_t kPolish = 20'000;     // steps
+constexpr std::int64_t kLeastEffort = 400;    // who asks for no more than the usual waits for no proof, which takes ten times as long
+constexpr double kProofTimePerUnit = 0.0005;  // of CP-SAT's deterministic time
+constexpr std::int64_t kPolish = 20'000;      // steps
 
 }  // namespace
 
@@ -18,7 +19,9 @@ void Solver::prove_best() {
   std::size_t openings = 0;
   for (const Item& item : model_.items) openings += item.is_opening();
   const bool few = model_.items.size() - openings <= kFew && openings <= kFewOpenings;
-  if (!few || !options_.prove || !model_.start.empty() || !relaxed_.empty() || !left_out_ids_.empty() || must_stop()) return;
+  if (!few || options_.effort < kLeastEffort || !options_.prove || !model_.start.empty() || !relaxed_.empty() || !left_out_ids_.empty() ||
+      must_stop())
+    return;
   std::int64_t best = cost();
   proven_best_ = best < kPoint;  // nothing costs less than nothing
   const auto library = CpSatLibrary::get();

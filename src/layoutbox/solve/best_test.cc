@@ -80,11 +80,18 @@ class Enumeration {
   std::int64_t least_ = std::numeric_limits<std::int64_t>::max();
 };
 
+// The effort from which on a proof is looked for.
+SolveOptions thorough() {
+  SolveOptions options;
+  options.effort = 400;
+  return options;
+}
+
 std::int64_t cost_of(const Layout& layout) { return std::llround((1 / layout.score - 1) * 1e6); }
 
 void expect_best(const SceneMaker& maker, Mm step) {
   const SceneGraph scene = maker.make();
-  const auto layout = solve(scene, Catalog::builtin());
+  const auto layout = solve(scene, Catalog::builtin(), thorough());
   ASSERT_TRUE(layout) << layout.error().message;
   EXPECT_TRUE(layout->stats.proven);
   const auto model = build_model(scene, Catalog::builtin());
@@ -119,14 +126,14 @@ TEST(Best, TinyRoomsOfOneToFourThingsAreProven) {
   rooms.push_back(SceneMaker(4000, 3000).add("bed").add("nightstand", 2).add("wardrobe"));
   rooms.push_back(SceneMaker(5000, 4000).add("sofa").add("coffee_table").add("tv_stand").add("rug"));
   for (std::size_t i = 0; i < rooms.size(); ++i) {
-    const auto layout = solve(rooms[i].make(true), Catalog::builtin());
+    const auto layout = solve(rooms[i].make(true), Catalog::builtin(), thorough());
     ASSERT_TRUE(layout);
     EXPECT_TRUE(layout->stats.proven) << "room " << i;
   }
 }
 
 TEST(Best, NothingIsSaidWhereNothingIsImproved) {
-  SolveOptions options;
+  SolveOptions options = thorough();
   options.improve = false;
   const auto layout = solve(SceneMaker(4000, 3000).add("desk").add("chair").make(), Catalog::builtin(), options);
   ASSERT_TRUE(layout);

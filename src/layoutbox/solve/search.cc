@@ -8,6 +8,7 @@ namespace {
 constexpr std::int64_t kPoint = 1000;
 constexpr std::size_t kWatchedTries = 160;
 constexpr int kEjectionsPerItem = 6;
+constexpr int kFormationTries = 4;
 constexpr std::int64_t kStayingNoise = 40;  // an earlier layout makes every metre so much dearer
 
 // What any of them is told to face, then those that face it, then the others.
@@ -268,7 +269,10 @@ void Search::improve(Budget& budget) {
   const auto count = static_cast<std::int64_t>(movable.size());
   std::vector<int> group;
   const std::vector<std::vector<int>> together = model_.start.empty() ? formations() : std::vector<std::vector<int>>{};
-  for (const std::vector<int>& formation : together) move(formation, 0, budget);
+  for (const std::vector<int>& formation : together) {
+    for (int attempt = 0; attempt < kFormationTries && !move(formation, kPoint * 100 * attempt, budget); ++attempt) {
+    }
+  }
   std::int64_t idle = 0;
   for (std::int64_t turn = 0; !budget.spent() && idle < 12 * count; ++turn) {
     const bool sweep = turn < count;  // first everything once, alone

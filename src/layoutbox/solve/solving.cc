@@ -17,6 +17,7 @@ constexpr double kProofTimePerUnit = 0.04;    // of CP-SAT's deterministic time
 constexpr double kLongestProof = 20, kShortProof = 0.3;
 constexpr std::size_t kMostForEarlyProof = 40;
 constexpr int kIdleStarts = 8;
+constexpr std::int64_t kThingsPerEffort = 6;             // that one share of the effort is for
 constexpr std::uint64_t kSeedStep = 0x9e3779b97f4a7c15;  // golden ratio: no start of one seed is a start of the next
 
 }  // namespace
@@ -178,6 +179,9 @@ std::int64_t Solver::cost() const {
 
 // Local moves end where none helps; then from another start, until the effort is spent. The best of all is kept.
 void Solver::improve() {
+  // The more things, the more moves it takes to bring all to their places.
+  const auto things = static_cast<std::int64_t>(model_.items.size());
+  budget_.limit += options_.effort * kStepsPerUnit * std::max<std::int64_t>(0, things - kThingsPerEffort) / kThingsPerEffort;
   Search search(model_, given_up_, options_.seed, size_limit_);
   // The first legal layout was found without a look at costs; where one can be built that way, it is a better start.
   const bool built = model_.start.empty() && search.construct(left_out_, 1, budget_);
