@@ -1,11 +1,21 @@
 // What is likely of furniture: which relation a phrase means for these two things, and whether it makes sense for them.
 #pragma once
 
+#include <algorithm>
+#include <initializer_list>
 #include <optional>
+#include <string_view>
 
 #include "layoutbox/plan/offline/document.h"
 
 namespace layoutbox::offline {
+
+inline bool one_of(std::string_view word, std::initializer_list<std::string_view> words) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+// What things on one floor are to each other.
+bool stands_beside(RelationType type);
 
 // The sense that a phrase has between a target and what it refers to, or nothing where none fits.
 // A corner, the middle, the floor, the ceiling and parts of things choose their own relation.

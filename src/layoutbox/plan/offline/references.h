@@ -2,11 +2,15 @@
 #pragma once
 
 #include <map>
+#include <string_view>
 #include <vector>
 
 #include "layoutbox/plan/offline/document.h"
 
 namespace layoutbox::offline {
+
+// "large", "larger", "largest" and "big", "bigger": one quality.
+bool same_quality(std::string_view one, std::string_view other);
 
 class References {
  public:
@@ -41,6 +45,7 @@ class References {
 
   const Lexicon& lexicon_;
   Document& document_;
+  static constexpr std::size_t kReach = 300;       // items and mentions that are looked back at; keeps long texts linear
   static constexpr std::size_t kMostItems = 1000;  // of one room
   bool full_ = false;
   std::map<int, std::vector<int>> picked_;  // group → items that a "one" has taken

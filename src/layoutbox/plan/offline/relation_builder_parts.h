@@ -10,13 +10,10 @@
 #include <vector>
 
 #include "layoutbox/plan/offline/document.h"
+#include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/relation_builder.h"
 
 namespace layoutbox::offline {
-
-inline bool one_of(std::string_view word, std::initializer_list<std::string_view> words) {
-  return std::find(words.begin(), words.end(), word) != words.end();
-}
 
 class RelationBuilder {
  public:

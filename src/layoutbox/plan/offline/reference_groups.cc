@@ -1,0 +1,116 @@
+// Which members of a group are meant: by place, by a quality, those that are left.
+#include <algorithm>
+
+#include "layoutbox/plan/offline/reader_words.h"
+#include "layoutbox/plan/offline/references.h"
+
+namespace layoutbox::offline {
+
+// "large", "larger", "largest" and "big", "bigger": one quality.
+bool same_quality(std::string_view one, std::string_view other) {
+  const auto stem = [](std::string_view word) {
+    for (const std::string_view ending : {"est", "er"}) {
+      if (word.size() > ending.size() + 2 && word.ends_with(ending)) word.remove_suffix(ending.size());
+    }
+    if (word.size() > 2 && word.back() == word[word.size() - 2]) word.remove_suffix(1);
+    if (word.size() > 2 && (word.back() == 'e' || word.back() == 'i' || word.back() == 'y')) word.remove_suffix(1);
+    return word;
+  };
+  return one == other || stem(one) == stem(other);
+}
+
+int References::described(const NounPhrase& noun) const {
+  if (noun.attributes.empty()) return -1;
+  for (std::size_t i = document_.items.size(), looked = 0; i-- > 0 && looked < kReach; ++looked) {
+    const std::vector<std::string>& own = document_.items[i].noun.attributes;
+    const bool all = std::all_of(noun.attributes.begin(), noun.attributes.end(), [&](const std::string& said) {
+      return std::any_of(own.begin(), own.end(), [&](const std::string& word) { return same_quality(said, word); });
+    });
+    if (all) return static_cast<int>(i);
+  }
+  return -1;
+}
+
+void References::choose_members(Mention& mention, const NounPhrase& noun, int antecedent) {
+  if (noun.determiner == Determiner::kDefinite) {
+    if (const int item = described(noun); item >= 0) {
+      mention.items = {item};
+      return;
+    }
+  }
+  const std::vector<int> all = antecedent >= 0 ? document_.mentions[static_cast<std::size_t>(antecedent)].items : std::vector<int>{};
+  if (all.empty()) return;
+  const int group = document_.items[static_cast<std::size_t>(all.front())].group;
+  std::vector<int>& picked = picked_[group];
+  if (noun.determiner == Determiner::kEach || noun.determiner == Determiner::kBoth) {
+    mention.items = all;
+    mention.distributes = noun.determiner == Determiner::kEach;
+    return;
+  }
+  const std::size_t count = noun.count > 0 ? static_cast<std::size_t>(noun.count) : 1;
+  const bool side = noun.wall_word == "left" || noun.wall_word == "right";
+  if (noun.ordinal != 0 || (side && noun.determiner == Determiner::kDefinite && noun.count == 0)) {
+    const std::size_t at = noun.ordinal < 0 || noun.wall_word == "right" ? all.size() : side ? 1 : static_cast<std::size_t>(noun.ordinal);
+    mention.items = {all[std::min(at, all.size()) - 1]};
+    picked.push_back(mention.items.front());
+    return;
+  }
+  if (noun.determiner == Determiner::kOther && noun.count == 0) {
+    for (const int item : all) {
+      if (!contains(picked, item)) mention.items.push_back(item);
+    }
+  } else {
+    for (const int item : all) {
+      if (mention.items.size() < count && !contains(picked, item)) mention.items.push_back(item);
+    }
+    for (const int item : all) {
+      if (mention.items.size() < std::min(count, all.size()) && !contains(mention.items, item)) mention.items.push_back(item);
+    }
+  }
+  picked.insert(picked.end(), mention.items.begin(), mention.items.end());
+}
+
+// "both machines", "the appliances": the last things that were brought in, as many as there are words for.
+void References::general(const NounPhrase& noun, bool as_reference, Mention& mention) const {
+  static constexpr std::string_view kGeneral[] = {"machine", "appliance", "object", "item", "piece", "seat", "unit", "device", "fixture"};
+  if (!noun.is_plural() || noun.name.find(' ') != std::string::npos ||
+      std::find(std::begin(kGeneral), std::end(kGeneral), noun.head) == std::end(kGeneral))
+    return;
+  const std::size_t wanted = noun.count > 0 ? static_cast<std::size_t>(noun.count) : 2;
+  for (std::size_t i = document_.items.size(); i-- > 0 && mention.items.size() < wanted;) {
+    // What is being placed by them came last.
+    if (as_reference && document_.items[i].group == document_.items.back().group) continue;
+    const CatalogEntry* entry = document_.items[i].noun.entry;
+    if (entry == nullptr || (entry->mount == Mount::kFloor && !entry->thin)) mention.items.push_back(static_cast<int>(i));
+  }
+  std::reverse(mention.items.begin(), mention.items.end());
+}
+
+bool References::has_left(int mention, int count) const {
+  if (mention < 0 || document_.mentions[static_cast<std::size_t>(mention)].items.empty()) return false;
+  const std::vector<int>& items = document_.mentions[static_cast<std::size_t>(whole_group(mention))].items;
+  const auto picked = picked_.find(document_.items[static_cast<std::size_t>(items.front())].group);
+  if (picked == picked_.end() || picked->second.empty()) return false;
+  const auto left = std::count_if(items.begin(), items.end(), [&](int item) { return !contains(picked->second, item); });
+  return left >= count;
+}
+
+int References::whole_group(int mention) const {
+  const auto group_of = [&](const Mention& m) {
+    return m.items.empty() ? -1 : document_.items[static_cast<std::size_t>(m.items.front())].group;
+  };
+  const int group = group_of(document_.mentions[static_cast<std::size_t>(mention)]);
+  for (std::size_t m = document_.mentions.size(), looked = 0; m-- > 0 && looked < kReach; ++looked) {
+    if (document_.mentions[m].introduces && group_of(document_.mentions[m]) == group) return static_cast<int>(m);
+  }
+  return mention;
+}
+
+int References::latest_group() const {
+  for (std::size_t m = document_.mentions.size(), looked = 0; m-- > 0 && looked < kReach; ++looked) {
+    if (document_.mentions[m].items.size() > 1) return static_cast<int>(m);
+  }
+  return -1;
+}
+
+}  // namespace layoutbox::offline
