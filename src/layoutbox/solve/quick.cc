@@ -10,6 +10,19 @@ constexpr int kWatchedTries = 8;
 constexpr std::size_t kMostCoordinates = 14;
 constexpr int kLinesAcross = 14;  // of a region that is cut slantwise
 
+constexpr std::int64_t kSlice = 1'000'000;  // steps
+
+// 1, 1, 2, 1, 1, 2, 4, 1, …: of searches whose time has a long tail these lengths are nearly as good as the best that could be chosen.
+std::int64_t luby(std::int64_t index) {
+  std::int64_t size = 1, power = 0;
+  while (size < index + 1) size = 2 * size + 1, ++power;
+  while (size - 1 != index) {
+    size = (size - 1) / 2, --power;
+    index %= size;
+  }
+  return std::int64_t{1} << power;
+}
+
 std::int64_t floor_div(std::int64_t a, std::int64_t b) { return a / b - ((a % b != 0) && ((a < 0) != (b < 0))); }
 std::int64_t ceil_div(std::int64_t a, std::int64_t b) { return -floor_div(-a, b); }
 
@@ -28,7 +41,13 @@ bool QuickSearch::complete(Placements& placements, const std::vector<char>& left
   regions_.leave_out(left_out);
   Placements best = placements;
   std::size_t least = model_.items.size() + 1;
-  while (!budget.spent()) {
+  std::int64_t slice = budget.steps + 2 * kSlice;
+  for (std::int64_t slices = 0; !budget.spent();) {
+    if (budget.steps > slice) {  // what has been learned leads nowhere: once more from nothing
+      slice = budget.steps + kSlice * luby(slices++);
+      std::fill(weight_.begin(), weight_.end(), 0);
+      attempts_ = 0;
+    }
     placements_ = placements;
     std::vector<int> pending = placing_order(model_, dependencies_, left_out, weight_);
     std::erase_if(pending, [&](int item) { return placements_[item].state >= 0; });
