@@ -10,7 +10,7 @@
 namespace layoutbox {
 namespace {
 
-constexpr Mm kLeastOpening = 200, kFromCorner = 100, kBetween = 100, kAtWall = 60, kLittle = 300, kBeforeWindow = 300, kFlat = 30;
+constexpr Mm kLeastOpening = 200, kFromCorner = 100, kBetween = 100, kLittle = 300, kBeforeWindow = 300, kFlat = 30;
 
 struct Along {
   double dx = 1, dy = 0, length = 1;
@@ -102,12 +102,18 @@ Status Edit::put(Opening fresh, const EditOpeningPlace& place) {
   return {};
 }
 
+// What was placed by it stays where it is, rather than going after it. "Under a window" may mean this one.
+void Edit::soften_about_opening(const std::string& id) {
+  for (Relation& relation : scene_.relations) {
+    const bool any_opening = relation.references.empty() && (relation_row(relation.type).reference_kinds & kOpening) != 0;
+    if (any_opening || has_id(relation.references, id)) soften(relation);
+  }
+}
+
 void Edit::settle_opening(Opening changed) {
   changed.assumed = false;
   if (!changed.offset) solve_.freed.push_back(changed.id);
-  for (Relation& relation : scene_.relations) {  // what was placed by it stays where it is, rather than going after it
-    if (has_id(relation.references, changed.id)) soften(relation);
-  }
+  soften_about_opening(changed.id);
   if (Opening* there = opening(changed.id)) {
     *there = std::move(changed);
   } else {

@@ -30,7 +30,10 @@ Status Edit::apply_to_room(const EditStep& step) {
     case EditKind::kAdd:
       for (Opening fresh : step.openings) LAYOUTBOX_CHECK(put(std::move(fresh), *step.opening_place));
       break;
-    case EditKind::kRemove: std::erase_if(scene_.room.openings, [&](const Opening& o) { return has_id(step.targets, o.id); }); break;
+    case EditKind::kRemove:
+      for (const std::string& id : step.targets) soften_about_opening(id);
+      std::erase_if(scene_.room.openings, [&](const Opening& o) { return has_id(step.targets, o.id); });
+      break;
     case EditKind::kMove:
       for (const std::string& id : step.targets) {
         if (const Opening* moved = opening(id)) LAYOUTBOX_CHECK(put(*moved, *step.opening_place));

@@ -12,6 +12,8 @@ using R = RelationType;
 
 namespace {
 
+constexpr Mm kThin = 30;  // rugs and mats
+
 // What a factor or a new length makes of a side. A height that is said loosely keeps to what things of the kind have.
 Result<Size> resized(const Size& size, const EditResize& resize, const CatalogEntry& entry, const std::string& id) {
   Size made = size;
@@ -164,7 +166,7 @@ Status Edit::resize(const EditStep& step) {
       PlacedObject grown = *placed;
       grown.size = size;
       grown.spaces.clear();
-      take_place(grown, *placed);
+      if (size.height > kThin) take_place(grown, *placed);  // a rug grows about its middle
       *placed = grown;
     }
   }

@@ -76,6 +76,7 @@ class Edit {
   std::optional<Mm> free_offset(const Opening& opening, const Wall& wall, Mm wanted) const;
   std::optional<Mm> offset_least_in_the_way(const Opening& opening, const Wall& wall) const;
   Status put(Opening fresh, const EditOpeningPlace& place);
+  void soften_about_opening(const std::string& id);
   void settle_opening(Opening changed);
   Status shift_opening(const std::string& id, const EditShift& shift);
   Status swap_openings(const std::string& a, const std::string& b);

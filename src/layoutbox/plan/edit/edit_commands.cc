@@ -47,6 +47,7 @@ Status EditReader::read_add(Clause& clause) {
     }
     bool any = false;
     clause.document.links.clear();
+    clause.targets = targets;
     LAYOUTBOX_CHECK(read_links(clause, targets, step, any));
     LAYOUTBOX_CHECK(build(clause, step));
     remember(targets);
@@ -166,8 +167,16 @@ Status EditReader::read_replace(Clause& clause, bool new_first) {
     while (more(clause) && !noun_next(clause)) ++clause.k;  // with, by, for, into
   }
   skip(clause, {ChunkKind::kIgnored});
-  if (!noun_next(clause) || peek(clause)->noun.kind != NounKind::kObject) return not_understood(clause);
-  const NounPhrase noun = peek(clause)->noun;
+  if (!noun_next(clause)) return not_understood(clause);
+  NounPhrase noun = peek(clause)->noun;
+  if (noun.kind == NounKind::kMember && !things.empty()) {  // "a round glass one": the same kind of thing
+    NounPhrase kind = world_.thing(things.front()).noun;
+    kind.attributes = noun.attributes, kind.attribute_classes = noun.attribute_classes;
+    kind.determiner = noun.determiner, kind.count = noun.count, kind.plural = noun.plural;
+    kind.first = noun.first, kind.last = noun.last;
+    noun = std::move(kind);
+  }
+  if (noun.kind != NounKind::kObject) return not_understood(clause);
   ++clause.k;
   if (new_first) {
     while (more(clause) && !noun_next(clause)) ++clause.k;  // for, instead of
@@ -315,7 +324,8 @@ Status EditReader::read_make(Clause& clause, const std::optional<EditResize>& re
 }
 
 Status EditReader::read_rename(Clause& clause) {
-  LAYOUTBOX_ASSIGN(const std::vector<int> things, read_things(clause, false));
+  const bool relation_follows = more(clause) && peek(clause)->kind == ChunkKind::kRelation;
+  LAYOUTBOX_ASSIGN(const std::vector<int> things, read_things(clause, !relation_follows));
   if (things.size() != 1) return not_understood(clause);
   std::size_t first = more(clause) ? peek(clause)->first : clause.document.tokens.size();
   std::string name;
@@ -334,6 +344,13 @@ Status EditReader::read_rename(Clause& clause) {
 
 Status EditReader::read_keep(Clause& clause) {
   LAYOUTBOX_ASSIGN(const std::vector<int> things, read_things(clause, false));
+  // "keep the chair with it", "keep it next to the desk": not where it is, but by the thing.
+  if (more(clause) &&
+      (peek(clause)->kind == ChunkKind::kHave || (peek(clause)->kind == ChunkKind::kRelation && relations_ahead(clause) > 0 &&
+                                                  peek(clause, 1) != nullptr && peek(clause, 1)->kind == ChunkKind::kNoun))) {
+    plan_.notes.push_back({"info", "\"" + clause.why + "\": it stays by what it stands by, and may move with it", "text"});
+    return {};
+  }
   begin(EditKind::kKeep, clause, things);
   return {};  // "where it is", "as it is", "alone"
 }

@@ -57,6 +57,38 @@ EditStep& EditReader::begin(EditKind kind, const Clause& clause, const std::vect
   return plan_.steps.back();
 }
 
+// Other ways to say a command: "the rug should go" removes, "I want a bigger rug" enlarges the one that is there.
+Command EditReader::in_plain_words(Command command) const {
+  std::vector<Token>& tokens = command.tokens;
+  const auto is = [&tokens](std::size_t i, std::string_view word) { return i < tokens.size() && tokens[i].text == word; };
+  if (command.verb == Verb::kNone && tokens.size() > 2 && is(tokens.size() - 1, "go")) {
+    std::size_t end = tokens.size() - 1;
+    if (is(end - 1, "to") && end > 1 && (is(end - 2, "has") || is(end - 2, "have") || is(end - 2, "needs"))) {
+      end -= 2;
+    } else if (is(end - 1, "should") || is(end - 1, "must") || is(end - 1, "can") || is(end - 1, "may")) {
+      end -= 1;
+    }
+    if (end + 1 < tokens.size()) {
+      tokens.resize(end);
+      command.verb = Verb::kRemove;
+    }
+  }
+  static constexpr std::pair<std::string_view, std::string_view> kSizes[] = {
+      {"bigger", "enlarge"},  {"larger", "enlarge"},  {"smaller", "shrink"},  {"wider", "widen"},
+      {"narrower", "narrow"}, {"longer", "lengthen"}, {"shorter", "shorten"}, {"deeper", "deepen"}};
+  for (const auto& [adjective, verb] : kSizes) {
+    if (command.verb != Verb::kPlace || command.word != "i" || tokens.size() != 3 || !is(0, "a") || !is(1, adjective)) continue;
+    const auto noun = read_noun_phrase(lexicon_, tokens, 2, true);
+    if (!noun || noun->kind != NounKind::kObject || world_.of_kind(*noun).size() != 1) continue;
+    command.verb = Verb::kResize;
+    command.word = verb;
+    tokens[0].text = "the";
+    tokens.erase(tokens.begin() + 1);
+    break;
+  }
+  return command;
+}
+
 void EditReader::chunk(Clause& clause) const {
   Document& document = clause.document;
   document.readings.clear();
@@ -86,7 +118,8 @@ void EditReader::chunk(Clause& clause) const {
   }
 }
 
-Status EditReader::read_command(const Command& command) {
+Status EditReader::read_command(const Command& said) {
+  const Command command = in_plain_words(said);
   Clause clause;
   clause.verb = command.verb;
   clause.word = command.word;
@@ -228,7 +261,17 @@ Result<EditPlan> EditReader::read() {
   }
   const std::vector<Command> commands = split_commands(tokens);
   if (commands.empty()) return fail(ErrorCode::kEmpty, "there is nothing in the text", "text", kWhatToSay);
-  for (const Command& command : commands) LAYOUTBOX_CHECK(read_command(command));
+  for (std::size_t i = 0; i < commands.size(); ++i) {
+    // "Take the vase off the sideboard and put it on the table" takes nothing away.
+    const bool taken_up = commands[i].word == "take" && i + 1 < commands.size() && !commands[i + 1].tokens.empty() &&
+                          (commands[i + 1].verb == Verb::kPlace || commands[i + 1].verb == Verb::kMove) &&
+                          (commands[i + 1].tokens[0].text == "it" || commands[i + 1].tokens[0].text == "them");
+    const std::size_t steps = plan_.steps.size();
+    LAYOUTBOX_CHECK(read_command(commands[i]));
+    if (!taken_up) continue;
+    for (const int thing : last_) world_.things()[static_cast<std::size_t>(thing)].gone = false;
+    plan_.steps.resize(steps);
+  }
   return std::move(plan_);
 }
 

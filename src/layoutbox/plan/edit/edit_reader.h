@@ -39,7 +39,8 @@ class EditReader {
     bool each = false;
   };
 
-  Status read_command(const Command& command);
+  Status read_command(const Command& said);
+  Command in_plain_words(Command command) const;
   Status read_add(Clause& clause);
   Status read_place(Clause& clause);
   Status read_remove(Clause& clause);

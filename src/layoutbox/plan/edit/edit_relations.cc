@@ -105,6 +105,9 @@ Status EditReader::read_links(Clause& clause, std::vector<int>& targets, EditSte
           }
         }
       }
+      if (found.noun.kind == NounKind::kCorner && found.noun.wall_word.empty()) {
+        found.noun.wall_word = world_.other_corner(targets.front(), found.noun);
+      }
       each = each || found.each;
       const bool whole = noun_chunk.noun.kind == NounKind::kObject || noun_chunk.noun.kind == NounKind::kPronoun ||
                          noun_chunk.noun.kind == NounKind::kMember;

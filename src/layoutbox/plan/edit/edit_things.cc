@@ -103,6 +103,15 @@ Result<std::vector<int>> EditReader::narrow(Clause& clause, std::vector<int> fou
     if (const auto modifier = read_modifier(clause)) found = world_.modified(found, *modifier);
   }
   for (const int out : exceptions(clause)) std::erase(found, out);
+  if (noun.determiner == Determiner::kPossessive && !last_.empty()) {  // "the left nightstand and its lamp": what stands on it
+    std::vector<int> own;
+    for (const int i : found) {
+      const PlacedObject* placed = world_.thing(i).placed;
+      const auto holds = [&](int holder) { return placed != nullptr && world_.thing(holder).id == placed->supported_by; };
+      if (std::any_of(last_.begin(), last_.end(), holds)) own.push_back(i);
+    }
+    if (!own.empty()) found = own;
+  }
   if (plural && noun.count == 0) return found;
   if (found.size() <= wanted) return found;
   if (noun.determiner == Determiner::kIndefinite || (noun.determiner == Determiner::kNone && noun.count > 0)) {
@@ -140,11 +149,12 @@ Result<EditReader::Found> EditReader::find_things(Clause& clause, const NounPhra
       found = world_.with_attributes(world_.of_kind(*noun.of), *noun.of);
     } else if (last_.size() > 1) {
       found = last_;
-    } else if (!last_.empty()) {
-      NounPhrase kind = world_.thing(last_.front()).noun;
+    } else if (!last_.empty() || !clause.targets.empty()) {
+      NounPhrase kind = world_.thing(last_.empty() ? clause.targets.front() : last_.front()).noun;
       kind.plural = true;
       kind.attributes.clear();
       found = world_.of_kind(kind);
+      if (!as_target) std::erase_if(found, [&](int i) { return has(clause.targets, i); });
     }
     found = world_.with_attributes(found, noun);
     found = world_.picked(found, pick, mentioned_, wanted);
@@ -211,6 +221,14 @@ Result<std::vector<int>> EditReader::read_things(Clause& clause, bool places_fol
     const std::size_t before = clause.k;
     skip(clause, {ChunkKind::kComma, ChunkKind::kAnd});
     if (clause.k > before) skip(clause, {ChunkKind::kIgnored});
+    const Chunk* with = peek(clause);
+    const Chunk* whom = peek(clause, 1);
+    if (clause.k == before && with != nullptr && whom != nullptr && whom->kind == ChunkKind::kNoun &&
+        words_of(clause, *with).ends_with("with") &&
+        (whom->noun.determiner == Determiner::kPossessive || whom->noun.determiner == Determiner::kDefinite) &&
+        clause.verb != Verb::kSwap && clause.verb != Verb::kReplace && clause.verb != Verb::kKeep && clause.verb != Verb::kSubstitute) {
+      ++clause.k;  // "the table with its chairs", "together with the chairs"
+    }
     if (clause.k == before || !noun_next(clause)) {
       clause.k = before;
       break;

@@ -284,6 +284,51 @@ const Wall* World::wall_of(int index) const {
   return nearest;
 }
 
+std::string World::other_corner(int index, const NounPhrase& corner) const {
+  const auto says = [&](std::string_view word) {
+    return std::find(corner.attributes.begin(), corner.attributes.end(), word) != corner.attributes.end();
+  };
+  const bool opposite = says("opposite") || corner.wall_relation == "opposite";
+  const bool other =
+      corner.determiner == Determiner::kAnother || corner.determiner == Determiner::kOther || says("other") || says("different");
+  const PlacedObject* placed = thing(index).placed;
+  if (placed == nullptr || (!other && !opposite)) return {};
+  Point least = layout_->room.polygon.front(), most = least;
+  for (const Point& point : layout_->room.polygon) {
+    least = {std::min(least.x, point.x), std::min(least.y, point.y)};
+    most = {std::max(most.x, point.x), std::max(most.y, point.y)};
+  }
+  struct Corner {
+    const char* word;
+    Point at;
+  };
+  const Corner corners[] = {
+      {"front left", least}, {"front right", {most.x, least.y}}, {"back left", {least.x, most.y}}, {"back right", most}};
+  const auto far = [](const PlacedObject& object, const Point& at) {
+    return std::hypot(object.position[0] - at.x, object.position[1] - at.y);
+  };
+  const Corner* own = &corners[0];
+  for (const Corner& one : corners) {
+    if (far(*placed, one.at) < far(*placed, own->at)) own = &one;
+  }
+  // Of the others the one that has most room, or the one across.
+  const Corner* best = nullptr;
+  double most_room = -1;
+  for (const Corner& one : corners) {
+    if (&one == own) continue;
+    double room = opposite ? far(*placed, one.at) : kUnknown;
+    for (const PlacedObject& object : layout_->objects) {
+      if (!opposite && &object != placed && object.supported_by == "floor") room = std::min(room, far(object, one.at));
+    }
+    for (const Opening& opening : layout_->room.openings) {  // not behind a door
+      const auto center = opening.type == OpeningType::kWindow || opposite ? std::nullopt : center_of(*layout_, opening);
+      if (center) room = std::min(room, std::hypot((*center)[0] - one.at.x, (*center)[1] - one.at.y));
+    }
+    if (room > most_room) most_room = room, best = &one;
+  }
+  return best->word;
+}
+
 std::vector<const Opening*> World::openings_of(const NounPhrase& noun) const {
   std::vector<const Opening*> found;
   for (const Opening& opening : layout_->room.openings) {

@@ -69,6 +69,8 @@ class World {
   double distance(int thing, const offline::NounPhrase& place) const;
   // The wall that a thing stands nearest to, or null.
   const Wall* wall_of(int thing) const;
+  // "another corner", "the opposite corner": which one, as "back left"; empty where a noun says no such thing or the thing has no place.
+  std::string other_corner(int thing, const offline::NounPhrase& corner) const;
   // The openings that a noun speaks of, "the left window": all of the kind where it says no more.
   std::vector<const Opening*> openings_of(const offline::NounPhrase& noun) const;
 
