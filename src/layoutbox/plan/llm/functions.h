@@ -11,8 +11,9 @@ namespace layoutbox::llm {
 inline constexpr std::string_view kCreateScene = "create_scene";
 inline constexpr std::string_view kPatchScene = "patch_scene";
 
-inline chat::Function create_scene_function() {
-  return {std::string(kCreateScene), "Hands over the scene graph of the room.", strict_scene_schema(), true};
+// `objects`: how many the text names; 0 where that is not known.
+inline chat::Function create_scene_function(std::size_t objects = 0) {
+  return {std::string(kCreateScene), "Hands over the scene graph of the room.", strict_scene_schema_for(objects), true};
 }
 
 inline chat::Function patch_scene_function() {

@@ -31,6 +31,16 @@ json example_of(const json& schema) {
   return type == "boolean" ? json(true) : json(1);
 }
 
+TEST(StrictSchema, HasRoomForTwiceWhatTheTextNames) {
+  const auto most = [](std::size_t objects) {
+    return json::parse(strict_scene_schema_for(objects))["properties"]["furniture"]["maxItems"];
+  };
+  EXPECT_EQ(most(3), 12);
+  EXPECT_EQ(most(10), 25);
+  EXPECT_EQ(most(80), 100);
+  EXPECT_EQ(strict_scene_schema_for(0), strict_scene_schema());
+}
+
 TEST(StrictSchema, what_follows_it_is_a_scene) {
   json scene = example_of(json::parse(strict_scene_schema()));
   scene["room"] = json::object();

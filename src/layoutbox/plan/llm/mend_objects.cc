@@ -198,11 +198,35 @@ void replace_names(json& value, const std::map<std::string, std::string>& rename
   }
 }
 
+// Small models write the same thing, and the same word, until a list is full. A few that are alike in all, the id included, may be meant to
+// be as many; more are one.
+void drop_repeats(json& furniture, Notes& notes) {
+  constexpr std::ptrdiff_t kMostAlike = 4;
+  json kept = json::array();
+  for (const json& object : furniture) {
+    const bool repeated = std::count(furniture.begin(), furniture.end(), object) > kMostAlike;
+    if (!repeated || std::find(kept.begin(), kept.end(), object) == kept.end()) kept.push_back(object);
+  }
+  if (const std::size_t repeats = furniture.size() - kept.size(); repeats > 0) {
+    note(notes, fmt::format("things that were written several times, alike in all, are taken once: {} left out", repeats), "/furniture");
+  }
+  furniture = std::move(kept);
+  for (json& object : furniture) {
+    if (!object.is_object() || !object.contains("attributes") || !object["attributes"].is_array()) continue;
+    json words = json::array();
+    for (json& word : object["attributes"]) {
+      if (std::find(words.begin(), words.end(), word) == words.end()) words.push_back(std::move(word));
+    }
+    object["attributes"] = std::move(words);
+  }
+}
+
 }  // namespace
 
 void mend_objects(json& scene, const Catalog& catalog, Notes& notes) {
   if (!scene.is_object()) return;
   if (!scene.contains("furniture") || !scene["furniture"].is_array()) return;
+  drop_repeats(scene["furniture"], notes);
   ObjectMender mender(scene, catalog, notes);
   mender.run();
   if (scene.contains("constraints") && scene["constraints"].is_array()) {

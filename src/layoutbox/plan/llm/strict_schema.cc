@@ -106,6 +106,18 @@ const std::string& strict_scene_schema() {
   return schema;
 }
 
+std::string strict_scene_schema_for(std::size_t objects) {
+  constexpr std::size_t kSteps[] = {12, 25, 50};
+  for (const std::size_t most : kSteps) {
+    if (objects == 0 || 2 * objects + 4 > most) continue;
+    Json schema = Json::parse(strict_scene_schema());
+    schema["properties"]["furniture"]["maxItems"] = most;
+    schema["properties"]["constraints"]["maxItems"] = 2 * most;
+    return schema.dump();
+  }
+  return strict_scene_schema();
+}
+
 const std::string& patch_schema() {
   static const std::string schema = [] {
     const Json place{{"type", "string"}, {"pattern", "^/[A-Za-z0-9/_-]{0,80}$"}};
