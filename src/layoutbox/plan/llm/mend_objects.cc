@@ -201,11 +201,16 @@ void replace_names(json& value, const std::map<std::string, std::string>& rename
 // Small models write the same thing, and the same word, until a list is full. A few that are alike in all, the id included, may be meant to
 // be as many; more are one.
 void drop_repeats(json& furniture, Notes& notes) {
-  constexpr std::ptrdiff_t kMostAlike = 4;
+  constexpr int kMostAlike = 4;
+  constexpr std::size_t kMostWords = 1000;
+  std::map<std::string, int> alike;
+  for (const json& object : furniture) ++alike[object.dump(-1, ' ', false, json::error_handler_t::replace)];
   json kept = json::array();
-  for (const json& object : furniture) {
-    const bool repeated = std::count(furniture.begin(), furniture.end(), object) > kMostAlike;
-    if (!repeated || std::find(kept.begin(), kept.end(), object) == kept.end()) kept.push_back(object);
+  for (json& object : furniture) {
+    int& count = alike[object.dump(-1, ' ', false, json::error_handler_t::replace)];
+    if (count == 0) continue;  // one of many that was taken before
+    if (count > kMostAlike) count = 0;
+    kept.push_back(std::move(object));
   }
   if (const std::size_t repeats = furniture.size() - kept.size(); repeats > 0) {
     note(notes, fmt::format("things that were written several times, alike in all, are taken once: {} left out", repeats), "/furniture");
@@ -213,6 +218,7 @@ void drop_repeats(json& furniture, Notes& notes) {
   furniture = std::move(kept);
   for (json& object : furniture) {
     if (!object.is_object() || !object.contains("attributes") || !object["attributes"].is_array()) continue;
+    if (object["attributes"].size() > kMostWords) continue;  // too many to be looked through
     json words = json::array();
     for (json& word : object["attributes"]) {
       if (std::find(words.begin(), words.end(), word) == words.end()) words.push_back(std::move(word));
