@@ -167,6 +167,19 @@ void add_too_large(const Model& model, const std::vector<char>& left_out, std::v
   }
 }
 
+// Do these things surely fit into the room side by side, wherever they please? Steinberg's theorem on packing rectangles.
+bool surely_fit(const Model& model, const std::vector<int>& items) {
+  std::int64_t widest = 0, deepest = 0, area = 0;
+  for (const int i : items) {
+    const State& state = model.items[i].states[0];
+    widest = std::max<std::int64_t>(widest, state.extent[0]), deepest = std::max<std::int64_t>(deepest, state.extent[1]);
+    area += std::int64_t{state.extent[0]} * state.extent[1];
+  }
+  const std::int64_t w = model.room.extent(0), d = model.room.extent(1);
+  const std::int64_t lost = std::max<std::int64_t>(2 * widest - w, 0) * std::max<std::int64_t>(2 * deepest - d, 0);
+  return model.outside.empty() && widest <= w && deepest <= d && 2 * area <= w * d - lost;
+}
+
 // Backs against one wall side by side: the widths add up.
 void add_too_wide(const Model& model, const std::vector<char>& given_up, const std::vector<char>& left_out, std::vector<Clash>& out) {
   for (std::size_t w = 0; w < model.walls.size(); ++w) {
@@ -197,6 +210,9 @@ void add_too_wide(const Model& model, const std::vector<char>& given_up, const s
     if (sum <= length) continue;
     Clash clash;
     std::vector<std::string> words;
+    std::vector<int> items;
+    for (std::size_t i = 0; i < needed; ++i) items.push_back(pieces[i].item);
+    clash.minimal = surely_fit(model, items);  // else the room may be too small for them whatever the wall
     for (std::size_t i = 0; i < needed; ++i) {
       clash.demands.push_back({Demand::Kind::kItem, pieces[i].item});
       const Demand relation{Demand::Kind::kConstraint, pieces[i].constraint};

@@ -27,7 +27,7 @@ Result<CpAnswer> ask(Encoding& encoding, const CpSatLibrary& library, const std:
 
 bool stopped(const ProofLimits& limits) { return limits.stop && limits.stop->load(); }
 
-// What a relation speaks of is there: to ask for a relation is to ask for its objects.
+// To ask for a relation is to ask for the objects that it speaks of.
 class Shrinking {
  public:
   Shrinking(const Model& model, Encoding& encoding, const CpSatLibrary& library, const ProofLimits& limits, double& used)
@@ -56,31 +56,24 @@ class Shrinking {
     }
   }
 
-  // Drops one demand after another: what is still impossible without it does not need it. Then of the objects spoken of those remain
-  // whose sizes take part.
-  Result<Clash> smallest(std::vector<std::size_t> core) {
+  // Drops one demand after another: what is still impossible without it does not need it. Relations first, while all the objects they speak
+  // of are there: what cannot be whether or not a relation is asked for is not its fault. Then of the objects those whose sizes take no
+  // part.
+  Result<Clash> smallest(const std::vector<std::size_t>& core) {
     Clash clash;
-    for (std::size_t i = 0; i < core.size() && !out_of_time(clash);) {
-      std::vector<std::size_t> fewer = core;
-      fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
-      if (with_objects(fewer) == with_objects(core)) {  // a relation asks for it anyway
-        core = std::move(fewer);
-        continue;
-      }
-      LAYOUTBOX_ASSIGN(const CpAnswer answer, question(with_objects(fewer)));
-      if (answer.status == CpStatus::kInfeasible) {
-        keep_what_the_core_needs(core, std::move(fewer), i, encoding_.demands_in(answer.core));
-      } else {
-        clash.minimal = clash.minimal && answer.status != CpStatus::kUnknown;
-        ++i;
-      }
-    }
     std::vector<char> mask = with_objects(core);
-    for (std::size_t d = 0; d < mask.size() && !out_of_time(clash); ++d) {
-      if (!mask[d] || std::find(core.begin(), core.end(), d) != core.end()) continue;
-      mask[d] = 0;
-      LAYOUTBOX_ASSIGN(const CpAnswer answer, question(mask));
-      mask[d] = answer.status != CpStatus::kInfeasible;
+    for (const bool items : {false, true}) {
+      for (std::size_t d = 0; d < mask.size() && !out_of_time(clash); ++d) {
+        if (!mask[d] || (encoding_.demands()[d].kind == Demand::Kind::kItem) != items) continue;
+        mask[d] = 0;
+        LAYOUTBOX_ASSIGN(const CpAnswer answer, question(mask));
+        if (answer.status == CpStatus::kInfeasible) {
+          keep_only(mask, encoding_.demands_in(answer.core), !items);
+        } else {
+          mask[d] = 1;
+          clash.minimal = clash.minimal && answer.status != CpStatus::kUnknown;
+        }
+      }
     }
     for (std::size_t d = 0; d < mask.size(); ++d) {
       if (mask[d]) clash.demands.push_back(encoding_.demands()[d]);
@@ -112,24 +105,14 @@ class Shrinking {
     return out;
   }
 
-  // The solver's own core may be smaller still; relations only, objects come with them. Those before `i` are known to be needed.
-  void keep_what_the_core_needs(std::vector<std::size_t>& core, std::vector<std::size_t> fewer, std::size_t i,
-                                const std::vector<std::size_t>& again) const {
-    const auto needed_before = core.begin() + static_cast<std::ptrdiff_t>(i);
-    std::vector<std::size_t> kept;
-    for (const std::size_t d : fewer) {
-      const bool known = again.empty() || std::find(core.begin(), needed_before, d) != needed_before;
-      // An object may be needed for itself: the one that asks for it may be dropped later.
-      if (known || std::find(again.begin(), again.end(), d) != again.end()) kept.push_back(d);
-    }
-    for (const std::size_t d : again) {
-      if (std::find(kept.begin(), kept.end(), d) == kept.end() && encoding_.demands()[d].kind == Demand::Kind::kItem && !covered(kept, d))
-        kept.push_back(d);
-    }
-    core = std::move(kept);
+  // The solver's own core may be smaller still. With the relations of it goes all that these speak of, as long as relations are dropped.
+  void keep_only(std::vector<char>& mask, const std::vector<std::size_t>& core, bool with_spoken_of) const {
+    if (core.empty()) return;
+    std::vector<char> smaller(mask.size(), 0);
+    for (const std::size_t d : core) smaller[d] = 1;
+    if (with_spoken_of) smaller = with_objects(core);
+    for (std::size_t d = 0; d < mask.size(); ++d) mask[d] = mask[d] && smaller[d];
   }
-
-  bool covered(const std::vector<std::size_t>& chosen, std::size_t item) const { return with_objects(chosen)[item] != 0; }
 
   Encoding& encoding_;
   const CpSatLibrary& library_;
@@ -183,13 +166,6 @@ std::vector<std::size_t> those_of(const Encoding& encoding, const std::vector<De
   return found;
 }
 
-// Items first: a clash of few objects says more than one of few relations.
-void sort_for_shrinking(const Encoding& encoding, std::vector<std::size_t>& core) {
-  std::stable_sort(core.begin(), core.end(), [&](std::size_t a, std::size_t b) {
-    return encoding.demands()[a].kind == Demand::Kind::kItem && encoding.demands()[b].kind != Demand::Kind::kItem;
-  });
-}
-
 // Do these demands clash in what is surely needed, too? Then a smallest clash among them; nothing where they do not or nobody knows.
 Result<std::optional<Clash>> prove(const Model& model, const CpSatLibrary& library, const std::vector<char>& given_up,
                                    const std::vector<Demand>& demands, const std::vector<char>& left_out, const ProofLimits& limits,
@@ -203,8 +179,7 @@ Result<std::optional<Clash>> prove(const Model& model, const CpSatLibrary& libra
   if (answer.status != CpStatus::kInfeasible) return std::optional<Clash>{};
   std::vector<std::size_t> core = encoding.demands_in(answer.core);
   if (core.empty()) core = all;
-  sort_for_shrinking(encoding, core);
-  LAYOUTBOX_ASSIGN(Clash clash, Shrinking(model, encoding, library, limits, used).smallest(std::move(core)));
+  LAYOUTBOX_ASSIGN(Clash clash, Shrinking(model, encoding, library, limits, used).smallest(core));
   return std::optional<Clash>{std::move(clash)};
 }
 
@@ -244,8 +219,7 @@ Result<Proof> decide(const Model& model, const CpSatLibrary& library, const std:
     return proof;
   }
   // Not in the way we place things; that there is no other is not shown.
-  sort_for_shrinking(encoding, core);
-  LAYOUTBOX_ASSIGN(proof.clash, Shrinking(model, encoding, library, limits, proof.deterministic_time).smallest(std::move(core)));
+  LAYOUTBOX_ASSIGN(proof.clash, Shrinking(model, encoding, library, limits, proof.deterministic_time).smallest(core));
   proof.clash.proven = proof.clash.minimal = false;
   return proof;
 }
