@@ -7,6 +7,7 @@ namespace {
 
 // Most questions are answered at once, faster than presolve reads them; distances that clash are answered only after it.
 constexpr double kWithoutPresolve = 0.001;
+constexpr double kSizeQuestion = 0.02;  // of one question about a size that may take part
 
 Result<CpAnswer> ask(Encoding& encoding, const CpSatLibrary& library, const std::vector<char>& demanded, const ProofLimits& limits) {
   CpParameters parameters;
@@ -65,13 +66,15 @@ class Shrinking {
     for (const bool items : {false, true}) {
       for (std::size_t d = 0; d < mask.size() && !out_of_time(clash); ++d) {
         if (!mask[d] || (encoding_.demands()[d].kind == Demand::Kind::kItem) != items) continue;
+        // Without an object that a relation speaks of that relation is not there either: only whether its size takes part is asked.
+        const bool spoken_of = items && is_spoken_of(mask, d);
         mask[d] = 0;
-        LAYOUTBOX_ASSIGN(const CpAnswer answer, question(mask));
+        LAYOUTBOX_ASSIGN(const CpAnswer answer, question(mask, spoken_of ? kSizeQuestion : limits_.deterministic_time));
         if (answer.status == CpStatus::kInfeasible) {
           keep_only(mask, encoding_.demands_in(answer.core), !items);
         } else {
           mask[d] = 1;
-          clash.minimal = clash.minimal && answer.status != CpStatus::kUnknown;
+          clash.minimal = clash.minimal && (spoken_of || answer.status != CpStatus::kUnknown);
         }
       }
     }
@@ -91,9 +94,16 @@ class Shrinking {
     return demanded;
   }
 
-  Result<CpAnswer> question(const std::vector<char>& demanded) {
+  bool is_spoken_of(const std::vector<char>& mask, std::size_t item) const {
+    for (std::size_t d = 0; d < mask.size(); ++d) {
+      if (mask[d] && std::find(spoken_of_[d].begin(), spoken_of_[d].end(), item) != spoken_of_[d].end()) return true;
+    }
+    return false;
+  }
+
+  Result<CpAnswer> question(const std::vector<char>& demanded, double most) {
     ProofLimits rest = limits_;
-    rest.deterministic_time = (limits_.deterministic_time - used_) / 2;
+    rest.deterministic_time = std::min(most, (limits_.deterministic_time - used_) / 2);
     LAYOUTBOX_ASSIGN(const CpAnswer answer, ask(encoding_, library_, demanded, rest));
     used_ += answer.deterministic_time;
     return answer;
