@@ -66,3 +66,12 @@ def main():
     if kind:
         write_turntable(kind, engine, meshes, os.path.join(folder, f"{OUTPUT['turntable']}.{kind}"))
         print("layoutbox: wrote turntable", flush=True)
+
+
+def leave():
+    """A Python with bpy 4.2 or 4.5 may crash or hang while it ends, though every file is whole: it ends at once instead. With --stay
+    (serve.py) the process goes on."""
+    if not bpy.app.binary_path and "--stay" not in sys.argv:
+        sys.stdout.flush()
+        sys.stderr.flush()
+        os._exit(0)

@@ -20,7 +20,7 @@ def end_with_parent():
 
 
 def draw(job):
-    sys.argv = [job["script"], *job["words"]]
+    sys.argv = [job["script"], *job["words"], "--stay"]
     try:
         runpy.run_path(job["script"], run_name="__main__")
     finally:
@@ -39,6 +39,8 @@ def main():
             print(f"layoutbox: failed {type(error).__name__}: {words}", flush=True)
         else:
             print("layoutbox: done", flush=True)
+    if not bpy.app.binary_path:
+        os._exit(0)  # see leave() in main.py
 
 
 main()

@@ -246,7 +246,7 @@ std::string write_blender_script(const Model& model, const Layout& layout, const
   }
   script +=
       "\n\n# ---- The meshes: zlib, base64. Each: vertices, indices; positions (10 µm), normals (1/32767), uvs (0.1 mm), indices. ----\n";
-  script += "MESHES = \"\"\"\n" + block.text() + "\"\"\"\n\nif __name__ == \"__main__\":\n    main()\n";
+  script += "MESHES = \"\"\"\n" + block.text() + "\"\"\"\n\nif __name__ == \"__main__\":\n    main()\n    leave()\n";
   return script;
 }
 
