@@ -4,10 +4,13 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "layoutbox/solve/solver.h"
@@ -173,6 +176,43 @@ void improvement(const Options& options, Report&) {
   }
 }
 
+// How long after the flag was set does the answer come? Measured on the clock, in whatever the solver is busy with at that moment: the
+// search, the improvement, or a proof.
+void stop(const Options& options, Report& report) {
+  using Clock = std::chrono::steady_clock;
+  struct Busy {
+    std::string what;
+    std::function<SceneGraph(std::uint64_t)> scene;
+    OnConflict on_conflict;
+  };
+  const std::vector<Busy> all{
+      {"stop, improving", [](std::uint64_t seed) { return furnished_scene(30, seed); }, OnConflict::kRelax},
+      {"stop, searching", [](std::uint64_t seed) { return scene_of(plain_room(200, seed)); }, OnConflict::kRelax},
+      {"stop, proving", [](std::uint64_t seed) { return impossible_scene(4, seed); }, OnConflict::kFail},
+  };
+  for (const Busy& busy : all) {
+    Times times;
+    for (int seed = 1; seed <= options.rooms; ++seed) {
+      const SceneGraph scene = busy.scene(static_cast<std::uint64_t>(seed));
+      std::atomic<bool> flag = false;
+      std::atomic<Clock::rep> set_at = 0;
+      SolveOptions ask = first_legal(600);
+      ask.improve = true, ask.effort = 10'000'000, ask.on_conflict = busy.on_conflict, ask.stop = &flag;
+      std::thread other([&] {
+        std::this_thread::sleep_for(std::chrono::milliseconds(20 + 7 * seed));
+        set_at = Clock::now().time_since_epoch().count();
+        flag = true;
+      });
+      (void)solve(scene, Catalog::builtin(), ask);
+      const Clock::time_point ended = Clock::now();
+      other.join();
+      const double late = std::chrono::duration<double>(ended.time_since_epoch() - Clock::duration(set_at.load())).count();
+      if (late >= 0) times.add(late, true);  // else it was done before
+    }
+    report.row(busy.what, "clock", 0, times);
+  }
+}
+
 void memory(const Options& options, Report&) {
   for (const int n : options.sizes) {
     const SceneGraph scene = scene_of(plain_room(n, 1));
@@ -188,7 +228,7 @@ void memory(const Options& options, Report&) {
 int main_with(int argc, char** argv) {
   Options options;
   CLI::App app("Figures of the solver");
-  app.add_option("part", options.part, "boxes, furnished, impossible, improvement, memory")->required();
+  app.add_option("part", options.part, "boxes, furnished, impossible, improvement, stop, memory")->required();
   app.add_option("--sizes", options.sizes, "How many objects")->delimiter(',');
   app.add_option("--rooms", options.rooms, "How many rooms of each size");
   app.add_option("--against", options.against, "paper, paper-boxes, highs")->delimiter(',');
@@ -198,7 +238,8 @@ int main_with(int argc, char** argv) {
   CLI11_PARSE(app, argc, argv);
   Report report(options.json);
   const std::map<std::string, void (*)(const Options&, Report&)> parts{
-      {"boxes", boxes}, {"furnished", furnished}, {"impossible", impossible}, {"improvement", improvement}, {"memory", memory}};
+      {"boxes", boxes}, {"furnished", furnished}, {"impossible", impossible}, {"improvement", improvement},
+      {"stop", stop},   {"memory", memory}};
   const auto part = parts.find(options.part);
   if (part == parts.end()) return 2;
   if (!describe_cp_sat_library()) fmt::print("without CP-SAT: {}\n", describe_cp_sat_library().error().message);  // and it is loaded now

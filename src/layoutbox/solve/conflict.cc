@@ -7,7 +7,7 @@ namespace {
 
 // Most questions are answered at once, faster than presolve reads them; distances that clash are answered only after it.
 constexpr double kWithoutPresolve = 0.001;
-constexpr double kSizeQuestion = 0.02;  // of one question about a size that may take part
+constexpr double kSizeQuestion = 0.01;  // of one question about a size that may take part
 
 Result<CpAnswer> ask(Encoding& encoding, const CpSatLibrary& library, const std::vector<char>& demanded, const ProofLimits& limits) {
   CpParameters parameters;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <limits>
 #include <thread>
 
 #include "layoutbox/solve/solver.h"
@@ -35,6 +36,60 @@ void expect_honest(const SceneGraph& scene, const std::string& about) {
 
 TEST(Absurd, ThingsThatContainOneAnother) {
   expect_honest(SceneMaker(4000, 4000).add("box", 2).relate("in", {"box_1"}, {"box_2"}).relate("in", {"box_2"}, {"box_1"}).make(), "box");
+}
+
+// Sizes that no file can have and normalize_scene lets nobody have: an error all the same.
+TEST(Absurd, SizesThatAreNone) {
+  for (const Size size : {Size{0, 0, 0}, Size{-500, 500, 500}, Size{500, 500, -1}, Size{2'000'000'000, 500, 500}}) {
+    SceneGraph scene = SceneMaker(4000, 4000).add("chair").add("box").make();
+    scene.objects[1].size = SizeRange{size, size, size};
+    const auto layout = solve(scene, Catalog::builtin());
+    ASSERT_FALSE(layout);
+    EXPECT_EQ(layout.error().code, ErrorCode::kSchema);
+    EXPECT_THAT(layout.error().message, HasSubstr("box"));
+  }
+}
+
+TEST(Absurd, PlacesThatAreNone) {
+  const double nan = std::numeric_limits<double>::quiet_NaN(), infinite = std::numeric_limits<double>::infinity();
+  for (const double x : {nan, infinite, 1e12}) {
+    SceneGraph scene = SceneMaker(4000, 4000).add("chair").at(1000, 1000, 0, 0, true).make();
+    scene.objects[0].hint.position = {x, 1000, 0};
+    EXPECT_FALSE(solve(scene, Catalog::builtin()));
+    scene.objects[0].hint = {std::array<double, 3>{1000, 1000, 0}, x};
+    EXPECT_FALSE(solve(scene, Catalog::builtin()));
+  }
+}
+
+// What is fixed where it cannot be is never passed over in silence.
+TEST(Absurd, FixedThingsThatOverlap) {
+  expect_honest(SceneMaker(4000, 4000)
+                    .add("box", 2)
+                    .sized(800, 800, 800)
+                    .at(1500, 1500, 0, 0, true)
+                    .add("chest")
+                    .sized(800, 800, 800)
+                    .at(1900, 1500, 0, 0, true)
+                    .make(),
+                "overlap, by 0.40 × 0.80 m");
+}
+
+TEST(Absurd, FixedOutsideTheRoom) {
+  expect_honest(SceneMaker(4000, 4000).add("chair").add("chest").sized(800, 800, 800).at(3900, 1500, 0, 0, true).make(),
+                "reaches 0.30 m out of the room");
+}
+
+TEST(Absurd, FixedInTheAir) {
+  expect_honest(SceneMaker(4000, 4000).add("chair").add("chest").sized(800, 800, 800).at(1500, 1500, 900, 0, true).make(),
+                "nothing holds the chest up");
+}
+
+TEST(Absurd, ABedLargerThanTheRoomAndNothingElse) {
+  const auto layout = solve(SceneMaker(2000, 1500).add("bed").sized(2600, 2600, 500).make(), Catalog::builtin());
+  ASSERT_TRUE(layout) << layout.error().message;
+  EXPECT_TRUE(layout->objects.empty());
+  ASSERT_EQ(layout->conflicts.size(), 1u);
+  EXPECT_THAT(layout->conflicts[0].sentence, HasSubstr("does not fit into the room"));
 }
 
 TEST(Absurd, AnEmptyRoom) {

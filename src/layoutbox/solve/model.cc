@@ -1,6 +1,7 @@
 #include "layoutbox/solve/model.h"
 
 #include <fmt/format.h>
+#include <cmath>
 
 #include <set>
 
@@ -149,7 +150,34 @@ bool Model::is_a(int item, std::string_view kind) const {
   return object && (catalog->is_a(object->category, kind) || catalog->is_a(items[item].entry->id, kind));
 }
 
+namespace {
+
+// A normalised scene has no others; who builds one by hand may err.
+Status check_numbers(const SceneGraph& scene) {
+  constexpr Mm kLongest = 100'000;
+  const auto wrong = [](Mm length) { return length <= 0 || length > kLongest; };
+  const auto far = [](double number) { return !(std::abs(number) <= 10.0 * kLongest); };
+  if (scene.room.polygon.size() < 3) return fail(ErrorCode::kGeometry, "the room has no floor", "/room");
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    const SceneObject& object = scene.objects[i];
+    const std::string where = fmt::format("/furniture/{}", i);
+    if (!object.size) return fail(ErrorCode::kSchema, fmt::format("\"{}\" has no size", object.id), where);
+    for (const Size& size : {object.size->least, object.size->usual, object.size->greatest}) {
+      if (!wrong(size.width) && !wrong(size.depth) && !wrong(size.height)) continue;
+      return fail(ErrorCode::kSchema, fmt::format("\"{}\" measures {} × {} × {} mm", object.id, size.width, size.depth, size.height), where,
+                  "give every side a length above 0 and at most 100 m");
+    }
+    const auto place = object.hint.position.value_or(std::array<double, 3>{});
+    if (std::any_of(place.begin(), place.end(), far) || far(object.hint.rotation_deg.value_or(0)))
+      return fail(ErrorCode::kSchema, fmt::format("\"{}\" has a place that is none", object.id), where);
+  }
+  return {};
+}
+
+}  // namespace
+
 Result<Model> build_model(const SceneGraph& scene, const Catalog& catalog, const ModelOptions& options) {
+  LAYOUTBOX_CHECK(check_numbers(scene));
   if (scene.objects.size() > kMostObjects) {
     return fail(ErrorCode::kTooLarge, fmt::format("{} objects are more than the {} that can be placed", scene.objects.size(), kMostObjects),
                 "/furniture");
