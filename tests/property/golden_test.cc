@@ -1,7 +1,7 @@
 // The examples' layouts, byte for byte: examples/scenes/*.json solved with the default options, each known by a digest of its layout.json.
 // A change of the solver that changes them is meant to be looked at. To renew, look at the pictures
 //
-//     for f in examples/scenes/*.json; do ./layoutbox solve $f -o out/golden/$(basename $f) && ./layoutbox export out/golden/$(basename
+//     for f in examples/scenes/*.json; do ./layoutbox solve $f -o out/golden/$(basename $f); done
 //     $f)…; done
 //
 // and then write the new digests: LAYOUTBOX_RENEW_GOLDEN=1 build/release/tests/property/property_test --gtest_filter='Golden*'
