@@ -49,13 +49,17 @@ bool put(const PlainRoom& room, const PlainBox& box, const std::vector<Spot>& pl
   return x >= 0 && y >= 0 && spot.x1 <= room.width && spot.y1 <= room.depth;
 }
 
+constexpr std::size_t kMostAtWalls = 100;
+
 bool plant(PlainRoom& room, Random& random) {
   std::vector<Spot> placed;
   for (std::size_t i = 0; i < room.boxes.size(); ++i) {
     PlainBox& box = room.boxes[i];
     bool found = false;
-    for (int attempt = 0; attempt < 400 && !found; ++attempt) {
-      box.wall = i % 2 == 0 ? random.number(0, 3) : -1;
+    // Of very many the half finds no room at the walls, which grow with the root of their number: there the later ones stand free.
+    const int attempts = room.boxes.size() > kMostAtWalls ? 800 : 400;
+    for (int attempt = 0; attempt < attempts && !found; ++attempt) {
+      box.wall = i % 2 == 0 && attempt < 400 ? random.number(0, 3) : -1;
       box.align = i > 0 && i % 3 == 1 ? random.number(0, static_cast<int>(i) - 1) : -1;
       box.axis = box.wall >= 0 ? (box.wall % 2 == 0 ? 0 : 1) : random.number(0, 1);
       Spot spot;

@@ -74,6 +74,7 @@ Status Solver::find_legal() {
       continue;
     }
     if (!search(given_up_)) {
+      if (interrupted()) return fail(ErrorCode::kInterrupted, "stopped");
       if (!options_.prove && options_.on_conflict == OnConflict::kFail) break;
       LAYOUTBOX_ASSIGN(const Early early, prove_early());
       if (early == Early::kGivenUp) continue;
@@ -151,6 +152,7 @@ bool Solver::search(const std::vector<char>& given_up, std::int64_t most_steps) 
 Result<bool> Solver::prove() {
   const bool loose = search_without(Firmness::kImplied);
   const Placements loosely = placements_;
+  if (interrupted()) return fail(ErrorCode::kInterrupted, "stopped");
   const auto library = CpSatLibrary::get();
   if (!library && options_.on_conflict == OnConflict::kFail) return Failure(library.error());
   Proof proof;
