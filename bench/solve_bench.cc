@@ -146,7 +146,11 @@ void impossible(const Options& options, Report& report) {
   }
 }
 
-constexpr std::int64_t kSoonEffort = 400;  // about 100 ms
+constexpr double kUnitsPerSecond = 4000;  // of effort, for a room of six things; of more it has as much more
+
+std::int64_t effort_for(double seconds, int things) {
+  return std::max<std::int64_t>(1, static_cast<std::int64_t>(seconds * kUnitsPerSecond * 6 / std::max(6, things)));
+}
 
 double cost_of(const Layout& layout) { return 1 / layout.score - 1; }
 
@@ -157,11 +161,11 @@ void improvement(const Options& options, Report&) {
       const SceneGraph scene = furnished_scene(n, static_cast<std::uint64_t>(seed));
       SolveOptions ask = first_legal(options.limit);
       const auto first = solve(scene, Catalog::builtin(), ask);
-      ask.improve = true, ask.effort = kSoonEffort, ask.time_limit_s = 1000;
+      ask.improve = true, ask.effort = effort_for(0.1, n), ask.time_limit_s = 1000;
       double ms = 0;
       Result<Layout> soon = Layout{};
       ms = 1000 * timed([&] { soon = solve(scene, Catalog::builtin(), ask); });
-      ask.effort = static_cast<std::int64_t>(options.best_known * 4000);
+      ask.effort = effort_for(options.best_known, n);
       const auto late = solve(scene, Catalog::builtin(), ask);
       if (!first || !soon || !late) continue;
       const double way = cost_of(*first) - std::min(cost_of(*late), cost_of(*soon));
