@@ -45,12 +45,13 @@ Box box_of_space(const Space& space, const Box& own) {
 }
 
 // The floor that its use wants free, less what words give to something else: the back of a chair told to stand at a wall, a counter's
-// front told to have stools.
+// front told to have stools, the sides of a bed told to be flanked.
 std::map<Side, Mm> wanted_floor(const SceneGraph& scene, const SceneObject& object, const CatalogEntry& entry, const Catalog& catalog) {
   std::map<Side, Mm> wanted = entry.clearance;
   for (const Relation& r : scene.relations) {
     const auto names = [&](const std::vector<std::string>& ids) { return std::find(ids.begin(), ids.end(), object.id) != ids.end(); };
     if ((r.type == RelationType::kAgainstWall || r.type == RelationType::kCorner) && names(r.targets)) wanted.erase(Side::kBack);
+    if (r.type == RelationType::kEachSideOf && names(r.references)) wanted.erase(Side::kLeft), wanted.erase(Side::kRight);
     if (r.type != RelationType::kInFrontOf || !names(r.references)) continue;
     const SceneObject* seat = r.targets.empty() ? nullptr : scene.find_object(r.targets.front());
     if (seat && is_table_seat(catalog.entry_or_nearest(seat->category))) wanted.erase(Side::kFront);
