@@ -72,6 +72,13 @@ std::vector<Limit> group_limits() {
          r.relation(Type::kEvenlySpaced, {"a", "b", "c"});
        },
        {"b", {0.02, 0}}},
+      {"evenlySpaced, spread as far along Y",
+       Type::kEvenlySpaced,
+       [](TestRoom& r) {
+         r.add("a", "stool", kStand, {0.4, 1.81}).add("b", "stool", kStand, {1.1, 0.9}).add("c", "stool", kStand, {1.8, 0.41});
+         r.relation(Type::kEvenlySpaced, {"a", "b", "c"});
+       },
+       {"b", {0.02, 0}}},
       {"symmetricAbout",
        Type::kSymmetricAbout,
        [](TestRoom& r) {

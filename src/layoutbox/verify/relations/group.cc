@@ -95,9 +95,12 @@ Finding even_gaps(const Case& c, Axis axis) {
   return at_most(fmt::format("gaps along {} differ by", name_of(axis)), *greatest - *least, kSpacing, 0);
 }
 
-Axis wider_spread(const Case& c) {
+// The axis along which the targets are spread farther; both where neither is by a millimetre, the step of all places.
+std::vector<Axis> wider_spread(const Case& c) {
   const std::vector<Interval> x = sorted_extents(c, Axis::kX), y = sorted_extents(c, Axis::kY);
-  return x.back().mid() - x.front().mid() >= y.back().mid() - y.front().mid() ? Axis::kX : Axis::kY;
+  const double more = (x.back().mid() - x.front().mid()) - (y.back().mid() - y.front().mid());
+  if (std::abs(more) < 0.001) return {Axis::kX, Axis::kY};
+  return {more > 0 ? Axis::kX : Axis::kY};
 }
 
 Finding between_two(const Case& c, const Body& t, const Reference& first, const Reference& second) {
@@ -239,7 +242,12 @@ Finding check_Grid(const Case& c) {
   return all_of(std::move(findings));
 }
 
-Finding check_EvenlySpaced(const Case& c) { return even_gaps(c, c.relation.parameters.axis.value_or(wider_spread(c))); }
+Finding check_EvenlySpaced(const Case& c) {
+  if (c.relation.parameters.axis) return even_gaps(c, *c.relation.parameters.axis);
+  std::vector<Finding> along;
+  for (const Axis axis : wider_spread(c)) along.push_back(even_gaps(c, axis));
+  return any_of(std::move(along), {});
+}
 
 Finding check_SymmetricAbout(const Case& c) {
   const bool mirror_y = c.relation.parameters.axis.value_or(Axis::kX) == Axis::kY;
