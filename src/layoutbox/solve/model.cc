@@ -15,9 +15,42 @@ namespace {
 
 constexpr std::size_t kMostObjects = 500;
 
+using Pairs = std::set<std::pair<int, int>>;
+
+// Who is within the free space of whom: the desk under a loft bed, the box in a shelf.
+std::vector<std::pair<int, int>> nested_pairs(const Model& model) {
+  std::vector<std::pair<int, int>> nested;
+  for (const Relation& relation : model.scene->relations) {
+    if (relation.type != RelationType::kUnder && relation.type != RelationType::kIn) continue;
+    for (const std::string& target : relation.targets) {
+      for (const std::string& reference : relation.references) {
+        const int inner = model.find_item(target);
+        const int outer = model.find_item(reference);
+        if (inner >= 0 && outer >= 0 && inner != outer) nested.emplace_back(inner, outer);
+      }
+    }
+  }
+  return nested;
+}
+
+// What is close to a nested thing (the lamp on that desk, the chair at it) comes as close to the outer one.
+void add_company_of_the_nested(const Model& model, Pairs& pairs) {
+  const auto nested = nested_pairs(model);
+  for (bool grows = !nested.empty(); grows;) {
+    const std::size_t before = pairs.size();
+    for (const auto& [inner, outer] : nested) {
+      for (int other = 0; other < static_cast<int>(model.items.size()); ++other) {
+        if (other == inner || other == outer) continue;
+        if (pairs.contains({std::min(inner, other), std::max(inner, other)})) pairs.insert({std::min(outer, other), std::max(outer, other)});
+      }
+    }
+    grows = pairs.size() > before;
+  }
+}
+
 // Which pairs are so close that their spaces count.
-std::set<std::pair<int, int>> close_pairs(const Model& model) {
-  std::set<std::pair<int, int>> pairs;
+Pairs close_pairs(const Model& model) {
+  Pairs pairs;
   const auto add = [&](int a, int b) {
     if (a >= 0 && b >= 0 && a != b) pairs.insert({std::min(a, b), std::max(a, b)});
   };
@@ -41,6 +74,7 @@ std::set<std::pair<int, int>> close_pairs(const Model& model) {
         add(static_cast<int>(i), static_cast<int>(j));
     }
   }
+  add_company_of_the_nested(model, pairs);
   return pairs;
 }
 

@@ -121,6 +121,18 @@ TEST(Solver, ThingsStandOnAndInThings) {
   EXPECT_EQ(layout.find_object("monitor_1")->supported_by, "desk_1");
 }
 
+TEST(Solver, WhatIsUnderALoftBedBringsItsCompany) {
+  const Layout layout = solved_fully(SceneMaker(4000, 3600)
+                                         .add("loft_bed")
+                                         .add("desk")
+                                         .add("monitor", 2)
+                                         .relate("under", {"desk_1"}, {"loft_bed_1"})
+                                         .relate("on", {"monitor_1"}, {"desk_1"})
+                                         .relate("on", {"monitor_2"}, {"desk_1"})
+                                         .make());
+  EXPECT_EQ(layout.find_object("monitor_2")->supported_by, "desk_1");
+}
+
 TEST(Solver, SameSeedSameBytes) {
   const SceneGraph scene =
       SceneMaker(5000, 4000).add("sofa").add("armchair", 2).add("coffee_table").add("tv_stand").add("bookshelf").add("plant", 2).make(true);
