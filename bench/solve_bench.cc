@@ -26,7 +26,7 @@ struct Options {
   std::string part, json;
   std::vector<int> sizes{5, 10, 20, 30, 50};
   std::vector<std::string> against;
-  int rooms = 20;
+  int rooms = 20, first_room = 1;
   double limit = 20, best_known = 20;
 };
 
@@ -97,7 +97,7 @@ void boxes(const Options& options, Report& report) {
   for (const int n : options.sizes) {
     Times ours;
     std::map<std::string, Times> theirs;
-    for (int seed = 1; seed <= options.rooms; ++seed) {
+    for (int seed = options.first_room; seed < options.first_room + options.rooms; ++seed) {
       const PlainRoom room = plain_room(n, static_cast<std::uint64_t>(seed));
       if (!find_first(scene_of(room), options.limit, ours)) fmt::print("  not found: --sizes {} room {}\n", n, seed);
       for (const std::string& other : options.against) {
@@ -114,7 +114,7 @@ void boxes(const Options& options, Report& report) {
 void furnished(const Options& options, Report& report) {
   for (const int n : options.sizes) {
     Times ours;
-    for (int seed = 1; seed <= options.rooms; ++seed) find_first(furnished_scene(n, static_cast<std::uint64_t>(seed)), options.limit, ours);
+    for (int seed = options.first_room; seed < options.first_room + options.rooms; ++seed) find_first(furnished_scene(n, static_cast<std::uint64_t>(seed)), options.limit, ours);
     report.row("furnished", "ours", n, ours);
   }
 }
@@ -124,7 +124,7 @@ void impossible(const Options& options, Report& report) {
     Times times;
     int minimal = 0;
     std::string said;
-    for (int seed = 1; seed <= options.rooms; ++seed) {
+    for (int seed = options.first_room; seed < options.first_room + options.rooms; ++seed) {
       const SceneGraph scene = impossible_scene(kind, static_cast<std::uint64_t>(seed));
       SolveOptions ask = first_legal(options.limit);
       ask.effort = SolveOptions{}.effort;
@@ -157,7 +157,7 @@ double cost_of(const Layout& layout) { return 1 / layout.score - 1; }
 void improvement(const Options& options, Report&) {
   for (const int n : options.sizes) {
     std::vector<double> shares;
-    for (int seed = 1; seed <= options.rooms; ++seed) {
+    for (int seed = options.first_room; seed < options.first_room + options.rooms; ++seed) {
       const SceneGraph scene = furnished_scene(n, static_cast<std::uint64_t>(seed));
       SolveOptions ask = first_legal(options.limit);
       const auto first = solve(scene, Catalog::builtin(), ask);
@@ -196,7 +196,7 @@ void stop(const Options& options, Report& report) {
   };
   for (const Busy& busy : all) {
     Times times;
-    for (int seed = 1; seed <= options.rooms; ++seed) {
+    for (int seed = options.first_room; seed < options.first_room + options.rooms; ++seed) {
       const SceneGraph scene = busy.scene(static_cast<std::uint64_t>(seed));
       std::atomic<bool> flag = false;
       std::atomic<Clock::rep> set_at = 0;
@@ -235,6 +235,7 @@ int main_with(int argc, char** argv) {
   app.add_option("part", options.part, "boxes, furnished, impossible, improvement, stop, memory")->required();
   app.add_option("--sizes", options.sizes, "How many objects")->delimiter(',');
   app.add_option("--rooms", options.rooms, "How many rooms of each size");
+  app.add_option("--first-room", options.first_room, "Seed of the first room");
   app.add_option("--against", options.against, "paper, paper-boxes, highs")->delimiter(',');
   app.add_option("--limit", options.limit, "Seconds a room at most");
   app.add_option("--best-known", options.best_known, "Seconds of the long run");

@@ -1,14 +1,11 @@
 #include "layoutbox/solve/quick.h"
 
-#include "layoutbox/solve/slanted.h"
-
 namespace layoutbox::placement {
 namespace {
 
 constexpr int kPushesPerItem = 3, kPushesMore = 20, kLongerBy = 2;
 constexpr int kWatchedTries = 8;
 constexpr std::size_t kMostCoordinates = 14;
-constexpr int kLinesAcross = 14;  // of a region that is cut slantwise
 
 constexpr std::int64_t kSlice = 1'000'000;  // steps
 
@@ -23,8 +20,35 @@ std::int64_t luby(std::int64_t index) {
   return std::int64_t{1} << power;
 }
 
-std::int64_t floor_div(std::int64_t a, std::int64_t b) { return a / b - ((a % b != 0) && ((a < 0) != (b < 0))); }
-std::int64_t ceil_div(std::int64_t a, std::int64_t b) { return -floor_div(-a, b); }
+bool same_body(const State& a, const State& b) {
+  return a.size_step == b.size_step && is_quarter(a) && is_quarter(b) && a.extent == b.extent && a.constants == b.constants &&
+         a.solids == b.solids && a.clear == b.clear;
+}
+
+// By state the set of those that cannot be told from it by room taken or by anything that must hold.
+std::vector<std::uint64_t> alike_states(const Model& model, const RegionFinder& regions, int item) {
+  const std::vector<State>& states = model.items[item].states;
+  std::vector<std::uint64_t> alike(states.size(), 0), masks;
+  for (const int c : model.touching[item]) {
+    if (!regions.enforced(c)) continue;
+    for (const Formula& formula : model.constraints[c].formulas) {
+      for (const Case& one : formula.cases) {
+        for (const StateLiteral& literal : one.states) {
+          if (literal.item == item) masks.push_back(literal.states);
+        }
+      }
+    }
+  }
+  const auto told_apart = [&](std::size_t a, std::size_t b) {
+    return std::any_of(masks.begin(), masks.end(), [&](std::uint64_t mask) { return ((mask >> a ^ mask >> b) & 1) != 0; });
+  };
+  for (std::size_t a = 0; a < states.size(); ++a) {
+    for (std::size_t b = 0; b < states.size(); ++b) {
+      if (a == b || (same_body(states[a], states[b]) && !told_apart(a, b))) alike[a] |= std::uint64_t{1} << b;
+    }
+  }
+  return alike;
+}
 
 }  // namespace
 
@@ -35,7 +59,10 @@ QuickSearch::QuickSearch(const Model& model, const Dependencies& dependencies, s
       regions_(model, std::move(given_up), most_size_step),
       random_(seed),
       most_size_step_(most_size_step),
-      weight_(model.items.size(), 0) {}
+      weight_(model.items.size(), 0),
+      obstacles_(model, regions_) {
+  for (std::size_t i = 0; i < model.items.size(); ++i) alike_.push_back(alike_states(model, regions_, static_cast<int>(i)));
+}
 
 bool QuickSearch::complete(Placements& placements, const std::vector<char>& left_out, Budget& budget) {
   regions_.leave_out(left_out);
@@ -98,24 +125,27 @@ bool QuickSearch::attempt(const std::vector<char>& left_out, std::vector<int> pe
   return failed_.empty();
 }
 
-std::vector<int> QuickSearch::states_in_turn(int item) {
+// Of states that differ in nothing the search sees one will do, now this one, now that.
+const std::vector<int>& QuickSearch::states_in_turn(int item) {
   const std::vector<State>& states = model_.items[item].states;
-  std::vector<int> out;
+  turns_.clear();
   const auto first = static_cast<std::size_t>(random_.below(static_cast<std::int64_t>(states.size())));
+  std::uint64_t seen = 0;
   for (std::size_t k = 0; k < states.size(); ++k) {
     const auto s = static_cast<int>((first + k) % states.size());
-    if (states[s].size_step <= most_size_step_) out.push_back(s);
+    if (states[s].size_step > most_size_step_ || (seen & alike_[item][s]) != 0) continue;
+    seen |= std::uint64_t{1} << s;
+    const auto nearer = [&](int a, int b) { return states[a].size_step < states[b].size_step; };
+    turns_.insert(std::upper_bound(turns_.begin(), turns_.end(), s, nearer), s);
   }
-  std::stable_sort(out.begin(), out.end(), [&](int a, int b) { return states[a].size_step < states[b].size_step; });
-  return out;
+  return turns_;
 }
 
 // Now and then a place that a sweep from the corners never comes to, for what has failed before or what hangs on it.
 bool QuickSearch::somewhere(const Region& region, Vec3& at) {
   if (random_.below(2) == 0) return false;
   for (int k = 0; k < 3; ++k) at[k] = region.lo[k] + static_cast<Mm>(random_.below(std::int64_t{region.hi[k]} - region.lo[k] + 1));
-  const auto in_way = [&](const Forbidden& f) { return f.holds(at); };
-  return std::none_of(forbidden_.begin(), forbidden_.end(), in_way) && holds_at(region, at);
+  return obstacles_.is_free(at) && holds_at(region, at);
 }
 
 // Where what hangs on it and has failed before finds a place too, if a few tries come to such a place.
@@ -140,155 +170,17 @@ bool QuickSearch::settle(int item, Budget& budget) {
 bool QuickSearch::settle_once(int item, Budget& budget) {
   const auto& tenants = dependencies_.tenants[item];
   const bool failed_before = weight_[item] > 0 || std::any_of(tenants.begin(), tenants.end(), [&](int t) { return weight_[t] > 0; });
-  const Sweep how{static_cast<int>(random_.below(2)), {random_.below(2) == 0, random_.below(2) == 0}};
+  const Obstacles::Sweep how{static_cast<int>(random_.below(2)), {random_.below(2) == 0, random_.below(2) == 0}};
   for (const int state : states_in_turn(item)) {
     const std::vector<Region>& regions = regions_.find(placements_, item, state, false);
     budget.count(40);
-    if (regions.empty()) continue;
-    forbid(item, state);
     for (const Region& region : regions) {
       Vec3 at;
-      if (!(failed_before && somewhere(region, at)) && !sweep(region, how, at, budget)) continue;
+      obstacles_.gather(placements_, item, state, region);
+      if (!(failed_before && somewhere(region, at)) && !obstacles_.sweep(region, how, at, budget)) continue;
       placements_[item] = {state, at};
       return true;
     }
-  }
-  return false;
-}
-
-void QuickSearch::forbid_pair(int item, int state, int other) {
-  const PairRule rule = model_.pair(item, other);
-  const Item &self = model_.items[item], &them = model_.items[other];
-  if (rule == PairRule::kFree || (self.fixed && them.fixed)) return;
-  const State &own = self.states[state], &theirs = them.states[placements_[other].state];
-  const Box box = box_of(them, placements_[other]);
-  const bool turned = !model_.headings.empty() && (!is_quarter(own) || !is_quarter(theirs));
-  const auto add = [&](const Box& mine, const Box& body, Mm more, int my_solid = -1, int their_solid = -1) {
-    Forbidden f;
-    for (int k = 0; k < 3; ++k) f.lo[k] = body.lo[k] - mine.hi[k], f.hi[k] = body.hi[k] - mine.lo[k];
-    for (int k = 0; k < 2; ++k) f.lo[k] -= more, f.hi[k] += more;
-    f.owner = other;
-    for (std::size_t k = 0; turned && !self.is_opening() && !them.is_opening() && k < model_.headings.size(); ++k) {
-      const Heading& h = model_.headings[k];
-      const Reach a = reach_of(model_, self, state, my_solid, static_cast<int>(k));
-      const Reach b = reach_of(model_, them, placements_[other].state, their_solid, static_cast<int>(k));
-      const Vec3& at = placements_[other].at;
-      const std::int64_t middle = 2 * (std::int64_t{h.x} * at[0] + std::int64_t{h.y} * at[1]) + b.middle2;
-      f.stripes.push_back({h.x, h.y, a.middle2 - middle, a.span + b.span});
-    }
-    forbidden_.push_back(std::move(f));
-  };
-  const Box whole{{0, 0, 0}, own.extent};
-  if (rule == PairRule::kOpenings) {
-    add(whole, box, 2);  // openings have no depth
-  } else if (self.is_opening() || them.is_opening()) {
-    if (regions_.clearance_off(self) || regions_.clearance_off(them)) return;
-    for (const Box& clear : own.clear) add(clear, box, 0);
-    for (const Box& clear : theirs.clear) add(whole, clear.shifted(placements_[other].at), 0);
-  } else if (rule == PairRule::kBoxes) {
-    add(whole, box, 0);
-  } else {
-    for (std::size_t i = 0; i < own.solids.size(); ++i) {
-      for (std::size_t j = 0; j < theirs.solids.size(); ++j)
-        add(own.solids[i], theirs.solids[j].shifted(placements_[other].at), 0, static_cast<int>(i), static_cast<int>(j));
-    }
-  }
-}
-
-void QuickSearch::forbid(int item, int state) {
-  forbidden_.clear();
-  const Item& self = model_.items[item];
-  if (!self.is_opening() && !self.fixed) {
-    const Vec3& e = self.states[state].extent;
-    for (const Box& outside : model_.off_limits) {
-      forbidden_.push_back({{outside.lo[0] - e[0], outside.lo[1] - e[1], outside.lo[2] - e[2]}, outside.hi, -1});
-    }
-  }
-  for (std::size_t j = 0; j < placements_.size(); ++j) {
-    if (placements_[j].state >= 0 && static_cast<int>(j) != item) forbid_pair(item, state, static_cast<int>(j));
-  }
-}
-
-bool QuickSearch::Forbidden::along(int b, Mm line, Mm& from, Mm& to) const {
-  const int a = 1 - b;
-  if (!(lo[a] < line && line < hi[a])) return false;
-  from = lo[b], to = hi[b];
-  for (const Stripe& stripe : stripes) {  // −half < 2·p·x + q < half
-    const std::int64_t p = 2 * (b == 0 ? stripe.x : stripe.y), q = 2 * (a == 0 ? stripe.x : stripe.y) * line + stripe.constant;
-    if (p == 0) {
-      if (std::abs(q) >= stripe.half) return false;
-      continue;
-    }
-    const std::int64_t first = p > 0 ? -stripe.half - q : q - stripe.half, last = p > 0 ? stripe.half - q : q + stripe.half,
-                       by = std::abs(p);
-    from = static_cast<Mm>(std::max<std::int64_t>(from, floor_div(first, by)));
-    to = static_cast<Mm>(std::min<std::int64_t>(to, ceil_div(last, by)));
-  }
-  return from + 1 < to;
-}
-
-// What of the line the checks of the region leave; false: nothing.
-bool QuickSearch::narrow(const Region& region, int b, const Vec3& at, Mm& from, Mm& to) const {
-  for (const Reduced* one : region.cases) {
-    for (const Partial& check : one->checks) {  // coefficient · x + rest ≥ 0
-      Vec3 start = at;
-      start[b] = 0;
-      const std::int64_t rest = check.at(start), by = check.coefficient[b];
-      if (by == 0 && rest < 0) return false;
-      if (by > 0) from = static_cast<Mm>(std::max<std::int64_t>(from, ceil_div(-rest, by)));
-      if (by < 0) to = static_cast<Mm>(std::min<std::int64_t>(to, floor_div(rest, -by)));
-      if (from > to) return false;
-    }
-  }
-  return true;
-}
-
-// Along one line: from its beginning past everything that is in the way.
-bool QuickSearch::sweep_line(const Region& region, const Sweep& how, Vec3& at) const {
-  const int a = how.outer, b = 1 - a;
-  const bool down = how.down[1];
-  Mm first = region.lo[b], last = region.hi[b];
-  if (!narrow(region, b, at, first, last)) return false;
-  at[b] = down ? last : first;
-  for (bool moved = true; moved;) {
-    moved = false;
-    for (const Forbidden* f : near_) {
-      Mm from = f->lo[b], to = f->hi[b];
-      const bool inside = f->stripes.empty() ? f->lo[a] < at[a] && at[a] < f->hi[a] : f->along(b, at[a], from, to);
-      if (!inside || !(from < at[b] && at[b] < to)) continue;
-      at[b] = down ? from : to;
-      moved = true;
-    }
-    if (at[b] < first || at[b] > last) return false;
-  }
-  return true;
-}
-
-bool QuickSearch::sweep(const Region& region, const Sweep& how, Vec3& at, Budget& budget) {
-  const int a = how.outer;
-  for (const Mm z : {region.lo[2], region.hi[2]}) {
-    at[2] = z;
-    near_.clear();
-    lines_.assign({region.lo[a], region.hi[a]});
-    for (const Forbidden& f : forbidden_) {
-      if (!(f.lo[2] < z && z < f.hi[2])) continue;
-      near_.push_back(&f);
-      for (const Mm line : {f.lo[a], f.hi[a]}) {
-        if (line > region.lo[a] && line < region.hi[a]) lines_.push_back(line);
-      }
-    }
-    const bool slantwise = std::any_of(region.cases.begin(), region.cases.end(), [](const Reduced* one) { return !one->checks.empty(); });
-    for (int k = 1; slantwise && k < kLinesAcross; ++k)
-      lines_.push_back(region.lo[a] + static_cast<Mm>(std::int64_t{region.hi[a] - region.lo[a]} * k / kLinesAcross));
-    std::sort(lines_.begin(), lines_.end());
-    lines_.erase(std::unique(lines_.begin(), lines_.end()), lines_.end());
-    if (how.down[0]) std::reverse(lines_.begin(), lines_.end());
-    for (const Mm line : lines_) {
-      at[a] = line;
-      budget.count(1 + static_cast<std::int64_t>(near_.size()) / 16);
-      if (sweep_line(region, how, at)) return true;
-    }
-    if (region.hi[2] == region.lo[2]) break;
   }
   return false;
 }
@@ -316,15 +208,19 @@ std::vector<int> QuickSearch::all_hosts(int item) const {
 
 // Where it pushes out what has failed least often.
 bool QuickSearch::push_out(int item, std::vector<int>& pending, Budget& budget) {
-  std::vector<int> price(placements_.size(), -1), group;  // −1: not to be pushed out
-  std::vector<char> host(placements_.size(), 0);
-  for (const int other : all_hosts(item)) host[other] = 1;
-  for (std::size_t j = 0; j < price.size(); ++j) {
-    if (placements_[j].state < 0 || host[j] || stays(model_.items[j])) continue;
-    group_of(dependencies_, placements_, static_cast<int>(j), group);
-    price[j] = 0;
-    for (const int member : group) price[j] += 1 + weight_[member];
-  }
+  constexpr int kUnknown = -2, kNever = -1;
+  std::vector<int> prices(placements_.size(), kUnknown), group;
+  for (const int other : all_hosts(item)) prices[other] = kNever;
+  const auto price_of = [&](int other) {
+    int& price = prices[other];
+    if (price != kUnknown) return price;
+    price = kNever;
+    if (stays(model_.items[other])) return price;
+    group_of(dependencies_, placements_, other, group);
+    price = 0;
+    for (const int member : group) price += 1 + weight_[member];
+    return price;
+  };
   Placement best;
   std::int64_t least = std::numeric_limits<std::int64_t>::max();
   std::vector<int> hit, best_hit, seen(placements_.size(), 0);
@@ -332,13 +228,13 @@ bool QuickSearch::push_out(int item, std::vector<int>& pending, Budget& budget) 
   int stamp = 0;
   for (const int state : states_in_turn(item)) {
     const std::vector<Region>& regions = regions_.find(placements_, item, state, false);
-    if (regions.empty()) continue;
-    forbid(item, state);
     for (const Region& region : regions) {
+      obstacles_.gather(placements_, item, state, region);
+      const std::vector<Obstacles::Forbidden>& forbidden = obstacles_.all();
       for (int k = 0; k < 3; ++k) {
         tried[k].assign({region.lo[k]});
         if (region.hi[k] > region.lo[k]) tried[k].push_back(region.hi[k]);
-        for (const Forbidden& f : forbidden_) {
+        for (const Obstacles::Forbidden& f : forbidden) {
           for (const Mm value : {f.lo[k], f.hi[k]}) {
             if (k < 2 && value > region.lo[k] && value < region.hi[k]) tried[k].push_back(value);
           }
@@ -350,22 +246,22 @@ bool QuickSearch::push_out(int item, std::vector<int>& pending, Budget& budget) 
       }
       for (const Mm z : tried[2]) {
         for (const Mm y : tried[1]) {
-          budget.count(static_cast<std::int64_t>(1 + tried[0].size() * forbidden_.size() / 32));
+          budget.count(static_cast<std::int64_t>(1 + tried[0].size() * forbidden.size() / 32));
           if (budget.stopped) return false;
           for (const Mm x : tried[0]) {
             const Vec3 at{x, y, z};
             ++stamp;
             hit.clear();
             std::int64_t sum = random_.below(2);  // of equals now this one, now that
-            for (const Forbidden& f : forbidden_) {
-              if (!f.holds(at) || (f.owner >= 0 && seen[f.owner] == stamp)) continue;
-              if (f.owner < 0 || price[f.owner] < 0) {
+            for (const Obstacles::Forbidden& f : forbidden) {
+              if (!obstacles_.holds(f, at) || (f.owner >= 0 && seen[f.owner] == stamp)) continue;
+              if (f.owner < 0 || price_of(f.owner) < 0) {
                 sum = least;
                 break;
               }
               seen[f.owner] = stamp;
               hit.push_back(f.owner);
-              sum += 2 * std::int64_t{price[f.owner]};
+              sum += 2 * std::int64_t{price_of(f.owner)};
               if (sum >= least) break;
             }
             if (sum >= least || !holds_at(region, at)) continue;

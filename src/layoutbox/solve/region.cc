@@ -142,26 +142,35 @@ bool RegionFinder::reduce(const Placements& placements, const Case& one, int ite
   return true;
 }
 
+std::vector<Reduced>& RegionFinder::next_pool() {
+  if (pools_ == pool_.size()) pool_.emplace_back();
+  pool_[pools_].clear();
+  return pool_[pools_];
+}
+
 const std::vector<Region>& RegionFinder::find(const Placements& placements, int item, int state, bool with_wishes) {
-  pool_.clear();
+  pools_ = 0;
   regions_.clear();
   for (const int c : model_.touching[item]) {
     if (!enforced(c)) continue;
     for (const Formula& formula : model_.constraints[c].formulas) {
       const bool speaks = formula.cases.empty() || std::find(formula.items.begin(), formula.items.end(), item) != formula.items.end();
       if (!speaks) continue;
-      std::vector<Reduced> cases;
+      std::vector<Reduced>& cases = next_pool();
       for (const Case& one : formula.cases) {
-        Reduced reduced;
-        if (reduce(placements, one, item, state, with_wishes, reduced)) cases.push_back(std::move(reduced));
+        if (!reduce(placements, one, item, state, with_wishes, cases.emplace_back())) cases.pop_back();
       }
       if (cases.empty()) return regions_;
       const auto cheaper = [](const Reduced& a, const Reduced& b) { return a.price < b.price; };
       if (!std::is_sorted(cases.begin(), cases.end(), cheaper)) std::stable_sort(cases.begin(), cases.end(), cheaper);
-      pool_.push_back(std::move(cases));
+      ++pools_;
     }
   }
-  std::stable_sort(pool_.begin(), pool_.end(), [](const auto& a, const auto& b) { return a.size() < b.size(); });
+  by_size_.clear();
+  for (std::size_t i = 0; i < pools_; ++i) {
+    const auto smaller = [](const auto* a, const auto* b) { return a->size() < b->size(); };
+    by_size_.insert(std::upper_bound(by_size_.begin(), by_size_.end(), &pool_[i], smaller), &pool_[i]);
+  }
   Region whole;
   const Item& self = model_.items[item];
   for (int k = 0; k < 3; ++k) {
@@ -170,27 +179,30 @@ const std::vector<Region>& RegionFinder::find(const Placements& placements, int 
   }
   if (self.fixed) whole.lo = whole.hi = self.fixed_at;
   int nodes = 0;
+  chosen_.clear();
   if (!whole.empty()) descend(0, whole, nodes);
   return regions_;
 }
 
 void RegionFinder::descend(std::size_t depth, const Region& region, int& nodes) {
   if (regions_.size() >= kMostRegions || ++nodes > kMostNodes) return;
-  if (depth == pool_.size()) {
+  if (depth == by_size_.size()) {
     regions_.push_back(region);
+    regions_.back().cases = chosen_;
     return;
   }
-  for (const Reduced& one : pool_[depth]) {
+  for (const Reduced& one : *by_size_[depth]) {
     Region next;
     for (int k = 0; k < 3; ++k) {
       next.lo[k] = std::max(region.lo[k], one.lo[k]);
       next.hi[k] = std::min(region.hi[k], one.hi[k]);
     }
     if (next.empty()) continue;
-    next.cases = region.cases;
-    next.cases.push_back(&one);
+    const bool speaks = !one.checks.empty() || !one.wishes.empty();
     next.price = region.price + one.price;
+    if (speaks) chosen_.push_back(&one);
     descend(depth + 1, next, nodes);
+    if (speaks) chosen_.pop_back();
   }
 }
 

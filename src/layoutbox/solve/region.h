@@ -58,7 +58,7 @@ struct Reduced {
 
 struct Region {
   Vec3 lo{}, hi{};
-  std::vector<const Reduced*> cases;
+  std::vector<const Reduced*> cases;  // those that check or wish anything
   std::int64_t price = 0;
   bool empty() const { return lo[0] > hi[0] || lo[1] > hi[1] || lo[2] > hi[2]; }
 };
@@ -90,12 +90,17 @@ class RegionFinder {
   bool is_linked(int item) const;
   void narrow_domains();
   void descend(std::size_t depth, const Region& region, int& nodes);
+  std::vector<Reduced>& next_pool();
 
   const Model& model_;
   std::vector<char> given_up_, left_out_;
   int most_size_step_;
   std::vector<Domain> domains_;
-  std::vector<std::vector<Reduced>> pool_;  // per enforced formula, its cases that are possible
+  std::vector<std::vector<Reduced>>
+      pool_;  // per enforced formula, its cases that are possible; kept for their room, the first `pools_` count
+  std::size_t pools_ = 0;
+  std::vector<const std::vector<Reduced>*> by_size_;  // of those, what leaves least choice first
+  std::vector<const Reduced*> chosen_;                // on the way down
   std::vector<Region> regions_;
 };
 

@@ -115,9 +115,18 @@ Result<Solver::Early> Solver::prove_early() {
   return search(given_up_, whole) ? Early::kFound : Early::kUnknown;
 }
 
+bool Solver::any_other_size() const {
+  return std::any_of(model_.items.begin(), model_.items.end(), [](const Item& item) {
+    return std::any_of(item.states.begin(), item.states.end(), [](const State& state) { return state.size_step > 0; });
+  });
+}
+
 bool Solver::search(const std::vector<char>& given_up, std::int64_t most_steps) {
   const Dependencies dependencies(model_);
+  // A longer search does not go the way of the first once more.
+  const std::uint64_t seed = most_steps > kFirstSteps ? options_.seed + kSeedStep : options_.seed;
   for (const int sizes : {0, kAllSizes}) {
+    if (sizes > 0 && !any_other_size()) break;
     size_limit_ = sizes;
     Budget budget{0, std::max(std::min(budget_.limit / 2, most_steps), kLeastSteps), budget_.stop, false};
     if (!model_.start.empty()) {  // what stays near its earlier place is looked for there
@@ -129,7 +138,7 @@ bool Solver::search(const std::vector<char>& given_up, std::int64_t most_steps) 
     } else {
       placements_.assign(model_.items.size(), {});
     }
-    QuickSearch quick(model_, dependencies, given_up, options_.seed, sizes);
+    QuickSearch quick(model_, dependencies, given_up, seed, sizes);
     const bool found = quick.complete(placements_, left_out_, budget);
     failed_ = quick.failed();
     if (found) return true;

@@ -47,6 +47,7 @@ class Solver {
   Status find_legal();
   enum class Early { kFound, kGivenUp, kUnknown };
   Result<Early> prove_early();
+  bool any_other_size() const;
   bool search(const std::vector<char>& given_up, std::int64_t most_steps = kFirstSteps);
   Result<bool> prove();
   void improve();
