@@ -8,7 +8,10 @@
 #include "layoutbox/base/words.h"
 #include "layoutbox/export/cairo_canvas.h"
 #include "layoutbox/export/export.h"
+#include "layoutbox/export/plan_dimensions.h"
+#include "layoutbox/export/plan_ink.h"
 #include "layoutbox/export/plan_labels.h"
+#include "layoutbox/export/plan_room.h"
 #include "layoutbox/export/plan_symbols.h"
 #include "layoutbox/export/svg.h"
 
@@ -16,30 +19,8 @@ namespace layoutbox {
 namespace {
 
 // A4 across, in millimetres.
-constexpr double kPageWidth = 297, kPageHeight = 210, kMargin = 10, kTitleHeight = 20, kSideColumn = 42, kDimension = 9;
+constexpr double kPageWidth = 297, kPageHeight = 210, kMargin = 10, kTitleHeight = 20, kKeyWidth = 46;
 constexpr std::array kScales{5, 10, 20, 25, 30, 40, 50, 60, 75, 100, 125, 150, 200, 250, 500, 1000, 2000, 5000};
-
-struct PlanVector {
-  double x = 0, y = 0;
-};
-
-PlanVector operator+(PlanVector a, PlanVector b) { return {a.x + b.x, a.y + b.y}; }
-PlanVector operator*(double s, PlanVector a) { return {s * a.x, s * a.y}; }
-PlanVector vector_of(const Point& p) { return {double(p.x), double(p.y)}; }
-
-// A wall with its direction and its outward normal, in the plan's millimetres.
-struct WallFrame {
-  PlanVector start, along, out;
-  double length = 0, thickness = 0;
-  PlanVector at(double s, double t) const { return start + s * along + t * out; }
-};
-
-WallFrame frame_of(const Wall& wall) {
-  const PlanVector a = vector_of(wall.start), b = vector_of(wall.end);
-  const double length = std::max(1.0, std::hypot(b.x - a.x, b.y - a.y));
-  const PlanVector along{(b.x - a.x) / length, (b.y - a.y) / length};
-  return {a, along, {along.y, -along.x}, length, double(wall.thickness)};
-}
 
 std::string title_of(const Layout& layout) {
   std::string title = !layout.name.empty() ? layout.name : !layout.room.type.empty() ? layout.room.type : std::string("room");
@@ -50,8 +31,8 @@ std::string title_of(const Layout& layout) {
 
 class FloorPlan {
  public:
-  FloorPlan(const Layout& layout, const FloorPlanOptions& options, Canvas& canvas) : layout_(layout), options_(options), page_(canvas) {
-    for (const Wall& wall : layout.room.walls) walls_.push_back(frame_of(wall));
+  FloorPlan(const Layout& layout, const FloorPlanOptions& options, Canvas& canvas)
+      : layout_(layout), options_(options), ink_(kPageWidth, kPageHeight), page_(canvas, ink_), room_(layout) {
     choose_scale();
   }
 
@@ -59,60 +40,57 @@ class FloorPlan {
     draw_walls();
     draw_furniture();
     for (const Opening& opening : layout_.room.openings) draw_opening(opening);  // swings lie over rugs
-    draw_dimensions();
-    draw_labels(page_, scale_, layout_, options_, area_);
+    draw_dimensions(page_, scale_, layout_, room_);
     draw_title();
     draw_north();
+    draw_labels(page_, ink_, scale_, layout_, options_,
+                {kPageWidth - kMargin - kKeyWidth, kMargin + 20, kPageWidth - kMargin, title_top() - 3});
   }
 
  private:
   PaperPoint paper(PlanVector p) const { return scale_.at(p.x, p.y); }
 
-  // The largest usual scale at which the room with its dimension lines fits between the columns of labels.
+  std::vector<PaperPoint> paper(const std::vector<PlanVector>& points) const {
+    std::vector<PaperPoint> out;
+    out.reserve(points.size());
+    for (const PlanVector& p : points) out.push_back(paper(p));
+    return out;
+  }
+
+  static double title_top() { return kPageHeight - kMargin - kTitleHeight; }
+
+  // The largest usual scale at which the room with its dimension lines fits beside the key.
   void choose_scale() {
-    double x0 = 0, y0 = 0, x1 = 1000, y1 = 1000;
-    if (!layout_.room.polygon.empty()) x0 = x1 = layout_.room.polygon[0].x, y0 = y1 = layout_.room.polygon[0].y;
-    for (const Point& p : layout_.room.polygon) {
-      x0 = std::min(x0, double(p.x)), x1 = std::max(x1, double(p.x));
-      y0 = std::min(y0, double(p.y)), y1 = std::max(y1, double(p.y));
-    }
-    double wall = 0;
-    for (const WallFrame& frame : walls_) wall = std::max(wall, frame.thickness);
-    const double width = kPageWidth - 2 * (kMargin + kSideColumn + kDimension),
-                 height = kPageHeight - 2 * kMargin - kTitleHeight - 2 * kDimension - 4;
+    const double width = kPageWidth - 2 * kMargin - kKeyWidth - 2 * kDimensionReach, height = title_top() - kMargin - 2 * kDimensionReach;
     ratio_ = kScales.back();
     for (const int ratio : kScales) {
-      if ((x1 - x0 + 2 * wall) / ratio <= width && (y1 - y0 + 2 * wall) / ratio <= height) {
+      if ((room_.x1 - room_.x0) / ratio <= width && (room_.y1 - room_.y0) / ratio <= height) {
         ratio_ = ratio;
         break;
       }
     }
     scale_.factor = 1.0 / ratio_;
-    const double middle_y = kMargin + kDimension + 2 + height / 2;
-    scale_.left = kPageWidth / 2 - (x0 + x1) / 2 * scale_.factor;
-    scale_.bottom = middle_y + (y0 + y1) / 2 * scale_.factor;
-    const double reach = (x1 - x0 + 2 * wall) / 2 * scale_.factor + kDimension;
-    area_ = {kMargin,
-             kPageWidth - kMargin,
-             kPageWidth / 2 - reach,
-             kPageWidth / 2 + reach,
-             kMargin + 16,
-             kPageHeight - kMargin - kTitleHeight - 2};
+    const PaperPoint middle{kMargin + kDimensionReach + width / 2, kMargin + kDimensionReach + height / 2};
+    scale_.left = middle.x - (room_.x0 + room_.x1) / 2 * scale_.factor;
+    scale_.bottom = middle.y + (room_.y0 + room_.y1) / 2 * scale_.factor;
   }
 
   void draw_walls() {
     // Each wall as a strip along its outer face, prolonged at corners that turn outwards so that they close.
     std::vector<PaperPoint> floor;
-    for (const Point& p : layout_.room.polygon) floor.push_back(paper(vector_of(p)));
+    for (const Point& p : layout_.room.polygon) floor.push_back(scale_.at(p.x, p.y));
     std::vector<PaperPoint> outer;
-    const std::size_t count = walls_.size();
-    for (std::size_t i = 0; i < count; ++i) outer.push_back(paper(outer_corner(walls_[(i + count - 1) % count], walls_[i])));
+    const auto& walls = room_.walls;
+    for (std::size_t i = 0; i < walls.size(); ++i)
+      outer.push_back(paper(outer_corner(walls[(i + walls.size() - 1) % walls.size()], walls[i])));
+    ink_.set_owner(PlanInk::kWall);
     page_.polygon(outer, {"#4a4a4a", "#222", 0.3, {}});
+    ink_.set_owner(PlanInk::kFloor);
     page_.polygon(floor, {"#fdfcf9", "#222", 0.3, {}});
   }
 
   // Where the outer faces of two walls that follow one another meet.
-  static PlanVector outer_corner(const WallFrame& before, const WallFrame& wall) {
+  static PlanVector outer_corner(const PlanWall& before, const PlanWall& wall) {
     const double cross = before.out.x * wall.out.y - before.out.y * wall.out.x;
     if (std::abs(cross) < 1e-3) return wall.at(0, wall.thickness);
     const double t = before.thickness, u = wall.thickness;
@@ -120,100 +98,57 @@ class FloorPlan {
   }
 
   void draw_opening(const Opening& opening) {
-    const auto wall =
-        std::find_if(layout_.room.walls.begin(), layout_.room.walls.end(), [&](const Wall& w) { return w.id == opening.wall; });
-    if (wall == layout_.room.walls.end()) return;
-    const WallFrame& frame = walls_[static_cast<std::size_t>(wall - layout_.room.walls.begin())];
-    const double s = opening.offset.value_or(0), e = s + opening.width, t = frame.thickness;
+    const int number = wall_of(opening, layout_);
+    if (number < 0) return;
+    const PlanWall& wall = room_.walls[static_cast<std::size_t>(number)];
+    const double s = opening.offset.value_or(0), e = s + opening.width, t = wall.thickness;
     const auto strip = [&](double from, double to, const DrawStyle& style) {
-      page_.polygon({paper(frame.at(s, from)), paper(frame.at(e, from)), paper(frame.at(e, to)), paper(frame.at(s, to))}, style);
+      page_.polygon(paper({wall.at(s, from), wall.at(e, from), wall.at(e, to), wall.at(s, to)}), style);
     };
+    ink_.set_owner(PlanInk::kWall);
     page_.open_group(opening.id, opening.id);
     strip(0, t, {"#fff", "#222", 0.25, {}});
     switch (opening.type) {
       case OpeningType::kWindow: strip(0.38 * t, 0.62 * t, {"#dbeaf4", "#222", 0.15, {}}); break;
       case OpeningType::kOpen: strip(0, t, {"#fff", "#888", 0.15, "1.2 0.8"}); break;
-      case OpeningType::kDoor: draw_door(opening, frame, s, e); break;
+      case OpeningType::kDoor: draw_door(opening, wall, s, e); break;
     }
     page_.close_group();
   }
 
-  // Seen from within looking at the wall, the wall's end is at the left.
-  void draw_door(const Opening& opening, const WallFrame& frame, double s, double e) {
-    const double width = e - s;
+  void draw_door(const Opening& opening, const PlanWall& wall, double s, double e) {
     if (opening.swing == Swing::kSliding) {
-      page_.line(paper(frame.at(s, -30)), paper(frame.at(e - 0.05 * width, -30)), {"none", "#222", 0.5, {}});
-      return;
+      page_.line(paper(wall.at(s, -30)), paper(wall.at(e - 0.05 * (e - s), -30)), {"none", "#222", 0.5, {}});
     }
-    if (opening.swing == Swing::kNone) return;
-    const bool left = opening.swing == Swing::kInLeft || opening.swing == Swing::kOutLeft;
-    const bool in = opening.swing == Swing::kInLeft || opening.swing == Swing::kInRight;
-    const double hinge = left ? e : s, side = left ? -1 : 1, depth = in ? 0 : frame.thickness, way = in ? -1 : 1;
-    std::vector<PaperPoint> arc;
-    for (int i = 0; i <= 18; ++i) {
-      const double angle = i * kPi / 36;
-      arc.push_back(paper(frame.at(hinge + side * width * std::cos(angle), depth + way * width * std::sin(angle))));
+    for (const std::vector<PlanVector>& sweep : door_sweeps(wall, opening)) {
+      std::vector<PaperPoint> arc = paper(sweep);
+      const auto is_floor = [&](int owner) {
+        return owner == PlanInk::kFloor || (owner >= 0 && layout_.objects[static_cast<std::size_t>(owner)].size.height <= 30);
+      };
+      ink_.hand_over(arc, PlanInk::kSwing, is_floor);
+      const PaperPoint hinge = arc.front();
+      arc.erase(arc.begin());
+      page_.polyline(arc, {"none", "#777", 0.15, "1 0.7"});
+      page_.line(hinge, arc.back(), {"none", "#222", 0.5, {}});
     }
-    page_.polyline(arc, {"none", "#777", 0.15, "1 0.7"});
-    page_.line(paper(frame.at(hinge, depth)), paper(frame.at(hinge, depth + way * width)), {"none", "#222", 0.5, {}});
   }
 
   void draw_furniture() {
-    std::vector<const PlacedObject*> order;
-    for (const PlacedObject& object : layout_.objects) order.push_back(&object);
-    std::stable_sort(order.begin(), order.end(), [&](auto* a, auto* b) { return plan_height(*a) < plan_height(*b); });
-    for (const PlacedObject* object : order) {
-      page_.open_group(object->id, object->name.empty() ? object->category : object->name);
-      draw_symbol(page_, scale_, *object);
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < layout_.objects.size(); ++i) order.push_back(i);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return plan_height(layout_.objects[a]) < plan_height(layout_.objects[b]); });
+    for (const std::size_t number : order) {
+      const PlacedObject& object = layout_.objects[number];
+      ink_.set_owner(static_cast<int>(number));
+      page_.open_group(object.id, object.name.empty() ? object.category : object.name);
+      draw_symbol(page_, scale_, object);
       page_.close_group();
     }
   }
 
-  // The length of every wall outside it; of walls with openings also the lengths between.
-  void draw_dimensions() {
-    const bool rectangle = walls_.size() == 4;
-    for (std::size_t i = 0; i < walls_.size(); ++i) {
-      const WallFrame& frame = walls_[i];
-      std::vector<double> stops{0, frame.length};
-      for (const Opening& opening : layout_.room.openings) {
-        if (opening.wall != layout_.room.walls[i].id) continue;
-        stops.push_back(opening.offset.value_or(0));
-        stops.push_back(opening.offset.value_or(0) + opening.width);
-      }
-      // A rectangle's right and back walls repeat its left and front ones.
-      const bool repeated = rectangle && (i == 1 || i == 2);
-      if (stops.size() > 2) {
-        std::sort(stops.begin(), stops.end());
-        draw_chain(frame, stops, 3.0);
-      }
-      if (!repeated) draw_chain(frame, {0, frame.length}, stops.size() > 2 ? 7.0 : 4.0);
-    }
-  }
-
-  void draw_chain(const WallFrame& frame, const std::vector<double>& stops, double off) {
-    const double t = frame.thickness + off / scale_.factor, tick = 0.9 / scale_.factor;
-    const DrawStyle thin{"none", "#888", 0.12, {}}, bold{"none", "#555", 0.3, {}};
-    page_.line(paper(frame.at(stops.front(), t)), paper(frame.at(stops.back(), t)), thin);
-    for (const double s : stops) {
-      page_.line(paper(frame.at(s, frame.thickness + 0.8 / scale_.factor)), paper(frame.at(s, t + tick)), thin);
-      page_.line(paper(frame.at(s - tick / 1.5, t - tick / 1.5)), paper(frame.at(s + tick / 1.5, t + tick / 1.5)), bold);
-    }
-    // Text along the wall, never upside down.
-    double degrees = -std::atan2(frame.along.y, frame.along.x) * 180 / kPi;
-    if (degrees > 89.5) degrees -= 180;
-    if (degrees < -90.5) degrees += 180;
-    const double size = off > 3.5 ? 2.4 : 1.9;
-    for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
-      const std::string text = fmt::format("{:.2f}", (stops[i + 1] - stops[i]) / 1000);
-      if (text_width(text, size) > (stops[i + 1] - stops[i]) * scale_.factor) continue;
-      const PaperPoint middle = paper(frame.at((stops[i] + stops[i + 1]) / 2, t));
-      const double turn = radians_from_degrees(degrees);
-      page_.text({middle.x + 0.6 * std::sin(turn), middle.y - 0.6 * std::cos(turn)}, size, text, TextAnchor::kMiddle, degrees, "#444");
-    }
-  }
-
   void draw_title() {
-    const double top = kPageHeight - kMargin - kTitleHeight;
+    const double top = title_top();
     page_.line({kMargin, top}, {kPageWidth - kMargin, top}, {"none", "#222", 0.3, {}});
     page_.text({kMargin, top + 6.5}, 5, title_of(layout_), TextAnchor::kStart);
     page_.text({kMargin, top + 11}, 2.6,
@@ -228,8 +163,8 @@ class FloorPlan {
     const auto& polygon = layout_.room.polygon;
     double doubled = 0;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
-      const PlanVector a = vector_of(polygon[i]), b = vector_of(polygon[(i + 1) % polygon.size()]);
-      doubled += a.x * b.y - a.y * b.x;
+      const Point &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+      doubled += double(a.x) * double(b.y) - double(a.y) * double(b.x);
     }
     return doubled / 2e6;
   }
@@ -276,10 +211,10 @@ class FloorPlan {
 
   const Layout& layout_;
   const FloorPlanOptions& options_;
-  Canvas& page_;
+  PlanInk ink_;
+  BothCanvases page_;
+  PlanRoom room_;
   PlanScale scale_;
-  LabelArea area_;
-  std::vector<WallFrame> walls_;
   int ratio_ = 50;
 };
 

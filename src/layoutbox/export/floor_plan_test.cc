@@ -100,6 +100,7 @@ TEST(FloorPlan, TakesTheLargestScaleThatFits) {
   EXPECT_THAT(write_floor_plan_svg(room_of(1500, 1500)), HasSubstr("1 : 20 "));
   EXPECT_THAT(write_floor_plan_svg(room_of(4000, 3000)), HasSubstr("1 : 25 "));
   EXPECT_THAT(write_floor_plan_svg(room_of(20000, 15000)), HasSubstr("1 : 125 "));
+  EXPECT_THAT(write_floor_plan_svg(room_of(90000, 60000)), HasSubstr("1 : 500 "));
 }
 
 // All coordinates of shapes lie on the page.
@@ -134,8 +135,11 @@ TEST(FloorPlan, DrawsTheLeafWhereItSwings) {
     const std::regex line(R"re(points="([0-9.]+),([0-9.]+) ([0-9.]+),([0-9.]+)" fill="none" stroke="#222" stroke-width="0.5")re");
     std::smatch match;
     EXPECT_TRUE(std::regex_search(svg, match, line));
-    // Relative to the middle of the page, where the room's middle is: x in room millimetres, and which way the leaf goes.
-    return std::pair{(std::stod(match[1]) - 148.5) * 25 + 2000, std::stod(match[4]) - std::stod(match[2])};
+    // x in room millimetres, from the floor's left front corner, and which way the leaf goes.
+    const std::regex floor(R"re(points="([0-9.]+),[0-9. ,]+" fill="#fdfcf9")re");
+    std::smatch corner;
+    EXPECT_TRUE(std::regex_search(svg, corner, floor));
+    return std::pair{(std::stod(match[1]) - std::stod(corner[1])) * 25, std::stod(match[4]) - std::stod(match[2])};
   };
   EXPECT_NEAR(leaf(Swing::kInLeft).first, 1800, 10);
   EXPECT_NEAR(leaf(Swing::kInRight).first, 1000, 10);

@@ -1,203 +1,299 @@
 #include "layoutbox/export/plan_labels.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <optional>
+#include <utility>
+
+#include "layoutbox/export/plan_key.h"
+#include "layoutbox/export/plan_label_text.h"
 
 namespace layoutbox {
 namespace {
 
-constexpr double kNameSize = 2.5, kLeastNameSize = 1.9, kLineHeight = 1.15, kMaxChars = 32;
+// Sizes of letters, in millimetres on paper; below 1.9 nobody reads A4.
+constexpr std::array kLetters{2.5, 2.2, 1.9};
+constexpr double kBall = kNumberRadius;
+constexpr std::size_t kMostNamesBeside = 3;  // equal things: more of them get a number
+constexpr Mm kFlat = 30;                     // rugs: labels of others may lie on them
 
-struct PaperBox {
-  double x0, y0, x1, y1;
-  bool overlaps(const PaperBox& other) const { return x0 < other.x1 && other.x0 < x1 && y0 < other.y1 && other.y0 < y1; }
+// Equal objects are labelled alike.
+struct Group {
+  std::string name, size;
+  std::vector<int> members;  // places in layout.objects
 };
-
-// The first characters of a text, whole UTF-8 sequences.
-std::string shortened(std::string text) {
-  std::size_t characters = 0;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if ((static_cast<unsigned char>(text[i]) & 0xc0u) != 0x80u && ++characters > static_cast<std::size_t>(kMaxChars)) {
-      return text.substr(0, i) + "…";
-    }
-  }
-  return text;
-}
-
-std::string name_of_object(const PlacedObject& object) {
-  std::string name = object.name.empty() ? object.category : object.name;
-  std::replace(name.begin(), name.end(), '_', ' ');
-  return shortened(std::move(name));
-}
-
-// Centimetres: "160 × 200".
-std::string size_text(const PlacedObject& object) {
-  return fmt::format("{:g} × {:g}", std::round(object.size.width) / 10, std::round(object.size.depth) / 10);
-}
-
-// One line, or two broken at the space nearest the middle.
-std::vector<std::string> broken(const std::string& name, int lines) {
-  if (lines == 1) return {name};
-  std::optional<std::size_t> best;
-  for (std::size_t i = 1; i + 1 < name.size(); ++i) {
-    const auto off = [&](std::size_t place) { return std::abs(static_cast<double>(place) - static_cast<double>(name.size()) / 2); };
-    if (name[i] == ' ' && (!best || off(i) < off(*best))) best = i;
-  }
-  return best ? std::vector<std::string>{name.substr(0, *best), name.substr(*best + 1)} : std::vector<std::string>{name};
-}
-
-PaperBox box_on_paper(const PlanScale& scale, const PlacedObject& object) {
-  const double turn = radians_from_degrees(object.rotation_deg), c = std::abs(std::cos(turn)), s = std::abs(std::sin(turn));
-  const double w = (c * object.size.width + s * object.size.depth) * scale.factor,
-               d = (s * object.size.width + c * object.size.depth) * scale.factor;
-  const PaperPoint center = scale.at(object.position[0], object.position[1]);
-  return {center.x - w / 2, center.y - d / 2, center.x + w / 2, center.y + d / 2};
-}
 
 class Labels {
  public:
-  Labels(Canvas& page, const PlanScale& scale, const Layout& layout, const FloorPlanOptions& options, const LabelArea& area)
-      : page_(page), scale_(scale), layout_(layout), options_(options), area_(area) {}
+  Labels(Canvas& page, const PlanInk& ink, const PlanScale& scale, const Layout& layout, const FloorPlanOptions& options)
+      : page_(page), ink_(ink), scale_(scale), layout_(layout), options_(options) {}
 
-  void draw() {
-    // Large things first: their labels have room to give way.
-    std::vector<const PlacedObject*> order;
-    for (const PlacedObject& object : layout_.objects) order.push_back(&object);
-    const auto area_of = [](const PlacedObject* o) { return std::int64_t{o->size.width} * o->size.depth; };
-    std::stable_sort(order.begin(), order.end(), [&](auto* a, auto* b) { return area_of(a) < area_of(b); });
-    for (const PlacedObject* object : order) {
-      if (!place_inside(*object)) outside_.push_back(object);
+  void draw(const PaperBox& key) {
+    std::vector<Group> rest;
+    for (Group& group : groups()) {
+      if (!draw_inside(group)) rest.push_back(std::move(group));
     }
-    draw_outside();
+    std::vector<Group> numbered;
+    for (Group& group : rest) {
+      if (!draw_beside(group)) numbered.push_back(std::move(group));
+    }
+    draw_numbers(numbered, key);
   }
 
  private:
-  // What lies over an object: a label there would be read as the other's.
-  std::vector<PaperBox> covered(const PlacedObject& object) const {
-    std::vector<PaperBox> boxes = taken_;
-    const double top = plan_height(object);
-    for (const PlacedObject& other : layout_.objects) {
-      if (&other == &object || other.mount == Mount::kCeiling) continue;
-      if (other.supported_by == object.id || plan_height(other) > top) {
-        boxes.push_back(box_on_paper(scale_, other));
-      }
+  const PlacedObject& object(int number) const { return layout_.objects[static_cast<std::size_t>(number)]; }
+  bool is_floor(int owner) const { return owner == PlanInk::kFloor || (owner >= 0 && object(owner).size.height <= kFlat); }
+
+  std::vector<Group> groups() const {
+    std::vector<Group> groups;
+    std::map<std::pair<std::string, std::string>, std::size_t> known;
+    for (int i = 0; i < static_cast<int>(layout_.objects.size()); ++i) {
+      const std::string name = label_name(object(i)), size = label_size(object(i));
+      const auto [place, is_new] = known.try_emplace({name, size}, groups.size());
+      if (is_new) groups.push_back({name, size, {}});
+      groups[place->second].members.push_back(i);
     }
-    return boxes;
+    return groups;
   }
 
-  bool place_inside(const PlacedObject& object) {
-    if (object.mount == Mount::kWall || object.mount == Mount::kCeiling) return false;
-    const PaperBox box = box_on_paper(scale_, object);
-    const std::vector<PaperBox> others = covered(object);
-    const std::string name = name_of_object(object);
-    for (const double size : {kNameSize, (kNameSize + kLeastNameSize) / 2, kLeastNameSize}) {
-      for (const bool with_size : {true, false}) {
-        for (const bool upright : {false, true}) {
-          for (const int lines : {1, 2}) {
-            if (try_inside(object, box, others, broken(name, lines), with_size, upright, size)) return true;
-          }
+  PaperBox box_of(int number) const {
+    const PlacedObject& o = object(number);
+    const double turn = radians_from_degrees(o.rotation_deg), c = std::abs(std::cos(turn)), s = std::abs(std::sin(turn));
+    const double w = (c * o.size.width + s * o.size.depth) * scale_.factor, d = (s * o.size.width + c * o.size.depth) * scale_.factor;
+    const PaperPoint center = scale_.at(o.position[0], o.position[1]);
+    return {center.x - w / 2, center.y - d / 2, center.x + w / 2, center.y + d / 2};
+  }
+
+  // ---- inside -------------------------------------------------------------------------------------------------------------------
+
+  // In the largest letters that do for all of the group; false where some have no room in any.
+  bool draw_inside(const Group& group) {
+    if (object(group.members[0]).mount == Mount::kCeiling) return false;  // only its outline is there
+    for (const bool with_size : {true, false}) {
+      if (with_size && !options_.sizes) continue;
+      for (const double letter : kLetters) {
+        std::vector<std::pair<LabelText, PaperPoint>> found;
+        for (const int member : group.members) {
+          auto place = place_inside(group, member, with_size, letter);
+          if (!place) break;
+          found.push_back(std::move(*place));
         }
+        if (found.size() < group.members.size()) continue;
+        for (const auto& [text, middle] : found) text.draw(page_, middle);
+        return true;
       }
     }
     return false;
   }
 
-  bool try_inside(const PlacedObject& object, const PaperBox& box, const std::vector<PaperBox>& others, std::vector<std::string> lines,
-                  bool with_size, bool upright, double size) {
-    if (with_size && options_.sizes) lines.push_back(size_text(object));
-    double width = 0;
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-      width = std::max(width, text_width(lines[i], is_size(object, lines[i]) ? 0.8 * size : size));
+  std::optional<std::pair<LabelText, PaperPoint>> place_inside(const Group& group, int member, bool with_size, double letter) const {
+    const PaperBox box = box_of(member);
+    for (const bool upright : {false, true}) {
+      if (upright && box.width() > box.height()) continue;
+      for (const int lines : {1, 2}) {
+        LabelText text(group.name, lines, with_size ? group.size : "", letter, upright);
+        if (const auto middle = clear_spot(text.around({0, 0}), box, [&](int owner) { return owner == member; })) {
+          return std::pair{std::move(text), *middle};
+        }
+      }
     }
-    double across = width + 0.8, down = static_cast<double>(lines.size()) * size * kLineHeight + 0.6;
-    if (upright) std::swap(across, down);
-    // The middle first, then places above, below and beside it.
-    constexpr std::array<PaperPoint, 9> kPlaces{{{0, 0}, {0, 1}, {0, -1}, {1, 0}, {-1, 0}, {1, 1}, {-1, 1}, {1, -1}, {-1, -1}}};
-    const double free_x = (box.x1 - box.x0 - across) / 2, free_y = (box.y1 - box.y0 - down) / 2;
-    if (free_x < 0 || free_y < 0) return false;
-    for (const PaperPoint& place : kPlaces) {
-      const PaperPoint center{(box.x0 + box.x1) / 2 + place.x * free_x, (box.y0 + box.y1) / 2 + place.y * free_y};
-      const PaperBox label{center.x - across / 2, center.y - down / 2, center.x + across / 2, center.y + down / 2};
-      if (std::any_of(others.begin(), others.end(), [&](const PaperBox& other) { return other.overlaps(label); })) continue;
-      write_lines(object, lines, center, size, upright);
-      taken_.push_back(label);
+    return std::nullopt;
+  }
+
+  // The spot nearest the middle of `within` where a box of that size is clear.
+  template <class Allowed>
+  std::optional<PaperPoint> clear_spot(const PaperBox& size, const PaperBox& within, const Allowed& allowed) const {
+    const double free_x = (within.width() - size.width()) / 2, free_y = (within.height() - size.height()) / 2;
+    if (free_x < 0 || free_y < 0) return std::nullopt;
+    constexpr std::array kSteps{0.0, 0.25, -0.25, 0.5, -0.5, 0.75, -0.75, 1.0, -1.0};
+    std::optional<PaperPoint> best;
+    double least = 1e9;
+    for (const double x : kSteps) {
+      for (const double y : kSteps) {
+        const double off = std::hypot(x * free_x, y * free_y);
+        if (off >= least) continue;
+        const PaperPoint middle{within.center().x + x * free_x, within.center().y + y * free_y};
+        if (!ink_.is_clear(moved(size, middle), allowed)) continue;
+        best = middle;
+        least = off;
+      }
+    }
+    return best;
+  }
+
+  static PaperBox moved(const PaperBox& box, PaperPoint by) { return {box.x0 + by.x, box.y0 + by.y, box.x1 + by.x, box.y1 + by.y}; }
+
+  // ---- beside -------------------------------------------------------------------------------------------------------------------
+
+  // On free floor close to the object.
+  bool draw_beside(const Group& group) {
+    if (group.members.size() > kMostNamesBeside) return false;
+    for (const bool with_size : {true, false}) {
+      if (with_size && !options_.sizes) continue;
+      std::vector<std::pair<LabelText, PaperPoint>> found;
+      for (const int member : group.members) {
+        const PlacedObject& o = object(member);
+        if (o.mount == Mount::kCeiling || o.size.height <= kFlat) break;
+        auto place = place_beside(group, member, with_size);
+        if (!place) break;
+        found.push_back(std::move(*place));
+      }
+      if (found.size() < group.members.size()) continue;
+      for (const auto& [text, middle] : found) text.draw(page_, middle);
       return true;
     }
     return false;
   }
 
-  bool is_size(const PlacedObject& object, const std::string& line) const { return options_.sizes && line == size_text(object); }
-
-  void write_lines(const PlacedObject& object, const std::vector<std::string>& lines, PaperPoint center, double size, bool upright) {
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-      const double off = (static_cast<double>(i) - (static_cast<double>(lines.size()) - 1) / 2) * size * kLineHeight + 0.35 * size;
-      const bool small = is_size(object, lines[i]);
-      const PaperPoint at = upright ? PaperPoint{center.x + off, center.y} : PaperPoint{center.x, center.y + off};
-      page_.text(at, small ? 0.8 * size : size, lines[i], TextAnchor::kMiddle, upright ? -90 : 0, small ? "#666" : "#222");
-    }
-  }
-
-  // Labels in a column at each side, in the order of their objects down the page, so that no two lines cross.
-  void draw_outside() {
-    const double middle = (area_.room_left + area_.room_right) / 2;
-    std::array<std::vector<const PlacedObject*>, 2> columns;
-    for (const PlacedObject* object : outside_) {
-      columns[scale_.at(object->position[0], 0).x < middle ? 0u : 1u].push_back(object);
-    }
-    // Neither column longer than the page.
-    const auto most = static_cast<std::size_t>((area_.bottom - area_.top) / kStep());
-    for (const std::size_t from : {0u, 1u}) {
-      while (columns[from].size() > most && columns[1 - from].size() < most) {
-        columns[1 - from].push_back(columns[from].back());
-        columns[from].pop_back();
+  std::optional<std::pair<LabelText, PaperPoint>> place_beside(const Group& group, int member, bool with_size) const {
+    const PaperBox own = box_of(member);
+    const PaperPoint c = own.center();
+    for (const double letter : {kLetters[1], kLetters[2]}) {
+      for (const int lines : {1, 2}) {
+        LabelText text(group.name, lines, with_size ? group.size : "", letter, false);
+        const PaperBox size = text.around({0, 0});
+        const double dx = (own.width() + size.width()) / 2 + 0.5, dy = (own.height() + size.height()) / 2 + 0.4;
+        for (const PaperPoint& off : {PaperPoint{0, dy}, {0, -dy}, {dx, 0}, {-dx, 0}}) {
+          const PaperPoint middle{c.x + off.x, c.y + off.y};
+          if (!ink_.is_clear(moved(size, middle), [&](int owner) { return is_floor(owner); })) continue;
+          if (!touches(member, c, middle)) continue;
+          return std::pair{std::move(text), middle};
+        }
       }
     }
-    draw_column(columns[0], area_.room_left - 2, area_.left, TextAnchor::kEnd);
-    draw_column(columns[1], area_.room_right + 2, area_.right, TextAnchor::kStart);
+    return std::nullopt;
   }
 
-  double kStep() const { return options_.sizes ? 5.4 : 3.6; }
+  // Is there nothing else between the label and the object itself?
+  bool touches(int member, PaperPoint from, PaperPoint to) const {
+    bool own = false, other = false;
+    ink_.along(to, from, [&](int owner, bool) {
+      own = own || owner == member;
+      other = other || (!own && !is_floor(owner));
+    });
+    return own && !other;
+  }
 
-  void draw_column(std::vector<const PlacedObject*> objects, double x, double edge, TextAnchor anchor) {
-    const auto height_of = [&](const PlacedObject* object) { return scale_.at(0, object->position[1]).y; };
-    std::stable_sort(objects.begin(), objects.end(), [&](auto* a, auto* b) { return height_of(a) < height_of(b); });
-    const double step = objects.empty() ? kStep() : std::min(kStep(), (area_.bottom - area_.top) / static_cast<double>(objects.size()));
-    double next = area_.top;
-    double last = area_.bottom - step * (static_cast<double>(objects.size()) - 1);
-    const double room = std::abs(x - edge);
-    for (const PlacedObject* object : objects) {
-      const double y = std::clamp(height_of(object), next, std::max(next, last));
-      next = y + step;
-      last += step;
-      const PaperPoint target = scale_.at(object->position[0], object->position[1]);
-      const double sign = anchor == TextAnchor::kEnd ? -1 : 1;
-      page_.polyline({target, {x - sign * 1.2, y}, {x, y}}, {"none", "#888", 0.12, {}});
-      page_.circle(target, 0.4, {"#555", "none", 0, {}});
-      const std::string name = name_of_object(*object);
-      const double size = std::min(kNameSize, kNameSize * room / std::max(room, text_width(name, kNameSize) + 1));
-      page_.text({x + sign * 0.6, y + 0.3 * size}, size, name, anchor);
-      if (options_.sizes && step > 5)
-        page_.text({x + sign * 0.6, y + 0.3 * size + 2.2}, 0.75 * size, size_text(*object), anchor, 0, "#666");
+  // ---- numbers ------------------------------------------------------------------------------------------------------------------
+
+  struct Ball {
+    PaperPoint center, target;
+    double cost = 1e9;
+    bool inside = false;
+  };
+
+  void draw_numbers(std::vector<Group>& numbered, const PaperBox& key) {
+    // Counted as one reads: from the back to the front, from left to right.
+    const auto place = [&](const Group& group) {
+      const PlacedObject& o = object(group.members[0]);
+      return std::pair{-std::floor(o.position[1] / 500), o.position[0]};
+    };
+    std::stable_sort(numbered.begin(), numbered.end(), [&](const Group& a, const Group& b) { return place(a) < place(b); });
+    int number = 0;
+    for (const Group& group : numbered) {
+      ++number;
+      for (const int member : group.members) draw_ball(best_ball(member), number);
     }
+    std::vector<KeyRow> rows;
+    for (const Group& group : numbered) rows.push_back({group.name, options_.sizes ? group.size : "", group.members.size()});
+    draw_key(page_, rows, key);
+  }
+
+  void draw_ball(const Ball& ball, int number) {
+    if (!ball.inside) {
+      const double length = std::hypot(ball.target.x - ball.center.x, ball.target.y - ball.center.y);
+      const double share = std::min(1.0, kBall / std::max(length, 1e-6));
+      page_.line({ball.center.x + share * (ball.target.x - ball.center.x), ball.center.y + share * (ball.target.y - ball.center.y)},
+                 ball.target, {"none", "#555", 0.15, {}});
+      page_.circle(ball.target, 0.35, {"#555", "none", 0, {}});
+    }
+    draw_number(page_, ball.center, number);
+  }
+
+  // Within the object where it is large enough, else at the spot near it that hides and crosses least.
+  Ball best_ball(int member) const {
+    const PaperBox own = box_of(member), size{-kBall - 0.2, -kBall - 0.2, kBall + 0.2, kBall + 0.2};
+    std::vector<PaperPoint> seen = seen_spots(member, own);
+    const bool below = seen.empty();  // what hangs, and what others hide, has its number on what is seen there
+    if (const auto middle = clear_spot(size, own, [&](int owner) { return owner == member || (below && owner > PlanInk::kSwing); })) {
+      return {*middle, *middle, 0, true};
+    }
+    if (below) seen.push_back(own.center());
+    Ball best{own.center(), own.center(), 1e9, true};
+    for (const double gap : {0.6, 1.5, 3.0, 5.0, 8.0, 12.0, 18.0}) {
+      for (int i = 0; i < 16; ++i) {
+        const double angle = i * kPi / 8, x = std::cos(angle), y = std::sin(angle);
+        const double reach = std::min(own.width() / 2 / std::max(1e-6, std::abs(x)), own.height() / 2 / std::max(1e-6, std::abs(y)));
+        const double way = reach + gap + kBall;
+        if (gap >= best.cost) continue;
+        const PaperPoint center{own.center().x + way * x, own.center().y + way * y};
+        const Ball ball{center, nearest(seen, center), gap, false};
+        const double cost = gap + cost_of(ball, member, size);
+        if (cost < best.cost) best = {ball.center, ball.target, cost, false};
+      }
+    }
+    return best;
+  }
+
+  // Spots of the object that nothing hides.
+  std::vector<PaperPoint> seen_spots(int member, const PaperBox& own) const {
+    std::vector<PaperPoint> spots;
+    constexpr int kSteps = 10;
+    for (int i = 0; i <= kSteps; ++i) {
+      for (int k = 0; k <= kSteps; ++k) {
+        const PaperPoint p{own.x0 + (0.06 + 0.88 * i / kSteps) * own.width(), own.y0 + (0.06 + 0.88 * k / kSteps) * own.height()};
+        if (ink_.is_clear({p.x, p.y, p.x, p.y}, [&](int owner) { return owner == member; })) spots.push_back(p);
+      }
+    }
+    return spots;
+  }
+
+  static PaperPoint nearest(const std::vector<PaperPoint>& spots, PaperPoint to) {
+    return *std::min_element(spots.begin(), spots.end(), [&](const PaperPoint& a, const PaperPoint& b) {
+      return std::hypot(a.x - to.x, a.y - to.y) < std::hypot(b.x - to.x, b.y - to.y);
+    });
+  }
+
+  double cost_of(const Ball& ball, int member, const PaperBox& size) const {
+    const int supporter = supporter_of(member);
+    double cost = 0;
+    const bool clear = ink_.is_clear(moved(size, ball.center), [&](int owner) {
+      if (owner >= 0 && owner != supporter && owner != member && !is_floor(owner)) cost = std::max(cost, 6.0);
+      return owner >= PlanInk::kSwing;
+    });
+    if (!clear) return 1e9;
+    // The line may lead over what it stands on; every other line on its way costs.
+    bool was_ink = true;
+    ink_.along(ball.center, ball.target, [&](int owner, bool ink) {
+      if (owner == member) return;
+      if (ink && !was_ink) cost += 4;
+      if (owner >= 0 && owner != supporter && !is_floor(owner)) cost += 0.25;
+      was_ink = ink;
+    });
+    return cost;
+  }
+
+  int supporter_of(int member) const {
+    for (int i = 0; i < static_cast<int>(layout_.objects.size()); ++i) {
+      if (object(i).id == object(member).supported_by) return i;
+    }
+    return PlanInk::kFloor;
   }
 
   Canvas& page_;
+  const PlanInk& ink_;
   const PlanScale& scale_;
   const Layout& layout_;
   const FloorPlanOptions& options_;
-  const LabelArea& area_;
-  std::vector<PaperBox> taken_;
-  std::vector<const PlacedObject*> outside_;
 };
 
 }  // namespace
 
-void draw_labels(Canvas& page, const PlanScale& scale, const Layout& layout, const FloorPlanOptions& options, const LabelArea& area) {
-  if (options.names) Labels(page, scale, layout, options, area).draw();
+void draw_labels(Canvas& page, const PlanInk& ink, const PlanScale& scale, const Layout& layout, const FloorPlanOptions& options,
+                 const PaperBox& key) {
+  if (options.names) Labels(page, ink, scale, layout, options).draw(key);
 }
 
 }  // namespace layoutbox
