@@ -73,6 +73,24 @@ TEST(Relax, WhatIsSaidOfAnObjectThatIsLeftOutIsListed) {
   EXPECT_THAT(listed->why, HasSubstr("the plant stands to the left of the bed"));
 }
 
+// Seed 72875 of the planted scenes: with a target left out there are too few for the pairs, which is no conflict of its own.
+TEST(Relax, PairsEndWithATargetThatIsLeftOut) {
+  const auto layout = solve(SceneMaker(2400, 2400)
+                                .add("chest")
+                                .sized(1600, 1900, 500)
+                                .add("chest")
+                                .sized(1600, 1900, 500)
+                                .add("plant", 2)
+                                .relate("pairedWith", {"chest_1", "chest_2"}, {"plant_1", "plant_2"})
+                                .make(),
+                            Catalog::builtin());
+  ASSERT_TRUE(layout);
+  EXPECT_EQ(count_of(*layout, "chest"), 1u);
+  EXPECT_EQ(count_of(*layout, "plant"), 2u);
+  for (const Conflict& conflict : layout->conflicts) EXPECT_THAT(conflict.relations, testing::Not(testing::Contains("c1")));
+  EXPECT_TRUE(std::any_of(layout->relaxed.begin(), layout->relaxed.end(), [](const Relaxation& r) { return r.relation == "c1"; }));
+}
+
 TEST(Relax, WordsThatBlockADoorAreHeldAndTheDoorIsListed) {
   const auto layout = solve(SceneMaker(3000, 3000)
                                 .opening(OpeningType::kDoor, "wall1", 1050)
