@@ -7,6 +7,7 @@
 #include "layoutbox/solve/compile.h"
 #include "layoutbox/solve/conflict.h"
 #include "layoutbox/solve/fixed.h"
+#include "layoutbox/solve/items.h"
 
 namespace layoutbox::placement {
 namespace {
@@ -105,9 +106,8 @@ std::string clearance_in_words(const Model& model, const Constraint& constraint)
   for (std::size_t i = 0; i < model.items.size(); ++i) {
     const Item& item = model.items[i];
     if (!item.is_opening() || constraint.name != model.constraints[item.clearance_constraint].name) continue;
-    const Box& clear = item.states[0].clear[0];
-    const Mm depth = std::min(clear.extent(0), clear.extent(1));  // a door's is as deep as it is wide
-    return fmt::format("the floor before {} stays free ({} deep)", object_in_words(model, static_cast<int>(i)), metres(depth));
+    return fmt::format("the floor before {} stays free ({} deep)", object_in_words(model, static_cast<int>(i)),
+                       metres(clear_depth(*item.opening)));
   }
   return constraint.name;
 }

@@ -91,7 +91,8 @@ Mm intrusion_of(const Model& model, int opening, const Placements& placements) {
       const int other = static_cast<int>(j);
       if (placements[j].state < 0 || model.items[j].is_opening() || model.pair(opening, other) == PairRule::kFree) continue;
       const Box shared = intersection(here, box_of(model.items[j], placements[j]));
-      if (!shared.empty()) deepest = std::max(deepest, std::min({shared.extent(0), shared.extent(1), shared.extent(2)}));
+      if (overlaps_box(model, model.items[j], placements[j], here))
+        deepest = std::max(deepest, std::min({shared.extent(0), shared.extent(1), shared.extent(2)}));
     }
   }
   return deepest;

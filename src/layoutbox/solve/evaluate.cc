@@ -21,11 +21,18 @@ bool bodies_overlap(const Model& model, const BodyPart& a, const BodyPart& b) {
   return false;
 }
 
-bool enters_clear(const State& owner, const Vec3& at, const Box& body) {
-  return std::any_of(owner.clear.begin(), owner.clear.end(), [&](const Box& clear) { return overlap(clear.shifted(at), body); });
+bool enters_clear(const Model& model, const Item& owner, const Placement& p, const Item& item, const Placement& body) {
+  const std::vector<Box>& clear = owner.states[p.state].clear;
+  return std::any_of(clear.begin(), clear.end(), [&](const Box& box) { return overlaps_box(model, item, body, box.shifted(p.at)); });
 }
 
 }  // namespace
+
+bool overlaps_box(const Model& model, const Item& item, const Placement& body, const Box& box) {
+  if (!overlap(box, box_of(item, body))) return false;
+  const bool turned = !model.headings.empty() && !item.is_opening() && !is_quarter(item.states[body.state]);
+  return !turned || !apart_along_headings(model, {&item, &body, -1}, box);
+}
 
 std::int64_t value_of(const Model& model, const Linear& form, const Placements& placements) {
   std::int64_t sum = form.constant;
@@ -72,7 +79,6 @@ bool collide(const Model& model, int a, const Placement& pa, int b, const Placem
   const PairRule rule = model.pair(a, b);
   if (rule == PairRule::kFree) return false;
   const Item &item_a = model.items[a], &item_b = model.items[b];
-  const State &sa = item_a.states[pa.state], &sb = item_b.states[pb.state];
   const Box box_a = box_of(item_a, pa), box_b = box_of(item_b, pb);
   if (rule == PairRule::kOpenings) {
     Box grown = box_a;  // openings have no depth
@@ -81,7 +87,7 @@ bool collide(const Model& model, int a, const Placement& pa, int b, const Placem
   }
   if (item_a.is_opening() || item_b.is_opening()) {
     if (!clear_boxes) return false;
-    return item_a.is_opening() ? enters_clear(sa, pa.at, box_b) : enters_clear(sb, pb.at, box_a);
+    return item_a.is_opening() ? enters_clear(model, item_a, pa, item_b, pb) : enters_clear(model, item_b, pb, item_a, pa);
   }
   if (!overlap(box_a, box_b)) return false;
   const BodyPart whole_a{&item_a, &pa, -1}, whole_b{&item_b, &pb, -1};

@@ -23,6 +23,8 @@ int nearest_turn(double angle);
 Item object_item(const SceneGraph& scene, const SceneObject& object, const Catalog& catalog, const ModelOptions& options,
                  const std::vector<RoomWall>& walls);
 Item opening_item(const Opening& opening, const Room& room, const std::vector<RoomWall>& walls);
+// How deep the floor before it is to be free: a door's is as deep as it is wide.
+Mm clear_depth(const Opening& opening);
 // Where an opening may be: in one of the walls it fits, where it is when that is given.
 Constraint opening_place(const Model& model, int index);
 Constraint opening_clearance(const Item& item);

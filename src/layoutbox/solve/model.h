@@ -172,6 +172,9 @@ bool all_placed(const Formula& formula, const Placements& placements);
 // Do the two placed items collide? `clear_boxes` also counts the clear boxes of either.
 bool collide(const Model& model, int a, const Placement& pa, int b, const Placement& pb, bool clear_boxes);
 
+// The body of a placed item, taken as full, enters an upright box of the room.
+bool overlaps_box(const Model& model, const Item& item, const Placement& body, const Box& box);
+
 // The direction a side of the item points to at a turn (the nearest quarter turn); items without a front have the room's frame.
 Direction side_direction(const Item& item, Side side, int turn);
 

@@ -10,6 +10,8 @@ namespace {
 
 constexpr Mm kThin = 30;                 // rugs and mats up to this height are walked on
 constexpr std::size_t kMostStates = 64;  // a mask holds so many
+constexpr std::size_t kManyWalls = 8;
+constexpr double kAboutThere = 10;  // degrees
 constexpr Mm kStripGap = 50, kStripDepth = 200;
 
 Mm step_between(Mm usual, Mm least, int step, int steps) { return usual - static_cast<Mm>(std::int64_t{usual - least} * step / steps); }
@@ -108,20 +110,58 @@ std::vector<int> turns_of(const Item& item, const SceneObject& object, bool odd_
   return turns;
 }
 
-// Where walls are slanted, what has a front may have its back to them or look at them; rugs lie along them.
+// The walls at which it may stand: those that somebody's words name, else all.
+std::vector<RoomWall> walls_for(const SceneGraph& scene, const std::string& id, const std::vector<RoomWall>& walls) {
+  std::vector<RoomWall> named;
+  for (const Relation& r : scene.relations) {
+    const bool at_wall = r.type == RelationType::kAgainstWall || r.type == RelationType::kCenteredOnWall || r.type == RelationType::kOnWall;
+    if (!at_wall || !r.hard || std::find(r.targets.begin(), r.targets.end(), id) == r.targets.end()) continue;
+    for (const RoomWall& wall : walls) {
+      if (std::find(r.references.begin(), r.references.end(), wall.id) != r.references.end()) named.push_back(wall);
+    }
+  }
+  return named.empty() ? walls : named;
+}
+
+// However it is turned, it looks the same.
+bool is_round(const CatalogEntry& entry) {
+  const auto top = entry.shape.words.find("top");
+  return entry.shape.family == "plant" || (top != entry.shape.words.end() && top->second == "round");
+}
+
+// Where walls are slanted, what has a front may have its back to them or look at them; what has none lies along or across them.
 void add_turns_at_walls(const Item& item, const std::vector<RoomWall>& walls, std::vector<double>& turns) {
-  if (item.fixed || item.locked || (!item.has_front && !item.thin) || item.mount == Mount::kCeiling) return;
+  if (item.fixed || item.locked || item.mount == Mount::kCeiling) return;
+  if (!item.has_front && !item.thin && (is_round(*item.entry) || item.mount != Mount::kFloor)) return;
   const bool hangs = item.mount == Mount::kWall || item.mount == Mount::kHung;
-  const auto add = [&](double turn) {
-    turn = std::fmod(turn, item.thin ? 180 : 360);
-    if (turns.size() < kMostStates && std::find(turns.begin(), turns.end(), turn) == turns.end()) turns.push_back(turn);
+  const bool alike_behind = !hangs && (item.thin || !item.has_front);  // half a turn changes nothing
+  const auto add = [&](double turn, double off) {
+    turn = std::fmod(std::round(turn * 1e4) / 1e4, alike_behind ? 180 : 360);
+    const auto same = [&](double known) { return std::abs(std::remainder(known - turn, 360)) <= off; };
+    if (turns.size() < kMostStates && std::none_of(turns.begin(), turns.end(), same)) turns.push_back(turn);
   };
   for (const RoomWall& wall : walls) {
-    if (!wall.straight) add(wall.angle);
+    if (!wall.straight) add(wall.angle, 0);
   }
+  // Who looks at one of many walls, as in a round room, need not do so to a degree.
+  const double off = walls.size() > kManyWalls ? kAboutThere : 0;
   for (const RoomWall& wall : walls) {
-    if (!wall.straight && !hangs && !item.thin) add(std::round((wall.angle + 180) * 1e4) / 1e4);
+    if (!wall.straight && !hangs && !item.thin) add(wall.angle + (item.has_front ? 180 : 90), item.has_front ? off : 0);
   }
+}
+
+// So many sizes that the states are not too many: the usual one, the least, then those between.
+void keep_few(std::vector<std::pair<Size, int>>& sizes, std::size_t most) {
+  if (sizes.size() <= most) return;
+  if (most < 2) {
+    sizes.resize(1);
+    return;
+  }
+  const auto least = std::min_element(sizes.begin() + 1, sizes.end(), [](const auto& a, const auto& b) {
+    return std::int64_t{a.first.width} * a.first.depth < std::int64_t{b.first.width} * b.first.depth;
+  });
+  std::rotate(sizes.begin() + 1, least, least + 1);
+  sizes.resize(most);
 }
 
 // The scene's own turn, where it is an odd one.
@@ -239,9 +279,9 @@ Item object_item(const SceneGraph& scene, const SceneObject& object, const Catal
   std::vector<int> turns = turns_of(item, object, odd);
   if (!item.fixed) add_earlier_pose(options, item, sizes, turns);
   std::vector<double> angles(turns.begin(), turns.end());
-  add_turns_at_walls(item, walls, angles);
+  add_turns_at_walls(item, walls_for(scene, object.id, walls), angles);
   add_hinted_turn(item, angles);
-  while (sizes.size() > 1 && sizes.size() * angles.size() > kMostStates) sizes.pop_back();
+  keep_few(sizes, kMostStates / angles.size());
   const std::map<Side, Mm> wanted = wanted_floor(scene, object, *item.entry, catalog);
   for (const auto& [size, step] : sizes) {
     for (const double turn : angles) {

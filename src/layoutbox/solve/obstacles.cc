@@ -64,13 +64,17 @@ bool Obstacles::is_free(const Vec3& at) const {
   return std::none_of(forbidden_.begin(), forbidden_.end(), [&](const Forbidden& f) { return holds(f, at); });
 }
 
-void Obstacles::add_stripes(Forbidden& f, const Placements& placements, int item, int state, int my_solid, int their_solid) {
+void Obstacles::add_stripes(Forbidden& f, const Placements& placements, int item, int state, const Piece& mine, const Piece& theirs) {
   const Placement& there = placements[f.owner];
+  const auto reach_of_piece = [&](int of, int in, const Piece& piece, int heading) {
+    const Item& owner = model_.items[of];
+    return owner.is_opening() ? reach_of(piece.box, model_.headings[heading]) : reach_of(model_, owner, in, piece.solid, heading);
+  };
   f.first_stripe = static_cast<int>(stripes_.size());
   for (std::size_t k = 0; k < model_.headings.size(); ++k) {
     const Heading& h = model_.headings[k];
-    const Reach a = reach_of(model_, model_.items[item], state, my_solid, static_cast<int>(k));
-    const Reach b = reach_of(model_, model_.items[f.owner], there.state, their_solid, static_cast<int>(k));
+    const Reach a = reach_of_piece(item, state, mine, static_cast<int>(k));
+    const Reach b = reach_of_piece(f.owner, there.state, theirs, static_cast<int>(k));
     const std::int64_t middle = 2 * (std::int64_t{h.x} * there.at[0] + std::int64_t{h.y} * there.at[1]) + b.middle2;
     stripes_.push_back({h.x, h.y, a.middle2 - middle, a.span + b.span});
     ++f.stripes;
@@ -84,29 +88,32 @@ void Obstacles::add_pair(const Placements& placements, int item, int state, int 
   const Placement& there = placements[other];
   const State &own = self.states[state], &theirs = them.states[there.state];
   const bool any_opening = self.is_opening() || them.is_opening();
-  const bool turned = !any_opening && !model_.headings.empty() && (!is_quarter(own) || !is_quarter(theirs));
-  const auto add = [&](const Box& mine, const Box& body, Mm more, int my_solid = -1, int their_solid = -1) {
+  const bool turned =
+      rule != PairRule::kOpenings && !model_.headings.empty() && (!is_quarter(own) || !is_quarter(theirs));
+  // Both from the low corner of who owns them.
+  const auto add = [&](const Piece& mine, const Piece& theirs_there, Mm more) {
     Forbidden f;
-    for (int k = 0; k < 3; ++k) f.lo[k] = body.lo[k] - mine.hi[k], f.hi[k] = body.hi[k] - mine.lo[k];
+    const Box body = theirs_there.box.shifted(there.at);
+    for (int k = 0; k < 3; ++k) f.lo[k] = body.lo[k] - mine.box.hi[k], f.hi[k] = body.hi[k] - mine.box.lo[k];
     for (int k = 0; k < 2; ++k) f.lo[k] -= more, f.hi[k] += more;
     if (!concerns({f.lo, f.hi}, region)) return;
     f.owner = other;
-    if (turned) add_stripes(f, placements, item, state, my_solid, their_solid);
+    if (turned) add_stripes(f, placements, item, state, mine, theirs_there);
     forbidden_.push_back(f);
   };
-  const Box whole{{0, 0, 0}, own.extent}, box = box_of(them, there);
+  const Piece whole{{{0, 0, 0}, own.extent}}, box{{{0, 0, 0}, theirs.extent}};
   if (rule == PairRule::kOpenings) {
     add(whole, box, kBetweenOpenings);
   } else if (any_opening) {
     if (regions_.clearance_off(self) || regions_.clearance_off(them)) return;
-    for (const Box& clear : own.clear) add(clear, box, 0);
-    for (const Box& clear : theirs.clear) add(whole, clear.shifted(there.at), 0);
+    for (const Box& clear : own.clear) add({clear}, box, 0);
+    for (const Box& clear : theirs.clear) add(whole, {clear}, 0);
   } else if (rule == PairRule::kBoxes) {
     add(whole, box, 0);
   } else {
     for (std::size_t i = 0; i < own.solids.size(); ++i) {
       for (std::size_t j = 0; j < theirs.solids.size(); ++j)
-        add(own.solids[i], theirs.solids[j].shifted(there.at), 0, static_cast<int>(i), static_cast<int>(j));
+        add({own.solids[i], static_cast<int>(i)}, {theirs.solids[j], static_cast<int>(j)}, 0);
     }
   }
 }

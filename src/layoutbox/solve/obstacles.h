@@ -50,7 +50,12 @@ class Obstacles {
   bool within_stripes(const Forbidden& f, const Vec3& at) const;
   bool along(const Forbidden& f, int b, Mm line, Mm& from, Mm& to) const;
   void add_pair(const Placements& placements, int item, int state, int other, const Region& region);
-  void add_stripes(Forbidden& f, const Placements& placements, int item, int state, int my_solid, int their_solid);
+  // A part of a body: the whole (−1) or one of its solids; of an opening a box that is to be free.
+  struct Piece {
+    Box box;
+    int solid = -1;
+  };
+  void add_stripes(Forbidden& f, const Placements& placements, int item, int state, const Piece& mine, const Piece& theirs);
   void line_up(const Region& region, const Sweep& how, Mm z);
   bool sweep_line(const Region& region, const Sweep& how, Vec3& at) const;
   const Box& reach(int item, int state) const { return reach_[first_state_[item] + static_cast<std::size_t>(state)]; }

@@ -45,6 +45,41 @@ std::array<Mm, 2> place_in_angled(const Wall& wall, const Opening& opening, cons
   return low;
 }
 
+constexpr Mm kBand = 200;  // how finely a turned box is cut into upright ones
+constexpr int kMostBands = 6;
+
+// Upright boxes that cover a box of the own frame as it lies in the turned one, from its low corner: itself at quarter turns, else bands.
+std::vector<Box> cover_turned(const Box& own, const Box& box, double turn) {
+  const Box around = in_turned(own, box, turn), whole = turned(own, turn);
+  if (turn == 90 * std::floor(turn / 90)) return {around};
+  const double c = std::cos(radians_from_degrees(turn)), s = std::sin(radians_from_degrees(turn));
+  std::array<std::array<double, 2>, 4> corners{};
+  for (int k = 0; k < 4; ++k) {
+    const double x = k == 0 || k == 3 ? box.lo[0] : box.hi[0], y = k < 2 ? box.lo[1] : box.hi[1];
+    corners[k] = {c * x - s * y - whole.lo[0], s * x + c * y - whole.lo[1]};
+  }
+  const int bands = std::clamp((around.extent(1) + kBand - 1) / kBand, 1, kMostBands);
+  std::vector<Box> out;
+  for (int b = 0; b < bands; ++b) {
+    Box band = around;
+    band.lo[1] = around.lo[1] + around.extent(1) * b / bands, band.hi[1] = around.lo[1] + around.extent(1) * (b + 1) / bands;
+    double low = around.hi[0], high = around.lo[0];
+    for (int k = 0; k < 4; ++k) {  // what of each side lies in the band
+      const auto &from = corners[k], &to = corners[(k + 1) % 4];
+      const auto [down, up] = std::minmax(from[1], to[1]);
+      if (up < band.lo[1] || down > band.hi[1]) continue;
+      for (const double y : {std::max<double>(down, band.lo[1]), std::min<double>(up, band.hi[1])}) {
+        const double x = from[0] + (to[0] - from[0]) * (up > down ? (y - from[1]) / (to[1] - from[1]) : 0);
+        low = std::min(low, x), high = std::max(high, x);
+      }
+    }
+    band.lo[0] = std::max(around.lo[0], static_cast<Mm>(std::floor(low))),
+    band.hi[0] = std::min(around.hi[0], static_cast<Mm>(std::ceil(high)));
+    if (!band.empty()) out.push_back(band);
+  }
+  return out;
+}
+
 }  // namespace
 
 RoomWall room_wall(const Wall& wall) {
@@ -66,6 +101,8 @@ RoomWall room_wall(const Wall& wall) {
   return out;
 }
 
+Mm clear_depth(const Opening& opening) { return opening.type == OpeningType::kWindow ? kWindowDepth : opening.width; }
+
 Item opening_item(const Opening& opening, const Room& room, const std::vector<RoomWall>& walls) {
   Item item;
   item.id = opening.id;
@@ -76,7 +113,6 @@ Item opening_item(const Opening& opening, const Room& room, const std::vector<Ro
     if (wall.straight && (opening.wall.empty() || wall.id == opening.wall)) turns.insert(wall.turn);
   }
   if (const Wall* in_angled = angled_wall_of(opening, room)) turns = {nearest_turn(angle_at(*in_angled))};
-  const Mm depth = opening.type == OpeningType::kWindow ? kWindowDepth : opening.width;
   const Wall* angled = angled_wall_of(opening, room);
   for (const int turn : turns) {
     State state;
@@ -85,7 +121,7 @@ Item opening_item(const Opening& opening, const Room& room, const std::vector<Ro
     const Box own = own_box(state.size);
     const Box whole = turned(own, state.angle);
     for (int k = 0; k < 3; ++k) state.extent[k] = whole.extent(k);
-    state.clear.push_back(in_turned(own, beside(own, Side::kFront, 0, depth, opening.height), state.angle));
+    state.clear = cover_turned(own, beside(own, Side::kFront, 0, clear_depth(opening), opening.height), state.angle);
     item.states.push_back(std::move(state));
   }
   note_odd_states(item);

@@ -115,11 +115,7 @@ Reach reach_of(const Model& model, const Item& item, int s, int solid, int headi
   const State& state = item.states[s];
   const Heading& h = model.headings[heading];
   if (solid < 0) return {dot(h, state.extent[0], state.extent[1]), state.constants[item.spans - kFirstConstant + heading]};
-  if (is_quarter(state)) {
-    const Box& box = state.solids[solid];
-    return {dot(h, std::int64_t{box.lo[0]} + box.hi[0], std::int64_t{box.lo[1]} + box.hi[1]),
-            std::abs(std::int64_t{h.x} * box.extent(0)) + std::abs(std::int64_t{h.y} * box.extent(1))};
-  }
+  if (is_quarter(state)) return reach_of(state.solids[solid], h);
   // The part in the object's own frame, turned about the middle of the footprint.
   const Box& own = state.own_solids[solid];
   const double c = std::cos(radians_from_degrees(state.angle)), sn = std::sin(radians_from_degrees(state.angle));
@@ -129,17 +125,37 @@ Reach reach_of(const Model& model, const Item& item, int s, int solid, int headi
           span_of(own.extent(0), own.extent(1), state.angle, h)};
 }
 
-bool apart_along_headings(const Model& model, const BodyPart& a, const BodyPart& b) {
+Reach reach_of(const Box& box, const Heading& h) {
+  return {dot(h, std::int64_t{box.lo[0]} + box.hi[0], std::int64_t{box.lo[1]} + box.hi[1]),
+          std::abs(std::int64_t{h.x} * box.extent(0)) + std::abs(std::int64_t{h.y} * box.extent(1))};
+}
+
+namespace {
+
+// Where it stands.
+Reach placed_reach(const Model& model, const BodyPart& part, int heading) {
+  Reach reach = reach_of(model, *part.item, part.placement->state, part.solid, heading);
+  reach.middle2 += 2 * dot(model.headings[heading], part.placement->at[0], part.placement->at[1]);
+  return reach;
+}
+
+template <typename ReachAlong>
+bool apart_along_any(const Model& model, const BodyPart& a, const ReachAlong& b_along) {
   for (std::size_t k = 0; k < model.headings.size(); ++k) {
-    const Heading& h = model.headings[k];
-    const Reach ra = reach_of(model, *a.item, a.placement->state, a.solid, static_cast<int>(k));
-    const Reach rb = reach_of(model, *b.item, b.placement->state, b.solid, static_cast<int>(k));
-    const std::int64_t between =
-        2 * dot(h, std::int64_t{a.placement->at[0]} - b.placement->at[0], std::int64_t{a.placement->at[1]} - b.placement->at[1]) +
-        ra.middle2 - rb.middle2;
-    if (std::abs(between) >= ra.span + rb.span) return true;
+    const Reach ra = placed_reach(model, a, static_cast<int>(k)), rb = b_along(static_cast<int>(k));
+    if (std::abs(ra.middle2 - rb.middle2) >= ra.span + rb.span) return true;
   }
   return false;
+}
+
+}  // namespace
+
+bool apart_along_headings(const Model& model, const BodyPart& a, const BodyPart& b) {
+  return apart_along_any(model, a, [&](int heading) { return placed_reach(model, b, heading); });
+}
+
+bool apart_along_headings(const Model& model, const BodyPart& a, const Box& box) {
+  return apart_along_any(model, a, [&](int heading) { return reach_of(box, model.headings[heading]); });
 }
 
 }  // namespace layoutbox::placement

@@ -37,11 +37,14 @@ struct BodyPart {
   int solid = -1;  // of the state's solids; −1: the whole
 };
 bool apart_along_headings(const Model& model, const BodyPart& a, const BodyPart& b);
+// The same of a whole body and an upright box of the room.
+bool apart_along_headings(const Model& model, const BodyPart& a, const Box& box);
 
 // Twice the middle of a part of an item along a heading where its low corner is at the origin, and its span; in parts of a millimetre.
 struct Reach {
   std::int64_t middle2 = 0, span = 0;
 };
 Reach reach_of(const Model& model, const Item& item, int state, int solid, int heading);
+Reach reach_of(const Box& box, const Heading& heading);
 
 }  // namespace layoutbox::placement

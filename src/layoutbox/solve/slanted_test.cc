@@ -115,6 +115,41 @@ TEST(Slanted, PicturesHangOnThem) {
   EXPECT_EQ(layout.find_object("picture_1")->supported_by, "wall3");
 }
 
+// A door there opens over the floor before it, not over the upright box around that.
+TEST(Slanted, BesideADoorInThem) {
+  SceneMaker maker(kCutCorner);
+  maker.opening(OpeningType::kDoor, "wall3", 613).add("chest").sized(600, 600, 600).at(3150, 2300, 0, 0, true);
+  const Layout beside_swing = solved(maker);
+  EXPECT_NE(beside_swing.find_object("chest_1"), nullptr);
+
+  SceneMaker same_wall(kCutCorner);
+  same_wall.opening(OpeningType::kDoor, "wall3", 100).add("bookshelf").sized(900, 300, 1800);
+  same_wall.relate("againstWall", {"bookshelf_1"}, {"wall3"});
+  expect_flush(solved(same_wall), "bookshelf_1", "wall3");
+}
+
+// What has no front lies along or across the wall it is told to stand at.
+TEST(Slanted, TablesStandFlushToo) {
+  SceneMaker maker(kCutCorner);
+  maker.add("table").add("bookshelf").relate("againstWall", {"table_1"}, {"wall3"});
+  const Layout layout = solved(maker);
+  const PlacedObject& table = *layout.find_object("table_1");
+  const Wall& wall = *layout.find_wall("wall3");
+  std::vector<double> off;
+  const double dx = wall.end.x - wall.start.x, dy = wall.end.y - wall.start.y, length = std::hypot(dx, dy);
+  for (const auto& c : corners_of(table)) off.push_back((dx * (c[1] - wall.start.y) - dy * (c[0] - wall.start.x)) / length);
+  std::sort(off.begin(), off.end());
+  EXPECT_LT(off[1], 21) << "two corners are at the wall";
+}
+
+// Many walls leave room among the states for sizes other than the usual.
+TEST(Slanted, ThingsGetSmallerInRoundRoomsToo) {
+  SceneMaker maker(regular(24, 2800, 262.5));
+  maker.add("dresser").relate("centeredOnWall", {"dresser_1"}, {"wall14"});
+  const Layout layout = solved(maker);
+  expect_flush(layout, "dresser_1", "wall14");
+}
+
 TEST(Slanted, ARoomThatIsNotConvex) {
   // An L whose inner corner is cut off.
   SceneMaker maker(std::vector<Point>{{0, 0}, {6000, 0}, {6000, 2500}, {3500, 2500}, {2500, 3500}, {2500, 6000}, {0, 6000}});

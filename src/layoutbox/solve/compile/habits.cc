@@ -30,6 +30,7 @@ void Habits::add(int index) {
 void Habits::stand(int index) {
   const Item& item = model_.items[index];
   sit_on_host(index);
+  lie_straight(index);
   if (stand_in_formation(index)) return;
   const bool with_host = stand_beside(index);
   if (!with_host || !is_table_seat(item)) look_at(index);

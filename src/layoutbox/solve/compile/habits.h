@@ -52,6 +52,7 @@ class Habits {
   void back_to_wall(int item);
   void stand_at_wall(int item);
   void stand_in_middle(int item);
+  void lie_straight(int item);
   void open_to_room(int item);
   void near_light(int item);
   void lie_under(int item);

@@ -1,6 +1,9 @@
 // Habits towards other things: beside, round, before and facing what they belong to.
+#include <bit>
+
 #include "layoutbox/solve/compile/formation.h"
 #include "layoutbox/solve/compile/habits.h"
+#include "layoutbox/solve/slanted.h"
 
 namespace layoutbox::placement {
 
@@ -124,6 +127,15 @@ void Habits::stand_before_middle(int item, int host) {
   Formula f;
   for_each_turn(model_.items[host], [&](int turn, std::uint64_t states) {
     const int along = side_direction(model_.items[host], Side::kRight, turn).axis;
+    const double angle = model_.items[host].states[static_cast<std::size_t>(std::countr_zero(states))].angle;
+    const auto heading = turn % 90 == 0 ? std::nullopt : signed_heading(model_, angle);
+    if (const std::uint64_t turned = heading ? states_at_angle(model_.items[item], angle, 180) : 0) {
+      f.add()
+          .when(host, states)
+          .when(item, turned)
+          .wish(along2(model_, item, heading->heading) - along2(model_, host, heading->heading), kBeside, 2 * kHeading);
+      return;
+    }
     f.add()
         .when(host, states)
         .when(item, states_with_width_along(model_.items[item], along))

@@ -5,6 +5,8 @@ namespace layoutbox::placement {
 namespace {
 
 constexpr Mm kRugBeyondFoot = 500;
+constexpr Mm kNearWall = 400;
+constexpr int kOddTurn = 120;  // points
 const std::vector<std::string> kOnRugs{"coffee_table", "dining_table", "bed", "crib", "table", "sofa", "desk"};
 
 }  // namespace
@@ -45,6 +47,21 @@ void Habits::stand_in_middle(int item) {
   Case& c = f.add();
   for (int axis = 0; axis < 2; ++axis) c.wish(mid2(item, axis) - room_mid2(model_, axis), kMiddle, 2);
   habit("in the middle", item, kMiddle, std::move(f));
+}
+
+// What has no front is turned with a slanted wall only where it is near one.
+void Habits::lie_straight(int item) {
+  const Item& self = model_.items[item];
+  if (self.has_front || self.odd_states == 0 || quarter_states(self) == 0) return;
+  Formula f;
+  f.add().when(item, quarter_states(self));
+  for (const RoomWall& wall : model_.walls) {
+    if (wall.straight) continue;
+    const std::uint64_t states = states_at_angle(self, wall.angle, 90);
+    if (states) require_near_slanted_wall(f.add().when(item, states), model_, item, wall, kNearWall);
+  }
+  f.add().price = kOddTurn;
+  habit("straight", item, kAtWall, std::move(f));
 }
 
 // A bar or a reception desk turns its front to where the guests are.

@@ -541,9 +541,15 @@ std::uint64_t states_with_side_to(const Item& item, const RoomWall& wall, Side s
                             : side == Side::kLeft  ? 270
                             : side == Side::kRight ? 90
                                                    : -1;
-    for (std::size_t s = 0; s < item.states.size(); ++s) {
-      const bool looks = std::abs(std::remainder(item.states[s].angle - wall.angle - quarters, 360)) < kSameAngle;
-      if (item.has_front && quarters >= 0 && looks) mask |= std::uint64_t{1} << s;
+    if (item.has_front) return quarters < 0 ? 0 : states_at_angle(item, wall.angle + quarters, 360);
+    for (std::size_t s = 0; s < item.states.size(); ++s) {  // any side, or that which is the longer or shorter
+      const State& state = item.states[s];
+      const bool along = std::abs(std::remainder(state.angle - wall.angle, 180)) < kSameAngle;
+      const bool across = std::abs(std::remainder(state.angle - wall.angle - 90, 180)) < kSameAngle;
+      const bool longer = along ? state.size.width >= state.size.depth : state.size.depth >= state.size.width;
+      const bool shorter = along ? state.size.width <= state.size.depth : state.size.depth <= state.size.width;
+      const bool meant = side == Side::kLong ? longer : side != Side::kShort || shorter;
+      if ((along || across) && meant) mask |= std::uint64_t{1} << s;
     }
     return mask;
   }
