@@ -54,6 +54,36 @@ TEST(Habits, ARugShowsAtTheFootOfTheBed) {
   EXPECT_LT(rug.y - object(layout, "rug_1").size.depth / 2, -bed.size.depth / 2 - 300);
 }
 
+TEST(Habits, ScreensOnADeskStandSideBySide) {
+  const Layout layout = solved(SceneMaker(4000, 3600)
+                                   .add("desk")
+                                   .sized(1500, 700, 750)
+                                   .add("monitor", 2)
+                                   .add("keyboard")
+                                   .relate("on", {"monitor_1"}, {"desk_1"})
+                                   .relate("on", {"monitor_2"}, {"desk_1"})
+                                   .relate("on", {"keyboard_1"}, {"desk_1"})
+                                   .make(true));
+  const PlacedObject& desk = object(layout, "desk_1");
+  const Point one = seen_from(desk, object(layout, "monitor_1")), two = seen_from(desk, object(layout, "monitor_2"));
+  EXPECT_NEAR(one.y, two.y, 20);
+  EXPECT_NEAR(one.x, -two.x, 20);
+}
+
+TEST(Habits, NothingStandsOnAMatThatIsUsed) {
+  const Layout layout =
+      solved(SceneMaker(3600, 3000).add("yoga_mat", 2).add("treadmill").relate("centerOfRoom", {"yoga_mat_1"}).make(true));
+  const PlacedObject& treadmill = object(layout, "treadmill_1");
+  for (const char* id : {"yoga_mat_1", "yoga_mat_2"}) {
+    const PlacedObject& mat = object(layout, id);
+    for (int k = 0; k < 40; ++k) {  // along its long middle line
+      const double along = (k + 0.5) / 40 - 0.5, a = mat.rotation_deg * 3.14159265358979 / 180;
+      const TestPoint p{mat.position[0] - std::sin(a) * along * mat.size.depth, mat.position[1] + std::cos(a) * along * mat.size.depth, 3};
+      EXPECT_FALSE(in_body(treadmill, p)) << id;
+    }
+  }
+}
+
 TEST(Habits, ManyDesksStandInRowsWithTheirChairsBehindThem) {
   const Layout layout =
       solved(SceneMaker(8000, 7000, 3000).add("school_desk", 9).add("student_chair", 9).add("chalkboard").add("teacher_desk").make(true));

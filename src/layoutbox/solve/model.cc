@@ -41,7 +41,8 @@ void add_company_of_the_nested(const Model& model, Pairs& pairs) {
     for (const auto& [inner, outer] : nested) {
       for (int other = 0; other < static_cast<int>(model.items.size()); ++other) {
         if (other == inner || other == outer) continue;
-        if (pairs.contains({std::min(inner, other), std::max(inner, other)})) pairs.insert({std::min(outer, other), std::max(outer, other)});
+        if (pairs.contains({std::min(inner, other), std::max(inner, other)}))
+          pairs.insert({std::min(outer, other), std::max(outer, other)});
       }
     }
     grows = pairs.size() > before;
@@ -78,11 +79,14 @@ Pairs close_pairs(const Model& model) {
   return pairs;
 }
 
+// A rug lies under whatever there is; a mat that is used itself does not, unless a relation says so.
+bool lies_under(const Item& item) { return item.thin && !item.entry->keep_clear; }
+
 void set_pair_rules(Model& model) {
   const std::size_t n = model.items.size();
   model.pairs.assign(n * n, PairRule::kBoxes);
   const auto rule_of = [&](const Item& a, const Item& b) {
-    if (a.thin || b.thin) return PairRule::kFree;
+    if (lies_under(a) || lies_under(b)) return PairRule::kFree;
     if (a.is_opening() && b.is_opening()) return PairRule::kOpenings;
     const bool window =
         (a.is_opening() && a.opening->type == OpeningType::kWindow) || (b.is_opening() && b.opening->type == OpeningType::kWindow);
@@ -95,8 +99,8 @@ void set_pair_rules(Model& model) {
     }
   }
   for (const auto& [a, b] : close_pairs(model)) {
-    if (model.pair(a, b) == PairRule::kBoxes && !model.items[a].is_opening() && !model.items[b].is_opening())
-      model.set_pair(a, b, PairRule::kSolids);
+    if (model.pair(a, b) != PairRule::kBoxes || model.items[a].is_opening() || model.items[b].is_opening()) continue;
+    model.set_pair(a, b, model.items[a].thin != model.items[b].thin ? PairRule::kFree : PairRule::kSolids);
   }
   for (std::size_t i = 0; i < n; ++i) {  // what stands on a sill may be before the window
     for (const SupportOption& support : model.items[i].supports) {

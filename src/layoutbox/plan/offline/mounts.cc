@@ -18,6 +18,11 @@ bool is_beside(R type) {
 
 }  // namespace
 
+// A shelf that is above something is one for the wall.
+bool RelationBuilder::has_wall_kind(const NounPhrase& noun) const {
+  return mount_of(noun) == Mount::kFloor && noun.exact && catalog_.find("wall_" + noun.entry->id) != nullptr;
+}
+
 void RelationBuilder::settle_mount(std::size_t index) {
   SceneObject& object = scene_.objects[index];
   const NounPhrase& noun = document_.items[index].noun;
@@ -25,7 +30,7 @@ void RelationBuilder::settle_mount(std::size_t index) {
   std::string neighbour_support;
   for (const std::size_t r : relations_of(object.id)) {
     const Relation& relation = scene_.relations[r];
-    wall |= relation.type == R::kOnWall;
+    wall |= relation.type == R::kOnWall || (relation.type == R::kAbove && has_wall_kind(noun));
     ceiling |= relation.type == R::kOnCeiling;
     supported |= relation.type == R::kOn || relation.type == R::kIn || relation.type == R::kStacked;
     if (!is_beside(relation.type)) continue;

@@ -46,9 +46,10 @@ struct NounPhrase {
   std::string category, name, head;  // head: the last word in the singular
   std::vector<std::string> attributes;
   std::vector<WordClass> attribute_classes;
-  int count = 0;    // 0: not said
-  int ordinal = 0;  // "the second bed"; -1: the last
-  int rows = 0;     // "two rows of chairs", "a row of three stools"
+  int count = 0;     // 0: not said
+  int ordinal = 0;   // "the second bed"; -1: the last
+  int rows = 0;      // "two rows of chairs", "a row of three stools"
+  int clusters = 0;  // "two clusters of four desks"
   bool at_least = false, vague = false, plural = false;
   bool subset = false;        // "two of the beds"
   bool reciprocal = false;    // "each other"

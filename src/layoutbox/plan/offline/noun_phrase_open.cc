@@ -1,4 +1,6 @@
 // How a noun phrase opens: determiner, count, "two of them", pronouns.
+#include <algorithm>
+
 #include "layoutbox/base/words.h"
 #include "layoutbox/plan/offline/english.h"
 #include "layoutbox/plan/offline/noun_phrase_parts.h"
@@ -58,6 +60,26 @@ bool NounPhraseReader::read_count() {
       if (upper.length > 0) i_ += 1 + upper.length, phrase_.at_least = true;
     }
   }
+  return true;
+}
+
+// "two clusters of four desks": eight desks.
+bool NounPhraseReader::read_clusters() {
+  static constexpr std::string_view kClusters[] = {"clusters", "groups", "sets", "islands", "pods"};
+  if (!counted_ || phrase_.count < 2 || !more() || token().kind != Token::Kind::kWord || !at_word("of", 1) || i_ + 3 >= tokens_.size() ||
+      std::find(std::begin(kClusters), std::end(kClusters), token().text) == std::end(kClusters))
+    return false;
+  const std::size_t at = i_;
+  const int clusters = phrase_.count;
+  i_ += 2;
+  phrase_.count = 0;
+  if (!read_count() || phrase_.count == 0) {
+    i_ = at;
+    phrase_.count = clusters;
+    return false;
+  }
+  phrase_.clusters = clusters;
+  phrase_.count *= clusters;
   return true;
 }
 
@@ -156,7 +178,7 @@ bool NounPhraseReader::read_determiners() {
       i_ += std::max(at_most.length, exactly.length);
       continue;
     }
-    if (read_rows()) continue;
+    if (read_rows() || read_clusters()) continue;
     if (read_count()) {
       if (read_subset()) return true;
       continue;

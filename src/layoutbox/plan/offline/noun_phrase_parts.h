@@ -79,6 +79,7 @@ class NounPhraseReader {
   bool read_determiners();
   bool read_count();
   bool read_rows();
+  bool read_clusters();
   bool read_subset();
   bool read_pronoun();
   void read_parts();

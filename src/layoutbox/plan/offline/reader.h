@@ -60,6 +60,7 @@ class DocumentReader {
   int fronted_host() const;
   int implied_side_host(const PhraseSenses& senses, const std::vector<int>& targets);
   int thing_of_zone(const NounPhrase& noun) const;
+  void add_laden_stand(const PhraseSenses& senses, std::vector<int>& targets) const;
   void grow_for_sides(const Link& link, int target, int reference);
   bool frames_are_room() const;
   bool is_content(int mention) const;
@@ -75,6 +76,7 @@ class DocumentReader {
   int meant_by_it(const std::vector<int>& targets) const;
   bool take_all(std::size_t k);
   bool read_set(std::size_t k);
+  bool each_has_those(std::size_t k);
   bool read_relative_place(std::size_t k);
   bool whole_group(std::size_t k, const NounPhrase& noun, int group) const;
   bool passes_count(std::size_t k);

@@ -154,6 +154,32 @@ bool DocumentReader::take_all(std::size_t k) {
   return true;
 }
 
+// "six square tables, four chairs each": what was listed last belongs to every one of those before it.
+bool DocumentReader::each_has_those(std::size_t k) {
+  const NounPhrase& noun = chunk(k).noun;
+  const std::size_t after = next(k), n = roots_.size();
+  if (noun.kind != NounKind::kMember || noun.determiner != Determiner::kEach || noun.count != 0 || expects_reference_ || expects_content_ ||
+      joiner_ != Joiner::kNone || n < 2 || root_joiners_.back() == Joiner::kNone || !is(previous(k), ChunkKind::kNoun) ||
+      is(after, ChunkKind::kHave) || is(after, ChunkKind::kRelation) || is(after, ChunkKind::kParticiple) || is(after, ChunkKind::kVerb))
+    return false;
+  const int host = roots_[n - 2], content = roots_.back();
+  if (!is_thing(host) || !is_thing(content) || mention_at(host).items.size() < 2 || !mention_at(content).introduces ||
+      root_modified_.back())
+    return false;
+  references_.grow(content, mention_at(content).items.size() * mention_at(host).items.size());
+  Link link;
+  link.kind = Link::Kind::kHave;
+  link.weak = true;
+  link.targets = {content};
+  link.references = {host};
+  link.first = chunk(previous(k)).first;
+  link.last = chunk(k).last;
+  add_link(std::move(link));
+  root_modified_.back() = true;
+  mark(k, WordReading::Use::kUsed, "reference");
+  return true;
+}
+
 // "a dining set for six": a table and six chairs around it.
 bool DocumentReader::read_set(std::size_t k) {
   const NounPhrase& noun = chunk(k).noun;

@@ -80,7 +80,7 @@ void DocumentReader::read_noun(std::size_t k) {
     mark(k, Use::kUsed, "reference");
     return;
   }
-  if (read_set(k)) return;
+  if (each_has_those(k) || read_set(k)) return;
 
   std::vector<int> busy;
   if (expects_reference_ && reference_link_ >= 0) busy = link_at(reference_link_).targets;

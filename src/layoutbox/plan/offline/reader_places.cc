@@ -87,13 +87,15 @@ void DocumentReader::place_reference(std::size_t k, int mention) {
   if (!is_fronted && link.references.size() == 1) {
     link.targets = chained_targets(link, mention);
     if (link.targets.empty()) link.targets = targets_for(link.senses, Direction::kDirect, noun_of(mention), after_participle_, mention);
+    if (link.each) add_laden_stand(link.senses, link.targets);
     for (const int target : link.targets) {
       for (std::size_t r = 0; r < roots_.size(); ++r) {
         if (roots_[r] == target) root_modified_[r] = true;
       }
     }
     // Several at each side, desk or corner: as many as the places ask for.
-    if (link.each && is_thing(mention)) {
+    const bool has_sides = is_thing(mention) || noun_of(mention).kind == NounKind::kWindow || noun_of(mention).kind == NounKind::kDoor;
+    if (link.each && has_sides) {
       for (const int target : link.targets) grow_for_sides(link, target, mention);
     }
     if (mention_at(mention).reciprocal) mean_each_other(link);

@@ -238,6 +238,7 @@ void DocumentReader::read_relation(std::size_t k) {
       targets = unplaced(link_at(frames_.back().link).targets, target, host);
   }
   if (targets.empty()) return;
+  if (link.each) add_laden_stand(link.senses, targets);
   if (relation.phrase.other && one_side_link_ >= 0 && other_side(k, targets)) {
     joiner_ = Joiner::kNone;
     return;

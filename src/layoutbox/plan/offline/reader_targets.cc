@@ -154,6 +154,19 @@ void DocumentReader::grow_for_sides(const Link& link, int target, int reference)
   grow_contents(target, count);
 }
 
+// "a nightstand and a lamp on each side": both, where the first carries the second.
+void DocumentReader::add_laden_stand(const PhraseSenses& senses, std::vector<int>& targets) const {
+  if (targets.size() != 1 || targets.front() < 1 || !says(senses, RelationType::kEachSideOf)) return;
+  const int stand = targets.front() - 1;
+  const NounPhrase &load = noun_of(targets.front()), &carrier = noun_of(stand);
+  const Mention& mention = document_.mentions[static_cast<std::size_t>(stand)];
+  if (!mention.introduces || mention.items.size() != 1 || load.first != carrier.last + 1 || document_.tokens[carrier.last].text != "and")
+    return;
+  if (mount_of(load) != Mount::kSurface || mount_of(carrier) != Mount::kFloor || carrier.entry == nullptr || !carrier.entry->top_carries)
+    return;
+  if (may_carry(lexicon_.catalog(), carrier, load)) targets.insert(targets.begin(), stand);
+}
+
 // What each of the things has grows with them: "a nightstand with a lamp on each side".
 void DocumentReader::grow_contents(int host, std::size_t before) {
   const std::size_t now = mention_at(host).items.size();

@@ -24,6 +24,7 @@ void RelationBuilder::run() {
     if (link.kind == Link::Kind::kRelation) add_relations(link);
   }
   add_rows();
+  add_clusters();
   complete_sides();
   for (const Link& link : document_.links) {
     if (link.kind == Link::Kind::kHave) add_contents(link);
@@ -113,6 +114,16 @@ std::vector<int> RelationBuilder::items_of(const std::vector<int>& mentions) con
   return all;
 }
 
+// Of the two side walls the one that fewer things were put at.
+std::string RelationBuilder::freer_side() const {
+  const auto said_of = [&](const std::string& wall) {
+    return std::count_if(scene_.relations.begin(), scene_.relations.end(), [&](const Relation& r) {
+      return std::find(r.references.begin(), r.references.end(), wall) != r.references.end();
+    });
+  };
+  return said_of("left") < said_of("right") ? "left" : "right";
+}
+
 std::vector<std::string> RelationBuilder::room_reference(const NounPhrase& noun, R type) const {
   const auto words = [&] {
     std::vector<std::string> all;
@@ -128,6 +139,7 @@ std::vector<std::string> RelationBuilder::room_reference(const NounPhrase& noun,
     case NounKind::kWall: {
       auto all = words();
       if (all.size() > 1) all.resize(1);
+      if (all.empty() && noun.name.ends_with("side wall")) all = {freer_side()};
       if (all.empty() && noun.wall_relation.empty() && relation_row(type).arity != RelationArity::kOptional) all = {"back"};
       return all;
     }

@@ -36,6 +36,7 @@ class RelationBuilder {
   std::vector<int> items_of(const std::vector<int>& mentions) const;
   // What relativeTo says for a reference that is a part of the room.
   std::vector<std::string> room_reference(const NounPhrase& noun, RelationType type) const;
+  std::string freer_side() const;
   // A door or window that has an id of its own, else the word, which normalisation gives to the default one.
   std::string opening_id(std::string_view type) const;
   // As many of them as the words say: "between two windows".
@@ -43,6 +44,7 @@ class RelationBuilder {
   void add_relations(const Link& link);
   void add_relations_to(const Link& link, const std::vector<int>& targets, const Mention& reference_mention);
   void add_rows();
+  void add_clusters();
   void set_heights();
   std::string table_of(const std::string& seat) const;
   bool add_on_other_side(const Link& link, PhraseSense& sense, const Mention& target, int reference);
@@ -57,6 +59,7 @@ class RelationBuilder {
   void add_between(const Link& link, const std::vector<int>& targets);
   // Small things that stand on the host wherever they are said to be by it.
   bool lie_on(const std::vector<int>& items, int host) const;
+  bool add_laden_sides(const Link& link, const PhraseSense& sense, const std::vector<int>& targets, int host);
   bool seats_one_side(const Link& link, int seat, int host) const;
   void add_group(const Link& link, PhraseSense sense, const std::vector<int>& targets, const std::vector<int>& references,
                  const Mention* place);
@@ -91,6 +94,7 @@ class RelationBuilder {
   const NounPhrase& noun_of_object(const SceneObject& object) const;
   // How a thing is held where the relations say otherwise than its kind.
   void settle_mount(std::size_t index);
+  bool has_wall_kind(const NounPhrase& noun) const;
   bool hangs_on_hooks(const std::string& object) const;
   // On or in a thing other than a rug.
   bool is_carried(const std::string& object) const;

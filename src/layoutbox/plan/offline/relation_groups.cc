@@ -120,6 +120,7 @@ void RelationBuilder::add_group(const Link& link, PhraseSense sense, const std::
                                    [](const std::string& a) { return a == "round" || a == "circular" || a == "oval"; });
     if ((round || !is_table(catalog_, host)) && enough) sense.type = R::kSurround;
   }
+  if (sense.type == R::kEachSideOf && references.size() == 1 && add_laden_sides(link, sense, targets, references.front())) return;
   // "a lamp at each end" of a console table: on it.
   if (sense.type == R::kEachSideOf && references.size() == 1 && lie_on(targets, references.front())) {
     for (std::size_t t = 0; t < targets.size(); ++t) {
@@ -165,6 +166,24 @@ void RelationBuilder::add_group(const Link& link, PhraseSense sense, const std::
   }
 }
 
+// "a nightstand and a lamp on either side": the lamps are on the nightstands. False: these are other things.
+bool RelationBuilder::add_laden_sides(const Link& link, const PhraseSense& sense, const std::vector<int>& targets, int host) {
+  std::vector<int> stands, loads;
+  for (const int target : targets) {
+    const NounPhrase& noun = noun_of_item(target);
+    const bool stand = mount_of(noun) == Mount::kFloor && noun.entry != nullptr && noun.entry->top_carries;
+    if (!stand && mount_of(noun) != Mount::kSurface) return false;
+    (stand ? stands : loads).push_back(target);
+  }
+  if (stands.size() < 2 || loads.empty() || loads.size() % stands.size() != 0) return false;
+  if (!std::all_of(loads.begin(), loads.end(),
+                   [&](int load) { return may_carry(catalog_, noun_of_item(stands.front()), noun_of_item(load)); }))
+    return false;
+  add(link, sense.type, ids(stands), {id(host)}, sense);
+  for (std::size_t l = 0; l < loads.size(); ++l) add(link, R::kOn, {id(loads[l])}, {id(stands[l % stands.size()])});
+  return true;
+}
+
 void RelationBuilder::complete_sides() {
   const std::size_t said = scene_.relations.size();
   for (std::size_t r = 0; r < said; ++r) {
@@ -201,6 +220,27 @@ void RelationBuilder::add_rows() {
     link.last = mention.noun.last;
     link.rows = mention.noun.rows;
     add(link, mention.noun.rows > 1 ? R::kGrid : R::kRow, ids(mention.items), {});
+  }
+}
+
+// "two clusters of four desks": each in two rows, close together.
+void RelationBuilder::add_clusters() {
+  for (const Mention& mention : document_.mentions) {
+    const auto clusters = static_cast<std::size_t>(std::max(mention.noun.clusters, 0));
+    if (!mention.introduces || clusters == 0 || mount_of(mention.noun) != Mount::kFloor || mention.items.size() % clusters != 0) continue;
+    const std::size_t share = mention.items.size() / clusters;
+    if (share < 2) continue;
+    Link link;
+    link.first = mention.noun.first;
+    link.last = mention.noun.last;
+    link.soft = true;
+    link.rows = share % 2 == 0 ? 2 : 1;
+    for (std::size_t c = 0; c < clusters; ++c) {
+      const std::vector<int> own(mention.items.begin() + static_cast<std::ptrdiff_t>(c * share),
+                                 mention.items.begin() + static_cast<std::ptrdiff_t>((c + 1) * share));
+      add(link, share > 3 && share % 2 == 0 ? R::kGrid : R::kRow, ids(own), {});
+      scene_.relations.back().parameters.gap = 0;
+    }
   }
 }
 

@@ -44,6 +44,8 @@ class Habits {
   bool placed_by_relation(int item) const;
   void sit_on_host(int item);
   int riders_of(int host) const;
+  bool rests_on(int item, int host) const;
+  std::int64_t place_among_screens(int item, int host) const;
   void keep_hint(int item);
   void keep_turn(int item, double degrees);
   static std::vector<Side> used_sides(const Item& item) { return item.object->used_sides.value_or(item.entry->used_sides); }

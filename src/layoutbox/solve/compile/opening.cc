@@ -72,7 +72,8 @@ void compile_NotBlocking(Compilation& c) {
     for (const int o : openings) {
       const Item& item = c.item(o);
       const bool window = item.opening->type == OpeningType::kWindow;
-      if (c.item(t).thin || (window && c.item(t).curtain)) {  // in nobody's way
+      const bool flat = c.item(t).thin && (window || !c.item(t).entry->keep_clear);
+      if (flat || (window && c.item(t).curtain)) {  // in nobody's way
         c.formula().add();
         continue;
       }
