@@ -1,6 +1,7 @@
 // What is said to be proven best: every layout of tiny rooms is looked at, on a grid, and none is better.
 #include <cmath>
 
+#include "layoutbox/solve/access.h"
 #include "layoutbox/solve/cost.h"
 #include "layoutbox/solve/cp_sat/library.h"
 #include "layoutbox/solve/solver.h"

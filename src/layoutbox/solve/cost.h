@@ -26,21 +26,6 @@ inline constexpr CostWeights kCostWeights{};
 // Cost of one constraint where everything it speaks of is placed: the best case's wishes and price; soft ones also what they miss.
 std::int64_t constraint_cost(const Model& model, const Constraint& constraint, const Placements& placements);
 
-// Does the item stand in somebody's way on the floor?
-bool blocks_floor(const Item& item, const Box& box);
-
-// Does `body`, which stands on the floor whenever it is there, count as in the way of the floor that `owner` wants?
-bool surely_blocks(const Model& model, int body, int owner);
-
-// Blocked share, in thousandths, of one floor rectangle: by the room's edge and by `item` of the others, `except` left out.
-std::int64_t blocked_permille(const Model& model, const Box& strip, const Placements& placements, int owner, int except);
-
-// How far the body that reaches farthest into the clear box of an opening does so, in millimetres.
-Mm intrusion_of(const Model& model, int opening, const Placements& placements);
-
-// Cost of the strips and wanted floors of one placed item.
-std::int64_t access_cost_of(const Model& model, int item, const Placements& placements, int except = -1);
-
 // Thousandths of the free floor that hang together for a person 0.2 m wide (largest part of all).
 int walk_permille(const Model& model, const Placements& placements);
 // Can somebody `width` wide walk from a door to a place beside the item?

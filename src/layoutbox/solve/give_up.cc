@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 
+#include "layoutbox/solve/access.h"
 #include "layoutbox/solve/cost.h"
 #include "layoutbox/solve/relax.h"
 #include "layoutbox/solve/search.h"

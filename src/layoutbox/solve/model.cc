@@ -1,5 +1,7 @@
 #include "layoutbox/solve/model.h"
 
+#include "layoutbox/solve/access.h"
+
 #include <fmt/format.h>
 #include <cmath>
 
@@ -237,6 +239,7 @@ Result<Model> build_model(const SceneGraph& scene, const Catalog& catalog, const
   for (const Opening& opening : scene.room.openings) model.items.push_back(opening_item(opening, scene.room, model.walls));
   for (Item& item : model.items) {
     add_spans(model, item);
+    note_floor_use(item);
     item.all_states = item.states.size() >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << item.states.size()) - 1;
   }
   for (std::size_t i = 0; i < model.items.size(); ++i) {

@@ -26,6 +26,7 @@ struct State {
   std::vector<Box> clear;       // boxes that no body may enter, from its low corner
   std::vector<Box> strips;      // free floor wanted at its used sides (0.2 m deep, 0.05 m off), from its low corner
   std::vector<Box> wanted;      // free floor the catalogue wants, from its low corner
+  Box claims{};                 // around the last three, from the low corner; inside out where there are none
 };
 
 // A free box within an item that other things may be in; its sides are the six constants from `quantity` on (low x, y, z, high x, y, z).
@@ -53,6 +54,7 @@ struct Item {
   bool has_front = true;
   bool thin = false;     // a rug: collides with nothing
   bool curtain = false;  // may hang before a window
+  bool is_seat = false, takes_seats = false;
   bool fixed = false;
   Vec3 fixed_at{};
   bool locked = false;  // stays where it was, unless that has to be given up

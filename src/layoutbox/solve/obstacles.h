@@ -5,7 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "layoutbox/solve/candidates.h"
+#include "layoutbox/solve/budget.h"
+#include "layoutbox/solve/region.h"
 
 namespace layoutbox::placement {
 

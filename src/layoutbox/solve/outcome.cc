@@ -1,5 +1,6 @@
 #include "layoutbox/solve/solving.h"
 
+#include "layoutbox/solve/access.h"
 #include "layoutbox/solve/cost.h"
 #include "layoutbox/solve/to_layout.h"
 

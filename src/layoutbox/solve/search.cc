@@ -196,30 +196,31 @@ bool Search::construct(const std::vector<char>& left_out, int restarts, Budget& 
   return false;
 }
 
-// All terms that change when the group moves; ways to walk apart.
-std::int64_t Search::cost_touching(const std::vector<int>& group) const {
+// How much less what touches the group costs than before it moved; ways to walk apart.
+std::int64_t Search::gain_since(const Placements& before, const std::vector<int>& group) const {
   std::vector<int> constraints;
   for (const int item : group) constraints.insert(constraints.end(), model_.touching[item].begin(), model_.touching[item].end());
   std::sort(constraints.begin(), constraints.end());
   constraints.erase(std::unique(constraints.begin(), constraints.end()), constraints.end());
-  std::int64_t sum = 0;
-  for (const int c : constraints) sum += constraint_cost(model_, model_.constraints[c], placements_);
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
-    if (placements_[i].state < 0) continue;
-    sum += access_cost_of(model_, static_cast<int>(i), placements_);
+  std::int64_t gain = access_gain(model_, before, placements_, group);
+  for (const int c : constraints) {
+    const Constraint& constraint = model_.constraints[c];
+    gain += constraint_cost(model_, constraint, before) - constraint_cost(model_, constraint, placements_);
   }
-  for (const int item : group) sum += kPoint * kCostWeights.size_step * model_.items[item].states[placements_[item].state].size_step;
-  return sum;
+  for (const int item : group) {
+    const std::vector<State>& states = model_.items[item].states;
+    gain += kPoint * kCostWeights.size_step * (states[before[item].state].size_step - states[placements_[item].state].size_step);
+  }
+  return gain;
 }
 
 bool Search::move(const std::vector<int>& group, std::int64_t noise, Budget& budget) {
   const Placements before = placements_;
-  const std::int64_t cost_before = cost_touching(group);
   for (const int member : group) placements_[member] = {};
   bool all = true;
   for (const int member : group) all = all && place(member, noise, budget);
   if (all && !(placements_ == before)) {
-    const std::int64_t gain = cost_before - cost_touching(group);
+    const std::int64_t gain = gain_since(before, group);
     budget.count(100);
     // The ways are costly to measure: only for what is better, or nearly as good, without them.
     if (gain > -kPoint * 400) {

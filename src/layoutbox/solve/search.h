@@ -42,7 +42,7 @@ class Search {
   bool repair(Budget& budget);
   void take_out(int item, std::vector<int>& queue);
   bool move(const std::vector<int>& group, std::int64_t noise, Budget& budget);
-  std::int64_t cost_touching(const std::vector<int>& group) const;
+  std::int64_t gain_since(const Placements& before, const std::vector<int>& group) const;
 
   const Model& model_;
   CandidateFinder finder_;

@@ -2,6 +2,7 @@
 // costs at least what it costs here, so that what is not found here is not there.
 #include <numeric>
 
+#include "layoutbox/solve/access.h"
 #include "layoutbox/solve/cost.h"
 #include "layoutbox/solve/cp_sat/encode.h"
 
