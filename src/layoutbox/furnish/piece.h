@@ -132,6 +132,12 @@ void add_appliances(Families& to);
 void add_outdoor_things(Families& to);
 void add_media(Families& to);
 void add_household(Families& to);
+void add_worn_things(Families& to);
+void add_garden_things(Families& to);
+void add_clocks(Families& to);
+void add_odd_things(Families& to);
+void add_pocket_things(Families& to);
+void add_rolling_things(Families& to);
 void add_generic(Families& to);
 
 }  // namespace layoutbox::kit

@@ -61,6 +61,12 @@ const Families& families() {
     add_outdoor_things(f);
     add_media(f);
     add_household(f);
+    add_worn_things(f);
+    add_garden_things(f);
+    add_clocks(f);
+    add_odd_things(f);
+    add_pocket_things(f);
+    add_rolling_things(f);
     add_generic(f);
     return f;
   }();

@@ -45,21 +45,93 @@ void sword_leaves(Piece& p, double from, double tall, double reach, int n) {
   }
 }
 
-void palm(Piece& p, double from, double tall, double reach, int n) {
-  for (int i = 0; i < n; ++i) {
-    const double a = 2.39996 * i, t = (i + 0.5) / n, out = reach * p.random(0.75, 1), top = tall * (1 - 0.35 * t);
-    const std::vector<Vec> stem = curve(
-        {{0, 0, from}, {std::cos(a) * out * 0.35, std::sin(a) * out * 0.35, top}, {std::cos(a) * out, std::sin(a) * out, top - out * 0.35}},
-        5);
-    p.add(green(p, 0.1), tube(stem, 0.005, 5));
-    for (std::size_t k = 3; k < stem.size(); ++k) {
-      const Vec along = unit(stem[k] - stem[k - 1]), side = unit(cross(along, {0, 0, 1}));
-      for (const double s : {-1.0, 1.0}) {
-        const double l = reach * 0.34 * (1 - 0.4 * (static_cast<double>(k) - 3) / static_cast<double>(stem.size()));
-        p.add(green(p, 0.25 + 0.2 * (i % 3)),
-              leaf(stem[k], stem[k] + side * (s * l) + along * (l * 0.5) + Vec{0, 0, -l * 0.25}, l * 0.2, l * 0.05, 2));
+// A feather leaf: a stem through the points with pairs of narrow leaflets (one or two a step) from `bare` of its length on, longest in
+// the middle.
+void frond(Piece& p, std::initializer_list<Vec> points, double bare, double leaflet, double droop, int tone, int pairs) {
+  const std::vector<Vec> stem = curve(points, 7);
+  p.add(green(p, 0.1), tube(stem, 0.0045, 4));
+  const int surface = green(p, 0.2 + 0.22 * (tone % 3));
+  const auto n = static_cast<double>(stem.size() - 1);
+  for (std::size_t k = 1; k < stem.size(); ++k) {
+    const double t = static_cast<double>(k) / n, u = (t - bare) / (1 - bare);
+    if (u < 0) continue;
+    const Vec along = unit(stem[k] - stem[k - 1]), side = unit(cross(along, {0, 0, 1}));
+    const double l = leaflet * (0.35 + 0.65 * std::sin(kPi * std::min(1.0, 0.25 + 0.72 * u)));
+    for (const double s : {-1.0, 1.0}) {
+      for (int i = 0; i < pairs; ++i) {
+        const Vec root = stem[k] - (stem[k] - stem[k - 1]) * (0.5 * i);
+        p.add(surface, leaf(root, root + side * (s * l) + along * (l * (0.35 + 0.5 * u)) + Vec{0, 0, -l * droop},
+                            l * (pairs == 1 ? 0.3 : 0.2), l * 0.06, 2));
       }
     }
+  }
+  p.add(surface, leaf(stem.back(), stem.back() + unit(stem.back() - stem[stem.size() - 2]) * (leaflet * 0.5), leaflet * 0.14, 0, 2));
+}
+
+// Fronds rise from the pot and bow outwards; the tall ones in the middle first.
+void palm(Piece& p, double from, double tall, double reach, int n) {
+  for (int i = 0; i < n; ++i) {
+    const double a = 2.39996 * i, t = (i + 0.5) / n, out = reach * (0.55 + 0.4 * t), top = tall * (1 - 0.5 * t);
+    const auto at = [&](double share, double z) { return Vec{std::cos(a) * out * share, std::sin(a) * out * share, z}; };
+    frond(p, {at(0.04, from), at(0.2, from + (top - from) * 0.6), at(0.55, top), at(1, top - out * (0.25 + 0.3 * t))}, 0.38, reach * 0.34,
+          0.35, i, 2);
+  }
+}
+
+void fern(Piece& p, double from, double tall, double reach) {
+  constexpr int kFronds = 13;
+  for (int i = 0; i < kFronds; ++i) {
+    const double a = 2.39996 * i, t = (i + 0.5) / kFronds, out = reach * (0.5 + 0.42 * std::sqrt(t)), top = tall * (0.98 - 0.42 * t);
+    const auto at = [&](double share, double z) { return Vec{std::cos(a) * out * share, std::sin(a) * out * share, z}; };
+    frond(p, {at(0.05, from), at(0.4, top), at(0.8, top - out * 0.1), at(1, std::max(from * 0.5, top - out * (0.3 + 0.5 * t)))}, 0.12,
+          reach * 0.2, 0.2, i, 1);
+  }
+}
+
+// A blossom of `n` petals that looks along `way`.
+void blossom(Piece& p, Vec at, Vec way, double size, int n, int petals) {
+  const Pose pose = aimed(at, way);
+  for (int k = 0; k < n; ++k) {
+    const double t = 2 * kPi * k / n;
+    p.add(petals, leaf({0, 0, 0}, {std::cos(t) * size, std::sin(t) * size, size * 0.25}, size * (k % 2 == 0 ? 1.0 : 0.75), size * 0.08, 3),
+          pose);
+  }
+  p.add(p.tinted("paper", {0.90, 0.72, 0.30}), ellipsoid({0, 0, size * 0.14}, {size * 0.2, size * 0.2, size * 0.16}, 8, 5), pose);
+}
+
+// Strap leaves at the foot, two stems that bow over with blossoms in a row.
+void orchid(Piece& p, double from, double tall, double reach) {
+  const int petals =
+      p.color_asked() ? p.main("paper") : p.tinted("paper", p.pick(2) == 0 ? Color{0.86, 0.46, 0.66} : Color{0.95, 0.92, 0.93});
+  for (int i = 0; i < 6; ++i) {
+    const double a = kPi / 3 * i + 0.3, out = reach * (i % 2 == 0 ? 0.85 : 0.65);
+    p.add(green(p, 0.1 + 0.1 * (i % 2)),
+          leaf({0, 0, from}, {std::cos(a) * out, std::sin(a) * out, from + tall * 0.03}, reach * 0.34, tall * 0.09, 5));
+  }
+  for (const double s : {-1.0, 1.0}) {
+    const double lean = s < 0 ? 0.55 : 0.8, top = s < 0 ? tall * 0.97 : tall * 0.84;
+    const std::vector<Vec> stem = curve({{s * reach * 0.05, 0, from},
+                                         {s * reach * 0.12, 0, from + (top - from) * 0.6},
+                                         {s * reach * 0.35, -reach * 0.1, top},
+                                         {s * reach * lean, -reach * 0.3, top - tall * 0.1}},
+                                        8);
+    p.add(green(p, 0.2), tube(stem, std::min(0.004, reach * 0.03), 6));
+    for (std::size_t k = 11; k < stem.size(); k += 3) {
+      const double side = k % 2 == 0 ? 1.0 : -1.0;
+      blossom(p, stem[k] + Vec{side * reach * 0.1, -reach * 0.05, 0}, {s * 0.35 + side * 0.25, -1, 0.1}, reach * 0.24, 5, petals);
+    }
+  }
+}
+
+// A rosette of thick leaves, the inner ones upright.
+void succulent(Piece& p, double from, double tall, double reach) {
+  constexpr int kLeaves = 34;
+  for (int i = 0; i < kLeaves; ++i) {
+    const double a = 2.39996 * i, t = (i + 0.5) / kLeaves, rise = kPi / 2 * (1 - 0.86 * t), l = reach * (0.35 + 0.6 * t);
+    const Vec way{std::cos(a) * std::cos(rise), std::sin(a) * std::cos(rise), std::sin(rise)};
+    const Pose pose = aimed({0, 0, from + (tall - from) * 0.3 * (1 - t)}, way);
+    p.add(p.tinted("leaf", mixed({0.46, 0.62, 0.50}, {0.70, 0.72, 0.62}, 0.2 + 0.6 * (1 - t))),
+          lathe({{0, 0}, {l * 0.1, l * 0.1}, {l * 0.26, l * 0.62}, {l * 0.2, l * 0.86}, {0, l}}, 9, 0.45), pose);
   }
 }
 
@@ -67,6 +139,8 @@ void plant(Piece& p) {
   const double r = std::min(p.w, p.d) / 2, pot_tall = std::min(p.h * 0.3, 0.36), pot_r = std::min(r * 0.62, pot_tall * 0.75);
   pot(p, pot_r, pot_tall, p.frame(p.says("white") ? "ceramic" : "terracotta"));
   const std::string kind = p.word("kind", p.says("palm")                                                     ? "palm"
+                                          : p.says("fern")                                                   ? "fern"
+                                          : p.says("orchid")                                                 ? "orchid"
                                           : p.says("snake plant") || p.says("sansevieria") || p.says("aloe") ? "sword"
                                           : p.says("cactus")                                                 ? "cactus"
                                                                                                              : "bush");
@@ -79,11 +153,45 @@ void plant(Piece& p) {
             tube(curve({{0, 0, z}, {s * r * 0.7, 0, z}, {s * r * 0.85, 0, z + (p.h - pot_tall) * 0.3}}, 5), pot_r * 0.22, 10));
     }
   } else if (kind == "palm") {
-    palm(p, pot_tall * 0.9, p.h, r, p.h > 1 ? 11 : 8);
+    palm(p, pot_tall * 0.9, p.h, r, p.h > 1 ? 8 : 7);
+  } else if (kind == "fern") {
+    fern(p, pot_tall * 0.9, p.h, r);
+  } else if (kind == "orchid") {
+    orchid(p, pot_tall * 0.9, p.h, r);
+  } else if (kind == "succulent") {
+    succulent(p, pot_tall * 0.88, p.h, r);
   } else if (kind == "sword") {
     sword_leaves(p, pot_tall * 0.88, p.h, r, 13);
   } else {
     bush(p, p.h * 0.92, r * 0.85, p.h > 0.8 ? 26 : 18, std::min(r * 0.75, p.h * 0.4), std::min(r * 0.5, p.h * 0.28));
+  }
+  p.fit();
+}
+
+// A low bowl, a trunk that winds, and clouds of leaves at the ends of its branches.
+void bonsai(Piece& p) {
+  const double x = p.w / 2, y = p.d / 2, bowl = p.h * 0.16;
+  const int clay = p.frame("terracotta"), bark = p.named("walnut");
+  p.add(clay, box(sides(-x * 0.66, x * 0.66, -y * 0.5, y * 0.5, p.h * 0.02, bowl), 0.01));
+  p.add(clay, box(sides(-x * 0.72, x * 0.72, -y * 0.55, y * 0.55, bowl * 0.8, bowl), 0.004));
+  for (const double s : {-1.0, 1.0})
+    p.add(clay, box(sides(s * x * 0.5 - x * 0.1, s * x * 0.5 + x * 0.1, -y * 0.4, y * 0.4, 0, p.h * 0.03), 0.003));
+  p.add(p.named("soil"), box(sides(-x * 0.62, x * 0.62, -y * 0.46, y * 0.46, bowl - 0.002, bowl + p.h * 0.012), 0.004));
+  const Vec bend{-x * 0.22, 0, p.h * 0.4}, fork{x * 0.16, 0, p.h * 0.6};
+  p.add(bark, tube(curve({{x * 0.06, 0, bowl}, bend, fork}, 6), std::min(0.05, x * 0.11), 9));
+  const std::pair<Vec, double> clouds[] = {{{-x * 0.52, y * 0.08, p.h * 0.56}, 0.46},
+                                           {{x * 0.6, -y * 0.1, p.h * 0.66}, 0.4},
+                                           {{x * 0.02, y * 0.1, p.h * 0.86}, 0.52},
+                                           {{-x * 0.2, -y * 0.34, p.h * 0.7}, 0.34}};
+  for (const auto& [at, size] : clouds) {
+    p.add(bark, tube(curve({at.x < 0 ? bend : fork, (at + fork) * 0.5, at}, 4), std::min(0.02, x * 0.05), 7));
+    const Vec half{x * size, y * size * 0.95, p.h * 0.13};
+    p.add(green(p, 0.0), ellipsoid(at, half * 0.82, 12, 7));
+    for (int i = 0; i < 46; ++i) {
+      const double a = 2.39996 * i, z = 0.95 - 1.3 * (i + 0.5) / 46, q = std::sqrt(1 - z * z);
+      const Vec n{std::cos(a) * q, std::sin(a) * q, z}, root = at + Vec{n.x * half.x, n.y * half.y, n.z * half.z} * 0.8;
+      p.add(green(p, 0.15 + 0.25 * (i % 3)), leaf(root, root + n * (x * 0.13), x * 0.11, x * 0.01, 2));
+    }
   }
   p.fit();
 }
@@ -105,6 +213,7 @@ void tree(Piece& p) {
     p.fit();
     return;
   }
+  if (p.word("kind", "") == "bonsai") return bonsai(p);
   const double pot_tall = std::min(p.h * 0.2, 0.4);
   pot(p, std::min(r * 0.5, pot_tall * 0.6), pot_tall, p.frame("terracotta"));
   p.add(p.named("walnut"),

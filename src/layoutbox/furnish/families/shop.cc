@@ -208,28 +208,38 @@ void stand(Piece& p) {
                             0.006));
 }
 
+// A limb or a trunk: level ellipses (x, y of the half axes in `halves`, their z unused) round a line from low to high, smooth between.
+Mesh limb(std::initializer_list<Vec> middles, std::initializer_list<Vec> halves) {
+  const std::vector<Vec> at = curve(middles, 5), half = curve(halves, 5);
+  std::vector<std::vector<Vec>> rings;
+  for (std::size_t i = 0; i < at.size(); ++i) rings.push_back(ring_at(ellipse({at[i].x, at[i].y}, {half[i].x, half[i].y}, 18), at[i].z));
+  return loft(rings);
+}
+
+// A figure in a quiet stance on a round plate. Its measures are shares of its height.
 void mannequin(Piece& p) {
   const int skin = p.main("plastic"), metal = p.named("chrome");
-  const double h = p.h;
-  p.add(metal, lathe({{0, 0}, {0.16, 0}, {0.16, 0.008}, {0, 0.012}}, 26));
-  p.add(metal, cylinder({0, 0.03, 0.01}, 0.01, h * 0.48, 8));
+  const double h = p.h - 0.012, wide = (p.w / 2 - h * 0.016) / h;  // how far out the hands are
+  const auto at = [&](double x, double y, double z) { return Vec{x * h, y * h, 0.012 + z * h}; };
+  const auto round = [&](double r) { return Vec{r * h, r * h, 0}; };
+  const auto oval = [&](double x, double y) { return Vec{x * h, y * h, 0}; };
+  p.add(metal, lathe({{0, 0}, {1, 0}, {1, 0.007}, {0.97, 0.012}, {0, 0.012}}, 40), scaled(std::min(p.w / 2, p.d / 2), p.d / 2, 1));
   for (const double s : {-1.0, 1.0}) {
-    p.add(skin, tube(curve({{s * h * 0.05, 0, h * 0.02}, {s * h * 0.05, 0, h * 0.25}, {s * h * 0.055, 0, h * 0.5}}, 4), h * 0.035, 10));
-    p.add(skin,
-          tube(curve({{s * h * 0.1, 0, h * 0.8}, {s * h * 0.14, 0.01, h * 0.62}, {s * h * 0.13, -h * 0.03, h * 0.47}}, 4), h * 0.022, 8));
-    p.add(skin, ellipsoid({s * h * 0.05, -h * 0.02, h * 0.025}, {h * 0.028, h * 0.06, h * 0.02}, 10, 6));
+    p.add(skin, limb({at(s * 0.05, 0.012, 0.02), at(s * 0.052, 0.014, 0.06), at(s * 0.052, 0.012, 0.19), at(s * 0.05, 0, 0.28),
+                      at(s * 0.053, -0.004, 0.4), at(s * 0.05, 0, 0.5)},
+                     {round(0.02), round(0.02), round(0.032), round(0.027), round(0.043), round(0.05)}));
+    p.add(skin, ellipsoid(at(s * 0.054, -0.022, 0.017), {h * 0.024, h * 0.06, h * 0.018}, 14, 8));
+    const double out = std::max(wide, 0.1), elbow = 0.5 * (out + 0.115);
+    p.add(skin, limb({at(s * out, -0.03, 0.475), at(s * (out - 0.003), -0.02, 0.52), at(s * elbow, 0.005, 0.63), at(s * 0.112, 0, 0.76),
+                      at(s * 0.104, 0, 0.812)},
+                     {round(0.013), round(0.014), round(0.02), round(0.026), round(0.026)}));
+    p.add(skin, ellipsoid(at(s * out, -0.034, 0.455), {h * 0.013, h * 0.022, h * 0.036}, 12, 8));
   }
-  p.add(skin, lathe({{0, h * 0.48},
-                     {h * 0.09, h * 0.49},
-                     {h * 0.1, h * 0.53},
-                     {h * 0.075, h * 0.63},
-                     {h * 0.105, h * 0.76},
-                     {h * 0.1, h * 0.81},
-                     {h * 0.03, h * 0.84},
-                     {h * 0.028, h * 0.88},
-                     {0, h * 0.88}},
-                    22, 0.65));
-  p.add(skin, ellipsoid({0, 0, h * 0.935}, {h * 0.045, h * 0.055, h * 0.065}, 16, 10));
+  p.add(skin, limb({at(0, 0, 0.455), at(0, 0, 0.51), at(0, 0, 0.61), at(0, -0.006, 0.72), at(0, 0, 0.8), at(0, 0, 0.835), at(0, 0, 0.86),
+                    at(0, -0.004, 0.9)},
+                   {oval(0.075, 0.056), oval(0.098, 0.066), oval(0.072, 0.05), oval(0.094, 0.066), oval(0.104, 0.05), oval(0.062, 0.036),
+                    oval(0.03, 0.03), oval(0.028, 0.028)}));
+  p.add(skin, ellipsoid(at(0, -0.008, 0.936), {h * 0.043, h * 0.053, h * 0.064}, 20, 14));
   p.fit();
 }
 

@@ -84,19 +84,6 @@ void mirror(Piece& p) {
   p.add(glass, box(sides(-p.w / 2 + t, p.w / 2 - t, y, p.d / 2 - 0.001, t, p.h - t), 0));
 }
 
-void clock(Piece& p) {
-  const int rim = p.main("black_metal"), face = p.named("paper"), hands = p.named("black_plastic");
-  const double r = p.w / 2, y = p.d * 0.75;
-  const Pose upright = moved(0, p.d / 2, p.h / 2) * Pose{{1, 0, 0}, {0, 0, p.h / p.w}, {0, -1, 0}, {}};
-  p.add(rim, lathe({{0, 0}, {r, 0}, {r, p.d}, {r * 0.9, p.d}, {r * 0.9, y - 0.002}, {0, y - 0.002}}, 40), upright);
-  p.add(face, lathe({{0, y - 0.003}, {r * 0.9, y - 0.003}, {r * 0.9, y}, {0, y}}, 40), upright);
-  for (int i = 0; i < 12; ++i)
-    p.add(hands, box(sides(-r * 0.015, r * 0.015, r * (i % 3 == 0 ? 0.7 : 0.76), r * 0.84, y, y + p.d * 0.04), 0),
-          upright * turned_z(30 * i));
-  p.add(hands, box(sides(-r * 0.025, r * 0.025, -r * 0.08, r * 0.5, y + p.d * 0.05, y + p.d * 0.1), 0), upright * turned_z(60));
-  p.add(hands, box(sides(-r * 0.018, r * 0.018, -r * 0.1, r * 0.72, y + p.d * 0.11, y + p.d * 0.16), 0), upright * turned_z(-60));
-}
-
 void board(Piece& p) {
   const std::string kind = p.word("kind", p.says("cork") || p.says("bulletin") ? "cork"
                                           : p.says("black") || p.says("chalk") ? "chalk"
@@ -129,7 +116,6 @@ void wall_shelf(Piece& p) {
 void add_wall_things(Families& to) {
   to["picture"] = picture;
   to["mirror"] = mirror;
-  to["clock"] = clock;
   to["board"] = board;
   to["wall_shelf"] = wall_shelf;
 }
