@@ -39,6 +39,11 @@ FACES = {
     "cushion": "pillow",
     "display_case": "display_cabinet",
     "glass": "wine_glass",
+    "flask": "water_bottle",
+    "pocket": "personal_item",
+    "shoes": "shoe",
+    "wood_pile": "firewood",
+    "stone": "decorative_stone",
     "kitchen_unit": "counter",
     "picture": "painting",
     "plant": "monstera",
@@ -53,8 +58,7 @@ FACES = {
     "swing": "hanging_chair",
     "table": "dining_table",
     "teddy": "teddy_bear",
-    "tool": "gardening_tool",
-    "toy_blocks": "building_block",
+        "toy_blocks": "building_block",
     "tree": "fiddle_leaf_fig",
 }
 

@@ -125,8 +125,8 @@ void wood_pile(Piece& p) {
     for (int i = 0; i + k % 2 < n; ++i) {
       const double x = -wide / 2 + r * (2 * i + 1 + k % 2), z = r + r * 1.75 * k, mine = r * p.random(0.86, 0.99),
                    out = p.random(0.0, 0.03) * deep;
-      p.add(bark, rod({x, -deep / 2 + out, z}, {x, deep / 2 - out * 0.5, z}, mine, 9));
-      p.add(pale, rod({x, -deep / 2 + out - 0.004, z}, {x, deep / 2 - out * 0.5 + 0.004, z}, mine * 0.86, 9));
+      p.add(bark, rod({x, -deep / 2 + out, z}, {x, deep / 2 - out * 0.5, z}, mine, 8));
+      p.add(pale, rod({x, -deep / 2 + out - 0.004, z}, {x, deep / 2 - out * 0.5 + 0.004, z}, mine * 0.86, 8));
     }
   }
   p.fit();
