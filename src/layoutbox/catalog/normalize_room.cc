@@ -178,6 +178,7 @@ class RoomNormalizer {
     const auto& relations = context_.scene.relations;
     for (const Relation& relation : relations) {
       if (relation.type == RelationType::kFar) span = std::max(span, (relation.parameters.min.value_or(4000) + kBody) / kDiagonal);
+      if (relation.type == RelationType::kDistance) span = std::max(span, (relation.parameters.min.value_or(0) + kBody) / kDiagonal);
       const bool from_middle = relation.type == RelationType::kOpposite && std::ranges::any_of(relations, [&](const Relation& other) {
                                  return other.type == RelationType::kCenterOfRoom && other.targets == relation.references;
                                });

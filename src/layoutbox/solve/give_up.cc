@@ -7,14 +7,14 @@
 
 #include "layoutbox/solve/access.h"
 #include "layoutbox/solve/cost.h"
+#include "layoutbox/solve/quick.h"
 #include "layoutbox/solve/relax.h"
 #include "layoutbox/solve/search.h"
 
 namespace layoutbox::placement {
 namespace {
 
-constexpr int kGuesses = 2;      // relations given up one by one without a proof, before all that do not fit are given up at once
-constexpr int kStillWished = 4;  // points a metre, per weight, of a relation that was given up
+constexpr int kGuesses = 2;  // relations given up one by one without a proof, before all that do not fit are given up at once
 
 }  // namespace
 
@@ -38,7 +38,8 @@ Result<bool> Solver::give_up_unproven(bool loose, const Placements& loosely) {
   return false;
 }
 
-// All that is asked for becomes a wish; what the layout then misses is given up, in one go and whatever the clock says.
+// All that is asked for becomes a wish; what the layout then misses, and no other layout found in a moment holds beside the rest, is given
+// up, in one go and whatever the clock says.
 Result<bool> Solver::settle() {
   Model trial = model_;
   std::vector<char> given_up = given_up_;
@@ -55,19 +56,45 @@ Result<bool> Solver::settle() {
   budget.limit = budget.steps + 2 * kLeastSteps;
   search.improve(budget);
   placements_ = search.placements();
-  for (std::size_t c = 0; c < trial.constraints.size() && !fallback_; ++c) {
+  std::vector<int> missed;
+  for (std::size_t c = 0; c < trial.constraints.size(); ++c) {
     const bool asked = model_.constraints[c].firmness == Firmness::kHard && !given_up_[c];
-    if (!asked || miss_of(trial, trial.constraints[c], placements_) == 0) continue;
+    if (asked && miss_of(trial, trial.constraints[c], placements_) != 0) missed.push_back(static_cast<int>(c));
+  }
+  keep_what_can_be(missed);
+  for (const int c : missed) {
+    if (fallback_) break;
     Clash clash;
     clash.proven = clash.minimal = false;
-    clash.demands = {{Demand::Kind::kConstraint, static_cast<int>(c)}};
-    const int relation = model_.constraints[c].relation;
+    clash.demands = {{Demand::Kind::kConstraint, c}};
+    const int relation = model_.constraints[static_cast<std::size_t>(c)].relation;
     clash.sentence = relation < 0 ? std::string("no layout was found in which all relations hold together")
                                   : fmt::format("no layout was found in which, beside all else, {}",
                                                 relation_in_words(model_, scene().relations[static_cast<std::size_t>(relation)]));
     LAYOUTBOX_CHECK(give_up(clash));
   }
   return true;
+}
+
+// Of what a layout misses, the weightiest first: is there another that holds it beside all that is held so far?
+void Solver::keep_what_can_be(std::vector<int>& missed) {
+  std::vector<char> given_up = given_up_;
+  for (const int c : missed) given_up[static_cast<std::size_t>(c)] = 1;
+  std::stable_sort(missed.begin(), missed.end(), [&](int a, int b) {
+    return model_.constraints[static_cast<std::size_t>(a)].weight > model_.constraints[static_cast<std::size_t>(b)].weight;
+  });
+  const Dependencies dependencies(model_);
+  std::erase_if(missed, [&](int c) {
+    given_up[static_cast<std::size_t>(c)] = 0;
+    QuickSearch quick(model_, dependencies, given_up, options_.seed, kAllSizes);
+    Budget budget{0, kLeastSteps, [this] { return interrupted(); }, false};
+    Placements other(model_.items.size());
+    const bool found = quick.complete(other, left_out_, budget);
+    if (found) placements_ = other;
+    if (!found) given_up[static_cast<std::size_t>(c)] = 1;
+    return found;
+  });
+  std::sort(missed.begin(), missed.end());
 }
 
 bool Solver::demands_left(Firmness firmness) const {

@@ -88,8 +88,7 @@ void Obstacles::add_pair(const Placements& placements, int item, int state, int 
   const Placement& there = placements[other];
   const State &own = self.states[state], &theirs = them.states[there.state];
   const bool any_opening = self.is_opening() || them.is_opening();
-  const bool turned =
-      rule != PairRule::kOpenings && !model_.headings.empty() && (!is_quarter(own) || !is_quarter(theirs));
+  const bool turned = rule != PairRule::kOpenings && !model_.headings.empty() && (!is_quarter(own) || !is_quarter(theirs));
   // Both from the low corner of who owns them.
   const auto add = [&](const Piece& mine, const Piece& theirs_there, Mm more) {
     Forbidden f;

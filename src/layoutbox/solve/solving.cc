@@ -41,6 +41,7 @@ Result<Layout> Solver::run() {
   }
   if (!not_found_.empty())
     return fail(ErrorCode::kNotFound, not_found_[0] + ", and no proof that there is none", {}, "raise --effort or --time-limit");
+  if (!fallback_) take_back();
   if (options_.improve && !fallback_) {
     improve();
     prove_best();
@@ -76,6 +77,8 @@ Status Solver::find_legal() {
     if (!search(given_up_)) {
       if (interrupted()) return fail(ErrorCode::kInterrupted, "stopped");
       if (!options_.prove && options_.on_conflict == OnConflict::kFail) break;
+      LAYOUTBOX_ASSIGN(const bool impossible, give_up_impossible());
+      if (impossible) continue;
       LAYOUTBOX_ASSIGN(const Early early, prove_early());
       if (early == Early::kGivenUp) continue;
       LAYOUTBOX_ASSIGN(const bool found, early == Early::kFound ? Result<bool>(true) : prove());

@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,6 +20,7 @@ namespace layoutbox::placement {
 // from the usual ones.
 inline constexpr std::int64_t kFirstSteps = 400'000, kLeastSteps = 60'000;
 inline constexpr int kRestarts = 8;
+inline constexpr int kStillWished = 4;  // points a metre, per weight, of a relation that was given up
 inline constexpr int kAllSizes = 1000;
 
 class Solver {
@@ -54,12 +56,17 @@ class Solver {
   void prove_best();
   std::int64_t cost() const;
 
+  // ---- what cannot be whatever else is asked for (impossible.cc)
+  Result<bool> give_up_impossible();
+  Result<bool> give_up_impossible(int constraint);
+
   // ---- what is given up when not everything can hold (give_up.cc)
   bool demands_left(Firmness firmness) const;
   bool clearances_left() const { return demands_left(Firmness::kImplied); }
   bool search_without(Firmness firmness);
   Result<bool> give_up_unproven(bool loose, const Placements& loosely);
   Result<bool> settle();
+  void keep_what_can_be(std::vector<int>& missed);
   Status give_up_clearances();
   Clash guess() const;
   Status give_up(const Clash& clash);
@@ -76,6 +83,9 @@ class Solver {
     soften(name);
   }
   void soften(const std::string& name);
+  bool may_come_back(const std::string& name, const std::string& why) const;
+  bool take_back(const std::string& name);
+  void take_back();
 
   // ---- too much in too little room (leave_out.cc)
   Status leave_out_least(std::vector<int> items, const Clash* clash = nullptr);
@@ -102,6 +112,7 @@ class Solver {
   std::vector<Relaxation> reasons_;                           // of the objects left out
   std::vector<Conflict> conflicts_;
   std::vector<std::string> impossible_, not_found_;  // conflicts that are errors
+  std::set<std::string> looked_at_alone_;            // relations
   Placements placements_;
   std::vector<int> failed_;
   int size_limit_ = 0;
