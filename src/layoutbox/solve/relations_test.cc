@@ -86,6 +86,33 @@ TEST(Around, ChairsLookAtTheTableAndAreSpread) {
   }
 }
 
+// Free below as real ones are, or with compartments down to the floor.
+TEST(Under, WhatPeopleKeepUnderThings) {
+  const std::pair<const char*, const char*> pairs[] = {{"shoe", "entryway_bench"},  {"shoe", "sofa"},
+                                                       {"shoe", "bench"},           {"shredder", "stand"},
+                                                       {"basket", "console_table"}, {"storage_box", "bed"}};
+  for (const auto& [thing, above] : pairs) {
+    const std::string t = thing + std::string("_1"), r = above + std::string("_1");
+    const auto layout = solve(SceneMaker(4000, 3500).add(above).add(thing).relate("under", {t}, {r}).make(), Catalog::builtin());
+    ASSERT_TRUE(layout);
+    expect_sound(*layout);
+    EXPECT_TRUE(holds(*layout, "c1")) << thing << " under " << above;
+  }
+}
+
+TEST(In, BasketsAndBoxesInShelves) {
+  for (const char* shelf : {"bookshelf", "cube_shelf", "toy_shelf", "shelf"}) {
+    const std::string r = shelf + std::string("_1");
+    SceneMaker maker(4000, 3500);
+    maker.add(shelf).add("basket", 2).add("storage_box").add("book", 2);
+    for (const char* thing : {"basket_1", "basket_2", "storage_box_1", "book_1", "book_2"}) maker.relate("in", {thing}, {r});
+    const auto layout = solve(maker.make(), Catalog::builtin());
+    ASSERT_TRUE(layout);
+    expect_sound(*layout);
+    EXPECT_EQ(layout->status, LayoutStatus::kSolved) << shelf;
+  }
+}
+
 TEST(Impossible, IsSaidWithARelaxation) {
   const auto layout = solve(
       SceneMaker(3000, 3000).add("chair").add("plant").relate("far", {"plant_1"}, {"chair_1"}, with([](auto& p) { p.min = 6000; })).make(),

@@ -12,6 +12,7 @@ constexpr int kNormalise = 1000;  // directions at odd angles are whole numbers 
 // tan 15° as a fraction; within what the verifier calls 15°.
 constexpr std::int32_t kLookAcross = 100000, kLookAhead = 26794;
 
+constexpr Mm kKnees = 300;           // how high what is free below must be for legs
 constexpr Mm kFlush = 3;             // off a slanted wall, that some whole millimetre may be there
 constexpr double kSameAngle = 0.01;  // degrees
 
@@ -99,7 +100,9 @@ Place place_of(const Model& model, const RoomWall& wall) {
 }
 
 bool has_knee_room(const Item& item) {
-  return std::any_of(item.spaces.begin(), item.spaces.end(), [](const ItemSpace& s) { return !s.carries; });
+  return std::any_of(item.spaces.begin(), item.spaces.end(), [&](const ItemSpace& s) {
+    return !s.carries && item.states[0].constants[static_cast<std::size_t>(s.quantity - kFirstConstant) + 5] >= kKnees;
+  });
 }
 
 Side used_side(const Item& item) {

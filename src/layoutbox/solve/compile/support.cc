@@ -6,6 +6,7 @@ namespace layoutbox::placement {
 namespace {
 
 constexpr int kSillDepthUsed = 200;
+constexpr Mm kStillUnder = 50;  // off the floor
 
 // Prices: "on" a bed is on its upper mattress rather than the lower one; on a tray is in it rather than on its rim.
 constexpr int kLowPlace = 250, kUnlikelyTop = 300;
@@ -122,6 +123,29 @@ std::vector<int> hosts_named(const Model& model, int t) {
   return hosts;
 }
 
+// What is under a bench with compartments down to the floor is in one of these.
+void add_compartments_above(Formula& f, const Model& model, int t, int r) {
+  const Item& ref = model.items[r];
+  if (ref.is_opening() || ref.states.empty()) return;
+  for (const ItemSpace& s : ref.spaces) {
+    const Mm floor = ref.states[0].constants[static_cast<std::size_t>(s.quantity - kFirstConstant) + 2];
+    if (s.carries && floor <= kStillUnder) add_space(f, model, t, r, s, true);
+  }
+}
+
+// Items that relations say t is under.
+std::vector<int> covers_named(const Model& model, int t) {
+  std::vector<int> covers;
+  for (const Relation& relation : model.scene->relations) {
+    const auto& targets = relation.targets;
+    if (relation.type != RelationType::kUnder || std::find(targets.begin(), targets.end(), model.items[t].id) == targets.end()) continue;
+    for (const std::string& id : relation.references) {
+      if (const int r = model.find_item(id); r >= 0 && r != t) covers.push_back(r);
+    }
+  }
+  return covers;
+}
+
 std::vector<int> usual_hosts(const Model& model, int t) {
   std::vector<int> hosts;
   for (const std::string& kind : model.items[t].entry->stands_on) {
@@ -204,6 +228,11 @@ Constraint compile_support(Model& model, int t) {
     // Also where only "on its top" was meant; and what usually hangs may lie in it.
     add_resting(f, model, t, host, "", item.mount == Mount::kHung ? Resting::kIn : Resting::kTop);
     note({Kind::kItem, host, true}, 400);
+  }
+  for (const int cover : covers_named(model, t)) {
+    const std::size_t known = f.cases.size();
+    add_compartments_above(f, model, t, cover);
+    if (f.cases.size() > known) note({Kind::kItem, cover, true}, 0);
   }
   const int otherwise = named ? 4000 : hosts.empty() ? 0 : 1500;
   const auto add_mount = [&](Mount mount, int price) {
