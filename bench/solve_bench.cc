@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cmath>
+#include <csignal>
+#include <ctime>
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -146,37 +149,65 @@ void impossible(const Options& options, Report& report) {
   }
 }
 
-constexpr double kUnitsPerSecond = 4000;  // of effort, for a room of six things; of more it has as much more
+std::atomic<bool> stopped_by_timer = false;
 
-std::int64_t effort_for(double seconds, int things) {
-  return std::max<std::int64_t>(1, static_cast<std::int64_t>(seconds * kUnitsPerSecond * 6 / std::max(6, things)));
+// Sets the flag above after so many seconds of this process's processor time.
+class StopTimer {
+ public:
+  explicit StopTimer(double seconds) {
+    stopped_by_timer = false;
+    std::signal(SIGALRM, [](int) { stopped_by_timer = true; });
+    sigevent event{};
+    event.sigev_notify = SIGEV_SIGNAL, event.sigev_signo = SIGALRM;
+    timer_create(CLOCK_PROCESS_CPUTIME_ID, &event, &timer_);
+    itimerspec when{};
+    when.it_value.tv_sec = static_cast<time_t>(seconds);
+    when.it_value.tv_nsec = static_cast<long>((seconds - std::floor(seconds)) * 1e9) + 1;
+    timer_settime(timer_, 0, &when, nullptr);
+  }
+  ~StopTimer() { timer_delete(timer_); }
+  StopTimer(const StopTimer&) = delete;
+  StopTimer& operator=(const StopTimer&) = delete;
+
+ private:
+  timer_t timer_{};
+};
+
+// Improved without end, but stopped after so much processor time.
+Result<Layout> improved_for(const SceneGraph& scene, double seconds) {
+  SolveOptions ask = first_legal(1'000'000);
+  ask.improve = true, ask.effort = 100'000'000, ask.stop = &stopped_by_timer;
+  const StopTimer timer(seconds);
+  return solve(scene, Catalog::builtin(), ask);
 }
 
 double cost_of(const Layout& layout) { return 1 / layout.score - 1; }
 
+constexpr double kSoon = 0.1;  // seconds after the first legal layout
+
+// Of the way from the first legal layout to the best known, how much do 100 ms of processor time bring?
 void improvement(const Options& options, Report&) {
   for (const int n : options.sizes) {
     std::vector<double> shares;
+    double whole = 0;
     for (int seed = options.first_room; seed < options.first_room + options.rooms; ++seed) {
       const SceneGraph scene = furnished_scene(n, static_cast<std::uint64_t>(seed));
-      SolveOptions ask = first_legal(options.limit);
-      const auto first = solve(scene, Catalog::builtin(), ask);
-      ask.improve = true, ask.effort = effort_for(0.1, n), ask.time_limit_s = 1000;
-      double ms = 0;
-      Result<Layout> soon = Layout{};
-      ms = 1000 * timed([&] { soon = solve(scene, Catalog::builtin(), ask); });
-      ask.effort = effort_for(options.best_known, n);
-      const auto late = solve(scene, Catalog::builtin(), ask);
+      Result<Layout> first = Layout{}, soon = Layout{};
+      const double found = timed([&] { first = solve(scene, Catalog::builtin(), first_legal(options.limit)); });
+      const double ended = timed([&] { soon = improved_for(scene, found + kSoon); });
+      const auto late = improved_for(scene, options.best_known);
       if (!first || !soon || !late) continue;
       const double way = cost_of(*first) - std::min(cost_of(*late), cost_of(*soon));
       shares.push_back(way <= 0 ? 1 : (cost_of(*first) - cost_of(*soon)) / way);
-      fmt::print("  first {:.3f}  after {:.0f} ms {:.3f}  {:.0f} s {:.3f}: share {:.2f}\n", cost_of(*first), ms, cost_of(*soon),
-                 options.best_known, cost_of(*late), shares.back());
+      whole += ended - found;
+      fmt::print("  room {}: first after {:.1f} ms {:.3f}, {:.0f} ms later {:.3f}, after {:.0f} s {:.3f}: share {:.3f}\n", seed,
+                 1000 * found, cost_of(*first), 1000 * (ended - found), cost_of(*soon), options.best_known, cost_of(*late), shares.back());
+      std::fflush(stdout);
     }
     std::sort(shares.begin(), shares.end());
     if (!shares.empty())
-      fmt::print("{} objects, {} rooms: share of the way: median {:.2f}, least {:.2f}\n", n, shares.size(), shares[shares.size() / 2],
-                 shares[0]);
+      fmt::print("{} objects, {} rooms: share of the way {:.0f} ms after the first: median {:.3f}, least {:.3f}\n", n, shares.size(),
+                 1000 * whole / static_cast<double>(shares.size()), shares[shares.size() / 2], shares[0]);
   }
 }
 
