@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <map>
 #include <string>
 
 #include "layoutbox/catalog/normalize.h"
@@ -151,6 +152,8 @@ SceneGraph scene_of(const PlainRoom& room) { return normalised(raw_scene(room));
 
 namespace {
 
+constexpr double kMostOfWalls = 0.8;
+
 // Adds groups of furniture until there are enough objects.
 class Furnisher {
  public:
@@ -173,6 +176,7 @@ class Furnisher {
     const auto depth = static_cast<Mm>(std::lround(std::max(3000.0, area / width) / 100)) * 100;
     scene_.room.polygon = {{0, 0}, {width, 0}, {width, depth}, {0, depth}};
     scene_.room.height = 2700;
+    leave_room_at_walls(2 * (width + depth));
     open("door1", OpeningType::kDoor, "wall1", width);
     open("window1", OpeningType::kWindow, "wall3", width);
     return normalised(std::move(scene_));
@@ -196,6 +200,23 @@ class Furnisher {
     const CatalogEntry& entry = Catalog::builtin().entry_or_nearest(kind);
     if (entry.mount == Mount::kFloor && !entry.thin) covered_ += double(entry.size.usual.width) * entry.size.usual.depth;
     return object.id;
+  }
+
+  // Walls grow with the root of the number of things: of very many the later ones stand free.
+  void leave_room_at_walls(Mm perimeter) {
+    std::map<std::string, Mm> widths;
+    for (const SceneObject& object : scene_.objects)
+      widths[object.id] = Catalog::builtin().entry_or_nearest(object.category).size.usual.width;
+    Mm taken = 0;
+    std::erase_if(scene_.relations, [&](const Relation& r) {
+      const bool at_wall = r.type == RelationType::kAgainstWall || r.type == RelationType::kCorner;
+      if (!at_wall && r.type != RelationType::kEachSideOf) return false;
+      Mm more = 0;
+      for (const std::string& id : r.targets) more += widths[id];
+      if (at_wall && taken + more > kMostOfWalls * perimeter) return true;
+      taken += more;
+      return false;
+    });
   }
 
   void relate(RelationType type, std::vector<std::string> targets, const std::string& reference = {}) {
