@@ -12,12 +12,13 @@ import sys
 from pathlib import Path
 
 WIDTH, HEIGHT, LEFT, BOTTOM, TOP, RIGHT = 760, 440, 70, 56, 24, 190
-COLOURS = {"ours": "#1b6ca8", "paper": "#c0392b", "paper-boxes": "#d98324", "highs": "#6b4f9e"}
-NAMES = {
-    "ours": "Layout-in-a-Box",
-    "paper": "paper's model, CP-SAT",
-    "paper-boxes": "the same, whole boxes",
-    "highs": "the same, big M, HiGHS",
+# By family of rooms and solver.
+SERIES = {
+    ("boxes", "ours"): ("#1b6ca8", "ours, boxes"),
+    ("furnished", "ours"): ("#2e8b57", "ours, furnished rooms"),
+    ("boxes", "paper"): ("#c0392b", "paper's model, boxes"),
+    ("boxes", "paper-boxes"): ("#d98324", "the same, whole boxes"),
+    ("boxes", "highs"): ("#6b4f9e", "the same, big M, HiGHS"),
 }
 OBJECTS = (5, 200)
 MILLISECONDS = (0.05, 100_000)
@@ -71,8 +72,8 @@ def main() -> None:
     source, target = (Path(argument) for argument in sys.argv[1:3])
     rows = most_rooms([json.loads(line) for line in source.read_text(encoding="utf-8").splitlines()])
     parts = axes()
-    for rank, (who, colour) in enumerate(COLOURS.items()):
-        series = sorted((row["objects"], row["median"], row["p99"]) for row in rows if row["who"] == who and row["what"] == "boxes")
+    for rank, (family, (colour, name)) in enumerate(SERIES.items()):
+        series = sorted((row["objects"], row["median"], row["p99"]) for row in rows if (row["what"], row["who"]) == family)
         if not series:
             continue
         for column, dashes in ((1, ""), (2, ' stroke-dasharray="5 4"')):
@@ -84,8 +85,8 @@ def main() -> None:
         parts.append(
             f'<line x1="{WIDTH - RIGHT + 12}" y1="{y - 4}" x2="{WIDTH - RIGHT + 34}" y2="{y - 4}" stroke="{colour}" stroke-width="2"/>'
         )
-        parts.append(f'<text x="{WIDTH - RIGHT + 40}" y="{y}">{NAMES[who]}</text>')
-    parts.append(f'<text x="{WIDTH - RIGHT + 12}" y="{TOP + 16 + 22 * len(COLOURS)}">dashed: 99th percentile</text>')
+        parts.append(f'<text x="{WIDTH - RIGHT + 40}" y="{y}">{name}</text>')
+    parts.append(f'<text x="{WIDTH - RIGHT + 12}" y="{TOP + 16 + 22 * len(SERIES)}">dashed: 99th percentile</text>')
     body = "\n".join(parts)
     target.write_text(
         f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {HEIGHT}" font-family="sans-serif" font-size="12">\n'

@@ -48,7 +48,8 @@ Box box_of_space(const Space& space, const Box& own) {
 
 // The floor that its use wants free, less what words give to something else: the back of a chair told to stand at a wall, a counter's
 // front told to have stools, the sides of a bed told to be flanked.
-std::map<Side, Mm> wanted_floor(const SceneGraph& scene, const SceneObject& object, const CatalogEntry& entry, const Catalog& catalog) {
+std::map<Side, Mm> floor_wanted_at_sides(const SceneGraph& scene, const SceneObject& object, const CatalogEntry& entry,
+                                         const Catalog& catalog) {
   std::map<Side, Mm> wanted = entry.clearance;
   for (const Relation& r : scene.relations) {
     const auto names = [&](const std::vector<std::string>& ids) { return std::find(ids.begin(), ids.end(), object.id) != ids.end(); };
@@ -282,7 +283,7 @@ Item object_item(const SceneGraph& scene, const SceneObject& object, const Catal
   add_turns_at_walls(item, walls_for(scene, object.id, walls), angles);
   add_hinted_turn(item, angles);
   keep_few(sizes, kMostStates / angles.size());
-  const std::map<Side, Mm> wanted = wanted_floor(scene, object, *item.entry, catalog);
+  const std::map<Side, Mm> wanted = floor_wanted_at_sides(scene, object, *item.entry, catalog);
   for (const auto& [size, step] : sizes) {
     for (const double turn : angles) {
       const bool first = item.states.empty();

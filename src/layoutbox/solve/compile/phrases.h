@@ -12,6 +12,8 @@ namespace layoutbox::placement {
 inline Direction opposite(Direction d) { return {d.axis, -d.sign}; }
 inline int across(Direction d) { return 1 - d.axis; }
 
+inline bool quarter(int turn) { return turn % 90 == 0; }
+
 // The turns an item can take, each with the states that have it.
 void for_each_turn(const Item& item, const std::function<void(int turn, std::uint64_t states)>& visit);
 
@@ -48,6 +50,14 @@ bool floor_only(const Item& item);
 // Has it room for knees (a free space that carries nothing)? The side it is used from, the first where there are several.
 bool has_knee_room(const Item& item);
 Side used_side(const Item& item);
+
+// What the distance in height leaves of a distance for the plan; no value: heights are not known beforehand.
+struct Heights {
+  bool known = false;
+  Mm gap = 0;                                // for proving the least, for placing of the states below
+  std::uint64_t states = ~std::uint64_t{0};  // of t
+};
+Heights heights_between(const Model& model, int t, const Place& r, Mm most, Purpose purpose);
 
 // gap(t, r) ≤ most, as cases that begin like `base`: straight across exactly, else an octagon within (or around) the circle. `t_states`:
 // when placing, for t in these states only.

@@ -1,0 +1,174 @@
+#include "layoutbox/solve/compile/phrases.h"
+
+#include <cmath>
+
+namespace layoutbox::placement {
+namespace {
+
+// The height of the underside where it cannot be anywhere else.
+std::optional<Mm> underside_of(const Item& item) {
+  if (item.is_opening()) return item.opening->sill;
+  return floor_only(item) ? std::optional<Mm>(0) : std::nullopt;
+}
+
+Mm gap_in_height(Mm low_a, Mm height_a, Mm low_b, Mm height_b) { return std::max({0, low_a - low_b - height_b, low_b - low_a - height_a}); }
+
+}  // namespace
+
+Heights heights_between(const Model& model, int t, const Place& r, Mm most, Purpose purpose) {
+  Heights h;
+  if (r.item < 0) return {true, 0, ~std::uint64_t{0}};  // walls go from floor to ceiling
+  const Item &a = model.items[t], &b = model.items[r.item];
+  const auto low_a = underside_of(a), low_b = underside_of(b);
+  if (!low_a || !low_b) return h;
+  h.known = true;
+  const auto gaps = [&](const State& s) {
+    std::pair<Mm, Mm> least_and_most{1 << 29, 0};
+    for (const State& other : b.states) {
+      const Mm gap = gap_in_height(*low_a, s.extent[2], *low_b, other.extent[2]);
+      least_and_most = {std::min(least_and_most.first, gap), std::max(least_and_most.second, gap)};
+    }
+    return least_and_most;
+  };
+  if (purpose == Purpose::kProving) {
+    h.gap = 1 << 29;
+    for (const State& state : a.states) h.gap = std::min(h.gap, gaps(state).first);
+    return h;
+  }
+  h.gap = gaps(a.states[0]).second;
+  if (h.gap * 10 > most * 9) {
+    for (const State& state : a.states) h.gap = std::min(h.gap, gaps(state).second);
+  }
+  h.states = 0;
+  for (std::size_t s = 0; s < a.states.size(); ++s) {
+    if (gaps(a.states[s]).second <= h.gap) h.states |= std::uint64_t{1} << s;
+  }
+  return h;
+}
+
+namespace {
+
+struct Pair {
+  Part t, r;
+};
+
+// Pairs of places within t and r, one of which is as near as need be: corners meet what is no corner.
+std::vector<Pair> pairs_of_parts(const Model& model, int t, const Place& r, std::uint64_t t_states) {
+  const std::vector<Part> references = r.item >= 0 ? parts_of(model, r.item) : std::vector<Part>{{r, 0}};
+  std::vector<Pair> pairs;
+  for (const Part& own : parts_of(model, t)) {
+    for (const Part& other : references) {
+      if ((own.states & t_states) && !(own.corner && other.corner)) pairs.push_back({own, other});
+    }
+  }
+  return pairs;
+}
+
+}  // namespace
+
+void add_within(std::vector<Case>& cases, Case base, const Model& model, int t, const Place& r, Mm most, Purpose purpose,
+                std::uint64_t t_states) {
+  const Heights heights = heights_between(model, t, r, most, purpose);
+  std::int64_t left = most;  // what the difference in height leaves for the plan
+  if (heights.known) {
+    if (heights.gap > most) return;
+    if (purpose == Purpose::kPlacing && heights.states != model.items[t].all_states && r.item >= 0) base.when(t, heights.states);
+    const double squared = static_cast<double>(most) * most - static_cast<double>(heights.gap) * heights.gap;
+    left = static_cast<std::int64_t>(std::floor(std::sqrt(squared) + (purpose == Purpose::kProving ? 1 : 0)));
+  }
+  const bool proving = purpose == Purpose::kProving;
+  const bool odd = model.items[t].odd_states != 0 || (r.item >= 0 && model.items[r.item].odd_states != 0);
+  const auto add = [&](const Case& from, const Place& own, const Place& other) {
+    const auto limit = [&](Case& c, int axis, std::int64_t length) {
+      for (const int sign : {1, -1}) c.require(Linear(length) - gap_towards(own, other, {axis, sign}));
+    };
+    for (int axis = 0; axis < 2 && !proving; ++axis) {
+      Case straight = from;
+      limit(straight, axis, left);
+      limit(straight, 1 - axis, 0);
+      if (!heights.known) limit(straight, 2, 0);
+      cases.push_back(std::move(straight));
+    }
+    Case round = from;
+    const int axes = heights.known ? 2 : 3;
+    for (int axis = 0; axis < axes; ++axis) limit(round, axis, proving ? left : heights.known ? left * 92 / 100 : left * 8 / 10);
+    const std::int64_t pair = proving ? left * 14143 / 10000 + 1 : heights.known ? left * 13 / 10 : left * 11 / 10;
+    for (int first = 0; first < axes; ++first) {
+      for (int second = first + 1; second < axes; ++second) {
+        for (const int s1 : {1, -1}) {
+          for (const int s2 : {1, -1})
+            round.require(Linear(pair) - gap_towards(own, other, {first, s1}) - gap_towards(own, other, {second, s2}));
+        }
+      }
+    }
+    cases.push_back(std::move(round));
+  };
+  if (proving || !odd) {  // the box around a turned body is no farther than the body
+    add(base, place_of(t), r);
+    return;
+  }
+  for (const Pair& pair : pairs_of_parts(model, t, r, t_states)) {
+    Case c = base;
+    if (pair.t.states != model.items[t].all_states) c.when(t, pair.t.states);
+    if (r.item >= 0 && pair.r.states != model.items[r.item].all_states) c.when(r.item, pair.r.states);
+    add(c, pair.t.place, pair.r.place);
+  }
+}
+
+// An axis along which they are `least` apart is enough, and so is a sum over two axes of √2 times that. Needed is one of: 92 % along an
+// axis, or a sum over two or three of 1.31 times.
+void add_apart(std::vector<Case>& cases, const Model& model, int t, const Place& r, Mm least, Purpose purpose) {
+  const bool proving = purpose == Purpose::kProving;
+  const bool flat = heights_between(model, t, r, least, purpose).known && heights_between(model, t, r, least, purpose).gap == 0;
+  const int axes = flat ? 2 : 3;
+  const std::int64_t along = proving ? std::int64_t{least} * 92 / 100 : least;
+  const std::int64_t sum = proving ? std::int64_t{least} * 131 / 100 : std::int64_t{least} * 1415 / 1000;
+  for (int axis = 0; axis < axes; ++axis) {
+    for (const int sign : {1, -1}) cases.emplace_back().require(gap_towards(t, r, {axis, sign}) - Linear(along));
+  }
+  if (least <= 0) return;
+  for (const int sx : {1, -1}) {
+    for (const int sy : {1, -1}) {
+      const Linear plan = gap_towards(t, r, {0, sx}) + gap_towards(t, r, {1, sy});
+      cases.emplace_back().require(plan - Linear(sum));
+      if (!proving || flat) continue;
+      for (const int sz : {1, -1}) cases.emplace_back().require(plan + gap_towards(t, r, {2, sz}) - Linear(sum));
+    }
+  }
+  if (!proving || flat) return;
+  for (const int axis : {0, 1}) {
+    for (const int s1 : {1, -1}) {
+      for (const int sz : {1, -1}) cases.emplace_back().require(gap_towards(t, r, {axis, s1}) + gap_towards(t, r, {2, sz}) - Linear(sum));
+    }
+  }
+}
+
+void add_band(Formula& f, const Model& model, int t, const Place& r, Mm least, std::optional<Mm> most, Mm wished) {
+  f.exact = false;
+  for (const Purpose purpose : {Purpose::kPlacing, Purpose::kProving}) {
+    std::vector<Case> apart;
+    const auto odd_states = [&](int item) { return item >= 0 ? model.items[item].odd_states : 0; };
+    if (least > 0) {
+      add_apart(apart, model, t, r, least, purpose);
+      // What is turned may be farther than the box around it.
+      for (const int item : {t, r.item}) {
+        if (purpose == Purpose::kProving && odd_states(item)) apart.emplace_back().when(item, odd_states(item));
+      }
+    } else {
+      apart.emplace_back();
+    }
+    std::vector<Case>& out = purpose == Purpose::kPlacing ? f.cases : f.outer;
+    for (Case& in : apart) {
+      if (purpose == Purpose::kPlacing && r.item >= 0) {
+        for (int axis = 0; axis < 2; ++axis) in.wish(mid2(t, axis) - mid2(r.item, axis), wished > 500 ? 4 : 15, 2);
+      }
+      if (most) {
+        add_within(out, std::move(in), model, t, r, *most, purpose);
+      } else {
+        out.push_back(std::move(in));
+      }
+    }
+  }
+}
+
+}  // namespace layoutbox::placement
