@@ -227,6 +227,66 @@ TEST(PropertyBruteForce, AgreesOnTinyRooms) {
   EXPECT_GE(minimal * 10, conflicts * 9) << "conflicts are hardly ever shown to be smallest";
 }
 
+// Rooms with nothing but too many pieces: what is named is too many, and no fewer would be.
+TEST(PropertyBruteForce, CrowdsAreSmallest) {
+  if (!describe_cp_sat_library()) GTEST_SKIP() << "no CP-SAT library: run scripts/setup.sh";
+  const std::uint64_t rounds = from_environment("LAYOUTBOX_RANDOM_ROUNDS", 100), first = from_environment("LAYOUTBOX_RANDOM_SEED", 1);
+  int conflicts = 0, minimal = 0, members = 0;
+  for (std::uint64_t seed = first; seed < first + rounds; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 random(static_cast<unsigned>(seed * 104729 + 7));
+    const auto below = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
+    TinyRoom s;
+    s.width = 3 + below(2), s.depth = 2 + below(2);
+    for (int i = 0, n = 3 + below(2); i < n; ++i) s.sizes.push_back({1 + below(3), 1 + below(2)});
+    if (exists(s, all_of(s))) continue;
+    SolveOptions options;
+    options.improve = false;
+    options.on_conflict = seed % 2 == 0 ? OnConflict::kFail : OnConflict::kRelax;
+    const auto layout = solve(as_scene(s), Catalog::builtin(), options);
+    if (options.on_conflict == OnConflict::kFail) {
+      ASSERT_FALSE(layout);
+      EXPECT_EQ(layout.error().code, ErrorCode::kInfeasible) << layout.error().message;
+      continue;
+    }
+    ASSERT_TRUE(layout) << layout.error().message;
+    ASSERT_FALSE(layout->conflicts.empty());
+    ++conflicts, minimal += layout->conflicts[0].minimal;
+    expect_smallest(s, layout->conflicts[0], members);
+  }
+  std::printf("%d crowds, %d of them smallest, of %d members\n", conflicts, minimal, members);
+  EXPECT_GT(conflicts, static_cast<int>(rounds) / 10);
+  EXPECT_EQ(minimal, conflicts);
+}
+
+// One by a size, one by a sum of widths, one by a proof.
+TEST(PropertyConflicts, ThreeKindsAreAllNamed) {
+  if (!describe_cp_sat_library()) GTEST_SKIP() << "no CP-SAT library: run scripts/setup.sh";
+  SceneMaker maker(7000, 6000);
+  maker.add("table").sized(7500, 6500, 700);
+  maker.add("bed").sized(2600, 2000, 500).add("wardrobe").sized(4800, 600, 2000);
+  maker.relate("againstWall", {"bed_1"}, {"wall3"}).relate("againstWall", {"wardrobe_1"}, {"wall3"});
+  maker.add("sofa").add("plant").relate("leftOf", {"plant_1"}, {"sofa_1"}).relate("rightOf", {"plant_1"}, {"sofa_1"});
+  const auto layout = solve(maker.make(), Catalog::builtin());
+  ASSERT_TRUE(layout) << layout.error().message;
+  ASSERT_EQ(layout->conflicts.size(), 3u);
+  const auto named = [&](std::vector<std::string> relations, const std::string& object) {
+    return std::any_of(layout->conflicts.begin(), layout->conflicts.end(), [&](const Conflict& c) {
+      return c.minimal && c.relations == relations && (object.empty() || names(c.objects, object));
+    });
+  };
+  EXPECT_TRUE(named({}, "table_1"));
+  EXPECT_TRUE(std::any_of(layout->conflicts.begin(), layout->conflicts.end(), [&](const Conflict& c) {
+    return c.minimal && names(c.relations, "c1") && names(c.relations, "c2") && names(c.objects, "wardrobe_1");
+  }));
+  EXPECT_TRUE(named({"c3", "c4"}, ""));
+  SolveOptions options;
+  options.on_conflict = OnConflict::kFail;
+  const auto refused = solve(maker.make(), Catalog::builtin(), options);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().details.size(), 3u);
+}
+
 // Pairs of pieces in one large room, each pair with an impossible wish of its own.
 TEST(PropertyConflicts, IndependentOnesAreAllNamed) {
   if (!describe_cp_sat_library()) GTEST_SKIP() << "no CP-SAT library: run scripts/setup.sh";

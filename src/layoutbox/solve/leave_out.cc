@@ -30,14 +30,18 @@ Status Solver::leave_out_least(std::vector<int> items, const Clash* clash) {
   }
   if (items.size() > kMostTrials) items.resize(kMostTrials);
   Clash found;
-  if (clash != nullptr) found = *clash;
+  if (clash != nullptr) {
+    LAYOUTBOX_ASSIGN(found, smallest_crowd(*clash));
+  }
   if (clash == nullptr) {
     found.proven = found.minimal = false;
     found.sentence = too_much_in_words(model_);
   }
-  if (options_.on_conflict != OnConflict::kRelax) {  // nothing is left out: no need to look for what
-    LAYOUTBOX_ASSIGN([[maybe_unused]] const bool relaxing, note_conflict(found, false));
-    return {};
+  if (options_.on_conflict != OnConflict::kRelax) {  // no layout comes of it: which one goes only shows whether there are other conflicts
+    LAYOUTBOX_ASSIGN(const bool relaxing, note_conflict(found, false));
+    if (!relaxing) return {};
+    if (items.empty()) return fail(ErrorCode::kNotFound, "no layout was found, and nothing is left to give up");
+    return leave_out(items.front(), conflicts_.back().sentence);
   }
   int best = -1;
   std::size_t least = std::numeric_limits<std::size_t>::max();

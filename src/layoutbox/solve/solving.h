@@ -90,6 +90,8 @@ class Solver {
   // ---- too much in too little room (leave_out.cc)
   Status leave_out_least(std::vector<int> items, const Clash* clash = nullptr);
   std::size_t unplaced_without(const std::vector<std::string>& ids);
+  bool each_is_needed(const Clash& clash);
+  Result<Clash> smallest_crowd(Clash clash);
   Status leave_out(int item, const std::string& why);
   Status rebuild();
   Result<bool> bring_back();
