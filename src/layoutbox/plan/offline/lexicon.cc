@@ -126,7 +126,9 @@ void Lexicon::extend_phrase(std::span<const Token> tokens, std::size_t at, std::
     // "on the left wall" is on a wall, not on the left of something.
     const bool adjective = (word == "left" || word == "right" || word == "back" || word == "front" || word == "top" || word == "bottom") &&
                            i + 1 < tokens.size() && names_place(tokens, i + 1);
-    if (const auto found = phrases_.find(extended); found != phrases_.end() && i + 1 - at > best.length && !adjective) {
+    // "on a side table" is on a table, not on a side.
+    const bool begins_name = inside && find(tokens, i, WordClass::kObject).length > 1;
+    if (const auto found = phrases_.find(extended); found != phrases_.end() && i + 1 - at > best.length && !adjective && !begins_name) {
       best = next;
       best.length = i + 1 - at;
       best.senses = &found->second;

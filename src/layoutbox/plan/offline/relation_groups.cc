@@ -83,11 +83,11 @@ bool RelationBuilder::lie_on(const std::vector<int>& items, int host) const {
   });
 }
 
-// Stools at a bar, a counter or an island stand in a row before it, unless the words say that they go round it.
+// Stools at a bar, a counter or an island, and chairs at a desk, stand in a row before it, unless the words say that they go round it.
 bool RelationBuilder::seats_one_side(const Link& link, int seat, int host) const {
   const CatalogEntry* entry = noun_of_item(host).entry;
   if (entry == nullptr || !entry->has_front || !is_seat(catalog_, noun_of_item(seat))) return false;
-  const bool counter = catalog_.is_a(entry->id, "counter") || entry->shape.family == "counter";
+  const bool counter = catalog_.is_a(entry->id, "counter") || entry->shape.family == "counter" || catalog_.is_a(entry->id, "desk");
   const std::string words = words_between(document_, link.first, link.last);
   return counter && words.find("around") == std::string::npos && words.find("surround") == std::string::npos;
 }
@@ -233,7 +233,6 @@ void RelationBuilder::add_clusters() {
     Link link;
     link.first = mention.noun.first;
     link.last = mention.noun.last;
-    link.soft = true;
     link.rows = share % 2 == 0 ? 2 : 1;
     for (std::size_t c = 0; c < clusters; ++c) {
       const std::vector<int> own(mention.items.begin() + static_cast<std::ptrdiff_t>(c * share),
