@@ -70,6 +70,56 @@ TEST(Habits, ScreensOnADeskStandSideBySide) {
   EXPECT_NEAR(one.x, -two.x, 20);
 }
 
+TEST(Habits, TheKeyboardLiesBeforeTheScreenAndTheMouseToItsRight) {
+  const Layout layout = solved(SceneMaker(4000, 3600)
+                                   .add("desk")
+                                   .add("monitor")
+                                   .add("keyboard")
+                                   .add("mouse")
+                                   .relate("on", {"monitor_1"}, {"desk_1"})
+                                   .relate("on", {"keyboard_1"}, {"desk_1"})
+                                   .relate("on", {"mouse_1"}, {"desk_1"})
+                                   .make(true));
+  const PlacedObject& desk = object(layout, "desk_1");
+  const Point screen = seen_from(desk, object(layout, "monitor_1")), keys = seen_from(desk, object(layout, "keyboard_1")),
+              mouse = seen_from(desk, object(layout, "mouse_1"));
+  EXPECT_NEAR(keys.x, screen.x, 100);
+  EXPECT_LT(keys.y, screen.y - 100);
+  EXPECT_GT(mouse.x, keys.x + 200);
+  EXPECT_LT(mouse.x, keys.x + 400);
+}
+
+TEST(Habits, ChairsBehindADeskSitAbreast) {
+  const Layout layout = solved(SceneMaker(6000, 5000)
+                                   .add("desk")
+                                   .sized(2000, 800, 750)
+                                   .add("chair", 2)
+                                   .relate("centerOfRoom", {"desk_1"})
+                                   .relate("behind", {"chair_1"}, {"desk_1"})
+                                   .relate("behind", {"chair_2"}, {"desk_1"})
+                                   .make(true));
+  const PlacedObject& desk = object(layout, "desk_1");
+  const Point one = seen_from(desk, object(layout, "chair_1")), two = seen_from(desk, object(layout, "chair_2"));
+  EXPECT_NEAR(one.y, two.y, 30);
+  EXPECT_NEAR(one.x, -two.x, 60);
+}
+
+TEST(Habits, NextToStandsAtTheSide) {
+  const Layout layout = solved(SceneMaker(5500, 4500)
+                                   .add("bed")
+                                   .add("tv_stand")
+                                   .add("plant")
+                                   .add("nightstand")
+                                   .relate("nextTo", {"plant_1"}, {"tv_stand_1"})
+                                   .relate("nextTo", {"nightstand_1"}, {"bed_1"})
+                                   .make(true));
+  const PlacedObject &bed = object(layout, "bed_1"), &stand = object(layout, "tv_stand_1");
+  const Point plant = seen_from(stand, object(layout, "plant_1")), nightstand = seen_from(bed, object(layout, "nightstand_1"));
+  EXPECT_GT(std::abs(plant.x), stand.size.width / 2);
+  EXPECT_GT(std::abs(nightstand.x), bed.size.width / 2);
+  EXPECT_GT(nightstand.y, 0) << "at its head";
+}
+
 TEST(Habits, NothingStandsOnAMatThatIsUsed) {
   const Layout layout =
       solved(SceneMaker(3600, 3000).add("yoga_mat", 2).add("treadmill").relate("centerOfRoom", {"yoga_mat_1"}).make(true));

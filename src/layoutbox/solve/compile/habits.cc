@@ -31,7 +31,8 @@ void Habits::stand(int index) {
   const Item& item = model_.items[index];
   sit_on_host(index);
   lie_straight(index);
-  if (stand_in_formation(index)) return;
+  if (stand_in_formation(index) || stand_abreast(index)) return;
+  stand_at_side(index);
   const bool with_host = stand_beside(index);
   if (!with_host || !is_table_seat(item)) look_at(index);
   if (item.entry->back_to_wall) {
@@ -112,58 +113,6 @@ bool Habits::placed_by_relation(int item) const {
   return std::any_of(model_.scene->relations.begin(), model_.scene->relations.end(), [&](const Relation& r) {
     return std::find(r.targets.begin(), r.targets.end(), model_.items[item].id) != r.targets.end();
   });
-}
-
-// What stands on something looks the way that looks; screens in its middle, the rest rather at its back.
-void Habits::sit_on_host(int item) {
-  const Item& self = model_.items[item];
-  const bool screen = has_family(self, {"tv", "monitor", "laptop", "computer"});
-  for (const SupportOption& support : self.supports) {
-    if (support.kind != SupportOption::Kind::kItem) continue;
-    const Item& host = model_.items[support.index];
-    Formula f;
-    for_each_turn(host, [&](int turn, std::uint64_t states) {
-      Case& c = f.add().when(support.index, states);
-      const bool towards_seat = screen && used_side(host) == Side::kBack;
-      if (self.has_front) c.when(item, self.states_at((turn + (towards_seat ? 180 : 0)) % 360));
-      const Direction back = side_direction(host, Side::kBack, turn), right = side_direction(host, Side::kRight, turn);
-      const bool small_host = host.states[0].size.width < 3 * self.states[0].size.width && riders_of(support.index) == 1;
-      if (screen || small_host) {
-        const Linear off_middle = mid2(item, right.axis) - mid2(support.index, right.axis);
-        c.wish(off_middle - Linear(right.sign * place_among_screens(item, support.index)), 80, 2);
-      }
-      if (host.has_front && !small_host) c.wish(reach(item, back) - reach(support.index, back) + Linear(40), screen ? 60 : 25);
-      if (small_host) c.wish(mid2(item, back.axis) - mid2(support.index, back.axis), 60, 2);
-    });
-    habit("sits", item, kSits, std::move(f));
-    return;
-  }
-}
-
-// Screens on one desk stand side by side: twice what this one is off the desk's middle, towards the desk's right.
-std::int64_t Habits::place_among_screens(int item, int host) const {
-  constexpr Mm kApart = 20;
-  std::int64_t screens = 0, before = 0;
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
-    if (model_.items[i].entry != model_.items[item].entry || !rests_on(static_cast<int>(i), host)) continue;
-    before += static_cast<int>(i) < item;
-    ++screens;
-  }
-  const Mm pitch = model_.items[item].states[0].size.width + kApart;
-  if (screens * pitch > model_.items[host].states[0].size.width + kApart) return 0;
-  return (2 * before - (screens - 1)) * pitch;
-}
-
-bool Habits::rests_on(int item, int host) const {
-  const std::vector<SupportOption>& supports = model_.items[item].supports;
-  return std::any_of(supports.begin(), supports.end(),
-                     [&](const SupportOption& s) { return s.kind == SupportOption::Kind::kItem && s.index == host; });
-}
-
-int Habits::riders_of(int host) const {
-  int riders = 0;
-  for (std::size_t i = 0; i < model_.items.size(); ++i) riders += rests_on(static_cast<int>(i), host);
-  return riders;
 }
 
 void Habits::keep_hint(int item) {

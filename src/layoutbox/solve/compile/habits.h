@@ -42,13 +42,17 @@ class Habits {
   bool only_related_by(int a, int b, std::initializer_list<RelationType> types) const;
   bool related_as_target(int item, int reference, RelationType type) const;
   bool placed_by_relation(int item) const;
+  void keep_hint(int item);
+  void keep_turn(int item, double degrees);
+  static std::vector<Side> used_sides(const Item& item) { return item.object->used_sides.value_or(item.entry->used_sides); }
+
+  // Habits of what stands on something else.
   void sit_on_host(int item);
   int riders_of(int host) const;
   bool rests_on(int item, int host) const;
   std::int64_t place_among_screens(int item, int host) const;
-  void keep_hint(int item);
-  void keep_turn(int item, double degrees);
-  static std::vector<Side> used_sides(const Item& item) { return item.object->used_sides.value_or(item.entry->used_sides); }
+  int rider_of_family(int host, std::string_view family) const;
+  bool lie_at_hand(int item, int host);
 
   // Habits towards the room: backs to walls, the middle, light, rugs; doors and windows nobody placed.
   void back_to_wall(int item);
@@ -71,6 +75,9 @@ class Habits {
   // Habits towards other things: beside, round, before and facing what they belong to.
   void come_near(int item, int host);
   bool sit_in_row(int item, int host);
+  bool stand_abreast(int item);
+  bool stand_abreast_of(int item, int host, RelationType how);
+  void stand_at_side(int item);
   bool stand_beside(int item);
   void sit_round_low_table(int item, int table);
   void stand_before_middle(int item, int host);

@@ -6,6 +6,17 @@
 #include "layoutbox/solve/slanted.h"
 
 namespace layoutbox::placement {
+namespace {
+
+std::uint64_t states_looking(const Item& item, Direction direction) {
+  std::uint64_t looking = 0;
+  for_each_turn(item, [&](int turn, std::uint64_t states) {
+    if (turn % 90 == 0 && side_direction(item, Side::kFront, turn) == direction) looking |= states;
+  });
+  return looking;
+}
+
+}  // namespace
 
 // What a relation leaves open between things that belong together: a chair stands close to its desk, a bench along the bed's foot.
 void Habits::come_near(int item, int host) {
@@ -49,6 +60,67 @@ bool Habits::sit_in_row(int item, int host) {
   add_seat_place(f, model_, item, host, static_cast<int>(k), static_cast<int>(seats.size()), kBeside);
   habit("in a row before it", item, kBeside, std::move(f), {host});
   return true;
+}
+
+// Several of a kind before or behind one thing stand abreast: chairs behind a news desk, cameras before it.
+bool Habits::stand_abreast(int item) {
+  for (const Relation& r : model_.scene->relations) {
+    if (r.references.size() != 1 || (r.type != RelationType::kInFrontOf && r.type != RelationType::kBehind)) continue;
+    const int host = model_.find_item(r.references[0]);
+    if (host >= 0 && related_as_target(item, host, r.type) && stand_abreast_of(item, host, r.type)) return true;
+  }
+  return false;
+}
+
+bool Habits::stand_abreast_of(int item, int host, RelationType how) {
+  constexpr Mm kApart = 100, kOff = 600, kSeatOff = 50;
+  const Item &self = model_.items[item], &ref = model_.items[host];
+  const bool seat = is_table_seat(self);
+  if (!ref.has_front || ref.is_opening() || (seat && how == RelationType::kInFrontOf)) return false;
+  std::vector<int> peers;
+  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+    const int other = static_cast<int>(i);
+    if (model_.items[i].entry == self.entry && related_as_target(other, host, how) &&
+        only_related_by(other, host, {how, RelationType::kFacing, RelationType::kCenteredOn}))
+      peers.push_back(other);
+  }
+  const auto k = std::find(peers.begin(), peers.end(), item) - peers.begin();
+  const auto n = static_cast<std::ptrdiff_t>(peers.size());
+  if (n < 2 || k == n) return false;
+  const Mm pitch = self.states[0].size.width + kApart;
+  Formula f;
+  for_each_turn(ref, [&](int turn, std::uint64_t states) {
+    if (turn % 90 != 0) return;
+    const Direction away = side_direction(ref, how == RelationType::kBehind ? Side::kBack : Side::kFront, turn);
+    Case& c = f.add().when(host, states);
+    const int along = across(away);
+    if (self.has_front) c.when(item, states_looking(self, opposite(away)));
+    c.wish(mid2(item, along) - mid2(host, along) - Linear((2 * k - (n - 1)) * pitch), kBeside, 2);
+    c.wish(gap_towards(item, host, away) - Linear(seat ? kSeatOff : kOff), kBeside);
+  });
+  habit("abreast", item, kBeside, std::move(f), {host});
+  return true;
+}
+
+// What is told to stand next to something that is used from its front stands at its side: a plant beside the television, a cabinet beside the
+// bed.
+void Habits::stand_at_side(int item) {
+  const Item& self = model_.items[item];
+  if (is_table_seat(self) || is_easy_chair(self)) return;
+  for (const Relation& r : model_.scene->relations) {
+    if (r.type != RelationType::kNextTo || r.references.size() != 1) continue;
+    const int host = model_.find_item(r.references[0]);
+    if (host < 0 || !related_as_target(item, host, r.type) || !only_related_by(item, host, {RelationType::kNextTo, RelationType::kNear})) continue;
+    const Item& ref = model_.items[host];
+    if (ref.is_opening() || ref.mount != Mount::kFloor || !ref.has_front || area_of(ref) < area_of(self)) continue;
+    Formula f;
+    for (const Side side : {Side::kLeft, Side::kRight}) add_beside(f, model_, item, host, side, {.most = 500, .wished_gap = 60});
+    for (Case& c : f.cases) {
+      if (!c.wishes.empty()) c.wishes[0].weight = kBeside;
+    }
+    habit("at its side", item, kBeside, std::move(f), {host});
+    return;
+  }
 }
 
 // By one of the greater things it goes with: a seat at its table, a nightstand beside its bed, a table before its sofa.
