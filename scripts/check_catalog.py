@@ -22,7 +22,7 @@ MOUNTS = {"floor", "wall", "ceiling", "surface", "hung"}
 SIDES = {"front", "back", "left", "right"}
 KEYS = {
     "id", "name", "synonyms", "kindOf", "size", "variants", "mount", "usedSides", "hasFront", "backToWall", "thin",
-    "keepClear", "topCarries", "clearance", "hangHeight", "spaces", "standsOn", "faces", "beside", "rooms", "shape", "source",
+    "lainOn", "topCarries", "clearance", "hangHeight", "spaces", "standsOn", "faces", "beside", "rooms", "shape", "source",
 }  # fmt: skip
 THIN = 0.03  # m, rugs and mats up to this height collide with nothing
 ROOM_SHARE = 0.6  # of a room's floor that its usual furniture may cover

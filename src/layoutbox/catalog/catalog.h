@@ -57,7 +57,7 @@ struct CatalogEntry {
   bool has_front = true;         // false: a plant, a round table; sides are then the room's
   bool back_to_wall = false;     // habit: beds, wardrobes, sofas, desks, shelves
   bool thin = false;             // rugs and mats: at most 30 mm high, collide with nothing
-  bool keep_clear = false;       // thin, but lain or stood on: nothing else stands there (a yoga mat)
+  bool lain_on = false;          // thin, but lain or stood on: nothing else stands there (a yoga mat)
   bool top_carries = false;      // things can stand on its top
   std::map<Side, Mm> clearance;  // free floor wanted at a side (soft), in millimetres
   Mm hang_height = 0;            // wall: usual height of the underside; ceiling: length it hangs down is its height

@@ -107,7 +107,7 @@ Result<CatalogEntry> read_entry(const json& value) {
   entry.has_front = value.value("hasFront", true);
   entry.back_to_wall = value.value("backToWall", false);
   entry.thin = value.value("thin", false);
-  entry.keep_clear = value.value("keepClear", false);
+  entry.lain_on = value.value("lainOn", false);
   entry.top_carries = value.value("topCarries", false);
   if (const auto clearance = value.find("clearance"); clearance != value.end()) {
     for (const auto& [side, depth] : clearance->items()) entry.clearance[read_side(side)] = mm_from_m(depth.get<double>());

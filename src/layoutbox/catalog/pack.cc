@@ -2,6 +2,7 @@
 
 #include <cassert>
 #include <cstring>
+#include <tuple>
 #include <type_traits>
 
 namespace layoutbox {
@@ -127,10 +128,13 @@ void describe(Archive& archive, T& value) {
   } else if constexpr (std::is_same_v<Plain, SizeVariant>) {
     members(archive, value.words, value.size, value.spaces);
   } else if constexpr (std::is_same_v<Plain, CatalogEntry>) {
-    members(archive, value.id, value.name, value.synonyms, value.kind_of, value.size, value.variants, value.mount, value.used_sides,
-            value.has_front, value.back_to_wall, value.thin, value.top_carries, value.clearance, value.hang_height, value.spaces,
-            value.stands_on, value.faces, value.beside, value.rooms, value.shape.family, value.shape.numbers, value.shape.words,
-            value.source);
+    // All by name, so that a new member that is not packed does not compile; articles are the user's, never packed.
+    auto& [id, name, synonyms, kind_of, size, variants, mount, used_sides, has_front, back_to_wall, thin, lain_on, top_carries, clearance,
+           hang_height, spaces, stands_on, faces, beside, rooms, shape, source, article, stock, article_material, article_mesh,
+           article_mesh_front, article_attributes] = value;
+    static_cast<void>(std::tie(article, stock, article_material, article_mesh, article_mesh_front, article_attributes));
+    members(archive, id, name, synonyms, kind_of, size, variants, mount, used_sides, has_front, back_to_wall, thin, lain_on, top_carries,
+            clearance, hang_height, spaces, stands_on, faces, beside, rooms, shape.family, shape.numbers, shape.words, source);
   } else if constexpr (std::is_same_v<Plain, RoomKind>) {
     members(archive, value.id, value.name, value.synonyms, value.usual_size, value.usual);
   } else {

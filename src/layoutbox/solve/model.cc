@@ -82,7 +82,7 @@ Pairs close_pairs(const Model& model) {
 }
 
 // A rug lies under whatever there is; a mat that is used itself does not, unless a relation says so.
-bool lies_under(const Item& item) { return item.thin && !item.entry->keep_clear; }
+bool lies_under(const Item& item) { return item.thin && !item.entry->lain_on; }
 
 void set_pair_rules(Model& model) {
   const std::size_t n = model.items.size();

@@ -18,8 +18,8 @@ void DocumentReader::read_noun(std::size_t k) {
                                                     !skipping_ && !negated_)
     first.kind = NounKind::kRoom;
   // "A reading corner with an armchair": so is the corner that it is all about.
-  if (NounPhrase& first = document_.chunks[k].noun;
-      document_.mentions.empty() && first.kind == NounKind::kCorner && first.wall_word.empty() && !expects_reference_ && is(next(k), ChunkKind::kHave))
+  if (NounPhrase& first = document_.chunks[k].noun; document_.mentions.empty() && first.kind == NounKind::kCorner &&
+                                                    first.wall_word.empty() && !expects_reference_ && is(next(k), ChunkKind::kHave))
     first.kind = NounKind::kRoom;
   const NounPhrase& noun = chunk(k).noun;
   if (skipping_) {

@@ -239,6 +239,13 @@ void RelationBuilder::add_clusters() {
                                  mention.items.begin() + static_cast<std::ptrdiff_t>((c + 1) * share));
       add(link, share > 3 && share % 2 == 0 ? R::kGrid : R::kRow, ids(own), {});
       scene_.relations.back().parameters.gap = 0;
+      // What has a back stands back to back.
+      for (std::size_t i = 0;
+           share > 3 && share % 2 == 0 && mention.noun.entry != nullptr && mention.noun.entry->has_front && i < share / 2; ++i) {
+        const std::string &front = id(own[i]), &back = id(own[i + share / 2]);
+        add(link, R::kBehind, {front}, {back});
+        add(link, R::kBehind, {back}, {front});
+      }
     }
   }
 }

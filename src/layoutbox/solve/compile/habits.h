@@ -97,6 +97,7 @@ class Habits {
   void turn_as(int item, int other);
   bool stand_in_formation(int item);
   void keep_off_faced(int item);
+  void stand_before_crowd(int faced);
   void stand_in_run(int item);
   void stand_as_twin(int item);
 

@@ -102,15 +102,16 @@ bool Habits::stand_abreast_of(int item, int host, RelationType how) {
   return true;
 }
 
-// What is told to stand next to something that is used from its front stands at its side: a plant beside the television, a cabinet beside the
-// bed.
+// What is told to stand next to something that is used from its front stands at its side: a plant beside the television, a cabinet beside
+// the bed.
 void Habits::stand_at_side(int item) {
   const Item& self = model_.items[item];
   if (is_table_seat(self) || is_easy_chair(self)) return;
   for (const Relation& r : model_.scene->relations) {
     if (r.type != RelationType::kNextTo || r.references.size() != 1) continue;
     const int host = model_.find_item(r.references[0]);
-    if (host < 0 || !related_as_target(item, host, r.type) || !only_related_by(item, host, {RelationType::kNextTo, RelationType::kNear})) continue;
+    if (host < 0 || !related_as_target(item, host, r.type) || !only_related_by(item, host, {RelationType::kNextTo, RelationType::kNear}))
+      continue;
     const Item& ref = model_.items[host];
     if (ref.is_opening() || ref.mount != Mount::kFloor || !ref.has_front || area_of(ref) < area_of(self)) continue;
     Formula f;

@@ -52,13 +52,45 @@ void Habits::turn_as(int item, int other) {
   habit("turned alike", item, kFaces, std::move(f), {other});
 }
 
+// What a crowd looks at stands before the middle of it: an altar before the pews, not before one half of them.
+void Habits::stand_before_crowd(int faced) {
+  std::vector<int> crowd;
+  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+    const int other = static_cast<int>(i);
+    if (other == faced || model_.items[i].is_opening()) continue;
+    const std::optional<Group> group = formation_with(other);
+    if (!group) continue;
+    const bool looks = std::any_of(group->members.begin(), group->members.end(),
+                                   [&](int m) { return related_as_target(m, faced, RelationType::kFacing); });
+    if (!looks) continue;
+    crowd = group->members;
+    break;
+  }
+  const std::string name = "before the middle of the crowd";
+  if (crowd.size() < kMany || placed_besides_facing(faced)) return;
+  if (std::any_of(model_.constraints.begin(), model_.constraints.end(), [&](const Constraint& c) { return c.name.starts_with(name); }))
+    return;
+  Formula f;
+  for_each_turn(model_.items[crowd[0]], [&](int turn, std::uint64_t states) {
+    if (turn % 90 != 0) return;
+    const int along = across(side_direction(model_.items[crowd[0]], Side::kFront, turn));
+    const auto n = static_cast<std::int64_t>(crowd.size());
+    Linear off = n * mid2(faced, along);
+    for (const int member : crowd) off = off - mid2(member, along);
+    f.add().when(crowd[0], states).wish(off, kBeside, 2 * n);
+  });
+  habit(name, faced, kBeside, std::move(f), {crowd[0]});
+}
+
 // What a crowd looks at stands clear of its first row.
 void Habits::keep_off_faced(int item) {
   for (const Relation& r : model_.scene->relations) {
     if (r.type != RelationType::kFacing || r.references.size() != 1 || !related_as_target(item, model_.find_item(r.references[0]), r.type))
       continue;
     const int faced = model_.find_item(r.references[0]);
-    if (faced < 0 || model_.items[faced].mount != Mount::kFloor) continue;
+    if (faced < 0 || model_.items[faced].is_opening()) continue;
+    stand_before_crowd(faced);
+    if (model_.items[faced].mount != Mount::kFloor) continue;
     Formula f;
     for (const int axis : {0, 1}) {
       for (const int sign : {1, -1}) f.add().require(gap_towards(item, faced, {axis, sign}) - Linear(kBeforeCrowd));

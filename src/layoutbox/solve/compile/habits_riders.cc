@@ -4,7 +4,7 @@
 namespace layoutbox::placement {
 namespace {
 
-constexpr Mm kFromEdge = 60;   // from the used edge of a desk to the keyboard
+constexpr Mm kFromEdge = 60;    // from the used edge of a desk to the keyboard
 constexpr Mm kBesideKeys = 40;  // from the keyboard to the mouse
 constexpr int kAtHand = 80;
 
@@ -93,7 +93,10 @@ bool Habits::lie_at_hand(int item, int host) {
       c.wish(mid2(item, right.axis) - mid2(before, right.axis) - Linear(mouse ? right.sign * 500 : 0), kAtHand, 2);
     }
   });
-  habit("at hand", item, kSits, std::move(f), keys >= 0 ? std::vector<int>{keys} : screen >= 0 ? std::vector<int>{screen} : std::vector<int>{});
+  habit("at hand", item, kSits, std::move(f),
+        keys >= 0     ? std::vector<int>{keys}
+        : screen >= 0 ? std::vector<int>{screen}
+                      : std::vector<int>{});
   return true;
 }
 

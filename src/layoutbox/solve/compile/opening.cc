@@ -72,7 +72,7 @@ void compile_NotBlocking(Compilation& c) {
     for (const int o : openings) {
       const Item& item = c.item(o);
       const bool window = item.opening->type == OpeningType::kWindow;
-      const bool flat = c.item(t).thin && (window || !c.item(t).entry->keep_clear);
+      const bool flat = c.item(t).thin && (window || !c.item(t).entry->lain_on);
       if (flat || (window && c.item(t).curtain)) {  // in nobody's way
         c.formula().add();
         continue;
