@@ -145,10 +145,13 @@ def frame(stay):
     points = framed_points(stay)
     aspect = CAMERA["width"] / CAMERA["height"]
     xs, ys, zs = ([dot(p, axis) for p in points] for axis in (right, up, toward))
-    cx, cy, front = (min(xs) + max(xs)) / 2, (min(ys) + max(ys)) / 2, max(zs)
+    front = max(zs)
+    about = CAMERA.get("about")  # a point that stays in the middle (turntable); otherwise what is in the picture is centred
+    cx, cy = (dot(about, right), dot(about, up)) if about else ((min(xs) + max(xs)) / 2, (min(ys) + max(ys)) / 2)
     grow = 1 / (1 - 2 * CAMERA["margin"])
     if CAMERA["orthographic"]:
-        width = max(max(xs) - min(xs), (max(ys) - min(ys)) * aspect) * grow
+        across, along = max(max(xs) - cx, cx - min(xs)), max(max(ys) - cy, cy - min(ys))
+        width = max(2 * across * grow, 2 * along * aspect * grow, CAMERA.get("least_width", 0.0))
         distance, measure = front + 5.0, width
     else:
         measure = math.radians(CAMERA["lens_angle"]) / 2

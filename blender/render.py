@@ -1,5 +1,6 @@
 # ---- The picture: engine, samples, noise, colours. -----------------------------------------------------------------------------------
 import os
+import sys
 
 import bpy
 
@@ -74,10 +75,37 @@ def filter_noise(scene):
 BOUNCES = {"draft": (3, 2, 1), "preview": (6, 4, 2), "final": (12, 6, 4)}  # in all, diffuse, glossy
 
 
+def wished_device():
+    """What draws: --device=gpu or --device=cpu, else LAYOUTBOX_DEVICE, else the processor."""
+    return next((word.split("=")[1] for word in sys.argv if word.startswith("--device=")), os.environ.get("LAYOUTBOX_DEVICE", "cpu"))
+
+
+def use_graphics_card():
+    """Lets Cycles use the graphics cards of the first kind that is here; False where there is none."""
+    addon = bpy.context.preferences.addons.get("cycles")
+    if addon is None:
+        return False
+    preferences = addon.preferences
+    for kind in ("OPTIX", "CUDA", "HIP", "METAL", "ONEAPI"):
+        if set_first(preferences, "compute_device_type", (kind,)) is None:
+            continue
+        preferences.get_devices()
+        if any(device.type == kind for device in preferences.devices):
+            for device in preferences.devices:
+                device.use = device.type == kind
+            return True
+    return False
+
+
 def use_cycles(scene):
     scene.render.engine = "CYCLES"
     cycles = scene.cycles
     cycles.device = "CPU"
+    if wished_device() == "gpu":
+        if use_graphics_card():
+            cycles.device = "GPU"
+        else:
+            print("layoutbox: note: no graphics card that Cycles can use, the processor draws instead", flush=True)
     denoiser = has_denoiser()
     cycles.samples = SAMPLES[QUALITY]["denoised" if denoiser else "filtered"]
     cycles.use_adaptive_sampling = QUALITY == "final" or not denoiser

@@ -209,7 +209,9 @@ def build_light():
     data = bpy.data.lights.new("Sun", "SUN")
     data.energy, data.angle, data.color = LIGHT["sun"], math.radians(LIGHT["sun_angle"]), linear(LIGHT["sun_color"])
     sun = bpy.data.objects.new("Sun", data)
-    sun.rotation_euler = (math.radians(90 - LIGHT["sun_elevation"]), 0, math.radians(CAMERA["azimuth"] + LIGHT["sun_azimuth"]))
+    # Seen from above no wall is cut away: a high sun keeps their shadows off the floor.
+    elevation = LIGHT["sun_elevation_top"] if CAMERA["view"] == "top" else LIGHT["sun_elevation"]
+    sun.rotation_euler = (math.radians(90 - elevation), 0, math.radians(CAMERA["azimuth"] + LIGHT["sun_azimuth"]))
     sun.location = (0, 0, 10)
     group.objects.link(sun)
     world = bpy.data.worlds.new("World")

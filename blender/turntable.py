@@ -7,16 +7,32 @@ import bpy
 TURNTABLE = {"frames": 36, "seconds": 6.0, "width": 960, "samples": {"denoised": 4, "filtered": 10}}
 
 
+def keep_still():
+    """One scale and one middle for all frames: the widest of them decides, so that the room turns and does not breathe."""
+    xs, ys = zip(*outer_outline())
+    USUAL_CAMERA["about"] = ((min(xs) + max(xs)) / 2, (min(ys) + max(ys)) / 2, 0.3 * ROOM["height"])
+    widths = []
+    for number in range(TURNTABLE["frames"]):
+        use_view("iso", 360.0 * number / TURNTABLE["frames"])
+        widths.append(frame(walls_that_stay())[1])
+    USUAL_CAMERA["least_width"] = max(widths)
+
+
 def write_turntable(kind, engine, meshes, path):
     """Walls are cut away anew for each frame. The scene is the last frame's afterwards."""
     usual_size = USUAL_CAMERA["width"], USUAL_CAMERA["height"]
     width = min(TURNTABLE["width"], usual_size[0])
     USUAL_CAMERA.update(width=width // 2 * 2, height=max(2, round(width * usual_size[1] / usual_size[0] / 2) * 2))
+    keep_still()
     with tempfile.TemporaryDirectory() as folder:
         frames = []
         for number in range(TURNTABLE["frames"]):
             build("iso", meshes, 360.0 * number / TURNTABLE["frames"])
             set_up_render(engine)
+            render = bpy.context.scene.render
+            render.dither_intensity = 0.0  # its grain would flicker, and spoil the GIF's few colours
+            if kind == "gif":  # what is behind the room is laid under it afterwards, as one plain colour
+                render.film_transparent, render.image_settings.color_mode = True, "RGBA"
             if engine != "workbench":
                 cycles = bpy.context.scene.cycles
                 cycles.samples = min(cycles.samples, TURNTABLE["samples"]["denoised" if has_denoiser() else "filtered"])
@@ -24,7 +40,7 @@ def write_turntable(kind, engine, meshes, path):
             frames.append(os.path.join(folder, f"frame{number:03}.png"))
             render_picture(frames[-1])
         (write_mp4 if kind == "mp4" else write_gif)(frames, path)
-    USUAL_CAMERA.update(width=usual_size[0], height=usual_size[1])
+    USUAL_CAMERA.update(width=usual_size[0], height=usual_size[1], about=None, least_width=0.0)
 
 
 def write_mp4(frames, path):
@@ -52,7 +68,8 @@ def write_mp4(frames, path):
 
 
 def coarse(frame):
-    """A picture's size and, for each pixel from the top left, its colour in steps of 1/63: one number, six bits a channel."""
+    """A picture's size and, for each pixel from the top left, its colour over the background in steps of 1/63: one number, six bits a
+    channel."""
     import numpy
 
     image = bpy.data.images.load(frame)
@@ -60,7 +77,10 @@ def coarse(frame):
     values = numpy.empty(len(image.pixels), numpy.float32)
     image.pixels.foreach_get(values)
     bpy.data.images.remove(image)
-    steps = numpy.clip(numpy.rint(values.reshape(height, width, 4)[::-1, :, :3] * 63), 0, 63).astype(numpy.int64)
+    values = values.reshape(height, width, 4)[::-1]
+    alpha = values[:, :, 3:]
+    values = values[:, :, :3] * alpha + numpy.array(LIGHT["background"], numpy.float32) * (1 - alpha)
+    steps = numpy.clip(numpy.rint(values * 63), 0, 63).astype(numpy.int64)
     return width, height, (steps[:, :, 0] * 4096 + steps[:, :, 1] * 64 + steps[:, :, 2]).ravel()
 
 

@@ -189,7 +189,7 @@ def families(blender, arguments):
     for family, kinds in sorted(by_family.items()):
         names = {kind["id"]: kind for kind in kinds}
         chosen.append((family, names.get(FACES.get(family, family), names.get(family, kinds[0]))))
-    pictures = [(family.replace("_", " "), tile_of(entry, blender, arguments.work, arguments.quality or "draft"))
+    pictures = [(family.replace("_", " "), tile_of(entry, blender, arguments.work, arguments.quality or "preview"))
                 for family, entry in chosen if wanted(arguments, family)]  # fmt: skip
     sheet(pictures, 12, (160, 140), arguments.output / "families.jpg", 12)
 
@@ -214,7 +214,7 @@ def rooms(blender, arguments):
         blender.draw(folder / "blender.py", folder)
         pictures.append((name, folder / "scene.png"))
         print(f"{name}: {folder}", flush=True)
-    sheet(pictures, 4, (480, 270), arguments.output / "rooms.jpg")
+    sheet(pictures, 4, (480, 360), arguments.output / "rooms.jpg")
 
 
 def main():
@@ -224,7 +224,7 @@ def main():
     parser.add_argument("--output", type=Path, default=ROOT / "docs/gallery")
     parser.add_argument("--only", default="")
     parser.add_argument("--quality", default="")
-    parser.add_argument("--size", default="960x540")
+    parser.add_argument("--size", default="840x630")
     arguments = parser.parse_args()
     arguments.work = arguments.work.resolve()
     blender = Blender(arguments.work)

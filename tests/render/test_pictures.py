@@ -208,6 +208,8 @@ class Turntable(PictureCase):
             other = frames[(number + 1) % 4][1]
             changed = sum(a != b for one, two in zip(rows, other, strict=True) for a, b in zip(one, two, strict=True)) / (128 * 72)
             self.assertGreater(changed, 0.05, f"frame {number} and the next one look alike")
+        edge = {pixel for _, rows in frames for pixel in [*rows[0], *rows[-1], *(row[0] for row in rows), *(row[-1] for row in rows)]}
+        self.assertEqual(len(edge), 1, f"grain or flicker in the background: {edge}")
 
 
 @needs_blender
