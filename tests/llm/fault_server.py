@@ -217,6 +217,18 @@ def huge(megabytes: int, with_length: bool) -> Behaviour:
     return behave
 
 
+def endless(event: bytes) -> Behaviour:
+    """A stream of one event again and again, until the other side has had enough."""
+
+    def behave(connection: socket.socket, _: Request) -> bool:
+        connection.sendall(head(200, {"Content-Type": "text/event-stream", "Connection": "close"}))
+        while True:
+            connection.sendall(event * 20)
+            time.sleep(0.005)
+
+    return behave
+
+
 def closing(behaviour: Behaviour) -> Behaviour:
     """Says that the connection stays, and closes it."""
 

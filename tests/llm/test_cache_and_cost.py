@@ -108,16 +108,16 @@ class Cost(model_case.ModelCase):
                 env = {"http_proxy": f"http://127.0.0.1:{server.port}", "NO_PROXY": None}
                 out = self.path(f"batch{jobs}")
                 command = ["batch", prompts, "-o", out, "-j", str(jobs), "--planner", "llm", "--model", "gpt-4o", "--no-cache"]
-                # An answer costs 0.0045; a question may cost about 0.09.
+                # An answer costs 0.0045; a question may cost about 0.055.
                 run = self.run_layoutbox(
-                    *command, "--no-render", "--max-cost", "0.1", env=self.environment("http://model.example/v1", **env)
+                    *command, "--no-render", "--max-cost", "0.06", env=self.environment("http://model.example/v1", **env)
                 )
                 self.assert_status(run, 1)
                 items = self.read_json(f"batch{jobs}/summary.json")["items"]
                 failed = [item for item in items if item["state"] == "failed"]
                 self.assertEqual(len(items) - len(failed), len(server.requests))
                 self.assertTrue(1 <= len(server.requests) < 6, len(server.requests))
-                self.assertTrue(all("limit of $0.1" in item["error"]["message"] for item in failed), failed)
+                self.assertTrue(all("limit of $0.06" in item["error"]["message"] for item in failed), failed)
 
     def test_a_limit_needs_a_price(self):
         with FaultServer([scene_call(SCENE)]) as server:

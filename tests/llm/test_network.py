@@ -1,5 +1,6 @@
 """A network that misbehaves: each fault has a defined answer, within its time, and the key shows nowhere."""
 
+import contextlib
 import json
 import resource
 import signal
@@ -9,7 +10,7 @@ import time
 
 import fault_server as fault
 import model_case
-from fault_server import FaultServer, scene_call
+from fault_server import FaultServer, call, completion, scene_call
 from model_case import KEY, SCENE
 
 GOOD = scene_call(SCENE)
@@ -34,7 +35,6 @@ class Faults(model_case.ModelCase):
             (403, ["allow"]),
             (404, ["model", "LAYOUTBOX_MODEL"]),
             (402, ["402"]),
-            (413, ["long"]),
         ):
             with self.subTest(code):
                 self.assert_refused(fault.status(code, f"no, {KEY} is wrong"), str(code), *words)
@@ -54,8 +54,15 @@ class Faults(model_case.ModelCase):
         body = json.dumps({"error": {"message": "the model is gone", "code": 404}})
         self.assert_refused(fault.raw(200, body), "the model is gone")
 
-    def test_too_long_for_the_model(self):
-        self.assert_refused(fault.status(400, "This model's maximum context length is 2048 tokens"), "too long")
+    def test_too_long_even_when_short(self):
+        """A shorter question is tried, and no more when there is none."""
+        for code, words in ((400, "This model's maximum context length is 500 tokens"), (413, "too much")):
+            with self.subTest(code), FaultServer([fault.status(code, words)]) as server:
+                run = self.plan(server)
+                self.assert_status(run, 3)
+                self.assertIn("too long", run.err)
+                self.assertTrue(2 <= len(server.requests) <= 5, len(server.requests))
+                self.assert_no_key(run)
 
     def test_a_body_that_never_ends(self):
         started = time.monotonic()
@@ -305,6 +312,96 @@ class Ways(model_case.ModelCase):
         last = server.requests[-1].json()
         self.assertIn("max_tokens", last)
         self.assertIn("tools", last)
+
+
+class Contexts(model_case.ModelCase):
+    """Models that hold little are asked a shorter question, as soon as that is known."""
+
+    REFUSALS = (
+        {"message": "request (5889 tokens) exceeds the available context size (3000 tokens), try increasing it", "n_ctx": 3000},
+        {"message": "This model's maximum context length is 3000 tokens. However, you requested 9889 tokens"},
+        {"message": "Requested tokens (5889) exceed context window of 3000"},
+        {"message": "Prompt contains 5889 tokens, too large for model with 3000 maximum context length"},
+        {"message": "Please reduce the length of the messages or completion."},
+    )
+
+    def length(self, request):
+        return len(request.json()["messages"][0]["content"]) + len(json.dumps(request.json().get("tools", "")))
+
+    def test_what_servers_say(self):
+        for error in self.REFUSALS:
+            refuse = fault.raw(400, json.dumps({"error": {"type": "invalid_request_error", "code": 400, **error}}))
+
+            def behave(connection, request, refuse=refuse):
+                return (refuse if self.length(request) > 6000 else GOOD)(connection, request)
+
+            with self.subTest(error["message"]), FaultServer([behave]) as server:
+                self.assert_done(self.plan(server, "--no-cache"))
+                asked = len(server.requests)
+                self.assertTrue(2 <= asked <= 4, asked)
+                self.assertNotIn("strict", json.dumps(server.requests[-1].json()["tools"]))
+                self.assert_done(self.plan(server, "--no-cache"))  # remembered
+                self.assertEqual(len(server.requests), asked + 1)
+                self.path("cache").rename(self.path(f"cache {error['message'][:20]}"))
+
+    def test_said_by_the_user(self):
+        with FaultServer([GOOD]) as server:
+            self.assert_done(self.plan(server, "--model-context", "4096"))
+        self.assertLess(self.length(server.requests[0]), 6000)
+        self.assertLess(server.requests[0].json()["max_completion_tokens"], 1500)
+
+    def test_a_limit_of_answers(self):
+        def behave(connection, request):
+            words = "max_tokens is too large: this model supports at most 1000 completion tokens"
+            return (GOOD if request.json()["max_completion_tokens"] <= 1000 else fault.status(400, words))(connection, request)
+
+        with FaultServer([behave]) as server:
+            self.assert_done(self.plan(server))
+        self.assertEqual(len(server.requests), 2)
+        self.assertEqual(server.requests[1].json()["max_completion_tokens"], 1000)
+
+    def test_an_answer_cut_before_its_limit(self):
+        """The model was full: the next question is shorter."""
+        cut = completion(call("create_scene", '{"room": {'), "length", {"prompt_tokens": 3900, "completion_tokens": 196})
+        with FaultServer([fault.raw(200, json.dumps(cut)), GOOD]) as server:
+            self.assert_done(self.plan(server))
+        self.assertGreater(self.length(server.requests[0]), 6000)
+        self.assertLess(self.length(server.requests[1]), 6000)
+
+    def test_an_answer_cut_at_its_limit(self):
+        """May be longer the next time."""
+        cut = completion(call("create_scene", '{"room": {'), "length", {"prompt_tokens": 3900, "completion_tokens": 4200})
+        with FaultServer([fault.raw(200, json.dumps(cut)), GOOD]) as server:
+            self.assert_done(self.plan(server))
+        first, second = (request.json()["max_completion_tokens"] for request in server.requests)
+        self.assertLess(first, second)
+
+    def test_a_cut_answer_with_all_that_is_named(self):
+        text = json.dumps(SCENE)
+        with FaultServer([fault.answer(call("create_scene", text[: text.index('"why"')]), "length")]) as server:
+            run = self.plan(server)
+        self.assert_done(run)
+        self.assertEqual(len(server.requests), 1)
+        scene = self.read_json("scene.json")
+        self.assertIn("cut off; 3 things and 0 relations", json.dumps(scene["notes"]))
+        self.assertTrue(any(relation["type"] == "againstWall" for relation in scene["constraints"]))  # from the text
+
+    def test_a_stream_that_repeats_itself_is_left_off(self):
+        """For ever, as far as the server goes."""
+
+        def behave(connection, request):
+            with contextlib.suppress(OSError):
+                fault.endless(b'data: {"choices": [{"index": 0, "delta": {"content": "The bedroom should have a bed. "}}]}\n\n')(
+                    connection, request
+                )
+            return False
+
+        with FaultServer([behave, GOOD]) as server:
+            started = time.monotonic()
+            self.assert_done(self.plan(server, "--stream"))
+            self.assertLess(time.monotonic() - started, 20)
+            self.assertEqual(len(server.requests), 2)
+            self.assertIn("prose", server.requests[1].last_message())
 
 
 class Requests(model_case.ModelCase):

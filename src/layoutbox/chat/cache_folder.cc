@@ -46,6 +46,10 @@ std::string text_member(const Json& json, const char* key) {
   return json.is_object() && json.contains(key) && json[key].is_string() ? json[key].get<std::string>() : std::string();
 }
 
+std::int64_t number_member(const Json& json, const char* key) {
+  return json.contains(key) && json[key].is_number_unsigned() ? json[key].get<std::int64_t>() : 0;
+}
+
 std::string last_message(const std::string& request) {
   const Json body = Json::parse(request, nullptr, false);
   if (!body.is_object() || !body.contains("messages") || !body["messages"].is_array() || body["messages"].empty()) return {};
@@ -120,6 +124,7 @@ Habits load_habits(const fs::path& folder, std::string_view base_url, std::strin
   for (int mode = 0; mode < kModeCount; ++mode) {
     if (text_member(kept, "mode") == name_of(static_cast<Mode>(mode))) habits.mode = static_cast<Mode>(mode), habits.known = true;
   }
+  habits.capacity = {number_member(kept, "context"), number_member(kept, "answer"), number_member(kept, "cuts") != 0};
   if (kept.contains("without") && kept["without"].is_array()) {
     for (const Json& name : kept["without"]) {
       if (name.is_string()) habits.without.insert(name.get<std::string>());
@@ -132,7 +137,11 @@ void save_habits(const fs::path& folder, std::string_view base_url, std::string_
   if (folder.empty()) return;
   Json json = read_json_file(folder / kHabitsFile);
   if (!json.is_object()) json = Json::object();
-  json[habits_key(base_url, model)] = {{"mode", name_of(habits.mode)}, {"without", habits.without}};
+  json[habits_key(base_url, model)] = {{"mode", name_of(habits.mode)},
+                                       {"without", habits.without},
+                                       {"context", habits.capacity.context},
+                                       {"answer", habits.capacity.answer},
+                                       {"cuts", habits.capacity.cuts ? 1 : 0}};
   write_private(folder / kHabitsFile, json);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,6 +36,7 @@ struct Question {
   double temperature = 0;
   std::uint64_t seed = 1;
   int max_answer_tokens = 8000;
+  std::shared_ptr<const Question> shorter;  // the same in fewer words, for a model that cannot hold this one; may be null
 };
 
 struct Call {
@@ -62,8 +64,5 @@ struct Answer {
   std::optional<double> cost;  // US dollars; empty where no price is known
   std::string request, body;   // what was sent and what came, without the key
 };
-
-// About as many tokens as a text has; rather more.
-std::int64_t estimated_tokens(std::string_view text);
 
 }  // namespace layoutbox::chat

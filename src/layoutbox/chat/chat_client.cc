@@ -7,29 +7,44 @@
 #include <random>
 #include <thread>
 
+#include "layoutbox/chat/runaway.h"
 #include "layoutbox/chat/server_errors.h"
+#include "layoutbox/chat/sse.h"
+#include "layoutbox/chat/tokens.h"
 
 namespace layoutbox::chat {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+constexpr int kMostAdaptations = 8;
 
-// The text of a question as the server counts it.
-std::int64_t tokens_of(const Question& question) {
-  std::int64_t tokens = 0;
-  for (const Message& message : question.messages) tokens += estimated_tokens(message.content);
-  for (const Function& function : question.functions) tokens += estimated_tokens(function.parameters);
-  return tokens;
-}
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 void fill_estimates(const Question& question, Answer& answer) {
   if (!answer.usage.estimated) return;
   std::string text = answer.content;
   for (const Call& call : answer.calls) text += call.arguments;
-  answer.usage.question_tokens = tokens_of(question);
+  answer.usage.question_tokens = estimated_tokens(question);
   answer.usage.answer_tokens = estimated_tokens(text);
+}
+
+bool runs_away_streamed(std::string_view body) {
+  const ReadAnswer read = read_answer({200, "text/event-stream", {}, {}, std::string(body), true});
+  if (read.kind != ReadAnswer::Kind::kAnswer) return false;
+  return runs_away(read.answer.calls.empty() ? read.answer.content : read.answer.calls.back().arguments);
+}
+
+// An answer cut off before its limit shows how much the model can hold.
+Capacity capacity_seen(const Answer& answer, const Question& asked, Capacity known) {
+  constexpr std::int64_t kSlack = 32;
+  const bool cut = answer.finish_reason == "length" && !answer.usage.estimated && answer.usage.answer_tokens > 0;
+  const std::int64_t all = answer.usage.question_tokens + answer.usage.answer_tokens;
+  if (cut && answer.usage.answer_tokens + kSlack < asked.max_answer_tokens && all < known.context_or_any()) {
+    known.context = all;
+    known.cuts = true;
+  }
+  return known;
 }
 
 // Such an answer would come again, and a later run may read it.
@@ -55,6 +70,7 @@ ChatClient::ChatClient(ChatOptions options)
       habits_(load_habits(options_.cache, options_.endpoint.base_url, options_.endpoint.model)) {
   // Hosted servers know a function by name; those at home (llama.cpp, LM Studio) often but the word, and then let the model talk.
   if (!habits_.known && is_local(options_.endpoint)) habits_.without.insert("named_tool");
+  if (options_.context_tokens > 0) habits_.capacity.context = options_.context_tokens;
 }
 
 Result<Answer> ChatClient::ask(const Question& question) {
@@ -105,7 +121,11 @@ Result<Answer> ChatClient::from_server(const Question& question) {
   answer->seconds = seconds_since(so_far.started);
   answer->own_seconds = answer->seconds - so_far.waited_s;
   answer->request = safe(so_far.request);
-  fill_estimates(question, *answer);
+  const Question asked = fitted(question, habits_.capacity);
+  const Capacity seen = capacity_seen(*answer, asked, habits_.capacity);
+  if (seen.context != habits_.capacity.context) habits_.known = false;  // to be kept
+  habits_.capacity = seen;
+  fill_estimates(asked, *answer);
   if (auto other = change_for(*answer, habits_)) {  // the next question is asked so; it is remembered once it has worked
     habits_ = std::move(*other);
   } else if (!habits_.known) {
@@ -115,17 +135,23 @@ Result<Answer> ChatClient::from_server(const Question& question) {
   return answer;
 }
 
+HttpRequest ChatClient::http_request(const Exchange& so_far) const {
+  HttpRequest request;
+  request.url = url();
+  request.headers = {"Content-Type: application/json", "Accept: application/json, text/event-stream", "Expect:"};
+  if (!options_.endpoint.key.empty()) request.headers.push_back("Authorization: Bearer " + options_.endpoint.key);
+  request.body = so_far.request;
+  request.time_limit_s = std::min(options_.request_limit_s, std::max(0.1, options_.retry.total_s - seconds_since(so_far.started)));
+  if (options_.stream) request.enough = runs_away_streamed;
+  return request;
+}
+
 // Asks until there is an answer or no more sense in asking.
 Result<Answer> ChatClient::exchange(const Question& question, Exchange& so_far) {
   for (;;) {
     so_far.request = write_request(question, options_.endpoint.model, habits_, options_.stream);
-    HttpRequest request{url(),
-                        {"Content-Type: application/json", "Accept: application/json, text/event-stream", "Expect:"},
-                        so_far.request,
-                        std::min(options_.request_limit_s, std::max(0.1, options_.retry.total_s - seconds_since(so_far.started)))};
-    if (!options_.endpoint.key.empty()) request.headers.push_back("Authorization: Bearer " + options_.endpoint.key);
     const Clock::time_point sent = Clock::now();
-    const auto response = http_.post(request, options_.stop);
+    const auto response = http_.post(http_request(so_far), options_.stop);
     so_far.waited_s += seconds_since(sent);
 
     Problem problem;
@@ -141,7 +167,7 @@ Result<Answer> ChatClient::exchange(const Question& question, Exchange& so_far) 
       problem = problem_of(read, *response, options_.endpoint);
     } else {
       const ServerError error = read_error(response->body);
-      if (so_far.adaptations < 8 && adapt(response->status, error)) {
+      if (so_far.adaptations < kMostAdaptations && adapt(response->status, error, question)) {
         ++so_far.adaptations;
         continue;
       }
@@ -154,10 +180,13 @@ Result<Answer> ChatClient::exchange(const Question& question, Exchange& so_far) 
   }
 }
 
-// A server that does not know a parameter or a way of asking is asked without it, now and from now on.
-bool ChatClient::adapt(int status, const ServerError& error) {
-  const auto change = change_for(status, error, habits_);
-  if (!change) return false;
+// A server that does not know a parameter or a way of asking is asked without it, and one that cannot hold the question is asked a shorter
+// one, now and from now on.
+bool ChatClient::adapt(int status, const ServerError& error, const Question& question) {
+  const auto request_by = [&](const Habits& habits) { return write_request(question, options_.endpoint.model, habits, options_.stream); };
+  const Question asked = fitted(question, habits_.capacity);
+  const auto change = change_for(status, error, habits_, estimated_tokens(asked) + asked.max_answer_tokens);
+  if (!change || request_by(*change) == request_by(habits_)) return false;
   habits_ = *change;
   habits_.known = false;
   return true;
@@ -177,7 +206,7 @@ Status ChatClient::wait(double seconds, const std::string& why) const {
 Result<Amount> ChatClient::set_aside(const Question& question) const {
   if (options_.purse == nullptr) return Amount{};
   Purse& purse = *options_.purse;
-  const std::int64_t tokens = tokens_of(question);
+  const std::int64_t tokens = estimated_tokens(question);
   Amount most{0, tokens};
   if (purse.max_cost && !is_local(options_.endpoint)) {
     const auto price = options_.prices.find(options_.endpoint.model);

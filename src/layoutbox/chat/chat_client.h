@@ -21,8 +21,9 @@ namespace layoutbox::chat {
 struct ChatOptions {
   Endpoint endpoint;
   RetryOptions retry;
-  double request_limit_s = 300;  // of one request. DEFAULT: 300, for models on slow machines
-  bool stream = false;           // ask for the answer in pieces
+  double request_limit_s = 300;     // of one request. DEFAULT: 300, for models on slow machines
+  bool stream = false;              // ask for the answer in pieces; one that only repeats itself is then left off
+  std::int64_t context_tokens = 0;  // what the model can hold, question and answer together; 0: found out
   // Where answers and what is known of servers are kept. Empty: nowhere.
   std::filesystem::path cache = cache_folder();
   bool use_cached_answers = true;
@@ -56,7 +57,8 @@ class ChatClient {
   Result<Answer> exchange(const Question& question, Exchange& so_far);
   Result<Amount> set_aside(const Question& question) const;
   void count(Answer& answer);
-  bool adapt(int status, const ServerError& error);
+  bool adapt(int status, const ServerError& error, const Question& question);
+  HttpRequest http_request(const Exchange& so_far) const;
   Status wait(double seconds, const std::string& why) const;
   std::string safe(std::string text) const { return without_key(std::move(text), options_.endpoint); }
   std::string url() const { return options_.endpoint.base_url + "/chat/completions"; }

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "layoutbox/base/plain_text.h"
+
 namespace layoutbox::chat {
 namespace {
 
@@ -86,14 +88,14 @@ std::string without_key(std::string text, const Endpoint& endpoint) {
 
 std::string one_line(std::string_view text, std::size_t most) {
   std::string line;
-  for (const char c : text) {
+  for (const char c : plain_text(text)) {
     const auto byte = static_cast<unsigned char>(c);
     const bool begins = (byte & 0xC0) != 0x80;
     if (line.size() >= most && begins) {
       line += "…";
       break;
     }
-    if (byte > ' ' && byte != 0x7F) {
+    if (byte > ' ') {
       line += c;
     } else if (!line.empty() && line.back() != ' ') {
       line += ' ';

@@ -17,24 +17,35 @@ namespace {
 constexpr int kPollMs = 100;
 constexpr long kConnectSeconds = 15;
 constexpr double kLongestRetryAfter = 1e6;
+constexpr std::size_t kFirstLook = 16384;
 
 using Answer = tl::expected<HttpResponse, HttpFailure>;
 
 struct Exchange {
   HttpResponse response;
-  std::size_t max_bytes = 0;
+  const HttpRequest& request;
+  std::size_t next_look = kFirstLook;
   bool too_large = false;
 };
+
+// Each look reads the whole, so they grow apart.
+bool is_enough(Exchange& exchange) {
+  const std::string& body = exchange.response.body;
+  if (!exchange.request.enough || body.size() < exchange.next_look) return false;
+  exchange.next_look = body.size() + std::max(kFirstLook, body.size() / 8);
+  return exchange.request.enough(body);
+}
 
 std::size_t on_body(char* data, std::size_t size, std::size_t count, void* user) {
   auto& exchange = *static_cast<Exchange*>(user);
   const std::size_t bytes = size * count;
-  if (exchange.response.body.size() + bytes > exchange.max_bytes) {
+  if (exchange.response.body.size() + bytes > exchange.request.max_bytes) {
     exchange.too_large = true;
     return 0;
   }
   exchange.response.body.append(data, bytes);
-  return bytes;
+  exchange.response.left_off = is_enough(exchange);
+  return exchange.response.left_off ? 0 : bytes;
 }
 
 bool same_word(std::string_view a, std::string_view b) {
@@ -141,8 +152,7 @@ Answer HttpClient::post(const HttpRequest& request, const std::atomic<bool>* sto
   if (state.multi == nullptr || state.easy == nullptr) return tl::unexpected(HttpFailure{HttpFault::kOther, "libcurl cannot start"});
 
   CURL* const easy = state.easy;
-  Exchange exchange;
-  exchange.max_bytes = request.max_bytes;
+  Exchange exchange{{}, request};
   char details[CURL_ERROR_SIZE] = "";
   curl_slist* headers = nullptr;
   for (const std::string& header : request.headers) headers = curl.slist_append(headers, header.c_str());
@@ -188,7 +198,7 @@ Answer HttpClient::post(const HttpRequest& request, const std::atomic<bool>* sto
   curl.easy_setopt(easy, CURLOPT_ERRORBUFFER, nullptr);
   curl.slist_free_all(headers);
   exchange.response.status = static_cast<int>(status);
-  if (code == CURLE_OK) return std::move(exchange.response);
+  if (code == CURLE_OK || exchange.response.left_off) return std::move(exchange.response);
   const char* const words = details[0] != '\0' ? details : curl.easy_strerror(code);
   return tl::unexpected(failure_of(code, exchange, request, words));
 }

@@ -5,9 +5,11 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "layoutbox/base/result.h"
@@ -20,6 +22,8 @@ struct HttpRequest {
   std::string body;                  // sent by POST
   double time_limit_s = 300;         // of the whole exchange. REQUIRES: > 0
   std::size_t max_bytes = 8u << 20;  // of the answer; a longer one is refused as soon as that is seen
+  // Asked now and then while the answer comes: true where what has come is enough, and the rest is not waited for. May be empty.
+  std::function<bool(std::string_view so_far)> enough;
 };
 
 struct HttpResponse {
@@ -28,6 +32,7 @@ struct HttpResponse {
   std::string location;                 // where a redirect leads
   std::optional<double> retry_after_s;  // Retry-After or retry-after-ms
   std::string body;
+  bool left_off = false;  // `enough` ended it
 };
 
 // Why there is no answer.

@@ -27,7 +27,8 @@ bool is_about_money(const ServerError& error) {
 }
 
 bool is_about_length(std::string_view text) {
-  return says_any(text, {"context length", "context_length", "context size", "context window", "maximum context", "too many tokens"});
+  return says_any(text, {"context length", "context_length", "context size", "context window", "maximum context", "too many tokens",
+                         "reduce the length"});
 }
 
 }  // namespace
@@ -143,12 +144,24 @@ Error final_error(const Problem& problem, int retries, double seconds) {
   return {ErrorCode::kNetwork, message, {}, problem.hint, {}};
 }
 
-std::optional<Habits> change_for(int status, const ServerError& error, const Habits& habits) {
-  if (status != 400 && status != 404 && status != 405 && status != 415 && status != 422 && status != 500 && status != 501)
+std::optional<Habits> change_for(int status, const ServerError& error, const Habits& habits, std::int64_t asked_tokens) {
+  if (status != 400 && status != 413 && status != 404 && status != 405 && status != 415 && status != 422 && status != 500 && status != 501)
     return std::nullopt;
   const std::string text = lower(error.parameter + " " + error.message);
-  if (is_about_length(text)) return std::nullopt;
   Habits changed = habits;
+  Capacity told = capacity_told(text, error.context);
+  if (told.answer > 0 && told.answer < changed.capacity.answer_or_any()) {
+    changed.capacity.answer = told.answer;
+    return changed;
+  }
+  if (is_about_length(text) || error.context > 0 || status == 413) {
+    if (told.context == 0 || told.context >= std::min(asked_tokens, changed.capacity.context_or_any()))
+      told.context = asked_tokens * 3 / 4;  // it says nothing, or counts otherwise
+    if (told.context == 0 || told.context >= changed.capacity.context_or_any()) return std::nullopt;
+    changed.capacity.context = told.context;
+    changed.capacity.cuts = false;
+    return changed;
+  }
   for (const char* parameter : {"max_completion_tokens", "temperature", "seed", "stream_options"}) {
     if (text.find(parameter) != std::string::npos && changed.without.insert(parameter).second) return changed;
   }

@@ -28,7 +28,8 @@ Problem problem_of(const ReadAnswer& read, const HttpResponse& response, const E
 Error final_error(const Problem& problem, int retries, double seconds);
 
 // How to ask instead, where the server's words say that it does not know a parameter or a way of asking; empty where they do not.
-std::optional<Habits> change_for(int status, const ServerError& error, const Habits& habits);
+// `asked_tokens`: what was asked for, question and answer together; for servers that say no more than "too long".
+std::optional<Habits> change_for(int status, const ServerError& error, const Habits& habits, std::int64_t asked_tokens = 0);
 
 // How to ask instead, where an answer came that is in words although a call or JSON was asked for: the server leaves the choice to the
 // model. Empty where it is as asked, or where there is no other way.

@@ -79,7 +79,8 @@ void read_message(const Json& message, Answer& answer) {
 
 std::int64_t count_of(const Json& usage, const char* key) {
   const auto found = usage.find(key);
-  return found != usage.end() && found->is_number() ? std::max<std::int64_t>(0, found->get<std::int64_t>()) : 0;
+  constexpr double kMost = 1e12;  // beyond is nonsense, and no integer
+  return found != usage.end() && found->is_number() ? static_cast<std::int64_t>(std::clamp(found->get<double>(), 0.0, kMost)) : 0;
 }
 
 bool is_page(const HttpResponse& response) {
@@ -98,6 +99,7 @@ ServerError error_from(const Json& body) {
     if (error.message.empty()) error.message = text_of(*object, "detail");
     error.parameter = text_of(*object, "param");
     error.code = text_of(*object, "code");
+    error.context = count_of(*object, "n_ctx");
     if (error.message.empty()) error.message = object->dump(-1, ' ', false, Json::error_handler_t::replace);
   }
   return error;
@@ -121,9 +123,8 @@ const char* name_of(Mode mode) {
   return "";
 }
 
-std::int64_t estimated_tokens(std::string_view text) { return static_cast<std::int64_t>(text.size() * 2 / 7 + 1); }
-
-std::string write_request(const Question& question, const std::string& model, const Habits& habits, bool stream) {
+std::string write_request(const Question& asked, const std::string& model, const Habits& habits, bool stream) {
+  const Question question = fitted(asked, habits.capacity);
   Ordered body{{"model", model}, {"messages", Ordered::array()}};
   for (const Message& message : question.messages) body["messages"].push_back({{"role", message.role}, {"content", message.content}});
   if (habits.mode == Mode::kStrictTools || habits.mode == Mode::kTools) {
@@ -177,7 +178,7 @@ ReadAnswer read_answer(const HttpResponse& response) {
     read.error = error_from(body);
     return read;
   }
-  if (!stream_ended) {
+  if (!stream_ended && !response.left_off) {
     read.kind = ReadAnswer::Kind::kCut;
     return read;
   }
@@ -188,7 +189,7 @@ ReadAnswer read_answer(const HttpResponse& response) {
   }
   read.kind = ReadAnswer::Kind::kAnswer;
   read_message((*choice)["message"], read.answer);
-  read.answer.finish_reason = text_of(*choice, "finish_reason");
+  read.answer.finish_reason = response.left_off ? "length" : text_of(*choice, "finish_reason");
   const auto usage = body.find("usage");
   if (usage != body.end() && usage->is_object()) {
     read.answer.usage = {count_of(*usage, "prompt_tokens"), count_of(*usage, "completion_tokens"), false};

@@ -7,6 +7,7 @@
 
 #include "layoutbox/chat/chat.h"
 #include "layoutbox/chat/http_client.h"
+#include "layoutbox/chat/tokens.h"
 
 namespace layoutbox::chat {
 
@@ -14,14 +15,16 @@ namespace layoutbox::chat {
 struct Habits {
   Mode mode = Mode::kStrictTools;
   bool known = false;             // the mode has worked before
+  Capacity capacity;              // what it can hold
   std::set<std::string> without;  // "temperature", "seed", "max_completion_tokens", "tool_choice", "named_tool", "response_format"
 };
 
-// The body of the request.
-std::string write_request(const Question& question, const std::string& model, const Habits& habits, bool stream);
+// The body of the request; of a question that the model cannot hold a shorter form.
+std::string write_request(const Question& asked, const std::string& model, const Habits& habits, bool stream);
 
 struct ServerError {
   std::string message, parameter, code;
+  std::int64_t context = 0;  // tokens that the model can hold, where the error says so in a member of its own (llama.cpp)
 };
 
 // What came with status 2xx.

@@ -33,6 +33,9 @@ void ModelFlags::add_to(CLI::App& command, RepairOptions& repair) {
       ->capture_default_str()
       ->check(CLI::Range(0.1, 86400.0))
       ->group(group);
+  command.add_option("--model-context", context_tokens, "Tokens that the model can hold, where its server does not say; 0: found out")
+      ->check(CLI::Range(0, 100'000'000))
+      ->group(group);
   command.add_option("--max-cost", max_cost, "US dollars that the answers may cost, in a batch those of all rooms")
       ->check(CLI::Range(0.0, 1e6))
       ->group(group);
@@ -58,6 +61,7 @@ Result<chat::ChatOptions> ModelFlags::chat_options(const Console& console) const
     chat.prices = std::move(*prices);
   }
   chat.request_limit_s = timeout_s;
+  chat.context_tokens = context_tokens;
   chat.retry.total_s = std::max(chat.retry.total_s, timeout_s);
   chat.purse->max_cost = max_cost;
   chat.purse->max_tokens = max_tokens;

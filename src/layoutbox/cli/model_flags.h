@@ -16,6 +16,7 @@ namespace layoutbox::cli {
 struct ModelFlags {
   std::string model, base_url, trust = "text", prices_file;
   double timeout_s = 300;
+  int context_tokens = 0;
   std::optional<double> max_cost;
   std::optional<std::int64_t> max_tokens;
   bool no_cache = false, stream = false, dry_run = false;

@@ -43,6 +43,13 @@ std::string sentences_of(const Layout& layout) {
   return text;
 }
 
+std::size_t things_left_out(const WayOut& way) {
+  const Json patch = Json::parse(way.patch, nullptr, false);
+  if (!patch.is_array()) return 0;
+  return static_cast<std::size_t>(std::ranges::count_if(
+      patch, [](const Json& change) { return change.value("op", "") == "remove" && change.value("path", "").starts_with("/furniture/"); }));
+}
+
 // Where not even giving up brings a layout, everything takes part in the conflict.
 Layout layout_of_nothing(const SceneGraph& scene, const Error& error) {
   Layout layout;
@@ -165,7 +172,9 @@ Result<bool> RepairLoop::try_draft(llm::Draft draft, llm::Attempt& attempt) {
 
 llm::Complaint RepairLoop::conflict_complaint(const Candidate& candidate) const {
   const Layout& layout = candidate.room.layout;
-  llm::Complaint complaint{llm::Complaint::Kind::kConflict, {}, {}};
+  llm::Complaint complaint;
+  complaint.kind = llm::Complaint::Kind::kConflict;
+  complaint.may_go = std::max<std::size_t>(1, layout.conflicts.size());
   std::string relations, objects;
   std::vector<std::string> ids;
   for (const Relation& relation : candidate.room.scene.relations) {
@@ -189,6 +198,7 @@ llm::Complaint RepairLoop::conflict_complaint(const Candidate& candidate) const 
   WaysOutOptions limits;
   limits.room_may_grow = options_.normalize.room_size.width == 0 && !options_.shell;
   const auto ways = find_ways_out(candidate.document, layout, catalog_, options_, limits);
+  for (const auto& way : ways) complaint.may_go = std::max(complaint.may_go, things_left_out(way));
   if (!ways.empty()) complaint.text += "Ways out, each tried and enough, as changes (RFC 6902) to the scene as it stands above:\n";
   for (std::size_t i = 0; i < ways.size(); ++i) complaint.text += fmt::format("{}. {}: {}\n", i + 1, ways[i].sentence, ways[i].patch);
   complaint.text +=

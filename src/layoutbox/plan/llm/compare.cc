@@ -147,7 +147,8 @@ class Comparison {
     if (same && same_height) return;
     differ(fmt::format("the text's room is {:g} x {:g} m{}, the model's is not", m_from_mm(far.x), m_from_mm(far.y),
                        said.height > 0 ? fmt::format(" and {:g} m high", m_from_mm(said.height)) : ""));
-    if (!settling_.room) return;
+    const bool larger = made.size() == 4 && made[2].x + kSameLength >= far.x && made[2].y + kSameLength >= far.y;
+    if (!settling_.room || (settling_.room_may_grow && larger)) return;
     json& room = document_["room"];
     for (const char* key : {"polygon", "height", "walls"}) room.erase(key);
     json dims = room.value("dims", json::object());
@@ -166,7 +167,7 @@ class Comparison {
       const auto made = std::ranges::count_if(draft_.scene.room.openings, [&](const Opening& o) { return o.type == type; });
       if (static_cast<std::size_t>(made) >= said.size()) continue;
       differ(fmt::format("the text has {} {}{}, the model's room {}", said.size(), name_of(type), said.size() > 1 ? "s" : "", made));
-      if (!settling_.room) continue;
+      if (!settling_.room || settling_.room_may_grow) continue;
       for (std::size_t i = static_cast<std::size_t>(made); i < said.size(); ++i) {
         json opening{{"id", unused(said[i]->id)},
                      {"type", name_of(type)},
@@ -180,12 +181,19 @@ class Comparison {
     }
   }
 
+  // The model chose to leave it out, as it was asked to; not more than that takes.
+  bool may_be_missing(const SceneObject& said) {
+    if (!settling_.open.contains(said.category) || missing_ >= settling_.may_be_missing) return false;
+    ++missing_;
+    return true;
+  }
+
   void compare_objects() {
     for (const SceneObject& said : text_.objects) {
       if (said.assumed) continue;
       if (!ids_.contains(said.id)) {
         differ(fmt::format("the text names {} ({}), the model's scene has none for it", said.name, said.category));
-        if (settling_.objects && !settling_.open.contains(said.category)) add(said);
+        if (settling_.objects && !may_be_missing(said)) add(said);
         continue;
       }
       compare_size(said, *draft_.scene.find_object(ids_[said.id]));
@@ -394,6 +402,7 @@ class Comparison {
   const SceneGraph& text_;
   const Catalog& catalog_;
   const Settling& settling_;
+  std::size_t missing_ = 0;
   Draft& draft_;
   json document_;
   std::map<std::string, std::string> ids_;  // of the text → of the scene

@@ -21,8 +21,11 @@ enum class Trust {
 struct Settling {
   bool objects = true;
   bool room = true;
+  bool room_may_grow = false;  // after a conflict: a larger room is a way out, and its doors and windows may change
   bool sizes_and_relations = true;
-  std::set<std::string> open;  // categories of which a thing may be missing: the model was asked to choose
+  // Categories of which things may be missing, and how many of all: the model was asked to choose.
+  std::set<std::string> open;
+  std::size_t may_be_missing = 0;
 };
 
 // One sentence for each difference; each is also a note of the scene, and its document follows what is settled.

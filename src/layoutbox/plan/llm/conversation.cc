@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "layoutbox/base/words.h"
+#include "layoutbox/chat/tokens.h"
 #include "layoutbox/plan/llm/functions.h"
 #include "layoutbox/plan/llm/prompt.h"
 
@@ -39,15 +40,28 @@ Conversation::Conversation(const Catalog& catalog, chat::ChatOptions chat, std::
   } else if (!offline && (blank || offline.error().code != ErrorCode::kEmpty)) {  // what is not English a model may still understand
     readable_ = Failure(offline.error());
   }
-  const PromptInput input{text_, offline_ ? &offline_->scene : nullptr, room.size, room.shell,
-                          static_cast<std::size_t>(chat::estimated_tokens(strict_scene_schema()))};
-  system_ = make_system_prompt(catalog_, input).text;
   const bool by_text = options_.trust == Trust::kText;
-  settling_ = {by_text, by_text && room.size.width == 0 && room.shell == nullptr, by_text, {}};
-  if (edits) {
-    system_ += std::string(kEditRules) + options_.scene_to_edit;
-    document_ = options_.scene_to_edit;
-  }
+  settling_ = {by_text, by_text && room.size.width == 0 && room.shell == nullptr, false, by_text, {}};
+  if (edits) document_ = options_.scene_to_edit;
+  system_ = system_text(room, false);
+  system_brief_ = system_text(room, true);
+}
+
+SchemaWanted Conversation::schema_wanted(bool brief) const {
+  SchemaWanted wanted{.brief = brief, .articles = catalog_.has_articles(), .objects = named_objects(), .categories = {}};
+  if (!offline_) return wanted;
+  wanted.openings = std::ranges::any_of(offline_->scene.room.openings, [](const Opening& opening) { return !opening.assumed; });
+  for (const SceneObject& object : offline_->scene.objects) wanted.categories.insert(object.category);
+  wanted.sizes = std::ranges::any_of(offline_->scene.objects, [](const SceneObject& object) { return object.size.has_value(); });
+  return wanted;
+}
+
+std::string Conversation::system_text(const RoomGiven& room, bool brief) const {
+  const auto schema_tokens = static_cast<std::size_t>(chat::estimated_tokens(scene_schema(schema_wanted(brief))));
+  std::string text =
+      make_system_prompt(catalog_, {text_, offline_ ? &offline_->scene : nullptr, room.size, room.shell, schema_tokens, brief}).text;
+  if (!options_.scene_to_edit.empty()) text += std::string(kEditRules) + options_.scene_to_edit;
+  return text;
 }
 
 Result<std::string> Conversation::describe_first_request() const {
@@ -56,12 +70,20 @@ Result<std::string> Conversation::describe_first_request() const {
 }
 
 chat::Question Conversation::question_for(const std::optional<Complaint>& complaint) const {
+  chat::Question question = question_of(complaint, false);
+  question.shorter = std::make_shared<const chat::Question>(question_of(complaint, true));
+  return question;
+}
+
+chat::Question Conversation::question_of(const std::optional<Complaint>& complaint, bool brief) const {
   chat::Question question;
   // Another seed each time: where nothing else has changed, the same question would bring the same answer.
   question.seed = plan_.seed + attempts_.size() - (attempts_.empty() ? 0 : 1);
-  question.max_answer_tokens = options_.max_answer_tokens;
-  question.messages = {{"system", system_}, {"user", quoted_request(text_)}};
-  question.functions.push_back(create_scene_function(offline_ ? offline_->scene.objects.size() : 0));
+  const SchemaWanted wanted = schema_wanted(brief);
+  const bool was_cut = last_answer_ && last_answer_->finish_reason == "length";
+  question.max_answer_tokens = was_cut ? options_.max_answer_tokens : std::min(options_.max_answer_tokens, answer_tokens(wanted));
+  question.messages = {{"system", brief ? system_brief_ : system_}, {"user", quoted_request(text_)}};
+  question.functions.push_back(create_scene_function(wanted));
   if (!complaint) return question;
   if (!document_.empty()) question.messages.push_back({"assistant", document_});
   question.messages.push_back({"user", complaint->text});
@@ -78,7 +100,8 @@ Result<Reading> Conversation::ask(const std::optional<Complaint>& complaint) {
   if (complaint && (complaint->kind == Complaint::Kind::kConflict || complaint->kind == Complaint::Kind::kNotice)) {
     settling_.sizes_and_relations = false;
     settling_.open.insert(complaint->categories.begin(), complaint->categories.end());
-    settling_.room = false;
+    settling_.may_be_missing += complaint->may_go;
+    settling_.room_may_grow = true;
   }
   Result<chat::Answer> answer = client_.ask(question_for(complaint));
   if (!answer) {
@@ -87,7 +110,7 @@ Result<Reading> Conversation::ask(const std::optional<Complaint>& complaint) {
   }
   attempt.answer = *answer;
   last_answer_ = std::move(*answer);
-  Result<Reading> reading = read_draft(*last_answer_, catalog_, document_);
+  Result<Reading> reading = read_draft(*last_answer_, catalog_, {document_, named_objects()});
   if (!reading) {
     attempt.faults.push_back(reading.error());
     return reading;
@@ -110,7 +133,7 @@ void Conversation::settle_differences(Draft& draft, Attempt& attempt) const {
 
 std::optional<Draft> Conversation::salvage() const {
   if (!last_answer_) return std::nullopt;
-  const Result<Reading> reading = read_draft(*last_answer_, catalog_, document_, Leniency::kSalvage);
+  const Result<Reading> reading = read_draft(*last_answer_, catalog_, {document_, named_objects()}, Leniency::kSalvage);
   if (!reading || !reading->draft) return std::nullopt;
   Draft draft = *reading->draft;
   Attempt unused;

@@ -11,13 +11,14 @@
 #include "layoutbox/chat/chat_client.h"
 #include "layoutbox/plan/llm/compare.h"
 #include "layoutbox/plan/llm/draft.h"
+#include "layoutbox/plan/llm/strict_schema.h"
 #include "layoutbox/plan/planner.h"
 
 namespace layoutbox::llm {
 
 struct ConversationOptions {
   Trust trust = Trust::kText;
-  int max_answer_tokens = 8000;  // of one answer
+  int max_answer_tokens = 8000;  // of one answer; less where the text is short
   // An earlier scene to be changed, as JSON, where the text is a change to it. Empty: the text describes a room.
   std::string scene_to_edit;
 };
@@ -31,7 +32,9 @@ struct Complaint {
     kFailure,   // the script or the picture failed
   } kind = Kind::kFaults;
   std::string text;
-  std::set<std::string> categories;  // kConflict: of what takes part, which the model may leave out against the text
+  // kConflict: of what takes part, which the model may leave out against the text, and how many things that takes at most.
+  std::set<std::string> categories;
+  std::size_t may_go = 0;
 };
 
 // One question and what became of it; run.json holds them all.
@@ -68,6 +71,10 @@ class Conversation {
 
  private:
   chat::Question question_for(const std::optional<Complaint>& complaint) const;
+  chat::Question question_of(const std::optional<Complaint>& complaint, bool brief) const;
+  SchemaWanted schema_wanted(bool brief) const;
+  std::size_t named_objects() const { return offline_ ? offline_->scene.objects.size() : 0; }
+  std::string system_text(const RoomGiven& room, bool brief) const;
   void settle_differences(Draft& draft, Attempt& attempt) const;
 
   const Catalog& catalog_;
@@ -77,7 +84,7 @@ class Conversation {
   ConversationOptions options_;
   std::optional<Plan> offline_;  // how the offline planner reads the text
   Status readable_;              // of the text
-  std::string system_;
+  std::string system_, system_brief_;
   std::string document_;  // of the last draft
   std::optional<chat::Answer> last_answer_;
   Settling settling_;  // what the text still decides

@@ -74,12 +74,14 @@ Chosen document_from(std::string_view text, std::string_view previous, Notes& no
   return {std::move(document), {}};
 }
 
+bool has_json(const chat::Answer& answer) { return !answer.calls.empty() || answer.content.find('{') != std::string::npos; }
+
 Chosen choose(const chat::Answer& answer, std::string_view previous, Notes& notes) {
   if (answer.calls.empty()) {
     if (answer.content.find_first_not_of(" \t\r\n") == std::string::npos) {
       return wrong(ErrorCode::kEmpty, "the answer is empty", "call create_scene");
     }
-    if (answer.content.find('{') == std::string::npos) {
+    if (!has_json(answer)) {
       return wrong(ErrorCode::kParse, "the answer is prose, not a scene", "call create_scene, nothing else");
     }
     return document_from(answer.content, previous, notes);
@@ -97,6 +99,28 @@ Chosen choose(const chat::Answer& answer, std::string_view previous, Notes& note
   }
   notes.push_back({"mended", fmt::format("the function was called \"{}\" instead of {}", name, kCreateScene), {}});
   return chosen;
+}
+
+std::size_t size_of_list(const json& document, const char* name) {
+  const auto list = document.find(name);
+  return list != document.end() && list->is_array() ? list->size() : 0;
+}
+
+// Of an answer that was cut off; empty where fewer than `things` are whole, and where it cannot be told how many are enough (0).
+std::optional<json> what_is_whole(const chat::Answer& answer, std::size_t things, Notes& notes) {
+  if (things == 0) return std::nullopt;
+  Result<json> document = parse_cut_json(answer.calls.empty() ? answer.content : answer.calls[0].arguments);
+  if (!document) return std::nullopt;
+  json scene = *document;
+  Notes unused;
+  mend_form(scene, unused);
+  const std::size_t whole = size_of_list(scene, "furniture");
+  if (whole < things) return std::nullopt;
+  notes.push_back({"mended",
+                   fmt::format("the answer was cut off; {} and {} in it were whole and are kept", counted(whole, "thing"),
+                               counted(size_of_list(scene, "constraints"), "relation")),
+                   {}});
+  return std::move(*document);
 }
 
 // The pointer's list and index: "/constraints/3/targets/0" → constraints, 3.
@@ -172,7 +196,7 @@ Reading read_document(std::string text, const Catalog& catalog, Notes notes, Len
   }
 }
 
-Result<Reading> read_draft(const chat::Answer& answer, const Catalog& catalog, std::string_view previous, Leniency leniency) {
+Result<Reading> read_draft(const chat::Answer& answer, const Catalog& catalog, const Known& known, Leniency leniency) {
   if (!answer.refusal.empty()) {
     return fail(ErrorCode::kNotFound, fmt::format("the model refuses: {}", chat::one_line(answer.refusal, 200)), {},
                 "put it in other words");
@@ -181,9 +205,13 @@ Result<Reading> read_draft(const chat::Answer& answer, const Catalog& catalog, s
     return fail(ErrorCode::kNotFound, "the server's content filter held the answer back", {}, "put it in other words");
   }
   Notes notes;
-  Chosen chosen = choose(answer, previous, notes);
+  Chosen chosen = choose(answer, known.previous, notes);
   if (!chosen.faults.empty()) {
-    if (answer.finish_reason == "length") {
+    const bool salvage = leniency == Leniency::kSalvage;
+    if (auto whole = what_is_whole(answer, salvage ? 1 : known.named, notes)) chosen = {std::move(*whole), {}};
+  }
+  if (!chosen.faults.empty()) {
+    if (answer.finish_reason == "length" && has_json(answer)) {
       return faulty(ErrorCode::kTooLarge, fmt::format("the answer was cut off after {} tokens", answer.usage.answer_tokens),
                     "write shorter: no blanks, null for what is not said, only relations that are stated");
     }

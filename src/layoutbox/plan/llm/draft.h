@@ -25,15 +25,20 @@ struct Reading {
   std::vector<Error> faults;
 };
 
+// `previous` and `named` of read_draft.
+struct Known {
+  std::string_view previous;  // the document of the last draft, to which a patch applies; empty where there is none
+  std::size_t named = 0;      // how many things the text names; 0: not known
+};
+
 enum class Leniency {
   kNormal,   // small faults are mended, larger ones are faults
   kSalvage,  // what cannot be mended is left out, and noted: for when the model will not be asked again
 };
 
-// `previous`: the document of the last draft, to which a patch applies; empty where there is none.
+// An answer that was cut off counts as far as it is whole, where that holds as many things as the text names, or in salvage.
 // Errors (kNotFound) only for what asking again cannot change: a refusal, an answer that a filter held back.
-Result<Reading> read_draft(const chat::Answer& answer, const Catalog& catalog, std::string_view previous,
-                           Leniency leniency = Leniency::kNormal);
+Result<Reading> read_draft(const chat::Answer& answer, const Catalog& catalog, const Known& known, Leniency leniency = Leniency::kNormal);
 
 // The same from a document alone.
 Reading read_document(std::string document, const Catalog& catalog, std::vector<Note> notes, Leniency leniency);

@@ -11,9 +11,8 @@ namespace layoutbox::llm {
 inline constexpr std::string_view kCreateScene = "create_scene";
 inline constexpr std::string_view kPatchScene = "patch_scene";
 
-// `objects`: how many the text names; 0 where that is not known.
-inline chat::Function create_scene_function(std::size_t objects = 0) {
-  return {std::string(kCreateScene), "Hands over the scene graph of the room.", strict_scene_schema_for(objects), true};
+inline chat::Function create_scene_function(const SchemaWanted& wanted) {
+  return {std::string(kCreateScene), "Hands over the scene graph of the room.", scene_schema(wanted), !wanted.brief};
 }
 
 inline chat::Function patch_scene_function() {

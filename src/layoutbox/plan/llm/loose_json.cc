@@ -20,7 +20,6 @@ class Rewriter {
   std::string run() {
     at_ = text_.find('{');
     if (at_ == std::string_view::npos) return {};
-    int depth = 0;
     while (at_ < text_.size()) {
       const char c = text_[at_];
       if (c == '"' || c == '\'') {
@@ -36,16 +35,27 @@ class Rewriter {
         ++at_;
         continue;
       }
-      if (c == '{' || c == '[') ++depth;
-      if (c == '}' || c == ']') {
+      if (c == '{' || c == '[') open_ += c;
+      const bool closes = c == '}' || c == ']';
+      if (closes) {
         drop_comma();
-        --depth;
+        open_.pop_back();
       }
       out_ += c;
       ++at_;
-      if (depth == 0) break;
+      if (closes && !is_within_item()) whole_ = out_.size(), open_at_whole_ = open_;
+      if (open_.empty()) break;
     }
-    return std::move(out_);
+    return out_;
+  }
+
+  // After run(): the text up to the last item of a list, or member, that was whole, and closed; empty where it was not cut off, or too
+  // soon.
+  std::string closed() const {
+    if (open_.empty() || whole_ == 0) return {};
+    std::string text = out_.substr(0, whole_);
+    for (auto bracket = open_at_whole_.rbegin(); bracket != open_at_whole_.rend(); ++bracket) text += *bracket == '{' ? '}' : ']';
+    return text;
   }
 
  private:
@@ -114,9 +124,17 @@ class Rewriter {
     if (end > 0 && out_[end - 1] == ',') out_.resize(end - 1);
   }
 
+  // Is an item of a list open: a thing of which but some members have come?
+  bool is_within_item() const {
+    const std::size_t list = open_.find('[');
+    return list != std::string::npos && list + 1 < open_.size();
+  }
+
   std::string_view text_;
   std::size_t at_ = 0;
   std::string out_;
+  std::string open_, open_at_whole_;  // brackets
+  std::size_t whole_ = 0;
 };
 
 }  // namespace
@@ -135,6 +153,14 @@ Result<json> parse_loose_json(std::string_view text, std::vector<Note>& notes) {
   }
   if (!strict) return strict;
   return fail(ErrorCode::kParse, "the answer is no JSON object");
+}
+
+Result<json> parse_cut_json(std::string_view text) {
+  Rewriter rewriter(text);
+  rewriter.run();
+  const std::string closed = rewriter.closed();
+  if (closed.empty()) return fail(ErrorCode::kParse, "nothing of the answer is whole");
+  return parse_json(closed);
 }
 
 }  // namespace layoutbox::llm

@@ -14,4 +14,8 @@ namespace layoutbox::llm {
 // True, False and None, NaN as null, single quotes and line feeds in texts. What was passed over is noted. Errors: kParse, kTooLarge.
 Result<nlohmann::json> parse_loose_json(std::string_view text, std::vector<Note>& notes);
 
+// Of a text that was cut off within its outermost object: the members and items of lists that are whole. Errors: kParse where there are
+// none, or where it was not cut off.
+Result<nlohmann::json> parse_cut_json(std::string_view text);
+
 }  // namespace layoutbox::llm

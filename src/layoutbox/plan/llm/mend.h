@@ -20,6 +20,8 @@ void mend_form(nlohmann::json& scene, Notes& notes);
 void mend_by_schema(nlohmann::json& scene, Notes& notes);
 // Ids missing, used twice or with odd characters; categories missing; names cleaned; files named; sizes that cannot be.
 void mend_objects(nlohmann::json& scene, const Catalog& catalog, Notes& notes);
+// Openings that are things, half a size, texts of room, materials and metadata. After mend_objects.
+void mend_room(nlohmann::json& scene, Notes& notes);
 // Names of things and walls that were nearly right, references too many or none, relations of a thing to itself, said twice.
 void mend_relations(nlohmann::json& scene, Notes& notes);
 

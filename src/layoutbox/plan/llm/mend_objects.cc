@@ -9,6 +9,7 @@
 #include "layoutbox/base/units.h"
 #include "layoutbox/base/words.h"
 #include "layoutbox/plan/llm/mend.h"
+#include "layoutbox/plan/llm/mend_text.h"
 
 namespace layoutbox::llm {
 namespace {
@@ -16,61 +17,6 @@ namespace {
 using nlohmann::json;
 
 constexpr double kFarTooLarge = 2.5;  // times the greatest of the catalogue
-constexpr std::size_t kLongestName = 80;
-
-void note(Notes& notes, std::string message, std::string pointer) { notes.push_back({"mended", std::move(message), std::move(pointer)}); }
-
-std::string text_of(const json& object, const char* key) {
-  const auto found = object.find(key);
-  return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
-}
-
-// An id becomes a name in files, in Blender and in HTML: letters, digits, underscores.
-std::string clean_id(std::string_view written) {
-  std::string id;
-  for (const char c : written) {
-    const bool plain = std::isalnum(static_cast<unsigned char>(c)) != 0 && static_cast<unsigned char>(c) < 0x80;
-    if (id.size() >= 60) break;
-    if (plain || c == '_' || c == '-') {
-      id += c;
-    } else if (!id.empty() && id.back() != '_') {
-      id += '_';
-    }
-  }
-  while (id.ends_with('_')) id.pop_back();
-  return id;
-}
-
-// Words for people: no control characters, no signs that mean something to a shell, to HTML or to a path.
-std::string clean_name(std::string_view written) {
-  std::string name;
-  for (const char c : written) {
-    const auto byte = static_cast<unsigned char>(c);
-    const bool begins = (byte & 0xC0) != 0x80;
-    if (name.size() >= kLongestName && begins) break;
-    const bool sign = std::string_view("<>&\"`\\/|$;{}[]*?").find(c) != std::string_view::npos;
-    if (byte < ' ' || byte == 0x7F || sign) {
-      if (!name.empty() && name.back() != ' ') name += ' ';
-    } else {
-      name += c;
-    }
-  }
-  while (name.ends_with(' ')) name.pop_back();
-  return name;
-}
-
-void clean_text(json& owner, const char* key, const std::string& at, Notes& notes) {
-  const auto found = owner.find(key);
-  if (found == owner.end() || !found->is_string()) return;
-  const std::string written = found->get<std::string>(), cleaned = clean_name(written);
-  if (written == cleaned) return;
-  note(notes, fmt::format("\"{}\" holds signs that no name has, and was cleaned", key), at);
-  if (cleaned.empty()) {
-    owner.erase(key);
-  } else {
-    *found = cleaned;
-  }
-}
 
 class ObjectMender {
  public:
@@ -83,7 +29,7 @@ class ObjectMender {
     json& furniture = scene_["furniture"];
     for (std::size_t i = 0; i < furniture.size();) {
       if (furniture[i].is_string()) furniture[i] = json{{"category", furniture[i]}};  // ["bed", "desk"]
-      if (furniture[i].is_object()) {
+      if (furniture[i].is_object() && !is_nothing_special(furniture[i])) {
         ++i;
         continue;
       }
@@ -94,6 +40,13 @@ class ObjectMender {
   }
 
  private:
+  // A "furniture_3" that is no kind of thing: small models fill lists with such.
+  static bool is_nothing_special(const json& object) {
+    static const std::set<std::string> general = {"furniture", "furnitures", "object", "thing", "item", "category", "piece", "unknown"};
+    const auto is_general = [](const std::string& text) { return text.empty() || general.contains(without_number(snake_case(text))); };
+    return !text_of(object, "category").empty() && is_general(text_of(object, "category")) && is_general(text_of(object, "name"));
+  }
+
   void mend(json& object, const std::string& at) {
     settle_category(object, at);
     settle_id(object, at);
@@ -119,6 +72,8 @@ class ObjectMender {
     }
     std::string cleaned = snake_case(clean_name(category));
     if (catalog_.find(category) != nullptr) cleaned = category;
+    const std::string without = without_number(cleaned);  // "desk_2"
+    if (catalog_.find_by_words(cleaned) == nullptr && catalog_.find_by_words(without) != nullptr) cleaned = without;
     // What is not in the catalogue but nearly.
     if (const CatalogEntry* entry = catalog_.find(cleaned) != nullptr ? nullptr : catalog_.find_by_words(cleaned); entry != nullptr) {
       note(notes_, fmt::format("the category \"{}\" is read as {}", clean_name(category), entry->id), at);
@@ -243,18 +198,6 @@ void mend_objects(json& scene, const Catalog& catalog, Notes& notes) {
       }
       clean_text(relation, "why", "/constraints", notes);
     }
-  }
-  if (scene.contains("materials") && scene["materials"].is_array()) {
-    for (json& material : scene["materials"]) {
-      if (material.is_object() && material.erase("tex") > 0) note(notes, "\"tex\" is left out: no model names files", "/materials");
-      if (material.is_object()) clean_text(material, "id", "/materials", notes);
-    }
-  }
-  if (scene.contains("room") && scene["room"].is_object()) {
-    for (const char* key : {"floorMat", "wallMat"}) clean_text(scene["room"], key, "/room", notes);
-  }
-  if (scene.contains("metadata") && scene["metadata"].is_object()) {
-    for (const char* key : {"roomType", "name"}) clean_text(scene["metadata"], key, "/metadata", notes);
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include "layoutbox/base/words.h"
 #include "layoutbox/plan/llm/mend.h"
+#include "layoutbox/plan/llm/mend_text.h"
 #include "layoutbox/scene/relation_table.h"
 
 namespace layoutbox::llm {
@@ -55,13 +56,6 @@ constexpr Alias kAliases[] = {{"beside", "nextTo"},
                               {"flanking", "eachSideOf"},
                               {"touches", "touching"},
                               {"insideOf", "in"}};
-
-void note(Notes& notes, std::string message, std::string pointer) { notes.push_back({"mended", std::move(message), std::move(pointer)}); }
-
-std::string text_of(const json& object, const char* key) {
-  const auto found = object.find(key);
-  return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
-}
 
 // "bed_1" → "bed"
 std::string stem_of(std::string_view id) {
@@ -285,6 +279,7 @@ void mend_scene(json& scene, const Catalog& catalog, Notes& notes) {
   mend_types(scene, notes);
   mend_by_schema(scene, notes);
   mend_objects(scene, catalog, notes);
+  mend_room(scene, notes);
   mend_relations(scene, notes);
 }
 

@@ -10,7 +10,7 @@
 namespace layoutbox::llm {
 
 // The whole of what is sent with a first question stays below this, by estimate; where it cannot, less of the catalogue is shown.
-inline constexpr int kMostPromptTokens = 6000;
+inline constexpr int kMostPromptTokens = 6000, kMostBriefTokens = 2000;
 
 struct PromptInput {
   std::string_view text;           // the user's
@@ -18,6 +18,7 @@ struct PromptInput {
   Size room_size;                  // given by the user; 0: not
   const Room* shell = nullptr;     // the user's own room, or null
   std::size_t fixed_tokens = 0;    // of what is sent beside it: the schema
+  bool brief = false;              // as short as can be, for models that hold little
 };
 
 struct SystemPrompt {

@@ -12,16 +12,30 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kMostItems = 24;
+constexpr int kMostItems = 24, kMostItemsBrief = 6;
 // Without bounds a weak model writes a text to its limit; and patterns are what servers force, lengths are not.
 constexpr const char* kIdPattern = "^[A-Za-z0-9_]{1,40}$";
 constexpr const char* kTextPattern = "^[A-Za-z0-9 .,:;()'/_%+-]{0,80}$";
+constexpr const char *kIdPatternBrief = "^[A-Za-z0-9_]{1,24}$", *kTextPatternBrief = "^[A-Za-z0-9 _-]{0,24}$";
 
-bool is_wanted(const Json& part) { return !part.contains("x-model") || part["x-model"] != false; }
+// How many things and relations an answer may hold: about twice what the text names, in few steps, as servers prepare each schema once.
+struct Most {
+  std::size_t objects = 0, relations = 0;
+};
+
+Most most_of(const SchemaWanted& wanted) {
+  constexpr std::size_t kObjects = 100;
+  if (wanted.objects == 0) return {kObjects, 2 * kObjects};
+  if (wanted.brief) return {std::min(kObjects, wanted.objects + wanted.objects / 4 + 2), wanted.objects + wanted.objects / 2 + 3};
+  for (const std::size_t most : {12u, 25u, 50u}) {
+    if (2 * wanted.objects + 4 <= most) return {most, 2 * most};
+  }
+  return {kObjects, 2 * kObjects};
+}
 
 class Deriver {
  public:
-  explicit Deriver(const Json& root) : root_(root) {}
+  Deriver(const Json& root, const SchemaWanted& wanted) : root_(root), wanted_(wanted) {}
 
   Json derive(Json part) const {
     if (const auto reference = part.find("$ref"); reference != part.end()) part = resolved(part, reference->get<std::string>());
@@ -34,19 +48,39 @@ class Deriver {
       out["type"] = type;
       if (type == "object") add_members(part, out);
       if (type == "array") add_items(part, out);
-      if (type == "string") out["pattern"] = part.contains("minLength") ? kIdPattern : kTextPattern;
+      if (type == "string") out["pattern"] = pattern_of(part);
       for (const char* bound : {"minimum", "maximum", "exclusiveMinimum"}) {
         if (part.contains(bound)) out[bound] = part[bound];
       }
     }
-    if (part.contains("description")) out["description"] = part["description"];
+    if (part.contains("description") && tells_enough(part["description"])) out["description"] = part["description"];
     return out;
   }
 
  private:
-  // What stands beside a reference adds to it.
+  bool is_wanted(const Json& part) const {
+    const auto said = part.find("x-model");
+    if (said == part.end()) return true;
+    if (*said == "full") return !wanted_.brief;
+    return *said == "catalogue" && wanted_.articles;
+  }
+
+  std::string pattern_of(const Json& part) const {
+    if (wanted_.brief && part.contains("x-model-pattern")) return part["x-model-pattern"].get<std::string>();
+    if (part.contains("minLength")) return wanted_.brief ? kIdPatternBrief : kIdPattern;
+    return wanted_.brief ? kTextPatternBrief : kTextPattern;
+  }
+
+  bool tells_enough(const Json& description) const {
+    constexpr std::size_t kLongestBrief = 60;
+    return !wanted_.brief || description.get_ref<const std::string&>().size() <= kLongestBrief;
+  }
+
+  // What stands beside a reference adds to it. That a number is in metres and an id a name is said in the rules, not fifty times here.
   Json resolved(const Json& part, const std::string& reference) const {
     Json target = root_.at("definitions").at(reference.substr(reference.rfind('/') + 1));
+    if (const auto type = target.find("type"); type != target.end() && (*type == "number" || *type == "string"))
+      target.erase("description");
     for (const auto& [key, value] : part.items()) {
       if (key != "$ref") target[key] = value;
     }
@@ -65,12 +99,14 @@ class Deriver {
     out["properties"] = Json::object();
     out["required"] = Json::array();
     const Json required = part.value("required", Json::array());
+    const bool whole = wanted_.brief && part.value("x-model-whole", false);
     for (const auto& [name, member] : part.at("properties").items()) {
       if (!is_wanted(member)) continue;
       Json made = derive(member);
-      if (std::ranges::none_of(required, [&](const Json& one) { return one == name; })) allow_null(made);
+      const bool may_miss = !whole && std::ranges::none_of(required, [&](const Json& one) { return one == name; });
+      if (may_miss && !wanted_.brief) allow_null(made);
       out["properties"][name] = std::move(made);
-      out["required"].push_back(name);
+      if (!may_miss || !wanted_.brief) out["required"].push_back(name);
     }
     out["additionalProperties"] = false;
   }
@@ -78,7 +114,8 @@ class Deriver {
   void add_items(const Json& part, Json& out) const {
     out["items"] = derive(part.at("items"));
     if (part.contains("minItems")) out["minItems"] = part["minItems"];
-    const int most = part.value("x-model-items", std::min(part.value("maxItems", kMostItems), kMostItems));
+    const int most =
+        part.value("x-model-items", std::min(part.value("maxItems", kMostItems), wanted_.brief ? kMostItemsBrief : kMostItems));
     out["maxItems"] = most;
   }
 
@@ -88,34 +125,41 @@ class Deriver {
   }
 
   const Json& root_;
+  const SchemaWanted& wanted_;
 };
 
-std::string derive_scene() {
+Json whole_schema() {
   Json root = Json::parse(embedded::scene_schema_json);
   Json& names = root["definitions"]["relationType"]["enum"] = Json::array();
   for (const RelationRow& row : relation_table()) names.push_back(row.name);
-  Json whole = root;
-  whole.erase("description");
-  return Deriver(root).derive(std::move(whole)).dump();
+  return root;
 }
 
 }  // namespace
 
-const std::string& strict_scene_schema() {
-  static const std::string schema = derive_scene();
-  return schema;
+std::string scene_schema(const SchemaWanted& wanted) {
+  static const Json root = whole_schema();
+  Json whole = root;
+  whole.erase("description");
+  Json schema = Deriver(root, wanted).derive(std::move(whole));
+  const Most most = most_of(wanted);
+  schema["properties"]["furniture"]["maxItems"] = most.objects;
+  schema["properties"]["constraints"]["maxItems"] = most.relations;
+  if (wanted.brief && !wanted.openings) schema["properties"]["room"]["properties"].erase("openings");
+  if (wanted.brief && !wanted.categories.empty()) {
+    Json& category = schema["properties"]["furniture"]["items"]["properties"]["category"];
+    category.erase("pattern");
+    category["enum"] = wanted.categories;
+  }
+  if (wanted.brief && !wanted.sizes) schema["properties"]["furniture"]["items"]["properties"].erase("dims");
+  return schema.dump();
 }
 
-std::string strict_scene_schema_for(std::size_t objects) {
-  constexpr std::size_t kSteps[] = {12, 25, 50};
-  for (const std::size_t most : kSteps) {
-    if (objects == 0 || 2 * objects + 4 > most) continue;
-    Json schema = Json::parse(strict_scene_schema());
-    schema["properties"]["furniture"]["maxItems"] = most;
-    schema["properties"]["constraints"]["maxItems"] = 2 * most;
-    return schema.dump();
-  }
-  return strict_scene_schema();
+int answer_tokens(const SchemaWanted& wanted) {
+  const Most most = most_of(wanted);
+  const std::size_t around = wanted.brief ? 150 : 600, object = wanted.brief ? 60 : 130, relation = wanted.brief ? 55 : 170;
+  const std::size_t relations = wanted.brief ? most.relations : most.relations / 2;  // what is twice as much once is enough
+  return static_cast<int>(around + most.objects * object + relations * relation);
 }
 
 const std::string& patch_schema() {
