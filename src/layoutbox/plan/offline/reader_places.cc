@@ -227,6 +227,11 @@ bool DocumentReader::goes_on_with_contents(std::size_t k, const NounPhrase& noun
   if (noun.kind == NounKind::kMember || link.targets.empty()) return false;
   // "each with a chair and a monitor, a printer …": the list ended with its "and".
   if (joiner_ != Joiner::kAnd && ended_list(link)) return false;
+  // "a cabinet with instruments along the wall, a lamp above the chair": it ended where the cabinet itself was placed.
+  const auto places_host = [&](const Link& later) {
+    return later.kind == Link::Kind::kRelation && !frame.hosts.empty() && contains(later.targets, frame.hosts.front());
+  };
+  if (joiner_ == Joiner::kComma && std::any_of(document_.links.begin() + frame.link + 1, document_.links.end(), places_host)) return false;
   const std::size_t n = next(k);
   if (verb_at(n)) {
     // "a cart stocked with glasses and bottles stands": the verb's number tells that the cart is its subject.

@@ -32,7 +32,9 @@ std::vector<int> DocumentReader::joined_with(int mention, bool after_participle,
   for (std::size_t r = static_cast<std::size_t>(at - roots_.begin()); r > clause_start_; --r) {
     const bool shares_article = shares(roots_[r], roots_[r - 1]);
     if (root_modified_[r - 1] || !is_thing(roots_[r - 1])) break;
-    if (root_joiners_[r] != Joiner::kNone && alike(roots_[r - 1])) {
+    // "a monitor, a printer on a cabinet": only what an "and" ends is one list.
+    const bool listed = roots_[r] != mention || root_joiners_[r] != Joiner::kComma;
+    if (root_joiners_[r] != Joiner::kNone && listed && alike(roots_[r - 1])) {
       joined.insert(joined.begin(), roots_[r - 1]);
       continue;
     }

@@ -4,6 +4,8 @@
 namespace layoutbox::placement {
 namespace {
 
+constexpr int kHangHeight = 600;  // points a metre
+
 const std::vector<std::string> kUnderPictures{"fireplace", "bed",  "sofa",     "sideboard", "console_table",
                                               "dresser",   "desk", "tv_stand", "cabinet"};
 const std::vector<std::string> kUnderMirrors{"sink", "vanity", "dresser", "console_table", "sideboard"};
@@ -27,8 +29,8 @@ void Habits::hang_on_wall(int item) {
   const Item& self = model_.items[item];
   Formula height;
   const Mm wished = self.entry->hang_height > 0 ? self.entry->hang_height : 1200;
-  height.add().wish(lo(item, 2) - Linear(wished), 100);
-  habit("height", item, 100, std::move(height));
+  height.add().wish(lo(item, 2) - Linear(wished), kHangHeight);
+  habit("height", item, kHangHeight, std::move(height));
   if (self.curtain) {
     cover_window(item);
     return;
