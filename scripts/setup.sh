@@ -137,6 +137,7 @@ has_mocks() {
     cmp -s "$deps/mocks-node/package-lock.json" "$root/tests/llm/mocks/package-lock.json"
 }
 has_gltf_validator() { [[ -d $deps/node/node_modules/gltf-validator ]] && cmp -s "$deps/node/package-lock.json" "$root/tests/tools/package-lock.json"; }
+has_three() { [[ -d $deps/three/node_modules/three ]] && cmp -s "$deps/three/package-lock.json" "$root/tests/render/three/package-lock.json"; }
 
 # ---- installing packages --------------------------------------------------------------------------------------------------------
 
@@ -265,6 +266,12 @@ fetch_test_tools() {
     cp "$root"/tests/tools/package*.json "$deps/node/"
     logged npm ci --prefix "$deps/node" --ignore-scripts --no-audit --no-fund || die "the glTF validator could not be fetched"
   fi
+  if ! has_three; then
+    say "fetching three.js"
+    mkdir -p "$deps/three"
+    cp "$root"/tests/render/three/package*.json "$deps/three/"
+    logged npm ci --prefix "$(readlink -f "$deps/three")" --ignore-scripts --no-audit --no-fund || die "three.js could not be fetched"
+  fi
   if ! has_mocks; then
     say "fetching mock servers of language models"
     if ! make_environment "$deps/mocks-python" python3 || ! install_requirements "$deps/mocks-python" mocks.txt; then
@@ -286,7 +293,7 @@ if wants_tests; then groups+=(tests); fi
 if [[ $mode == nightly ]]; then groups+=(nightly); fi
 
 fingerprint() {
-  cat "$root"/scripts/setup.sh "$root"/scripts/packages.txt "$root"/scripts/requirements/*.txt "$root"/tests/tools/package*.json "$root"/tests/llm/mocks/package*.json |
+  cat "$root"/scripts/setup.sh "$root"/scripts/packages.txt "$root"/scripts/requirements/*.txt "$root"/tests/tools/package*.json "$root"/tests/render/three/package*.json "$root"/tests/llm/mocks/package*.json |
     cat - <(printf '%s\n' "$root" "${ORTOOLS_ROOT:-}" "${LAYOUTBOX_BLENDER:-}") | sha256sum | cut -d' ' -f1
 }
 
@@ -295,7 +302,7 @@ is_complete() {
   [[ -e $deps/$mode.stamp && $(<"$deps/$mode.stamp") == "$(fingerprint)" ]] || return 1
   [[ ! $(missing_packages "${groups[@]}") ]] && has_solver || return 1
   if wants_blender; then has_private_bpy || own_blender >/dev/null || return 1; fi
-  ! wants_tests || { has_python_tools && has_gltf_validator && has_mocks; }
+  ! wants_tests || { has_python_tools && has_gltf_validator && has_three && has_mocks; }
 }
 
 mkdir -p "$deps" "$root/build/logs"

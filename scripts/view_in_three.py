@@ -3,7 +3,8 @@
 
 usage: scripts/view_in_three.py SCENE.glb PICTURE.png [--three FOLDER] [--size 960x540]
 
-FOLDER is the npm package `three` (npm install three), by default build/deps/node/node_modules/three. Needs chromium on the PATH.
+FOLDER is the npm package `three` (scripts/setup.sh --tests fetches it), by default
+build/deps/three/node_modules/three. Needs chromium on the PATH.
 """
 
 import argparse
@@ -17,7 +18,7 @@ import threading
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
-THREE = Path(os.environ.get("LAYOUTBOX_THREE", ROOT / "build/deps/node/node_modules/three"))
+THREE = Path(os.environ.get("LAYOUTBOX_THREE", ROOT / "build/deps/three/node_modules/three"))
 
 PAGE = """<!doctype html><meta charset="utf-8"><style>body { margin: 0 }</style>
 <script type="importmap">{"imports": {"three": "/three/build/three.module.js"}}</script>
@@ -100,7 +101,7 @@ def missing(three=THREE):
     if not shutil.which("chromium"):
         return "no chromium on the PATH"
     if not (three / "build/three.module.js").is_file():
-        return f"no three.js in {three} (npm install three)"
+        return f"no three.js in {three} (scripts/setup.sh --tests)"
     return None
 
 

@@ -15,12 +15,10 @@ class Setup(unittest.TestCase):
         self.folder = Path(self.enterContext(tempfile.TemporaryDirectory(prefix="setup with blank ")))
         self.root = self.folder / "check out"
         shutil.copytree(SOURCE / "scripts", self.root / "scripts")
-        (self.root / "tests/tools").mkdir(parents=True)
-        for file in (SOURCE / "tests/tools").glob("package*.json"):
-            shutil.copy(file, self.root / "tests/tools")
-        (self.root / "tests/llm/mocks").mkdir(parents=True)
-        for file in (SOURCE / "tests/llm/mocks").glob("package*.json"):
-            shutil.copy(file, self.root / "tests/llm/mocks")
+        for folder in ("tests/tools", "tests/render/three", "tests/llm/mocks"):
+            (self.root / folder).mkdir(parents=True)
+            for file in (SOURCE / folder).glob("package*.json"):
+                shutil.copy(file, self.root / folder)
         self.packages("build cmd:sh dash\n")
         self.solver = self.folder / "own solver/lib"
         self.solver.mkdir(parents=True)
@@ -110,6 +108,7 @@ class Setup(unittest.TestCase):
         self.assertEqual(self.run_setup("--everything")[0], 2)
 
     def test_no_address_of_a_registry_is_recorded(self):
-        pinned = [*(SOURCE / "scripts/requirements").iterdir(), SOURCE / "tests/tools/package-lock.json"]
+        locks = [SOURCE / folder / "package-lock.json" for folder in ("tests/tools", "tests/render/three", "tests/llm/mocks")]
+        pinned = [*(SOURCE / "scripts/requirements").iterdir(), *locks]
         for file in pinned:
             self.assertNotIn("://", file.read_text(), file)

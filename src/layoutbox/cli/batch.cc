@@ -22,6 +22,7 @@ struct Flags {
   ModelFlags model;
   SolveFlags solve;
   RenderFlags render;
+  FurnishFlags furnish;
   BatchOptions options;
 };
 
@@ -63,6 +64,8 @@ Status prepare(Flags& flags, const Console& console) {
   LAYOUTBOX_CHECK(flags.plan.apply(options));
   LAYOUTBOX_CHECK(flags.solve.apply(options.solve, flags.plan.by_model()));
   LAYOUTBOX_CHECK(flags.render.apply(options.render));
+  LAYOUTBOX_CHECK(flags.furnish.apply(options.furnish));
+  options.furnish.asset_folders = asset_folders(flags.plan.catalog_file, flags.plan.assets);
   options.pictures = !flags.no_render;
   options.stop = &stop_flag();
   flags.options.jobs = flags.jobs;
@@ -117,6 +120,7 @@ void add_batch(CLI::App& app, Context& context) {
   flags->model.add_to(*command, flags->options.generate.repair);
   flags->solve.add_to(*command, flags->options.generate.solve);
   flags->render.add_to(*command);
+  flags->furnish.add_to(*command);
   command->callback([flags, &context] { context.status = run(*flags, context.console); });
 }
 

@@ -18,11 +18,12 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct Flags {
-  std::string layout, text, output, catalog_file;
+  std::string layout, text, output, catalog_file, assets;
   std::string planner = "offline";
   bool no_render = false;
   ModelFlags model;
   RenderFlags render;
+  FurnishFlags furnish;
   GenerateOptions options;
 };
 
@@ -100,6 +101,8 @@ Result<EditOutcome> edited_layout(const Flags& flags, const std::string& text, c
 
 int run(Flags& flags, const Console& console) {
   if (const Status ready = flags.render.apply(flags.options.render); !ready) return console.fail(ready.error());
+  if (const Status ready = flags.furnish.apply(flags.options.furnish); !ready) return console.fail(ready.error());
+  flags.options.furnish.asset_folders = asset_folders(flags.layout, flags.assets);
   flags.options.stop = &stop_flag();
   flags.options.solve.stop = &stop_flag();
   const auto layout = read_layout_file(flags.layout);
@@ -134,6 +137,7 @@ void add_edit(CLI::App& app, Context& context) {
   command->add_option("-o,--output", flags->output, "The new layout (a name in .json, or - for stdout), or a folder for all files")
       ->required();
   command->add_option("--catalog", flags->catalog_file, "Furniture of your own, JSON or CSV: id, category, width, depth, height");
+  command->add_option("--assets", flags->assets, "Folder that meshes and images are named from (default: the layout's)");
   flags->options.solve.effort = 100;
   command->add_option("--seed", flags->options.solve.seed, "Which of the good layouts; the same seed gives the same bytes")
       ->capture_default_str();
@@ -146,6 +150,7 @@ void add_edit(CLI::App& app, Context& context) {
   flags->model.add_to(*command, flags->options.repair);
   command->add_flag("--no-render", flags->no_render, "Into a folder: make no picture, no Blender is needed");
   flags->render.add_to(*command);
+  flags->furnish.add_to(*command);
   command->callback([flags, &context] { context.status = run(*flags, context.console); });
 }
 

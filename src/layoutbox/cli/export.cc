@@ -13,6 +13,7 @@ namespace {
 
 struct Flags {
   std::string layout, output, format, assets;
+  FurnishFlags furnish;
 };
 
 std::string format_names() {
@@ -34,14 +35,10 @@ Result<const ExportFormat*> choose_format(const Flags& flags) {
 Status run_export(const Flags& flags) {
   LAYOUTBOX_ASSIGN(const ExportFormat* format, choose_format(flags));
   LAYOUTBOX_ASSIGN(const Layout layout, read_layout_file(flags.layout));
-  if (format->name == "glb") {  // the only one that draws meshes of the user's own
-    FurnishOptions options;
-    options.asset_folders = asset_folders(flags.layout, flags.assets);
-    LAYOUTBOX_ASSIGN(const Model model, furnish(layout, Catalog::builtin(), options));
-    LAYOUTBOX_ASSIGN(const std::string bytes, write_glb(model, layout));
-    return write_output(flags.output, bytes);
-  }
-  LAYOUTBOX_ASSIGN(const std::string bytes, format->write(layout, Catalog::builtin()));
+  FurnishOptions options;
+  options.asset_folders = asset_folders(flags.layout, flags.assets);
+  LAYOUTBOX_CHECK(flags.furnish.apply(options));
+  LAYOUTBOX_ASSIGN(const std::string bytes, format->write(layout, Catalog::builtin(), options));
   return write_output(flags.output, bytes);
 }
 
@@ -59,6 +56,7 @@ void add_export(CLI::App& app, Context& context) {
   command->add_option("--format", flags->format, "One of: " + format_names() + " (default: the output's ending)");
   command->add_option("-o,--output", flags->output, "The file to write; - writes to stdout")->required();
   command->add_option("--assets", flags->assets, "Folder that meshes and images are named from (default: the layout's)");
+  flags->furnish.add_to(*command);
   command->callback([flags, &context] { context.status = run(*flags, context.console); });
 }
 

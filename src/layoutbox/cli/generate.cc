@@ -22,6 +22,7 @@ struct Flags {
   ModelFlags model;
   SolveFlags solve;
   RenderFlags render;
+  FurnishFlags furnish;
   GenerateOptions options;
 };
 
@@ -78,6 +79,7 @@ Status prepare(Flags& flags, const Console& console) {
   LAYOUTBOX_CHECK(flags.plan.apply(flags.options));
   LAYOUTBOX_CHECK(flags.solve.apply(flags.options.solve, flags.plan.by_model()));
   LAYOUTBOX_CHECK(flags.render.apply(flags.options.render));
+  LAYOUTBOX_CHECK(flags.furnish.apply(flags.options.furnish));
   flags.options.pictures = !flags.no_render;
   const std::string& beside = flags.scene_file.empty() ? flags.plan.catalog_file : flags.scene_file;
   flags.options.furnish.asset_folders = asset_folders(beside, flags.plan.assets);
@@ -159,6 +161,7 @@ void add_generate(CLI::App& app, Context& context) {
   flags->solve.add_to(*command, flags->options.solve);
   add_variants_to(*command, flags->options);
   flags->render.add_to(*command);
+  flags->furnish.add_to(*command);
   command->callback([flags, prompt, &context] { context.status = run(*flags, prompt->count() > 0, context.console); });
 }
 

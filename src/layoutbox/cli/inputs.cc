@@ -198,6 +198,20 @@ Status RenderFlags::apply(RenderOptions& options) const {
   return {};
 }
 
+void FurnishFlags::add_to(CLI::App& command) {
+  command.add_option("--detail", detail, "How finely furniture is made: low, usual or high")->capture_default_str();
+}
+
+Status FurnishFlags::apply(FurnishOptions& options) const {
+  const auto level = detail_from_name(detail);
+  if (!level) {
+    return layoutbox::fail(ErrorCode::kUsage, fmt::format("there is no level of detail '{}'", detail), "--detail",
+                           "use low, usual or high");
+  }
+  options.detail = *level;
+  return {};
+}
+
 Result<std::string> read_prompt(const std::string& argument) { return argument == "-" ? read_stdin() : Result<std::string>(argument); }
 
 Result<std::string> read_input(const std::string& path) { return path == "-" ? read_stdin() : read_file(path, kMaxInputBytes); }

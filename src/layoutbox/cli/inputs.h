@@ -54,6 +54,13 @@ struct RenderFlags {
   Status apply(RenderOptions& options) const;
 };
 
+// How things are made: --detail.
+struct FurnishFlags {
+  std::string detail = "usual";
+  void add_to(CLI::App& command);
+  Status apply(FurnishOptions& options) const;
+};
+
 // A prompt as given, or all of stdin for "-".
 Result<std::string> read_prompt(const std::string& argument);
 

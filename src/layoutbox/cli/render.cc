@@ -14,6 +14,7 @@ struct Flags {
   std::string layout, folder = ".", assets;
   bool no_render = false;
   RenderFlags render;
+  FurnishFlags furnish;
   RenderOptions options;
 };
 
@@ -22,6 +23,7 @@ int run(Flags& flags, const Console& console) {
   const auto layout = read_layout_file(flags.layout);
   if (!layout) return console.fail(layout.error());
   FurnishOptions furnish_options;
+  if (const Status ready = flags.furnish.apply(furnish_options); !ready) return console.fail(ready.error());
   furnish_options.asset_folders = asset_folders(flags.layout, flags.assets);
   const auto model = furnish(*layout, Catalog::builtin(), furnish_options);
   if (!model) return console.fail(model.error());
@@ -57,6 +59,7 @@ void add_render(CLI::App& app, Context& context) {
   command->add_flag("--no-render", flags->no_render, "Write blender.py only: no Blender is needed");
   command->add_option("--assets", flags->assets, "Folder that meshes and images are named from (default: the layout's)");
   flags->render.add_to(*command);
+  flags->furnish.add_to(*command);
   command->callback([flags, &context] { context.status = run(*flags, context.console); });
 }
 

@@ -5,21 +5,20 @@
 #include <cctype>
 
 #include "layoutbox/export/export.h"
-#include "layoutbox/furnish/furnish.h"
 
 namespace layoutbox {
 namespace {
 
-Result<std::string> glb(const Layout& layout, const Catalog& catalog) {
-  LAYOUTBOX_ASSIGN(const Model model, furnish(layout, catalog));
+Result<std::string> glb(const Layout& layout, const Catalog& catalog, const FurnishOptions& options) {
+  LAYOUTBOX_ASSIGN(const Model model, furnish(layout, catalog, options));
   return write_glb(model, layout);
 }
 
-Result<std::string> pdf(const Layout& layout, const Catalog&) { return write_floor_plan_pdf(layout); }
+Result<std::string> pdf(const Layout& layout, const Catalog&, const FurnishOptions&) { return write_floor_plan_pdf(layout); }
 
-Result<std::string> png(const Layout& layout, const Catalog&) { return write_floor_plan_png(layout); }
+Result<std::string> png(const Layout& layout, const Catalog&, const FurnishOptions&) { return write_floor_plan_png(layout); }
 
-Result<std::string> svg(const Layout& layout, const Catalog&) { return write_floor_plan_svg(layout); }
+Result<std::string> svg(const Layout& layout, const Catalog&, const FurnishOptions&) { return write_floor_plan_svg(layout); }
 
 constexpr std::array kFormats{
     ExportFormat{"glb", "binary glTF 2.0 with meshes, materials and lights; y up, metres", glb},

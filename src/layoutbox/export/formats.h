@@ -7,6 +7,7 @@
 
 #include "layoutbox/base/result.h"
 #include "layoutbox/catalog/catalog.h"
+#include "layoutbox/furnish/furnish.h"
 #include "layoutbox/scene/layout.h"
 
 namespace layoutbox {
@@ -14,7 +15,7 @@ namespace layoutbox {
 struct ExportFormat {
   std::string_view name;         // as in --format, and the file's ending without the dot: "glb"
   std::string_view description;  // "binary glTF 2.0, y up"
-  Result<std::string> (*write)(const Layout& layout, const Catalog& catalog);
+  Result<std::string> (*write)(const Layout& layout, const Catalog& catalog, const FurnishOptions& options);
 };
 
 // All formats, in alphabetical order.

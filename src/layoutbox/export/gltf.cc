@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "layoutbox/export/export.h"
+#include "layoutbox/export/gltf_faces.h"
 #include "layoutbox/export/pattern.h"
 
 #include "layoutbox/furnish/tinygltf_quietly.h"
@@ -144,28 +145,9 @@ class GltfWriter {
     return coordinates;
   }
 
-  // Triangles of the part that are exported. Ceiling and walls are seen from within only, so that a viewer looks into the room.
-  static std::vector<std::uint32_t> triangles(const Mesh& mesh, const Node& node) {
-    if (node.kind != NodeKind::kCeiling && !(node.kind == NodeKind::kWall && node.inward)) return mesh.indices;
-    Vec3f out{0, 0, 1};
-    if (node.kind == NodeKind::kWall) {  // `inward` is the room's, normals are the node's own
-      const double turn = radians_from_degrees(double{node.rotation_deg});
-      const double c = std::cos(turn), s = std::sin(turn), x = double{-(*node.inward)[0]}, y = double{-(*node.inward)[1]};
-      out = {static_cast<float>(c * x + s * y), static_cast<float>(c * y - s * x), 0};
-    }
-    std::vector<std::uint32_t> kept;
-    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-      const Vec3f& n = mesh.normals[mesh.indices[i]];
-      if (n[0] * out[0] + n[1] * out[1] + n[2] * out[2] > 0.7f) continue;
-      kept.insert(kept.end(), mesh.indices.begin() + static_cast<std::ptrdiff_t>(i),
-                  mesh.indices.begin() + static_cast<std::ptrdiff_t>(i + 3));
-    }
-    return kept;
-  }
-
   void add_primitive(tinygltf::Mesh& out, const Part& part, const Node& node) {
     const Mesh& mesh = part.mesh;
-    const std::vector<std::uint32_t> indices = triangles(mesh, node);
+    const std::vector<std::uint32_t> indices = exported_triangles(mesh, node);
     if (indices.empty()) return;
     const Surface& surface = model_.surfaces.at(static_cast<std::size_t>(part.surface));
     tinygltf::Primitive primitive;

@@ -5,7 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "layoutbox/export/export.h"
+#include "layoutbox/export/gltf_faces.h"
 #include "layoutbox/export/pattern.h"
+#include "layoutbox/furnish/kit.h"
 
 namespace layoutbox {
 namespace {
@@ -123,6 +125,26 @@ TEST(Gltf, WallsKeepTheFacesThatLookIntoTheRoom) {
     ASSERT_EQ(primitives.size(), 1u) << turn;
     EXPECT_EQ(primitives[0]["material"], 0) << "the inner face, of the wall turned by " << turn;
   }
+}
+
+// A wall 4 m long and 2 m high with a window: its inner face and the four reveals stay, nothing that would hang in the air.
+TEST(Gltf, WallsKeepTheRevealsOfTheirOpeningsAndNoEdges) {
+  const kit::Hole window{1, 2, 0.5, 1.5};
+  Node wall = node("wall1", NodeKind::kWall, {{kit::pierced_slab(4, 0, 2, -0.1, 0, {&window, 1}, 0.1, 0.1), 0}});
+  wall.inward = Vec2f{0, 1};
+  const Mesh& mesh = wall.parts[0].mesh;
+  double inner = 0, reveals = 0;
+  const std::vector<std::uint32_t> indices = exported_triangles(mesh, wall);
+  for (std::size_t i = 0; i < indices.size(); i += 3) {
+    const auto at = [&](std::size_t k) {
+      const Vec3f& p = mesh.positions[indices[i + k]];
+      return kit::Vec{double{p[0]}, double{p[1]}, double{p[2]}};
+    };
+    const double area = kit::length(kit::cross(at(1) - at(0), at(2) - at(0))) / 2;
+    (mesh.normals[indices[i]][1] > 0.9f ? inner : reveals) += area;
+  }
+  EXPECT_NEAR(inner, 4 * 2 - 1, 1e-5);
+  EXPECT_NEAR(reveals, 4 * 0.1, 1e-5);
 }
 
 TEST(Gltf, SharesTheMeshOfEqualObjects) {

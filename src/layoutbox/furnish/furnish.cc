@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "layoutbox/furnish/mesh_file.h"
+#include "layoutbox/furnish/kit_detail.h"
+#include "layoutbox/furnish/own_meshes.h"
 #include "layoutbox/furnish/piece.h"
 #include "layoutbox/furnish/room_shell.h"
 
@@ -43,58 +44,10 @@ std::vector<FreeSpace> free_spaces(const PlacedObject& object, const CatalogEntr
   return spaces;
 }
 
-// An object's own mesh, as a node. Surfaces that an own material covers take its colour.
-Result<Node> own_mesh_node(const PlacedObject& object, const Material* material, Palette& palette, const FurnishOptions& options) {
-  auto mesh = read_mesh_file(options.asset_folders, object.mesh);
-  Status fitted;
-  if (mesh) {
-    const kit::Vec size{m_from_mm(object.size.width), m_from_mm(object.size.depth), m_from_mm(object.size.height)};
-    fitted = fit_mesh(*mesh, size, object.mesh_front, object.mount);
-  }
-  if (!mesh || !fitted) {
-    Error error = mesh ? fitted.error() : mesh.error();
-    error.message = fmt::format("the mesh of \"{}\": {}", object.id, error.message);
-    return Failure(std::move(error));
-  }
-  Node node;
-  node.id = object.id;
-  node.kind = NodeKind::kObject;
-  node.category = object.category;
-  node.name = object.name;
-  for (Part& part : mesh->parts) {
-    Surface surface = mesh->surfaces[static_cast<std::size_t>(part.surface)];
-    if (material != nullptr && material->color) {
-      surface.name = material->id;
-      surface.base = surface.second = *material->color;
-      surface.image.clear();
-      surface.image_data.reset();
-      if (material->roughness) surface.roughness = static_cast<float>(*material->roughness);
-    }
-    node.parts.push_back({std::move(part.mesh), palette.add(surface)});
-  }
-  return node;
-}
-
-// Reads the image files that surfaces name. Without folders they stay names.
-Status read_images(std::vector<Surface>& surfaces, const FurnishOptions& options) {
-  if (options.asset_folders.empty()) return {};
-  for (Surface& surface : surfaces) {
-    if (surface.image.empty() || surface.image_data) continue;
-    LAYOUTBOX_ASSIGN(std::string bytes, read_image_file(options.asset_folders, surface.image));
-    surface.image_data = std::make_shared<const std::string>(std::move(bytes));
-  }
-  return {};
-}
-
 Result<Node> object_node(const PlacedObject& object, const Catalog& catalog, const Layout* layout, Palette& palette, const Decor& decor,
                          const FurnishOptions& options) {
   const CatalogEntry& entry = catalog.entry_or_nearest(object.category);
-  const Material* material = nullptr;
-  if (layout != nullptr && !object.material.empty()) {
-    const auto found =
-        std::find_if(layout->materials.begin(), layout->materials.end(), [&](const Material& m) { return m.id == object.material; });
-    if (found != layout->materials.end()) material = &*found;
-  }
+  const Material* material = layout == nullptr ? nullptr : scene_material(*layout, object.material);
   const auto placed = [&](Node node) {
     node.position = {static_cast<float>(m_from_mm(object.position[0])), static_cast<float>(m_from_mm(object.position[1])),
                      static_cast<float>(m_from_mm(object.position[2]))};
@@ -119,18 +72,29 @@ Status check_size(const PlacedObject& object) {
 
 }  // namespace
 
+std::string_view name_of(Detail detail) { return detail == Detail::kLow ? "low" : detail == Detail::kHigh ? "high" : "usual"; }
+
+std::optional<Detail> detail_from_name(std::string_view name) {
+  for (const Detail detail : {Detail::kLow, Detail::kUsual, Detail::kHigh}) {
+    if (name_of(detail) == name) return detail;
+  }
+  return std::nullopt;
+}
+
 Result<Model> furnish(const Layout& layout, const Catalog& catalog, const FurnishOptions& options) {
   Model model;
   Palette palette;
+  const kit::DetailScope detail(options.detail);
   const Decor decor = decor_of(layout, options.seed);
   add_room_shell(layout, decor, palette, model);
+  LAYOUTBOX_CHECK(replace_walls_by_own_meshes(layout, palette, options, model));
   for (const PlacedObject& object : layout.objects) {
     LAYOUTBOX_CHECK(check_size(object));
     LAYOUTBOX_ASSIGN(Node node, object_node(object, catalog, &layout, palette, decor, options));
     model.nodes.push_back(std::move(node));
   }
   model.surfaces = palette.take();
-  LAYOUTBOX_CHECK(read_images(model.surfaces, options));
+  LAYOUTBOX_CHECK(read_own_images(model.surfaces, options));
   return model;
 }
 
@@ -141,6 +105,7 @@ Result<Model> furnish_object(const PlacedObject& object, const Catalog& catalog,
   alone.rotation_deg = 0;
   Model model;
   Palette palette;
+  const kit::DetailScope detail(options.detail);
   LAYOUTBOX_ASSIGN(Node node, object_node(alone, catalog, nullptr, palette, {}, options));
   model.nodes.push_back(std::move(node));
   model.surfaces = palette.take();

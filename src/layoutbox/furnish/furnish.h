@@ -3,6 +3,8 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
+#include <string_view>
 #include <vector>
 
 #include "layoutbox/base/result.h"
@@ -12,11 +14,18 @@
 
 namespace layoutbox {
 
+// How finely things are made: under half, all, or about twice the triangles. Sizes, spaces and materials are the same.
+enum class Detail { kLow, kUsual, kHigh };
+std::string_view name_of(Detail detail);  // "low", "usual", "high"
+std::optional<Detail> detail_from_name(std::string_view name);
+
 struct FurnishOptions {
   // Variation of details (colours, book spines); the same object always looks the same. DEFAULT: 1.
   std::uint64_t seed = 1;
   // Books in shelves, food in bowls: what a piece shows in spaces where nothing of the layout stands. DEFAULT: true.
   bool contents = true;
+  // DEFAULT: kUsual. kLow is for batches that are looked at from afar.
+  Detail detail = Detail::kUsual;
   // Where meshes and images of the user's own are looked for, in this order (the scene file's folder, that of --assets). Empty: none is
   // read, and what names one is drawn as its kind.
   std::vector<std::filesystem::path> asset_folders;

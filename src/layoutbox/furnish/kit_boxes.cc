@@ -2,6 +2,7 @@
 #include <array>
 
 #include "layoutbox/furnish/kit_base.h"
+#include "layoutbox/furnish/kit_detail.h"
 
 namespace layoutbox::kit {
 namespace {
@@ -115,7 +116,7 @@ Mesh rounded_body(const Box& outer, const Rounding& shape) {
 Mesh box(const Box& b, double bevel) {
   Maker maker;
   const Vec size = b.size();
-  const double e = std::max(0.0, std::min(bevel, smallest(size) * 0.3));
+  const double e = std::max(0.0, std::min(bevel_at_detail(bevel), smallest(size) * 0.3));
   // Vertex of corner (sx, sy, sz) on the face across `axis`: the bevels between faces shade smoothly from one face to the other.
   std::array<std::array<std::uint32_t, 3>, 8> vertices{};
   for (int corner = 0; corner < 8; ++corner) {
@@ -145,15 +146,15 @@ Mesh box(const Box& b, double bevel) {
   return maker.take();
 }
 
-Mesh rounded_box(const Box& b, double radius, int steps) { return rounded_body(b, {radius, steps, 1, 0, 0}); }
+Mesh rounded_box(const Box& b, double radius, int steps) { return rounded_body(b, {radius, steps_at_detail(steps), 1, 0, 0}); }
 
 Mesh cushion(const Box& b, double radius, bool flat_below, int steps) {
   const double dome = std::min(0.18 * b.size().z, 0.06);
-  return rounded_body(b, {radius, 3, std::max(2, steps / 4 * 2), dome, flat_below ? 0 : dome});
+  return rounded_body(b, {radius, steps_at_detail(3), std::max(2, steps_at_detail(steps) / 4 * 2), dome, flat_below ? 0 : dome});
 }
 
 Mesh pillow(const Box& b, int steps) {
-  const int n = std::max(4, steps / 2 * 2);
+  const int n = std::max(4, steps_at_detail(steps) / 2 * 2);
   const Vec c = b.center(), half = b.size() * 0.5;
   const auto swell = [](double t) { return std::sqrt(std::max(0.0, 1 - std::pow(std::abs(t), 2.6))); };
   const auto point = [&](double u, double v, double side) {

@@ -1,5 +1,6 @@
 // Bodies made from outlines and sheets: prisms, leaves, curtains, walls with holes.
 #include "layoutbox/furnish/kit_base.h"
+#include "layoutbox/furnish/kit_detail.h"
 
 namespace layoutbox::kit {
 namespace {
@@ -69,7 +70,8 @@ Mesh prism(std::initializer_list<Vec2> outline, double z0, double z1, bool smoot
   return prism(std::span<const Vec2>(outline.begin(), outline.size()), z0, z1, smooth);
 }
 
-std::vector<Vec2> ellipse(Vec2 center, Vec2 radius, int sides) {
+std::vector<Vec2> ellipse(Vec2 center, Vec2 radius, int usual_sides) {
+  const int sides = sides_at_detail(usual_sides);
   std::vector<Vec2> points;
   for (int i = 0; i < sides; ++i) {
     const double a = 2 * kPi * i / sides;
@@ -91,7 +93,8 @@ std::vector<Vec2> rounded_rectangle(Vec2 min, Vec2 max, double radius, int steps
   return points;
 }
 
-Mesh leaf(Vec root, Vec tip, double width, double arch, int steps) {
+Mesh leaf(Vec root, Vec tip, double width, double arch, int usual_steps) {
+  const int steps = steps_at_detail(usual_steps, 2);
   Maker maker;
   const Vec along = tip - root;
   const Vec flat = unit(along);

@@ -1,5 +1,6 @@
 // Round bodies: lathe, cylinders, rods and tubes, ellipsoids.
 #include "layoutbox/furnish/kit_base.h"
+#include "layoutbox/furnish/kit_detail.h"
 
 namespace layoutbox::kit {
 namespace {
@@ -19,7 +20,8 @@ Vec2 joint_normal(Vec2 own, Vec2 neighbour) {
 
 }  // namespace
 
-Mesh lathe(std::span<const Vec2> profile, int sides, double squash) {
+Mesh lathe(std::span<const Vec2> profile, int usual_sides, double squash) {
+  const int sides = sides_at_detail(usual_sides);
   Maker maker;
   const std::size_t n = profile.size();
   const bool closed = n > 2 && std::hypot(profile[0].x - profile[n - 1].x, profile[0].y - profile[n - 1].y) < 1e-9;
@@ -78,7 +80,8 @@ Mesh rod(Vec from, Vec to, double radius, int sides) {
   return posed(lathe({{0, 0}, {radius, 0}, {radius, length(to - from)}, {0, length(to - from)}}, sides), aimed(from, to - from));
 }
 
-Mesh tube(std::span<const Vec> path, double radius, int sides, bool closed) {
+Mesh tube(std::span<const Vec> path, double radius, int usual_sides, bool closed) {
+  const int sides = sides_at_detail(usual_sides);
   Maker maker;
   const std::size_t n = path.size();
   if (n < 2) return {};
@@ -126,7 +129,8 @@ Mesh tube(std::initializer_list<Vec> path, double radius, int sides, bool closed
   return tube(std::span<const Vec>(path.begin(), path.size()), radius, sides, closed);
 }
 
-std::vector<Vec> curve(std::span<const Vec> points, int steps, bool closed) {
+std::vector<Vec> curve(std::span<const Vec> points, int usual_steps, bool closed) {
+  const int steps = steps_at_detail(usual_steps, 2);
   // Catmull-Rom through the points.
   const int n = static_cast<int>(points.size());
   const auto at = [&](int i) { return points[static_cast<std::size_t>(closed ? (i + n) % n : std::clamp(i, 0, n - 1))]; };
@@ -156,7 +160,8 @@ Mesh torus(Vec center, double radius, double thickness, int sides, int section) 
   return posed(lathe(profile, sides), moved(center));
 }
 
-Mesh ellipsoid(Vec center, Vec radius, int sides, int rings) {
+Mesh ellipsoid(Vec center, Vec radius, int sides, int usual_rings) {
+  const int rings = steps_at_detail(usual_rings, 4);
   std::vector<Vec2> profile;
   for (int i = 0; i <= rings; ++i) {
     const double a = kPi * i / rings - kPi / 2;

@@ -20,6 +20,24 @@ bool lies_in(const fs::path& path, const fs::path& folder) {
   return end == folder.end();
 }
 
+constexpr double kFlat = 1e-9;  // metres: no length at all
+
+double ratio(double wanted, double is) { return is > kFlat ? wanted / is : 1e9; }
+
+kit::Box bounds_of(const MeshFile& mesh) {
+  kit::Box box{{1e9, 1e9, 1e9}, {-1e9, -1e9, -1e9}};
+  for (const Part& part : mesh.parts) {
+    const kit::Box b = kit::bounds(part.mesh);
+    box.min = {std::min(box.min.x, b.min.x), std::min(box.min.y, b.min.y), std::min(box.min.z, b.min.z)};
+    box.max = {std::max(box.max.x, b.max.x), std::max(box.max.y, b.max.y), std::max(box.max.z, b.max.z)};
+  }
+  return box;
+}
+
+void pose_parts(MeshFile& mesh, const kit::Pose& pose) {
+  for (Part& part : mesh.parts) part.mesh = kit::posed(std::move(part.mesh), pose);
+}
+
 }  // namespace
 
 Result<fs::path> find_asset(std::span<const fs::path> folders, const std::string& name) {
@@ -98,15 +116,9 @@ Status fit_mesh(MeshFile& mesh, kit::Vec size, std::string_view front, Mount mou
   } else if (!axis.empty() && axis != "z") {
     return fail(ErrorCode::kSchema, fmt::format("\"{}\" is no direction of a mesh", front), "meshFront", "use +x, -x, +y, -y, +z or -z");
   }
-  kit::Box box{{1e9, 1e9, 1e9}, {-1e9, -1e9, -1e9}};
-  for (Part& part : mesh.parts) {
-    part.mesh = kit::posed(std::move(part.mesh), turn);
-    const kit::Box b = kit::bounds(part.mesh);
-    box.min = {std::min(box.min.x, b.min.x), std::min(box.min.y, b.min.y), std::min(box.min.z, b.min.z)};
-    box.max = {std::max(box.max.x, b.max.x), std::max(box.max.y, b.max.y), std::max(box.max.z, b.max.z)};
-  }
+  pose_parts(mesh, turn);
+  const kit::Box box = bounds_of(mesh);
   const kit::Vec has = box.size(), c = box.center();
-  const auto ratio = [](double wanted, double is) { return is > 1e-9 ? wanted / is : 1e9; };
   double kx = ratio(size.x, has.x), ky = ratio(size.y, has.y), kz = ratio(size.z, has.z);
   const double least = std::min({kx, ky, kz}), most = std::max({kx, ky, kz});
   if (most > least * 1.03) kx = ky = kz = least;
@@ -115,8 +127,18 @@ Status fit_mesh(MeshFile& mesh, kit::Vec size, std::string_view front, Mount mou
                                                                       : 0;
   const double back = mount == Mount::kWall ? size.y / 2 - has.y * ky / 2 : 0;
   const kit::Pose pose = kit::moved(0, back, up) * kit::scaled(kx, ky, kz) * kit::moved(-c.x, -c.y, -box.min.z);
-  for (Part& part : mesh.parts) part.mesh = kit::posed(std::move(part.mesh), pose);
+  pose_parts(mesh, pose);
   return {};
+}
+
+void fit_wall_mesh(MeshFile& mesh, kit::Vec size) {
+  const kit::Box box = bounds_of(mesh);
+  const kit::Vec has = box.size(), c = box.center();
+  const double kx = ratio(size.x, has.x), kz = ratio(size.z, has.z), ky = std::min({kx, kz, ratio(size.y, has.y)});
+  const bool flat_x = has.x <= kFlat, flat_z = has.z <= kFlat;
+  // Its front, −y, looks into the room, which is at +y of a wall's frame; the inner face is the wall's.
+  pose_parts(mesh, kit::moved(size.x / 2, 0, 0) * kit::turned_z(180) * kit::scaled(flat_x ? 1 : kx, ky, flat_z ? 1 : kz) *
+                       kit::moved(-c.x, -box.min.y, -box.min.z));
 }
 
 }  // namespace layoutbox

@@ -38,4 +38,8 @@ Result<std::string> read_image_file(std::span<const std::filesystem::path> folde
 // underside, in the middle; what hangs is brought to the top or to the back. Error: kSchema for another front.
 Status fit_mesh(MeshFile& mesh, kit::Vec size, std::string_view front, Mount mount);
 
+// Stretches the mesh to a wall's length (size.x) and height (size.z), at most as thick as the wall (size.y), in the wall's frame: x along
+// the wall from its start, the room at +y from 0 on. The file's +z looks into the room.
+void fit_wall_mesh(MeshFile& mesh, kit::Vec size);
+
 }  // namespace layoutbox

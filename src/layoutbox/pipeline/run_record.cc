@@ -56,6 +56,7 @@ Json json_of(const GenerateOptions& options) {
               {"overlay", options.render.overlay},
               {"mask", options.render.object_mask},
               {"turntable", options.render.turntable},
+              {"detail", name_of(options.furnish.detail)},
               {"maxAttempts", options.repair.max_attempts},
               {"repairAttempts", options.repair.repair_attempts},
               {"paperRetries", options.repair.paper_retries}};
