@@ -75,6 +75,11 @@ std::string_view image_kind(std::string_view bytes) {
   return bytes.starts_with("\xff\xd8\xff") ? "image/jpeg" : "";
 }
 
+Failure too_many_triangles(const AssetPlace& place) {
+  return fail(ErrorCode::kTooLarge, fmt::format("\"{}\" has more than {} triangles", place.name, place.limits.most_triangles), place.name,
+              "simplify it first (in Blender: the modifier Decimate)");
+}
+
 Result<MeshFile> read_mesh_file(std::span<const fs::path> folders, const std::string& name, const MeshLimits& limits) {
   LAYOUTBOX_ASSIGN(const fs::path path, find_asset(folders, name));
   std::error_code ignored;
@@ -92,10 +97,7 @@ Result<MeshFile> read_mesh_file(std::span<const fs::path> folders, const std::st
   std::size_t triangles = 0;
   for (const Part& part : mesh->parts) triangles += part.mesh.indices.size() / 3;
   if (triangles == 0) return fail(ErrorCode::kParse, fmt::format("there are no triangles in \"{}\"", name), name);
-  if (triangles > limits.most_triangles) {
-    return fail(ErrorCode::kTooLarge, fmt::format("\"{}\" has {} triangles; at most {} are read", name, triangles, limits.most_triangles),
-                name, "simplify it first (in Blender: the modifier Decimate)");
-  }
+  if (triangles > limits.most_triangles) return too_many_triangles(place);
   return mesh;
 }
 

@@ -153,7 +153,55 @@ TEST_F(MeshFiles, WhatIsWrongIsSaidWithTheName) {
   expect_error("short.gltf", ErrorCode::kParse, "shorter");
   expect_error("wild.obj", ErrorCode::kParse, "wild.obj");
   expect_error("box.obj", ErrorCode::kTooLarge, "MB", {20, 400'000});
-  expect_error("box.obj", ErrorCode::kTooLarge, "12 triangles", {1 << 20, 5});
+  expect_error("box.obj", ErrorCode::kTooLarge, "more than 5 triangles", {1 << 20, 5});
+}
+
+// Small files that ask for much: each is refused before it is given.
+TEST_F(MeshFiles, SmallFilesThatAskForMuchAreRefused) {
+  put("triangle.bin", triangle_bytes());
+  const auto with = [](std::string text, const std::string& from, const std::string& to) {
+    return text.replace(text.find(from), from.size(), to);
+  };
+  const std::string good = gltf("triangle.bin");
+  put("count.gltf", with(good, R"("bufferView":0,"componentType":5126,"count":3)", R"("componentType":5126,"count":39999999)"));
+  expect_error("count.gltf", ErrorCode::kTooLarge, "too many vertices");
+  std::string many = "0";
+  for (int i = 0; i < 60'000; ++i) many += ",0";
+  put("nodes.gltf", with(good, R"("nodes":[0])", R"("nodes":[)" + many + "]"));
+  expect_error("nodes.gltf", ErrorCode::kTooLarge, "too many nodes");
+  put("often.gltf", with(good, R"("nodes":[0])", R"("nodes":[0,0,0,0,0,0])"));
+  expect_error("often.gltf", ErrorCode::kTooLarge, "more than 5 triangles", {1 << 20, 5});
+  std::string tree = R"({"children":[1,1]})";  // 2^40 instances
+  for (int i = 1; i < 40; ++i) tree += R"(,{"children":[)" + std::to_string(i + 1) + "," + std::to_string(i + 1) + "]}";
+  put("tree.gltf", with(good, R"("meshes":[{)", R"("nodes":[)" + tree + R"(,{"translation":[0,0,0]}],"meshes":[{)"));
+  expect_error("tree.gltf", ErrorCode::kTooLarge, "too many nodes");
+  std::string polygon = "f";
+  for (int i = 0; i < 20'000; ++i) polygon += " 1 2 3";
+  put("polygon.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n" + polygon + "\n");
+  expect_error("polygon.obj", ErrorCode::kParse, "too long");
+  std::string again;
+  for (int i = 0; i < 2'000; ++i) again += "mtllib box.mtl\n";
+  put("again.obj", again + std::string(kBox));
+  EXPECT_TRUE(read("again.obj", {1 << 16, 100})) << "named often, read once";
+}
+
+TEST_F(MeshFiles, WhatIsCompressedIsRefusedInWords) {
+  put("triangle.bin", triangle_bytes());
+  std::string text = gltf("triangle.bin");
+  const std::string from = R"("indices":1,)";
+  text.replace(text.find(from), from.size(),
+               R"("indices":1,"extensions":{"KHR_draco_mesh_compression":{"bufferView":0,"attributes":{"POSITION":0}}},)");
+  put("draco.gltf", text);
+  expect_error("draco.gltf", ErrorCode::kParse, "Draco");
+}
+
+TEST_F(MeshFiles, QuadsAndNegativeNumbersOfAnObjAreRead) {
+  put("quad.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf -4 -3 -2 -1\n");
+  const auto mesh = read("quad.obj");
+  ASSERT_TRUE(mesh) << mesh.error().message;
+  EXPECT_EQ(mesh->parts.at(0).mesh.indices.size(), 6U);
+  put("thief.obj", "mtllib ../secret.mtl\n" + std::string(kBox));
+  expect_error("thief.obj", ErrorCode::kParse, "outside");
 }
 
 TEST_F(MeshFiles, WhatAFileNamesMustLieInItsFolderToo) {

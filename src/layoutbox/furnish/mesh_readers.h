@@ -18,6 +18,9 @@ struct AssetPlace {
   MeshLimits limits;
 };
 
+// What is said of a file with more triangles than its limits allow.
+Failure too_many_triangles(const AssetPlace& place);
+
 Result<MeshFile> read_gltf(const AssetPlace& place);
 Result<MeshFile> read_obj(const AssetPlace& place);
 

@@ -12,56 +12,12 @@
 #include "layoutbox/furnish/mesh_readers.h"
 
 #define TINYGLTF_IMPLEMENTATION
-#include "layoutbox/furnish/tinygltf_quietly.h"
+#include "layoutbox/furnish/gltf_parts.h"
 
 namespace layoutbox {
 namespace {
 
-using Matrix = std::array<double, 16>;  // columns, as glTF has them
-
-constexpr Matrix kIdentity{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
-
-Matrix times(const Matrix& a, const Matrix& b) {
-  Matrix out{};
-  for (std::size_t c = 0; c < 4; ++c) {
-    for (std::size_t r = 0; r < 4; ++r) {
-      for (std::size_t k = 0; k < 4; ++k) out[4 * c + r] += a[4 * k + r] * b[4 * c + k];
-    }
-  }
-  return out;
-}
-
-Matrix matrix_of(const tinygltf::Node& node) {
-  Matrix m = kIdentity;
-  if (node.matrix.size() == 16) {
-    std::copy(node.matrix.begin(), node.matrix.end(), m.begin());
-    return m;
-  }
-  if (node.rotation.size() == 4) {
-    const double x = node.rotation[0], y = node.rotation[1], z = node.rotation[2], w = node.rotation[3];
-    m = {1 - 2 * (y * y + z * z),
-         2 * (x * y + z * w),
-         2 * (x * z - y * w),
-         0,
-         2 * (x * y - z * w),
-         1 - 2 * (x * x + z * z),
-         2 * (y * z + x * w),
-         0,
-         2 * (x * z + y * w),
-         2 * (y * z - x * w),
-         1 - 2 * (x * x + y * y),
-         0,
-         0,
-         0,
-         0,
-         1};
-  }
-  for (std::size_t c = 0; node.scale.size() == 3 && c < 3; ++c) {
-    for (std::size_t r = 0; r < 3; ++r) m[4 * c + r] *= node.scale[c];
-  }
-  for (std::size_t r = 0; node.translation.size() == 3 && r < 3; ++r) m[12 + r] = node.translation[r];
-  return m;
-}
+constexpr std::size_t kMostNodes = 50'000;
 
 double srgb(double linear) {
   const double c = std::clamp(linear, 0.0, 1.0);
@@ -86,8 +42,8 @@ class Reader {
   }
 
  private:
-  Failure broken(std::string_view why) const {
-    return fail(ErrorCode::kParse, fmt::format("\"{}\" cannot be read as glTF: {}", place_.name, why), place_.name);
+  Failure broken(std::string_view why, ErrorCode code = ErrorCode::kParse) const {
+    return fail(code, fmt::format("\"{}\" cannot be read as glTF: {}", place_.name, why), place_.name);
   }
 
   Status load() {
@@ -127,12 +83,14 @@ class Reader {
 
   bool read_named(std::vector<unsigned char>& out, std::string& error, const std::string& name) {
     const auto path = path_of(name);
-    const auto bytes = path ? read_file(*path, place_.limits.most_bytes) : Result<std::string>(fail(ErrorCode::kIo, named_));
+    // All that it names together, however often it names it.
+    const auto bytes = path ? read_file(*path, place_.limits.most_bytes - named_bytes_) : Result<std::string>(fail(ErrorCode::kIo, named_));
     if (!bytes) {
       error = bytes.error().message;
       if (named_.empty()) named_ = error;
       return false;
     }
+    named_bytes_ += bytes->size();
     out.assign(bytes->begin(), bytes->end());
     return true;
   }
@@ -175,6 +133,8 @@ class Reader {
 
   Status add_node(int number, const Matrix& parent, int depth) {
     if (number < 0 || static_cast<std::size_t>(number) >= file_.nodes.size() || depth > 64) return broken("its nodes do not make a tree");
+    // A small file can name the same node again and again.
+    if (++visited_ > kMostNodes) return broken("it has too many nodes", ErrorCode::kTooLarge);
     const tinygltf::Node& node = file_.nodes[static_cast<std::size_t>(number)];
     const Matrix matrix = times(parent, matrix_of(node));
     if (node.mesh >= 0 && static_cast<std::size_t>(node.mesh) < file_.meshes.size()) {
@@ -186,50 +146,6 @@ class Reader {
     return {};
   }
 
-  // The numbers of an accessor, `width` to an element; whatever they are stored as.
-  Result<std::vector<double>> numbers(int accessor_number, std::size_t width) const {
-    const auto wrong = [&] { return broken("its buffers are shorter than it says"); };
-    if (accessor_number < 0 || static_cast<std::size_t>(accessor_number) >= file_.accessors.size()) return wrong();
-    const tinygltf::Accessor& accessor = file_.accessors[static_cast<std::size_t>(accessor_number)];
-    if (accessor.count > 40'000'000) return broken("it has too many vertices");
-    std::vector<double> out(accessor.count * width, 0.0);
-    if (accessor.bufferView < 0) return out;
-    if (static_cast<std::size_t>(accessor.bufferView) >= file_.bufferViews.size()) return wrong();
-    const tinygltf::BufferView& view = file_.bufferViews[static_cast<std::size_t>(accessor.bufferView)];
-    if (view.buffer < 0 || static_cast<std::size_t>(view.buffer) >= file_.buffers.size()) return wrong();
-    const auto& bytes = file_.buffers[static_cast<std::size_t>(view.buffer)].data;
-    const int each = tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(accessor.componentType));
-    const int stride = accessor.ByteStride(view);
-    if (each <= 0 || stride <= 0) return wrong();
-    const auto size = static_cast<std::size_t>(each), step = static_cast<std::size_t>(stride);
-    const std::size_t first = view.byteOffset + accessor.byteOffset;
-    if (accessor.count > 0 && first + step * (accessor.count - 1) + size * width > bytes.size()) return wrong();
-    for (std::size_t i = 0; i < accessor.count; ++i) {
-      for (std::size_t k = 0; k < width; ++k) out[i * width + k] = number(&bytes[first + i * step + k * size], accessor);
-    }
-    return out;
-  }
-
-  static double number(const unsigned char* at, const tinygltf::Accessor& accessor) {
-    const auto as = [&]<class T>(T value) {
-      std::memcpy(&value, at, sizeof value);
-      const auto wide = static_cast<double>(value);
-      if constexpr (std::is_integral_v<T>) {
-        if (accessor.normalized) return wide / static_cast<double>(std::numeric_limits<T>::max());
-      }
-      return wide;
-    };
-    switch (accessor.componentType) {
-      case TINYGLTF_COMPONENT_TYPE_FLOAT: return as(float{});
-      case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT: return as(std::uint32_t{});
-      case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: return as(std::uint16_t{});
-      case TINYGLTF_COMPONENT_TYPE_SHORT: return as(std::int16_t{});
-      case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: return as(std::uint8_t{});
-      case TINYGLTF_COMPONENT_TYPE_BYTE: return as(std::int8_t{});
-      default: return 0;
-    }
-  }
-
   Status add_primitive(const tinygltf::Primitive& primitive, const Matrix& m) {
     if (primitive.mode != TINYGLTF_MODE_TRIANGLES && primitive.mode != -1) return {};  // points and lines are no body
     const auto attribute = [&](const char* name) {
@@ -238,6 +154,12 @@ class Reader {
     };
     if (primitive.extensions.contains("KHR_draco_mesh_compression")) return broken("it is compressed with Draco; export it without");
     if (attribute("POSITION") < 0) return {};
+    // A corner of its own for each triangle of the most that are read, and then some that none uses.
+    const std::size_t most = 4 * place_.limits.most_triangles;
+    const auto numbers = [&](int accessor, std::size_t width) -> Result<std::vector<double>> {
+      auto read = accessor_numbers(file_, accessor, width, most);
+      return read ? std::move(read) : Result<std::vector<double>>(broken(read.error().message, read.error().code));
+    };
     LAYOUTBOX_ASSIGN(const std::vector<double> points, numbers(attribute("POSITION"), 3));
     std::vector<double> normals, uvs;
     if (attribute("NORMAL") >= 0) {
@@ -258,6 +180,8 @@ class Reader {
       for (std::size_t i = 0; i < count; ++i) part.mesh.indices.push_back(static_cast<std::uint32_t>(i));
     }
     part.mesh.indices.resize(part.mesh.indices.size() / 3 * 3);
+    triangles_ += part.mesh.indices.size() / 3;
+    if (triangles_ > place_.limits.most_triangles) return too_many_triangles(place_);
     for (std::size_t i = 0; i < count; ++i) {
       const double* p = &points[3 * i];
       const auto at = [&](std::size_t r) { return m[r] * p[0] + m[4 + r] * p[1] + m[8 + r] * p[2] + m[12 + r]; };
@@ -306,6 +230,7 @@ class Reader {
   tinygltf::Model file_;
   MeshFile mesh_;
   std::string named_;  // what is wrong with a file that this one names
+  std::size_t named_bytes_ = 0, visited_ = 0, triangles_ = 0;
 };
 
 }  // namespace

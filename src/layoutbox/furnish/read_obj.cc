@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <set>
 #include <sstream>
 
 #include "layoutbox/base/files.h"
@@ -16,19 +17,35 @@
 namespace layoutbox {
 namespace {
 
-// The material files that an OBJ names, one after the other.
+// A polygon of many thousand corners takes minutes to cut into triangles.
+constexpr std::size_t kLongestLine = 1u << 16;
+
+Failure broken(const AssetPlace& place, std::string_view why) {
+  return fail(ErrorCode::kParse, fmt::format("\"{}\" cannot be read as OBJ: {}", place.name, why), place.name);
+}
+
+// A material file that the OBJ names; nothing where it is not there: without its colours it is still a shape.
+Result<std::string> materials_in(const AssetPlace& place, const std::string& name) {
+  const auto path = find_asset(place.folders, name);
+  if (!path && path.error().code == ErrorCode::kIo) return std::string();
+  auto text = path ? read_file(*path, place.limits.most_bytes) : Result<std::string>(Failure(path.error()));
+  return text ? std::move(text) : Result<std::string>(broken(place, text.error().message));
+}
+
+// All material files that it names, one after the other, each once.
 Result<std::string> materials_of(const AssetPlace& place, const std::string& text) {
   std::string all, line;
+  std::set<std::string> read;
   std::istringstream lines(text);
   while (std::getline(lines, line)) {
+    if (line.size() > kLongestLine) return broken(place, "one of its lines is too long");
     if (!line.starts_with("mtllib ")) continue;
     std::string name = line.substr(7);
     while (!name.empty() && (name.back() == '\r' || name.back() == ' ')) name.pop_back();
-    const auto path = find_asset(place.folders, name);
-    if (!path && path.error().code != ErrorCode::kIo) return Failure(path.error());
-    if (!path) continue;  // an OBJ without its colours is still a shape
-    LAYOUTBOX_ASSIGN(const std::string part, read_file(*path, place.limits.most_bytes));
+    if (!read.insert(name).second) continue;
+    LAYOUTBOX_ASSIGN(const std::string part, materials_in(place, name));
     all += part + "\n";
+    if (all.size() > place.limits.most_bytes) return broken(place, "the material files that it names are too large");
   }
   return all;
 }
@@ -96,8 +113,7 @@ Result<MeshFile> read_obj(const AssetPlace& place) {
   config.triangulate = true;
   if (!reader.ParseFromString(text, materials, config)) {
     const std::string why = reader.Error().substr(0, reader.Error().find('\n'));
-    return fail(ErrorCode::kParse, fmt::format("\"{}\" cannot be read as OBJ: {}", place.name, why.empty() ? "it is broken" : why),
-                place.name);
+    return broken(place, why.empty() ? "it is broken" : why);
   }
   MeshFile mesh;
   for (const tinyobj::material_t& material : reader.GetMaterials()) mesh.surfaces.push_back(surface_of(place, material));
@@ -108,8 +124,7 @@ Result<MeshFile> read_obj(const AssetPlace& place) {
   std::map<int, Part> parts;
   for (const tinyobj::shape_t& shape : reader.GetShapes()) {
     if (!sound(reader.GetAttrib(), shape.mesh)) {
-      return fail(ErrorCode::kParse, fmt::format("\"{}\" cannot be read as OBJ: a face names a vertex that is not there", place.name),
-                  place.name);
+      return broken(place, "a face names a vertex that is not there");
     }
     add_shape(reader.GetAttrib(), shape.mesh, parts);
   }
