@@ -14,6 +14,9 @@ struct NormalizeOptions {
   bool default_openings = true;
 };
 
+// The corners of a room of that shape ("L", "T", "U"; anything else: a rectangle) within a box of that width and depth, in millimetres.
+std::vector<Point> room_outline(std::string_view shape, Mm width, Mm depth);
+
 // Fills the room (polygon, walls, height, openings), every object's category, size range, mount and used sides, and the support of
 // objects that stand on something which no relation names. Turns walls so that they run counter-clockwise along the polygon (and their
 // openings with them). Every value that was filled is listed in the notes. The result is what solve() REQUIRES.

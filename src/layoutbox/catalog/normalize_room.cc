@@ -8,6 +8,15 @@
 #include "layoutbox/scene/shell.h"
 
 namespace layoutbox {
+
+std::vector<Point> room_outline(std::string_view shape, Mm w, Mm d) {
+  const Mm x1 = w / 3 / kGridMm * kGridMm, x2 = w - x1, y1 = d / 2 / kGridMm * kGridMm;
+  if (shape == "L") return {{0, 0}, {w, 0}, {w, y1}, {x2, y1}, {x2, d}, {0, d}};
+  if (shape == "T") return {{x1, 0}, {x2, 0}, {x2, y1}, {w, y1}, {w, d}, {0, d}, {0, y1}, {x1, y1}};
+  if (shape == "U") return {{0, 0}, {x1, 0}, {x1, y1}, {x2, y1}, {x2, 0}, {w, 0}, {w, d}, {0, d}};
+  return {{0, 0}, {w, 0}, {w, d}, {0, d}};
+}
+
 namespace {
 
 constexpr Mm kSmallestRoom = 500, kLargestRoom = 100'000, kLowestRoom = 500, kHighestRoom = 50'000;
@@ -29,17 +38,9 @@ constexpr SizeWordFactor kRoomWords[] = {
 
 Mm rounded_up(double mm) { return static_cast<Mm>(std::ceil(mm / 100 - 1e-9) * 100); }
 
-std::vector<Point> outline(std::string_view shape, Mm w, Mm d) {
-  const Mm x1 = w / 3 / kGridMm * kGridMm, x2 = w - x1, y1 = d / 2 / kGridMm * kGridMm;
-  if (shape == "L") return {{0, 0}, {w, 0}, {w, y1}, {x2, y1}, {x2, d}, {0, d}};
-  if (shape == "T") return {{x1, 0}, {x2, 0}, {x2, y1}, {w, y1}, {w, d}, {0, d}, {0, y1}, {x1, y1}};
-  if (shape == "U") return {{0, 0}, {x1, 0}, {x1, y1}, {x2, y1}, {x2, 0}, {w, 0}, {w, d}, {0, d}};
-  return {{0, 0}, {w, 0}, {w, d}, {0, d}};
-}
-
 double share_of_box(std::string_view shape) {
   constexpr Mm kUnit = 60'000;
-  return static_cast<double>(doubled_area(outline(shape, kUnit, kUnit))) / 2.0 / (double{kUnit} * kUnit);
+  return static_cast<double>(doubled_area(room_outline(shape, kUnit, kUnit))) / 2.0 / (double{kUnit} * kUnit);
 }
 
 // Of the strips that the catalogue wants free at its sides, mm².
@@ -85,7 +86,7 @@ class RoomNormalizer {
       if (!room_.polygon.empty() || !room_.walls.empty())
         context_.note("contradiction", "the size given for the room replaces the scene's own", "/room");
       room_.walls.clear();
-      room_.polygon = outline(room_.shape, context_.options.room_size.width, context_.options.room_size.depth);
+      room_.polygon = room_outline(room_.shape, context_.options.room_size.width, context_.options.room_size.depth);
     }
     if (!room_.walls.empty()) {
       outline_from_walls();
@@ -146,7 +147,7 @@ class RoomNormalizer {
     if (room_.shape == "round") context_.note("ignored", "round rooms are made rectangular", "/room/shape");
     context_.note("filled", fmt::format("the room's size is not given: {} x {} for {}", metres_text(w), metres_text(d), reason),
                   "/room/dims");
-    return outline(room_.shape, static_cast<Mm>(std::min(w, 1e6)), static_cast<Mm>(std::min(d, 1e6)));
+    return room_outline(room_.shape, static_cast<Mm>(std::min(w, 1e6)), static_cast<Mm>(std::min(d, 1e6)));
   }
 
   // By how much both sides must grow so that the floor holds what stands on it, and the longest piece fits along a wall.

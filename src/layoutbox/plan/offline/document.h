@@ -12,8 +12,9 @@ namespace layoutbox::offline {
 
 // One object of the scene to be.
 struct Item {
-  NounPhrase noun;  // the words that brought it in
-  int group = 0;    // items brought in together
+  NounPhrase noun;       // the words that brought it in
+  int group = 0;         // items brought in together
+  bool assumed = false;  // follows from the words ("a table for eight") without being named
 };
 
 // A place in the text that speaks of things or of a part of the room.
@@ -39,6 +40,7 @@ struct Link {
   bool one_side = false;                 // "on one side of": "on the other" may follow
   bool weak = false;                     // a have that another link of the target makes needless
   bool soft = false;
+  bool assumed = false;      // follows from the words without being said
   bool implied = false;      // the reference is not said: what was spoken of
   bool after_comma = false;  // ", with …"
   std::optional<double> distance;
@@ -46,6 +48,13 @@ struct Link {
   bool gap = false;           // a distance between the references
   bool at_least = false, at_most = false;
   std::size_t first = 0, last = 0;  // tokens
+};
+
+// A part that goes out of the room's rectangle, or is cut out of it.
+struct Niche {
+  double width = 0, depth = 0;  // metres, as seen from the room
+  bool cut = false;             // a notch
+  std::string walls;            // "back right": in that corner; "left": in the middle of that wall; empty: not said
 };
 
 struct Document {
@@ -60,6 +69,9 @@ struct Document {
   std::vector<NounPhrase> openings;   // doors and windows that were spoken of
   std::vector<WordReading> readings;  // one a token
   std::vector<Note> notes;
+  std::optional<Niche> niche;
+  int people = 0;               // "an office for three": for how many the room is; 0: not said
+  bool young = false;           // … children
   int groups = 0;
 };
 

@@ -28,6 +28,28 @@ const Lexicon::Set* Lexicon::set_of(std::string_view words) const {
   return found == sets_.end() ? nullptr : &found->second;
 }
 
+const Lexicon::Set* Lexicon::needs_in(std::string_view room) const {
+  const auto found = needs_.find(std::string(room));
+  return found == needs_.end() ? nullptr : &found->second;
+}
+
+std::string_view Lexicon::young_room(std::string_view room) const {
+  const auto found = young_rooms_.find(std::string(room));
+  return found == young_rooms_.end() ? room : std::string_view(found->second);
+}
+
+const CatalogEntry* Lexicon::seat_at(const CatalogEntry& table) const {
+  const auto found = std::find_if(seats_.begin(), seats_.end(), [&](const auto& pair) { return catalog_->is_a(table.id, pair.first->id); });
+  return found == seats_.end() ? nullptr : found->second;
+}
+
+const CatalogEntry* Lexicon::meant_in(const RoomKind& room, std::string_view name, std::string_view word) const {
+  for (const std::string_view kind : {name, std::string_view(room.id)}) {
+    if (const auto found = room_senses_.find(std::string(kind) + "|" + std::string(word)); found != room_senses_.end()) return found->second;
+  }
+  return nullptr;
+}
+
 std::string_view Lexicon::meant_by(std::string_view word) const {
   const auto found = typing_errors_.find(std::string(word));
   return found == typing_errors_.end() ? std::string_view{} : std::string_view(found->second);

@@ -31,6 +31,8 @@ enum class WordClass {
   kPart,
   kAbstract,
   kZone,
+  kNiche,     // a part of the room's outline
+  kCutNiche,  // … that is taken out of it: a notch
   kDefinite,
   kIndefinite,
   kPossessive,
@@ -122,6 +124,9 @@ class Lexicon {
   PhraseMatch find_phrase(std::span<const Token> tokens, std::size_t at) const;
 
   bool is(const Token& token, WordClass word_class) const;
+  // "guest", "student", and the young of them: who a room is for.
+  bool is_person(std::string_view word) const { return persons_.contains(std::string(word)) || is_young(word); }
+  bool is_young(std::string_view word) const { return young_persons_.contains(std::string(word)); }
   // Whether the word stands in any list or phrase, by itself or as a part.
   bool knows(std::string_view word) const { return vocabulary_.contains(std::string(word)); }
   // The known words of that many letters that begin with that letter.
@@ -129,6 +134,14 @@ class Lexicon {
   // What a set consists of, the host first ("dining set": table, chairs), or nothing.
   using Set = std::vector<std::pair<const CatalogEntry*, int>>;
   const Set* set_of(std::string_view words) const;
+  // Who needs what in a kind of room, the main thing first, and for how many one is (0: one for all); nothing where that is not listed.
+  const Set* needs_in(std::string_view room) const;
+  // The kind of room that one kind becomes for children: a bedroom for two of them is a kids' room.
+  std::string_view young_room(std::string_view room) const;
+  // What one sits on at a table of that kind, or null.
+  const CatalogEntry* seat_at(const CatalogEntry& table) const;
+  // What a plain word means in rooms of that kind or name ("mat" in a gym), or null.
+  const CatalogEntry* meant_in(const RoomKind& room, std::string_view name, std::string_view word) const;
   // What a common typing error stands for ("teh" → the, "infront" → in front), or empty.
   std::string_view meant_by(std::string_view word) const;
   const Catalog& catalog() const { return *catalog_; }
@@ -146,6 +159,7 @@ class Lexicon {
   void add_phrase(std::string_view words, PhraseSense sense);
   void learn(std::string_view words);
   void read_words();
+  void read_room_knowledge();
   void read_phrases();
 
   const Catalog* catalog_;
@@ -153,7 +167,11 @@ class Lexicon {
   std::unordered_map<std::string, PhraseSenses> phrases_;  // words joined by spaces
   std::unordered_map<std::string, bool> phrase_starts_;    // every beginning of a phrase
   std::unordered_map<std::string, Set> sets_;              // key_of
-  std::unordered_set<std::string> vocabulary_;
+  std::unordered_map<std::string, Set> needs_;             // by room
+  std::unordered_map<std::string, std::string> young_rooms_;
+  std::vector<std::pair<const CatalogEntry*, const CatalogEntry*>> seats_;         // table, seat or null; special kinds first
+  std::unordered_map<std::string, const CatalogEntry*> room_senses_;               // "room word"
+  std::unordered_set<std::string> vocabulary_, persons_, young_persons_;
   std::unordered_map<std::string, std::vector<std::string>> by_shape_;  // first letter and length
   std::unordered_map<std::string, std::string> typing_errors_;
 };

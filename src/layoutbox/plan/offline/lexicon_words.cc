@@ -47,6 +47,8 @@ constexpr std::array kPlainLists = {
     PlainList{"room", "parts", WordClass::kPart},
     PlainList{"room", "abstract", WordClass::kAbstract},
     PlainList{"room", "zones", WordClass::kZone},
+    PlainList{"room", "niches", WordClass::kNiche},
+    PlainList{"room", "cut_niches", WordClass::kCutNiche},
     PlainList{"grammar", "definite", WordClass::kDefinite},
     PlainList{"grammar", "indefinite", WordClass::kIndefinite},
     PlainList{"grammar", "possessive", WordClass::kPossessive},
@@ -119,6 +121,7 @@ Lexicon::Lexicon(const Catalog& catalog) : catalog_(&catalog) {
     for (const std::string& word : room.synonyms) add(word, meaning);
   }
   read_words();
+  read_room_knowledge();
   read_phrases();
 }
 
@@ -200,6 +203,30 @@ void Lexicon::read_words() {
   add_group(phrases.at("placing").at("verbs"), WordClass::kPlaceVerb);
   add_group(phrases.at("hanging").at("words"), WordClass::kHang);
   add_group(phrases.at("having").at("words"), WordClass::kHave);
+}
+
+// What rooms need for each person, what one sits on, and what plain words mean in a room.
+void Lexicon::read_room_knowledge() {
+  const Json& room = word_list("room");
+  for (const Json& word : room.at("persons")) persons_.insert(word.get<std::string>());
+  for (const Json& word : room.at("young_persons")) young_persons_.insert(word.get<std::string>());
+  for (const auto& [kind, members] : room.at("people").items()) {
+    Set set;
+    for (const auto& [id, persons] : members.items()) {
+      if (const CatalogEntry* entry = catalog_->find(id)) set.emplace_back(entry, persons.get<int>());
+    }
+    if (set.size() == members.size()) needs_[kind] = std::move(set);
+  }
+  for (const auto& [kind, young] : room.at("people_rooms").items()) young_rooms_[kind] = young.get<std::string>();
+  for (const auto& [table, seat] : room.at("seats").items()) {
+    if (const CatalogEntry* entry = catalog_->find(table)) seats_.emplace_back(entry, catalog_->find(seat.get_ref<const std::string&>()));
+  }
+  for (const Json& sense : room.at("room_senses")) {
+    for (const Json& kind : sense.at("rooms")) {
+      for (const auto& [word, id] : sense.at("words").items())
+        room_senses_.try_emplace(kind.get<std::string>() + "|" + word, catalog_->find(id.get_ref<const std::string&>()));
+    }
+  }
 }
 
 void Lexicon::read_phrases() {

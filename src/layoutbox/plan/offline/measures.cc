@@ -1,4 +1,6 @@
-// Lengths and sizes: "1.2 m", "5 ft 6 in", "120 cm wide".
+// Lengths and sizes: "1.2 m", "5 ft 6 in", "120 cm wide", "6 x 5 m".
+#include <algorithm>
+
 #include "layoutbox/plan/offline/noun_phrase.h"
 #include "layoutbox/plan/offline/noun_phrase_parts.h"
 
@@ -56,6 +58,50 @@ std::size_t read_size(const Lexicon& lexicon, std::span<const Token> tokens, std
   if (which == "h") size.height = measure->metres;
   if (which == "s") size.width = size.depth = measure->metres;
   return i + dimension.length - at;
+}
+
+namespace {
+
+bool is_by(const Token& token) { return token.text == "x" || token.text == "by" || token.text == "*"; }
+
+// A number in digits or words and how many tokens it takes; 0 tokens for none.
+std::pair<double, std::size_t> number_at(const Lexicon& lexicon, std::span<const Token> tokens, std::size_t at) {
+  if (at >= tokens.size()) return {0, 0};
+  if (tokens[at].kind == Token::Kind::kNumber) return {tokens[at].number, 1};
+  const Match match = lexicon.find(tokens, at, Class::kNumber);
+  return match.length == 0 ? std::pair{0.0, std::size_t{0}} : std::pair{meaning_of(match, Class::kNumber)->value, match.length};
+}
+
+}  // namespace
+
+SidesRead read_sides(const Lexicon& lexicon, std::span<const Token> tokens, std::size_t at) {
+  constexpr double kLongestInMetres = 20;  // what is longer and has no unit is in feet
+  SidesRead read;
+  std::vector<bool> united;
+  double unit = 0;
+  std::size_t i = at;
+  while (read.sides.size() < 3) {
+    const auto [value, digits] = number_at(lexicon, tokens, i);
+    if (digits == 0) break;
+    const auto measure = read_measure(lexicon, tokens, i);
+    read.sides.push_back(measure ? measure->metres : value);
+    united.push_back(measure.has_value());
+    if (measure) unit = value > 0 ? measure->metres / value : 1;
+    i += measure ? measure->length : digits;
+    // "4 m wide by 3 m deep"
+    const Match dimension = i < tokens.size() ? lexicon.find(tokens, i, Class::kDimension) : Match{};
+    if (measure && dimension.length > 0 && i + dimension.length < tokens.size() && is_by(tokens[i + dimension.length]))
+      i += dimension.length;
+    if (i >= tokens.size() || !is_by(tokens[i]) || number_at(lexicon, tokens, i + 1).second == 0) break;
+    ++i;
+  }
+  if (read.sides.size() < 2) return {};
+  if (unit == 0) unit = *std::max_element(read.sides.begin(), read.sides.end()) > kLongestInMetres ? 0.3048 : 1.0;
+  for (std::size_t s = 0; s < read.sides.size(); ++s) {
+    if (!united[s]) read.sides[s] *= unit;
+  }
+  read.length = i - at;
+  return read;
 }
 
 }  // namespace layoutbox::offline

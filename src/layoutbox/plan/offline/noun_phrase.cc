@@ -102,6 +102,7 @@ void NounPhraseReader::settle_place(const Part& head) {
     case Class::kOutsideRoom: phrase_.kind = NounKind::kOutsideRoom; break;
     case Class::kSide:
     case Class::kPart: phrase_.kind = NounKind::kPart; break;
+    case Class::kNiche: phrase_.kind = NounKind::kAbstract, phrase_.niche = true; break;
     default: phrase_.kind = NounKind::kAbstract; break;
   }
 }

@@ -49,11 +49,13 @@ struct NounPhrase {
   int count = 0;     // 0: not said
   int ordinal = 0;   // "the second bed"; -1: the last
   int rows = 0;      // "two rows of chairs", "a row of three stools"
+  int seats = 0;     // "a table for six"
   int clusters = 0;  // "two clusters of four desks"
   bool at_least = false, vague = false, plural = false;
   bool subset = false;        // "two of the beds"
   bool reciprocal = false;    // "each other"
   bool collective = false;    // "items", "essentials": things where something holds them
+  bool niche = false;         // an alcove, a notch: a part of the room's outline
   std::string wall_word;      // left, right, back, front
   std::string wall_relation;  // opposite, other, adjacent, same
   SaidSize size;
@@ -74,6 +76,14 @@ struct Measure {
   std::size_t length = 0;
 };
 std::optional<Measure> read_measure(const Lexicon& lexicon, std::span<const Token> tokens, std::size_t at);
+
+// "6 x 5 m", "12 by 14 feet", "4 m wide by 3 m deep": the sides in the order they stand; empty where `at` begins no such thing. Numbers
+// without a unit take that of another one; without any it is metres, or feet where a side would be longer than 20.
+struct SidesRead {
+  std::vector<double> sides;  // metres
+  std::size_t length = 0;     // tokens
+};
+SidesRead read_sides(const Lexicon& lexicon, std::span<const Token> tokens, std::size_t at);
 
 // "120 cm wide", "2 m x 1 m": adds to `size`; the tokens it takes, 0 for none.
 std::size_t read_size(const Lexicon& lexicon, std::span<const Token> tokens, std::size_t at, SaidSize& size);

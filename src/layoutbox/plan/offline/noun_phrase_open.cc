@@ -20,6 +20,7 @@ bool NounPhraseReader::read_count() {
       return taken > 0;
     }
     if (hyphenated(i_ + 1) && i_ + 1 < tokens_.size() && tokens_[i_ + 1].kind == Token::Kind::kWord) return false;
+    if (says_seats(i_ + 1)) return false;
     const double value = token().number;
     if (value < 0 || value > 500 || value != static_cast<int>(value)) return false;
     phrase_.count = std::max(phrase_.count, 1) * static_cast<int>(value);
@@ -38,7 +39,7 @@ bool NounPhraseReader::read_count() {
   if (any.length > best.length && !has(any, Class::kNumber) && !has(any, Class::kVague)) return false;
   if (is_number && attribute_of(any) != nullptr && any.length == best.length && counted_) return false;
   // "two-seater", "three-legged": a compound adjective.
-  if (best.length == 1 && hyphenated(i_ + 1)) return false;
+  if (best.length == 1 && (hyphenated(i_ + 1) || (is_number && says_seats(i_ + 1)))) return false;
   const Meaning* meaning = meaning_of(best, is_number ? Class::kNumber : Class::kVague);
   // "twin", "double", "single" and "full" are adjectives of beds and sofas as well: only "dual monitors" and the like are counts.
   if (is_number && attribute_of(any) != nullptr) {
@@ -81,6 +82,13 @@ bool NounPhraseReader::read_clusters() {
   phrase_.clusters = clusters;
   phrase_.count *= clusters;
   return true;
+}
+
+// "6 seater table", "four person desk": after the number.
+bool NounPhraseReader::says_seats(std::size_t at) const {
+  static constexpr std::string_view kWords[] = {"seater", "person", "seat", "place"};
+  return at + 1 < tokens_.size() && std::find(std::begin(kWords), std::end(kWords), tokens_[at].text) != std::end(kWords) &&
+         tokens_[at + 1].kind == Token::Kind::kWord && has(lexicon_.find(tokens_, at + 1), Class::kObject);
 }
 
 // "two rows of four chairs", "a row of stools".

@@ -78,6 +78,7 @@ class NounPhraseReader {
   // The, a, two, at least three, several, a pair of, both, each, no. False when nothing can follow.
   bool read_determiners();
   bool read_count();
+  bool says_seats(std::size_t at) const;
   bool read_rows();
   bool read_clusters();
   bool read_subset();

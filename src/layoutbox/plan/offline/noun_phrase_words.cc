@@ -135,7 +135,7 @@ bool NounPhraseReader::read_part() {
     }
     for (const Class place :
          {Class::kDoor, Class::kWindow, Class::kWall, Class::kCorner, Class::kCenter, Class::kFloor, Class::kCeiling, Class::kOutsideRoom,
-          Class::kRoom, Class::kZone, Class::kRoomNoun, Class::kPart, Class::kSide, Class::kAbstract}) {
+          Class::kRoom, Class::kNiche, Class::kZone, Class::kRoomNoun, Class::kPart, Class::kSide, Class::kAbstract}) {
       const Meaning* meaning = meaning_of(match, place);
       if (meaning == nullptr) continue;
       if ((place == Class::kSide || place == Class::kPart) && meaning_of(match, Class::kWallWord) != nullptr) {
@@ -158,7 +158,7 @@ bool NounPhraseReader::read_part() {
       if (const Meaning* meaning = meaning_of(match, word); meaning != nullptr && (named || bare_) && !noun_before)
         return add(word, *meaning, match.length, false);
     }
-    if (has(match, Class::kNumber) && hyphenated(i_ + 1) && i_ + 1 < tokens_.size()) {  // "one-way", "two-tone"
+    if (has(match, Class::kNumber) && i_ + 1 < tokens_.size() && (hyphenated(i_ + 1) || says_seats(i_ + 1))) {  // "one-way", "two-tone"
       parts_.push_back({i_, i_ + 2, Class::kQuality, {Class::kQuality, nullptr, nullptr, 0, {}}, false});
       i_ += 2;
       return true;
@@ -183,7 +183,8 @@ bool NounPhraseReader::read_part() {
   }
   if (token().kind != Token::Kind::kWord) {
     // "55-inch", "2-seater": one adjective.
-    if (token().kind == Token::Kind::kNumber && i_ + 1 < tokens_.size() && hyphenated(i_ + 1) && tokens_[i_ + 1].kind == Token::Kind::kWord)
+    if (token().kind == Token::Kind::kNumber && i_ + 1 < tokens_.size() && tokens_[i_ + 1].kind == Token::Kind::kWord &&
+        (hyphenated(i_ + 1) || says_seats(i_ + 1)))
       return add(Class::kQuality, {Class::kQuality, nullptr, nullptr, 0, {}}, 2, false);
     return false;
   }

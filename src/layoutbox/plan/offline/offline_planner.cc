@@ -4,6 +4,7 @@
 
 #include "layoutbox/base/words.h"
 #include "layoutbox/plan/offline/knowledge.h"
+#include "layoutbox/plan/offline/people.h"
 #include "layoutbox/plan/offline/reader.h"
 #include "layoutbox/plan/offline/relation_builder.h"
 #include "layoutbox/plan/offline/room_reader.h"
@@ -73,9 +74,12 @@ class OfflinePlanner final : public Planner {
       return fail(ErrorCode::kGeometry, "the text asks for a room with a side of 0 m or of more than 100 m", "prompt",
                   "give a size such as 4 x 3 x 2.5 m");
     }
+    read_seats_said(lexicon_, document, skip);
     const std::vector<WordReading> of_size = take_out(document, skip);
     document.chunks = chunk_tokens(lexicon_, document.tokens);
+    settle_room_senses(lexicon_, document);
     read_document(lexicon_, document);
+    add_for_people(lexicon_, document);
 
     Plan plan;
     plan.scene.prompt = document.prompt;
@@ -137,6 +141,7 @@ class OfflinePlanner final : public Planner {
       object.name = item.noun.name;
       object.attributes = item.noun.attributes;
       object.id = object.category + "_" + std::to_string(++numbers[object.category]);
+      object.assumed = item.assumed;
       apply_size(item.noun, object);
       for (std::size_t i = item.noun.first; i < item.noun.last && i < document.readings.size(); ++i) {
         if (document.readings[i].role == item.noun.name) document.readings[i].role = "object " + object.id;
@@ -161,7 +166,10 @@ class OfflinePlanner final : public Planner {
   void add_usual_furniture(const Document& document, SceneGraph& scene) const {
     const RoomKind* kind = scene.room.type.empty() ? nullptr : lexicon_.catalog().find_room(scene.room.type);
     if (kind == nullptr) return;
-    for (const auto& [category, count] : kind->usual) {
+    const std::map<std::string, int> needs = needs_of(lexicon_, document, kind->id);
+    for (const auto& [category, usual] : kind->usual) {
+      const auto needed = needs.find(category);
+      const int count = needed != needs.end() ? needed->second : usual;
       const CatalogEntry* entry = lexicon_.catalog().find(category);
       if (entry == nullptr) continue;
       const bool excluded = std::any_of(document.excluded.begin(), document.excluded.end(), [&](const NounPhrase& n) {

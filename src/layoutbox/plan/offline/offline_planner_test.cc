@@ -44,6 +44,52 @@ TEST_F(OfflinePlannerTest, ReadsRoomSizesInTheirUsualForms) {
   EXPECT_EQ(scene("A small bedroom with a bed.").room.size_word, "small");
 }
 
+// A notch is cut out of the room's rectangle, an alcove goes out of it.
+TEST_F(OfflinePlannerTest, NichesChangeTheOutline) {
+  const std::vector<Point> notched = {{0, 0}, {6000, 0}, {6000, 3000}, {4000, 3000}, {4000, 5000}, {0, 5000}};
+  for (const char* text :
+       {"An L-shaped living room, 6 x 5 m with a 2 x 2 m notch, with a sofa.", "An L-shaped room, 6 x 5 m, missing a corner of 2 by 2, with a sofa.",
+        "A room of 6 x 5 m whose back right corner of 2 m x 2 m is missing. It has a sofa.",
+        "A room, 6 m by 5 m, with a notch of 2 x 2 m in the north-east corner and a sofa.", "A 6x5 m room with a 2x2 m corner cut out at the back right and a sofa."}) {
+    const SceneGraph read = scene(text);
+    EXPECT_EQ(read.room.polygon, notched) << text;
+    EXPECT_EQ(read.objects.size(), 1u) << text;
+  }
+  EXPECT_EQ(scene("A 6 x 5 m room with a 1.5 m x 1 m alcove in the north-east corner and a desk.").room.polygon,
+            (std::vector<Point>{{0, 0}, {6000, 0}, {6000, 6000}, {4500, 6000}, {4500, 5000}, {0, 5000}}));
+  EXPECT_EQ(scene("A 6 x 5 m room with a 2 m wide and 0.6 m deep recess in the left wall and a desk.").room.polygon,
+            (std::vector<Point>{{0, 0}, {6000, 0}, {6000, 5000}, {0, 5000}, {0, 3500}, {-600, 3500}, {-600, 1500}, {0, 1500}}));
+  EXPECT_EQ(scene("A bedroom 4 x 4 m with a bed and a niche of 1 x 0.5 m for the wardrobe.").room.polygon.size(), 6u);
+  // Its own size is not the room's.
+  EXPECT_TRUE(scene("A room with a sofa and an alcove of 1.5 by 1 m.").room.polygon.empty());
+  EXPECT_EQ(scene("An L-shaped room, 6 x 4 m, with a sofa.").room.polygon,
+            (std::vector<Point>{{0, 0}, {6000, 0}, {6000, 2000}, {4000, 2000}, {4000, 4000}, {0, 4000}}));
+}
+
+TEST_F(OfflinePlannerTest, SeatsThatFollowFromTheWordsAreMarked) {
+  const SceneGraph read = scene("A dining room with a table for eight.");
+  ASSERT_EQ(read.objects.size(), 9u);
+  EXPECT_FALSE(read.objects[0].assumed);
+  EXPECT_TRUE(std::all_of(read.objects.begin() + 1, read.objects.end(), [](const SceneObject& o) { return o.assumed; }));
+  EXPECT_TRUE(std::any_of(read.relations.begin(), read.relations.end(),
+                          [](const Relation& r) { return r.type == RelationType::kAround && r.assumed && r.targets.size() == 8; }));
+  const SceneGraph usual = scene("A restaurant for forty guests.");
+  EXPECT_EQ(std::count_if(usual.objects.begin(), usual.objects.end(), [](const SceneObject& o) { return o.category == "dining_chair"; }), 40);
+}
+
+TEST_F(OfflinePlannerTest, TheFrontOfTheRoomIsWhereTheBoardIs) {
+  const auto front = [&](const char* text) {
+    const SceneGraph read = scene(text);
+    return std::any_of(read.relations.begin(), read.relations.end(), [](const Relation& r) {
+      return r.assumed && !r.hard && r.references == std::vector<std::string>{"front"};
+    });
+  };
+  EXPECT_TRUE(front("A classroom with 12 desks facing the whiteboard and a bookshelf at the back."));
+  EXPECT_TRUE(front("A hall with ten chairs facing the stage. A table stands at the back of the room."));
+  EXPECT_FALSE(front("A classroom with 12 desks facing the whiteboard on the left wall and a bookshelf at the back."));
+  EXPECT_FALSE(front("A classroom with 12 desks facing the whiteboard."));
+}
+
 TEST_F(OfflinePlannerTest, KnowsTheKindOfRoom) {
   EXPECT_EQ(scene("Design Bedroom (4.0 × 3.2 × 3.0 m). Place the bed centred on the back wall.").room.type, "bedroom");
   EXPECT_EQ(scene("In this bathroom, a vanity stands against the wall.").room.type, "bathroom");

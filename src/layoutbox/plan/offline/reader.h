@@ -80,6 +80,7 @@ class DocumentReader {
   bool read_relative_place(std::size_t k);
   bool whole_group(std::size_t k, const NounPhrase& noun, int group) const;
   bool passes_count(std::size_t k);
+  void seat_so_many(int tables, int people);
   bool denies_place(std::size_t k);
   bool excepts_from_nothing(std::size_t k) const;
   bool passes_role(std::size_t k);
@@ -90,6 +91,9 @@ class DocumentReader {
   bool is_root(int mention) const;
   bool was_root(int mention) const;
   bool names_contents(std::size_t k) const;
+  bool lies_at_end_of_host(Link& link);
+  bool sits_at(int seat, int table) const;
+  int looked_at_by(int mention, const std::vector<int>& but) const;
   int implied_group(const std::vector<int>& targets);
   int last_two(const std::vector<int>& targets);
   int meant_opening(const std::vector<int>& targets) const;

@@ -41,16 +41,32 @@ bool DocumentReader::passes_count(std::size_t k) {
   }
   if (skipping_ || !is(n, ChunkKind::kNoun) || chunk(n).noun.count == 0 || document_.tokens[chunk(k).first].text != "for") return false;
   const NounPhrase& noun = chunk(n).noun;
-  static constexpr std::string_view kPersons[] = {"person", "people",  "guest", "diner", "child", "student",  "adult", "kid",
-                                                  "sister", "brother", "girl",  "boy",   "twin",  "roommate", "baby",  "teenager"};
-  const bool persons =
-      noun.kind == NounKind::kMember || std::find(std::begin(kPersons), std::end(kPersons), noun.head) != std::end(kPersons);
+  const bool persons = noun.kind == NounKind::kMember || lexicon_.is_person(noun.head);
   const bool room = chain_.empty() || noun_of(chain_.back()).kind == NounKind::kRoom;
   if (!persons || (!room && !is_table(lexicon_.catalog(), noun_of(chain_.back())))) return false;
-  mark(k, WordReading::Use::kIgnored, "size");
-  mark(n, WordReading::Use::kIgnored, "size");
+  if (room) {
+    document_.people = noun.count;
+    document_.young = lexicon_.is_young(noun.head);
+  } else {
+    seat_so_many(chain_.back(), noun.count);
+  }
+  mark(k, WordReading::Use::kUsed, "for how many");
+  mark(n, WordReading::Use::kUsed, "for how many");
   passed_over_ = n;
   return true;
+}
+
+// "a table for six" has six seats; "desks for 24 students" are 24, "tables for forty guests" ten.
+void DocumentReader::seat_so_many(int tables, int people) {
+  constexpr int kAtATable = 4;
+  const NounPhrase& noun = noun_of(tables);
+  int seats = people;
+  if (noun.count == 0 && noun.plural && mention_at(tables).introduces) {
+    const bool desks = noun.entry != nullptr && lexicon_.catalog().is_a(noun.entry->id, "desk");
+    seats = desks ? 1 : kAtATable;
+    references_.grow(tables, static_cast<std::size_t>((people + seats - 1) / seats));
+  }
+  for (const int item : mention_at(tables).items) document_.items[static_cast<std::size_t>(item)].noun.seats = seats;
 }
 
 // "not under the window": a place where it is not says nothing of where it is.

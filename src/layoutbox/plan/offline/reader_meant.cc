@@ -148,8 +148,16 @@ int DocumentReader::last_two(const std::vector<int>& targets) {
 }
 
 int DocumentReader::implied_group(const std::vector<int>& targets) {
+  // "a table with two chairs between them": not its own chairs.
+  const auto held = [&](int mention) {
+    return std::any_of(frames_.begin(), frames_.end(), [&](const Frame& frame) {
+      return frame.link >= 0 && contains(link_at(frame.link).targets, mention) &&
+             std::any_of(frame.hosts.begin(), frame.hosts.end(), [&](int host) { return contains(targets, host); });
+    });
+  };
   const auto usable = [&](int mention) {
-    return mention >= 0 && document_.mentions[static_cast<std::size_t>(mention)].items.size() > 1 && !contains(targets, mention);
+    return mention >= 0 && document_.mentions[static_cast<std::size_t>(mention)].items.size() > 1 && !contains(targets, mention) &&
+           !held(mention);
   };
   for (std::size_t f = frames_.size(); f-- > 0;) {
     for (const int host : frames_[f].hosts) {

@@ -189,6 +189,7 @@ void DocumentReader::read_relation(std::size_t k) {
     add_link(std::move(link));
     return;
   }
+  if (lies_at_end_of_host(link)) return;
   const bool group_only = std::all_of(link.senses.begin(), link.senses.end(),
                                       [](const PhraseSense& s) { return relation_row(s.type).arity == RelationArity::kNone; });
   std::vector<int> targets;
@@ -197,9 +198,9 @@ void DocumentReader::read_relation(std::size_t k) {
     int target = chain_.back();
     const bool apart = joiner_ != Joiner::kNone;
     // "a low table with a vase between them": the table is.
-    if (says(link.senses, RelationType::kBetween) && is_content(target) && is_thing(chain_.front()) &&
-        may_carry(lexicon_.catalog(), noun_of(chain_.front()), noun_of(target)) && mention_at(chain_.front()).items.size() == 1 &&
-        is_root(chain_.front()))
+    if (says(link.senses, RelationType::kBetween) && is_content(target) && is_thing(chain_.front()) && is_root(chain_.front()) &&
+        (may_carry(lexicon_.catalog(), noun_of(chain_.front()), noun_of(target)) || sits_at(target, chain_.front())) &&
+        mention_at(chain_.front()).items.size() == 1)
       target = chain_.front();
     const bool verb_before = is(before, ChunkKind::kVerb);
     if (apart || verb_before) target = chain_.front();
@@ -248,13 +249,9 @@ void DocumentReader::read_relation(std::size_t k) {
     const int reference = implied_side_host(link.senses, targets);
     if (reference >= 0) link.references = {reference};
     // "a sofa facing a TV, with a table in between": between the two.
-    if (says(link.senses, RelationType::kBetween) && reference >= 0 && mention_at(reference).items.size() == 1) {
-      for (std::size_t l = document_.links.size(); l-- > sentence_links_;) {
-        const Link& looks = document_.links[l];
-        if (!contains(looks.targets, reference) || looks.references.empty() || !is_thing(looks.references.front())) continue;
-        link.references.push_back(looks.references.front());
-        break;
-      }
+    const bool them = document_.tokens[relation.last - 1].text == "them" && reference >= 0 && mention_at(reference).items.size() > 1;
+    if (says(link.senses, RelationType::kBetween) && reference >= 0 && !them) {
+      if (const int other = looked_at_by(reference, targets); other >= 0) link.references.push_back(other);
     }
     link.implied = true;
   }
@@ -272,6 +269,37 @@ void DocumentReader::read_relation(std::size_t k) {
   if (one_side) one_side_link_ = added;
   if (all_in_row) place_link_ = added, place_chunk_ = k;  // "… along the wall"
   joiner_ = Joiner::kNone;
+}
+
+// "a desk with a chair at the back": behind the desk, not at the back of the room.
+bool DocumentReader::lies_at_end_of_host(Link& link) {
+  if (!says(link.senses, RelationType::kInRegion) || chain_.empty() || joiner_ != Joiner::kNone || frames_.empty() ||
+      frames_.back().room || frames_.back().hosts.size() != 1 || !is_content(chain_.back()) || !is_thing(chain_.back()))
+    return false;
+  const auto region = std::find_if(link.senses.begin(), link.senses.end(), [](const PhraseSense& s) { return !s.region.empty(); });
+  const int host = frames_.back().hosts.front();
+  if (region == link.senses.end() || !is_thing(host) || mount_of(noun_of(chain_.back())) != Mount::kFloor) return false;
+  if (region->region != "back" && region->region != "front") return false;
+  link.senses = {{region->region == "back" ? RelationType::kBehind : RelationType::kInFrontOf, Direction::kDirect, {}, {}, {}}};
+  link.targets = {chain_.back()};
+  link.references = {host};
+  add_link(std::move(link));
+  return true;
+}
+
+// What that thing or group faces or stands opposite, by this sentence; -1: nothing, or its own members.
+int DocumentReader::looked_at_by(int mention, const std::vector<int>& but) const {
+  for (std::size_t l = document_.links.size(); l-- > sentence_links_;) {
+    const Link& looks = document_.links[l];
+    if (!contains(looks.targets, mention) || looks.references.empty()) continue;
+    const int other = looks.references.front();
+    const Mention& seen = document_.mentions[static_cast<std::size_t>(other)];
+    const bool alone = document_.mentions[static_cast<std::size_t>(mention)].items.size() == 1;
+    const bool across = says(looks.senses, RelationType::kFacing) || says(looks.senses, RelationType::kOpposite);
+    if (is_thing(other) && !seen.reciprocal && !contains(but, other) && (alone || across)) return other;
+    if (alone && is_thing(other)) break;
+  }
+  return -1;
 }
 
 void read_document(const Lexicon& lexicon, Document& document) { DocumentReader(lexicon, document).read(); }

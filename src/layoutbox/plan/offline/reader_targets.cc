@@ -79,9 +79,11 @@ std::vector<int> DocumentReader::targets_for(const PhraseSenses& senses, Directi
     const bool root = is_root(mention);
     const bool room_place = reference.kind == NounKind::kCorner || reference.kind == NounKind::kWall ||
                             reference.kind == NounKind::kWindow || reference.kind == NounKind::kDoor || reference.kind == NounKind::kCenter;
-    if (room_place && !apart && step == 0 && count > 1 && is_content(mention) &&
-        (is_seat(catalog, noun) || mount_of(noun) == Mount::kSurface) && !hang_)
-      score -= 12;
+    // "a table with two chairs by the sofa": the table stands there; a chair that looks somewhere is the chair itself.
+    const bool its_seat =
+        count > 1 && sits_at(mention, chain_[count - 2]) && sense->type != RelationType::kFacing && !is_table(catalog, reference);
+    const bool small = is_seat(catalog, noun) ? sense->type != RelationType::kFacing : mount_of(noun) == Mount::kSurface;
+    if (((room_place && small) || its_seat) && !apart && step == 0 && count > 1 && is_content(mention) && !hang_) score -= 12;
     // What was there before is seldom placed anew by the way.
     if (!document_.mentions[static_cast<std::size_t>(mention)].introduces && !root && !is_content(mention)) score -= 15;
     if (hang_ && !apart && c + 1 == count && score > 0) score += 12;  // "a bicycle hung on the wall"
@@ -112,6 +114,12 @@ std::vector<int> DocumentReader::targets_for(const PhraseSenses& senses, Directi
   }
   if (best < 0) return {};
   return joined_with(best, after_participle, reference.kind == NounKind::kCenter, together ? &reference : nullptr);
+}
+
+// "a table with two chairs": what they have in common is the table's place.
+bool DocumentReader::sits_at(int seat, int table) const {
+  return is_thing(seat) && is_thing(table) && is_root(table) && is_seat(lexicon_.catalog(), noun_of(seat)) &&
+         is_table(lexicon_.catalog(), noun_of(table));
 }
 
 void DocumentReader::imply_adjective(int mention, std::size_t k) {

@@ -46,6 +46,7 @@ class RelationBuilder {
   void add_rows();
   void add_clusters();
   void set_heights();
+  void add_in_niche(const Link& link, const Mention& target);
   std::string table_of(const std::string& seat) const;
   bool add_on_other_side(const Link& link, PhraseSense& sense, const Mention& target, int reference);
   // "eight chairs around the table, two of them at its ends": the others at its long sides.
@@ -56,6 +57,7 @@ class RelationBuilder {
   // "facing each other": every one of the targets and its neighbour.
   void add_each_other(const Link& link, const std::vector<int>& targets);
   std::string carrier_of(const std::vector<std::string>& objects) const;
+  std::vector<std::vector<std::string>> between_pairs(const Link& link, const std::vector<std::string>& all) const;
   void add_between(const Link& link, const std::vector<int>& targets);
   // Small things that stand on the host wherever they are said to be by it.
   bool lie_on(const std::vector<int>& items, int host) const;
@@ -85,6 +87,7 @@ class RelationBuilder {
   // "a wall-mounted TV", "a floating shelf".
   void add_mounts_said();
   // Rows of desks that face a board look its way; only those before it look straight at it.
+  void add_front();
   void face_as_group();
   void face_as_crowd();
   bool sits_at(const std::string& seat) const;

@@ -52,6 +52,21 @@ std::string RelationBuilder::carrier_of(const std::vector<std::string>& objects)
   return host;
 }
 
+// "between the sofa and the two armchairs": between the sofa and each of them.
+std::vector<std::vector<std::string>> RelationBuilder::between_pairs(const Link& link, const std::vector<std::string>& all) const {
+  constexpr std::size_t kMost = 3;
+  if (link.references.size() == 2) {
+    std::vector<std::string> one = ids(mention(link.references.front()).items), many = ids(mention(link.references.back()).items);
+    if (one.size() > many.size()) std::swap(one, many);
+    if (one.size() == 1 && many.size() > 1 && many.size() <= kMost) {
+      std::vector<std::vector<std::string>> pairs;
+      for (const std::string& member : many) pairs.push_back({one.front(), member});
+      return pairs;
+    }
+  }
+  return {all};
+}
+
 void RelationBuilder::add_between(const Link& link, const std::vector<int>& targets) {
   std::vector<std::string> references;
   for (const int m : link.references) {
@@ -69,7 +84,7 @@ void RelationBuilder::add_between(const Link& link, const std::vector<int>& targ
     // "two candlesticks on the mantel with a clock between them": there as well.
     const SceneObject* carrier = host.empty() ? nullptr : object_of(host);
     if (carrier != nullptr && may_carry(catalog_, noun_of_object(*carrier), noun_of_item(target))) add(link, R::kOn, {id(target)}, {host});
-    add(link, R::kBetween, {id(target)}, references);
+    for (const auto& pair : between_pairs(link, references)) add(link, R::kBetween, {id(target)}, pair);
   }
 }
 

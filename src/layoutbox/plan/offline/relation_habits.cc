@@ -9,6 +9,14 @@ namespace layoutbox::offline {
 
 using R = RelationType;
 
+namespace {
+
+bool at_wall(R type) {
+  return type == R::kAgainstWall || type == R::kOnWall || type == R::kCenteredOnWall || type == R::kSideAgainstWall;
+}
+
+}  // namespace
+
 void RelationBuilder::face_as_group() {
   for (const Relation& grid : scene_.relations) {
     const bool row = grid.type == R::kRow && grid.targets.size() > 3;
@@ -57,7 +65,51 @@ void RelationBuilder::face_as_crowd() {
   }
 }
 
+// "the desks face the whiteboard, a bookshelf stands at the back": the front is where the board is, if the words leave that open.
+void RelationBuilder::add_front() {
+  const auto says_front_or_back = [](const Relation& r) {
+    const bool wall = !r.references.empty() && (r.references.front() == "front" || r.references.front() == "back") &&
+                      (r.why.find("front") != std::string::npos || r.why.find("back") != std::string::npos ||
+                       r.why.find("rear") != std::string::npos);
+    return (r.type == R::kInRegion && (r.parameters.region == "front" || r.parameters.region == "back")) || wall;
+  };
+  if (std::none_of(scene_.relations.begin(), scene_.relations.end(), says_front_or_back)) return;
+  for (const SceneObject& object : scene_.objects) {
+    const NounPhrase& noun = noun_of_object(object);
+    if (!one_of(noun.head, {"whiteboard", "blackboard", "chalkboard", "board", "screen", "smartboard", "stage", "podium", "lectern", "altar",
+                            "pulpit", "projector screen"}))
+      continue;
+    const auto looks = [&](const Relation& r) {
+      return (r.type == R::kFacing || r.type == R::kSameOrientation) && !r.references.empty() && r.references.front() == object.id;
+    };
+    const bool many = std::count_if(scene_.relations.begin(), scene_.relations.end(), looks) >= 2;
+    const std::vector<std::size_t>& own = relations_of(object.id);
+    const bool at_front = std::any_of(own.begin(), own.end(), [&](std::size_t i) {
+      return scene_.relations[i].type == R::kInRegion && scene_.relations[i].parameters.region == "front";
+    });
+    const bool placed = std::any_of(own.begin(), own.end(), [&](std::size_t i) {
+      const Relation& r = scene_.relations[i];
+      return r.type == R::kCenterOfRoom || (r.type == R::kInRegion && !at_front) || r.type == R::kCorner || r.type == R::kOpposite ||
+             r.type == R::kOn || (at_wall(r.type) && !r.references.empty());
+    });
+    if (placed || !(many || at_front)) continue;
+    Relation front;
+    front.id = "c" + std::to_string(scene_.relations.size() + 1);
+    front.type = mount_of(noun) == Mount::kWall ? R::kOnWall : R::kAgainstWall;
+    front.targets = {object.id};
+    front.references = {"front"};
+    front.hard = false;
+    front.assumed = true;
+    front.weight = 100;
+    front.why = "what rows of seats face is at the front of the room";
+    of_target_[object.id].push_back(scene_.relations.size());
+    scene_.relations.push_back(std::move(front));
+    return;
+  }
+}
+
 void RelationBuilder::add_habits() {
+  add_front();
   face_as_group();
   face_as_crowd();
   const std::size_t said = scene_.relations.size();

@@ -3,6 +3,7 @@
 
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/relation_builder_parts.h"
+#include "layoutbox/plan/offline/room_reader.h"
 
 namespace layoutbox::offline {
 
@@ -13,6 +14,10 @@ void RelationBuilder::add_single(const Link& link, PhraseSense sense, const Ment
                                  const Mention* place) {
   const auto place_kind = place != nullptr ? place->noun.kind : NounKind::kObject;
   if (references.empty() && place != nullptr) {
+    if (place->noun.niche) {
+      add_in_niche(link, target);
+      return;
+    }
     if (place_kind == NounKind::kFloor) {
       for (const int item : target.items) {
         if (mount_of(noun_of_item(item)) == Mount::kSurface) add(link, R::kOn, {id(item)}, {"floor"});
@@ -150,6 +155,23 @@ void RelationBuilder::add_single(const Link& link, PhraseSense sense, const Ment
         if (sense.type == R::kOpposite) add_across(link, item, {id(reference)});
       }
       add_look(link, sense.type, item, references.front());
+    }
+  }
+}
+
+// "a desk in the alcove": against the alcove's own wall, where that is long enough.
+void RelationBuilder::add_in_niche(const Link& link, const Mention& target) {
+  const std::string wall = document_.niche ? wall_of_niche(scene_.room, *document_.niche) : std::string{};
+  if (wall.empty()) return;
+  for (const int item : target.items) {
+    const NounPhrase& noun = noun_of_item(item);
+    const Mount mount = mount_of(noun);
+    if (mount == Mount::kWall) {
+      add(link, R::kOnWall, {id(item)}, {wall});
+    } else if (mount == Mount::kFloor) {
+      Link there = link;
+      there.soft |= noun.entry != nullptr && noun.entry->size.least.width > mm_from_m(document_.niche->width);
+      add(there, R::kAgainstWall, {id(item)}, {wall});
     }
   }
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "layoutbox/base/words.h"
+#include "layoutbox/catalog/normalize.h"
 
 namespace layoutbox::offline {
 namespace {
@@ -95,13 +96,12 @@ void build_room(const Lexicon& lexicon, const Document& document, const RoomSize
   }
   if (size.width > 0 && size.depth > 0) {
     const Mm w = mm_from_m(size.width), d = mm_from_m(size.depth);
-    if (room.shape.empty())
-      room.polygon = {{0, 0}, {w, 0}, {w, d}, {0, d}};
-    else
-      room.area_m2 = size.width * size.depth;
+    room.polygon = document.niche ? outline_with_niche(w, d, *document.niche) : room_outline(room.shape, w, d);
   } else if (size.area > 0) {
     room.area_m2 = size.area;
   }
+  if (document.niche && room.polygon.empty())
+    scene.notes.push_back({"ignored", "a niche is only made where the room's width and depth are given", "prompt"});
   if (size.height > 0) room.height = mm_from_m(size.height);
 
   // Doors and windows that the text brings in; those it only refers to are the default ones.

@@ -12,6 +12,18 @@ struct RoomSize {
 };
 RoomSize read_room_size(const Lexicon& lexicon, Document& document, std::vector<bool>& skip);
 
+// A niche or a missing corner whose size begins at `at`, with the words around that name it and say where it is.
+struct NicheRead {
+  Niche niche;
+  std::size_t first = 0, last = 0;  // tokens
+};
+std::optional<NicheRead> read_niche(const Lexicon& lexicon, std::span<const Token> tokens, std::size_t at);
+
+// The corners of a rectangular room with that niche, the front left one at the origin; lengths in millimetres.
+std::vector<Point> outline_with_niche(Mm width, Mm depth, const Niche& niche);
+// The id of the niche's own wall, the one furthest in; empty where the room has no such outline.
+std::string wall_of_niche(const Room& room, const Niche& niche);
+
 // A door or a window as a noun phrase says it, without an id and a place.
 Opening opening_said(OpeningType type, const NounPhrase& noun);
 

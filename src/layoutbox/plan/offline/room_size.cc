@@ -8,8 +8,6 @@ namespace {
 
 using Class = WordClass;
 
-bool is_by(const Token& token) { return token.text == "x" || token.text == "by" || token.text == "*"; }
-
 bool has_class(const Match& match, Class word_class) {
   return std::any_of(match.meanings.begin(), match.meanings.end(), [&](const Meaning& m) { return m.word_class == word_class; });
 }
@@ -24,7 +22,9 @@ class SizeReader {
   RoomSize run() {
     for (std::size_t i = 0; i < tokens_.size(); ++i) {
       if (tokens_[i].kind != Token::Kind::kNumber && lexicon_.find(tokens_, i, Class::kNumber).length == 0) continue;
-      if (const std::size_t taken = read_product(i) + 0; taken > 0) {
+      if (const std::size_t niche = read_niche_of(i); niche > 0) {
+        i += niche - 1;
+      } else if (const std::size_t taken = read_product(i); taken > 0) {
         i += taken - 1;
       } else if (const std::size_t area = read_area(i); area > 0) {
         i += area - 1;
@@ -46,6 +46,16 @@ class SizeReader {
     }
   }
 
+  // The niche whose size begins at `at`: up to where its words end.
+  std::size_t read_niche_of(std::size_t at) {
+    if (document_.niche) return 0;
+    const auto read = read_niche(lexicon_, tokens_, at);
+    if (!read) return 0;
+    document_.niche = read->niche;
+    take(read->first, read->last, "niche of the room");
+    return read->last - at;
+  }
+
   // Whether a size at [first, last) is the room's: a room follows, or is the last thing that was named before it.
   // `sides`: what it says, in metres; what is far too large for a thing is no size of that ("a desk and a bookshelf, 3 x 4 m").
   bool speaks_of_room(std::size_t first, std::size_t last, const std::vector<double>& sides = {}) const {
@@ -65,6 +75,15 @@ class SizeReader {
     return first < 12;
   }
 
+  // "… bedroom": what the size stands before.
+  bool room_follows(std::size_t at) const {
+    for (std::size_t i = at; i < std::min(at + 3, tokens_.size()) && tokens_[i].kind != Token::Kind::kPunctuation; ++i) {
+      const Match match = lexicon_.find(tokens_, i);
+      if (has_class(match, Class::kRoom) || has_class(match, Class::kRoomNoun)) return true;
+    }
+    return false;
+  }
+
   // Do the first two sides make several times the floor that the largest such thing takes?
   static bool beyond(const Match& match, const std::vector<double>& sides) {
     constexpr double kTimes = 2.5;
@@ -76,53 +95,16 @@ class SizeReader {
   }
 
   std::size_t read_product(std::size_t at) {
-    std::vector<double> values;
-    std::vector<bool> united;
-    double unit = 0;
-    std::size_t i = at;
-    while (i < tokens_.size() && values.size() < 3) {
-      const auto measure = read_measure(lexicon_, tokens_, i);
-      double value = 0;
-      std::size_t length = 1;
-      if (tokens_[i].kind == Token::Kind::kNumber) {
-        value = tokens_[i].number;
-      } else {
-        const Match number = lexicon_.find(tokens_, i, Class::kNumber);
-        if (number.length == 0) break;
-        for (const Meaning& m : number.meanings) {
-          if (m.word_class == Class::kNumber) value = m.value;
-        }
-        length = number.length;
-      }
-      values.push_back(measure ? measure->metres : value);
-      united.push_back(measure.has_value());
-      if (measure) unit = value > 0 ? measure->metres / value : 1, length = measure->length;
-      i += length;
-      // "4 m wide by 3 m deep"
-      const Match dimension = i < tokens_.size() ? lexicon_.find(tokens_, i, Class::kDimension) : Match{};
-      if (measure && dimension.length > 0 && i + dimension.length < tokens_.size() && is_by(tokens_[i + dimension.length]))
-        i += dimension.length;
-      if (i + 1 < tokens_.size() && (is_by(tokens_[i])) &&
-          (tokens_[i + 1].kind == Token::Kind::kNumber || lexicon_.find(tokens_, i + 1, Class::kNumber).length > 0)) {
-        ++i;
-      } else {
-        break;
-      }
-    }
-    if (values.size() < 2) return 0;
-    if (unit == 0) unit = *std::max_element(values.begin(), values.end()) > 20 ? 0.3048 : 1.0;
-    for (std::size_t v = 0; v < values.size(); ++v) {
-      if (!united[v]) values[v] *= unit;
-    }
-    if (!speaks_of_room(at, i, values)) return 0;
+    const auto [values, length] = read_sides(lexicon_, tokens_, at);
+    if (values.empty() || !speaks_of_room(at, at + length, values) || (size_.width > 0 && !room_follows(at + length))) return 0;
     const auto impossible = [](double side) { return side == 0 || side > kLongestSide; };
     size_.impossible = size_.impossible || std::any_of(values.begin(), values.end(), impossible);
     if (values[0] < 0.8 || values[1] < 0.8) return 0;
     size_.width = values[0];
     size_.depth = values[1];
     if (values.size() > 2) size_.height = values[2];
-    take(at, i, "size of the room");
-    return i - at;
+    take(at, at + length, "size of the room");
+    return length;
   }
 
   std::size_t read_area(std::size_t at) {

@@ -54,6 +54,7 @@ std::optional<PhraseSense> choose_sense(const Catalog& catalog, const PhraseSens
   const bool placing = says(R::kOn) || says(R::kIn) || says(R::kNextTo) || says(R::kNear) || says(R::kAgainstWall) || says(R::kOnCeiling) ||
                        says(R::kCorner) || says(R::kFacing) || says(R::kTuckedUnder);
   if (direction == PhraseSense::Direction::kDirect) {
+    if (reference.niche) return own(R::kInRegion);  // in it, at its wall
     if (reference.kind == NounKind::kCorner && placing) {
       if (reference.of && reference.of->kind == NounKind::kObject) {
         PhraseSense sense = own(R::kOn);

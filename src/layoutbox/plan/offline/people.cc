@@ -1,0 +1,255 @@
+#include "layoutbox/plan/offline/people.h"
+
+#include <algorithm>
+
+#include "layoutbox/plan/offline/knowledge.h"
+#include "layoutbox/plan/offline/noun_phrase_parts.h"
+#include "layoutbox/plan/offline/reader_words.h"
+
+namespace layoutbox::offline {
+namespace {
+
+using Class = WordClass;
+
+constexpr int kMostPeople = 60;
+
+bool is_word(const Token& token, std::initializer_list<std::string_view> words) {
+  return std::find(words.begin(), words.end(), token.text) != words.end();
+}
+
+// "six-seater", "8-person": how many; 0 where it says no such thing.
+int seats_in(const Lexicon& lexicon, const std::string& attribute) {
+  const std::size_t space = attribute.find_first_of("- ");
+  if (space == std::string::npos) return 0;
+  const std::string number = attribute.substr(0, space), rest = attribute.substr(space + 1);
+  static constexpr std::string_view kSeats[] = {"seater", "seat", "seats", "person", "people", "place", "top"};
+  if (std::find(std::begin(kSeats), std::end(kSeats), rest) == std::end(kSeats)) return 0;
+  const std::vector<Token> tokens = tokenize(number);
+  if (tokens.empty()) return 0;
+  if (tokens.front().kind == Token::Kind::kNumber) return static_cast<int>(std::clamp(tokens.front().number, 0.0, 1.0 * kMostPeople));
+  const Match match = lexicon.find(tokens, 0, Class::kNumber);
+  return match.length > 0 ? static_cast<int>(meaning_of(match, Class::kNumber)->value) : 0;
+}
+
+class PeopleReader {
+ public:
+  PeopleReader(const Lexicon& lexicon, Document& document) : lexicon_(lexicon), catalog_(lexicon.catalog()), document_(document) {}
+
+  void run() {
+    // What is added has no seats of its own to look for.
+    const std::size_t said = document_.mentions.size();
+    if (document_.people > 0) add_for_room();
+    for (std::size_t m = 0; m < said; ++m) seat_table(static_cast<int>(m));
+  }
+
+ private:
+  Mention& mention(int m) { return document_.mentions[static_cast<std::size_t>(m)]; }
+  const Mention& mention(int m) const { return document_.mentions[static_cast<std::size_t>(m)]; }
+
+  int seats_said(const Mention& table) const {
+    if (table.items.empty()) return 0;
+    const NounPhrase& noun = document_.items[static_cast<std::size_t>(table.items.front())].noun;
+    if (noun.seats > 0) return std::min(noun.seats, kMostPeople);
+    for (const std::string& attribute : noun.attributes) {
+      if (const int seats = seats_in(lexicon_, attribute); seats > 0) return seats;
+    }
+    return 0;
+  }
+
+  // Adds so many of a kind, as if "for eight" named them.
+  int add(const CatalogEntry& entry, int count, const NounPhrase& by) {
+    Mention added;
+    added.introduces = true;
+    NounPhrase& noun = added.noun;
+    noun.entry = &entry;
+    noun.exact = true;
+    noun.category = entry.id;
+    noun.name = entry.name;
+    noun.head = entry.name.substr(entry.name.rfind(' ') + 1);
+    noun.count = count;
+    noun.plural = count > 1;
+    noun.first = by.first;
+    noun.last = by.last;
+    const int group = document_.groups++;
+    for (int i = 0; i < std::min(count, kMostPeople); ++i) {
+      added.items.push_back(static_cast<int>(document_.items.size()));
+      document_.items.push_back({noun, group, true});
+    }
+    document_.mentions.push_back(std::move(added));
+    return static_cast<int>(document_.mentions.size()) - 1;
+  }
+
+  void relate(Link::Kind kind, PhraseSenses senses, int target, int reference) {
+    Link link;
+    link.kind = kind;
+    link.senses = std::move(senses);
+    link.targets = {target};
+    if (reference >= 0) link.references = {reference};
+    link.assumed = true;
+    link.first = mention(target).noun.first;
+    link.last = mention(target).noun.last;
+    document_.links.push_back(std::move(link));
+  }
+
+  void seat_at_table(int seats, int table, bool several) {
+    if (several)
+      relate(Link::Kind::kRelation, {{RelationType::kAround, Direction::kDirect, {}, {}, {}}}, seats, table);
+    else
+      relate(Link::Kind::kHave, {}, seats, table);
+  }
+
+  // What else a mention is placed by, of what is named: a desk for its chair.
+  bool belongs_elsewhere(int seat, const Mention& table) const {
+    return std::any_of(document_.links.begin(), document_.links.end(), [&](const Link& link) {
+      return contains(link.targets, seat) && std::any_of(link.references.begin(), link.references.end(), [&](int reference) {
+               const Mention& other = mention(reference);
+               return !other.items.empty() && other.items != table.items && is_table(catalog_, other.noun);
+             });
+    });
+  }
+
+  bool at_table(int seat, const Mention& table) const {
+    return std::any_of(document_.links.begin(), document_.links.end(), [&](const Link& link) {
+      return contains(link.targets, seat) && std::any_of(link.references.begin(), link.references.end(),
+                                                         [&](int reference) { return mention(reference).items == table.items; });
+    });
+  }
+
+  // "a table for six, with chairs": as many; "with a bench": that is all.
+  bool seats_named(const Mention& table, int seats) {
+    bool named = false;
+    for (std::size_t m = 0; m < document_.mentions.size(); ++m) {
+      const int seat = static_cast<int>(m);
+      const NounPhrase noun = mention(seat).noun;
+      if (!mention(seat).introduces || noun.kind != NounKind::kObject || !is_seat(catalog_, noun)) continue;
+      const bool upright = one_of(noun.head, {"chair", "stool", "bench", "barstool", "seat"});
+      const bool here = at_table(seat, table);
+      if (!here && (!upright || belongs_elsewhere(seat, table) || one_of(noun.name, {"piano bench", "piano stool"}))) continue;
+      named = true;
+      if (noun.count == 0 && noun.plural && upright && here) grow(seat, seats * static_cast<int>(table.items.size()));
+    }
+    return named;
+  }
+
+  void grow(int m, int count) {
+    const Item first = document_.items[static_cast<std::size_t>(mention(m).items.front())];
+    while (static_cast<int>(mention(m).items.size()) < std::min(count, kMostPeople)) {
+      mention(m).items.push_back(static_cast<int>(document_.items.size()));
+      document_.items.push_back(first);
+    }
+  }
+
+  void seat_table(int m) {
+    const Mention table = mention(m);
+    if (!table.introduces || table.noun.kind != NounKind::kObject || table.noun.entry == nullptr || !is_table(catalog_, table.noun)) return;
+    const int seats = seats_said(table);
+    if (seats == 0 || seats_named(table, seats)) return;
+    const CatalogEntry* seat = lexicon_.seat_at(*table.noun.entry);
+    if (seat == nullptr || excluded(*seat)) return;
+    const bool dines = table.noun.entry->id == "table" && !document_.rooms.empty() && document_.rooms.front().room != nullptr &&
+                       one_of(document_.rooms.front().room->id, {"dining_room", "kitchen", "restaurant"});
+    const CatalogEntry* dining = dines ? catalog_.find("dining_chair") : nullptr;
+    const int all = std::min(seats * static_cast<int>(table.items.size()), kMostPeople);
+    seat_at_table(add(dining != nullptr ? *dining : *seat, all, table.noun), m, seats > 1);
+  }
+
+  bool excluded(const CatalogEntry& entry) const {
+    return std::any_of(document_.excluded.begin(), document_.excluded.end(),
+                       [&](const NounPhrase& n) { return n.entry != nullptr && catalog_.is_a(entry.id, n.entry->id); });
+  }
+
+  // The first mention of things like that, or -1: any desk for a desk, any bed for a bed.
+  int named(const CatalogEntry& kind) const {
+    for (std::size_t m = 0; m < document_.mentions.size(); ++m) {
+      const Mention& one = document_.mentions[m];
+      if (!one.introduces || one.noun.kind != NounKind::kObject) continue;
+      const CatalogEntry* entry = one.noun.entry;
+      const auto both = [&](std::string_view family) {
+        return catalog_.is_a(kind.id, family) && entry != nullptr && catalog_.is_a(entry->id, family);
+      };
+      const bool tables = both("table") && !one_of(entry->id, {"coffee_table", "side_table", "console_table", "changing_table"});
+      const bool seats = catalog_.is_a(kind.id, "chair") && one_of(one.noun.head, {"chair", "stool", "bench", "seat"});
+      if (both("bed") || tables || seats || (entry != nullptr && catalog_.is_a(entry->id, kind.id))) return static_cast<int>(m);
+    }
+    return -1;
+  }
+
+  // "an office for three": desks and chairs, where none are named.
+  void add_for_room() {
+    const auto room = std::find_if(document_.rooms.begin(), document_.rooms.end(), [](const NounPhrase& r) { return r.room != nullptr; });
+    if (room == document_.rooms.end() || document_.items.empty()) return;
+    const std::string id(document_.young ? lexicon_.young_room(room->room->id) : room->room->id);
+    const Lexicon::Set* needs = lexicon_.needs_in(id);
+    if (needs == nullptr) return;
+    const auto& [main, persons] = needs->front();
+    const bool seats_follow = needs->size() > 1;
+    const int people = std::min(document_.people, kMostPeople);
+    int host = named(*main);
+    if (host >= 0 && (persons > 0 || !seats_follow)) return;
+    if (host < 0) {
+      if (excluded(*main)) return;
+      const int count = persons > 0 ? (people + persons - 1) / persons : 1;
+      host = add(*main, count, *room);
+      constexpr int kLeastInGrid = 6;
+      if (persons == 1 && count >= kLeastInGrid) relate(Link::Kind::kRelation, {{RelationType::kGrid, Direction::kAlone, {}, {}, {}}}, host, -1);
+    }
+    if (!seats_follow || named(*(*needs)[1].first) >= 0 || excluded(*(*needs)[1].first)) return;
+    seat_at_table(add(*(*needs)[1].first, people, *room), host, persons != 1);
+  }
+
+  const Lexicon& lexicon_;
+  const Catalog& catalog_;
+  Document& document_;
+};
+
+}  // namespace
+
+void read_seats_said(const Lexicon& lexicon, Document& document, std::vector<bool>& skip) {
+  std::vector<Token>& tokens = document.tokens;
+  const auto drop = [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      skip[i] = true;
+      document.readings[i].use = WordReading::Use::kUsed;
+      document.readings[i].role = "for how many";
+    }
+  };
+  for (std::size_t i = 1; i + 1 < tokens.size(); ++i) {
+    const bool verb = is_word(tokens[i], {"seats", "seat", "seating", "sits", "accommodates", "accommodating", "fits", "sleeps", "sleeping"});
+    const bool space = is_word(tokens[i], {"seating", "room", "space", "places", "seats"}) && is_word(tokens[i - 1], {"with", "offering"}) &&
+                       tokens[i + 1].text == "for";
+    if (!verb && !space) continue;
+    std::size_t number = i + 1;
+    while (number + 1 < tokens.size() && is_word(tokens[number], {"up", "to", "for", "about", "around", "at", "least"})) ++number;
+    const Match digits = lexicon.find(tokens, number, Class::kNumber);
+    const std::size_t length = tokens[number].kind == Token::Kind::kNumber ? 1 : digits.length;
+    if (length == 0 || number + length > tokens.size() || skip[number]) continue;
+    const bool thing = number + length < tokens.size() && lexicon.find(tokens, number + length, Class::kObject).length > 0;
+    const bool measure = number + length < tokens.size() && lexicon.find(tokens, number + length, Class::kUnit).length > 0;
+    if (thing || measure) continue;
+    std::size_t first = i;
+    while (first > 1 && is_word(tokens[first - 1], {"that", "which", "can", "could", "to", "will", "should", "comfortably", "with", "offering"}))
+      --first;
+    if (space || number > i + 1) {
+      drop(first, number - 1);
+      tokens[number - 1].text = "for";
+      tokens[number - 1].kind = Token::Kind::kWord;
+    } else {
+      drop(first, i);
+      tokens[i].text = "for";
+    }
+    i = number;
+  }
+}
+
+void add_for_people(const Lexicon& lexicon, Document& document) { PeopleReader(lexicon, document).run(); }
+
+std::map<std::string, int> needs_of(const Lexicon& lexicon, const Document& document, const std::string& room) {
+  std::map<std::string, int> counts;
+  const Lexicon::Set* needs = document.people > 0 ? lexicon.needs_in(document.young ? lexicon.young_room(room) : room) : nullptr;
+  if (needs == nullptr) return counts;
+  const int people = std::min(document.people, kMostPeople);
+  for (const auto& [entry, persons] : *needs) counts[entry->id] = persons > 0 ? (people + persons - 1) / persons : 1;
+  return counts;
+}
+
+}  // namespace layoutbox::offline

@@ -1,0 +1,24 @@
+// For how many a table or a room is, and what that brings in; what plain words mean in a kind of room.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "layoutbox/plan/offline/document.h"
+
+namespace layoutbox::offline {
+
+// "a table that seats six", "with seating for six" read as "a table for six": the words that are not needed are marked in `skip`.
+void read_seats_said(const Lexicon& lexicon, Document& document, std::vector<bool>& skip);
+
+// "mats" in a gym are for exercise, "a board" in a classroom is written on. The kind of room may be named anywhere in the text.
+void settle_room_senses(const Lexicon& lexicon, Document& document);
+
+// Adds the seats of a table that is "for six" and what each person needs in an office, classroom or bedroom "for three", where nothing
+// of that kind is named; marked as assumed.
+void add_for_people(const Lexicon& lexicon, Document& document);
+
+// How many of what a room of that kind needs for the people that the text names; empty where it names none.
+std::map<std::string, int> needs_of(const Lexicon& lexicon, const Document& document, const std::string& room);
+
+}  // namespace layoutbox::offline
