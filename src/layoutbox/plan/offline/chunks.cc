@@ -88,7 +88,9 @@ bool Chunker::noun_follows() const {
 bool Chunker::read_noun(bool bare) {
   // Right after a noun phrase no bare one begins: "lamps light the room", "a table holds".
   const bool after_which = !chunks_.empty() && chunks_.back().noun.kind == NounKind::kPronoun && chunks_.back().noun.head == "which";
-  const bool after_noun = bare && previous() == ChunkKind::kNoun && !chunks_.back().noun.owner && !after_which;
+  const bool after_wall = !chunks_.empty() && chunks_.back().kind == ChunkKind::kNoun && chunks_.back().noun.kind == NounKind::kWall &&
+                          !chunks_.back().noun.wall_word.empty() && lexicon_.find(tokens_, i_, Class::kObject).length > 0;
+  const bool after_noun = bare && previous() == ChunkKind::kNoun && !chunks_.back().noun.owner && !after_which && !after_wall;
   if (after_noun && !lexicon_.is(tokens_[i_], Class::kWallWord)) return false;
   auto noun = read_noun_phrase(lexicon_, tokens_, i_, bare);
   if (!noun || noun->last <= i_) return false;

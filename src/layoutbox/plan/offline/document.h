@@ -70,8 +70,8 @@ struct Document {
   std::vector<WordReading> readings;  // one a token
   std::vector<Note> notes;
   std::optional<Niche> niche;
-  int people = 0;               // "an office for three": for how many the room is; 0: not said
-  bool young = false;           // … children
+  int people = 0;      // "an office for three": for how many the room is; 0: not said
+  bool young = false;  // … children
   int groups = 0;
 };
 

@@ -45,7 +45,8 @@ const CatalogEntry* Lexicon::seat_at(const CatalogEntry& table) const {
 
 const CatalogEntry* Lexicon::meant_in(const RoomKind& room, std::string_view name, std::string_view word) const {
   for (const std::string_view kind : {name, std::string_view(room.id)}) {
-    if (const auto found = room_senses_.find(std::string(kind) + "|" + std::string(word)); found != room_senses_.end()) return found->second;
+    if (const auto found = room_senses_.find(std::string(kind) + "|" + std::string(word)); found != room_senses_.end())
+      return found->second;
   }
   return nullptr;
 }
@@ -148,9 +149,13 @@ void Lexicon::extend_phrase(std::span<const Token> tokens, std::size_t at, std::
     // "on the left wall" is on a wall, not on the left of something.
     const bool adjective = (word == "left" || word == "right" || word == "back" || word == "front" || word == "top" || word == "bottom") &&
                            i + 1 < tokens.size() && names_place(tokens, i + 1);
-    // "on a side table" is on a table, not on a side.
-    const bool begins_name = inside && find(tokens, i, WordClass::kObject).length > 1;
-    if (const auto found = phrases_.find(extended); found != phrases_.end() && i + 1 - at > best.length && !adjective && !begins_name) {
+    // "on the side tables" are things on tables.
+    const auto begins_name = [&] {
+      const Match name = find(tokens, i);
+      return i > at && name.length > 1 &&
+             std::any_of(name.meanings.begin(), name.meanings.end(), [](const Meaning& m) { return m.word_class == WordClass::kObject; });
+    };
+    if (const auto found = phrases_.find(extended); found != phrases_.end() && i + 1 - at > best.length && !adjective && !begins_name()) {
       best = next;
       best.length = i + 1 - at;
       best.senses = &found->second;

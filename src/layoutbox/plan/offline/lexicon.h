@@ -169,8 +169,8 @@ class Lexicon {
   std::unordered_map<std::string, Set> sets_;              // key_of
   std::unordered_map<std::string, Set> needs_;             // by room
   std::unordered_map<std::string, std::string> young_rooms_;
-  std::vector<std::pair<const CatalogEntry*, const CatalogEntry*>> seats_;         // table, seat or null; special kinds first
-  std::unordered_map<std::string, const CatalogEntry*> room_senses_;               // "room word"
+  std::vector<std::pair<const CatalogEntry*, const CatalogEntry*>> seats_;  // table, seat or null; special kinds first
+  std::unordered_map<std::string, const CatalogEntry*> room_senses_;        // "room word"
   std::unordered_set<std::string> vocabulary_, persons_, young_persons_;
   std::unordered_map<std::string, std::vector<std::string>> by_shape_;  // first letter and length
   std::unordered_map<std::string, std::string> typing_errors_;

@@ -72,6 +72,11 @@ void NounPhraseReader::settle_object(const Part& head, std::size_t head_index) {
     const std::string& last = tokens_[head.last - 1].text;
     phrase_.name = phrase_.name.substr(0, phrase_.name.size() - last.size()) + phrase_.head;
   }
+  // "the following objects:" announces things.
+  if (std::find(phrase_.attributes.begin(), phrase_.attributes.end(), "following") != phrase_.attributes.end()) {
+    phrase_.kind = NounKind::kAbstract;
+    return;
+  }
   phrase_.exact = phrase_.entry != nullptr && begin == head.first;
   if (phrase_.entry != nullptr) {
     phrase_.category = phrase_.entry->id;

@@ -117,6 +117,10 @@ bool NounPhraseReader::read_part() {
     Token single = token();
     single.text = singular_of(single.text);
     const bool part = has(match, Class::kPart) || (match.length == 1 && lexicon_.is(single, Class::kPart));
+    // "along the left wall fridge, stove and sink": a place and what stands there.
+    if (object != nullptr && !parts_.empty() && parts_.back().word_class == Class::kWall && parts_.size() > 1 &&
+        parts_[parts_.size() - 2].word_class == Class::kWallWord && object->entry->mount == Mount::kFloor && !hyphenated(i_))
+      return false;
     if (object != nullptr && !(verbal && noun_before && !hyphenated(i_)) && !part)
       return add(Class::kObject, *object, match.length, match.plural);
     if (object != nullptr && part) return add(Class::kPart, *object, match.length, match.plural);

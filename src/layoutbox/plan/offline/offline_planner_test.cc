@@ -47,10 +47,11 @@ TEST_F(OfflinePlannerTest, ReadsRoomSizesInTheirUsualForms) {
 // A notch is cut out of the room's rectangle, an alcove goes out of it.
 TEST_F(OfflinePlannerTest, NichesChangeTheOutline) {
   const std::vector<Point> notched = {{0, 0}, {6000, 0}, {6000, 3000}, {4000, 3000}, {4000, 5000}, {0, 5000}};
-  for (const char* text :
-       {"An L-shaped living room, 6 x 5 m with a 2 x 2 m notch, with a sofa.", "An L-shaped room, 6 x 5 m, missing a corner of 2 by 2, with a sofa.",
-        "A room of 6 x 5 m whose back right corner of 2 m x 2 m is missing. It has a sofa.",
-        "A room, 6 m by 5 m, with a notch of 2 x 2 m in the north-east corner and a sofa.", "A 6x5 m room with a 2x2 m corner cut out at the back right and a sofa."}) {
+  for (const char* text : {"An L-shaped living room, 6 x 5 m with a 2 x 2 m notch, with a sofa.",
+                           "An L-shaped room, 6 x 5 m, missing a corner of 2 by 2, with a sofa.",
+                           "A room of 6 x 5 m whose back right corner of 2 m x 2 m is missing. It has a sofa.",
+                           "A room, 6 m by 5 m, with a notch of 2 x 2 m in the north-east corner and a sofa.",
+                           "A 6x5 m room with a 2x2 m corner cut out at the back right and a sofa."}) {
     const SceneGraph read = scene(text);
     EXPECT_EQ(read.room.polygon, notched) << text;
     EXPECT_EQ(read.objects.size(), 1u) << text;
@@ -74,15 +75,15 @@ TEST_F(OfflinePlannerTest, SeatsThatFollowFromTheWordsAreMarked) {
   EXPECT_TRUE(std::any_of(read.relations.begin(), read.relations.end(),
                           [](const Relation& r) { return r.type == RelationType::kAround && r.assumed && r.targets.size() == 8; }));
   const SceneGraph usual = scene("A restaurant for forty guests.");
-  EXPECT_EQ(std::count_if(usual.objects.begin(), usual.objects.end(), [](const SceneObject& o) { return o.category == "dining_chair"; }), 40);
+  EXPECT_EQ(std::count_if(usual.objects.begin(), usual.objects.end(), [](const SceneObject& o) { return o.category == "dining_chair"; }),
+            40);
 }
 
 TEST_F(OfflinePlannerTest, TheFrontOfTheRoomIsWhereTheBoardIs) {
   const auto front = [&](const char* text) {
     const SceneGraph read = scene(text);
-    return std::any_of(read.relations.begin(), read.relations.end(), [](const Relation& r) {
-      return r.assumed && !r.hard && r.references == std::vector<std::string>{"front"};
-    });
+    return std::any_of(read.relations.begin(), read.relations.end(),
+                       [](const Relation& r) { return r.assumed && !r.hard && r.references == std::vector<std::string>{"front"}; });
   };
   EXPECT_TRUE(front("A classroom with 12 desks facing the whiteboard and a bookshelf at the back."));
   EXPECT_TRUE(front("A hall with ten chairs facing the stage. A table stands at the back of the room."));

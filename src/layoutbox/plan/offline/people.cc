@@ -185,13 +185,19 @@ class PeopleReader {
     const bool seats_follow = needs->size() > 1;
     const int people = std::min(document_.people, kMostPeople);
     int host = named(*main);
-    if (host >= 0 && (persons > 0 || !seats_follow)) return;
+    // "an office for twelve with plants between the desks": twelve of them.
+    if (host >= 0 && persons == 1 && mention(host).noun.plural && mention(host).noun.count == 0) {
+      grow(host, people);
+    } else if (host >= 0 && (persons > 0 || !seats_follow)) {
+      return;
+    }
     if (host < 0) {
       if (excluded(*main)) return;
       const int count = persons > 0 ? (people + persons - 1) / persons : 1;
       host = add(*main, count, *room);
       constexpr int kLeastInGrid = 6;
-      if (persons == 1 && count >= kLeastInGrid) relate(Link::Kind::kRelation, {{RelationType::kGrid, Direction::kAlone, {}, {}, {}}}, host, -1);
+      if (persons == 1 && count >= kLeastInGrid)
+        relate(Link::Kind::kRelation, {{RelationType::kGrid, Direction::kAlone, {}, {}, {}}}, host, -1);
     }
     if (!seats_follow || named(*(*needs)[1].first) >= 0 || excluded(*(*needs)[1].first)) return;
     seat_at_table(add(*(*needs)[1].first, people, *room), host, persons != 1);
@@ -214,9 +220,10 @@ void read_seats_said(const Lexicon& lexicon, Document& document, std::vector<boo
     }
   };
   for (std::size_t i = 1; i + 1 < tokens.size(); ++i) {
-    const bool verb = is_word(tokens[i], {"seats", "seat", "seating", "sits", "accommodates", "accommodating", "fits", "sleeps", "sleeping"});
-    const bool space = is_word(tokens[i], {"seating", "room", "space", "places", "seats"}) && is_word(tokens[i - 1], {"with", "offering"}) &&
-                       tokens[i + 1].text == "for";
+    const bool verb =
+        is_word(tokens[i], {"seats", "seat", "seating", "sits", "accommodates", "accommodating", "fits", "sleeps", "sleeping"});
+    const bool space = is_word(tokens[i], {"seating", "room", "space", "places", "seats"}) &&
+                       is_word(tokens[i - 1], {"with", "offering"}) && tokens[i + 1].text == "for";
     if (!verb && !space) continue;
     std::size_t number = i + 1;
     while (number + 1 < tokens.size() && is_word(tokens[number], {"up", "to", "for", "about", "around", "at", "least"})) ++number;
@@ -227,7 +234,8 @@ void read_seats_said(const Lexicon& lexicon, Document& document, std::vector<boo
     const bool measure = number + length < tokens.size() && lexicon.find(tokens, number + length, Class::kUnit).length > 0;
     if (thing || measure) continue;
     std::size_t first = i;
-    while (first > 1 && is_word(tokens[first - 1], {"that", "which", "can", "could", "to", "will", "should", "comfortably", "with", "offering"}))
+    while (first > 1 &&
+           is_word(tokens[first - 1], {"that", "which", "can", "could", "to", "will", "should", "comfortably", "with", "offering"}))
       --first;
     if (space || number > i + 1) {
       drop(first, number - 1);

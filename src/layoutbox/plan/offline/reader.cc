@@ -244,6 +244,8 @@ void DocumentReader::read_break(std::size_t k) {
       const bool bare_list = !roots_.empty() && noun_of(roots_.front()).determiner == Determiner::kNone &&
                              noun_of(roots_.front()).kind == NounKind::kObject && noun_of(roots_.front()).count == 0;
       if (comma && bare_list && noun.kind == NounKind::kObject && noun.exact) resume = true;
+      // "to be used as an office: sofa bed, desk, …"
+      if (comma && document_.tokens[chunk(k).first].text == ":" && noun.kind == NounKind::kObject) resume = true;
     } else if (comma) {
       resume = is(n, ChunkKind::kRelation) || is(n, ChunkKind::kHave) || is(n, ChunkKind::kParticiple) || is(n, ChunkKind::kRelative) ||
                is(n, ChunkKind::kThere) || is(n, ChunkKind::kAnd) || is(n, ChunkKind::kVerb);

@@ -85,6 +85,9 @@ class DocumentReader {
   bool excepts_from_nothing(std::size_t k) const;
   bool passes_role(std::size_t k);
   bool other_side(std::size_t k, const std::vector<int>& targets);
+  void grow_for_hosts(int content, const std::vector<int>& hosts);
+  bool means_wall(const NounPhrase& noun) const;
+  bool means_other_corner(std::size_t k);
   void grow_contents(int host, std::size_t before);
   void mean_each_other(Link& link);
   std::vector<int> unplaced(const std::vector<int>& all, int last, int host) const;
@@ -137,6 +140,7 @@ class DocumentReader {
   bool centering_ = false;  // "center the bed on the wall"
   int last_reference_ = -1;
   int last_wall_said_ = -1;      // of the text
+  int one_corner_ = -1;          // "in one corner": "in the other" may follow
   int place_link_ = -1;          // the link whose reference was a place of the room …
   std::size_t place_chunk_ = 0;  // … and where that stands
   int owner_ = -1;

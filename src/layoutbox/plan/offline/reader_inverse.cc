@@ -95,4 +95,20 @@ void DocumentReader::read_inverse(std::size_t k, PhraseSenses senses) {
   joiner_ = Joiner::kNone;
 }
 
+// "a desk with a chair at the back": behind the desk, not at the back of the room.
+bool DocumentReader::lies_at_end_of_host(Link& link) {
+  if (!says(link.senses, RelationType::kInRegion) || chain_.empty() || joiner_ != Joiner::kNone || frames_.empty() || frames_.back().room ||
+      frames_.back().hosts.size() != 1 || !is_content(chain_.back()) || !is_thing(chain_.back()))
+    return false;
+  const auto region = std::find_if(link.senses.begin(), link.senses.end(), [](const PhraseSense& s) { return !s.region.empty(); });
+  const int host = frames_.back().hosts.front();
+  if (region == link.senses.end() || !is_thing(host) || mount_of(noun_of(chain_.back())) != Mount::kFloor) return false;
+  if (region->region != "back" && region->region != "front") return false;
+  link.senses = {{region->region == "back" ? RelationType::kBehind : RelationType::kInFrontOf, Direction::kDirect, {}, {}, {}}};
+  link.targets = {chain_.back()};
+  link.references = {host};
+  add_link(std::move(link));
+  return true;
+}
+
 }  // namespace layoutbox::offline

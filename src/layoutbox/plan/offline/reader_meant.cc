@@ -148,8 +148,14 @@ int DocumentReader::last_two(const std::vector<int>& targets) {
 }
 
 int DocumentReader::implied_group(const std::vector<int>& targets) {
-  // "a table with two chairs between them": not its own chairs.
+  // "magazines on a table in front of them": not what lies there; "a table with two chairs between them": not its own chairs.
   const auto held = [&](int mention) {
+    for (std::size_t l = sentence_links_; l < document_.links.size(); ++l) {
+      const Link& lies = document_.links[l];
+      if ((says(lies.senses, RelationType::kOn) || says(lies.senses, RelationType::kIn)) && contains(lies.targets, mention) &&
+          std::any_of(lies.references.begin(), lies.references.end(), [&](int host) { return contains(targets, host); }))
+        return true;
+    }
     return std::any_of(frames_.begin(), frames_.end(), [&](const Frame& frame) {
       return frame.link >= 0 && contains(link_at(frame.link).targets, mention) &&
              std::any_of(frame.hosts.begin(), frame.hosts.end(), [&](int host) { return contains(targets, host); });
@@ -203,6 +209,21 @@ int DocumentReader::thing_of_zone(const NounPhrase& noun) const {
     }
   }
   return last_topic_ >= 0 && is_thing(last_topic_) ? last_topic_ : -1;
+}
+
+// What that thing or group faces or stands opposite, by this sentence; -1: nothing, or its own members.
+int DocumentReader::looked_at_by(int mention, const std::vector<int>& but) const {
+  for (std::size_t l = document_.links.size(); l-- > sentence_links_;) {
+    const Link& looks = document_.links[l];
+    if (!contains(looks.targets, mention) || looks.references.empty()) continue;
+    const int other = looks.references.front();
+    const Mention& seen = document_.mentions[static_cast<std::size_t>(other)];
+    const bool alone = document_.mentions[static_cast<std::size_t>(mention)].items.size() == 1;
+    const bool across = says(looks.senses, RelationType::kFacing) || says(looks.senses, RelationType::kOpposite);
+    if (is_thing(other) && !seen.reciprocal && !contains(but, other) && (alone || across)) return other;
+    if (alone && is_thing(other)) break;
+  }
+  return -1;
 }
 
 }  // namespace layoutbox::offline

@@ -101,4 +101,12 @@ int DocumentReader::of_the_two(bool former, const std::vector<int>& busy) const 
   return -1;
 }
 
+// "thirty desks with chairs": one for each of them.
+void DocumentReader::grow_for_hosts(int content, const std::vector<int>& hosts) {
+  const NounPhrase& noun = noun_of(content);
+  if (!mention_at(content).introduces || !noun.plural || noun.count > 0 || noun.collective || hosts.size() != 1) return;
+  const Mention& host = mention_at(hosts.front());
+  if (!host.distributes && host.items.size() > mention_at(content).items.size()) references_.grow(content, host.items.size());
+}
+
 }  // namespace layoutbox::offline

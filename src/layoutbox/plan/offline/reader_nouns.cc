@@ -21,6 +21,12 @@ void DocumentReader::read_noun(std::size_t k) {
   if (NounPhrase& first = document_.chunks[k].noun; document_.mentions.empty() && first.kind == NounKind::kCorner &&
                                                     first.wall_word.empty() && !expects_reference_ && is(next(k), ChunkKind::kHave))
     first.kind = NounKind::kRoom;
+  if (means_wall(chunk(k).noun)) {
+    NounPhrase& wall = document_.chunks[k].noun;
+    wall.kind = NounKind::kWall;
+    wall.wall_word = wall.head;
+  }
+  if (means_other_corner(k)) return;
   const NounPhrase& noun = chunk(k).noun;
   if (skipping_) {
     mark(k, Use::kIgnored, "purpose");
@@ -244,6 +250,31 @@ void DocumentReader::read_place(std::size_t k, int mention) {
   }
   joiner_ = Joiner::kNone;
   add_named_contents(k, mention);
+}
+
+// "a bench along the left": along that wall.
+bool DocumentReader::means_wall(const NounPhrase& noun) const {
+  return expects_reference_ && reference_link_ >= 0 && noun.kind == NounKind::kPart && (noun.head == "left" || noun.head == "right") &&
+         !noun.of && !noun.plural && noun.determiner != Determiner::kPossessive &&
+         says(document_.links[static_cast<std::size_t>(reference_link_)].senses, RelationType::kAgainstWall);
+}
+
+// "a kitchen in one corner and a tent in the other": in another one. True if it was read.
+bool DocumentReader::means_other_corner(std::size_t k) {
+  const NounPhrase& noun = chunk(k).noun;
+  if (expects_reference_ && noun.kind == NounKind::kCorner && noun.count == 1) one_corner_ = static_cast<int>(k);
+  if (one_corner_ < 0 || !expects_reference_ || noun.kind != NounKind::kMember || noun.determiner != Determiner::kOther || noun.of ||
+      one_side_link_ >= 0)
+    return false;
+  const PhraseSenses& senses = link_at(reference_link_).senses;
+  if (!says(senses, RelationType::kIn) && !says(senses, RelationType::kCorner)) return false;
+  NounPhrase corner = chunk(static_cast<std::size_t>(one_corner_)).noun;
+  corner.first = noun.first;
+  corner.last = noun.last;
+  one_corner_ = -1;
+  mark(k, WordReading::Use::kUsed, "corner");
+  read_place(k, references_.mention(corner, -1, true));
+  return true;
 }
 
 // "a rack of dumbbells": the dumbbells are on it.

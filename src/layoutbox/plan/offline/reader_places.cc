@@ -7,7 +7,10 @@ namespace layoutbox::offline {
 namespace {
 
 // "in every corner" four, "in each of the two far corners" two.
-std::size_t corners_meant(const NounPhrase& corner) { return corner.count > 0 ? static_cast<std::size_t>(corner.count) : 4; }
+std::size_t corners_meant(const NounPhrase& corner) {
+  if (corner.count > 0) return static_cast<std::size_t>(corner.count);
+  return corner.wall_word.empty() ? 4 : 2;  // "in each back corner"
+}
 
 }  // namespace
 
@@ -173,6 +176,7 @@ void DocumentReader::place_content(std::size_t k, int mention) {
       Link& link = link_at(frame.link);
       link.targets.push_back(mention);
       link.last = chunk(k).last;
+      grow_for_hosts(mention, frame.hosts);
       for (const int host : frame.hosts) {
         if (mention_at(host).distributes)
           references_.grow(mention, mention_at(mention).items.size() * std::max<std::size_t>(mention_at(host).items.size(), 1));
@@ -258,6 +262,9 @@ bool DocumentReader::goes_on_with_contents(std::size_t k, const NounPhrase& noun
   // "each with a lamp and a chair", "a desk with a lamp and a chair"
   const bool last_of_list = joiner_ == Joiner::kAnd || (joiner_ == Joiner::kCommaAnd && link.targets.size() > 1);
   const bool each_other = is(n, ChunkKind::kRelation) && is(next(n), ChunkKind::kNoun) && chunk(next(n)).noun.reciprocal;
+  const bool placed = last_reference_ >= 0 && chunk(static_cast<std::size_t>(last_reference_)).first >= noun_of(link.targets.back()).last;
+  if (placed && link.kind == Link::Kind::kHave && mount_of(noun) == Mount::kFloor)
+    return false;  // "with two chairs by the door and a sofa"
   const bool bare_and = last_of_list && (!is(n, ChunkKind::kRelation) || each_other) && !is(n, ChunkKind::kHave);
   if (bare_and && (document_.mentions[static_cast<std::size_t>(frame.hosts.front())].distributes ||
                    (is_table(catalog, host) && is_seat(catalog, noun))))

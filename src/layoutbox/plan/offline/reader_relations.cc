@@ -142,7 +142,11 @@ void DocumentReader::read_relation(std::size_t k) {
     const bool lies = says(link.senses, RelationType::kOn) || says(link.senses, RelationType::kIn);
     const bool of_room = std::all_of(link.senses.begin(), link.senses.end(),
                                      [](const PhraseSense& s) { return relation_row(s.type).arity == RelationArity::kNone; });
-    int reference = of_room ? -1 : former_fronted_ >= 0 && !lies && roots_.empty() ? former_fronted_ : implied_reference({});
+    const bool between = says(link.senses, RelationType::kBetween);
+    int reference = of_room                                           ? -1
+                    : between                                         ? implied_group({})
+                    : former_fronted_ >= 0 && !lies && roots_.empty() ? former_fronted_
+                                                                      : implied_reference({});
     // "to the left of the sofa, a lamp; to the right, a table": of the sofa.
     for (std::size_t l = document_.links.size(); side && l-- > 0 && l + 4 > document_.links.size();) {
       const Link& before = document_.links[l];
@@ -269,37 +273,6 @@ void DocumentReader::read_relation(std::size_t k) {
   if (one_side) one_side_link_ = added;
   if (all_in_row) place_link_ = added, place_chunk_ = k;  // "… along the wall"
   joiner_ = Joiner::kNone;
-}
-
-// "a desk with a chair at the back": behind the desk, not at the back of the room.
-bool DocumentReader::lies_at_end_of_host(Link& link) {
-  if (!says(link.senses, RelationType::kInRegion) || chain_.empty() || joiner_ != Joiner::kNone || frames_.empty() ||
-      frames_.back().room || frames_.back().hosts.size() != 1 || !is_content(chain_.back()) || !is_thing(chain_.back()))
-    return false;
-  const auto region = std::find_if(link.senses.begin(), link.senses.end(), [](const PhraseSense& s) { return !s.region.empty(); });
-  const int host = frames_.back().hosts.front();
-  if (region == link.senses.end() || !is_thing(host) || mount_of(noun_of(chain_.back())) != Mount::kFloor) return false;
-  if (region->region != "back" && region->region != "front") return false;
-  link.senses = {{region->region == "back" ? RelationType::kBehind : RelationType::kInFrontOf, Direction::kDirect, {}, {}, {}}};
-  link.targets = {chain_.back()};
-  link.references = {host};
-  add_link(std::move(link));
-  return true;
-}
-
-// What that thing or group faces or stands opposite, by this sentence; -1: nothing, or its own members.
-int DocumentReader::looked_at_by(int mention, const std::vector<int>& but) const {
-  for (std::size_t l = document_.links.size(); l-- > sentence_links_;) {
-    const Link& looks = document_.links[l];
-    if (!contains(looks.targets, mention) || looks.references.empty()) continue;
-    const int other = looks.references.front();
-    const Mention& seen = document_.mentions[static_cast<std::size_t>(other)];
-    const bool alone = document_.mentions[static_cast<std::size_t>(mention)].items.size() == 1;
-    const bool across = says(looks.senses, RelationType::kFacing) || says(looks.senses, RelationType::kOpposite);
-    if (is_thing(other) && !seen.reciprocal && !contains(but, other) && (alone || across)) return other;
-    if (alone && is_thing(other)) break;
-  }
-  return -1;
 }
 
 void read_document(const Lexicon& lexicon, Document& document) { DocumentReader(lexicon, document).read(); }

@@ -80,8 +80,9 @@ std::vector<int> DocumentReader::targets_for(const PhraseSenses& senses, Directi
     const bool room_place = reference.kind == NounKind::kCorner || reference.kind == NounKind::kWall ||
                             reference.kind == NounKind::kWindow || reference.kind == NounKind::kDoor || reference.kind == NounKind::kCenter;
     // "a table with two chairs by the sofa": the table stands there; a chair that looks somewhere is the chair itself.
-    const bool its_seat =
-        count > 1 && sits_at(mention, chain_[count - 2]) && sense->type != RelationType::kFacing && !is_table(catalog, reference);
+    const bool at_it = is_table(catalog, reference) && reference_link_ >= 0 &&
+                       document_.tokens[document_.links[static_cast<std::size_t>(reference_link_)].first].text == "at";
+    const bool its_seat = count > 1 && sits_at(mention, chain_[count - 2]) && sense->type != RelationType::kFacing && !at_it;
     const bool small = is_seat(catalog, noun) ? sense->type != RelationType::kFacing : mount_of(noun) == Mount::kSurface;
     if (((room_place && small) || its_seat) && !apart && step == 0 && count > 1 && is_content(mention) && !hang_) score -= 12;
     // What was there before is seldom placed anew by the way.

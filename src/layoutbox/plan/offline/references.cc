@@ -62,6 +62,8 @@ int References::fit(const NounPhrase& wanted, const NounPhrase& item) const {
   const Catalog& catalog = lexicon_.catalog();
   // "the dentist's stool … the assistant's stool": two.
   if (!wanted.owner_word.empty() && !item.owner_word.empty() && wanted.owner_word != item.owner_word) return 0;
+  // "twelve mats … the instructor's mat": none of the twelve.
+  if (!wanted.owner_word.empty() && item.owner_word.empty() && item.count > 1 && !wanted.is_plural()) return 0;
   if (wanted.name == item.name) return 4;
   static constexpr std::string_view kOfIt[] = {"screen", "top", "surface", "area", "set"};
   if (wanted.name.starts_with(item.name + " ") &&

@@ -284,7 +284,7 @@ void RelationBuilder::add_corners(const Link& link, const Mention& target, const
       {"left", "back"}, {"right", "back"}, {"left", "front"}, {"right", "front"}};
   // "the two far corners": of those that the word names.
   const std::vector<std::string> side = room_reference(corner, R::kCorner);
-  if (corner.is_plural() && target.items.size() > 1 && side.size() == 1) {
+  if ((corner.is_plural() || corner.determiner == Determiner::kEach) && target.items.size() > 1 && side.size() == 1) {
     std::vector<std::vector<std::string>> named;
     std::copy_if(kCorners.begin(), kCorners.end(), std::back_inserter(named),
                  [&](const auto& c) { return std::find(c.begin(), c.end(), side.front()) != c.end(); });

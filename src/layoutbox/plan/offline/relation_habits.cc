@@ -11,9 +11,7 @@ using R = RelationType;
 
 namespace {
 
-bool at_wall(R type) {
-  return type == R::kAgainstWall || type == R::kOnWall || type == R::kCenteredOnWall || type == R::kSideAgainstWall;
-}
+bool at_wall(R type) { return type == R::kAgainstWall || type == R::kOnWall || type == R::kCenteredOnWall || type == R::kSideAgainstWall; }
 
 }  // namespace
 
@@ -68,16 +66,16 @@ void RelationBuilder::face_as_crowd() {
 // "the desks face the whiteboard, a bookshelf stands at the back": the front is where the board is, if the words leave that open.
 void RelationBuilder::add_front() {
   const auto says_front_or_back = [](const Relation& r) {
-    const bool wall = !r.references.empty() && (r.references.front() == "front" || r.references.front() == "back") &&
-                      (r.why.find("front") != std::string::npos || r.why.find("back") != std::string::npos ||
-                       r.why.find("rear") != std::string::npos);
+    const bool wall =
+        !r.references.empty() && (r.references.front() == "front" || r.references.front() == "back") &&
+        (r.why.find("front") != std::string::npos || r.why.find("back") != std::string::npos || r.why.find("rear") != std::string::npos);
     return (r.type == R::kInRegion && (r.parameters.region == "front" || r.parameters.region == "back")) || wall;
   };
   if (std::none_of(scene_.relations.begin(), scene_.relations.end(), says_front_or_back)) return;
   for (const SceneObject& object : scene_.objects) {
     const NounPhrase& noun = noun_of_object(object);
-    if (!one_of(noun.head, {"whiteboard", "blackboard", "chalkboard", "board", "screen", "smartboard", "stage", "podium", "lectern", "altar",
-                            "pulpit", "projector screen"}))
+    if (!one_of(noun.head, {"whiteboard", "blackboard", "chalkboard", "board", "screen", "smartboard", "stage", "podium", "lectern",
+                            "altar", "pulpit", "projector screen"}))
       continue;
     const auto looks = [&](const Relation& r) {
       return (r.type == R::kFacing || r.type == R::kSameOrientation) && !r.references.empty() && r.references.front() == object.id;

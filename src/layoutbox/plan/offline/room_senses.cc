@@ -1,9 +1,33 @@
 // What plain words mean in a kind of room.
+#include <algorithm>
+
 #include "layoutbox/plan/offline/people.h"
 
 namespace layoutbox::offline {
 
+namespace {
+
+// "A hallway with a console table": what a text begins with is the room, not one beside it.
+void settle_first_room(const Lexicon& lexicon, Document& document) {
+  for (Chunk& chunk : document.chunks) {
+    if (chunk.kind != ChunkKind::kNoun) continue;
+    NounPhrase& noun = chunk.noun;
+    for (std::size_t i = noun.first; noun.kind == NounKind::kOutsideRoom && i < noun.last; ++i) {
+      const Match match = lexicon.find(document.tokens, i, WordClass::kRoom);
+      if (match.length == 0) continue;
+      const auto meaning = std::find_if(match.meanings.begin(), match.meanings.end(), [](const Meaning& m) { return m.room != nullptr; });
+      if (meaning == match.meanings.end()) continue;
+      noun.kind = NounKind::kRoom;
+      noun.room = meaning->room;
+    }
+    return;
+  }
+}
+
+}  // namespace
+
 void settle_room_senses(const Lexicon& lexicon, Document& document) {
+  settle_first_room(lexicon, document);
   const NounPhrase* room = nullptr;
   for (const Chunk& chunk : document.chunks) {
     if (chunk.kind != ChunkKind::kNoun || chunk.noun.kind != NounKind::kRoom || chunk.noun.room == nullptr) continue;
@@ -27,6 +51,9 @@ void settle_room_senses(const Lexicon& lexicon, Document& document) {
     const CatalogEntry* entry = lexicon.meant_in(*room->room, name, document.tokens[noun.last - 1].text);  // "benches"
     if (entry == nullptr) entry = lexicon.meant_in(*room->room, name, noun.head);
     if (entry == nullptr) continue;
+    // "a changing mat" is another kind of mat.
+    const bool of_use = std::any_of(noun.attributes.begin(), noun.attributes.end(), [](const std::string& a) { return a.ends_with("ing"); });
+    if (of_use) continue;
     // "a bench with a towel on it" is none to train on.
     const bool has_things = k + 1 < document.chunks.size() && document.chunks[k + 1].kind == ChunkKind::kHave;
     if (has_things && noun.entry != nullptr && noun.entry->top_carries && !entry->top_carries) continue;
