@@ -49,8 +49,7 @@ void DocumentReader::read_noun(std::size_t k) {
          "prompt:" + std::to_string(document_.tokens[chunk(k).first].begin) + "-" +
              std::to_string(document_.tokens[chunk(k).last - 1].end)});
   }
-  if (noun.kind == NounKind::kRoom && !expects_reference_) document_.rooms.push_back(noun);
-  if (noun.kind == NounKind::kRoom && expects_reference_ && noun.room != nullptr) document_.rooms.push_back(noun);
+  if (noun.kind == NounKind::kRoom && (!expects_reference_ || noun.room != nullptr)) document_.rooms.push_back(noun);
   // "a cabinet with glass doors": parts of it.
   const bool of_a_thing = expects_content_ && !frames_.empty() && !frames_.back().room && !frames_.back().hosts.empty() &&
                           is_thing(frames_.back().hosts.front());

@@ -154,7 +154,6 @@ std::vector<int> DocumentReader::chained_targets(const Link& link, int reference
 }
 
 void DocumentReader::place_content(std::size_t k, int mention) {
-  const bool first = expects_content_;
   expects_content_ = false;
   if (frames_.empty()) {
     place_root(k, mention);
@@ -187,7 +186,6 @@ void DocumentReader::place_content(std::size_t k, int mention) {
   chain_.push_back(mention);
   reference_link_ = -1;
   after_participle_ = false;
-  (void)first;
 }
 
 bool DocumentReader::goes_on_with_reference(std::size_t k, const NounPhrase& noun) const {
