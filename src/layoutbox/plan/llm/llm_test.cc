@@ -161,6 +161,19 @@ TEST(Draft, what_is_no_thing_and_no_door_is_left_out) {
   EXPECT_EQ(scene.room.openings[1].id, "door_1_2");
 }
 
+TEST(Draft, a_room_of_the_size_of_a_desk_is_none) {
+  const auto width_of = [](const std::string& dims) {
+    const std::string scene = R"({"room":{"dims":)" + dims + R"(},"furniture":[{"id":"bed_1","category":"bed"}]})";
+    const Reading reading = read_document(scene, Catalog::builtin(), {}, Leniency::kNormal);
+    if (!reading.draft || reading.draft->scene.room.polygon.size() < 3) return Mm{0};
+    return reading.draft->scene.room.polygon[2].x;
+  };
+  EXPECT_EQ(width_of(R"({"w":1.2,"d":0.6,"h":0.75})"), 0);
+  EXPECT_EQ(width_of(R"({"w":1.2,"d":2.6,"h":1.2})"), 0);
+  EXPECT_EQ(width_of(R"({"w":1.2,"d":2.6,"h":2.4})"), 1200);
+  EXPECT_EQ(width_of(R"({"w":1.2,"d":2.6})"), 1200);
+}
+
 TEST(Draft, names_hold_nothing_that_turns_or_hides_text) {
   const Reading reading = read_document(
       R"({"room":{},"furniture":[{"id":"bed\u202e_1","category":"bed","name":"a\u202eb\u200bc\u0085d\u2066e\ufefff\u2028g"},{"id":"d","category":"desk","name":"Größe 📐 书桌"}]})",

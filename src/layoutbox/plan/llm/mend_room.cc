@@ -24,6 +24,22 @@ void drop_half_a_size(json& room, Notes& notes) {
   if (dims->empty()) room.erase("dims");
 }
 
+// Small models give the room the size of a desk. Where the text says such a size, it is set right after it.
+void drop_impossible_size(json& room, Notes& notes) {
+  constexpr double kLeastSide = 1.0, kLeastHeight = 1.8;
+  const auto dims = room.find("dims");
+  if (dims == room.end() || !dims->is_object()) return;
+  const auto is_below = [&](const char* side, double least) {
+    return dims->contains(side) && (*dims)[side].is_number() && (*dims)[side].get<double>() < least;
+  };
+  if (!is_below("w", kLeastSide) && !is_below("d", kLeastSide) && !is_below("h", kLeastHeight)) return;
+  note(notes,
+       fmt::format("nobody can stand in such a room: its size is chosen instead (at least {:g} m wide, {:g} m high)", kLeastSide,
+                   kLeastHeight),
+       "/room/dims");
+  room.erase("dims");
+}
+
 // Small models copy the furniture into the openings: what has the id of a thing is no door. Doors and windows of one id are told apart.
 class OpeningMender {
  public:
@@ -77,6 +93,7 @@ void mend_room(json& scene, Notes& notes) {
     json& room = scene["room"];
     for (const char* key : {"floorMat", "wallMat"}) clean_text(room, key, "/room", notes);
     drop_half_a_size(room, notes);
+    drop_impossible_size(room, notes);
     if (room.contains("openings") && room["openings"].is_array() && !room["openings"].empty()) OpeningMender(scene, notes).run();
   }
   if (scene.contains("metadata") && scene["metadata"].is_object()) {
