@@ -340,3 +340,20 @@ def make_material(name, row):
     material.diffuse_color = (*linear(row["color"]), row["alpha"])  # what Workbench and the viewport show
     material.roughness, material.metallic = row["roughness"], row["metallic"]
     return material
+
+
+def make_pane(name, row):
+    """Clear glass in a window: the camera sees the sky's colour, all other rays go through; a share of alpha would be grain."""
+    material = bpy.data.materials.new(f"{name} in windows")
+    tree = Nodes(material).tree
+    tree.nodes.clear()
+    sky, clear = tree.nodes.new("ShaderNodeEmission"), tree.nodes.new("ShaderNodeBsdfTransparent")
+    ray, choose = tree.nodes.new("ShaderNodeLightPath"), tree.nodes.new("ShaderNodeMixShader")
+    output = tree.nodes.new("ShaderNodeOutputMaterial")
+    color = between(LIGHT["pane"], row["color"], 0.2)
+    sky.inputs["Color"].default_value = rgba(color)
+    for source, target in ((ray.outputs["Is Camera Ray"], 0), (clear.outputs[0], 1), (sky.outputs[0], 2)):
+        tree.links.new(source, choose.inputs[target])
+    tree.links.new(choose.outputs[0], output.inputs["Surface"])
+    material.diffuse_color = (*linear(color), 1.0)
+    return material

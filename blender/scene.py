@@ -108,14 +108,16 @@ def add_lights(row, thing, group):
 
 def build_rows(rows, out, meshes, materials):
     shared = {}
+    panes = {name: make_pane(name, row) for name, row in MATERIALS.items() if row["alpha"] < 1 and not row["image"]}
     for row in rows:
         group = collection("Left out" if row["id"] in out else row["collection"])
         key = tuple((material, number) for material, number in row["parts"])
+        own = {**materials, **panes} if row["kind"] == "opening" else materials
         data = None
         if key:
             data = shared.get(key)
             if data is None:
-                data = shared[key] = make_mesh(row["id"], row["parts"], meshes, materials)
+                data = shared[key] = make_mesh(row["id"], row["parts"], meshes, own)
         thing = place(row, data, group)
         thing["category"], thing["name in words"] = row["category"], row["name"]
         thing.hide_render = row["id"] in out
