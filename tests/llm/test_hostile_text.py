@@ -1,4 +1,4 @@
-"""Texts of a user and of a model are data: no path, code, HTML, control character or turned text gets into names of files, scripts or pages."""
+"""Texts of a user and of a model are data: no path, code, HTML or turned text gets into names of files, scripts or pages."""
 
 import ast
 import html.parser
@@ -58,7 +58,7 @@ class HostileText(model_case.ModelCase):
         folder = self.path(name)
         for path in folder.rglob("*"):
             self.assertRegex(path.relative_to(folder).as_posix(), r"^[A-Za-z0-9_./-]+$")
-        self.assertEqual([path for path in self.folder.rglob("*owned*")], [])
+        self.assertEqual(list(self.folder.rglob("*owned*")), [])
         for path in folder.rglob("*"):
             if path.suffix in (".svg", ".html", ".py", ".glb"):
                 self.check(path, turned_text_too)

@@ -34,7 +34,9 @@ class QuestionSize(model_case.ModelCase):
         run = self.run_layoutbox("plan", prompt, "--planner", "llm", "--dry-run", *options, env=self.environment("http://127.0.0.1:9/v1"))
         self.assert_done(run)
         body = json.loads(run.out.partition("\n\n")[2])
-        return tokens("".join(message["content"] for message in body["messages"])) + tokens(json.dumps(body["tools"], separators=(",", ":")))
+        return tokens("".join(message["content"] for message in body["messages"])) + tokens(
+            json.dumps(body["tools"], separators=(",", ":"))
+        )
 
     def check(self, prompts):
         worst = max((self.size(prompt), prompt) for prompt in prompts)
