@@ -14,7 +14,8 @@
 namespace layoutbox::placement {
 namespace {
 
-constexpr int kGuesses = 2;  // relations given up one by one without a proof, before all that do not fit are given up at once
+constexpr int kMostKept = 30;  // questions whether one more relation can be held
+constexpr int kGuesses = 2;    // relations given up one by one without a proof, before all that do not fit are given up at once
 
 }  // namespace
 
@@ -39,7 +40,7 @@ Result<bool> Solver::give_up_unproven(bool loose, const Placements& loosely) {
 }
 
 // All that is asked for becomes a wish; what the layout then misses, and no other layout found in a moment holds beside the rest, is given
-// up, in one go and whatever the clock says.
+// up, in one go, for half the time limit and a second beyond it.
 Result<bool> Solver::settle() {
   Model trial = model_;
   std::vector<char> given_up = given_up_;
@@ -50,7 +51,8 @@ Result<bool> Solver::settle() {
     constraint.weight *= kStillWished;
     given_up[c] = 1;
   }
-  Budget budget{0, 4 * kLeastSteps, [this] { return interrupted(); }, false};
+  const auto out_of_grace = [this] { return interrupted() || seconds() > options_.time_limit_s * 1.5 + 1; };
+  Budget budget{0, 4 * kLeastSteps, out_of_grace, false};
   Search search(trial, given_up, options_.seed, kAllSizes);
   if (!search.construct(left_out_, kRestarts, budget)) return false;
   budget.limit = budget.steps + 2 * kLeastSteps;
@@ -84,10 +86,12 @@ void Solver::keep_what_can_be(std::vector<int>& missed) {
     return model_.constraints[static_cast<std::size_t>(a)].weight > model_.constraints[static_cast<std::size_t>(b)].weight;
   });
   const Dependencies dependencies(model_);
+  int tries = 0;
   std::erase_if(missed, [&](int c) {
+    if (++tries > kMostKept || must_stop()) return false;
     given_up[static_cast<std::size_t>(c)] = 0;
     QuickSearch quick(model_, dependencies, given_up, options_.seed, kAllSizes);
-    Budget budget{0, kLeastSteps, [this] { return interrupted(); }, false};
+    Budget budget{0, kLeastSteps, budget_.stop, false};
     Placements other(model_.items.size());
     const bool found = quick.complete(other, left_out_, budget);
     if (found) placements_ = other;

@@ -31,7 +31,7 @@ std::vector<char> all_beside(const Model& model, const Constraint& constraint) {
 }  // namespace
 
 // True: it was given up.
-Result<bool> Solver::give_up_impossible(int constraint) {
+Result<bool> Solver::give_up_impossible(int constraint, const Dependencies& dependencies) {
   const std::vector<char> left_out = all_beside(model_, model_.constraints[static_cast<std::size_t>(constraint)]);
   std::vector<char> given_up = given_up_;
   for (std::size_t c = 0; c < given_up.size(); ++c) {
@@ -39,7 +39,6 @@ Result<bool> Solver::give_up_impossible(int constraint) {
     const bool other = static_cast<int>(c) != constraint && (firmness == Firmness::kHard || firmness == Firmness::kImplied);
     given_up[c] = static_cast<char>(given_up[c] || other);
   }
-  const Dependencies dependencies(model_);
   Placements placements(model_.items.size());
   Budget budget{0, kStepsAlone, [this] { return must_stop(); }, false};
   if (QuickSearch(model_, dependencies, given_up, options_.seed, kAllSizes).complete(placements, left_out, budget)) return false;
@@ -55,11 +54,12 @@ Result<bool> Solver::give_up_impossible(int constraint) {
 
 // True: something was given up.
 Result<bool> Solver::give_up_impossible() {
+  const Dependencies dependencies(model_);
   for (std::size_t c = 0; c < model_.constraints.size() && !must_stop(); ++c) {
     const Constraint& constraint = model_.constraints[c];
     if (constraint.firmness != Firmness::kHard || constraint.relation < 0 || given_up_[c]) continue;
     if (!looked_at_alone_.insert(constraint.name).second) continue;
-    LAYOUTBOX_ASSIGN(const bool given_up, give_up_impossible(static_cast<int>(c)));
+    LAYOUTBOX_ASSIGN(const bool given_up, give_up_impossible(static_cast<int>(c), dependencies));
     if (given_up) return true;
   }
   return false;

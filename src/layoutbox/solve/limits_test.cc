@@ -1,9 +1,11 @@
 // Absurd scenes, large ones, being stopped, and rooms that differ only in how they lie.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <atomic>
 #include <limits>
+#include <random>
 #include <thread>
 
 #include "layoutbox/solve/solver.h"
@@ -135,6 +137,31 @@ TEST(Large, FiveHundredObjectsEndWithAnHonestAnswer) {
       EXPECT_TRUE(apart) << a.id << " and " << b.id;
     }
   }
+}
+
+// As many wishes as nobody can grant: CP-SAT's model would take gigabytes, and is not built.
+TEST(Limits, MemoryOfAnOversizedSceneStaysBounded) {
+  const std::vector<std::string> kinds{"chair", "table", "plant", "bookshelf", "desk", "sofa"},
+      types{"nextTo", "leftOf", "behind", "facing"};
+  std::mt19937 random(1);
+  SceneMaker maker(24000, 24000);
+  for (int i = 0; i < 300; ++i) maker.add(kinds[random() % kinds.size()]);
+  const std::vector<SceneObject> objects = maker.raw().objects;
+  for (int k = 0; k < 1000; ++k) {
+    const std::size_t a = random() % objects.size(), b = random() % objects.size();
+    if (a != b) maker.relate(types[random() % types.size()], {objects[a].id}, {objects[b].id});
+  }
+  SolveOptions options;
+  options.time_limit_s = 2;
+  const auto layout = solve(maker.make(), Catalog::builtin(), options);
+  if (!layout) {
+    EXPECT_EQ(layout.error().code, ErrorCode::kNotFound) << layout.error().message;
+  } else {
+    EXPECT_FALSE(layout->relaxed.empty());
+  }
+  rusage used{};
+  getrusage(RUSAGE_SELF, &used);
+  EXPECT_LT(used.ru_maxrss, 600'000) << "kB";
 }
 
 TEST(Limits, TheClockEndsTheSearchAndIsNamed) {

@@ -23,6 +23,8 @@ inline constexpr int kRestarts = 8;
 inline constexpr int kStillWished = 4;  // points a metre, per weight, of a relation that was given up
 inline constexpr int kAllSizes = 1000;
 
+struct Dependencies;
+
 class Solver {
  public:
   // REQUIRES: scene, catalog and options outlive it.
@@ -58,7 +60,7 @@ class Solver {
 
   // ---- what cannot be whatever else is asked for (impossible.cc)
   Result<bool> give_up_impossible();
-  Result<bool> give_up_impossible(int constraint);
+  Result<bool> give_up_impossible(int constraint, const Dependencies& dependencies);
 
   // ---- what is given up when not everything can hold (give_up.cc)
   bool demands_left(Firmness firmness) const;

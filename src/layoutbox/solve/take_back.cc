@@ -41,7 +41,7 @@ bool Solver::take_back(const std::string& name) {
 
 // The weightiest first; what nobody asked for last. A conflict of which everything holds in the end was none.
 void Solver::take_back() {
-  if (relaxed_.empty() || !model_.start.empty()) return;
+  if (relaxed_.empty() || !model_.start.empty() || must_stop()) return;
   const auto weight = [&](const std::string& name) {
     for (const Constraint& c : model_.constraints) {
       if (c.name == name) return c.firmness == Firmness::kImplied || c.relation < 0 ? 0 : c.weight;
