@@ -89,6 +89,19 @@ TEST(Habits, TheKeyboardLiesBeforeTheScreenAndTheMouseToItsRight) {
   EXPECT_LT(mouse.x, keys.x + 400);
 }
 
+TEST(Habits, TwoLongTablesStandSideBySide) {
+  SceneMaker maker(7000, 6000);
+  maker.add("dining_table", 2).add("chair", 8);
+  maker.relate("around", {"chair_1", "chair_2", "chair_3", "chair_4"}, {"dining_table_1"});
+  maker.relate("around", {"chair_5", "chair_6", "chair_7", "chair_8"}, {"dining_table_2"});
+  const Layout layout = solved(maker.make(true));
+  const PlacedObject &one = object(layout, "dining_table_1"), &two = object(layout, "dining_table_2");
+  EXPECT_EQ(std::lround(one.rotation_deg) % 180, std::lround(two.rotation_deg) % 180);
+  const double dx = std::abs(one.position[0] - two.position[0]), dy = std::abs(one.position[1] - two.position[1]);
+  EXPECT_LT(std::min(dx, dy), 60) << "in line";
+  EXPECT_GT(std::max(dx, dy), 1500) << "with room for chairs between";
+}
+
 TEST(Habits, ChairsBehindADeskSitAbreast) {
   const Layout layout = solved(SceneMaker(6000, 5000)
                                    .add("desk")

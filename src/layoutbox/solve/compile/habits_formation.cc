@@ -9,6 +9,7 @@ namespace {
 
 constexpr std::size_t kMany = 4;
 constexpr std::int64_t kManySize = 3'000'000;              // mm²: larger things are no crowd
+constexpr std::int64_t kTableToSitRound = 1'000'000;       // mm²
 constexpr Mm kBeforeCrowd = 1000;                          // free before the first row, between it and what all look at
 constexpr Mm kTwinAir = 60;                                // between twins besides what stands there
 constexpr int kKeepOff = 300, kInRun = 250, kTwins = 300;  // points a metre
@@ -30,7 +31,9 @@ std::optional<Habits::Group> Habits::formation_with(int item) const {
     const int other = static_cast<int>(i);
     if (model_.items[i].entry == self.entry && !model_.items[i].fixed && !placed_besides_facing(other)) group.members.push_back(other);
   }
-  if (group.members.size() < kMany || std::find(group.members.begin(), group.members.end(), item) == group.members.end())
+  // Two tables that one sits round are enough: side by side, turned alike.
+  const std::size_t least = !self.has_front && has_knee_room(self) && area_of(self) >= kTableToSitRound ? 2 : kMany;
+  if (group.members.size() < least || std::find(group.members.begin(), group.members.end(), item) == group.members.end())
     return std::nullopt;
   return group;
 }
