@@ -52,7 +52,8 @@ void settle_room_senses(const Lexicon& lexicon, Document& document) {
     if (entry == nullptr) entry = lexicon.meant_in(*room->room, name, noun.head);
     if (entry == nullptr) continue;
     // "a changing mat" is another kind of mat.
-    const bool of_use = std::any_of(noun.attributes.begin(), noun.attributes.end(), [](const std::string& a) { return a.ends_with("ing"); });
+    const bool of_use =
+        std::any_of(noun.attributes.begin(), noun.attributes.end(), [](const std::string& a) { return a.ends_with("ing"); });
     if (of_use) continue;
     // "a bench with a towel on it" is none to train on.
     const bool has_things = k + 1 < document.chunks.size() && document.chunks[k + 1].kind == ChunkKind::kHave;
