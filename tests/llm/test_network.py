@@ -210,8 +210,8 @@ class Streams(model_case.ModelCase):
 class Stopping(model_case.ModelCase):
     """Ctrl-C ends within a second, whatever the server does."""
 
-    def assert_stops(self, url):
-        arguments = ["plan", "A bedroom with a bed.", "--planner", "llm"]
+    def assert_stops(self, url, *more):
+        arguments = ["plan", "A bedroom with a bed.", "--planner", "llm", *more]
         process = self.start(*arguments, env=self.environment(url), stdout=subprocess.PIPE, stderr=subprocess.PIPE)
         time.sleep(0.7)
         sent = time.monotonic()
@@ -223,6 +223,21 @@ class Stopping(model_case.ModelCase):
     def test_while_nothing_comes(self):
         with FaultServer([fault.silence]) as server:
             self.assert_stops(server.url)
+
+    def test_while_connecting(self):
+        with contextlib.ExitStack() as stack:
+            deaf = stack.enter_context(socket.socket())
+            deaf.bind(("127.0.0.1", 0))
+            deaf.listen(0)  # with its queue full the next connection is never accepted
+            for _ in range(4):
+                waiting = stack.enter_context(socket.socket())
+                waiting.setblocking(False)
+                waiting.connect_ex(deaf.getsockname())
+            self.assert_stops(f"http://127.0.0.1:{deaf.getsockname()[1]}/v1")
+
+    def test_in_the_pause_between_attempts(self):
+        with FaultServer([fault.scene_call({"room": "none"})]) as server:
+            self.assert_stops(server.url, "--attempt-pause", "30")
 
     def test_while_a_body_trickles(self):
         with FaultServer([fault.never_ending]) as server:

@@ -85,7 +85,7 @@ Result<std::unique_ptr<Planner>> ModelFlags::make_planner(const std::string& nam
   conversation.trust = trust == "text" ? llm::Trust::kText : llm::Trust::kModel;
   LAYOUTBOX_ASSIGN(chat::ChatOptions chat, chat_options(console));
   options.planner = fmt::format("llm {} at {}, trust {}", chat.endpoint.model, chat.endpoint.base_url, trust);
-  return llm::make_model_planner(catalog, std::move(chat), std::move(conversation), options.repair.max_attempts);
+  return llm::make_model_planner(catalog, std::move(chat), std::move(conversation), {options.repair.max_attempts, options.repair.pause_s});
 }
 
 int print_first_request(const Planner& planner, const std::string& prompt, const GenerateOptions& options, const Console& console) {

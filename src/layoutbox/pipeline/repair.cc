@@ -3,9 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <nlohmann/json.hpp>
-#include <thread>
 
 #include "layoutbox/pipeline/run_record.h"
 #include "layoutbox/pipeline/ways_out.h"
@@ -225,15 +223,7 @@ Result<PlannedRoom> RepairLoop::settle() {
   return std::move(best_->room);
 }
 
-Status RepairLoop::pause() const {
-  using Clock = std::chrono::steady_clock;
-  const auto end = Clock::now() + std::chrono::duration<double>(conversation_.attempts().back().answer.cached ? 0.0 : limits_.pause_s);
-  while (Clock::now() < end) {
-    if (options_.stop != nullptr && options_.stop->load()) return fail(ErrorCode::kInterrupted, "stopped", {}, "what was finished is kept");
-    std::this_thread::sleep_for(std::min<std::chrono::duration<double>>(end - Clock::now(), std::chrono::milliseconds(50)));
-  }
-  return {};
-}
+Status RepairLoop::pause() const { return llm::pause_after(conversation_.attempts().back(), limits_.pause_s, options_.stop); }
 
 std::string write_attempts(const std::vector<llm::Attempt>& attempts) {
   Json json = Json::array();

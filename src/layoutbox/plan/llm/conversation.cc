@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
+#include <thread>
 
 #include "layoutbox/base/words.h"
 #include "layoutbox/chat/tokens.h"
@@ -159,21 +161,22 @@ namespace {
 
 class ModelPlanner final : public Planner {
  public:
-  ModelPlanner(const Catalog& catalog, chat::ChatOptions chat, ConversationOptions options, int max_attempts)
-      : catalog_(catalog), chat_(std::move(chat)), options_(std::move(options)), max_attempts_(max_attempts) {}
+  ModelPlanner(const Catalog& catalog, chat::ChatOptions chat, ConversationOptions options, Patience patience)
+      : catalog_(catalog), chat_(std::move(chat)), options_(std::move(options)), patience_(patience) {}
 
   Result<Plan> plan(std::string_view prompt, const PlanOptions& options) const override {
     const auto conversation = converse(prompt, options, {});
     std::optional<Complaint> complaint;
     std::vector<Error> faults;
-    for (int attempt = 0; attempt < max_attempts_; ++attempt) {
+    for (int attempt = 0; attempt < patience_.max_attempts; ++attempt) {
+      if (attempt > 0) LAYOUTBOX_CHECK(pause_after(conversation->attempts().back(), patience_.pause_s, chat_.stop));
       LAYOUTBOX_ASSIGN(Reading reading, conversation->ask(complaint));
       if (reading.draft) return Plan{std::move(reading.draft->scene), {}};
       complaint = complaint_of(reading.faults);
       faults = std::move(reading.faults);
     }
     if (auto draft = conversation->salvage()) return Plan{std::move(draft->scene), {}};
-    return Failure(no_usable_answer(max_attempts_, faults));
+    return Failure(no_usable_answer(patience_.max_attempts, faults));
   }
 
   std::unique_ptr<Conversation> converse(std::string_view prompt, const PlanOptions& options, const RoomGiven& room) const override {
@@ -184,10 +187,20 @@ class ModelPlanner final : public Planner {
   const Catalog& catalog_;
   chat::ChatOptions chat_;
   ConversationOptions options_;
-  int max_attempts_;
+  Patience patience_;
 };
 
 }  // namespace
+
+Status pause_after(const Attempt& attempt, double seconds, const std::atomic<bool>* stop) {
+  using Clock = std::chrono::steady_clock;
+  const auto end = Clock::now() + std::chrono::duration<double>(attempt.answer.cached ? 0.0 : seconds);
+  while (Clock::now() < end) {
+    if (stop != nullptr && stop->load()) return fail(ErrorCode::kInterrupted, "stopped", {}, "what was finished is kept");
+    std::this_thread::sleep_for(std::min<std::chrono::duration<double>>(end - Clock::now(), std::chrono::milliseconds(50)));
+  }
+  return {};
+}
 
 Error no_usable_answer(int attempts, const std::vector<Error>& faults) {
   Error error{ErrorCode::kNotFound,
@@ -198,8 +211,9 @@ Error no_usable_answer(int attempts, const std::vector<Error>& faults) {
   return error;
 }
 
-std::unique_ptr<Planner> make_model_planner(const Catalog& catalog, chat::ChatOptions chat, ConversationOptions options, int max_attempts) {
-  return std::make_unique<ModelPlanner>(catalog, std::move(chat), std::move(options), max_attempts);
+std::unique_ptr<Planner> make_model_planner(const Catalog& catalog, chat::ChatOptions chat, ConversationOptions options,
+                                            Patience patience) {
+  return std::make_unique<ModelPlanner>(catalog, std::move(chat), std::move(options), patience);
 }
 
 }  // namespace layoutbox::llm

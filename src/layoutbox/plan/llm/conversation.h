@@ -1,6 +1,7 @@
 // A conversation with a model about one scene: a first question, then what was wrong with each answer until one is good.
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <optional>
 #include <set>
@@ -91,9 +92,18 @@ class Conversation {
   std::vector<Attempt> attempts_;
 };
 
-// The planner by model. Each conversation has a client of its own; all draw on the one purse of `chat`. plan() asks again up to
-// `max_attempts` times in all while the answers do not validate. The catalogue must outlive the planner.
-std::unique_ptr<Planner> make_model_planner(const Catalog& catalog, chat::ChatOptions chat, ConversationOptions options, int max_attempts);
+// How often a model is asked, and how long it is left alone in between.
+struct Patience {
+  int max_attempts = 5;
+  double pause_s = 1;
+};
+
+// Waits between two attempts; not after an answer that was kept on disk. Errors: kInterrupted within a twentieth of a second of `stop`.
+Status pause_after(const Attempt& attempt, double seconds, const std::atomic<bool>* stop);
+
+// The planner by model. Each conversation has a client of its own; all draw on the one purse of `chat`. plan() asks again as patience
+// says while the answers do not validate. The catalogue must outlive the planner.
+std::unique_ptr<Planner> make_model_planner(const Catalog& catalog, chat::ChatOptions chat, ConversationOptions options, Patience patience);
 
 // After the last attempt: what was wrong with its answer is in the details.
 Error no_usable_answer(int attempts, const std::vector<Error>& faults);
