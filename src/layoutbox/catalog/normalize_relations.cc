@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_set>
 
 #include "layoutbox/base/words.h"
 #include "layoutbox/catalog/normalize_steps.h"
@@ -12,6 +13,24 @@ namespace {
 bool is_support(RelationType type) { return type == RelationType::kOn || type == RelationType::kIn || type == RelationType::kStacked; }
 
 bool names(const std::vector<std::string>& ids, const std::string& id) { return std::ranges::find(ids, id) != ids.end(); }
+
+// Ids for relations that have none, or one that another has: c1, c1_2, c1_3… In time linear in the scene.
+void settle_relation_ids(SceneGraph& scene) {
+  std::unordered_set<std::string> taken{"room", "floor", "ceiling"};
+  const auto take_all = [&](const auto& items) {
+    for (const auto& item : items) taken.insert(key_of(item.id));
+  };
+  take_all(scene.objects), take_all(scene.room.walls), take_all(scene.room.openings), take_all(scene.relations);
+  std::unordered_set<std::string> used;
+  std::string candidate = "c1";
+  int next = 2;
+  for (Relation& relation : scene.relations) {
+    if (!relation.id.empty() && used.insert(relation.id).second) continue;
+    while (!taken.insert(key_of(candidate)).second) candidate = fmt::format("c1_{}", next++);
+    relation.id = candidate;
+    used.insert(candidate);
+  }
+}
 
 // The id that a reference means, or empty.
 std::string settled_reference(const SceneGraph& scene, const std::string& reference) {
@@ -214,14 +233,7 @@ void normalize_relations(NormalizeContext& context) {
     kept.push_back(std::move(relation));
   }
   scene.relations = std::move(kept);
-  std::vector<std::string> used;
-  for (Relation& relation : scene.relations) {
-    if (relation.id.empty() || names(used, relation.id)) {
-      relation.id.clear();
-      relation.id = unused_id(scene, "c1");
-    }
-    used.push_back(relation.id);
-  }
+  settle_relation_ids(scene);
 }
 
 void normalize_support(NormalizeContext& context) {
