@@ -1,0 +1,177 @@
+#include "layoutbox/plan/syntax/syntax.h"
+
+#include <gmock/gmock.h>
+
+#include <chrono>
+#include <iostream>
+#include <random>
+#include <string>
+
+#include "layoutbox/plan/offline/tokens.h"
+
+namespace layoutbox::syntax {
+namespace {
+
+// A phrase, and what must be found in it, divided by spaces: "lights/VBZ" (a tag), "on>lamp" (a head; >. none), "nsubj:lamp>stands" (label
+// too), words being found from the left; "a2" is the second "a".
+struct Case {
+  const char* text;
+  const char* found;
+};
+
+void PrintTo(const Case& example, std::ostream* out) { *out << example.text; }
+
+struct Parsed {
+  std::vector<std::string> words;
+  std::vector<Node> nodes;
+
+  int place(std::string word) const {
+    int skip = 0;
+    if (word.size() > 1 && word.back() >= '2' && word.back() <= '9' && (word[0] < '0' || word[0] > '9')) {
+      skip = word.back() - '1';
+      word.pop_back();
+    }
+    for (std::size_t i = 0; i < words.size(); ++i) {
+      if (words[i] == word && skip-- == 0) return static_cast<int>(i);
+    }
+    ADD_FAILURE() << "no word " << word;
+    return 0;
+  }
+};
+
+Parsed parse_text(std::string_view text) {
+  Parsed parsed;
+  for (const auto& token : offline::tokenize(text)) parsed.words.push_back(token.text);
+  const std::vector<std::string_view> views(parsed.words.begin(), parsed.words.end());
+  parsed.nodes = parse(views);
+  return parsed;
+}
+
+std::string written(const Parsed& parsed) {
+  std::string all;
+  for (std::size_t i = 0; i < parsed.words.size(); ++i) {
+    const Node& node = parsed.nodes[i];
+    all += parsed.words[i] + "/" + std::string(name(node.tag)) + ":" + std::string(name(node.arc)) + ">" +
+           (node.head < 0 ? "." : parsed.words[static_cast<std::size_t>(node.head)]) + " ";
+  }
+  return all;
+}
+
+void expect(const Parsed& parsed, const std::string& claim) {
+  if (const std::size_t slash = claim.find('/'); slash != std::string::npos) {
+    EXPECT_EQ(name(parsed.nodes[static_cast<std::size_t>(parsed.place(claim.substr(0, slash)))].tag), claim.substr(slash + 1)) << claim;
+    return;
+  }
+  const std::size_t colon = claim.find(':'), arrow = claim.find('>');
+  const std::size_t begin = colon == std::string::npos ? 0 : colon + 1;
+  const Node& node = parsed.nodes[static_cast<std::size_t>(parsed.place(claim.substr(begin, arrow - begin)))];
+  const std::string head = claim.substr(arrow + 1);
+  EXPECT_EQ(node.head, head == "." ? -1 : parsed.place(head)) << claim;
+  if (colon != std::string::npos) {
+    EXPECT_EQ(name(node.arc), claim.substr(0, colon)) << claim;
+  }
+}
+
+class SyntaxTable : public testing::TestWithParam<Case> {};
+
+TEST_P(SyntaxTable, TagsAndHeads) {
+  const Parsed parsed = parse_text(GetParam().text);
+  std::string claims = GetParam().found, claim;
+  for (const char c : claims + " ") {
+    if (c != ' ') {
+      claim.push_back(c);
+    } else if (!claim.empty()) {
+      expect(parsed, claim);
+      claim.clear();
+    }
+  }
+  if (HasFailure()) std::cout << written(parsed) << '\n';
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Phrases, SyntaxTable,
+    testing::Values(
+        Case{"The lamp lights the desk.", "lights/VBZ nsubj:lamp>lights dobj:desk>lights"},
+        Case{"A light hangs above the table.", "light/NN hangs/VBZ nsubj:light>hangs above>hangs pobj:table>above"},
+        Case{"Plants line the wall.", "plants/NNS line/VBP dobj:wall>line"},
+        Case{"A desk faces the window.", "desk/NN faces/VBZ nsubj:desk>faces dobj:window>faces"},
+        Case{"A bookshelf holding books stands behind the sofa.",
+             "acl:holding>bookshelf dobj:books>holding nsubj:bookshelf>stands behind>stands"},
+        Case{"A bookshelf filled with books occupies the far wall.",
+             "acl:filled>bookshelf nsubj:bookshelf>occupies dobj:wall>occupies amod:far>wall"},
+        Case{"There is a lamp on the desk.", "attr:lamp>is expl:there>is pobj:desk>on"},
+        Case{"On the table a bowl sits next to a jar, and a mug rests beside a tray.",
+             "on>sits nsubj:bowl>sits next>sits to>next pobj:jar>to nsubj:mug>rests conj:rests>sits beside>rests pobj:tray>beside"},
+        Case{"Place the bed against the left wall and the wardrobe against the right wall.",
+             "place/VB dobj:bed>place against>place conj:wardrobe>place against2>wardrobe wall2>against2"},
+        Case{"A bedroom with a bed, a desk and a chair.", "bedroom>. pobj:bed>with conj:desk>bed conj:chair>desk"},
+        Case{"A bed is flanked by two nightstands.", "nsubjpass:bed>flanked agent:by>flanked pobj:nightstands>by nummod:two>nightstands"},
+        Case{"A table surrounded by four chairs stands in the center of the room.",
+             "acl:surrounded>table pobj:chairs>by nsubj:table>stands in>stands of>center pobj:room>of"},
+        Case{"To the left of the bed is a nightstand.", "to>is pobj:left>to of>left pobj:bed>of"},
+        Case{"A mirror hangs on the wall above the dresser.", "nsubj:mirror>hangs on>hangs pobj:wall>on pobj:dresser>above"},
+        Case{"I want a desk next to the window.", "nsubj:i>want dobj:desk>want to>next pobj:window>to"}));
+
+TEST(Syntax, NothingAndLittle) {
+  EXPECT_TRUE(parse({}).empty());
+  const std::vector<std::string_view> word = {"bed"};
+  const auto nodes = parse(word);
+  ASSERT_EQ(nodes.size(), 1U);
+  EXPECT_EQ(nodes[0].head, -1);
+  EXPECT_EQ(nodes[0].arc, Arc::kRoot);
+}
+
+// Heads are words of the sentence, and following them ends.
+void expect_forest(const std::vector<Node>& nodes) {
+  std::vector<std::size_t> seen(nodes.size(), 0);  // by which walk
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    ASSERT_GE(nodes[i].head, -1);
+    ASSERT_LT(nodes[i].head, static_cast<int>(nodes.size()));
+    std::size_t at = i;
+    while (seen[at] == 0) {
+      seen[at] = i + 1;
+      if (nodes[at].head < 0) break;
+      at = static_cast<std::size_t>(nodes[at].head);
+      ASSERT_NE(seen[at], i + 1) << "a circle";
+    }
+  }
+}
+
+TEST(Syntax, AnyBytes) {
+  std::mt19937 random(3);
+  for (int round = 0; round < 200; ++round) {
+    std::vector<std::string> words(random() % 40);
+    for (std::string& word : words) {
+      word.resize(random() % 12);
+      for (char& c : word) c = static_cast<char>(random() % 256);
+    }
+    const std::vector<std::string_view> views(words.begin(), words.end());
+    const auto nodes = parse(views);
+    ASSERT_EQ(nodes.size(), words.size());
+    expect_forest(nodes);
+  }
+}
+
+TEST(Syntax, LongTextTakesLinearTime) {
+  for (const auto& pattern : {std::vector<std::string_view>{"bed"}, {"a", "lamp", "on"}, {"that", "holds"}, {",", "and"}, {"("}}) {
+    std::vector<std::string_view> words;
+    const std::size_t size = pattern.size() == 3 ? 100000 : 20000;
+    while (words.size() < size) words.insert(words.end(), pattern.begin(), pattern.end());
+    const auto begin = std::chrono::steady_clock::now();
+    expect_forest(parse(words));
+    EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(), 10) << pattern[0];
+  }
+}
+
+TEST(Syntax, SameTreeWhateverTheCase) {
+  const std::vector<std::string_view> small = {"a", "lamp", "stands", "on", "the", "desk"},
+                                      large = {"A", "LAMP", "Stands", "ON", "the", "Desk"};
+  const auto first = parse(small), second = parse(large);
+  for (std::size_t i = 0; i < small.size(); ++i) {
+    EXPECT_EQ(first[i].head, second[i].head);
+    EXPECT_EQ(first[i].tag, second[i].tag);
+  }
+}
+
+}  // namespace
+}  // namespace layoutbox::syntax

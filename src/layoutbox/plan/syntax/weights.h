@@ -1,0 +1,55 @@
+// What the parser learned, read in place: which words are of which kind, and the weights of features (docs/syntax.md has the format).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace layoutbox::syntax {
+
+// Models in the order of the file.
+enum class Model : std::uint8_t { kTag, kStep, kLabel };
+inline constexpr int kModels = 3;
+
+// Scatters the bits of a key, so that its upper bits choose a bucket and its lower ones tell it from others.
+constexpr std::uint64_t scatter(std::uint64_t key) {
+  key ^= key >> 33;
+  key *= 0xff51afd7ed558ccdULL;
+  key ^= key >> 33;
+  key *= 0xc4ceb9fe1a85ec53ULL;
+  return key ^ (key >> 33);
+}
+
+// A word's key, letters in lower case.
+std::uint64_t word_key(std::string_view word);
+
+class Weights {
+ public:
+  // Bytes as syntax_train writes them; they must outlive this. Anything else gives weights that know nothing.
+  explicit Weights(std::string_view bytes);
+
+  // What is known of a word (bits as in words.h), 0 where nothing is.
+  std::uint32_t info(std::uint64_t word) const;
+
+  // Adds the weights of all features to the scores of a model's classes.
+  void add(Model model, std::span<const std::uint64_t> features, std::span<int> scores) const;
+
+  // One over what a usual margin is, for a model's scores.
+  float scale(Model model) const { return scales_[static_cast<std::size_t>(model)]; }
+
+ private:
+  struct Table {
+    std::string_view bytes;
+    int bits = 0;
+    std::string_view bucket(std::uint64_t key) const;
+  };
+  Table words_;
+  std::array<Table, kModels> models_;
+  std::array<float, kModels> scales_{};
+};
+
+// The weights in the program.
+const Weights& built_in_weights();
+
+}  // namespace layoutbox::syntax
