@@ -1,6 +1,5 @@
 """Clauses about facts as trees, for room_styles.py."""
 from room_phrases import NUMBERS, above, around, beside, noun, of_room, opening, room, room_place, the, upon, wall
-from room_words import plural
 from tree_text import Node, join, prep
 
 POSTURE = {"floor": ("stand", "sit", "rest", "be", "stand", "go", "stay"), "small": ("sit", "rest", "stand", "lie", "be", "sit"), "wall": ("hang", "hang", "be"),
@@ -376,7 +375,5 @@ def own_places(r, scene, fact, host, many):
         if fact.kind in {"around", "sides", "above", "wall"} and fact.other is None:
             attach(host, places)
             return
-        host.right("acl", Node(gerund(word), "VBG").right("dobj", reach_object(r, fact, places[0][1] if False else (mention(r, fact.other) if fact.other else None))))
+        host.right("acl", Node(gerund(word), "VBG").right("dobj", reach_object(r, fact, mention(r, fact.other) if fact.other else None)))
 
-
-assert NUMBERS and plural

@@ -1,6 +1,6 @@
 """Noun phrases and places as trees, for room_sentences.py. All take the random source `r` first."""
 from room_words import ADJECTIVES, COLORS, MOODS, NOUN_ADJECTIVES, ROOM_COMPOUNDS, ROOMS, plural
-from tree_text import TAGS, Node, prep
+from tree_text import Node, prep
 
 NUMBERS = ("two", "three", "four", "five", "six", "seven", "eight", "ten", "twelve")
 HYPHENED = (("wall", "NN", "npadvmod", "mounted", "VBN"), ("king", "NN", "compound", "size", "NN"), ("queen", "NN", "compound", "sized", "VBN"),
@@ -10,7 +10,7 @@ HYPHENED = (("wall", "NN", "npadvmod", "mounted", "VBN"), ("king", "NN", "compou
 
 
 def det_for(word):
-    return "an" if word[0] in "aeiou" else "a"
+    return "an" if word[0] in "aeiou" and word != "u" and not word.startswith(("uni", "one", "euro")) else "a"
 
 
 def adjective(word):
@@ -73,10 +73,9 @@ def noun(r, thing, number=1, definite=False, plain=False):
     if not definite and r.random() < 0.04:
         head.first("compound" if not head.before else "nmod", measure(r))
     if definite:
-        word = "the"
         if number > 1 and r.random() < 0.25:
             head.first("nummod", Node(NUMBERS[min(number, 10) - 2], "CD"))
-        head.first("det", Node(r.choice(("both", "these", "each")) if False else word, "DT"))
+        head.first("det", Node("the", "DT"))
         return head
     if number == 1:
         chosen = r.random()
@@ -134,7 +133,7 @@ def room(r, definite=False):
     *before, last = word.split()
     node = Node(last, "NN")
     for part in before:
-        node.left("compound" if part not in {"master", "guest"} else "compound", Node(part, "NN"))
+        node.left("compound", Node(part, "NN"))
     if r.random() < 0.5:
         arc, modifier = adjective(r.choice(MOODS + ["large", "small", "narrow", "minimalist", "modern"]))
         node.first(arc, modifier)
@@ -203,7 +202,7 @@ def beside(r, other, openings=False):
     elif chosen < 0.83:
         node, arc = prep("across from", other), "prep"
     elif chosen < 0.88:
-        node, arc = Node(r.choice(("close", "adjacent")), "JJ").right("prep", prep("to", other)), "amod" if False else "advmod"
+        node, arc = Node(r.choice(("close", "adjacent")), "JJ").right("prep", prep("to", other)), "advmod"
     elif chosen < 0.92:
         node, arc = Node("facing", "VBG").right("dobj", other), "advcl"
     elif chosen < 0.95 and not openings:
@@ -239,5 +238,3 @@ def around(r, other):
 def above(r, other):
     return "prep", prep(r.choice(("above", "above", "over")), other)
 
-
-assert TAGS

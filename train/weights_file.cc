@@ -56,16 +56,19 @@ std::string word_table(const std::string& path) {
   return bucketed(std::move(records));
 }
 
-std::string model_table(const Averages& averages, std::size_t keep, float& units) {
+namespace {
+
+// The features with the largest weights, the largest first, and how many whole numbers make 1.
+std::vector<std::uint64_t> largest(const Averages& averages, std::size_t keep, float& units) {
   std::vector<std::pair<float, std::uint64_t>> order;
   std::vector<float> sizes;
   for (const auto& [feature, weights] : averages) {
-    float largest = 0;
+    float most = 0;
     for (const auto& [label, weight] : weights) {
-      largest = std::max(largest, std::abs(weight));
+      most = std::max(most, std::abs(weight));
       sizes.push_back(std::abs(weight));
     }
-    order.emplace_back(-largest, feature);
+    order.emplace_back(-most, feature);
   }
   std::sort(order.begin(), order.end());
   if (order.size() > keep) order.resize(keep);
@@ -73,29 +76,61 @@ std::string model_table(const Averages& averages, std::size_t keep, float& units
   // The very largest are cut, so that the many small ones keep their differences.
   const float top = sizes.empty() ? 1 : std::max(sizes[sizes.size() - 1 - sizes.size() / 5000], 1e-6F);
   units = 127 / top;
+  std::vector<std::uint64_t> features;
+  for (const auto& [size, feature] : order) features.push_back(feature);
+  return features;
+}
+
+int whole(float weight, float units) { return static_cast<int>(std::lround(std::clamp(weight * units, -127.0F, 127.0F))); }
+
+}  // namespace
+
+std::string model_table(const Averages& averages, std::size_t keep, float& units) {
   std::vector<std::pair<std::uint64_t, std::string>> records;
-  for (const auto& [size, feature] : order) {
+  for (const std::uint64_t feature : largest(averages, keep, units)) {
     std::string pairs;
     auto weights = averages.at(feature);
     std::sort(weights.begin(), weights.end());
     for (const auto& [label, weight] : weights) {
-      const int whole = static_cast<int>(std::lround(std::clamp(weight * units, -127.0F, 127.0F)));
-      if (whole == 0) continue;
+      if (whole(weight, units) == 0) continue;
       pairs.push_back(static_cast<char>(label));
-      pairs.push_back(static_cast<char>(whole));
+      pairs.push_back(static_cast<char>(whole(weight, units)));
     }
     if (!pairs.empty()) records.emplace_back(feature, std::string(1, static_cast<char>(pairs.size() / 2)) + pairs);
   }
   return bucketed(std::move(records));
 }
 
+std::string step_table(const Averages& averages, std::size_t keep, float& units) {
+  const auto features = largest(averages, keep, units);
+  constexpr std::size_t kUsual = 8;  // features in a line: those that find theirs full are lost, the smallest ones
+  const std::size_t lines = features.size() / kUsual + 1;
+  std::string bytes(lines * kLine, '\0');
+  std::vector<std::size_t> used(lines);
+  for (const std::uint64_t feature : features) {
+    const std::size_t line = line_of(feature, lines), check = feature & 0xffff, slot = used[line];
+    if (slot == kLineRoom || check == 0) continue;
+    char* begin = bytes.data() + line * kLine;
+    begin[2 * slot] = static_cast<char>(check & 0xff);
+    begin[2 * slot + 1] = static_cast<char>(check >> 8);
+    for (const auto& [label, weight] : averages.at(feature)) {
+      begin[2 * kLineRoom + kLineLabels * slot + label] = static_cast<char>(whole(weight, units));
+    }
+    ++used[line];
+  }
+  std::string table;
+  put32(table, static_cast<std::uint32_t>(bytes.size()));
+  return table + bytes;
+}
+
 std::string weights_file(const std::string& words, const std::array<std::string, kModels>& models,
                          const std::array<float, kModels>& scales) {
   std::string bytes = "LBSY";
-  put32(bytes, 1);
+  put32(bytes, 2);
   for (const float scale : scales) put32(bytes, static_cast<std::uint32_t>(std::lround(scale * 1000000)));
   bytes += words;
-  for (const std::string& model : models) bytes += model;
+  // The steps, which lie otherwise, come last.
+  for (const Model model : {Model::kTag, Model::kLabel, Model::kStep}) bytes += models[static_cast<std::size_t>(model)];
   return bytes;
 }
 

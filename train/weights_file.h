@@ -21,6 +21,9 @@ std::string word_table(const std::string& path);
 // make 1.
 std::string model_table(const Averages& averages, std::size_t keep, float& units);
 
+// The same for steps, in lines.
+std::string step_table(const Averages& averages, std::size_t keep, float& units);
+
 // The whole file. `scales`: one over a usual margin in the models' whole numbers.
 std::string weights_file(const std::string& words, const std::array<std::string, kModels>& models,
                          const std::array<float, kModels>& scales);

@@ -64,6 +64,11 @@ void look_ahead(Sentence& sentence) {
   fill(sentence.next_noun, is_noun);
   fill(sentence.next_verb, is_finite);
   fill(sentence.next_break, [](std::uint8_t tag) { return Tag{tag} == Tag::kPunct || Tag{tag} == Tag::kCC; });
+  sentence.after_noun.assign(size + 1, static_cast<int>(size));
+  for (std::size_t i = size; i-- > 0;) {
+    const bool last_noun = is_noun(sentence.tags[i]) && (i + 1 == size || !is_noun(sentence.tags[i + 1]));
+    sentence.after_noun[i] = last_noun ? static_cast<int>(i) + 1 : sentence.after_noun[i + 1];
+  }
 }
 
 State::State(int words)

@@ -41,6 +41,7 @@ struct Sentence {
   // For each place (and the end): the next place from there on with a noun, with a finite verb, with a comma or "and"; the number of words
   // if none.
   std::vector<int> next_noun, next_verb, next_break;
+  std::vector<int> after_noun;  // the first place after the next noun that is none itself
 
   int size() const { return static_cast<int>(words.size()); }
 };

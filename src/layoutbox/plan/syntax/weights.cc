@@ -5,10 +5,11 @@
 namespace layoutbox::syntax {
 namespace {
 
-// The file: "LBSY", the version, a million times the scales of the models; then five tables, words first, each its size in bytes, the
-// number of bits that choose a bucket, for each bucket (and the end) where it begins, and the buckets' records. Little-endian, no padding.
+// The file: "LBSY", the version, a million times the scales of the models; then four tables: words, tags, labels, each its size in bytes,
+// the number of bits that choose a bucket, for each bucket (and the end) where it begins, and the buckets' records; last the steps, their
+// size in bytes and lines. Little-endian, no padding.
 constexpr std::string_view kMagic = "LBSY";
-constexpr std::uint32_t kVersion = 1;
+constexpr std::uint32_t kVersion = 2;
 
 std::uint32_t read16(std::string_view bytes, std::size_t at) {
   return static_cast<unsigned char>(bytes[at]) | static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[at + 1])) << 8;
@@ -33,7 +34,7 @@ Weights::Weights(std::string_view bytes) {
   std::size_t at = kMagic.size() + 4 * (1 + kModels);
   if (bytes.size() < at || !bytes.starts_with(kMagic) || read32(bytes, kMagic.size()) != kVersion) return;
   for (std::size_t i = 0; i < kModels; ++i) scales_[i] = static_cast<float>(read32(bytes, kMagic.size() + 4 * (1 + i))) / 1e6F;
-  for (Table* table : {&words_, models_.data(), &models_[1], &models_[2]}) {
+  for (Table* table : {&words_, models_.data(), &models_[static_cast<std::size_t>(Model::kLabel)]}) {
     if (bytes.size() < at + 8) return;
     const std::size_t size = read32(bytes, at);
     const int bits = static_cast<int>(read32(bytes, at + 4));
@@ -42,6 +43,8 @@ Weights::Weights(std::string_view bytes) {
     *table = {bytes.substr(at, size), bits};
     at += size;
   }
+  if (bytes.size() < at + 4 || bytes.size() < at + 4 + read32(bytes, at)) return;
+  lines_ = bytes.substr(at + 4, read32(bytes, at));
 }
 
 std::string_view Weights::Table::bucket(std::uint64_t key) const {
@@ -61,6 +64,7 @@ std::uint32_t Weights::info(std::uint64_t word) const {
 }
 
 void Weights::add(Model model, std::span<const std::uint64_t> features, std::span<int> scores) const {
+  if (model == Model::kStep) return add_steps(features, scores);
   const Table& table = models_[static_cast<std::size_t>(model)];
   for (const std::uint64_t key : features) {
     const std::string_view bucket = table.bucket(key);
@@ -73,6 +77,21 @@ void Weights::add(Model model, std::span<const std::uint64_t> features, std::spa
         break;
       }
       at += kRecord + 2 * pairs;
+    }
+  }
+}
+
+void Weights::add_steps(std::span<const std::uint64_t> features, std::span<int> scores) const {
+  const std::size_t lines = lines_.size() / kLine;
+  if (lines == 0) return;
+  for (const std::uint64_t key : features) __builtin_prefetch(lines_.data() + kLine * line_of(key, lines));
+  for (const std::uint64_t key : features) {
+    const std::string_view line = lines_.substr(kLine * line_of(key, lines), kLine);
+    for (std::size_t i = 0; i < kLineRoom; ++i) {
+      if (read16(line, 2 * i) != (key & 0xffff)) continue;
+      const std::size_t at = 2 * kLineRoom + kLineLabels * i;
+      for (std::size_t label = 0; label < kLineLabels; ++label) scores[label] += static_cast<signed char>(line[at + label]);
+      break;
     }
   }
 }

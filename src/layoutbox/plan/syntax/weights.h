@@ -39,15 +39,23 @@ class Weights {
   float scale(Model model) const { return scales_[static_cast<std::size_t>(model)]; }
 
  private:
+  // Buckets of records of any length.
   struct Table {
     std::string_view bytes;
     int bits = 0;
     std::string_view bucket(std::uint64_t key) const;
   };
+  void add_steps(std::span<const std::uint64_t> features, std::span<int> scores) const;
+
   Table words_;
-  std::array<Table, kModels> models_;
+  std::array<Table, kModels> models_;  // that of steps is empty
+  std::string_view lines_;             // the steps' weights, asked for most often: one cache line holds a bucket
   std::array<float, kModels> scales_{};
 };
+
+// How the steps' weights lie: in lines of 64 bytes, each with room for twelve features, their checks first.
+inline constexpr std::size_t kLine = 64, kLineRoom = 12, kLineLabels = 3;
+constexpr std::size_t line_of(std::uint64_t key, std::size_t lines) { return static_cast<std::size_t>((key >> 32) * lines >> 32); }
 
 // The weights in the program.
 const Weights& built_in_weights();
