@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Prints the room descriptions of this repository, one a line: train/texts/*.txt, the test sentences and the example prompts; and those in
 files given as arguments: CSV with a column Description, JSON lines with `prompt`, or text."""
+
 import csv
 import json
 import pathlib

@@ -1,12 +1,50 @@
 """What room descriptions add to their facts, as trees: purposes, effects, "with" clauses, "each with …"; for room_styles.py."""
+
 from tree_text import Node, join, prep
 
-EFFECTS = (("providing", "storage space light comfort warmth seating contrast"), ("adding", "warmth style character charm color texture interest"),
-           ("creating", "balance atmosphere harmony symmetry coziness corner"), ("offering", "space storage comfort seating privacy"),
-           ("bringing", "light life warmth energy"), ("giving", "character depth"), ("completing", "look space setup arrangement"))
-ADJECTIVES = "ample extra additional cozy warm soft natural inviting elegant playful relaxed comfortable subtle modern".split()
-PURPOSES = "reading working relaxing studying dining storing playing entertaining cooking sleeping guests meals storage convenience comfort".split()
-WIDE = "space room area corner home bedroom kitchen setting".split()
+EFFECTS = (
+    ("providing", "storage space light comfort warmth seating contrast"),
+    ("adding", "warmth style character charm color texture interest"),
+    ("creating", "balance atmosphere harmony symmetry coziness corner"),
+    ("offering", "space storage comfort seating privacy"),
+    ("bringing", "light life warmth energy"),
+    ("giving", "character depth"),
+    ("completing", "look space setup arrangement"),
+)
+ADJECTIVES = [
+    "ample",
+    "extra",
+    "additional",
+    "cozy",
+    "warm",
+    "soft",
+    "natural",
+    "inviting",
+    "elegant",
+    "playful",
+    "relaxed",
+    "comfortable",
+    "subtle",
+    "modern",
+]
+PURPOSES = [
+    "reading",
+    "working",
+    "relaxing",
+    "studying",
+    "dining",
+    "storing",
+    "playing",
+    "entertaining",
+    "cooking",
+    "sleeping",
+    "guests",
+    "meals",
+    "storage",
+    "convenience",
+    "comfort",
+]
+WIDE = ["space", "room", "area", "corner", "home", "bedroom", "kitchen", "setting"]
 
 
 def abstract(r, word):
@@ -34,7 +72,7 @@ def for_purpose(r):
 
 
 def effect(r):
-    """"adding warmth and style to the space", "to create a cozy corner", "for reading\": (arc, node)."""
+    """ "adding warmth and style to the space", "to create a cozy corner", "for reading\": (arc, node)."""
     chosen = r.random()
     if chosen < 0.5:
         word, objects = r.choice(EFFECTS)
@@ -47,7 +85,9 @@ def effect(r):
         return "advcl", node
     if chosen < 0.65:
         word = r.choice(("create", "provide", "add", "bring", "complete"))
-        return "advcl", Node(word, "VB").left("aux", Node("to", "TO")).right("dobj", abstract(r, r.choice("warmth atmosphere storage light balance corner".split())))
+        return "advcl", Node(word, "VB").left("aux", Node("to", "TO")).right(
+            "dobj", abstract(r, r.choice(["warmth", "atmosphere", "storage", "light", "balance", "corner"]))
+        )
     return "prep", for_purpose(r)
 
 
@@ -60,7 +100,7 @@ def with_effect(r, root):
 
 
 def each_with(r, phrase, held):
-    """"two nightstands, each with a lamp": `held` is the phrase of what each has."""
+    """ "two nightstands, each with a lamp": `held` is the phrase of what each has."""
     phrase.right("punct", Node(",", "PUNCT"))
     each = Node("each", "DT")
     chosen = r.random()
@@ -74,14 +114,16 @@ def each_with(r, phrase, held):
 
 
 def one_of_which(r, phrase, held):
-    """"two shelves, one of which holds a clock\""""
+    """ "two shelves, one of which holds a clock\""""
     one = Node("one", "CD").right("prep", prep("of", Node("which", "WDT")))
     phrase.right("punct", Node(",", "PUNCT"))
-    return phrase.right("relcl", Node(r.choice(("holds", "supports", "carries", "displays", "has")), "VBZ").left("nsubj", one).right("dobj", held))
+    return phrase.right(
+        "relcl", Node(r.choice(("holds", "supports", "carries", "displays", "has")), "VBZ").left("nsubj", one).right("dobj", held)
+    )
 
 
 def with_clause(r, root, phrase, places, verbs):
-    """", with a mirror hanging above it\": `phrase` stands at `places`; `verbs` are what it may do there, each a word and its tag."""
+    """ ", with a mirror hanging above it\": `phrase` stands at `places`; `verbs` are what it may do there, each a word and its tag."""
     if r.random() < 0.65:
         root.right("punct", Node(",", "PUNCT"))
     host = phrase
@@ -94,11 +136,10 @@ def with_clause(r, root, phrase, places, verbs):
 
 
 def company(r, host, phrase):
-    """"accompanied by two chairs", "along with a lamp", "paired with a stool\""""
+    """ "accompanied by two chairs", "along with a lamp", "paired with a stool\""""
     chosen = r.random()
     if chosen < 0.3:
         return host.right("acl", Node(r.choice(("accompanied", "complemented")), "VBN").right("agent", prep("by", phrase)))
     if chosen < 0.6:
         return host.right("acl", Node(r.choice(("paired", "complete", "furnished")), "VBN").right("prep", prep("with", phrase)))
     return host.right("prep", prep(r.choice(("along with", "together with")), phrase))
-

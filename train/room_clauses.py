@@ -1,27 +1,43 @@
 """Clauses about facts as trees, for room_styles.py."""
+
 from room_phrases import NUMBERS, above, around, beside, noun, of_room, opening, room, room_place, the, upon, wall
 from tree_text import Node, join, prep
 
-POSTURE = {"floor": ("stand", "sit", "rest", "be", "stand", "go", "stay"), "small": ("sit", "rest", "stand", "lie", "be", "sit"), "wall": ("hang", "hang", "be"),
-           "ceiling": ("hang", "hang", "dangle"), "rug": ("lie", "lie", "be", "stretch", "sit")}
-PLACED = {"floor": ("placed", "positioned", "located", "situated", "set", "arranged", "put", "pushed", "tucked", "nestled", "found"),
-          "small": ("placed", "set", "arranged", "positioned", "displayed", "perched", "scattered"), "wall": ("mounted", "hung", "placed", "fixed"),
-          "ceiling": ("hung", "suspended", "mounted"), "rug": ("laid", "spread", "placed", "rolled")}
+POSTURE = {
+    "floor": ("stand", "sit", "rest", "be", "stand", "go", "stay"),
+    "small": ("sit", "rest", "stand", "lie", "be", "sit"),
+    "wall": ("hang", "hang", "be"),
+    "ceiling": ("hang", "hang", "dangle"),
+    "rug": ("lie", "lie", "be", "stretch", "sit"),
+}
+PLACED = {
+    "floor": ("placed", "positioned", "located", "situated", "set", "arranged", "put", "pushed", "tucked", "nestled", "found"),
+    "small": ("placed", "set", "arranged", "positioned", "displayed", "perched", "scattered"),
+    "wall": ("mounted", "hung", "placed", "fixed"),
+    "ceiling": ("hung", "suspended", "mounted"),
+    "rug": ("laid", "spread", "placed", "rolled"),
+}
 ADVERBS = ("neatly", "gracefully", "prominently", "proudly", "quietly", "comfortably", "snugly", "elegantly", "also", "always")
 BE = {True: ("are", "VBP"), False: ("is", "VBZ")}
 
 
 def third(word):
     irregular = {"be": "is", "have": "has", "go": "goes"}
-    return irregular.get(word) or (word + "es" if word.endswith(("s", "sh", "ch", "x")) else word[:-1] + "ies" if word.endswith("ry") else word + "s")
+    return irregular.get(word) or (
+        word + "es" if word.endswith(("s", "sh", "ch", "x")) else word[:-1] + "ies" if word.endswith("ry") else word + "s"
+    )
 
 
 def gerund(word):
-    return {"lie": "lying", "be": "being", "sit": "sitting", "put": "putting"}.get(word) or (word[:-1] if word.endswith("e") else word) + "ing"
+    return {"lie": "lying", "be": "being", "sit": "sitting", "put": "putting"}.get(word) or (
+        word[:-1] if word.endswith("e") else word
+    ) + "ing"
 
 
 def participle(word):
-    return {"hold": "held", "light": "lit", "set": "set", "overlook": "overlooked"}.get(word) or word + ("d" if word.endswith("e") else "ed")
+    return {"hold": "held", "light": "lit", "set": "set", "overlook": "overlooked"}.get(word) or word + (
+        "d" if word.endswith("e") else "ed"
+    )
 
 
 def end(root, sign="."):
@@ -109,12 +125,14 @@ def head_verb(r, thing, many, modal=True):
         return root, "nsubjpass"
     if r.random() < 0.08:
         root.right("advmod", Node(r.choice(ADVERBS), "RB"))
+    elif r.random() < 0.04:
+        root.right("acomp", Node(r.choice(("open", "empty", "ready", "upright", "alone", "folded")), "JJ"))
     return root, "nsubj"
 
 
 def subject_of(r, scene, fact):
     subject = mention(r, fact.subject)
-    if r.random() < 0.25:
+    if r.random() < 0.4:
         subject = decorate(r, scene, fact.subject, subject, most=1, forbidden=fact)
     return subject
 
@@ -132,7 +150,7 @@ def clause(r, scene, fact, modal=True):
 
 
 def inverted(r, scene, fact):
-    """"On the table a bowl sits", "On the table stands a bowl", "Next to it is a jar\""""
+    """ "On the table a bowl sits", "On the table stands a bowl", "Next to it is a jar\""""
     places = place_for(r, scene, fact)
     (arc, node), rest = places[0], places[1:]
     many = fact.subject.number != 1
@@ -148,7 +166,11 @@ def inverted(r, scene, fact):
         root.right("attr" if word == "be" else "nsubj", decorate(r, scene, fact.subject, subject, most=1) if r.random() < 0.3 else subject)
         pause = None
     else:
-        root = Node(*BE[many]).left("expl", Node("there", "EX")).right("attr", decorate(r, scene, fact.subject, subject, most=1) if r.random() < 0.3 else subject)
+        root = (
+            Node(*BE[many])
+            .left("expl", Node("there", "EX"))
+            .right("attr", decorate(r, scene, fact.subject, subject, most=1) if r.random() < 0.3 else subject)
+        )
     if pause is not None:
         root.first("punct", pause)
     root.first(arc, node)
@@ -169,9 +191,17 @@ def there_is(r, scene, fact, modal=False):
 
 # Verbs by what they say: (host is subject?, verbs, kinds of facts)
 HOLD = ("hold", "support", "display", "carry", "have", "feature", "host", "bear", "showcase")
-REACH = {"room": ("occupy", "fill", "command", "anchor", "dominate"), "beside": ("face", "flank", "overlook", "adjoin", "touch"),
-         "around": ("surround", "circle", "encircle", "ring"), "sides": ("flank", "frame", "bracket"), "above": ("illuminate", "light", "crown", "overlook"),
-         "wall": ("adorn", "decorate", "cover", "line", "grace"), "under": ("anchor", "underlie", "ground"), "ceiling": ("brighten", "light"), "on": ("top", "adorn", "cover")}
+REACH = {
+    "room": ("occupy", "fill", "command", "anchor", "dominate"),
+    "beside": ("face", "flank", "overlook", "adjoin", "touch"),
+    "around": ("surround", "circle", "encircle", "ring"),
+    "sides": ("flank", "frame", "bracket"),
+    "above": ("illuminate", "light", "crown", "overlook"),
+    "wall": ("adorn", "decorate", "cover", "line", "grace"),
+    "under": ("anchor", "underlie", "ground"),
+    "ceiling": ("brighten", "light"),
+    "on": ("top", "adorn", "cover"),
+}
 
 
 def finite(r, word, many):
@@ -213,7 +243,9 @@ def verb(r, scene, fact):
         return finite(r, r.choice(HOLD), host_many).first("nsubj", other).right("dobj", things)
     subject = mention(r, fact.subject)
     if fact.kind in {"sides", "around"} and other is not None and r.random() < 0.5:
-        root = Node(r.choice(("flanked", "framed") if fact.kind == "sides" else ("surrounded", "encircled")), "VBN").left("nsubjpass", other)
+        root = Node(r.choice(("flanked", "framed") if fact.kind == "sides" else ("surrounded", "encircled")), "VBN").left(
+            "nsubjpass", other
+        )
         return root.left("auxpass", Node(*BE[fact.other.number != 1])).right("agent", prep("by", subject))
     if r.random() < 0.25:
         subject = decorate(r, scene, fact.subject, subject, most=1)
@@ -224,14 +256,17 @@ def verb(r, scene, fact):
 
 
 def listing(r, scene, item):
-    """"The desk holds a lamp and a book, and the shelf two jars": all that stands on an item."""
+    """ "The desk holds a lamp and a book, and the shelf two jars": all that stands on an item."""
     facts = [fact for fact in scene.facts if fact.other is item and fact.kind == "on"]
     if not facts:
         return None
     for fact in facts:
         fact.used = True
     host = mention(r, item)
-    things = [decorate(r, scene, fact.subject, mention(r, fact.subject), most=1) if r.random() < 0.2 else mention(r, fact.subject) for fact in facts]
+    things = [
+        decorate(r, scene, fact.subject, mention(r, fact.subject), most=1) if r.random() < 0.2 else mention(r, fact.subject)
+        for fact in facts
+    ]
     chosen = r.random()
     many = item.number != 1
     if chosen < 0.4:
@@ -283,14 +318,37 @@ def telegraphic_item(r, scene, fact):
     return attach(bare, places)
 
 
-PARTS = ("drawers", "wheels", "shelves", "armrests", "doors", "legs", "cushions", "handles", "casters", "a shade", "a marble top", "a glass top", "a headboard",
-         "a mirror", "a footrest", "four legs", "three drawers", "two doors", "a drawer", "curtains", "a frame", "a backrest", "storage")
+PARTS = (
+    "drawers",
+    "wheels",
+    "shelves",
+    "armrests",
+    "doors",
+    "legs",
+    "cushions",
+    "handles",
+    "casters",
+    "a shade",
+    "a marble top",
+    "a glass top",
+    "a headboard",
+    "a mirror",
+    "a footrest",
+    "four legs",
+    "three drawers",
+    "two doors",
+    "a drawer",
+    "curtains",
+    "a frame",
+    "a backrest",
+    "storage",
+)
 MATERIALS = ("oak", "wood", "glass", "steel", "marble", "leather", "velvet", "bamboo", "rattan", "concrete")
 PURPOSES = ("reading", "storage", "studying", "guests", "work", "homework", "drawing", "toys", "relaxation", "entertainment")
 
 
 def bare(words):
-    """"a glass top", "drawers" as a phrase."""
+    """ "a glass top", "drawers" as a phrase."""
     *before, last = words.split()
     node = Node(last, "NNS" if last.endswith("s") and last != "glass" else "NN")
     for word in before:
@@ -309,10 +367,20 @@ def quality(r, host, many):
         host.right("acl", Node("made", "VBN").right("prep", prep("of", Node(r.choice(MATERIALS), "NN"))))
     elif chosen < 0.55:
         word = r.choice(PURPOSES)
-        host.right("prep", prep("for", Node(word, "NNS" if word.endswith("s") else "NN")) if not word.endswith("ing")
-                   else prep("for").right("pcomp", Node(word, "VBG")))
+        host.right(
+            "prep",
+            prep("for", Node(word, "NNS" if word.endswith("s") else "NN"))
+            if not word.endswith("ing")
+            else prep("for").right("pcomp", Node(word, "VBG")),
+        )
     elif chosen < 0.7:
-        host.right("prep", prep("for", Node(r.choice(("people", "guests", "children", "students")), "NNS").left("nummod", number) if r.random() < 0.7 else number))
+        host.right(
+            "prep",
+            prep(
+                "for",
+                Node(r.choice(("people", "guests", "children", "students")), "NNS").left("nummod", number) if r.random() < 0.7 else number,
+            ),
+        )
     elif chosen < 0.85:
         verb_ = Node(r.choice(("seat", "fit", "sleep")) if many else r.choice(("seats", "fits", "sleeps")), "VBP" if many else "VBZ")
         host.right("relcl", verb_.left("nsubj", Node(r.choice(("that", "which")), "WDT")).right("dobj", number))
@@ -322,6 +390,13 @@ def quality(r, host, many):
         unit = Node(r.choice(("meters", "cm", "feet", "inches")), "NNS").left("nummod", Node(str(r.randint(2, 90)), "CD"))
         wide = Node(r.choice(("wide", "long", "tall", "high", "deep")), "JJ").left("npadvmod", unit)
         host.right("relcl", Node(*BE[many]).left("nsubj", Node("that", "WDT")).right("acomp", wide))
+
+
+def relative(r, host, clause_):
+    """Hangs a relative clause on a noun, after a comma now and then."""
+    if r.random() < 0.25:
+        host.right("punct", Node(",", "PUNCT"))
+    return host.right("relcl", clause_)
 
 
 def decorate(r, scene, item, phrase, most=2, forbidden=None):
@@ -353,7 +428,7 @@ def decorate(r, scene, item, phrase, most=2, forbidden=None):
         elif chosen < 0.8:
             host.right("acl", Node(r.choice(("topped", "decorated", "adorned", "covered")), "VBN").right("prep", prep("with", held)))
         else:
-            host.right("relcl", finite(r, r.choice(HOLD), many).first("nsubj", Node(r.choice(("that", "which")), "WDT")).right("dobj", held))
+            relative(r, host, finite(r, r.choice(HOLD), many).first("nsubj", Node(r.choice(("that", "which")), "WDT")).right("dobj", held))
     return phrase
 
 
@@ -369,11 +444,10 @@ def own_places(r, scene, fact, host, many):
         host.right("acl", attach(Node(gerund(word), "VBG"), places))
     elif chosen < 0.87:
         root, label = head_verb(r, fact.subject.thing, many, modal=False)
-        host.right("relcl", attach(root.first(label, Node(r.choice(("that", "which")), "WDT")), places))
+        relative(r, host, attach(root.first(label, Node(r.choice(("that", "which")), "WDT")), places))
     else:
         word = r.choice(REACH[fact.kind])
         if fact.kind in {"around", "sides", "above", "wall"} and fact.other is None:
             attach(host, places)
             return
         host.right("acl", Node(gerund(word), "VBG").right("dobj", reach_object(r, fact, mention(r, fact.other) if fact.other else None)))
-

@@ -1,12 +1,23 @@
 """Noun phrases and places as trees, for room_sentences.py. All take the random source `r` first."""
+
 from room_words import ADJECTIVES, COLORS, MOODS, NOUN_ADJECTIVES, ROOM_COMPOUNDS, ROOMS, plural
 from tree_text import Node, prep
 
 NUMBERS = ("two", "three", "four", "five", "six", "seven", "eight", "ten", "twelve")
-HYPHENED = (("wall", "NN", "npadvmod", "mounted", "VBN"), ("king", "NN", "compound", "size", "NN"), ("queen", "NN", "compound", "sized", "VBN"),
-            ("l", "NN", "npadvmod", "shaped", "VBN"), ("marble", "NN", "npadvmod", "topped", "VBN"), ("high", "JJ", "amod", "backed", "VBN"),
-            ("low", "JJ", "amod", "profile", "NN"), ("three", "CD", "nummod", "seater", "NN"), ("full", "JJ", "amod", "length", "NN"),
-            ("floor", "NN", "npadvmod", "standing", "VBG"), ("mid", "JJ", "amod", "century", "NN"), ("free", "JJ", "advmod", "standing", "VBG"))
+HYPHENED = (
+    ("wall", "NN", "npadvmod", "mounted", "VBN"),
+    ("king", "NN", "compound", "size", "NN"),
+    ("queen", "NN", "compound", "sized", "VBN"),
+    ("l", "NN", "npadvmod", "shaped", "VBN"),
+    ("marble", "NN", "npadvmod", "topped", "VBN"),
+    ("high", "JJ", "amod", "backed", "VBN"),
+    ("low", "JJ", "amod", "profile", "NN"),
+    ("three", "CD", "nummod", "seater", "NN"),
+    ("full", "JJ", "amod", "length", "NN"),
+    ("floor", "NN", "npadvmod", "standing", "VBG"),
+    ("mid", "JJ", "amod", "century", "NN"),
+    ("free", "JJ", "advmod", "standing", "VBG"),
+)
 
 
 def det_for(word):
@@ -54,7 +65,7 @@ def heads(r, thing, many):
 
 
 def measure(r):
-    """"60 inch", "4x6 ft", "2 meter" before a noun."""
+    """ "60 inch", "4x6 ft", "2 meter" before a noun."""
     unit = Node(r.choice(("inch", "cm", "ft", "foot", "m", "meter")), "NN", glued=r.random() < 0.3)
     number = Node(str(r.choice((r.randint(2, 9), r.randint(20, 200)))), "CD")
     if r.random() < 0.4:
@@ -147,6 +158,13 @@ SIDES = ("left", "right", "far", "back", "opposite", "front", "near", "north", "
 def wall(r):
     if r.random() < 0.12:
         return Node("wall", "NN").left("nummod", Node("one", "CD"))
+    if r.random() < 0.12:
+        walls = Node("walls", "NNS")
+        if r.random() < 0.4:
+            walls.left("amod", Node(r.choice(("side", "opposite", "long", "outer")), "JJ"))
+        return walls.first(
+            *r.choice((("det", Node("both", "DT")), ("det", Node("the", "DT")), ("nummod", Node("two", "CD")), ("det", Node("all", "DT"))))
+        )
     if r.random() < 0.4:
         return the("wall")
     if r.random() < 0.12:
@@ -161,7 +179,10 @@ def of_room(r, node):
 
 
 def opening(r):
-    return the(r.choice(("window", "door", "window", "doorway", "entrance", "fireplace")), modifiers=[("amod", Node("large", "JJ"))] if r.random() < 0.15 else [])
+    return the(
+        r.choice(("window", "door", "window", "doorway", "entrance", "fireplace")),
+        modifiers=[("amod", Node("large", "JJ"))] if r.random() < 0.15 else [],
+    )
 
 
 def room_place(r):
@@ -227,7 +248,10 @@ def upon(r, host):
         return "prep", prep("on", Node("top", "NN").right("prep", prep("of", host)))
     if chosen < 0.92:
         return "prep", prep(r.choice(("across", "over")), host)
-    side = the(r.choice(("side", "edge", "end", "half", "corner")), modifiers=[("amod", Node(r.choice(("left", "right", "far", "other", "front")), "JJ"))])
+    side = the(
+        r.choice(("side", "edge", "end", "half", "corner")),
+        modifiers=[("amod", Node(r.choice(("left", "right", "far", "other", "front")), "JJ"))],
+    )
     return "prep", prep(r.choice(("on", "at")), side.right("prep", prep("of", host)))
 
 
@@ -237,4 +261,3 @@ def around(r, other):
 
 def above(r, other):
     return "prep", prep(r.choice(("above", "above", "over")), other)
-

@@ -1,28 +1,28 @@
 """Random rooms: things, and facts of who stands where to what, for room_sentences.py."""
+
 from room_words import Thing, catalogue, wordnet_things
 
 PLACES = catalogue()
 OTHERS = wordnet_things()
 COMMON = {
-    "floor": ("bed sofa table desk chair armchair bookshelf dresser wardrobe nightstand cabinet bench lamp sideboard stool plant couch ottoman shelf counter "
-              "dining table, coffee table, floor lamp, side table, potted plant, tv stand, office chair, console table, mini fridge, display cabinet"),
-    "small": ("lamp vase book laptop mug cup bowl plate tray jar candle clock monitor keyboard plant phone pillow glass bottle toy basket radio "
-              "table lamp, desk lamp, picture frame, coffee maker, photo frame, fruit bowl, board game, alarm clock, tissue box"),
-    "wall": "mirror painting clock shelf poster tv photograph picture map whiteboard calendar sconce wall lamp, wall clock, bulletin board",
-    "ceiling": "chandelier lamp light fan pendant light, pendant lamp, ceiling fan",
-    "rug": "rug carpet mat area rug, wool rug, play mat",
+    "floor": (
+        "bed, sofa, table, desk, chair, armchair, bookshelf, dresser, wardrobe, nightstand, cabinet, bench, lamp, sideboard, "
+        "stool, plant, couch, ottoman, shelf, counter, dining table, coffee table, floor lamp, side table, potted plant, tv "
+        "stand, office chair, console table, mini fridge, display cabinet"
+    ),
+    "small": (
+        "lamp, vase, book, laptop, mug, cup, bowl, plate, tray, jar, candle, clock, monitor, keyboard, plant, phone, pillow, "
+        "glass, bottle, toy, basket, radio, table lamp, desk lamp, picture frame, coffee maker, photo frame, fruit bowl, board "
+        "game, alarm clock, tissue box"
+    ),
+    "wall": (
+        "mirror, painting, clock, shelf, poster, tv, photograph, picture, map, whiteboard, calendar, sconce, wall lamp, wall "
+        "clock, bulletin board"
+    ),
+    "ceiling": "chandelier, lamp, light, fan, pendant light, pendant lamp, ceiling fan",
+    "rug": "rug, carpet, mat, area rug, wool rug, play mat",
 }
-
-
-def common(place):
-    parts = COMMON[place].split(",")
-    words = parts[0].split()
-    if len(parts) > 1:
-        words = words[:-2] + [" ".join(words[-2:])] + [part.strip() for part in parts[1:]]
-    return [Thing(word, place) for word in words]
-
-
-COMMONS = {place: common(place) for place in COMMON}
+COMMONS = {place: [Thing(words, place) for words in names.split(", ")] for place, names in COMMON.items()}
 
 
 def pick(r, place):
@@ -102,8 +102,14 @@ class Scene:
 
     def take(self, item=None, as_other=None, kinds=None):
         """An unused fact about an item, or about what stands by it; None if there is none."""
-        found = [fact for fact in self.facts if not fact.used and (item is None or fact.subject is item) and (as_other is None or fact.other is as_other)
-                 and (kinds is None or fact.kind in kinds)]
+        found = [
+            fact
+            for fact in self.facts
+            if not fact.used
+            and (item is None or fact.subject is item)
+            and (as_other is None or fact.other is as_other)
+            and (kinds is None or fact.kind in kinds)
+        ]
         if not found:
             return None
         fact = self.r.choice(found)

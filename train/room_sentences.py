@@ -2,10 +2,11 @@
 """Writes sentences about random rooms with exact trees, for syntax_train.
 
 usage: room_sentences.py NUMBER SEED [--styles a,b] [--text] [--list]
-The trees follow the labels of spaCy's English models, but for two things. Where the verb is left out, what stands for it is the first thing that is
-left: in "Place A against X and B against Y" B is `conj` of "place", and "against" hangs on B. What "there is" says takes the places that
-follow: in "There is a lamp on the desk" "on" hangs on the lamp.
+The trees follow the labels of spaCy's English models, but for two things. Where the verb is left out, what stands for it is the first
+thing that is left: in "Place A against X and B against Y" B is `conj` of "place", and "against" hangs on B.
+What "there is" says takes the places that follow: in "There is a lamp on the desk" "on" hangs on the lamp.
 """
+
 import argparse
 import random
 

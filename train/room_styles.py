@@ -1,7 +1,25 @@
 """The manners in which room_sentences.py writes: each gets a random source and returns the trees of some sentences."""
+
 from room_asides import company, each_with, one_of_which, with_clause, with_effect
-from room_clauses import (PLACED, POSTURE, attach, clause, decorate, end, finite, gapped, gerund, inverted, listing, mention, place, place_for,
-                          telegraphic_item, there_is, verb)
+from room_clauses import (
+    PLACED,
+    POSTURE,
+    attach,
+    clause,
+    decorate,
+    end,
+    finite,
+    gapped,
+    gerund,
+    inverted,
+    listing,
+    mention,
+    place,
+    place_for,
+    telegraphic_item,
+    there_is,
+    verb,
+)
 from room_phrases import room
 from room_scene import Scene
 from tree_text import Node, join, prep
@@ -13,12 +31,13 @@ def style(name, weight=1.0):
     def register(function):
         STYLES[name] = (function, weight)
         return function
+
     return register
 
 
 @style("prose", 4)
 def prose(r):
-    """"A lamp stands on the desk.", "On the table a bowl sits next to a jar, and a mug rests beside a tray.\""""
+    """ "A lamp stands on the desk.", "On the table a bowl sits next to a jar, and a mug rests beside a tray.\""""
     scene = Scene(r)
     while (fact := scene.take()) is not None:
         root = fact_clause(r, scene, fact)
@@ -60,7 +79,7 @@ def two(r, first, second, scene):
 
 @style("contents", 3)
 def contents(r):
-    """"The bedroom has a bed, two lamps and a desk next to the window.\""""
+    """ "The bedroom has a bed, two lamps and a desk next to the window.\""""
     scene = Scene(r)
     items = scene.items[: r.randint(1, 5)]
     phrases = [decorate(r, scene, item, mention(r, item)) for item in items]
@@ -68,7 +87,11 @@ def contents(r):
     chosen = r.random()
     if chosen < 0.3:
         where = room(r)
-        root = Node(r.choice(("has", "features", "contains", "includes", "offers", "holds", "boasts", "houses")), "VBZ").left("nsubj", where).right("dobj", members)
+        root = (
+            Node(r.choice(("has", "features", "contains", "includes", "offers", "holds", "boasts", "houses")), "VBZ")
+            .left("nsubj", where)
+            .right("dobj", members)
+        )
     elif chosen < 0.6:
         root = room(r)
         chosen = r.random()
@@ -81,9 +104,17 @@ def contents(r):
         if r.random() < 0.3:
             root = Node(r.choice(("design", "create", "generate", "make", "show", "build")), "VB").right("dobj", root)
     elif chosen < 0.75:
-        root = Node("is" if items[0].number == 1 else "are", "VBZ" if items[0].number == 1 else "VBP").left("expl", Node("there", "EX")).right("attr", members)
+        root = (
+            Node("is" if items[0].number == 1 else "are", "VBZ" if items[0].number == 1 else "VBP")
+            .left("expl", Node("there", "EX"))
+            .right("attr", members)
+        )
     elif chosen < 0.85:
-        root = Node(r.choice(("furnished", "equipped", "decorated", "filled")), "VBN").left("nsubjpass", room(r, True)).left("auxpass", Node("is", "VBZ"))
+        root = (
+            Node(r.choice(("furnished", "equipped", "decorated", "filled")), "VBN")
+            .left("nsubjpass", room(r, True))
+            .left("auxpass", Node("is", "VBZ"))
+        )
         root.right("prep", prep("with", members))
     else:
         root = prep("in", room(r, r.random() < 0.5))
@@ -100,9 +131,25 @@ def contents(r):
 
 @style("commands", 2.5)
 def commands(r):
-    """"Place the bed against the left wall and the wardrobe against the right wall.\""""
+    """ "Place the bed against the left wall and the wardrobe against the right wall.\""""
     scene = Scene(r)
-    words = ("place", "put", "position", "stand", "arrange", "set", "hang", "mount", "move", "install", "push", "lay", "add", "keep", "leave")
+    words = (
+        "place",
+        "put",
+        "position",
+        "stand",
+        "arrange",
+        "set",
+        "hang",
+        "mount",
+        "move",
+        "install",
+        "push",
+        "lay",
+        "add",
+        "keep",
+        "leave",
+    )
     while (fact := scene.take()) is not None:
         root = Node(r.choice(words), "VB")
         root.right("dobj", mention(r, fact.subject))
@@ -115,7 +162,9 @@ def commands(r):
                 following = attach(Node(r.choice(words), "VB").right("dobj", mention(r, more.subject)), place_for(r, scene, more))
             if r.random() < 0.35:
                 last.right("punct", Node(",", "PUNCT"))
-            last.right("cc", Node(r.choice(("and", "and", "then")), "CC")) if r.random() < 0.9 or last is not root else last.right("punct", Node(",", "PUNCT"))
+            last.right("cc", Node(r.choice(("and", "and", "then")), "CC")) if r.random() < 0.9 or last is not root else last.right(
+                "punct", Node(",", "PUNCT")
+            )
             last.right("conj", following)
             last = following
         if r.random() < 0.12:
@@ -125,7 +174,7 @@ def commands(r):
 
 @style("wishes", 1.5)
 def wishes(r):
-    """"I would like a desk next to the window.", "Can you put a chair in front of the desk?\""""
+    """ "I would like a desk next to the window.", "Can you put a chair in front of the desk?\""""
     scene = Scene(r)
     while (fact := scene.take()) is not None:
         chosen = r.random()
@@ -165,7 +214,7 @@ def wishes(r):
 
 @style("telegraph", 1.5)
 def telegraph(r):
-    """"Bedroom, 4x3, bed left, wardrobe in the corner, lamp on desk.\""""
+    """ "Bedroom, 4x3, bed left, wardrobe in the corner, lamp on desk.\""""
     scene = Scene(r)
     facts = []
     while (fact := scene.take()) is not None:
@@ -204,7 +253,7 @@ def verbs(r):
 
 @style("lists", 1.5)
 def lists(r):
-    """"The desk holds a lamp, a mug and a book, and the shelf two jars.\""""
+    """ "The desk holds a lamp, a mug and a book, and the shelf two jars.\""""
     scene = Scene(r)
     for item in list(scene.items):
         root = listing(r, scene, item)
@@ -252,7 +301,7 @@ def aside(r, scene, fact, root):
 
 @style("groups", 1.5)
 def groups(r):
-    """"The bed is flanked by two nightstands, each with a lamp", "a sofa paired with a stool\""""
+    """ "The bed is flanked by two nightstands, each with a lamp", "a sofa paired with a stool\""""
     scene = Scene(r)
     for item in list(scene.items):
         small = next((other for other in scene.items if other.thing.place == "small" and not other.said), None)
@@ -283,7 +332,7 @@ def groups(r):
 
 @style("predicates", 2)
 def predicates(r):
-    """"A desk stands in the corner and faces the window.\""""
+    """ "A desk stands in the corner and faces the window.\""""
     scene = Scene(r)
     for item in list(scene.items):
         facts = [fact for fact in scene.facts if fact.subject is item and not fact.used]
@@ -296,11 +345,15 @@ def predicates(r):
         chosen = r.random()
         held = scene.take(as_other=item, kinds={"on"})
         if held is not None and chosen < 0.6:
-            following = finite(r, r.choice(("hold", "support", "display", "carry", "have")), subject_many).right("dobj", mention(r, held.subject))
+            following = finite(r, r.choice(("hold", "support", "display", "carry", "have")), subject_many).right(
+                "dobj", mention(r, held.subject)
+            )
         elif chosen < 0.8:
             other = r.choice(scene.items)
             if other is not item:
-                following = finite(r, r.choice(("face", "overlook", "touch", "adjoin", "flank")), subject_many).right("dobj", mention(r, other))
+                following = finite(r, r.choice(("face", "overlook", "touch", "adjoin", "flank")), subject_many).right(
+                    "dobj", mention(r, other)
+                )
         if following is not None:
             if r.random() < 0.15:
                 root.right("punct", Node(",", "PUNCT"))

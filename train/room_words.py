@@ -1,12 +1,46 @@
 """Words for room_sentences.py: things of the catalogue and of WordNet by where they stand, and what goes with them."""
+
 import json
 import pathlib
 import re
 
 CATALOG = pathlib.Path(__file__).parent.parent / "catalog"
-SKIP = {"food", "object", "furniture", "seat", "device", "decoration", "appliance", "stationery", "kitchenware", "personal item", "clothing", "lab equipment",
-        "sports equipment", "art supply", "dual monitors", "headphones", "binoculars", "skis", "stairs", "cutlery", "gallery wall", "clay", "yarn", "soda",
-        "paper", "sheet music", "bread", "nesting tables", "waiting chairs", "track light", "string light", "bar set", "tea set", "C-shaped table"}
+SKIP = {
+    "food",
+    "object",
+    "furniture",
+    "seat",
+    "device",
+    "decoration",
+    "appliance",
+    "stationery",
+    "kitchenware",
+    "personal item",
+    "clothing",
+    "lab equipment",
+    "sports equipment",
+    "art supply",
+    "dual monitors",
+    "headphones",
+    "binoculars",
+    "skis",
+    "stairs",
+    "cutlery",
+    "gallery wall",
+    "clay",
+    "yarn",
+    "soda",
+    "paper",
+    "sheet music",
+    "bread",
+    "nesting tables",
+    "waiting chairs",
+    "track light",
+    "string light",
+    "bar set",
+    "tea set",
+    "C-shaped table",
+}
 
 
 def plural(word):
@@ -37,10 +71,16 @@ def catalogue():
         for entry in json.loads(path.read_text()).get("entries", []):
             mount = {"surface": "small", "hung": "ceiling", None: "floor"}.get(entry.get("mount"), entry.get("mount"))
             size = entry["size"]
-            if "rug" in entry["name"] or "mat" == entry["name"].split()[-1]:
+            if "rug" in entry["name"] or entry["name"].split()[-1] == "mat":
                 mount = "rug"
             for name in [entry["name"], *entry.get("synonyms", [])]:
-                if name in SKIP or not re.fullmatch(r"[a-z]+( [a-z]+){0,2}", name) or " of " in name or " and " in name or name.endswith("s"):
+                if (
+                    name in SKIP
+                    or not re.fullmatch(r"[a-z]+( [a-z]+){0,2}", name)
+                    or " of " in name
+                    or " and " in name
+                    or name.endswith("s")
+                ):
                     continue
                 width = size["w"][1] if isinstance(size["w"], list) else 1.0
                 places[mount].append(Thing(name, mount, width))
@@ -56,14 +96,148 @@ def wordnet_things(path=CATALOG / "words_english.txt"):
 ATTRIBUTES = json.loads((CATALOG / "words_attributes.json").read_text())
 COLORS = [color for color in json.loads((CATALOG / "colors.json").read_text())["colors"] if re.fullmatch("[a-z]+", color)]
 SIZES = [word for word in ATTRIBUTES["size"] if " " not in word]
-NOUN_ADJECTIVES = {"oak", "walnut", "pine", "mahogany", "teak", "birch", "maple", "cherry", "ash", "bamboo", "rattan", "wicker", "metal", "steel", "iron",
-                   "brass", "copper", "chrome", "bronze", "aluminum", "glass", "marble", "granite", "stone", "concrete", "ceramic", "porcelain", "plastic",
-                   "acrylic", "leather", "velvet", "linen", "cotton", "fabric", "wool", "silk", "jute", "suede", "foam", "paper", "plywood", "cardboard",
-                   "felt", "fur", "sheepskin", "crystal", "terracotta", "canvas", "cane", "driftwood", "boucle", "wood", "king", "queen", "twin", "cube"}
+NOUN_ADJECTIVES = {
+    "oak",
+    "walnut",
+    "pine",
+    "mahogany",
+    "teak",
+    "birch",
+    "maple",
+    "cherry",
+    "ash",
+    "bamboo",
+    "rattan",
+    "wicker",
+    "metal",
+    "steel",
+    "iron",
+    "brass",
+    "copper",
+    "chrome",
+    "bronze",
+    "aluminum",
+    "glass",
+    "marble",
+    "granite",
+    "stone",
+    "concrete",
+    "ceramic",
+    "porcelain",
+    "plastic",
+    "acrylic",
+    "leather",
+    "velvet",
+    "linen",
+    "cotton",
+    "fabric",
+    "wool",
+    "silk",
+    "jute",
+    "suede",
+    "foam",
+    "paper",
+    "plywood",
+    "cardboard",
+    "felt",
+    "fur",
+    "sheepskin",
+    "crystal",
+    "terracotta",
+    "canvas",
+    "cane",
+    "driftwood",
+    "boucle",
+    "wood",
+    "king",
+    "queen",
+    "twin",
+    "cube",
+}
 ADJECTIVES = SIZES + [word for key in ("material", "shape", "style") for word in ATTRIBUTES[key] if " " not in word] + COLORS
-MOODS = ("cozy comfortable elegant stylish sleek beautiful lovely charming inviting plush simple neat bright dark soft warm decorative old new vintage "
-         "antique rustic modern ornate sturdy delicate spacious fluffy colorful functional unique heavy dusty worn").split()
-ROOMS = ("bedroom bathroom kitchen office study library playroom basement garage classroom studio nursery gym hallway lounge restaurant cafe bar shop "
-         "attic room space apartment loft workshop salon gallery cellar").split()
-ROOM_COMPOUNDS = ("living room", "dining room", "game room", "guest room", "laundry room", "waiting room", "meeting room", "master bedroom", "home office",
-                  "hotel room", "sun room", "music room", "children room", "conference room", "reading room", "storage room", "family room", "studio apartment")
+MOODS = [
+    "cozy",
+    "comfortable",
+    "elegant",
+    "stylish",
+    "sleek",
+    "beautiful",
+    "lovely",
+    "charming",
+    "inviting",
+    "plush",
+    "simple",
+    "neat",
+    "bright",
+    "dark",
+    "soft",
+    "warm",
+    "decorative",
+    "old",
+    "new",
+    "vintage",
+    "antique",
+    "rustic",
+    "modern",
+    "ornate",
+    "sturdy",
+    "delicate",
+    "spacious",
+    "fluffy",
+    "colorful",
+    "functional",
+    "unique",
+    "heavy",
+    "dusty",
+    "worn",
+]
+ROOMS = [
+    "bedroom",
+    "bathroom",
+    "kitchen",
+    "office",
+    "study",
+    "library",
+    "playroom",
+    "basement",
+    "garage",
+    "classroom",
+    "studio",
+    "nursery",
+    "gym",
+    "hallway",
+    "lounge",
+    "restaurant",
+    "cafe",
+    "bar",
+    "shop",
+    "attic",
+    "room",
+    "space",
+    "apartment",
+    "loft",
+    "workshop",
+    "salon",
+    "gallery",
+    "cellar",
+]
+ROOM_COMPOUNDS = (
+    "living room",
+    "dining room",
+    "game room",
+    "guest room",
+    "laundry room",
+    "waiting room",
+    "meeting room",
+    "master bedroom",
+    "home office",
+    "hotel room",
+    "sun room",
+    "music room",
+    "children room",
+    "conference room",
+    "reading room",
+    "storage room",
+    "family room",
+    "studio apartment",
+)

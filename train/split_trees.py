@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """Divides files of trees: every tenth sentence to NAME_test.trees, the others to NAME_train.trees."""
+
 import pathlib
 import sys
 

@@ -242,8 +242,8 @@ void measure(const std::string& path, const Weights& weights) {
 std::string learn(const Options& options) {
   const std::string words = word_table(options.words);
   float unused = 0;
-  const std::string none = model_table({}, 0, unused);
-  const std::string only_words = weights_file(words, {none, step_table({}, 0, unused), none}, {});
+  const std::string none = model_table(Model::kTag, {}, 0, unused);
+  const std::string only_words = weights_file(words, {none, none, none}, {});
   const Weights known(only_words);
   std::vector<std::pair<std::vector<Tree>, int>> files;
   for (const std::string& file : options.trees) {
@@ -268,8 +268,7 @@ std::string learn(const Options& options) {
   const std::array<const Learner*, kModels> learners = {&tagger, &parser.steps, &parser.labels};
   std::array<std::string, kModels> tables;
   for (std::size_t i = 0; i < kModels; ++i) {
-    const bool steps = i == static_cast<std::size_t>(Model::kStep);
-    tables[i] = (steps ? step_table : model_table)(learners[i]->averaged(), options.keep[i], units[i]);
+    tables[i] = model_table(Model{static_cast<std::uint8_t>(i)}, learners[i]->averaged(), options.keep[i], units[i]);
     std::cerr << "model " << i << ": " << tables[i].size() << " bytes\n";
   }
   // A usual margin: what the perceptron was content with many times over; 1 unit of learning times the features.

@@ -56,8 +56,25 @@ def text(root):
     return result[:1].upper() + result[1:]
 
 
-TAGS = {"a": "DT", "an": "DT", "the": "DT", "each": "DT", "every": "DT", "some": "DT", "this": "DT", "that": "DT", "another": "DT", "no": "DT",
-        "either": "DT", "both": "DT", "these": "DT", "its": "PRP$", "my": "PRP$", "their": "PRP$", "our": "PRP$"}
+TAGS = {
+    "a": "DT",
+    "an": "DT",
+    "the": "DT",
+    "each": "DT",
+    "every": "DT",
+    "some": "DT",
+    "this": "DT",
+    "that": "DT",
+    "another": "DT",
+    "no": "DT",
+    "either": "DT",
+    "both": "DT",
+    "these": "DT",
+    "its": "PRP$",
+    "my": "PRP$",
+    "their": "PRP$",
+    "our": "PRP$",
+}
 
 
 def phrase(*parts):

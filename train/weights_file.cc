@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <map>
 
 namespace layoutbox::syntax {
 namespace {
@@ -85,52 +86,52 @@ int whole(float weight, float units) { return static_cast<int>(std::lround(std::
 
 }  // namespace
 
-std::string model_table(const Averages& averages, std::size_t keep, float& units) {
-  std::vector<std::pair<std::uint64_t, std::string>> records;
-  for (const std::uint64_t feature : largest(averages, keep, units)) {
+std::string model_table(Model model, const Averages& averages, std::size_t keep, float& units) {
+  const auto features = largest(averages, keep, units);
+  constexpr std::size_t kUsual = 8;  // features in a line: those that find theirs full are lost, the smallest ones
+  const std::size_t count = features.size() / kUsual + 1;
+  std::string lines(count * kLine, '\0'), pool;
+  std::map<std::string, std::size_t> places;  // many features say the same
+  std::vector<std::size_t> used(count);
+  for (const std::uint64_t feature : features) {
+    const std::size_t line = line_of(feature, count), check = feature & 0xffff, slot = used[line];
+    if (slot == kLineRoom || check == 0) continue;
     std::string pairs;
     auto weights = averages.at(feature);
     std::sort(weights.begin(), weights.end());
+    std::string value(kLineValue, '\0');
     for (const auto& [label, weight] : weights) {
       if (whole(weight, units) == 0) continue;
       pairs.push_back(static_cast<char>(label));
       pairs.push_back(static_cast<char>(whole(weight, units)));
+      if (model == Model::kStep) value[label] = pairs.back();
     }
-    if (!pairs.empty()) records.emplace_back(feature, std::string(1, static_cast<char>(pairs.size() / 2)) + pairs);
-  }
-  return bucketed(std::move(records));
-}
-
-std::string step_table(const Averages& averages, std::size_t keep, float& units) {
-  const auto features = largest(averages, keep, units);
-  constexpr std::size_t kUsual = 8;  // features in a line: those that find theirs full are lost, the smallest ones
-  const std::size_t lines = features.size() / kUsual + 1;
-  std::string bytes(lines * kLine, '\0');
-  std::vector<std::size_t> used(lines);
-  for (const std::uint64_t feature : features) {
-    const std::size_t line = line_of(feature, lines), check = feature & 0xffff, slot = used[line];
-    if (slot == kLineRoom || check == 0) continue;
-    char* begin = bytes.data() + line * kLine;
+    if (pairs.empty()) continue;
+    if (model != Model::kStep) {
+      pairs.insert(pairs.begin(), static_cast<char>(pairs.size() / 2));
+      const auto [known, added] = places.emplace(pairs, pool.size());
+      if (added) pool += pairs;
+      for (std::size_t i = 0; i < kLineValue; ++i) value[i] = static_cast<char>(known->second >> 8 * i & 0xff);
+    }
+    char* begin = lines.data() + line * kLine;
     begin[2 * slot] = static_cast<char>(check & 0xff);
     begin[2 * slot + 1] = static_cast<char>(check >> 8);
-    for (const auto& [label, weight] : averages.at(feature)) {
-      begin[2 * kLineRoom + kLineLabels * slot + label] = static_cast<char>(whole(weight, units));
-    }
+    std::copy(value.begin(), value.end(), begin + 2 * kLineRoom + kLineValue * slot);
     ++used[line];
   }
   std::string table;
-  put32(table, static_cast<std::uint32_t>(bytes.size()));
-  return table + bytes;
+  put32(table, static_cast<std::uint32_t>(lines.size()));
+  put32(table, static_cast<std::uint32_t>(pool.size()));
+  return table + lines + pool;
 }
 
 std::string weights_file(const std::string& words, const std::array<std::string, kModels>& models,
                          const std::array<float, kModels>& scales) {
   std::string bytes = "LBSY";
-  put32(bytes, 2);
+  put32(bytes, 3);
   for (const float scale : scales) put32(bytes, static_cast<std::uint32_t>(std::lround(scale * 1000000)));
   bytes += words;
-  // The steps, which lie otherwise, come last.
-  for (const Model model : {Model::kTag, Model::kLabel, Model::kStep}) bytes += models[static_cast<std::size_t>(model)];
+  for (const std::string& model : models) bytes += model;
   return bytes;
 }
 

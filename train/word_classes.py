@@ -4,6 +4,7 @@
 usage: word_classes.py [--wordnet FOLDER] > words
 Parts of speech and senses are WordNet 3.0's; classes of words used alike come from the vectors of spaCy's en_core_web_md by k-means.
 """
+
 import argparse
 import collections
 import pathlib
@@ -38,7 +39,7 @@ def first_files(folder, name):
         if not line.startswith(" "):
             parts = line.split()
             if parts[0].isalpha():
-                result[parts[0]] = [files[offset] for offset in parts[-int(parts[2]):]]
+                result[parts[0]] = [files[offset] for offset in parts[-int(parts[2]) :]]
     return result
 
 
@@ -79,9 +80,9 @@ def words_of_wordnet(folder):
             uses = sum(count for file in set(files) for count in [used[lemma, letter, file]])
             words = {lemma: 0.5 + uses}
             if letter == "n":
-                words.update({form: 0.5 + uses for form in {plural(lemma), *forms[lemma]}})
+                words.update(dict.fromkeys({plural(lemma), *forms[lemma]}, 0.5 + uses))
             elif letter == "v":
-                words.update({form: 0.5 + uses for form in verb_forms(lemma, forms)})
+                words.update(dict.fromkeys(verb_forms(lemma, forms), 0.5 + uses))
             for word, weight in words.items():
                 entry = known[word]
                 entry["uses"][letter] += weight

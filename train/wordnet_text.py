@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Writes WordNet's example sentences and definitions as lines of text: FOLDER/examples.txt and FOLDER/glosses.txt (those of artifacts first)."""
+"""Writes WordNet's example sentences and definitions as lines of text: FOLDER/examples.txt and glosses.txt (those of artifacts first)."""
+
 import argparse
 import pathlib
 import random

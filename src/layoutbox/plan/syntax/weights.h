@@ -39,22 +39,20 @@ class Weights {
   float scale(Model model) const { return scales_[static_cast<std::size_t>(model)]; }
 
  private:
-  // Buckets of records of any length.
+  // Three bytes for a feature: the steps' weights themselves; for tags and labels a place in the pool, where pairs of class and weight are.
   struct Table {
-    std::string_view bytes;
-    int bits = 0;
-    std::string_view bucket(std::uint64_t key) const;
+    std::string_view lines, pool;
+    const char* find(std::uint64_t key) const;
   };
-  void add_steps(std::span<const std::uint64_t> features, std::span<int> scores) const;
-
-  Table words_;
-  std::array<Table, kModels> models_;  // that of steps is empty
-  std::string_view lines_;             // the steps' weights, asked for most often: one cache line holds a bucket
+  std::string_view words_;
+  int word_bits_ = 0;  // of a key choose a bucket
+  std::array<Table, kModels> models_;
   std::array<float, kModels> scales_{};
 };
 
-// How the steps' weights lie: in lines of 64 bytes, each with room for twelve features, their checks first.
-inline constexpr std::size_t kLine = 64, kLineRoom = 12, kLineLabels = 3;
+// How features are looked up, each in one cache line: lines of 64 bytes have room for twelve, first their checks (16 bits), then three
+// bytes each.
+inline constexpr std::size_t kLine = 64, kLineRoom = 12, kLineValue = 3;
 constexpr std::size_t line_of(std::uint64_t key, std::size_t lines) { return static_cast<std::size_t>((key >> 32) * lines >> 32); }
 
 // The weights in the program.
