@@ -9,6 +9,8 @@
 #include <cstdlib>
 #include <system_error>
 
+#include "layoutbox/base/descriptor.h"
+
 namespace layoutbox {
 namespace {
 
@@ -31,22 +33,6 @@ Failure io_error(std::string_view doing, const fs::path& path, int error) {
   return fail(ErrorCode::kIo, fmt::format("cannot {} {}: {}", doing, path.string(), std::generic_category().message(error)), path.string(),
               std::move(hint));
 }
-
-class Descriptor {
- public:
-  explicit Descriptor(int fd) : fd_(fd) {}
-  ~Descriptor() {
-    if (fd_ >= 0) ::close(fd_);
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  int get() const { return fd_; }
-  // Closes now and tells whether that went well (a full disk may show only here).
-  int close() { return ::close(std::exchange(fd_, -1)); }
-
- private:
-  int fd_;
-};
 
 // errno, or 0.
 int write_all(int fd, std::string_view bytes) {

@@ -15,10 +15,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double kGraceSeconds = 2;
-
-double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
-
 // Reads until the child is gone; ends it when the time is up or the stop flag is set.
 class Supervisor {
  public:

@@ -18,10 +18,6 @@ namespace layoutbox {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr double kGraceSeconds = 2;
-
-double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
-
 }  // namespace
 
 struct ServiceProcess::State {

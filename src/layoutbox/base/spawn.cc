@@ -95,12 +95,6 @@ void OutputReader::pass_on(std::string_view line) {
   if (on_line_) on_line_(line);
 }
 
-Descriptor::~Descriptor() { close(); }
-
-void Descriptor::close() {
-  if (number_ >= 0) ::close(std::exchange(number_, -1));
-}
-
 fs::path find_program(std::string_view name) {
   const auto runs = [](const fs::path& path) {
     std::error_code ignored;

@@ -3,35 +3,25 @@
 
 #include <sys/types.h>
 
+#include <chrono>
 #include <functional>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
+#include "layoutbox/base/descriptor.h"
 #include "layoutbox/base/process.h"
 #include "layoutbox/base/result.h"
 
 namespace layoutbox {
 
-// A file descriptor that is closed with its owner.
-class Descriptor {
- public:
-  explicit Descriptor(int number = -1) : number_(number) {}
-  Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
-  Descriptor& operator=(Descriptor&& other) noexcept {
-    std::swap(number_, other.number_);
-    return *this;
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  ~Descriptor();
-  int get() const { return number_; }
-  void close();
+// A child that does not end when it is asked to is killed after so long.
+inline constexpr double kGraceSeconds = 2;
 
- private:
-  int number_;
-};
+// Since `begin`, in seconds.
+inline double seconds_since(std::chrono::steady_clock::time_point begin) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
 
 struct Child {
   pid_t pid = 0;      // also its process group

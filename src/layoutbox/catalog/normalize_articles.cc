@@ -10,7 +10,7 @@ namespace layoutbox {
 namespace {
 
 // Furniture that we choose covers at most this share of the floor, and is at most so many pieces.
-constexpr double kMostCovered = 0.30;
+constexpr double kMostCoveredByArticles = 0.30;
 constexpr std::size_t kMostPieces = 12;
 
 bool has_stock(const NormalizeContext& context, const CatalogEntry& article) {
@@ -64,7 +64,7 @@ void add_selection(NormalizeContext& context) {
   const RoomKind* kind = context.catalog.find_room(scene.room.type);
   double covered = 0;
   for (const SceneObject& object : scene.objects) covered += footprint(object);
-  const double most = floor_area(context) * kMostCovered;
+  const double most = floor_area(context) * kMostCoveredByArticles;
   for (const CatalogEntry& article : context.catalog.entries()) {
     if (article.article.empty() || scene.objects.size() >= kMostPieces || !has_stock(context, article)) continue;
     if (kind != nullptr && !article.rooms.empty() && std::ranges::find(article.rooms, kind->id) == article.rooms.end()) continue;

@@ -13,7 +13,7 @@ namespace layoutbox::chat {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 constexpr const char* kFormat = "layoutbox/answer@1";
 constexpr const char* kHabitsFile = "servers.json";
@@ -28,35 +28,35 @@ std::uint64_t hash_of(std::string_view a, std::string_view b, std::uint64_t basi
   return hash;
 }
 
-Json read_json_file(const fs::path& path) {
+OrderedJson read_json_file(const fs::path& path) {
   const auto text = read_file(path, kLargestFile);
-  return text ? Json::parse(*text, nullptr, false) : Json(Json::value_t::discarded);
+  return text ? OrderedJson::parse(*text, nullptr, false) : OrderedJson(OrderedJson::value_t::discarded);
 }
 
-void write_private(const fs::path& path, const Json& json) {
+void write_private(const fs::path& path, const OrderedJson& json) {
   std::error_code ignored;
   fs::create_directories(path.parent_path(), ignored);
   fs::permissions(path.parent_path(), fs::perms::owner_all, ignored);
-  if (write_file(path, json.dump(-1, ' ', false, Json::error_handler_t::replace))) {
+  if (write_file(path, json.dump(-1, ' ', false, OrderedJson::error_handler_t::replace))) {
     fs::permissions(path, fs::perms::owner_read | fs::perms::owner_write, ignored);
   }
 }
 
-std::string text_member(const Json& json, const char* key) {
+std::string text_member(const OrderedJson& json, const char* key) {
   return json.is_object() && json.contains(key) && json[key].is_string() ? json[key].get<std::string>() : std::string();
 }
 
-std::int64_t number_member(const Json& json, const char* key) {
+std::int64_t number_member(const OrderedJson& json, const char* key) {
   return json.contains(key) && json[key].is_number_unsigned() ? json[key].get<std::int64_t>() : 0;
 }
 
 std::string last_message(const std::string& request) {
-  const Json body = Json::parse(request, nullptr, false);
+  const OrderedJson body = OrderedJson::parse(request, nullptr, false);
   if (!body.is_object() || !body.contains("messages") || !body["messages"].is_array() || body["messages"].empty()) return {};
   return one_line(text_member(body["messages"].back(), "content"), 60);
 }
 
-std::string model_of(const std::string& request) { return text_member(Json::parse(request, nullptr, false), "model"); }
+std::string model_of(const std::string& request) { return text_member(OrderedJson::parse(request, nullptr, false), "model"); }
 
 std::string habits_key(std::string_view base_url, std::string_view model) { return fmt::format("{} {}", base_url, model); }
 
@@ -77,7 +77,7 @@ fs::path AnswerCache::file_of(std::string_view base_url, std::string_view reques
 
 std::optional<std::string> AnswerCache::find(std::string_view base_url, std::string_view request) const {
   if (folder_.empty()) return std::nullopt;
-  const Json json = read_json_file(file_of(base_url, request));
+  const OrderedJson json = read_json_file(file_of(base_url, request));
   if (text_member(json, "format") != kFormat || text_member(json, "address") != base_url || text_member(json, "request") != request) {
     return std::nullopt;
   }
@@ -117,16 +117,16 @@ Result<std::size_t> AnswerCache::clear() const {
 Habits load_habits(const fs::path& folder, std::string_view base_url, std::string_view model) {
   Habits habits;
   if (folder.empty()) return habits;
-  const Json json = read_json_file(folder / kHabitsFile);
+  const OrderedJson json = read_json_file(folder / kHabitsFile);
   const std::string key = habits_key(base_url, model);
   if (!json.is_object() || !json.contains(key) || !json[key].is_object()) return habits;
-  const Json& kept = json[key];
+  const OrderedJson& kept = json[key];
   for (int mode = 0; mode < kModeCount; ++mode) {
     if (text_member(kept, "mode") == name_of(static_cast<Mode>(mode))) habits.mode = static_cast<Mode>(mode), habits.known = true;
   }
   habits.capacity = {number_member(kept, "context"), number_member(kept, "answer"), number_member(kept, "cuts") != 0};
   if (kept.contains("without") && kept["without"].is_array()) {
-    for (const Json& name : kept["without"]) {
+    for (const OrderedJson& name : kept["without"]) {
       if (name.is_string()) habits.without.insert(name.get<std::string>());
     }
   }
@@ -135,8 +135,8 @@ Habits load_habits(const fs::path& folder, std::string_view base_url, std::strin
 
 void save_habits(const fs::path& folder, std::string_view base_url, std::string_view model, const Habits& habits) {
   if (folder.empty()) return;
-  Json json = read_json_file(folder / kHabitsFile);
-  if (!json.is_object()) json = Json::object();
+  OrderedJson json = read_json_file(folder / kHabitsFile);
+  if (!json.is_object()) json = OrderedJson::object();
   json[habits_key(base_url, model)] = {{"mode", name_of(habits.mode)},
                                        {"without", habits.without},
                                        {"context", habits.capacity.context},

@@ -14,7 +14,7 @@
 namespace layoutbox::cli {
 namespace {
 
-struct Flags {
+struct BatchArguments {
   std::string prompts, folder;
   int jobs = 1;
   bool no_render = false, force = false;
@@ -59,7 +59,7 @@ int status_of(const BatchOutcome& outcome) {
   return surroundings ? kWrongSurroundings : kDone;
 }
 
-Status prepare(Flags& flags, const Console& console) {
+Status prepare_batch(BatchArguments& flags, const Console& console) {
   GenerateOptions& options = flags.options.generate;
   LAYOUTBOX_CHECK(flags.plan.apply(options));
   LAYOUTBOX_CHECK(flags.solve.apply(options.solve, flags.plan.by_model()));
@@ -74,10 +74,10 @@ Status prepare(Flags& flags, const Console& console) {
   return {};
 }
 
-Result<BatchOutcome> run_lines(Flags& flags, const Console& console) {
+Result<BatchOutcome> run_lines(BatchArguments& flags, const Console& console) {
   if (flags.model.dry_run)
     return layoutbox::fail(ErrorCode::kUsage, "a batch has many requests", "--dry-run", "try one line of it with generate");
-  LAYOUTBOX_CHECK(prepare(flags, console));
+  LAYOUTBOX_CHECK(prepare_batch(flags, console));
   LAYOUTBOX_ASSIGN(const std::string text, read_input(flags.prompts));
   auto lines = read_batch(text);
   if (!lines) {
@@ -93,7 +93,7 @@ Result<BatchOutcome> run_lines(Flags& flags, const Console& console) {
   return run_batch(*lines, *planner, catalog.get(), flags.folder, flags.options);
 }
 
-int run(Flags& flags, const Console& console) {
+int run_batch(BatchArguments& flags, const Console& console) {
   const auto outcome = run_lines(flags, console);
   if (!outcome) return console.fail(outcome.error());
   console.result(summary_line(*outcome, flags.folder), write_batch_summary(*outcome));
@@ -103,7 +103,7 @@ int run(Flags& flags, const Console& console) {
 }  // namespace
 
 void add_batch(CLI::App& app, Context& context) {
-  auto flags = std::make_shared<Flags>();
+  auto flags = std::make_shared<BatchArguments>();
   flags->jobs = static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u, 256u));
   CLI::App* command = app.add_subcommand("batch", "Many rooms: a folder for every line of a file; goes on where it was stopped");
   command
@@ -121,7 +121,7 @@ void add_batch(CLI::App& app, Context& context) {
   flags->solve.add_to(*command, flags->options.generate.solve);
   flags->render.add_to(*command);
   flags->furnish.add_to(*command);
-  command->callback([flags, &context] { context.status = run(*flags, context.console); });
+  command->callback([flags, &context] { context.status = run_batch(*flags, context.console); });
 }
 
 }  // namespace layoutbox::cli

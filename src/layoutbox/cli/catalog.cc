@@ -39,7 +39,7 @@ std::string describe(const CatalogEntry& entry) {
 
 Json size_json(const Size& size) { return {{"w", m_from_mm(size.width)}, {"d", m_from_mm(size.depth)}, {"h", m_from_mm(size.height)}}; }
 
-Json json_of(const CatalogEntry& entry) {
+Json entry_json(const CatalogEntry& entry) {
   return {{"id", entry.id},
           {"name", entry.name},
           {"synonyms", entry.synonyms},
@@ -56,21 +56,21 @@ int list_all(const Catalog& catalog, const Console& console) {
   Json json = Json::array();
   for (const CatalogEntry& entry : catalog.entries()) {
     text += fmt::format("{:<24} {}\n", entry.id, fmt::join(entry.synonyms, ", "));
-    json.push_back(json_of(entry));
+    json.push_back(entry_json(entry));
   }
   text += fmt::format("{} kinds", catalog.entries().size());
   console.result(text, json.dump());
   return kDone;
 }
 
-int run(const std::string& word, const Console& console) {
+int run_catalog(const std::string& word, const Console& console) {
   const Catalog& catalog = Catalog::builtin();
   if (word.empty()) return list_all(catalog, console);
   const CatalogEntry* entry = catalog.find_by_words(word);
   if (!entry) {
     return console.fail({ErrorCode::kUsage, fmt::format("the catalogue knows no '{}'", word), {}, "layoutbox catalog lists all kinds", {}});
   }
-  console.result(describe(*entry), json_of(*entry).dump());
+  console.result(describe(*entry), entry_json(*entry).dump());
   return kDone;
 }
 
@@ -80,7 +80,7 @@ void add_catalog(CLI::App& app, Context& context) {
   auto word = std::make_shared<std::string>();
   CLI::App* command = app.add_subcommand("catalog", "What is known about a piece of furniture, and under which words");
   command->add_option("word", *word, "A kind of furniture (default: list all)");
-  command->callback([word, &context] { context.status = run(*word, context.console); });
+  command->callback([word, &context] { context.status = run_catalog(*word, context.console); });
 }
 
 }  // namespace layoutbox::cli

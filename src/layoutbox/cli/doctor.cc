@@ -63,7 +63,7 @@ Finding examine_cairo() {
   return {"Cairo", true, true, *cairo, "", ""};
 }
 
-int run(const Console& console) {
+int run_doctor(const Console& console) {
   const Catalog& catalog = Catalog::builtin();
   const Finding findings[] = {{"layoutbox", true, true,
                                fmt::format("version {}, {} kinds of furniture, {} kinds of room", program_version(),
@@ -97,7 +97,7 @@ int run(const Console& console) {
 
 void add_doctor(CLI::App& app, Context& context) {
   CLI::App* command = app.add_subcommand("doctor", "What is installed, what is missing, what each missing thing costs, how to get it");
-  command->callback([&context] { context.status = run(context.console); });
+  command->callback([&context] { context.status = run_doctor(context.console); });
 }
 
 }  // namespace layoutbox::cli

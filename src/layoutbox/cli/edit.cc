@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Flags {
+struct EditArguments {
   std::string layout, text, output, catalog_file, assets;
   std::string planner = "offline";
   bool no_render = false;
@@ -58,7 +58,7 @@ std::string text_of(const EditOutcome& outcome) {
   return text;
 }
 
-std::string json_of(const EditOutcome& outcome, const Flags& flags) {
+std::string outcome_json(const EditOutcome& outcome, const EditArguments& flags) {
   Json json{{"output", flags.output}, {"status", name_of(outcome.layout.status)}};
   json["changes"] = Json::array();
   for (const ObjectChange& change : outcome.changes) {
@@ -77,7 +77,7 @@ std::string json_of(const EditOutcome& outcome, const Flags& flags) {
 }
 
 // The whole room; a missing picture costs exit status 3 and nothing else.
-int write_folder(Flags& flags, const EditOutcome& edited, const Catalog& catalog, const Console& console) {
+int write_folder(EditArguments& flags, const EditOutcome& edited, const Catalog& catalog, const Console& console) {
   flags.options.pictures = !flags.no_render;
   flags.options.on_stage = [&console](const StageTime& stage) { console.stage(stage); };
   flags.options.render.progress = [&console](double share) { console.progress("render", share); };
@@ -91,7 +91,7 @@ int write_folder(Flags& flags, const EditOutcome& edited, const Catalog& catalog
   return as_asked(*made) ? kDone : kNotAsAsked;
 }
 
-Result<EditOutcome> edited_layout(const Flags& flags, const std::string& text, const Layout& layout, const Catalog& catalog,
+Result<EditOutcome> edited_layout(const EditArguments& flags, const std::string& text, const Layout& layout, const Catalog& catalog,
                                   const Console& console) {
   if (flags.model.dry_run) return layoutbox::fail(ErrorCode::kUsage, "edit shows no request", "--dry-run", "generate and plan do");
   if (flags.planner == "offline") return edit_layout(text, layout, catalog, flags.options.solve);
@@ -99,7 +99,7 @@ Result<EditOutcome> edited_layout(const Flags& flags, const std::string& text, c
   return edit_by_model(text, layout, catalog, std::move(chat), flags.options);
 }
 
-int run(Flags& flags, const Console& console) {
+int run_edit(EditArguments& flags, const Console& console) {
   if (const Status ready = flags.render.apply(flags.options.render); !ready) return console.fail(ready.error());
   if (const Status ready = flags.furnish.apply(flags.options.furnish); !ready) return console.fail(ready.error());
   flags.options.furnish.asset_folders = asset_folders(flags.layout, flags.assets);
@@ -122,14 +122,14 @@ int run(Flags& flags, const Console& console) {
   } else if (const Status written = write_output(flags.output, write_layout(edited->layout)); !written) {
     return console.fail(written.error());
   }
-  if (flags.output != "-") console.result(text_of(*edited), json_of(*edited, flags));
+  if (flags.output != "-") console.result(text_of(*edited), outcome_json(*edited, flags));
   return status;
 }
 
 }  // namespace
 
 void add_edit(CLI::App& app, Context& context) {
-  auto flags = std::make_shared<Flags>();
+  auto flags = std::make_shared<EditArguments>();
   CLI::App* command = app.add_subcommand("edit", "A layout changed by words; all else stays where it is as far as can be");
   command->add_option("layout", flags->layout, "layout.json; - reads stdin")->required();
   command->add_option("text", flags->text, "What to change: \"move the desk under the window and remove the rug\"; - reads stdin")
@@ -151,7 +151,7 @@ void add_edit(CLI::App& app, Context& context) {
   command->add_flag("--no-render", flags->no_render, "Into a folder: make no picture, no Blender is needed");
   flags->render.add_to(*command);
   flags->furnish.add_to(*command);
-  command->callback([flags, &context] { context.status = run(*flags, context.console); });
+  command->callback([flags, &context] { context.status = run_edit(*flags, context.console); });
 }
 
 }  // namespace layoutbox::cli

@@ -11,7 +11,7 @@
 namespace layoutbox::cli {
 namespace {
 
-struct Flags {
+struct ExportArguments {
   std::string layout, output, format, assets;
   FurnishFlags furnish;
 };
@@ -23,7 +23,7 @@ std::string format_names() {
 }
 
 // By --format, else by the output's ending.
-Result<const ExportFormat*> choose_format(const Flags& flags) {
+Result<const ExportFormat*> choose_format(const ExportArguments& flags) {
   std::string name = flags.format;
   if (name.empty()) name = std::filesystem::path(flags.output).extension().string();
   if (name.starts_with('.')) name.erase(0, 1);
@@ -32,7 +32,7 @@ Result<const ExportFormat*> choose_format(const Flags& flags) {
   return layoutbox::fail(ErrorCode::kUsage, what, "--format", "use one of: " + format_names());
 }
 
-Status run_export(const Flags& flags) {
+Status export_file(const ExportArguments& flags) {
   LAYOUTBOX_ASSIGN(const ExportFormat* format, choose_format(flags));
   LAYOUTBOX_ASSIGN(const Layout layout, read_layout_file(flags.layout));
   FurnishOptions options;
@@ -42,22 +42,22 @@ Status run_export(const Flags& flags) {
   return write_output(flags.output, bytes);
 }
 
-int run(const Flags& flags, const Console& console) {
-  const Status done = run_export(flags);
+int run_export(const ExportArguments& flags, const Console& console) {
+  const Status done = export_file(flags);
   return done ? kDone : console.fail(done.error());
 }
 
 }  // namespace
 
 void add_export(CLI::App& app, Context& context) {
-  auto flags = std::make_shared<Flags>();
+  auto flags = std::make_shared<ExportArguments>();
   CLI::App* command = app.add_subcommand("export", "Layout to other tools' files: " + format_names());
   command->add_option("layout", flags->layout, "layout.json; - reads stdin")->required();
   command->add_option("--format", flags->format, "One of: " + format_names() + " (default: the output's ending)");
   command->add_option("-o,--output", flags->output, "The file to write; - writes to stdout")->required();
   command->add_option("--assets", flags->assets, "Folder that meshes and images are named from (default: the layout's)");
   flags->furnish.add_to(*command);
-  command->callback([flags, &context] { context.status = run(*flags, context.console); });
+  command->callback([flags, &context] { context.status = run_export(*flags, context.console); });
 }
 
 }  // namespace layoutbox::cli

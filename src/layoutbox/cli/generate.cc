@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Flags {
+struct GenerateArguments {
   std::string prompt, room_kind, scene_file, folder;
   bool no_render = false;
   PlanFlags plan;
@@ -75,7 +75,7 @@ void say_what_was_given_up(const Console& console, const GenerateOutcome& outcom
   }
 }
 
-Status prepare(Flags& flags, const Console& console) {
+Status prepare_generate(GenerateArguments& flags, const Console& console) {
   LAYOUTBOX_CHECK(flags.plan.apply(flags.options));
   LAYOUTBOX_CHECK(flags.solve.apply(flags.options.solve, flags.plan.by_model()));
   LAYOUTBOX_CHECK(flags.render.apply(flags.options.render));
@@ -90,19 +90,19 @@ Status prepare(Flags& flags, const Console& console) {
 }
 
 // Exactly one of a prompt, a kind of room and a scene file says what the room is like.
-Status check_source(const Flags& flags, bool prompt_given) {
+Status check_source(const GenerateArguments& flags, bool prompt_given) {
   const int sources = int{prompt_given} + int{!flags.room_kind.empty()} + int{!flags.scene_file.empty()};
   if (sources == 1) return {};
   const char* what = sources == 0 ? "there is no prompt" : "a prompt, --type and --scene exclude one another";
   return layoutbox::fail(ErrorCode::kUsage, what, {}, "say what the room is like: layoutbox generate \"A bedroom with a bed and a desk.\"");
 }
 
-Result<std::string> prompt_of(const Flags& flags) {
+Result<std::string> prompt_of(const GenerateArguments& flags) {
   return flags.room_kind.empty() ? read_prompt(flags.prompt) : fmt::format("A {}.", flags.room_kind);
 }
 
 // --dry-run: what a model would be asked.
-int print_request(Flags& flags, const Catalog& catalog, const Console& console) {
+int print_request(GenerateArguments& flags, const Catalog& catalog, const Console& console) {
   const auto prompt = prompt_of(flags);
   if (!prompt) return console.fail(prompt.error());
   const auto planner = flags.model.make_planner(flags.plan.planner, catalog, flags.options, console);
@@ -110,7 +110,7 @@ int print_request(Flags& flags, const Catalog& catalog, const Console& console) 
   return print_first_request(**planner, *prompt, flags.options, console);
 }
 
-Result<GenerateOutcome> generate_room(Flags& flags, const Catalog& catalog, const Console& console) {
+Result<GenerateOutcome> generate_room(GenerateArguments& flags, const Catalog& catalog, const Console& console) {
   if (!flags.scene_file.empty()) {
     LAYOUTBOX_ASSIGN(SceneGraph scene, read_scene_file(flags.scene_file, flags.plan.units));
     if (flags.folder.empty()) flags.folder = default_folder(std::filesystem::path(flags.scene_file).stem().string());
@@ -122,9 +122,9 @@ Result<GenerateOutcome> generate_room(Flags& flags, const Catalog& catalog, cons
   return generate(prompt, *planner, catalog, flags.folder, flags.options);
 }
 
-int run(Flags& flags, bool prompt_given, const Console& console) {
+int run_generate(GenerateArguments& flags, bool prompt_given, const Console& console) {
   if (const Status source = check_source(flags, prompt_given); !source) return console.fail(source.error());
-  if (const Status ready = prepare(flags, console); !ready) return console.fail(ready.error());
+  if (const Status ready = prepare_generate(flags, console); !ready) return console.fail(ready.error());
   const auto catalog = flags.plan.load_catalog();
   if (!catalog) return console.fail(catalog.error());
   flags.options.inputs.insert(flags.options.inputs.end(), catalog->inputs.begin(), catalog->inputs.end());
@@ -149,7 +149,7 @@ int run(Flags& flags, bool prompt_given, const Console& console) {
 }  // namespace
 
 void add_generate(CLI::App& app, Context& context) {
-  auto flags = std::make_shared<Flags>();
+  auto flags = std::make_shared<GenerateArguments>();
   CLI::App* command = app.add_subcommand("generate", "Text to a furnished room: scene, layout, floor plan, 3D files, picture, report");
   const auto* prompt = command->add_option("prompt", flags->prompt, "What the room is like, in English; - reads it from stdin");
   command->add_option("--type", flags->room_kind, "Instead of a prompt: a kind of room with its usual furniture (bedroom, office, …)");
@@ -162,7 +162,7 @@ void add_generate(CLI::App& app, Context& context) {
   add_variants_to(*command, flags->options);
   flags->render.add_to(*command);
   flags->furnish.add_to(*command);
-  command->callback([flags, prompt, &context] { context.status = run(*flags, prompt->count() > 0, context.console); });
+  command->callback([flags, prompt, &context] { context.status = run_generate(*flags, prompt->count() > 0, context.console); });
 }
 
 }  // namespace layoutbox::cli

@@ -10,7 +10,7 @@
 namespace layoutbox::cli {
 namespace {
 
-struct Flags {
+struct PlanArguments {
   std::string prompt, output;
   bool explain = false;
   PlanFlags plan;
@@ -49,7 +49,7 @@ std::string explanation(std::string_view prompt, const Plan& plan) {
   return text;
 }
 
-int run(Flags& flags, const Console& console) {
+int run_plan(PlanArguments& flags, const Console& console) {
   if (const Status ready = flags.plan.apply(flags.options); !ready) return console.fail(ready.error());
   const auto prompt = read_prompt(flags.prompt);
   if (!prompt) return console.fail(prompt.error());
@@ -75,14 +75,14 @@ int run(Flags& flags, const Console& console) {
 }  // namespace
 
 void add_plan(CLI::App& app, Context& context) {
-  auto flags = std::make_shared<Flags>();
+  auto flags = std::make_shared<PlanArguments>();
   CLI::App* command = app.add_subcommand("plan", "Text to scene graph");
   command->add_option("prompt", flags->prompt, "What the room is like, in English; - reads it from stdin")->required();
   command->add_option("-o,--output", flags->output, "The scene file (default: stdout)");
   command->add_flag("--explain", flags->explain, "Show how each word was read");
   flags->plan.add_to(*command);
   flags->model.add_to(*command, flags->options.repair);
-  command->callback([flags, &context] { context.status = run(*flags, context.console); });
+  command->callback([flags, &context] { context.status = run_plan(*flags, context.console); });
 }
 
 }  // namespace layoutbox::cli

@@ -10,7 +10,7 @@
 namespace layoutbox::cli {
 namespace {
 
-struct Flags {
+struct RenderArguments {
   std::string layout, folder = ".", assets;
   bool no_render = false;
   RenderFlags render;
@@ -18,7 +18,7 @@ struct Flags {
   RenderOptions options;
 };
 
-int run(Flags& flags, const Console& console) {
+int run_render(RenderArguments& flags, const Console& console) {
   if (const Status ready = flags.render.apply(flags.options); !ready) return console.fail(ready.error());
   const auto layout = read_layout_file(flags.layout);
   if (!layout) return console.fail(layout.error());
@@ -52,7 +52,7 @@ int run(Flags& flags, const Console& console) {
 }  // namespace
 
 void add_render(CLI::App& app, Context& context) {
-  auto flags = std::make_shared<Flags>();
+  auto flags = std::make_shared<RenderArguments>();
   CLI::App* command = app.add_subcommand("render", "Layout to blender.py, scene.blend and scene.png");
   command->add_option("layout", flags->layout, "layout.json; - reads stdin")->required();
   command->add_option("-o,--output", flags->folder, "Folder for the files (default: this folder)");
@@ -60,7 +60,7 @@ void add_render(CLI::App& app, Context& context) {
   command->add_option("--assets", flags->assets, "Folder that meshes and images are named from (default: the layout's)");
   flags->render.add_to(*command);
   flags->furnish.add_to(*command);
-  command->callback([flags, &context] { context.status = run(*flags, context.console); });
+  command->callback([flags, &context] { context.status = run_render(*flags, context.console); });
 }
 
 }  // namespace layoutbox::cli

@@ -13,7 +13,7 @@
 namespace layoutbox::cli {
 namespace {
 
-struct Flags {
+struct SolveArguments {
   std::string scene, output, from;
   std::optional<Layout> earlier;
   PlanFlags plan;
@@ -21,13 +21,13 @@ struct Flags {
   GenerateOptions options;
 };
 
-Status prepare(Flags& flags) {
+Status prepare_solve(SolveArguments& flags) {
   LAYOUTBOX_CHECK(flags.plan.apply(flags.options));
   return flags.solve.apply(flags.options.solve);
 }
 
 // The scene of a scene file; of a layout file, which then guides itself. Another layout may guide either.
-Result<SceneGraph> read_room(Flags& flags) {
+Result<SceneGraph> read_room(SolveArguments& flags) {
   LAYOUTBOX_ASSIGN(SceneOrLayout file, read_scene_or_layout_file(flags.scene, flags.plan.units));
   if (file.layout) flags.earlier = std::move(file.layout);
   if (!flags.from.empty()) {
@@ -37,14 +37,14 @@ Result<SceneGraph> read_room(Flags& flags) {
   return std::move(file.scene);
 }
 
-std::string moved_in_words(const Flags& flags, const Layout& layout) {
+std::string moved_in_words(const SolveArguments& flags, const Layout& layout) {
   if (!flags.earlier) return {};
   const Movement way = movement_between(*flags.earlier, layout);
   return fmt::format(", {} of {} moved, by {:.2f} m in all", way.moved, counted(layout.objects.size(), "object"), way.metres);
 }
 
 // How it went: what holds, what was given up, how far things were moved.
-void tell(const Flags& flags, const Layout& layout, const Console& console) {
+void tell(const SolveArguments& flags, const Layout& layout, const Console& console) {
   const auto held = std::count_if(layout.relations.begin(), layout.relations.end(), [](const auto& r) { return r.held; });
   console.stage({"solve", layout.stats.seconds,
                  fmt::format("{} of {} held, {} given up ({}){}", held, counted(layout.relations.size(), "relation"), layout.relaxed.size(),
@@ -54,8 +54,8 @@ void tell(const Flags& flags, const Layout& layout, const Console& console) {
     console.warn("given up: " + (relaxation.why.empty() ? relaxation.relation : relaxation.why));
 }
 
-int run(Flags& flags, const Console& console) {
-  if (const Status ready = prepare(flags); !ready) return console.fail(ready.error());
+int run_solve(SolveArguments& flags, const Console& console) {
+  if (const Status ready = prepare_solve(flags); !ready) return console.fail(ready.error());
   if (flags.options.variants > 1 && (flags.output.empty() || flags.output == "-")) {
     return console.fail({ErrorCode::kUsage, "several layouts need files to go to", "--variants", "name the first one with -o", {}});
   }
@@ -82,7 +82,7 @@ int run(Flags& flags, const Console& console) {
 }  // namespace
 
 void add_solve(CLI::App& app, Context& context) {
-  auto flags = std::make_shared<Flags>();
+  auto flags = std::make_shared<SolveArguments>();
   CLI::App* command = app.add_subcommand("solve", "Scene graph to layout; prints the conflict where there is one");
   command->add_option("scene", flags->scene, "scene.json, ours or the paper's form, or a layout.json to mend; - reads stdin")->required();
   command->add_option("-o,--output", flags->output, "The layout file (default: stdout)");
@@ -92,7 +92,7 @@ void add_solve(CLI::App& app, Context& context) {
   flags->plan.add_to(*command);
   flags->solve.add_to(*command, flags->options.solve);
   add_variants_to(*command, flags->options);
-  command->callback([flags, &context] { context.status = run(*flags, context.console); });
+  command->callback([flags, &context] { context.status = run_solve(*flags, context.console); });
 }
 
 }  // namespace layoutbox::cli

@@ -9,12 +9,12 @@
 namespace layoutbox::cli {
 namespace {
 
-struct Flags {
+struct ValidateArguments {
   std::string file, units;
 };
 
 // What kind of document it is, once it has been read without error; the notes say what was read in another way than written.
-Result<std::string> validate(const Flags& flags, const Console& console) {
+Result<std::string> validate(const ValidateArguments& flags, const Console& console) {
   LAYOUTBOX_ASSIGN(const std::string text, read_input(flags.file));
   LAYOUTBOX_ASSIGN(const std::string kind, kind_of_document(text));
   if (kind == "layout") {
@@ -27,7 +27,7 @@ Result<std::string> validate(const Flags& flags, const Console& console) {
   return kind;
 }
 
-int run(const Flags& flags, const Console& console) {
+int run_validate(const ValidateArguments& flags, const Console& console) {
   auto kind = validate(flags, console);
   if (!kind) {
     Error error = std::move(kind).error();
@@ -41,11 +41,11 @@ int run(const Flags& flags, const Console& console) {
 }  // namespace
 
 void add_validate(CLI::App& app, Context& context) {
-  auto flags = std::make_shared<Flags>();
+  auto flags = std::make_shared<ValidateArguments>();
   CLI::App* command = app.add_subcommand("validate", "Is this a good scene or layout file? All errors, each with its place");
   command->add_option("file", flags->file, "scene.json or layout.json; - reads stdin")->required();
   command->add_option("--units", flags->units, "Units of a file that names none: m, cm, mm, ft, in");
-  command->callback([flags, &context] { context.status = run(*flags, context.console); });
+  command->callback([flags, &context] { context.status = run_validate(*flags, context.console); });
 }
 
 }  // namespace layoutbox::cli

@@ -8,7 +8,7 @@
 namespace layoutbox::cli {
 namespace {
 
-struct Flags {
+struct VerifyArguments {
   std::string layout, output;
 };
 
@@ -21,7 +21,7 @@ std::string summary(const Report& report) {
   return text + (report.passed ? "passed" : "failed");
 }
 
-int run(const Flags& flags, const Console& console) {
+int run_verify(const VerifyArguments& flags, const Console& console) {
   const auto layout = read_layout_file(flags.layout);
   if (!layout) return console.fail(layout.error());
   const Report report = verify(*layout, Catalog::builtin());
@@ -36,11 +36,11 @@ int run(const Flags& flags, const Console& console) {
 }  // namespace
 
 void add_verify(CLI::App& app, Context& context) {
-  auto flags = std::make_shared<Flags>();
+  auto flags = std::make_shared<VerifyArguments>();
   CLI::App* command = app.add_subcommand("verify", "Check a layout by geometry: collisions, bounds, support, doors, relations");
   command->add_option("layout", flags->layout, "layout.json; - reads stdin")->required();
   command->add_option("-o,--output", flags->output, "Where report.json goes; - writes it to stdout");
-  command->callback([flags, &context] { context.status = run(*flags, context.console); });
+  command->callback([flags, &context] { context.status = run_verify(*flags, context.console); });
 }
 
 }  // namespace layoutbox::cli

@@ -4,7 +4,7 @@
 namespace layoutbox::kit {
 namespace {
 
-const double kSmoothCosine = std::cos(radians_from_degrees(42));
+const double kSmoothLoftCosine = std::cos(radians_from_degrees(42));
 
 // Rings of `n` points each, in order; faces between ring k and k + 1 wound so that ring × way is outside.
 class Lofted {
@@ -46,7 +46,7 @@ class Lofted {
       if (fk + 1 >= rings_.size()) continue;  // also where pk − 1 went below zero
       for (const std::size_t fi : {pi % n_, (pi + n_ - 1) % n_}) {
         const Vec face = faces_[fk * n_ + fi];
-        if (dot(unit(face), own) > kSmoothCosine && length(face) > 0) sum = sum + face;
+        if (dot(unit(face), own) > kSmoothLoftCosine && length(face) > 0) sum = sum + face;
       }
     }
     return maker_.vertex(at(pk, pi), length(sum) > 0 ? sum : own, uv);

@@ -10,7 +10,7 @@
 namespace layoutbox {
 namespace {
 
-constexpr Mm kLeastOpening = 200, kFromCorner = 100, kBetween = 100, kLittle = 300, kBeforeWindow = 300, kFlat = 30;
+constexpr Mm kLeastOpening = 200, kFromCorner = 100, kBetween = 100, kLittleShift = 300, kBeforeWindow = 300, kFlat = 30;
 
 struct Along {
   double dx = 1, dy = 0, length = 1;
@@ -127,7 +127,7 @@ Status Edit::shift_opening(const std::string& id, const EditShift& shift) {
   const Wall* wall = found == nullptr ? nullptr : scene_.find_wall(found->wall);
   if (wall == nullptr || !found->offset) return {};
   Opening moved = *found;
-  const double distance = shift.distance ? *shift.distance : kLittle;
+  const double distance = shift.distance ? *shift.distance : kLittleShift;
   if (shift.way == Way::kUp || shift.way == Way::kDown) {
     if (moved.type != OpeningType::kWindow) return fail(ErrorCode::kGeometry, fmt::format("{} stands on the floor", id), "text");
     moved.sill += static_cast<Mm>(shift.way == Way::kUp ? distance : -distance);

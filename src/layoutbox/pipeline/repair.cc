@@ -11,7 +11,7 @@
 namespace layoutbox {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 constexpr const char* kPaperNotice = "No feasible layout was found for this scene. Adjust the constraints and call create_scene again.";
 
@@ -42,10 +42,11 @@ std::string sentences_of(const Layout& layout) {
 }
 
 std::size_t things_left_out(const WayOut& way) {
-  const Json patch = Json::parse(way.patch, nullptr, false);
+  const OrderedJson patch = OrderedJson::parse(way.patch, nullptr, false);
   if (!patch.is_array()) return 0;
-  return static_cast<std::size_t>(std::ranges::count_if(
-      patch, [](const Json& change) { return change.value("op", "") == "remove" && change.value("path", "").starts_with("/furniture/"); }));
+  return static_cast<std::size_t>(std::ranges::count_if(patch, [](const OrderedJson& change) {
+    return change.value("op", "") == "remove" && change.value("path", "").starts_with("/furniture/");
+  }));
 }
 
 // Where not even giving up brings a layout, everything takes part in the conflict.
@@ -61,32 +62,32 @@ Layout layout_of_nothing(const SceneGraph& scene, const Error& error) {
   return layout;
 }
 
-Json json_of(const Note& note) { return {{"message", note.message}, {"pointer", note.pointer}}; }
+OrderedJson json_of(const Note& note) { return {{"message", note.message}, {"pointer", note.pointer}}; }
 
 // A text of JSON as JSON, so that run.json can be read without unpacking texts.
-Json unpacked(const std::string& text) {
-  Json json = Json::parse(text, nullptr, false);
-  return json.is_discarded() ? Json(text) : json;
+OrderedJson unpacked(const std::string& text) {
+  OrderedJson json = OrderedJson::parse(text, nullptr, false);
+  return json.is_discarded() ? OrderedJson(text) : json;
 }
 
-Json json_of(const llm::Attempt& attempt) {
+OrderedJson json_of(const llm::Attempt& attempt) {
   const chat::Answer& answer = attempt.answer;
-  Json json{{"attempt", attempt.number}, {"purpose", attempt.purpose}, {"outcome", attempt.outcome}};
+  OrderedJson json{{"attempt", attempt.number}, {"purpose", attempt.purpose}, {"outcome", attempt.outcome}};
   if (!answer.request.empty()) {
     json["mode"] = name_of(answer.mode);
     json["request"] = unpacked(answer.request);
     json["answer"] = unpacked(answer.body);
     json["tokens"] = {
         {"question", answer.usage.question_tokens}, {"answer", answer.usage.answer_tokens}, {"estimated", answer.usage.estimated}};
-    json["cost"] = answer.cost ? Json(*answer.cost) : Json();
+    json["cost"] = answer.cost ? OrderedJson(*answer.cost) : OrderedJson();
     json["seconds"] = answer.seconds;
     json["ownSeconds"] = answer.own_seconds;
     json["retries"] = answer.retries;
     json["cached"] = answer.cached;
   }
-  json["errors"] = Json::array();
+  json["errors"] = OrderedJson::array();
   for (const Error& fault : attempt.faults) json["errors"].push_back(json_of_error(fault));
-  json["mended"] = Json::array();
+  json["mended"] = OrderedJson::array();
   for (const Note& note : attempt.mended) json["mended"].push_back(json_of(note));
   json["differences"] = attempt.differences;
   if (!attempt.conflict.empty()) json["conflict"] = attempt.conflict;
@@ -226,9 +227,9 @@ Result<PlannedRoom> RepairLoop::settle() {
 Status RepairLoop::pause() const { return llm::pause_after(conversation_.attempts().back(), limits_.pause_s, options_.stop); }
 
 std::string write_attempts(const std::vector<llm::Attempt>& attempts) {
-  Json json = Json::array();
+  OrderedJson json = OrderedJson::array();
   for (const llm::Attempt& attempt : attempts) json.push_back(json_of(attempt));
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return json.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
 }
 
 }  // namespace layoutbox

@@ -9,7 +9,7 @@
 namespace layoutbox {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 std::string_view name_of(OnConflict choice) {
   switch (choice) {
@@ -30,48 +30,48 @@ std::string_view name_of(Quality quality) {
 }
 
 // Null where the scene says it.
-Json json_of(const Size& size) {
+OrderedJson json_of(const Size& size) {
   if (size.width == 0) return nullptr;
   return {m_from_mm(size.width), m_from_mm(size.depth), m_from_mm(size.height)};
 }
 
-Json names_of(const std::vector<View>& views) {
-  Json json = Json::array();
+OrderedJson names_of(const std::vector<View>& views) {
+  OrderedJson json = OrderedJson::array();
   for (const View view : views) json.push_back(name_of(view));
   return json;
 }
 
-Json json_of(const GenerateOptions& options) {
-  return Json{{"planner", options.planner},
-              {"room", json_of(options.normalize.room_size)},
-              {"seed", options.solve.seed},
-              {"effort", options.solve.effort},
-              {"timeLimit", options.solve.time_limit_s},
-              {"variants", options.variants},
-              {"onConflict", name_of(options.solve.on_conflict)},
-              {"pictures", options.pictures},
-              {"quality", name_of(options.render.quality)},
-              {"size", {options.render.width, options.render.height}},
-              {"views", names_of(options.render.views)},
-              {"overlay", options.render.overlay},
-              {"mask", options.render.object_mask},
-              {"turntable", options.render.turntable},
-              {"detail", name_of(options.furnish.detail)},
-              {"maxAttempts", options.repair.max_attempts},
-              {"repairAttempts", options.repair.repair_attempts},
-              {"paperRetries", options.repair.paper_retries}};
+OrderedJson json_of(const GenerateOptions& options) {
+  return OrderedJson{{"planner", options.planner},
+                     {"room", json_of(options.normalize.room_size)},
+                     {"seed", options.solve.seed},
+                     {"effort", options.solve.effort},
+                     {"timeLimit", options.solve.time_limit_s},
+                     {"variants", options.variants},
+                     {"onConflict", name_of(options.solve.on_conflict)},
+                     {"pictures", options.pictures},
+                     {"quality", name_of(options.render.quality)},
+                     {"size", {options.render.width, options.render.height}},
+                     {"views", names_of(options.render.views)},
+                     {"overlay", options.render.overlay},
+                     {"mask", options.render.object_mask},
+                     {"turntable", options.render.turntable},
+                     {"detail", name_of(options.furnish.detail)},
+                     {"maxAttempts", options.repair.max_attempts},
+                     {"repairAttempts", options.repair.repair_attempts},
+                     {"paperRetries", options.repair.paper_retries}};
 }
 
-Json json_of(const std::vector<InputFile>& inputs) {
-  Json json = Json::array();
+OrderedJson json_of(const std::vector<InputFile>& inputs) {
+  OrderedJson json = OrderedJson::array();
   for (const InputFile& input : inputs) json.push_back({{"option", input.option}, {"file", input.file}, {"key", input.key}});
   return json;
 }
 
 }  // namespace
 
-Json json_of_error(const Error& error) {
-  Json json{{"code", error_code_name(error.code)}, {"message", error.message}, {"pointer", error.pointer}, {"hint", error.hint}};
+OrderedJson json_of_error(const Error& error) {
+  OrderedJson json{{"code", error_code_name(error.code)}, {"message", error.message}, {"pointer", error.pointer}, {"hint", error.hint}};
   for (const Error& detail : error.details) json["details"].push_back(json_of_error(detail));
   return json;
 }
@@ -95,16 +95,20 @@ std::optional<RunState> state_of_same_run(std::string_view record, std::string_v
 
 std::string write_run_record(std::string_view prompt, const GenerateOptions& options, const GenerateOutcome& outcome,
                              const Error* failure) {
-  Json json{{"format", "layoutbox/run@1"}, {"prompt", prompt}, {"status", failure ? "failed" : as_asked(outcome) ? "done" : "incomplete"}};
+  OrderedJson json{{"format", "layoutbox/run@1"},
+                   {"prompt", prompt},
+                   {"status", failure             ? "failed"
+                              : as_asked(outcome) ? "done"
+                                                  : "incomplete"}};
   json["options"] = json_of(options);
   json["inputs"] = json_of(options.inputs);
   json["versions"] = {{"layoutbox", program_version()}};
   if (!outcome.blender_version.empty()) json["versions"]["blender"] = outcome.blender_version;
-  json["stages"] = Json::array();
+  json["stages"] = OrderedJson::array();
   for (const StageTime& stage : outcome.stages) {
     json["stages"].push_back({{"stage", stage.stage}, {"seconds", stage.seconds}, {"summary", stage.summary}});
   }
-  json["notes"] = Json::array();
+  json["notes"] = OrderedJson::array();
   for (const Note& note : outcome.scene.notes) {
     json["notes"].push_back({{"code", note.code}, {"message", note.message}, {"pointer", note.pointer}});
   }
@@ -115,10 +119,10 @@ std::string write_run_record(std::string_view prompt, const GenerateOptions& opt
     json["variants"].push_back({{"score", other.score}, {"meanDistance", difference.mean_m}, {"otherWall", difference.other_wall}});
   }
   json["files"] = outcome.files;
-  json["modelRequests"] = outcome.model_requests.empty() ? Json::array() : Json::parse(outcome.model_requests);
+  json["modelRequests"] = outcome.model_requests.empty() ? OrderedJson::array() : OrderedJson::parse(outcome.model_requests);
   if (failure) json["error"] = json_of_error(*failure);
   if (outcome.picture_error) json["pictureError"] = json_of_error(*outcome.picture_error);
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
 
 }  // namespace layoutbox

@@ -37,7 +37,7 @@ PlacedObject object_from(const json& value) {
   return object;
 }
 
-Room room_from(const json& value) {
+Room placed_room_from(const json& value) {
   Room room;
   room.polygon = polygon_from(value.at("polygon"));
   room.height = length_at(value, "height");
@@ -75,7 +75,7 @@ Layout layout_from(const json& document) {
   layout.prompt = text_at(document, "prompt");
   layout.name = text_at(document, "name");
   layout.status = layout_status_from_name(text_at(document, "status")).value_or(LayoutStatus::kSolved);
-  layout.room = room_from(document.at("room"));
+  layout.room = placed_room_from(document.at("room"));
   layout.room.type = text_at(document, "roomType");
   for_each_in(document, "objects", [&](const json& item) { layout.objects.push_back(object_from(item)); });
   for_each_in(document, "relations", [&](const json& item) {

@@ -9,7 +9,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-ordered_json room_json(const Room& room) {
+ordered_json placed_room_json(const Room& room) {
   ordered_json out{{"polygon", json_of(room.polygon)}, {"height", json_length(room.height)}};
   ordered_json& walls = out["walls"] = ordered_json::array();
   for (const Wall& wall : room.walls) {
@@ -62,7 +62,7 @@ std::string write_layout(const Layout& layout) {
   if (!layout.name.empty()) out["name"] = layout.name;
   out["roomType"] = layout.room.type;
   out["status"] = name_of(layout.status);
-  out["room"] = room_json(layout.room);
+  out["room"] = placed_room_json(layout.room);
   ordered_json& objects = out["objects"] = ordered_json::array();
   for (const PlacedObject& object : layout.objects) objects.push_back(object_json(object));
   ordered_json& relations = out["relations"] = ordered_json::array();

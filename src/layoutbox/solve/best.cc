@@ -8,7 +8,6 @@ namespace {
 
 constexpr std::size_t kFew = 4, kFewOpenings = 3;  // objects, doors and windows
 constexpr int kMostQuestions = 12;
-constexpr std::int64_t kPoint = 1000;
 constexpr std::int64_t kLeastEffort = 400;    // who asks for no more than the usual waits for no proof, which takes ten times as long
 constexpr double kProofTimePerUnit = 0.0005;  // of CP-SAT's deterministic time
 constexpr std::int64_t kPolish = 20'000;      // steps

@@ -10,8 +10,6 @@
 namespace layoutbox::placement {
 namespace {
 
-constexpr std::int64_t kPoint = 1000;
-
 // The least cost of all layouts of things that stand on the floor, at places `step` apart and at the walls.
 class Enumeration {
  public:

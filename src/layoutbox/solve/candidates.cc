@@ -8,7 +8,6 @@
 namespace layoutbox::placement {
 namespace {
 
-constexpr std::int64_t kPoint = 1000;
 constexpr std::array<Mm, 2> kRoomBehind{400, 700};  // off the ends of a region: for a lamp behind a sofa, for somebody to pass
 
 std::int64_t floor_div(std::int64_t a, std::int64_t b) { return a / b - ((a % b != 0) && ((a < 0) != (b < 0))); }

@@ -198,7 +198,7 @@ constexpr std::size_t kMostForWholeProof = 12;  // items
 
 // About how many terms the pairs of bodies make in CP-SAT's model, which takes a quarter of a kilobyte for each.
 std::int64_t terms_of(const Model& model, const std::vector<char>& left_out) {
-  constexpr std::int64_t kSides = 6;
+  constexpr std::int64_t kSidesOfBody = 6;
   std::int64_t terms = 0;
   for (std::size_t a = 0; a < model.items.size(); ++a) {
     for (std::size_t b = a + 1; b < model.items.size(); ++b) {
@@ -208,7 +208,7 @@ std::int64_t terms_of(const Model& model, const std::vector<char>& left_out) {
       if (x.states.empty() || y.states.empty()) continue;
       const auto states = static_cast<std::int64_t>(x.states.size() + y.states.size());
       const std::size_t parts = rule == PairRule::kSolids ? x.states[0].solids.size() * y.states[0].solids.size() : 1;
-      terms += kSides * states * static_cast<std::int64_t>(std::max<std::size_t>(1, parts));
+      terms += kSidesOfBody * states * static_cast<std::int64_t>(std::max<std::size_t>(1, parts));
     }
   }
   return terms;

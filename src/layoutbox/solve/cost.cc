@@ -3,11 +3,7 @@
 #include "layoutbox/solve/access.h"
 
 namespace layoutbox::placement {
-namespace {
-
-constexpr std::int64_t kPoint = 1000;
-
-}  // namespace
+namespace {}  // namespace
 
 std::int64_t constraint_cost(const Model& model, const Constraint& constraint, const Placements& placements) {
   const bool soft = constraint.firmness == Firmness::kSoft;

@@ -1,6 +1,7 @@
 // What makes one legal layout better than another, in thousandths of a point; the terms and their weights are described in docs/solve.md.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <string>
 
@@ -22,6 +23,9 @@ struct CostWeights {
   int unreached = 800;
 };
 inline constexpr CostWeights kCostWeights{};
+
+// Costs are counted in thousandths of a point.
+inline constexpr std::int64_t kPoint = 1000;
 
 // Cost of one constraint where everything it speaks of is placed: the best case's wishes and price; soft ones also what they miss.
 std::int64_t constraint_cost(const Model& model, const Constraint& constraint, const Placements& placements);

@@ -16,7 +16,6 @@ constexpr int kLock = 5000;
 constexpr int kSamePlace = 400;
 constexpr Mm kElsewhere = 900;
 constexpr std::size_t kDifferentThings = 4;
-constexpr std::size_t kMostStates = 64;  // a mask holds so many
 
 bool named(const std::vector<std::string>& ids, const std::string& id) { return std::find(ids.begin(), ids.end(), id) != ids.end(); }
 

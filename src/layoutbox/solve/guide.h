@@ -17,6 +17,9 @@ void add_earlier_pose(const ModelOptions& options, Item& item, std::vector<std::
 // Fills model.start, and marks what is locked. Errors: kReference: an id to be locked that is not in the scene or had no place.
 Status find_starts(Model& model, const ModelOptions& options);
 
+// States of one item; a mask holds so many.
+inline constexpr std::size_t kMostStates = 64;
+
 // The wishes and locks that keep things where model.start has them.
 void add_stays(Model& model);
 

@@ -8,8 +8,7 @@
 namespace layoutbox::placement {
 namespace {
 
-constexpr Mm kThin = 30;                 // rugs and mats up to this height are walked on
-constexpr std::size_t kMostStates = 64;  // a mask holds so many
+constexpr Mm kThin = 30;  // rugs and mats up to this height are walked on
 constexpr std::size_t kManyWalls = 8;
 constexpr double kAboutThere = 10;  // degrees
 constexpr Mm kStripGap = 50, kStripDepth = 200;

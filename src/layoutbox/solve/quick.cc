@@ -4,7 +4,7 @@ namespace layoutbox::placement {
 namespace {
 
 constexpr int kPushesPerItem = 3, kPushesMore = 20, kLongerBy = 2;
-constexpr int kWatchedTries = 8;
+constexpr int kTriesWhereWatched = 8;
 constexpr std::size_t kMostCoordinates = 14;
 
 constexpr std::int64_t kSlice = 1'000'000;  // steps
@@ -153,7 +153,7 @@ bool QuickSearch::settle(int item, Budget& budget) {
   const auto waits = [&](int tenant) { return weight_[tenant] > 0 && placements_[tenant].state < 0; };
   std::vector<int> watched;
   std::copy_if(dependencies_.tenants[item].begin(), dependencies_.tenants[item].end(), std::back_inserter(watched), waits);
-  for (int tries = watched.empty() ? 1 : kWatchedTries; tries > 0; --tries) {
+  for (int tries = watched.empty() ? 1 : kTriesWhereWatched; tries > 0; --tries) {
     if (!settle_once(item, budget)) return false;
     const auto fits = [&](int tenant) {
       const bool found = settle_once(tenant, budget);

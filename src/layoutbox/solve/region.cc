@@ -1,9 +1,10 @@
 #include "layoutbox/solve/region.h"
 
+#include "layoutbox/solve/cost.h"
+
 namespace layoutbox::placement {
 namespace {
 
-constexpr std::int64_t kPoint = 1000;
 constexpr std::size_t kMostRegions = 48;
 constexpr int kMostNodes = 4000;
 constexpr int kNarrowings = 2;

@@ -5,7 +5,6 @@
 namespace layoutbox::placement {
 namespace {
 
-constexpr std::int64_t kPoint = 1000;
 constexpr std::size_t kWatchedTries = 160;
 constexpr int kEjectionsPerItem = 6;
 constexpr int kFormationTries = 4;

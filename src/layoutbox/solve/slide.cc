@@ -5,7 +5,7 @@
 namespace layoutbox::placement {
 namespace {
 
-constexpr std::int64_t kPoint = 1000, kPushed = 300 * kPoint;
+constexpr std::int64_t kPushed = 300 * kPoint;
 constexpr std::size_t kTried = 6, kMostPushed = 14;
 
 // The least way along x or y that brings `box` out of `from` and keeps it in the room; {0, 0, 0} where there is none.

@@ -7,7 +7,6 @@
 namespace layoutbox::placement {
 namespace {
 
-constexpr std::int64_t kPoint = 1000;
 constexpr Mm kBodyReach = 2000;  // what begins higher is in nobody's way
 constexpr Mm kHalfPerson = 100;
 constexpr Mm kWideWay = 600;             // what building codes and handbooks ask of a way within a room

@@ -6,16 +6,13 @@
 
 #include "layoutbox/base/words.h"
 #include "layoutbox/plan/llm/mend.h"
+#include "layoutbox/plan/llm/mend_text.h"
 #include "layoutbox/scene/quirks.h"
 
 namespace layoutbox::llm {
 namespace {
 
 using nlohmann::json;
-
-void note(Notes& notes, std::string message, std::string pointer = {}) {
-  notes.push_back({"mended", std::move(message), std::move(pointer)});
-}
 
 // {"scene": {…}}, {"name": "create_scene", "arguments": {…}} → {…}
 void unwrap(json& scene, Notes& notes) {

@@ -9,7 +9,8 @@
 
 namespace layoutbox::llm {
 
-void note(Notes& notes, std::string message, std::string pointer);
+// What was mended, and where (a JSON pointer).
+void note(Notes& notes, std::string message, std::string pointer = {});
 
 // The member as text; empty where it is missing or no text.
 std::string text_of(const nlohmann::json& object, const char* key);

@@ -8,7 +8,7 @@ namespace layoutbox::placement {
 namespace {
 
 // Twice the middle of the floor's extent.
-std::int64_t room_mid2(const Model& model, int axis) { return std::int64_t{model.room.lo[axis]} + model.room.hi[axis]; }
+std::int64_t twice_middle(const Model& model, int axis) { return std::int64_t{model.room.lo[axis]} + model.room.hi[axis]; }
 
 // Both at once.
 Case both(Case a, const Case& b) {
@@ -127,7 +127,7 @@ void compile_CenterOfRoom(Compilation& c) {
   if (c.targets.size() == 1) {
     Case& in = c.formula().add();
     for (int axis = 0; axis < 2; ++axis) {
-      const Linear off = mid2(c.targets[0], axis) - Linear(room_mid2(c.model, axis));
+      const Linear off = mid2(c.targets[0], axis) - Linear(twice_middle(c.model, axis));
       in.require_small(off, 2 * most).wish(off, 300, 2);
     }
     return;
@@ -142,7 +142,7 @@ void compile_CenterOfRoom(Compilation& c) {
           if (t != low) in.require(lo(t, axis) - lo(low, axis));
           if (t != high) in.require(hi(high, axis) - hi(t, axis));
         }
-        const Linear off = lo(low, axis) + hi(high, axis) - Linear(room_mid2(c.model, axis));
+        const Linear off = lo(low, axis) + hi(high, axis) - Linear(twice_middle(c.model, axis));
         in.require_small(off, 2 * most).wish(off, 300, 2);
       }
     }
@@ -206,7 +206,7 @@ void compile_InRegion(Compilation& c) {
     if (middle) {
       for (int axis = 0; axis < 2; ++axis) {
         const std::int64_t span = c.model.room.extent(axis);
-        const Linear off = mid2(t, axis) - Linear(room_mid2(c.model, axis));
+        const Linear off = mid2(t, axis) - Linear(twice_middle(c.model, axis));
         in.require_small(off, static_cast<Mm>(span / 3)).wish(off, 60, 2);
       }
     }

@@ -6,8 +6,6 @@
 namespace layoutbox::placement {
 namespace {
 
-constexpr std::int64_t kNoBound = std::numeric_limits<std::int64_t>::max() / 4;
-
 // The box of the item in each of its states, from its low corner. To prove something: what of it is surely body, turned as it is.
 std::vector<Box> whole_boxes(const Item& item, Purpose purpose) {
   std::vector<Box> boxes;

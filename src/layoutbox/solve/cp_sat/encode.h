@@ -3,12 +3,17 @@
 // nothing exists names who takes part.
 #pragma once
 
+#include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "layoutbox/solve/cp_sat/wire.h"
 #include "layoutbox/solve/model.h"
 
 namespace layoutbox::placement {
+
+// A bound that no sum of lengths reaches.
+inline constexpr std::int64_t kNoBound = std::numeric_limits<std::int64_t>::max() / 4;
 
 // What can be asked to hold or not: a constraint of the model or the presence of an item.
 struct Demand {

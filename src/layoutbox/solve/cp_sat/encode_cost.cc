@@ -9,9 +9,6 @@
 namespace layoutbox::placement {
 namespace {
 
-constexpr std::int64_t kPoint = 1000;
-constexpr std::int64_t kNoBound = std::numeric_limits<std::int64_t>::max() / 4;
-
 bool costs_nothing(const Constraint& constraint, const Case& one) {
   const bool soft = constraint.firmness == Firmness::kSoft;
   return one.wishes.empty() && one.price == 0 && !(soft && (!one.at_least_zero.empty() || !one.states.empty()));
