@@ -4,7 +4,6 @@
 #include "layoutbox/solve/solver.h"
 #include "layoutbox/solve/test_judge.h"
 #include "layoutbox/solve/test_scene.h"
-#include "layoutbox/verify/verify.h"
 
 namespace layoutbox::placement {
 namespace {
@@ -25,7 +24,7 @@ Layout solved(const SceneGraph& scene, OnConflict on_conflict = OnConflict::kRel
   return layout ? *layout : Layout{};
 }
 
-// All that was asked for holds, whatever gave way, and the judge agrees.
+// All that was asked for holds, whatever gave way.
 void expect_as_asked(const Layout& layout) {
   EXPECT_EQ(layout.status, LayoutStatus::kSolved);
   EXPECT_TRUE(layout.relaxed.empty()) << layout.relaxed[0].why;
@@ -35,8 +34,7 @@ void expect_as_asked(const Layout& layout) {
       EXPECT_TRUE(placed.held) << placed.relation.id;
     }
   }
-  const Report report = verify(layout, Catalog::builtin());
-  for (const Check& check : report.checks) EXPECT_TRUE(check.passed || !check.required) << check.message;
+  expect_sound(layout);
 }
 
 TEST(Origins, WhatIsAssumedGivesWayToWhatIsAsked) {
@@ -74,12 +72,12 @@ TEST(Origins, AnAssumedHostGivesWay) {
   by(maker, Origin::kAssumed);
   RelationParameters apart;
   apart.min = 1500;
-  maker.relate("distance", {"lamp_1"}, {"nightstand_1"}, {}, apart);
+  maker.relate("distance", {"lamp_1"}, {"nightstand_1"}, apart);
   expect_as_asked(solved(maker.make()));
 }
 
 TEST(Origins, ObjectsThatNobodyAskedForAreLeftOutFirst) {
-  SceneMaker maker(2600, 2400);
+  SceneMaker maker(2300, 2300);
   maker.add("bed").sized(1600, 2000, 500).add("wardrobe").sized(1200, 600, 2000).add("desk").sized(1400, 700, 750);
   maker.raw().objects.back().origin = Origin::kAdded;
   const Layout layout = solved(maker.make());

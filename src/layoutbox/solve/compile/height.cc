@@ -87,7 +87,12 @@ void add_at_part(Compilation& c, int t, int r, Resting how) {
 // "A cup on a coaster on the table": the coaster is on the table, and so the cup is; asked for is at most where on it.
 bool rests_by_way(Compilation& c, int t, const Reference& r) {
   if (r.kind != Reference::Kind::kItem || !rests_by_way_of_others(*c.model.scene, c.item(t).id, c.item(r.index).id)) return false;
-  if (is_place_word(c.relation.parameters.part)) require_part(c.formula(), c.model, t, r.index, c.relation.parameters.part);
+  const std::string& part = c.relation.parameters.part;
+  Formula& f = c.formula();
+  if (is_place_word(part))
+    require_part(f, c.model, t, r.index, part);
+  else
+    f.add();
   return true;
 }
 
