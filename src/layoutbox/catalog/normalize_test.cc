@@ -183,7 +183,7 @@ TEST(NormalizeRoom, GetsADoorAndAWindowOnlyWhereNothingIsSaid) {
   EXPECT_EQ(scene.room.openings[0].type, OpeningType::kDoor);
   EXPECT_EQ(scene.room.openings[1].type, OpeningType::kWindow);
   for (const Opening& opening : scene.room.openings) {
-    EXPECT_TRUE(opening.assumed);
+    EXPECT_EQ(opening.origin, Origin::kAssumed);
     EXPECT_THAT(opening.wall, IsEmpty());
     EXPECT_FALSE(opening.offset);
   }
@@ -351,7 +351,27 @@ TEST(NormalizeSupport, LampsGoWhereLampsGo) {
                                                 object("a", "lamp"), object("b", "lamp")}));
   EXPECT_THAT(supports_of(scene, "a"), ElementsAre("night_1"));
   EXPECT_THAT(supports_of(scene, "b"), ElementsAre("night_2")) << "the free one";
-  EXPECT_TRUE(std::ranges::all_of(scene.relations, [](const Relation& item) { return item.assumed; }));
+  EXPECT_TRUE(std::ranges::all_of(scene.relations, [](const Relation& item) { return !item.asked(); }));
+}
+
+TEST(NormalizeSupport, WhatIsTooTallForATableStandsOnTheFloor) {
+  SceneObject lamp = object("a", "lamp");
+  lamp.size = SizeRange{{400, 400, 1500}, {400, 400, 1500}, {400, 400, 1500}};
+  const SceneGraph scene = normalized(scene_of({object("night_1", "nightstand"), lamp}));
+  EXPECT_EQ(scene.objects[1].mount, Mount::kFloor);
+  EXPECT_TRUE(scene.relations.empty());
+}
+
+TEST(NormalizeObjects, AMountIsAssumedWhereNoRelationSaysIt) {
+  const SceneGraph scene =
+      normalized(scene_of({object("a", "lamp"), object("b", "tv"), object("c", "wardrobe"), object("d", "desk")},
+                          {relation(RelationType::kOn, {"a"}, {"floor"}), relation(RelationType::kOnWall, {"c"}, {"back"})}));
+  EXPECT_EQ(scene.objects[0].mount, Mount::kFloor);
+  EXPECT_FALSE(scene.objects[0].mount_assumed);
+  EXPECT_EQ(scene.objects[1].mount, Mount::kWall);
+  EXPECT_TRUE(scene.objects[1].mount_assumed);
+  EXPECT_FALSE(scene.objects[2].mount_assumed);
+  EXPECT_TRUE(scene.objects[3].mount_assumed);
 }
 
 TEST(NormalizeSupport, WhatIsSaidHolds) {

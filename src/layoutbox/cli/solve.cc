@@ -52,6 +52,7 @@ void tell(const SolveArguments& flags, const Layout& layout, const Console& cons
   for (const Conflict& conflict : layout.conflicts) console.warn("cannot all hold: " + conflict.sentence);
   for (const Relaxation& relaxation : layout.relaxed)
     console.warn("given up: " + (relaxation.why.empty() ? relaxation.relation : relaxation.why));
+  console.gave_way(layout);
 }
 
 int run_solve(SolveArguments& flags, const Console& console) {

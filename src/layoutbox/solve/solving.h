@@ -22,6 +22,7 @@ inline constexpr std::int64_t kFirstSteps = 400'000, kLeastSteps = 60'000;
 inline constexpr int kRestarts = 8;
 inline constexpr int kStillWished = 4;  // points a metre, per weight, of a relation that was given up
 inline constexpr int kAllSizes = 1000;
+inline constexpr std::uint64_t kSeedStep = 0x9e3779b97f4a7c15;  // golden ratio: no start of one seed is a start of the next
 
 struct Dependencies;
 
@@ -62,19 +63,27 @@ class Solver {
   Result<bool> give_up_impossible();
   Result<bool> give_up_impossible(int constraint, const Dependencies& dependencies);
 
+  // ---- what nobody asked for gives way (assumptions.cc)
+  std::vector<int> assumptions_left() const;
+  bool search_without_assumptions();
+  bool is_missed(int constraint) const;
+  Status yield_assumptions(bool found);
+  std::vector<int> extras_in_the_way();
+  bool is_asked(int item) const;
+  bool floor_gives_way(const Clash& clash, const std::vector<int>& objects);
+
   // ---- what is given up when not everything can hold (give_up.cc)
   bool demands_left(Firmness firmness) const;
-  bool clearances_left() const { return demands_left(Firmness::kImplied); }
   bool search_without(Firmness firmness);
+  bool search_from_elsewhere();
   Result<bool> give_up_unproven(bool loose, const Placements& loosely);
   Result<bool> settle();
   void keep_what_can_be(std::vector<int>& missed);
-  Status give_up_clearances();
   Clash guess() const;
   Status give_up(const Clash& clash);
   std::vector<Demand>::const_iterator cheapest_of(const Clash& clash);
   std::int64_t miss_without(int constraint);
-  Result<bool> note_conflict(const Clash& clash, bool only_implied);
+  Result<bool> note_conflict(const Clash& clash, bool asked);
   void fall_back();
   std::vector<char> given_up_in(const Model& model) const;
   bool is_relaxed(const std::string& name) const {
@@ -100,6 +109,7 @@ class Solver {
 
   // ---- what is said of it in the end (outcome.cc)
   std::optional<Relaxation> relaxation_of(const std::string& name, const std::string& why) const;
+  void list_what_is_missed(Layout& layout);
   Layout finish();
 
   const SceneGraph& asked_;
@@ -114,7 +124,11 @@ class Solver {
   std::vector<std::string> left_out_ids_, lost_;              // objects, and the relations that went with them
   std::map<std::string, std::string> lost_words_;             // by relation
   std::vector<Relaxation> reasons_;                           // of the objects left out
-  std::vector<Conflict> conflicts_;
+  struct Noted {
+    Conflict conflict;
+    bool asked;  // it cost something that was asked for: else nobody is to hear of a conflict
+  };
+  std::vector<Noted> conflicts_;
   std::vector<std::string> impossible_, not_found_;  // conflicts that are errors
   std::set<std::string> looked_at_alone_;            // relations
   Placements placements_;
@@ -123,7 +137,7 @@ class Solver {
   double proof_time_ = 0;
   int unproven_ = 0;          // rounds that ended without a layout and without a proof
   bool proven_best_ = false;  // no layout is better by a point
-  bool used_cp_sat_ = false, fallback_ = false, stopped_by_clock_ = false, brought_back_ = false;
+  bool used_cp_sat_ = false, fallback_ = false, stopped_by_clock_ = false, brought_back_ = false, searched_elsewhere_ = false;
 };
 
 }  // namespace layoutbox::placement

@@ -64,7 +64,7 @@ void RelationBuilder::add(const Link& link, R type, std::vector<std::string> tar
   relation.parameters.region = sense.region;
   relation.parameters.side = sense.side;
   relation.hard = !link.soft;
-  relation.assumed = link.assumed;
+  relation.origin = link.assumed ? Origin::kAssumed : link.concluded ? Origin::kConcluded : Origin::kAsked;
   relation.why = words_between(document_, link.first, link.last);
   // "along a wall" is looser than "against" it.
   const std::string& first_word = document_.tokens[link.first].text;
@@ -247,7 +247,7 @@ void RelationBuilder::add_relations_to(const Link& link, const std::vector<int>&
     if (sense->type == R::kCorner && m != link.targets.front() && !reference.is_plural() && target.items.size() == 1 &&
         mention(link.targets.front()).items.size() == 1) {
       Link together = link;
-      together.soft = true;
+      together.soft = together.concluded = true;
       add(together, R::kNear, {id(target.items.front())}, {id(mention(link.targets.front()).items.front())});
     }
     if (link.distance && sense->type != R::kDistance && !reference_items.empty()) {
