@@ -41,7 +41,7 @@ std::string bytes_of(Layout layout) {
   return write_layout(layout);
 }
 
-bool asked_and_hard(const Relation& relation) { return relation.hard && !relation.assumed; }
+bool asked_and_hard(const Relation& relation) { return relation.hard && relation.asked(); }
 
 // What is wrong with a solver's answer: the kind of fault, then the figures; empty when nothing is.
 std::string fault_of(const SceneGraph& scene, const Result<Layout>& layout) {

@@ -54,7 +54,7 @@ SceneObject object_of(const NormalizeContext& context, const CatalogEntry& artic
   object.category = article.kind_of.empty() ? article.id : article.kind_of;
   object.id = unused_id(context.scene, object.category + "_1");
   object.catalog_id = article.article;
-  object.assumed = true;
+  object.origin = Origin::kAssumed;
   return object;
 }
 
@@ -112,7 +112,7 @@ void take_article(NormalizeContext& context, SceneObject& object, const CatalogE
   object.size_source = SizeSource::kUser;
   object.catalog_id = article.article;
   if (!article.kind_of.empty()) object.category = article.kind_of;
-  if (object.name.empty() || object.assumed) object.name = article.name;
+  if (object.name.empty() || !object.asked()) object.name = article.name;
   if (object.material.empty()) object.material = article.article_material;
   if (object.mesh.empty()) {
     object.mesh = article.article_mesh;
@@ -126,12 +126,12 @@ void take_article(NormalizeContext& context, SceneObject& object, const CatalogE
 
 void settle_articles_only(NormalizeContext& context) {
   std::vector<SceneObject>& objects = context.scene.objects;
-  const bool all_assumed = std::ranges::all_of(objects, [](const SceneObject& object) { return object.assumed; });
+  const bool all_assumed = std::ranges::all_of(objects, [](const SceneObject& object) { return !object.asked(); });
   std::erase_if(objects, [&](const SceneObject& object) {
     const bool is_article = std::ranges::any_of(context.catalog.articles_of(object.category),
                                                 [&](const CatalogEntry* article) { return article->article == object.catalog_id; });
     if (!is_article) {
-      context.note(object.assumed ? "ignored" : "contradiction",
+      context.note(object.asked() ? "contradiction" : "ignored",
                    fmt::format("the catalogue has no {}: \"{}\" is left out", object.name, object.id));
     }
     return !is_article;

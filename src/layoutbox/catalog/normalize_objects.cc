@@ -39,7 +39,7 @@ class ObjectNormalizer {
     const CatalogEntry& entry = context_.catalog.entry_or_nearest(object_.category);
     settle_size(entry);
     if (!object_.used_sides) object_.used_sides = entry.used_sides;
-    if (!object_.mount) object_.mount = mount_by_relations(entry);
+    if (!object_.mount) settle_mount(entry);
   }
 
  private:
@@ -157,7 +157,13 @@ class ObjectNormalizer {
   }
 
   // A relation that says where it is mounted beats the habit of its kind.
-  Mount mount_by_relations(const CatalogEntry& entry) const {
+  void settle_mount(const CatalogEntry& entry) {
+    object_.mount = mount_by_relations(entry);
+    object_.mount_assumed = !object_.mount;
+    if (!object_.mount) object_.mount = entry.mount;
+  }
+
+  std::optional<Mount> mount_by_relations(const CatalogEntry& entry) const {
     const SceneGraph& scene = context_.scene;
     for (const Relation& relation : scene.relations) {
       if (std::ranges::find(relation.targets, object_.id) == relation.targets.end()) continue;
@@ -165,7 +171,7 @@ class ObjectNormalizer {
       if (relation.type == RelationType::kOnCeiling) return Mount::kCeiling;
       if (relation.type != RelationType::kOn && relation.type != RelationType::kIn && relation.type != RelationType::kStacked) continue;
       for (const std::string& reference : relation.references) {
-        if (reference == "floor" && entry.mount != Mount::kCeiling) return Mount::kFloor;
+        if (reference == "floor") return Mount::kFloor;
         const SceneObject* below = scene.find_object(reference);
         const bool sill = scene.find_opening(reference) != nullptr;
         const bool carried = sill || (below != nullptr && !context_.catalog.entry_or_nearest(below->category).thin);
@@ -173,7 +179,7 @@ class ObjectNormalizer {
         if (below != nullptr && !carried) return Mount::kFloor;
       }
     }
-    return entry.mount;
+    return std::nullopt;
   }
 
   static std::string text_of(const Size& size) {

@@ -174,7 +174,7 @@ void support_object(NormalizeContext& context, SceneObject& object, const std::s
   relation.targets = {object.id};
   relation.references = {support->id};
   relation.why = fmt::format("a {} stands on something", object.name);
-  relation.assumed = true;
+  relation.origin = Origin::kAssumed;
   context.note("guessed", fmt::format("what \"{}\" stands on is not said: \"{}\" is taken", object.id, support->id), pointer);
   context.scene.relations.push_back(std::move(relation));
 }

@@ -233,7 +233,7 @@ class RoomNormalizer {
       Opening& opening = room_.openings[i];
       if (const Wall* wall = context_.scene.find_wall(opening.wall); wall != nullptr && !opening.wall.empty()) opening.wall = wall->id;
       if (opening.id.empty()) opening.id = unused_id(context_.scene, fmt::format("{}{}", name_of(opening.type), i + 1));
-      if (opening.assumed) fit_assumed(opening);
+      if (!opening.asked()) fit_assumed(opening);
     }
   }
 
@@ -254,7 +254,7 @@ class RoomNormalizer {
   void add_default_openings() {
     Opening door;
     door.id = unused_id(context_.scene, "door1");
-    door.assumed = true;
+    door.origin = Origin::kAssumed;
     fit_assumed(door);
     room_.openings.push_back(door);
 
@@ -264,7 +264,7 @@ class RoomNormalizer {
     window.width = window.height = 1200;
     window.sill = 900;
     window.swing = Swing::kNone;
-    window.assumed = true;
+    window.origin = Origin::kAssumed;
     fit_assumed(window);
     if (window.height >= 300 && window.width >= 300) room_.openings.push_back(window);
     context_.note("filled", "no door or window is named: the room gets one of each, where they are least in the way", "/room/openings");

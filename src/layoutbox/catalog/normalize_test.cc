@@ -183,7 +183,7 @@ TEST(NormalizeRoom, GetsADoorAndAWindowOnlyWhereNothingIsSaid) {
   EXPECT_EQ(scene.room.openings[0].type, OpeningType::kDoor);
   EXPECT_EQ(scene.room.openings[1].type, OpeningType::kWindow);
   for (const Opening& opening : scene.room.openings) {
-    EXPECT_TRUE(opening.assumed);
+    EXPECT_EQ(opening.origin, Origin::kAssumed);
     EXPECT_THAT(opening.wall, IsEmpty());
     EXPECT_FALSE(opening.offset);
   }
@@ -351,7 +351,7 @@ TEST(NormalizeSupport, LampsGoWhereLampsGo) {
                                                 object("a", "lamp"), object("b", "lamp")}));
   EXPECT_THAT(supports_of(scene, "a"), ElementsAre("night_1"));
   EXPECT_THAT(supports_of(scene, "b"), ElementsAre("night_2")) << "the free one";
-  EXPECT_TRUE(std::ranges::all_of(scene.relations, [](const Relation& item) { return item.assumed; }));
+  EXPECT_TRUE(std::ranges::all_of(scene.relations, [](const Relation& item) { return !item.asked(); }));
 }
 
 TEST(NormalizeSupport, WhatIsSaidHolds) {

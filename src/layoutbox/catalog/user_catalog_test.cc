@@ -189,7 +189,7 @@ TEST_F(Articles, FillARoomWithAFittingSelection) {
   for (const SceneObject& item : scene.objects) numbers.push_back(item.catalog_id);
   EXPECT_THAT(numbers, Contains("N1"));
   EXPECT_THAT(numbers, testing::Not(testing::AllOf(Contains("B1"), Contains("W1")))) << "they would cover too much of the floor";
-  for (const SceneObject& item : scene.objects) EXPECT_TRUE(item.assumed);
+  for (const SceneObject& item : scene.objects) EXPECT_FALSE(item.asked());
 }
 
 TEST_F(Articles, OfUnknownKindsAreDrawnLikeSomethingKnown) {

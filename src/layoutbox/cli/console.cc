@@ -81,6 +81,10 @@ void Console::stage(const StageTime& stage) const {
   say(fmt::format("{:<8}{:>9}  {}", stage.stage, time_text(stage.seconds), stage.summary));
 }
 
+void Console::gave_way(const Layout& layout) const {
+  for (const Relaxation& item : layout.gave_way) say(fmt::format("gave way: {}", item.why.empty() ? item.relation : item.why));
+}
+
 void Console::notes(const std::vector<Note>& notes) const {
   for (const Note& note : notes) {
     const std::string line = note.pointer.empty() ? note.message : fmt::format("{} [{}]", note.message, note.pointer);

@@ -31,6 +31,8 @@ class Console {
   void stage(const StageTime& stage) const;
   // Notes of the planner and the reader: what was not understood always, what was filled in only with -v.
   void notes(const std::vector<Note>& notes) const;
+  // What nobody asked for and gave way to what was.
+  void gave_way(const Layout& layout) const;
   // Prints the error (what, where, what to do; with --json the object) and returns its exit status.
   int fail(const Error& error) const;
   // A share done of something long: a bar on a terminal, plain lines elsewhere.

@@ -50,10 +50,11 @@ std::string result_json(const GenerateOutcome& outcome, const std::string& folde
   Json json{{"asAsked", as_asked(outcome)},    {"status", name_of(outcome.layout.status)}, {"folder", folder},
             {"files", outcome.files},          {"objects", outcome.layout.objects.size()}, {"relations", outcome.layout.relations.size()},
             {"passed", outcome.report.passed}, {"metrics", outcome.report.metrics}};
-  json["relaxed"] = Json::array();
-  for (const Relaxation& relaxation : outcome.layout.relaxed) {
-    json["relaxed"].push_back(
-        {{"relation", relaxation.relation}, {"by", relaxation.by}, {"unit", relaxation.unit}, {"why", relaxation.why}});
+  for (const auto& [key, list] : {std::pair{"relaxed", &outcome.layout.relaxed}, std::pair{"gaveWay", &outcome.layout.gave_way}}) {
+    json[key] = Json::array();
+    for (const Relaxation& relaxation : *list) {
+      json[key].push_back({{"relation", relaxation.relation}, {"by", relaxation.by}, {"unit", relaxation.unit}, {"why", relaxation.why}});
+    }
   }
   json["conflicts"] = Json::array();
   for (const Conflict& conflict : outcome.layout.conflicts) json["conflicts"].push_back(conflict.sentence);
@@ -70,6 +71,7 @@ void say_what_was_given_up(const Console& console, const GenerateOutcome& outcom
     const std::string by = relaxation.unit.empty() ? "" : fmt::format(" (missed by {:.2f} {})", relaxation.by, relaxation.unit);
     console.warn(fmt::format("given up: {}{}", relaxation.why.empty() ? relaxation.relation : relaxation.why, by));
   }
+  console.gave_way(outcome.layout);
   for (const Check& check : outcome.report.checks) {
     if (check.required && !check.passed) console.warn(fmt::format("check failed: {}", check.message));
   }

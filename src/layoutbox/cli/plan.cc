@@ -38,7 +38,8 @@ std::string explanation(std::string_view prompt, const Plan& plan) {
   for (const SceneObject& object : plan.scene.objects) {
     std::string attributes;
     for (const std::string& attribute : object.attributes) attributes += (attributes.empty() ? "" : ", ") + attribute;
-    text += fmt::format("  {:<22} {:<20} {}{}\n", object.id, object.category, attributes, object.assumed ? " (assumed)" : "");
+    text += fmt::format("  {:<22} {:<20} {}{}\n", object.id, object.category, attributes,
+                        object.asked() ? "" : fmt::format(" ({})", name_of(object.origin)));
   }
   text += "\nrelations\n";
   for (const Relation& relation : plan.scene.relations) {

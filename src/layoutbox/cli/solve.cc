@@ -52,6 +52,7 @@ void tell(const Flags& flags, const Layout& layout, const Console& console) {
   for (const Conflict& conflict : layout.conflicts) console.warn("cannot all hold: " + conflict.sentence);
   for (const Relaxation& relaxation : layout.relaxed)
     console.warn("given up: " + (relaxation.why.empty() ? relaxation.relation : relaxation.why));
+  console.gave_way(layout);
 }
 
 int run(Flags& flags, const Console& console) {

@@ -85,8 +85,7 @@ void add_leaf(Builder& b) {
   const Vec2 hinge{hinge_left ? b.w - lining - 0.003 : lining + 0.003, turns ? y : -t / 2};
   double angle = 0;
   if (turns) {
-    const bool given_up = std::any_of(b.layout.relaxed.begin(), b.layout.relaxed.end(),
-                                      [&](const Relaxation& r) { return r.relation.ends_with(b.opening.id); });
+    const bool given_up = b.layout.lists_as_given_up("door swing of " + b.opening.id);
     for (const double degrees : {50.0, 30.0, 15.0}) {
       const double a = radians_from_degrees(degrees);
       const Vec2 way{(hinge_left ? -1 : 1) * std::cos(a), (in ? 1 : -1) * std::sin(a)};

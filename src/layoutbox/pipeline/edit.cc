@@ -105,7 +105,7 @@ void Edit::drop_relations_of_what_is_gone() {
         relation.targets.size() < 2 && whole.targets.size() >= 2 && relation_row(relation.type).arity == RelationArity::kNone &&
         (relation.type == R::kRow || relation.type == R::kGrid || relation.type == R::kColumn || relation.type == R::kEvenlySpaced);
     if (relation.targets.empty() || (referred && relation.references.empty()) || alone) {
-      if (!whole.assumed) dropped_.push_back(whole);
+      if (whole.asked()) dropped_.push_back(whole);
       softened_.erase(whole.id);
       continue;
     }
@@ -146,10 +146,12 @@ void Edit::settle(EditOutcome& outcome) {
     kept.push_back(std::move(placed));
   }
   layout.relations = std::move(kept);
-  for (const Relaxation& relaxation : before_.relaxed) {
-    const auto still = std::find_if(layout.relations.begin(), layout.relations.end(),
-                                    [&](const PlacedRelation& r) { return r.relation.id == relaxation.relation && !r.held; });
-    if (still != layout.relations.end()) layout.relaxed.push_back(relaxation);
+  for (const auto& [before, now] : {std::pair{&before_.relaxed, &layout.relaxed}, std::pair{&before_.gave_way, &layout.gave_way}}) {
+    for (const Relaxation& relaxation : *before) {
+      const auto still = std::find_if(layout.relations.begin(), layout.relations.end(),
+                                      [&](const PlacedRelation& r) { return r.relation.id == relaxation.relation && !r.held; });
+      if (still != layout.relations.end()) now->push_back(relaxation);
+    }
   }
   if (!layout.relaxed.empty() && layout.status == LayoutStatus::kSolved) layout.status = LayoutStatus::kRelaxed;
   for (PlacedObject& placed : layout.objects) {

@@ -1,18 +1,21 @@
 #include "layoutbox/pipeline/edit_by_model.h"
 
+#include <algorithm>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <string>
 
 #include "layoutbox/pipeline/edit_changes.h"
 #include "layoutbox/pipeline/repair.h"
 #include "layoutbox/plan/llm/conversation.h"
+#include "layoutbox/scene/json_text.h"
 #include "layoutbox/scene/layout_scene.h"
 #include "layoutbox/scene/scene_json.h"
 
 namespace layoutbox {
 namespace {
 
-// What a model sees: no walls, spaces or notes, whose rules are its own.
+// What a model sees: no walls, spaces or notes, whose rules are its own, and not whose wish a thing was.
 std::string scene_for_model(const Layout& layout) {
   SceneGraph scene = scene_of(layout);
   scene.notes.clear();
@@ -24,7 +27,12 @@ std::string scene_for_model(const Layout& layout) {
       object.hint = {placed->position, placed->rotation_deg, false};
     }
   }
-  return write_scene(scene);
+  nlohmann::ordered_json document = nlohmann::ordered_json::parse(write_scene(scene));
+  const auto strip = [](nlohmann::ordered_json& items) {
+    for (nlohmann::ordered_json& item : items) item.erase("origin"), item.erase("assumed");
+  };
+  strip(document["furniture"]), strip(document["constraints"]), strip(document["room"]["openings"]);
+  return format_json(document);
 }
 
 // Members that no model writes come back from the earlier scene, for things that it left as they were.
@@ -32,12 +40,23 @@ void restore(const SceneGraph& before, SceneGraph& scene) {
   for (SceneObject& object : scene.objects) {
     const SceneObject* earlier = before.find_object(object.id);
     if (earlier == nullptr || earlier->category != object.category) continue;
+    object.origin = earlier->origin;
     if (!object.mount) object.mount = earlier->mount;
     if (!object.used_sides) object.used_sides = earlier->used_sides;
     if (!object.size) object.size = earlier->size, object.size_source = earlier->size_source;
     const bool same_size = object.size == earlier->size;
     if (same_size && !object.spaces_given) object.spaces = earlier->spaces, object.spaces_given = earlier->spaces_given;
     if (object.mesh.empty()) object.mesh = earlier->mesh, object.mesh_front = earlier->mesh_front;
+  }
+  for (Opening& opening : scene.room.openings) {
+    if (const Opening* earlier = before.find_opening(opening.id)) opening.origin = earlier->origin;
+  }
+  for (Relation& relation : scene.relations) {
+    const auto same = [&](const Relation& r) {
+      return r.type == relation.type && r.targets == relation.targets && r.references == relation.references;
+    };
+    const auto earlier = std::ranges::find_if(before.relations, same);
+    if (earlier != before.relations.end()) relation.origin = earlier->origin;
   }
 }
 

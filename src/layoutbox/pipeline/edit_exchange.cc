@@ -61,7 +61,7 @@ Status Edit::replace(const EditStep& step) {
       beside.targets = {fresh.id};
       beside.references = {step.objects.front().id};
       beside.hard = false;
-      beside.assumed = true;
+      beside.origin = Origin::kAssumed;
       beside.why = step.why;
       scene_.relations.push_back(std::move(beside));
     }

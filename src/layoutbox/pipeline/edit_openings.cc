@@ -111,7 +111,7 @@ void Edit::soften_about_opening(const std::string& id) {
 }
 
 void Edit::settle_opening(Opening changed) {
-  changed.assumed = false;
+  changed.origin = Origin::kAsked;
   if (!changed.offset) solve_.freed.push_back(changed.id);
   soften_about_opening(changed.id);
   if (Opening* there = opening(changed.id)) {

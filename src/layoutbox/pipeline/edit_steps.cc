@@ -49,7 +49,7 @@ void Edit::remove_support(const std::string& id) {
       ++i;
       continue;
     }
-    if (!relation.assumed) dropped_.push_back(scene_.relations[i]), dropped_.back().targets = {id};
+    if (relation.asked()) dropped_.push_back(scene_.relations[i]), dropped_.back().targets = {id};
     scene_.relations.erase(scene_.relations.begin() + static_cast<std::ptrdiff_t>(i));
   }
 }
@@ -103,7 +103,7 @@ void Edit::stand_beside(SceneObject& moved, const std::vector<Relation>& relatio
       on.type = R::kOn;
       on.targets = {moved.id};
       on.references = {neighbour->supported_by};
-      on.assumed = true;
+      on.origin = Origin::kAssumed;
       on.why = relation.why;
       scene_.relations.push_back(std::move(on));
     } else {

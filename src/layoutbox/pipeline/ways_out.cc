@@ -348,7 +348,7 @@ bool gives_up_what_was_asked(const Layout& layout, const SceneGraph& scene) {
   if (layout.status == LayoutStatus::kSolved) return false;
   return std::ranges::any_of(layout.relaxed, [&](const Relaxation& relaxation) {
     if (scene.find_object(relaxation.relation) != nullptr) return true;
-    return std::ranges::any_of(scene.relations, [&](const Relation& r) { return r.id == relaxation.relation && r.hard && !r.assumed; });
+    return std::ranges::any_of(scene.relations, [&](const Relation& r) { return r.id == relaxation.relation && r.hard && r.asked(); });
   });
 }
 

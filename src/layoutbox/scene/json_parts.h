@@ -19,6 +19,7 @@ nlohmann::ordered_json json_of(const std::vector<Space>& spaces);
 nlohmann::ordered_json json_of(const std::vector<Side>& sides);
 nlohmann::ordered_json json_of(const Relation& relation);  // one item of `constraints` or `relations`
 nlohmann::ordered_json json_of(const std::vector<Material>& materials);
+void add_origin(nlohmann::ordered_json& item, Origin origin);  // and `assumed`, for readers of older files
 
 // ---- reading. REQUIRES: a document that the schema accepts, with null members taken out.
 Point point_from(const nlohmann::json& value);                   // of [x, y] or [x, y, z]
@@ -33,6 +34,7 @@ std::vector<Material> materials_from(const nlohmann::json& value);
 std::string text_at(const nlohmann::json& object, const char* key);  // "" where it is missing
 Mm length_at(const nlohmann::json& object, const char* key, Mm missing = 0);
 bool flag_at(const nlohmann::json& object, const char* key, bool missing);
+Origin origin_at(const nlohmann::json& object);  // of older files: assumed, where they say no more
 std::vector<std::string> texts_at(const nlohmann::json& object, const char* key);
 
 }  // namespace layoutbox

@@ -20,6 +20,11 @@ std::optional<Mm> optional_length(const json& object, const char* key) {
 std::string text_at(const json& object, const char* key) { return object.value(key, std::string()); }
 Mm length_at(const json& object, const char* key, Mm missing) { return optional_length(object, key).value_or(missing); }
 bool flag_at(const json& object, const char* key, bool missing) { return object.value(key, missing); }
+
+Origin origin_at(const json& object) {
+  return origin_from_name(text_at(object, "origin")).value_or(flag_at(object, "assumed", false) ? Origin::kAssumed : Origin::kAsked);
+}
+
 std::vector<std::string> texts_at(const json& object, const char* key) { return object.value(key, std::vector<std::string>()); }
 
 Point point_from(const json& value) { return {mm_from_m(value.at(0).get<double>()), mm_from_m(value.at(1).get<double>())}; }
@@ -63,7 +68,7 @@ Opening opening_from(const json& value) {
   opening.sill = length_at(value, "sill", window ? 900 : 0);
   opening.sill_depth = length_at(value, "sillDepth", Opening{}.sill_depth);
   opening.swing = swing_from_name(text_at(value, "swing")).value_or(opening.type == OpeningType::kDoor ? Swing::kInLeft : Swing::kNone);
-  opening.assumed = flag_at(value, "assumed", false);
+  opening.origin = origin_at(value);
   return opening;
 }
 
@@ -96,7 +101,7 @@ Relation relation_from(const json& value) {
   relation.hard = flag_at(value, "hard", true);
   relation.weight = value.value("weight", relation.weight);
   relation.why = text_at(value, "why");
-  relation.assumed = flag_at(value, "assumed", false);
+  relation.origin = origin_at(value);
   return relation;
 }
 

@@ -8,6 +8,11 @@ using nlohmann::ordered_json;
 
 double json_length(double mm) { return mm / 1000; }
 
+void add_origin(ordered_json& item, Origin origin) {
+  item["origin"] = name_of(origin);
+  if (origin != Origin::kAsked) item["assumed"] = true;
+}
+
 ordered_json json_of(Point point) { return {json_length(point.x), json_length(point.y)}; }
 ordered_json json_of(const std::array<double, 3>& mm) { return {json_length(mm[0]), json_length(mm[1]), json_length(mm[2])}; }
 ordered_json json_of(const Size& size) { return {json_length(size.width), json_length(size.depth), json_length(size.height)}; }
@@ -58,7 +63,7 @@ ordered_json json_of(const Relation& relation) {
   out["hard"] = relation.hard;
   if (relation.weight != Relation{}.weight) out["weight"] = relation.weight;
   if (!relation.why.empty()) out["why"] = relation.why;
-  if (relation.assumed) out["assumed"] = true;
+  add_origin(out, relation.origin);
   return out;
 }
 

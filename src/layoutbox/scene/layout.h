@@ -23,6 +23,7 @@ struct PlacedObject {
   std::vector<Space> spaces;  // evaluated at `size`
   std::string mesh, mesh_front, material;
   bool fixed = false;
+  Origin origin = Origin::kAsked;
 };
 
 struct PlacedRelation {
@@ -30,7 +31,7 @@ struct PlacedRelation {
   bool held = false;  // what the solver claims; verify judges
 };
 
-// A hard relation that was given up, and by how much it is missed.
+// A relation that was given up or gave way, and by how much it is missed.
 struct Relaxation {
   std::string relation;  // its id, or a name such as "door swing of door1"
   double by = 0;
@@ -46,6 +47,7 @@ struct Conflict {
   bool minimal = true;
 };
 
+// kSolved: all that was asked for holds; kRelaxed: some of it was given up; kFallback: the scene's own positions.
 enum class LayoutStatus { kSolved, kRelaxed, kFallback };
 std::string_view name_of(LayoutStatus status);
 std::optional<LayoutStatus> layout_status_from_name(std::string_view name);
@@ -64,7 +66,8 @@ struct Layout {
   Room room;  // normalised: polygon, walls and openings all with their places
   std::vector<PlacedObject> objects;
   std::vector<PlacedRelation> relations;
-  std::vector<Relaxation> relaxed;
+  std::vector<Relaxation> relaxed;   // what was asked for and given up, or left out
+  std::vector<Relaxation> gave_way;  // what nobody asked for and gave way to what was
   std::vector<Conflict> conflicts;
   std::vector<Material> materials;
   double score = 0;  // 0–1, soft score
@@ -74,6 +77,8 @@ struct Layout {
   const PlacedObject* find_object(std::string_view id) const;
   const Wall* find_wall(std::string_view id_or_word) const;
   const Opening* find_opening(std::string_view id) const;
+  // Listed in `relaxed` or `gave_way`, a relation's id or such as "door swing of door1".
+  bool lists_as_given_up(std::string_view relation) const;
 };
 
 }  // namespace layoutbox

@@ -17,6 +17,7 @@ SceneObject object_of(const PlacedObject& placed) {
   object.spaces_given = !placed.spaces.empty();
   object.mesh = placed.mesh, object.mesh_front = placed.mesh_front, object.material = placed.material;
   object.fixed = placed.fixed;
+  object.origin = placed.origin;
   if (placed.fixed) object.hint = {placed.position, placed.rotation_deg, false};
   return object;
 }
@@ -40,7 +41,7 @@ void add_support(const Layout& layout, const PlacedObject& placed, SceneGraph& s
   relation.targets = {placed.id};
   relation.references = {placed.supported_by};
   relation.why = "the layout has it there";
-  relation.assumed = true;
+  relation.origin = Origin::kAssumed;
   scene.relations.push_back(std::move(relation));
 }
 

@@ -45,7 +45,7 @@ Room RandomScenes::room() {
     opening.sill = number(0, 900);
     opening.swing = opening.type == OpeningType::kDoor ? static_cast<Swing>(number(0, 5)) : Swing::kNone;
     if (opening.type == OpeningType::kWindow) opening.sill_depth = number(0, 400);
-    opening.assumed = coin();
+    opening.origin = static_cast<Origin>(number(0, 3));
     room.openings.push_back(opening);
   }
   room.floor_material = text();
@@ -68,6 +68,7 @@ SceneObject RandomScenes::object(int index) {
     object.size_source = static_cast<SizeSource>(number(0, 3));
   }
   if (coin()) object.mount = static_cast<Mount>(number(0, 4));
+  object.mount_assumed = object.mount && coin();
   if (coin()) object.used_sides = sides();
   object.spaces_given = coin();
   if (object.spaces_given) object.spaces = spaces();
@@ -79,7 +80,7 @@ SceneObject RandomScenes::object(int index) {
   object.mesh_front = text();
   object.material = text();
   if (coin()) object.tags = {"a", "b"};
-  object.assumed = coin();
+  object.origin = static_cast<Origin>(number(0, 3));
   return object;
 }
 
@@ -97,6 +98,7 @@ PlacedObject RandomScenes::placed_object(int index) {
   object.supported_by = index == 0 || coin() ? "floor" : "object0";
   object.used_sides = sides();
   object.spaces = spaces();
+  object.origin = static_cast<Origin>(number(0, 3));
   object.mesh = text();
   object.mesh_front = text();
   object.material = text();
@@ -128,7 +130,7 @@ Relation RandomScenes::relation(int index, const std::vector<std::string>& objec
   relation.hard = coin();
   relation.weight = number(0, 200);
   relation.why = text();
-  relation.assumed = coin();
+  relation.origin = static_cast<Origin>(number(0, 3));
   return relation;
 }
 
@@ -180,6 +182,7 @@ Layout RandomScenes::layout() {
   }
   for (int i = number(0, 5); i > 0; --i) layout.relations.push_back({relation(i, ids), coin()});
   if (coin()) layout.relaxed = {{"c1", 0.12, "m", text()}, {"c2", 15, "", ""}};
+  if (coin()) layout.gave_way = {{"free space before window1", 0.3, "m", text()}};
   if (coin()) layout.conflicts = {{{"c1", "c2"}, {ids.front()}, "They clash.", coin()}};
   layout.materials = materials();
   layout.score = number(0, 10000) / 10000.0;

@@ -22,6 +22,8 @@ TEST(RandomFiles, ScenesComeBackAsTheyWere) {
       const SceneObject &a = scene.objects[i], &b = again->objects[i];
       ASSERT_EQ(a.size, b.size) << "seed " << seed;
       ASSERT_EQ(a.mount, b.mount);
+      ASSERT_EQ(a.mount_assumed, b.mount_assumed);
+      ASSERT_EQ(a.origin, b.origin);
       ASSERT_EQ(a.used_sides, b.used_sides);
       ASSERT_EQ(a.fixed, b.fixed);
       ASSERT_EQ(a.name, b.name);
@@ -46,6 +48,7 @@ TEST(RandomFiles, LayoutsComeBackAsTheyWere) {
       const PlacedObject &a = layout.objects[i], &b = again->objects[i];
       ASSERT_EQ(a.size, b.size) << "seed " << seed;
       ASSERT_EQ(a.supported_by, b.supported_by);
+      ASSERT_EQ(a.origin, b.origin);
       ASSERT_EQ(a.used_sides, b.used_sides);
       ASSERT_EQ(a.spaces.size(), b.spaces.size());
       for (std::size_t k = 0; k < 3; ++k) ASSERT_NEAR(a.position[k], b.position[k], 1e-6);
@@ -55,9 +58,11 @@ TEST(RandomFiles, LayoutsComeBackAsTheyWere) {
     for (std::size_t i = 0; i < layout.relations.size(); ++i) {
       ASSERT_EQ(again->relations[i].relation.type, layout.relations[i].relation.type);
       ASSERT_EQ(again->relations[i].held, layout.relations[i].held);
+      ASSERT_EQ(again->relations[i].relation.origin, layout.relations[i].relation.origin);
       ASSERT_EQ(again->relations[i].relation.parameters.distance, layout.relations[i].relation.parameters.distance);
     }
     ASSERT_EQ(again->status, layout.status);
+    ASSERT_EQ(again->gave_way.size(), layout.gave_way.size());
     ASSERT_EQ(again->stats.proven, layout.stats.proven);
   }
 }

@@ -34,6 +34,7 @@ PlacedObject object_from(const json& value) {
   object.mesh_front = text_at(value, "meshFront");
   object.material = text_at(value, "matOverride");
   object.fixed = flag_at(value, "fixed", false);
+  object.origin = origin_at(value);
   return object;
 }
 
@@ -81,9 +82,11 @@ Layout layout_from(const json& document) {
   for_each_in(document, "relations", [&](const json& item) {
     layout.relations.push_back({relation_from(item), flag_at(item, "held", false)});
   });
-  for_each_in(document, "relaxed", [&](const json& item) {
-    layout.relaxed.push_back({text_at(item, "relation"), item.value("by", 0.0), text_at(item, "unit"), text_at(item, "why")});
-  });
+  for (const auto& [key, list] : {std::pair{"relaxed", &layout.relaxed}, std::pair{"gaveWay", &layout.gave_way}}) {
+    for_each_in(document, key, [&](const json& item) {
+      list->push_back({text_at(item, "relation"), item.value("by", 0.0), text_at(item, "unit"), text_at(item, "why")});
+    });
+  }
   for_each_in(document, "conflicts", [&](const json& item) {
     layout.conflicts.push_back(
         {texts_at(item, "relations"), texts_at(item, "objects"), text_at(item, "sentence"), flag_at(item, "minimal", true)});

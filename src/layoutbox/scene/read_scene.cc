@@ -46,6 +46,7 @@ SceneObject object_from(const json& value, bool own) {
   if (value.contains("dims"))
     object.size_source = size_source_from_name(text_at(value.at("dims"), "source")).value_or(SizeSource::kUnknown);
   object.mount = mount_from_name(text_at(value, "mount"));
+  object.mount_assumed = flag_at(value, "mountAssumed", false);
   if (const auto sides = value.find("usedSides"); sides != value.end()) object.used_sides = sides_from(*sides);
   if (const auto spaces = value.find("spaces"); spaces != value.end()) {
     object.spaces = spaces_from(*spaces);
@@ -64,7 +65,7 @@ SceneObject object_from(const json& value, bool own) {
   object.mesh_front = text_at(value, "meshFront");
   object.material = text_at(value, "matOverride");
   object.tags = texts_at(value, "tags");
-  object.assumed = flag_at(value, "assumed", false);
+  object.origin = origin_at(value);
   return object;
 }
 

@@ -313,6 +313,36 @@ TEST(SceneSchema, KnowsExactlyTheRelationsOfTheTable) {
   EXPECT_THAT(schema["definitions"]["relationType"]["enum"].get<std::vector<std::string>>(), testing::ElementsAreArray(table));
 }
 
+TEST(Origins, AreReadAndOlderFilesOnlySayAssumed) {
+  const auto scene = read_scene(R"({
+    "format": "layoutbox/scene@1",
+    "room": {"dims": {"w": 4, "d": 3, "h": 2.5}, "openings": [{"id": "door1", "assumed": true}, {"id": "door2"}]},
+    "furniture": [
+      {"id": "bed", "category": "bed"},
+      {"id": "lamp", "category": "lamp", "assumed": true, "mount": "surface", "mountAssumed": true},
+      {"id": "chair", "category": "chair", "origin": "added", "assumed": true},
+      {"id": "desk", "category": "desk", "origin": "concluded"}
+    ],
+    "constraints": [
+      {"type": "on", "targets": ["lamp"], "relativeTo": "desk", "origin": "concluded", "assumed": true},
+      {"type": "near", "targets": ["chair"], "relativeTo": "bed", "origin": "asked", "assumed": true}
+    ]})");
+  ASSERT_TRUE(scene) << scene.error().message;
+  EXPECT_EQ(scene->room.openings[0].origin, Origin::kAssumed);
+  EXPECT_TRUE(scene->room.openings[1].asked());
+  EXPECT_TRUE(scene->objects[0].asked());
+  EXPECT_EQ(scene->objects[1].origin, Origin::kAssumed);
+  EXPECT_TRUE(scene->objects[1].mount_assumed);
+  EXPECT_EQ(scene->objects[2].origin, Origin::kAdded);
+  EXPECT_EQ(scene->objects[3].origin, Origin::kConcluded);
+  EXPECT_EQ(scene->relations[0].origin, Origin::kConcluded);
+  EXPECT_TRUE(scene->relations[1].asked());  // the origin says more
+  const nlohmann::json written = nlohmann::json::parse(write_scene(*scene));
+  EXPECT_EQ(written["furniture"][0]["origin"], "asked");
+  EXPECT_FALSE(written["furniture"][0].contains("assumed"));
+  EXPECT_EQ(written["furniture"][3]["assumed"], true);
+}
+
 TEST(Documents, AreToldApart) {
   EXPECT_EQ(kind_of_document(paper_scene().dump()).value(), "scene");
   EXPECT_EQ(kind_of_document(R"({"format": "layoutbox/layout@1"})").value(), "layout");

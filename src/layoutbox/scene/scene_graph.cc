@@ -39,6 +39,7 @@ constexpr std::string_view kAxes[] = {"X", "Y", "Z"};
 constexpr std::string_view kOpeningTypes[] = {"door", "window", "open"};
 constexpr std::string_view kSwings[] = {"in-left", "in-right", "out-left", "out-right", "sliding", "none"};
 constexpr std::string_view kSizeSources[] = {"unknown", "catalog", "inferred", "user"};
+constexpr std::string_view kOrigins[] = {"asked", "concluded", "added", "assumed"};
 constexpr std::string_view kLayoutStatuses[] = {"solved", "relaxed", "fallback"};
 
 template <class Enum, std::size_t N>
@@ -101,6 +102,10 @@ const Wall* SceneGraph::find_wall(std::string_view id_or_word) const { return fi
 
 const PlacedObject* Layout::find_object(std::string_view id) const { return find_by_id(objects, id); }
 const Opening* Layout::find_opening(std::string_view id) const { return find_by_id(room.openings, id); }
+bool Layout::lists_as_given_up(std::string_view relation) const {
+  const auto is_it = [&](const Relaxation& item) { return item.relation == relation; };
+  return std::ranges::any_of(relaxed, is_it) || std::ranges::any_of(gave_way, is_it);
+}
 const Wall* Layout::find_wall(std::string_view id_or_word) const { return find_wall_in(room.walls, id_or_word); }
 
 std::string_view name_of(Mount mount) { return name_in(kMounts, mount); }
@@ -109,6 +114,7 @@ std::string_view name_of(Axis axis) { return name_in(kAxes, axis); }
 std::string_view name_of(OpeningType type) { return name_in(kOpeningTypes, type); }
 std::string_view name_of(Swing swing) { return name_in(kSwings, swing); }
 std::string_view name_of(SizeSource source) { return name_in(kSizeSources, source); }
+std::string_view name_of(Origin origin) { return name_in(kOrigins, origin); }
 std::string_view name_of(LayoutStatus status) { return name_in(kLayoutStatuses, status); }
 
 std::optional<Mount> mount_from_name(std::string_view name) { return value_in<Mount>(kMounts, name); }
@@ -117,6 +123,7 @@ std::optional<Axis> axis_from_name(std::string_view name) { return value_in<Axis
 std::optional<OpeningType> opening_type_from_name(std::string_view name) { return value_in<OpeningType>(kOpeningTypes, name); }
 std::optional<Swing> swing_from_name(std::string_view name) { return value_in<Swing>(kSwings, name); }
 std::optional<SizeSource> size_source_from_name(std::string_view name) { return value_in<SizeSource>(kSizeSources, name); }
+std::optional<Origin> origin_from_name(std::string_view name) { return value_in<Origin>(kOrigins, name); }
 std::optional<LayoutStatus> layout_status_from_name(std::string_view name) { return value_in<LayoutStatus>(kLayoutStatuses, name); }
 
 }  // namespace layoutbox

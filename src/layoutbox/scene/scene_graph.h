@@ -23,6 +23,9 @@ enum class OpeningType { kDoor, kWindow, kOpen };
 // Where a door's hinge is and which way it turns, seen from inside the room looking at the wall.
 enum class Swing { kInLeft, kInRight, kOutLeft, kOutRight, kSliding, kNone };
 enum class SizeSource { kUnknown, kCatalog, kInferred, kUser };
+// Whose wish it is: said in the text, the file or by the user's hand; what follows from the text; a companion that the use needs; a
+// default of ours. In this order: what comes later gives way first, and only what was asked counts for "as asked".
+enum class Origin { kAsked, kConcluded, kAdded, kAssumed };
 
 struct Color {  // linear components are not meant here: sRGB, 0–1
   double r = 0, g = 0, b = 0;
@@ -62,7 +65,8 @@ struct Opening {
   Mm width = 900, height = 2000, sill = 0;
   Mm sill_depth = 200;  // windows: how deep a thing may be that stands on the sill
   Swing swing = Swing::kInLeft;
-  bool assumed = false;  // nobody asked for it: a default of ours, first to be moved or narrowed
+  Origin origin = Origin::kAsked;  // else it is the first to be moved or narrowed
+  bool asked() const { return origin == Origin::kAsked; }
 };
 
 struct Room {
@@ -102,6 +106,7 @@ struct SceneObject {
   std::optional<SizeRange> size;        // always set once normalised
   SizeSource size_source = SizeSource::kUnknown;
   std::optional<Mount> mount;                   // always set once normalised
+  bool mount_assumed = false;                   // the habit of its kind: gives way to what is asked of it
   std::optional<std::vector<Side>> used_sides;  // normalised; empty vector: none
   std::vector<Space> spaces;                    // only where a file gave them; else the catalogue's formulas hold (catalog/spaces.h)
   bool spaces_given = false;
@@ -110,7 +115,8 @@ struct SceneObject {
   std::array<double, 3> scale{1, 1, 1};
   std::string mesh, mesh_front, material;
   std::vector<std::string> tags;
-  bool assumed = false;  // not asked for by name (the usual furniture of a room)
+  Origin origin = Origin::kAsked;  // kAssumed: the usual furniture of a room of which none was named
+  bool asked() const { return origin == Origin::kAsked; }
 };
 
 // Parameters of a relation; which of them a type reads stands in the relation table. Absent = the table's default.
@@ -131,9 +137,10 @@ struct Relation {
   std::vector<std::string> references;  // JSON relativeTo: ids of objects, walls, openings; "room", "floor", "ceiling"
   RelationParameters parameters;
   bool hard = true;
-  int weight = 100;      // of a soft relation, or the price of giving up a hard one
-  std::string why;       // the words of the prompt it came from, or the rule that assumed it
-  bool assumed = false;  // added by us, not asked for
+  int weight = 100;  // of a soft relation, or the price of giving up a hard one
+  std::string why;   // the words of the prompt it came from, or the rule that assumed it
+  Origin origin = Origin::kAsked;
+  bool asked() const { return origin == Origin::kAsked; }
 };
 
 // Something that was read in another way than written, filled in, or not understood; for run.json and stderr.
@@ -173,11 +180,13 @@ std::string_view name_of(Axis axis);
 std::string_view name_of(OpeningType type);
 std::string_view name_of(Swing swing);
 std::string_view name_of(SizeSource source);
+std::string_view name_of(Origin origin);
 std::optional<Mount> mount_from_name(std::string_view name);
 std::optional<Side> side_from_name(std::string_view name);
 std::optional<Axis> axis_from_name(std::string_view name);
 std::optional<OpeningType> opening_type_from_name(std::string_view name);
 std::optional<Swing> swing_from_name(std::string_view name);
 std::optional<SizeSource> size_source_from_name(std::string_view name);
+std::optional<Origin> origin_from_name(std::string_view name);
 
 }  // namespace layoutbox

@@ -29,7 +29,7 @@ ordered_json room_json(const Room& room) {
     item["sill"] = json_length(opening.sill);
     if (opening.type == OpeningType::kWindow) item["sillDepth"] = json_length(opening.sill_depth);
     if (opening.type == OpeningType::kDoor) item["swing"] = name_of(opening.swing);
-    if (opening.assumed) item["assumed"] = true;
+    add_origin(item, opening.origin);
     openings.push_back(std::move(item));
   }
   if (!room.floor_material.empty()) out["floorMat"] = room.floor_material;
@@ -52,6 +52,18 @@ ordered_json object_json(const PlacedObject& object) {
   if (!object.mesh_front.empty()) out["meshFront"] = object.mesh_front;
   if (!object.material.empty()) out["matOverride"] = object.material;
   if (object.fixed) out["fixed"] = true;
+  add_origin(out, object.origin);
+  return out;
+}
+
+ordered_json json_of(const std::vector<Relaxation>& relaxations) {
+  ordered_json out = ordered_json::array();
+  for (const Relaxation& item : relaxations) {
+    ordered_json entry{{"relation", item.relation}, {"by", item.by}};
+    if (!item.unit.empty()) entry["unit"] = item.unit;
+    entry["why"] = item.why;
+    out.push_back(std::move(entry));
+  }
   return out;
 }
 
@@ -71,13 +83,8 @@ std::string write_layout(const Layout& layout) {
     item["held"] = placed.held;
     relations.push_back(std::move(item));
   }
-  ordered_json& relaxed = out["relaxed"] = ordered_json::array();
-  for (const Relaxation& item : layout.relaxed) {
-    ordered_json entry{{"relation", item.relation}, {"by", item.by}};
-    if (!item.unit.empty()) entry["unit"] = item.unit;
-    entry["why"] = item.why;
-    relaxed.push_back(std::move(entry));
-  }
+  out["relaxed"] = json_of(layout.relaxed);
+  if (!layout.gave_way.empty()) out["gaveWay"] = json_of(layout.gave_way);
   ordered_json& conflicts = out["conflicts"] = ordered_json::array();
   for (const Conflict& item : layout.conflicts) {
     ordered_json entry{{"relations", item.relations}};

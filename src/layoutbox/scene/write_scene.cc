@@ -31,7 +31,7 @@ ordered_json opening_json(const Opening& opening) {
   out["sill"] = json_length(opening.sill);
   if (opening.type == OpeningType::kWindow) out["sillDepth"] = json_length(opening.sill_depth);
   if (opening.type == OpeningType::kDoor) out["swing"] = name_of(opening.swing);
-  if (opening.assumed) out["assumed"] = true;
+  add_origin(out, opening.origin);
   return out;
 }
 
@@ -102,6 +102,7 @@ ordered_json object_json(const SceneObject& object) {
   if (object.scale != std::array<double, 3>{1, 1, 1}) xform["scale"] = object.scale;
   if (!xform.empty()) out["xform"] = std::move(xform);
   if (object.mount) out["mount"] = name_of(*object.mount);
+  if (object.mount && object.mount_assumed) out["mountAssumed"] = true;
   if (object.used_sides) out["usedSides"] = json_of(*object.used_sides);
   if (object.spaces_given) out["spaces"] = json_of(object.spaces);
   if (!object.mesh.empty()) out["mesh"] = object.mesh;
@@ -109,7 +110,7 @@ ordered_json object_json(const SceneObject& object) {
   if (!object.material.empty()) out["matOverride"] = object.material;
   if (!object.tags.empty()) out["tags"] = object.tags;
   if (object.fixed) out["fixed"] = true;
-  if (object.assumed) out["assumed"] = true;
+  add_origin(out, object.origin);
   return out;
 }
 

@@ -19,8 +19,17 @@ constexpr int kGuesses = 2;    // relations given up one by one without a proof,
 
 }  // namespace
 
-// Nothing found and nothing proven: what, once it is given up, lets a layout be found?
+// Nothing found and nothing proven: what, once it is given up, lets a layout be found? First what nobody asked for.
 Result<bool> Solver::give_up_unproven(bool loose, const Placements& loosely) {
+  if (!assumptions_left().empty()) {
+    if (loose) placements_ = loosely;
+    LAYOUTBOX_CHECK(yield_assumptions(loose));
+    return loose;
+  }
+  if (const std::vector<int> extras = extras_in_the_way(); !extras.empty()) {
+    LAYOUTBOX_CHECK(leave_out_least(extras));
+    return false;
+  }
   if (++unproven_ > kGuesses && demands_left(Firmness::kHard)) {
     LAYOUTBOX_ASSIGN(const bool settled, settle());
     if (settled) return true;
@@ -30,13 +39,75 @@ Result<bool> Solver::give_up_unproven(bool loose, const Placements& loosely) {
     LAYOUTBOX_CHECK(leave_out_least({}));
     return false;
   }
-  if (loose) {
-    placements_ = loosely;
-    LAYOUTBOX_CHECK(give_up_clearances());
-    return true;
-  }
   LAYOUTBOX_CHECK(give_up(guess()));
   return false;
+}
+
+// Demands that nobody asked for and that have not given way.
+std::vector<int> Solver::assumptions_left() const {
+  std::vector<int> left;
+  for (std::size_t c = 0; c < model_.constraints.size(); ++c) {
+    const Constraint& constraint = model_.constraints[c];
+    const bool demanded = constraint.firmness == Firmness::kHard || constraint.firmness == Firmness::kImplied;
+    if (demanded && !given_up_[c] && is_assumption(model_, constraint)) left.push_back(static_cast<int>(c));
+  }
+  return left;
+}
+
+bool Solver::search_without_assumptions() {
+  const std::vector<int> assumptions = assumptions_left();
+  if (assumptions.empty()) return false;
+  std::vector<char> more = given_up_;
+  for (const int c : assumptions) more[static_cast<std::size_t>(c)] = 1;
+  const std::vector<int> failed = failed_;
+  const bool found = search(more);
+  failed_ = failed;
+  return found;
+}
+
+// By the layout at hand.
+bool Solver::is_missed(int constraint) const {
+  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+    if (model_.items[i].is_opening() && model_.items[i].clearance_constraint == constraint)
+      return placements_[i].state >= 0 && intrusion_of(model_, static_cast<int>(i), placements_) != 0;
+  }
+  return miss_of(model_, model_.constraints[static_cast<std::size_t>(constraint)], placements_) != 0;
+}
+
+// What nobody asked for gives way: where a layout was found without it, what that misses and no other holds beside the rest; else all of
+// it, to come back in the end where it can.
+Status Solver::yield_assumptions(bool found) {
+  std::vector<int> missed = assumptions_left();
+  if (found) {
+    std::erase_if(missed, [&](int c) { return !is_missed(c); });
+    keep_what_can_be(missed);
+  }
+  for (const int c : missed) {
+    const Constraint& constraint = model_.constraints[static_cast<std::size_t>(c)];
+    Clash clash;
+    clash.proven = clash.minimal = false;
+    clash.demands = {{Demand::Kind::kConstraint, c}};
+    clash.sentence = constraint.relation >= 0
+                         ? fmt::format("no layout was found that holds all that was asked for and in which {}",
+                                       relation_in_words(model_, scene().relations[static_cast<std::size_t>(constraint.relation)]))
+                         : fmt::format("no layout was found that holds all that was asked for and leaves the {} free", constraint.name);
+    LAYOUTBOX_CHECK(give_up(clash));
+  }
+  return {};
+}
+
+// Objects that nobody asked for, where all the rest finds its place without them.
+std::vector<int> Solver::extras_in_the_way() {
+  std::vector<int> extras;
+  std::vector<std::string> ids;
+  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+    const Item& item = model_.items[i];
+    if (item.is_opening() || item.fixed || item.locked || item.object->asked()) continue;
+    extras.push_back(static_cast<int>(i));
+    ids.push_back(item.id);
+  }
+  if (extras.empty() || unplaced_without(ids) > 0) return {};
+  return least_missed_first(model_, std::move(extras));
 }
 
 // All that is asked for becomes a wish; what the layout then misses, and no other layout found in a moment holds beside the rest, is given
@@ -82,9 +153,8 @@ Result<bool> Solver::settle() {
 void Solver::keep_what_can_be(std::vector<int>& missed) {
   std::vector<char> given_up = given_up_;
   for (const int c : missed) given_up[static_cast<std::size_t>(c)] = 1;
-  std::stable_sort(missed.begin(), missed.end(), [&](int a, int b) {
-    return model_.constraints[static_cast<std::size_t>(a)].weight > model_.constraints[static_cast<std::size_t>(b)].weight;
-  });
+  const auto price = [&](int c) { return price_of(model_, {Demand::Kind::kConstraint, c}); };
+  std::stable_sort(missed.begin(), missed.end(), [&](int a, int b) { return price(a) > price(b); });
   const Dependencies dependencies(model_);
   int tries = 0;
   std::erase_if(missed, [&](int c) {
@@ -117,22 +187,6 @@ bool Solver::search_without(Firmness firmness) {
   const bool found = search(more);
   failed_ = failed;
   return found;
-}
-
-// Those that the layout at hand breaks.
-Status Solver::give_up_clearances() {
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
-    const Item& item = model_.items[i];
-    if (!item.is_opening() || placements_[i].state < 0 || given_up_[item.clearance_constraint]) continue;
-    if (intrusion_of(model_, static_cast<int>(i), placements_) == 0) continue;
-    Clash clash;
-    clash.proven = clash.minimal = false;
-    clash.demands = {{Demand::Kind::kConstraint, item.clearance_constraint}};
-    clash.sentence = fmt::format("no layout was found that holds all relations and leaves the floor before {} free",
-                                 object_in_words(model_, static_cast<int>(i)));
-    LAYOUTBOX_CHECK(give_up(clash));
-  }
-  return {};
 }
 
 // Without a proof: what the first item that found no place asks for.
@@ -175,7 +229,7 @@ std::int64_t Solver::miss_without(int constraint) {
 // The least price; of equals the relation that is then missed by least, of those the last one said.
 std::vector<Demand>::const_iterator Solver::cheapest_of(const Clash& clash) {
   const auto begin = clash.demands.begin(), end = clash.demands.end();
-  const auto price = [&](const Demand& d) { return price_of(model_, clash, d); };
+  const auto price = [&](const Demand& d) { return price_of(model_, d); };
   const auto cheapest = std::min_element(
       begin, end, [&](const Demand& a, const Demand& b) { return std::pair(price(a), -a.index) < std::pair(price(b), -b.index); });
   if (cheapest == end || cheapest->kind == Demand::Kind::kItem || options_.on_conflict != OnConflict::kRelax) return cheapest;
@@ -195,7 +249,7 @@ std::vector<Demand>::const_iterator Solver::cheapest_of(const Clash& clash) {
 }
 
 // True: something is to be given up for it. False: the scene's own positions were taken. An error where that is asked for.
-Result<bool> Solver::note_conflict(const Clash& clash, bool only_implied) {
+Result<bool> Solver::note_conflict(const Clash& clash, bool asked) {
   Conflict conflict;
   conflict.sentence = describe_clash(model_, clash);
   conflict.minimal = clash.minimal;
@@ -206,10 +260,10 @@ Result<bool> Solver::note_conflict(const Clash& clash, bool only_implied) {
       conflict.relations.push_back(model_.constraints[demand.index].name);
     }
   }
-  conflicts_.push_back(conflict);
+  conflicts_.push_back({conflict, asked});
   // Where conflicts are errors, what could be given up is, only to see whether there are others.
-  if (options_.on_conflict == OnConflict::kFail && !only_implied) (clash.proven ? impossible_ : not_found_).push_back(conflict.sentence);
-  if (options_.on_conflict == OnConflict::kOriginal && !only_implied) {
+  if (options_.on_conflict == OnConflict::kFail && asked) (clash.proven ? impossible_ : not_found_).push_back(conflict.sentence);
+  if (options_.on_conflict == OnConflict::kOriginal && asked) {
     fall_back();
     return false;
   }
@@ -218,16 +272,27 @@ Result<bool> Solver::note_conflict(const Clash& clash, bool only_implied) {
 
 Status Solver::give_up(const Clash& clash) {
   const std::vector<int> objects = objects_to_blame(model_, clash);
-  if (!objects.empty()) return leave_out_least(objects, &clash);
+  if (!objects.empty() && !floor_gives_way(clash, objects)) return leave_out_least(objects, &clash);
   const auto cheapest = cheapest_of(clash);
   if (cheapest == clash.demands.cend()) return fail(ErrorCode::kNotFound, "no layout was found, and nothing is left to give up");
-  const bool only_implied =
-      cheapest->kind == Demand::Kind::kConstraint && model_.constraints[cheapest->index].firmness == Firmness::kImplied;
-  LAYOUTBOX_ASSIGN(const bool relaxing, note_conflict(clash, only_implied));
+  const bool item = cheapest->kind == Demand::Kind::kItem;
+  const bool asked = item ? is_asked(cheapest->index) : !is_assumption(model_, model_.constraints[cheapest->index]);
+  LAYOUTBOX_ASSIGN(const bool relaxing, note_conflict(clash, asked));
   if (!relaxing) return {};
-  if (cheapest->kind == Demand::Kind::kItem) return leave_out(cheapest->index, conflicts_.back().sentence);
-  relax(model_.constraints[cheapest->index].name, conflicts_.back().sentence);
+  const std::string& why = conflicts_.back().conflict.sentence;
+  if (item) return leave_out(cheapest->index, why);
+  relax(model_.constraints[cheapest->index].name, why);
   return {};
+}
+
+bool Solver::is_asked(int item) const { return model_.items[item].is_opening() || model_.items[item].object->asked(); }
+
+// Too much for the floor as long as that before doors and windows stays free, and nobody's words ask for that: it does not where all that
+// was asked for finds a place on it. Where it is too little even so, an object has to go, and then the rest leaves the floor free.
+bool Solver::floor_gives_way(const Clash& clash, const std::vector<int>& objects) {
+  const auto is_floor = [](const Demand& d) { return d.kind == Demand::Kind::kConstraint; };
+  if (!is_asked(objects.front()) || std::none_of(clash.demands.begin(), clash.demands.end(), is_floor)) return false;
+  return search_without(Firmness::kImplied);
 }
 
 std::vector<char> Solver::given_up_in(const Model& model) const {

@@ -28,6 +28,8 @@ Status Solver::leave_out_least(std::vector<int> items, const Clash* clash) {
     for (std::size_t i = 0; i < model_.items.size(); ++i) items.push_back(static_cast<int>(i));
     items = least_missed_first(model_, std::move(items));
   }
+  // What nobody asked for goes first, even where more than one of it has to: what finds a place after all comes back.
+  if (!items.empty() && !is_asked(items.front())) std::erase_if(items, [&](int i) { return is_asked(i); });
   if (items.size() > kMostTrials) items.resize(kMostTrials);
   Clash found;
   if (clash != nullptr) {
@@ -38,10 +40,10 @@ Status Solver::leave_out_least(std::vector<int> items, const Clash* clash) {
     found.sentence = too_much_in_words(model_);
   }
   if (options_.on_conflict != OnConflict::kRelax) {  // no layout comes of it: which one goes only shows whether there are other conflicts
-    LAYOUTBOX_ASSIGN(const bool relaxing, note_conflict(found, false));
+    LAYOUTBOX_ASSIGN(const bool relaxing, note_conflict(found, items.empty() || is_asked(items.front())));
     if (!relaxing) return {};
     if (items.empty()) return fail(ErrorCode::kNotFound, "no layout was found, and nothing is left to give up");
-    return leave_out(items.front(), conflicts_.back().sentence);
+    return leave_out(items.front(), conflicts_.back().conflict.sentence);
   }
   int best = -1;
   std::size_t least = std::numeric_limits<std::size_t>::max();
@@ -51,8 +53,8 @@ Status Solver::leave_out_least(std::vector<int> items, const Clash* clash) {
     if (least == 0 || must_stop()) break;
   }
   if (best < 0) return fail(ErrorCode::kNotFound, "no layout was found, and nothing is left to give up");
-  LAYOUTBOX_ASSIGN(const bool relaxing, note_conflict(found, false));
-  return relaxing ? leave_out(best, conflicts_.back().sentence) : Status{};
+  LAYOUTBOX_ASSIGN(const bool relaxing, note_conflict(found, is_asked(best)));
+  return relaxing ? leave_out(best, conflicts_.back().conflict.sentence) : Status{};
 }
 
 // What was left out before and finds a place now after all comes back.

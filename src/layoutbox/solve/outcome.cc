@@ -2,6 +2,7 @@
 
 #include "layoutbox/solve/access.h"
 #include "layoutbox/solve/cost.h"
+#include "layoutbox/solve/relax.h"
 #include "layoutbox/solve/to_layout.h"
 
 namespace layoutbox::placement {
@@ -31,22 +32,48 @@ std::optional<Relaxation> Solver::relaxation_of(const std::string& name, const s
   return out;
 }
 
+// What does not hold: what was asked for is given up, all else gave way.
+void Solver::list_what_is_missed(Layout& layout) {
+  const auto list = [&](bool asked, Relaxation item) { (asked ? layout.relaxed : layout.gave_way).push_back(std::move(item)); };
+  const auto asks_for = [&](const std::string& name) {
+    const auto is_it = [&](const Constraint& c) { return c.name == name; };
+    const auto found = std::find_if(model_.constraints.begin(), model_.constraints.end(), is_it);
+    return found == model_.constraints.end() || !is_assumption(model_, *found);
+  };
+  const auto asks_for_relation = [&](const std::string& id) {
+    return std::any_of(asked_.relations.begin(), asked_.relations.end(), [&](const Relation& r) { return r.id == id && r.asked(); });
+  };
+  for (const auto& [name, why] : relaxed_) {
+    if (const auto relaxation = relaxation_of(name, why)) list(asks_for(name), *relaxation);
+  }
+  for (const PlacedObject& placed : layout.objects) {
+    const SceneObject* object = scene().find_object(placed.id);
+    const bool hangs = object->mount == Mount::kWall || object->mount == Mount::kCeiling;
+    if (!hangs || !object->mount_assumed || placed.supported_by != "floor") continue;
+    const std::string words = object_in_words(model_, model_.find_item(placed.id));
+    list(false, {"mount of " + placed.id, 0, "",
+                 words + " stands on the floor, though things of its kind hang: else what was asked for would not hold"});
+  }
+  for (const Relaxation& reason : reasons_) {
+    const SceneObject* object = asked_.find_object(reason.relation);
+    list(object == nullptr || object->asked(), reason);
+  }
+  for (const std::string& id : lost_) list(asks_for_relation(id), {id, 0, "", lost_words_[id] + ": what it speaks of is left out"});
+  for (const PlacedRelation& r : layout.relations) {  // what no proof knows of: ways to walk, two things that would hold one
+    if (r.held || !r.relation.hard || layout.lists_as_given_up(r.relation.id)) continue;
+    const bool way = r.relation.type == RelationType::kReachable;
+    list(r.relation.asked(),
+         {r.relation.id, 0, "",
+          (way ? "no free way was found: " : "no layout was found such that ") + relation_in_words(model_, r.relation)});
+  }
+}
+
 Layout Solver::finish() {
   Layout layout = to_layout(model_, placements_);
-  for (const auto& [name, why] : relaxed_) {
-    if (const auto relaxation = relaxation_of(name, why)) layout.relaxed.push_back(*relaxation);
+  list_what_is_missed(layout);
+  for (const Noted& noted : conflicts_) {
+    if (noted.asked) layout.conflicts.push_back(noted.conflict);
   }
-  for (const Relaxation& reason : reasons_) layout.relaxed.push_back(reason);
-  for (const std::string& id : lost_) layout.relaxed.push_back({id, 0, "", lost_words_[id] + ": what it speaks of is left out"});
-  for (const PlacedRelation& r : layout.relations) {  // what no proof knows of: ways to walk, two things that would hold one
-    const auto listed = [&](const Relaxation& relaxation) { return relaxation.relation == r.relation.id; };
-    if (r.held || !r.relation.hard || std::any_of(layout.relaxed.begin(), layout.relaxed.end(), listed)) continue;
-    const bool way = r.relation.type == RelationType::kReachable;
-    layout.relaxed.push_back(
-        {r.relation.id, 0, "",
-         (way ? "no free way was found: " : "no layout was found such that ") + relation_in_words(model_, r.relation)});
-  }
-  layout.conflicts = conflicts_;
   layout.status = fallback_ ? LayoutStatus::kFallback : layout.relaxed.empty() ? LayoutStatus::kSolved : LayoutStatus::kRelaxed;
   if (layout.status == LayoutStatus::kSolved) layout.conflicts.clear();  // what seemed impossible was only not found
   double total = 0;

@@ -7,8 +7,10 @@
 namespace layoutbox::placement {
 namespace {
 
-constexpr std::int64_t kAssumedRelation = 1'000, kImplied = 5'000, kRelation = 10'000, kAssumedObject = 100'000, kObject = 1'000'000,
-                       kImpliedLast = 2'000'000, kLock = 2'500'000, kFixed = 3'000'000;
+// By origin: asked, concluded, added, assumed.
+constexpr std::int64_t kRelations[] = {100'000, 70'000, 2'000, 1'000}, kObjects[] = {20'000'000, 90'000, 40'000, 20'000};
+constexpr std::int64_t kWindowFloor = 3'000, kDoorFloor = 60'000, kLock = 30'000'000, kFixed = 40'000'000;
+constexpr std::int64_t kWeight = 10, kRank = 100, kRanks = 100;  // asked relations by weight; objects by their place among those of a kind
 
 bool has(const std::vector<std::string>& ids, const std::string& id) { return std::find(ids.begin(), ids.end(), id) != ids.end(); }
 
@@ -32,25 +34,31 @@ std::int64_t footprint(const Item& item) { return std::int64_t{item.states[0].ex
 
 }  // namespace
 
-std::int64_t price_of(const Model& model, const Clash& clash, const Demand& demand) {
+std::int64_t price_of(const Model& model, const Demand& demand) {
   if (demand.kind == Demand::Kind::kItem) {
     const Item& item = model.items[demand.index];
     if (item.is_opening() || item.fixed || item.locked) return kFixed;
-    return (item.object->assumed ? kAssumedObject : kObject) - 1000 * std::min<std::int64_t>(rank_of(model, demand.index), 100);
+    return kObjects[static_cast<int>(item.object->origin)] - kRank * std::min<std::int64_t>(rank_of(model, demand.index), kRanks);
   }
   if (const Relation* relation = relation_of(model, demand))
-    return (relation->assumed ? kAssumedRelation : kRelation + relation->weight * 10);
-  if (model.constraints[demand.index].firmness == Firmness::kHard) return kLock;
-  const bool said =
-      std::any_of(clash.demands.begin(), clash.demands.end(), [&](const Demand& d) { return relation_of(model, d) != nullptr; });
-  return said || clash.demands.size() == 1 ? kImplied : kImpliedLast;
+    return kRelations[static_cast<int>(relation->origin)] + (relation->asked() ? kWeight * relation->weight : 0);
+  if (model.constraints[demand.index].firmness != Firmness::kImplied) return kLock;
+  const auto is_window = [&](const Item& item) {
+    return item.clearance_constraint == demand.index && item.opening->type == OpeningType::kWindow;
+  };
+  return std::any_of(model.items.begin(), model.items.end(), is_window) ? kWindowFloor : kDoorFloor;
+}
+
+bool is_assumption(const Model& model, const Constraint& constraint) {
+  if (constraint.firmness == Firmness::kImplied) return true;
+  return constraint.relation >= 0 && !model.scene->relations[static_cast<std::size_t>(constraint.relation)].asked();
 }
 
 std::vector<int> least_missed_first(const Model& model, std::vector<int> items) {
   std::erase_if(items, [&](int i) { return model.items[i].is_opening() || model.items[i].fixed || model.items[i].locked; });
   const auto key = [&](int i) {
     const Item& item = model.items[i];
-    return std::tuple(!item.object->assumed, rank_of(model, i) == 0, footprint(item), -i);
+    return std::tuple(-static_cast<int>(item.object->origin), rank_of(model, i) == 0, footprint(item), -i);
   };
   std::stable_sort(items.begin(), items.end(), [&](int a, int b) { return key(a) < key(b); });
   return items;

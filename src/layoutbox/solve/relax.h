@@ -8,13 +8,16 @@
 
 namespace layoutbox::placement {
 
-// The price of giving a demand of the clash up; the cheapest goes. In this order: relations that nobody asked for, the free floor before
-// doors and windows where somebody's words ask for what blocks it, relations by their weight, objects (what was assumed before what was
-// asked for, the last of many before the only one), that free floor where there is only too much in the room, locks, and what is fixed.
-std::int64_t price_of(const Model& model, const Clash& clash, const Demand& demand);
+// The price of giving a demand up; the cheapest goes. Nothing that was asked for goes before what was not. In this order: relations that
+// are assumed or added, the free floor before windows, objects that are assumed or added, the free floor before doors, what is concluded;
+// then what was asked for: relations by their weight, objects (the last of many before the only one), locks, and what is fixed.
+std::int64_t price_of(const Model& model, const Demand& demand);
 
-// Objects that may be left out, the one that is missed least first: assumed ones, the later ones of several of a kind, small ones, the
-// last said. Nothing fixed or locked.
+// Did nobody ask for it? So it is with free floor before openings.
+bool is_assumption(const Model& model, const Constraint& constraint);
+
+// Objects that may be left out, the one that is missed least first: those that were not asked for, the later ones of several of a kind,
+// small ones, the last said. Nothing fixed or locked.
 std::vector<int> least_missed_first(const Model& model, std::vector<int> items);
 
 // The objects of a clash in which nothing but objects and the floor before openings take part; empty: relations do.

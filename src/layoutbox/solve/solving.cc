@@ -162,7 +162,7 @@ bool Solver::search(const std::vector<char>& given_up, std::int64_t most_steps) 
 
 // True: a layout was found. False: something was given up; try again.
 Result<bool> Solver::prove() {
-  const bool loose = search_without(Firmness::kImplied);
+  const bool loose = search_without_assumptions();
   const Placements loosely = placements_;
   if (interrupted()) return fail(ErrorCode::kInterrupted, "stopped");
   const auto library = CpSatLibrary::get();
@@ -170,7 +170,7 @@ Result<bool> Solver::prove() {
   Proof proof;
   if (library && options_.prove && proof_time_ > 0) {
     used_cp_sat_ = true;
-    ProofLimits limits{options_.seed, loose || clearances_left() ? std::min(proof_time_, kShortProof) : proof_time_,
+    ProofLimits limits{options_.seed, loose || !assumptions_left().empty() ? std::min(proof_time_, kShortProof) : proof_time_,
                        std::max(0.1, options_.time_limit_s - seconds()), options_.stop};
     LAYOUTBOX_ASSIGN(proof, decide(model_, **library, given_up_, left_out_, placements_, limits));
     proof_time_ -= proof.deterministic_time;

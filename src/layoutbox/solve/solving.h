@@ -64,17 +64,22 @@ class Solver {
 
   // ---- what is given up when not everything can hold (give_up.cc)
   bool demands_left(Firmness firmness) const;
-  bool clearances_left() const { return demands_left(Firmness::kImplied); }
+  std::vector<int> assumptions_left() const;
   bool search_without(Firmness firmness);
+  bool search_without_assumptions();
+  bool is_missed(int constraint) const;
+  Status yield_assumptions(bool found);
+  std::vector<int> extras_in_the_way();
+  bool is_asked(int item) const;
+  bool floor_gives_way(const Clash& clash, const std::vector<int>& objects);
   Result<bool> give_up_unproven(bool loose, const Placements& loosely);
   Result<bool> settle();
   void keep_what_can_be(std::vector<int>& missed);
-  Status give_up_clearances();
   Clash guess() const;
   Status give_up(const Clash& clash);
   std::vector<Demand>::const_iterator cheapest_of(const Clash& clash);
   std::int64_t miss_without(int constraint);
-  Result<bool> note_conflict(const Clash& clash, bool only_implied);
+  Result<bool> note_conflict(const Clash& clash, bool asked);
   void fall_back();
   std::vector<char> given_up_in(const Model& model) const;
   bool is_relaxed(const std::string& name) const {
@@ -100,6 +105,7 @@ class Solver {
 
   // ---- what is said of it in the end (outcome.cc)
   std::optional<Relaxation> relaxation_of(const std::string& name, const std::string& why) const;
+  void list_what_is_missed(Layout& layout);
   Layout finish();
 
   const SceneGraph& asked_;
@@ -114,7 +120,11 @@ class Solver {
   std::vector<std::string> left_out_ids_, lost_;              // objects, and the relations that went with them
   std::map<std::string, std::string> lost_words_;             // by relation
   std::vector<Relaxation> reasons_;                           // of the objects left out
-  std::vector<Conflict> conflicts_;
+  struct Noted {
+    Conflict conflict;
+    bool asked;  // it cost something that was asked for: else nobody is to hear of a conflict
+  };
+  std::vector<Noted> conflicts_;
   std::vector<std::string> impossible_, not_found_;  // conflicts that are errors
   std::set<std::string> looked_at_alone_;            // relations
   Placements placements_;

@@ -54,7 +54,11 @@ bool support_agrees(const Model& model, const Relation& relation, const Layout& 
   const auto held_by = [&](const std::string& id, const std::string& reference) {
     const int item = model.find_item(reference);
     const bool floor = reference == "room" || (item >= 0 && model.items[item].thin);
-    return holder_of(id) == (floor ? "floor" : reference);
+    if (floor) return holder_of(id) == "floor";
+    std::string holder = holder_of(id);  // itself, or by way of what it stands on
+    for (std::size_t storeys = 0; holder != reference && layout.find_object(holder) && storeys < layout.objects.size(); ++storeys)
+      holder = holder_of(holder);
+    return holder == reference;
   };
   const auto all_by = [&](const std::string& id) {
     return std::all_of(relation.references.begin(), relation.references.end(), [&](const std::string& r) { return held_by(id, r); });
@@ -108,6 +112,7 @@ PlacedObject placed_object(const Model& model, int index, const Placements& plac
   PlacedObject out;
   out.id = object.id, out.category = object.category, out.name = object.name, out.catalog_id = object.catalog_id;
   out.attributes = object.attributes;
+  out.origin = object.origin;
   out.size = state.size;
   for (int k = 0; k < 2; ++k) out.position[k] = p.at[k] + state.extent[k] / 2.0;
   out.position[2] = p.at[2];

@@ -11,12 +11,6 @@ namespace {
 
 std::string pointer_of(const Face& opening) { return fmt::format("/room/openings/{}", opening.index); }
 
-// Given up by the solver and listed: Relaxation.relation is then "door swing of door1".
-bool swing_given_up(const Layout& layout, const std::string& door) {
-  return std::any_of(layout.relaxed.begin(), layout.relaxed.end(),
-                     [&](const Relaxation& relaxation) { return relaxation.relation == "door swing of " + door; });
-}
-
 void check_swing(const RoomView& view, const Face& door, Report& report, int& clear) {
   double deepest = 0;
   std::vector<std::string> blockers;
@@ -27,7 +21,7 @@ void check_swing(const RoomView& view, const Face& door, Report& report, int& cl
     blockers.push_back(body.id());
   }
   clear += blockers.empty();
-  const bool given_up = !blockers.empty() && swing_given_up(view.layout, door.id);
+  const bool given_up = !blockers.empty() && view.layout.lists_as_given_up("door swing of " + door.id);
   report.checks.push_back({"doorSwing", door.id, blockers.empty(), !given_up, deepest, "m",
                            blockers.empty()
                                ? fmt::format("{} opens freely", door.id)

@@ -55,11 +55,6 @@ Finding measure(const RoomView& view, const Relation& relation) {
   return kChecks[static_cast<std::size_t>(relation.type)](c);
 }
 
-bool is_relaxed(const Layout& layout, const Relation& relation) {
-  return std::any_of(layout.relaxed.begin(), layout.relaxed.end(),
-                     [&](const Relaxation& relaxed) { return relaxed.relation == relation.id; });
-}
-
 std::string verdict(const PlacedRelation& placed, const Finding& finding, bool relaxed) {
   const std::string_view type = relation_row(placed.relation.type).name;
   if (finding.held) return fmt::format("{} holds: {}{}", type, finding.message, placed.held ? "" : " (the layout says that it does not)");
@@ -81,7 +76,7 @@ void check_relations(const RoomView& view, Report& report) {
   for (std::size_t i = 0; i < view.layout.relations.size(); ++i) {
     const PlacedRelation& placed = view.layout.relations[i];
     const Finding finding = measure(view, placed.relation);
-    const bool relaxed = is_relaxed(view.layout, placed.relation);
+    const bool relaxed = view.layout.lists_as_given_up(placed.relation.id);
     (placed.relation.hard ? hard : soft) += 1;
     (placed.relation.hard ? hard_held : soft_held) += finding.held;
     false_claims += placed.held && !finding.held;

@@ -162,7 +162,7 @@ class Comparison {
     for (const OpeningType type : {OpeningType::kDoor, OpeningType::kWindow}) {
       std::vector<const Opening*> said;
       for (const Opening& opening : text_.room.openings) {
-        if (!opening.assumed && opening.type == type) said.push_back(&opening);
+        if (opening.asked() && opening.type == type) said.push_back(&opening);
       }
       const auto made = std::ranges::count_if(draft_.scene.room.openings, [&](const Opening& o) { return o.type == type; });
       if (static_cast<std::size_t>(made) >= said.size()) continue;
@@ -190,7 +190,7 @@ class Comparison {
 
   void compare_objects() {
     for (const SceneObject& said : text_.objects) {
-      if (said.assumed) continue;
+      if (!said.asked()) continue;
       if (!ids_.contains(said.id)) {
         differ(fmt::format("the text names {} ({}), the model's scene has none for it", said.name, said.category));
         if (settling_.objects && !may_be_missing(said)) add(said);
@@ -242,11 +242,11 @@ class Comparison {
       const SceneObject& made = draft_.scene.objects[index];
       std::string category;
       for (const SceneObject& said : text_.objects) {
-        if (!said.assumed && likeness(said, made) >= 3) category = said.category;
+        if (said.asked() && likeness(said, made) >= 3) category = said.category;
       }
       const auto count =
           static_cast<std::size_t>(std::ranges::count_if(text_.objects, [&](const SceneObject& o) { return o.category == category; }));
-      if (category.empty() && std::ranges::all_of(text_.objects, &SceneObject::assumed)) continue;  // the text leaves it to the planner
+      if (category.empty() && std::ranges::none_of(text_.objects, &SceneObject::asked)) continue;  // the text leaves it to the planner
       if (category.empty()) {
         differ(fmt::format("the model adds {} ({}), which the text does not name", made.id, made.category));
       } else if (count_is_sure(plan_, category, count)) {
@@ -309,7 +309,7 @@ class Comparison {
 
   void compare_relations() {
     for (const Relation& said : text_.relations) {
-      if (said.assumed || !said.hard) continue;
+      if (!said.asked() || !said.hard) continue;
       std::vector<std::string> targets, references;
       bool known = true;
       for (const auto& [from, to] : {std::pair{&said.targets, &targets}, std::pair{&said.references, &references}}) {

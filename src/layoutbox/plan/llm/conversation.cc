@@ -52,7 +52,7 @@ Conversation::Conversation(const Catalog& catalog, chat::ChatOptions chat, std::
 SchemaWanted Conversation::schema_wanted(bool brief) const {
   SchemaWanted wanted{.brief = brief, .articles = catalog_.has_articles(), .objects = named_objects(), .categories = {}};
   if (!offline_) return wanted;
-  wanted.openings = std::ranges::any_of(offline_->scene.room.openings, [](const Opening& opening) { return !opening.assumed; });
+  wanted.openings = std::ranges::any_of(offline_->scene.room.openings, [](const Opening& opening) { return opening.asked(); });
   for (const SceneObject& object : offline_->scene.objects) wanted.categories.insert(object.category);
   wanted.sizes = std::ranges::any_of(offline_->scene.objects, [](const SceneObject& object) { return object.size.has_value(); });
   return wanted;

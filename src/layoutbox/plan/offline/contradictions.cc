@@ -51,7 +51,7 @@ void RelationBuilder::note_contradictions() {
     for (std::size_t a = 0; a < std::min(all.size(), kMost); ++a) {
       for (std::size_t b = 0; b < a; ++b) {
         const Relation &one = scene_.relations[all[b]], &other = scene_.relations[all[a]];
-        if (one.why == other.why || one.assumed || other.assumed || !contradict(one, other)) continue;
+        if (one.why == other.why || !one.asked() || !other.asked() || !contradict(one, other)) continue;
         scene_.notes.push_back(
             {"contradiction", "\"" + object.name + "\" cannot be \"" + one.why + "\" and \"" + other.why + "\"", "prompt"});
       }

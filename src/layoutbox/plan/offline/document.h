@@ -12,9 +12,9 @@ namespace layoutbox::offline {
 
 // One object of the scene to be.
 struct Item {
-  NounPhrase noun;       // the words that brought it in
-  int group = 0;         // items brought in together
-  bool assumed = false;  // follows from the words ("a table for eight") without being named
+  NounPhrase noun;         // the words that brought it in
+  int group = 0;           // items brought in together
+  bool concluded = false;  // follows from the words ("a table for eight") without being named
 };
 
 // A place in the text that speaks of things or of a part of the room.
@@ -40,7 +40,8 @@ struct Link {
   bool one_side = false;                 // "on one side of": "on the other" may follow
   bool weak = false;                     // a have that another link of the target makes needless
   bool soft = false;
-  bool assumed = false;      // follows from the words without being said
+  bool concluded = false;    // follows from the words without being said: support carried on, seats for so many
+  bool assumed = false;      // does not follow, but is usual
   bool implied = false;      // the reference is not said: what was spoken of
   bool after_comma = false;  // ", with …"
   std::optional<double> distance;

@@ -89,11 +89,12 @@ void RelationBuilder::settle_mount(std::size_t index) {
     const SceneObject* support = object_of(neighbour_support);
     if (support != nullptr && support->id != object.id) {
       add(link, R::kOn, {object.id}, {neighbour_support});
-      scene_.relations.back().assumed = true;
+      scene_.relations.back().origin = Origin::kConcluded;
       return;
     }
   }
   object.mount = Mount::kFloor;
+  object.mount_assumed = true;
   if (is_lamp(catalog_, noun) && one_of(noun.name, {"lamp", "light"})) specialise({"floor_lamp"});
 }
 

@@ -141,7 +141,7 @@ class OfflinePlanner final : public Planner {
       object.name = item.noun.name;
       object.attributes = item.noun.attributes;
       object.id = object.category + "_" + std::to_string(++numbers[object.category]);
-      object.assumed = item.assumed;
+      object.origin = item.concluded ? Origin::kConcluded : Origin::kAsked;
       apply_size(item.noun, object);
       for (std::size_t i = item.noun.first; i < item.noun.last && i < document.readings.size(); ++i) {
         if (document.readings[i].role == item.noun.name) document.readings[i].role = "object " + object.id;
@@ -181,7 +181,7 @@ class OfflinePlanner final : public Planner {
         object.id = category + "_" + std::to_string(i);
         object.category = category;
         object.name = entry->name;
-        object.assumed = true;
+        object.origin = Origin::kAssumed;
         scene.objects.push_back(std::move(object));
       }
     }

@@ -70,10 +70,10 @@ TEST_F(OfflinePlannerTest, NichesChangeTheOutline) {
 TEST_F(OfflinePlannerTest, SeatsThatFollowFromTheWordsAreMarked) {
   const SceneGraph read = scene("A dining room with a table for eight.");
   ASSERT_EQ(read.objects.size(), 9u);
-  EXPECT_FALSE(read.objects[0].assumed);
-  EXPECT_TRUE(std::all_of(read.objects.begin() + 1, read.objects.end(), [](const SceneObject& o) { return o.assumed; }));
+  EXPECT_TRUE(read.objects[0].asked());
+  EXPECT_TRUE(std::all_of(read.objects.begin() + 1, read.objects.end(), [](const SceneObject& o) { return !o.asked(); }));
   EXPECT_TRUE(std::any_of(read.relations.begin(), read.relations.end(),
-                          [](const Relation& r) { return r.type == RelationType::kAround && r.assumed && r.targets.size() == 8; }));
+                          [](const Relation& r) { return r.type == RelationType::kAround && !r.asked() && r.targets.size() == 8; }));
   const SceneGraph usual = scene("A restaurant for forty guests.");
   EXPECT_EQ(std::count_if(usual.objects.begin(), usual.objects.end(), [](const SceneObject& o) { return o.category == "dining_chair"; }),
             40);
@@ -83,7 +83,7 @@ TEST_F(OfflinePlannerTest, TheFrontOfTheRoomIsWhereTheBoardIs) {
   const auto front = [&](const char* text) {
     const SceneGraph read = scene(text);
     return std::any_of(read.relations.begin(), read.relations.end(),
-                       [](const Relation& r) { return r.assumed && !r.hard && r.references == std::vector<std::string>{"front"}; });
+                       [](const Relation& r) { return !r.asked() && !r.hard && r.references == std::vector<std::string>{"front"}; });
   };
   EXPECT_TRUE(front("A classroom with 12 desks facing the whiteboard and a bookshelf at the back."));
   EXPECT_TRUE(front("A hall with ten chairs facing the stage. A table stands at the back of the room."));
@@ -153,7 +153,7 @@ TEST_F(OfflinePlannerTest, KeepsTheWordsOfARelation) {
 TEST_F(OfflinePlannerTest, ARoomWithoutFurnitureGetsTheUsual) {
   const SceneGraph read = scene("A bedroom.");
   EXPECT_FALSE(read.objects.empty());
-  EXPECT_TRUE(std::all_of(read.objects.begin(), read.objects.end(), [](const SceneObject& o) { return o.assumed; }));
+  EXPECT_TRUE(std::all_of(read.objects.begin(), read.objects.end(), [](const SceneObject& o) { return !o.asked(); }));
   EXPECT_TRUE(notes(read, "filled"));
   const SceneGraph without = scene("A bedroom without a wardrobe.");
   EXPECT_TRUE(std::none_of(without.objects.begin(), without.objects.end(), [](const SceneObject& o) { return o.category == "wardrobe"; }));

@@ -85,7 +85,7 @@ class PeopleReader {
     link.senses = std::move(senses);
     link.targets = {target};
     if (reference >= 0) link.references = {reference};
-    link.assumed = true;
+    link.concluded = true;
     link.first = mention(target).noun.first;
     link.last = mention(target).noun.last;
     document_.links.push_back(std::move(link));

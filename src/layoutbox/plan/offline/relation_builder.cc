@@ -64,7 +64,7 @@ void RelationBuilder::add(const Link& link, R type, std::vector<std::string> tar
   relation.parameters.region = sense.region;
   relation.parameters.side = sense.side;
   relation.hard = !link.soft;
-  relation.assumed = link.assumed;
+  relation.origin = link.assumed ? Origin::kAssumed : link.concluded ? Origin::kConcluded : Origin::kAsked;
   relation.why = words_between(document_, link.first, link.last);
   // "along a wall" is looser than "against" it.
   const std::string& first_word = document_.tokens[link.first].text;

@@ -97,7 +97,7 @@ void RelationBuilder::add_front() {
     front.targets = {object.id};
     front.references = {"front"};
     front.hard = false;
-    front.assumed = true;
+    front.origin = Origin::kAssumed;
     front.weight = 100;
     front.why = "what rows of seats face is at the front of the room";
     of_target_[object.id].push_back(scene_.relations.size());
@@ -130,7 +130,7 @@ void RelationBuilder::add_habits() {
       habit.targets = relation.targets;
       habit.references = relation.references;
       habit.hard = false;
-      habit.assumed = true;
+      habit.origin = Origin::kAssumed;
       habit.weight = 80;
       habit.why = "what is in front of something is in front of its middle";
       scene_.relations.push_back(std::move(habit));

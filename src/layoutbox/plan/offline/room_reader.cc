@@ -136,7 +136,7 @@ void build_room(const Lexicon& lexicon, const Document& document, const RoomSize
     for (const OpeningType type : {OpeningType::kDoor, OpeningType::kWindow}) {
       if (std::any_of(room.openings.begin(), room.openings.end(), [&](const Opening& o) { return o.type == type; })) continue;
       add_opening(scene, type, {}, {});
-      room.openings.back().assumed = true;
+      room.openings.back().origin = Origin::kAssumed;
       scene.notes.push_back({"filled", std::string("a ") + std::string(name_of(type)) + " is assumed", "/room/openings"});
     }
   }

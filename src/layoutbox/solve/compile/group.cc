@@ -75,12 +75,19 @@ std::vector<std::vector<char>> halves_of(std::size_t n) {
 
 constexpr std::size_t kMostDivided = 6;
 
+// The sides of the reference that may be meant, in pairs: what has no front, and tables, are flanked from front and back, too.
+std::vector<std::pair<Side, Side>> pairs_of_sides(const Compilation& c, int r) {
+  const std::pair across{Side::kLeft, Side::kRight}, along{Side::kFront, Side::kBack};
+  if (c.relation.parameters.axis) return {c.relation.parameters.axis == Axis::kY ? along : across};
+  if (c.item(r).is_opening() || (c.item(r).has_front && !c.item(r).takes_seats)) return {across};
+  return {across, along};
+}
+
 }  // namespace
 
 void compile_EachSideOf(Compilation& c) {
+  constexpr int kFromFrontAndBack = 150;  // points
   const Mm most = c.length(c.relation.parameters.max, "max", 500);
-  const bool fore_and_aft = c.relation.parameters.axis == Axis::kY;
-  const Side first = fore_and_aft ? Side::kFront : Side::kLeft, second = fore_and_aft ? Side::kBack : Side::kRight;
   const std::size_t n = c.targets.size();
   // Alternately to either side, in the order given, where that is as good as any other or the others are too many.
   const bool alike = orders_of(c.model, c.relation, c.targets).size() == 1;
@@ -93,18 +100,24 @@ void compile_EachSideOf(Compilation& c) {
     halves = halves_of(n);
   }
   for (const int r : c.reference_items()) {
+    const auto pairs = pairs_of_sides(c, r);
     for (const int t : c.targets) {  // each beyond one of the sides…
       Formula& f = c.formula();
-      for (const Side side : {first, second}) add_beside(f, c.model, t, r, side, {.most = most, .wished_gap = 50});
+      for (const auto& [first, second] : pairs) {
+        for (const Side side : {first, second}) add_beside(f, c.model, t, r, side, {.most = most, .wished_gap = 50});
+      }
     }
     if (n < 2) continue;
     Formula& f = c.formula();  // …and half of them beyond either
     f.exact = alike || n <= kMostDivided;
     for_each_turn(c.item(r), [&](int turn, std::uint64_t states) {
-      const Direction d = side_direction(c.item(r), first, turn);
-      for (const std::vector<char>& half : halves) {
-        Case& in = f.add().when(r, states);
-        for (std::size_t i = 0; i < n; ++i) in.require(gap_towards(c.targets[i], r, half[i] ? d : opposite(d)));
+      for (const auto& [first, second] : pairs) {
+        const Direction d = side_direction(c.item(r), first, turn);
+        for (const std::vector<char>& half : halves) {
+          Case& in = f.add().when(r, states);
+          for (std::size_t i = 0; i < n; ++i) in.require(gap_towards(c.targets[i], r, half[i] ? d : opposite(d)));
+          if (first == Side::kFront && pairs.size() > 1) in.price = kFromFrontAndBack;
+        }
       }
     });
   }

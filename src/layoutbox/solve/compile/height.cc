@@ -84,6 +84,13 @@ void add_at_part(Compilation& c, int t, int r, Resting how) {
   if (place) require_part(c.formula(), c.model, t, r, part);
 }
 
+// "A cup on a coaster on the table": the coaster is on the table, and so the cup is; asked for is at most where on it.
+bool rests_by_way(Compilation& c, int t, const Reference& r) {
+  if (r.kind != Reference::Kind::kItem || !rests_by_way_of_others(*c.model.scene, c.item(t).id, c.item(r.index).id)) return false;
+  if (is_place_word(c.relation.parameters.part)) require_part(c.formula(), c.model, t, r.index, c.relation.parameters.part);
+  return true;
+}
+
 void stand_on(Compilation& c, int t, const Reference& r, const std::string& id) {
   if (r.kind == Reference::Kind::kItem) {
     const Item& ref = c.item(r.index);
@@ -115,7 +122,10 @@ void stand_on(Compilation& c, int t, const Reference& r, const std::string& id) 
 
 void compile_On(Compilation& c) {
   for (const int t : c.targets) {
-    for (std::size_t i = 0; i < c.references.size(); ++i) stand_on(c, t, c.references[i], c.relation.references[i]);
+    for (std::size_t i = 0; i < c.references.size(); ++i) {
+      if (rests_by_way(c, t, c.references[i])) continue;
+      stand_on(c, t, c.references[i], c.relation.references[i]);
+    }
   }
 }
 

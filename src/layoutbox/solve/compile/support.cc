@@ -10,6 +10,8 @@ constexpr Mm kStillUnder = 50;  // off the floor
 
 // Prices: "on" a bed is on its upper mattress rather than the lower one; on a tray is in it rather than on its rim.
 constexpr int kLowPlace = 250, kUnlikelyTop = 300;
+// On the floor although things of its kind hang: only where what was asked of it cannot be otherwise.
+constexpr int kUnlikeItsKind = 8000;
 
 bool is_shelf(const Item& item) {
   const std::string& family = item.entry->shape.family;
@@ -156,7 +158,36 @@ std::vector<int> usual_hosts(const Model& model, int t) {
   return hosts;
 }
 
+// What hard relations say that a thing stands directly on or in.
+std::vector<std::string> holders_said(const SceneGraph& scene, const std::string& id) {
+  std::vector<std::string> holders;
+  for (const Relation& r : scene.relations) {
+    const auto at = std::find(r.targets.begin(), r.targets.end(), id);
+    if (!r.hard || at == r.targets.end()) continue;
+    const bool first = r.type == RelationType::kStacked && at == r.targets.begin();
+    if (r.type == RelationType::kOn || r.type == RelationType::kIn || first)
+      holders.insert(holders.end(), r.references.begin(), r.references.end());
+    else if (r.type == RelationType::kStacked)
+      holders.push_back(*(at - 1));
+  }
+  return holders;
+}
+
+constexpr int kMostStoreys = 8;
+
+bool rests_said(const SceneGraph& scene, const std::string& id, const std::string& holder, int storeys) {
+  if (storeys > kMostStoreys) return false;
+  const std::vector<std::string> holders = holders_said(scene, id);
+  return std::any_of(holders.begin(), holders.end(), [&](const std::string& between) {
+    return between == holder ? storeys > 0 : between != id && scene.find_object(between) && rests_said(scene, between, holder, storeys + 1);
+  });
+}
+
 }  // namespace
+
+bool rests_by_way_of_others(const SceneGraph& scene, const std::string& id, const std::string& holder) {
+  return rests_said(scene, id, holder, 0);
+}
 
 void add_resting(Formula& f, const Model& model, int t, int r, const std::string& space, Resting how) {
   const Item& ref = model.items[r];
@@ -252,6 +283,8 @@ Constraint compile_support(Model& model, int t) {
   add_mount(item.mount, otherwise);
   // What only a relation hangs up stands as usual once that is given up.
   if (item.usual_mount != item.mount) add_mount(item.usual_mount, 4000);
+  const bool hangs = item.mount == Mount::kWall || item.mount == Mount::kCeiling;
+  if (hangs && item.usual_mount == item.mount && item.object->mount_assumed) add_mount(Mount::kFloor, kUnlikeItsKind);
   f.exact = false;
   return out;
 }

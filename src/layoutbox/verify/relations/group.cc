@@ -180,9 +180,10 @@ Finding check_Around(const Case& c) {
   return all_of(std::move(findings));
 }
 
-Finding check_EachSideOf(const Case& c) {
-  const bool across = c.relation.parameters.axis.value_or(Axis::kX) == Axis::kY;
-  const Side low = across ? Side::kFront : Side::kLeft, high = across ? Side::kBack : Side::kRight;
+namespace {
+
+Finding at_either_side(const Case& c, Axis axis) {
+  const Side low = axis == Axis::kY ? Side::kFront : Side::kLeft, high = axis == Axis::kY ? Side::kBack : Side::kRight;
   int balance = 0;
   Finding sides = each_pair(c, [&](const Body& t, const Reference& r) {
     const Finding at_low = beyond(c, t, r, low), at_high = beyond(c, t, r, high);
@@ -193,6 +194,22 @@ Finding check_EachSideOf(const Case& c) {
   if (!sides.held) return sides;
   return all_of(
       {sides, condition(std::abs(balance) <= odd, fmt::format("one side has {} more than the other, at most {}", std::abs(balance), odd))});
+}
+
+// It has no front by which left and right would be known, or is sat at from all sides.
+bool has_any_sides(const Reference& r) {
+  if (r.body == nullptr) return false;
+  const auto is_knee_room = [](const Hollow& hollow) { return !hollow.carries; };
+  return !r.body->has_front || (!r.body->entry->back_to_wall && std::any_of(r.body->hollows.begin(), r.body->hollows.end(), is_knee_room));
+}
+
+}  // namespace
+
+Finding check_EachSideOf(const Case& c) {
+  const std::optional<Axis>& axis = c.relation.parameters.axis;
+  const bool either = !axis && std::all_of(c.references.begin(), c.references.end(), has_any_sides);
+  if (either) return any_of({at_either_side(c, Axis::kX), at_either_side(c, Axis::kY)}, {});
+  return at_either_side(c, axis.value_or(Axis::kX));
 }
 
 Finding check_Between(const Case& c) {

@@ -64,8 +64,18 @@ Finding in_parts(const Case& c, const Body& t, const Body& host) {
   return all_of(std::move(findings));
 }
 
+// Itself, or by way of what it stands on: a cup on a coaster on the table.
+bool is_held_by(const Case& c, const Body& t, const std::string& holder) {
+  const Body* body = &t;
+  for (std::size_t storeys = 0; body != nullptr && storeys <= c.view.bodies.size(); ++storeys) {
+    if (body->object->supported_by == holder) return true;
+    body = c.view.find_body(body->object->supported_by);
+  }
+  return false;
+}
+
 Finding held_by(const Case& c, const Body& t, const std::string& holder) {
-  if (t.object->supported_by != holder)
+  if (holder == "floor" ? t.object->supported_by != holder : !is_held_by(c, t, holder))
     return condition(false, fmt::format("{} is held by {}, not by {}", t.id(), t.object->supported_by, holder));
   const SupportFault fault = support_fault(c.view, t);
   return condition(fault.message.empty(), fault.message.empty() ? fmt::format("{} stands on {}", t.id(), holder) : fault.message);
