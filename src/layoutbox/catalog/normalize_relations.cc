@@ -154,6 +154,13 @@ void become_floor_kind(NormalizeContext& context, SceneObject& object, const std
   object.used_sides = kind->used_sides;
 }
 
+// A lamp of 1.5 m is none for a table, whatever its kind stands on.
+bool outgrows_hosts(const NormalizeContext& context, const SceneObject& object) {
+  const bool given = object.size_source == SizeSource::kUser || object.size_source == SizeSource::kInferred;
+  const Mm greatest = context.catalog.entry_or_nearest(object.category).size.greatest.height;
+  return given && object.mount_assumed && 2 * object.size->least.height > 3 * greatest;
+}
+
 // Nothing to stand on.
 void settle_without_support(NormalizeContext& context, SceneObject& object, const std::string& pointer) {
   const bool hangs = object.mount == Mount::kHung || context.catalog.entry_or_nearest(object.category).hang_height > 0;
@@ -166,7 +173,7 @@ void settle_without_support(NormalizeContext& context, SceneObject& object, cons
 void support_object(NormalizeContext& context, SceneObject& object, const std::string& pointer) {
   const SupportChooser chooser(context, object);
   if (object.fixed || chooser.is_supported()) return;
-  const SceneObject* support = chooser.choose();
+  const SceneObject* support = outgrows_hosts(context, object) ? nullptr : chooser.choose();
   if (support == nullptr) return settle_without_support(context, object, pointer);
   Relation relation;
   relation.id = unused_id(context.scene, fmt::format("{}_on_{}", object.id, support->id));

@@ -354,6 +354,24 @@ TEST(NormalizeSupport, LampsGoWhereLampsGo) {
   EXPECT_TRUE(std::ranges::all_of(scene.relations, [](const Relation& item) { return !item.asked(); }));
 }
 
+TEST(NormalizeSupport, WhatIsTooTallForATableStandsOnTheFloor) {
+  SceneObject lamp = object("a", "lamp");
+  lamp.size = SizeRange{{400, 400, 1500}, {400, 400, 1500}, {400, 400, 1500}};
+  const SceneGraph scene = normalized(scene_of({object("night_1", "nightstand"), lamp}));
+  EXPECT_EQ(scene.objects[1].mount, Mount::kFloor);
+  EXPECT_TRUE(scene.relations.empty());
+}
+
+TEST(NormalizeObjects, AMountIsAssumedWhereNoRelationSaysIt) {
+  const SceneGraph scene = normalized(scene_of({object("a", "chandelier"), object("b", "chandelier"), object("c", "mirror")},
+                                               {relation(RelationType::kOn, {"a"}, {"floor"}), relation(RelationType::kOnWall, {"c"})}));
+  EXPECT_EQ(scene.objects[0].mount, Mount::kFloor);
+  EXPECT_FALSE(scene.objects[0].mount_assumed);
+  EXPECT_EQ(scene.objects[1].mount, Mount::kCeiling);
+  EXPECT_TRUE(scene.objects[1].mount_assumed);
+  EXPECT_FALSE(scene.objects[2].mount_assumed);
+}
+
 TEST(NormalizeSupport, WhatIsSaidHolds) {
   const SceneGraph scene = normalized(scene_of({object("desk_1", "desk"), object("night_1", "nightstand"), object("a", "lamp")},
                                                {relation(RelationType::kOn, {"a"}, {"desk_1"})}));

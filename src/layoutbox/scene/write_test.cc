@@ -87,15 +87,15 @@ TEST(Layouts, AreWrittenAsTheFormatPageShows) {
       {"id": "wall1", "start": [0, 0], "end": [4, 0], "thickness": 0.1}
     ],
     "openings": [
-      {"id": "door1", "type": "door", "wall": "wall1", "offset": 0.3, "w": 0.9, "h": 2, "sill": 0, "swing": "in-left"}
+      {"id": "door1", "type": "door", "wall": "wall1", "offset": 0.3, "w": 0.9, "h": 2, "sill": 0, "swing": "in-left", "origin": "asked"}
     ]
   },
   "objects": [
     {"id": "bed_1", "category": "bed", "name": "queen bed", "attributes": ["blue"], "size": [1.6, 2, 0.5], "pos": [2, 2.2005, 0], "rotation": 0,
-     "mount": "floor", "supportedBy": "floor", "usedSides": ["front"]}
+     "mount": "floor", "supportedBy": "floor", "usedSides": ["front"], "origin": "asked"}
   ],
   "relations": [
-    {"id": "c1", "type": "againstWall", "targets": ["bed_1"], "relativeTo": "wall3", "hard": true, "held": true}
+    {"id": "c1", "type": "againstWall", "targets": ["bed_1"], "relativeTo": "wall3", "hard": true, "origin": "asked", "held": true}
   ],
   "relaxed": [],
   "conflicts": [],

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "layoutbox/base/words.h"
+#include "layoutbox/plan/llm/evidence.h"
 #include "layoutbox/scene/json_parts.h"
 #include "layoutbox/scene/scene_json.h"
 
@@ -57,28 +58,15 @@ bool are_opposed(RelationType a, RelationType b) {
          (walls.contains(a) && walls.contains(b));
 }
 
-// How sure the text's number of one kind is.
-bool count_is_sure(const Plan& plan, const std::string& category, std::size_t count) {
-  static const std::set<std::string> vague = {"some",     "several", "few",  "many", "various", "multiple",
-                                              "numerous", "least",   "more", "most", "or",      "lots"};
-  static const std::set<std::string> numbers = {"two",    "three",  "four", "five",  "six",    "seven", "eight", "nine", "ten",
-                                                "eleven", "twelve", "pair", "pairs", "couple", "both",  "dozen", "twin"};
-  if (count <= 1) return true;
-  bool numbered = false;
-  for (const WordReading& reading : plan.readings) {
-    if (!reading.role.starts_with("object " + category + "_") || reading.end > plan.scene.prompt.size()) continue;
-    for (const std::string& word : words_of(std::string_view(plan.scene.prompt).substr(reading.begin, reading.end - reading.begin))) {
-      if (vague.contains(word)) return false;
-      numbered = numbered || numbers.contains(word) || (word[0] >= '0' && word[0] <= '9');
-    }
-  }
-  return numbered;
-}
-
 class Comparison {
  public:
   Comparison(const Plan& plan, const Catalog& catalog, const Settling& settling, Draft& draft)
-      : plan_(plan), text_(plan.scene), catalog_(catalog), settling_(settling), draft_(draft), document_(json::parse(draft.document)) {}
+      : evidence_(plan, catalog),
+        text_(plan.scene),
+        catalog_(catalog),
+        settling_(settling),
+        draft_(draft),
+        document_(json::parse(draft.document)) {}
 
   std::vector<std::string> run() {
     match_objects();
@@ -141,14 +129,17 @@ class Comparison {
     if (said.polygon.size() != 4 || !said.shape.empty()) return;
     const Point far = said.polygon[2];
     const auto& made = draft_.scene.room.polygon;
-    const bool same = made.size() == 4 && std::abs(made[2].x - far.x) <= kSameLength && std::abs(made[2].y - far.y) <= kSameLength;
+    // Which side is the width is not always said.
+    const auto is = [&](Mm x, Mm y) { return std::abs(made[2].x - x) <= kSameLength && std::abs(made[2].y - y) <= kSameLength; };
+    const bool same = made.size() == 4 && (is(far.x, far.y) || is(far.y, far.x));
     const bool same_height =
         said.height == 0 || draft_.scene.room.height == 0 || std::abs(said.height - draft_.scene.room.height) <= kSameLength;
     if (same && same_height) return;
     differ(fmt::format("the text's room is {:g} x {:g} m{}, the model's is not", m_from_mm(far.x), m_from_mm(far.y),
                        said.height > 0 ? fmt::format(" and {:g} m high", m_from_mm(said.height)) : ""));
     const bool larger = made.size() == 4 && made[2].x + kSameLength >= far.x && made[2].y + kSameLength >= far.y;
-    if (!settling_.room || (settling_.room_may_grow && larger)) return;
+    const bool other_shape = made.size() > 4;  // it may have read of a niche
+    if (!settling_.room || other_shape || (settling_.room_may_grow && larger)) return;
     json& room = document_["room"];
     for (const char* key : {"polygon", "height", "walls"}) room.erase(key);
     json dims = room.value("dims", json::object());
@@ -193,11 +184,18 @@ class Comparison {
       if (!said.asked()) continue;
       if (!ids_.contains(said.id)) {
         differ(fmt::format("the text names {} ({}), the model's scene has none for it", said.name, said.category));
-        if (settling_.objects && !may_be_missing(said)) add(said);
+        if (settling_.objects && evidence_.names(said) && !has_thing_of_its_own() && !may_be_missing(said)) add(said);
         continue;
       }
       compare_size(said, *draft_.scene.find_object(ids_[said.id]));
     }
+  }
+
+  // Something that nothing in the text is like: what the text names and the scene seems not to have may be that, under another name.
+  bool has_thing_of_its_own() const {
+    return std::ranges::any_of(surplus_, [&](std::size_t made) {
+      return std::ranges::none_of(text_.objects, [&](const SceneObject& said) { return likeness(said, draft_.scene.objects[made]) > 0; });
+    });
   }
 
   void add(const SceneObject& said) {
@@ -228,7 +226,8 @@ class Comparison {
     }
     if (!differs) return;
     differ(fmt::format("the text gives the size of {}, the model's {} has another", said.name, made.id));
-    if (!settling_.sizes_and_relations) return;
+    const bool without = !made.size;
+    if (!settling_.sizes_and_relations || !(without || evidence_.names(said))) return;
     for (json& object : document_["furniture"]) {
       if (object.value("id", "") == made.id) set_size(said, object);
     }
@@ -249,9 +248,9 @@ class Comparison {
       if (category.empty() && std::ranges::none_of(text_.objects, &SceneObject::asked)) continue;  // the text leaves it to the planner
       if (category.empty()) {
         differ(fmt::format("the model adds {} ({}), which the text does not name", made.id, made.category));
-      } else if (count_is_sure(plan_, category, count)) {
+      } else {
         differ(fmt::format("the text has {} of {}, the model adds {}", count, category, made.id));
-        if (settling_.objects) gone.insert(made.id);
+        if (settling_.objects && evidence_.counts(category, count)) gone.insert(made.id);
       }
     }
     if (!gone.empty()) remove(gone);
@@ -321,7 +320,7 @@ class Comparison {
       if (!known || is_said(said.type, targets, references)) continue;
       differ(fmt::format("the text says \"{}\" ({} of {}), the model's scene does not", said.why, relation_row(said.type).name,
                          fmt::join(targets, ", ")));
-      if (settling_.sizes_and_relations) add_relation(said, targets, references);
+      if (settling_.sizes_and_relations && evidence_.relates(said)) add_relation(said, targets, references);
     }
   }
 
@@ -398,7 +397,7 @@ class Comparison {
     draft_.document = std::move(written);
   }
 
-  const Plan& plan_;
+  const Evidence evidence_;
   const SceneGraph& text_;
   const Catalog& catalog_;
   const Settling& settling_;

@@ -1,4 +1,5 @@
-// The model's scene beside what the text says outright: counts, sizes and relations of which the offline planner is sure.
+// The model's scene beside what the offline planner reads: counts, sizes and relations. The model is believed where the two differ, save
+// in what is beyond doubt (evidence.h).
 #pragma once
 
 #include <set>
@@ -13,11 +14,11 @@ namespace layoutbox::llm {
 
 // Whom to believe where the model's scene is not what the text says outright.
 enum class Trust {
-  kText,   // the text: what is missing is added, what is too much left out, sizes are set right
+  kText,   // the text where it is beyond doubt: what is missing is added, what is too much left out, sizes are set right
   kModel,  // the model: differences are listed only
 };
 
-// What is set right after the text; all else is listed only.
+// What is set right after the text where that is beyond doubt; all else is listed only.
 struct Settling {
   bool objects = true;
   bool room = true;
@@ -29,7 +30,7 @@ struct Settling {
 };
 
 // One sentence for each difference; each is also a note of the scene, and its document follows what is settled.
-// Nothing is compared that the offline planner only assumed or may have misread ("some chairs").
+// Nothing is compared that the offline planner only assumed or concluded.
 std::vector<std::string> compare_with_text(const Plan& read_offline, const Catalog& catalog, const Settling& settling, Draft& draft);
 
 }  // namespace layoutbox::llm

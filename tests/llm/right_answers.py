@@ -1,0 +1,328 @@
+"""A model that answers as the annotation of a prompt says: is its answer left as it is, and is a wrong one found?
+
+    right_answers.py BINARY ANNOTATIONS.csv… [--list]
+
+For every annotated prompt (columns ID, Description, ObjCount, OORel, OARel) a scene is made from the annotation and played by a scripted
+server to `batch --planner llm`. Counted are
+  lost      things and relations of the answer that the scene no longer has, or has otherwise
+  denied    things and relations that were added although the annotation denies them: a kind of which it has its number already, or a
+            side or wall other than the annotated one
+  requests  of the prompts whose answer has a layout by itself (`--trust model`)
+  found     wrong answers (a thing forgotten, one too few, one too many) that come back with a difference in the notes
+"""
+
+import argparse
+import copy
+import csv
+import json
+import os
+import re
+import subprocess
+import sys
+import tempfile
+from collections import Counter
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+
+from fault_server import FaultServer, call, scripted  # noqa: E402
+
+# Words of annotations as relations; a word that is not here makes no relation of the answer.
+PAIRS = {
+    **dict.fromkeys(["next", "next_to", "beside", "adjacent", "by", "side_by_side", "alongside"], "nextTo"),
+    **dict.fromkeys(["near", "nearby", "close"], "near"),
+    **dict.fromkeys(["on", "on_top", "top"], "on"),
+    **dict.fromkeys(["within", "inside", "in"], "in"),
+    **dict.fromkeys(["above", "over"], "above"),
+    **dict.fromkeys(["under", "beneath", "below", "underneath"], "under"),
+    **dict.fromkeys(["face", "facing"], "facing"),
+    **dict.fromkeys(["foot", "at_foot", "at_the_foot"], "atFootOf"),
+    **dict.fromkeys(["around", "surround"], "around"),
+    "left": "leftOf",
+    "right": "rightOf",
+    "front": "inFrontOf",
+    "behind": "behind",
+    "far": "far",
+}
+PLACES = {
+    ("against", "wall"): ("againstWall", None),
+    ("along", "wall"): ("againstWall", None),
+    ("on", "wall"): ("onWall", None),
+    ("hang", "ceiling"): ("onCeiling", None),
+    ("corner", "room"): ("corner", None),
+    ("middle", "room"): ("centerOfRoom", None),
+    ("center", "room"): ("centerOfRoom", None),
+    ("next", "window"): ("nearWindow", "window1"),
+    ("near", "window"): ("nearWindow", "window1"),
+    ("by", "window"): ("nearWindow", "window1"),
+    ("under", "window"): ("underWindow", "window1"),
+    ("next", "door"): ("nearDoor", "door1"),
+    ("near", "door"): ("nearDoor", "door1"),
+    ("by", "door"): ("nearDoor", "door1"),
+}
+SIDES = {"leftOf", "rightOf", "inFrontOf", "behind"}
+HEIGHTS = {"on", "in", "under", "above"}
+WALLS = {"againstWall", "onWall", "centeredOnWall", "corner", "centerOfRoom"}
+MOST_OF_A_KIND = 40
+
+
+def entries(text):
+    return [[part.strip() for part in entry.split(",")] for entry in (text or "").split(";") if entry.strip()]
+
+
+def number_of(quantifier, count):
+    return int(count) + (quantifier == "gt")
+
+
+def snake(word):
+    return re.sub(r"[^a-z0-9]+", "_", word.split(":")[0].strip().lower()).strip("_")
+
+
+def pair_relations(row, ids):
+    """OORel: so many times TARGETS relate to ANCHOR."""
+    for quantifier, count, word, index, *names in entries(row["OORel"]):
+        kind, names = PAIRS.get(word), [snake(name) for name in names]
+        at = int(index) if 0 <= int(index) < len(names) else 0
+        anchors, others = ids.get(names[at], []), names[:at] + names[at + 1 :]
+        if kind is None or not anchors or not all(ids.get(name) for name in others):
+            continue
+        if len(others) > 1:  # a group about one thing
+            targets = [target for name, many in Counter(others).items() for target in ids[name][:many] if target != anchors[0]]
+            yield {"type": "around" if kind == "around" else kind, "targets": targets, "relativeTo": [anchors[0]]}
+            continue
+        targets = [target for target in ids[others[0]]]
+        for number in range(min(number_of(quantifier, count), len(targets))):
+            anchor = anchors[number * len(anchors) // min(number_of(quantifier, count), len(targets))]
+            if targets[number] != anchor:
+                yield {"type": "nextTo" if kind == "around" else kind, "targets": [targets[number]], "relativeTo": [anchor]}
+
+
+def place_relations(row, ids):
+    """OARel: so many things at a part of the room."""
+    for quantifier, count, word, target, element in entries(row["OARel"]):
+        place = snake(element)
+        where = place if place in ("wall", "ceiling", "window", "door") else "room"
+        kind, reference = PLACES.get((word, where), (None, None))
+        if kind is None:
+            continue
+        for thing in ids.get(snake(target), [])[: number_of(quantifier, count)]:
+            yield {"type": kind, "targets": [thing], **({"relativeTo": [reference]} if reference else {})}
+
+
+def right_answer(row):
+    """The annotated scene, as a model would hand it over."""
+    ids, furniture = {}, []
+    for quantifier, count, word in entries(row["ObjCount"]):
+        name = snake(word)
+        for _ in range(min(number_of(quantifier, count), MOST_OF_A_KIND)):
+            thing = f"{name}_{len(ids.setdefault(name, [])) + 1}"
+            ids[name].append(thing)
+            furniture.append({"id": thing, "category": name, "name": name.replace("_", " ")})
+    constraints, seen = [], set()
+    for relation in [*pair_relations(row, ids), *place_relations(row, ids)]:
+        key = json.dumps(relation)
+        if key not in seen:
+            seen.add(key)
+            constraints.append({"id": f"m{len(constraints) + 1}", **relation})
+    openings = [{"id": "door1", "type": "door"}, {"id": "window1", "type": "window"}]
+    return {"metadata": {"roomType": "room"}, "room": {"openings": openings}, "furniture": furniture, "constraints": constraints}
+
+
+def without(answer, gone):
+    """The answer less some things and what is said of them."""
+    less = copy.deepcopy(answer)
+    less["furniture"] = [item for item in less["furniture"] if item["id"] not in gone]
+    for relation in less["constraints"]:
+        for key in ("targets", "relativeTo"):
+            if key in relation:
+                relation[key] = [name for name in relation[key] if name not in gone]
+    less["constraints"] = [r for r in less["constraints"] if r["targets"] and r.get("relativeTo", ["any"])]
+    return less
+
+
+def kinds_of(row):
+    """How many of each kind, where the annotation says exactly how many."""
+    return [(snake(word), int(count)) for quantifier, count, word in entries(row["ObjCount"]) if quantifier == "eq"]
+
+
+def forgotten(row):
+    """Of each kind that there is one of, in turn by the prompt's number: the answer without it."""
+    single = [name for name, count in kinds_of(row) if count == 1]
+    if not single:
+        return None
+    return without(right_answer(row), {f"{single[sum(map(ord, row['ID'])) % len(single)]}_1"})
+
+
+def too_few(row):
+    several = [(name, count) for name, count in kinds_of(row) if 1 < count <= MOST_OF_A_KIND]
+    if not several:
+        return None
+    name, count = several[sum(map(ord, row["ID"])) % len(several)]
+    return without(right_answer(row), {f"{name}_{count}"})
+
+
+def too_many(row):
+    several = [(name, count) for name, count in kinds_of(row) if 1 < count <= MOST_OF_A_KIND]
+    if not several:
+        return None
+    name, count = several[sum(map(ord, row["ID"])) % len(several)]
+    answer = right_answer(row)
+    answer["furniture"].append({"id": f"{name}_{count + 1}", "category": name, "name": name.replace("_", " ")})
+    return answer
+
+
+class Player:
+    """Plays the answers of a table's prompts; counts the requests for each."""
+
+    def __init__(self, rows, answers):
+        self.answers = {" ".join(row["Description"].split()): answer for row, answer in zip(rows, answers, strict=True)}
+        self.requests = Counter()
+
+    def __call__(self, request):
+        user = next(message["content"] for message in request.json()["messages"] if message["role"] == "user")
+        prompt = " ".join(user.replace("<request>", "").replace("</request>", "").replace("‹", "<").split())
+        self.requests[prompt] += 1
+        return call("create_scene", self.answers[prompt])
+
+
+# What becomes of the scene matters little: no repair, and not much of a search.
+ROUGHLY = ["--on-conflict", "relax", "--effort", "1", "--time-limit", "0.5"]
+
+
+def play(binary, rows, answers, *options):
+    """(scene.json or None, requests, whether the layout holds it all) of each row."""
+    if not rows:
+        return []
+    player = Player(rows, answers)
+    with tempfile.TemporaryDirectory() as folder, FaultServer([scripted(player)]) as server:
+        prompts, out = Path(folder) / "prompts.jsonl", Path(folder) / "out"
+        prompts.write_text("".join(json.dumps({"id": row["ID"], "prompt": row["Description"]}) + "\n" for row in rows), encoding="utf-8")
+        kept = {name: value for name, value in os.environ.items() if not name.upper().endswith("_PROXY")}
+        env = {**kept, "OPENAI_BASE_URL": server.url, "OPENAI_API_KEY": "sk-x", "NO_PROXY": "127.0.0.1,localhost", "XDG_CACHE_HOME": folder}
+        arguments = ["batch", prompts, "-o", out, "--no-render", "--planner", "llm", "--no-cache", "--attempt-pause", "0"]
+        done = subprocess.run([binary, *map(str, arguments), *options], env=env, capture_output=True, text=True, check=False)
+        if done.returncode not in (0, 1):
+            raise RuntimeError(f"batch ended with {done.returncode}\n{done.stderr}")
+        results = []
+        for row in rows:
+            path = out / row["ID"] / "scene.json"
+            scene = json.loads(path.read_text(encoding="utf-8")) if path.is_file() else None
+            layout = path.with_name("layout.json")
+            solved = layout.is_file() and json.loads(layout.read_text(encoding="utf-8"))["status"] == "solved"
+            results.append((scene, player.requests[" ".join(row["Description"].split())], solved))
+        return results
+
+
+def relation_key(relation):
+    references = relation.get("relativeTo", [])
+    return relation["type"], tuple(relation["targets"]), tuple([references] if isinstance(references, str) else references)
+
+
+def losses(answer, scene):
+    """Things and relations of the answer that are gone or changed."""
+    things = {item["id"] for item in scene["furniture"]}
+    lost = [f"thing {item['id']}" for item in answer["furniture"] if item["id"] not in things]
+    kept = {relation_key(relation) for relation in scene["constraints"]}
+    return lost + [f"relation {relation_key(r)}" for r in answer["constraints"] if relation_key(r) not in kept]
+
+
+def opposed(one, other):
+    """Two relations of one thing that cannot both be."""
+    (kind, targets, references), (other_kind, others, other_references) = relation_key(one), relation_key(other)
+    if kind == other_kind or not set(targets) & set(others):
+        return kind == other_kind and kind in ("againstWall", "onWall") and bool(set(targets) & set(others)) and references != other_references
+    for group in (SIDES, HEIGHTS):
+        if kind in group and other_kind in group and set(references) & set(other_references):
+            return True
+    return kind in WALLS and other_kind in WALLS and "centerOfRoom" in (kind, other_kind)
+
+
+def additions(answer, scene):
+    """What the scene has beyond the answer and the annotation denies, and how much was added in all. Assumptions are no additions."""
+    had = {item["id"] for item in answer["furniture"]}
+    told = {relation_key(relation) for relation in answer["constraints"]}
+    new_things = [item for item in scene["furniture"] if item["id"] not in had and not item.get("assumed")]
+    new_relations = [r for r in scene["constraints"] if relation_key(r) not in told and not r.get("assumed")]
+    wrong = [f"thing {item['id']}" for item in new_things]  # the annotation has all things of the room
+    wrong += [f"relation {relation_key(r)}" for r in new_relations if any(opposed(r, made) for made in answer["constraints"])]
+    return wrong, len(new_things) + len(new_relations)
+
+
+def differences(scene):
+    return sum(note["code"] == "text-differs" for note in scene.get("notes", [])) if scene else 0
+
+
+def measure_right(binary, rows, figures, lines):
+    """The right answers; how many differences each is noted to have."""
+    answers = {row["ID"]: right_answer(row) for row in rows}
+    alone = play(binary, rows, answers.values(), "--trust", "model", *ROUGHLY)
+    # An answer that has no layout is asked about again with reason.
+    sound = [row for row, (_, _, solved) in zip(rows, alone, strict=True) if solved]
+    others = [row for row in rows if row not in sound]
+    noted = {}
+    for some, options in ((sound, []), (others, ROUGHLY)):
+        played = play(binary, some, [answers[row["ID"]] for row in some], *options)
+        for row, (scene, requests, _) in zip(some, played, strict=True):
+            name, answer = row["ID"], answers[row["ID"]]
+            figures["parts"] += len(answer["furniture"]) + len(answer["constraints"])
+            noted[name] = differences(scene)
+            if scene is None:
+                figures["lost"] += 1
+                lines.append(f"{name}: no scene")
+                continue
+            if some is sound:
+                figures["asked"] += 1
+                figures["requests"] += requests
+                lines += [f"{name}: {requests} requests"] if requests > 1 else []
+            lost = losses(answer, scene)
+            wrong, added = additions(answer, scene)
+            figures.update(lost=len(lost), denied=len(wrong), added=added, differences=noted[name])
+            lines += [f"{name}: lost {what}" for what in lost] + [f"{name}: added {what}" for what in wrong]
+    return noted
+
+
+def measure_wrong(binary, rows, noted, figures, lines):
+    """Wrong answers: each must be noted to differ in more than the right one does."""
+    for make in (forgotten, too_few, too_many):
+        cases = [(row, answer) for row in rows if (answer := make(row)) is not None]
+        played = play(binary, [row for row, _ in cases], [answer for _, answer in cases], *ROUGHLY)
+        for (row, _), (scene, _, _) in zip(cases, played, strict=True):
+            found = differences(scene) > noted.get(row["ID"], 0)
+            settled = scene is not None and len(scene["furniture"]) == len(right_answer(row)["furniture"])
+            figures.update({"wrong": 1, "found": found, "settled": settled, f"{make.__name__}": 1, f"{make.__name__} found": found})
+            if not found:
+                lines.append(f"{row['ID']}: not found ({make.__name__})")
+
+
+def measure(binary, rows):
+    """The figures, and a line for each thing that is wrong."""
+    figures, lines = Counter(prompts=len(rows)), []
+    noted = measure_right(binary, rows, figures, lines)
+    measure_wrong(binary, rows, noted, figures, lines)
+    return figures, lines
+
+
+def read(path):
+    with Path(path).open(newline="", encoding="utf-8-sig") as file:
+        return list(csv.DictReader(file))
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("binary")
+    parser.add_argument("annotations", nargs="+")
+    parser.add_argument("--list", action="store_true", help="each thing that is wrong")
+    arguments = parser.parse_args()
+    for path in arguments.annotations:
+        figures, lines = measure(arguments.binary, read(path))
+        print(Path(path).name, dict(figures))
+        print(
+            f"  lost {figures['lost']} of {figures['parts']}, denied {figures['denied'] / figures['parts']:.2%},"
+            f" {figures['requests'] / max(1, figures['asked']):.2f} requests, found {figures['found'] / max(1, figures['wrong']):.1%}"
+        )
+        if arguments.list:
+            print("\n".join("  " + line for line in lines))
+
+
+if __name__ == "__main__":
+    main()
