@@ -162,7 +162,7 @@ Status EditReader::build(Clause& clause, EditStep& step) {
   };
   for (Relation& relation : scene.relations) {
     const bool of_new = std::any_of(relation.targets.begin(), relation.targets.end(), is_new);
-    if (!relation.asked() && !of_new) continue;  // habits of what was there before
+    if (relation.origin == Origin::kAssumed && !of_new) continue;  // habits of what was there before
     // A window that was named: that one.
     for (const Mention& mention : clause.document.mentions) {
       const bool opening = mention.noun.kind == NounKind::kWindow || mention.noun.kind == NounKind::kDoor;

@@ -98,7 +98,7 @@ std::string text_of(const EditPlan& plan) {
       if (place.near) text += " " + std::to_string(std::lround((*place.near)[0])) + " " + std::to_string(std::lround((*place.near)[1]));
     }
     for (const Relation& relation : step.relations) {
-      if (!relation.asked()) continue;
+      if (relation.origin == Origin::kAssumed) continue;
       text += " : " + std::string(relation_row(relation.type).name) + " " + joined(relation.targets);
       if (!relation.references.empty()) text += " " + joined(relation.references);
     }

@@ -247,7 +247,7 @@ void RelationBuilder::add_relations_to(const Link& link, const std::vector<int>&
     if (sense->type == R::kCorner && m != link.targets.front() && !reference.is_plural() && target.items.size() == 1 &&
         mention(link.targets.front()).items.size() == 1) {
       Link together = link;
-      together.soft = true;
+      together.soft = together.concluded = true;
       add(together, R::kNear, {id(target.items.front())}, {id(mention(link.targets.front()).items.front())});
     }
     if (link.distance && sense->type != R::kDistance && !reference_items.empty()) {

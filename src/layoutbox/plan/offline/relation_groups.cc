@@ -218,6 +218,7 @@ void RelationBuilder::complete_sides() {
     }
     if (others.empty() || !taken || (*taken != Side::kLong && *taken != Side::kShort)) continue;
     Link link;
+    link.concluded = true;
     for (const std::string& seat : others) {
       PhraseSense along{R::kAlongSide, Direction::kDirect, {}, {}, *taken == Side::kLong ? Side::kShort : Side::kLong};
       add(link, R::kAlongSide, {seat}, around.references, along);

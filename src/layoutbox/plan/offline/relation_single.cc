@@ -248,9 +248,11 @@ void RelationBuilder::add_look(const Link& link, R type, int item, int reference
            n.name.find("media") != std::string::npos;
   };
   const bool seat = is_seat(catalog_, thing);
-  if (type == R::kInFrontOf && ((seat && (is_table(catalog_, other) || screen(other))) || screen(thing)))
-    add(link, R::kFacing, {id(item)}, {id(reference)});
-  if (type == R::kAlongSide && seat) add(link, R::kFacing, {id(item)}, {id(reference)});
+  const bool before = type == R::kInFrontOf && ((seat && (is_table(catalog_, other) || screen(other))) || screen(thing));
+  if (!before && (type != R::kAlongSide || !seat)) return;
+  Link look = link;
+  look.concluded = true;
+  add(look, R::kFacing, {id(item)}, {id(reference)});
 }
 
 void RelationBuilder::add_across(const Link& link, int item, const std::vector<std::string>& reference) {
