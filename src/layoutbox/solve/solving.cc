@@ -17,8 +17,7 @@ constexpr double kProofTimePerUnit = 0.04;    // of CP-SAT's deterministic time
 constexpr double kLongestProof = 20, kShortProof = 0.3;
 constexpr std::size_t kMostForEarlyProof = 40;
 constexpr int kIdleStarts = 8;
-constexpr std::int64_t kThingsPerEffort = 6;             // that one share of the effort is for
-constexpr std::uint64_t kSeedStep = 0x9e3779b97f4a7c15;  // golden ratio: no start of one seed is a start of the next
+constexpr std::int64_t kThingsPerEffort = 6;  // that one share of the effort is for
 
 }  // namespace
 

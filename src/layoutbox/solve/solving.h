@@ -22,6 +22,7 @@ inline constexpr std::int64_t kFirstSteps = 400'000, kLeastSteps = 60'000;
 inline constexpr int kRestarts = 8;
 inline constexpr int kStillWished = 4;  // points a metre, per weight, of a relation that was given up
 inline constexpr int kAllSizes = 1000;
+inline constexpr std::uint64_t kSeedStep = 0x9e3779b97f4a7c15;  // golden ratio: no start of one seed is a start of the next
 
 struct Dependencies;
 
@@ -62,16 +63,19 @@ class Solver {
   Result<bool> give_up_impossible();
   Result<bool> give_up_impossible(int constraint, const Dependencies& dependencies);
 
-  // ---- what is given up when not everything can hold (give_up.cc)
-  bool demands_left(Firmness firmness) const;
+  // ---- what nobody asked for gives way (assumptions.cc)
   std::vector<int> assumptions_left() const;
-  bool search_without(Firmness firmness);
   bool search_without_assumptions();
   bool is_missed(int constraint) const;
   Status yield_assumptions(bool found);
   std::vector<int> extras_in_the_way();
   bool is_asked(int item) const;
   bool floor_gives_way(const Clash& clash, const std::vector<int>& objects);
+
+  // ---- what is given up when not everything can hold (give_up.cc)
+  bool demands_left(Firmness firmness) const;
+  bool search_without(Firmness firmness);
+  bool search_from_elsewhere();
   Result<bool> give_up_unproven(bool loose, const Placements& loosely);
   Result<bool> settle();
   void keep_what_can_be(std::vector<int>& missed);
@@ -133,7 +137,7 @@ class Solver {
   double proof_time_ = 0;
   int unproven_ = 0;          // rounds that ended without a layout and without a proof
   bool proven_best_ = false;  // no layout is better by a point
-  bool used_cp_sat_ = false, fallback_ = false, stopped_by_clock_ = false, brought_back_ = false;
+  bool used_cp_sat_ = false, fallback_ = false, stopped_by_clock_ = false, brought_back_ = false, searched_elsewhere_ = false;
 };
 
 }  // namespace layoutbox::placement
