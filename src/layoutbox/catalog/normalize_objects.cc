@@ -7,11 +7,14 @@
 #include "layoutbox/base/words.h"
 #include "layoutbox/catalog/normalize_steps.h"
 #include "layoutbox/catalog/size_words.h"
+#include "layoutbox/catalog/trait_table.h"
+#include "layoutbox/scene/relation_traits.h"
 
 namespace layoutbox {
 namespace {
 
 constexpr Mm kLargestObject = 50'000;
+constexpr std::string_view kOnWall = "wall-mounted";  // the variant of what hangs on a wall though it usually stands
 constexpr std::array kSides{&Size::width, &Size::depth, &Size::height};
 
 // True when what stands before the kind's own words is known to be no kind of its own: "queen" bed, "large wooden" desk.
@@ -37,9 +40,13 @@ class ObjectNormalizer {
     settle_category();
     if (const CatalogEntry* article = choose_article(context_, object_)) take_article(context_, object_, *article, pointer_);
     const CatalogEntry& entry = context_.catalog.entry_or_nearest(object_.category);
+    if (!object_.mount) object_.mount = mount_by_relations(entry).value_or(usual_mount(entry));
     settle_size(entry);
     if (!object_.used_sides) object_.used_sides = entry.used_sides;
+<<<<<<< HEAD
     if (!object_.mount) settle_mount(entry);
+=======
+>>>>>>> 8dd336d (Traits of kinds and of relations said once; shapes' numbers and plan symbols in the catalogue; facing of desks, screens on walls, curtains by windows; the search pushes, and always improves)
   }
 
  private:
@@ -83,7 +90,9 @@ class ObjectNormalizer {
   }
 
   void settle_size(const CatalogEntry& entry) {
-    const SizeRange usual = size_by_words(entry, words_said_of(object_));
+    std::vector<std::string> said = words_said_of(object_);
+    if (object_.mount == Mount::kWall && entry.mount != Mount::kWall) said.emplace_back(kOnWall);  // flatter than what stands
+    const SizeRange usual = size_by_words(entry, said);
     if (!object_.size) {
       object_.size = usual;
       object_.size_source = SizeSource::kCatalog;
@@ -156,20 +165,35 @@ class ObjectNormalizer {
     }
   }
 
+  // As its kind is mounted; a screen that nothing there carries hangs on a wall.
+  Mount usual_mount(const CatalogEntry& entry) const {
+    if (entry.mount != Mount::kSurface || !entry.is(Trait::kElseOnWall) || object_.hint.position) return entry.mount;
+    const bool carried = std::ranges::any_of(context_.scene.objects, [&](const SceneObject& other) {
+      const std::string& kind = context_.catalog.entry_or_nearest(other.category).id;
+      return std::ranges::any_of(entry.stands_on, [&](const std::string& host) { return context_.catalog.is_a(kind, host); });
+    });
+    if (carried) return entry.mount;
+    context_.note("guessed", fmt::format("nothing carries \"{}\": it hangs on a wall", object_.id), pointer_ + "/mount");
+    return Mount::kWall;
+  }
+
   // A relation that says where it is mounted beats the habit of its kind.
+<<<<<<< HEAD
   void settle_mount(const CatalogEntry& entry) {
     object_.mount = mount_by_relations(entry);
     object_.mount_assumed = !object_.mount;
     if (!object_.mount) object_.mount = entry.mount;
   }
 
+=======
+>>>>>>> 8dd336d (Traits of kinds and of relations said once; shapes' numbers and plan symbols in the catalogue; facing of desks, screens on walls, curtains by windows; the search pushes, and always improves)
   std::optional<Mount> mount_by_relations(const CatalogEntry& entry) const {
     const SceneGraph& scene = context_.scene;
     for (const Relation& relation : scene.relations) {
       if (std::ranges::find(relation.targets, object_.id) == relation.targets.end()) continue;
       if (relation.type == RelationType::kOnWall && entry.mount != Mount::kHung) return Mount::kWall;
       if (relation.type == RelationType::kOnCeiling) return Mount::kCeiling;
-      if (relation.type != RelationType::kOn && relation.type != RelationType::kIn && relation.type != RelationType::kStacked) continue;
+      if (!traits_of(relation.type).supports) continue;
       for (const std::string& reference : relation.references) {
         if (reference == "floor") return Mount::kFloor;
         const SceneObject* below = scene.find_object(reference);
