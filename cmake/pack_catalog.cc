@@ -30,6 +30,7 @@ int main(int count, char** arguments) {
   }
   for (const Error& error : check_catalog_data(data)) faults += print("catalog", error);
   if (faults > 0 || count < 2) return 1;
+  inherit_from_kinds(data);
   const Status written = write_file(arguments[1], pack_catalog(data, index_of(data.entries, data.rooms)));
   return written ? 0 : print(arguments[1], written.error());
 }

@@ -11,17 +11,14 @@ from __future__ import annotations
 import ast
 import json
 import operator
-import re
 import sys
 from collections.abc import Iterator
 from pathlib import Path
 
-SHAPES = Path(__file__).parent.parent / "src/layoutbox/furnish/families"
-FAMILIES = {name for path in SHAPES.glob("*.cc") for name in re.findall(r'to\["([a-z_0-9]+)"\]', path.read_text(encoding="utf-8"))}
 MOUNTS = {"floor", "wall", "ceiling", "surface", "hung"}
 SIDES = {"front", "back", "left", "right"}
 KEYS = {
-    "id", "name", "synonyms", "kindOf", "size", "variants", "mount", "usedSides", "hasFront", "backToWall", "thin",
+    "id", "name", "synonyms", "kindOf", "traits", "size", "variants", "mount", "usedSides", "hasFront", "backToWall", "thin",
     "lainOn", "topCarries", "clearance", "hangHeight", "spaces", "standsOn", "faces", "beside", "rooms", "shape", "source",
 }  # fmt: skip
 THIN = 0.03  # m, rugs and mats up to this height collide with nothing
@@ -132,7 +129,7 @@ def check_neighbours(entry: dict, ids: dict[str, dict]) -> Iterator[str]:
             yield f"{name} of usually {own[1]} m is far from that of {parent['name']} ({others[0]} to {others[2]} m)"
 
 
-def check_entry(entry: dict, ids: dict[str, dict], rooms: set[str]) -> Iterator[str]:
+def check_entry(entry: dict, ids: dict[str, dict], rooms: set[str], families: dict[str, dict]) -> Iterator[str]:
     """Faults of one entry by itself and of the ids that it names."""
     for key in entry.keys() - KEYS:
         yield f"unknown member '{key}'"
@@ -146,7 +143,7 @@ def check_entry(entry: dict, ids: dict[str, dict], rooms: set[str]) -> Iterator[
     for key in ("usedSides", "clearance"):
         if not set(entry.get(key, [])) <= SIDES:
             yield f"{key}: sides are front, back, left, right"
-    if entry["shape"].get("family") not in FAMILIES:
+    if families and entry["shape"].get("family") not in families:
         yield f"shape family '{entry['shape'].get('family')}' is unknown"
     if entry.get("thin") and three(entry["size"]["h"])[2] > THIN:
         yield f"thin, but up to {three(entry['size']['h'])[2]} m high"
@@ -233,17 +230,18 @@ def stands_on_floor(entry: dict) -> bool:
 
 def check(folder: Path) -> tuple[list[str], int]:
     """All faults of the catalogue in a folder, and the number of its entries."""
-    entries, rooms = [], []
+    entries, rooms, families = [], [], {}
     for path in sorted(folder.glob("*.json")):
         data = json.loads(path.read_text(encoding="utf-8"))
         if isinstance(data, dict):
             entries += data.get("entries", [])
             rooms += data.get("rooms", [])
+            families |= data.get("families", {})
     ids = {entry["id"]: entry for entry in entries}
     room_ids = {room["id"] for room in rooms}
     faults = list(check_like(folder, ids)) + list(check_words(entries)) + list(check_words(rooms)) + list(check_rooms(rooms, ids))
     for entry in entries:
-        own = [*check_entry(entry, ids, room_ids), *check_ancestors(entry, ids)]
+        own = [*check_entry(entry, ids, room_ids, families), *check_ancestors(entry, ids)]
         faults += [f"{entry['id']}: {fault}" for fault in own]
     return faults, len(entries)
 

@@ -47,6 +47,7 @@ def check(entries: list[dict], rooms: list[dict]) -> tuple[int, str]:
     with tempfile.TemporaryDirectory() as folder:
         Path(folder, "things.json").write_text(json.dumps({"entries": entries}), encoding="utf-8")
         Path(folder, "rooms.json").write_text(json.dumps({"rooms": rooms}), encoding="utf-8")
+        Path(folder, "shapes.json").write_text(json.dumps({"families": {"table": {}, "cup": {}}}), encoding="utf-8")
         Path(folder, "words.json").write_text(json.dumps({"about": "other data"}), encoding="utf-8")
         return run(Path(folder))
 

@@ -45,6 +45,7 @@ Result<Catalog> Catalog::from_json(std::string_view entries_json, std::string_vi
   LAYOUTBOX_CHECK(read_checked_catalog_data(entries_json, data));
   LAYOUTBOX_CHECK(read_checked_catalog_data(rooms_json, data));
   if (std::vector<Error> errors = check_catalog_data(data); !errors.empty()) return Failure(combined(std::move(errors)));
+  inherit_from_kinds(data);
   return Catalog(std::move(data.entries), std::move(data.rooms));
 }
 
@@ -157,11 +158,6 @@ std::vector<Space> spaces_of(const SceneObject& object, const CatalogEntry& entr
     if (named && !variant.spaces.empty()) return spaces_from(variant.spaces, size);
   }
   return spaces_at(entry, size);
-}
-
-bool is_table_seat(const CatalogEntry& entry) {
-  const std::string& family = entry.shape.family;
-  return family == "chair" || family == "office_chair" || family == "stool";
 }
 
 }  // namespace layoutbox

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "layoutbox/base/result.h"
+#include "layoutbox/catalog/traits.h"
 #include "layoutbox/scene/scene_graph.h"
 
 namespace layoutbox {
@@ -41,6 +42,7 @@ struct SizeVariant {
 
 struct ShapeSpec {
   std::string family;                        // "bed", "table", "chair"…: furnish/families
+  std::string symbol;                        // what the floor plan draws: its own, else its family's (catalog/shapes.json); empty: a box
   std::map<std::string, double> numbers;     // parameters of the family: "legs": 4, "drawers": 3
   std::map<std::string, std::string> words;  // "top": "round", "material": "oak"
 };
@@ -50,6 +52,8 @@ struct CatalogEntry {
   std::string name;                   // "dining table"
   std::vector<std::string> synonyms;  // other words for exactly this kind; unique over the catalogue
   std::string kind_of;                // a more general entry's id, or empty ("bunk_bed" is a kind of "bed")
+  Traits traits;                      // its own and those of what it is a kind of
+  Traits traits_lacked;               // those of what it is a kind of that it does not have
   SizeRange size;
   std::vector<SizeVariant> variants;
   Mount mount = Mount::kFloor;
@@ -67,6 +71,7 @@ struct CatalogEntry {
   std::vector<std::string> beside;     // entry ids it usually stands by (nightstand: bed; desk_chair: desk)
   std::vector<std::string> rooms;      // kinds of room it is usual in
   ShapeSpec shape;
+  bool is(Trait trait) const { return traits.has(trait); }
   std::string source;  // where the sizes come from
   // Of an article from the user's catalogue (user_catalog.h): its number, how many there are (-1: not said), and its own looks.
   std::string article;
@@ -74,9 +79,6 @@ struct CatalogEntry {
   std::string article_material, article_mesh, article_mesh_front;
   std::vector<std::string> article_attributes;  // colour, style…
 };
-
-// Chairs and stools that one sits on at tables, desks and counters.
-bool is_table_seat(const CatalogEntry& entry);
 
 // The usual furniture and size of a kind of room.
 struct RoomKind {

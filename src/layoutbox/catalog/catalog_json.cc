@@ -7,6 +7,7 @@
 #include <set>
 
 #include "layoutbox/base/words.h"
+#include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/scene/json_text.h"
 #include "layoutbox/scene/scene_check.h"
 #include "layoutbox/scene/schema_check.h"
@@ -77,9 +78,36 @@ Status read_spaces(const json& value, std::vector<SpaceFormula>& spaces) {
 ShapeSpec read_shape(const json& value) {
   ShapeSpec shape;
   shape.family = value.at("family").get<std::string>();
+  shape.symbol = value.value("symbol", std::string());
   if (const auto numbers = value.find("numbers"); numbers != value.end()) shape.numbers = numbers->get<std::map<std::string, double>>();
   if (const auto words = value.find("words"); words != value.end()) shape.words = words->get<std::map<std::string, std::string>>();
   return shape;
+}
+
+// "seat", or "-seat" where what it is a kind of is one and it is not.
+Status read_traits(const json& names, CatalogEntry& entry) {
+  for (const json& item : names) {
+    std::string_view name = item.get_ref<const std::string&>();
+    const bool lacks = name.starts_with('-');
+    if (lacks) name.remove_prefix(1);
+    const auto trait = trait_from_name(name);
+    if (!trait) return fail(ErrorCode::kSchema, fmt::format("\"{}\" has the unknown trait \"{}\"", entry.id, name));
+    (lacks ? entry.traits_lacked : entry.traits).set(*trait);
+  }
+  return {};
+}
+
+ShapeFamily read_family(const json& value) {
+  ShapeFamily family;
+  family.symbol = value.value("symbol", std::string());
+  if (const auto numbers = value.find("numbers"); numbers != value.end()) {
+    for (const auto& [name, item] : numbers->items()) {
+      ShapeFamily::Number number{item.at("range").at(0).get<double>(), item.at("range").at(1).get<double>(), {}};
+      if (const auto usual = item.find("default"); usual != item.end()) number.usual = usual->get<double>();
+      family.numbers.emplace(name, number);
+    }
+  }
+  return family;
 }
 
 Result<CatalogEntry> read_entry(const json& value) {
@@ -88,6 +116,7 @@ Result<CatalogEntry> read_entry(const json& value) {
   entry.name = value.at("name").get<std::string>();
   read_strings(value, "synonyms", entry.synonyms);
   entry.kind_of = value.value("kindOf", std::string());
+  if (const auto traits = value.find("traits"); traits != value.end()) LAYOUTBOX_CHECK(read_traits(*traits, entry));
   entry.size = read_size(value.at("size"));
   if (const auto variants = value.find("variants"); variants != value.end()) {
     for (const json& item : *variants) {
@@ -167,6 +196,7 @@ class Checker {
     for (const std::string& id : entry.stands_on) check_name(entry.id, "standsOn", id);
     for (const std::string& id : entry.faces) check_name(entry.id, "faces", id);
     for (const std::string& id : entry.beside) check_name(entry.id, "beside", id);
+    check_shape(entry);
     check_range(entry, entry.size);
     for (const SizeVariant& variant : entry.variants) check_range(entry, variant.size);
     for (const SpaceFormula& space : entry.spaces) {
@@ -184,6 +214,24 @@ class Checker {
 
   void check_name(const std::string& id, std::string_view member, const std::string& name) {
     if (!ids_.contains(name)) add(ErrorCode::kReference, id, fmt::format("{} names \"{}\", which is no entry", member, name));
+  }
+
+  void check_shape(const CatalogEntry& entry) {
+    if (data_.families.empty()) return;
+    const auto family = data_.families.find(entry.shape.family);
+    if (family == data_.families.end()) {
+      add(ErrorCode::kReference, entry.id, fmt::format("there is no family of shapes \"{}\"", entry.shape.family));
+      return;
+    }
+    for (const auto& [name, value] : entry.shape.numbers) {
+      const auto number = family->second.numbers.find(name);
+      if (number == family->second.numbers.end()) {
+        add(ErrorCode::kReference, entry.id, fmt::format("shapes of the family \"{}\" have no \"{}\"", family->first, name));
+      } else if (value < number->second.least || value > number->second.most) {
+        add(ErrorCode::kGeometry, entry.id,
+            fmt::format("{} = {} is not within {} to {}", name, value, number->second.least, number->second.most));
+      }
+    }
   }
 
   void check_range(const CatalogEntry& entry, const SizeRange& range) {
@@ -222,6 +270,9 @@ class Checker {
 Status read_catalog_data(std::string_view text, CatalogData& data) {
   try {
     const json document = json::parse(text);
+    if (const auto families = document.find("families"); families != document.end()) {
+      for (const auto& [name, value] : families->items()) data.families.emplace(name, read_family(value));
+    }
     if (const auto entries = document.find("entries"); entries != document.end()) {
       for (const json& value : *entries) {
         auto entry = read_entry(value);
@@ -243,6 +294,30 @@ Status read_checked_catalog_data(std::string_view text, CatalogData& data) {
   if (std::vector<Error> errors = check_against_schema(document, SchemaName::kCatalog); !errors.empty())
     return Failure(combined(std::move(errors)));
   return read_catalog_data(text, data);
+}
+
+void inherit_from_kinds(CatalogData& data) {
+  std::map<std::string_view, const CatalogEntry*> by_id;
+  for (const CatalogEntry& entry : data.entries) by_id.emplace(entry.id, &entry);
+  std::vector<Traits> all;
+  for (const CatalogEntry& entry : data.entries) {
+    Traits traits = entry.traits, lacked = entry.traits_lacked;
+    // The chain is short; the bound keeps a circle in somebody's data from hanging us.
+    auto kind = by_id.find(entry.kind_of);
+    for (int step = 0; step < 20 && kind != by_id.end(); ++step, kind = by_id.find(kind->second->kind_of)) {
+      Traits more = kind->second->traits;
+      more.remove(lacked);
+      traits.add(more);
+      lacked.add(kind->second->traits_lacked);
+    }
+    all.push_back(traits);
+  }
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    CatalogEntry& entry = data.entries[i];
+    entry.traits = all[i];
+    const auto family = data.families.find(entry.shape.family);
+    if (entry.shape.symbol.empty() && family != data.families.end()) entry.shape.symbol = family->second.symbol;
+  }
 }
 
 std::vector<Error> check_catalog_data(const CatalogData& data) { return Checker(data).check(); }

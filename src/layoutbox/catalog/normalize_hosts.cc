@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "layoutbox/catalog/normalize_steps.h"
+#include "layoutbox/catalog/trait_table.h"
 
 namespace layoutbox {
 namespace {
@@ -80,7 +81,7 @@ Mm seat_width(const Catalog& catalog, const ById& by_id, const std::vector<std::
   Mm width = 0;
   for (const std::string& id : ids) {
     const auto seat = by_id.find(id);
-    if (seat == by_id.end() || !seat->second->size || !is_table_seat(catalog.entry_or_nearest(seat->second->category))) continue;
+    if (seat == by_id.end() || !seat->second->size || !catalog.entry_or_nearest(seat->second->category).is(Trait::kTableSeat)) continue;
     width += seat->second->size->usual.width + kElbows;
   }
   return width;
@@ -94,7 +95,7 @@ void share_out_seats(const NormalizeContext& context, std::map<std::string, Cont
     const CatalogEntry& entry = context.catalog.entry_or_nearest(seat.category);
     const bool placed =
         std::ranges::any_of(scene.relations, [&](const Relation& r) { return std::ranges::find(r.targets, seat.id) != r.targets.end(); });
-    if (placed || !is_table_seat(entry)) continue;
+    if (placed || !entry.is(Trait::kTableSeat)) continue;
     for (const std::string& kind : entry.beside) {
       const auto host = std::ranges::find(scene.objects, kind, &SceneObject::category);
       if (host == scene.objects.end()) continue;

@@ -7,11 +7,14 @@
 #include "layoutbox/base/words.h"
 #include "layoutbox/catalog/normalize_steps.h"
 #include "layoutbox/catalog/size_words.h"
+#include "layoutbox/catalog/trait_table.h"
+#include "layoutbox/scene/relation_traits.h"
 
 namespace layoutbox {
 namespace {
 
 constexpr Mm kLargestObject = 50'000;
+constexpr std::string_view kOnWall = "wall-mounted";  // the variant of what hangs on a wall though it usually stands
 constexpr std::array kSides{&Size::width, &Size::depth, &Size::height};
 
 // True when what stands before the kind's own words is known to be no kind of its own: "queen" bed, "large wooden" desk.
@@ -83,7 +86,9 @@ class ObjectNormalizer {
   }
 
   void settle_size(const CatalogEntry& entry) {
-    SizeRange usual = size_by_words(entry, words_said_of(object_));
+    std::vector<std::string> said = words_said_of(object_);
+    if (object_.mount == Mount::kWall && entry.mount != Mount::kWall) said.emplace_back(kOnWall);  // flatter than what stands
+    SizeRange usual = size_by_words(entry, said);
     // What nobody knows and what stands on another thing is small.
     constexpr Mm kLeast = 50, kUsual = 150, kGreatest = 300;
     if (entry.id == "object" && object_.mount == Mount::kSurface)
@@ -160,11 +165,23 @@ class ObjectNormalizer {
     }
   }
 
+  // As its kind is mounted; a screen that nothing there carries hangs on a wall.
+  Mount usual_mount(const CatalogEntry& entry) const {
+    if (entry.mount != Mount::kSurface || !entry.is(Trait::kElseOnWall) || object_.hint.position) return entry.mount;
+    const bool carried = std::ranges::any_of(context_.scene.objects, [&](const SceneObject& other) {
+      const std::string& kind = context_.catalog.entry_or_nearest(other.category).id;
+      return std::ranges::any_of(entry.stands_on, [&](const std::string& host) { return context_.catalog.is_a(kind, host); });
+    });
+    if (carried) return entry.mount;
+    context_.note("guessed", fmt::format("nothing carries \"{}\": it hangs on a wall", object_.id), pointer_ + "/mount");
+    return Mount::kWall;
+  }
+
   // A relation that says where it is mounted beats the habit of its kind.
   void settle_mount(const CatalogEntry& entry) {
     object_.mount = mount_by_relations(entry);
     object_.mount_assumed = !object_.mount;
-    if (!object_.mount) object_.mount = entry.mount;
+    if (!object_.mount) object_.mount = usual_mount(entry);
   }
 
   std::optional<Mount> mount_by_relations(const CatalogEntry& entry) const {
@@ -173,7 +190,7 @@ class ObjectNormalizer {
       if (std::ranges::find(relation.targets, object_.id) == relation.targets.end()) continue;
       if (relation.type == RelationType::kOnWall && entry.mount != Mount::kHung) return Mount::kWall;
       if (relation.type == RelationType::kOnCeiling) return Mount::kCeiling;
-      if (relation.type != RelationType::kOn && relation.type != RelationType::kIn && relation.type != RelationType::kStacked) continue;
+      if (!traits_of(relation.type).supports) continue;
       for (const std::string& reference : relation.references) {
         if (reference == "floor") return Mount::kFloor;
         const SceneObject* below = scene.find_object(reference);

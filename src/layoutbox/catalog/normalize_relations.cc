@@ -6,11 +6,10 @@
 
 #include "layoutbox/base/words.h"
 #include "layoutbox/catalog/normalize_steps.h"
+#include "layoutbox/scene/relation_traits.h"
 
 namespace layoutbox {
 namespace {
-
-bool is_support(RelationType type) { return type == RelationType::kOn || type == RelationType::kIn || type == RelationType::kStacked; }
 
 bool names(const std::vector<std::string>& ids, const std::string& id) { return std::ranges::find(ids, id) != ids.end(); }
 
@@ -55,7 +54,7 @@ class SupportChooser {
 
   bool is_supported() const {
     return std::ranges::any_of(scene_.relations, [&](const Relation& relation) {
-      return is_support(relation.type) && names(relation.targets, object_.id) &&
+      return traits_of(relation.type).supports && names(relation.targets, object_.id) &&
              (!relation.references.empty() || relation.type == RelationType::kStacked);
     });
   }
@@ -106,7 +105,7 @@ class SupportChooser {
   double loaded_area(const SceneObject& candidate) const {
     double area = 0;
     for (const Relation& relation : scene_.relations) {
-      if (!is_support(relation.type) || !names(relation.references, candidate.id)) continue;
+      if (!traits_of(relation.type).supports || !names(relation.references, candidate.id)) continue;
       for (const std::string& id : relation.targets) {
         if (const SceneObject* above = scene_.find_object(id)) area += footprint(*above);
       }
@@ -129,7 +128,7 @@ class SupportChooser {
   bool rests_on(const SceneObject& upper, const SceneObject& lower, int depth = 0) const {
     if (depth > 20) return true;
     for (const Relation& relation : scene_.relations) {
-      if (!is_support(relation.type) || !names(relation.targets, upper.id)) continue;
+      if (!traits_of(relation.type).supports || !names(relation.targets, upper.id)) continue;
       if (names(relation.references, lower.id)) return true;
       for (const std::string& id : relation.references) {
         const SceneObject* between = scene_.find_object(id);

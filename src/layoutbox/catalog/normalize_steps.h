@@ -39,6 +39,9 @@ void settle_articles_only(NormalizeContext& context);
 // Polygon, height, walls and openings. REQUIRES: sizes of objects are known (an unsized room grows with them).
 void normalize_room(NormalizeContext& context);
 
+// Widths of curtains that nobody gave, by their windows. REQUIRES: sizes of objects and openings are known.
+void normalize_curtains(NormalizeContext& context);
+
 // Names that relations use: walls by word become ids, relations to nothing are left out; ids for those without.
 void normalize_relations(NormalizeContext& context);
 

@@ -113,7 +113,8 @@ struct IsMap<std::map<K, V>> : std::true_type {};
 template <class Archive, class T>
 void describe(Archive& archive, T& value) {
   using Plain = std::remove_const_t<T>;
-  if constexpr (std::is_arithmetic_v<Plain> || std::is_enum_v<Plain> || std::is_same_v<Plain, Size> || std::is_same_v<Plain, SizeRange>) {
+  if constexpr (std::is_arithmetic_v<Plain> || std::is_enum_v<Plain> || std::is_same_v<Plain, Traits> || std::is_same_v<Plain, Size> ||
+                std::is_same_v<Plain, SizeRange>) {
     archive.bytes(&value, sizeof value);
   } else if constexpr (std::is_same_v<Plain, std::string>) {
     archive.text(value);
@@ -129,12 +130,13 @@ void describe(Archive& archive, T& value) {
     members(archive, value.words, value.size, value.spaces);
   } else if constexpr (std::is_same_v<Plain, CatalogEntry>) {
     // All by name, so that a new member that is not packed does not compile; articles are the user's, never packed.
-    auto& [id, name, synonyms, kind_of, size, variants, mount, used_sides, has_front, back_to_wall, thin, lain_on, top_carries, clearance,
-           hang_height, spaces, stands_on, faces, beside, rooms, shape, source, article, stock, article_material, article_mesh,
-           article_mesh_front, article_attributes] = value;
-    static_cast<void>(std::tie(article, stock, article_material, article_mesh, article_mesh_front, article_attributes));
-    members(archive, id, name, synonyms, kind_of, size, variants, mount, used_sides, has_front, back_to_wall, thin, lain_on, top_carries,
-            clearance, hang_height, spaces, stands_on, faces, beside, rooms, shape.family, shape.numbers, shape.words, source);
+    auto& [id, name, synonyms, kind_of, traits, traits_lacked, size, variants, mount, used_sides, has_front, back_to_wall, thin, lain_on,
+           top_carries, clearance, hang_height, spaces, stands_on, faces, beside, rooms, shape, source, article, stock, article_material,
+           article_mesh, article_mesh_front, article_attributes] = value;
+    static_cast<void>(std::tie(traits_lacked, article, stock, article_material, article_mesh, article_mesh_front, article_attributes));
+    members(archive, id, name, synonyms, kind_of, traits, size, variants, mount, used_sides, has_front, back_to_wall, thin, lain_on,
+            top_carries, clearance, hang_height, spaces, stands_on, faces, beside, rooms, shape.family, shape.symbol, shape.numbers,
+            shape.words, source);
   } else if constexpr (std::is_same_v<Plain, RoomKind>) {
     members(archive, value.id, value.name, value.synonyms, value.usual_size, value.usual);
   } else {

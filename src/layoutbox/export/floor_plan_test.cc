@@ -3,7 +3,9 @@
 
 #include <regex>
 
+#include "layoutbox/catalog/catalog.h"
 #include "layoutbox/export/export.h"
+#include "layoutbox/export/plan_symbols.h"
 #include "layoutbox/export/svg.h"
 
 namespace layoutbox {
@@ -66,6 +68,12 @@ std::string fault_of(const std::string& xml) {
     }
   }
   return open.empty() ? "" : "leaves " + open.back() + " open";
+}
+
+TEST(FloorPlan, HasTheSymbolsThatTheCatalogueNames) {
+  for (const CatalogEntry& entry : Catalog::builtin().entries()) {
+    if (!entry.shape.symbol.empty()) EXPECT_TRUE(has_symbol(entry.shape.symbol)) << entry.id << ": " << entry.shape.symbol;
+  }
 }
 
 TEST(FloorPlan, IsWellFormedWhateverTheNames) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "layoutbox/base/units.h"
+#include "layoutbox/catalog/catalog.h"
 
 namespace layoutbox {
 
@@ -49,14 +50,16 @@ void Pen::shape(const std::vector<PaperPoint>& corners) {
 
 void Pen::line(double x0, double y0, double x1, double y1) { page_.line(at(x0, y0), at(x1, y1), style); }
 
-bool has_word(std::string_view text, std::initializer_list<std::string_view> words) {
-  return std::any_of(words.begin(), words.end(), [&](std::string_view word) { return text.find(word) != std::string_view::npos; });
-}
+std::string_view family_of(const PlacedObject& object) { return Catalog::builtin().entry_or_nearest(object.category).shape.family; }
 
 bool is_called_round(const PlacedObject& object) {
-  if (has_word(object.name, {"round", "circular", "oval"}) || has_word(object.category, {"round_", "oval_"})) return true;
-  return std::any_of(object.attributes.begin(), object.attributes.end(),
-                     [](const std::string& word) { return word == "round" || word == "circular" || word == "oval"; });
+  constexpr std::string_view kRound[] = {"round", "circular", "oval"};
+  const auto says = [&](std::string_view text) {
+    return std::any_of(std::begin(kRound), std::end(kRound), [&](std::string_view word) { return text.find(word) != text.npos; });
+  };
+  return says(object.name) || says(object.category) ||
+         std::any_of(object.attributes.begin(), object.attributes.end(),
+                     [&](const std::string& said) { return std::find(std::begin(kRound), std::end(kRound), said) != std::end(kRound); });
 }
 
 }  // namespace layoutbox

@@ -1,7 +1,6 @@
 // What the symbols of a floor plan are drawn with: shapes in an object's own frame.
 #pragma once
 
-#include <initializer_list>
 #include <string_view>
 #include <vector>
 
@@ -37,8 +36,8 @@ class Pen {
   double cos_ = 1, sin_ = 0;
 };
 
-// Does the text contain one of the words?
-bool has_word(std::string_view text, std::initializer_list<std::string_view> words);
+// The family of shapes that the object's kind is drawn by.
+std::string_view family_of(const PlacedObject& object);
 
 // Is the object called round or oval?
 bool is_called_round(const PlacedObject& object);

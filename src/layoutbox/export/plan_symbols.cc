@@ -2,81 +2,72 @@
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
-#include <string>
+#include <iterator>
 #include <string_view>
 
 #include "layoutbox/base/units.h"
+#include "layoutbox/catalog/catalog.h"
+#include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/export/plan_symbol_list.h"
 
 namespace layoutbox {
 namespace {
 
 struct SymbolRow {
-  std::initializer_list<std::string_view> words;  // of the category; the first row that has one of them draws
+  std::string_view name;  // as in catalog/shapes.json
   void (*draw)(Pen&, const PlacedObject&);
-  bool whole = false;  // only as a word of its own: a pan, no pantry
 };
 
-bool is_row_of(const SymbolRow& row, const std::string& category) {
-  if (!row.whole) return has_word(category, row.words);
-  const std::string padded = "_" + category + "_";
-  return std::any_of(row.words.begin(), row.words.end(),
-                     [&](std::string_view word) { return padded.find("_" + std::string(word) + "_") != std::string::npos; });
-}
-
-const SymbolRow kSymbols[] = {
-    {{"bedside", "nightstand"}, draw_storage},
-    {{"tub"}, draw_tub},
-    {{"bed", "crib", "cot", "mattress"}, draw_bed},
-    {{"rug", "carpet", "mat"}, draw_rug},
-    {{"sofa", "couch", "armchair", "loveseat", "settee", "recliner"}, draw_sofa},
-    {{"stool", "pouf", "ottoman", "bean_bag", "beanbag"}, draw_round_seat},
-    {{"barbell", "weight_bench"}, draw_barbell},
-    {{"workbench"}, draw_desk},
-    {{"bench"}, draw_bench},
-    {{"chair"}, draw_chair},
-    {{"lamp", "light", "pendant", "chandelier", "sconce"}, draw_lamp},
-    {{"desk"}, draw_desk},
-    {{"tv_stand", "tv_console", "tv_unit", "sideboard", "dresser", "console"}, draw_storage},
-    {{"kitchen_sink"}, draw_kitchen_sink},
-    {{"pool_table", "billiard"}, draw_pool_table},
-    {{"ping_pong", "table_tennis"}, draw_net_table},
-    {{"tablet", "tablecloth"}, draw_flat},
-    {{"table"}, draw_table},
-    {{"toilet_brush", "toilet_paper"}, draw_round_thing},
-    {{"toilet", "bidet"}, draw_toilet},
-    {{"sink", "basin", "vanity"}, draw_basin},
-    {{"shower"}, draw_shower},
-    {{"stove", "cooker", "hob", "oven", "range"}, draw_stove},
-    {{"fridge", "refrigerator", "freezer", "washing", "washer", "dryer"}, draw_appliance},
-    {{"plant", "tree", "flower"}, draw_plant},
-    {{"laptop"}, draw_laptop},
-    {{"tv", "monitor", "screen", "television"}, draw_screen},
-    {{"computer_keyboard"}, draw_flat},
-    {{"piano", "keyboard"}, draw_piano},
-    {{"drum_kit"}, draw_drums},
-    {{"treadmill"}, draw_treadmill},
-    {{"bike", "bicycle"}, draw_bike},
-    {{"mannequin"}, draw_mannequin},
-    {{"display_case", "showcase", "aquarium"}, draw_glass_case},
-    {{"wardrobe", "closet", "clothing_rack", "clothes_rack"}, draw_wardrobe},
-    {{"shelf", "bookcase", "rack"}, draw_shelf},
-    {{"cabinet", "cupboard", "drawer", "chest", "locker", "counter", "island"}, draw_storage},
-    {{"plate", "bowl", "vase", "glass", "cup", "mug", "candle", "bottle", "jar", "pot", "pan", "globe"}, draw_round_thing, true},
-    {{"bin", "ball", "clock", "bucket", "barrel", "basket", "drum", "cake", "pizza", "trophy", "punching_bag", "pillar"},
-     draw_round_thing,
-     true},
-    {{"curtain", "drape", "blind"}, draw_curtain},
-    {{"mirror", "picture", "painting", "poster", "whiteboard", "board"}, draw_flat},
+constexpr SymbolRow kSymbols[] = {
+    {"bed", draw_bed},
+    {"sofa", draw_sofa},
+    {"chair", draw_chair},
+    {"round_seat", draw_round_seat},
+    {"bench", draw_bench},
+    {"table", draw_table},
+    {"desk", draw_desk},
+    {"wardrobe", draw_wardrobe},
+    {"shelf", draw_shelf},
+    {"storage", draw_storage},
+    {"plant", draw_plant},
+    {"lamp", draw_lamp},
+    {"rug", draw_rug},
+    {"toilet", draw_toilet},
+    {"basin", draw_basin},
+    {"tub", draw_tub},
+    {"shower", draw_shower},
+    {"stove", draw_stove},
+    {"kitchen_sink", draw_kitchen_sink},
+    {"appliance", draw_appliance},
+    {"screen", draw_screen},
+    {"piano", draw_piano},
+    {"flat", draw_flat},
+    {"curtain", draw_curtain},
+    {"treadmill", draw_treadmill},
+    {"bike", draw_bike},
+    {"barbell", draw_barbell},
+    {"drums", draw_drums},
+    {"mannequin", draw_mannequin},
+    {"laptop", draw_laptop},
+    {"glass_case", draw_glass_case},
+    {"round_thing", draw_round_thing},
+    {"pool_table", draw_pool_table},
+    {"net_table", draw_net_table},
 };
+
+const CatalogEntry& entry_of(const PlacedObject& object) { return Catalog::builtin().entry_or_nearest(object.category); }
 
 }  // namespace
 
 double plan_height(const PlacedObject& object) {
   if (object.mount == Mount::kCeiling) return 1e6;
-  const bool seat = has_word(object.category, {"chair", "stool", "bench"}) && !has_word(object.category, {"armchair", "recliner"});
+  const CatalogEntry& entry = entry_of(object);
+  const bool seat = entry.is(Trait::kSeat) && !entry.is(Trait::kEasySeat);
   return object.position[2] + (seat ? std::min<double>(object.size.height, 460) : object.size.height);
+}
+
+bool has_symbol(std::string_view name) {
+  return std::any_of(std::begin(kSymbols), std::end(kSymbols), [&](const SymbolRow& row) { return row.name == name; });
 }
 
 void draw_symbol(Canvas& page, const PlanScale& scale, const PlacedObject& object) {
@@ -89,10 +80,9 @@ void draw_symbol(Canvas& page, const PlanScale& scale, const PlacedObject& objec
     pen.line(-0.2 * pen.w(), 0, 0.2 * pen.w(), 0);
     return pen.line(0, -0.2 * pen.d(), 0, 0.2 * pen.d());
   }
-  for (const SymbolRow& row : kSymbols) {
-    if (is_row_of(row, object.category)) return row.draw(pen, object);
-  }
-  draw_box(pen, object);
+  const std::string_view symbol = entry_of(object).shape.symbol;
+  const auto* row = std::find_if(std::begin(kSymbols), std::end(kSymbols), [&](const SymbolRow& r) { return r.name == symbol; });
+  row != std::end(kSymbols) ? row->draw(pen, object) : draw_box(pen, object);
 }
 
 }  // namespace layoutbox

@@ -75,8 +75,9 @@ void draw_appliance(Pen& pen, const PlacedObject& object) {
   pen.outline();
   pen.style.width = 0.12;
   pen.line(-w, -0.85 * d, w, -0.85 * d);
-  if (has_word(object.category, {"dish"})) return;
-  if (has_word(object.category, {"wash", "dryer"})) return pen.ellipse(x, y, r, r);
+  const std::string_view family = family_of(object);
+  if (family == "dishwasher") return;
+  if (family == "washing_machine") return pen.ellipse(x, y, r, r);
   for (int i = 0; i < 3; ++i) {
     const double c = r * std::cos(i * kPi / 3), s = r * std::sin(i * kPi / 3);
     pen.line(x - c, y - s, x + c, y + s);
@@ -93,7 +94,7 @@ void draw_piano(Pen& pen, const PlacedObject& object) {
   if (pen.w() < 700) return draw_flat(pen, object);  // a computer's keyboard
   const double w = pen.w(), d = pen.d();
   pen.style.fill = "#d6d2cd";
-  if (has_word(object.category, {"grand"})) {
+  if (family_of(object) == "grand_piano") {
     // The straight side at the bass, left of the keys; the bent side from the treble to the tail.
     std::vector<PaperPoint> outline{{w / 2, -d / 2}, {w / 2, -0.1 * d}};
     for (int i = 0; i <= 12; ++i) {

@@ -56,7 +56,7 @@ void draw_sofa(Pen& pen, const PlacedObject& object) {
   const double w = pen.w(), d = pen.d(), arm = std::min(180.0, w * 0.14), back = std::min(220.0, d * 0.28);
   pen.style.fill = "#d9e4d6";
   pen.cushion(-w / 2, w / 2, -d / 2, d / 2, 70);
-  const int seats = std::clamp(static_cast<int>(std::lround((w - 2 * arm) / 650)), 1, has_word(object.category, {"armchair"}) ? 1 : 5);
+  const int seats = std::clamp(static_cast<int>(std::lround((w - 2 * arm) / 650)), 1, 5);
   const double seat = (w - 2 * arm) / seats;
   pen.style.fill = "#ebf2e8";
   for (int i = 0; i < seats; ++i) pen.cushion(-w / 2 + arm + i * seat, -w / 2 + arm + (i + 1) * seat, -d / 2, d / 2 - back, 60);

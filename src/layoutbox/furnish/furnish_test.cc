@@ -72,11 +72,6 @@ void for_every_variant(Check check) {
   }
 }
 
-TEST(Furnish, EveryFamilyOfTheCatalogueIsThere) {
-  for (const CatalogEntry& entry : catalog().entries())
-    EXPECT_TRUE(kit::families().contains(entry.shape.family)) << entry.id << " " << entry.shape.family;
-}
-
 TEST(Furnish, EveryPieceTouchesItsBoxOnAllSides) {
   FurnishOptions empty;
   empty.contents = false;

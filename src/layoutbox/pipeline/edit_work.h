@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "layoutbox/pipeline/edit.h"
+#include "layoutbox/scene/relation_traits.h"
 
 namespace layoutbox {
 
@@ -110,9 +111,7 @@ inline bool has_id(const std::vector<std::string>& ids, const std::string& id) {
   return std::find(ids.begin(), ids.end(), id) != ids.end();
 }
 
-inline bool is_support(RelationType type) {
-  return type == RelationType::kOn || type == RelationType::kIn || type == RelationType::kStacked;
-}
+inline bool is_support(RelationType type) { return traits_of(type).supports; }
 
 inline bool is_turn(RelationType type) {
   return type == RelationType::kFacing || type == RelationType::kParallel || type == RelationType::kPerpendicular ||

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "layoutbox/scene/relation_traits.h"
 #include "layoutbox/scene/scene_json.h"
 
 namespace layoutbox {
@@ -135,17 +136,10 @@ class Proposer {
 
   // The other side of the same thing; then merely near it.
   void other_sides(const Relation& relation) {
-    using R = RelationType;
-    static const std::pair<R, R> kTurned[] = {
-        {R::kLeftOf, R::kRightOf},   {R::kRightOf, R::kLeftOf},  {R::kInFrontOf, R::kBehind},
-        {R::kBehind, R::kInFrontOf}, {R::kAtFootOf, R::kNextTo}, {R::kAtHeadOf, R::kNextTo},
-        {R::kNextTo, R::kNear},      {R::kTouching, R::kNextTo}, {R::kCenteredOnWall, R::kAgainstWall},
-        {R::kFar, R::kNear},         {R::kAlongSide, R::kNextTo}};
-    for (const auto& [from, to] : kTurned) {
-      if (relation.type != from) continue;
-      propose(fmt::format("let {} be {} instead of {}", target_words(relation), relation_row(to).name, relation_row(from).name),
-              "side " + relation.id, Json::array({replace(path_of(relation) + "/type", relation_row(to).name)}));
-    }
+    const auto to = traits_of(relation.type).instead;
+    if (!to) return;
+    propose(fmt::format("let {} be {} instead of {}", target_words(relation), relation_row(*to).name, relation_row(relation.type).name),
+            "side " + relation.id, Json::array({replace(path_of(relation) + "/type", relation_row(*to).name)}));
   }
 
   // Not below what the catalogue knows of such a thing.

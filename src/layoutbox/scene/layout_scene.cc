@@ -1,4 +1,5 @@
 #include "layoutbox/scene/layout_scene.h"
+#include "layoutbox/scene/relation_traits.h"
 
 #include <algorithm>
 
@@ -22,8 +23,6 @@ SceneObject object_of(const PlacedObject& placed) {
   return object;
 }
 
-bool is_support(RelationType type) { return type == RelationType::kOn || type == RelationType::kIn || type == RelationType::kStacked; }
-
 bool names(const std::vector<std::string>& ids, const std::string& id) { return std::find(ids.begin(), ids.end(), id) != ids.end(); }
 
 // What it stands on, where no relation says so.
@@ -31,7 +30,7 @@ void add_support(const Layout& layout, const PlacedObject& placed, SceneGraph& s
   const bool on_object = layout.find_object(placed.supported_by) != nullptr, on_sill = layout.find_opening(placed.supported_by) != nullptr;
   if (placed.fixed || (!on_object && !on_sill)) return;
   const auto says_so = [&](const Relation& r) {
-    return is_support(r.type) && names(r.targets, placed.id) &&
+    return traits_of(r.type).supports && names(r.targets, placed.id) &&
            (r.type == RelationType::kStacked || names(r.references, placed.supported_by));
   };
   if (std::any_of(scene.relations.begin(), scene.relations.end(), says_so)) return;

@@ -1,4 +1,5 @@
 #include "layoutbox/solve/access.h"
+#include "layoutbox/catalog/trait_table.h"
 
 #include "layoutbox/solve/cost.h"
 
@@ -58,8 +59,7 @@ std::int64_t cost_of_claims(std::size_t strips, const Blocked& strip_blocked, st
 
 void note_floor_use(Item& item) {
   if (item.entry != nullptr) {
-    const std::string& family = item.entry->shape.family;
-    item.is_seat = family == "chair" || family == "office_chair" || family == "stool" || family == "armchair" || family == "bench";
+    item.is_seat = item.is(Trait::kSeat);
     item.takes_seats = !item.entry->back_to_wall &&
                        std::any_of(item.spaces.begin(), item.spaces.end(), [](const ItemSpace& space) { return !space.carries; });
   }

@@ -1,8 +1,10 @@
+#include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/solve/items.h"
 
 #include <cmath>
 #include <map>
 
+#include "layoutbox/scene/relation_traits.h"
 #include "layoutbox/solve/guide.h"
 
 namespace layoutbox::placement {
@@ -56,7 +58,7 @@ std::map<Side, Mm> floor_wanted_at_sides(const SceneGraph& scene, const SceneObj
     if (r.type == RelationType::kEachSideOf && names(r.references)) wanted.erase(Side::kLeft), wanted.erase(Side::kRight);
     if (r.type != RelationType::kInFrontOf || !names(r.references)) continue;
     const SceneObject* seat = r.targets.empty() ? nullptr : scene.find_object(r.targets.front());
-    if (seat && is_table_seat(catalog.entry_or_nearest(seat->category))) wanted.erase(Side::kFront);
+    if (seat && catalog.entry_or_nearest(seat->category).is(Trait::kTableSeat)) wanted.erase(Side::kFront);
   }
   return wanted;
 }
@@ -123,16 +125,10 @@ std::vector<RoomWall> walls_for(const SceneGraph& scene, const std::string& id, 
   return named.empty() ? walls : named;
 }
 
-// However it is turned, it looks the same.
-bool is_round(const CatalogEntry& entry) {
-  const auto top = entry.shape.words.find("top");
-  return entry.shape.family == "plant" || (top != entry.shape.words.end() && top->second == "round");
-}
-
 // Where walls are slanted, what has a front may have its back to them or look at them; what has none lies along or across them.
 void add_turns_at_walls(const Item& item, const std::vector<RoomWall>& walls, std::vector<double>& turns) {
   if (item.fixed || item.locked || item.mount == Mount::kCeiling) return;
-  if (!item.has_front && !item.thin && (is_round(*item.entry) || item.mount != Mount::kFloor)) return;
+  if (!item.has_front && !item.thin && (item.is(Trait::kRound) || item.mount != Mount::kFloor)) return;
   const bool hangs = item.mount == Mount::kWall || item.mount == Mount::kHung;
   const bool alike_behind = !hangs && (item.thin || !item.has_front);  // half a turn changes nothing
   const auto add = [&](double turn, double off) {
@@ -193,7 +189,7 @@ Mount mount_of(const SceneGraph& scene, const SceneObject& object, const Catalog
 // Words put it on or into something: a rug there is no longer one that is walked on.
 bool rests_on_others(const SceneGraph& scene, const std::string& id) {
   return std::any_of(scene.relations.begin(), scene.relations.end(), [&](const Relation& r) {
-    const bool rests = r.type == RelationType::kOn || r.type == RelationType::kIn || r.type == RelationType::kStacked;
+    const bool rests = traits_of(r.type).supports;
     const auto at = std::find(r.targets.begin(), r.targets.end(), id);
     if (!rests || at == r.targets.end()) return false;
     const auto is_object = [&](const std::string& reference) { return scene.find_object(reference) || scene.find_opening(reference); };
@@ -271,8 +267,7 @@ Item object_item(const SceneGraph& scene, const SceneObject& object, const Catal
   item.usual_mount = object.mount.value_or(item.entry->mount);
   item.has_front = item.entry->has_front;
   item.thin = item.entry->thin && object.size->usual.height <= kThin && item.mount == Mount::kFloor && !rests_on_others(scene, object.id);
-  item.curtain =
-      catalog.is_a(object.category, "curtain") || catalog.is_a(object.category, "blinds") || catalog.is_a(object.category, "blind");
+  item.curtain = item.is(Trait::kCurtain);
   item.fixed = object.fixed && object.hint.position.has_value();
   const bool odd = sits_around(scene, object.id);
   auto sizes = sizes_of(*object.size, item.fixed ? 0 : odd ? 1 : options.size_steps, !item.fixed && !odd && holds_others(scene, object.id));

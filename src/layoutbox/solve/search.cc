@@ -8,7 +8,9 @@ namespace {
 constexpr std::size_t kWatchedTries = 160;
 constexpr int kEjectionsPerItem = 6;
 constexpr int kFormationTries = 4;
-constexpr std::int64_t kStayingNoise = 40;  // an earlier layout makes every metre so much dearer
+constexpr std::int64_t kPushing = 60 * kPoint;  // what it takes to push another thing away
+constexpr std::int64_t kPushes = 4;             // one move in so many does
+constexpr std::int64_t kStayingNoise = 40;      // an earlier layout makes every metre so much dearer
 
 // What any of them is told to face, then those that face it, then the others.
 std::vector<std::string> in_facing_order(const SceneGraph& scene, const std::vector<std::string>& ids) {
@@ -218,19 +220,46 @@ bool Search::move(const std::vector<int>& group, std::int64_t noise, Budget& bud
   for (const int member : group) placements_[member] = {};
   bool all = true;
   for (const int member : group) all = all && place(member, noise, budget);
-  if (all && !(placements_ == before)) {
-    const std::int64_t gain = gain_since(before, group);
-    budget.count(100);
-    // The ways are costly to measure: only for what is better, or nearly as good, without them.
-    if (gain > -kPoint * 400) {
-      budget.count(900);
-      const std::int64_t ways_after = ways_cost(model_, placements_);
-      if (gain + ways_ - ways_after > 0) {
-        ways_ = ways_after;
-        return true;
-      }
-    }
+  if (all && is_better(before, group, budget)) return true;
+  placements_ = before;
+  return false;
+}
+
+// Whether what moved since is worth it.
+bool Search::is_better(const Placements& before, const std::vector<int>& moved, Budget& budget) {
+  if (placements_ == before) return false;
+  const std::int64_t gain = gain_since(before, moved);
+  budget.count(100);
+  // The ways are costly to measure: only for what is better, or nearly as good, without them.
+  if (gain <= -kPoint * 400) return false;
+  budget.count(900);
+  const std::int64_t ways_after = ways_cost(model_, placements_);
+  if (gain + ways_ - ways_after <= 0) return false;
+  ways_ = ways_after;
+  return true;
+}
+
+// An item goes where it is best though others stand there; those look for new places.
+bool Search::push(int item, Budget& budget) {
+  const Placements before = placements_;
+  std::vector<int> moved;
+  take_out(item, moved);
+  std::vector<std::int64_t> price(model_.items.size());
+  for (std::size_t i = 0; i < price.size(); ++i) price[i] = stays(model_.items[i]) ? -1 : kPushing;
+  CandidateOptions options;
+  options.eject_price = &price;
+  options.noise = kPushing * (1 + random_.below(3));
+  options.random = &random_;
+  options.most_size_step = most_size_step_;
+  const std::vector<Candidate> found = finder_.find(placements_, item, options, budget);
+  bool all = !found.empty();
+  if (all) {
+    placements_[item] = found[0].placement;
+    for (const int other : found[0].hit) take_out(other, moved);
+    all = placements_[item].state >= 0;  // else it hung on what it pushed out
   }
+  for (std::size_t i = 0; i < moved.size() && all; ++i) all = moved[i] == item || place(moved[i], 0, budget);
+  if (all && is_better(before, moved, budget)) return true;
   placements_ = before;
   return false;
 }
@@ -283,6 +312,10 @@ void Search::improve(Budget& budget) {
     }
     if (!sweep && !together.empty() && random_.below(20) == 0) {
       if (move(together[random_.below(static_cast<std::int64_t>(together.size()))], kPoint * 50 * random_.below(4), budget)) idle = 0;
+      continue;
+    }
+    if (!sweep && model_.start.empty() && random_.below(kPushes) == 0) {
+      idle = push(item, budget) ? 0 : idle + 1;
       continue;
     }
     group.assign(1, item);

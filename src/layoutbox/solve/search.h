@@ -42,6 +42,8 @@ class Search {
   bool repair(Budget& budget);
   void take_out(int item, std::vector<int>& queue);
   bool move(const std::vector<int>& group, std::int64_t noise, Budget& budget);
+  bool push(int item, Budget& budget);
+  bool is_better(const Placements& before, const std::vector<int>& moved, Budget& budget);
   std::int64_t gain_since(const Placements& before, const std::vector<int>& group) const;
 
   const Model& model_;

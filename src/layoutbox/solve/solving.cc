@@ -17,6 +17,7 @@ constexpr double kProofTimePerUnit = 0.04;    // of CP-SAT's deterministic time
 constexpr double kLongestProof = 20, kShortProof = 0.3;
 constexpr std::size_t kMostForEarlyProof = 40;
 constexpr int kIdleStarts = 8;
+constexpr std::int64_t kBuildingShare = 4;    // of the effort may go into building the first layout to improve
 constexpr std::int64_t kThingsPerEffort = 6;  // that one share of the effort is for
 
 }  // namespace
@@ -197,7 +198,10 @@ void Solver::improve() {
   budget_.limit += options_.effort * kStepsPerUnit * std::max<std::int64_t>(0, things - kThingsPerEffort) / kThingsPerEffort;
   Search search(model_, given_up_, options_.seed, size_limit_);
   // The first legal layout was found without a look at costs; where one can be built that way, it is a better start.
-  const bool built = model_.start.empty() && search.construct(left_out_, 1, budget_);
+  // What can hardly be built leaves most of the effort for the improvement of what was found.
+  Budget building{0, std::max(kLeastSteps, (budget_.limit - budget_.steps) / kBuildingShare), budget_.stop, false};
+  const bool built = model_.start.empty() && search.construct(left_out_, 1, building);
+  budget_.count(building.steps);
   if (!built) search.adopt(placements_, left_out_);
   search.improve(budget_);
   std::int64_t least = cost();

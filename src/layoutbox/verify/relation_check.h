@@ -74,7 +74,9 @@ Finding beyond(const Case& c, const Body& t, const Reference& r, Side side);
 Finding at_side(const Case& c, const Body& t, const Reference& r, Side side);
 Finding at_any_side(const Case& c, const Body& t, const Reference& r, const std::vector<Side>& sides);
 Finding covers(const Case& c, const Body& t, const Shape& r, double grow, const std::string& reference);
-Finding looks_at(const Body& t, const Reference& r, const RoomView& view);
+Finding looks_at(const Body& t, const Reference& r, const RoomView& view, Side eyes = Side::kFront);
+// Where the user of a desk, a workbench, a piano looks: away from the used side (a seat behind it: away from that); of all else the front.
+Side eyes_of(const Body& t, const RoomView& view);
 Finding shares_half_along(const Case& c, const Body& t, const Face& face);
 Finding side_along_wall(const Case& c, const Body& t, const Face& wall, const std::vector<Side>& sides, double max_gap);
 Finding below_window(const Case& c, const Body& t, const Face& window, double max);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/verify/checks.h"
 #include "layoutbox/verify/relation_check.h"
 
@@ -94,11 +95,25 @@ Finding covers(const Case& c, const Body& t, const Shape& r, double grow, const 
   return all_of(std::move(findings));
 }
 
-Finding looks_at(const Body& t, const Reference& r, const RoomView& view) {
+Side eyes_of(const Body& t, const RoomView& view) {
+  const std::vector<Side>& used = t.object->used_sides;
+  if (!t.entry->is(Trait::kDeskLike) || (!used.empty() && used.front() != Side::kFront)) return Side::kFront;
+  for (const PlacedRelation& placed : view.layout.relations) {
+    const Relation& relation = placed.relation;
+    if (relation.type != RelationType::kBehind || std::ranges::find(relation.references, t.id()) == relation.references.end()) continue;
+    for (const std::string& id : relation.targets) {
+      const Body* seat = view.find_body(id);
+      if (seat != nullptr && seat->entry->is(Trait::kTableSeat)) return Side::kFront;
+    }
+  }
+  return Side::kBack;
+}
+
+Finding looks_at(const Body& t, const Reference& r, const RoomView& view, Side eyes) {
   if (!t.has_front) return condition(true, t.id() + " has no front");
   const Shape middle{{{view.floor_x.mid(), view.floor_y.mid()}}, {}, {}, {}};
   const Shape& shape = r.is_place() ? middle : r.shape();
-  const Vec front = front_of(t);
+  const Vec front = direction_of(t.own_frame, eyes);
   const Interval ahead = extent(shape, front), across = extent(shape, t.own_frame.x);
   const double from = dot(t.shape.center, front), off = std::abs(across.mid() - dot(t.shape.center, t.own_frame.x));
   const std::string what = fmt::format("{} is turned from {} by", t.id(), r.id);

@@ -1,5 +1,7 @@
 #include "layoutbox/verify/room_view.h"
 
+#include "layoutbox/catalog/trait_table.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -134,7 +136,7 @@ void RoomView::read_bodies() {
     for (const Space& space : object.spaces) body.hollows.push_back(hollow_of(body, space));
     if (!body.has_front) body.shape.frame = Frame{};
     body.rug = body.entry->thin && metres(object.size.height) <= kRugHeight + kTiny && underside <= kRugHeight;
-    body.curtain = catalog.is_a(body.entry->id, "curtain");
+    body.curtain = body.entry->is(Trait::kCurtain);
     bodies.push_back(std::move(body));
   }
 }

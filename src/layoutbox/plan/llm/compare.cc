@@ -10,6 +10,7 @@
 #include "layoutbox/base/words.h"
 #include "layoutbox/plan/llm/evidence.h"
 #include "layoutbox/scene/json_parts.h"
+#include "layoutbox/scene/relation_traits.h"
 #include "layoutbox/scene/scene_json.h"
 
 namespace layoutbox::llm {
@@ -19,44 +20,7 @@ using nlohmann::json;
 
 constexpr Mm kSameLength = 15;
 
-// Relations that say at least what the first says.
-const std::map<RelationType, std::vector<RelationType>>& stronger_relations() {
-  using R = RelationType;
-  static const std::map<R, std::vector<R>> table = {
-      {R::kAgainstWall, {R::kCenteredOnWall, R::kSideAgainstWall, R::kCorner, R::kUnderWindow, R::kOnWall}},
-      {R::kNextTo, {R::kLeftOf, R::kRightOf, R::kTouching, R::kEachSideOf, R::kAlongSide, R::kAtHeadOf, R::kAtFootOf, R::kPairedWith}},
-      {R::kNear, {R::kNextTo, R::kLeftOf, R::kRightOf, R::kInFrontOf, R::kAlongSide, R::kTouching, R::kEachSideOf}},
-      {R::kEachSideOf, {R::kLeftOf, R::kRightOf, R::kNextTo, R::kSymmetricAbout}},
-      {R::kAround, {R::kSurround, R::kTuckedUnder, R::kInFrontOf, R::kAlongSide}},
-      {R::kInFrontOf, {R::kAtFootOf, R::kTuckedUnder, R::kOpposite, R::kFacing}},
-      {R::kFacing, {R::kOpposite, R::kInFrontOf}},
-      {R::kOpposite, {R::kFacing}},
-      {R::kAbove, {R::kOnCeiling}},
-      {R::kOn, {R::kIn, R::kStacked}},
-      {R::kIn, {R::kOn}},
-      {R::kCenterOfRoom, {R::kInside}},
-      {R::kRow, {R::kGroupAlign, R::kEvenlySpaced, R::kGrid}},
-  };
-  return table;
-}
-
-bool says_at_least(RelationType said, RelationType wanted) {
-  if (said == wanted) return true;
-  const auto found = stronger_relations().find(wanted);
-  return found != stronger_relations().end() && std::ranges::find(found->second, said) != found->second.end();
-}
-
-// Two of these cannot hold between the same two things at once.
-bool are_opposed(RelationType a, RelationType b) {
-  static const std::set<RelationType> sides = {RelationType::kLeftOf, RelationType::kRightOf, RelationType::kInFrontOf,
-                                               RelationType::kBehind};
-  static const std::set<RelationType> heights = {RelationType::kOn, RelationType::kUnder, RelationType::kAbove, RelationType::kNextTo};
-  static const std::set<RelationType> walls = {RelationType::kAgainstWall, RelationType::kCenteredOnWall};
-  static const std::set<RelationType> places = {RelationType::kCenterOfRoom, RelationType::kAgainstWall, RelationType::kCorner};
-  return std::ranges::any_of(std::array{&sides, &heights, &walls, &places},
-                             [&](const auto* set) { return a != b && set->contains(a) && set->contains(b); }) ||
-         (walls.contains(a) && walls.contains(b));
-}
+bool says_at_least(RelationType said, RelationType wanted) { return said == wanted || traits_of(wanted).said_by.has(said); }
 
 class Comparison {
  public:
@@ -329,10 +293,8 @@ class Comparison {
       return std::ranges::any_of(draft_.scene.relations, [&](const Relation& made) {
         if (!says_at_least(made.type, type)) return false;
         const bool one_way = std::ranges::find(made.targets, target) != made.targets.end() && shares_reference(made.references, references);
-        const bool symmetric = type == RelationType::kNextTo || type == RelationType::kNear || type == RelationType::kOpposite ||
-                               type == RelationType::kTouching;
-        const bool other_way =
-            symmetric && std::ranges::find(made.references, target) != made.references.end() && shares_reference(made.targets, references);
+        const bool other_way = traits_of(type).symmetric && std::ranges::find(made.references, target) != made.references.end() &&
+                               shares_reference(made.targets, references);
         const bool wall_any = references.empty() || (made.type == RelationType::kOnCeiling);
         return one_way || other_way || (wall_any && std::ranges::find(made.targets, target) != made.targets.end());
       });

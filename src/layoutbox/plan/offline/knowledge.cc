@@ -1,4 +1,5 @@
 #include "layoutbox/plan/offline/knowledge.h"
+#include "layoutbox/catalog/trait_table.h"
 
 #include <algorithm>
 #include <array>
@@ -23,18 +24,17 @@ Mount mount_of(const NounPhrase& noun) {
 
 bool is_table(const Catalog& catalog, const NounPhrase& noun) {
   if (noun.entry == nullptr) return one_of(noun.head, {"table", "desk", "island", "counter", "bar"});
-  return catalog.is_a(noun.entry->id, "table") || catalog.is_a(noun.entry->id, "desk") ||
-         one_of(noun.head, {"table", "desk", "island", "counter", "bar", "workbench"});
+  return noun.entry->is(Trait::kTable) || one_of(noun.head, {"table", "desk", "island", "counter", "bar", "workbench"});
 }
 
 bool is_seat(const Catalog& catalog, const NounPhrase& noun) {
-  if (noun.entry != nullptr && (catalog.is_a(noun.entry->id, "chair") || catalog.is_a(noun.entry->id, "stool"))) return true;
+  if (noun.entry != nullptr && noun.entry->is(Trait::kSeat)) return true;
   return one_of(noun.head,
                 {"chair", "stool", "armchair", "seat", "bench", "barstool", "recliner", "sofa", "couch", "loveseat", "ottoman", "pouf"});
 }
 
 bool is_lamp(const Catalog& catalog, const NounPhrase& noun) {
-  if (noun.entry != nullptr && catalog.is_a(noun.entry->id, "lamp")) return true;
+  if (noun.entry != nullptr && noun.entry->is(Trait::kLamp)) return true;
   return one_of(noun.head, {"lamp", "light", "chandelier", "pendant", "sconce", "lantern"});
 }
 
@@ -42,7 +42,7 @@ bool is_storage(const NounPhrase& noun) {
   if (noun.entry != nullptr) {
     const auto& spaces = noun.entry->spaces;
     if (std::any_of(spaces.begin(), spaces.end(), [](const SpaceFormula& s) { return s.carries; }) && !noun.entry->used_sides.empty() &&
-        one_of(noun.entry->shape.family, {"shelf", "shelves", "cabinet", "storage", "bookshelf", "cart", "rack"}))
+        noun.entry->is(Trait::kShelving))
       return true;
   }
   return one_of(noun.head,
@@ -70,7 +70,7 @@ bool has_hooks(const NounPhrase& noun) {
     return false;
   if (noun.entry == nullptr) return false;
   const bool inside = std::any_of(noun.entry->spaces.begin(), noun.entry->spaces.end(), [](const SpaceFormula& s) { return s.carries; });
-  return !noun.entry->top_carries && !inside && !one_of(noun.entry->shape.family, {"tv"}) &&
+  return !noun.entry->top_carries && !inside && !noun.entry->is(Trait::kScreen) &&
          (noun.entry->mount == Mount::kWall || noun.entry->mount == Mount::kCeiling);
 }
 

@@ -2,6 +2,8 @@
 #include <algorithm>
 
 #include "layoutbox/plan/offline/knowledge.h"
+
+#include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/relation_builder_parts.h"
 
 namespace layoutbox::offline {
@@ -81,6 +83,7 @@ void RelationBuilder::settle_mount(std::size_t index) {
     return;
   }
   if (supported || mount_of(noun) != Mount::kSurface || !beside) return;
+  if (noun.entry->is(Trait::kElseOnWall)) return;  // where nothing there carries it
   object.mount = Mount::kFloor;
   object.mount_assumed = true;
   if (is_lamp(catalog_, noun) && one_of(noun.name, {"lamp", "light"})) specialise({"floor_lamp"});

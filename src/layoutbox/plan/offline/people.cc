@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/noun_phrase_parts.h"
 #include "layoutbox/plan/offline/reader_words.h"
@@ -164,12 +165,10 @@ class PeopleReader {
       const Mention& one = document_.mentions[m];
       if (!one.introduces || one.noun.kind != NounKind::kObject) continue;
       const CatalogEntry* entry = one.noun.entry;
-      const auto both = [&](std::string_view family) {
-        return catalog_.is_a(kind.id, family) && entry != nullptr && catalog_.is_a(entry->id, family);
-      };
-      const bool tables = both("table") && !one_of(entry->id, {"coffee_table", "side_table", "console_table", "changing_table"});
+      const auto both = [&](Trait trait) { return kind.is(trait) && entry != nullptr && entry->is(trait); };
+      const bool tables = both(Trait::kTable) && !one_of(entry->id, {"coffee_table", "side_table", "console_table", "changing_table"});
       const bool seats = catalog_.is_a(kind.id, "chair") && one_of(one.noun.head, {"chair", "stool", "bench", "seat"});
-      if (both("bed") || tables || seats || (entry != nullptr && catalog_.is_a(entry->id, kind.id))) return static_cast<int>(m);
+      if (both(Trait::kBed) || tables || seats || (entry != nullptr && catalog_.is_a(entry->id, kind.id))) return static_cast<int>(m);
     }
     return -1;
   }

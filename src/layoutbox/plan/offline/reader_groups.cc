@@ -1,4 +1,5 @@
 // Groups and what belongs together: both, all, each, sets, the other side, contents that a purpose names.
+#include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/reader.h"
 #include "layoutbox/plan/offline/reader_words.h"
@@ -62,7 +63,7 @@ void DocumentReader::seat_so_many(int tables, int people) {
   const NounPhrase& noun = noun_of(tables);
   int seats = people;
   if (noun.count == 0 && noun.plural && mention_at(tables).introduces) {
-    const bool desks = noun.entry != nullptr && lexicon_.catalog().is_a(noun.entry->id, "desk");
+    const bool desks = noun.entry != nullptr && noun.entry->is(Trait::kDesk);
     seats = desks ? 1 : kAtATable;
     references_.grow(tables, static_cast<std::size_t>((people + seats - 1) / seats));
   }

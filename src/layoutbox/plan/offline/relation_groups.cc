@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/relation_builder_parts.h"
 
@@ -102,7 +103,7 @@ bool RelationBuilder::lie_on(const std::vector<int>& items, int host) const {
 bool RelationBuilder::seats_one_side(const Link& link, int seat, int host) const {
   const CatalogEntry* entry = noun_of_item(host).entry;
   if (entry == nullptr || !entry->has_front || !is_seat(catalog_, noun_of_item(seat))) return false;
-  const bool counter = catalog_.is_a(entry->id, "counter") || entry->shape.family == "counter" || catalog_.is_a(entry->id, "desk");
+  const bool counter = entry->is(Trait::kCounter) || entry->is(Trait::kDesk);
   const std::string words = words_between(document_, link.first, link.last);
   return counter && words.find("around") == std::string::npos && words.find("surround") == std::string::npos;
 }

@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "layoutbox/scene/relation_traits.h"
 #include "layoutbox/solve/compile/phrases.h"
 
 namespace layoutbox::placement {
@@ -22,59 +23,6 @@ Result<Reference> resolve(const Model& model, const std::string& id, std::string
   if (const int item = model.find_item(id); item >= 0) return Reference{Reference::Kind::kItem, item};
   if (const int wall = model.find_wall(id); wall >= 0) return Reference{Reference::Kind::kWall, wall};
   return fail(ErrorCode::kReference, fmt::format("a relation speaks of \"{}\", which is not in the scene", id), std::string(pointer));
-}
-
-// Whether the cases of a relation are right for targets and references at odd angles too, of which most see the box around them.
-struct Exactness {
-  bool targets = false, references = false;
-};
-
-Exactness exactness_of(RelationType type) {
-  switch (type) {
-    // Distances are to what lies within the turned body; angles, middles and extents along the room's axes are what they are; what stands
-    // on others stays within their turned tops.
-    case RelationType::kNextTo:
-    case RelationType::kNear:
-    case RelationType::kFar:
-    case RelationType::kDistance:
-    case RelationType::kNearDoor:
-    case RelationType::kNearWindow:
-    case RelationType::kFarFromDoor:
-    case RelationType::kFarFromWindow:
-    case RelationType::kParallel:
-    case RelationType::kPerpendicular:
-    case RelationType::kSameOrientation:
-    case RelationType::kOffset:
-    case RelationType::kAlign:
-    case RelationType::kGroupAlign:
-    case RelationType::kCenterOfRoom:
-    case RelationType::kInRegion:
-    case RelationType::kAwayFromWall:
-    case RelationType::kOn:
-    case RelationType::kIn:
-    case RelationType::kStacked:
-    case RelationType::kOnCeiling:
-    case RelationType::kFacing: return {true, true};
-    case RelationType::kLeftOf:
-    case RelationType::kRightOf:
-    case RelationType::kInFrontOf:
-    case RelationType::kBehind:
-    case RelationType::kAtFootOf:
-    case RelationType::kAround:
-    case RelationType::kSurround:
-    case RelationType::kCenteredOn:
-    case RelationType::kEdgeAlign:
-    case RelationType::kUnder:
-    case RelationType::kAbove:
-    case RelationType::kNotBlocking:
-    case RelationType::kKeepClear:
-    case RelationType::kAgainstWall:
-    case RelationType::kSideAgainstWall:
-    case RelationType::kCenteredOnWall:
-    case RelationType::kOnWall:
-    case RelationType::kOpposite: return {true, false};
-    default: return {};
-  }
 }
 
 // Where the cases do not see that an item is turned, they speak of its quarter turns only, and at the others nothing is known.
@@ -101,14 +49,14 @@ void allow_quarter_turns(Formula& f, int item, const Item& self) {
 }
 
 void allow_turned_only_where_exact(Compilation& c) {
-  const Exactness exact = exactness_of(c.relation.type);
+  const RelationTraits& exact = traits_of(c.relation.type);
   const auto restrict = [&](int item) {
     if (c.item(item).odd_states == 0) return;
     if (c.relation.type == RelationType::kOpposite && !c.item(item).is_opening()) return;  // they look at each other
     for (Formula& f : c.out.formulas) allow_quarter_turns(f, item, c.item(item));
   };
-  if (!exact.targets) std::for_each(c.targets.begin(), c.targets.end(), restrict);
-  if (exact.references) return;
+  if (!exact.targets_turned) std::for_each(c.targets.begin(), c.targets.end(), restrict);
+  if (exact.references_turned) return;
   const std::vector<int> references = c.reference_items();
   std::for_each(references.begin(), references.end(), restrict);
   if (!references.empty()) return;

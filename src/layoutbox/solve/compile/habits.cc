@@ -34,7 +34,7 @@ void Habits::stand(int index) {
   if (stand_in_formation(index) || stand_abreast(index)) return;
   stand_at_side(index);
   const bool with_host = stand_beside(index);
-  if (!with_host || !is_table_seat(item)) look_at(index);
+  if (!with_host || !item.is(Trait::kTableSeat)) look_at(index);
   if (item.entry->back_to_wall) {
     back_to_wall(index);
     stand_in_run(index);
@@ -46,8 +46,8 @@ void Habits::stand(int index) {
       stand_at_wall(index);
     }
   }
-  if (!item.entry->back_to_wall && has_family(item, {"counter"})) open_to_room(index);
-  if (model_.is_a(index, "desk")) near_light(index);
+  if (!item.entry->back_to_wall && item.is(Trait::kOpenToRoom)) open_to_room(index);
+  if (item.is(Trait::kDesk)) near_light(index);
 }
 
 Constraint& Habits::habit(const std::string& what, int item, int weight, Formula formula, std::vector<int> hosts) {

@@ -16,13 +16,6 @@ namespace layoutbox::placement {
 inline constexpr int kBackToWall = 900, kBeside = 500, kFaces = 600, kAtWall = 150, kRug = 300, kHint = 800, kHintOfTurn = 20000,
                      kOpeningPlace = 80, kHangs = 200, kSits = 400, kCurtain = 900, kMiddle = 40, kLight = 25, kFormation = 300;
 
-inline bool has_family(const Item& item, std::initializer_list<std::string_view> families) {
-  return item.entry && std::find(families.begin(), families.end(), item.entry->shape.family) != families.end();
-}
-
-inline bool is_table_seat(const Item& item) { return item.entry && is_table_seat(*item.entry); }
-inline bool is_easy_chair(const Item& item) { return has_family(item, {"armchair", "recliner"}); }
-
 inline std::int64_t area_of(const Item& item) { return std::int64_t{item.states[0].size.width} * item.states[0].size.depth; }
 
 // Twice the middle of the floor's extent.
@@ -51,7 +44,7 @@ class Habits {
   int riders_of(int host) const;
   bool rests_on(int item, int host) const;
   std::int64_t place_among_screens(int item, int host) const;
-  int rider_of_family(int host, std::string_view family) const;
+  int rider_that_is(Trait trait, int host) const;
   bool lie_at_hand(int item, int host);
 
   // Habits towards the room: backs to walls, the middle, light, rugs; doors and windows nobody placed.
@@ -74,6 +67,7 @@ class Habits {
 
   // Habits towards other things: beside, round, before and facing what they belong to.
   void come_near(int item, int host);
+  void sit_facing(int item, int host);
   bool sit_in_row(int item, int host);
   bool stand_abreast(int item);
   bool stand_abreast_of(int item, int host, RelationType how);

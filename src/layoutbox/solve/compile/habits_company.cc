@@ -8,6 +8,9 @@
 namespace layoutbox::placement {
 namespace {
 
+// What says how things are turned, and not where they stand.
+constexpr std::initializer_list<RelationType> kLooks{RelationType::kFacing, RelationType::kParallel, RelationType::kSameOrientation};
+
 std::uint64_t states_looking(const Item& item, Direction direction) {
   std::uint64_t looking = 0;
   for_each_turn(item, [&](int turn, std::uint64_t states) {
@@ -21,7 +24,7 @@ std::uint64_t states_looking(const Item& item, Direction direction) {
 // What a relation leaves open between things that belong together: a chair stands close to its desk, a bench along the bed's foot.
 void Habits::come_near(int item, int host) {
   const Item &self = model_.items[item], &ref = model_.items[host];
-  const bool at_desk = is_table_seat(self) && has_knee_room(ref) && ref.has_front && used_side(ref) == Side::kFront &&
+  const bool at_desk = self.is(Trait::kTableSeat) && has_knee_room(ref) && ref.has_front && used_side(ref) == Side::kFront &&
                        only_related_by(item, host, {RelationType::kInFrontOf, RelationType::kFacing, RelationType::kCenteredOn});
   const bool at_foot = only_related_by(item, host, {RelationType::kAtFootOf, RelationType::kParallel});
   const bool before =
@@ -43,10 +46,25 @@ void Habits::come_near(int item, int host) {
   habit("near", item, kBeside, std::move(f), {host});
 }
 
+// A seat told to stand somewhere by its desk or table looks at it, where nothing is said of that.
+void Habits::sit_facing(int item, int host) {
+  const Item& self = model_.items[item];
+  if (!self.is(Trait::kTableSeat) || !self.has_front || model_.items[host].is_opening()) return;
+  const bool told = std::any_of(model_.scene->relations.begin(), model_.scene->relations.end(), [&](const Relation& r) {
+    const bool turns = std::find(kLooks.begin(), kLooks.end(), r.type) != kLooks.end() || r.type == RelationType::kAround ||
+                       r.type == RelationType::kSurround || r.type == RelationType::kTuckedUnder || r.type == RelationType::kOpposite;
+    return turns && std::find(r.targets.begin(), r.targets.end(), self.id) != r.targets.end();
+  });
+  if (told) return;
+  Formula f;
+  add_looks_at(f, model_, item, host);
+  habit("faces", item, kFaces, std::move(f), {host});
+}
+
 // Several seats before a counter or a long desk share its width out. False: it is the only one.
 bool Habits::sit_in_row(int item, int host) {
   const std::initializer_list<RelationType> in_front{RelationType::kInFrontOf, RelationType::kFacing, RelationType::kCenteredOn};
-  if (!is_table_seat(model_.items[item]) || !model_.items[host].has_front) return false;
+  if (!model_.items[item].is(Trait::kTableSeat) || !model_.items[host].has_front) return false;
   std::vector<int> seats;
   for (std::size_t i = 0; i < model_.items.size(); ++i) {
     const int other = static_cast<int>(i);
@@ -75,7 +93,7 @@ bool Habits::stand_abreast(int item) {
 bool Habits::stand_abreast_of(int item, int host, RelationType how) {
   constexpr Mm kApart = 100, kOff = 600, kSeatOff = 50;
   const Item &self = model_.items[item], &ref = model_.items[host];
-  const bool seat = is_table_seat(self);
+  const bool seat = self.is(Trait::kTableSeat);
   if (!ref.has_front || ref.is_opening() || (seat && how == RelationType::kInFrontOf)) return false;
   std::vector<int> peers;
   for (std::size_t i = 0; i < model_.items.size(); ++i) {
@@ -106,7 +124,7 @@ bool Habits::stand_abreast_of(int item, int host, RelationType how) {
 // the bed.
 void Habits::stand_at_side(int item) {
   const Item& self = model_.items[item];
-  if (is_table_seat(self) || is_easy_chair(self)) return;
+  if (self.is(Trait::kTableSeat) || self.is(Trait::kEasySeat)) return;
   for (const Relation& r : model_.scene->relations) {
     if (r.type != RelationType::kNextTo || r.references.size() != 1) continue;
     const int host = model_.find_item(r.references[0]);
@@ -134,15 +152,16 @@ bool Habits::stand_beside(int item) {
   std::erase_if(hosts, [&](int h) { return model_.items[h].thin || area_of(model_.items[h]) <= area_of(self); });
   if (hosts.empty()) return false;
   for (const int h : hosts) {
-    if (related(item, h) && !only_related_by(item, h, {RelationType::kBetween})) {
+    if (related(item, h) && !only_related_by(item, h, {RelationType::kBetween}) && !only_related_by(item, h, kLooks)) {
       come_near(item, h);
+      sit_facing(item, h);
       return true;
     }
   }
-  if (is_table_seat(self) && placed_besides_facing(item)) return false;  // told to stand elsewhere: chairs along the walls, in rows
-  if (is_easy_chair(self)) {
+  if (self.is(Trait::kTableSeat) && placed_besides_facing(item)) return false;  // told to stand elsewhere: chairs along the walls, in rows
+  if (self.is(Trait::kEasySeat)) {
     const std::vector<int> seen = items_of_kinds(self.entry->faces, item);
-    const auto low_table = std::find_if(seen.begin(), seen.end(), [&](int i) { return model_.is_a(i, "coffee_table"); });
+    const auto low_table = std::find_if(seen.begin(), seen.end(), [&](int i) { return model_.items[i].is(Trait::kCoffeeTable); });
     if (low_table != seen.end() && !related(item, *low_table)) {
       sit_round_low_table(item, *low_table);
       return true;
@@ -153,7 +172,7 @@ bool Habits::stand_beside(int item) {
   const int host = hosts[rank_of(item) % static_cast<int>(hosts.size())];
   const Item& ref = model_.items[host];
   Formula f;
-  if (is_table_seat(self) && has_knee_room(ref)) {
+  if (self.is(Trait::kTableSeat) && has_knee_room(ref)) {
     const std::vector<int> seats = seats_at(item, host, static_cast<int>(hosts.size()));
     const auto k = std::find(seats.begin(), seats.end(), item) - seats.begin();
     add_seat_place(f, model_, item, host, static_cast<int>(k), static_cast<int>(seats.size()), kBeside);
@@ -161,7 +180,7 @@ bool Habits::stand_beside(int item) {
     return true;
   }
   if (before_its_host(item)) {
-    add_beside(f, model_, item, host, Side::kFront, {.most = 600, .wished_gap = model_.is_a(item, "coffee_table") ? 400 : 100});
+    add_beside(f, model_, item, host, Side::kFront, {.most = 600, .wished_gap = self.is(Trait::kCoffeeTable) ? 400 : 100});
   } else {
     add_beside(f, model_, item, host, Side::kLeft, {.most = 500, .wished_gap = 60});
     add_beside(f, model_, item, host, Side::kRight, {.most = 500, .wished_gap = 60});
@@ -176,7 +195,7 @@ bool Habits::stand_beside(int item) {
   }
   habit("beside", item, kBeside, std::move(f), {host});
   if (before_its_host(item)) stand_before_middle(item, host);
-  if (ref.has_front && !before_its_host(item) && !is_table_seat(self)) flank(item, host, static_cast<int>(hosts.size()));
+  if (ref.has_front && !before_its_host(item) && !self.is(Trait::kTableSeat)) flank(item, host, static_cast<int>(hosts.size()));
   return true;
 }
 
@@ -246,9 +265,7 @@ std::vector<int> Habits::seats_at(int item, int host, int hosts) const {
   return seats;
 }
 
-bool Habits::before_its_host(int item) const {
-  return model_.is_a(item, "coffee_table") || model_.is_a(item, "ottoman") || model_.is_a(item, "bench") || model_.is_a(item, "pouf");
-}
+bool Habits::before_its_host(int item) const { return model_.items[item].is(Trait::kStandsBefore); }
 
 // Its front to what it is for: sofas to screens, easy chairs to the table between.
 void Habits::look_at(int item, bool leads) {
@@ -260,12 +277,12 @@ void Habits::look_at(int item, bool leads) {
       continue;
     Formula f;
     add_looks_at(f, model_, item, other);
-    if (is_easy_chair(self) && !related(item, other)) {
+    if (self.is(Trait::kEasySeat) && !related(item, other)) {
       for (Case& c : f.cases) {  // near enough to put a cup down
         for (int axis = 0; axis < 2; ++axis) c.wish(mid2(item, axis) - mid2(other, axis), 60, 2);
       }
     }
-    habit("faces", item, kFaces, std::move(f), is_easy_chair(self) || leads ? std::vector<int>{other} : std::vector<int>{});
+    habit("faces", item, kFaces, std::move(f), self.is(Trait::kEasySeat) || leads ? std::vector<int>{other} : std::vector<int>{});
     return;
   }
 }

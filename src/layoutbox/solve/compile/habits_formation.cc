@@ -135,8 +135,7 @@ void Habits::stand_as_twin(int item) {
 // Kitchen units and machines stand side by side in one run.
 void Habits::stand_in_run(int item) {
   const auto in_runs = [&](int i) {
-    return model_.items[i].mount == Mount::kFloor && model_.items[i].entry->back_to_wall &&
-           has_family(model_.items[i], {"kitchen_unit", "fridge", "stove", "oven", "dishwasher", "washing_machine"});
+    return model_.items[i].mount == Mount::kFloor && model_.items[i].entry->back_to_wall && model_.items[i].is(Trait::kKitchenRun);
   };
   if (!in_runs(item)) return;
   Formula f;

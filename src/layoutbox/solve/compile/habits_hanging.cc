@@ -38,7 +38,7 @@ void Habits::hang_on_wall(int item) {
   if (stand_beside(item)) return;
   look_at(item);
   if (placed_by_relation_besides_walls(item)) return;
-  const std::vector<int> under = items_of_kinds(model_.is_a(item, "mirror") ? kUnderMirrors : kUnderPictures, item);
+  const std::vector<int> under = items_of_kinds(self.is(Trait::kMirror) ? kUnderMirrors : kUnderPictures, item);
   Formula f;
   std::vector<int> hosts;
   if (static_cast<std::size_t>(rank_of(item)) < under.size()) {
@@ -78,11 +78,24 @@ void Habits::cover_window(int item) {
     if (model_.items[i].is_opening() && model_.items[i].opening->type == OpeningType::kWindow) windows.push_back(static_cast<int>(i));
   }
   if (windows.empty()) return;
-  const int window = windows[rank_of(item) % static_cast<int>(windows.size())];
+  std::vector<int> curtains;
+  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+    if (model_.items[i].curtain && model_.items[i].mount == Mount::kWall) curtains.push_back(static_cast<int>(i));
+  }
+  // Several at one window share its width.
+  const auto rank = std::find(curtains.begin(), curtains.end(), item) - curtains.begin();
+  const auto count = static_cast<std::ptrdiff_t>(windows.size());
+  const int window = windows[static_cast<std::size_t>(rank % count)];
+  const auto k = rank / count, sharing = (static_cast<std::ptrdiff_t>(curtains.size()) - rank % count + count - 1) / count;
+  const Linear aside(std::int64_t{2 * k - (sharing - 1)} * model_.items[item].states[0].size.width);
   Formula f;
   for_each_turn(model_.items[window], [&](int turn, std::uint64_t states) {
     Case& c = f.add().when(window, states).when(item, model_.items[item].states_at(turn));
-    for (int axis = 0; axis < 2; ++axis) c.wish(mid2(item, axis) - mid2(window, axis), kCurtain, 2);
+    const int along = across(side_direction(model_.items[window], Side::kFront, turn));
+    for (int axis = 0; axis < 2; ++axis) {
+      const Linear off = mid2(item, axis) - mid2(window, axis);
+      c.wish(axis == along ? off - aside : off, kCurtain, 2);
+    }
   });
   habit("at its window", item, kCurtain, std::move(f), {window});
 }

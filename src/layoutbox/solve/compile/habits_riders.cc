@@ -13,7 +13,7 @@ constexpr int kAtHand = 80;
 // What stands on something looks the way that looks; screens in its middle, the rest rather at its back.
 void Habits::sit_on_host(int item) {
   const Item& self = model_.items[item];
-  const bool screen = has_family(self, {"tv", "monitor", "laptop", "computer"});
+  const bool screen = self.is(Trait::kScreen);
   for (const SupportOption& support : self.supports) {
     if (support.kind != SupportOption::Kind::kItem) continue;
     const Item& host = model_.items[support.index];
@@ -62,22 +62,22 @@ int Habits::riders_of(int host) const {
   return riders;
 }
 
-// The first thing of that family that stands on the host, or -1.
-int Habits::rider_of_family(int host, std::string_view family) const {
+// The first such thing that stands on the host, or -1.
+int Habits::rider_that_is(Trait trait, int host) const {
   for (std::size_t i = 0; i < model_.items.size(); ++i) {
-    if (has_family(model_.items[i], {family}) && rests_on(static_cast<int>(i), host)) return static_cast<int>(i);
+    if (model_.items[i].is(trait) && rests_on(static_cast<int>(i), host)) return static_cast<int>(i);
   }
   return -1;
 }
 
 // A keyboard lies at the used edge of its desk before the screen, a mouse to the right of the keyboard. False: it is neither.
 bool Habits::lie_at_hand(int item, int host) {
-  const bool mouse = has_family(model_.items[item], {"mouse"});
-  if (!mouse && !has_family(model_.items[item], {"keyboard"})) return false;
+  const bool mouse = model_.items[item].is(Trait::kMouse);
+  if (!mouse && !model_.items[item].is(Trait::kKeyboard)) return false;
   const Item& desk = model_.items[host];
   if (!desk.has_front) return false;
   const Side used = used_side(desk) == Side::kBack ? Side::kBack : Side::kFront;
-  const int keys = mouse ? rider_of_family(host, "keyboard") : -1, screen = rider_of_family(host, "monitor");
+  const int keys = mouse ? rider_that_is(Trait::kKeyboard, host) : -1, screen = rider_that_is(Trait::kMonitor, host);
   Formula f;
   for_each_turn(desk, [&](int turn, std::uint64_t states) {
     if (turn % 90 != 0) return;

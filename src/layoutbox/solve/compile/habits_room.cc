@@ -13,7 +13,7 @@ const std::vector<std::string> kOnRugs{"coffee_table", "dining_table", "bed", "c
 
 void Habits::back_to_wall(int item) {
   Formula f;
-  const bool heart = has_family(model_.items[item], {"bed", "sofa"});  // what the room is about stands rather in the middle of its wall
+  const bool heart = model_.items[item].is(Trait::kCenterPiece);
   for (const RoomWall& wall : model_.walls) {
     const std::size_t known = f.cases.size();
     add_against(f, model_, item, states_with_back_to(model_.items[item], wall), wall, 20, true);
@@ -93,13 +93,13 @@ void Habits::near_light(int item) {
 // both sides and beyond the foot.
 void Habits::lie_under(int item) {
   std::vector<int> over = items_of_kinds(kOnRugs, item);
-  const auto beds = std::count_if(over.begin(), over.end(), [&](int i) { return model_.is_a(i, "bed"); });
+  const auto beds = std::count_if(over.begin(), over.end(), [&](int i) { return model_.items[i].is(Trait::kBed); });
   std::erase_if(over, [&](int i) {
-    if (model_.is_a(i, "bed")) return beds > 1 || !has_family(model_.items[i], {"bed"});
-    return model_.is_a(i, "table") && !model_.is_a(i, "desk") && model_.items[i].entry->back_to_wall;
+    if (model_.items[i].is(Trait::kBed)) return beds > 1 || !model_.items[i].is(Trait::kCenterPiece);
+    return model_.items[i].is(Trait::kTable) && !model_.items[i].is(Trait::kDesk) && model_.items[i].entry->back_to_wall;
   });
   Formula f;
-  if (!over.empty() && has_family(model_.items[over[rank_of(item) % static_cast<int>(over.size())]], {"bed"})) {
+  if (!over.empty() && model_.items[over[rank_of(item) % static_cast<int>(over.size())]].is(Trait::kBed)) {
     lie_at_foot(item, over[rank_of(item) % static_cast<int>(over.size())]);
     return;
   }

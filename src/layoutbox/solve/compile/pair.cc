@@ -11,7 +11,7 @@ namespace {
 Mm comfortable_gap(const Item& target, const Item& ref, Side side) {
   if (ref.is_opening()) return 600;
   if (side != Side::kFront) return 50;
-  if (target.entry && target.entry->shape.family == "chair") return 100;
+  if (target.is(Trait::kTableSeat)) return 100;
   return ref.has_front ? 400 : 100;
 }
 
@@ -168,13 +168,14 @@ void compile_EdgeAlign(Compilation& c) {
 
 void compile_Facing(Compilation& c) {
   for (const int t : c.targets) {
+    const Side eyes = looking_side(c.model, t);
     for (const Reference& r : c.references) {
       Formula& f = c.formula();
-      if (r.kind == Reference::Kind::kItem) add_looks_at(f, c.model, t, r.index);
-      if (r.kind == Reference::Kind::kWall) add_looks_at_wall(f, c.model, t, c.model.walls[r.index]);
+      if (r.kind == Reference::Kind::kItem) add_looks_at(f, c.model, t, r.index, eyes);
+      if (r.kind == Reference::Kind::kWall) add_looks_at_wall(f, c.model, t, c.model.walls[r.index], eyes);
       const Box& room = c.model.room;
       if (r.kind == Reference::Kind::kRoom) {
-        add_looks_at_point(f, c.model, t, {(room.lo[0] + room.hi[0]) / 2, (room.lo[1] + room.hi[1]) / 2});
+        add_looks_at_point(f, c.model, t, {(room.lo[0] + room.hi[0]) / 2, (room.lo[1] + room.hi[1]) / 2}, eyes);
       }
     }
   }

@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 
+#include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/solve/compile.h"
 
 namespace layoutbox::placement {
@@ -82,10 +83,13 @@ inline void add_beyond(Formula& f, const Model& model, int t, int r, Side side, 
   add_beside(f, model, t, r, side, {.most = most, .wished_gap = wished_gap});
 }
 
-// "The front of t looks at r."
-void add_looks_at(Formula& f, const Model& model, int t, int r);
-void add_looks_at_wall(Formula& f, const Model& model, int t, const RoomWall& wall);
-void add_looks_at_point(Formula& f, const Model& model, int t, Point point);
+// The side that is meant by "facing": the front; of what one sits or stands at to work, where its user looks, which is its back unless it
+// is used from there or a seat is told to be behind it.
+Side looking_side(const Model& model, int item);
+// "The front of t looks at r", or another side of it.
+void add_looks_at(Formula& f, const Model& model, int t, int r, Side eyes = Side::kFront);
+void add_looks_at_wall(Formula& f, const Model& model, int t, const RoomWall& wall, Side eyes = Side::kFront);
+void add_looks_at_point(Formula& f, const Model& model, int t, Point point, Side eyes = Side::kFront);
 
 // "In one of these states t stands against the wall", at most `gap` off; `whole`: within the wall's length, else at least half of it is.
 void add_against(Formula& f, const Model& model, int t, std::uint64_t states, const RoomWall& wall, Mm gap, bool whole = false);

@@ -1,5 +1,6 @@
 #include "layoutbox/solve/compile/phrases.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 
@@ -10,11 +11,25 @@ constexpr int kNormalise = 1000;  // directions at odd angles are whole numbers 
 // tan 15° as a fraction; within what the verifier calls 15°.
 constexpr std::int32_t kLookAcross = 100000, kLookAhead = 26794;
 
-Direction front_at(const Item& item, int turn) { return side_direction(item, Side::kFront, turn); }
-
 }  // namespace
 
-void add_looks_at(Formula& f, const Model& model, int t, int r) {
+Side looking_side(const Model& model, int item) {
+  const Item& self = model.items[item];
+  if (!self.is(Trait::kDeskLike) || used_side(self) != Side::kFront) return Side::kFront;
+  const auto has = [](const std::vector<std::string>& ids, const std::string& id) {
+    return std::find(ids.begin(), ids.end(), id) != ids.end();
+  };
+  const bool used_from_behind = std::any_of(model.scene->relations.begin(), model.scene->relations.end(), [&](const Relation& r) {
+    const auto sits = [&](const std::string& id) {
+      const int seat = model.find_item(id);
+      return seat >= 0 && model.items[seat].is(Trait::kTableSeat);
+    };
+    return r.type == RelationType::kBehind && has(r.references, self.id) && std::any_of(r.targets.begin(), r.targets.end(), sits);
+  });
+  return used_from_behind ? Side::kFront : Side::kBack;
+}
+
+void add_looks_at(Formula& f, const Model& model, int t, int r, Side eyes) {
   const Item& item = model.items[t];
   if (!item.has_front) {
     f.add().wish(Linear(0), 1);
@@ -23,8 +38,9 @@ void add_looks_at(Formula& f, const Model& model, int t, int r) {
   for_each_turn(item, [&](int turn, std::uint64_t states) {
     if (!quarter(turn)) {
       const double angle = radians_from_degrees(item.states[static_cast<std::size_t>(std::countr_zero(states))].angle);
-      const auto nx = static_cast<std::int32_t>(std::lround(std::sin(angle) * kNormalise));
-      const auto ny = static_cast<std::int32_t>(std::lround(-std::cos(angle) * kNormalise));
+      const int length = eyes == Side::kBack ? -kNormalise : kNormalise;
+      const auto nx = static_cast<std::int32_t>(std::lround(std::sin(angle) * length));
+      const auto ny = static_cast<std::int32_t>(std::lround(-std::cos(angle) * length));
       const Linear dx = mid2(r, 0) - mid2(t, 0), dy = mid2(r, 1) - mid2(t, 1);
       const Linear ahead = nx * dx + ny * dy, aside = nx * dy - ny * dx;
       Case& c = f.add().when(t, states);  // within 7.6°: tan = 2/15
@@ -32,7 +48,7 @@ void add_looks_at(Formula& f, const Model& model, int t, int r) {
       c.wish(aside, 100, 2 * kNormalise);
       return;
     }
-    const Direction d = front_at(item, turn);
+    const Direction d = side_direction(item, eyes, turn);
     const int a = across(d);
     const Linear off = mid2(t, a) - mid2(r, a);
     const Linear ahead = reach(r, d) - reach(t, d);
@@ -55,7 +71,7 @@ void add_looks_at(Formula& f, const Model& model, int t, int r) {
   });
 }
 
-void add_looks_at_wall(Formula& f, const Model& model, int t, const RoomWall& wall) {
+void add_looks_at_wall(Formula& f, const Model& model, int t, const RoomWall& wall, Side eyes) {
   const Item& item = model.items[t];
   if (!item.has_front) {
     f.add();
@@ -64,7 +80,7 @@ void add_looks_at_wall(Formula& f, const Model& model, int t, const RoomWall& wa
   if (!model.outside.empty()) f.exact = false;  // past the end of a wall there may be more room, from where it can be seen
   const Direction towards{wall.normal(), -wall.inward};
   for_each_turn(item, [&](int turn, std::uint64_t states) {
-    if (!wall.straight || !quarter(turn) || !(front_at(item, turn) == towards)) return;
+    if (!wall.straight || !quarter(turn) || !(side_direction(item, eyes, turn) == towards)) return;
     f.add()
         .when(t, states)
         .require(mid2(t, wall.along) - Linear(2 * wall.lo))
@@ -73,11 +89,11 @@ void add_looks_at_wall(Formula& f, const Model& model, int t, const RoomWall& wa
   });
 }
 
-void add_looks_at_point(Formula& f, const Model& model, int t, Point point) {
+void add_looks_at_point(Formula& f, const Model& model, int t, Point point, Side eyes) {
   const Item& item = model.items[t];
   for_each_turn(item, [&](int turn, std::uint64_t states) {
     if (!item.has_front || !quarter(turn)) return;
-    const Direction d = front_at(item, turn);
+    const Direction d = side_direction(item, eyes, turn);
     const std::int64_t at = std::int64_t{d.sign} * (d.axis == 0 ? point.x : point.y);
     const Linear ahead2 = Linear(2 * at) - d.sign * mid2(t, d.axis);
     const Linear off2 = mid2(t, across(d)) - Linear(2 * (across(d) == 0 ? point.x : point.y));

@@ -13,11 +13,6 @@ constexpr int kLowPlace = 250, kUnlikelyTop = 300;
 // On the floor although things of its kind hang: only where what was asked of it cannot be otherwise.
 constexpr int kUnlikeItsKind = 8000;
 
-bool is_shelf(const Item& item) {
-  const std::string& family = item.entry->shape.family;
-  return family.find("shelf") != std::string::npos || family == "rack" || family == "cabinet" || family == "wardrobe" || family == "cart";
-}
-
 // Its floor lies below the middle of the item's height.
 bool is_low(const Item& item, const ItemSpace& space) {
   const State& state = item.states[0];
@@ -199,7 +194,7 @@ void add_resting(Formula& f, const Model& model, int t, int r, const std::string
     for (const ItemSpace& s : ref.spaces) {
       if (!((space.empty() && s.carries) || s.name == space)) continue;
       add_space(f, model, t, r, s, how == Resting::kIn);
-      if (how == Resting::kOn && !is_shelf(ref) && is_low(ref, s)) f.cases.back().price += kLowPlace;
+      if (how == Resting::kOn && !ref.is(Trait::kShelving) && is_low(ref, s)) f.cases.back().price += kLowPlace;
     }
   }
   if (how == Resting::kIn) return;

@@ -124,7 +124,7 @@ Finding check_EdgeAlign(const Case& c) {
 }
 
 Finding check_Facing(const Case& c) {
-  return each_pair(c, [&](const Body& t, const Reference& r) { return looks_at(t, r, c.view); });
+  return each_pair(c, [&](const Body& t, const Reference& r) { return looks_at(t, r, c.view, eyes_of(t, c.view)); });
 }
 
 Finding check_Opposite(const Case& c) {

@@ -1,0 +1,148 @@
+#include "layoutbox/scene/relation_traits.h"
+
+#include <algorithm>
+#include <array>
+
+namespace layoutbox {
+namespace {
+
+using R = RelationType;
+
+// Distances are to what lies within a turned body; angles, middles and extents along the room's axes are what they are; what stands on
+// others stays within their turned tops: those are right at odd angles.
+constexpr std::array kTraits = std::to_array<RelationTraits>({
+    {.type = R::kOffset, .targets_turned = true, .references_turned = true},
+    {.type = R::kAlign, .targets_turned = true, .references_turned = true},
+    {.type = R::kInside},
+    {.type = R::kGroupAlign, .targets_turned = true, .references_turned = true},
+    {.type = R::kAgainstWall,
+     .targets_turned = true,
+     .placing = Placing::kInRoom,
+     .said_by = RelationSet(R::kCenteredOnWall, R::kSideAgainstWall, R::kCorner, R::kUnderWindow, R::kOnWall)},
+    {.type = R::kSideAgainstWall, .targets_turned = true},
+    {.type = R::kCorner, .placing = Placing::kInRoom},
+    {.type = R::kCenterOfRoom,
+     .targets_turned = true,
+     .references_turned = true,
+     .placing = Placing::kInRoom,
+     .said_by = RelationSet(R::kInside)},
+    {.type = R::kCenteredOnWall,
+     .targets_turned = true,
+     .placing = Placing::kInRoom,
+     .weaker = RelationSet(R::kAgainstWall),
+     .instead = R::kAgainstWall},
+    {.type = R::kInRegion, .targets_turned = true, .references_turned = true},
+    {.type = R::kOnWall, .targets_turned = true, .weaker = RelationSet(R::kAgainstWall)},
+    {.type = R::kOnCeiling, .targets_turned = true, .references_turned = true},
+    {.type = R::kAwayFromWall, .targets_turned = true, .references_turned = true},
+    {.type = R::kUnderWindow},
+    {.type = R::kNearDoor, .targets_turned = true, .references_turned = true},
+    {.type = R::kNearWindow, .targets_turned = true, .references_turned = true},
+    {.type = R::kFarFromDoor, .targets_turned = true, .references_turned = true},
+    {.type = R::kFarFromWindow, .targets_turned = true, .references_turned = true},
+    {.type = R::kNotBlocking, .targets_turned = true},
+    {.type = R::kLeftOf,
+     .targets_turned = true,
+     .placing = Placing::kSide,
+     .inverse = R::kRightOf,
+     .weaker = RelationSet(R::kNear),
+     .instead = R::kRightOf},
+    {.type = R::kRightOf,
+     .targets_turned = true,
+     .placing = Placing::kSide,
+     .inverse = R::kLeftOf,
+     .weaker = RelationSet(R::kNear),
+     .instead = R::kLeftOf},
+    {.type = R::kInFrontOf,
+     .targets_turned = true,
+     .placing = Placing::kSide,
+     .inverse = R::kBehind,
+     .weaker = RelationSet(R::kNear),
+     .said_by = RelationSet(R::kAtFootOf, R::kTuckedUnder, R::kOpposite, R::kFacing),
+     .instead = R::kBehind},
+    {.type = R::kBehind,
+     .targets_turned = true,
+     .placing = Placing::kSide,
+     .inverse = R::kInFrontOf,
+     .weaker = RelationSet(R::kNear),
+     .instead = R::kInFrontOf},
+    {.type = R::kNextTo,
+     .symmetric = true,
+     .targets_turned = true,
+     .references_turned = true,
+     .placing = Placing::kHeight,
+     .weaker = RelationSet(R::kNear),
+     .said_by =
+         RelationSet(R::kLeftOf, R::kRightOf, R::kTouching, R::kEachSideOf, R::kAlongSide, R::kAtHeadOf, R::kAtFootOf, R::kPairedWith),
+     .instead = R::kNear},
+    {.type = R::kNear,
+     .symmetric = true,
+     .targets_turned = true,
+     .references_turned = true,
+     .said_by = RelationSet(R::kNextTo, R::kLeftOf, R::kRightOf, R::kInFrontOf, R::kAlongSide, R::kTouching, R::kEachSideOf)},
+    {.type = R::kFar, .symmetric = true, .targets_turned = true, .references_turned = true, .instead = R::kNear},
+    {.type = R::kDistance, .symmetric = true, .targets_turned = true, .references_turned = true},
+    {.type = R::kTouching, .symmetric = true, .weaker = RelationSet(R::kNextTo, R::kNear), .instead = R::kNextTo},
+    {.type = R::kEdgeAlign, .targets_turned = true},
+    {.type = R::kFacing, .targets_turned = true, .references_turned = true, .said_by = RelationSet(R::kOpposite, R::kInFrontOf)},
+    {.type = R::kOpposite, .symmetric = true, .targets_turned = true, .said_by = RelationSet(R::kFacing)},
+    {.type = R::kParallel, .symmetric = true, .targets_turned = true, .references_turned = true},
+    {.type = R::kPerpendicular, .symmetric = true, .targets_turned = true, .references_turned = true},
+    {.type = R::kSameOrientation, .symmetric = true, .targets_turned = true, .references_turned = true},
+    {.type = R::kCenteredOn, .targets_turned = true},
+    {.type = R::kAtFootOf, .targets_turned = true, .weaker = RelationSet(R::kInFrontOf, R::kNextTo, R::kNear), .instead = R::kNextTo},
+    {.type = R::kAtHeadOf, .weaker = RelationSet(R::kNextTo, R::kNear), .instead = R::kNextTo},
+    {.type = R::kAlongSide, .weaker = RelationSet(R::kNextTo, R::kNear), .instead = R::kNextTo},
+    {.type = R::kTuckedUnder},
+    {.type = R::kOn,
+     .supports = true,
+     .targets_turned = true,
+     .references_turned = true,
+     .placing = Placing::kHeight,
+     .said_by = RelationSet(R::kIn, R::kStacked)},
+    {.type = R::kUnder, .targets_turned = true, .placing = Placing::kHeight},
+    {.type = R::kAbove, .targets_turned = true, .placing = Placing::kHeight, .said_by = RelationSet(R::kOnCeiling)},
+    {.type = R::kIn, .supports = true, .targets_turned = true, .references_turned = true, .said_by = RelationSet(R::kOn)},
+    {.type = R::kStacked, .supports = true, .targets_turned = true, .references_turned = true, .weaker = RelationSet(R::kOn)},
+    {.type = R::kAround,
+     .targets_turned = true,
+     .weaker = RelationSet(R::kNextTo, R::kNear),
+     .said_by = RelationSet(R::kSurround, R::kTuckedUnder, R::kInFrontOf, R::kAlongSide)},
+    {.type = R::kEachSideOf, .said_by = RelationSet(R::kLeftOf, R::kRightOf, R::kNextTo, R::kSymmetricAbout)},
+    {.type = R::kBetween},
+    {.type = R::kRow, .said_by = RelationSet(R::kGroupAlign, R::kEvenlySpaced, R::kGrid)},
+    {.type = R::kGrid},
+    {.type = R::kColumn},
+    {.type = R::kEvenlySpaced},
+    {.type = R::kSymmetricAbout},
+    {.type = R::kSurround, .targets_turned = true, .weaker = RelationSet(R::kNextTo, R::kNear, R::kFacing)},
+    {.type = R::kPairedWith},
+    {.type = R::kClearance},
+    {.type = R::kReachable},
+    {.type = R::kKeepClear, .targets_turned = true},
+});
+
+constexpr bool in_order() {
+  for (std::size_t i = 0; i < kTraits.size(); ++i) {
+    if (static_cast<std::size_t>(kTraits[i].type) != i) return false;
+  }
+  return true;
+}
+static_assert(in_order(), "a row for each relation, in the order of relation_list.inc");
+static_assert(kTraits.size() == std::size_t{0}
+#define LAYOUTBOX_RELATION(name, json_name, group, arity, kinds, parameters, sentence) +1
+#include "layoutbox/scene/relation_list.inc"
+#undef LAYOUTBOX_RELATION
+              && kTraits.size() <= 64);
+
+}  // namespace
+
+const RelationTraits& traits_of(RelationType type) { return kTraits[static_cast<std::size_t>(type)]; }
+
+bool are_opposed(RelationType a, RelationType b) {
+  const Placing one = traits_of(a).placing, other = traits_of(b).placing;
+  if (a == b) return one == Placing::kInRoom && (relation_row(a).reference_kinds & kWall) != 0;  // at two walls
+  return one != Placing::kAnywhere && one == other;
+}
+
+}  // namespace layoutbox

@@ -1,0 +1,44 @@
+// What relations have to do with one another, and how they are meant; a typed row for each (relation_traits.inc).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "layoutbox/scene/relation_table.h"
+
+namespace layoutbox {
+
+// A set of relations.
+class RelationSet {
+ public:
+  constexpr RelationSet() = default;
+  template <class... Types>
+  explicit constexpr RelationSet(Types... types) : bits_((std::uint64_t{0} | ... | (std::uint64_t{1} << static_cast<unsigned>(types)))) {}
+  constexpr bool has(RelationType type) const { return ((bits_ >> static_cast<unsigned>(type)) & 1) != 0; }
+
+ private:
+  std::uint64_t bits_ = 0;
+};
+
+// Where a relation puts its targets; of one kind only one can hold between the same two things.
+enum class Placing : std::uint8_t { kAnywhere, kSide, kHeight, kInRoom };
+
+struct RelationTraits {
+  RelationType type;
+  bool symmetric = false;          // t R r says the same as r R t
+  bool supports = false;           // the reference carries the target
+  bool targets_turned = false;     // the solver's cases are right for targets at odd angles,
+  bool references_turned = false;  // and for references; of the others it sees the box around them
+  Placing placing = Placing::kAnywhere;
+  std::optional<RelationType> inverse = std::nullopt;  // t R r is r I t, where both look the same way
+  RelationSet weaker = {};                             // these hold too, with their defaults (between things without other parameters)
+  RelationSet said_by = {};                            // who says one of these may mean this one
+  std::optional<RelationType> instead = std::nullopt;  // what to try where it cannot be
+};
+
+const RelationTraits& traits_of(RelationType type);
+
+// Can the two not hold between the same two things at once? Of one that names a wall: not with two walls.
+bool are_opposed(RelationType a, RelationType b);
+
+}  // namespace layoutbox

@@ -1,0 +1,90 @@
+// What relation_traits.cc says of relations holds by the verifier: weaker ones follow, inverse and symmetric ones hold the other way round.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "layoutbox/scene/relation_traits.h"
+#include "layoutbox/verify/test_room.h"
+
+namespace layoutbox::judge {
+namespace {
+
+constexpr int kRooms = 400;
+
+// A sofa and a cabinet somewhere in a room, near each other more often than not; the second turned like the first if `alike`.
+TestRoom some_room(std::mt19937& random, bool alike) {
+  const auto within = [&](double low, double high) { return low + (high - low) * static_cast<double>(random() % 1000) / 999; };
+  constexpr std::array kTurns{0.0, 90.0, 180.0, 270.0};
+  const double turn = kTurns[random() % 4], other = alike ? turn : kTurns[random() % 4];
+  TestRoom room(6, 5);
+  room.window("window1", "wall3", 2).door("door1", "wall1", 2);
+  const double x = within(1, 5), y = within(1, 4);
+  const bool on_wall = random() % 4 == 0;
+  room.add("a", "sofa", {2, 0.9, 0.85}, {on_wall ? 3 : x, on_wall ? 4.55 : y, 0, on_wall ? 0 : turn});
+  const bool on_top = random() % 4 == 0, flush = random() % 4 == 0;
+  room.add("b", "cabinet", {0.8, 0.4, 1}, {flush ? x + 1.4 : x + within(-2, 2), flush ? y : y + within(-2, 2), on_top ? 0.85 : 0, other},
+           on_top ? "a" : "floor");
+  return room;
+}
+
+bool holds(TestRoom room, RelationType type, const std::string& target, const std::string& reference) {
+  const bool of_room = relation_row(type).group == RelationGroup::kRoomGroup;
+  room.layout.relations.clear();
+  room.relation(type, {target}, of_room ? std::vector<std::string>{} : std::vector<std::string>{reference});
+  return passes(room.judge(), "relation", "c1");
+}
+
+// References may be single things, and nothing else has to be said.
+bool is_judged_alone(RelationType type) {
+  const RelationRow& row = relation_row(type);
+  const bool pair = row.group == RelationGroup::kPairGroup || row.group == RelationGroup::kHeightGroup;
+  return pair && (row.reference_kinds & kObject) != 0 && row.arity != RelationArity::kNone;
+}
+
+TEST(RelationTraits, WeakerOnesFollow) {
+  std::mt19937 random(1);
+  int checked = 0;
+  for (int n = 0; n < kRooms; ++n) {
+    const TestRoom room = some_room(random, n % 2 == 0);
+    for (const RelationRow& row : relation_table()) {
+      const bool asks = row.group == RelationGroup::kRoomGroup || is_judged_alone(row.type);
+      if (!asks || !holds(room, row.type, "a", "b")) continue;
+      for (const RelationRow& weak : relation_table()) {
+        if (!traits_of(row.type).weaker.has(weak.type)) continue;
+        EXPECT_TRUE(holds(room, weak.type, "a", "b")) << row.name << " without " << weak.name << " in room " << n;
+        ++checked;
+      }
+    }
+  }
+  EXPECT_GT(checked, kRooms / 2);
+}
+
+TEST(RelationTraits, SymmetricAndInverseOnesHoldTheOtherWayRound) {
+  std::mt19937 random(2);
+  int checked = 0;
+  for (int n = 0; n < kRooms; ++n) {
+    const bool alike = n % 2 == 0;
+    const TestRoom room = some_room(random, alike);
+    for (const RelationRow& row : relation_table()) {
+      const RelationTraits& traits = traits_of(row.type);
+      if (!is_judged_alone(row.type) || !(traits.symmetric || (alike && traits.inverse)) || !holds(room, row.type, "a", "b")) continue;
+      const RelationType back = traits.symmetric ? row.type : *traits.inverse;
+      EXPECT_TRUE(holds(room, back, "b", "a")) << row.name << " but not " << relation_row(back).name << " in room " << n;
+      ++checked;
+    }
+  }
+  EXPECT_GT(checked, kRooms / 2);
+}
+
+TEST(RelationTraits, InversesAreInverse) {
+  for (const RelationRow& row : relation_table()) {
+    const RelationTraits& traits = traits_of(row.type);
+    if (traits.inverse) EXPECT_EQ(traits_of(*traits.inverse).inverse, row.type) << row.name;
+    EXPECT_FALSE(traits.weaker.has(row.type)) << row.name;
+    EXPECT_FALSE(traits.said_by.has(row.type)) << row.name;
+    EXPECT_NE(traits.instead, row.type) << row.name;
+  }
+}
+
+}  // namespace
+}  // namespace layoutbox::judge
