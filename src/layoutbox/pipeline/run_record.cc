@@ -44,6 +44,7 @@ Json names_of(const std::vector<View>& views) {
 Json json_of(const GenerateOptions& options) {
   return Json{{"planner", options.planner},
               {"room", json_of(options.normalize.room_size)},
+              {"companions", options.companions},
               {"seed", options.solve.seed},
               {"effort", options.solve.effort},
               {"timeLimit", options.solve.time_limit_s},
@@ -53,6 +54,7 @@ Json json_of(const GenerateOptions& options) {
               {"quality", name_of(options.render.quality)},
               {"size", {options.render.width, options.render.height}},
               {"views", names_of(options.render.views)},
+              {"corner", name_of(options.render.corner)},
               {"overlay", options.render.overlay},
               {"mask", options.render.object_mask},
               {"turntable", options.render.turntable},
