@@ -26,7 +26,7 @@ class Companions {
   Companions(SceneGraph& scene, const SceneGraph& sized, const std::vector<std::string>& excluded, const Catalog& catalog)
       : scene_(scene), sized_(sized), excluded_(excluded), catalog_(catalog), groups_(Groups::builtin()), said_(words_of(scene.prompt)) {
     for (std::size_t i = 0; i < scene.objects.size(); ++i) named_.push_back(i);
-    if (std::ranges::all_of(scene.objects, &SceneObject::assumed)) named_.clear();  // it has what is usual already
+    if (std::ranges::none_of(scene.objects, &SceneObject::asked)) named_.clear();  // it has what is usual already
   }
 
   std::size_t run() {
@@ -70,7 +70,7 @@ class Companions {
     SceneObject object;
     object.category = kind.id;
     object.name = kind.name;
-    object.assumed = true;
+    object.origin = Origin::kAdded;
     int number = 0;
     do {
       object.id = kind.id + "_" + std::to_string(++number);
@@ -87,7 +87,7 @@ class Companions {
     relation.references = {reference};
     relation.parameters.max = max;
     relation.hard = false;
-    relation.assumed = true;
+    relation.origin = Origin::kAdded;
     relation.why = "what its use needs";
     scene_.relations.push_back(std::move(relation));
   }
@@ -103,6 +103,17 @@ class Companions {
     });
   }
 
+  // A seat that is named and stands by nothing in particular: it may well be meant for this.
+  bool has_loose_seat() const {
+    return std::ranges::any_of(named_, [&](std::size_t i) {
+      const SceneObject& object = scene_.objects[i];
+      const auto says_where = [&](const Relation& r) {
+        return std::ranges::find(r.targets, object.id) != r.targets.end() && !r.references.empty();
+      };
+      return is_table_seat(catalog_.entry_or_nearest(object.category)) && std::ranges::none_of(scene_.relations, says_where);
+    });
+  }
+
   void seat_at(std::size_t i) {
     const std::string id = scene_.objects[i].id, category = scene_.objects[i].category;
     const CatalogEntry* entry = catalog_.find(category);
@@ -110,7 +121,7 @@ class Companions {
     const Seating* seating = entry == nullptr ? nullptr : groups_.seating_at(catalog_, *entry, scene_.room.type);
     if (seating == nullptr || !seating->comes || sized == nullptr || !sized->size || sized->mount != Mount::kFloor) return;
     const CatalogEntry* seat = catalog_.find(seating->seat);
-    if (seat == nullptr || spoken_of(*seat) || has_seat(id)) return;
+    if (seat == nullptr || spoken_of(*seat) || has_seat(id) || has_loose_seat()) return;
     const int count = std::min(seats_at_size(*seating, is_round(*sized), sized->size->usual), kMostSeats);
     std::vector<std::string> seats;
     for (int k = 0; k < count; ++k) seats.push_back(add(*seat));
@@ -127,7 +138,7 @@ class Companions {
 
   void add_by(const Companion& companion) {
     const CatalogEntry* kind = catalog_.find(companion.adds);
-    if (kind == nullptr || !in_rooms(companion.rooms) || spoken_of(*kind)) return;
+    if (kind == nullptr || !in_rooms(companion.rooms) || spoken_of(*kind) || has_kind(companion.adds)) return;
     const auto named = [&](const std::string& other) {
       return std::ranges::any_of(named_, [&](std::size_t i) { return catalog_.is_a(scene_.objects[i].category, other); });
     };

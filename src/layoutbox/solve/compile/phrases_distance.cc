@@ -146,7 +146,7 @@ void add_apart(std::vector<Case>& cases, const Model& model, int t, const Place&
 namespace {
 
 constexpr Mm kWithinSlack = 3;          // of the 5 mm that every length is allowed
-constexpr int kMostSectors = 24;        // of a quadrant
+constexpr int kMostSectors = 12;         // of a quadrant
 constexpr std::int32_t kPlanar = 10000;  // directions are whole numbers of this length
 
 // A ring too narrow for the octagons: pieces of it, one beside the other, beyond the corners of r.
