@@ -136,6 +136,33 @@ std::vector<Limit> pair_limits() {
              .relation(Type::kOpposite, {"a"}, {"b"});
        },
        {"b", {0, 0, 0, 5}}},
+      {"opposite as a group: nobody behind another",
+       Type::kOpposite,
+       [](TestRoom& r) {
+         r.add("s", "sofa", {2, 0.9, 0.8}, {2.5, 3.5})
+             .add("a", "armchair", kChair, {2.5 - kChair[0] / 2, 1.2, 0, 180})
+             .add("b", "armchair", kChair, {2.5 + kChair[0] / 2, 1.2, 0, 180})
+             .relation(Type::kOpposite, {"a", "b"}, {"s"});
+       },
+       {"a", {0.02, -0.8}}},
+      {"opposite as a group: before the middle",
+       Type::kOpposite,
+       [](TestRoom& r) {
+         r.add("s", "sofa", {2, 0.9, 0.8}, {2.5, 3.5})
+             .add("a", "armchair", kChair, {2.5 + kChair[0] / 2, 1.2, 0, 180})
+             .add("b", "armchair", kChair, {2.6 + 3 * kChair[0] / 2, 1.2, 0, 180})
+             .relation(Type::kOpposite, {"a", "b"}, {"s"});
+       },
+       {"a", {0.02, 0}}},
+      {"opposite as a group: turned away",
+       Type::kOpposite,
+       [](TestRoom& r) {
+         r.add("s", "sofa", {2, 0.9, 0.8}, {2.5, 3.5})
+             .add("a", "armchair", kChair, {1.9, 1.2, 0, 180})
+             .add("b", "armchair", kChair, {3.1, 1.2, 0, 180})
+             .relation(Type::kOpposite, {"a", "b"}, {"s"});
+       },
+       {"b", {0, 0, 0, 60}}},
       {"opposite a door",
        Type::kOpposite,
        [](TestRoom& r) {

@@ -5,6 +5,7 @@
 #include <map>
 #include <numbers>
 
+#include "layoutbox/catalog/groups.h"
 #include "layoutbox/catalog/normalize_steps.h"
 #include "layoutbox/catalog/trait_table.h"
 
@@ -19,7 +20,8 @@ constexpr int kSteps = 10;      // from the usual size to the greatest
 struct Contents {
   std::vector<Size> on_top, inside;
   int around = 0, along = 0;  // seats
-  Mm front = 0;               // width of the seats before it
+  int before = 0;
+  Mm front = 0;  // width of the seats before it
 };
 
 // Whether the things find room in rows on a plane, the deepest first; `planes` of the same size may be used.
@@ -87,10 +89,24 @@ Mm seat_width(const Catalog& catalog, const ById& by_id, const std::vector<std::
   return width;
 }
 
+// So large as the catalogue says it is for so many, be that larger than such things mostly are.
+void grow_with_seats(const NormalizeContext& context, const CatalogEntry& entry, const Contents& contents, SceneObject& host) {
+  const Seating* seating = Groups::builtin().seating_at(context.catalog, entry, context.scene.room.type);
+  const int seats = std::max(contents.around + contents.along, contents.before);
+  if (seating == nullptr || seats == 0) return;
+  const auto wanted = size_for_seats(*seating, is_round(host), seats);
+  if (!wanted || wanted->width <= host.size->usual.width) return;
+  for (Size* size : {&host.size->usual, &host.size->greatest}) {
+    size->width = std::max(size->width, wanted->width);
+    size->depth = std::max(size->depth, wanted->depth);
+  }
+}
+
 // Seats that no relation places go to the only thing of the kind they usually stand by: bar stools to the island.
 void share_out_seats(const NormalizeContext& context, std::map<std::string, Contents>& hosts, const ById& by_id) {
   const SceneGraph& scene = context.scene;
   std::map<std::string, Mm> widths;
+  std::map<std::string, int> counts;
   for (const SceneObject& seat : scene.objects) {
     const CatalogEntry& entry = context.catalog.entry_or_nearest(seat.category);
     const bool placed =
@@ -100,11 +116,17 @@ void share_out_seats(const NormalizeContext& context, std::map<std::string, Cont
       const auto host = std::ranges::find(scene.objects, kind, &SceneObject::category);
       if (host == scene.objects.end()) continue;
       const bool only = std::ranges::count(scene.objects, kind, &SceneObject::category) == 1;
-      if (only && context.catalog.entry_or_nearest(kind).has_front) widths[host->id] += seat_width(context.catalog, by_id, {seat.id});
+      if (only && context.catalog.entry_or_nearest(kind).has_front) {
+        widths[host->id] += seat_width(context.catalog, by_id, {seat.id});
+        ++counts[host->id];
+      }
       break;
     }
   }
-  for (const auto& [host, width] : widths) hosts[host].front += width;
+  for (const auto& [host, width] : widths) {
+    hosts[host].front += width;
+    hosts[host].before += counts[host];
+  }
 }
 
 }  // namespace
@@ -120,7 +142,11 @@ void normalize_hosts(NormalizeContext& context) {
     const int seats = static_cast<int>(relation.targets.size());
     if (relation.type == RelationType::kAround || relation.type == RelationType::kSurround) contents.around += seats;
     if (relation.type == RelationType::kAlongSide && relation.parameters.side.value_or(Side::kLong) == Side::kLong) contents.along += seats;
-    if (relation.type == RelationType::kInFrontOf) contents.front += seat_width(context.catalog, by_id, relation.targets);
+    if (relation.type == RelationType::kInFrontOf) {
+      const Mm width = seat_width(context.catalog, by_id, relation.targets);
+      contents.front += width;
+      contents.before += width > 0 ? seats : 0;
+    }
     const bool on = relation.type == RelationType::kOn, in = relation.type == RelationType::kIn;
     for (const std::string& target : relation.targets) {
       const auto thing = by_id.find(target);
@@ -135,8 +161,10 @@ void normalize_hosts(NormalizeContext& context) {
     if (found == hosts.end() || !host.size || host.size_source != SizeSource::kCatalog || !host.catalog_id.empty()) continue;
     const CatalogEntry& entry = context.catalog.entry_or_nearest(host.category);
     if (entry.thin) continue;
+    const Size before = host.size->usual;
+    grow_with_seats(context, entry, found->second, host);
     const Size size = size_that_holds(entry, host, found->second);
-    if (size == host.size->usual) continue;
+    if (size == before) continue;
     host.size->usual = size;
     context.note("filled",
                  fmt::format("\"{}\" is {} wide and {} deep, so that what it is to hold finds room", host.id, metres_text(size.width),

@@ -117,6 +117,7 @@ void add_batch(CLI::App& app, Context& context) {
   command->add_flag("--force", flags->force, "Also make again what is there already");
   command->add_flag("--no-render", flags->no_render, "Make no pictures: no Blender is needed");
   flags->plan.add_to(*command);
+  flags->plan.add_companions_to(*command);
   flags->model.add_to(*command, flags->options.generate.repair);
   flags->solve.add_to(*command, flags->options.generate.solve);
   flags->render.add_to(*command);

@@ -159,6 +159,7 @@ void add_generate(CLI::App& app, Context& context) {
   command->add_option("-o,--output", flags->folder, "Folder for the files (default: out/ and the first words of the prompt)");
   command->add_flag("--no-render", flags->no_render, "Make no picture: no Blender is needed");
   flags->plan.add_to(*command);
+  flags->plan.add_companions_to(*command);
   flags->model.add_to(*command, flags->options.repair);
   flags->solve.add_to(*command, flags->options.solve);
   add_variants_to(*command, flags->options);

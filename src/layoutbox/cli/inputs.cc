@@ -57,7 +57,14 @@ void PlanFlags::add_to(CLI::App& command) {
       ->excludes(file);
 }
 
+void PlanFlags::add_companions_to(CLI::App& command) {
+  command.add_option("--companions", companions, "What the use of named things needs comes with them (a desk's chair): on, off")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"on", "off"}));
+}
+
 Status PlanFlags::apply(GenerateOptions& options) const {
+  options.companions = companions == "on" && !by_model();
   if (planner != "offline" && planner != "llm") {
     return layoutbox::fail(ErrorCode::kUsage, fmt::format("there is no planner '{}'", planner), "--planner", "use offline or llm");
   }
@@ -147,6 +154,8 @@ void RenderFlags::add_to(CLI::App& command) {
   command.add_option("--views", views, "A picture each, with commas: iso, top, front, eye (in the room), door")
       ->delimiter(',')
       ->capture_default_str();
+  command.add_option("--corner", corner, "Where iso is drawn from: best (most fronts seen, least hidden), NE, NW, SE, SW")
+      ->capture_default_str();
   command.add_flag("--overlay", overlay, "Also scene-overlay.png: names, clearances, and what does not hold in red");
   command.add_flag("--mask", mask, "Also mask.png and mask.json: which pixel is which object, and what is seen of each");
   command.add_option("--turntable", turntable, "Also a film once round the room: gif or mp4");
@@ -190,6 +199,11 @@ Status RenderFlags::apply(RenderOptions& options) const {
   if (!turntable.empty() && turntable != "gif" && turntable != "mp4") {
     return layoutbox::fail(ErrorCode::kUsage, fmt::format("'{}' is no kind of film", turntable), "--turntable", "use gif or mp4");
   }
+  const auto from = corner_from_name(corner);
+  if (!from) {
+    return layoutbox::fail(ErrorCode::kUsage, fmt::format("there is no corner '{}'", corner), "--corner", "use best, NE, NW, SE or SW");
+  }
+  options.corner = *from;
   LAYOUTBOX_ASSIGN(options.views, views_named(views));
   options.overlay = overlay;
   options.object_mask = mask;

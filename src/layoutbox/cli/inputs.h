@@ -25,8 +25,11 @@ struct PlanFlags {
   std::string planner = "offline";
   std::string room, room_file, units;
   std::string catalog_file, assets;
+  std::string companions = "on";
   bool catalog_only = false;
   void add_to(CLI::App& command);
+  // --companions, of the commands that plan from text.
+  void add_companions_to(CLI::App& command);
   Status apply(GenerateOptions& options) const;
   bool by_model() const { return planner == "llm"; }
   Result<CatalogInUse> load_catalog() const;
@@ -43,13 +46,13 @@ struct SolveFlags {
 // --variants.
 void add_variants_to(CLI::App& command, GenerateOptions& options);
 
-// Options of pictures: --quality, --size, --views, --overlay, --mask, --turntable.
+// Options of pictures: --quality, --size, --views, --corner, --overlay, --mask, --turntable.
 struct RenderFlags {
   std::string quality = "preview";
   std::vector<std::string> views{"iso"};
   std::string turntable;
   bool overlay = false, mask = false;
-  std::string size = "1920x1080";
+  std::string size = "1920x1080", corner = "best";
   void add_to(CLI::App& command);
   Status apply(RenderOptions& options) const;
 };

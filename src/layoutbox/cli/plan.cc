@@ -61,7 +61,7 @@ int run_plan(PlanArguments& flags, const Console& console) {
   if (flags.model.dry_run) return print_first_request(**planner, *prompt, flags.options, console);
   const auto plan = (*planner)->plan(*prompt, flags.options.plan);
   if (!plan) return console.fail(plan.error());
-  const auto scene = prepare_scene(plan->scene, catalog->get(), flags.options);
+  const auto scene = prepare_plan(plan->scene, catalog->get(), flags.options);
   if (!scene) return console.fail(scene.error());
   console.notes(catalog->notes);
   console.notes(scene->notes);
@@ -82,6 +82,7 @@ void add_plan(CLI::App& app, Context& context) {
   command->add_option("-o,--output", flags->output, "The scene file (default: stdout)");
   command->add_flag("--explain", flags->explain, "Show how each word was read");
   flags->plan.add_to(*command);
+  flags->plan.add_companions_to(*command);
   flags->model.add_to(*command, flags->options.repair);
   command->callback([flags, &context] { context.status = run_plan(*flags, context.console); });
 }

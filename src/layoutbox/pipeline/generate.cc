@@ -13,6 +13,7 @@
 #include "layoutbox/pipeline/repair.h"
 #include "layoutbox/pipeline/run_record.h"
 #include "layoutbox/pipeline/variants.h"
+#include "layoutbox/plan/companions.h"
 #include "layoutbox/scene/scene_json.h"
 
 namespace layoutbox {
@@ -106,8 +107,10 @@ class Run {
 
   Status plan(const Planner& planner) {
     begin();
-    LAYOUTBOX_ASSIGN(Plan plan, planner.plan(prompt_, options_.plan));
-    return normalize(std::move(plan.scene));
+    LAYOUTBOX_ASSIGN(const Plan plan, planner.plan(prompt_, options_.plan));
+    LAYOUTBOX_ASSIGN(outcome_.scene, prepare_plan(plan.scene, catalog_, options_));
+    finish("plan", scene_in_words());
+    return {};
   }
 
   Status plan_with_model() {
@@ -300,6 +303,16 @@ Result<SceneGraph> prepare_scene(SceneGraph scene, const Catalog& catalog, const
     scene.room.type = std::move(type);
   }
   return normalize_scene(std::move(scene), catalog, options.normalize);
+}
+
+Result<SceneGraph> prepare_plan(const SceneGraph& planned, const Catalog& catalog, const GenerateOptions& options) {
+  LAYOUTBOX_ASSIGN(SceneGraph scene, prepare_scene(planned, catalog, options));
+  if (!options.companions) return scene;
+  SceneGraph more = planned;
+  const std::size_t added = add_companions(more, scene, kinds_unwanted(planned.prompt), catalog);
+  if (added == 0) return scene;
+  more.notes.push_back({"filled", counted(added, "thing") + " that the use of the room needs came with what is named", "prompt"});
+  return prepare_scene(std::move(more), catalog, options);
 }
 
 bool is_output_name(std::string_view name) {

@@ -51,6 +51,8 @@ struct GenerateOptions {
   // Who plans, in words that differ where the scene may: kept in run.json.
   std::string planner = "offline";
   PlanOptions plan;
+  // What the use of the named things needs comes with them (plan/companions.h), where a text is planned without a model. DEFAULT: true.
+  bool companions = true;
   RepairOptions repair;
   NormalizeOptions normalize;
   // A shell of the user's own (polygon, walls, openings) that takes the place of the scene's; its kind of room stays the scene's where
@@ -104,6 +106,9 @@ Result<GenerateOutcome> generate_from_layout(SceneGraph scene, Layout layout, co
 
 // The scene in the shell of `options`, with everything filled in: what solve() takes.
 Result<SceneGraph> prepare_scene(SceneGraph scene, const Catalog& catalog, const GenerateOptions& options);
+
+// The same of a plan from text, with the companions of what it names.
+Result<SceneGraph> prepare_plan(const SceneGraph& planned, const Catalog& catalog, const GenerateOptions& options);
 
 // Is that the name of a file that a run writes?
 bool is_output_name(std::string_view name);

@@ -43,23 +43,25 @@ OrderedJson names_of(const std::vector<View>& views) {
 
 OrderedJson json_of(const GenerateOptions& options) {
   return OrderedJson{{"planner", options.planner},
-                     {"room", json_of(options.normalize.room_size)},
-                     {"seed", options.solve.seed},
-                     {"effort", options.solve.effort},
-                     {"timeLimit", options.solve.time_limit_s},
-                     {"variants", options.variants},
-                     {"onConflict", name_of(options.solve.on_conflict)},
-                     {"pictures", options.pictures},
-                     {"quality", name_of(options.render.quality)},
-                     {"size", {options.render.width, options.render.height}},
-                     {"views", names_of(options.render.views)},
-                     {"overlay", options.render.overlay},
-                     {"mask", options.render.object_mask},
-                     {"turntable", options.render.turntable},
-                     {"detail", name_of(options.furnish.detail)},
-                     {"maxAttempts", options.repair.max_attempts},
-                     {"repairAttempts", options.repair.repair_attempts},
-                     {"paperRetries", options.repair.paper_retries}};
+              {"room", json_of(options.normalize.room_size)},
+              {"companions", options.companions},
+              {"seed", options.solve.seed},
+              {"effort", options.solve.effort},
+              {"timeLimit", options.solve.time_limit_s},
+              {"variants", options.variants},
+              {"onConflict", name_of(options.solve.on_conflict)},
+              {"pictures", options.pictures},
+              {"quality", name_of(options.render.quality)},
+              {"size", {options.render.width, options.render.height}},
+              {"views", names_of(options.render.views)},
+              {"corner", name_of(options.render.corner)},
+              {"overlay", options.render.overlay},
+              {"mask", options.render.object_mask},
+              {"turntable", options.render.turntable},
+              {"detail", name_of(options.furnish.detail)},
+              {"maxAttempts", options.repair.max_attempts},
+              {"repairAttempts", options.repair.repair_attempts},
+              {"paperRetries", options.repair.paper_retries}};
 }
 
 OrderedJson json_of(const std::vector<InputFile>& inputs) {

@@ -90,7 +90,7 @@ std::string head(const Layout& layout) {
   return text + "\n";
 }
 
-std::string settings(const RenderOptions& options) {
+std::string settings(const Layout& layout, const RenderOptions& options) {
   std::string views;
   for (const View view : options.views) views += fmt::format("\"{}\", ", name_of(view));
   return fmt::format(
@@ -105,7 +105,7 @@ std::string settings(const RenderOptions& options) {
       "QUALITY = \"{}\"\n"
       "SAMPLES = {{\"draft\": {{\"denoised\": 3, \"filtered\": 6}}, \"preview\": {{\"denoised\": 10, \"filtered\": 20}},\n"
       "           \"final\": {{\"denoised\": 96, \"filtered\": 128}}}}\n\n",
-      options.save_blend ? "\"scene.blend\"" : "\"\"", views, number(options.azimuth_deg), number(options.elevation_deg),
+      options.save_blend ? "\"scene.blend\"" : "\"\"", views, number(azimuth_from(layout, options)), number(options.elevation_deg),
       python(options.orthographic), options.width, options.height, quality_name(options.quality));
 }
 
@@ -235,7 +235,7 @@ std::string write_blender_script(const Model& model, const Layout& layout, const
     for (const Part& part : node.parts) meshes.push_back(block.add(part.mesh));
     (node.kind == NodeKind::kObject ? objects : shell) += row(node, layout, model, meshes);
   }
-  std::string script = head(layout) + settings(options);
+  std::string script = head(layout) + settings(layout, options);
   script += embedded::light_py;
   script += "\n";
   script += room_tables(layout) + objects + "]\n\n" + failed_table(layout) + images_table(model) + materials_table(model) + shell + "]\n\n";

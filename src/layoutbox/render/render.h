@@ -27,11 +27,21 @@ std::optional<View> view_from_name(std::string_view name);
 // "scene.png" for iso, "scene-top.png" for top, …
 std::string picture_name(View view);
 
+// Which corner of the room the camera of iso stands at: the one from which most fronts are seen and least is hidden, or that one.
+enum class Corner { kBest, kNorthEast, kNorthWest, kSouthEast, kSouthWest };
+
+// "best", "NE", "NW", "SE", "SW".
+std::string_view name_of(Corner corner);
+std::optional<Corner> corner_from_name(std::string_view name);
+// Never kBest; the front right one (SE) where no other shows clearly more.
+Corner best_corner(const Layout& layout, double elevation_deg = 65);
+
 struct RenderOptions {
   Quality quality = Quality::kPreview;
   std::vector<View> views{View::kIso};  // one picture each
   int width = 1920, height = 1080;      // pixels. REQUIRES: 16…16384
-  double azimuth_deg = 45;              // of iso: camera at the front right (+x, −y), looking to the back left
+  Corner corner = Corner::kBest;
+  std::optional<double> azimuth_deg;  // of iso, in the corner's place: 45 is SE, at the front right (+x, −y), looking to the back left
   double elevation_deg = 65;
   bool orthographic = true;
   bool save_blend = true;
@@ -46,6 +56,9 @@ struct RenderOptions {
   // Called with a share done in [0, 1]; may be empty.
   std::function<void(double)> progress;
 };
+
+// The azimuth of iso for that layout, degrees.
+double azimuth_from(const Layout& layout, const RenderOptions& options);
 
 // The self-contained script: readable Python on top, the meshes in one compressed block at its end. Runs by itself:
 //   blender -b --python blender.py            (writes scene.blend and scene.png beside itself, or into the folder after `--`)

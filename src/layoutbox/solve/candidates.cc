@@ -181,6 +181,7 @@ std::vector<Candidate> CandidateFinder::find(const Placements& placements, int i
   static const std::vector<std::int64_t> kNoPrice;
   std::vector<Candidate> best;
   const Item& self = model_.items[item];
+  regions_.watch(&budget);
   access_.start(placements, item);
   const auto worst = [&] { return options.diverse || best.size() < options.most ? kNoCost : best.back().cost; };
   const auto cheaper = [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; };
@@ -233,6 +234,7 @@ std::vector<Candidate> CandidateFinder::find(const Placements& placements, int i
     const int state = static_cast<int>(s);
     if (self.states[s].size_step > options.most_size_step) continue;
     const std::vector<Region>& regions = regions_.find(placements, item, state);
+    if (budget.stopped) return best;
     if (regions.empty()) continue;
     find_soft(placements, item, state);
     const std::int64_t size_cost = kPoint * kCostWeights.size_step * self.states[s].size_step;

@@ -196,10 +196,20 @@ Result<std::optional<Clash>> prove(const Model& model, const CpSatLibrary& libra
 
 constexpr std::size_t kMostForWholeProof = 12;  // items
 
-// About how many terms the pairs of bodies make in CP-SAT's model, which takes a quarter of a kilobyte for each.
-std::int64_t terms_of(const Model& model, const std::vector<char>& left_out) {
+// About how many terms the constraints and the pairs of bodies make in CP-SAT's model, which takes a quarter of a kilobyte for each.
+std::int64_t terms_of(const Model& model, const std::vector<char>& given_up, const std::vector<char>& left_out) {
   constexpr std::int64_t kSidesOfBody = 6;
   std::int64_t terms = 0;
+  for (std::size_t c = 0; c < model.constraints.size(); ++c) {
+    if (given_up[c] || model.constraints[c].firmness == Firmness::kSoft) continue;
+    for (const Formula& formula : model.constraints[c].formulas) {
+      const auto out = [&](int item) { return left_out[static_cast<std::size_t>(item)] != 0; };
+      if (std::any_of(formula.items.begin(), formula.items.end(), out)) continue;
+      for (const Case& one : formula.cases) {
+        for (const Linear& form : one.at_least_zero) terms += static_cast<std::int64_t>(form.terms.size());
+      }
+    }
+  }
   for (std::size_t a = 0; a < model.items.size(); ++a) {
     for (std::size_t b = a + 1; b < model.items.size(); ++b) {
       const PairRule rule = model.pair(static_cast<int>(a), static_cast<int>(b));
@@ -218,7 +228,7 @@ std::int64_t terms_of(const Model& model, const std::vector<char>& left_out) {
 
 Result<Proof> decide(const Model& model, const CpSatLibrary& library, const std::vector<char>& given_up, const std::vector<char>& left_out,
                      const Placements& hint, const ProofLimits& limits) {
-  if (terms_of(model, left_out) > kMostTerms) return Proof{};  // nothing known
+  if (terms_of(model, given_up, left_out) > kMostTerms) return Proof{};  // nothing known
   Encoding encoding(model, given_up, left_out);
   encoding.hint(hint);
   LAYOUTBOX_ASSIGN(const CpAnswer answer, ask(encoding, library, std::vector<char>(encoding.demands().size(), 1), limits));

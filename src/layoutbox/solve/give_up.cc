@@ -65,19 +65,11 @@ bool Solver::search_from_elsewhere() {
 }
 
 // All that is asked for becomes a wish; what the layout then misses, and no other layout found in a moment holds beside the rest, is given
-// up, in one go, for half the time limit and a second beyond it.
+// up, in one go.
 Result<bool> Solver::settle() {
   Model trial = model_;
-  std::vector<char> given_up = given_up_;
-  for (std::size_t c = 0; c < trial.constraints.size(); ++c) {
-    Constraint& constraint = trial.constraints[c];
-    if (constraint.firmness != Firmness::kHard || given_up[c]) continue;
-    constraint.firmness = Firmness::kSoft;
-    constraint.weight *= kStillWished;
-    given_up[c] = 1;
-  }
-  const auto out_of_grace = [this] { return interrupted() || seconds() > options_.time_limit_s * 1.5 + 1; };
-  Budget budget{0, 4 * kLeastSteps, out_of_grace, false};
+  const std::vector<char> given_up = all_wished(trial);
+  Budget budget{0, 4 * kLeastSteps, budget_.stop, false};
   Search search(trial, given_up, options_.seed, kAllSizes);
   if (!search.construct(left_out_, kRestarts, budget)) return false;
   budget.limit = budget.steps + 2 * kLeastSteps;

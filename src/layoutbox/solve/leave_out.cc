@@ -60,10 +60,12 @@ Status Solver::leave_out_least(std::vector<int> items, const Clash* clash) {
 // What was left out before and finds a place now after all comes back.
 Result<bool> Solver::bring_back() {
   bool any = false;
-  for (std::size_t i = left_out_ids_.size(); i-- > 1;) {  // without the last there was no layout: that is why it went
+  // Where one went after the other there was no layout without the last: that is why it went.
+  for (std::size_t i = left_out_ids_.size(); i-- > (shed_ ? 0 : 1) && !must_stop();) {
     std::vector<std::string> fewer = left_out_ids_;
-    const std::string back = fewer[i - 1];
-    fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i - 1));
+    const std::size_t which = shed_ ? i : i - 1;
+    const std::string back = fewer[which];
+    fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(which));
     const LessScene less = without_objects(asked_, fewer);
     const Result<Model> model = build_model(less.scene, catalog_, guides());
     if (!model) continue;
@@ -78,14 +80,19 @@ Result<bool> Solver::bring_back() {
   return any;
 }
 
-// The object goes; relations keep whom they still have.
-Status Solver::leave_out(int item, const std::string& why) {
+// What its relations say, while that can still be said.
+void Solver::note_lost_by(int item) {
   const std::string& id = model_.items[item].id;
   for (const Relation& relation : scene().relations) {
     const auto names = [&](const std::vector<std::string>& ids) { return std::find(ids.begin(), ids.end(), id) != ids.end(); };
     if (names(relation.targets) || names(relation.references)) lost_words_[relation.id] = relation_in_words(model_, relation);
   }
-  left_out_ids_.push_back(id);
+}
+
+// The object goes; relations keep whom they still have.
+Status Solver::leave_out(int item, const std::string& why) {
+  note_lost_by(item);
+  left_out_ids_.push_back(model_.items[item].id);
   reasons_.push_back({model_.items[item].id, 0, "", object_in_words(model_, item) + " is left out: " + why});
   return rebuild();
 }

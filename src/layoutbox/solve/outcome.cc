@@ -70,6 +70,7 @@ void Solver::list_what_is_missed(Layout& layout) {
 
 Layout Solver::finish() {
   Layout layout = to_layout(model_, placements_);
+  sum_up_shedding();
   list_what_is_missed(layout);
   for (const Noted& noted : conflicts_) {
     if (noted.asked) layout.conflicts.push_back(noted.conflict);

@@ -66,6 +66,7 @@ QuickSearch::QuickSearch(const Model& model, const Dependencies& dependencies, s
 
 bool QuickSearch::complete(Placements& placements, const std::vector<char>& left_out, Budget& budget) {
   regions_.leave_out(left_out);
+  regions_.watch(&budget);
   Placements best = placements;
   std::size_t least = model_.items.size() + 1;
   std::int64_t slice = budget.steps + 2 * kSlice;

@@ -8,6 +8,8 @@ namespace {
 constexpr std::size_t kMostRegions = 48;
 constexpr int kMostNodes = 4000;
 constexpr int kNarrowings = 2;
+constexpr std::size_t kLongCase = 32;               // forms
+constexpr std::int64_t kMostNarrowing = 2'000'000;  // cases and forms; domains are only bounds, and wider ones are bounds too
 
 std::int64_t floor_div(std::int64_t a, std::int64_t b) { return a / b - ((a % b != 0) && ((a < 0) != (b < 0))); }
 std::int64_t ceil_div(std::int64_t a, std::int64_t b) { return -floor_div(-a, b); }
@@ -52,7 +54,42 @@ Partial partial_of(const Model& model, const Placements& placements, const std::
 RegionFinder::RegionFinder(const Model& model, std::vector<char> given_up, int most_size_step)
     : model_(model), given_up_(std::move(given_up)), left_out_(model.items.size(), 0), most_size_step_(most_size_step) {
   given_up_.resize(model.constraints.size(), 0);
+  share_out();
+  narrowing_ = kMostNarrowing;
   narrow_domains();
+}
+
+// A formula with one case is a list of demands, each of which is looked at when the last thing it speaks of is placed: a grid of hundreds.
+void RegionFinder::share_out() {
+  for (std::size_t c = 0; c < model_.constraints.size(); ++c) {
+    if (!enforced(static_cast<int>(c))) continue;
+    const std::vector<Formula>& formulas = model_.constraints[c].formulas;
+    for (std::size_t f = 0; f < formulas.size(); ++f) {
+      if (formulas[f].cases.size() != 1 || formulas[f].cases[0].at_least_zero.size() < kLongCase) continue;
+      const Case& one = formulas[f].cases[0];
+      Shares& shares = shares_[{static_cast<int>(c), static_cast<int>(f)}];
+      shares.forms.resize(model_.items.size());
+      shares.wishes.resize(model_.items.size());
+      const auto note = [](const Linear& form, std::size_t number, std::vector<std::vector<int>>& by_item) {
+        for (const Term& term : form.terms) {
+          std::vector<int>& own = by_item[static_cast<std::size_t>(term.item)];
+          if (own.empty() || own.back() != static_cast<int>(number)) own.push_back(static_cast<int>(number));
+        }
+      };
+      for (std::size_t i = 0; i < one.at_least_zero.size(); ++i) note(one.at_least_zero[i], i, shares.forms);
+      for (std::size_t i = 0; i < one.wishes.size(); ++i) note(one.wishes[i].form, i, shares.wishes);
+    }
+  }
+}
+
+// False: enough of it.
+bool RegionFinder::toil(std::size_t more) {
+  if (budget_ == nullptr) {
+    narrowing_ -= static_cast<std::int64_t>(more);
+    return true;
+  }
+  budget_->toil(static_cast<std::int64_t>(more));
+  return !budget_->stopped;
 }
 
 // Something that must hold speaks of it and of something else.
@@ -85,6 +122,7 @@ void RegionFinder::narrow_domains() {
   }
   for (int round = 0; round < kNarrowings; ++round) {
     for (std::size_t i = 0; i < domains_.size(); ++i) {
+      if (narrowing_ < 0) return;
       if (!is_linked(static_cast<int>(i))) continue;
       Domain all = domains_[i];
       bool any = false;
@@ -107,7 +145,8 @@ bool RegionFinder::enforced(int constraint) const {
   return !given_up_[constraint] && model_.constraints[constraint].firmness != Firmness::kSoft;
 }
 
-bool RegionFinder::reduce(const Placements& placements, const Case& one, int item, int state, bool with_wishes, Reduced& out) const {
+bool RegionFinder::reduce(const Placements& placements, const Case& one, int item, int state, bool with_wishes, const Shares* shares,
+                          Reduced& out) const {
   out.price = one.price * kPoint;
   for (const StateLiteral& literal : one.states) {
     if (left_out_[literal.item]) return false;
@@ -115,7 +154,9 @@ bool RegionFinder::reduce(const Placements& placements, const Case& one, int ite
     if (s >= 0 && !(literal.states >> s & 1)) return false;
   }
   const auto is_out = [&](const Term& term) { return left_out_[term.item] != 0; };
-  for (const Linear& form : one.at_least_zero) {
+  const std::vector<int>* forms = shares ? &shares->forms[static_cast<std::size_t>(item)] : nullptr;
+  for (std::size_t i = 0; i < (forms ? forms->size() : one.at_least_zero.size()); ++i) {
+    const Linear& form = one.at_least_zero[forms ? static_cast<std::size_t>((*forms)[i]) : i];
     if (std::any_of(form.terms.begin(), form.terms.end(), is_out)) return false;
     const Partial p = partial_of(model_, placements, domains_, form, item, state);
     const int axis = p.axis();
@@ -136,7 +177,9 @@ bool RegionFinder::reduce(const Placements& placements, const Case& one, int ite
     if (out.lo[axis] > out.hi[axis]) return false;
   }
   if (!with_wishes) return true;
-  for (const Preference& wish : one.wishes) {
+  const std::vector<int>* wishes = shares ? &shares->wishes[static_cast<std::size_t>(item)] : nullptr;
+  for (std::size_t i = 0; i < (wishes ? wishes->size() : one.wishes.size()); ++i) {
+    const Preference& wish = one.wishes[wishes ? static_cast<std::size_t>((*wishes)[i]) : i];
     const Partial p = partial_of(model_, placements, domains_, wish.form, item, state);
     if (!p.unknown) out.wishes.push_back({p, wish.weight, wish.scale});
   }
@@ -154,12 +197,16 @@ const std::vector<Region>& RegionFinder::find(const Placements& placements, int 
   regions_.clear();
   for (const int c : model_.touching[item]) {
     if (!enforced(c)) continue;
-    for (const Formula& formula : model_.constraints[c].formulas) {
+    for (std::size_t f = 0; f < model_.constraints[c].formulas.size(); ++f) {
+      const Formula& formula = model_.constraints[c].formulas[f];
       const bool speaks = formula.cases.empty() || std::find(formula.items.begin(), formula.items.end(), item) != formula.items.end();
       if (!speaks) continue;
+      const auto found = shares_.find({c, static_cast<int>(f)});
+      const Shares* shares = found == shares_.end() ? nullptr : &found->second;
+      if (!toil(shares ? 1 + shares->forms[static_cast<std::size_t>(item)].size() : formula.cases.size())) return regions_;
       std::vector<Reduced>& cases = next_pool();
       for (const Case& one : formula.cases) {
-        if (!reduce(placements, one, item, state, with_wishes, cases.emplace_back())) cases.pop_back();
+        if (!reduce(placements, one, item, state, with_wishes, shares, cases.emplace_back())) cases.pop_back();
       }
       if (cases.empty()) return regions_;
       const auto cheaper = [](const Reduced& a, const Reduced& b) { return a.price < b.price; };
@@ -182,6 +229,7 @@ const std::vector<Region>& RegionFinder::find(const Placements& placements, int 
   int nodes = 0;
   chosen_.clear();
   if (!whole.empty()) descend(0, whole, nodes);
+  toil(static_cast<std::size_t>(nodes));
   return regions_;
 }
 

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <vector>
 
+#include "layoutbox/solve/budget.h"
 #include "layoutbox/solve/model.h"
 
 namespace layoutbox::placement {
@@ -76,6 +78,9 @@ class RegionFinder {
   // By item: not there at all; what speaks of them cannot hold.
   void leave_out(const std::vector<char>& items) { left_out_ = items; }
 
+  // Once its stop has come nothing is found any more. Null: there is none. Kept by the caller.
+  void watch(Budget* budget) { budget_ = budget; }
+
   bool enforced(int constraint) const;
   // Is the constraint before the doors and windows given up for this opening?
   bool clearance_off(const Item& item) const { return item.clearance_constraint >= 0 && given_up_[item.clearance_constraint]; }
@@ -86,7 +91,14 @@ class RegionFinder {
   const std::vector<Region>& find(const Placements& placements, int item, int state, bool with_wishes = true);
 
  private:
-  bool reduce(const Placements& placements, const Case& one, int item, int state, bool with_wishes, Reduced& out) const;
+  // What of a case speaks of an item: numbers of its forms and wishes.
+  struct Shares {
+    std::vector<std::vector<int>> forms, wishes;  // by item
+  };
+  bool reduce(const Placements& placements, const Case& one, int item, int state, bool with_wishes, const Shares* shares,
+              Reduced& out) const;
+  void share_out();
+  bool toil(std::size_t more);
   bool is_linked(int item) const;
   void narrow_domains();
   void descend(std::size_t depth, const Region& region, int& nodes);
@@ -96,6 +108,9 @@ class RegionFinder {
   std::vector<char> given_up_, left_out_;
   int most_size_step_;
   std::vector<Domain> domains_;
+  std::map<std::pair<int, int>, Shares> shares_;  // of formulas with one long case, by constraint and formula
+  Budget* budget_ = nullptr;
+  std::int64_t narrowing_ = 0;  // work left while domains are narrowed
   std::vector<std::vector<Reduced>>
       pool_;  // per enforced formula, its cases that are possible; kept for their room, the first `pools_` count
   std::size_t pools_ = 0;

@@ -76,7 +76,7 @@ bool Search::try_order(const std::vector<int>& order, Budget& budget) {
   std::fill(placements_.begin(), placements_.end(), Placement{});
   failed_.clear();
   for (const int item : order) {
-    if (!place(item, 0, budget)) failed_.push_back(item);
+    if (budget.stopped || !place(item, 0, budget)) failed_.push_back(item);
   }
   return failed_.empty();
 }
@@ -111,7 +111,7 @@ bool Search::try_start(const std::vector<int>& order, Budget& budget) {
     }
   }
   for (const int item : rest) {
-    if (!place(item, 0, budget)) failed_.push_back(item);
+    if (budget.stopped || !place(item, 0, budget)) failed_.push_back(item);
   }
   return failed_.empty();
 }

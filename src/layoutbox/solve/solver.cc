@@ -1,18 +1,25 @@
 #include "layoutbox/solve/solver.h"
 
+#include <chrono>
 #include <cmath>
 
 #include "layoutbox/solve/cp_sat/library.h"
+#include "layoutbox/solve/repeated.h"
 #include "layoutbox/solve/solving.h"
 
 namespace layoutbox {
 
 Result<Layout> solve(const SceneGraph& scene, const Catalog& catalog, const SolveOptions& options) {
   if (options.effort <= 0 || !(options.time_limit_s > 0)) return fail(ErrorCode::kUsage, "effort and time limit must be positive");
+  const auto started = std::chrono::steady_clock::now();
   placement::ModelOptions guides;
   guides.from = options.from, guides.locked = options.locked, guides.freed = options.freed, guides.unlike = options.unlike;
-  LAYOUTBOX_ASSIGN(placement::Model model, placement::build_model(scene, catalog, guides));
-  return placement::Solver(scene, catalog, options, std::move(model)).run();
+  const std::optional<SceneGraph> fewer = placement::without_repeats(scene);
+  const SceneGraph& said_once = fewer ? *fewer : scene;
+  LAYOUTBOX_ASSIGN(placement::Model model, placement::build_model(said_once, catalog, guides));
+  auto layout = placement::Solver(said_once, catalog, options, std::move(model), started).run();
+  if (layout && fewer) placement::add_repeats(scene, *layout);
+  return layout;
 }
 
 Movement movement_between(const Layout& from, const Layout& to) {

@@ -17,13 +17,13 @@ constexpr double kProofTimePerUnit = 0.04;    // of CP-SAT's deterministic time
 constexpr double kLongestProof = 20, kShortProof = 0.3;
 constexpr std::size_t kMostForEarlyProof = 40;
 constexpr int kIdleStarts = 8;
-constexpr std::int64_t kBuildingShare = 4;    // of the effort may go into building the first layout to improve
+constexpr std::int64_t kShareOfStarts = 8;
 constexpr std::int64_t kThingsPerEffort = 6;  // that one share of the effort is for
 
 }  // namespace
 
-Solver::Solver(const SceneGraph& scene, const Catalog& catalog, const SolveOptions& options, Model model)
-    : asked_(scene), catalog_(catalog), model_(std::move(model)), options_(options), started_(Clock::now()) {
+Solver::Solver(const SceneGraph& scene, const Catalog& catalog, const SolveOptions& options, Model model, Clock::time_point started)
+    : asked_(scene), catalog_(catalog), model_(std::move(model)), options_(options), started_(started) {
   size_to_model();
   budget_.limit = options.effort * kStepsPerUnit;
   budget_.stop = [this] { return must_stop(); };
@@ -31,7 +31,9 @@ Solver::Solver(const SceneGraph& scene, const Catalog& catalog, const SolveOptio
 }
 
 Result<Layout> Solver::run() {
-  const Status found = find_legal();
+  Status found = find_legal();
+  // The clock never turns a room into none.
+  if (!found && found.error().code == ErrorCode::kNotFound && options_.on_conflict == OnConflict::kRelax) found = take_what_fits();
   if (!found && (found.error().code == ErrorCode::kInterrupted || (impossible_.empty() && not_found_.empty())))
     return Failure(found.error());
   if (!impossible_.empty()) {
@@ -42,7 +44,7 @@ Result<Layout> Solver::run() {
   if (!not_found_.empty())
     return fail(ErrorCode::kNotFound, not_found_[0] + ", and no proof that there is none", {}, "raise --effort or --time-limit");
   if (!fallback_) take_back();
-  if (options_.improve && !fallback_) {
+  if (options_.improve && !fallback_ && !must_stop()) {
     improve();
     prove_best();
   }
@@ -68,27 +70,27 @@ Status Solver::find_legal() {
   for (std::size_t round = 0; round <= most_rounds; ++round) {
     if (interrupted()) return fail(ErrorCode::kInterrupted, "stopped");
     if (fallback_) return {};
+    if (must_stop()) break;
     std::vector<Clash> sums = clashes_of_locks(model_, given_up_, left_out_);
     if (sums.empty()) sums = clashes_by_sums(model_, given_up_, left_out_);
     if (!sums.empty()) {
+      LAYOUTBOX_ASSIGN(const bool less, shed());
+      if (less) continue;
       LAYOUTBOX_CHECK(give_up(sums[0]));  // one at a time: giving up the first may settle the others
       continue;
     }
     if (!search(given_up_)) {
       if (interrupted()) return fail(ErrorCode::kInterrupted, "stopped");
+      if (must_stop()) break;
       if (!options_.prove && options_.on_conflict == OnConflict::kFail) break;
       LAYOUTBOX_ASSIGN(const bool impossible, give_up_impossible());
       if (impossible) continue;
       LAYOUTBOX_ASSIGN(const Early early, prove_early());
       if (early == Early::kGivenUp) continue;
       LAYOUTBOX_ASSIGN(const bool found, early == Early::kFound ? Result<bool>(true) : prove());
-      if (!found && !stopped_by_clock_) continue;
-      if (!found && !fallback_) {
-        LAYOUTBOX_ASSIGN(const bool settled, settle());
-        if (!settled) break;
-      }
+      if (!found) continue;
     }
-    if (left_out_ids_.size() < 2 || brought_back_) return {};
+    if (left_out_ids_.size() < (shed_ ? 1 : 2) || brought_back_) return {};
     brought_back_ = true;
     LAYOUTBOX_ASSIGN(const bool more, bring_back());
     if (!more) return {};
@@ -197,11 +199,15 @@ void Solver::improve() {
   const auto things = static_cast<std::int64_t>(model_.items.size());
   budget_.limit += options_.effort * kStepsPerUnit * std::max<std::int64_t>(0, things - kThingsPerEffort) / kThingsPerEffort;
   Search search(model_, given_up_, options_.seed, size_limit_);
+  // To look for a start takes a part of the effort, and leaves the rest for making it better.
+  const auto constructs = [&](Search& one) {
+    Budget start{0, std::max(kLeastSteps, (budget_.limit - budget_.steps) / kShareOfStarts), budget_.stop, false};
+    const bool found = one.construct(left_out_, 1, start);
+    budget_.count(start.steps);
+    return found;
+  };
   // The first legal layout was found without a look at costs; where one can be built that way, it is a better start.
-  // What can hardly be built leaves most of the effort for the improvement of what was found.
-  Budget building{0, std::max(kLeastSteps, (budget_.limit - budget_.steps) / kBuildingShare), budget_.stop, false};
-  const bool built = model_.start.empty() && search.construct(left_out_, 1, building);
-  budget_.count(building.steps);
+  const bool built = model_.start.empty() && constructs(search);
   if (!built) search.adopt(placements_, left_out_);
   search.improve(budget_);
   std::int64_t least = cost();
@@ -215,7 +221,7 @@ void Solver::improve() {
   int idle = 0;  // starts since the last that brought something
   for (int start = 1; idle < kIdleStarts && !budget_.spent(); ++start, ++idle) {
     Search other(model_, given_up_, options_.seed + kSeedStep * static_cast<std::uint64_t>(start), size_limit_);
-    if (!other.construct(left_out_, 1, budget_)) continue;
+    if (!constructs(other)) continue;
     other.improve(budget_);
     Placements before = other.placements();
     std::swap(placements_, before);

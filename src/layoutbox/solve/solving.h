@@ -28,8 +28,9 @@ struct Dependencies;
 
 class Solver {
  public:
-  // REQUIRES: scene, catalog and options outlive it.
-  Solver(const SceneGraph& scene, const Catalog& catalog, const SolveOptions& options, Model model);
+  // REQUIRES: scene, catalog and options outlive it. The time limit counts from `started`.
+  Solver(const SceneGraph& scene, const Catalog& catalog, const SolveOptions& options, Model model,
+         std::chrono::steady_clock::time_point started = std::chrono::steady_clock::now());
 
   Result<Layout> run();
 
@@ -78,6 +79,8 @@ class Solver {
   bool search_from_elsewhere();
   Result<bool> give_up_unproven(bool loose, const Placements& loosely);
   Result<bool> settle();
+  Status take_what_fits();
+  std::vector<char> all_wished(Model& trial) const;
   void keep_what_can_be(std::vector<int>& missed);
   Clash guess() const;
   Status give_up(const Clash& clash);
@@ -104,6 +107,11 @@ class Solver {
   bool each_is_needed(const Clash& clash);
   Result<Clash> smallest_crowd(Clash clash);
   Status leave_out(int item, const std::string& why);
+  void note_lost_by(int item);
+  // ---- far too much (shed.cc)
+  std::vector<int> surplus_items() const;
+  Result<bool> shed();
+  void sum_up_shedding();
   Status rebuild();
   Result<bool> bring_back();
 
@@ -137,7 +145,7 @@ class Solver {
   double proof_time_ = 0;
   int unproven_ = 0;          // rounds that ended without a layout and without a proof
   bool proven_best_ = false;  // no layout is better by a point
-  bool used_cp_sat_ = false, fallback_ = false, stopped_by_clock_ = false, brought_back_ = false, searched_elsewhere_ = false;
+  bool used_cp_sat_ = false, fallback_ = false, stopped_by_clock_ = false, brought_back_ = false, searched_elsewhere_ = false, shed_ = false;
 };
 
 }  // namespace layoutbox::placement

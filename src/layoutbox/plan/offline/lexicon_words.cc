@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "layoutbox/base/words.h"
+#include "layoutbox/catalog/groups.h"
 #include "layoutbox/catalog/kin.h"
 #include "layoutbox/embedded/catalog_data.h"
 
@@ -228,8 +229,9 @@ void Lexicon::read_room_knowledge() {
     for (const Json& word : words) activities_.try_emplace(word.get<std::string>(), kind);
   }
   for (const auto& [kind, young] : room.at("people_rooms").items()) young_rooms_[kind] = young.get<std::string>();
-  for (const auto& [table, seat] : room.at("seats").items()) {
-    if (const CatalogEntry* entry = catalog_->find(table)) seats_.emplace_back(entry, catalog_->find(seat.get_ref<const std::string&>()));
+  for (const Seating& seating : Groups::builtin().seatings) {
+    const CatalogEntry* entry = seating.rooms.empty() ? catalog_->find(seating.at) : nullptr;
+    if (entry != nullptr) seats_.emplace_back(entry, catalog_->find(seating.seat));
   }
   for (const Json& sense : room.at("room_senses")) {
     for (const Json& kind : sense.at("rooms")) {

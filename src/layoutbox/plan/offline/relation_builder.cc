@@ -19,7 +19,29 @@ bool speaks_of_group(R type) {
 
 }  // namespace
 
+// "a table with four chairs in the middle": what is said there of the place of the chairs is said of the table that has them.
+void RelationBuilder::place_hosts() {
+  for (const Link& have : document_.links) {
+    if (have.kind != Link::Kind::kHave || have.after_comma || have.references.size() != 1 || have.targets.size() != 1) continue;
+    const Mention &host = mention(have.references.front()), &thing = mention(have.targets.front());
+    if (host.items.size() != 1 || thing.items.empty() || !thing.introduces) continue;
+    const NounPhrase &noun = noun_of_item(host.items.front()), &other = noun_of_item(thing.items.front());
+    if (!(is_table(catalog_, noun) && is_seat(catalog_, other)) && !flanks(other, noun)) continue;
+    const auto is_place = [&](const Link& link, int target) {
+      return link.kind == Link::Kind::kRelation && link.targets == std::vector<int>{target} &&
+             std::all_of(link.references.begin(), link.references.end(), [&](int r) { return mention(r).items.empty(); });
+    };
+    const bool placed = std::any_of(document_.links.begin(), document_.links.end(),
+                                    [&](const Link& link) { return is_place(link, have.references.front()); });
+    for (Link& link : document_.links) {
+      const bool follows = link.first >= thing.noun.last && link.first <= thing.noun.last + 1;
+      if (!placed && follows && is_place(link, have.targets.front())) link.targets = have.references;
+    }
+  }
+}
+
 void RelationBuilder::run() {
+  place_hosts();
   for (const Link& link : document_.links) {
     if (link.kind == Link::Kind::kRelation) add_relations(link);
   }

@@ -41,6 +41,7 @@ class RelationBuilder {
   std::string opening_id(std::string_view type) const;
   // As many of them as the words say: "between two windows".
   std::vector<std::string> opening_ids(const NounPhrase& noun) const;
+  void place_hosts();
   void add_relations(const Link& link);
   void add_relations_to(const Link& link, const std::vector<int>& targets, const Mention& reference_mention);
   void add_rows();

@@ -105,6 +105,12 @@ void RelationBuilder::add_single(const Link& link, PhraseSense sense, const Ment
     }
     return;
   }
+  // Several of them along a counter sit before it.
+  if ((sense.type == R::kNextTo || sense.type == R::kAlongSide) && !sense.side && references.size() == 1 && target.items.size() > 1 &&
+      seats_one_side(link, target.items.front(), references.front())) {
+    add_group(link, {R::kAround, Direction::kDirect, {}, {}, {}}, target.items, references, nullptr);
+    return;
+  }
   if (sense.type == R::kUnder && mount_of(target.noun) == Mount::kFloor && target.items.size() == 1) {
     // What stands under a thing on the wall: the wall's thing is above it.
     const std::vector<std::size_t>& all = relations_of(id(references.front()));
@@ -135,6 +141,11 @@ void RelationBuilder::add_single(const Link& link, PhraseSense sense, const Ment
   if (seat_at) sense.type = R::kInFrontOf;  // "a chair at each"
   const std::size_t n = target.items.size(), m = references.size();
   const bool all = sense.type == R::kInFrontOf || sense.type == R::kOpposite;
+  if (sense.type == R::kOpposite && m == 1 && n > 1) {  // as a group
+    add(link, sense.type, ids(target.items), {id(references.front())}, sense);
+    for (const int item : target.items) add_across(link, item, {id(references.front())});
+    return;
+  }
   for (std::size_t t = 0; t < n; ++t) {
     const int item = target.items[t];
     if (m == 1) {

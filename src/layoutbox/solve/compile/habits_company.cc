@@ -83,7 +83,12 @@ bool Habits::sit_in_row(int item, int host) {
 // Several of a kind before or behind one thing stand abreast: chairs behind a news desk, cameras before it.
 bool Habits::stand_abreast(int item) {
   for (const Relation& r : model_.scene->relations) {
-    if (r.references.size() != 1 || (r.type != RelationType::kInFrontOf && r.type != RelationType::kBehind)) continue;
+    const Item& self = model_.items[item];
+    const bool free = !is_table_seat(self) && !self.entry->back_to_wall;
+    const bool abreast = r.type == RelationType::kInFrontOf || r.type == RelationType::kBehind ||
+                         (r.type == RelationType::kOpposite && free) ||
+                         (r.type == RelationType::kFacing && free && !placed_besides_facing(item));
+    if (r.references.size() != 1 || !abreast) continue;
     const int host = model_.find_item(r.references[0]);
     if (host >= 0 && related_as_target(item, host, r.type) && stand_abreast_of(item, host, r.type)) return true;
   }
@@ -91,7 +96,9 @@ bool Habits::stand_abreast(int item) {
 }
 
 bool Habits::stand_abreast_of(int item, int host, RelationType how) {
-  constexpr Mm kApart = 100, kOff = 600, kSeatOff = 50;
+  constexpr Mm kApart = 100, kOff = 600, kSeatOff = 50, kTalkingOff = 1800;
+  constexpr std::size_t kMostAbreast = 3;
+  const bool across_from = how == RelationType::kOpposite || how == RelationType::kFacing;
   const Item &self = model_.items[item], &ref = model_.items[host];
   const bool seat = self.is(Trait::kTableSeat);
   if (!ref.has_front || ref.is_opening() || (seat && how == RelationType::kInFrontOf)) return false;
@@ -99,12 +106,13 @@ bool Habits::stand_abreast_of(int item, int host, RelationType how) {
   for (std::size_t i = 0; i < model_.items.size(); ++i) {
     const int other = static_cast<int>(i);
     if (model_.items[i].entry == self.entry && related_as_target(other, host, how) &&
-        only_related_by(other, host, {how, RelationType::kFacing, RelationType::kCenteredOn}))
+        only_related_by(other, host,
+                        {how, RelationType::kFacing, RelationType::kCenteredOn, across_from ? RelationType::kDistance : how}))
       peers.push_back(other);
   }
   const auto k = std::find(peers.begin(), peers.end(), item) - peers.begin();
   const auto n = static_cast<std::ptrdiff_t>(peers.size());
-  if (n < 2 || k == n) return false;
+  if (n < 2 || k == n || (across_from && peers.size() > kMostAbreast)) return false;
   const Mm pitch = self.states[0].size.width + kApart;
   Formula f;
   for_each_turn(ref, [&](int turn, std::uint64_t states) {
@@ -114,7 +122,7 @@ bool Habits::stand_abreast_of(int item, int host, RelationType how) {
     const int along = across(away);
     if (self.has_front) c.when(item, states_looking(self, opposite(away)));
     c.wish(mid2(item, along) - mid2(host, along) - Linear((2 * k - (n - 1)) * pitch), kBeside, 2);
-    c.wish(gap_towards(item, host, away) - Linear(seat ? kSeatOff : kOff), kBeside);
+    c.wish(gap_towards(item, host, away) - Linear(seat ? kSeatOff : across_from ? kTalkingOff : kOff), kBeside);
   });
   habit("abreast", item, kBeside, std::move(f), {host});
   return true;

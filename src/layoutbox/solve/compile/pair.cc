@@ -183,9 +183,14 @@ void compile_Facing(Compilation& c) {
 
 void compile_Opposite(Compilation& c) {
   const Mm least = c.length(c.relation.parameters.min, "min", 1500), most = c.length(c.relation.parameters.max, "max", 4000);
+  if (c.targets.size() > 1) {
+    for (const Reference& r : c.references) {
+      if (r.kind == Reference::Kind::kItem && !c.item(r.index).is_opening()) add_opposite_group(c, r.index, least, most);
+    }
+  }
   for (const int t : c.targets) {
     for (const int r : c.reference_items()) {
-      add_looks_at(c.formula(), c.model, t, r);
+      if (c.targets.size() < 2 || c.item(r).is_opening()) add_looks_at(c.formula(), c.model, t, r);
       if (c.item(r).is_opening()) {
         Formula& f = c.formula();
         for_each_turn(c.item(r), [&](int turn, std::uint64_t states) {
@@ -196,6 +201,7 @@ void compile_Opposite(Compilation& c) {
         });
         continue;
       }
+      if (c.targets.size() > 1) continue;
       add_looks_at(c.formula(), c.model, r, t);
       add_band(c.formula(), c.model, t, place_of(r), least, most, (least + most) / 2);
     }

@@ -90,6 +90,8 @@ Side looking_side(const Model& model, int item);
 void add_looks_at(Formula& f, const Model& model, int t, int r, Side eyes = Side::kFront);
 void add_looks_at_wall(Formula& f, const Model& model, int t, const RoomWall& wall, Side eyes = Side::kFront);
 void add_looks_at_point(Formula& f, const Model& model, int t, Point point, Side eyes = Side::kFront);
+// "The front of t looks at r, or the way in which the middle of the group would look at it."
+void add_looks_with_group(Formula& f, const Model& model, int t, const std::vector<int>& group, int r);
 
 // "In one of these states t stands against the wall", at most `gap` off; `whole`: within the wall's length, else at least half of it is.
 void add_against(Formula& f, const Model& model, int t, std::uint64_t states, const RoomWall& wall, Mm gap, bool whole = false);
@@ -123,6 +125,9 @@ void add_tucked(Formula& f, const Model& model, int t, int r, Side side, Mm unde
 
 // The states in which the width of the item runs along an axis.
 std::uint64_t states_with_width_along(const Item& item, int axis);
+
+// "The targets stand opposite r, as a group."
+void add_opposite_group(Compilation& c, int r, Mm least, Mm most);
 
 // All orders of a few things that matter: one where they are alike in all that is said of them. Empty: too many.
 std::vector<std::vector<int>> orders_of(const Model& model, const Relation& relation, std::vector<int> things);

@@ -143,6 +143,41 @@ void add_apart(std::vector<Case>& cases, const Model& model, int t, const Place&
   }
 }
 
+namespace {
+
+constexpr Mm kWithinSlack = 3;          // of the 5 mm that every length is allowed
+constexpr int kMostSectors = 12;         // of a quadrant
+constexpr std::int32_t kPlanar = 10000;  // directions are whole numbers of this length
+
+// A ring too narrow for the octagons: pieces of it, one beside the other, beyond the corners of r.
+void add_ring(std::vector<Case>& cases, const Model& model, int t, const Place& r, Mm least, Mm most) {
+  const Heights heights = heights_between(model, t, r, most, Purpose::kPlacing);
+  const bool odd = model.items[t].odd_states != 0 || (r.item >= 0 && model.items[r.item].odd_states != 0);
+  if (r.item < 0 || odd || !heights.known || heights.gap != 0 || least <= 0 || most < least || most * 10 > least * 11 + 300) return;
+  // From the middle of a piece on: so far out, so far to either side.
+  const double out = least + std::max(1.0, (most - least) / 2.0), limit = most + kWithinSlack;
+  const double aside = std::sqrt(limit * limit - out * out);
+  const int sectors = std::clamp(static_cast<int>(std::ceil(kPi / 2 / (1.9 * std::atan(aside / out)))), 1, kMostSectors);
+  for (const int sx : {1, -1}) {
+    for (const int sy : {1, -1}) {
+      const Linear x = gap_towards(t, r, {0, sx}), y = gap_towards(t, r, {1, sy});
+      for (int k = 0; k < sectors; ++k) {
+        const double angle = (k + 0.5) * kPi / 2 / sectors;
+        const auto c = static_cast<std::int32_t>(std::lround(kPlanar * std::cos(angle))),
+                   s = static_cast<std::int32_t>(std::lround(kPlanar * std::sin(angle)));
+        const Linear ahead = c * x + s * y, across = c * y - s * x;
+        const auto scaled = [](double length) { return Linear(static_cast<std::int64_t>(std::floor(length * kPlanar))); };
+        Case& in = cases.emplace_back();
+        if (heights.states != model.items[t].all_states) in.when(t, heights.states);
+        in.require(x).require(y).require(ahead - scaled(least), kPlanar).require(scaled(out) - ahead, kPlanar);
+        in.require(scaled(aside) - across, kPlanar).require(scaled(aside) + across, kPlanar);
+      }
+    }
+  }
+}
+
+}  // namespace
+
 void add_band(Formula& f, const Model& model, int t, const Place& r, Mm least, std::optional<Mm> most, Mm wished) {
   f.exact = false;
   for (const Purpose purpose : {Purpose::kPlacing, Purpose::kProving}) {
@@ -169,6 +204,7 @@ void add_band(Formula& f, const Model& model, int t, const Place& r, Mm least, s
       }
     }
   }
+  if (most) add_ring(f.cases, model, t, r, least, *most);
 }
 
 }  // namespace layoutbox::placement

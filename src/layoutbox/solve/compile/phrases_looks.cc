@@ -71,6 +71,31 @@ void add_looks_at(Formula& f, const Model& model, int t, int r, Side eyes) {
   });
 }
 
+void add_looks_with_group(Formula& f, const Model& model, int t, const std::vector<int>& group, int r) {
+  const Item& item = model.items[t];
+  add_looks_at(f, model, t, r);
+  if (!item.has_front) return;
+  const bool known = f.exact || !f.outer.empty();
+  const auto n = static_cast<std::int32_t>(group.size());
+  for_each_turn(item, [&](int turn, std::uint64_t states) {
+    if (!quarter(turn)) return;
+    const Direction d = side_direction(item, Side::kFront, turn);
+    const int a = across(d);
+    Linear off = Linear(0) - n * mid2(r, a), back = Linear(0);
+    for (const int member : group) off = off + mid2(member, a), back = back + mid2(member, d.axis);
+    const Linear ahead = reach(r, d) - reach(t, d);
+    const Linear distance2 = Linear(0) - 2 * n * reach(r, opposite(d)) - d.sign * back;
+    Case middle, cone;
+    middle.when(t, states).require(ahead).require(n * extent(r, a) - off).require(n * extent(r, a) + off).wish(off, 100, 2 * n);
+    cone.when(t, states).require(ahead);
+    cone.require(kLookAhead * distance2 - kLookAcross * off).require(kLookAhead * distance2 + kLookAcross * off).wish(off, 100, 2 * n);
+    for (Case* one : {&middle, &cone}) {
+      f.cases.push_back(*one);
+      if (!f.exact && known) f.outer.push_back(*one);
+    }
+  });
+}
+
 void add_looks_at_wall(Formula& f, const Model& model, int t, const RoomWall& wall, Side eyes) {
   const Item& item = model.items[t];
   if (!item.has_front) {

@@ -127,8 +127,67 @@ Finding check_Facing(const Case& c) {
   return each_pair(c, [&](const Body& t, const Reference& r) { return looks_at(t, r, c.view, eyes_of(t, c.view)); });
 }
 
+namespace {
+
+// Would t look at r if it stood in the middle of the group?
+Finding looks_with_group(const Case& c, const Body& t, const Reference& r) {
+  if (!t.has_front) return condition(true, t.id() + " has no front");
+  Vec middle;
+  for (const Body* member : c.targets) middle = middle + member->shape.center * (1.0 / static_cast<double>(c.targets.size()));
+  const Vec front = front_of(t);
+  const Interval ahead = extent(r.shape(), front), across = extent(r.shape(), t.own_frame.x);
+  const double off = std::abs(across.mid() - dot(middle, t.own_frame.x));
+  const std::string what = fmt::format("{} is turned from {}, seen from the middle of its group, by", t.id(), r.id);
+  if (ahead.hi < dot(t.shape.center, front) + t.depth / 2 - kTiny) return degrees_at_most(what, 180, kLookAngle);
+  const bool ray_meets_it = off <= across.half() + kTiny;
+  return degrees_at_most(what, ray_meets_it ? 0.0 : std::atan2(off, std::max(0.0, ahead.lo - dot(middle, front))) * (180.0 / kPi),
+                         kLookAngle);
+}
+
+constexpr std::size_t kMostAbreast = 3;
+
+// Several things opposite one stand there as a group: its middle is looked at, nobody stands behind another.
+Finding opposite_group(const Case& c, const Reference& r) {
+  const RelationParameters& given = c.relation.parameters;
+  std::vector<Finding> findings;
+  for (const Body* t : c.targets) {
+    findings.push_back(gap_within(c, *t, r, c.metres(given.min, "min"), c.metres(given.max, "max")));
+    findings.push_back(any_of({looks_at(*t, r, c.view), looks_with_group(c, *t, r)}, {}));
+  }
+  const Frame& frame = r.body->has_front ? r.shape().frame : c.targets.front()->own_frame;
+  if (r.body->has_front) {
+    Interval across = extent(c.targets.front()->shape, frame.x);
+    for (const Body* t : c.targets) {
+      across = hull(across, extent(t->shape, frame.x));
+      const Vec front = front_of(*r.body);
+      findings.push_back(condition(extent(t->shape, front).hi > extent(r.shape(), front).hi - c.slack() - kTiny,
+                                   fmt::format("{} is behind the front of {}", t->id(), r.id)));
+    }
+    const double middle = dot(r.shape().center, frame.x);
+    findings.push_back(at_least("the middle of " + r.id + " lies within the group by", std::min(middle - across.lo, across.hi - middle), 0,
+                                c.slack()));
+  }
+  for (std::size_t i = 0; c.targets.size() <= kMostAbreast && i < c.targets.size(); ++i) {
+    for (std::size_t j = i + 1; j < c.targets.size(); ++j) {
+      const double shared = overlap(extent(c.targets[i]->shape, frame.x), extent(c.targets[j]->shape, frame.x));
+      findings.push_back(
+          at_most(fmt::format("{} stands behind {} by", c.targets[i]->id(), c.targets[j]->id()), shared, 0, c.slack()));
+    }
+  }
+  return all_of(std::move(findings));
+}
+
+}  // namespace
+
 Finding check_Opposite(const Case& c) {
   const RelationParameters& given = c.relation.parameters;
+  if (c.targets.size() > 1 && std::any_of(c.references.begin(), c.references.end(), [](const Reference& r) { return r.body != nullptr; })) {
+    std::vector<Finding> findings;
+    for (const Reference& r : c.references) {
+      if (r.body != nullptr) findings.push_back(opposite_group(c, r));
+    }
+    return all_of(std::move(findings));
+  }
   return each_pair(c, [&](const Body& t, const Reference& r) {
     if (r.is_place()) return condition(false, "nothing is opposite " + r.id);
     if (r.face != nullptr) return all_of({looks_at(t, r, c.view), in_line(c, t, r.shape(), r.shape().frame.x)});

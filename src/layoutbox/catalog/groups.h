@@ -1,0 +1,57 @@
+// What belongs together: who sits at what and how large that is for how many, what the use of a thing needs besides, and when a room is
+// bare. The data is catalog/groups.json.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "layoutbox/catalog/catalog.h"
+
+namespace layoutbox {
+
+// So large is a table for so many; a depth of 0: as usual.
+struct SizeForSeats {
+  int seats = 0;
+  Mm width = 0, depth = 0;
+};
+
+struct Seating {
+  std::string at, seat;            // kinds; no seat: nobody sits there
+  std::vector<std::string> rooms;  // in these kinds of room only; empty: in all
+  bool comes = false;              // also where the text speaks of no seat
+  int seats = 0;                   // at one, where there are no sizes
+  std::vector<SizeForSeats> sizes, round;
+};
+
+struct Companion {
+  std::string of, adds;             // kinds
+  int each = 1;                     // so many by every one of them
+  std::vector<std::string> unless;  // not where one of these kinds is there
+  std::vector<std::string> rooms;   // in these kinds of room only; empty: in all
+};
+
+// A room is bare below the first share of its floor that is covered; its usual furniture comes up to the second.
+struct Filling {
+  double bare = 0, until = 0;
+  int most = 0;
+};
+
+struct Groups {
+  std::vector<Seating> seatings;      // special kinds first
+  std::vector<Companion> companions;  // in this order
+  Filling fill;
+  std::vector<std::string> none, none_to_fill;  // words by which nothing comes; by which a bare room stays bare
+
+  // The first seating whose kind `entry` is, in a room of that kind (empty: a rule for all rooms). Null: none.
+  const Seating* seating_at(const Catalog& catalog, const CatalogEntry& entry, const std::string& room) const;
+  static const Groups& builtin();
+};
+
+// How large that is for so many seats (between the rows in proportion, beyond the last as the last grows); nothing where the data does
+// not say.
+std::optional<SizeForSeats> size_for_seats(const Seating& seating, bool round, int seats);
+// How many sit at one of that size; at least 1 where somebody sits there at all.
+int seats_at_size(const Seating& seating, bool round, const Size& size);
+
+}  // namespace layoutbox

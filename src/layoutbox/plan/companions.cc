@@ -1,0 +1,206 @@
+#include "layoutbox/plan/companions.h"
+
+#include <algorithm>
+
+#include "layoutbox/base/words.h"
+#include "layoutbox/catalog/groups.h"
+#include "layoutbox/catalog/size_words.h"
+#include "layoutbox/scene/shell.h"
+
+namespace layoutbox {
+namespace {
+
+constexpr int kMostSeats = 24;
+
+std::string head_of(const std::string& name) {
+  const std::vector<std::string> words = words_of(name);
+  return words.empty() ? std::string{} : key_of(singular_of(words.back()));
+}
+
+bool is_round(const SceneObject& object) {
+  return std::ranges::any_of(object.attributes, [](const std::string& a) { return a == "round" || a == "circular"; });
+}
+
+class Companions {
+ public:
+  Companions(SceneGraph& scene, const SceneGraph& sized, const std::vector<std::string>& excluded, const Catalog& catalog)
+      : scene_(scene), sized_(sized), excluded_(excluded), catalog_(catalog), groups_(Groups::builtin()), said_(words_of(scene.prompt)) {
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) named_.push_back(i);
+    if (std::ranges::none_of(scene.objects, &SceneObject::asked)) named_.clear();  // it has what is usual already
+  }
+
+  std::size_t run() {
+    if (named_.empty() || catalog_.only_articles() || says_any(groups_.none)) return 0;
+    const std::size_t before = scene_.objects.size();
+    for (const std::size_t i : named_) seat_at(i);
+    for (const Companion& companion : groups_.companions) add_by(companion);
+    fill();
+    return scene_.objects.size() - before;
+  }
+
+ private:
+  bool says_any(const std::vector<std::string>& phrases) const {
+    return std::ranges::any_of(phrases, [&](const std::string& phrase) { return says(said_, phrase); });
+  }
+
+  bool akin(const std::string& a, const std::string& b) const { return catalog_.is_a(a, b) || catalog_.is_a(b, a); }
+
+  // The text has things of that kind, or wants none.
+  bool spoken_of(const CatalogEntry& kind) const {
+    const std::string head = head_of(kind.name);
+    const auto names = [&](std::size_t i) {
+      return akin(scene_.objects[i].category, kind.id) || head_of(scene_.objects[i].name) == head;
+    };
+    const auto excludes = [&](const std::string& id) {
+      const CatalogEntry* entry = catalog_.find(id);
+      return akin(id, kind.id) || (entry != nullptr && head_of(entry->name) == head);
+    };
+    return std::ranges::any_of(named_, names) || std::ranges::any_of(excluded_, excludes);
+  }
+
+  bool has_kind(const std::string& kind) const {
+    return std::ranges::any_of(scene_.objects, [&](const SceneObject& o) { return catalog_.is_a(o.category, kind); });
+  }
+
+  bool in_rooms(const std::vector<std::string>& rooms) const {
+    return rooms.empty() || std::ranges::find(rooms, scene_.room.type) != rooms.end();
+  }
+
+  std::string add(const CatalogEntry& kind) {
+    SceneObject object;
+    object.category = kind.id;
+    object.name = kind.name;
+    object.origin = Origin::kAdded;
+    int number = 0;
+    do {
+      object.id = kind.id + "_" + std::to_string(++number);
+    } while (scene_.find_object(object.id) != nullptr);
+    scene_.objects.push_back(std::move(object));
+    return scene_.objects.back().id;
+  }
+
+  void relate(RelationType type, std::vector<std::string> targets, const std::string& reference, std::optional<Mm> max = {}) {
+    Relation relation;
+    relation.id = "a" + std::to_string(++relations_);
+    relation.type = type;
+    relation.targets = std::move(targets);
+    relation.references = {reference};
+    relation.parameters.max = max;
+    relation.hard = false;
+    relation.origin = Origin::kAdded;
+    relation.why = "what its use needs";
+    scene_.relations.push_back(std::move(relation));
+  }
+
+  // Is a seat placed by it already?
+  bool has_seat(const std::string& table) const {
+    return std::ranges::any_of(scene_.relations, [&](const Relation& r) {
+      if (std::ranges::find(r.references, table) == r.references.end()) return false;
+      return std::ranges::any_of(r.targets, [&](const std::string& id) {
+        const SceneObject* object = scene_.find_object(id);
+        return object != nullptr && is_table_seat(catalog_.entry_or_nearest(object->category));
+      });
+    });
+  }
+
+  // A seat that is named and stands by nothing in particular: it may well be meant for this.
+  bool has_loose_seat() const {
+    return std::ranges::any_of(named_, [&](std::size_t i) {
+      const SceneObject& object = scene_.objects[i];
+      const auto says_where = [&](const Relation& r) {
+        return std::ranges::find(r.targets, object.id) != r.targets.end() && !r.references.empty();
+      };
+      return is_table_seat(catalog_.entry_or_nearest(object.category)) && std::ranges::none_of(scene_.relations, says_where);
+    });
+  }
+
+  void seat_at(std::size_t i) {
+    const std::string id = scene_.objects[i].id, category = scene_.objects[i].category;
+    const CatalogEntry* entry = catalog_.find(category);
+    const SceneObject* sized = sized_.find_object(id);
+    const Seating* seating = entry == nullptr ? nullptr : groups_.seating_at(catalog_, *entry, scene_.room.type);
+    if (seating == nullptr || !seating->comes || sized == nullptr || !sized->size || sized->mount != Mount::kFloor) return;
+    const CatalogEntry* seat = catalog_.find(seating->seat);
+    if (seat == nullptr || spoken_of(*seat) || has_seat(id) || has_loose_seat()) return;
+    const int count = std::min(seats_at_size(*seating, is_round(*sized), sized->size->usual), kMostSeats);
+    std::vector<std::string> seats;
+    for (int k = 0; k < count; ++k) seats.push_back(add(*seat));
+    if (count > 1) {
+      relate(RelationType::kAround, seats, id);
+      return;
+    }
+    constexpr Mm kAtHand = 400;
+    const std::vector<Side> used = sized->used_sides.value_or(entry->used_sides);
+    const bool behind = std::ranges::find(used, Side::kFront) == used.end() && std::ranges::find(used, Side::kBack) != used.end();
+    relate(behind ? RelationType::kBehind : RelationType::kInFrontOf, seats, id, kAtHand);
+    relate(RelationType::kFacing, seats, id);
+  }
+
+  void add_by(const Companion& companion) {
+    const CatalogEntry* kind = catalog_.find(companion.adds);
+    if (kind == nullptr || !in_rooms(companion.rooms) || spoken_of(*kind) || has_kind(companion.adds)) return;
+    const auto named = [&](const std::string& other) {
+      return std::ranges::any_of(named_, [&](std::size_t i) { return catalog_.is_a(scene_.objects[i].category, other); });
+    };
+    if (std::ranges::any_of(companion.unless, named)) return;
+    std::vector<std::string> hosts;
+    for (const SceneObject& object : scene_.objects) {
+      if (catalog_.is_a(object.category, companion.of)) hosts.push_back(object.id);
+    }
+    const bool on_it = std::ranges::any_of(kind->stands_on, [&](const std::string& id) { return akin(id, companion.of); });
+    for (const std::string& host : hosts) {
+      for (int k = 0; k < companion.each; ++k) {
+        const std::string id = add(*kind);
+        if (on_it && kind->mount == Mount::kSurface) relate(RelationType::kOn, {id}, host);
+      }
+    }
+  }
+
+  double covered(const SceneGraph& scene) const {
+    double area = 0;
+    for (const SceneObject& object : scene.objects) {
+      const CatalogEntry& entry = catalog_.entry_or_nearest(object.category);
+      const Size& size = object.size ? object.size->usual : entry.size.usual;
+      if (object.mount.value_or(entry.mount) == Mount::kFloor && !entry.thin) area += double(size.width) * size.depth;
+    }
+    return area;
+  }
+
+  // What a bare room of that kind mostly has, the most important first.
+  void fill() {
+    const RoomKind* kind = scene_.room.type.empty() ? nullptr : catalog_.find_room(scene_.room.type);
+    const double floor = std::max(1.0, double(doubled_area(sized_.room.polygon)) / 2);
+    double share = covered(scene_) / floor;
+    if (kind == nullptr || share >= groups_.fill.bare || says_any(groups_.none_to_fill)) return;
+    int added = 0;
+    for (const auto& [id, usual] : kind->usual) {
+      const CatalogEntry* entry = catalog_.find(id);
+      if (entry == nullptr || spoken_of(*entry) || has_kind(id)) continue;
+      const auto is_there = [&](const std::string& other) { return has_kind(other); };
+      const bool lacks_host = entry->mount == Mount::kSurface && std::ranges::none_of(entry->stands_on, is_there);
+      const bool lacks_table = is_table_seat(*entry) && std::ranges::none_of(entry->beside, is_there);
+      if (lacks_host || lacks_table) continue;
+      for (int k = 0; k < usual && added < groups_.fill.most && share < groups_.fill.until; ++k, ++added) {
+        add(*entry);
+        share = covered(scene_) / floor;
+      }
+    }
+  }
+
+  SceneGraph& scene_;
+  const SceneGraph& sized_;
+  const std::vector<std::string>& excluded_;
+  const Catalog& catalog_;
+  const Groups& groups_;
+  const std::vector<std::string> said_;
+  std::vector<std::size_t> named_;
+  int relations_ = 0;
+};
+
+}  // namespace
+
+std::size_t add_companions(SceneGraph& scene, const SceneGraph& sized, const std::vector<std::string>& excluded, const Catalog& catalog) {
+  return Companions(scene, sized, excluded, catalog).run();
+}
+
+}  // namespace layoutbox

@@ -1,0 +1,100 @@
+// What comes with what is named, and what never does.
+#include "layoutbox/plan/companions.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "layoutbox/catalog/groups.h"
+#include "layoutbox/catalog/normalize.h"
+#include "layoutbox/plan/planner.h"
+
+namespace layoutbox {
+namespace {
+
+// The kinds that come besides what the text names.
+std::vector<std::string> added_to(const std::string& prompt) {
+  static const std::unique_ptr<Planner> planner = make_offline_planner(Catalog::builtin());
+  auto plan = planner->plan(prompt, {});
+  EXPECT_TRUE(plan) << prompt;
+  if (!plan) return {};
+  const auto sized = normalize_scene(plan->scene, Catalog::builtin(), {});
+  EXPECT_TRUE(sized) << prompt;
+  SceneGraph scene = plan->scene;
+  const std::size_t count = add_companions(scene, *sized, kinds_unwanted(prompt), Catalog::builtin());
+  EXPECT_EQ(scene.objects.size(), plan->scene.objects.size() + count);
+  EXPECT_TRUE(normalize_scene(scene, Catalog::builtin(), {})) << prompt;
+  std::vector<std::string> kinds;
+  for (const SceneObject& object : scene.objects) {
+    if (object.origin == Origin::kAdded) kinds.push_back(object.category);
+  }
+  for (const Relation& relation : scene.relations) EXPECT_TRUE(relation.origin != Origin::kAdded || !relation.hard);
+  return kinds;
+}
+
+int count_of(const std::vector<std::string>& kinds, const std::string& kind) {
+  return static_cast<int>(std::count(kinds.begin(), kinds.end(), kind));
+}
+
+TEST(Companions, SeatsComeWithDesksAndTables) {
+  EXPECT_EQ(count_of(added_to("A bedroom, 4 x 4 m, with a bed, a wardrobe and a desk for homework."), "office_chair"), 1);
+  EXPECT_GE(count_of(added_to("A dining room, 4 x 4 m, with a dining table and a sideboard."), "dining_chair"), 4);
+  EXPECT_EQ(count_of(added_to("A bedroom with a bed, a wardrobe and a dressing table."), "vanity_stool"), 1);
+}
+
+TEST(Companions, ALampComesWithABed) {
+  EXPECT_EQ(count_of(added_to("A bedroom, 4 x 4 m, with a bed, two nightstands and a wardrobe."), "table_lamp"), 2);
+  EXPECT_EQ(count_of(added_to("A bedroom, 4 x 4 m, with a bed and a floor lamp."), "table_lamp"), 0);
+}
+
+TEST(Companions, NothingThatTheTextNamesCountsOrWantsNoneOf) {
+  EXPECT_THAT(added_to("A study, 3 x 3 m, with two desks, one chair, a bookshelf, a lamp."), testing::Not(testing::Contains("office_chair")));
+  EXPECT_EQ(count_of(added_to("A study, 3 x 3 m, with a desk and a stool, a lamp."), "office_chair"), 0);
+  EXPECT_EQ(count_of(added_to("A study, 3 x 3 m, with a desk, a sofa and a lamp."), "office_chair"), 1);
+  EXPECT_THAT(added_to("A study, 3 x 3 m, with a desk but no chair, and a lamp."), testing::Not(testing::Contains("office_chair")));
+  EXPECT_TRUE(added_to("An office with a desk and nothing else.").empty());
+  EXPECT_TRUE(added_to("A bedroom").empty()) << "it has what is usual already";
+}
+
+TEST(Companions, BareRoomsOfAKnownKindGetSomeOfWhatIsUsual) {
+  const std::vector<std::string> kinds = added_to("A classroom of 148 square meters with six school desks.");
+  EXPECT_EQ(count_of(kinds, "student_chair"), 6);
+  EXPECT_GE(count_of(kinds, "chalkboard") + count_of(kinds, "teacher_desk") + count_of(kinds, "bookshelf"), 2);
+  EXPECT_THAT(added_to("A minimalist bedroom of 40 square meters with a single bed."), testing::Not(testing::Contains("wardrobe")));
+}
+
+TEST(Companions, NeverWhereOnlyTheUsersArticlesMayBePlaced) {
+  const Catalog only({Catalog::builtin().entries().begin(), Catalog::builtin().entries().end()}, {}, true);
+  SceneGraph scene;
+  scene.prompt = "a desk";
+  SceneObject desk;
+  desk.id = "desk_1", desk.category = desk.name = "desk";
+  scene.objects.push_back(desk);
+  EXPECT_EQ(add_companions(scene, scene, {}, only), 0u);
+}
+
+TEST(Groups, SizesGrowWithTheSeats) {
+  const Seating* table = Groups::builtin().seating_at(Catalog::builtin(), *Catalog::builtin().find("table"), "");
+  ASSERT_NE(table, nullptr);
+  Mm before = 0;
+  for (int seats = 1; seats <= 30; ++seats) {
+    const auto size = size_for_seats(*table, false, seats);
+    ASSERT_TRUE(size);
+    EXPECT_GE(size->width, before);
+    before = size->width;
+  }
+  EXPECT_GE(size_for_seats(*table, false, 12)->width, 3000);
+  for (const Seating& seating : Groups::builtin().seatings) {
+    EXPECT_NE(Catalog::builtin().find(seating.at), nullptr) << seating.at;
+    EXPECT_TRUE(seating.seat.empty() || Catalog::builtin().find(seating.seat) != nullptr) << seating.seat;
+  }
+  for (const Companion& companion : Groups::builtin().companions) {
+    EXPECT_NE(Catalog::builtin().find(companion.of), nullptr) << companion.of;
+    EXPECT_NE(Catalog::builtin().find(companion.adds), nullptr) << companion.adds;
+    for (const std::string& id : companion.unless) EXPECT_NE(Catalog::builtin().find(id), nullptr) << id;
+  }
+}
+
+}  // namespace
+}  // namespace layoutbox

@@ -1,0 +1,58 @@
+// From which corner the picture is taken.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "layoutbox/render/render.h"
+
+namespace layoutbox {
+namespace {
+
+Layout room_with(std::vector<PlacedObject> objects) {
+  Layout layout;
+  layout.room.polygon = {{0, 0}, {4000, 0}, {4000, 3000}, {0, 3000}};
+  layout.room.height = 2500;
+  layout.objects = std::move(objects);
+  return layout;
+}
+
+PlacedObject thing(Size size, double x, double y, double rotation, std::vector<Side> used = {Side::kFront}) {
+  PlacedObject object;
+  object.size = size, object.position = {x, y, 0}, object.rotation_deg = rotation, object.used_sides = std::move(used);
+  return object;
+}
+
+const std::vector<Side> kAllSides{Side::kFront, Side::kBack, Side::kLeft, Side::kRight};
+
+TEST(BestCorner, AnEmptyRoomIsSeenFromTheUsualOne) { EXPECT_EQ(best_corner(room_with({})), Corner::kSouthEast); }
+
+TEST(BestCorner, IsWhereTheFrontsAreSeen) {
+  const Size wardrobe{1800, 600, 2200};
+  // Backs to the back and the left wall: from the front right. To the front and right wall: from the back left.
+  EXPECT_EQ(best_corner(room_with({thing(wardrobe, 2000, 2700, 0), thing(wardrobe, 300, 1500, 90)})), Corner::kSouthEast);
+  EXPECT_EQ(best_corner(room_with({thing(wardrobe, 2000, 300, 180), thing(wardrobe, 3700, 1500, 270)})), Corner::kNorthWest);
+  EXPECT_EQ(best_corner(room_with({thing(wardrobe, 2000, 2700, 0), thing(wardrobe, 3700, 1500, 270)})), Corner::kSouthWest);
+}
+
+TEST(BestCorner, IsWhereNothingTallHides) {
+  // A shelf without a front at the right front corner, low things behind it.
+  EXPECT_EQ(best_corner(room_with({thing({1200, 1200, 2400}, 3300, 700, 0, {}), thing({700, 500, 400}, 2500, 1600, 0, kAllSides),
+                                   thing({400, 400, 400}, 2400, 700, 0, kAllSides), thing({400, 400, 400}, 3300, 1500, 0, kAllSides)})),
+            Corner::kNorthWest);
+}
+
+TEST(BestCorner, OneThatIsNamedHolds) {
+  const Layout layout = room_with({thing({1800, 600, 2200}, 2000, 300, 180)});
+  RenderOptions options;
+  EXPECT_NE(azimuth_from(layout, options), 45);
+  options.corner = Corner::kSouthEast;
+  EXPECT_EQ(azimuth_from(layout, options), 45);
+  options.corner = Corner::kNorthWest;
+  EXPECT_EQ(azimuth_from(layout, options), 225);
+  options.azimuth_deg = 30;
+  EXPECT_EQ(azimuth_from(layout, options), 30);
+  for (const Corner corner : {Corner::kBest, Corner::kNorthEast, Corner::kNorthWest, Corner::kSouthEast, Corner::kSouthWest})
+    EXPECT_EQ(corner_from_name(name_of(corner)), corner);
+}
+
+}  // namespace
+}  // namespace layoutbox

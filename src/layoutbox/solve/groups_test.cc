@@ -1,0 +1,86 @@
+// Relations of groups: several things opposite one, seats along a counter; and distances in a narrow ring.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "layoutbox/solve/solver.h"
+#include "layoutbox/solve/test_judge.h"
+#include "layoutbox/solve/test_scene.h"
+
+namespace layoutbox::placement {
+namespace {
+
+TEST(Opposite, TwoArmchairsStandSideBySideBeforeTheSofa) {
+  for (const char* wall : {"wall1", "wall2", "wall3", "wall4"}) {
+    const auto layout = solve(SceneMaker(5000, 4500)
+                                  .add("sofa")
+                                  .add("armchair", 2)
+                                  .add("coffee_table")
+                                  .relate("againstWall", {"sofa_1"}, {wall})
+                                  .relate("opposite", {"armchair_1", "armchair_2"}, {"sofa_1"})
+                                  .relate("inFrontOf", {"coffee_table_1"}, {"sofa_1"})
+                                  .make(),
+                              Catalog::builtin());
+    ASSERT_TRUE(layout) << layout.error().message;
+    expect_sound(*layout);
+    EXPECT_EQ(layout->status, LayoutStatus::kSolved) << wall;
+    const PlacedObject &sofa = *layout->find_object("sofa_1"), &one = *layout->find_object("armchair_1"),
+                       &two = *layout->find_object("armchair_2");
+    const TestPoint a = in_frame_of(sofa, {one.position[0], one.position[1], 0}), b = in_frame_of(sofa, {two.position[0], two.position[1], 0});
+    EXPECT_GE(std::abs(a.x - b.x), one.size.width - 1) << "one behind the other";
+    EXPECT_NEAR(a.x + b.x, 0, 300) << "not before the middle of the sofa";
+    EXPECT_LT(std::abs(a.y - b.y), 300);
+  }
+}
+
+TEST(Opposite, AGroupOfManyMayStandInRows) {
+  const auto layout = solve(SceneMaker(9000, 9000)
+                                .add("podium")
+                                .add("chair", 6)
+                                .relate("opposite", {"chair_1", "chair_2", "chair_3", "chair_4", "chair_5", "chair_6"}, {"podium_1"})
+                                .make(),
+                            Catalog::builtin());
+  ASSERT_TRUE(layout);
+  expect_sound(*layout);
+  EXPECT_EQ(layout->status, LayoutStatus::kSolved);
+}
+
+// Where the octagons that stand for circles have no room between them.
+TEST(Distance, NarrowRingsAreFound) {
+  const struct {
+    Mm width, depth, least, most;
+  } rooms[] = {{5550, 3760, 4800, 4800}, {4000, 4000, 3500, 3520}, {3000, 5000, 4000, 4030}, {4500, 3500, 2600, 2600}};
+  for (const auto& room : rooms) {
+    RelationParameters apart;
+    apart.min = room.least, apart.max = room.most;
+    const auto layout = solve(
+        SceneMaker(room.width, room.depth).add("pouf").add("plant").relate("distance", {"pouf_1"}, {"plant_1"}, apart).make(),
+        Catalog::builtin());
+    ASSERT_TRUE(layout) << layout.error().message;
+    expect_sound(*layout);
+    EXPECT_EQ(layout->status, LayoutStatus::kSolved) << room.least;
+  }
+}
+
+TEST(Habit, EightStoolsAlongALongCounterInALine) {
+  SceneMaker maker(8000, 5000);
+  maker.add("counter").add("bar_stool", 8);
+  for (int i = 1; i <= 8; ++i) {
+    const std::string stool = "bar_stool_" + std::to_string(i);
+    maker.relate("inFrontOf", {stool}, {"counter_1"}).relate("facing", {stool}, {"counter_1"});
+  }
+  const auto layout = solve(maker.make(), Catalog::builtin());
+  ASSERT_TRUE(layout);
+  EXPECT_EQ(layout->status, LayoutStatus::kSolved);
+  const PlacedObject& counter = *layout->find_object("counter_1");
+  std::vector<double> across;
+  for (const PlacedObject& o : layout->objects) {
+    if (o.category == "bar_stool") across.push_back(in_frame_of(counter, {o.position[0], o.position[1], 0}).y);
+  }
+  ASSERT_EQ(across.size(), 8u);
+  const auto [low, high] = std::minmax_element(across.begin(), across.end());
+  EXPECT_LT(*high - *low, 150) << "not in a line";
+}
+
+}  // namespace
+}  // namespace layoutbox::placement
