@@ -5,7 +5,6 @@
 #include "layoutbox/base/words.h"
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/people.h"
-#include "layoutbox/plan/offline/reader.h"
 #include "layoutbox/plan/offline/relation_builder.h"
 #include "layoutbox/plan/offline/room_reader.h"
 #include "layoutbox/plan/offline/spelling.h"
