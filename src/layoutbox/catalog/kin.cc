@@ -20,10 +20,10 @@ struct Kinds {
 
 const Kinds& known_kinds() {
   static const Kinds kinds = [] {
-    const auto json = nlohmann::json::parse(embedded::words_kinds_json);
-    Kinds read{json.at("kinds").get<Words>(), json.at("modifiers").get<Words>(), {}, {}};
-    for (const auto& [id, words] : json.at("like").items()) {
-      for (const auto& word : words) {
+    const auto words = nlohmann::json::parse(embedded::words_kinds_json);
+    Kinds read{words.at("kinds").get<Words>(), words.at("modifiers").get<Words>(), {}, {}};
+    for (const auto& [id, like] : words.at("like").items()) {
+      for (const auto& word : like) {
         const auto& text = word.get_ref<const std::string&>();
         read.like.emplace(text, id);
         read.like_keys.emplace(key_of(text), id);

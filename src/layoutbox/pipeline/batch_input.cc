@@ -15,7 +15,6 @@
 namespace layoutbox {
 namespace {
 
-using nlohmann::json;
 
 constexpr std::size_t kMostLines = 1'000'000;
 constexpr std::size_t kLongestId = 200;  // bytes; file systems allow 255
@@ -95,7 +94,7 @@ Status fill(Fields fields, BatchLine& line) {
 }
 
 Result<Fields> fields_of(std::string_view text) {
-  LAYOUTBOX_ASSIGN(const json object, parse_json(text));
+  LAYOUTBOX_ASSIGN(const nlohmann::json object, parse_json(text));
   if (!object.is_object()) return fail(ErrorCode::kSchema, "the line is no JSON object", {}, R"(write {"id": "1", "prompt": "A bedroom"})");
   Fields fields;
   for (const auto& [key, value] : object.items()) {

@@ -5,6 +5,7 @@
 #include "layoutbox/base/words.h"
 #include "layoutbox/catalog/groups.h"
 #include "layoutbox/catalog/size_words.h"
+#include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/scene/shell.h"
 
 namespace layoutbox {
@@ -48,9 +49,7 @@ class Companions {
   // The text has things of that kind, or wants none.
   bool spoken_of(const CatalogEntry& kind) const {
     const std::string head = head_of(kind.name);
-    const auto names = [&](std::size_t i) {
-      return akin(scene_.objects[i].category, kind.id) || head_of(scene_.objects[i].name) == head;
-    };
+    const auto names = [&](std::size_t i) { return akin(scene_.objects[i].category, kind.id) || head_of(scene_.objects[i].name) == head; };
     const auto excludes = [&](const std::string& id) {
       const CatalogEntry* entry = catalog_.find(id);
       return akin(id, kind.id) || (entry != nullptr && head_of(entry->name) == head);
@@ -98,7 +97,7 @@ class Companions {
       if (std::ranges::find(r.references, table) == r.references.end()) return false;
       return std::ranges::any_of(r.targets, [&](const std::string& id) {
         const SceneObject* object = scene_.find_object(id);
-        return object != nullptr && is_table_seat(catalog_.entry_or_nearest(object->category));
+        return object != nullptr && catalog_.entry_or_nearest(object->category).is(Trait::kTableSeat);
       });
     });
   }
@@ -110,7 +109,7 @@ class Companions {
       const auto says_where = [&](const Relation& r) {
         return std::ranges::find(r.targets, object.id) != r.targets.end() && !r.references.empty();
       };
-      return is_table_seat(catalog_.entry_or_nearest(object.category)) && std::ranges::none_of(scene_.relations, says_where);
+      return catalog_.entry_or_nearest(object.category).is(Trait::kTableSeat) && std::ranges::none_of(scene_.relations, says_where);
     });
   }
 
@@ -178,7 +177,7 @@ class Companions {
       if (entry == nullptr || spoken_of(*entry) || has_kind(id)) continue;
       const auto is_there = [&](const std::string& other) { return has_kind(other); };
       const bool lacks_host = entry->mount == Mount::kSurface && std::ranges::none_of(entry->stands_on, is_there);
-      const bool lacks_table = is_table_seat(*entry) && std::ranges::none_of(entry->beside, is_there);
+      const bool lacks_table = entry->is(Trait::kTableSeat) && std::ranges::none_of(entry->beside, is_there);
       if (lacks_host || lacks_table) continue;
       for (int k = 0; k < usual && added < groups_.fill.most && share < groups_.fill.until; ++k, ++added) {
         add(*entry);

@@ -8,12 +8,12 @@
 namespace layoutbox {
 namespace {
 
-constexpr std::array<std::string_view, 5> kNames{"best", "NE", "NW", "SE", "SW"};  // in the order of Corner
-constexpr int kSamples = 3;                 // along an edge of a face
-constexpr std::size_t kMostThings = 250;    // the largest; more hide nothing that matters
+constexpr std::array<std::string_view, 5> kCornerNames{"best", "NE", "NW", "SE", "SW"};  // in the order of Corner
+constexpr int kSamples = 3;                                                              // along an edge of a face
+constexpr std::size_t kMostThings = 250;                                                 // the largest; more hide nothing that matters
 constexpr double kFrontWorth = 2, kMostFront = 2.5;  // a front counts more than a top; m² from which a larger one counts no more
-constexpr double kBetter = 1.03;            // so much better than the usual corner is worth another
-constexpr double kClear = 0.005;            // metres beyond a face where a ray starts
+constexpr double kBetter = 1.03;                     // so much better than the usual corner is worth another
+constexpr double kClear = 0.005;                     // metres beyond a face where a ray starts
 
 struct Vector {
   double x = 0, y = 0, z = 0;
@@ -26,9 +26,7 @@ struct Thing {
   Vector right, back;  // its own axes in the plan
   bool has_front = false;
 
-  Vector point(double x, double y, double z) const {
-    return {at.x + right.x * x + back.x * y, at.y + right.y * x + back.y * y, at.z + z};
-  }
+  Vector point(double x, double y, double z) const { return {at.x + right.x * x + back.x * y, at.y + right.y * x + back.y * y, at.z + z}; }
 };
 
 Thing thing_of(const PlacedObject& object) {
@@ -98,11 +96,11 @@ double azimuth_of(Corner corner) {
 
 }  // namespace
 
-std::string_view name_of(Corner corner) { return kNames.at(static_cast<std::size_t>(corner)); }
+std::string_view name_of(Corner corner) { return kCornerNames.at(static_cast<std::size_t>(corner)); }
 
 std::optional<Corner> corner_from_name(std::string_view name) {
-  for (std::size_t i = 0; i < kNames.size(); ++i) {
-    if (kNames[i] == name) return static_cast<Corner>(i);
+  for (std::size_t i = 0; i < kCornerNames.size(); ++i) {
+    if (kCornerNames[i] == name) return static_cast<Corner>(i);
   }
   return std::nullopt;
 }

@@ -4,14 +4,14 @@
 
 namespace layoutbox {
 namespace {
-constexpr std::array<std::string_view, 5> kNames{"iso", "top", "front", "eye", "door"};  // in the order of View
+constexpr std::array<std::string_view, 5> kViewNames{"iso", "top", "front", "eye", "door"};  // in the order of View
 }
 
-std::string_view name_of(View view) { return kNames.at(static_cast<std::size_t>(view)); }
+std::string_view name_of(View view) { return kViewNames.at(static_cast<std::size_t>(view)); }
 
 std::optional<View> view_from_name(std::string_view name) {
-  for (std::size_t i = 0; i < kNames.size(); ++i) {
-    if (kNames[i] == name) return static_cast<View>(i);
+  for (std::size_t i = 0; i < kViewNames.size(); ++i) {
+    if (kViewNames[i] == name) return static_cast<View>(i);
   }
   return std::nullopt;
 }

@@ -56,7 +56,7 @@ ordered_json object_json(const PlacedObject& object) {
   return out;
 }
 
-ordered_json json_of(const std::vector<Relaxation>& relaxations) {
+ordered_json relaxations_json(const std::vector<Relaxation>& relaxations) {
   ordered_json out = ordered_json::array();
   for (const Relaxation& item : relaxations) {
     ordered_json entry{{"relation", item.relation}, {"by", item.by}};
@@ -83,8 +83,8 @@ std::string write_layout(const Layout& layout) {
     item["held"] = placed.held;
     relations.push_back(std::move(item));
   }
-  out["relaxed"] = json_of(layout.relaxed);
-  if (!layout.gave_way.empty()) out["gaveWay"] = json_of(layout.gave_way);
+  out["relaxed"] = relaxations_json(layout.relaxed);
+  if (!layout.gave_way.empty()) out["gaveWay"] = relaxations_json(layout.gave_way);
   ordered_json& conflicts = out["conflicts"] = ordered_json::array();
   for (const Conflict& item : layout.conflicts) {
     ordered_json entry{{"relations", item.relations}};

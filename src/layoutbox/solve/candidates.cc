@@ -4,13 +4,12 @@
 #include <tuple>
 
 #include "layoutbox/solve/cost.h"
+#include "layoutbox/solve/whole_division.h"
 
 namespace layoutbox::placement {
 namespace {
 
 constexpr std::array<Mm, 2> kRoomBehind{400, 700};  // off the ends of a region: for a lamp behind a sofa, for somebody to pass
-
-std::int64_t floor_div(std::int64_t a, std::int64_t b) { return a / b - ((a % b != 0) && ((a < 0) != (b < 0))); }
 
 // What the best of every column and row costs, in each state.
 class LineCosts {

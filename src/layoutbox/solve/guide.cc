@@ -11,7 +11,7 @@ namespace {
 // Points: a metre away from the earlier place along each axis, another turn, not exactly where it was. Beside these all habits of
 // good rooms (at most 900 a metre) only decide between places that are equally near.
 constexpr int kStay = 20000, kTurned = 20000, kMoved = 200;
-constexpr int kLock = 5000;
+constexpr int kLockWeight = 5000;
 // Points for standing where another layout has it (within so many millimetres, turned alike), of so many of the largest things.
 constexpr int kSamePlace = 400;
 constexpr Mm kElsewhere = 900;
@@ -159,7 +159,7 @@ void add_lock(Model& model, int index) {
   lock.name = "lock of " + item.id;
   lock.words = object_in_words(model, index) + " stays where it was";
   lock.firmness = Firmness::kHard;
-  lock.weight = kLock;
+  lock.weight = kLockWeight;
   Case& c = lock.formulas.emplace_back().add().when(index, std::uint64_t{1} << start.state);
   const int axes = height_is_free(item) || earlier_host(model, index) >= 0 ? 3 : 2;
   for (int k = 0; k < axes; ++k) c.require_small(lo(index, k) - Linear(start.at[k]), 0);

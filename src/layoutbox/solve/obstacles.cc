@@ -1,15 +1,13 @@
 #include "layoutbox/solve/obstacles.h"
 
 #include "layoutbox/solve/slanted.h"
+#include "layoutbox/solve/whole_division.h"
 
 namespace layoutbox::placement {
 namespace {
 
 constexpr int kLinesAcross = 14;    // of a region that is cut slantwise
 constexpr Mm kBetweenOpenings = 2;  // openings have no depth
-
-std::int64_t floor_div(std::int64_t a, std::int64_t b) { return a / b - ((a % b != 0) && ((a < 0) != (b < 0))); }
-std::int64_t ceil_div(std::int64_t a, std::int64_t b) { return -floor_div(-a, b); }
 
 Box around(const Box& a, const Box& b) {
   Box both;

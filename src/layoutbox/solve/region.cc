@@ -1,6 +1,7 @@
 #include "layoutbox/solve/region.h"
 
 #include "layoutbox/solve/cost.h"
+#include "layoutbox/solve/whole_division.h"
 
 namespace layoutbox::placement {
 namespace {
@@ -10,9 +11,6 @@ constexpr int kMostNodes = 4000;
 constexpr int kNarrowings = 2;
 constexpr std::size_t kLongCase = 32;               // forms
 constexpr std::int64_t kMostNarrowing = 2'000'000;  // cases and forms; domains are only bounds, and wider ones are bounds too
-
-std::int64_t floor_div(std::int64_t a, std::int64_t b) { return a / b - ((a % b != 0) && ((a < 0) != (b < 0))); }
-std::int64_t ceil_div(std::int64_t a, std::int64_t b) { return -floor_div(-a, b); }
 
 // The greatest value of a term over all places and states of its item.
 std::int64_t most_of(const Item& item, const Domain& domain, const Term& term) {

@@ -7,6 +7,8 @@
 namespace layoutbox::offline {
 namespace {
 
+using R = RelationType;
+
 bool may_be_under(const Catalog& catalog, const NounPhrase& host) {
   return is_table(catalog, host) ||
          one_of(host.head, {"bed", "sofa", "couch", "shelf", "loft", "window", "tv", "stairs", "stand", "console", "bench", "piano"}) ||
@@ -22,18 +24,18 @@ Mount mount_of(const NounPhrase& noun) {
   return noun.entry->mount;
 }
 
-bool is_table(const Catalog& catalog, const NounPhrase& noun) {
+bool is_table(const Catalog& /*catalog*/, const NounPhrase& noun) {
   if (noun.entry == nullptr) return one_of(noun.head, {"table", "desk", "island", "counter", "bar"});
   return noun.entry->is(Trait::kTable) || one_of(noun.head, {"table", "desk", "island", "counter", "bar", "workbench"});
 }
 
-bool is_seat(const Catalog& catalog, const NounPhrase& noun) {
+bool is_seat(const Catalog& /*catalog*/, const NounPhrase& noun) {
   if (noun.entry != nullptr && noun.entry->is(Trait::kSeat)) return true;
   return one_of(noun.head,
                 {"chair", "stool", "armchair", "seat", "bench", "barstool", "recliner", "sofa", "couch", "loveseat", "ottoman", "pouf"});
 }
 
-bool is_lamp(const Catalog& catalog, const NounPhrase& noun) {
+bool is_lamp(const Catalog& /*catalog*/, const NounPhrase& noun) {
   if (noun.entry != nullptr && noun.entry->is(Trait::kLamp)) return true;
   return one_of(noun.head, {"lamp", "light", "chandelier", "pendant", "sconce", "lantern"});
 }
@@ -112,7 +114,6 @@ bool may_carry(const Catalog& catalog, const NounPhrase& host, const NounPhrase&
 
 // What things on one floor are to each other.
 bool stands_beside(RelationType type) {
-  using R = RelationType;
   return type == R::kEachSideOf || type == R::kNextTo || type == R::kLeftOf || type == R::kRightOf || type == R::kInFrontOf ||
          type == R::kBehind || type == R::kAtFootOf || type == R::kBetween;
 }

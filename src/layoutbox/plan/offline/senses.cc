@@ -6,6 +6,8 @@
 namespace layoutbox::offline {
 namespace {
 
+using R = RelationType;
+
 unsigned kind_flags(const NounPhrase& reference) {
   switch (reference.kind) {
     case NounKind::kWall: return kWall;
@@ -22,7 +24,6 @@ unsigned kind_flags(const NounPhrase& reference) {
 
 bool allowed(const PhraseSense& sense, const NounPhrase& reference) {
   const RelationRow& row = relation_row(sense.type);
-  using R = RelationType;
   switch (sense.type) {
     case R::kInRegion: return reference.kind == NounKind::kRoom;
     case R::kCenterOfRoom: return reference.kind == NounKind::kRoom;
@@ -45,7 +46,6 @@ bool one_lies_on(const NounPhrase& noun) {
 
 std::optional<PhraseSense> choose_sense(const Catalog& catalog, const PhraseSenses& senses, PhraseSense::Direction direction,
                                         const NounPhrase& target, const NounPhrase& reference) {
-  using R = RelationType;
   (void)catalog;
   const auto own = [&](R type) { return PhraseSense{type, direction, {}, {}, {}}; };
   const auto says = [&](R type) {
@@ -145,7 +145,6 @@ std::optional<PhraseSense> choose_sense(const Catalog& catalog, const PhraseSens
 }
 
 int suits(const Catalog& catalog, const PhraseSense& sense, const NounPhrase& target, const NounPhrase& reference) {
-  using R = RelationType;
   const Mount mount = mount_of(target);
   const bool known = target.entry != nullptr;
   switch (sense.type) {

@@ -10,6 +10,12 @@
 
 namespace layoutbox::offline {
 
+// It brings a thing in: "a lamp", "another lamp", "two lamps".
+inline bool is_new_thing(const NounPhrase& noun) {
+  return noun.kind == NounKind::kObject && (noun.determiner == Determiner::kIndefinite || noun.determiner == Determiner::kAnother ||
+                                            (noun.determiner == Determiner::kNone && noun.count > 0));
+}
+
 class Decoder {
  public:
   // All must outlive the decoder. `tree` says what syntax thinks of the sentence.

@@ -18,11 +18,6 @@ bool speaks_of_others(const NounPhrase& noun) {
   return !fresh || noun.subset || noun.of != nullptr;
 }
 
-bool is_new_thing(const NounPhrase& noun) {
-  return noun.kind == NounKind::kObject && (noun.determiner == Determiner::kIndefinite || noun.determiner == Determiner::kAnother ||
-                                            (noun.determiner == Determiner::kNone && noun.count > 0));
-}
-
 // A part whose thing is not said ("the left side", "its top").
 bool needs_owner(const NounPhrase& noun) {
   if (noun.kind == NounKind::kObject || noun.kind == NounKind::kRoom) return false;

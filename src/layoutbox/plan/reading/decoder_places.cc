@@ -15,11 +15,6 @@ bool is_known_noun(const NounPhrase& noun) {
          noun.determiner == Determiner::kPossessive || noun.determiner == Determiner::kBoth;
 }
 
-bool is_new_thing(const NounPhrase& noun) {
-  return noun.kind == NounKind::kObject && (noun.determiner == Determiner::kIndefinite || noun.determiner == Determiner::kAnother ||
-                                            (noun.determiner == Determiner::kNone && noun.count > 0));
-}
-
 bool of_group_only(const PhraseSenses& senses) {
   return !senses.empty() &&
          std::all_of(senses.begin(), senses.end(), [](const PhraseSense& s) { return relation_row(s.type).arity == RelationArity::kNone; });

@@ -84,7 +84,7 @@ bool Habits::sit_in_row(int item, int host) {
 bool Habits::stand_abreast(int item) {
   for (const Relation& r : model_.scene->relations) {
     const Item& self = model_.items[item];
-    const bool free = !is_table_seat(self) && !self.entry->back_to_wall;
+    const bool free = !self.is(Trait::kTableSeat) && !self.entry->back_to_wall;
     const bool abreast = r.type == RelationType::kInFrontOf || r.type == RelationType::kBehind ||
                          (r.type == RelationType::kOpposite && free) ||
                          (r.type == RelationType::kFacing && free && !placed_besides_facing(item));
@@ -106,8 +106,7 @@ bool Habits::stand_abreast_of(int item, int host, RelationType how) {
   for (std::size_t i = 0; i < model_.items.size(); ++i) {
     const int other = static_cast<int>(i);
     if (model_.items[i].entry == self.entry && related_as_target(other, host, how) &&
-        only_related_by(other, host,
-                        {how, RelationType::kFacing, RelationType::kCenteredOn, across_from ? RelationType::kDistance : how}))
+        only_related_by(other, host, {how, RelationType::kFacing, RelationType::kCenteredOn, across_from ? RelationType::kDistance : how}))
       peers.push_back(other);
   }
   const auto k = std::find(peers.begin(), peers.end(), item) - peers.begin();

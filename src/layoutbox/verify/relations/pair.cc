@@ -50,10 +50,10 @@ Finding centred_along(const Case& c, const Body& t, const Reference& r, Vec axis
 }
 
 bool used_all_round(const Body& body) {
-  constexpr std::array kFourSides{Side::kFront, Side::kBack, Side::kLeft, Side::kRight};
+  constexpr std::array kAllSides{Side::kFront, Side::kBack, Side::kLeft, Side::kRight};
   const std::vector<Side>& sides = body.entry->used_sides;
   const auto used = [&](Side side) { return std::find(sides.begin(), sides.end(), side) != sides.end(); };
-  return !body.has_front || std::all_of(kFourSides.begin(), kFourSides.end(), used);
+  return !body.has_front || std::all_of(kAllSides.begin(), kAllSides.end(), used);
 }
 
 Finding alongside(const Case& c, const Body& t, const Reference& r, Side side, double max) {
@@ -164,14 +164,13 @@ Finding opposite_group(const Case& c, const Reference& r) {
                                    fmt::format("{} is behind the front of {}", t->id(), r.id)));
     }
     const double middle = dot(r.shape().center, frame.x);
-    findings.push_back(at_least("the middle of " + r.id + " lies within the group by", std::min(middle - across.lo, across.hi - middle), 0,
-                                c.slack()));
+    findings.push_back(
+        at_least("the middle of " + r.id + " lies within the group by", std::min(middle - across.lo, across.hi - middle), 0, c.slack()));
   }
   for (std::size_t i = 0; c.targets.size() <= kMostAbreast && i < c.targets.size(); ++i) {
     for (std::size_t j = i + 1; j < c.targets.size(); ++j) {
       const double shared = overlap(extent(c.targets[i]->shape, frame.x), extent(c.targets[j]->shape, frame.x));
-      findings.push_back(
-          at_most(fmt::format("{} stands behind {} by", c.targets[i]->id(), c.targets[j]->id()), shared, 0, c.slack()));
+      findings.push_back(at_most(fmt::format("{} stands behind {} by", c.targets[i]->id(), c.targets[j]->id()), shared, 0, c.slack()));
     }
   }
   return all_of(std::move(findings));
