@@ -133,6 +133,7 @@ double Decoder::reference_score(const State& state, int place, Referent referenc
       if (member != subject) score += std::min(0.0, sense_.of_place(unit(place).direct, noun_of(state, member), by) - score);
     }
   }
+  if (chunk(place).hang && is_heavy(lexicon_.catalog(), target)) score += weight::kHeavyHung;
   return fronted ? score : score + habit_score(state, place, subject, other, unit(place).direct);
 }
 
@@ -143,7 +144,7 @@ double Decoder::habit_score(const State& state, int place, Referent subject, Ref
   double score = 0;
   const Referent host = host_of(state, subject);
   const bool small = is_seat(lexicon_.catalog(), target) ? !says(senses, RelationType::kFacing) : mount_of(target) == Mount::kSurface;
-  const bool apart = unit(place).joiner != Joiner::kNone || state.participle;
+  const bool apart = unit(place).joiner != Joiner::kNone || state.participle || chunk(place).placing;
   if (apart) return score;
   const bool beside = says(senses, RelationType::kBetween) || says(senses, RelationType::kNextTo) || says(senses, RelationType::kNear);
   if (beside && mount_of(target) == Mount::kSurface && by.kind == NounKind::kObject && mount_of(by) == Mount::kFloor &&
@@ -161,7 +162,8 @@ double Decoder::content_score(const State& state, int predicate, Referent conten
   if (reading.subject == kNobody || reading.of_room) return 0;
   const NounPhrase &host = noun_of(state, reading.subject), &thing = noun_of(state, content);
   if (reading.inverse) {
-    if (is(predicate, UnitKind::kPlace) && host.kind == NounKind::kObject && thing.kind == NounKind::kObject) {
+    const bool place = host.kind == NounKind::kObject || host.kind == NounKind::kWall || host.kind == NounKind::kCorner;
+    if (is(predicate, UnitKind::kPlace) && place && thing.kind == NounKind::kObject) {
       const PhraseSenses& senses = unit(predicate).inverse.empty() ? unit(predicate).direct : unit(predicate).inverse;
       return sense_.of_place(senses, thing, host);
     }
@@ -179,6 +181,8 @@ void Decoder::list_actions(std::size_t s, int u) {
   const bool subject = verb_like(u + 1) && unit(u + 1).joiner == Joiner::kNone && !unit(u + 1).clause;
   const bool placed = follows(u, UnitKind::kPlace) || (follows(u, UnitKind::kParticiple) && follows(u + 1, UnitKind::kPlace));
   const double beside = unit(u).joiner == Joiner::kNone && is(u - 1, UnitKind::kNoun) ? weight::kNoJoiner : 0;
+  // "books and newspapers lines the wall": not the newspapers.
+  const bool disagrees = subject && noun.is_plural() && (is_finite(word(u + 1)) || word(u + 1) == "is" || word(u + 1) == "was");
   const std::size_t n = state.frontier.size();
   for (std::size_t level = 0; level < n; ++level) {
     const int member = state.frontier[level];
@@ -186,7 +190,7 @@ void Decoder::list_actions(std::size_t s, int u) {
     double gain = beside + weight::kTreeList * tree_.for_noun(u, member);
     if (level == 0) {
       const bool of_clause = !state.verb || state.imperative;
-      gain += subject ? weight::kSubjectFollows : placed ? weight::kPlaceFollows : 0;
+      gain += disagrees ? weight::kDisagrees : subject ? weight::kSubjectFollows : placed ? weight::kPlaceFollows : 0;
       double share = 0;
       for (const int place : state.fronted) share += reference_score(state, place, u);
       if (of_clause && (state.fronted.empty() || !subject))
@@ -249,7 +253,7 @@ double Decoder::content_list_score(const State& state, int member, int u) const 
     score -= 1.2;
   }
   if (unit(predicate).joiner != Joiner::kNone && mount_of(noun) == Mount::kFloor && !inverse) score -= 2;  // ", with …"
-  if (own_place) score -= !carried ? 1.4 : joiner == Joiner::kAnd ? 0.4 : 0.9;
+  if (own_place) score -= !carried ? 1.6 : joiner == Joiner::kAnd ? 0.6 : 1.4;
   // "each with a bed, a chair and a lamp": every one has all of them.
   if (owner >= 0 && chunk(owner).noun.determiner == Determiner::kEach) score += weight::kEachHas;
   if (host.entry != nullptr && host.entry->thin) score -= 3;
