@@ -72,7 +72,9 @@ std::string fault_of(const std::string& xml) {
 
 TEST(FloorPlan, HasTheSymbolsThatTheCatalogueNames) {
   for (const CatalogEntry& entry : Catalog::builtin().entries()) {
-    if (!entry.shape.symbol.empty()) EXPECT_TRUE(has_symbol(entry.shape.symbol)) << entry.id << ": " << entry.shape.symbol;
+    if (!entry.shape.symbol.empty()) {
+      EXPECT_TRUE(has_symbol(entry.shape.symbol)) << entry.id << ": " << entry.shape.symbol;
+    }
   }
 }
 

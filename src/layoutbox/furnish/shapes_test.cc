@@ -55,7 +55,9 @@ TEST(Shapes, EveryNumberChangesTheMeshAndHasItsDefault) {
         if (entry.shape.family != name) continue;
         for (const bool hollow : {true, false}) {
           const auto left_out = corners_of(with_number(entry, number, {}), hollow);
-          if (range.usual) EXPECT_EQ(left_out, corners_of(with_number(entry, number, range.usual), hollow)) << entry.id;
+          if (range.usual) {
+            EXPECT_EQ(left_out, corners_of(with_number(entry, number, range.usual), hollow)) << entry.id;
+          }
           for (const double value : {range.least, range.most})
             changes = changes || corners_of(with_number(entry, number, value), hollow) != left_out;
         }

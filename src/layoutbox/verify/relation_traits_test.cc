@@ -79,7 +79,9 @@ TEST(RelationTraits, SymmetricAndInverseOnesHoldTheOtherWayRound) {
 TEST(RelationTraits, InversesAreInverse) {
   for (const RelationRow& row : relation_table()) {
     const RelationTraits& traits = traits_of(row.type);
-    if (traits.inverse) EXPECT_EQ(traits_of(*traits.inverse).inverse, row.type) << row.name;
+    if (traits.inverse) {
+      EXPECT_EQ(traits_of(*traits.inverse).inverse, row.type) << row.name;
+    }
     EXPECT_FALSE(traits.weaker.has(row.type)) << row.name;
     EXPECT_FALSE(traits.said_by.has(row.type)) << row.name;
     EXPECT_NE(traits.instead, row.type) << row.name;
