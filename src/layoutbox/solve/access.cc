@@ -60,7 +60,7 @@ std::int64_t cost_of_claims(std::size_t strips, const Blocked& strip_blocked, st
 void note_floor_use(Item& item) {
   if (item.entry != nullptr) {
     item.is_seat = item.is(Trait::kSeat);
-    item.takes_seats = !item.entry->back_to_wall &&
+    item.takes_seats = (!item.entry->back_to_wall || item.is(Trait::kDeskLike)) &&
                        std::any_of(item.spaces.begin(), item.spaces.end(), [](const ItemSpace& space) { return !space.carries; });
   }
   for (State& state : item.states) {

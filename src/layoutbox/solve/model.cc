@@ -1,5 +1,7 @@
 #include "layoutbox/solve/model.h"
 
+#include "layoutbox/catalog/trait_table.h"
+
 #include "layoutbox/solve/access.h"
 
 #include <fmt/format.h>
@@ -51,6 +53,22 @@ void add_company_of_the_nested(const Model& model, Pairs& pairs) {
   }
 }
 
+// A screen on a desk reaches over the seat that is pushed under it.
+void add_seats_by_riders(const Model& model, Pairs& pairs) {
+  Pairs more;
+  for (std::size_t i = 0; i < model.items.size(); ++i) {
+    for (const SupportOption& support : model.items[i].supports) {
+      if (support.kind != SupportOption::Kind::kItem || !model.items[i].is(Trait::kScreen)) continue;
+      for (int seat = 0; seat < static_cast<int>(model.items.size()); ++seat) {
+        const auto at_host = std::pair{std::min(seat, support.index), std::max(seat, support.index)};
+        const int rider = static_cast<int>(i);
+        if (model.items[seat].is(Trait::kTableSeat) && pairs.contains(at_host)) more.insert({std::min(seat, rider), std::max(seat, rider)});
+      }
+    }
+  }
+  pairs.insert(more.begin(), more.end());
+}
+
 // Which pairs are so close that their spaces count.
 Pairs close_pairs(const Model& model) {
   Pairs pairs;
@@ -78,6 +96,7 @@ Pairs close_pairs(const Model& model) {
     }
   }
   add_company_of_the_nested(model, pairs);
+  add_seats_by_riders(model, pairs);
   return pairs;
 }
 

@@ -34,7 +34,9 @@ void Habits::stand(int index) {
   if (stand_in_formation(index) || stand_abreast(index)) return;
   stand_at_side(index);
   const bool with_host = stand_beside(index);
-  if (!with_host || !item.is(Trait::kTableSeat)) look_at(index);
+  const bool looks = (!with_host || !item.is(Trait::kTableSeat)) && look_at(index);
+  // Nobody sits with the nose to a wall.
+  if (item.is(Trait::kSeat) && !looks && !(with_host && item.is(Trait::kTableSeat))) open_to_room(index);
   if (item.entry->back_to_wall) {
     back_to_wall(index);
     stand_in_run(index);

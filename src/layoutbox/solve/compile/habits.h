@@ -78,7 +78,7 @@ class Habits {
   void flank(int item, int host, int hosts);
   std::vector<int> seats_at(int item, int host, int hosts) const;
   bool before_its_host(int item) const;
-  void look_at(int item, bool leads = false);
+  bool look_at(int item, bool leads = false);
 
   // Habits of things that come in numbers.
   // The things of a kind that stand in formation: asked for as a grid, or many that nobody placed.

@@ -274,10 +274,10 @@ std::vector<int> Habits::seats_at(int item, int host, int hosts) const {
 
 bool Habits::before_its_host(int item) const { return model_.items[item].is(Trait::kStandsBefore); }
 
-// Its front to what it is for: sofas to screens, easy chairs to the table between.
-void Habits::look_at(int item, bool leads) {
+// Its front to what it is for: sofas to screens, easy chairs to the table between. False: there is nothing of that.
+bool Habits::look_at(int item, bool leads) {
   const Item& self = model_.items[item];
-  if (!self.has_front) return;
+  if (!self.has_front) return false;
   const std::vector<int> seen = items_of_kinds(self.entry->faces, item);
   for (const int other : seen) {
     if (model_.items[other].mount != Mount::kFloor && model_.items[other].mount != Mount::kWall && seen.size() > 1 && other != seen[0])
@@ -290,8 +290,9 @@ void Habits::look_at(int item, bool leads) {
       }
     }
     habit("faces", item, kFaces, std::move(f), self.is(Trait::kEasySeat) || leads ? std::vector<int>{other} : std::vector<int>{});
-    return;
+    return true;
   }
+  return false;
 }
 
 }  // namespace layoutbox::placement
