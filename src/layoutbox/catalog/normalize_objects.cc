@@ -14,6 +14,7 @@ namespace layoutbox {
 namespace {
 
 constexpr Mm kLargestObject = 50'000;
+constexpr Mm kScreenShelf = 1200;                     // nobody looks at a screen on something higher
 constexpr std::string_view kOnWall = "wall-mounted";  // the variant of what hangs on a wall though it usually stands
 constexpr std::array kSides{&Size::width, &Size::depth, &Size::height};
 
@@ -87,7 +88,8 @@ class ObjectNormalizer {
 
   void settle_size(const CatalogEntry& entry) {
     std::vector<std::string> said = words_said_of(object_);
-    if (object_.mount == Mount::kWall && entry.mount != Mount::kWall) said.emplace_back(kOnWall);  // flatter than what stands
+    if (object_.mount == Mount::kWall && entry.mount != Mount::kWall)
+      std::ranges::copy(words_of(kOnWall), std::back_inserter(said));  // flatter than what stands
     SizeRange usual = size_by_words(entry, said);
     // What nobody knows and what stands on another thing is small.
     constexpr Mm kLeast = 50, kUsual = 150, kGreatest = 300;
@@ -169,8 +171,9 @@ class ObjectNormalizer {
   Mount usual_mount(const CatalogEntry& entry) const {
     if (entry.mount != Mount::kSurface || !entry.is(Trait::kElseOnWall) || object_.hint.position) return entry.mount;
     const bool carried = std::ranges::any_of(context_.scene.objects, [&](const SceneObject& other) {
-      const std::string& kind = context_.catalog.entry_or_nearest(other.category).id;
-      return std::ranges::any_of(entry.stands_on, [&](const std::string& host) { return context_.catalog.is_a(kind, host); });
+      const CatalogEntry& kind = context_.catalog.entry_or_nearest(other.category);
+      const auto is_usual = [&](const std::string& host) { return context_.catalog.is_a(kind.id, host); };
+      return kind.size.usual.height <= kScreenShelf && std::ranges::any_of(entry.stands_on, is_usual);
     });
     if (carried) return entry.mount;
     context_.note("guessed", fmt::format("nothing carries \"{}\": it hangs on a wall", object_.id), pointer_ + "/mount");
