@@ -42,7 +42,7 @@ void Habits::stand(int index) {
     stand_in_run(index);
     stand_as_twin(index);
   } else if (!with_host && !placed_by_relation(index)) {
-    if (used_sides(item).size() >= 4) {
+    if (used_sides(item).size() >= 4 && !item.is(Trait::kSeat)) {
       stand_in_middle(index);
     } else {
       stand_at_wall(index);
