@@ -142,11 +142,17 @@ class Companions {
       return std::ranges::any_of(named_, [&](std::size_t i) { return catalog_.is_a(scene_.objects[i].category, other); });
     };
     if (std::ranges::any_of(companion.unless, named)) return;
+    const bool on_it = std::ranges::any_of(kind->stands_on, [&](const std::string& id) { return akin(id, companion.of); });
+    // What stands on the floor comes with those kinds only that such a thing stands beside: no nightstand with a bunk bed.
+    const auto takes = [&](const SceneObject& object) {
+      const CatalogEntry* entry = catalog_.find(object.category);
+      return entry != nullptr && catalog_.is_a(object.category, companion.of) &&
+             (kind->mount != Mount::kFloor || std::ranges::any_of(entry->beside, [&](const std::string& id) { return akin(id, kind->id); }));
+    };
     std::vector<std::string> hosts;
     for (const SceneObject& object : scene_.objects) {
-      if (catalog_.is_a(object.category, companion.of)) hosts.push_back(object.id);
+      if (takes(object)) hosts.push_back(object.id);
     }
-    const bool on_it = std::ranges::any_of(kind->stands_on, [&](const std::string& id) { return akin(id, companion.of); });
     for (const std::string& host : hosts) {
       for (int k = 0; k < companion.each; ++k) {
         const std::string id = add(*kind);
