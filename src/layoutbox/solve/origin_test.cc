@@ -130,6 +130,14 @@ TEST(Origins, WithoutReasonThingsHangAsTheirKindDoes) {
   }
 }
 
+TEST(Origins, TheCataloguesSizesGiveWay) {
+  SceneMaker maker(4000, 3500);
+  maker.add("bed").add("basket").sized(300, 300, 300).add("plant").relate("in", {"plant_1"}, {"basket_1"});
+  const SceneGraph scene = maker.make();
+  expect_as_asked(solved(scene));
+  EXPECT_LE(scene.objects[2].size->usual.width, 300);
+}
+
 TEST(NeedlessRestrictions, ACupOnACoasterOnATableIsOnTheTable) {
   SceneMaker maker(4000, 3500);
   maker.add("table").add("coaster").add("cup");
