@@ -90,7 +90,7 @@ def pair_relations(row, ids):
             targets = [target for name, many in Counter(others).items() for target in ids[name][:many] if target != anchors[0]]
             yield {"type": "around" if kind == "around" else kind, "targets": targets, "relativeTo": [anchors[0]]}
             continue
-        targets = [target for target in ids[others[0]]]
+        targets = ids[others[0]]
         for number in range(min(number_of(quantifier, count), len(targets))):
             anchor = anchors[number * len(anchors) // min(number_of(quantifier, count), len(targets))]
             if targets[number] != anchor:
@@ -229,21 +229,25 @@ def losses(answer, scene):
 def opposed(one, other):
     """Two relations of one thing that cannot both be."""
     (kind, targets, references), (other_kind, others, other_references) = relation_key(one), relation_key(other)
-    if kind == other_kind or not set(targets) & set(others):
-        return kind == other_kind and kind in ("againstWall", "onWall") and bool(set(targets) & set(others)) and references != other_references
+    if not set(targets) & set(others):
+        return False
+    if kind == other_kind:
+        return kind in ("againstWall", "onWall") and bool(references) and bool(other_references) and references != other_references
     for group in (SIDES, HEIGHTS):
         if kind in group and other_kind in group and set(references) & set(other_references):
             return True
     return kind in WALLS and other_kind in WALLS and "centerOfRoom" in (kind, other_kind)
 
 
-def additions(answer, scene):
+def additions(answer, scene, row):
     """What the scene has beyond the answer and the annotation denies, and how much was added in all. Assumptions are no additions."""
     had = {item["id"] for item in answer["furniture"]}
     told = {relation_key(relation) for relation in answer["constraints"]}
     new_things = [item for item in scene["furniture"] if item["id"] not in had and not item.get("assumed")]
     new_relations = [r for r in scene["constraints"] if relation_key(r) not in told and not r.get("assumed")]
-    wrong = [f"thing {item['id']}" for item in new_things]  # the annotation has all things of the room
+    # The annotation has all things of the room; of some kinds it leaves open how many.
+    open_kinds = {snake(word) for quantifier, _, word in entries(row["ObjCount"]) if quantifier != "eq"}
+    wrong = [f"thing {item['id']}" for item in new_things if item["category"] not in open_kinds]
     wrong += [f"relation {relation_key(r)}" for r in new_relations if any(opposed(r, made) for made in answer["constraints"])]
     return wrong, len(new_things) + len(new_relations)
 
@@ -275,7 +279,7 @@ def measure_right(binary, rows, figures, lines):
                 figures["requests"] += requests
                 lines += [f"{name}: {requests} requests"] if requests > 1 else []
             lost = losses(answer, scene)
-            wrong, added = additions(answer, scene)
+            wrong, added = additions(answer, scene, row)
             figures.update(lost=len(lost), denied=len(wrong), added=added, differences=noted[name])
             lines += [f"{name}: lost {what}" for what in lost] + [f"{name}: added {what}" for what in wrong]
     return noted

@@ -120,8 +120,8 @@ bool Evidence::names(const SceneObject& object) const {
   const Phrase& phrase = phrases.front();
   const auto is_counted = [&](std::size_t i) { return i < phrase.last && number_of(word(i)) > 0; };
   const bool counted = is_counted(phrase.first) || is_counted(phrase.first + 1);  // "two", "a pair of"
-  if (!counted) return determiners().contains(word(phrase.first));
   const auto all = std::ranges::count(plan_.scene.objects, object.category, &SceneObject::category);
+  if (!counted) return all == 1 && determiners().contains(word(phrase.first));
   return counts(object.category, static_cast<std::size_t>(all));
 }
 
