@@ -266,8 +266,8 @@ std::vector<int> Habits::seats_at(int item, int host, int hosts) const {
   std::vector<int> seats;
   for (std::size_t i = 0; i < model_.items.size(); ++i) {
     const int other = static_cast<int>(i);
-    if (model_.items[i].entry == model_.items[item].entry && rank_of(other) % hosts == rank_of(item) % hosts && !related(other, host))
-      seats.push_back(other);
+    const bool alike = model_.items[i].entry == model_.items[item].entry && rank_of(other) % hosts == rank_of(item) % hosts;
+    if (other == item || (alike && !related(other, host))) seats.push_back(other);
   }
   return seats;
 }
