@@ -1,3 +1,12 @@
+# layoutbox_unite(TARGET): where LAYOUTBOX_UNITY is on, its sources are compiled a dozen at a time, so that what they include is read once.
+function(layoutbox_unite target)
+  if(LAYOUTBOX_UNITY)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 14)
+    # GCC takes every unnamed namespace but the main file's for a header's.
+    target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+  endif()
+endfunction()
+
 # layoutbox_module(NAME DEPENDS floor… LIBRARIES lib… PRIVATE_LIBRARIES lib…): one library per folder from all its *.cc, and one test
 # program from its *_test.cc. A file that is added is picked up at the next build.
 function(layoutbox_module name)
@@ -13,6 +22,7 @@ function(layoutbox_module name)
   target_include_directories(layoutbox_${name} PUBLIC ${PROJECT_SOURCE_DIR}/src)
   list(TRANSFORM arg_DEPENDS PREPEND layoutbox_)
   target_link_libraries(layoutbox_${name} PUBLIC ${arg_DEPENDS} ${arg_LIBRARIES} PRIVATE ${arg_PRIVATE_LIBRARIES})
+  layoutbox_unite(layoutbox_${name})
   if(LAYOUTBOX_TESTS AND tests)
     add_executable(${name}_test ${tests})
     target_link_libraries(${name}_test PRIVATE layoutbox_${name} ${arg_PRIVATE_LIBRARIES} GTest::gmock_main)

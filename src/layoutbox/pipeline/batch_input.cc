@@ -15,7 +15,6 @@
 namespace layoutbox {
 namespace {
 
-
 constexpr std::size_t kMostLines = 1'000'000;
 constexpr std::size_t kLongestId = 200;  // bytes; file systems allow 255
 constexpr std::string_view kKeys = "id, prompt, type, room, units, seed, effort";

@@ -147,7 +147,8 @@ class Companions {
     const auto takes = [&](const SceneObject& object) {
       const CatalogEntry* entry = catalog_.find(object.category);
       return entry != nullptr && catalog_.is_a(object.category, companion.of) &&
-             (kind->mount != Mount::kFloor || std::ranges::any_of(entry->beside, [&](const std::string& id) { return akin(id, kind->id); }));
+             (kind->mount != Mount::kFloor ||
+              std::ranges::any_of(entry->beside, [&](const std::string& id) { return akin(id, kind->id); }));
     };
     std::vector<std::string> hosts;
     for (const SceneObject& object : scene_.objects) {

@@ -49,7 +49,8 @@ TEST(Companions, ALampComesWithABed) {
 }
 
 TEST(Companions, NothingThatTheTextNamesCountsOrWantsNoneOf) {
-  EXPECT_THAT(added_to("A study, 3 x 3 m, with two desks, one chair, a bookshelf, a lamp."), testing::Not(testing::Contains("office_chair")));
+  EXPECT_THAT(added_to("A study, 3 x 3 m, with two desks, one chair, a bookshelf, a lamp."),
+              testing::Not(testing::Contains("office_chair")));
   EXPECT_EQ(count_of(added_to("A study, 3 x 3 m, with a desk and a stool, a lamp."), "office_chair"), 0);
   EXPECT_EQ(count_of(added_to("A study, 3 x 3 m, with a desk, a sofa and a lamp."), "office_chair"), 1);
   EXPECT_THAT(added_to("A study, 3 x 3 m, with a desk but no chair, and a lamp."), testing::Not(testing::Contains("office_chair")));

@@ -26,7 +26,8 @@ TEST(Opposite, TwoArmchairsStandSideBySideBeforeTheSofa) {
     EXPECT_EQ(layout->status, LayoutStatus::kSolved) << wall;
     const PlacedObject &sofa = *layout->find_object("sofa_1"), &one = *layout->find_object("armchair_1"),
                        &two = *layout->find_object("armchair_2");
-    const TestPoint a = in_frame_of(sofa, {one.position[0], one.position[1], 0}), b = in_frame_of(sofa, {two.position[0], two.position[1], 0});
+    const TestPoint a = in_frame_of(sofa, {one.position[0], one.position[1], 0}),
+                    b = in_frame_of(sofa, {two.position[0], two.position[1], 0});
     EXPECT_GE(std::abs(a.x - b.x), one.size.width - 1) << "one behind the other";
     EXPECT_NEAR(a.x + b.x, 0, 300) << "not before the middle of the sofa";
     EXPECT_LT(std::abs(a.y - b.y), 300);
@@ -53,9 +54,9 @@ TEST(Distance, NarrowRingsAreFound) {
   for (const auto& room : rooms) {
     RelationParameters apart;
     apart.min = room.least, apart.max = room.most;
-    const auto layout = solve(
-        SceneMaker(room.width, room.depth).add("pouf").add("plant").relate("distance", {"pouf_1"}, {"plant_1"}, apart).make(),
-        Catalog::builtin());
+    const auto layout =
+        solve(SceneMaker(room.width, room.depth).add("pouf").add("plant").relate("distance", {"pouf_1"}, {"plant_1"}, apart).make(),
+              Catalog::builtin());
     ASSERT_TRUE(layout) << layout.error().message;
     expect_sound(*layout);
     EXPECT_EQ(layout->status, LayoutStatus::kSolved) << room.least;

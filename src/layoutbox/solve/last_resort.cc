@@ -41,7 +41,8 @@ Status Solver::take_what_fits() {
   bool asked = false;
   for (std::size_t i = 0; i < model_.items.size(); ++i) {
     if (placements_[i].state >= 0 || left_out_[i]) continue;
-    if (model_.items[i].is_opening()) return fail(ErrorCode::kNotFound, "no place was found for " + object_in_words(model_, static_cast<int>(i)));
+    if (model_.items[i].is_opening())
+      return fail(ErrorCode::kNotFound, "no place was found for " + object_in_words(model_, static_cast<int>(i)));
     left_out_[i] = 1;
     asked = asked || is_asked(static_cast<int>(i));
     clash.demands.push_back({Demand::Kind::kItem, static_cast<int>(i)});
@@ -51,8 +52,8 @@ Status Solver::take_what_fits() {
   for (std::size_t c = 0; c < model_.constraints.size(); ++c) {
     const Constraint& constraint = model_.constraints[c];
     if (constraint.firmness != Firmness::kHard || given_up_[c]) continue;
-    const bool placed = std::all_of(constraint.formulas.begin(), constraint.formulas.end(),
-                                    [&](const Formula& f) { return all_placed(f, placements_); });
+    const bool placed =
+        std::all_of(constraint.formulas.begin(), constraint.formulas.end(), [&](const Formula& f) { return all_placed(f, placements_); });
     if (placed && miss_of(model_, constraint, placements_) == 0) continue;
     missed.push_back(constraint.name);
     asked = asked || !is_assumption(model_, constraint);

@@ -25,7 +25,8 @@ std::string meaning_of(const Relation& r) {
 std::vector<std::size_t> firsts_of(const SceneGraph& scene) {
   std::unordered_map<std::string, std::size_t> known;
   std::vector<std::size_t> firsts;
-  for (std::size_t i = 0; i < scene.relations.size(); ++i) firsts.push_back(known.try_emplace(meaning_of(scene.relations[i]), i).first->second);
+  for (std::size_t i = 0; i < scene.relations.size(); ++i)
+    firsts.push_back(known.try_emplace(meaning_of(scene.relations[i]), i).first->second);
   return firsts;
 }
 

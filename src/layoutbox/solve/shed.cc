@@ -63,7 +63,8 @@ std::vector<int> Solver::surplus_items() const {
   const auto as_dear = [&](int a, int b) {
     const Item &x = model_.items[a], &y = model_.items[b];
     const auto is_first = [&](int i) {
-      return std::none_of(floor.items.begin(), floor.items.end(), [&](int j) { return j < i && model_.items[j].entry == model_.items[i].entry; });
+      return std::none_of(floor.items.begin(), floor.items.end(),
+                          [&](int j) { return j < i && model_.items[j].entry == model_.items[i].entry; });
     };
     return x.object->origin == y.object->origin && is_first(a) == is_first(b);
   };
@@ -72,7 +73,8 @@ std::vector<int> Solver::surplus_items() const {
     int best = left.front();
     for (const int item : left) {
       if (!as_dear(left.front(), item)) break;
-      const auto area = static_cast<double>(least_area(model_.items[item])), best_area = static_cast<double>(least_area(model_.items[best]));
+      const auto area = static_cast<double>(least_area(model_.items[item])),
+                 best_area = static_cast<double>(least_area(model_.items[best]));
       if (best_area < surplus ? area > best_area : area >= surplus && area < best_area) best = item;
     }
     surplus -= static_cast<double>(least_area(model_.items[best]));

@@ -145,7 +145,8 @@ class Solver {
   double proof_time_ = 0;
   int unproven_ = 0;          // rounds that ended without a layout and without a proof
   bool proven_best_ = false;  // no layout is better by a point
-  bool used_cp_sat_ = false, fallback_ = false, stopped_by_clock_ = false, brought_back_ = false, searched_elsewhere_ = false, shed_ = false;
+  bool used_cp_sat_ = false, fallback_ = false, stopped_by_clock_ = false, brought_back_ = false, searched_elsewhere_ = false,
+       shed_ = false;
 };
 
 }  // namespace layoutbox::placement

@@ -61,7 +61,7 @@ inline constexpr double kTree = 0.4;      // whom a place belongs to
 inline constexpr double kTreeList = 1.0;  // with whom a noun is listed
 
 // References.
-inline constexpr double kOwnHost = 1.0;   // "a bookcase with two books on the left"
+inline constexpr double kOwnHost = 1.0;  // "a bookcase with two books on the left"
 inline constexpr double kOrder = -0.45;  // for each candidate that comes before it
 inline constexpr double kNumber = -2.5;  // "it" of several, "them" of one
 

@@ -145,7 +145,7 @@ void add_apart(std::vector<Case>& cases, const Model& model, int t, const Place&
 
 namespace {
 
-constexpr Mm kWithinSlack = 3;          // of the 5 mm that every length is allowed
+constexpr Mm kWithinSlack = 3;           // of the 5 mm that every length is allowed
 constexpr int kMostSectors = 12;         // of a quadrant
 constexpr std::int32_t kPlanar = 10000;  // directions are whole numbers of this length
 
