@@ -4,7 +4,8 @@
 usage: fresh_rooms.py NUMBER SEED > descriptions.jsonl
 The manners are none of those that the parser learned from (room_styles.py) or that rules were written for;
 tests/tools/score_descriptions.py compares what `layoutbox plan` makes of them. `objects`: {name: count}.
-`relations`: {"kind", "subject", "object"}; objects and subjects are names, or a wall's word, "window", "door", "room"; `said` is false for what only follows (a mug beside a bowl on the table is on the table).
+`relations`: {"kind", "subject", "object"}; objects and subjects are names, or a wall's word, "window", "door", "room"; `said` is false
+for what only follows (a mug beside a bowl on the table is on the table).
 """
 
 import argparse
@@ -87,6 +88,16 @@ class Thing:
         self.look = r.choice(LOOKS) if r.random() < 0.4 else ""
 
 
+class Again:
+    """A thing that the sentence before was about, and nothing else: "it" will do."""
+
+    def __init__(self, thing):
+        self.thing = thing
+
+    def __getattr__(self, name):
+        return getattr(self.thing, name)
+
+
 class Scene:
     """Things, and facts (kind, subject, object or word) in the order in which they may be told: a host before what stands on it."""
 
@@ -148,6 +159,14 @@ class Scene:
         if main.name in {"bed", "sofa", "dining table"} and r.random() < 0.3:
             self.facts.append(("under", self.add("rug"), main))
 
+    def shorten(self, share):
+        """Lets some facts say "it": where the fact before placed that thing by a wall or in a corner."""
+        for i in range(1, len(self.facts)):
+            kind, subject, other = self.facts[i]
+            before = self.facts[i - 1]
+            if before[1] is other and isinstance(before[2], str) and other.number == 1 and self.r.random() < share:
+                self.facts[i] = (kind, subject, Again(other))
+
     def truth(self):
         """All that holds: what is said, and what stands on what with it."""
         relations, host = [], {}
@@ -172,6 +191,8 @@ def main():
     for i in range(options.number):
         scene = Scene(r)
         style = names[i % len(names)]
+        if style not in {"tabletop", "bullets"}:
+            scene.shorten(0.5)
         prompt = STYLES[style](r, scene)
         objects = {}
         for thing in scene.things:

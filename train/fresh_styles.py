@@ -19,6 +19,8 @@ def article(words):
 
 def new(r, thing, digits=False):
     """ "a blue lamp", "three books", "the lamp" where it was spoken of."""
+    if hasattr(thing, "thing"):
+        return "it"
     look = f"{thing.look} " if thing.look and not thing.said else ""
     known, thing.said = thing.said, True
     if known:

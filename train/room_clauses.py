@@ -1,84 +1,16 @@
 """Clauses about facts as trees, for room_styles.py."""
 
-from room_phrases import NUMBERS, above, around, beside, noun, of_room, opening, room, room_place, the, upon, wall
+from room_basics import BE, HOLD, PLACED, POSTURE, REACH, attach, finite, gerund, head_verb, mention, place, reach_object, third
+from room_decorate import decorate
+from room_phrases import beside, noun, opening, room_place, upon, wall
 from tree_text import Node, join, prep
-
-POSTURE = {
-    "floor": ("stand", "sit", "rest", "be", "stand", "go", "stay"),
-    "small": ("sit", "rest", "stand", "lie", "be", "sit"),
-    "wall": ("hang", "hang", "be"),
-    "ceiling": ("hang", "hang", "dangle"),
-    "rug": ("lie", "lie", "be", "stretch", "sit"),
-}
-PLACED = {
-    "floor": ("placed", "positioned", "located", "situated", "set", "arranged", "put", "pushed", "tucked", "nestled", "found"),
-    "small": ("placed", "set", "arranged", "positioned", "displayed", "perched", "scattered"),
-    "wall": ("mounted", "hung", "placed", "fixed"),
-    "ceiling": ("hung", "suspended", "mounted"),
-    "rug": ("laid", "spread", "placed", "rolled"),
-}
-ADVERBS = ("neatly", "gracefully", "prominently", "proudly", "quietly", "comfortably", "snugly", "elegantly", "also", "always")
-BE = {True: ("are", "VBP"), False: ("is", "VBZ")}
-
-
-def third(word):
-    irregular = {"be": "is", "have": "has", "go": "goes"}
-    return irregular.get(word) or (
-        word + "es" if word.endswith(("s", "sh", "ch", "x")) else word[:-1] + "ies" if word.endswith("ry") else word + "s"
-    )
-
-
-def gerund(word):
-    return {"lie": "lying", "be": "being", "sit": "sitting", "put": "putting"}.get(word) or (
-        word[:-1] if word.endswith("e") else word
-    ) + "ing"
-
-
-def participle(word):
-    return {"hold": "held", "light": "lit", "set": "set", "overlook": "overlooked"}.get(word) or word + (
-        "d" if word.endswith("e") else "ed"
-    )
-
-
-def end(root, sign="."):
-    return root.right("punct", Node(sign, "PUNCT"))
-
-
-def mention(r, item, definite=None):
-    known = item.said if definite is None else definite
-    item.said = True
-    return noun(r, item.thing, item.number, definite=known or r.random() < 0.06)
-
-
-def place(r, kind, other):
-    """(arc, node) of a place by its kind; `other` is a phrase or None."""
-    if kind == "room" or (other is None and kind not in {"wall", "ceiling"}):
-        return room_place(r)
-    if kind == "beside":
-        return beside(r, other)
-    if kind == "on":
-        return upon(r, other)
-    if kind == "around":
-        return around(r, other)
-    if kind == "above":
-        return above(r, other)
-    if kind == "under":
-        return "prep", prep(r.choice(("under", "beneath", "underneath", "below")), other)
-    if kind == "wall":
-        return "prep", prep("on", wall(r))
-    if kind == "ceiling":
-        return "prep", prep("from", the("ceiling"))
-    side = Node(r.choice(("side", "side", "end")), "NN").left("det", Node(r.choice(("either", "each")), "DT"))
-    if r.random() < 0.25:
-        side = Node("sides", "NNS").left("det", Node("both", "DT"))
-    return "prep", prep(r.choice(("on", "on", "at")), side.right("prep", prep("of", other)))
 
 
 def place_for(r, scene, fact, other=None):
     """Places for a fact; now and then two."""
     if other is None and fact.other is not None:
         other = mention(r, fact.other)
-        if fact.kind != "on" and r.random() < 0.15:
+        if r.random() < 0.25:
             other = decorate(r, scene, fact.other, other, most=1)
     places = [place(r, fact.kind, other)]
     if fact.kind == "room" and places[0][0] == "prep" and r.random() < 0.2:
@@ -89,45 +21,6 @@ def place_for(r, scene, fact, other=None):
     elif more is not None:
         places.append(room_place(r))
     return places
-
-
-def attach(host, places):
-    for arc, node in places:
-        if arc == "advcl" and host.tag.startswith("NN"):
-            arc = "acl"
-        host.right(arc, node)
-    return host
-
-
-def head_verb(r, thing, many, modal=True):
-    """(root, label of the subject): "stands", "is placed", "should be placed", "is standing"."""
-    kind = thing.place
-    helper = Node(r.choice(("should", "can", "will", "must", "could", "would")), "MD") if modal and r.random() < 0.15 else None
-    chosen = r.random()
-    if chosen < 0.45:
-        word = r.choice(POSTURE[kind])
-        if helper is not None:
-            return Node(word, "VB").left("aux", helper), "nsubj"
-        if word == "be":
-            return Node(*BE[many]), "nsubj"
-        root = Node(word if many else third(word), "VBP" if many else "VBZ")
-    elif chosen < 0.55:
-        word = r.choice([word for word in POSTURE[kind] if word != "be"])
-        return Node(gerund(word), "VBG").left("aux", Node(*BE[many])), "nsubj"
-    else:
-        root = Node(r.choice(PLACED[kind]), "VBN")
-        if helper is not None:
-            root.left("aux", helper).left("auxpass", Node("be", "VB"))
-        else:
-            root.left("auxpass", Node(*BE[many]))
-        if r.random() < 0.1:
-            root.left("advmod", Node(r.choice(ADVERBS), "RB"))
-        return root, "nsubjpass"
-    if r.random() < 0.08:
-        root.right("advmod", Node(r.choice(ADVERBS), "RB"))
-    elif r.random() < 0.04:
-        root.right("acomp", Node(r.choice(("open", "empty", "ready", "upright", "alone", "folded")), "JJ"))
-    return root, "nsubj"
 
 
 def subject_of(r, scene, fact):
@@ -151,7 +44,10 @@ def clause(r, scene, fact, modal=True):
 
 def inverted(r, scene, fact):
     """ "On the table a bowl sits", "On the table stands a bowl", "Next to it is a jar\""""
-    places = place_for(r, scene, fact)
+    pronoun = None
+    if fact.other is not None and fact.other.said and r.random() < 0.25:
+        pronoun = Node("it" if fact.other.number == 1 else "them", "PRP")
+    places = place_for(r, scene, fact, pronoun)
     (arc, node), rest = places[0], places[1:]
     many = fact.subject.number != 1
     subject = mention(r, fact.subject)
@@ -160,6 +56,12 @@ def inverted(r, scene, fact):
     if chosen < 0.25:
         root, label = head_verb(r, fact.subject.thing, many, modal=False)
         root.first(label, subject)
+    elif chosen < 0.33:
+        words = [word for word in POSTURE[fact.subject.thing.place] if word != "be"]
+        standing = r.random() < 0.5
+        root = Node(gerund(r.choice(words)), "VBG") if standing else Node(r.choice(PLACED[fact.subject.thing.place]), "VBN")
+        root.left("aux" if standing else "auxpass", Node(*BE[many])).right("nsubj" if standing else "nsubjpass", subject)
+        pause = None
     elif chosen < 0.65:
         word = r.choice(POSTURE[fact.subject.thing.place])
         root = Node(*BE[many]) if word == "be" else Node(word if many else third(word), "VBP" if many else "VBZ")
@@ -182,45 +84,13 @@ def there_is(r, scene, fact, modal=False):
     subject = attach(mention(r, fact.subject), place_for(r, scene, fact))
     if modal or r.random() < 0.1:
         root = Node("be", "VB").left("expl", Node("there", "EX")).left("aux", Node(r.choice(("should", "must", "can")), "MD"))
+    elif not many and r.random() < 0.15:
+        root = Node("'s", "VBZ").left("expl", Node("there", "EX"))
     else:
         root = Node(*BE[many]).left("expl", Node("there", "EX"))
     if r.random() < 0.06:
         root.right("advmod", Node("also", "RB"))
     return root.right("attr", subject)
-
-
-# Verbs by what they say: (host is subject?, verbs, kinds of facts)
-HOLD = ("hold", "support", "display", "carry", "have", "feature", "host", "bear", "showcase")
-REACH = {
-    "room": ("occupy", "fill", "command", "anchor", "dominate"),
-    "beside": ("face", "flank", "overlook", "adjoin", "touch"),
-    "around": ("surround", "circle", "encircle", "ring"),
-    "sides": ("flank", "frame", "bracket"),
-    "above": ("illuminate", "light", "crown", "overlook"),
-    "wall": ("adorn", "decorate", "cover", "line", "grace"),
-    "under": ("anchor", "underlie", "ground"),
-    "ceiling": ("brighten", "light"),
-    "on": ("top", "adorn", "cover"),
-}
-
-
-def finite(r, word, many):
-    chosen = r.random()
-    if chosen < 0.08:
-        return Node(word, "VB").left("aux", Node(r.choice(("should", "can", "will", "could")), "MD"))
-    if chosen < 0.14:
-        return Node(gerund(word), "VBG").left("aux", Node(*BE[many]))
-    return Node(word if many else third(word), "VBP" if many else "VBZ")
-
-
-def reach_object(r, fact, other):
-    if other is not None:
-        return other
-    if fact.kind == "ceiling":
-        return room(r, True)
-    if fact.kind == "wall":
-        return wall(r)
-    return of_room(r, the(r.choice(("corner", "center", "middle", "wall")))) if r.random() < 0.6 else wall(r)
 
 
 def verb(r, scene, fact):
@@ -247,10 +117,12 @@ def verb(r, scene, fact):
             "nsubjpass", other
         )
         return root.left("auxpass", Node(*BE[fact.other.number != 1])).right("agent", prep("by", subject))
-    if r.random() < 0.25:
+    if r.random() < 0.4:
         subject = decorate(r, scene, fact.subject, subject, most=1)
-    if other is not None and r.random() < 0.25:
+    if other is not None and r.random() < 0.3:
         other = decorate(r, scene, fact.other, other, most=1)
+    if many and fact.kind == "room" and r.random() < 0.4:
+        return finite(r, r.choice(("line", "cover", "fill")), many).first("nsubj", subject).right("dobj", wall(r))
     root = finite(r, r.choice(REACH[fact.kind]), many).first("nsubj", subject)
     return root.right("dobj", reach_object(r, fact, other))
 
@@ -299,6 +171,13 @@ def gapped(r, scene, fact):
     return attach(mention(r, fact.subject), place_for(r, scene, fact))
 
 
+def drop_first(phrase):
+    """Without its article."""
+    if phrase.before and phrase.before[0][0] == "det":
+        phrase.before.pop(0)
+    return phrase
+
+
 def telegraphic_item(r, scene, fact):
     bare = noun(r, fact.subject.thing, fact.subject.number, plain=r.random() < 0.6)
     fact.subject.said = True
@@ -309,6 +188,8 @@ def telegraphic_item(r, scene, fact):
         return bare.right("advmod", Node(r.choice(("left", "right", "center", "back", "front")), "RB"))
     if chosen < 0.35:
         return bare
+    if chosen < 0.42:
+        return bare.right("punct", Node(r.choice((",", ":")), "PUNCT")).right("appos", drop_first(wall(r)))
     places = place_for(r, scene, fact, noun(r, fact.other.thing, fact.other.number, definite=True) if fact.other else None)
     if r.random() < 0.4:
         for _, node in places:
@@ -316,138 +197,3 @@ def telegraphic_item(r, scene, fact):
                 if below.before and below.before[0][0] == "det":
                     below.before.pop(0)
     return attach(bare, places)
-
-
-PARTS = (
-    "drawers",
-    "wheels",
-    "shelves",
-    "armrests",
-    "doors",
-    "legs",
-    "cushions",
-    "handles",
-    "casters",
-    "a shade",
-    "a marble top",
-    "a glass top",
-    "a headboard",
-    "a mirror",
-    "a footrest",
-    "four legs",
-    "three drawers",
-    "two doors",
-    "a drawer",
-    "curtains",
-    "a frame",
-    "a backrest",
-    "storage",
-)
-MATERIALS = ("oak", "wood", "glass", "steel", "marble", "leather", "velvet", "bamboo", "rattan", "concrete")
-PURPOSES = ("reading", "storage", "studying", "guests", "work", "homework", "drawing", "toys", "relaxation", "entertainment")
-
-
-def bare(words):
-    """ "a glass top", "drawers" as a phrase."""
-    *before, last = words.split()
-    node = Node(last, "NNS" if last.endswith("s") and last != "glass" else "NN")
-    for word in before:
-        arc, tag = ("det", "DT") if word == "a" else ("nummod", "CD") if word in NUMBERS else ("compound", "NN")
-        node.left(arc, Node(word, tag))
-    return node
-
-
-def quality(r, host, many):
-    """What is no other thing: parts, material, purpose, size, seats."""
-    chosen = r.random()
-    number = Node(r.choice(NUMBERS), "CD")
-    if chosen < 0.3:
-        host.right("prep", prep("with", bare(r.choice(PARTS))))
-    elif chosen < 0.4:
-        host.right("acl", Node("made", "VBN").right("prep", prep("of", Node(r.choice(MATERIALS), "NN"))))
-    elif chosen < 0.55:
-        word = r.choice(PURPOSES)
-        host.right(
-            "prep",
-            prep("for", Node(word, "NNS" if word.endswith("s") else "NN"))
-            if not word.endswith("ing")
-            else prep("for").right("pcomp", Node(word, "VBG")),
-        )
-    elif chosen < 0.7:
-        host.right(
-            "prep",
-            prep(
-                "for",
-                Node(r.choice(("people", "guests", "children", "students")), "NNS").left("nummod", number) if r.random() < 0.7 else number,
-            ),
-        )
-    elif chosen < 0.85:
-        verb_ = Node(r.choice(("seat", "fit", "sleep")) if many else r.choice(("seats", "fits", "sleeps")), "VBP" if many else "VBZ")
-        host.right("relcl", verb_.left("nsubj", Node(r.choice(("that", "which")), "WDT")).right("dobj", number))
-    elif chosen < 0.92:
-        host.right("acl", Node("seating", "VBG").right("dobj", number))
-    else:
-        unit = Node(r.choice(("meters", "cm", "feet", "inches")), "NNS").left("nummod", Node(str(r.randint(2, 90)), "CD"))
-        wide = Node(r.choice(("wide", "long", "tall", "high", "deep")), "JJ").left("npadvmod", unit)
-        host.right("relcl", Node(*BE[many]).left("nsubj", Node("that", "WDT")).right("acomp", wide))
-
-
-def relative(r, host, clause_):
-    """Hangs a relative clause on a noun, after a comma now and then."""
-    if r.random() < 0.25:
-        host.right("punct", Node(",", "PUNCT"))
-    return host.right("relcl", clause_)
-
-
-def decorate(r, scene, item, phrase, most=2, forbidden=None):
-    """Hangs facts on a noun phrase: "with a lamp on it", "that faces the window", "placed in the corner\""""
-    many = item.number != 1
-    host = phrase
-    if r.random() < 0.12:
-        quality(r, host, many)
-        most -= 1
-    for _ in range(most):
-        if r.random() < 0.35:
-            break
-        fact = scene.take(as_other=item, kinds={"on"}) if r.random() < 0.4 else scene.take(item=item)
-        if fact is None:
-            continue
-        if fact is forbidden:
-            fact.used = False
-            break
-        if fact.subject is item:
-            own_places(r, scene, fact, host, many)
-            break
-        held = mention(r, fact.subject)
-        chosen = r.random()
-        if chosen < 0.4:
-            on = prep("on", Node("them" if many else "it", "PRP") if r.random() < 0.6 else Node("top", "NN"))
-            host.right("prep", prep("with", held.right("prep", on)))
-        elif chosen < 0.65:
-            host.right("acl", Node(r.choice(("holding", "supporting", "displaying", "carrying", "featuring")), "VBG").right("dobj", held))
-        elif chosen < 0.8:
-            host.right("acl", Node(r.choice(("topped", "decorated", "adorned", "covered")), "VBN").right("prep", prep("with", held)))
-        else:
-            relative(r, host, finite(r, r.choice(HOLD), many).first("nsubj", Node(r.choice(("that", "which")), "WDT")).right("dobj", held))
-    return phrase
-
-
-def own_places(r, scene, fact, host, many):
-    places = [place(r, fact.kind, mention(r, fact.other) if fact.other else None)]
-    chosen = r.random()
-    if chosen < 0.35:
-        attach(host, places)
-    elif chosen < 0.6:
-        host.right("acl", attach(Node(r.choice(PLACED[fact.subject.thing.place]), "VBN"), places))
-    elif chosen < 0.75:
-        word = r.choice([word for word in POSTURE[fact.subject.thing.place] if word != "be"])
-        host.right("acl", attach(Node(gerund(word), "VBG"), places))
-    elif chosen < 0.87:
-        root, label = head_verb(r, fact.subject.thing, many, modal=False)
-        relative(r, host, attach(root.first(label, Node(r.choice(("that", "which")), "WDT")), places))
-    else:
-        word = r.choice(REACH[fact.kind])
-        if fact.kind in {"around", "sides", "above", "wall"} and fact.other is None:
-            attach(host, places)
-            return
-        host.right("acl", Node(gerund(word), "VBG").right("dobj", reach_object(r, fact, mention(r, fact.other) if fact.other else None)))

@@ -21,7 +21,7 @@ HYPHENED = (
 
 
 def det_for(word):
-    return "an" if word[0] in "aeiou" and word != "u" and not word.startswith(("uni", "one", "euro")) else "a"
+    return "an" if word == "l" or word[0] in "aeiou" and word != "u" and not word.startswith(("uni", "one", "euro")) else "a"
 
 
 def adjective(word):

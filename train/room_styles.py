@@ -1,30 +1,16 @@
 """The manners in which room_sentences.py writes: each gets a random source and returns the trees of some sentences."""
 
-from room_asides import company, each_with, one_of_which, with_clause, with_effect
-from room_clauses import (
-    PLACED,
-    POSTURE,
-    attach,
-    clause,
-    decorate,
-    end,
-    finite,
-    gapped,
-    gerund,
-    inverted,
-    listing,
-    mention,
-    place,
-    place_for,
-    telegraphic_item,
-    there_is,
-    verb,
-)
+from room_asides import with_effect
+from room_basics import attach, end, mention
+from room_brief import brief
+from room_clauses import clause, gapped, inverted, listing, place_for, telegraphic_item, there_is, verb
+from room_decorate import decorate
 from room_phrases import room
+from room_prose import annotator, groups, predicates
 from room_scene import Scene
 from tree_text import Node, join, prep
 
-STYLES = {}
+STYLES = {"brief": (brief, 5), "annotator": (annotator, 4), "groups": (groups, 1.5), "predicates": (predicates, 2)}
 
 
 def style(name, weight=1.0):
@@ -181,7 +167,9 @@ def wishes(r):
         stop = "."
         if chosen < 0.5:
             members = decorate(r, scene, fact.subject, mention(r, fact.subject))
-            attach(members, place_for(r, scene, fact))
+            places = place_for(r, scene, fact)
+            fronted = places[0] if r.random() < 0.15 else None  # "Between the beds I want a nightstand."
+            attach(members, places if fronted is None else [])
             items = [item for item in scene.items if not item.said][: r.randint(0, 2)]
             members = join([members] + [decorate(r, scene, item, mention(r, item)) for item in items])
             who = r.choice((("i", ""), ("we", ""), ("she", "s"), ("he", "s")))
@@ -192,11 +180,28 @@ def wishes(r):
                 root = Node({"have": "has"}.get(word, word + "s"), "VBZ").left("nsubj", Node(who[0], "PRP"))
             else:
                 root = Node(word, "VBP").left("nsubj", Node(who[0], "PRP"))
+            if fronted is not None:
+                root.first(*fronted)
             if r.random() < 0.25:
                 inner = Node(r.choice(("have", "see", "put", "get", "add")), "VB").left("aux", Node("to", "TO")).right("dobj", members)
                 root.right("xcomp", inner)
             else:
                 root.right("dobj", members)
+        elif chosen < 0.58:
+            word = r.choice(("want", "like", "prefer", "need"))
+            root = Node(word, "VBP" if word != "like" else "VB").left("nsubj", Node(r.choice(("i", "we", "they")), "PRP"))
+            if word == "like":
+                root.left("aux", Node("would", "MD"))
+            inner = Node(r.choice(("go", "stand", "be", "sit", "face", "hang")), "VB")
+            inner.left("nsubj", mention(r, fact.subject)).left("aux", Node("to", "TO"))
+            if inner.word == "face":
+                inner.right("dobj", mention(r, fact.other or fact.subject))
+            else:
+                if r.random() < 0.25 and inner.word == "be":
+                    inner = Node("placed", "VBN").left("nsubjpass", inner.before[0][1])
+                    inner.left("aux", Node("to", "TO")).left("auxpass", Node("be", "VB"))
+                attach(inner, place_for(r, scene, fact))
+            root.right("ccomp", inner)
         elif chosen < 0.7:
             root = Node(r.choice(("put", "place", "add", "have", "set")), "VB").left("aux", Node(r.choice(("can", "could", "would")), "MD"))
             root.left("nsubj", Node(r.choice(("you", "you", "we", "i")), "PRP")).right("dobj", mention(r, fact.subject))
@@ -270,92 +275,3 @@ def nominal(r):
             continue
         root = decorate(r, scene, item, mention(r, item), most=3)
         yield end(root, r.choice((".", ";", ",")))
-
-
-@style("annotator", 4)
-def annotator(r):
-    """Long sentences with asides: ", with a mirror hanging above it", ", each with a lamp", ", adding warmth to the space\""""
-    scene = Scene(r)
-    while (fact := scene.take()) is not None:
-        chosen = r.random()
-        root = clause(r, scene, fact, modal=False) if chosen < 0.5 else verb(r, scene, fact) if chosen < 0.75 else inverted(r, scene, fact)
-        aside(r, scene, fact, root)
-        if r.random() < 0.2:
-            with_effect(r, root)
-        yield end(root)
-
-
-def aside(r, scene, fact, root):
-    more = scene.take(as_other=fact.subject) or (scene.take() if r.random() < 0.4 else None)
-    if more is None:
-        return
-    other = more.other
-    if other is fact.subject and r.random() < 0.7:
-        pronoun = Node("it" if other.number == 1 else "them", "PRP")
-    else:
-        pronoun = mention(r, other) if other is not None else None
-    kind = more.subject.thing.place
-    verbs = [(gerund(word), "VBG") for word in POSTURE[kind] if word != "be"] + [(word, "VBN") for word in PLACED[kind]]
-    with_clause(r, root, mention(r, more.subject), [place(r, more.kind, pronoun)], verbs)
-
-
-@style("groups", 1.5)
-def groups(r):
-    """ "The bed is flanked by two nightstands, each with a lamp", "a sofa paired with a stool\""""
-    scene = Scene(r)
-    for item in list(scene.items):
-        small = next((other for other in scene.items if other.thing.place == "small" and not other.said), None)
-        if item.said or small is None or item.thing.place == "small":
-            continue
-        phrase = mention(r, item)
-        held = mention(r, small)
-        if item.number == 1:
-            company(r, phrase, held)
-        elif r.random() < 0.75:
-            each_with(r, phrase, held)
-        else:
-            one_of_which(r, phrase, held)
-        fact = scene.take(item=item)
-        chosen = r.random()
-        if fact is not None and chosen < 0.5:
-            arc, node = place(r, fact.kind, mention(r, fact.other) if fact.other is not None else None)
-            root = Node("is" if item.number == 1 else "are", "VBZ" if item.number == 1 else "VBP")
-            if r.random() < 0.5:
-                root.left("expl", Node("there", "EX"))
-            root = root.first(arc, node).right("attr", phrase)
-        elif chosen < 0.75:
-            root = Node(r.choice(("has", "features", "includes", "contains")), "VBZ").left("nsubj", room(r)).right("dobj", phrase)
-        else:
-            root = room(r).right("prep", prep("with", phrase))
-        yield end(root)
-
-
-@style("predicates", 2)
-def predicates(r):
-    """ "A desk stands in the corner and faces the window.\""""
-    scene = Scene(r)
-    for item in list(scene.items):
-        facts = [fact for fact in scene.facts if fact.subject is item and not fact.used]
-        if not facts:
-            continue
-        facts[0].used = True
-        root = clause(r, scene, facts[0], modal=False)
-        subject_many = item.number != 1
-        following = None
-        chosen = r.random()
-        held = scene.take(as_other=item, kinds={"on"})
-        if held is not None and chosen < 0.6:
-            following = finite(r, r.choice(("hold", "support", "display", "carry", "have")), subject_many).right(
-                "dobj", mention(r, held.subject)
-            )
-        elif chosen < 0.8:
-            other = r.choice(scene.items)
-            if other is not item:
-                following = finite(r, r.choice(("face", "overlook", "touch", "adjoin", "flank")), subject_many).right(
-                    "dobj", mention(r, other)
-                )
-        if following is not None:
-            if r.random() < 0.15:
-                root.right("punct", Node(",", "PUNCT"))
-            root.right("cc", Node("and", "CC")).right("conj", following)
-        yield end(root)

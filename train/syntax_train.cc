@@ -3,7 +3,6 @@
 //   syntax_train --words WORDS --output FILE [--epochs N] [--keep-tag N] [--keep-step N] [--keep-label N] TREES[:TIMES] … [--test TREES …]
 //   syntax_train --weights FILE --test TREES …          measures only
 #include <algorithm>
-#include <ctime>
 #include <fstream>
 #include <iostream>
 #include <iterator>
@@ -11,6 +10,7 @@
 
 #include "layoutbox/plan/syntax/features.h"
 #include "learner.h"
+#include "measure.h"
 #include "trees.h"
 #include "weights_file.h"
 
@@ -200,43 +200,14 @@ void learn_trees(Parser& parser, std::vector<Example>& examples, int epochs) {
   }
 }
 
-// --- measures
-
-void measure(const std::string& path, const Weights& weights) {
-  std::int64_t words = 0, tags = 0, heads = 0, both = 0, preps = 0, right_preps = 0, subjects = 0, right_subjects = 0, joined = 0,
-               right_joined = 0;
-  const auto trees = read_trees(path);
-  const std::clock_t begin = std::clock();
-  std::int64_t whole = 0;
-  for (const Tree& tree : trees) {
-    const auto nodes = parse_with(weights, views(tree));
-    bool perfect = true;
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-      if (Tag{static_cast<std::uint8_t>(tree.tags[i])} == Tag::kPunct) continue;
-      ++words;
-      tags += static_cast<int>(nodes[i].tag) == tree.tags[i];
-      const int head = nodes[i].head < 0 ? tree.size() : nodes[i].head;
-      const bool same = head == tree.heads[i], label = static_cast<int>(nodes[i].arc) == tree.arcs[i];
-      heads += same;
-      both += same && label;
-      perfect &= same;
-      const Arc gold{static_cast<std::uint8_t>(tree.arcs[i])};
-      if (gold == Arc::kPrep || gold == Arc::kAcl || gold == Arc::kRelcl || gold == Arc::kAdvcl) ++preps, right_preps += same;
-      if (gold == Arc::kNsubj || gold == Arc::kNsubjpass || gold == Arc::kDobj || gold == Arc::kPobj)
-        ++subjects, right_subjects += same && label;
-      if (gold == Arc::kConj) ++joined, right_joined += same && label;
-    }
-    whole += perfect;
+// The median of the words' margins.
+float usual_margin(const Weights& weights, const std::vector<Example>& examples) {
+  std::vector<float> margins;
+  for (std::size_t i = 0; i < examples.size(); i += 20) {
+    for (const Node& node : parse_with(weights, views(*examples[i].tree))) margins.push_back(node.margin);
   }
-  const double time = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
-  const auto share = [](std::int64_t part, std::int64_t all) {
-    return 100.0 * static_cast<double>(part) / static_cast<double>(std::max<std::int64_t>(all, 1));
-  };
-  std::cout << path << ": " << trees.size() << " sentences, " << words << " words; tags " << share(tags, words) << ", heads "
-            << share(heads, words) << ", heads and labels " << share(both, words) << ", whole trees "
-            << share(whole, static_cast<std::int64_t>(trees.size())) << "; prepositions and clauses " << share(right_preps, preps)
-            << ", subjects and objects " << share(right_subjects, subjects) << ", members of lists " << share(right_joined, joined)
-            << " %; " << time / static_cast<double>(std::max<std::int64_t>(words, 1)) * 15e3 << " ms for 15 words\n";
+  std::sort(margins.begin(), margins.end());
+  return std::max(margins[margins.size() / 2], 1.0F);
 }
 
 std::string learn(const Options& options) {
@@ -271,8 +242,9 @@ std::string learn(const Options& options) {
     tables[i] = model_table(Model{static_cast<std::uint8_t>(i)}, learners[i]->averaged(), options.keep[i], units[i]);
     std::cerr << "model " << i << ": " << tables[i].size() << " bytes\n";
   }
-  // A usual margin: what the perceptron was content with many times over; 1 unit of learning times the features.
-  return weights_file(words, tables, {1 / (units[0] * 20), 1 / (units[1] * 20), 1 / (units[2] * 20)});
+  const std::string plain = weights_file(words, tables, {1, 1, 1});
+  const float usual = usual_margin(Weights(plain), examples);
+  return weights_file(words, tables, {1, 1 / usual, 1});
 }
 
 std::string read_bytes(const std::string& path) {

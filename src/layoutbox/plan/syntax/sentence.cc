@@ -20,6 +20,13 @@ std::uint32_t shape_of(std::string_view text) {
   return (digit ? 1U : 0U) | (letter ? 2U : 0U) | (other ? 4U : 0U) | length << 3;
 }
 
+bool likely_verb(const Word& word) {
+  static const std::uint64_t ing = word_key("ing"), ed = word_key("ed");
+  constexpr std::uint32_t kCanBeVerb = 2, kMostlyVerb = 1;  // WordInfo's bits
+  const std::uint32_t parts = word.info.parts();
+  return (parts & kCanBeVerb) != 0 && parts >> 4 == kMostlyVerb && word.suffix3 != ing && word.suffix2 != ed;
+}
+
 std::uint64_t ending(std::string_view text, std::size_t letters) {
   return text.size() > letters ? word_key(text.substr(text.size() - letters)) : 1;
 }
@@ -41,7 +48,11 @@ Word read_word(std::string_view text, const Weights& weights) {
 Sentence read_sentence(std::span<const std::string_view> words, const Weights& weights) {
   Sentence sentence;
   sentence.words.reserve(words.size());
-  for (const std::string_view word : words) sentence.words.push_back(read_word(word, weights));
+  sentence.likely_verbs.assign(1, 0);
+  for (const std::string_view word : words) {
+    sentence.words.push_back(read_word(word, weights));
+    sentence.likely_verbs.push_back(sentence.likely_verbs.back() + (likely_verb(sentence.words.back()) ? 1 : 0));
+  }
   return sentence;
 }
 

@@ -38,6 +38,7 @@ inline constexpr std::uint64_t kBefore = 11, kAfter = 12, kNothing = 13;
 struct Sentence {
   std::vector<Word> words;
   std::vector<std::uint8_t> tags;
+  std::vector<int> likely_verbs;  // how many words before each place (and the end) are mostly verbs, in a finite form
   // For each place (and the end): the next place from there on with a noun, with a finite verb, with a comma or "and"; the number of words
   // if none.
   std::vector<int> next_noun, next_verb, next_break;

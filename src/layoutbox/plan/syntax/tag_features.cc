@@ -68,6 +68,10 @@ void tag_features(const Sentence& sentence, int word, Features& features) {
       determiner = static_cast<std::uint64_t>(i - word);
   }
   atoms[kVerbBefore] = verb, atoms[kNounBefore] = noun, atoms[kAfterNoun] = determiner;
+  const auto verbs = [&](int from, int to) {
+    return sentence.likely_verbs[static_cast<std::size_t>(to)] > sentence.likely_verbs[static_cast<std::size_t>(from)] ? 1U : 0U;
+  };
+  atoms[kVerbElsewhere] = verbs(0, word) | verbs(word + 1, sentence.size()) << 1;
   combine(atoms, kTagTemplates, 0x1234567, features);
 }
 
