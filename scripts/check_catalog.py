@@ -197,6 +197,22 @@ def check_words(things: list[dict]) -> Iterator[str]:
             owner.setdefault(key, thing["id"])
 
 
+def check_like(folder: Path, ids: dict[str, dict]) -> Iterator[str]:
+    """What words_kinds.json names is there, and no word of its list has an entry of its own."""
+    path = folder / "words_kinds.json"
+    if not path.exists():
+        return
+    data = json.loads(path.read_text(encoding="utf-8"))
+    words = {word for entry in ids.values() for word in [entry["id"].replace("_", " "), entry["name"], *entry.get("synonyms", [])]}
+    for entry, like in data["like"].items():
+        if entry not in ids:
+            yield f"words_kinds like: there is no entry '{entry}'"
+        yield from (f"words_kinds like: '{word}' has an entry" for word in like if word in words)
+    for named in [*data["kinds"].values(), *data["modifiers"].values()]:
+        if named and named not in ids:
+            yield f"words_kinds: there is no entry '{named}'"
+
+
 def check_rooms(rooms: list[dict], ids: dict[str, dict]) -> Iterator[str]:
     for room in rooms:
         for entry, count in room["usual"]:
@@ -225,7 +241,7 @@ def check(folder: Path) -> tuple[list[str], int]:
             rooms += data.get("rooms", [])
     ids = {entry["id"]: entry for entry in entries}
     room_ids = {room["id"] for room in rooms}
-    faults = list(check_words(entries)) + list(check_words(rooms)) + list(check_rooms(rooms, ids))
+    faults = list(check_like(folder, ids)) + list(check_words(entries)) + list(check_words(rooms)) + list(check_rooms(rooms, ids))
     for entry in entries:
         own = [*check_entry(entry, ids, room_ids), *check_ancestors(entry, ids)]
         faults += [f"{entry['id']}: {fault}" for fault in own]

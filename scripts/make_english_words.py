@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """Writes catalog/words_english.txt from WordNet 3.0's files (Debian: wordnet-base, /usr/share/wordnet).
 
-A line a word, sorted by bytes: the word without spaces, a letter for what it mostly is (t thing, n other noun, v verb,
-a adjective, r adverb) and, for things, the word for the next more general kind. Words of the catalogue's own lists need not be here.
+A line a word, sorted by bytes: the word without spaces, a letter for what it mostly is (t thing, c creature or other body in nature,
+p person, n other noun, v verb, a adjective, r adverb), for verbs and adjectives that are nouns as well a second letter for the noun, and for
+things and creatures the words for the more general kinds, the nearest first. Words of the catalogue's own lists need not be here.
 """
 import argparse
 import collections
@@ -10,6 +11,13 @@ import pathlib
 import re
 
 ARTIFACT, FOOD, PLANT = 6, 13, 20  # lexicographer files of physical things that stand in rooms
+ANIMAL = 5
+BODIES = {ANIMAL, 8, FOOD, 17, PLANT}  # animals, parts of them, food, stones, plants: things where a text names or counts one
+PERSON = 18
+MOST_KINDS = 5
+TELL_NOTHING = {"artifact", "chordate", "entity", "instrumentality", "livingthing", "matter", "metatherian", "naturalobject", "object",
+                "organism", "part", "physicalentity", "placental", "substance", "thing", "unit", "vertebrate", "whole",
+                "vascularplant", "bodypart", "solid", "food", "eutherian"}  # fmt: skip
 POS = {"1": "n", "2": "v", "3": "a", "4": "r", "5": "a"}
 
 
@@ -60,6 +68,26 @@ def thing_sense(lemma: str, senses: dict[str, list[int]], synsets: dict[int, tup
     return None
 
 
+def noun_letter(lemma: str, senses: dict[str, list[int]], synsets: dict[int, tuple[int, list[str], list[int]]]) -> tuple[str, int | None]:
+    """What a noun that is mostly no thing is, and the sense that says so: that of its first two senses which is a body or a person."""
+    for sense in senses[lemma][:2]:
+        file = synsets[sense][0]
+        if file in BODIES:
+            return "c", sense
+        if file == PERSON:
+            return "p", sense
+    return "n", None
+
+
+def kinds(sense: int, synsets: dict[int, tuple[int, list[str], list[int]]]) -> list[str]:
+    """The words for the more general kinds of a sense, the nearest first, by the first of several kinds each."""
+    found: list[str] = []
+    while synsets[sense][2] and len(found) < MOST_KINDS:
+        sense = synsets[sense][2][0]
+        found += [word for word in [re.sub(r"[_'-]", "", synsets[sense][1][0])] if word not in TELL_NOTHING]
+    return found
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--wordnet", type=pathlib.Path, default=pathlib.Path("/usr/share/wordnet"))
@@ -75,11 +103,22 @@ def main() -> None:
         best = max(uses, key=lambda letter: (uses[letter], "ranv".index(letter)))
         compound = "_" in lemma or "-" in lemma
         thing = thing_sense(lemma, senses, synsets, uses.get("n", 0)) if "n" in uses else None
+        key = re.sub(r"[_-]", "", lemma)
         if thing is not None and (3 * uses["n"] >= uses[best] or uses[best] < 5):
-            general = next((synsets[above][1][0] for above in synsets[thing][2]), "")
-            lines[re.sub(r"[_-]", "", lemma)] = f"t {re.sub(r'[_-]', '', general)}".rstrip()
+            lines[key] = " ".join(["t", *kinds(thing, synsets)])
+            continue
+        letter, sense = noun_letter(lemma, senses, synsets) if "n" in uses else ("", None)
+        if letter in ("c", "p") and uses["n"] == 0 and (compound or (letter == "c" and synsets[sense][0] != ANIMAL)):
+            continue  # names of species, offices and peoples
+        if best == "n" and letter in ("c", "p") and (not compound or uses["n"] > 0):
+            lines.setdefault(key, " ".join([letter, *(kinds(sense, synsets) if letter == "c" else [])]))
         elif not compound and uses[best] > (1 if best == "n" else 0) and not (best == "r" and lemma.endswith("ly")):
-            lines.setdefault(lemma, best)
+            if best == "n":
+                lines.setdefault(lemma, "n")
+            elif thing is not None or letter == "c":
+                lines.setdefault(lemma, " ".join([best + ("t" if thing is not None else "c"), *kinds(thing or sense, synsets)]))
+            else:
+                lines.setdefault(lemma, best + letter)
     options.output.write_text("".join(f"{word} {what}\n" for word, what in sorted(lines.items())))
 
 

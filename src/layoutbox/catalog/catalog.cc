@@ -7,6 +7,7 @@
 
 #include "layoutbox/base/words.h"
 #include "layoutbox/catalog/catalog_json.h"
+#include "layoutbox/catalog/kin.h"
 #include "layoutbox/catalog/pack.h"
 #include "layoutbox/embedded/catalog_pack.h"
 #include "layoutbox/scene/scene_check.h"
@@ -85,6 +86,10 @@ bool Catalog::is_a(std::string_view id, std::string_view ancestor) const {
   for (int step = 0; step < 20 && !id.empty(); ++step) {
     if (id == ancestor) return true;
     const CatalogEntry* entry = find(id);
+    if (entry == nullptr && step == 0) {  // what is like an entry: "wok" → pan
+      id = liked_entry(id);
+      continue;
+    }
     if (entry == nullptr) return false;
     id = entry->kind_of;
   }
@@ -94,6 +99,7 @@ bool Catalog::is_a(std::string_view id, std::string_view ancestor) const {
 const CatalogEntry& Catalog::entry_or_nearest(std::string_view category) const {
   if (const CatalogEntry* exact = find(category)) return *exact;
   if (const CatalogEntry* by_words = find_by_words(category)) return *by_words;
+  if (const CatalogEntry* kin = kin_of(*this, category)) return *kin;
   // "workdesk" → desk: the longest known word that it ends with.
   constexpr std::size_t kShortest = 3;
   const std::vector<std::string> words = words_of(category);

@@ -37,9 +37,9 @@ class ObjectNormalizer {
     settle_category();
     if (const CatalogEntry* article = choose_article(context_, object_)) take_article(context_, object_, *article, pointer_);
     const CatalogEntry& entry = context_.catalog.entry_or_nearest(object_.category);
+    if (!object_.mount) object_.mount = mount_by_relations(entry);
     settle_size(entry);
     if (!object_.used_sides) object_.used_sides = entry.used_sides;
-    if (!object_.mount) object_.mount = mount_by_relations(entry);
   }
 
  private:
@@ -83,7 +83,11 @@ class ObjectNormalizer {
   }
 
   void settle_size(const CatalogEntry& entry) {
-    const SizeRange usual = size_by_words(entry, words_said_of(object_));
+    SizeRange usual = size_by_words(entry, words_said_of(object_));
+    // What nobody knows and what stands on another thing is small.
+    constexpr Mm kLeast = 50, kUsual = 150, kGreatest = 300;
+    if (entry.id == "object" && object_.mount == Mount::kSurface)
+      usual = {{kLeast, kLeast, kLeast}, {kUsual, kUsual, kUsual}, {kGreatest, kGreatest, kGreatest}};
     if (!object_.size) {
       object_.size = usual;
       object_.size_source = SizeSource::kCatalog;

@@ -153,7 +153,7 @@ bool Chunker::read_size_chunk() {
     }
     break;
   }
-  if (values.size() < 2 || unit == 0) return false;
+  if (values.size() < 2 || unit == 0 || noun_goes_on(lexicon_, tokens_, at)) return false;
   // One unit at the end holds for all: "120 x 60 cm".
   std::size_t check = i_;
   for (double& value : values) {

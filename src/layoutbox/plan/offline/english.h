@@ -3,17 +3,28 @@
 
 #include <string_view>
 
-#include "layoutbox/catalog/catalog.h"
-
 namespace layoutbox::offline {
 
-enum class WordForm { kUnknown, kThing, kNoun, kVerb, kAdjective, kAdverb };
+enum class WordForm {
+  kUnknown,
+  kThing,
+  kBody,  // an animal, a stone, a plant: a thing where it is named or counted
+  kPerson,
+  kNoun,  // no physical thing
+  kVerb,
+  kAdjective,
+  kAdverb,
+};
 
-// What a lower-case word mostly is; a noun that is no physical thing is kNoun. Plurals and inflected verbs are known by their base.
+constexpr bool is_noun(WordForm form) {
+  return form == WordForm::kThing || form == WordForm::kBody || form == WordForm::kPerson || form == WordForm::kNoun;
+}
+
+// What a lower-case word mostly is. Plurals and inflected verbs are known by their base.
 WordForm word_form(std::string_view word);
 
-// The catalogue entry that an unknown noun is a kind of, or null.
-const CatalogEntry* known_kind(const Catalog& catalog, std::string_view noun);
+// What it is as a noun, even where it mostly is a verb or an adjective ("a cross"); kUnknown where it is none or not known.
+WordForm noun_form(std::string_view word);
 
 // "items", "essentials", "supplies": nouns that stand for things when something holds them.
 bool is_collective(std::string_view singular);

@@ -38,6 +38,21 @@ std::string_view Lexicon::young_room(std::string_view room) const {
   return found == young_rooms_.end() ? room : std::string_view(found->second);
 }
 
+std::pair<std::string_view, std::size_t> Lexicon::room_suggested(std::span<const Token> tokens, std::size_t at) const {
+  constexpr std::size_t kLongest = 4;
+  std::pair<std::string_view, std::size_t> best{};
+  std::string words;
+  for (std::size_t length = 1; length <= kLongest && at + length <= tokens.size(); ++length) {
+    const Token& token = tokens[at + length - 1];
+    if (token.kind == Token::Kind::kPunctuation) break;
+    words += (words.empty() ? "" : " ") + token.text;
+    auto found = activities_.find(words);
+    if (found == activities_.end()) found = activities_.find(singular_of(words));
+    if (found != activities_.end()) best = {found->second, length};
+  }
+  return best;
+}
+
 const CatalogEntry* Lexicon::seat_at(const CatalogEntry& table) const {
   const auto found = std::find_if(seats_.begin(), seats_.end(), [&](const auto& pair) { return catalog_->is_a(table.id, pair.first->id); });
   return found == seats_.end() ? nullptr : found->second;
@@ -49,6 +64,11 @@ const CatalogEntry* Lexicon::meant_in(const RoomKind& room, std::string_view nam
       return found->second;
   }
   return nullptr;
+}
+
+const CatalogEntry* Lexicon::meant_by_pair(std::string_view word) const {
+  const auto found = pairs_meant_.find(std::string(word));
+  return found == pairs_meant_.end() ? nullptr : found->second;
 }
 
 std::string_view Lexicon::meant_by(std::string_view word) const {

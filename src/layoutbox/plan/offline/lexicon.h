@@ -82,7 +82,7 @@ struct Meaning {
   const CatalogEntry* entry = nullptr;
   const RoomKind* room = nullptr;
   double value = 0;       // numbers, units
-  std::string_view word;  // what stands in the list: "left" for "western", the dimension's letter
+  std::string_view word;  // what stands in the list: "left" for "western", the dimension's letter; of an object its category
 };
 
 // One way to say a relation. The direction tells who stands before the phrase.
@@ -131,6 +131,10 @@ class Lexicon {
   bool knows(std::string_view word) const { return vocabulary_.contains(std::string(word)); }
   // The known words of that many letters that begin with that letter.
   std::span<const std::string> words_like(char first, std::size_t length) const;
+  // "scissors", "tongs": one thing, though the word is a plural.
+  bool is_plural_only(std::string_view word) const { return plural_only_.contains(std::string(word)); }
+  // What "a pair of" so called is, where it is one thing ("glasses"), or null.
+  const CatalogEntry* meant_by_pair(std::string_view word) const;
   // What a set consists of, the host first ("dining set": table, chairs), or nothing.
   using Set = std::vector<std::pair<const CatalogEntry*, int>>;
   const Set* set_of(std::string_view words) const;
@@ -138,6 +142,8 @@ class Lexicon {
   const Set* needs_in(std::string_view room) const;
   // The kind of room that one kind becomes for children: a bedroom for two of them is a kids' room.
   std::string_view young_room(std::string_view room) const;
+  // The kind of room that what begins at `at` is done in or is for ("watch movies", "my grandmother"), and the tokens it takes; 0 for none.
+  std::pair<std::string_view, std::size_t> room_suggested(std::span<const Token> tokens, std::size_t at) const;
   // What one sits on at a table of that kind, or null.
   const CatalogEntry* seat_at(const CatalogEntry& table) const;
   // What a plain word means in rooms of that kind or name ("mat" in a gym), or null.
@@ -169,9 +175,11 @@ class Lexicon {
   std::unordered_map<std::string, Set> sets_;              // key_of
   std::unordered_map<std::string, Set> needs_;             // by room
   std::unordered_map<std::string, std::string> young_rooms_;
+  std::unordered_map<std::string, std::string> activities_;                 // words joined by spaces, room
   std::vector<std::pair<const CatalogEntry*, const CatalogEntry*>> seats_;  // table, seat or null; special kinds first
   std::unordered_map<std::string, const CatalogEntry*> room_senses_;        // "room word"
-  std::unordered_set<std::string> vocabulary_, persons_, young_persons_;
+  std::unordered_set<std::string> vocabulary_, persons_, young_persons_, plural_only_;
+  std::unordered_map<std::string, const CatalogEntry*> pairs_meant_;
   std::unordered_map<std::string, std::vector<std::string>> by_shape_;  // first letter and length
   std::unordered_map<std::string, std::string> typing_errors_;
 };

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "layoutbox/base/words.h"
+#include "layoutbox/catalog/kin.h"
 #include "layoutbox/embedded/catalog_data.h"
 
 namespace layoutbox::offline {
@@ -114,6 +115,9 @@ Lexicon::Lexicon(const Catalog& catalog) : catalog_(&catalog) {
     add(entry.name, meaning);
     for (const std::string& word : entry.synonyms) add(word, meaning);
   }
+  for (const auto& [word, id] : like_words()) {
+    if (const CatalogEntry* entry = catalog.find(id)) add(word, {WordClass::kObject, entry, nullptr, 0, word});
+  }
   for (const RoomKind& room : catalog.rooms()) {
     const Meaning meaning{WordClass::kRoom, nullptr, &room, 0, room.id};
     add(room.id, meaning);
@@ -166,6 +170,9 @@ void Lexicon::read_words() {
     }
   }
   for (const auto& [wrong, right] : word_list("grammar").at("typing_errors").items()) typing_errors_[wrong] = right.get<std::string>();
+  for (const Json& word : word_list("grammar").at("plural_only")) plural_only_.insert(word.get<std::string>());
+  for (const auto& [word, meant] : word_list("grammar").at("pairs_meant").items())
+    pairs_meant_[word] = catalog_->find_by_words(meant.get_ref<const std::string&>());
   for (const auto& [words, members] : word_list("room").at("sets").items()) {
     Set set;
     for (const auto& [id, count] : members.items()) {
@@ -216,6 +223,9 @@ void Lexicon::read_room_knowledge() {
       if (const CatalogEntry* entry = catalog_->find(id)) set.emplace_back(entry, persons.get<int>());
     }
     if (set.size() == members.size()) needs_[kind] = std::move(set);
+  }
+  for (const auto& [kind, words] : room.at("activities").items()) {
+    for (const Json& word : words) activities_.try_emplace(word.get<std::string>(), kind);
   }
   for (const auto& [kind, young] : room.at("people_rooms").items()) young_rooms_[kind] = young.get<std::string>();
   for (const auto& [table, seat] : room.at("seats").items()) {

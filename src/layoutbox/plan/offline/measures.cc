@@ -8,17 +8,48 @@ namespace layoutbox::offline {
 
 using Class = WordClass;
 
-std::optional<Measure> read_measure(const Lexicon& lexicon, std::span<const Token> tokens, std::size_t at) {
-  if (at >= tokens.size()) return std::nullopt;
-  double value = tokens[at].number;
-  std::size_t unit_at = at + 1;
-  if (tokens[at].kind != Token::Kind::kNumber) {
-    const Match number = lexicon.find(tokens, at, Class::kNumber);
-    if (number.length == 0) return std::nullopt;
-    value = meaning_of(number, Class::kNumber)->value;
-    unit_at = at + number.length;
+namespace {
+
+bool words_at(std::span<const Token> tokens, std::size_t at, std::initializer_list<std::string_view> words) {
+  return at + words.size() <= tokens.size() && std::equal(words.begin(), words.end(), tokens.begin() + static_cast<std::ptrdiff_t>(at),
+                                                          [](std::string_view word, const Token& token) { return token.text == word; });
+}
+
+// "1/2" after a whole number: a stroke leaves no token, only a gap.
+bool fraction_at(std::span<const Token> tokens, std::size_t at) {
+  return at + 1 < tokens.size() && tokens[at].kind == Token::Kind::kNumber && tokens[at + 1].kind == Token::Kind::kNumber &&
+         tokens[at + 1].glued && tokens[at + 1].begin == tokens[at].end + 1 && tokens[at].number < tokens[at + 1].number;
+}
+
+}  // namespace
+
+NumberRead read_number(const Lexicon& lexicon, std::span<const Token> tokens, std::size_t at) {
+  if (at >= tokens.size()) return {};
+  if (words_at(tokens, at, {"half", "a"})) return {0.5, 2};
+  NumberRead read;
+  if (tokens[at].kind == Token::Kind::kNumber) {
+    if (fraction_at(tokens, at)) return {tokens[at].number / tokens[at + 1].number, 2};
+    read = {tokens[at].number, 1};
+    if (fraction_at(tokens, at + 1) && !tokens[at + 1].glued) {
+      read.value += tokens[at + 1].number / tokens[at + 2].number;
+      read.length += 2;
+    }
+  } else {
+    const Match match = lexicon.find(tokens, at, Class::kNumber);
+    if (match.length == 0) return {};
+    read = {meaning_of(match, Class::kNumber)->value, match.length};
   }
-  if (unit_at >= tokens.size()) return std::nullopt;
+  if (words_at(tokens, at + read.length, {"and", "a", "half"})) {
+    read.value += 0.5;
+    read.length += 3;
+  }
+  return read;
+}
+
+std::optional<Measure> read_measure(const Lexicon& lexicon, std::span<const Token> tokens, std::size_t at) {
+  const auto [value, digits] = read_number(lexicon, tokens, at);
+  const std::size_t unit_at = at + digits;
+  if (digits == 0 || unit_at >= tokens.size()) return std::nullopt;
   const std::string& unit_word = tokens[unit_at].text;
   Match unit = lexicon.find(tokens, unit_at, Class::kUnit);
   double scale = 0;
@@ -34,13 +65,19 @@ std::optional<Measure> read_measure(const Lexicon& lexicon, std::span<const Toke
   }
   if (unit_word == "in" && tokens[at].kind != Token::Kind::kNumber) return std::nullopt;
   Measure measure{value * scale, unit_at + 1 - at};
-  // Feet and inches: 5 ft 6 in.
-  if (scale == 0.3048 && at + measure.length + 1 < tokens.size() && tokens[at + measure.length].kind == Token::Kind::kNumber) {
-    const std::string& second = tokens[at + measure.length + 1].text;
-    if (second == "\"" || second == "in" || second == "inches" || second == "inch") {
-      measure.metres += tokens[at + measure.length].number * 0.0254;
-      measure.length += 2;
+  // Feet and inches: 5 ft 6 in, 5'6.
+  if (scale == 0.3048 && at + measure.length < tokens.size() && tokens[at + measure.length].kind == Token::Kind::kNumber) {
+    const Token& inches = tokens[at + measure.length];
+    const std::string_view second = at + measure.length + 1 < tokens.size() ? std::string_view(tokens[at + measure.length + 1].text) : "";
+    const bool said = second == "\"" || second == "in" || second == "inches" || second == "inch";
+    if (said || (inches.glued && unit_word == "'")) {
+      measure.metres += inches.number * 0.0254;
+      measure.length += said ? 2 : 1;
     }
+  }
+  if (words_at(tokens, at + measure.length, {"and", "a", "half"})) {  // "a meter and a half"
+    measure.metres += scale / 2;
+    measure.length += 3;
   }
   return measure;
 }
@@ -64,15 +101,36 @@ namespace {
 
 bool is_by(const Token& token) { return token.text == "x" || token.text == "by" || token.text == "*"; }
 
-// A number in digits or words and how many tokens it takes; 0 tokens for none.
-std::pair<double, std::size_t> number_at(const Lexicon& lexicon, std::span<const Token> tokens, std::size_t at) {
-  if (at >= tokens.size()) return {0, 0};
-  if (tokens[at].kind == Token::Kind::kNumber) return {tokens[at].number, 1};
-  const Match match = lexicon.find(tokens, at, Class::kNumber);
-  return match.length == 0 ? std::pair{0.0, std::size_t{0}} : std::pair{meaning_of(match, Class::kNumber)->value, match.length};
+}  // namespace
+
+bool noun_goes_on(const Lexicon& lexicon, std::span<const Token> tokens, std::size_t at) {
+  if (at >= tokens.size() || tokens[at].kind != Token::Kind::kWord || lexicon.is(tokens[at], Class::kAnd) ||
+      lexicon.is(tokens[at], Class::kBe) || lexicon.is(tokens[at], Class::kDefinite) || lexicon.is(tokens[at], Class::kIndefinite))
+    return false;
+  const Match match = lexicon.find(tokens, at);
+  if (has(match, Class::kObject) || has(match, Class::kDoor) || has(match, Class::kWindow) || attribute_of(match) != nullptr) return true;
+  static constexpr std::string_view kOfDistance[] = {"of", "from", "away", "apart", "off", "to", "in", "on", "at", "between"};
+  return match.length == 0 && lexicon.find_phrase(tokens, at).length == 0 &&
+         std::find(std::begin(kOfDistance), std::end(kOfDistance), tokens[at].text) == std::end(kOfDistance);
 }
 
-}  // namespace
+std::size_t read_size_before(const Lexicon& lexicon, std::span<const Token> tokens, std::size_t at, SaidSize& size) {
+  if (const std::size_t named = read_size(lexicon, tokens, at, size); named > 0) return named;
+  if (const SidesRead read = read_sides(lexicon, tokens, at); read.united && noun_goes_on(lexicon, tokens, at + read.length)) {
+    size.width = read.sides[0];
+    size.depth = read.sides[1];
+    if (read.sides.size() > 2) size.height = read.sides[2];
+    size.either = true;
+    return read.length;
+  }
+  const auto measure = read_measure(lexicon, tokens, at);
+  if (!measure || !noun_goes_on(lexicon, tokens, at + measure->length)) return 0;
+  // "two foot stools"
+  const Match named = lexicon.find(tokens, at + measure->length - 1);
+  if (named.length > 1 && has(named, Class::kObject)) return 0;
+  size.span = measure->metres;
+  return measure->length;
+}
 
 SidesRead read_sides(const Lexicon& lexicon, std::span<const Token> tokens, std::size_t at) {
   constexpr double kLongestInMetres = 20;  // what is longer and has no unit is in feet
@@ -81,7 +139,7 @@ SidesRead read_sides(const Lexicon& lexicon, std::span<const Token> tokens, std:
   double unit = 0;
   std::size_t i = at;
   while (read.sides.size() < 3) {
-    const auto [value, digits] = number_at(lexicon, tokens, i);
+    const auto [value, digits] = read_number(lexicon, tokens, i);
     if (digits == 0) break;
     const auto measure = read_measure(lexicon, tokens, i);
     read.sides.push_back(measure ? measure->metres : value);
@@ -92,10 +150,11 @@ SidesRead read_sides(const Lexicon& lexicon, std::span<const Token> tokens, std:
     const Match dimension = i < tokens.size() ? lexicon.find(tokens, i, Class::kDimension) : Match{};
     if (measure && dimension.length > 0 && i + dimension.length < tokens.size() && is_by(tokens[i + dimension.length]))
       i += dimension.length;
-    if (i >= tokens.size() || !is_by(tokens[i]) || number_at(lexicon, tokens, i + 1).second == 0) break;
+    if (i >= tokens.size() || !is_by(tokens[i]) || read_number(lexicon, tokens, i + 1).length == 0) break;
     ++i;
   }
   if (read.sides.size() < 2) return {};
+  read.united = unit > 0;
   if (unit == 0) unit = *std::max_element(read.sides.begin(), read.sides.end()) > kLongestInMetres ? 0.3048 : 1.0;
   for (std::size_t s = 0; s < read.sides.size(); ++s) {
     if (!united[s]) read.sides[s] *= unit;

@@ -23,25 +23,24 @@ bool RelationBuilder::has_wall_kind(const NounPhrase& noun) const {
   return mount_of(noun) == Mount::kFloor && noun.exact && catalog_.find("wall_" + noun.entry->id) != nullptr;
 }
 
+// Things that stand on others: what is beside them does so as well.
+bool RelationBuilder::only_small(const std::vector<std::string>& ids) const {
+  return !ids.empty() && std::all_of(ids.begin(), ids.end(), [&](const std::string& id) {
+    const auto found = objects_.find(id);
+    return found != objects_.end() && is_small(found->second);
+  });
+}
+
 void RelationBuilder::settle_mount(std::size_t index) {
   SceneObject& object = scene_.objects[index];
   const NounPhrase& noun = document_.items[index].noun;
   bool wall = false, ceiling = false, supported = false, beside = false;
-  std::string neighbour_support;
   for (const std::size_t r : relations_of(object.id)) {
     const Relation& relation = scene_.relations[r];
     wall |= relation.type == R::kOnWall || (relation.type == R::kAbove && has_wall_kind(noun));
     ceiling |= relation.type == R::kOnCeiling;
     supported |= relation.type == R::kOn || relation.type == R::kIn || relation.type == R::kStacked;
-    if (!is_beside(relation.type)) continue;
-    beside = true;
-    for (const std::string& reference : relation.references) {
-      for (const std::size_t o : relations_of(reference)) {
-        const Relation& other = scene_.relations[o];
-        const bool carries = (other.type == R::kOn || other.type == R::kIn) && !other.references.empty();
-        if (carries && relation.type != R::kCorner && relation.type != R::kAgainstWall) neighbour_support = other.references.front();
-      }
-    }
+    beside |= is_beside(relation.type) && !only_small(relation.references);
   }
   const auto specialise = [&](std::initializer_list<const char*> kinds) {
     for (const char* kind : kinds) {
@@ -82,17 +81,6 @@ void RelationBuilder::settle_mount(std::size_t index) {
     return;
   }
   if (supported || mount_of(noun) != Mount::kSurface || !beside) return;
-  if (!neighbour_support.empty() && neighbour_support != "floor") {
-    Link link;  // "a mouse next to the keyboard" stands on the same desk
-    link.first = noun.first;
-    link.last = noun.last;
-    const SceneObject* support = object_of(neighbour_support);
-    if (support != nullptr && support->id != object.id) {
-      add(link, R::kOn, {object.id}, {neighbour_support});
-      scene_.relations.back().assumed = true;
-      return;
-    }
-  }
   object.mount = Mount::kFloor;
   if (is_lamp(catalog_, noun) && one_of(noun.name, {"lamp", "light"})) specialise({"floor_lamp"});
 }

@@ -1,4 +1,5 @@
 #include "layoutbox/base/words.h"
+#include "layoutbox/catalog/kin.h"
 #include "layoutbox/plan/offline/english.h"
 #include "layoutbox/plan/offline/noun_phrase_parts.h"
 
@@ -46,6 +47,7 @@ void NounPhraseReader::settle_object(const Part& head, std::size_t head_index) {
   phrase_.plural = head.plural;
   phrase_.entry = head.meaning.entry;
   phrase_.head = singular_of(tokens_[head.last - 1].text);
+  settle_pair(head);
   // The name: from the first word that is no plain attribute.
   std::size_t begin = head.first;
   for (std::size_t p = head_index; p-- > 0;) {
@@ -79,12 +81,33 @@ void NounPhraseReader::settle_object(const Part& head, std::size_t head_index) {
   }
   phrase_.exact = phrase_.entry != nullptr && begin == head.first;
   if (phrase_.entry != nullptr) {
-    phrase_.category = phrase_.entry->id;
+    phrase_.category = snake_case(head.meaning.word);  // the entry's, or the word for what is only like it
   } else {
-    phrase_.category = snake_case(phrase_.name);
-    const CatalogEntry* kind = lexicon_.catalog().find_by_words(phrase_.name);
-    phrase_.entry = kind != nullptr ? kind : known_kind(lexicon_.catalog(), phrase_.name);
+    settle_unknown();
   }
+}
+
+// What no list has: its category is its own name, which then is all that says what it is like ("plush narwhal").
+void NounPhraseReader::settle_unknown() {
+  std::string called = phrase_.name;
+  const auto telling = std::find_if(phrase_.attributes.begin(), phrase_.attributes.end(), is_kin_modifier);
+  if (telling != phrase_.attributes.end()) called = *telling + " " + called;
+  phrase_.category = snake_case(called);
+  const CatalogEntry* kind = lexicon_.catalog().find_by_words(phrase_.name);
+  phrase_.entry = kind != nullptr ? kind : kin_of(lexicon_.catalog(), called);
+}
+
+// "scissors", "a pair of glasses": one thing by two words, or by a plural.
+void NounPhraseReader::settle_pair(const Part& head) {
+  const std::string& word = tokens_[head.last - 1].text;
+  if (paired_ && phrase_.count == 2) {
+    if (const CatalogEntry* meant = lexicon_.meant_by_pair(word); meant != nullptr) phrase_.entry = meant;
+  }
+  const bool one = lexicon_.is_plural_only(word) || (paired_ && lexicon_.meant_by_pair(word) != nullptr);
+  if (!one) return;
+  if (paired_) phrase_.count /= 2;
+  phrase_.plural = false;
+  phrase_.head = word;
 }
 
 void NounPhraseReader::settle_place(const Part& head) {
@@ -130,6 +153,28 @@ void NounPhraseReader::read_of() {
   phrase_.of = std::make_shared<NounPhrase>(std::move(*base));
 }
 
+bool NounPhraseReader::is_thing(const Part& part) const {
+  const WordForm form = word_form(tokens_[part.last - 1].text);
+  return form == WordForm::kThing || form == WordForm::kBody;
+}
+
+// "a kettlebell set", "a first aid kit": the things themselves, as one.
+void NounPhraseReader::join_set(std::size_t& head) {
+  static constexpr std::string_view kSets[] = {"set", "kit", "collection", "ensemble", "stack", "pile", "bundle"};
+  if (head < 2) return;
+  const Part& last = parts_[head - 1];
+  Part& thing = parts_[head - 2];
+  if (thing.word_class != Class::kObject || thing.last != last.first || thing.last + 1 != last.last || last.word_class == Class::kObject ||
+      lexicon_.set_of(text_of(tokens_, thing.first, last.last)) != nullptr)
+    return;
+  const std::string word = singular_of(tokens_[last.first].text);
+  if (std::find(std::begin(kSets), std::end(kSets), word) == std::end(kSets)) return;
+  thing.last = last.last;
+  thing.plural = last.plural;
+  parts_.erase(parts_.begin() + static_cast<std::ptrdiff_t>(head) - 1);
+  --head;
+}
+
 std::optional<NounPhrase> NounPhraseReader::settle() {
   if (done_) {  // "the left one", "a smaller one"
     for (const Part& part : parts_) {
@@ -160,31 +205,36 @@ std::optional<NounPhrase> NounPhraseReader::settle() {
   // "a bear guards a safe": one bear, and what it does.
   if (head > 1 && phrase_.determiner == Determiner::kIndefinite && phrase_.count == 0 && parts_[head - 1].plural &&
       parts_[head - 1].word_class == Class::kFiller &&
-      (parts_[head - 2].word_class == Class::kObject ||
-       (parts_[head - 2].word_class == Class::kFiller && word_form(tokens_[parts_[head - 2].last - 1].text) == WordForm::kThing)) &&
+      (parts_[head - 2].word_class == Class::kObject || (parts_[head - 2].word_class == Class::kFiller && is_thing(parts_[head - 2]))) &&
       !parts_[head - 2].plural)
     --head;
+  join_set(head);
   const Part part = parts_[head - 1];
   i_ = part.last;
   if (part.word_class == Class::kFiller) {
-    const WordForm form = word_form(tokens_[part.last - 1].text);
+    const WordForm form = word_form(tokens_[part.last - 1].text), noun = noun_form(tokens_[part.last - 1].text);
     const bool named = phrase_.determiner != Determiner::kNone || counted_;
     const bool thing = form == WordForm::kThing || (form == WordForm::kUnknown && (named || part.plural)) ||
-                       (hyphenated(part.first) && form != WordForm::kNoun);
+                       (hyphenated(part.first) && !is_noun(form)) ||
+                       ((named || part.plural) && (noun == WordForm::kBody || (named && noun == WordForm::kThing)));
     take_attributes(head - 1);
     // "a wooden cross": what is made of something is a thing.
     const bool made =
         form != WordForm::kAdverb && form != WordForm::kAdjective && named &&
         std::find(phrase_.attribute_classes.begin(), phrase_.attribute_classes.end(), Class::kMaterial) != phrase_.attribute_classes.end();
-    if (!thing && !named && form != WordForm::kNoun) return std::nullopt;
+    if (!thing && !named && !is_noun(form)) return std::nullopt;
     settle_object(part, head - 1);
-    if (!thing && !made) phrase_.kind = NounKind::kAbstract;
+    if (!thing && (!made || form == WordForm::kPerson)) {
+      phrase_.kind = NounKind::kAbstract;
+      phrase_.doubted = form != WordForm::kPerson;
+    }
   } else if (part.word_class == Class::kObject) {
     take_attributes(head - 1);
     settle_object(part, head - 1);
   } else {
     take_attributes(head - 1);
-    if (part.word_class == Class::kPart && part.meaning.entry != nullptr && (counted_ || phrase_.determiner == Determiner::kIndefinite)) {
+    if (part.word_class == Class::kPart && part.meaning.entry != nullptr &&
+        (counted_ || part.plural || phrase_.determiner == Determiner::kIndefinite)) {
       const NounPhrase opened = phrase_;
       settle_object(part, head - 1);
       auto object = std::make_shared<NounPhrase>(phrase_);

@@ -33,7 +33,9 @@ enum class Determiner { kNone, kDefinite, kIndefinite, kPossessive, kEach, kBoth
 // Lengths said of a thing, in metres.
 struct SaidSize {
   std::optional<double> width, depth, height, length;
-  bool any() const { return width || depth || height || length; }
+  std::optional<double> span;  // "a 60-inch desk": its longest side; of a screen the diagonal
+  bool either = false;         // width and depth as they came ("4 x 6 ft"): the longer one is the thing's own longer side
+  bool any() const { return width || depth || height || length || span; }
 };
 
 struct NounPhrase {
@@ -54,6 +56,7 @@ struct NounPhrase {
   bool at_least = false, vague = false, plural = false;
   bool subset = false;        // "two of the beds"
   bool reciprocal = false;    // "each other"
+  bool doubted = false;       // taken for no thing by what English says of the word alone: no list of ours has it
   bool collective = false;    // "items", "essentials": things where something holds them
   bool niche = false;         // an alcove, a notch: a part of the room's outline
   std::string wall_word;      // left, right, back, front
@@ -70,6 +73,13 @@ struct NounPhrase {
 // Reads the noun phrase that begins at `at`, or nothing. `bare` allows one without a determiner or count.
 std::optional<NounPhrase> read_noun_phrase(const Lexicon& lexicon, std::span<const Token> tokens, std::size_t at, bool bare);
 
+// A number in digits or words ("5", "five", "5 and a half", "5 1/2", "half a") and the tokens it takes, 0 for none.
+struct NumberRead {
+  double value = 0;
+  std::size_t length = 0;
+};
+NumberRead read_number(const Lexicon& lexicon, std::span<const Token> tokens, std::size_t at);
+
 // "1.2 m", "120 cm", "4 feet": metres and the tokens it takes.
 struct Measure {
   double metres = 0;
@@ -82,10 +92,17 @@ std::optional<Measure> read_measure(const Lexicon& lexicon, std::span<const Toke
 struct SidesRead {
   std::vector<double> sides;  // metres
   std::size_t length = 0;     // tokens
+  bool united = false;        // a unit is said
 };
 SidesRead read_sides(const Lexicon& lexicon, std::span<const Token> tokens, std::size_t at);
 
-// "120 cm wide", "2 m x 1 m": adds to `size`; the tokens it takes, 0 for none.
+// "120 cm wide": adds to `size`; the tokens it takes, 0 for none.
 std::size_t read_size(const Lexicon& lexicon, std::span<const Token> tokens, std::size_t at, SaidSize& size);
+
+// Whether a noun phrase may go on at `at`: no preposition, no verb, no punctuation.
+bool noun_goes_on(const Lexicon& lexicon, std::span<const Token> tokens, std::size_t at);
+
+// A size before its noun: "4x6 ft", "120 x 60 cm", "60 inch", "120-cm", "2 m wide". Adds to `size`; the tokens it takes, 0 for none.
+std::size_t read_size_before(const Lexicon& lexicon, std::span<const Token> tokens, std::size_t at, SaidSize& size);
 
 }  // namespace layoutbox::offline

@@ -12,13 +12,10 @@ using Class = WordClass;
 bool NounPhraseReader::read_count() {
   // "the other a stack of books" is two phrases.
   if (phrase_.determiner == Determiner::kOther && lexicon_.is(token(), Class::kIndefinite)) return false;
-  // "2 m long", "120 cm wide", "4-seater" are no counts.
+  // "2 m long", "120 cm wide", "five-foot", "4-seater" are no counts.
+  if (take_size()) return true;
   if (token().kind == Token::Kind::kNumber) {
-    if (read_measure(lexicon_, tokens_, i_)) {
-      const std::size_t taken = read_size(lexicon_, tokens_, i_, phrase_.size);
-      i_ += taken;
-      return taken > 0;
-    }
+    if (read_measure(lexicon_, tokens_, i_)) return false;
     if (hyphenated(i_ + 1) && i_ + 1 < tokens_.size() && tokens_[i_ + 1].kind == Token::Kind::kWord) return false;
     if (says_seats(i_ + 1)) return false;
     const double value = token().number;
@@ -53,6 +50,7 @@ bool NounPhraseReader::read_count() {
   phrase_.count = times ? phrase_.count * value : phrase_.count > 0 && !is_number ? phrase_.count : value;
   phrase_.vague |= !is_number;
   counted_ = true;
+  for (std::size_t i = i_; i < i_ + best.length; ++i) paired_ |= tokens_[i].text == "pair" || tokens_[i].text == "pairs";
   i_ += best.length;
   if (is_number && more()) {  // "three to five", "two or three"
     const bool range = at_word("to") || at_word("or") || (token().kind == Token::Kind::kPunctuation && token().text == "-");
@@ -61,6 +59,18 @@ bool NounPhraseReader::read_count() {
       if (upper.length > 0) i_ += 1 + upper.length, phrase_.at_least = true;
     }
   }
+  return true;
+}
+
+// A size before the noun. "55-inch" is kept as an attribute as well.
+bool NounPhraseReader::take_size() {
+  const std::size_t taken = read_size_before(lexicon_, tokens_, i_, phrase_.size);
+  if (taken == 0) return false;
+  if (phrase_.size.span) {
+    phrase_.attributes.push_back(text_of(tokens_, i_, i_ + taken));
+    phrase_.attribute_classes.push_back(Class::kSizeWord);
+  }
+  i_ += taken;
   return true;
 }
 

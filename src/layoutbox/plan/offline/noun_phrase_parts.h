@@ -78,6 +78,7 @@ class NounPhraseReader {
   // The, a, two, at least three, several, a pair of, both, each, no. False when nothing can follow.
   bool read_determiners();
   bool read_count();
+  bool take_size();
   bool says_seats(std::size_t at) const;
   bool read_rows();
   bool read_clusters();
@@ -87,9 +88,14 @@ class NounPhraseReader {
   bool read_part();
   bool read_ordinal();
   bool goes_on_after_break() const;
+  bool noun_after(std::size_t at) const;
   bool word_may_belong() const;
+  bool is_thing(const Part& part) const;
   std::optional<NounPhrase> settle();
   void settle_object(const Part& head, std::size_t head_index);
+  void join_set(std::size_t& head);
+  void settle_pair(const Part& head);
+  void settle_unknown();
   void settle_place(const Part& head);
   void read_of();
   void take_attributes(std::size_t until);
@@ -99,6 +105,7 @@ class NounPhraseReader {
   std::size_t i_;
   bool bare_;
   bool done_ = false, counted_ = false;
+  bool paired_ = false;  // "a pair of", "two pairs of"
   NounPhrase phrase_;
   std::vector<Part> parts_;
 };

@@ -32,7 +32,7 @@ bool NounPhraseReader::word_may_belong() const {
   if (!noun_before) return form != WordForm::kAdverb;
   if (text.ends_with("ed") || text.ends_with("ing") || text.ends_with("ly"))
     return form == WordForm::kThing && !text.ends_with("ing") && !text.ends_with("ed");
-  return form == WordForm::kThing || form == WordForm::kNoun || form == WordForm::kUnknown;
+  return is_noun(form) || form == WordForm::kUnknown;
 }
 
 // "the second bed", "the last one"
@@ -45,6 +45,18 @@ bool NounPhraseReader::read_ordinal() {
     phrase_.ordinal = place;
     ++i_;
     return true;
+  }
+  return false;
+}
+
+// The name of a thing at `at`, or after a part and its attributes: "glass top bistro table".
+bool NounPhraseReader::noun_after(std::size_t at) const {
+  constexpr int kMostBetween = 3;
+  for (int between = 0; between <= kMostBetween && at < tokens_.size(); ++between) {
+    const Match next = lexicon_.find(tokens_, at);
+    if (has(next, Class::kObject) && !has(next, Class::kPart)) return !has(next, Class::kPlaceVerb) && !has(next, Class::kHave);
+    if (!has(next, Class::kPart) && (between == 0 || attribute_of(next) == nullptr)) return false;
+    at += next.length;
   }
   return false;
 }
@@ -108,10 +120,7 @@ bool NounPhraseReader::read_part() {
                         has(match, Class::kHave) || has(match, Class::kVerb) || has(match, Class::kPurpose);
     // A noun that is a verb as well ("light", "plant", "stand", "frames") is a verb right after another noun, unless it ends a name.
     // "glass" before a noun is what the noun is made of; "drawers" are parts where both are listed.
-    const bool noun_next = [&] {
-      const Match next = lexicon_.find(tokens_, i_ + match.length);
-      return has(next, Class::kObject) && !has(next, Class::kPlaceVerb) && !has(next, Class::kHave);
-    }();
+    const bool noun_next = noun_after(i_ + match.length);
     if (attribute != nullptr && object != nullptr && match.length == 1 && noun_next && !noun_before)
       return add(attribute->word_class, *attribute, match.length, match.plural);
     Token single = token();
@@ -230,13 +239,7 @@ void NounPhraseReader::read_parts() {
       }
       break;
     }
-    if (token().kind == Token::Kind::kNumber) {
-      const std::size_t taken = read_size(lexicon_, tokens_, i_, phrase_.size);
-      if (taken > 0) {
-        i_ += taken;
-        continue;
-      }
-    }
+    if (token().kind == Token::Kind::kNumber && take_size()) continue;
     if (!read_part()) break;
   }
 }

@@ -4,11 +4,15 @@
 
 #include "layoutbox/base/words.h"
 #include "layoutbox/plan/offline/knowledge.h"
+#include "layoutbox/plan/offline/left_out.h"
+#include "layoutbox/plan/offline/object_size.h"
 #include "layoutbox/plan/offline/people.h"
+#include "layoutbox/plan/offline/purposes.h"
 #include "layoutbox/plan/offline/reader.h"
 #include "layoutbox/plan/offline/relation_builder.h"
 #include "layoutbox/plan/offline/room_reader.h"
 #include "layoutbox/plan/offline/spelling.h"
+#include "layoutbox/plan/offline/wishes.h"
 #include "layoutbox/plan/planner.h"
 
 namespace layoutbox {
@@ -28,25 +32,6 @@ bool is_utf8(std::string_view text) {
     i += more + 1;
   }
   return true;
-}
-
-// The size that the words give, around which the catalogue's proportions hold.
-void apply_size(const NounPhrase& noun, SceneObject& object) {
-  if (!noun.size.any() || noun.entry == nullptr) return;
-  SizeRange range = noun.entry->size;
-  const auto fix = [](Mm side, Mm& least, Mm& usual, Mm& greatest) { least = usual = greatest = side; };
-  std::optional<double> width = noun.size.width, depth = noun.size.depth;
-  if (noun.size.length) {  // the longer side
-    if (range.usual.depth > range.usual.width)
-      depth = noun.size.length;
-    else
-      width = noun.size.length;
-  }
-  if (width) fix(mm_from_m(*width), range.least.width, range.usual.width, range.greatest.width);
-  if (depth) fix(mm_from_m(*depth), range.least.depth, range.usual.depth, range.greatest.depth);
-  if (noun.size.height) fix(mm_from_m(*noun.size.height), range.least.height, range.usual.height, range.greatest.height);
-  object.size = range;
-  object.size_source = SizeSource::kUser;
 }
 
 class OfflinePlanner final : public Planner {
@@ -77,6 +62,8 @@ class OfflinePlanner final : public Planner {
     read_seats_said(lexicon_, document, skip);
     const std::vector<WordReading> of_size = take_out(document, skip);
     document.chunks = chunk_tokens(lexicon_, document.tokens);
+    settle_opening_sizes(document);
+    settle_purposes(lexicon_, document);
     settle_room_senses(lexicon_, document);
     read_document(lexicon_, document);
     add_for_people(lexicon_, document);
@@ -87,13 +74,14 @@ class OfflinePlanner final : public Planner {
     build_objects(document, plan.scene);
     build_room(lexicon_, document, size, plan.scene);
     build_relations(lexicon_, document, plan.scene);
-    if (plan.scene.objects.empty()) add_usual_furniture(document, plan.scene);
+    furnish_by_wish(lexicon_, document, plan.scene);
     const bool speaks_of_room = !document.rooms.empty() || !plan.scene.room.openings.empty() || size.width > 0 || size.area > 0;
     if (plan.scene.objects.empty() && !speaks_of_room) {
       return fail(ErrorCode::kEmpty, "neither a room nor a piece of furniture was understood", "prompt",
                   "describe a room in English: \"A bedroom with a bed and a desk under the window\"");
     }
     note_unknown(document, plan.scene);
+    note_left_out(lexicon_, document, plan.scene);
     for (std::size_t i = 0; i < document.tokens.size(); ++i) {
       if (document.tokens[i].kind != Token::Kind::kPunctuation) plan.readings.push_back(std::move(document.readings[i]));
     }
@@ -160,32 +148,6 @@ class OfflinePlanner final : public Planner {
                                  (item.noun.entry != nullptr ? ": taken for a kind of " + item.noun.entry->name : ""),
                              place});
     }
-  }
-
-  // A room of which no furniture was named gets what is usual in it.
-  void add_usual_furniture(const Document& document, SceneGraph& scene) const {
-    const RoomKind* kind = scene.room.type.empty() ? nullptr : lexicon_.catalog().find_room(scene.room.type);
-    if (kind == nullptr) return;
-    const std::map<std::string, int> needs = needs_of(lexicon_, document, kind->id);
-    for (const auto& [category, usual] : kind->usual) {
-      const auto needed = needs.find(category);
-      const int count = needed != needs.end() ? needed->second : usual;
-      const CatalogEntry* entry = lexicon_.catalog().find(category);
-      if (entry == nullptr) continue;
-      const bool excluded = std::any_of(document.excluded.begin(), document.excluded.end(), [&](const NounPhrase& n) {
-        return n.entry != nullptr && lexicon_.catalog().is_a(category, n.entry->id);
-      });
-      if (excluded) continue;
-      for (int i = 1; i <= count; ++i) {
-        SceneObject object;
-        object.id = category + "_" + std::to_string(i);
-        object.category = category;
-        object.name = entry->name;
-        object.assumed = true;
-        scene.objects.push_back(std::move(object));
-      }
-    }
-    scene.notes.push_back({"filled", "no furniture is named: the usual furniture of a " + kind->name + " is taken", "prompt"});
   }
 
   static void note_unknown(const Document& document, SceneGraph& scene) {

@@ -67,6 +67,82 @@ TEST_F(OfflinePlannerTest, NichesChangeTheOutline) {
             (std::vector<Point>{{0, 0}, {6000, 0}, {6000, 2000}, {4000, 2000}, {4000, 4000}, {0, 4000}}));
 }
 
+TEST_F(OfflinePlannerTest, SizesOfThingsInTheirUsualForms) {
+  const auto usual = [&](const char* text) {
+    const SceneGraph read = scene(text);
+    EXPECT_FALSE(read.objects.empty()) << text;
+    return read.objects.empty() || !read.objects.front().size ? Size{} : read.objects.front().size->usual;
+  };
+  for (const char* text : {"A 60 inch desk.", "A 60-inch desk.", "A desk, 60 inches wide.", "A 5 foot desk.", "A five foot desk.",
+                           "A 5' desk.", "A desk of 1.524 m width, 1.524 m wide.", "A 60x30 inch desk.", "A 30 x 60 inch desk."})
+    EXPECT_EQ(usual(text).width, 1524) << text;
+  EXPECT_EQ(usual("A 30 x 60 inch desk.").depth, 762);
+  EXPECT_EQ(usual("A 6 ft bookcase.").height, 1829);
+  EXPECT_EQ(usual("A 5'6\" bookcase.").height, 1676);
+  EXPECT_EQ(usual("A desk that is 1 and a half meters wide.").width, 1500);
+  EXPECT_EQ(usual("A 1 1/2 meter desk.").width, 1500);
+  EXPECT_EQ(usual("A 55-inch TV.").width, 1218);
+  EXPECT_EQ(usual("A 48 inch round dining table.").depth, 1219);
+}
+
+TEST_F(OfflinePlannerTest, OpeningsHaveTheSizesThatAreSaid) {
+  const auto opening = [&](const char* text, OpeningType type) {
+    const SceneGraph read = scene(text);
+    const auto found = std::find_if(read.room.openings.begin(), read.room.openings.end(), [&](const Opening& o) { return o.type == type; });
+    EXPECT_NE(found, read.room.openings.end()) << text;
+    return found == read.room.openings.end() ? Opening{} : *found;
+  };
+  EXPECT_EQ(opening("A bedroom with a bed. The door is 1 m wide.", OpeningType::kDoor).width, 1000);
+  EXPECT_EQ(opening("A bedroom with a bed and a 1 m wide door in the left wall.", OpeningType::kDoor).width, 1000);
+  const SceneGraph two = scene("A bedroom with a bed and two windows, each 2 m wide, in the back wall.");
+  EXPECT_EQ(std::count_if(two.room.openings.begin(), two.room.openings.end(),
+                          [](const Opening& o) { return o.type == OpeningType::kWindow && o.width == 2000; }),
+            2);
+}
+
+TEST_F(OfflinePlannerTest, RoomsOfTwoSizesAndOfTwoParts) {
+  EXPECT_TRUE(notes(scene("A bedroom of 4 x 3 m and 5 x 6 m with a bed."), "contradiction"));
+  EXPECT_TRUE(notes(scene("A bedroom of 4 x 3 m with a bed. The room is 5 x 6 m."), "contradiction"));
+  EXPECT_EQ(scene("A 4 x 3 m bedroom with a bed. The room is 5 x 6 m.").room.polygon, rectangle(4, 3));
+  EXPECT_EQ(scene("A room of 5 and a half metres by 4 metres with a piano.").room.polygon, rectangle(5.5, 4));
+  EXPECT_EQ(scene("An L-shaped living room: the main part is 5 x 4 m and the smaller part 2 x 3 m, with a sofa.").room.polygon,
+            (std::vector<Point>{{0, 0}, {5000, 0}, {5000, 1000}, {7000, 1000}, {7000, 4000}, {0, 4000}}));
+}
+
+// What is wished without furniture leads to a furnished room, marked as ours; what is named within the wish is there.
+TEST_F(OfflinePlannerTest, VagueWishesLeadToARoom) {
+  for (const auto& [text, type] :
+       std::initializer_list<std::pair<const char*, const char*>>{{"Somewhere to relax after work.", "living_room"},
+                                                                  {"A nice place to read on rainy days.", "reading_nook"},
+                                                                  {"A bar.", "bar"},
+                                                                  {"A police station.", "police_station"},
+                                                                  {"A prison cell.", "prison_cell"},
+                                                                  {"a place where my grandmother can sew", "craft_room"}}) {
+    const SceneGraph read = scene(text);
+    EXPECT_EQ(read.room.type, type) << text;
+    EXPECT_FALSE(read.objects.empty()) << text;
+    EXPECT_TRUE(std::all_of(read.objects.begin(), read.objects.end(), [](const SceneObject& o) { return o.assumed; })) << text;
+    EXPECT_TRUE(notes(read, "filled")) << text;
+  }
+  const auto count = [](const SceneGraph& read, std::string_view category) {
+    return std::count_if(read.objects.begin(), read.objects.end(), [&](const SceneObject& o) { return o.category == category; });
+  };
+  EXPECT_EQ(count(scene("A home cinema for six."), "theater_seat"), 6);
+  EXPECT_EQ(count(scene("A reading corner for two children."), "bean_bag"), 2);
+  EXPECT_GE(count(scene("A room for a robot to practise picking up mugs."), "mug"), 1);
+  const SceneGraph both = scene("A living room with a kitchen corner.");
+  EXPECT_EQ(count(both, "sofa"), 1);
+  EXPECT_EQ(count(both, "fridge"), 1);
+  EXPECT_FALSE(planner_->plan("The weather was fine.", {}).has_value());
+}
+
+TEST_F(OfflinePlannerTest, WhatIsLeftOutIsSaid) {
+  EXPECT_TRUE(notes(scene("A bedroom with a bed and a hullabaloo."), "left-out") ||
+              scene("A bedroom with a bed and a hullabaloo.").objects.size() == 2);
+  EXPECT_TRUE(notes(scene("A room."), "warning"));
+  EXPECT_FALSE(notes(scene("A bedroom with a bed and a wooden desk with two drawers under the window."), "left-out"));
+}
+
 TEST_F(OfflinePlannerTest, SeatsThatFollowFromTheWordsAreMarked) {
   const SceneGraph read = scene("A dining room with a table for eight.");
   ASSERT_EQ(read.objects.size(), 9u);

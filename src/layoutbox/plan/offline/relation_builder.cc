@@ -34,9 +34,11 @@ void RelationBuilder::run() {
   }
   add_mounts_said();
   set_heights();
+  carry_support();
   for (std::size_t i = 0; i < scene_.objects.size(); ++i) settle_mount(i);
   add_habits();
   note_contradictions();
+  drop_implied_support();
 }
 
 void RelationBuilder::add(const Link& link, R type, std::vector<std::string> targets, std::vector<std::string> references,

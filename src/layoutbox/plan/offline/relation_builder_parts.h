@@ -1,5 +1,5 @@
-// The class behind build_relations; its members stand in relation_builder, relation_single, contents, mounts, relation_habits and
-// contradictions.
+// The class behind build_relations; its members stand in relation_builder, relation_single, contents, support, mounts,
+// relation_habits and contradictions.
 #pragma once
 
 #include <algorithm>
@@ -97,6 +97,16 @@ class RelationBuilder {
   const NounPhrase& noun_of_object(const SceneObject& object) const;
   // How a thing is held where the relations say otherwise than its kind.
   void settle_mount(std::size_t index);
+  // Small things beside small things share what those stand on (support.cc).
+  void carry_support();
+  void drop_implied_support();
+  std::string said_support(const std::string& object) const;
+  bool is_small(std::size_t index) const;
+  std::vector<std::vector<std::size_t>> small_neighbours() const;
+  std::string host_with_room(std::string host, const NounPhrase& thing) const;
+  std::string host_spoken_of(std::size_t index);
+  std::size_t sentence_of(std::size_t token);
+  bool only_small(const std::vector<std::string>& ids) const;
   bool has_wall_kind(const NounPhrase& noun) const;
   bool hangs_on_hooks(const std::string& object) const;
   // On or in a thing other than a rug.
@@ -110,6 +120,7 @@ class RelationBuilder {
   std::unordered_map<std::string, std::size_t> known_;
   std::unordered_map<std::string, std::vector<std::size_t>> of_target_;
   std::unordered_map<std::string, std::size_t> objects_;
+  std::vector<std::size_t> sentences_;  // of each token
 };
 
 }  // namespace layoutbox::offline

@@ -40,7 +40,38 @@ void add_opening(SceneGraph& scene, OpeningType type, const NounPhrase& noun, co
   scene.room.openings.push_back(std::move(opening));
 }
 
+// Those of that type whose size nobody gave take that of `like`.
+void resize_openings(Room& room, const Opening& like) {
+  for (Opening& opening : room.openings) {
+    if (opening.type != like.type) continue;
+    opening.width = like.width;
+    opening.height = like.height;
+  }
+}
+
 }  // namespace
+
+void settle_opening_sizes(Document& document) {
+  std::vector<Chunk>& chunks = document.chunks;
+  for (std::size_t k = 0; k < chunks.size(); ++k) {
+    if (chunks[k].kind != ChunkKind::kNoun || (chunks[k].noun.kind != NounKind::kDoor && chunks[k].noun.kind != NounKind::kWindow))
+      continue;
+    for (std::size_t n = k + 1; n < chunks.size(); ++n) {
+      Chunk& next = chunks[n];
+      if (next.kind == ChunkKind::kSize) {
+        chunks[k].noun.size = next.size;
+        next.kind = ChunkKind::kIgnored;
+        for (std::size_t i = next.first; i < next.last; ++i) {
+          document.readings[i].use = WordReading::Use::kUsed;
+          document.readings[i].role = "size of the opening";
+        }
+        break;
+      }
+      const bool each = next.kind == ChunkKind::kNoun && next.noun.kind == NounKind::kMember;
+      if (next.kind != ChunkKind::kIgnored && next.kind != ChunkKind::kComma && next.kind != ChunkKind::kVerb && !each) break;
+    }
+  }
+}
 
 Opening opening_said(OpeningType type, const NounPhrase& noun) {
   Opening opening;
@@ -60,6 +91,9 @@ Opening opening_said(OpeningType type, const NounPhrase& noun) {
     opening.height = 2000;
     if (said("sliding")) opening.swing = Swing::kSliding;
   }
+  if (noun.size.span) opening.width = mm_from_m(*noun.size.span);
+  if (noun.size.either && noun.size.depth) opening.height = mm_from_m(*noun.size.depth);
+  if (noun.size.length) opening.width = mm_from_m(*noun.size.length);
   if (noun.size.width) opening.width = mm_from_m(*noun.size.width);
   if (noun.size.height) opening.height = mm_from_m(*noun.size.height);
   return opening;
@@ -124,11 +158,14 @@ void build_room(const Lexicon& lexicon, const Document& document, const RoomSize
     if (mention.noun.kind != NounKind::kDoor && mention.noun.kind != NounKind::kWindow) continue;
     const bool said = std::any_of(placed.begin(), placed.end(), [&](const auto& p) { return p.first == &mention; });
     const bool counted = mention.noun.count > 1 || (mention.noun.plural && mention.noun.determiner != Determiner::kDefinite);
-    if (said || !counted) continue;
+    if (said || (!counted && !mention.noun.size.any())) continue;
     const OpeningType type = mention.noun.kind == NounKind::kDoor ? OpeningType::kDoor : OpeningType::kWindow;
     const bool there = std::any_of(room.openings.begin(), room.openings.end(), [&](const Opening& o) { return o.type == type; });
-    if (there) continue;
-    const int count = mention.noun.count > 0 ? mention.noun.count : 2;
+    if (there) {  // "there is a window in the back wall. The window is 2 m wide."
+      if (mention.noun.size.any()) resize_openings(room, opening_said(type, mention.noun));
+      continue;
+    }
+    const int count = mention.noun.count > 0 ? mention.noun.count : counted ? 2 : 1;
     for (int i = 0; i < std::min(count, 12); ++i) add_opening(scene, type, mention.noun, {});
   }
   // One kind named, the other is still needed.

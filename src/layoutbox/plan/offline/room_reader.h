@@ -24,6 +24,9 @@ std::vector<Point> outline_with_niche(Mm width, Mm depth, const Niche& niche);
 // The id of the niche's own wall, the one furthest in; empty where the room has no such outline.
 std::string wall_of_niche(const Room& room, const Niche& niche);
 
+// "The door is 1 m wide", "two windows, each 2 m wide": the sizes become the openings' own.
+void settle_opening_sizes(Document& document);
+
 // A door or a window as a noun phrase says it, without an id and a place.
 Opening opening_said(OpeningType type, const NounPhrase& noun);
 

@@ -1,5 +1,6 @@
 // The size of the room: "4 x 3 m", "20 square meters", "ceilings 3 m high".
 #include <algorithm>
+#include <cmath>
 
 #include "layoutbox/plan/offline/room_reader.h"
 
@@ -72,16 +73,43 @@ class SizeReader {
       if (has_class(match, Class::kRoom) || has_class(match, Class::kRoomNoun)) return true;
       if (has_class(match, Class::kObject) && !beyond(match, sides)) return false;
     }
-    return first < 12;
+    return size_.width == 0 && first < 12;
   }
 
-  // "… bedroom": what the size stands before.
-  bool room_follows(std::size_t at) const {
-    for (std::size_t i = at; i < std::min(at + 3, tokens_.size()) && tokens_[i].kind != Token::Kind::kPunctuation; ++i) {
-      const Match match = lexicon_.find(tokens_, i);
-      if (has_class(match, Class::kRoom) || has_class(match, Class::kRoomNoun)) return true;
+  bool is_l_shaped() const {
+    for (std::size_t i = 0; i + 1 < tokens_.size(); ++i) {
+      if (tokens_[i].text == "l" && tokens_[i + 1].text.starts_with("shape")) return true;
     }
     return false;
+  }
+
+  // A second size: of the other part of an L, or one that contradicts the first.
+  std::size_t read_second(std::size_t at, std::size_t length, const std::vector<double>& sides) {
+    constexpr double kSame = 0.01;
+    const bool same = std::abs(sides[0] - size_.width) < kSame && std::abs(sides[1] - size_.depth) < kSame;
+    if (is_l_shaped() && !document_.niche && !same) {
+      add_part(sides[0], sides[1]);
+      take(at, at + length, "size of the room's other part");
+      return length;
+    }
+    if (!same) {
+      document_.notes.push_back({"contradiction",
+                                 "the room is given two sizes: \"" + words_between(document_, at, at + length) + "\" is not followed",
+                                 "prompt:" + std::to_string(tokens_[at].begin) + "-" + std::to_string(tokens_[at + length - 1].end)});
+    }
+    take(at, at + length, same ? "size of the room" : "contradicts the size of the room");
+    return length;
+  }
+
+  // The smaller part of an L stands at the right end of the larger one, against the back wall: what is in front of it is cut out.
+  void add_part(double width, double depth) {
+    if (depth > size_.depth) {
+      std::swap(width, size_.width);
+      std::swap(depth, size_.depth);
+    }
+    if (size_.depth - depth < 0.1) return;
+    document_.niche = Niche{width, size_.depth - depth, true, "front right"};
+    size_.width += width;
   }
 
   // Do the first two sides make several times the floor that the largest such thing takes?
@@ -95,11 +123,13 @@ class SizeReader {
   }
 
   std::size_t read_product(std::size_t at) {
-    const auto [values, length] = read_sides(lexicon_, tokens_, at);
-    if (values.empty() || !speaks_of_room(at, at + length, values) || (size_.width > 0 && !room_follows(at + length))) return 0;
+    const SidesRead read = read_sides(lexicon_, tokens_, at);
+    const auto& [values, length, united] = read;
+    if (values.empty() || !speaks_of_room(at, at + length, values)) return 0;
     const auto impossible = [](double side) { return side == 0 || side > kLongestSide; };
     size_.impossible = size_.impossible || std::any_of(values.begin(), values.end(), impossible);
     if (values[0] < 0.8 || values[1] < 0.8) return 0;
+    if (size_.width > 0) return read_second(at, length, values);
     size_.width = values[0];
     size_.depth = values[1];
     if (values.size() > 2) size_.height = values[2];

@@ -1,0 +1,105 @@
+#include "layoutbox/catalog/kin.h"
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "layoutbox/base/words.h"
+#include "layoutbox/embedded/catalog_data.h"
+#include "layoutbox/embedded/english_data.h"
+
+namespace layoutbox {
+namespace {
+
+using Words = std::map<std::string, std::string, std::less<>>;
+
+struct Kinds {
+  Words kinds, modifiers;
+  Words like, like_keys;  // by the word, and by its key (words.h)
+};
+
+const Kinds& known_kinds() {
+  static const Kinds kinds = [] {
+    const auto json = nlohmann::json::parse(embedded::words_kinds_json);
+    Kinds read{json.at("kinds").get<Words>(), json.at("modifiers").get<Words>(), {}, {}};
+    for (const auto& [id, words] : json.at("like").items()) {
+      for (const auto& word : words) {
+        const auto& text = word.get_ref<const std::string&>();
+        read.like.emplace(text, id);
+        read.like_keys.emplace(key_of(text), id);
+      }
+    }
+    return read;
+  }();
+  return kinds;
+}
+
+// The letters of a noun that is a thing, or a body in nature: alone, or after those of the verb or adjective that the word mostly is.
+bool is_bodily(std::string_view letters) { return letters.ends_with('t') || letters.ends_with('c'); }
+
+const CatalogEntry* kin_by_line(const Catalog& catalog, std::string_view line) {
+  std::size_t at = line.find(' ');
+  if (!is_bodily(line.substr(0, at))) return nullptr;
+  while (at != std::string_view::npos) {
+    const std::size_t end = line.find(' ', at + 1);
+    const std::string_view kind = line.substr(at + 1, end == std::string_view::npos ? end : end - at - 1);
+    const auto meant = known_kinds().kinds.find(kind);
+    const CatalogEntry* entry = meant == known_kinds().kinds.end() ? catalog.find_by_words(kind)
+                                : meant->second.empty()            ? nullptr
+                                                                   : catalog.find(meant->second);
+    if (entry != nullptr) return entry;
+    at = end;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+std::string_view english_line(std::string_view word) {
+  const std::string_view table = embedded::words_english_txt;
+  std::size_t low = 0, high = table.size();
+  while (low < high) {
+    std::size_t begin = low + (high - low) / 2;
+    while (begin > low && table[begin - 1] != '\n') --begin;
+    const std::size_t end = std::min(table.find('\n', begin), table.size());
+    const std::string_view line = table.substr(begin, end - begin);
+    const std::size_t space = line.find(' ');
+    const int order = word.compare(line.substr(0, space));
+    if (order == 0) return line.substr(space + 1);
+    if (order < 0) {
+      high = begin;
+    } else {
+      low = end + 1;
+    }
+  }
+  return {};
+}
+
+std::string_view liked_entry(std::string_view words) {
+  const auto found = known_kinds().like_keys.find(key_of(words));
+  return found == known_kinds().like_keys.end() ? std::string_view{} : std::string_view(found->second);
+}
+
+const std::map<std::string, std::string, std::less<>>& like_words() { return known_kinds().like; }
+
+bool is_kin_modifier(std::string_view word) { return known_kinds().modifiers.contains(word); }
+
+const CatalogEntry* kin_of(const Catalog& catalog, std::string_view noun) {
+  const std::vector<std::string> words = words_of(noun);
+  for (std::size_t i = 0; i + 1 < words.size(); ++i) {
+    if (const auto found = known_kinds().modifiers.find(words[i]); found != known_kinds().modifiers.end())
+      return catalog.find(found->second);
+  }
+  // The longest ending that is a word: "antique credenza" → credenza.
+  for (std::size_t from = 0; from < words.size(); ++from) {
+    std::string word;
+    for (std::size_t i = from; i < words.size(); ++i) word += words[i];
+    for (const std::string& form : singular_forms(word)) {
+      if (const auto like = known_kinds().like_keys.find(form); like != known_kinds().like_keys.end()) return catalog.find(like->second);
+      if (const CatalogEntry* kin = kin_by_line(catalog, english_line(form)); kin != nullptr) return kin;
+    }
+  }
+  return nullptr;
+}
+
+}  // namespace layoutbox

@@ -1,0 +1,29 @@
+// What a noun that the catalogue lacks is like: the nearest of its more general kinds that is known. Nouns and their kinds are those of
+// catalog/words_english.txt (from WordNet); what the kinds mean here stands in catalog/words_kinds.json.
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "layoutbox/catalog/catalog.h"
+
+namespace layoutbox {
+
+// The rest of the line of a lower-case word in words_english.txt: its letter and kinds ("t sofa seat furniture"); empty where it is not
+// there. Searched in place: nothing is read at start.
+std::string_view english_line(std::string_view word);
+
+// The entry that a thing of that name ("koala", "plush koala", "soup tureen") is sized, held and drawn like, or null.
+const CatalogEntry* kin_of(const Catalog& catalog, std::string_view noun);
+
+// The id of the entry that a word is listed to be like ("wok" → pan), case and separators apart, or empty.
+std::string_view liked_entry(std::string_view words);
+
+// All words that are listed so, with those ids: for word lists.
+const std::map<std::string, std::string, std::less<>>& like_words();
+
+// "plush", "toy", "model": a word before a noun that says more of what a thing is like than the noun does.
+bool is_kin_modifier(std::string_view word);
+
+}  // namespace layoutbox

@@ -1,0 +1,52 @@
+#include "layoutbox/catalog/kin.h"
+
+#include <gtest/gtest.h>
+
+namespace layoutbox {
+namespace {
+
+std::string kin(std::string_view noun) {
+  const CatalogEntry* entry = kin_of(Catalog::builtin(), noun);
+  return entry == nullptr ? "" : entry->id;
+}
+
+TEST(Kin, IsTheNearestKnownKind) {
+  EXPECT_EQ(kin("walrus"), "pet");
+  EXPECT_EQ(kin("walruses"), "pet");
+  EXPECT_EQ(kin("soup tureen"), "bowl");
+  EXPECT_EQ(kin("bassoon"), "instrument");
+  EXPECT_EQ(kin("happiness"), "");
+  EXPECT_EQ(kin("xyzzy"), "");
+  EXPECT_EQ(kin(""), "");
+}
+
+TEST(Kin, AWordBeforeTheNounMaySayMore) {
+  EXPECT_EQ(kin("plush walrus"), "teddy_bear");
+  EXPECT_TRUE(is_kin_modifier("plush"));
+  EXPECT_FALSE(is_kin_modifier("old"));
+}
+
+TEST(Kin, SizesAndMountsOfWhatTheCatalogueLacks) {
+  const Catalog& catalog = Catalog::builtin();
+  EXPECT_EQ(catalog.entry_or_nearest("plush_walrus").id, "teddy_bear");
+  EXPECT_EQ(catalog.entry_or_nearest("bassoon").mount, Mount::kSurface);
+  EXPECT_EQ(catalog.entry_or_nearest("xyzzy").id, "object");
+}
+
+// What is like an entry keeps its own word, and is what the entry is.
+TEST(Kin, LikeWordsLeadToTheirEntry) {
+  const Catalog& catalog = Catalog::builtin();
+  EXPECT_EQ(catalog.find_by_words("wok"), nullptr);
+  EXPECT_EQ(liked_entry("Woks"), "");
+  EXPECT_EQ(liked_entry("Wok"), "pan");
+  for (const auto& [word, id] : like_words()) {
+    EXPECT_NE(catalog.find(id), nullptr) << id;
+    EXPECT_EQ(catalog.entry_or_nearest(word).id, id) << word;
+  }
+  EXPECT_EQ(catalog.entry_or_nearest("wok").id, "pan");
+  EXPECT_TRUE(catalog.is_a("wok", "pan"));
+  EXPECT_FALSE(catalog.is_a("wok", "pot"));
+}
+
+}  // namespace
+}  // namespace layoutbox

@@ -1,0 +1,65 @@
+#include "layoutbox/plan/offline/object_size.h"
+
+#include <algorithm>
+
+namespace layoutbox::offline {
+namespace {
+
+// "a 55-inch TV": the diagonal of a screen of 16:9.
+constexpr double kWidthOfDiagonal = 0.8716, kHeightOfDiagonal = 0.4903;
+
+bool is_screen(const CatalogEntry& entry) { return entry.shape.family == "tv" || entry.shape.family == "monitor"; }
+
+// Which of the three sides "a 6-foot bookcase" speaks of: the longest that such a thing usually has.
+SaidSize with_span(SaidSize size, const CatalogEntry& entry, const NounPhrase& noun) {
+  const double span = *size.span;
+  const Size& usual = entry.size.usual;
+  if (is_screen(entry)) {
+    size.width = span * kWidthOfDiagonal;
+    size.height = span * kHeightOfDiagonal;
+    return size;
+  }
+  const bool round = std::any_of(noun.attributes.begin(), noun.attributes.end(),
+                                 [](const std::string& a) { return a == "round" || a == "circular" || a == "square"; });
+  if (usual.height > std::max(usual.width, usual.depth)) {
+    size.height = span;
+  } else if (round) {
+    size.width = size.depth = span;
+  } else if (usual.depth > usual.width) {
+    size.depth = span;
+  } else {
+    size.width = span;
+  }
+  return size;
+}
+
+SaidSize settled(const NounPhrase& noun, const CatalogEntry& entry) {
+  SaidSize size = noun.size;
+  const Size& usual = entry.size.usual;
+  if (size.span) size = with_span(size, entry, noun);
+  if (size.length) (usual.depth > usual.width ? size.depth : size.width) = size.length;
+  const bool turned =
+      size.either && size.width && size.depth && usual.width != usual.depth && (*size.width > *size.depth) != (usual.width > usual.depth);
+  if (turned) std::swap(size.width, size.depth);
+  return size;
+}
+
+}  // namespace
+
+void apply_size(const NounPhrase& noun, SceneObject& object) {
+  if (!noun.size.any()) return;
+  static const CatalogEntry unknown;
+  const CatalogEntry& entry = noun.entry != nullptr ? *noun.entry : unknown;
+  const SaidSize size = settled(noun, entry);
+  SizeRange range = entry.size;
+  const auto fix = [&](const std::optional<double>& said, Mm Size::*side) {
+    if (said) range.least.*side = range.usual.*side = range.greatest.*side = mm_from_m(*said);
+  };
+  fix(size.width, &Size::width);
+  fix(size.depth, &Size::depth);
+  fix(size.height, &Size::height);
+  object.size = range;
+  object.size_source = SizeSource::kUser;
+}
+
+}  // namespace layoutbox::offline

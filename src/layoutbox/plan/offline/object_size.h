@@ -1,0 +1,11 @@
+// The size that the words give a thing.
+#pragma once
+
+#include "layoutbox/plan/offline/noun_phrase.h"
+
+namespace layoutbox::offline {
+
+// Sets the sides of `object` that `noun` says; around them the catalogue's proportions hold.
+void apply_size(const NounPhrase& noun, SceneObject& object);
+
+}  // namespace layoutbox::offline

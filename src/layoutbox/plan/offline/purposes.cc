@@ -1,0 +1,41 @@
+#include "layoutbox/plan/offline/purposes.h"
+
+#include "layoutbox/plan/offline/english.h"
+
+namespace layoutbox::offline {
+namespace {
+
+void pass_over(Document& document, Chunk& chunk, std::string_view role) {
+  chunk.kind = ChunkKind::kIgnored;
+  for (std::size_t i = chunk.first; i < chunk.last; ++i) {
+    document.readings[i].use = WordReading::Use::kIgnored;
+    document.readings[i].role = role;
+  }
+}
+
+// A person, an activity, or what stands for one ("homework", "storage"); counts of people are read elsewhere.
+bool is_whom_or_what_for(const Lexicon& lexicon, const NounPhrase& noun) {
+  if (noun.count > 0) return false;
+  if (noun.kind == NounKind::kAbstract) return true;
+  if (noun.kind != NounKind::kObject || noun.determiner == Determiner::kDefinite) return false;
+  return lexicon.is_person(noun.head) || word_form(noun.head) == WordForm::kPerson ||
+         (noun.determiner == Determiner::kNone && !noun.plural && noun.name == noun.head);
+}
+
+}  // namespace
+
+void settle_purposes(const Lexicon& lexicon, Document& document) {
+  std::vector<Chunk>& chunks = document.chunks;
+  for (std::size_t k = 0; k + 2 < chunks.size(); ++k) {
+    if (chunks[k].kind != ChunkKind::kPurpose || document.tokens[chunks[k].last - 1].text != "for" ||
+        chunks[k + 1].kind != ChunkKind::kNoun || !is_whom_or_what_for(lexicon, chunks[k + 1].noun))
+      continue;
+    const Chunk& after = chunks[k + 2];
+    const std::string& word = document.tokens[after.first].text;
+    if (after.kind != ChunkKind::kHave && !(after.kind == ChunkKind::kComma && word == ":")) continue;
+    pass_over(document, chunks[k], "purpose");
+    pass_over(document, chunks[k + 1], "whom or what it is for");
+  }
+}
+
+}  // namespace layoutbox::offline

@@ -1,0 +1,12 @@
+// Whom and what things are for, where the text goes on after that.
+#pragma once
+
+#include "layoutbox/plan/offline/document.h"
+
+namespace layoutbox::offline {
+
+// "a bedroom for a teenager with bed and desk", "a desk for homework with a lamp on it": a purpose of one noun that is no piece of
+// furniture ends where "with" or a colon follows it, so that what comes then belongs to what has the purpose.
+void settle_purposes(const Lexicon& lexicon, Document& document);
+
+}  // namespace layoutbox::offline

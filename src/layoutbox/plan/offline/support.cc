@@ -1,0 +1,175 @@
+// Support that carries on: a small thing beside a small thing that stands on something stands there too, though nobody said so.
+#include <algorithm>
+#include <queue>
+
+#include "layoutbox/plan/offline/knowledge.h"
+#include "layoutbox/plan/offline/relation_builder_parts.h"
+
+namespace layoutbox::offline {
+
+using R = RelationType;
+
+namespace {
+
+bool carries(R type) { return type == R::kOn || type == R::kIn || type == R::kStacked; }
+
+// Side by side at one height.
+bool joins(R type) {
+  return type == R::kNextTo || type == R::kNear || type == R::kLeftOf || type == R::kRightOf || type == R::kBehind ||
+         type == R::kInFrontOf || type == R::kEachSideOf || type == R::kBetween || type == R::kAround || type == R::kDistance ||
+         type == R::kRow || type == R::kEvenlySpaced || type == R::kPairedWith || type == R::kSurround;
+}
+
+// A place of its own that is no tabletop.
+bool stands_elsewhere(R type) {
+  return type == R::kOnWall || type == R::kOnCeiling || type == R::kCorner || type == R::kAgainstWall || type == R::kCenterOfRoom ||
+         type == R::kCenteredOnWall;
+}
+
+double area_of(const NounPhrase& noun) {
+  return noun.entry == nullptr ? 0 : 1.0 * noun.entry->size.usual.width * noun.entry->size.usual.depth;
+}
+
+}  // namespace
+
+std::string RelationBuilder::said_support(const std::string& object) const {
+  for (const std::size_t r : relations_of(object)) {
+    const Relation& relation = scene_.relations[r];
+    if (carries(relation.type) && !relation.references.empty()) return relation.references.front();
+  }
+  return {};
+}
+
+bool RelationBuilder::is_small(std::size_t index) const {
+  const NounPhrase& noun = document_.items[index].noun;
+  const std::vector<std::size_t>& all = relations_of(scene_.objects[index].id);
+  return mount_of(noun) == Mount::kSurface &&
+         std::none_of(all.begin(), all.end(), [&](std::size_t r) { return stands_elsewhere(scene_.relations[r].type); });
+}
+
+// Who stands beside whom, of the small things; things beside furniture or walls are left out.
+std::vector<std::vector<std::size_t>> RelationBuilder::small_neighbours() const {
+  std::vector<std::vector<std::size_t>> beside(scene_.objects.size());
+  const auto index_of = [&](const std::string& id) {
+    const auto found = objects_.find(id);
+    return found == objects_.end() ? scene_.objects.size() : found->second;
+  };
+  for (const Relation& relation : scene_.relations) {
+    if (!joins(relation.type)) continue;
+    std::vector<std::size_t> all;
+    for (const std::vector<std::string>* ids : {&relation.targets, &relation.references}) {
+      for (const std::string& id : *ids) all.push_back(index_of(id));
+    }
+    if (!std::all_of(all.begin(), all.end(), [&](std::size_t i) { return i < scene_.objects.size() && is_small(i); })) continue;
+    for (std::size_t i = 1; i < all.size(); ++i) {
+      beside[all[0]].push_back(all[i]);
+      beside[all[i]].push_back(all[0]);
+    }
+  }
+  return beside;
+}
+
+// Of a small host that has no room for the thing (a coaster, a saucer) what that one stands on.
+std::string RelationBuilder::host_with_room(std::string host, const NounPhrase& thing) const {
+  constexpr int kMostSteps = 3;
+  constexpr double kRoomForBoth = 2.5;
+  for (int step = 0; step < kMostSteps; ++step) {
+    const SceneObject* object = object_of(host);
+    if (object == nullptr) return {};
+    const NounPhrase& noun = noun_of_object(*object);
+    if (may_carry(catalog_, noun, thing) && (mount_of(noun) != Mount::kSurface || area_of(noun) > kRoomForBoth * area_of(thing)))
+      return host;
+    host = said_support(host);
+  }
+  return {};
+}
+
+std::size_t RelationBuilder::sentence_of(std::size_t token) {
+  if (sentences_.empty()) {
+    std::size_t sentence = 0;
+    for (const Token& t : document_.tokens) {
+      sentences_.push_back(sentence);
+      sentence += t.ends_sentence ? 1 : 0;
+    }
+  }
+  return token < sentences_.size() ? sentences_[token] : sentences_.empty() ? 0 : sentences_.back();
+}
+
+// What the text last named that small things stand on: in the thing's sentence, or in the one before. Where nothing is said to stand on
+// anything, the last piece that may carry the thing.
+std::string RelationBuilder::host_spoken_of(std::size_t index) {
+  const NounPhrase& thing = document_.items[index].noun;
+  const std::size_t sentence = sentence_of(thing.first);
+  std::string said, named;
+  for (std::size_t i = 0; i < scene_.objects.size(); ++i) {
+    const NounPhrase& noun = document_.items[i].noun;
+    if (i == index || noun.first > thing.first || sentence_of(noun.first) + 1 < sentence) continue;
+    if (const std::string host = host_with_room(said_support(scene_.objects[i].id), thing); !host.empty()) said = host;
+    if (mount_of(noun) == Mount::kFloor && is_table(catalog_, noun) && may_carry(catalog_, noun, thing)) named = scene_.objects[i].id;
+  }
+  return said.empty() ? named : said;
+}
+
+void RelationBuilder::carry_support() {
+  const std::vector<std::vector<std::size_t>> beside = small_neighbours();
+  std::vector<std::string> supports(scene_.objects.size());
+  std::queue<std::size_t> reached;
+  for (std::size_t i = 0; i < supports.size(); ++i) {
+    if (beside[i].empty()) continue;
+    supports[i] = said_support(scene_.objects[i].id);
+    if (!supports[i].empty()) reached.push(i);
+  }
+  const auto conclude = [&](std::size_t index, const std::string& host) {
+    const NounPhrase& noun = document_.items[index].noun;
+    Link link;
+    link.first = noun.first;
+    link.last = noun.last;
+    link.assumed = true;
+    add(link, R::kOn, {scene_.objects[index].id}, {host});
+    supports[index] = host;
+    reached.push(index);
+  };
+  const auto spread = [&] {
+    for (; !reached.empty(); reached.pop()) {
+      const std::size_t from = reached.front();
+      for (const std::size_t other : beside[from]) {
+        if (!supports[other].empty()) continue;
+        const std::string host = host_with_room(supports[from], document_.items[other].noun);
+        if (!host.empty() && host != scene_.objects[other].id) conclude(other, host);
+      }
+    }
+  };
+  spread();
+  for (std::size_t i = 0; i < supports.size(); ++i) {
+    if (beside[i].empty() || !supports[i].empty()) continue;
+    const std::string host = host_spoken_of(i);
+    if (host.empty() || host == scene_.objects[i].id) continue;
+    conclude(i, host);
+    spread();
+  }
+}
+
+// "A cup on a coaster on the table": that it is on the table follows from where the coaster is.
+void RelationBuilder::drop_implied_support() {
+  const auto stands_on = [&](const std::string& object, const std::string& host) {
+    const std::vector<std::size_t>& all = relations_of(object);
+    return std::any_of(all.begin(), all.end(), [&](std::size_t r) {
+      const Relation& relation = scene_.relations[r];
+      return relation.type == R::kOn && relation.references.size() == 1 && relation.references.front() == host;
+    });
+  };
+  std::vector<std::string> implied;
+  for (const Relation& relation : scene_.relations) {
+    if (relation.type != R::kOn || relation.targets.size() != 1 || relation.references.size() != 1) continue;
+    const std::vector<std::size_t>& all = relations_of(relation.targets.front());
+    const bool through_another = std::any_of(all.begin(), all.end(), [&](std::size_t r) {
+      const Relation& other = scene_.relations[r];
+      return other.id != relation.id && carries(other.type) && other.references.size() == 1 &&
+             other.references.front() != relation.references.front() && stands_on(other.references.front(), relation.references.front());
+    });
+    if (through_another) implied.push_back(relation.id);
+  }
+  std::erase_if(scene_.relations, [&](const Relation& r) { return std::find(implied.begin(), implied.end(), r.id) != implied.end(); });
+}
+
+}  // namespace layoutbox::offline

@@ -1,0 +1,138 @@
+#include "layoutbox/plan/offline/wishes.h"
+
+#include <algorithm>
+#include <map>
+
+#include "layoutbox/base/words.h"
+#include "layoutbox/plan/offline/noun_phrase_parts.h"
+#include "layoutbox/plan/offline/people.h"
+
+namespace layoutbox::offline {
+namespace {
+
+class Furnisher {
+ public:
+  Furnisher(const Lexicon& lexicon, const Document& document, SceneGraph& scene)
+      : lexicon_(lexicon), catalog_(lexicon.catalog()), document_(document), scene_(scene) {}
+
+  void run() {
+    find_kinds();
+    const std::vector<const CatalogEntry*> named = things_within_purposes();
+    std::string because = "no furniture is named";
+    if (kinds_.empty()) guess_kind(named, because);
+    if (kinds_.empty()) return;
+    if (scene_.room.type.empty()) scene_.room.type = kinds_.front()->id;
+    for (std::size_t k = 0; k < kinds_.size(); ++k) furnish(*kinds_[k], k == 0);
+    for (const CatalogEntry* entry : named) add_named(*entry);
+    scene_.notes.push_back({"filled", because + ": the usual furniture of a " + kinds_.front()->name + " is taken", "prompt"});
+  }
+
+ private:
+  // The kinds of room that the text names, that of the scene first: "a living room with a kitchen corner".
+  void find_kinds() {
+    if (!scene_.room.type.empty()) add_kind(catalog_.find_room(scene_.room.type));
+    for (std::size_t i = 0; i < document_.tokens.size();) {
+      const Match match = lexicon_.find(document_.tokens, i);
+      if (const Meaning* room = meaning_of(match, WordClass::kRoom);
+          room != nullptr && !has(match, WordClass::kAbstract) && !has(match, WordClass::kOutsideRoom))
+        add_kind(room->room);
+      i += std::max<std::size_t>(match.length, 1);
+    }
+  }
+
+  void add_kind(const RoomKind* kind) {
+    constexpr std::size_t kMostKinds = 3;
+    if (kind != nullptr && kinds_.size() < kMostKinds && std::find(kinds_.begin(), kinds_.end(), kind) == kinds_.end())
+      kinds_.push_back(kind);
+  }
+
+  // "… to read on rainy days", "… for my grandmother", "… picking up mugs".
+  void guess_kind(const std::vector<const CatalogEntry*>& named, std::string& because) {
+    for (std::size_t i = 0; i < document_.tokens.size(); ++i) {
+      const auto [room, length] = lexicon_.room_suggested(document_.tokens, i);
+      if (length == 0) continue;
+      because = "\"" + words_between(document_, i, i + length) + "\" says what it is for";
+      return add_kind(catalog_.find_room(room));
+    }
+    for (const CatalogEntry* entry : named) {
+      if (entry->rooms.empty()) continue;
+      because = "a " + entry->name + " is named";
+      return add_kind(catalog_.find_room(entry->rooms.front()));
+    }
+  }
+
+  std::vector<const CatalogEntry*> things_within_purposes() const {
+    std::vector<const CatalogEntry*> things;
+    for (const Chunk& chunk : document_.chunks) {
+      const NounPhrase& noun = chunk.noun;
+      if (chunk.kind == ChunkKind::kNoun && noun.kind == NounKind::kObject && noun.exact && noun.entry != nullptr &&
+          document_.readings[chunk.first].use == WordReading::Use::kIgnored)
+        things.push_back(noun.entry);
+    }
+    return things;
+  }
+
+  bool excluded(const std::string& category) const {
+    return std::any_of(document_.excluded.begin(), document_.excluded.end(),
+                       [&](const NounPhrase& n) { return n.entry != nullptr && catalog_.is_a(category, n.entry->id); });
+  }
+
+  bool is_there(const CatalogEntry& entry) const {
+    return std::any_of(scene_.objects.begin(), scene_.objects.end(),
+                       [&](const SceneObject& o) { return catalog_.is_a(o.category, entry.id); });
+  }
+
+  void add(const CatalogEntry& entry, int count) {
+    for (int i = 0; i < count; ++i) {
+      SceneObject object;
+      object.id = entry.id + "_" + std::to_string(++numbers_[entry.id]);
+      object.category = entry.id;
+      object.name = entry.name;
+      object.assumed = true;
+      scene_.objects.push_back(std::move(object));
+    }
+  }
+
+  // All that is usual in the room itself, the most important things of a part of it.
+  void furnish(const RoomKind& named, bool whole) {
+    const std::string young(document_.young ? lexicon_.young_room(named.id) : std::string_view(named.id));
+    const RoomKind* meant = catalog_.find_room(young);
+    const RoomKind& kind = meant != nullptr ? *meant : named;
+    const std::map<std::string, int> needs = needs_of(lexicon_, document_, kind.id);
+    constexpr int kOfPart = 4;
+    int taken = 0;
+    for (const auto& [category, usual] : kind.usual) {
+      const auto needed = needs.find(category);
+      const CatalogEntry* entry = catalog_.find(category);
+      if (entry == nullptr || excluded(category) || (!whole && (taken >= kOfPart || is_there(*entry)))) continue;
+      add(*entry, needed != needs.end() ? needed->second : usual);
+      ++taken;
+    }
+  }
+
+  // With what it stands on, where nothing of that is there.
+  void add_named(const CatalogEntry& entry) {
+    if (is_there(entry) || excluded(entry.id)) return;
+    const bool host = entry.stands_on.empty() || std::any_of(entry.stands_on.begin(), entry.stands_on.end(), [&](const std::string& id) {
+                        const CatalogEntry* kind = catalog_.find(id);
+                        return kind != nullptr && is_there(*kind);
+                      });
+    if (const CatalogEntry* table = catalog_.find("table"); !host && table != nullptr) add(*table, 1);
+    add(entry, 1);
+  }
+
+  const Lexicon& lexicon_;
+  const Catalog& catalog_;
+  const Document& document_;
+  SceneGraph& scene_;
+  std::vector<const RoomKind*> kinds_;
+  std::map<std::string, int> numbers_;
+};
+
+}  // namespace
+
+void furnish_by_wish(const Lexicon& lexicon, const Document& document, SceneGraph& scene) {
+  if (scene.objects.empty()) Furnisher(lexicon, document, scene).run();
+}
+
+}  // namespace layoutbox::offline
