@@ -98,6 +98,7 @@ bool Catalog::is_a(std::string_view id, std::string_view ancestor) const {
 
 const CatalogEntry& Catalog::entry_or_nearest(std::string_view category) const {
   if (const CatalogEntry* exact = find(category)) return *exact;
+  if (const CatalogEntry* like = find(liked_entry(category))) return *like;
   if (const CatalogEntry* by_words = find_by_words(category)) return *by_words;
   if (const CatalogEntry* kin = kin_of(*this, category)) return *kin;
   // "workdesk" → desk: the longest known word that it ends with.

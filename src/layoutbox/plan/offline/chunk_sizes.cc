@@ -50,6 +50,8 @@ bool Chunker::read_distance() {
   const auto measure = read_measure(lexicon_, tokens_, at);
   if (!measure) return false;
   at += measure->length;
+  if (lexicon_.find(tokens_, at, Class::kDimension).length > std::max<std::size_t>(lexicon_.find_phrase(tokens_, at).length, 1))
+    return false;
   if (apart && (at >= tokens_.size() || (tokens_[at].text != "from" && tokens_[at].text != "to"))) {
     Chunk& chunk = add(ChunkKind::kRelation, at - i_);
     chunk.phrase = PhraseMatch{chunk.last - chunk.first, &distance_senses()};

@@ -2,34 +2,41 @@
 
 #include <algorithm>
 
-#include "layoutbox/plan/offline/english.h"
-
 namespace layoutbox::offline {
 namespace {
 
 bool was_used(const Document& document, const Chunk& chunk) {
-  return std::any_of(document.readings.begin() + static_cast<std::ptrdiff_t>(chunk.first),
-                     document.readings.begin() + static_cast<std::ptrdiff_t>(chunk.last),
-                     [](const WordReading& r) { return r.use == WordReading::Use::kUsed; });
+  const bool brought_in = std::any_of(document.items.begin(), document.items.end(),
+                                      [&](const Item& item) { return item.noun.first >= chunk.first && item.noun.first < chunk.last; });
+  return brought_in || std::any_of(document.readings.begin() + static_cast<std::ptrdiff_t>(chunk.first),
+                                   document.readings.begin() + static_cast<std::ptrdiff_t>(chunk.last),
+                                   [](const WordReading& r) { return r.use == WordReading::Use::kUsed; });
 }
 
-// A noun that might be furniture: named or counted, and not only what something is like or is for.
-bool is_missed(const Document& document, const Chunk& chunk) {
+// A noun that might be furniture: named or counted, and not only what something is like or is for ("a wardrobe for clothes").
+bool is_missed(const Lexicon& lexicon, const Document& document, std::size_t k) {
+  const Chunk& chunk = document.chunks[k];
   if (chunk.kind != ChunkKind::kNoun || was_used(document, chunk)) return false;
   const NounPhrase& noun = chunk.noun;
-  const bool brought_in = noun.determiner == Determiner::kIndefinite || noun.determiner == Determiner::kAnother || noun.count > 0;
-  if (noun.kind == NounKind::kObject) return brought_in || noun.exact;
-  return noun.kind == NounKind::kAbstract && noun.doubted && brought_in;
+  const bool new_here = noun.determiner == Determiner::kIndefinite || noun.determiner == Determiner::kAnother || noun.count > 0;
+  if (noun.kind == NounKind::kAbstract) return noun.doubted && new_here;
+  if (noun.kind != NounKind::kObject) return false;
+  if (new_here) return true;
+  const bool there = noun.entry != nullptr && std::any_of(document.items.begin(), document.items.end(), [&](const Item& item) {
+                       return item.noun.entry != nullptr && lexicon.catalog().is_a(item.noun.entry->id, noun.entry->id);
+                     });
+  const bool in_list = k > 0 && document.chunks[k - 1].kind != ChunkKind::kPurpose;
+  return noun.exact && in_list && !there && noun.determiner == Determiner::kNone;
 }
 
 }  // namespace
 
 void note_left_out(const Lexicon& lexicon, const Document& document, SceneGraph& scene) {
-  (void)lexicon;
   std::string missed;
   std::size_t first = 0, last = 0;
-  for (const Chunk& chunk : document.chunks) {
-    if (!is_missed(document, chunk)) continue;
+  for (std::size_t k = 0; k < document.chunks.size(); ++k) {
+    if (!is_missed(lexicon, document, k)) continue;
+    const Chunk& chunk = document.chunks[k];
     if (missed.empty()) first = document.tokens[chunk.first].begin;
     last = document.tokens[chunk.last - 1].end;
     missed += (missed.empty() ? "\"" : ", \"") + words_between(document, chunk.first, chunk.last) + "\"";

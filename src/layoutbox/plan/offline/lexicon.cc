@@ -66,9 +66,9 @@ const CatalogEntry* Lexicon::meant_in(const RoomKind& room, std::string_view nam
   return nullptr;
 }
 
-const CatalogEntry* Lexicon::meant_by_pair(std::string_view word) const {
+std::string_view Lexicon::meant_by_pair(std::string_view word) const {
   const auto found = pairs_meant_.find(std::string(word));
-  return found == pairs_meant_.end() ? nullptr : found->second;
+  return found == pairs_meant_.end() ? std::string_view{} : std::string_view(found->second);
 }
 
 std::string_view Lexicon::meant_by(std::string_view word) const {

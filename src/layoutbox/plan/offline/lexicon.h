@@ -133,8 +133,8 @@ class Lexicon {
   std::span<const std::string> words_like(char first, std::size_t length) const;
   // "scissors", "tongs": one thing, though the word is a plural.
   bool is_plural_only(std::string_view word) const { return plural_only_.contains(std::string(word)); }
-  // What "a pair of" so called is, where it is one thing ("glasses"), or null.
-  const CatalogEntry* meant_by_pair(std::string_view word) const;
+  // What "a pair of" so called is, where it is one thing ("glasses"), or empty.
+  std::string_view meant_by_pair(std::string_view word) const;
   // What a set consists of, the host first ("dining set": table, chairs), or nothing.
   using Set = std::vector<std::pair<const CatalogEntry*, int>>;
   const Set* set_of(std::string_view words) const;
@@ -179,7 +179,7 @@ class Lexicon {
   std::vector<std::pair<const CatalogEntry*, const CatalogEntry*>> seats_;  // table, seat or null; special kinds first
   std::unordered_map<std::string, const CatalogEntry*> room_senses_;        // "room word"
   std::unordered_set<std::string> vocabulary_, persons_, young_persons_, plural_only_;
-  std::unordered_map<std::string, const CatalogEntry*> pairs_meant_;
+  std::unordered_map<std::string, std::string> pairs_meant_;
   std::unordered_map<std::string, std::vector<std::string>> by_shape_;  // first letter and length
   std::unordered_map<std::string, std::string> typing_errors_;
 };

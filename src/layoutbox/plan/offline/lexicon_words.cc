@@ -171,8 +171,7 @@ void Lexicon::read_words() {
   }
   for (const auto& [wrong, right] : word_list("grammar").at("typing_errors").items()) typing_errors_[wrong] = right.get<std::string>();
   for (const Json& word : word_list("grammar").at("plural_only")) plural_only_.insert(word.get<std::string>());
-  for (const auto& [word, meant] : word_list("grammar").at("pairs_meant").items())
-    pairs_meant_[word] = catalog_->find_by_words(meant.get_ref<const std::string&>());
+  for (const auto& [word, meant] : word_list("grammar").at("pairs_meant").items()) pairs_meant_[word] = meant.get<std::string>();
   for (const auto& [words, members] : word_list("room").at("sets").items()) {
     Set set;
     for (const auto& [id, count] : members.items()) {

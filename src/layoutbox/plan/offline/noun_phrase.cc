@@ -47,7 +47,7 @@ void NounPhraseReader::settle_object(const Part& head, std::size_t head_index) {
   phrase_.plural = head.plural;
   phrase_.entry = head.meaning.entry;
   phrase_.head = singular_of(tokens_[head.last - 1].text);
-  settle_pair(head);
+  const std::string_view called = settle_pair(head);
   // The name: from the first word that is no plain attribute.
   std::size_t begin = head.first;
   for (std::size_t p = head_index; p-- > 0;) {
@@ -81,7 +81,7 @@ void NounPhraseReader::settle_object(const Part& head, std::size_t head_index) {
   }
   phrase_.exact = phrase_.entry != nullptr && begin == head.first;
   if (phrase_.entry != nullptr) {
-    phrase_.category = snake_case(head.meaning.word);  // the entry's, or the word for what is only like it
+    phrase_.category = snake_case(called);  // the entry's, or the word for what is only like it
   } else {
     settle_unknown();
   }
@@ -97,17 +97,17 @@ void NounPhraseReader::settle_unknown() {
   phrase_.entry = kind != nullptr ? kind : kin_of(lexicon_.catalog(), called);
 }
 
-// "scissors", "a pair of glasses": one thing by two words, or by a plural.
-void NounPhraseReader::settle_pair(const Part& head) {
+// "scissors", "a pair of glasses": one thing by two words, or by a plural. Returns the category's word.
+std::string_view NounPhraseReader::settle_pair(const Part& head) {
   const std::string& word = tokens_[head.last - 1].text;
-  if (paired_ && phrase_.count == 2) {
-    if (const CatalogEntry* meant = lexicon_.meant_by_pair(word); meant != nullptr) phrase_.entry = meant;
-  }
-  const bool one = lexicon_.is_plural_only(word) || (paired_ && lexicon_.meant_by_pair(word) != nullptr);
-  if (!one) return;
+  const std::string_view meant = paired_ ? lexicon_.meant_by_pair(word) : std::string_view{};
+  const bool one = lexicon_.is_plural_only(word) || !meant.empty();
+  if (!one) return head.meaning.word;
+  if (!meant.empty()) phrase_.entry = &lexicon_.catalog().entry_or_nearest(meant);
   if (paired_) phrase_.count /= 2;
   phrase_.plural = false;
   phrase_.head = word;
+  return meant.empty() ? head.meaning.word : meant;
 }
 
 void NounPhraseReader::settle_place(const Part& head) {
@@ -153,6 +153,14 @@ void NounPhraseReader::read_of() {
   phrase_.of = std::make_shared<NounPhrase>(std::move(*base));
 }
 
+// "an owl", "a cross"; no "leading", no "ride" of "ride-on".
+bool NounPhraseReader::is_thing_where_named(const Part& part) const {
+  const std::string& word = tokens_[part.last - 1].text;
+  if (word.ends_with("ing") || word.ends_with("ed") || hyphenated(part.last)) return false;
+  const WordForm noun = noun_form(word);
+  return noun == WordForm::kBody || noun == WordForm::kThing;
+}
+
 bool NounPhraseReader::is_thing(const Part& part) const {
   const WordForm form = word_form(tokens_[part.last - 1].text);
   return form == WordForm::kThing || form == WordForm::kBody;
@@ -192,6 +200,15 @@ std::optional<NounPhrase> NounPhraseReader::settle() {
     if (!is_attribute_class(part.word_class) && part.word_class != Class::kWallWord && part.word_class != Class::kWallRelation) break;
     --head;
   }
+  if (head == 0 && !parts_.empty()) {  // "a family": an adjective that is a noun as well
+    Part& last = parts_.back();
+    const Match match = lexicon_.find(tokens_.first(last.last), last.first);
+    if (const Meaning* noun = meaning_of(match, Class::kAbstract);
+        noun != nullptr && last.word_class == Class::kQuality && phrase_.determiner == Determiner::kIndefinite) {
+      last.word_class = Class::kAbstract;
+      head = parts_.size();
+    }
+  }
   if (head == 0) {
     // Nothing but attributes: "each", "the other", "both", "the larger", a count alone.
     const bool member = phrase_.determiner == Determiner::kEach || phrase_.determiner == Determiner::kBoth ||
@@ -212,11 +229,12 @@ std::optional<NounPhrase> NounPhraseReader::settle() {
   const Part part = parts_[head - 1];
   i_ = part.last;
   if (part.word_class == Class::kFiller) {
-    const WordForm form = word_form(tokens_[part.last - 1].text), noun = noun_form(tokens_[part.last - 1].text);
+    const std::string& word = tokens_[part.last - 1].text;
+    const WordForm form = word_form(word);
     const bool named = phrase_.determiner != Determiner::kNone || counted_;
     const bool thing = form == WordForm::kThing || (form == WordForm::kUnknown && (named || part.plural)) ||
-                       (hyphenated(part.first) && !is_noun(form)) ||
-                       ((named || part.plural) && (noun == WordForm::kBody || (named && noun == WordForm::kThing)));
+                       (hyphenated(part.first) && !is_noun(form)) || (form == WordForm::kBody && part.plural && head == 1) ||
+                       (named && is_thing_where_named(part));
     take_attributes(head - 1);
     // "a wooden cross": what is made of something is a thing.
     const bool made =

@@ -89,12 +89,14 @@ class NounPhraseReader {
   bool read_ordinal();
   bool goes_on_after_break() const;
   bool noun_after(std::size_t at) const;
+  bool names_set() const;
   bool word_may_belong() const;
   bool is_thing(const Part& part) const;
+  bool is_thing_where_named(const Part& part) const;
   std::optional<NounPhrase> settle();
   void settle_object(const Part& head, std::size_t head_index);
   void join_set(std::size_t& head);
-  void settle_pair(const Part& head);
+  std::string_view settle_pair(const Part& head);
   void settle_unknown();
   void settle_place(const Part& head);
   void read_of();

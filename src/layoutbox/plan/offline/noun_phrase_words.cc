@@ -61,12 +61,19 @@ bool NounPhraseReader::noun_after(std::size_t at) const {
   return false;
 }
 
+// "a kettlebell set and …": no verb where nothing says what is set.
+bool NounPhraseReader::names_set() const {
+  return at_word("set") && parts_.back().word_class == Class::kObject && !parts_.back().plural && parts_.back().last == i_ &&
+         (i_ + 1 >= tokens_.size() || tokens_[i_ + 1].kind == Token::Kind::kPunctuation || lexicon_.is(tokens_[i_ + 1], Class::kAnd));
+}
+
 bool NounPhraseReader::read_part() {
   if (read_ordinal()) return true;
   Match match = lexicon_.find(tokens_, i_);
-  // "light-filled", "hand-knotted": one adjective, whatever its first word is.
+  // "light-filled", "hand-knotted", "ladder-back": one adjective, whatever its first word is.
   if (match.length < 2 && i_ + 1 < tokens_.size() && hyphenated(i_ + 1) && token().kind == Token::Kind::kWord &&
-      (tokens_[i_ + 1].text.ends_with("ed") || tokens_[i_ + 1].text == "style" || tokens_[i_ + 1].text == "free") &&
+      ((tokens_[i_ + 1].text.ends_with("ed") || tokens_[i_ + 1].text == "style" || tokens_[i_ + 1].text == "free") ||
+       (has(lexicon_.find(tokens_, i_ + 1), Class::kSide) && has(lexicon_.find(tokens_, i_ + 2), Class::kObject))) &&
       lexicon_.find(tokens_, i_ + 1, Class::kObject).length == 0) {
     parts_.push_back({i_, i_ + 2, Class::kQuality, {Class::kQuality, nullptr, nullptr, 0, {}}, false});
     i_ += 2;
@@ -157,7 +164,7 @@ bool NounPhraseReader::read_part() {
             has(next, Class::kNumber) || has(next, Class::kWallWord))
           break;  // "left corner"
       }
-      if ((verbal && noun_before) || (!named && !bare_)) return false;
+      if ((verbal && noun_before && !names_set()) || (!named && !bare_)) return false;
       // "newspapers lines the wall": the verb, not a name that goes on.
       if (noun_before && !hyphenated(i_) && (place == Class::kAbstract || place == Class::kPart) &&
           lexicon_.find_phrase(tokens_, i_).length > 0)

@@ -10,6 +10,12 @@ constexpr double kWidthOfDiagonal = 0.8716, kHeightOfDiagonal = 0.4903;
 
 bool is_screen(const CatalogEntry& entry) { return entry.shape.family == "tv" || entry.shape.family == "monitor"; }
 
+// As wide as it is deep.
+bool is_round(const NounPhrase& noun) {
+  return std::any_of(noun.attributes.begin(), noun.attributes.end(),
+                     [](const std::string& a) { return a == "round" || a == "circular" || a == "square"; });
+}
+
 // Which of the three sides "a 6-foot bookcase" speaks of: the longest that such a thing usually has.
 SaidSize with_span(SaidSize size, const CatalogEntry& entry, const NounPhrase& noun) {
   const double span = *size.span;
@@ -19,11 +25,9 @@ SaidSize with_span(SaidSize size, const CatalogEntry& entry, const NounPhrase& n
     size.height = span * kHeightOfDiagonal;
     return size;
   }
-  const bool round = std::any_of(noun.attributes.begin(), noun.attributes.end(),
-                                 [](const std::string& a) { return a == "round" || a == "circular" || a == "square"; });
   if (usual.height > std::max(usual.width, usual.depth)) {
     size.height = span;
-  } else if (round) {
+  } else if (is_round(noun)) {
     size.width = size.depth = span;
   } else if (usual.depth > usual.width) {
     size.depth = span;
@@ -38,6 +42,7 @@ SaidSize settled(const NounPhrase& noun, const CatalogEntry& entry) {
   const Size& usual = entry.size.usual;
   if (size.span) size = with_span(size, entry, noun);
   if (size.length) (usual.depth > usual.width ? size.depth : size.width) = size.length;
+  if (is_round(noun) && size.width.has_value() != size.depth.has_value()) size.width = size.depth = size.width ? size.width : size.depth;
   const bool turned =
       size.either && size.width && size.depth && usual.width != usual.depth && (*size.width > *size.depth) != (usual.width > usual.depth);
   if (turned) std::swap(size.width, size.depth);

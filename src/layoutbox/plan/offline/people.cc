@@ -251,11 +251,11 @@ void read_seats_said(const Lexicon& lexicon, Document& document, std::vector<boo
 
 void add_for_people(const Lexicon& lexicon, Document& document) { PeopleReader(lexicon, document).run(); }
 
-std::map<std::string, int> needs_of(const Lexicon& lexicon, const Document& document, const std::string& room) {
+std::map<std::string, int> needs_of(const Lexicon& lexicon, const std::string& room, int people) {
   std::map<std::string, int> counts;
-  const Lexicon::Set* needs = document.people > 0 ? lexicon.needs_in(document.young ? lexicon.young_room(room) : room) : nullptr;
+  const Lexicon::Set* needs = people > 0 ? lexicon.needs_in(room) : nullptr;
   if (needs == nullptr) return counts;
-  const int people = std::min(document.people, kMostPeople);
+  people = std::min(people, kMostPeople);
   for (const auto& [entry, persons] : *needs) counts[entry->id] = persons > 0 ? (people + persons - 1) / persons : 1;
   return counts;
 }

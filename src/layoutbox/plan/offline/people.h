@@ -18,7 +18,7 @@ void settle_room_senses(const Lexicon& lexicon, Document& document);
 // of that kind is named; marked as assumed.
 void add_for_people(const Lexicon& lexicon, Document& document);
 
-// How many of what a room of that kind needs for the people that the text names; empty where it names none.
-std::map<std::string, int> needs_of(const Lexicon& lexicon, const Document& document, const std::string& room);
+// How many of what a room of that kind needs for so many people; empty for none.
+std::map<std::string, int> needs_of(const Lexicon& lexicon, const std::string& room, int people);
 
 }  // namespace layoutbox::offline

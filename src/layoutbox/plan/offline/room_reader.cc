@@ -68,6 +68,11 @@ void settle_opening_sizes(Document& document) {
         break;
       }
       const bool each = next.kind == ChunkKind::kNoun && next.noun.kind == NounKind::kMember;
+      if (each && next.noun.size.any()) {  // "each 2 m wide"
+        chunks[k].noun.size = next.noun.size;
+        next.kind = ChunkKind::kIgnored;
+        break;
+      }
       if (next.kind != ChunkKind::kIgnored && next.kind != ChunkKind::kComma && next.kind != ChunkKind::kVerb && !each) break;
     }
   }

@@ -24,10 +24,31 @@ void settle_first_room(const Lexicon& lexicon, Document& document) {
   }
 }
 
+// "A bar.": where one noun is all there is, and rooms are called so, it is the room.
+void settle_only_noun(const Lexicon& lexicon, Document& document) {
+  Chunk* only = nullptr;
+  for (Chunk& chunk : document.chunks) {
+    if (chunk.kind == ChunkKind::kStop || chunk.kind == ChunkKind::kIgnored || chunk.kind == ChunkKind::kCommand) continue;
+    if (chunk.kind != ChunkKind::kNoun || only != nullptr) return;
+    only = &chunk;
+  }
+  if (only == nullptr || only->noun.kind != NounKind::kObject || only->noun.count > 1) return;
+  NounPhrase& noun = only->noun;
+  for (std::size_t i = noun.first; i < noun.last; ++i) {
+    const Match match = lexicon.find(document.tokens, i);
+    const auto room = std::find_if(match.meanings.begin(), match.meanings.end(), [](const Meaning& m) { return m.room != nullptr; });
+    if (room == match.meanings.end() || i + match.length != noun.last) continue;
+    noun.kind = NounKind::kRoom;
+    noun.room = room->room;
+    return;
+  }
+}
+
 }  // namespace
 
 void settle_room_senses(const Lexicon& lexicon, Document& document) {
   settle_first_room(lexicon, document);
+  settle_only_noun(lexicon, document);
   const NounPhrase* room = nullptr;
   for (const Chunk& chunk : document.chunks) {
     if (chunk.kind != ChunkKind::kNoun || chunk.noun.kind != NounKind::kRoom || chunk.noun.room == nullptr) continue;

@@ -122,8 +122,8 @@ void expect_objects(const SceneGraph& scene, const std::string& wanted) {
 
 void expect_relations(const SceneGraph& scene, const std::string& wanted) {
   for (std::string item : split(wanted, ';')) {
-    const bool absent = item[0] == '!';
-    if (absent) item = item.substr(1);
+    const bool absent = item[0] == '!', concluded = item[0] == '~';
+    if (absent || concluded) item = item.substr(1);
     const std::size_t space = item.find(' ');
     const std::string type = item.substr(0, space);
     const std::size_t arrow = item.find(" > ");
@@ -131,7 +131,7 @@ void expect_relations(const SceneGraph& scene, const std::string& wanted) {
     const std::string reference = arrow == std::string::npos ? "" : trimmed(item.substr(arrow + 3));
     int found = 0;
     for (const Relation& relation : scene.relations) {
-      if (relation_row(relation.type).name != type || relation.assumed) continue;
+      if (relation_row(relation.type).name != type || relation.assumed != concluded) continue;
       if (!names(scene, relation.targets, target)) continue;
       if (!reference.empty() && !names(scene, relation.references, reference)) continue;
       ++found;

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "layoutbox/base/words.h"
+#include "layoutbox/plan/offline/english.h"
 #include "layoutbox/plan/offline/noun_phrase_parts.h"
 #include "layoutbox/plan/offline/people.h"
 
@@ -13,9 +14,15 @@ namespace {
 class Furnisher {
  public:
   Furnisher(const Lexicon& lexicon, const Document& document, SceneGraph& scene)
-      : lexicon_(lexicon), catalog_(lexicon.catalog()), document_(document), scene_(scene) {}
+      : lexicon_(lexicon),
+        catalog_(lexicon.catalog()),
+        document_(document),
+        scene_(scene),
+        people_(document.people),
+        young_(document.young) {}
 
   void run() {
+    count_people();
     find_kinds();
     const std::vector<const CatalogEntry*> named = things_within_purposes();
     std::string because = "no furniture is named";
@@ -28,6 +35,15 @@ class Furnisher {
   }
 
  private:
+  // "for two children": for how many it is.
+  void count_people() {
+    for (const Chunk& chunk : document_.chunks) {
+      if (chunk.kind != ChunkKind::kNoun || chunk.noun.count == 0 || !lexicon_.is_person(chunk.noun.head) || people_ > 0) continue;
+      people_ = chunk.noun.count;
+      young_ = lexicon_.is_young(chunk.noun.head);
+    }
+  }
+
   // The kinds of room that the text names, that of the scene first: "a living room with a kitchen corner".
   void find_kinds() {
     if (!scene_.room.type.empty()) add_kind(catalog_.find_room(scene_.room.type));
@@ -48,11 +64,16 @@ class Furnisher {
 
   // "… to read on rainy days", "… for my grandmother", "… picking up mugs".
   void guess_kind(const std::vector<const CatalogEntry*>& named, std::string& because) {
-    for (std::size_t i = 0; i < document_.tokens.size(); ++i) {
-      const auto [room, length] = lexicon_.room_suggested(document_.tokens, i);
-      if (length == 0) continue;
-      because = "\"" + words_between(document_, i, i + length) + "\" says what it is for";
-      return add_kind(catalog_.find_room(room));
+    // What one does there says more than who.
+    for (const bool person : {false, true}) {
+      for (std::size_t i = 0; i < document_.tokens.size(); ++i) {
+        const auto [room, length] = lexicon_.room_suggested(document_.tokens, i);
+        const std::string& word = document_.tokens[i].text;
+        if (length == 0 || person != (length == 1 && (lexicon_.is_person(singular_of(word)) || word_form(word) == WordForm::kPerson)))
+          continue;
+        because = "\"" + words_between(document_, i, i + length) + "\" says what it is for";
+        return add_kind(catalog_.find_room(room));
+      }
     }
     for (const CatalogEntry* entry : named) {
       if (entry->rooms.empty()) continue;
@@ -95,10 +116,10 @@ class Furnisher {
 
   // All that is usual in the room itself, the most important things of a part of it.
   void furnish(const RoomKind& named, bool whole) {
-    const std::string young(document_.young ? lexicon_.young_room(named.id) : std::string_view(named.id));
+    const std::string young(young_ ? lexicon_.young_room(named.id) : std::string_view(named.id));
     const RoomKind* meant = catalog_.find_room(young);
     const RoomKind& kind = meant != nullptr ? *meant : named;
-    const std::map<std::string, int> needs = needs_of(lexicon_, document_, kind.id);
+    const std::map<std::string, int> needs = needs_of(lexicon_, kind.id, people_);
     constexpr int kOfPart = 4;
     int taken = 0;
     for (const auto& [category, usual] : kind.usual) {
@@ -125,6 +146,8 @@ class Furnisher {
   const Catalog& catalog_;
   const Document& document_;
   SceneGraph& scene_;
+  int people_;
+  bool young_;
   std::vector<const RoomKind*> kinds_;
   std::map<std::string, int> numbers_;
 };
