@@ -29,11 +29,12 @@ python3 train/wordnet_text.py --wordnet "$wordnet" --output "$work"
 # shellcheck disable=SC2086 # several files
 python3 train/prompts_text.py ${PROMPTS:-} >"$work/prompts.txt"
 for text in prompts examples glosses; do teach "$work/$text.txt" "$work/$text.trees"; done
-python3 train/room_sentences.py 16000 1 >"$work/rooms.trees"
+python3 train/room_sentences.py 30000 1 >"$work/rooms.trees"
 python3 train/room_sentences.py 1500 2 >"$work/rooms_test.trees"
 python3 train/split_trees.py "$work"/{prompts,examples}.trees
 "$TEACHER" train/word_classes.py --wordnet "$wordnet" --extra "$work/prompts.trees" >"$work/words.txt"
 
 build/release/train/syntax_train --words "$work/words.txt" --epochs 4 --output catalog/syntax.bin \
+  --recipe "scripts/train_syntax.sh: $(git rev-parse --short HEAD)" \
   "$work/prompts_train.trees:3" "$work/rooms.trees" "$work/examples_train.trees" "$work/glosses.trees" \
   --test "$work/prompts_test.trees" "$work/rooms_test.trees" "$work/examples_test.trees"

@@ -1,6 +1,7 @@
 // syntax_train: learns the weights of plan/syntax from trees (docs/syntax.md).
 //
-//   syntax_train --words WORDS --output FILE [--epochs N] [--keep-tag N] [--keep-step N] [--keep-label N] TREES[:TIMES] … [--test TREES …]
+//   syntax_train --words WORDS --output FILE [--recipe TEXT] [--epochs N] [--keep-tag N] [--keep-step N] [--keep-label N]
+//                TREES[:TIMES] … [--test TREES …]
 //   syntax_train --weights FILE --test TREES …          measures only
 #include <algorithm>
 #include <fstream>
@@ -18,7 +19,7 @@ namespace layoutbox::syntax {
 namespace {
 
 struct Options {
-  std::string words, output, weights;
+  std::string words, output, weights, recipe;
   int epochs = 8;
   std::array<std::size_t, kModels> keep = {60000, 150000, 40000};
   std::vector<std::string> trees, tests;
@@ -264,6 +265,8 @@ Options read_options(const std::vector<std::string>& arguments) {
       options.output = next();
     } else if (word == "--weights") {
       options.weights = next();
+    } else if (word == "--recipe") {
+      options.recipe = next();
     } else if (word == "--epochs") {
       options.epochs = std::stoi(next());
     } else if (word == "--keep-tag" || word == "--keep-step" || word == "--keep-label") {
@@ -284,7 +287,7 @@ int main(int count, char** values) {
   using namespace layoutbox::syntax;
   const Options options = read_options({values + 1, values + count});
   const std::string bytes = options.weights.empty() ? learn(options) : read_bytes(options.weights);
-  if (!options.output.empty()) std::ofstream(options.output, std::ios::binary) << bytes;
+  if (!options.output.empty()) std::ofstream(options.output, std::ios::binary) << bytes << options.recipe;
   const Weights weights(bytes);
   for (const std::string& test : options.tests) measure(test, weights);
 }

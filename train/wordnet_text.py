@@ -13,8 +13,8 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--wordnet", type=pathlib.Path, default=pathlib.Path("/usr/share/wordnet"))
     parser.add_argument("--output", type=pathlib.Path, required=True)
-    parser.add_argument("--examples", type=int, default=21500)
-    parser.add_argument("--glosses", type=int, default=8000)
+    parser.add_argument("--examples", type=int, default=12500)
+    parser.add_argument("--glosses", type=int, default=2000)
     options = parser.parse_args()
     r = random.Random(1)
     examples, glosses = [], []

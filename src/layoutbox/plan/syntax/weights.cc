@@ -9,7 +9,7 @@ namespace {
 
 // The file: "LBSY", the version, a million times the scales of the models; the words: their size in bytes, the number of bits that choose a
 // bucket, for each bucket (and the end) where it begins, and the buckets; then for each model the sizes of its lines and its pool, and
-// both. Little-endian, no padding.
+// both. Little-endian, no padding. What follows says how they were learned.
 constexpr std::string_view kMagic = "LBSY";
 constexpr std::uint32_t kVersion = 3;
 
