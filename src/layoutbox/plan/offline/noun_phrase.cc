@@ -99,14 +99,14 @@ void NounPhraseReader::settle_unknown() {
 
 // "scissors", "a pair of glasses": one thing by two words, or by a plural. Returns the category's word.
 std::string_view NounPhraseReader::settle_pair(const Part& head) {
-  const std::string& word = tokens_[head.last - 1].text;
+  const std::string word = text_of(tokens_, head.first, head.last);  // "wine glasses" are no "glasses"
   const std::string_view meant = paired_ ? lexicon_.meant_by_pair(word) : std::string_view{};
   const bool one = lexicon_.is_plural_only(word) || !meant.empty();
   if (!one) return head.meaning.word;
   if (!meant.empty()) phrase_.entry = &lexicon_.catalog().entry_or_nearest(meant);
   if (paired_) phrase_.count /= 2;
   phrase_.plural = false;
-  phrase_.head = word;
+  phrase_.head = tokens_[head.last - 1].text;
   return meant.empty() ? head.meaning.word : meant;
 }
 
@@ -140,6 +140,11 @@ void NounPhraseReader::read_of() {
   if (!at_word("of") || i_ + 1 >= tokens_.size()) return;
   const bool bare = phrase_.kind == NounKind::kObject;
   auto base = read_noun_phrase(lexicon_, tokens_, i_ + 1, true);
+  if (!base && bare && is_noun(noun_form(tokens_[i_ + 1].text)) && !lexicon_.is(tokens_[i_ + 1], Class::kDefinite)) {
+    phrase_.name += " of " + tokens_[i_ + 1].text;  // "a spool of solder": a verb elsewhere
+    i_ += 2;
+    return;
+  }
   if (!base) return;
   if (bare) {  // part of the name, not a thing of its own
     if (base->kind != NounKind::kObject && base->kind != NounKind::kAbstract) return;
@@ -244,7 +249,7 @@ std::optional<NounPhrase> NounPhraseReader::settle() {
     settle_object(part, head - 1);
     if (!thing && (!made || form == WordForm::kPerson)) {
       phrase_.kind = NounKind::kAbstract;
-      phrase_.doubted = form != WordForm::kPerson;
+      phrase_.doubted = true;
     }
   } else if (part.word_class == Class::kObject) {
     take_attributes(head - 1);

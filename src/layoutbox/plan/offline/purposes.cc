@@ -14,7 +14,10 @@ void pass_over(Document& document, Chunk& chunk, std::string_view role) {
 }
 
 // A person, an activity, or what stands for one ("homework", "storage"); counts of people are read elsewhere.
-bool is_whom_or_what_for(const Lexicon& lexicon, const NounPhrase& noun) {
+bool is_whom_or_what_for(const Lexicon& lexicon, const Document& document, const Chunk& chunk) {
+  if (chunk.kind == ChunkKind::kUnknown || document.tokens[chunk.last - 1].text == "twins") return true;  // "for meditation"
+  if (chunk.kind != ChunkKind::kNoun) return false;
+  const NounPhrase& noun = chunk.noun;
   if (noun.count > 0) return false;
   if (noun.kind == NounKind::kAbstract) return true;
   if (noun.kind != NounKind::kObject || noun.determiner == Determiner::kDefinite) return false;
@@ -28,7 +31,7 @@ void settle_purposes(const Lexicon& lexicon, Document& document) {
   std::vector<Chunk>& chunks = document.chunks;
   for (std::size_t k = 0; k + 2 < chunks.size(); ++k) {
     if (chunks[k].kind != ChunkKind::kPurpose || document.tokens[chunks[k].last - 1].text != "for" ||
-        chunks[k + 1].kind != ChunkKind::kNoun || !is_whom_or_what_for(lexicon, chunks[k + 1].noun))
+        !is_whom_or_what_for(lexicon, document, chunks[k + 1]))
       continue;
     const Chunk& after = chunks[k + 2];
     const std::string& word = document.tokens[after.first].text;

@@ -56,9 +56,10 @@ void settle_opening_sizes(Document& document) {
   for (std::size_t k = 0; k < chunks.size(); ++k) {
     if (chunks[k].kind != ChunkKind::kNoun || (chunks[k].noun.kind != NounKind::kDoor && chunks[k].noun.kind != NounKind::kWindow))
       continue;
+    bool placed = false;  // "two windows in the back wall, each 2 m wide"
     for (std::size_t n = k + 1; n < chunks.size(); ++n) {
       Chunk& next = chunks[n];
-      if (next.kind == ChunkKind::kSize) {
+      if (next.kind == ChunkKind::kSize && !placed) {
         chunks[k].noun.size = next.size;
         next.kind = ChunkKind::kIgnored;
         for (std::size_t i = next.first; i < next.last; ++i) {
@@ -73,7 +74,11 @@ void settle_opening_sizes(Document& document) {
         next.kind = ChunkKind::kIgnored;
         break;
       }
-      if (next.kind != ChunkKind::kIgnored && next.kind != ChunkKind::kComma && next.kind != ChunkKind::kVerb && !each) break;
+      placed |= next.kind == ChunkKind::kRelation;
+      if (placed && next.kind == ChunkKind::kNoun && next.noun.kind == NounKind::kWall) continue;
+      if (next.kind != ChunkKind::kIgnored && next.kind != ChunkKind::kRelation && next.kind != ChunkKind::kComma &&
+          next.kind != ChunkKind::kVerb && !each)
+        break;
     }
   }
 }

@@ -26,6 +26,8 @@ bool stands_elsewhere(R type) {
          type == R::kCenteredOnWall;
 }
 
+constexpr double kSmallArea = 0.16e6;  // mm²
+
 double area_of(const NounPhrase& noun) {
   return noun.entry == nullptr ? 0 : 1.0 * noun.entry->size.usual.width * noun.entry->size.usual.depth;
 }
@@ -43,7 +45,9 @@ std::string RelationBuilder::said_support(const std::string& object) const {
 bool RelationBuilder::is_small(std::size_t index) const {
   const NounPhrase& noun = document_.items[index].noun;
   const std::vector<std::size_t>& all = relations_of(scene_.objects[index].id);
-  return mount_of(noun) == Mount::kSurface &&
+  // What no list has may be small, and so is what stands on another piece.
+  const bool unknown = mount_of(noun) == Mount::kFloor && (noun.entry == nullptr || (!noun.exact && area_of(noun) <= kSmallArea));
+  return (mount_of(noun) == Mount::kSurface || unknown || object_of(said_support(scene_.objects[index].id)) != nullptr) &&
          std::none_of(all.begin(), all.end(), [&](std::size_t r) { return stands_elsewhere(scene_.relations[r].type); });
 }
 
