@@ -41,6 +41,7 @@ struct Link {
   bool weak = false;                     // a have that another link of the target makes needless
   bool soft = false;
   bool assumed = false;      // follows from the words without being said
+  bool concluded = false;    // follows from what was said, below it and above what is assumed
   bool implied = false;      // the reference is not said: what was spoken of
   bool after_comma = false;  // ", with …"
   std::optional<double> distance;

@@ -8,7 +8,6 @@
 #include "layoutbox/plan/offline/object_size.h"
 #include "layoutbox/plan/offline/people.h"
 #include "layoutbox/plan/offline/purposes.h"
-#include "layoutbox/plan/offline/reader.h"
 #include "layoutbox/plan/offline/relation_builder.h"
 #include "layoutbox/plan/offline/room_reader.h"
 #include "layoutbox/plan/offline/spelling.h"

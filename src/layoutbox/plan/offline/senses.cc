@@ -52,7 +52,7 @@ std::optional<PhraseSense> choose_sense(const Catalog& catalog, const PhraseSens
     return std::any_of(senses.begin(), senses.end(), [&](const PhraseSense& s) { return s.type == type && s.direction == direction; });
   };
   const bool placing = says(R::kOn) || says(R::kIn) || says(R::kNextTo) || says(R::kNear) || says(R::kAgainstWall) || says(R::kOnCeiling) ||
-                       says(R::kCorner) || says(R::kFacing) || says(R::kTuckedUnder);
+                       says(R::kCorner) || says(R::kCenterOfRoom) || says(R::kFacing) || says(R::kTuckedUnder);
   if (direction == PhraseSense::Direction::kDirect) {
     if (reference.niche) return own(R::kInRegion);  // in it, at its wall
     if (reference.kind == NounKind::kCorner && placing) {
@@ -168,7 +168,8 @@ int suits(const Catalog& catalog, const PhraseSense& sense, const NounPhrase& ta
     case R::kFacing: return known && !target.entry->has_front ? 1 : 2;
     case R::kCenterOfRoom:
     case R::kInRegion: return mount == Mount::kSurface ? 1 : 2;
-    case R::kAbove: return mount == Mount::kWall || mount == Mount::kCeiling ? 2 : mount == Mount::kSurface ? 0 : 1;
+    case R::kAbove:
+      return mount == Mount::kWall || mount == Mount::kCeiling || is_lamp(catalog, target) ? 2 : mount == Mount::kSurface ? 0 : 1;
     default:
       return mount == Mount::kSurface && stands_beside(sense.type) && reference.kind == NounKind::kObject &&
                      mount_of(reference) == Mount::kFloor

@@ -1,0 +1,139 @@
+// The joint choice: of all ways to read a sentence's units the likeliest, by a beam from left to right over what stays open.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "layoutbox/plan/reading/reading.h"
+#include "layoutbox/plan/reading/sense_score.h"
+#include "layoutbox/plan/reading/tree.h"
+
+namespace layoutbox::offline {
+
+class Decoder {
+ public:
+  // All must outlive the decoder. `tree` says what syntax thinks of the sentence.
+  Decoder(const Lexicon& lexicon, const Document& document, const Sentence& sentence, const SentenceTree& tree, const TextSoFar& before)
+      : lexicon_(lexicon), document_(document), sentence_(sentence), tree_(tree), before_(before), sense_(lexicon.catalog()) {
+    find_known();
+  }
+  SentenceReading run();
+
+ private:
+  struct State {
+    double score = 0;
+    std::vector<UnitReading> units;
+    std::vector<int> frontier;  // nouns that may still be spoken of, the clause's own first
+    std::vector<int> fronted;   // places that wait for their things
+    std::vector<int> roots;     // of all clauses
+    int waiting = -1;           // the place or having whose noun comes next
+    int place = -1;             // the last place that was complete
+    int relative = -1;          // whom a relative clause speaks of
+    bool verb = false;          // the clause has its verb
+    bool imperative = false;
+    bool participle = false;  // since the last noun
+    bool room_list = false;   // the clause lists what the room has
+    int first_subject = -1;   // of the clause's verb
+    int inverted = -1;        // a verb that waits for its subject
+    int where = -1;           // "a table where …": the table
+    int outer = -1;           // "the desk, on which …, is": the subject that waits
+    int it = kNobody;         // what the last pronoun meant
+  };
+  struct Action {
+    std::size_t state = 0;
+    double score = 0;  // of the state with it
+    int kind = 0;
+    int unit = -1;   // a noun or place that it goes with
+    int first = -1;  // the first member of the list that shares it
+    Referent meant = kNobody;
+    bool list = false;
+  };
+  enum Kind {
+    kFill,      // the noun that was waited for
+    kNewRoot,   // opens a clause
+    kNextRoot,  // goes on with the clause's list
+    kElided,    // contents of what `unit` said before
+    kSameList,  // … with the list of `unit`
+    kSpeakOf,   // speaks of `meant`
+    kFront,     // a place that comes first
+    kFrontAlone,
+    kAttach,  // a place of `unit`
+    kAttachInverse,
+    kAttachAlone,
+    kHaveRoom,
+    kHaveThing,
+    kFinite,  // the clause's verb
+    kCommand,
+    kInvert,  // a verb after places
+    kRelate,  // a relative clause about `unit`
+    kPass,
+  };
+
+  void find_known();
+  // Adds the ways to go on from state s with unit u.
+  void noun_actions(std::size_t s, int u);
+  void waited_actions(std::size_t s, int u);
+  void list_actions(std::size_t s, int u);
+  void member_actions(std::size_t s, int u);
+  void place_actions(std::size_t s, int u);
+  void alone_actions(std::size_t s, int u);
+  void attach_actions(std::size_t s, int u, Kind kind);
+  void have_actions(std::size_t s, int u);
+  void verb_actions(std::size_t s, int u);
+  void relative_actions(std::size_t s, int u);
+  void add(std::size_t s, Kind kind, double gain, int unit = -1, int first = -1, Referent meant = kNobody, bool list = false);
+  void apply(State& state, const Action& action, int u) const;
+  void apply_noun(State& state, const Action& action, int u) const;
+  void apply_predicate(State& state, const Action& action, int u) const;
+  void begin_clause(State& state) const;
+  void cut_frontier(State& state, int unit) const;
+
+  double attach_score(const State& state, int u, int level, bool inverse) const;
+  double share_score(const State& state, int member, int u, Referent implied = kNobody) const;
+  double list_score(const State& state, int member, int u) const;
+  double content_list_score(const State& state, int member, int u) const;
+  double reference_list_score(const State& state, int member, int u) const;
+  double reference_score(const State& state, int place, Referent reference) const;
+  double habit_score(const State& state, int place, Referent subject, Referent other, const PhraseSenses& senses) const;
+  double content_score(const State& state, int predicate, Referent content) const;
+  bool speaks_of_no_thing(const State& state) const;
+  Referent side_host(const State& state, int u, const PhraseSenses& senses) const;
+  double end_score(const State& state) const;
+
+  struct Candidate {
+    Referent referent = kNobody;
+    double score = 0;
+    bool list = false;
+  };
+  // Whom a pronoun, a member or an unsaid reference may mean, the likeliest first; `subject`: who is placed by it.
+  std::vector<Candidate> antecedents(const State& state, Referent subject, const PhraseSenses* senses, const NounPhrase* noun) const;
+  bool consider(std::vector<Candidate>& all, const State& state, Referent referent, double order, Referent subject,
+                const PhraseSenses* senses, const NounPhrase* noun, bool list) const;
+
+  const Unit& unit(int u) const { return sentence_[static_cast<std::size_t>(u)]; }
+  const Chunk& chunk(int u) const { return document_.chunks[unit(u).chunk]; }
+  bool is(int u, UnitKind kind) const { return u >= 0 && u < static_cast<int>(sentence_.size()) && unit(u).kind == kind; }
+  bool follows(int u, UnitKind kind) const { return is(u + 1, kind) && unit(u + 1).joiner == Joiner::kNone && !unit(u + 1).clause; }
+  const NounPhrase& noun_of(const State& state, Referent referent) const;
+  bool is_thing(const State& state, Referent referent) const;
+  bool same(const State& state, Referent one, Referent other) const;
+  bool several(const State& state, Referent referent) const;
+  bool is_known(const State& state, int u) const;
+  std::vector<int> list_of(const State& state, int last, int first) const;
+  Referent host_of(const State& state, int content) const;
+  const std::string& word(int u) const { return document_.tokens[chunk(u).first].text; }
+  bool verb_like(int u) const;
+
+  const Lexicon& lexicon_;
+  const Document& document_;
+  const Sentence& sentence_;
+  const SentenceTree& tree_;
+  const TextSoFar& before_;
+  SenseScore sense_;
+  std::vector<State> states_;
+  std::vector<Action> actions_;
+  NounPhrase nothing_;
+  std::vector<bool> known_;  // of each unit: a noun that was named before
+};
+
+}  // namespace layoutbox::offline

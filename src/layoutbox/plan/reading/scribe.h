@@ -1,0 +1,94 @@
+// Writes a decided reading down: mentions, items and links of the document.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "layoutbox/plan/offline/references.h"
+#include "layoutbox/plan/reading/reading.h"
+
+namespace layoutbox::offline {
+
+class Scribe {
+ public:
+  Scribe(const Lexicon& lexicon, Document& document) : lexicon_(lexicon), document_(document), references_(lexicon, document) {}
+  // Adds what the sentence says; the sentence and its reading must outlive the call only.
+  void write(const Sentence& sentence, const SentenceReading& reading);
+  const TextSoFar& so_far() const { return so_far_; }
+
+ private:
+  void write_noun(int u);
+  void write_place(int u);
+  void write_have(int u);
+  void write_verb(int u);
+  void write_participle(int u);
+  void write_size(int u);
+  void write_attribute(int u);
+  void end_sentence();
+
+  // Mentions of nouns.
+  int make_mention(int u);
+  int make_member(int u, const NounPhrase& noun);
+  int make_another(int u, const NounPhrase& noun);
+  int make_more(int u, const NounPhrase& noun);
+  int make_ordinal(const NounPhrase& noun);
+  int antecedent_of(int u);
+  int combined(const std::vector<int>& mentions);
+  int pair_just_related();
+  int thing_of_zone(const NounPhrase& noun) const;
+  bool trails_each(int u);
+  bool write_set(int u);
+  void mark_noun(int u, int mention);
+
+  // What a noun is for.
+  void fill_reference(int u, int mention);
+  void fill_content(int u, int mention);
+  void fill_root(int u, int mention);
+  bool takes_other_side(int u, const std::vector<int>& targets);
+  void add_named_contents(int u, int host);
+  void imply_adjective(int u, int mention);
+  bool is_placed_before(int mention, int link) const;
+  void imply_opposite(int u, const NounPhrase& place, int link);
+  void mean_each_other(Link& link);
+  void follow_screen(Link& link, int u) const;
+
+  // Counts that follow from places.
+  void grow_for_sides(const Link& link, int target, int reference);
+  void grow_for_hosts(int content, const std::vector<int>& hosts);
+  void grow_for_corners(const NounPhrase& corner, int target);
+  void grow_contents(int host, std::size_t before);
+  void add_laden_stand(const PhraseSenses& senses, std::vector<int>& targets) const;
+
+  std::vector<int> subjects_of(int u) const;
+  std::vector<int> mentions_of(Referent referent) const;
+  int looked_at_by(int mention, const std::vector<int>& but) const;
+  Link link_at_unit(int u) const;
+  int add_link(int u, Link link);
+  void hang(const std::vector<int>& targets, int u);
+  bool hangs(int u) const;
+
+  const Unit& unit(int u) const { return (*sentence_)[static_cast<std::size_t>(u)]; }
+  const UnitReading& reading(int u) const { return reading_->units[static_cast<std::size_t>(u)]; }
+  const Chunk& chunk(int u) const { return document_.chunks[unit(u).chunk]; }
+  bool is(int u, UnitKind kind) const { return u >= 0 && u < static_cast<int>(sentence_->size()) && unit(u).kind == kind; }
+  const std::string& word(int u) const { return document_.tokens[chunk(u).first].text; }
+  Mention& mention_at(int mention) { return document_.mentions[static_cast<std::size_t>(mention)]; }
+  const Mention& mention_at(int mention) const { return document_.mentions[static_cast<std::size_t>(mention)]; }
+  const NounPhrase& noun_of(int mention) const { return mention_at(mention).noun; }
+  bool is_thing(int mention) const { return mention >= 0 && !mention_at(mention).items.empty(); }
+  Link& link_at(int link) { return document_.links[static_cast<std::size_t>(link)]; }
+  void mark(int u, WordReading::Use use, const std::string& role);
+
+  const Lexicon& lexicon_;
+  Document& document_;
+  References references_;
+  TextSoFar so_far_;
+  const Sentence* sentence_ = nullptr;
+  const SentenceReading* reading_ = nullptr;
+  std::vector<int> mention_;  // of each unit, −1: none
+  std::vector<int> link_;     // of each unit
+  int one_side_ = -1;         // "on one side of": "on the other" may follow
+  std::size_t sentence_links_ = 0;
+};
+
+}  // namespace layoutbox::offline

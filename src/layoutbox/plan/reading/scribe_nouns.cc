@@ -1,0 +1,334 @@
+// The mentions that noun phrases make.
+#include <algorithm>
+
+#include "layoutbox/plan/offline/knowledge.h"
+#include "layoutbox/plan/offline/reader_words.h"
+#include "layoutbox/plan/reading/scribe.h"
+
+namespace layoutbox::offline {
+
+using Use = WordReading::Use;
+
+int Scribe::combined(const std::vector<int>& mentions) {
+  std::vector<int> things = mentions;
+  std::erase_if(things, [&](int m) { return !is_thing(m); });
+  if (things.empty()) return -1;
+  Mention all = mention_at(things.front());
+  all.introduces = all.distributes = false;
+  for (const int mention : things) {
+    for (const int item : mention_at(mention).items) {
+      if (!contains(all.items, item)) all.items.push_back(item);
+    }
+  }
+  document_.mentions.push_back(std::move(all));
+  return static_cast<int>(document_.mentions.size()) - 1;
+}
+
+// Two single things of which one was placed by the other, as one mention, or -1.
+int Scribe::pair_just_related() {
+  for (std::size_t l = document_.links.size(), looked = 0; l-- > 0 && looked < 6; ++looked) {
+    const Link& link = document_.links[l];
+    if (link.kind != Link::Kind::kRelation || link.targets.size() != 1 || link.references.size() != 1) continue;
+    const Mention &one = mention_at(link.targets.front()), &other = mention_at(link.references.front());
+    if (one.items.size() != 1 || other.items.size() != 1 || one.items == other.items) continue;
+    if (mount_of(one.noun) != Mount::kFloor || mount_of(other.noun) != Mount::kFloor) continue;
+    return combined({link.targets.front(), link.references.front()});
+  }
+  return -1;
+}
+
+int Scribe::antecedent_of(int u) {
+  const UnitReading& own = reading(u);
+  const NounPhrase& noun = chunk(u).noun;
+  const bool both = noun.kind == NounKind::kMember && noun.determiner == Determiner::kBoth;
+  const bool plural =
+      noun.plural || both || (noun.kind == NounKind::kMember && noun.determiner == Determiner::kDefinite && noun.count == 2);
+  // "the crib is between the wardrobe and the dresser; all three …"
+  if (both && noun.count > 0) {
+    std::vector<int> last;
+    std::size_t items = 0;
+    for (std::size_t m = document_.mentions.size(), looked = 0; m-- > 0 && looked < 8 && items < static_cast<std::size_t>(noun.count);
+         ++looked) {
+      if (document_.mentions[m].items.empty() || !document_.mentions[m].introduces) continue;
+      last.insert(last.begin(), static_cast<int>(m));
+      items += document_.mentions[m].items.size();
+    }
+    if (items == static_cast<std::size_t>(noun.count)) return combined(last);
+  }
+  if (own.whole_list && own.meant >= 0) {
+    std::vector<int> all;
+    for (int m = own.meant; m >= 0; m = reading(m).former) all.insert(all.begin(), mention_[static_cast<std::size_t>(m)]);
+    return combined(all);
+  }
+  const std::vector<int> meant = mentions_of(own.meant);
+  const int antecedent = meant.empty() ? -1 : meant.front();
+  if (plural && (antecedent < 0 || mention_at(antecedent).items.size() < 2)) {
+    if (const int pair = pair_just_related(); pair >= 0) return pair;
+    // The last two things that were spoken of.
+    if (so_far_.roots.size() > 1) return combined({so_far_.roots[so_far_.roots.size() - 2], so_far_.roots.back()});
+  }
+  return antecedent;
+}
+
+// "a large bookcase and a smaller one", "another one": brought in anew.
+int Scribe::make_another(int u, const NounPhrase& noun) {
+  const std::vector<int> kind = mentions_of(reading(u).meant);
+  if (kind.empty() || !is_thing(kind.front()) || noun_of(kind.front()).kind != NounKind::kObject) return -1;
+  const bool another = noun.determiner == Determiner::kAnother;
+  if (another && references_.has_left(references_.latest_group(), std::max(noun.count, 1))) return -1;
+  NounPhrase copy = noun_of(kind.front());
+  copy.determiner = Determiner::kIndefinite;
+  copy.count = noun.count;
+  copy.plural = noun.count > 1;
+  copy.rows = 0;
+  if (!noun.attributes.empty()) {
+    copy.attributes = noun.attributes;
+    copy.attribute_classes = noun.attribute_classes;
+  }
+  copy.first = noun.first;
+  copy.last = noun.last;
+  return references_.mention(copy, -1, false);
+}
+
+// "two chairs on each long side and one on each short side": more of the kind.
+int Scribe::make_more(int u, const NounPhrase& noun) {
+  const bool joined = unit(u).joiner == Joiner::kAnd || unit(u).joiner == Joiner::kCommaAnd;
+  if (!joined || noun.determiner != Determiner::kNone || noun.count == 0 || noun.subset || !is(u + 1, UnitKind::kPlace)) return -1;
+  std::vector<int> kind = mentions_of(reading(u).meant);
+  for (int before = u; before-- > 0;) {
+    if (is(before, UnitKind::kNoun) && is_thing(mention_[static_cast<std::size_t>(before)]) &&
+        mention_at(mention_[static_cast<std::size_t>(before)]).introduces && reading(before).role != NounRole::kReference) {
+      kind = {mention_[static_cast<std::size_t>(before)]};
+      break;
+    }
+  }
+  if (kind.empty() || references_.has_left(kind.front(), noun.count)) return -1;
+  NounPhrase copy = noun_of(kind.front());
+  copy.determiner = Determiner::kNone;
+  copy.count = noun.count;
+  copy.plural = noun.count > 1;
+  copy.first = noun.first;
+  copy.last = noun.last;
+  return references_.mention(copy, -1, false);
+}
+
+// "the first wardrobe … the second": of the same kind.
+int Scribe::make_ordinal(const NounPhrase& noun) {
+  if (noun.ordinal == 0) return -1;
+  for (std::size_t m = document_.mentions.size(), looked = 0; m-- > 0 && looked < kReach; ++looked) {
+    if (document_.mentions[m].noun.ordinal == 0 || document_.mentions[m].items.empty()) continue;
+    NounPhrase same = document_.mentions[m].noun;
+    same.ordinal = noun.ordinal;
+    same.determiner = Determiner::kDefinite;
+    same.first = noun.first;
+    same.last = noun.last;
+    return references_.mention(same, -1, true);
+  }
+  return -1;
+}
+
+int Scribe::make_member(int u, const NounPhrase& noun) {
+  if (const int same = make_ordinal(noun); same >= 0) return same;
+  const bool fresh = noun.determiner == Determiner::kAnother || (noun.determiner == Determiner::kIndefinite && !noun.attributes.empty());
+  if (fresh && !noun.subset && !noun.of) {
+    if (const int another = make_another(u, noun); another >= 0) return another;
+  }
+  if (const int more = make_more(u, noun); more >= 0) return more;
+  int antecedent = antecedent_of(u);
+  if (antecedent >= 0 && references_.has_left(antecedent, noun.count)) antecedent = references_.whole_group(antecedent);
+  NounPhrase meant = noun;
+  // "two tables, one on each side of the bed": the two, not one of them.
+  const bool sides =
+      is(u + 1, UnitKind::kPlace) && unit(u + 1).each && reading(u).role != NounRole::kReference && noun.count > 0 && !noun.subset;
+  const PhraseSenses none;
+  const PhraseSenses& senses = sides ? *unit(u + 1).senses : none;
+  if (sides && antecedent >= 0 && (says(senses, RelationType::kEachSideOf) || says(senses, RelationType::kAlongSide)) &&
+      mention_at(antecedent).items.size() == 2 * static_cast<std::size_t>(noun.count))
+    meant.determiner = Determiner::kBoth;
+  const int mention = references_.mention(meant, antecedent, reading(u).role == NounRole::kReference);
+  // "both have a lamp": every single one.
+  if (noun.determiner == Determiner::kBoth && is(u + 1, UnitKind::kHave)) mention_at(mention).distributes = true;
+  return mention;
+}
+
+int Scribe::make_mention(int u) {
+  const NounPhrase noun = chunk(u).noun;
+  const UnitReading& own = reading(u);
+  const bool as_reference = own.role == NounRole::kReference;
+  if (noun.kind == NounKind::kMember) return make_member(u, noun);
+  int antecedent = -1;
+  if (noun.kind == NounKind::kPronoun) {
+    antecedent = noun.reciprocal ? -1 : antecedent_of(u);
+    const bool former = noun.head == "former";
+    if (former || noun.head == "latter") {
+      int back = former ? 2 : 1;
+      const std::vector<int> busy = own.predicate >= 0 ? subjects_of(own.predicate) : std::vector<int>{};
+      for (std::size_t m = document_.mentions.size(); m-- > 0 && back > 0;) {
+        if (document_.mentions[m].introduces && !contains(busy, static_cast<int>(m)) && !document_.mentions[m].items.empty() && --back == 0)
+          antecedent = static_cast<int>(m);
+      }
+    }
+  } else if (own.meant != kNobody) {
+    antecedent = antecedent_of(u);
+  }
+  const bool opens = own.role == NounRole::kRoot && own.opens_clause;
+  const int mention = references_.mention(noun, antecedent, as_reference, as_reference || opens);
+  mention_at(mention).reciprocal = noun.reciprocal;
+  if (noun.kind == NounKind::kPronoun && noun.determiner == Determiner::kEach) mention_at(mention).distributes = true;
+  return mention;
+}
+
+// What stands for an area of the room: "the dining area" is where the dining table is, "the seating area" where one sits.
+int Scribe::thing_of_zone(const NounPhrase& noun) const {
+  static constexpr std::string_view kZones[] = {"area",    "zone", "nook",    "setup",  "arrangement",
+                                                "section", "spot", "station", "corner", "set-up"};
+  if (std::find(std::begin(kZones), std::end(kZones), noun.head) == std::end(kZones) || noun.determiner != Determiner::kDefinite) return -1;
+  const std::string words = words_between(document_, noun.first, noun.last);
+  int seat = -1, named = -1;
+  for (std::size_t m = document_.mentions.size(); m-- > 0;) {
+    const Mention& mention = document_.mentions[m];
+    if (mention.items.empty() || !mention.introduces || mention.noun.kind != NounKind::kObject) continue;
+    const std::string first = mention.noun.name.substr(0, mention.noun.name.find(' '));
+    if (first != mention.noun.name && words.find(first) != std::string::npos) {
+      if (!is_seat(lexicon_.catalog(), mention.noun)) return static_cast<int>(m);
+      if (named < 0) named = static_cast<int>(m);
+    }
+    if (seat < 0 && is_seat(lexicon_.catalog(), mention.noun)) seat = static_cast<int>(m);
+  }
+  if (named >= 0) return named;
+  if (words.find("seating") != std::string::npos || words.find("sitting") != std::string::npos || words.find("lounge") != std::string::npos)
+    return seat;
+  if (words.find("sleeping") != std::string::npos) {
+    for (std::size_t m = 0; m < document_.mentions.size(); ++m) {
+      if (!document_.mentions[m].items.empty() && document_.mentions[m].noun.head == "bed") return static_cast<int>(m);
+    }
+  }
+  return so_far_.topic >= 0 && is_thing(so_far_.topic) ? so_far_.topic : -1;
+}
+
+// "six square tables, four chairs each", "three tables with two stools each": what was listed last belongs to every one of the others.
+bool Scribe::trails_each(int u) {
+  const NounPhrase& noun = chunk(u).noun;
+  const bool trails = noun.kind == NounKind::kMember && noun.determiner == Determiner::kEach && noun.count == 0 && !noun.of &&
+                      unit(u).joiner == Joiner::kNone && is(u - 1, UnitKind::kNoun) && !is(u + 1, UnitKind::kHave) &&
+                      !is(u + 1, UnitKind::kParticiple) && !(is(u + 1, UnitKind::kPlace) && unit(u + 1).joiner == Joiner::kNone) &&
+                      !(is(u + 1, UnitKind::kVerb) && unit(u + 1).joiner == Joiner::kNone);
+  if (!trails || reading(u).role == NounRole::kReference) return false;
+  const int content = mention_[static_cast<std::size_t>(u - 1)];
+  const UnitReading& before = reading(u - 1);
+  if (!is_thing(content) || !mention_at(content).introduces) return false;
+  std::vector<int> hosts;
+  if (before.role == NounRole::kContent && before.predicate >= 0) hosts = subjects_of(before.predicate);
+  const bool listed = hosts.empty() && before.former >= 0;
+  if (listed) hosts = {mention_[static_cast<std::size_t>(before.former)]};
+  std::size_t count = 0;
+  for (const int host : hosts) count += is_thing(host) ? mention_at(host).items.size() : 0;
+  if (count < 2) return false;
+  references_.grow(content, mention_at(content).items.size() * count);
+  mark(u, Use::kUsed, "reference");
+  if (!listed) return true;
+  Link link;
+  link.kind = Link::Kind::kHave;
+  link.weak = true;
+  link.targets = {content};
+  link.references = hosts;
+  link.first = chunk(u - 1).first;
+  link.last = chunk(u).last;
+  document_.links.push_back(std::move(link));
+  return true;
+}
+
+// "a dining set for six": a table and six chairs around it.
+bool Scribe::write_set(int u) {
+  const NounPhrase noun = chunk(u).noun;
+  if (reading(u).role == NounRole::kReference || noun.determiner == Determiner::kDefinite) return false;
+  std::string words = noun.name;  // with its article: the name is that of no object
+  const Lexicon::Set* set = lexicon_.set_of(words);
+  for (std::size_t space = 0; set == nullptr && (space = words.find(' ')) != std::string::npos;) {
+    words = words.substr(space + 1);
+    set = lexicon_.set_of(words);
+  }
+  if (set == nullptr) return false;
+  const auto member = [&](const CatalogEntry& entry, int count) {
+    NounPhrase one = noun;
+    one.kind = NounKind::kObject;
+    one.entry = &entry;
+    one.exact = true;
+    one.name = one.head = entry.name;
+    one.head = one.head.substr(one.head.rfind(' ') + 1);
+    one.category = entry.id;
+    one.count = count;
+    one.plural = count > 1;
+    one.collective = false;
+    one.seats = 0;
+    return references_.mention(one, -1, false);
+  };
+  mark(u, Use::kUsed, set->front().first->name);
+  const int host = member(*set->front().first, noun.count > 0 ? noun.count : set->front().second);
+  mention_[static_cast<std::size_t>(u)] = host;
+  // "for six", "with four chairs": how many sit at it.
+  const bool chairs_said = is(u + 1, UnitKind::kHave) && is(u + 2, UnitKind::kNoun) && is_seat(lexicon_.catalog(), chunk(u + 2).noun);
+  const std::size_t after = unit(u).chunk + 1;
+  int seats = noun.seats;
+  if (after + 1 < document_.chunks.size() && document_.chunks[after].kind == ChunkKind::kPurpose &&
+      document_.chunks[after + 1].kind == ChunkKind::kNoun)
+    seats = document_.chunks[after + 1].noun.count;
+  for (std::size_t m = 1; m < set->size() && !chairs_said; ++m) {
+    const bool chairs = is_table(lexicon_.catalog(), noun_of(host));
+    const int others = member(*(*set)[m].first, chairs && seats > 0 ? seats : (*set)[m].second);
+    if (!chairs) continue;
+    Link link;
+    link.senses = {{RelationType::kAround, Direction::kDirect, {}, {}, {}}};
+    link.targets = {others};
+    link.references = {host};
+    link.first = chunk(u).first;
+    link.last = chunk(u).last;
+    document_.links.push_back(std::move(link));
+  }
+  return true;
+}
+
+void Scribe::mark_noun(int u, int mention) {
+  const NounPhrase& noun = chunk(u).noun;
+  const bool content = reading(u).role == NounRole::kContent;
+  const bool abstract = noun.kind == NounKind::kAbstract && !(noun.collective && content);
+  const std::string role = abstract                                                          ? "no object"
+                           : noun.kind == NounKind::kMember || noun_of(mention).name.empty() ? "reference"
+                                                                                             : noun_of(mention).name;
+  mark(u, abstract ? Use::kIgnored : Use::kUsed, role);
+}
+
+void Scribe::write_noun(int u) {
+  if (trails_each(u)) return;
+  const UnitReading& own = reading(u);
+  if (write_set(u)) {
+    const int host = mention_[static_cast<std::size_t>(u)];
+    if (own.role == NounRole::kContent) fill_content(u, host);
+    if (own.role == NounRole::kRoot) fill_root(u, host);
+    return;
+  }
+  // Collectives ("bath essentials") are things where something holds them.
+  NounPhrase& noun = document_.chunks[unit(u).chunk].noun;
+  if (noun.kind == NounKind::kAbstract && noun.collective && own.role == NounRole::kContent) noun.kind = NounKind::kObject;
+  const int mention = make_mention(u);
+  mention_[static_cast<std::size_t>(u)] = mention;
+  if (own.role == NounRole::kReference && mention_at(mention).items.empty() &&
+      (noun.kind == NounKind::kAbstract || noun.kind == NounKind::kRoom)) {
+    if (const int meant = thing_of_zone(noun); meant >= 0) {
+      if (link_[static_cast<std::size_t>(own.predicate)] >= 0) link_at(link_[static_cast<std::size_t>(own.predicate)]).implied = true;
+      mention_at(mention).items = mention_at(meant).items;
+      mention_at(mention).noun = noun_of(meant);
+    }
+  }
+  mark_noun(u, mention);
+  switch (own.role) {
+    case NounRole::kReference: fill_reference(u, mention); break;
+    case NounRole::kContent: fill_content(u, mention); break;
+    case NounRole::kRoot:
+    case NounRole::kMember: fill_root(u, mention); break;
+    default: break;
+  }
+  add_named_contents(u, mention);
+}
+
+}  // namespace layoutbox::offline

@@ -1,0 +1,329 @@
+// What a noun is for: a reference, contents, a thing of the clause; and how many of it there are for that.
+#include <algorithm>
+
+#include "layoutbox/plan/offline/knowledge.h"
+#include "layoutbox/plan/offline/reader_words.h"
+#include "layoutbox/plan/reading/scribe.h"
+
+namespace layoutbox::offline {
+
+using Use = WordReading::Use;
+
+namespace {
+
+// "in every corner" four, "in each of the two far corners" two.
+std::size_t corners_meant(const NounPhrase& corner) {
+  if (corner.count > 0) return static_cast<std::size_t>(corner.count);
+  return corner.wall_word.empty() ? 4 : 2;  // "in each back corner"
+}
+
+}  // namespace
+
+void Scribe::fill_reference(int u, int mention) {
+  const UnitReading& own = reading(u);
+  const int index = link_[static_cast<std::size_t>(own.predicate)];
+  if (index < 0) return;
+  // "a plant on the other": on the other side.
+  if (chunk(u).noun.kind == NounKind::kMember && chunk(u).noun.determiner == Determiner::kOther && one_side_ >= 0 &&
+      takes_other_side(u, link_at(index).targets)) {
+    link_at(index).senses = {};
+    return;
+  }
+  Link& link = link_at(index);
+  const bool arranged = reading(own.predicate).inverse && own.predicate + 1 == u && is(own.predicate, UnitKind::kPlace) &&
+                        !unit(own.predicate).direct.empty();
+  link.references.push_back(mention);
+  link.last = chunk(u).last;
+  const UnitReading& place = reading(own.predicate);
+  if (place.fronted || link.gap || arranged || link.references.size() != 1) return;
+  if (link.each) add_laden_stand(link.senses, link.targets);
+  const NounPhrase noun = noun_of(mention);
+  const bool has_sides = is_thing(mention) || noun.kind == NounKind::kWindow || noun.kind == NounKind::kDoor;
+  const std::vector<int> targets = link.targets;
+  if (link.each && has_sides) {
+    for (const int target : targets) grow_for_sides(link, target, mention);
+  }
+  if (mention_at(mention).reciprocal) mean_each_other(link);
+  for (const int target : targets) grow_for_corners(noun, target);
+  // "three chairs, each facing a mirror": a mirror for each.
+  if (mention_at(mention).introduces && mention_at(mention).items.size() == 1 && noun.determiner == Determiner::kIndefinite &&
+      targets.size() == 1 && mention_at(targets.front()).distributes && !mention_at(targets.front()).introduces)
+    references_.grow(mention, mention_at(targets.front()).items.size());
+  if (mention_at(mention).distributes && mention_at(mention).items.size() > 1) {
+    for (const int target : targets) {
+      // "five placemats lie around the bowl, one … each chair": as many as there are.
+      const bool agree = mention_at(target).items.size() == mention_at(mention).items.size() && is_placed_before(target, index);
+      if (!agree) references_.grow(target, mention_at(target).items.size() * mention_at(mention).items.size());
+    }
+  }
+  follow_screen(link, own.predicate);
+  const bool hung = hangs(own.predicate);
+  if (hung && !targets.empty()) {
+    // "a shelf mounted on the wall": not before it.
+    if (noun.kind == NounKind::kWall && says(link.senses, RelationType::kOnWall))
+      link.senses = {{RelationType::kOnWall, Direction::kDirect, {}, {}, {}}};
+    if (noun.kind != NounKind::kWall && noun.kind != NounKind::kCeiling && noun.kind != NounKind::kFloor) hang(targets, own.predicate);
+  }
+  imply_opposite(u, noun, index);  // `link` does not outlive a new one
+}
+
+// A screen on a stand looks where the stand looks.
+void Scribe::follow_screen(Link& link, int u) const {
+  if (!says(link.senses, RelationType::kFacing) || link.targets.size() != 1 || reading(u).subject < 0) return;
+  const UnitReading& subject = reading(reading(u).subject);
+  if (subject.role != NounRole::kReference || subject.predicate < 0) return;
+  for (const int carried : subjects_of(subject.predicate)) {
+    if (!is_thing(carried)) continue;
+    const std::string& head = noun_of(carried).head;
+    if (head == "tv" || head == "television" || head == "monitor" || head == "screen") link.targets.push_back(carried);
+  }
+}
+
+void Scribe::fill_content(int u, int mention) {
+  int index = link_[static_cast<std::size_t>(reading(u).predicate)];
+  if (!is_thing(mention) || index < 0) return;
+  if (reading(u).subject != kNobody) {  // the having is not said again
+    Link again = link_at(index);
+    again.targets.clear();
+    again.references = subjects_of(u);
+    document_.links.push_back(std::move(again));
+    index = static_cast<int>(document_.links.size()) - 1;
+  }
+  Link& link = link_at(index);
+  link.targets.push_back(mention);
+  link.last = chunk(u).last;
+  // "Flank the bed with two lamps": the bed was named as the reference.
+  const std::vector<int> hosts = link.references;
+  if (link.kind == Link::Kind::kHave) grow_for_hosts(mention, hosts);
+  for (const int host : hosts) {
+    if (mention_at(host).distributes)
+      references_.grow(mention, mention_at(mention).items.size() * std::max<std::size_t>(mention_at(host).items.size(), 1));
+  }
+  imply_adjective(u, mention);
+}
+
+void Scribe::fill_root(int u, int mention) {
+  if (!is_thing(mention)) return;
+  for (int p = 0; p < u; ++p) {
+    const UnitReading& place = reading(p);
+    if (unit(p).kind != UnitKind::kPlace || !place.fronted || place.subject == kNobody || link_[static_cast<std::size_t>(p)] < 0) continue;
+    bool mine = false;
+    for (int m = place.subject; m >= 0; m = reading(m).former) {
+      mine |= m == u;
+      if (m == place.first_subject) break;
+    }
+    if (!mine) continue;
+    Link& waiting = link_at(link_[static_cast<std::size_t>(p)]);
+    if (place.inverse) {
+      waiting.references.push_back(mention);
+      continue;
+    }
+    if (chunk(u).noun.subset && !waiting.targets.empty()) continue;  // "…, one of which holds a lamp"
+    waiting.targets.push_back(mention);
+    if (waiting.each) grow_for_sides(waiting, mention, waiting.references.empty() ? -1 : waiting.references.front());
+    const std::vector<int> references = waiting.references;
+    const int at = link_[static_cast<std::size_t>(p)];
+    for (const int reference : references) {
+      const NounPhrase wall = noun_of(reference);
+      if (is(p + 1, UnitKind::kNoun)) imply_opposite(p + 1, wall, at);
+      grow_for_corners(noun_of(reference), mention);
+      if (mention_at(reference).distributes && mention_at(reference).items.size() > 1)
+        references_.grow(mention, mention_at(mention).items.size() * mention_at(reference).items.size());
+    }
+  }
+  for (int v = 0; v < u; ++v) {
+    if (!is(v, UnitKind::kVerb) || !chunk(v).hang) continue;
+    bool mine = false;
+    for (int m = u; m >= 0; m = reading(m).former) mine |= reading(v).subject == m;
+    // "Hang a picture over the bed": over it, and on the wall.
+    if (mine) hang({mention}, v);
+  }
+  imply_adjective(u, mention);
+}
+
+// "a lamp on one side of the sofa and a plant on the other": one on either side. False when no first side waits.
+bool Scribe::takes_other_side(int u, const std::vector<int>& targets) {
+  (void)u;
+  if (one_side_ < 0 || targets.empty()) return false;
+  Link& link = link_at(one_side_);
+  if (link.targets.empty()) return false;
+  link.targets.insert(link.targets.end(), targets.begin(), targets.end());
+  link.senses = {{RelationType::kEachSideOf, Direction::kDirect, {}, {}, {}}};
+  link.one_side = false;
+  one_side_ = -1;
+  return true;
+}
+
+// "a rack of dumbbells": the dumbbells are on it.
+void Scribe::add_named_contents(int u, int host) {
+  static constexpr std::string_view kOpen[] = {"rack",   "crate", "basket",  "shelf", "tray",
+                                               "bucket", "cart",  "trolley", "vase",  "bookshelf"};
+  const NounPhrase& noun = chunk(u).noun;
+  if (noun.contents == nullptr || !is_thing(host) || !mention_at(host).introduces ||
+      std::find(std::begin(kOpen), std::end(kOpen), noun_of(host).head) == std::end(kOpen))
+    return;
+  const NounPhrase things = *noun.contents;
+  if (!may_carry(lexicon_.catalog(), noun_of(host), things)) return;
+  const int content = references_.mention(things, -1, false);
+  references_.grow(content, mention_at(content).items.size() * mention_at(host).items.size());
+  Link link;
+  link.kind = Link::Kind::kHave;
+  link.holding = true;
+  link.targets = {content};
+  link.references = {host};
+  link.first = chunk(u).first;
+  link.last = chunk(u).last;
+  document_.links.push_back(std::move(link));
+}
+
+bool Scribe::is_placed_before(int mention, int link) const {
+  for (std::size_t l = sentence_links_; l < static_cast<std::size_t>(link); ++l) {
+    if (contains(document_.links[l].targets, mention)) return true;
+  }
+  return false;
+}
+
+// "against the opposite wall", "in the opposite corner": opposite what the sentence, or the one before, spoke of first.
+void Scribe::imply_opposite(int u, const NounPhrase& place, int link) {
+  if ((place.kind != NounKind::kWall && place.kind != NounKind::kCorner) || place.wall_relation != "opposite" || place.is_plural() ||
+      place.of)
+    return;
+  const std::vector<int> targets = link_at(link).targets;
+  const auto stands = [&](int m) {
+    return is_thing(m) && !contains(targets, m) && noun_of(m).kind == NounKind::kObject && mount_of(noun_of(m)) == Mount::kFloor &&
+           (noun_of(m).entry == nullptr || !noun_of(m).entry->thin);
+  };
+  int other = -1;
+  for (int before = 0; before < u && other < 0; ++before) {
+    const int m = mention_[static_cast<std::size_t>(before)];
+    if (is(before, UnitKind::kNoun) && reading(before).role == NounRole::kRoot && m >= 0 && stands(m)) other = m;
+  }
+  if (other < 0 && so_far_.topic >= 0 && stands(so_far_.topic)) other = so_far_.topic;
+  if (other < 0 || targets.empty()) return;
+  Link opposite;
+  opposite.senses = {{RelationType::kOpposite, Direction::kDirect, {}, {}, {}}};
+  opposite.targets = targets;
+  opposite.references = {other};
+  opposite.soft = opposite.concluded = true;
+  opposite.first = chunk(u).first;
+  opposite.last = chunk(u).last;
+  document_.links.push_back(std::move(opposite));
+}
+
+// "a nearby bench", "an adjacent bookshelf", "the opposite sofa".
+void Scribe::imply_adjective(int u, int mention) {
+  if (!mention_at(mention).introduces) return;
+  const std::vector<std::string> attributes = noun_of(mention).attributes;
+  for (const std::string& attribute : attributes) {
+    const bool next_to = attribute == "adjacent", near = attribute == "nearby", opposite = attribute == "opposite";
+    if (!next_to && !near && !opposite) continue;
+    int reference = -1;
+    if (reading(u).role == NounRole::kContent) {
+      const std::vector<int> hosts = subjects_of(reading(u).predicate);
+      if (!hosts.empty()) reference = hosts.front();
+    }
+    for (int before = u; reference < 0 && before-- > 0;) {
+      if (is(before, UnitKind::kNoun) && reading(before).role == NounRole::kRoot && is_thing(mention_[static_cast<std::size_t>(before)]))
+        reference = mention_[static_cast<std::size_t>(before)];
+    }
+    if (reference < 0) reference = so_far_.topic;
+    if (!is_thing(reference)) continue;
+    Link link;
+    link.senses = {{next_to ? RelationType::kNextTo
+                    : near  ? RelationType::kNear
+                            : RelationType::kOpposite,
+                    Direction::kDirect,
+                    {},
+                    {},
+                    {}}};
+    link.targets = {mention};
+    link.references = {reference};
+    link.first = chunk(u).first;
+    link.last = chunk(u).last;
+    document_.links.push_back(std::move(link));
+  }
+}
+
+// "a sofa and an armchair opposite each other": two, or a group of several.
+void Scribe::mean_each_other(Link& link) {
+  if (link.targets.size() != 1 || mention_at(link.targets.front()).items.size() != 1) return;
+  for (std::size_t u = 0; u < mention_.size(); ++u) {
+    if (mention_[u] != link.targets.front()) continue;
+    const int former = reading(static_cast<int>(u)).former;
+    if (former >= 0 && is_thing(mention_[static_cast<std::size_t>(former)]))
+      link.targets.insert(link.targets.begin(), mention_[static_cast<std::size_t>(former)]);
+    return;
+  }
+}
+
+// What that thing faces or stands opposite, by this sentence; -1: nothing, or its own members.
+int Scribe::looked_at_by(int mention, const std::vector<int>& but) const {
+  for (std::size_t l = document_.links.size(); l-- > sentence_links_;) {
+    const Link& looks = document_.links[l];
+    if (!contains(looks.targets, mention) || looks.references.empty()) continue;
+    const int other = looks.references.front();
+    const Mention& seen = document_.mentions[static_cast<std::size_t>(other)];
+    const bool alone = document_.mentions[static_cast<std::size_t>(mention)].items.size() == 1;
+    const bool across = says(looks.senses, RelationType::kFacing) || says(looks.senses, RelationType::kOpposite);
+    if (is_thing(other) && !seen.reciprocal && !contains(but, other) && (alone || across)) return other;
+    if (alone && is_thing(other)) break;
+  }
+  return -1;
+}
+
+// "a lamp on each side" is two lamps, "two chairs on each long side" four, a chair on each side of a square table as well.
+void Scribe::grow_for_sides(const Link& link, int target, int reference) {
+  const std::size_t count = mention_at(target).items.size();
+  const auto is_square = [&] {
+    const NounPhrase& host = noun_of(reference);
+    const bool each = words_between(document_, link.first, link.last).find("each") != std::string::npos;
+    return each && is_table(lexicon_.catalog(), host) && is_seat(lexicon_.catalog(), noun_of(target)) &&
+           std::find(host.attributes.begin(), host.attributes.end(), "square") != host.attributes.end();
+  };
+  if (says(link.senses, RelationType::kAlongSide))
+    references_.grow(target, count * 2);
+  else if (says(link.senses, RelationType::kEachSideOf) && count == 1 && reference >= 0 && is_square())
+    references_.grow(target, 4);
+  else if (says(link.senses, RelationType::kEachSideOf) && count != 2)
+    references_.grow(target, count * 2);
+  grow_contents(target, count);
+}
+
+// "thirty desks with chairs": one for each of them.
+void Scribe::grow_for_hosts(int content, const std::vector<int>& hosts) {
+  const NounPhrase& noun = noun_of(content);
+  if (!mention_at(content).introduces || !noun.plural || noun.count > 0 || noun.collective || hosts.size() != 1) return;
+  const Mention& host = mention_at(hosts.front());
+  if (!host.distributes && host.items.size() > mention_at(content).items.size()) references_.grow(content, host.items.size());
+}
+
+void Scribe::grow_for_corners(const NounPhrase& corner, int target) {
+  if (corner.kind != NounKind::kCorner || corner.determiner != Determiner::kEach) return;
+  if (noun_of(target).count <= 1) references_.grow(target, corners_meant(corner));
+}
+
+// What each of the things has grows with them: "a nightstand with a lamp on each side".
+void Scribe::grow_contents(int host, std::size_t before) {
+  const std::size_t now = mention_at(host).items.size();
+  if (before == 0 || now <= before) return;
+  for (std::size_t l = sentence_links_; l < document_.links.size(); ++l) {
+    const Link& link = document_.links[l];
+    if (link.kind != Link::Kind::kHave || !contains(link.references, host)) continue;
+    for (const int content : link.targets) references_.grow(content, mention_at(content).items.size() * now / before);
+  }
+}
+
+// "a nightstand and a lamp on each side": both, where the first carries the second.
+void Scribe::add_laden_stand(const PhraseSenses& senses, std::vector<int>& targets) const {
+  if (targets.size() != 1 || targets.front() < 1 || !says(senses, RelationType::kEachSideOf)) return;
+  const int stand = targets.front() - 1;
+  const NounPhrase &load = noun_of(targets.front()), &carrier = noun_of(stand);
+  const Mention& mention = document_.mentions[static_cast<std::size_t>(stand)];
+  if (!mention.introduces || mention.items.size() != 1 || load.first != carrier.last + 1 || document_.tokens[carrier.last].text != "and")
+    return;
+  if (mount_of(load) != Mount::kSurface || mount_of(carrier) != Mount::kFloor || carrier.entry == nullptr || !carrier.entry->top_carries)
+    return;
+  if (may_carry(lexicon_.catalog(), carrier, load)) targets.insert(targets.begin(), stand);
+}
+
+}  // namespace layoutbox::offline

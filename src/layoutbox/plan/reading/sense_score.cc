@@ -1,0 +1,65 @@
+#include "layoutbox/plan/reading/sense_score.h"
+
+#include "layoutbox/plan/offline/knowledge.h"
+#include "layoutbox/plan/reading/weights.h"
+
+namespace layoutbox::offline {
+
+double SenseScore::of_place(const PhraseSenses& senses, const NounPhrase& target, const NounPhrase& reference) const {
+  const auto sense = choose_sense(catalog_, senses, PhraseSense::Direction::kDirect, target, reference);
+  if (!sense) return weight::kNoSense;
+  const int suited = suits(catalog_, *sense, target, reference);
+  double score = suited == 0 ? weight::kUnlikely : suited == 2 ? weight::kUsual : 0;
+  if (!may_refer(catalog_, senses, target, reference))
+    score += stands_beside(sense->type) && mount_of(reference) != Mount::kCeiling ? weight::kNotBeside : weight::kNoReference;
+  if (sense->type == RelationType::kOn && on_soft(reference, target)) score += weight::kSoftHost;
+  if (stands_beside(sense->type) && is_seat(catalog_, target) && is_table(catalog_, reference)) score += weight::kSeatByTable;
+  if (sense->type == RelationType::kFacing && suited < 2) score += weight::kNoFront;
+  // Small things that stand together.
+  if (stands_beside(sense->type) && mount_of(target) == Mount::kSurface && reference.kind == NounKind::kObject &&
+      mount_of(reference) == Mount::kSurface)
+    score += weight::kSmallTogether;
+  if (sense->type == RelationType::kIn && is_storage(reference)) score += weight::kInStorage;
+  if ((sense->type == RelationType::kEachSideOf || sense->type == RelationType::kNextTo) && stands_by(catalog_, target, reference))
+    score += weight::kStandsBy;
+  return score;
+}
+
+bool SenseScore::on_soft(const NounPhrase& host, const NounPhrase& thing) const {
+  const bool soft =
+      one_of(host.head, {"bed", "sofa", "couch", "loveseat", "daybed", "crib"}) || (is_seat(catalog_, host) && host.head != "bench");
+  return soft && thing.kind == NounKind::kObject && !is_textile(catalog_, thing);
+}
+
+double SenseScore::of_part(const NounPhrase& part, const NounPhrase& owner) const {
+  if (owner.kind != NounKind::kObject) return 0;
+  const auto is_kind = [&](std::initializer_list<std::string_view> heads) { return one_of(owner.head, heads); };
+  const std::string& head = part.head;
+  const bool desk = is_kind({"desk", "workstation", "vanity"}),
+             counter = is_kind({"counter", "island", "countertop", "kitchenette", "bar"});
+  if (head == "tabletop")
+    return is_table(catalog_, owner) && !desk && !counter ? weight::kOwnPart : is_table(catalog_, owner) ? 0.5 : weight::kNotItsPart;
+  if (head == "desktop" || head == "worktop") return desk ? weight::kOwnPart : is_table(catalog_, owner) ? 0.5 : weight::kNotItsPart;
+  if (head == "countertop") return counter ? weight::kOwnPart : is_table(catalog_, owner) ? 0.5 : weight::kNotItsPart;
+  if (head == "top" || head == "surface") {
+    const bool flat = owner.entry != nullptr && owner.entry->top_carries && mount_of(owner) == Mount::kFloor && !owner.entry->thin;
+    return flat ? 0.8 : weight::kNotItsPart / 2;
+  }
+  if (one_of(head, {"cushion", "armrest", "backrest"})) return is_seat(catalog_, owner) ? weight::kOwnPart : weight::kNotItsPart;
+  if (one_of(head, {"headboard", "pillow", "mattress"})) return is_kind({"bed", "daybed", "crib"}) ? weight::kOwnPart : weight::kNotItsPart;
+  return 0;
+}
+
+bool SenseScore::carries(const NounPhrase& host, const NounPhrase& thing) const { return may_carry(catalog_, host, thing); }
+
+double SenseScore::of_having(const NounPhrase& host, const NounPhrase& thing, bool holds) const {
+  if (host.kind != NounKind::kObject || thing.kind != NounKind::kObject) return 0;
+  if (may_carry(catalog_, host, thing) && on_soft(host, thing)) return weight::kUsual + weight::kSoftHost;
+  if (may_carry(catalog_, host, thing)) return host.entry != nullptr && host.entry->thin ? -0.5 : weight::kUsual;
+  if (is_table(catalog_, host) && is_seat(catalog_, thing)) return weight::kUsual;
+  if (holds) return mount_of(thing) == Mount::kFloor ? weight::kUnlikely : -1;
+  if (mount_of(host) == Mount::kSurface && mount_of(thing) == Mount::kFloor) return weight::kUnlikely;
+  return 0;
+}
+
+}  // namespace layoutbox::offline

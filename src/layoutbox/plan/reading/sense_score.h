@@ -1,0 +1,24 @@
+// How much sense a place makes between two things.
+#pragma once
+
+#include "layoutbox/plan/offline/document.h"
+
+namespace layoutbox::offline {
+
+class SenseScore {
+ public:
+  explicit SenseScore(const Catalog& catalog) : catalog_(catalog) {}
+  // TARGET phrase REFERENCE.
+  double of_place(const PhraseSenses& senses, const NounPhrase& target, const NounPhrase& reference) const;
+  // HOST has THING; `holds`: the words say that it is carried.
+  double of_having(const NounPhrase& host, const NounPhrase& thing, bool holds) const;
+  // A part that is named alone ("the tabletop") of the thing.
+  double of_part(const NounPhrase& part, const NounPhrase& owner) const;
+  bool carries(const NounPhrase& host, const NounPhrase& thing) const;
+
+ private:
+  bool on_soft(const NounPhrase& host, const NounPhrase& thing) const;
+  const Catalog& catalog_;
+};
+
+}  // namespace layoutbox::offline

@@ -1,0 +1,146 @@
+// Noun phrases of a sentence: what is a part, a room, an opening; which wall or corner is meant where the words leave it out.
+#include "layoutbox/plan/offline/knowledge.h"
+#include "layoutbox/plan/reading/unit_reader.h"
+
+namespace layoutbox::offline {
+
+using Use = WordReading::Use;
+
+std::size_t UnitReader::last_noun() const {
+  for (std::size_t u = units_.size(); u-- > 0;) {
+    if (units_[u].kind == UnitKind::kNoun) return units_[u].chunk;
+  }
+  return document_.chunks.size();
+}
+
+// What comes next is something that a thing has, not the room: right after "with", or in a list that began so.
+bool UnitReader::is_content_of_thing() const {
+  for (std::size_t u = units_.size(); u-- > 0;) {
+    const Unit& unit = units_[u];
+    const bool opens = unit.kind == UnitKind::kHave || (unit.kind == UnitKind::kPlace && unit.direct.empty() && !unit.inverse.empty());
+    if (opens) {
+      if (u + 1 < units_.size() && joiner_ == Joiner::kNone) return false;
+      for (std::size_t h = u; h-- > 0;) {
+        if (units_[h].kind == UnitKind::kNoun) return chunk(units_[h].chunk).noun.kind == NounKind::kObject;
+      }
+      return false;
+    }
+    if (unit.kind != UnitKind::kNoun || unit.clause) return false;
+  }
+  return false;
+}
+
+bool UnitReader::is_part(std::size_t k) const {
+  const NounPhrase& noun = chunk(k).noun;
+  if (units_.empty() || units_.back().kind != UnitKind::kHave || joiner_ != Joiner::kNone || !is_content_of_thing()) return false;
+  if (noun.kind == NounKind::kDoor || noun.kind == NounKind::kWindow) return true;
+  if (noun.kind != NounKind::kObject || noun.head != "mattress") return false;
+  const std::size_t host = last_noun();
+  return host < document_.chunks.size() && chunk(host).noun.name.find("bed") != std::string::npos;
+}
+
+// "a bench along the left", "a teepee in the other", "the desk against the right one".
+void UnitReader::settle_place_words(std::size_t k) {
+  NounPhrase& noun = document_.chunks[k].noun;
+  const bool placed = after_place();
+  const PhraseSenses none;
+  const PhraseSenses& senses = placed ? units_.back().direct : none;
+  const auto take = [&](const NounPhrase& from) {
+    const NounPhrase said = noun;
+    noun = from;
+    noun.first = said.first;
+    noun.last = said.last;
+    return said;
+  };
+  const bool side = noun.kind == NounKind::kPart && (noun.head == "left" || noun.head == "right");
+  if (side && says(senses, RelationType::kAgainstWall) && !noun.of && !noun.plural && noun.determiner != Determiner::kPossessive) {
+    noun.kind = NounKind::kWall;
+    noun.wall_word = noun.head;
+  }
+  const bool other = noun.kind == NounKind::kMember && noun.determiner == Determiner::kOther && !noun.of;
+  if (other && one_corner_ >= 0 && (says(senses, RelationType::kIn) || says(senses, RelationType::kCorner))) {
+    take(chunk(static_cast<std::size_t>(one_corner_)).noun);
+    one_corner_ = -1;
+  }
+  if (noun.kind == NounKind::kMember && !noun.wall_word.empty() && wall_ >= 0 && says(senses, RelationType::kAgainstWall)) {
+    const NounPhrase said = take(chunk(static_cast<std::size_t>(wall_)).noun);
+    noun.wall_word = said.wall_word;
+  }
+  if (placed && noun.kind == NounKind::kCorner && noun.count == 1) one_corner_ = static_cast<int>(k);
+  if (noun.kind == NounKind::kWall) wall_ = static_cast<int>(k);
+}
+
+void UnitReader::settle_noun(std::size_t k) {
+  NounPhrase& noun = document_.chunks[k].noun;
+  const bool content = is_content_of_thing();
+  // A part that has a thing's name is one where no host is there: "two sinks".
+  if (const auto object = noun.as_object; object != nullptr && (!after_place() || noun.determiner == Determiner::kIndefinite) && !content)
+    noun = NounPhrase(*object);
+  if (named_ || skipping_ || negated_) return;
+  named_ = true;
+  // "A craft brewery taproom has a bar": what nobody knows and has things, at the very beginning, is the room.
+  const bool has = is(next(k), ChunkKind::kHave);
+  if (noun.kind == NounKind::kObject && noun.entry == nullptr && !noun.is_plural() && has) noun.kind = NounKind::kRoom;
+  // "A reading corner with an armchair": so is the corner that it is all about.
+  if (noun.kind == NounKind::kCorner && noun.wall_word.empty() && !after_place() && has) noun.kind = NounKind::kRoom;
+}
+
+void UnitReader::read_noun(std::size_t k) {
+  settle_noun(k);
+  settle_place_words(k);
+  NounPhrase& noun = document_.chunks[k].noun;
+  if (skipping_) {
+    mark(k, Use::kIgnored, "purpose");
+    if (noun.kind == NounKind::kRoom) document_.rooms.push_back(noun);
+    return;
+  }
+  // "instead of a bathtub a shower": what stands beside what is not wanted.
+  if (negated_ && joiner_ == Joiner::kNone && k > 0 && is(k - 1, ChunkKind::kNoun) && noun.determiner == Determiner::kIndefinite)
+    negated_ = false;
+  if (negated_) {
+    mark(k, Use::kUsed, "not wanted");
+    if (noun.kind == NounKind::kObject) document_.excluded.push_back(noun);
+    return;
+  }
+  if (noun.kind == NounKind::kOutsideRoom) {
+    mark(k, Use::kIgnored, "another room");
+    document_.notes.push_back(
+        {"ignored",
+         "\"" + words_between(document_, chunk(k).first, chunk(k).last) + "\" is another room: what is said to be in it goes into this one",
+         "prompt:" + std::to_string(document_.tokens[chunk(k).first].begin) + "-" +
+             std::to_string(document_.tokens[chunk(k).last - 1].end)});
+  }
+  if (noun.kind == NounKind::kRoom && (!after_place() || noun.room != nullptr)) document_.rooms.push_back(noun);
+  if (is_part(k)) {
+    mark(k, Use::kUsed, "part");
+    // "with a soft mattress and two pillows": the having goes on.
+    if (!is(next(k), ChunkKind::kAnd)) {
+      joiner_ = units_.back().joiner;
+      clause_ = units_.back().clause;
+      units_.pop_back();
+    } else
+      passed_over_ = next(k);
+    return;
+  }
+  if (noun.kind == NounKind::kDoor || noun.kind == NounKind::kWindow) document_.openings.push_back(noun);
+  // "king bed north wall": against it.
+  static const PhraseSenses kAgainst = {{RelationType::kAgainstWall, PhraseSense::Direction::kDirect, {}, {}, {}}};
+  const std::size_t before = previous(k);
+  if ((noun.kind == NounKind::kWall || noun.kind == NounKind::kCorner) && !noun.wall_word.empty() && joiner_ == Joiner::kNone &&
+      is(before, ChunkKind::kNoun) && chunk(before).noun.kind == NounKind::kObject && !units_.empty() && units_.back().chunk == before)
+    add_place(k, kAgainst);
+  // "the desk's left corner" is the left corner of the desk.
+  if (owner_ < document_.chunks.size() && !noun.of) {
+    noun.of = std::make_shared<NounPhrase>(chunk(owner_).noun);
+    noun.of->determiner = Determiner::kDefinite;
+  }
+  owner_ = document_.chunks.size();
+  if (noun.owner) {
+    owner_ = k;
+    mark(k, Use::kUsed, "owner");
+    return;
+  }
+  add(UnitKind::kNoun, k);
+}
+
+}  // namespace layoutbox::offline

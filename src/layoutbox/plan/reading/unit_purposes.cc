@@ -1,0 +1,186 @@
+// Purposes, roles, for how many, and what is not wanted.
+#include <algorithm>
+
+#include "layoutbox/plan/offline/english.h"
+#include "layoutbox/plan/offline/knowledge.h"
+#include "layoutbox/plan/reading/unit_reader.h"
+
+namespace layoutbox::offline {
+
+using Use = WordReading::Use;
+
+void UnitReader::read_purpose(std::size_t k) {
+  if (reads_as_verb(k)) {
+    mark(k, Use::kUsed, "placing");
+    add(UnitKind::kVerb, k);
+    return;
+  }
+  if (names_contents(k)) {
+    mark(k, Use::kUsed, "has");
+    add(UnitKind::kHave, k);
+    return;
+  }
+  if (passes_count(k) || passes_role(k)) return;
+  if (k > 0 && chunk(k).first > 0 && lexicon_.is(document_.tokens[chunk(k).first - 1], WordClass::kCommand) &&
+      lexicon_.is(document_.tokens[chunk(k).first], WordClass::kCommand)) {
+    mark(k, Use::kIgnored, "opens a statement");  // "for the bedroom I imagine a bed"
+    return;
+  }
+  mark(k, Use::kIgnored, "purpose");
+  skipping_ = true;
+  joiner_ = Joiner::kNone;
+}
+
+// A verb that no list has, and then a place: "a lamp towers over the desk", "two stools huddle by the bar".
+bool UnitReader::reads_as_verb(std::size_t k) const {
+  if (skipping_ || chunk(k).last - chunk(k).first != 1 || !is(previous(k), ChunkKind::kNoun)) return false;
+  const std::size_t n = next(k);
+  if (!is(n, ChunkKind::kRelation) || !is(next(n), ChunkKind::kNoun)) return false;
+  const std::string& word = document_.tokens[chunk(k).first].text;
+  return word_form(word) == WordForm::kVerb && !lexicon_.is(document_.tokens[chunk(k).first], WordClass::kPurpose);
+}
+
+// "a lamp provides light next to the table": where the thing is, after what its verb says of the room.
+bool UnitReader::place_after_purpose(std::size_t k) const {
+  const std::size_t n = next(k);
+  const std::size_t p = previous(k);
+  if (!is(n, ChunkKind::kNoun) || chunk(n).noun.kind != NounKind::kObject || chunk(n).noun.determiner != Determiner::kDefinite)
+    return false;
+  if (!is(p, ChunkKind::kNoun) || chunk(p).noun.kind != NounKind::kAbstract || chunk(p).noun.determiner == Determiner::kIndefinite)
+    return false;
+  for (std::size_t c = k; c-- > 0 && !is(c, ChunkKind::kComma) && !is(c, ChunkKind::kStop);) {
+    if (is(c, ChunkKind::kPurpose)) return is_finite(document_.tokens[chunk(c).first].text);
+  }
+  return false;
+}
+
+// The break at chunk k, before chunk n, ends a purpose: what follows is said of the room again.
+bool UnitReader::purpose_ends(std::size_t k, std::size_t n) const {
+  const bool comma = is(k, ChunkKind::kComma);
+  if (!is(n, ChunkKind::kNoun)) {
+    if (!comma) return is(n, ChunkKind::kVerb) || is(n, ChunkKind::kThere) || is(n, ChunkKind::kCommand);
+    return is(n, ChunkKind::kRelation) || is(n, ChunkKind::kHave) || is(n, ChunkKind::kParticiple) || is(n, ChunkKind::kRelative) ||
+           is(n, ChunkKind::kThere) || is(n, ChunkKind::kVerb);
+  }
+  const NounPhrase& noun = chunk(n).noun;
+  const bool verb_follows = is(next(n), ChunkKind::kVerb);
+  const bool said = noun.determiner == Determiner::kIndefinite || noun.determiner == Determiner::kAnother ||
+                    noun.determiner == Determiner::kBoth || noun.determiner == Determiner::kEach || noun.count > 0;
+  if ((said && noun.kind != NounKind::kAbstract) || verb_follows) return true;
+  // "for keys and mirror over it"
+  if (noun.kind == NounKind::kObject && noun.exact && is(next(n), ChunkKind::kRelation)) return true;
+  if (!comma) return false;
+  if (noun.determiner == Determiner::kDefinite || noun.kind == NounKind::kMember) return true;
+  // In a list without articles the next bare thing goes on with it: "bed for guests, desk, lamp".
+  const std::size_t first = [&] {
+    for (const Unit& unit : units_) {
+      if (unit.kind == UnitKind::kNoun && chunk(unit.chunk).noun.kind == NounKind::kObject) return unit.chunk;
+    }
+    return document_.chunks.size();
+  }();
+  const bool bare_list =
+      first < document_.chunks.size() && chunk(first).noun.determiner == Determiner::kNone && chunk(first).noun.count == 0;
+  if (bare_list && noun.kind == NounKind::kObject && noun.exact) return true;
+  // "to be used as an office: sofa bed, desk, …"
+  return document_.tokens[chunk(k).first].text == ":" && (noun.kind == NounKind::kObject || noun.kind == NounKind::kAbstract);
+}
+
+// "a shelf for controllers and headsets", "the room offers a fireplace and two sofas": what a verb of purpose names is there.
+bool UnitReader::names_contents(std::size_t k) const {
+  const std::size_t before = last_noun();
+  if (skipping_ || before >= document_.chunks.size() || joiner_ != Joiner::kNone || previous(k) != before) return false;
+  const std::size_t n = next(k);
+  if (!is(n, ChunkKind::kNoun)) return false;
+  const std::string& word = document_.tokens[chunk(k).first].text;
+  const NounPhrase &host = chunk(before).noun, &thing = chunk(n).noun;
+  if (word == "for") {
+    static constexpr std::string_view kOpen[] = {"shelf",     "rack",     "basket",    "bin",   "box",  "crate",
+                                                 "bookshelf", "bookcase", "organizer", "cubby", "chest"};
+    return host.kind == NounKind::kObject && std::find(std::begin(kOpen), std::end(kOpen), host.head) != std::end(kOpen) &&
+           !is(next(n), ChunkKind::kRelation) && thing.kind == NounKind::kObject && thing.exact && thing.plural &&
+           thing.determiner == Determiner::kNone && thing.count == 0 && mount_of(thing) == Mount::kSurface;
+  }
+  static constexpr std::string_view kShows[] = {"offers", "offer", "provides", "provide", "offering", "providing", "enjoys"};
+  const bool room = host.kind == NounKind::kRoom || host.kind == NounKind::kOutsideRoom;
+  const bool there =
+      thing.kind == NounKind::kObject || thing.as_object != nullptr || thing.kind == NounKind::kWindow || thing.kind == NounKind::kDoor;
+  return room && there && std::find(std::begin(kShows), std::end(kShows), word) != std::end(kShows);
+}
+
+// "a table for six": a size, after which the list goes on.
+bool UnitReader::passes_count(std::size_t k) {
+  const std::size_t n = next(k);
+  const bool is_for = document_.tokens[chunk(k).first].text == "for";
+  // "For the bedroom I imagine …": which room.
+  if (!skipping_ && units_.empty() && is_for && is(n, ChunkKind::kNoun) && chunk(n).noun.kind == NounKind::kRoom) {
+    mark(k, Use::kIgnored, "which room");
+    mark(n, Use::kUsed, "room");
+    document_.rooms.push_back(chunk(n).noun);
+    passed_until_ = n + 1;
+    return true;
+  }
+  if (skipping_ || !is(n, ChunkKind::kNoun) || chunk(n).noun.count == 0 || !is_for) return false;
+  const NounPhrase& noun = chunk(n).noun;
+  const bool persons = noun.kind == NounKind::kMember || lexicon_.is_person(noun.head);
+  const std::size_t before = last_noun();
+  const bool room = before >= document_.chunks.size() || chunk(before).noun.kind == NounKind::kRoom;
+  if (!persons || (!room && !is_table(lexicon_.catalog(), chunk(before).noun))) return false;
+  if (room) {
+    document_.people = noun.count;
+    document_.young = lexicon_.is_young(noun.head);
+  } else {
+    seat_so_many(document_.chunks[before].noun, noun.count);
+  }
+  mark(k, Use::kUsed, "for how many");
+  mark(n, Use::kUsed, "for how many");
+  passed_over_ = n;
+  return true;
+}
+
+// "a table for six" has six seats; "desks for 24 students" are 24, "tables for forty guests" ten.
+void UnitReader::seat_so_many(NounPhrase& tables, int people) const {
+  constexpr int kAtATable = 4;
+  tables.seats = people;
+  if (tables.count > 0 || !tables.plural || tables.determiner == Determiner::kDefinite) return;
+  const bool desks = tables.entry != nullptr && lexicon_.catalog().is_a(tables.entry->id, "desk");
+  tables.seats = desks ? 1 : kAtATable;
+  tables.count = (people + tables.seats - 1) / tables.seats;
+}
+
+// "not under the window": a place where it is not says nothing of where it is.
+bool UnitReader::denies_place(std::size_t k) {
+  const std::string& word = document_.tokens[chunk(k).last - 1].text;
+  const std::size_t r = next(k), n = next(r);
+  if ((word != "not" && word != "never") || !is(r, ChunkKind::kRelation) || !is(n, ChunkKind::kNoun)) return false;
+  if (chunk(n).noun.determiner != Determiner::kDefinite && chunk(n).noun.kind == NounKind::kObject) return false;
+  mark(r, Use::kIgnored, "not there");
+  mark(n, Use::kIgnored, "not there");
+  passed_until_ = n + 1;
+  return true;
+}
+
+// "nothing else, except a lamp", "no chairs except one": it is there.
+bool UnitReader::excepts_from_nothing(std::size_t k) const {
+  const std::string& word = document_.tokens[chunk(k).first].text;
+  if (word != "except" && word != "excepting") return false;
+  for (std::size_t i = chunk(k).first; i-- > 0 && !document_.tokens[i].ends_sentence;) {
+    const std::string& before = document_.tokens[i].text;
+    if (before == "nothing" || before == "no" || before == "empty" || before == "without" || before == "nobody") return true;
+  }
+  return false;
+}
+
+// "a dresser that doubles as a changing table next to it": what it is used as is no thing; what follows is said of it.
+bool UnitReader::passes_role(std::size_t k) {
+  const std::size_t n = next(k);
+  if (document_.tokens[chunk(k).last - 1].text != "as" || !is(n, ChunkKind::kNoun) || chunk(n).noun.kind != NounKind::kObject) return false;
+  if (skipping_ && (k == 0 || !is(k - 1, ChunkKind::kPurpose))) return false;
+  if (is(next(n), ChunkKind::kAnd) || (chunk(k).first > 0 && document_.tokens[chunk(k).first - 1].text == "such")) return false;
+  mark(k, Use::kIgnored, "purpose");
+  mark(n, Use::kIgnored, "purpose");
+  passed_over_ = n;
+  skipping_ = false;
+  return true;
+}
+
+}  // namespace layoutbox::offline

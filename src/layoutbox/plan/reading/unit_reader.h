@@ -1,0 +1,70 @@
+// The class behind read_units; its members stand in units, unit_nouns and unit_purposes.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "layoutbox/plan/offline/reader_words.h"
+#include "layoutbox/plan/reading/units.h"
+
+namespace layoutbox::offline {
+
+class UnitReader {
+ public:
+  UnitReader(const Lexicon& lexicon, Document& document) : lexicon_(lexicon), document_(document) {}
+  std::vector<Sentence> run();
+
+ private:
+  void read(std::size_t k);
+  void end_sentence();
+  Unit& add(UnitKind kind, std::size_t k);
+  void mark(std::size_t k, WordReading::Use use, const std::string& role);
+
+  void read_break(std::size_t k);
+  void read_place(std::size_t k);
+  bool tells_which(std::size_t k);
+  void add_place(std::size_t k, const PhraseSenses& senses);
+  void read_have(std::size_t k);
+  void read_verb(std::size_t k);
+
+  // Purposes and what is not wanted.
+  void read_purpose(std::size_t k);
+  bool purpose_ends(std::size_t k, std::size_t n) const;
+  bool place_after_purpose(std::size_t k) const;
+  bool names_contents(std::size_t k) const;
+  bool reads_as_verb(std::size_t k) const;
+  bool passes_count(std::size_t k);
+  bool passes_role(std::size_t k);
+  void seat_so_many(NounPhrase& tables, int people) const;
+  bool denies_place(std::size_t k);
+  bool excepts_from_nothing(std::size_t k) const;
+
+  // Nouns.
+  void read_noun(std::size_t k);
+  void settle_noun(std::size_t k);
+  void settle_place_words(std::size_t k);
+  bool is_content_of_thing() const;
+  bool is_part(std::size_t k) const;
+  // The latest noun of the sentence, past the end if there is none.
+  std::size_t last_noun() const;
+  bool after_place() const { return !units_.empty() && units_.back().kind == UnitKind::kPlace && joiner_ == Joiner::kNone; }
+
+  const Chunk& chunk(std::size_t k) const { return document_.chunks[k]; }
+  bool is(std::size_t k, ChunkKind kind) const { return k < document_.chunks.size() && document_.chunks[k].kind == kind; }
+  std::size_t next(std::size_t k) const;      // the next chunk that is not ignored
+  std::size_t previous(std::size_t k) const;  // past the end if there is none
+
+  const Lexicon& lexicon_;
+  Document& document_;
+  std::vector<Sentence> sentences_;
+  Sentence units_;
+  Joiner joiner_ = Joiner::kNone;
+  bool clause_ = false, where_ = false, soft_ = false, skipping_ = false, negated_ = false;
+  std::size_t passed_over_ = static_cast<std::size_t>(-1), passed_until_ = 0;
+  bool named_ = false;               // a noun was read
+  int one_corner_ = -1, wall_ = -1;  // chunks: "in one corner", the last wall
+  std::size_t owner_ = static_cast<std::size_t>(-1);
+};
+
+}  // namespace layoutbox::offline

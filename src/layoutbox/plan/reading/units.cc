@@ -1,0 +1,212 @@
+#include "layoutbox/plan/reading/units.h"
+
+#include <string>
+#include <string_view>
+
+#include "layoutbox/plan/offline/english.h"
+#include "layoutbox/plan/offline/knowledge.h"
+#include "layoutbox/plan/reading/unit_reader.h"
+
+namespace layoutbox::offline {
+
+using Use = WordReading::Use;
+
+void UnitReader::mark(std::size_t k, Use use, const std::string& role) {
+  for (std::size_t i = chunk(k).first; i < chunk(k).last; ++i) {
+    document_.readings[i].use = use;
+    document_.readings[i].role = role;
+  }
+}
+
+std::size_t UnitReader::next(std::size_t k) const {
+  ++k;
+  while (is(k, ChunkKind::kIgnored) || is(k, ChunkKind::kSoft)) ++k;
+  return k;
+}
+
+std::size_t UnitReader::previous(std::size_t k) const {
+  while (k-- > 0) {
+    if (!is(k, ChunkKind::kIgnored) && !is(k, ChunkKind::kSoft)) return k;
+  }
+  return document_.chunks.size();
+}
+
+std::vector<Sentence> UnitReader::run() {
+  for (std::size_t k = 0; k < document_.chunks.size(); ++k) {
+    if (k >= passed_until_ && k != passed_over_) read(k);
+  }
+  end_sentence();
+  return std::move(sentences_);
+}
+
+void UnitReader::end_sentence() {
+  if (!units_.empty()) sentences_.push_back(std::move(units_));
+  units_.clear();
+  joiner_ = Joiner::kNone;
+  clause_ = where_ = soft_ = skipping_ = negated_ = false;
+}
+
+Unit& UnitReader::add(UnitKind kind, std::size_t k) {
+  if (units_.size() >= kLongestSentence) {
+    const Joiner joiner = joiner_;
+    const bool soft = soft_;
+    end_sentence();
+    joiner_ = joiner;
+    soft_ = soft;
+  }
+  Unit unit;
+  unit.kind = kind;
+  unit.chunk = k;
+  unit.joiner = joiner_;
+  unit.clause = clause_;
+  unit.where = where_;
+  unit.soft = soft_;
+  joiner_ = Joiner::kNone;
+  clause_ = where_ = false;
+  units_.push_back(std::move(unit));
+  return units_.back();
+}
+
+void UnitReader::read(std::size_t k) {
+  switch (chunk(k).kind) {
+    case ChunkKind::kStop: end_sentence(); break;
+    case ChunkKind::kClause:
+      mark(k, Use::kIgnored, "joins clauses");
+      clause_ = true;
+      where_ = document_.tokens[chunk(k).first].text == "where";
+      soft_ = where_ && k > 0 && is(k - 1, ChunkKind::kNoun) && chunk(k - 1).noun.kind == NounKind::kWall;
+      skipping_ = negated_ = false;
+      joiner_ = Joiner::kNone;
+      break;
+    case ChunkKind::kComma:
+    case ChunkKind::kAnd: read_break(k); break;
+    case ChunkKind::kIgnored:
+      if (document_.readings[chunk(k).first].role.empty()) mark(k, Use::kIgnored, "filler");
+      break;
+    case ChunkKind::kUnknown: mark(k, skipping_ ? Use::kIgnored : Use::kNotUnderstood, skipping_ ? "purpose" : "not understood"); break;
+    case ChunkKind::kSoft:
+      mark(k, Use::kUsed, "soft");
+      soft_ = true;
+      break;
+    case ChunkKind::kWithout:
+      mark(k, Use::kUsed, "negation");
+      skipping_ = false;
+      if (!denies_place(k)) negated_ = !excepts_from_nothing(k);
+      break;
+    case ChunkKind::kPurpose: read_purpose(k); break;
+    case ChunkKind::kThere:
+    case ChunkKind::kCommand:
+      mark(k, Use::kIgnored, "opens a statement");
+      skipping_ = false;
+      add(UnitKind::kOpen, k);
+      break;
+    case ChunkKind::kRelative:
+      mark(k, Use::kUsed, "relative clause");
+      skipping_ = false;
+      add(UnitKind::kRelative, k);
+      break;
+    case ChunkKind::kAttribute:
+      mark(k, Use::kIgnored, "attribute");
+      if (!skipping_) add(UnitKind::kAttribute, k);
+      break;
+    case ChunkKind::kSize:
+      mark(k, Use::kUsed, "size");
+      if (!skipping_) add(UnitKind::kSize, k);
+      break;
+    case ChunkKind::kNoun: read_noun(k); break;
+    case ChunkKind::kRelation: read_place(k); break;
+    case ChunkKind::kHave: read_have(k); break;
+    case ChunkKind::kVerb: read_verb(k); break;
+    case ChunkKind::kParticiple:
+      mark(k, skipping_ ? Use::kIgnored : Use::kUsed, skipping_ ? "purpose" : "placing");
+      if (!skipping_ && owner_ >= document_.chunks.size()) add(UnitKind::kParticiple, k);  // not "the desk's left corner"
+      break;
+  }
+}
+
+void UnitReader::read_break(std::size_t k) {
+  const bool comma = is(k, ChunkKind::kComma);
+  mark(k, Use::kIgnored, comma ? "" : "joins");
+  const std::size_t n = next(k);
+  if (skipping_ && !is(n, ChunkKind::kAnd) && purpose_ends(k, n)) skipping_ = false;
+  if (negated_) {
+    const bool more = is(n, ChunkKind::kNoun) && chunk(n).noun.determiner == Determiner::kNone && chunk(n).noun.count == 0;
+    if (!more) negated_ = false;
+  }
+  if (comma)
+    joiner_ = Joiner::kComma;
+  else
+    joiner_ = joiner_ == Joiner::kComma ? Joiner::kCommaAnd : Joiner::kAnd;
+}
+
+void UnitReader::read_place(std::size_t k) {
+  if (skipping_ && place_after_purpose(k)) skipping_ = false;
+  if (skipping_) {
+    mark(k, Use::kIgnored, "purpose");
+    return;
+  }
+  // "no chairs in the room": where they are not.
+  if (negated_ && joiner_ == Joiner::kNone && is(previous(k), ChunkKind::kNoun) && is(next(k), ChunkKind::kNoun)) {
+    mark(k, Use::kIgnored, "not wanted");
+    mark(next(k), Use::kIgnored, "not wanted");
+    if (chunk(next(k)).noun.kind == NounKind::kRoom) document_.rooms.push_back(chunk(next(k)).noun);
+    passed_until_ = next(k) + 1;
+    return;
+  }
+  mark(k, Use::kUsed, "relation");
+  if (!tells_which(k)) add_place(k, *chunk(k).phrase.senses);
+}
+
+// "against the wall to the right": which wall. "on the shelf below": which shelf. Not where the thing is.
+bool UnitReader::tells_which(std::size_t k) {
+  if (units_.size() < 2 || units_.back().kind != UnitKind::kNoun || joiner_ != Joiner::kNone || is(next(k), ChunkKind::kNoun)) return false;
+  NounPhrase& noun = document_.chunks[units_.back().chunk].noun;
+  if (previous(k) != units_.back().chunk || units_[units_.size() - 2].kind != UnitKind::kPlace) return false;
+  const PhraseSenses& senses = *chunk(k).phrase.senses;
+  const bool left = says(senses, RelationType::kLeftOf);
+  if (noun.kind == NounKind::kWall && (left || says(senses, RelationType::kRightOf))) {
+    noun.wall_word = left ? "left" : "right";
+    return true;
+  }
+  const bool up_or_down = says(senses, RelationType::kUnder) || says(senses, RelationType::kAbove);
+  return up_or_down && noun.determiner == Determiner::kDefinite && document_.tokens[chunk(k).last - 1].text != "it";
+}
+
+void UnitReader::add_place(std::size_t k, const PhraseSenses& senses) {
+  Unit& unit = add(UnitKind::kPlace, k);
+  unit.senses = &senses;
+  unit.each = chunk(k).phrase.each;
+  for (const PhraseSense& sense : senses) {
+    PhraseSenses& side = sense.direction == PhraseSense::Direction::kDirect    ? unit.direct
+                         : sense.direction == PhraseSense::Direction::kInverse ? unit.inverse
+                                                                               : unit.alone;
+    side.push_back(sense);
+    side.back().direction = PhraseSense::Direction::kDirect;
+  }
+}
+
+void UnitReader::read_have(std::size_t k) {
+  const std::string& word = document_.tokens[chunk(k).first].text;
+  const std::size_t n = next(k);
+  if (skipping_) {
+    const bool finite = is_finite(word) && is(previous(k), ChunkKind::kNoun);
+    const NounPhrase* noun = is(n, ChunkKind::kNoun) ? &chunk(n).noun : nullptr;
+    const bool thing = noun != nullptr && noun->kind == NounKind::kObject &&
+                       (noun->entry != nullptr || noun->determiner == Determiner::kIndefinite || noun->count > 0);
+    if (finite || thing) skipping_ = false;
+  }
+  mark(k, skipping_ ? Use::kIgnored : Use::kUsed, skipping_ ? "purpose" : "has");
+  if (!skipping_) add(UnitKind::kHave, k);
+}
+
+void UnitReader::read_verb(std::size_t k) {
+  if (skipping_ && is(previous(k), ChunkKind::kNoun) &&
+      (is_finite(document_.tokens[chunk(k).first].text) || (!chunk(k).passive && is(next(k), ChunkKind::kRelation))))
+    skipping_ = false;
+  mark(k, skipping_ ? Use::kIgnored : Use::kUsed, skipping_ ? "purpose" : "placing");
+  if (!skipping_) add(UnitKind::kVerb, k);
+}
+
+std::vector<Sentence> read_units(const Lexicon& lexicon, Document& document) { return UnitReader(lexicon, document).run(); }
+
+}  // namespace layoutbox::offline

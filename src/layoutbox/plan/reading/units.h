@@ -1,0 +1,44 @@
+// A sentence as the row of units that its reading is decided over: nouns, places, having, verbs, each with what joins it to the one before.
+#pragma once
+
+#include <vector>
+
+#include "layoutbox/plan/offline/document.h"
+
+namespace layoutbox::offline {
+
+enum class Joiner { kNone, kComma, kAnd, kCommaAnd };
+
+enum class UnitKind {
+  kNoun,
+  kPlace,  // a relation phrase
+  kHave,
+  kVerb,
+  kParticiple,
+  kRelative,
+  kOpen,  // "there is", "please add"
+  kSize,
+  kAttribute,
+};
+
+struct Unit {
+  UnitKind kind = UnitKind::kNoun;
+  std::size_t chunk = 0;  // of the document
+  Joiner joiner = Joiner::kNone;
+  bool clause = false;                   // "while", "but", "where" stands before it
+  bool where = false;                    // … "where"
+  bool soft = false;                     // "ideally" was said before
+  const PhraseSenses* senses = nullptr;  // of a place
+  PhraseSenses direct, inverse, alone;   // … by direction, each turned to direct
+  bool each = false;                     // a place on "each side"
+};
+
+using Sentence = std::vector<Unit>;
+
+// Splits the document's chunks into sentences. What is a purpose, not wanted, a part or a filler is marked in the document's readings and
+// left out; rooms, openings, people and what is excluded are noted in the document. Sentences are cut after `kLongest` units.
+std::vector<Sentence> read_units(const Lexicon& lexicon, Document& document);
+
+inline constexpr std::size_t kLongestSentence = 160;
+
+}  // namespace layoutbox::offline
