@@ -142,6 +142,13 @@ bool Decoder::several(const State& state, Referent referent) const {
   return reading.many;  // "a nightstand on each side": two
 }
 
+bool Decoder::is_definite(const State& state, int u) const {
+  const NounPhrase& noun = chunk(u).noun;
+  return state.units[static_cast<std::size_t>(u)].role == NounRole::kReference &&
+         (noun.kind != NounKind::kObject || noun.determiner == Determiner::kDefinite || noun.determiner == Determiner::kEach ||
+          noun.determiner == Determiner::kPossessive || noun.determiner == Determiner::kBoth);
+}
+
 bool Decoder::is_known(const State& state, int u) const {
   return state.units[static_cast<std::size_t>(u)].role == NounRole::kReference && known_[static_cast<std::size_t>(u)];
 }

@@ -119,10 +119,12 @@ class Decoder {
   bool same(const State& state, Referent one, Referent other) const;
   bool several(const State& state, Referent referent) const;
   bool is_known(const State& state, int u) const;
+  bool is_definite(const State& state, int u) const;
   std::vector<int> list_of(const State& state, int last, int first) const;
   Referent host_of(const State& state, int content) const;
   const std::string& word(int u) const { return document_.tokens[chunk(u).first].text; }
   bool verb_like(int u) const;
+  bool finite_place(int u) const;
 
   const Lexicon& lexicon_;
   const Document& document_;

@@ -38,6 +38,9 @@ bool Decoder::consider(std::vector<Candidate>& all, const State& state, Referent
   if (senses != nullptr && subject != kNobody && is_thing(state, subject)) {
     const double sense = sense_.of_place(*senses, noun_of(state, subject), meant);
     score += sense;
+    const bool side = says(*senses, RelationType::kLeftOf) || says(*senses, RelationType::kRightOf);
+    if (side && subject >= 0 && referent == host_of(state, subject) && mount_of(noun_of(state, subject)) == Mount::kSurface)
+      score += weight::kOwnHost;
     // What lies on the floor or on something else is seldom what one places things by.
     const auto stands = [&](const NounPhrase& n) {
       return n.kind != NounKind::kObject || (mount_of(n) == Mount::kFloor && (n.entry == nullptr || !n.entry->thin));
@@ -93,7 +96,7 @@ std::vector<Decoder::Candidate> Decoder::antecedents(const State& state, Referen
   for (int u = static_cast<int>(state.units.size()), looked = 0; u-- > 0 && looked < 6;) {
     if (!is(u, UnitKind::kNoun) || state.units[static_cast<std::size_t>(u)].role != NounRole::kReference) continue;
     // What was known before and is named once more is what things are placed by.
-    const double known = is_known(state, u) ? pronoun ? 0.3 : 2.0 : 0;
+    const double known = is_known(state, u) ? pronoun ? 0.3 : 0.8 : 0;
     order += try_one(u, order - known) ? 0.4 : 0;
     ++looked;
   }

@@ -138,6 +138,7 @@ double Decoder::reference_score(const State& state, int place, Referent referenc
       if (member != subject) score += std::min(0.0, sense_.of_place(unit(place).direct, noun_of(state, member), by) - score);
     }
   }
+  if (chunk(place).hang && is_heavy(lexicon_.catalog(), target)) score += weight::kHeavyHung;
   return fronted ? score : score + habit_score(state, place, subject, other, unit(place).direct);
 }
 
@@ -148,7 +149,7 @@ double Decoder::habit_score(const State& state, int place, Referent subject, Ref
   double score = 0;
   const Referent host = host_of(state, subject);
   const bool small = is_seat(lexicon_.catalog(), target) ? !says(senses, RelationType::kFacing) : mount_of(target) == Mount::kSurface;
-  const bool apart = unit(place).joiner != Joiner::kNone || state.participle;
+  const bool apart = unit(place).joiner != Joiner::kNone || state.participle || chunk(place).placing;
   if (apart) return score;
   const bool beside = says(senses, RelationType::kBetween) || says(senses, RelationType::kNextTo) || says(senses, RelationType::kNear);
   if (beside && mount_of(target) == Mount::kSurface && by.kind == NounKind::kObject && mount_of(by) == Mount::kFloor &&
@@ -166,7 +167,8 @@ double Decoder::content_score(const State& state, int predicate, Referent conten
   if (reading.subject == kNobody || reading.of_room) return 0;
   const NounPhrase &host = noun_of(state, reading.subject), &thing = noun_of(state, content);
   if (reading.inverse) {
-    if (is(predicate, UnitKind::kPlace) && host.kind == NounKind::kObject && thing.kind == NounKind::kObject) {
+    const bool place = host.kind == NounKind::kObject || host.kind == NounKind::kWall || host.kind == NounKind::kCorner;
+    if (is(predicate, UnitKind::kPlace) && place && thing.kind == NounKind::kObject) {
       const PhraseSenses& senses = unit(predicate).inverse.empty() ? unit(predicate).direct : unit(predicate).inverse;
       return sense_.of_place(senses, thing, host);
     }
@@ -254,7 +256,7 @@ double Decoder::content_list_score(const State& state, int member, int u) const 
     score -= 1.2;
   }
   if (unit(predicate).joiner != Joiner::kNone && mount_of(noun) == Mount::kFloor && !inverse) score -= 2;  // ", with …"
-  if (own_place) score -= !carried ? 1.4 : joiner == Joiner::kAnd ? 0.4 : 0.9;
+  if (own_place) score -= !carried ? 1.6 : joiner == Joiner::kAnd ? 0.6 : 1.4;
   // "each with a bed, a chair and a lamp": every one has all of them.
   if (owner >= 0 && chunk(owner).noun.determiner == Determiner::kEach) score += weight::kEachHas;
   if (host.entry != nullptr && host.entry->thin) score -= 3;

@@ -49,9 +49,19 @@ double Decoder::attach_score(const State& state, int u, int level, bool inverse)
   }
   // "in the corner by the door": the second place is of the same thing.
   if (again && unit(u).joiner == Joiner::kNone && nearer == 0) score += weight::kSameSubject;
-  if (is_known(state, member) && !inverse) score += weight::kKnownSubject;
-  if (is_known(state, member) && inverse) score += is_thing(state, member) ? weight::kKnownHost : weight::kPlaceAsHost;
+  if (level > 0 && finite_place(u)) score += weight::kFiniteRoot;
+  if (word(u) == "from" && level > 0) score += weight::kFromRoot;
+  if (!is_definite(state, member)) return score;
+  if (inverse) return score + (is_thing(state, member) ? weight::kKnownHost : weight::kPlaceAsHost);
+  score += is_known(state, member) ? weight::kKnownSubject : weight::kDefiniteSubject;
   return score;
+}
+
+// A place that is a finite verb: "faces", "hang on".
+bool Decoder::finite_place(int u) const {
+  return is(u, UnitKind::kPlace) &&
+         (is_finite(word(u)) || one_of(word(u), {"hang", "face", "line", "flank", "surround", "frame", "fill", "cover", "occupy",
+                                                 "dominate", "anchor", "overlook", "decorate", "adorn", "illuminate"}));
 }
 
 // "a bed and a desk against the wall": whether the former member is there as well; nothing speaks for it: below −5.
@@ -78,6 +88,11 @@ double Decoder::share_score(const State& state, int member, int u, Referent impl
     const bool listed = joiner != Joiner::kComma || state.frontier.back() != member;
     if (listed && ((lies && carried(noun) && carried(before)) || ((around || lies) && seats))) return weight::kShareKind;
   }
+  // "a cabinet with a fridge and a coffee machine on top": all that it has.
+  const bool content = state.units[static_cast<std::size_t>(member)].role == NounRole::kContent;
+  if (content && implied != kNobody && (says(senses, RelationType::kOn) || says(senses, RelationType::kIn)) &&
+      !is_seat(lexicon_.catalog(), before) && !is_table(lexicon_.catalog(), before))
+    return 1;
   if (says(senses, RelationType::kCenterOfRoom) && joiner == Joiner::kAnd && state.units[static_cast<std::size_t>(former)].former < 0)
     return 1;
   if (by.reciprocal && several(state, member)) return -10;
@@ -94,7 +109,7 @@ bool Decoder::speaks_of_no_thing(const State& state) const {
   const int last = state.frontier.back();
   const NounKind kind = noun_of(state, last).kind;
   return state.units[static_cast<std::size_t>(last)].role == NounRole::kContent &&
-         (kind == NounKind::kAbstract || kind == NounKind::kPart || kind == NounKind::kRoom) && host_of(state, last) != kNobody;
+         (kind == NounKind::kAbstract || kind == NounKind::kRoom) && host_of(state, last) != kNobody;
 }
 
 void Decoder::attach_actions(std::size_t s, int u, Kind kind) {
@@ -175,7 +190,12 @@ void Decoder::place_actions(std::size_t s, int u) {
   const bool inverse = place.direct.empty();
   if (state.frontier.empty()) {
     // "To its left a lamp": the noun is the thing.
-    if (!place.alone.empty() && is_new_thing(noun)) alone_actions(s, u);
+    const bool subject = verb_like(u + 2) && unit(u + 2).joiner == Joiner::kNone;
+    if (!place.alone.empty() && is_new_thing(noun)) {
+      const std::size_t before = actions_.size();
+      alone_actions(s, u);
+      for (std::size_t a = before; a < actions_.size(); ++a) actions_[a].score += subject ? 2.5 : 0;
+    }
     // "Line the sofa along the wall": a command.
     const bool command = !inverse && chunk(u).last - chunk(u).first == 1 && word(u) == "line" && follows(u + 1, UnitKind::kPlace);
     if (command) add(s, kCommand, 1);
@@ -201,6 +221,13 @@ void Decoder::place_actions(std::size_t s, int u) {
       is_new_thing(chunk(after).noun))
     pattern = 1.2;
   if (is(after, UnitKind::kOpen)) pattern = 2.5;
+  // "…, and nearby a table stands in the center"
+  if (!place.alone.empty() && is_new_thing(noun) && verb_like(u + 2) && unit(u + 2).joiner == Joiner::kNone) {
+    NounPhrase them;
+    them.kind = NounKind::kPronoun;
+    for (const Candidate& meant : antecedents(state, kNobody, &place.alone, &them))
+      add(s, kFrontAlone, 3 + meant.score, -1, -1, meant.referent, meant.list);
+  }
   if (pattern > 0 || (!state.fronted.empty() && state.frontier.empty())) add(s, kFront, pattern);
 }
 
@@ -256,7 +283,9 @@ void Decoder::alone_actions(std::size_t s, int u) {
   for (std::size_t level = state.frontier.size(); level-- > 0;) {
     const int member = state.frontier[level];
     if (!is_thing(state, member)) continue;
-    double gain = attach_score(state, u, static_cast<int>(level), false);
+    double gain =
+        attach_score(state, u, static_cast<int>(level), false) + (place.joiner == Joiner::kNone ? weight::kLevelAlone * nearer : 0);
+    ++nearer;
     if (is(u - 1, UnitKind::kVerb) && level > 0) gain -= 3;
     const auto with_list = [&](double base, Referent implied, bool list) {
       add(s, kAttachAlone, base, member, state.verb && level == 0 && state.first_subject >= 0 ? state.first_subject : member, implied,
@@ -304,9 +333,7 @@ void Decoder::alone_actions(std::size_t s, int u) {
     const auto habit = [&](Referent by) { return place.joiner == Joiner::kNone ? habit_score(state, u, member, by, senses) : 0; };
     for (const Candidate& meant : antecedents(state, member, &senses, &whom))
       with_list(gain + meant.score + habit(meant.referent), meant.referent, meant.list);
-    ++nearer;
   }
-  (void)nearer;
   const bool of_no_thing = place.joiner == Joiner::kNone && speaks_of_no_thing(state);
   if (of_no_thing || actions_.empty() || actions_.back().state != s) add(s, kPass, of_no_thing ? 1.5 : -2);
   if (place.joiner == Joiner::kNone) return;

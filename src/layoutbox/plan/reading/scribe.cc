@@ -193,7 +193,8 @@ void Scribe::write_place(int u) {
   }
   const bool centers = u > 0 && is(u - 1, UnitKind::kVerb) && document_.tokens[chunk(u - 1).last - 1].text.starts_with("center");
   const bool centered_command = u > 1 && is(u - 2, UnitKind::kVerb) && document_.tokens[chunk(u - 2).last - 1].text.starts_with("center");
-  if (centers || centered_command) link.senses.insert(link.senses.begin(), {RelationType::kCenteredOnWall, Direction::kDirect, {}, {}, {}});
+  if ((centers || centered_command) && is(u + 1, UnitKind::kNoun) && chunk(u + 1).noun.kind == NounKind::kWall)
+    link.senses.insert(link.senses.begin(), {RelationType::kCenteredOnWall, Direction::kDirect, {}, {}, {}});
   link.one_side = chunk(u).phrase.one && says(link.senses, RelationType::kNextTo);
   const bool one_side = link.one_side;
   const int added = add_link(u, std::move(link));

@@ -11,6 +11,10 @@ using Use = WordReading::Use;
 
 namespace {
 
+bool contains_word(const std::vector<std::string>& words, std::string_view word) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
 // "in every corner" four, "in each of the two far corners" two.
 std::size_t corners_meant(const NounPhrase& corner) {
   if (corner.count > 0) return static_cast<std::size_t>(corner.count);
@@ -185,9 +189,8 @@ bool Scribe::is_placed_before(int mention, int link) const {
 
 // "against the opposite wall", "in the opposite corner": opposite what the sentence, or the one before, spoke of first.
 void Scribe::imply_opposite(int u, const NounPhrase& place, int link) {
-  if ((place.kind != NounKind::kWall && place.kind != NounKind::kCorner) || place.wall_relation != "opposite" || place.is_plural() ||
-      place.of)
-    return;
+  const bool said = place.wall_relation == "opposite" || contains_word(place.attributes, "opposite");
+  if ((place.kind != NounKind::kWall && place.kind != NounKind::kCorner) || !said || place.is_plural() || place.of) return;
   const std::vector<int> targets = link_at(link).targets;
   const auto stands = [&](int m) {
     return is_thing(m) && !contains(targets, m) && noun_of(m).kind == NounKind::kObject && mount_of(noun_of(m)) == Mount::kFloor &&

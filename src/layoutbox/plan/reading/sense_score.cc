@@ -1,6 +1,7 @@
 #include "layoutbox/plan/reading/sense_score.h"
 
 #include "layoutbox/plan/offline/knowledge.h"
+#include "layoutbox/plan/offline/reader_words.h"
 #include "layoutbox/plan/reading/weights.h"
 
 namespace layoutbox::offline {
@@ -12,9 +13,15 @@ double SenseScore::of_place(const PhraseSenses& senses, const NounPhrase& target
   double score = suited == 0 ? weight::kUnlikely : suited == 2 ? weight::kUsual : 0;
   if (!may_refer(catalog_, senses, target, reference))
     score += stands_beside(sense->type) && mount_of(reference) != Mount::kCeiling ? weight::kNotBeside : weight::kNoReference;
+  if (sense->type == RelationType::kOn && small_host(reference)) score += weight::kSmallHost;
   if (sense->type == RelationType::kOn && on_soft(reference, target)) score += weight::kSoftHost;
   if (stands_beside(sense->type) && is_seat(catalog_, target) && is_table(catalog_, reference)) score += weight::kSeatByTable;
   if (sense->type == RelationType::kFacing && suited < 2) score += weight::kNoFront;
+  if (sense->type == RelationType::kAlongSide && reference.kind == NounKind::kObject && !is_table(catalog_, reference))
+    score += weight::kNoReference;
+  // "on the wall" is where things hang.
+  if (reference.kind == NounKind::kWall && says(senses, RelationType::kOn) && says(senses, RelationType::kOnWall))
+    score += mount_of(target) == Mount::kWall ? weight::kHangsThere : mount_of(target) == Mount::kFloor ? -weight::kHangsThere : 0;
   // Small things that stand together.
   if (stands_beside(sense->type) && mount_of(target) == Mount::kSurface && reference.kind == NounKind::kObject &&
       mount_of(reference) == Mount::kSurface)
@@ -29,6 +36,13 @@ bool SenseScore::on_soft(const NounPhrase& host, const NounPhrase& thing) const 
   const bool soft =
       one_of(host.head, {"bed", "sofa", "couch", "loveseat", "daybed", "crib"}) || (is_seat(catalog_, host) && host.head != "bench");
   return soft && thing.kind == NounKind::kObject && !is_textile(catalog_, thing);
+}
+
+bool SenseScore::small_host(const NounPhrase& host) const {
+  const bool carries =
+      one_of(host.head, {"tray", "board",    "mat",  "pad",   "plate",    "platter", "stand", "coaster",    "book", "saucer", "shelf",
+                         "rack", "placemat", "base", "riser", "pedestal", "runner",  "cloth", "tablecloth", "pile", "stack"});
+  return host.kind == NounKind::kObject && host.entry != nullptr && mount_of(host) == Mount::kSurface && !is_storage(host) && !carries;
 }
 
 double SenseScore::of_part(const NounPhrase& part, const NounPhrase& owner) const {
@@ -55,9 +69,10 @@ bool SenseScore::carries(const NounPhrase& host, const NounPhrase& thing) const 
 double SenseScore::of_having(const NounPhrase& host, const NounPhrase& thing, bool holds) const {
   if (host.kind != NounKind::kObject || thing.kind != NounKind::kObject) return 0;
   if (may_carry(catalog_, host, thing) && on_soft(host, thing)) return weight::kUsual + weight::kSoftHost;
+  if (may_carry(catalog_, host, thing) && small_host(host)) return weight::kUsual + weight::kSmallHost;
   if (may_carry(catalog_, host, thing)) return host.entry != nullptr && host.entry->thin ? -0.5 : weight::kUsual;
   if (is_table(catalog_, host) && is_seat(catalog_, thing)) return weight::kUsual;
-  if (holds) return mount_of(thing) == Mount::kFloor ? weight::kUnlikely : -1;
+  if (holds) return is_heavy(catalog_, thing) ? weight::kUnlikely : -1;
   if (mount_of(host) == Mount::kSurface && mount_of(thing) == Mount::kFloor) return weight::kUnlikely;
   return 0;
 }

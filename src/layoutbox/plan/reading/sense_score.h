@@ -17,6 +17,7 @@ class SenseScore {
   bool carries(const NounPhrase& host, const NounPhrase& thing) const;
 
  private:
+  bool small_host(const NounPhrase& host) const;
   bool on_soft(const NounPhrase& host, const NounPhrase& thing) const;
   const Catalog& catalog_;
 };

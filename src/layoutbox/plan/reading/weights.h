@@ -7,7 +7,11 @@ namespace layoutbox::offline::weight {
 inline constexpr double kLevel = -0.7;            // for each thing that stands nearer
 inline constexpr double kLevelAfterComma = -0.8;  // … after a comma for each step away from the clause's own thing
 inline constexpr double kNoThing = 1.2;
-inline constexpr double kSameSubject = 0.9;    // "on X and next to Y": of the same thing
+inline constexpr double kLevelAlone = -0.2;  // … more where the reference is not said
+inline constexpr double kSameSubject = 0.9;  // "on X and next to Y": of the same thing
+inline constexpr double kDefiniteSubject = -0.6;
+inline constexpr double kFiniteRoot = -1.2;    // "shelves full of books hang on the wall"
+inline constexpr double kFromRoot = -1.5;      // "faces the bed from the wall"
 inline constexpr double kKnownHost = -1.2;     // … or said to have something
 inline constexpr double kPlaceAsHost = -2.0;   // "against the wall displaying plants"
 inline constexpr double kKnownSubject = -2.0;  // what was there before is seldom placed by the way
@@ -20,6 +24,9 @@ inline constexpr double kInStorage = 0.8;  // things are in what has an inside
 inline constexpr double kOwnPart = 2;      // the tabletop is the table's
 inline constexpr double kNotItsPart = -2;
 inline constexpr double kSmallTogether = 0.5;  // a mouse by a keyboard
+inline constexpr double kHangsThere = 0.5;     // on the wall
+inline constexpr double kHeavyHung = -0.5;     // what is heavy is not hung
+inline constexpr double kSmallHost = -0.5;     // a small thing seldom carries
 inline constexpr double kSeatByTable = 0.5;
 inline constexpr double kNoFront = -0.8;      // what has no front faces nothing
 inline constexpr double kStandsBy = 1.2;      // a nightstand by a bed
@@ -53,6 +60,7 @@ inline constexpr double kTree = 0.4;      // whom a place belongs to
 inline constexpr double kTreeList = 1.0;  // with whom a noun is listed
 
 // References.
+inline constexpr double kOwnHost = 1.0;   // "a bookcase with two books on the left"
 inline constexpr double kOrder = -0.45;  // for each candidate that comes before it
 inline constexpr double kNumber = -2.5;  // "it" of several, "them" of one
 
