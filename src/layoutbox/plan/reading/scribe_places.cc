@@ -191,6 +191,10 @@ bool Scribe::is_placed_before(int mention, int link) const {
 void Scribe::imply_opposite(int u, const NounPhrase& place, int link) {
   const bool said = place.wall_relation == "opposite" || contains_word(place.attributes, "opposite");
   if ((place.kind != NounKind::kWall && place.kind != NounKind::kCorner) || !said || place.is_plural() || place.of) return;
+  const PhraseSenses& senses = link_at(link).senses;
+  if (!says(senses, RelationType::kAgainstWall) && !says(senses, RelationType::kOnWall) && !says(senses, RelationType::kIn) &&
+      !says(senses, RelationType::kCenterOfRoom))
+    return;
   const std::vector<int> targets = link_at(link).targets;
   const auto stands = [&](int m) {
     return is_thing(m) && !contains(targets, m) && noun_of(m).kind == NounKind::kObject && mount_of(noun_of(m)) == Mount::kFloor &&

@@ -39,6 +39,8 @@ bool SenseScore::on_soft(const NounPhrase& host, const NounPhrase& thing) const 
 }
 
 bool SenseScore::small_host(const NounPhrase& host) const {
+  if (one_of(host.head, {"computer", "pc", "monitor", "tv", "television", "laptop", "lamp", "keyboard", "mouse", "clock", "screen", "fan"}))
+    return true;
   const bool carries =
       one_of(host.head, {"tray", "board",    "mat",  "pad",   "plate",    "platter", "stand", "coaster",    "book", "saucer", "shelf",
                          "rack", "placemat", "base", "riser", "pedestal", "runner",  "cloth", "tablecloth", "pile", "stack"});
