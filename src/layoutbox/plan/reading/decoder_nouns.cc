@@ -186,6 +186,8 @@ void Decoder::list_actions(std::size_t s, int u) {
   const bool subject = verb_like(u + 1) && unit(u + 1).joiner == Joiner::kNone && !unit(u + 1).clause;
   const bool placed = follows(u, UnitKind::kPlace) || (follows(u, UnitKind::kParticiple) && follows(u + 1, UnitKind::kPlace));
   const double beside = unit(u).joiner == Joiner::kNone && is(u - 1, UnitKind::kNoun) ? weight::kNoJoiner : 0;
+  // "books and newspapers lines the wall": not the newspapers.
+  const bool disagrees = subject && noun.is_plural() && (is_finite(word(u + 1)) || word(u + 1) == "is" || word(u + 1) == "was");
   const std::size_t n = state.frontier.size();
   for (std::size_t level = 0; level < n; ++level) {
     const int member = state.frontier[level];
@@ -193,7 +195,7 @@ void Decoder::list_actions(std::size_t s, int u) {
     double gain = beside + weight::kTreeList * tree_.for_noun(u, member);
     if (level == 0) {
       const bool of_clause = !state.verb || state.imperative;
-      gain += subject ? weight::kSubjectFollows : placed ? weight::kPlaceFollows : 0;
+      gain += disagrees ? weight::kDisagrees : subject ? weight::kSubjectFollows : placed ? weight::kPlaceFollows : 0;
       double share = 0;
       for (const int place : state.fronted) share += reference_score(state, place, u);
       if (of_clause && (state.fronted.empty() || !subject))

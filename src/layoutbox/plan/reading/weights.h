@@ -42,6 +42,7 @@ inline constexpr double kSameSide = 1.8;  // left of X … right: of X
 
 // Lists.
 inline constexpr double kSubjectFollows = 1.6;
+inline constexpr double kDisagrees = -2.0;  // a singular verb of several
 inline constexpr double kPlaceFollows = 0.9;
 inline constexpr double kNoJoiner = -2.5;
 inline constexpr double kShareVerb = 1.5;
