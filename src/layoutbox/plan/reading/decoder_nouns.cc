@@ -241,7 +241,7 @@ double Decoder::content_list_score(const State& state, int member, int u) const 
   if (noun.determiner == Determiner::kDefinite) score -= 1.5;
   const bool own_place =
       follows(u, UnitKind::kPlace) && !unit(u + 1).direct.empty() && follows(u + 1, UnitKind::kNoun) && !chunk(u + 2).noun.reciprocal;
-  if (owner == kNobody || host.kind != NounKind::kObject) return score + (host.kind == NounKind::kWall ? 0.5 : 0);
+  if (owner == kNobody || host.kind != NounKind::kObject) return score;
   const bool carried = sense_.carries(host, noun), before = sense_.carries(host, former);
   const bool at_it = is_table(lexicon_.catalog(), host) && is_seat(lexicon_.catalog(), noun);
   if (carried && (before || mount_of(noun) == Mount::kSurface)) {
@@ -251,7 +251,7 @@ double Decoder::content_list_score(const State& state, int member, int u) const 
   } else if (at_it) {
     score += (joiner == Joiner::kAnd || (joiner == Joiner::kCommaAnd && length > 1)) && !own_place ? 0.6 : -0.6;
   } else if (mount_of(noun) != mount_of(former)) {
-    score += weight::kNotCarried;
+    score += is(predicate, UnitKind::kHave) && word(predicate) != "with" ? 0 : weight::kNotCarried;  // "displaying plants and jars"
   } else if (!inverse && before) {
     score += weight::kNotCarried;
   } else if (joiner == Joiner::kComma) {

@@ -13,7 +13,7 @@ inline constexpr double kDefiniteSubject = -0.6;
 inline constexpr double kFiniteRoot = -1.2;    // "shelves full of books hang on the wall"
 inline constexpr double kFromRoot = -1.5;      // "faces the bed from the wall"
 inline constexpr double kKnownHost = -1.2;     // … or said to have something
-inline constexpr double kPlaceAsHost = -2.0;   // "against the wall displaying plants"
+inline constexpr double kPlaceAsHost = -3.0;   // "against the wall displaying plants"
 inline constexpr double kKnownSubject = -2.0;  // what was there before is seldom placed by the way
 
 // Sense.
