@@ -19,8 +19,9 @@ bool is_distributor(std::string_view word) { return word == "each" || word == "e
 }  // namespace
 
 std::span<const std::string> Lexicon::words_like(char first, std::size_t length) const {
-  const auto found = by_shape_.find(std::string(1, first) + std::to_string(length));
-  return found == by_shape_.end() ? std::span<const std::string>{} : std::span<const std::string>(found->second);
+  const auto& by_shape = vocabulary().by_shape;
+  const auto found = by_shape.find(std::string(1, first) + std::to_string(length));
+  return found == by_shape.end() ? std::span<const std::string>{} : std::span<const std::string>(found->second);
 }
 
 const Lexicon::Set* Lexicon::set_of(std::string_view words) const {

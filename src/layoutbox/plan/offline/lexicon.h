@@ -1,6 +1,7 @@
 // What words may mean: the catalogue's names, the relation phrases and the word lists of catalog/words_*.json, found by longest match.
 #pragma once
 
+#include <mutex>
 #include <optional>
 #include <span>
 #include <string>
@@ -128,7 +129,7 @@ class Lexicon {
   bool is_person(std::string_view word) const { return persons_.contains(std::string(word)) || is_young(word); }
   bool is_young(std::string_view word) const { return young_persons_.contains(std::string(word)); }
   // Whether the word stands in any list or phrase, by itself or as a part.
-  bool knows(std::string_view word) const { return vocabulary_.contains(std::string(word)); }
+  bool knows(std::string_view word) const { return vocabulary().words.contains(std::string(word)); }
   // The known words of that many letters that begin with that letter.
   std::span<const std::string> words_like(char first, std::size_t length) const;
   // "scissors", "tongs": one thing, though the word is a plural.
@@ -163,7 +164,12 @@ class Lexicon {
                      PhraseMatch& best) const;
   bool names_place(std::span<const Token> tokens, std::size_t at) const;
   void add_phrase(std::string_view words, PhraseSense sense);
-  void learn(std::string_view words);
+  // The single words of all lists, which only spelling asks for; made when it first does.
+  struct Vocabulary {
+    std::unordered_set<std::string> words;
+    std::unordered_map<std::string, std::vector<std::string>> by_shape;  // first letter and length
+  };
+  const Vocabulary& vocabulary() const;
   void read_words();
   void read_room_knowledge();
   void read_phrases();
@@ -178,9 +184,11 @@ class Lexicon {
   std::unordered_map<std::string, std::string> activities_;                 // words joined by spaces, room
   std::vector<std::pair<const CatalogEntry*, const CatalogEntry*>> seats_;  // table, seat or null; special kinds first
   std::unordered_map<std::string, const CatalogEntry*> room_senses_;        // "room word"
-  std::unordered_set<std::string> vocabulary_, persons_, young_persons_, plural_only_;
+  std::unordered_set<std::string> persons_, young_persons_, plural_only_;
   std::unordered_map<std::string, std::string> pairs_meant_;
-  std::unordered_map<std::string, std::vector<std::string>> by_shape_;  // first letter and length
+  std::string listed_;  // all that was listed, a line each
+  mutable std::once_flag vocabulary_made_;
+  mutable Vocabulary vocabulary_;
   std::unordered_map<std::string, std::string> typing_errors_;
 };
 

@@ -105,11 +105,27 @@ PhraseSense sense_of(RelationType type, PhraseSense::Direction direction, const 
   return sense;
 }
 
+// As words_of parts them, and at least one.
+std::size_t count_words(std::string_view words) {
+  std::size_t count = 0;
+  bool open = false;
+  for (const char c : words) {
+    if (c == '\'') continue;
+    const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || static_cast<unsigned char>(c) >= 0x80;
+    if (letter && !open) ++count;
+    open = letter;
+  }
+  return count;
+}
+
 std::string text_of(const Json& item) { return item.is_string() ? item.get<std::string>() : item.at("say").get<std::string>(); }
 
 }  // namespace
 
 Lexicon::Lexicon(const Catalog& catalog) : catalog_(&catalog) {
+  constexpr std::size_t kWords = 24000, kLetters = 400000;
+  words_.reserve(kWords);
+  listed_.reserve(kLetters);
   for (const CatalogEntry& entry : catalog.entries()) {
     const Meaning meaning{WordClass::kObject, &entry, nullptr, 0, entry.id};
     add(entry.id, meaning);
@@ -131,12 +147,12 @@ Lexicon::Lexicon(const Catalog& catalog) : catalog_(&catalog) {
 }
 
 void Lexicon::add(std::string_view words, Meaning meaning) {
-  const std::vector<std::string> parts = words_of(words);
-  const std::string key = parts.empty() ? std::string(words) : key_of(words);
+  std::string key = key_of(words);
+  if (key.empty()) key = words;
   if (key.empty()) return;
-  for (const std::string& part : parts) learn(part);
-  Entry& entry = words_[key];
-  entry.words = std::max(entry.words, parts.size());
+  listed_.append(words) += '\n';
+  Entry& entry = words_[std::move(key)];
+  entry.words = std::max(entry.words, count_words(words));
   auto& meanings = entry.meanings;
   const auto same = [&](const Meaning& other) {
     return other.word_class == meaning.word_class && other.entry == meaning.entry && other.room == meaning.room;
@@ -146,16 +162,22 @@ void Lexicon::add(std::string_view words, Meaning meaning) {
 
 void Lexicon::add_phrase(std::string_view words, PhraseSense sense) {
   std::string key(words);
-  for (const std::string& word : words_of(words)) learn(word);
+  listed_.append(words) += '\n';
   phrases_[key].push_back(std::move(sense));
   for (std::size_t space = key.find(' '); space != std::string::npos; space = key.find(' ', space + 1))
     phrase_starts_[key.substr(0, space)] = true;
   phrase_starts_[key] = true;
 }
 
-void Lexicon::learn(std::string_view word) {
-  if (!vocabulary_.emplace(word).second || word.size() < 2) return;
-  by_shape_[std::string(1, word.front()) + std::to_string(word.size())].emplace_back(word);
+const Lexicon::Vocabulary& Lexicon::vocabulary() const {
+  std::call_once(vocabulary_made_, [&] {
+    for (std::string& word : words_of(listed_)) {
+      const auto [known, fresh] = vocabulary_.words.insert(std::move(word));
+      if (fresh && known->size() >= 2)
+        vocabulary_.by_shape[std::string(1, known->front()) + std::to_string(known->size())].push_back(*known);
+    }
+  });
+  return vocabulary_;
 }
 
 void Lexicon::read_words() {
