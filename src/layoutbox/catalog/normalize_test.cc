@@ -363,8 +363,9 @@ TEST(NormalizeSupport, WhatIsTooTallForATableStandsOnTheFloor) {
 }
 
 TEST(NormalizeObjects, AMountIsAssumedWhereNoRelationSaysIt) {
-  const SceneGraph scene = normalized(scene_of({object("a", "chandelier"), object("b", "chandelier"), object("c", "mirror")},
-                                               {relation(RelationType::kOn, {"a"}, {"floor"}), relation(RelationType::kOnWall, {"c"})}));
+  const SceneGraph scene =
+      normalized(scene_of({object("a", "chandelier"), object("b", "chandelier"), object("c", "mirror")},
+                          {relation(RelationType::kOn, {"a"}, {"floor"}), relation(RelationType::kOnWall, {"c"}, {"back"})}));
   EXPECT_EQ(scene.objects[0].mount, Mount::kFloor);
   EXPECT_FALSE(scene.objects[0].mount_assumed);
   EXPECT_EQ(scene.objects[1].mount, Mount::kCeiling);

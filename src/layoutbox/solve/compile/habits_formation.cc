@@ -24,7 +24,9 @@ std::optional<Habits::Group> Habits::formation_with(int item) const {
     return group;
   }
   const Item& self = model_.items[item];
-  if (self.mount != Mount::kFloor || self.entry->back_to_wall || area_of(self) > kManySize) return std::nullopt;
+  // What usually stands at a wall and is told where to look, as a class's desks are, stands in rows.
+  const bool at_wall = self.entry->back_to_wall && !told_where_to_look(item);
+  if (self.mount != Mount::kFloor || at_wall || area_of(self) > kManySize) return std::nullopt;
   if (!self.entry->beside.empty() && !has_knee_room(self)) return std::nullopt;
   Group group;
   for (std::size_t i = 0; i < model_.items.size(); ++i) {
@@ -36,6 +38,14 @@ std::optional<Habits::Group> Habits::formation_with(int item) const {
   if (group.members.size() < least || std::find(group.members.begin(), group.members.end(), item) == group.members.end())
     return std::nullopt;
   return group;
+}
+
+// Does a relation say which way it looks?
+bool Habits::told_where_to_look(int item) const {
+  return std::any_of(model_.scene->relations.begin(), model_.scene->relations.end(), [&](const Relation& r) {
+    return (r.type == RelationType::kFacing || r.type == RelationType::kSameOrientation) &&
+           std::find(r.targets.begin(), r.targets.end(), model_.items[item].id) != r.targets.end();
+  });
 }
 
 // Does a relation say where it stands, not only which way it looks?
