@@ -92,7 +92,7 @@ TEST_F(AfterTheStop, NothingMuchIsDone) {
   EXPECT_LT(work_of(chairs, false), kMoment);
   SceneMaker maker(6000, 5000);
   maker.add("armchair").add("sofa");
-  for (Mm i = 0; i < 600; ++i) {
+  for (Mm i = 0; i < 80; ++i) {
     RelationParameters band;
     band.min = 300 + i, band.max = 2500 + i;
     maker.relate("near", {"armchair_1"}, {"sofa_1"}, band);

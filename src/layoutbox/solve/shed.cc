@@ -88,7 +88,7 @@ std::vector<int> Solver::surplus_items() const {
 Result<bool> Solver::shed() {
   if (options_.on_conflict != OnConflict::kRelax) return false;
   const std::vector<int> items = surplus_items();
-  if (items.empty()) return false;
+  if (items.size() < 2) return false;  // one is found, and said, by itself
   Clash clash;
   clash.minimal = false;
   clash.sentence = need_in_words(model_, floor_of(model_));
@@ -117,7 +117,10 @@ void Solver::sum_up_shedding() {
     if (const int item = whole->find_item(id); item >= 0) gone.push_back(item);
   }
   std::sort(gone.begin(), gone.end());
-  const bool all_else = relaxed_.empty();
+  const bool all_else = std::all_of(relaxed_.begin(), relaxed_.end(), [&](const auto& relaxed) {
+    return std::none_of(model_.constraints.begin(), model_.constraints.end(),
+                        [&](const Constraint& c) { return c.name == relaxed.first && !is_assumption(model_, c); });
+  });
   const std::string sentence = fmt::format("{}; without {} {}", need_in_words(*whole, floor_of(*whole)), things_in_words(*whole, gone),
                                            all_else ? "all else fits" : "the rest has a place");
   for (Relaxation& reason : reasons_) {

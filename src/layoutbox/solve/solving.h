@@ -80,6 +80,7 @@ class Solver {
   Result<bool> give_up_unproven(bool loose, const Placements& loosely);
   Result<bool> settle();
   Status take_what_fits();
+  void drop_what_hangs_in_the_air();
   std::vector<char> all_wished(Model& trial) const;
   void keep_what_can_be(std::vector<int>& missed);
   Clash guess() const;
