@@ -22,6 +22,7 @@ constexpr int kGuesses = 2;  // relations given up one by one without a proof, b
 
 // Nothing found and nothing proven: what, once it is given up, lets a layout be found? First what nobody asked for.
 Result<bool> Solver::give_up_unproven(bool loose, const Placements& loosely) {
+  if (search_from_elsewhere()) return true;
   if (!assumptions_left().empty()) {
     if (loose) placements_ = loosely;
     LAYOUTBOX_CHECK(yield_assumptions(loose));
@@ -31,7 +32,6 @@ Result<bool> Solver::give_up_unproven(bool loose, const Placements& loosely) {
     LAYOUTBOX_CHECK(leave_out_least(extras));
     return false;
   }
-  if (search_from_elsewhere()) return true;
   if (++unproven_ > kGuesses && demands_left(Firmness::kHard)) {
     LAYOUTBOX_ASSIGN(const bool settled, settle());
     if (settled) return true;
@@ -45,7 +45,7 @@ Result<bool> Solver::give_up_unproven(bool loose, const Placements& loosely) {
   return false;
 }
 
-// Before anything that was asked for is given up on a guess: some more starts, once.
+// Before anything is given up on a guess: some more starts, once.
 bool Solver::search_from_elsewhere() {
   if (searched_elsewhere_ || !model_.start.empty()) return false;
   searched_elsewhere_ = true;
