@@ -106,7 +106,7 @@ PhraseSense sense_of(RelationType type, PhraseSense::Direction direction, const 
 }
 
 // As words_of parts them, and at least one.
-std::size_t count_words(std::string_view words) {
+std::size_t number_of_words(std::string_view words) {
   std::size_t count = 0;
   bool open = false;
   for (const char c : words) {
@@ -152,7 +152,7 @@ void Lexicon::add(std::string_view words, Meaning meaning) {
   if (key.empty()) return;
   listed_.append(words) += '\n';
   Entry& entry = words_[std::move(key)];
-  entry.words = std::max(entry.words, count_words(words));
+  entry.words = std::max(entry.words, number_of_words(words));
   auto& meanings = entry.meanings;
   const auto same = [&](const Meaning& other) {
     return other.word_class == meaning.word_class && other.entry == meaning.entry && other.room == meaning.room;
