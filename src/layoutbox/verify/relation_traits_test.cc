@@ -9,7 +9,7 @@
 namespace layoutbox::judge {
 namespace {
 
-constexpr int kRooms = 400;
+constexpr int kRooms = 40;
 
 // A sofa and a cabinet somewhere in a room, near each other more often than not; the second turned like the first if `alike`.
 TestRoom some_room(std::mt19937& random, bool alike) {
