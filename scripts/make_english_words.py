@@ -2,8 +2,9 @@
 """Writes catalog/words_english.txt from WordNet 3.0's files (Debian: wordnet-base, /usr/share/wordnet).
 
 A line a word, sorted by bytes: the word without spaces, a letter for what it mostly is (t thing, c creature or other body in nature,
-p person, n other noun, v verb, a adjective, r adverb), for verbs and adjectives that are nouns as well a second letter for the noun, and for
-things and creatures the words for the more general kinds, the nearest first. Words of the catalogue's own lists need not be here.
+p person, n other noun, v verb, a adjective, r adverb), for verbs and adjectives that are nouns as well a second letter for the noun,
+and for things and creatures the words for the more general kinds, the nearest first. Words of the catalogue's own lists need not be
+here.
 """
 import argparse
 import collections

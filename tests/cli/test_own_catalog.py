@@ -24,7 +24,7 @@ class OwnCatalog(CliTestCase):
         self.assertIn([1.31, 0.64, 0.74], self.sizes().values())
 
     def test_ours_fills_in(self):
-        self.generate("A bedroom with a bed and a wardrobe.", "--catalog", self.write_text("own.csv", CSV))
+        self.generate("A bedroom with a bed and a wardrobe.", "--companions", "off", "--catalog", self.write_text("own.csv", CSV))
         self.assertEqual(len(self.sizes()), 2)
 
     def test_only_the_users(self):
@@ -112,4 +112,4 @@ class OwnRoom(CliTestCase):
         run = self.run_layoutbox("generate", prompt, "--room", "1.5x1.5x2.5", "--no-render", "-o", self.path("out"))
         self.assert_status(run, NOT_AS_ASKED)
         self.assertIn("bed", run.err)
-        self.assertIn("1.50", run.err)
+        self.assertIn("the room has 2.2 m²", run.err)

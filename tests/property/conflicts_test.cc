@@ -63,8 +63,9 @@ Answer ask(const SceneGraph& scene, const Conflict& conflict, const std::string&
   options.on_conflict = OnConflict::kFail;
   const Result<Layout> layout = solve(scene, Catalog::builtin(), options);
   if (!layout) return layout.error().code == ErrorCode::kInfeasible ? Answer::kImpossible : Answer::kUnknown;
-  const bool all = std::all_of(layout->relaxed.begin(), layout->relaxed.end(),
-                               [&](const Relaxation& r) { return r.relation == without || !has(conflict.relations, r.relation); });
+  const auto apart = [&](const Relaxation& r) { return r.relation == without || !has(conflict.relations, r.relation); };
+  const bool all = std::all_of(layout->relaxed.begin(), layout->relaxed.end(), apart) &&
+                   std::all_of(layout->gave_way.begin(), layout->gave_way.end(), apart);
   return all ? Answer::kPossible : Answer::kUnknown;
 }
 

@@ -52,7 +52,8 @@ class PictureCase(CliTestCase):
     def make_script(self, layout, quality="preview"):
         path = self.write_json("layout.json", layout)
         size = f"{SIZE[0]}x{SIZE[1]}"
-        self.assert_done(self.run_layoutbox("render", path, "-o", self.folder, "--no-render", "--size", size, "--quality", quality, "--corner", "SE"))
+        options = ("--no-render", "--size", size, "--quality", quality, "--corner", "SE")
+        self.assert_done(self.run_layoutbox("render", path, "-o", self.folder, *options))
         return self.path("blender.py")
 
     def run_script(self, script, folder, *words, program=None):

@@ -131,7 +131,7 @@ void expect_relations(const SceneGraph& scene, const std::string& wanted) {
     const std::string reference = arrow == std::string::npos ? "" : trimmed(item.substr(arrow + 3));
     int found = 0;
     for (const Relation& relation : scene.relations) {
-      if (relation_row(relation.type).name != type || relation.asked() == concluded) continue;
+      if (relation_row(relation.type).name != type || (concluded ? relation.asked() : relation.origin == Origin::kAssumed)) continue;
       if (!names(scene, relation.targets, target)) continue;
       if (!reference.empty() && !names(scene, relation.references, reference)) continue;
       ++found;
