@@ -308,7 +308,7 @@ def measure(binary, rows):
 
 def read(path):
     with Path(path).open(newline="", encoding="utf-8-sig") as file:
-        return list(csv.DictReader(file))
+        return [row for row in csv.DictReader(file) if entries(row["ObjCount"])]  # of nothing there is no answer
 
 
 def main():
