@@ -58,9 +58,9 @@ class Edits(EditCase):
         self.assertEqual(len(kept), 1)
 
     def test_add_leaves_everything_where_it_is(self):
-        after, answer = self.edited("add a potted plant in a corner and a vase on the desk")
+        after, answer = self.edited("add a potted plant in a corner and a bowl on the desk")
         self.assertEqual(len(after), len(self.before["objects"]) + 2)
-        self.assertEqual([item["supportedBy"] for item in after.values() if item["category"] == "vase"], ["desk_1"])
+        self.assertEqual([item["supportedBy"] for item in after.values() if item["category"] == "bowl"], ["desk_1"])
         self.assertEqual(sum(1 for what in self.changed(answer).values() if what != ["added"]), 0, answer)
 
     def test_what_stands_on_it_goes_too(self):
