@@ -86,8 +86,13 @@ TEST(Retry, ends) {
 }
 
 TEST(Key, shows_nowhere) {
-  const Endpoint endpoint{"https://x/v1", "m", "sk-1"};
-  EXPECT_EQ(without_key("a sk-1 b sk-1", endpoint), "a [key] b [key]");
+  const Endpoint endpoint{"https://x/v1", "m", "sk-12345"};
+  EXPECT_EQ(without_key("a sk-12345 b sk-12345", endpoint), "a [key] b [key]");
+  EXPECT_EQ(without_key("[key] [key]", {"https://x/v1", "m", "[key] [k"}), "[key]ey]") << "what stands instead is not read again";
+}
+
+TEST(Key, that_is_no_secret_is_left_alone) {
+  EXPECT_EQ(without_key("a key in [key]", {"http://127.0.0.1/v1", "m", "k"}), "a key in [key]");
 }
 
 TEST(OneLine, cuts_between_characters) {

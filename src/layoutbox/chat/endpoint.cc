@@ -79,9 +79,10 @@ Status check_key(const Endpoint& endpoint) {
 }
 
 std::string without_key(std::string text, const Endpoint& endpoint) {
-  if (endpoint.key.empty()) return text;
-  for (std::size_t at = text.find(endpoint.key); at != std::string::npos; at = text.find(endpoint.key, at)) {
-    text.replace(at, endpoint.key.size(), "[key]");
+  constexpr std::string_view kInstead = "[key]";
+  if (endpoint.key.size() < kShortestSecret) return text;
+  for (std::size_t at = text.find(endpoint.key); at != std::string::npos; at = text.find(endpoint.key, at + kInstead.size())) {
+    text.replace(at, endpoint.key.size(), kInstead);
   }
   return text;
 }

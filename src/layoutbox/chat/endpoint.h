@@ -29,7 +29,10 @@ bool is_local(const Endpoint& endpoint);
 // kNetwork where the server will want a key and there is none.
 Status check_key(const Endpoint& endpoint);
 
-// The text without the key, wherever it stands in it.
+// Servers at home take any word for a key ("x", "none"): what is shorter than this is no secret.
+inline constexpr std::size_t kShortestSecret = 8;
+
+// The text without the key, wherever it stands in it; as it is where the key is no secret.
 std::string without_key(std::string text, const Endpoint& endpoint);
 
 // Text of a server for people: one line without control characters, at most `most` bytes, cut between characters.

@@ -234,6 +234,7 @@ void CairoCanvas::text(PaperPoint at, double size, std::string_view words, TextA
   cairo.set_font_size(context, size);
   CairoTextExtents extents{};
   cairo.text_extents(context, text.c_str(), &extents);
+  if (extents.x_advance > 0) cairo.scale(context, text_width(text, size) / extents.x_advance, 1);
   const double x = anchor == TextAnchor::kStart ? 0 : anchor == TextAnchor::kMiddle ? -extents.x_advance / 2 : -extents.x_advance;
   const Rgb ink = rgb_of(color);
   cairo.new_path(context);

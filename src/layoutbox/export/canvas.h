@@ -31,6 +31,7 @@ class Canvas {
   virtual void polyline(const std::vector<PaperPoint>& points, const DrawStyle& style) = 0;
   virtual void circle(PaperPoint center, double radius, const DrawStyle& style) = 0;
   // A text on one line, turned by `degrees` (clockwise on the page) about its place, with a light edge that keeps it readable on lines.
+  // Whatever font there is, it is as wide as text_width says.
   virtual void text(PaperPoint at, double size, std::string_view words, TextAnchor anchor, double degrees, std::string_view color) = 0;
   // What is drawn in between belongs to that object; only some canvases keep it.
   virtual void open_group(std::string_view id, std::string_view title) = 0;
@@ -45,7 +46,7 @@ class Canvas {
 // The text with what is no printable UTF-8 as blanks.
 std::string printable(std::string_view text);
 
-// About how wide a text of that size is, in millimetres.
+// How wide a text of that size is drawn, in millimetres.
 double text_width(std::string_view words, double size);
 
 }  // namespace layoutbox

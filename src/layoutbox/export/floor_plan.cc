@@ -169,16 +169,16 @@ class FloorPlan {
     return doubled / 2e6;
   }
 
-  // The words the room was made from, in at most two lines.
+  // The words the room was made from, in at most three lines.
   void draw_prompt(double y) {
     std::string rest = layout_.prompt;
-    for (int line = 0; line < 2 && !rest.empty(); ++line, y += 3.2) {
+    for (int line = 0; line < 3 && !rest.empty(); ++line, y += 3.2) {
       std::size_t end = rest.size();
       while (text_width(rest.substr(0, end), 2.2) > kPageWidth - 2 * kMargin) {
         const std::size_t space = rest.rfind(' ', end - 1);
         end = space == std::string::npos || space == 0 ? end / 2 : space;
       }
-      const bool cut = line == 1 && end < rest.size();
+      const bool cut = line == 2 && end < rest.size();
       page_.text({kMargin, y}, 2.2, rest.substr(0, end) + (cut ? " …" : ""), TextAnchor::kStart, 0, "#777");
       rest.erase(0, std::min(rest.size(), end + 1));
     }

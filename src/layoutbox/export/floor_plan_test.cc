@@ -130,6 +130,20 @@ TEST(FloorPlan, StaysOnThePage) {
   }
 }
 
+// Whatever font draws it: the width of each text is said, and no text reaches over the page's edge.
+TEST(FloorPlan, LongPromptsWrap) {
+  Layout layout = room_of(4000, 3000);
+  for (int i = 0; i < 90; ++i) layout.prompt += i % 2 == 0 ? "a wide mahogany wardrobe, " : "il filo ";
+  const std::string svg = write_floor_plan_svg(layout);
+  const std::regex text(R"re(<text x="([0-9.]+)"[^>]*text-anchor="start" textLength="([0-9.]+)"[^>]*>([^<]*)<)re");
+  int of_prompt = 0;
+  for (std::sregex_iterator it(svg.begin(), svg.end(), text), end; it != end; ++it) {
+    EXPECT_LE(std::stod((*it)[1]) + std::stod((*it)[2]), 297 - 5) << (*it)[3];
+    of_prompt += (*it)[3].str().find("mahogany") != std::string::npos ? 1 : 0;
+  }
+  EXPECT_EQ(of_prompt, 3);
+}
+
 // A leaf hung at the left as seen from within is at the wall's end, and "in" opens into the room.
 TEST(FloorPlan, DrawsTheLeafWhereItSwings) {
   const auto leaf = [](Swing swing) {

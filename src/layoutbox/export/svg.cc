@@ -69,9 +69,9 @@ void SvgWriter::text(PaperPoint at, double size, std::string_view words, TextAnc
   const std::string_view name = anchor == TextAnchor::kStart ? "start" : anchor == TextAnchor::kMiddle ? "middle" : "end";
   const std::string turn = degrees == 0 ? "" : fmt::format(" transform=\"rotate({} {} {})\"", number(degrees), number(at.x), number(at.y));
   body_ += fmt::format(
-      "<text x=\"{}\" y=\"{}\" font-size=\"{}\" text-anchor=\"{}\" fill=\"{}\"{} "
+      "<text x=\"{}\" y=\"{}\" font-size=\"{}\" text-anchor=\"{}\" textLength=\"{}\" lengthAdjust=\"spacingAndGlyphs\" fill=\"{}\"{} "
       "paint-order=\"stroke\" stroke=\"#fff\" stroke-opacity=\"0.7\" stroke-width=\"0.6\">{}</text>\n",
-      number(at.x), number(at.y), number(size), name, color, turn, escape_xml(words));
+      number(at.x), number(at.y), number(size), name, number(text_width(words, size)), color, turn, escape_xml(words));
 }
 
 void SvgWriter::open_group(std::string_view id, std::string_view title) {
