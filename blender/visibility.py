@@ -97,13 +97,24 @@ def things_seen(out, meshes):
     return [(row, in_room(row, meshes)) for row in SHELL + OBJECTS if row["parts"] and row["id"] not in out]
 
 
+def with_what_they_carry(ids):
+    """The ids with those of everything that stands on them: nothing is left in the air."""
+    ids = set(ids)
+    while True:
+        carried = {row["id"] for row in OBJECTS if row["stands_on"] in ids} - ids
+        if not carried:
+            return ids
+        ids |= carried
+
+
 def hangers_in_the_way(stay, out, meshes, width=240, height=135):
-    """Ids of things on walls that are cut away and that hide much of an object or of the floor. The others stay where they hang."""
+    """Ids of things on walls that are cut away and that hide much of an object or of the floor, with what they carry. The others stay
+    where they hang."""
     hangers = [row for row in OBJECTS if row["hangs_on"] and row["hangs_on"] not in stay]
     if not hangers:
         return set()
     view = View(stay, width, height)
-    ids = {row["id"] for row in hangers}
+    ids = with_what_they_carry(row["id"] for row in hangers)
     things = [thing for thing in things_seen(out, meshes) if thing[0]["id"] not in ids]
     seen, _ = cast_all(view, things)
     pixels = {number: seen.count(number) for number in set(seen)}
@@ -114,7 +125,7 @@ def hangers_in_the_way(stay, out, meshes, width=240, height=135):
             most = 0.1 if things[number][0]["kind"] == "floor" else 0.35
             if things[number][0]["kind"] in ("floor", "object") and hidden.count(number) > most * pixels[number]:
                 away.add(row["id"])
-    return away
+    return with_what_they_carry(away)
 
 
 def measure_visibility(stay, out, meshes, width=480, height=270):

@@ -66,6 +66,21 @@ BEDROOM = room(
     [DOOR, WINDOW],
 )
 
+# Shelves at a wall that is cut away: a deep one hides the room, a small one only what lies on it.
+SHELVES = room(
+    box(4, 3.2),
+    2.6,
+    [
+        thing("desk", [1.6, 0.7, 0.75], [2.2, 1.0, 0], 180),
+        thing("wall_shelf", [2.6, 0.9, 0.04], [2.4, 0.45, 1.6], 180, on="wall1"),
+        thing("vase", [0.2, 0.2, 0.3], [2.4, 0.45, 1.64], on="wall_shelf_1"),
+        thing("wall_shelf", [0.4, 0.15, 0.04], [0.4, 0.075, 1.2], 180, on="wall1"),
+        thing("book", [0.36, 0.14, 0.05], [0.4, 0.075, 1.24], 180, on="wall_shelf_2"),
+        thing("bookshelf", [0.8, 0.3, 1.8], [2, 3.05, 0]),
+    ],
+    [DOOR],
+)
+
 SMALLEST = room(box(1.5, 1.5), 2.4, [thing("chair", [0.45, 0.5, 0.9], [0.75, 0.75, 0])], [{**DOOR, "w": 0.7}])
 
 LARGEST = room(

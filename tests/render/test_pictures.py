@@ -135,6 +135,10 @@ class Pictures(PictureCase):
             if thing["kind"] == "object":
                 self.assertIn(tuple(thing["color"]), colors, thing["id"])
 
+    def test_what_hangs_at_a_cut_wall_goes_with_what_it_carries(self):
+        _, _, index = self.picture_of(rooms.SHELVES)
+        self.assertEqual(set(index["visibility"]["leftOut"]), {"wall_shelf_1", "vase_1"}, "only the deep shelf hides the room")
+
     def test_smallest_room(self):
         self.check(rooms.SMALLEST)
 
