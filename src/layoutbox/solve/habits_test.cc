@@ -70,6 +70,28 @@ TEST(Habits, ScreensOnADeskStandSideBySide) {
   EXPECT_NEAR(one.x, -two.x, 20);
 }
 
+TEST(Habits, WhatStandsOnATableAloneStandsInItsMiddle) {
+  const Layout layout =
+      solved(SceneMaker(4000, 3600).add("dining_table").add("vase").relate("on", {"vase_1"}, {"dining_table_1"}).make(true));
+  const Point vase = seen_from(object(layout, "dining_table_1"), object(layout, "vase_1"));
+  EXPECT_NEAR(vase.x, 0, 10);
+  EXPECT_NEAR(vase.y, 0, 10);
+}
+
+TEST(Habits, WhatStandsOnATableIsSpreadOverItAndNeighboursDoNotTouch) {
+  SceneMaker maker(4000, 3600);
+  maker.add("dining_table").sized(1600, 900, 750).add("vase").add("bowl").add("candle");
+  for (const char* id : {"vase_1", "bowl_1", "candle_1"}) maker.relate("on", {id}, {"dining_table_1"});
+  const Layout layout = solved(maker.relate("nextTo", {"candle_1"}, {"bowl_1"}).make(true));
+  const PlacedObject& table = object(layout, "dining_table_1");
+  const Point vase = seen_from(table, object(layout, "vase_1")), bowl = seen_from(table, object(layout, "bowl_1"));
+  EXPECT_NEAR(vase.x, -400, 60) << "the words' order";
+  EXPECT_NEAR(bowl.x, 400, 60);
+  EXPECT_NEAR(vase.y, bowl.y, 60);
+  const Point candle = seen_from(object(layout, "bowl_1"), object(layout, "candle_1"));
+  EXPECT_GT(std::abs(candle.x) - (object(layout, "bowl_1").size.width + object(layout, "candle_1").size.width) / 2, 20);
+}
+
 TEST(Habits, TheKeyboardLiesBeforeTheScreenAndTheMouseToItsRight) {
   const Layout layout = solved(SceneMaker(4000, 3600)
                                    .add("desk")

@@ -16,7 +16,7 @@ void Habits::add(int index) {
   switch (item.mount) {
     case Mount::kCeiling: hang_from_ceiling(index); return;
     case Mount::kWall: hang_on_wall(index); return;
-    case Mount::kSurface: sit_on_host(index); return;
+    case Mount::kSurface: sit_on_host(index), stand_at_side(index); return;
     case Mount::kHung: return;
     case Mount::kFloor: break;
   }

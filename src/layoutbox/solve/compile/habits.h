@@ -40,10 +40,16 @@ class Habits {
   static std::vector<Side> used_sides(const Item& item) { return item.object->used_sides.value_or(item.entry->used_sides); }
 
   // Habits of what stands on something else.
+  // Twice how far off the middle of its host something lies, towards the host's right and back; no `back2`: at the back.
+  struct Spot {
+    std::int64_t right2 = 0;
+    std::optional<std::int64_t> back2;
+  };
   void sit_on_host(int item);
-  int riders_of(int host) const;
+  std::optional<Spot> spot_on(int item, int host) const;
+  Spot spot_of_screen(int item, int host) const;
+  bool lies_free(int item, int host) const;
   bool rests_on(int item, int host) const;
-  std::int64_t place_among_screens(int item, int host) const;
   int rider_that_is(Trait trait, int host) const;
   bool lie_at_hand(int item, int host);
 

@@ -128,7 +128,7 @@ bool Habits::stand_abreast_of(int item, int host, RelationType how) {
 }
 
 // What is told to stand next to something that is used from its front stands at its side: a plant beside the television, a cabinet beside
-// the bed.
+// the bed. On a table too, and not so close that they touch.
 void Habits::stand_at_side(int item) {
   const Item& self = model_.items[item];
   if (self.is(Trait::kTableSeat) || self.is(Trait::kEasySeat)) return;
@@ -138,9 +138,11 @@ void Habits::stand_at_side(int item) {
     if (host < 0 || !related_as_target(item, host, r.type) || !only_related_by(item, host, {RelationType::kNextTo, RelationType::kNear}))
       continue;
     const Item& ref = model_.items[host];
-    if (ref.is_opening() || ref.mount != Mount::kFloor || !ref.has_front || area_of(ref) < area_of(self)) continue;
+    const bool small = self.mount == Mount::kSurface && ref.mount == Mount::kSurface;
+    if (!small && (ref.is_opening() || ref.mount != Mount::kFloor || !ref.has_front || area_of(ref) < area_of(self))) continue;
     Formula f;
-    for (const Side side : {Side::kLeft, Side::kRight}) add_beside(f, model_, item, host, side, {.most = 500, .wished_gap = 60});
+    const Mm gap = small ? 40 : 60;
+    for (const Side side : {Side::kLeft, Side::kRight}) add_beside(f, model_, item, host, side, {.most = 500, .wished_gap = gap});
     for (Case& c : f.cases) {
       if (!c.wishes.empty()) c.wishes[0].weight = kBeside;
     }
