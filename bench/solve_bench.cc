@@ -18,6 +18,7 @@
 
 #include "layoutbox/solve/solver.h"
 #include "other_models.h"
+#include "quality.h"
 #include "rooms.h"
 
 namespace layoutbox::bench {
@@ -31,6 +32,7 @@ struct Options {
   std::vector<std::string> against;
   int rooms = 20, first_room = 1;
   double limit = 20, best_known = 20;
+  QualityOptions quality;
 };
 
 struct Times {
@@ -274,19 +276,26 @@ void memory(const Options& options, Report&) {
 int main_with(int argc, char** argv) {
   Options options;
   CLI::App app("Figures of the solver");
-  app.add_option("part", options.part, "boxes, furnished, impossible, improvement, stop, memory")->required();
+  app.add_option("part", options.part, "boxes, furnished, whole, drag, impossible, improvement, quality, stop, memory")->required();
   app.add_option("--sizes", options.sizes, "How many objects")->delimiter(',');
   app.add_option("--rooms", options.rooms, "How many rooms of each size");
   app.add_option("--first-room", options.first_room, "Seed of the first room");
   app.add_option("--against", options.against, "paper, paper-boxes, highs")->delimiter(',');
   app.add_option("--limit", options.limit, "Seconds a room at most");
   app.add_option("--best-known", options.best_known, "Seconds of the long run");
+  app.add_option("--scenes", options.quality.scenes, "quality: folders with scene.json files in them");
+  app.add_option("--every", options.quality.every, "quality: one scene in so many");
+  app.add_option("--times", options.quality.times, "quality: so many times the effort to compare with");
+  app.add_option("--best", options.quality.best, "quality: file of the best scores known, read and written");
   app.add_option("--json", options.json, "Append the rows to this file");
   CLI11_PARSE(app, argc, argv);
   Report report(options.json);
   const std::map<std::string, void (*)(const Options&, Report&)> parts{
       {"boxes", boxes}, {"furnished", furnished}, {"impossible", impossible}, {"improvement", improvement},
-      {"stop", stop},   {"memory", memory}};
+      {"stop", stop},   {"memory", memory},
+      {"whole", [](const Options& o, Report&) { whole_solves(o.sizes, o.rooms, o.first_room); }},
+      {"drag", [](const Options& o, Report&) { dragging(o.sizes, o.rooms, o.first_room); }}};
+  if (options.part == "quality") return quality(options.quality);
   const auto part = parts.find(options.part);
   if (part == parts.end()) return 2;
   if (!describe_cp_sat_library()) fmt::print("without CP-SAT: {}\n", describe_cp_sat_library().error().message);  // and it is loaded now
