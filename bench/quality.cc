@@ -132,8 +132,9 @@ void whole_solves(const std::vector<int>& sizes, int rooms, int first_room) {
         if (layout) score += layout->score, given_up += !layout->relaxed.empty();
       }));
     }
-    fmt::print("{} objects, {} rooms, whole default solve: median {:.1f}, 95 % {:.1f}, most {:.1f} ms; mean score {:.3f}, {} gave something up\n", n,
-               rooms, share_at(times, 0.5), share_at(times, 0.95), share_at(times, 1), score / rooms, given_up);
+    fmt::print(
+        "{} objects, {} rooms, whole default solve: median {:.1f}, 95 % {:.1f}, most {:.1f} ms; mean score {:.3f}, {} gave something up\n",
+        n, rooms, share_at(times, 0.5), share_at(times, 0.95), share_at(times, 1), score / rooms, given_up);
     std::fflush(stdout);
   }
 }

@@ -10,12 +10,13 @@ namespace layoutbox::bench {
 struct QualityOptions {
   std::vector<std::string> scenes;
   int every = 1;
-  int times = 100;      // the effort compared with
-  double worst = 0.9;   // scenes below this share of the best score are listed
-  std::string best;     // file of the best scores known, read and written: what is there is not searched for again
+  int times = 100;     // the effort compared with
+  double worst = 0.9;  // scenes below this share of the best score are listed
+  std::string best;    // file of the best scores known, read and written: what is there is not searched for again
 };
 
-// The mean share of the best score known that the default effort reaches, and of how many scenes it is 90 %. Fails on scenes it cannot read.
+// The mean share of the best score known that the default effort reaches, and of how many scenes it is 90 %. Fails on scenes it cannot
+// read.
 int quality(const QualityOptions& options);
 
 // Processor time of whole default solves of furnished rooms: improvement, verdict and all.

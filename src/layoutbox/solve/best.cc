@@ -9,9 +9,7 @@ namespace {
 
 constexpr std::size_t kFew = 4, kFewOpenings = 3;  // objects, doors and windows
 constexpr int kMostQuestions = 12;
-constexpr std::int64_t kLeastEffort = 400;    // who asks for no more than the usual waits for no proof, which takes ten times as long
-constexpr double kProofTimePerUnit = 0.0005;  // of CP-SAT's deterministic time
-constexpr std::int64_t kPolish = 20'000;      // steps
+constexpr std::int64_t kPolish = 20'000;  // steps
 
 }  // namespace
 
@@ -19,7 +17,7 @@ void Solver::prove_best() {
   std::size_t openings = 0;
   for (const Item& item : model_.items) openings += item.is_opening();
   const bool few = model_.items.size() - openings <= kFew && openings <= kFewOpenings;
-  if (!few || options_.effort < kLeastEffort || !options_.prove || !model_.start.empty() || !relaxed_.empty() || !left_out_ids_.empty() ||
+  if (!few || budgets_.best_proof <= 0 || !options_.prove || !model_.start.empty() || !relaxed_.empty() || !left_out_ids_.empty() ||
       must_stop())
     return;
   std::int64_t best = cost();
@@ -27,13 +25,13 @@ void Solver::prove_best() {
   const auto library = CpSatLibrary::get();
   if (proven_best_ || !library) return;
   used_cp_sat_ = true;
-  double time = kProofTimePerUnit * static_cast<double>(options_.effort);
+  double time = budgets_.best_proof;
   bool access = false;
   for (int question = 0; question < kMostQuestions && time > 0 && !must_stop(); ++question) {
     Encoding encoding(model_, given_up_, left_out_);
     encoding.bound_cost(best - kPoint, access);
     CpParameters parameters;
-    parameters.seed = options_.seed, parameters.presolve = true;
+    parameters.seed = options_.seed, parameters.presolve = parameters.inclusions = true;
     parameters.deterministic_time = time;
     const std::string model = encoding.bytes(std::vector<char>(encoding.demands().size(), 1));
     const std::string bytes = (*library)->solve(model, write_parameters(parameters), options_.stop, options_.time_limit_s - seconds());
@@ -47,7 +45,7 @@ void Solver::prove_best() {
     }
     Search search(model_, given_up_, options_.seed, size_limit_);
     search.adopt(encoding.placements_of(answer->values), left_out_);
-    Budget polish{0, kPolish, budget_.stop, false};
+    Budget polish{0, kPolish, [this] { return must_stop(); }, false};
     search.improve(polish);
     Placements better = search.placements();
     std::swap(placements_, better);

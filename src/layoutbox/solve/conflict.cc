@@ -8,6 +8,7 @@ namespace {
 // Most questions are answered at once, faster than presolve reads them; distances that clash are answered only after it.
 constexpr double kWithoutPresolve = 0.001;
 constexpr std::int64_t kMostTerms = 1'200'000;  // of a model that is still asked about: some 300 MB
+constexpr double kPerByte = 7e-9;               // deterministic time that the reading of a model is counted as
 constexpr double kSizeQuestion = 0.01;          // of one question about a size that may take part
 
 Result<CpAnswer> ask(Encoding& encoding, const CpSatLibrary& library, const std::vector<char>& demanded, const ProofLimits& limits) {
@@ -20,7 +21,7 @@ Result<CpAnswer> ask(Encoding& encoding, const CpSatLibrary& library, const std:
     parameters.deterministic_time = presolve ? limits.deterministic_time - used : std::min(kWithoutPresolve, limits.deterministic_time);
     const std::string bytes = library.solve(model, write_parameters(parameters), limits.stop, limits.seconds);
     LAYOUTBOX_ASSIGN(CpAnswer answer, read_answer(bytes, encoding.variable_count()));
-    used = answer.deterministic_time += used;
+    used = answer.deterministic_time += used + kPerByte * static_cast<double>(model.size());
     const bool stopped = limits.stop && limits.stop->load();
     if (presolve || stopped || answer.status != CpStatus::kUnknown || used >= limits.deterministic_time) return answer;
   }

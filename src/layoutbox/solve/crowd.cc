@@ -1,5 +1,4 @@
 // Too many things for the floor: the fewest of them that are too many.
-#include "layoutbox/solve/cp_sat/library.h"
 #include "layoutbox/solve/quick.h"
 #include "layoutbox/solve/solving.h"
 
@@ -42,24 +41,20 @@ bool Solver::each_is_needed(const Clash& clash) {
     if (demand.kind == Demand::Kind::kItem && model_.items[index].is_opening())
       rest.given_up[static_cast<std::size_t>(model_.items[index].clearance_constraint)] = 1;
     Placements placements(model_.items.size());
-    Budget budget{0, kStepsForRest, [this] { return must_stop(); }, false};
+    Budget budget = part(kStepsForRest);
     return QuickSearch(model_, dependencies, rest.given_up, options_.seed, kAllSizes).complete(placements, rest.left_out, budget);
   });
 }
 
 // A smallest clash among those of a sum of areas, which knows nothing of how the rest would fit; the same where none is found in a moment.
 Result<Clash> Solver::smallest_crowd(Clash clash) {
-  if (clash.minimal || !clash.proven || clash.demands.size() > kMostInCrowd || must_stop()) return clash;
+  if (clash.minimal || !clash.proven || clash.demands.size() > kMostInCrowd || enough()) return clash;
   if (each_is_needed(clash)) {
     clash.minimal = true;
     return clash;
   }
-  const auto library = CpSatLibrary::get();
-  if (!library || !options_.prove) return clash;
-  used_cp_sat_ = true;
   const Alone only = alone(model_, clash);
-  const ProofLimits limits{options_.seed, kProofOfCrowd, std::max(0.1, options_.time_limit_s - seconds()), options_.stop};
-  LAYOUTBOX_ASSIGN(const Proof proof, decide(model_, **library, only.given_up, only.left_out, Placements(model_.items.size()), limits));
+  LAYOUTBOX_ASSIGN(const Proof proof, ask(only.given_up, only.left_out, Placements(model_.items.size()), kProofOfCrowd));
   const bool smaller = proof.outcome == Proof::Outcome::kClash && proof.clash.proven && proof.clash.minimal;
   return smaller ? proof.clash : clash;
 }

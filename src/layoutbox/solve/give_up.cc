@@ -16,6 +16,7 @@ namespace {
 
 constexpr int kMostKept = 30;  // questions whether one more relation can be held
 constexpr int kOtherStarts = 12;
+constexpr std::int64_t kShareOfOtherStarts = 3;  // of the work
 constexpr int kGuesses = 2;  // relations given up one by one without a proof, before all that do not fit are given up at once
 
 }  // namespace
@@ -51,9 +52,10 @@ bool Solver::search_from_elsewhere() {
   searched_elsewhere_ = true;
   const Dependencies dependencies(model_);
   const std::vector<int> failed = failed_;
-  for (int start = 1; start <= kOtherStarts && !must_stop(); ++start) {
+  const std::int64_t most = finding_.steps + finding_.limit / kShareOfOtherStarts;
+  for (int start = 1; start <= kOtherStarts && finding_.steps < most && !enough(); ++start) {
     const int sizes = start % 2 == 0 || !any_other_size() ? 0 : kAllSizes;
-    Budget budget{0, kFirstSteps, budget_.stop, false};
+    Budget budget = part(kFirstSteps);
     placements_.assign(model_.items.size(), {});
     QuickSearch quick(model_, dependencies, given_up_, options_.seed + kSeedStep * static_cast<std::uint64_t>(start), sizes);
     if (!quick.complete(placements_, left_out_, budget)) continue;
@@ -69,7 +71,7 @@ bool Solver::search_from_elsewhere() {
 Result<bool> Solver::settle() {
   Model trial = model_;
   const std::vector<char> given_up = all_wished(trial);
-  Budget budget{0, 4 * kLeastSteps, budget_.stop, false};
+  Budget budget = part(4 * kLeastSteps);
   Search search(trial, given_up, options_.seed, kAllSizes);
   if (!search.construct(left_out_, kRestarts, budget)) return false;
   budget.limit = budget.steps + 2 * kLeastSteps;
@@ -104,10 +106,10 @@ void Solver::keep_what_can_be(std::vector<int>& missed) {
   const Dependencies dependencies(model_);
   int tries = 0;
   std::erase_if(missed, [&](int c) {
-    if (++tries > kMostKept || must_stop()) return false;
+    if (++tries > kMostKept || enough()) return false;
     given_up[static_cast<std::size_t>(c)] = 0;
     QuickSearch quick(model_, dependencies, given_up, options_.seed, kAllSizes);
-    Budget budget{0, kLeastSteps, budget_.stop, false};
+    Budget budget = part(kLeastSteps);
     Placements other(model_.items.size());
     const bool found = quick.complete(other, left_out_, budget);
     if (found) placements_ = other;
@@ -165,7 +167,7 @@ std::int64_t Solver::miss_without(int constraint) {
   std::vector<char> given_up = given_up_;
   given_up[constraint] = 1;
   Search search(trial, given_up, options_.seed, size_limit_);
-  Budget budget{0, kLeastSteps, budget_.stop, false};
+  Budget budget = part(kLeastSteps);
   if (!search.construct(left_out_, 2, budget)) return 1 << 30;
   budget.limit = budget.steps + kLeastSteps / 2;
   search.improve(budget);

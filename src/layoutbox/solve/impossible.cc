@@ -1,6 +1,5 @@
 // Relations that cannot hold whatever else is asked for: looked for one by one, with nothing there but what they speak of. They are given
 // up before anything else is, so that the many that can hold are not blamed for them.
-#include "layoutbox/solve/cp_sat/library.h"
 #include "layoutbox/solve/quick.h"
 #include "layoutbox/solve/solving.h"
 
@@ -8,7 +7,7 @@ namespace layoutbox::placement {
 namespace {
 
 constexpr std::int64_t kStepsAlone = 20'000;
-constexpr double kProofAlone = 0.05;  // CP-SAT's deterministic time
+constexpr double kProofAlone = 0.01;  // CP-SAT's deterministic time
 
 // Everything but what the constraint speaks of and what could hold that up.
 std::vector<char> all_beside(const Model& model, const Constraint& constraint) {
@@ -40,13 +39,9 @@ Result<bool> Solver::give_up_impossible(int constraint, const Dependencies& depe
     given_up[c] = static_cast<char>(given_up[c] || other);
   }
   Placements placements(model_.items.size());
-  Budget budget{0, kStepsAlone, [this] { return must_stop(); }, false};
+  Budget budget = part(kStepsAlone);
   if (QuickSearch(model_, dependencies, given_up, options_.seed, kAllSizes).complete(placements, left_out, budget)) return false;
-  const auto library = CpSatLibrary::get();
-  if (!library || !options_.prove || must_stop()) return false;
-  used_cp_sat_ = true;
-  const ProofLimits limits{options_.seed, kProofAlone, std::max(0.1, options_.time_limit_s - seconds()), options_.stop};
-  LAYOUTBOX_ASSIGN(const Proof proof, decide(model_, **library, given_up, left_out, placements, limits));
+  LAYOUTBOX_ASSIGN(const Proof proof, ask(given_up, left_out, placements, kProofAlone));
   if (proof.outcome != Proof::Outcome::kClash || !proof.clash.proven) return false;
   LAYOUTBOX_CHECK(give_up(proof.clash));
   return true;
@@ -55,7 +50,7 @@ Result<bool> Solver::give_up_impossible(int constraint, const Dependencies& depe
 // True: something was given up.
 Result<bool> Solver::give_up_impossible() {
   const Dependencies dependencies(model_);
-  for (std::size_t c = 0; c < model_.constraints.size() && !must_stop(); ++c) {
+  for (std::size_t c = 0; c < model_.constraints.size() && !enough(); ++c) {
     const Constraint& constraint = model_.constraints[c];
     if (constraint.firmness != Firmness::kHard || constraint.relation < 0 || given_up_[c]) continue;
     if (!looked_at_alone_.insert(constraint.name).second) continue;

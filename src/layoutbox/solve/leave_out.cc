@@ -16,7 +16,7 @@ std::size_t Solver::unplaced_without(const std::vector<std::string>& ids) {
   const Result<Model> model = build_model(less.scene, catalog_, guides());
   if (!model) return asked_.objects.size();
   Search search(*model, given_up_in(*model), options_.seed, kAllSizes);
-  Budget budget{0, std::max<std::int64_t>(budget_.limit / 4, kLeastSteps), budget_.stop, false};
+  Budget budget = part(budgets_.trial);
   return search.construct(std::vector<char>(model->items.size(), 0), kRestarts, budget) ? 0
                                                                                         : std::max<std::size_t>(1, search.failed().size());
 }
@@ -50,7 +50,7 @@ Status Solver::leave_out_least(std::vector<int> items, const Clash* clash) {
   for (const int item : items) {
     const std::size_t unplaced = items.size() == 1 ? 1 : unplaced_without({model_.items[item].id});
     if (unplaced < least) least = unplaced, best = item;
-    if (least == 0 || must_stop()) break;
+    if (least == 0 || enough()) break;
   }
   if (best < 0) return fail(ErrorCode::kNotFound, "no layout was found, and nothing is left to give up");
   LAYOUTBOX_ASSIGN(const bool relaxing, note_conflict(found, is_asked(best)));
@@ -61,7 +61,7 @@ Status Solver::leave_out_least(std::vector<int> items, const Clash* clash) {
 Result<bool> Solver::bring_back() {
   bool any = false;
   // Where one went after the other there was no layout without the last: that is why it went.
-  for (std::size_t i = left_out_ids_.size(); i-- > (shed_ ? 0 : 1) && !must_stop();) {
+  for (std::size_t i = left_out_ids_.size(); i-- > (shed_ ? 0 : 1) && !enough();) {
     std::vector<std::string> fewer = left_out_ids_;
     const std::size_t which = shed_ ? i : i - 1;
     const std::string back = fewer[which];
@@ -70,7 +70,7 @@ Result<bool> Solver::bring_back() {
     const Result<Model> model = build_model(less.scene, catalog_, guides());
     if (!model) continue;
     Search search(*model, given_up_in(*model), options_.seed, kAllSizes);
-    Budget budget{0, std::max<std::int64_t>(budget_.limit / 4, kLeastSteps), budget_.stop, false};
+    Budget budget = part(budgets_.trial);
     if (!search.construct(std::vector<char>(model->items.size(), 0), kRestarts, budget)) continue;
     left_out_ids_ = std::move(fewer);
     std::erase_if(reasons_, [&](const Relaxation& r) { return r.relation == back; });

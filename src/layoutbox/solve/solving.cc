@@ -12,22 +12,19 @@
 namespace layoutbox::placement {
 namespace {
 
-constexpr std::int64_t kStepsPerUnit = 5000;  // candidate positions tried in about a quarter of a millisecond
-constexpr double kProofTimePerUnit = 0.04;    // of CP-SAT's deterministic time
-constexpr double kLongestProof = 20, kShortProof = 0.3;
+constexpr double kShortProof = 0.3;  // of CP-SAT's deterministic time
 constexpr std::size_t kMostForEarlyProof = 40;
 constexpr int kIdleStarts = 8;
-constexpr std::int64_t kShareOfStarts = 8;
-constexpr std::int64_t kThingsPerEffort = 6;  // that one share of the effort is for
+constexpr std::int64_t kShareOfStarts = 8, kShareOfTakingBack = 4;
 
 }  // namespace
 
 Solver::Solver(const SceneGraph& scene, const Catalog& catalog, const SolveOptions& options, Model model, Clock::time_point started)
     : asked_(scene), catalog_(catalog), model_(std::move(model)), options_(options), started_(started) {
   size_to_model();
-  budget_.limit = options.effort * kStepsPerUnit;
-  budget_.stop = [this] { return must_stop(); };
-  proof_time_ = std::clamp(static_cast<double>(options.effort) * kProofTimePerUnit, 0.1, kLongestProof);
+  budgets_ = budgets_for(options.effort, model_.items.size());
+  finding_.limit = budgets_.finding;
+  proof_time_ = budgets_.proof;
 }
 
 Result<Layout> Solver::run() {
@@ -43,6 +40,7 @@ Result<Layout> Solver::run() {
   }
   if (!not_found_.empty())
     return fail(ErrorCode::kNotFound, not_found_[0] + ", and no proof that there is none", {}, "raise --effort or --time-limit");
+  finding_.limit = finding_.steps + budgets_.finding / kShareOfTakingBack;
   if (!fallback_) take_back();
   if (options_.improve && !fallback_ && !must_stop()) {
     improve();
@@ -70,7 +68,7 @@ Status Solver::find_legal() {
   for (std::size_t round = 0; round <= most_rounds; ++round) {
     if (interrupted()) return fail(ErrorCode::kInterrupted, "stopped");
     if (fallback_) return {};
-    if (must_stop()) break;
+    if (enough()) break;
     std::vector<Clash> sums = clashes_of_locks(model_, given_up_, left_out_);
     if (sums.empty()) sums = clashes_by_sums(model_, given_up_, left_out_);
     if (!sums.empty()) {
@@ -81,7 +79,7 @@ Status Solver::find_legal() {
     }
     if (!search(given_up_)) {
       if (interrupted()) return fail(ErrorCode::kInterrupted, "stopped");
-      if (must_stop()) break;
+      if (enough()) break;
       if (!options_.prove && options_.on_conflict == OnConflict::kFail) break;
       LAYOUTBOX_ASSIGN(const bool impossible, give_up_impossible());
       if (impossible) continue;
@@ -101,12 +99,9 @@ Status Solver::find_legal() {
 
 // With much effort to spend: a short look for a proof before a long search, then that search.
 Result<Solver::Early> Solver::prove_early() {
-  const std::int64_t whole = budget_.limit / 2;
-  if (whole <= kFirstSteps || must_stop()) return Early::kUnknown;
-  if (const auto library = CpSatLibrary::get(); library && options_.prove && model_.items.size() <= kMostForEarlyProof) {
-    used_cp_sat_ = true;
-    const ProofLimits limits{options_.seed, kShortProof, std::max(0.1, options_.time_limit_s - seconds()), options_.stop};
-    LAYOUTBOX_ASSIGN(const Proof proof, decide(model_, **library, given_up_, left_out_, placements_, limits));
+  if (budgets_.search <= budgets_.first || enough()) return Early::kUnknown;
+  if (model_.items.size() <= kMostForEarlyProof) {
+    LAYOUTBOX_ASSIGN(const Proof proof, ask(given_up_, left_out_, placements_, kShortProof));
     if (interrupted()) return fail(ErrorCode::kInterrupted, "stopped");
     if (proof.outcome == Proof::Outcome::kLayout) {
       placements_ = proof.placements;
@@ -117,7 +112,8 @@ Result<Solver::Early> Solver::prove_early() {
       return Early::kGivenUp;
     }
   }
-  return search(given_up_, whole) ? Early::kFound : Early::kUnknown;
+  // It does not go the way of the first once more.
+  return search(given_up_, budgets_.search, options_.seed + kSeedStep) ? Early::kFound : Early::kUnknown;
 }
 
 bool Solver::any_other_size() const {
@@ -126,14 +122,12 @@ bool Solver::any_other_size() const {
   });
 }
 
-bool Solver::search(const std::vector<char>& given_up, std::int64_t most_steps) {
+bool Solver::search(const std::vector<char>& given_up, std::int64_t steps, std::uint64_t seed) {
   const Dependencies dependencies(model_);
-  // A longer search does not go the way of the first once more.
-  const std::uint64_t seed = most_steps > kFirstSteps ? options_.seed + kSeedStep : options_.seed;
   for (const int sizes : {0, kAllSizes}) {
     if (sizes > 0 && !any_other_size()) break;
     size_limit_ = sizes;
-    Budget budget{0, std::max(std::min(budget_.limit / 2, most_steps), kLeastSteps), budget_.stop, false};
+    Budget budget = part(steps);
     if (!model_.start.empty()) {  // what stays near its earlier place is looked for there
       Search search(model_, given_up, options_.seed, sizes);
       const bool found = search.construct(left_out_, kRestarts, budget);
@@ -149,17 +143,29 @@ bool Solver::search(const std::vector<char>& given_up, std::int64_t most_steps) 
     if (found) return true;
     // Crowds that only fit in order: where what is wished for shows the way, the search that looks at costs finds what the quick one
     // does not.
-    if (model_.start.empty() && !must_stop()) {
+    if (model_.start.empty() && !enough()) {
       Search search(model_, given_up, options_.seed, sizes);
-      Budget more{0, kLeastSteps, budget_.stop, false};
+      Budget more = part(kLeastSteps);
       if (search.construct(left_out_, 1, more)) {
         placements_ = search.placements();
         return true;
       }
     }
-    if (must_stop()) return false;
+    if (enough()) return false;
   }
   return false;
+}
+
+// CP-SAT's word, as far as it is there and may still be asked. `most`: of its deterministic time.
+Result<Proof> Solver::ask(const std::vector<char>& given_up, const std::vector<char>& left_out, const Placements& hint, double most) {
+  if (!options_.prove || proof_time_ <= 0 || must_stop()) return Proof{};
+  const auto library = CpSatLibrary::get();
+  if (!library) return Proof{};
+  used_cp_sat_ = true;
+  const ProofLimits limits{options_.seed, std::min(most, proof_time_), std::max(0.1, options_.time_limit_s - seconds()), options_.stop};
+  LAYOUTBOX_ASSIGN(Proof proof, decide(model_, **library, given_up, left_out, hint, limits));
+  proof_time_ -= proof.deterministic_time;
+  return proof;
 }
 
 // True: a layout was found. False: something was given up; try again.
@@ -169,14 +175,8 @@ Result<bool> Solver::prove() {
   if (interrupted()) return fail(ErrorCode::kInterrupted, "stopped");
   const auto library = CpSatLibrary::get();
   if (!library && options_.on_conflict == OnConflict::kFail) return Failure(library.error());
-  Proof proof;
-  if (library && options_.prove && proof_time_ > 0) {
-    used_cp_sat_ = true;
-    ProofLimits limits{options_.seed, loose || !assumptions_left().empty() ? std::min(proof_time_, kShortProof) : proof_time_,
-                       std::max(0.1, options_.time_limit_s - seconds()), options_.stop};
-    LAYOUTBOX_ASSIGN(proof, decide(model_, **library, given_up_, left_out_, placements_, limits));
-    proof_time_ -= proof.deterministic_time;
-  }
+  const bool others_may_give_way = loose || !assumptions_left().empty();
+  LAYOUTBOX_ASSIGN(const Proof proof, ask(given_up_, left_out_, placements_, others_may_give_way ? kShortProof : proof_time_));
   if (interrupted()) return fail(ErrorCode::kInterrupted, "stopped");
   switch (proof.outcome) {
     case Proof::Outcome::kLayout: placements_ = proof.placements; return true;
@@ -195,21 +195,19 @@ std::int64_t Solver::cost() const {
 
 // Local moves end where none helps; then from another start, until the effort is spent. The best of all is kept.
 void Solver::improve() {
-  // The more things, the more moves it takes to bring all to their places.
-  const auto things = static_cast<std::int64_t>(model_.items.size());
-  budget_.limit += options_.effort * kStepsPerUnit * std::max<std::int64_t>(0, things - kThingsPerEffort) / kThingsPerEffort;
+  Budget budget{0, budgets_.improvement, [this] { return must_stop(); }, false};
   Search search(model_, given_up_, options_.seed, size_limit_);
   // To look for a start takes a part of the effort, and leaves the rest for making it better.
   const auto constructs = [&](Search& one) {
-    Budget start{0, std::max(kLeastSteps, (budget_.limit - budget_.steps) / kShareOfStarts), budget_.stop, false};
+    Budget start{0, std::max(kLeastSteps, (budget.limit - budget.steps) / kShareOfStarts), budget.stop, false};
     const bool found = one.construct(left_out_, 1, start);
-    budget_.count(start.steps);
+    budget.count(start.steps);
     return found;
   };
   // The first legal layout was found without a look at costs; where one can be built that way, it is a better start.
   const bool built = model_.start.empty() && constructs(search);
   if (!built) search.adopt(placements_, left_out_);
-  search.improve(budget_);
+  search.improve(budget);
   std::int64_t least = cost();
   Placements first = search.placements();
   std::swap(placements_, first);
@@ -219,10 +217,10 @@ void Solver::improve() {
     std::swap(placements_, first);
   }
   int idle = 0;  // starts since the last that brought something
-  for (int start = 1; idle < kIdleStarts && !budget_.spent(); ++start, ++idle) {
+  for (int start = 1; idle < kIdleStarts && !budget.spent(); ++start, ++idle) {
     Search other(model_, given_up_, options_.seed + kSeedStep * static_cast<std::uint64_t>(start), size_limit_);
     if (!constructs(other)) continue;
-    other.improve(budget_);
+    other.improve(budget);
     Placements before = other.placements();
     std::swap(placements_, before);
     if (const std::int64_t now = cost(); now < least) {

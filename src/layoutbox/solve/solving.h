@@ -10,15 +10,15 @@
 #include <utility>
 #include <vector>
 
+#include "layoutbox/solve/budgets.h"
 #include "layoutbox/solve/candidates.h"
 #include "layoutbox/solve/conflict.h"
 #include "layoutbox/solve/solver.h"
 
 namespace layoutbox::placement {
 
-// Steps (see Budget) of a first search, and the fewest that any gets; tries of the constructive search; no limit to how far sizes may be
+// Tries of the constructive search; no limit to how far sizes may be
 // from the usual ones.
-inline constexpr std::int64_t kFirstSteps = 400'000, kLeastSteps = 60'000;
 inline constexpr int kRestarts = 8;
 inline constexpr int kStillWished = 4;  // points a metre, per weight, of a relation that was given up
 inline constexpr int kAllSizes = 1000;
@@ -40,7 +40,16 @@ class Solver {
   void size_to_model();
   bool interrupted() const { return options_.stop && options_.stop->load(); }
   double seconds() const { return std::chrono::duration<double>(Clock::now() - started_).count(); }
+  // Stopped, or out of time.
   bool must_stop();
+  // That, or the work is done that may be done before something legal stands there.
+  bool enough() { return must_stop() || finding_.steps >= finding_.limit; }
+  // A part of that work.
+  Budget part(std::int64_t steps) {
+    Budget budget{0, steps, [this] { return enough(); }, false};
+    budget.whole = &finding_;
+    return budget;
+  }
   const SceneGraph& scene() const { return *model_.scene; }
   // The options of a model with fewer objects; nothing locked is ever left out.
   ModelOptions guides() const {
@@ -54,8 +63,10 @@ class Solver {
   enum class Early { kFound, kGivenUp, kUnknown };
   Result<Early> prove_early();
   bool any_other_size() const;
-  bool search(const std::vector<char>& given_up, std::int64_t most_steps = kFirstSteps);
+  bool search(const std::vector<char>& given_up) { return search(given_up, budgets_.first, options_.seed); }
+  bool search(const std::vector<char>& given_up, std::int64_t steps, std::uint64_t seed);
   Result<bool> prove();
+  Result<Proof> ask(const std::vector<char>& given_up, const std::vector<char>& left_out, const Placements& hint, double most);
   void improve();
   void prove_best();
   std::int64_t cost() const;
@@ -127,7 +138,8 @@ class Solver {
   Model model_;
   const SolveOptions& options_;
   Clock::time_point started_;
-  Budget budget_;
+  Budgets budgets_;
+  Budget finding_;
   std::vector<char> given_up_, left_out_;
   std::vector<std::pair<std::string, std::string>> relaxed_;  // constraints given up, and why
   std::vector<std::string> left_out_ids_, lost_;              // objects, and the relations that went with them
@@ -143,7 +155,7 @@ class Solver {
   Placements placements_;
   std::vector<int> failed_;
   int size_limit_ = 0;
-  double proof_time_ = 0;
+  double proof_time_ = 0;     // left of what CP-SAT may take
   int unproven_ = 0;          // rounds that ended without a layout and without a proof
   bool proven_best_ = false;  // no layout is better by a point
   bool used_cp_sat_ = false, fallback_ = false, stopped_by_clock_ = false, brought_back_ = false, searched_elsewhere_ = false,

@@ -22,7 +22,7 @@ bool Solver::take_back(const std::string& name) {
   }
   const Dependencies dependencies(model_);
   Placements placements(model_.items.size());
-  Budget budget{0, kLeastSteps, [this] { return must_stop(); }, false};
+  Budget budget = part(kLeastSteps);
   // A wish is no demand to the search: for the question it is one again.
   const auto demand = [&](bool again) {
     for (std::size_t c = 0; c < given_up.size(); ++c) {
@@ -55,7 +55,7 @@ void Solver::take_back() {
   std::vector<std::pair<std::string, std::string>> given_up = relaxed_;
   std::stable_sort(given_up.begin(), given_up.end(), [&](const auto& a, const auto& b) { return price(a.first) > price(b.first); });
   for (const auto& [name, why] : given_up) {
-    if (must_stop() || !may_come_back(name, why) || !take_back(name)) continue;
+    if (enough() || !may_come_back(name, why) || !take_back(name)) continue;
     std::erase_if(relaxed_, [&](const auto& r) { return r.first == name; });
     std::erase_if(conflicts_, [&](const Noted& noted) {
       const Conflict& c = noted.conflict;

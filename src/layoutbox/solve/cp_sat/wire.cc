@@ -24,7 +24,7 @@ constexpr std::uint32_t kTarget = 1, kExpressions = 2, kExpressionVars = 1, kExp
 constexpr std::uint32_t kObjectiveVars = 1, kObjectiveCoefficients = 4, kHintVars = 1, kHintValues = 2;
 // SatParameters
 constexpr std::uint32_t kSeed = 31, kDeterministicTime = 67, kPresolve = 86, kLinearization = 90, kFirstSolution = 98, kProbing = 110,
-                        kSymmetry = 183, kWorkers = 206;
+                        kSymmetry = 183, kInclusionWork = 201, kWorkers = 206;
 // CpSolverResponse
 constexpr std::uint32_t kStatus = 1, kSolution = 2, kDeterministicUsed = 17, kCore = 23;
 }  // namespace field
@@ -135,6 +135,7 @@ std::string write_parameters(const CpParameters& parameters) {
   writer.add_int32(field::kLinearization, 0);
   writer.add_int32(field::kProbing, 0);
   writer.add_int32(field::kSymmetry, 0);
+  if (!parameters.inclusions) writer.add_int64(field::kInclusionWork, 0);
   writer.add_bool(field::kFirstSolution, parameters.first_solution);
   return bytes;
 }

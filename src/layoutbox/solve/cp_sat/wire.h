@@ -52,6 +52,7 @@ struct CpParameters {
   double deterministic_time = 1;  // CP-SAT's own units, about a second each
   bool first_solution = true;
   bool presolve = false;
+  bool inclusions = false;  // presolve looks for linear constraints within others: slow, and it seldom brings a layout
 };
 std::string write_parameters(const CpParameters& parameters);
 
