@@ -2,9 +2,9 @@
 """Writes catalog/words_english.txt from WordNet 3.0's files (Debian: wordnet-base, /usr/share/wordnet).
 
 A line a word, sorted by bytes: the word without spaces, a letter for what it mostly is (t thing, c creature or other body in nature,
-p person, n other noun, v verb, a adjective, r adverb), for verbs and adjectives that are nouns as well a second letter for the noun,
-and for things and creatures the words for the more general kinds, the nearest first. Words of the catalogue's own lists need not be
-here.
+p person, o other noun that is a thing in a rarer sense, n other noun, v verb, a adjective, r adverb, k a rare word that may be
+such), for verbs and adjectives that are nouns as well a second letter for the noun, and for what is or may be a thing or creature
+the words for the more general kinds, the nearest first. Words of the catalogue's own lists need not be here.
 """
 import argparse
 import collections
@@ -15,6 +15,7 @@ ARTIFACT, FOOD, PLANT = 6, 13, 20  # lexicographer files of physical things that
 ANIMAL = 5
 BODIES = {ANIMAL, 8, FOOD, 17, PLANT}  # animals, parts of them, food, stones, plants: things where a text names or counts one
 PERSON = 18
+SHORTEST_RARE = 4  # shorter ones are rather typing errors
 MOST_KINDS = 5
 TELL_NOTHING = {"artifact", "chordate", "entity", "instrumentality", "livingthing", "matter", "metatherian", "naturalobject", "object",
                 "organism", "part", "physicalentity", "placental", "substance", "thing", "unit", "vertebrate", "whole",
@@ -80,6 +81,17 @@ def noun_letter(lemma: str, senses: dict[str, list[int]], synsets: dict[int, tup
     return "n", None
 
 
+def rarer_thing(lemma: str, senses: dict[str, list[int]], synsets: dict[int, tuple[int, list[str], list[int]]]) -> int | None:
+    """The first of all senses that is made by somebody, or a kind of what is ("tome", a book), though mostly the word says something else."""
+    for sense in senses[lemma]:
+        above: int | None = sense
+        while above is not None:
+            if synsets[above][0] == ARTIFACT:
+                return sense
+            above = synsets[above][2][0] if synsets[above][2] else None
+    return None
+
+
 def kinds(sense: int, synsets: dict[int, tuple[int, list[str], list[int]]]) -> list[str]:
     """The words for the more general kinds of a sense, the nearest first, by the first of several kinds each."""
     found: list[str] = []
@@ -109,17 +121,24 @@ def main() -> None:
             lines[key] = " ".join(["t", *kinds(thing, synsets)])
             continue
         letter, sense = noun_letter(lemma, senses, synsets) if "n" in uses else ("", None)
-        if letter in ("c", "p") and uses["n"] == 0 and (compound or (letter == "c" and synsets[sense][0] != ANIMAL)):
-            continue  # names of species, offices and peoples
+        if letter == "n" and not compound and (rarer := rarer_thing(lemma, senses, synsets)) is not None:
+            letter, sense = "o", rarer
+        elif letter in ("c", "p") and uses["n"] == 0 and (compound or (letter == "c" and synsets[sense][0] != ANIMAL)):
+            letter = ""  # names of species, offices and peoples
         if best == "n" and letter in ("c", "p") and (not compound or uses["n"] > 0):
             lines.setdefault(key, " ".join([letter, *(kinds(sense, synsets) if letter == "c" else [])]))
         elif not compound and uses[best] > (1 if best == "n" else 0) and not (best == "r" and lemma.endswith("ly")):
             if best == "n":
-                lines.setdefault(lemma, "n")
-            elif thing is not None or letter == "c":
-                lines.setdefault(lemma, " ".join([best + ("t" if thing is not None else "c"), *kinds(thing or sense, synsets)]))
+                lines.setdefault(lemma, " ".join(["o", *kinds(sense, synsets)]) if letter == "o" else "n")
+            elif thing is not None or letter in ("c", "o"):
+                lines.setdefault(lemma, " ".join([best + ("t" if thing is not None else letter), *kinds(thing or sense, synsets)]))
             else:
                 lines.setdefault(lemma, best + letter)
+        elif "n" in uses and not compound and len(lemma) >= SHORTEST_RARE:
+            if letter == "o" or (sense is not None and synsets[sense][0] in BODIES):
+                above = kinds(sense, synsets)
+                if "taxonomicgroup" not in above:
+                    lines.setdefault(lemma, " ".join(["k", *above]))
     options.output.write_text("".join(f"{word} {what}\n" for word, what in sorted(lines.items())))
 
 

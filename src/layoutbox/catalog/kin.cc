@@ -14,14 +14,14 @@ namespace {
 using Words = std::map<std::string, std::string, std::less<>>;
 
 struct Kinds {
-  Words kinds, modifiers;
+  Words kinds, modifiers, portions;
   Words like, like_keys;  // by the word, and by its key (words.h)
 };
 
 const Kinds& known_kinds() {
   static const Kinds kinds = [] {
     const auto words = nlohmann::json::parse(embedded::words_kinds_json);
-    Kinds read{words.at("kinds").get<Words>(), words.at("modifiers").get<Words>(), {}, {}};
+    Kinds read{words.at("kinds").get<Words>(), words.at("modifiers").get<Words>(), words.at("portions").get<Words>(), {}, {}};
     for (const auto& [id, like] : words.at("like").items()) {
       for (const auto& word : like) {
         const auto& text = word.get_ref<const std::string&>();
@@ -34,8 +34,10 @@ const Kinds& known_kinds() {
   return kinds;
 }
 
-// The letters of a noun that is a thing, or a body in nature: alone, or after those of the verb or adjective that the word mostly is.
-bool is_bodily(std::string_view letters) { return letters.ends_with('t') || letters.ends_with('c'); }
+// The letters of a noun that is or may be a thing, or a body in nature: alone, or after those of the verb or adjective that it mostly is.
+bool is_bodily(std::string_view letters) {
+  return letters.ends_with('t') || letters.ends_with('c') || letters.ends_with('o') || letters.ends_with('k');
+}
 
 const CatalogEntry* kin_by_line(const Catalog& catalog, std::string_view line) {
   std::size_t at = line.find(' ');
@@ -81,6 +83,11 @@ std::string_view liked_entry(std::string_view words) {
 }
 
 const std::map<std::string, std::string, std::less<>>& like_words() { return known_kinds().like; }
+
+std::string_view portion_entry(std::string_view container) {
+  const auto found = known_kinds().portions.find(container);
+  return found == known_kinds().portions.end() ? std::string_view{} : std::string_view(found->second);
+}
 
 bool is_kin_modifier(std::string_view word) { return known_kinds().modifiers.contains(word); }
 

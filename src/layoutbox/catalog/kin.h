@@ -23,6 +23,9 @@ std::string_view liked_entry(std::string_view words);
 // All words that are listed so, with those ids: for word lists.
 const std::map<std::string, std::string, std::less<>>& like_words();
 
+// The id of the entry that so much of something in it or of it is like ("tub" of clay → jar), or empty.
+std::string_view portion_entry(std::string_view container);
+
 // "plush", "toy", "model": a word before a noun that says more of what a thing is like than the noun does.
 bool is_kin_modifier(std::string_view word);
 

@@ -16,9 +16,11 @@ WordForm form_of(std::string_view line) {
     case 't': return WordForm::kThing;
     case 'c': return WordForm::kBody;
     case 'p': return WordForm::kPerson;
+    case 'o': return WordForm::kRarelyThing;
     case 'n': return WordForm::kNoun;
     case 'v': return WordForm::kVerb;
     case 'a': return WordForm::kAdjective;
+    case 'k': return WordForm::kUnknown;
     default: return WordForm::kAdverb;
   }
 }
@@ -41,6 +43,12 @@ WordForm word_form(std::string_view word) {
     return WordForm::kAdjective;
   }
   return WordForm::kUnknown;
+}
+
+bool is_english(std::string_view word) {
+  if (word_form(word) != WordForm::kUnknown) return true;
+  const std::vector<std::string> forms = singular_forms(word);
+  return std::any_of(forms.begin(), forms.end(), [](const std::string& form) { return !english_line(form).empty(); });
 }
 
 WordForm noun_form(std::string_view word) {

@@ -10,15 +10,20 @@ enum class WordForm {
   kThing,
   kBody,  // an animal, a stone, a plant: a thing where it is named or counted
   kPerson,
-  kNoun,  // no physical thing
+  kRarelyThing,  // a noun that is a thing in a rarer sense ("case")
+  kNoun,         // no physical thing
   kVerb,
   kAdjective,
   kAdverb,
 };
 
 constexpr bool is_noun(WordForm form) {
-  return form == WordForm::kThing || form == WordForm::kBody || form == WordForm::kPerson || form == WordForm::kNoun;
+  return form == WordForm::kThing || form == WordForm::kBody || form == WordForm::kPerson || form == WordForm::kRarelyThing ||
+         form == WordForm::kNoun;
 }
+
+// Whether English has the word or its base, rare ones too.
+bool is_english(std::string_view word);
 
 // What a lower-case word mostly is. Plurals and inflected verbs are known by their base.
 WordForm word_form(std::string_view word);

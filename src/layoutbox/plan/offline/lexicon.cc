@@ -14,6 +14,15 @@ bool is_article(std::string_view word) {
   return std::find(kArticles.begin(), kArticles.end(), word) != kArticles.end();
 }
 
+// "cans" are no modal verbs: small words have no plurals.
+bool has_plural(const std::vector<Meaning>& meanings) {
+  static constexpr std::array kSmall = {WordClass::kBe,         WordClass::kThere,    WordClass::kDefinite, WordClass::kIndefinite,
+                                        WordClass::kPossessive, WordClass::kEach,     WordClass::kPronoun,  WordClass::kAnd,
+                                        WordClass::kClause,     WordClass::kRelative, WordClass::kAdverb,   WordClass::kFiller};
+  return std::any_of(meanings.begin(), meanings.end(),
+                     [](const Meaning& m) { return std::find(kSmall.begin(), kSmall.end(), m.word_class) == kSmall.end(); });
+}
+
 bool is_distributor(std::string_view word) { return word == "each" || word == "every" || word == "either" || word == "both"; }
 
 }  // namespace
@@ -112,8 +121,8 @@ Match Lexicon::find(std::span<const Token> tokens, std::size_t at) const {
     if (best.length != length) {
       for (const std::string& form : singular_forms(token.text)) {
         if (form == token.text) continue;
-        if (const auto found = words_.find(key + form);
-            found != words_.end() && (length == 1 || may_run_together(tokens, at, length, found->second))) {
+        if (const auto found = words_.find(key + form); found != words_.end() && has_plural(found->second.meanings) &&
+                                                        (length == 1 || may_run_together(tokens, at, length, found->second))) {
           best = {length, found->second.meanings, true};
           break;
         }

@@ -148,8 +148,18 @@ void NounPhraseReader::read_of() {
   if (!base) return;
   if (bare) {  // part of the name, not a thing of its own
     if (base->kind != NounKind::kObject && base->kind != NounKind::kAbstract) return;
-    phrase_.name += " of " + (base->name.empty() ? text_of(tokens_, base->first, base->last) : base->name);
     i_ = base->last;
+    if (phrase_.head == "set" && base->kind == NounKind::kObject && base->count > 0) {  // "a tea set of six cups": the cups
+      base->first = phrase_.first;
+      phrase_ = std::move(*base);
+      return;
+    }
+    phrase_.name += " of " + (base->name.empty() ? text_of(tokens_, base->first, base->last) : base->name);
+    // "a tub of clay" is none to bathe in.
+    if (const CatalogEntry* portion = lexicon_.catalog().find(portion_entry(phrase_.head)); portion != nullptr && !base->exact) {
+      phrase_.entry = portion;
+      phrase_.category = portion->id;
+    }
     const bool things = base->kind == NounKind::kObject && base->exact && base->plural && base->determiner == Determiner::kNone;
     if (things) phrase_.contents = std::make_shared<NounPhrase>(std::move(*base));
     return;
@@ -171,6 +181,24 @@ bool NounPhraseReader::is_thing(const Part& part) const {
   return form == WordForm::kThing || form == WordForm::kBody;
 }
 
+bool NounPhraseReader::has_attribute(Class word_class) const {
+  return std::find(phrase_.attribute_classes.begin(), phrase_.attribute_classes.end(), word_class) != phrase_.attribute_classes.end();
+}
+
+// "wooden mandir", "red zafu": a word that nobody knows, but what it looks like.
+bool NounPhraseReader::is_bodily_described() const {
+  return has_attribute(Class::kMaterial) || has_attribute(Class::kColor) || has_attribute(Class::kShape) || has_attribute(Class::kSizeWord);
+}
+
+// "two blue cases", "a game case", "a metal case"; a plain "case" is none.
+bool NounPhraseReader::is_rare_thing(const Part& part, std::size_t head) const {
+  const std::string& word = tokens_[part.last - 1].text;
+  if (word.ends_with("ing") || word.ends_with("ed") || noun_form(word) != WordForm::kRarelyThing) return false;
+  const bool counted = counted_ && !phrase_.vague && phrase_.count > 1;
+  const bool compound = is_compound(head) && (parts_[head - 1].word_class == Class::kObject || is_thing(parts_[head - 1]));
+  return counted || compound || has_attribute(Class::kColor) || has_attribute(Class::kMaterial);
+}
+
 // "a kettlebell set", "a first aid kit": the things themselves, as one.
 void NounPhraseReader::join_set(std::size_t& head) {
   static constexpr std::string_view kSets[] = {"set", "kit", "collection", "ensemble", "stack", "pile", "bundle"};
@@ -188,91 +216,155 @@ void NounPhraseReader::join_set(std::size_t& head) {
   --head;
 }
 
+// Whether the part at `head` follows right after a noun: "cipher wheel", "eyewash station".
+bool NounPhraseReader::is_compound(std::size_t head) const {
+  if (head == 0 || parts_[head - 1].last != parts_[head].first) return false;
+  const Part& before = parts_[head - 1];
+  const std::string& word = tokens_[before.last - 1].text;
+  if (before.word_class == Class::kObject || before.word_class == Class::kZone) return !before.plural;
+  if (before.word_class != Class::kFiller || word.ends_with("ing") || word.ends_with("ed")) return false;
+  const WordForm form = word_form(word);
+  return is_noun(form) || form == WordForm::kUnknown;
+}
+
+// "a plush", "miniature", "toy" something
+bool NounPhraseReader::is_modeled(std::size_t head) const {
+  return std::any_of(parts_.begin(), parts_.begin() + static_cast<std::ptrdiff_t>(head),
+                     [&](const Part& p) { return p.last == p.first + 1 && is_kin_modifier(tokens_[p.first].text); });
+}
+
+// "a miniature station", "plush animals", "a toy garage", "eyewash station": a thing, though the last word alone is none.
+bool NounPhraseReader::is_thing_by_name(std::size_t head) const {
+  const Part& part = parts_[head];
+  const std::string& word = tokens_[part.last - 1].text;
+  const bool station = part.word_class == Class::kZone && singular_of(word) == "station";
+  if (station && is_compound(head)) return true;
+  if (!is_modeled(head)) return false;
+  constexpr std::size_t kOpening = 3;  // "a miniature house with …" is what the text is about
+  if (part.word_class == Class::kRoom || part.word_class == Class::kRoomNoun) return phrase_.first >= kOpening && is_compound(head);
+  return station || (part.word_class == Class::kAbstract && is_thing_where_named(part));
+}
+
+// The head is the last noun; words after it that are not nouns were read too far.
+void NounPhraseReader::find_head(std::size_t& head) {
+  for (head = parts_.size(); head > 0; --head) {
+    Part& part = parts_[head - 1];
+    if (!is_attribute_class(part.word_class) && part.word_class != Class::kWallWord && part.word_class != Class::kWallRelation) return;
+    // "a climbing cube", "two wooden spheres"
+    const bool shape = part.word_class == Class::kShape && head == parts_.size() && is_noun(word_form(tokens_[part.last - 1].text));
+    if (shape && is_named() && (head == 1 || parts_[head - 2].last == part.first)) {
+      part.word_class = Class::kFiller;
+      part.plural = plural_at(part.last - 1);
+      shaped_ = true;
+      return;
+    }
+  }
+  if (parts_.empty()) return;
+  Part& last = parts_.back();  // "a family": an adjective that is a noun as well
+  const Match match = lexicon_.find(tokens_.first(last.last), last.first);
+  if (last.word_class != Class::kQuality || meaning_of(match, Class::kAbstract) == nullptr || phrase_.determiner != Determiner::kIndefinite)
+    return;
+  last.word_class = Class::kAbstract;
+  head = parts_.size();
+}
+
+// "the left one", "a smaller one"
+NounPhrase NounPhraseReader::settle_member() {
+  for (const Part& part : parts_) {
+    if (part.word_class != Class::kFiller) continue;
+    phrase_.attributes.push_back(text_of(tokens_, part.first, part.last));
+    phrase_.attribute_classes.push_back(Class::kQuality);
+  }
+  take_attributes(parts_.size());
+  phrase_.last = i_;
+  return phrase_;
+}
+
+// Nothing but attributes: "each", "the other", "both", "the larger", a count alone.
+std::optional<NounPhrase> NounPhraseReader::settle_without_head() {
+  const bool member = phrase_.determiner == Determiner::kEach || phrase_.determiner == Determiner::kBoth ||
+                      phrase_.determiner == Determiner::kOther || phrase_.determiner == Determiner::kAnother || counted_ ||
+                      phrase_.ordinal != 0;
+  if (!member || (bare_ && !counted_ && phrase_.determiner == Determiner::kNone)) return std::nullopt;
+  if (!parts_.empty()) i_ = parts_.front().first;
+  phrase_.kind = NounKind::kMember;
+  return finish();
+}
+
+// "a bear guards a safe": one bear, and what it does.
+bool NounPhraseReader::ends_in_verb(std::size_t head) const {
+  if (head < 2 || phrase_.determiner != Determiner::kIndefinite || phrase_.count != 0) return false;
+  const Part &last = parts_[head - 1], &before = parts_[head - 2];
+  if (!last.plural || before.plural || (last.word_class != Class::kFiller && !opens_at(last.last))) return false;
+  return before.word_class == Class::kObject || (before.word_class == Class::kFiller && is_thing(before));
+}
+
+// A head that no list has; false where it is no noun phrase at all.
+bool NounPhraseReader::settle_filler(std::size_t head) {
+  const Part part = parts_[head];
+  const std::string& word = tokens_[part.last - 1].text;
+  const WordForm form = word_form(word), noun = noun_form(word);
+  const bool named = phrase_.determiner != Determiner::kNone || counted_;
+  take_attributes(head);
+  const bool ends = !more() || token().kind == Token::Kind::kPunctuation || lexicon_.is(token(), Class::kAnd) ||
+                    lexicon_.find_phrase(tokens_, i_).length > 0;
+  const bool listed = !named && part.plural && ends &&  // "hooks on the wall", "with ribbon rolls and …"
+                      (head == 0 ? noun == WordForm::kThing : is_compound(head) && (is_noun(noun) && noun != WordForm::kNoun));
+  const bool thing = form == WordForm::kThing || (form == WordForm::kUnknown && (named || part.plural || is_bodily_described())) ||
+                     (hyphenated(part.first) && !is_noun(form)) || (form == WordForm::kBody && part.plural && head == 0) ||
+                     (named && (is_thing_where_named(part) || is_rare_thing(part, head) || (is_modeled(head) && is_compound(head)))) ||
+                     listed || shaped_;
+  const bool made = form != WordForm::kAdverb && form != WordForm::kAdjective && named && has_attribute(Class::kMaterial);
+  if (!thing && !named && !is_noun(form)) return false;
+  settle_object(part, head);
+  if (!thing && (!made || form == WordForm::kPerson)) {
+    phrase_.kind = NounKind::kAbstract;
+    phrase_.doubted = true;
+  }
+  return true;
+}
+
+// A head that stands in the lists of places, rooms and parts.
+void NounPhraseReader::settle_listed(std::size_t head) {
+  const Part part = parts_[head];
+  const Part as_thing{part.first, part.last, Class::kFiller, {Class::kFiller, nullptr, nullptr, 0, {}}, part.plural};
+  const bool thing = is_thing_by_name(head);
+  take_attributes(head);
+  if (thing) return settle_object(as_thing, head);
+  const bool new_here = counted_ || part.plural || phrase_.determiner == Determiner::kIndefinite;
+  if (part.word_class == Class::kPart && new_here && (part.meaning.entry != nullptr || is_compound(head))) {
+    const NounPhrase opened = phrase_;
+    settle_object(part.meaning.entry != nullptr ? part : as_thing, head);
+    auto object = std::make_shared<NounPhrase>(phrase_);
+    object->last = i_;
+    phrase_ = opened;
+    phrase_.as_object = std::move(object);
+  }
+  settle_place(part);
+  // "bath essentials", "decorative items": things, where something holds them.
+  if (phrase_.kind == NounKind::kAbstract && is_collective(phrase_.head)) {
+    settle_object(as_thing, head);
+    phrase_.kind = NounKind::kAbstract;
+    phrase_.collective = true;
+  }
+}
+
 std::optional<NounPhrase> NounPhraseReader::settle() {
-  if (done_) {  // "the left one", "a smaller one"
-    for (const Part& part : parts_) {
-      if (part.word_class != Class::kFiller) continue;
-      phrase_.attributes.push_back(text_of(tokens_, part.first, part.last));
-      phrase_.attribute_classes.push_back(Class::kQuality);
-    }
-    take_attributes(parts_.size());
-    return finish();
-  }
-  // The head is the last noun; words after it that are not nouns were read too far.
-  std::size_t head = parts_.size();
-  while (head > 0) {
-    const Part& part = parts_[head - 1];
-    if (!is_attribute_class(part.word_class) && part.word_class != Class::kWallWord && part.word_class != Class::kWallRelation) break;
-    --head;
-  }
-  if (head == 0 && !parts_.empty()) {  // "a family": an adjective that is a noun as well
-    Part& last = parts_.back();
-    const Match match = lexicon_.find(tokens_.first(last.last), last.first);
-    if (const Meaning* noun = meaning_of(match, Class::kAbstract);
-        noun != nullptr && last.word_class == Class::kQuality && phrase_.determiner == Determiner::kIndefinite) {
-      last.word_class = Class::kAbstract;
-      head = parts_.size();
-    }
-  }
-  if (head == 0) {
-    // Nothing but attributes: "each", "the other", "both", "the larger", a count alone.
-    const bool member = phrase_.determiner == Determiner::kEach || phrase_.determiner == Determiner::kBoth ||
-                        phrase_.determiner == Determiner::kOther || phrase_.determiner == Determiner::kAnother || counted_ ||
-                        phrase_.ordinal != 0;
-    if (!member || (bare_ && !counted_ && phrase_.determiner == Determiner::kNone)) return std::nullopt;
-    if (!parts_.empty()) i_ = parts_.front().first;
-    phrase_.kind = NounKind::kMember;
-    return finish();
-  }
-  // "a bear guards a safe": one bear, and what it does.
-  if (head > 1 && phrase_.determiner == Determiner::kIndefinite && phrase_.count == 0 && parts_[head - 1].plural &&
-      parts_[head - 1].word_class == Class::kFiller &&
-      (parts_[head - 2].word_class == Class::kObject || (parts_[head - 2].word_class == Class::kFiller && is_thing(parts_[head - 2]))) &&
-      !parts_[head - 2].plural)
-    --head;
+  if (done_) return settle_member();
+  std::size_t head = 0;
+  find_head(head);
+  if (head == 0) return settle_without_head();
+  if (ends_in_verb(head)) --head;
   join_set(head);
   const Part part = parts_[head - 1];
   i_ = part.last;
   if (part.word_class == Class::kFiller) {
-    const std::string& word = tokens_[part.last - 1].text;
-    const WordForm form = word_form(word);
-    const bool named = phrase_.determiner != Determiner::kNone || counted_;
-    const bool thing = form == WordForm::kThing || (form == WordForm::kUnknown && (named || part.plural)) ||
-                       (hyphenated(part.first) && !is_noun(form)) || (form == WordForm::kBody && part.plural && head == 1) ||
-                       (named && is_thing_where_named(part));
-    take_attributes(head - 1);
-    // "a wooden cross": what is made of something is a thing.
-    const bool made =
-        form != WordForm::kAdverb && form != WordForm::kAdjective && named &&
-        std::find(phrase_.attribute_classes.begin(), phrase_.attribute_classes.end(), Class::kMaterial) != phrase_.attribute_classes.end();
-    if (!thing && !named && !is_noun(form)) return std::nullopt;
-    settle_object(part, head - 1);
-    if (!thing && (!made || form == WordForm::kPerson)) {
-      phrase_.kind = NounKind::kAbstract;
-      phrase_.doubted = true;
-    }
+    if (!settle_filler(head - 1)) return std::nullopt;
   } else if (part.word_class == Class::kObject) {
     take_attributes(head - 1);
     settle_object(part, head - 1);
   } else {
-    take_attributes(head - 1);
-    if (part.word_class == Class::kPart && part.meaning.entry != nullptr &&
-        (counted_ || part.plural || phrase_.determiner == Determiner::kIndefinite)) {
-      const NounPhrase opened = phrase_;
-      settle_object(part, head - 1);
-      auto object = std::make_shared<NounPhrase>(phrase_);
-      object->last = i_;
-      phrase_ = opened;
-      phrase_.as_object = std::move(object);
-    }
-    settle_place(part);
-    // "bath essentials", "decorative items": things, where something holds them.
-    if (phrase_.kind == NounKind::kAbstract && is_collective(phrase_.head)) {
-      const Part as_object{part.first, part.last, Class::kFiller, {Class::kFiller, nullptr, nullptr, 0, {}}, part.plural};
-      settle_object(as_object, head - 1);
-      phrase_.kind = NounKind::kAbstract;
-      phrase_.collective = true;
-    }
+    settle_listed(head - 1);
   }
   if (phrase_.kind == NounKind::kWall && phrase_.wall_word.empty() && more()) {  // "wall east"
     const Match which = lexicon_.find(tokens_, i_, Class::kWallWord);

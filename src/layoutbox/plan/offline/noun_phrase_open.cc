@@ -38,6 +38,7 @@ bool NounPhraseReader::read_count() {
   // "two-seater", "three-legged": a compound adjective.
   if (best.length == 1 && (hyphenated(i_ + 1) || (is_number && says_seats(i_ + 1)))) return false;
   const Meaning* meaning = meaning_of(best, is_number ? Class::kNumber : Class::kVague);
+  if (doubles_noun(i_)) return false;
   // "twin", "double", "single" and "full" are adjectives of beds and sofas as well: only "dual monitors" and the like are counts.
   if (is_number && attribute_of(any) != nullptr) {
     const Match next = lexicon_.find(tokens_, i_ + best.length);
@@ -60,6 +61,15 @@ bool NounPhraseReader::read_count() {
     }
   }
   return true;
+}
+
+// "a dual sink vanity", "a triple monitor stand": an adjective of what is one; "dual monitors" are two.
+bool NounPhraseReader::doubles_noun(std::size_t at) const {
+  static constexpr std::string_view kDoubling[] = {"dual", "double", "twin", "triple"};
+  if (at + 1 >= tokens_.size() || std::find(std::begin(kDoubling), std::end(kDoubling), tokens_[at].text) == std::end(kDoubling))
+    return false;
+  const Match next = lexicon_.find(tokens_, at + 1);
+  return next.length > 0 && has(next, Class::kObject) && !next.plural;
 }
 
 // A size before the noun. "55-inch" is kept as an attribute as well.
@@ -103,7 +113,8 @@ bool NounPhraseReader::says_seats(std::size_t at) const {
 
 // "two rows of four chairs", "a row of stools".
 bool NounPhraseReader::read_rows() {
-  const bool one = at_word("row") || at_word("line"), several = at_word("rows") || at_word("lines");
+  const bool columns = at_word("columns") && i_ + 2 < tokens_.size() && lexicon_.find(tokens_, i_ + 2, Class::kNumber).length > 0;
+  const bool one = at_word("row") || at_word("line"), several = at_word("rows") || at_word("lines") || columns;
   if ((!one && !several) || !at_word("of", 1) || i_ + 2 >= tokens_.size()) return false;
   phrase_.rows = one ? 1 : std::max(phrase_.count, 2);
   phrase_.count = 0;

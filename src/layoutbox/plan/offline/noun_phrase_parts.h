@@ -85,7 +85,22 @@ class NounPhraseReader {
   bool read_subset();
   bool read_pronoun();
   void read_parts();
+  bool is_named() const { return !parts_.empty() || phrase_.determiner != Determiner::kNone || counted_; }
+  bool add(WordClass word_class, const Meaning& meaning, std::size_t length, bool plural);
   bool read_part();
+  bool read_compound_adjective(const Match& match);
+  bool plural_at(std::size_t i) const;
+  bool opens_at(std::size_t i) const;
+  Match without_verb(const Match& match) const;
+  Match without_attribute(const Match& match) const;
+  bool ends_before(const Match& match) const;
+  bool read_listed(const Match& match, bool noun_before);
+  bool opens_text(std::size_t after) const;
+  std::optional<bool> read_thing(const Match& match, bool noun_before, bool verbal);
+  std::optional<bool> read_place(const Match& match, bool noun_before, bool verbal);
+  bool read_other(const Match& match, bool noun_before);
+  bool read_unlisted();
+  bool doubles_noun(std::size_t at) const;
   bool read_ordinal();
   bool goes_on_after_break() const;
   bool noun_after(std::size_t at) const;
@@ -93,6 +108,18 @@ class NounPhraseReader {
   bool word_may_belong() const;
   bool is_thing(const Part& part) const;
   bool is_thing_where_named(const Part& part) const;
+  bool has_attribute(WordClass word_class) const;
+  bool is_bodily_described() const;
+  bool is_rare_thing(const Part& part, std::size_t head) const;
+  bool is_compound(std::size_t head) const;
+  bool is_modeled(std::size_t head) const;
+  bool is_thing_by_name(std::size_t head) const;
+  void find_head(std::size_t& head);
+  NounPhrase settle_member();
+  std::optional<NounPhrase> settle_without_head();
+  bool ends_in_verb(std::size_t head) const;
+  bool settle_filler(std::size_t head);
+  void settle_listed(std::size_t head);
   std::optional<NounPhrase> settle();
   void settle_object(const Part& head, std::size_t head_index);
   void join_set(std::size_t& head);
@@ -108,6 +135,7 @@ class NounPhraseReader {
   bool bare_;
   bool done_ = false, counted_ = false;
   bool paired_ = false;  // "a pair of", "two pairs of"
+  bool shaped_ = false;  // the head is a shape: "a climbing cube"
   NounPhrase phrase_;
   std::vector<Part> parts_;
 };

@@ -32,6 +32,8 @@ bool NounPhraseReader::word_may_belong() const {
   if (!noun_before) return form != WordForm::kAdverb;
   if (text.ends_with("ed") || text.ends_with("ing") || text.ends_with("ly"))
     return form == WordForm::kThing && !text.ends_with("ing") && !text.ends_with("ed");
+  // "soup cans"; "the lamp fronts the wall" goes on as a verb does.
+  if (form == WordForm::kVerb && noun_form(text) == WordForm::kThing && plural_at(i_)) return !opens_at(i_ + 1);
   return is_noun(form) || form == WordForm::kUnknown;
 }
 
@@ -67,140 +69,208 @@ bool NounPhraseReader::names_set() const {
          (i_ + 1 >= tokens_.size() || tokens_[i_ + 1].kind == Token::Kind::kPunctuation || lexicon_.is(tokens_[i_ + 1], Class::kAnd));
 }
 
+// "light-filled", "hand-knotted", "ladder-back", "ride-on": one adjective, whatever its first word is.
+bool NounPhraseReader::read_compound_adjective(const Match& match) {
+  if (match.length > 1 || i_ + 1 >= tokens_.size() || !hyphenated(i_ + 1) || token().kind != Token::Kind::kWord) return false;
+  static constexpr std::string_view kEnds[] = {"style", "free", "on", "up", "in", "out", "off", "down", "over"};
+  const std::string& end = tokens_[i_ + 1].text;
+  const bool adjective = end.ends_with("ed") || std::find(std::begin(kEnds), std::end(kEnds), end) != std::end(kEnds);
+  const bool side = has(lexicon_.find(tokens_, i_ + 1), Class::kSide) && has(lexicon_.find(tokens_, i_ + 2), Class::kObject);
+  if ((!adjective && !side) || lexicon_.find(tokens_, i_ + 1, Class::kObject).length > 0) return false;
+  if (lexicon_.find_phrase(tokens_, i_).length > 1) return false;  // "close-up", "in-between"
+  parts_.push_back({i_, i_ + 2, Class::kQuality, {Class::kQuality, nullptr, nullptr, 0, {}}, false});
+  i_ += 2;
+  return true;
+}
+
+bool NounPhraseReader::plural_at(std::size_t i) const { return singular_of(tokens_[i].text) != tokens_[i].text; }
+
+// "a", "two", "the" at `i`: what went before was a verb.
+bool NounPhraseReader::opens_at(std::size_t i) const {
+  return i < tokens_.size() && (tokens_[i].kind == Token::Kind::kNumber || lexicon_.is(tokens_[i], Class::kIndefinite) ||
+                                lexicon_.is(tokens_[i], Class::kNumber) || lexicon_.is(tokens_[i], Class::kDefinite));
+}
+
+// "a plant stands in the corner" is no plant stand.
+Match NounPhraseReader::without_verb(const Match& match) const {
+  if (match.length < 2 || !lexicon_.is(tokens_[i_ + match.length - 1], Class::kPlaceVerb)) return match;
+  const bool one =
+      phrase_.count == 1 || (phrase_.count == 0 && (phrase_.determiner == Determiner::kIndefinite || opens_at(i_ + match.length)));
+  const bool singular_subject = match.plural && one;  // "in the corner stands a"
+  const bool plural_subject = !match.plural && plural_at(i_ + match.length - 2) && !plural_at(i_ + match.length - 1);  // "speakers stand"
+  return singular_subject || plural_subject ? lexicon_.find(tokens_.first(i_ + match.length - 1), i_) : match;
+}
+
+// "a wooden puppet theater": what something is made of gives way to the longer name that begins after it.
+Match NounPhraseReader::without_attribute(const Match& match) const {
+  if (match.length < 2 || !has(match, Class::kObject)) return match;
+  const Match first = lexicon_.find(tokens_.first(i_ + 1), i_);
+  if (attribute_of(first) == nullptr) return match;
+  const Match after = lexicon_.find(tokens_, i_ + 1);
+  return has(after, Class::kObject) && after.length >= match.length ? first : match;
+}
+
+// Whether the name ends before what is at hand: a verb, a place, somebody who does something.
+bool NounPhraseReader::ends_before(const Match& match) const {
+  // "both stand", "all sit": the verb.
+  const bool verb = match.length == 1 && !plural_at(i_) && has(match, Class::kPlaceVerb);
+  if (parts_.empty()) return phrase_.determiner == Determiner::kBoth && verb;
+  const Part& last = parts_.back();
+  if (verb && last.last == i_ && plural_at(i_ - 1) && !is_attribute_class(last.word_class)) return true;
+  const std::size_t phrase = lexicon_.find_phrase(tokens_, i_).length;
+  if (phrase > std::max<std::size_t>(match.length, 1)) return true;  // "two desks side by side": a place, no part of the name
+  // "a VR rig positioned beside the door"
+  const bool participle =
+      match.length == 1 && has(match, Class::kParticiple) && (token().text.ends_with("ed") || token().text.ends_with("ing"));
+  if (!participle || last.word_class != Class::kFiller || last.last != i_) return false;
+  const WordForm before = noun_form(tokens_[last.last - 1].text);
+  const std::size_t after = i_ + match.length;
+  const bool over =
+      after >= tokens_.size() || tokens_[after].kind == Token::Kind::kPunctuation || lexicon_.find_phrase(tokens_, after).length > 0;
+  return over && (is_noun(before) || before == WordForm::kUnknown);
+}
+
+bool NounPhraseReader::add(Class word_class, const Meaning& meaning, std::size_t length, bool plural) {
+  parts_.push_back({i_, i_ + length, word_class, meaning, plural});
+  i_ += length;
+  return true;
+}
+
 bool NounPhraseReader::read_part() {
   if (read_ordinal()) return true;
   Match match = lexicon_.find(tokens_, i_);
-  // "light-filled", "hand-knotted", "ladder-back": one adjective, whatever its first word is.
-  if (match.length < 2 && i_ + 1 < tokens_.size() && hyphenated(i_ + 1) && token().kind == Token::Kind::kWord &&
-      ((tokens_[i_ + 1].text.ends_with("ed") || tokens_[i_ + 1].text == "style" || tokens_[i_ + 1].text == "free") ||
-       (has(lexicon_.find(tokens_, i_ + 1), Class::kSide) && has(lexicon_.find(tokens_, i_ + 2), Class::kObject))) &&
-      lexicon_.find(tokens_, i_ + 1, Class::kObject).length == 0) {
-    parts_.push_back({i_, i_ + 2, Class::kQuality, {Class::kQuality, nullptr, nullptr, 0, {}}, false});
-    i_ += 2;
-    return true;
-  }
-  // "a plant stands in the corner" is no plant stand.
-  const auto plural_at = [&](std::size_t i) { return singular_of(tokens_[i].text) != tokens_[i].text; };
-  if (match.length > 1 && lexicon_.is(tokens_[i_ + match.length - 1], Class::kPlaceVerb)) {
-    const std::size_t after = i_ + match.length;
-    const bool subject_follows =
-        after < tokens_.size() && (lexicon_.is(tokens_[after], Class::kIndefinite) || lexicon_.is(tokens_[after], Class::kNumber) ||
-                                   tokens_[after].kind == Token::Kind::kNumber);  // "in the corner stands a"
-    const bool singular_subject = match.plural && phrase_.count == 0 && (phrase_.determiner == Determiner::kIndefinite || subject_follows);
-    const bool plural_subject = !match.plural && plural_at(i_ + match.length - 2) && !plural_at(i_ + match.length - 1);  // "speakers stand"
-    if (singular_subject || plural_subject) match = lexicon_.find(tokens_.first(i_ + match.length - 1), i_);
-  }
-  if (!parts_.empty() && parts_.back().last == i_ && plural_at(i_ - 1) && match.length == 1 && !plural_at(i_) &&
-      has(match, Class::kPlaceVerb) && !is_attribute_class(parts_.back().word_class))
-    return false;
-  // "both stand", "all sit": the verb.
-  if (parts_.empty() && phrase_.determiner == Determiner::kBoth && match.length == 1 && !plural_at(i_) && has(match, Class::kPlaceVerb))
-    return false;
-  // "two desks side by side": a place, no part of the name.
-  if (!parts_.empty() && lexicon_.find_phrase(tokens_, i_).length > std::max<std::size_t>(match.length, 1)) return false;
-  const auto add = [&](Class word_class, const Meaning& meaning, std::size_t length, bool plural) {
-    parts_.push_back({i_, i_ + length, word_class, meaning, plural});
-    i_ += length;
-    return true;
-  };
-  const bool named = !parts_.empty() || phrase_.determiner != Determiner::kNone || counted_;
+  if (read_compound_adjective(match)) return true;
+  match = without_attribute(without_verb(match));
+  if (ends_before(match)) return false;
   const bool noun_before = std::any_of(parts_.begin(), parts_.end(), [](const Part& p) {
     return !is_attribute_class(p.word_class) && p.word_class != Class::kFiller && p.word_class != Class::kWallWord;
   });
-  if (match.length > 0) {
-    const Meaning* object = meaning_of(match, Class::kObject);
-    // "A bar with a counter": at the very beginning what something is in is the room.
-    if (object != nullptr && has(match, Class::kRoom) && phrase_.first < 2 && i_ + match.length < tokens_.size() &&
-        lexicon_.is(tokens_[i_ + match.length], Class::kHave))
-      return add(Class::kRoom, *meaning_of(match, Class::kRoom), match.length, match.plural);
-    const Meaning* attribute = attribute_of(match);
-    // "mid-century style table", "tan colored rug": the word belongs to the attribute before it.
-    static constexpr std::string_view kOfAttribute[] = {"style", "styled", "themed", "inspired", "shaped", "toned", "colored",
-                                                        "size",  "sized",  "type",   "looking",  "backed", "topped"};
-    if (!parts_.empty() && is_attribute_class(parts_.back().word_class) && match.length == 1 &&
-        std::find(std::begin(kOfAttribute), std::end(kOfAttribute), token().text) != std::end(kOfAttribute)) {
-      parts_.back().last = i_ + 1;
-      ++i_;
-      return true;
-    }
-    const bool verbal = has(match, Class::kParticiple) || has(match, Class::kPlaceVerb) || has(match, Class::kHang) ||
-                        has(match, Class::kHave) || has(match, Class::kVerb) || has(match, Class::kPurpose);
-    // A noun that is a verb as well ("light", "plant", "stand", "frames") is a verb right after another noun, unless it ends a name.
-    // "glass" before a noun is what the noun is made of; "drawers" are parts where both are listed.
-    const bool noun_next = noun_after(i_ + match.length);
-    if (attribute != nullptr && object != nullptr && match.length == 1 && noun_next && !noun_before)
-      return add(attribute->word_class, *attribute, match.length, match.plural);
-    Token single = token();
-    single.text = singular_of(single.text);
-    const bool part = has(match, Class::kPart) || (match.length == 1 && lexicon_.is(single, Class::kPart));
-    // "along the left wall fridge, stove and sink": a place and what stands there.
-    if (object != nullptr && !parts_.empty() && parts_.back().word_class == Class::kWall && parts_.size() > 1 &&
-        parts_[parts_.size() - 2].word_class == Class::kWallWord && object->entry->mount == Mount::kFloor && !hyphenated(i_))
+  // "a miniature station model": no command within a name.
+  const bool commands =
+      match.length == 1 && !parts_.empty() && is_noun(noun_form(token().text)) && token().text.size() > 1 && parts_.back().last == i_ &&
+      !opens_at(i_ + 1) &&
+      std::all_of(match.meanings.begin(), match.meanings.end(), [](const Meaning& m) { return m.word_class == Class::kCommand; });
+  if (match.length > 0 && !commands) return read_listed(match, noun_before);
+  return read_unlisted();
+}
+
+bool NounPhraseReader::read_listed(const Match& match, bool noun_before) {
+  const Meaning* object = meaning_of(match, Class::kObject);
+  if (object != nullptr && has(match, Class::kRoom) && opens_text(i_ + match.length))
+    return add(Class::kRoom, *meaning_of(match, Class::kRoom), match.length, match.plural);
+  // "mid-century style table", "tan colored rug": the word belongs to the attribute before it.
+  static constexpr std::string_view kOfAttribute[] = {"style", "styled", "themed", "inspired", "shaped", "toned", "colored",
+                                                      "size",  "sized",  "type",   "looking",  "backed", "topped"};
+  if (!parts_.empty() && is_attribute_class(parts_.back().word_class) && match.length == 1 &&
+      std::find(std::begin(kOfAttribute), std::end(kOfAttribute), token().text) != std::end(kOfAttribute)) {
+    parts_.back().last = i_ + 1;
+    ++i_;
+    return true;
+  }
+  const bool verbal = has(match, Class::kParticiple) || has(match, Class::kPlaceVerb) || has(match, Class::kHang) ||
+                      has(match, Class::kHave) || has(match, Class::kVerb) || has(match, Class::kPurpose);
+  if (const std::optional<bool> thing = read_thing(match, noun_before, verbal)) return *thing;
+  if (const std::optional<bool> place = read_place(match, noun_before, verbal)) return *place;
+  return read_other(match, noun_before);
+}
+
+// "A bar with a counter", "I want a pantry with shelves": what something is in, where nothing else was named before, is the room.
+bool NounPhraseReader::opens_text(std::size_t after) const {
+  if (after >= tokens_.size() || !lexicon_.is(tokens_[after], Class::kHave)) return false;
+  for (std::size_t i = 0; i < phrase_.first; ++i) {
+    if (tokens_[i].kind == Token::Kind::kPunctuation || lexicon_.find(tokens_, i, Class::kObject).length > 0 ||
+        lexicon_.find_phrase(tokens_, i).length > 0)
       return false;
-    if (object != nullptr && !(verbal && noun_before && !hyphenated(i_)) && !part)
-      return add(Class::kObject, *object, match.length, match.plural);
-    if (object != nullptr && part) return add(Class::kPart, *object, match.length, match.plural);
-    if (part && match.length == 1 && has(match, Class::kPart)) {  // "two sinks": parts of a vanity, or things
-      const Match one = lexicon_.find({&single, 1}, 0);
-      if (const Meaning* thing = meaning_of(one, Class::kObject); thing != nullptr && single.text != token().text)
-        return add(Class::kPart, *thing, 1, true);
+  }
+  return true;
+}
+
+// A thing, a part of one, or an attribute; nothing where the words are none of these.
+std::optional<bool> NounPhraseReader::read_thing(const Match& match, bool noun_before, bool verbal) {
+  const Meaning* object = meaning_of(match, Class::kObject);
+  const Meaning* attribute = attribute_of(match);
+  // A noun that is a verb as well ("light", "plant", "stand", "frames") is a verb right after another noun, unless it ends a name.
+  // "glass" before a noun is what the noun is made of; "drawers" are parts where both are listed.
+  if (attribute != nullptr && object != nullptr && match.length == 1 && !noun_before && noun_after(i_ + match.length))
+    return add(attribute->word_class, *attribute, match.length, match.plural);
+  Token single = token();
+  single.text = singular_of(single.text);
+  const bool part = has(match, Class::kPart) || (match.length == 1 && lexicon_.is(single, Class::kPart));
+  // "along the left wall fridge, stove and sink": a place and what stands there.
+  if (object != nullptr && !parts_.empty() && parts_.back().word_class == Class::kWall && parts_.size() > 1 &&
+      parts_[parts_.size() - 2].word_class == Class::kWallWord && object->entry->mount == Mount::kFloor && !hyphenated(i_))
+    return false;
+  if (object != nullptr && !(verbal && noun_before && !hyphenated(i_)) && !part)
+    return add(Class::kObject, *object, match.length, match.plural);
+  if (object != nullptr && part) return add(Class::kPart, *object, match.length, match.plural);
+  if (part && match.length == 1 && has(match, Class::kPart)) {  // "two sinks": parts of a vanity, or things
+    const Match one = lexicon_.find({&single, 1}, 0);
+    if (const Meaning* thing = meaning_of(one, Class::kObject); thing != nullptr && single.text != token().text)
+      return add(Class::kPart, *thing, 1, true);
+  }
+  if (attribute == nullptr || (noun_before && verbal)) return std::nullopt;
+  // "bed king size": an attribute after the noun ends the phrase, unless another noun follows it ("table glass lamp").
+  if (noun_before && !hyphenated(i_) && !has(lexicon_.find(tokens_, i_ + match.length), Class::kObject)) return false;
+  return add(attribute->word_class, *attribute, match.length, match.plural);
+}
+
+// A place, a room, a part, what is no thing; nothing where the words are none of these.
+std::optional<bool> NounPhraseReader::read_place(const Match& match, bool noun_before, bool verbal) {
+  const bool named = is_named();
+  for (const Class place :
+       {Class::kDoor, Class::kWindow, Class::kWall, Class::kCorner, Class::kCenter, Class::kFloor, Class::kCeiling, Class::kOutsideRoom,
+        Class::kRoom, Class::kNiche, Class::kZone, Class::kRoomNoun, Class::kPart, Class::kSide, Class::kAbstract}) {
+    const Meaning* meaning = meaning_of(match, place);
+    if (meaning == nullptr) continue;
+    if ((place == Class::kSide || place == Class::kPart) && meaning_of(match, Class::kWallWord) != nullptr) {
+      const Match next = lexicon_.find(tokens_, i_ + 1);
+      if (has(next, Class::kObject) || has(next, Class::kWall) || has(next, Class::kCorner) || has(next, Class::kSide) ||
+          has(next, Class::kNumber) || has(next, Class::kWallWord))
+        break;  // "left corner"
     }
-    if (attribute != nullptr && !(noun_before && verbal)) {
-      if (noun_before && !hyphenated(i_)) {
-        // "bed king size": an attribute after the noun ends the phrase, unless another noun follows it ("table glass lamp").
-        const Match next = lexicon_.find(tokens_, i_ + match.length);
-        if (!has(next, Class::kObject)) return false;
-      }
-      return add(attribute->word_class, *attribute, match.length, match.plural);
-    }
-    for (const Class place :
-         {Class::kDoor, Class::kWindow, Class::kWall, Class::kCorner, Class::kCenter, Class::kFloor, Class::kCeiling, Class::kOutsideRoom,
-          Class::kRoom, Class::kNiche, Class::kZone, Class::kRoomNoun, Class::kPart, Class::kSide, Class::kAbstract}) {
-      const Meaning* meaning = meaning_of(match, place);
-      if (meaning == nullptr) continue;
-      if ((place == Class::kSide || place == Class::kPart) && meaning_of(match, Class::kWallWord) != nullptr) {
-        const Match next = lexicon_.find(tokens_, i_ + 1);
-        if (has(next, Class::kObject) || has(next, Class::kWall) || has(next, Class::kCorner) || has(next, Class::kSide) ||
-            has(next, Class::kNumber) || has(next, Class::kWallWord))
-          break;  // "left corner"
-      }
-      if ((verbal && noun_before && !names_set()) || (!named && !bare_)) return false;
-      // "newspapers lines the wall": the verb, not a name that goes on.
-      if (noun_before && !hyphenated(i_) && (place == Class::kAbstract || place == Class::kPart) &&
-          lexicon_.find_phrase(tokens_, i_).length > 0)
-        return false;
-      // "another table right of the sofa", "a chair back": a side after a noun is no part of its name.
-      if (noun_before && place == Class::kSide && !hyphenated(i_)) return false;
-      if (noun_before && place == Class::kPart && meaning_of(match, Class::kSide) != nullptr && !hyphenated(i_)) return false;
-      return add(place, *meaning, match.length, match.plural);
-    }
-    for (const Class word : {Class::kWallRelation, Class::kWallWord}) {
-      if (const Meaning* meaning = meaning_of(match, word); meaning != nullptr && (named || bare_) && !noun_before)
-        return add(word, *meaning, match.length, false);
-    }
-    if (has(match, Class::kNumber) && i_ + 1 < tokens_.size() && (hyphenated(i_ + 1) || says_seats(i_ + 1))) {  // "one-way", "two-tone"
-      parts_.push_back({i_, i_ + 2, Class::kQuality, {Class::kQuality, nullptr, nullptr, 0, {}}, false});
-      i_ += 2;
-      return true;
-    }
-    if (has(match, Class::kNumber) && at_word("one") && named) {  // "the left one", "the other one"
-      phrase_.kind = NounKind::kMember;
-      i_ += 1;
-      done_ = true;
+    if ((verbal && noun_before && !names_set()) || (!named && !bare_)) return false;
+    // "newspapers lines the wall": the verb, not a name that goes on.
+    if (noun_before && !hyphenated(i_) && (place == Class::kAbstract || place == Class::kPart) &&
+        lexicon_.find_phrase(tokens_, i_).length > 0)
       return false;
-    }
-    // Participles and verbs stand before the noun only: "a folded blanket", "a rolling chair".
-    if (!noun_before && named && (has(match, Class::kParticiple) || has(match, Class::kHang) || has(match, Class::kVerb)) &&
-        match.length == 1 && (token().text.ends_with("ed") || token().text.ends_with("ing")) &&
-        lexicon_.find_phrase(tokens_, i_).length < 2 && lexicon_.find(tokens_, i_, Class::kHave).length < 2) {  // "each filled with"
-      return add(Class::kFiller, match.meanings.front(), 1, false);
-    }
-    if (!noun_before && named && has(match, Class::kAdverb)) {
-      i_ += match.length;
-      return true;
-    }
+    // "another table right of the sofa", "a chair back": a side after a noun is no part of its name.
+    if (noun_before && place == Class::kSide && !hyphenated(i_)) return false;
+    if (noun_before && place == Class::kPart && meaning_of(match, Class::kSide) != nullptr && !hyphenated(i_)) return false;
+    return add(place, *meaning, match.length, match.plural);
+  }
+  return std::nullopt;
+}
+
+// Sides, numbers within adjectives, members, participles, adverbs.
+bool NounPhraseReader::read_other(const Match& match, bool noun_before) {
+  const bool named = is_named();
+  for (const Class word : {Class::kWallRelation, Class::kWallWord}) {
+    if (const Meaning* meaning = meaning_of(match, word); meaning != nullptr && (named || bare_) && !noun_before)
+      return add(word, *meaning, match.length, false);
+  }
+  if (has(match, Class::kNumber) && i_ + 1 < tokens_.size() && (hyphenated(i_ + 1) || says_seats(i_ + 1)))  // "one-way", "two-tone"
+    return add(Class::kQuality, {Class::kQuality, nullptr, nullptr, 0, {}}, 2, false);
+  if (doubles_noun(i_)) return add(Class::kQuality, {Class::kQuality, nullptr, nullptr, 0, {}}, 1, false);
+  if (has(match, Class::kNumber) && at_word("one") && named) {  // "the left one", "the other one"
+    phrase_.kind = NounKind::kMember;
+    i_ += 1;
+    done_ = true;
     return false;
   }
+  // Participles and verbs stand before the noun only: "a folded blanket", "a rolling chair".
+  if (!noun_before && named && (has(match, Class::kParticiple) || has(match, Class::kHang) || has(match, Class::kVerb)) &&
+      match.length == 1 && (token().text.ends_with("ed") || token().text.ends_with("ing")) &&
+      lexicon_.find_phrase(tokens_, i_).length < 2 && lexicon_.find(tokens_, i_, Class::kHave).length < 2) {  // "each filled with"
+    return add(Class::kFiller, match.meanings.front(), 1, false);
+  }
+  if (!noun_before && named && has(match, Class::kAdverb)) {
+    i_ += match.length;
+    return true;
+  }
+  return false;
+}
+
+bool NounPhraseReader::read_unlisted() {
   if (token().kind != Token::Kind::kWord) {
     // "55-inch", "2-seater": one adjective.
     if (token().kind == Token::Kind::kNumber && i_ + 1 < tokens_.size() && tokens_[i_ + 1].kind == Token::Kind::kWord &&
@@ -208,11 +278,8 @@ bool NounPhraseReader::read_part() {
       return add(Class::kQuality, {Class::kQuality, nullptr, nullptr, 0, {}}, 2, false);
     return false;
   }
-  if (lexicon_.find_phrase(tokens_, i_).length > 0) return false;
-  if (!named && !bare_) return false;
-  if (!word_may_belong()) return false;
-  const std::string singular = singular_of(token().text);
-  return add(Class::kFiller, {Class::kFiller, nullptr, nullptr, 0, {}}, 1, singular != token().text);
+  if (lexicon_.find_phrase(tokens_, i_).length > 0 || (!is_named() && !bare_) || !word_may_belong()) return false;
+  return add(Class::kFiller, {Class::kFiller, nullptr, nullptr, 0, {}}, 1, plural_at(i_));
 }
 
 void NounPhraseReader::read_parts() {

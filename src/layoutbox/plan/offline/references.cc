@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "layoutbox/base/words.h"
 #include "layoutbox/plan/offline/reader_words.h"
 
 namespace layoutbox::offline {
@@ -9,8 +10,7 @@ namespace {
 
 std::string last_word(const std::string& name) {
   const std::string plain = name.substr(0, name.find(" of "));
-  const std::size_t space = plain.rfind(' ');
-  return space == std::string::npos ? plain : plain.substr(space + 1);
+  return singular_of(plain.substr(plain.rfind(' ') + 1));  // npos + 1: all of it
 }
 
 // "the shelf", "the top shelf": a part of what has shelves.

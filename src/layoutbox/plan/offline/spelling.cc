@@ -12,9 +12,38 @@ namespace {
 constexpr std::size_t kMostLookups = 200;  // of different words in one text; keeps long texts linear
 constexpr std::size_t kShortest = 4, kLong = 8;
 
-// The nearest known word: one letter changed, added, left out or swapped; two in long words. Empty where there is none.
+bool is_listed(const Lexicon& lexicon, const std::string& word) {
+  if (lexicon.knows(word) || is_english(word)) return true;
+  const std::vector<std::string> forms = singular_forms(word);
+  return std::any_of(forms.begin(), forms.end(), [&](const std::string& form) { return lexicon.knows(form); });
+}
+
+// "recycler", "dehumidifiers": who or what does that.
+bool is_doer(const Lexicon& lexicon, const std::string& word) {
+  const std::string one = singular_of(word);
+  for (const std::string_view ending : {"er", "or"}) {
+    if (!one.ends_with(ending) || one.size() < kShortest + ending.size()) continue;
+    const std::string stem = one.substr(0, one.size() - ending.size());
+    if (is_listed(lexicon, stem) || is_listed(lexicon, stem + "e")) return true;
+  }
+  return false;
+}
+
+// "eyewash", "softbox": two words that were grown together.
+bool is_compound(const Lexicon& lexicon, const std::string& word) {
+  constexpr std::size_t kShortestPart = 3, kShortestOther = 4;
+  for (std::size_t at = kShortestPart; at + kShortestPart <= word.size(); ++at) {
+    const std::string first = word.substr(0, at), second = word.substr(at);
+    if (std::max(first.size(), second.size()) < kShortestOther || singular_of(first) != first) continue;
+    if (is_noun(noun_form(second)) && is_listed(lexicon, first)) return true;
+  }
+  return false;
+}
+
+// The nearest known word: one letter changed, added, left out or swapped; two in long words that
+// are no compounds. Empty where there is none.
 std::string nearest(const Lexicon& lexicon, const std::string& word) {
-  const std::size_t reach = word.size() >= kLong ? 2 : 1;
+  const std::size_t reach = word.size() >= kLong && !is_compound(lexicon, word) ? 2 : 1;
   std::string best;
   std::size_t least = reach + 1;
   const auto look = [&](char first) {
@@ -33,11 +62,7 @@ std::string nearest(const Lexicon& lexicon, const std::string& word) {
   return best;
 }
 
-bool is_known(const Lexicon& lexicon, const std::string& word) {
-  if (lexicon.knows(word) || word_form(word) != WordForm::kUnknown) return true;
-  const std::vector<std::string> forms = singular_forms(word);
-  return std::any_of(forms.begin(), forms.end(), [&](const std::string& form) { return lexicon.knows(form); });
-}
+bool is_known(const Lexicon& lexicon, const std::string& word) { return is_listed(lexicon, word) || is_doer(lexicon, word); }
 
 // One token becomes several where a space was left out ("infront").
 void add_words(const Token& whole, const std::vector<std::string>& words, std::vector<Token>& tokens) {

@@ -70,17 +70,29 @@ void UnitReader::settle_place_words(std::size_t k) {
   if (noun.kind == NounKind::kWall) wall_ = static_cast<int>(k);
 }
 
+// "a table with six swivel seats around it": no part of the table.
+bool UnitReader::is_placed_itself(std::size_t k) const {
+  const std::size_t r = next(k);
+  if (!is(r, ChunkKind::kRelation) || !is(next(r), ChunkKind::kNoun)) return false;
+  const PhraseSenses& senses = *chunk(r).phrase.senses;
+  return says(senses, RelationType::kAround) || says(senses, RelationType::kNextTo) || says(senses, RelationType::kInFrontOf) ||
+         says(senses, RelationType::kFacing);
+}
+
 void UnitReader::settle_noun(std::size_t k) {
   NounPhrase& noun = document_.chunks[k].noun;
   const bool content = is_content_of_thing();
   // A part that has a thing's name is one where no host is there: "two sinks".
-  if (const auto object = noun.as_object; object != nullptr && (!after_place() || noun.determiner == Determiner::kIndefinite) && !content)
+  if (const auto object = noun.as_object;
+      object != nullptr && (content ? is_placed_itself(k) : !after_place() || noun.determiner == Determiner::kIndefinite))
     noun = NounPhrase(*object);
   if (named_ || skipping_ || negated_) return;
   named_ = true;
   // "A craft brewery taproom has a bar": what nobody knows and has things, at the very beginning, is the room.
   const bool has = is(next(k), ChunkKind::kHave);
-  if (noun.kind == NounKind::kObject && noun.entry == nullptr && !noun.is_plural() && has) noun.kind = NounKind::kRoom;
+  // "I want a two-bed recovery bay."
+  const bool alone = noun.determiner == Determiner::kIndefinite && is(k + 1, ChunkKind::kStop);
+  if (noun.kind == NounKind::kObject && noun.entry == nullptr && !noun.is_plural() && (has || alone)) noun.kind = NounKind::kRoom;
   // "A reading corner with an armchair": so is the corner that it is all about.
   if (noun.kind == NounKind::kCorner && noun.wall_word.empty() && !after_place() && has) noun.kind = NounKind::kRoom;
 }

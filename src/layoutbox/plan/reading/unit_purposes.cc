@@ -54,6 +54,31 @@ bool UnitReader::place_after_purpose(std::size_t k) const {
   return false;
 }
 
+// "a recliner for my partner facing the TV": whom it is for, and where it is.
+bool UnitReader::follows_whom(std::size_t k) const {
+  const std::size_t p = previous(k), n = next(k);
+  if (!is(p, ChunkKind::kNoun) || !is(previous(p), ChunkKind::kPurpose) || !is(n, ChunkKind::kNoun)) return false;
+  if (document_.tokens[chunk(previous(p)).last - 1].text != "for") return false;
+  const NounPhrase& whom = chunk(p).noun;
+  const bool person = lexicon_.is_person(whom.head) || word_form(whom.head) == WordForm::kPerson;
+  const bool place = chunk(n).noun.kind == NounKind::kObject || chunk(n).noun.kind == NounKind::kWall ||
+                     chunk(n).noun.kind == NounKind::kWindow || chunk(n).noun.kind == NounKind::kDoor ||
+                     chunk(n).noun.kind == NounKind::kCorner;
+  return person && place;
+}
+
+// "Plants I do not want": none of what was named before.
+bool UnitReader::denies_before(std::size_t k) {
+  if (units_.size() != 1 || units_.back().kind != UnitKind::kNoun || !(is(k + 1, ChunkKind::kStop) || is(k + 1, ChunkKind::kComma)))
+    return false;
+  const std::size_t n = units_.back().chunk;
+  if (chunk(n).noun.kind != NounKind::kObject || chunk(n).noun.determiner != Determiner::kNone || chunk(n).noun.count > 0) return false;
+  document_.excluded.push_back(chunk(n).noun);
+  mark(n, Use::kUsed, "not wanted");
+  units_.clear();
+  return true;
+}
+
 // The break at chunk k, before chunk n, ends a purpose: what follows is said of the room again.
 bool UnitReader::purpose_ends(std::size_t k, std::size_t n) const {
   const bool comma = is(k, ChunkKind::kComma);

@@ -32,6 +32,8 @@ class UnitReader {
   void read_purpose(std::size_t k);
   bool purpose_ends(std::size_t k, std::size_t n) const;
   bool place_after_purpose(std::size_t k) const;
+  bool follows_whom(std::size_t k) const;
+  bool denies_before(std::size_t k);
   bool names_contents(std::size_t k) const;
   bool reads_as_verb(std::size_t k) const;
   bool passes_count(std::size_t k);
@@ -42,6 +44,7 @@ class UnitReader {
 
   // Nouns.
   void read_noun(std::size_t k);
+  bool is_placed_itself(std::size_t k) const;
   void settle_noun(std::size_t k);
   void settle_place_words(std::size_t k);
   bool is_content_of_thing() const;

@@ -91,7 +91,7 @@ void UnitReader::read(std::size_t k) {
     case ChunkKind::kWithout:
       mark(k, Use::kUsed, "negation");
       skipping_ = false;
-      if (!denies_place(k)) negated_ = !excepts_from_nothing(k);
+      if (!denies_place(k) && !denies_before(k)) negated_ = !excepts_from_nothing(k);
       break;
     case ChunkKind::kPurpose: read_purpose(k); break;
     case ChunkKind::kThere:
@@ -140,7 +140,7 @@ void UnitReader::read_break(std::size_t k) {
 }
 
 void UnitReader::read_place(std::size_t k) {
-  if (skipping_ && place_after_purpose(k)) skipping_ = false;
+  if (skipping_ && (place_after_purpose(k) || follows_whom(k))) skipping_ = false;
   if (skipping_) {
     mark(k, Use::kIgnored, "purpose");
     return;
