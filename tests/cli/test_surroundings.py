@@ -8,7 +8,7 @@ import time
 import unittest
 from pathlib import Path
 
-from harness import INTERRUPTED, NOT_AS_ASKED, WRONG_INPUT, WRONG_SURROUNDINGS, CliTestCase
+from harness import BINARY, INTERRUPTED, NOT_AS_ASKED, SOURCE, WRONG_INPUT, WRONG_SURROUNDINGS, CliTestCase
 
 PROMPT = "A bedroom with a bed and a desk."
 CONFLICT = (
@@ -30,6 +30,20 @@ def read_whole(folder):
             assert content.rstrip().endswith(b"</svg>"), path
         elif path.suffix == ".glb":
             assert int.from_bytes(content[8:12], "little") == len(content), path
+
+
+class OutputThatIsLost(CliTestCase):
+    """What could not be written to stdout was not done."""
+
+    def test_json_into_a_full_device(self):
+        scene = SOURCE / "examples/scenes/bedroom-bare.json"
+        layout = self.path("layout.json")
+        self.assert_status(self.run_layoutbox("solve", scene, "-o", layout), 0)
+        with open("/dev/full", "w") as full:
+            for words in (["catalog"], ["doctor"], ["validate", scene], ["verify", layout], ["cache"]):
+                run = subprocess.run([BINARY, *words, "--json"], stdout=full, stderr=subprocess.PIPE, text=True, timeout=60)
+                self.assertEqual(run.returncode, WRONG_SURROUNDINGS, words)
+                self.assertIn("stdout", run.stderr)
 
 
 class BlenderThatFails(CliTestCase):
@@ -122,7 +136,7 @@ class KilledRuns(CliTestCase):
         self.fail("Blender was left behind")
 
     def test_interrupt_and_terminate_end_blender_too(self):
-        for number, signal_number in enumerate((signal.SIGINT, signal.SIGTERM)):
+        for number, signal_number in enumerate((signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGQUIT)):
             with self.subTest(signal_number):
                 self.folder = self.class_folder / f"signal {number}"
                 self.folder.mkdir()

@@ -55,9 +55,7 @@ Launch prepare(const std::vector<std::string>& command, const ProcessOptions& op
   sigset_t none;
   sigemptyset(&none);
   ::sigprocmask(SIG_SETMASK, &none, nullptr);
-  ::signal(SIGPIPE, SIG_DFL);
-  ::signal(SIGINT, SIG_DFL);
-  ::signal(SIGTERM, SIG_DFL);
+  for (const int number : {SIGPIPE, SIGXFSZ, SIGINT, SIGTERM, SIGHUP, SIGQUIT}) ::signal(number, SIG_DFL);
   if (launch.folder.empty() || ::chdir(launch.folder.c_str()) == 0)
     ::execve(launch.program.c_str(), launch.argv.data(), launch.envp.data());
   const int error = errno;

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <nlohmann/json.hpp>
@@ -18,10 +19,12 @@ static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler sets it"
 
 void on_signal(int) { stop_requested.store(true); }
 
+bool output_is_lost = false;
+
 void print_line(std::FILE* stream, std::string_view line) {
-  std::fwrite(line.data(), 1, line.size(), stream);
-  std::fputc('\n', stream);
-  std::fflush(stream);
+  const bool written =
+      std::fwrite(line.data(), 1, line.size(), stream) == line.size() && std::fputc('\n', stream) != EOF && std::fflush(stream) == 0;
+  if (!written && stream == stdout && errno != EPIPE) output_is_lost = true;  // who closes a pipe has read enough
 }
 
 Json object_of(const Error& error) {
@@ -125,14 +128,23 @@ void Console::progress(std::string_view what, double share) const {
 
 const std::atomic<bool>& stop_flag() { return stop_requested; }
 
+int status_with_output(int status) {
+  if (!output_is_lost) return status;
+  print_line(stderr, "layoutbox: cannot write to stdout (is the disk full?)");
+  return status == kDone || status == kNotAsAsked ? kWrongSurroundings : status;
+}
+
 void install_signal_handlers() {
   struct sigaction action {};
   action.sa_handler = on_signal;
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
+  for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) {
+    struct sigaction before {};
+    sigaction(number, nullptr, &before);
+    if (before.sa_handler != SIG_IGN) sigaction(number, &action, nullptr);  // nohup, and shells for what runs in the background
+  }
   struct sigaction ignore {};
   ignore.sa_handler = SIG_IGN;
-  sigaction(SIGPIPE, &ignore, nullptr);
+  for (const int number : {SIGPIPE, SIGXFSZ}) sigaction(number, &ignore, nullptr);  // writing fails instead, and says so
 }
 
 }  // namespace layoutbox::cli

@@ -42,7 +42,10 @@ class Console {
 // {"code", "message", "pointer", "hint"[, "details"]} as one line of JSON.
 std::string json_of(const Error& error);
 
-// Set by SIGINT and SIGTERM; every stage looks at it.
+// The status to end with: what could not be written to stdout was not done, and is said on stderr.
+int status_with_output(int status);
+
+// Set by SIGINT, SIGTERM, SIGHUP and SIGQUIT; every stage looks at it.
 const std::atomic<bool>& stop_flag();
 void install_signal_handlers();
 

@@ -62,5 +62,5 @@ int run(int count, char** arguments) {
 
 int main(int count, char** arguments) {
   layoutbox::cli::install_signal_handlers();
-  return layoutbox::cli::run(count, arguments);
+  return layoutbox::cli::status_with_output(layoutbox::cli::run(count, arguments));
 }
