@@ -2,17 +2,14 @@
 import math
 
 BASE_DEPTH = 0.12  # metres of the slab that is seen under the floor at the cut edges
-BASE_GAP = 0.002  # the slab's top lies this much under the floor, so that no two faces share a plane
+BASE_GAP = 0.002   # the slab's top lies this much under the floor, so that no two faces share a plane
 
 
 # What a view changes of CAMERA. "inside": the camera stands in the room (at CAMERA["eye"]); all walls and the ceiling are in the picture.
-VIEW_CAMERAS = {
-    "iso": {},
-    "top": {"azimuth": 0.0, "elevation": 90.0, "orthographic": True},
-    "front": {"azimuth": 0.0, "elevation": 24.0, "orthographic": False, "lens_angle": 38.0},
-    "eye": {"inside": True, "orthographic": False, "lens_angle": 76.0},
-    "door": {"inside": True, "orthographic": False, "lens_angle": 80.0},
-}
+VIEW_CAMERAS = {"iso": {}, "top": {"azimuth": 0.0, "elevation": 90.0, "orthographic": True},
+                "front": {"azimuth": 0.0, "elevation": 24.0, "orthographic": False, "lens_angle": 38.0},
+                "eye": {"inside": True, "orthographic": False, "lens_angle": 76.0},
+                "door": {"inside": True, "orthographic": False, "lens_angle": 80.0}}
 EYE_HEIGHT = 1.6
 USUAL_CAMERA = dict(CAMERA)
 
@@ -123,7 +120,8 @@ def box_corners(row):
     turn = math.radians(row["turn"])
     c, s = math.cos(turn), math.sin(turn)
     x, y, z = row["at"]
-    return [(x + c * a - s * b, y + s * a + c * b, z + e) for a in (-w / 2, w / 2) for b in (-d / 2, d / 2) for e in (0, h)]
+    return [(x + c * a - s * b, y + s * a + c * b, z + e)
+            for a in (-w / 2, w / 2) for b in (-d / 2, d / 2) for e in (0, h)]
 
 
 def framed_points(stay):

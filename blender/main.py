@@ -12,7 +12,7 @@ def script_folder():
 def wishes():
     """The words after `--` (Blender), or after the script's name (Python with bpy)."""
     if "--" in sys.argv:
-        return sys.argv[sys.argv.index("--") + 1 :]
+        return sys.argv[sys.argv.index("--") + 1:]
     return sys.argv[1:] if os.path.basename(sys.argv[0]) == os.path.basename(__file__) else []
 
 

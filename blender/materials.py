@@ -58,14 +58,8 @@ class Nodes:
     def bricks(self, point, width, height, joint, offset=0.5, every=2):
         """Color: black and white by brick at random; second output: 1 in the joints."""
         node = self.add("ShaderNodeTexBrick", offset=offset, offset_frequency=every, squash=1.0)
-        for name, value in (
-            ("Scale", 1.0),
-            ("Mortar Size", joint),
-            ("Mortar Smooth", 0.1),
-            ("Bias", 0.0),
-            ("Brick Width", width),
-            ("Row Height", height),
-        ):
+        for name, value in (("Scale", 1.0), ("Mortar Size", joint), ("Mortar Smooth", 0.1), ("Bias", 0.0),
+                            ("Brick Width", width), ("Row Height", height)):
             node.inputs[name].default_value = value
         node.inputs["Color1"].default_value = (0, 0, 0, 1)
         node.inputs["Color2"].default_value = (1, 1, 1, 1)
@@ -140,7 +134,8 @@ def wood_grain(nodes, point, row, contrast=1.0, along=0.07, across=1.0):
     """Fibres along u with a slow change of tone; `across` growth rings per unit of the point."""
     base, second = row["color"], row["second"]
     fibres = nodes.noise(nodes.stretched(point, along, across), 1.0, detail=4.0, roughness=0.65, distortion=0.3)
-    return nodes.ramp(fibres, (0.34, between(base, second, 0.8 * contrast)), (0.52, base), (0.72, between(base, second, 0.3 * contrast)))
+    return nodes.ramp(fibres, (0.34, between(base, second, 0.8 * contrast)), (0.52, base),
+                      (0.72, between(base, second, 0.3 * contrast)))
 
 
 def paint_wood(nodes, point, row):
@@ -173,15 +168,13 @@ def paint_parquet(nodes, point, row):
     rest = math_node("SUBTRACT", 9.0, k)
 
     def choose(lying, standing):
-        return math_node("ADD", math_node("MULTIPLY", lies, lying), math_node("MULTIPLY", math_node("SUBTRACT", 1.0, lies), standing))
+        return math_node("ADD", math_node("MULTIPLY", lies, lying),
+                         math_node("MULTIPLY", math_node("SUBTRACT", 1.0, lies), standing))
 
     across = choose(in_y, in_x)
     along = choose(math_node("ADD", k, in_x), math_node("ADD", rest, in_y))
-    edge = math_node(
-        "MINIMUM",
-        math_node("MINIMUM", across, math_node("SUBTRACT", 1.0, across)),
-        math_node("MINIMUM", along, math_node("SUBTRACT", 5.0, along)),
-    )
+    edge = math_node("MINIMUM", math_node("MINIMUM", across, math_node("SUBTRACT", 1.0, across)),
+                     math_node("MINIMUM", along, math_node("SUBTRACT", 5.0, along)))
     block = nodes.add("ShaderNodeTexWhiteNoise", noise_dimensions="3D")
     nodes.link(nodes.vector(choose(math_node("SUBTRACT", i, k), i), choose(j, math_node("SUBTRACT", j, rest)), lies), block, "Vector")
     grain_point = nodes.vector(
@@ -224,11 +217,8 @@ def paint_marble(nodes, point, row):
     base, second = row["color"], row["second"]
     veins = nodes.wave(point, math.pi / 20, distortion=6.0, direction="DIAGONAL", detail=5.0)
     clouds = nodes.noise(point, 1.3, detail=6.0)
-    return nodes.mix(
-        0.3,
-        nodes.ramp(veins, (0.40, base), (0.48, between(base, second, 0.5)), (0.5, second), (0.54, base)),
-        nodes.ramp(clouds, (0.35, between(base, second, 0.35)), (0.65, base)),
-    )
+    return nodes.mix(0.3, nodes.ramp(veins, (0.40, base), (0.48, between(base, second, 0.5)), (0.5, second), (0.54, base)),
+                     nodes.ramp(clouds, (0.35, between(base, second, 0.35)), (0.65, base)))
 
 
 def paint_terrazzo(nodes, point, row):
@@ -267,22 +257,16 @@ def paint_carpet(nodes, point, row):
     base, second = row["color"], row["second"]
     pile = nodes.noise(point, 0.6, detail=2.0, roughness=0.8)
     nodes.bump(pile, 2.5, 0.6)
-    return nodes.mix(
-        0.35,
-        nodes.ramp(pile, (0.3, between(base, second, 0.8)), (0.7, base)),
-        nodes.ramp(nodes.noise(point, 0.03), (0.35, between(base, second, 0.4)), (0.65, base)),
-    )
+    return nodes.mix(0.35, nodes.ramp(pile, (0.3, between(base, second, 0.8)), (0.7, base)),
+                     nodes.ramp(nodes.noise(point, 0.03), (0.35, between(base, second, 0.4)), (0.65, base)))
 
 
 def paint_leather(nodes, point, row):
     base, second = row["color"], row["second"]
     grain = nodes.noise(point, 1.0, detail=4.0, roughness=0.6)
     nodes.bump(grain, 0.6, 0.3)
-    return nodes.mix(
-        0.4,
-        nodes.ramp(grain, (0.3, between(base, second, 0.6)), (0.6, base)),
-        nodes.ramp(nodes.noise(point, 0.1), (0.3, between(base, second, 0.5)), (0.7, base)),
-    )
+    return nodes.mix(0.4, nodes.ramp(grain, (0.3, between(base, second, 0.6)), (0.6, base)),
+                     nodes.ramp(nodes.noise(point, 0.1), (0.3, between(base, second, 0.5)), (0.7, base)))
 
 
 def paint_wicker(nodes, point, row):
@@ -302,24 +286,10 @@ def paint_brushed(nodes, point, row):
     return nodes.ramp(nodes.noise(nodes.stretched(point, 2.0, 120.0), 1.0), (0.3, between(base, second, 0.5)), (0.7, base))
 
 
-PAINTERS = {
-    "wood": paint_wood,
-    "planks": paint_planks,
-    "parquet": paint_parquet,
-    "tiles": paint_tiles,
-    "checker": paint_checker,
-    "bricks": paint_bricks,
-    "marble": paint_marble,
-    "terrazzo": paint_terrazzo,
-    "concrete": paint_concrete,
-    "plaster": paint_plaster,
-    "fabric": paint_fabric,
-    "carpet": paint_carpet,
-    "leather": paint_leather,
-    "wicker": paint_wicker,
-    "stripes": paint_stripes,
-    "brushed": paint_brushed,
-}
+PAINTERS = {"wood": paint_wood, "planks": paint_planks, "parquet": paint_parquet, "tiles": paint_tiles, "checker": paint_checker,
+            "bricks": paint_bricks, "marble": paint_marble, "terrazzo": paint_terrazzo, "concrete": paint_concrete,
+            "plaster": paint_plaster, "fabric": paint_fabric, "carpet": paint_carpet, "leather": paint_leather,
+            "wicker": paint_wicker, "stripes": paint_stripes, "brushed": paint_brushed}
 
 
 def user_image(nodes, row):

@@ -55,10 +55,8 @@ def stands_at(row, x, y):
         return False
     turn = math.radians(row["turn"])
     dx, dy = x - row["at"][0], y - row["at"][1]
-    return (
-        abs(math.cos(turn) * dx + math.sin(turn) * dy) < row["size"][0] / 2
-        and abs(-math.sin(turn) * dx + math.cos(turn) * dy) < row["size"][1] / 2
-    )
+    return (abs(math.cos(turn) * dx + math.sin(turn) * dy) < row["size"][0] / 2 and
+            abs(-math.sin(turn) * dx + math.cos(turn) * dy) < row["size"][1] / 2)
 
 
 class Sheet:
@@ -125,16 +123,8 @@ class Sheet:
         self.level += 0.05
         self.line(at, (x, y), paint, 0.08)
         for grow, color, level in ((0.08 * self.unit, paint, 2.0), (0.0, "plate", 2.02)):
-            self.polygon(
-                [
-                    (x - wide - grow, y - high - grow),
-                    (x + wide + grow, y - high - grow),
-                    (x + wide + grow, y + high + grow),
-                    (x - wide - grow, y + high + grow),
-                ],
-                color,
-                level + self.level,
-            )
+            self.polygon([(x - wide - grow, y - high - grow), (x + wide + grow, y - high - grow), (x + wide + grow, y + high + grow),
+                          (x - wide - grow, y + high + grow)], color, level + self.level)
         text.location = (x, y, 2.04 + self.level)
 
     def render(self, path):

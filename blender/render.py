@@ -37,21 +37,8 @@ def filter_noise(scene):
     """Without OpenImageDenoise: the light alone is smoothed in the compositor, not across edges of depth or direction; the colours of
     surfaces, which have no noise, are multiplied in afterwards."""
     layer = scene.view_layers[0]
-    for name in (
-        "normal",
-        "z",
-        "emit",
-        "environment",
-        "diffuse_direct",
-        "diffuse_indirect",
-        "diffuse_color",
-        "glossy_direct",
-        "glossy_indirect",
-        "glossy_color",
-        "transmission_direct",
-        "transmission_indirect",
-        "transmission_color",
-    ):
+    for name in ("normal", "z", "emit", "environment", "diffuse_direct", "diffuse_indirect", "diffuse_color", "glossy_direct",
+                 "glossy_indirect", "glossy_color", "transmission_direct", "transmission_indirect", "transmission_color"):
         setattr(layer, f"use_pass_{name}", True)
     scene.use_nodes = True
     tree = scene.node_tree

@@ -17,7 +17,7 @@ def read_meshes():
         nonlocal place
         values = array.array(code)
         size = count * values.itemsize
-        values.frombytes(data[place : place + size])
+        values.frombytes(data[place:place + size])
         place += size
         if sys.byteorder == "big":
             values.byteswap()
@@ -26,9 +26,8 @@ def read_meshes():
     while place < len(data):
         vertices, indices = struct.unpack_from("<II", data, place)
         place += 8
-        meshes.append(
-            (take("i", 3 * vertices, 1e-5), take("h", 3 * vertices, 1 / 32767), take("i", 2 * vertices, 1e-4), take("i", indices))
-        )
+        meshes.append((take("i", 3 * vertices, 1e-5), take("h", 3 * vertices, 1 / 32767), take("i", 2 * vertices, 1e-4),
+                       take("i", indices)))
     return meshes
 
 
@@ -63,14 +62,14 @@ def make_mesh(name, parts, meshes, materials):
     layer = mesh.uv_layers.new(name="metres")
     by_corner = array.array("f")
     for v in indices:
-        by_corner.extend(uvs[2 * v : 2 * v + 2])
+        by_corner.extend(uvs[2 * v:2 * v + 2])
     layer.data.foreach_set("uv", by_corner)
     for material, _ in parts:
         mesh.materials.append(materials[material])
     mesh.update(calc_edges=True)
     if hasattr(mesh, "use_auto_smooth"):  # up to 4.0 own normals count only with it
         mesh.use_auto_smooth = True
-    mesh.normals_split_custom_set_from_vertices([normals[i : i + 3] for i in range(0, len(normals), 3)])
+    mesh.normals_split_custom_set_from_vertices([normals[i:i + 3] for i in range(0, len(normals), 3)])
     return mesh
 
 
@@ -149,15 +148,9 @@ def build_base(stay):
         (ax, ay), (bx, by) = wall["start"], wall["end"]
         length = math.hypot(bx - ax, by - ay)
         along, out = ((bx - ax) / length, (by - ay) / length), tuple(-c for c in inward_normal(wall))
-        corners = [
-            (ax + along[0] * s + out[0] * t, ay + along[1] * s + out[1] * t, 0.001)
-            for s, t in (
-                (opening["offset"], 0.0),
-                (opening["offset"], wall["thickness"]),
-                (opening["offset"] + opening["w"], wall["thickness"]),
-                (opening["offset"] + opening["w"], 0.0),
-            )
-        ]
+        corners = [(ax + along[0] * s + out[0] * t, ay + along[1] * s + out[1] * t, 0.001) for s, t in
+                   ((opening["offset"], 0.0), (opening["offset"], wall["thickness"]),
+                    (opening["offset"] + opening["w"], wall["thickness"]), (opening["offset"] + opening["w"], 0.0))]
         name = f"mark of {opening['id']}"
         mesh = bpy.data.meshes.new(name)
         mesh.from_pydata(corners, [], [(0, 1, 2, 3)])
@@ -205,11 +198,8 @@ def build_beams(stay):
         data.spread, data.color = math.radians(4.0), linear(LIGHT["beam_color"])
         data.energy = LIGHT["beams"] * opening["w"] * opening["h"]
         beam = bpy.data.objects.new(data.name, data)
-        beam.location = (
-            ax + (bx - ax) * share - hx * math.cos(down) * away,
-            ay + (by - ay) * share - hy * math.cos(down) * away,
-            opening["sill"] + opening["h"] / 2 + math.sin(down) * away,
-        )
+        beam.location = (ax + (bx - ax) * share - hx * math.cos(down) * away, ay + (by - ay) * share - hy * math.cos(down) * away,
+                         opening["sill"] + opening["h"] / 2 + math.sin(down) * away)
         beam.rotation_euler = (math.pi / 2 - down, 0, math.atan2(hy, hx) - math.pi / 2)
         beam.visible_camera = False
         group.objects.link(beam)

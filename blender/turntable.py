@@ -110,7 +110,7 @@ def nearest(colors, palette):
     """For each colour the number of the palette's nearest one."""
     import numpy
 
-    parts = [colors[place : place + 4096] for place in range(0, len(colors), 4096)]
+    parts = [colors[place:place + 4096] for place in range(0, len(colors), 4096)]
     return numpy.concatenate([((part[:, None, :] - palette[None]) ** 2).sum(axis=2).argmin(axis=1) for part in parts])
 
 
@@ -120,11 +120,11 @@ def write_gif(frames, path):
 
     pictures = [coarse(frame) for frame in frames]
     width, height = pictures[0][:2]
-    counts = sum(numpy.bincount(codes, minlength=64**3) for _, _, codes in pictures)
+    counts = sum(numpy.bincount(codes, minlength=64 ** 3) for _, _, codes in pictures)
     used = numpy.flatnonzero(counts)
     colors = numpy.stack([used >> 12, used >> 6 & 63, used & 63], axis=1) / 63.0
     palette = best_colors(colors, counts[used].astype(float))
-    number_of = numpy.zeros(64**3, numpy.uint8)
+    number_of = numpy.zeros(64 ** 3, numpy.uint8)
     number_of[used] = nearest(colors, palette)
     delay = max(2, round(100 * TURNTABLE["seconds"] / len(frames)))
     table = numpy.rint(255 * palette).astype(numpy.uint8).tobytes().ljust(768, b"\0")
@@ -136,7 +136,7 @@ def write_gif(frames, path):
             file.write(struct.pack("<BHHHHB", 0x2C, 0, 0, width, height, 0) + b"\x08")
             packed = lzw(number_of[codes].tobytes())
             for place in range(0, len(packed), 255):
-                part = packed[place : place + 255]
+                part = packed[place:place + 255]
                 file.write(bytes([len(part)]) + part)
             file.write(b"\x00")
         file.write(b"\x3b")

@@ -14,11 +14,9 @@ def in_room(row, meshes):
     c, s = math.cos(turn), math.sin(turn)
     ox, oy, oz = row["at"]
     positions, _, _, indices, _ = join(row["parts"], meshes)
-    vertices = [
-        (ox + c * positions[i] - s * positions[i + 1], oy + s * positions[i] + c * positions[i + 1], oz + positions[i + 2])
-        for i in range(0, len(positions), 3)
-    ]
-    return vertices, [tuple(indices[i : i + 3]) for i in range(0, len(indices), 3)]
+    vertices = [(ox + c * positions[i] - s * positions[i + 1], oy + s * positions[i] + c * positions[i + 1], oz + positions[i + 2])
+                for i in range(0, len(positions), 3)]
+    return vertices, [tuple(indices[i:i + 3]) for i in range(0, len(indices), 3)]
 
 
 class View:
@@ -47,12 +45,8 @@ class View:
             columns.append((x / size + 0.5) * self.width)
             rows.append((0.5 - y / size * self.width / self.height) * self.height)
         clip = lambda v, top: max(0, min(top, int(v)))
-        return (
-            clip(min(columns) - 1, self.width - 1),
-            clip(max(columns) + 1, self.width - 1),
-            clip(min(rows) - 1, self.height - 1),
-            clip(max(rows) + 1, self.height - 1),
-        )
+        return (clip(min(columns) - 1, self.width - 1), clip(max(columns) + 1, self.width - 1),
+                clip(min(rows) - 1, self.height - 1), clip(max(rows) + 1, self.height - 1))
 
 
 def cast_all(view, things):
@@ -155,12 +149,8 @@ def measure_visibility(stay, out, meshes, width=480, height=270):
             report["floor"] = {"free": len(free), "seen": sum(1 for pixel in free if seen[pixel] == number)}
         else:
             hiders = sorted({things[seen[p]][0]["id"] for p in covered if seen[p] not in (number, -1)})
-            report["objects"][row["id"]] = {
-                "pixels": visible,
-                "alone": len(covered),
-                "visible": round(visible / len(covered), 4) if covered else 0.0,
-                "behind": hiders,
-            }
+            report["objects"][row["id"]] = {"pixels": visible, "alone": len(covered),
+                                            "visible": round(visible / len(covered), 4) if covered else 0.0, "behind": hiders}
     report["leftOut"] = [row["id"] for row in OBJECTS if row["id"] in out]
     return report
 
@@ -242,9 +232,8 @@ def stand_in_the_door(meshes):
     center = floor_center()
     ahead = (x + 3.0 * normal[0], y + 3.0 * normal[1])
     CAMERA["stands_in"] = door["id"]
-    stand_at(
-        (x + 0.06 * normal[0], y + 0.06 * normal[1], height), (0.5 * center[0] + 0.5 * ahead[0], 0.5 * center[1] + 0.5 * ahead[1], 0.8)
-    )
+    stand_at((x + 0.06 * normal[0], y + 0.06 * normal[1], height),
+             (0.5 * center[0] + 0.5 * ahead[0], 0.5 * center[1] + 0.5 * ahead[1], 0.8))
     return None
 
 
@@ -255,18 +244,12 @@ def mask_color(number):
 
 def write_png(path, width, height, pixels):
     """A PNG of RGB pixels, byte for byte as given (Blender's own writer would change the colours)."""
-
     def chunk(kind, data):
         return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
-
-    lines = b"".join(b"\0" + bytes(pixels[3 * width * y : 3 * width * (y + 1)]) for y in range(height))
+    lines = b"".join(b"\0" + bytes(pixels[3 * width * y:3 * width * (y + 1)]) for y in range(height))
     with open(path, "wb") as file:
-        file.write(
-            b"\x89PNG\r\n\x1a\n"
-            + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0))
-            + chunk(b"IDAT", zlib.compress(lines, 6))
-            + chunk(b"IEND", b"")
-        )
+        file.write(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0))
+                   + chunk(b"IDAT", zlib.compress(lines, 6)) + chunk(b"IEND", b""))
 
 
 def write_mask(stay, out, meshes, picture_path, index_path):
@@ -276,10 +259,8 @@ def write_mask(stay, out, meshes, picture_path, index_path):
     seen, _ = cast_all(view, things)
     colors = [bytes(mask_color(number)) for number in range(len(things) + 1)]
     write_png(picture_path, view.width, view.height, b"".join(colors[number + 1] for number in seen))
-    index = [
-        {"id": row["id"], "kind": row["kind"], "category": row["category"], "color": list(mask_color(number))}
-        for number, (row, _) in enumerate(things, 1)
-    ]
+    index = [{"id": row["id"], "kind": row["kind"], "category": row["category"], "color": list(mask_color(number))}
+             for number, (row, _) in enumerate(things, 1)]
     with open(index_path, "w", encoding="utf-8") as file:
         json.dump({"things": index, "visibility": measure_visibility(stay, out, meshes)}, file, indent=1)
         file.write("\n")
