@@ -3,12 +3,15 @@
 # usage: scripts/tidy.sh [FILE…]
 set -euo pipefail
 cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.."
-files=("$@")
+files=("$@") unity=OFF
+((${#files[@]})) || unity=ON # all at once: the sources of a folder a dozen at a time, in a quarter of the time
+cmake --preset release -B build/tidy -DLAYOUTBOX_UNITY=$unity >build/logs/tidy.log
+commands=build/tidy/compile_commands.json
+# The data that sources embed is the release build's.
+sed -i "s|$PWD/build/tidy/embedded|$PWD/build/release/embedded|g" $commands
 if ((${#files[@]} == 0)); then
-  mapfile -t files < <(find src -name '*.cc' | sort)
+  mapfile -t files < <(sed -nE "s|^ *\"file\": \"($PWD/(build/tidy/)?src/[^\"]*)\",?\$|\1|p" $commands | sort -u)
 fi
-# How each source is compiled by itself, whatever the release build compiles together; the data that it embeds is the release build's.
-cmake --preset release -B build/tidy -DLAYOUTBOX_UNITY=OFF >build/logs/tidy.log
-sed -i "s|$PWD/build/tidy/embedded|$PWD/build/release/embedded|g" build/tidy/compile_commands.json
 printf '%s\0' "${files[@]}" |
-  xargs -0 -P "$(nproc)" -n 1 clang-tidy-16 -p build/tidy --quiet --extra-arg=-Wno-unknown-warning-option --extra-arg=-Wno-double-promotion 2>/dev/null
+  xargs -0 -P "$(nproc)" -n 1 clang-tidy-16 -p build/tidy --quiet --checks=-bugprone-suspicious-include \
+    --extra-arg=-Wno-unknown-warning-option --extra-arg=-Wno-double-promotion 2>/dev/null
