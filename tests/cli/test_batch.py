@@ -79,6 +79,13 @@ class Rooms(BatchCase):
         self.assert_done(run)
         self.assertEqual(self.names("stdin"), {"a", "summary.json"})
 
+    def test_a_json_list_in_one_line_or_many(self):
+        rooms = [{"id": "a", "prompt": "A bedroom with a bed."}, "An office with a desk.", 7]
+        for number, indent in enumerate((None, 2)):
+            run = self.batch(json.dumps(rooms, indent=indent), out=f"list {number}")
+            self.assertIn("3", run.err)
+            self.assertEqual(self.names(f"list {number}"), {"a", "0002", "summary.json"})
+
     def test_json_is_the_summary(self):
         run = self.batch(lines_of({"a": ROOMS["bed"]}), "--json")
         self.assertEqual(run.json(), self.summary())

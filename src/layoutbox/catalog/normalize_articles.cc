@@ -13,14 +13,13 @@ namespace {
 constexpr double kMostCoveredByArticles = 0.30;
 constexpr std::size_t kMostPieces = 12;
 
-bool has_stock(const NormalizeContext& context, const CatalogEntry& article) {
-  const auto used = context.articles_used.find(article.id);
-  return article.stock < 0 || used == context.articles_used.end() || used->second < article.stock;
-}
-
 int times_used(const NormalizeContext& context, const CatalogEntry& article) {
   const auto used = context.articles_used.find(article.id);
   return used == context.articles_used.end() ? 0 : used->second;
+}
+
+bool has_stock(const NormalizeContext& context, const CatalogEntry& article) {
+  return article.stock < 0 || times_used(context, article) < article.stock;
 }
 
 // How many words the object and the article share beyond their kind.

@@ -130,6 +130,9 @@ struct RawArticle {
   std::string pointer;
 };
 
+// Two such columns would say two things of one article.
+bool is_one_figure(Column column) { return (column >= Column::kWidth && column <= Column::kSize) || column == Column::kStock; }
+
 class CatalogReader {
  public:
   explicit CatalogReader(std::string_view units) : units_(units) {}
@@ -160,6 +163,14 @@ class CatalogReader {
     for (const std::string& name : rows[0].fields) {
       headers.push_back(header_of(name));
       if (headers.back().column == Column::kUnknown) note_unknown(name, "line 1");
+    }
+    for (std::size_t k = 0; k < headers.size(); ++k) {
+      for (std::size_t i = 0; i < k; ++i) {
+        if (headers[i].column != headers[k].column || !is_one_figure(headers[k].column)) continue;
+        return fail(ErrorCode::kSchema,
+                    fmt::format("line 1: the columns \"{}\" and \"{}\" say the same", rows[0].fields[i], rows[0].fields[k]), "line 1",
+                    "leave one of them out");
+      }
     }
     const auto has = [&](Column column) { return std::ranges::any_of(headers, [&](const Header& h) { return h.column == column; }); };
     if (!has(Column::kCategory) && !has(Column::kName)) {

@@ -4,12 +4,15 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 #include "layoutbox/base/words.h"
 #include "layoutbox/catalog/size_words.h"
 
 namespace layoutbox {
 namespace {
+
+constexpr Mm kUnlike = 10;  // so many times smaller or larger than its kind: a wrong unit
 
 std::string text_of(const Size& size) {
   return fmt::format("{:.4g} x {:.4g} x {:.4g} m", size.width / 1000.0, size.depth / 1000.0, size.height / 1000.0);
@@ -36,6 +39,15 @@ CatalogEntry entry_of(const Article& article, const CatalogEntry& kind, std::str
         {"filled",
          fmt::format("the size of article \"{}\" is not complete: {} is inferred from \"{}\"", article.id, text_of(size), kind.name),
          {}});
+  }
+  for (const auto& [side, name] : {std::pair{&Size::width, "wide"}, {&Size::depth, "deep"}, {&Size::height, "high"}}) {
+    if (article.size.*side == 0 || kind.id == "object") continue;
+    const Mm least = kind.size.least.*side, greatest = kind.size.greatest.*side;
+    if (size.*side * kUnlike >= least && size.*side <= greatest * kUnlike) continue;
+    notes.push_back({"warning",
+                     fmt::format("article \"{}\" is {} mm {}, and a {} is {} to {} mm; is the unit right?", article.id, size.*side, name,
+                                 kind.name, least, greatest),
+                     {}});
   }
   entry.size = {size, size, size};
   entry.thin = kind.thin && size.height <= 30;

@@ -96,7 +96,19 @@ TEST(UserCatalog, WhatIsWrongIsNamed) {
   EXPECT_EQ(error(R"([{"category": "bed", "width": 0}])").code, ErrorCode::kGeometry);
   EXPECT_EQ(error("id,category\nA,bed\nA,desk\n").code, ErrorCode::kReference);
   EXPECT_EQ(error("category,width\nbed,1\n,2\nbed,x\n").details.size(), 2u);
+  EXPECT_THAT(error("category,width,depth,height,width (cm)\nbed,1,2,3,4\n").message, HasSubstr("\"width\" and \"width (cm)\""));
   EXPECT_EQ(read_user_catalog("category\nbed\n", "furlong").error().code, ErrorCode::kUsage);
+}
+
+TEST(UserCatalog, SizesUnlikeAllOfTheirKindAreWarnedOf) {
+  const auto notes = [](std::string_view csv) {
+    UserCatalog user = read(csv);
+    with_articles(Catalog::builtin(), user, CatalogMerge::kAdd);
+    return user.notes;
+  };
+  const auto warns = Contains(testing::AllOf(Field(&Note::code, "warning"), Field(&Note::message, HasSubstr("2 mm wide"))));
+  EXPECT_THAT(notes("id,category,width (mm),depth (mm)\nB1,bed,1.600,2000\n"), warns);
+  EXPECT_THAT(notes("id,category,width (mm),depth (mm)\nB1,bed,1600,2000\n"), testing::Not(warns));
 }
 
 class Articles : public testing::Test {
@@ -142,6 +154,13 @@ TEST_F(Articles, AreChosenByWordsAndTakeTurns) {
   EXPECT_EQ(scene.objects[1].catalog_id, "C1");
   EXPECT_EQ(scene.objects[2].catalog_id, "C2") << "there is only one C1";
   EXPECT_EQ(scene.objects[3].catalog_id, "C2");
+}
+
+TEST_F(Articles, OutOfStockAreNotUsed) {
+  SceneGraph scene;
+  scene.objects = {object("a", "chair")};
+  scene = normalized(scene, "id,category,width,depth,height,stock\nC1,chair,0.45,0.5,0.9,0\nC2,chair,0.5,0.5,0.8,1\n", CatalogMerge::kAdd);
+  EXPECT_EQ(scene.objects[0].catalog_id, "C2");
 }
 
 TEST_F(Articles, SizesOfTheSceneAreKept) {

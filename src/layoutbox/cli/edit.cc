@@ -139,8 +139,7 @@ void add_edit(CLI::App& app, Context& context) {
   command->add_option("--catalog", flags->catalog_file, "Furniture of your own, JSON or CSV: id, category, width, depth, height");
   command->add_option("--assets", flags->assets, "Folder that meshes and images are named from (default: the layout's)");
   flags->options.solve.effort = 100;
-  command->add_option("--seed", flags->options.solve.seed, "Which of the good layouts; the same seed gives the same bytes")
-      ->capture_default_str();
+  add_seed_option(*command, flags->options.solve.seed);
   command->add_option("--effort", flags->options.solve.effort, "Deterministic work units of the solver")
       ->capture_default_str()
       ->check(CLI::Range(1, 10'000'000));

@@ -12,6 +12,7 @@
 #include "layoutbox/cli/console.h"
 #include "layoutbox/pipeline/run_record.h"
 #include "layoutbox/scene/layout_scene.h"
+#include "layoutbox/scene/quirks.h"
 #include "layoutbox/scene/scene_json.h"
 
 namespace layoutbox::cli {
@@ -50,7 +51,10 @@ void PlanFlags::add_to(CLI::App& command) {
   command.add_option("--room", room, "Size of the room, width x depth x height: 4x3.2x3");
   command.add_option("--room-file", room_file, "A room of your own: polygon, walls and openings in the form of a scene's room")
       ->excludes("--room");
-  command.add_option("--units", units, "Units of --room and of files that name none: m, cm, mm, ft, in");
+  command.add_option("--units", units, "Units of --room and of files that name none: m, cm, mm, ft, in")
+      ->check([](const std::string& unit) {
+        return metres_per_unit(unit) ? std::string() : fmt::format("\"{}\" is no unit of length: give m, cm, mm, ft or in", unit);
+      });
   auto* file = command.add_option("--catalog", catalog_file, "Furniture of your own, JSON or CSV: id, category, width, depth, height");
   command.add_flag("--catalog-only", catalog_only, "Place nothing but the furniture of --catalog")->needs(file);
   command.add_option("--assets", assets, "Folder of meshes (GLB, glTF, OBJ) with an index.csv or index.json: category, file, size, front")
@@ -112,8 +116,19 @@ Result<CatalogInUse> PlanFlags::load_catalog() const {
   return chosen;
 }
 
+void add_seed_option(CLI::App& command, std::uint64_t& seed) {
+  // Else CLI11 takes -1 for the largest number and nothing for 0.
+  const auto is_seed = [](const std::string& text) {
+    const bool whole = !text.empty() && text.size() <= 19 && text.find_first_not_of("0123456789") == std::string::npos;
+    return whole ? std::string() : fmt::format("\"{}\" is no seed: give a whole number of at most 19 digits", text);
+  };
+  command.add_option("--seed", seed, "Which of the good layouts; the same seed gives the same bytes")
+      ->capture_default_str()
+      ->check(is_seed);
+}
+
 void SolveFlags::add_to(CLI::App& command, SolveOptions& options) {
-  command.add_option("--seed", options.seed, "Which of the good layouts; the same seed gives the same bytes")->capture_default_str();
+  add_seed_option(command, options.seed);
   command.add_option("--effort", options.effort, "Deterministic work units of the solver")
       ->capture_default_str()
       ->check(CLI::Range(1, 10'000'000));

@@ -35,6 +35,8 @@ struct PlanFlags {
   Result<CatalogInUse> load_catalog() const;
 };
 
+void add_seed_option(CLI::App& command, std::uint64_t& seed);
+
 // Options of the solver: --seed, --effort, --time-limit, --on-conflict.
 struct SolveFlags {
   std::string on_conflict;

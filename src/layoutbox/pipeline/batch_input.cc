@@ -92,8 +92,7 @@ Status fill(Fields fields, BatchLine& line) {
   return {};
 }
 
-Result<Fields> fields_of(std::string_view text) {
-  LAYOUTBOX_ASSIGN(const nlohmann::json object, parse_json(text));
+Result<Fields> fields_of(const nlohmann::json& object) {
   if (!object.is_object()) return fail(ErrorCode::kSchema, "the line is no JSON object", {}, R"(write {"id": "1", "prompt": "A bedroom"})");
   Fields fields;
   for (const auto& [key, value] : object.items()) {
@@ -106,6 +105,11 @@ Result<Fields> fields_of(std::string_view text) {
   return fields;
 }
 
+Result<Fields> fields_of_line(std::string_view text) {
+  LAYOUTBOX_ASSIGN(const nlohmann::json object, parse_json(text));
+  return fields_of(object);
+}
+
 class Reader {
  public:
   Result<std::vector<BatchLine>> read(std::string_view text) {
@@ -114,7 +118,9 @@ class Reader {
     if (first.empty())
       return fail(ErrorCode::kEmpty, "there is no prompt", {}, R"(write a line {"id": "1", "prompt": "A bedroom"} a room)");
     if (first.front() == '{') {
-      LAYOUTBOX_CHECK(each_line(text, [this](std::size_t number, std::string_view line) { add(number, fields_of(line)); }));
+      LAYOUTBOX_CHECK(each_line(text, [this](std::size_t number, std::string_view line) { add(number, fields_of_line(line)); }));
+    } else if (const auto list = parse_json(text); first.front() == '[' && list && list->is_array()) {
+      LAYOUTBOX_CHECK(read_list(*list));
     } else if (is_header(first)) {
       LAYOUTBOX_CHECK(read_table(text));
     } else {
@@ -153,6 +159,16 @@ class Reader {
       if (const std::string_view line = trimmed(text.substr(at, end - at)); !line.empty()) function(number, line);
       at = end + 1;
       if (lines_.size() > kMostLines) return fail(ErrorCode::kTooLarge, fmt::format("there are more than {} prompts", kMostLines));
+    }
+    return {};
+  }
+
+  // A JSON list of objects as on lines, or of prompts; what is wrong is named by its number in the list.
+  Status read_list(const nlohmann::json& list) {
+    if (list.empty()) return fail(ErrorCode::kEmpty, "there is no prompt", {}, R"(write [{"id": "1", "prompt": "A bedroom"}])");
+    if (list.size() > kMostLines) return fail(ErrorCode::kTooLarge, fmt::format("there are more than {} prompts", kMostLines));
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      add(i + 1, list[i].is_string() ? Result<Fields>(Fields{{"prompt", list[i].get<std::string>()}}) : fields_of(list[i]));
     }
     return {};
   }
