@@ -11,7 +11,8 @@ using R = RelationType;
 
 bool may_be_under(const Catalog& catalog, const NounPhrase& host) {
   return is_table(catalog, host) ||
-         one_of(host.head, {"bed", "sofa", "couch", "shelf", "loft", "window", "tv", "stairs", "stand", "console", "bench", "piano"}) ||
+         one_of(host.head, {"bed", "sofa", "couch", "shelf", "loft", "window", "tv", "stairs", "stand", "console", "bench", "piano", "sink",
+                            "basin", "washbasin", "easel", "lift"}) ||
          mount_of(host) == Mount::kWall || mount_of(host) == Mount::kCeiling;
 }
 

@@ -25,6 +25,12 @@ bool is_whom_or_what_for(const Lexicon& lexicon, const Document& document, const
          (noun.determiner == Determiner::kNone && !noun.plural && noun.name == noun.head);
 }
 
+// "a bench for waiting by the window": where the bench is.
+bool is_definite_place(const Chunk& chunk) {
+  return chunk.kind == ChunkKind::kNoun && chunk.noun.kind != NounKind::kAbstract && chunk.noun.kind != NounKind::kRoom &&
+         chunk.noun.determiner == Determiner::kDefinite;
+}
+
 }  // namespace
 
 void settle_purposes(const Lexicon& lexicon, Document& document) {
@@ -35,7 +41,9 @@ void settle_purposes(const Lexicon& lexicon, Document& document) {
       continue;
     const Chunk& after = chunks[k + 2];
     const std::string& word = document.tokens[after.first].text;
-    if (after.kind != ChunkKind::kHave && !(after.kind == ChunkKind::kComma && word == ":")) continue;
+    const bool placed = k > 0 && chunks[k - 1].kind == ChunkKind::kNoun && chunks[k - 1].noun.kind == NounKind::kObject &&
+                        after.kind == ChunkKind::kRelation && k + 3 < chunks.size() && is_definite_place(chunks[k + 3]);
+    if (after.kind != ChunkKind::kHave && !placed && !(after.kind == ChunkKind::kComma && word == ":")) continue;
     pass_over(document, chunks[k], "purpose");
     pass_over(document, chunks[k + 1], "whom or what it is for");
   }

@@ -64,6 +64,18 @@ void RelationBuilder::add_single(const Link& link, PhraseSense sense, const Ment
   if (sense.type == R::kOpposite && mount_of(target.noun) == Mount::kSurface && document_.tokens[link.first].text == "across" &&
       link.last - link.first <= 3 && mount_of(noun_of_item(references.front())) == Mount::kFloor && !link.implied)
     sense.type = R::kOn;  // "a tray across the tub"
+  // "a desk facing a chair": the chair is drawn up to it.
+  if (sense.type == R::kFacing && is_table(catalog_, target.noun)) {
+    const NounPhrase& other = noun_of_item(references.front());
+    if (is_seat(catalog_, other) && one_of(other.head, {"chair", "stool"}) && target.items.size() == 1 &&
+        mount_of(target.noun) == Mount::kFloor) {
+      for (const int seat : references) {
+        add(link, R::kInFrontOf, {id(seat)}, {id(target.items.front())});
+        add(link, R::kFacing, {id(seat)}, {id(target.items.front())});
+      }
+      return;
+    }
+  }
   // "behind the desk a clock is mounted on the wall": above it where the desk itself stands against the wall.
   if (sense.type == R::kBehind && mount_of(target.noun) == Mount::kWall && references.size() == 1) {
     const std::vector<std::size_t>& all = relations_of(id(references.front()));

@@ -52,7 +52,7 @@ std::optional<PhraseSense> choose_sense(const Catalog& catalog, const PhraseSens
     return std::any_of(senses.begin(), senses.end(), [&](const PhraseSense& s) { return s.type == type && s.direction == direction; });
   };
   const bool placing = says(R::kOn) || says(R::kIn) || says(R::kNextTo) || says(R::kNear) || says(R::kAgainstWall) || says(R::kOnCeiling) ||
-                       says(R::kCorner) || says(R::kCenterOfRoom) || says(R::kFacing) || says(R::kTuckedUnder);
+                       says(R::kCorner) || says(R::kCenterOfRoom) || says(R::kFacing) || says(R::kTuckedUnder) || says(R::kAbove);
   if (direction == PhraseSense::Direction::kDirect) {
     if (reference.niche) return own(R::kInRegion);  // in it, at its wall
     if (reference.kind == NounKind::kCorner && placing) {
@@ -70,7 +70,8 @@ std::optional<PhraseSense> choose_sense(const Catalog& catalog, const PhraseSens
         return sense;
       }
       if (reference.of && reference.of->kind == NounKind::kWall) return own(R::kCenteredOnWall);
-      if (says(R::kOn) || says(R::kIn) || says(R::kNextTo) || says(R::kCenterOfRoom) || says(R::kAgainstWall)) return own(R::kCenterOfRoom);
+      if (says(R::kOn) || says(R::kIn) || says(R::kNextTo) || says(R::kNear) || says(R::kCenterOfRoom) || says(R::kAgainstWall))
+        return own(R::kCenterOfRoom);
       return std::nullopt;
     }
     if (reference.kind == NounKind::kCeiling) {
@@ -82,6 +83,14 @@ std::optional<PhraseSense> choose_sense(const Catalog& catalog, const PhraseSens
       return std::nullopt;
     }
     if (reference.kind == NounKind::kPart) {
+      // "at the left end of the counter": on it what stands on such things, beside it the rest.
+      if (reference.head == "end" && (reference.wall_word == "left" || reference.wall_word == "right")) {
+        const bool left = reference.wall_word == "left";
+        if (mount_of(target) != Mount::kSurface && !says(R::kOn)) return own(left ? R::kLeftOf : R::kRightOf);
+        PhraseSense sense = own(R::kOn);
+        sense.part = reference.wall_word;
+        return sense;
+      }
       if (reference.head == "foot" || reference.head == "end" || (reference.head == "bottom" && !says(R::kOn))) return own(R::kAtFootOf);
       if (reference.head == "headboard" && says(R::kAbove)) return own(R::kAbove);
       if (reference.head == "head" || reference.head == "headboard") return own(R::kAtHeadOf);
@@ -99,8 +108,8 @@ std::optional<PhraseSense> choose_sense(const Catalog& catalog, const PhraseSens
         if (reference.wall_word == "right") return own(R::kRightOf);
         if (reference.is_plural()) return own(R::kEachSideOf);
       }
-      if (reference.head == "top" || reference.head == "surface" || reference.head == "tabletop") {
-        if (says(R::kOn) || says(R::kIn)) return own(R::kOn);
+      if (reference.head == "top" || reference.head == "surface" || reference.head == "tabletop" || reference.head == "lid") {
+        if (says(R::kOn) || says(R::kIn) || says(R::kCenterOfRoom)) return own(R::kOn);
       }
     }
     if (reference.kind == NounKind::kWall) {
@@ -137,7 +146,7 @@ std::optional<PhraseSense> choose_sense(const Catalog& catalog, const PhraseSens
     if (sense.type == R::kAlongSide && (says(R::kAtFootOf) || says(R::kAtHeadOf)) && one_lies_on(reference)) continue;
     if ((sense.type == R::kAtFootOf || sense.type == R::kAtHeadOf) && is_table(catalog, reference) && !one_lies_on(reference)) continue;
     if (sense.type == R::kOn && !sense.part.empty() && mount != Mount::kSurface && reference.kind == NounKind::kObject &&
-        target.entry != nullptr && target.entry->thin)
+        target.entry != nullptr && target.entry->thin && !(is_table(catalog, reference) && target.head == "mat"))
       continue;
     return sense;
   }

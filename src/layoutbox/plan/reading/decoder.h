@@ -112,7 +112,9 @@ class Decoder {
     bool list = false;
   };
   // Whom a pronoun, a member or an unsaid reference may mean, the likeliest first; `subject`: who is placed by it.
-  std::vector<Candidate> antecedents(const State& state, Referent subject, const PhraseSenses* senses, const NounPhrase* noun) const;
+  // `first_subject`: the first of the list that is placed with it.
+  std::vector<Candidate> antecedents(const State& state, Referent subject, const PhraseSenses* senses, const NounPhrase* noun,
+                                     int first_subject = -1) const;
   bool consider(std::vector<Candidate>& all, const State& state, Referent referent, double order, Referent subject,
                 const PhraseSenses* senses, const NounPhrase* noun, bool list) const;
 

@@ -39,8 +39,16 @@ bool Decoder::consider(std::vector<Candidate>& all, const State& state, Referent
     const double sense = sense_.of_place(*senses, noun_of(state, subject), meant);
     score += sense;
     const bool side = says(*senses, RelationType::kLeftOf) || says(*senses, RelationType::kRightOf);
-    if (side && subject >= 0 && referent == host_of(state, subject) && mount_of(noun_of(state, subject)) == Mount::kSurface)
+    const bool lies = says(*senses, RelationType::kOn) || says(*senses, RelationType::kIn);
+    if (subject >= 0 && referent == host_of(state, subject) &&
+        (side ? mount_of(noun_of(state, subject)) == Mount::kSurface : lies && noun != nullptr && noun->head == "it"))
       score += weight::kOwnHost;
+    // "a keyboard in front": of the screen, not of the desk that carries both.
+    const bool before = says(*senses, RelationType::kInFrontOf) || says(*senses, RelationType::kBehind);
+    const Referent owner = subject >= 0 ? host_of(state, subject) : kNobody;
+    const bool has_it = owner != kNobody && (referent == owner || (owner >= 0 && referent == host_of(state, owner)));
+    if (before && has_it && mount_of(noun_of(state, subject)) == Mount::kSurface && is_table(lexicon_.catalog(), meant))
+      score += weight::kBeforeHost;
     // What lies on the floor or on something else is seldom what one places things by.
     const auto stands = [&](const NounPhrase& n) {
       return n.kind != NounKind::kObject || (mount_of(n) == Mount::kFloor && (n.entry == nullptr || !n.entry->thin));
@@ -57,9 +65,11 @@ bool Decoder::consider(std::vector<Candidate>& all, const State& state, Referent
 }
 
 std::vector<Decoder::Candidate> Decoder::antecedents(const State& state, Referent subject, const PhraseSenses* senses,
-                                                     const NounPhrase* noun) const {
+                                                     const NounPhrase* noun, int first_subject) const {
   std::vector<Candidate> all;
+  const std::vector<int> placed = subject >= 0 && first_subject >= 0 ? list_of(state, subject, first_subject) : std::vector<int>{};
   const auto try_one = [&](Referent referent, double order, bool list = false) {
+    if (std::any_of(placed.begin(), placed.end(), [&](int member) { return same(state, referent, member); })) return false;
     return consider(all, state, referent, order, subject, senses, noun, list);
   };
   const bool pronoun = noun != nullptr && !noun->head.empty();

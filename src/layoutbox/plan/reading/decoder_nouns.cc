@@ -31,6 +31,9 @@ bool is_place_of_room(NounKind kind) {
          kind == NounKind::kCenter || kind == NounKind::kRoom;
 }
 
+// "stand", "are": of several.
+bool is_plural_verb(std::string_view word) { return !word.ends_with("s") && !word.ends_with("ed") && !word.ends_with("ing"); }
+
 bool shares_article(const NounPhrase& noun, const NounPhrase& former) {
   return noun.determiner == Determiner::kNone && noun.count == 0 && !noun.plural && former.determiner != Determiner::kNone;
 }
@@ -99,7 +102,7 @@ void Decoder::waited_actions(std::size_t s, int u) {
   }
   if (speaks_of_others(noun) || needs_owner(noun)) {
     const bool part = noun.kind != NounKind::kPronoun && noun.kind != NounKind::kMember;
-    for (const Candidate& meant : antecedents(state, place.subject, part ? nullptr : &unit(p).direct, &noun))
+    for (const Candidate& meant : antecedents(state, place.subject, part ? nullptr : &unit(p).direct, &noun, place.first_subject))
       add(s, kFill, meant.score + (part ? sense_.of_part(noun, noun_of(state, meant.referent)) : 0), -1, -1, meant.referent, meant.list);
     // "a wardrobe to the right of the door and a cabinet to the left of it"
     if (noun.head == "it") {
@@ -193,9 +196,11 @@ void Decoder::list_actions(std::size_t s, int u) {
       gain += disagrees ? weight::kDisagrees : subject ? weight::kSubjectFollows : placed ? weight::kPlaceFollows : 0;
       double share = 0;
       for (const int place : state.fronted) share += reference_score(state, place, u);
-      if (of_clause && (state.fronted.empty() || !subject))
+      // "On the table a mug and a pad lie beside a clock": a plural verb of one thing speaks of the list.
+      const bool agrees = subject && unit(u).joiner == Joiner::kAnd && !noun.is_plural() && is_plural_verb(word(u + 1));
+      if (of_clause && (state.fronted.empty() || !subject || agrees))
         add(s, kNextRoot,
-            gain + std::max(share, -2.5) -
+            gain + (agrees && !state.fronted.empty() ? weight::kAgrees : 0) + std::max(share, -2.5) -
                 (placed && !state.fronted.empty() && !(share > 0 && mount_of(noun) == Mount::kSurface) ? 1.2 : 0),
             member);
       if (!of_clause || !state.fronted.empty()) add(s, kNewRoot, gain - (state.fronted.empty() ? 0 : 0.4));

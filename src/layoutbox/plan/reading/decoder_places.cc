@@ -228,10 +228,17 @@ void Decoder::place_actions(std::size_t s, int u) {
 
 // What the sentence placed something else to the left or right of, where the place at u says left or right.
 Referent Decoder::side_host(const State& state, int u, const PhraseSenses& senses) const {
-  const auto sides = [](const PhraseSenses& all) { return says(all, RelationType::kLeftOf) || says(all, RelationType::kRightOf); };
-  if (!sides(senses)) return kNobody;
+  const auto across = [](const PhraseSenses& all) { return says(all, RelationType::kLeftOf) || says(all, RelationType::kRightOf); };
+  const auto along = [](const PhraseSenses& all) { return says(all, RelationType::kInFrontOf) || says(all, RelationType::kBehind); };
+  const bool by_side = across(senses);
+  if (!by_side && !along(senses)) return kNobody;
+  const auto sides = [&](const PhraseSenses& all) { return by_side ? across(all) : along(all); };
   for (int p = u; p-- > 0;) {
     const UnitReading& place = state.units[static_cast<std::size_t>(p)];
+    // Of another clause, or after a place that it begins with.
+    if (unit(p + 1).clause || (p + 1 < u && is(p + 1, UnitKind::kPlace) && state.units[static_cast<std::size_t>(p) + 1].fronted &&
+                               !state.units[static_cast<std::size_t>(p) + 1].alone))
+      return kNobody;
     if (!is(p, UnitKind::kPlace) || place.inverse || !(sides(unit(p).direct) || sides(unit(p).alone))) continue;
     const Referent host = place.alone ? place.implied : is(p + 1, UnitKind::kNoun) ? p + 1 : kNobody;
     if (host != kNobody) return host;

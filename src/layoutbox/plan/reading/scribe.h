@@ -48,6 +48,7 @@ class Scribe {
   void add_named_contents(int u, int host);
   void imply_adjective(int u, int mention);
   bool is_placed_before(int mention, int link) const;
+  int last_great_thing(const std::vector<int>& but) const;
   void imply_opposite(int u, const NounPhrase& place, int link);
   void mean_each_other(Link& link);
   void follow_screen(Link& link, int u) const;

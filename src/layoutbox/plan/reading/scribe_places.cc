@@ -99,6 +99,11 @@ void Scribe::fill_content(int u, int mention) {
   // "Flank the bed with two lamps": the bed was named as the reference.
   const std::vector<int> hosts = link.references;
   if (link.kind == Link::Kind::kHave) grow_for_hosts(mention, hosts);
+  // "On every table a candle with a mill beside it": one for each of the candles that one word brought in.
+  if (link.kind == Link::Kind::kHave && hosts.size() == 1 && mention_at(mention).introduces && !noun_of(hosts.front()).is_plural() &&
+      mention_at(hosts.front()).introduces && !mention_at(hosts.front()).distributes && mention_at(hosts.front()).items.size() > 1 &&
+      mention_at(mention).items.size() < mention_at(hosts.front()).items.size())
+    references_.grow(mention, mention_at(mention).items.size() * mention_at(hosts.front()).items.size());
   for (const int host : hosts) {
     if (mention_at(host).distributes)
       references_.grow(mention, mention_at(mention).items.size() * std::max<std::size_t>(mention_at(host).items.size(), 1));
@@ -182,7 +187,7 @@ void Scribe::add_named_contents(int u, int host) {
 
 bool Scribe::is_placed_before(int mention, int link) const {
   for (std::size_t l = sentence_links_; l < static_cast<std::size_t>(link); ++l) {
-    if (contains(document_.links[l].targets, mention)) return true;
+    if (document_.links[l].kind == Link::Kind::kRelation && contains(document_.links[l].targets, mention)) return true;
   }
   return false;
 }
@@ -205,7 +210,7 @@ void Scribe::imply_opposite(int u, const NounPhrase& place, int link) {
     const int m = mention_[static_cast<std::size_t>(before)];
     if (is(before, UnitKind::kNoun) && reading(before).role == NounRole::kRoot && m >= 0 && stands(m)) other = m;
   }
-  if (other < 0 && so_far_.topic >= 0 && stands(so_far_.topic)) other = so_far_.topic;
+  if (other < 0) other = last_great_thing(targets);
   if (other < 0 || targets.empty()) return;
   Link opposite;
   opposite.senses = {{RelationType::kOpposite, Direction::kDirect, {}, {}, {}}};
@@ -215,6 +220,25 @@ void Scribe::imply_opposite(int u, const NounPhrase& place, int link) {
   opposite.first = chunk(u).first;
   opposite.last = chunk(u).last;
   document_.links.push_back(std::move(opposite));
+}
+
+// The last thing that was named and stands on the floor and is no seat that stands free; first what earlier sentences spoke of.
+int Scribe::last_great_thing(const std::vector<int>& but) const {
+  const auto great = [&](int m) {
+    if (!is_thing(m) || contains(but, m)) return false;
+    const NounPhrase& noun = noun_of(m);
+    if (noun.kind != NounKind::kObject || mount_of(noun) != Mount::kFloor || (noun.entry != nullptr && noun.entry->thin)) return false;
+    return is_heavy(lexicon_.catalog(), noun) &&
+           (!is_seat(lexicon_.catalog(), noun) || one_of(noun.head, {"sofa", "couch", "loveseat", "daybed"}));
+  };
+  if (great(so_far_.topic)) return so_far_.topic;
+  for (const int root : so_far_.roots) {
+    if (great(root)) return root;
+  }
+  for (std::size_t m = document_.mentions.size(), looked = 0; m-- > 0 && looked < kReach; ++looked) {
+    if (great(static_cast<int>(m))) return static_cast<int>(m);
+  }
+  return -1;
 }
 
 // "a nearby bench", "an adjacent bookshelf", "the opposite sofa".

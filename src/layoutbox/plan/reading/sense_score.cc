@@ -27,14 +27,21 @@ double SenseScore::of_place(const PhraseSenses& senses, const NounPhrase& target
       mount_of(reference) == Mount::kSurface)
     score += weight::kSmallTogether;
   if (sense->type == RelationType::kIn && is_storage(reference)) score += weight::kInStorage;
+  if (sense->type == RelationType::kAbove && reference.kind == NounKind::kObject) {
+    if (is_table(catalog_, reference) && mount_of(target) == Mount::kCeiling) score += weight::kLampOverTable;
+    if (is_chair(reference)) score += weight::kOverSeat;
+  }
   if ((sense->type == RelationType::kEachSideOf || sense->type == RelationType::kNextTo) && stands_by(catalog_, target, reference))
     score += weight::kStandsBy;
   return score;
 }
 
+// What one draws up to a table.
+bool SenseScore::is_chair(const NounPhrase& noun) const { return is_seat(catalog_, noun) && one_of(noun.head, {"chair", "stool"}); }
+
 bool SenseScore::on_soft(const NounPhrase& host, const NounPhrase& thing) const {
   const bool soft =
-      one_of(host.head, {"bed", "sofa", "couch", "loveseat", "daybed", "crib"}) || (is_seat(catalog_, host) && host.head != "bench");
+      one_of(host.head, {"bed", "sofa", "couch", "loveseat", "daybed", "crib"}) || (is_seat(catalog_, host) && !one_of(host.head, {"bench", "stool", "barstool", "ottoman", "pouf"}));
   return soft && thing.kind == NounKind::kObject && !is_textile(catalog_, thing);
 }
 

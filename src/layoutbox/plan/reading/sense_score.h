@@ -18,6 +18,7 @@ class SenseScore {
 
  private:
   bool small_host(const NounPhrase& host) const;
+  bool is_chair(const NounPhrase& noun) const;
   bool on_soft(const NounPhrase& host, const NounPhrase& thing) const;
   const Catalog& catalog_;
 };

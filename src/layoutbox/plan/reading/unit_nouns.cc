@@ -1,4 +1,6 @@
 // Noun phrases of a sentence: what is a part, a room, an opening; which wall or corner is meant where the words leave it out.
+#include <algorithm>
+
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/reading/unit_reader.h"
 
@@ -34,6 +36,8 @@ bool UnitReader::is_part(std::size_t k) const {
   const NounPhrase& noun = chunk(k).noun;
   if (units_.empty() || units_.back().kind != UnitKind::kHave || joiner_ != Joiner::kNone || !is_content_of_thing()) return false;
   if (noun.kind == NounKind::kDoor || noun.kind == NounKind::kWindow) return true;
+  const bool built_in = std::find(noun.attributes.begin(), noun.attributes.end(), "built-in") != noun.attributes.end();
+  if (noun.kind == NounKind::kObject && built_in) return true;
   if (noun.kind != NounKind::kObject || noun.head != "mattress") return false;
   const std::size_t host = last_noun();
   return host < document_.chunks.size() && chunk(host).noun.name.find("bed") != std::string::npos;
@@ -57,7 +61,8 @@ void UnitReader::settle_place_words(std::size_t k) {
     noun.kind = NounKind::kWall;
     noun.wall_word = noun.head;
   }
-  const bool other = noun.kind == NounKind::kMember && noun.determiner == Determiner::kOther && !noun.of;
+  const bool other = noun.kind == NounKind::kMember && !noun.of &&
+                     (noun.determiner == Determiner::kOther || noun.determiner == Determiner::kAnother);
   if (other && one_corner_ >= 0 && (says(senses, RelationType::kIn) || says(senses, RelationType::kCorner))) {
     take(chunk(static_cast<std::size_t>(one_corner_)).noun);
     one_corner_ = -1;

@@ -23,6 +23,7 @@ class UnitReader {
 
   void read_break(std::size_t k);
   void read_place(std::size_t k);
+  bool centers_in_room(std::size_t k);
   bool tells_which(std::size_t k);
   void add_place(std::size_t k, const PhraseSenses& senses);
   void read_have(std::size_t k);

@@ -119,7 +119,8 @@ void UnitReader::read(std::size_t k) {
     case ChunkKind::kVerb: read_verb(k); break;
     case ChunkKind::kParticiple:
       mark(k, skipping_ ? Use::kIgnored : Use::kUsed, skipping_ ? "purpose" : "placing");
-      if (!skipping_ && owner_ >= document_.chunks.size()) add(UnitKind::kParticiple, k);  // not "the desk's left corner"
+      if (!skipping_ && owner_ >= document_.chunks.size() && !centers_in_room(k))
+        add(UnitKind::kParticiple, k);  // not "the desk's left corner"
       break;
   }
 }
@@ -199,12 +200,24 @@ void UnitReader::read_have(std::size_t k) {
   if (!skipping_) add(UnitKind::kHave, k);
 }
 
+// "The desk stands centered": in the middle of the room, where no place follows that says of what.
+bool UnitReader::centers_in_room(std::size_t k) {
+  static const PhraseSenses kMiddle = {{RelationType::kCenterOfRoom, PhraseSense::Direction::kAlone, {}, {}, {}}};
+  if (document_.tokens[chunk(k).last - 1].text != "centered" || units_.empty() || units_.back().kind == UnitKind::kPlace) return false;
+  const std::size_t n = next(k);
+  if (is(n, ChunkKind::kRelation) || is(n, ChunkKind::kNoun) || is(n, ChunkKind::kParticiple) || is(n, ChunkKind::kVerb)) return false;
+  add_place(k, kMiddle);
+  return true;
+}
+
 void UnitReader::read_verb(std::size_t k) {
   if (skipping_ && is(previous(k), ChunkKind::kNoun) &&
       (is_finite(document_.tokens[chunk(k).first].text) || (!chunk(k).passive && is(next(k), ChunkKind::kRelation))))
     skipping_ = false;
   mark(k, skipping_ ? Use::kIgnored : Use::kUsed, skipping_ ? "purpose" : "placing");
-  if (!skipping_) add(UnitKind::kVerb, k);
+  if (skipping_) return;
+  add(UnitKind::kVerb, k);
+  centers_in_room(k);
 }
 
 std::vector<Sentence> read_units(const Lexicon& lexicon, Document& document) { return UnitReader(lexicon, document).run(); }
