@@ -64,11 +64,13 @@ class Judge {
             const std::string& object) const {
     if (!named(target, subject)) return false;
     if (object.empty() || relation.type == R::kUnderWindow || relation.type == R::kInRegion) return true;
-    const bool all = std::any_of(relation.references.begin(), relation.references.end(), [&](const std::string& r) { return named(r, object); });
+    const bool all =
+        std::any_of(relation.references.begin(), relation.references.end(), [&](const std::string& r) { return named(r, object); });
     if (all || (relation.type != R::kOn && relation.type != R::kIn) || !(wanted.any.front() == R::kOn || wanted.any.front() == R::kIn))
       return all;
     // What stands on a tray on the table is on the table.
-    return std::any_of(relation.references.begin(), relation.references.end(), [&](const std::string& r) { return rests_on(r, object, 3); });
+    return std::any_of(relation.references.begin(), relation.references.end(),
+                       [&](const std::string& r) { return rests_on(r, object, 3); });
   }
 
   bool rests_on(const std::string& id, const std::string& word, int depth) const {

@@ -148,8 +148,13 @@ bool Chunker::read_words(const PhraseMatch& phrase, std::size_t without) {
                                  (best.kind == ChunkKind::kRelation || best.kind == ChunkKind::kHave || best.kind == ChunkKind::kVerb);
   if (best.kind != ChunkKind::kAnd && best.kind != ChunkKind::kClause && before != ChunkKind::kNoun && !verb_follows_that) {
     const auto noun = read_noun_phrase(lexicon_, tokens_, i_, true);
-    // "on opposite walls"
-    if (noun && noun->kind == NounKind::kWall && best.kind == ChunkKind::kRelation && before == ChunkKind::kRelation)
+    // "on opposite walls", "against left wall"
+    const bool of_room = noun && (noun->kind == NounKind::kWall || noun->kind == NounKind::kCorner);
+    if (of_room && before == ChunkKind::kRelation && (best.kind == ChunkKind::kRelation || best.kind == ChunkKind::kParticiple))
+      return read_noun(true);
+    // "Round table in the middle": a quality, where it stands first and a noun is right behind it.
+    if (noun && noun->kind == NounKind::kObject && best.kind == ChunkKind::kRelation && best.length == 1 && clause_begins() &&
+        std::find(noun->attributes.begin(), noun->attributes.end(), tokens_[i_].text) != noun->attributes.end())
       return read_noun(true);
     // "Waiting room with eight chairs", "Meeting room for ten".
     if (noun && noun->kind == NounKind::kRoom && noun->room != nullptr && noun->last > i_ + best.length && clause_begins())

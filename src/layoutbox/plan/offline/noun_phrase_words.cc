@@ -263,7 +263,7 @@ bool NounPhraseReader::read_other(const Match& match, bool noun_before) {
       lexicon_.find_phrase(tokens_, i_).length < 2 && lexicon_.find(tokens_, i_, Class::kHave).length < 2) {  // "each filled with"
     return add(Class::kFiller, match.meanings.front(), 1, false);
   }
-  if (!noun_before && named && has(match, Class::kAdverb)) {
+  if (!noun_before && named && has(match, Class::kAdverb) && lexicon_.find_phrase(tokens_, i_).length <= match.length) {
     i_ += match.length;
     return true;
   }

@@ -20,6 +20,16 @@ bool is_own_shelf(const NounPhrase& noun) {
   return std::find(std::begin(kWhich), std::end(kWhich), noun.name) != std::end(kWhich);
 }
 
+// "a lower shelf of the bookshelf", "one of the bookshelf shelves": the words for whose shelf it is, or nothing.
+std::string owner_of_shelf(const NounPhrase& noun) {
+  if (noun.head != "shelf") return {};
+  if (const std::size_t of = noun.name.find("shelf of "); of != std::string::npos) {
+    const std::string owner = noun.name.substr(of + std::string_view("shelf of ").size());
+    return owner.starts_with("the ") ? owner.substr(4) : owner;
+  }
+  return noun.name.ends_with(" shelf") ? noun.name.substr(0, noun.name.size() - std::string_view(" shelf").size()) : std::string{};
+}
+
 }  // namespace
 
 int References::add(Mention mention) {
@@ -138,6 +148,18 @@ std::vector<int> References::known(const NounPhrase& noun) const {
   return found;
 }
 
+// What was named and has the shelf, or nothing.
+std::vector<int> References::whose_shelf(const NounPhrase& noun) const {
+  const std::string owner = owner_of_shelf(noun);
+  for (std::size_t i = document_.items.size(), looked = 0; !owner.empty() && i-- > 0 && looked < kReach; ++looked) {
+    const NounPhrase& item = document_.items[i].noun;
+    const bool shelves = item.entry != nullptr &&
+                         std::any_of(item.entry->spaces.begin(), item.entry->spaces.end(), [](const SpaceFormula& s) { return s.carries; });
+    if (shelves && (item.name == owner || item.head == owner)) return {static_cast<int>(i)};
+  }
+  return {};
+}
+
 int References::mention(const NounPhrase& noun, int antecedent, bool as_reference, bool of_known) {
   Mention mention;
   mention.noun = noun;
@@ -160,6 +182,7 @@ int References::mention(const NounPhrase& noun, int antecedent, bool as_referenc
         mention.noun.first = noun.first;
         mention.noun.last = noun.last;
         mention.noun.wall_word = noun.wall_word;
+        if (noun.of && noun.of->head == "shelf") mention.noun.head = noun.of->head;  // "one of the bookshelf's shelves"
       }
       return add(std::move(mention));
     }
@@ -168,7 +191,10 @@ int References::mention(const NounPhrase& noun, int antecedent, bool as_referenc
       if (noun.of && (noun.of->kind == NounKind::kObject || noun.of->kind == NounKind::kPronoun || noun.of->kind == NounKind::kMember)) {
         const int base = this->mention(*noun.of, antecedent, true);
         mention.items = document_.mentions[static_cast<std::size_t>(base)].items;
-      } else if (antecedent >= 0 && (noun.determiner == Determiner::kPossessive || noun.kind == NounKind::kPart)) {
+      } else if (antecedent >= 0 && (noun.determiner == Determiner::kPossessive || noun.kind == NounKind::kPart ||
+                                     noun.kind == NounKind::kCorner || noun.kind == NounKind::kCenter)) {
+        if (noun.kind == NounKind::kCorner || noun.kind == NounKind::kCenter)
+          mention.noun.of = std::make_shared<NounPhrase>(document_.mentions[static_cast<std::size_t>(antecedent)].noun);
         mention.items = document_.mentions[static_cast<std::size_t>(antecedent)].items;
       }
       return add(std::move(mention));
@@ -186,6 +212,8 @@ int References::mention(const NounPhrase& noun, int antecedent, bool as_referenc
                         noun.determiner == Determiner::kOther ||
                         // "lamp on nightstand", where articles are left out
                         (as_reference && noun.determiner == Determiner::kNone && noun.count == 0 && !noun.plural);
+  if (as_reference) mention.items = whose_shelf(noun);
+  if (!mention.items.empty()) return add(std::move(mention));
   if (definite) {
     mention.items = known(noun);
     if (noun.determiner == Determiner::kEach) mention.distributes = true;
@@ -216,15 +244,18 @@ int References::mention(const NounPhrase& noun, int antecedent, bool as_referenc
                                          (of_known && noun.determiner == Determiner::kNone && noun.count == 1 && !noun.plural))) {
     // "two armchairs … near an armchair", "one armchair": one of them.
     const std::vector<int> before = known(noun);
-    const bool same = before.size() > 1 && fit(noun, document_.items[static_cast<std::size_t>(before.front())].noun) >= 3;
+    const bool same =
+        before.size() > 1 && fit(noun, document_.items[static_cast<std::size_t>(before.front())].noun) >= (noun.count == 1 ? 2 : 3);
     auto& picked = picked_[same ? document_.items[static_cast<std::size_t>(before.front())].group : -1];
+    const bool left = std::any_of(before.begin(), before.end(), [&](int item) { return !contains(picked, item); });
     for (const int item : before) {
-      if (!same || !mention.items.empty() || (noun.count == 1 && contains(picked, item))) continue;
+      if (!same || !mention.items.empty() || (noun.count == 1 && left && contains(picked, item))) continue;
       mention.items = {item};
       if (noun.count == 1) picked.push_back(item);
     }
   }
-  if (mention.items.empty() && as_reference && noun.determiner == Determiner::kDefinite && is_own_shelf(noun)) {
+  if (mention.items.empty() && as_reference && is_own_shelf(noun) &&
+      (noun.determiner == Determiner::kDefinite || noun.determiner == Determiner::kPossessive)) {
     // "the shelf below": of what was named and has one.
     for (std::size_t i = document_.items.size(), looked = 0; i-- > 0 && mention.items.empty() && looked < kReach; ++looked) {
       const CatalogEntry* entry = document_.items[i].noun.entry;

@@ -38,6 +38,7 @@ class References {
   std::vector<int> known(const NounPhrase& noun) const;
   // "the red one", "the smaller one": the latest thing that was called so, or -1.
   int described(const NounPhrase& noun) const;
+  std::vector<int> whose_shelf(const NounPhrase& noun) const;
   bool same_kind(const NounPhrase& wanted, const NounPhrase& item) const;
   int fit(const NounPhrase& wanted, const NounPhrase& item) const;
   void general(const NounPhrase& noun, bool as_reference, Mention& mention) const;

@@ -232,12 +232,30 @@ void RelationBuilder::add_relations(const Link& link) {
     add_between(link, targets);
     return;
   }
+  if (add_at_walls(link, targets)) return;
   for (const int reference : link.references) {
     if (mention(reference).reciprocal)
       add_each_other(link, targets);
     else
       add_relations_to(link, targets, mention(reference));
   }
+}
+
+// "two beds along the left and right walls": one at each.
+bool RelationBuilder::add_at_walls(const Link& link, const std::vector<int>& targets) {
+  const std::size_t walls = link.references.size();
+  const bool all = std::all_of(link.references.begin(), link.references.end(), [&](int r) {
+    return mention(r).items.empty() &&
+           (mention(r).noun.kind == NounKind::kWall || (mention(r).noun.kind == NounKind::kPart && !mention(r).noun.wall_word.empty()));
+  });
+  if (walls < 2 || !all || targets.size() < 2 || mention(link.references.back()).noun.kind != NounKind::kWall) return false;
+  for (std::size_t t = 0; t < targets.size(); ++t) {
+    NounPhrase wall = mention(link.references[t * walls / targets.size()]).noun;
+    wall.kind = NounKind::kWall;
+    const auto sense = choose_sense(catalog_, link.senses, Direction::kDirect, noun_of_item(targets[t]), wall);
+    if (sense) add(link, sense->type, {id(targets[t])}, room_reference(wall, sense->type), *sense);
+  }
+  return true;
 }
 
 void RelationBuilder::add_relations_to(const Link& link, const std::vector<int>& targets, const Mention& reference_mention) {
@@ -248,18 +266,18 @@ void RelationBuilder::add_relations_to(const Link& link, const std::vector<int>&
   for (const int m : link.targets) {
     const Mention& target = mention(m);
     if (target.items.empty()) continue;
-    const auto sense = choose_sense(catalog_, link.senses, Direction::kDirect, target.noun, reference);
+    if (place != nullptr && reference.kind == NounKind::kPronoun) {  // "it", and nobody knows who
+      note_no_place(link, target);
+      continue;
+    }
+    auto sense = choose_sense(catalog_, link.senses, Direction::kDirect, target.noun, reference);
+    if (sense && place == nullptr) name_shelf(*sense, reference, noun_of_item(reference_items.front()));
     if (!sense && reference.kind == NounKind::kFloor && link.distance) {  // "1.2 m above the floor"
       for (const int item : target.items) heights_.emplace_back(id(item), mm_from_m(*link.distance));
       continue;
     }
     if (!sense) {
-      if (reference.kind != NounKind::kRoom && reference.kind != NounKind::kAbstract) {
-        scene_.notes.push_back(
-            {"not-understood",
-             "\"" + words_between(document_, link.first, link.last) + "\" says nothing of where \"" + target.noun.name + "\" is",
-             place_of(link)});
-      }
+      if (reference.kind != NounKind::kRoom && reference.kind != NounKind::kAbstract) note_no_place(link, target);
       continue;
     }
     if (speaks_of_group(sense->type)) {
@@ -278,6 +296,34 @@ void RelationBuilder::add_relations_to(const Link& link, const std::vector<int>&
       for (const int item : target.items) add(link, R::kDistance, {id(item)}, {id(reference_items.front())});
     }
   }
+}
+
+// "on its top shelf": in what has the shelf, on that one.
+void RelationBuilder::name_shelf(PhraseSense& sense, const NounPhrase& said, const NounPhrase& host) const {
+  if (sense.type != R::kOn || said.head != "shelf" || host.head == "shelf" || host.entry == nullptr) return;
+  std::vector<std::string> shelves;
+  bool inside = false;
+  for (const SpaceFormula& space : host.entry->spaces) {
+    inside |= space.carries;
+    if (space.carries && space.name.starts_with("shelf ")) shelves.push_back(space.name);
+  }
+  if (!inside) return;
+  sense.type = R::kIn;
+  const auto which = [&](std::initializer_list<std::string_view> words) {
+    return std::any_of(words.begin(), words.end(), [&](std::string_view word) {
+      return said.name.starts_with(word) || std::find(said.attributes.begin(), said.attributes.end(), word) != said.attributes.end();
+    });
+  };
+  if (shelves.size() < 2) return;
+  if (which({"top", "upper", "highest"})) sense.part = shelves.back();
+  if (which({"bottom", "lower", "lowest"})) sense.part = shelves.front();
+}
+
+void RelationBuilder::note_no_place(const Link& link, const Mention& target) {
+  scene_.notes.push_back(
+      {"not-understood",
+       "\"" + words_between(document_, link.first, link.last) + "\" says nothing of where \"" + target.noun.name + "\" is",
+       place_of(link)});
 }
 
 std::string RelationBuilder::place_of(const Link& link) const {

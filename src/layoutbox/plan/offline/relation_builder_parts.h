@@ -54,6 +54,9 @@ class RelationBuilder {
   void complete_sides();
   // "on opposite walls", "both side walls": which walls they share out; empty where that is not said.
   std::vector<std::string> shared_walls(const NounPhrase& walls) const;
+  bool add_at_walls(const Link& link, const std::vector<int>& targets);
+  void name_shelf(PhraseSense& sense, const NounPhrase& said, const NounPhrase& host) const;
+  void note_no_place(const Link& link, const Mention& target);
   std::string place_of(const Link& link) const;
   // "facing each other": every one of the targets and its neighbour.
   void add_each_other(const Link& link, const std::vector<int>& targets);

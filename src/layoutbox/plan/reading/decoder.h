@@ -115,6 +115,7 @@ class Decoder {
   // `first_subject`: the first of the list that is placed with it.
   std::vector<Candidate> antecedents(const State& state, Referent subject, const PhraseSenses* senses, const NounPhrase* noun,
                                      int first_subject = -1) const;
+  std::vector<Candidate> carriers(const State& state, Referent subject) const;
   bool consider(std::vector<Candidate>& all, const State& state, Referent referent, double order, Referent subject,
                 const PhraseSenses* senses, const NounPhrase* noun, bool list) const;
 

@@ -109,10 +109,30 @@ void Decoder::waited_actions(std::size_t s, int u) {
       if (const Referent host = side_host(state, p, unit(p).direct); host != kNobody && !same(state, host, place.subject))
         add(s, kFill, weight::kSameSide, -1, -1, host);
     }
-    add(s, kFill, -6);
+    add(s, kFill, weight::kMeansNobody);
     return;
   }
+  // "on one corner", "in the middle": of what carries the thing.
+  if ((noun.kind == NounKind::kCorner || noun.kind == NounKind::kCenter) && !noun.of && noun.wall_word.empty() && word(p) != "in") {
+    for (const Candidate& meant : carriers(state, place.subject))
+      add(s, kFill, meant.score + (word(p) == "on" ? weight::kPartOfCarrier : 0), -1, -1, meant.referent);
+  }
   add(s, kFill, place.fronted ? 0 : reference_score(state, p, u));
+}
+
+// What may carry a small thing whose place is a part of it, the likeliest first.
+std::vector<Decoder::Candidate> Decoder::carriers(const State& state, Referent subject) const {
+  static const PhraseSenses kLies = {{RelationType::kOn, PhraseSense::Direction::kDirect, {}, {}, {}}};
+  if (subject < 0 || mount_of(noun_of(state, subject)) != Mount::kSurface) return {};
+  NounPhrase it;
+  it.kind = NounKind::kPronoun;
+  it.head = "it";
+  std::vector<Candidate> all = antecedents(state, subject, &kLies, &it);
+  std::erase_if(all, [&](const Candidate& one) {
+    return one.list || mount_of(noun_of(state, one.referent)) != Mount::kFloor ||
+           !sense_.carries(noun_of(state, one.referent), noun_of(state, subject));
+  });
+  return all;
 }
 
 double Decoder::reference_score(const State& state, int place, Referent reference) const {

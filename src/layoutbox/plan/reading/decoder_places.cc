@@ -322,6 +322,8 @@ void Decoder::alone_actions(std::size_t s, int u) {
                                    [](const PhraseSense& sense) { return sense.region == "back" || sense.region == "front"; });
       if (end) add(s, kAttachAlone, gain + 1.5, member, member, host);
       if (lies && is_thing(state, host)) add(s, kAttachAlone, gain + 1, member, member, host);
+      for (const Candidate& meant : lies&& host == kNobody && state.fronted.empty() ? carriers(state, member) : std::vector<Candidate>{})
+        add(s, kAttachAlone, gain + meant.score, member, member, meant.referent);
       if (lies && !state.fronted.empty()) add(s, kAttachAlone, gain + 1, member, member, state.fronted.front() + 1);
       with_list(gain + fits + (many ? (several(state, member) ? 1.0 : -1.0) : 0), kNobody, false);
       continue;

@@ -40,8 +40,8 @@ double SenseScore::of_place(const PhraseSenses& senses, const NounPhrase& target
 bool SenseScore::is_chair(const NounPhrase& noun) const { return is_seat(catalog_, noun) && one_of(noun.head, {"chair", "stool"}); }
 
 bool SenseScore::on_soft(const NounPhrase& host, const NounPhrase& thing) const {
-  const bool soft =
-      one_of(host.head, {"bed", "sofa", "couch", "loveseat", "daybed", "crib"}) || (is_seat(catalog_, host) && !one_of(host.head, {"bench", "stool", "barstool", "ottoman", "pouf"}));
+  const bool soft = one_of(host.head, {"bed", "sofa", "couch", "loveseat", "daybed", "crib"}) ||
+                    (is_seat(catalog_, host) && !one_of(host.head, {"bench", "stool", "barstool", "ottoman", "pouf"}));
   return soft && thing.kind == NounKind::kObject && !is_textile(catalog_, thing);
 }
 

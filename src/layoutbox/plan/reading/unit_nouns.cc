@@ -61,8 +61,8 @@ void UnitReader::settle_place_words(std::size_t k) {
     noun.kind = NounKind::kWall;
     noun.wall_word = noun.head;
   }
-  const bool other = noun.kind == NounKind::kMember && !noun.of &&
-                     (noun.determiner == Determiner::kOther || noun.determiner == Determiner::kAnother);
+  const bool other =
+      noun.kind == NounKind::kMember && !noun.of && (noun.determiner == Determiner::kOther || noun.determiner == Determiner::kAnother);
   if (other && one_corner_ >= 0 && (says(senses, RelationType::kIn) || says(senses, RelationType::kCorner))) {
     take(chunk(static_cast<std::size_t>(one_corner_)).noun);
     one_corner_ = -1;

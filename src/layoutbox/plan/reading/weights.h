@@ -28,14 +28,14 @@ inline constexpr double kHangsThere = 0.5;     // on the wall
 inline constexpr double kHeavyHung = -0.5;     // what is heavy is not hung
 inline constexpr double kSmallHost = -0.7;     // a small thing seldom carries
 inline constexpr double kSeatByTable = 0.5;
-inline constexpr double kNoFront = -0.8;      // what has no front faces nothing
-inline constexpr double kStandsBy = 1.2;      // a nightstand by a bed
-inline constexpr double kNoReference = -3.0;  // not by such a thing
-inline constexpr double kNotBeside = -1.2;    // small or hung things are seldom what one stands beside
+inline constexpr double kNoFront = -0.8;       // what has no front faces nothing
+inline constexpr double kStandsBy = 1.2;       // a nightstand by a bed
+inline constexpr double kNoReference = -3.0;   // not by such a thing
+inline constexpr double kNotBeside = -1.2;     // small or hung things are seldom what one stands beside
 inline constexpr double kOverSeat = -0.8;      // what hangs is seldom over a chair
 inline constexpr double kLampOverTable = 0.3;  // … often over a table
 inline constexpr double kBeforeHost = -1.2;    // what lies on a thing is not in front of that
-inline constexpr double kSoftHost = -0.7;     // on beds and seats lies what is soft
+inline constexpr double kSoftHost = -0.7;      // on beds and seats lies what is soft
 inline constexpr double kItself = -50.0;
 inline constexpr double kSmallByPlace = -1.8;  // a small thing of another one is seldom what stands at a wall
 inline constexpr double kSeatOfTable = -2.0;   // a table with chairs in the corner: the table is
@@ -46,7 +46,7 @@ inline constexpr double kSameSide = 1.8;  // left of X … right: of X
 // Lists.
 inline constexpr double kSubjectFollows = 1.6;
 inline constexpr double kDisagrees = -2.0;  // a singular verb of several
-inline constexpr double kAgrees = 1.5;  // a plural verb of what a bare "and" joins
+inline constexpr double kAgrees = 1.5;      // a plural verb of what a bare "and" joins
 inline constexpr double kPlaceFollows = 0.9;
 inline constexpr double kNoJoiner = -2.5;
 inline constexpr double kShareVerb = 1.5;
@@ -66,7 +66,9 @@ inline constexpr double kTreeList = 1.0;  // with whom a noun is listed
 
 // References.
 inline constexpr double kOwnHost = 1.0;  // "a bookcase with two books on the left"
-inline constexpr double kOrder = -0.45;  // for each candidate that comes before it
-inline constexpr double kNumber = -2.5;  // "it" of several, "them" of one
+inline constexpr double kMeansNobody = -10;
+inline constexpr double kOrder = -0.45;        // for each candidate that comes before it
+inline constexpr double kPartOfCarrier = 1.0;  // "on one corner"
+inline constexpr double kNumber = -2.5;        // "it" of several, "them" of one
 
 }  // namespace layoutbox::offline::weight
