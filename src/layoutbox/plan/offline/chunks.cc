@@ -33,7 +33,7 @@ bool Chunker::clause_begins() const {
 
 void Chunker::read() {
   if (read_distance() || read_size_chunk() || read_rows()) return;
-  const PhraseMatch phrase = lexicon_.find_phrase(tokens_, i_);
+  const PhraseMatch phrase = phrase_here();
   const ChunkKind before = previous();
   // "my desk is 's": what a person owns was read with the noun; elsewhere the sign stands for "is" or "us".
   if (tokens_[i_].text == "'s") {
@@ -78,6 +78,19 @@ void Chunker::read() {
     return;
   }
   read_small_word();
+}
+
+// The relation phrase that begins here. "On the left" ends before "end" or "wall": "on the left end of the counter".
+PhraseMatch Chunker::phrase_here() const {
+  const PhraseMatch phrase = lexicon_.find_phrase(tokens_, i_);
+  const std::size_t after = i_ + phrase.length;
+  if (phrase.length < 2 || after >= tokens_.size()) return phrase;
+  const std::string& last = tokens_[after - 1].text;
+  if (last != "left" && last != "right" && last != "side") return phrase;
+  const Token& next = tokens_[after];
+  if (!lexicon_.is(next, Class::kWall) && !lexicon_.is(next, Class::kCorner) && !lexicon_.is(next, Class::kSide)) return phrase;
+  const PhraseMatch shorter = lexicon_.find_phrase(tokens_.first(i_ + 1), i_);
+  return shorter.length > 0 ? shorter : phrase;
 }
 
 bool Chunker::noun_follows() const {

@@ -42,6 +42,7 @@ class Chunker {
   // A command or statement may begin here, so that a bare word is its verb and not a noun.
   bool clause_begins() const;
   void read();
+  PhraseMatch phrase_here() const;
   bool noun_follows() const;
   bool read_noun(bool bare);
   void add_phrase(const PhraseMatch& phrase);

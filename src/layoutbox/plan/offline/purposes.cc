@@ -15,7 +15,8 @@ void pass_over(Document& document, Chunk& chunk, std::string_view role) {
 
 // A person, an activity, or what stands for one ("homework", "storage"); counts of people are read elsewhere.
 bool is_whom_or_what_for(const Lexicon& lexicon, const Document& document, const Chunk& chunk) {
-  if (chunk.kind == ChunkKind::kUnknown || document.tokens[chunk.last - 1].text == "twins") return true;  // "for meditation"
+  if (chunk.kind == ChunkKind::kUnknown || chunk.kind == ChunkKind::kParticiple || document.tokens[chunk.last - 1].text == "twins")
+    return true;  // "for meditation"
   if (chunk.kind != ChunkKind::kNoun) return false;
   const NounPhrase& noun = chunk.noun;
   if (noun.count > 0) return false;

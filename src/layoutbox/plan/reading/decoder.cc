@@ -17,6 +17,11 @@ bool names_same(const NounPhrase& one, const NounPhrase& other, bool one_definit
   return (one_definite && ends(other.name, one.name)) || (other_definite && ends(one.name, other.name));
 }
 
+// "the lid of a chest": brings the chest in.
+bool brings_owner(const NounPhrase& noun) {
+  return noun.kind == NounKind::kPart && noun.of && noun.of->kind == NounKind::kObject && noun.of->determiner == Determiner::kIndefinite;
+}
+
 constexpr std::size_t kBeam = 12;
 constexpr double kWorthKeeping = 9;  // behind the best
 
@@ -100,7 +105,9 @@ const NounPhrase& Decoder::noun_of(const State& state, Referent referent) const 
 
 bool Decoder::is_thing(const State& state, Referent referent) const {
   if (is_mention(referent)) return !document_.mentions[static_cast<std::size_t>(mention_of(referent))].items.empty();
-  return referent >= 0 && is(referent, UnitKind::kNoun) && noun_of(state, referent).kind == NounKind::kObject;
+  if (referent < 0 || !is(referent, UnitKind::kNoun)) return false;
+  const NounPhrase& noun = noun_of(state, referent);
+  return noun.kind == NounKind::kObject || brings_owner(noun);
 }
 
 bool Decoder::same(const State& state, Referent one, Referent other) const {
@@ -144,12 +151,14 @@ bool Decoder::several(const State& state, Referent referent) const {
 
 bool Decoder::is_definite(const State& state, int u) const {
   const NounPhrase& noun = chunk(u).noun;
+  if (brings_owner(noun)) return false;
   return state.units[static_cast<std::size_t>(u)].role == NounRole::kReference &&
          (noun.kind != NounKind::kObject || noun.determiner == Determiner::kDefinite || noun.determiner == Determiner::kEach ||
           noun.determiner == Determiner::kPossessive || noun.determiner == Determiner::kBoth);
 }
 
 bool Decoder::is_known(const State& state, int u) const {
+  if (brings_owner(chunk(u).noun)) return false;
   return state.units[static_cast<std::size_t>(u)].role == NounRole::kReference && known_[static_cast<std::size_t>(u)];
 }
 

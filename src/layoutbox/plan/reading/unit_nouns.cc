@@ -102,6 +102,22 @@ void UnitReader::settle_noun(std::size_t k) {
   if (noun.kind == NounKind::kCorner && noun.wall_word.empty() && !after_place() && has) noun.kind = NounKind::kRoom;
 }
 
+// "On the left wall it is a desk": as "there is".
+bool UnitReader::says_nothing_but_there(std::size_t k) {
+  const NounPhrase& noun = chunk(k).noun;
+  const std::size_t verb = next(k), thing = next(verb);
+  if (noun.kind != NounKind::kPronoun || noun.head != "it" || joiner_ != Joiner::kNone || units_.size() < 2) return false;
+  if (units_.front().kind != UnitKind::kPlace || units_.back().kind != UnitKind::kNoun || units_.size() > 2) return false;
+  if (!is(verb, ChunkKind::kVerb) || chunk(verb).last - chunk(verb).first != 1 || !is(thing, ChunkKind::kNoun)) return false;
+  const std::string& be = document_.tokens[chunk(verb).first].text;
+  if ((be != "is" && be != "are") || chunk(thing).noun.kind != NounKind::kObject) return false;
+  mark(k, Use::kIgnored, "opens a statement");
+  mark(verb, Use::kIgnored, "opens a statement");
+  add(UnitKind::kOpen, k);
+  passed_over_ = verb;
+  return true;
+}
+
 void UnitReader::read_noun(std::size_t k) {
   settle_noun(k);
   settle_place_words(k);
@@ -111,6 +127,7 @@ void UnitReader::read_noun(std::size_t k) {
     if (noun.kind == NounKind::kRoom) document_.rooms.push_back(noun);
     return;
   }
+  if (says_nothing_but_there(k)) return;
   // "instead of a bathtub a shower": what stands beside what is not wanted.
   if (negated_ && joiner_ == Joiner::kNone && k > 0 && is(k - 1, ChunkKind::kNoun) && noun.determiner == Determiner::kIndefinite)
     negated_ = false;

@@ -44,6 +44,7 @@ class UnitReader {
   bool excepts_from_nothing(std::size_t k) const;
 
   // Nouns.
+  bool says_nothing_but_there(std::size_t k);
   void read_noun(std::size_t k);
   bool is_placed_itself(std::size_t k) const;
   void settle_noun(std::size_t k);
