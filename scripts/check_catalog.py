@@ -178,13 +178,18 @@ def check_ancestors(entry: dict, ids: dict[str, dict]) -> Iterator[str]:
         at = ids[at].get("kindOf")
 
 
+def key_of(word: str) -> str:
+    """The program reads words without regard to what separates them."""
+    return "".join(c for c in word.lower() if c.isalnum())
+
+
 def check_words(things: list[dict]) -> Iterator[str]:
     """Every id, name and synonym names one thing only."""
     owner: dict[str, str] = {}
     for thing in things:
-        own = {thing["id"].replace("_", " "), thing["name"].lower()}
-        for word in [*sorted(own), *thing.get("synonyms", [])]:
-            key = "".join(c for c in word.lower() if c.isalnum())  # the program reads words without regard to what separates them
+        own = {key_of(word): word for word in (thing["id"].replace("_", " "), thing["name"].lower())}
+        for word in [*sorted(own.values()), *thing.get("synonyms", [])]:
+            key = key_of(word)
             if word in thing.get("synonyms", []) and word != word.lower():
                 yield f"{thing['id']}: synonym '{word}' is not in lower case"
             if owner.get(key) == thing["id"]:
@@ -228,6 +233,47 @@ def stands_on_floor(entry: dict) -> bool:
     return entry.get("mount", "floor") == "floor" and not entry.get("thin")
 
 
+SOLIDS = {
+    "box": 6, "rounded": 7, "cushion": 7, "ball": 6, "can": 5, "cone": 6, "rod": 7, "beam": 8, "tube": 7, "ring": 5, "turned": 8,
+    "prism": 8, "prism_x": 8, "prism_y": 8, "waves": 7, "light": 4,
+}  # fmt: skip
+
+
+def check_model_line(line: str, surfaces: set[str]) -> Iterator[str]:
+    """One solid of a model (docs/furnish.md)."""
+    words = line.split()
+    count = int(words.pop(0)[:-1]) if words[0].endswith("*") else 1
+    solid, surface, *rest = words
+    numbers = [word for word in rest if not word.startswith("/")]
+    if len(numbers) < SOLIDS.get(solid, 10**6):
+        yield f"'{line}' is no solid with all its numbers"
+    if surface.split(":")[-1].split("#")[0] not in surfaces:
+        yield f"'{line}' is of no known surface"
+    for number in numbers:
+        for i in {0, count - 1}:
+            evaluate(number, {"w": 1.0, "d": 1.0, "h": 1.0, "i": float(i)})
+
+
+def check_models(folder: Path, entries: list[dict]) -> Iterator[str]:
+    """Shapes that are written down: each is named by an entry, and each of their lines can be drawn."""
+    if not (folder / "models.json").exists():
+        return
+    models = json.loads((folder / "models.json").read_text(encoding="utf-8"))["models"]
+    surfaces = {surface["name"] for surface in json.loads((folder / "materials.json").read_text(encoding="utf-8"))["surfaces"]}
+    named = {entry["shape"].get("words", {}).get("model"): entry["id"] for entry in entries if entry["shape"]["family"] == "modeled"}
+    for name, owner in named.items():
+        if name not in models:
+            yield f"{owner}: there is no model '{name}'"
+    for name, lines in models.items():
+        if name not in named:
+            yield f"model {name}: no entry names it"
+        for line in lines:
+            try:
+                yield from (f"model {name}: {fault}" for fault in check_model_line(line, surfaces))
+            except (ValueError, SyntaxError, ZeroDivisionError) as error:
+                yield f"model {name}: '{line}': {error}"
+
+
 def check(folder: Path) -> tuple[list[str], int]:
     """All faults of the catalogue in a folder, and the number of its entries."""
     entries, rooms, families = [], [], {}
@@ -240,6 +286,7 @@ def check(folder: Path) -> tuple[list[str], int]:
     ids = {entry["id"]: entry for entry in entries}
     room_ids = {room["id"] for room in rooms}
     faults = list(check_like(folder, ids)) + list(check_words(entries)) + list(check_words(rooms)) + list(check_rooms(rooms, ids))
+    faults += check_models(folder, entries)
     for entry in entries:
         own = [*check_entry(entry, ids, room_ids, families), *check_ancestors(entry, ids)]
         faults += [f"{entry['id']}: {fault}" for fault in own]

@@ -138,6 +138,7 @@ void add_clocks(Families& to);
 void add_odd_things(Families& to);
 void add_pocket_things(Families& to);
 void add_rolling_things(Families& to);
+void add_modeled(Families& to);
 void add_generic(Families& to);
 
 }  // namespace layoutbox::kit
