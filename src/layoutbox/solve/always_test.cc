@@ -78,7 +78,7 @@ class AfterTheStop : public testing::Test {
     } else {
       Search search(*model, {}, 1, 1000);
       search.construct(all, 8, budget);
-      search.improve(budget);
+      search.improve(budget, kPatience);
     }
     return budget.steps + budget.work;
   }

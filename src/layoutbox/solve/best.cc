@@ -46,7 +46,7 @@ void Solver::prove_best() {
     Search search(model_, given_up_, options_.seed, size_limit_);
     search.adopt(encoding.placements_of(answer->values), left_out_);
     Budget polish{0, kPolish, [this] { return must_stop(); }, false};
-    search.improve(polish);
+    search.improve(polish, kPatience);
     Placements better = search.placements();
     std::swap(placements_, better);
     if (const std::int64_t now = cost(); now < best) {

@@ -22,7 +22,7 @@ struct Budgets {
 // `things`: objects and openings.
 inline Budgets budgets_for(std::int64_t effort, std::size_t things) {
   constexpr std::int64_t kStepsPerUnit = 5000;  // candidate positions tried in about a quarter of a millisecond
-  constexpr std::int64_t kThingsPerEffort = 6;  // that one share of the effort is for
+  constexpr std::int64_t kThingsPerEffort = 9, kThingsOfStart = 8, kMany = 30, kLessOfMany = 5;
   constexpr std::int64_t kFindingPerUnit = 80'000, kLeastFinding = 4'000'000;
   constexpr double kProofPerUnit = 0.0006, kLeastProof = 0.06, kMostProof = 20;
   constexpr std::int64_t kLeastEffortForBest =
@@ -34,8 +34,10 @@ inline Budgets budgets_for(std::int64_t effort, std::size_t things) {
   budgets.first = std::max(std::min(budgets.search, kFirstSteps), kLeastSteps);
   budgets.trial = std::max(steps / 4, kLeastSteps);
   budgets.finding = std::max(effort * kFindingPerUnit, kLeastFinding);
-  // The more things, the more moves it takes to bring all to their places.
-  budgets.improvement = steps * std::max(static_cast<std::int64_t>(things), kThingsPerEffort) / kThingsPerEffort;
+  // The more things, the more moves it takes to bring all to their places, of many not quite so many; a start costs something in any room.
+  const auto count = static_cast<std::int64_t>(things);
+  const std::int64_t weighed = count + kThingsOfStart - std::max<std::int64_t>(0, count - kMany) / kLessOfMany;
+  budgets.improvement = 2 * steps * weighed / kThingsPerEffort;
   budgets.proof = std::clamp(static_cast<double>(effort) * kProofPerUnit, kLeastProof, kMostProof);
   if (effort >= kLeastEffortForBest) budgets.best_proof = kBestProofPerUnit * static_cast<double>(effort);
   return budgets;

@@ -3,6 +3,8 @@
 namespace layoutbox::placement {
 
 void CandidateGrid::start(CaseTable& table) const {
+  table.crossing.clear();
+  table.crossing_wishes.clear();
   for (int axis = 0; axis < 3; ++axis) {
     table.axes[axis].miss.assign(values[axis].size(), 0);
     table.axes[axis].wish.assign(values[axis].size(), 0);
@@ -39,31 +41,31 @@ void CandidateGrid::add_check(CaseTable& table, const Partial& form) const {
   }
 }
 
-void CandidateGrid::tabulate(const Region& region, const std::vector<SoftFormula>& soft) {
-  hard_ = {};
+void CandidateGrid::tabulate(const Region& region, std::span<const SoftFormula> soft) {
   hard_.price = region.price;
   start(hard_);
   for (const Reduced* one : region.cases) {
     hard_.crossing.insert(hard_.crossing.end(), one->checks.begin(), one->checks.end());
     for (const Wish& wish : one->wishes) add_wish(hard_, wish);
   }
-  tables_.clear();
+  used_ = 0;
   soft_.clear();
   column_bound_ = hard_.axes[0].wish;
   for (const SoftFormula& formula : soft) {
-    const std::size_t first = tables_.size();
-    for (const Reduced& one : formula.cases) {
-      CaseTable& table = tables_.emplace_back();
+    const std::size_t first = used_;
+    for (const Reduced& one : formula.all()) {
+      if (used_ == tables_.size()) tables_.emplace_back();
+      CaseTable& table = tables_[used_++];
       table.price = one.price;
       start(table);
       for (std::int64_t& miss : table.axes[2].miss) miss = one.miss;
       for (const Partial& form : one.checks) add_check(table, form);
       for (const Wish& wish : one.wishes) add_wish(table, wish);
     }
-    soft_.push_back({formula.weight, 0, first, tables_.size()});
+    soft_.push_back({formula.weight, 0, first, used_});
     for (std::size_t x = 0; x < column_bound_.size(); ++x) {
       std::int64_t least = kNoCost;
-      for (std::size_t k = first; k < tables_.size(); ++k) least = std::min(least, tables_[k].axes[0].wish[x]);
+      for (std::size_t k = first; k < used_; ++k) least = std::min(least, tables_[k].axes[0].wish[x]);
       column_bound_[x] += least;
     }
   }
@@ -73,7 +75,8 @@ void CandidateGrid::start_row(std::size_t y, std::size_t z, std::int64_t base) {
   y_ = values[1][y], z_ = values[2][z];
   row_ = base + hard_.price + hard_.axes[2].wish[z] + hard_.axes[1].wish[y];
   row_cases_.clear();
-  for (const CaseTable& table : tables_) {
+  for (std::size_t k = 0; k < used_; ++k) {
+    const CaseTable& table = tables_[k];
     const auto& [x_costs, y_costs, z_costs] = table.axes;
     row_cases_.push_back({std::max(y_costs.miss[y], z_costs.miss[z]), table.price + y_costs.wish[y] + z_costs.wish[z], x_costs.miss.data(),
                           x_costs.wish.data(), &table});

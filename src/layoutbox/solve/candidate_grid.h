@@ -3,6 +3,7 @@
 #pragma once
 
 #include <limits>
+#include <span>
 
 #include "layoutbox/solve/region.h"
 
@@ -14,6 +15,8 @@ inline constexpr std::int64_t kNoCost = std::numeric_limits<std::int64_t>::max()
 struct SoftFormula {
   std::int64_t weight = 0;
   std::vector<Reduced> cases;
+  std::size_t count = 0;  // of them; after them are such as were used before
+  std::span<const Reduced> all() const { return {cases.data(), count}; }
 };
 
 class CandidateGrid {
@@ -21,7 +24,7 @@ class CandidateGrid {
   std::array<std::vector<Mm>, 3> values;
 
   // REQUIRES: `values` are filled, and stay as they are; the region and the formulas outlive the next calls.
-  void tabulate(const Region& region, const std::vector<SoftFormula>& soft);
+  void tabulate(const Region& region, std::span<const SoftFormula> soft);
 
   // Of all positions with these y and z, `base` added to each; no cheaper than the bound.
   void start_row(std::size_t y, std::size_t z, std::int64_t base);
@@ -56,7 +59,8 @@ class CandidateGrid {
   void add_check(CaseTable& table, const Partial& form) const;
 
   CaseTable hard_;                 // the wishes of the region's cases
-  std::vector<CaseTable> tables_;  // of all soft cases
+  std::vector<CaseTable> tables_;  // of all soft cases, and after them such as were used before
+  std::size_t used_ = 0;
   std::vector<RowSoft> soft_;
   std::vector<std::int64_t> column_bound_;  // by x: at least so much, whatever the row
   std::vector<RowCase> row_cases_;

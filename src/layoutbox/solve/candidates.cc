@@ -36,16 +36,22 @@ CandidateFinder::CandidateFinder(const Model& model, std::vector<char> given_up)
     : model_(model), regions_(model, std::move(given_up)), obstacles_(model, regions_), access_(model) {}
 
 void CandidateFinder::find_soft(const Placements& placements, int item, int state) {
-  soft_.clear();
+  std::size_t used = 0;
   for (const int c : model_.touching[item]) {
     const Constraint& constraint = model_.constraints[c];
     if (constraint.firmness != Firmness::kSoft) continue;
     for (const Formula& formula : constraint.formulas) {
       const auto known = [&](int other) { return other == item || placements[other].state >= 0; };
       if (formula.cases.empty() || !std::all_of(formula.items.begin(), formula.items.end(), known)) continue;
-      std::vector<Reduced> cases;
+      if (used == soft_pool_.size()) soft_pool_.emplace_back();
+      SoftFormula& soft = soft_pool_[used++];
+      soft.weight = constraint.weight, soft.count = 0;
       for (const Case& one : formula.cases) {
-        Reduced& reduced = cases.emplace_back();
+        if (soft.count == soft.cases.size()) soft.cases.emplace_back();
+        Reduced& reduced = soft.cases[soft.count++];
+        reduced.checks.clear();
+        reduced.wishes.clear();
+        reduced.miss = 0;
         reduced.price = one.price * kPoint;
         for (const StateLiteral& literal : one.states) {
           const int s = literal.item == item ? state : placements[literal.item].state;
@@ -57,9 +63,9 @@ void CandidateFinder::find_soft(const Placements& placements, int item, int stat
           reduced.wishes.push_back({partial_of(model_, placements, regions_.domains(), wish.form, item, state), wish.weight, wish.scale});
         }
       }
-      soft_.push_back({constraint.weight, std::move(cases)});
     }
   }
+  soft_ = {soft_pool_.data(), used};
 }
 
 void CandidateFinder::cut(const Placements& placements, int item, int state, const Region& region, CandidateGrid& grid) const {
@@ -88,7 +94,7 @@ void CandidateFinder::cut(const Placements& placements, int item, int state, con
     for (const Wish& wish : one->wishes) offer_zero(wish.form, true);
   }
   for (const SoftFormula& formula : soft_) {
-    for (const Reduced& one : formula.cases) {
+    for (const Reduced& one : formula.all()) {
       if (one.miss > 0) continue;
       for (const Wish& wish : one.wishes) offer_zero(wish.form, true);
       for (const Partial& form : one.checks) offer_zero(form, false);

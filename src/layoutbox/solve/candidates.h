@@ -62,7 +62,8 @@ class CandidateFinder {
   Obstacles obstacles_;
   AccessProbe access_;
   Placements probe_;  // the placements, with the item tried
-  std::vector<SoftFormula> soft_;
+  std::vector<SoftFormula> soft_pool_;
+  std::span<const SoftFormula> soft_;  // those of the item at hand
 };
 
 }  // namespace layoutbox::placement

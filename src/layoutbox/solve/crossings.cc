@@ -53,8 +53,8 @@ std::vector<Point> CandidateFinder::crossings(const Placements& placements, int 
     if (wish.form.axis() == -2) others.push_back(line_of(wish.form));
   };
   for (const Reduced* one : region.cases) std::for_each(one->wishes.begin(), one->wishes.end(), add_wish);
-  for (const auto& [weight, cases] : soft_) {
-    for (const Reduced& one : cases) {
+  for (const SoftFormula& formula : soft_) {
+    for (const Reduced& one : formula.all()) {
       if (one.miss == 0) std::for_each(one.wishes.begin(), one.wishes.end(), add_wish);
     }
   }
@@ -99,12 +99,12 @@ std::int64_t CandidateFinder::cost_at(const Region& region, const Vec3& at) cons
   for (const Reduced* one : region.cases) {
     for (const Wish& wish : one->wishes) sum += wish.cost(at);
   }
-  for (const auto& [weight, cases] : soft_) {
+  for (const SoftFormula& formula : soft_) {
     std::int64_t least = std::numeric_limits<std::int64_t>::max() / 4;
-    for (const Reduced& one : cases) {
+    for (const Reduced& one : formula.all()) {
       std::int64_t miss = one.miss;
       for (const Partial& form : one.checks) miss = std::max(miss, missing(form.at(at), form.scale));
-      std::int64_t cost = one.price + miss * weight;
+      std::int64_t cost = one.price + miss * formula.weight;
       for (const Wish& wish : one.wishes) cost += wish.cost(at);
       least = std::min(least, cost);
     }

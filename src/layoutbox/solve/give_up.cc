@@ -75,7 +75,7 @@ Result<bool> Solver::settle() {
   Search search(trial, given_up, options_.seed, kAllSizes);
   if (!search.construct(left_out_, kRestarts, budget)) return false;
   budget.limit = budget.steps + 2 * kLeastSteps;
-  search.improve(budget);
+  search.improve(budget, kPatience);
   placements_ = search.placements();
   std::vector<int> missed;
   for (std::size_t c = 0; c < trial.constraints.size(); ++c) {
@@ -170,7 +170,7 @@ std::int64_t Solver::miss_without(int constraint) {
   Budget budget = part(kLeastSteps);
   if (!search.construct(left_out_, 2, budget)) return 1 << 30;
   budget.limit = budget.steps + kLeastSteps / 2;
-  search.improve(budget);
+  search.improve(budget, kPatience);
   return miss_of(trial, trial.constraints[constraint], search.placements());
 }
 

@@ -6,11 +6,14 @@ namespace layoutbox::placement {
 namespace {
 
 constexpr std::size_t kWatchedTries = 160;
+constexpr int kFirst = 2;                                           // things that are placed first in an unlike start
+constexpr std::int64_t kNoiseOfStart = 500, kNoiseOfShaking = 400;  // points
+constexpr std::int64_t kShaken = 3;                                 // things at once, at most
 constexpr int kEjectionsPerItem = 6;
 constexpr int kFormationTries = 4;
-constexpr std::int64_t kPushing = 60 * kPoint;  // what it takes to push another thing away
-constexpr std::int64_t kPushes = 4;             // one move in so many does
-constexpr std::int64_t kStayingNoise = 40;      // an earlier layout makes every metre so much dearer
+constexpr std::int64_t kPushing = 60 * kPoint;    // what it takes to push another thing away
+constexpr std::int64_t kPushes = 4, kNudges = 8;  // one move in so many does
+constexpr std::int64_t kStayingNoise = 40;        // an earlier layout makes every metre so much dearer
 
 // What any of them is told to face, then those that face it, then the others.
 std::vector<std::string> in_facing_order(const SceneGraph& scene, const std::vector<std::string>& ids) {
@@ -72,11 +75,11 @@ bool Search::place(int item, std::int64_t noise, Budget& budget) {
   return false;
 }
 
-bool Search::try_order(const std::vector<int>& order, Budget& budget) {
+bool Search::try_order(const std::vector<int>& order, std::int64_t noise, Budget& budget) {
   std::fill(placements_.begin(), placements_.end(), Placement{});
   failed_.clear();
   for (const int item : order) {
-    if (budget.stopped || !place(item, 0, budget)) failed_.push_back(item);
+    if (budget.stopped || !place(item, noise, budget)) failed_.push_back(item);
   }
   return failed_.empty();
 }
@@ -184,7 +187,7 @@ bool Search::construct(const std::vector<char>& left_out, int restarts, Budget& 
   Placements best;
   std::vector<int> best_failed;
   for (int attempt = 0; attempt <= restarts; ++attempt) {
-    if ((model_.start.empty() ? try_order(placing_order(model_, dependencies_, left_out_, bonus_), budget)
+    if ((model_.start.empty() ? try_order(placing_order(model_, dependencies_, left_out_, bonus_), 0, budget)
                               : try_start(placing_order(model_, dependencies_, left_out_, bonus_), budget)) ||
         repair(budget))
       return true;
@@ -195,6 +198,18 @@ bool Search::construct(const std::vector<char>& left_out, int restarts, Budget& 
   placements_ = std::move(best);
   failed_ = std::move(best_failed);
   return false;
+}
+
+bool Search::construct_unlike(const std::vector<char>& left_out, Budget& budget) {
+  if (model_.items.empty()) return true;
+  left_out_ = left_out;
+  left_out_.resize(model_.items.size(), 0);
+  finder_.leave_out(left_out_);
+  std::fill(bonus_.begin(), bonus_.end(), 0);
+  std::vector<int> first(model_.items.size(), 0);
+  for (int k = 0; k < kFirst; ++k) ++first[static_cast<std::size_t>(random_.below(static_cast<std::int64_t>(first.size())))];
+  const std::int64_t noise = kPoint * (1 + random_.below(kNoiseOfStart));
+  return try_order(placing_order(model_, dependencies_, left_out_, first), noise, budget) || repair(budget);
 }
 
 // How much less what touches the group costs than before it moved; ways to walk apart.
@@ -287,13 +302,34 @@ std::vector<std::vector<int>> Search::formations() const {
   return found;
 }
 
-void Search::improve(Budget& budget) {
-  std::vector<int> movable;
+std::vector<int> Search::movable() const {
+  std::vector<int> found;
   for (std::size_t i = 0; i < model_.items.size(); ++i) {
-    const Item& item = model_.items[i];
-    if (placements_[i].state >= 0 && !stays(item)) movable.push_back(static_cast<int>(i));
+    if (placements_[i].state >= 0 && !stays(model_.items[i])) found.push_back(static_cast<int>(i));
   }
+  return found;
+}
+
+bool Search::shake(Budget& budget) {
+  const std::vector<int> all = movable();
+  if (all.empty()) return false;
+  const Placements before = placements_;
+  std::vector<int> out;
+  for (std::int64_t k = random_.below(kShaken); k >= 0; --k)
+    take_out(all[static_cast<std::size_t>(random_.below(static_cast<std::int64_t>(all.size())))], out);
+  const std::int64_t noise = kPoint * (1 + random_.below(kNoiseOfShaking));
+  for (const int item : placing_order(model_, dependencies_, left_out_, bonus_)) {
+    if (placements_[item].state >= 0 || place(item, noise, budget)) continue;
+    placements_ = before;
+    return false;
+  }
+  return true;
+}
+
+void Search::improve(Budget& budget, std::int64_t patience, bool sweeps) {
+  const std::vector<int> movable = this->movable();
   if (movable.empty()) return;
+  std::fill(bonus_.begin(), bonus_.end(), 0);  // what failed while it was built is looked after no longer
   ways_ = ways_cost(model_, placements_);
   const auto count = static_cast<std::int64_t>(movable.size());
   std::vector<int> group;
@@ -303,8 +339,8 @@ void Search::improve(Budget& budget) {
     }
   }
   std::int64_t idle = 0;
-  for (std::int64_t turn = 0; !budget.spent() && idle < 12 * count; ++turn) {
-    const bool sweep = turn < count;  // first everything once, alone
+  for (std::int64_t turn = 0; !budget.spent() && idle < patience * count; ++turn) {
+    const bool sweep = sweeps && turn < count;  // first everything once, alone
     const int item = movable[sweep ? turn : random_.below(count)];
     if (!model_.start.empty() && (sweep || random_.below(3) == 0) && slide(item, budget)) {
       idle = 0;
@@ -316,6 +352,10 @@ void Search::improve(Budget& budget) {
     }
     if (!sweep && model_.start.empty() && random_.below(kPushes) == 0) {
       idle = push(item, budget) ? 0 : idle + 1;
+      continue;
+    }
+    if (!sweep && model_.start.empty() && random_.below(kNudges) == 0) {
+      idle = nudge(item, budget) ? 0 : idle + 1;
       continue;
     }
     group.assign(1, item);

@@ -10,6 +10,8 @@
 
 namespace layoutbox::placement {
 
+inline constexpr std::int64_t kPatience = 12;  // moves in vain a thing, after which an improvement ends
+
 class Search {
  public:
   // `given_up`: by constraint index; those need not hold. `most_size_step`: how far below the usual size items may be.
@@ -17,10 +19,15 @@ class Search {
 
   // Places everything but what is `left_out`, or as much as it can. True when all are placed.
   bool construct(const std::vector<char>& left_out, int restarts, Budget& budget);
+  // A start unlike that: a few things first that have no right to be, and places that are as good within a noise. What finds no place
+  // pushes others out.
+  bool construct_unlike(const std::vector<char>& left_out, Budget& budget);
 
-  // Local moves from a complete layout; never makes it worse.
-  std::vector<std::vector<int>> formations() const;
-  void improve(Budget& budget);
+  // Local moves from a complete layout; never makes it worse. Ends after so many moves a thing in vain. `sweeps`: each thing once first.
+  void improve(Budget& budget, std::int64_t patience, bool sweeps = true);
+  // Takes a few things with all that hangs on them out of a complete layout, and puts them where they are well off within a noise.
+  // False: they found no place; nothing is changed then.
+  bool shake(Budget& budget);
 
   const Placements& placements() const { return placements_; }
   void adopt(const Placements& placements, const std::vector<char>& left_out) {
@@ -32,7 +39,9 @@ class Search {
   const std::vector<int>& failed() const { return failed_; }
 
  private:
-  bool try_order(const std::vector<int>& order, Budget& budget);
+  bool try_order(const std::vector<int>& order, std::int64_t noise, Budget& budget);
+  std::vector<int> movable() const;
+  std::vector<std::vector<int>> formations() const;
   bool try_start(const std::vector<int>& order, Budget& budget);
   bool slide(int item, Budget& budget);
   bool push_away(std::vector<int>& moved, std::vector<int> in_way, const std::vector<std::int64_t>& price);
@@ -43,6 +52,9 @@ class Search {
   void take_out(int item, std::vector<int>& queue);
   bool move(const std::vector<int>& group, std::int64_t noise, Budget& budget);
   bool push(int item, Budget& budget);
+  std::vector<int> cluster_of(int item);
+  bool shift(const std::vector<int>& cluster, int axis, Mm by, Budget& budget);
+  bool nudge(int item, Budget& budget);
   bool is_better(const Placements& before, const std::vector<int>& moved, Budget& budget);
   std::int64_t gain_since(const Placements& before, const std::vector<int>& group) const;
 

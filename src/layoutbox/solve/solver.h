@@ -23,7 +23,7 @@ enum class OnConflict {
 struct SolveOptions {
   // Which of the good layouts: the same seed gives the same bytes. DEFAULT: 1.
   std::uint64_t seed = 1;
-  // Work in deterministic units (about a quarter of a millisecond each on a 2020s core) for a room of six things, doors and windows
+  // Work in deterministic units (about half a millisecond each on a 2020s core) for a room of six things, doors and windows
   // counted; more of them get as much more. REQUIRES: > 0. DEFAULT: 100.
   std::int64_t effort = 100;
   // Wall-clock safety net in seconds; when it steps in, stats.stopped_by_clock is set. REQUIRES: > 0. DEFAULT: 30.

@@ -14,7 +14,8 @@ namespace {
 
 constexpr double kShortProof = 0.3;  // of CP-SAT's deterministic time
 constexpr std::size_t kMostForEarlyProof = 40;
-constexpr int kIdleStarts = 8;
+constexpr int kStarts = 4, kIdleShakes = 40;
+constexpr std::int64_t kShortPatience = 1, kPatienceShaken = 4;  // moves in vain a thing
 constexpr std::int64_t kShareOfStarts = 8, kShareOfTakingBack = 4;
 
 }  // namespace
@@ -193,43 +194,60 @@ std::int64_t Solver::cost() const {
   return sum;
 }
 
-// Local moves end where none helps; then from another start, until the effort is spent. The best of all is kept.
+// Another layout to improve; to look for it takes a part of the effort, and leaves the rest for making it better. The first is built at
+// the cheapest places, the next otherwise, now and then without a look at costs.
+bool Solver::begin(Search& search, int start, Budget& budget) {
+  Budget part{0, std::max(kLeastSteps, (budget.limit - budget.steps) / kShareOfStarts), budget.stop, false};
+  bool found = start == 0 ? search.construct(left_out_, 1, part) : search.construct_unlike(left_out_, part);
+  if (!found && start == 0) search.adopt(placements_, left_out_), found = true;
+  if (!found) {
+    const Dependencies dependencies(model_);
+    Placements other(model_.items.size());
+    QuickSearch quick(model_, dependencies, given_up_, options_.seed + kSeedStep * static_cast<std::uint64_t>(start), size_limit_);
+    found = quick.complete(other, left_out_, part);
+    if (found) search.adopt(other, left_out_);
+  }
+  budget.count(part.steps);
+  return found;
+}
+
+// From unlike starts a short improvement each; then the best is shaken and improved again and again, until that brings nothing more or the
+// effort is spent. The best of all is kept.
 void Solver::improve() {
   Budget budget{0, budgets_.improvement, [this] { return must_stop(); }, false};
   Search search(model_, given_up_, options_.seed, size_limit_);
-  // To look for a start takes a part of the effort, and leaves the rest for making it better.
-  const auto constructs = [&](Search& one) {
-    Budget start{0, std::max(kLeastSteps, (budget.limit - budget.steps) / kShareOfStarts), budget.stop, false};
-    const bool found = one.construct(left_out_, 1, start);
-    budget.count(start.steps);
-    return found;
-  };
-  // The first legal layout was found without a look at costs; where one can be built that way, it is a better start.
-  const bool built = model_.start.empty() && constructs(search);
-  if (!built) search.adopt(placements_, left_out_);
-  search.improve(budget);
   std::int64_t least = cost();
-  Placements first = search.placements();
-  std::swap(placements_, first);
-  if (const std::int64_t now = cost(); now <= least) {
-    least = now;
-  } else {
-    std::swap(placements_, first);
-  }
-  int idle = 0;  // starts since the last that brought something
-  for (int start = 1; idle < kIdleStarts && !budget.spent(); ++start, ++idle) {
-    Search other(model_, given_up_, options_.seed + kSeedStep * static_cast<std::uint64_t>(start), size_limit_);
-    if (!constructs(other)) continue;
-    other.improve(budget);
-    Placements before = other.placements();
-    std::swap(placements_, before);
-    if (const std::int64_t now = cost(); now < least) {
+  const auto take_if_better = [&] {
+    Placements other = search.placements();
+    std::swap(placements_, other);
+    const std::int64_t now = cost();
+    if (now < least) {
       least = now;
-      idle = 0;
-    } else {
-      std::swap(placements_, before);
+      return true;
     }
+    std::swap(placements_, other);
+    return false;
+  };
+  if (!model_.start.empty()) {
+    search.adopt(placements_, left_out_);
+    search.improve(budget, kPatience);
+    take_if_better();
+    return;
   }
+  int idle = 0;  // since the last that brought something
+  for (int start = 0; idle < kIdleShakes && !budget.spent(); ++start, ++idle) {
+    if (start < kStarts && begin(search, start, budget)) {
+      search.improve(budget, kShortPatience);
+    } else {
+      search.adopt(placements_, left_out_);
+      search.shake(budget);
+      search.improve(budget, kPatienceShaken, false);
+    }
+    if (take_if_better()) idle = 0;
+  }
+  search.adopt(placements_, left_out_);
+  search.improve(budget, kPatience);
+  take_if_better();
 }
 
 }  // namespace layoutbox::placement

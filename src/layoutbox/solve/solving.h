@@ -25,6 +25,7 @@ inline constexpr int kAllSizes = 1000;
 inline constexpr std::uint64_t kSeedStep = 0x9e3779b97f4a7c15;  // golden ratio: no start of one seed is a start of the next
 
 struct Dependencies;
+class Search;
 
 class Solver {
  public:
@@ -68,6 +69,7 @@ class Solver {
   Result<bool> prove();
   Result<Proof> ask(const std::vector<char>& given_up, const std::vector<char>& left_out, const Placements& hint, double most);
   void improve();
+  bool begin(Search& search, int start, Budget& budget);
   void prove_best();
   std::int64_t cost() const;
 
