@@ -85,19 +85,18 @@ class Companions {
     relation.targets = std::move(targets);
     relation.references = {reference};
     relation.parameters.max = max;
-    relation.hard = false;
     relation.origin = Origin::kAdded;
     relation.why = "what its use needs";
     scene_.relations.push_back(std::move(relation));
   }
 
-  // Is a seat placed by it already?
+  // Is a seat placed by it already: a chair, a bench, cushions on the floor?
   bool has_seat(const std::string& table) const {
     return std::ranges::any_of(scene_.relations, [&](const Relation& r) {
       if (std::ranges::find(r.references, table) == r.references.end()) return false;
       return std::ranges::any_of(r.targets, [&](const std::string& id) {
         const SceneObject* object = scene_.find_object(id);
-        return object != nullptr && catalog_.entry_or_nearest(object->category).is(Trait::kTableSeat);
+        return object != nullptr && catalog_.entry_or_nearest(object->category).is(Trait::kSeat);
       });
     });
   }

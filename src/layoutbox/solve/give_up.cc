@@ -227,6 +227,10 @@ Status Solver::give_up(const Clash& clash) {
   const bool asked = item ? is_asked(cheapest->index) : !is_assumption(model_, model_.constraints[cheapest->index]);
   LAYOUTBOX_ASSIGN(const bool relaxing, note_conflict(clash, asked));
   if (!relaxing) return {};
+  if (!item) {
+    const std::vector<std::string> companions = companions_placed_by(model_.constraints[static_cast<std::size_t>(cheapest->index)]);
+    if (!companions.empty()) return leave_out_companions(companions);
+  }
   const std::string& why = conflicts_.back().conflict.sentence;
   if (item) return leave_out(cheapest->index, why);
   relax(model_.constraints[cheapest->index].name, why);

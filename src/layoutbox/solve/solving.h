@@ -82,6 +82,8 @@ class Solver {
   bool search_without_assumptions();
   bool is_missed(int constraint) const;
   Status yield_assumptions(bool found);
+  std::vector<std::string> companions_placed_by(const Constraint& constraint) const;
+  Status leave_out_companions(std::vector<std::string> ids);
   std::vector<int> extras_in_the_way();
   bool is_asked(int item) const;
   bool floor_gives_way(const Clash& clash, const std::vector<int>& objects);

@@ -120,6 +120,15 @@ void RelationBuilder::add_habits() {
     if (relation.type == R::kInFrontOf && is_seat(catalog_, thing) && is_table(catalog_, other) &&
         !one_of(thing.head, {"sofa", "couch", "loveseat"}) && !scene_.relations[r].parameters.max)
       scene_.relations[r].parameters.max = 400;
+    // Both at walls: across the room from each other, as far as that is in most rooms.
+    constexpr Mm kAcrossTheRoom = 3500;
+    const auto stands_at_wall = [&](const SceneObject& object) {
+      const CatalogEntry& entry = catalog_.entry_or_nearest(object.category);
+      return entry.mount == Mount::kFloor && entry.back_to_wall;
+    };
+    if (relation.type == R::kInFrontOf && stands_at_wall(*target) && stands_at_wall(*reference) && !scene_.relations[r].parameters.max &&
+        !is_seat(catalog_, thing))
+      scene_.relations[r].parameters.max = kAcrossTheRoom;
     // One thing in front of another stands in the middle of it.
     const auto alone = std::count_if(scene_.relations.begin(), scene_.relations.end(),
                                      [&](const Relation& o) { return o.type == R::kInFrontOf && o.references == relation.references; });

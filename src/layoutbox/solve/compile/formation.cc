@@ -62,12 +62,16 @@ void add_formation_place(Formula& f, const Model& model, const std::vector<int>&
   for (const int row_axis : {0, 1}) add(row_axis, states_with_width_along(model.items[item], row_axis));
 }
 
-void add_seat_place(Formula& f, const Model& model, int seat, int table, int k, int n, int weight) {
+void add_seat_place(Formula& f, const Model& model, int seat, int table, int k, int n, int weight, bool long_sides) {
   const Item &chair = model.items[seat], &host = model.items[table];
   const Size &size = host.states[0].size, &own = chair.states[0].size;
   Side side = used_side(host);
   int place = k, places = n;
-  if (!host.has_front) {
+  if (!host.has_front && long_sides) {
+    const bool wide = size.width >= size.depth;
+    side = k % 2 == 0 ? (wide ? Side::kFront : Side::kLeft) : wide ? Side::kBack : Side::kRight;
+    place = k / 2, places = k % 2 == 0 ? (n + 1) / 2 : n / 2;
+  } else if (!host.has_front) {
     const auto ways = seatings(n, size.width, size.depth, own.width, false, 1);
     if (ways.empty()) return;
     const Seats& seats = ways[0].first;

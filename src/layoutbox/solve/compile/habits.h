@@ -49,6 +49,8 @@ class Habits {
   std::optional<Spot> spot_on(int item, int host) const;
   Spot spot_of_screen(int item, int host) const;
   bool lies_free(int item, int host) const;
+  int seat_told_to_be_at(int host, int rank) const;
+  void look_at_user(int item, int user);
   bool rests_on(int item, int host) const;
   int rider_that_is(Trait trait, int host) const;
   bool lie_at_hand(int item, int host);
@@ -74,7 +76,10 @@ class Habits {
   // Habits towards other things: beside, round, before and facing what they belong to.
   void come_near(int item, int host);
   void sit_facing(int item, int host);
-  bool sit_in_row(int item, int host);
+  bool only_turned_by(int item, int host) const;
+  bool only_near(int item, int host) const;
+  bool leaves_usual_place(int item, int host) const;
+  bool sit_in_row(int item, int host, RelationType how);
   bool stand_abreast(int item);
   bool stand_abreast_of(int item, int host, RelationType how);
   void stand_at_side(int item);

@@ -8,9 +8,6 @@
 namespace layoutbox::placement {
 namespace {
 
-// What says how things are turned, and not where they stand.
-constexpr std::initializer_list<RelationType> kLooks{RelationType::kFacing, RelationType::kParallel, RelationType::kSameOrientation};
-
 std::uint64_t states_looking(const Item& item, Direction direction) {
   std::uint64_t looking = 0;
   for_each_turn(item, [&](int turn, std::uint64_t states) {
@@ -20,65 +17,6 @@ std::uint64_t states_looking(const Item& item, Direction direction) {
 }
 
 }  // namespace
-
-// What a relation leaves open between things that belong together: a chair stands close to its desk, a bench along the bed's foot.
-void Habits::come_near(int item, int host) {
-  const Item &self = model_.items[item], &ref = model_.items[host];
-  const bool at_desk = self.is(Trait::kTableSeat) && has_knee_room(ref) && ref.has_front && used_side(ref) == Side::kFront &&
-                       only_related_by(item, host, {RelationType::kInFrontOf, RelationType::kFacing, RelationType::kCenteredOn});
-  const bool at_foot = only_related_by(item, host, {RelationType::kAtFootOf, RelationType::kParallel});
-  const bool before =
-      before_its_host(item) && ref.has_front && only_related_by(item, host, {RelationType::kInFrontOf, RelationType::kCenteredOn});
-  if (!at_desk && !at_foot && !before) return;
-  Formula f;
-  for_each_turn(ref, [&](int turn, std::uint64_t states) {
-    if (turn % 90 != 0) return;
-    const Direction front = side_direction(ref, Side::kFront, turn);
-    Case& c = f.add().when(host, states).wish(gap_towards(item, host, front) - Linear(before ? 400 : at_foot ? 50 : 10), kBeside);
-    if (at_foot || before) c.when(item, states_with_width_along(self, across(front)));
-  });
-  if (ref.spans >= 0 && ref.odd_states != 0) {
-    const std::size_t known = f.cases.size();
-    const Mm wished = before ? 400 : at_foot ? 50 : 10;
-    add_beside(f, model_, item, host, Side::kFront, {.most = 1500, .wished_gap = wished, .ref_states = ref.odd_states});
-    for (std::size_t i = known; i < f.cases.size(); ++i) f.cases[i].wishes[0].weight = kBeside;
-  }
-  habit("near", item, kBeside, std::move(f), {host});
-}
-
-// A seat told to stand somewhere by its desk or table looks at it, where nothing is said of that.
-void Habits::sit_facing(int item, int host) {
-  const Item& self = model_.items[item];
-  if (!self.is(Trait::kTableSeat) || !self.has_front || model_.items[host].is_opening()) return;
-  const bool told = std::any_of(model_.scene->relations.begin(), model_.scene->relations.end(), [&](const Relation& r) {
-    const bool turns = std::find(kLooks.begin(), kLooks.end(), r.type) != kLooks.end() || r.type == RelationType::kAround ||
-                       r.type == RelationType::kSurround || r.type == RelationType::kTuckedUnder || r.type == RelationType::kOpposite;
-    return turns && std::find(r.targets.begin(), r.targets.end(), self.id) != r.targets.end();
-  });
-  if (told) return;
-  Formula f;
-  add_looks_at(f, model_, item, host);
-  habit("faces", item, kFaces, std::move(f), {host});
-}
-
-// Several seats before a counter or a long desk share its width out. False: it is the only one.
-bool Habits::sit_in_row(int item, int host) {
-  const std::initializer_list<RelationType> in_front{RelationType::kInFrontOf, RelationType::kFacing, RelationType::kCenteredOn};
-  if (!model_.items[item].is(Trait::kTableSeat) || !model_.items[host].has_front) return false;
-  std::vector<int> seats;
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
-    const int other = static_cast<int>(i);
-    if (model_.items[i].entry == model_.items[item].entry && related_as_target(other, host, RelationType::kInFrontOf) &&
-        only_related_by(other, host, in_front))
-      seats.push_back(other);
-  }
-  const auto k = std::find(seats.begin(), seats.end(), item) - seats.begin();
-  if (seats.size() < 2 || k == static_cast<std::ptrdiff_t>(seats.size())) return false;
-  Formula f;
-  add_seat_place(f, model_, item, host, static_cast<int>(k), static_cast<int>(seats.size()), kBeside);
-  habit("in a row before it", item, kBeside, std::move(f), {host});
-  return true;
-}
 
 // Several of a kind before or behind one thing stand abreast: chairs behind a news desk, cameras before it.
 bool Habits::stand_abreast(int item) {
@@ -153,25 +91,36 @@ void Habits::stand_at_side(int item) {
 
 // By one of the greater things it goes with: a seat at its table, a nightstand beside its bed, a table before its sofa.
 bool Habits::stand_beside(int item) {
+  constexpr Mm kLowAtFoot = 650;  // a bench, a chest: close to the bed; not a wardrobe
   const Item& self = model_.items[item];
   for (std::size_t i = 0; i < model_.items.size(); ++i) {
-    if (related_as_target(item, static_cast<int>(i), RelationType::kInFrontOf) && sit_in_row(item, static_cast<int>(i))) return true;
+    const int host = static_cast<int>(i);
+    for (const RelationType how : {RelationType::kInFrontOf, RelationType::kAlongSide}) {
+      if (related_as_target(item, host, how) && sit_in_row(item, host, how)) return true;
+    }
+    if (related_as_target(item, host, RelationType::kAtFootOf) && self.states[0].size.height <= kLowAtFoot) come_near(item, host);
   }
   std::vector<int> hosts = items_of_kinds(self.entry->beside, item);
   std::erase_if(hosts, [&](int h) { return model_.items[h].thin || area_of(model_.items[h]) <= area_of(self); });
   if (hosts.empty()) return false;
+  bool told = false;  // whom it stands by
   for (const int h : hosts) {
-    if (related(item, h) && !only_related_by(item, h, {RelationType::kBetween}) && !only_related_by(item, h, kLooks)) {
-      come_near(item, h);
-      sit_facing(item, h);
-      return true;
+    if (!related(item, h) || only_related_by(item, h, {RelationType::kBetween}) || only_turned_by(item, h)) continue;
+    if (self.is(Trait::kEasySeat) && model_.items[h].is(Trait::kCoffeeTable) && only_near(item, h)) continue;
+    if (leaves_usual_place(item, h)) {
+      hosts = {h}, told = true;
+      break;
     }
+    come_near(item, h);
+    sit_facing(item, h);
+    return true;
   }
-  if (self.is(Trait::kTableSeat) && placed_besides_facing(item)) return false;  // told to stand elsewhere: chairs along the walls, in rows
-  if (self.is(Trait::kEasySeat)) {
+  if (self.is(Trait::kTableSeat) && !told && placed_besides_facing(item))
+    return false;  // told to stand elsewhere: chairs along the walls, in rows
+  if (self.is(Trait::kEasySeat) && !told) {
     const std::vector<int> seen = items_of_kinds(self.entry->faces, item);
     const auto low_table = std::find_if(seen.begin(), seen.end(), [&](int i) { return model_.items[i].is(Trait::kCoffeeTable); });
-    if (low_table != seen.end() && !related(item, *low_table)) {
+    if (low_table != seen.end() && only_near(item, *low_table)) {
       sit_round_low_table(item, *low_table);
       return true;
     }
@@ -261,17 +210,6 @@ void Habits::flank(int item, int host, int hosts) {
     }
   });
   habit("other side", item, kBeside, std::move(f), {host, twin});
-}
-
-// All of the item's kind that no relation ties to the host and that share it.
-std::vector<int> Habits::seats_at(int item, int host, int hosts) const {
-  std::vector<int> seats;
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
-    const int other = static_cast<int>(i);
-    const bool alike = model_.items[i].entry == model_.items[item].entry && rank_of(other) % hosts == rank_of(item) % hosts;
-    if (other == item || (alike && !related(other, host))) seats.push_back(other);
-  }
-  return seats;
 }
 
 bool Habits::before_its_host(int item) const { return model_.items[item].is(Trait::kStandsBefore); }

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t kMany = 4;
 constexpr std::int64_t kManySize = 3'000'000;              // mm²: larger things are no crowd
-constexpr std::int64_t kTableToSitRound = 1'000'000;       // mm²
+constexpr std::int64_t kTableToSitRound = 400'000;         // mm²
 constexpr Mm kBeforeCrowd = 1000;                          // free before the first row, between it and what all look at
 constexpr Mm kTwinAir = 60;                                // between twins besides what stands there
 constexpr int kKeepOff = 300, kInRun = 250, kTwins = 300;  // points a metre

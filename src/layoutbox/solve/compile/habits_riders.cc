@@ -21,11 +21,13 @@ void Habits::sit_on_host(int item) {
     if (support.kind != SupportOption::Kind::kItem) continue;
     const Item& host = model_.items[support.index];
     const std::optional<Spot> spot = screen ? spot_of_screen(item, support.index) : spot_on(item, support.index);
+    const int user = self.is(Trait::kMonitor) ? seat_told_to_be_at(support.index, rank_of(item)) : -1;
+    if (user >= 0) look_at_user(item, user);
     Formula f;
     for_each_turn(host, [&](int turn, std::uint64_t states) {
       Case& c = f.add().when(support.index, states);
       const bool towards_seat = screen && used_side(host) == Side::kBack;
-      if (self.has_front) c.when(item, self.states_at((turn + (towards_seat ? 180 : 0)) % 360));
+      if (self.has_front && user < 0) c.when(item, self.states_at((turn + (towards_seat ? 180 : 0)) % 360));
       const Direction back = side_direction(host, Side::kBack, turn), right = side_direction(host, Side::kRight, turn);
       const auto off = [&](Direction d, std::int64_t place2) {
         return mid2(item, d.axis) - mid2(support.index, d.axis) - Linear(d.sign * place2);
