@@ -1,6 +1,7 @@
 #include "layoutbox/plan/companions.h"
 
 #include <algorithm>
+#include <map>
 
 #include "layoutbox/base/words.h"
 #include "layoutbox/catalog/groups.h"
@@ -34,8 +35,9 @@ class Companions {
     if (named_.empty() || catalog_.only_articles() || says_any(groups_.none)) return 0;
     const std::size_t before = scene_.objects.size();
     for (const std::size_t i : named_) seat_at(i);
+    for (const std::size_t i : named_) carry(i);
     for (const Companion& companion : groups_.companions) add_by(companion);
-    fill();
+    if (!says_where()) fill();
     return scene_.objects.size() - before;
   }
 
@@ -134,6 +136,44 @@ class Companions {
     relate(RelationType::kFacing, seats, id);
   }
 
+  // What stands on something, and has nothing to stand on, gets what usually carries it in such a room: a record player in the corner a
+  // sideboard there, lamps at both sides of a bed a nightstand each.
+  void carry(std::size_t i) {
+    const SceneObject thing = scene_.objects[i];
+    const CatalogEntry* entry = catalog_.find(thing.category);
+    const SceneObject* sized = sized_.find_object(thing.id);
+    if (entry == nullptr || entry->mount != Mount::kSurface || sized == nullptr || !sized->size || sized->mount != Mount::kFloor) return;
+    const auto sides = [&](const Relation& r) {
+      return (r.type == RelationType::kEachSideOf || r.type == RelationType::kLeftOf || r.type == RelationType::kRightOf) && targets(r, thing.id);
+    };
+    const auto supports = [&](const Relation& r) { return r.type == RelationType::kOn && targets(r, thing.id); };
+    if (std::ranges::any_of(scene_.relations, supports)) return;  // said: on the floor
+    const CatalogEntry* host = usual_host(*entry, sized->size->usual);
+    if (host == nullptr) return;
+    const bool own = std::ranges::any_of(scene_.relations, sides);
+    std::string& shared = hosts_[host->id];
+    const std::string id = own || shared.empty() ? add(*host) : shared;
+    if (!own) shared = id;
+    relate(RelationType::kOn, {thing.id}, id);
+  }
+
+  static bool targets(const Relation& relation, const std::string& id) { return std::ranges::find(relation.targets, id) != relation.targets.end(); }
+
+  // Of the kinds that such a thing stands on the first that is usual in the room or goes with what is there, else the smallest.
+  const CatalogEntry* usual_host(const CatalogEntry& thing, const Size& size) const {
+    const CatalogEntry* smallest = nullptr;
+    const auto area = [](const Size& s) { return double(s.width) * s.depth; };
+    for (const std::string& id : thing.stands_on) {
+      const CatalogEntry* host = catalog_.find(id);
+      if (host == nullptr || host->mount != Mount::kFloor || host->is(Trait::kBed) || area(host->size.usual) <= area(size)) continue;
+      if (std::ranges::any_of(excluded_, [&](const std::string& other) { return akin(other, id); })) continue;
+      const bool goes = std::ranges::any_of(host->beside, [&](const std::string& other) { return has_kind(other); });
+      if (goes || (!scene_.room.type.empty() && std::ranges::find(host->rooms, scene_.room.type) != host->rooms.end())) return host;
+      if (smallest == nullptr || area(host->size.usual) < area(smallest->size.usual)) smallest = host;
+    }
+    return smallest;
+  }
+
   void add_by(const Companion& companion) {
     const CatalogEntry* kind = catalog_.find(companion.adds);
     if (kind == nullptr || !in_rooms(companion.rooms) || spoken_of(*kind) || has_kind(companion.adds)) return;
@@ -171,6 +211,20 @@ class Companions {
     return area;
   }
 
+  // Does the text say where furniture stands? Then it is the whole arrangement; rows and ways to look alone are not.
+  bool says_where() const {
+    using R = RelationType;
+    const auto stands = [&](const std::string& id) {
+      const SceneObject* object = scene_.find_object(id);
+      const CatalogEntry* entry = object == nullptr ? nullptr : catalog_.find(object->category);
+      return entry != nullptr && object->mount.value_or(entry->mount) == Mount::kFloor && !entry->thin;
+    };
+    return std::ranges::any_of(scene_.relations, [&](const Relation& r) {
+      const bool order = r.type == R::kRow || r.type == R::kColumn || r.type == R::kGrid || r.type == R::kFacing || r.type == R::kSameOrientation;
+      return r.origin == Origin::kAsked && !order && std::ranges::any_of(r.targets, stands);
+    });
+  }
+
   // What a bare room of that kind mostly has, the most important first.
   void fill() {
     const RoomKind* kind = scene_.room.type.empty() ? nullptr : catalog_.find_room(scene_.room.type);
@@ -184,7 +238,11 @@ class Companions {
       const auto is_there = [&](const std::string& other) { return has_kind(other); };
       const bool lacks_host = entry->mount == Mount::kSurface && std::ranges::none_of(entry->stands_on, is_there);
       const bool lacks_table = entry->is(Trait::kTableSeat) && std::ranges::none_of(entry->beside, is_there);
-      if (lacks_host || lacks_table) continue;
+      const auto is_taken = [&](const SceneObject& o) {
+        return std::ranges::any_of(entry->beside, [&](const std::string& other) { return catalog_.is_a(o.category, other); }) && has_seat(o.id);
+      };
+      const bool seated = entry->is(Trait::kTableSeat) && std::ranges::any_of(scene_.objects, is_taken);
+      if (lacks_host || lacks_table || seated) continue;
       for (int k = 0; k < usual && added < groups_.fill.most && share < groups_.fill.until; ++k, ++added) {
         add(*entry);
         share = covered(scene_) / floor;
@@ -199,6 +257,7 @@ class Companions {
   const Groups& groups_;
   const std::vector<std::string> said_;
   std::vector<std::size_t> named_;
+  std::map<std::string, std::string> hosts_;  // that came for small things, by kind
   int relations_ = 0;
 };
 

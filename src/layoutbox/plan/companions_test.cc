@@ -47,6 +47,17 @@ TEST(Companions, NoChairsWhereOtherSeatsAreByTheTable) {
   EXPECT_EQ(count_of(added_to("A playroom with an activity table. Two floor cushions lie beside the table."), "kids_chair"), 0);
 }
 
+TEST(Companions, WhatNothingCarriesGetsSomethingToStandOn) {
+  EXPECT_EQ(count_of(added_to("A bedroom with a double bed flanked by two bedside lamps."), "nightstand"), 2);
+  EXPECT_EQ(added_to("A living room with a sofa, and a record player in the corner.").size(), 1u);
+  EXPECT_EQ(count_of(added_to("A study, 3 x 3 m, with two monitors and an armchair."), "desk"), 1);
+  EXPECT_EQ(count_of(added_to("A study, 3 x 3 m, with a desk, a stool and a monitor."), "desk"), 0);
+}
+
+TEST(Companions, ATextThatSaysWhereThingsStandIsNotFilledUp) {
+  EXPECT_TRUE(added_to("A supermarket with a shelf unit against the wall and a shopping cart in front of the shelf unit.").empty());
+}
+
 TEST(Companions, ALampComesWithABed) {
   EXPECT_EQ(count_of(added_to("A bedroom, 4 x 4 m, with a bed, two nightstands and a wardrobe."), "table_lamp"), 2);
   EXPECT_EQ(count_of(added_to("A bedroom, 4 x 4 m, with a bed and a floor lamp."), "table_lamp"), 0);

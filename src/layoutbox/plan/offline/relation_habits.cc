@@ -129,6 +129,10 @@ void RelationBuilder::add_habits() {
     if (relation.type == R::kInFrontOf && stands_at_wall(*target) && stands_at_wall(*reference) && !scene_.relations[r].parameters.max &&
         !is_seat(catalog_, thing))
       scene_.relations[r].parameters.max = kAcrossTheRoom;
+    // "A desk facing a chair": whoever sits there looks at the desk.
+    if (relation.type == R::kFacing && target->category != reference->category && is_seat(catalog_, other) &&
+        catalog_.entry_or_nearest(target->category).is(Trait::kDeskLike))
+      std::swap(scene_.relations[r].targets, scene_.relations[r].references);
     // One thing in front of another stands in the middle of it.
     const auto alone = std::count_if(scene_.relations.begin(), scene_.relations.end(),
                                      [&](const Relation& o) { return o.type == R::kInFrontOf && o.references == relation.references; });

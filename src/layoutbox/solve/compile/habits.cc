@@ -38,12 +38,14 @@ void Habits::stand(int index) {
   // Nobody sits with the nose to a wall.
   if (item.is(Trait::kSeat) && !looks && !(with_host && item.is(Trait::kTableSeat))) open_to_room(index);
   if (item.entry->back_to_wall) {
-    back_to_wall(index);
+    back_to_wall(index, kBackToWall);
     stand_in_run(index);
     stand_as_twin(index);
   } else if (!with_host && !placed_by_relation(index)) {
     if (used_sides(item).size() >= 4 && !item.is(Trait::kSeat)) {
       stand_in_middle(index);
+    } else if (item.is(Trait::kSeat) && item.has_front && !looks) {
+      back_to_wall(index, kSeatToWall);
     } else {
       stand_at_wall(index);
     }

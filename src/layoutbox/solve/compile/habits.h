@@ -13,7 +13,7 @@
 namespace layoutbox::placement {
 
 // Points per metre missed; docs/solve.md says where they come from.
-inline constexpr int kBackToWall = 900, kBeside = 500, kFaces = 600, kAtWall = 150, kRug = 300, kHint = 800, kHintOfTurn = 20000,
+inline constexpr int kBackToWall = 900, kBeside = 500, kFaces = 600, kAtWall = 150, kSeatToWall = 350, kRug = 300, kHint = 800, kHintOfTurn = 20000,
                      kOpeningPlace = 80, kHangs = 200, kSits = 400, kCurtain = 900, kMiddle = 40, kLight = 25, kFormation = 300;
 
 inline std::int64_t area_of(const Item& item) { return std::int64_t{item.states[0].size.width} * item.states[0].size.depth; }
@@ -56,7 +56,7 @@ class Habits {
   bool lie_at_hand(int item, int host);
 
   // Habits towards the room: backs to walls, the middle, light, rugs; doors and windows nobody placed.
-  void back_to_wall(int item);
+  void back_to_wall(int item, int weight);
   void stand_at_wall(int item);
   void stand_in_middle(int item);
   void lie_straight(int item);

@@ -11,7 +11,7 @@ const std::vector<std::string> kOnRugs{"coffee_table", "dining_table", "bed", "c
 
 }  // namespace
 
-void Habits::back_to_wall(int item) {
+void Habits::back_to_wall(int item, int weight) {
   Formula f;
   const bool heart = model_.items[item].is(Trait::kCenterPiece);
   for (const RoomWall& wall : model_.walls) {
@@ -19,7 +19,7 @@ void Habits::back_to_wall(int item) {
     add_against(f, model_, item, states_with_back_to(model_.items[item], wall), wall, 20, true);
     for (std::size_t i = known; heart && i < f.cases.size(); ++i) wish_middle_of_wall(f.cases[i], model_, item, wall, kMiddle);
   }
-  habit("back to wall", item, kBackToWall, std::move(f));
+  habit("back to wall", item, weight, std::move(f));
 }
 
 // Small things at walls, best in corners; a plant in the middle of a room is in the way.

@@ -81,6 +81,8 @@ void compile_SideAgainstWall(Compilation& c) {
   }
 }
 
+constexpr int kIntoCorner = 500;  // points a metre: what is in a corner stands close to both walls
+
 void compile_Corner(Compilation& c) {
   const Mm most = c.length(c.relation.parameters.max, "max", 500);
   const std::size_t n = c.model.walls.size();
@@ -116,7 +118,7 @@ void compile_Corner(Compilation& c) {
       for (const RoomWall* wall : {&a, &b}) {
         require_near_wall(inside, c.model, t, *wall, most);
         const Linear off = gap_towards(t, place_of(c.model, *wall), {wall->normal(), wall->inward});
-        inside.require(off).wish(off, 200);
+        inside.require(off).wish(off, kIntoCorner);
       }
     }
   }
