@@ -143,6 +143,8 @@ class Companions {
     const CatalogEntry* entry = catalog_.find(thing.category);
     const SceneObject* sized = sized_.find_object(thing.id);
     if (entry == nullptr || entry->mount != Mount::kSurface || sized == nullptr || !sized->size || sized->mount != Mount::kFloor) return;
+    const auto is_such = [&](const std::string& kind) { return catalog_.is_a(thing.category, kind); };
+    if (std::ranges::none_of(groups_.carried, is_such)) return;  // dolls, baskets and bowls may well lie on the floor
     const auto sides = [&](const Relation& r) {
       return (r.type == RelationType::kEachSideOf || r.type == RelationType::kLeftOf || r.type == RelationType::kRightOf) && targets(r, thing.id);
     };

@@ -105,6 +105,7 @@ TEST(Groups, SizesGrowWithTheSeats) {
     EXPECT_NE(Catalog::builtin().find(seating.at), nullptr) << seating.at;
     EXPECT_TRUE(seating.seat.empty() || Catalog::builtin().find(seating.seat) != nullptr) << seating.seat;
   }
+  for (const std::string& id : Groups::builtin().carried) EXPECT_NE(Catalog::builtin().find(id), nullptr) << id;
   for (const Companion& companion : Groups::builtin().companions) {
     EXPECT_NE(Catalog::builtin().find(companion.of), nullptr) << companion.of;
     EXPECT_NE(Catalog::builtin().find(companion.adds), nullptr) << companion.adds;
