@@ -256,7 +256,7 @@ TEST(PropertyBruteForce, CrowdsAreSmallest) {
   }
   std::printf("%d crowds, %d of them smallest, of %d members\n", conflicts, minimal, members);
   EXPECT_GT(conflicts, static_cast<int>(rounds) / 10);
-  EXPECT_GT(minimal, conflicts / 2);  // the others are said to be no more than enough
+  EXPECT_EQ(minimal, conflicts) << "a crowd is said to be no more than enough";
 }
 
 // One by a size, one by a sum of widths, one by a proof.

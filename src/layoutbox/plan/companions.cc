@@ -146,7 +146,8 @@ class Companions {
     const auto is_such = [&](const std::string& kind) { return catalog_.is_a(thing.category, kind); };
     if (std::ranges::none_of(groups_.carried, is_such)) return;  // dolls, baskets and bowls may well lie on the floor
     const auto sides = [&](const Relation& r) {
-      return (r.type == RelationType::kEachSideOf || r.type == RelationType::kLeftOf || r.type == RelationType::kRightOf) && targets(r, thing.id);
+      return (r.type == RelationType::kEachSideOf || r.type == RelationType::kLeftOf || r.type == RelationType::kRightOf) &&
+             targets(r, thing.id);
     };
     const auto supports = [&](const Relation& r) { return r.type == RelationType::kOn && targets(r, thing.id); };
     if (std::ranges::any_of(scene_.relations, supports)) return;  // said: on the floor
@@ -159,7 +160,9 @@ class Companions {
     relate(RelationType::kOn, {thing.id}, id);
   }
 
-  static bool targets(const Relation& relation, const std::string& id) { return std::ranges::find(relation.targets, id) != relation.targets.end(); }
+  static bool targets(const Relation& relation, const std::string& id) {
+    return std::ranges::find(relation.targets, id) != relation.targets.end();
+  }
 
   // Of the kinds that such a thing stands on the first that is usual in the room or goes with what is there, else the smallest.
   const CatalogEntry* usual_host(const CatalogEntry& thing, const Size& size) const {
@@ -168,7 +171,7 @@ class Companions {
     for (const std::string& id : thing.stands_on) {
       const CatalogEntry* host = catalog_.find(id);
       if (host == nullptr || host->mount != Mount::kFloor || host->is(Trait::kBed) || area(host->size.usual) <= area(size)) continue;
-      if (std::ranges::any_of(excluded_, [&](const std::string& other) { return akin(other, id); })) continue;
+      if (spoken_of(*host)) continue;
       const bool goes = std::ranges::any_of(host->beside, [&](const std::string& other) { return has_kind(other); });
       if (goes || (!scene_.room.type.empty() && std::ranges::find(host->rooms, scene_.room.type) != host->rooms.end())) return host;
       if (smallest == nullptr || area(host->size.usual) < area(smallest->size.usual)) smallest = host;
@@ -222,7 +225,8 @@ class Companions {
       return entry != nullptr && object->mount.value_or(entry->mount) == Mount::kFloor && !entry->thin;
     };
     return std::ranges::any_of(scene_.relations, [&](const Relation& r) {
-      const bool order = r.type == R::kRow || r.type == R::kColumn || r.type == R::kGrid || r.type == R::kFacing || r.type == R::kSameOrientation;
+      const bool order =
+          r.type == R::kRow || r.type == R::kColumn || r.type == R::kGrid || r.type == R::kFacing || r.type == R::kSameOrientation;
       return r.origin == Origin::kAsked && !order && std::ranges::any_of(r.targets, stands);
     });
   }
@@ -241,7 +245,8 @@ class Companions {
       const bool lacks_host = entry->mount == Mount::kSurface && std::ranges::none_of(entry->stands_on, is_there);
       const bool lacks_table = entry->is(Trait::kTableSeat) && std::ranges::none_of(entry->beside, is_there);
       const auto is_taken = [&](const SceneObject& o) {
-        return std::ranges::any_of(entry->beside, [&](const std::string& other) { return catalog_.is_a(o.category, other); }) && has_seat(o.id);
+        return std::ranges::any_of(entry->beside, [&](const std::string& other) { return catalog_.is_a(o.category, other); }) &&
+               has_seat(o.id);
       };
       const bool seated = entry->is(Trait::kTableSeat) && std::ranges::any_of(scene_.objects, is_taken);
       if (lacks_host || lacks_table || seated) continue;

@@ -84,11 +84,33 @@ std::vector<int> Solver::surplus_items() const {
   return gone;
 }
 
+// The fewest things that are too many, by the first sum that speaks of things alone.
+Status Solver::note_crowd(const std::vector<Clash>& sums) {
+  const auto speaks_of_things = [&](const Clash& sum) { return objects_to_blame(model_, sum).size() > 1; };
+  const auto sum = std::find_if(sums.begin(), sums.end(), speaks_of_things);
+  if (crowd_ || sum == sums.end()) return {};
+  // What is only to be said takes nothing from the search for a layout.
+  const Budget finding = finding_;
+  const double proof_time = proof_time_;
+  LAYOUTBOX_ASSIGN(const Clash crowd, smallest_crowd(*sum));
+  finding_ = finding, proof_time_ = proof_time;
+  if (!crowd.minimal) return {};
+  crowd_ = Conflict{{}, {}, describe_clash(model_, crowd), true};
+  for (const Demand& demand : crowd.demands) {
+    const bool item = demand.kind == Demand::Kind::kItem;
+    (item ? crowd_->objects : crowd_->relations)
+        .push_back(item ? model_.items[static_cast<std::size_t>(demand.index)].id
+                        : model_.constraints[static_cast<std::size_t>(demand.index)].name);
+  }
+  return {};
+}
+
 // True: something was left out.
-Result<bool> Solver::shed() {
+Result<bool> Solver::shed(const std::vector<Clash>& sums) {
   if (options_.on_conflict != OnConflict::kRelax) return false;
   const std::vector<int> items = surplus_items();
   if (items.size() < 2) return false;  // one is found, and said, by itself
+  LAYOUTBOX_CHECK(note_crowd(sums));
   Clash clash;
   clash.minimal = false;
   clash.sentence = need_in_words(model_, floor_of(model_));
@@ -129,8 +151,12 @@ void Solver::sum_up_shedding() {
   }
   // One conflict in the place of all that speak of things alone.
   std::erase_if(conflicts_, [](const Noted& noted) { return noted.conflict.relations.empty(); });
-  Noted noted{{{}, {}, sentence, false}, false};
-  for (const int item : floor_of(*whole).items) noted.conflict.objects.push_back(whole->items[item].id);
+  Noted noted{crowd_.value_or(Conflict{{}, {}, sentence, false}), false};
+  if (!crowd_) {
+    for (const int item : floor_of(*whole).items) noted.conflict.objects.push_back(whole->items[item].id);
+  } else if (crowd_->objects.size() == floor_of(*whole).items.size()) {
+    noted.conflict.sentence = sentence;
+  }
   for (const int item : gone) noted.asked = noted.asked || whole->items[item].object->asked();
   conflicts_.insert(conflicts_.begin(), std::move(noted));
 }

@@ -73,7 +73,7 @@ Status Solver::find_legal() {
     std::vector<Clash> sums = clashes_of_locks(model_, given_up_, left_out_);
     if (sums.empty()) sums = clashes_by_sums(model_, given_up_, left_out_);
     if (!sums.empty()) {
-      LAYOUTBOX_ASSIGN(const bool less, shed());
+      LAYOUTBOX_ASSIGN(const bool less, shed(sums));
       if (less) continue;
       LAYOUTBOX_CHECK(give_up(sums[0]));  // one at a time: giving up the first may settle the others
       continue;

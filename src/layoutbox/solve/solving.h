@@ -126,7 +126,8 @@ class Solver {
   void note_lost_by(int item);
   // ---- far too much (shed.cc)
   std::vector<int> surplus_items() const;
-  Result<bool> shed();
+  Result<bool> shed(const std::vector<Clash>& sums);
+  Status note_crowd(const std::vector<Clash>& sums);
   void sum_up_shedding();
   Status rebuild();
   Result<bool> bring_back();
@@ -155,6 +156,7 @@ class Solver {
   };
   std::vector<Noted> conflicts_;
   std::vector<std::string> impossible_, not_found_;  // conflicts that are errors
+  std::optional<Conflict> crowd_;                    // the fewest things that are too many, where some are shed
   std::set<std::string> looked_at_alone_;            // relations
   Placements placements_;
   std::vector<int> failed_;

@@ -13,8 +13,9 @@
 namespace layoutbox::placement {
 
 // Points per metre missed; docs/solve.md says where they come from.
-inline constexpr int kBackToWall = 900, kBeside = 500, kFaces = 600, kAtWall = 150, kSeatToWall = 350, kRug = 300, kHint = 800, kHintOfTurn = 20000,
-                     kOpeningPlace = 80, kHangs = 200, kSits = 400, kCurtain = 900, kMiddle = 40, kLight = 25, kFormation = 300;
+inline constexpr int kBackToWall = 900, kBeside = 500, kFaces = 600, kAtWall = 150, kSeatToWall = 350, kRug = 300, kHint = 800,
+                     kHintOfTurn = 20000, kOpeningPlace = 80, kHangs = 200, kSits = 400, kCurtain = 900, kMiddle = 40, kLight = 25,
+                     kFormation = 300;
 
 inline std::int64_t area_of(const Item& item) { return std::int64_t{item.states[0].size.width} * item.states[0].size.depth; }
 
@@ -80,6 +81,7 @@ class Habits {
   bool only_near(int item, int host) const;
   bool leaves_usual_place(int item, int host) const;
   bool sit_in_row(int item, int host, RelationType how);
+  bool told_short_side(int item, int host) const;
   bool stand_abreast(int item);
   bool stand_abreast_of(int item, int host, RelationType how);
   void stand_at_side(int item);

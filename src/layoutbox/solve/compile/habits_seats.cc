@@ -68,6 +68,16 @@ void Habits::sit_facing(int item, int host) {
   habit("faces", item, kFaces, std::move(f), {host});
 }
 
+bool Habits::told_short_side(int item, int host) const {
+  const auto names = [](const std::vector<std::string>& ids, const std::string& id) {
+    return std::find(ids.begin(), ids.end(), id) != ids.end();
+  };
+  return std::any_of(model_.scene->relations.begin(), model_.scene->relations.end(), [&](const Relation& r) {
+    return r.type == RelationType::kAlongSide && names(r.targets, model_.items[item].id) && names(r.references, model_.items[host].id) &&
+           r.parameters.side.value_or(Side::kLong) != Side::kLong;
+  });
+}
+
 // Several seats before a counter or a long desk share its width out. False: it is the only one.
 bool Habits::sit_in_row(int item, int host, RelationType how) {
   const std::initializer_list<RelationType> in_front{how, RelationType::kFacing, RelationType::kCenteredOn};
@@ -76,7 +86,8 @@ bool Habits::sit_in_row(int item, int host, RelationType how) {
   std::vector<int> seats;
   for (std::size_t i = 0; i < model_.items.size(); ++i) {
     const int other = static_cast<int>(i);
-    if (model_.items[i].entry == model_.items[item].entry && related_as_target(other, host, how) && only_related_by(other, host, in_front))
+    if (model_.items[i].entry == model_.items[item].entry && related_as_target(other, host, how) &&
+        only_related_by(other, host, in_front) && !(along && told_short_side(other, host)))
       seats.push_back(other);
   }
   const auto k = std::find(seats.begin(), seats.end(), item) - seats.begin();

@@ -81,7 +81,7 @@ void compile_SideAgainstWall(Compilation& c) {
   }
 }
 
-constexpr int kIntoCorner = 500;  // points a metre: what is in a corner stands close to both walls
+constexpr int kIntoCorner = 300;  // points a metre: what is in a corner stands close to both walls
 
 void compile_Corner(Compilation& c) {
   const Mm most = c.length(c.relation.parameters.max, "max", 500);
