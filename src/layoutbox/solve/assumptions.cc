@@ -11,12 +11,28 @@ namespace layoutbox::placement {
 // Demands that nobody asked for and that have not given way.
 std::vector<int> Solver::assumptions_left() const {
   std::vector<int> left;
+  const bool things_went = asked_things_went();
   for (std::size_t c = 0; c < model_.constraints.size(); ++c) {
     const Constraint& constraint = model_.constraints[c];
     const bool demanded = constraint.firmness == Firmness::kHard || constraint.firmness == Firmness::kImplied;
-    if (demanded && !given_up_[c] && is_assumption(model_, constraint)) left.push_back(static_cast<int>(c));
+    if (demanded && !given_up_[c] && is_assumption(model_, constraint) && !(things_went && is_door_floor(static_cast<int>(c))))
+      left.push_back(static_cast<int>(c));
   }
   return left;
+}
+
+// Something that was asked for has been left out for want of floor: then another thing goes rather than that a door is blocked.
+bool Solver::asked_things_went() const {
+  return std::any_of(left_out_ids_.begin(), left_out_ids_.end(), [&](const std::string& id) {
+    const SceneObject* object = asked_.find_object(id);
+    return object != nullptr && object->asked();
+  });
+}
+
+bool Solver::is_door_floor(int constraint) const {
+  return std::any_of(model_.items.begin(), model_.items.end(), [&](const Item& item) {
+    return item.is_opening() && item.clearance_constraint == constraint && item.opening->type != OpeningType::kWindow;
+  });
 }
 
 bool Solver::search_without_assumptions() {
@@ -113,7 +129,7 @@ bool Solver::is_asked(int item) const { return model_.items[item].is_opening() |
 // was asked for finds a place on it. Where it is too little even so, an object has to go, and then the rest leaves the floor free.
 bool Solver::floor_gives_way(const Clash& clash, const std::vector<int>& objects) {
   const auto is_floor = [](const Demand& d) { return d.kind == Demand::Kind::kConstraint; };
-  if (!is_asked(objects.front()) || std::none_of(clash.demands.begin(), clash.demands.end(), is_floor)) return false;
+  if (asked_things_went() || !is_asked(objects.front()) || std::none_of(clash.demands.begin(), clash.demands.end(), is_floor)) return false;
   return search_without(Firmness::kImplied);
 }
 

@@ -79,6 +79,8 @@ class Solver {
 
   // ---- what nobody asked for gives way (assumptions.cc)
   std::vector<int> assumptions_left() const;
+  bool asked_things_went() const;
+  bool is_door_floor(int constraint) const;
   bool search_without_assumptions();
   bool is_missed(int constraint) const;
   Status yield_assumptions(bool found);
