@@ -39,8 +39,8 @@ SceneGraph scene_with_play(unsigned seed) {
   if (!planted) return maker.make();
   const std::vector<PlacedObject>& objects = planted->objects;
   for (std::size_t i = 1; i < objects.size(); ++i) {
-    // Every third scene binds all pairs, the others each thing to one before it.
-    for (std::size_t j = seed % 3 == 0 ? 0 : below(i); j < i; j = seed % 3 == 0 ? j + 1 : i) {
+    // Every fifth scene binds all pairs, the others each thing to one before it.
+    for (std::size_t j = seed % 5 == 0 ? 0 : below(i); j < i; j = seed % 5 == 0 ? j + 1 : i) {
       const Mm gap = gap_between(objects[i], objects[j]), play = static_cast<Mm>(5 * (1 + below(5)));
       RelationParameters band;
       band.min = std::max(0, gap - play), band.max = gap + play;
@@ -58,7 +58,7 @@ TEST(LittlePlay, IsFound) {
     ASSERT_TRUE(layout) << "seed " << seed << ": " << layout.error().message;
     if (layout->status == LayoutStatus::kSolved) continue;
     ++relaxed;
-    std::printf("relaxed: seed %u\n", seed);
+    std::printf("relaxed: seed %u: %s\n", seed, layout->relaxed[0].why.c_str());
   }
   EXPECT_LE(relaxed, 1);  // below 2 %
 }
