@@ -50,8 +50,8 @@ int main(int argc, char** argv) {
   std::vector<std::pair<double, std::size_t>> times;
   for (std::size_t i = 0; i < lines.size(); ++i) times.emplace_back(milliseconds(*planner, lines[i], runs), i);
   std::sort(times.begin(), times.end());
-  std::printf("%zu descriptions: median %.3f ms, worst %.3f ms (line %zu)\n", lines.size(), times[times.size() / 2].first, times.back().first,
-              times.back().second + 1);
+  std::printf("%zu descriptions: median %.3f ms, worst %.3f ms (line %zu)\n", lines.size(), times[times.size() / 2].first,
+              times.back().first, times.back().second + 1);
   for (const std::size_t words : {1000u, 10'000u, 100'000u}) {
     std::string text;
     std::size_t count = 0;

@@ -119,7 +119,8 @@ void boxes(const Options& options, Report& report) {
 void furnished(const Options& options, Report& report) {
   for (const int n : options.sizes) {
     Times ours;
-    for (int seed = options.first_room; seed < options.first_room + options.rooms; ++seed) find_first(furnished_scene(n, static_cast<std::uint64_t>(seed)), options.limit, ours);
+    for (int seed = options.first_room; seed < options.first_room + options.rooms; ++seed)
+      find_first(furnished_scene(n, static_cast<std::uint64_t>(seed)), options.limit, ours);
     report.row("furnished", "ours", n, ours);
   }
 }
@@ -291,8 +292,12 @@ int main_with(int argc, char** argv) {
   CLI11_PARSE(app, argc, argv);
   Report report(options.json);
   const std::map<std::string, void (*)(const Options&, Report&)> parts{
-      {"boxes", boxes}, {"furnished", furnished}, {"impossible", impossible}, {"improvement", improvement},
-      {"stop", stop},   {"memory", memory},
+      {"boxes", boxes},
+      {"furnished", furnished},
+      {"impossible", impossible},
+      {"improvement", improvement},
+      {"stop", stop},
+      {"memory", memory},
       {"whole", [](const Options& o, Report&) { whole_solves(o.sizes, o.rooms, o.first_room); }},
       {"drag", [](const Options& o, Report&) { dragging(o.sizes, o.rooms, o.first_room); }}};
   if (options.part == "quality") return quality(options.quality);
