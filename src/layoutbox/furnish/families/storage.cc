@@ -50,7 +50,41 @@ void cabinet(Piece& p) { cabinet_of(p, {"oak", "oak", "black_metal", p.h > 1.4 ?
 void wardrobe(Piece& p) { cabinet_of(p, {"oak", "lacquer", "steel", 0.06, 0, std::max(2, static_cast<int>(std::lround(p.w / 0.5)))}); }
 void kitchen_unit(Piece& p) { cabinet_of(p, {"lacquer", "lacquer", "steel", 0.03, 0, 0}); }
 
-// Shelves: boards round the compartments; books where a compartment holds nothing.
+// Packets, tins and bottles in a row, as in a shop.
+void goods(Piece& p, const Box& room) {
+  static constexpr Color kPackets[] = {{0.80, 0.16, 0.14}, {0.16, 0.38, 0.70}, {0.94, 0.74, 0.16},
+                                       {0.20, 0.56, 0.30}, {0.93, 0.92, 0.88}, {0.86, 0.46, 0.14}};
+  const Vec size = room.size();
+  for (double x = room.min.x + 0.01; x < room.max.x - 0.2;) {
+    const int surface = p.tinted("paper", kPackets[p.pick(static_cast<int>(std::size(kPackets)))]);
+    const int n = 2 + p.pick(3);
+    const bool tins = p.random() < 0.45;
+    const double wide = tins ? 0.08 : p.random(0.1, 0.17), tall = std::min(size.z * 0.9, tins ? 0.12 : p.random(0.18, 0.28));
+    for (int i = 0; i < n && x + wide < room.max.x - 0.005; ++i, x += wide + 0.008) {
+      const double y0 = room.min.y + 0.015, deep = std::min(size.y - 0.02, tins ? wide : 0.2);
+      if (tins) {
+        p.add(surface, cylinder({x + wide / 2, y0 + deep / 2, room.min.z}, std::min(wide, deep) / 2, tall, 12));
+      } else {
+        p.add(surface, box(sides(x, x + wide, y0, y0 + deep, room.min.z, room.min.z + tall), 0));
+      }
+    }
+    x += 0.02;
+  }
+}
+
+// What a shelf shows where it holds nothing of the layout. Other shelves than those for books and goods are left as they are once something
+// was asked for on them: it would not be seen among what nobody asked for.
+void shelf_contents(Piece& p) {
+  const std::string contents = p.word("contents", "");
+  const bool holds = std::ranges::any_of(p.spaces, &FreeSpace::held);
+  if (!p.may_show_contents() || contents == "none" || (holds && contents != "books")) return;
+  for (const FreeSpace& s : p.spaces) {
+    if (!s.carries || s.held || s.box.size().z <= 0.15 || s.box.max.z >= p.h - 0.005) continue;
+    contents == "goods" ? goods(p, s.box) : books(p, s.box);
+  }
+}
+
+// Shelves: boards round the compartments; books or goods where a compartment holds nothing.
 void shelf(Piece& p) {
   const int wood = p.main("walnut");
   if (p.spaces.empty()) {
@@ -79,10 +113,7 @@ void shelf(Piece& p) {
     c.box = sides(-p.w / 2, p.w / 2, back, p.d / 2, 0, p.h);
   }
   carcass(p, c);
-  if (!p.may_show_contents() || p.word("contents", "books") == "none") return;
-  for (const FreeSpace& s : p.spaces) {
-    if (s.carries && !s.held && s.box.size().z > 0.15 && s.box.max.z < p.h - 0.005) books(p, s.box);
-  }
+  shelf_contents(p);
 }
 
 // A rod between brackets on a wall, for towels, clothes or curtains.
