@@ -147,6 +147,15 @@ void string_light(Piece& p) {
   p.fit();
 }
 
+// A shade that glows, unless something hard or dark was asked: seen from above, what is not lit is a dark ball.
+std::string_view pendant_surface(const Piece& p) {
+  if (p.says("glass")) return "frosted_glass";
+  for (const char* hard : {"metal", "brass", "copper", "steel", "iron", "gold", "chrome", "bronze", "industrial", "surgical", "ceramic", "wooden", "rattan"}) {
+    if (p.says(hard)) return "painted_metal";
+  }
+  return "lampshade";
+}
+
 void pendant(Piece& p) {
   if (p.w > 12 * p.d) return string_light(p);
   if (p.w > 1.6 * p.d) {
@@ -161,7 +170,7 @@ void pendant(Piece& p) {
     return;
   }
   const double r = p.w / 2, tall = std::min({0.3, p.h * 0.6, r * 1.3}), k = p.d / p.w;
-  const int metal = p.named("black_metal"), outside = p.main_accent("painted_metal");
+  const int metal = p.named("black_metal"), outside = p.main_accent(pendant_surface(p));
   if (p.word("kind", "") == "globe" || p.says("globe") || p.category() == "paper_lantern") {
     const double ball = std::min(r, p.h * 0.46);
     const bool mirrored = p.category() == "disco_ball", paper = p.category() == "paper_lantern";
