@@ -150,7 +150,8 @@ void string_light(Piece& p) {
 // A shade that glows, unless something hard or dark was asked: seen from above, what is not lit is a dark ball.
 std::string_view pendant_surface(const Piece& p) {
   if (p.says("glass")) return "frosted_glass";
-  for (const char* hard : {"metal", "brass", "copper", "steel", "iron", "gold", "chrome", "bronze", "industrial", "surgical", "ceramic", "wooden", "rattan"}) {
+  for (const char* hard :
+       {"metal", "brass", "copper", "steel", "iron", "gold", "chrome", "bronze", "industrial", "surgical", "ceramic", "wooden", "rattan"}) {
     if (p.says(hard)) return "painted_metal";
   }
   return "lampshade";
