@@ -163,7 +163,7 @@ bool Chunker::read_words(const PhraseMatch& phrase, std::size_t without) {
     const auto noun = read_noun_phrase(lexicon_, tokens_, i_, true);
     // "on opposite walls", "against left wall"
     const bool of_room = noun && (noun->kind == NounKind::kWall || noun->kind == NounKind::kCorner);
-    if (of_room && before == ChunkKind::kRelation && (best.kind == ChunkKind::kRelation || best.kind == ChunkKind::kParticiple))
+    if (of_room && (best.kind == ChunkKind::kParticiple || (before == ChunkKind::kRelation && best.kind == ChunkKind::kRelation)))
       return read_noun(true);
     // "Round table in the middle": a quality, where it stands first and a noun is right behind it.
     if (noun && noun->kind == NounKind::kObject && best.kind == ChunkKind::kRelation && best.length == 1 && clause_begins() &&
