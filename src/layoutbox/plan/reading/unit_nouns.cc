@@ -163,8 +163,8 @@ void UnitReader::read_noun(std::size_t k) {
   const bool ends = after >= document_.chunks.size() || is(after, ChunkKind::kStop) || is(after, ChunkKind::kComma);
   const bool listed = ends && joiner_ == Joiner::kComma && noun.determiner == Determiner::kNone && is(previous(k), ChunkKind::kComma);
   const std::size_t before = listed ? previous(previous(k)) : previous(k);
-  if ((noun.kind == NounKind::kWall || noun.kind == NounKind::kCorner) && !noun.wall_word.empty() &&
-      (joiner_ == Joiner::kNone || listed) && is(before, ChunkKind::kNoun) && chunk(before).noun.kind == NounKind::kObject && !units_.empty() && units_.back().chunk == before)
+  if ((noun.kind == NounKind::kWall || noun.kind == NounKind::kCorner) && !noun.wall_word.empty() && (joiner_ == Joiner::kNone || listed) &&
+      is(before, ChunkKind::kNoun) && chunk(before).noun.kind == NounKind::kObject && !units_.empty() && units_.back().chunk == before)
     add_place(k, kAgainst);
   // "the desk's left corner" is the left corner of the desk.
   if (owner_ < document_.chunks.size() && !noun.of) {
