@@ -14,7 +14,7 @@ std::vector<Limit> pair_limits() {
       {"leftOf, in line",
        Type::kLeftOf,
        [](TestRoom& r) {
-         bed(r).add("stand", "nightstand", kStand, {1.4, 2.0}).relation(Type::kLeftOf, {"stand"}, {"bed"});
+         bed(r).add("stand", "nightstand", kStand, {1.4, 2.04}).relation(Type::kLeftOf, {"stand"}, {"bed"});
        },
        {"stand", {0, -0.02}}},
       {"rightOf",
@@ -32,7 +32,7 @@ std::vector<Limit> pair_limits() {
       {"inFrontOf a door",
        Type::kInFrontOf,
        [](TestRoom& r) {
-         r.door("door1", "wall1", 2).add("mat", "rug", {0.6, 0.4, 0.01}, {2.9, 0.3}).relation(Type::kInFrontOf, {"mat"}, {"door1"});
+         r.door("door1", "wall1", 2).add("mat", "rug", {0.6, 0.4, 0.01}, {2.84, 0.3}).relation(Type::kInFrontOf, {"mat"}, {"door1"});
        },
        {"mat", {0.02, 0}}},
       {"behind",
@@ -166,7 +166,7 @@ std::vector<Limit> pair_limits() {
       {"opposite a door",
        Type::kOpposite,
        [](TestRoom& r) {
-         r.door("door1", "wall1", 2).add("a", "armchair", kChair, {2.9, 1.7}).relation(Type::kOpposite, {"a"}, {"door1"});
+         r.door("door1", "wall1", 2).add("a", "armchair", kChair, {2.86, 1.7}).relation(Type::kOpposite, {"a"}, {"door1"});
        },
        {"a", {0.02, 0}}},
       {"parallel",

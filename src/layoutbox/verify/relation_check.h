@@ -77,7 +77,8 @@ Finding covers(const Case& c, const Body& t, const Shape& r, double grow, const 
 Finding looks_at(const Body& t, const Reference& r, const RoomView& view, Side eyes = Side::kFront);
 // Where the user of a desk, a workbench, a piano looks: away from the used side (a seat behind it: away from that); of all else the front.
 Side eyes_of(const Body& t, const RoomView& view);
-Finding shares_half_along(const Case& c, const Body& t, const Face& face);
+// At least that share of the shorter of the two, along the face.
+Finding shares_along(const Case& c, const Body& t, const Face& face, double share);
 Finding side_along_wall(const Case& c, const Body& t, const Face& wall, const std::vector<Side>& sides, double max_gap);
 Finding below_window(const Case& c, const Body& t, const Face& window, double max);
 Finding keeps_out_of_opening(const Case& c, const Body& t, const Face& opening, std::optional<double> depth);

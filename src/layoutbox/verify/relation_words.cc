@@ -54,15 +54,24 @@ Finding gap_within(const Case& c, const Body& t, const Reference& r, std::option
 
 Finding in_line(const Case& c, const Body& t, const Shape& r, Vec along) {
   const Interval a = extent(t.shape, along), b = extent(r, along);
-  return at_most(t.id() + " is out of line by", std::abs(a.mid() - b.mid()), std::max(a.half(), b.half()), c.slack());
+  return at_most(t.id() + " is out of line by", std::abs(a.mid() - b.mid()),
+                 std::max(a.half(), b.half()) - std::min(a.half(), b.half()) / 5, c.slack());
+}
+
+// What has no front has the frame of what it stands on.
+Frame frame_of(const Case& c, const Reference& r) {
+  if (r.body == nullptr || r.body->has_front) return r.shape().frame;
+  const Body* host = c.view.find_body(r.body->object->supported_by);
+  return host != nullptr && host->has_front ? host->own_frame : r.shape().frame;
 }
 
 Finding beyond(const Case& c, const Body& t, const Reference& r, Side side) {
   if (r.is_place()) return condition(false, r.id + " has no sides");
   const Shape& shape = r.shape();
-  const Vec out = direction_of(shape.frame, side);
+  const Frame frame = frame_of(c, r);
+  const Vec out = direction_of(frame, side);
   const double past = extent(t.shape, out).lo - extent(shape, out).hi;
-  const Vec along = side == Side::kFront || side == Side::kBack ? shape.frame.x : shape.frame.y;
+  const Vec along = side == Side::kFront || side == Side::kBack ? frame.x : frame.y;
   return all_of({at_least(fmt::format("{} is beyond the {} side of {} by", t.id(), name_of(side), r.id), past, 0, c.slack()),
                  in_line(c, t, shape, along)});
 }
@@ -122,10 +131,10 @@ Finding looks_at(const Body& t, const Reference& r, const RoomView& view, Side e
   return degrees_at_most(what, ray_meets_it ? 0.0 : std::atan2(off, std::max(0.0, ahead.lo - from)) * (180.0 / kPi), kLookAngle);
 }
 
-Finding shares_half_along(const Case& c, const Body& t, const Face& face) {
+Finding shares_along(const Case& c, const Body& t, const Face& face, double share) {
   const Interval a = extent(t.shape, face.along), b = extent(face.shape, face.along);
   const double shorter = std::min(a.length(), b.length());
-  return at_least(fmt::format("{} is in front of {} over", t.id(), face.id), overlap(a, b), shorter / 2, c.slack());
+  return at_least(fmt::format("{} is in front of {} over", t.id(), face.id), overlap(a, b), shorter * share, c.slack());
 }
 
 Finding side_along_wall(const Case& c, const Body& t, const Face& wall, const std::vector<Side>& sides, double max_gap) {
@@ -139,7 +148,7 @@ Finding side_along_wall(const Case& c, const Body& t, const Face& wall, const st
   }
   return all_of({any_of(std::move(findings), "there is no such side"),
                  at_most(fmt::format("gap between {} and {}", t.id(), wall.id), gap(t.shape, wall.shape), max_gap, c.slack()),
-                 shares_half_along(c, t, wall)});
+                 shares_along(c, t, wall, 0.5)});
 }
 
 Finding keeps_out_of_opening(const Case& c, const Body& t, const Face& opening, std::optional<double> depth) {

@@ -171,9 +171,10 @@ void RelationBuilder::add_single(const Link& link, PhraseSense sense, const Ment
       add_look(link, sense.type, item, references[n > 1 ? r : 0]);
     } else {
       for (const int reference : references) {
-        // Nothing is straight opposite two beds that stand side by side; it is across from both.
+        // Nothing is straight opposite two beds that stand side by side, no keyboard in front of two screens; it is across from both.
         Link one = link;
-        one.soft |= sense.type == R::kOpposite && reference != references.front();
+        const bool beside_all = sense.type == R::kInFrontOf && mount_of(target.noun) != Mount::kSurface;
+        one.soft |= !beside_all && reference != references.front();
         add(one, sense.type, {id(item)}, {id(reference)}, sense);
         if (sense.type == R::kOpposite) add_across(link, item, {id(reference)});
       }

@@ -21,7 +21,8 @@ void beside_each(Compilation& c, Side side) {
     for (const int r : c.reference_items()) {
       const Mm wished = comfortable_gap(c.item(t), c.item(r), side);
       const bool in_plan = c.item(r).is_opening() && c.relation.type == RelationType::kInFrontOf;
-      add_beside(c.formula(), c.model, t, r, side, {.most = most, .wished_gap = wished, .in_plan_only = in_plan});
+      add_beside(c.formula(), c.model, t, r, side,
+                 {.most = most, .wished_gap = wished, .in_plan_only = in_plan, .frame = frame_host(c.model, r)});
     }
   }
 }

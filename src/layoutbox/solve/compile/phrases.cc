@@ -99,11 +99,16 @@ std::vector<Part> parts_of(const Model& model, int index) {
   return parts;
 }
 
-std::vector<Case> in_line(const Case& base, const Model& model, int t, const Place& r, int axis) {
+std::vector<Case> in_line(const Case& base, const Model& model, int t, const Place& r, int axis, Facing facing) {
+  // |mid(t) − mid(r)| ≤ max(half) − min(half)/5, or ≤ max(half).
+  constexpr int kFifths = 5;
   const Linear off = mid2(t, axis) - r.lo[axis] - r.hi[axis];
-  const auto within = [&](const Linear& length) {
+  const auto within = [&](const Linear& longer, const Linear& shorter) {
     Case c = base;
-    c.require(length - off).require(length + off);
+    if (facing == Facing::kHalf)
+      c.require(longer - off).require(longer + off);
+    else
+      c.require(kFifths * longer - shorter - kFifths * off).require(kFifths * longer - shorter + kFifths * off);
     return c;
   };
   const Linear length = r.hi[axis] - r.lo[axis];
@@ -111,8 +116,8 @@ std::vector<Case> in_line(const Case& base, const Model& model, int t, const Pla
   const Mm shortest = r.item >= 0 ? model.items[r.item].least_extent(axis) : static_cast<Mm>(length.constant);
   const Mm longest = r.item >= 0 ? greatest_extent(model.items[r.item], axis) : static_cast<Mm>(length.constant);
   std::vector<Case> cases;
-  if (item.least_extent(axis) < longest) cases.push_back(within(length));
-  if (greatest_extent(item, axis) >= shortest || cases.empty()) cases.push_back(within(extent(t, axis)));
+  if (item.least_extent(axis) < longest) cases.push_back(within(length, extent(t, axis)));
+  if (greatest_extent(item, axis) >= shortest || cases.empty()) cases.push_back(within(extent(t, axis), length));
   return cases;
 }
 

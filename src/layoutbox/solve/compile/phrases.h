@@ -75,8 +75,12 @@ struct Beside {
   Mm wished_gap = 0;             // the distance that looks best
   bool may_reach_under = false;  // t may be pushed under r up to its middle
   bool in_plan_only = false;     // whatever the heights
+  int frame = -1;                // the item in whose frame the side is meant; -1: r
   std::uint64_t ref_states = ~std::uint64_t{0};
 };
+// In whose frame left, right, before and behind r are meant: its own, or, where it has no front, that of the one thing with a front that it
+// is said to stand on; -1: its own.
+int frame_host(const Model& model, int r);
 void add_beside(Formula& f, const Model& model, int t, int r, Side side, const Beside& how);
 
 inline void add_beyond(Formula& f, const Model& model, int t, int r, Side side, Mm most, Mm wished_gap) {
@@ -112,8 +116,9 @@ void wish_beside_on_wall(Case& c, const Model& model, int t, int r, const RoomWa
 // gap(t, wall) ≥ least for a wall at an angle: beyond its line, or past one of its ends.
 std::vector<Case> away_from_angled(const Model& model, int t, const RoomWall& wall, Mm least);
 
-// The middle of the shorter faces the longer, as one or two cases like `base` each.
-std::vector<Case> in_line(const Case& base, const Model& model, int t, const Place& r, int axis);
+// Three fifths of the shorter face the longer (its middle: half of it), as one or two cases like `base` each.
+enum class Facing { kWell, kHalf };
+std::vector<Case> in_line(const Case& base, const Model& model, int t, const Place& r, int axis, Facing facing = Facing::kWell);
 // t covers r (or is covered) in plan well enough for "under" and "above"; r is taken `grow` longer at either end.
 std::vector<Case> cover(const Case& base, const Model& model, int t, int r, Mm grow);
 

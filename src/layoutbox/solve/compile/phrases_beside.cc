@@ -57,8 +57,24 @@ void add_beside_slanted(Formula& f, const Model& model, int t, int r, Side side,
 
 }  // namespace
 
-void add_beside(Formula& f, const Model& model, int t, int r, Side side, const Beside& how) {
+int frame_host(const Model& model, int r) {
   const Item& ref = model.items[r];
+  if (ref.is_opening() || ref.has_front) return -1;
+  int host = -1;
+  for (const Relation& relation : model.scene->relations) {
+    if ((relation.type != RelationType::kOn && relation.type != RelationType::kIn) || relation.targets.size() != 1 ||
+        relation.targets.front() != ref.id || relation.references.size() != 1)
+      continue;
+    const int named = model.find_item(relation.references.front());
+    if (named < 0 || model.items[named].is_opening() || model.items[named].thin || (host >= 0 && host != named)) return -1;
+    host = named;
+  }
+  return host >= 0 && model.items[host].has_front ? host : -1;
+}
+
+void add_beside(Formula& f, const Model& model, int t, int r, Side side, const Beside& how) {
+  const Item& ref = model.items[how.frame >= 0 ? how.frame : r];
+  const int framed = how.frame >= 0 ? how.frame : r;
   const Place place = place_of(r);
   const Heights heights = heights_between(model, t, place, how.most, Purpose::kPlacing);
   const bool level = how.in_plan_only || (heights.known && heights.gap == 0);
@@ -69,7 +85,7 @@ void add_beside(Formula& f, const Model& model, int t, int r, Side side, const B
     const Direction d = side_direction(ref, side, turn);
     const Linear gap = gap_towards(t, r, d);
     Case base;
-    base.when(r, states);
+    base.when(framed, states);
     if (how.may_reach_under) {
       base.require(reach(t, d) - reach(r, d));
       base.require(-2 * reach(t, opposite(d)) - d.sign * mid2(r, d.axis));  // its near edge not past the middle of r

@@ -128,7 +128,7 @@ void add_against(Formula& f, const Model& model, int t, std::uint64_t states, co
   c.require(off).require(Linear(gap) - off).wish(off, 400);
   const bool open_ends = wall.lo > model.room.lo[wall.along] || wall.hi < model.room.hi[wall.along];
   if (!whole && open_ends) {  // half of it before the wall will do
-    for (Case& loose : in_line(c, model, t, place_of(model, wall), wall.along)) {
+    for (Case& loose : in_line(c, model, t, place_of(model, wall), wall.along, Facing::kHalf)) {
       loose.price += 200;
       f.cases.push_back(std::move(loose));
     }

@@ -12,6 +12,7 @@ namespace layoutbox::judge {
 namespace {
 
 constexpr double kUnderRise = 0.05;  // m: what lies under a thing may begin that much higher than it (a box under a bed on low feet)
+constexpr double kWellWithin = 0.6;  // of the shorter of a thing and the window that it is under
 constexpr double kAboveReach = 0.1;  // m: a picture over a sofa that stands a little off the wall is above it
 
 // The space that a body stands in, or null.
@@ -101,7 +102,7 @@ Finding above_opening(const Case& c, const Body& t, const Face& opening) {
   return all_of({at_least(fmt::format("the underside of {} is at", t.id()), t.underside(), opening.shape.heights.hi, c.slack()),
                  at_most(fmt::format("distance between {} and {} in plan", t.id(), opening.id), distance(t.shape.plan, opening.shape.plan),
                          kAboveReach, c.slack()),
-                 shares_half_along(c, t, opening)});
+                 shares_along(c, t, opening, kWellWithin)});
 }
 
 }  // namespace
@@ -109,7 +110,7 @@ Finding above_opening(const Case& c, const Body& t, const Face& opening) {
 Finding below_window(const Case& c, const Body& t, const Face& window, double max) {
   return all_of({at_most(fmt::format("distance between {} and {} in plan", t.id(), window.id), distance(t.shape.plan, window.shape.plan),
                          max, c.slack()),
-                 shares_half_along(c, t, window),
+                 shares_along(c, t, window, kWellWithin),
                  at_most(fmt::format("the middle of {} is at height", t.id()), t.shape.heights.mid(), window.shape.heights.lo, c.slack())});
 }
 
