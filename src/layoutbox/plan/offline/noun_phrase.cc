@@ -374,6 +374,10 @@ std::optional<NounPhrase> NounPhraseReader::settle() {
       i_ = after;
     }
   }
+  if (count_follows()) {
+    if (phrase_.count == 0) phrase_.count = static_cast<int>(std::clamp(tokens_[i_ + 1].number, 0.0, 1000.0));
+    i_ += 2;
+  }
   read_of();
   if (more() && token().text == "'s") phrase_.owner = true;
   return finish();

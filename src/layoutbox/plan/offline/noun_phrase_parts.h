@@ -88,6 +88,7 @@ class NounPhraseReader {
   bool is_named() const { return !parts_.empty() || phrase_.determiner != Determiner::kNone || counted_; }
   bool add(WordClass word_class, const Meaning& meaning, std::size_t length, bool plural);
   bool read_part();
+  bool count_follows() const;
   bool read_compound_adjective(const Match& match);
   bool plural_at(std::size_t i) const;
   bool opens_at(std::size_t i) const;

@@ -314,8 +314,14 @@ void NounPhraseReader::read_parts() {
       break;
     }
     if (token().kind == Token::Kind::kNumber && take_size()) continue;
-    if (!read_part()) break;
+    if (count_follows() || !read_part()) break;
   }
+}
+
+// "bookcases x2", "2 desks, chairs x 4": the number behind the noun.
+bool NounPhraseReader::count_follows() const {
+  if (parts_.empty() || i_ + 1 >= tokens_.size() || tokens_[i_].text != "x" || tokens_[i_ + 1].kind != Token::Kind::kNumber) return false;
+  return i_ + 2 == tokens_.size() || tokens_[i_ + 2].kind == Token::Kind::kPunctuation || !tokens_[i_ + 2].glued;
 }
 
 }  // namespace layoutbox::offline

@@ -1,7 +1,9 @@
 #include "layoutbox/plan/offline/spelling.h"
 
 #include <algorithm>
+#include <string_view>
 #include <unordered_map>
+#include <utility>
 
 #include "layoutbox/base/words.h"
 #include "layoutbox/plan/offline/english.h"
@@ -80,13 +82,28 @@ void add_words(const Token& whole, const std::vector<std::string>& words, std::v
   }
 }
 
+// "bed n desk", "on the n wall": what a letter alone stands for, or empty.
+std::string_view meant_by_letter(const std::vector<Token>& tokens, std::size_t i) {
+  static constexpr std::pair<std::string_view, std::string_view> kCompass[] = {
+      {"n", "north"}, {"s", "south"}, {"e", "east"}, {"w", "west"}};
+  if (tokens[i].text.size() != 1 || i + 1 >= tokens.size()) return {};
+  const bool wall = tokens[i + 1].text == "wall" || tokens[i + 1].text == "side";
+  for (const auto& [letter, word] : kCompass) {
+    if (wall && tokens[i].text == letter) return word;
+  }
+  const bool between = i > 0 && tokens[i - 1].kind == Token::Kind::kWord && tokens[i + 1].kind != Token::Kind::kPunctuation;
+  return between && tokens[i].text == "n" ? "and" : std::string_view{};
+}
+
 }  // namespace
 
 void correct_spelling(const Lexicon& lexicon, std::vector<Token>& tokens) {
   std::unordered_map<std::string, std::string> seen;
   std::vector<Token> corrected;
   corrected.reserve(tokens.size());
-  for (Token& token : tokens) {
+  for (std::size_t i = 0; i < tokens.size(); ++i) {
+    Token& token = tokens[i];
+    if (const std::string_view letter = meant_by_letter(tokens, i); !letter.empty()) token.text = letter;
     const bool word = token.kind == Token::Kind::kWord && token.text.find('~') == std::string::npos;
     const std::vector<std::string> meant = word ? words_of(lexicon.meant_by(token.text)) : std::vector<std::string>{};
     if (!meant.empty() && token.end - token.begin >= meant.size()) {
