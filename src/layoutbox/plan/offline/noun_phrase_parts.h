@@ -89,6 +89,7 @@ class NounPhraseReader {
   bool add(WordClass word_class, const Meaning& meaning, std::size_t length, bool plural);
   bool read_part();
   bool count_follows() const;
+  bool is_verb_in_name(const Match& match) const;
   bool read_compound_adjective(const Match& match);
   bool plural_at(std::size_t i) const;
   bool opens_at(std::size_t i) const;

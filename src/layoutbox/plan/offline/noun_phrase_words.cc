@@ -145,13 +145,20 @@ bool NounPhraseReader::read_part() {
   const bool noun_before = std::any_of(parts_.begin(), parts_.end(), [](const Part& p) {
     return !is_attribute_class(p.word_class) && p.word_class != Class::kFiller && p.word_class != Class::kWallWord;
   });
-  // "a miniature station model": no command within a name.
-  const bool commands =
-      match.length == 1 && !parts_.empty() && is_noun(noun_form(token().text)) && token().text.size() > 1 && parts_.back().last == i_ &&
-      !opens_at(i_ + 1) &&
-      std::all_of(match.meanings.begin(), match.meanings.end(), [](const Meaning& m) { return m.word_class == Class::kCommand; });
-  if (match.length > 0 && !commands) return read_listed(match, noun_before);
+  if (match.length > 0 && !is_verb_in_name(match)) return read_listed(match, noun_before);
   return read_unlisted();
+}
+
+// "a miniature station model", "two grab rails": no command within a name, nor a verb before it.
+bool NounPhraseReader::is_verb_in_name(const Match& match) const {
+  if (match.length != 1 || token().text.size() < 2 || !is_noun(noun_form(token().text)) || opens_at(i_ + 1)) return false;
+  const auto all = [&](std::initializer_list<Class> classes) {
+    return std::ranges::all_of(match.meanings, [&](const Meaning& m) { return std::ranges::find(classes, m.word_class) != classes.end(); });
+  };
+  if (!parts_.empty()) return parts_.back().last == i_ && all({Class::kCommand});
+  const bool thing_follows = i_ + 1 < tokens_.size() && tokens_[i_ + 1].kind == Token::Kind::kWord &&
+                             is_noun(noun_form(tokens_[i_ + 1].text)) && lexicon_.find_phrase(tokens_, i_ + 1).length == 0;
+  return is_named() && thing_follows && all({Class::kCommand, Class::kVerb, Class::kOwnClause});
 }
 
 bool NounPhraseReader::read_listed(const Match& match, bool noun_before) {
