@@ -2,9 +2,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "layoutbox/solve/order.h"
-#include "layoutbox/solve/quick.h"
-#include "layoutbox/solve/search.h"
+#include "layoutbox/solve/search/order.h"
+#include "layoutbox/solve/search/quick.h"
+#include "layoutbox/solve/search/search.h"
 #include "layoutbox/solve/solver.h"
 #include "layoutbox/solve/test_judge.h"
 #include "layoutbox/solve/test_scene.h"

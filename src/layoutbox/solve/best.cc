@@ -1,7 +1,7 @@
 // Is there a better layout? For rooms of few things CP-SAT answers, with the cost of the best layout found as the bound.
-#include "layoutbox/solve/cost.h"
 #include "layoutbox/solve/cp_sat/library.h"
-#include "layoutbox/solve/search.h"
+#include "layoutbox/solve/objective/cost.h"
+#include "layoutbox/solve/search/search.h"
 #include "layoutbox/solve/solving.h"
 
 namespace layoutbox::placement {

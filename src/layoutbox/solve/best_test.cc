@@ -1,9 +1,9 @@
 // What is said to be proven best: every layout of tiny rooms is looked at, on a grid, and none is better.
 #include <cmath>
 
-#include "layoutbox/solve/access.h"
-#include "layoutbox/solve/cost.h"
 #include "layoutbox/solve/cp_sat/library.h"
+#include "layoutbox/solve/objective/access.h"
+#include "layoutbox/solve/objective/cost.h"
 #include "layoutbox/solve/solver.h"
 #include "layoutbox/solve/test_scene.h"
 

@@ -1,9 +1,9 @@
 #include "layoutbox/solve/solving.h"
 
-#include "layoutbox/solve/access.h"
-#include "layoutbox/solve/cost.h"
-#include "layoutbox/solve/relax.h"
-#include "layoutbox/solve/to_layout.h"
+#include "layoutbox/solve/conflict/relax.h"
+#include "layoutbox/solve/model/to_layout.h"
+#include "layoutbox/solve/objective/access.h"
+#include "layoutbox/solve/objective/cost.h"
 
 namespace layoutbox::placement {
 

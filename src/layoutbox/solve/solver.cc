@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "layoutbox/solve/cp_sat/library.h"
-#include "layoutbox/solve/repeated.h"
+#include "layoutbox/solve/model/repeated.h"
 #include "layoutbox/solve/solving.h"
 
 namespace layoutbox {

@@ -2,12 +2,12 @@
 
 #include <cmath>
 
-#include "layoutbox/solve/cost.h"
+#include "layoutbox/solve/conflict/relax.h"
 #include "layoutbox/solve/cp_sat/library.h"
-#include "layoutbox/solve/guide.h"
-#include "layoutbox/solve/quick.h"
-#include "layoutbox/solve/relax.h"
-#include "layoutbox/solve/search.h"
+#include "layoutbox/solve/objective/cost.h"
+#include "layoutbox/solve/priors/guide.h"
+#include "layoutbox/solve/search/quick.h"
+#include "layoutbox/solve/search/search.h"
 
 namespace layoutbox::placement {
 namespace {

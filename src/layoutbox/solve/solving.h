@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "layoutbox/solve/budgets.h"
-#include "layoutbox/solve/candidates.h"
-#include "layoutbox/solve/conflict.h"
+#include "layoutbox/solve/conflict/conflict.h"
+#include "layoutbox/solve/search/budgets.h"
+#include "layoutbox/solve/search/candidates.h"
 #include "layoutbox/solve/solver.h"
 
 namespace layoutbox::placement {

@@ -1,4 +1,4 @@
-#include "layoutbox/solve/compile.h"
+#include "layoutbox/solve/compile/compile.h"
 
 #include <fmt/format.h>
 

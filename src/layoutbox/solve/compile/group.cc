@@ -4,7 +4,7 @@
 #include <tuple>
 
 #include "layoutbox/solve/compile/phrases.h"
-#include "layoutbox/solve/compile/seating.h"
+#include "layoutbox/solve/priors/seating.h"
 
 namespace layoutbox::placement {
 namespace {

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "layoutbox/catalog/trait_table.h"
-#include "layoutbox/solve/compile.h"
+#include "layoutbox/solve/compile/compile.h"
 
 namespace layoutbox::placement {
 

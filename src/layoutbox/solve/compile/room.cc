@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "layoutbox/solve/compile/phrases.h"
-#include "layoutbox/solve/slanted.h"
+#include "layoutbox/solve/model/slanted.h"
 
 namespace layoutbox::placement {
 namespace {

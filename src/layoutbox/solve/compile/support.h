@@ -1,7 +1,7 @@
 // What holds an object up: the floor, a wall, the ceiling, the top or a space of another object, a window's sill.
 #pragma once
 
-#include "layoutbox/solve/compile.h"
+#include "layoutbox/solve/compile/compile.h"
 
 namespace layoutbox::placement {
 

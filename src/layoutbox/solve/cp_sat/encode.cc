@@ -1,7 +1,7 @@
 #include "layoutbox/solve/cp_sat/encode.h"
 
-#include "layoutbox/solve/items.h"
-#include "layoutbox/solve/slanted.h"
+#include "layoutbox/solve/model/items.h"
+#include "layoutbox/solve/model/slanted.h"
 
 namespace layoutbox::placement {
 namespace {

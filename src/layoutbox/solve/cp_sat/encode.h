@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "layoutbox/solve/cp_sat/wire.h"
-#include "layoutbox/solve/model.h"
+#include "layoutbox/solve/model/model.h"
 
 namespace layoutbox::placement {
 

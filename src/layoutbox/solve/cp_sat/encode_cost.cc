@@ -2,9 +2,9 @@
 // costs at least what it costs here, so that what is not found here is not there.
 #include <numeric>
 
-#include "layoutbox/solve/access.h"
-#include "layoutbox/solve/cost.h"
 #include "layoutbox/solve/cp_sat/encode.h"
+#include "layoutbox/solve/objective/access.h"
+#include "layoutbox/solve/objective/cost.h"
 
 namespace layoutbox::placement {
 namespace {

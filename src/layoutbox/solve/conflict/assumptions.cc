@@ -1,0 +1,136 @@
+// What nobody asked for gives way to what was: hosts and places that are assumed, free floor before openings, companions.
+#include <fmt/format.h>
+
+#include "layoutbox/solve/conflict/relax.h"
+#include "layoutbox/solve/objective/access.h"
+#include "layoutbox/solve/objective/cost.h"
+#include "layoutbox/solve/solving.h"
+
+namespace layoutbox::placement {
+
+// Demands that nobody asked for and that have not given way.
+std::vector<int> Solver::assumptions_left() const {
+  std::vector<int> left;
+  const bool things_went = asked_things_went();
+  for (std::size_t c = 0; c < model_.constraints.size(); ++c) {
+    const Constraint& constraint = model_.constraints[c];
+    const bool demanded = constraint.firmness == Firmness::kHard || constraint.firmness == Firmness::kImplied;
+    if (demanded && !given_up_[c] && is_assumption(model_, constraint) && !(things_went && is_door_floor(static_cast<int>(c))))
+      left.push_back(static_cast<int>(c));
+  }
+  return left;
+}
+
+// Something that was asked for has been left out for want of floor: then another thing goes rather than that a door is blocked.
+bool Solver::asked_things_went() const {
+  return std::any_of(left_out_ids_.begin(), left_out_ids_.end(), [&](const std::string& id) {
+    const SceneObject* object = asked_.find_object(id);
+    return object != nullptr && object->asked();
+  });
+}
+
+bool Solver::is_door_floor(int constraint) const {
+  return std::any_of(model_.items.begin(), model_.items.end(), [&](const Item& item) {
+    return item.is_opening() && item.clearance_constraint == constraint && item.opening->type != OpeningType::kWindow;
+  });
+}
+
+bool Solver::search_without_assumptions() {
+  const std::vector<int> assumptions = assumptions_left();
+  if (assumptions.empty()) return false;
+  std::vector<char> more = given_up_;
+  for (const int c : assumptions) more[static_cast<std::size_t>(c)] = 1;
+  const std::vector<int> failed = failed_;
+  const bool found = search(more);
+  failed_ = failed;
+  return found;
+}
+
+// By the layout at hand.
+bool Solver::is_missed(int constraint) const {
+  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+    if (model_.items[i].is_opening() && model_.items[i].clearance_constraint == constraint)
+      return placements_[i].state >= 0 && intrusion_of(model_, static_cast<int>(i), placements_) != 0;
+  }
+  return miss_of(model_, model_.constraints[static_cast<std::size_t>(constraint)], placements_) != 0;
+}
+
+// What nobody asked for gives way: where a layout was found without it, what that misses and no other holds beside the rest; else all of
+// it, to come back in the end where it can.
+Status Solver::yield_assumptions(bool found) {
+  std::vector<int> missed = assumptions_left();
+  if (found) {
+    std::erase_if(missed, [&](int c) { return !is_missed(c); });
+    keep_what_can_be(missed);
+  }
+  std::vector<std::string> companions;
+  for (const int c : missed) {
+    const Constraint& constraint = model_.constraints[static_cast<std::size_t>(c)];
+    if (const std::vector<std::string> ids = companions_placed_by(constraint); !ids.empty()) {
+      companions.insert(companions.end(), ids.begin(), ids.end());
+      continue;
+    }
+    Clash clash;
+    clash.proven = clash.minimal = false;
+    clash.demands = {{Demand::Kind::kConstraint, c}};
+    clash.sentence = constraint.relation >= 0
+                         ? fmt::format("no layout was found that holds all that was asked for and in which {}",
+                                       relation_in_words(model_, scene().relations[static_cast<std::size_t>(constraint.relation)]))
+                         : fmt::format("no layout was found that holds all that was asked for and leaves the {} free", constraint.name);
+    LAYOUTBOX_CHECK(give_up(clash));
+  }
+  return leave_out_companions(companions);
+}
+
+// The things that came unasked for with what they stand by, where that is what the constraint says; else none.
+std::vector<std::string> Solver::companions_placed_by(const Constraint& constraint) const {
+  if (constraint.relation < 0) return {};
+  const Relation& relation = scene().relations[static_cast<std::size_t>(constraint.relation)];
+  const auto came = [&](const std::string& id) {
+    const SceneObject* object = scene().find_object(id);
+    return object != nullptr && object->origin == Origin::kAdded;
+  };
+  if (relation.origin != Origin::kAdded || !std::all_of(relation.targets.begin(), relation.targets.end(), came)) return {};
+  return relation.targets;
+}
+
+// A chair that came with a desk and finds no place there is of no use elsewhere: it stays away.
+Status Solver::leave_out_companions(std::vector<std::string> ids) {
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  if (ids.empty()) return {};
+  for (const std::string& id : ids) {
+    const int item = model_.find_item(id);
+    note_lost_by(item);
+    left_out_ids_.push_back(id);
+    reasons_.push_back(
+        {id, 0, "", object_in_words(model_, item) + " is left out: nobody asked for it, and no place was found where it is used"});
+  }
+  return rebuild();
+}
+
+// Objects that nobody asked for, where all the rest finds its place without them.
+std::vector<int> Solver::extras_in_the_way() {
+  std::vector<int> extras;
+  std::vector<std::string> ids;
+  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+    const Item& item = model_.items[i];
+    if (item.is_opening() || item.fixed || item.locked || item.object->asked()) continue;
+    extras.push_back(static_cast<int>(i));
+    ids.push_back(item.id);
+  }
+  if (extras.empty() || unplaced_without(ids) > 0) return {};
+  return least_missed_first(model_, std::move(extras));
+}
+
+bool Solver::is_asked(int item) const { return model_.items[item].is_opening() || model_.items[item].object->asked(); }
+
+// Too much for the floor as long as that before doors and windows stays free, and nobody's words ask for that: it does not where all that
+// was asked for finds a place on it. Where it is too little even so, an object has to go, and then the rest leaves the floor free.
+bool Solver::floor_gives_way(const Clash& clash, const std::vector<int>& objects) {
+  const auto is_floor = [](const Demand& d) { return d.kind == Demand::Kind::kConstraint; };
+  if (asked_things_went() || !is_asked(objects.front()) || std::none_of(clash.demands.begin(), clash.demands.end(), is_floor)) return false;
+  return search_without(Firmness::kImplied);
+}
+
+}  // namespace layoutbox::placement

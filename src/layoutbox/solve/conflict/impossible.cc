@@ -1,0 +1,63 @@
+// Relations that cannot hold whatever else is asked for: looked for one by one, with nothing there but what they speak of. They are given
+// up before anything else is, so that the many that can hold are not blamed for them.
+#include "layoutbox/solve/search/quick.h"
+#include "layoutbox/solve/solving.h"
+
+namespace layoutbox::placement {
+namespace {
+
+constexpr std::int64_t kStepsAlone = 20'000;
+constexpr double kProofAlone = 0.01;  // CP-SAT's deterministic time
+
+// Everything but what the constraint speaks of and what could hold that up.
+std::vector<char> all_beside(const Model& model, const Constraint& constraint) {
+  std::vector<char> out(model.items.size(), 1);
+  std::vector<int> kept;
+  const auto keep = [&](int item) {
+    if (out[static_cast<std::size_t>(item)]) out[static_cast<std::size_t>(item)] = 0, kept.push_back(item);
+  };
+  for (const Formula& formula : constraint.formulas) {
+    for (const int item : formula.items) keep(item);
+  }
+  for (std::size_t k = 0; k < kept.size(); ++k) {
+    for (const SupportOption& support : model.items[static_cast<std::size_t>(kept[k])].supports) {
+      if (support.kind == SupportOption::Kind::kItem || support.kind == SupportOption::Kind::kSill) keep(support.index);
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+// True: it was given up.
+Result<bool> Solver::give_up_impossible(int constraint, const Dependencies& dependencies) {
+  const std::vector<char> left_out = all_beside(model_, model_.constraints[static_cast<std::size_t>(constraint)]);
+  std::vector<char> given_up = given_up_;
+  for (std::size_t c = 0; c < given_up.size(); ++c) {
+    const Firmness firmness = model_.constraints[c].firmness;
+    const bool other = static_cast<int>(c) != constraint && (firmness == Firmness::kHard || firmness == Firmness::kImplied);
+    given_up[c] = static_cast<char>(given_up[c] || other);
+  }
+  Placements placements(model_.items.size());
+  Budget budget = part(kStepsAlone);
+  if (QuickSearch(model_, dependencies, given_up, options_.seed, kAllSizes).complete(placements, left_out, budget)) return false;
+  LAYOUTBOX_ASSIGN(const Proof proof, ask(given_up, left_out, placements, kProofAlone));
+  if (proof.outcome != Proof::Outcome::kClash || !proof.clash.proven) return false;
+  LAYOUTBOX_CHECK(give_up(proof.clash));
+  return true;
+}
+
+// True: something was given up.
+Result<bool> Solver::give_up_impossible() {
+  const Dependencies dependencies(model_);
+  for (std::size_t c = 0; c < model_.constraints.size() && !enough(); ++c) {
+    const Constraint& constraint = model_.constraints[c];
+    if (constraint.firmness != Firmness::kHard || constraint.relation < 0 || given_up_[c]) continue;
+    if (!looked_at_alone_.insert(constraint.name).second) continue;
+    LAYOUTBOX_ASSIGN(const bool given_up, give_up_impossible(static_cast<int>(c), dependencies));
+    if (given_up) return true;
+  }
+  return false;
+}
+
+}  // namespace layoutbox::placement

@@ -1,0 +1,112 @@
+// Whatever is asked for, something legal stands there: all that is asked becomes a wish, and what finds no place then is left out.
+#include <fmt/format.h>
+
+#include "layoutbox/solve/conflict/relax.h"
+#include "layoutbox/solve/search/quick.h"
+#include "layoutbox/solve/search/search.h"
+#include "layoutbox/solve/solving.h"
+
+namespace layoutbox::placement {
+namespace {
+
+constexpr double kGrace = 0.15;  // seconds past the time limit for a search that looks at wishes
+
+// Does one of the cases hold, of those that speak of nothing but what is placed?
+bool holds_of_placed(const Model& model, const Formula& formula, const Placements& placements) {
+  return std::any_of(formula.cases.begin(), formula.cases.end(), [&](const Case& one) {
+    const auto there = [&](int item) { return placements[static_cast<std::size_t>(item)].state >= 0; };
+    const auto known = [&](const Linear& form) {
+      return std::all_of(form.terms.begin(), form.terms.end(), [&](const Term& term) { return there(term.item); });
+    };
+    if (!std::all_of(one.states.begin(), one.states.end(), [&](const StateLiteral& l) { return there(l.item); })) return false;
+    if (!std::all_of(one.at_least_zero.begin(), one.at_least_zero.end(), known)) return false;
+    Formula alone;
+    alone.cases = {one};
+    return miss_of(model, alone, placements) == 0;
+  });
+}
+
+}  // namespace
+
+// What was to stand on something that found no place stands nowhere.
+void Solver::drop_what_hangs_in_the_air() {
+  for (bool again = true; again;) {
+    again = false;
+    for (std::size_t i = 0; i < model_.items.size(); ++i) {
+      if (placements_[i].state < 0 || model_.items[i].is_opening() || model_.items[i].fixed) continue;
+      const auto& formulas = model_.constraints[static_cast<std::size_t>(model_.items[i].support_constraint)].formulas;
+      const bool held_up =
+          std::all_of(formulas.begin(), formulas.end(), [&](const Formula& f) { return holds_of_placed(model_, f, placements_); });
+      if (held_up) continue;
+      placements_[i] = {};
+      again = true;
+    }
+  }
+}
+
+// The items that found no place are marked as left out. Errors: kInterrupted; kNotFound where a door has no place.
+Status Solver::take_what_fits() {
+  const bool late = stopped_by_clock_;
+  Model trial = model_;
+  const std::vector<char> given_up = all_wished(trial);
+  const double until = late ? seconds() + kGrace : options_.time_limit_s + kGrace;
+  Search search(trial, given_up, options_.seed, kAllSizes);
+  Budget budget{0, kLeastSteps, [this, until] { return interrupted() || seconds() > until; }, false};
+  const bool all = search.construct(left_out_, 0, budget);
+  placements_ = search.placements();
+  if (!all && !interrupted()) {  // the rest without a look at what is wished for, nor at the clock: these steps are few
+    const Dependencies dependencies(trial);
+    QuickSearch quick(trial, dependencies, given_up, options_.seed, kAllSizes);
+    Budget more{0, kLeastSteps, [this] { return interrupted(); }, false};
+    quick.complete(placements_, left_out_, more);
+  }
+  if (interrupted()) return fail(ErrorCode::kInterrupted, "stopped");
+  drop_what_hangs_in_the_air();
+  const std::string because = late ? "no layout of all that is asked for was found before the time was up"
+                                   : "no layout was found in which all that is asked for holds together";
+  Clash clash;
+  clash.proven = clash.minimal = false;
+  clash.sentence = because;
+  bool asked = false;
+  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+    if (placements_[i].state >= 0 || left_out_[i]) continue;
+    if (model_.items[i].is_opening())
+      return fail(ErrorCode::kNotFound, "no place was found for " + object_in_words(model_, static_cast<int>(i)));
+    left_out_[i] = 1;
+    asked = asked || is_asked(static_cast<int>(i));
+    clash.demands.push_back({Demand::Kind::kItem, static_cast<int>(i)});
+    reasons_.push_back({model_.items[i].id, 0, "", object_in_words(model_, static_cast<int>(i)) + " is left out: " + because});
+  }
+  std::vector<std::string> missed;
+  for (std::size_t c = 0; c < model_.constraints.size(); ++c) {
+    const Constraint& constraint = model_.constraints[c];
+    if (constraint.firmness != Firmness::kHard || given_up_[c]) continue;
+    const bool placed =
+        std::all_of(constraint.formulas.begin(), constraint.formulas.end(), [&](const Formula& f) { return all_placed(f, placements_); });
+    if (placed && miss_of(model_, constraint, placements_) == 0) continue;
+    missed.push_back(constraint.name);
+    asked = asked || !is_assumption(model_, constraint);
+    clash.demands.push_back({Demand::Kind::kConstraint, static_cast<int>(c)});
+  }
+  if (clash.demands.empty()) return {};
+  LAYOUTBOX_ASSIGN(const bool relaxing, note_conflict(clash, asked));
+  for (const std::string& name : missed) {
+    if (relaxing) relax(name, because);
+  }
+  return {};
+}
+
+// What is hard becomes a wish of the model; what need not hold in it.
+std::vector<char> Solver::all_wished(Model& trial) const {
+  std::vector<char> given_up = given_up_;
+  for (std::size_t c = 0; c < trial.constraints.size(); ++c) {
+    Constraint& constraint = trial.constraints[c];
+    if (constraint.firmness != Firmness::kHard || given_up[c]) continue;
+    constraint.firmness = Firmness::kSoft;
+    constraint.weight *= kStillWished;
+    given_up[c] = 1;
+  }
+  return given_up;
+}
+
+}  // namespace layoutbox::placement

@@ -1,0 +1,111 @@
+#include "layoutbox/solve/solving.h"
+
+#include "layoutbox/solve/conflict/relax.h"
+#include "layoutbox/solve/search/search.h"
+
+namespace layoutbox::placement {
+namespace {
+
+constexpr std::size_t kMostTrials = 40;
+
+}  // namespace
+
+// Does a search place everything but these? How many it fails to place.
+std::size_t Solver::unplaced_without(const std::vector<std::string>& ids) {
+  const LessScene less = without_objects(scene(), ids);
+  const Result<Model> model = build_model(less.scene, catalog_, guides());
+  if (!model) return asked_.objects.size();
+  Search search(*model, given_up_in(*model), options_.seed, kAllSizes);
+  Budget budget = part(budgets_.trial);
+  return search.construct(std::vector<char>(model->items.size(), 0), kRestarts, budget) ? 0
+                                                                                        : std::max<std::size_t>(1, search.failed().size());
+}
+
+// Leaves out the object (one of the items, of all where none are named) without which everything else finds a place; where one is not
+// enough, the one that helps most. Of equals the one that is missed least.
+Status Solver::leave_out_least(std::vector<int> items, const Clash* clash) {
+  if (items.empty()) {
+    for (std::size_t i = 0; i < model_.items.size(); ++i) items.push_back(static_cast<int>(i));
+    items = least_missed_first(model_, std::move(items));
+  }
+  // What nobody asked for goes first, even where more than one of it has to: what finds a place after all comes back.
+  if (!items.empty() && !is_asked(items.front())) std::erase_if(items, [&](int i) { return is_asked(i); });
+  if (items.size() > kMostTrials) items.resize(kMostTrials);
+  Clash found;
+  if (clash != nullptr) {
+    LAYOUTBOX_ASSIGN(found, smallest_crowd(*clash));
+  }
+  if (clash == nullptr) {
+    found.proven = found.minimal = false;
+    found.sentence = too_much_in_words(model_);
+  }
+  if (options_.on_conflict != OnConflict::kRelax) {  // no layout comes of it: which one goes only shows whether there are other conflicts
+    LAYOUTBOX_ASSIGN(const bool relaxing, note_conflict(found, items.empty() || is_asked(items.front())));
+    if (!relaxing) return {};
+    if (items.empty()) return fail(ErrorCode::kNotFound, "no layout was found, and nothing is left to give up");
+    return leave_out(items.front(), conflicts_.back().conflict.sentence);
+  }
+  int best = -1;
+  std::size_t least = std::numeric_limits<std::size_t>::max();
+  for (const int item : items) {
+    const std::size_t unplaced = items.size() == 1 ? 1 : unplaced_without({model_.items[item].id});
+    if (unplaced < least) least = unplaced, best = item;
+    if (least == 0 || enough()) break;
+  }
+  if (best < 0) return fail(ErrorCode::kNotFound, "no layout was found, and nothing is left to give up");
+  LAYOUTBOX_ASSIGN(const bool relaxing, note_conflict(found, is_asked(best)));
+  return relaxing ? leave_out(best, conflicts_.back().conflict.sentence) : Status{};
+}
+
+// What was left out before and finds a place now after all comes back.
+Result<bool> Solver::bring_back() {
+  bool any = false;
+  // Where one went after the other there was no layout without the last: that is why it went.
+  for (std::size_t i = left_out_ids_.size(); i-- > (shed_ ? 0 : 1) && !enough();) {
+    std::vector<std::string> fewer = left_out_ids_;
+    const std::size_t which = shed_ ? i : i - 1;
+    const std::string back = fewer[which];
+    fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(which));
+    const LessScene less = without_objects(asked_, fewer);
+    const Result<Model> model = build_model(less.scene, catalog_, guides());
+    if (!model) continue;
+    Search search(*model, given_up_in(*model), options_.seed, kAllSizes);
+    Budget budget = part(budgets_.trial);
+    if (!search.construct(std::vector<char>(model->items.size(), 0), kRestarts, budget)) continue;
+    left_out_ids_ = std::move(fewer);
+    std::erase_if(reasons_, [&](const Relaxation& r) { return r.relation == back; });
+    LAYOUTBOX_CHECK(rebuild());
+    any = true;
+  }
+  return any;
+}
+
+// What its relations say, while that can still be said.
+void Solver::note_lost_by(int item) {
+  const std::string& id = model_.items[item].id;
+  for (const Relation& relation : scene().relations) {
+    const auto names = [&](const std::vector<std::string>& ids) { return std::find(ids.begin(), ids.end(), id) != ids.end(); };
+    if (names(relation.targets) || names(relation.references)) lost_words_[relation.id] = relation_in_words(model_, relation);
+  }
+}
+
+// The object goes; relations keep whom they still have.
+Status Solver::leave_out(int item, const std::string& why) {
+  note_lost_by(item);
+  left_out_ids_.push_back(model_.items[item].id);
+  reasons_.push_back({model_.items[item].id, 0, "", object_in_words(model_, item) + " is left out: " + why});
+  return rebuild();
+}
+
+// The model of what is left of the scene, with the same given up as before.
+Status Solver::rebuild() {
+  LessScene less = without_objects(asked_, left_out_ids_);
+  less_scene_ = std::make_unique<SceneGraph>(std::move(less.scene));
+  lost_ = std::move(less.lost);
+  LAYOUTBOX_ASSIGN(model_, build_model(*less_scene_, catalog_, guides()));
+  size_to_model();
+  for (const auto& [name, why] : relaxed_) soften(name);
+  return {};
+}
+
+}  // namespace layoutbox::placement

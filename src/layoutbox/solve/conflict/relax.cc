@@ -1,0 +1,122 @@
+#include "layoutbox/solve/conflict/relax.h"
+
+#include <fmt/format.h>
+
+#include <tuple>
+
+namespace layoutbox::placement {
+namespace {
+
+// By origin: asked, concluded, added, assumed.
+constexpr std::int64_t kRelations[] = {100'000, 70'000, 2'000, 1'000}, kObjects[] = {20'000'000, 90'000, 40'000, 20'000};
+constexpr std::int64_t kWindowFloor = 3'000, kDoorFloor = 60'000, kLock = 30'000'000, kFixed = 40'000'000;
+constexpr std::int64_t kWeight = 10, kRank = 100, kRanks = 100;  // asked relations by weight; objects by their place among those of a kind
+
+bool has(const std::vector<std::string>& ids, const std::string& id) { return std::find(ids.begin(), ids.end(), id) != ids.end(); }
+
+const Relation* relation_of(const Model& model, const Demand& demand) {
+  if (demand.kind != Demand::Kind::kConstraint) return nullptr;
+  const int relation = model.constraints[demand.index].relation;
+  return relation < 0 ? nullptr : &model.scene->relations[relation];
+}
+
+// Its place among those of its kind, from 0.
+int rank_of(const Model& model, int item) {
+  int rank = 0;
+  for (int i = 0; i < item; ++i) {
+    const Item& other = model.items[i];
+    rank += !other.is_opening() && other.object->category == model.items[item].object->category;
+  }
+  return rank;
+}
+
+std::int64_t footprint(const Item& item) { return std::int64_t{item.states[0].extent[0]} * item.states[0].extent[1]; }
+
+}  // namespace
+
+std::int64_t price_of(const Model& model, const Demand& demand) {
+  if (demand.kind == Demand::Kind::kItem) {
+    const Item& item = model.items[demand.index];
+    if (item.is_opening() || item.fixed || item.locked) return kFixed;
+    return kObjects[static_cast<int>(item.object->origin)] - kRank * std::min<std::int64_t>(rank_of(model, demand.index), kRanks);
+  }
+  if (const Relation* relation = relation_of(model, demand))
+    return kRelations[static_cast<int>(relation->origin)] + (relation->asked() ? kWeight * relation->weight : 0);
+  if (model.constraints[demand.index].firmness != Firmness::kImplied) return kLock;
+  const auto is_window = [&](const Item& item) {
+    return item.clearance_constraint == demand.index && item.opening->type == OpeningType::kWindow;
+  };
+  return std::any_of(model.items.begin(), model.items.end(), is_window) ? kWindowFloor : kDoorFloor;
+}
+
+bool is_assumption(const Model& model, const Constraint& constraint) {
+  if (constraint.firmness == Firmness::kImplied) return true;
+  return constraint.relation >= 0 && !model.scene->relations[static_cast<std::size_t>(constraint.relation)].asked();
+}
+
+std::vector<int> least_missed_first(const Model& model, std::vector<int> items) {
+  std::erase_if(items, [&](int i) { return model.items[i].is_opening() || model.items[i].fixed || model.items[i].locked; });
+  const auto key = [&](int i) {
+    const Item& item = model.items[i];
+    return std::tuple(-static_cast<int>(item.object->origin), rank_of(model, i) == 0, footprint(item), -i);
+  };
+  std::stable_sort(items.begin(), items.end(), [&](int a, int b) { return key(a) < key(b); });
+  return items;
+}
+
+std::vector<int> objects_to_blame(const Model& model, const Clash& clash) {
+  std::vector<int> items;
+  for (const Demand& demand : clash.demands) {
+    if (relation_of(model, demand) != nullptr) return {};
+    if (demand.kind == Demand::Kind::kItem) items.push_back(demand.index);
+  }
+  return least_missed_first(model, std::move(items));
+}
+
+LessScene without_objects(const SceneGraph& scene, const std::vector<std::string>& ids) {
+  LessScene less{scene, {}};
+  std::erase_if(less.scene.objects, [&](const SceneObject& o) { return has(ids, o.id); });
+  std::vector<Relation> kept;
+  for (Relation& relation : less.scene.relations) {
+    const bool referred = !relation.references.empty();
+    const auto is_out = [&](const std::string& id) { return has(ids, id); };
+    const std::size_t lost_targets = std::erase_if(relation.targets, is_out);
+    const std::size_t lost_references = std::erase_if(relation.references, is_out);
+    const bool nothing_between = relation.type == RelationType::kBetween && lost_references > 0 && relation.references.size() < 2;
+    const bool no_pairs =
+        relation.type == RelationType::kPairedWith && lost_targets > 0 && relation.targets.size() < relation.references.size();
+    const bool too_few = nothing_between || no_pairs;
+    if ((lost_targets > 0 && relation.targets.empty()) || (referred && relation.references.empty()) || too_few) {
+      less.lost.push_back(relation.id);
+    } else {
+      kept.push_back(std::move(relation));
+    }
+  }
+  less.scene.relations = std::move(kept);
+  return less;
+}
+
+std::string too_much_in_words(const Model& model) {
+  std::int64_t covered = 0, room = floor_area(model.room), door = 0;
+  for (const Box& outside : model.outside) room -= floor_area(outside);
+  int count = 0;
+  for (const Item& item : model.items) {
+    if (item.is_opening()) {
+      if (item.opening->type == OpeningType::kWindow || item.states.empty()) continue;
+      for (const Box& clear : item.states[0].clear) door += floor_area(clear);
+      continue;
+    }
+    ++count;
+    if (!item.thin && item.supports.size() == 1 && item.supports[0].kind == SupportOption::Kind::kFloor) {
+      std::int64_t least = footprint(item);
+      for (const State& state : item.states) least = std::min(least, std::int64_t{state.extent[0]} * state.extent[1]);
+      covered += least;
+    }
+  }
+  const std::string before = door > 0 ? fmt::format(", {:.2f} m² stay free for doors", static_cast<double>(door) / 1e6) : "";
+  return fmt::format(
+      "no layout was found for all {} objects together: they cover at least {:.2f} m² of floor{}, and the room has {:.2f} m²", count,
+      static_cast<double>(covered) / 1e6, before, static_cast<double>(room) / 1e6);
+}
+
+}  // namespace layoutbox::placement

@@ -1,0 +1,164 @@
+// Far too much for the floor: what is too much goes in one step, and one sentence says what, how much is missing and what would help.
+#include <fmt/format.h>
+
+#include "layoutbox/solve/conflict/relax.h"
+#include "layoutbox/solve/search/search.h"
+#include "layoutbox/solve/solving.h"
+
+namespace layoutbox::placement {
+namespace {
+
+constexpr double kFilled = 0.85;  // of the floor, by bodies and the floor before the door: more is not worth a try
+
+bool covers_floor(const Item& item) {
+  return !item.is_opening() && !item.thin && !item.states.empty() && item.supports.size() == 1 &&
+         item.supports[0].kind == SupportOption::Kind::kFloor;
+}
+
+std::int64_t least_area(const Item& item) {
+  std::int64_t least = std::numeric_limits<std::int64_t>::max();
+  for (const State& state : item.states) least = std::min(least, std::int64_t{state.size.width} * state.size.depth);
+  return least;
+}
+
+struct Floor {
+  std::vector<int> items;
+  std::int64_t covered = 0, door = 0, room = 0;
+  double surplus(double share) const { return static_cast<double>(covered + door) - share * static_cast<double>(room); }
+};
+
+Floor floor_of(const Model& model) {
+  Floor floor;
+  floor.room = floor_area(model.room);
+  for (const Box& outside : model.outside) floor.room -= floor_area(outside);
+  for (std::size_t i = 0; i < model.items.size(); ++i) {
+    const Item& item = model.items[i];
+    if (item.is_opening() && item.opening->type != OpeningType::kWindow && !item.states.empty() && !item.states[0].clear.empty())
+      floor.door = std::max(floor.door, floor_area(item.states[0].clear[0]));
+    if (!covers_floor(item)) continue;
+    floor.items.push_back(static_cast<int>(i));
+    floor.covered += least_area(item);
+  }
+  return floor;
+}
+
+// How much is asked for and how much there is.
+std::string need_in_words(const Model& model, const Floor& floor) {
+  const auto m2 = [](std::int64_t area) { return static_cast<double>(area) / 1e6; };
+  const std::string door = floor.door > 0 ? fmt::format(" besides {:.1f} m² before the door", m2(floor.door)) : "";
+  const std::int64_t missing = floor.covered + floor.door - floor.room;
+  const std::string short_of = missing > 0 ? fmt::format(", {:.1f} m² less", m2(std::max<std::int64_t>(missing, 50'000))) : "";
+  return fmt::format("{} need at least {:.1f} m² of floor{}, and the room has {:.1f} m²{}", things_in_words(model, floor.items),
+                     m2(floor.covered), door, m2(floor.room), short_of);
+}
+
+}  // namespace
+
+// Of what is missed least first the fewest without which the rest may fit; empty where it is not too much by its sums.
+std::vector<int> Solver::surplus_items() const {
+  const Floor floor = floor_of(model_);
+  if (floor.surplus(1.0) <= 0) return {};
+  double surplus = floor.surplus(kFilled);
+  std::vector<int> left = least_missed_first(model_, floor.items), gone;
+  const auto as_dear = [&](int a, int b) {
+    const Item &x = model_.items[a], &y = model_.items[b];
+    const auto is_first = [&](int i) {
+      return std::none_of(floor.items.begin(), floor.items.end(),
+                          [&](int j) { return j < i && model_.items[j].entry == model_.items[i].entry; });
+    };
+    return x.object->origin == y.object->origin && is_first(a) == is_first(b);
+  };
+  while (surplus > 0 && !left.empty()) {
+    // Of equally dear ones the smallest that is enough, else the largest.
+    int best = left.front();
+    for (const int item : left) {
+      if (!as_dear(left.front(), item)) break;
+      const auto area = static_cast<double>(least_area(model_.items[item])),
+                 best_area = static_cast<double>(least_area(model_.items[best]));
+      if (best_area < surplus ? area > best_area : area >= surplus && area < best_area) best = item;
+    }
+    surplus -= static_cast<double>(least_area(model_.items[best]));
+    gone.push_back(best);
+    std::erase(left, best);
+  }
+  return gone;
+}
+
+// The fewest things that are too many, by the first sum that speaks of things alone.
+Status Solver::note_crowd(const std::vector<Clash>& sums) {
+  const auto speaks_of_things = [&](const Clash& sum) { return objects_to_blame(model_, sum).size() > 1; };
+  const auto sum = std::find_if(sums.begin(), sums.end(), speaks_of_things);
+  if (crowd_ || sum == sums.end()) return {};
+  // What is only to be said takes nothing from the search for a layout.
+  const Budget finding = finding_;
+  const double proof_time = proof_time_;
+  LAYOUTBOX_ASSIGN(const Clash crowd, smallest_crowd(*sum));
+  finding_ = finding, proof_time_ = proof_time;
+  if (!crowd.minimal) return {};
+  crowd_ = Conflict{{}, {}, describe_clash(model_, crowd), true};
+  for (const Demand& demand : crowd.demands) {
+    const bool item = demand.kind == Demand::Kind::kItem;
+    (item ? crowd_->objects : crowd_->relations)
+        .push_back(item ? model_.items[static_cast<std::size_t>(demand.index)].id
+                        : model_.constraints[static_cast<std::size_t>(demand.index)].name);
+  }
+  return {};
+}
+
+// True: something was left out.
+Result<bool> Solver::shed(const std::vector<Clash>& sums) {
+  if (options_.on_conflict != OnConflict::kRelax) return false;
+  const std::vector<int> items = surplus_items();
+  if (items.size() < 2) return false;  // one is found, and said, by itself
+  LAYOUTBOX_CHECK(note_crowd(sums));
+  Clash clash;
+  clash.minimal = false;
+  clash.sentence = need_in_words(model_, floor_of(model_));
+  for (const int item : floor_of(model_).items) clash.demands.push_back({Demand::Kind::kItem, item});
+  const bool asked = std::any_of(items.begin(), items.end(), [&](int i) { return is_asked(i); });
+  LAYOUTBOX_CHECK(note_conflict(clash, asked));
+  std::vector<std::pair<std::string, std::string>> gone;  // ids and words, which the model forgets
+  for (const int item : items) gone.emplace_back(model_.items[item].id, object_in_words(model_, item));
+  for (const int item : items) note_lost_by(item);
+  for (const auto& [id, words] : gone) {
+    left_out_ids_.push_back(id);
+    reasons_.push_back({id, 0, "", words + " is left out: " + clash.sentence});
+  }
+  shed_ = true;
+  LAYOUTBOX_CHECK(rebuild());
+  return true;
+}
+
+// Where things were left out for want of floor, all reasons say the same: what is asked for, what there is, and without what all else fits.
+void Solver::sum_up_shedding() {
+  if (!shed_ || left_out_ids_.empty()) return;
+  const Result<Model> whole = build_model(asked_, catalog_, guides());
+  if (!whole) return;
+  std::vector<int> gone;
+  for (const std::string& id : left_out_ids_) {
+    if (const int item = whole->find_item(id); item >= 0) gone.push_back(item);
+  }
+  std::sort(gone.begin(), gone.end());
+  const bool all_else = std::all_of(relaxed_.begin(), relaxed_.end(), [&](const auto& relaxed) {
+    return std::none_of(model_.constraints.begin(), model_.constraints.end(),
+                        [&](const Constraint& c) { return c.name == relaxed.first && !is_assumption(model_, c); });
+  });
+  const std::string sentence = fmt::format("{}; without {} {}", need_in_words(*whole, floor_of(*whole)), things_in_words(*whole, gone),
+                                           all_else ? "all else fits" : "the rest has a place");
+  for (Relaxation& reason : reasons_) {
+    if (const int item = whole->find_item(reason.relation); item >= 0)
+      reason.why = object_in_words(*whole, item) + " is left out: " + sentence;
+  }
+  // One conflict in the place of all that speak of things alone.
+  std::erase_if(conflicts_, [](const Noted& noted) { return noted.conflict.relations.empty(); });
+  Noted noted{crowd_.value_or(Conflict{{}, {}, sentence, false}), false};
+  if (!crowd_) {
+    for (const int item : floor_of(*whole).items) noted.conflict.objects.push_back(whole->items[item].id);
+  } else if (crowd_->objects.size() == floor_of(*whole).items.size()) {
+    noted.conflict.sentence = sentence;
+  }
+  for (const int item : gone) noted.asked = noted.asked || whole->items[item].object->asked();
+  conflicts_.insert(conflicts_.begin(), std::move(noted));
+}
+
+}  // namespace layoutbox::placement

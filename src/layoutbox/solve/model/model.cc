@@ -1,0 +1,288 @@
+#include "layoutbox/solve/model/model.h"
+
+#include "layoutbox/catalog/trait_table.h"
+
+#include "layoutbox/solve/objective/access.h"
+
+#include <fmt/format.h>
+#include <cmath>
+
+#include <set>
+
+#include "layoutbox/solve/compile/compile.h"
+#include "layoutbox/solve/model/items.h"
+#include "layoutbox/solve/model/slanted.h"
+#include "layoutbox/solve/priors/guide.h"
+
+namespace layoutbox::placement {
+namespace {
+
+constexpr std::size_t kMostObjects = 500;
+
+using Pairs = std::set<std::pair<int, int>>;
+
+// Who is within the free space of whom: the desk under a loft bed, the box in a shelf.
+std::vector<std::pair<int, int>> nested_pairs(const Model& model) {
+  std::vector<std::pair<int, int>> nested;
+  for (const Relation& relation : model.scene->relations) {
+    if (relation.type != RelationType::kUnder && relation.type != RelationType::kIn) continue;
+    for (const std::string& target : relation.targets) {
+      for (const std::string& reference : relation.references) {
+        const int inner = model.find_item(target);
+        const int outer = model.find_item(reference);
+        if (inner >= 0 && outer >= 0 && inner != outer) nested.emplace_back(inner, outer);
+      }
+    }
+  }
+  return nested;
+}
+
+// What is close to a nested thing (the lamp on that desk, the chair at it) comes as close to the outer one.
+void add_company_of_the_nested(const Model& model, Pairs& pairs) {
+  const auto nested = nested_pairs(model);
+  for (bool grows = !nested.empty(); grows;) {
+    const std::size_t before = pairs.size();
+    for (const auto& [inner, outer] : nested) {
+      for (int other = 0; other < static_cast<int>(model.items.size()); ++other) {
+        if (other == inner || other == outer) continue;
+        if (pairs.contains({std::min(inner, other), std::max(inner, other)}))
+          pairs.insert({std::min(outer, other), std::max(outer, other)});
+      }
+    }
+    grows = pairs.size() > before;
+  }
+}
+
+// A screen on a desk reaches over the seat that is pushed under it.
+void add_seats_by_riders(const Model& model, Pairs& pairs) {
+  Pairs more;
+  for (std::size_t i = 0; i < model.items.size(); ++i) {
+    for (const SupportOption& support : model.items[i].supports) {
+      if (support.kind != SupportOption::Kind::kItem || !model.items[i].is(Trait::kScreen)) continue;
+      for (int seat = 0; seat < static_cast<int>(model.items.size()); ++seat) {
+        const auto at_host = std::pair{std::min(seat, support.index), std::max(seat, support.index)};
+        const int rider = static_cast<int>(i);
+        if (model.items[seat].is(Trait::kTableSeat) && pairs.contains(at_host)) more.insert({std::min(seat, rider), std::max(seat, rider)});
+      }
+    }
+  }
+  pairs.insert(more.begin(), more.end());
+}
+
+// Which pairs are so close that their spaces count.
+Pairs close_pairs(const Model& model) {
+  Pairs pairs;
+  const auto add = [&](int a, int b) {
+    if (a >= 0 && b >= 0 && a != b) pairs.insert({std::min(a, b), std::max(a, b)});
+  };
+  for (const Relation& relation : model.scene->relations) {
+    for (const std::string& target : relation.targets) {
+      for (const std::string& reference : relation.references) add(model.find_item(target), model.find_item(reference));
+    }
+    for (std::size_t i = 1; i < relation.targets.size(); ++i) {
+      if (relation.type == RelationType::kStacked) add(model.find_item(relation.targets[i - 1]), model.find_item(relation.targets[i]));
+    }
+  }
+  for (std::size_t i = 0; i < model.items.size(); ++i) {
+    const Item& item = model.items[i];
+    if (item.is_opening()) continue;
+    for (const SupportOption& support : item.supports) {
+      if (support.kind == SupportOption::Kind::kItem) add(static_cast<int>(i), support.index);
+    }
+    for (std::size_t j = 0; j < model.items.size(); ++j) {
+      const auto goes_with = [&](const std::string& kind) { return model.is_a(static_cast<int>(j), kind); };
+      if (j != i && std::any_of(item.entry->beside.begin(), item.entry->beside.end(), goes_with))
+        add(static_cast<int>(i), static_cast<int>(j));
+    }
+  }
+  add_company_of_the_nested(model, pairs);
+  add_seats_by_riders(model, pairs);
+  return pairs;
+}
+
+// A rug lies under whatever there is; a mat that is used itself does not, unless a relation says so.
+bool lies_under(const Item& item) { return item.thin && !item.entry->lain_on; }
+
+void set_pair_rules(Model& model) {
+  const std::size_t n = model.items.size();
+  model.pairs.assign(n * n, PairRule::kBoxes);
+  const auto rule_of = [&](const Item& a, const Item& b) {
+    if (lies_under(a) || lies_under(b)) return PairRule::kFree;
+    if (a.is_opening() && b.is_opening()) return PairRule::kOpenings;
+    const bool window =
+        (a.is_opening() && a.opening->type == OpeningType::kWindow) || (b.is_opening() && b.opening->type == OpeningType::kWindow);
+    if (window && (a.curtain || b.curtain)) return PairRule::kFree;
+    return PairRule::kBoxes;
+  };
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = i; j < n; ++j) {
+      model.set_pair(static_cast<int>(i), static_cast<int>(j), i == j ? PairRule::kFree : rule_of(model.items[i], model.items[j]));
+    }
+  }
+  for (const auto& [a, b] : close_pairs(model)) {
+    if (model.pair(a, b) != PairRule::kBoxes || model.items[a].is_opening() || model.items[b].is_opening()) continue;
+    model.set_pair(a, b, model.items[a].thin != model.items[b].thin ? PairRule::kFree : PairRule::kSolids);
+  }
+  for (std::size_t i = 0; i < n; ++i) {  // what stands on a sill may be before the window
+    for (const SupportOption& support : model.items[i].supports) {
+      if (support.kind == SupportOption::Kind::kSill) model.set_pair(static_cast<int>(i), support.index, PairRule::kFree);
+    }
+  }
+}
+
+std::vector<int> items_of(const std::vector<Case>& cases) {
+  std::set<int> items;
+  for (const Case& one : cases) {
+    for (const StateLiteral& literal : one.states) items.insert(literal.item);
+    for (const Linear& form : one.at_least_zero) {
+      for (const Term& term : form.terms) items.insert(term.item);
+    }
+    for (const Preference& wish : one.wishes) {
+      for (const Term& term : wish.form.terms) items.insert(term.item);
+    }
+  }
+  return {items.begin(), items.end()};
+}
+
+void index_constraints(Model& model) {
+  model.touching.assign(model.items.size(), {});
+  for (std::size_t c = 0; c < model.constraints.size(); ++c) {
+    std::set<int> items;
+    for (Formula& formula : model.constraints[c].formulas) {
+      formula.items = items_of(formula.cases);
+      items.insert(formula.items.begin(), formula.items.end());
+    }
+    for (const int item : items) model.touching[item].push_back(static_cast<int>(c));
+  }
+}
+
+Status add_relations(Model& model) {
+  const SceneGraph& scene = *model.scene;
+  for (std::size_t i = 0; i < scene.relations.size(); ++i) {
+    const Relation& relation = scene.relations[i];
+    Constraint constraint;
+    constraint.name = relation.id;
+    constraint.relation = static_cast<int>(i);
+    constraint.firmness = relation.hard ? Firmness::kHard : Firmness::kSoft;
+    constraint.weight = relation.hard ? relation.weight : 4 * relation.weight;
+    LAYOUTBOX_CHECK(compile_relation(model, relation, fmt::format("/constraints/{}", i), constraint));
+    model.constraints.push_back(std::move(constraint));
+  }
+  return {};
+}
+
+}  // namespace
+
+std::uint64_t Item::states_at(int turn) const {
+  std::uint64_t mask = 0;
+  for (std::size_t s = 0; s < states.size(); ++s) {
+    if (states[s].turn == turn) mask |= std::uint64_t{1} << s;
+  }
+  return mask;
+}
+
+Mm Item::least_extent(int axis) const {
+  Mm least = states.empty() ? 0 : states[0].extent[axis];
+  for (const State& state : states) least = std::min(least, state.extent[axis]);
+  return least;
+}
+
+void Model::set_pair(int a, int b, PairRule rule) {
+  pairs[static_cast<std::size_t>(a) * items.size() + b] = rule;
+  pairs[static_cast<std::size_t>(b) * items.size() + a] = rule;
+}
+
+int Model::find_item(std::string_view id) const {
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (items[i].id == id) return static_cast<int>(i);
+  }
+  return -1;
+}
+
+int Model::find_wall(std::string_view id) const {
+  const Wall* wall = scene->find_wall(id);
+  return wall ? static_cast<int>(wall - scene->room.walls.data()) : -1;
+}
+
+bool Model::is_a(int item, std::string_view kind) const {
+  const SceneObject* object = items[item].object;
+  return object && (catalog->is_a(object->category, kind) || catalog->is_a(items[item].entry->id, kind));
+}
+
+namespace {
+
+// A normalised scene has no others; who builds one by hand may err.
+Status check_numbers(const SceneGraph& scene) {
+  constexpr Mm kLongest = 100'000;
+  const auto wrong = [](Mm length) { return length <= 0 || length > kLongest; };
+  const auto far = [](double number) { return !(std::abs(number) <= 10.0 * kLongest); };
+  if (scene.room.polygon.size() < 3) return fail(ErrorCode::kGeometry, "the room has no floor", "/room");
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    const SceneObject& object = scene.objects[i];
+    const std::string where = fmt::format("/furniture/{}", i);
+    if (!object.size) return fail(ErrorCode::kSchema, fmt::format("\"{}\" has no size", object.id), where);
+    for (const Size& size : {object.size->least, object.size->usual, object.size->greatest}) {
+      if (!wrong(size.width) && !wrong(size.depth) && !wrong(size.height)) continue;
+      return fail(ErrorCode::kSchema, fmt::format("\"{}\" measures {} × {} × {} mm", object.id, size.width, size.depth, size.height), where,
+                  "give every side a length above 0 and at most 100 m");
+    }
+    const auto place = object.hint.position.value_or(std::array<double, 3>{});
+    if (std::any_of(place.begin(), place.end(), far) || far(object.hint.rotation_deg.value_or(0)))
+      return fail(ErrorCode::kSchema, fmt::format("\"{}\" has a place that is none", object.id), where);
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<Model> build_model(const SceneGraph& scene, const Catalog& catalog, const ModelOptions& options) {
+  LAYOUTBOX_CHECK(check_numbers(scene));
+  if (scene.objects.size() > kMostObjects) {
+    return fail(ErrorCode::kTooLarge, fmt::format("{} objects are more than the {} that can be placed", scene.objects.size(), kMostObjects),
+                "/furniture");
+  }
+  Model model;
+  model.scene = &scene;
+  model.catalog = &catalog;
+  const std::vector<Point>& polygon = scene.room.polygon;
+  model.room = {{polygon[0].x, polygon[0].y, 0}, {polygon[0].x, polygon[0].y, scene.room.height}};
+  for (const Point& p : polygon) {
+    model.room.lo[0] = std::min(model.room.lo[0], p.x), model.room.hi[0] = std::max(model.room.hi[0], p.x);
+    model.room.lo[1] = std::min(model.room.lo[1], p.y), model.room.hi[1] = std::max(model.room.hi[1], p.y);
+  }
+  model.outside = outside_of(polygon, 0, scene.room.height, 100);
+  for (const Wall& wall : scene.room.walls) model.walls.push_back(room_wall(wall));
+  add_headings(model);
+  model.off_limits = off_limits_of(model);
+  for (const SceneObject& object : scene.objects) model.items.push_back(object_item(scene, object, catalog, options, model.walls));
+  for (const Opening& opening : scene.room.openings) model.items.push_back(opening_item(opening, scene.room, model.walls));
+  for (Item& item : model.items) {
+    add_spans(model, item);
+    note_floor_use(item);
+    item.all_states = item.states.size() >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << item.states.size()) - 1;
+  }
+  for (std::size_t i = 0; i < model.items.size(); ++i) {
+    Item& item = model.items[i];
+    item.support_constraint = static_cast<int>(model.constraints.size());
+    model.constraints.push_back(item.is_opening() ? opening_place(model, static_cast<int>(i))
+                                                  : compile_support(model, static_cast<int>(i)));
+    if (!model.headings.empty() && !item.is_opening() && !item.fixed) {
+      item.within_constraint = static_cast<int>(model.constraints.size());
+      model.constraints.push_back(within_walls(model, static_cast<int>(i)));
+    }
+    if (item.is_opening()) {
+      item.clearance_constraint = static_cast<int>(model.constraints.size());
+      model.constraints.push_back(opening_clearance(item));
+    }
+  }
+  set_pair_rules(model);
+  LAYOUTBOX_CHECK(add_relations(model));
+  LAYOUTBOX_CHECK(find_starts(model, options));
+  add_habits(model);
+  add_stays(model);
+  add_differences(model, options.unlike);
+  index_constraints(model);
+  return model;
+}
+
+}  // namespace layoutbox::placement

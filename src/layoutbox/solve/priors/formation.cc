@@ -1,0 +1,111 @@
+#include "layoutbox/solve/priors/formation.h"
+
+#include "layoutbox/solve/compile/phrases.h"
+#include "layoutbox/solve/priors/seating.h"
+
+namespace layoutbox::placement {
+namespace {
+
+constexpr Mm kWayAround = 600;  // left free between a formation and the walls
+constexpr Mm kSeatRoom = 850;   // behind a desk: the chair, and somebody getting up
+constexpr Mm kTucked = 200;     // how far a seat goes under its table
+
+// Gaps wanted between neighbours, along the rows and from row to row.
+std::pair<Mm, Mm> gaps_of(const Item& item) {
+  if (has_knee_room(item)) return item.has_front ? std::pair<Mm, Mm>{500, kSeatRoom} : std::pair<Mm, Mm>{1300, 1300};
+  if (item.thin) return {500, 400};
+  return item.has_front ? std::pair<Mm, Mm>{80, 600} : std::pair<Mm, Mm>{500, 500};
+}
+
+}  // namespace
+
+Formation formation_of(int n, const Size& size, Mm gap_across, Mm gap_deep, Mm room_across, Mm room_deep, int columns) {
+  const auto fitted = [](int count, Mm one, Mm gap, Mm room) -> Mm {  // from middle to middle; 0: does not fit
+    if (count == 1) return one + gap;
+    const Mm most = (room - 2 * kWayAround - one) / (count - 1);
+    return most < one + gap * 6 / 10 ? 0 : std::min(one + gap, most);
+  };
+  Formation best{0, 0, 0};
+  std::int64_t best_price = 0;
+  for (int c = std::max(1, columns); c <= (columns > 0 ? columns : n); ++c) {
+    const int rows = (n + c - 1) / c;
+    const Mm across = fitted(c, size.width, gap_across, room_across), deep = fitted(rows, size.depth, gap_deep, room_deep);
+    if (across == 0 || deep == 0) continue;
+    // Shares of the room that it takes along both should be alike; full rows are better.
+    const std::int64_t w = std::int64_t{1000} * (across * (c - 1) + size.width) / room_across,
+                       d = std::int64_t{1000} * (deep * (rows - 1) + size.depth) / room_deep;
+    const std::int64_t price = std::abs(w - d) + (n % c ? 250 : 0);
+    if (best.columns == 0 || price < best_price) best = {c, across, deep}, best_price = price;
+  }
+  return best;
+}
+
+void add_formation_place(Formula& f, const Model& model, const std::vector<int>& group, int k, int columns, int weight) {
+  const int first = group[0], item = group[k], n = static_cast<int>(group.size());
+  const auto [gap_across, gap_deep] = gaps_of(model.items[first]);
+  const Size& size = model.items[first].states[0].size;
+  const auto add = [&](int row_axis, std::uint64_t states) {
+    const int deep_axis = 1 - row_axis;
+    const Formation form = formation_of(n, size, gap_across, gap_deep, model.room.extent(row_axis), model.room.extent(deep_axis), columns);
+    if (form.columns == 0) return;
+    const int rows = (n + form.columns - 1) / form.columns, row = k / form.columns, column = k % form.columns;
+    Case& c = f.add();
+    if (states) c.when(item, states);
+    const auto wish_at = [&](int axis, std::int64_t twice) {  // twice the way from the room's middle
+      c.wish(mid2(item, axis) - Linear(std::int64_t{model.room.lo[axis]} + model.room.hi[axis] + twice), weight, 2);
+    };
+    wish_at(row_axis, std::int64_t{form.across} * (2 * column - (form.columns - 1)));
+    wish_at(deep_axis, std::int64_t{form.deep} * (2 * row - (rows - 1)));
+  };
+  if (!model.items[first].has_front) return add(0, states_with_width_along(model.items[item], 0));
+  // The places speak of nothing but the item itself, so that they hold whichever of the group comes first.
+  for (const int row_axis : {0, 1}) add(row_axis, states_with_width_along(model.items[item], row_axis));
+}
+
+void add_seat_place(Formula& f, const Model& model, int seat, int table, int k, int n, int weight, bool long_sides) {
+  const Item &chair = model.items[seat], &host = model.items[table];
+  const Size &size = host.states[0].size, &own = chair.states[0].size;
+  Side side = used_side(host);
+  int place = k, places = n;
+  if (!host.has_front && long_sides) {
+    const bool wide = size.width >= size.depth;
+    side = k % 2 == 0 ? (wide ? Side::kFront : Side::kLeft) : wide ? Side::kBack : Side::kRight;
+    place = k / 2, places = k % 2 == 0 ? (n + 1) / 2 : n / 2;
+  } else if (!host.has_front) {
+    const auto ways = seatings(n, size.width, size.depth, own.width, false, 1);
+    if (ways.empty()) return;
+    const Seats& seats = ways[0].first;
+    constexpr std::array kSides{Side::kFront, Side::kBack, Side::kLeft, Side::kRight};
+    int s = 0;
+    while (s < 3 && place >= seats[s]) place -= seats[s++];
+    side = kSides[s], places = std::max(1, seats[s]);
+  }
+  for_each_turn(host, [&](int turn, std::uint64_t states) {
+    if (turn % 90 != 0) return;
+    const Direction d = side_direction(host, side, turn);
+    std::uint64_t facing = 0;
+    for_each_turn(chair, [&](int chair_turn, std::uint64_t chair_states) {
+      if (!chair.has_front || (chair_turn % 90 == 0 && side_direction(chair, Side::kFront, chair_turn) == opposite(d)))
+        facing |= chair_states;
+    });
+    Case& c = f.add().when(table, states);
+    if (facing) c.when(seat, facing);
+    // places · mid2(seat) = 2 · places · lo(table) + (2 · place + 1) · extent(table)
+    c.wish(places * mid2(seat, across(d)) - 2 * places * lo(table, across(d)) - (2 * place + 1) * extent(table, across(d)), weight,
+           2 * places);
+    c.wish(gap_towards(seat, table, d) + Linear(std::min<Mm>(kTucked, own.depth / 2)), weight);
+    c.require(reach(seat, d) - reach(table, d));
+  });
+  if (host.spans < 0 || side != Side::kFront) return;
+  for (const State& state : host.states) {  // before a desk at a slanted wall, looking at it
+    const std::uint64_t states = states_at_angle(host, state.angle, 360), facing = states_at_angle(chair, state.angle + 180, 360);
+    if (is_quarter(state) || !facing || !(states & host.odd_states)) continue;
+    const std::size_t known = f.cases.size();
+    add_beside(f, model, seat, table, side, {.most = 600, .wished_gap = 10, .ref_states = states});
+    for (std::size_t i = known; i < f.cases.size(); ++i) {
+      f.cases[i].when(seat, facing).wishes[0].weight = weight;
+    }
+  }
+}
+
+}  // namespace layoutbox::placement

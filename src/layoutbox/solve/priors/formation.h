@@ -1,0 +1,27 @@
+// Things that come in numbers stand in order: rows of desks, tables of a restaurant, mats; and seats spread over the sides of a table.
+#pragma once
+
+#include <vector>
+
+#include "layoutbox/solve/model/model.h"
+
+namespace layoutbox::placement {
+
+// How many stand side by side, and how far the middles of neighbours are apart along the rows and from row to row.
+struct Formation {
+  int columns = 1;
+  Mm across = 0;
+  Mm deep = 0;
+};
+
+// The formation of n things of that size with at least those gaps that fits the room's shape best; 0 columns where none fits.
+// `room_across` and `room_deep` are the room's extents along and across the rows. `columns` given: it stays.
+Formation formation_of(int n, const Size& size, Mm gap_across, Mm gap_deep, Mm room_across, Mm room_deep, int columns = 0);
+
+// Wishes for the place of group[k] in a formation about the middle of the room, whichever way the first of the group looks.
+void add_formation_place(Formula& f, const Model& model, const std::vector<int>& group, int k, int columns, int weight);
+
+// Wishes for seat k of n at a table used all round (shared out over its sides, or its two long ones), or at the side where a desk is used.
+void add_seat_place(Formula& f, const Model& model, int seat, int table, int k, int n, int weight, bool long_sides = false);
+
+}  // namespace layoutbox::placement

@@ -1,0 +1,155 @@
+// What the catalogue knows of good rooms: who has which habits, and what several of them ask.
+#include <cmath>
+
+#include "layoutbox/solve/priors/habits.h"
+
+namespace layoutbox::placement {
+
+void Habits::add(int index) {
+  const Item& item = model_.items[index];
+  if (item.is_opening()) {
+    open_well(index);
+    return;
+  }
+  if (item.fixed) return;
+  keep_hint(index);
+  switch (item.mount) {
+    case Mount::kCeiling: hang_from_ceiling(index); return;
+    case Mount::kWall: hang_on_wall(index); return;
+    case Mount::kSurface: sit_on_host(index), stand_at_side(index); return;
+    case Mount::kHung: return;
+    case Mount::kFloor: break;
+  }
+  if (item.thin) {
+    if (!placed_by_relation(index) && !stand_in_formation(index)) lie_under(index);
+    return;
+  }
+  stand(index);
+}
+
+void Habits::stand(int index) {
+  const Item& item = model_.items[index];
+  sit_on_host(index);
+  lie_straight(index);
+  if (stand_in_formation(index) || stand_abreast(index)) return;
+  stand_at_side(index);
+  const bool with_host = stand_beside(index);
+  const bool looks = (!with_host || !item.is(Trait::kTableSeat)) && look_at(index);
+  // Nobody sits with the nose to a wall.
+  if (item.is(Trait::kSeat) && !looks && !(with_host && item.is(Trait::kTableSeat))) open_to_room(index);
+  if (item.entry->back_to_wall) {
+    back_to_wall(index, kBackToWall);
+    stand_in_run(index);
+    stand_as_twin(index);
+  } else if (!with_host && !placed_by_relation(index)) {
+    if (used_sides(item).size() >= 4 && !item.is(Trait::kSeat)) {
+      stand_in_middle(index);
+    } else if (item.is(Trait::kSeat) && item.has_front && !looks) {
+      back_to_wall(index, kSeatToWall);
+    } else {
+      stand_at_wall(index);
+    }
+  }
+  if (!item.entry->back_to_wall && item.is(Trait::kOpenToRoom)) open_to_room(index);
+  if (item.is(Trait::kDesk)) near_light(index);
+}
+
+Constraint& Habits::habit(const std::string& what, int item, int weight, Formula formula, std::vector<int> hosts) {
+  Constraint& c = model_.constraints.emplace_back();
+  c.name = what + ": " + model_.items[item].id;
+  c.firmness = Firmness::kSoft;
+  c.weight = weight;
+  c.formulas.push_back(std::move(formula));
+  c.hosts = std::move(hosts);
+  return c;
+}
+
+std::vector<int> Habits::items_of_kinds(const std::vector<std::string>& kinds, int except) const {
+  std::vector<int> found;
+  for (const std::string& kind : kinds) {
+    for (std::size_t i = 0; i < model_.items.size(); ++i) {
+      const int index = static_cast<int>(i);
+      if (index != except && model_.is_a(index, kind) && std::find(found.begin(), found.end(), index) == found.end())
+        found.push_back(index);
+    }
+  }
+  return found;
+}
+
+// The how-manieth of its kind this is.
+int Habits::rank_of(int item) const {
+  int rank = 0;
+  for (int i = 0; i < item; ++i) rank += model_.items[i].entry == model_.items[item].entry;
+  return rank;
+}
+
+// Does a relation of the scene already say how these two stand to each other?
+bool Habits::related(int a, int b) const {
+  const auto has = [](const std::vector<std::string>& ids, const std::string& id) {
+    return std::find(ids.begin(), ids.end(), id) != ids.end();
+  };
+  const std::string &x = model_.items[a].id, &y = model_.items[b].id;
+  return std::any_of(model_.scene->relations.begin(), model_.scene->relations.end(), [&](const Relation& r) {
+    return (has(r.targets, x) && has(r.references, y)) || (has(r.targets, y) && has(r.references, x));
+  });
+}
+
+bool Habits::only_related_by(int a, int b, std::initializer_list<RelationType> types) const {
+  const auto has = [](const std::vector<std::string>& ids, const std::string& id) {
+    return std::find(ids.begin(), ids.end(), id) != ids.end();
+  };
+  const std::string &x = model_.items[a].id, &y = model_.items[b].id;
+  return std::none_of(model_.scene->relations.begin(), model_.scene->relations.end(), [&](const Relation& r) {
+    const bool both = (has(r.targets, x) && has(r.references, y)) || (has(r.targets, y) && has(r.references, x));
+    return both && std::find(types.begin(), types.end(), r.type) == types.end();
+  });
+}
+
+bool Habits::related_as_target(int item, int reference, RelationType type) const {
+  const std::string &x = model_.items[item].id, &y = model_.items[reference].id;
+  return std::any_of(model_.scene->relations.begin(), model_.scene->relations.end(), [&](const Relation& r) {
+    return r.type == type && std::find(r.targets.begin(), r.targets.end(), x) != r.targets.end() &&
+           std::find(r.references.begin(), r.references.end(), y) != r.references.end();
+  });
+}
+
+bool Habits::placed_by_relation(int item) const {
+  return std::any_of(model_.scene->relations.begin(), model_.scene->relations.end(), [&](const Relation& r) {
+    return std::find(r.targets.begin(), r.targets.end(), model_.items[item].id) != r.targets.end();
+  });
+}
+
+void Habits::keep_hint(int item) {
+  const SceneObject& object = *model_.items[item].object;
+  if (!model_.start.empty() && model_.start[item].state >= 0) return;  // an earlier layout says more
+  if (object.hint.rotation_deg) keep_turn(item, *object.hint.rotation_deg);
+  if (!object.hint.position) return;
+  Formula f;
+  Case& c = f.add();
+  for (int axis = 0; axis < 2; ++axis) {
+    c.wish(mid2(item, axis) - Linear(std::lround(2 * (*object.hint.position)[axis])), kHint, 2);
+  }
+  habit("hint", item, kHint, std::move(f));
+}
+
+// The scene's own turn holds before everything that makes rooms good, unless what is asked for says otherwise; it is no part of the score.
+void Habits::keep_turn(int item, double degrees) {
+  const Item& self = model_.items[item];
+  const bool square = self.states[0].size.width == self.states[0].size.depth;
+  std::uint64_t states = 0;
+  for (std::size_t s = 0; s < self.states.size(); ++s) {
+    const double off = std::remainder(self.states[s].angle - degrees, self.has_front ? 360 : square ? 90 : 180);
+    if (std::abs(off) < 0.5) states |= std::uint64_t{1} << s;
+  }
+  if (!states) return;
+  Formula f;
+  f.add().when(item, states);
+  habit("hint of turn", item, kHintOfTurn, std::move(f)).stay = true;
+}
+
+void add_habits(Model& model) {
+  Habits habits(model);
+  for (std::size_t i = 0; i < model.items.size(); ++i) habits.add(static_cast<int>(i));
+}
+
+}  // namespace layoutbox::placement

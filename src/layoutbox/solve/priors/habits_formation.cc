@@ -1,0 +1,177 @@
+// Habits of things that come in numbers.
+#include <cmath>
+
+#include "layoutbox/solve/priors/formation.h"
+#include "layoutbox/solve/priors/habits.h"
+
+namespace layoutbox::placement {
+namespace {
+
+constexpr std::size_t kMany = 4;
+constexpr std::int64_t kManySize = 3'000'000;              // mm²: larger things are no crowd
+constexpr std::int64_t kTableToSitRound = 400'000;         // mm²
+constexpr Mm kBeforeCrowd = 1000;                          // free before the first row, between it and what all look at
+constexpr Mm kTwinAir = 60;                                // between twins besides what stands there
+constexpr int kKeepOff = 300, kInRun = 250, kTwins = 300;  // points a metre
+
+}  // namespace
+
+std::optional<Habits::Group> Habits::formation_with(int item) const {
+  for (const Relation& r : model_.scene->relations) {
+    if (r.type != RelationType::kGrid || std::find(r.targets.begin(), r.targets.end(), model_.items[item].id) == r.targets.end()) continue;
+    Group group{{}, r.parameters.columns.value_or(static_cast<int>(std::ceil(std::sqrt(static_cast<double>(r.targets.size())))))};
+    for (const std::string& id : r.targets) group.members.push_back(model_.find_item(id));
+    return group;
+  }
+  const Item& self = model_.items[item];
+  // What usually stands at a wall and is told where to look, as a class's desks are, stands in rows.
+  const bool at_wall = self.entry->back_to_wall && !told_where_to_look(item);
+  if (self.mount != Mount::kFloor || at_wall || area_of(self) > kManySize) return std::nullopt;
+  if (!self.entry->beside.empty() && !has_knee_room(self)) return std::nullopt;
+  Group group;
+  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+    const int other = static_cast<int>(i);
+    if (model_.items[i].entry == self.entry && !model_.items[i].fixed && !placed_besides_facing(other)) group.members.push_back(other);
+  }
+  // Two tables that one sits round are enough: side by side, turned alike.
+  const std::size_t least = !self.has_front && has_knee_room(self) && area_of(self) >= kTableToSitRound ? 2 : kMany;
+  if (group.members.size() < least || std::find(group.members.begin(), group.members.end(), item) == group.members.end())
+    return std::nullopt;
+  return group;
+}
+
+// Does a relation say which way it looks?
+bool Habits::told_where_to_look(int item) const {
+  return std::any_of(model_.scene->relations.begin(), model_.scene->relations.end(), [&](const Relation& r) {
+    return (r.type == RelationType::kFacing || r.type == RelationType::kSameOrientation) &&
+           std::find(r.targets.begin(), r.targets.end(), model_.items[item].id) != r.targets.end();
+  });
+}
+
+// Does a relation say where it stands, not only which way it looks?
+bool Habits::placed_besides_facing(int item) const {
+  return std::any_of(model_.scene->relations.begin(), model_.scene->relations.end(), [&](const Relation& r) {
+    const bool turns_only =
+        r.type == RelationType::kFacing || r.type == RelationType::kSameOrientation || r.type == RelationType::kParallel;
+    return !turns_only && std::find(r.targets.begin(), r.targets.end(), model_.items[item].id) != r.targets.end();
+  });
+}
+
+void Habits::turn_as(int item, int other) {
+  Formula f;
+  for_each_turn(model_.items[item], [&](int turn, std::uint64_t states) {
+    if (const std::uint64_t same = model_.items[other].states_at(turn)) f.add().when(item, states).when(other, same);
+  });
+  habit("turned alike", item, kFaces, std::move(f), {other});
+}
+
+// What a crowd looks at stands before the middle of it: an altar before the pews, not before one half of them.
+void Habits::stand_before_crowd(int faced) {
+  std::vector<int> crowd;
+  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+    const int other = static_cast<int>(i);
+    if (other == faced || model_.items[i].is_opening()) continue;
+    const std::optional<Group> group = formation_with(other);
+    if (!group) continue;
+    const bool looks = std::any_of(group->members.begin(), group->members.end(),
+                                   [&](int m) { return related_as_target(m, faced, RelationType::kFacing); });
+    if (!looks) continue;
+    crowd = group->members;
+    break;
+  }
+  const std::string name = "before the middle of the crowd";
+  if (crowd.size() < kMany || placed_besides_facing(faced)) return;
+  if (std::any_of(model_.constraints.begin(), model_.constraints.end(), [&](const Constraint& c) { return c.name.starts_with(name); }))
+    return;
+  Formula f;
+  for_each_turn(model_.items[crowd[0]], [&](int turn, std::uint64_t states) {
+    if (turn % 90 != 0) return;
+    const int along = across(side_direction(model_.items[crowd[0]], Side::kFront, turn));
+    const auto n = static_cast<std::int64_t>(crowd.size());
+    Linear off = n * mid2(faced, along);
+    for (const int member : crowd) off = off - mid2(member, along);
+    f.add().when(crowd[0], states).wish(off, kBeside, 2 * n);
+  });
+  habit(name, faced, kBeside, std::move(f), {crowd[0]});
+}
+
+// What a crowd looks at stands clear of its first row.
+void Habits::keep_off_faced(int item) {
+  for (const Relation& r : model_.scene->relations) {
+    if (r.type != RelationType::kFacing || r.references.size() != 1 || !related_as_target(item, model_.find_item(r.references[0]), r.type))
+      continue;
+    const int faced = model_.find_item(r.references[0]);
+    if (faced < 0 || model_.items[faced].is_opening()) continue;
+    stand_before_crowd(faced);
+    if (model_.items[faced].mount != Mount::kFloor) continue;
+    Formula f;
+    for (const int axis : {0, 1}) {
+      for (const int sign : {1, -1}) f.add().require(gap_towards(item, faced, {axis, sign}) - Linear(kBeforeCrowd));
+    }
+    habit("keeps off", item, kKeepOff, std::move(f), {faced});
+    return;
+  }
+}
+
+// Twins with something between them (beds and a nightstand) stand side by side, turned alike, as far apart as that needs.
+void Habits::stand_as_twin(int item) {
+  const Item& self = model_.items[item];
+  for (const Relation& r : model_.scene->relations) {
+    if (r.type != RelationType::kBetween || r.references.size() != 2 || r.targets.empty() || r.references[1] != self.id) continue;
+    const int twin = model_.find_item(r.references[0]), middle = model_.find_item(r.targets[0]);
+    if (twin < 0 || middle < 0 || model_.items[twin].entry != self.entry || !self.entry->back_to_wall) continue;
+    if (model_.items[middle].mount != Mount::kFloor) continue;
+    const Mm apart = model_.items[middle].states[0].size.width + kTwinAir;
+    Formula f;
+    for_each_turn(model_.items[twin], [&](int turn, std::uint64_t states) {
+      const std::uint64_t alike = self.states_at(turn);
+      if (!alike) return;
+      const Direction back = side_direction(self, Side::kBack, turn);
+      for (const Side side : {Side::kLeft, Side::kRight}) {
+        const Linear gap = gap_towards(item, twin, side_direction(self, side, turn));
+        f.add()
+            .when(twin, states)
+            .when(item, alike)
+            .require(gap)
+            .wish(gap - Linear(apart), kTwins)
+            .wish(reach(item, back) - reach(twin, back), kTwins);
+      }
+    });
+    habit("twins", item, kTwins, std::move(f), {twin});
+    return;
+  }
+}
+
+// Kitchen units and machines stand side by side in one run.
+void Habits::stand_in_run(int item) {
+  const auto in_runs = [&](int i) {
+    return model_.items[i].mount == Mount::kFloor && model_.items[i].entry->back_to_wall && model_.items[i].is(Trait::kKitchenRun);
+  };
+  if (!in_runs(item)) return;
+  Formula f;
+  for (int other = 0; other < item; ++other) {
+    if (!in_runs(other)) continue;
+    if (!only_related_by(item, other, {RelationType::kNextTo, RelationType::kNear})) return;  // words say how these two stand
+    for (const Side side : {Side::kLeft, Side::kRight}) add_beside(f, model_, item, other, side, {.most = 100});
+  }
+  if (!f.cases.empty()) habit("in the run", item, kInRun, std::move(f));
+}
+
+bool Habits::stand_in_formation(int item) {
+  const std::optional<Group> group = formation_with(item);
+  if (!group) return false;
+  const int k = static_cast<int>(std::find(group->members.begin(), group->members.end(), item) - group->members.begin());
+  Formula f;
+  add_formation_place(f, model_, group->members, k, group->columns, kFormation);
+  if (f.cases.empty()) return false;
+  habit("in formation", item, kFormation, std::move(f));
+  keep_off_faced(item);
+  if (k == 0) {
+    look_at(item, true);
+  } else if (model_.items[item].has_front) {
+    turn_as(item, group->members[0]);
+  }
+  return true;
+}
+
+}  // namespace layoutbox::placement

@@ -1,0 +1,103 @@
+// Habits of what hangs on walls and from ceilings.
+#include "layoutbox/solve/priors/habits.h"
+
+namespace layoutbox::placement {
+namespace {
+
+constexpr int kHangHeight = 600;  // points a metre
+
+const std::vector<std::string> kUnderPictures{"fireplace", "bed",  "sofa",     "sideboard", "console_table",
+                                              "dresser",   "desk", "tv_stand", "cabinet"};
+const std::vector<std::string> kUnderMirrors{"sink", "vanity", "dresser", "console_table", "sideboard"};
+const std::vector<std::string> kUnderLamps{"dining_table", "kitchen_island", "conference_table", "table", "coffee_table", "bed"};
+
+}  // namespace
+
+void Habits::hang_from_ceiling(int item) {
+  const std::vector<int> below = items_of_kinds(kUnderLamps, item);
+  Formula f;
+  Case& c = f.add();
+  std::vector<int> hosts;
+  if (!below.empty() && !placed_by_relation(item)) hosts.push_back(below[0]);
+  for (int axis = 0; axis < 2; ++axis)
+    c.wish(mid2(item, axis) - (hosts.empty() ? room_mid2(model_, axis) : mid2(hosts[0], axis)), kHangs, 2);
+  habit("hangs", item, kHangs, std::move(f), hosts);
+}
+
+// At its usual height; a curtain at its window, a picture over something, else in the middle of a wall.
+void Habits::hang_on_wall(int item) {
+  const Item& self = model_.items[item];
+  Formula height;
+  const Mm wished = self.entry->hang_height > 0 ? self.entry->hang_height : 1200;
+  height.add().wish(lo(item, 2) - Linear(wished), kHangHeight);
+  habit("height", item, kHangHeight, std::move(height));
+  if (self.curtain) {
+    cover_window(item);
+    return;
+  }
+  if (stand_beside(item)) return;
+  look_at(item);
+  if (placed_by_relation_besides_walls(item)) return;
+  const std::vector<int> under = items_of_kinds(self.is(Trait::kMirror) ? kUnderMirrors : kUnderPictures, item);
+  Formula f;
+  std::vector<int> hosts;
+  if (static_cast<std::size_t>(rank_of(item)) < under.size()) {
+    hosts.push_back(under[rank_of(item)]);
+    for (const RoomWall& wall : model_.walls) {
+      Case& c = f.add().when(item, states_facing(item, wall));
+      c.wish(mid2(item, wall.along) - mid2(hosts[0], wall.along), kHangs, 2);
+      c.wish(mid2(item, wall.normal()) - mid2(hosts[0], wall.normal()), kHangs / 2, 2);
+      c.require(lo(item, 2) - hi(hosts[0], 2) - Linear(120));
+    }
+  } else {
+    for (const RoomWall& wall : model_.walls) {
+      Case& c = f.add().when(item, states_facing(item, wall));
+      wish_middle_of_wall(c, model_, item, wall, kHangs / 4);
+      // The picture cuts away the front and the right wall: hung there, nobody sees it.
+      c.price = wall.turn == 180 || wall.turn == 270 ? 60 : 0;
+    }
+  }
+  habit("hangs", item, kHangs, std::move(f), hosts);
+}
+
+std::uint64_t Habits::states_facing(int item, const RoomWall& wall) const {
+  const std::uint64_t states = states_at_angle(model_.items[item], wall.angle, 360);
+  return states ? states : model_.items[item].all_states;
+}
+
+bool Habits::placed_by_relation_besides_walls(int item) const {
+  return std::any_of(model_.scene->relations.begin(), model_.scene->relations.end(), [&](const Relation& r) {
+    const bool target = std::find(r.targets.begin(), r.targets.end(), model_.items[item].id) != r.targets.end();
+    return target && r.type != RelationType::kOnWall && r.type != RelationType::kAgainstWall;
+  });
+}
+
+void Habits::cover_window(int item) {
+  std::vector<int> windows;
+  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+    if (model_.items[i].is_opening() && model_.items[i].opening->type == OpeningType::kWindow) windows.push_back(static_cast<int>(i));
+  }
+  if (windows.empty()) return;
+  std::vector<int> curtains;
+  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+    if (model_.items[i].curtain && model_.items[i].mount == Mount::kWall) curtains.push_back(static_cast<int>(i));
+  }
+  // Several at one window share its width.
+  const auto rank = std::find(curtains.begin(), curtains.end(), item) - curtains.begin();
+  const auto count = static_cast<std::ptrdiff_t>(windows.size());
+  const int window = windows[static_cast<std::size_t>(rank % count)];
+  const auto k = rank / count, sharing = (static_cast<std::ptrdiff_t>(curtains.size()) - rank % count + count - 1) / count;
+  const Linear aside(std::int64_t{2 * k - (sharing - 1)} * model_.items[item].states[0].size.width);
+  Formula f;
+  for_each_turn(model_.items[window], [&](int turn, std::uint64_t states) {
+    Case& c = f.add().when(window, states).when(item, model_.items[item].states_at(turn));
+    const int along = across(side_direction(model_.items[window], Side::kFront, turn));
+    for (int axis = 0; axis < 2; ++axis) {
+      const Linear off = mid2(item, axis) - mid2(window, axis);
+      c.wish(axis == along ? off - aside : off, kCurtain, 2);
+    }
+  });
+  habit("at its window", item, kCurtain, std::move(f), {window});
+}
+
+}  // namespace layoutbox::placement

@@ -1,0 +1,147 @@
+// Habits of what stands on something else.
+#include <algorithm>
+
+#include "layoutbox/solve/priors/habits.h"
+
+namespace layoutbox::placement {
+namespace {
+
+constexpr Mm kFromBack = 40;    // from the back of a desk to what stands there
+constexpr Mm kFromEdge = 60;    // from the used edge of a desk to the keyboard
+constexpr Mm kBesideKeys = 40;  // from the keyboard to the mouse
+constexpr int kAtHand = 80, kSpot = 40;
+
+}  // namespace
+
+// What stands on something looks the way that looks; screens stand in its middle, the rest is spread over it.
+void Habits::sit_on_host(int item) {
+  const Item& self = model_.items[item];
+  const bool screen = self.is(Trait::kScreen);
+  for (const SupportOption& support : self.supports) {
+    if (support.kind != SupportOption::Kind::kItem) continue;
+    const Item& host = model_.items[support.index];
+    const std::optional<Spot> spot = screen ? spot_of_screen(item, support.index) : spot_on(item, support.index);
+    const int user = self.is(Trait::kMonitor) ? seat_told_to_be_at(support.index, rank_of(item)) : -1;
+    if (user >= 0) look_at_user(item, user);
+    Formula f;
+    for_each_turn(host, [&](int turn, std::uint64_t states) {
+      Case& c = f.add().when(support.index, states);
+      const bool towards_seat = screen && used_side(host) == Side::kBack;
+      if (self.has_front && user < 0) c.when(item, self.states_at((turn + (towards_seat ? 180 : 0)) % 360));
+      const Direction back = side_direction(host, Side::kBack, turn), right = side_direction(host, Side::kRight, turn);
+      const auto off = [&](Direction d, std::int64_t place2) {
+        return mid2(item, d.axis) - mid2(support.index, d.axis) - Linear(d.sign * place2);
+      };
+      if (spot) c.wish(off(right, spot->right2), screen ? 80 : kSpot, 2);
+      if (spot && spot->back2) {
+        c.wish(off(back, *spot->back2), kSpot, 2);
+      } else if (host.has_front) {
+        c.wish(reach(item, back) - reach(support.index, back) + Linear(kFromBack), screen ? 60 : 25);
+      }
+    });
+    if (!lie_at_hand(item, support.index)) habit("sits", item, kSits, std::move(f));
+    return;
+  }
+}
+
+// Is it the words "on" or "in" that alone say where on its host something is?
+bool Habits::lies_free(int item, int host) const {
+  const std::string& id = model_.items[item].id;
+  return rests_on(item, host) && !model_.items[item].is(Trait::kScreen) &&
+         std::ranges::none_of(model_.scene->relations, [&](const Relation& r) {
+           if (std::ranges::find(r.targets, id) == r.targets.end()) return false;
+           const RelationParameters& p = r.parameters;
+           return (r.type != RelationType::kOn && r.type != RelationType::kIn) || !p.part.empty() || !p.edge.empty() || !p.region.empty();
+         });
+}
+
+// What lies free on one thing is spread over it in rows, in the order of the words, one thing alone in the middle; what is placed by its
+// neighbours goes with these. At the back of what is deep and has a front; nothing where there are too many for even rows.
+std::optional<Habits::Spot> Habits::spot_on(int item, int host) const {
+  constexpr Mm kApart = 30, kDeep = 500;
+  if (!lies_free(item, host)) return {};
+  const Item& below = model_.items[host];
+  Mm widest = 0;
+  std::int64_t before = 0, all = 0;
+  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+    if (!lies_free(static_cast<int>(i), host)) continue;
+    const Size& size = model_.items[i].states[0].size;
+    widest = std::max({widest, size.width, size.depth});
+    before += static_cast<int>(i) < item;
+    ++all;
+  }
+  const Size& top = below.states[0].size;
+  const bool across = below.has_front || top.width >= top.depth;  // rows run along the width
+  const Mm length = across ? top.width : top.depth, breadth = across ? top.depth : top.width;
+  const std::int64_t in_row = std::clamp<std::int64_t>(length / (widest + kApart), 1, all), rows = (all + in_row - 1) / in_row;
+  if (rows > 1 && rows * (widest + kApart) > breadth) return {};
+  const std::int64_t columns = (all + rows - 1) / rows, row = before / columns, column = before % columns;
+  const std::int64_t here = row + 1 < rows ? columns : all - row * columns;  // in this row
+  const std::int64_t along = (2 * column + 1 - here) * length / columns, away = (rows - 1 - 2 * row) * breadth / rows;
+  if (!across) return Spot{away, along};
+  if (rows == 1 && below.has_front && top.depth > kDeep) return Spot{along, {}};
+  return Spot{along, away};
+}
+
+// Screens on one desk stand side by side; one alone on something small in its middle.
+Habits::Spot Habits::spot_of_screen(int item, int host) const {
+  constexpr Mm kApart = 20;
+  std::int64_t riders = 0, screens = 0, before = 0;
+  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+    if (!rests_on(static_cast<int>(i), host)) continue;
+    ++riders;
+    if (model_.items[i].entry != model_.items[item].entry) continue;
+    before += static_cast<int>(i) < item;
+    ++screens;
+  }
+  const Mm width = model_.items[item].states[0].size.width, has = model_.items[host].states[0].size.width, pitch = width + kApart;
+  if (riders == 1 && has < 3 * width) return {0, 0};
+  if (screens * pitch > has + kApart) return {};
+  return {(2 * before - (screens - 1)) * pitch, {}};
+}
+
+bool Habits::rests_on(int item, int host) const {
+  const std::vector<SupportOption>& supports = model_.items[item].supports;
+  return std::any_of(supports.begin(), supports.end(),
+                     [&](const SupportOption& s) { return s.kind == SupportOption::Kind::kItem && s.index == host; });
+}
+
+// The first such thing that stands on the host, or -1.
+int Habits::rider_that_is(Trait trait, int host) const {
+  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+    if (model_.items[i].is(trait) && rests_on(static_cast<int>(i), host)) return static_cast<int>(i);
+  }
+  return -1;
+}
+
+// A keyboard lies at the used edge of its desk before the screen, a mouse to the right of the keyboard. False: it is neither.
+bool Habits::lie_at_hand(int item, int host) {
+  const bool mouse = model_.items[item].is(Trait::kMouse);
+  if (!mouse && !model_.items[item].is(Trait::kKeyboard)) return false;
+  const Item& desk = model_.items[host];
+  if (!desk.has_front) return false;
+  const Side used = used_side(desk) == Side::kBack ? Side::kBack : Side::kFront;
+  const int keys = mouse ? rider_that_is(Trait::kKeyboard, host) : -1, screen = rider_that_is(Trait::kMonitor, host);
+  Formula f;
+  for_each_turn(desk, [&](int turn, std::uint64_t states) {
+    if (turn % 90 != 0) return;
+    const Direction edge = side_direction(desk, used, turn);
+    const Direction right = side_direction(desk, used == Side::kBack ? Side::kLeft : Side::kRight, turn);
+    Case& c = f.add().when(host, states);
+    c.when(item, model_.items[item].states_at((turn + (used == Side::kBack ? 180 : 0)) % 360));
+    c.wish(reach(item, edge) - reach(host, edge) + Linear(kFromEdge), kAtHand);
+    if (keys >= 0) {
+      c.wish(gap_towards(item, keys, right) - Linear(kBesideKeys), kAtHand);
+    } else {
+      const int before = screen >= 0 ? screen : host;
+      c.wish(mid2(item, right.axis) - mid2(before, right.axis) - Linear(mouse ? right.sign * 500 : 0), kAtHand, 2);
+    }
+  });
+  habit("at hand", item, kSits, std::move(f),
+        keys >= 0     ? std::vector<int>{keys}
+        : screen >= 0 ? std::vector<int>{screen}
+                      : std::vector<int>{});
+  return true;
+}
+
+}  // namespace layoutbox::placement

@@ -1,0 +1,132 @@
+// Habits of seats at desks, tables and counters, and what a relation leaves open between things that belong together.
+#include "layoutbox/solve/priors/formation.h"
+#include "layoutbox/solve/priors/habits.h"
+
+namespace layoutbox::placement {
+namespace {
+
+// What says how things are turned, and not where they stand.
+constexpr std::initializer_list<RelationType> kLooks{RelationType::kFacing, RelationType::kParallel, RelationType::kSameOrientation};
+
+}  // namespace
+
+bool Habits::only_turned_by(int item, int host) const { return only_related_by(item, host, kLooks); }
+
+bool Habits::only_near(int item, int host) const {
+  return only_related_by(item, host, {RelationType::kNear, RelationType::kFacing, RelationType::kParallel, RelationType::kSameOrientation});
+}
+
+// Do the relations between these two only say that it is by the host, so that it may stand where its kind usually does? "Near the desk"
+// a chair stands before it; "to the left of the bed" a nightstand stands beside the pillow.
+bool Habits::leaves_usual_place(int item, int host) const {
+  using R = RelationType;
+  const Item& self = model_.items[item];
+  if (self.is(Trait::kEasySeat) || model_.items[host].is_opening()) return false;
+  if (self.is(Trait::kTableSeat) || before_its_host(item))
+    return only_related_by(item, host, {R::kNear, R::kNextTo, R::kFacing, R::kParallel, R::kSameOrientation});
+  return only_related_by(item, host,
+                         {R::kNear, R::kNextTo, R::kLeftOf, R::kRightOf, R::kEachSideOf, R::kFacing, R::kParallel, R::kSameOrientation});
+}
+
+// What a relation leaves open between things that belong together: a chair stands close to its desk, a bench along the bed's foot.
+void Habits::come_near(int item, int host) {
+  const Item &self = model_.items[item], &ref = model_.items[host];
+  const bool at_desk = self.is(Trait::kTableSeat) && has_knee_room(ref) && ref.has_front && used_side(ref) == Side::kFront &&
+                       only_related_by(item, host, {RelationType::kInFrontOf, RelationType::kFacing, RelationType::kCenteredOn});
+  const bool at_foot = only_related_by(item, host, {RelationType::kAtFootOf, RelationType::kParallel});
+  const bool before =
+      before_its_host(item) && ref.has_front && only_related_by(item, host, {RelationType::kInFrontOf, RelationType::kCenteredOn});
+  if (!at_desk && !at_foot && !before) return;
+  Formula f;
+  for_each_turn(ref, [&](int turn, std::uint64_t states) {
+    if (turn % 90 != 0) return;
+    const Direction front = side_direction(ref, Side::kFront, turn);
+    Case& c = f.add().when(host, states).wish(gap_towards(item, host, front) - Linear(before ? 400 : at_foot ? 50 : 10), kBeside);
+    if (at_foot || before) c.when(item, states_with_width_along(self, across(front)));
+  });
+  if (ref.spans >= 0 && ref.odd_states != 0) {
+    const std::size_t known = f.cases.size();
+    const Mm wished = before ? 400 : at_foot ? 50 : 10;
+    add_beside(f, model_, item, host, Side::kFront, {.most = 1500, .wished_gap = wished, .ref_states = ref.odd_states});
+    for (std::size_t i = known; i < f.cases.size(); ++i) f.cases[i].wishes[0].weight = kBeside;
+  }
+  habit("near", item, kBeside, std::move(f), {host});
+}
+
+// A seat told to stand somewhere by its desk or table looks at it, where nothing is said of that.
+void Habits::sit_facing(int item, int host) {
+  const Item& self = model_.items[item];
+  if (!self.is(Trait::kTableSeat) || !self.has_front || model_.items[host].is_opening()) return;
+  const bool told = std::any_of(model_.scene->relations.begin(), model_.scene->relations.end(), [&](const Relation& r) {
+    const bool turns = std::find(kLooks.begin(), kLooks.end(), r.type) != kLooks.end() || r.type == RelationType::kAround ||
+                       r.type == RelationType::kSurround || r.type == RelationType::kTuckedUnder || r.type == RelationType::kOpposite;
+    return turns && std::find(r.targets.begin(), r.targets.end(), self.id) != r.targets.end();
+  });
+  if (told) return;
+  Formula f;
+  add_looks_at(f, model_, item, host);
+  habit("faces", item, kFaces, std::move(f), {host});
+}
+
+bool Habits::told_short_side(int item, int host) const {
+  const auto names = [](const std::vector<std::string>& ids, const std::string& id) {
+    return std::find(ids.begin(), ids.end(), id) != ids.end();
+  };
+  return std::any_of(model_.scene->relations.begin(), model_.scene->relations.end(), [&](const Relation& r) {
+    return r.type == RelationType::kAlongSide && names(r.targets, model_.items[item].id) && names(r.references, model_.items[host].id) &&
+           r.parameters.side.value_or(Side::kLong) != Side::kLong;
+  });
+}
+
+// Several seats before a counter or a long desk share its width out. False: it is the only one.
+bool Habits::sit_in_row(int item, int host, RelationType how) {
+  const std::initializer_list<RelationType> in_front{how, RelationType::kFacing, RelationType::kCenteredOn};
+  const bool along = how == RelationType::kAlongSide;
+  if (!model_.items[item].is(Trait::kTableSeat) || (!along && !model_.items[host].has_front)) return false;
+  std::vector<int> seats;
+  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+    const int other = static_cast<int>(i);
+    if (model_.items[i].entry == model_.items[item].entry && related_as_target(other, host, how) &&
+        only_related_by(other, host, in_front) && !(along && told_short_side(other, host)))
+      seats.push_back(other);
+  }
+  const auto k = std::find(seats.begin(), seats.end(), item) - seats.begin();
+  if (seats.size() < 2 || k == static_cast<std::ptrdiff_t>(seats.size())) return false;
+  Formula f;
+  add_seat_place(f, model_, item, host, static_cast<int>(k), static_cast<int>(seats.size()), kBeside, along);
+  habit("in a row before it", item, kBeside, std::move(f), {host});
+  return true;
+}
+
+// All of the item's kind that no relation ties to the host and that share it.
+std::vector<int> Habits::seats_at(int item, int host, int hosts) const {
+  std::vector<int> seats;
+  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+    const int other = static_cast<int>(i);
+    const bool alike = model_.items[i].entry == model_.items[item].entry && rank_of(other) % hosts == rank_of(item) % hosts;
+    if (other == item || (alike && (!related(other, host) || leaves_usual_place(other, host)))) seats.push_back(other);
+  }
+  return seats;
+}
+
+// The seat that words put by it; of several each has its screen.
+int Habits::seat_told_to_be_at(int host, int rank) const {
+  std::vector<int> seats;
+  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+    const int other = static_cast<int>(i);
+    if (other != host && model_.items[i].is(Trait::kTableSeat) && model_.items[i].has_front && related(other, host)) seats.push_back(other);
+  }
+  return seats.empty() ? -1 : seats[static_cast<std::size_t>(rank) % seats.size()];
+}
+
+// A screen looks at who sits before it, whichever side of the desk that is.
+void Habits::look_at_user(int item, int user) {
+  Formula f;
+  for_each_turn(model_.items[user], [&](int turn, std::uint64_t states) {
+    const int square = turn / 90 * 90;
+    if (const std::uint64_t facing = model_.items[item].states_at((square + 180) % 360)) f.add().when(user, states).when(item, facing);
+  });
+  if (!f.cases.empty()) habit("looks at its user", item, kFaces, std::move(f), {user});
+}
+
+}  // namespace layoutbox::placement

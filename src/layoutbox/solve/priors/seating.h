@@ -1,0 +1,20 @@
+// Who sits where round a table: how many at each side, and where along it.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "layoutbox/solve/compile/compile.h"
+
+namespace layoutbox::placement {
+
+// Seats at the front, back, left and right of a table.
+using Seats = std::array<int, 4>;
+
+// The ways to seat n things `seat_width` wide at a table of that size, the most even first; at most `limit`.
+std::vector<std::pair<Seats, int>> seatings(int n, Mm width, Mm depth, Mm seat_width, bool circle, std::size_t limit = 10);
+
+// Adds "the targets stand around r": one case per seating and turn of r.
+void add_seating(Compilation& c, int r, Mm most, bool circle);
+
+}  // namespace layoutbox::placement

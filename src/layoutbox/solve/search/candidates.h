@@ -1,0 +1,69 @@
+// Where one item could go while everything else stays: the regions that the formulas leave, cut at the coordinates that matter (ends
+// of the region, what the wishes ask for, beside what already stands), legal ones only, cheapest first.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "layoutbox/solve/objective/access.h"
+#include "layoutbox/solve/search/budget.h"
+#include "layoutbox/solve/search/candidate_grid.h"
+#include "layoutbox/solve/search/obstacles.h"
+#include "layoutbox/solve/search/region.h"
+
+namespace layoutbox::placement {
+
+struct Candidate {
+  Placement placement;
+  std::int64_t cost = 0;  // thousandths of a point, of what touches the item
+  std::vector<int> hit;   // with eject_price: the items it collides with
+};
+
+struct CandidateOptions {
+  std::size_t most = 1;
+  bool first_legal = false;                                // the first legal one will do
+  bool diverse = false;                                    // the best of every column and row rather than `most` alike
+  const std::vector<std::int64_t>* eject_price = nullptr;  // collisions are allowed at these prices by item; less than 0: never
+  std::int64_t noise = 0;                                  // up to this much is added to a cost at random
+  Random* random = nullptr;                                // REQUIRES: set where noise > 0
+  int most_size_step = 0;
+};
+
+class CandidateFinder {
+ public:
+  // `given_up`: by constraint index; those need not hold.
+  CandidateFinder(const Model& model, std::vector<char> given_up);
+  // By item: not there at all; what speaks of them cannot hold.
+  void leave_out(const std::vector<char>& items) { regions_.leave_out(items); }
+
+  // The item itself is taken as not placed.
+  std::vector<Candidate> find(const Placements& placements, int item, const CandidateOptions& options, Budget& budget);
+
+  // Collides with nothing placed, and lies in the room.
+  bool legal(const Placements& placements, int item, const Placement& placement) const;
+
+  // What it collides with; false: the room's edge or what is not to be ejected.
+  bool collisions(const Placements& placements, int item, const Placement& placement, const std::vector<std::int64_t>& price,
+                  std::vector<int>& hit) const;
+
+  bool enforced(int constraint) const { return regions_.enforced(constraint); }
+
+ private:
+  void find_soft(const Placements& placements, int item, int state);
+  void cut(const Placements& placements, int item, int state, const Region& region, CandidateGrid& grid) const;
+  std::vector<Point> crossings(const Placements& placements, int item, int state, const Region& region,
+                               const std::array<std::vector<Mm>, 3>& grid, Budget& budget) const;
+  std::int64_t cost_at(const Region& region, const Vec3& at) const;
+  bool pushes(const Vec3& at, const std::vector<std::int64_t>& price, std::vector<int>& hit) const;
+  std::int64_t swing_cost(const Placements& placements, int opening, const Placement& placement);
+
+  const Model& model_;
+  RegionFinder regions_;
+  Obstacles obstacles_;
+  AccessProbe access_;
+  Placements probe_;  // the placements, with the item tried
+  std::vector<SoftFormula> soft_pool_;
+  std::span<const SoftFormula> soft_;  // those of the item at hand
+};
+
+}  // namespace layoutbox::placement

@@ -1,0 +1,112 @@
+#include "layoutbox/solve/search/order.h"
+
+#include <functional>
+#include <tuple>
+
+namespace layoutbox::placement {
+namespace {
+
+std::vector<int> hosts_of(const Model& model, int item) {
+  std::vector<int> found;
+  const auto add = [&](int other) {
+    if (other != item && other >= 0 && std::find(found.begin(), found.end(), other) == found.end()) found.push_back(other);
+  };
+  for (const SupportOption& support : model.items[item].supports) {
+    if (support.kind == SupportOption::Kind::kItem || support.kind == SupportOption::Kind::kSill) add(support.index);
+  }
+  for (const int c : model.touching[item]) {
+    const Constraint& constraint = model.constraints[c];
+    for (const int other : constraint.hosts) add(other);
+    if (constraint.relation < 0) continue;
+    const Relation& relation = model.scene->relations[constraint.relation];
+    if (std::find(relation.targets.begin(), relation.targets.end(), model.items[item].id) == relation.targets.end()) continue;
+    for (const std::string& id : relation.references) add(model.find_item(id));
+  }
+  return found;
+}
+
+// Hard relations that tie an item to things of another kind: of a row or grid, those go first and the others follow them.
+int anchors_of(const Model& model, int item) {
+  int anchors = 0;
+  for (const int c : model.touching[item]) {
+    const Constraint& constraint = model.constraints[c];
+    if (constraint.relation < 0 || constraint.firmness != Firmness::kHard) continue;
+    const Relation& relation = model.scene->relations[constraint.relation];
+    if (std::find(relation.targets.begin(), relation.targets.end(), model.items[item].id) == relation.targets.end()) continue;
+    anchors += std::any_of(relation.references.begin(), relation.references.end(), [&](const std::string& id) {
+      const int other = model.find_item(id);
+      return other >= 0 && model.items[other].entry != model.items[item].entry;
+    });
+  }
+  return anchors;
+}
+
+}  // namespace
+
+bool stays(const Item& item) { return item.fixed || item.locked || (item.is_opening() && item.opening->offset); }
+
+Dependencies::Dependencies(const Model& model) : hosts(model.items.size()), tenants(model.items.size()) {
+  for (std::size_t i = 0; i < model.items.size(); ++i) {
+    hosts[i] = hosts_of(model, static_cast<int>(i));
+    for (const int host : hosts[i]) tenants[host].push_back(static_cast<int>(i));
+  }
+}
+
+std::vector<int> placing_order(const Model& model, const Dependencies& dependencies, const std::vector<char>& left_out,
+                               const std::vector<int>& bonus) {
+  struct Key {
+    int item, bonus, group, anchors;
+    std::int64_t area;
+  };
+  std::vector<Key> keys;
+  for (std::size_t i = 0; i < model.items.size(); ++i) {
+    const Item& item = model.items[i];
+    if (left_out[i]) continue;
+    Key key{static_cast<int>(i), bonus[i], 3, anchors_of(model, static_cast<int>(i)), 0};
+    const Vec3& e = item.states[0].extent;
+    key.area = std::int64_t{e[0]} * e[1];
+    bool at_wall_by_relation = false;
+    for (const int c : model.touching[i]) {
+      const Constraint& constraint = model.constraints[c];
+      if (constraint.relation < 0 || constraint.firmness != Firmness::kHard) continue;
+      at_wall_by_relation |= relation_row(model.scene->relations[constraint.relation].type).group == RelationGroup::kRoomGroup;
+    }
+    if (stays(item)) {
+      key.group = 0;
+    } else if (at_wall_by_relation && item.mount == Mount::kFloor) {
+      key.group = 1;
+    } else if (item.is_opening()) {
+      key.group = 2;
+    } else if (item.thin) {
+      key.group = 5;
+    } else if (item.mount != Mount::kFloor) {
+      key.group = 4;
+    }
+    keys.push_back(key);
+  }
+  std::stable_sort(keys.begin(), keys.end(), [](const Key& a, const Key& b) {
+    return std::tuple(a.group != 0, -a.bonus, a.group, -a.area, -a.anchors, a.item) <
+           std::tuple(b.group != 0, -b.bonus, b.group, -b.area, -b.anchors, b.item);
+  });
+  std::vector<int> out;
+  std::vector<char> seen(model.items.size(), 0);
+  const std::function<void(int)> emit = [&](int item) {
+    if (seen[item] || left_out[item]) return;
+    seen[item] = 1;
+    for (const int other : dependencies.hosts[item]) emit(other);
+    out.push_back(item);
+  };
+  for (const Key& key : keys) emit(key.item);
+  return out;
+}
+
+void group_of(const Dependencies& dependencies, const Placements& placements, int item, std::vector<int>& group) {
+  group.assign(1, item);
+  for (std::size_t i = 0; i < group.size(); ++i) {
+    for (const int tenant : dependencies.tenants[group[i]]) {
+      if (placements[tenant].state >= 0 && std::find(group.begin(), group.end(), tenant) == group.end()) group.push_back(tenant);
+    }
+  }
+}
+
+}  // namespace layoutbox::placement

@@ -1,0 +1,26 @@
+// Which item refers to which, and in what order they are placed: hosts before what refers to them.
+#pragma once
+
+#include <vector>
+
+#include "layoutbox/solve/model/model.h"
+
+namespace layoutbox::placement {
+
+// Nobody moves it: fixed, locked, or an opening whose place the scene gives.
+bool stays(const Item& item);
+
+struct Dependencies {
+  explicit Dependencies(const Model& model);
+  std::vector<std::vector<int>> hosts;    // item → items it refers to
+  std::vector<std::vector<int>> tenants;  // item → items that refer to it
+};
+
+// Fixed ones, then the ones with the most `bonus`, what a relation ties to a wall, openings, the rest by size, things on things, rugs.
+std::vector<int> placing_order(const Model& model, const Dependencies& dependencies, const std::vector<char>& left_out,
+                               const std::vector<int>& bonus);
+
+// The item and everything placed that hangs on it, hosts first.
+void group_of(const Dependencies& dependencies, const Placements& placements, int item, std::vector<int>& group);
+
+}  // namespace layoutbox::placement

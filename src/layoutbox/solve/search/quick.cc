@@ -1,0 +1,296 @@
+#include "layoutbox/solve/search/quick.h"
+
+namespace layoutbox::placement {
+namespace {
+
+constexpr int kPushesPerItem = 3, kPushesMore = 20, kLongerBy = 2;
+constexpr int kTriesWhereWatched = 8;
+constexpr std::size_t kMostCoordinates = 14;
+
+constexpr std::int64_t kSlice = 1'000'000;  // steps
+
+// 1, 1, 2, 1, 1, 2, 4, 1, …: of searches whose time has a long tail these lengths are nearly as good as the best that could be chosen.
+std::int64_t luby(std::int64_t index) {
+  std::int64_t size = 1, power = 0;
+  while (size < index + 1) size = 2 * size + 1, ++power;
+  while (size - 1 != index) {
+    size = (size - 1) / 2, --power;
+    index %= size;
+  }
+  return std::int64_t{1} << power;
+}
+
+bool same_body(const State& a, const State& b) {
+  return a.size_step == b.size_step && is_quarter(a) && is_quarter(b) && a.extent == b.extent && a.constants == b.constants &&
+         a.solids == b.solids && a.clear == b.clear;
+}
+
+// By state the set of those that cannot be told from it by room taken or by anything that must hold.
+std::vector<std::uint64_t> alike_states(const Model& model, const RegionFinder& regions, int item) {
+  const std::vector<State>& states = model.items[item].states;
+  std::vector<std::uint64_t> alike(states.size(), 0), masks;
+  for (const int c : model.touching[item]) {
+    if (!regions.enforced(c)) continue;
+    for (const Formula& formula : model.constraints[c].formulas) {
+      for (const Case& one : formula.cases) {
+        for (const StateLiteral& literal : one.states) {
+          if (literal.item == item) masks.push_back(literal.states);
+        }
+      }
+    }
+  }
+  const auto told_apart = [&](std::size_t a, std::size_t b) {
+    return std::any_of(masks.begin(), masks.end(), [&](std::uint64_t mask) { return ((mask >> a ^ mask >> b) & 1) != 0; });
+  };
+  for (std::size_t a = 0; a < states.size(); ++a) {
+    for (std::size_t b = 0; b < states.size(); ++b) {
+      if (a == b || (same_body(states[a], states[b]) && !told_apart(a, b))) alike[a] |= std::uint64_t{1} << b;
+    }
+  }
+  return alike;
+}
+
+}  // namespace
+
+QuickSearch::QuickSearch(const Model& model, const Dependencies& dependencies, std::vector<char> given_up, std::uint64_t seed,
+                         int most_size_step)
+    : model_(model),
+      dependencies_(dependencies),
+      regions_(model, std::move(given_up), most_size_step),
+      random_(seed),
+      most_size_step_(most_size_step),
+      weight_(model.items.size(), 0),
+      obstacles_(model, regions_) {
+  for (std::size_t i = 0; i < model.items.size(); ++i) alike_.push_back(alike_states(model, regions_, static_cast<int>(i)));
+}
+
+bool QuickSearch::complete(Placements& placements, const std::vector<char>& left_out, Budget& budget) {
+  regions_.leave_out(left_out);
+  regions_.watch(&budget);
+  Placements best = placements;
+  std::size_t least = model_.items.size() + 1;
+  std::int64_t slice = budget.steps + 2 * kSlice;
+  for (std::int64_t slices = 0; !budget.spent();) {
+    if (budget.steps > slice) {  // what has been learned leads nowhere: once more from nothing
+      slice = budget.steps + kSlice * luby(slices++);
+      std::fill(weight_.begin(), weight_.end(), 0);
+      attempts_ = 0;
+    }
+    placements_ = placements;
+    std::vector<int> pending = placing_order(model_, dependencies_, left_out, weight_);
+    std::erase_if(pending, [&](int item) { return placements_[item].state >= 0; });
+    std::reverse(pending.begin(), pending.end());  // the next is taken from the end
+    const bool all = attempt(left_out, std::move(pending), budget);
+    if (all || failed_.size() < least) best = placements_, least = failed_.size();
+    if (all) break;
+  }
+  placements = std::move(best);
+  failed_.clear();
+  for (std::size_t i = 0; i < placements.size(); ++i) {
+    if (!left_out[i] && placements[i].state < 0) failed_.push_back(static_cast<int>(i));
+  }
+  return failed_.empty();
+}
+
+// The last one whose hosts have their places.
+int QuickSearch::next_of(std::vector<int>& pending) const {
+  std::size_t at = pending.size() - 1;
+  for (std::size_t i = pending.size(); i-- > 0;) {
+    const auto& hosts = dependencies_.hosts[pending[i]];
+    const auto waits = [&](int host) { return std::find(pending.begin(), pending.end(), host) != pending.end(); };
+    if (std::any_of(hosts.begin(), hosts.end(), waits)) continue;
+    at = i;
+    break;
+  }
+  const int item = pending[at];
+  pending.erase(pending.begin() + static_cast<std::ptrdiff_t>(at));
+  return item;
+}
+
+bool QuickSearch::attempt(const std::vector<char>& left_out, std::vector<int> pending, Budget& budget) {
+  // Later attempts are longer.
+  const int limit = (kPushesPerItem * static_cast<int>(model_.items.size()) + kPushesMore) * (kLongerBy + attempts_++) / kLongerBy;
+  int pushes = 0;
+  while (!pending.empty() && pushes < limit && !budget.spent()) {
+    const int item = next_of(pending);
+    if (settle(item, budget)) continue;
+    ++weight_[item], ++pushes;
+    if (push_out(item, pending, budget) || take_hosts(item, pending)) continue;
+    pending.push_back(item);
+    break;
+  }
+  failed_.clear();
+  for (std::size_t i = 0; i < placements_.size(); ++i) {
+    if (!left_out[i] && placements_[i].state < 0) failed_.push_back(static_cast<int>(i));
+  }
+  return failed_.empty();
+}
+
+// Of states that differ in nothing the search sees one will do, now this one, now that.
+const std::vector<int>& QuickSearch::states_in_turn(int item) {
+  const std::vector<State>& states = model_.items[item].states;
+  turns_.clear();
+  const auto first = static_cast<std::size_t>(random_.below(static_cast<std::int64_t>(states.size())));
+  std::uint64_t seen = 0;
+  for (std::size_t k = 0; k < states.size(); ++k) {
+    const auto s = static_cast<int>((first + k) % states.size());
+    if (states[s].size_step > most_size_step_ || (seen & alike_[item][s]) != 0) continue;
+    seen |= std::uint64_t{1} << s;
+    const auto nearer = [&](int a, int b) { return states[a].size_step < states[b].size_step; };
+    turns_.insert(std::upper_bound(turns_.begin(), turns_.end(), s, nearer), s);
+  }
+  return turns_;
+}
+
+// Now and then a place that a sweep from the corners never comes to, for what has failed before or what hangs on it.
+bool QuickSearch::somewhere(const Region& region, Vec3& at) {
+  if (random_.below(2) == 0) return false;
+  for (int k = 0; k < 3; ++k) at[k] = region.lo[k] + static_cast<Mm>(random_.below(std::int64_t{region.hi[k]} - region.lo[k] + 1));
+  return obstacles_.is_free(at) && holds_at(region, at);
+}
+
+// Where what hangs on it and has failed before finds a place too, if a few tries come to such a place.
+bool QuickSearch::settle(int item, Budget& budget) {
+  const auto waits = [&](int tenant) { return weight_[tenant] > 0 && placements_[tenant].state < 0; };
+  std::vector<int> watched;
+  std::copy_if(dependencies_.tenants[item].begin(), dependencies_.tenants[item].end(), std::back_inserter(watched), waits);
+  for (int tries = watched.empty() ? 1 : kTriesWhereWatched; tries > 0; --tries) {
+    if (!settle_once(item, budget)) return false;
+    const auto fits = [&](int tenant) {
+      const bool found = settle_once(tenant, budget);
+      placements_[tenant] = {};
+      return found;
+    };
+    if (tries == 1 || std::all_of(watched.begin(), watched.end(), fits)) return true;
+    placements_[item] = {};
+  }
+  return true;
+}
+
+// The first free position of a sweep from one of the region's corners.
+bool QuickSearch::settle_once(int item, Budget& budget) {
+  const auto& tenants = dependencies_.tenants[item];
+  const bool failed_before = weight_[item] > 0 || std::any_of(tenants.begin(), tenants.end(), [&](int t) { return weight_[t] > 0; });
+  const Obstacles::Sweep how{static_cast<int>(random_.below(2)), {random_.below(2) == 0, random_.below(2) == 0}};
+  for (const int state : states_in_turn(item)) {
+    const std::vector<Region>& regions = regions_.find(placements_, item, state, false);
+    budget.count(40);
+    for (const Region& region : regions) {
+      Vec3 at;
+      obstacles_.gather(placements_, item, state, region);
+      if (!(failed_before && somewhere(region, at)) && !obstacles_.sweep(region, how, at, budget)) continue;
+      placements_[item] = {state, at};
+      return true;
+    }
+  }
+  return false;
+}
+
+void QuickSearch::take_out(int item, std::vector<int>& pending) {
+  std::vector<int> group;
+  group_of(dependencies_, placements_, item, group);
+  for (std::size_t i = group.size(); i-- > 0;) {  // hosts last, so that they are taken up first
+    if (stays(model_.items[group[i]])) continue;
+    placements_[group[i]] = {};
+    if (std::find(pending.begin(), pending.end(), group[i]) == pending.end()) pending.push_back(group[i]);
+  }
+}
+
+// What it refers to, what that refers to, and so on.
+std::vector<int> QuickSearch::all_hosts(int item) const {
+  std::vector<int> all = dependencies_.hosts[item];
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    for (const int host : dependencies_.hosts[all[i]]) {
+      if (host != item && std::find(all.begin(), all.end(), host) == all.end()) all.push_back(host);
+    }
+  }
+  return all;
+}
+
+// Where it pushes out what has failed least often.
+bool QuickSearch::push_out(int item, std::vector<int>& pending, Budget& budget) {
+  constexpr int kUnknown = -2, kNever = -1;
+  std::vector<int> prices(placements_.size(), kUnknown), group;
+  for (const int other : all_hosts(item)) prices[other] = kNever;
+  const auto price_of = [&](int other) {
+    int& price = prices[other];
+    if (price != kUnknown) return price;
+    price = kNever;
+    if (stays(model_.items[other])) return price;
+    group_of(dependencies_, placements_, other, group);
+    price = 0;
+    for (const int member : group) price += 1 + weight_[member];
+    return price;
+  };
+  Placement best;
+  std::int64_t least = std::numeric_limits<std::int64_t>::max();
+  std::vector<int> hit, best_hit, seen(placements_.size(), 0);
+  std::array<std::vector<Mm>, 3> tried;
+  int stamp = 0;
+  for (const int state : states_in_turn(item)) {
+    const std::vector<Region>& regions = regions_.find(placements_, item, state, false);
+    for (const Region& region : regions) {
+      obstacles_.gather(placements_, item, state, region);
+      const std::vector<Obstacles::Forbidden>& forbidden = obstacles_.all();
+      for (int k = 0; k < 3; ++k) {
+        tried[k].assign({region.lo[k]});
+        if (region.hi[k] > region.lo[k]) tried[k].push_back(region.hi[k]);
+        for (const Obstacles::Forbidden& f : forbidden) {
+          for (const Mm value : {f.lo[k], f.hi[k]}) {
+            if (k < 2 && value > region.lo[k] && value < region.hi[k]) tried[k].push_back(value);
+          }
+        }
+        while (tried[k].size() > kMostCoordinates) {
+          tried[k][static_cast<std::size_t>(random_.below(static_cast<std::int64_t>(tried[k].size())))] = tried[k].back();
+          tried[k].pop_back();
+        }
+      }
+      for (const Mm z : tried[2]) {
+        for (const Mm y : tried[1]) {
+          budget.count(static_cast<std::int64_t>(1 + tried[0].size() * forbidden.size() / 32));
+          if (budget.stopped) return false;
+          for (const Mm x : tried[0]) {
+            const Vec3 at{x, y, z};
+            ++stamp;
+            hit.clear();
+            std::int64_t sum = random_.below(2);  // of equals now this one, now that
+            for (const Obstacles::Forbidden& f : forbidden) {
+              if (!obstacles_.holds(f, at) || (f.owner >= 0 && seen[f.owner] == stamp)) continue;
+              if (f.owner < 0 || price_of(f.owner) < 0) {
+                sum = least;
+                break;
+              }
+              seen[f.owner] = stamp;
+              hit.push_back(f.owner);
+              sum += 2 * std::int64_t{price_of(f.owner)};
+              if (sum >= least) break;
+            }
+            if (sum >= least || !holds_at(region, at)) continue;
+            least = sum, best = {state, at}, best_hit = hit;
+          }
+        }
+      }
+    }
+  }
+  if (best.state < 0) return false;
+  placements_[item] = best;
+  for (const int other : best_hit) take_out(other, pending);
+  return true;
+}
+
+// What it refers to stands where it cannot follow: that looks for another place, before it.
+bool QuickSearch::take_hosts(int item, std::vector<int>& pending) {
+  bool any = false;
+  const std::vector<int> hosts = random_.below(2) == 0 ? dependencies_.hosts[item] : all_hosts(item);
+  pending.push_back(item);
+  for (const int host : hosts) {
+    if (placements_[host].state < 0 || stays(model_.items[host])) continue;
+    ++weight_[host];
+    take_out(host, pending);
+    any = true;
+  }
+  if (!any) pending.pop_back();
+  return any;
+}
+
+}  // namespace layoutbox::placement

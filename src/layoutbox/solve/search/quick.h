@@ -1,0 +1,52 @@
+// The quick search for a first legal layout: costs are not looked at. Each item goes to the first free position of a sweep; one that has
+// none pushes out what has failed least often so far, and that looks for a new place (an ejection search).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "layoutbox/solve/search/candidates.h"
+#include "layoutbox/solve/search/obstacles.h"
+#include "layoutbox/solve/search/order.h"
+
+namespace layoutbox::placement {
+
+class QuickSearch {
+ public:
+  // `given_up`: by constraint index. `most_size_step`: how far from the usual size items may be.
+  QuickSearch(const Model& model, const Dependencies& dependencies, std::vector<char> given_up, std::uint64_t seed, int most_size_step);
+
+  // Places everything that has no place yet in `placements` but what is `left_out`; what is there may be moved, what stays() apart.
+  // False: not within the budget; `placements` is then as good as it got.
+  bool complete(Placements& placements, const std::vector<char>& left_out, Budget& budget);
+
+  // Those without a place in the best try.
+  const std::vector<int>& failed() const { return failed_; }
+
+ private:
+  bool attempt(const std::vector<char>& left_out, std::vector<int> pending, Budget& budget);
+  int next_of(std::vector<int>& pending) const;
+  bool settle(int item, Budget& budget);
+  bool settle_once(int item, Budget& budget);
+  bool push_out(int item, std::vector<int>& pending, Budget& budget);
+  std::vector<int> all_hosts(int item) const;
+  bool take_hosts(int item, std::vector<int>& pending);
+  void take_out(int item, std::vector<int>& pending);
+  bool somewhere(const Region& region, Vec3& at);
+  const std::vector<int>& states_in_turn(int item);
+
+  const Model& model_;
+  const Dependencies& dependencies_;
+  RegionFinder regions_;
+  Random random_;
+  int most_size_step_;
+  Placements placements_;
+  std::vector<int> weight_;  // how often an item found no place
+  int attempts_ = 0;
+  std::vector<int> failed_;
+  Obstacles obstacles_;
+  std::vector<std::vector<std::uint64_t>> alike_;  // by item and state: the states that make no difference
+  std::vector<int> turns_;
+};
+
+}  // namespace layoutbox::placement

@@ -1,0 +1,377 @@
+#include "layoutbox/solve/search/search.h"
+
+#include "layoutbox/solve/objective/cost.h"
+
+namespace layoutbox::placement {
+namespace {
+
+constexpr std::size_t kWatchedTries = 160;
+constexpr int kFirst = 2;                                           // things that are placed first in an unlike start
+constexpr std::int64_t kNoiseOfStart = 500, kNoiseOfShaking = 400;  // points
+constexpr std::int64_t kShaken = 3;                                 // things at once, at most
+constexpr int kEjectionsPerItem = 6;
+constexpr int kFormationTries = 4;
+constexpr std::int64_t kPushing = 60 * kPoint;    // what it takes to push another thing away
+constexpr std::int64_t kPushes = 4, kNudges = 8;  // one move in so many does
+constexpr std::int64_t kStayingNoise = 40;        // an earlier layout makes every metre so much dearer
+
+// What any of them is told to face, then those that face it, then the others.
+std::vector<std::string> in_facing_order(const SceneGraph& scene, const std::vector<std::string>& ids) {
+  std::vector<std::string> order;
+  const auto add = [&](const std::string& id) {
+    if (std::find(order.begin(), order.end(), id) == order.end()) order.push_back(id);
+  };
+  const auto is_member = [&](const std::string& id) { return std::find(ids.begin(), ids.end(), id) != ids.end(); };
+  for (const bool faced : {true, false}) {
+    for (const Relation& r : scene.relations) {
+      if (r.type != RelationType::kFacing || r.targets.empty() || !is_member(r.targets[0])) continue;
+      for (const std::string& id : faced ? r.references : r.targets) {
+        if (!faced || !is_member(id)) add(id);
+      }
+    }
+  }
+  for (const std::string& id : ids) add(id);
+  return order;
+}
+
+}  // namespace
+
+Search::Search(const Model& model, std::vector<char> given_up, std::uint64_t seed, int most_size_step)
+    : model_(model),
+      finder_(model, std::move(given_up)),
+      random_(seed),
+      most_size_step_(most_size_step),
+      placements_(model.items.size()),
+      left_out_(model.items.size(), 0),
+      bonus_(model.items.size(), 0),
+      dependencies_(model) {}
+
+bool Search::watched_fit(int item, Budget& budget) {
+  CandidateOptions options;
+  options.first_legal = true;
+  options.most_size_step = most_size_step_;
+  for (const int dependent : dependencies_.tenants[item]) {
+    if (bonus_[dependent] == 0 || placements_[dependent].state >= 0 || left_out_[dependent]) continue;
+    if (finder_.find(placements_, dependent, options, budget).empty()) return false;
+  }
+  return true;
+}
+
+bool Search::place(int item, std::int64_t noise, Budget& budget) {
+  const bool watched =
+      std::any_of(dependencies_.tenants[item].begin(), dependencies_.tenants[item].end(), [&](int d) { return bonus_[d] > 0; });
+  CandidateOptions options;
+  options.most = watched ? kWatchedTries : 1;
+  options.diverse = watched;
+  options.noise = noise;
+  options.random = &random_;
+  options.most_size_step = most_size_step_;
+  const std::vector<Candidate> found = finder_.find(placements_, item, options, budget);
+  for (const Candidate& candidate : found) {
+    placements_[item] = candidate.placement;
+    if (!watched || watched_fit(item, budget)) return true;
+  }
+  placements_[item] = {};
+  return false;
+}
+
+bool Search::try_order(const std::vector<int>& order, std::int64_t noise, Budget& budget) {
+  std::fill(placements_.begin(), placements_.end(), Placement{});
+  failed_.clear();
+  for (const int item : order) {
+    if (budget.stopped || !place(item, noise, budget)) failed_.push_back(item);
+  }
+  return failed_.empty();
+}
+
+// Is the room there free, and does all that is asked of it hold, as far as the others are placed?
+bool Search::may_stay(int item, const Placement& placement) const {
+  const Box box = box_of(model_.items[item], placement);
+  if (!model_.items[item].is_opening() && !(intersection(box, model_.room) == box)) return false;
+  if (!finder_.legal(placements_, item, placement)) return false;
+  Placements probe = placements_;
+  probe[item] = placement;
+  for (const int c : model_.touching[item]) {
+    if (!finder_.enforced(c)) continue;
+    for (const Formula& formula : model_.constraints[c].formulas) {
+      if (formula.cases.empty()) return false;
+      if (all_placed(formula, probe) && miss_of(model_, formula, probe) > 0) return false;
+    }
+  }
+  return true;
+}
+
+// What can stay where an earlier layout had it stays; then everything else looks for a place near.
+bool Search::try_start(const std::vector<int>& order, Budget& budget) {
+  std::fill(placements_.begin(), placements_.end(), Placement{});
+  failed_.clear();
+  std::vector<int> rest;
+  for (const int item : order) {
+    if (model_.start[item].state >= 0 && may_stay(item, model_.start[item])) {
+      placements_[item] = model_.start[item];
+    } else {
+      rest.push_back(item);
+    }
+  }
+  for (const int item : rest) {
+    if (budget.stopped || !place(item, 0, budget)) failed_.push_back(item);
+  }
+  return failed_.empty();
+}
+
+// Takes an item and what hangs on it out, and puts them in the queue, hosts first.
+void Search::take_out(int item, std::vector<int>& queue) {
+  std::vector<int> group;
+  group_of(dependencies_, placements_, item, group);
+  for (const int member : group) {
+    if (model_.items[member].fixed || model_.items[member].locked) continue;
+    placements_[member] = {};
+    if (std::find(queue.begin(), queue.end(), member) == queue.end()) queue.push_back(member);
+  }
+}
+
+// What found no place pushes others out, who look for a new one; who is pushed out often becomes dear to push.
+bool Search::repair(Budget& budget) {
+  std::vector<int> queue = failed_;
+  std::vector<std::int64_t> price(model_.items.size());
+  for (std::size_t i = 0; i < price.size(); ++i) {
+    const Item& item = model_.items[i];
+    price[i] = stays(item) ? -1 : kPoint * (100 + std::int64_t{item.states[0].extent[0]} * item.states[0].extent[1] / 10000);
+  }
+  const Placements before = placements_;
+  const int limit = kEjectionsPerItem * static_cast<int>(model_.items.size()) + 20;
+  for (int step = 0; step < limit && !queue.empty() && !budget.spent(); ++step) {
+    const int item = queue.front();
+    queue.erase(queue.begin());
+    if (place(item, 0, budget)) continue;
+    ++bonus_[item];
+    CandidateOptions options;
+    options.eject_price = &price;
+    options.noise = kPoint * 40;
+    options.random = &random_;
+    options.most_size_step = most_size_step_;
+    const std::vector<Candidate> found = finder_.find(placements_, item, options, budget);
+    if (!found.empty()) {
+      placements_[item] = found[0].placement;
+      for (const int other : found[0].hit) {
+        price[other] += price[other] / 2 + 50 * kPoint;
+        take_out(other, queue);
+      }
+      if (placements_[item].state < 0) continue;  // it hung on what it pushed out
+      price[item] += 100 * kPoint;
+      continue;
+    }
+    // What it refers to stands where it cannot follow.
+    std::vector<int> again;
+    for (const int other : dependencies_.hosts[item]) {
+      if (price[other] >= 0 && placements_[other].state >= 0) take_out(other, again);
+    }
+    if (again.empty()) break;
+    if (std::find(again.begin(), again.end(), item) == again.end()) again.push_back(item);
+    for (const int other : queue) {
+      if (std::find(again.begin(), again.end(), other) == again.end()) again.push_back(other);
+    }
+    queue = std::move(again);
+  }
+  bool all = true;
+  for (std::size_t i = 0; i < placements_.size(); ++i) all = all && (left_out_[i] || placements_[i].state >= 0);
+  if (all) failed_.clear();
+  if (!all) placements_ = before;
+  return all;
+}
+
+bool Search::construct(const std::vector<char>& left_out, int restarts, Budget& budget) {
+  left_out_ = left_out;
+  left_out_.resize(model_.items.size(), 0);
+  finder_.leave_out(left_out_);
+  Placements best;
+  std::vector<int> best_failed;
+  for (int attempt = 0; attempt <= restarts; ++attempt) {
+    if ((model_.start.empty() ? try_order(placing_order(model_, dependencies_, left_out_, bonus_), 0, budget)
+                              : try_start(placing_order(model_, dependencies_, left_out_, bonus_), budget)) ||
+        repair(budget))
+      return true;
+    if (best.empty() || failed_.size() < best_failed.size()) best = placements_, best_failed = failed_;
+    if (budget.spent()) break;
+    bonus_[failed_[0]] += 1 + attempt / 4;
+  }
+  placements_ = std::move(best);
+  failed_ = std::move(best_failed);
+  return false;
+}
+
+bool Search::construct_unlike(const std::vector<char>& left_out, Budget& budget) {
+  if (model_.items.empty()) return true;
+  left_out_ = left_out;
+  left_out_.resize(model_.items.size(), 0);
+  finder_.leave_out(left_out_);
+  std::fill(bonus_.begin(), bonus_.end(), 0);
+  std::vector<int> first(model_.items.size(), 0);
+  for (int k = 0; k < kFirst; ++k) ++first[static_cast<std::size_t>(random_.below(static_cast<std::int64_t>(first.size())))];
+  const std::int64_t noise = kPoint * (1 + random_.below(kNoiseOfStart));
+  return try_order(placing_order(model_, dependencies_, left_out_, first), noise, budget) || repair(budget);
+}
+
+// How much less what touches the group costs than before it moved; ways to walk apart.
+std::int64_t Search::gain_since(const Placements& before, const std::vector<int>& group) const {
+  std::vector<int> constraints;
+  for (const int item : group) constraints.insert(constraints.end(), model_.touching[item].begin(), model_.touching[item].end());
+  std::sort(constraints.begin(), constraints.end());
+  constraints.erase(std::unique(constraints.begin(), constraints.end()), constraints.end());
+  std::int64_t gain = access_gain(model_, before, placements_, group);
+  for (const int c : constraints) {
+    const Constraint& constraint = model_.constraints[c];
+    gain += constraint_cost(model_, constraint, before) - constraint_cost(model_, constraint, placements_);
+  }
+  for (const int item : group) {
+    const std::vector<State>& states = model_.items[item].states;
+    gain += kPoint * kCostWeights.size_step * (states[before[item].state].size_step - states[placements_[item].state].size_step);
+  }
+  return gain;
+}
+
+bool Search::move(const std::vector<int>& group, std::int64_t noise, Budget& budget) {
+  const Placements before = placements_;
+  for (const int member : group) placements_[member] = {};
+  bool all = true;
+  for (const int member : group) all = all && place(member, noise, budget);
+  if (all && is_better(before, group, budget)) return true;
+  placements_ = before;
+  return false;
+}
+
+// Whether what moved since is worth it.
+bool Search::is_better(const Placements& before, const std::vector<int>& moved, Budget& budget) {
+  if (placements_ == before) return false;
+  const std::int64_t gain = gain_since(before, moved);
+  budget.count(100);
+  // The ways are costly to measure: only for what is better, or nearly as good, without them.
+  if (gain <= -kPoint * 400) return false;
+  budget.count(900);
+  const std::int64_t ways_after = ways_cost(model_, placements_);
+  if (gain + ways_ - ways_after <= 0) return false;
+  ways_ = ways_after;
+  return true;
+}
+
+// An item goes where it is best though others stand there; those look for new places.
+bool Search::push(int item, Budget& budget) {
+  const Placements before = placements_;
+  std::vector<int> moved;
+  take_out(item, moved);
+  std::vector<std::int64_t> price(model_.items.size());
+  for (std::size_t i = 0; i < price.size(); ++i) price[i] = stays(model_.items[i]) ? -1 : kPushing;
+  CandidateOptions options;
+  options.eject_price = &price;
+  options.noise = kPushing * (1 + random_.below(3));
+  options.random = &random_;
+  options.most_size_step = most_size_step_;
+  const std::vector<Candidate> found = finder_.find(placements_, item, options, budget);
+  bool all = !found.empty();
+  if (all) {
+    placements_[item] = found[0].placement;
+    for (const int other : found[0].hit) take_out(other, moved);
+    all = placements_[item].state >= 0;  // else it hung on what it pushed out
+  }
+  for (std::size_t i = 0; i < moved.size() && all; ++i) all = moved[i] == item || place(moved[i], 0, budget);
+  if (all && is_better(before, moved, budget)) return true;
+  placements_ = before;
+  return false;
+}
+
+// Rows and grids, each with what they look at and all that hangs on them: bound to one another, they can only move together.
+std::vector<std::vector<int>> Search::formations() const {
+  constexpr std::size_t kMany = 4;
+  std::vector<std::vector<int>> found;
+  for (const Relation& r : model_.scene->relations) {
+    if ((r.type != RelationType::kGrid && r.type != RelationType::kRow) || r.targets.size() < kMany) continue;
+    std::vector<int> group;
+    bool movable = true;
+    for (const std::string& id : in_facing_order(*model_.scene, r.targets)) {
+      std::vector<int> more;
+      const int item = model_.find_item(id);
+      if (item < 0 || placements_[item].state < 0) continue;
+      group_of(dependencies_, placements_, item, more);
+      for (const int m : more) {
+        movable = movable && !stays(model_.items[m]);
+        if (std::find(group.begin(), group.end(), m) == group.end()) group.push_back(m);
+      }
+    }
+    if (movable && group.size() >= kMany) found.push_back(std::move(group));
+  }
+  return found;
+}
+
+std::vector<int> Search::movable() const {
+  std::vector<int> found;
+  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+    if (placements_[i].state >= 0 && !stays(model_.items[i])) found.push_back(static_cast<int>(i));
+  }
+  return found;
+}
+
+bool Search::shake(Budget& budget) {
+  const std::vector<int> all = movable();
+  if (all.empty()) return false;
+  const Placements before = placements_;
+  std::vector<int> out;
+  for (std::int64_t k = random_.below(kShaken); k >= 0; --k)
+    take_out(all[static_cast<std::size_t>(random_.below(static_cast<std::int64_t>(all.size())))], out);
+  const std::int64_t noise = kPoint * (1 + random_.below(kNoiseOfShaking));
+  for (const int item : placing_order(model_, dependencies_, left_out_, bonus_)) {
+    if (placements_[item].state >= 0 || place(item, noise, budget)) continue;
+    placements_ = before;
+    return false;
+  }
+  return true;
+}
+
+void Search::improve(Budget& budget, std::int64_t patience, bool sweeps) {
+  const std::vector<int> movable = this->movable();
+  if (movable.empty()) return;
+  std::fill(bonus_.begin(), bonus_.end(), 0);  // what failed while it was built is looked after no longer
+  ways_ = ways_cost(model_, placements_);
+  const auto count = static_cast<std::int64_t>(movable.size());
+  std::vector<int> group;
+  const std::vector<std::vector<int>> together = model_.start.empty() ? formations() : std::vector<std::vector<int>>{};
+  for (const std::vector<int>& formation : together) {
+    for (int attempt = 0; attempt < kFormationTries && !move(formation, kPoint * 100 * attempt, budget); ++attempt) {
+    }
+  }
+  std::int64_t idle = 0;
+  for (std::int64_t turn = 0; !budget.spent() && idle < patience * count; ++turn) {
+    const bool sweep = sweeps && turn < count;  // first everything once, alone
+    const int item = movable[sweep ? turn : random_.below(count)];
+    if (!model_.start.empty() && (sweep || random_.below(3) == 0) && slide(item, budget)) {
+      idle = 0;
+      continue;
+    }
+    if (!sweep && !together.empty() && random_.below(20) == 0) {
+      if (move(together[random_.below(static_cast<std::int64_t>(together.size()))], kPoint * 50 * random_.below(4), budget)) idle = 0;
+      continue;
+    }
+    if (!sweep && model_.start.empty() && random_.below(kPushes) == 0) {
+      idle = push(item, budget) ? 0 : idle + 1;
+      continue;
+    }
+    if (!sweep && model_.start.empty() && random_.below(kNudges) == 0) {
+      idle = nudge(item, budget) ? 0 : idle + 1;
+      continue;
+    }
+    group.assign(1, item);
+    if (!sweep) group_of(dependencies_, placements_, item, group);
+    if (!sweep && random_.below(3) == 0) {  // and a second one, so that two can change places
+      const int other = movable[random_.below(count)];
+      std::vector<int> more;
+      group_of(dependencies_, placements_, other, more);
+      for (const int m : more) {
+        if (std::find(group.begin(), group.end(), m) == group.end()) group.push_back(m);
+      }
+    }
+    std::int64_t noise = sweep || random_.below(3) == 0 ? 0 : kPoint * (50 + 50 * random_.below(8));
+    if (!model_.start.empty()) noise *= kStayingNoise;
+    idle = move(group, noise, budget) ? 0 : idle + 1;
+  }
+}
+
+}  // namespace layoutbox::placement

@@ -1,0 +1,73 @@
+// The constructive search: places one item after another, the most constrained first, each at the best of its candidates; starts anew
+// with the priority of what failed raised; then improves by taking groups of items out and placing them again.
+// Deterministic: integer costs, a seeded generator of its own, effort counted in steps.
+#pragma once
+
+#include <vector>
+
+#include "layoutbox/solve/search/candidates.h"
+#include "layoutbox/solve/search/order.h"
+
+namespace layoutbox::placement {
+
+inline constexpr std::int64_t kPatience = 12;  // moves in vain a thing, after which an improvement ends
+
+class Search {
+ public:
+  // `given_up`: by constraint index; those need not hold. `most_size_step`: how far below the usual size items may be.
+  Search(const Model& model, std::vector<char> given_up, std::uint64_t seed, int most_size_step);
+
+  // Places everything but what is `left_out`, or as much as it can. True when all are placed.
+  bool construct(const std::vector<char>& left_out, int restarts, Budget& budget);
+  // A start unlike that: a few things first that have no right to be, and places that are as good within a noise. What finds no place
+  // pushes others out.
+  bool construct_unlike(const std::vector<char>& left_out, Budget& budget);
+
+  // Local moves from a complete layout; never makes it worse. Ends after so many moves a thing in vain. `sweeps`: each thing once first.
+  void improve(Budget& budget, std::int64_t patience, bool sweeps = true);
+  // Takes a few things with all that hangs on them out of a complete layout, and puts them where they are well off within a noise.
+  // False: they found no place; nothing is changed then.
+  bool shake(Budget& budget);
+
+  const Placements& placements() const { return placements_; }
+  void adopt(const Placements& placements, const std::vector<char>& left_out) {
+    placements_ = placements;
+    left_out_ = left_out;
+    finder_.leave_out(left_out);
+  }
+  // Items that could not be placed in the best try.
+  const std::vector<int>& failed() const { return failed_; }
+
+ private:
+  bool try_order(const std::vector<int>& order, std::int64_t noise, Budget& budget);
+  std::vector<int> movable() const;
+  std::vector<std::vector<int>> formations() const;
+  bool try_start(const std::vector<int>& order, Budget& budget);
+  bool slide(int item, Budget& budget);
+  bool push_away(std::vector<int>& moved, std::vector<int> in_way, const std::vector<std::int64_t>& price);
+  bool may_stay(int item, const Placement& placement) const;
+  bool place(int item, std::int64_t noise, Budget& budget);
+  bool watched_fit(int item, Budget& budget);
+  bool repair(Budget& budget);
+  void take_out(int item, std::vector<int>& queue);
+  bool move(const std::vector<int>& group, std::int64_t noise, Budget& budget);
+  bool push(int item, Budget& budget);
+  std::vector<int> cluster_of(int item);
+  bool shift(const std::vector<int>& cluster, int axis, Mm by, Budget& budget);
+  bool nudge(int item, Budget& budget);
+  bool is_better(const Placements& before, const std::vector<int>& moved, Budget& budget);
+  std::int64_t gain_since(const Placements& before, const std::vector<int>& group) const;
+
+  const Model& model_;
+  CandidateFinder finder_;
+  Random random_;
+  int most_size_step_;
+  Placements placements_;
+  std::vector<int> failed_;
+  std::int64_t ways_ = 0;  // cost of the ways as things stand, while improving
+  std::vector<char> left_out_;
+  std::vector<int> bonus_;  // how often an item failed
+  Dependencies dependencies_;
+};
+
+}  // namespace layoutbox::placement
