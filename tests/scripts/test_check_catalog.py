@@ -38,6 +38,17 @@ ENTRIES = [
 ROOMS = [{"id": "kitchen", "name": "kitchen", "size": {"w": 3, "d": 3, "h": 2.6}, "usual": [["table", 1]]}]
 
 
+# Words that stood for something else once, and the kind that they name.
+MEANT = {
+    "voting booth": "voting_booth", "fitting booth": "fitting_booth", "phone booth": "phone_booth", "judge's bench": "judge_bench", "witness box": "witness_stand",
+    "gavel": "gavel", "ballot box": "ballot_box", "flag": "flag_on_pole", "wet floor sign": "wet_floor_sign", "shopping cart": "shopping_cart",
+    "change machine": "change_machine", "locomotive": "toy_train", "dj mixer": "dj_mixer", "test tube rack": "test_tube_rack", "fire blanket": "fire_blanket",
+    "soldering station": "soldering_station", "dress form": "dress_form", "pincushion": "pincushion", "clothes line": "clothes_line", "mandir": "mandir",
+    "hydroponic shelf": "hydroponic_shelf", "food printer": "food_printer", "water recycler": "water_recycler", "pizza oven": "pizza_oven",
+    "pepper mill": "pepper_mill", "phonograph": "phonograph", "cipher wheel": "cipher_wheel", "tyre rack": "tire_rack", "tourniquet": "tourniquet",
+}  # fmt: skip
+
+
 def run(folder: Path) -> tuple[int, str]:
     done = subprocess.run([sys.executable, SCRIPT, folder], capture_output=True, text=True)
     return done.returncode, done.stdout
@@ -104,6 +115,14 @@ class CheckCatalog(unittest.TestCase):
         self.fault(lambda e, r: e[0]["spaces"][0].update(max=["w*d", "d/2", "h"]), "not linear")
         self.fault(lambda e, r: e[0]["spaces"][0].update(max=["w/", "d/2", "h"]), "is not a formula")
         self.fault(lambda e, r: e[0]["spaces"][0].update(repeat=2), "needs {i} in its name")
+
+    def test_words_mean_what_people_mean_by_them(self) -> None:
+        owner = {}
+        for path in (ROOT / "catalog").glob("*.json"):
+            data = json.loads(path.read_text(encoding="utf-8"))
+            for entry in data.get("entries", []):
+                owner |= {word.lower(): entry["id"] for word in (entry["name"], *entry.get("synonyms", []))}
+        self.assertEqual({word: owner.get(word) for word in MEANT}, MEANT)
 
 
 if __name__ == "__main__":
