@@ -59,9 +59,10 @@ int run_plan(PlanArguments& flags, const Console& console) {
   const auto planner = flags.model.make_planner(flags.plan.planner, catalog->get(), flags.options, console);
   if (!planner) return console.fail(planner.error());
   if (flags.model.dry_run) return print_first_request(**planner, *prompt, flags.options, console);
+  flags.options.plan.stop = &stop_flag();
   const auto plan = (*planner)->plan(*prompt, flags.options.plan);
   if (!plan) return console.fail(plan.error());
-  const auto scene = prepare_plan(plan->scene, catalog->get(), flags.options);
+  const auto scene = prepare_plan(*plan, catalog->get(), flags.options);
   if (!scene) return console.fail(scene.error());
   console.notes(catalog->notes);
   console.notes(scene->notes);

@@ -38,6 +38,7 @@ class Run {
  public:
   Run(std::string_view prompt, const Catalog& catalog, std::filesystem::path folder, const GenerateOptions& options)
       : prompt_(prompt), catalog_(catalog), folder_(std::move(folder)), options_(options) {
+    options_.plan.stop = options_.stop;
     options_.solve.stop = options_.stop;
     options_.render.stop = options_.stop;
   }
@@ -108,7 +109,7 @@ class Run {
   Status plan(const Planner& planner) {
     begin();
     LAYOUTBOX_ASSIGN(const Plan plan, planner.plan(prompt_, options_.plan));
-    LAYOUTBOX_ASSIGN(outcome_.scene, prepare_plan(plan.scene, catalog_, options_));
+    LAYOUTBOX_ASSIGN(outcome_.scene, prepare_plan(plan, catalog_, options_));
     finish("plan", scene_in_words());
     return {};
   }
@@ -305,11 +306,11 @@ Result<SceneGraph> prepare_scene(SceneGraph scene, const Catalog& catalog, const
   return normalize_scene(std::move(scene), catalog, options.normalize);
 }
 
-Result<SceneGraph> prepare_plan(const SceneGraph& planned, const Catalog& catalog, const GenerateOptions& options) {
-  LAYOUTBOX_ASSIGN(SceneGraph scene, prepare_scene(planned, catalog, options));
+Result<SceneGraph> prepare_plan(const Plan& plan, const Catalog& catalog, const GenerateOptions& options) {
+  LAYOUTBOX_ASSIGN(SceneGraph scene, prepare_scene(plan.scene, catalog, options));
   if (!options.companions) return scene;
-  SceneGraph more = planned;
-  const std::size_t added = add_companions(more, scene, kinds_unwanted(planned.prompt), catalog);
+  SceneGraph more = plan.scene;
+  const std::size_t added = add_companions(more, scene, plan.unwanted, catalog);
   if (added == 0) return scene;
   more.notes.push_back({"filled", counted(added, "thing") + " that the use of the room needs came with what is named", "prompt"});
   return prepare_scene(std::move(more), catalog, options);

@@ -108,7 +108,7 @@ Result<GenerateOutcome> generate_from_layout(SceneGraph scene, Layout layout, co
 Result<SceneGraph> prepare_scene(SceneGraph scene, const Catalog& catalog, const GenerateOptions& options);
 
 // The same of a plan from text, with the companions of what it names.
-Result<SceneGraph> prepare_plan(const SceneGraph& planned, const Catalog& catalog, const GenerateOptions& options);
+Result<SceneGraph> prepare_plan(const Plan& plan, const Catalog& catalog, const GenerateOptions& options);
 
 // Is that the name of a file that a run writes?
 bool is_output_name(std::string_view name);

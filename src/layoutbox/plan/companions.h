@@ -11,10 +11,7 @@
 
 namespace layoutbox {
 
-// Kinds of which a text wants none ("no coffee table"), catalogue ids.
-std::vector<std::string> kinds_unwanted(std::string_view prompt);
-
-// Adds them to a scene planned from text, never of a kind that it names, counts or wants none of (`excluded`, catalogue ids).
+// Adds them to a scene planned from text, never of a kind that it names, counts or wants none of (`excluded`: Plan::unwanted).
 // REQUIRES: `sized` is the same scene normalised (sizes of its things and of the room). Returns how many were added.
 std::size_t add_companions(SceneGraph& scene, const SceneGraph& sized, const std::vector<std::string>& excluded, const Catalog& catalog);
 

@@ -22,7 +22,7 @@ std::vector<std::string> added_to(const std::string& prompt) {
   const auto sized = normalize_scene(plan->scene, Catalog::builtin(), {});
   EXPECT_TRUE(sized) << prompt;
   SceneGraph scene = plan->scene;
-  const std::size_t count = add_companions(scene, *sized, kinds_unwanted(prompt), Catalog::builtin());
+  const std::size_t count = add_companions(scene, *sized, plan->unwanted, Catalog::builtin());
   EXPECT_EQ(scene.objects.size(), plan->scene.objects.size() + count);
   EXPECT_TRUE(normalize_scene(scene, Catalog::builtin(), {})) << prompt;
   std::vector<std::string> kinds;

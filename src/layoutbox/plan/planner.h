@@ -1,6 +1,7 @@
 // Text to scene graph. Two implementations: plan/offline (no model, no network) and plan/llm (function calling).
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -21,6 +22,8 @@ struct PlanOptions {
   std::uint64_t seed = 1;
   // Longest prompt that is read, in bytes. REQUIRES: > 0.
   std::size_t max_prompt_bytes = 1'000'000;
+  // DEFAULT: none. Ends the offline planner's reading when it becomes true.
+  const std::atomic<bool>* stop = nullptr;
 };
 
 // How one word of the prompt was read; `plan --explain` prints them.
@@ -34,6 +37,7 @@ struct WordReading {
 struct Plan {
   SceneGraph scene;                   // not yet normalised
   std::vector<WordReading> readings;  // every word of the prompt once, in order (offline planner)
+  std::vector<std::string> unwanted;  // kinds of which the text wants none ("no coffee table"), catalogue ids (offline planner)
 };
 
 // What the room is, where it is given beside the text.
@@ -45,7 +49,7 @@ struct RoomGiven {
 class Planner {
  public:
   virtual ~Planner() = default;
-  // Errors: kEmpty (nothing in the prompt), kTooLarge, kParse (not UTF-8); of a model also kNetwork, kNotFound, kInterrupted.
+  // Errors: kEmpty (nothing in the prompt), kTooLarge, kParse (not UTF-8), kInterrupted; of a model also kNetwork, kNotFound.
   virtual Result<Plan> plan(std::string_view prompt, const PlanOptions& options) const = 0;
 
   // A planner that can be told what is wrong with its scene begins a conversation; null: it has one answer, that of plan().

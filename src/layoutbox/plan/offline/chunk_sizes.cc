@@ -50,6 +50,9 @@ bool Chunker::read_distance() {
   const auto measure = read_measure(lexicon_, tokens_, at);
   if (!measure) return false;
   at += measure->length;
+  // "a table, 1.2 m by 0.8": a size
+  if (at + 1 < tokens_.size() && (tokens_[at].text == "by" || tokens_[at].text == "x") && tokens_[at + 1].kind == Token::Kind::kNumber)
+    return false;
   if (lexicon_.find(tokens_, at, Class::kDimension).length > std::max<std::size_t>(lexicon_.find_phrase(tokens_, at).length, 1))
     return false;
   if (apart && (at >= tokens_.size() || (tokens_[at].text != "from" && tokens_[at].text != "to"))) {
@@ -126,14 +129,19 @@ bool Chunker::read_rows() {
 
 bool Chunker::read_size_chunk() {
   SaidSize size;
+  if (const std::size_t taken = previous() == ChunkKind::kStop ? 0 : read_size_of(lexicon_, tokens_, i_, size); taken > 0) {
+    add(ChunkKind::kSize, taken).size = size;
+    return true;
+  }
   std::size_t at = i_;
   std::vector<double> values;
   double unit = 0;
-  while (at < tokens_.size() && tokens_[at].kind == Token::Kind::kNumber) {
+  while (at < tokens_.size()) {
     const auto measure = read_measure(lexicon_, tokens_, at);
+    if (!measure && tokens_[at].kind != Token::Kind::kNumber) break;
     values.push_back(measure ? measure->metres : tokens_[at].number);
     if (measure) {
-      unit = measure->metres / std::max(tokens_[at].number, 1e-9);
+      unit = measure->metres / std::max(read_number(lexicon_, tokens_, at).value, 1e-9);
       SaidSize named;
       const std::size_t taken = read_size(lexicon_, tokens_, at, named);
       if (taken > 0 && values.size() == 1) {  // "120 cm wide and 60 cm deep" comes in two

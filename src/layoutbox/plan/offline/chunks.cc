@@ -10,13 +10,6 @@ namespace layoutbox::offline {
 
 using Class = WordClass;
 
-ChunkKind Chunker::previous() const {
-  for (std::size_t k = chunks_.size(); k-- > 0;) {
-    if (chunks_[k].kind != ChunkKind::kIgnored && chunks_[k].kind != ChunkKind::kSoft) return chunks_[k].kind;
-  }
-  return ChunkKind::kStop;
-}
-
 bool Chunker::opens_noun(const Token& token) const {
   return token.kind == Token::Kind::kNumber || lexicon_.is(token, Class::kDefinite) || lexicon_.is(token, Class::kIndefinite) ||
          lexicon_.is(token, Class::kPossessive) || lexicon_.is(token, Class::kEach) || lexicon_.is(token, Class::kBoth) ||
@@ -250,6 +243,8 @@ void Chunker::read_small_word() {
   add(form == WordForm::kAdverb || form == WordForm::kAdjective ? ChunkKind::kIgnored : ChunkKind::kUnknown, 1);
 }
 
-std::vector<Chunk> chunk_tokens(const Lexicon& lexicon, std::span<const Token> tokens) { return Chunker(lexicon, tokens).run(); }
+std::vector<Chunk> chunk_tokens(const Lexicon& lexicon, std::span<const Token> tokens, StopFlag stop) {
+  return Chunker(lexicon, tokens, stop).run();
+}
 
 }  // namespace layoutbox::offline

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "layoutbox/plan/offline/noun_phrase.h"
+#include "layoutbox/plan/offline/stop.h"
 
 namespace layoutbox::offline {
 
@@ -45,6 +46,6 @@ struct Chunk {
   SaidSize size;
 };
 
-std::vector<Chunk> chunk_tokens(const Lexicon& lexicon, std::span<const Token> tokens);
+std::vector<Chunk> chunk_tokens(const Lexicon& lexicon, std::span<const Token> tokens, StopFlag stop = nullptr);
 
 }  // namespace layoutbox::offline

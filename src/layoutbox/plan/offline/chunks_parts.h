@@ -11,10 +11,10 @@ namespace layoutbox::offline {
 
 class Chunker {
  public:
-  Chunker(const Lexicon& lexicon, std::span<const Token> tokens) : lexicon_(lexicon), tokens_(tokens) {}
+  Chunker(const Lexicon& lexicon, std::span<const Token> tokens, StopFlag stop) : lexicon_(lexicon), tokens_(tokens), stop_(stop) {}
 
   std::vector<Chunk> run() {
-    while (i_ < tokens_.size()) {
+    while (i_ < tokens_.size() && !is_set(stop_)) {
       if (tokens_[i_].kind == Token::Kind::kPunctuation) {
         add(tokens_[i_].ends_sentence ? ChunkKind::kStop : ChunkKind::kComma, 1);
       } else {
@@ -31,11 +31,13 @@ class Chunker {
     chunk.first = i_;
     i_ += length;
     chunk.last = i_;
+    if (kind != ChunkKind::kIgnored && kind != ChunkKind::kSoft) telling_ = chunks_.size();
     chunks_.push_back(std::move(chunk));
     return chunks_.back();
   }
 
-  ChunkKind previous() const;
+  // Of the last chunk that says something; a stop where there is none.
+  ChunkKind previous() const { return telling_ < chunks_.size() ? chunks_[telling_].kind : ChunkKind::kStop; }
   std::size_t length_of(WordClass word_class) const { return lexicon_.find(tokens_, i_, word_class).length; }
 
   bool opens_noun(const Token& token) const;
@@ -59,7 +61,9 @@ class Chunker {
   void read_small_word();
   const Lexicon& lexicon_;
   std::span<const Token> tokens_;
+  StopFlag stop_;
   std::size_t i_ = 0;
+  std::size_t telling_ = static_cast<std::size_t>(-1);
   std::vector<Chunk> chunks_;
 };
 

@@ -74,6 +74,7 @@ struct Document {
   int people = 0;      // "an office for three": for how many the room is; 0: not said
   bool young = false;  // … children
   int groups = 0;
+  StopFlag stop = nullptr;
 };
 
 // The words of tokens [first, last) as they were written.

@@ -27,10 +27,10 @@ bool is_distributor(std::string_view word) { return word == "each" || word == "e
 
 }  // namespace
 
-std::span<const std::string> Lexicon::words_like(char first, std::size_t length) const {
+std::span<const std::string_view> Lexicon::words_like(char first, std::size_t length) const {
   const auto& by_shape = vocabulary().by_shape;
-  const auto found = by_shape.find(std::string(1, first) + std::to_string(length));
-  return found == by_shape.end() ? std::span<const std::string>{} : std::span<const std::string>(found->second);
+  const auto found = by_shape.find(Vocabulary::shape(first, length));
+  return found == by_shape.end() ? std::span<const std::string_view>{} : std::span<const std::string_view>(found->second);
 }
 
 const Lexicon::Set* Lexicon::set_of(std::string_view words) const {

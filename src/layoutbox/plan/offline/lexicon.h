@@ -129,9 +129,11 @@ class Lexicon {
   bool is_person(std::string_view word) const { return persons_.contains(std::string(word)) || is_young(word); }
   bool is_young(std::string_view word) const { return young_persons_.contains(std::string(word)); }
   // Whether the word stands in any list or phrase, by itself or as a part.
-  bool knows(std::string_view word) const { return vocabulary().words.contains(std::string(word)); }
+  bool knows(const std::string& word) const { return lists(word) || vocabulary().words.contains(word); }
+  // … by itself, or as the beginning of a phrase; needs no vocabulary.
+  bool lists(const std::string& word) const { return words_.contains(word) || phrase_starts_.contains(word); }
   // The known words of that many letters that begin with that letter.
-  std::span<const std::string> words_like(char first, std::size_t length) const;
+  std::span<const std::string_view> words_like(char first, std::size_t length) const;
   // "scissors", "tongs": one thing, though the word is a plural.
   bool is_plural_only(std::string_view word) const { return plural_only_.contains(std::string(word)); }
   // What "a pair of" so called is, where it is one thing ("glasses"), or empty.
@@ -166,8 +168,10 @@ class Lexicon {
   void add_phrase(std::string_view words, PhraseSense sense);
   // The single words of all lists, which only spelling asks for; made when it first does.
   struct Vocabulary {
-    std::unordered_set<std::string> words;
-    std::unordered_map<std::string, std::vector<std::string>> by_shape;  // first letter and length
+    std::string text;  // what the views look at
+    std::unordered_set<std::string_view> words;
+    std::unordered_map<std::size_t, std::vector<std::string_view>> by_shape;  // first letter and length
+    static std::size_t shape(char first, std::size_t length) { return static_cast<unsigned char>(first) + (length << 8); }
   };
   const Vocabulary& vocabulary() const;
   void read_words();

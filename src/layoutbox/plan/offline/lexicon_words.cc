@@ -118,6 +118,19 @@ std::size_t number_of_words(std::string_view words) {
   return count;
 }
 
+// As words_of parts them, lower case, with single signs between them.
+std::string plain_words(std::string_view listed) {
+  std::string text;
+  text.reserve(listed.size());
+  for (const char c : listed) {
+    if (c == '\'') continue;
+    const bool letter = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || static_cast<unsigned char>(c) >= 0x80;
+    const bool capital = c >= 'A' && c <= 'Z';
+    text += capital ? static_cast<char>(c - 'A' + 'a') : letter ? c : ' ';
+  }
+  return text;
+}
+
 std::string text_of(const Json& item) { return item.is_string() ? item.get<std::string>() : item.at("say").get<std::string>(); }
 
 }  // namespace
@@ -171,10 +184,16 @@ void Lexicon::add_phrase(std::string_view words, PhraseSense sense) {
 
 const Lexicon::Vocabulary& Lexicon::vocabulary() const {
   std::call_once(vocabulary_made_, [&] {
-    for (std::string& word : words_of(listed_)) {
-      const auto [known, fresh] = vocabulary_.words.insert(std::move(word));
-      if (fresh && known->size() >= 2)
-        vocabulary_.by_shape[std::string(1, known->front()) + std::to_string(known->size())].push_back(*known);
+    constexpr std::size_t kWords = 16000;
+    vocabulary_.words.reserve(kWords);
+    vocabulary_.text = plain_words(listed_);
+    const std::string_view text = vocabulary_.text;
+    for (std::size_t at = 0; at < text.size();) {
+      const std::size_t end = std::min(text.find(' ', at), text.size());
+      const std::string_view word = text.substr(at, end - at);
+      at = end + 1;
+      if (!word.empty() && vocabulary_.words.insert(word).second && word.size() >= 2)
+        vocabulary_.by_shape[Vocabulary::shape(word.front(), word.size())].push_back(word);
     }
   });
   return vocabulary_;

@@ -26,6 +26,7 @@ bool fraction_at(std::span<const Token> tokens, std::size_t at) {
 NumberRead read_number(const Lexicon& lexicon, std::span<const Token> tokens, std::size_t at) {
   if (at >= tokens.size()) return {};
   if (words_at(tokens, at, {"half", "a"})) return {0.5, 2};
+  if (words_at(tokens, at, {"half"}) && at + 1 < tokens.size() && lexicon.is(tokens[at + 1], Class::kUnit)) return {0.5, 1};
   NumberRead read;
   if (tokens[at].kind == Token::Kind::kNumber) {
     if (fraction_at(tokens, at)) return {tokens[at].number / tokens[at + 1].number, 2};
@@ -75,6 +76,14 @@ std::optional<Measure> read_measure(const Lexicon& lexicon, std::span<const Toke
       measure.length += said ? 2 : 1;
     }
   }
+  // "1m20"
+  constexpr double kCentimetres = 100;
+  const std::size_t rest = at + measure.length;
+  if (scale == 1 && rest < tokens.size() && tokens[rest].kind == Token::Kind::kNumber && tokens[rest].glued &&
+      tokens[rest].end - tokens[rest].begin == 2 && tokens[rest].begin == tokens[unit_at].end) {
+    measure.metres += tokens[rest].number / kCentimetres;
+    measure.length += 1;
+  }
   if (words_at(tokens, at + measure.length, {"and", "a", "half"})) {  // "a meter and a half"
     measure.metres += scale / 2;
     measure.length += 3;
@@ -82,19 +91,69 @@ std::optional<Measure> read_measure(const Lexicon& lexicon, std::span<const Toke
   return measure;
 }
 
+namespace {
+
+void set_side(SaidSize& size, std::string_view which, double metres) {
+  if (which == "w") size.width = metres;
+  if (which == "l") size.length = metres;
+  if (which == "d") size.depth = metres;
+  if (which == "h") size.height = metres;
+  if (which == "s") size.width = size.depth = metres;
+}
+
+}  // namespace
+
 std::size_t read_size(const Lexicon& lexicon, std::span<const Token> tokens, std::size_t at, SaidSize& size) {
   const auto measure = read_measure(lexicon, tokens, at);
   if (!measure) return 0;
   std::size_t i = at + measure->length;
   const auto dimension = i < tokens.size() ? lexicon.find(tokens, i, Class::kDimension) : Match{};
   if (dimension.length == 0) return 0;
-  const std::string_view which = meaning_of(dimension, Class::kDimension)->word;
-  if (which == "w") size.width = measure->metres;
-  if (which == "l") size.length = measure->metres;
-  if (which == "d") size.depth = measure->metres;
-  if (which == "h") size.height = measure->metres;
-  if (which == "s") size.width = size.depth = measure->metres;
+  set_side(size, meaning_of(dimension, Class::kDimension)->word, measure->metres);
   return i + dimension.length - at;
+}
+
+std::size_t read_size_of(const Lexicon& lexicon, std::span<const Token> tokens, std::size_t at, SaidSize& size) {
+  std::size_t i = at;
+  const auto skip = [&](std::initializer_list<Class> classes) {
+    for (const Class word_class : classes) i += i < tokens.size() ? lexicon.find(tokens, i, word_class).length : 0;
+  };
+  const auto dimension_at = [&](std::size_t place) {
+    return place < tokens.size() ? lexicon.find(tokens, place, Class::kDimension) : Match{};
+  };
+  // "of at least 1.6 m width"
+  if (words_at(tokens, at, {"of"})) {
+    ++i;
+    skip({Class::kAtLeast, Class::kAtMost, Class::kExactly});
+    const std::size_t length = i > at + 1 || lexicon.find(tokens, i, Class::kNumber).length > 0 ||
+                                       tokens[std::min(i, tokens.size() - 1)].kind == Token::Kind::kNumber
+                                   ? read_size(lexicon, tokens, i, size)
+                                   : 0;
+    return length > 0 ? i + length - at : 0;
+  }
+  // "no wider than 1 m"
+  static constexpr std::pair<std::string_view, std::string_view> kThan[] = {
+      {"wider", "w"}, {"longer", "l"}, {"deeper", "d"}, {"higher", "h"}, {"taller", "h"}};
+  if (words_at(tokens, at, {"no"}) || words_at(tokens, at, {"not"})) {
+    for (const auto& [word, which] : kThan) {
+      const auto most = words_at(tokens, at + 1, {word, "than"}) ? read_measure(lexicon, tokens, at + 3) : std::nullopt;
+      if (!most) continue;
+      set_side(size, which, most->metres);
+      return 3 + most->length;
+    }
+    return 0;
+  }
+  // "with a diameter of 1.2 m", "its height of 90 cm"
+  if (words_at(tokens, i, {"with"})) ++i;
+  skip({Class::kIndefinite, Class::kDefinite, Class::kPossessive});
+  const Match dimension = dimension_at(i);
+  if (dimension.length == 0 || !words_at(tokens, i + dimension.length, {"of"})) return 0;
+  i += dimension.length + 1;
+  skip({Class::kAtLeast, Class::kAtMost, Class::kExactly});
+  const auto measure = i < tokens.size() ? read_measure(lexicon, tokens, i) : std::nullopt;
+  if (!measure) return 0;
+  set_side(size, meaning_of(dimension, Class::kDimension)->word, measure->metres);
+  return i + measure->length - at;
 }
 
 namespace {
@@ -116,10 +175,15 @@ bool noun_goes_on(const Lexicon& lexicon, std::span<const Token> tokens, std::si
 
 std::size_t read_size_before(const Lexicon& lexicon, std::span<const Token> tokens, std::size_t at, SaidSize& size) {
   if (const std::size_t named = read_size(lexicon, tokens, at, size); named > 0) return named;
-  if (const SidesRead read = read_sides(lexicon, tokens, at); read.united && noun_goes_on(lexicon, tokens, at + read.length)) {
-    size.width = read.sides[0];
-    size.depth = read.sides[1];
-    if (read.sides.size() > 2) size.height = read.sides[2];
+  // "a 60x120 desk": centimetres, where no unit is said and metres are too many.
+  constexpr double kFewest = 20, kCentimetre = 0.01;
+  const SidesRead read = read_sides(lexicon, tokens, at);
+  const bool bare = !read.united && !read.sides.empty() && std::min(read.numbers[0], read.numbers[1]) >= kFewest;
+  if ((read.united || bare) && noun_goes_on(lexicon, tokens, at + read.length)) {
+    const auto side = [&](std::size_t s) { return bare ? read.numbers[s] * kCentimetre : read.sides[s]; };
+    size.width = side(0);
+    size.depth = side(1);
+    if (read.sides.size() > 2) size.height = side(2);
     size.either = true;
     return read.length;
   }
@@ -133,7 +197,7 @@ std::size_t read_size_before(const Lexicon& lexicon, std::span<const Token> toke
 }
 
 SidesRead read_sides(const Lexicon& lexicon, std::span<const Token> tokens, std::size_t at) {
-  constexpr double kLongestInMetres = 20;  // what is longer and has no unit is in feet
+  constexpr double kLongestInMetres = 20, kLongestInFeet = 90;  // what is longer and has no unit is in feet, or in centimetres
   SidesRead read;
   std::vector<bool> united;
   double unit = 0;
@@ -143,6 +207,7 @@ SidesRead read_sides(const Lexicon& lexicon, std::span<const Token> tokens, std:
     if (digits == 0) break;
     const auto measure = read_measure(lexicon, tokens, i);
     read.sides.push_back(measure ? measure->metres : value);
+    read.numbers.push_back(value);
     united.push_back(measure.has_value());
     if (measure) unit = value > 0 ? measure->metres / value : 1;
     i += measure ? measure->length : digits;
@@ -155,7 +220,8 @@ SidesRead read_sides(const Lexicon& lexicon, std::span<const Token> tokens, std:
   }
   if (read.sides.size() < 2) return {};
   read.united = unit > 0;
-  if (unit == 0) unit = *std::max_element(read.sides.begin(), read.sides.end()) > kLongestInMetres ? 0.3048 : 1.0;
+  const double longest = *std::max_element(read.sides.begin(), read.sides.end());
+  if (unit == 0) unit = longest > kLongestInFeet ? 0.01 : longest > kLongestInMetres ? 0.3048 : 1.0;
   for (std::size_t s = 0; s < read.sides.size(); ++s) {
     if (!united[s]) read.sides[s] *= unit;
   }

@@ -88,16 +88,20 @@ struct Measure {
 std::optional<Measure> read_measure(const Lexicon& lexicon, std::span<const Token> tokens, std::size_t at);
 
 // "6 x 5 m", "12 by 14 feet", "4 m wide by 3 m deep": the sides in the order they stand; empty where `at` begins no such thing. Numbers
-// without a unit take that of another one; without any it is metres, or feet where a side would be longer than 20.
+// without a unit take that of another one; without any it is metres, or feet where a side would be longer than 20, or centimetres (90).
 struct SidesRead {
-  std::vector<double> sides;  // metres
-  std::size_t length = 0;     // tokens
-  bool united = false;        // a unit is said
+  std::vector<double> sides;    // metres
+  std::vector<double> numbers;  // as they stand
+  std::size_t length = 0;       // tokens
+  bool united = false;          // a unit is said
 };
 SidesRead read_sides(const Lexicon& lexicon, std::span<const Token> tokens, std::size_t at);
 
 // "120 cm wide": adds to `size`; the tokens it takes, 0 for none.
 std::size_t read_size(const Lexicon& lexicon, std::span<const Token> tokens, std::size_t at, SaidSize& size);
+
+// "with a diameter of 1.2 m", "of at least 1.6 m width", "no wider than 1 m": adds to `size`; the tokens it takes, 0 for none.
+std::size_t read_size_of(const Lexicon& lexicon, std::span<const Token> tokens, std::size_t at, SaidSize& size);
 
 // Whether a noun phrase may go on at `at`: no preposition, no verb, no punctuation.
 bool noun_goes_on(const Lexicon& lexicon, std::span<const Token> tokens, std::size_t at);

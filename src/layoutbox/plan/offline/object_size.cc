@@ -41,6 +41,7 @@ SaidSize settled(const NounPhrase& noun, const CatalogEntry& entry) {
   SaidSize size = noun.size;
   const Size& usual = entry.size.usual;
   if (size.span) size = with_span(size, entry, noun);
+  if (size.length && size.width && !size.depth && usual.depth <= usual.width) size.depth = size.width;  // "2.4 m long, 1 m wide"
   if (size.length) (usual.depth > usual.width ? size.depth : size.width) = size.length;
   if (is_round(noun) && size.width.has_value() != size.depth.has_value()) size.width = size.depth = size.width ? size.width : size.depth;
   const bool turned =

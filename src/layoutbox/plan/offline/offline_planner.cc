@@ -43,10 +43,12 @@ class OfflinePlanner final : public Planner {
                   "at most " + std::to_string(options.max_prompt_bytes) + " are read");
     if (!is_utf8(prompt)) return fail(ErrorCode::kParse, "the prompt is not UTF-8 text", {}, "save it as UTF-8");
     Document document;
+    document.stop = options.stop;
     document.prompt = std::string(prompt);
     document.tokens = tokenize(prompt);
     end_last_sentence(document);
-    correct_spelling(lexicon_, document.tokens);
+    correct_spelling(lexicon_, document.tokens, document.stop);
+    if (is_set(document.stop)) return stopped();
     if (std::none_of(document.tokens.begin(), document.tokens.end(), [](const Token& t) { return t.kind != Token::Kind::kPunctuation; })) {
       return fail(ErrorCode::kEmpty, "there is nothing in the prompt", {},
                   "describe a room: \"A bedroom with a bed and a desk under the window\"");
@@ -60,19 +62,26 @@ class OfflinePlanner final : public Planner {
     }
     read_seats_said(lexicon_, document, skip);
     const std::vector<WordReading> of_size = take_out(document, skip);
-    document.chunks = chunk_tokens(lexicon_, document.tokens);
+    document.chunks = chunk_tokens(lexicon_, document.tokens, document.stop);
+    if (is_set(document.stop)) return stopped();
     settle_opening_sizes(document);
+    settle_opening_walls(lexicon_, document);
     settle_purposes(lexicon_, document);
     settle_room_senses(lexicon_, document);
     read_document(lexicon_, document);
+    if (is_set(document.stop)) return stopped();
     add_for_people(lexicon_, document);
 
     Plan plan;
+    for (const NounPhrase& noun : document.excluded) {
+      if (noun.entry != nullptr) plan.unwanted.push_back(noun.entry->id);
+    }
     plan.scene.prompt = document.prompt;
     plan.scene.notes = std::move(document.notes);
     build_objects(document, plan.scene);
     build_room(lexicon_, document, size, plan.scene);
     build_relations(lexicon_, document, plan.scene);
+    if (is_set(document.stop)) return stopped();
     furnish_by_wish(lexicon_, document, plan.scene);
     const bool speaks_of_room = !document.rooms.empty() || !plan.scene.room.openings.empty() || size.width > 0 || size.area > 0;
     if (plan.scene.objects.empty() && !speaks_of_room) {
@@ -90,6 +99,8 @@ class OfflinePlanner final : public Planner {
   }
 
  private:
+  static Failure stopped() { return fail(ErrorCode::kInterrupted, "stopped", {}, "what was finished is kept"); }
+
   // What stops without a full stop reads as if it had one.
   static void end_last_sentence(Document& document) {
     if (document.tokens.empty() || document.tokens.back().kind == Token::Kind::kPunctuation) return;

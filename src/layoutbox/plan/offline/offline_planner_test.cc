@@ -83,6 +83,16 @@ TEST_F(OfflinePlannerTest, SizesOfThingsInTheirUsualForms) {
   EXPECT_EQ(usual("A 1 1/2 meter desk.").width, 1500);
   EXPECT_EQ(usual("A 55-inch TV.").width, 1218);
   EXPECT_EQ(usual("A 48 inch round dining table.").depth, 1219);
+  for (const char* text : {"A table with a diameter of 1.2 m.", "A table 120cm in diameter.", "A table, 1.2 meters by 1.2."}) {
+    EXPECT_EQ(usual(text).width, 1200) << text;
+    EXPECT_EQ(usual(text).depth, 1200) << text;
+  }
+  EXPECT_EQ(usual("A 180x200 bed.").width, 1800);
+  EXPECT_EQ(usual("The wardrobe should be no wider than 1 m.").width, 1000);
+  EXPECT_EQ(usual("A half-metre wide side table.").width, 500);
+  EXPECT_EQ(usual("A desk of at least 1.6 m width.").width, 1600);
+  EXPECT_EQ(usual("A 1m20 wide desk.").width, 1200);
+  EXPECT_EQ(usual("A dining table, 2400 mm long, 1000 mm wide.").depth, 1000);
 }
 
 TEST_F(OfflinePlannerTest, OpeningsHaveTheSizesThatAreSaid) {
@@ -191,6 +201,26 @@ TEST_F(OfflinePlannerTest, PutsDoorsAndWindowsWhereTheTextSays) {
             1);
 }
 
+TEST_F(OfflinePlannerTest, WallsOfOpeningsByTheirSide) {
+  const auto wall = [&](const char* text, OpeningType type) {
+    const SceneGraph read = scene(text);
+    const auto found = std::find_if(read.room.openings.begin(), read.room.openings.end(), [&](const Opening& o) { return o.type == type; });
+    EXPECT_NE(found, read.room.openings.end()) << text;
+    return found == read.room.openings.end() ? std::string{} : found->wall;
+  };
+  EXPECT_EQ(wall("A desk. There is a window to the east.", OpeningType::kWindow), "right");
+  EXPECT_EQ(wall("The entrance is on the left. A table.", OpeningType::kDoor), "left");
+  EXPECT_EQ(wall("The window faces east. A bed.", OpeningType::kWindow), "right");
+  const SceneGraph two = scene("The room has two doors, one in the front wall and one in the left wall. A bed.");
+  EXPECT_EQ(
+      std::count_if(two.room.openings.begin(), two.room.openings.end(), [](const Opening& o) { return o.type == OpeningType::kDoor; }), 2);
+  for (const char* text : {"No windows. A bed and a desk.", "A windowless storage room with shelves."}) {
+    const SceneGraph read = scene(text);
+    ASSERT_EQ(read.room.openings.size(), 1u) << text;
+    EXPECT_EQ(read.room.openings.front().type, OpeningType::kDoor) << text;
+  }
+}
+
 TEST_F(OfflinePlannerTest, ReadsFloorAndWalls) {
   const SceneGraph read = scene("An office with white walls and a wooden floor has a desk.");
   EXPECT_EQ(read.room.wall_material, "white");
@@ -279,6 +309,26 @@ TEST_F(OfflinePlannerTest, HundredThousandWordsDoNotHangIt) {
   std::string text = "A bedroom with a bed. ";
   for (int i = 0; i < 16000; ++i) text += "It is very nice and quite cozy. ";
   EXPECT_EQ(scene(text).objects.size(), 1u);
+}
+
+// Endless compounds took time that grew with their square.
+TEST_F(OfflinePlannerTest, OneWordOfManyPartsIsRead) {
+  std::string text;
+  for (int i = 0; i < 60000; ++i) text += "bed-";
+  EXPECT_TRUE(planner_->plan(text, {}));
+}
+
+TEST_F(OfflinePlannerTest, TheReadingCanBeStopped) {
+  const std::atomic<bool> stop = true;
+  PlanOptions options;
+  options.stop = &stop;
+  const auto read = planner_->plan("A bedroom with a bed.", options);
+  ASSERT_FALSE(read);
+  EXPECT_EQ(read.error().code, ErrorCode::kInterrupted);
+}
+
+TEST_F(OfflinePlannerTest, WhatIsNotWantedIsListed) {
+  EXPECT_EQ(plan("A living room with a sofa and no coffee table.").unwanted, std::vector<std::string>{"coffee_table"});
 }
 
 // Any row of words gives a plan whose relations name objects that are there.

@@ -1,5 +1,8 @@
 #include "layoutbox/plan/offline/purposes.h"
 
+#include <algorithm>
+#include <string_view>
+
 #include "layoutbox/plan/offline/english.h"
 
 namespace layoutbox::offline {
@@ -32,9 +35,29 @@ bool is_definite_place(const Chunk& chunk) {
          chunk.noun.determiner == Determiner::kDefinite;
 }
 
+// "a place to fix bikes", "somewhere to watch the game": what one does there brings in nothing.
+void settle_activities(const Lexicon& lexicon, Document& document) {
+  static constexpr std::string_view kPlaces[] = {"place", "room", "space", "spot", "somewhere", "area", "corner", "nook"};
+  std::vector<Chunk>& chunks = document.chunks;
+  for (std::size_t k = 1; k < chunks.size(); ++k) {
+    const std::size_t to = chunks[k].first;
+    if (document.tokens[to].text != "to" || to + 1 >= document.tokens.size()) continue;
+    const std::string& before = document.tokens[to - 1].text;
+    const std::string& word = document.tokens[to + 1].text;
+    const bool verb = word_form(word) == WordForm::kVerb || lexicon.is(document.tokens[to + 1], WordClass::kVerb) ||
+                      lexicon.is(document.tokens[to + 1], WordClass::kHang);
+    if (!verb || std::find(std::begin(kPlaces), std::end(kPlaces), before) == std::end(kPlaces)) continue;
+    for (; k < chunks.size() && chunks[k].kind != ChunkKind::kStop && chunks[k].kind != ChunkKind::kComma &&
+           chunks[k].kind != ChunkKind::kHave;
+         ++k)
+      pass_over(document, chunks[k], "purpose");
+  }
+}
+
 }  // namespace
 
 void settle_purposes(const Lexicon& lexicon, Document& document) {
+  settle_activities(lexicon, document);
   std::vector<Chunk>& chunks = document.chunks;
   for (std::size_t k = 0; k + 2 < chunks.size(); ++k) {
     if (chunks[k].kind != ChunkKind::kPurpose || document.tokens[chunks[k].last - 1].text != "for" ||

@@ -43,15 +43,18 @@ void RelationBuilder::place_hosts() {
 void RelationBuilder::run() {
   place_hosts();
   for (const Link& link : document_.links) {
+    if (is_set(document_.stop)) return;
     if (link.kind == Link::Kind::kRelation) add_relations(link);
   }
   add_rows();
   add_clusters();
   complete_sides();
   for (const Link& link : document_.links) {
+    if (is_set(document_.stop)) return;
     if (link.kind == Link::Kind::kHave) add_contents(link);
   }
   for (const Link& link : document_.links) {
+    if (is_set(document_.stop)) return;
     if (link.kind == Link::Kind::kHang) add_hanging(link);
   }
   add_mounts_said();

@@ -41,7 +41,8 @@ class NicheReader {
 
   // "2 x 2 m", "1.5 m wide and 1 m deep".
   bool read_lengths() {
-    if (const auto [sides, length, united] = read_sides(lexicon_, tokens_, first_); length > 0) {
+    if (const SidesRead read = read_sides(lexicon_, tokens_, first_); read.length > 0) {
+      const auto& [sides, numbers, length, united] = read;
       niche_.width = sides[0], niche_.depth = sides[1];
       last_ = first_ + length;
     } else {

@@ -4,6 +4,7 @@
 
 #include "layoutbox/base/words.h"
 #include "layoutbox/catalog/normalize.h"
+#include "layoutbox/plan/offline/noun_phrase_parts.h"
 
 namespace layoutbox::offline {
 namespace {
@@ -38,6 +39,21 @@ void add_opening(SceneGraph& scene, OpeningType type, const NounPhrase& noun, co
   opening.id = std::string(name_of(type)) + std::to_string(number);
   opening.wall = wall;
   scene.room.openings.push_back(std::move(opening));
+}
+
+// "a double door", "large windows": what a default one is not.
+bool is_described(const NounPhrase& noun) {
+  static constexpr std::string_view kWords[] = {"double", "sliding", "large", "big", "wide", "small", "round", "floor-to-ceiling"};
+  return noun.determiner != Determiner::kDefinite && std::any_of(noun.attributes.begin(), noun.attributes.end(), [](const std::string& a) {
+           return std::find(std::begin(kWords), std::end(kWords), a) != std::end(kWords);
+         });
+}
+
+// "no windows", "a windowless room"
+bool wants_no_window(const Document& document) {
+  const auto windowless = [](const NounPhrase& room) { return room.name.find("windowless") != std::string::npos; };
+  return std::any_of(document.excluded.begin(), document.excluded.end(), [](const NounPhrase& n) { return n.kind == NounKind::kWindow; }) ||
+         std::any_of(document.rooms.begin(), document.rooms.end(), windowless);
 }
 
 // Those of that type whose size nobody gave take that of `like`.
@@ -79,6 +95,32 @@ void settle_opening_sizes(Document& document) {
       if (next.kind != ChunkKind::kIgnored && next.kind != ChunkKind::kRelation && next.kind != ChunkKind::kComma &&
           next.kind != ChunkKind::kVerb && !each)
         break;
+    }
+  }
+}
+
+// "a window to the east", "the entrance is on the left", "the window faces south": which wall.
+void settle_opening_walls(const Lexicon& lexicon, Document& document) {
+  std::vector<Chunk>& chunks = document.chunks;
+  const auto passed = [&](std::size_t n) {
+    return n < chunks.size() && (chunks[n].kind == ChunkKind::kIgnored || chunks[n].kind == ChunkKind::kVerb ||
+                                 chunks[n].kind == ChunkKind::kParticiple || chunks[n].kind == ChunkKind::kSize);
+  };
+  for (std::size_t k = 0; k < chunks.size(); ++k) {
+    NounPhrase& noun = chunks[k].noun;
+    if (chunks[k].kind != ChunkKind::kNoun || (noun.kind != NounKind::kDoor && noun.kind != NounKind::kWindow)) continue;
+    std::size_t n = k + 1;
+    while (passed(n)) ++n;
+    if (n >= chunks.size() || chunks[n].kind != ChunkKind::kRelation) continue;
+    const std::size_t first = n++;
+    while (n < chunks.size() && chunks[n].kind == ChunkKind::kIgnored) ++n;
+    if (n < chunks.size() && chunks[n].kind == ChunkKind::kNoun) continue;
+    for (std::size_t i = chunks[first].first; i < chunks[n - 1].last; ++i) {
+      const Match side = lexicon.find(document.tokens, i, Class::kWallWord);
+      if (side.length == 0) continue;
+      noun.wall_word = meaning_of(side, Class::kWallWord)->word;
+      for (std::size_t c = first; c < n; ++c) chunks[c].kind = ChunkKind::kIgnored;
+      break;
     }
   }
 }
@@ -154,21 +196,24 @@ void build_room(const Lexicon& lexicon, const Document& document, const RoomSize
     for (const int target : link.targets) {
       const Mention& mention = document.mentions[static_cast<std::size_t>(target)];
       if (mention.noun.kind != NounKind::kDoor && mention.noun.kind != NounKind::kWindow) continue;
-      std::string wall;
+      std::string wall = mention.noun.wall_word;
       for (const int reference : link.references) wall = document.mentions[static_cast<std::size_t>(reference)].noun.wall_word;
       placed.emplace_back(&mention, wall.substr(0, wall.find(' ')));
     }
   }
   for (const auto& [mention, wall] : placed) {
     const OpeningType type = mention->noun.kind == NounKind::kDoor ? OpeningType::kDoor : OpeningType::kWindow;
-    const int count = mention->noun.count > 0 ? mention->noun.count : mention->noun.plural ? 2 : 1;
+    // "two doors, one in the front wall and one in the left wall": shared out.
+    const auto places = std::count_if(placed.begin(), placed.end(), [&, m = mention](const auto& p) { return p.first == m; });
+    const int all = mention->noun.count > 0 ? mention->noun.count : mention->noun.plural ? 2 : 1;
+    const int count = std::max(1, all / static_cast<int>(places));
     for (int i = 0; i < std::min(count, 12); ++i) add_opening(scene, type, mention->noun, wall);
   }
   for (const Mention& mention : document.mentions) {
     if (mention.noun.kind != NounKind::kDoor && mention.noun.kind != NounKind::kWindow) continue;
     const bool said = std::any_of(placed.begin(), placed.end(), [&](const auto& p) { return p.first == &mention; });
     const bool counted = mention.noun.count > 1 || (mention.noun.plural && mention.noun.determiner != Determiner::kDefinite);
-    if (said || (!counted && !mention.noun.size.any())) continue;
+    if (said || (!counted && !mention.noun.size.any() && mention.noun.wall_word.empty() && !is_described(mention.noun))) continue;
     const OpeningType type = mention.noun.kind == NounKind::kDoor ? OpeningType::kDoor : OpeningType::kWindow;
     const bool there = std::any_of(room.openings.begin(), room.openings.end(), [&](const Opening& o) { return o.type == type; });
     if (there) {  // "there is a window in the back wall. The window is 2 m wide."
@@ -176,12 +221,14 @@ void build_room(const Lexicon& lexicon, const Document& document, const RoomSize
       continue;
     }
     const int count = mention.noun.count > 0 ? mention.noun.count : counted ? 2 : 1;
-    for (int i = 0; i < std::min(count, 12); ++i) add_opening(scene, type, mention.noun, {});
+    for (int i = 0; i < std::min(count, 12); ++i) add_opening(scene, type, mention.noun, mention.noun.wall_word);
   }
-  // One kind named, the other is still needed.
-  if (!room.openings.empty()) {
+  // One kind named, the other is still needed; nobody wants to do without a door.
+  const bool windowless = wants_no_window(document);
+  if (!room.openings.empty() || windowless) {
     for (const OpeningType type : {OpeningType::kDoor, OpeningType::kWindow}) {
       if (std::any_of(room.openings.begin(), room.openings.end(), [&](const Opening& o) { return o.type == type; })) continue;
+      if (type == OpeningType::kWindow && windowless) continue;
       add_opening(scene, type, {}, {});
       room.openings.back().origin = Origin::kAssumed;
       scene.notes.push_back({"filled", std::string("a ") + std::string(name_of(type)) + " is assumed", "/room/openings"});

@@ -27,6 +27,9 @@ std::string wall_of_niche(const Room& room, const Niche& niche);
 // "The door is 1 m wide", "two windows, each 2 m wide": the sizes become the openings' own.
 void settle_opening_sizes(Document& document);
 
+// "a window to the east", "the entrance is on the left": the side becomes the opening's wall word.
+void settle_opening_walls(const Lexicon& lexicon, Document& document);
+
 // A door or a window as a noun phrase says it, without an id and a place.
 Opening opening_said(OpeningType type, const NounPhrase& noun);
 

@@ -21,7 +21,8 @@ class SizeReader {
       : lexicon_(lexicon), document_(document), tokens_(document.tokens), skip_(skip) {}
 
   RoomSize run() {
-    for (std::size_t i = 0; i < tokens_.size(); ++i) {
+    for (std::size_t i = 0; i + 1 < tokens_.size(); ++i) l_shaped_ |= tokens_[i].text == "l" && tokens_[i + 1].text.starts_with("shape");
+    for (std::size_t i = 0; i < tokens_.size() && !is_set(document_.stop); ++i) {
       if (tokens_[i].kind != Token::Kind::kNumber && lexicon_.find(tokens_, i, Class::kNumber).length == 0) continue;
       if (const std::size_t niche = read_niche_of(i); niche > 0) {
         i += niche - 1;
@@ -67,27 +68,22 @@ class SizeReader {
       if (has_class(match, Class::kRoom) || has_class(match, Class::kRoomNoun)) return true;
       if (has_class(match, Class::kObject)) return false;
     }
-    for (std::size_t i = first; i-- > 0;) {
+    constexpr std::size_t kReach = 100;  // tokens; keeps endless sentences linear
+    for (std::size_t i = first; i-- > (first > kReach ? first - kReach : 0);) {
       if (tokens_[i].ends_sentence) break;
       const Match match = lexicon_.find(tokens_, i);
       if (has_class(match, Class::kRoom) || has_class(match, Class::kRoomNoun)) return true;
       if (has_class(match, Class::kObject) && !beyond(match, sides)) return false;
+      if (has_class(match, Class::kWindow) || has_class(match, Class::kDoor)) return false;  // "three windows in a wall, each 1.5 m wide"
     }
     return size_.width == 0 && first < 12;
-  }
-
-  bool is_l_shaped() const {
-    for (std::size_t i = 0; i + 1 < tokens_.size(); ++i) {
-      if (tokens_[i].text == "l" && tokens_[i + 1].text.starts_with("shape")) return true;
-    }
-    return false;
   }
 
   // A second size: of the other part of an L, or one that contradicts the first.
   std::size_t read_second(std::size_t at, std::size_t length, const std::vector<double>& sides) {
     constexpr double kSame = 0.01;
     const bool same = std::abs(sides[0] - size_.width) < kSame && std::abs(sides[1] - size_.depth) < kSame;
-    if (is_l_shaped() && !document_.niche && !same) {
+    if (l_shaped_ && !document_.niche && !same) {
       add_part(sides[0], sides[1]);
       take(at, at + length, "size of the room's other part");
       return length;
@@ -124,7 +120,8 @@ class SizeReader {
 
   std::size_t read_product(std::size_t at) {
     const SidesRead read = read_sides(lexicon_, tokens_, at);
-    const auto& [values, length, united] = read;
+    const std::vector<double>& values = read.sides;
+    const std::size_t length = read.length;
     if (values.empty() || !speaks_of_room(at, at + length, values)) return 0;
     const auto impossible = [](double side) { return side == 0 || side > kLongestSide; };
     size_.impossible = size_.impossible || std::any_of(values.begin(), values.end(), impossible);
@@ -208,6 +205,7 @@ class SizeReader {
   const std::vector<Token>& tokens_;
   std::vector<bool>& skip_;
   RoomSize size_;
+  bool l_shaped_ = false;
 };
 
 }  // namespace

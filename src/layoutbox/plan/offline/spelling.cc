@@ -15,16 +15,16 @@ constexpr std::size_t kMostLookups = 200;  // of different words in one text; ke
 constexpr std::size_t kShortest = 4, kLong = 8;
 
 bool is_listed(const Lexicon& lexicon, const std::string& word) {
-  if (lexicon.knows(word) || is_english(word)) return true;
+  if (lexicon.lists(word) || is_english(word) || lexicon.knows(word)) return true;
   const std::vector<std::string> forms = singular_forms(word);
   return std::any_of(forms.begin(), forms.end(), [&](const std::string& form) { return lexicon.knows(form); });
 }
 
-// "recycler", "dehumidifiers": who or what does that.
+// "recycler", "dehumidifiers": who or what does that; "wider".
 bool is_doer(const Lexicon& lexicon, const std::string& word) {
   const std::string one = singular_of(word);
   for (const std::string_view ending : {"er", "or"}) {
-    if (!one.ends_with(ending) || one.size() < kShortest + ending.size()) continue;
+    if (!one.ends_with(ending) || one.size() < kShortest - 1 + ending.size()) continue;
     const std::string stem = one.substr(0, one.size() - ending.size());
     if (is_listed(lexicon, stem) || is_listed(lexicon, stem + "e")) return true;
   }
@@ -50,7 +50,7 @@ std::string nearest(const Lexicon& lexicon, const std::string& word) {
   std::size_t least = reach + 1;
   const auto look = [&](char first) {
     for (std::size_t length = word.size() - reach; length <= word.size() + reach; ++length) {
-      for (const std::string& known : lexicon.words_like(first, length)) {
+      for (const std::string_view known : lexicon.words_like(first, length)) {
         const std::size_t distance = edit_distance(word, known);
         // Of equals the one that is as long: letters are swapped more often than lost.
         const bool longer = known.size() == word.size() && best.size() != word.size();
@@ -97,11 +97,11 @@ std::string_view meant_by_letter(const std::vector<Token>& tokens, std::size_t i
 
 }  // namespace
 
-void correct_spelling(const Lexicon& lexicon, std::vector<Token>& tokens) {
+void correct_spelling(const Lexicon& lexicon, std::vector<Token>& tokens, StopFlag stop) {
   std::unordered_map<std::string, std::string> seen;
   std::vector<Token> corrected;
   corrected.reserve(tokens.size());
-  for (std::size_t i = 0; i < tokens.size(); ++i) {
+  for (std::size_t i = 0; i < tokens.size() && !is_set(stop); ++i) {
     Token& token = tokens[i];
     if (const std::string_view letter = meant_by_letter(tokens, i); !letter.empty()) token.text = letter;
     const bool word = token.kind == Token::Kind::kWord && token.text.find('~') == std::string::npos;

@@ -4,10 +4,11 @@
 #include <vector>
 
 #include "layoutbox/plan/offline/lexicon.h"
+#include "layoutbox/plan/offline/stop.h"
 
 namespace layoutbox::offline {
 
 // Replaces words that are misspelt by the nearest known one; what is near nothing stays as it is. Places in the text stay.
-void correct_spelling(const Lexicon& lexicon, std::vector<Token>& tokens);
+void correct_spelling(const Lexicon& lexicon, std::vector<Token>& tokens, StopFlag stop = nullptr);
 
 }  // namespace layoutbox::offline

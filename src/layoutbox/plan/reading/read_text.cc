@@ -14,6 +14,7 @@ void read_document(const Lexicon& lexicon, Document& document) {
   const std::vector<Sentence> sentences = read_units(lexicon, document);
   Scribe scribe(lexicon, document);
   for (const Sentence& sentence : sentences) {
+    if (is_set(document.stop)) break;
     const SentenceTree tree(document, sentence);
     const SentenceReading reading = Decoder(lexicon, document, sentence, tree, scribe.so_far()).run();
     scribe.write(sentence, reading);

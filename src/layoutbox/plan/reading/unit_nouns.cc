@@ -96,8 +96,11 @@ void UnitReader::settle_noun(std::size_t k) {
   // "A craft brewery taproom has a bar": what nobody knows and has things, at the very beginning, is the room.
   const bool has = is(next(k), ChunkKind::kHave);
   // "I want a two-bed recovery bay."
+  const bool title =
+      k == 0 && noun.determiner == Determiner::kNone && noun.count == 0 && is(k + 1, ChunkKind::kStop) && k + 2 < document_.chunks.size();
   const bool alone = noun.determiner == Determiner::kIndefinite && is(k + 1, ChunkKind::kStop);
-  if (noun.kind == NounKind::kObject && noun.entry == nullptr && !noun.is_plural() && (has || alone)) noun.kind = NounKind::kRoom;
+  if (noun.kind == NounKind::kObject && noun.entry == nullptr && ((!noun.is_plural() && (has || alone)) || title))
+    noun.kind = NounKind::kRoom;
   // "A reading corner with an armchair": so is the corner that it is all about.
   if (noun.kind == NounKind::kCorner && noun.wall_word.empty() && !after_place() && has) noun.kind = NounKind::kRoom;
 }
@@ -118,13 +121,21 @@ bool UnitReader::says_nothing_but_there(std::size_t k) {
   return true;
 }
 
+// "a desk from my old office", "what used to be a garage": not this room.
+bool UnitReader::is_past(const NounPhrase& noun) const {
+  const auto before = [&](std::size_t back, std::string_view word) {
+    return noun.first >= back && document_.tokens[noun.first - back].text == word;
+  };
+  return before(1, "from") || (before(1, "be") && before(2, "to") && before(3, "used"));
+}
+
 void UnitReader::read_noun(std::size_t k) {
   settle_noun(k);
   settle_place_words(k);
   NounPhrase& noun = document_.chunks[k].noun;
   if (skipping_) {
     mark(k, Use::kIgnored, "purpose");
-    if (noun.kind == NounKind::kRoom) document_.rooms.push_back(noun);
+    if (noun.kind == NounKind::kRoom && !is_past(noun)) document_.rooms.push_back(noun);
     return;
   }
   if (says_nothing_but_there(k)) return;
@@ -133,7 +144,7 @@ void UnitReader::read_noun(std::size_t k) {
     negated_ = false;
   if (negated_) {
     mark(k, Use::kUsed, "not wanted");
-    if (noun.kind == NounKind::kObject) document_.excluded.push_back(noun);
+    if (noun.kind == NounKind::kObject || noun.kind == NounKind::kWindow) document_.excluded.push_back(noun);
     return;
   }
   if (noun.kind == NounKind::kOutsideRoom) {
@@ -144,7 +155,7 @@ void UnitReader::read_noun(std::size_t k) {
          "prompt:" + std::to_string(document_.tokens[chunk(k).first].begin) + "-" +
              std::to_string(document_.tokens[chunk(k).last - 1].end)});
   }
-  if (noun.kind == NounKind::kRoom && (!after_place() || noun.room != nullptr)) document_.rooms.push_back(noun);
+  if (noun.kind == NounKind::kRoom && (!after_place() || noun.room != nullptr) && !is_past(noun)) document_.rooms.push_back(noun);
   if (is_part(k)) {
     mark(k, Use::kUsed, "part");
     // "with a soft mattress and two pillows": the having goes on.

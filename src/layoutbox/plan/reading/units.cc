@@ -32,7 +32,7 @@ std::size_t UnitReader::previous(std::size_t k) const {
 }
 
 std::vector<Sentence> UnitReader::run() {
-  for (std::size_t k = 0; k < document_.chunks.size(); ++k) {
+  for (std::size_t k = 0; k < document_.chunks.size() && !is_set(document_.stop); ++k) {
     if (k >= passed_until_ && k != passed_over_) read(k);
   }
   end_sentence();
