@@ -140,7 +140,8 @@ void NounPhraseReader::read_of() {
   if (!at_word("of") || i_ + 1 >= tokens_.size()) return;
   const bool bare = phrase_.kind == NounKind::kObject;
   auto base = read_noun_phrase(lexicon_, tokens_, i_ + 1, true);
-  if (!base && bare && is_noun(noun_form(tokens_[i_ + 1].text)) && !lexicon_.is(tokens_[i_ + 1], Class::kDefinite)) {
+  if (!base && bare && (is_noun(noun_form(tokens_[i_ + 1].text)) || is_english(tokens_[i_ + 1].text)) &&
+      !lexicon_.is(tokens_[i_ + 1], Class::kDefinite)) {
     phrase_.name += " of " + tokens_[i_ + 1].text;  // "a spool of solder": a verb elsewhere
     i_ += 2;
     return;
@@ -195,7 +196,7 @@ bool NounPhraseReader::is_rare_thing(const Part& part, std::size_t head) const {
   const std::string& word = tokens_[part.last - 1].text;
   if (word.ends_with("ing") || word.ends_with("ed") || noun_form(word) != WordForm::kRarelyThing) return false;
   const bool counted = counted_ && !phrase_.vague && phrase_.count > 1;
-  const bool compound = is_compound(head) && (parts_[head - 1].word_class == Class::kObject || is_thing(parts_[head - 1]));
+  const bool compound = is_compound(head);
   return counted || compound || has_attribute(Class::kColor) || has_attribute(Class::kMaterial);
 }
 

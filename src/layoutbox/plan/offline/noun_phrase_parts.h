@@ -87,6 +87,7 @@ class NounPhraseReader {
   void read_parts();
   bool is_named() const { return !parts_.empty() || phrase_.determiner != Determiner::kNone || counted_; }
   bool add(WordClass word_class, const Meaning& meaning, std::size_t length, bool plural);
+  bool names_on(const Match& match) const;
   bool read_part();
   bool count_follows() const;
   bool is_verb_in_name(const Match& match) const;

@@ -136,6 +136,19 @@ bool NounPhraseReader::add(Class word_class, const Meaning& meaning, std::size_t
   return true;
 }
 
+// "a miniature station model", "three parking meters", "a dog lead hook": no command, unit or verb within a name.
+bool NounPhraseReader::names_on(const Match& match) const {
+  const std::string& text = token().text;
+  if (match.length != 1 || parts_.empty() || parts_.back().last != i_ || opens_at(i_ + 1) || text.size() < 2 || !is_noun(noun_form(text)))
+    return false;
+  const bool one = phrase_.determiner == Determiner::kIndefinite && phrase_.count == 0 && !parts_.back().plural && !plural_at(i_) &&
+                   !text.ends_with("ed") && !text.ends_with("ing");
+  return std::all_of(match.meanings.begin(), match.meanings.end(), [&](const Meaning& m) {
+    const bool verb = m.word_class == Class::kVerb || m.word_class == Class::kPurpose;
+    return m.word_class == Class::kCommand || m.word_class == Class::kUnit || (one && verb);
+  });
+}
+
 bool NounPhraseReader::read_part() {
   if (read_ordinal()) return true;
   Match match = lexicon_.find(tokens_, i_);
@@ -145,7 +158,7 @@ bool NounPhraseReader::read_part() {
   const bool noun_before = std::any_of(parts_.begin(), parts_.end(), [](const Part& p) {
     return !is_attribute_class(p.word_class) && p.word_class != Class::kFiller && p.word_class != Class::kWallWord;
   });
-  if (match.length > 0 && !is_verb_in_name(match)) return read_listed(match, noun_before);
+  if (match.length > 0 && !is_verb_in_name(match) && !names_on(match)) return read_listed(match, noun_before);
   return read_unlisted();
 }
 
