@@ -13,7 +13,7 @@
 namespace layoutbox::placement {
 
 // Points per metre missed; docs/solve.md says where they come from.
-inline constexpr int kBackToWall = 900, kBeside = 500, kFaces = 600, kAtWall = 150, kSeatToWall = 350, kRug = 300, kHint = 800,
+inline constexpr int kBackToWall = 900, kBeside = 500, kFaces = 600, kAtWall = 150, kSeatToWall = 700, kRug = 300, kHint = 800,
                      kHintOfTurn = 20000, kOpeningPlace = 80, kHangs = 200, kSits = 400, kCurtain = 900, kMiddle = 40, kLight = 25,
                      kFormation = 300;
 

@@ -77,10 +77,12 @@ void Habits::stand_at_side(int item) {
       continue;
     const Item& ref = model_.items[host];
     const bool small = self.mount == Mount::kSurface && ref.mount == Mount::kSurface;
-    if (!small && (ref.is_opening() || ref.mount != Mount::kFloor || !ref.has_front || area_of(ref) < area_of(self))) continue;
+    // A basin that hangs is stood before as well.
+    const bool hangs = ref.mount == Mount::kWall && self.mount == Mount::kFloor && !used_sides(ref).empty();
+    if (!small && (ref.is_opening() || (ref.mount != Mount::kFloor && !hangs) || !ref.has_front || area_of(ref) < area_of(self))) continue;
     Formula f;
     const Mm gap = small ? 40 : 60;
-    for (const Side side : {Side::kLeft, Side::kRight}) add_beside(f, model_, item, host, side, {.most = 500, .wished_gap = gap});
+    for (const Side side : {Side::kLeft, Side::kRight}) add_beside(f, model_, item, host, side, {.most = 500, .wished_gap = gap, .in_plan_only = hangs});
     for (Case& c : f.cases) {
       if (!c.wishes.empty()) c.wishes[0].weight = kBeside;
     }
@@ -200,7 +202,7 @@ void Habits::flank(int item, int host, int hosts) {
   if (rank / hosts % 2 == 0) return;
   int twin = 0;
   while (model_.items[twin].entry != model_.items[item].entry || rank_of(twin) != rank - hosts) ++twin;
-  if (model_.items[twin].fixed || related(twin, host)) return;
+  if (model_.items[twin].fixed || !only_near(twin, host)) return;
   Formula f;
   for_each_turn(model_.items[host], [&](int turn, std::uint64_t states) {
     const Direction right = side_direction(model_.items[host], Side::kRight, turn);
