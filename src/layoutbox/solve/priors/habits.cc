@@ -44,7 +44,7 @@ void Habits::stand(int index) {
   } else if (!with_host && !placed_by_relation(index)) {
     if (used_sides(item).size() >= 4 && !item.is(Trait::kSeat)) {
       stand_in_middle(index);
-    } else if (item.is(Trait::kSeat) && item.has_front && !looks) {
+    } else if (item.is(Trait::kSeat) && item.has_front && !looks && !item.object->hint.position) {
       back_to_wall(index, kSeatToWall);
     } else {
       stand_at_wall(index);

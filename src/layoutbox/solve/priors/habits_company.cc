@@ -78,11 +78,12 @@ void Habits::stand_at_side(int item) {
     const Item& ref = model_.items[host];
     const bool small = self.mount == Mount::kSurface && ref.mount == Mount::kSurface;
     // A basin that hangs is stood before as well.
-    const bool hangs = ref.mount == Mount::kWall && self.mount == Mount::kFloor && !used_sides(ref).empty();
+    const bool hangs = !ref.is_opening() && ref.mount == Mount::kWall && self.mount == Mount::kFloor && !used_sides(ref).empty();
     if (!small && (ref.is_opening() || (ref.mount != Mount::kFloor && !hangs) || !ref.has_front || area_of(ref) < area_of(self))) continue;
     Formula f;
     const Mm gap = small ? 40 : 60;
-    for (const Side side : {Side::kLeft, Side::kRight}) add_beside(f, model_, item, host, side, {.most = 500, .wished_gap = gap, .in_plan_only = hangs});
+    for (const Side side : {Side::kLeft, Side::kRight})
+      add_beside(f, model_, item, host, side, {.most = 500, .wished_gap = gap, .in_plan_only = hangs});
     for (Case& c : f.cases) {
       if (!c.wishes.empty()) c.wishes[0].weight = kBeside;
     }
