@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/relation_builder_parts.h"
 
