@@ -110,6 +110,7 @@ Result<Solver::Early> Solver::prove_early() {
     }
     if (proof.outcome == Proof::Outcome::kClash) {
       LAYOUTBOX_CHECK(give_up(proof.clash));
+      look_for_more();
       return Early::kGivenUp;
     }
   }
@@ -169,6 +170,14 @@ Result<Proof> Solver::ask(const std::vector<char>& given_up, const std::vector<c
   return proof;
 }
 
+// A conflict was found and settled: others are looked for as long as the first was, so that all are named, up to a number of them.
+void Solver::look_for_more() {
+  constexpr int kMostConflicts = 8;
+  if (++conflicts_proven_ > kMostConflicts) return;
+  proof_time_ = budgets_.proof;
+  finding_.limit = std::max(finding_.limit, finding_.steps + budgets_.finding / 2);
+}
+
 // True: a layout was found. False: something was given up; try again.
 Result<bool> Solver::prove() {
   const bool loose = search_without_assumptions();
@@ -181,7 +190,10 @@ Result<bool> Solver::prove() {
   if (interrupted()) return fail(ErrorCode::kInterrupted, "stopped");
   switch (proof.outcome) {
     case Proof::Outcome::kLayout: placements_ = proof.placements; return true;
-    case Proof::Outcome::kClash: LAYOUTBOX_CHECK(give_up(proof.clash)); return false;
+    case Proof::Outcome::kClash:
+      LAYOUTBOX_CHECK(give_up(proof.clash));
+      look_for_more();
+      return false;
     case Proof::Outcome::kUnknown: break;
   }
   must_stop();

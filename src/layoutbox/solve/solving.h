@@ -67,6 +67,7 @@ class Solver {
   bool search(const std::vector<char>& given_up) { return search(given_up, budgets_.first, options_.seed); }
   bool search(const std::vector<char>& given_up, std::int64_t steps, std::uint64_t seed);
   Result<bool> prove();
+  void look_for_more();
   Result<Proof> ask(const std::vector<char>& given_up, const std::vector<char>& left_out, const Placements& hint, double most);
   void improve();
   bool begin(Search& search, int start, Budget& budget);
@@ -163,7 +164,8 @@ class Solver {
   Placements placements_;
   std::vector<int> failed_;
   int size_limit_ = 0;
-  double proof_time_ = 0;     // left of what CP-SAT may take
+  double proof_time_ = 0;  // left of what CP-SAT may take
+  int conflicts_proven_ = 0;
   int unproven_ = 0;          // rounds that ended without a layout and without a proof
   bool proven_best_ = false;  // no layout is better by a point
   bool used_cp_sat_ = false, fallback_ = false, stopped_by_clock_ = false, brought_back_ = false, searched_elsewhere_ = false,

@@ -58,10 +58,23 @@ Finding in_line(const Case& c, const Body& t, const Shape& r, Vec along) {
                  std::max(a.half(), b.half()) - std::min(a.half(), b.half()) / 5, c.slack());
 }
 
-// What has no front has the frame of what it stands on.
+// Left, right, before and behind what has no front are meant in the frame of the one thing that it is said to stand on; not of where it
+// came to stand unasked.
 Frame frame_of(const Case& c, const Reference& r) {
-  if (r.body == nullptr || r.body->has_front) return r.shape().frame;
-  const Body* host = c.view.find_body(r.body->object->supported_by);
+  const RelationType type = c.relation.type;
+  const bool by_side =
+      type == RelationType::kLeftOf || type == RelationType::kRightOf || type == RelationType::kInFrontOf || type == RelationType::kBehind;
+  if (!by_side || r.body == nullptr || r.body->has_front) return r.shape().frame;
+  const Body* host = nullptr;
+  for (const PlacedRelation& placed : c.view.layout.relations) {
+    const Relation& relation = placed.relation;
+    const bool stands = relation.type == RelationType::kOn || relation.type == RelationType::kIn;
+    if (!stands || relation.targets != std::vector<std::string>{r.id} || relation.references.size() != 1) continue;
+    const Body* named = c.view.find_body(relation.references.front());
+    if (named == nullptr && c.view.find_opening(relation.references.front()) == nullptr) continue;
+    if (named == nullptr || named->rug || (host != nullptr && host != named)) return r.shape().frame;
+    host = named;
+  }
   return host != nullptr && host->has_front ? host->own_frame : r.shape().frame;
 }
 

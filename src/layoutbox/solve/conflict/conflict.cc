@@ -9,12 +9,14 @@ namespace {
 constexpr double kWithoutPresolve = 0.001;
 constexpr std::int64_t kMostTerms = 1'200'000;  // of a model that is still asked about: some 300 MB
 constexpr double kPerByte = 7e-9;               // deterministic time that the reading of a model is counted as
+constexpr std::size_t kSmallModel = 1'000'000;  // bytes: its presolve is quick whatever it looks for
 constexpr double kSizeQuestion = 0.01;          // of one question about a size that may take part
 
 Result<CpAnswer> ask(Encoding& encoding, const CpSatLibrary& library, const std::vector<char>& demanded, const ProofLimits& limits) {
   CpParameters parameters;
   parameters.seed = limits.seed;
   const std::string model = encoding.bytes(demanded);
+  parameters.inclusions = model.size() < kSmallModel;
   double used = 0;
   for (const bool presolve : {false, true}) {
     parameters.presolve = presolve;
