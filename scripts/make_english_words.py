@@ -6,6 +6,7 @@ p person, o other noun that is a thing in a rarer sense, n other noun, v verb, a
 such), for verbs and adjectives that are nouns as well a second letter for the noun, and for what is or may be a thing or creature
 the words for the more general kinds, the nearest first. Words of the catalogue's own lists need not be here.
 """
+
 import argparse
 import collections
 import pathlib
@@ -38,7 +39,7 @@ def read_senses(folder: pathlib.Path) -> dict[str, list[int]]:
         if line.startswith(" "):
             continue
         parts = line.split()
-        senses[parts[0]] = [int(p) for p in parts[-int(parts[2]):]]
+        senses[parts[0]] = [int(p) for p in parts[-int(parts[2]) :]]
     return senses
 
 
@@ -50,7 +51,7 @@ def read_synsets(folder: pathlib.Path) -> dict[int, tuple[int, list[str], list[i
         parts = line.split("|")[0].split()
         count = int(parts[3], 16)
         words = [parts[4 + 2 * i].lower() for i in range(count)]
-        pointers = parts[4 + 2 * count + 1:]
+        pointers = parts[4 + 2 * count + 1 :]
         above = [int(pointers[i + 1]) for i in range(0, len(pointers) - 3, 4) if pointers[i] == "@"]
         synsets[int(parts[0])] = (int(parts[1]), words, above)
     return synsets
@@ -82,7 +83,7 @@ def noun_letter(lemma: str, senses: dict[str, list[int]], synsets: dict[int, tup
 
 
 def rarer_thing(lemma: str, senses: dict[str, list[int]], synsets: dict[int, tuple[int, list[str], list[int]]]) -> int | None:
-    """The first of all senses that is made by somebody, or a kind of what is ("tome", a book), though mostly the word says something else."""
+    """The first of all senses that is made by somebody, or a kind of what is ("tome", a book), though mostly the word says another."""
     for sense in senses[lemma]:
         above: int | None = sense
         while above is not None:
@@ -134,11 +135,15 @@ def main() -> None:
                 lines.setdefault(lemma, " ".join([best + ("t" if thing is not None else letter), *kinds(thing or sense, synsets)]))
             else:
                 lines.setdefault(lemma, best + letter)
-        elif "n" in uses and not compound and len(lemma) >= SHORTEST_RARE:
-            if letter == "o" or (sense is not None and synsets[sense][0] in BODIES):
-                above = kinds(sense, synsets)
-                if "taxonomicgroup" not in above:
-                    lines.setdefault(lemma, " ".join(["k", *above]))
+        elif (
+            "n" in uses
+            and not compound
+            and len(lemma) >= SHORTEST_RARE
+            and (letter == "o" or (sense is not None and synsets[sense][0] in BODIES))
+        ):
+            above = kinds(sense, synsets)
+            if "taxonomicgroup" not in above:
+                lines.setdefault(lemma, " ".join(["k", *above]))
     options.output.write_text("".join(f"{word} {what}\n" for word, what in sorted(lines.items())))
 
 

@@ -11,7 +11,20 @@ import json
 import pathlib
 import sys
 
-BESIDE = ["nextTo", "near", "touching", "leftOf", "rightOf", "eachSideOf", "atHeadOf", "inFrontOf", "behind", "around", "alongSide", "tuckedUnder"]
+BESIDE = [
+    "nextTo",
+    "near",
+    "touching",
+    "leftOf",
+    "rightOf",
+    "eachSideOf",
+    "atHeadOf",
+    "inFrontOf",
+    "behind",
+    "around",
+    "alongSide",
+    "tuckedUnder",
+]
 BETWEEN = {
     "next": BESIDE,
     "near": BESIDE + ["atFootOf", "distance"],

@@ -40,13 +40,36 @@ ROOMS = [{"id": "kitchen", "name": "kitchen", "size": {"w": 3, "d": 3, "h": 2.6}
 
 # Words that stood for something else once, and the kind that they name.
 MEANT = {
-    "voting booth": "voting_booth", "fitting booth": "fitting_booth", "phone booth": "phone_booth", "judge's bench": "judge_bench", "witness box": "witness_stand",
-    "gavel": "gavel", "ballot box": "ballot_box", "flag": "flag_on_pole", "wet floor sign": "wet_floor_sign", "shopping cart": "shopping_cart",
-    "change machine": "change_machine", "locomotive": "toy_train", "dj mixer": "dj_mixer", "test tube rack": "test_tube_rack", "fire blanket": "fire_blanket",
-    "soldering station": "soldering_station", "dress form": "dress_form", "pincushion": "pincushion", "clothes line": "clothes_line", "mandir": "mandir",
-    "hydroponic shelf": "hydroponic_shelf", "food printer": "food_printer", "water recycler": "water_recycler", "pizza oven": "pizza_oven",
-    "pepper mill": "pepper_mill", "phonograph": "phonograph", "cipher wheel": "cipher_wheel", "tyre rack": "tire_rack", "tourniquet": "tourniquet",
-}  # fmt: skip
+    "voting booth": "voting_booth",
+    "fitting booth": "fitting_booth",
+    "phone booth": "phone_booth",
+    "judge's bench": "judge_bench",
+    "witness box": "witness_stand",
+    "gavel": "gavel",
+    "ballot box": "ballot_box",
+    "flag": "flag_on_pole",
+    "wet floor sign": "wet_floor_sign",
+    "shopping cart": "shopping_cart",
+    "change machine": "change_machine",
+    "locomotive": "toy_train",
+    "dj mixer": "dj_mixer",
+    "test tube rack": "test_tube_rack",
+    "fire blanket": "fire_blanket",
+    "soldering station": "soldering_station",
+    "dress form": "dress_form",
+    "pincushion": "pincushion",
+    "clothes line": "clothes_line",
+    "mandir": "mandir",
+    "hydroponic shelf": "hydroponic_shelf",
+    "food printer": "food_printer",
+    "water recycler": "water_recycler",
+    "pizza oven": "pizza_oven",
+    "pepper mill": "pepper_mill",
+    "phonograph": "phonograph",
+    "cipher wheel": "cipher_wheel",
+    "tyre rack": "tire_rack",
+    "tourniquet": "tourniquet",
+}
 
 
 def run(folder: Path) -> tuple[int, str]:
