@@ -8,9 +8,10 @@ import unittest
 from pathlib import Path
 
 import model_case
+from harness import SHARED
 
 ROOT = Path(__file__).resolve().parents[2]
-SCENEEVAL = Path("/work/shared/data/sceneeval/annotations-000-099.csv")
+SCENEEVAL = SHARED / "data/sceneeval/annotations-000-099.csv"
 MOST, MOST_BRIEF = 6000, 2000
 
 
