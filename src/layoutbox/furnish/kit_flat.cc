@@ -59,9 +59,9 @@ Mesh prism(std::span<const Vec2> outline, double z0, double z1, bool smooth) {
   }
   const auto faces = triangulate(outline);
   for (const double z : {z0, z1}) {
-    std::vector<std::uint32_t> level;
-    for (const Vec2 p : outline) level.push_back(maker.vertex({p.x, p.y, z}, {0, 0, z == z0 ? -1.0 : 1.0}, {p.x, p.y}));
-    for (const auto& [a, b, c] : faces) maker.triangle(level[a], level[b], level[c]);
+    std::vector<std::uint32_t> corners;
+    for (const Vec2 p : outline) corners.push_back(maker.vertex({p.x, p.y, z}, {0, 0, z == z0 ? -1.0 : 1.0}, {p.x, p.y}));
+    for (const auto& [a, b, c] : faces) maker.triangle(corners[a], corners[b], corners[c]);
   }
   return maker.take();
 }
