@@ -110,7 +110,7 @@ Result<Solver::Early> Solver::prove_early() {
     }
     if (proof.outcome == Proof::Outcome::kClash) {
       LAYOUTBOX_CHECK(give_up(proof.clash));
-      look_for_more();
+      look_for_more(proof.clash);
       return Early::kGivenUp;
     }
   }
@@ -170,10 +170,10 @@ Result<Proof> Solver::ask(const std::vector<char>& given_up, const std::vector<c
   return proof;
 }
 
-// A conflict was found and settled: others are looked for as long as the first was, so that all are named, up to a number of them.
-void Solver::look_for_more() {
+// A conflict was proven and settled: others are looked for as long as the first was, so that all are named, up to a number of them.
+void Solver::look_for_more(const Clash& clash) {
   constexpr int kMostConflicts = 8;
-  if (++conflicts_proven_ > kMostConflicts) return;
+  if (!clash.proven || ++conflicts_proven_ > kMostConflicts) return;
   proof_time_ = budgets_.proof;
   finding_.limit = std::max(finding_.limit, finding_.steps + budgets_.finding / 2);
 }
@@ -192,7 +192,7 @@ Result<bool> Solver::prove() {
     case Proof::Outcome::kLayout: placements_ = proof.placements; return true;
     case Proof::Outcome::kClash:
       LAYOUTBOX_CHECK(give_up(proof.clash));
-      look_for_more();
+      look_for_more(proof.clash);
       return false;
     case Proof::Outcome::kUnknown: break;
   }

@@ -67,7 +67,7 @@ class Solver {
   bool search(const std::vector<char>& given_up) { return search(given_up, budgets_.first, options_.seed); }
   bool search(const std::vector<char>& given_up, std::int64_t steps, std::uint64_t seed);
   Result<bool> prove();
-  void look_for_more();
+  void look_for_more(const Clash& clash);
   Result<Proof> ask(const std::vector<char>& given_up, const std::vector<char>& left_out, const Placements& hint, double most);
   void improve();
   bool begin(Search& search, int start, Budget& budget);
