@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "layoutbox/scene/layout.h"
+#include "layoutbox/solve/solver.h"
 
 namespace layoutbox::placement {
 
@@ -82,6 +83,16 @@ inline void expect_sound(const Layout& layout) {
       EXPECT_TRUE(rests) << o.id << " floats over " << host->id;
     }
   }
+}
+
+// The scene by the built-in catalogue, sound and as it was asked for.
+inline Layout solved_as_asked(const SceneGraph& scene) {
+  auto layout = solve(scene, Catalog::builtin(), {});
+  EXPECT_TRUE(layout) << (layout ? "" : layout.error().message);
+  if (!layout) return {};
+  expect_sound(*layout);
+  EXPECT_EQ(layout->status, LayoutStatus::kSolved);
+  return *layout;
 }
 
 inline bool holds(const Layout& layout, const std::string& relation) {

@@ -10,15 +10,6 @@
 namespace layoutbox::placement {
 namespace {
 
-Layout solved_as_asked(const SceneGraph& scene) {
-  auto layout = solve(scene, Catalog::builtin(), {});
-  EXPECT_TRUE(layout) << (layout ? "" : layout.error().message);
-  if (!layout) return {};
-  expect_sound(*layout);
-  EXPECT_EQ(layout->status, LayoutStatus::kSolved);
-  return *layout;
-}
-
 double between(const Layout& layout, const std::string& a, const std::string& b) {
   const PlacedObject *one = layout.find_object(a), *other = layout.find_object(b);
   return std::hypot(one->position[0] - other->position[0], one->position[1] - other->position[1]);

@@ -162,16 +162,16 @@ bool NounPhraseReader::read_part() {
   return read_unlisted();
 }
 
-// "a miniature station model", "two grab rails": no command within a name, nor a verb before it.
+// "two grab rails": after a number or an article, before a thing, no verb.
 bool NounPhraseReader::is_verb_in_name(const Match& match) const {
-  if (match.length != 1 || token().text.size() < 2 || !is_noun(noun_form(token().text)) || opens_at(i_ + 1)) return false;
-  const auto all = [&](std::initializer_list<Class> classes) {
-    return std::ranges::all_of(match.meanings, [&](const Meaning& m) { return std::ranges::find(classes, m.word_class) != classes.end(); });
-  };
-  if (!parts_.empty()) return parts_.back().last == i_ && all({Class::kCommand});
+  if (match.length != 1 || !parts_.empty() || !is_named() || token().text.size() < 2 || !is_noun(noun_form(token().text)) ||
+      opens_at(i_ + 1))
+    return false;
   const bool thing_follows = i_ + 1 < tokens_.size() && tokens_[i_ + 1].kind == Token::Kind::kWord &&
                              is_noun(noun_form(tokens_[i_ + 1].text)) && lexicon_.find_phrase(tokens_, i_ + 1).length == 0;
-  return is_named() && thing_follows && all({Class::kCommand, Class::kVerb, Class::kOwnClause});
+  return thing_follows && std::ranges::all_of(match.meanings, [](const Meaning& m) {
+           return m.word_class == Class::kCommand || m.word_class == Class::kVerb || m.word_class == Class::kOwnClause;
+         });
 }
 
 bool NounPhraseReader::read_listed(const Match& match, bool noun_before) {
