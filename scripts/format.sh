@@ -8,4 +8,4 @@ case ${1:-} in
   *) echo "usage: scripts/format.sh [--check]" >&2 && exit 2 ;;
 esac
 # .inc files are tables that are laid out by hand.
-find src cmake fuzz tests train \( -name '*.cc' -o -name '*.h' \) -print0 | sort -z | xargs -0 --no-run-if-empty clang-format-16 --style=file "${options[@]}"
+find src include examples cmake fuzz tests train \( -name '*.cc' -o -name '*.h' \) -print0 | sort -z | xargs -0 --no-run-if-empty clang-format-16 --style=file "${options[@]}"

@@ -1,10 +1,14 @@
 """An installed program is whole: it needs nothing of the folder that it was built in."""
 
+import os
+import shlex
 import shutil
 import subprocess
 import unittest
 
-from harness import BINARY, DEPS, CliTestCase, clean_environment
+from harness import BINARY, DEPS, SOURCE, CliTestCase, clean_environment
+
+HEADERS = sorted((SOURCE / "include/layoutbox").glob("*.h"))
 
 
 @unittest.skipUnless(shutil.which("cmake"), "cmake is not there")
@@ -31,6 +35,34 @@ class Installed(CliTestCase):
     def test_it_brings_the_solver_library(self):
         done = self.run_installed("doctor")
         self.assertIn(str(self.place / "lib/layoutbox/ortools/.libs/libortools.so.9"), done.stdout, done.stderr)
+
+    def run_outside_program(self, program):
+        done = subprocess.run([program, "A bedroom with a bed."], capture_output=True, text=True, cwd=self.folder, timeout=300, check=False)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertIn("bed_1", done.stdout)
+        self.assertTrue((self.folder / "room.glb").read_bytes().startswith(b"glTF"))
+        self.assertIn("</svg>", (self.folder / "plan.svg").read_text())
+
+    def must(self, *command, **options):
+        done = subprocess.run(command, capture_output=True, text=True, check=False, **options)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        return done.stdout
+
+    def test_an_outside_project_links_the_library(self):
+        project = shutil.copytree(SOURCE / "examples/cpp", self.path("outside"))
+        build = self.path("outside-build")
+        self.must("cmake", "-S", project, "-B", build, f"-DCMAKE_PREFIX_PATH={self.place}")
+        self.must("cmake", "--build", build)
+        self.run_outside_program(build / "furnish_a_room")
+
+    @unittest.skipUnless(shutil.which("pkg-config") and shutil.which("g++"), "pkg-config is not there")
+    def test_pkg_config_knows_the_library(self):
+        found = list(self.place.glob("**/pkgconfig/layoutbox.pc"))
+        self.assertEqual(len(found), 1)
+        env = {**os.environ, "PKG_CONFIG_PATH": str(found[0].parent)}
+        flags = shlex.split(self.must("pkg-config", "--cflags", "--libs", "--static", "layoutbox", env=env))
+        header = self.write_text("all.cc", "".join(f"#include <layoutbox/{path.name}>\n" for path in HEADERS))
+        self.must("g++", "-fsyntax-only", "-Wall", "-Wextra", "-Werror", *flags, header)
 
     def test_licences_come_with_it(self):
         for name in ("LICENSE", "NOTICE"):

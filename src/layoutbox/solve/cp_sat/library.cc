@@ -12,10 +12,18 @@
 #include <thread>
 #include <vector>
 
+#include "layoutbox/solve/cp_sat_folder.h"
+
 namespace layoutbox::placement {
 namespace {
 
 namespace fs = std::filesystem;
+
+// What set_cp_sat_folder() was told.
+fs::path& told_folder() {
+  static fs::path folder;
+  return folder;
+}
 
 constexpr const char* kName = "libortools.so.9";
 constexpr int kMajor = 9, kLeastMinor = 8;  // tried with 9.15; the fields used are the same since 9.8
@@ -31,6 +39,7 @@ std::vector<fs::path> places() {
     add_root(root);
     return found;  // who names a folder means that one
   }
+  if (!told_folder().empty()) add_root(told_folder());
   const fs::path program = fs::read_symlink("/proc/self/exe", ignored).parent_path();
   // build/release/src/layoutbox/ and build/release/src/layoutbox/cli/ both lie below build/.
   for (fs::path up = program; up.has_relative_path(); up = up.parent_path()) found.push_back(up / "deps/ortools/ortools/.libs" / kName);
@@ -141,3 +150,5 @@ std::string CpSatLibrary::solve(std::string_view model, std::string_view paramet
 }
 
 }  // namespace layoutbox::placement
+
+void layoutbox::set_cp_sat_folder(std::filesystem::path folder) { placement::told_folder() = std::move(folder); }

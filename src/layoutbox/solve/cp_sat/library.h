@@ -11,7 +11,8 @@ namespace layoutbox::placement {
 
 class CpSatLibrary {
  public:
-  // Looks in ORTOOLS_ROOT (itself, lib/, lib64/, ortools/.libs/), then in the build folder where scripts/setup.sh puts it, then in
+  // Looks in ORTOOLS_ROOT (itself, lib/, lib64/, ortools/.libs/), then in what set_cp_sat_folder() named, then in the build folder where
+  // scripts/setup.sh puts it, then in
   // ../lib/layoutbox of an installed program, then where the system looks. Opened once per process.
   // Errors: kNoSolver: not found, not loadable, without the functions needed, or of another version.
   static Result<const CpSatLibrary*> get();

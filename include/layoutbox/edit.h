@@ -1,0 +1,4 @@
+// A layout changed by words: edit_layout().
+#pragma once
+
+#include "layoutbox/pipeline/edit.h"
