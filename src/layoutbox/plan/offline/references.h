@@ -35,6 +35,15 @@ class References {
  private:
   int add(Mention mention);
   void introduce(Mention& mention, const NounPhrase& noun, int count);
+  // What the mention's noun phrase speaks of, by its kind.
+  void mean_antecedent(Mention& mention, int antecedent) const;
+  void mean_member(Mention& mention, int antecedent);
+  void mean_part(Mention& mention, int antecedent);
+  void mean_everything(Mention& mention) const;
+  void mean_object(Mention& mention, bool as_reference, bool of_known);
+  void mean_known(Mention& mention);
+  void mean_one_of_known(Mention& mention);
+  void mean_own_shelf(Mention& mention) const;
   std::vector<int> known(const NounPhrase& noun) const;
   // "the red one", "the smaller one": the latest thing that was called so, or -1.
   int described(const NounPhrase& noun) const;

@@ -96,7 +96,7 @@ const NounPhrase& Decoder::noun_of(const State& state, Referent referent) const 
   for (int steps = 0; steps < 4; ++steps) {
     if (is_mention(referent)) return document_.mentions[static_cast<std::size_t>(mention_of(referent))].noun;
     if (referent < 0) return nothing_;
-    const UnitReading& reading = state.units[static_cast<std::size_t>(referent)];
+    const UnitReading& reading = read_as(state, referent);
     if (reading.meant == kNobody || chunk(referent).noun.kind == NounKind::kObject) return chunk(referent).noun;
     referent = reading.meant;
   }
@@ -113,7 +113,7 @@ bool Decoder::is_thing(const State& state, Referent referent) const {
 bool Decoder::same(const State& state, Referent one, Referent other) const {
   const auto root_of = [&](Referent referent) {
     for (int steps = 0; referent >= 0 && steps < 4; ++steps) {
-      const UnitReading& reading = state.units[static_cast<std::size_t>(referent)];
+      const UnitReading& reading = read_as(state, referent);
       if (reading.meant == kNobody) break;
       referent = reading.meant;
     }
@@ -142,7 +142,7 @@ bool Decoder::several(const State& state, Referent referent) const {
   if (referent < 0) return false;
   const NounPhrase& own = chunk(referent).noun;
   if (own.determiner == Determiner::kEach || (own.kind == NounKind::kMember && own.determiner != Determiner::kBoth)) return own.count > 1;
-  const UnitReading& reading = state.units[static_cast<std::size_t>(referent)];
+  const UnitReading& reading = read_as(state, referent);
   if (reading.whole_list) return true;
   if (reading.meant != kNobody && own.kind != NounKind::kObject) return several(state, reading.meant);
   if (own.is_plural()) return true;
@@ -152,14 +152,14 @@ bool Decoder::several(const State& state, Referent referent) const {
 bool Decoder::is_definite(const State& state, int u) const {
   const NounPhrase& noun = chunk(u).noun;
   if (brings_owner(noun)) return false;
-  return state.units[static_cast<std::size_t>(u)].role == NounRole::kReference &&
+  return read_as(state, u).role == NounRole::kReference &&
          (noun.kind != NounKind::kObject || noun.determiner == Determiner::kDefinite || noun.determiner == Determiner::kEach ||
           noun.determiner == Determiner::kPossessive || noun.determiner == Determiner::kBoth);
 }
 
 bool Decoder::is_known(const State& state, int u) const {
   if (brings_owner(chunk(u).noun)) return false;
-  return state.units[static_cast<std::size_t>(u)].role == NounRole::kReference && known_[static_cast<std::size_t>(u)];
+  return read_as(state, u).role == NounRole::kReference && known_[static_cast<std::size_t>(u)];
 }
 
 // "the bed" that was named, not "the bed" that is brought in by the way.
@@ -183,7 +183,7 @@ void Decoder::find_known() {
 // The members of a list from `first` to `last`, in order.
 std::vector<int> Decoder::list_of(const State& state, int last, int first) const {
   std::vector<int> all;
-  for (int u = last; u >= 0; u = state.units[static_cast<std::size_t>(u)].former) {
+  for (int u = last; u >= 0; u = read_as(state, u).former) {
     all.insert(all.begin(), u);
     if (u == first) break;
   }
@@ -191,9 +191,9 @@ std::vector<int> Decoder::list_of(const State& state, int last, int first) const
 }
 
 Referent Decoder::host_of(const State& state, int content) const {
-  const UnitReading& reading = state.units[static_cast<std::size_t>(content)];
+  const UnitReading& reading = read_as(state, content);
   if (reading.role != NounRole::kContent || reading.predicate < 0) return kNobody;
-  return state.units[static_cast<std::size_t>(reading.predicate)].subject;
+  return read_as(state, reading.predicate).subject;
 }
 
 // A verb, whatever kind of unit it is.
@@ -210,39 +210,6 @@ double Decoder::end_score(const State& state) const {
     if (reading.role == NounRole::kRoot && !reading.placed && mount_of(chunk(static_cast<int>(u)).noun) == Mount::kSurface) score -= 0.6;
   }
   return score;
-}
-
-void Decoder::apply(State& state, const Action& action, int u) const {
-  const UnitKind kind = unit(u).kind;
-  UnitReading& own = state.units[static_cast<std::size_t>(u)];
-  if (kind == UnitKind::kNoun) {
-    apply_noun(state, action, u);
-    return;
-  }
-  if (action.kind != kPass) {
-    apply_predicate(state, action, u);
-    return;
-  }
-  if (kind == UnitKind::kOpen) {
-    const std::vector<int> fronted = state.fronted;
-    const bool keep = state.frontier.empty();
-    if (!state.frontier.empty() || unit(u).joiner != Joiner::kNone) begin_clause(state);
-    if (keep) state.fronted = fronted;
-  } else if (kind == UnitKind::kParticiple) {
-    state.participle = true;
-    own.subject = state.frontier.empty() ? kNobody : state.frontier.back();
-    for (std::size_t f = state.frontier.size(); f-- > 0;) {
-      const Mount mount = mount_of(noun_of(state, state.frontier[f]));
-      if (!is_thing(state, state.frontier[f]) || (mount != Mount::kWall && mount != Mount::kCeiling)) continue;
-      own.subject = state.frontier[f];
-      break;
-    }
-  } else if (kind == UnitKind::kSize) {
-    own.subject = !state.frontier.empty() ? state.frontier.back() : before_.topic >= 0 ? referent_of_mention(before_.topic) : kNobody;
-  } else if (kind == UnitKind::kAttribute && state.verb && !state.frontier.empty()) {
-    own.subject = state.frontier.front();
-    own.first_subject = state.first_subject;
-  }
 }
 
 }  // namespace layoutbox::offline

@@ -16,6 +16,9 @@ inline bool is_new_thing(const NounPhrase& noun) {
                                             (noun.determiner == Determiner::kNone && noun.count > 0));
 }
 
+// "it", "one", "each", "the other": speaks of what was named. "Another one" is new.
+bool speaks_of_others(const NounPhrase& noun);
+
 class Decoder {
  public:
   // All must outlive the decoder. `tree` says what syntax thinks of the sentence.
@@ -75,29 +78,56 @@ class Decoder {
     kPass,
   };
 
+  struct Candidate {
+    Referent referent = kNobody;
+    double score = 0;
+    bool list = false;
+  };
+  // Looks at one who may be meant, a list if so said; whether it is a new one.
+  using Trial = std::function<bool(Referent, double order, bool list)>;
+
   void find_known();
   // Adds the ways to go on from state s with unit u.
   void noun_actions(std::size_t s, int u);
   void waited_actions(std::size_t s, int u);
+  void waited_content_actions(std::size_t s, int u);
+  void waited_member_actions(std::size_t s, int u);
   void list_actions(std::size_t s, int u);
+  void root_list_actions(std::size_t s, int u, double gain);
   void member_actions(std::size_t s, int u);
   void place_actions(std::size_t s, int u);
+  void relative_place_actions(std::size_t s, int u);
+  void opening_place_actions(std::size_t s, int u);
+  void first_place_actions(std::size_t s, int u);
   void alone_actions(std::size_t s, int u);
+  void front_alone_actions(std::size_t s, int u, double gain);
+  void alone_of_member(std::size_t s, int u, std::size_t level, int nearer);
+  void alone_of_list(std::size_t s, int u, std::size_t level, const Candidate& meant);
+  void alone_of_room(std::size_t s, int u, std::size_t level, double gain);
   void attach_actions(std::size_t s, int u, Kind kind);
+  void attach_to(std::size_t s, int u, Kind kind, std::size_t level);
   void have_actions(std::size_t s, int u);
   void verb_actions(std::size_t s, int u);
   void relative_actions(std::size_t s, int u);
   void add(std::size_t s, Kind kind, double gain, int unit = -1, int first = -1, Referent meant = kNobody, bool list = false);
   void apply(State& state, const Action& action, int u) const;
   void apply_noun(State& state, const Action& action, int u) const;
+  void fill_fronted(State& state, int u) const;
+  void apply_fill(State& state, int u) const;
+  void apply_root(State& state, const Action& action, int u) const;
+  void apply_member(State& state, Referent meant, int u) const;
   void apply_predicate(State& state, const Action& action, int u) const;
+  void apply_finite(State& state, const Action& action, int u) const;
+  void take_subject(State& state, const Action& action, int u) const;
+  void fill_place(State& state, int place, int u) const;
   void begin_clause(State& state) const;
   void cut_frontier(State& state, int unit) const;
 
   double attach_score(const State& state, int u, int level, bool inverse) const;
   double share_score(const State& state, int member, int u, Referent implied = kNobody) const;
-  double list_score(const State& state, int member, int u) const;
+  double share_kind_score(const State& state, int member, int u, Referent implied, const NounPhrase& by) const;
   double content_list_score(const State& state, int member, int u) const;
+  double list_kind_score(const State& state, int member, int u, std::size_t length) const;
   double reference_list_score(const State& state, int member, int u) const;
   double reference_score(const State& state, int place, Referent reference) const;
   double habit_score(const State& state, int place, Referent subject, Referent other, const PhraseSenses& senses) const;
@@ -106,19 +136,21 @@ class Decoder {
   Referent side_host(const State& state, int u, const PhraseSenses& senses) const;
   double end_score(const State& state) const;
 
-  struct Candidate {
-    Referent referent = kNobody;
-    double score = 0;
-    bool list = false;
-  };
   // Whom a pronoun, a member or an unsaid reference may mean, the likeliest first; `subject`: who is placed by it.
   // `first_subject`: the first of the list that is placed with it.
   std::vector<Candidate> antecedents(const State& state, Referent subject, const PhraseSenses* senses, const NounPhrase* noun,
                                      int first_subject = -1) const;
   std::vector<Candidate> carriers(const State& state, Referent subject) const;
+  double clause_antecedents(const State& state, const NounPhrase* noun, const Trial& trial) const;
+  double earlier_antecedents(const State& state, const NounPhrase* noun, const Trial& trial, double order) const;
+  void text_antecedents(const State& state, const PhraseSenses* senses, const Trial& trial, double order) const;
+  double antecedent_place_score(const State& state, Referent referent, Referent subject, const PhraseSenses& senses,
+                                const NounPhrase* noun) const;
   bool consider(std::vector<Candidate>& all, const State& state, Referent referent, double order, Referent subject,
                 const PhraseSenses* senses, const NounPhrase* noun, bool list) const;
 
+  static const UnitReading& read_as(const State& state, int u) { return state.units[static_cast<std::size_t>(u)]; }
+  static UnitReading& read_as(State& state, int u) { return state.units[static_cast<std::size_t>(u)]; }
   const Unit& unit(int u) const { return sentence_[static_cast<std::size_t>(u)]; }
   const Chunk& chunk(int u) const { return document_.chunks[unit(u).chunk]; }
   bool is(int u, UnitKind kind) const { return u >= 0 && u < static_cast<int>(sentence_.size()) && unit(u).kind == kind; }
@@ -132,6 +164,11 @@ class Decoder {
   std::vector<int> list_of(const State& state, int last, int first) const;
   Referent host_of(const State& state, int content) const;
   const std::string& word(int u) const { return document_.tokens[chunk(u).first].text; }
+  const PhraseSenses& alone_senses(int u) const;
+  bool by_each_other(int u) const;
+  bool is_subject(int u) const;
+  bool has_place(int u) const;
+  bool has_own_place(int u) const;
   bool verb_like(int u) const;
   bool finite_place(int u) const;
 

@@ -19,6 +19,11 @@ class Scribe {
  private:
   void write_noun(int u);
   void write_place(int u);
+  void write_place_alone(int u);
+  std::vector<int> references_alone(int u, const Link& link);
+  void complete_pair(int u, Link& link);
+  bool is_mutual(int u, const Link& link) const;
+  bool centers(int u) const;
   void write_have(int u);
   void write_verb(int u);
   void write_participle(int u);

@@ -27,14 +27,18 @@ double SenseScore::of_place(const PhraseSenses& senses, const NounPhrase& target
       mount_of(reference) == Mount::kSurface)
     score += weight::kSmallTogether;
   if (sense->type == RelationType::kIn && is_storage(reference)) score += weight::kInStorage;
-  if (sense->type == RelationType::kAbove && reference.kind == NounKind::kObject) {
-    if (is_table(catalog_, reference) && mount_of(target) == Mount::kCeiling) score += weight::kLampOverTable;
-    if (is_chair(reference)) score += weight::kOverSeat;
-    // Seats and tables stand under things, not over them.
-    if (is_seat(catalog_, target) || (is_table(catalog_, target) && mount_of(target) == Mount::kFloor)) score += weight::kUnlikely;
-  }
+  if (sense->type == RelationType::kAbove && reference.kind == NounKind::kObject) score += over(target, reference);
   if ((sense->type == RelationType::kEachSideOf || sense->type == RelationType::kNextTo) && stands_by(catalog_, target, reference))
     score += weight::kStandsBy;
+  return score;
+}
+
+double SenseScore::over(const NounPhrase& target, const NounPhrase& reference) const {
+  double score = 0;
+  if (is_table(catalog_, reference) && mount_of(target) == Mount::kCeiling) score += weight::kLampOverTable;
+  if (is_chair(reference)) score += weight::kOverSeat;
+  // Seats and tables stand under things, not over them.
+  if (is_seat(catalog_, target) || (is_table(catalog_, target) && mount_of(target) == Mount::kFloor)) score += weight::kUnlikely;
   return score;
 }
 

@@ -17,6 +17,8 @@ class SenseScore {
   bool carries(const NounPhrase& host, const NounPhrase& thing) const;
 
  private:
+  // A thing that is above another.
+  double over(const NounPhrase& target, const NounPhrase& reference) const;
   bool small_host(const NounPhrase& host) const;
   bool is_chair(const NounPhrase& noun) const;
   bool on_soft(const NounPhrase& host, const NounPhrase& thing) const;

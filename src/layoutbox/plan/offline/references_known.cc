@@ -1,0 +1,123 @@
+// Which of the things that were named a noun phrase may mean.
+#include <algorithm>
+
+#include "layoutbox/base/words.h"
+#include "layoutbox/plan/offline/reader_words.h"
+#include "layoutbox/plan/offline/references.h"
+
+namespace layoutbox::offline {
+namespace {
+
+std::string last_word(const std::string& name) {
+  const std::string plain = name.substr(0, name.find(" of "));
+  return singular_of(plain.substr(plain.rfind(' ') + 1));  // npos + 1: all of it
+}
+
+// "a lower shelf of the bookshelf", "one of the bookshelf shelves": the words for whose shelf it is, or nothing.
+std::string owner_of_shelf(const NounPhrase& noun) {
+  if (noun.head != "shelf") return {};
+  if (const std::size_t of = noun.name.find("shelf of "); of != std::string::npos) {
+    const std::string owner = noun.name.substr(of + std::string_view("shelf of ").size());
+    return owner.starts_with("the ") ? owner.substr(4) : owner;
+  }
+  return noun.name.ends_with(" shelf") ? noun.name.substr(0, noun.name.size() - std::string_view(" shelf").size()) : std::string{};
+}
+
+}  // namespace
+
+bool References::same_kind(const NounPhrase& wanted, const NounPhrase& item) const { return fit(wanted, item) > 0; }
+
+// 4: the same words, 3: the same kind, 2: a kind of it, 1: a word for something more general or the same head noun.
+int References::fit(const NounPhrase& wanted, const NounPhrase& item) const {
+  const Catalog& catalog = lexicon_.catalog();
+  // "the dentist's stool … the assistant's stool": two.
+  if (!wanted.owner_word.empty() && !item.owner_word.empty() && wanted.owner_word != item.owner_word) return 0;
+  // "twelve mats … the instructor's mat": none of the twelve.
+  if (!wanted.owner_word.empty() && item.owner_word.empty() && item.count > 1 && !wanted.is_plural()) return 0;
+  if (wanted.name == item.name) return 4;
+  static constexpr std::string_view kOfIt[] = {"screen", "top", "surface", "area", "set"};
+  if (wanted.name.starts_with(item.name + " ") &&
+      std::find(std::begin(kOfIt), std::end(kOfIt), wanted.name.substr(item.name.size() + 1)) != std::end(kOfIt))
+    return 3;
+  if (wanted.exact && item.exact && wanted.entry == item.entry) return 3;
+  if (last_word(wanted.name) == last_word(item.name) &&
+      (wanted.name.find(' ') == std::string::npos || item.name.find(' ') == std::string::npos)) {
+    // "the table" is any table; "the coffee table" is not a plain table that was named before it.
+    const bool kind_apart = wanted.exact && wanted.entry != item.entry && item.is_plural() && !wanted.is_plural();
+    if (wanted.name.find(' ') == std::string::npos) return 2;
+    return kind_apart ? 0 : 1;  // "the teacher's desk" is none of the desks
+  }
+  if (wanted.exact && item.entry != nullptr && wanted.entry != nullptr && wanted.entry != item.entry &&
+      catalog.is_a(item.entry->id, wanted.entry->id))
+    return 2;
+  if (wanted.entry != nullptr && item.entry == wanted.entry && (wanted.exact || item.exact) && wanted.name.find(' ') == std::string::npos)
+    return 2;
+  // "the bench" is the workbench.
+  constexpr std::size_t kShortest = 5;
+  if (wanted.name.size() >= kShortest && item.head.size() > wanted.name.size() && item.head.ends_with(wanted.name)) return 1;
+  const bool same_head = wanted.head.ends_with(item.head) || item.head.ends_with(wanted.head);
+  if (same_head && wanted.exact && item.exact && catalog.is_a(wanted.entry->id, item.entry->id) &&
+      wanted.determiner == Determiner::kDefinite)
+    return 1;
+  return 0;
+}
+
+std::vector<int> References::known(const NounPhrase& noun) const {
+  // The best fitting kind; of equals the latest mention. Attributes that were said of it count.
+  int best_score = 0;
+  std::vector<int> found;
+  for (std::size_t i = document_.items.size(), looked = 0; i-- > 0 && looked < kReach; ++looked) {
+    const NounPhrase& item = document_.items[i].noun;
+    int score = fit(noun, item) * 10;
+    if (score == 0) continue;
+    for (const std::string& attribute : noun.attributes) {
+      score +=
+          std::any_of(item.attributes.begin(), item.attributes.end(), [&](const std::string& own) { return same_quality(own, attribute); })
+              ? 3
+              : -1;
+    }
+    const bool all = noun.is_plural() || noun.determiner == Determiner::kEach || noun.ordinal != 0;
+    if (!all && score == best_score) continue;
+    if (score < best_score) continue;
+    if (score > best_score) found.clear();
+    best_score = score;
+    found.push_back(static_cast<int>(i));
+  }
+  std::reverse(found.begin(), found.end());
+  if (!found.empty() && noun.ordinal != 0) {
+    const std::size_t at = noun.ordinal < 0 ? found.size() : static_cast<std::size_t>(noun.ordinal);
+    return at > found.size() ? std::vector<int>{} : std::vector<int>{found[at - 1]};
+  }
+  if (!found.empty() && !noun.is_plural() && noun.determiner != Determiner::kEach) {
+    // A singular names one thing; which member of a group, "left" and "other" say.
+    const int group = document_.items[static_cast<std::size_t>(found.front())].group;
+    std::vector<int> members;
+    for (std::size_t i = 0; i < document_.items.size(); ++i) {
+      if (document_.items[i].group == group) members.push_back(static_cast<int>(i));
+    }
+    return members;
+  }
+  if (noun.determiner == Determiner::kEach && !found.empty()) {
+    // "each table": those that were brought in together last, if several were.
+    std::map<int, std::vector<int>> groups;
+    for (const int item : found) groups[document_.items[static_cast<std::size_t>(item)].group].push_back(item);
+    for (auto group = groups.rbegin(); group != groups.rend(); ++group) {
+      if (group->second.size() > 1) return group->second;
+    }
+  }
+  return found;
+}
+
+// What was named and has the shelf, or nothing.
+std::vector<int> References::whose_shelf(const NounPhrase& noun) const {
+  const std::string owner = owner_of_shelf(noun);
+  for (std::size_t i = document_.items.size(), looked = 0; !owner.empty() && i-- > 0 && looked < kReach; ++looked) {
+    const NounPhrase& item = document_.items[i].noun;
+    const bool shelves = item.entry != nullptr &&
+                         std::any_of(item.entry->spaces.begin(), item.entry->spaces.end(), [](const SpaceFormula& s) { return s.carries; });
+    if (shelves && (item.name == owner || item.head == owner)) return {static_cast<int>(i)};
+  }
+  return {};
+}
+
+}  // namespace layoutbox::offline

@@ -1,0 +1,175 @@
+// Places whose reference is not said: "nearby", "on each side", "to its left", "in the center".
+#include <algorithm>
+
+#include "layoutbox/plan/offline/knowledge.h"
+#include "layoutbox/plan/offline/reader_words.h"
+#include "layoutbox/plan/reading/decoder.h"
+#include "layoutbox/plan/reading/weights.h"
+
+namespace layoutbox::offline {
+
+namespace {
+
+bool of_group_only(const PhraseSenses& senses) {
+  return !senses.empty() &&
+         std::all_of(senses.begin(), senses.end(), [](const PhraseSense& s) { return relation_row(s.type).arity == RelationArity::kNone; });
+}
+
+// Whom a place without its reference is by: "nearby", "in between".
+NounPhrase unsaid(const PhraseSenses& senses) {
+  NounPhrase them;
+  them.kind = NounKind::kPronoun;
+  them.plural = says(senses, RelationType::kBetween);
+  return them;
+}
+
+}  // namespace
+
+// What the sentence placed something else to the left or right of, where the place at u says left or right.
+Referent Decoder::side_host(const State& state, int u, const PhraseSenses& senses) const {
+  const auto across = [](const PhraseSenses& all) { return says(all, RelationType::kLeftOf) || says(all, RelationType::kRightOf); };
+  const auto along = [](const PhraseSenses& all) { return says(all, RelationType::kInFrontOf) || says(all, RelationType::kBehind); };
+  const bool by_side = across(senses);
+  if (!by_side && !along(senses)) return kNobody;
+  const auto sides = [&](const PhraseSenses& all) { return by_side ? across(all) : along(all); };
+  for (int p = u; p-- > 0;) {
+    const UnitReading& place = read_as(state, p);
+    // Of another clause, or after a place that it begins with.
+    if (unit(p + 1).clause || (p + 1 < u && is(p + 1, UnitKind::kPlace) && read_as(state, p + 1).fronted && !read_as(state, p + 1).alone))
+      return kNobody;
+    if (!is(p, UnitKind::kPlace) || place.inverse || !(sides(unit(p).direct) || sides(unit(p).alone))) continue;
+    const Referent host = place.alone ? place.implied : is(p + 1, UnitKind::kNoun) ? p + 1 : kNobody;
+    if (host != kNobody) return host;
+  }
+  return kNobody;
+}
+
+// The reference is not said: "nearby", "on each side", "to its left".
+void Decoder::alone_actions(std::size_t s, int u) {
+  const State& state = states_[s];
+  const Unit& place = unit(u);
+  const PhraseMatch& phrase = chunk(u).phrase;
+  const bool alone = !place.alone.empty();
+  const std::string& last = document_.tokens[chunk(u).last - 1].text;
+  const bool open_end = last == "of" || last == "to" || last == "from" || last == "with" || last == "by" || last == "at" || last == "on" ||
+                        last == "in" || last == "against";
+  const bool up_or_down = says(place.direct, RelationType::kAbove) || says(place.direct, RelationType::kUnder);
+  if (!alone && !phrase.possessive && (open_end || place.direct.empty() || !up_or_down)) {
+    add(s, kPass, 0);
+    return;
+  }
+  if (state.frontier.empty()) {
+    front_alone_actions(s, u, 0);
+    return;
+  }
+  int nearer = 0;
+  for (std::size_t level = state.frontier.size(); level-- > 0;) {
+    if (is_thing(state, state.frontier[level])) alone_of_member(s, u, level, nearer++);
+  }
+  const bool of_no_thing = place.joiner == Joiner::kNone && speaks_of_no_thing(state);
+  if (of_no_thing || actions_.empty() || actions_.back().state != s) add(s, kPass, of_no_thing ? 1.5 : -2);
+  if (place.joiner == Joiner::kNone) return;
+  // "to its right there is a plant, to its left a table"
+  const bool noun_next = follows(u, UnitKind::kNoun) && chunk(u + 1).noun.kind == NounKind::kObject;
+  const bool verb_next = (is(u + 1, UnitKind::kVerb) || is(u + 1, UnitKind::kOpen)) && is(u + 2, UnitKind::kNoun) &&
+                         chunk(u + 2).noun.kind == NounKind::kObject;
+  const bool comma_next =
+      is(u + 1, UnitKind::kNoun) && unit(u + 1).joiner == Joiner::kComma && is_new_thing(chunk(u + 1).noun) && place.clause;
+  if (noun_next || verb_next || comma_next) front_alone_actions(s, u, 2.5);
+}
+
+// What the place at u says without its reference.
+const PhraseSenses& Decoder::alone_senses(int u) const { return unit(u).alone.empty() ? unit(u).direct : unit(u).alone; }
+
+// It comes before its thing.
+void Decoder::front_alone_actions(std::size_t s, int u, double gain) {
+  const State& state = states_[s];
+  const PhraseSenses& senses = alone_senses(u);
+  if (of_group_only(senses)) {
+    add(s, kFrontAlone, gain);
+    return;
+  }
+  const NounPhrase them = unsaid(senses);
+  if (const Referent host = side_host(state, u, senses); host != kNobody) add(s, kFrontAlone, gain + weight::kSameSide, -1, -1, host);
+  for (const Candidate& meant : antecedents(state, kNobody, &senses, &them))
+    add(s, kFrontAlone, gain + meant.score, -1, -1, meant.referent, meant.list);
+  add(s, kFrontAlone, gain - 5);
+}
+
+// "side by side", "back to back", stacks: of the list by itself.
+bool Decoder::by_each_other(int u) const {
+  const std::string& last = document_.tokens[chunk(u).last - 1].text;
+  return (chunk(u).last > chunk(u).first + 1 && last == word(u) && (last == "side" || last == "back")) ||
+         says(alone_senses(u), RelationType::kStacked);
+}
+
+// Of the thing at that level of the frontier; `nearer`: how many things are nearer.
+void Decoder::alone_of_member(std::size_t s, int u, std::size_t level, int nearer) {
+  const State& state = states_[s];
+  const Unit& place = unit(u);
+  const PhraseSenses& senses = alone_senses(u);
+  const int member = state.frontier[level];
+  double gain = attach_score(state, u, static_cast<int>(level), false) + (place.joiner == Joiner::kNone ? weight::kLevelAlone * nearer : 0);
+  if (is(u - 1, UnitKind::kVerb) && level > 0) gain -= 3;
+  if (by_each_other(u)) {
+    alone_of_list(s, u, level, {kNobody, gain + (several(state, member) ? 1 : 0), false});
+    return;
+  }
+  if (of_group_only(senses)) {
+    alone_of_room(s, u, level, gain);
+    return;
+  }
+  const NounPhrase whom = unsaid(senses);
+  // "a laptop on the right side of the desk and a mug on the left side": of the desk as well.
+  if (const Referent host = side_host(state, u, senses); host != kNobody && !same(state, host, member))
+    alone_of_list(s, u, level, {host, gain + weight::kSameSide, false});
+  const auto habit = [&](Referent by) { return place.joiner == Joiner::kNone ? habit_score(state, u, member, by, senses) : 0; };
+  for (const Candidate& meant : antecedents(state, member, &senses, &whom))
+    alone_of_list(s, u, level, {meant.referent, gain + meant.score + habit(meant.referent), meant.list});
+}
+
+// Of it alone, and of the list that it ends.
+void Decoder::alone_of_list(std::size_t s, int u, std::size_t level, const Candidate& meant) {
+  const State& state = states_[s];
+  const int member = state.frontier[level];
+  add(s, kAttachAlone, meant.score, member, state.verb && level == 0 && state.first_subject >= 0 ? state.first_subject : member,
+      meant.referent, meant.list);
+  const bool mutual = by_each_other(u);
+  double shared = 0;
+  for (int m = member; m >= 0;) {
+    const double of_each_other = read_as(state, m).former >= 0 && !several(state, m) ? 1.5 : -10;
+    const double more = mutual ? of_each_other : share_score(state, m, u, meant.referent);
+    if (more < -5) break;
+    shared += shared == 0 ? more : 0.2;
+    m = read_as(state, m).former;
+    add(s, kAttachAlone, meant.score + shared, member, m, meant.referent, meant.list);
+  }
+}
+
+// "in a row", "in the center", "at the back": of the room, or of what has or carries the thing.
+void Decoder::alone_of_room(std::size_t s, int u, std::size_t level, double gain) {
+  const State& state = states_[s];
+  const PhraseSenses& senses = alone_senses(u);
+  const int member = state.frontier[level];
+  NounPhrase room;
+  room.kind = NounKind::kRoom;
+  const double fits = sense_.of_place(senses, noun_of(state, member), room);
+  const bool many = says(senses, RelationType::kRow) || says(senses, RelationType::kGrid) || says(senses, RelationType::kColumn);
+  // "a table with a laptop in the center": of the table.
+  const Referent host = host_of(state, member);
+  const bool lies = says(senses, RelationType::kCenterOfRoom) && mount_of(noun_of(state, member)) == Mount::kSurface;
+  // "a desk with a chair at the back": behind the desk.
+  const bool end =
+      says(senses, RelationType::kInRegion) && mount_of(noun_of(state, member)) == Mount::kFloor && is_thing(state, host) &&
+      unit(u).joiner == Joiner::kNone &&
+      std::any_of(senses.begin(), senses.end(), [](const PhraseSense& sense) { return sense.region == "back" || sense.region == "front"; });
+  if (end) add(s, kAttachAlone, gain + 1.5, member, member, host);
+  if (lies && is_thing(state, host)) add(s, kAttachAlone, gain + 1, member, member, host);
+  for (const Candidate& meant : lies&& host == kNobody && state.fronted.empty() ? carriers(state, member) : std::vector<Candidate>{})
+    add(s, kAttachAlone, gain + meant.score, member, member, meant.referent);
+  if (lies && !state.fronted.empty()) add(s, kAttachAlone, gain + 1, member, member, state.fronted.front() + 1);
+  const bool several_here = several(state, member);
+  alone_of_list(s, u, level, {kNobody, gain + fits + (!many ? 0 : several_here ? 1.0 : -1.0), false});
+}
+
+}  // namespace layoutbox::offline

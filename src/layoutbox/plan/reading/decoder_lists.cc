@@ -1,0 +1,154 @@
+// Which list a noun phrase goes on with: what the clause is about, what something has, or what a place is by.
+#include <algorithm>
+
+#include "layoutbox/plan/offline/knowledge.h"
+#include "layoutbox/plan/offline/reader_words.h"
+#include "layoutbox/plan/reading/decoder.h"
+#include "layoutbox/plan/reading/weights.h"
+
+namespace layoutbox::offline {
+
+namespace {
+
+// "stand", "are": of several.
+bool is_plural_verb(std::string_view word) { return !word.ends_with("s") && !word.ends_with("ed") && !word.ends_with("ing"); }
+
+bool shares_article(const NounPhrase& noun, const NounPhrase& former) {
+  return noun.determiner == Determiner::kNone && noun.count == 0 && !noun.plural && former.determiner != Determiner::kNone;
+}
+
+}  // namespace
+
+bool Decoder::is_subject(int u) const { return verb_like(u + 1) && unit(u + 1).joiner == Joiner::kNone && !unit(u + 1).clause; }
+
+bool Decoder::has_place(int u) const {
+  return follows(u, UnitKind::kPlace) || (follows(u, UnitKind::kParticiple) && follows(u + 1, UnitKind::kPlace));
+}
+
+void Decoder::list_actions(std::size_t s, int u) {
+  const State& state = states_[s];
+  const double beside = unit(u).joiner == Joiner::kNone && is(u - 1, UnitKind::kNoun) ? weight::kNoJoiner : 0;
+  const std::size_t n = state.frontier.size();
+  for (std::size_t level = 0; level < n; ++level) {
+    const int member = state.frontier[level];
+    const UnitReading& reading = read_as(state, member);
+    double gain = beside + weight::kTreeList * tree_.for_noun(u, member);
+    if (level == 0) {
+      root_list_actions(s, u, gain);
+      continue;
+    }
+    if (reading.role == NounRole::kMember) continue;
+    const bool content = reading.role == NounRole::kContent;
+    for (std::size_t f = level + 1; f < n; ++f)
+      gain += read_as(state, state.frontier[f]).role == NounRole::kContent ? weight::kNearerList : 0;
+    gain += content ? content_list_score(state, member, u) : reference_list_score(state, member, u);
+    if (is_subject(u) && content && unit(u).joiner == Joiner::kAnd && is_finite(word(u + 1)) != chunk(u).noun.is_plural()) gain -= 2;
+    if (gain > -5) add(s, kSameList, gain, member);
+  }
+}
+
+// With what the clause is about, or a clause of its own; `gain`: what speaks for either.
+void Decoder::root_list_actions(std::size_t s, int u, double gain) {
+  const State& state = states_[s];
+  const NounPhrase& noun = chunk(u).noun;
+  const bool subject = is_subject(u), placed = has_place(u);
+  const bool of_clause = !state.verb || state.imperative;
+  // "books and newspapers lines the wall": not the newspapers.
+  const bool disagrees = subject && noun.is_plural() && (is_finite(word(u + 1)) || word(u + 1) == "is" || word(u + 1) == "was");
+  gain += disagrees ? weight::kDisagrees : subject ? weight::kSubjectFollows : placed ? weight::kPlaceFollows : 0;
+  double share = 0;
+  for (const int place : state.fronted) share += reference_score(state, place, u);
+  // "On the table a mug and a pad lie beside a clock": a plural verb of one thing speaks of the list.
+  const bool agrees = subject && unit(u).joiner == Joiner::kAnd && !noun.is_plural() && is_plural_verb(word(u + 1));
+  if (of_clause && (state.fronted.empty() || !subject || agrees)) {
+    const bool own_place = placed && !state.fronted.empty() && !(share > 0 && mount_of(noun) == Mount::kSurface);
+    add(s, kNextRoot, gain + (agrees && !state.fronted.empty() ? weight::kAgrees : 0) + std::max(share, -2.5) - (own_place ? 1.2 : 0),
+        state.frontier.front());
+  }
+  if (!of_clause || !state.fronted.empty()) add(s, kNewRoot, gain - (state.fronted.empty() ? 0 : 0.4));
+}
+
+// "a desk with a lamp and a clock": the clock is the desk's as well.
+double Decoder::content_list_score(const State& state, int member, int u) const {
+  const UnitReading& reading = read_as(state, member);
+  const NounPhrase &noun = chunk(u).noun, &former = noun_of(state, member);
+  const int predicate = reading.predicate;
+  const Referent owner = read_as(state, predicate).subject;
+  const NounPhrase& host = noun_of(state, owner);
+  const Joiner joiner = unit(u).joiner;
+  if (noun.kind != NounKind::kObject && noun.kind != NounKind::kAbstract && noun.kind != NounKind::kPart && noun.kind != NounKind::kMember)
+    return -4;
+  double score = 0;
+  bool ended = false;
+  std::size_t length = 0;
+  for (int m = member; m >= 0; m = read_as(state, m).former, ++length) {
+    ended |= unit(m).joiner == Joiner::kAnd || unit(m).joiner == Joiner::kCommaAnd;
+  }
+  if (ended) score += weight::kListEnded;
+  if (joiner == Joiner::kAnd) score += weight::kBareAnd;
+  if (joiner == Joiner::kCommaAnd) score += length > 1 ? 0.6 : -1.2;
+  if (shares_article(noun, former)) score += joiner == Joiner::kAnd ? weight::kShareArticle : 0;
+  const bool inverse = read_as(state, predicate).inverse;
+  if (reading.placed && !inverse && mount_of(noun) == Mount::kFloor) score -= 2;
+  if (noun.determiner == Determiner::kDefinite) score -= 1.5;
+  if (owner == kNobody || host.kind != NounKind::kObject) return score + (host.kind == NounKind::kWall ? 0.5 : 0);
+  score += list_kind_score(state, member, u, length);
+  if (unit(predicate).joiner != Joiner::kNone && mount_of(noun) == Mount::kFloor && !inverse) score -= 2;  // ", with …"
+  if (has_own_place(u)) score -= !sense_.carries(host, noun) ? 1.6 : joiner == Joiner::kAnd ? 0.6 : 1.4;
+  // "each with a bed, a chair and a lamp": every one has all of them.
+  if (owner >= 0 && chunk(owner).noun.determiner == Determiner::kEach) score += weight::kEachHas;
+  if (host.entry != nullptr && host.entry->thin) score -= 3;
+  return score;
+}
+
+// How well it goes with the list, by what such things do: lie on the host, stand at it.
+double Decoder::list_kind_score(const State& state, int member, int u, std::size_t length) const {
+  const UnitReading& reading = read_as(state, member);
+  const int predicate = reading.predicate;
+  const NounPhrase &noun = chunk(u).noun, &former = noun_of(state, member), &host = noun_of(state, read_as(state, predicate).subject);
+  const Joiner joiner = unit(u).joiner;
+  const bool carried = sense_.carries(host, noun), before = sense_.carries(host, former);
+  if (carried && (before || mount_of(noun) == Mount::kSurface))
+    return mount_of(noun) == Mount::kFloor && mount_of(former) != Mount::kFloor ? 0.2 : weight::kCarriedToo;
+  if (is_table(lexicon_.catalog(), host) && is_seat(lexicon_.catalog(), noun)) {
+    if (one_of(noun.head, {"sofa", "couch", "loveseat", "ottoman", "recliner"})) return weight::kNotCarried;
+    return (joiner == Joiner::kAnd || (joiner == Joiner::kCommaAnd && length > 1)) && !has_own_place(u) ? 0.6 : -0.6;
+  }
+  if (mount_of(noun) != mount_of(former) || (before && !read_as(state, predicate).inverse)) return weight::kNotCarried;
+  return joiner == Joiner::kComma ? -1.2 : 0;
+}
+
+// "… and a lamp beside the bed": the place is its own.
+bool Decoder::has_own_place(int u) const {
+  return follows(u, UnitKind::kPlace) && !unit(u + 1).direct.empty() && follows(u + 1, UnitKind::kNoun) && !chunk(u + 2).noun.reciprocal;
+}
+
+// "next to the bed and the desk"
+double Decoder::reference_list_score(const State& state, int member, int u) const {
+  const UnitReading& reading = read_as(state, member);
+  const NounPhrase &noun = chunk(u).noun, &former = chunk(member).noun;
+  const int place = reading.predicate;
+  const Joiner joiner = unit(u).joiner;
+  const bool next_to_it = member + 1 == u;
+  const bool between = place >= 0 && says(unit(place).direct, RelationType::kBetween);
+  if (between && !former.is_plural() && reading.former < 0 && next_to_it && joiner == Joiner::kAnd) return 8;
+  if (joiner != Joiner::kAnd || between || !next_to_it) return -6;
+  const auto definite = [](const NounPhrase& n) {
+    return n.determiner == Determiner::kDefinite || n.determiner == Determiner::kEach || n.determiner == Determiner::kBoth ||
+           n.determiner == Determiner::kPossessive;
+  };
+  if (former.kind != NounKind::kObject || noun.kind != NounKind::kObject)
+    return noun.kind == former.kind && noun.kind != NounKind::kRoom ? 1.5 : -6;
+  double score = definite(former) == definite(noun) ? 0.5 : -3;
+  if (definite(former) && definite(noun)) score += 1.2;
+  if (!definite(noun)) score += 0.4;
+  if (follows(u, UnitKind::kPlace) || follows(u, UnitKind::kHave) || follows(u, UnitKind::kParticiple) || follows(u, UnitKind::kVerb))
+    score -= 2;
+  const UnitReading& of = read_as(state, place);
+  if (of.fronted) score += 2;
+  if (!of.fronted && is_thing(state, of.subject))
+    score += std::min(0.3, sense_.of_place(unit(place).direct, noun_of(state, of.subject), noun));
+  return score;
+}
+
+}  // namespace layoutbox::offline

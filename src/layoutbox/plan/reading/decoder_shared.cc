@@ -1,0 +1,51 @@
+// Which of a list share a place: "a bed and a desk against the wall".
+#include "layoutbox/plan/offline/knowledge.h"
+#include "layoutbox/plan/offline/reader_words.h"
+#include "layoutbox/plan/reading/decoder.h"
+#include "layoutbox/plan/reading/weights.h"
+
+namespace layoutbox::offline {
+
+// "a bed and a desk against the wall": whether the former member is there as well; nothing speaks for it: below −5.
+double Decoder::share_score(const State& state, int member, int u, Referent implied) const {
+  const int former = read_as(state, member).former;
+  if (former < 0 || read_as(state, former).placed || !is_thing(state, former)) return -10;
+  const NounPhrase &noun = noun_of(state, member), &before = noun_of(state, former);
+  const Joiner joiner = unit(member).joiner;
+  if (noun.determiner == Determiner::kNone && noun.count == 0 && !noun.plural && before.determiner != Determiner::kNone)
+    return weight::kShareArticle;
+  const Unit& place = unit(u);
+  const PhraseSenses& senses = place.direct.empty() ? place.alone : place.direct;
+  if (says(senses, RelationType::kRow) || says(senses, RelationType::kGrid) || says(senses, RelationType::kEvenlySpaced)) return 2;
+  const NounPhrase& by = implied != kNobody ? noun_of(state, implied) : follows(u, UnitKind::kNoun) ? chunk(u + 1).noun : nothing_;
+  if (const double kind = share_kind_score(state, member, u, implied, by); kind > 0) return kind;
+  if (says(senses, RelationType::kCenterOfRoom) && joiner == Joiner::kAnd && read_as(state, former).former < 0) return 1;
+  if (by.reciprocal && several(state, member)) return -10;
+  const std::string& first = word(u);
+  const bool participle = state.participle || chunk(u).placing || first.ends_with("ing") || first.ends_with("ed");
+  if (joiner == Joiner::kAnd && participle) return weight::kShareVerb;
+  if (joiner == Joiner::kAnd && follows(u, UnitKind::kNoun) && chunk(u + 1).noun.reciprocal) return weight::kShareVerb;
+  return -10;
+}
+
+// Things of a kind share what such things have: what lies on a table, the seats around one.
+double Decoder::share_kind_score(const State& state, int member, int u, Referent implied, const NounPhrase& by) const {
+  const NounPhrase &noun = noun_of(state, member), &before = noun_of(state, read_as(state, member).former);
+  const PhraseSenses& senses = unit(u).direct.empty() ? unit(u).alone : unit(u).direct;
+  const NounPhrase& host = by.kind == NounKind::kMember && by.of ? *by.of : by;  // "on each of the two nightstands"
+  const bool lies = says(senses, RelationType::kOn) || says(senses, RelationType::kIn);
+  const bool listed = unit(member).joiner != Joiner::kComma || state.frontier.back() != member;
+  if (listed && (implied != kNobody || follows(u, UnitKind::kNoun)) && host.kind == NounKind::kObject) {
+    const bool around = says(senses, RelationType::kAround) || says(senses, RelationType::kSurround);
+    const auto carried = [&](const NounPhrase& n) {
+      return sense_.carries(host, n) && (host.entry != nullptr ? !host.entry->thin : mount_of(n) != Mount::kFloor);
+    };
+    const bool seats = is_seat(lexicon_.catalog(), noun) && is_seat(lexicon_.catalog(), before);
+    if ((lies && carried(noun) && carried(before)) || ((around || lies) && seats)) return weight::kShareKind;
+  }
+  // "a cabinet with a fridge and a coffee machine on top": all that it has.
+  const bool content = read_as(state, member).role == NounRole::kContent;
+  return content && implied != kNobody && lies && !is_seat(lexicon_.catalog(), before) && !is_table(lexicon_.catalog(), before) ? 1 : 0;
+}
+
+}  // namespace layoutbox::offline

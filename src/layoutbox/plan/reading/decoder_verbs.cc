@@ -1,0 +1,104 @@
+// What a having, a verb or a relative clause is said of.
+#include "layoutbox/plan/offline/knowledge.h"
+#include "layoutbox/plan/offline/reader_words.h"
+#include "layoutbox/plan/reading/decoder.h"
+#include "layoutbox/plan/reading/weights.h"
+
+namespace layoutbox::offline {
+
+namespace {
+
+bool is_room_like(NounKind kind) {
+  return kind == NounKind::kRoom || kind == NounKind::kOutsideRoom || kind == NounKind::kAbstract || kind == NounKind::kWindow ||
+         kind == NounKind::kDoor;
+}
+
+}  // namespace
+
+void Decoder::have_actions(std::size_t s, int u) {
+  const State& state = states_[s];
+  const std::string& how = word(u);
+  // "Flank the bed with two nightstands": the place's own things come now.
+  if (how == "with" && state.frontier.empty() && state.fronted.size() == 1 && state.fronted.front() + 2 == u &&
+      chunk(state.fronted.front()).last - chunk(state.fronted.front()).first == 1 && !unit(state.fronted.front()).direct.empty()) {
+    add(s, kHaveThing, 1, state.fronted.front(), -2);
+    return;
+  }
+  if (state.frontier.empty() && state.relative < 0) {
+    add(s, kHaveRoom, 0);
+    return;
+  }
+  const bool finite = is_finite(how);
+  const std::size_t before = actions_.size();
+  if (state.relative < 0) {
+    const int root = state.frontier.front();
+    const NounKind kind = noun_of(state, root).kind;
+    if (is_room_like(kind) && !is_thing(state, root)) {
+      double gain = 0;
+      for (const int f : state.frontier) gain += is_thing(state, f) ? -1.5 : 0;
+      add(s, kHaveRoom, gain);
+    }
+  }
+  if (finite && state.relative < 0) {
+    for (std::size_t level = 0; level < state.frontier.size(); ++level) {
+      const int member = state.frontier[level];
+      const NounKind kind = noun_of(state, member).kind;
+      if (!is_thing(state, member) && kind != NounKind::kWall && kind != NounKind::kCorner && kind != NounKind::kPart) continue;
+      add(s, kHaveThing, (level == 0 ? 0.5 : -2.5) + weight::kTree * tree_.for_noun(u, member), member, member);
+    }
+  } else {
+    attach_actions(s, u, kHaveThing);
+  }
+  if (actions_.size() == before) add(s, kHaveRoom, -0.5);
+}
+
+void Decoder::verb_actions(std::size_t s, int u) {
+  const State& state = states_[s];
+  const bool passive = chunk(u).passive;
+  const bool joined = unit(u).joiner != Joiner::kNone;
+  if (state.relative >= 0) {
+    add(s, kFinite, 0, state.relative, state.relative);
+    return;
+  }
+  if (state.outer >= 0 && unit(u).joiner == Joiner::kComma) {
+    add(s, kFinite, 1, state.outer, state.outer);
+    return;
+  }
+  if (state.frontier.empty()) {
+    add(s, state.fronted.empty() && !passive ? kCommand : kInvert, 0);
+    return;
+  }
+  if (joined && !passive && is(u + 1, UnitKind::kNoun)) {
+    add(s, kCommand, state.imperative ? 1 : 0.3);
+    if (state.imperative) return;
+  }
+  // The subject: a plural verb takes all that is listed, a singular one the last.
+  const int root = state.frontier.front();
+  const std::string& verb = word(u);
+  const bool plural = verb == "are" || verb == "were" || verb == "have" || (!verb.ends_with("s") && verb != "is" && verb != "was");
+  int first = root;
+  while (plural && first >= 0 && read_as(state, first).former >= 0) {
+    const int former = read_as(state, first).former;
+    const bool list_ends = noun_of(state, root).is_plural() && (unit(first).joiner != Joiner::kAnd || read_as(state, former).placed);
+    if (list_ends || (state.room_list && unit(first).joiner != Joiner::kAnd)) break;
+    first = former;
+  }
+  add(s, kFinite, 0, root, first);
+}
+
+void Decoder::relative_actions(std::size_t s, int u) {
+  const State& state = states_[s];
+  int nearer = 0;
+  for (std::size_t f = state.frontier.size(); f-- > 0;) {
+    const int member = state.frontier[f];
+    const NounKind kind = noun_of(state, member).kind;
+    if (!is_thing(state, member) && kind != NounKind::kWindow && kind != NounKind::kDoor && kind != NounKind::kRoom) continue;
+    const bool several_here = several(state, member);
+    double gain = -0.9 * nearer++ + weight::kTree * tree_.for_noun(u, member);
+    if (verb_like(u + 1)) gain += is_finite(word(u + 1)) == several_here && word(u + 1) != "hold" ? -1 : 0;
+    add(s, kRelate, gain, member);
+  }
+  if (actions_.empty() || actions_.back().state != s) add(s, kPass, 0);
+}
+
+}  // namespace layoutbox::offline

@@ -1,0 +1,132 @@
+// Writes the places that a reading found as links between mentions.
+#include <algorithm>
+
+#include "layoutbox/plan/offline/reader_words.h"
+#include "layoutbox/plan/reading/scribe.h"
+
+namespace layoutbox::offline {
+
+int Scribe::add_link(int u, Link link) {
+  document_.links.push_back(std::move(link));
+  link_[static_cast<std::size_t>(u)] = static_cast<int>(document_.links.size()) - 1;
+  return link_[static_cast<std::size_t>(u)];
+}
+
+void Scribe::hang(const std::vector<int>& targets, int u) {
+  std::vector<int> things = targets;
+  std::erase_if(things, [&](int m) { return !is_thing(m); });
+  if (things.empty()) return;
+  Link link;
+  link.kind = Link::Kind::kHang;
+  link.targets = things;
+  link.first = chunk(u).first;
+  link.last = chunk(u).last;
+  link.soft = unit(u).soft;
+  document_.links.push_back(std::move(link));
+}
+
+// The place's words, or the verb right before them, say that something is hung.
+bool Scribe::hangs(int u) const {
+  if (chunk(u).hang) return true;
+  return u > 0 && (is(u - 1, UnitKind::kParticiple) || is(u - 1, UnitKind::kVerb)) && chunk(u - 1).hang;
+}
+
+// "side by side", "stacked": of the things by each other.
+bool Scribe::is_mutual(int u, const Link& link) const {
+  return reading(u).implied == kNobody && !link.targets.empty() &&
+         (says(link.senses, RelationType::kStacked) || word(u) == "side" || word(u) == "back");
+}
+
+// Whom a place without a reference is by.
+std::vector<int> Scribe::references_alone(int u, const Link& link) {
+  const UnitReading& own = reading(u);
+  if (is_mutual(u, link)) {
+    Mention other;
+    other.noun.kind = NounKind::kPronoun;
+    other.reciprocal = true;
+    document_.mentions.push_back(std::move(other));
+    return {static_cast<int>(document_.mentions.size()) - 1};
+  }
+  if (!own.implied_list || own.implied < 0) return mentions_of(own.implied);
+  std::vector<int> all;
+  for (int m = own.implied; m >= 0; m = reading(m).former) all.insert(all.begin(), mention_[static_cast<std::size_t>(m)]);
+  return says(link.senses, RelationType::kBetween) && all.size() != 2 ? std::vector<int>{combined(all)} : all;
+}
+
+// "between them": the other of the two, if only one was named.
+void Scribe::complete_pair(int u, Link& link) {
+  if (!says(link.senses, RelationType::kBetween) || link.references.size() != 1) return;
+  const bool several = mention_at(link.references.front()).items.size() > 1;
+  const bool them = several && document_.tokens[chunk(u).last - 1].text == "them";
+  const int other = them ? -1 : looked_at_by(link.references.front(), link.targets);
+  if (other >= 0) link.references.push_back(other);
+  if (const int pair = other < 0 && !several ? pair_just_related() : -1; pair >= 0) link.references = {pair};
+}
+
+void Scribe::write_place_alone(int u) {
+  const UnitReading& own = reading(u);
+  Link link = link_at_unit(u);
+  if (chunk(u).phrase.other && one_side_ >= 0 && takes_other_side(u, subjects_of(u))) return;
+  link.senses = unit(u).alone.empty() ? unit(u).direct : unit(u).alone;
+  if (!own.fronted) link.targets = subjects_of(u);
+  if (link.each && !own.fronted) add_laden_stand(link.senses, link.targets);
+  if (!is_mutual(u, link) && says(link.senses, RelationType::kDistance) && document_.links.size() > sentence_links_) {
+    // "in front of it, at a distance of 50 cm": of what was placed last.
+    link.targets = document_.links.back().targets;
+    link.references = document_.links.back().references;
+  } else {
+    link.references = references_alone(u, link);
+  }
+  if (says(link.senses, RelationType::kCenterOfRoom) && !link.references.empty())
+    link.senses = {{RelationType::kOn, Direction::kDirect, "center", {}, {}}};
+  if (says(link.senses, RelationType::kInRegion) && !link.references.empty()) {
+    const bool back = std::any_of(link.senses.begin(), link.senses.end(), [](const PhraseSense& s) { return s.region == "back"; });
+    link.senses = {{back ? RelationType::kBehind : RelationType::kInFrontOf, Direction::kDirect, {}, {}, {}}};
+  }
+  complete_pair(u, link);
+  link.implied = true;
+  link.one_side = chunk(u).phrase.one && says(link.senses, RelationType::kNextTo);
+  if (link.each && !own.fronted) {
+    for (const int target : link.targets) grow_for_sides(link, target, link.references.empty() ? -1 : link.references.front());
+  }
+  const bool one_side = link.one_side;
+  const std::vector<int> targets = link.targets;
+  const int added = add_link(u, std::move(link));
+  if (one_side) one_side_ = added;
+  if (hangs(u) && !own.fronted) hang(targets, u);
+}
+
+// "center the sofa on the wall", "is centered on …".
+bool Scribe::centers(int u) const {
+  const auto says_so = [&](int v) {
+    return v >= 0 && is(v, UnitKind::kVerb) && document_.tokens[chunk(v).last - 1].text.starts_with("center");
+  };
+  return (says_so(u - 1) || says_so(u - 2)) && is(u + 1, UnitKind::kNoun) && chunk(u + 1).noun.kind == NounKind::kWall;
+}
+
+void Scribe::write_place(int u) {
+  const UnitReading& own = reading(u);
+  if (own.alone) {
+    write_place_alone(u);
+    return;
+  }
+  if (own.role != NounRole::kUnread || (!own.fronted && own.subject == kNobody && !own.inverse && !chunk(u).gap)) {
+    if (!is(u + 1, UnitKind::kNoun) || reading(u + 1).predicate != u) return;  // says nothing
+  }
+  Link link = link_at_unit(u);
+  link.senses = own.inverse && !unit(u).inverse.empty() ? unit(u).inverse : unit(u).direct;
+  // "two sofas facing each other across a table": between them.
+  if (own.inverse && unit(u).inverse.empty() && own.implied_list) link.senses = {{RelationType::kBetween, Direction::kDirect, {}, {}, {}}};
+  if (own.inverse) {
+    if (!own.fronted) link.references = own.subject == u + 1 ? std::vector<int>{} : subjects_of(u);
+  } else if (!own.fronted) {
+    link.targets = subjects_of(u);
+  }
+  if (centers(u)) link.senses.insert(link.senses.begin(), {RelationType::kCenteredOnWall, Direction::kDirect, {}, {}, {}});
+  link.one_side = chunk(u).phrase.one && says(link.senses, RelationType::kNextTo);
+  const bool one_side = link.one_side;
+  const int added = add_link(u, std::move(link));
+  if (one_side) one_side_ = added;
+}
+
+}  // namespace layoutbox::offline
