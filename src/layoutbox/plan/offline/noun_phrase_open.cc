@@ -226,7 +226,12 @@ bool NounPhraseReader::read_determiners() {
         continue;
       }
       if (take(Class::kDefinite, Determiner::kDefinite)) continue;
-      if (take(Class::kPossessive, Determiner::kPossessive)) continue;
+      if (take(Class::kPossessive, Determiner::kPossessive)) {
+        if (at_word("own")) i_ += 1, phrase_.determiner = Determiner::kIndefinite;  // "each has its own locker"
+        continue;
+      }
+      // "one each side of the door": the sides begin there.
+      if (counted_ && i_ + 1 < tokens_.size() && lexicon_.is(tokens_[i_ + 1], Class::kSide)) break;
       if (take(Class::kEach, Determiner::kEach) || take(Class::kBoth, Determiner::kBoth)) {
         counted_ |= phrase_.determiner == Determiner::kEach;
         if (read_subset()) return true;

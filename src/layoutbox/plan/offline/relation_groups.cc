@@ -162,6 +162,10 @@ void RelationBuilder::add_group(const Link& link, PhraseSense sense, const std::
     add_seats_at_sides(link, targets, references.front());
     return;
   }
+  if (sense.type == R::kRow && sense.part == "order") {  // "from left to right": each left of the next
+    for (std::size_t t = 1; t < targets.size(); ++t) add(link, R::kLeftOf, {id(targets[t - 1])}, {id(targets[t])});
+    return;
+  }
   if (references.empty()) {
     add(link, sense.type, ids(targets), place != nullptr ? room_reference(place->noun, sense.type) : std::vector<std::string>{}, sense);
     return;

@@ -33,6 +33,7 @@ void RelationBuilder::add_single(const Link& link, PhraseSense sense, const Ment
     for (std::size_t t = 0; t < target.items.size() && !walls.empty(); ++t)
       add(link, sense.type, {id(target.items[t])}, {walls[t % walls.size()]}, sense);
     if (!walls.empty()) return;
+    if (sense.type == R::kOpposite) add_wall_opposite(link, target);
     for (const int item : target.items) {
       add(link, sense.type, {id(item)}, room_reference(place->noun, sense.type), sense);
       if (sense.type == R::kOpposite) add_across(link, item, room_reference(place->noun, sense.type));
@@ -41,13 +42,7 @@ void RelationBuilder::add_single(const Link& link, PhraseSense sense, const Ment
   }
   if (references.empty()) return;
   if (sense.type == R::kOpposite && references.size() == 1 && add_on_other_side(link, sense, target, references.front())) return;
-  // "on the wall opposite the bed": on or against that wall.
-  if (sense.type == R::kOpposite && words_between(document_, link.first, link.last).find("wall") != std::string::npos) {
-    const Mount mount = mount_of(target.noun);
-    const R type = mount == Mount::kFloor && is_heavy(catalog_, target.noun) ? R::kAgainstWall : R::kOnWall;
-    if (mount != Mount::kCeiling)
-      for (const int item : target.items) add(link, type, {id(item)}, {});
-  }
+  if (sense.type == R::kOpposite) add_wall_opposite(link, target);
   // "on the left side of the desk" is on the desk for what stands on desks, beside it for the rest.
   if (sense.type == R::kLeftOf || sense.type == R::kRightOf) {
     const NounPhrase& host = noun_of_item(references.front());
@@ -198,6 +193,14 @@ void RelationBuilder::add_in_niche(const Link& link, const Mention& target) {
       add(there, R::kAgainstWall, {id(item)}, {wall});
     }
   }
+}
+
+// "on the wall opposite the bed", "… across from the door": on or against that wall.
+void RelationBuilder::add_wall_opposite(const Link& link, const Mention& target) {
+  const Mount mount = mount_of(target.noun);
+  if (mount == Mount::kCeiling || words_between(document_, link.first, link.last).find("wall") == std::string::npos) return;
+  const R type = mount == Mount::kFloor && is_heavy(catalog_, target.noun) ? R::kAgainstWall : R::kOnWall;
+  for (const int item : target.items) add(link, type, {id(item)}, {});
 }
 
 // The table that a seat was placed at, or empty.

@@ -72,7 +72,7 @@ class SizeReader {
     for (std::size_t i = first; i-- > (first > kReach ? first - kReach : 0);) {
       if (tokens_[i].ends_sentence) break;
       const Match match = lexicon_.find(tokens_, i);
-      if (has_class(match, Class::kRoom) || has_class(match, Class::kRoomNoun)) return true;
+      if (has_class(match, Class::kRoom) || has_class(match, Class::kRoomNoun)) return !fits_thing_before(i, sides);
       if (has_class(match, Class::kObject) && !beyond(match, sides)) return false;
       if (has_class(match, Class::kWindow) || has_class(match, Class::kDoor)) return false;  // "three windows in a wall, each 1.5 m wide"
     }
@@ -116,6 +116,21 @@ class SizeReader {
              const Size& most = m.entry->size.greatest;
              return sides[0] * sides[1] > kTimes * m_from_mm(most.width) * m_from_mm(most.depth);
            });
+  }
+
+  // "A table in the middle of the room, 1.6 by 0.9 m": what is too small for a room and right for what the sentence spoke of before.
+  bool fits_thing_before(std::size_t end, const std::vector<double>& sides) const {
+    constexpr double kSmallestRoom = 4, kMore = 1.1;  // m²
+    if (sides.size() < 2 || sides[0] * sides[1] >= kSmallestRoom) return false;
+    for (std::size_t i = end; i-- > 0 && !tokens_[i].ends_sentence;) {
+      for (const Meaning& m : lexicon_.find(tokens_, i).meanings) {
+        if (m.word_class != Class::kObject || m.entry == nullptr) continue;
+        const Size& most = m.entry->size.greatest;
+        const double longer = kMore * m_from_mm(std::max(most.width, most.depth)), other = kMore * m_from_mm(std::min(most.width, most.depth));
+        if (std::max(sides[0], sides[1]) <= longer && std::min(sides[0], sides[1]) <= other) return true;
+      }
+    }
+    return false;
   }
 
   std::size_t read_product(std::size_t at) {

@@ -97,7 +97,9 @@ const NounPhrase& Decoder::noun_of(const State& state, Referent referent) const 
     if (is_mention(referent)) return document_.mentions[static_cast<std::size_t>(mention_of(referent))].noun;
     if (referent < 0) return nothing_;
     const UnitReading& reading = read_as(state, referent);
-    if (reading.meant == kNobody || chunk(referent).noun.kind == NounKind::kObject) return chunk(referent).noun;
+    const NounPhrase& own = chunk(referent).noun;
+    if (own.kind == NounKind::kMember && own.of && own.of->kind == NounKind::kObject) return *own.of;  // "each of the beds"
+    if (reading.meant == kNobody || own.kind == NounKind::kObject) return own;
     referent = reading.meant;
   }
   return nothing_;

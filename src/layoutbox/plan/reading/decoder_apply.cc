@@ -34,7 +34,8 @@ void Decoder::apply(State& state, const Action& action, int u) const {
       break;
     }
   } else if (kind == UnitKind::kSize) {
-    own.subject = !state.frontier.empty() ? state.frontier.back() : before_.topic >= 0 ? referent_of_mention(before_.topic) : kNobody;
+    const auto thing = std::find_if(state.frontier.rbegin(), state.frontier.rend(), [&](int f) { return is_thing(state, f); });
+    own.subject = thing != state.frontier.rend() ? *thing : before_.topic >= 0 ? referent_of_mention(before_.topic) : kNobody;
   } else if (kind == UnitKind::kAttribute && state.verb && !state.frontier.empty()) {
     own.subject = state.frontier.front();
     own.first_subject = state.first_subject;

@@ -123,6 +123,10 @@ void Scribe::write_place(int u) {
     link.targets = subjects_of(u);
   }
   if (centers(u)) link.senses.insert(link.senses.begin(), {RelationType::kCenteredOnWall, Direction::kDirect, {}, {}, {}});
+  if (chunk(u).kind == ChunkKind::kPurpose) {  // "one lamp for each desk"
+    link.kind = Link::Kind::kHave;
+    link.weak = true;
+  }
   link.one_side = chunk(u).phrase.one && says(link.senses, RelationType::kNextTo);
   const bool one_side = link.one_side;
   const int added = add_link(u, std::move(link));

@@ -174,7 +174,8 @@ int Scribe::make_mention(int u) {
   const bool opens = own.role == NounRole::kRoot && own.opens_clause;
   const int mention = references_.mention(noun, antecedent, as_reference, as_reference || opens);
   mention_at(mention).reciprocal = noun.reciprocal;
-  if (noun.kind == NounKind::kPronoun && noun.determiner == Determiner::kEach) mention_at(mention).distributes = true;
+  const bool of_each = noun.kind == NounKind::kPronoun && !noun.plural && antecedent >= 0 && mention_at(antecedent).distributes;
+  if (of_each || (noun.kind == NounKind::kPronoun && noun.determiner == Determiner::kEach)) mention_at(mention).distributes = true;
   return mention;
 }
 

@@ -57,7 +57,7 @@ void Scribe::fill_reference(int u, int mention) {
     for (const int target : targets) {
       // "five placemats lie around the bowl, one … each chair": as many as there are.
       const bool agree = mention_at(target).items.size() == mention_at(mention).items.size() && is_placed_before(target, index);
-      if (!agree) references_.grow(target, mention_at(target).items.size() * mention_at(mention).items.size());
+      if (!agree) grow_for_each(target, mention);
     }
   }
   follow_screen(link, own.predicate);
@@ -105,8 +105,7 @@ void Scribe::fill_content(int u, int mention) {
       mention_at(mention).items.size() < mention_at(hosts.front()).items.size())
     references_.grow(mention, mention_at(mention).items.size() * mention_at(hosts.front()).items.size());
   for (const int host : hosts) {
-    if (mention_at(host).distributes)
-      references_.grow(mention, mention_at(mention).items.size() * std::max<std::size_t>(mention_at(host).items.size(), 1));
+    if (mention_at(host).distributes) grow_for_each(mention, host);
   }
   imply_adjective(u, mention);
 }
@@ -136,8 +135,9 @@ void Scribe::fill_root(int u, int mention) {
       const NounPhrase wall = noun_of(reference);
       if (is(p + 1, UnitKind::kNoun)) imply_opposite(p + 1, wall, at);
       grow_for_corners(noun_of(reference), mention);
-      if (mention_at(reference).distributes && mention_at(reference).items.size() > 1)
-        references_.grow(mention, mention_at(mention).items.size() * mention_at(reference).items.size());
+      const bool on_all = chunk(p + 1).noun.determiner == Determiner::kBoth && says(link_at(at).senses, RelationType::kOn) &&
+                          noun_of(mention).determiner == Determiner::kIndefinite;  // "on both tables stands a lamp"
+      if (mention_at(reference).distributes || on_all) grow_for_each(mention, reference);
     }
   }
   for (int v = 0; v < u; ++v) {
@@ -318,6 +318,14 @@ void Scribe::grow_for_sides(const Link& link, int target, int reference) {
   else if (says(link.senses, RelationType::kEachSideOf) && count != 2)
     references_.grow(target, count * 2);
   grow_contents(target, count);
+}
+
+// As many of the thing as were said for each of the others, unless they were shared out before.
+void Scribe::grow_for_each(int thing, int each) {
+  const NounPhrase& noun = noun_of(thing);
+  const std::size_t now = mention_at(thing).items.size(), unsaid = noun.plural ? 2 : 1;
+  if (now > std::max(static_cast<std::size_t>(std::max(noun.count, 0)), unsaid)) return;
+  references_.grow(thing, now * std::max<std::size_t>(mention_at(each).items.size(), 1));
 }
 
 // "thirty desks with chairs": one for each of them.

@@ -20,7 +20,7 @@ void UnitReader::read_purpose(std::size_t k) {
     add(UnitKind::kHave, k);
     return;
   }
-  if (passes_count(k) || passes_role(k)) return;
+  if (passes_count(k) || passes_role(k) || brings_for_each(k)) return;
   if (k > 0 && chunk(k).first > 0 && lexicon_.is(document_.tokens[chunk(k).first - 1], WordClass::kCommand) &&
       lexicon_.is(document_.tokens[chunk(k).first], WordClass::kCommand)) {
     mark(k, Use::kIgnored, "opens a statement");  // "for the bedroom I imagine a bed"
@@ -193,6 +193,19 @@ bool UnitReader::excepts_from_nothing(std::size_t k) const {
     if (before == "nothing" || before == "no" || before == "empty" || before == "without" || before == "nobody") return true;
   }
   return false;
+}
+
+// "one locker for each bed", "for every desk one chair": what those have.
+bool UnitReader::brings_for_each(std::size_t k) {
+  static const PhraseSenses kBelongs = {{RelationType::kNextTo, PhraseSense::Direction::kDirect, {}, {}, {}}};
+  const std::size_t n = next(k);
+  if (skipping_ || document_.tokens[chunk(k).first].text != "for" || !is(n, ChunkKind::kNoun)) return false;
+  const NounPhrase& noun = chunk(n).noun;
+  const bool things = noun.kind == NounKind::kObject || (noun.kind == NounKind::kMember && noun.of && noun.of->kind == NounKind::kObject);
+  if (noun.determiner != Determiner::kEach || !things) return false;
+  mark(k, Use::kUsed, "has");
+  add_place(k, kBelongs);
+  return true;
 }
 
 // "a dresser that doubles as a changing table next to it": what it is used as is no thing; what follows is said of it.

@@ -39,6 +39,7 @@ class UnitReader {
   bool reads_as_verb(std::size_t k) const;
   bool passes_count(std::size_t k);
   bool passes_role(std::size_t k);
+  bool brings_for_each(std::size_t k);
   void seat_so_many(NounPhrase& tables, int people) const;
   bool denies_place(std::size_t k);
   bool excepts_from_nothing(std::size_t k) const;
