@@ -11,7 +11,7 @@ TEXT
 }
 
 root=$(cd -P "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd)
-preset=release tests="" targets=() defines=()
+preset=release tests="" blender="" targets=() defines=()
 while (($#)); do
   case $1 in
     --preset) preset=$2 && shift 2 ;;
@@ -73,7 +73,10 @@ if [[ $tests ]]; then
   "$root/scripts/setup.sh" --tests 8>&-
   defines+=(-DLAYOUTBOX_TESTS=ON)
 else
-  "$root/scripts/setup.sh" 8>&-
+  "$root/scripts/setup.sh" --blender-later 8>&-
+  # Blender is fetched while the compiler runs; what that says is shown when both are done.
+  "$root/scripts/setup.sh" >"$root/build/logs/blender.log" 2>&1 8>&- &
+  blender=$!
   [[ -e $build/CMakeCache.txt ]] || defines+=(-DLAYOUTBOX_TESTS=OFF)
 fi
 
@@ -86,4 +89,9 @@ if [[ ! -e $build/build.ninja || ${#defines[@]} -gt 0 ]]; then
   cmake --preset "$preset" "${defines[@]}" >>"$log" 2>&1 8>&- || die "CMake could not configure the build"
 fi
 ninja -C "$build" -j "$(nproc)" "${targets[@]}" 2>&1 8>&- | show_progress || die "the build failed"
+if [[ $blender ]]; then
+  if kill -0 "$blender" 2>/dev/null; then say "built; Blender is still being fetched for the pictures"; fi
+  wait "$blender" || true # without Blender all else works, and the log says what is missing
+  cat "$root/build/logs/blender.log" >&2
+fi
 touch -r "$start_stamp" "$build/built.stamp"

@@ -6,12 +6,13 @@ set -euo pipefail
 
 usage() {
   cat <<'TEXT'
-usage: scripts/setup.sh [--build-only | --tests | --nightly] [--force]
-  (no option)    what ./layoutbox needs: compiler, libraries, solver library, Blender
-  --build-only   the same without Blender
-  --tests        also what scripts/test.sh needs
-  --nightly      also what scripts/nightly.sh needs
-  --force        look again even where nothing changed
+usage: scripts/setup.sh [--build-only | --blender-later | --tests | --nightly] [--force]
+  (no option)      what ./layoutbox needs: compiler, libraries, solver library, Blender
+  --build-only     the same without Blender
+  --blender-later  the same, but where Blender has to be fetched this is left to a further run
+  --tests          also what scripts/test.sh needs
+  --nightly        also what scripts/nightly.sh needs
+  --force          look again even where nothing changed
 Environment: ORTOOLS_ROOT (an OR-Tools of your own), LAYOUTBOX_BLENDER (a Blender of your own).
 Exit status: 0 all there, 3 something that is needed is missing (what, and how to get it, is on stderr).
 TEXT
@@ -23,10 +24,11 @@ log=$root/build/logs/setup.log
 ortools_version=$(sed -n 's/^ortools==\([^ ]*\).*/\1/p' "$root/scripts/requirements/solver.txt")
 bpy_version=$(sed -n 's/^bpy==\([^ ]*\).*/\1/p' "$root/scripts/requirements/blender.txt")
 
-mode=run force=""
+mode=run force="" later=""
 for argument in "$@"; do
   case $argument in
     --build-only) mode=build ;;
+    --blender-later) later=1 ;;
     --tests) mode=tests ;;
     --nightly) mode=nightly ;;
     --force) force=1 ;;
@@ -319,6 +321,10 @@ if wants_tests; then groups+=(fetch); fi
 require_packages "${groups[@]}"
 has_solver || fetch_solver
 if wants_tests; then fetch_test_tools; fi
+if [[ $later ]] && ! own_blender >/dev/null && ! has_private_bpy; then
+  say "Blender $bpy_version (370 MB) is fetched while the program is compiled"
+  exit 0
+fi
 if wants_blender && ! set_up_blender; then
   rm -f "$deps/$mode.stamp" # so that the next run looks again
   exit 0

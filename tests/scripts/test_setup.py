@@ -104,6 +104,14 @@ class Setup(unittest.TestCase):
         self.assertIn("this machine is riscv64", err)
         self.assertIn("ORTOOLS_ROOT", err)
 
+    def test_blender_can_be_left_to_a_later_run(self):
+        self.fake("python3.11", "exit 1")
+        self.fake("apt-get", "exit 9")
+        status, _, err = self.run_setup("--blender-later", LAYOUTBOX_BLENDER=None)
+        self.assertEqual(status, 0, err)
+        self.assertRegex(err, r"^setup: Blender [0-9.]+ \(370 MB\) is fetched while the program is compiled\n$")
+        self.assertIn("no Blender could be had", self.run_setup(LAYOUTBOX_BLENDER=None)[2])
+
     def test_wrong_option(self):
         self.assertEqual(self.run_setup("--everything")[0], 2)
 
