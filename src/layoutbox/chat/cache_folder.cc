@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 using OrderedJson = nlohmann::ordered_json;
 
 constexpr const char* kFormat = "layoutbox/answer@1";
-constexpr const char* kHabitsFile = "servers.json";
+constexpr const char* kCapabilitiesFile = "servers.json";
 constexpr std::size_t kLargestFile = 32u << 20;
 
 // FNV-1a over both parts. A clash is no harm: the file holds the request, and it is compared.
@@ -53,12 +53,14 @@ std::int64_t number_member(const OrderedJson& json, const char* key) {
 std::string last_message(const std::string& request) {
   const OrderedJson body = OrderedJson::parse(request, nullptr, false);
   if (!body.is_object() || !body.contains("messages") || !body["messages"].is_array() || body["messages"].empty()) return {};
+  const OrderedJson& content = body["messages"].back().value("content", OrderedJson());
+  if (content.is_array() && !content.empty()) return one_line(text_member(content.back(), "text"), 60);
   return one_line(text_member(body["messages"].back(), "content"), 60);
 }
 
 std::string model_of(const std::string& request) { return text_member(OrderedJson::parse(request, nullptr, false), "model"); }
 
-std::string habits_key(std::string_view base_url, std::string_view model) { return fmt::format("{} {}", base_url, model); }
+std::string capabilities_key(std::string_view base_url, std::string_view model) { return fmt::format("{} {}", base_url, model); }
 
 }  // namespace
 
@@ -69,13 +71,13 @@ fs::path cache_folder() {
   return home != nullptr && *home != '\0' ? fs::path(home) / ".cache/layoutbox" : fs::path();
 }
 
-fs::path AnswerCache::file_of(std::string_view base_url, std::string_view request) const {
+fs::path ResponseCache::file_of(std::string_view base_url, std::string_view request) const {
   return folder_ / "answers" /
          fmt::format("{:016x}{:016x}.json", hash_of(base_url, request, 0xcbf29ce484222325u),
                      hash_of(base_url, request, 0x9e3779b97f4a7c15u));
 }
 
-std::optional<std::string> AnswerCache::find(std::string_view base_url, std::string_view request) const {
+std::optional<std::string> ResponseCache::find(std::string_view base_url, std::string_view request) const {
   if (folder_.empty()) return std::nullopt;
   const OrderedJson json = read_json_file(file_of(base_url, request));
   if (text_member(json, "format") != kFormat || text_member(json, "address") != base_url || text_member(json, "request") != request) {
@@ -84,13 +86,13 @@ std::optional<std::string> AnswerCache::find(std::string_view base_url, std::str
   return text_member(json, "answer");
 }
 
-void AnswerCache::store(std::string_view base_url, std::string_view request, std::string_view body) const {
+void ResponseCache::store(std::string_view base_url, std::string_view request, std::string_view body) const {
   if (folder_.empty()) return;
   write_private(file_of(base_url, request), {{"format", kFormat}, {"address", base_url}, {"request", request}, {"answer", body}});
 }
 
-std::vector<CachedAnswer> AnswerCache::list() const {
-  std::vector<std::pair<fs::file_time_type, CachedAnswer>> found;
+std::vector<CachedResponse> ResponseCache::list() const {
+  std::vector<std::pair<fs::file_time_type, CachedResponse>> found;
   std::error_code ignored;
   for (const auto& entry : fs::directory_iterator(folder_ / "answers", ignored)) {
     if (entry.path().extension() != ".json") continue;
@@ -99,50 +101,52 @@ std::vector<CachedAnswer> AnswerCache::list() const {
   }
   std::ranges::sort(found,
                     [](const auto& a, const auto& b) { return std::pair(b.first, a.second.file) < std::pair(a.first, b.second.file); });
-  std::vector<CachedAnswer> list;
+  std::vector<CachedResponse> list;
   list.reserve(found.size());
   for (auto& [time, answer] : found) list.push_back(std::move(answer));
   return list;
 }
 
-Result<std::size_t> AnswerCache::clear() const {
+Result<std::size_t> ResponseCache::clear() const {
   std::size_t count = 0;
   std::error_code error;
-  for (const CachedAnswer& answer : list()) count += fs::remove(answer.file, error) ? 1 : 0;
-  fs::remove(folder_ / kHabitsFile, error);
+  for (const CachedResponse& answer : list()) count += fs::remove(answer.file, error) ? 1 : 0;
+  fs::remove(folder_ / kCapabilitiesFile, error);
   if (!list().empty()) return fail(ErrorCode::kIo, "not every kept answer could be removed", folder_.string());
   return count;
 }
 
-Habits load_habits(const fs::path& folder, std::string_view base_url, std::string_view model) {
-  Habits habits;
-  if (folder.empty()) return habits;
-  const OrderedJson json = read_json_file(folder / kHabitsFile);
-  const std::string key = habits_key(base_url, model);
-  if (!json.is_object() || !json.contains(key) || !json[key].is_object()) return habits;
+Capabilities load_capabilities(const fs::path& folder, std::string_view base_url, std::string_view model, std::span<const Mode> modes) {
+  Capabilities capabilities;
+  capabilities.modes = modes;
+  capabilities.mode = modes.front();
+  if (folder.empty()) return capabilities;
+  const OrderedJson json = read_json_file(folder / kCapabilitiesFile);
+  const std::string key = capabilities_key(base_url, model);
+  if (!json.is_object() || !json.contains(key) || !json[key].is_object()) return capabilities;
   const OrderedJson& kept = json[key];
-  for (int mode = 0; mode < kModeCount; ++mode) {
-    if (text_member(kept, "mode") == name_of(static_cast<Mode>(mode))) habits.mode = static_cast<Mode>(mode), habits.known = true;
+  for (const Mode mode : modes) {
+    if (text_member(kept, "mode") == name_of(mode)) capabilities.mode = mode, capabilities.known = true;
   }
-  habits.capacity = {number_member(kept, "context"), number_member(kept, "answer"), number_member(kept, "cuts") != 0};
+  capabilities.capacity = {number_member(kept, "context"), number_member(kept, "answer"), number_member(kept, "cuts") != 0};
   if (kept.contains("without") && kept["without"].is_array()) {
     for (const OrderedJson& name : kept["without"]) {
-      if (name.is_string()) habits.without.insert(name.get<std::string>());
+      if (name.is_string()) capabilities.without.insert(name.get<std::string>());
     }
   }
-  return habits;
+  return capabilities;
 }
 
-void save_habits(const fs::path& folder, std::string_view base_url, std::string_view model, const Habits& habits) {
+void save_capabilities(const fs::path& folder, std::string_view base_url, std::string_view model, const Capabilities& capabilities) {
   if (folder.empty()) return;
-  OrderedJson json = read_json_file(folder / kHabitsFile);
+  OrderedJson json = read_json_file(folder / kCapabilitiesFile);
   if (!json.is_object()) json = OrderedJson::object();
-  json[habits_key(base_url, model)] = {{"mode", name_of(habits.mode)},
-                                       {"without", habits.without},
-                                       {"context", habits.capacity.context},
-                                       {"answer", habits.capacity.answer},
-                                       {"cuts", habits.capacity.cuts ? 1 : 0}};
-  write_private(folder / kHabitsFile, json);
+  json[capabilities_key(base_url, model)] = {{"mode", name_of(capabilities.mode)},
+                                             {"without", capabilities.without},
+                                             {"context", capabilities.capacity.context},
+                                             {"answer", capabilities.capacity.answer},
+                                             {"cuts", capabilities.capacity.cuts ? 1 : 0}};
+  write_private(folder / kCapabilitiesFile, json);
 }
 
 }  // namespace layoutbox::chat

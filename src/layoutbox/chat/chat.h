@@ -1,4 +1,4 @@
-// One question to a model and its answer, in the chat-completions form.
+// One request to a model and its response, in no provider's form.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,6 @@ enum class Mode {
   kJsonSchema,   // response_format with the schema
   kJson,         // response_format json_object, the schema in the text
 };
-inline constexpr int kModeCount = 4;
 const char* name_of(Mode mode);
 
 struct Function {
@@ -25,18 +24,24 @@ struct Function {
   bool strict = false;     // the schema is in the strict form (every member required, none added)
 };
 
+struct Image {
+  std::string media_type;  // "image/png", "image/jpeg"
+  std::string bytes;       // the file's
+};
+
 struct Message {
   std::string role;  // "system", "user", "assistant"
   std::string content;
+  std::vector<Image> images = {};  // before the content. REQUIRES: empty save for "user"
 };
 
-struct Question {
+struct Request {
   std::vector<Message> messages;
   std::vector<Function> functions;  // the first is the one that plain JSON stands for. REQUIRES: at least one
   double temperature = 0;
   std::uint64_t seed = 1;
-  int max_answer_tokens = 8000;
-  std::shared_ptr<const Question> shorter;  // the same in fewer words, for a model that cannot hold this one; may be null
+  int max_response_tokens = 8000;
+  std::shared_ptr<const Request> shorter;  // the same in fewer words, for a model that cannot hold this one; may be null
 };
 
 struct Call {
@@ -45,11 +50,11 @@ struct Call {
 };
 
 struct Usage {
-  std::int64_t question_tokens = 0, answer_tokens = 0;
+  std::int64_t request_tokens = 0, response_tokens = 0;
   bool estimated = false;  // the server did not say
 };
 
-struct Answer {
+struct Response {
   std::vector<Call> calls;
   std::string content;
   std::string refusal;

@@ -13,8 +13,9 @@
 #include "layoutbox/chat/chat.h"
 #include "layoutbox/chat/endpoint.h"
 #include "layoutbox/chat/prices.h"
-#include "layoutbox/chat/purse.h"
+#include "layoutbox/chat/provider.h"
 #include "layoutbox/chat/retry.h"
+#include "layoutbox/chat/spend_limit.h"
 
 namespace layoutbox::chat {
 
@@ -29,7 +30,7 @@ struct ChatOptions {
   bool use_cached_answers = true;
   Prices prices = Prices::builtin();
   // The limits of cost and tokens: of all clients whose options are copies of these. May be null, for none.
-  std::shared_ptr<Purse> purse = std::make_shared<Purse>();
+  std::shared_ptr<SpendLimit> spend_limit = std::make_shared<SpendLimit>();
   const std::atomic<bool>* stop = nullptr;
   std::function<void(const std::string&)> on_wait;  // told before each wait: "the server is busy (503), again in 2 s"
 };
@@ -40,32 +41,41 @@ class ChatClient {
 
   // Errors: kNetwork (no key, no server, refused, given up after retries: the reason and what to do), kNotFound (the limits of cost or
   // tokens would be passed), kInterrupted. Cached answers need neither key nor network.
-  Result<Answer> ask(const Question& question);
+  Result<Response> ask(const Request& question);
 
   // What would be sent, without sending it: method and address, headers (the key only as set or not), body.
-  std::string describe_request(const Question& question) const;
+  std::string describe_request(const Request& question) const;
 
   // So far.
   Usage usage() const { return usage_; }
   std::optional<double> cost() const { return cost_known_ ? std::optional(cost_) : std::nullopt; }
+  // The month in which the price was looked up; empty where none is known or said.
+  std::string price_date() const;
   const Endpoint& endpoint() const { return options_.endpoint; }
 
  private:
   struct Exchange;
-  std::optional<Answer> from_cache(const Question& question) const;
-  Result<Answer> from_server(const Question& question);
-  Result<Answer> exchange(const Question& question, Exchange& so_far);
-  Result<Amount> set_aside(const Question& question) const;
-  void count(Answer& answer);
-  bool adapt(int status, const ServerError& error, const Question& question);
+  std::optional<Response> from_cache(const Request& question) const;
+  Result<Response> from_server(const Request& question);
+  Result<Response> exchange(const Request& question, Exchange& so_far);
+  Result<Amount> set_aside(const Request& question) const;
+  void count(Response& answer);
+  bool adapt(int status, const ServerError& error, const Request& question);
   HttpRequest http_request(const Exchange& so_far) const;
   Status wait(double seconds, const std::string& why) const;
   std::string safe(std::string text) const { return without_key(std::move(text), options_.endpoint); }
-  std::string url() const { return options_.endpoint.base_url + "/chat/completions"; }
+  std::string safe_json(std::string text) const;
+  const Provider& provider() const { return *options_.endpoint.provider; }
+  std::string url() const { return provider().url(options_.endpoint); }
+  std::string written(const Request& request, const Capabilities& capabilities) const {
+    return provider().write_request(request, options_.endpoint.model, capabilities, options_.stream);
+  }
+  // As it is kept and shown.
+  std::string recorded(std::string body, const Request& request) const { return safe(without_images(std::move(body), request)); }
 
   ChatOptions options_;
-  AnswerCache cache_;
-  Habits habits_;
+  ResponseCache cache_;
+  Capabilities capabilities_;
   HttpClient http_;
   Usage usage_;
   double cost_ = 0;

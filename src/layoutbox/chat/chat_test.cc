@@ -5,13 +5,14 @@
 #include <string>
 #include <thread>
 
+#include "layoutbox/base/bytes.h"
 #include "layoutbox/chat/endpoint.h"
 #include "layoutbox/chat/prices.h"
-#include "layoutbox/chat/purse.h"
+#include "layoutbox/chat/provider.h"
 #include "layoutbox/chat/retry.h"
 #include "layoutbox/chat/server_errors.h"
+#include "layoutbox/chat/spend_limit.h"
 #include "layoutbox/chat/sse.h"
-#include "layoutbox/chat/wire.h"
 
 namespace layoutbox::chat {
 namespace {
@@ -27,33 +28,35 @@ constexpr const char* kStream =
     "data: {\"choices\":[],\"usage\":{\"prompt_tokens\":7,\"completion_tokens\":3}}\n\ndata: [DONE]\n\n";
 
 TEST(Stream, is_put_together) {
-  const ReadAnswer read = read_answer({200, "text/event-stream", {}, {}, kStream});
-  ASSERT_EQ(read.kind, ReadAnswer::Kind::kAnswer);
+  const ReadResponse read = openai_provider().read_response({200, "text/event-stream", {}, {}, kStream});
+  ASSERT_EQ(read.kind, ReadResponse::Kind::kResponse);
   ASSERT_EQ(read.answer.calls.size(), 1u);
   EXPECT_EQ(read.answer.calls[0].name, "create_scene");
   EXPECT_EQ(read.answer.calls[0].arguments, "{\"a\":1}");
   EXPECT_EQ(read.answer.finish_reason, "tool_calls");
-  EXPECT_EQ(read.answer.usage.question_tokens, 7);
+  EXPECT_EQ(read.answer.usage.request_tokens, 7);
 }
 
 TEST(Stream, cut_anywhere_is_never_taken_for_whole) {
   const std::string whole = kStream;
   const std::size_t finished = whole.find("\"finish_reason\":\"tool_calls\"") + 30;
   for (std::size_t cut = 0; cut < finished - 2; ++cut) {
-    const ReadAnswer read = read_answer({200, "text/event-stream", {}, {}, whole.substr(0, cut)});
-    EXPECT_NE(read.kind, ReadAnswer::Kind::kAnswer) << "cut after " << cut << " bytes";
+    const ReadResponse read = openai_provider().read_response({200, "text/event-stream", {}, {}, whole.substr(0, cut)});
+    EXPECT_NE(read.kind, ReadResponse::Kind::kResponse) << "cut after " << cut << " bytes";
   }
 }
 
 TEST(Stream, a_broken_piece_in_the_middle_is_a_fault) {
   std::string broken = kStream;
   broken.replace(broken.find("{\"choices\":[{\"delta\":{\"tool_calls\""), 1, "(");
-  EXPECT_EQ(read_answer({200, "text/event-stream", {}, {}, broken}).kind, ReadAnswer::Kind::kBroken);
+  EXPECT_EQ(openai_provider().read_response({200, "text/event-stream", {}, {}, broken}).kind, ReadResponse::Kind::kBroken);
 }
 
-TEST(Answer, forms_of_content) {
+TEST(Response, forms_of_content) {
   const auto content_of = [](const std::string& message) {
-    return read_answer({200, "application/json", {}, {}, R"({"choices":[{"message":)" + message + R"(,"finish_reason":"stop"}]})"}).answer;
+    return openai_provider()
+        .read_response({200, "application/json", {}, {}, R"({"choices":[{"message":)" + message + R"(,"finish_reason":"stop"}]})"})
+        .answer;
   };
   EXPECT_EQ(content_of(R"({"content":[{"type":"text","text":"a"},{"type":"text","text":"b"}]})").content, "ab");
   EXPECT_EQ(content_of(R"({"content":null,"refusal":"no"})").refusal, "no");
@@ -91,6 +94,16 @@ TEST(Key, shows_nowhere) {
   EXPECT_EQ(without_key("[key] [key]", {"https://x/v1", "m", "[key] [k"}), "[key]ey]") << "what stands instead is not read again";
 }
 
+TEST(Key, shows_neither_broken_nor_in_base64) {
+  const Endpoint endpoint{"https://x/v1", "m", "sk-0123456789abcdef"};
+  EXPECT_EQ(without_key("a sk-0123\n  456789abcdef b", endpoint), "a [key] b");
+  for (const std::string before : {"", "x", "xy", "Bearer "}) {
+    const std::string shown = without_key(base64(before + endpoint.key + ":pass"), endpoint);
+    EXPECT_THAT(shown, testing::HasSubstr("[key]")) << before;
+  }
+  EXPECT_EQ(without_key("skill 0123456789abcdef", endpoint), "skill 0123456789abcdef");
+}
+
 TEST(Key, that_is_no_secret_is_left_alone) {
   EXPECT_EQ(without_key("a key in [key]", {"http://127.0.0.1/v1", "m", "k"}), "a key in [key]");
 }
@@ -104,53 +117,58 @@ TEST(Prices, by_the_longest_name) {
   EXPECT_EQ(Prices::builtin().find("gpt-4o-mini-2024-07-18")->question, 0.15);
   EXPECT_EQ(Prices::builtin().find("openai/gpt-4o")->question, 2.5);
   EXPECT_FALSE(Prices::builtin().find("gpt-4omega"));
+  EXPECT_EQ(Prices::builtin().find("claude-sonnet-4-5-20250929")->answer, 15);
+}
+
+TEST(Prices, say_when_they_were_looked_up) {
+  for (const char* model : {"gpt-4o", "o3", "claude-haiku-4-5"}) EXPECT_EQ(Prices::builtin().find(model)->as_of.size(), 7u) << model;
 }
 
 TEST(Ways, where_a_model_talks_instead) {
-  Answer words;
+  Response words;
   words.content = "Here is your room.";
-  Habits habits;
-  habits = *change_for(words, habits);
-  EXPECT_EQ(habits.mode, Mode::kStrictTools);
-  EXPECT_TRUE(habits.without.contains("named_tool"));
+  Capabilities capabilities;
+  capabilities = *change_for(words, capabilities);
+  EXPECT_EQ(capabilities.mode, Mode::kStrictTools);
+  EXPECT_TRUE(capabilities.without.contains("named_tool"));
   for (const Mode expected : {Mode::kJsonSchema, Mode::kJson}) {
-    habits = *change_for(words, habits);
-    EXPECT_EQ(habits.mode, expected);
+    capabilities = *change_for(words, capabilities);
+    EXPECT_EQ(capabilities.mode, expected);
   }
-  EXPECT_FALSE(change_for(words, habits));
-  Answer call;
+  EXPECT_FALSE(change_for(words, capabilities));
+  Response call;
   call.calls = {{"create_scene", "{"}};
-  EXPECT_FALSE(change_for(call, Habits{}));
+  EXPECT_FALSE(change_for(call, Capabilities{}));
 }
 
-TEST(Purse, sets_aside_and_takes_back) {
-  Purse purse;
-  purse.max_cost = 1.0;
-  EXPECT_EQ(purse.set_aside({0.6, 10}, nullptr), Purse::Draw::kDone);
-  EXPECT_EQ(purse.set_aside({1.1, 10}, nullptr), Purse::Draw::kTooDear);
+TEST(SpendLimit, sets_aside_and_takes_back) {
+  SpendLimit spend_limit;
+  spend_limit.max_cost = 1.0;
+  EXPECT_EQ(spend_limit.set_aside({0.6, 10}, nullptr), SpendLimit::Draw::kDone);
+  EXPECT_EQ(spend_limit.set_aside({1.1, 10}, nullptr), SpendLimit::Draw::kTooDear);
   const std::atomic<bool> stopped{true};
-  EXPECT_EQ(purse.set_aside({0.6, 10}, &stopped), Purse::Draw::kStopped);  // it would have to wait for the first
-  std::thread other([&] { purse.settle({0.6, 10}, {0.1, 7}); });
-  EXPECT_EQ(purse.set_aside({0.6, 10}, nullptr), Purse::Draw::kDone);
+  EXPECT_EQ(spend_limit.set_aside({0.6, 10}, &stopped), SpendLimit::Draw::kStopped);  // it would have to wait for the first
+  std::thread other([&] { spend_limit.settle({0.6, 10}, {0.1, 7}); });
+  EXPECT_EQ(spend_limit.set_aside({0.6, 10}, nullptr), SpendLimit::Draw::kDone);
   other.join();
-  purse.settle({0.6, 10}, {0.6, 5});
-  EXPECT_DOUBLE_EQ(purse.spent().cost, 0.7);
-  EXPECT_EQ(purse.spent().tokens, 12);
-  EXPECT_EQ(purse.set_aside({0.4, 10}, nullptr), Purse::Draw::kTooDear);
+  spend_limit.settle({0.6, 10}, {0.6, 5});
+  EXPECT_DOUBLE_EQ(spend_limit.spent().cost, 0.7);
+  EXPECT_EQ(spend_limit.spent().tokens, 12);
+  EXPECT_EQ(spend_limit.set_aside({0.4, 10}, nullptr), SpendLimit::Draw::kTooDear);
 }
 
 TEST(Ways, from_the_best_to_the_last) {
-  Habits habits;
+  Capabilities capabilities;
   for (const Mode expected : {Mode::kTools, Mode::kJsonSchema, Mode::kJson}) {
-    const auto changed = change_for(400, {"bad request", {}, {}}, habits);
+    const auto changed = change_for(400, {"bad request", {}, {}}, capabilities);
     ASSERT_TRUE(changed);
     EXPECT_EQ(changed->mode, expected);
-    habits = *changed;
+    capabilities = *changed;
   }
-  habits.known = true;
-  EXPECT_FALSE(change_for(400, {"bad request", {}, {}}, habits));
-  EXPECT_FALSE(change_for(400, {"maximum context length is 2048", {}, {}}, Habits{}));
-  EXPECT_FALSE(change_for(401, {"tools", {}, {}}, Habits{}));
+  capabilities.known = true;
+  EXPECT_FALSE(change_for(400, {"bad request", {}, {}}, capabilities));
+  EXPECT_FALSE(change_for(400, {"maximum context length is 2048", {}, {}}, Capabilities{}));
+  EXPECT_FALSE(change_for(401, {"tools", {}, {}}, Capabilities{}));
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Where a model is asked, and with which key. Any server that speaks the chat-completions form of OpenAI will do.
+// Where a model is asked, in which form, and with which key.
 #pragma once
 
 #include <string>
@@ -8,19 +8,25 @@
 
 namespace layoutbox::chat {
 
+class Provider;
+const Provider& openai_provider();
+
 struct Endpoint {
   std::string base_url;  // without a slash at its end: "https://api.openai.com/v1"
   std::string model;
   std::string key;  // empty: none is sent
+  const Provider* provider = &openai_provider();
 };
 
-// What was said on the command line; empty members come from OPENAI_BASE_URL, LAYOUTBOX_MODEL, else from the defaults.
-// The key comes from OPENAI_API_KEY alone, so that it stands in no list of processes.
+// What was said on the command line; empty members come from LAYOUTBOX_PROVIDER, LAYOUTBOX_MODEL and the provider's own variable
+// (OPENAI_BASE_URL, ANTHROPIC_BASE_URL), else from its defaults. The provider is that of OpenAI's form, save where the address is another's
+// own. The key comes from the provider's variable alone (OPENAI_API_KEY, ANTHROPIC_API_KEY), so that it stands in no list of processes.
 struct EndpointChoice {
-  std::string base_url, model;
+  std::string base_url, model, provider = {};
 };
 
-// Errors: kUsage for an address that is none or carries a password, for a key that is no line of printable characters.
+// Errors: kUsage for a provider that is not there, an address that is none or carries a password, for a key that is no line of printable
+// characters.
 Result<Endpoint> find_endpoint(const EndpointChoice& choice = {});
 
 // True where the address names this machine: no key is needed, nothing is paid.
@@ -32,7 +38,7 @@ Status check_key(const Endpoint& endpoint);
 // Servers at home take any word for a key ("x", "none"): what is shorter than this is no secret.
 inline constexpr std::size_t kShortestSecret = 8;
 
-// The text without the key, wherever it stands in it; as it is where the key is no secret.
+// The text without the key, wherever it stands in it: plain, broken over lines, in base64. As it is where the key is no secret.
 std::string without_key(std::string text, const Endpoint& endpoint);
 
 // Text of a server for people: one line without control characters, at most `most` bytes, cut between characters.

@@ -19,7 +19,7 @@ constexpr long kConnectSeconds = 15;
 constexpr double kLongestRetryAfter = 1e6;
 constexpr std::size_t kFirstLook = 16384;
 
-using Response = tl::expected<HttpResponse, HttpFailure>;
+using HttpResult = tl::expected<HttpResponse, HttpFailure>;
 
 struct Exchange {
   HttpResponse response;
@@ -141,7 +141,7 @@ struct HttpClient::State {
 HttpClient::HttpClient() : state_(std::make_unique<State>()) {}
 HttpClient::~HttpClient() { state_->release(); }
 
-Response HttpClient::post(const HttpRequest& request, const std::atomic<bool>* stop) {
+HttpResult HttpClient::post(const HttpRequest& request, const std::atomic<bool>* stop) {
   const auto library = CurlLibrary::get();
   if (!library) return tl::unexpected(HttpFailure{HttpFault::kNoLibrary, library.error().message});
   const CurlLibrary& curl = **library;

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 
+#include "layoutbox/base/files.h"
 #include "layoutbox/embedded/models.h"
 
 namespace layoutbox::chat {
@@ -16,38 +18,55 @@ bool is_price(const Json& value) {
   return value.is_object() && good("question") && good("answer");
 }
 
-Status add(std::string_view text, std::map<std::string, Price, std::less<>>& prices) {
+}  // namespace
+
+const Prices& Prices::builtin() {
+  static const Prices prices = [] {
+    Prices made;
+    (void)made.add(embedded::prices_json);  // a test holds that it can be read
+    return made;
+  }();
+  return prices;
+}
+
+Result<Prices> Prices::of_user() {
+  Prices prices = builtin();
+  const std::filesystem::path file = prices_file();
+  std::error_code ignored;
+  if (file.empty() || !std::filesystem::exists(file, ignored)) return prices;
+  LAYOUTBOX_ASSIGN(const std::string text, read_file(file));
+  if (Status added = prices.add(text); !added) {
+    added.error().pointer = file.string() + (added.error().pointer.empty() ? "" : "#" + added.error().pointer);
+    return Failure(added.error());
+  }
+  return prices;
+}
+
+Status Prices::add(std::string_view text) {
   const Json json = Json::parse(text, nullptr, false);
   if (json.is_discarded()) return fail(ErrorCode::kParse, "the list of prices is no JSON");
   if (!json.is_object() || !json.contains("models") || !json["models"].is_object()) {
     return fail(ErrorCode::kSchema, "the list of prices has no member \"models\"", {},
                 R"(write {"models": {"NAME": {"question": 2.5, "answer": 10}}})");
   }
+  std::map<std::string, Price, std::less<>> added;
   for (const auto& [name, price] : json["models"].items()) {
     if (!is_price(price)) {
       return fail(ErrorCode::kSchema, fmt::format("the price of {} is no pair of numbers", name), "/models/" + name,
-                  R"(write {"question": 2.5, "answer": 10}: US dollars for a million tokens)");
+                  R"(write {"question": 2.5, "answer": 10, "asOf": "2025-08"}: US dollars for a million tokens)");
     }
-    prices[name] = {price["question"].get<double>(), price["answer"].get<double>()};
+    const bool dated = price.contains("asOf") && price["asOf"].is_string();
+    added[name] = {price["question"].get<double>(), price["answer"].get<double>(), dated ? price["asOf"].get<std::string>() : ""};
   }
+  for (auto& [name, price] : added) prices_[name] = std::move(price);
   return {};
 }
 
-}  // namespace
-
-const Prices& Prices::builtin() {
-  static const Prices prices = [] {
-    Prices made;
-    (void)add(embedded::prices_json, made.prices_);  // a test holds that it can be read
-    return made;
-  }();
-  return prices;
-}
-
-Result<Prices> Prices::with(std::string_view json) {
-  Prices prices = builtin();
-  LAYOUTBOX_CHECK(add(json, prices.prices_));
-  return prices;
+std::filesystem::path prices_file() {
+  const char* const named = std::getenv("XDG_CONFIG_HOME");
+  if (named != nullptr && std::filesystem::path(named).is_absolute()) return std::filesystem::path(named) / "layoutbox/prices.json";
+  const char* const home = std::getenv("HOME");
+  return home != nullptr && *home != '\0' ? std::filesystem::path(home) / ".config/layoutbox/prices.json" : std::filesystem::path();
 }
 
 std::optional<Price> Prices::find(std::string_view model) const {
@@ -65,7 +84,7 @@ std::optional<Price> Prices::find(std::string_view model) const {
 }
 
 double cost_of(const Price& price, const Usage& usage) {
-  return (price.question * static_cast<double>(usage.question_tokens) + price.answer * static_cast<double>(usage.answer_tokens)) / 1e6;
+  return (price.question * static_cast<double>(usage.request_tokens) + price.answer * static_cast<double>(usage.response_tokens)) / 1e6;
 }
 
 }  // namespace layoutbox::chat

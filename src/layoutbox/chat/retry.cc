@@ -6,7 +6,7 @@
 namespace layoutbox::chat {
 
 Outcome outcome_of_status(int status) {
-  if (status >= 200 && status < 300) return Outcome::kAnswer;
+  if (status >= 200 && status < 300) return Outcome::kResponse;
   switch (status) {
     case 408:
     case 409:

@@ -20,10 +20,10 @@ struct RetryOptions {
 
 // What a request came to.
 enum class Outcome {
-  kAnswer,   // 2xx with a whole answer
-  kBusy,     // 408, 409, 429, 500, 502, 503, 504, 529; or cut off, or without an answer in time: again, with patience
-  kUnclear,  // no connection, an empty or broken body: again, a few times
-  kFinal,    // all else: never again
+  kResponse,  // 2xx with a whole answer
+  kBusy,      // 408, 409, 429, 500, 502, 503, 504, 529; or cut off, or without an answer in time: again, with patience
+  kUnclear,   // no connection, an empty or broken body: again, a few times
+  kFinal,     // all else: never again
 };
 
 // Of a status alone.

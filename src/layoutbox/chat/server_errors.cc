@@ -23,12 +23,22 @@ std::string own_words(const ServerError& error) { return error.message.empty() ?
 
 bool is_about_money(const ServerError& error) {
   const std::string text = lower(error.code + " " + error.message);
-  return says_any(text, {"insufficient_quota", "insufficient credits", "billing", "exceeded your current quota"});
+  return says_any(text, {"insufficient_quota", "insufficient credits", "billing", "exceeded your current quota", "credit balance"});
 }
 
 bool is_about_length(std::string_view text) {
   return says_any(text, {"context length", "context_length", "context size", "context window", "maximum context", "too many tokens",
-                         "reduce the length"});
+                         "reduce the length", "prompt is too long", "context limit"});
+}
+
+std::string not_this_form(const Endpoint& endpoint) {
+  return fmt::format("check that it is a server of the form \"{}\" (--provider)", endpoint.provider->facts().name);
+}
+
+// The next way of asking that the provider has, from the best to the last.
+std::optional<Mode> mode_after(const Capabilities& capabilities, Mode mode) {
+  const auto next = std::ranges::find_if(capabilities.modes, [mode](Mode one) { return one > mode; });
+  return next != capabilities.modes.end() ? std::optional(*next) : std::nullopt;
 }
 
 }  // namespace
@@ -36,6 +46,7 @@ bool is_about_length(std::string_view text) {
 Problem problem_of(const HttpFailure& failure, const Endpoint& endpoint) {
   Problem problem{outcome_of_fault(failure.fault), {}, {}, {}};
   const std::string& where = endpoint.base_url;
+  const std::string_view variable = endpoint.provider->facts().address_variable;
   switch (failure.fault) {
     case HttpFault::kNoLibrary:
       problem.message = failure.message;
@@ -43,11 +54,11 @@ Problem problem_of(const HttpFailure& failure, const Endpoint& endpoint) {
       break;
     case HttpFault::kResolve:
       problem.message = fmt::format("the name in {} has no address", where);
-      problem.hint = "check OPENAI_BASE_URL and the network";
+      problem.hint = fmt::format("check {} and the network", variable);
       break;
     case HttpFault::kConnect:
       problem.message = fmt::format("nothing answers at {}", where);
-      problem.hint = "start the server, or check OPENAI_BASE_URL and the network";
+      problem.hint = fmt::format("start the server, or check {} and the network", variable);
       break;
     case HttpFault::kTls:
       problem.message = fmt::format("there is no safe connection to {}: {}", where, one_line(failure.message, 200));
@@ -60,7 +71,7 @@ Problem problem_of(const HttpFailure& failure, const Endpoint& endpoint) {
       break;
     case HttpFault::kTooLarge:
       problem.message = fmt::format("{}: {}, and no scene is", where, failure.message);
-      problem.hint = "check OPENAI_BASE_URL";
+      problem.hint = fmt::format("check {}", variable);
       break;
     case HttpFault::kStopped:
     case HttpFault::kOther: problem.message = fmt::format("{} cannot be asked: {}", where, one_line(failure.message, 200)); break;
@@ -72,22 +83,23 @@ Problem problem_of(const HttpResponse& response, const ServerError& error, const
   Problem problem{outcome_of_status(response.status), {}, {}, response.retry_after_s};
   const int status = response.status;
   const std::string words = own_words(error);
+  const Provider::Facts& facts = endpoint.provider->facts();
   if (status == 401) {
     problem.message = fmt::format("{} does not accept the key (401{})", endpoint.base_url, words);
-    problem.hint = endpoint.key.empty() ? "set OPENAI_API_KEY" : "check OPENAI_API_KEY";
+    problem.hint = fmt::format("{} {}", endpoint.key.empty() ? "set" : "check", facts.key_variable);
   } else if (status == 403) {
     problem.message = fmt::format("{} does not allow this (403{})", endpoint.base_url, words);
     problem.hint = "check what the key may be used for";
   } else if (status == 404) {
     problem.message = fmt::format("{} knows no model {}, or is no such server (404{})", endpoint.base_url, endpoint.model, words);
-    problem.hint = "check LAYOUTBOX_MODEL and OPENAI_BASE_URL; the address usually ends in /v1";
+    problem.hint = fmt::format("check LAYOUTBOX_MODEL and {}; {}", facts.address_variable, facts.address_hint);
   } else if (status == 407) {
     problem.message = fmt::format("the proxy wants a password (407{})", words);
     problem.hint = "check HTTPS_PROXY";
   } else if (status >= 300 && status < 400) {
     problem.message = fmt::format("{} leads elsewhere ({} to {}), and a key is sent to the named server alone", endpoint.base_url, status,
                                   response.location.empty() ? "nowhere" : one_line(response.location, 150));
-    problem.hint = "set OPENAI_BASE_URL to the right address";
+    problem.hint = fmt::format("set {} to the right address", facts.address_variable);
   } else if (is_about_money(error)) {
     problem.outcome = Outcome::kFinal;
     problem.message = fmt::format("nothing is left to pay with at {} ({}{})", endpoint.base_url, status, words);
@@ -100,29 +112,30 @@ Problem problem_of(const HttpResponse& response, const ServerError& error, const
     problem.hint = "take a model with a longer context, or start the server with one";
   } else {
     problem.message = fmt::format("{} refuses the question ({}{})", endpoint.base_url, status, words);
-    problem.hint = "check that it is an OpenAI-compatible server";
+    problem.hint = not_this_form(endpoint);
   }
   return problem;
 }
 
-Problem problem_of(const ReadAnswer& read, const HttpResponse& response, const Endpoint& endpoint) {
+Problem problem_of(const ReadResponse& read, const HttpResponse& response, const Endpoint& endpoint) {
   Problem problem;
+  const Provider::Facts& facts = endpoint.provider->facts();
   switch (read.kind) {
-    case ReadAnswer::Kind::kAnswer: break;
-    case ReadAnswer::Kind::kCut:
+    case ReadResponse::Kind::kResponse: break;
+    case ReadResponse::Kind::kCut:
       problem.outcome = Outcome::kBusy;
       problem.message = fmt::format("the answer of {} broke off before it was whole", endpoint.base_url);
       break;
-    case ReadAnswer::Kind::kBroken:
+    case ReadResponse::Kind::kBroken:
       problem.outcome = Outcome::kUnclear;
       problem.message = fmt::format("{}: {}", endpoint.base_url, read.error.message);
-      problem.hint = "check that it is an OpenAI-compatible server";
+      problem.hint = not_this_form(endpoint);
       break;
-    case ReadAnswer::Kind::kPage:
+    case ReadResponse::Kind::kPage:
       problem.message = fmt::format("{} answers with a web page, so some other server or a proxy stands there", endpoint.base_url);
-      problem.hint = "check OPENAI_BASE_URL, which usually ends in /v1, and the proxy";
+      problem.hint = fmt::format("check {} and the proxy; {}", facts.address_variable, facts.address_hint);
       break;
-    case ReadAnswer::Kind::kError: {
+    case ReadResponse::Kind::kError: {
       // Some gateways put the status of the server behind them into the error.
       int status = 0;
       if (read.error.code.size() == 3 && std::ranges::all_of(read.error.code, [](char c) { return c >= '0' && c <= '9'; })) {
@@ -144,11 +157,11 @@ Error final_error(const Problem& problem, int retries, double seconds) {
   return {ErrorCode::kNetwork, message, {}, problem.hint, {}};
 }
 
-std::optional<Habits> change_for(int status, const ServerError& error, const Habits& habits, std::int64_t asked_tokens) {
+std::optional<Capabilities> change_for(int status, const ServerError& error, const Capabilities& capabilities, std::int64_t asked_tokens) {
   if (status != 400 && status != 413 && status != 404 && status != 405 && status != 415 && status != 422 && status != 500 && status != 501)
     return std::nullopt;
   const std::string text = lower(error.parameter + " " + error.message);
-  Habits changed = habits;
+  Capabilities changed = capabilities;
   Capacity told = capacity_told(text, error.context);
   if (told.answer > 0 && told.answer < changed.capacity.answer_or_any()) {
     changed.capacity.answer = told.answer;
@@ -165,15 +178,15 @@ std::optional<Habits> change_for(int status, const ServerError& error, const Hab
   for (const char* parameter : {"max_completion_tokens", "temperature", "seed", "stream_options"}) {
     if (text.find(parameter) != std::string::npos && changed.without.insert(parameter).second) return changed;
   }
-  const bool tools = habits.mode == Mode::kStrictTools || habits.mode == Mode::kTools;
+  const bool tools = capabilities.mode == Mode::kStrictTools || capabilities.mode == Mode::kTools;
   const bool about_tools = says_any(text, {"tool", "function", "strict", "schema"});
   const bool about_format = says_any(text, {"response_format", "json_schema", "json_object", "schema", "grammar"});
   // A server that says no more than "bad request" may mean anything; the way that is known to work is not given up for it.
-  const bool unclear = (status == 400 || status == 422) && !habits.known;
+  const bool unclear = (status == 400 || status == 422) && !capabilities.known;
   if (tools && text.find("tool_choice") != std::string::npos && changed.without.insert("tool_choice").second) return changed;
   if (tools ? about_tools || unclear : about_format || unclear) {
-    if (habits.mode != Mode::kJson) {
-      changed.mode = static_cast<Mode>(static_cast<int>(habits.mode) + 1);
+    if (const auto next = mode_after(capabilities, capabilities.mode)) {
+      changed.mode = *next;
       return changed;
     }
     if (about_format && changed.without.insert("response_format").second) return changed;
@@ -181,23 +194,26 @@ std::optional<Habits> change_for(int status, const ServerError& error, const Hab
   return std::nullopt;
 }
 
-std::optional<Habits> change_for(const Answer& answer, const Habits& habits) {
+std::optional<Capabilities> change_for(const Response& answer, const Capabilities& capabilities) {
   if (!answer.calls.empty() || !answer.refusal.empty() || answer.finish_reason == "content_filter") return std::nullopt;
-  const bool tools = habits.mode == Mode::kStrictTools || habits.mode == Mode::kTools;
-  if (!tools && (habits.mode == Mode::kJson || answer.content.find('{') != std::string::npos)) return std::nullopt;
-  Habits changed = habits;
+  const bool tools = capabilities.mode == Mode::kStrictTools || capabilities.mode == Mode::kTools;
+  if (!tools && (capabilities.mode == Mode::kJson || answer.content.find('{') != std::string::npos)) return std::nullopt;
+  Capabilities changed = capabilities;
   changed.known = false;
-  if (habits.mode == Mode::kStrictTools && !habits.without.contains("tool_choice") && changed.without.insert("named_tool").second)
+  if (capabilities.mode == Mode::kStrictTools && !capabilities.without.contains("tool_choice") &&
+      changed.without.insert("named_tool").second)
     return changed;
-  changed.mode = tools ? Mode::kJsonSchema : Mode::kJson;
+  const auto next = mode_after(capabilities, tools ? Mode::kTools : capabilities.mode);
+  if (!next) return std::nullopt;
+  changed.mode = *next;
   return changed;
 }
 
-std::vector<Habits> all_ways(const Habits& habits) {
-  std::vector<Habits> ways = {habits};
-  for (int mode = 0; mode < kModeCount; ++mode) {
-    ways.push_back(habits);
-    ways.back().mode = static_cast<Mode>(mode);
+std::vector<Capabilities> all_ways(const Capabilities& capabilities) {
+  std::vector<Capabilities> ways = {capabilities};
+  for (const Mode mode : capabilities.modes) {
+    ways.push_back(capabilities);
+    ways.back().mode = mode;
     ways.back().without.erase("named_tool");
     if (ways.back().mode != Mode::kStrictTools) continue;
     ways.push_back(ways.back());

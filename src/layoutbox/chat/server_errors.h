@@ -7,8 +7,8 @@
 
 #include "layoutbox/base/result.h"
 #include "layoutbox/chat/endpoint.h"
+#include "layoutbox/chat/provider.h"
 #include "layoutbox/chat/retry.h"
-#include "layoutbox/chat/wire.h"
 
 namespace layoutbox::chat {
 
@@ -22,20 +22,21 @@ struct Problem {
 Problem problem_of(const HttpFailure& failure, const Endpoint& endpoint);
 Problem problem_of(const HttpResponse& response, const ServerError& error, const Endpoint& endpoint);
 // Of a status 2xx whose body is no answer.
-Problem problem_of(const ReadAnswer& read, const HttpResponse& response, const Endpoint& endpoint);
+Problem problem_of(const ReadResponse& read, const HttpResponse& response, const Endpoint& endpoint);
 
 // The error after the last try.
 Error final_error(const Problem& problem, int retries, double seconds);
 
 // How to ask instead, where the server's words say that it does not know a parameter or a way of asking; empty where they do not.
 // `asked_tokens`: what was asked for, question and answer together; for servers that say no more than "too long".
-std::optional<Habits> change_for(int status, const ServerError& error, const Habits& habits, std::int64_t asked_tokens = 0);
+std::optional<Capabilities> change_for(int status, const ServerError& error, const Capabilities& capabilities,
+                                       std::int64_t asked_tokens = 0);
 
 // How to ask instead, where an answer came that is in words although a call or JSON was asked for: the server leaves the choice to the
 // model. Empty where it is as asked, or where there is no other way.
-std::optional<Habits> change_for(const Answer& answer, const Habits& habits);
+std::optional<Capabilities> change_for(const Response& answer, const Capabilities& capabilities);
 
 // Every way of asking, the present one first.
-std::vector<Habits> all_ways(const Habits& habits);
+std::vector<Capabilities> all_ways(const Capabilities& capabilities);
 
 }  // namespace layoutbox::chat

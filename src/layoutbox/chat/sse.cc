@@ -1,14 +1,33 @@
 #include "layoutbox/chat/sse.h"
 
-#include <string>
-#include <vector>
-
 namespace layoutbox::chat {
 namespace {
 
 using Json = nlohmann::json;
 
-// The data of each event.
+void append(Json& object, const char* key, const Json& piece) {
+  const auto found = piece.find(key);
+  if (found == piece.end() || !found->is_string()) return;
+  if (!object.contains(key) || !object[key].is_string()) object[key] = "";
+  object[key].get_ref<std::string&>() += found->get_ref<const std::string&>();
+}
+
+// A piece of a call goes to the call of its index; without one to a new call where it has a name, else to the last.
+void append_call(Json& calls, const Json& piece) {
+  if (!piece.is_object() || !piece.contains("function") || !piece["function"].is_object()) return;
+  constexpr std::size_t kMostCalls = 64;
+  const Json& function = piece["function"];
+  const bool named = function.contains("name") && function["name"].is_string() && !function["name"].get_ref<const std::string&>().empty();
+  std::size_t index = named || calls.empty() ? calls.size() : calls.size() - 1;
+  if (const auto said = piece.find("index"); said != piece.end() && said->is_number_unsigned()) index = said->get<std::size_t>();
+  if (index >= kMostCalls) return;
+  while (calls.size() <= index) calls.push_back({{"function", {{"name", ""}, {"arguments", ""}}}});
+  append(calls[index]["function"], "name", function);
+  append(calls[index]["function"], "arguments", function);
+}
+
+}  // namespace
+
 std::vector<std::string> events_of(std::string_view body) {
   std::vector<std::string> events;
   std::string data;
@@ -42,35 +61,12 @@ std::vector<std::string> events_of(std::string_view body) {
   return events;
 }
 
-void append(Json& object, const char* key, const Json& piece) {
-  const auto found = piece.find(key);
-  if (found == piece.end() || !found->is_string()) return;
-  if (!object.contains(key) || !object[key].is_string()) object[key] = "";
-  object[key].get_ref<std::string&>() += found->get_ref<const std::string&>();
-}
-
-// A piece of a call goes to the call of its index; without one to a new call where it has a name, else to the last.
-void append_call(Json& calls, const Json& piece) {
-  if (!piece.is_object() || !piece.contains("function") || !piece["function"].is_object()) return;
-  constexpr std::size_t kMostCalls = 64;
-  const Json& function = piece["function"];
-  const bool named = function.contains("name") && function["name"].is_string() && !function["name"].get_ref<const std::string&>().empty();
-  std::size_t index = named || calls.empty() ? calls.size() : calls.size() - 1;
-  if (const auto said = piece.find("index"); said != piece.end() && said->is_number_unsigned()) index = said->get<std::size_t>();
-  if (index >= kMostCalls) return;
-  while (calls.size() <= index) calls.push_back({{"function", {{"name", ""}, {"arguments", ""}}}});
-  append(calls[index]["function"], "name", function);
-  append(calls[index]["function"], "arguments", function);
-}
-
-}  // namespace
-
 bool is_event_stream(std::string_view content_type, std::string_view body) {
-  return content_type.starts_with("text/event-stream") || body.starts_with("data:") || body.starts_with(": ");
+  return content_type.starts_with("text/event-stream") || body.starts_with("data:") || body.starts_with("event:") || body.starts_with(": ");
 }
 
-StreamedAnswer join_event_stream(std::string_view body) {
-  StreamedAnswer streamed;
+StreamedResponse join_event_stream(std::string_view body) {
+  StreamedResponse streamed;
   Json message{{"content", ""}}, finish, calls = Json::array();
   bool any = false, broken = false;
   for (const std::string& event : events_of(body)) {

@@ -79,10 +79,13 @@ std::int64_t estimated_tokens(std::string_view text) {
   return tokens;
 }
 
-std::int64_t estimated_tokens(const Question& question) {
+std::int64_t estimated_tokens(const Request& question) {
   constexpr std::int64_t kAround = 8;  // of a message or a function: what a template puts around it
   std::int64_t tokens = 0;
-  for (const Message& message : question.messages) tokens += kAround + estimated_tokens(message.content);
+  constexpr std::int64_t kImage = 1600;  // of a large one; providers count by size, and make larger ones smaller
+  for (const Message& message : question.messages) {
+    tokens += kAround + estimated_tokens(message.content) + kImage * static_cast<std::int64_t>(message.images.size());
+  }
   for (const Function& function : question.functions) tokens += kAround + estimated_tokens(function.parameters);
   return tokens;
 }
@@ -95,18 +98,19 @@ Capacity capacity_told(std::string_view message, std::int64_t context_member) {
   }
   if (told.context == 0) told.context = number_before(message, " maximum context");
   if (message.find("completion tokens") != std::string_view::npos) told.answer = number_after(message, "at most");
+  if (told.answer == 0) told.answer = number_before(message, ", which is the maximum allowed number of output tokens");
   return told;
 }
 
-Question fitted(const Question& question, const Capacity& capacity) {
-  const Question* best = &question;
-  const auto room_of = [&](const Question& one) { return capacity.context - estimated_tokens(one); };
-  while (capacity.context > 0 && best->shorter != nullptr && room_of(*best) < best->max_answer_tokens) best = best->shorter.get();
-  Question chosen = *best;
-  std::int64_t most = chosen.max_answer_tokens;
+Request fitted(const Request& question, const Capacity& capacity) {
+  const Request* best = &question;
+  const auto room_of = [&](const Request& one) { return capacity.context - estimated_tokens(one); };
+  while (capacity.context > 0 && best->shorter != nullptr && room_of(*best) < best->max_response_tokens) best = best->shorter.get();
+  Request chosen = *best;
+  std::int64_t most = chosen.max_response_tokens;
   if (capacity.answer > 0) most = std::min(most, capacity.answer);
   if (capacity.context > 0 && !capacity.cuts) most = std::min(most, std::max<std::int64_t>(room_of(chosen), kLeastAnswer));
-  chosen.max_answer_tokens = static_cast<int>(most);
+  chosen.max_response_tokens = static_cast<int>(most);
   return chosen;
 }
 

@@ -15,7 +15,7 @@ namespace layoutbox::chat {
 std::int64_t estimated_tokens(std::string_view text);
 
 // Of messages and functions.
-std::int64_t estimated_tokens(const Question& question);
+std::int64_t estimated_tokens(const Request& question);
 
 // What a server says that a model can hold, in tokens; 0: nothing is known.
 struct Capacity {
@@ -32,6 +32,6 @@ struct Capacity {
 Capacity capacity_told(std::string_view message, std::int64_t context_member);
 
 // The question, or the longest of its shorter forms that leaves room for its answer, with an answer no longer than there is room for.
-Question fitted(const Question& question, const Capacity& capacity);
+Request fitted(const Request& question, const Capacity& capacity);
 
 }  // namespace layoutbox::chat

@@ -31,27 +31,27 @@ TEST(Capacity, IsReadFromTheWordsOfServers) {
   EXPECT_EQ(capacity_told("max_tokens is too large: 8000. this model supports at most 4096 completion tokens", 0).answer, 4096);
 }
 
-Question question(std::size_t words, int answer) {
-  Question made;
+Request question(std::size_t words, int answer) {
+  Request made;
   std::string text;
   for (std::size_t i = 0; i < words; ++i) text += "word ";
   made.messages = {{"user", text}};
-  made.max_answer_tokens = answer;
+  made.max_response_tokens = answer;
   return made;
 }
 
 TEST(Capacity, AShorterQuestionIsTakenWhereTheLongOneDoesNotFit) {
-  Question asked = question(3000, 4000);
-  asked.shorter = std::make_shared<const Question>(question(500, 800));
+  Request asked = question(3000, 4000);
+  asked.shorter = std::make_shared<const Request>(question(500, 800));
   const auto taken = [&](std::int64_t context, std::int64_t answer = 0, bool cuts = false) {
     return fitted(asked, {context, answer, cuts});
   };
-  EXPECT_EQ(taken(0).max_answer_tokens, 4000);
-  EXPECT_EQ(taken(8000).max_answer_tokens, 4000);
-  EXPECT_EQ(taken(4096).max_answer_tokens, 800);
-  EXPECT_LT(taken(1000).max_answer_tokens, 500);           // what is left
-  EXPECT_EQ(taken(1000, 0, true).max_answer_tokens, 800);  // the server cuts by itself
-  EXPECT_EQ(taken(0, 1000).max_answer_tokens, 1000);
+  EXPECT_EQ(taken(0).max_response_tokens, 4000);
+  EXPECT_EQ(taken(8000).max_response_tokens, 4000);
+  EXPECT_EQ(taken(4096).max_response_tokens, 800);
+  EXPECT_LT(taken(1000).max_response_tokens, 500);           // what is left
+  EXPECT_EQ(taken(1000, 0, true).max_response_tokens, 800);  // the server cuts by itself
+  EXPECT_EQ(taken(0, 1000).max_response_tokens, 1000);
 }
 
 TEST(Runaway, SeesWhatRepeatsItself) {

@@ -17,12 +17,12 @@ std::string size_text(std::uintmax_t bytes) {
                            : fmt::format("{:.1f} MB", static_cast<double>(bytes) / 1e6);
 }
 
-int list(const chat::AnswerCache& cache, bool only_size, const Console& console) {
+int list(const chat::ResponseCache& cache, bool only_size, const Console& console) {
   std::uintmax_t bytes = 0;
   std::string text;
   const std::filesystem::path folder = chat::cache_folder();
   Json json{{"folder", folder.string()}, {"bytes", 0}, {"answers", Json::array()}};
-  for (const chat::CachedAnswer& answer : cache.list()) {
+  for (const chat::CachedResponse& answer : cache.list()) {
     bytes += answer.bytes;
     if (!only_size) text += fmt::format("{:<24} {:>9}  {}\n", answer.model, size_text(answer.bytes), answer.begins);
     json["answers"].push_back(
@@ -34,7 +34,7 @@ int list(const chat::AnswerCache& cache, bool only_size, const Console& console)
   return kDone;
 }
 
-int clear(const chat::AnswerCache& cache, const Console& console) {
+int clear(const chat::ResponseCache& cache, const Console& console) {
   const auto count = cache.clear();
   if (!count) return console.fail(count.error());
   console.result(counted(*count, "answer") + " removed", Json{{"removed", *count}}.dump());
@@ -48,7 +48,7 @@ void add_cache(CLI::App& app, Context& context) {
   CLI::App* command = app.add_subcommand("cache", "What answers of language models are kept, and their removal");
   command->add_option("what", *what, "list, size or clear")->capture_default_str()->check(CLI::IsMember({"list", "size", "clear"}));
   command->callback([what, &context] {
-    const chat::AnswerCache cache(chat::cache_folder());
+    const chat::ResponseCache cache(chat::cache_folder());
     context.status = *what == "clear" ? clear(cache, context.console) : list(cache, *what == "size", context.console);
   });
 }

@@ -12,6 +12,8 @@ void ModelFlags::add_to(CLI::App& command, RepairOptions& repair) {
   command.add_option("--model", model, "The model's name (else LAYOUTBOX_MODEL)")->group(group);
   command.add_option("--base-url", base_url, "The server's address up to /v1 (else OPENAI_BASE_URL); its key is read from OPENAI_API_KEY")
       ->group(group);
+  command.add_option("--provider", provider, "The form it is asked in: openai or anthropic (else LAYOUTBOX_PROVIDER, else openai)")
+      ->group(group);
   command.add_option("--trust", trust, "Whom to believe where the model's scene is not what the text says: text or model")
       ->capture_default_str()
       ->group(group);
@@ -42,7 +44,10 @@ void ModelFlags::add_to(CLI::App& command, RepairOptions& repair) {
   command.add_option("--max-tokens", max_tokens, "Tokens that questions and answers may take, in a batch those of all rooms")
       ->check(CLI::Range(1, 1'000'000'000))
       ->group(group);
-  command.add_option("--prices", prices_file, "Prices of models of your own, in the form of models/prices.json")->group(group);
+  command
+      .add_option("--prices", prices_file,
+                  "Prices of models of your own, in the form of models/prices.json, over those of ~/.config/layoutbox/prices.json")
+      ->group(group);
   command.add_flag("--no-cache", no_cache, "Ask although the same was asked before, and keep no answer")->group(group);
   command.add_flag("--stream", stream, "Have answers sent in pieces")->group(group);
   command.add_flag("--dry-run", dry_run, "Print the first request instead of sending it")->group(group);
@@ -50,21 +55,20 @@ void ModelFlags::add_to(CLI::App& command, RepairOptions& repair) {
 
 Result<chat::ChatOptions> ModelFlags::chat_options(const Console& console) const {
   chat::ChatOptions chat;
-  LAYOUTBOX_ASSIGN(chat.endpoint, chat::find_endpoint({base_url, model}));
+  LAYOUTBOX_ASSIGN(chat.endpoint, chat::find_endpoint({base_url, model, provider}));
+  LAYOUTBOX_ASSIGN(chat.prices, chat::Prices::of_user());
   if (!prices_file.empty()) {
     LAYOUTBOX_ASSIGN(const std::string text, read_input(prices_file));
-    auto prices = chat::Prices::with(text);
-    if (!prices) {
-      prices.error().pointer = prices_file + (prices.error().pointer.empty() ? "" : "#" + prices.error().pointer);
-      return Failure(prices.error());
+    if (Status added = chat.prices.add(text); !added) {
+      added.error().pointer = prices_file + (added.error().pointer.empty() ? "" : "#" + added.error().pointer);
+      return Failure(added.error());
     }
-    chat.prices = std::move(*prices);
   }
   chat.request_limit_s = timeout_s;
   chat.context_tokens = context_tokens;
   chat.retry.total_s = std::max(chat.retry.total_s, timeout_s);
-  chat.purse->max_cost = max_cost;
-  chat.purse->max_tokens = max_tokens;
+  chat.spend_limit->max_cost = max_cost;
+  chat.spend_limit->max_tokens = max_tokens;
   chat.use_cached_answers = !no_cache;
   chat.stream = stream;
   chat.stop = &stop_flag();

@@ -14,7 +14,7 @@
 namespace layoutbox::cli {
 
 struct ModelFlags {
-  std::string model, base_url, trust = "text", prices_file;
+  std::string model, base_url, provider, trust = "text", prices_file;
   double timeout_s = 300;
   int context_tokens = 0;
   std::optional<double> max_cost;

@@ -131,9 +131,11 @@ class Run {
     given_ = std::move(room.layout);
     const chat::Usage usage = conversation_->client().usage();
     const auto cost = conversation_->client().cost();
+    const std::string date = conversation_->client().price_date();
     std::string price = cost && *cost > 0 ? fmt::format(", ${:.4f}", *cost) : "";
+    if (!price.empty() && !date.empty()) price += " at prices of " + date;
     finish("plan", fmt::format("{}; {}, {}{}", scene_in_words(), counted(static_cast<std::size_t>(loop_->attempts()), "answer"),
-                               counted(static_cast<std::size_t>(usage.question_tokens + usage.answer_tokens), "token"), price));
+                               counted(static_cast<std::size_t>(usage.request_tokens + usage.response_tokens), "token"), price));
   }
 
   // What a model was asked in vain is worth keeping, but not in the place of an earlier run.

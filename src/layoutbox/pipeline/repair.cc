@@ -71,14 +71,14 @@ OrderedJson unpacked(const std::string& text) {
 }
 
 OrderedJson json_of(const llm::Attempt& attempt) {
-  const chat::Answer& answer = attempt.answer;
+  const chat::Response& answer = attempt.answer;
   OrderedJson json{{"attempt", attempt.number}, {"purpose", attempt.purpose}, {"outcome", attempt.outcome}};
   if (!answer.request.empty()) {
     json["mode"] = name_of(answer.mode);
     json["request"] = unpacked(answer.request);
     json["answer"] = unpacked(answer.body);
     json["tokens"] = {
-        {"question", answer.usage.question_tokens}, {"answer", answer.usage.answer_tokens}, {"estimated", answer.usage.estimated}};
+        {"question", answer.usage.request_tokens}, {"answer", answer.usage.response_tokens}, {"estimated", answer.usage.estimated}};
     json["cost"] = answer.cost ? OrderedJson(*answer.cost) : OrderedJson();
     json["seconds"] = answer.seconds;
     json["ownSeconds"] = answer.own_seconds;

@@ -78,12 +78,6 @@ OrderedJson json_of_error(const Error& error) {
   return json;
 }
 
-std::string content_key(std::string_view text) {
-  std::uint64_t hash = 14695981039346656037u;  // FNV-1a
-  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211u;
-  return fmt::format("{:016x}", hash);
-}
-
 std::optional<RunState> state_of_same_run(std::string_view record, std::string_view prompt, const GenerateOptions& options) {
   const auto json = parse_json(record);
   if (!json || !json->is_object() || json->contains("pictureError")) return std::nullopt;

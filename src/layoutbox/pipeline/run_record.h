@@ -6,15 +6,13 @@
 #include <string>
 #include <string_view>
 
+#include "layoutbox/base/bytes.h"
 #include "layoutbox/pipeline/generate.h"
 
 namespace layoutbox {
 
 // `failure` is the error that ended the run, or null. Pretty-printed JSON.
 std::string write_run_record(std::string_view prompt, const GenerateOptions& options, const GenerateOutcome& outcome, const Error* failure);
-
-// Sixteen hexadecimal digits that differ where texts differ.
-std::string content_key(std::string_view text);
 
 enum class RunState { kDone, kNotAsAsked };
 

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "layoutbox/base/bytes.h"
+
 namespace layoutbox {
 namespace {
 
@@ -46,23 +48,7 @@ std::string encode(const Mesh& mesh) {
 
 }  // namespace
 
-std::string base64_lines(std::string_view bytes) {
-  constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve(bytes.size() * 4 / 3 + bytes.size() / 90 + 8);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t group = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      group = group << 8u | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
-    }
-    for (std::size_t k = 0; k < 4; ++k) {
-      text += i + k <= bytes.size() ? kDigits[group >> (18 - 6 * k) & 63u] : '=';
-    }
-    if ((i / 3 + 1) % 30 == 0) text += '\n';
-  }
-  if (!text.empty() && text.back() != '\n') text += '\n';
-  return text;
-}
+std::string base64_lines(std::string_view bytes) { return base64(bytes, 120); }
 
 int MeshBlock::add(const Mesh& mesh) {
   std::string bytes = encode(mesh);

@@ -71,19 +71,19 @@ Result<std::string> Conversation::describe_first_request() const {
   return client_.describe_request(question_for(std::nullopt));
 }
 
-chat::Question Conversation::question_for(const std::optional<Complaint>& complaint) const {
-  chat::Question question = question_of(complaint, false);
-  question.shorter = std::make_shared<const chat::Question>(question_of(complaint, true));
+chat::Request Conversation::question_for(const std::optional<Complaint>& complaint) const {
+  chat::Request question = question_of(complaint, false);
+  question.shorter = std::make_shared<const chat::Request>(question_of(complaint, true));
   return question;
 }
 
-chat::Question Conversation::question_of(const std::optional<Complaint>& complaint, bool brief) const {
-  chat::Question question;
+chat::Request Conversation::question_of(const std::optional<Complaint>& complaint, bool brief) const {
+  chat::Request question;
   // Another seed each time: where nothing else has changed, the same question would bring the same answer.
   question.seed = plan_.seed + attempts_.size() - (attempts_.empty() ? 0 : 1);
   const SchemaWanted wanted = schema_wanted(brief);
   const bool was_cut = last_answer_ && last_answer_->finish_reason == "length";
-  question.max_answer_tokens = was_cut ? options_.max_answer_tokens : std::min(options_.max_answer_tokens, answer_tokens(wanted));
+  question.max_response_tokens = was_cut ? options_.max_response_tokens : std::min(options_.max_response_tokens, answer_tokens(wanted));
   question.messages = {{"system", brief ? system_brief_ : system_}, {"user", quoted_request(text_)}};
   question.functions.push_back(create_scene_function(wanted));
   if (!complaint) return question;
@@ -105,7 +105,7 @@ Result<Reading> Conversation::ask(const std::optional<Complaint>& complaint) {
     settling_.may_be_missing += complaint->may_go;
     settling_.room_may_grow = true;
   }
-  Result<chat::Answer> answer = client_.ask(question_for(complaint));
+  Result<chat::Response> answer = client_.ask(question_for(complaint));
   if (!answer) {
     attempt.faults.push_back(answer.error());
     return Failure(answer.error());

@@ -19,7 +19,7 @@ namespace layoutbox::llm {
 
 struct ConversationOptions {
   Trust trust = Trust::kText;
-  int max_answer_tokens = 8000;  // of one answer; less where the text is short
+  int max_response_tokens = 8000;  // of one answer; less where the text is short
   // An earlier scene to be changed, as JSON, where the text is a change to it. Empty: the text describes a room.
   std::string scene_to_edit;
 };
@@ -41,8 +41,8 @@ struct Complaint {
 // One question and what became of it; run.json holds them all.
 struct Attempt {
   int number = 0;
-  std::string purpose;  // "first", "faults", "conflict", "notice", "failure"
-  chat::Answer answer;  // empty where none came
+  std::string purpose;    // "first", "faults", "conflict", "notice", "failure"
+  chat::Response answer;  // empty where none came
   std::vector<Error> faults;
   std::vector<Note> mended;
   std::vector<std::string> differences;  // between the text and the model's scene
@@ -71,8 +71,8 @@ class Conversation {
   const Catalog& catalog() const { return catalog_; }
 
  private:
-  chat::Question question_for(const std::optional<Complaint>& complaint) const;
-  chat::Question question_of(const std::optional<Complaint>& complaint, bool brief) const;
+  chat::Request question_for(const std::optional<Complaint>& complaint) const;
+  chat::Request question_of(const std::optional<Complaint>& complaint, bool brief) const;
   SchemaWanted schema_wanted(bool brief) const;
   std::size_t named_objects() const { return offline_ ? offline_->scene.objects.size() : 0; }
   std::string system_text(const RoomGiven& room, bool brief) const;
@@ -87,7 +87,7 @@ class Conversation {
   Status readable_;              // of the text
   std::string system_, system_brief_;
   std::string document_;  // of the last draft
-  std::optional<chat::Answer> last_answer_;
+  std::optional<chat::Response> last_answer_;
   Settling settling_;  // what the text still decides
   std::vector<Attempt> attempts_;
 };
@@ -101,7 +101,7 @@ struct Patience {
 // Waits between two attempts; not after an answer that was kept on disk. Errors: kInterrupted within a twentieth of a second of `stop`.
 Status pause_after(const Attempt& attempt, double seconds, const std::atomic<bool>* stop);
 
-// The planner by model. Each conversation has a client of its own; all draw on the one purse of `chat`. plan() asks again as patience
+// The planner by model. Each conversation has a client of its own; all draw on the one spend_limit of `chat`. plan() asks again as patience
 // says while the answers do not validate. The catalogue must outlive the planner.
 std::unique_ptr<Planner> make_model_planner(const Catalog& catalog, chat::ChatOptions chat, ConversationOptions options, Patience patience);
 

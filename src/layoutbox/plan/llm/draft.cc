@@ -74,9 +74,9 @@ Chosen document_from(std::string_view text, std::string_view previous, Notes& no
   return {std::move(document), {}};
 }
 
-bool has_json(const chat::Answer& answer) { return !answer.calls.empty() || answer.content.find('{') != std::string::npos; }
+bool has_json(const chat::Response& answer) { return !answer.calls.empty() || answer.content.find('{') != std::string::npos; }
 
-Chosen choose(const chat::Answer& answer, std::string_view previous, Notes& notes) {
+Chosen choose(const chat::Response& answer, std::string_view previous, Notes& notes) {
   if (answer.calls.empty()) {
     if (answer.content.find_first_not_of(" \t\r\n") == std::string::npos) {
       return wrong(ErrorCode::kEmpty, "the answer is empty", "call create_scene");
@@ -107,7 +107,7 @@ std::size_t size_of_list(const json& document, const char* name) {
 }
 
 // Of an answer that was cut off; empty where fewer than `things` are whole, and where it cannot be told how many are enough (0).
-std::optional<json> what_is_whole(const chat::Answer& answer, std::size_t things, Notes& notes) {
+std::optional<json> what_is_whole(const chat::Response& answer, std::size_t things, Notes& notes) {
   if (things == 0) return std::nullopt;
   Result<json> document = parse_cut_json(answer.calls.empty() ? answer.content : answer.calls[0].arguments);
   if (!document) return std::nullopt;
@@ -196,7 +196,7 @@ Reading read_document(std::string text, const Catalog& catalog, Notes notes, Len
   }
 }
 
-Result<Reading> read_draft(const chat::Answer& answer, const Catalog& catalog, const Known& known, Leniency leniency) {
+Result<Reading> read_draft(const chat::Response& answer, const Catalog& catalog, const Known& known, Leniency leniency) {
   if (!answer.refusal.empty()) {
     return fail(ErrorCode::kNotFound, fmt::format("the model refuses: {}", chat::one_line(answer.refusal, 200)), {},
                 "put it in other words");
@@ -212,7 +212,7 @@ Result<Reading> read_draft(const chat::Answer& answer, const Catalog& catalog, c
   }
   if (!chosen.faults.empty()) {
     if (answer.finish_reason == "length" && has_json(answer)) {
-      return faulty(ErrorCode::kTooLarge, fmt::format("the answer was cut off after {} tokens", answer.usage.answer_tokens),
+      return faulty(ErrorCode::kTooLarge, fmt::format("the answer was cut off after {} tokens", answer.usage.response_tokens),
                     "write shorter: no blanks, null for what is not said, only relations that are stated");
     }
     return Reading{std::nullopt, std::move(chosen.faults)};

@@ -38,7 +38,7 @@ enum class Leniency {
 
 // An answer that was cut off counts as far as it is whole, where that holds as many things as the text names, or in salvage.
 // Errors (kNotFound) only for what asking again cannot change: a refusal, an answer that a filter held back.
-Result<Reading> read_draft(const chat::Answer& answer, const Catalog& catalog, const Known& known, Leniency leniency = Leniency::kNormal);
+Result<Reading> read_draft(const chat::Response& answer, const Catalog& catalog, const Known& known, Leniency leniency = Leniency::kNormal);
 
 // The same from a document alone.
 Reading read_document(std::string document, const Catalog& catalog, std::vector<Note> notes, Leniency leniency);

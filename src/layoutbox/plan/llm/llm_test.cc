@@ -132,7 +132,7 @@ TEST(LooseJson, keeps_what_is_whole_of_a_cut_answer) {
 }
 
 TEST(Draft, a_cut_answer_counts_where_it_holds_what_is_named) {
-  chat::Answer answer;
+  chat::Response answer;
   answer.finish_reason = "length";
   answer.calls = {
       {"create_scene",
@@ -187,7 +187,7 @@ TEST(Draft, names_hold_nothing_that_turns_or_hides_text) {
 TEST(Draft, patches_apply_to_the_scene_before) {
   const std::string before =
       R"({"room":{},"furniture":[{"id":"bed_1","category":"bed"}],"constraints":[{"id":"c1","type":"againstWall","targets":["bed_1"],"relativeTo":"wall3"}]})";
-  chat::Answer answer;
+  chat::Response answer;
   answer.calls = {{"patch_scene", R"({"patch":[{"op":"replace","path":"/constraints/0/relativeTo","value":"wall4"}]})"}};
   const auto reading = read_draft(answer, Catalog::builtin(), {before, 0});
   ASSERT_TRUE(reading && reading->draft);
@@ -203,7 +203,7 @@ TEST(Draft, no_answer_makes_it_throw) {
   const std::string scene =
       R"({"metadata":{"units":3},"room":{"dims":[4,"x",null],"openings":{"a":1}},"furniture":[{"id":{},"category":[],"dims":{"w":[]}},7,null,"bed"],"constraints":[null,{"type":[],"targets":{}},{"type":"on","targets":[1],"relativeTo":[{}]}]})";
   for (std::size_t cut = 0; cut <= scene.size(); ++cut) {
-    chat::Answer answer;
+    chat::Response answer;
     answer.content = scene.substr(0, cut);
     for (const Leniency leniency : {Leniency::kNormal, Leniency::kSalvage}) (void)read_draft(answer, Catalog::builtin(), {{}, 1}, leniency);
   }

@@ -15,7 +15,7 @@ struct Amount {
 };
 
 // Several threads may draw on it.
-class Purse {
+class SpendLimit {
  public:
   std::optional<double> max_cost;          // empty: no limit. Not changed once somebody draws.
   std::optional<std::int64_t> max_tokens;  // of questions and answers; a question that begins below it is sent

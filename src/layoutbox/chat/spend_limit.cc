@@ -1,16 +1,16 @@
-#include "layoutbox/chat/purse.h"
+#include "layoutbox/chat/spend_limit.h"
 
 #include <chrono>
 
 namespace layoutbox::chat {
 
-Purse::Draw Purse::fits(const Amount& taken, const Amount& most) const {
+SpendLimit::Draw SpendLimit::fits(const Amount& taken, const Amount& most) const {
   if (max_tokens && taken.tokens + most.tokens >= *max_tokens) return Draw::kTooManyTokens;
   if (max_cost && taken.cost + most.cost > *max_cost) return Draw::kTooDear;
   return Draw::kDone;
 }
 
-Purse::Draw Purse::set_aside(const Amount& most, const std::atomic<bool>* stop) {
+SpendLimit::Draw SpendLimit::set_aside(const Amount& most, const std::atomic<bool>* stop) {
   std::unique_lock lock(mutex_);
   for (;;) {
     if (const Draw without_others = fits(spent_, most); without_others != Draw::kDone) return without_others;
@@ -23,7 +23,7 @@ Purse::Draw Purse::set_aside(const Amount& most, const std::atomic<bool>* stop) 
   return Draw::kDone;
 }
 
-void Purse::settle(const Amount& most, const Amount& actual) {
+void SpendLimit::settle(const Amount& most, const Amount& actual) {
   const std::lock_guard guard(mutex_);
   aside_.cost -= most.cost;
   aside_.tokens -= most.tokens;
@@ -32,7 +32,7 @@ void Purse::settle(const Amount& most, const Amount& actual) {
   settled_.notify_all();
 }
 
-Amount Purse::spent() const {
+Amount SpendLimit::spent() const {
   const std::lock_guard guard(mutex_);
   return spent_;
 }
