@@ -79,6 +79,9 @@ PhraseMatch Chunker::phrase_here() const {
   const std::size_t after = i_ + phrase.length;
   if (phrase.length < 2 || after >= tokens_.size()) return phrase;
   const std::string& last = tokens_[after - 1].text;
+  // "above each of the beds": "each of" are those.
+  if (phrase.length > 2 && last == "of" && lexicon_.is(tokens_[after - 2], Class::kEach))
+    return lexicon_.find_phrase(tokens_.first(after - 2), i_);
   if (last != "left" && last != "right" && last != "side") return phrase;
   const Token& next = tokens_[after];
   if (!lexicon_.is(next, Class::kWall) && !lexicon_.is(next, Class::kCorner) && !lexicon_.is(next, Class::kSide)) return phrase;
@@ -160,6 +163,7 @@ bool Chunker::read_words(const PhraseMatch& phrase, std::size_t without) {
       return read_noun(true);
     // "Round table in the middle": a quality, where it stands first and a noun is right behind it.
     if (noun && noun->kind == NounKind::kObject && best.kind == ChunkKind::kRelation && best.length == 1 && clause_begins() &&
+        tokens_[i_].text != "opposite" &&
         std::find(noun->attributes.begin(), noun->attributes.end(), tokens_[i_].text) != noun->attributes.end())
       return read_noun(true);
     // "Waiting room with eight chairs", "Meeting room for ten".

@@ -271,7 +271,9 @@ bool NounPhraseReader::read_other(const Match& match, bool noun_before) {
   if (has(match, Class::kNumber) && i_ + 1 < tokens_.size() && (hyphenated(i_ + 1) || says_seats(i_ + 1)))  // "one-way", "two-tone"
     return add(Class::kQuality, {Class::kQuality, nullptr, nullptr, 0, {}}, 2, false);
   if (doubles_noun(i_)) return add(Class::kQuality, {Class::kQuality, nullptr, nullptr, 0, {}}, 1, false);
-  if (has(match, Class::kNumber) && at_word("one") && named) {  // "the left one", "the other one"
+  // "every desk one chair": the next thing, counted.
+  const bool counts_next = noun_before && lexicon_.find(tokens_, i_ + 1, Class::kObject).length > 0;
+  if (has(match, Class::kNumber) && at_word("one") && named && !counts_next) {  // "the left one", "the other one"
     phrase_.kind = NounKind::kMember;
     i_ += 1;
     done_ = true;

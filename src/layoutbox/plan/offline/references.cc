@@ -109,6 +109,11 @@ void References::mean_known(Mention& mention) {
     const int group = document_.items[static_cast<std::size_t>(items.front())].group;
     if (noun.determiner == Determiner::kOther) {
       auto& picked = picked_[group];
+      // "a bin at the left of the counter, the other bin at the right": of one that was named alone the other is new.
+      if (items.size() == 1 && picked.empty()) {
+        items.clear();
+        return;
+      }
       std::erase_if(items, [&](int item) { return contains(picked, item); });
       picked.insert(picked.end(), items.begin(), items.end());
     } else if (!noun.is_plural() && items.size() > 1 && !mention.distributes) {

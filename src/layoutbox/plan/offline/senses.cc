@@ -79,6 +79,7 @@ std::optional<PhraseSense> choose_sense(const Catalog& catalog, const PhraseSens
       return std::nullopt;
     }
     if (reference.kind == NounKind::kFloor) {
+      if (says(R::kCenterOfRoom)) return own(R::kCenterOfRoom);
       if (says(R::kOn) || says(R::kIn)) return own(R::kOn);
       return std::nullopt;
     }

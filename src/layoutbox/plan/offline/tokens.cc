@@ -107,13 +107,23 @@ void finish_word(Token& token) {
   }
 }
 
-// "1." or "2)" at the beginning of a line: the bytes it takes, else 0.
+// "… wall 2) desk": a number of a list within a line, where no bracket is open.
+bool is_inline_number(std::string_view prompt, std::size_t at, std::size_t end) {
+  constexpr std::size_t kReach = 80;
+  if (end >= prompt.size() || prompt[end] != ')' || at == 0 || prompt[at - 1] != ' ') return false;
+  const std::string_view before = prompt.substr(at > kReach ? at - kReach : 0, std::min(at, kReach));
+  const std::size_t open = before.rfind('(');
+  return open == std::string_view::npos || before.find(')', open) != std::string_view::npos;
+}
+
+// "1." or "2)" at the beginning of a line, or "2)" within one: the bytes it takes, else 0.
 std::size_t list_number(std::string_view prompt, std::size_t at) {
   std::size_t back = at;
   while (back > 0 && (prompt[back - 1] == ' ' || prompt[back - 1] == '\t')) --back;
-  if (back > 0 && prompt[back - 1] != '\n') return 0;
+  const bool within = back > 0 && prompt[back - 1] != '\n';
   std::size_t i = at;
   while (i < prompt.size() && is_digit(prompt[i])) ++i;
+  if (within && !is_inline_number(prompt, at, i)) return 0;
   if (i == at || i > at + 3 || i + 1 >= prompt.size() || (prompt[i] != '.' && prompt[i] != ')') || prompt[i + 1] != ' ') return 0;
   return i + 1 - at;
 }
@@ -124,6 +134,13 @@ bool opens_line(std::string_view prompt, std::size_t at) {
   if (at >= prompt.size()) return false;
   const char c = prompt[at];
   return c == '\n' || c == '-' || c == '*' || (c >= 'A' && c <= 'Z') || list_number(prompt, at) > 0;
+}
+
+// Whether the line that ends at `at` is as short as lines of a list are; wrapped prose fills its lines.
+bool ends_short_line(std::string_view prompt, std::size_t at) {
+  constexpr std::size_t kShortLine = 45;
+  const std::size_t before = at == 0 ? std::string_view::npos : prompt.rfind('\n', at - 1);
+  return at - (before == std::string_view::npos ? 0 : before + 1) <= kShortLine;
 }
 
 // "n't", "'d", "'ll" … after the word they are glued to: what they stand for becomes a word. Returns the bytes taken.
@@ -160,7 +177,7 @@ std::vector<Token> tokenize(std::string_view prompt) {
   while (at < prompt.size()) {
     const Letter first = letter_at(prompt, at);
     if (first.value == ' ' || first.value == '\t' || first.value == '\r' || first.value == '\n') {
-      if (first.value == '\n' && opens_line(prompt, at + 1) && !tokens.empty() && !tokens.back().ends_sentence) {
+      if (first.value == '\n' && (opens_line(prompt, at + 1) || ends_short_line(prompt, at)) && !tokens.empty() && !tokens.back().ends_sentence) {
         tokens.push_back({Token::Kind::kPunctuation, ";", at, at + 1, 0, false, false, true});
       }
       space_before = true;

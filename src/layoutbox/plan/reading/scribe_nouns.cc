@@ -135,6 +135,13 @@ int Scribe::make_member(int u, const NounPhrase& noun) {
   }
   if (const int more = make_more(u, noun); more >= 0) return more;
   int antecedent = antecedent_of(u);
+  // "two lockers stand by the door and the other two at the window": four.
+  const bool of_placed = antecedent >= 0 && mention_at(antecedent).introduces &&
+                         mention_at(antecedent).items.size() <= static_cast<std::size_t>(noun.count) &&
+                         reading(u).role != NounRole::kReference;
+  if (noun.determiner == Determiner::kOther && noun.count > 1 && of_placed) {
+    if (const int others = make_another(u, noun); others >= 0) return others;
+  }
   if (antecedent >= 0 && references_.has_left(antecedent, noun.count)) antecedent = references_.whole_group(antecedent);
   NounPhrase meant = noun;
   // "two tables, one on each side of the bed": the two, not one of them.
@@ -145,6 +152,10 @@ int Scribe::make_member(int u, const NounPhrase& noun) {
   if (sides && antecedent >= 0 && (says(senses, RelationType::kEachSideOf) || says(senses, RelationType::kAlongSide)) &&
       mention_at(antecedent).items.size() == 2 * static_cast<std::size_t>(noun.count))
     meant.determiner = Determiner::kBoth;
+  // "four lamps, one in every corner": all four.
+  const bool shared_out = is(u + 1, UnitKind::kPlace) && is(u + 2, UnitKind::kNoun) && chunk(u + 2).noun.determiner == Determiner::kEach &&
+                          reading(u + 2).predicate == u + 1 && reading(u).role != NounRole::kReference && noun.count == 1 && !noun.subset;
+  if (shared_out && antecedent >= 0 && mention_at(antecedent).items.size() > 1) meant.determiner = Determiner::kBoth;
   const int mention = references_.mention(meant, antecedent, reading(u).role == NounRole::kReference);
   // "both have a lamp": every single one.
   if (noun.determiner == Determiner::kBoth && is(u + 1, UnitKind::kHave)) mention_at(mention).distributes = true;

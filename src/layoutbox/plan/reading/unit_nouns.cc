@@ -129,6 +129,21 @@ bool UnitReader::is_past(const NounPhrase& noun) const {
   return before(1, "from") || (before(1, "be") && before(2, "to") && before(3, "used"));
 }
 
+// "A study in an old tower", "on the third floor of a bank": what the room is in or on is no thing in it.
+bool UnitReader::says_where_room_is(std::size_t k) {
+  const NounPhrase& noun = chunk(k).noun;
+  if (units_.size() != 2 || !after_place() || units_.front().kind != UnitKind::kNoun) return false;
+  if (chunk(units_.front().chunk).noun.kind != NounKind::kRoom || units_.front().chunk + 2 != k) return false;
+  const NounPhrase& whole = noun.kind != NounKind::kObject && noun.of ? *noun.of : noun;
+  const bool in = says(*units_.back().senses, RelationType::kIn) || says(*units_.back().senses, RelationType::kOn) ||
+                  says(*units_.back().senses, RelationType::kAbove) || says(*units_.back().senses, RelationType::kUnder);
+  if (!in || whole.kind != NounKind::kObject || whole.determiner != Determiner::kIndefinite || whole.count > 0) return false;
+  mark(k, Use::kIgnored, "where the room is");
+  mark(units_.back().chunk, Use::kIgnored, "where the room is");
+  units_.pop_back();
+  return true;
+}
+
 void UnitReader::read_noun(std::size_t k) {
   settle_noun(k);
   settle_place_words(k);
@@ -138,7 +153,7 @@ void UnitReader::read_noun(std::size_t k) {
     if (noun.kind == NounKind::kRoom && !is_past(noun)) document_.rooms.push_back(noun);
     return;
   }
-  if (says_nothing_but_there(k)) return;
+  if (says_nothing_but_there(k) || says_where_room_is(k)) return;
   // "instead of a bathtub a shower": what stands beside what is not wanted.
   if (negated_ && joiner_ == Joiner::kNone && k > 0 && is(k - 1, ChunkKind::kNoun) && noun.determiner == Determiner::kIndefinite)
     negated_ = false;
@@ -174,7 +189,8 @@ void UnitReader::read_noun(std::size_t k) {
   const bool ends = after >= document_.chunks.size() || is(after, ChunkKind::kStop) || is(after, ChunkKind::kComma);
   const bool listed = ends && joiner_ == Joiner::kComma && noun.determiner == Determiner::kNone && is(previous(k), ChunkKind::kComma);
   const std::size_t before = listed ? previous(previous(k)) : previous(k);
-  if ((noun.kind == NounKind::kWall || noun.kind == NounKind::kCorner) && !noun.wall_word.empty() && (joiner_ == Joiner::kNone || listed) &&
+  const bool corner = listed && noun.kind == NounKind::kCorner && !noun.is_plural();  // "lamp - corner"
+  if ((noun.kind == NounKind::kWall || noun.kind == NounKind::kCorner) && (!noun.wall_word.empty() || corner) && (joiner_ == Joiner::kNone || listed) &&
       is(before, ChunkKind::kNoun) && chunk(before).noun.kind == NounKind::kObject && !units_.empty() && units_.back().chunk == before)
     add_place(k, kAgainst);
   // "the desk's left corner" is the left corner of the desk.

@@ -48,6 +48,7 @@ class UnitReader {
   bool says_nothing_but_there(std::size_t k);
   void read_noun(std::size_t k);
   bool is_placed_itself(std::size_t k) const;
+  bool says_where_room_is(std::size_t k);
   bool is_past(const NounPhrase& noun) const;
   void settle_noun(std::size_t k);
   void settle_place_words(std::size_t k);
