@@ -95,6 +95,8 @@ bool RelationBuilder::lie_on(const std::vector<int>& items, int host) const {
       one_of(carrier.head, {"bed", "sofa", "couch", "loveseat", "daybed", "crib"}))
     return false;
   return std::all_of(items.begin(), items.end(), [&](int item) {
+    const std::vector<std::string>& qualities = noun_of_item(item).attributes;
+    if (std::find(qualities.begin(), qualities.end(), "tall") != qualities.end()) return false;  // beside it
     return mount_of(noun_of_item(item)) == Mount::kSurface && may_carry(catalog_, carrier, noun_of_item(item));
   });
 }

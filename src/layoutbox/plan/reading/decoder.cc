@@ -116,7 +116,8 @@ bool Decoder::same(const State& state, Referent one, Referent other) const {
   const auto root_of = [&](Referent referent) {
     for (int steps = 0; referent >= 0 && steps < 4; ++steps) {
       const UnitReading& reading = read_as(state, referent);
-      if (reading.meant == kNobody) break;
+      const NounPhrase& noun = chunk(referent).noun;
+      if (reading.meant == kNobody || (noun.kind == NounKind::kMember && !speaks_of_others(noun))) break;  // "a second one" is none of those
       referent = reading.meant;
     }
     return referent;

@@ -124,7 +124,8 @@ void Decoder::alone_of_member(std::size_t s, int u, std::size_t level, int neare
   if (const Referent host = side_host(state, u, senses); host != kNobody && !same(state, host, member))
     alone_of_list(s, u, level, {host, gain + weight::kSameSide, false});
   const auto habit = [&](Referent by) { return place.joiner == Joiner::kNone ? habit_score(state, u, member, by, senses) : 0; };
-  for (const Candidate& meant : antecedents(state, member, &senses, &whom))
+  const int first = state.verb && level == 0 ? state.first_subject : -1;  // "a radio and a clock stand on it": on neither
+  for (const Candidate& meant : antecedents(state, member, &senses, &whom, first))
     alone_of_list(s, u, level, {meant.referent, gain + meant.score + habit(meant.referent), meant.list});
 }
 
@@ -142,6 +143,7 @@ void Decoder::alone_of_list(std::size_t s, int u, std::size_t level, const Candi
     if (more < -5) break;
     shared += shared == 0 ? more : 0.2;
     m = read_as(state, m).former;
+    if (meant.referent != kNobody && same(state, m, meant.referent)) break;
     add(s, kAttachAlone, meant.score + shared, member, m, meant.referent, meant.list);
   }
 }

@@ -107,7 +107,8 @@ void Decoder::apply_fill(State& state, int u) const {
   if (own.role == NounRole::kReference) state.place = p;
   if (own.role == NounRole::kContent) own.placed = !is(p, UnitKind::kHave);
   if (own.meant != kNobody && noun_of(state, u).kind == NounKind::kObject) state.it = own.meant;
-  if (!place.fronted) state.frontier.push_back(u);
+  const bool of_front = state.frontier.empty() && !state.fronted.empty();  // of what the clause's place is by
+  if (!place.fronted && !of_front) state.frontier.push_back(u);
 }
 
 // … one that the sentence itself is about.

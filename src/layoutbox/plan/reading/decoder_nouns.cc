@@ -57,7 +57,8 @@ void Decoder::noun_actions(std::size_t s, int u) {
   // "one holding a lamp and the other a stack of books": the verb is said once.
   if (!joined && is(u - 1, UnitKind::kNoun) && read_as(state, u - 1).role == NounRole::kMember && is_new_thing(chunk(u).noun)) {
     for (int p = u; p-- > 0;) {
-      if (!is(p, UnitKind::kHave) || read_as(state, p).of_room) continue;
+      const bool carries = is(p, UnitKind::kPlace) && read_as(state, p).inverse && !read_as(state, p).fronted;
+      if (!carries && (!is(p, UnitKind::kHave) || read_as(state, p).of_room)) continue;
       add(s, kElided, 0.5, p);
       break;
     }

@@ -167,6 +167,13 @@ void Decoder::opening_place_actions(std::size_t s, int u) {
       !place.direct.empty() && chunk(u).last - chunk(u).first == 1 && word(u) == "line" && follows(u + 1, UnitKind::kPlace);
   if (command) add(s, kCommand, 1);
   add(s, kFront, 0);
+  // "On a chest across from the bed a lamp": the chest is there.
+  const State& state = states_[s];
+  const bool after_front = !state.fronted.empty() && state.waiting < 0 && state.fronted.back() + 2 == u && place.joiner == Joiner::kNone;
+  if (!after_front || place.direct.empty() || !is_thing(state, u - 1) || speaks_of_others(chunk(u - 1).noun)) return;
+  if (mount_of(chunk(u - 1).noun) != Mount::kFloor) return;
+  const double known = known_[static_cast<std::size_t>(u - 1)] ? weight::kKnownSubject : weight::kNewCarrier;
+  add(s, kAttach, known + sense_.of_place(place.direct, chunk(u - 1).noun, chunk(u + 1).noun), u - 1, u - 1);
 }
 
 // After a comma or "and" it may as well come before its own thing.
@@ -175,7 +182,8 @@ void Decoder::first_place_actions(std::size_t s, int u) {
   const Unit& place = unit(u);
   const NounPhrase& noun = chunk(u + 1).noun;
   // "…, in front of the sofa is a table": the place comes first.
-  const int after = u + 2;
+  int after = u + 2;
+  while (is(after, UnitKind::kPlace) && unit(after).joiner == Joiner::kNone && follows(after, UnitKind::kNoun)) after += 2;
   double pattern = -4;
   if (is(after, UnitKind::kNoun) && unit(after).joiner == Joiner::kNone && is_new_thing(chunk(after).noun) && is_known_noun(noun))
     pattern = 3;

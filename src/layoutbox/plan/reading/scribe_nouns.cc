@@ -137,9 +137,9 @@ int Scribe::make_member(int u, const NounPhrase& noun) {
   int antecedent = antecedent_of(u);
   // "two lockers stand by the door and the other two at the window": four.
   const bool of_placed = antecedent >= 0 && mention_at(antecedent).introduces &&
-                         mention_at(antecedent).items.size() <= static_cast<std::size_t>(noun.count) &&
+                         mention_at(antecedent).items.size() <= static_cast<std::size_t>(std::max(noun.count, 1)) &&
                          reading(u).role != NounRole::kReference;
-  if (noun.determiner == Determiner::kOther && noun.count > 1 && of_placed) {
+  if (noun.determiner == Determiner::kOther && of_placed) {
     if (const int others = make_another(u, noun); others >= 0) return others;
   }
   if (antecedent >= 0 && references_.has_left(antecedent, noun.count)) antecedent = references_.whole_group(antecedent);

@@ -61,11 +61,12 @@ void UnitReader::settle_place_words(std::size_t k) {
     noun.kind = NounKind::kWall;
     noun.wall_word = noun.head;
   }
-  const bool other =
-      noun.kind == NounKind::kMember && !noun.of && (noun.determiner == Determiner::kOther || noun.determiner == Determiner::kAnother);
+  const bool opposite = std::find(noun.attributes.begin(), noun.attributes.end(), "opposite") != noun.attributes.end();
+  const bool other = noun.kind == NounKind::kMember && !noun.of &&
+                     (noun.determiner == Determiner::kOther || noun.determiner == Determiner::kAnother || noun.ordinal != 0 || opposite ||
+                      !noun.wall_relation.empty());
   if (other && one_corner_ >= 0 && (says(senses, RelationType::kIn) || says(senses, RelationType::kCorner))) {
     take(chunk(static_cast<std::size_t>(one_corner_)).noun);
-    one_corner_ = -1;
   }
   if (noun.kind == NounKind::kMember && !noun.wall_word.empty() && wall_ >= 0 && says(senses, RelationType::kAgainstWall)) {
     const NounPhrase said = take(chunk(static_cast<std::size_t>(wall_)).noun);
