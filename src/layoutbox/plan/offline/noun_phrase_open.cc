@@ -234,6 +234,17 @@ bool NounPhraseReader::read_determiners() {
       if (counted_ && i_ + 1 < tokens_.size() && lexicon_.is(tokens_[i_ + 1], Class::kSide)) break;
       if (take(Class::kEach, Determiner::kEach) || take(Class::kBoth, Determiner::kBoth)) {
         counted_ |= phrase_.determiner == Determiner::kEach;
+        if (tokens_[i_ - 1].text == "of") {  // "all of them"
+          --i_;
+          if (read_subset()) return true;
+          ++i_;
+        }
+        // "below each one a bin"
+        if (at_word("one") && (i_ + 1 >= tokens_.size() || tokens_[i_ + 1].kind == Token::Kind::kPunctuation || opens_at(i_ + 1))) {
+          phrase_.kind = NounKind::kMember;
+          i_ += 1;
+          return done_ = true;
+        }
         if (read_subset()) return true;
         continue;
       }

@@ -198,8 +198,10 @@ void RelationBuilder::add_in_niche(const Link& link, const Mention& target) {
 // "on the wall opposite the bed", "… across from the door": on or against that wall.
 void RelationBuilder::add_wall_opposite(const Link& link, const Mention& target) {
   const Mount mount = mount_of(target.noun);
-  if (mount == Mount::kCeiling || words_between(document_, link.first, link.last).find("wall") == std::string::npos) return;
-  const R type = mount == Mount::kFloor && is_heavy(catalog_, target.noun) ? R::kAgainstWall : R::kOnWall;
+  const std::string words = words_between(document_, link.first, link.last);
+  if (mount == Mount::kCeiling || words.find("wall") == std::string::npos) return;
+  const bool against = words.find("against") != std::string::npos && mount != Mount::kWall;
+  const R type = against || (mount == Mount::kFloor && is_heavy(catalog_, target.noun)) ? R::kAgainstWall : R::kOnWall;
   for (const int item : target.items) add(link, type, {id(item)}, {});
 }
 

@@ -14,6 +14,7 @@ bool has_class(const Match& match, Class word_class) {
 }
 
 constexpr double kLongestSide = 100;  // m, as in scene files
+constexpr double kSmallestRoom = 4;   // m²: less is a thing's size where one was named
 
 class SizeReader {
  public:
@@ -73,7 +74,8 @@ class SizeReader {
       if (tokens_[i].ends_sentence) break;
       const Match match = lexicon_.find(tokens_, i);
       if (has_class(match, Class::kRoom) || has_class(match, Class::kRoomNoun)) return !fits_thing_before(i, sides);
-      if (has_class(match, Class::kObject) && !beyond(match, sides)) return false;
+      const bool for_thing = sides.size() >= 2 && sides[0] * sides[1] < kSmallestRoom;  // "a mat of 2 x 1.5 m"
+      if (has_class(match, Class::kObject) && (for_thing || !beyond(match, sides))) return false;
       if (has_class(match, Class::kWindow) || has_class(match, Class::kDoor)) return false;  // "three windows in a wall, each 1.5 m wide"
     }
     return size_.width == 0 && first < 12;
@@ -120,7 +122,7 @@ class SizeReader {
 
   // "A table in the middle of the room, 1.6 by 0.9 m": what is too small for a room and right for what the sentence spoke of before.
   bool fits_thing_before(std::size_t end, const std::vector<double>& sides) const {
-    constexpr double kSmallestRoom = 4, kMore = 1.1;  // m²
+    constexpr double kMore = 1.1;
     if (sides.size() < 2 || sides[0] * sides[1] >= kSmallestRoom) return false;
     for (std::size_t i = end; i-- > 0 && !tokens_[i].ends_sentence;) {
       for (const Meaning& m : lexicon_.find(tokens_, i).meanings) {

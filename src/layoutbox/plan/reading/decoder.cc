@@ -175,6 +175,10 @@ void Decoder::find_known() {
     const bool definite = noun.determiner == Determiner::kDefinite || noun.determiner == Determiner::kEach ||
                           noun.determiner == Determiner::kPossessive || noun.determiner == Determiner::kBoth;
     bool known = noun.kind != NounKind::kObject;
+    // "… and next to crib a rug": without articles as well.
+    const bool bare = noun.determiner == Determiner::kNone && noun.count == 0 && !noun.plural && is(u - 1, UnitKind::kPlace);
+    for (int before = 0; bare && !known && before < u; ++before)
+      known = is(before, UnitKind::kNoun) && names_same(noun, chunk(before).noun, true, false);
     for (int before = 0; definite && !known && before < u; ++before)
       known = is(before, UnitKind::kNoun) && names_same(noun, chunk(before).noun, true, false);
     for (std::size_t i = document_.items.size(), looked = 0; definite && !known && i-- > 0 && looked < kBack; ++looked)
