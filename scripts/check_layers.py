@@ -16,6 +16,7 @@ FLOORS = (
     ("catalog",),
     ("plan", "solve", "furnish"),
     ("render", "export", "verify"),
+    ("judge",),
     ("pipeline",),
     ("experiment", "serve"),
     ("cli",),

@@ -1,0 +1,52 @@
+#include "layoutbox/judge/rays.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "layoutbox/base/units.h"
+
+namespace layoutbox::scoring {
+namespace {
+
+constexpr int kRaysAcross = 41, kRaysDeep = 5;  // rays
+
+// Where a ray meets the box of that half size around the origin: from the outside where it enters, from the inside where it leaves.
+std::optional<double> meets_box(Vec start, Vec step, double half_x, double half_y) {
+  const auto steady = [](double value) { return std::abs(value) < 1e-12 ? 1e-12 : value; };
+  const Vec s{steady(step.x), steady(step.y)};
+  const Vec first{(-half_x - start.x) / s.x, (-half_y - start.y) / s.y}, second{(half_x - start.x) / s.x, (half_y - start.y) / s.y};
+  const double enter = std::max(std::min(first.x, second.x), std::min(first.y, second.y));
+  const double leave = std::min(std::max(first.x, second.x), std::max(first.y, second.y));
+  if (leave < enter || leave < 0) return std::nullopt;
+  return enter > 0 ? enter : leave;
+}
+
+}  // namespace
+
+Scored look_at(const Block& target, const Block& reference, Vec front) {
+  const auto into = [&](Vec v) { return Vec{dot(v, reference.frame.x), dot(v, reference.frame.y)}; };
+  const Vec step = into(front);
+  Vec sum;
+  int hits = 0;
+  for (int i = 0; i < kRaysAcross; ++i) {
+    for (int j = 0; j < kRaysDeep; ++j) {
+      const double x = (i + 0.5) / kRaysAcross * 2 - 1, y = (j + 0.5) / kRaysDeep * 2 - 1;
+      const Vec at = target.center() + target.frame.x * (x * target.half[0]) + target.frame.y * (y * target.half[1]);
+      const Vec start = into(at - reference.center());
+      const auto reach = meets_box(start, step, reference.half[0], reference.half[1]);
+      if (!reach) continue;
+      sum = sum + start + step * *reach;
+      ++hits;
+    }
+  }
+  if (hits == 0) return {0, "its front does not look at the other", {}};
+  const Vec mean = sum * (1.0 / hits);
+  const Vec look = reference.center() + reference.frame.x * mean.x + reference.frame.y * mean.y - target.center();
+  const double cosine = dot(look, front) / std::max(judge::length(look), 1e-9);
+  const double angle = std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / kPi;
+  return {std::max(0.0, 1 - angle / 30), fmt::format("turned {:.0f} degrees from it (limit 15)", angle), {}};
+}
+
+}  // namespace layoutbox::scoring
