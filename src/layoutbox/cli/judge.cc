@@ -8,6 +8,8 @@
 #include "layoutbox/base/files.h"
 #include "layoutbox/cli/commands.h"
 #include "layoutbox/cli/inputs.h"
+#include "layoutbox/cli/judge_questions.h"
+#include "layoutbox/judge/report_html.h"
 
 namespace layoutbox::cli {
 namespace {
@@ -16,8 +18,9 @@ namespace fs = std::filesystem;
 
 struct JudgeArguments {
   std::vector<std::string> files;
-  std::string scene, annotations, id, format, models, output;
+  std::string scene, annotations, id, format, models, output, report, picture;
   bool reasons = false;
+  QuestionFlags questions;
 };
 
 struct RoomPlace {
@@ -67,10 +70,19 @@ class JudgeRun {
     for (const RoomPlace& place : places) {
       if (const Status judged = judge_one(place, places.size() == 1, judgements); !judged) return console_.fail(judged.error());
     }
+    if (flags_.questions.wanted()) {
+      QuestionFlags questions = flags_.questions;
+      questions.options.reasons = flags_.reasons;
+      return answer_questions(questions, judgements, pictures_, flags_.output, console_);
+    }
     add_missing(places, judgements);
     const std::string json = judgement_json(judgements);
     if (!flags_.output.empty()) {
       if (const Status written = write_output(flags_.output, json); !written) return console_.fail(written.error());
+    }
+    if (!flags_.report.empty()) {
+      if (const Status written = write_file(flags_.report, judgement_html(judgements, pictures_)); !written)
+        return console_.fail(written.error());
     }
     if (flags_.output != "-") console_.result(judgement_text(judgements, flags_.reasons), json);
     const bool all = std::all_of(judgements.begin(), judgements.end(), [](const Judgement& judgement) { return judgement.everything; });
@@ -125,7 +137,22 @@ class JudgeRun {
       return {};
     }
     room->name = place.id;
+    LAYOUTBOX_CHECK(find_picture(place, alone));
     judgements.push_back(judge_room(*std::move(room), asked, Catalog::builtin()));
+    return {};
+  }
+
+  // The picture that was given, else scene.png beside the room.
+  Status find_picture(const RoomPlace& place, bool alone) {
+    const bool given = alone && !flags_.picture.empty();
+    const fs::path path = given ? fs::path(flags_.picture) : fs::path(place.path).parent_path() / "scene.png";
+    std::error_code error;
+    if ((flags_.report.empty() && flags_.questions.by != "vlm") || (!given && !fs::exists(path, error))) return {};
+    LAYOUTBOX_ASSIGN(std::string bytes, read_file(path, 64u << 20));
+    if (!bytes.starts_with("\x89PNG") && !bytes.starts_with("\xff\xd8")) {
+      return fail(ErrorCode::kParse, fmt::format("{} is neither PNG nor JPEG", path.string()), path.string());
+    }
+    pictures_[place.id] = {bytes.starts_with("\xff") ? "image/jpeg" : "image/png", std::move(bytes)};
     return {};
   }
 
@@ -146,6 +173,7 @@ class JudgeRun {
   std::optional<SceneGraph> scene_;
   std::vector<scoring::Annotation> annotations_;
   RoomFileOptions options_;
+  std::map<std::string, RoomPicture> pictures_;
 };
 
 }  // namespace
@@ -164,6 +192,9 @@ void add_judge(CLI::App& app, Context& context) {
   command->add_option("--format", flags->format, "Read the rooms as this format instead of by what they look like");
   command->add_option("--models", flags->models, "JSON with names and sizes of models, for formats that name only models");
   command->add_option("-o,--output", flags->output, "Where the judgement goes as JSON; - writes it to stdout");
+  command->add_option("--report", flags->report, "Where a page goes: picture, plan with the failures drawn in, tables; one file");
+  command->add_option("--picture", flags->picture, "A picture of the room for the page (else scene.png beside it)");
+  flags->questions.add_to(*command);
   command->add_flag("--reasons", flags->reasons, "Each failed entry and check, with what was measured");
   command->callback([flags, &context] { context.status = JudgeRun(*flags, context.console).run(); });
 }

@@ -2,14 +2,16 @@
 
 #include <memory>
 
+#include "layoutbox/base/files.h"
 #include "layoutbox/cli/commands.h"
 #include "layoutbox/cli/inputs.h"
+#include "layoutbox/judge/report_html.h"
 
 namespace layoutbox::cli {
 namespace {
 
 struct VerifyArguments {
-  std::string layout, output;
+  std::string layout, output, page;
 };
 
 std::string summary(const Report& report) {
@@ -29,6 +31,12 @@ int run_verify(const VerifyArguments& flags, const Console& console) {
   if (!flags.output.empty()) {
     if (const Status written = write_output(flags.output, text); !written) return console.fail(written.error());
   }
+  if (!flags.page.empty()) {
+    std::vector<Judgement> judged;
+    judged.push_back(judge_room(RoomFile{flags.layout, "layout", *layout, {}}, {}, Catalog::builtin()));
+    const Status written = write_file(flags.page, judgement_html(judged));
+    if (!written) return console.fail(written.error());
+  }
   if (flags.output != "-") console.result(summary(report), text);
   return report.passed ? kDone : kNotAsAsked;
 }
@@ -40,6 +48,7 @@ void add_verify(CLI::App& app, Context& context) {
   CLI::App* command = app.add_subcommand("verify", "Check a layout by geometry: collisions, bounds, support, doors, relations");
   command->add_option("layout", flags->layout, "layout.json; - reads stdin")->required();
   command->add_option("-o,--output", flags->output, "Where report.json goes; - writes it to stdout");
+  command->add_option("--report", flags->page, "Where a page goes: the plan with the failures drawn in, and every check; one file");
   command->callback([flags, &context] { context.status = run_verify(*flags, context.console); });
 }
 

@@ -1,7 +1,9 @@
 // Layout to other tools' files.
 #pragma once
 
+#include <array>
 #include <string>
+#include <vector>
 
 #include "layoutbox/base/result.h"
 #include "layoutbox/furnish/model.h"
@@ -12,9 +14,16 @@ namespace layoutbox {
 // Binary glTF 2.0: y up, metres, a node per object named by its id, its category and relations in `extras`.
 Result<std::string> write_glb(const Model& model, const Layout& layout);
 
+// A part of the floor that is pointed out, with a word beside it.
+struct PlanMark {
+  std::vector<std::array<double, 2>> corners;  // mm
+  std::string label;
+};
+
 struct FloorPlanOptions {
   bool names = true, sizes = true, scale_bar = true;
-  double dots_per_inch = 200;  // of PNG. REQUIRES: 10…2000
+  double dots_per_inch = 200;   // of PNG. REQUIRES: 10…2000
+  std::vector<PlanMark> marks;  // drawn over all else, in red
 };
 
 // An SVG floor plan, seen from above, x to the right, y up the page.

@@ -45,6 +45,7 @@ class FloorPlan {
     draw_north();
     draw_labels(page_, ink_, scale_, layout_, options_,
                 {kPageWidth - kMargin - kKeyWidth, kMargin + 20, kPageWidth - kMargin, title_top() - 3});
+    for (const PlanMark& mark : options_.marks) draw_mark(mark);
   }
 
  private:
@@ -202,6 +203,18 @@ class FloorPlan {
   }
 
   // North is the back of the room: +y, up the page.
+  void draw_mark(const PlanMark& mark) {
+    if (mark.corners.empty()) return;
+    std::vector<PaperPoint> points;
+    for (const auto& corner : mark.corners) points.push_back(paper(PlanVector{corner[0], corner[1]}));
+    double left = points[0].x, right = left, top = points[0].y;
+    for (const PaperPoint& point : points) left = std::min(left, point.x), right = std::max(right, point.x), top = std::min(top, point.y);
+    page_.open_group("mark", mark.label);
+    page_.polygon(points, {"none", "#d00000", 0.8, {}});
+    page_.text({(left + right) / 2, top - 0.8}, 3.4, mark.label, TextAnchor::kMiddle, 0, "#d00000");
+    page_.close_group();
+  }
+
   void draw_north() {
     const PaperPoint c{kPageWidth - kMargin - 6, kMargin + 7};
     page_.circle(c, 4.5, {"none", "#444", 0.2, {}});

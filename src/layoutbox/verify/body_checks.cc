@@ -11,9 +11,7 @@
 namespace layoutbox::judge {
 namespace {
 
-constexpr double kOutsideShare = 0.01;   // of a footprint may lie off the floor (quality.md)
-constexpr double kCeilingReach = 0.010;  // m
-constexpr double kHungAbove = 0.05;      // m: what hangs does not stand on the floor
+constexpr double kHungAbove = 0.05;  // m: what hangs does not stand on the floor
 
 // True when all that two boxes share is free in one of them, height by height.
 bool in_hollows(const Body& a, const Body& b, double tolerance) {

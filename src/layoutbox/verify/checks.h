@@ -5,6 +5,10 @@
 
 namespace layoutbox::judge {
 
+inline constexpr double kOutsideShare = 0.01;   // of a footprint may lie off the floor (quality.md)
+inline constexpr double kCeilingReach = 0.010;  // m
+inline constexpr double kLeastNavigability = 0.99, kLeastAccess = 0.9;
+
 void check_collisions(const RoomView& view, Report& report);
 void check_bounds(const RoomView& view, Report& report);
 void check_support(const RoomView& view, Report& report);

@@ -12,8 +12,8 @@ namespace {
 
 constexpr double kDegreesPerMetre = 100;  // only to tell which of several misses is the worst
 
-Finding measured(bool held, double value, double miss, std::string message) {
-  return {held, value, "m", std::move(message), held ? 0 : std::abs(miss)};
+Finding measured(bool held, double value, double limit, std::string message) {
+  return {held, value, "m", std::move(message), held ? 0 : std::abs(value - limit), limit};
 }
 
 Finding any_face(const Case& c, const std::vector<Face>& all, const std::function<bool(const Face&)>& wanted, const std::string& nothing,
@@ -89,12 +89,12 @@ Finding any_window(const Case& c, const std::function<Finding(const Face&)>& che
 }
 
 Finding at_most(const std::string& what, double value, double limit, double slack) {
-  return measured(value <= limit + slack + kTiny, value, value - limit,
+  return measured(value <= limit + slack + kTiny, value, limit,
                   fmt::format("{} {} m, at most {} m", what, figure_beside(value, limit), figure(limit)));
 }
 
 Finding at_least(const std::string& what, double value, double limit, double slack) {
-  return measured(value >= limit - slack - kTiny, value, limit - value,
+  return measured(value >= limit - slack - kTiny, value, limit,
                   fmt::format("{} {} m, at least {} m", what, figure_beside(value, limit), figure(limit)));
 }
 

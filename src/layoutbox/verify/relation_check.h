@@ -19,7 +19,8 @@ struct Finding {
   double value = 0;
   std::string unit;  // "m", "degrees" or empty
   std::string message;
-  double miss = 0;  // by how much the limit is broken, in metres (degrees count as centimetres)
+  double miss = 0;                   // by how much the limit is broken, in metres (degrees count as centimetres)
+  std::optional<double> limit = {};  // in `unit`
 };
 
 // A reference of a relation: exactly one of body and face, or neither (the room, its floor or its ceiling).

@@ -82,7 +82,7 @@ void check_relations(const RoomView& view, Report& report) {
     false_claims += placed.held && !finding.held;
     report.checks.push_back({"relation", placed.relation.id, finding.held, placed.relation.hard && !relaxed,
                              std::isfinite(finding.value) ? finding.value : 0, finding.unit, verdict(placed, finding, relaxed),
-                             fmt::format("/relations/{}", i)});
+                             fmt::format("/relations/{}", i), finding.limit});
   }
   const auto share = [](int part, int whole) { return whole == 0 ? 1.0 : part / static_cast<double>(whole); };
   report.metrics["relationsHeld"] = share(hard_held, hard);

@@ -16,9 +16,11 @@ double rounded(double value) {
 }
 
 Json to_json(const Check& check) {
-  return {{"name", check.name},         {"subject", check.subject},      {"passed", check.passed},
-          {"required", check.required}, {"value", rounded(check.value)}, {"unit", check.unit},
-          {"message", check.message},   {"pointer", check.pointer}};
+  Json json{{"name", check.name},         {"subject", check.subject},      {"passed", check.passed},
+            {"required", check.required}, {"value", rounded(check.value)}, {"unit", check.unit},
+            {"message", check.message},   {"pointer", check.pointer}};
+  if (check.limit) json["limit"] = rounded(*check.limit);
+  return json;
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,8 +26,9 @@ struct Check {
   bool required = true;  // a required check that fails makes the report fail; others warn
   double value = 0;      // the figure measured
   std::string unit;
-  std::string message;  // one sentence for a person
-  std::string pointer;  // place in layout.json: "/objects/3"
+  std::string message;               // one sentence for a person
+  std::string pointer;               // place in layout.json: "/objects/3"
+  std::optional<double> limit = {};  // the figure at which the verdict turns, in `unit`; empty where it is no one number
 };
 
 struct Report {

@@ -14,10 +14,9 @@ namespace {
 constexpr int kResolution = 256;                       // pixels, as in quality.md
 constexpr double kPerson = 0.2;                        // m, width of who walks in `navigability`
 constexpr double kStripDepth = 0.2, kStripGap = 0.05;  // m, the strip of `accessibility`
-constexpr double kLeastNavigability = 0.99, kLeastAccess = 0.9;
-constexpr int kMostSamples = 4096;     // along a side: enough for any room, and bounded for absurd sizes
-constexpr double kStandsBelow = 0.05;  // m: what begins higher is not used from the floor
-constexpr double kReachSlack = 0.02;   // m, half a pixel of a large room
+constexpr int kMostSamples = 4096;                     // along a side: enough for any room, and bounded for absurd sizes
+constexpr double kStandsBelow = 0.05;                  // m: what begins higher is not used from the floor
+constexpr double kReachSlack = 0.02;                   // m, half a pixel of a large room
 constexpr int kReachResolution = 384;
 
 std::size_t places(int n) { return static_cast<std::size_t>(n); }

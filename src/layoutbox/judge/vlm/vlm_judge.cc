@@ -1,0 +1,288 @@
+#include "layoutbox/judge/vlm/vlm_judge.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "layoutbox/scene/json_text.h"
+#include "layoutbox/scene/layout_scene.h"
+#include "layoutbox/scene/scene_json.h"
+
+namespace layoutbox::vlm {
+namespace {
+
+constexpr std::string_view kAnswerSchema = R"({"type": "object", "properties": {
+  "answer": {"type": "string", "enum": ["yes", "no", "unsure"], "description": "what the picture shows"},
+  "reason": {"type": "string", "maxLength": 400, "description": "one sentence, or empty"}},
+  "required": ["answer", "reason"], "additionalProperties": false})";
+constexpr std::string_view kScoreSchema = R"({"type": "object", "properties": {
+  "score": {"type": "number", "minimum": 0, "maximum": 1, "description": "0.0: nothing is as described, 1.0: everything is"},
+  "reason": {"type": "string", "maxLength": 400, "description": "one sentence, or empty"}},
+  "required": ["score", "reason"], "additionalProperties": false})";
+constexpr std::string_view kManner =
+    "You judge a picture of a furnished room. Left and right, in front of and behind a thing are meant as its own: its front is where it "
+    "is "
+    "used from. Many statements that you are asked about are deliberately false; say what the picture shows.";
+
+chat::Request request_for(const Picture& picture, std::string text, bool score, int repeat, const JudgeOptions& options) {
+  chat::Request request;
+  request.messages.push_back({"system", std::string(kManner)});
+  chat::Message message{"user", std::move(text)};
+  message.images.push_back({picture.media_type, picture.bytes});
+  request.messages.push_back(std::move(message));
+  request.functions.push_back(score ? chat::Function{"score", "The score of the picture", std::string(kScoreSchema), true}
+                                    : chat::Function{"answer", "The answer to the question", std::string(kAnswerSchema), true});
+  request.temperature = options.temperature;
+  request.seed = static_cast<std::uint64_t>(repeat);
+  request.max_response_tokens = 400;
+  return request;
+}
+
+// The arguments of the call, or the text as JSON where there is no call; null where it is neither.
+nlohmann::json document_of(const chat::Response& response) {
+  const std::string& text = response.calls.empty() ? response.content : response.calls[0].arguments;
+  const auto document = parse_json(text);
+  return document ? *document : nlohmann::json();
+}
+
+std::string member_text(const nlohmann::json& document, const char* key) {
+  if (!document.is_object() || !document.contains(key) || !document.at(key).is_string()) return {};
+  return document.at(key).get<std::string>();
+}
+
+// A word of its own: "Yes.", "no, it is not". Anything else is neither.
+Verdict verdict_in(std::string_view text) {
+  std::string word;
+  for (const char c : text) {
+    const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+    if (!letter && !word.empty()) break;
+    if (letter) word += static_cast<char>(c | 0x20);
+  }
+  return word == "yes" ? Verdict::kYes : word == "no" ? Verdict::kNo : Verdict::kNeither;
+}
+
+std::string_view word_for(Verdict verdict) { return verdict == Verdict::kYes ? "yes" : verdict == Verdict::kNo ? "no" : "neither"; }
+
+std::string scene_text(const Layout& layout) { return write_scene(scene_of(layout)); }
+
+Result<Said> ask_once(const std::string& text, int repeat, const Picture& picture, chat::ChatClient& client, const JudgeOptions& options) {
+  LAYOUTBOX_ASSIGN(const chat::Response response, client.ask(request_for(picture, text, false, repeat, options)));
+  const nlohmann::json document = document_of(response);
+  Said said;
+  said.repeat = repeat;
+  said.text = member_text(document, "answer");
+  if (said.text.empty()) said.text = response.content;
+  said.verdict = verdict_in(said.text);
+  if (options.reasons) said.reason = member_text(document, "reason");
+  return said;
+}
+
+Result<Score> score_once(const std::string& against, const std::string& text, int repeat, const Picture& picture, chat::ChatClient& client,
+                         const JudgeOptions& options) {
+  LAYOUTBOX_ASSIGN(const chat::Response response, client.ask(request_for(picture, text, true, repeat, options)));
+  const nlohmann::json document = document_of(response);
+  Score score{against, std::nullopt, options.reasons ? member_text(document, "reason") : std::string(), repeat};
+  if (document.is_object() && document.contains("score") && document.at("score").is_number()) {
+    const double value = document.at("score").get<double>();
+    if (std::isfinite(value) && value >= 0 && value <= 1) score.value = value;
+  }
+  return score;
+}
+
+double share_right(const RoomAnswers& room) {
+  int right = 0, all = 0;
+  for (const AskedQuestion& asked : room.questions) {
+    for (const Said& said : asked.said) {
+      ++all;
+      right += said.verdict == (asked.question.truth ? Verdict::kYes : Verdict::kNo);
+    }
+  }
+  return all == 0 ? 0 : right / static_cast<double>(all);
+}
+
+std::optional<double> scene_score(const RoomAnswers& room) {
+  double sum = 0;
+  int count = 0;
+  for (const Score& score : room.scores) {
+    if (score.against != "scene" || !score.value) continue;
+    sum += *score.value;
+    ++count;
+  }
+  return count == 0 ? std::nullopt : std::optional(sum / count);
+}
+
+using Json = nlohmann::ordered_json;
+
+Json estimate_json(const std::optional<Estimate>& estimate) {
+  const auto rounded = [](double value) { return std::round(value * 1e6) / 1e6; };
+  if (!estimate) return nullptr;
+  return {{"value", rounded(estimate->value)}, {"low", rounded(estimate->low)}, {"high", rounded(estimate->high)}};
+}
+
+Json figures_json(const AnswerFigures& f) {
+  return {{"answers", f.answers},
+          {"neither", f.neither},
+          {"trueYes", f.true_yes},
+          {"falseYes", f.false_yes},
+          {"trueNo", f.true_no},
+          {"falseNo", f.false_no},
+          {"accuracy", estimate_json(f.accuracy)},
+          {"precision", estimate_json(f.precision)},
+          {"recall", estimate_json(f.recall)},
+          {"kappa", estimate_json(f.kappa)},
+          {"neitherRate", estimate_json(f.neither_rate)}};
+}
+
+Json question_json(const AskedQuestion& asked, const JudgeOptions& options, bool by_model) {
+  Json hops = Json::array(), said = Json::array();
+  for (const Hop& hop : asked.question.hops) hops.push_back({{"sentence", hop.sentence}, {"holds", hop.holds}, {"why", hop.why}});
+  for (const Said& one : asked.said) {
+    Json item{{"repeat", one.repeat}, {"verdict", word_for(one.verdict)}, {"text", one.text}};
+    if (!one.reason.empty()) item["reason"] = one.reason;
+    said.push_back(std::move(item));
+  }
+  return {{"id", asked.question.id},         {"kind", name_of(asked.question.kind)},
+          {"question", asked.question.text}, {"saw", !by_model ? "layout" : options.with_scene ? "picture and scene" : "picture"},
+          {"truth", asked.question.truth},   {"hops", std::move(hops)},
+          {"answers", std::move(said)}};
+}
+
+std::string estimate_text(const std::optional<Estimate>& estimate) {
+  return estimate ? fmt::format("{:6.3f}  [{:.3f}, {:.3f}]", estimate->value, estimate->low, estimate->high) : "   n/a";
+}
+
+std::string figures_text(std::string_view about, const AnswerFigures& f) {
+  return fmt::format(
+      "{:8} {} answers: yes to {} that are so and {} that are not, no to {} that are so and {} that are not, neither {}\n"
+      "  accuracy  {}\n  precision {}\n  recall    {}\n  kappa     {}\n",
+      about, f.answers, f.true_yes, f.false_yes, f.false_no, f.true_no, f.neither, estimate_text(f.accuracy), estimate_text(f.precision),
+      estimate_text(f.recall), estimate_text(f.kappa));
+}
+
+}  // namespace
+
+RoomAnswers answer_by_geometry(const std::string& name, const Layout& layout, const Catalog& catalog, const JudgeOptions& options) {
+  RoomAnswers room;
+  room.name = name;
+  for (RoomQuestion& question : draw_questions(layout, catalog, options.questions)) {
+    const Verdict verdict = question.truth ? Verdict::kYes : Verdict::kNo;
+    room.questions.push_back({std::move(question), {{verdict, std::string(word_for(verdict)), {}, 1}}});
+  }
+  return room;
+}
+
+Result<RoomAnswers> answer_by_model(const std::string& name, const Layout& layout, const Catalog& catalog, const Picture& picture,
+                                    chat::ChatClient& client, const JudgeOptions& options) {
+  RoomAnswers room;
+  room.name = name;
+  const std::string scene = scene_text(layout);
+  for (RoomQuestion& question : draw_questions(layout, catalog, options.questions)) {
+    AskedQuestion asked{std::move(question), {}};
+    std::string text = asked.question.text + " Answer yes or no.";
+    if (options.with_scene) text = "The room as it was meant, in JSON:\n" + scene + "\n" + text;
+    for (int repeat = 1; repeat <= options.repeats; ++repeat) {
+      LAYOUTBOX_ASSIGN(Said said, ask_once(text, repeat, picture, client, options));
+      asked.said.push_back(std::move(said));
+    }
+    room.questions.push_back(std::move(asked));
+  }
+  std::map<std::string, std::string> wanted{
+      {"scene", "How well does the picture show this room, from 0.0 to 1.0? The room in JSON:\n" + scene}};
+  if (!layout.prompt.empty())
+    wanted["prompt"] = "How well does the picture show what was asked for, from 0.0 to 1.0? It was:\n" + layout.prompt;
+  for (const auto& [against, text] : wanted) {
+    for (int repeat = 1; repeat <= options.repeats; ++repeat) {
+      LAYOUTBOX_ASSIGN(Score score, score_once(against, text, repeat, picture, client, options));
+      room.scores.push_back(std::move(score));
+    }
+  }
+  return room;
+}
+
+PanelFigures figures_of_rooms(const std::vector<RoomAnswers>& rooms) {
+  std::vector<Answered> all, single, multi;
+  std::vector<double> scores, right;
+  int unsteady = 0, questions = 0;
+  double sum = 0;
+  for (const RoomAnswers& room : rooms) {
+    for (const AskedQuestion& asked : room.questions) {
+      for (const Said& said : asked.said) {
+        all.push_back({asked.question.truth, said.verdict});
+        (asked.question.kind == QuestionKind::kSingle ? single : multi).push_back(all.back());
+      }
+      if (asked.said.size() < 2) continue;
+      ++questions;
+      unsteady +=
+          std::any_of(asked.said.begin(), asked.said.end(), [&](const Said& said) { return said.verdict != asked.said[0].verdict; });
+    }
+    if (const std::optional<double> score = scene_score(room)) {
+      scores.push_back(*score);
+      right.push_back(share_right(room));
+      sum += *score;
+    }
+  }
+  PanelFigures figures{figures_of(all), figures_of(single),        figures_of(multi), share_of(unsteady, questions),
+                       std::nullopt,    correlation(scores, right)};
+  if (!scores.empty()) figures.mean_score = sum / static_cast<double>(scores.size());
+  return figures;
+}
+
+std::string answers_text(const std::vector<RoomAnswers>& rooms, bool reasons) {
+  std::string text;
+  for (const RoomAnswers& room : rooms) {
+    if (!reasons) break;
+    text += fmt::format("# {}\n", room.name);
+    for (const AskedQuestion& asked : room.questions) {
+      for (const Said& said : asked.said) {
+        text += fmt::format("  {:9} {} ({}): {}{}{}\n", asked.question.id, asked.question.text, asked.question.truth ? "so" : "not so",
+                            word_for(said.verdict), said.reason.empty() ? "" : ", ", said.reason);
+      }
+    }
+    for (const Score& score : room.scores) {
+      text += fmt::format("  score against the {}: {} {}\n", score.against, score.value ? fmt::format("{:.2f}", *score.value) : "none",
+                          score.reason);
+    }
+  }
+  const PanelFigures figures = figures_of_rooms(rooms);
+  text += figures_text("all", figures.all) + figures_text("single", figures.single) + figures_text("multi", figures.multi);
+  text += fmt::format("answers that are neither yes nor no {}\n", estimate_text(figures.all.neither_rate));
+  if (figures.unsteady) text += fmt::format("questions whose repeats differ       {}\n", estimate_text(figures.unsteady));
+  if (figures.mean_score) text += fmt::format("score against the scene, mean        {:6.3f}\n", *figures.mean_score);
+  if (figures.score_and_answers) text += fmt::format("score and right answers, correlation {:6.3f}\n", *figures.score_and_answers);
+  text.pop_back();
+  return text;
+}
+
+std::string answers_json(const std::vector<RoomAnswers>& rooms, const std::string& judge, const JudgeOptions& options) {
+  const bool by_model = judge != "geometry";
+  Json list = Json::array();
+  for (const RoomAnswers& room : rooms) {
+    Json questions = Json::array(), scores = Json::array();
+    for (const AskedQuestion& asked : room.questions) questions.push_back(question_json(asked, options, by_model));
+    for (const Score& score : room.scores) {
+      Json item{{"against", score.against}, {"repeat", score.repeat}, {"score", score.value ? Json(*score.value) : Json(nullptr)}};
+      if (!score.reason.empty()) item["reason"] = score.reason;
+      scores.push_back(std::move(item));
+    }
+    list.push_back({{"name", room.name}, {"questions", std::move(questions)}, {"scores", std::move(scores)}});
+  }
+  const PanelFigures figures = figures_of_rooms(rooms);
+  const auto or_null = [](const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); };
+  const Json document{{"format", "layoutbox/answers@1"},
+                      {"judge", judge},
+                      {"repeats", options.repeats},
+                      {"temperature", options.temperature},
+                      {"figures",
+                       {{"all", figures_json(figures.all)},
+                        {"single", figures_json(figures.single)},
+                        {"multi", figures_json(figures.multi)},
+                        {"unsteady", estimate_json(figures.unsteady)},
+                        {"meanScore", or_null(figures.mean_score)},
+                        {"scoreAndAnswers", or_null(figures.score_and_answers)}}},
+                      {"rooms", std::move(list)}};
+  return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace layoutbox::vlm

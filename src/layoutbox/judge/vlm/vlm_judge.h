@@ -1,0 +1,73 @@
+// A vision model's judgement of rooms, as in the paper: a score, and answers to questions of which geometry knows the truth.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "layoutbox/base/result.h"
+#include "layoutbox/chat/chat_client.h"
+#include "layoutbox/judge/vlm/figures.h"
+#include "layoutbox/judge/vlm/questions.h"
+
+namespace layoutbox::vlm {
+
+struct Said {
+  Verdict verdict = Verdict::kNeither;
+  std::string text, reason;  // as it was said; why, where reasons were asked for
+  int repeat = 1;
+};
+
+struct AskedQuestion {
+  RoomQuestion question;
+  std::vector<Said> said;  // one for each repeat
+};
+
+struct Score {
+  std::string against;  // "scene" (its JSON is shown beside the picture) or "prompt"
+  std::optional<double> value;
+  std::string reason;
+  int repeat = 1;
+};
+
+struct RoomAnswers {
+  std::string name;
+  std::vector<AskedQuestion> questions;
+  std::vector<Score> scores;
+};
+
+struct Picture {
+  std::string media_type, bytes;
+};
+
+// Who is asked. `ask` sees the question's text alone beside the picture.
+struct JudgeOptions {
+  QuestionOptions questions;
+  int repeats = 1;  // the repeat's number is the request's seed, and so part of what answers are kept by
+  double temperature = 0;
+  bool reasons = false;
+  bool with_scene = false;  // questions too are asked with the scene's JSON beside the picture
+};
+
+// By geometry: every question is answered by its truth, nothing is asked of anybody.
+RoomAnswers answer_by_geometry(const std::string& name, const Layout& layout, const Catalog& catalog, const JudgeOptions& options);
+// By a model. Errors: those of ChatClient::ask.
+Result<RoomAnswers> answer_by_model(const std::string& name, const Layout& layout, const Catalog& catalog, const Picture& picture,
+                                    chat::ChatClient& client, const JudgeOptions& options);
+
+struct PanelFigures {
+  AnswerFigures all, single, multi;
+  std::optional<Estimate> unsteady;         // questions whose repeats do not agree
+  std::optional<double> mean_score;         // of those against the scene
+  std::optional<double> score_and_answers;  // correlation, over rooms, of the score with the share of right answers
+};
+PanelFigures figures_of_rooms(const std::vector<RoomAnswers>& rooms);
+
+std::string answers_text(const std::vector<RoomAnswers>& rooms, bool reasons);
+// layoutbox/answers@1; `judge` says who answered.
+std::string answers_json(const std::vector<RoomAnswers>& rooms, const std::string& judge, const JudgeOptions& options);
+
+}  // namespace layoutbox::vlm
