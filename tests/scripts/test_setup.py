@@ -116,7 +116,7 @@ class Setup(unittest.TestCase):
         self.assertEqual(self.run_setup("--everything")[0], 2)
 
     def test_no_address_of_a_registry_is_recorded(self):
-        locks = [SOURCE / folder / "package-lock.json" for folder in ("tests/tools", "tests/render/three", "tests/llm/mocks")]
+        locks = [SOURCE / folder / "package-lock.json" for folder in ("tests/tools", "tests/render/three", "tests/llm/mocks", "web")]
         pinned = [*(SOURCE / "scripts/requirements").iterdir(), *locks]
         for file in pinned:
             self.assertNotIn("://", file.read_text(), file)

@@ -1,0 +1,90 @@
+// The page: a prompt, the room in 3D beside its plan, and what there is to know of it.
+import {Bar} from "./bar";
+import {Form} from "./form/form";
+import {Icon} from "./icons";
+import {Compare} from "./panels/compare";
+import {EditBox, Proposal} from "./panels/edit";
+import {Panel} from "./panels/panel";
+import {Selected} from "./panels/selected";
+import {Variants} from "./panels/variants";
+import {Plan} from "./plan/plan";
+import {Prompt, Start} from "./prompt";
+import {set, shown, use} from "./state/store";
+import {texts} from "./texts";
+import {View3D} from "./view3d/view3d";
+
+function Messages() {
+  const error = use((state) => state.error);
+  if (!error) return null;
+  return (
+    <div class="message" role="alert" data-testid="error">
+      <Icon name="warn" />
+      <div>
+        <p>{error.message}</p>
+        {error.hint && <p class="quiet">{error.hint}</p>}
+        {error.details && error.details.length > 0 && <ul>{error.details.slice(0, 8).map((detail) => <li>{detail}</li>)}</ul>}
+      </div>
+      <button type="button" class="tool" aria-label={texts.errors.close} onClick={() => set({error: null})}><Icon name="close" /></button>
+    </div>
+  );
+}
+
+function Tabs() {
+  const pane = use((state) => state.pane);
+  const names = texts.views.tabs;
+  return (
+    <div class="switch narrow-only" role="group" data-testid="panes">
+      {(["3d", "plan", "about"] as const).map((name) => (
+        <button type="button" aria-pressed={pane === name} data-testid={`pane-${name}`} onClick={() => set({pane: name})}>{names[name]}</button>
+      ))}
+    </div>
+  );
+}
+
+function Studio() {
+  const layout = use(shown);
+  const pane = use((state) => state.pane);
+  const other = use((state) => state.other);
+  const walking = use((state) => state.walking);
+  if (!layout) return null;
+  return (
+    <main id="room" class={`studio pane-${pane}${other ? " two" : ""}`} tabIndex={-1}>
+      <Tabs />
+      <section class="views">
+        <p id="thing-help" class="unseen">{texts.views.thing_help}</p>
+        <div class="view view-3d">
+          <View3D layout={layout} live={true} />
+          <p class="hint wide-only">{walking ? texts.views.walk_hint : texts.views.three_hint}</p>
+        </div>
+        <div class="view view-plan"><Plan layout={layout} live={true} /></div>
+        {other && <Compare />}
+      </section>
+      <div class="under">
+        <Variants />
+        <Proposal />
+        <EditBox />
+      </div>
+      <aside class="side">
+        <Selected />
+        <Panel />
+      </aside>
+    </main>
+  );
+}
+
+export function App() {
+  const open = use((state) => state.rooms.now !== null);
+  const form = use((state) => state.form);
+  const said = use((state) => state.said);
+  const busy = use((state) => state.busy);
+  return (
+    <>
+      {open && <a class="skip" href="#room" onClick={(event) => { event.preventDefault(); document.getElementById("room")?.focus(); }}>{texts.skip}</a>}
+      {open && <header class="top"><h1><Icon name="orbit" /><span class="wide-only">{texts.title}</span></h1><Prompt /><Bar /></header>}
+      <Messages />
+      {open ? <Studio /> : <Start />}
+      {form && <Form />}
+      <p class="unseen" role="status" data-testid="said">{busy ?? said}</p>
+    </>
+  );
+}

@@ -1,0 +1,53 @@
+// From metres in the room to centimetres on the drawing, y downwards.
+import type {Layout, LayoutOpening, LayoutWall} from "../gen/types";
+import {type Box, type Point, room_bounds} from "../pure/geometry";
+
+export interface Frame { box: Box; at: (point: Point) => Point; path: (points: readonly Point[]) => string; view: string }
+
+const kMargin = 28;
+
+export function frame_of(layout: Layout): Frame {
+  const box = room_bounds(layout.room);
+  const at = ([x, y]: Point): Point => [round(x * 100), round(-y * 100)];
+  return {
+    box,
+    at,
+    path: (points) => `M${points.map((point) => at(point).join(" ")).join("L")}Z`,
+    view: [box.x0 * 100 - kMargin, -box.y1 * 100 - kMargin, (box.x1 - box.x0) * 100 + 2 * kMargin, (box.y1 - box.y0) * 100 + 2 * kMargin].join(" "),
+  };
+}
+
+export const round = (value: number): number => Math.round(value * 100) / 100;
+
+/** A wall's own frame: `along` metres from its start, `out` metres out of the room. */
+export function on_wall(wall: LayoutWall, along: number, out: number): Point {
+  const dx = wall.end[0] - wall.start[0];
+  const dy = wall.end[1] - wall.start[1];
+  const length = Math.hypot(dx, dy) || 1;
+  return [wall.start[0] + (dx * along + dy * out) / length, wall.start[1] + (dy * along - dx * out) / length];
+}
+
+export const wall_length = (wall: LayoutWall): number => Math.hypot(wall.end[0] - wall.start[0], wall.end[1] - wall.start[1]);
+
+export interface Leaf { hinge: Point; open: Point; shut: Point; width: number; sweep: 0 | 1 }
+
+const kWidestLeaf = 1.3;
+
+/** The leaves of a door: hinge, free edge when open and when shut, and the sense of the arc on the page. Seen from within, a wall's end is at the left. */
+export function leaves(wall: LayoutWall, door: LayoutOpening): Leaf[] {
+  const swing = door.swing ?? "in-left";
+  if (door.type !== "door" || swing === "none" || swing === "sliding") return [];
+  const inward = swing.startsWith("in");
+  const leaf = (at_end: boolean, width: number): Leaf => {
+    const hinge = at_end ? door.offset + door.w : door.offset;
+    return {
+      hinge: on_wall(wall, hinge, 0),
+      open: on_wall(wall, hinge, inward ? -width : width),
+      shut: on_wall(wall, at_end ? hinge - width : hinge + width, 0),
+      width,
+      sweep: at_end === inward ? 0 : 1,
+    };
+  };
+  if (door.w > kWidestLeaf) return [leaf(false, door.w / 2), leaf(true, door.w / 2)];
+  return [leaf(swing.endsWith("left"), door.w)];
+}

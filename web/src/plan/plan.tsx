@@ -1,0 +1,176 @@
+// The floor plan: drawn from the layout, everything on it can be taken hold of.
+import {useEffect, useMemo, useRef, useState} from "preact/hooks";
+import type {Layout, LayoutObject} from "../gen/types";
+import {footprint, gap_between} from "../pure/geometry";
+import {references} from "../pure/relations";
+import {names_of, shape_key} from "../pure/scenes";
+import {size_text} from "../pure/units";
+import {move_opening} from "../state/actions";
+import {type State, get, set, use} from "../state/store";
+import {texts} from "../texts";
+import {clamp_offset, grab, grab_opening, grab_size, grab_turn} from "./grab";
+import {type Frame, frame_of, on_wall} from "./frame";
+import {Knobs, Measure, Reason, Ways} from "./handles";
+import {on_thing_key} from "./keys";
+import {Shell} from "./shell";
+import {type Symbols, symbols_of} from "./symbols";
+import {Label, Outline} from "./thing";
+
+const kWallWidth = 0.1;
+
+function useSymbols(layout: Layout | null): Symbols {
+  const [symbols, put] = useState<Symbols>(new Map());
+  const key = useMemo(() => (layout ? shape_key(layout) : ""), [layout]);
+  useEffect(() => {
+    let current = true;
+    put(new Map());
+    if (layout) void symbols_of(layout).then((found) => current && put(found));
+    return () => {
+      current = false;
+    };
+  }, [key]);
+  return symbols;
+}
+
+const by_height = (a: LayoutObject, b: LayoutObject): number => a.pos[2] + a.size[2] - (b.pos[2] + b.size[2]);
+
+function looks(object: LayoutObject, state: State, about: ReadonlySet<string>): string {
+  const marks: string[] = [];
+  if (state.selected === object.id) marks.push("selected");
+  if (state.hovered === object.id) marks.push("hovered");
+  if (about.has(object.id)) marks.push("about");
+  if (state.rooms.now?.locked.includes(object.id)) marks.push("locked");
+  if (state.preview?.id === object.id && !state.preview.legal) marks.push("illegal");
+  if (state.preview?.moved.includes(object.id)) marks.push("moved");
+  return marks.join(" ");
+}
+
+/** The two things of a relation, and the way between them. */
+function Between({layout, relation, frame}: {layout: Layout; relation: string; frame: Frame}) {
+  const units = use((state) => state.units);
+  const found = layout.relations?.find((one) => one.id === relation);
+  const subject = layout.objects.find((object) => object.id === found?.targets[0]);
+  const other = found && references(found)[0];
+  const thing = layout.objects.find((object) => object.id === other);
+  const wall = layout.room.walls?.find((one) => one.id === other);
+  if (!subject || (!thing && !wall)) return null;
+  const gap = gap_between(footprint(subject), thing ? footprint(thing) : [wall!.start, wall!.end]);
+  return gap.length > 0.005 ? <Measure gap={gap} frame={frame} units={units} about="between" /> : null;
+}
+
+function Openings({layout, frame, svg, show}: {layout: Layout; frame: Frame; svg: () => SVGSVGElement; show: (id: string, offset: number | null) => void}) {
+  const places = texts.places;
+  return (
+    <>
+      {(layout.room.openings ?? []).map((opening) => {
+        const wall = layout.room.walls?.find((one) => one.id === opening.wall);
+        if (!wall) return null;
+        const thick = wall.thickness ?? kWallWidth;
+        const [from, to] = [opening.offset, opening.offset + opening.w];
+        const corners = [on_wall(wall, from, -0.06), on_wall(wall, to, -0.06), on_wall(wall, to, thick + 0.04), on_wall(wall, from, thick + 0.04)];
+        const on_key = (event: KeyboardEvent) => {
+          const sign = {ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1}[event.key];
+          if (!sign) return;
+          event.preventDefault();
+          const positive = wall.end[0] - wall.start[0] + (wall.end[1] - wall.start[1]) > 0 ? 1 : -1;
+          void move_opening(opening.id, clamp_offset(wall, opening, opening.offset + sign * positive * (event.shiftKey ? 0.1 : 0.01)));
+        };
+        return (
+          <path
+            key={opening.id} class="grip" d={frame.path(corners)} tabIndex={0} role="button" data-testid={`opening-${opening.id}`}
+            aria-label={texts.views.opening(places[opening.type])} onKeyDown={on_key}
+            onPointerDown={(event) => grab_opening(event, svg(), wall, opening, (offset) => show(opening.id, offset))}
+          />
+        );
+      })}
+    </>
+  );
+}
+
+function Ghost({layout, now, frame}: {layout: Layout; now: Layout; frame: Frame}) {
+  const before = new Map(now.objects.map((object) => [object.id, object]));
+  const other = layout.objects.filter((object) => {
+    const same = before.get(object.id);
+    return !same || JSON.stringify([same.pos, same.rotation, same.size]) !== JSON.stringify([object.pos, object.rotation, object.size]);
+  });
+  return (
+    <g class="ghost">
+      {other.map((object) => {
+        const same = before.get(object.id);
+        const [x, y] = frame.at([object.pos[0], object.pos[1]]);
+        const [px, py] = same ? frame.at([same.pos[0], same.pos[1]]) : [x, y];
+        return (
+          <g key={object.id}>
+            <path class="trail" d={`M${px} ${py}L${x} ${y}`} />
+            <path class="shape" d={frame.path(footprint(object))} />
+          </g>
+        );
+      })}
+    </g>
+  );
+}
+
+export function Plan({layout, live}: {layout: Layout; live: boolean}) {
+  const state = use((now) => now);
+  const svg = useRef<SVGSVGElement>(null);
+  const [slid, slide] = useState<{id: string; offset: number} | null>(null);
+  const symbols = useSymbols(layout);
+  const names = useMemo(() => names_of(layout), [layout]);
+  const frame = useMemo(() => frame_of(layout), [layout.room]);
+  const things = useMemo(() => [...layout.objects].sort(by_height), [layout]);
+  const drawn = slid
+    ? {...layout, room: {...layout.room, openings: layout.room.openings?.map((one) => (one.id === slid.id ? {...one, offset: slid.offset} : one))}}
+    : layout;
+  const relation = live ? layout.relations?.find((one) => one.id === state.relation) : undefined;
+  const about = new Set(relation ? [...relation.targets, ...references(relation)] : []);
+  const chosen = live ? layout.objects.find((object) => object.id === state.selected) : undefined;
+  const held = state.preview?.id === chosen?.id ? state.preview : null;
+  const refused = live && state.refused && layout.objects.find((object) => object.id === state.refused?.id);
+  const base = () => get().rooms.now?.layout ?? layout;
+  const element = () => svg.current as SVGSVGElement;
+  const on = (object: LayoutObject) => ({
+    onPointerDown: (event: PointerEvent) => {
+      (event.currentTarget as SVGGElement).focus({preventScroll: true});
+      grab(event, element(), base(), base().objects.find((one) => one.id === object.id) ?? object);
+    },
+    onPointerEnter: () => set({hovered: object.id}),
+    onPointerLeave: () => get().hovered === object.id && set({hovered: null}),
+    onKeyDown: (event: KeyboardEvent) => on_thing_key(event, object),
+    onFocus: () => get().selected !== object.id && !get().preview && set({selected: object.id, relation: null}),
+  });
+  return (
+    <svg
+      ref={svg} class={`plan${live ? " live" : ""}`} viewBox={frame.view} data-testid={live ? "plan" : "plan-other"} role={live ? "group" : "img"}
+      aria-label={texts.views.plan} aria-describedby={live ? "thing-help" : undefined}
+      onPointerDown={(event) => live && event.target === event.currentTarget && set({selected: null, relation: null, refused: null})}
+    >
+      <Shell layout={drawn} frame={frame} />
+      {things.map((object) => {
+        const outline = <Outline object={object} frame={frame} strokes={symbols.get(object.id)} state={live ? looks(object, state, about) : ""} />;
+        if (!live) return outline;
+        return (
+          <g
+            key={object.id} class="grab" tabIndex={0} role="button" data-testid={`thing-${object.id}`} aria-pressed={state.selected === object.id}
+            aria-label={texts.views.thing(names.get(object.id) ?? object.id, size_text(object.size, state.units))} {...on(object)}
+          >
+            {outline}
+          </g>
+        );
+      })}
+      <g class="labels">{things.filter((object) => object.supportedBy === "floor" && object.size[2] > 0.03).map((object) => <Label object={object} name={names.get(object.id) ?? ""} frame={frame} />)}</g>
+      {live && <Openings layout={layout} frame={frame} svg={element} show={(id, offset) => slide(offset === null ? null : {id, offset})} />}
+      {live && state.ghost && <Ghost layout={state.ghost.layout} now={layout} frame={frame} />}
+      {live && relation && <Between layout={layout} relation={state.relation ?? ""} frame={frame} />}
+      {chosen && !state.ghost && !relation && <Ways layout={layout} object={chosen} frame={frame} units={state.units} />}
+      {chosen && !state.ghost && !state.rooms.now?.locked.includes(chosen.id) && (
+        <Knobs
+          object={chosen} frame={frame}
+          on_turn={(event) => grab_turn(event, element(), base(), base().objects.find((one) => one.id === chosen.id) ?? chosen)}
+          on_resize={(event) => grab_size(event, element(), base(), base().objects.find((one) => one.id === chosen.id) ?? chosen)}
+        />
+      )}
+      {chosen && held && !held.legal && <Reason object={chosen} text={held.reasons.map((reason) => reason.text).join("; ")} frame={frame} />}
+      {refused && !held && <Reason object={refused} text={state.refused?.text ?? ""} frame={frame} />}
+    </svg>
+  );
+}

@@ -1,0 +1,101 @@
+// From a layout back to a scene, and changes of a layout that need no solver. Nothing here alters what it is given.
+import type {Layout, LayoutObject, Scene, SceneObject, SceneRelation} from "../gen/types";
+
+function scene_object(object: LayoutObject): SceneObject {
+  const {size, pos, rotation, supportedBy: _held, ...same} = object;
+  return {
+    ...same,
+    dims: {w: size[0], d: size[1], h: size[2]},
+    xform: {pos, rot: [0, 0, rotation]},
+  } as SceneObject;
+}
+
+/** What the layout would be asked for as a scene; every thing keeps its place as a hint. */
+export function scene_of(layout: Layout): Scene {
+  const {room} = layout;
+  return {
+    format: "layoutbox/scene@1",
+    metadata: {units: "m", ...(layout.roomType ? {roomType: layout.roomType} : {}), ...(layout.prompt ? {prompt: layout.prompt} : {})},
+    room: {
+      polygon: room.polygon,
+      height: room.height,
+      walls: (room.walls ?? []).map((wall) => ({...wall, start: [...wall.start, 0], end: [...wall.end, 0]})),
+      openings: (room.openings ?? []).map(({wall, ...same}) => ({...same, wallId: wall})),
+      ...(room.floorMat ? {floorMat: room.floorMat} : {}),
+      ...(room.wallMat ? {wallMat: room.wallMat} : {}),
+    },
+    furniture: layout.objects.map(scene_object),
+    constraints: (layout.relations ?? []).map(({held: _held, ...same}: SceneRelation & {held?: boolean}) => same),
+    ...(layout.materials ? {materials: layout.materials} : {}),
+  } as Scene;
+}
+
+const references = (relation: SceneRelation): string[] =>
+  relation.relativeTo === undefined ? [] : [relation.relativeTo].flat();
+
+/** Ids of a thing and of all that stands or hangs on it. */
+export function with_load(layout: Layout, id: string): Set<string> {
+  const found = new Set([id]);
+  for (let before = 0; before !== found.size; ) {
+    before = found.size;
+    for (const object of layout.objects) if (found.has(object.supportedBy)) found.add(object.id);
+  }
+  return found;
+}
+
+/** The layout without a thing, what stood on it, and the relations that speak of them. */
+export function without(layout: Layout, id: string): Layout {
+  const gone = with_load(layout, id);
+  const relations = (layout.relations ?? []).flatMap((relation) => {
+    const targets = relation.targets.filter((target) => !gone.has(target));
+    const about = references(relation);
+    const left = about.filter((reference) => !gone.has(reference));
+    if (targets.length === 0 || (about.length > 0 && left.length === 0)) return [];
+    return [about.length === left.length ? {...relation, targets} : {...relation, targets, relativeTo: left}];
+  });
+  return {...layout, objects: layout.objects.filter((object) => !gone.has(object.id)), relations};
+}
+
+export function scene_without_relation(scene: Scene, id: string): Scene {
+  return {...scene, constraints: (scene.constraints ?? []).filter((relation) => relation.id !== id)};
+}
+
+/** "desk" → "desk_3" where desk_1 and desk_2 are taken. */
+export function fresh_id(taken: Iterable<string>, category: string): string {
+  const used = new Set(taken);
+  const stem = category.replace(/[^A-Za-z0-9_]+/g, "_").replace(/^_+|_+$/g, "") || "thing";
+  let number = 1;
+  while (used.has(`${stem}_${number}`)) number += 1;
+  return `${stem}_${number}`;
+}
+
+/** Only places and turns differ, so that what is drawn in 3D can be moved instead of made anew. */
+export function shape_key(layout: Layout): string {
+  return JSON.stringify([layout.room, layout.materials, layout.objects.map(({pos: _p, rotation: _r, supportedBy: _s, ...rest}) => rest)]);
+}
+
+export function replaced(layout: Layout, id: string, change: Partial<LayoutObject>): Layout {
+  return {...layout, objects: layout.objects.map((object) => (object.id === id ? {...object, ...change} : object))};
+}
+
+export const name_of = (object: {id: string; name?: string; category: string}): string =>
+  object.name || object.category.replaceAll("_", " ");
+
+/** Names that tell things of one kind apart: "nightstand 1", "nightstand 2". */
+export function names_of(layout: Layout): Map<string, string> {
+  const count = new Map<string, number>();
+  for (const object of layout.objects) count.set(name_of(object), (count.get(name_of(object)) ?? 0) + 1);
+  const seen = new Map<string, number>();
+  const names = new Map<string, string>();
+  for (const object of layout.objects) {
+    const name = name_of(object);
+    seen.set(name, (seen.get(name) ?? 0) + 1);
+    names.set(object.id, (count.get(name) ?? 0) > 1 ? `${name} ${seen.get(name)}` : name);
+  }
+  return names;
+}
+
+/** A message of the service with what people call the things in place of their ids. */
+export function with_names(text: string, names: ReadonlyMap<string, string>): string {
+  return text.replace(/[A-Za-z][A-Za-z0-9_-]*/g, (word) => names.get(word) ?? word);
+}

@@ -1,0 +1,62 @@
+// Walls that stand between the viewer and the room fade, with the doors, windows and pictures in them.
+import {type Material, Mesh, type Object3D, type Vector3} from "three";
+import type {Layout} from "../gen/types";
+
+const kFaded = 0.06;
+const kStep = 0.18;
+
+interface Part { material: Material; opacity: number; clear: boolean; depth: boolean }
+interface Side { x: number; y: number; nx: number; ny: number; parts: Part[]; hung: Object3D[]; now: number; goal: number }
+
+function own_materials(root: Object3D): Part[] {
+  const found: Part[] = [];
+  root.traverse((node) => {
+    if (!(node instanceof Mesh)) return;
+    const many = Array.isArray(node.material) ? node.material : [node.material];
+    const own = many.map((material: Material) => material.clone());
+    node.material = Array.isArray(node.material) ? own : own[0];
+    for (const material of own) found.push({material, opacity: material.opacity, clear: material.transparent, depth: material.depthWrite});
+  });
+  return found;
+}
+
+export class Walls {
+  private sides_: Side[] = [];
+
+  constructor(layout: Layout, nodes: ReadonlyMap<string, Object3D>) {
+    for (const wall of layout.room.walls ?? []) {
+      const dx = wall.end[0] - wall.start[0];
+      const dy = wall.end[1] - wall.start[1];
+      const length = Math.hypot(dx, dy) || 1;
+      const shell = [wall.id, ...(layout.room.openings ?? []).filter((opening) => opening.wall === wall.id).map((opening) => opening.id)];
+      const parts = shell.flatMap((id) => {
+        const node = nodes.get(id);
+        return node ? own_materials(node) : [];
+      });
+      this.sides_.push({
+        x: wall.start[0], y: wall.start[1], nx: dy / length, ny: -dx / length, parts,
+        hung: layout.objects.filter((object) => object.supportedBy === wall.id).flatMap((object) => nodes.get(object.id) ?? []), now: 1, goal: 1,
+      });
+    }
+  }
+
+  /** Looks from `eye` (three's axes); true while something still fades. */
+  update(eye: Vector3, solid: boolean): boolean {
+    let more = false;
+    for (const side of this.sides_) {
+      const outside = (eye.x - side.x) * side.nx + (-eye.z - side.y) * side.ny;
+      side.goal = !solid && outside > 0 ? kFaded : 1;
+      if (side.now === side.goal) continue;
+      const next = side.goal > side.now ? Math.min(side.goal, side.now + kStep) : Math.max(side.goal, side.now - kStep);
+      side.now = next;
+      more ||= next !== side.goal;
+      for (const {material, opacity, clear, depth} of side.parts) {
+        material.transparent = clear || next < 1;
+        material.opacity = opacity * next;
+        material.depthWrite = depth && next > 0.5;
+      }
+      for (const node of side.hung) node.visible = next > 0.5;
+    }
+    return more;
+  }
+}
