@@ -24,6 +24,16 @@ void toilet(Piece& p) {
   p.add(p.named("chrome"), cylinder({0, p.d / 2 - tank / 2, p.h - 0.006}, 0.02, 0.006, 16));
 }
 
+// Brass feet below the tub's corners: an ankle that stands out, a ball under it.
+void claw_feet(Piece& p, double height) {
+  const int brass = p.named("brass");
+  const double x = p.w / 2 - std::min(0.22, p.w * 0.15), y = p.d / 2 - std::min(0.14, p.d * 0.2), r = std::min(0.035, height * 0.3);
+  for (const auto& [sx, sy] : {std::pair{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}}) {
+    p.add(brass, lathe({{0, 0}, {r * 0.7, 0}, {r, r * 0.6}, {r * 0.9, r * 1.4}, {r * 0.5, height * 0.6}, {r * 1.3, height * 1.3}, {0, height * 1.3}}, 16),
+          moved(sx * x, sy * y, 0));
+  }
+}
+
 // A tub with round corners, its inside falling to the drain; the mixer lies on the rim at one end, as flat as the height leaves it.
 void bathtub(Piece& p) {
   const int white = p.main("ceramic"), chrome = p.named("chrome");
@@ -38,8 +48,10 @@ void bathtub(Piece& p) {
     return ring_at(rounded_rectangle({b.min.x - by, b.min.y - by}, {b.max.x + by, b.max.y + by}, r, 5), z);
   };
   const double give = std::min({0.03, b.min.x + x - 0.02, b.min.y + y - 0.02});
+  const double feet = std::min(p.number("feet", 0), std::max(0.0, b.min.z - 0.05));
+  if (feet > 0) claw_feet(p, feet);
   p.add(white,
-        loft(std::vector<std::vector<Vec>>{outside(0.05, 0), outside(0.035, p.h * 0.06), outside(0.012, p.h * 0.55),
+        loft(std::vector<std::vector<Vec>>{outside(0.05 + feet * 0.6, feet), outside(0.035 + feet * 0.3, feet + p.h * 0.06), outside(0.012, p.h * 0.55),
                                            outside(0.008, h - lip), outside(0.001, h - lip * 0.9), outside(0, h - lip * 0.4),
                                            outside(0.006, h), inside(give, h, give * 3.2), inside(give * 0.6, h - lip * 0.6, give * 1.9),
                                            inside(give * 0.2, b.min.z + 0.03, give * 0.6), inside(0.001, b.min.z, 0.002)}));

@@ -33,8 +33,12 @@ int integer(std::string_view text, int base = 10) {
   return value;
 }
 
-// "oak", "main:oak", "frame:oak", "accent:linen", "plastic#c03028".
+// "oak", "main:oak", "frame:oak", "accent:linen", "plastic#c03028"; "main:plastic#c03028" where no colour is asked.
 int surface_of(Piece& p, std::string_view word) {
+  if (const std::size_t hash = word.find('#'); word.starts_with("main:") && hash != std::string_view::npos) {
+    constexpr std::size_t kMain = 5;
+    return p.color_asked() ? p.main(word.substr(kMain, hash - kMain)) : surface_of(p, word.substr(kMain));
+  }
   if (const std::size_t colon = word.find(':'); colon != std::string_view::npos) {
     const std::string_view usual = word.substr(colon + 1);
     return word.starts_with("main") ? p.main(usual) : word.starts_with("frame") ? p.frame(usual) : p.main_accent(usual);
