@@ -29,8 +29,11 @@ void claw_feet(Piece& p, double height) {
   const int brass = p.named("brass");
   const double x = p.w / 2 - std::min(0.22, p.w * 0.15), y = p.d / 2 - std::min(0.14, p.d * 0.2), r = std::min(0.035, height * 0.3);
   for (const auto& [sx, sy] : {std::pair{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}}) {
-    p.add(brass, lathe({{0, 0}, {r * 0.7, 0}, {r, r * 0.6}, {r * 0.9, r * 1.4}, {r * 0.5, height * 0.6}, {r * 1.3, height * 1.3}, {0, height * 1.3}}, 16),
-          moved(sx * x, sy * y, 0));
+    p.add(
+        brass,
+        lathe({{0, 0}, {r * 0.7, 0}, {r, r * 0.6}, {r * 0.9, r * 1.4}, {r * 0.5, height * 0.6}, {r * 1.3, height * 1.3}, {0, height * 1.3}},
+              16),
+        moved(sx * x, sy * y, 0));
   }
 }
 
@@ -50,11 +53,11 @@ void bathtub(Piece& p) {
   const double give = std::min({0.03, b.min.x + x - 0.02, b.min.y + y - 0.02});
   const double feet = std::min(p.number("feet", 0), std::max(0.0, b.min.z - 0.05));
   if (feet > 0) claw_feet(p, feet);
-  p.add(white,
-        loft(std::vector<std::vector<Vec>>{outside(0.05 + feet * 0.6, feet), outside(0.035 + feet * 0.3, feet + p.h * 0.06), outside(0.012, p.h * 0.55),
-                                           outside(0.008, h - lip), outside(0.001, h - lip * 0.9), outside(0, h - lip * 0.4),
-                                           outside(0.006, h), inside(give, h, give * 3.2), inside(give * 0.6, h - lip * 0.6, give * 1.9),
-                                           inside(give * 0.2, b.min.z + 0.03, give * 0.6), inside(0.001, b.min.z, 0.002)}));
+  p.add(white, loft(std::vector<std::vector<Vec>>{outside(0.05 + feet * 0.6, feet), outside(0.035 + feet * 0.3, feet + p.h * 0.06),
+                                                  outside(0.012, p.h * 0.55), outside(0.008, h - lip), outside(0.001, h - lip * 0.9),
+                                                  outside(0, h - lip * 0.4), outside(0.006, h), inside(give, h, give * 3.2),
+                                                  inside(give * 0.6, h - lip * 0.6, give * 1.9),
+                                                  inside(give * 0.2, b.min.z + 0.03, give * 0.6), inside(0.001, b.min.z, 0.002)}));
   p.add(chrome, lathe({{0, 0}, {0.03, 0}, {0.03, 0.0008}, {0, 0.0008}}, 16), moved(b.min.x + 0.2, 0, b.min.z));
   p.add(chrome, lathe({{0, 0}, {0.03, 0}, {0.03, 0.001}, {0, 0.001}}, 16), aimed({b.min.x - give * 0.4, 0, p.h - 0.14}, {1, 0, 0}));
   const double mid = (b.min.x - give - x) / 2, deep = b.min.x - give + x, r = std::min(0.022, deep * 0.36);

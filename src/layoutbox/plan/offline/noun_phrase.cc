@@ -253,7 +253,8 @@ void NounPhraseReader::find_head(std::size_t& head) {
     if (!is_attribute_class(part.word_class) && part.word_class != Class::kWallWord && part.word_class != Class::kWallRelation) return;
     // "a climbing cube", "two wooden spheres"
     const bool shape = part.word_class == Class::kShape && head == parts_.size() && is_noun(word_form(tokens_[part.last - 1].text));
-    if (shape && is_named() && (head == 1 || parts_[head - 2].last == part.first)) {
+    if (shape && is_named() && !(part.first > 0 && tokens_[part.first - 1].text == "all") &&
+        (head == 1 || parts_[head - 2].last == part.first)) {
       part.word_class = Class::kFiller;
       part.plural = plural_at(part.last - 1);
       shaped_ = true;
@@ -300,6 +301,15 @@ bool NounPhraseReader::ends_in_verb(std::size_t head) const {
   return before.word_class == Class::kObject || (before.word_class == Class::kFiller && is_thing(before));
 }
 
+// "in Naples", "from Brazil": a name in the middle of a sentence, after what is said of places.
+bool NounPhraseReader::is_place_name(const Part& part, std::size_t head) const {
+  static constexpr std::string_view kBefore[] = {"in", "from", "near", "at", "to", "of", "like", "outside", "across"};
+  if (head > 0 || part.first == 0 || phrase_.first != part.first || !tokens_[part.first].capital) return false;
+  const Token& before = tokens_[part.first - 1];
+  const bool small = std::ranges::any_of(tokens_, [](const Token& t) { return t.kind == Token::Kind::kWord && !t.capital; });
+  return small && !before.capital && std::find(std::begin(kBefore), std::end(kBefore), before.text) != std::end(kBefore);
+}
+
 // A head that no list has; false where it is no noun phrase at all.
 bool NounPhraseReader::settle_filler(std::size_t head) {
   const Part part = parts_[head];
@@ -316,9 +326,12 @@ bool NounPhraseReader::settle_filler(std::size_t head) {
                      (named && (is_thing_where_named(part) || is_rare_thing(part, head) || (is_modeled(head) && is_compound(head)))) ||
                      listed || shaped_;
   const bool made = form != WordForm::kAdverb && form != WordForm::kAdjective && named && has_attribute(Class::kMaterial);
+  const bool place = !named && is_place_name(part, head);
   if (!thing && !named && !is_noun(form)) return false;
   settle_object(part, head);
-  if (!thing && (!made || form == WordForm::kPerson)) {
+  if (place) {
+    phrase_.kind = NounKind::kAbstract;
+  } else if (!thing && (!made || form == WordForm::kPerson)) {
     phrase_.kind = NounKind::kAbstract;
     phrase_.doubted = true;
   }

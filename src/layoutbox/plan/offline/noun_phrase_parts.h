@@ -88,6 +88,7 @@ class NounPhraseReader {
   bool is_named() const { return !parts_.empty() || phrase_.determiner != Determiner::kNone || counted_; }
   bool add(WordClass word_class, const Meaning& meaning, std::size_t length, bool plural);
   bool names_on(const Match& match) const;
+  bool names_after_one(const Match& match) const;
   bool read_part();
   bool count_follows() const;
   bool is_verb_in_name(const Match& match) const;
@@ -113,6 +114,7 @@ class NounPhraseReader {
   bool is_thing_where_named(const Part& part) const;
   bool has_attribute(WordClass word_class) const;
   bool is_bodily_described() const;
+  bool is_place_name(const Part& part, std::size_t head) const;
   bool is_rare_thing(const Part& part, std::size_t head) const;
   bool is_compound(std::size_t head) const;
   bool is_modeled(std::size_t head) const;

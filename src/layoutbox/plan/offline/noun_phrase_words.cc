@@ -1,4 +1,5 @@
 // The words of a noun phrase up to its head: attributes, compounds, and where it ends.
+#include <algorithm>
 #include <string_view>
 #include <utility>
 
@@ -25,9 +26,11 @@ bool NounPhraseReader::goes_on_after_break() const {
 // An unlisted word within the phrase: an adjective or a part of the name, or already the next verb.
 bool NounPhraseReader::word_may_belong() const {
   const std::string& text = token().text;
+  if (text == "per") return false;  // "(2 per table)"
   if (hyphenated(i_)) return true;
-  const bool noun_before = std::any_of(parts_.begin(), parts_.end(),
-                                       [](const Part& p) { return p.word_class == Class::kObject || p.word_class == Class::kRoom; });
+  const bool noun_before = std::any_of(parts_.begin(), parts_.end(), [](const Part& p) {
+    return p.word_class == Class::kObject || p.word_class == Class::kRoom || p.word_class == Class::kDoor || p.word_class == Class::kWindow;
+  });
   const WordForm form = word_form(text);
   if (!noun_before) return form != WordForm::kAdverb;
   if (text.ends_with("ed") || text.ends_with("ing") || text.ends_with("ly"))
@@ -93,7 +96,8 @@ bool NounPhraseReader::opens_at(std::size_t i) const {
 
 // "a plant stands in the corner" is no plant stand.
 Match NounPhraseReader::without_verb(const Match& match) const {
-  if (match.length < 2 || !lexicon_.is(tokens_[i_ + match.length - 1], Class::kPlaceVerb)) return match;
+  const std::size_t final = i_ + match.length - 1;
+  if (match.length < 2 || (!lexicon_.is(tokens_[final], Class::kPlaceVerb) && !lexicon_.is(tokens_[final], Class::kHave))) return match;
   const bool one =
       phrase_.count == 1 || (phrase_.count == 0 && (phrase_.determiner == Determiner::kIndefinite || opens_at(i_ + match.length)));
   const bool singular_subject = match.plural && one;  // "in the corner stands a"
@@ -147,6 +151,19 @@ bool NounPhraseReader::names_on(const Match& match) const {
     const bool verb = m.word_class == Class::kVerb || m.word_class == Class::kPurpose;
     return m.word_class == Class::kCommand || m.word_class == Class::kUnit || (one && verb);
   });
+}
+
+// "a wreath stand", "an owl perch": after "a" and one thing, a verb would have its -s; but "let a lamp stand".
+bool NounPhraseReader::names_after_one(const Match& match) const {
+  static constexpr std::string_view kCausing[] = {"let", "make", "makes", "see", "watch", "have", "having"};
+  const std::string& text = token().text;
+  if (match.length != 1 || parts_.empty() || parts_.back().word_class != Class::kObject || parts_.back().last != i_ ||
+      parts_.back().plural || phrase_.determiner != Determiner::kIndefinite || phrase_.count != 0 || has(match, Class::kParticiple))
+    return false;
+  if (plural_at(i_) || text.ends_with("ed") || text.ends_with("ing") || opens_at(i_ + 1)) return false;
+  if (phrase_.first == 0) return true;
+  const Token& before = tokens_[phrase_.first - 1];  // "a table and a lamp stand in the corner": of both
+  return !lexicon_.is(before, Class::kAnd) && std::find(std::begin(kCausing), std::end(kCausing), before.text) == std::end(kCausing);
 }
 
 bool NounPhraseReader::read_part() {
@@ -220,8 +237,8 @@ std::optional<bool> NounPhraseReader::read_thing(const Match& match, bool noun_b
   if (object != nullptr && !parts_.empty() && parts_.back().word_class == Class::kWall && parts_.size() > 1 &&
       parts_[parts_.size() - 2].word_class == Class::kWallWord && object->entry->mount == Mount::kFloor && !hyphenated(i_))
     return false;
-  if (object != nullptr && !(verbal && noun_before && !hyphenated(i_)) && !part)
-    return add(Class::kObject, *object, match.length, match.plural);
+  const bool verb = verbal && noun_before && !hyphenated(i_) && !names_after_one(match);
+  if (object != nullptr && !verb && !part) return add(Class::kObject, *object, match.length, match.plural);
   if (object != nullptr && part) return add(Class::kPart, *object, match.length, match.plural);
   if (part && match.length == 1 && has(match, Class::kPart)) {  // "two sinks": parts of a vanity, or things
     const Match one = lexicon_.find({&single, 1}, 0);

@@ -42,6 +42,21 @@ bool is_compound(const Lexicon& lexicon, const std::string& word) {
   return false;
 }
 
+// The word with doubled letters said once.
+std::string undoubled(std::string_view word) {
+  std::string text;
+  for (const char c : word) {
+    if (text.empty() || text.back() != c) text += c;
+  }
+  return text;
+}
+
+// Of words as near the likelier: a letter that should be double ("pilow") before one that was swapped before one that was lost.
+int likelihood(std::string_view word, std::string_view known) {
+  if (undoubled(word) == undoubled(known)) return 2;
+  return known.size() == word.size() ? 1 : 0;
+}
+
 // The nearest known word: one letter changed, added, left out or swapped; two in long words that
 // are no compounds. Empty where there is none.
 std::string nearest(const Lexicon& lexicon, const std::string& word) {
@@ -52,9 +67,8 @@ std::string nearest(const Lexicon& lexicon, const std::string& word) {
     for (std::size_t length = word.size() - reach; length <= word.size() + reach; ++length) {
       for (const std::string_view known : lexicon.words_like(first, length)) {
         const std::size_t distance = edit_distance(word, known);
-        // Of equals the one that is as long: letters are swapped more often than lost.
-        const bool longer = known.size() == word.size() && best.size() != word.size();
-        const bool better = distance < least || (distance == least && distance <= reach && longer);
+        const bool better =
+            distance < least || (distance == least && distance <= reach && likelihood(word, known) > likelihood(word, best));
         if (better) best = known, least = distance;
       }
     }
@@ -114,9 +128,10 @@ void correct_spelling(const Lexicon& lexicon, std::vector<Token>& tokens, StopFl
     if (word && !name && token.text.size() >= kShortest && seen.size() < kMostLookups && !is_known(lexicon, token.text)) {
       const auto [found, fresh] = seen.try_emplace(token.text);
       if (fresh) found->second = nearest(lexicon, token.text);
-      if (fresh && found->second.empty() && token.text.ends_with('s') && token.text.size() > kShortest) {
-        const std::string one = nearest(lexicon, token.text.substr(0, token.text.size() - 1));
-        if (!one.empty()) found->second = one + "s";
+      if (fresh && token.text.ends_with('s') && token.text.size() > kShortest) {
+        const std::string said = token.text.substr(0, token.text.size() - 1), one = nearest(lexicon, said);
+        const bool better = found->second.empty() || likelihood(said, one) > std::max(1, likelihood(token.text, found->second));
+        if (!one.empty() && better) found->second = one + "s";
       }
       if (!found->second.empty()) token.text = found->second;
     }
