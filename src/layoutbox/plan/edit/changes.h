@@ -29,7 +29,7 @@ struct ShiftAt {
 };
 std::optional<ShiftAt> take_shift(const offline::Lexicon& lexicon, Tokens& tokens, std::string_view verb);
 
-// "20 cm wider", "twice as long", "to 1.6 x 2 m", "larger".
-std::optional<EditResize> take_resize(const offline::Lexicon& lexicon, Tokens& tokens, std::string_view verb);
+// "20 cm wider", "twice as long", "to 1.6 x 2 m", "larger". `exact_only`: nothing where no size is said but that it shall be another.
+std::optional<EditResize> take_resize(const offline::Lexicon& lexicon, Tokens& tokens, std::string_view verb, bool exact_only);
 
 }  // namespace layoutbox::edit

@@ -25,7 +25,14 @@ constexpr VerbWords kVerbs[] = {
     {"i want", Verb::kPlace},
     {"i need", Verb::kPlace},
     {"i would like", Verb::kPlace},
-    {"i 's d like", Verb::kPlace},
+    {"i would love", Verb::kPlace},
+    {"we want", Verb::kPlace},
+    {"we need", Verb::kPlace},
+    {"we would like", Verb::kPlace},
+    {"it needs", Verb::kAdd},
+    {"the room needs", Verb::kAdd},
+    {"get me", Verb::kAdd},
+    {"get us", Verb::kAdd},
     {"there should be", Verb::kAdd},
     {"put in", Verb::kAdd},
     {"put", Verb::kPlace},
@@ -48,6 +55,9 @@ constexpr VerbWords kVerbs[] = {
     {"take away", Verb::kRemove},
     {"take", Verb::kRemove},
     {"get rid of", Verb::kRemove},
+    {"do not need", Verb::kRemove},
+    {"do not want", Verb::kRemove},
+    {"do not like", Verb::kMention},
     {"throw out", Verb::kRemove},
     {"throw away", Verb::kRemove},
     {"clear away", Verb::kRemove},
@@ -60,6 +70,9 @@ constexpr VerbWords kVerbs[] = {
     {"pull", Verb::kMove},
     {"slide", Verb::kMove},
     {"drag", Verb::kMove},
+    {"scoot", Verb::kMove},
+    {"nudge", Verb::kMove},
+    {"spread", Verb::kMove},
     {"bring", Verb::kMove},
     {"relocate", Verb::kMove},
     {"reposition", Verb::kMove},
@@ -109,11 +122,11 @@ constexpr VerbWords kVerbs[] = {
     {"keep", Verb::kKeep},
     {"leave", Verb::kKeep},
     {"do not move", Verb::kKeep},
-    {"don 's t move", Verb::kKeep},
-    {"don't move", Verb::kKeep},
     {"do not touch", Verb::kKeep},
-    {"don't touch", Verb::kKeep},
     {"lock", Verb::kKeep},
+    {"undo", Verb::kUndo},
+    {"revert", Verb::kUndo},
+    {"take that back", Verb::kUndo},
 };
 
 // Words before a verb that change nothing.
@@ -130,6 +143,11 @@ constexpr std::string_view kLead[] = {"please",
                                       "instead",
                                       "lets",
                                       "let 's",
+                                      "i",
+                                      "we",
+                                      "really",
+                                      "can we",
+                                      "could we",
                                       "could you",
                                       "can you",
                                       "would you",
@@ -165,6 +183,7 @@ std::pair<Verb, std::size_t> verb_at(std::span<const Token> tokens, std::size_t 
     if (length > best.second && stands_at(tokens, at, words)) best = {verb, length};
   }
   // "set of …", "double bed", "lower shelf": a verb is followed by what it acts on.
+  if (best.first == Verb::kUndo) return best;
   if (best.second == 0 || at + best.second >= tokens.size()) return {Verb::kNone, 0};
   if (tokens[at + best.second].text == "of" || tokens[at + best.second].text == "'s") return {Verb::kNone, 0};
   static constexpr std::string_view kAlsoOther[] = {"double", "narrow", "lower",  "set",  "stand", "face",

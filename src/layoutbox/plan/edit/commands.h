@@ -10,7 +10,24 @@
 
 namespace layoutbox::edit {
 
-enum class Verb { kNone, kAdd, kPlace, kRemove, kMove, kSwap, kReplace, kSubstitute, kTurn, kMake, kRecolor, kResize, kRename, kKeep };
+enum class Verb {
+  kNone,
+  kAdd,
+  kPlace,
+  kRemove,
+  kMove,
+  kSwap,
+  kReplace,
+  kSubstitute,
+  kTurn,
+  kMake,
+  kRecolor,
+  kResize,
+  kRename,
+  kKeep,
+  kMention,
+  kUndo
+};
 
 // One command: its verb, the word of it, and the tokens that follow.
 struct Command {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "layoutbox/plan/edit/edit_reader_parts.h"
+#include "layoutbox/plan/edit/plain_words.h"
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/relation_builder.h"
 
@@ -57,38 +58,6 @@ EditStep& EditReader::begin(EditKind kind, const Clause& clause, const std::vect
   return plan_.steps.back();
 }
 
-// Other ways to say a command: "the rug should go" removes, "I want a bigger rug" enlarges the one that is there.
-Command EditReader::in_plain_words(Command command) const {
-  std::vector<Token>& tokens = command.tokens;
-  const auto is = [&tokens](std::size_t i, std::string_view word) { return i < tokens.size() && tokens[i].text == word; };
-  if (command.verb == Verb::kNone && tokens.size() > 2 && is(tokens.size() - 1, "go")) {
-    std::size_t end = tokens.size() - 1;
-    if (is(end - 1, "to") && end > 1 && (is(end - 2, "has") || is(end - 2, "have") || is(end - 2, "needs"))) {
-      end -= 2;
-    } else if (is(end - 1, "should") || is(end - 1, "must") || is(end - 1, "can") || is(end - 1, "may")) {
-      end -= 1;
-    }
-    if (end + 1 < tokens.size()) {
-      tokens.resize(end);
-      command.verb = Verb::kRemove;
-    }
-  }
-  static constexpr std::pair<std::string_view, std::string_view> kSizes[] = {
-      {"bigger", "enlarge"},  {"larger", "enlarge"},  {"smaller", "shrink"},  {"wider", "widen"},
-      {"narrower", "narrow"}, {"longer", "lengthen"}, {"shorter", "shorten"}, {"deeper", "deepen"}};
-  for (const auto& [adjective, verb] : kSizes) {
-    if (command.verb != Verb::kPlace || command.word != "i" || tokens.size() != 3 || !is(0, "a") || !is(1, adjective)) continue;
-    const auto noun = read_noun_phrase(lexicon_, tokens, 2, true);
-    if (!noun || noun->kind != NounKind::kObject || world_.of_kind(*noun).size() != 1) continue;
-    command.verb = Verb::kResize;
-    command.word = verb;
-    tokens[0].text = "the";
-    tokens.erase(tokens.begin() + 1);
-    break;
-  }
-  return command;
-}
-
 void EditReader::chunk(Clause& clause) const {
   Document& document = clause.document;
   document.readings.clear();
@@ -106,6 +75,11 @@ void EditReader::chunk(Clause& clause) const {
       chunk.noun.first = chunk.first, chunk.noun.last = chunk.last;
       continue;
     }
+    // "make the table round": no place without a noun.
+    const bool noun_follows = &chunk != &document.chunks.back() && (&chunk + 1)->kind == ChunkKind::kNoun;
+    if (chunk.kind == ChunkKind::kRelation && chunk.last == chunk.first + 1 && !noun_follows &&
+        lexicon_.is(document.tokens[chunk.first], WordClass::kShape))
+      chunk.kind = ChunkKind::kAttribute;
     if (chunk.kind == ChunkKind::kNoun || chunk.last != chunk.first + 1) continue;
     const std::string& word = document.tokens[chunk.first].text;
     if (word.find('_') == std::string::npos && word != "everything") continue;
@@ -119,7 +93,7 @@ void EditReader::chunk(Clause& clause) const {
 }
 
 Status EditReader::read_command(const Command& said) {
-  const Command command = in_plain_words(said);
+  const Command command = in_plain_words(lexicon_, world_, said);
   Clause clause;
   clause.verb = command.verb;
   clause.word = command.word;
@@ -127,98 +101,26 @@ Status EditReader::read_command(const Command& said) {
   clause.document.prompt = std::string(text_);
   clause.earlier = last_;
   Tokens tokens = command.tokens;
-  const auto at = [&tokens](std::size_t i, std::string_view word) { return i < tokens.size() && tokens[i].text == word; };
-  const auto erase = [&tokens](std::size_t first, std::size_t count) {
-    tokens.erase(tokens.begin() + static_cast<std::ptrdiff_t>(first), tokens.begin() + static_cast<std::ptrdiff_t>(first + count));
-  };
-  const auto is_property = [](std::string_view word) {
-    for (const std::string_view property :
-         {"color", "size", "position", "positions", "place", "places", "material", "orientation", "name", "location"}) {
-      if (word == property) return true;
-    }
-    return false;
-  };
-  const bool making =
-      clause.verb == Verb::kMake || clause.verb == Verb::kRecolor || clause.verb == Verb::kNone || clause.verb == Verb::kSwap;
-  for (std::size_t i = 0; i < tokens.size();) {
-    // "the color of the sofa", "the sofa's color": the sofa.
-    if (making && at(i, "the") && i + 2 < tokens.size() && is_property(tokens[i + 1].text) && at(i + 2, "of")) {
-      erase(i, 3);
-    } else if (making && at(i, "'s") && i + 1 < tokens.size() && is_property(tokens[i + 1].text)) {
-      erase(i, 2);
-    } else if (clause.verb == Verb::kSwap && is_property(tokens[i].text) && i + 1 == tokens.size()) {
-      erase(i, 1);
-    } else if (i > 0 && (at(i, "new") || (at(i, "more") && clause.verb == Verb::kAdd)) && clause.verb != Verb::kRename) {
-      erase(i, 1);
-    } else if (at(i, "please") || at(i, "instead") || at(i, "too") || at(i, "also")) {
-      // "instead of" names what goes.
-      if (at(i, "instead") && at(i + 1, "of")) {
-        ++i;
-      } else {
-        erase(i, 1);
-      }
-    } else {
-      ++i;
-    }
-  }
-  if (clause.verb == Verb::kRename) {
-    std::erase_if(tokens, [&, first = true](const Token& token) mutable { return token.text == "\"" && !std::exchange(first, false); });
-    for (Token& token : tokens) {
-      if (token.text == "\"") token.text = "as", token.kind = Token::Kind::kWord;
-    }
-  }
-  if (clause.word == "tuck") {
-    for (std::size_t i = 0; i < tokens.size(); ++i) {
-      if (!at(i, "under") || (i > 0 && at(i - 1, "tucked"))) continue;
-      Token tucked = tokens[i];
-      tucked.text = "tucked";
-      tokens.insert(tokens.begin() + static_cast<std::ptrdiff_t>(i++), tucked);
-    }
-  }
+  drop_properties(tokens, command);
+  if (clause.verb == Verb::kRename) name_after_as(tokens);
+  if (clause.word == "tuck") tuck_under(tokens);
   clause.picks = take_picks(tokens);
   std::optional<double> degrees;
   std::optional<ShiftAt> shift;
   std::optional<EditResize> resize;
+  const bool of_ceiling = std::any_of(tokens.begin(), tokens.end(), [](const Token& token) { return token.text == "ceiling"; });
   if (clause.verb == Verb::kTurn) {
-    // "toward the window", "to face the window", "so that it faces the window", and "face it to the window".
     degrees = take_turn(tokens);
-    if (!degrees) {
-      for (std::size_t i = 0; i < tokens.size(); ++i) {
-        const bool so = at(i, "so");
-        std::size_t end = i + (so ? 1 : 0);
-        if (so && at(end, "that")) ++end;
-        if (so && (at(end, "it") || at(end, "they"))) ++end;
-        std::size_t length = 0;
-        if (at(end, "to") && (at(end + 1, "face") || at(end + 1, "look")))
-          length = end + 2 - i + (at(end + 2, "at") || at(end + 2, "toward") ? 1 : 0);
-        else if (at(end, "faces") || at(end, "face") || at(end, "toward") || at(end, "towards") || at(end, "facing") || at(end, "at"))
-          length = end + 1 - i;
-        else if (at(end, "to") || at(end, "into"))
-          length = at(end, "to") ? end + 1 - i : 0;
-        if (length == 0) continue;
-        tokens[i].text = "facing";
-        if (length > 1) erase(i + 1, length - 1);
-        if (at(i + 1, "toward") || at(i + 1, "towards")) erase(i + 1, 1);
-        break;
-      }
-    }
+    if (!degrees) say_facing(tokens);
   } else if (clause.verb == Verb::kMove || clause.verb == Verb::kPlace) {
-    shift = take_shift(lexicon_, tokens, clause.word);
+    if (of_ceiling) resize = take_resize(lexicon_, tokens, clause.word, true);  // "lower the ceiling to 2.4 m"
+    if (!resize) shift = take_shift(lexicon_, tokens, clause.word);
   } else if (clause.verb == Verb::kMake || clause.verb == Verb::kNone || clause.verb == Verb::kResize) {
-    resize = take_resize(lexicon_, tokens, clause.verb == Verb::kResize ? clause.word : "");
+    resize = take_resize(lexicon_, tokens, clause.verb == Verb::kResize ? clause.word : "", false);
     if (!resize) degrees = take_turn(tokens);
     if (!resize && !degrees) shift = take_shift(lexicon_, tokens, "");
   }
-  if (clause.verb == Verb::kRecolor || clause.verb == Verb::kMake) {  // "to red", "in blue"
-    for (std::size_t i = 1; i + 1 < tokens.size(); ++i) {
-      if (!at(i, "to") && !at(i, "in") && !at(i, "into")) continue;
-      const Match match = lexicon_.find(tokens, i + 1);
-      const bool attribute = std::any_of(match.meanings.begin(), match.meanings.end(), [](const Meaning& m) {
-        return m.word_class == WordClass::kColor || m.word_class == WordClass::kMaterial;
-      });
-      if (attribute || tokens[i + 1].text == "dark" || tokens[i + 1].text == "light") erase(i, 1);
-    }
-  }
+  if (clause.verb == Verb::kRecolor || clause.verb == Verb::kMake || clause.word == "i") drop_to_before_color(lexicon_, tokens);
   clause.document.tokens = std::move(tokens);
   for (const Thing& thing : world_.things()) clause.document.items.push_back({thing.noun, clause.document.groups++});
   chunk(clause);
@@ -234,6 +136,10 @@ Status EditReader::read_command(const Command& said) {
     case Verb::kTurn: return degrees ? read_turn(clause, degrees) : read_make(clause, std::nullopt, std::nullopt, std::nullopt);
     case Verb::kRename: return read_rename(clause);
     case Verb::kKeep: return read_keep(clause);
+    case Verb::kMention: return read_mention(clause);
+    case Verb::kUndo:
+      return fail(ErrorCode::kParse, "\"" + clause.why + "\" is not a change of the room: what was before is not kept here", "text",
+                  "edit writes where -o says, so the earlier layout.json is still what it was: go on from that one");
     case Verb::kMake:
     case Verb::kRecolor:
     case Verb::kResize:

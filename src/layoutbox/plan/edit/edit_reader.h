@@ -27,10 +27,12 @@ class EditReader {
     std::string word, why;
     offline::Document document;
     std::vector<PickedAt> picks;
-    std::size_t k = 0;         // the chunk that comes next
-    std::vector<int> earlier;  // what was spoken of before it
-    std::vector<int> targets;  // what it acts on
-    std::size_t reserved = 0;  // so many relation phrases at its end say where things go
+    std::size_t k = 0;                          // the chunk that comes next
+    std::vector<int> earlier;                   // what was spoken of before it
+    std::vector<int> targets;                   // what it acts on
+    std::size_t reserved = 0;                   // so many relation phrases at its end say where things go
+    std::size_t subject = 0;                    // the chunk that named the targets last
+    const offline::NounPhrase* kind = nullptr;  // what "one" is one of, where it is only coming in
   };
   // What a noun phrase speaks of: things, or a part of the room.
   struct Found {
@@ -40,7 +42,6 @@ class EditReader {
   };
 
   Status read_command(const Command& said);
-  Command in_plain_words(Command command) const;
   Status read_add(Clause& clause);
   Status read_place(Clause& clause);
   Status read_remove(Clause& clause);
@@ -59,8 +60,13 @@ class EditReader {
   Status add_openings(Clause& clause);
   Result<std::vector<std::string>> find_openings(Clause& clause, const offline::NounPhrase& noun);
   Result<EditOpeningPlace> read_opening_place(Clause& clause, const std::vector<std::string>& openings);
+  Result<EditOpeningPlace> read_wall_place(Clause& clause, const Wall* own_wall, const offline::PhraseSenses& senses);
   Result<EditShift> read_shift_reference(Clause& clause, EditShift way, const Wall* at_wall);
   Status read_keep(Clause& clause);
+  // "I do not like the rug": spoken of, and no more.
+  Status read_mention(Clause& clause);
+  // "where the desk is": what takes whose place; whether it says that.
+  Result<bool> read_place_of_other(Clause& clause, const std::vector<int>& things);
 
   // The clause as a row of chunks.
   void chunk(Clause& clause) const;
@@ -73,6 +79,8 @@ class EditReader {
   // Nouns that are in the room: "the desk and the two chairs". `places_follow`: what stands behind them may be their new place.
   Result<std::vector<int>> read_things(Clause& clause, bool places_follow);
   Result<Found> find_things(Clause& clause, const offline::NounPhrase& noun, bool as_target);
+  std::vector<int> members(const Clause& clause, const offline::NounPhrase& noun, Pick pick, bool as_target) const;
+  std::vector<int> all_things(Clause& clause, const offline::NounPhrase& noun);
   Result<Found> find_reference(Clause& clause, const offline::Chunk& chunk);
   Result<std::vector<int>> narrow(Clause& clause, std::vector<int> found, const offline::NounPhrase& noun, bool as_target);
   static std::size_t relations_ahead(const Clause& clause);
@@ -80,14 +88,23 @@ class EditReader {
   std::optional<Modifier> read_modifier(Clause& clause);
   std::vector<int> exceptions(Clause& clause);
 
-  // Places behind the cursor become links from `targets`; new things may multiply ("a lamp on each table").
-  Status read_links(Clause& clause, std::vector<int>& targets, EditStep& step, bool& any);
-  // The links of the clause as relations of the step.
-  Status build(Clause& clause, EditStep& step);
+  // The clause from the cursor on as the planner's reader takes it: what is in the room is known by its noun, and "to" says which
+  // place. `subject`: whom the first place is of; null where all that is named first comes in.
+  Result<std::vector<offline::Chunk>> passage(Clause& clause, const std::vector<int>* subject);
+  Status know_noun(Clause& clause, offline::Chunk& chunk, const std::vector<int>& subject);
+  void lead_to(Clause& clause, std::vector<offline::Chunk>& chunks, std::size_t at, const std::vector<int>& subject) const;
+  bool follow_like(Clause& clause, std::vector<offline::Chunk>& chunks, std::size_t k);
+  // Reads such a passage: its mentions, links and new items are the clause's.
+  Status decode(Clause& clause, std::vector<offline::Chunk> chunks);
+  // Places behind the cursor become steps that move `things`, and what is named with a place of its own after them.
+  Status read_places(Clause& clause, const std::vector<int>& things, bool& any);
+  // The links of the clause as relations; the new things are settled by them.
+  Result<std::vector<Relation>> build(Clause& clause);
+  // The new items of the clause, in steps: things that are placed by each other come in together.
+  Status bring_in_items(Clause& clause);
 
-  int bring_in(Clause& clause, const offline::NounPhrase& noun, EditStep& step);
-  int mention_of(Clause& clause, const std::vector<int>& things, bool each) const;
-  int mention_of(Clause& clause, const offline::NounPhrase& noun, const std::vector<int>& things) const;
+  SceneObject new_object(const offline::NounPhrase& noun) const;
+  int bring_in(const offline::NounPhrase& noun, EditStep& step);
   EditStep& begin(EditKind kind, const Clause& clause, const std::vector<int>& targets = {});
   void remember(const std::vector<int>& things);
   std::vector<std::string> ids(const std::vector<int>& things) const;

@@ -1,4 +1,4 @@
-// Where things are to stand: links between them, built into relations.
+// Where things are to stand: the planner's own reading of the clause, with what is in the room as what may be spoken of.
 #include <algorithm>
 #include <utility>
 
@@ -11,134 +11,216 @@ namespace layoutbox::edit {
 
 using namespace offline;
 
-Status EditReader::read_links(Clause& clause, std::vector<int>& targets, EditStep& step, bool& any) {
+namespace {
+
+bool is_joiner(ChunkKind kind) { return kind == ChunkKind::kComma || kind == ChunkKind::kAnd; }
+
+// It brings a thing in, or speaks of one that comes in: none of those that are there.
+bool comes_in(const NounPhrase& noun) {
+  if (noun.kind == NounKind::kMember)
+    return noun.determiner == Determiner::kAnother || (noun.determiner == Determiner::kIndefinite && !noun.attributes.empty());
+  return noun.kind == NounKind::kObject && (noun.determiner == Determiner::kIndefinite || noun.determiner == Determiner::kAnother ||
+                                            noun.determiner == Determiner::kNone || noun.determiner == Determiner::kNo);
+}
+
+bool speaks_of_things(const NounPhrase& noun) {
+  return noun.kind == NounKind::kObject || noun.kind == NounKind::kMember || noun.kind == NounKind::kPronoun;
+}
+
+}  // namespace
+
+// Which of the room a noun of the passage speaks of; what follows it and only tells which is taken with it.
+Status EditReader::know_noun(Clause& clause, Chunk& chunk, const std::vector<int>& subject) {
+  LAYOUTBOX_ASSIGN(Found found, find_reference(clause, chunk));
+  NounPhrase& noun = chunk.noun;
+  std::erase_if(found.things, [&](int i) { return has(subject, i); });
+  if (found.things.empty()) {
+    if (noun.kind == NounKind::kPronoun) return {};  // of the subject itself: "the desk …, with the chair in front of it"
+    if (noun.kind == NounKind::kObject) return not_understood(clause);
+    if (is_opposite_wall(noun) && !subject.empty()) {
+      if (const Wall* wall = world_.wall_of(subject.front())) {
+        for (const auto& [side, other] : {std::pair{"left", "right"}, {"right", "left"}, {"front", "back"}, {"back", "front"}}) {
+          if (world_.layout().find_wall(side) == wall) noun.wall_word = other;
+        }
+      }
+    }
+    if (noun.kind == NounKind::kCorner && noun.wall_word.empty() && !subject.empty())
+      noun.wall_word = world_.other_corner(subject.front(), noun);
+    return {};
+  }
+  if (speaks_of_things(noun)) {
+    NounPhrase known = world_.thing(found.things.front()).noun;
+    known.first = noun.first, known.last = noun.last;
+    known.determiner = found.each ? Determiner::kEach : Determiner::kDefinite;
+    known.count = static_cast<int>(found.things.size());
+    known.plural = known.count > 1;
+    noun = std::move(known);
+  }
+  noun.items = std::move(found.things);
+  return {};
+}
+
+// Where "to" leads: on what carries a small thing, beside another, into a corner, near a window, against a wall.
+void EditReader::lead_to(Clause& clause, std::vector<Chunk>& chunks, std::size_t at, const std::vector<int>& subject) const {
+  Chunk& place = chunks[at];
+  const std::string said = words_of(clause, place);
+  const bool to = said == "to" || said == "into" || said == "onto" || said == "over to" || said == "in" || said == "at";
+  const bool leads = said == "to" || said == "over to" || said == "into" || (to && place.kind != ChunkKind::kRelation);
+  if (!leads || subject.empty() || at + 1 >= chunks.size() || chunks[at + 1].kind != ChunkKind::kNoun) return;
+  const NounPhrase& noun = chunks[at + 1].noun;
+  const NounPhrase& target = world_.thing(subject.front()).noun;
+  std::string_view phrase = "in";
+  if (!noun.items.empty() && noun.kind != NounKind::kObject)
+    phrase = "at";
+  else if (!noun.items.empty())
+    phrase = may_carry(lexicon_.catalog(), noun, target) && mount_of(target) == Mount::kSurface ? "on" : "next to";
+  else if (noun.kind == NounKind::kWindow || noun.kind == NounKind::kDoor)
+    phrase = "near";
+  else if (noun.kind == NounKind::kWall)
+    phrase = "against";
+  const std::vector<Token> tokens = tokenize(phrase);
+  const PhraseMatch match = lexicon_.find_phrase(tokens, 0);
+  if (match.senses == nullptr) return;
+  place.kind = ChunkKind::kRelation;
+  place.phrase = match;
+}
+
+// "another chair like the red one": of its kind and its looks.
+bool EditReader::follow_like(Clause& clause, std::vector<Chunk>& chunks, std::size_t k) {
+  if (k + 1 >= clause.document.chunks.size() || words_of(clause, clause.document.chunks[k]) != "like" || chunks.empty() ||
+      chunks.back().kind != ChunkKind::kNoun || clause.document.chunks[k + 1].kind != ChunkKind::kNoun)
+    return false;
+  NounPhrase& noun = chunks.back().noun;
+  clause.k = k + 2;
+  const auto found = find_things(clause, clause.document.chunks[k + 1].noun, false);
+  if (!found || found->things.empty()) return false;
+  const NounPhrase like = world_.thing(found->things.front()).noun;
+  if (noun.entry == nullptr || like.entry == nullptr || noun.kind == NounKind::kMember ||
+      lexicon_.catalog().is_a(like.entry->id, noun.entry->id)) {
+    noun.entry = like.entry;
+    noun.category = like.category;
+    noun.name = like.name;
+    noun.head = like.head;
+    noun.kind = NounKind::kObject;
+  }
+  for (const std::string& attribute : like.attributes) {
+    if (noun.attributes.empty()) noun.attributes.push_back(attribute);
+  }
+  return true;
+}
+
+Result<std::vector<Chunk>> EditReader::passage(Clause& clause, const std::vector<int>* subject) {
+  std::vector<Chunk> chunks;
+  std::vector<int> about = subject != nullptr ? *subject : std::vector<int>{};
+  bool new_before = false;
+  const std::vector<Chunk> said = clause.document.chunks;
+  for (std::size_t k = clause.k; k < said.size();) {
+    Chunk chunk = said[k];
+    clause.k = k + 1;
+    if (subject == nullptr && follow_like(clause, chunks, k)) {
+      k = clause.k;
+      continue;
+    }
+    if (chunk.kind == ChunkKind::kClause && words_of(clause, chunk) == "where") return not_understood(clause, "where");
+    if (chunk.kind == ChunkKind::kNoun) {
+      const NounPhrase& noun = chunk.noun;
+      const bool first = chunks.empty() || is_joiner(chunks.back().kind);
+      const bool opens_list = subject == nullptr && chunks.empty() && noun.kind == NounKind::kObject;
+      const bool own_place =
+          first && k + 1 < said.size() && (said[k + 1].kind == ChunkKind::kRelation || words_of(clause, said[k + 1]) == "to");
+      const bool left = comes_in(noun) || opens_list || noun.reciprocal || (noun.kind == NounKind::kPronoun && new_before);
+      if (subject != nullptr && own_place && speaks_of_things(noun) && !comes_in(noun)) {
+        // "…, the bed to the left wall": another thing and its place.
+        clause.reserved = 1;
+        LAYOUTBOX_ASSIGN(const Found found, find_things(clause, noun, true));
+        clause.reserved = 0;
+        about = found.things;
+        remember(about);
+        LAYOUTBOX_CHECK(know_noun(clause, chunk, {}));
+        chunk.noun.items = about;
+      } else if (!left) {
+        LAYOUTBOX_CHECK(know_noun(clause, chunk, about));
+      } else if (noun.kind == NounKind::kObject) {
+        new_before = true;
+        clause.kind = &said[k].noun;
+        if (opens_list && !comes_in(noun)) chunk.noun.determiner = Determiner::kIndefinite;
+      }
+      chunks.push_back(std::move(chunk));
+      if (chunks.size() > 1) lead_to(clause, chunks, chunks.size() - 2, about);
+    } else {
+      chunks.push_back(std::move(chunk));
+    }
+    k = clause.k;
+  }
+  clause.kind = nullptr;
+  return chunks;
+}
+
+Status EditReader::decode(Clause& clause, std::vector<Chunk> chunks) {
   Document& document = clause.document;
-  bool soft = false;
-  while (more(clause)) {
-    const std::size_t before = clause.k;
-    skip(clause, {ChunkKind::kIgnored, ChunkKind::kParticiple, ChunkKind::kVerb, ChunkKind::kComma, ChunkKind::kAnd, ChunkKind::kRelative});
-    if (!more(clause)) return {};
-    const Chunk chunk = *peek(clause);
-    if (chunk.kind == ChunkKind::kSoft) {
-      soft = true;
-      ++clause.k;
-      continue;
+  document.chunks = std::move(chunks);
+  document.mentions.clear();
+  document.links.clear();
+  for (WordReading& reading : document.readings) reading = {reading.begin, reading.end, WordReading::Use::kIgnored, {}};
+  if (!clause.earlier.empty()) {  // what "it" and what is not said may mean
+    Mention mention;
+    mention.noun = world_.thing(clause.earlier.front()).noun;
+    mention.items = clause.earlier;
+    document.mentions.push_back(std::move(mention));
+  }
+  read_document(lexicon_, document);
+  for (const Chunk& chunk : document.chunks) {
+    const WordReading& reading = document.readings[chunk.first];
+    const bool lost = reading.use == WordReading::Use::kNotUnderstood ||
+                      (chunk.kind == ChunkKind::kNoun && speaks_of_things(chunk.noun) && reading.use == WordReading::Use::kIgnored);
+    if (lost) return not_understood(clause, words_between(document, chunk.first, chunk.last));
+  }
+  for (const Link& link : document.links) {
+    for (const int reference : link.references) {
+      const Mention& mention = document.mentions[static_cast<std::size_t>(reference)];
+      if (mention.noun.kind == NounKind::kPronoun && mention.items.empty() && !mention.reciprocal)
+        return fail(
+            ErrorCode::kReference,
+            "what \"" + words_between(document, mention.noun.first, mention.noun.last) + "\" means in \"" + clause.why + "\" is not said",
+            "text", "name the thing");
     }
-    const std::string said = words_of(clause, chunk);
-    if (chunk.kind == ChunkKind::kHave && said == "with" && step.kind == EditKind::kAdd) {  // "with a lamp on it"
-      ++clause.k;
-      while (noun_next(clause)) {
-        const NounPhrase noun = peek(clause)->noun;
-        if (noun.kind != NounKind::kObject) return not_understood(clause, words_between(document, noun.first, noun.last));
-        ++clause.k;
-        std::vector<int> contents;
-        const int count = noun.count > 0 ? noun.count : noun.plural ? 2 : 1;
-        for (int i = 0; i < count; ++i) contents.push_back(bring_in(clause, noun, step));
-        Link link;
-        link.kind = Link::Kind::kHave;
-        link.first = chunk.first, link.last = chunk.last;
-        const Chunk* next = peek(clause);
-        const Chunk* after = peek(clause, 1);
-        if (next && after && next->kind == ChunkKind::kRelation && after->kind == ChunkKind::kNoun &&
-            after->noun.kind == NounKind::kPronoun && next->phrase.senses != nullptr) {
-          link.kind = Link::Kind::kRelation;
-          link.senses = *next->phrase.senses;
-          link.first = next->first, link.last = next->last;
-          clause.k += 2;
-        }
-        link.targets = {mention_of(clause, contents, false)};
-        link.references = {mention_of(clause, targets, false)};
-        document.links.push_back(std::move(link));
-        skip(clause, {ChunkKind::kComma, ChunkKind::kAnd});
-      }
-      any = true;
-      continue;
-    }
-    const bool to = said == "to" || said == "into" || said == "onto" || said == "over to" || said == "in" || said == "at";
-    if (chunk.kind != ChunkKind::kRelation && !(to && peek(clause, 1) && peek(clause, 1)->kind == ChunkKind::kNoun)) {
-      clause.k = before;
-      return {};
-    }
-    ++clause.k;
-    Link link;
-    link.first = chunk.first, link.last = chunk.last;
-    link.soft = soft;
-    link.each = chunk.phrase.each;
-    link.distance = chunk.distance, link.at_least = chunk.at_least, link.at_most = chunk.at_most;
-    if (chunk.kind == ChunkKind::kRelation && chunk.phrase.senses != nullptr) link.senses = *chunk.phrase.senses;
-    bool each = chunk.phrase.each;
-    std::size_t references = 0;
-    while (noun_next(clause)) {
-      const Chunk noun_chunk = *peek(clause);
-      // "…, the chair to the left wall": another thing and its place.
-      const Chunk* after = peek(clause, 1);
-      const bool between =
-          std::any_of(link.senses.begin(), link.senses.end(), [](const auto& s) { return s.type == RelationType::kBetween; });
-      if (references > 0 && !between && after != nullptr && (after->kind == ChunkKind::kRelation || after->kind == ChunkKind::kVerb)) break;
-      ++clause.k;
-      LAYOUTBOX_ASSIGN(Found found, find_reference(clause, noun_chunk));
-      link.last = std::max(link.last, noun_chunk.last);
-      std::erase_if(found.things, [&](int i) { return has(targets, i); });
-      const bool object = !found.things.empty();
-      if (!object && (noun_chunk.noun.kind == NounKind::kObject || noun_chunk.noun.kind == NounKind::kPronoun))
-        return not_understood(clause);
-      if (to && (said == "to" || said == "over to" || said == "into" || chunk.kind != ChunkKind::kRelation)) {
-        // Where "to" leads: on what carries a small thing, beside another, into a corner, near a window, against a wall.
-        const NounKind kind = noun_chunk.noun.kind;
-        const bool carried = object &&
-                             may_carry(lexicon_.catalog(), world_.thing(found.things.front()).noun, world_.thing(targets.front()).noun) &&
-                             mount_of(world_.thing(targets.front()).noun) == Mount::kSurface;
-        const std::string_view phrase = object && noun_chunk.noun.kind != NounKind::kObject && noun_chunk.noun.kind != NounKind::kPronoun
-                                            ? "at"
-                                        : carried                                              ? "on"
-                                        : object                                               ? "next to"
-                                        : kind == NounKind::kWindow || kind == NounKind::kDoor ? "near"
-                                        : kind == NounKind::kWall                              ? "against"
-                                                                                               : "in";
-        const std::vector<Token> tokens = tokenize(phrase);
-        if (const PhraseMatch match = lexicon_.find_phrase(tokens, 0); match.senses != nullptr) link.senses = *match.senses;
-      }
-      if (is_opposite_wall(found.noun)) {
-        if (const Wall* wall = world_.wall_of(targets.front())) {
-          for (const auto& [side, other] : {std::pair{"left", "right"}, {"right", "left"}, {"front", "back"}, {"back", "front"}}) {
-            if (world_.layout().find_wall(side) == wall) found.noun.wall_word = other;
-          }
-        }
-      }
-      if (found.noun.kind == NounKind::kCorner && found.noun.wall_word.empty()) {
-        found.noun.wall_word = world_.other_corner(targets.front(), found.noun);
-      }
-      each = each || found.each;
-      const bool whole = noun_chunk.noun.kind == NounKind::kObject || noun_chunk.noun.kind == NounKind::kPronoun ||
-                         noun_chunk.noun.kind == NounKind::kMember;
-      const int mention = object && whole ? mention_of(clause, found.things, found.each) : mention_of(clause, found.noun, found.things);
-      link.references.push_back(mention);
-      ++references;
-      const std::size_t here = clause.k;
-      skip(clause, {ChunkKind::kComma, ChunkKind::kAnd});
-      if (clause.k == here || !noun_next(clause)) {
-        clause.k = here;
-        break;
-      }
-    }
-    // "a lamp on each nightstand", "a plant on each side of the sofa": as many as there are places.
-    if (each && step.kind == EditKind::kAdd && targets.size() == 1 && references == 1) {
-      const Mention& place = document.mentions[static_cast<std::size_t>(link.references.front())];
-      const bool sides =
-          std::any_of(link.senses.begin(), link.senses.end(), [](const auto& s) { return s.type == RelationType::kEachSideOf; });
-      const std::size_t wanted = sides && !place.distributes ? 2 : place.items.size();
-      const NounPhrase noun = world_.thing(targets.front()).noun;
-      while (targets.size() < wanted) targets.push_back(bring_in(clause, noun, step));
-      link.each = true;
-    }
-    link.targets = {mention_of(clause, targets, false)};
-    document.links.push_back(std::move(link));
+  }
+  clause.k = document.chunks.size();
+  return {};
+}
+
+Status EditReader::read_places(Clause& clause, const std::vector<int>& things, bool& any) {
+  Chunk subject = clause.document.chunks[clause.subject];
+  subject.noun = world_.thing(things.front()).noun;
+  subject.noun.first = subject.first, subject.noun.last = subject.last;
+  subject.noun.count = static_cast<int>(things.size());
+  subject.noun.plural = things.size() > 1;
+  subject.noun.items = things;
+  LAYOUTBOX_ASSIGN(std::vector<Chunk> chunks, passage(clause, &things));
+  chunks.insert(chunks.begin(), std::move(subject));
+  LAYOUTBOX_CHECK(decode(clause, std::move(chunks)));
+  if (clause.document.items.size() > world_.things().size()) {
+    const NounPhrase& fresh = clause.document.items[world_.things().size()].noun;
+    return not_understood(clause, words_between(clause.document, fresh.first, fresh.last));
+  }
+  if (clause.document.links.empty()) return {};
+  LAYOUTBOX_ASSIGN(std::vector<Relation> relations, build(clause));
+  const std::vector<std::string> own = ids(things);
+  for (Relation& relation : relations) {
+    const bool of_own = std::all_of(relation.targets.begin(), relation.targets.end(),
+                                    [&](const auto& id) { return std::find(own.begin(), own.end(), id) != own.end(); });
+    const std::vector<std::string>& targets = of_own ? own : relation.targets;
+    EditStep& step = any && plan_.steps.back().targets == targets && plan_.steps.back().why == clause.why ? plan_.steps.back()
+                                                                                                          : begin(EditKind::kMove, clause);
+    step.targets = targets;
+    step.relations.push_back(std::move(relation));
+    step.kind = only_turns(step) ? EditKind::kTurn : EditKind::kMove;
     any = true;
   }
   return {};
 }
 
-Status EditReader::build(Clause& clause, EditStep& step) {
+Result<std::vector<Relation>> EditReader::build(Clause& clause) {
   SceneGraph scene;
   scene.room = world_.layout().room;
   for (const Thing& thing : world_.things()) {
@@ -157,12 +239,11 @@ Status EditReader::build(Clause& clause, EditStep& step) {
       return fail(ErrorCode::kParse, note.message + " (\"" + clause.why + "\")", "text", kWhatToSay);
     }
   }
-  const auto is_new = [&](const std::string& id) {
-    return std::any_of(step.objects.begin(), step.objects.end(), [&](const SceneObject& o) { return o.id == id; });
-  };
+  const auto is_new = [&](const std::string& id) { return added_.contains(id); };
+  std::erase_if(scene.relations, [&](const Relation& relation) {  // habits of what was there before
+    return relation.origin == Origin::kAssumed && std::none_of(relation.targets.begin(), relation.targets.end(), is_new);
+  });
   for (Relation& relation : scene.relations) {
-    const bool of_new = std::any_of(relation.targets.begin(), relation.targets.end(), is_new);
-    if (relation.origin == Origin::kAssumed && !of_new) continue;  // habits of what was there before
     // A window that was named: that one.
     for (const Mention& mention : clause.document.mentions) {
       const bool opening = mention.noun.kind == NounKind::kWindow || mention.noun.kind == NounKind::kDoor;
@@ -171,12 +252,11 @@ Status EditReader::build(Clause& clause, EditStep& step) {
       if (meant.size() == 1) relation.references = {meant.front()->id};
     }
     relation.id.clear();
-    step.relations.push_back(relation);
   }
-  for (SceneObject& object : step.objects) {
-    if (const SceneObject* settled = scene.find_object(object.id)) added_[object.id] = object = *settled;
+  for (auto& [id, object] : added_) {
+    if (const SceneObject* settled = scene.find_object(id)) object = *settled;
   }
-  return {};
+  return std::move(scene.relations);
 }
 
 Status EditReader::rest_understood(const Clause& clause) const {

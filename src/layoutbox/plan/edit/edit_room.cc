@@ -116,19 +116,59 @@ Result<std::vector<std::string>> EditReader::find_openings(Clause& clause, const
   return found;
 }
 
+// The wall that a noun speaks of, and the place along it, where it names one: "the left wall", "its middle", "the door", "the desk".
+Result<EditOpeningPlace> EditReader::read_wall_place(Clause& clause, const Wall* own_wall, const PhraseSenses& senses) {
+  const Layout& layout = world_.layout();
+  const Chunk chunk = *peek(clause);
+  const NounPhrase& noun = chunk.noun;
+  const auto unclear = [&] { return not_understood(clause, words_between(clause.document, noun.first, noun.last)); };
+  ++clause.k;
+  EditOpeningPlace place;
+  const Wall* wall = nullptr;
+  const bool of_wall = noun.kind == NounKind::kCenter && noun.of && noun.of->kind == NounKind::kWall;
+  if (noun.kind == NounKind::kWall || of_wall) {
+    const NounPhrase& named = of_wall ? *noun.of : noun;
+    if (!named.wall_word.empty())
+      wall = layout.find_wall(named.wall_word);
+    else if (is_opposite_wall(named))
+      wall = own_wall != nullptr ? wall_opposite(layout, *own_wall) : nullptr;
+    else
+      wall = own_wall;
+  } else if (noun.kind == NounKind::kCenter) {
+    wall = own_wall;
+  } else if (is_opening(noun)) {
+    const auto others = world_.openings_of(noun);
+    if (others.size() != 1) return unclear();
+    wall = layout.find_wall(others.front()->wall);
+    place.near = center_of(layout, *others.front());
+  } else if (noun.kind == NounKind::kObject) {
+    LAYOUTBOX_ASSIGN(const Found found, find_reference(clause, chunk));
+    if (found.things.size() != 1) return unclear();
+    wall = world_.wall_of(found.things.front());
+    if (const PlacedObject* placed = world_.thing(found.things.front()).placed) place.near = {placed->position[0], placed->position[1]};
+  }
+  const bool by_thing = is_opening(noun) || noun.kind == NounKind::kObject;
+  const bool across = by_thing && (says(senses, RelationType::kOpposite) || says(senses, RelationType::kFacing));
+  if (across && wall != nullptr) wall = wall_opposite(layout, *wall);
+  if (wall == nullptr) return unclear();
+  place.wall = wall->id;
+  return place;
+}
+
 // "… on the left wall", "in the middle of the back wall", "opposite the door", "above the desk".
 Result<EditOpeningPlace> EditReader::read_opening_place(Clause& clause, const std::vector<std::string>& openings) {
   const Layout& layout = world_.layout();
+  const Opening* own = openings.empty() ? nullptr : layout.find_opening(openings.front());
+  const Wall* own_wall = own != nullptr ? layout.find_wall(own->wall) : nullptr;
   EditOpeningPlace place;
   bool any = false, middle = clause.word == "center";
   while (more(clause)) {
     const std::size_t before = clause.k;
     skip(clause, {ChunkKind::kIgnored, ChunkKind::kParticiple, ChunkKind::kVerb, ChunkKind::kRelative});
-    const Chunk* chunk = peek(clause);
     PhraseSenses senses;
-    if (chunk != nullptr && chunk->kind == ChunkKind::kRelation) {
-      if (chunk->phrase.senses != nullptr) senses = *chunk->phrase.senses;
-      const std::string words = words_of(clause, *chunk);
+    if (more(clause) && peek(clause)->kind == ChunkKind::kRelation) {
+      if (peek(clause)->phrase.senses != nullptr) senses = *peek(clause)->phrase.senses;
+      const std::string words = words_of(clause, *peek(clause));
       middle = middle || words.find("center") != std::string::npos || words.find("middle") != std::string::npos;
       ++clause.k;
     }
@@ -136,55 +176,13 @@ Result<EditOpeningPlace> EditReader::read_opening_place(Clause& clause, const st
       clause.k = before;
       break;
     }
-    const NounPhrase noun = peek(clause)->noun;
-    const NounPhrase* wall_noun = noun.kind == NounKind::kWall ? &noun : nullptr;
-    if (noun.kind == NounKind::kCenter) {
-      middle = true;
-      if (noun.of && noun.of->kind == NounKind::kWall) wall_noun = noun.of.get();
-    }
-    const Wall* wall = nullptr;
-    const Opening* own = openings.empty() ? nullptr : layout.find_opening(openings.front());
-    const Wall* own_wall = own != nullptr ? layout.find_wall(own->wall) : nullptr;
-    if (wall_noun != nullptr) {
-      if (!wall_noun->wall_word.empty()) {
-        wall = layout.find_wall(wall_noun->wall_word);
-      } else if (is_opposite_wall(*wall_noun)) {
-        wall = own_wall != nullptr ? wall_opposite(layout, *own_wall) : nullptr;
-      } else {
-        wall = own_wall;
-      }
-      ++clause.k;
-    } else if (noun.kind == NounKind::kCenter) {
-      wall = own_wall;
-      ++clause.k;
-    } else if (is_opening(noun) || noun.kind == NounKind::kObject) {
-      const Chunk reference = *peek(clause);
-      ++clause.k;
-      std::optional<std::array<double, 2>> at;
-      if (is_opening(noun)) {
-        const auto others = world_.openings_of(noun);
-        if (others.size() != 1) return not_understood(clause, words_between(clause.document, noun.first, noun.last));
-        wall = layout.find_wall(others.front()->wall);
-        at = center_of(layout, *others.front());
-      } else {
-        LAYOUTBOX_ASSIGN(const Found found, find_reference(clause, reference));
-        if (found.things.size() != 1) return not_understood(clause, words_between(clause.document, noun.first, noun.last));
-        wall = world_.wall_of(found.things.front());
-        if (const PlacedObject* placed = world_.thing(found.things.front()).placed) at = {placed->position[0], placed->position[1]};
-      }
-      if (says(senses, RelationType::kOpposite) || says(senses, RelationType::kFacing)) {
-        wall = wall != nullptr ? wall_opposite(layout, *wall) : nullptr;
-      }
-      place.near = at;
-    }
-    if (wall == nullptr) return not_understood(clause, words_between(clause.document, noun.first, noun.last));
-    place.wall = wall->id;
+    middle = middle || peek(clause)->noun.kind == NounKind::kCenter;
+    LAYOUTBOX_ASSIGN(const EditOpeningPlace next, read_wall_place(clause, own_wall, senses));
+    place.wall = next.wall;
+    if (next.near) place.near = next.near;
     any = true;
   }
-  if (middle && place.wall.empty() && !openings.empty()) {
-    const Opening* own = layout.find_opening(openings.front());
-    if (const Wall* wall = own != nullptr ? layout.find_wall(own->wall) : nullptr) place.wall = wall->id, any = true;
-  }
+  if (middle && place.wall.empty() && own_wall != nullptr) place.wall = own_wall->id, any = true;
   if (middle && !place.wall.empty()) place.near = middle_of(*layout.find_wall(place.wall));
   if (!any && !openings.empty()) return not_understood(clause);
   return place;

@@ -124,6 +124,42 @@ Result<std::vector<int>> EditReader::narrow(Clause& clause, std::vector<int> fou
   return spoken.size() == wanted ? spoken : found;
 }
 
+// "the other one", "each of the chairs", "the red one".
+std::vector<int> EditReader::members(const Clause& clause, const NounPhrase& noun, Pick pick, bool as_target) const {
+  const std::size_t wanted = noun.count > 0 ? static_cast<std::size_t>(noun.count) : 1;
+  std::vector<int> found;
+  if (noun.of && noun.of->kind == NounKind::kObject) {
+    found = world_.with_attributes(world_.of_kind(*noun.of), *noun.of);
+  } else if (last_.size() > 1) {
+    found = last_;
+  } else if (clause.kind != nullptr || !last_.empty() || !clause.targets.empty()) {
+    NounPhrase kind = clause.kind != nullptr ? *clause.kind : world_.thing(last_.empty() ? clause.targets.front() : last_.front()).noun;
+    kind.plural = true;
+    kind.attributes.clear();
+    found = world_.of_kind(kind);
+    if (!as_target) std::erase_if(found, [&](int i) { return has(clause.targets, i); });
+  }
+  found = world_.with_attributes(found, noun);
+  found = world_.picked(found, pick, mentioned_, wanted);
+  const bool all = noun.determiner == Determiner::kBoth || noun.determiner == Determiner::kEach;
+  if (!all && found.size() > wanted) found.erase(found.begin(), found.end() - static_cast<std::ptrdiff_t>(wanted));
+  return found;
+}
+
+// "everything except the bed", "all the other furniture".
+std::vector<int> EditReader::all_things(Clause& clause, const NounPhrase& noun) {
+  std::vector<int> found;
+  for (std::size_t i = 0; i < world_.things().size(); ++i) {
+    if (!world_.things()[i].gone) found.push_back(static_cast<int>(i));
+  }
+  const bool but_mentioned = take_word(clause, {"else"}) || noun.name.ends_with("else") || noun.determiner == Determiner::kOther;
+  if (but_mentioned) std::erase_if(found, [&](int i) { return has(mentioned_, i); });
+  NounPhrase all = noun;
+  all.plural = true, all.count = 0;
+  const auto narrowed = narrow(clause, found, all, true);
+  return narrowed ? *narrowed : std::vector<int>{};
+}
+
 Result<EditReader::Found> EditReader::find_things(Clause& clause, const NounPhrase& noun, bool as_target) {
   Found result;
   result.noun = noun;
@@ -143,37 +179,14 @@ Result<EditReader::Found> EditReader::find_things(Clause& clause, const NounPhra
     }
     return result;
   }
-  std::vector<int> found;
   if (noun.kind == NounKind::kMember) {
-    if (noun.of && noun.of->kind == NounKind::kObject) {
-      found = world_.with_attributes(world_.of_kind(*noun.of), *noun.of);
-    } else if (last_.size() > 1) {
-      found = last_;
-    } else if (!last_.empty() || !clause.targets.empty()) {
-      NounPhrase kind = world_.thing(last_.empty() ? clause.targets.front() : last_.front()).noun;
-      kind.plural = true;
-      kind.attributes.clear();
-      found = world_.of_kind(kind);
-      if (!as_target) std::erase_if(found, [&](int i) { return has(clause.targets, i); });
-    }
-    found = world_.with_attributes(found, noun);
-    found = world_.picked(found, pick, mentioned_, wanted);
-    const bool all = noun.determiner == Determiner::kBoth || noun.determiner == Determiner::kEach;
-    if (!all && found.size() > wanted) found.erase(found.begin(), found.end() - static_cast<std::ptrdiff_t>(wanted));
-    result.things = found;
+    result.things = members(clause, noun, pick, as_target);
   } else if (is_everything(noun)) {
-    for (std::size_t i = 0; i < world_.things().size(); ++i) {
-      if (!world_.things()[i].gone) found.push_back(static_cast<int>(i));
-    }
-    const bool but_mentioned = take_word(clause, {"else"}) || noun.name.ends_with("else") || noun.determiner == Determiner::kOther;
-    if (but_mentioned) std::erase_if(found, [&](int i) { return has(mentioned_, i); });
-    NounPhrase all = noun;
-    all.plural = true, all.count = 0;
-    if (auto narrowed = narrow(clause, found, all, true)) result.things = *narrowed;
+    result.things = all_things(clause, noun);
     result.noun.plural = true;
     return result;
   } else if (noun.kind == NounKind::kObject) {
-    found = world_.of_kind(noun);
+    std::vector<int> found = world_.of_kind(noun);
     if (found.empty()) {
       return fail(ErrorCode::kReference, "there is no \"" + noun.name + "\" in this room", "text", "there are: " + world_.all_names());
     }
@@ -206,7 +219,7 @@ Result<std::vector<int>> EditReader::read_things(Clause& clause, bool places_fol
   skip(clause, {ChunkKind::kIgnored, ChunkKind::kThere});
   while (noun_next(clause)) {
     const NounPhrase noun = peek(clause)->noun;
-    ++clause.k;
+    clause.subject = clause.k++;
     clause.reserved = places_follow ? 1 : 0;
     LAYOUTBOX_ASSIGN(const Found found, find_things(clause, noun, true));
     clause.reserved = 0;
@@ -238,50 +251,6 @@ Result<std::vector<int>> EditReader::read_things(Clause& clause, bool places_fol
   if (all.empty()) return not_understood(clause);
   remember(all);
   return all;
-}
-
-// ---- places
-
-int EditReader::mention_of(Clause& clause, const NounPhrase& noun, const std::vector<int>& things) const {
-  Mention mention;
-  mention.noun = noun;
-  mention.items = things;
-  clause.document.mentions.push_back(std::move(mention));
-  return static_cast<int>(clause.document.mentions.size()) - 1;
-}
-
-int EditReader::mention_of(Clause& clause, const std::vector<int>& things, bool each) const {
-  NounPhrase noun = world_.thing(things.front()).noun;
-  noun.count = static_cast<int>(things.size());
-  const int mention = mention_of(clause, noun, things);
-  clause.document.mentions.back().distributes = each;
-  return mention;
-}
-
-int EditReader::bring_in(Clause& clause, const NounPhrase& noun, EditStep& step) {
-  SceneObject object;
-  object.category = noun.category;
-  object.name = noun.name;
-  object.attributes = noun.attributes;
-  object.id = world_.new_id(noun.category);
-  if (noun.size.any() && noun.entry != nullptr) {
-    SizeRange range = noun.entry->size;
-    const auto fix = [&range](Mm Size::*side, double metres) {
-      range.least.*side = range.usual.*side = range.greatest.*side = mm_from_m(metres);
-    };
-    const bool deep = range.usual.depth > range.usual.width;
-    if (noun.size.length) fix(deep ? &Size::depth : &Size::width, *noun.size.length);
-    if (noun.size.width) fix(&Size::width, *noun.size.width);
-    if (noun.size.depth) fix(&Size::depth, *noun.size.depth);
-    if (noun.size.height) fix(&Size::height, *noun.size.height);
-    object.size = range;
-    object.size_source = SizeSource::kUser;
-  }
-  const int index = world_.add(object.id, noun, object.attributes);
-  clause.document.items.push_back({noun, clause.document.groups++});
-  added_[object.id] = object;
-  step.objects.push_back(std::move(object));
-  return index;
 }
 
 Result<EditReader::Found> EditReader::find_reference(Clause& clause, const Chunk& chunk) {

@@ -282,9 +282,9 @@ void Lexicon::read_room_knowledge() {
 }
 
 void Lexicon::read_phrases() {
-  using Direction = PhraseSense::Direction;
-  constexpr std::array<std::pair<const char*, Direction>, 3> kKeys = {
-      {{"phrases", Direction::kDirect}, {"inverse", Direction::kInverse}, {"alone", Direction::kAlone}}};
+  using Way = PhraseSense::Direction;
+  constexpr std::array<std::pair<const char*, Way>, 3> kKeys = {
+      {{"phrases", Way::kDirect}, {"inverse", Way::kInverse}, {"alone", Way::kAlone}}};
   for (const auto& [name, ways] : word_list("phrases").at("relations").items()) {
     const RelationRow* row = find_relation(name);
     if (row == nullptr) continue;

@@ -67,6 +67,7 @@ struct NounPhrase {
   std::shared_ptr<NounPhrase> as_object;  // of a part: the thing that has its name ("two sinks"), should no host be there
   bool owner = false;                     // followed by 's
   std::size_t first = 0, last = 0;        // tokens [first, last)
+  std::vector<int> items;                 // of the document, where it is known beforehand what is meant: things that are in the room
   bool is_plural() const { return count > 1 || (count == 0 && plural); }
 };
 

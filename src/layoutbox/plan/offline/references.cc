@@ -179,7 +179,10 @@ void References::mean_object(Mention& mention, bool as_reference, bool of_known)
 int References::mention(const NounPhrase& noun, int antecedent, bool as_reference, bool of_known) {
   Mention mention;
   mention.noun = noun;
-  if (noun.kind == NounKind::kPronoun)
+  if (!noun.items.empty()) {
+    mention.items = noun.items;
+    mention.distributes = noun.determiner == Determiner::kEach;
+  } else if (noun.kind == NounKind::kPronoun)
     mean_antecedent(mention, antecedent);
   else if (noun.kind == NounKind::kMember)
     mean_member(mention, antecedent);
