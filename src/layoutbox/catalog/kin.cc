@@ -2,33 +2,31 @@
 
 #include <algorithm>
 #include <map>
-#include <nlohmann/json.hpp>
 
 #include "layoutbox/base/words.h"
-#include "layoutbox/embedded/catalog_data.h"
+#include "layoutbox/catalog/word_lists.h"
 #include "layoutbox/embedded/english_data.h"
 
 namespace layoutbox {
 namespace {
 
-using Words = std::map<std::string, std::string, std::less<>>;
+using Words = std::map<std::string_view, std::string_view>;
+
+Words words_of_list(std::string_view key) {
+  Words words;
+  for (const WordList::Member member : word_list("words_kinds").at(key)) words.emplace(member.key, member.value.text());
+  return words;
+}
 
 struct Kinds {
   Words kinds, modifiers, portions;
-  Words like, like_keys;  // by the word, and by its key (words.h)
+  std::map<std::string, std::string_view, std::less<>> like_keys;  // by the key (words.h)
 };
 
 const Kinds& known_kinds() {
   static const Kinds kinds = [] {
-    const auto words = nlohmann::json::parse(embedded::words_kinds_json);
-    Kinds read{words.at("kinds").get<Words>(), words.at("modifiers").get<Words>(), words.at("portions").get<Words>(), {}, {}};
-    for (const auto& [id, like] : words.at("like").items()) {
-      for (const auto& word : like) {
-        const auto& text = word.get_ref<const std::string&>();
-        read.like.emplace(text, id);
-        read.like_keys.emplace(key_of(text), id);
-      }
-    }
+    Kinds read{words_of_list("kinds"), words_of_list("modifiers"), words_of_list("portions"), {}};
+    for (const auto& [word, id] : like_words()) read.like_keys.emplace(key_of(word), id);
     return read;
   }();
   return kinds;
@@ -82,7 +80,15 @@ std::string_view liked_entry(std::string_view words) {
   return found == known_kinds().like_keys.end() ? std::string_view{} : std::string_view(found->second);
 }
 
-const std::map<std::string, std::string, std::less<>>& like_words() { return known_kinds().like; }
+std::vector<std::pair<std::string_view, std::string_view>> like_words() {
+  std::vector<std::pair<std::string_view, std::string_view>> all;
+  for (const WordList::Member entry : word_list("words_kinds").at("like")) {
+    for (const WordList::Member word : entry.value) all.emplace_back(word.value.text(), entry.key);
+  }
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.first == b.first; }), all.end());
+  return all;
+}
 
 std::string_view portion_entry(std::string_view container) {
   const auto found = known_kinds().portions.find(container);

@@ -2,9 +2,10 @@
 // catalog/words_english.txt (from WordNet); what the kinds mean here stands in catalog/words_kinds.json.
 #pragma once
 
-#include <map>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "layoutbox/catalog/catalog.h"
 
@@ -20,8 +21,8 @@ const CatalogEntry* kin_of(const Catalog& catalog, std::string_view noun);
 // The id of the entry that a word is listed to be like ("wok" → pan), case and separators apart, or empty.
 std::string_view liked_entry(std::string_view words);
 
-// All words that are listed so, with those ids: for word lists.
-const std::map<std::string, std::string, std::less<>>& like_words();
+// All words that are listed so, with those ids, in alphabetical order: for word lists.
+std::vector<std::pair<std::string_view, std::string_view>> like_words();
 
 // The id of the entry that so much of something in it or of it is like ("tub" of clay → jar), or empty.
 std::string_view portion_entry(std::string_view container);

@@ -15,7 +15,7 @@ bool is_article(std::string_view word) {
 }
 
 // "cans" are no modal verbs: small words have no plurals.
-bool has_plural(const std::vector<Meaning>& meanings) {
+bool has_plural(std::span<const Meaning> meanings) {
   static constexpr std::array kSmall = {WordClass::kBe,         WordClass::kThere,    WordClass::kDefinite, WordClass::kIndefinite,
                                         WordClass::kPossessive, WordClass::kEach,     WordClass::kPronoun,  WordClass::kAnd,
                                         WordClass::kClause,     WordClass::kRelative, WordClass::kAdverb,   WordClass::kFiller};
@@ -108,22 +108,21 @@ Match Lexicon::find(std::span<const Token> tokens, std::size_t at) const {
       if (!key.ends_with('s')) key += 's';
       continue;
     }
+    const auto may_stand = [&](const Entry& entry) { return length == 1 || may_run_together(tokens, at, length, entry); };
     std::string with_plural = key + token.text;
-    if (const auto found = words_.find(with_plural);
-        found != words_.end() && (length == 1 || may_run_together(tokens, at, length, found->second))) {
-      best = {length, found->second.meanings, false};
+    if (const Entry* found = words_.find(with_plural); found != nullptr && may_stand(*found)) {
+      best = {length, meanings_of(*found), false};
       // A plural that is listed as such: "bunk beds" beside "bunk bed".
       const std::string singular = singular_of(token.text);
-      const auto single = singular == token.text ? words_.end() : words_.find(key + singular);
-      best.plural = single != words_.end() && single->second.meanings.front().entry == best.meanings.front().entry &&
-                    best.meanings.front().entry != nullptr;
+      const Entry* single = singular == token.text ? nullptr : words_.find(key + singular);
+      const CatalogEntry* entry = best.meanings.front().entry;
+      best.plural = single != nullptr && entry != nullptr && meanings_of(*single).front().entry == entry;
     }
     if (best.length != length) {
       for (const std::string& form : singular_forms(token.text)) {
         if (form == token.text) continue;
-        if (const auto found = words_.find(key + form); found != words_.end() && has_plural(found->second.meanings) &&
-                                                        (length == 1 || may_run_together(tokens, at, length, found->second))) {
-          best = {length, found->second.meanings, true};
+        if (const Entry* found = words_.find(key + form); found != nullptr && has_plural(meanings_of(*found)) && may_stand(*found)) {
+          best = {length, meanings_of(*found), true};
           break;
         }
       }
@@ -133,13 +132,16 @@ Match Lexicon::find(std::span<const Token> tokens, std::size_t at) const {
   return best;
 }
 
+bool Lexicon::has(const Entry* entry, WordClass word_class) const {
+  if (entry == nullptr) return false;
+  const std::span<const Meaning> meanings = meanings_of(*entry);
+  return std::any_of(meanings.begin(), meanings.end(), [&](const Meaning& m) { return m.word_class == word_class; });
+}
+
 Match Lexicon::find(std::span<const Token> tokens, std::size_t at, WordClass word_class) const {
   constexpr std::size_t kLongest = 6;
   Match best;
   std::string key;
-  const auto has = [&](const Entry& entry) {
-    return std::any_of(entry.meanings.begin(), entry.meanings.end(), [&](const Meaning& m) { return m.word_class == word_class; });
-  };
   for (std::size_t length = 1; length <= kLongest && at + length <= tokens.size(); ++length) {
     const Token& token = tokens[at + length - 1];
     if (token.kind == Token::Kind::kPunctuation && length > 1) break;
@@ -148,18 +150,13 @@ Match Lexicon::find(std::span<const Token> tokens, std::size_t at, WordClass wor
       continue;
     }
     key += token.text;
-    if (const auto found = words_.find(key);
-        found != words_.end() && has(found->second) && (length == 1 || may_run_together(tokens, at, length, found->second)))
-      best = {length, found->second.meanings, false};
+    if (const Entry* found = words_.find(key); has(found, word_class) && (length == 1 || may_run_together(tokens, at, length, *found)))
+      best = {length, meanings_of(*found), false};
   }
   return best;
 }
 
-bool Lexicon::is(const Token& token, WordClass word_class) const {
-  const auto found = words_.find(token.text);
-  return found != words_.end() && std::any_of(found->second.meanings.begin(), found->second.meanings.end(),
-                                              [&](const Meaning& m) { return m.word_class == word_class; });
-}
+bool Lexicon::is(const Token& token, WordClass word_class) const { return has(words_.find(token.text), word_class); }
 
 void Lexicon::extend_phrase(std::span<const Token> tokens, std::size_t at, std::size_t i, const std::string& key, PhraseMatch so_far,
                             PhraseMatch& best) const {
@@ -185,10 +182,10 @@ void Lexicon::extend_phrase(std::span<const Token> tokens, std::size_t at, std::
       return i > at && name.length > 1 &&
              std::any_of(name.meanings.begin(), name.meanings.end(), [](const Meaning& m) { return m.word_class == WordClass::kObject; });
     };
-    if (const auto found = phrases_.find(extended); found != phrases_.end() && i + 1 - at > best.length && !adjective && !begins_name()) {
+    if (const PhraseSenses* found = phrases_.find(extended); found != nullptr && i + 1 - at > best.length && !adjective && !begins_name()) {
       best = next;
       best.length = i + 1 - at;
-      best.senses = &found->second;
+      best.senses = found;
     }
     extend_phrase(tokens, at, i + 1, extended, next, best);
     return true;

@@ -1,6 +1,7 @@
 // What words may mean: the catalogue's names, the relation phrases and the word lists of catalog/words_*.json, found by longest match.
 #pragma once
 
+#include <cstdint>
 #include <mutex>
 #include <optional>
 #include <span>
@@ -11,6 +12,8 @@
 #include <vector>
 
 #include "layoutbox/catalog/catalog.h"
+#include "layoutbox/catalog/word_lists.h"
+#include "layoutbox/plan/offline/text_map.h"
 #include "layoutbox/plan/offline/tokens.h"
 
 namespace layoutbox::offline {
@@ -136,6 +139,8 @@ class Lexicon {
   std::span<const std::string_view> words_like(char first, std::size_t length) const;
   // "scissors", "tongs": one thing, though the word is a plural.
   bool is_plural_only(std::string_view word) const { return plural_only_.contains(std::string(word)); }
+  // "hang", "flank": a relation phrase that is a finite verb as it stands.
+  bool is_place_verb(std::string_view word) const { return place_verbs_.contains(std::string(word)); }
   // What "a pair of" so called is, where it is one thing ("glasses"), or empty.
   std::string_view meant_by_pair(std::string_view word) const;
   // What a set consists of, the host first ("dining set": table, chairs), or nothing.
@@ -157,11 +162,14 @@ class Lexicon {
 
  private:
   struct Entry {
-    std::vector<Meaning> meanings;
-    std::size_t words = 0;  // in how many words it was listed, at most
+    std::uint32_t first = 0, count = 0;  // of meanings_
+    std::uint32_t words = 0;             // in how many words it was listed, at most
   };
+  std::span<const Meaning> meanings_of(const Entry& entry) const { return std::span(meanings_).subspan(entry.first, entry.count); }
+  bool has(const Entry* entry, WordClass word_class) const;
+  void settle_meanings();
   bool may_run_together(std::span<const Token> tokens, std::size_t at, std::size_t length, const Entry& entry) const;
-  void add(std::string_view words, Meaning meaning);
+  void add(std::string_view words, const Meaning& meaning);
   void extend_phrase(std::span<const Token> tokens, std::size_t at, std::size_t i, const std::string& key, PhraseMatch so_far,
                      PhraseMatch& best) const;
   bool names_place(std::span<const Token> tokens, std::size_t at) const;
@@ -174,23 +182,27 @@ class Lexicon {
     static std::size_t shape(char first, std::size_t length) { return static_cast<unsigned char>(first) + (length << 8); }
   };
   const Vocabulary& vocabulary() const;
+  void add_set(std::unordered_map<std::string, Set>& sets, const std::string& key, const WordList& members);
   void read_words();
   void read_room_knowledge();
   void read_phrases();
 
   const Catalog* catalog_;
-  std::unordered_map<std::string, Entry> words_;           // key_of
-  std::unordered_map<std::string, PhraseSenses> phrases_;  // words joined by spaces
-  std::unordered_map<std::string, bool> phrase_starts_;    // every beginning of a phrase
-  std::unordered_map<std::string, Set> sets_;              // key_of
-  std::unordered_map<std::string, Set> needs_;             // by room
+  TextMap<Entry> words_;  // key_of
+  std::vector<Meaning> meanings_;
+  std::vector<std::pair<std::uint32_t, Meaning>> listed_meanings_;  // of which word, as they come; empty once all are read
+  TextMap<PhraseSenses> phrases_;                                   // words joined by spaces
+  TextMap<char> phrase_starts_;                                     // every beginning of a phrase
+  std::unordered_map<std::string, Set> sets_;                       // key_of
+  std::unordered_map<std::string, Set> needs_;                      // by room
   std::unordered_map<std::string, std::string> young_rooms_;
   std::unordered_map<std::string, std::string> activities_;                 // words joined by spaces, room
   std::vector<std::pair<const CatalogEntry*, const CatalogEntry*>> seats_;  // table, seat or null; special kinds first
   std::unordered_map<std::string, const CatalogEntry*> room_senses_;        // "room word"
-  std::unordered_set<std::string> persons_, young_persons_, plural_only_;
+  std::unordered_set<std::string> persons_, young_persons_, plural_only_, place_verbs_;
   std::unordered_map<std::string, std::string> pairs_meant_;
   std::string listed_;  // all that was listed, a line each
+  std::string key_;     // of the word that is listed just now
   mutable std::once_flag vocabulary_made_;
   mutable Vocabulary vocabulary_;
   std::unordered_map<std::string, std::string> typing_errors_;

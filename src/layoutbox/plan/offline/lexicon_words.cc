@@ -3,32 +3,15 @@
 
 #include <algorithm>
 #include <array>
-#include <nlohmann/json.hpp>
+#include <utility>
 
 #include "layoutbox/base/words.h"
 #include "layoutbox/catalog/groups.h"
 #include "layoutbox/catalog/kin.h"
-#include "layoutbox/embedded/catalog_data.h"
+#include "layoutbox/catalog/word_lists.h"
 
 namespace layoutbox::offline {
 namespace {
-
-using Json = nlohmann::ordered_json;  // the order of the relations counts
-
-// The lists' texts are kept for the life of the program, so that meanings can point into them.
-const Json& word_list(std::string_view name) {
-  static const Json grammar = Json::parse(embedded::words_grammar_json);
-  static const Json room = Json::parse(embedded::words_room_json);
-  static const Json attributes = Json::parse(embedded::words_attributes_json);
-  static const Json phrases = Json::parse(embedded::relation_phrases_json);
-  static const Json colors = Json::parse(embedded::colors_json);
-  static const Json materials = Json::parse(embedded::materials_json);
-  if (name == "grammar") return grammar;
-  if (name == "room") return room;
-  if (name == "attributes") return attributes;
-  if (name == "phrases") return phrases;
-  return name == "colors" ? colors : materials;
-}
 
 struct PlainList {
   std::string_view file, key;
@@ -36,51 +19,51 @@ struct PlainList {
 };
 
 constexpr std::array kPlainLists = {
-    PlainList{"room", "wall", WordClass::kWall},
-    PlainList{"room", "corner", WordClass::kCorner},
-    PlainList{"room", "center", WordClass::kCenter},
-    PlainList{"room", "floor", WordClass::kFloor},
-    PlainList{"room", "ceiling", WordClass::kCeiling},
-    PlainList{"room", "door", WordClass::kDoor},
-    PlainList{"room", "window", WordClass::kWindow},
-    PlainList{"room", "room_nouns", WordClass::kRoomNoun},
-    PlainList{"room", "outside_rooms", WordClass::kOutsideRoom},
-    PlainList{"room", "sides", WordClass::kSide},
-    PlainList{"room", "parts", WordClass::kPart},
-    PlainList{"room", "abstract", WordClass::kAbstract},
-    PlainList{"room", "zones", WordClass::kZone},
-    PlainList{"room", "niches", WordClass::kNiche},
-    PlainList{"room", "cut_niches", WordClass::kCutNiche},
-    PlainList{"grammar", "definite", WordClass::kDefinite},
-    PlainList{"grammar", "indefinite", WordClass::kIndefinite},
-    PlainList{"grammar", "possessive", WordClass::kPossessive},
-    PlainList{"grammar", "each", WordClass::kEach},
-    PlainList{"grammar", "both", WordClass::kBoth},
-    PlainList{"grammar", "another", WordClass::kAnother},
-    PlainList{"grammar", "other", WordClass::kOther},
-    PlainList{"grammar", "pronouns", WordClass::kPronoun},
-    PlainList{"grammar", "at_least", WordClass::kAtLeast},
-    PlainList{"grammar", "more_than", WordClass::kMoreThan},
-    PlainList{"grammar", "at_most", WordClass::kAtMost},
-    PlainList{"grammar", "exactly", WordClass::kExactly},
-    PlainList{"grammar", "and", WordClass::kAnd},
-    PlainList{"grammar", "clause", WordClass::kClause},
-    PlainList{"grammar", "relative", WordClass::kRelative},
-    PlainList{"grammar", "be", WordClass::kBe},
-    PlainList{"grammar", "there", WordClass::kThere},
-    PlainList{"grammar", "commands", WordClass::kCommand},
-    PlainList{"grammar", "purpose", WordClass::kPurpose},
-    PlainList{"grammar", "own_clause", WordClass::kOwnClause},
-    PlainList{"grammar", "adverbs", WordClass::kAdverb},
-    PlainList{"grammar", "fillers", WordClass::kFiller},
-    PlainList{"grammar", "verbs_other", WordClass::kVerb},
-    PlainList{"attributes", "size", WordClass::kSizeWord},
-    PlainList{"attributes", "material", WordClass::kMaterial},
-    PlainList{"attributes", "shape", WordClass::kShape},
-    PlainList{"attributes", "style", WordClass::kStyle},
-    PlainList{"attributes", "quality", WordClass::kQuality},
-    PlainList{"phrases", "without", WordClass::kWithout},
-    PlainList{"phrases", "soft", WordClass::kSoft},
+    PlainList{"words_room", "wall", WordClass::kWall},
+    PlainList{"words_room", "corner", WordClass::kCorner},
+    PlainList{"words_room", "center", WordClass::kCenter},
+    PlainList{"words_room", "floor", WordClass::kFloor},
+    PlainList{"words_room", "ceiling", WordClass::kCeiling},
+    PlainList{"words_room", "door", WordClass::kDoor},
+    PlainList{"words_room", "window", WordClass::kWindow},
+    PlainList{"words_room", "room_nouns", WordClass::kRoomNoun},
+    PlainList{"words_room", "outside_rooms", WordClass::kOutsideRoom},
+    PlainList{"words_room", "sides", WordClass::kSide},
+    PlainList{"words_room", "parts", WordClass::kPart},
+    PlainList{"words_room", "abstract", WordClass::kAbstract},
+    PlainList{"words_room", "zones", WordClass::kZone},
+    PlainList{"words_room", "niches", WordClass::kNiche},
+    PlainList{"words_room", "cut_niches", WordClass::kCutNiche},
+    PlainList{"words_grammar", "definite", WordClass::kDefinite},
+    PlainList{"words_grammar", "indefinite", WordClass::kIndefinite},
+    PlainList{"words_grammar", "possessive", WordClass::kPossessive},
+    PlainList{"words_grammar", "each", WordClass::kEach},
+    PlainList{"words_grammar", "both", WordClass::kBoth},
+    PlainList{"words_grammar", "another", WordClass::kAnother},
+    PlainList{"words_grammar", "other", WordClass::kOther},
+    PlainList{"words_grammar", "pronouns", WordClass::kPronoun},
+    PlainList{"words_grammar", "at_least", WordClass::kAtLeast},
+    PlainList{"words_grammar", "more_than", WordClass::kMoreThan},
+    PlainList{"words_grammar", "at_most", WordClass::kAtMost},
+    PlainList{"words_grammar", "exactly", WordClass::kExactly},
+    PlainList{"words_grammar", "and", WordClass::kAnd},
+    PlainList{"words_grammar", "clause", WordClass::kClause},
+    PlainList{"words_grammar", "relative", WordClass::kRelative},
+    PlainList{"words_grammar", "be", WordClass::kBe},
+    PlainList{"words_grammar", "there", WordClass::kThere},
+    PlainList{"words_grammar", "commands", WordClass::kCommand},
+    PlainList{"words_grammar", "purpose", WordClass::kPurpose},
+    PlainList{"words_grammar", "own_clause", WordClass::kOwnClause},
+    PlainList{"words_grammar", "adverbs", WordClass::kAdverb},
+    PlainList{"words_grammar", "fillers", WordClass::kFiller},
+    PlainList{"words_grammar", "verbs_other", WordClass::kVerb},
+    PlainList{"words_attributes", "size", WordClass::kSizeWord},
+    PlainList{"words_attributes", "material", WordClass::kMaterial},
+    PlainList{"words_attributes", "shape", WordClass::kShape},
+    PlainList{"words_attributes", "style", WordClass::kStyle},
+    PlainList{"words_attributes", "quality", WordClass::kQuality},
+    PlainList{"relation_phrases", "without", WordClass::kWithout},
+    PlainList{"relation_phrases", "soft", WordClass::kSoft},
 };
 
 struct ValueList {
@@ -95,24 +78,31 @@ constexpr std::array kValueLists = {
     ValueList{"area_units", WordClass::kAreaUnit},
 };
 
-PhraseSense sense_of(RelationType type, PhraseSense::Direction direction, const Json& item) {
+PhraseSense sense_of(RelationType type, PhraseSense::Direction direction, const WordList& item) {
   PhraseSense sense{type, direction, {}, {}, {}};
-  if (item.is_object()) {
-    sense.part = item.value("part", "");
-    sense.region = item.value("region", "");
-    if (item.contains("side")) sense.side = side_from_name(item.at("side").get<std::string>());
+  if (!item.is_object()) return sense;
+  for (const WordList::Member member : item) {
+    if (member.key == "part") sense.part = member.value.text();
+    if (member.key == "region") sense.region = member.value.text();
+    if (member.key == "side") sense.side = side_from_name(member.value.text());
   }
   return sense;
 }
 
-// As words_of parts them, and at least one.
-std::size_t number_of_words(std::string_view words) {
-  std::size_t count = 0;
+bool is_letter_or_digit(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || static_cast<unsigned char>(c) >= 0x80;
+}
+
+// As key_of makes it; the number of words as words_of parts them.
+std::uint32_t make_key(std::string_view words, std::string& key) {
+  key.clear();
+  std::uint32_t count = 0;
   bool open = false;
   for (const char c : words) {
     if (c == '\'') continue;
-    const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || static_cast<unsigned char>(c) >= 0x80;
+    const bool letter = is_letter_or_digit(c);
     if (letter && !open) ++count;
+    if (letter) key.push_back(c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c);
     open = letter;
   }
   return count;
@@ -131,13 +121,14 @@ std::string plain_words(std::string_view listed) {
   return text;
 }
 
-std::string text_of(const Json& item) { return item.is_string() ? item.get<std::string>() : item.at("say").get<std::string>(); }
+std::string_view text_of(const WordList& item) { return item.is_text() ? item.text() : item.at("say").text(); }
+
+constexpr std::size_t kWords = 16000, kPhrases = 2000, kLetters = 400000;
 
 }  // namespace
 
-Lexicon::Lexicon(const Catalog& catalog) : catalog_(&catalog) {
-  constexpr std::size_t kWords = 24000, kLetters = 400000;
-  words_.reserve(kWords);
+Lexicon::Lexicon(const Catalog& catalog) : catalog_(&catalog), words_(kWords), phrases_(kPhrases), phrase_starts_(kPhrases) {
+  listed_meanings_.reserve(kWords);
   listed_.reserve(kLetters);
   for (const CatalogEntry& entry : catalog.entries()) {
     const Meaning meaning{WordClass::kObject, &entry, nullptr, 0, entry.id};
@@ -157,29 +148,47 @@ Lexicon::Lexicon(const Catalog& catalog) : catalog_(&catalog) {
   read_words();
   read_room_knowledge();
   read_phrases();
+  settle_meanings();
 }
 
-void Lexicon::add(std::string_view words, Meaning meaning) {
-  std::string key = key_of(words);
-  if (key.empty()) key = words;
-  if (key.empty()) return;
+// Those of one word stand together, in the order in which they came, none twice.
+void Lexicon::settle_meanings() {
+  for (const auto& [place, meaning] : listed_meanings_) ++words_.at_place(place).count;
+  std::uint32_t first = 0;
+  for (std::size_t place = 0; place < words_.size(); ++place) {
+    Entry& entry = words_.at_place(place);
+    entry.first = first;
+    first += std::exchange(entry.count, 0);
+  }
+  meanings_.resize(first);
+  for (const auto& [place, meaning] : listed_meanings_) {
+    Entry& entry = words_.at_place(place);
+    const std::span<const Meaning> before = meanings_of(entry);
+    const auto same = [&, &meant = meaning](const Meaning& other) {
+      return other.word_class == meant.word_class && other.entry == meant.entry && other.room == meant.room;
+    };
+    if (std::none_of(before.begin(), before.end(), same)) meanings_[entry.first + entry.count++] = meaning;
+  }
+  listed_meanings_ = {};
+}
+
+void Lexicon::add(std::string_view words, const Meaning& meaning) {
+  const std::uint32_t count = make_key(words, key_);
+  if (key_.empty()) key_ = words;
+  if (key_.empty()) return;
   listed_.append(words) += '\n';
-  Entry& entry = words_[std::move(key)];
-  entry.words = std::max(entry.words, number_of_words(words));
-  auto& meanings = entry.meanings;
-  const auto same = [&](const Meaning& other) {
-    return other.word_class == meaning.word_class && other.entry == meaning.entry && other.room == meaning.room;
-  };
-  if (std::none_of(meanings.begin(), meanings.end(), same)) meanings.push_back(meaning);
+  const std::size_t place = words_.place_of(key_);
+  Entry& entry = words_.at_place(place);
+  entry.words = std::max(entry.words, count);
+  listed_meanings_.emplace_back(static_cast<std::uint32_t>(place), meaning);
 }
 
 void Lexicon::add_phrase(std::string_view words, PhraseSense sense) {
-  std::string key(words);
   listed_.append(words) += '\n';
-  phrases_[key].push_back(std::move(sense));
-  for (std::size_t space = key.find(' '); space != std::string::npos; space = key.find(' ', space + 1))
-    phrase_starts_[key.substr(0, space)] = true;
-  phrase_starts_[key] = true;
+  phrases_[words].push_back(std::move(sense));
+  for (std::size_t space = words.find(' '); space != std::string_view::npos; space = words.find(' ', space + 1))
+    phrase_starts_[words.substr(0, space)] = 1;
+  phrase_starts_[words] = 1;
 }
 
 const Lexicon::Vocabulary& Lexicon::vocabulary() const {
@@ -200,52 +209,48 @@ const Lexicon::Vocabulary& Lexicon::vocabulary() const {
 }
 
 void Lexicon::read_words() {
+  const WordList grammar = word_list("words_grammar"), room = word_list("words_room"), colors = word_list("colors").at("colors");
   for (const PlainList& list : kPlainLists) {
-    for (const Json& word : word_list(list.file).at(std::string(list.key))) {
-      const auto& text = word.get_ref<const std::string&>();
+    for (const WordList::Member word : word_list(list.file).at(list.key)) {
+      const std::string_view text = word.value.text();
       add(text, {list.word_class, nullptr, nullptr, 0, text});
     }
   }
   for (const ValueList& list : kValueLists) {
-    for (const auto& [word, value] : word_list("grammar").at(std::string(list.key)).items()) {
-      add(word, {list.word_class, nullptr, nullptr, value.get<double>(), {}});
-    }
+    for (const WordList::Member word : grammar.at(list.key)) add(word.key, {list.word_class, nullptr, nullptr, word.value.number(), {}});
   }
-  for (const auto& [wrong, right] : word_list("grammar").at("typing_errors").items()) typing_errors_[wrong] = right.get<std::string>();
-  for (const Json& word : word_list("grammar").at("plural_only")) plural_only_.insert(word.get<std::string>());
-  for (const auto& [word, meant] : word_list("grammar").at("pairs_meant").items()) pairs_meant_[word] = meant.get<std::string>();
-  for (const auto& [words, members] : word_list("room").at("sets").items()) {
-    Set set;
-    for (const auto& [id, count] : members.items()) {
-      if (const CatalogEntry* entry = catalog_->find(id)) set.emplace_back(entry, count.get<int>());
-    }
-    if (set.size() == members.size()) sets_[key_of(words)] = std::move(set);
-    add(words, {WordClass::kAbstract, nullptr, nullptr, 0, {}});
+  for (const WordList::Member wrong : grammar.at("typing_errors")) typing_errors_[std::string(wrong.key)] = wrong.value.text();
+  for (const WordList::Member word : grammar.at("plural_only")) plural_only_.emplace(word.value.text());
+  for (const WordList::Member word : grammar.at("place_verbs")) place_verbs_.emplace(word.value.text());
+  for (const WordList::Member word : grammar.at("pairs_meant")) pairs_meant_[std::string(word.key)] = word.value.text();
+  for (const WordList::Member listed : room.at("sets")) {
+    add_set(sets_, key_of(listed.key), listed.value);
+    add(listed.key, {WordClass::kAbstract, nullptr, nullptr, 0, {}});
   }
-  const auto add_named = [&](std::string_view file, std::string_view key, WordClass word_class) {
-    for (const auto& [word, value] : word_list(file).at(std::string(key)).items())
-      add(word, {word_class, nullptr, nullptr, 0, value.get_ref<const std::string&>()});
+  const auto add_named = [&](const WordList& words, WordClass word_class) {
+    for (const WordList::Member word : words) add(word.key, {word_class, nullptr, nullptr, 0, word.value.text()});
   };
-  add_named("room", "wall_words", WordClass::kWallWord);
-  add_named("room", "wall_relations", WordClass::kWallRelation);
-  add_named("grammar", "dimension_words", WordClass::kDimension);
-  for (const auto& [word, value] : word_list("colors").at("colors").items()) {
-    add(word, {WordClass::kColor, nullptr, nullptr, 0, {}});
-    for (const char* shade : {"light ", "dark ", "pale ", "deep ", "bright ", "soft "})
-      add(shade + word, {WordClass::kColor, nullptr, nullptr, 0, {}});
-    add(word + " colored", {WordClass::kColor, nullptr, nullptr, 0, {}});
+  add_named(room.at("wall_words"), WordClass::kWallWord);
+  add_named(room.at("wall_relations"), WordClass::kWallRelation);
+  add_named(grammar.at("dimension_words"), WordClass::kDimension);
+  const Meaning color{WordClass::kColor, nullptr, nullptr, 0, {}};
+  for (const WordList::Member word : colors) {
+    const std::string name(word.key);
+    add(name, color);
+    for (const char* shade : {"light ", "dark ", "pale ", "deep ", "bright ", "soft "}) add(shade + name, color);
+    add(name + " colored", color);
   }
-  for (const Json& surface : word_list("materials").at("surfaces")) {
-    for (const Json& word : surface.at("words")) {
-      const auto text = word.get<std::string>();
+  for (const WordList::Member surface : word_list("materials").at("surfaces")) {
+    for (const WordList::Member word : surface.value.at("words")) {
+      const std::string_view text = word.value.text();
       // "wooden floor" is a floor that is wooden.
       if (!text.ends_with("floor") && !text.ends_with("wall") && !text.ends_with("boards"))
         add(text, {WordClass::kMaterial, nullptr, nullptr, 0, {}});
     }
   }
-  const Json& phrases = word_list("phrases");
-  const auto add_group = [&](const Json& words, WordClass word_class) {
-    for (const Json& word : words) add(word.get<std::string>(), {word_class, nullptr, nullptr, 0, {}});
+  const WordList phrases = word_list("relation_phrases");
+  const auto add_group = [&](const WordList& words, WordClass word_class) {
+    for (const WordList::Member word : words) add(word.value.text(), {word_class, nullptr, nullptr, 0, {}});
   };
   add_group(phrases.at("placing").at("participles"), WordClass::kParticiple);
   add_group(phrases.at("placing").at("verbs"), WordClass::kPlaceVerb);
@@ -253,44 +258,50 @@ void Lexicon::read_words() {
   add_group(phrases.at("having").at("words"), WordClass::kHave);
 }
 
+// Things of the catalogue and how many; nothing where it lacks one.
+void Lexicon::add_set(std::unordered_map<std::string, Set>& sets, const std::string& key, const WordList& members) {
+  Set set;
+  for (const WordList::Member member : members) {
+    const CatalogEntry* entry = catalog_->find(member.key);
+    if (entry == nullptr) return;
+    set.emplace_back(entry, static_cast<int>(member.value.number()));
+  }
+  sets[key] = std::move(set);
+}
+
 // What rooms need for each person, what one sits on, and what plain words mean in a room.
 void Lexicon::read_room_knowledge() {
-  const Json& room = word_list("room");
-  for (const Json& word : room.at("persons")) persons_.insert(word.get<std::string>());
-  for (const Json& word : room.at("young_persons")) young_persons_.insert(word.get<std::string>());
-  for (const auto& [kind, members] : room.at("people").items()) {
-    Set set;
-    for (const auto& [id, persons] : members.items()) {
-      if (const CatalogEntry* entry = catalog_->find(id)) set.emplace_back(entry, persons.get<int>());
-    }
-    if (set.size() == members.size()) needs_[kind] = std::move(set);
+  const WordList room = word_list("words_room");
+  for (const WordList::Member word : room.at("persons")) persons_.emplace(word.value.text());
+  for (const WordList::Member word : room.at("young_persons")) young_persons_.emplace(word.value.text());
+  for (const WordList::Member kind : room.at("people")) add_set(needs_, std::string(kind.key), kind.value);
+  for (const WordList::Member kind : room.at("activities")) {
+    for (const WordList::Member word : kind.value) activities_.try_emplace(std::string(word.value.text()), kind.key);
   }
-  for (const auto& [kind, words] : room.at("activities").items()) {
-    for (const Json& word : words) activities_.try_emplace(word.get<std::string>(), kind);
-  }
-  for (const auto& [kind, young] : room.at("people_rooms").items()) young_rooms_[kind] = young.get<std::string>();
+  for (const WordList::Member kind : room.at("people_rooms")) young_rooms_[std::string(kind.key)] = kind.value.text();
   for (const Seating& seating : Groups::builtin().seatings) {
     const CatalogEntry* entry = seating.rooms.empty() ? catalog_->find(seating.at) : nullptr;
     if (entry != nullptr) seats_.emplace_back(entry, catalog_->find(seating.seat));
   }
-  for (const Json& sense : room.at("room_senses")) {
-    for (const Json& kind : sense.at("rooms")) {
-      for (const auto& [word, id] : sense.at("words").items())
-        room_senses_.try_emplace(kind.get<std::string>() + "|" + word, catalog_->find(id.get_ref<const std::string&>()));
+  for (const WordList::Member sense : room.at("room_senses")) {
+    for (const WordList::Member kind : sense.value.at("rooms")) {
+      for (const WordList::Member word : sense.value.at("words"))
+        room_senses_.try_emplace(std::string(kind.value.text()) + "|" + std::string(word.key), catalog_->find(word.value.text()));
     }
   }
 }
 
 void Lexicon::read_phrases() {
   using Way = PhraseSense::Direction;
-  constexpr std::array<std::pair<const char*, Way>, 3> kKeys = {
+  constexpr std::array<std::pair<std::string_view, Way>, 3> kKeys = {
       {{"phrases", Way::kDirect}, {"inverse", Way::kInverse}, {"alone", Way::kAlone}}};
-  for (const auto& [name, ways] : word_list("phrases").at("relations").items()) {
-    const RelationRow* row = find_relation(name);
+  for (const WordList::Member relation : word_list("relation_phrases").at("relations")) {
+    const RelationRow* row = find_relation(relation.key);
     if (row == nullptr) continue;
     for (const auto& [key, direction] : kKeys) {
-      if (!ways.contains(key)) continue;
-      for (const Json& item : ways.at(key)) add_phrase(text_of(item), sense_of(row->type, direction, item));
+      if (!relation.value.contains(key)) continue;
+      for (const WordList::Member item : relation.value.at(key))
+        add_phrase(text_of(item.value), sense_of(row->type, direction, item.value));
     }
   }
 }

@@ -41,11 +41,7 @@ double Decoder::attach_score(const State& state, int u, int level, bool inverse)
 }
 
 // A place that is a finite verb: "faces", "hang on".
-bool Decoder::finite_place(int u) const {
-  return is(u, UnitKind::kPlace) &&
-         (is_finite(word(u)) || one_of(word(u), {"hang", "face", "line", "flank", "surround", "frame", "fill", "cover", "occupy",
-                                                 "dominate", "anchor", "overlook", "decorate", "adorn", "illuminate"}));
-}
+bool Decoder::finite_place(int u) const { return is(u, UnitKind::kPlace) && (is_finite(word(u)) || lexicon_.is_place_verb(word(u))); }
 
 // What was named last is no thing ("with storage …"), and what follows is said of that.
 bool Decoder::speaks_of_no_thing(const State& state) const {
