@@ -2,7 +2,7 @@
 # (layoutbox::layoutbox) and a pkg-config file. None of it names a folder of the machine that it was built on.
 include(CMakePackageConfigHelpers)
 
-set(folders base scene catalog chat plan solve furnish render export verify judge pipeline)
+set(folders base scene catalog chat plan solve furnish render export verify judge edit pipeline)
 list(TRANSFORM folders REPLACE "(.+)" "$<TARGET_OBJECTS:layoutbox_\\1>" OUTPUT_VARIABLE objects)
 add_library(layoutbox_library STATIC ${objects})
 set_target_properties(layoutbox_library PROPERTIES OUTPUT_NAME layoutbox EXPORT_NAME layoutbox LINKER_LANGUAGE CXX)
@@ -22,7 +22,8 @@ set(included
     render/render.h
     export/export.h export/formats.h
     verify/verify.h
-    pipeline/batch.h pipeline/batch_input.h pipeline/edit.h pipeline/generate.h)
+    edit/edit.h
+    pipeline/batch.h pipeline/batch_input.h pipeline/generate.h)
 foreach(header IN LISTS included)
   cmake_path(GET header PARENT_PATH folder)
   install(FILES src/layoutbox/${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/layoutbox/${folder})

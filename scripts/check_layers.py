@@ -16,7 +16,7 @@ FLOORS = (
     ("catalog",),
     ("plan", "solve", "furnish"),
     ("render", "export", "verify"),
-    ("judge",),
+    ("judge", "edit"),
     ("pipeline",),
     ("experiment", "serve"),
     ("cli",),

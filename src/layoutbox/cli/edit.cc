@@ -1,4 +1,4 @@
-#include "layoutbox/pipeline/edit.h"
+#include "layoutbox/edit/edit.h"
 
 #include <fmt/format.h>
 

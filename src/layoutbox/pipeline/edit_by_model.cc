@@ -5,7 +5,7 @@
 #include <set>
 #include <string>
 
-#include "layoutbox/pipeline/edit_changes.h"
+#include "layoutbox/edit/changes.h"
 #include "layoutbox/pipeline/repair.h"
 #include "layoutbox/plan/llm/conversation.h"
 #include "layoutbox/scene/json_text.h"

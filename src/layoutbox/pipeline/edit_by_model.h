@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "layoutbox/chat/chat_client.h"
-#include "layoutbox/pipeline/edit.h"
+#include "layoutbox/edit/edit.h"
 #include "layoutbox/pipeline/generate.h"
 
 namespace layoutbox {

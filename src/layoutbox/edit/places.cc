@@ -2,8 +2,9 @@
 #include <cmath>
 
 #include "layoutbox/catalog/normalize.h"
-#include "layoutbox/pipeline/edit_changes.h"
-#include "layoutbox/pipeline/edit_work.h"
+#include "layoutbox/edit/changes.h"
+#include "layoutbox/edit/placer.h"
+#include "layoutbox/edit/stepper.h"
 #include "layoutbox/verify/verify.h"
 
 namespace layoutbox {
@@ -22,16 +23,29 @@ std::vector<std::string> split(const std::string& subject) {
   return ids;
 }
 
+// An id for a relation that keeps the thing turned.
+std::string unused_id(const SceneGraph& scene, const std::string& turned) {
+  std::string id = "turned_" + turned;
+  while (std::any_of(scene.relations.begin(), scene.relations.end(), [&](const Relation& r) { return r.id == id; })) id += "_";
+  return id;
+}
+
 }  // namespace
 
-std::array<double, 2> Edit::middle() const {
+EditPlacer::EditPlacer(const EditState& state, const Layout& before, const Catalog& catalog, SolveOptions solve)
+    : state_(state), before_(before), catalog_(catalog), solve_(std::move(solve)) {
+  solve_.freed.insert(solve_.freed.end(), state.freed.begin(), state.freed.end());
+  solve_.locked.insert(solve_.locked.end(), state.locked.begin(), state.locked.end());
+}
+
+std::array<double, 2> EditPlacer::middle() const {
   std::array<double, 2> sum{};
   for (const Point& corner : before_.room.polygon) sum[0] += corner.x, sum[1] += corner.y;
   const auto count = static_cast<double>(std::max<std::size_t>(before_.room.polygon.size(), 1));
   return {sum[0] / count, sum[1] / count};
 }
 
-std::array<double, 3> Edit::position_of(const Pin& pin, const Attempt& attempt) const {
+std::array<double, 3> EditPlacer::position_of(const EditPin& pin, const Attempt& attempt) const {
   std::array<double, 3> position = pin.from;
   const std::array<double, 3> shares =
       pin.loose ? std::array<double, 3>{attempt.share_x, attempt.share_y, 1} : std::array<double, 3>{1, 1, 1};
@@ -45,17 +59,18 @@ std::array<double, 3> Edit::position_of(const Pin& pin, const Attempt& attempt) 
   return position;
 }
 
-Result<Layout> Edit::solve_with(const Attempt& attempt) {
-  SceneGraph scene = scene_;
-  Layout guide = guide_;
-  for (const Pin& pin : pins_) {
+Result<Layout> EditPlacer::solve_with(const Attempt& attempt) {
+  SceneGraph scene = state_.scene;
+  Layout guide = state_.guide;
+  for (const EditPin& pin : state_.pins) {
     for (SceneObject& object : scene.objects) {
       if (object.id != pin.id) continue;
       const std::array<double, 3> position = position_of(pin, attempt);
       const auto side = side_looked_at(pin.rotation);
       if (attempt.turn_free && pin.may_move && side) {  // which way it looks is what counts; it may step aside
         Relation facing;
-        facing.id = "turned_" + pin.id;
+        facing.id = unused_id(scene, pin.id);
+        aids_.insert(facing.id);
         facing.type = RelationType::kFacing;
         facing.targets = {pin.id};
         facing.references = {wall_on_side(scene.room.walls, *side)->id};
@@ -79,13 +94,13 @@ Result<Layout> Edit::solve_with(const Attempt& attempt) {
 }
 
 // What is fixed may stand anywhere as far as the solver is concerned: what the text puts exactly somewhere must be well there.
-Status Edit::check_pins(const Layout& layout) const {
-  if (pins_.empty()) return {};
+Status EditPlacer::check_pins(const Layout& layout) const {
+  if (state_.pins.empty()) return {};
   const Report report = verify(layout, catalog_);
   for (const Check& check : report.checks) {
     if (check.passed || !check.required || check.name == "relation") continue;
-    const auto concerned = [&](const Pin& pin) { return has_id(split(check.subject), pin.id); };
-    if (std::any_of(pins_.begin(), pins_.end(), concerned)) {
+    const auto concerned = [&](const EditPin& pin) { return has_id(split(check.subject), pin.id); };
+    if (std::any_of(state_.pins.begin(), state_.pins.end(), concerned)) {
       return fail(ErrorCode::kInfeasible, "it would not stand well there: " + check.message, "text", "say another way, or less of it");
     }
   }
@@ -93,25 +108,27 @@ Status Edit::check_pins(const Layout& layout) const {
 }
 
 // A way of which nothing is left is no answer.
-bool Edit::something_moved(const Attempt& attempt) const {
-  return std::all_of(pins_.begin(), pins_.end(), [&](const Pin& pin) { return pin.may_move || position_of(pin, attempt) != pin.from; });
+bool EditPlacer::something_moved(const Attempt& attempt) const {
+  return std::all_of(state_.pins.begin(), state_.pins.end(),
+                     [&](const EditPin& pin) { return pin.may_move || position_of(pin, attempt) != pin.from; });
 }
 
 // As exactly as it is said; a little less where that is loose.
-Result<Layout> Edit::place() {
+Result<Layout> EditPlacer::place() {
   auto first = solve_with({});
-  if (first || pins_.empty() || first.error().code == ErrorCode::kInterrupted || first.error().code == ErrorCode::kNoSolver) return first;
+  if (first || state_.pins.empty() || first.error().code == ErrorCode::kInterrupted || first.error().code == ErrorCode::kNoSolver)
+    return first;
   std::vector<Attempt> attempts;
-  if (std::any_of(pins_.begin(), pins_.end(), [](const Pin& pin) { return pin.loose; })) {
+  if (std::any_of(state_.pins.begin(), state_.pins.end(), [](const EditPin& pin) { return pin.loose; })) {
     for (const double share : {1.0, 0.5, 0.2}) {
       for (const auto& [x, y] : {std::pair{share, share}, {share, 0.0}, {0.0, share}}) attempts.push_back({x, y, 0, false});
     }
     attempts.erase(attempts.begin());
   }
-  const auto quarter = [](const Pin& pin) { return pin.may_move && side_looked_at(pin.rotation); };
-  const auto askew = [](const Pin& pin) { return pin.may_move && !side_looked_at(pin.rotation); };
-  if (std::any_of(pins_.begin(), pins_.end(), quarter)) attempts.push_back({1, 1, 0, true});
-  if (std::any_of(pins_.begin(), pins_.end(), askew)) {
+  const auto quarter = [](const EditPin& pin) { return pin.may_move && side_looked_at(pin.rotation); };
+  const auto askew = [](const EditPin& pin) { return pin.may_move && !side_looked_at(pin.rotation); };
+  if (std::any_of(state_.pins.begin(), state_.pins.end(), quarter)) attempts.push_back({1, 1, 0, true});
+  if (std::any_of(state_.pins.begin(), state_.pins.end(), askew)) {
     for (const double step : {50.0, 100.0, 200.0, 400.0}) attempts.push_back({1, 1, step, false});
   }
   for (const Attempt& attempt : attempts) {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "layoutbox/pipeline/edit.h"
+#include "layoutbox/edit/edit.h"
 
 namespace layoutbox {
 

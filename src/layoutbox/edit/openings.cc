@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "layoutbox/pipeline/edit_changes.h"
-#include "layoutbox/pipeline/edit_work.h"
+#include "layoutbox/edit/changes.h"
+#include "layoutbox/edit/stepper.h"
 #include "layoutbox/scene/shell.h"
 
 namespace layoutbox {
@@ -30,7 +30,7 @@ Mm offset_near(const Wall& wall, const Opening& opening, const std::array<double
 }  // namespace
 
 // How the opening lies in the wall: nearest to where it is wanted, beside the others. Empty: there is no room for it.
-std::optional<Mm> Edit::free_offset(const Opening& opening, const Wall& wall, Mm wanted) const {
+std::optional<Mm> EditStepper::free_offset(const Opening& opening, const Wall& wall, Mm wanted) const {
   const Mm length = length_of(wall);
   if (opening.width > length) return std::nullopt;
   const Mm margin = std::min(kFromCorner, (length - opening.width) / 2);
@@ -49,7 +49,7 @@ std::optional<Mm> Edit::free_offset(const Opening& opening, const Wall& wall, Mm
 
 // Where the opening is least in the way of what stands there, as near to the wall's middle as can be. Empty where something would have to
 // make room for a door: the solver chooses.
-std::optional<Mm> Edit::offset_least_in_the_way(const Opening& opening, const Wall& wall) const {
+std::optional<Mm> EditStepper::offset_least_in_the_way(const Opening& opening, const Wall& wall) const {
   const Along way = along(wall);
   const bool window = opening.type == OpeningType::kWindow;
   const double deep = window ? kBeforeWindow : opening.width;
@@ -79,7 +79,7 @@ std::optional<Mm> Edit::offset_least_in_the_way(const Opening& opening, const Wa
 }
 
 // Into a wall, at a place or wherever the solver finds it best.
-Status Edit::put(Opening fresh, const EditOpeningPlace& place) {
+Status EditStepper::put(Opening fresh, const EditOpeningPlace& place) {
   const auto fits = [&](const Wall& wall) { return free_offset(fresh, wall, 0).has_value(); };
   const Wall* wall = place.wall.empty() ? nullptr : scene_.find_wall(place.wall);
   if (wall != nullptr && !fits(*wall)) {
@@ -103,16 +103,16 @@ Status Edit::put(Opening fresh, const EditOpeningPlace& place) {
 }
 
 // What was placed by it stays where it is, rather than going after it. "Under a window" may mean this one.
-void Edit::soften_about_opening(const std::string& id) {
+void EditStepper::soften_about_opening(const std::string& id) {
   for (Relation& relation : scene_.relations) {
     const bool any_opening = relation.references.empty() && (relation_row(relation.type).reference_kinds & kOpening) != 0;
     if (any_opening || has_id(relation.references, id)) soften(relation);
   }
 }
 
-void Edit::settle_opening(Opening changed) {
+void EditStepper::settle_opening(Opening changed) {
   changed.origin = Origin::kAsked;
-  if (!changed.offset) solve_.freed.push_back(changed.id);
+  if (!changed.offset) freed_.push_back(changed.id);
   soften_about_opening(changed.id);
   if (Opening* there = opening(changed.id)) {
     *there = std::move(changed);
@@ -121,7 +121,41 @@ void Edit::settle_opening(Opening changed) {
   }
 }
 
-Status Edit::shift_opening(const std::string& id, const EditShift& shift) {
+// How far it goes along its wall, from the wall's start to its end.
+Result<double> EditStepper::way_along(const Opening& opening, const Wall& wall, const EditShift& shift) const {
+  using Way = EditShift::Way;
+  const double distance = shift.distance ? *shift.distance : kLittleShift;
+  // Left and right are those of somebody who looks at the wall from within, to whom it runs from right to left; save that on the front
+  // wall they are the room's own.
+  const Along way = along(wall);
+  const bool upright = std::abs(way.dy) > std::abs(way.dx);
+  double step = 0;  // along the wall, from its start to its end
+  if (shift.way == Way::kTowards || shift.way == Way::kAway) {
+    PlacedObject here;
+    here.id = opening.id;
+    const double middle = *opening.offset + opening.width / 2.0;
+    here.position = {wall.start.x + way.dx * middle, wall.start.y + way.dy * middle, 0};
+    LAYOUTBOX_ASSIGN(const auto whole, way_of(here, shift, guide_, true));
+    step = whole[0] * way.dx + whole[1] * way.dy;
+    if (shift.distance && step != 0) step = step < 0 ? -distance : distance;
+  } else {
+    const bool back_and_forth = shift.way == Way::kFront || shift.way == Way::kBack;
+    if (back_and_forth != upright && back_and_forth) {
+      return fail(ErrorCode::kGeometry, fmt::format("{} can only go along {}", opening.id, wall.id), "text",
+                  "say left or right, or name another wall");
+    }
+    if (back_and_forth) {
+      step = ((shift.way == Way::kBack) == (way.dy > 0)) ? distance : -distance;
+    } else if (upright) {
+      step = shift.way == Way::kLeft ? distance : -distance;
+    } else {
+      step = ((shift.way == Way::kRight) == (way.dx > 0)) ? distance : -distance;
+    }
+  }
+  return step;
+}
+
+Status EditStepper::shift_opening(const std::string& id, const EditShift& shift) {
   using Way = EditShift::Way;
   const Opening* found = opening(id);
   const Wall* wall = found == nullptr ? nullptr : scene_.find_wall(found->wall);
@@ -135,33 +169,7 @@ Status Edit::shift_opening(const std::string& id, const EditShift& shift) {
     settle_opening(std::move(moved));
     return {};
   }
-  // Left and right are those of somebody who looks at the wall from within, to whom it runs from right to left; save that on the front
-  // wall they are the room's own.
-  const Along way = along(*wall);
-  const bool upright = std::abs(way.dy) > std::abs(way.dx);
-  double step = 0;  // along the wall, from its start to its end
-  if (shift.way == Way::kTowards || shift.way == Way::kAway) {
-    PlacedObject here;
-    here.id = id;
-    const double middle = *moved.offset + moved.width / 2.0;
-    here.position = {wall->start.x + way.dx * middle, wall->start.y + way.dy * middle, 0};
-    LAYOUTBOX_ASSIGN(const auto whole, way_of(here, shift, guide_, true));
-    step = whole[0] * way.dx + whole[1] * way.dy;
-    if (shift.distance && step != 0) step = step < 0 ? -distance : distance;
-  } else {
-    const bool back_and_forth = shift.way == Way::kFront || shift.way == Way::kBack;
-    if (back_and_forth != upright && back_and_forth) {
-      return fail(ErrorCode::kGeometry, fmt::format("{} can only go along {}", id, wall->id), "text",
-                  "say left or right, or name another wall");
-    }
-    if (back_and_forth) {
-      step = ((shift.way == Way::kBack) == (way.dy > 0)) ? distance : -distance;
-    } else if (upright) {
-      step = shift.way == Way::kLeft ? distance : -distance;
-    } else {
-      step = ((shift.way == Way::kRight) == (way.dx > 0)) ? distance : -distance;
-    }
-  }
+  LAYOUTBOX_ASSIGN(const double step, way_along(moved, *wall, shift));
   const Mm wanted = *moved.offset + static_cast<Mm>(std::lround(step / kGridMm)) * kGridMm;
   const auto there = free_offset(moved, *wall, wanted);
   if (!there || *there == *moved.offset || (shift.distance && std::abs(*there - wanted) > kFromCorner)) {
@@ -174,7 +182,7 @@ Status Edit::shift_opening(const std::string& id, const EditShift& shift) {
   return {};
 }
 
-Status Edit::swap_openings(const std::string& a, const std::string& b) {
+Status EditStepper::swap_openings(const std::string& a, const std::string& b) {
   const Opening *first = opening(a), *second = opening(b);
   if (first == nullptr || second == nullptr) return {};
   const auto place_of = [&](const Opening& o) {
@@ -194,7 +202,7 @@ Status Edit::swap_openings(const std::string& a, const std::string& b) {
 }
 
 // Its middle stays where it is, as far as the wall and its neighbours let it.
-Status Edit::resize_opening(const std::string& id, const EditResize& resize) {
+Status EditStepper::resize_opening(const std::string& id, const EditResize& resize) {
   const Opening* found = opening(id);
   if (found == nullptr) return {};
   Opening made = *found;

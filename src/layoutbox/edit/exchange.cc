@@ -1,12 +1,12 @@
 // Things that take the places of others.
-#include "layoutbox/pipeline/edit_changes.h"
-#include "layoutbox/pipeline/edit_work.h"
+#include "layoutbox/edit/changes.h"
+#include "layoutbox/edit/stepper.h"
 
 namespace layoutbox {
 
 using R = RelationType;
 
-Status Edit::swap(const std::string& a, const std::string& b) {
+Status EditStepper::swap(const std::string& a, const std::string& b) {
   // Where they stand is swapped; what is said of other things by them stays.
   for (Relation& relation : scene_.relations) {
     const bool of_a = has_id(relation.targets, a), of_b = has_id(relation.targets, b);
@@ -28,33 +28,37 @@ Status Edit::swap(const std::string& a, const std::string& b) {
   return {};
 }
 
-Status Edit::replace(const EditStep& step) {
+// What was said of the one holds for the other, and it stands where that stood.
+void EditStepper::take_over(const std::string& old_id, SceneObject& fresh) {
+  const SceneObject* old = object(old_id);
+  const CatalogEntry& entry = catalog_.entry_or_nearest(fresh.category);
+  const bool same_mount = old != nullptr && old->mount == entry.mount;
+  if (old != nullptr && (same_mount || old->mount == Mount::kSurface)) fresh.mount = old->mount;
+  for (Relation& relation : scene_.relations) {
+    for (Ids* ids : {&relation.targets, &relation.references}) {
+      if (!has_id(*ids, old_id)) continue;
+      std::replace(ids->begin(), ids->end(), old_id, fresh.id);
+      if (!same_mount) soften(relation);
+    }
+  }
+  const PlacedObject* place = guide(old_id);
+  if (place == nullptr) return;
+  PlacedObject placed = *place;
+  placed.id = fresh.id;
+  placed.size = fresh.size ? fresh.size->usual : entry.size.usual;
+  placed.spaces.clear();
+  take_place(placed, *place);
+  guide_.objects.push_back(placed);
+  for (PlacedObject& other : guide_.objects) {
+    if (other.supported_by == old_id) other.supported_by = fresh.id;
+  }
+}
+
+Status EditStepper::replace(const EditStep& step) {
   for (std::size_t i = 0; i < step.objects.size(); ++i) {
     SceneObject fresh = step.objects[i];
     if (i < step.targets.size()) {
-      const std::string& old_id = step.targets[i];
-      const SceneObject* old = object(old_id);
-      const CatalogEntry& entry = catalog_.entry_or_nearest(fresh.category);
-      const bool same_mount = old != nullptr && old->mount == entry.mount;
-      if (old != nullptr && (same_mount || old->mount == Mount::kSurface)) fresh.mount = old->mount;
-      for (Relation& relation : scene_.relations) {
-        for (Ids* ids : {&relation.targets, &relation.references}) {
-          if (!has_id(*ids, old_id)) continue;
-          std::replace(ids->begin(), ids->end(), old_id, fresh.id);
-          if (!same_mount) soften(relation);
-        }
-      }
-      if (const PlacedObject* place = guide(old_id)) {
-        PlacedObject placed = *place;
-        placed.id = fresh.id;
-        placed.size = fresh.size ? fresh.size->usual : entry.size.usual;
-        placed.spaces.clear();
-        take_place(placed, *place);
-        guide_.objects.push_back(placed);
-        for (PlacedObject& other : guide_.objects) {
-          if (other.supported_by == old_id) other.supported_by = fresh.id;
-        }
-      }
+      take_over(step.targets[i], fresh);
     } else {
       Relation beside;
       beside.type = R::kNextTo;

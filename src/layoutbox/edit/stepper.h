@@ -1,6 +1,5 @@
-// One edit at work: a scene that changes step by step, and a layout that guides the solver to the places. Its functions stand in
-// edit.cc (the order), edit_steps.cc and edit_exchange.cc (what becomes of things), edit_room.cc and edit_openings.cc (of the room, its
-// doors and windows) and edit_places.cc (where all then is).
+// One step of an edit at work on its state. Its functions stand in steps.cc (the order), things.cc and exchange.cc (what becomes of
+// things), room.cc and openings.cc (of the room, its doors and windows).
 #pragma once
 
 #include <fmt/format.h>
@@ -9,45 +8,38 @@
 #include <array>
 #include <cmath>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
-#include "layoutbox/pipeline/edit.h"
+#include "layoutbox/edit/state.h"
 #include "layoutbox/scene/relation_traits.h"
 
 namespace layoutbox {
 
-class Edit {
+class EditStepper {
  public:
-  // REQUIRES: layout and catalog outlive it.
-  Edit(const Layout& before, const Catalog& catalog, SolveOptions solve);
-  Result<EditOutcome> run(std::string_view text);
+  // REQUIRES: all outlive it.
+  EditStepper(EditState& state, const Layout& before, const Catalog& catalog)
+      : before_(before),
+        catalog_(catalog),
+        scene_(state.scene),
+        guide_(state.guide),
+        pins_(state.pins),
+        freed_(state.freed),
+        locked_(state.locked),
+        softened_(state.softened),
+        dropped_(state.dropped) {}
+  Status apply(const EditStep& step);
+  void finish();
+  void soften(Relation& relation);
 
  private:
   using Ids = std::vector<std::string>;
-
-  // A thing that is put exactly somewhere.
-  struct Pin {
-    std::string id;
-    std::array<double, 3> from{}, way{};
-    double rotation = 0;
-    bool loose = false;     // a shorter way will do
-    bool may_move = false;  // turned on the spot, or else beside it
-  };
-
-  // How an attempt differs from what is said: how much of a loose way is gone along x and y, how far what turns steps towards the middle
-  // of the room, and whether it may step anywhere.
-  struct Attempt {
-    double share_x = 1, share_y = 1, step_in = 0;
-    bool turn_free = false;
-  };
 
   SceneObject* object(const std::string& id);
   PlacedObject* guide(const std::string& id);
   std::string before_support(const std::string& id) const;
 
-  void soften(Relation& relation);
   // What was asked for of a thing's place holds on as a wish.
   template <class Which>
   void soften_targets(const std::string& id, const Which& which) {
@@ -58,7 +50,6 @@ class Edit {
   }
   void remove_support(const std::string& id);
 
-  Status apply(const EditStep& step);
   Status add(const EditStep& step);
   Status remove(const Ids& ids);
   Status move(const EditStep& step);
@@ -68,6 +59,8 @@ class Edit {
   Status turn(const EditStep& step);
   Status swap(const std::string& a, const std::string& b);
   Status replace(const EditStep& step);
+  void take_over(const std::string& old_id, SceneObject& fresh);
+  bool keep_at_distance(const EditStep& step);
   Status resize(const EditStep& step);
   Status recolor(const EditStep& step);
 
@@ -79,32 +72,27 @@ class Edit {
   Status put(Opening fresh, const EditOpeningPlace& place);
   void soften_about_opening(const std::string& id);
   void settle_opening(Opening changed);
+  Result<double> way_along(const Opening& opening, const Wall& wall, const EditShift& shift) const;
   Status shift_opening(const std::string& id, const EditShift& shift);
   Status swap_openings(const std::string& a, const std::string& b);
   Status resize_opening(const std::string& id, const EditResize& resize);
   Status resize_room(const EditResize& resize);
   Status move_far_wall(int axis, Mm far, Mm by);
+  Status keep_openings(const Wall& wall, Mm by_at_start);
+  void take_along(int axis, Mm far, Mm by);
 
   void remove_what_stood_on_it();
   void drop_relations_of_what_is_gone();
   void number_relations();
 
-  std::array<double, 2> middle() const;
-  std::array<double, 3> position_of(const Pin& pin, const Attempt& attempt) const;
-  Result<Layout> solve_with(const Attempt& attempt);
-  Status check_pins(const Layout& layout) const;
-  bool something_moved(const Attempt& attempt) const;
-  Result<Layout> place();
-  void settle(EditOutcome& outcome);
-
   const Layout& before_;
   const Catalog& catalog_;
-  SolveOptions solve_;
-  SceneGraph scene_, outcome_scene_;
-  Layout guide_;
-  std::vector<Pin> pins_;
-  std::set<std::string> asked_, softened_;
-  std::vector<Relation> dropped_;
+  SceneGraph& scene_;
+  Layout& guide_;
+  std::vector<EditPin>& pins_;
+  Ids &freed_, &locked_;
+  std::set<std::string>& softened_;
+  std::vector<Relation>& dropped_;
 };
 
 inline bool has_id(const std::vector<std::string>& ids, const std::string& id) {

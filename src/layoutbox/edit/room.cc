@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "layoutbox/pipeline/edit_changes.h"
-#include "layoutbox/pipeline/edit_work.h"
+#include "layoutbox/edit/changes.h"
+#include "layoutbox/edit/stepper.h"
 #include "layoutbox/scene/shell.h"
 
 namespace layoutbox {
@@ -15,16 +15,16 @@ constexpr Mm kAtWall = 60;
 
 }  // namespace
 
-Opening* Edit::opening(const std::string& id) {
+Opening* EditStepper::opening(const std::string& id) {
   const auto found = std::find_if(scene_.room.openings.begin(), scene_.room.openings.end(), [&](const Opening& o) { return o.id == id; });
   return found == scene_.room.openings.end() ? nullptr : &*found;
 }
 
-bool Edit::is_of_room(const EditStep& step) {
+bool EditStepper::is_of_room(const EditStep& step) {
   return !step.openings.empty() || (!step.targets.empty() && (step.targets[0] == kEditRoom || opening(step.targets[0]) != nullptr));
 }
 
-Status Edit::apply_to_room(const EditStep& step) {
+Status EditStepper::apply_to_room(const EditStep& step) {
   const bool whole = !step.targets.empty() && step.targets[0] == kEditRoom;
   switch (step.kind) {
     case EditKind::kAdd:
@@ -59,7 +59,7 @@ Status Edit::apply_to_room(const EditStep& step) {
 }
 
 // The right and the back wall move; what stands at them goes along.
-Status Edit::resize_room(const EditResize& resize) {
+Status EditStepper::resize_room(const EditResize& resize) {
   Room& room = scene_.room;
   Point most{};
   for (const Point& corner : room.polygon) most = {std::max(most.x, corner.x), std::max(most.y, corner.y)};
@@ -81,8 +81,46 @@ Status Edit::resize_room(const EditResize& resize) {
   return {};
 }
 
+// Its openings stay where they are, as far as the wall goes.
+Status EditStepper::keep_openings(const Wall& wall, Mm by_at_start) {
+  for (Opening& opening : scene_.room.openings) {
+    if (opening.wall != wall.id || !opening.offset) continue;
+    const Mm wanted = *opening.offset + by_at_start;
+    const bool fits = wanted >= 0 && wanted + opening.width <= length_of(wall);
+    opening.offset = fits ? wanted : free_offset(opening, wall, wanted);
+    if (!opening.offset) {
+      return fail(ErrorCode::kGeometry,
+                  fmt::format("there is no room for {} in {}, which would be {} long", opening.id, wall.id, in_metres(length_of(wall))),
+                  "text", "move it first, or say less of it");
+    }
+  }
+  return {};
+}
+
+// What stands at that wall goes with it, and so does what stands on that.
+void EditStepper::take_along(int axis, Mm far, Mm by) {
+  std::set<std::string> along_with;
+  const auto i = static_cast<std::size_t>(axis);
+  for (const PlacedObject& placed : guide_.objects) {
+    const double turn = radians_from_degrees(placed.rotation_deg), across = std::abs(std::sin(turn)), upright = std::abs(std::cos(turn));
+    const double half =
+        (axis == 0 ? placed.size.width * upright + placed.size.depth * across : placed.size.width * across + placed.size.depth * upright) /
+        2;
+    if (placed.position[i] + half >= far - kAtWall) along_with.insert(placed.id);
+  }
+  for (bool found = true; found;) {
+    found = false;
+    for (const PlacedObject& placed : guide_.objects) {
+      if (along_with.contains(placed.supported_by) && along_with.insert(placed.id).second) found = true;
+    }
+  }
+  for (PlacedObject& placed : guide_.objects) {
+    if (along_with.contains(placed.id)) placed.position[i] += by;
+  }
+}
+
 // The wall at the far end of an axis (0: x, 1: y), by so much outwards.
-Status Edit::move_far_wall(int axis, Mm far, Mm by) {
+Status EditStepper::move_far_wall(int axis, Mm far, Mm by) {
   if (by == 0) return {};
   Room& room = scene_.room;
   const auto coordinate = [axis](Point& point) -> Mm& { return axis == 0 ? point.x : point.y; };
@@ -97,37 +135,9 @@ Status Edit::move_far_wall(int axis, Mm far, Mm by) {
     const bool start_moves = coordinate(wall.start) == far, end_moves = coordinate(wall.end) == far;
     if (start_moves) coordinate(wall.start) += by;
     if (end_moves) coordinate(wall.end) += by;
-    if (start_moves == end_moves) continue;
-    for (Opening& opening : room.openings) {  // they stay where they are, as far as the wall goes
-      if (opening.wall != wall.id || !opening.offset) continue;
-      const Mm wanted = *opening.offset + (start_moves ? by : 0);
-      const bool fits = wanted >= 0 && wanted + opening.width <= length_of(wall);
-      opening.offset = fits ? wanted : free_offset(opening, wall, wanted);
-      if (!opening.offset) {
-        return fail(ErrorCode::kGeometry,
-                    fmt::format("there is no room for {} in {}, which would be {} long", opening.id, wall.id, in_metres(length_of(wall))),
-                    "text", "move it first, or say less of it");
-      }
-    }
+    if (start_moves != end_moves) LAYOUTBOX_CHECK(keep_openings(wall, start_moves ? by : 0));
   }
-  std::set<std::string> along_with;
-  const auto i = static_cast<std::size_t>(axis);
-  for (PlacedObject& placed : guide_.objects) {
-    const double turn = radians_from_degrees(placed.rotation_deg), across = std::abs(std::sin(turn)), upright = std::abs(std::cos(turn));
-    const double half =
-        (axis == 0 ? placed.size.width * upright + placed.size.depth * across : placed.size.width * across + placed.size.depth * upright) /
-        2;
-    if (placed.position[i] + half >= far - kAtWall) along_with.insert(placed.id);
-  }
-  for (bool found = true; found;) {  // and what stands on it
-    found = false;
-    for (const PlacedObject& placed : guide_.objects) {
-      if (along_with.contains(placed.supported_by) && along_with.insert(placed.id).second) found = true;
-    }
-  }
-  for (PlacedObject& placed : guide_.objects) {
-    if (along_with.contains(placed.id)) placed.position[i] += by;
-  }
+  take_along(axis, far, by);
   return {};
 }
 

@@ -1,4 +1,4 @@
-#include "layoutbox/pipeline/edit_changes.h"
+#include "layoutbox/edit/changes.h"
 
 #include <fmt/format.h>
 
@@ -33,6 +33,10 @@ std::vector<ObjectChange> changes_of_room(const Layout& before, const Layout& af
                           std::equal(before.room.polygon.begin(), before.room.polygon.end(), after.room.polygon.begin(),
                                      after.room.polygon.end(), [](const Point& a, const Point& b) { return a.x == b.x && a.y == b.y; });
   if (!same_shape) changes.push_back({room, {"resized"}, 0, 0, asked.contains(room)});
+  const auto material_of = [](const Room& r) { return r.walls.empty() ? std::string() : r.walls.front().material; };
+  if (before.room.wall_material != after.room.wall_material || material_of(before.room) != material_of(after.room))
+    changes.push_back({"walls", {"recolored"}, 0, 0, asked.contains("walls")});
+  if (before.room.floor_material != after.room.floor_material) changes.push_back({"floor", {"recolored"}, 0, 0, asked.contains("floor")});
   for (const Opening& now : after.room.openings) {
     ObjectChange change{now.id, {}, 0, 0, asked.contains(now.id)};
     const Opening* was = before.find_opening(now.id);

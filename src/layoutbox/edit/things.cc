@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "layoutbox/pipeline/edit_changes.h"
-#include "layoutbox/pipeline/edit_work.h"
+#include "layoutbox/edit/changes.h"
+#include "layoutbox/edit/stepper.h"
 
 namespace layoutbox {
 
@@ -37,7 +37,7 @@ Result<Size> resized(const Size& size, const EditResize& resize, const CatalogEn
 
 }  // namespace
 
-void Edit::remove_support(const std::string& id) {
+void EditStepper::remove_support(const std::string& id) {
   for (std::size_t i = 0; i < scene_.relations.size();) {
     Relation& relation = scene_.relations[i];
     if (!is_support(relation.type) || !has_id(relation.targets, id) || relation.references.empty()) {
@@ -54,13 +54,13 @@ void Edit::remove_support(const std::string& id) {
   }
 }
 
-Status Edit::add(const EditStep& step) {
+Status EditStepper::add(const EditStep& step) {
   scene_.objects.insert(scene_.objects.end(), step.objects.begin(), step.objects.end());
   scene_.relations.insert(scene_.relations.end(), step.relations.begin(), step.relations.end());
   return {};
 }
 
-Status Edit::remove(const Ids& ids) {
+Status EditStepper::remove(const Ids& ids) {
   for (const std::string& id : ids) {
     std::erase_if(scene_.objects, [&](const SceneObject& o) { return o.id == id; });
     std::erase_if(guide_.objects, [&](const PlacedObject& o) { return o.id == id; });
@@ -68,12 +68,13 @@ Status Edit::remove(const Ids& ids) {
   return {};
 }
 
-Status Edit::move(const EditStep& step) {
+Status EditStepper::move(const EditStep& step) {
   const bool carried = std::any_of(step.relations.begin(), step.relations.end(), [](const Relation& r) { return is_support(r.type); });
   const bool on_wall = std::any_of(step.relations.begin(), step.relations.end(), [](const Relation& r) { return r.type == R::kOnWall; });
   const bool turns = std::any_of(step.relations.begin(), step.relations.end(), [](const Relation& r) { return is_turn(r.type); });
   const bool only_turns = std::all_of(step.relations.begin(), step.relations.end(), [](const Relation& r) { return is_turn(r.type); });
   if (only_turns) return face(step);
+  const bool stays = keep_at_distance(step);
   for (const std::string& id : step.targets) {
     SceneObject* moved = object(id);
     if (moved == nullptr) continue;
@@ -85,14 +86,41 @@ Status Edit::move(const EditStep& step) {
       stand_beside(*moved, step.relations);
     }
     if (on_wall) moved->mount = Mount::kWall;
-    solve_.freed.push_back(id);
+    if (!stays) freed_.push_back(id);
   }
   scene_.relations.insert(scene_.relations.end(), step.relations.begin(), step.relations.end());
   return {};
 }
 
+// "50 cm away from the wall": as far from it as that, and otherwise where it is. Whether that is all that the step says.
+bool EditStepper::keep_at_distance(const EditStep& step) {
+  const auto wall_of = [&](const Relation& relation) -> const Wall* {
+    const bool from_one = relation.type == R::kDistance && relation.targets.size() == 1 && relation.references.size() == 1;
+    return from_one ? scene_.find_wall(relation.references.front()) : nullptr;
+  };
+  for (const Relation& relation : step.relations) {
+    if (wall_of(relation) == nullptr || guide(relation.targets.front()) == nullptr) return false;
+  }
+  for (const Relation& relation : step.relations) {
+    const Wall& wall = *wall_of(relation);
+    PlacedObject& placed = *guide(relation.targets.front());
+    const double dx = wall.end.x - wall.start.x, dy = wall.end.y - wall.start.y, length = std::max(std::hypot(dx, dy), 1.0);
+    const double nx = -dy / length, ny = dx / length;  // inwards: walls run counter-clockwise
+    const double turn = radians_from_degrees(placed.rotation_deg);
+    const double across = std::abs(nx * std::cos(turn) + ny * std::sin(turn)), along = std::abs(ny * std::cos(turn) - nx * std::sin(turn));
+    const double half = (placed.size.width * across + placed.size.depth * along) / 2;
+    const double gap = (placed.position[0] - wall.start.x) * nx + (placed.position[1] - wall.start.y) * ny - half;
+    const RelationParameters& said = relation.parameters;
+    const double least = said.min ? *said.min : said.distance.value_or(0), most = said.max ? *said.max : said.distance.value_or(least);
+    const double wanted = std::max(least, said.min && !said.max ? gap : std::min(gap, most));
+    placed.position[0] += nx * (wanted - gap);
+    placed.position[1] += ny * (wanted - gap);
+  }
+  return true;
+}
+
 // "Move the lamp next to the clock": on what the clock stands on; beside a thing on the floor it stands on the floor.
-void Edit::stand_beside(SceneObject& moved, const std::vector<Relation>& relations) {
+void EditStepper::stand_beside(SceneObject& moved, const std::vector<Relation>& relations) {
   for (const Relation& relation : relations) {
     if (!has_id(relation.targets, moved.id) || relation.references.empty()) continue;
     const PlacedObject* neighbour = guide(relation.references.front());
@@ -113,12 +141,12 @@ void Edit::stand_beside(SceneObject& moved, const std::vector<Relation>& relatio
   }
 }
 
-std::string Edit::before_support(const std::string& id) const {
+std::string EditStepper::before_support(const std::string& id) const {
   const PlacedObject* placed = before_.find_object(id);
   return placed == nullptr ? std::string() : placed->supported_by;
 }
 
-Status Edit::face(const EditStep& step) {
+Status EditStepper::face(const EditStep& step) {
   for (const std::string& id : step.targets) {
     soften_targets(id, [](R type) { return is_turn(type) || type == R::kAgainstWall || type == R::kCenteredOnWall || type == R::kCorner; });
   }
@@ -126,7 +154,7 @@ Status Edit::face(const EditStep& step) {
   return {};
 }
 
-Status Edit::shift(const EditStep& step) {
+Status EditStepper::shift(const EditStep& step) {
   for (const std::string& id : step.targets) {
     const PlacedObject* placed = guide(id);
     if (placed == nullptr) continue;
@@ -137,7 +165,7 @@ Status Edit::shift(const EditStep& step) {
   return {};
 }
 
-Status Edit::turn(const EditStep& step) {
+Status EditStepper::turn(const EditStep& step) {
   for (const std::string& id : step.targets) {
     const PlacedObject* placed = guide(id);
     if (placed == nullptr) continue;
@@ -153,7 +181,7 @@ Status Edit::turn(const EditStep& step) {
   return {};
 }
 
-Status Edit::resize(const EditStep& step) {
+Status EditStepper::resize(const EditStep& step) {
   for (const std::string& id : step.targets) {
     SceneObject* changed = object(id);
     if (changed == nullptr || !changed->size) continue;
@@ -173,7 +201,7 @@ Status Edit::resize(const EditStep& step) {
   return {};
 }
 
-Status Edit::recolor(const EditStep& step) {
+Status EditStepper::recolor(const EditStep& step) {
   for (const std::string& id : step.targets) {
     std::string words;
     for (const std::string& attribute : step.attributes) words += (words.empty() ? "" : " ") + attribute;
