@@ -1,4 +1,4 @@
 // A layout changed by words: edit_layout().
 #pragma once
 
-#include "layoutbox/pipeline/edit.h"
+#include "layoutbox/edit/edit.h"
