@@ -8,8 +8,9 @@ import {texts} from "./texts";
 
 const kLongest = 20000;
 
-export function Prompt({large = false}: {large?: boolean}) {
-  const current = use((state) => state.rooms.now?.prompt ?? "");
+/** `empty` starts a new text, whatever the room on the screen was asked for with. */
+export function Prompt({large = false, empty = false}: {large?: boolean; empty?: boolean}) {
+  const current = use((state) => (empty ? "" : state.rooms.now?.prompt ?? ""));
   const busy = use((state) => state.busy);
   const [text, put] = useState(current);
   const box = useRef<HTMLTextAreaElement>(null);
@@ -19,7 +20,7 @@ export function Prompt({large = false}: {large?: boolean}) {
     if (!area) return;
     area.style.height = "auto";
     area.style.height = `${Math.min(area.scrollHeight + 2, large ? 220 : 66)}px`;
-  }, [text]);
+  }, [text, busy]);
   const go = (event?: Event) => {
     event?.preventDefault();
     if (text.trim()) void furnish(text.trim());

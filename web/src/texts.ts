@@ -87,7 +87,7 @@ export const texts = {
   things: {
     add: "Add from the catalogue", add_placeholder: "sofa, lamp, plant…", nothing: "Nothing of that name; it can be added with a size of its own.",
     own: "A piece of your own", own_name: "Name", own_add: "Add", table: "All things",
-    columns: {name: "Name", size: "Width × depth × height", place: "Place", turn: "Turn"},
+    columns: {name: "Name", size: "W × D × H", place: "Place", turn: "Turn"},
     hint: "Choose a row to find the thing.",
   },
   files: {

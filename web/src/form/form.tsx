@@ -69,7 +69,7 @@ export function Form() {
         <h2 id="form-heading">{open ? texts.bar.start : texts.form.heading}</h2>
         <button type="button" class="tool" aria-label={texts.form.close} data-testid="form-close" onClick={() => set({form: false})}><Icon name="close" /></button>
       </header>
-      {open && <div class="anew"><Prompt large /><OpenFile /><h3>{texts.form.heading}</h3></div>}
+      {open && <div class="anew"><Prompt large empty /><OpenFile /><h3>{texts.form.heading}</h3></div>}
       <form onSubmit={go}>
         <Size value={value} change={change} />
         <Pieces value={value} change={change} />

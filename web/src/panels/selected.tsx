@@ -1,7 +1,7 @@
 // The chosen thing: name, size, place and turn to type in, lock, remove.
 import {useEffect, useState} from "preact/hooks";
 import {Tool} from "../bar";
-import {bounds, footprint, room_bounds, upright} from "../pure/geometry";
+import {bounds, footprint, on_grid, room_bounds, upright} from "../pure/geometry";
 import {name_of, names_of} from "../pure/scenes";
 import {length_value, read_length} from "../pure/units";
 import {remove, toggle_lock} from "../state/actions";
@@ -25,7 +25,7 @@ function Field({label, value, id, off, read, thing}: FieldProps) {
     const now = doc();
     mark(pose === null);
     if (!pose || !now) return;
-    const hand = new Hand(now.layout, thing);
+    const hand = new Hand(now.layout, thing, false);
     hand.move(pose);
     if (!(await hand.drop())) put(value);
   };
@@ -86,8 +86,8 @@ export function Selected() {
         <Field label={texts.thing.width} id="field-width" value={value(object.size[0])} read={side(0)} {...common} />
         <Field label={texts.thing.depth} id="field-depth" value={value(object.size[1])} read={side(1)} {...common} />
         <Field label={texts.thing.height} id="field-height" value={value(object.size[2])} read={side(2)} {...common} />
-        <Field label={texts.thing.x} id="field-x" value={value(box.x0 - room.x0)} read={place(0, box.x0 - room.x0)} {...common} />
-        <Field label={texts.thing.y} id="field-y" value={value(box.y0 - room.y0)} read={place(1, box.y0 - room.y0)} {...common} />
+        <Field label={texts.thing.x} id="field-x" value={value(on_grid(box.x0 - room.x0))} read={place(0, box.x0 - room.x0)} {...common} />
+        <Field label={texts.thing.y} id="field-y" value={value(on_grid(box.y0 - room.y0))} read={place(1, box.y0 - room.y0)} {...common} />
         <Field label={texts.thing.turn} id="field-turn" value={`${Math.round(upright(object.rotation) * 10) / 10}°`} read={turn} {...common} />
       </div>
       {reason && <p class="bad" role="status" data-testid="reason">{reason}</p>}

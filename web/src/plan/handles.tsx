@@ -4,7 +4,7 @@ import {type Gap, type Point, free_ways, in_room} from "../pure/geometry";
 import {type Units, length_text} from "../pure/units";
 import type {Frame} from "./frame";
 
-const kShortest = 0.01;
+const kShortest = 0.02;
 
 export function Measure({gap, frame, units, about = "way"}: {gap: Gap; frame: Frame; units: Units; about?: string}) {
   const [x1, y1] = frame.at(gap.from);

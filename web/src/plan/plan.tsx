@@ -1,7 +1,7 @@
 // The floor plan: drawn from the layout, everything on it can be taken hold of.
 import {useEffect, useMemo, useRef, useState} from "preact/hooks";
 import type {Layout, LayoutObject} from "../gen/types";
-import {footprint, gap_between} from "../pure/geometry";
+import {footprint, gap_between, kFlat} from "../pure/geometry";
 import {references} from "../pure/relations";
 import {names_of, shape_key} from "../pure/scenes";
 import {size_text} from "../pure/units";
@@ -157,7 +157,7 @@ export function Plan({layout, live}: {layout: Layout; live: boolean}) {
           </g>
         );
       })}
-      <g class="labels">{things.filter((object) => object.supportedBy === "floor" && object.size[2] > 0.03).map((object) => <Label object={object} name={names.get(object.id) ?? ""} frame={frame} />)}</g>
+      <g class="labels">{things.filter((object) => object.supportedBy === "floor" && object.size[2] > kFlat).map((object) => <Label object={object} name={names.get(object.id) ?? ""} frame={frame} />)}</g>
       {live && <Openings layout={layout} frame={frame} svg={element} show={(id, offset) => slide(offset === null ? null : {id, offset})} />}
       {live && state.ghost && <Ghost layout={state.ghost.layout} now={layout} frame={frame} />}
       {live && relation && <Between layout={layout} relation={state.relation ?? ""} frame={frame} />}

@@ -1,5 +1,6 @@
 // One thing on the plan: its outline with a tick at the front, or the program's own drawing of it, and its label.
 import type {LayoutObject} from "../gen/types";
+import {kFlat} from "../pure/geometry";
 import {round} from "./frame";
 import type {Frame} from "./frame";
 import type {Stroke} from "./symbols";
@@ -29,7 +30,7 @@ export function Outline({object, frame, strokes, state}: Omit<ThingProps, "name"
   const [w, d] = [object.size[0] * 100, object.size[1] * 100];
   const [x, y] = frame.at([object.pos[0], object.pos[1]]);
   const tick = Math.min(w * 0.3, 14);
-  const flat = object.size[2] <= 0.03;
+  const flat = object.size[2] <= kFlat;
   return (
     <g class={`thing ${state}${flat ? " flat" : ""}`} transform={`translate(${x} ${y}) rotate(${round(-object.rotation)})`}>
       <rect class="hit" x={-w / 2 - 2} y={-d / 2 - 2} width={w + 4} height={d + 4} />

@@ -33,7 +33,8 @@ export function wrong_lengths(value: FormValue, units: Units): string[] {
 }
 
 function dims(sides: {w: string; d: string; h: string}, units: Units): SceneObject["dims"] | undefined {
-  const found = Object.entries(sides).flatMap(([side, text]) => {
+  const found = (["w", "d", "h"] as const).flatMap((side) => {
+    const text = sides[side];
     const metres = text.trim() ? read_length(text, units) : null;
     return metres ? [[side, metres]] : [];
   });

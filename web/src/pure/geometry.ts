@@ -6,6 +6,8 @@ export interface Box { x0: number; y0: number; x1: number; y1: number }
 export interface Gap { from: Point; to: Point; length: number }
 
 const kTouching = 1e-6;
+/** Rugs and mats up to this height are in nobody's way. */
+export const kFlat = 0.03;
 
 export function turned([x, y]: Point, degrees: number): Point {
   const angle = (degrees * Math.PI) / 180;
@@ -119,7 +121,7 @@ export function free_ways(layout: Layout, object: LayoutObject): Gap[] {
   const middle: Point = [(box.x0 + box.x1) / 2, (box.y0 + box.y1) / 2];
   const others = layout.objects
     .filter((other) => other.id !== object.id && other.supportedBy !== object.id && object.supportedBy !== other.id)
-    .filter((other) => share_height(object, other))
+    .filter((other) => other.size[2] > kFlat && share_height(object, other))
     .map(footprint);
   const outlines: Point[][] = [layout.room.polygon, ...others];
   const sides: [Point, 0 | 1, 1 | -1][] = [

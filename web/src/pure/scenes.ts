@@ -30,6 +30,19 @@ export function scene_of(layout: Layout): Scene {
   } as Scene;
 }
 
+/** The same wishes without today's places; what is locked stays where it is. */
+export function open_scene(layout: Layout, locked: readonly string[]): Scene {
+  const scene = scene_of(layout);
+  return {
+    ...scene,
+    furniture: scene.furniture.map((object) => {
+      if (locked.includes(object.id)) return {...object, fixed: true};
+      const {xform: _place, ...free} = object;
+      return free;
+    }),
+  };
+}
+
 const references = (relation: SceneRelation): string[] =>
   relation.relativeTo === undefined ? [] : [relation.relativeTo].flat();
 

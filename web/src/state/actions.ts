@@ -1,7 +1,7 @@
 // What a person can do: each asks the service and makes one step that can be undone.
 import {Refused, api} from "../api";
 import type {Article, GenerateRequest, Layout, Room, Scene, SceneObject} from "../gen/types";
-import {fresh_id, replaced, scene_of, scene_without_relation, without} from "../pure/scenes";
+import {fresh_id, open_scene, replaced, scene_of, scene_without_relation, without} from "../pure/scenes";
 import {texts} from "../texts";
 import {check} from "./hand";
 import {redone, undone} from "./history";
@@ -59,7 +59,7 @@ export const furnish_scene = (scene: Scene, prompt = ""): Promise<void> =>
   });
 
 function asked_again(now: Doc): GenerateRequest {
-  if (now.by_hand || !now.prompt) return {scene: now.by_hand || !now.scene ? scene_of(now.layout) : now.scene};
+  if (now.by_hand || now.locked.length > 0 || !now.prompt) return {scene: now.scene && !now.by_hand && now.locked.length === 0 ? now.scene : open_scene(now.layout, now.locked)};
   return {prompt: now.prompt};
 }
 
@@ -160,7 +160,7 @@ export function move_opening(id: string, offset: number): Promise<void> {
 /** One way out of a conflict: without that relation. */
 export function give_up(relation: string): Promise<void> {
   const now = doc();
-  const scene = now?.scene && !now.by_hand ? now.scene : now && scene_of(now.layout);
+  const scene = now?.scene && !now.by_hand ? now.scene : now && open_scene(now.layout, now.locked);
   return scene ? furnish_scene(scene_without_relation(scene, relation), now?.prompt) : Promise.resolve();
 }
 

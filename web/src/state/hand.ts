@@ -33,7 +33,8 @@ export class Hand {
   private answer_: {ask: DragRequest; answer: Dragged} | null = null;
   private readonly asks_: Latest<DragRequest, Dragged>;
 
-  constructor(private readonly base_: Layout, readonly id: string) {
+  /** `snaps` false: exact steps by keys and fields, whatever the switch says. */
+  constructor(private readonly base_: Layout, readonly id: string, private readonly snaps_ = true) {
     this.asks_ = new Latest<DragRequest, Dragged>(
       (ask) => api.drag(ask),
       (answer, ask) => {
@@ -54,8 +55,7 @@ export class Hand {
     if (pose.rotation !== undefined) pose.rotation = upright(pose.rotation);
     this.pose_ = pose;
     this.show_();
-    const {snap} = get();
-    this.asks_.push({layout: this.base_, id: this.id, ...pose, locked: doc()?.locked ?? [], snap: snap && pose.pos !== undefined});
+    this.asks_.push({layout: this.base_, id: this.id, ...pose, locked: doc()?.locked ?? [], snap: this.snaps_ && get().snap && pose.pos !== undefined});
   }
 
   /** Lets go: taken when everything can stand so, else all is as before and the reason is shown. */
@@ -127,7 +127,7 @@ export function nudge(id: string, change: (object: LayoutObject) => Pose): void 
   const now = doc();
   if (!now || now.locked.includes(id)) return;
   if (nudging && nudging.hand.id !== id) void settle();
-  const hand = nudging?.hand ?? new Hand(now.layout, id);
+  const hand = nudging?.hand ?? new Hand(now.layout, id, false);
   const seen = get().preview?.id === id ? get().preview?.layout : now.layout;
   const object = seen?.objects.find((one) => one.id === id);
   if (!object) return;

@@ -1,6 +1,6 @@
 // A walk through the room at eye level: drag to look, keys or buttons to go.
 import type {Layout} from "../gen/types";
-import {type Point, contains, room_bounds} from "../pure/geometry";
+import {type Point, contains, footprint, room_bounds, turned} from "../pure/geometry";
 import {on_wall} from "../plan/frame";
 import type {RoomView} from "./room_view";
 
@@ -8,6 +8,8 @@ const kEye = 1.6;
 const kSpeed = 1.4;
 const kTurn = 1.3;
 const kBody = 0.2;
+/** What is lower is stepped over. */
+const kStepOver = 0.3;
 
 export type Go = "forward" | "back" | "left" | "right";
 
@@ -19,6 +21,7 @@ export const go_of_key = (key: string): Go | undefined => kKeys[key] ?? kKeys[ke
 
 export class Walker {
   private at_: Point;
+  private readonly solid_: Point[][];
   private yaw_ = 0;
   private pitch_ = -0.12;
   private readonly going_ = new Set<Go>();
@@ -28,6 +31,7 @@ export class Walker {
   constructor(private readonly view_: RoomView, private readonly layout_: Layout) {
     const box = room_bounds(layout_.room);
     const centre: Point = [(box.x0 + box.x1) / 2, (box.y0 + box.y1) / 2];
+    this.solid_ = layout_.objects.filter((one) => one.pos[2] < kEye && one.pos[2] + one.size[2] > kStepOver).map(footprint);
     this.at_ = this.start_(centre);
     this.yaw_ = Math.atan2(centre[1] - this.at_[1], centre[0] - this.at_[0]);
     const {canvas} = view_;
@@ -44,8 +48,12 @@ export class Walker {
   private start_(centre: Point): Point {
     const door = this.layout_.room.openings?.find((opening) => opening.type !== "window");
     const wall = this.layout_.room.walls?.find((one) => one.id === door?.wall);
-    const inside = door && wall ? on_wall(wall, door.offset + door.w / 2, -0.35) : centre;
-    return this.free_(inside) ? inside : centre;
+    const inside = (far: number): Point[] => (door && wall ? [on_wall(wall, door.offset + door.w / 2, -far)] : []);
+    const around = [0.5, 1, 1.5].flatMap((far) => [0, 90, 180, 270].map((turn): Point => {
+      const [dx, dy] = turned([far, 0], turn);
+      return [centre[0] + dx, centre[1] + dy];
+    }));
+    return [...inside((door?.w ?? 0) + kBody), ...inside(kBody * 2), centre, ...around].find((point) => this.free_(point)) ?? centre;
   }
 
   go(way: Go, on: boolean): void {
@@ -73,7 +81,8 @@ export class Walker {
 
   private free_([x, y]: Point): boolean {
     const around: Point[] = [[x - kBody, y], [x + kBody, y], [x, y - kBody], [x, y + kBody]];
-    return around.every((point) => contains(this.layout_.room.polygon, point));
+    const inside = around.every((point) => contains(this.layout_.room.polygon, point));
+    return inside && !this.solid_.some((outline) => contains(outline, [x, y]));
   }
 
   private look_(event: PointerEvent): void {

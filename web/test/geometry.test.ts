@@ -1,0 +1,61 @@
+import assert from "node:assert/strict";
+import {test} from "node:test";
+import {leaves, on_wall} from "../src/plan/frame";
+import {area, bounds, contains, footprint, free_ways, gap_between, in_room, overlaps, turned, upright} from "../src/pure/geometry";
+import {room} from "./sample";
+
+const near = (a: number, b: number) => assert.ok(Math.abs(a - b) < 1e-9, `${a} is not ${b}`);
+
+test("a turn is counter-clockwise", () => {
+  const [x, y] = turned([1, 0], 90);
+  near(x, 0);
+  near(y, 1);
+  assert.equal(upright(-90), 270);
+});
+
+test("the front of a thing faces −y at rotation 0, +x after a quarter", () => {
+  const bed = {...room().objects[0]!, rotation: 90};
+  const [x, y] = in_room(bed, [0, -1]);
+  near(x, 3);
+  near(y, 2);
+  const box = bounds(footprint(bed));
+  near(box.x1 - box.x0, 2);
+  near(box.y1 - box.y0, 1.6);
+});
+
+test("gaps are measured between outlines, none where they overlap", () => {
+  const [bed, stand] = room().objects;
+  near(gap_between(footprint(bed!), footprint(stand!)).length, 0);
+  const moved = {...stand!, pos: [0.5, 2.8, 0] as [number, number, number]};
+  near(gap_between(footprint(bed!), footprint(moved)).length, 0.5);
+  near(gap_between(footprint(bed!), footprint({...bed!, pos: [2.1, 2, 0]})).length, 0);
+});
+
+test("things that only touch do not overlap", () => {
+  const [bed, stand] = room().objects;
+  assert.equal(overlaps(footprint(bed!), footprint(stand!)), false);
+  assert.equal(overlaps(footprint(bed!), footprint({...stand!, pos: [1.1, 2.8, 0]})), true);
+});
+
+test("free ways end at walls and neighbours, not at what stands on the thing", () => {
+  const layout = room();
+  const lengths = free_ways(layout, layout.objects[1]!).map((gap) => Math.round(gap.length * 100) / 100);
+  assert.deepEqual(lengths, [0.8, 0, 2.6, 0]);
+});
+
+test("an outline contains its middle and has its area", () => {
+  const {polygon} = room().room;
+  assert.equal(contains(polygon, [2, 1]), true);
+  assert.equal(contains(polygon, [4.1, 1]), false);
+  near(area(polygon), 12);
+});
+
+test("an in-left door hangs at the wall's end and opens into the room", () => {
+  const layout = room();
+  const wall = layout.room.walls![0]!;
+  const [leaf] = leaves(wall, layout.room.openings![0]!);
+  near(leaf!.hinge[0], 1.1);
+  near(leaf!.open[1], 0.9);
+  near(leaf!.shut[0], 0.2);
+  near(on_wall(wall, 1, 0.1)[1], -0.1);
+});

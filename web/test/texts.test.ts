@@ -1,0 +1,117 @@
+import assert from "node:assert/strict";
+import {test} from "node:test";
+import {form_scene, things_of, wrong_lengths} from "../src/pure/form_scene";
+import {relation_text} from "../src/pure/relations";
+import {fresh_id, names_of, open_scene, scene_of, shape_key, with_load, with_names, without} from "../src/pure/scenes";
+import {length_text, read_length} from "../src/pure/units";
+import {named_in_role, pieces} from "../src/pure/words";
+import {begin, pushed, redone, undone} from "../src/state/history";
+import {Latest} from "../src/state/latest";
+import {room} from "./sample";
+
+test("lengths are read as people write them", () => {
+  const cases: [string, "m" | "ft", number | null][] = [
+    ["1.2", "m", 1.2], ["1,2 m", "m", 1.2], ["120 cm", "m", 1.2], ["120cm", "ft", 1.2], ["4'", "m", 1.2192], ["4' 6\"", "ft", 1.3716],
+    ["4 ft 6 in", "m", 1.3716], ["4' 6", "ft", 1.3716], ["6", "ft", 1.8288], ["", "m", null], ["wide", "m", null], ["1 m wide", "m", null],
+  ];
+  for (const [text, units, metres] of cases) {
+    const read = read_length(text, units);
+    assert.ok(metres === null ? read === null : Math.abs((read ?? 0) - metres) < 1e-9, `${text}: ${read}`);
+  }
+  assert.equal(length_text(1.3716, "ft"), "4' 6\"");
+  assert.equal(length_text(1.2, "m"), "1.20 m");
+});
+
+test("words are cut by bytes, neighbours of one meaning are one", () => {
+  const prompt = "Grün: a désk";
+  const words = [
+    {begin: 0, end: 5, use: "notUnderstood" as const, role: "?"},
+    {begin: 7, end: 8, use: "used" as const, role: "object desk_1"},
+    {begin: 9, end: 14, use: "used" as const, role: "object desk_1"},
+  ];
+  assert.deepEqual(pieces(prompt, words).map((piece) => piece.text), ["Grün", ": ", "a désk"]);
+  assert.equal(named_in_role("object desk_1", new Set(["desk_1"])), "desk_1");
+});
+
+test("relations become sentences", () => {
+  const sentences = new Map([["againstWall", "{targets} stands with its back against {references}"], ["nextTo", "{targets} stands next to {references}"]]);
+  const layout = room();
+  assert.equal(relation_text(layout.relations![0]!, layout, sentences, "m"), "The bed stands with its back against the back wall");
+  assert.equal(relation_text(layout.relations![1]!, layout, sentences, "m"), "The nightstand 1 and the nightstand 2 stands next to the bed");
+});
+
+test("a thing goes with what stands on it and with its relations", () => {
+  const layout = room();
+  assert.deepEqual([...with_load(layout, "stand_1")], ["stand_1", "lamp_1"]);
+  const left = without(layout, "stand_1");
+  assert.deepEqual(left.objects.map((object) => object.id), ["bed_1", "stand_2"]);
+  assert.deepEqual(left.relations!.map((relation) => relation.targets), [["bed_1"], ["stand_2"]]);
+  assert.equal(layout.objects.length, 4);
+});
+
+test("a layout is a scene again", () => {
+  const layout = room();
+  const scene = scene_of(layout);
+  assert.deepEqual(scene.furniture[0]!.dims, {w: 1.6, d: 2, h: 0.5});
+  assert.equal(scene.room.openings![0]!.wallId, "wall1");
+  const free = open_scene(layout, ["bed_1"]);
+  assert.equal(free.furniture[0]!.fixed, true);
+  assert.equal(free.furniture[1]!.xform, undefined);
+});
+
+test("places do not change what is drawn, sizes do", () => {
+  const layout = room();
+  const moved = {...layout, objects: layout.objects.map((object) => ({...object, pos: [0, 0, 0] as [number, number, number]}))};
+  assert.equal(shape_key(layout), shape_key(moved));
+  const grown = {...layout, objects: layout.objects.map((object) => ({...object, size: [1, 1, 1] as [number, number, number]}))};
+  assert.notEqual(shape_key(layout), shape_key(grown));
+});
+
+test("names tell things of a kind apart, ids in messages become names", () => {
+  const names = names_of(room());
+  assert.equal(names.get("stand_2"), "nightstand 2");
+  assert.equal(names.get("lamp_1"), "table lamp");
+  assert.equal(with_names("bed_1 is within the room", names), "bed is within the room");
+  assert.equal(fresh_id(["desk_1"], "desk"), "desk_2");
+});
+
+test("the form asks for a scene", () => {
+  const piece = {key: 1, category: "chair", name: "chair", count: "2", w: "50 cm", d: "", h: ""};
+  const value = {
+    kind: "office", w: "4", d: "3", h: "", pieces: [piece], openings: [{key: 2, type: "door" as const, wall: "wall1", offset: "0.5"}],
+    relations: [{key: 3, type: "row", subject: "chair_1,chair_2", reference: ""}],
+  };
+  const scene = form_scene(value, "m");
+  assert.deepEqual(scene.furniture.map((object) => object.id), ["chair_1", "chair_2"]);
+  assert.deepEqual(scene.furniture[0]!.dims, {w: 0.5});
+  assert.deepEqual(scene.room.dims, {w: 4, d: 3});
+  assert.deepEqual(scene.room.openings, [{id: "door1", type: "door", wallId: "wall1", offset: 0.5}]);
+  assert.deepEqual(scene.constraints![0]!.targets, ["chair_1", "chair_2"]);
+  assert.deepEqual(wrong_lengths({...value, w: "wide"}, "m"), ["wide"]);
+  assert.equal(things_of([piece])[1]!.name, "chair 2");
+});
+
+test("undo and redo go to the ends", () => {
+  const three = pushed(pushed(begin(1), 2), 3);
+  assert.equal(undone(undone(undone(three))).now, 1);
+  assert.equal(redone(undone(three)).now, 3);
+  assert.deepEqual(pushed(undone(three), 4).future, []);
+});
+
+test("one request in flight, the latest wins", async () => {
+  const sent: number[] = [];
+  const got: number[] = [];
+  const latest = new Latest<number, number>(
+    async (ask) => {
+      sent.push(ask);
+      await new Promise((resolve) => setTimeout(resolve, 5));
+      return ask;
+    },
+    (answer) => got.push(answer),
+    () => assert.fail("refused"),
+  );
+  for (const ask of [1, 2, 3, 4]) latest.push(ask);
+  await latest.settled();
+  assert.deepEqual(sent, [1, 4]);
+  assert.deepEqual(got, [1, 4]);
+});
