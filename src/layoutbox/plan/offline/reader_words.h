@@ -38,6 +38,13 @@ inline bool is_finite(std::string_view word) {
   return word.size() > 2 && word.ends_with("s") && std::find(std::begin(kNot), std::end(kNot), word) == std::end(kNot);
 }
 
+// "the dining area", "a reading nook": a part of the room.
+inline bool is_zone(std::string_view head) {
+  static constexpr std::string_view kZones[] = {"area",    "zone", "nook",    "setup",  "arrangement",
+                                                "section", "spot", "station", "corner", "set-up"};
+  return std::find(std::begin(kZones), std::end(kZones), head) != std::end(kZones);
+}
+
 inline bool contains(const std::vector<int>& all, int one) { return std::find(all.begin(), all.end(), one) != all.end(); }
 
 }  // namespace layoutbox::offline

@@ -178,7 +178,9 @@ int suits(const Catalog& catalog, const PhraseSense& sense, const NounPhrase& ta
     case R::kCenterOfRoom:
     case R::kInRegion: return mount == Mount::kSurface ? 1 : 2;
     case R::kAbove:
-      return mount == Mount::kWall || mount == Mount::kCeiling || is_lamp(catalog, target) ? 2 : mount == Mount::kSurface ? 0 : 1;
+      if (mount == Mount::kWall || mount == Mount::kCeiling || is_lamp(catalog, target)) return 2;
+      if (one_of(target.head, {"tv", "television", "screen", "monitor", "speaker"})) return 1;  // may hang
+      return mount == Mount::kSurface ? 0 : 1;
     default:
       return mount == Mount::kSurface && stands_beside(sense.type) && reference.kind == NounKind::kObject &&
                      mount_of(reference) == Mount::kFloor

@@ -133,6 +133,7 @@ class Decoder {
   double habit_score(const State& state, int place, Referent subject, Referent other, const PhraseSenses& senses) const;
   double content_score(const State& state, int predicate, Referent content) const;
   bool speaks_of_no_thing(const State& state) const;
+  bool nothing_nearer(const State& state, std::size_t level) const;
   Referent side_host(const State& state, int u, const PhraseSenses& senses) const;
   double end_score(const State& state) const;
 

@@ -166,7 +166,10 @@ void Decoder::alone_of_room(std::size_t s, int u, std::size_t level, double gain
       unit(u).joiner == Joiner::kNone &&
       std::any_of(senses.begin(), senses.end(), [](const PhraseSense& sense) { return sense.region == "back" || sense.region == "front"; });
   if (end) add(s, kAttachAlone, gain + 1.5, member, member, host);
-  if (lies && is_thing(state, host)) add(s, kAttachAlone, gain + 1, member, member, host);
+  // … but "a table with magazines in the middle" stands there itself.
+  const bool many_lie = is_thing(state, host) && (several(state, member) || is_textile(lexicon_.catalog(), noun_of(state, member)));
+  if (lies && is_thing(state, host)) add(s, kAttachAlone, gain + (many_lie ? -1 : 1), member, member, host);
+  if (lies && is_thing(state, host)) gain += weight::kSmallByPlace;
   for (const Candidate& meant : lies&& host == kNobody && state.fronted.empty() ? carriers(state, member) : std::vector<Candidate>{})
     add(s, kAttachAlone, gain + meant.score, member, member, meant.referent);
   if (lies && !state.fronted.empty()) add(s, kAttachAlone, gain + 1, member, member, state.fronted.front() + 1);

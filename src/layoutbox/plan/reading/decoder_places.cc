@@ -51,6 +51,14 @@ bool Decoder::speaks_of_no_thing(const State& state) const {
          host_of(state, last) != kNobody;
 }
 
+// Whether no thing was named after the one at that level of the frontier.
+bool Decoder::nothing_nearer(const State& state, std::size_t level) const {
+  for (std::size_t f = level + 1; f < state.frontier.size(); ++f) {
+    if (is_thing(state, state.frontier[f])) return false;
+  }
+  return true;
+}
+
 void Decoder::attach_actions(std::size_t s, int u, Kind kind) {
   const State& state = states_[s];
   for (std::size_t level = state.frontier.size(); level-- > 0;) attach_to(s, u, kind, level);
@@ -80,7 +88,10 @@ void Decoder::attach_to(std::size_t s, int u, Kind kind, std::size_t level) {
   }
   const bool part_of_room =
       place == NounKind::kWall || opening || place == NounKind::kCorner || place == NounKind::kCeiling || place == NounKind::kPart;
-  if (!is_thing(state, member) && !(opening && level == 0) && !(inverse && part_of_room)) return;
+  // "a reading corner by the window with …": a part of the room that has things.
+  const bool zone = kind == kAttach && (place == NounKind::kCorner || place == NounKind::kAbstract) &&
+                    is_zone(noun_of(state, member).head) && read_as(state, member).role != NounRole::kReference && nothing_nearer(state, level);
+  if (!is_thing(state, member) && !(opening && level == 0) && !(inverse && part_of_room) && !zone) return;
   if (state.relative >= 0 && member != state.relative) return;
   double gain = state.relative >= 0 ? 0 : attach_score(state, u, static_cast<int>(level), inverse);
   // "in a row along the wall": of all that the place before was said of.

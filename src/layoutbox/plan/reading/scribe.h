@@ -62,6 +62,7 @@ class Scribe {
   void grow_for_sides(const Link& link, int target, int reference);
   void grow_for_hosts(int content, const std::vector<int>& hosts);
   void grow_for_each(int thing, int each);
+  void place_with_zone(const std::vector<int>& hosts, int index);
   void grow_for_corners(const NounPhrase& corner, int target);
   void grow_contents(int host, std::size_t before);
   void add_laden_stand(const PhraseSenses& senses, std::vector<int>& targets) const;

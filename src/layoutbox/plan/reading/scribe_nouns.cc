@@ -192,9 +192,7 @@ int Scribe::make_mention(int u) {
 
 // What stands for an area of the room: "the dining area" is where the dining table is, "the seating area" where one sits.
 int Scribe::thing_of_zone(const NounPhrase& noun) const {
-  static constexpr std::string_view kZones[] = {"area",    "zone", "nook",    "setup",  "arrangement",
-                                                "section", "spot", "station", "corner", "set-up"};
-  if (std::find(std::begin(kZones), std::end(kZones), noun.head) == std::end(kZones) || noun.determiner != Determiner::kDefinite) return -1;
+  if (!is_zone(noun.head) || noun.determiner != Determiner::kDefinite) return -1;
   const std::string words = words_between(document_, noun.first, noun.last);
   int seat = -1, named = -1;
   for (std::size_t m = document_.mentions.size(); m-- > 0;) {

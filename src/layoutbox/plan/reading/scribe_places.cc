@@ -49,6 +49,11 @@ void Scribe::fill_reference(int u, int mention) {
   }
   if (mention_at(mention).reciprocal) mean_each_other(link);
   for (const int target : targets) grow_for_corners(noun, target);
+  // "bookshelves lining three walls": at least one at each.
+  for (const int target : targets) {
+    if (noun.kind == NounKind::kWall && noun_of(target).plural && noun_of(target).count == 0)
+      references_.grow(target, static_cast<std::size_t>(std::max(noun.count, 0)));
+  }
   // "three chairs, each facing a mirror": a mirror for each.
   if (mention_at(mention).introduces && mention_at(mention).items.size() == 1 && noun.determiner == Determiner::kIndefinite &&
       targets.size() == 1 && mention_at(targets.front()).distributes && !mention_at(targets.front()).introduces)
@@ -107,7 +112,22 @@ void Scribe::fill_content(int u, int mention) {
   for (const int host : hosts) {
     if (mention_at(host).distributes) grow_for_each(mention, host);
   }
+  place_with_zone(hosts, index);
   imply_adjective(u, mention);
+}
+
+// "a reading corner by the window with an armchair": the armchair is by the window.
+void Scribe::place_with_zone(const std::vector<int>& hosts, int index) {
+  if (hosts.size() != 1 || is_thing(hosts.front())) return;
+  const int added = link_at(index).targets.back();
+  bool placed = false;
+  for (std::size_t l = sentence_links_; l < static_cast<std::size_t>(index); ++l) {
+    Link& place = document_.links[l];
+    if (place.kind != Link::Kind::kRelation || !contains(place.targets, hosts.front())) continue;
+    place.targets.push_back(added);
+    placed = true;
+  }
+  if (placed && noun_of(hosts.front()).wall_word.empty()) link_at(index).senses.clear();
 }
 
 void Scribe::fill_root(int u, int mention) {

@@ -38,7 +38,8 @@ double SenseScore::over(const NounPhrase& target, const NounPhrase& reference) c
   if (is_table(catalog_, reference) && mount_of(target) == Mount::kCeiling) score += weight::kLampOverTable;
   if (is_chair(reference)) score += weight::kOverSeat;
   // Seats and tables stand under things, not over them.
-  if (is_seat(catalog_, target) || (is_table(catalog_, target) && mount_of(target) == Mount::kFloor)) score += weight::kUnlikely;
+  const bool chest = one_of(target.head, {"dresser", "wardrobe", "sideboard", "drawers", "bed", "sofa", "couch", "desk"});
+  if (is_seat(catalog_, target) || chest || (is_table(catalog_, target) && mount_of(target) == Mount::kFloor)) score += weight::kUnlikely;
   return score;
 }
 

@@ -166,10 +166,11 @@ bool UnitReader::passes_count(std::size_t k) {
 
 // "a table for six" has six seats; "desks for 24 students" are 24, "tables for forty guests" ten.
 void UnitReader::seat_so_many(NounPhrase& tables, int people) const {
-  constexpr int kAtATable = 4;
+  constexpr int kAtATable = 4, kAtALargeOne = 6;
   tables.seats = people;
   if (tables.count > 0 || !tables.plural || tables.determiner == Determiner::kDefinite) return;
   const bool desks = tables.entry != nullptr && lexicon_.catalog().is_a(tables.entry->id, "desk");
+  if (!desks && people <= kAtALargeOne) return;  // "tables for two": for two each
   tables.seats = desks ? 1 : kAtATable;
   tables.count = (people + tables.seats - 1) / tables.seats;
 }
