@@ -17,9 +17,12 @@ export function Prompt({large = false, empty = false}: {large?: boolean; empty?:
   useEffect(() => put(current), [current]);
   useEffect(() => {
     const area = box.current;
-    if (!area) return;
-    area.style.height = "auto";
-    area.style.height = `${Math.min(area.scrollHeight + 2, large ? 220 : 66)}px`;
+    if (!area) return undefined;
+    const frame = requestAnimationFrame(() => {
+      area.style.height = "auto";
+      area.style.height = `${Math.min(area.scrollHeight + 2, large ? 220 : 66)}px`;
+    });
+    return () => cancelAnimationFrame(frame);
   }, [text, busy]);
   const go = (event?: Event) => {
     event?.preventDefault();

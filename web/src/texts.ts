@@ -53,6 +53,7 @@ export const texts = {
     thing_help: "Arrow keys move it by 1 cm, with Shift by 10 cm; R turns it; L locks it; Delete removes it.",
     turn: "Turn", resize: "Resize", other: "Beside it", other_close: "Close the comparison", locked: "locked",
     opening: (name: string) => `${name}: arrow keys move it along its wall`,
+    wall: (name: string) => `${name}: arrow keys move it`,
     room_size: (w: string, d: string, area: string) => `${w} × ${d} · ${area}`,
     reset: "Show all",
   },
@@ -120,6 +121,7 @@ export const texts = {
     sides: {front: "front", right: "right", back: "back", left: "left"},
     door: "door", window: "window", open: "opening", the: (name: string) => `the ${name}`,
     and: (first: string, last: string) => `${first} and ${last}`,
+    at_least: (length: string) => `at least ${length}`, at_most: (length: string) => `at most ${length}`,
     unnamed: {
       againstWall: "a wall", sideAgainstWall: "a wall", onWall: "a wall", centeredOnWall: "a wall", awayFromWall: "the walls", corner: "the room",
       underWindow: "the window", nearWindow: "the window", nearDoor: "the door", farFromDoor: "the door", farFromWindow: "the window",

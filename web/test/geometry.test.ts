@@ -1,7 +1,8 @@
 import assert from "node:assert/strict";
 import {test} from "node:test";
-import {leaves, on_wall} from "../src/plan/frame";
+import {leaves} from "../src/plan/frame";
 import {area, bounds, contains, footprint, free_ways, gap_between, in_room, overlaps, turned, upright} from "../src/pure/geometry";
+import {move_wall, on_wall, put_opening} from "../src/pure/shell_moves";
 import {room} from "./sample";
 
 const near = (a: number, b: number) => assert.ok(Math.abs(a - b) < 1e-9, `${a} is not ${b}`);
@@ -58,4 +59,17 @@ test("an in-left door hangs at the wall's end and opens into the room", () => {
   near(leaf!.open[1], 0.9);
   near(leaf!.shut[0], 0.2);
   near(on_wall(wall, 1, 0.1)[1], -0.1);
+});
+
+test("a door goes to the wall that is nearest, centred where the hand is", () => {
+  const moved = put_opening(room(), "door1", [3.9, 1.5]);
+  assert.deepEqual([moved.room.openings![0]!.wall, moved.room.openings![0]!.offset], ["wall2", 1.05]);
+});
+
+test("a wall takes its neighbours along, openings stay where they are in the room", () => {
+  const wider = move_wall(room(), "wall4", 0.5)!;
+  assert.deepEqual(wider.room.polygon, [[-0.5, 0], [4, 0], [4, 3], [-0.5, 3]]);
+  assert.equal(wider.room.openings![0]!.offset, 0.7);
+  assert.equal(area(wider.room.polygon), 13.5);
+  assert.equal(move_wall(room(), "wall4", -3.5), null);
 });

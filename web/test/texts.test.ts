@@ -40,6 +40,13 @@ test("relations become sentences", () => {
   assert.equal(relation_text(layout.relations![1]!, layout, sentences, "m"), "The nightstand 1 and the nightstand 2 stands next to the bed");
 });
 
+test("a distance that is open at one end is said so", () => {
+  const layout = room();
+  const sentences = new Map([["distance", "{targets} stands between {min} and {max} from {references}"]]);
+  const relation = {type: "distance" as const, targets: ["bed_1"], relativeTo: "wall1", min: 1};
+  assert.equal(relation_text(relation, layout, sentences, "m"), "The bed stands at least 1.00 m from the front wall");
+});
+
 test("a thing goes with what stands on it and with its relations", () => {
   const layout = room();
   assert.deepEqual([...with_load(layout, "stand_1")], ["stand_1", "lamp_1"]);

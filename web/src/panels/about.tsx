@@ -120,7 +120,7 @@ function Conflicts({layout}: {layout: Layout}) {
             {list.map((one) => (
               <li>
                 {known(one.relation) ? text_of(one.relation) : with_names(one.why ?? one.relation, names)}
-                {one.by !== undefined && <small> · {texts.about.by(one.unit === "m" ? length_text(one.by, units) : `${Math.round(one.by * 100) / 100} ${one.unit ?? ""}`)}</small>}
+                {one.by !== undefined && one.by > 0 && <small> · {texts.about.by(one.unit === "m" ? length_text(one.by, units) : `${Math.round(one.by * 100) / 100} ${one.unit ?? ""}`)}</small>}
               </li>
             ))}
           </ul>

@@ -1,6 +1,7 @@
 // From metres in the room to centimetres on the drawing, y downwards.
 import type {Layout, LayoutOpening, LayoutWall} from "../gen/types";
 import {type Box, type Point, room_bounds} from "../pure/geometry";
+import {on_wall} from "../pure/shell_moves";
 
 export interface Frame { box: Box; at: (point: Point) => Point; path: (points: readonly Point[]) => string; view: string }
 
@@ -18,16 +19,6 @@ export function frame_of(layout: Layout): Frame {
 }
 
 export const round = (value: number): number => Math.round(value * 100) / 100;
-
-/** A wall's own frame: `along` metres from its start, `out` metres out of the room. */
-export function on_wall(wall: LayoutWall, along: number, out: number): Point {
-  const dx = wall.end[0] - wall.start[0];
-  const dy = wall.end[1] - wall.start[1];
-  const length = Math.hypot(dx, dy) || 1;
-  return [wall.start[0] + (dx * along + dy * out) / length, wall.start[1] + (dy * along - dx * out) / length];
-}
-
-export const wall_length = (wall: LayoutWall): number => Math.hypot(wall.end[0] - wall.start[0], wall.end[1] - wall.start[1]);
 
 export interface Leaf { hinge: Point; open: Point; shut: Point; width: number; sweep: 0 | 1 }
 

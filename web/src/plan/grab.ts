@@ -1,10 +1,10 @@
 // Pointers on the plan: a press that moves is a drag, one that does not is a click.
 import type {Layout, LayoutObject, LayoutOpening, LayoutWall} from "../gen/types";
 import {type Point, in_room, on_grid, turned} from "../pure/geometry";
+import {from_wall, move_wall} from "../pure/shell_moves";
 import {Hand, type Pose} from "../state/hand";
-import {move_opening} from "../state/actions";
+import {shift_wall} from "../state/actions";
 import {doc, get, set} from "../state/store";
-import {wall_length} from "./frame";
 
 const kClick = 4;
 const kSmallest = 0.05;
@@ -81,22 +81,22 @@ export function grab_size(event: PointerEvent, svg: SVGSVGElement, layout: Layou
   });
 }
 
-export function clamp_offset(wall: LayoutWall, opening: LayoutOpening, offset: number): number {
-  return on_grid(Math.max(0, Math.min(wall_length(wall) - opening.w, offset)));
+/** A door or window slid along the walls. */
+export function grab_opening(event: PointerEvent, svg: SVGSVGElement, layout: Layout, opening: LayoutOpening): void {
+  with_hand(event, svg, layout, opening.id, (now) => ({pos: now}));
 }
 
-/** A door or window slid along its wall; `show` draws it meanwhile. */
-export function grab_opening(
-  event: PointerEvent, svg: SVGSVGElement, wall: LayoutWall, opening: LayoutOpening, show: (offset: number | null) => void,
-): void {
-  let offset = opening.offset;
-  const length = wall_length(wall) || 1;
+/** A wall drawn outwards or inwards; `show` draws the room so meanwhile. */
+export function grab_wall(event: PointerEvent, svg: SVGSVGElement, layout: Layout, wall: LayoutWall, show: (layout: Layout | null) => void): void {
+  let start: number | null = null;
+  let out = 0;
   follow(event, svg, (now) => {
-    const along = ((now[0] - wall.start[0]) * (wall.end[0] - wall.start[0]) + (now[1] - wall.start[1]) * (wall.end[1] - wall.start[1])) / length;
-    offset = clamp_offset(wall, opening, along - opening.w / 2);
-    show(offset);
+    const far = from_wall(wall, now).out;
+    start ??= far;
+    out = on_grid(far - start);
+    show(move_wall(layout, wall.id, out));
   }, (dragged) => {
-    if (!dragged || offset === opening.offset) return show(null);
-    void move_opening(opening.id, offset).finally(() => show(null));
+    if (!dragged || out === 0) return show(null);
+    void shift_wall(wall.id, out).finally(() => show(null));
   });
 }

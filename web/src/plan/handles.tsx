@@ -29,7 +29,7 @@ export function Ways({layout, object, frame, units}: {layout: Layout; object: La
   );
 }
 
-export function Reason({object, text, frame}: {object: LayoutObject; text: string; frame: Frame}) {
+export function Reason({object, text, frame}: {object: Pick<LayoutObject, "pos" | "size">; text: string; frame: Frame}) {
   const [x, y] = frame.at([object.pos[0], object.pos[1]]);
   const width = Math.max(frame.box.x1 - frame.box.x0, 1) * 100;
   const fits = Math.max(16, Math.floor(width / 6.2));

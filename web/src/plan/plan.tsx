@@ -4,19 +4,18 @@ import type {Layout, LayoutObject} from "../gen/types";
 import {footprint, gap_between, kFlat} from "../pure/geometry";
 import {references} from "../pure/relations";
 import {names_of, shape_key} from "../pure/scenes";
+import {opening_middle} from "../pure/shell_moves";
 import {size_text} from "../pure/units";
-import {move_opening} from "../state/actions";
 import {type State, get, set, use} from "../state/store";
 import {texts} from "../texts";
-import {clamp_offset, grab, grab_opening, grab_size, grab_turn} from "./grab";
-import {type Frame, frame_of, on_wall} from "./frame";
+import {grab, grab_size, grab_turn} from "./grab";
+import {type Frame, frame_of} from "./frame";
+import {Grips} from "./grips";
 import {Knobs, Measure, Reason, Ways} from "./handles";
 import {on_thing_key} from "./keys";
 import {Shell} from "./shell";
 import {type Symbols, symbols_of} from "./symbols";
 import {Label, Outline} from "./thing";
-
-const kWallWidth = 0.1;
 
 function useSymbols(layout: Layout | null): Symbols {
   const [symbols, put] = useState<Symbols>(new Map());
@@ -30,6 +29,13 @@ function useSymbols(layout: Layout | null): Symbols {
     };
   }, [key]);
   return symbols;
+}
+
+/** Where to write about a thing, a door or a window. */
+function middle_of(layout: Layout, id: string): Pick<LayoutObject, "pos" | "size"> {
+  const opening = layout.room.openings?.find((one) => one.id === id);
+  const [x, y] = (opening && opening_middle(layout.room, opening)) ?? [0, 0];
+  return {pos: [x, y, 0], size: [0.6, 0.6, 0]};
 }
 
 const by_height = (a: LayoutObject, b: LayoutObject): number => a.pos[2] + a.size[2] - (b.pos[2] + b.size[2]);
@@ -58,35 +64,6 @@ function Between({layout, relation, frame}: {layout: Layout; relation: string; f
   return gap.length > 0.005 ? <Measure gap={gap} frame={frame} units={units} about="between" /> : null;
 }
 
-function Openings({layout, frame, svg, show}: {layout: Layout; frame: Frame; svg: () => SVGSVGElement; show: (id: string, offset: number | null) => void}) {
-  const places = texts.places;
-  return (
-    <>
-      {(layout.room.openings ?? []).map((opening) => {
-        const wall = layout.room.walls?.find((one) => one.id === opening.wall);
-        if (!wall) return null;
-        const thick = wall.thickness ?? kWallWidth;
-        const [from, to] = [opening.offset, opening.offset + opening.w];
-        const corners = [on_wall(wall, from, -0.06), on_wall(wall, to, -0.06), on_wall(wall, to, thick + 0.04), on_wall(wall, from, thick + 0.04)];
-        const on_key = (event: KeyboardEvent) => {
-          const sign = {ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1}[event.key];
-          if (!sign) return;
-          event.preventDefault();
-          const positive = wall.end[0] - wall.start[0] + (wall.end[1] - wall.start[1]) > 0 ? 1 : -1;
-          void move_opening(opening.id, clamp_offset(wall, opening, opening.offset + sign * positive * (event.shiftKey ? 0.1 : 0.01)));
-        };
-        return (
-          <path
-            key={opening.id} class="grip" d={frame.path(corners)} tabIndex={0} role="button" data-testid={`opening-${opening.id}`}
-            aria-label={texts.views.opening(places[opening.type])} onKeyDown={on_key}
-            onPointerDown={(event) => grab_opening(event, svg(), wall, opening, (offset) => show(opening.id, offset))}
-          />
-        );
-      })}
-    </>
-  );
-}
-
 function Ghost({layout, now, frame}: {layout: Layout; now: Layout; frame: Frame}) {
   const before = new Map(now.objects.map((object) => [object.id, object]));
   const other = layout.objects.filter((object) => {
@@ -113,19 +90,16 @@ function Ghost({layout, now, frame}: {layout: Layout; now: Layout; frame: Frame}
 export function Plan({layout, live}: {layout: Layout; live: boolean}) {
   const state = use((now) => now);
   const svg = useRef<SVGSVGElement>(null);
-  const [slid, slide] = useState<{id: string; offset: number} | null>(null);
+  const [shell, show_shell] = useState<Layout | null>(null);
   const symbols = useSymbols(layout);
   const names = useMemo(() => names_of(layout), [layout]);
   const frame = useMemo(() => frame_of(layout), [layout.room]);
   const things = useMemo(() => [...layout.objects].sort(by_height), [layout]);
-  const drawn = slid
-    ? {...layout, room: {...layout.room, openings: layout.room.openings?.map((one) => (one.id === slid.id ? {...one, offset: slid.offset} : one))}}
-    : layout;
   const relation = live ? layout.relations?.find((one) => one.id === state.relation) : undefined;
   const about = new Set(relation ? [...relation.targets, ...references(relation)] : []);
   const chosen = live ? layout.objects.find((object) => object.id === state.selected) : undefined;
   const held = state.preview?.id === chosen?.id ? state.preview : null;
-  const refused = live && state.refused && layout.objects.find((object) => object.id === state.refused?.id);
+  const refused = live && state.refused ? layout.objects.find((object) => object.id === state.refused?.id) ?? middle_of(layout, state.refused.id) : null;
   const base = () => get().rooms.now?.layout ?? layout;
   const element = () => svg.current as SVGSVGElement;
   const on = (object: LayoutObject) => ({
@@ -144,7 +118,7 @@ export function Plan({layout, live}: {layout: Layout; live: boolean}) {
       aria-label={texts.views.plan} aria-describedby={live ? "thing-help" : undefined}
       onPointerDown={(event) => live && event.target === event.currentTarget && set({selected: null, relation: null, refused: null})}
     >
-      <Shell layout={drawn} frame={frame} />
+      <Shell layout={shell ?? layout} frame={frame} />
       {things.map((object) => {
         const outline = <Outline object={object} frame={frame} strokes={symbols.get(object.id)} state={live ? looks(object, state, about) : ""} />;
         if (!live) return outline;
@@ -158,7 +132,7 @@ export function Plan({layout, live}: {layout: Layout; live: boolean}) {
         );
       })}
       <g class="labels">{things.filter((object) => object.supportedBy === "floor" && object.size[2] > kFlat).map((object) => <Label object={object} name={names.get(object.id) ?? ""} frame={frame} />)}</g>
-      {live && <Openings layout={layout} frame={frame} svg={element} show={(id, offset) => slide(offset === null ? null : {id, offset})} />}
+      {live && <Grips layout={layout} base={base} frame={frame} svg={element} show={show_shell} />}
       {live && state.ghost && <Ghost layout={state.ghost.layout} now={layout} frame={frame} />}
       {live && relation && <Between layout={layout} relation={state.relation ?? ""} frame={frame} />}
       {chosen && !state.ghost && !relation && <Ways layout={layout} object={chosen} frame={frame} units={state.units} />}
@@ -170,6 +144,9 @@ export function Plan({layout, live}: {layout: Layout; live: boolean}) {
         />
       )}
       {chosen && held && !held.legal && <Reason object={chosen} text={held.reasons.map((reason) => reason.text).join("; ")} frame={frame} />}
+      {live && state.preview && !state.preview.legal && !held && (
+        <Reason object={middle_of(layout, state.preview.id)} text={state.preview.reasons.map((reason) => reason.text).join("; ")} frame={frame} />
+      )}
       {refused && !held && <Reason object={refused} text={state.refused?.text ?? ""} frame={frame} />}
     </svg>
   );

@@ -1,6 +1,7 @@
 // The room without its furniture: walls, floor, doors with their swing, windows.
 import type {Layout, LayoutOpening, LayoutWall} from "../gen/types";
-import {type Frame, leaves, on_wall} from "./frame";
+import {on_wall} from "../pure/shell_moves";
+import {type Frame, leaves} from "./frame";
 
 const kThickness = 0.1;
 

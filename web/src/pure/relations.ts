@@ -40,8 +40,14 @@ function list(names: string[]): string {
   return texts.places.and(names.slice(0, -1).join(", "), names.at(-1) ?? "");
 }
 
+/** "between {min} and {max}" where only one of the two is said. */
+function open_ended(template: string | undefined, {min, max}: SceneRelation): string | undefined {
+  if (!template || (min === undefined) === (max === undefined)) return template;
+  return template.replace("between {min} and {max}", min === undefined ? words.at_most("{max}") : words.at_least("{min}"));
+}
+
 export function relation_text(relation: SceneRelation, layout: Layout, sentences: Sentences, units: Units): string {
-  const template = sentences.get(relation.type);
+  const template = open_ended(sentences.get(relation.type), relation);
   const names = new Map([...places_of(layout), ...names_of(layout)]);
   const called = (id: string) => texts.places.the(names.get(id) ?? id.replaceAll("_", " "));
   const targets = list(relation.targets.map(called));

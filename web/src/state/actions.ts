@@ -2,6 +2,7 @@
 import {Refused, api} from "../api";
 import type {Article, GenerateRequest, Layout, Room, Scene, SceneObject} from "../gen/types";
 import {fresh_id, open_scene, replaced, scene_of, scene_without_relation, without} from "../pure/scenes";
+import {move_wall} from "../pure/shell_moves";
 import {texts} from "../texts";
 import {check} from "./hand";
 import {redone, undone} from "./history";
@@ -148,13 +149,12 @@ export function toggle_lock(id: string): void {
   step({...now, locked});
 }
 
-/** A door or window put elsewhere along its wall. */
-export function move_opening(id: string, offset: number): Promise<void> {
-  return solve_change(texts.busy.move, (_scene, layout) => {
-    const openings = (layout.room.openings ?? []).map((opening) => (opening.id === id ? {...opening, offset} : opening));
-    const from = {...layout, room: {...layout.room, openings}};
-    return {scene: scene_of(from), from};
-  });
+/** A wall moved outwards by so many metres; what stands in the room keeps its place as far as can be. */
+export function shift_wall(id: string, out: number): Promise<void> {
+  const now = doc();
+  const moved = now && move_wall(now.layout, id, out);
+  if (!moved) return Promise.resolve();
+  return solve_change(texts.busy.move, () => ({scene: scene_of(moved), from: moved}));
 }
 
 /** One way out of a conflict: without that relation. */

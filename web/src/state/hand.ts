@@ -3,6 +3,7 @@ import {Refused, api} from "../api";
 import type {DragRequest, Dragged, Layout, LayoutObject} from "../gen/types";
 import {on_grid, upright} from "../pure/geometry";
 import {with_load} from "../pure/scenes";
+import {put_opening} from "../pure/shell_moves";
 import {texts} from "../texts";
 import {Latest} from "./latest";
 import {change_layout, doc, get, put_report, set} from "./store";
@@ -10,11 +11,13 @@ import {change_layout, doc, get, put_report, set} from "./store";
 export interface Pose { pos?: [number, number]; rotation?: number; size?: [number, number, number] }
 
 const kSnapReach = 0.15;
+/** Milliseconds after which steps by keys are done. */
+const kRest = 450;
 
 /** The thing put at a pose, what it carries with it; nothing else moves. */
 function posed(layout: Layout, id: string, pose: Pose): Layout {
   const object = layout.objects.find((one) => one.id === id);
-  if (!object) return layout;
+  if (!object) return pose.pos ? put_opening(layout, id, pose.pos) : layout;
   const dx = (pose.pos?.[0] ?? object.pos[0]) - object.pos[0];
   const dy = (pose.pos?.[1] ?? object.pos[1]) - object.pos[1];
   const load = with_load(layout, id);
@@ -85,7 +88,7 @@ export class Hand {
     const hand = this.pose_.pos;
     const asked = last?.ask.pos;
     if (!last?.answer.legal || !hand || !asked || !last.ask.snap) return this.pose_;
-    const got = last.answer.layout.objects.find((object) => object.id === this.id);
+    const got: LayoutObject | undefined = last.answer.layout.objects.find((object) => object.id === this.id);
     if (!got) return this.pose_;
     const pos: [number, number] = [...hand];
     let held = false;
@@ -108,7 +111,7 @@ export class Hand {
     const layout = answered && legal ? under : posed(under, this.id, this.sticky_());
     set({
       preview: {id: this.id, layout, legal, moved: last?.answer.moved ?? [], reasons: last?.answer.reasons ?? []},
-      refused: null, selected: this.id,
+      refused: null, ...(this.object ? {selected: this.id} : {}),
     });
   }
 }
@@ -123,18 +126,26 @@ export async function check(layout: Layout): Promise<void> {
 let nudging: {hand: Hand; timer: number} | null = null;
 
 /** Small steps by keys: steps that follow each other quickly are one step of undo. */
-export function nudge(id: string, change: (object: LayoutObject) => Pose): void {
+function step_by_step(id: string, pose: (shown: Layout) => Pose | null): void {
   const now = doc();
   if (!now || now.locked.includes(id)) return;
   if (nudging && nudging.hand.id !== id) void settle();
   const hand = nudging?.hand ?? new Hand(now.layout, id, false);
-  const seen = get().preview?.id === id ? get().preview?.layout : now.layout;
-  const object = seen?.objects.find((one) => one.id === id);
-  if (!object) return;
+  const change = pose((get().preview?.id === id && get().preview?.layout) || now.layout);
+  if (!change) return;
   if (nudging) clearTimeout(nudging.timer);
-  nudging = {hand, timer: window.setTimeout(() => void settle(), 450)};
-  hand.move(change(object));
+  nudging = {hand, timer: window.setTimeout(() => void settle(), kRest)};
+  hand.move(change);
 }
+
+export function nudge(id: string, change: (object: LayoutObject) => Pose): void {
+  step_by_step(id, (layout) => {
+    const object = layout.objects.find((one) => one.id === id);
+    return object ? change(object) : null;
+  });
+}
+
+export const nudge_opening = (id: string, middle: [number, number]): void => step_by_step(id, () => ({pos: middle}));
 
 async function settle(): Promise<void> {
   const now = nudging;

@@ -7,6 +7,7 @@ import {references} from "../pure/relations";
 import {names_of, shape_key} from "../pure/scenes";
 import {size_text} from "../pure/units";
 import {Hand} from "../state/hand";
+import {show_error} from "../state/actions";
 import {doc, get, set, use} from "../state/store";
 import {texts} from "../texts";
 import {RoomView} from "./room_view";
@@ -79,7 +80,7 @@ export function View3D({layout, live}: {layout: Layout; live: boolean}) {
   const canvas = useRef<HTMLCanvasElement>(null);
   const pane = useRef<HTMLDivElement>(null);
   const view = useRef<RoomView | null>(null);
-  const [state, put] = useState<"loading" | "ready" | "none">("loading");
+  const [state, put] = useState<"loading" | "ready" | "failed" | "none">("loading");
   const [tip, show_tip] = useState<{x: number; y: number; id: string} | null>(null);
   const {selected, hovered, relation, preview, ghost, walking, theme} = use((now) => now);
   const key = useMemo(() => shape_key(preview ? get().rooms.now?.layout ?? layout : layout), [layout, preview === null]);
@@ -113,7 +114,9 @@ export function View3D({layout, live}: {layout: Layout; live: boolean}) {
         await view.current?.load(glb, layout);
         put((now) => (now === "none" ? now : "ready"));
       } catch (error) {
-        if (!ended.signal.aborted) console.error(error);
+        if (ended.signal.aborted) return;
+        put((now) => (now === "none" ? now : "failed"));
+        show_error(error);
       }
     })();
     return () => ended.abort();
