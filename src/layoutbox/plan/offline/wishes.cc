@@ -152,9 +152,32 @@ class Furnisher {
   std::map<std::string, int> numbers_;
 };
 
+// "a spot to brew beer", "somewhere to rehearse with my quartet": all that is named belongs to what one does there.
+bool only_says_what_for(const Lexicon& lexicon, const Document& document) {
+  static constexpr std::string_view kOpen[] = {"somewhere", "anywhere", "something", "place", "spot", "space", "room"};
+  static constexpr std::string_view kFor[] = {"to", "where", "for"};
+  constexpr std::size_t kOpening = 6;
+  const auto is_any = [&](std::size_t i, const auto& words) {
+    return std::find(std::begin(words), std::end(words), document.tokens[i].text) != std::end(words);
+  };
+  std::size_t at = 0;
+  while (at < std::min(kOpening, document.tokens.size()) && !is_any(at, kFor)) ++at;
+  if (at == 0 || at >= std::min(kOpening, document.tokens.size())) return false;
+  bool opens = false, suggested = false;
+  for (std::size_t i = 0; i < at; ++i) opens |= is_any(i, kOpen);
+  for (std::size_t i = at; i < document.tokens.size(); ++i) suggested |= lexicon.room_suggested(document.tokens, i).second > 0;
+  return opens && suggested && std::all_of(document.items.begin(), document.items.end(), [&](const Item& item) {
+           return item.noun.first > at && item.noun.determiner != Determiner::kIndefinite && item.noun.count == 0;
+         });
+}
+
 }  // namespace
 
 void furnish_by_wish(const Lexicon& lexicon, const Document& document, SceneGraph& scene) {
+  if (!scene.objects.empty() && only_says_what_for(lexicon, document)) {
+    scene.objects.clear();
+    scene.relations.clear();
+  }
   if (scene.objects.empty()) Furnisher(lexicon, document, scene).run();
 }
 
