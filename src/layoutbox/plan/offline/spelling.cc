@@ -12,7 +12,7 @@ namespace layoutbox::offline {
 namespace {
 
 constexpr std::size_t kMostLookups = 200;  // of different words in one text; keeps long texts linear
-constexpr std::size_t kShortest = 4, kLong = 8;
+constexpr std::size_t kShortest = 4, kLong = 9;
 
 bool is_listed(const Lexicon& lexicon, const std::string& word) {
   if (lexicon.lists(word) || is_english(word) || lexicon.knows(word)) return true;
