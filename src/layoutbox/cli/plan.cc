@@ -34,6 +34,9 @@ std::string explanation(std::string_view prompt, const Plan& plan) {
     text +=
         fmt::format("{:<24} {:<15} {}\n", prompt.substr(reading.begin, reading.end - reading.begin), mark_of(reading.use), reading.role);
   }
+  if (!plan.close.empty()) text += "\nnearly as likely\n";
+  for (const CloseReading& close : plan.close)
+    text += fmt::format("  “{}” {}; or it {}\n", prompt.substr(close.begin, close.end - close.begin), close.taken, close.other);
   text += "\nobjects\n";
   for (const SceneObject& object : plan.scene.objects) {
     std::string attributes;

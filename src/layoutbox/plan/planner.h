@@ -34,9 +34,16 @@ struct WordReading {
   std::string role;  // "object bed_1", "count of chair", "relation c3", "filler", …
 };
 
+// Words that were nearly as likely to be meant in another way; `plan --explain` prints them.
+struct CloseReading {
+  std::size_t begin = 0, end = 0;  // byte places in the prompt
+  std::string taken, other;        // how they were read, and how else: "is said of “a lamp”"
+};
+
 struct Plan {
   SceneGraph scene;                   // not yet normalised
   std::vector<WordReading> readings;  // every word of the prompt once, in order (offline planner)
+  std::vector<CloseReading> close;    // (offline planner)
   std::vector<std::string> unwanted;  // kinds of which the text wants none ("no coffee table"), catalogue ids (offline planner)
 };
 

@@ -171,11 +171,11 @@ class ModelPlanner final : public Planner {
     for (int attempt = 0; attempt < patience_.max_attempts; ++attempt) {
       if (attempt > 0) LAYOUTBOX_CHECK(pause_after(conversation->attempts().back(), patience_.pause_s, chat_.stop));
       LAYOUTBOX_ASSIGN(Reading reading, conversation->ask(complaint));
-      if (reading.draft) return Plan{std::move(reading.draft->scene), {}, {}};
+      if (reading.draft) return Plan{std::move(reading.draft->scene), {}, {}, {}};
       complaint = complaint_of(reading.faults);
       faults = std::move(reading.faults);
     }
-    if (auto draft = conversation->salvage()) return Plan{std::move(draft->scene), {}, {}};
+    if (auto draft = conversation->salvage()) return Plan{std::move(draft->scene), {}, {}, {}};
     return Failure(no_usable_answer(patience_.max_attempts, faults));
   }
 

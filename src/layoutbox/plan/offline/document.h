@@ -69,6 +69,7 @@ struct Document {
   std::vector<NounPhrase> rooms;      // kinds of room that were named, in order
   std::vector<NounPhrase> openings;   // doors and windows that were spoken of
   std::vector<WordReading> readings;  // one a token
+  std::vector<CloseReading> close;    // words that may as well mean something else
   std::vector<Note> notes;
   std::optional<Niche> niche;
   int people = 0;      // "an office for three": for how many the room is; 0: not said

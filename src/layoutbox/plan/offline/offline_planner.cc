@@ -73,13 +73,14 @@ class OfflinePlanner final : public Planner {
     add_for_people(lexicon_, document);
 
     Plan plan;
+    plan.close = std::move(document.close);
     for (const NounPhrase& noun : document.excluded) {
       if (noun.entry != nullptr) plan.unwanted.push_back(noun.entry->id);
     }
     plan.scene.prompt = document.prompt;
     plan.scene.notes = std::move(document.notes);
     build_objects(document, plan.scene);
-    build_room(lexicon_, document, size, plan.scene);
+    build_room(document, size, plan.scene);
     build_relations(lexicon_, document, plan.scene);
     if (is_set(document.stop)) return stopped();
     furnish_by_wish(lexicon_, document, plan.scene);

@@ -67,111 +67,42 @@ void resize_openings(Room& room, const Opening& like) {
 
 }  // namespace
 
-void settle_opening_sizes(Document& document) {
-  std::vector<Chunk>& chunks = document.chunks;
-  for (std::size_t k = 0; k < chunks.size(); ++k) {
-    if (chunks[k].kind != ChunkKind::kNoun || (chunks[k].noun.kind != NounKind::kDoor && chunks[k].noun.kind != NounKind::kWindow))
-      continue;
-    bool placed = false;  // "two windows in the back wall, each 2 m wide"
-    for (std::size_t n = k + 1; n < chunks.size(); ++n) {
-      Chunk& next = chunks[n];
-      if (next.kind == ChunkKind::kSize && !placed) {
-        chunks[k].noun.size = next.size;
-        next.kind = ChunkKind::kIgnored;
-        for (std::size_t i = next.first; i < next.last; ++i) {
-          document.readings[i].use = WordReading::Use::kUsed;
-          document.readings[i].role = "size of the opening";
-        }
-        break;
-      }
-      const bool each = next.kind == ChunkKind::kNoun && next.noun.kind == NounKind::kMember;
-      if (each && next.noun.size.any()) {  // "each 2 m wide"
-        chunks[k].noun.size = next.noun.size;
-        next.kind = ChunkKind::kIgnored;
-        break;
-      }
-      placed |= next.kind == ChunkKind::kRelation;
-      if (placed && next.kind == ChunkKind::kNoun && next.noun.kind == NounKind::kWall) continue;
-      if (next.kind != ChunkKind::kIgnored && next.kind != ChunkKind::kRelation && next.kind != ChunkKind::kComma &&
-          next.kind != ChunkKind::kVerb && !each)
-        break;
+namespace {
+
+// Where the text puts doors and windows: of each mention the walls.
+using PlacedOpenings = std::vector<std::pair<const Mention*, std::string>>;
+
+bool is_opening(const Mention& mention) { return mention.noun.kind == NounKind::kDoor || mention.noun.kind == NounKind::kWindow; }
+
+OpeningType opening_type(const Mention& mention) {
+  return mention.noun.kind == NounKind::kDoor ? OpeningType::kDoor : OpeningType::kWindow;
+}
+
+// "a small L-shaped room"
+void describe_room(const NounPhrase& noun, Room& room) {
+  for (const std::string& word : noun.attributes) {
+    static constexpr std::pair<std::string_view, std::string_view> kWords[] = {
+        {"small", "small"},         {"tiny", "tiny"},     {"compact", "compact"}, {"little", "small"}, {"narrow", "narrow"},
+        {"medium-sized", "medium"}, {"medium", "medium"}, {"large", "large"},     {"big", "large"},    {"huge", "huge"},
+        {"spacious", "spacious"},   {"grand", "large"},   {"vast", "vast"},       {"cozy", "cozy"}};
+    for (const auto& [said, kept] : kWords) {
+      if (word == said && room.size_word.empty()) room.size_word = kept;
+    }
+    static constexpr std::pair<std::string_view, std::string_view> kShapes[] = {
+        {"l-shaped", "L"}, {"t-shaped", "T"}, {"u-shaped", "U"}, {"round", "round"}, {"circular", "round"}};
+    for (const auto& [said, kept] : kShapes) {
+      if (word == said) room.shape = kept;
     }
   }
 }
 
-// "a window to the east", "the entrance is on the left", "the window faces south": which wall.
-void settle_opening_walls(const Lexicon& lexicon, Document& document) {
-  std::vector<Chunk>& chunks = document.chunks;
-  const auto passed = [&](std::size_t n) {
-    return n < chunks.size() && (chunks[n].kind == ChunkKind::kIgnored || chunks[n].kind == ChunkKind::kVerb ||
-                                 chunks[n].kind == ChunkKind::kParticiple || chunks[n].kind == ChunkKind::kSize);
-  };
-  for (std::size_t k = 0; k < chunks.size(); ++k) {
-    NounPhrase& noun = chunks[k].noun;
-    if (chunks[k].kind != ChunkKind::kNoun || (noun.kind != NounKind::kDoor && noun.kind != NounKind::kWindow)) continue;
-    std::size_t n = k + 1;
-    while (passed(n)) ++n;
-    if (n >= chunks.size() || chunks[n].kind != ChunkKind::kRelation) continue;
-    const std::size_t first = n++;
-    while (n < chunks.size() && chunks[n].kind == ChunkKind::kIgnored) ++n;
-    if (n < chunks.size() && chunks[n].kind == ChunkKind::kNoun) continue;
-    for (std::size_t i = chunks[first].first; i < chunks[n - 1].last; ++i) {
-      const Match side = lexicon.find(document.tokens, i, Class::kWallWord);
-      if (side.length == 0) continue;
-      noun.wall_word = meaning_of(side, Class::kWallWord)->word;
-      for (std::size_t c = first; c < n; ++c) chunks[c].kind = ChunkKind::kIgnored;
-      break;
-    }
-  }
-}
-
-Opening opening_said(OpeningType type, const NounPhrase& noun) {
-  Opening opening;
-  opening.type = type;
-  const auto said = [&](std::string_view word) {
-    return std::find(noun.attributes.begin(), noun.attributes.end(), word) != noun.attributes.end();
-  };
-  if (type == OpeningType::kWindow) {
-    opening.width = said("large") || said("big") || said("wide") ? 1800 : said("small") ? 800 : 1200;
-    opening.height = 1200;
-    opening.sill = 900;
-    opening.swing = Swing::kNone;
-    if (noun.name.find("floor to ceiling") != std::string::npos || noun.name.find("floor-to-ceiling") != std::string::npos)
-      opening.sill = 100, opening.height = 2200;
-  } else {
-    opening.width = said("double") ? 1600 : 900;
-    opening.height = 2000;
-    if (said("sliding")) opening.swing = Swing::kSliding;
-  }
-  if (noun.size.span) opening.width = mm_from_m(*noun.size.span);
-  if (noun.size.either && noun.size.depth) opening.height = mm_from_m(*noun.size.depth);
-  if (noun.size.length) opening.width = mm_from_m(*noun.size.length);
-  if (noun.size.width) opening.width = mm_from_m(*noun.size.width);
-  if (noun.size.height) opening.height = mm_from_m(*noun.size.height);
-  return opening;
-}
-
-void build_room(const Lexicon& lexicon, const Document& document, const RoomSize& size, SceneGraph& scene) {
+void set_kind(const Document& document, SceneGraph& scene) {
   Room& room = scene.room;
   std::vector<std::string> types;
   for (const NounPhrase& noun : document.rooms) {
+    if (noun.kind != NounKind::kRoom) continue;
     const std::string type = room_type(noun);
-    const bool mentioned = noun.kind == NounKind::kRoom;
-    if (!mentioned) continue;
-    for (const std::string& word : noun.attributes) {
-      static constexpr std::pair<std::string_view, std::string_view> kWords[] = {
-          {"small", "small"},         {"tiny", "tiny"},     {"compact", "compact"}, {"little", "small"}, {"narrow", "narrow"},
-          {"medium-sized", "medium"}, {"medium", "medium"}, {"large", "large"},     {"big", "large"},    {"huge", "huge"},
-          {"spacious", "spacious"},   {"grand", "large"},   {"vast", "vast"},       {"cozy", "cozy"}};
-      for (const auto& [said, kept] : kWords) {
-        if (word == said && room.size_word.empty()) room.size_word = kept;
-      }
-      static constexpr std::pair<std::string_view, std::string_view> kShapes[] = {
-          {"l-shaped", "L"}, {"t-shaped", "T"}, {"u-shaped", "U"}, {"round", "round"}, {"circular", "round"}};
-      for (const auto& [said, kept] : kShapes) {
-        if (word == said) room.shape = kept;
-      }
-    }
+    describe_room(noun, room);
     if (!type.empty() && std::find(types.begin(), types.end(), type) == types.end()) types.push_back(type);
   }
   if (!types.empty()) room.type = types.front();
@@ -180,6 +111,10 @@ void build_room(const Lexicon& lexicon, const Document& document, const RoomSize
     for (const std::string& type : types) all += (all.empty() ? "" : ", ") + type;
     scene.notes.push_back({"ignored", "the text speaks of several rooms (" + all + "): all goes into one " + room.type, "prompt"});
   }
+}
+
+void set_size(const Document& document, const RoomSize& size, SceneGraph& scene) {
+  Room& room = scene.room;
   if (size.width > 0 && size.depth > 0) {
     const Mm w = mm_from_m(size.width), d = mm_from_m(size.depth);
     room.polygon = document.niche ? outline_with_niche(w, d, *document.niche) : room_outline(room.shape, w, d);
@@ -189,41 +124,57 @@ void build_room(const Lexicon& lexicon, const Document& document, const RoomSize
   if (document.niche && room.polygon.empty())
     scene.notes.push_back({"ignored", "a niche is only made where the room's width and depth are given", "prompt"});
   if (size.height > 0) room.height = mm_from_m(size.height);
+}
 
-  // Doors and windows that the text brings in; those it only refers to are the default ones.
-  std::vector<std::pair<const Mention*, std::string>> placed;
+PlacedOpenings placed_openings(const Document& document) {
+  PlacedOpenings placed;
   for (const Link& link : document.links) {
     for (const int target : link.targets) {
       const Mention& mention = document.mentions[static_cast<std::size_t>(target)];
-      if (mention.noun.kind != NounKind::kDoor && mention.noun.kind != NounKind::kWindow) continue;
+      if (!is_opening(mention)) continue;
       std::string wall = mention.noun.wall_word;
       for (const int reference : link.references) wall = document.mentions[static_cast<std::size_t>(reference)].noun.wall_word;
       placed.emplace_back(&mention, wall.substr(0, wall.find(' ')));
     }
   }
+  return placed;
+}
+
+void put_openings(const PlacedOpenings& placed, SceneGraph& scene) {
   for (const auto& [mention, wall] : placed) {
-    const OpeningType type = mention->noun.kind == NounKind::kDoor ? OpeningType::kDoor : OpeningType::kWindow;
+    const OpeningType type = opening_type(*mention);
     // "two doors, one in the front wall and one in the left wall": shared out.
     const auto places = std::count_if(placed.begin(), placed.end(), [&, m = mention](const auto& p) { return p.first == m; });
     const int all = mention->noun.count > 0 ? mention->noun.count : mention->noun.plural ? 2 : 1;
     const int count = std::max(1, all / static_cast<int>(places));
     for (int i = 0; i < std::min(count, 12); ++i) add_opening(scene, type, mention->noun, wall);
   }
+}
+
+// Doors and windows that the text brings in; those it only refers to are the default ones.
+void add_openings(const Document& document, SceneGraph& scene) {
+  const Room& room = scene.room;
+  const PlacedOpenings placed = placed_openings(document);
+  put_openings(placed, scene);
   for (const Mention& mention : document.mentions) {
-    if (mention.noun.kind != NounKind::kDoor && mention.noun.kind != NounKind::kWindow) continue;
+    if (!is_opening(mention)) continue;
     const bool said = std::any_of(placed.begin(), placed.end(), [&](const auto& p) { return p.first == &mention; });
     const bool counted = mention.noun.count > 1 || (mention.noun.plural && mention.noun.determiner != Determiner::kDefinite);
     if (said || (!counted && !mention.noun.size.any() && mention.noun.wall_word.empty() && !is_described(mention.noun))) continue;
-    const OpeningType type = mention.noun.kind == NounKind::kDoor ? OpeningType::kDoor : OpeningType::kWindow;
+    const OpeningType type = opening_type(mention);
     const bool there = std::any_of(room.openings.begin(), room.openings.end(), [&](const Opening& o) { return o.type == type; });
     if (there) {  // "there is a window in the back wall. The window is 2 m wide."
-      if (mention.noun.size.any()) resize_openings(room, opening_said(type, mention.noun));
+      if (mention.noun.size.any()) resize_openings(scene.room, opening_said(type, mention.noun));
       continue;
     }
     const int count = mention.noun.count > 0 ? mention.noun.count : counted ? 2 : 1;
     for (int i = 0; i < std::min(count, 12); ++i) add_opening(scene, type, mention.noun, mention.noun.wall_word);
   }
-  // One kind named, the other is still needed; nobody wants to do without a door.
+}
+
+// One kind named, the other is still needed; nobody wants to do without a door.
+void add_needed_openings(const Document& document, SceneGraph& scene) {
+  Room& room = scene.room;
   const bool windowless = wants_no_window(document);
   if (!room.openings.empty() || windowless) {
     for (const OpeningType type : {OpeningType::kDoor, OpeningType::kWindow}) {
@@ -234,7 +185,9 @@ void build_room(const Lexicon& lexicon, const Document& document, const RoomSize
       scene.notes.push_back({"filled", std::string("a ") + std::string(name_of(type)) + " is assumed", "/room/openings"});
     }
   }
-  // Floor and walls.
+}
+
+void set_surfaces(const Document& document, Room& room) {
   for (const Mention& mention : document.mentions) {
     const NounPhrase& noun = mention.noun;
     if (noun.kind != NounKind::kFloor && noun.kind != NounKind::kWall) continue;
@@ -251,7 +204,16 @@ void build_room(const Lexicon& lexicon, const Document& document, const RoomSize
     else if (noun.wall_word.empty() && noun.wall_relation.empty())
       room.wall_material = material;
   }
-  (void)lexicon;
+}
+
+}  // namespace
+
+void build_room(const Document& document, const RoomSize& size, SceneGraph& scene) {
+  set_kind(document, scene);
+  set_size(document, size, scene);
+  add_openings(document, scene);
+  add_needed_openings(document, scene);
+  set_surfaces(document, scene.room);
 }
 
 }  // namespace layoutbox::offline

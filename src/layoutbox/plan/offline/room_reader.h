@@ -34,6 +34,6 @@ void settle_opening_walls(const Lexicon& lexicon, Document& document);
 Opening opening_said(OpeningType type, const NounPhrase& noun);
 
 // Fills the scene's room from what was read.
-void build_room(const Lexicon& lexicon, const Document& document, const RoomSize& size, SceneGraph& scene);
+void build_room(const Document& document, const RoomSize& size, SceneGraph& scene);
 
 }  // namespace layoutbox::offline

@@ -168,113 +168,159 @@ std::size_t read_contraction(std::string_view prompt, std::size_t at, std::vecto
   return 0;
 }
 
-}  // namespace
+class Tokenizer {
+ public:
+  explicit Tokenizer(std::string_view prompt) : prompt_(prompt) {}
+  std::vector<Token> run() {
+    while (at_ < prompt_.size()) {
+      const Letter first = letter_at(prompt_, at_);
+      if (!skip_space(first) && !take_list_number()) take_token(first);
+    }
+    return std::move(tokens_);
+  }
 
-std::vector<Token> tokenize(std::string_view prompt) {
-  std::vector<Token> tokens;
-  std::size_t at = 0;
-  bool space_before = true;
-  while (at < prompt.size()) {
-    const Letter first = letter_at(prompt, at);
-    if (first.value == ' ' || first.value == '\t' || first.value == '\r' || first.value == '\n') {
-      if (first.value == '\n' && (opens_line(prompt, at + 1) || ends_short_line(prompt, at)) && !tokens.empty() && !tokens.back().ends_sentence) {
-        tokens.push_back({Token::Kind::kPunctuation, ";", at, at + 1, 0, false, false, true});
-      }
-      space_before = true;
-      at += first.size;
-      continue;
+ private:
+  bool digit_at(std::size_t at) const { return at < prompt_.size() && is_digit(prompt_[at]); }
+  bool letter_follows(std::size_t at) const { return at < prompt_.size() && is_letter(letter_at(prompt_, at).value); }
+  bool after(Token::Kind kind) const { return !tokens_.empty() && tokens_.back().kind == kind; }
+
+  bool skip_space(const Letter& first) {
+    if (first.value != ' ' && first.value != '\t' && first.value != '\r' && first.value != '\n') return false;
+    if (first.value == '\n' && (opens_line(prompt_, at_ + 1) || ends_short_line(prompt_, at_)) && !tokens_.empty() &&
+        !tokens_.back().ends_sentence) {
+      tokens_.push_back({Token::Kind::kPunctuation, ";", at_, at_ + 1, 0, false, false, true});
     }
-    if (const std::size_t number = list_number(prompt, at); number > 0) {
-      tokens.push_back({Token::Kind::kPunctuation, ";", at, at + number, 0, false, false, true});
-      at += number;
-      continue;
-    }
+    space_before_ = true;
+    at_ += first.size;
+    return true;
+  }
+
+  bool take_list_number() {
+    const std::size_t number = list_number(prompt_, at_);
+    if (number == 0) return false;
+    tokens_.push_back({Token::Kind::kPunctuation, ";", at_, at_ + number, 0, false, false, true});
+    at_ += number;
+    return true;
+  }
+
+  void take_token(const Letter& first) {
     Token token;
-    token.begin = at;
-    token.glued = !space_before;
-    space_before = false;
+    token.begin = at_;
+    token.glued = !space_before_;
+    space_before_ = false;
     if (is_digit(first.value) && first.size > 1) {  // ²
       token.kind = Token::Kind::kNumber;
       token.text = std::string(1, first.value);
       token.number = first.value - '0';
-      at += first.size;
-    } else if (is_digit(first.value) || (first.value == '.' && at + 1 < prompt.size() && is_digit(prompt[at + 1]) && !token.glued)) {
-      token.kind = Token::Kind::kNumber;
-      bool dot = false;
-      while (at < prompt.size()) {
-        const char c = prompt[at];
-        const bool digit_follows = at + 1 < prompt.size() && is_digit(prompt[at + 1]);
-        const bool thousands = c == ',' && digit_follows && at + 4 <= prompt.size() && !dot && at + 3 < prompt.size() &&
-                               is_digit(prompt[at + 2]) && is_digit(prompt[at + 3]) &&
-                               (at + 4 == prompt.size() || !is_digit(prompt[at + 4]));
-        const bool decimal_comma = c == ',' && digit_follows && !dot && !thousands;
-        if (is_digit(c)) {
-          token.text.push_back(c);
-        } else if ((c == '.' && digit_follows && !dot) || decimal_comma) {
-          token.text.push_back('.');
-          dot = true;
-        } else if (!thousands) {
-          break;
-        }
-        ++at;
-      }
-      std::from_chars(token.text.data(), token.text.data() + token.text.size(), token.number);
+      at_ += first.size;
+    } else if (is_digit(first.value) || (first.value == '.' && digit_at(at_ + 1) && !token.glued)) {
+      take_number(token);
     } else if (is_letter(first.value)) {
-      token.capital = first.value >= 'A' && first.value <= 'Z';
-      while (at < prompt.size()) {
-        const Letter letter = letter_at(prompt, at);
-        if (!is_letter(letter.value)) break;
-        token.text.push_back(lower(letter.value));
-        at += letter.size;
-      }
-      finish_word(token);
-    } else if (const std::size_t taken = read_contraction(prompt, at, tokens); taken > 0) {
-      at += taken;
-      continue;
-    } else if (first.value == '/' && token.glued && !tokens.empty() && tokens.back().text == "w") {  // w/, w/o
-      const bool without = at + 1 < prompt.size() && lower(prompt[at + 1]) == 'o' &&
-                           (at + 2 == prompt.size() || !is_letter(letter_at(prompt, at + 2).value));
-      at += without ? 2 : 1;
-      tokens.back().text = without ? "without" : "with";
-      tokens.back().end = at;
-      space_before = true;
-      continue;
-    } else if (first.value == '+' && first.size == 1) {
-      token.text = "and";
-      at += 1;
-    } else if (first.value == '\'' && token.glued && !tokens.empty() && tokens.back().kind == Token::Kind::kWord) {
-      // A possessive: "bed's", "inhabitants'".
-      token.text = "'s";
-      at += first.size;
-      if (at < prompt.size() && lower(prompt[at]) == 's' && (at + 1 == prompt.size() || !is_letter(letter_at(prompt, at + 1).value))) ++at;
-    } else if ((first.value == '-' || first.value == '/') && token.glued && at + first.size < prompt.size() && !tokens.empty() &&
-               (is_letter(letter_at(prompt, at + first.size).value) || is_digit(prompt[at + first.size])) && tokens.back().end == at &&
-               tokens.back().kind != Token::Kind::kPunctuation) {
-      at += first.size;  // a hyphen within a word leaves no token; what follows is glued
-      continue;
-    } else if (first.value == 'h' && first.size > 1) {  // ½
-      token.kind = Token::Kind::kNumber;
-      token.number = 0.5;
-      token.text = "0.5";
-      at += first.size;
-      if (token.glued && !tokens.empty() && tokens.back().kind == Token::Kind::kNumber) {
-        tokens.back().number += 0.5;
-        tokens.back().end = at;
-        continue;
-      }
-    } else {
-      token.kind = Token::Kind::kPunctuation;
-      token.text = std::string(1, first.value);
-      at += first.size;
-      token.ends_sentence = first.value == '.' || first.value == '!' || first.value == '?' || first.value == ';';
-      // "(not under the window!)" ends no sentence.
-      if (at < prompt.size() && prompt[at] == ')') token.ends_sentence = false;
-      if (first.value == '-' && !token.glued) token.text = ",";
+      take_word(token);
+    } else if (const std::size_t taken = read_contraction(prompt_, at_, tokens_); taken > 0) {
+      at_ += taken;
+      return;
+    } else if (!take_sign(first, token)) {
+      return;
     }
-    token.end = at;
-    tokens.push_back(std::move(token));
+    token.end = at_;
+    tokens_.push_back(std::move(token));
   }
-  return tokens;
-}
+
+  void take_number(Token& token) {
+    token.kind = Token::Kind::kNumber;
+    bool dot = false;
+    for (; at_ < prompt_.size(); ++at_) {
+      const char c = prompt_[at_];
+      const bool digit_follows = digit_at(at_ + 1);
+      const bool thousands = c == ',' && digit_follows && !dot && digit_at(at_ + 2) && digit_at(at_ + 3) && !digit_at(at_ + 4);
+      const bool decimal_comma = c == ',' && digit_follows && !dot && !thousands;
+      if (is_digit(c)) {
+        token.text.push_back(c);
+      } else if ((c == '.' && digit_follows && !dot) || decimal_comma) {
+        token.text.push_back('.');
+        dot = true;
+      } else if (!thousands) {
+        break;
+      }
+    }
+    std::from_chars(token.text.data(), token.text.data() + token.text.size(), token.number);
+  }
+
+  void take_word(Token& token) {
+    const char first = letter_at(prompt_, at_).value;
+    token.capital = first >= 'A' && first <= 'Z';
+    while (at_ < prompt_.size()) {
+      const Letter letter = letter_at(prompt_, at_);
+      if (!is_letter(letter.value)) break;
+      token.text.push_back(lower(letter.value));
+      at_ += letter.size;
+    }
+    finish_word(token);
+  }
+
+  // Neither letter nor digit. Whether it makes a token of its own.
+  bool take_sign(const Letter& first, Token& token) {
+    if (first.value == '/' && token.glued && !tokens_.empty() && tokens_.back().text == "w") {
+      take_with_short();
+      return false;
+    }
+    if (first.value == '+' && first.size == 1) {
+      token.text = "and";
+      at_ += 1;
+      return true;
+    }
+    if (first.value == '\'' && token.glued && after(Token::Kind::kWord)) {  // a possessive: "bed's", "inhabitants'"
+      token.text = "'s";
+      at_ += first.size;
+      if (at_ < prompt_.size() && lower(prompt_[at_]) == 's' && !letter_follows(at_ + 1)) ++at_;
+      return true;
+    }
+    const std::size_t next = at_ + first.size;
+    if ((first.value == '-' || first.value == '/') && token.glued && (letter_follows(next) || digit_at(next)) && !tokens_.empty() &&
+        tokens_.back().end == at_ && tokens_.back().kind != Token::Kind::kPunctuation) {
+      at_ = next;  // a hyphen within a word leaves no token; what follows is glued
+      return false;
+    }
+    at_ = next;
+    if (first.value == 'h' && first.size > 1) return take_half(token);
+    token.kind = Token::Kind::kPunctuation;
+    token.text = std::string(1, first.value);
+    token.ends_sentence = first.value == '.' || first.value == '!' || first.value == '?' || first.value == ';';
+    // "(not under the window!)" ends no sentence.
+    if (at_ < prompt_.size() && prompt_[at_] == ')') token.ends_sentence = false;
+    if (first.value == '-' && !token.glued) token.text = ",";
+    return true;
+  }
+
+  // "w/", "w/o"
+  void take_with_short() {
+    const bool without = at_ + 1 < prompt_.size() && lower(prompt_[at_ + 1]) == 'o' && !letter_follows(at_ + 2);
+    at_ += without ? 2 : 1;
+    tokens_.back().text = without ? "without" : "with";
+    tokens_.back().end = at_;
+    space_before_ = true;
+  }
+
+  // "½", and "2½".
+  bool take_half(Token& token) {
+    token.kind = Token::Kind::kNumber;
+    token.number = 0.5;
+    token.text = "0.5";
+    if (!token.glued || !after(Token::Kind::kNumber)) return true;
+    tokens_.back().number += 0.5;
+    tokens_.back().end = at_;
+    return false;
+  }
+
+  std::string_view prompt_;
+  std::vector<Token> tokens_;
+  std::size_t at_ = 0;
+  bool space_before_ = true;
+};
+
+}  // namespace
+
+std::vector<Token> tokenize(std::string_view prompt) { return Tokenizer(prompt).run(); }
 
 }  // namespace layoutbox::offline

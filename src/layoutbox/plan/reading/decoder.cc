@@ -68,13 +68,10 @@ SentenceReading Decoder::run() {
   reading.units = states_.front().units;
   reading.score = states_.front().score;
   reading.roots = states_.front().roots;
-  reading.margin = states_.size() > 1 ? states_[0].score - states_[1].score : kWorthKeeping;
-  for (std::size_t u = 0; states_.size() > 1 && u < sentence_.size() && reading.differs_at < 0; ++u) {
-    const UnitReading &one = states_[0].units[u], &other = states_[1].units[u];
-    if (one.role != other.role || one.predicate != other.predicate || one.meant != other.meant || one.subject != other.subject ||
-        one.first_subject != other.first_subject || one.implied != other.implied)
-      reading.differs_at = static_cast<int>(u);
-  }
+  constexpr std::size_t kOthers = 4;
+  constexpr double kClose = 1.0;
+  for (std::size_t s = 1; s < states_.size() && s <= kOthers && states_[s].score > reading.score - kClose; ++s)
+    reading.close.push_back(states_[s].units);
   return reading;
 }
 
@@ -118,7 +115,8 @@ bool Decoder::same(const State& state, Referent one, Referent other) const {
     for (int steps = 0; referent >= 0 && steps < 4; ++steps) {
       const UnitReading& reading = read_as(state, referent);
       const NounPhrase& noun = chunk(referent).noun;
-      if (reading.meant == kNobody || (noun.kind == NounKind::kMember && !speaks_of_others(noun))) break;  // "a second one" is none of those
+      if (reading.meant == kNobody || (noun.kind == NounKind::kMember && !speaks_of_others(noun)))
+        break;  // "a second one" is none of those
       referent = reading.meant;
     }
     return referent;

@@ -193,8 +193,7 @@ void Decoder::first_place_actions(std::size_t s, int u) {
   while (is(after, UnitKind::kPlace) && unit(after).joiner == Joiner::kNone && follows(after, UnitKind::kNoun)) after += 2;
   double pattern = -4;
   const bool known = is_known_noun(noun) || known_[static_cast<std::size_t>(u + 1)];
-  if (is(after, UnitKind::kNoun) && unit(after).joiner == Joiner::kNone && is_new_thing(chunk(after).noun) && known)
-    pattern = 3;
+  if (is(after, UnitKind::kNoun) && unit(after).joiner == Joiner::kNone && is_new_thing(chunk(after).noun) && known) pattern = 3;
   const bool verb = is(after, UnitKind::kVerb) || is(after, UnitKind::kOpen);
   if (verb && is(after + 1, UnitKind::kNoun) && chunk(after + 1).noun.kind == NounKind::kObject) pattern = 2.5;
   if (is(after, UnitKind::kNoun) && unit(after).joiner == Joiner::kComma && place.joiner != Joiner::kComma &&

@@ -1,4 +1,5 @@
 // The reader: units, then for each sentence the likeliest reading of all its units together, then mentions, items and links.
+#include "layoutbox/plan/reading/close_readings.h"
 #include "layoutbox/plan/reading/decoder.h"
 #include "layoutbox/plan/reading/scribe.h"
 
@@ -18,6 +19,7 @@ void read_document(const Lexicon& lexicon, Document& document) {
     const SentenceTree tree(document, sentence);
     const SentenceReading reading = Decoder(lexicon, document, sentence, tree, scribe.so_far()).run();
     scribe.write(sentence, reading);
+    note_close_reading(document, sentence, reading);
   }
 }
 

@@ -49,8 +49,7 @@ struct SentenceReading {
   std::vector<UnitReading> units;
   std::vector<int> roots;  // the things that the clauses speak of
   double score = 0;
-  double margin = 0;    // to the second-best reading
-  int differs_at = -1;  // the first unit where that differs
+  std::vector<std::vector<UnitReading>> close;  // other readings that were nearly as likely, the likeliest first
 };
 
 // What earlier sentences leave behind; mentions of the document.

@@ -191,8 +191,9 @@ void UnitReader::read_noun(std::size_t k) {
   const bool listed = ends && joiner_ == Joiner::kComma && noun.determiner == Determiner::kNone && is(previous(k), ChunkKind::kComma);
   const std::size_t before = listed ? previous(previous(k)) : previous(k);
   const bool corner = listed && noun.kind == NounKind::kCorner && !noun.is_plural();  // "lamp - corner"
-  if ((noun.kind == NounKind::kWall || noun.kind == NounKind::kCorner) && (!noun.wall_word.empty() || corner) && (joiner_ == Joiner::kNone || listed) &&
-      is(before, ChunkKind::kNoun) && chunk(before).noun.kind == NounKind::kObject && !units_.empty() && units_.back().chunk == before)
+  if ((noun.kind == NounKind::kWall || noun.kind == NounKind::kCorner) && (!noun.wall_word.empty() || corner) &&
+      (joiner_ == Joiner::kNone || listed) && is(before, ChunkKind::kNoun) && chunk(before).noun.kind == NounKind::kObject &&
+      !units_.empty() && units_.back().chunk == before)
     add_place(k, kAgainst);
   // "the desk's left corner" is the left corner of the desk.
   if (owner_ < document_.chunks.size() && !noun.of) {

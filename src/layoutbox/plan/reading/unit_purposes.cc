@@ -83,8 +83,10 @@ bool UnitReader::denies_before(std::size_t k) {
 bool UnitReader::purpose_ends(std::size_t k, std::size_t n) const {
   const bool comma = is(k, ChunkKind::kComma);
   if (!is(n, ChunkKind::kNoun)) {
-    if (comma && is(n, ChunkKind::kRelative) && document_.tokens[chunk(n).first].text == "who") return false;  // "for my aunt, who has a dog"
-    if (!comma && is(n, ChunkKind::kRelation) && chunk(n).last - chunk(n).first > 1) return true;  // "… and at the right one for the guitar"
+    if (comma && is(n, ChunkKind::kRelative) && document_.tokens[chunk(n).first].text == "who")
+      return false;  // "for my aunt, who has a dog"
+    if (!comma && is(n, ChunkKind::kRelation) && chunk(n).last - chunk(n).first > 1)
+      return true;  // "… and at the right one for the guitar"
     if (!comma) return is(n, ChunkKind::kVerb) || is(n, ChunkKind::kThere) || is(n, ChunkKind::kCommand);
     return is(n, ChunkKind::kRelation) || is(n, ChunkKind::kHave) || is(n, ChunkKind::kParticiple) || is(n, ChunkKind::kRelative) ||
            is(n, ChunkKind::kThere) || is(n, ChunkKind::kVerb);
