@@ -66,7 +66,7 @@ export const texts = {
     held: "holds", not_held: "does not hold", unknown: "not checked",
     measured: (length: string) => `${length} apart`,
     conflicts: "These cannot all hold", do_without: (text: string) => `Do without “${text}”`,
-    relaxed: "Given up", gave_way: "Gave way to what was asked", by: (amount: string) => `missed by ${amount}`,
+    more_outs: (count: number) => `${count} more`, relaxed: "Given up", gave_way: "Gave way to what was asked", by: (amount: string) => `missed by ${amount}`,
     checks: "Checks", checks_passed: (count: number) => `All ${count} checks passed`, checks_failed: "Failed checks", checking: "Checking…",
     notes: (count: number) => `${plural(count, "note", "notes")} on what was filled in`,
     no_relations: "Nothing was said about where things go.",

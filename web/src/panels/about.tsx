@@ -14,6 +14,7 @@ import {texts} from "../texts";
 type Held = SceneRelation & {held?: boolean};
 interface Check { name: string; subject: string; passed: boolean; required: boolean; message: string }
 
+const kFewOuts = 3;
 const kOrigins = ["asked", "concluded", "added", "assumed"] as const;
 
 function Words({layout}: {layout: Layout}) {
@@ -85,6 +86,20 @@ function Relations({layout}: {layout: Layout}) {
   );
 }
 
+/** A button for each relation that may be done without; the first few at once. */
+function Outs({ids, text_of}: {ids: string[]; text_of: (id: string) => string}) {
+  const button = (id: string) => (
+    <button key={id} type="button" class="small" data-testid={`without-${id}`} onClick={() => void give_up(id)}>{texts.about.do_without(text_of(id))}</button>
+  );
+  const more = ids.slice(kFewOuts);
+  return (
+    <>
+      <p class="outs">{ids.slice(0, kFewOuts).map(button)}</p>
+      {more.length > 0 && <details><summary>{texts.about.more_outs(more.length)}</summary><p class="outs">{more.map(button)}</p></details>}
+    </>
+  );
+}
+
 function Conflicts({layout}: {layout: Layout}) {
   const sentences = use((state) => state.sentences);
   const units = use((state) => state.units);
@@ -104,11 +119,7 @@ function Conflicts({layout}: {layout: Layout}) {
           {conflicts.map((conflict) => (
             <div>
               <p>{with_names(conflict.sentence, names)}</p>
-              <p class="outs">
-                {(conflict.relations ?? []).filter(known).map((id) => (
-                  <button type="button" class="small" data-testid={`without-${id}`} onClick={() => void give_up(id)}>{texts.about.do_without(text_of(id))}</button>
-                ))}
-              </p>
+              <Outs ids={(conflict.relations ?? []).filter(known)} text_of={text_of} />
             </div>
           ))}
         </section>

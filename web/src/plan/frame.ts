@@ -3,15 +3,17 @@ import type {Layout, LayoutOpening, LayoutWall} from "../gen/types";
 import {type Box, type Point, room_bounds} from "../pure/geometry";
 import {on_wall} from "../pure/shell_moves";
 
-export interface Frame { box: Box; at: (point: Point) => Point; path: (points: readonly Point[]) => string; view: string }
+export interface Frame { box: Box; at: (point: Point) => Point; path: (points: readonly Point[]) => string; view: string; px: number }
 
 const kMargin = 28;
 
-export function frame_of(layout: Layout): Frame {
+/** `px`: how many units of the drawing are one pixel of the screen, so that writing has the same size in every room. */
+export function frame_of(layout: Layout, px = 1): Frame {
   const box = room_bounds(layout.room);
   const at = ([x, y]: Point): Point => [round(x * 100), round(-y * 100)];
   return {
     box,
+    px,
     at,
     path: (points) => `M${points.map((point) => at(point).join(" ")).join("L")}Z`,
     view: [box.x0 * 100 - kMargin, -box.y1 * 100 - kMargin, (box.x1 - box.x0) * 100 + 2 * kMargin, (box.y1 - box.y0) * 100 + 2 * kMargin].join(" "),

@@ -11,12 +11,13 @@ export function Measure({gap, frame, units, about = "way"}: {gap: Gap; frame: Fr
   const [x2, y2] = frame.at(gap.to);
   const [x, y] = [(x1 + x2) / 2, (y1 + y2) / 2];
   const text = length_text(gap.length, units);
-  const half = text.length * 3 + 3;
+  const size = 11 * frame.px;
+  const half = text.length * size * 0.3 + 3 * frame.px;
   return (
     <g class={`measure ${about}`}>
       <path d={`M${x1} ${y1}L${x2} ${y2}`} />
-      <rect x={x - half} y={y - 7} width={half * 2} height="14" rx="3" />
-      <text x={x} y={y} font-size="10">{text}</text>
+      <rect x={x - half} y={y - size * 0.7} width={half * 2} height={size * 1.4} rx={3 * frame.px} />
+      <text x={x} y={y} font-size={size}>{text}</text>
     </g>
   );
 }
@@ -31,23 +32,24 @@ export function Ways({layout, object, frame, units}: {layout: Layout; object: La
 
 export function Reason({object, text, frame}: {object: Pick<LayoutObject, "pos" | "size">; text: string; frame: Frame}) {
   const [x, y] = frame.at([object.pos[0], object.pos[1]]);
-  const width = Math.max(frame.box.x1 - frame.box.x0, 1) * 100;
-  const fits = Math.max(16, Math.floor(width / 6.2));
+  const size = 12 * frame.px;
+  const width = (frame.box.x1 - frame.box.x0) * 100 + 40;
+  const fits = Math.max(14, Math.min(38, Math.floor(width / (size * 0.56)) - 3));
   const lines: string[] = [""];
   for (const word of text.split(" ")) {
-    if (`${lines.at(-1)} ${word}`.length > Math.min(fits, 34)) lines.push(word);
+    if (`${lines.at(-1)} ${word}`.length > fits) lines.push(word);
     else lines[lines.length - 1] = `${lines.at(-1)} ${word}`.trim();
   }
-  const half = Math.max(...lines.map((line) => line.length)) * 2.9 + 8;
+  const half = Math.max(...lines.map((line) => line.length)) * size * 0.28 + size * 0.7;
   const reach = Math.hypot(object.size[0], object.size[1]) * 50;
-  const high = lines.length * 13 + 10;
+  const high = (lines.length * 1.25 + 0.7) * size;
   const above = y - reach - high > -frame.box.y1 * 100 - 20;
   const top = above ? y - reach - high + 6 : y + reach - 6;
   const left = Math.min(Math.max(x, frame.box.x0 * 100 + half - 16), frame.box.x1 * 100 - half + 16);
   return (
     <g class="reason" role="status">
-      <rect x={left - half} y={top} width={half * 2} height={high} rx="5" />
-      <text font-size="10.5">{lines.map((line, i) => <tspan x={left} y={top + 12 + i * 13}>{line}</tspan>)}</text>
+      <rect x={left - half} y={top} width={half * 2} height={high} rx={5 * frame.px} />
+      <text font-size={size}>{lines.map((line, i) => <tspan x={left} y={top + size * (0.98 + i * 1.25)}>{line}</tspan>)}</text>
     </g>
   );
 }
@@ -58,13 +60,14 @@ export function Knobs({object, frame, on_turn, on_resize}: KnobsProps) {
   const [w, d] = [object.size[0] / 2, object.size[1] / 2];
   const at = (point: Point) => frame.at(in_room(object, point));
   const [fx, fy] = at([0, -d]);
-  const [tx, ty] = at([0, -d - 0.22]);
+  const knob = 7.5 * frame.px;
+  const [tx, ty] = at([0, -d - (24 * frame.px) / 100]);
   const [cx, cy] = at([w, -d]);
   return (
     <g class="knobs">
       <path d={`M${fx} ${fy}L${tx} ${ty}`} />
-      <circle class="knob turn" data-testid="knob-turn" cx={tx} cy={ty} r="6.5" onPointerDown={on_turn} />
-      <rect class="knob size" data-testid="knob-resize" x={cx - 5} y={cy - 5} width="10" height="10" rx="2" onPointerDown={on_resize} />
+      <circle class="knob turn" data-testid="knob-turn" cx={tx} cy={ty} r={knob} onPointerDown={on_turn} />
+      <rect class="knob size" data-testid="knob-resize" x={cx - knob * 0.8} y={cy - knob * 0.8} width={knob * 1.6} height={knob * 1.6} rx={2 * frame.px} onPointerDown={on_resize} />
     </g>
   );
 }

@@ -9,7 +9,7 @@ import {size_text} from "../pure/units";
 import {type State, get, set, use} from "../state/store";
 import {texts} from "../texts";
 import {grab, grab_size, grab_turn} from "./grab";
-import {type Frame, frame_of} from "./frame";
+import {type Frame, frame_of, round} from "./frame";
 import {Grips} from "./grips";
 import {Knobs, Measure, Reason, Ways} from "./handles";
 import {on_thing_key} from "./keys";
@@ -39,6 +39,23 @@ function middle_of(layout: Layout, id: string): Pick<LayoutObject, "pos" | "size
 }
 
 const by_height = (a: LayoutObject, b: LayoutObject): number => a.pos[2] + a.size[2] - (b.pos[2] + b.size[2]);
+
+/** Units of the drawing in a pixel of the screen. */
+function useScale(svg: {current: SVGSVGElement | null}, layout: Layout): number {
+  const [px, put] = useState(1);
+  useEffect(() => {
+    const element = svg.current;
+    if (!element) return undefined;
+    const watch = new ResizeObserver(() => {
+      const {width, height} = element.viewBox.baseVal;
+      const box = element.getBoundingClientRect();
+      if (box.width > 0 && box.height > 0) put(round(Math.max(width / box.width, height / box.height)));
+    });
+    watch.observe(element);
+    return () => watch.disconnect();
+  }, [layout.room]);
+  return px;
+}
 
 function looks(object: LayoutObject, state: State, about: ReadonlySet<string>): string {
   const marks: string[] = [];
@@ -93,7 +110,8 @@ export function Plan({layout, live}: {layout: Layout; live: boolean}) {
   const [shell, show_shell] = useState<Layout | null>(null);
   const symbols = useSymbols(layout);
   const names = useMemo(() => names_of(layout), [layout]);
-  const frame = useMemo(() => frame_of(layout), [layout.room]);
+  const px = useScale(svg, layout);
+  const frame = useMemo(() => frame_of(layout, px), [layout.room, px]);
   const things = useMemo(() => [...layout.objects].sort(by_height), [layout]);
   const relation = live ? layout.relations?.find((one) => one.id === state.relation) : undefined;
   const about = new Set(relation ? [...relation.targets, ...references(relation)] : []);
@@ -128,6 +146,7 @@ export function Plan({layout, live}: {layout: Layout; live: boolean}) {
             aria-label={texts.views.thing(names.get(object.id) ?? object.id, size_text(object.size, state.units))} {...on(object)}
           >
             {outline}
+            <title>{names.get(object.id)}</title>
           </g>
         );
       })}

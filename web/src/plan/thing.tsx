@@ -5,6 +5,8 @@ import {round} from "./frame";
 import type {Frame} from "./frame";
 import type {Stroke} from "./symbols";
 
+const kLabelPixels = [13, 11, 9.5];
+
 interface ThingProps {
   object: LayoutObject;
   name: string;
@@ -47,14 +49,19 @@ export function Label({object, name, frame}: Pick<ThingProps, "object" | "name" 
   const [w, d] = sideways ? [object.size[1], object.size[0]] : [object.size[0], object.size[1]];
   if (w < 0.3 || d < 0.2) return null;
   const [x, y] = frame.at([object.pos[0], object.pos[1]]);
-  const size = Math.max(8, Math.min(13, w * 14));
-  const lines = label_lines(name, w * 100 - 4, size);
-  if (lines.length * size * 1.1 > d * 100 || Math.max(...lines.map((line) => line.length)) * size * 0.52 > w * 100 + 14) return null;
-  return (
-    <text class="label" x={x} y={y} font-size={size}>
-      {lines.map((line, i) => (
-        <tspan x={x} y={round(y + (i - (lines.length - 1) / 2) * size * 1.1)}>{line}</tspan>
-      ))}
-    </text>
-  );
+  for (const pixels of kLabelPixels) {
+    const size = pixels * frame.px;
+    const lines = label_lines(name, w * 100 - 4, size);
+    const high = lines.length * size * 1.1;
+    const wide = Math.max(...lines.map((line) => line.length)) * size * 0.52;
+    if (high > d * 100 || wide > w * 100 + 10) continue;
+    return (
+      <text class="label" x={x} y={y} font-size={round(size)}>
+        {lines.map((line, i) => (
+          <tspan x={x} y={round(y + (i - (lines.length - 1) / 2) * size * 1.1)}>{line}</tspan>
+        ))}
+      </text>
+    );
+  }
+  return null;
 }

@@ -42,6 +42,7 @@ export class RoomView {
   private framed_ = "";
   private asked_ = 0;
   private last_ = 0;
+  private fresh_ = false;
 
   constructor(readonly canvas: HTMLCanvasElement) {
     this.renderer_ = new WebGLRenderer({canvas, antialias: true, alpha: true, powerPreference: "low-power"});
@@ -104,6 +105,7 @@ export class RoomView {
     if (this.framed_ !== shape) this.frame_(layout, true);
     this.framed_ = shape;
     this.light_(layout);
+    this.fresh_ = true;
     this.draw();
   }
 
@@ -223,6 +225,11 @@ export class RoomView {
     const fading = this.walls_?.update(this.camera.position, this.walker !== null) ?? false;
     this.renderer_.render(this.scene_, this.camera);
     this.canvas.dataset["calls"] = String(this.draw_calls);
+    if (this.fresh_) {
+      this.fresh_ = false;
+      this.canvas.dataset["room"] = String(Number(this.canvas.dataset["room"] ?? 0) + 1);
+      this.canvas.dataset["at"] = String(performance.now());
+    }
     if (fading || walking) this.draw();
   }
 

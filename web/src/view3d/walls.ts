@@ -23,6 +23,7 @@ function own_materials(root: Object3D, hung: boolean): Part[] {
 
 export class Walls {
   private sides_: Side[] = [];
+  private first_ = true;
 
   constructor(layout: Layout, nodes: ReadonlyMap<string, Object3D>) {
     for (const wall of layout.room.walls ?? []) {
@@ -48,7 +49,8 @@ export class Walls {
       const outside = (eye.x - side.x) * side.nx + (-eye.z - side.y) * side.ny;
       side.goal = !solid && outside > 0 ? kFaded : 1;
       if (side.now === side.goal) continue;
-      const next = side.goal > side.now ? Math.min(side.goal, side.now + kStep) : Math.max(side.goal, side.now - kStep);
+      const stepped = side.goal > side.now ? Math.min(side.goal, side.now + kStep) : Math.max(side.goal, side.now - kStep);
+      const next = this.first_ ? side.goal : stepped;
       side.now = next;
       more ||= next !== side.goal;
       for (const {material, opacity, clear, depth, hung} of side.parts) {
@@ -57,6 +59,7 @@ export class Walls {
         material.depthWrite = depth && (hung || next > 0.5);
       }
     }
+    this.first_ = false;
     return more;
   }
 }
