@@ -80,6 +80,7 @@ Mesh rod(Vec from, Vec to, double radius, int sides) {
   return posed(lathe({{0, 0}, {radius, 0}, {radius, length(to - from)}, {0, length(to - from)}}, sides), aimed(from, to - from));
 }
 
+// NOLINTNEXTLINE(readability-function-cognitive-complexity): to be parted
 Mesh tube(std::span<const Vec> path, double radius, int usual_sides, bool closed) {
   const int sides = sides_at_detail(usual_sides);
   Maker maker;

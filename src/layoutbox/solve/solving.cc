@@ -63,6 +63,7 @@ bool Solver::must_stop() {
 }
 
 // Search, then proof, giving up one thing after another until everything that is left fits.
+// NOLINTNEXTLINE(readability-function-cognitive-complexity): to be parted
 Status Solver::find_legal() {
   // Each gives up one thing of the scene as it was asked for.
   const std::size_t most_rounds = model_.constraints.size() + model_.items.size();

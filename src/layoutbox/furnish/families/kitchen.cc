@@ -185,6 +185,7 @@ void basin(Piece& p, int surface, const Box& in, const Box& around, double rim, 
 
 // A wash basin or kitchen sink: bowls in a slab, on a cabinet, a pedestal or a wall. A bowl is a space with a floor below the others'
 // (worktops beside it); where no other says how high the slab lies and the bowl reaches far above its floor, the tap takes the rest.
+// NOLINTNEXTLINE(readability-function-cognitive-complexity): to be parted
 void sink(Piece& p) {
   if (p.category() == "urinal") return urinal(p);
   const bool steel_bowl = p.word("kind", "") == "sink";  // a kitchen's

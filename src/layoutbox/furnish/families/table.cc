@@ -73,6 +73,7 @@ void picnic_table(Piece& p) {
   }
 }
 
+// NOLINTNEXTLINE(readability-function-cognitive-complexity): to be parted
 void table(Piece& p) {
   if (p.count("benches", 0) > 0) return picnic_table(p);
   const std::string top = p.says("round") || p.says("circular")       ? "round"

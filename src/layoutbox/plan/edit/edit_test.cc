@@ -79,6 +79,7 @@ std::string side_text(const EditResize::Side& side) {
 }
 
 // "move desk_1: underWindow desk_1 window1", a step a part, with " | " between.
+// NOLINTNEXTLINE(readability-function-cognitive-complexity): to be parted
 std::string text_of(const EditPlan& plan) {
   static constexpr const char* kWays[] = {"left", "right", "front", "back", "up", "down", "towards", "away"};
   std::string text;

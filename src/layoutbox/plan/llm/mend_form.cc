@@ -90,6 +90,7 @@ void settle_units(json& scene, Notes& notes) {
 
 }  // namespace
 
+// NOLINTNEXTLINE(readability-function-cognitive-complexity): to be parted
 void mend_form(json& scene, Notes& notes) {
   unwrap(scene, notes);
   if (!scene.is_object()) return;

@@ -126,6 +126,7 @@ void Chunker::add_phrase(const PhraseMatch& phrase) {
   }
 }
 
+// NOLINTNEXTLINE(readability-function-cognitive-complexity): to be parted
 bool Chunker::read_words(const PhraseMatch& phrase, std::size_t without) {
   struct Choice {
     ChunkKind kind;

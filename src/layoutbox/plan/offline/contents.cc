@@ -32,6 +32,7 @@ bool RelationBuilder::is_related(int item, int other) const {
   return by(item, other) || by(other, item);
 }
 
+// NOLINTNEXTLINE(readability-function-cognitive-complexity): to be parted
 void RelationBuilder::add_contents(const Link& link) {
   const std::vector<int> all_hosts = items_of(link.references);
   if (all_hosts.empty()) return;

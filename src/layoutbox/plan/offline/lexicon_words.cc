@@ -123,12 +123,12 @@ std::string plain_words(std::string_view listed) {
 
 std::string_view text_of(const WordList& item) { return item.is_text() ? item.text() : item.at("say").text(); }
 
-constexpr std::size_t kWords = 16000, kPhrases = 2000, kLetters = 400000;
+constexpr std::size_t kListedWords = 16000, kPhrases = 2000, kLetters = 400000;
 
 }  // namespace
 
-Lexicon::Lexicon(const Catalog& catalog) : catalog_(&catalog), words_(kWords), phrases_(kPhrases), phrase_starts_(kPhrases) {
-  listed_meanings_.reserve(kWords);
+Lexicon::Lexicon(const Catalog& catalog) : catalog_(&catalog), words_(kListedWords), phrases_(kPhrases), phrase_starts_(kPhrases) {
+  listed_meanings_.reserve(kListedWords);
   listed_.reserve(kLetters);
   for (const CatalogEntry& entry : catalog.entries()) {
     const Meaning meaning{WordClass::kObject, &entry, nullptr, 0, entry.id};

@@ -33,6 +33,7 @@ bool RelationBuilder::only_small(const std::vector<std::string>& ids) const {
   });
 }
 
+// NOLINTNEXTLINE(readability-function-cognitive-complexity): to be parted
 void RelationBuilder::settle_mount(std::size_t index) {
   SceneObject& object = scene_.objects[index];
   const NounPhrase& noun = document_.items[index].noun;

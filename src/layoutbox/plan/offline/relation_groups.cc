@@ -110,6 +110,7 @@ bool RelationBuilder::seats_one_side(const Link& link, int seat, int host) const
   return counter && words.find("around") == std::string::npos && words.find("surround") == std::string::npos;
 }
 
+// NOLINTNEXTLINE(readability-function-cognitive-complexity): to be parted
 void RelationBuilder::add_group(const Link& link, PhraseSense sense, const std::vector<int>& targets, const std::vector<int>& references,
                                 const Mention* place) {
   if (sense.type == R::kCenterOfRoom) {

@@ -10,6 +10,7 @@ namespace layoutbox::offline {
 using R = RelationType;
 using Direction = PhraseSense::Direction;
 
+// NOLINTNEXTLINE(readability-function-cognitive-complexity): to be parted
 void RelationBuilder::add_single(const Link& link, PhraseSense sense, const Mention& target, const std::vector<int>& references,
                                  const Mention* place) {
   const auto place_kind = place != nullptr ? place->noun.kind : NounKind::kObject;

@@ -85,6 +85,7 @@ std::vector<std::pair<Side, Side>> pairs_of_sides(const Compilation& c, int r) {
 
 }  // namespace
 
+// NOLINTNEXTLINE(readability-function-cognitive-complexity): to be parted
 void compile_EachSideOf(Compilation& c) {
   constexpr int kFromFrontAndBack = 150;  // points
   const Mm most = c.length(c.relation.parameters.max, "max", 500);
@@ -123,6 +124,7 @@ void compile_EachSideOf(Compilation& c) {
   }
 }
 
+// NOLINTNEXTLINE(readability-function-cognitive-complexity): to be parted
 void compile_Between(Compilation& c) {
   for (const int t : c.targets) {
     Formula& f = c.formula();
@@ -157,6 +159,7 @@ void compile_Row(Compilation& c) { line_of_all(c, axes_of(c)); }
 
 void compile_Column(Compilation& c) { line_of_all(c, {1}); }
 
+// NOLINTNEXTLINE(readability-function-cognitive-complexity): to be parted
 void compile_Grid(Compilation& c) {
   const int n = static_cast<int>(c.targets.size());
   int columns = c.relation.parameters.columns.value_or(0);
@@ -284,6 +287,7 @@ std::vector<std::vector<std::size_t>> pairings(std::size_t n) {
 
 }  // namespace
 
+// NOLINTNEXTLINE(readability-function-cognitive-complexity): to be parted
 void compile_SymmetricAbout(Compilation& c) {
   const std::size_t n = c.targets.size();
   const std::vector<std::vector<std::size_t>> ways = pairings(n);

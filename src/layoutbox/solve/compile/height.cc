@@ -8,6 +8,7 @@ namespace {
 bool says(const std::string& part, std::string_view word) { return part.find(word) != std::string::npos; }
 
 // Where on the reference: halves, the middle, corners; in its own frame.
+// NOLINTNEXTLINE(readability-function-cognitive-complexity): to be parted
 void require_part(Formula& f, const Model& model, int t, int r, const std::string& part) {
   const Item& ref = model.items[r];
   for_each_turn(ref, [&](int turn, std::uint64_t states) {

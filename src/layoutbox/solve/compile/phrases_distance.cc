@@ -66,6 +66,7 @@ std::vector<Pair> pairs_of_parts(const Model& model, int t, const Place& r, std:
 
 }  // namespace
 
+// NOLINTNEXTLINE(readability-function-cognitive-complexity): to be parted
 void add_within(std::vector<Case>& cases, Case base, const Model& model, int t, const Place& r, Mm most, Purpose purpose,
                 std::uint64_t t_states) {
   const Heights heights = heights_between(model, t, r, most, purpose);

@@ -68,6 +68,7 @@ std::uint64_t states_where(const Item& r, Side one, Side meant) {
   return mask;
 }
 
+// NOLINTNEXTLINE(readability-function-cognitive-complexity): to be parted
 std::uint64_t states_with_side_to(const Item& item, const RoomWall& wall, Side side) {
   if (!wall.straight) {
     std::uint64_t mask = 0;

@@ -83,6 +83,7 @@ void compile_SideAgainstWall(Compilation& c) {
 
 constexpr int kIntoCorner = 300;  // points a metre: what is in a corner stands close to both walls
 
+// NOLINTNEXTLINE(readability-function-cognitive-complexity): to be parted
 void compile_Corner(Compilation& c) {
   const Mm most = c.length(c.relation.parameters.max, "max", 500);
   const std::size_t n = c.model.walls.size();

@@ -93,6 +93,7 @@ void Habits::stand_at_side(int item) {
 }
 
 // By one of the greater things it goes with: a seat at its table, a nightstand beside its bed, a table before its sofa.
+// NOLINTNEXTLINE(readability-function-cognitive-complexity): to be parted
 bool Habits::stand_beside(int item) {
   constexpr Mm kLowAtFoot = 650;  // a bench, a chest: close to the bed; not a wardrobe
   const Item& self = model_.items[item];

@@ -35,6 +35,7 @@ class LineCosts {
 CandidateFinder::CandidateFinder(const Model& model, std::vector<char> given_up)
     : model_(model), regions_(model, std::move(given_up)), obstacles_(model, regions_), access_(model) {}
 
+// NOLINTNEXTLINE(readability-function-cognitive-complexity): to be parted
 void CandidateFinder::find_soft(const Placements& placements, int item, int state) {
   std::size_t used = 0;
   for (const int c : model_.touching[item]) {
@@ -68,6 +69,7 @@ void CandidateFinder::find_soft(const Placements& placements, int item, int stat
   soft_ = {soft_pool_.data(), used};
 }
 
+// NOLINTNEXTLINE(readability-function-cognitive-complexity): to be parted
 void CandidateFinder::cut(const Placements& placements, int item, int state, const Region& region, CandidateGrid& grid) const {
   const State& own = model_.items[item].states[state];
   const std::size_t most = 36 + model_.items.size() / 3;
@@ -182,6 +184,7 @@ std::int64_t CandidateFinder::swing_cost(const Placements& placements, int openi
   return access_cost_of(model_, opening, probe_);
 }
 
+// NOLINTNEXTLINE(readability-function-cognitive-complexity): to be parted
 std::vector<Candidate> CandidateFinder::find(const Placements& placements, int item, const CandidateOptions& options, Budget& budget) {
   static const std::vector<std::int64_t> kNoPrice;
   std::vector<Candidate> best;

@@ -35,6 +35,7 @@ constexpr std::size_t kMostCrossings = 60, kAcross = 8;
 }  // namespace
 
 // Before a slanted wall: where the edge of what is allowed meets what is wished, what stands there, and some lines across.
+// NOLINTNEXTLINE(readability-function-cognitive-complexity): to be parted
 std::vector<Point> CandidateFinder::crossings(const Placements& placements, int item, int state, const Region& region,
                                               const std::array<std::vector<Mm>, 3>& grid, Budget& budget) const {
   std::vector<Line> edges, others;

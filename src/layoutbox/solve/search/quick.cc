@@ -208,6 +208,7 @@ std::vector<int> QuickSearch::all_hosts(int item) const {
 }
 
 // Where it pushes out what has failed least often.
+// NOLINTNEXTLINE(readability-function-cognitive-complexity): to be parted
 bool QuickSearch::push_out(int item, std::vector<int>& pending, Budget& budget) {
   constexpr int kUnknown = -2, kNever = -1;
   std::vector<int> prices(placements_.size(), kUnknown), group;

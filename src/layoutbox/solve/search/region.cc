@@ -100,6 +100,7 @@ bool RegionFinder::is_linked(int item) const {
 }
 
 // Bounds that follow from the constraints, found by going over all items a few times.
+// NOLINTNEXTLINE(readability-function-cognitive-complexity): to be parted
 void RegionFinder::narrow_domains() {
   const Placements nowhere(model_.items.size());
   domains_.resize(model_.items.size());

@@ -326,6 +326,7 @@ bool Search::shake(Budget& budget) {
   return true;
 }
 
+// NOLINTNEXTLINE(readability-function-cognitive-complexity): to be parted
 void Search::improve(Budget& budget, std::int64_t patience, bool sweeps) {
   const std::vector<int> movable = this->movable();
   if (movable.empty()) return;
