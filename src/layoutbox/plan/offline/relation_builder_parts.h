@@ -64,6 +64,7 @@ class RelationBuilder {
   std::string carrier_of(const std::vector<std::string>& objects) const;
   std::vector<std::vector<std::string>> between_pairs(const Link& link, const std::vector<std::string>& all) const;
   void add_between(const Link& link, const std::vector<int>& targets);
+  bool are_flankers(const std::vector<std::string>& pair, int middle) const;
   // Small things that stand on the host wherever they are said to be by it.
   bool lie_on(const std::vector<int>& items, int host) const;
   bool add_laden_sides(const Link& link, const PhraseSense& sense, const std::vector<int>& targets, int host);

@@ -68,6 +68,15 @@ std::vector<std::vector<std::string>> RelationBuilder::between_pairs(const Link&
   return {all};
 }
 
+// "A bed between two nightstands": these are what stands at its sides, and their middles need not be on a line with its own.
+bool RelationBuilder::are_flankers(const std::vector<std::string>& pair, int middle) const {
+  if (pair.size() != 2 || mount_of(noun_of_item(middle)) != Mount::kFloor) return false;
+  return std::ranges::all_of(pair, [&](const std::string& one) {
+    const SceneObject* object = object_of(one);
+    return object != nullptr && flanks(noun_of_object(*object), noun_of_item(middle));
+  });
+}
+
 void RelationBuilder::add_between(const Link& link, const std::vector<int>& targets) {
   std::vector<std::string> references;
   for (const int m : link.references) {
@@ -85,7 +94,12 @@ void RelationBuilder::add_between(const Link& link, const std::vector<int>& targ
     // "two candlesticks on the mantel with a clock between them": there as well.
     const SceneObject* carrier = host.empty() ? nullptr : object_of(host);
     if (carrier != nullptr && may_carry(catalog_, noun_of_object(*carrier), noun_of_item(target))) add(link, R::kOn, {id(target)}, {host});
-    for (const auto& pair : between_pairs(link, references)) add(link, R::kBetween, {id(target)}, pair);
+    for (const auto& pair : between_pairs(link, references)) {
+      if (are_flankers(pair, target))
+        add(link, R::kEachSideOf, pair, {id(target)});
+      else
+        add(link, R::kBetween, {id(target)}, pair);
+    }
   }
 }
 
@@ -105,7 +119,8 @@ bool RelationBuilder::lie_on(const std::vector<int>& items, int host) const {
 bool RelationBuilder::seats_one_side(const Link& link, int seat, int host) const {
   const CatalogEntry* entry = noun_of_item(host).entry;
   if (entry == nullptr || !entry->has_front || !is_seat(catalog_, noun_of_item(seat))) return false;
-  const bool counter = entry->is(Trait::kCounter) || entry->is(Trait::kDesk);
+  const bool bench = entry->is(Trait::kDeskLike) && entry->used_sides == std::vector{Side::kFront};
+  const bool counter = entry->is(Trait::kCounter) || entry->is(Trait::kDesk) || bench;
   const std::string words = words_between(document_, link.first, link.last);
   return counter && words.find("around") == std::string::npos && words.find("surround") == std::string::npos;
 }

@@ -292,7 +292,19 @@ void RelationBuilder::add_across(const Link& link, int item, const std::vector<s
   add(gap, R::kDistance, {id(item)}, reference);
   if (scene_.relations.size() == known) return;
   scene_.relations.back().parameters.min = mm_from_m(relation_default(R::kOpposite, "min").value_or(1.5));
-  scene_.relations.back().parameters.max = mm_from_m(relation_default(R::kOpposite, "max").value_or(4));
+  const Mm most = mm_from_m(relation_default(R::kOpposite, "max").value_or(4));
+  if (reference.empty() || (reference[0] != opening_id("door") && reference[0] != opening_id("window"))) {
+    scene_.relations.back().parameters.max = most;
+    return;
+  }
+  // In a deeper room what is opposite the door is still at the far wall, not half way.
+  Relation near = scene_.relations.back();
+  near.id = "c" + std::to_string(scene_.relations.size() + 1);
+  near.parameters = {};
+  near.parameters.max = most;
+  near.hard = false;
+  near.origin = Origin::kConcluded;
+  scene_.relations.push_back(std::move(near));
 }
 
 }  // namespace layoutbox::offline

@@ -103,6 +103,10 @@ void stand_on(Compilation& c, int t, const Reference& r, const std::string& id) 
     if (ref.thin) {
       Case base;
       base.require_small(lo(t, 2) - Linear(c.model.room.lo[2]), 0);
+      const auto& all = c.model.scene->relations;
+      const auto on_it = std::ranges::count_if(
+          all, [&](const Relation& other) { return other.type == RelationType::kOn && other.references == std::vector{id}; });
+      for (int axis = 0; axis < 2 && on_it == 1 && c.targets.size() == 1; ++axis) base.wish(mid2(t, axis) - mid2(r.index, axis), 100, 2);
       Formula& f = c.formula();
       for (Case& one : cover(base, c.model, t, r.index, 0)) f.cases.push_back(std::move(one));
       if (is_place_word(c.relation.parameters.part)) require_part(c.formula(), c.model, t, r.index, c.relation.parameters.part);

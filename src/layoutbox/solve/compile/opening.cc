@@ -4,6 +4,8 @@
 namespace layoutbox::placement {
 namespace {
 
+constexpr int kBeforeWindow = 300;  // points a metre: what is under a window is under its middle
+
 std::vector<int> openings_meant(const Compilation& c, bool windows) {
   std::vector<int> found = c.reference_items();
   std::erase_if(found, [&](int i) { return !c.item(i).is_opening(); });
@@ -41,7 +43,7 @@ void add_under_window(Formula& f, const Model& model, int t, int window, Mm most
     c.when(window, states);
     const Linear off = gap_towards(t, window, in);
     c.require(off).require(Linear(most) - off).wish(off, 100);
-    c.wish(mid2(t, across(in)) - mid2(window, across(in)), 100, 2);
+    c.wish(mid2(t, across(in)) - mid2(window, across(in)), kBeforeWindow, 2);
     c.require(2 * lo(window, 2) - mid2(t, 2));
     for (Case& one : in_line(c, model, t, place_of(window), across(in))) f.cases.push_back(std::move(one));
   });

@@ -172,7 +172,8 @@ void add_hinted_turn(const Item& item, std::vector<double>& turns) {
 bool sits_around(const SceneGraph& scene, const std::string& id) {
   return std::any_of(scene.relations.begin(), scene.relations.end(), [&](const Relation& r) {
     const bool around = r.type == RelationType::kAround || r.type == RelationType::kSurround;
-    return around && r.targets.size() >= 5 && std::find(r.targets.begin(), r.targets.end(), id) != r.targets.end();
+    const bool many = r.targets.size() >= 5 || r.targets.size() == 3;  // four stand square
+    return around && many && std::find(r.targets.begin(), r.targets.end(), id) != r.targets.end();
   });
 }
 

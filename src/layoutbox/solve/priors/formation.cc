@@ -6,13 +6,15 @@
 namespace layoutbox::placement {
 namespace {
 
-constexpr Mm kWayAround = 600;  // left free between a formation and the walls
-constexpr Mm kSeatRoom = 850;   // behind a desk: the chair, and somebody getting up
-constexpr Mm kTucked = 200;     // how far a seat goes under its table
+constexpr Mm kWayAround = 600;       // left free between a formation and the walls
+constexpr Mm kSeatRoom = 850;        // behind a desk: the chair, and somebody getting up
+constexpr Mm kTucked = 200;          // how far a seat goes under its table
+constexpr Mm kBeforeKneeless = 100;  // from what one sits before without room for the knees
 
 // Gaps wanted between neighbours, along the rows and from row to row.
 std::pair<Mm, Mm> gaps_of(const Item& item) {
-  if (has_knee_room(item)) return item.has_front ? std::pair<Mm, Mm>{500, kSeatRoom} : std::pair<Mm, Mm>{1300, 1300};
+  if (has_knee_room(item) || item.is(Trait::kDeskLike))
+    return item.has_front ? std::pair<Mm, Mm>{500, kSeatRoom} : std::pair<Mm, Mm>{1300, 1300};
   if (item.thin) return {500, 400};
   return item.has_front ? std::pair<Mm, Mm>{80, 600} : std::pair<Mm, Mm>{500, 500};
 }
@@ -40,26 +42,41 @@ Formation formation_of(int n, const Size& size, Mm gap_across, Mm gap_deep, Mm r
   return best;
 }
 
-void add_formation_place(Formula& f, const Model& model, const std::vector<int>& group, int k, int columns, int weight) {
+void add_formation_place(Formula& f, const Model& model, const std::vector<int>& group, int k, int columns, int weight, Mm before) {
   const int first = group[0], item = group[k], n = static_cast<int>(group.size());
   const auto [gap_across, gap_deep] = gaps_of(model.items[first]);
   const Size& size = model.items[first].states[0].size;
-  const auto add = [&](int row_axis, std::uint64_t states) {
-    const int deep_axis = 1 - row_axis;
-    const Formation form = formation_of(n, size, gap_across, gap_deep, model.room.extent(row_axis), model.room.extent(deep_axis), columns);
+  // `ahead`: which way along the columns they look. `aside`: what the words call a column is a row to those who stand in it.
+  const auto add = [&](int row_axis, std::uint64_t states, int ahead, bool aside) {
+    const int deep_axis = 1 - row_axis, asked = aside ? (n + columns - 1) / columns : columns;
+    const Mm deep = model.room.extent(deep_axis);
+    const Mm free = ahead != 0 ? std::min(before, deep / 3) : 0;
+    Formation form{0, 0, 0};
+    for (int tenths = 10; tenths > 0 && form.columns == 0; tenths -= 3) {  // closer where the room is small
+      form = formation_of(n, size, gap_across * tenths / 10, gap_deep * tenths / 10, model.room.extent(row_axis), deep - free, asked);
+    }
     if (form.columns == 0) return;
-    const int rows = (n + form.columns - 1) / form.columns, row = k / form.columns, column = k % form.columns;
+    const int rows = (n + form.columns - 1) / form.columns;
+    const int row = aside ? k % columns : k / form.columns, column = aside ? k / columns : k % form.columns;
     Case& c = f.add();
     if (states) c.when(item, states);
     const auto wish_at = [&](int axis, std::int64_t twice) {  // twice the way from the room's middle
       c.wish(mid2(item, axis) - Linear(std::int64_t{model.room.lo[axis]} + model.room.hi[axis] + twice), weight, 2);
     };
     wish_at(row_axis, std::int64_t{form.across} * (2 * column - (form.columns - 1)));
-    wish_at(deep_axis, std::int64_t{form.deep} * (2 * row - (rows - 1)));
+    wish_at(deep_axis, std::int64_t{form.deep} * (2 * row - (rows - 1)) - ahead * free);
   };
-  if (!model.items[first].has_front) return add(0, states_with_width_along(model.items[item], 0));
+  if (!model.items[first].has_front) return add(0, states_with_width_along(model.items[item], 0), 0, false);
+  const Side eyes = looking_side(model, item);
   // The places speak of nothing but the item itself, so that they hold whichever of the group comes first.
-  for (const int row_axis : {0, 1}) add(row_axis, states_with_width_along(model.items[item], row_axis));
+  for (const bool aside : {false, true}) {
+    if (aside && (!f.cases.empty() || columns == 0)) return;
+    for_each_turn(model.items[item], [&](int turn, std::uint64_t states) {
+      if (!quarter(turn)) return;
+      const Direction ahead = side_direction(model.items[item], eyes, turn);
+      add(across(ahead), states, before > 0 ? ahead.sign : 0, aside);
+    });
+  }
 }
 
 void add_seat_place(Formula& f, const Model& model, int seat, int table, int k, int n, int weight, bool long_sides) {
@@ -93,7 +110,7 @@ void add_seat_place(Formula& f, const Model& model, int seat, int table, int k, 
     // places · mid2(seat) = 2 · places · lo(table) + (2 · place + 1) · extent(table)
     c.wish(places * mid2(seat, across(d)) - 2 * places * lo(table, across(d)) - (2 * place + 1) * extent(table, across(d)), weight,
            2 * places);
-    c.wish(gap_towards(seat, table, d) + Linear(std::min<Mm>(kTucked, own.depth / 2)), weight);
+    c.wish(gap_towards(seat, table, d) + Linear(has_knee_room(host) ? std::min<Mm>(kTucked, own.depth / 2) : -kBeforeKneeless), weight);
     c.require(reach(seat, d) - reach(table, d));
   });
   if (host.spans < 0 || side != Side::kFront) return;

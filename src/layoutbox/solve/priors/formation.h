@@ -18,8 +18,9 @@ struct Formation {
 // `room_across` and `room_deep` are the room's extents along and across the rows. `columns` given: it stays.
 Formation formation_of(int n, const Size& size, Mm gap_across, Mm gap_deep, Mm room_across, Mm room_deep, int columns = 0);
 
-// Wishes for the place of group[k] in a formation about the middle of the room, whichever way the first of the group looks.
-void add_formation_place(Formula& f, const Model& model, const std::vector<int>& group, int k, int columns, int weight);
+// Wishes for the place of group[k] in a formation about the middle of the room, whichever way the first of the group looks. `before`:
+// floor left free before the first row, for what all look at.
+void add_formation_place(Formula& f, const Model& model, const std::vector<int>& group, int k, int columns, int weight, Mm before = 0);
 
 // Wishes for seat k of n at a table used all round (shared out over its sides, or its two long ones), or at the side where a desk is used.
 void add_seat_place(Formula& f, const Model& model, int seat, int table, int k, int n, int weight, bool long_sides = false);

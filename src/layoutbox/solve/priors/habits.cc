@@ -31,18 +31,23 @@ void Habits::stand(int index) {
   const Item& item = model_.items[index];
   sit_on_host(index);
   lie_straight(index);
+  keep_before_counter(index);
   if (stand_in_formation(index) || stand_abreast(index)) return;
   stand_at_side(index);
-  const bool with_host = stand_beside(index);
+  const bool with_host = sit_by_between(index) || stand_beside(index);
   const bool looks = (!with_host || !item.is(Trait::kTableSeat)) && look_at(index);
   // Nobody sits with the nose to a wall.
   if (item.is(Trait::kSeat) && !looks && !(with_host && item.is(Trait::kTableSeat))) open_to_room(index);
-  if (item.entry->back_to_wall) {
+  stand_abreast_in_row(index);
+  const bool manned = leave_room_behind(index);
+  if (manned) {
+    // Who sits behind it has the wall behind.
+  } else if (item.entry->back_to_wall) {
     back_to_wall(index, kBackToWall);
     stand_in_run(index);
-    stand_as_twin(index);
+    if (!stand_as_twin(index) && !with_host) stand_in_wall_row(index);
   } else if (!with_host && !placed_by_relation(index)) {
-    if (used_sides(item).size() >= 4 && !item.is(Trait::kSeat)) {
+    if (used_sides(item).size() >= 4 && !item.is(Trait::kSeat) && rank_of(index) == 0) {
       stand_in_middle(index);
     } else if (item.is(Trait::kSeat) && item.has_front && !looks && !item.object->hint.position) {
       back_to_wall(index, kSeatToWall);

@@ -48,6 +48,7 @@ class Habits {
   };
   void sit_on_host(int item);
   std::optional<Spot> spot_on(int item, int host) const;
+  static std::optional<Spot> spot_beside_screens(Mm length, Mm screens, Mm widest, std::int64_t before, std::int64_t all, bool at_back);
   Spot spot_of_screen(int item, int host) const;
   bool lies_free(int item, int host) const;
   int seat_told_to_be_at(int host, int rank) const;
@@ -58,6 +59,7 @@ class Habits {
 
   // Habits towards the room: backs to walls, the middle, light, rugs; doors and windows nobody placed.
   void back_to_wall(int item, int weight);
+  bool leave_room_behind(int item);
   void stand_at_wall(int item);
   void stand_in_middle(int item);
   void lie_straight(int item);
@@ -66,9 +68,12 @@ class Habits {
   void lie_under(int item);
   void lie_at_foot(int item, int bed);
   void open_well(int item);
+  void leave_wall_free(int item);
 
   // Habits of what hangs on walls and from ceilings.
   void hang_from_ceiling(int item);
+  void hang_clear(int item);
+  bool hang_in_row(int item);
   void hang_on_wall(int item);
   std::uint64_t states_facing(int item, const RoomWall& wall) const;
   bool placed_by_relation_besides_walls(int item) const;
@@ -77,6 +82,8 @@ class Habits {
   // Habits towards other things: beside, round, before and facing what they belong to.
   void come_near(int item, int host);
   void sit_facing(int item, int host);
+  bool sit_by_between(int item);
+  void keep_before_counter(int item);
   bool only_turned_by(int item, int host) const;
   bool only_near(int item, int host) const;
   bool leaves_usual_place(int item, int host) const;
@@ -107,7 +114,9 @@ class Habits {
   void keep_off_faced(int item);
   void stand_before_crowd(int faced);
   void stand_in_run(int item);
-  void stand_as_twin(int item);
+  void stand_in_wall_row(int item);
+  void stand_abreast_in_row(int item);
+  bool stand_as_twin(int item);
 
   Model& model_;
 };

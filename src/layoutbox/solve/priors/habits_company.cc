@@ -106,6 +106,12 @@ bool Habits::stand_beside(int item) {
   }
   std::vector<int> hosts = items_of_kinds(self.entry->beside, item);
   std::erase_if(hosts, [&](int h) { return model_.items[h].thin || area_of(model_.items[h]) <= area_of(self); });
+  for (std::size_t i = 0; i < model_.items.size() && self.is(Trait::kTableSeat); ++i) {  // a potter's wheel
+    const int other = static_cast<int>(i);
+    const bool known = std::ranges::find(hosts, other) != hosts.end();
+    if (!known && other != item && model_.items[i].is(Trait::kDeskLike) && model_.items[i].has_front && related(item, other))
+      hosts.push_back(other);
+  }
   if (hosts.empty()) return false;
   bool told = false;  // whom it stands by
   for (const int h : hosts) {
@@ -129,12 +135,24 @@ bool Habits::stand_beside(int item) {
       return true;
     }
   }
+  // A stool goes to the counter where the tables have their chairs.
+  const auto is_seated = [&](int h) {
+    return std::ranges::any_of(model_.scene->relations, [&](const Relation& r) {
+      const int seat = r.targets.empty() ? -1 : model_.find_item(r.targets[0]);
+      return seat >= 0 && model_.items[seat].is(Trait::kTableSeat) && model_.items[seat].entry != self.entry &&
+             std::ranges::find(r.references, model_.items[h].id) != r.references.end();
+    });
+  };
+  if (self.is(Trait::kTableSeat) && !told && !std::ranges::all_of(hosts, is_seated)) std::erase_if(hosts, is_seated);
   // Hosts of the best kind only: a lamp by the sofa rather than by the desk.
   std::erase_if(hosts, [&](int h) { return model_.items[h].entry != model_.items[hosts[0]].entry; });
   const int host = hosts[rank_of(item) % static_cast<int>(hosts.size())];
   const Item& ref = model_.items[host];
   Formula f;
-  if (self.is(Trait::kTableSeat) && has_knee_room(ref)) {
+  const std::vector<Side> used = used_sides(ref);
+  const bool sat_before =
+      used.size() == 1 && used[0] == Side::kFront && ref.has_front && (ref.entry->back_to_wall || ref.is(Trait::kDeskLike));
+  if (self.is(Trait::kTableSeat) && (has_knee_room(ref) || sat_before)) {
     const std::vector<int> seats = seats_at(item, host, static_cast<int>(hosts.size()));
     const auto k = std::find(seats.begin(), seats.end(), item) - seats.begin();
     add_seat_place(f, model_, item, host, static_cast<int>(k), static_cast<int>(seats.size()), kBeside);
@@ -233,7 +251,10 @@ bool Habits::look_at(int item, bool leads) {
         for (int axis = 0; axis < 2; ++axis) c.wish(mid2(item, axis) - mid2(other, axis), 60, 2);
       }
     }
-    habit("faces", item, kFaces, std::move(f), self.is(Trait::kEasySeat) || leads ? std::vector<int>{other} : std::vector<int>{});
+    // Told to flank the fireplace, it looks at the table before the sofa only as far as that goes.
+    const bool elsewhere = self.is(Trait::kEasySeat) && placed_besides_facing(item) && !related(item, other);
+    habit("faces", item, elsewhere ? kFaces / 3 : kFaces, std::move(f),
+          self.is(Trait::kEasySeat) || leads ? std::vector<int>{other} : std::vector<int>{});
     return true;
   }
   return false;

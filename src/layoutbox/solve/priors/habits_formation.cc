@@ -10,6 +10,7 @@ namespace {
 constexpr std::size_t kMany = 4;
 constexpr std::int64_t kManySize = 3'000'000;              // mm²: larger things are no crowd
 constexpr std::int64_t kTableToSitRound = 400'000;         // mm²
+constexpr Mm kStageDepth = 1600;                           // left before a crowd for what it looks at and who stands there
 constexpr Mm kBeforeCrowd = 1000;                          // free before the first row, between it and what all look at
 constexpr Mm kTwinAir = 60;                                // between twins besides what stands there
 constexpr int kKeepOff = 300, kInRun = 250, kTwins = 300;  // points a metre
@@ -27,14 +28,20 @@ std::optional<Habits::Group> Habits::formation_with(int item) const {
   // What usually stands at a wall and is told where to look, as a class's desks are, stands in rows.
   const bool at_wall = self.entry->back_to_wall && !told_where_to_look(item);
   if (self.mount != Mount::kFloor || at_wall || area_of(self) > kManySize) return std::nullopt;
-  if (!self.entry->beside.empty() && !has_knee_room(self)) return std::nullopt;
+  const bool has_host = std::ranges::any_of(items_of_kinds(self.entry->beside, item),
+                                            [&](int h) { return !model_.items[h].thin && area_of(model_.items[h]) > area_of(self); });
+  if (has_host && !has_knee_room(self)) return std::nullopt;
   Group group;
   for (std::size_t i = 0; i < model_.items.size(); ++i) {
     const int other = static_cast<int>(i);
     if (model_.items[i].entry == self.entry && !model_.items[i].fixed && !placed_besides_facing(other)) group.members.push_back(other);
   }
-  // Two tables that one sits round are enough: side by side, turned alike.
-  const std::size_t least = !self.has_front && has_knee_room(self) && area_of(self) >= kTableToSitRound ? 2 : kMany;
+  // Two that one sits or walks round are enough: side by side, turned alike.
+  const bool round_about = has_knee_room(self) || used_sides(self).size() >= 4;
+  const std::size_t least = self.is(Trait::kSeat) || area_of(self) < kTableToSitRound ? kMany
+                            : !self.has_front && round_about                          ? 2
+                            : has_knee_room(self)                                     ? 3
+                                                                                      : kMany;
   if (group.members.size() < least || std::find(group.members.begin(), group.members.end(), item) == group.members.end())
     return std::nullopt;
   return group;
@@ -80,7 +87,8 @@ void Habits::stand_before_crowd(int faced) {
     break;
   }
   const std::string name = "before the middle of the crowd";
-  if (crowd.size() < kMany || placed_besides_facing(faced)) return;
+  const bool placed = model_.items[faced].mount == Mount::kWall ? placed_by_relation_besides_walls(faced) : placed_besides_facing(faced);
+  if (crowd.size() < kMany || placed) return;
   if (std::any_of(model_.constraints.begin(), model_.constraints.end(), [&](const Constraint& c) { return c.name.starts_with(name); }))
     return;
   Formula f;
@@ -114,7 +122,7 @@ void Habits::keep_off_faced(int item) {
 }
 
 // Twins with something between them (beds and a nightstand) stand side by side, turned alike, as far apart as that needs.
-void Habits::stand_as_twin(int item) {
+bool Habits::stand_as_twin(int item) {
   const Item& self = model_.items[item];
   for (const Relation& r : model_.scene->relations) {
     if (r.type != RelationType::kBetween || r.references.size() != 2 || r.targets.empty() || r.references[1] != self.id) continue;
@@ -138,8 +146,9 @@ void Habits::stand_as_twin(int item) {
       }
     });
     habit("twins", item, kTwins, std::move(f), {twin});
-    return;
+    return true;
   }
+  return false;
 }
 
 // Kitchen units and machines stand side by side in one run.
@@ -151,10 +160,64 @@ void Habits::stand_in_run(int item) {
   Formula f;
   for (int other = 0; other < item; ++other) {
     if (!in_runs(other)) continue;
-    if (!only_related_by(item, other, {RelationType::kNextTo, RelationType::kNear})) return;  // words say how these two stand
+    // Words that say more than which side say how these two stand.
+    if (!only_related_by(item, other, {RelationType::kNextTo, RelationType::kNear, RelationType::kLeftOf, RelationType::kRightOf})) return;
     for (const Side side : {Side::kLeft, Side::kRight}) add_beside(f, model_, item, other, side, {.most = 100});
   }
   if (!f.cases.empty()) habit("in the run", item, kInRun, std::move(f));
+}
+
+// Several of a kind with their backs to a wall stand side by side along it: lockers, bookshelves, the beds of a ward. Beds also
+// opposite one another.
+void Habits::stand_in_wall_row(int item) {
+  constexpr Mm kBesideBed = 900, kBesideDesk = 200;
+  constexpr int kElsewhere = 200, kAcross = 40;  // points
+  const auto in_row = [&](int i) {
+    const Item& other = model_.items[i];
+    return other.entry == model_.items[item].entry && !other.fixed && other.mount == Mount::kFloor && !placed_by_relation_besides_walls(i);
+  };
+  const Item& self = model_.items[item];
+  if (self.is(Trait::kKitchenRun) || (self.is(Trait::kCenterPiece) && !self.is(Trait::kBed)) || !in_row(item)) return;
+  int before = -1;
+  for (int i = 0; i < item; ++i) {
+    if (in_row(i)) before = i;
+  }
+  if (before < 0) return;
+  const Mm air = self.is(Trait::kBed) ? kBesideBed : has_knee_room(self) ? kBesideDesk : 0;
+  Formula f;
+  for_each_turn(model_.items[before], [&](int turn, std::uint64_t states) {
+    if (turn % 90 != 0) return;
+    const Direction back = side_direction(model_.items[before], Side::kBack, turn);
+    for (const int sign : {1, -1}) {
+      const Linear gap = gap_towards(item, before, {across(back), sign});
+      Case& c = f.add().when(before, states).when(item, self.states_at(turn)).require(gap).wish(gap - Linear(air), kInRun);
+      c.wish(reach(item, back) - reach(before, back), kInRun);
+    }
+    if (!self.is(Trait::kBed)) return;
+    Case& opposite_it = f.add().when(before, states).when(item, self.states_at((turn + 180) % 360));
+    opposite_it.wish(mid2(item, across(back)) - mid2(before, across(back)), kInRun, 2).price = kAcross;
+  });
+  f.add().price = kElsewhere;
+  habit("in a row at the wall", item, kInRun, std::move(f), {before});
+}
+
+// What stands in a row and has a front stands side by side there, not one behind the other.
+void Habits::stand_abreast_in_row(int item) {
+  for (const Relation& r : model_.scene->relations) {
+    const auto at = std::ranges::find(r.targets, model_.items[item].id);
+    if (r.type != RelationType::kRow || at == r.targets.begin() || at == r.targets.end()) continue;
+    const int before = model_.find_item(*(at - 1));
+    if (before < 0 || !model_.items[item].has_front || model_.items[before].entry != model_.items[item].entry) continue;
+    Formula f;
+    for_each_turn(model_.items[item], [&](int turn, std::uint64_t states) {
+      const std::uint64_t same = model_.items[before].states_at(turn);
+      if (turn % 90 != 0 || !same) return;
+      const Direction back = side_direction(model_.items[item], Side::kBack, turn);
+      f.add().when(item, states).when(before, same).wish(reach(item, back) - reach(before, back), kTwins);
+    });
+    habit("abreast in the row", item, kTwins, std::move(f), {before});
+    return;
+  }
 }
 
 bool Habits::stand_in_formation(int item) {
@@ -162,7 +225,10 @@ bool Habits::stand_in_formation(int item) {
   if (!group) return false;
   const int k = static_cast<int>(std::find(group->members.begin(), group->members.end(), item) - group->members.begin());
   Formula f;
-  add_formation_place(f, model_, group->members, k, group->columns, kFormation);
+  const int first = group->members[0];
+  const bool looks =
+      told_where_to_look(first) || (model_.items[first].has_front && !items_of_kinds(model_.items[first].entry->faces, first).empty());
+  add_formation_place(f, model_, group->members, k, group->columns, kFormation, looks ? kStageDepth : 0);
   if (f.cases.empty()) return false;
   habit("in formation", item, kFormation, std::move(f));
   keep_off_faced(item);

@@ -14,14 +14,74 @@ const std::vector<std::string> kUnderLamps{"dining_table", "kitchen_island", "co
 }  // namespace
 
 void Habits::hang_from_ceiling(int item) {
+  const bool placed = std::ranges::any_of(model_.scene->relations, [&](const Relation& r) {
+    return r.type != RelationType::kOnCeiling && std::ranges::find(r.targets, model_.items[item].id) != r.targets.end();
+  });
+  if (placed) return;  // above its thing, in its corner: the middle of the room would pull it off
   const std::vector<int> below = items_of_kinds(kUnderLamps, item);
   Formula f;
   Case& c = f.add();
   std::vector<int> hosts;
-  if (!below.empty() && !placed_by_relation(item)) hosts.push_back(below[0]);
+  if (!below.empty()) hosts.push_back(below[0]);
   for (int axis = 0; axis < 2; ++axis)
     c.wish(mid2(item, axis) - (hosts.empty() ? room_mid2(model_, axis) : mid2(hosts[0], axis)), kHangs, 2);
   habit("hangs", item, kHangs, std::move(f), hosts);
+  if (hosts.empty()) hang_clear(item);
+}
+
+// What hangs so low that one stands before it (a punching bag) hangs clear of what is on the floor, and of its like.
+void Habits::hang_clear(int item) {
+  constexpr Mm kHeadroom = 1900, kAround = 700;
+  constexpr int kClear = 600;  // points a metre
+  if (model_.room.extent(2) - model_.items[item].states[0].size.height >= kHeadroom) return;
+  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+    const int other = static_cast<int>(i);
+    const Item& ref = model_.items[i];
+    const bool alike = ref.entry == model_.items[item].entry && other < item;
+    if (ref.is_opening() || ref.thin || !(alike || ref.mount == Mount::kFloor) || related(item, other)) continue;
+    Formula f;
+    for (const int axis : {0, 1}) {
+      for (const int sign : {1, -1}) f.add().require(gap_towards(item, other, {axis, sign}) - Linear(kAround));
+    }
+    habit("hangs clear", item, kClear, std::move(f), {other});
+  }
+}
+
+// Several of a kind of which the same is said (hooks above a bench, three pictures) hang side by side at one height.
+bool Habits::hang_in_row(int item) {
+  constexpr Mm kLeastAir = 80, kMostAir = 250;
+  constexpr int kInRow = 400;
+  const auto said_of = [&](int i) {
+    std::vector<std::pair<RelationType, std::vector<std::string>>> said;
+    for (const Relation& r : model_.scene->relations) {
+      if (r.type != RelationType::kOnWall && std::ranges::find(r.targets, model_.items[i].id) != r.targets.end())
+        said.emplace_back(r.type, r.references);
+    }
+    return said;
+  };
+  const auto mine = said_of(item);
+  if (mine.empty()) return false;
+  int before = -1;
+  for (int i = 0; i < item; ++i) {
+    const Item& other = model_.items[i];
+    if (!other.is_opening() && other.entry == model_.items[item].entry && other.mount == Mount::kWall && said_of(i) == mine) before = i;
+  }
+  if (before < 0) return false;
+  const Item& self = model_.items[item];
+  const Mm pitch2 = self.states[0].size.width + model_.items[before].states[0].size.width +
+                    2 * std::clamp(self.states[0].size.width / 2, kLeastAir, kMostAir);
+  Formula f;
+  for (const RoomWall& wall : model_.walls) {
+    if (!wall.straight) continue;
+    for (const int sign : {1, -1}) {
+      Case& c = f.add().when(item, states_facing(item, wall)).when(before, states_facing(before, wall));
+      c.wish(mid2(item, wall.along) - mid2(before, wall.along) - Linear(sign * pitch2), kInRow, 2);
+      c.wish(mid2(item, wall.normal()) - mid2(before, wall.normal()), kInRow, 2).wish(lo(item, 2) - lo(before, 2), kInRow);
+    }
+  }
+  if (f.cases.empty()) return false;
+  habit("in a row on the wall", item, kInRow, std::move(f), {before});
+  return true;
 }
 
 // At its usual height; a curtain at its window, a picture over something, else in the middle of a wall.
@@ -37,8 +97,14 @@ void Habits::hang_on_wall(int item) {
   }
   if (stand_beside(item)) return;
   look_at(item);
+  if (hang_in_row(item)) return;
   if (placed_by_relation_besides_walls(item)) return;
-  const std::vector<int> under = items_of_kinds(self.is(Trait::kMirror) ? kUnderMirrors : kUnderPictures, item);
+  // A board that a class looks at hangs over nobody's desk.
+  const bool is_faced = std::ranges::any_of(model_.scene->relations, [&](const Relation& r) {
+    return r.type == RelationType::kFacing && std::ranges::find(r.references, self.id) != r.references.end();
+  });
+  std::vector<int> under;
+  if (!is_faced) under = items_of_kinds(self.is(Trait::kMirror) ? kUnderMirrors : kUnderPictures, item);
   Formula f;
   std::vector<int> hosts;
   if (static_cast<std::size_t>(rank_of(item)) < under.size()) {

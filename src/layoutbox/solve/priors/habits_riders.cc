@@ -47,8 +47,8 @@ void Habits::sit_on_host(int item) {
 // Is it the words "on" or "in" that alone say where on its host something is?
 bool Habits::lies_free(int item, int host) const {
   const std::string& id = model_.items[item].id;
-  return rests_on(item, host) && !model_.items[item].is(Trait::kScreen) &&
-         std::ranges::none_of(model_.scene->relations, [&](const Relation& r) {
+  return rests_on(item, host) && !model_.items[item].is(Trait::kScreen) && !model_.items[item].is(Trait::kKeyboard) &&
+         !model_.items[item].is(Trait::kMouse) && std::ranges::none_of(model_.scene->relations, [&](const Relation& r) {
            if (std::ranges::find(r.targets, id) == r.targets.end()) return false;
            const RelationParameters& p = r.parameters;
            return (r.type != RelationType::kOn && r.type != RelationType::kIn) || !p.part.empty() || !p.edge.empty() || !p.region.empty();
@@ -58,29 +58,49 @@ bool Habits::lies_free(int item, int host) const {
 // What lies free on one thing is spread over it in rows, in the order of the words, one thing alone in the middle; what is placed by its
 // neighbours goes with these. At the back of what is deep and has a front; nothing where there are too many for even rows.
 std::optional<Habits::Spot> Habits::spot_on(int item, int host) const {
-  constexpr Mm kApart = 30, kDeep = 500;
+  constexpr Mm kApart = 30, kLeastApart = 4, kDeep = 500, kWorkingHeight = 600;
   if (!lies_free(item, host)) return {};
   const Item& below = model_.items[host];
-  Mm widest = 0;
+  Mm widest = 0, screens = 0;  // widths
   std::int64_t before = 0, all = 0;
   for (std::size_t i = 0; i < model_.items.size(); ++i) {
-    if (!lies_free(static_cast<int>(i), host)) continue;
     const Size& size = model_.items[i].states[0].size;
+    if (model_.items[i].is(Trait::kScreen) && rests_on(static_cast<int>(i), host)) screens += size.width;
+    if (!lies_free(static_cast<int>(i), host)) continue;
     widest = std::max({widest, size.width, size.depth});
     before += static_cast<int>(i) < item;
     ++all;
   }
   const Size& top = below.states[0].size;
+  const bool deep_at_back = below.has_front && top.depth > kDeep && top.height >= kWorkingHeight;
+  if (screens > 0 && below.has_front) return spot_beside_screens(top.width, screens, widest, before, all, deep_at_back);
   const bool across = below.has_front || top.width >= top.depth;  // rows run along the width
   const Mm length = across ? top.width : top.depth, breadth = across ? top.depth : top.width;
-  const std::int64_t in_row = std::clamp<std::int64_t>(length / (widest + kApart), 1, all), rows = (all + in_row - 1) / in_row;
-  if (rows > 1 && rows * (widest + kApart) > breadth) return {};
+  const auto in_row_of = [&](Mm apart) { return std::clamp<std::int64_t>(length / (widest + apart), 1, all); };
+  const auto fit = [&](Mm apart) { return (all + in_row_of(apart) - 1) / in_row_of(apart) * (widest + apart) <= breadth; };
+  const std::int64_t in_row = in_row_of(all <= in_row_of(kApart) || fit(kApart) ? kApart : kLeastApart);
+  const std::int64_t rows = (all + in_row - 1) / in_row;
+  if (rows > 1 && rows * (widest + kLeastApart) > breadth) return {};
   const std::int64_t columns = (all + rows - 1) / rows, row = before / columns, column = before % columns;
   const std::int64_t here = row + 1 < rows ? columns : all - row * columns;  // in this row
   const std::int64_t along = (2 * column + 1 - here) * length / columns, away = (rows - 1 - 2 * row) * breadth / rows;
   if (!across) return Spot{away, along};
-  if (rows == 1 && below.has_front && top.depth > kDeep) return Spot{along, {}};
+  if (rows == 1 && deep_at_back) return Spot{along, {}};
   return Spot{along, away};
+}
+
+// Beside the screens in the middle, half of the things at either side: the lamp is not between the laptop and who sits there.
+std::optional<Habits::Spot> Habits::spot_beside_screens(Mm length, Mm screens, Mm widest, std::int64_t before, std::int64_t all,
+                                                        bool at_back) {
+  const std::int64_t at_left = (all + 1) / 2;
+  const bool left = before < at_left;
+  const std::int64_t here = left ? at_left : all - at_left, place = left ? before : before - at_left;
+  const Mm room = (length - screens) / 2;
+  if (here * widest > room) return {};
+  const std::int64_t off2 = screens + (2 * place + 1) * room / here;
+  const std::int64_t along = left ? -off2 : off2;
+  if (at_back) return Spot{along, {}};
+  return Spot{along, 0};
 }
 
 // Screens on one desk stand side by side; one alone on something small in its middle.

@@ -6,14 +6,18 @@ namespace {
 
 constexpr Mm kRugBeyondFoot = 500;
 constexpr Mm kNearWall = 400;
-constexpr int kOddTurn = 120;  // points
+constexpr int kOddTurn = 120;   // points
+constexpr int kWallFree = 400;  // points a metre
 const std::vector<std::string> kOnRugs{"coffee_table", "dining_table", "bed", "crib", "table", "sofa", "desk"};
 
 }  // namespace
 
 void Habits::back_to_wall(int item, int weight) {
   Formula f;
-  const bool heart = model_.items[item].is(Trait::kCenterPiece);
+  int alike = 0;  // that nobody placed
+  for (std::size_t i = 0; i < model_.items.size(); ++i)
+    alike += model_.items[i].entry == model_.items[item].entry && !placed_by_relation_besides_walls(static_cast<int>(i));
+  const bool heart = model_.items[item].is(Trait::kCenterPiece) && alike <= 1;
   for (const RoomWall& wall : model_.walls) {
     const std::size_t known = f.cases.size();
     add_against(f, model_, item, states_with_back_to(model_.items[item], wall), wall, 20, true);
@@ -22,8 +26,35 @@ void Habits::back_to_wall(int item, int weight) {
   habit("back to wall", item, weight, std::move(f));
 }
 
-// Small things at walls, best in corners; a plant in the middle of a room is in the way.
+// A desk that somebody is told to sit behind stands off the wall, its front to the room.
+bool Habits::leave_room_behind(int item) {
+  constexpr Mm kForSitter = 1100;
+  constexpr int kBehind = 400;  // points a metre
+  if (!model_.items[item].is(Trait::kDeskLike) || used_side(model_.items[item]) != Side::kFront ||
+      looking_side(model_, item) != Side::kFront)
+    return false;
+  if (placed_by_relation(item)) return true;
+  Formula f;
+  for (const RoomWall& wall : model_.walls) {
+    if (!wall.straight) continue;
+    Case& c = f.add().when(item, states_with_back_to(model_.items[item], wall));
+    c.wish(gap_towards(item, place_of(model_, wall), {wall.normal(), wall.inward}) - Linear(kForSitter), kBehind);
+    wish_middle_of_wall(c, model_, item, wall, kMiddle);
+  }
+  if (!f.cases.empty()) habit("room behind", item, kBehind, std::move(f));
+  return true;
+}
+
+// Small things at walls, best in corners; a plant in the middle of a room is in the way. What is long stands along the wall.
 void Habits::stand_at_wall(int item) {
+  const Size& size = model_.items[item].states[0].size;
+  const bool is_long = 2 * std::max(size.width, size.depth) >= 3 * std::min(size.width, size.depth);
+  const auto near_wall = [&](Case& c, const RoomWall& wall, Mm most) {
+    const Side side = model_.items[item].has_front ? Side::kBack : Side::kLong;
+    const std::uint64_t along = is_long ? states_with_side_to(model_.items[item], wall, side) : 0;
+    if (along) c.when(item, along);
+    require_near_wall(c, model_, item, wall, most);
+  };
   Formula f;
   for (std::size_t i = 0; i < model_.walls.size(); ++i) {
     const RoomWall &a = model_.walls[i], &b = model_.walls[(i + 1) % model_.walls.size()];
@@ -32,12 +63,15 @@ void Habits::stand_at_wall(int item) {
       f.cases.back().price = 60;
       continue;
     }
-    require_near_wall(f.add(), model_, item, a, 100);
+    near_wall(f.add(), a, 100);
     f.cases.back().price = 60;
     if (!b.straight || a.along == b.along) continue;
-    Case& corner = f.add();
-    require_near_wall(corner, model_, item, a, 150);
-    require_near_wall(corner, model_, item, b, 150);
+    for (const bool first : {true, false}) {
+      Case& corner = f.add();
+      near_wall(corner, first ? a : b, 150);
+      require_near_wall(corner, model_, item, first ? b : a, 150);
+      if (!is_long) break;
+    }
   }
   habit("at a wall", item, kAtWall, std::move(f));
 }
@@ -74,6 +108,25 @@ void Habits::open_to_room(int item) {
     f.add().when(item, states).require(d.sign * (room_mid2(model_, d.axis) - mid2(item, d.axis)));
   });
   habit("open to the room", item, kAtWall, std::move(f));
+}
+
+// Behind a bar is who serves: the guests' tables stand before it.
+void Habits::keep_before_counter(int item) {
+  constexpr Mm kBefore = 700;
+  constexpr int kGuests = 300;  // points a metre
+  const Item& self = model_.items[item];
+  if (!self.is(Trait::kTable) || self.is(Trait::kDesk) || self.is(Trait::kCounter)) return;
+  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+    const Item& bar = model_.items[i];
+    const int host = static_cast<int>(i);
+    if (host == item || !bar.is(Trait::kCounter) || !bar.is(Trait::kOpenToRoom) || !bar.has_front || related(item, host)) continue;
+    Formula f;
+    for_each_turn(bar, [&](int turn, std::uint64_t states) {
+      if (turn % 90 != 0) return;
+      f.add().when(host, states).require(gap_towards(item, host, side_direction(bar, Side::kFront, turn)) - Linear(kBefore));
+    });
+    habit("before the bar", item, kGuests, std::move(f));
+  }
 }
 
 void Habits::near_light(int item) {
@@ -122,10 +175,25 @@ void Habits::lie_at_foot(int item, int bed) {
   habit("rug", item, kRug, std::move(f), {bed});
 }
 
+// A window that nobody placed is not in the wall that the board is said to hang on.
+void Habits::leave_wall_free(int item) {
+  Formula f;
+  bool any_taken = false;
+  for (const RoomWall& wall : model_.walls) {
+    const bool taken = std::ranges::any_of(model_.scene->relations, [&](const Relation& r) {
+      return r.type == RelationType::kOnWall && std::ranges::find(r.references, wall.id) != r.references.end();
+    });
+    any_taken |= taken;
+    if (wall.straight && !taken) f.add().when(item, model_.items[item].states_at(wall.turn));
+  }
+  if (any_taken && !f.cases.empty()) habit("leaves the wall free", item, kWallFree, std::move(f));
+}
+
 // Doors near a corner, the front wall first; windows in the middle of a wall that the picture shows.
 void Habits::open_well(int item) {
   const Opening& opening = *model_.items[item].opening;
   if (opening.offset) return;
+  if (opening.type == OpeningType::kWindow && opening.wall.empty()) leave_wall_free(item);
   Formula f;
   for (const RoomWall& wall : model_.walls) {
     if (!wall.straight || (!opening.wall.empty() && wall.id != opening.wall)) continue;

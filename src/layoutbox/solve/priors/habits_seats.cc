@@ -53,6 +53,31 @@ void Habits::come_near(int item, int host) {
   habit("near", item, kBeside, std::move(f), {host});
 }
 
+// Seats with a table between them draw up to it.
+bool Habits::sit_by_between(int item) {
+  constexpr Mm kEasyGap = 350, kChairGap = 50;
+  const Item& self = model_.items[item];
+  if (!self.is(Trait::kSeat) && !self.is(Trait::kEasySeat)) return false;
+  for (const Relation& r : model_.scene->relations) {
+    if (r.type != RelationType::kBetween || r.references.size() != 2 || std::ranges::find(r.references, self.id) == r.references.end())
+      continue;
+    const int middle = r.targets.empty() ? -1 : model_.find_item(r.targets[0]);
+    if (middle < 0 || model_.items[middle].mount != Mount::kFloor || model_.items[middle].thin) continue;
+    Formula f;
+    for (const int axis : {0, 1}) {
+      for (const int sign : {1, -1}) {
+        f.add()
+            .wish(gap_towards(item, middle, {axis, sign}) - Linear(self.is(Trait::kTableSeat) ? kChairGap : kEasyGap), kBeside)
+            .wish(mid2(item, 1 - axis) - mid2(middle, 1 - axis), kBeside / 2, 2)
+            .require(gap_towards(item, middle, {axis, sign}));
+      }
+    }
+    habit("by what is between", item, kBeside, std::move(f));
+    return true;
+  }
+  return false;
+}
+
 // A seat told to stand somewhere by its desk or table looks at it, where nothing is said of that.
 void Habits::sit_facing(int item, int host) {
   const Item& self = model_.items[item];

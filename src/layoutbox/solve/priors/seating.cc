@@ -12,6 +12,8 @@ namespace {
 // How far a seat is pushed under a table that has room for knees: a little, so that it still counts as round the table and can be sat on.
 constexpr Mm kReachUnder = 100, kKneeless = -40, kEasyChair = -350;
 
+constexpr Mm kSquare = 150;  // sides that differ by less are alike
+
 constexpr std::array kSides{Side::kFront, Side::kBack, Side::kLeft, Side::kRight};
 
 struct Arm {
@@ -204,6 +206,7 @@ std::vector<std::pair<Seats, int>> seatings(int n, Mm width, Mm depth, Mm seat_w
         const double even = n == 1 ? 1 : evenness(arms_of(s, width, depth, seat_width / 2 - kReachUnder));
         int price = static_cast<int>((1 - even) * (circle ? 600 : 300));
         price += 40 * (std::abs(s[0] - s[1]) + std::abs(s[2] - s[3]));
+        if (n <= 4 && std::abs(width - depth) < kSquare && std::ranges::max(s) > 1) price += 120;        // one at each side of a square one
         if (n <= 2 && (width > depth ? s[2] + s[3] : width < depth ? s[0] + s[1] : 0) > 0) price += 20;  // long sides first
         found.push_back({s, price});
       }
@@ -268,7 +271,7 @@ void add_seating(Compilation& c, int r, Mm most, bool circle) {
   f.exact = false;
   Mm seat_width = 0;
   for (const int t : c.targets) seat_width = std::max(seat_width, c.item(t).states[0].size.width);
-  const bool round = n >= 5 && is_round(table);
+  const bool round = (n >= 5 || n == 3) && is_round(table);
   if (round) add_circle(f, c, r, most);
   const Size& size = table.states[0].size;
   const int base = round && !f.cases.empty() ? 200 : 0;
