@@ -182,7 +182,6 @@ class Planter {
 
   // What is square or looks alike from all sides is parallel and perpendicular at once.
   bool sides_are_its_own(const Relation& relation) const {
-    if (relation.type != RelationType::kParallel && relation.type != RelationType::kPerpendicular) return true;
     return std::all_of(sound_.objects.begin(), sound_.objects.end(), [&](const PlacedObject& object) {
       const auto in = [&](const std::vector<std::string>& ids) { return std::find(ids.begin(), ids.end(), object.id) != ids.end(); };
       if (!in(relation.targets) && !in(relation.references)) return true;
@@ -193,7 +192,8 @@ class Planter {
   void negate(std::size_t i) {
     const Relation& relation = sound_.relations[i].relation;
     const std::optional<RelationType> opposite = opposite_of(relation.type);
-    if (!opposite || !sound_.relations[i].held || !sides_are_its_own(relation)) return;
+    const bool of_direction = relation.type == RelationType::kParallel || relation.type == RelationType::kPerpendicular;
+    if (!opposite || !sound_.relations[i].held || (of_direction && !sides_are_its_own(relation))) return;
     Layout layout = sound_;
     layout.relations[i].relation.type = *opposite;
     layout.relations[i].relation.parameters = {};
@@ -206,7 +206,7 @@ class Planter {
     const Relation& relation = sound_.relations[i].relation;
     const bool of_direction = relation.type == RelationType::kParallel || relation.type == RelationType::kPerpendicular ||
                               relation.type == RelationType::kSameOrientation || relation.type == RelationType::kAgainstWall;
-    if (!of_direction || relation.targets.size() != 1 || !sound_.relations[i].held) return;
+    if (!of_direction || relation.targets.size() != 1 || !sound_.relations[i].held || !sides_are_its_own(relation)) return;
     Layout layout = sound_;
     for (PlacedObject& object : layout.objects) {
       if (object.id == relation.targets[0]) object.rotation_deg = normalized_degrees(object.rotation_deg + 1 + kBeyondTurn);

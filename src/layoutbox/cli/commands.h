@@ -21,6 +21,7 @@ void add_render(CLI::App& app, Context& context);
 void add_export(CLI::App& app, Context& context);
 void add_verify(CLI::App& app, Context& context);
 void add_judge(CLI::App& app, Context& context);
+void add_experiment(CLI::App& app, Context& context);
 void add_validate(CLI::App& app, Context& context);
 void add_catalog(CLI::App& app, Context& context);
 void add_cache(CLI::App& app, Context& context);

@@ -152,6 +152,8 @@ std::string room_section(const Judgement& judgement, const std::map<std::string,
 
 }  // namespace
 
+std::string judged_plan(const Judgement& judgement) { return plan_of(judgement, failed_checks(judgement.report)); }
+
 std::string escaped_html(std::string_view text) {
   std::string out;
   for (const char c : text) {

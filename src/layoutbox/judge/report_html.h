@@ -17,6 +17,9 @@ struct RoomPicture {
 // `pictures` by the name of the room; a room without one shows its plan alone.
 std::string judgement_html(const std::vector<Judgement>& judgements, const std::map<std::string, RoomPicture>& pictures = {});
 
+// The floor plan as SVG, with what failed drawn in and numbered as in the report.
+std::string judged_plan(const Judgement& judgement);
+
 // Text as it stands in a page.
 std::string escaped_html(std::string_view text);
 

@@ -1,0 +1,183 @@
+#include "layoutbox/experiment/methods.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <random>
+
+#include "layoutbox/base/bytes.h"
+#include "layoutbox/base/files.h"
+#include "layoutbox/judge/room_file.h"
+#include "layoutbox/plan/planner.h"
+#include "layoutbox/scene/layout_scene.h"
+#include "layoutbox/scene/scene_json.h"
+#include "layoutbox/solve/solver.h"
+
+namespace layoutbox::experiment {
+namespace {
+
+class Clock {
+ public:
+  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+struct Planned {
+  SceneGraph scene;  // normalised
+  double seconds = 0;
+};
+
+Result<Planned> plan_offline(const MethodInput& input, const Catalog& catalog) {
+  const Clock clock;
+  const auto planner = make_offline_planner(catalog);
+  LAYOUTBOX_ASSIGN(const Plan plan, planner->plan(input.prompt, input.options.plan));
+  LAYOUTBOX_ASSIGN(SceneGraph scene, prepare_plan(plan, catalog, input.options));
+  return Planned{std::move(scene), clock.seconds()};
+}
+
+// Runs the offline planner and the solver, with options of the method's own.
+Result<MethodResult> plan_and_solve(MethodInput input, const Catalog& catalog) {
+  LAYOUTBOX_ASSIGN(const Planned planned, plan_offline(input, catalog));
+  input.options.solve.seed = input.seed;
+  const Clock clock;
+  LAYOUTBOX_ASSIGN(Layout layout, solve(planned.scene, catalog, input.options.solve));
+  MethodResult result{
+      std::move(layout), {}, content_key(write_scene(planned.scene)), {{"plan", planned.seconds}, {"solve", clock.seconds()}}, {}};
+  result.outcome = name_of(result.layout.status);
+  return result;
+}
+
+Result<MethodResult> pipeline(const MethodInput& input, const Catalog& catalog) { return plan_and_solve(input, catalog); }
+
+Result<MethodResult> without_improving(const MethodInput& input, const Catalog& catalog) {
+  MethodInput changed = input;
+  changed.options.solve.improve = false;
+  return plan_and_solve(std::move(changed), catalog);
+}
+
+Result<MethodResult> without_proofs(const MethodInput& input, const Catalog& catalog) {
+  MethodInput changed = input;
+  changed.options.solve.prove = false;
+  return plan_and_solve(std::move(changed), catalog);
+}
+
+Result<MethodResult> without_companions(const MethodInput& input, const Catalog& catalog) {
+  MethodInput changed = input;
+  changed.options.companions = false;
+  return plan_and_solve(std::move(changed), catalog);
+}
+
+// Everything that was planned, in sizes that are usual, anywhere on the floor and turned by quarters: what chance alone gives.
+Result<MethodResult> at_random(const MethodInput& input, const Catalog& catalog) {
+  LAYOUTBOX_ASSIGN(const Planned planned, plan_offline(input, catalog));
+  SceneGraph scene = planned.scene;
+  std::mt19937_64 random(input.seed);
+  const auto between = [&](double low, double high) { return low + (high - low) * (static_cast<double>(random() % 100'001) / 100'000); };
+  Mm right = 0, back = 0;
+  for (const Point& corner : scene.room.polygon) right = std::max(right, corner.x), back = std::max(back, corner.y);
+  for (SceneObject& object : scene.objects) {
+    const double turn = static_cast<double>(random() % 4) * 90;
+    const Size size = object.size ? object.size->usual : Size{500, 500, 500};
+    const bool across = turn == 90 || turn == 270;
+    const double w = (across ? size.depth : size.width) / 2.0, d = (across ? size.width : size.depth) / 2.0;
+    object.hint.position = {between(std::min(w, right / 2.0), std::max(right - w, right / 2.0)),
+                            between(std::min(d, back / 2.0), std::max(back - d, back / 2.0)), 0};
+    if (object.mount == Mount::kCeiling) (*object.hint.position)[2] = scene.room.height - size.height;
+    object.hint.rotation_deg = turn;
+    object.hint.z_may_be_centre = false;
+  }
+  LAYOUTBOX_ASSIGN(RoomFile room, read_room_file(write_scene(scene), catalog, {"scene", {}}));
+  MethodResult result{std::move(room.layout), "placed", content_key(write_scene(planned.scene)), {{"plan", planned.seconds}}, {}};
+  return result;
+}
+
+Failure no_model() {
+  return fail(ErrorCode::kNetwork, "this method asks a model, and none is at hand", {},
+              "set OPENAI_API_KEY, or OPENAI_BASE_URL for a server at home");
+}
+
+Result<MethodResult> by_model(const MethodInput& input, const Catalog& catalog, const std::function<void(GenerateOptions&)>& change) {
+  if (input.model == nullptr) return no_model();
+  GenerateOptions options = input.options;
+  options.pictures = false;
+  options.solve.seed = input.seed;
+  options.plan.seed = input.seed;
+  change(options);
+  LAYOUTBOX_ASSIGN(const TemporaryFolder folder, TemporaryFolder::make("experiment"));
+  LAYOUTBOX_ASSIGN(GenerateOutcome outcome, generate(input.prompt, *input.model, catalog, folder.path(), options));
+  MethodResult result{std::move(outcome.layout), {}, content_key(write_scene(outcome.scene)), {}, std::move(outcome.model_requests)};
+  result.outcome = name_of(result.layout.status);
+  for (const StageTime& stage : outcome.stages) result.seconds[stage.stage] += stage.seconds;
+  return result;
+}
+
+Result<MethodResult> model_pipeline(const MethodInput& input, const Catalog& catalog) {
+  return by_model(input, catalog, [](GenerateOptions&) {});
+}
+Result<MethodResult> model_as_paper(const MethodInput& input, const Catalog& catalog) {
+  return by_model(input, catalog, [](GenerateOptions& options) {
+    options.repair.paper_retries = true;
+    options.solve.on_conflict = OnConflict::kOriginal;
+  });
+}
+Result<MethodResult> model_without_repair(const MethodInput& input, const Catalog& catalog) {
+  return by_model(input, catalog, [](GenerateOptions& options) {
+    options.repair.max_attempts = 1;
+    options.repair.repair_attempts = 0;
+  });
+}
+
+// The model's own numbers, as they are.
+Result<MethodResult> model_positions(const MethodInput& input, const Catalog& catalog) {
+  if (input.model == nullptr) return no_model();
+  PlanOptions options = input.options.plan;
+  options.seed = input.seed;
+  const Clock clock;
+  LAYOUTBOX_ASSIGN(const Plan plan, input.model->plan(input.prompt, options));
+  const double seconds = clock.seconds();
+  const std::string scene = write_scene(plan.scene);
+  LAYOUTBOX_ASSIGN(RoomFile room, read_room_file(scene, catalog, {"scene", {}}));
+  return MethodResult{std::move(room.layout), "placed", content_key(scene), {{"plan", seconds}}, {}};
+}
+
+// The model's own numbers, cleaned up by the least movement.
+Result<MethodResult> model_positions_cleaned(const MethodInput& input, const Catalog& catalog) {
+  LAYOUTBOX_ASSIGN(MethodResult result, model_positions(input, catalog));
+  const Layout rough = std::move(result.layout);
+  LAYOUTBOX_ASSIGN(const SceneGraph scene, normalize_scene(scene_of(rough), catalog, {{}, false}));
+  SolveOptions options = input.options.solve;
+  options.seed = input.seed;
+  options.from = &rough;
+  const Clock clock;
+  LAYOUTBOX_ASSIGN(result.layout, solve(scene, catalog, options));
+  result.seconds["solve"] = clock.seconds();
+  result.outcome = name_of(result.layout.status);
+  return result;
+}
+
+constexpr std::array kMethods{
+    Method{"pipeline", "the offline planner and the solver", false, &pipeline},
+    Method{"no-improve", "the same with the first legal layout, unimproved", false, &without_improving},
+    Method{"no-proofs", "the same by search alone, without CP-SAT", false, &without_proofs},
+    Method{"no-companions", "the same without what the use of named things needs", false, &without_companions},
+    Method{"random", "what the offline planner read, placed at random", false, &at_random},
+    Method{"model", "the model plans, the solver solves, conflicts go back with reasons", true, &model_pipeline},
+    Method{"model-paper", "the same with the paper's plain notice and its fallback to the model's positions", true, &model_as_paper},
+    Method{"model-no-repair", "the same with one answer of the model", true, &model_without_repair},
+    Method{"model-positions", "the model's own positions, no solver", true, &model_positions},
+    Method{"model-cleaned", "the model's own positions, cleaned up by the solver with the least movement", true, &model_positions_cleaned},
+};
+
+}  // namespace
+
+std::span<const Method> methods() { return kMethods; }
+
+const Method* find_method(std::string_view name) {
+  const auto found = std::find_if(kMethods.begin(), kMethods.end(), [&](const Method& method) { return method.name == name; });
+  return found == kMethods.end() ? nullptr : &*found;
+}
+
+}  // namespace layoutbox::experiment

@@ -1,0 +1,41 @@
+// What runs add up to: shares with intervals by resampling whole rooms, since the entries of one room go together.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "layoutbox/experiment/experiment.h"
+#include "layoutbox/judge/vlm/figures.h"
+
+namespace layoutbox::experiment {
+
+using Records = std::vector<const RunRecord*>;
+
+// By method, in the order of the records.
+std::vector<std::pair<std::string, Records>> by_method(const ExperimentOutcome& outcome);
+
+// A measure over the rooms: sum of parts over sum of wholes, with the 95 % interval of 1,000 resamples of rooms, always the same ones.
+std::optional<vlm::Estimate> measure_over(const Records& records, const std::string& measure);
+std::optional<vlm::Estimate> everything_over(const Records& records);  // Wilson's interval
+
+// Rooms with everything met by how many objects they ask for: up to 4, 5–8, 9–12, more.
+struct Bucket {
+  std::string name;
+  Records records;
+};
+std::vector<Bucket> by_size(const Records& records);
+
+// Of prompts that were planned more than once: how many came out with one structure.
+struct Sameness {
+  int same = 0, prompts = 0;
+};
+Sameness same_structure(const Records& records);
+
+// Rooms that had their layout within so many answers of a model; only runs that asked one count.
+std::optional<vlm::Estimate> made_within(const Records& records, int attempts);
+
+double median_seconds(const Records& records);
+
+}  // namespace layoutbox::experiment
