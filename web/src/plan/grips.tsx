@@ -48,7 +48,7 @@ export function Grips({layout, base, frame, svg, show}: GripsProps) {
     <>
       {walls.map((wall) => (
         <path
-          key={wall.id} class={`grip ${upright(wall) ? "across" : "updown"}`} d={band(wall, 0, wall_length(wall), 0)} tabIndex={0} role="button"
+          key={wall.id} class={`grip ${upright(wall) ? "across" : "updown"}`} d={band(wall, 0, wall_length(wall), 0)} tabindex={0} role="button"
           data-testid={`wall-${wall.id}`} aria-label={texts.views.wall(names.get(wall.id) ?? wall.id)}
           onKeyDown={(event) => wall_key(event, wall)}
           onPointerDown={(event) => grab_wall(event, svg(), base(), base().room.walls?.find((one) => one.id === wall.id) ?? wall, show)}
@@ -58,7 +58,7 @@ export function Grips({layout, base, frame, svg, show}: GripsProps) {
         const wall = walls.find((one) => one.id === opening.wall);
         return wall && (
           <path
-            key={opening.id} class="grip" d={band(wall, opening.offset, opening.offset + opening.w, 0.06)} tabIndex={0} role="button"
+            key={opening.id} class="grip" d={band(wall, opening.offset, opening.offset + opening.w, 0.06)} tabindex={0} role="button"
             data-testid={`opening-${opening.id}`} aria-label={texts.views.opening(names.get(opening.id) ?? opening.id)}
             onKeyDown={(event) => opening_key(event, layout, opening)} onPointerDown={(event) => grab_opening(event, svg(), base(), opening)}
           />

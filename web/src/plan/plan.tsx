@@ -142,7 +142,7 @@ export function Plan({layout, live}: {layout: Layout; live: boolean}) {
         if (!live) return outline;
         return (
           <g
-            key={object.id} class="grab" tabIndex={0} role="button" data-testid={`thing-${object.id}`} aria-pressed={state.selected === object.id}
+            key={object.id} class="grab" tabindex={0} role="button" data-testid={`thing-${object.id}`} aria-pressed={state.selected === object.id}
             aria-label={texts.views.thing(names.get(object.id) ?? object.id, size_text(object.size, state.units))} {...on(object)}
           >
             {outline}
