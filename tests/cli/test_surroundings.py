@@ -123,8 +123,8 @@ class KilledRuns(CliTestCase):
             time.sleep(0.02)
         return process, int(pid_file.read_text())
 
-    def assert_gone(self, pid):
-        deadline = time.monotonic() + 10
+    def assert_gone(self, pid, seconds=10):
+        deadline = time.monotonic() + seconds
         while time.monotonic() < deadline:
             try:
                 os.kill(pid, 0)
@@ -152,7 +152,7 @@ class KilledRuns(CliTestCase):
         process.kill()
         process.wait(timeout=10)
         read_whole(self.path("out"))
-        os.kill(blender, signal.SIGKILL)
+        self.assert_gone(blender, seconds=1)
         self.assert_done(self.run_layoutbox("generate", PROMPT, "--no-render", "-o", self.path("out")))
         self.assertEqual(WITHOUT_PICTURE, {path.name for path in self.path("out").iterdir()})
 
@@ -200,3 +200,12 @@ class BigInput(CliTestCase):
         text = "A bedroom with a bed. " + "It is a quiet and pleasant place to be. " * 11_000
         run = self.run_layoutbox("plan", "-", "-o", self.path("scene.json"), stdin=text, timeout=60)
         self.assert_done(run)
+
+
+class Memory(CliTestCase):
+    def test_too_little_is_said(self):
+        text = self.write_text("long.txt", "A bedroom with a bed and a desk. " * 30000)
+        command = f'ulimit -v 120000; exec "{BINARY}" plan - -o "{self.path("scene.json")}" < "{text}"'
+        done = subprocess.run(["bash", "-c", command], capture_output=True, text=True, timeout=120, check=False)
+        self.assertEqual(done.returncode, WRONG_SURROUNDINGS, done.stderr[-500:])
+        self.assertIn("not enough memory", done.stderr)

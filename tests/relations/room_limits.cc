@@ -24,6 +24,13 @@ std::vector<Limit> room_limits() {
        },
        {"bed", {-0.02, 0}},
        false},
+      {"againstWall, through it",
+       Type::kAgainstWall,
+       [](TestRoom& r) {
+         r.add("bed", "bed", kBed, {2, 3}).relation(Type::kAgainstWall, {"bed"}, {"wall3"});
+       },
+       {"bed", {0, 0.02}},
+       false},
       {"sideAgainstWall",
        Type::kSideAgainstWall,
        [](TestRoom& r) {

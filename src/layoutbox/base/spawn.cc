@@ -4,6 +4,9 @@
 #include <fmt/format.h>
 #include <signal.h>
 #include <sys/socket.h>
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -27,6 +30,10 @@ struct Launch {
   std::string program, folder;
   std::vector<std::string> words, environment;
   std::vector<char*> argv, envp;
+  pid_t parent = ::getpid();
+#ifdef __linux__
+  bool from_main_thread = ::gettid() == ::getpid();
+#endif
 };
 
 Launch prepare(const std::vector<std::string>& command, const ProcessOptions& options, const fs::path& program) {
@@ -49,6 +56,13 @@ Launch prepare(const std::vector<std::string>& command, const ProcessOptions& op
 // Runs in the child; reports errno through `failure` when exec does not happen.
 [[noreturn]] void become(const Launch& launch, int input, int output, int failure) {
   ::setpgid(0, 0);
+#ifdef __linux__
+  // Who is killed takes it along. Only of the main thread, since it is the end of the thread that counts.
+  if (launch.from_main_thread) {
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (::getppid() != launch.parent) ::_exit(127);
+  }
+#endif
   ::dup2(input >= 0 ? input : ::open("/dev/null", O_RDONLY), STDIN_FILENO);
   ::dup2(output, STDOUT_FILENO);
   ::dup2(output, STDERR_FILENO);

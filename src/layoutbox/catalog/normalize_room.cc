@@ -99,7 +99,18 @@ class RoomNormalizer {
       }
       room_.polygon = std::move(*polygon);
       room_.walls = walls_along(room_.polygon);
+      for (Wall& wall : room_.walls) wall.id = free_wall_id(wall.id);
     }
+  }
+
+  // Walls that nobody named give way to a thing that is called so.
+  std::string free_wall_id(std::string id) const {
+    const auto taken = [&](const std::string& name) {
+      return std::ranges::any_of(context_.scene.objects, [&](const SceneObject& object) { return same_name(object.id, name); }) ||
+             std::ranges::any_of(room_.openings, [&](const Opening& opening) { return same_name(opening.id, name); });
+    };
+    while (taken(id)) id = "room_" + id;
+    return id;
   }
 
   void outline_from_walls() {

@@ -87,6 +87,16 @@ std::vector<std::string> supports_of(const SceneGraph& scene, const std::string&
   return out;
 }
 
+TEST(NormalizeRoom, WallsThatNobodyNamedGiveWayToAThingOfTheirName) {
+  SceneGraph scene;
+  scene.objects = {object("wall1", "bed"), object("room_wall3", "desk"), object("wall3", "desk")};
+  const auto normal = normalize_scene(scene, catalog());
+  ASSERT_TRUE(normal) << normal.error().message;
+  std::vector<std::string> ids;
+  for (const Wall& wall : normal->room.walls) ids.push_back(wall.id);
+  EXPECT_THAT(ids, ElementsAre("room_wall1", "wall2", "room_room_wall3", "wall4"));
+}
+
 TEST(NormalizeRoom, FillsASizeForTheKindOfRoom) {
   const SceneGraph scene = normalized(scene_of({object("bed_1", "bed")}));
   EXPECT_THAT(scene.room.polygon, ElementsAre(Point{0, 0}, Point{4000, 0}, Point{4000, 3500}, Point{0, 3500}));

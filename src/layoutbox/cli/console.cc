@@ -37,7 +37,12 @@ std::string time_text(double seconds) { return seconds < 1 ? fmt::format("{:.1f}
 
 std::string sentence_of(const Error& error) {
   std::string text = error.message;
-  if (!error.pointer.empty()) text = fmt::format("{}: {}", error.pointer, text);
+  // Where the sentence begins with its place, that is said once.
+  const std::string place = error.pointer.substr(error.pointer.find('#') + 1);
+  const std::string file = error.pointer.substr(0, error.pointer.size() - place.size());
+  const bool says_place = !place.empty() && text.starts_with(place);
+  if (says_place && !file.empty()) text = file + text;
+  if (!says_place && !error.pointer.empty()) text = fmt::format("{}: {}", error.pointer, text);
   if (!error.hint.empty()) text += fmt::format(" ({})", error.hint);
   return text;
 }
@@ -104,7 +109,9 @@ void Console::notes(const std::vector<Note>& notes) const {
 int Console::fail(const Error& error) const {
   if (json) print_line(stdout, json_of(error));
   print_line(stderr, fmt::format("layoutbox: {}", sentence_of(error)));
-  for (const Error& detail : error.details) print_line(stderr, fmt::format("  {}", sentence_of(detail)));
+  for (const Error& detail : error.details) {
+    if (detail.message != error.message) print_line(stderr, fmt::format("  {}", sentence_of(detail)));  // the first may stand for all
+  }
   return exit_status(error);
 }
 

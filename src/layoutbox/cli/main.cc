@@ -1,4 +1,7 @@
+#include <unistd.h>
+
 #include <array>
+#include <new>
 #include <string>
 
 #include "layoutbox/cli/commands.h"
@@ -60,7 +63,15 @@ int run(int count, char** arguments) {
 }  // namespace
 }  // namespace layoutbox::cli
 
+// Whatever thread wants more than there is: files are whole or not there, so that the end may come at any moment.
+[[noreturn]] void end_without_memory() {
+  constexpr std::string_view kWords = "layoutbox: there is not enough memory\n";
+  [[maybe_unused]] const auto written = ::write(STDERR_FILENO, kWords.data(), kWords.size());
+  ::_exit(layoutbox::cli::kWrongSurroundings);
+}
+
 int main(int count, char** arguments) {
+  std::set_new_handler(end_without_memory);
   layoutbox::cli::install_signal_handlers();
   return layoutbox::cli::status_with_output(layoutbox::cli::run(count, arguments));
 }

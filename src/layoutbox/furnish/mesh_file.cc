@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "layoutbox/base/files.h"
+#include "layoutbox/base/png_check.h"
 #include "layoutbox/furnish/mesh_readers.h"
 
 namespace layoutbox {
@@ -67,7 +68,15 @@ Result<std::string> read_image_file(std::span<const fs::path> folders, const std
   LAYOUTBOX_ASSIGN(const fs::path path, find_asset(folders, name));
   LAYOUTBOX_ASSIGN(std::string bytes, read_file(path, most_bytes));
   if (image_kind(bytes).empty()) return fail(ErrorCode::kParse, fmt::format("\"{}\" is neither a PNG nor a JPEG picture", name), name);
+  LAYOUTBOX_CHECK(check_image(bytes, name));
   return bytes;
+}
+
+Status check_image(std::string_view bytes, const std::string& name) {
+  if (image_kind(bytes) != "image/png") return {};
+  const auto size = check_png(bytes);
+  if (size) return {};
+  return fail(ErrorCode::kParse, fmt::format("\"{}\": {}", name, size.error().message), name, "save it again");
 }
 
 std::string_view image_kind(std::string_view bytes) {

@@ -282,8 +282,38 @@ TEST_F(MeshFiles, AWallIsDrawnByItsOwnMesh) {
   EXPECT_TRUE(furnish(layout, Catalog::builtin(), options)) << "without folders nothing is read";
 }
 
+// One white pixel.
+std::string white_png() {
+  std::string bytes;
+  for (const unsigned char c : {0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a, 0x00, 0x00, 0x00, 0x0d, 0x49, 0x48, 0x44, 0x52, 0x00,
+                                0x00, 0x00, 0x01, 0x00, 0x00, 0x00, 0x01, 0x08, 0x00, 0x00, 0x00, 0x00, 0x3a, 0x7e, 0x9b, 0x55, 0x00,
+                                0x00, 0x00, 0x0a, 0x49, 0x44, 0x41, 0x54, 0x78, 0x9c, 0x63, 0xf8, 0x0f, 0x00, 0x01, 0x01, 0x01, 0x00,
+                                0xb1, 0x38, 0xf6, 0x14, 0x00, 0x00, 0x00, 0x00, 0x49, 0x45, 0x4e, 0x44, 0xae, 0x42, 0x60, 0x82}) {
+    bytes += static_cast<char>(c);
+  }
+  return bytes;
+}
+
+TEST_F(MeshFiles, NumbersThatAreNoneAreAnError) {
+  put("nan.obj", "v nan 0 0\nv 2 0 0\nv 2 1 0\nf 1 2 3\n");
+  expect_error("nan.obj", ErrorCode::kParse, "nan 0 0");
+  put("infinite.obj", "v 0 0 0 # not\nv 2 0 0\nv 2 1 0\nvn 0 -Inf 0\nf 1//1 2//1 3//1\n");
+  expect_error("infinite.obj", ErrorCode::kParse, "-Inf");
+}
+
+TEST_F(MeshFiles, ABrokenTextureIsAnErrorAndAMissingOneIsNot) {
+  put("box.mtl", "newmtl red\nKd 0.9 0.1 0.1\nmap_Kd wood.png\n");
+  EXPECT_TRUE(read("box.obj"));
+  put("wood.png", white_png());
+  const auto whole = read("box.obj");
+  ASSERT_TRUE(whole) << whole.error().message;
+  EXPECT_TRUE(whole->surfaces[0].image_data);
+  put("wood.png", white_png().substr(0, 50));
+  expect_error("box.obj", ErrorCode::kParse, "wood.png");
+}
+
 TEST_F(MeshFiles, ASceneMaterialsImageIsReadAndAMissingOneIsAnError) {
-  put("paint.png", "\x89PNG\r\n\x1a\n and so on");
+  put("paint.png", white_png());
   Layout layout;
   Material own;
   own.id = "paper";

@@ -29,4 +29,7 @@ Result<std::filesystem::path> find_asset(std::span<const std::filesystem::path> 
 // "image/png", "image/jpeg" or empty.
 std::string_view image_kind(std::string_view bytes);
 
+// A PNG is whole. Errors: kParse, with the name.
+Status check_image(std::string_view bytes, const std::string& name);
+
 }  // namespace layoutbox

@@ -32,6 +32,9 @@ class Reader {
     LAYOUTBOX_CHECK(load());
     for (const tinygltf::Material& material : file_.materials) add_surface(material);
     add_surface({});  // of what names none
+    for (const Surface& surface : mesh_.surfaces) {
+      if (surface.image_data) LAYOUTBOX_CHECK(check_image(*surface.image_data, surface.image));
+    }
     const auto scene = static_cast<std::size_t>(std::max(0, file_.defaultScene));
     if (scene < file_.scenes.size()) {
       for (const int node : file_.scenes[scene].nodes) LAYOUTBOX_CHECK(add_node(node, kIdentity, 0));

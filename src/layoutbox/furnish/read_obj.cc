@@ -32,6 +32,12 @@ Result<std::string> materials_in(const AssetPlace& place, const std::string& nam
   return text ? std::move(text) : Result<std::string>(broken(place, text.error().message));
 }
 
+// "v nan 0 1", which the library reads as zeros.
+bool holds_no_number(std::string_view line) {
+  const bool is_corner = line.starts_with("v ") || line.starts_with("vn ") || line.starts_with("vt ");
+  return is_corner && line.substr(0, line.find('#')).find_first_of("nNiI", 2) != std::string_view::npos;
+}
+
 // All material files that it names, one after the other, each once.
 Result<std::string> materials_of(const AssetPlace& place, const std::string& text) {
   std::string all, line;
@@ -39,6 +45,7 @@ Result<std::string> materials_of(const AssetPlace& place, const std::string& tex
   std::istringstream lines(text);
   while (std::getline(lines, line)) {
     if (line.size() > kLongestLine) return broken(place, "one of its lines is too long");
+    if (holds_no_number(line)) return broken(place, fmt::format("a corner has no numbers: \"{}\"", line.substr(0, 60)));
     if (!line.starts_with("mtllib ")) continue;
     std::string name = line.substr(7);
     while (!name.empty() && (name.back() == '\r' || name.back() == ' ')) name.pop_back();
@@ -50,7 +57,7 @@ Result<std::string> materials_of(const AssetPlace& place, const std::string& tex
   return all;
 }
 
-Surface surface_of(const AssetPlace& place, const tinyobj::material_t& material) {
+Result<Surface> surface_of(const AssetPlace& place, const tinyobj::material_t& material) {
   Surface surface;
   surface.name = place.name + "#" + material.name;
   surface.base = {double{material.diffuse[0]}, double{material.diffuse[1]}, double{material.diffuse[2]}};
@@ -59,9 +66,12 @@ Surface surface_of(const AssetPlace& place, const tinyobj::material_t& material)
   surface.metallic = material.metallic;
   surface.alpha = material.dissolve;
   if (!material.diffuse_texname.empty()) {
-    if (auto bytes = read_image_file(place.folders, material.diffuse_texname)) {
+    auto bytes = read_image_file(place.folders, material.diffuse_texname);
+    if (bytes) {
       surface.image = place.name + "#" + material.diffuse_texname;
       surface.image_data = std::make_shared<const std::string>(std::move(*bytes));
+    } else if (bytes.error().code == ErrorCode::kParse) {  // one that is not there is done without
+      return broken(place, bytes.error().message);
     }
   }
   return surface;
@@ -116,7 +126,10 @@ Result<MeshFile> read_obj(const AssetPlace& place) {
     return broken(place, why.empty() ? "it is broken" : why);
   }
   MeshFile mesh;
-  for (const tinyobj::material_t& material : reader.GetMaterials()) mesh.surfaces.push_back(surface_of(place, material));
+  for (const tinyobj::material_t& material : reader.GetMaterials()) {
+    LAYOUTBOX_ASSIGN(Surface surface, surface_of(place, material));
+    mesh.surfaces.push_back(std::move(surface));
+  }
   Surface plain;
   plain.name = place.name + "#plain";
   plain.base = plain.second = {0.8, 0.8, 0.8};

@@ -6,7 +6,7 @@
 #include <cstdlib>
 
 #include "layoutbox/base/files.h"
-#include "layoutbox/render/png_check.h"
+#include "layoutbox/base/png_check.h"
 
 namespace layoutbox {
 namespace {
@@ -22,7 +22,7 @@ Status deliver(const std::filesystem::path& made, const std::filesystem::path& w
                 fmt::format("Blender ended without writing {}: {}", wanted.filename().string(), useful_lines(log)));
   }
   if (is_picture) {
-    if (const auto whole = check_png(*bytes); !whole) return Failure(whole.error());
+    if (const auto whole = check_png(*bytes); !whole) return fail(ErrorCode::kRenderFailed, whole.error().message);
   }
   return write_file(wanted, *bytes);
 }

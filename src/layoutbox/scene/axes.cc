@@ -9,9 +9,9 @@ namespace layoutbox {
 
 using nlohmann::json;
 
-void Axes::read(const json& metadata, std::vector<Note>& notes) {
+bool Axes::read(const json& metadata, std::vector<Note>& notes) {
   const auto axes = metadata.find("axes");
-  if (axes == metadata.end() || !axes->is_object()) return;
+  if (axes == metadata.end() || !axes->is_object()) return true;
   std::array<std::size_t, 3> axis = axis_;
   std::array<double, 3> sign = sign_;
   constexpr const char* kNames[] = {"right", "forward", "up"};
@@ -20,17 +20,17 @@ void Axes::read(const json& metadata, std::vector<Note>& notes) {
     if (text == axes->end() || !text->is_string()) continue;
     const std::string& word = text->get_ref<const std::string&>();
     const std::size_t letter = word.find_first_of("XYZxyz");
-    if (letter == std::string::npos) return;  // the schema names it
+    if (letter == std::string::npos) return true;  // the schema names it
     axis[i] = static_cast<std::size_t>((word[letter] | 0x20) - 'x');
     sign[i] = word.find('-') != std::string::npos ? -1 : 1;
   }
   if (axis[0] == axis[1] || axis[1] == axis[2] || axis[0] == axis[2]) {
-    notes.push_back({"ignored", "the three axes do not make a frame: x right, y forward, z up is taken", "/metadata/axes"});
-    return;
+    return false;
   }
   axis_ = axis;
   sign_ = sign;
   if (!is_usual()) notes.push_back({"converted", "positions are turned into x right, y forward, z up", "/metadata/axes"});
+  return true;
 }
 
 bool Axes::is_usual() const { return axis_ == std::array<std::size_t, 3>{0, 1, 2} && sign_ == std::array<double, 3>{1, 1, 1}; }

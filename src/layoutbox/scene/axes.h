@@ -12,8 +12,8 @@ namespace layoutbox {
 // Which axis of the file, and in which direction, is right, forward (away from the viewer) and up.
 class Axes {
  public:
-  // Reads metadata.axes. Directions that do not make a frame are noted and left as usual.
-  void read(const nlohmann::json& metadata, std::vector<Note>& notes);
+  // Reads metadata.axes. False where its directions do not make a frame; they are then as usual.
+  [[nodiscard]] bool read(const nlohmann::json& metadata, std::vector<Note>& notes);
 
   bool is_usual() const;
   std::size_t up_index() const { return axis_[2]; }

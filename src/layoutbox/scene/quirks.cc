@@ -286,18 +286,22 @@ std::optional<double> metres_per_unit(std::string_view unit) {
   return std::nullopt;
 }
 
-void bring_into_form(json& scene, std::string_view units, std::vector<Note>& notes) {
+Status bring_into_form(json& scene, std::string_view units, std::vector<Note>& notes) {
   drop_nulls(scene);
-  if (!scene.is_object()) return;
+  if (!scene.is_object()) return {};
   std::string unit(units);
   Axes axes;
+  Status status;
   if (const auto metadata = scene.find("metadata"); metadata != scene.end() && metadata->is_object()) {
     if (unit.empty()) unit = text_member(*metadata, "units");
     if (metres_per_unit(unit)) (*metadata)["units"] = "m";
     if (const auto written = metadata->find("axes"); written != metadata->end() && written->is_object()) {
       for (json& direction : *written) direction = axis_direction(direction);
     }
-    axes.read(*metadata, notes);
+    if (!axes.read(*metadata, notes)) {
+      status = fail(ErrorCode::kSchema, "right, forward and up name one axis twice, which makes no frame", "/metadata/axes",
+                    "name x, y and z once each, or leave axes out: x right, y forward, z up");
+    }
   }
   const double factor = metres_per_unit(unit).value_or(1);
   if (factor != 1) notes.push_back({"converted", fmt::format("lengths in {} are converted to metres", unit), "/metadata/units"});
@@ -307,6 +311,7 @@ void bring_into_form(json& scene, std::string_view units, std::vector<Note>& not
   rewriter.constraints(scene);
   rewriter.materials(scene);
   if (!is_own(scene)) axes.move_into_room(scene, notes);
+  return status;
 }
 
 void bring_room_into_form(json& room, std::string_view units, std::vector<Note>& notes) {

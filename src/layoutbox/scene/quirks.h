@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "layoutbox/base/result.h"
 #include "layoutbox/scene/scene_graph.h"
 
 namespace layoutbox {
@@ -17,7 +18,8 @@ void drop_nulls(nlohmann::json& value);
 bool rename_member(nlohmann::json& object, std::string_view from, std::string_view to);
 
 // Rewrites what can be rewritten and notes it; what is wrong is left as it is, for the schema to name. `units` overrides metadata.units.
-void bring_into_form(nlohmann::json& scene, std::string_view units, std::vector<Note>& notes);
+// Errors: kSchema for what no schema can say: axes that do not make a frame (they are then taken as usual).
+Status bring_into_form(nlohmann::json& scene, std::string_view units, std::vector<Note>& notes);
 
 // The same for a room alone (the `room` member).
 void bring_room_into_form(nlohmann::json& room, std::string_view units, std::vector<Note>& notes);

@@ -177,8 +177,9 @@ Result<SceneGraph> read_scene(std::string_view text, std::string_view units) {
   try {
     const bool own = document.is_object() && document.contains("format");
     std::vector<Note> notes;
-    bring_into_form(document, own ? std::string_view() : units, notes);
+    const Status formed = bring_into_form(document, own ? std::string_view() : units, notes);
     std::vector<Error> errors = check_against_schema(document, SchemaName::kScene);
+    if (!formed) errors.push_back(formed.error());
     if (errors.empty()) check_room_dims(document.at("room"), "/room", errors);
     if (!errors.empty()) return Failure(combined(std::move(errors)));
     SceneGraph scene = scene_from(document, own);

@@ -132,6 +132,10 @@ TEST(PaperScene, UnitsAreConverted) {
 
 TEST(PaperScene, YUpFilesAreTurned) {
   json scene = paper_scene();
+  scene["metadata"]["axes"] = {{"right", "X+"}, {"forward", "X+"}, {"up", "Y+"}};
+  const auto none = read_scene(scene.dump());
+  ASSERT_FALSE(none) << "one axis twice is no frame";
+  EXPECT_EQ(none.error().pointer, "/metadata/axes");
   scene["metadata"]["axes"] = {{"right", "X+"}, {"forward", "Z-"}, {"up", "Y+"}};
   scene["room"].erase("walls");
   scene["furniture"][0]["xform"] = {{"pos", {1.0, 0.25, -1.5}}, {"rot", {0, 90, 0}}};

@@ -150,6 +150,15 @@ Finding shares_along(const Case& c, const Body& t, const Face& face, double shar
   return at_least(fmt::format("{} is in front of {} over", t.id(), face.id), overlap(a, b), shorter * share, c.slack());
 }
 
+namespace {
+
+// How far a body is on the other side of a wall's inner face.
+double reach_through(const Body& t, const Face& wall) {
+  return std::max(0.0, dot(wall.start, wall.inward) - extent(t.shape, wall.inward).lo);
+}
+
+}  // namespace
+
 Finding side_along_wall(const Case& c, const Body& t, const Face& wall, const std::vector<Side>& sides, double max_gap) {
   std::vector<Finding> findings;
   for (const Side which : sides) {
@@ -161,6 +170,7 @@ Finding side_along_wall(const Case& c, const Body& t, const Face& wall, const st
   }
   return all_of({any_of(std::move(findings), "there is no such side"),
                  at_most(fmt::format("gap between {} and {}", t.id(), wall.id), gap(t.shape, wall.shape), max_gap, c.slack()),
+                 at_most(fmt::format("{} reaches through {} by", t.id(), wall.id), reach_through(t, wall), 0, c.slack()),
                  shares_along(c, t, wall, 0.5)});
 }
 

@@ -171,7 +171,7 @@ void mend_form(json& scene, Notes& notes) {
   // Directions of axes are not asked for, and a model that writes them seldom means them.
   if (scene.contains("metadata") && scene["metadata"].is_object() && scene["metadata"].erase("axes") > 0)
     note(notes, "axes are left out", "/metadata");
-  bring_into_form(scene, {}, notes);
+  (void)bring_into_form(scene, {}, notes);  // axes are all that could be wrong
 }
 
 }  // namespace layoutbox::llm

@@ -1,4 +1,4 @@
-#include "layoutbox/render/png_check.h"
+#include "layoutbox/base/png_check.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

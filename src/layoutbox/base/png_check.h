@@ -11,7 +11,7 @@ struct PngSize {
   int width = 0, height = 0;
 };
 
-// Reads every chunk with its checksum, unpacks all pixels and asks for the end mark. Errors: kRenderFailed, saying what is wrong.
+// Reads every chunk with its checksum, unpacks all pixels and asks for the end mark. Errors: kParse, saying what is wrong.
 Result<PngSize> check_png(std::string_view bytes);
 
 }  // namespace layoutbox
