@@ -33,6 +33,11 @@ class PlanPages(CliTestCase):
         self.assertAlmostEqual(float(box[2]), 210 / 25.4 * 72, delta=0.1)
         self.assertEqual(len(re.findall(rb"/Type /Page\b", pdf)), 1)
 
+    def test_png_in_another_resolution(self):
+        for dpi, expected in ((100, (1169, 827)), (300, (3508, 2480))):
+            self.assertEqual(struct.unpack(">II", self.export("plan.png", "--dpi", str(dpi))[16:24]), expected)
+        self.assert_status(self.run_layoutbox("export", self.layout, "-o", self.path("x.png"), "--dpi", "5"), WRONG_INPUT)
+
     def test_png_has_ink_where_the_walls_are(self):
         png = self.export("plan.png")
         self.assertEqual(png[:8], b"\x89PNG\r\n\x1a\n")

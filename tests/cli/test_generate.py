@@ -218,6 +218,47 @@ class Outputs(CliTestCase):
 
 
 @needs_shared
+class Variants(CliTestCase):
+    """Each of several layouts has the files of a room, under names of its own."""
+
+    EACH = ("layout.json", "floorplan.svg", "scene.glb", "blender.py", "report.json")
+    PIXEL = "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAAAAAA6fptVAAAACklEQVR4nGP4DwABAQEAsTj2FAAAAABJRU5ErkJggg=="
+
+    def fake_blender(self):
+        """Draws one white pixel, whatever the room."""
+        body = f"echo {self.PIXEL} | base64 -d > \"$out/scene.png\"; echo blend > \"$out/scene.blend\""
+        begin = "#!/bin/sh\ncase \"$*\" in *--version*) echo 'Blender 4.2.0'; exit 0;; esac\n"
+        fake = self.write_text("blender", begin + f'while [ "$1" != -- ]; do shift; done; out=$2\n{body}\n')
+        fake.chmod(0o755)
+        return {"LAYOUTBOX_BLENDER": fake}
+
+    def numbered(self, name, number):
+        stem, dot, end = name.partition(".")
+        return f"{stem}-{number}{dot}{end}"
+
+    def test_each_is_exported_verified_and_drawn(self):
+        prompt = "A study with a desk and a bookshelf."
+        run = self.run_layoutbox("generate", prompt, "--variants", "3", "-o", self.path("out"), env=self.fake_blender())
+        self.assert_done(run)
+        expected = {"scene.json", "run.json"}
+        for name in (*self.EACH, "scene.png", "scene.blend"):
+            expected |= {name, self.numbered(name, 2), self.numbered(name, 3)}
+        self.assertEqual({path.name for path in self.path("out").iterdir()}, expected)
+        self.assertEqual(set(self.read_json("out/run.json")["files"]), expected - {"run.json"})
+        self.assert_valid_gltf(*(self.path(f"out/scene-{number}.glb") for number in (2, 3)))
+        for number in (2, 3):
+            self.assertTrue(self.read_json(f"out/report-{number}.json")["passed"])
+            exported = self.path(f"again-{number}.glb")
+            self.assert_done(self.run_layoutbox("export", self.path(f"out/layout-{number}.json"), "-o", exported))
+            self.assertEqual(exported.read_bytes(), self.path(f"out/scene-{number}.glb").read_bytes())
+
+    def test_a_later_run_without_them_leaves_none(self):
+        prompt = "A study with a desk and a bookshelf."
+        self.assert_done(self.run_layoutbox("generate", prompt, "--variants", "2", "--no-render", "-o", self.path("out")))
+        self.assert_done(self.run_layoutbox("generate", prompt, "--no-render", "-o", self.path("out")))
+        self.assertEqual({path.name for path in self.path("out").iterdir()}, {"scene.json", "run.json", *self.EACH})
+
+
 class PaperFiles(CliTestCase):
     def test_scene_in_the_papers_form(self):
         file = SHARED / "data/paper/example/scene-as-the-paper-writes-it.json"

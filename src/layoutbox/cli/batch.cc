@@ -1,8 +1,10 @@
 #include "layoutbox/pipeline/batch.h"
+#include "layoutbox/pipeline/shards.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <memory>
 #include <thread>
 
@@ -18,6 +20,8 @@ struct BatchArguments {
   std::string prompts, folder;
   int jobs = 1;
   bool no_render = false, force = false;
+  std::string pack, shard;
+  ShardOptions shards;
   PlanFlags plan;
   ModelFlags model;
   SolveFlags solve;
@@ -59,6 +63,27 @@ int status_of(const BatchOutcome& outcome) {
   return surroundings ? kWrongSurroundings : kDone;
 }
 
+// "2/4": the second of four machines.
+Status read_share(BatchArguments& flags) {
+  if (flags.pack.empty() && flags.shard.empty()) return {};
+  if (flags.pack.empty()) return layoutbox::fail(ErrorCode::kUsage, "only packed rooms are shared out", "--shard", "add --pack webdataset");
+  if (flags.pack != "webdataset")
+    return layoutbox::fail(ErrorCode::kUsage, fmt::format("there is no pack '{}'", flags.pack), "--pack", "use webdataset");
+  if (flags.shard.empty()) return {};
+  ShardOptions& share = flags.shards;
+  const std::size_t slash = flags.shard.find('/');
+  const char* const end = flags.shard.data() + flags.shard.size();
+  const auto number = [](const char* from, const char* to, std::size_t& value) {
+    const auto read = std::from_chars(from, to, value);
+    return read.ec == std::errc() && read.ptr == to;
+  };
+  const bool good = slash != std::string::npos && number(flags.shard.data(), flags.shard.data() + slash, share.machine) &&
+                    number(flags.shard.data() + slash + 1, end, share.machines);
+  if (good && share.machine >= 1 && share.machine <= share.machines) return {};
+  return layoutbox::fail(ErrorCode::kUsage, fmt::format("'{}' is no share", flags.shard), "--shard",
+                         "write 1/4 for the first of four machines, 4/4 for the last");
+}
+
 Status prepare_batch(BatchArguments& flags, const Console& console) {
   GenerateOptions& options = flags.options.generate;
   LAYOUTBOX_CHECK(flags.plan.apply(options));
@@ -66,7 +91,8 @@ Status prepare_batch(BatchArguments& flags, const Console& console) {
   LAYOUTBOX_CHECK(flags.render.apply(options.render));
   LAYOUTBOX_CHECK(flags.furnish.apply(options.furnish));
   options.furnish.asset_folders = asset_folders(flags.plan.catalog_file, flags.plan.assets);
-  options.pictures = !flags.no_render;
+  options.pictures = !flags.no_render && flags.pack.empty();
+  LAYOUTBOX_CHECK(read_share(flags));
   options.stop = &stop_flag();
   flags.options.jobs = flags.jobs;
   flags.options.force = flags.force;
@@ -90,6 +116,7 @@ Result<BatchOutcome> run_lines(BatchArguments& flags, const Console& console) {
   GenerateOptions& options = flags.options.generate;
   options.inputs.insert(options.inputs.end(), catalog.inputs.begin(), catalog.inputs.end());
   LAYOUTBOX_ASSIGN(const auto planner, flags.model.make_planner(flags.plan.planner, catalog.get(), options, console));
+  if (!flags.pack.empty()) return run_packed_batch(*lines, *planner, catalog.get(), flags.folder, flags.options, flags.shards);
   return run_batch(*lines, *planner, catalog.get(), flags.folder, flags.options);
 }
 
@@ -115,6 +142,9 @@ void add_batch(CLI::App& app, Context& context) {
   command->add_option("-j,--jobs", flags->jobs, "How many rooms at a time (default: as many as there are cores)")
       ->check(CLI::Range(1, 256));
   command->add_flag("--force", flags->force, "Also make again what is there already");
+  command->add_option("--pack", flags->pack, "webdataset: rooms in tar files with a manifest each, instead of folders; no pictures");
+  command->add_option("--shard-size", flags->shards.rooms, "Rooms in each tar file")->capture_default_str()->check(CLI::Range(1, 100'000));
+  command->add_option("--shard", flags->shard, "Of all tar files the share of this machine: 2/4 for the second of four");
   command->add_flag("--no-render", flags->no_render, "Make no pictures: no Blender is needed");
   flags->plan.add_to(*command);
   flags->plan.add_companions_to(*command);

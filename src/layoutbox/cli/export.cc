@@ -13,6 +13,7 @@ namespace {
 
 struct ExportArguments {
   std::string layout, output, format, assets;
+  double dots_per_inch = FloorPlanOptions{}.dots_per_inch;
   FurnishFlags furnish;
 };
 
@@ -35,9 +36,10 @@ Result<const ExportFormat*> choose_format(const ExportArguments& flags) {
 Status export_file(const ExportArguments& flags) {
   LAYOUTBOX_ASSIGN(const ExportFormat* format, choose_format(flags));
   LAYOUTBOX_ASSIGN(const Layout layout, read_layout_file(flags.layout));
-  FurnishOptions options;
-  options.asset_folders = asset_folders(flags.layout, flags.assets);
-  LAYOUTBOX_CHECK(flags.furnish.apply(options));
+  ExportOptions options;
+  options.plan.dots_per_inch = flags.dots_per_inch;
+  options.furnish.asset_folders = asset_folders(flags.layout, flags.assets);
+  LAYOUTBOX_CHECK(flags.furnish.apply(options.furnish));
   LAYOUTBOX_ASSIGN(const std::string bytes, format->write(layout, Catalog::builtin(), options));
   return write_output(flags.output, bytes);
 }
@@ -56,6 +58,9 @@ void add_export(CLI::App& app, Context& context) {
   command->add_option("--format", flags->format, "One of: " + format_names() + " (default: the output's ending)");
   command->add_option("-o,--output", flags->output, "The file to write; - writes to stdout")->required();
   command->add_option("--assets", flags->assets, "Folder that meshes and images are named from (default: the layout's)");
+  command->add_option("--dpi", flags->dots_per_inch, "Dots per inch of a floor plan as PNG")
+      ->capture_default_str()
+      ->check(CLI::Range(10, 2000));
   flags->furnish.add_to(*command);
   command->callback([flags, &context] { context.status = run_export(*flags, context.console); });
 }

@@ -4,26 +4,30 @@
 #include <array>
 #include <cctype>
 
-#include "layoutbox/export/export.h"
-
 namespace layoutbox {
 namespace {
 
-Result<std::string> glb(const Layout& layout, const Catalog& catalog, const FurnishOptions& options) {
-  LAYOUTBOX_ASSIGN(const Model model, furnish(layout, catalog, options));
+Result<std::string> glb(const Layout& layout, const Catalog& catalog, const ExportOptions& options) {
+  LAYOUTBOX_ASSIGN(const Model model, furnish(layout, catalog, options.furnish));
   return write_glb(model, layout);
 }
 
-Result<std::string> pdf(const Layout& layout, const Catalog&, const FurnishOptions&) { return write_floor_plan_pdf(layout); }
+Result<std::string> pdf(const Layout& layout, const Catalog&, const ExportOptions& options) {
+  return write_floor_plan_pdf(layout, options.plan);
+}
 
-Result<std::string> png(const Layout& layout, const Catalog&, const FurnishOptions&) { return write_floor_plan_png(layout); }
+Result<std::string> png(const Layout& layout, const Catalog&, const ExportOptions& options) {
+  return write_floor_plan_png(layout, options.plan);
+}
 
-Result<std::string> svg(const Layout& layout, const Catalog&, const FurnishOptions&) { return write_floor_plan_svg(layout); }
+Result<std::string> svg(const Layout& layout, const Catalog&, const ExportOptions& options) {
+  return write_floor_plan_svg(layout, options.plan);
+}
 
 constexpr std::array kFormats{
     ExportFormat{"glb", "binary glTF 2.0 with meshes, materials and lights; y up, metres", glb},
     ExportFormat{"pdf", "the floor plan as PDF, to scale on A4", pdf},
-    ExportFormat{"png", "the floor plan as a picture, 2339 × 1654", png},
+    ExportFormat{"png", "the floor plan as a picture, 2339 × 1654 at 200 dots per inch", png},
     ExportFormat{"svg", "floor plan with names, sizes, door swings and a scale bar", svg},
 };
 

@@ -7,15 +7,21 @@
 
 #include "layoutbox/base/result.h"
 #include "layoutbox/catalog/catalog.h"
+#include "layoutbox/export/export.h"
 #include "layoutbox/furnish/furnish.h"
 #include "layoutbox/scene/layout.h"
 
 namespace layoutbox {
 
+struct ExportOptions {
+  FurnishOptions furnish;  // of formats with meshes
+  FloorPlanOptions plan;   // of floor plans
+};
+
 struct ExportFormat {
   std::string_view name;         // as in --format, and the file's ending without the dot: "glb"
   std::string_view description;  // "binary glTF 2.0, y up"
-  Result<std::string> (*write)(const Layout& layout, const Catalog& catalog, const FurnishOptions& options);
+  Result<std::string> (*write)(const Layout& layout, const Catalog& catalog, const ExportOptions& options);
 };
 
 // All formats, in alphabetical order.

@@ -112,14 +112,6 @@ class Batch {
     }
   }
 
-  GenerateOptions options_for(const BatchLine& line) const {
-    GenerateOptions options = options_.generate;
-    if (line.room_size) options.normalize.room_size = *line.room_size;
-    if (line.seed) options.solve.seed = *line.seed;
-    if (line.effort) options.solve.effort = *line.effort;
-    return options;
-  }
-
   void make(const BatchLine& line, BatchItem& item) {
     const Clock::time_point start = Clock::now();
     if (line.error) {
@@ -127,7 +119,7 @@ class Batch {
       item.state = BatchState::kFailed;
       return;
     }
-    const GenerateOptions options = options_for(line);
+    const GenerateOptions options = options_of(line, options_.generate);
     const fs::path target = folder_ / line.id;
     if (!options_.force && adopt(line, options, target, item)) return;
     const fs::path made = workshop() / line.id;
@@ -207,6 +199,13 @@ std::string_view name_of(BatchState state) {
     case BatchState::kNotStarted: return "notStarted";
   }
   return "failed";
+}
+
+GenerateOptions options_of(const BatchLine& line, GenerateOptions all) {
+  if (line.room_size) all.normalize.room_size = *line.room_size;
+  if (line.seed) all.solve.seed = *line.seed;
+  if (line.effort) all.solve.effort = *line.effort;
+  return all;
 }
 
 std::size_t BatchOutcome::count(BatchState state) const {

@@ -51,6 +51,9 @@ struct BatchOutcome {
 Result<BatchOutcome> run_batch(const std::vector<BatchLine>& lines, const Planner& planner, const Catalog& catalog,
                                const std::filesystem::path& folder, const BatchOptions& options);
 
+// The options of one line: those of the whole batch with its own.
+GenerateOptions options_of(const BatchLine& line, GenerateOptions all);
+
 // summary.json: counts, times, and every item.
 std::string write_batch_summary(const BatchOutcome& outcome);
 

@@ -9,6 +9,7 @@
 
 #include "layoutbox/base/files.h"
 #include "layoutbox/base/words.h"
+#include "layoutbox/pipeline/artefacts.h"
 #include "layoutbox/pipeline/folder_lock.h"
 #include "layoutbox/pipeline/repair.h"
 #include "layoutbox/pipeline/run_record.h"
@@ -19,11 +20,6 @@
 namespace layoutbox {
 namespace {
 
-constexpr std::array kOutputs{"scene.json",    "layout.json",    "floorplan.svg",     "scene.glb",           "blender.py",
-                              "report.json",   "scene.blend",    "scene.png",         "scene-top.png",       "scene-front.png",
-                              "scene-eye.png", "scene-door.png", "scene-overlay.png", "scene-turntable.gif", "scene-turntable.mp4",
-                              "mask.png",      "mask.json",      "run.json"};
-
 // A Blender that is started for this room alone.
 Result<RenderOutputs> draw_with_new_blender(const std::filesystem::path& script, const std::filesystem::path& folder,
                                             const RenderOptions& options) {
@@ -31,7 +27,7 @@ Result<RenderOutputs> draw_with_new_blender(const std::filesystem::path& script,
   return run_blender(blender, script, folder, options);
 }
 
-constexpr int kMostVariants = 50;
+constexpr std::size_t kMostVariants = 50;
 
 // One run: holds the folder, the clock and what has been made so far.
 class Run {
@@ -100,11 +96,27 @@ class Run {
   void remove_earlier_outputs() const {
     std::error_code ignored;
     if (!std::filesystem::exists(folder_ / "run.json", ignored)) return;
-    for (const char* name : kOutputs) std::filesystem::remove(folder_ / name, ignored);
-    for (int k = 1; k < kMostVariants; ++k) {
-      for (const char* name : {"layout.json", "floorplan.svg"}) std::filesystem::remove(folder_ / variant_name(name, k), ignored);
+    for (const Artefact& one : artefacts()) {
+      const std::string name(one.file);
+      std::filesystem::remove(folder_ / name, ignored);
+      for (std::size_t k = 1; one.each_variant && k < kMostVariants; ++k) std::filesystem::remove(folder_ / variant_name(name, k), ignored);
     }
   }
+
+  // What is written after a stage, of one of the layouts; their names for people.
+  Result<std::string> write_artefacts(Stage stage, const RoomSoFar& room, std::size_t variant = 0) {
+    std::string names;
+    for (const Artefact& one : artefacts()) {
+      if (one.stage != stage || one.make == nullptr || (variant > 0 && !one.each_variant)) continue;
+      LAYOUTBOX_ASSIGN(const std::string bytes, one.make(room));
+      const std::string name = variant_name(std::string(one.file), variant);
+      LAYOUTBOX_CHECK(write(name, bytes));
+      names += (names.empty() ? "" : ", ") + name;
+    }
+    return names;
+  }
+
+  RoomSoFar room() const { return {outcome_.scene, outcome_.layout, model_, outcome_.report, options_}; }
 
   Status plan(const Planner& planner) {
     begin();
@@ -187,14 +199,57 @@ class Run {
   }
 
   Status run_stages() {
-    LAYOUTBOX_CHECK(write("scene.json", write_scene(outcome_.scene)));
+    LAYOUTBOX_CHECK(write_artefacts(Stage::kPlan, room()));
     LAYOUTBOX_CHECK(check_stopped());
     LAYOUTBOX_CHECK(solve_scene());
     LAYOUTBOX_CHECK(check_stopped());
     LAYOUTBOX_CHECK(furnish_layout());
     LAYOUTBOX_CHECK(verify_layout());
     LAYOUTBOX_CHECK(check_stopped());
-    return options_.pictures ? render() : Status{};
+    LAYOUTBOX_CHECK(make_variants());
+    if (!options_.pictures) return {};
+    LAYOUTBOX_CHECK(render());
+    return render_variants();
+  }
+
+  // Each of the other layouts has the same files, under names of its own.
+  Status make_variants() {
+    if (outcome_.more_layouts.empty()) return {};
+    begin();
+    for (std::size_t k = 1; k <= outcome_.more_layouts.size(); ++k) {
+      LAYOUTBOX_CHECK(check_stopped());
+      const Layout& layout = outcome_.more_layouts[k - 1];
+      LAYOUTBOX_ASSIGN(const Model model, furnish(layout, catalog_, options_.furnish));
+      const Report report = verify(layout, catalog_, options_.verify);
+      for (const Stage stage : {Stage::kExport, Stage::kVerify}) {
+        LAYOUTBOX_CHECK(write_artefacts(stage, {outcome_.scene, layout, model, report, options_}, k));
+      }
+    }
+    finish("variants", counted(outcome_.more_layouts.size(), "more layout") + " furnished, exported and verified");
+    return {};
+  }
+
+  // Blender writes the same names each time, so each is drawn elsewhere. What one of them costs is not asked of the others again.
+  Status render_variants() {
+    for (std::size_t k = 1; k <= outcome_.more_layouts.size() && !outcome_.picture_error; ++k) {
+      LAYOUTBOX_CHECK(check_stopped());
+      begin();
+      LAYOUTBOX_ASSIGN(const TemporaryFolder place, TemporaryFolder::make("layoutbox-variant"));
+      const auto made = draw(folder_ / variant_name("blender.py", k), place.path());
+      if (!made) {
+        LAYOUTBOX_CHECK(keep_picture_error(made.error()));
+        continue;
+      }
+      std::string pictures;
+      for (const auto& file : made->files()) {
+        LAYOUTBOX_ASSIGN(const std::string bytes, read_file(file));
+        const std::string name = variant_name(file.filename().string(), k);
+        LAYOUTBOX_CHECK(write(name, bytes));
+        pictures += name + " ";
+      }
+      finish("render", pictures + fmt::format("{}×{}", options_.render.width, options_.render.height));
+    }
+    return {};
   }
 
   Status solve_scene() {
@@ -205,8 +260,7 @@ class Run {
     } else {
       LAYOUTBOX_ASSIGN(std::vector<Layout> layouts, solve_variants(outcome_.scene, catalog_, options_.solve, options_.variants));
       for (std::size_t k = 1; k < layouts.size(); ++k) {
-        LAYOUTBOX_CHECK(write(variant_name("layout.json", k), write_layout(layouts[k])));
-        LAYOUTBOX_CHECK(write(variant_name("floorplan.svg", k), write_floor_plan_svg(layouts[k])));
+        LAYOUTBOX_CHECK(write_artefacts(Stage::kSolve, {outcome_.scene, layouts[k], model_, outcome_.report, options_}, k));
         others += fmt::format("; variant {}: {}", k + 1, variant_in_words(layouts, k));
       }
       outcome_.layout = std::move(layouts[0]);
@@ -214,7 +268,7 @@ class Run {
     }
     const Layout& layout = outcome_.layout;
     if (loop_) started_ = Clock::now() - std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(layout.stats.seconds));
-    LAYOUTBOX_CHECK(write("layout.json", write_layout(layout)));
+    LAYOUTBOX_CHECK(write_artefacts(Stage::kSolve, room()));
     const auto held = std::count_if(layout.relations.begin(), layout.relations.end(), [](const auto& r) { return r.held; });
     std::string given_up = layout.relaxed.empty() ? "" : fmt::format(", {} given up", layout.relaxed.size());
     finish("solve", fmt::format("{} of {} held{} ({}){}", held, counted(layout.relations.size(), "relation"), given_up, layout.stats.solver,
@@ -227,18 +281,15 @@ class Run {
     LAYOUTBOX_ASSIGN(model_, furnish(outcome_.layout, catalog_, options_.furnish));
     finish("furnish", counted(model_.nodes.size(), "piece"));
     begin();
-    LAYOUTBOX_CHECK(write("floorplan.svg", write_floor_plan_svg(outcome_.layout)));
-    LAYOUTBOX_ASSIGN(const std::string glb, write_glb(model_, outcome_.layout));
-    LAYOUTBOX_CHECK(write("scene.glb", glb));
-    LAYOUTBOX_CHECK(write("blender.py", write_blender_script(model_, outcome_.layout, options_.render)));
-    finish("export", "floorplan.svg, scene.glb, blender.py");
+    LAYOUTBOX_ASSIGN(std::string names, write_artefacts(Stage::kExport, room()));
+    finish("export", std::move(names));
     return {};
   }
 
   Status verify_layout() {
     begin();
     outcome_.report = verify(outcome_.layout, catalog_, options_.verify);
-    LAYOUTBOX_CHECK(write("report.json", write_report(outcome_.report)));
+    LAYOUTBOX_CHECK(write_artefacts(Stage::kVerify, room()));
     const auto& checks = outcome_.report.checks;
     const auto failed = std::count_if(checks.begin(), checks.end(), [](const Check& c) { return c.required && !c.passed; });
     finish("verify", failed == 0 ? fmt::format("all {} checks passed or warned", checks.size())
@@ -249,8 +300,7 @@ class Run {
   // A missing or failing Blender costs the picture only: the error is kept beside the outcome.
   Status render() {
     begin();
-    const auto made = options_.draw ? options_.draw(folder_ / "blender.py", folder_, options_.render)
-                                    : draw_with_new_blender(folder_ / "blender.py", folder_, options_.render);
+    const auto made = draw(folder_ / "blender.py", folder_);
     if (made) {
       outcome_.blender_version = made->blender_version;
       std::string pictures;
@@ -259,9 +309,17 @@ class Run {
       finish("render", fmt::format("{}{}×{}, Blender {}", pictures, options_.render.width, options_.render.height, made->blender_version));
       return {};
     }
-    if (made.error().code == ErrorCode::kInterrupted) return Failure(made.error());
-    outcome_.picture_error = made.error();
-    finish("render", "no picture: " + made.error().message);
+    return keep_picture_error(made.error());
+  }
+
+  Result<RenderOutputs> draw(const std::filesystem::path& script, const std::filesystem::path& into) const {
+    return options_.draw ? options_.draw(script, into, options_.render) : draw_with_new_blender(script, into, options_.render);
+  }
+
+  Status keep_picture_error(const Error& error) {
+    if (error.code == ErrorCode::kInterrupted) return Failure(error);
+    outcome_.picture_error = error;
+    finish("render", "no picture: " + error.message);
     return {};
   }
 
@@ -319,7 +377,7 @@ Result<SceneGraph> prepare_plan(const Plan& plan, const Catalog& catalog, const 
 }
 
 bool is_output_name(std::string_view name) {
-  return is_variant_name(name) || std::find(kOutputs.begin(), kOutputs.end(), name) != kOutputs.end();
+  return is_variant_name(name) || std::ranges::any_of(artefacts(), [name](const Artefact& one) { return one.file == name; });
 }
 
 bool as_asked(const GenerateOutcome& outcome) {

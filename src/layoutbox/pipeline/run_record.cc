@@ -72,6 +72,11 @@ OrderedJson json_of(const std::vector<InputFile>& inputs) {
 
 }  // namespace
 
+std::string options_text(const GenerateOptions& options) {
+  const OrderedJson json{{"version", program_version()}, {"options", json_of(options)}, {"inputs", json_of(options.inputs)}};
+  return json.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
+}
+
 OrderedJson json_of_error(const Error& error) {
   OrderedJson json{{"code", error_code_name(error.code)}, {"message", error.message}, {"pointer", error.pointer}, {"hint", error.hint}};
   for (const Error& detail : error.details) json["details"].push_back(json_of_error(detail));

@@ -14,6 +14,9 @@ namespace layoutbox {
 // `failure` is the error that ended the run, or null. Pretty-printed JSON.
 std::string write_run_record(std::string_view prompt, const GenerateOptions& options, const GenerateOutcome& outcome, const Error* failure);
 
+// The options that a room depends on, its input files and the version, as text.
+std::string options_text(const GenerateOptions& options);
+
 enum class RunState { kDone, kNotAsAsked };
 
 // How the run of a run.json ended, when it was this version's, of that prompt with those options and input files, and came to its end with

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "layoutbox/pipeline/artefacts.h"
 #include "layoutbox/solve/solver.h"
 
 namespace layoutbox {
@@ -16,13 +17,13 @@ std::string variant_name(const std::string& path, std::size_t index) {
 }
 
 bool is_variant_name(std::string_view name) {
-  for (const std::string_view stem : {"layout-", "floorplan-"}) {
-    const std::string_view end = stem == "layout-" ? ".json" : ".svg";
-    if (!name.starts_with(stem) || !name.ends_with(end) || name.size() <= stem.size() + end.size()) continue;
-    const std::string_view number = name.substr(stem.size(), name.size() - stem.size() - end.size());
-    if (number.find_first_not_of("0123456789") == std::string_view::npos) return true;
-  }
-  return false;
+  return std::ranges::any_of(artefacts(), [name](const Artefact& one) {
+    const std::size_t dot = one.file.find('.');
+    const std::string stem = std::string(one.file.substr(0, dot)) + "-";
+    const std::string_view end = one.file.substr(dot);
+    if (!one.each_variant || !name.starts_with(stem) || !name.ends_with(end) || name.size() <= stem.size() + end.size()) return false;
+    return name.substr(stem.size(), name.size() - stem.size() - end.size()).find_first_not_of("0123456789") == std::string_view::npos;
+  });
 }
 
 std::string variant_in_words(const std::vector<Layout>& layouts, std::size_t index) {
