@@ -7,12 +7,11 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
-#include <nlohmann/json.hpp>
+
+#include "layoutbox/scene/json_text.h"
 
 namespace layoutbox::cli {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 std::atomic<bool> stop_requested{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler sets it");
@@ -25,12 +24,6 @@ void print_line(std::FILE* stream, std::string_view line) {
   const bool written =
       std::fwrite(line.data(), 1, line.size(), stream) == line.size() && std::fputc('\n', stream) != EOF && std::fflush(stream) == 0;
   if (!written && stream == stdout && errno != EPIPE) output_is_lost = true;  // who closes a pipe has read enough
-}
-
-Json object_of(const Error& error) {
-  Json json{{"code", error_code_name(error.code)}, {"message", error.message}, {"pointer", error.pointer}, {"hint", error.hint}};
-  for (const Error& detail : error.details) json["details"].push_back(object_of(detail));
-  return json;
 }
 
 std::string time_text(double seconds) { return seconds < 1 ? fmt::format("{:.1f} ms", seconds * 1000) : fmt::format("{:.1f} s", seconds); }
@@ -48,8 +41,6 @@ std::string sentence_of(const Error& error) {
 }
 
 }  // namespace
-
-std::string json_of(const Error& error) { return object_of(error).dump(-1, ' ', false, Json::error_handler_t::replace); }
 
 int exit_status(const Error& error) {
   switch (error.code) {
@@ -107,7 +98,7 @@ void Console::notes(const std::vector<Note>& notes) const {
 }
 
 int Console::fail(const Error& error) const {
-  if (json) print_line(stdout, json_of(error));
+  if (json) print_line(stdout, write_error(error));
   print_line(stderr, fmt::format("layoutbox: {}", sentence_of(error)));
   for (const Error& detail : error.details) {
     if (detail.message != error.message) print_line(stderr, fmt::format("  {}", sentence_of(detail)));  // the first may stand for all

@@ -39,9 +39,6 @@ class Console {
   void progress(std::string_view what, double share) const;
 };
 
-// {"code", "message", "pointer", "hint"[, "details"]} as one line of JSON.
-std::string json_of(const Error& error);
-
 // The status to end with: what could not be written to stdout was not done, and is said on stderr.
 int status_with_output(int status);
 

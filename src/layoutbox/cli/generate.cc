@@ -9,6 +9,7 @@
 #include "layoutbox/cli/inputs.h"
 #include "layoutbox/cli/model_flags.h"
 #include "layoutbox/plan/llm/conversation.h"
+#include "layoutbox/scene/json_text.h"
 
 namespace layoutbox::cli {
 namespace {
@@ -60,7 +61,7 @@ std::string result_json(const GenerateOutcome& outcome, const std::string& folde
   for (const Conflict& conflict : outcome.layout.conflicts) json["conflicts"].push_back(conflict.sentence);
   json["stages"] = Json::array();
   for (const StageTime& stage : outcome.stages) json["stages"].push_back({{"stage", stage.stage}, {"seconds", stage.seconds}});
-  if (outcome.picture_error) json["error"] = Json::parse(json_of(*outcome.picture_error));
+  if (outcome.picture_error) json["error"] = Json::parse(write_error(*outcome.picture_error));
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 

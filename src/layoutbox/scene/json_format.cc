@@ -106,7 +106,15 @@ class Writer {
   std::string out_;
 };
 
+ordered_json object_of(const Error& error) {
+  ordered_json json{{"code", error_code_name(error.code)}, {"message", error.message}, {"pointer", error.pointer}, {"hint", error.hint}};
+  for (const Error& detail : error.details) json["details"].push_back(object_of(detail));
+  return json;
+}
+
 }  // namespace
+
+std::string write_error(const Error& error) { return object_of(error).dump(-1, ' ', false, ordered_json::error_handler_t::replace); }
 
 std::string format_number(double value) {
   if (!std::isfinite(value)) return "null";

@@ -22,6 +22,9 @@ Result<nlohmann::json> parse_json(std::string_view text);
 // and no trailing zeros. Ends with a line feed. The same value always gives the same bytes; text that is no UTF-8 is replaced.
 std::string format_json(const nlohmann::ordered_json& value);
 
+// An error for programs: {"code", "message", "pointer", "hint"[, "details"]}, as one line.
+std::string write_error(const Error& error);
+
 // A number as format_json writes it: 1.6, 0.0005, 3.
 std::string format_number(double value);
 

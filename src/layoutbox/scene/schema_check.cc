@@ -63,32 +63,20 @@ json schema_document(SchemaName name) {
   return layout;
 }
 
-struct LoadedSchema {
-  json document;
-  valijson::Schema compiled;
-};
-
 // Compiled once for each schema and entry point.
-const LoadedSchema& loaded_schema(SchemaName name, std::string_view at) {
+const JsonSchema& loaded_schema(SchemaName name, std::string_view at) {
   static std::mutex mutex;
-  static std::map<std::pair<SchemaName, std::string>, LoadedSchema> cache;
+  static std::map<std::pair<SchemaName, std::string>, JsonSchema> cache;
   const std::lock_guard lock(mutex);
-  const auto [place, inserted] = cache.try_emplace({name, std::string(at)});
-  LoadedSchema& schema = place->second;
-  if (inserted) {
-    json document = schema_document(name);
-    document.erase("$id");
-    if (!at.empty()) {
-      json part = document.at("definitions").at(std::string(at));
-      part["definitions"] = document.at("definitions");
-      document = std::move(part);
-    }
-    schema.document = std::move(document);
-    valijson::SchemaParser parser;
-    const valijson::adapters::NlohmannJsonAdapter adapter(schema.document);
-    parser.populateSchema(adapter, schema.compiled);
+  if (const auto found = cache.find({name, std::string(at)}); found != cache.end()) return found->second;
+  json document = schema_document(name);
+  document.erase("$id");
+  if (!at.empty()) {
+    json part = document.at("definitions").at(std::string(at));
+    part["definitions"] = document.at("definitions");
+    document = std::move(part);
   }
-  return schema;
+  return cache.emplace(std::pair{name, std::string(at)}, JsonSchema(std::move(document))).first->second;
 }
 
 const json& resolved(const json& root, const json& node) {
@@ -277,24 +265,43 @@ void explain(const json& root, const json& document, const valijson::ValidationR
 
 }  // namespace
 
-std::vector<Error> check_against_schema(const json& document, SchemaName name, std::string_view at) {
+struct JsonSchema::Compiled {
+  json document;
+  valijson::Schema schema;
+};
+
+JsonSchema::JsonSchema(json schema) : compiled_(std::make_unique<Compiled>()) {
+  compiled_->document = std::move(schema);
+  valijson::SchemaParser parser;
+  const valijson::adapters::NlohmannJsonAdapter adapter(compiled_->document);
+  parser.populateSchema(adapter, compiled_->schema);
+}
+
+JsonSchema::JsonSchema(JsonSchema&&) noexcept = default;
+JsonSchema& JsonSchema::operator=(JsonSchema&&) noexcept = default;
+JsonSchema::~JsonSchema() = default;
+
+std::vector<Error> JsonSchema::check(const json& document) const {
   constexpr std::size_t kMostErrors = 100;
   std::vector<Error> errors;
-  try {
-    const LoadedSchema& schema = loaded_schema(name, at);
-    valijson::Validator validator;
-    valijson::ValidationResults results;
-    const valijson::adapters::NlohmannJsonAdapter adapter(document);
-    if (validator.validate(schema.compiled, adapter, &results)) return errors;
-    for (const auto& violation : results) {
-      if (errors.size() >= kMostErrors) break;
-      if (!repeats_a_part(violation.description)) explain(schema.document, document, violation, errors);
-    }
-    if (errors.empty()) errors.push_back({ErrorCode::kSchema, "the document does not follow its schema", {}, {}, {}});
-  } catch (const std::exception& error) {
-    errors.push_back({ErrorCode::kInternal, fmt::format("the schema check failed: {}", error.what()), {}, {}, {}});
+  valijson::Validator validator;
+  valijson::ValidationResults results;
+  const valijson::adapters::NlohmannJsonAdapter adapter(document);
+  if (validator.validate(compiled_->schema, adapter, &results)) return errors;
+  for (const auto& violation : results) {
+    if (errors.size() >= kMostErrors) break;
+    if (!repeats_a_part(violation.description)) explain(compiled_->document, document, violation, errors);
   }
+  if (errors.empty()) errors.push_back({ErrorCode::kSchema, "the document does not follow its schema", {}, {}, {}});
   return errors;
+}
+
+std::vector<Error> check_against_schema(const json& document, SchemaName name, std::string_view at) {
+  try {
+    return loaded_schema(name, at).check(document);
+  } catch (const std::exception& error) {
+    return {{ErrorCode::kInternal, fmt::format("the schema check failed: {}", error.what()), {}, {}, {}}};
+  }
 }
 
 }  // namespace layoutbox
