@@ -2,7 +2,7 @@
 # The build takes some five minutes; the image holds the program, its solver library and Blender, and nothing of the compiler.
 FROM debian:12-slim AS build
 COPY . /source
-RUN /source/scripts/build.sh layoutbox && cmake --install /source/build/release --prefix /opt/layoutbox && \
+RUN /source/scripts/build.sh layoutbox && { /source/scripts/page.sh || true; } && cmake --install /source/build/release --prefix /opt/layoutbox && \
     cp -r /source/build/deps/bpy /opt/bpy && cp /source/scripts/packages.txt /opt/layoutbox/packages.txt
 
 FROM debian:12-slim

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 
-#include "layoutbox/embedded/openapi.h"
 #include "layoutbox/edit/edit.h"
+#include "layoutbox/embedded/openapi.h"
 #include "layoutbox/pipeline/variants.h"
 #include "layoutbox/scene/json_text.h"
 #include "layoutbox/scene/layout_scene.h"
