@@ -25,6 +25,7 @@ void add_experiment(CLI::App& app, Context& context);
 void add_validate(CLI::App& app, Context& context);
 void add_catalog(CLI::App& app, Context& context);
 void add_serve(CLI::App& app, Context& context);
+void add_mcp(CLI::App& app, Context& context);
 void add_cache(CLI::App& app, Context& context);
 void add_doctor(CLI::App& app, Context& context);
 
