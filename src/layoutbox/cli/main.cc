@@ -44,8 +44,8 @@ int run(int count, char** arguments) {
   Context context;
   add_common_options(app, context.console);
   add_config_option(app);
-  for (const auto add : {add_generate, add_batch, add_edit, add_plan, add_solve, add_render, add_export, add_verify, add_judge, add_experiment,
-                         add_serve, add_mcp, add_validate, add_catalog, add_cache, add_doctor}) {
+  for (const auto add : {add_generate, add_batch, add_edit, add_plan, add_solve, add_render, add_export, add_verify, add_judge,
+                         add_experiment, add_serve, add_mcp, add_validate, add_catalog, add_cache, add_doctor}) {
     add(app, context);
   }
   try {

@@ -84,8 +84,7 @@ Json content_of(const Answer& answer) {
   if (answer.type.starts_with("application/json") || answer.type.starts_with("text/") || answer.type.starts_with("image/svg")) {
     return text_content(answer.body);
   }
-  return {{"type", "resource"},
-          {"resource", {{"uri", "layoutbox://room"}, {"mimeType", answer.type}, {"blob", base64(answer.body)}}}};
+  return {{"type", "resource"}, {"resource", {{"uri", "layoutbox://room"}, {"mimeType", answer.type}, {"blob", base64(answer.body)}}}};
 }
 
 std::string line_of(const Json& message) { return message.dump(-1, ' ', false, Json::error_handler_t::replace); }
@@ -97,10 +96,11 @@ std::string error_line(const Json& id, const RpcError& error) {
 Json hello(const Json& parameters) {
   const std::string asked = parameters.value("protocolVersion", std::string(kNewestProtocol));
   const bool known = std::find(kProtocols.begin(), kProtocols.end(), asked) != kProtocols.end();
-  return {{"protocolVersion", known ? asked : std::string(kNewestProtocol)},
-          {"capabilities", {{"tools", Json::object()}}},
-          {"serverInfo", {{"name", "layoutbox"}, {"version", program_version()}}},
-          {"instructions", "Rooms in metres and degrees; x to the right, y away from the viewer. A layout goes from call to call as a whole."}};
+  return {
+      {"protocolVersion", known ? asked : std::string(kNewestProtocol)},
+      {"capabilities", {{"tools", Json::object()}}},
+      {"serverInfo", {{"name", "layoutbox"}, {"version", program_version()}}},
+      {"instructions", "Rooms in metres and degrees; x to the right, y away from the viewer. A layout goes from call to call as a whole."}};
 }
 
 }  // namespace
