@@ -99,6 +99,7 @@ class Solver {
   Result<bool> settle();
   Status take_what_fits();
   void drop_what_hangs_in_the_air();
+  void place_openings_first(const Model& trial, const std::vector<char>& given_up);
   std::vector<char> all_wished(Model& trial) const;
   void keep_what_can_be(std::vector<int>& missed);
   Clash guess() const;

@@ -44,6 +44,34 @@ void Solver::drop_what_hangs_in_the_air() {
   }
 }
 
+// Without its door there is no room: where one found no place, doors and windows take theirs first, and what then overlaps goes.
+void Solver::place_openings_first(const Model& trial, const std::vector<char>& given_up) {
+  std::vector<char> objects = left_out_;
+  bool all = true;
+  for (std::size_t i = 0; i < trial.items.size(); ++i) {
+    if (trial.items[i].is_opening())
+      all = all && placements_[i].state >= 0;
+    else
+      objects[i] = 1;
+  }
+  if (all) return;
+  Placements now(trial.items.size());
+  const Dependencies dependencies(trial);
+  QuickSearch quick(trial, dependencies, given_up, options_.seed, kAllSizes);
+  Budget budget{0, kLeastSteps, [this] { return interrupted(); }, false};
+  quick.complete(now, objects, budget);
+  for (std::size_t i = 0; i < trial.items.size(); ++i) {
+    if (trial.items[i].is_opening() || placements_[i].state < 0) continue;
+    bool free = true;
+    for (std::size_t o = 0; o < trial.items.size() && free; ++o) {
+      free = !trial.items[o].is_opening() || now[o].state < 0 ||
+             !collide(trial, static_cast<int>(i), placements_[i], static_cast<int>(o), now[o], true);
+    }
+    if (free) now[i] = placements_[i];
+  }
+  placements_ = std::move(now);
+}
+
 // The items that found no place are marked as left out. Errors: kInterrupted; kNotFound where a door has no place.
 Status Solver::take_what_fits() {
   const bool late = stopped_by_clock_;
@@ -61,6 +89,7 @@ Status Solver::take_what_fits() {
     quick.complete(placements_, left_out_, more);
   }
   if (interrupted()) return fail(ErrorCode::kInterrupted, "stopped");
+  place_openings_first(trial, given_up);
   drop_what_hangs_in_the_air();
   const std::string because = late ? "no layout of all that is asked for was found before the time was up"
                                    : "no layout was found in which all that is asked for holds together";

@@ -198,7 +198,8 @@ void Habits::stand_in_wall_row(int item) {
     opposite_it.wish(mid2(item, across(back)) - mid2(before, across(back)), kInRun, 2).price = kAcross;
   });
   f.add().price = kElsewhere;
-  habit("in a row at the wall", item, kInRun, std::move(f), {before});
+  // No host: that one looks for another place does not send the whole row to look for one.
+  habit("in a row at the wall", item, kInRun, std::move(f));
 }
 
 // What stands in a row and has a front stands side by side there, not one behind the other.
@@ -215,7 +216,7 @@ void Habits::stand_abreast_in_row(int item) {
       const Direction back = side_direction(model_.items[item], Side::kBack, turn);
       f.add().when(item, states).when(before, same).wish(reach(item, back) - reach(before, back), kTwins);
     });
-    habit("abreast in the row", item, kTwins, std::move(f), {before});
+    habit("abreast in the row", item, kTwins, std::move(f));
     return;
   }
 }

@@ -43,7 +43,7 @@ void Habits::hang_clear(int item) {
     for (const int axis : {0, 1}) {
       for (const int sign : {1, -1}) f.add().require(gap_towards(item, other, {axis, sign}) - Linear(kAround));
     }
-    habit("hangs clear", item, kClear, std::move(f), {other});
+    habit("hangs clear", item, kClear, std::move(f));
   }
 }
 
