@@ -15,10 +15,10 @@ constexpr std::array kTypes{FileType{"glb", "model/gltf-binary"}, FileType{"svg"
                             FileType{"pdf", "application/pdf"},   FileType{"png", "image/png"},
                             FileType{"json", "application/json"}, FileType{"blender.py", "text/x-python; charset=utf-8"}};
 
-Result<std::string> file_of(const Layout& layout, std::string_view format, const FurnishOptions& options, const Catalog& catalog) {
+Result<std::string> file_of(const Layout& layout, std::string_view format, const ExportOptions& options, const Catalog& catalog) {
   if (format == "json") return write_layout(layout);
   if (format == "blender.py") {
-    LAYOUTBOX_ASSIGN(const Model model, furnish(layout, catalog, options));
+    LAYOUTBOX_ASSIGN(const Model model, furnish(layout, catalog, options.furnish));
     return write_blender_script(model, layout, {});
   }
   const ExportFormat* writer = find_export_format(format);
@@ -31,8 +31,8 @@ Result<std::string> file_of(const Layout& layout, std::string_view format, const
 Result<Answer> export_call(const Json& request, const Surroundings& around) {
   LAYOUTBOX_ASSIGN(const Layout layout, layout_of(request));
   const auto format = request.at("format").get<std::string>();
-  FurnishOptions options;
-  if (const auto detail = detail_from_name(request.value("detail", "usual"))) options.detail = *detail;
+  ExportOptions options;
+  if (const auto detail = detail_from_name(request.value("detail", "usual"))) options.furnish.detail = *detail;
   LAYOUTBOX_ASSIGN(std::string bytes, file_of(layout, format, options, around.catalog));
   Answer answer{200, "application/octet-stream", std::move(bytes)};
   for (const FileType& row : kTypes) {
