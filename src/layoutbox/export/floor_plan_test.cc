@@ -11,6 +11,12 @@
 namespace layoutbox {
 namespace {
 
+FloorPlanOptions bare_plan() {
+  FloorPlanOptions options;
+  options.names = options.sizes = options.scale_bar = false;
+  return options;
+}
+
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -102,7 +108,7 @@ TEST(FloorPlan, NamesAndMeasuresEveryObject) {
   EXPECT_THAT(svg, HasSubstr(">4.00</text>"));
   EXPECT_THAT(svg, HasSubstr(">3.00</text>"));
   EXPECT_THAT(svg, HasSubstr("12.0 m²"));
-  const std::string bare = write_floor_plan_svg(layout, {false, false, false});
+  const std::string bare = write_floor_plan_svg(layout, bare_plan());
   EXPECT_THAT(bare, Not(HasSubstr(">bed</text>")));
 }
 
@@ -177,7 +183,7 @@ TEST(FloorPlan, DrawsKindsDifferently) {
     add_object(layout, category, {800, 800, 800}, 2000, 1500);
     layout.objects[0].name = "thing";
     layout.objects[0].id = "thing_1";
-    return write_floor_plan_svg(layout, {false, false, false});
+    return write_floor_plan_svg(layout, bare_plan());
   };
   const char* kinds[] = {"bed",   "sofa",     "chair",     "round_stool", "floor_lamp", "desk",  "toilet",
                          "sink",  "bathtub",  "shower",    "stove",       "fridge",     "plant", "tv",
