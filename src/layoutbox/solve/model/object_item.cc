@@ -168,11 +168,11 @@ void add_hinted_turn(const Item& item, std::vector<double>& turns) {
   if (turns.size() < kMostStates && std::none_of(turns.begin(), turns.end(), same)) turns.push_back(turn);
 }
 
-// Seats around something may stand at odd angles.
-bool sits_around(const SceneGraph& scene, const std::string& id) {
+// Seats around something may stand at odd angles, of other things where they are many.
+bool sits_around(const SceneGraph& scene, const std::string& id, bool seat) {
   return std::any_of(scene.relations.begin(), scene.relations.end(), [&](const Relation& r) {
     const bool around = r.type == RelationType::kAround || r.type == RelationType::kSurround;
-    const bool many = r.targets.size() >= 5 || r.targets.size() == 3;  // four stand square
+    const bool many = r.targets.size() >= 5 || (seat && r.targets.size() == 3);  // four stand square
     return around && many && std::find(r.targets.begin(), r.targets.end(), id) != r.targets.end();
   });
 }
@@ -270,7 +270,7 @@ Item object_item(const SceneGraph& scene, const SceneObject& object, const Catal
   item.thin = item.entry->thin && object.size->usual.height <= kThin && item.mount == Mount::kFloor && !rests_on_others(scene, object.id);
   item.curtain = item.is(Trait::kCurtain);
   item.fixed = object.fixed && object.hint.position.has_value();
-  const bool odd = sits_around(scene, object.id);
+  const bool odd = sits_around(scene, object.id, item.is(Trait::kSeat));
   auto sizes = sizes_of(*object.size, item.fixed ? 0 : odd ? 1 : options.size_steps, !item.fixed && !odd && holds_others(scene, object.id));
   std::vector<int> turns = turns_of(item, object, odd);
   if (!item.fixed) add_earlier_pose(options, item, sizes, turns);

@@ -138,6 +138,8 @@ void add_case(Formula& f, Compilation& c, int r, int table_turn, std::uint64_t t
       // n · mid2(t) = 2n · lo(r) + (2k + 1) · extent(r): seat k of n, evenly spaced; 40 mm either way.
       const Linear off = n * mid2(t, a) - 2 * n * lo(r, a) - (2 * k + 1) * extent(r, a);
       in.require_small(off, 2 * n * 40).wish(off, 100, 2 * n);
+      if (table.least_extent(a) < 2 * n * 40)  // round something small it still looks at that
+        in.require(mid2(t, a) - 2 * lo(r, a)).require(2 * hi(r, a) - mid2(t, a));
       in.wish(gap + Linear(wished_reach_under(seat, table)), 40);
     }
   }
@@ -170,9 +172,10 @@ void add_circle(Formula& f, Compilation& c, int r, Mm most) {
             std::min(size.width, size.depth) / 2.0 + seat.states[0].size.depth * 0.5 - 0.4 * seat.states[0].size.depth + extra;
         const double x = std::sin(radians_from_degrees(angle)) * away, y = -std::cos(radians_from_degrees(angle)) * away;
         const Mm place[2] = {static_cast<Mm>(std::lround(x)), static_cast<Mm>(std::lround(y))};
+        const Mm play2 = std::min<Mm>(60, static_cast<Mm>(away) / 5);  // so little that it still looks at the middle
         for (int axis = 0; axis < 2; ++axis) {
           const Linear off = mid2(t, axis) - mid2(r, axis) - Linear(2 * place[axis]);
-          in.require_small(off, 60).wish(off, 50, 2);
+          in.require_small(off, play2).wish(off, 50, 2);
         }
         in.require(Linear(most) - gap_towards(t, r, {1, angle < 90 || angle > 270 ? -1 : 1}));
       }
