@@ -11,7 +11,9 @@ import unittest
 from pathlib import Path
 
 BINARY = os.environ.get("LAYOUTBOX_BINARY", "layoutbox")
-BEDROOM = "A bedroom (4 x 3.5 m) with a bed against the left wall, a nightstand beside the bed with a lamp on it, and a desk under the window."
+BEDROOM = (
+    "A bedroom (4 x 3.5 m) with a bed against the left wall, a nightstand beside the bed with a lamp on it, and a desk under the window."
+)
 
 
 class Answer:

@@ -159,6 +159,9 @@ double reach_through(const Body& t, const Face& wall) {
 
 }  // namespace
 
+// What stands at a wall and is turned by a degree has a corner in it, metres.
+constexpr double kTurnedCorner = 0.01;
+
 Finding side_along_wall(const Case& c, const Body& t, const Face& wall, const std::vector<Side>& sides, double max_gap) {
   std::vector<Finding> findings;
   for (const Side which : sides) {
@@ -170,7 +173,7 @@ Finding side_along_wall(const Case& c, const Body& t, const Face& wall, const st
   }
   return all_of({any_of(std::move(findings), "there is no such side"),
                  at_most(fmt::format("gap between {} and {}", t.id(), wall.id), gap(t.shape, wall.shape), max_gap, c.slack()),
-                 at_most(fmt::format("{} reaches through {} by", t.id(), wall.id), reach_through(t, wall), 0, c.slack()),
+                 at_most(fmt::format("{} reaches through {} by", t.id(), wall.id), reach_through(t, wall), kTurnedCorner, c.slack()),
                  shares_along(c, t, wall, 0.5)});
 }
 

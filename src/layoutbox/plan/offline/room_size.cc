@@ -128,7 +128,8 @@ class SizeReader {
       for (const Meaning& m : lexicon_.find(tokens_, i).meanings) {
         if (m.word_class != Class::kObject || m.entry == nullptr) continue;
         const Size& most = m.entry->size.greatest;
-        const double longer = kMore * m_from_mm(std::max(most.width, most.depth)), other = kMore * m_from_mm(std::min(most.width, most.depth));
+        const double longer = kMore * m_from_mm(std::max(most.width, most.depth)),
+                     other = kMore * m_from_mm(std::min(most.width, most.depth));
         if (std::max(sides[0], sides[1]) <= longer && std::min(sides[0], sides[1]) <= other) return true;
       }
     }

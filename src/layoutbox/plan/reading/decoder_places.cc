@@ -90,7 +90,8 @@ void Decoder::attach_to(std::size_t s, int u, Kind kind, std::size_t level) {
       place == NounKind::kWall || opening || place == NounKind::kCorner || place == NounKind::kCeiling || place == NounKind::kPart;
   // "a reading corner by the window with …": a part of the room that has things.
   const bool zone = kind == kAttach && (place == NounKind::kCorner || place == NounKind::kAbstract) &&
-                    is_zone(noun_of(state, member).head) && read_as(state, member).role != NounRole::kReference && nothing_nearer(state, level);
+                    is_zone(noun_of(state, member).head) && read_as(state, member).role != NounRole::kReference &&
+                    nothing_nearer(state, level);
   if (!is_thing(state, member) && !(opening && level == 0) && !(inverse && part_of_room) && !zone) return;
   if (state.relative >= 0 && member != state.relative) return;
   double gain = state.relative >= 0 ? 0 : attach_score(state, u, static_cast<int>(level), inverse);
