@@ -4,10 +4,10 @@
 
 namespace layoutbox::chat {
 
+namespace {
+
 using Json = nlohmann::json;
 using Ordered = nlohmann::ordered_json;
-
-namespace {
 
 bool is_web_page(std::string_view body) {
   const std::size_t begin = body.find_first_not_of(" \t\r\n");

@@ -6,7 +6,9 @@
 
 namespace layoutbox::offline {
 
+namespace {
 using Class = WordClass;
+}  // namespace
 
 void settle_opening_sizes(Document& document) {
   std::vector<Chunk>& chunks = document.chunks;

@@ -7,9 +7,9 @@
 
 namespace layoutbox::offline {
 
-using R = RelationType;
-
 namespace {
+
+using R = RelationType;
 
 bool carries(R type) { return type == R::kOn || type == R::kIn || type == R::kStacked; }
 

@@ -171,7 +171,7 @@ void Habits::stand_in_run(int item) {
 // opposite one another.
 void Habits::stand_in_wall_row(int item) {
   constexpr Mm kBesideBed = 900, kBesideDesk = 200;
-  constexpr int kElsewhere = 200, kAcross = 40;  // points
+  constexpr int kOutOfRow = 200, kAcross = 40;  // points
   const auto in_row = [&](int i) {
     const Item& other = model_.items[i];
     return other.entry == model_.items[item].entry && !other.fixed && other.mount == Mount::kFloor && !placed_by_relation_besides_walls(i);
@@ -197,7 +197,7 @@ void Habits::stand_in_wall_row(int item) {
     Case& opposite_it = f.add().when(before, states).when(item, self.states_at((turn + 180) % 360));
     opposite_it.wish(mid2(item, across(back)) - mid2(before, across(back)), kInRun, 2).price = kAcross;
   });
-  f.add().price = kElsewhere;
+  f.add().price = kOutOfRow;
   // No host: that one looks for another place does not send the whole row to look for one.
   habit("in a row at the wall", item, kInRun, std::move(f));
 }
