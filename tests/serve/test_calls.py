@@ -70,6 +70,15 @@ class Calls(ServiceCase):
         self.assertNotEqual(moved["pos"], stand["pos"])
         self.assertLess(abs(lamp["pos"][0] - moved["pos"][0]), 0.3)
 
+    def test_what_was_given_up_before_binds_nothing(self):
+        room = "A bedroom (4 x 3.5 m) with a bed against the left wall and a desk. The bed is against the right wall."
+        layout = self.room(room)["layouts"][0]
+        self.assertTrue(layout["relaxed"])
+        places = ([x / 2, y / 2] for x in range(1, 8) for y in range(1, 7))
+        answers = (self.service.post("/api/drag", {"layout": layout, "id": "desk_1", "pos": place}).json() for place in places)
+        answer = next(answer for answer in answers if answer["legal"])
+        self.assertEqual(self.passes(answer["layout"]), [])
+
     def test_snapping_turns_its_back_to_the_wall(self):
         answer = self.drag("desk_1", pos=[3.55, 1.9], snap=True)
         self.assertTrue(answer["legal"], answer["reasons"])

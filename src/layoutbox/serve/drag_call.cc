@@ -75,12 +75,17 @@ Result<Layout> wished_layout(const Layout& layout, const Json& request, const Ca
   return fail(ErrorCode::kReference, fmt::format("the layout has no \"{}\"", id), "/id", "name an object, a door or a window");
 }
 
-// What the hand does counts before what was asked of the thing earlier: its relations are judged afterwards, and bind no more.
-std::vector<PlacedRelation> relations_of(const Layout& layout, const std::string& id) {
-  std::vector<PlacedRelation> found;
-  for (const PlacedRelation& placed : layout.relations) {
-    if (names(placed.relation.targets, id) || names(placed.relation.references, id)) found.push_back(placed);
-  }
+// What the hand does counts before what was asked of the thing earlier; that, and what was given up before, is judged afterwards and binds
+// no more.
+bool is_set_aside(const PlacedRelation& placed, const Layout& layout, const std::string& id) {
+  return names(placed.relation.targets, id) || names(placed.relation.references, id) || layout.lists_as_given_up(placed.relation.id);
+}
+
+// Takes them out of the layout.
+std::vector<PlacedRelation> take_set_aside(Layout& layout, const std::string& id) {
+  std::vector<PlacedRelation> found, kept;
+  for (PlacedRelation& placed : layout.relations) (is_set_aside(placed, layout, id) ? found : kept).push_back(placed);
+  layout.relations = std::move(kept);
   return found;
 }
 
@@ -103,7 +108,7 @@ SolveOptions options_for(const Layout& wished, const Json& request, const Surrou
 }
 
 // Puts back the relations that bound nothing, each with the verifier's verdict; one that is broken now was given up by the hand.
-void judge_relations(Layout& layout, const std::vector<PlacedRelation>& set_aside, const Catalog& catalog) {
+void judge_relations(Layout& layout, const std::vector<PlacedRelation>& set_aside, const Layout& earlier, const Catalog& catalog) {
   for (PlacedRelation placed : set_aside) {
     placed.held = false;
     layout.relations.push_back(std::move(placed));
@@ -117,7 +122,9 @@ void judge_relations(Layout& layout, const std::vector<PlacedRelation>& set_asid
   }
   for (const PlacedRelation& placed : layout.relations) {
     if (placed.held || !placed.relation.hard || layout.lists_as_given_up(placed.relation.id)) continue;
-    layout.relaxed.push_back({placed.relation.id, 0, "", "moved by hand"});
+    const auto before = std::find_if(earlier.relaxed.begin(), earlier.relaxed.end(),
+                                     [&](const Relaxation& relaxation) { return relaxation.relation == placed.relation.id; });
+    layout.relaxed.push_back(before == earlier.relaxed.end() ? Relaxation{placed.relation.id, 0, "", "moved by hand"} : *before);
   }
 }
 
@@ -147,15 +154,13 @@ Result<Answer> drag_call(const Json& request, const Surroundings& around) {
   LAYOUTBOX_ASSIGN(const Layout layout, layout_of(request));
   LAYOUTBOX_ASSIGN(Layout wished, wished_layout(layout, request, around.catalog));
   const auto id = request.at("id").get<std::string>();
-  const std::vector<PlacedRelation> set_aside = relations_of(wished, id);
-  std::erase_if(wished.relations,
-                [&](const PlacedRelation& placed) { return names(placed.relation.targets, id) || names(placed.relation.references, id); });
+  const std::vector<PlacedRelation> set_aside = take_set_aside(wished, id);
   LAYOUTBOX_ASSIGN(const SceneGraph scene, prepare_scene(scene_of(wished), around.catalog, {}));
   auto solved = solve(scene, around.catalog, options_for(wished, request, around));
   if (!solved && solved.error().code == ErrorCode::kInterrupted) return Failure(std::move(solved).error());
   Json answer{{"legal", solved.has_value()}, {"moved", Json::array()}, {"reasons", Json::array()}};
   if (solved) {
-    judge_relations(*solved, set_aside, around.catalog);
+    judge_relations(*solved, set_aside, layout, around.catalog);
     for (const PlacedObject& object : solved->objects) {
       if (object.id != id && stands_elsewhere(object, layout)) answer["moved"].push_back(object.id);
     }
