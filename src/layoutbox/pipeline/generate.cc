@@ -380,8 +380,10 @@ bool is_output_name(std::string_view name) {
   return is_variant_name(name) || std::ranges::any_of(artefacts(), [name](const Artefact& one) { return one.file == name; });
 }
 
-bool as_asked(const GenerateOutcome& outcome) {
-  return outcome.layout.status == LayoutStatus::kSolved && outcome.layout.relaxed.empty() && outcome.report.passed;
+bool as_asked(const GenerateOutcome& outcome) { return as_asked(outcome.layout, outcome.report); }
+
+bool as_asked(const Layout& layout, const Report& report) {
+  return layout.status == LayoutStatus::kSolved && layout.relaxed.empty() && report.passed;
 }
 
 std::string_view program_version() { return LAYOUTBOX_VERSION; }

@@ -115,6 +115,7 @@ bool is_output_name(std::string_view name);
 
 // True when the room is what was asked for: solved, nothing hard given up, every required check passed.
 bool as_asked(const GenerateOutcome& outcome);
+bool as_asked(const Layout& layout, const Report& report);
 
 // The program's version, "0.1.0".
 std::string_view program_version();

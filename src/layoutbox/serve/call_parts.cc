@@ -75,10 +75,6 @@ Json json_of_words(const std::vector<WordReading>& words) {
   return list;
 }
 
-bool is_as_asked(const Layout& layout, const Report& report) {
-  return layout.status == LayoutStatus::kSolved && layout.relaxed.empty() && report.passed;
-}
-
 Answer json_answer(const Json& body, int status) {
   return {status, "application/json", body.dump(-1, ' ', false, Json::error_handler_t::replace)};
 }

@@ -26,7 +26,6 @@ Json json_of_layout(const Layout& layout);
 Json json_of_report(const Report& report);
 Json json_of_notes(const std::vector<Note>& notes);
 Json json_of_words(const std::vector<WordReading>& words);
-bool is_as_asked(const Layout& layout, const Report& report);
 
 Answer json_answer(const Json& body, int status = 200);
 

@@ -88,7 +88,7 @@ Result<Answer> generate_call(const Json& request, const Surroundings& around) {
               {"layouts", Json::array()},
               {"report", json_of_report(report)},
               {"notes", json_of_notes(asked.scene.notes)},
-              {"asAsked", is_as_asked(layouts.front(), report)},
+              {"asAsked", as_asked(layouts.front(), report)},
               {"milliseconds", {{"plan", plan_ms}, {"solve", solve_ms}, {"verify", watch.lap()}}}};
   for (const Layout& layout : layouts) answer["layouts"].push_back(json_of_layout(layout));
   if (!asked.words.empty()) answer["words"] = json_of_words(asked.words);
@@ -128,7 +128,7 @@ Result<Answer> edit_call(const Json& request, const Surroundings& around) {
               {"changes", Json::array()},
               {"dropped", Json::array()},
               {"notes", json_of_notes(edited.notes)},
-              {"asAsked", is_as_asked(edited.layout, report)}};
+              {"asAsked", as_asked(edited.layout, report)}};
   for (const ObjectChange& change : edited.changes) {
     answer["changes"].push_back(
         {{"id", change.id}, {"what", change.what}, {"metres", change.metres}, {"degrees", change.degrees}, {"asked", change.asked}});

@@ -11,7 +11,6 @@
 
 #include "layoutbox/base/files.h"
 #include "layoutbox/pipeline/generate.h"
-#include "layoutbox/render/render.h"
 #include "layoutbox/scene/json_text.h"
 #include "layoutbox/scene/scene_json.h"
 #include "layoutbox/serve/call_parts.h"
@@ -20,7 +19,6 @@
 #include "layoutbox/serve/jobs.h"
 #include "layoutbox/serve/page.h"
 #include "layoutbox/serve/store.h"
-#include "layoutbox/solve/cp_sat_folder.h"
 
 namespace layoutbox::serve {
 namespace {
@@ -28,6 +26,9 @@ namespace {
 constexpr int kThreads = 32;  // connections at a time: event streams hold one each
 constexpr std::size_t kUsualArticles = 50;
 constexpr auto kLongestEvent = std::chrono::seconds(15);
+
+// Reached from this machine alone.
+bool is_own_address(std::string_view address) { return address == "127.0.0.1" || address == "localhost" || address == "::1"; }
 
 int status_of(const Error& error) {
   switch (error.code) {
@@ -86,7 +87,7 @@ class Service {
         jobs_(jobs),
         gate_(options.workers > 0 ? options.workers : static_cast<int>(std::max(1u, std::thread::hardware_concurrency())),
               options.longest_queue) {
-    guard_.loopback = options.address == "127.0.0.1" || options.address == "localhost" || options.address == "::1";
+    guard_.loopback = is_own_address(options.address);
     guard_.token = options.token;
   }
 
@@ -357,8 +358,7 @@ class Service {
 }  // namespace
 
 Status serve(const Catalog& catalog, const Planner& planner, const ServeOptions& options) {
-  const bool loopback = options.address == "127.0.0.1" || options.address == "localhost" || options.address == "::1";
-  if (!loopback && options.token.empty()) {
+  if (!is_own_address(options.address) && options.token.empty()) {
     return fail(ErrorCode::kUsage, fmt::format("anybody who reaches {} could use the service", options.address), "--address",
                 "give a token in the environment variable LAYOUTBOX_TOKEN, or listen at 127.0.0.1");
   }
