@@ -119,7 +119,7 @@ def build_rows(rows, out, meshes, materials):
             if data is None:
                 data = shared[key] = make_mesh(row["id"], row["parts"], meshes, own)
         thing = place(row, data, group)
-        thing["category"], thing["name in words"] = row["category"], row["name"]
+        thing["kind"], thing["category"], thing["name in words"] = row["kind"], row["category"], row["name"]
         thing.hide_render = row["id"] in out
         if row["kind"] == "ceiling":  # seen from inside, yet the light comes in as if it were not there
             thing.visible_shadow = thing.visible_diffuse = thing.visible_glossy = thing.visible_transmission = False
@@ -140,7 +140,9 @@ def build_base(stay):
     mesh = bpy.data.meshes.new("base")
     mesh.from_pydata(vertices, [], faces)
     mesh.materials.append(make_material("base", {**PLAIN, "color": BASE_COLOR}))
-    group.objects.link(bpy.data.objects.new("base", mesh))
+    base = bpy.data.objects.new("base", mesh)
+    base["kind"] = "base"
+    group.objects.link(base)
     for opening in OPENINGS:
         wall = next((w for w in WALLS if w["id"] == opening["wall"]), None)
         if wall is None or wall["id"] in stay:  # it is a real opening there
@@ -155,7 +157,9 @@ def build_base(stay):
         mesh = bpy.data.meshes.new(name)
         mesh.from_pydata(corners, [], [(0, 1, 2, 3)])
         mesh.materials.append(make_material(name, {**PLAIN, "color": MARK_COLORS.get(opening["type"], MARK_COLORS["door"])}))
-        group.objects.link(bpy.data.objects.new(name, mesh))
+        mark = bpy.data.objects.new(name, mesh)
+        mark["kind"] = "mark"
+        group.objects.link(mark)
 
 
 PLAIN = {"roughness": 0.7, "metallic": 0.0, "alpha": 1.0, "emission": 0.0, "texture": "", "second": (0, 0, 0), "scale": 1.0, "image": ""}

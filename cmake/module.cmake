@@ -1,7 +1,7 @@
-# layoutbox_unite(TARGET): where LAYOUTBOX_UNITY is on, its sources are compiled a dozen at a time, so that what they include is read once.
+# layoutbox_unite(TARGET): where LAYOUTBOX_UNITY is on, its sources are compiled two dozen at a time, so that what they include is read once.
 function(layoutbox_unite target)
   if(LAYOUTBOX_UNITY)
-    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 14)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 24)
     # GCC takes every unnamed namespace but the main file's for a header's.
     target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
   endif()

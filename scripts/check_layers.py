@@ -12,8 +12,8 @@ from pathlib import Path
 # From the ground up; the folders of one floor do not know each other.
 FLOORS = (
     ("base",),
-    ("scene", "chat"),
-    ("catalog",),
+    ("scene", "chat", "sandbox"),
+    ("catalog", "publish"),
     ("plan", "solve", "furnish"),
     ("render", "export", "verify"),
     ("judge", "edit"),

@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
 # Builds the studio's page from web/ into build/page/, where `layoutbox serve` finds it. Does nothing where it is there and nothing changed.
-# Fetches what is locked in web/package-lock.json, and a Node.js of its own where the system has none of version 18 or later.
+# `--check` also runs the type check and the unit tests of its sources.
+# Fetches what is locked in web/package-lock.json, and a Node.js of its own where the system has none of version 20 or later.
 set -euo pipefail
 
 root=$(cd -P "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd)
 page=$root/build/page
 log=$root/build/logs/page.log
-nodejs=$root/build/deps/nodejs
+deps=$root/build/deps
 
 say() { printf 'page: %s\n' "$*" >&2; }
 
@@ -22,21 +23,22 @@ is_fresh() {
   [[ -e $page/app.js ]] && [[ ! $(find "$root/web" "$root/schema" -path "$root/web/node_modules" -prune -o -newer "$page/app.js" -type f -print -quit) ]]
 }
 
-is_fresh && exit 0
+# shellcheck source=scripts/environments.sh
+source "$root/scripts/environments.sh"
+
+check=""
+if [[ ${1:-} == --check ]]; then check=1; fi
+if [[ ! $check ]] && is_fresh; then exit 0; fi
 mkdir -p "$root/build/logs"
 exec 9>"$root/build/.page.lock"
 flock 9
-is_fresh && exit 0
+if [[ ! $check ]] && is_fresh; then exit 0; fi
 : >"$log"
-if ! [[ $(node --version 2>/dev/null) =~ ^v([0-9]+) ]] || ((BASH_REMATCH[1] < 18)) || ! type -P npm >/dev/null; then
-  if [[ ! -x $nodejs/bin/node ]]; then
-    say "fetching Node.js, which builds the page"
-    logged python3 -m venv "$nodejs" || die "python3 could not make an environment for Node.js"
-    logged "$nodejs/bin/python" -m pip install --disable-pip-version-check --no-input --only-binary=:all: --require-hashes \
-      -r "$root/scripts/requirements/nodejs.txt" || die "Node.js could not be fetched"
-  fi
-  PATH=$nodejs/bin:$PATH
+if ! has_node; then
+  say "fetching Node.js, which builds the page"
+  fetch_node || die "Node.js could not be fetched"
 fi
+use_node
 if ! cmp -s "$root/web/package-lock.json" "$root/web/node_modules/.locked"; then
   say "fetching what the page is built with (three.js, Preact, esbuild)"
   logged npm ci --prefix "$root/web" --ignore-scripts --no-audit --no-fund || die "the page's libraries could not be fetched"
@@ -44,5 +46,9 @@ if ! cmp -s "$root/web/package-lock.json" "$root/web/node_modules/.locked"; then
 fi
 say "building the page"
 cd "$root/web"
+if [[ $check ]]; then
+  npm run --silent check
+  npm run --silent test
+fi
 logged npm run build -- --out "$page" || die "the page could not be built"
 touch "$page/app.js"

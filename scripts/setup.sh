@@ -55,6 +55,9 @@ logged() {
   "$@" </dev/null >>"$log" 2>&1
 }
 
+# shellcheck source=scripts/environments.sh
+source "$root/scripts/environments.sh"
+
 # ---- what is there ------------------------------------------------------------------------------------------------------------
 
 libraries=""
@@ -101,9 +104,6 @@ has_solver() {
   fi
 }
 
-# A private Python environment is whole when it holds the requirements it was made from.
-has_environment() { [[ -x $deps/$1/bin/python ]] && cmp -s "$deps/$1/requirements.txt" "$root/scripts/requirements/$2"; }
-
 has_private_bpy() { has_environment bpy blender.txt; }
 
 # A Blender of the user's own: the same places, in the same order, as the program looks at.
@@ -129,11 +129,6 @@ wants_blender() { [[ $mode != build ]]; }
 wants_tests() { [[ $mode == tests || $mode == nightly ]]; }
 
 has_python_tools() { has_environment tools tests.txt; }
-# Node.js 20 or later, for the mock server aimock.
-has_node() {
-  if [[ $(node --version 2>/dev/null) =~ ^v([0-9]+) ]] && ((BASH_REMATCH[1] >= 20)); then return 0; fi
-  has_environment nodejs nodejs.txt
-}
 has_mocks() {
   has_environment mocks-python mocks.txt && has_node && [[ -d $deps/mocks-node/node_modules ]] &&
     cmp -s "$deps/mocks-node/package-lock.json" "$root/tests/llm/mocks/package-lock.json"
@@ -174,7 +169,7 @@ require_packages() {
 # The packages that a Blender still needs.
 blender_packages() {
   local packages
-  packages=$(missing_packages picture)
+  packages=$(missing_packages picture sandbox)
   if ! own_blender >/dev/null; then
     if bpy_fits; then packages+=$(missing_packages bpy); else packages+="blender "; fi
   fi
@@ -182,16 +177,6 @@ blender_packages() {
 }
 
 # ---- what is not a package --------------------------------------------------------------------------------------------------------
-
-make_environment() { # FOLDER PYTHON
-  rm -rf "$1"
-  logged "$2" -m venv "$1"
-}
-
-install_requirements() { # FOLDER REQUIREMENTS
-  logged "$1/bin/python" -m pip install --disable-pip-version-check --no-input --no-compile --only-binary=:all: --require-hashes \
-    -r "$root/scripts/requirements/$2" && cp "$root/scripts/requirements/$2" "$1/requirements.txt"
-}
 
 fetch_solver() {
   local machine folder=$deps/ortools-$ortools_version work
@@ -242,9 +227,10 @@ fetch_bpy() {
 
 set_up_blender() {
   local missing
-  missing=$(missing_packages picture)
+  missing=$(missing_packages picture sandbox)
   # shellcheck disable=SC2086  # a list of words
   [[ ! $missing ]] || install_packages $missing || true
+  [[ ! $(missing_packages sandbox) ]] || say "code that a model wrote runs in a sandbox only: $(apt_line "$(missing_packages sandbox)")"
   if own_blender >/dev/null || has_private_bpy || fetch_bpy || install_packages blender; then
     [[ ! $(missing_packages picture) ]] || say "quick pictures (--quality draft) need OpenGL: $(apt_line "$(missing_packages picture)")"
     return 0
@@ -279,12 +265,17 @@ fetch_test_tools() {
     if ! make_environment "$deps/mocks-python" python3 || ! install_requirements "$deps/mocks-python" mocks.txt; then
       die "the mock server llmock could not be fetched"
     fi
-    if ! has_node && ! { make_environment "$deps/nodejs" python3 && install_requirements "$deps/nodejs" nodejs.txt; }; then
-      die "Node.js for the mock server aimock could not be fetched"
-    fi
+    has_node || fetch_node || die "Node.js for the mock server aimock could not be fetched"
     mkdir -p "$deps/mocks-node"
     cp "$root"/tests/llm/mocks/package*.json "$deps/mocks-node/"
     logged npm ci --prefix "$(readlink -f "$deps/mocks-node")" --ignore-scripts --no-audit --no-fund || die "the mock server aimock could not be fetched"
+  fi
+  # Only one test wants it, and its wheels fit one kind of machine.
+  if ! has_environment store store.txt; then
+    say "fetching a store of Amazon's form (moto)"
+    if ! make_environment "$deps/store" python3 || ! install_requirements "$deps/store" store.txt; then
+      say "it could not be fetched; what uploads to one is not tested"
+    fi
   fi
 }
 
@@ -295,7 +286,7 @@ if wants_tests; then groups+=(tests); fi
 if [[ $mode == nightly ]]; then groups+=(nightly); fi
 
 fingerprint() {
-  cat "$root"/scripts/setup.sh "$root"/scripts/packages.txt "$root"/scripts/requirements/*.txt "$root"/tests/tools/package*.json "$root"/tests/render/three/package*.json "$root"/tests/llm/mocks/package*.json |
+  cat "$root"/scripts/{setup,environments}.sh "$root"/scripts/packages.txt "$root"/scripts/requirements/*.txt "$root"/tests/tools/package*.json "$root"/tests/render/three/package*.json "$root"/tests/llm/mocks/package*.json |
     cat - <(printf '%s\n' "$root" "${ORTOOLS_ROOT:-}" "${LAYOUTBOX_BLENDER:-}") | sha256sum | cut -d' ' -f1
 }
 

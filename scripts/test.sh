@@ -30,6 +30,7 @@ if step set-up scripts/setup.sh --tests; then
   step format scripts/format.sh --check
   step lint-python lint_python
   step lint-shell lint_shell
+  step page scripts/page.sh --check
   if step build scripts/build.sh --tests; then
     cases tests build/release
     [[ $quick ]] || step clang-tidy scripts/tidy.sh

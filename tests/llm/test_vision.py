@@ -4,18 +4,15 @@ yes to everything and one who is blind: the figures come out as planted."""
 import base64
 import hashlib
 import io
-import json
-import threading
 import unittest
-from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 
 import model_case
+from fault_server import FaultServer, call, scripted
 
 try:
     from PIL import Image
 except ImportError:
     Image = None
-
 
 
 def thing(name, category, size, at, turn, on="floor", mount="floor"):
@@ -37,59 +34,36 @@ ROOM = {
 OPTIONS = ["--singles", "12", "--multis", "4"]
 
 
-class VisionServer:
+class VisionServer(FaultServer):
     """Answers chat completions with a picture by `judge(picture, question)`."""
 
     def __init__(self, judge):
-        server = self
-        self.pictures, self.errors, self.count = [], [], 0
+        self.judge, self.pictures, self.errors = judge, [], []
+        super().__init__([scripted(self.reply)])
 
-        class Handler(BaseHTTPRequestHandler):
-            def do_POST(self):
-                body = json.loads(self.rfile.read(int(self.headers["Content-Length"])))
-                server.count += 1
-                try:
-                    answer = server.answer(body, judge)
-                except Exception as error:  # told by the test, which else would only see a broken answer
-                    server.errors.append(repr(error))
-                    answer = {"answer": "unsure", "reason": "", "score": 0}
-                name = body["tools"][0]["function"]["name"]
-                call = {"id": "c", "type": "function", "function": {"name": name, "arguments": json.dumps(answer)}}
-                message = {"role": "assistant", "content": None, "tool_calls": [call]}
-                usage = {"prompt_tokens": 9, "completion_tokens": 9}
-                reply = {"choices": [{"index": 0, "finish_reason": "tool_calls", "message": message}], "usage": usage}
-                data = json.dumps(reply).encode()
-                self.send_response(200)
-                self.send_header("Content-Type", "application/json")
-                self.send_header("Content-Length", str(len(data)))
-                self.end_headers()
-                self.wfile.write(data)
+    @property
+    def count(self):
+        return len(self.requests)
 
-            def log_message(self, *_):
-                pass
+    def reply(self, request):
+        body = request.json()
+        name = body["tools"][0]["function"]["name"]
+        try:
+            return call(name, self.answer(name, body["messages"][-1]["content"]))
+        except Exception as error:  # told by the test, which else would only see a broken answer
+            self.errors.append(repr(error))
+            return call(name, {"answer": "unsure", "reason": "", "score": 0})
 
-        self.server = ThreadingHTTPServer(("127.0.0.1", 0), Handler)
-        self.url = f"http://127.0.0.1:{self.server.server_port}/v1"
-
-    def __enter__(self):
-        threading.Thread(target=self.server.serve_forever, daemon=True).start()
-        return self
-
-    def __exit__(self, *_):
-        self.server.shutdown()
-        self.server.server_close()
-
-    def answer(self, body, judge):
-        parts = body["messages"][-1]["content"]
+    def answer(self, name, parts):
         urls = [part["image_url"]["url"] for part in parts if part["type"] == "image_url"]
         text = " ".join(part["text"] for part in parts if part["type"] == "text")
         assert len(urls) == 1 and urls[0].startswith("data:image/png;base64,"), urls[0][:40]
         picture = Image.open(io.BytesIO(base64.b64decode(urls[0].split(",", 1)[1]))).convert("RGB")
         picture.load()
         self.pictures.append(picture.size)
-        if body["tools"][0]["function"]["name"] == "score":
-            return {"score": judge(picture, None), "reason": "scripted"}
-        return {"answer": judge(picture, text), "reason": "scripted"}
+        if name == "score":
+            return {"score": self.judge(picture, None), "reason": "scripted"}
+        return {"answer": self.judge(picture, text), "reason": "scripted"}
 
 
 @unittest.skipIf(Image is None, "no Pillow")

@@ -120,6 +120,25 @@ class Calls(ServiceCase):
         names = {row["name"] for row in self.service.get("/api/relations").json()["relations"]}
         self.assertIn("againstWall", names)
 
+    def test_what_was_left_out_is_spoken_of_in_every_call(self):
+        layout = json.loads(json.dumps(self.layout))
+        layout["objects"] = [item for item in layout["objects"] if item["id"] != "desk_1" and item["supportedBy"] != "desk_1"]
+        here = {item["id"] for item in layout["objects"]}
+        for item in self.layout["objects"]:
+            if item["id"] not in here:
+                layout["relaxed"].append({"relation": item["id"], "by": 0, "why": f"the {item['name']} is left out"})
+        layout["status"] = "relaxed"
+        self.assertTrue(any("desk_1" in relation["targets"] for relation in layout["relations"]))
+        again = self.assert_status(self.service.post("/api/export", {"layout": layout, "format": "json"}), 200).json()
+        self.assertEqual(again["relations"], layout["relations"])
+        bed = self.object("bed_1", layout)
+        dragged = self.assert_status(
+            self.service.post("/api/drag", {"layout": again, "id": "bed_1", "pos": [bed["pos"][0] + 0.3, bed["pos"][1]]}), 200
+        ).json()
+        edited = self.assert_status(self.service.post("/api/edit", {"layout": dragged["layout"], "text": "remove the lamp"}), 200).json()
+        for layout in (again, dragged["layout"], edited["layout"]):
+            self.assert_status(self.service.post("/api/verify", {"layout": layout}), 200)
+
     def test_kept_rooms(self):
         kept = self.assert_status(self.service.post("/api/rooms", {"name": "Mine", "prompt": BEDROOM, "layout": self.layout}), 201).json()
         self.assertEqual(self.service.get("/api/rooms").json()["rooms"][0]["id"], kept["id"])

@@ -21,8 +21,8 @@ export function take_token(): void {
   history.replaceState(null, "", location.pathname);
 }
 
-async function ask(method: string, path: string, body?: unknown, signal?: AbortSignal): Promise<Response> {
-  const headers: Record<string, string> = {};
+async function ask(method: string, path: string, body?: unknown, signal?: AbortSignal, accept?: string): Promise<Response> {
+  const headers: Record<string, string> = accept ? {Accept: accept} : {};
   if (body !== undefined) headers["Content-Type"] = "application/json";
   const token = sessionStorage.getItem(kToken);
   if (token) headers["Authorization"] = `Bearer ${token}`;
@@ -38,11 +38,41 @@ async function ask(method: string, path: string, body?: unknown, signal?: AbortS
   throw new Refused(told?.message ? told : {code: String(answer.status), message: texts.errors.status(answer.status)}, answer.status);
 }
 
+/** Server-sent events of an answer, read by fetch so that a token and a body can be sent. */
+async function* events_of(answer: Response): AsyncGenerator<{name: string; data: string}> {
+  const reader = answer.body?.pipeThrough(new TextDecoderStream()).getReader();
+  let rest = "";
+  while (reader) {
+    const {value, done} = await reader.read();
+    if (done) return;
+    const events = (rest + value).split(/\r?\n\r?\n/);
+    rest = events.pop() ?? "";
+    for (const event of events) {
+      const lines = event.split(/\r?\n/);
+      const values = (field: string) => lines.filter((line) => line.startsWith(`${field}:`)).map((line) => line.slice(field.length + 2));
+      const data = values("data");
+      if (data.length > 0) yield {name: values("event")[0] ?? "message", data: data.join("\n")};
+    }
+  }
+}
+
+/** A call that tells of its stages while it works. */
+async function staged<T>(path: string, body: unknown, signal: AbortSignal | undefined, on_stage: (stage: string) => void): Promise<T> {
+  const answer = await ask("POST", path, body, signal, "text/event-stream");
+  for await (const {name, data} of events_of(answer)) {
+    if (name === "stage") on_stage(data);
+    if (name === "answer") return JSON.parse(data) as T;
+    if (name === "refusal") throw new Refused(JSON.parse(data) as ErrorBody, 422);
+  }
+  throw new Refused({code: "unreachable", message: texts.errors.unreachable}, 0);
+}
+
 const json = async <T>(method: string, path: string, body?: unknown, signal?: AbortSignal): Promise<T> =>
   (await ask(method, path, body, signal)).json() as Promise<T>;
 
 export const api = {
-  generate: (body: GenerateRequest, signal?: AbortSignal) => json<Room>("POST", "/api/generate", body, signal),
+  generate: (body: GenerateRequest, signal?: AbortSignal, on_stage: (stage: string) => void = () => undefined) =>
+    staged<Room>("/api/generate", body, signal, on_stage),
   solve: (body: SolveRequest, signal?: AbortSignal) => json<SolveAnswer>("POST", "/api/solve", body, signal),
   edit: (body: EditRequest, signal?: AbortSignal) => json<Edited>("POST", "/api/edit", body, signal),
   drag: (body: DragRequest, signal?: AbortSignal) => json<Dragged>("POST", "/api/drag", body, signal),
@@ -60,20 +90,9 @@ export const api = {
   job: (id: string) => json<Job>("GET", `/api/jobs/${id}`),
   cancel: (id: string) => json<Job>("DELETE", `/api/jobs/${id}`),
   file: async (id: string, name: string) => (await ask("GET", `/api/jobs/${id}/files/${name}`)).blob(),
-  /** Server-sent events read by fetch, so that a token can be sent; ends with the job. */
+  /** Ends with the job. */
   async follow(id: string, on_job: (job: Job) => void, signal: AbortSignal): Promise<void> {
     const answer = await ask("GET", `/api/jobs/${id}/events`, undefined, signal);
-    const reader = answer.body?.pipeThrough(new TextDecoderStream()).getReader();
-    let rest = "";
-    while (reader) {
-      const {value, done} = await reader.read();
-      if (done) return;
-      const events = (rest + value).split(/\r?\n\r?\n/);
-      rest = events.pop() ?? "";
-      for (const event of events) {
-        const data = event.split(/\r?\n/).filter((line) => line.startsWith("data:")).map((line) => line.slice(5).trim());
-        if (data.length > 0) on_job(JSON.parse(data.join("\n")) as Job);
-      }
-    }
+    for await (const {data} of events_of(answer)) on_job(JSON.parse(data) as Job);
   },
 };

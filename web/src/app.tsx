@@ -5,10 +5,13 @@ import {Icon} from "./icons";
 import {Compare} from "./panels/compare";
 import {EditBox, Proposal} from "./panels/edit";
 import {Panel} from "./panels/panel";
+import {Rate} from "./panels/rate";
 import {Selected} from "./panels/selected";
 import {Variants} from "./panels/variants";
 import {Plan} from "./plan/plan";
 import {Prompt, Start} from "./prompt";
+import {area, room_bounds} from "./pure/geometry";
+import {area_text, length_text} from "./pure/units";
 import {set, shown, use} from "./state/store";
 import {texts} from "./texts";
 import {View3D} from "./view3d/view3d";
@@ -46,7 +49,9 @@ function Studio() {
   const pane = use((state) => state.pane);
   const other = use((state) => state.other);
   const walking = use((state) => state.walking);
+  const units = use((state) => state.units);
   if (!layout) return null;
+  const box = room_bounds(layout.room);
   return (
     <main id="room" class={`studio pane-${pane}${other ? " two" : ""}`} tabIndex={-1}>
       <Tabs />
@@ -56,7 +61,10 @@ function Studio() {
           <View3D layout={layout} live={true} />
           <p class="hint wide-only">{walking ? texts.views.walk_hint : texts.views.three_hint}</p>
         </div>
-        <div class="view view-plan"><Plan layout={layout} live={true} /></div>
+        <div class="view view-plan">
+          <Plan layout={layout} live={true} />
+          <p class="hint" data-testid="room-size">{texts.views.room_size(length_text(box.x1 - box.x0, units), length_text(box.y1 - box.y0, units), area_text(area(layout.room.polygon), units))}</p>
+        </div>
         {other && <Compare />}
       </section>
       <div class="under">
@@ -75,14 +83,15 @@ function Studio() {
 export function App() {
   const open = use((state) => state.rooms.now !== null);
   const form = use((state) => state.form);
+  const rating = use((state) => state.rating);
   const said = use((state) => state.said);
   const busy = use((state) => state.busy);
   return (
     <>
       {open && <a class="skip" href="#room" onClick={(event) => { event.preventDefault(); document.getElementById("room")?.focus(); }}>{texts.skip}</a>}
-      {open && <header class="top"><h1><Icon name="orbit" /><span class="wide-only">{texts.title}</span></h1><Prompt /><Bar /></header>}
+      {open && !rating && <header class="top"><h1><Icon name="orbit" /><span class="wide-only">{texts.title}</span></h1><Prompt /><Bar /></header>}
       <Messages />
-      {open ? <Studio /> : <Start />}
+      {rating ? <Rate /> : open ? <Studio /> : <Start />}
       {form && <Form />}
       <p class="unseen" role="status" data-testid="said">{busy ?? said}</p>
     </>

@@ -17,11 +17,13 @@ function show_theme(): void {
 document.documentElement.lang = texts.language;
 document.title = texts.title;
 take_token();
+if (location.hash === "#rate") set({rating: true});
 show_theme();
 on_change(show_theme);
 install_keys();
 render(<App />, document.body);
 void restore_session().finally(keep_session);
+void api.health().then(({planners}) => set({planners})).catch(() => undefined);
 void api.relations()
   .then((rows) => set({sentences: new Map(rows.map((row) => [row.name, row.sentence]))}))
   .catch(() => undefined);

@@ -44,6 +44,22 @@ export function Prompt({large = false, empty = false}: {large?: boolean; empty?:
   );
 }
 
+/** Who reads the words, where there is a choice. */
+export function ReadBy() {
+  const planner = use((state) => state.planner);
+  const planners = use((state) => state.planners);
+  if (planners.length < 2) return null;
+  const {read_by, readers} = texts.prompt;
+  return (
+    <label class="read-by">
+      {read_by}
+      <select value={planner} data-testid="planner" onChange={(event) => set({planner: event.currentTarget.value as "offline" | "llm"})}>
+        {planners.map((name) => <option value={name}>{readers[name] ?? name}</option>)}
+      </select>
+    </label>
+  );
+}
+
 export function OpenFile({class: look = "link"}: {class?: string}) {
   return (
     <label class={`${look} file`}>
@@ -76,6 +92,7 @@ export function Start() {
       <p class="ways">
         <button type="button" class="link" data-testid="open-form" onClick={() => set({form: true})}><Icon name="grid" />{texts.prompt.form}</button>
         <OpenFile />
+        <ReadBy />
       </p>
     </main>
   );

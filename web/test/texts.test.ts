@@ -1,8 +1,10 @@
 import assert from "node:assert/strict";
 import {test} from "node:test";
 import {form_scene, things_of, wrong_lengths} from "../src/pure/form_scene";
+import {moved_corner, outline_area, polygon_of, shape_of, with_corner, without_corner} from "../src/pure/outline";
+import {mixed, ratings_csv, rooms_of} from "../src/pure/ratings";
 import {relation_text} from "../src/pure/relations";
-import {fresh_id, names_of, open_scene, scene_of, shape_key, with_load, with_names, without} from "../src/pure/scenes";
+import {fresh_id, names_of, open_scene, scene_of, shape_key, with_load, with_names, without, without_opening} from "../src/pure/scenes";
 import {length_text, read_length} from "../src/pure/units";
 import {named_in_role, pieces} from "../src/pure/words";
 import {begin, pushed, redone, undone} from "../src/state/history";
@@ -85,7 +87,7 @@ test("names tell things of a kind apart, ids in messages become names", () => {
 test("the form asks for a scene", () => {
   const piece = {key: 1, category: "chair", name: "chair", count: "2", w: "50 cm", d: "", h: ""};
   const value = {
-    kind: "office", w: "4", d: "3", h: "", pieces: [piece], openings: [{key: 2, type: "door" as const, wall: "wall1", offset: "0.5"}],
+    kind: "office", w: "4", d: "3", h: "", pieces: [piece], openings: [{key: 2, type: "door" as const, wall: "wall1", offset: "0.5", w: ""}], outline: null,
     relations: [{key: 3, type: "row", subject: "chair_1,chair_2", reference: ""}],
   };
   const scene = form_scene(value, "m");
@@ -121,4 +123,37 @@ test("one request in flight, the latest wins", async () => {
   await latest.settled();
   assert.deepEqual(sent, [1, 4]);
   assert.deepEqual(got, [1, 4]);
+});
+
+test("an outline drawn by hand runs counter-clockwise from the corner, on the grid", () => {
+  assert.deepEqual(polygon_of([[1, 1], [1, 4], [5, 4], [5, 1]]), [[4, 0], [4, 3], [0, 3], [0, 0]]);
+  const corners = shape_of("l", 5, 4);
+  assert.equal(corners.length, 6);
+  assert.equal(Math.round(outline_area(corners) * 10) / 10, 16.6);
+  assert.deepEqual(moved_corner(corners, 1, [6.04, -0.06])[1], [6, -0.1]);
+  assert.equal(with_corner(corners, 5).length, 7);
+  assert.equal(without_corner(without_corner(corners.slice(0, 4), 0), 0).length, 3);
+});
+
+test("what was left out is no part of the scene, nor what was said of it alone", () => {
+  const layout = without(room(), "nobody");
+  const left = {...layout, objects: layout.objects.filter((one) => one.id !== "stand_2" && one.id !== "lamp_1"),
+    relaxed: [{relation: "stand_2", by: 0, why: ""}, {relation: "lamp_1", by: 0, why: ""}]};
+  assert.deepEqual(scene_of(left).constraints!.map((one) => [one.id, one.targets]), [["c1", ["bed_1"]], ["c2", ["stand_1"]]]);
+});
+
+test("a window that goes lets what stood on its sill stand on the floor", () => {
+  const layout = room();
+  layout.objects[3]!.supportedBy = "door1";
+  const gone = without_opening(layout, "door1");
+  assert.deepEqual([gone.room.openings, gone.objects[3]!.supportedBy], [[], "floor"]);
+});
+
+test("files become rooms to rate, mixed the same way each time, and a table", () => {
+  const files = ["out/a/scene.png", "out/a/layout.json", "out/b/floorplan.svg", "out/b/scene.png", "out/b/blender.py"].map((path) => ({path, file: path}));
+  const rooms = rooms_of(files);
+  assert.deepEqual(rooms.map((one) => [one.id, one.pictures.length, one.layout]), [["a", 1, "out/a/layout.json"], ["b", 2, null]]);
+  assert.deepEqual(rooms_of([{path: "x.png", file: 1}, {path: "y.jpg", file: 2}]).map((one) => one.id), ["x", "y"]);
+  assert.deepEqual(mixed([...rooms].reverse()), mixed(rooms));
+  assert.equal(ratings_csv([{id: "b", score: 7, kind: "place", reason: 'a "desk", askew', prompt: "x"}]), 'id,score,kind,reason,prompt\nb,7,place,"a ""desk"", askew",x\n');
 });

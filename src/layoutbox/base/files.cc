@@ -6,10 +6,9 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <cstdlib>
 #include <system_error>
-
-#include "layoutbox/base/descriptor.h"
 
 namespace layoutbox {
 namespace {
@@ -56,6 +55,39 @@ mode_t usual_file_mode() {
     return 0666 & ~mask;
   }();
   return mode;
+}
+
+// The folder, open and marked as in use by this process; the mark goes with the process, however that ends. It is a lock of another kind
+// than a run's on its output folder, which may be this one.
+Descriptor folder_in_use(const fs::path& folder) {
+  Descriptor descriptor(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
+  struct flock mark {};
+  mark.l_type = F_RDLCK;
+  if (descriptor.get() >= 0) (void)::fcntl(descriptor.get(), F_OFD_SETLK, &mark);  // without it the folder is only not swept up
+  return descriptor;
+}
+
+// Whether a process has marked it, or that cannot be told.
+bool is_in_use(const fs::path& folder) {
+  const Descriptor descriptor(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
+  struct flock other {};
+  other.l_type = F_WRLCK;
+  return descriptor.get() < 0 || ::fcntl(descriptor.get(), F_OFD_GETLK, &other) != 0 || other.l_type != F_UNLCK;
+}
+
+// Folders of this user that mkdtemp named, a minute old (a new one is not marked yet), which no process uses.
+void remove_abandoned(const fs::path& base, std::string_view prefix) {
+  constexpr std::size_t kRandomLetters = 6;
+  std::error_code ignored;
+  const auto latest = fs::file_time_type::clock::now() - std::chrono::minutes(1);
+  for (fs::directory_iterator entry(base, ignored), end; entry != end; entry.increment(ignored)) {
+    const std::string name = entry->path().filename().string();
+    if (name.size() != prefix.size() + kRandomLetters || !name.starts_with(prefix)) continue;
+    struct stat status {};
+    if (::lstat(entry->path().c_str(), &status) != 0 || !S_ISDIR(status.st_mode) || status.st_uid != ::geteuid()) continue;
+    if (entry->last_write_time(ignored) > latest) continue;
+    if (!is_in_use(entry->path())) fs::remove_all(entry->path(), ignored);
+  }
 }
 
 }  // namespace
@@ -127,15 +159,18 @@ Result<TemporaryFolder> TemporaryFolder::make(std::string_view prefix) {
   std::error_code error;
   const fs::path base = fs::temp_directory_path(error);
   if (error) return io_error("find a temporary folder in", "TMPDIR", error.value());
+  remove_abandoned(base, prefix);
   std::string name = (base / fmt::format("{}XXXXXX", prefix)).string();
   if (::mkdtemp(name.data()) == nullptr) return io_error("make a temporary folder in", base, errno);
-  return TemporaryFolder(fs::path(name));
+  return TemporaryFolder(fs::path(name), folder_in_use(name));
 }
 
-TemporaryFolder::TemporaryFolder(TemporaryFolder&& other) noexcept : path_(std::exchange(other.path_, fs::path{})) {}
+TemporaryFolder::TemporaryFolder(TemporaryFolder&& other) noexcept
+    : path_(std::exchange(other.path_, fs::path{})), mark_(std::move(other.mark_)) {}
 
 TemporaryFolder& TemporaryFolder::operator=(TemporaryFolder&& other) noexcept {
   std::swap(path_, other.path_);
+  std::swap(mark_, other.mark_);
   return *this;
 }
 

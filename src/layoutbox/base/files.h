@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "layoutbox/base/descriptor.h"
 #include "layoutbox/base/result.h"
 
 namespace layoutbox {
@@ -18,7 +19,8 @@ Status write_file(const std::filesystem::path& path, std::string_view bytes);
 // Makes the folder and those above it, and checks that a file can be written there.
 Status make_folder(const std::filesystem::path& path);
 
-// A new empty folder for temporary files, removed with everything in it when the value dies.
+// A new empty folder for temporary files, removed with everything in it when the value dies; where its process is killed before, by the
+// next make() with that prefix, a minute later or more.
 class TemporaryFolder {
  public:
   static Result<TemporaryFolder> make(std::string_view prefix);
@@ -30,8 +32,9 @@ class TemporaryFolder {
   const std::filesystem::path& path() const { return path_; }
 
  private:
-  explicit TemporaryFolder(std::filesystem::path path) : path_(std::move(path)) {}
+  TemporaryFolder(std::filesystem::path path, Descriptor mark) : path_(std::move(path)), mark_(std::move(mark)) {}
   std::filesystem::path path_;
+  Descriptor mark_;  // that the folder is in use
 };
 
 }  // namespace layoutbox

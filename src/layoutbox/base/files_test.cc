@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <fstream>
 
 namespace layoutbox {
@@ -80,6 +81,20 @@ TEST_F(Files, FoldersAreMadeWithThoseAbove) {
   ASSERT_TRUE(write_file(path_, "x"));
   EXPECT_EQ(make_folder(path_).error().code, ErrorCode::kIo);
   EXPECT_EQ(make_folder(path_ / "below").error().code, ErrorCode::kIo);
+}
+
+TEST(TemporaryFolders, OfAProcessThatWasKilledGoAtTheNextStart) {
+  const std::string prefix = "layoutbox-killed-";
+  const fs::path abandoned = fs::temp_directory_path() / (prefix + "abcdef"), fresh = fs::temp_directory_path() / (prefix + "ghijkl");
+  const TemporaryFolder held = TemporaryFolder::make(prefix).value();
+  ASSERT_TRUE(make_folder(abandoned) && write_file(abandoned / "a", "x") && make_folder(fresh));
+  const auto long_ago = fs::file_time_type::clock::now() - std::chrono::hours(1);
+  for (const fs::path& folder : {abandoned, held.path()}) fs::last_write_time(folder, long_ago);
+  const TemporaryFolder next = TemporaryFolder::make(prefix).value();
+  EXPECT_FALSE(fs::exists(abandoned));
+  EXPECT_TRUE(fs::exists(held.path())) << "it is in use";
+  EXPECT_TRUE(fs::exists(fresh)) << "its process may not have locked it yet";
+  fs::remove_all(fresh);
 }
 
 TEST(TemporaryFolders, GoWithEverythingInThem) {

@@ -15,6 +15,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+constexpr double kWatchSeconds = 0.04;
+
 // Reads until the child is gone; ends it when the time is up or the stop flag is set.
 class Supervisor {
  public:
@@ -59,7 +61,7 @@ class Supervisor {
     if (!ending_) {
       outcome_.timed_out = seconds_since(begin_) > options_.time_limit_s;
       outcome_.stopped = !outcome_.timed_out && options_.stop != nullptr && options_.stop->load();
-      if (!outcome_.timed_out && !outcome_.stopped) return;
+      if (!outcome_.timed_out && !outcome_.stopped && !watch_ends_it()) return;
       ending_ = true;
       ended_ = Clock::now();
       ::kill(-child_, SIGTERM);
@@ -68,11 +70,21 @@ class Supervisor {
     }
   }
 
+  // What is watched does harm while it runs: it is ended without grace.
+  bool watch_ends_it() {
+    if (!options_.watch || seconds_since(watched_) < kWatchSeconds) return false;
+    outcome_.ended = options_.watch(child_);
+    watched_ = Clock::now();
+    if (outcome_.ended.empty()) return false;
+    ::kill(-child_, SIGKILL);
+    return true;
+  }
+
   pid_t child_;
   int output_;
   const ProcessOptions& options_;
   ProcessOutcome outcome_;
-  Clock::time_point begin_ = Clock::now(), ended_{};
+  Clock::time_point begin_ = Clock::now(), ended_{}, watched_{};
   bool ending_ = false, more_ = true;
 };
 

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <signal.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
 #ifdef __linux__
 #include <sys/prctl.h>
@@ -22,7 +23,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
+#ifdef __GLIBC__
+using Resource = __rlimit_resource_t;
+#else
+using Resource = int;
+#endif
+
 constexpr std::size_t kKeptOutput = 64 << 10;
+constexpr int kDescriptors = 4096;
 constexpr std::size_t kLongestLine = 16 << 10;  // a longer one is passed on in pieces
 
 // Everything the child needs between fork and exec, made before: nothing may be allocated there.
@@ -30,6 +38,9 @@ struct Launch {
   std::string program, folder;
   std::vector<std::string> words, environment;
   std::vector<char*> argv, envp;
+  std::vector<ResourceLimit> limits;
+  std::vector<int> inherited;
+  bool alone = false;
   pid_t parent = ::getpid();
 #ifdef __linux__
   bool from_main_thread = ::gettid() == ::getpid();
@@ -41,7 +52,10 @@ Launch prepare(const std::vector<std::string>& command, const ProcessOptions& op
   launch.program = program.string();
   launch.folder = options.working_folder.string();
   launch.words = command;
-  for (char** entry = environ; *entry != nullptr; ++entry) {
+  launch.limits = options.limits;
+  launch.inherited = options.inherited;
+  launch.alone = options.own_environment;
+  for (char** entry = environ; *entry != nullptr && !options.own_environment; ++entry) {
     const std::string_view text(*entry);
     if (!options.environment.contains(std::string(text.substr(0, text.find('='))))) launch.environment.emplace_back(text);
   }
@@ -66,6 +80,13 @@ Launch prepare(const std::vector<std::string>& command, const ProcessOptions& op
   ::dup2(input >= 0 ? input : ::open("/dev/null", O_RDONLY), STDIN_FILENO);
   ::dup2(output, STDOUT_FILENO);
   ::dup2(output, STDERR_FILENO);
+  for (const ResourceLimit& limit : launch.limits) {
+    const rlimit both{limit.most, limit.most};
+    ::setrlimit(static_cast<Resource>(limit.resource), &both);
+  }
+  // Who started this program may have left descriptors open that are nobody's business.
+  for (int other = 3; launch.alone && other < kDescriptors; ++other) ::fcntl(other, F_SETFD, FD_CLOEXEC);
+  for (const int kept : launch.inherited) ::fcntl(kept, F_SETFD, 0);
   sigset_t none;
   sigemptyset(&none);
   ::sigprocmask(SIG_SETMASK, &none, nullptr);

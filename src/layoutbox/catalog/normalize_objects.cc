@@ -16,7 +16,6 @@ namespace {
 constexpr Mm kLargestObject = 50'000;
 constexpr Mm kScreenShelf = 1200;                     // nobody looks at a screen on something higher
 constexpr std::string_view kOnWall = "wall-mounted";  // the variant of what hangs on a wall though it usually stands
-constexpr std::array kSides{&Size::width, &Size::depth, &Size::height};
 
 // True when what stands before the kind's own words is known to be no kind of its own: "queen" bed, "large wooden" desk.
 bool only_adjectives(const CatalogEntry& entry, const SceneObject& object, const std::vector<std::string>& before) {
@@ -115,7 +114,7 @@ class ObjectNormalizer {
     const bool square = entry.size.least.width == entry.size.least.depth && entry.size.usual.width == entry.size.usual.depth &&
                         entry.size.greatest.width == entry.size.greatest.depth;
     bool filled = false;
-    for (const auto side : kSides) {
+    for (const auto side : kSizeSides) {
       if (size.greatest.*side != 0 || size.least.*side != 0 || size.usual.*side != 0) {
         if (size.usual.*side == 0)
           size.usual.*side = std::clamp(usual.usual.*side, size.least.*side, std::max(size.least.*side, size.greatest.*side));
@@ -140,9 +139,9 @@ class ObjectNormalizer {
 
   void apply_scale() {
     if (object_.scale == std::array<double, 3>{1, 1, 1}) return;
-    for (std::size_t i = 0; i < kSides.size(); ++i) {
+    for (std::size_t i = 0; i < kSizeSides.size(); ++i) {
       for (Size* size : {&object_.size->least, &object_.size->usual, &object_.size->greatest}) {
-        size->*kSides[i] = static_cast<Mm>(std::lround(std::clamp(size->*kSides[i] * object_.scale[i], -2e6, 2e6)));
+        size->*kSizeSides[i] = static_cast<Mm>(std::lround(std::clamp(size->*kSizeSides[i] * object_.scale[i], -2e6, 2e6)));
       }
     }
     context_.note("converted", fmt::format("the scale of \"{}\" is worked into its size: {}", object_.id, text_of(object_.size->usual)),
@@ -153,8 +152,8 @@ class ObjectNormalizer {
   void check_size() {
     const SizeRange& size = *object_.size;
     constexpr std::string_view kNames[] = {"width", "depth", "height"};
-    for (std::size_t i = 0; i < kSides.size(); ++i) {
-      const auto side = kSides[i];
+    for (std::size_t i = 0; i < kSizeSides.size(); ++i) {
+      const auto side = kSizeSides[i];
       if (size.least.*side <= 0 || size.greatest.*side > kLargestObject) {
         const Mm bad = size.least.*side <= 0 ? size.least.*side : size.greatest.*side;
         context_.error(ErrorCode::kGeometry, fmt::format("the {} of \"{}\" is {}", kNames[i], object_.id, metres_text(bad)),

@@ -25,6 +25,8 @@ constexpr Size kOrdinaryRoom{4000, 3500, 2600};
 constexpr double kMostCovered = 0.32;
 // The same with the free floor that the catalogue wants at its sides; neighbours may share some of that.
 constexpr double kMostUsed = 0.58;
+// … and at least this share of an ordinary room's, down to so much of its area: few things are lost in a room for many.
+constexpr double kLeastUsed = 0.3, kSmallestShare = 0.65;
 constexpr Point kGridWay{350, 850};  // free between the columns and rows of a grid
 
 struct SizeWordFactor {
@@ -152,6 +154,7 @@ class RoomNormalizer {
       }
       const double factor = growth(w * d * share, std::max(w, d));
       if (factor > 1.001) reason += ", grown to hold its furniture";
+      if (factor < 0.999) reason += ", smaller as little stands in it";
       w = rounded_up(w * factor);
       d = rounded_up(d * factor);
     }
@@ -161,7 +164,8 @@ class RoomNormalizer {
     return room_outline(room_.shape, static_cast<Mm>(std::min(w, 1e6)), static_cast<Mm>(std::min(d, 1e6)));
   }
 
-  // By how much both sides must grow so that the floor holds what stands on it, and the longest piece fits along a wall.
+  // By how much both sides must grow so that the floor holds what stands on it, and the longest piece fits along a wall; or may shrink
+  // where little stands there and nobody spoke of the room's size.
   double growth(double area, double longest_side) const {
     double covered = 0, used = 0, longest = 0;
     for (const SceneObject& object : context_.scene.objects) {
@@ -173,7 +177,9 @@ class RoomNormalizer {
                                         : double(size.width) * size.depth + wanted_floor(entry, size);
       longest = std::max({longest, double(size.width), double(size.depth)});
     }
-    return std::max({1.0, std::sqrt(covered / kMostCovered / area), std::sqrt(used / kMostUsed / area), (longest + 600) / longest_side,
+    const bool may_shrink = room_.size_word.empty() && used > 0;
+    const double least = may_shrink ? std::sqrt(std::clamp(used / kLeastUsed / area, kSmallestShare, 1.0)) : 1.0;
+    return std::max({least, std::sqrt(covered / kMostCovered / area), std::sqrt(used / kMostUsed / area), (longest + 600) / longest_side,
                      span_wanted() / longest_side});
   }
 

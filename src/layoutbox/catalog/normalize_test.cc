@@ -98,7 +98,7 @@ TEST(NormalizeRoom, WallsThatNobodyNamedGiveWayToAThingOfTheirName) {
 }
 
 TEST(NormalizeRoom, FillsASizeForTheKindOfRoom) {
-  const SceneGraph scene = normalized(scene_of({object("bed_1", "bed")}));
+  const SceneGraph scene = normalized(scene_of({}));
   EXPECT_THAT(scene.room.polygon, ElementsAre(Point{0, 0}, Point{4000, 0}, Point{4000, 3500}, Point{0, 3500}));
   EXPECT_EQ(scene.room.height, 2600);
   ASSERT_EQ(scene.room.walls.size(), 4u);
@@ -107,6 +107,14 @@ TEST(NormalizeRoom, FillsASizeForTheKindOfRoom) {
   EXPECT_EQ(scene.find_wall("back")->id, "wall3");
   EXPECT_EQ(scene.find_wall("left")->id, "wall4");
   EXPECT_THAT(scene.notes, Contains(AllOf(Field(&Note::code, "filled"), Field(&Note::pointer, "/room/dims"))));
+}
+
+TEST(NormalizeRoom, IsSmallForLittleUnlessTheTextSaysHowLarge) {
+  const SceneGraph little = normalized(scene_of({object("chair_1", "chair")})), nothing = normalized(scene_of({}));
+  EXPECT_LT(doubled_area(little.room.polygon), doubled_area(nothing.room.polygon));
+  SceneGraph large = scene_of({object("chair_1", "chair")});
+  large.room.size_word = "medium";
+  EXPECT_EQ(doubled_area(normalized(large).room.polygon), doubled_area(nothing.room.polygon));
 }
 
 double area(const SceneGraph& scene) { return static_cast<double>(doubled_area(scene.room.polygon)) / 2e6; }

@@ -8,8 +8,6 @@
 namespace layoutbox {
 namespace {
 
-constexpr std::array kSides{&Size::width, &Size::depth, &Size::height};
-
 // Words of size that hold for every kind of thing: which sides they speak of, and in which direction.
 struct SizeWord {
   std::string_view word;
@@ -47,8 +45,8 @@ SizeRange size_by_words(const CatalogEntry& entry, const std::vector<std::string
   for (const SizeWord& rule : kSizeWords) {
     if (!says(said, rule.word)) continue;
     const bool applies[] = {rule.width, rule.depth, rule.height};
-    for (std::size_t i = 0; i < kSides.size(); ++i) {
-      const auto side = kSides[i];
+    for (std::size_t i = 0; i < kSizeSides.size(); ++i) {
+      const auto side = kSizeSides[i];
       if (!applies[i]) continue;
       const Mm end = rule.larger ? range.greatest.*side : range.least.*side;
       const Mm middle = range.usual.*side + (end - range.usual.*side) * 2 / 3;

@@ -1,6 +1,7 @@
 // What words say about a size: "king" bed, "tall" shelf.
 #pragma once
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -8,6 +9,8 @@
 #include "layoutbox/catalog/catalog.h"
 
 namespace layoutbox {
+
+inline constexpr std::array kSizeSides{&Size::width, &Size::depth, &Size::height};
 
 // What is said of the object: its attributes, its name and its category.
 std::vector<std::string> words_said_of(const SceneObject& object);

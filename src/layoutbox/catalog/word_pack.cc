@@ -6,7 +6,7 @@
 namespace layoutbox {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 std::string count_bytes(std::size_t size) {
   const auto count = static_cast<std::uint32_t>(size);
@@ -19,14 +19,14 @@ std::string value_bytes(WordList::Kind kind, std::string_view payload) {
   return std::string(1, static_cast<char>(kind)) + count_bytes(payload.size()) + std::string(payload);
 }
 
-std::string packed(const Json& value) {
+std::string packed(const OrderedJson& value) {
   std::string payload;
   if (value.is_object()) {
     for (const auto& [key, member] : value.items()) payload += pack_member(key, packed(member));
     return pack_object(payload);
   }
   if (value.is_array()) {
-    for (const Json& element : value) payload += packed(element);
+    for (const OrderedJson& element : value) payload += packed(element);
     return value_bytes(WordList::Kind::kArray, payload);
   }
   if (value.is_string()) return value_bytes(WordList::Kind::kText, value.get_ref<const std::string&>());
@@ -45,7 +45,7 @@ std::string pack_member(std::string_view key, std::string_view packed) {
 std::string pack_object(std::string_view members) { return value_bytes(WordList::Kind::kObject, members); }
 
 std::string pack_words(std::string_view json) {
-  const Json document = Json::parse(json, nullptr, false);
+  const OrderedJson document = OrderedJson::parse(json, nullptr, false);
   return document.is_object() ? packed(document) : std::string();
 }
 

@@ -16,7 +16,9 @@ Ordered blocks_of(const Message& message) {
   Ordered blocks = Ordered::array();
   for (const Image& image : message.images) {
     blocks.push_back(
-        {{"type", "image"}, {"source", {{"type", "base64"}, {"media_type", image.media_type}, {"data", base64(image.bytes)}}}});
+        {{"type", "image"},
+         {"source", image.url.empty() ? Ordered{{"type", "base64"}, {"media_type", image.media_type}, {"data", base64(image.bytes)}}
+                                      : Ordered{{"type", "url"}, {"url", image.url}}}});
   }
   blocks.push_back({{"type", "text"}, {"text", message.content}});
   return blocks;

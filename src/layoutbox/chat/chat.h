@@ -27,6 +27,7 @@ struct Function {
 struct Image {
   std::string media_type;  // "image/png", "image/jpeg"
   std::string bytes;       // the file's
+  std::string url = {};    // where the server can fetch it; empty: it is sent along
 };
 
 struct Message {

@@ -18,6 +18,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+constexpr Mode kPlainJson[] = {Mode::kJson};
 constexpr int kMostAdaptations = 8;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
@@ -71,6 +72,11 @@ ChatClient::ChatClient(ChatOptions options)
       capabilities_(load_capabilities(options_.cache, options_.endpoint.base_url, options_.endpoint.model, provider().modes())) {
   // Hosted servers know a function by name; those at home (llama.cpp, LM Studio) often but the word, and then let the model talk.
   if (!capabilities_.known && is_local(options_.endpoint)) capabilities_.without.insert("named_tool");
+  if (options_.plain_json) {
+    capabilities_.mode = Mode::kJson;
+    capabilities_.modes = kPlainJson;
+    capabilities_.known = true;  // so that it is not kept as what the server can do
+  }
   if (options_.context_tokens > 0) capabilities_.capacity.context = options_.context_tokens;
 }
 

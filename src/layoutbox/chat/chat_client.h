@@ -24,6 +24,7 @@ struct ChatOptions {
   RetryOptions retry;
   double request_limit_s = 300;     // of one request. DEFAULT: 300, for models on slow machines
   bool stream = false;              // ask for the answer in pieces; one that only repeats itself is then left off
+  bool plain_json = false;          // never by function calling, the schema in the text. DEFAULT: false, the best that the server has
   std::int64_t context_tokens = 0;  // what the model can hold, question and answer together; 0: found out
   // Where answers and what is known of servers are kept. Empty: nowhere.
   std::filesystem::path cache = cache_folder();

@@ -110,7 +110,7 @@ TEST(Key, that_is_no_secret_is_left_alone) {
 
 TEST(OneLine, cuts_between_characters) {
   EXPECT_EQ(one_line("a\n\tb"), "a b");
-  EXPECT_EQ(one_line("ééé", 3), "éé…");
+  EXPECT_EQ(one_line("ééé", 3), "é…");  // at most three bytes
 }
 
 TEST(Prices, by_the_longest_name) {

@@ -7,6 +7,7 @@
 
 #include "layoutbox/base/bytes.h"
 #include "layoutbox/base/plain_text.h"
+#include "layoutbox/base/utf8.h"
 #include "layoutbox/chat/provider.h"
 
 namespace layoutbox::chat {
@@ -141,19 +142,10 @@ std::string without_key(std::string text, const Endpoint& endpoint) {
 std::string one_line(std::string_view text, std::size_t most) {
   std::string line;
   for (const char c : plain_text(text)) {
-    const auto byte = static_cast<unsigned char>(c);
-    const bool begins = (byte & 0xC0) != 0x80;
-    if (line.size() >= most && begins) {
-      line += "…";
-      break;
-    }
-    if (byte > ' ') {
-      line += c;
-    } else if (!line.empty() && line.back() != ' ') {
-      line += ' ';
-    }
+    if (c != ' ' || (!line.empty() && line.back() != ' ')) line += c;
   }
   while (line.ends_with(' ')) line.pop_back();
+  if (line.size() > most) line = std::string(first_bytes(line, most)) + "…";
   return line;
 }
 

@@ -171,6 +171,7 @@ HttpResult HttpClient::post(const HttpRequest& request, const std::atomic<bool>*
   curl.easy_setopt(easy, CURLOPT_HTTPHEADER, headers);
   curl.easy_setopt(easy, CURLOPT_POSTFIELDSIZE_LARGE, static_cast<curl_off_t>(request.body.size()));
   curl.easy_setopt(easy, CURLOPT_POSTFIELDS, request.body.data());
+  curl.easy_setopt(easy, CURLOPT_CUSTOMREQUEST, request.method.c_str());
   curl.easy_setopt(easy, CURLOPT_WRITEFUNCTION, &on_body);
   curl.easy_setopt(easy, CURLOPT_WRITEDATA, &exchange);
   curl.easy_setopt(easy, CURLOPT_HEADERFUNCTION, &on_header);

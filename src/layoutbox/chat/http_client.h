@@ -19,7 +19,8 @@ namespace layoutbox::chat {
 struct HttpRequest {
   std::string url;
   std::vector<std::string> headers;  // "Name: value"
-  std::string body;                  // sent by POST
+  std::string body;
+  std::string method = "POST";       // or PUT
   double time_limit_s = 300;         // of the whole exchange. REQUIRES: > 0
   std::size_t max_bytes = 8u << 20;  // of the answer; a longer one is refused as soon as that is seen
   // Asked now and then while the answer comes: true where what has come is enough, and the rest is not waited for. May be empty.

@@ -66,8 +66,8 @@ Ordered content_of(const Message& message) {
   if (message.images.empty()) return message.content;
   Ordered parts = Ordered::array();
   for (const Image& image : message.images) {
-    parts.push_back(
-        {{"type", "image_url"}, {"image_url", {{"url", fmt::format("data:{};base64,{}", image.media_type, base64(image.bytes))}}}});
+    const std::string url = image.url.empty() ? fmt::format("data:{};base64,{}", image.media_type, base64(image.bytes)) : image.url;
+    parts.push_back({{"type", "image_url"}, {"image_url", {{"url", url}}}});
   }
   parts.push_back({{"type", "text"}, {"text", message.content}});
   return parts;

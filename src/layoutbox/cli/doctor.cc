@@ -6,6 +6,7 @@
 #include "layoutbox/chat/http_client.h"
 #include "layoutbox/cli/commands.h"
 #include "layoutbox/export/cairo_canvas.h"
+#include "layoutbox/sandbox/sandbox.h"
 
 namespace layoutbox::cli {
 namespace {
@@ -40,6 +41,12 @@ Finding examine_blender() {
   return {"Blender", true, true, fmt::format("{}, {}", fmt::join(blender->command, " "), blender->version), "", ""};
 }
 
+Finding examine_sandbox() {
+  const auto walls = sandbox::describe_walls();
+  if (walls) return {"sandbox", true, false, *walls, "", ""};
+  return {"sandbox", false, false, walls.error().message, "scripts that a model wrote, and .blend files of others", walls.error().hint};
+}
+
 Finding examine_http() {
   const auto library = chat::describe_http_library();
   if (library) return {"libcurl", true, false, *library, "", ""};
@@ -72,6 +79,7 @@ int run_doctor(const Console& console) {
                               examine_solver(),
                               examine_blender(),
                               examine_cairo(),
+                              examine_sandbox(),
                               examine_http(),
                               examine_model()};
   std::string text;

@@ -109,9 +109,7 @@ int run_edit(EditArguments& flags, const Console& console) {
   if (!layout) return console.fail(layout.error());
   const auto text = read_prompt(flags.text);
   if (!text) return console.fail(text.error());
-  PlanFlags plan;
-  plan.catalog_file = flags.catalog_file;
-  const auto catalog = plan.load_catalog();
+  const auto catalog = load_catalog(flags.catalog_file);
   if (!catalog) return console.fail(catalog.error());
   const auto edited = edited_layout(flags, *text, *layout, catalog->get(), console);
   if (!edited) return console.fail(edited.error());
@@ -136,7 +134,7 @@ void add_edit(CLI::App& app, Context& context) {
       ->required();
   command->add_option("-o,--output", flags->output, "The new layout (a name in .json, or - for stdout), or a folder for all files")
       ->required();
-  command->add_option("--catalog", flags->catalog_file, "Furniture of your own, JSON or CSV: id, category, width, depth, height");
+  add_catalog_option(*command, flags->catalog_file);
   command->add_option("--assets", flags->assets, "Folder that meshes and images are named from (default: the layout's)");
   flags->options.solve.effort = 100;
   add_seed_option(*command, flags->options.solve.seed);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <optional>
 
 #include "layoutbox/chat/endpoint.h"
 #include "layoutbox/cli/commands.h"
@@ -18,21 +19,26 @@ struct ExperimentArguments {
   ModelFlags model;
 };
 
-// The model's planner, where one can be asked: a key, or a server at home.
-std::unique_ptr<Planner> model_at_hand(ExperimentArguments& flags, const Console& console) {
+// A model, where one can be asked: a key, or a server at home. All that it is asked draws on one limit.
+struct ModelAtHand {
+  chat::ChatOptions chat;
+  std::unique_ptr<Planner> planner;
+};
+
+std::optional<ModelAtHand> model_at_hand(ExperimentArguments& flags, const Console& console) {
   auto chat = flags.model.chat_options(console);
-  if (!chat || !chat::check_key(chat->endpoint)) return nullptr;
-  auto planner = flags.model.make_planner("llm", Catalog::builtin(), flags.options.generate, console);
-  if (!planner) return nullptr;
+  if (!chat || !chat::check_key(chat->endpoint)) return std::nullopt;
+  auto planner = flags.model.make_planner("llm", Catalog::builtin(), flags.options.generate, console, &*chat);
+  if (!planner) return std::nullopt;
   flags.options.model_name = fmt::format("{} at {}", chat->endpoint.model, chat->endpoint.base_url);
-  return *std::move(planner);
+  return ModelAtHand{*std::move(chat), *std::move(planner)};
 }
 
 int run_experiment_command(ExperimentArguments flags, const Console& console) {
   const auto suite = experiment::load_suite(flags.suite);
   if (!suite) return console.fail(suite.error());
-  const std::unique_ptr<Planner> model = model_at_hand(flags, console);
-  flags.options.model = model.get();
+  const std::optional<ModelAtHand> model = model_at_hand(flags, console);
+  if (model) flags.options.model = model->planner.get(), flags.options.chat = &model->chat;
   flags.options.stop = &stop_flag();
   flags.options.on_run = [&](std::size_t done, std::size_t all, const std::string&) {
     console.progress("rooms", static_cast<double>(done) / static_cast<double>(all));
@@ -62,6 +68,8 @@ void add_experiment(CLI::App& app, Context& context) {
   command->add_option("--effort", flags->options.generate.solve.effort, "How long the solver improves, in deterministic units")
       ->capture_default_str()
       ->check(CLI::Range(1, 10'000'000));
+  command->add_flag("--unsafe-scripts", flags->options.unsafe_scripts,
+                    "Run scripts of a model although there is no sandbox on this machine");
   flags->model.add_to(*command, flags->options.generate.repair);
   command->callback([flags, &context] { context.status = run_experiment_command(*flags, context.console); });
 }

@@ -7,7 +7,9 @@
 
 #include "layoutbox/cli/commands.h"
 #include "layoutbox/cli/inputs.h"
+#include "layoutbox/cli/judge_questions.h"
 #include "layoutbox/cli/model_flags.h"
+#include "layoutbox/pipeline/script_by_model.h"
 #include "layoutbox/plan/llm/conversation.h"
 #include "layoutbox/scene/json_text.h"
 
@@ -18,7 +20,10 @@ using Json = nlohmann::ordered_json;
 
 struct GenerateArguments {
   std::string prompt, room_kind, scene_file, folder;
-  bool no_render = false;
+  bool no_render = false, by_vlm = false;
+  std::string vlm_model, script_by = "template";
+  bool unsafe_scripts = false;
+  QuestionFlags questions;
   PlanFlags plan;
   ModelFlags model;
   SolveFlags solve;
@@ -113,6 +118,18 @@ int print_request(GenerateArguments& flags, const Catalog& catalog, const Consol
   return print_first_request(**planner, *prompt, flags.options, console);
 }
 
+// --script llm. It can be had with the offline planner too.
+Result<DrawPictures> drawing_by_model(const GenerateArguments& flags, const std::string& prompt, const Console& console) {
+  ScriptByModel by_model;
+  LAYOUTBOX_ASSIGN(by_model.chat, flags.model.chat_options(console));
+  by_model.prompt = prompt;
+  by_model.seed = flags.options.plan.seed;
+  by_model.max_attempts = flags.options.repair.max_attempts;
+  by_model.unsafe_scripts = flags.unsafe_scripts;
+  by_model.on_note = [&console](const std::string& text) { console.warn(text); };
+  return draw_by_model(std::move(by_model));
+}
+
 Result<GenerateOutcome> generate_room(GenerateArguments& flags, const Catalog& catalog, const Console& console) {
   if (!flags.scene_file.empty()) {
     LAYOUTBOX_ASSIGN(SceneGraph scene, read_scene_file(flags.scene_file, flags.plan.units));
@@ -122,7 +139,22 @@ Result<GenerateOutcome> generate_room(GenerateArguments& flags, const Catalog& c
   LAYOUTBOX_ASSIGN(const std::string prompt, prompt_of(flags));
   if (flags.folder.empty()) flags.folder = default_folder(prompt);
   LAYOUTBOX_ASSIGN(const auto planner, flags.model.make_planner(flags.plan.planner, catalog, flags.options, console));
+  if (flags.script_by == "llm") {
+    LAYOUTBOX_ASSIGN(flags.options.draw, drawing_by_model(flags, prompt, console));
+  }
   return generate(prompt, *planner, catalog, flags.folder, flags.options);
+}
+
+// The server is the planner's; the model may be another.
+QuestionFlags questions_of(const GenerateArguments& flags) {
+  QuestionFlags questions = flags.questions;
+  questions.model = flags.vlm_model;
+  questions.base_url = flags.model.base_url;
+  questions.provider = flags.model.provider;
+  questions.timeout_s = flags.model.timeout_s;
+  questions.max_cost = flags.model.max_cost;
+  questions.no_cache = flags.model.no_cache;
+  return questions;
 }
 
 int run_generate(GenerateArguments& flags, bool prompt_given, const Console& console) {
@@ -146,6 +178,13 @@ int run_generate(GenerateArguments& flags, bool prompt_given, const Console& con
     without_json.json = false;  // the result above already holds it
     return without_json.fail(*outcome->picture_error);
   }
+  if (flags.by_vlm) {
+    if (const Status judged = judge_generated(questions_of(flags), *outcome, flags.folder, console); !judged) {
+      Console without_json = console;
+      without_json.json = false;
+      return without_json.fail(judged.error());
+    }
+  }
   return as_asked(*outcome) ? kDone : kNotAsAsked;
 }
 
@@ -159,6 +198,17 @@ void add_generate(CLI::App& app, Context& context) {
   command->add_option("--scene", flags->scene_file, "Instead of a prompt: a scene file, ours or the paper's form");
   command->add_option("-o,--output", flags->folder, "Folder for the files (default: out/ and the first words of the prompt)");
   command->add_flag("--no-render", flags->no_render, "Make no picture: no Blender is needed");
+  command
+      ->add_option("--script", flags->script_by,
+                   "Who writes blender.py: template, or llm: the model, run in a sandbox, with the template where its scripts fail")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"template", "llm"}));
+  command->add_flag("--unsafe-scripts", flags->unsafe_scripts, "Run a model's script although there is no sandbox on this machine");
+  const auto* const judging = "Judging by a vision model";
+  command->add_flag("--vlm", flags->by_vlm, "A vision model judges the picture: a score and questions, into answers.json")->group(judging);
+  command->add_option("--vlm-model", flags->vlm_model, "Its name (else LAYOUTBOX_VLM_MODEL, else LAYOUTBOX_MODEL)")->group(judging);
+  command->add_flag("--vlm-reasons", flags->questions.options.reasons, "With its reasons")->group(judging);
+  add_publish_to(*command, flags->questions.publish, judging);
   flags->plan.add_to(*command);
   flags->plan.add_companions_to(*command);
   flags->model.add_to(*command, flags->options.repair);

@@ -8,7 +8,6 @@
 
 #include "layoutbox/base/files.h"
 #include "layoutbox/catalog/room_size.h"
-#include "layoutbox/catalog/user_catalog.h"
 #include "layoutbox/cli/console.h"
 #include "layoutbox/pipeline/run_record.h"
 #include "layoutbox/scene/layout_scene.h"
@@ -55,7 +54,7 @@ void PlanFlags::add_to(CLI::App& command) {
       ->check([](const std::string& unit) {
         return metres_per_unit(unit) ? std::string() : fmt::format("\"{}\" is no unit of length: give m, cm, mm, ft or in", unit);
       });
-  auto* file = command.add_option("--catalog", catalog_file, "Furniture of your own, JSON or CSV: id, category, width, depth, height");
+  auto* file = add_catalog_option(command, catalog_file);
   command.add_flag("--catalog-only", catalog_only, "Place nothing but the furniture of --catalog")->needs(file);
   command.add_option("--assets", assets, "Folder of meshes (GLB, glTF, OBJ) with an index.csv or index.json: category, file, size, front")
       ->excludes(file);
@@ -101,19 +100,27 @@ Result<std::string> index_of(const std::string& folder) {
 
 }  // namespace
 
-Result<CatalogInUse> PlanFlags::load_catalog() const {
+Result<CatalogInUse> load_catalog(const std::string& file, CatalogMerge merge, const std::string& units) {
   CatalogInUse chosen;
+  if (file.empty()) return chosen;
+  LAYOUTBOX_ASSIGN(const std::string text, read_input(file));
+  chosen.inputs.push_back({merge == CatalogMerge::kOnly ? "--catalog-only" : "--catalog", file, content_key(text)});
+  LAYOUTBOX_ASSIGN(UserCatalog user, located(read_user_catalog(text, units), file));
+  chosen.own = with_articles(Catalog::builtin(), user, merge);
+  chosen.notes = std::move(user.notes);
+  return chosen;
+}
+
+Result<CatalogInUse> PlanFlags::load_catalog() const {
   std::string file = catalog_file;
   if (file.empty() && !assets.empty()) {
     LAYOUTBOX_ASSIGN(file, index_of(assets));
   }
-  if (file.empty()) return chosen;
-  LAYOUTBOX_ASSIGN(const std::string text, read_input(file));
-  chosen.inputs.push_back({catalog_only ? "--catalog-only" : "--catalog", file, content_key(text)});
-  LAYOUTBOX_ASSIGN(UserCatalog user, located(read_user_catalog(text, units), file));
-  chosen.own = with_articles(Catalog::builtin(), user, catalog_only ? CatalogMerge::kOnly : CatalogMerge::kAdd);
-  chosen.notes = std::move(user.notes);
-  return chosen;
+  return cli::load_catalog(file, catalog_only ? CatalogMerge::kOnly : CatalogMerge::kAdd, units);
+}
+
+CLI::Option* add_catalog_option(CLI::App& command, std::string& file) {
+  return command.add_option("--catalog", file, "Furniture of your own, JSON or CSV: id, category, width, depth, height");
 }
 
 void add_seed_option(CLI::App& command, std::uint64_t& seed) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "layoutbox/base/result.h"
+#include "layoutbox/catalog/user_catalog.h"
 #include "layoutbox/pipeline/generate.h"
 
 namespace layoutbox::cli {
@@ -19,6 +20,12 @@ struct CatalogInUse {
   std::vector<InputFile> inputs;
   const Catalog& get() const { return own ? *own : Catalog::builtin(); }
 };
+
+// Ours alone where `file` is empty. `kOnly`: nothing but the user's articles. Errors: those of reading the file.
+Result<CatalogInUse> load_catalog(const std::string& file, CatalogMerge merge = CatalogMerge::kAdd, const std::string& units = {});
+
+// --catalog.
+CLI::Option* add_catalog_option(CLI::App& command, std::string& file);
 
 // Options of planning, of the room and of the catalogue: --planner, --room, --room-file, --units, --catalog, --catalog-only, --assets.
 struct PlanFlags {

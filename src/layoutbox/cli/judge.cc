@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 struct JudgeArguments {
   std::vector<std::string> files;
   std::string scene, annotations, id, format, models, output, report, picture;
-  bool reasons = false;
+  bool reasons = false, unsafe_scripts = false;
   QuestionFlags questions;
 };
 
@@ -30,7 +30,8 @@ struct RoomPlace {
 // The name of a room: of DIR/ID/layout.json and DIR/ID.layout.json the ID, else the file's stem.
 std::string id_of(const fs::path& path) {
   const std::string name = path.filename().string();
-  if (name == "layout.json" || name == "scene.json" || name == "scene.glb") return path.parent_path().filename().string();
+  if (name == "layout.json" || name == "scene.json" || name == "scene.glb" || name == "scene.blend")
+    return path.parent_path().filename().string();
   if (name.ends_with(".layout.json")) return name.substr(0, name.size() - std::string(".layout.json").size());
   return path.stem().string();
 }
@@ -99,6 +100,7 @@ class JudgeRun {
       LAYOUTBOX_ASSIGN(annotations_, scoring::read_annotations(text));
     }
     options_.format = flags_.format;
+    options_.without_walls = flags_.unsafe_scripts;
     if (!flags_.models.empty()) {
       LAYOUTBOX_ASSIGN(options_.models, read_input(flags_.models));
     }
@@ -147,7 +149,7 @@ class JudgeRun {
     const bool given = alone && !flags_.picture.empty();
     const fs::path path = given ? fs::path(flags_.picture) : fs::path(place.path).parent_path() / "scene.png";
     std::error_code error;
-    if ((flags_.report.empty() && flags_.questions.by != "vlm") || (!given && !fs::exists(path, error))) return {};
+    if ((flags_.report.empty() && !flags_.questions.shows_pictures()) || (!given && !fs::exists(path, error))) return {};
     LAYOUTBOX_ASSIGN(std::string bytes, read_file(path, 64u << 20));
     if (!bytes.starts_with("\x89PNG") && !bytes.starts_with("\xff\xd8")) {
       return fail(ErrorCode::kParse, fmt::format("{} is neither PNG nor JPEG", path.string()), path.string());
@@ -183,7 +185,7 @@ void add_judge(CLI::App& app, Context& context) {
   CLI::App* command = app.add_subcommand("judge", "Judge anybody's rooms: what was asked for, and the field's measures, by geometry");
   command
       ->add_option("rooms", flags->files,
-                   "Rooms: layout, scene with positions, glTF, SceneEval state, LayoutVLM or Holodeck JSON; or a folder")
+                   "Rooms: layout, scene with positions, glTF, .blend, SceneEval state, LayoutVLM or Holodeck JSON; or a folder")
       ->required();
   auto* scene = command->add_option("--scene", flags->scene, "What was asked for, as a scene graph");
   command->add_option("--annotations", flags->annotations, "What was asked for, as a table (ID, Description, ObjCount, OORel, OARel)")
@@ -194,6 +196,7 @@ void add_judge(CLI::App& app, Context& context) {
   command->add_option("-o,--output", flags->output, "Where the judgement goes as JSON; - writes it to stdout");
   command->add_option("--report", flags->report, "Where a page goes: picture, plan with the failures drawn in, tables; one file");
   command->add_option("--picture", flags->picture, "A picture of the room for the page (else scene.png beside it)");
+  command->add_flag("--unsafe-scripts", flags->unsafe_scripts, "Open a .blend although there is no sandbox on this machine");
   flags->questions.add_to(*command);
   command->add_flag("--reasons", flags->reasons, "Each failed entry and check, with what was measured");
   command->callback([flags, &context] { context.status = JudgeRun(*flags, context.console).run(); });

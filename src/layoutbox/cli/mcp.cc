@@ -12,9 +12,7 @@ namespace layoutbox::cli {
 namespace {
 
 int run_mcp(const std::string& catalog_file, const Console& console) {
-  PlanFlags plan;
-  plan.catalog_file = catalog_file;
-  const auto catalog = plan.load_catalog();
+  const auto catalog = load_catalog(catalog_file);
   if (!catalog) return console.fail(catalog.error());
   const auto planner = make_offline_planner(catalog->get());
   const serve::McpSession session({catalog->get(), *planner, &stop_flag()});
@@ -33,7 +31,7 @@ int run_mcp(const std::string& catalog_file, const Console& console) {
 void add_mcp(CLI::App& app, Context& context) {
   auto catalog_file = std::make_shared<std::string>();
   CLI::App* command = app.add_subcommand("mcp", "The calls for clients of language models: Model Context Protocol on stdin and stdout");
-  command->add_option("--catalog", *catalog_file, "Furniture of your own, JSON or CSV: id, category, width, depth, height");
+  add_catalog_option(*command, *catalog_file);
   command->callback([catalog_file, &context] { context.status = run_mcp(*catalog_file, context.console); });
 }
 

@@ -77,7 +77,7 @@ Result<chat::ChatOptions> ModelFlags::chat_options(const Console& console) const
 }
 
 Result<std::unique_ptr<Planner>> ModelFlags::make_planner(const std::string& name, const Catalog& catalog, GenerateOptions& options,
-                                                          const Console& console) const {
+                                                          const Console& console, const chat::ChatOptions* given) const {
   if (name != "llm") {
     if (dry_run) return layoutbox::fail(ErrorCode::kUsage, "the offline planner sends no request", "--dry-run", "add --planner llm");
     return make_offline_planner(catalog);
@@ -87,15 +87,16 @@ Result<std::unique_ptr<Planner>> ModelFlags::make_planner(const std::string& nam
     return layoutbox::fail(ErrorCode::kUsage, fmt::format("'{}' is nobody to trust", trust), "--trust", "use text or model");
   }
   conversation.trust = trust == "text" ? llm::Trust::kText : llm::Trust::kModel;
-  LAYOUTBOX_ASSIGN(chat::ChatOptions chat, chat_options(console));
+  conversation.max_attempts = options.repair.max_attempts;
+  conversation.pause_s = options.repair.pause_s;
+  LAYOUTBOX_ASSIGN(chat::ChatOptions chat, given != nullptr ? *given : chat_options(console));
   options.planner = fmt::format("llm {} at {}, trust {}", chat.endpoint.model, chat.endpoint.base_url, trust);
-  return llm::make_model_planner(catalog, std::move(chat), std::move(conversation), {options.repair.max_attempts, options.repair.pause_s});
+  return llm::make_model_planner(catalog, std::move(chat), std::move(conversation));
 }
 
 int print_first_request(const Planner& planner, const std::string& prompt, const GenerateOptions& options, const Console& console) {
-  const auto conversation =
-      planner.converse(prompt, options.plan, {options.normalize.room_size, options.shell ? &*options.shell : nullptr});
-  const auto request = conversation->describe_first_request();
+  const auto planning = planner.begin(prompt, options.plan, {options.normalize.room_size, options.shell ? &*options.shell : nullptr});
+  const auto request = planning->describe_first_request();
   if (!request) return console.fail(request.error());
   const Status written = write_output("-", *request);
   return written ? kDone : console.fail(written.error());

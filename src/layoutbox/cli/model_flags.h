@@ -24,9 +24,9 @@ struct ModelFlags {
   void add_to(CLI::App& command, RepairOptions& repair);
   // Errors: those of find_endpoint(), of the prices.
   Result<chat::ChatOptions> chat_options(const Console& console) const;
-  // The offline planner, or the one by model. Errors: kUsage, those of find_endpoint().
+  // The offline planner, or the one by model, asked as `chat` says where that is given. Errors: kUsage, those of find_endpoint().
   Result<std::unique_ptr<Planner>> make_planner(const std::string& name, const Catalog& catalog, GenerateOptions& options,
-                                                const Console& console) const;
+                                                const Console& console, const chat::ChatOptions* chat = nullptr) const;
 };
 
 // What the planner would ask a model first, on stdout; returns the exit status.

@@ -7,6 +7,7 @@
 
 #include "layoutbox/cli/commands.h"
 #include "layoutbox/cli/inputs.h"
+#include "layoutbox/cli/model_flags.h"
 
 namespace layoutbox::cli {
 namespace {
@@ -14,6 +15,9 @@ namespace {
 struct ServeArguments {
   serve::ServeOptions options;
   std::string folder, page, catalog_file;
+  std::string planner = "offline";
+  ModelFlags model;
+  GenerateOptions generate;
 };
 
 // Where programs keep what they were given: XDG_DATA_HOME, else ~/.local/share, else here.
@@ -34,22 +38,25 @@ std::filesystem::path page_beside_program() {
 }
 
 int run_serve(ServeArguments& flags, const Console& console) {
-  PlanFlags plan;
-  plan.catalog_file = flags.catalog_file;
-  const auto catalog = plan.load_catalog();
+  const auto catalog = load_catalog(flags.catalog_file);
   if (!catalog) return console.fail(catalog.error());
   const auto planner = make_offline_planner(catalog->get());
+  std::unique_ptr<Planner> by_model;
+  if (flags.planner == "llm") {
+    auto made = flags.model.make_planner("llm", catalog->get(), flags.generate, console);
+    if (!made) return console.fail(made.error());
+    by_model = *std::move(made);
+  }
   serve::ServeOptions& options = flags.options;
   options.folder = flags.folder.empty() ? usual_folder() : std::filesystem::path(flags.folder);
   options.page = flags.page.empty() ? page_beside_program() : std::filesystem::path(flags.page);
   if (const char* token = std::getenv("LAYOUTBOX_TOKEN"); token != nullptr) options.token = token;
-  options.stop = &stop_flag();
   options.on_ready = [&](const std::string& url) {
     if (options.page.empty()) console.warn("the page was left out of this build; the service runs without it");
     const std::string token = options.token.empty() ? "" : " (open it once with ?token= and the token)";
     console.say(fmt::format("Layout-in-a-Box listens at {}{}; Ctrl-C ends it", url, token));
   };
-  const Status served = serve::serve(catalog->get(), *planner, options);
+  const Status served = serve::serve({catalog->get(), *planner, &stop_flag(), {}, by_model.get()}, options);
   return served ? kDone : console.fail(served.error());
 }
 
@@ -64,7 +71,11 @@ void add_serve(CLI::App& app, Context& context) {
   command->add_option("--folder", flags->folder, "Where rooms and pictures are kept (default: the user's data folder)");
   command->add_option("--page", flags->page, "A folder with another page than the built one");
   command->add_option("--workers", flags->options.workers, "Calls that work at a time (default: one a core)")->check(CLI::Range(1, 256));
-  command->add_option("--catalog", flags->catalog_file, "Furniture of your own, JSON or CSV: id, category, width, depth, height");
+  add_catalog_option(*command, flags->catalog_file);
+  command->add_option("--planner", flags->planner, "offline, or llm: who asks may choose a language model too (docs/llm.md)")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"offline", "llm"}));
+  flags->model.add_to(*command, flags->generate.repair);
   command->callback([flags, &context] { context.status = run_serve(*flags, context.console); });
 }
 

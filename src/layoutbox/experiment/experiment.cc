@@ -47,6 +47,7 @@ std::string line_of(const RunRecord& record) {
                   {"repeat", record.repeat},
                   {"outcome", record.outcome},
                   {"error", record.error},
+                  {"failure", record.failure},
                   {"structure", record.structure},
                   {"requests", record.requests},
                   {"objects", record.judgement.room.layout.objects.size()},
@@ -64,7 +65,13 @@ void judge_record(RunRecord& record, const Task& task, std::optional<Layout> lay
     return;
   }
   layout->prompt = task.scene->prompt;
+  record.failure.clear();
   record.judgement = judge_room(RoomFile{record.key(), "layout", *std::move(layout), {}}, asked, catalog);
+  for (const auto& [measure, words] : {std::pair{"COL", "collision"}, {"OOB", "out of bounds"}}) {
+    const auto found = record.judgement.measures.find(measure);
+    if (found == record.judgement.measures.end() || found->second.part <= 0) continue;
+    record.failure += (record.failure.empty() ? "" : ", ") + std::string(words);
+  }
 }
 
 class Run {
@@ -132,6 +139,7 @@ class Run {
     const nlohmann::json& line = found->second;
     record.outcome = line.value("outcome", "");
     record.error = line.value("error", "");
+    record.failure = line.value("failure", "");
     record.structure = line.value("structure", "");
     record.requests = line.value("requests", 0);
     record.seconds = line.value("seconds", std::map<std::string, double>{});
@@ -169,23 +177,27 @@ class Run {
   }
 
   Status make(const Task& task, RunRecord& record) {
-    MethodInput input{task.scene->prompt, static_cast<std::uint64_t>(task.repeat), options_.model, options_.generate};
+    MethodInput input{task.scene->prompt, static_cast<std::uint64_t>(task.repeat), options_.model, options_.chat, options_.unsafe_scripts,
+                      options_.generate};
     input.options.stop = input.options.solve.stop = input.options.plan.stop = options_.stop;
     auto result = task.method->run(input, catalog_);
     if (!result && result.error().code == ErrorCode::kInterrupted) return Failure(result.error());
     std::optional<Layout> layout;
     if (result) {
-      record.outcome = result->outcome;
       record.structure = result->structure;
       record.seconds = result->seconds;
       record.requests = count_of(result->requests);
+    }
+    if (result && result->failure.empty()) {
+      record.outcome = result->outcome;
       const fs::path path = layout_path(folder_, record);
       LAYOUTBOX_CHECK(make_folder(path.parent_path()));
       LAYOUTBOX_CHECK(write_file(path, write_layout(result->layout)));
       layout = std::move(result->layout);
     } else {
       record.outcome = "failed";
-      record.error = result.error().message;
+      record.error = result ? result->error : result.error().message;
+      record.failure = result ? result->failure : "other";
     }
     judge_record(record, task, std::move(layout), catalog_);
     const std::lock_guard lock(mutex_);

@@ -18,7 +18,9 @@ struct ExperimentOptions {
   int repeats = 1;                   // the repeat's number is the seed
   int jobs = 1;                      // runs at once
   const Planner* model = nullptr;
-  std::string model_name;  // for the report
+  const chat::ChatOptions* chat = nullptr;  // of the same model
+  bool unsafe_scripts = false;              // see MethodInput
+  std::string model_name;                   // for the report
   GenerateOptions generate;
   const std::atomic<bool>* stop = nullptr;
   std::function<void(std::size_t done, std::size_t all, const std::string& key)> on_run;  // may be empty
@@ -30,6 +32,9 @@ struct RunRecord {
   int repeat = 1;
   std::string outcome;  // of the method, or "failed"
   std::string error, structure;
+  // What is wrong with it as a possible room, coarsely: why the method made none ("syntax", "run-time"…), else "collision",
+  // "out of bounds", both, or empty.
+  std::string failure;
   int requests = 0;  // answers of a model
   std::map<std::string, double> seconds;
   Judgement judgement;

@@ -8,7 +8,9 @@
 
 #include "layoutbox/base/bytes.h"
 #include "layoutbox/base/files.h"
+#include "layoutbox/experiment/script_methods.h"
 #include "layoutbox/judge/room_file.h"
+#include "layoutbox/plan/llm/conversation.h"
 #include "layoutbox/plan/planner.h"
 #include "layoutbox/scene/layout_scene.h"
 #include "layoutbox/scene/scene_json.h"
@@ -143,18 +145,25 @@ Result<MethodResult> model_positions(const MethodInput& input, const Catalog& ca
   return MethodResult{std::move(room.layout), "placed", content_key(scene), {{"plan", seconds}}, {}};
 }
 
+// The model plans as ever, but is asked in plain JSON instead of by function calling.
+Result<MethodResult> model_plain_json(const MethodInput& input, const Catalog& catalog) {
+  if (input.chat == nullptr) return no_model();
+  chat::ChatOptions chat = *input.chat;
+  chat.plain_json = true;
+  const RepairOptions& repair = input.options.repair;
+  llm::ConversationOptions conversation;
+  conversation.max_attempts = repair.max_attempts;
+  conversation.pause_s = repair.pause_s;
+  const auto planner = llm::make_model_planner(catalog, std::move(chat), std::move(conversation));
+  MethodInput changed = input;
+  changed.model = planner.get();
+  return model_pipeline(changed, catalog);
+}
+
 // The model's own numbers, cleaned up by the least movement.
 Result<MethodResult> model_positions_cleaned(const MethodInput& input, const Catalog& catalog) {
   LAYOUTBOX_ASSIGN(MethodResult result, model_positions(input, catalog));
-  const Layout rough = std::move(result.layout);
-  LAYOUTBOX_ASSIGN(const SceneGraph scene, normalize_scene(scene_of(rough), catalog, {{}, false}));
-  SolveOptions options = input.options.solve;
-  options.seed = input.seed;
-  options.from = &rough;
-  const Clock clock;
-  LAYOUTBOX_ASSIGN(result.layout, solve(scene, catalog, options));
-  result.seconds["solve"] = clock.seconds();
-  result.outcome = name_of(result.layout.status);
+  LAYOUTBOX_CHECK(clean_up(result, input, catalog));
   return result;
 }
 
@@ -167,8 +176,12 @@ constexpr std::array kMethods{
     Method{"model", "the model plans, the solver solves, conflicts go back with reasons", true, &model_pipeline},
     Method{"model-paper", "the same with the paper's plain notice and its fallback to the model's positions", true, &model_as_paper},
     Method{"model-no-repair", "the same with one answer of the model", true, &model_without_repair},
+    Method{"model-plain-json", "the same asked in plain JSON instead of by function calling", true, &model_plain_json},
     Method{"model-positions", "the model's own positions, no solver", true, &model_positions},
     Method{"model-cleaned", "the model's own positions, cleaned up by the solver with the least movement", true, &model_positions_cleaned},
+    Method{"one-step", "the model writes Blender's Python in one answer: no scene graph, no solver, no rerun", true, &one_step},
+    Method{"one-step-cleaned", "the same, cleaned up by the solver with the least movement", true, &one_step_cleaned},
+    Method{"one-step-again", "the same, told what failed and asked again", true, &one_step_again},
 };
 
 }  // namespace

@@ -52,6 +52,22 @@ std::string size_table(const std::vector<std::pair<std::string, Records>>& group
          rows + "</table>\n";
 }
 
+// A column for each failure that any method has.
+std::string failures_table(const std::vector<std::pair<std::string, Records>>& groups) {
+  std::map<std::string, int> all;
+  for (const auto& [name, records] : groups) all.merge(failures_of(records));
+  if (all.empty()) return "<p>No room is impossible.</p>\n";
+  std::string head = "<tr><th>method</th><th class=n>rooms</th>", rows;
+  for (const auto& [failure, count] : all) head += "<th class=n>" + escaped_html(failure) + "</th>";
+  for (const auto& [name, records] : groups) {
+    std::map<std::string, int> counts = failures_of(records);
+    rows += "<tr><th>" + escaped_html(name) + "</th>" + cell(std::to_string(records.size()));
+    for (const auto& [failure, count] : all) rows += cell(std::to_string(counts[failure]));
+    rows += "</tr>\n";
+  }
+  return "<table>" + head + "</tr>\n" + rows + "</table>\n";
+}
+
 std::string claims_table(const std::vector<std::pair<std::string, Records>>& groups) {
   std::string rows;
   for (const auto& [name, records] : groups) {
@@ -112,14 +128,15 @@ std::string quoted(const std::string& text) {
 }  // namespace
 
 std::string results_csv(const ExperimentOutcome& outcome) {
-  std::string text = "scene,method,repeat,outcome,everything,objects,requests,seconds";
+  std::string text = "scene,method,repeat,outcome,failure,everything,objects,requests,seconds";
   for (const MeasureRow& row : measure_rows()) text += fmt::format(",{}_part,{}_whole", row.name, row.name);
   text += ",error\n";
   for (const RunRecord& record : outcome.records) {
     double seconds = 0;
     for (const auto& [stage, time] : record.seconds) seconds += time;
-    text += fmt::format("{},{},{},{},{},{},{},{:.4f}", quoted(record.scene), record.method, record.repeat, record.outcome,
-                        record.judgement.everything ? 1 : 0, record.judgement.room.layout.objects.size(), record.requests, seconds);
+    text += fmt::format("{},{},{},{},{},{},{},{},{:.4f}", quoted(record.scene), record.method, record.repeat, record.outcome,
+                        quoted(record.failure), record.judgement.everything ? 1 : 0, record.judgement.room.layout.objects.size(),
+                        record.requests, seconds);
     for (const MeasureRow& row : measure_rows()) {
       const auto found = record.judgement.measures.find(std::string(row.name));
       const Tally tally = found == record.judgement.measures.end() ? Tally{} : found->second;
@@ -147,6 +164,7 @@ std::string experiment_html(const Suite& suite, const ExperimentOutcome& outcome
     if (const Method* method = find_method(name)) page += fmt::format("<li><b>{}</b>: {}</li>", method->name, method->about);
   }
   page += "</ul>\n<h2>Everything met, by the number of objects in the room</h2>\n" + size_table(groups);
+  page += "<h2>Rooms that cannot be, by what is wrong</h2>\n" + failures_table(groups);
   page += "<h2>Claims of the paper</h2>\n" + claims_table(groups);
   page += "<h2>Rooms side by side</h2>\n<p>What failed is drawn in red.</p>\n" + rooms_of(suite, outcome);
   return page + "</body></html>\n";
@@ -160,9 +178,12 @@ std::string experiment_text(const ExperimentOutcome& outcome) {
       return estimate ? fmt::format("{:5.1f} %", estimate->value * 100) : std::string("    n/a");
     };
     const auto met = everything_over(records);
-    text +=
-        fmt::format("{:16} everything {:5.1f} % of {:3}   CNT {} OOR {} OAR {} COL {} OOB {} SUP {}\n", name, met ? met->value * 100 : 0.0,
-                    records.size(), share("CNT"), share("OOR"), share("OAR"), share("COL"), share("OOB"), share("SUP"));
+    std::string failures;
+    for (const auto& [failure, count] : failures_of(records))
+      failures += fmt::format("{}{} {}", failures.empty() ? "   " : ", ", failure, count);
+    text += fmt::format("{:16} everything {:5.1f} % of {:3}   CNT {} OOR {} OAR {} COL {} OOB {} SUP {}{}\n", name,
+                        met ? met->value * 100 : 0.0, records.size(), share("CNT"), share("OOR"), share("OAR"), share("COL"), share("OOB"),
+                        share("SUP"), failures);
   }
   if (!text.empty()) text.pop_back();
   return text;

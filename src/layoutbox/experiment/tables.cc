@@ -77,6 +77,19 @@ Sameness same_structure(const Records& records) {
   return sameness;
 }
 
+std::map<std::string, int> failures_of(const Records& records) {
+  std::map<std::string, int> counts;
+  for (const RunRecord* record : records) {
+    std::string_view rest = record->failure;
+    while (!rest.empty()) {
+      const std::size_t comma = rest.find(", ");
+      ++counts[std::string(rest.substr(0, comma))];
+      rest = comma == std::string_view::npos ? std::string_view{} : rest.substr(comma + 2);
+    }
+  }
+  return counts;
+}
+
 std::optional<vlm::Estimate> made_within(const Records& records, int attempts) {
   int made = 0, asked = 0;
   for (const RunRecord* record : records) {

@@ -33,6 +33,9 @@ struct Sameness {
 };
 Sameness same_structure(const Records& records);
 
+// How many rooms have each failure; a room may have two.
+std::map<std::string, int> failures_of(const Records& records);
+
 // Rooms that had their layout within so many answers of a model; only runs that asked one count.
 std::optional<vlm::Estimate> made_within(const Records& records, int attempts);
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "layoutbox/base/utf8.h"
+
 namespace layoutbox {
 namespace {
 
@@ -15,37 +17,12 @@ constexpr std::array kHelvetica{278, 278, 355, 556, 556, 889, 667, 191, 333, 333
                                 222, 833, 556, 556, 556, 556, 333, 500, 278, 556, 500, 722, 500, 500,  500, 334, 260, 334, 584};
 constexpr int kLatin = 560, kWide = 1000;
 
-// The length of the UTF-8 sequence at the start of `text`, or 0 where it is not one that XML and Cairo allow.
-std::size_t sequence_length(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  const unsigned first = byte(0);
-  if (first < 0x80) return first >= 0x20 && first != 0x7f ? 1 : 0;
-  const std::size_t length = first >= 0xc2 && first < 0xe0 ? 2 : first >= 0xe0 && first < 0xf0 ? 3 : first >= 0xf0 && first < 0xf5 ? 4 : 0;
-  if (length == 0 || length > text.size()) return 0;
-  for (std::size_t i = 1; i < length; ++i) {
-    if ((byte(i) & 0xc0u) != 0x80u) return 0;
-  }
-  if ((first == 0xe0 && byte(1) < 0xa0) || (first == 0xed && byte(1) >= 0xa0)) return 0;  // overlong, surrogates
-  if ((first == 0xf0 && byte(1) < 0x90) || (first == 0xf4 && byte(1) >= 0x90)) return 0;  // overlong, beyond Unicode
-  if (first == 0xef && byte(1) == 0xbf && byte(2) >= 0xbe) return 0;                      // not characters
-  return length;
-}
+// Neither XML nor Cairo allows these.
+bool is_forbidden(char32_t sign) { return sign < 0x20 || sign == 0x7f || sign == 0xfffe || sign == 0xffff; }
 
 }  // namespace
 
-std::string printable(std::string_view text) {
-  std::string out;
-  while (!text.empty()) {
-    const std::size_t length = sequence_length(text);
-    if (length > 0) {
-      out += text.substr(0, length);
-    } else {
-      out += ' ';
-    }
-    text.remove_prefix(std::max<std::size_t>(1, length));
-  }
-  return out;
-}
+std::string printable(std::string_view text) { return with_blanks(text, is_forbidden); }
 
 double text_width(std::string_view words, double size) {
   int thousandths = 0;

@@ -201,8 +201,8 @@ TEST(EscapeXml, ReplacesWhatXmlDoesNotAllow) {
   EXPECT_EQ(escape_xml("a<b>&\"c"), "a&lt;b&gt;&amp;&quot;c");
   EXPECT_EQ(escape_xml("é🛋"), "é🛋");
   EXPECT_EQ(escape_xml(std::string("\0\x01\x7f", 3)), "   ");
-  EXPECT_EQ(escape_xml("\xc0\xaf|\xed\xa0\x80|\xff"), "  |   | ");  // overlong, surrogate, never valid
-  EXPECT_EQ(escape_xml("\xc3"), " ");                               // cut off
+  EXPECT_EQ(escape_xml("\xc0\xaf|\xed\xa0\x80|\xff"), " | | ");  // overlong, surrogate, never valid: a blank each
+  EXPECT_EQ(escape_xml("\xc3"), " ");                            // cut off
 }
 
 }  // namespace

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <optional>
 
+#include "layoutbox/base/utf8.h"
+
 namespace layoutbox {
 namespace {
 
@@ -14,11 +16,8 @@ constexpr std::size_t kMostCharacters = 32;
 
 // The first characters of a text, whole UTF-8 sequences.
 std::string shortened(const std::string& text) {
-  std::size_t characters = 0;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if ((static_cast<unsigned char>(text[i]) & 0xc0u) != 0x80u && ++characters > kMostCharacters) return text.substr(0, i) + "…";
-  }
-  return text;
+  const std::string_view kept = first_characters(text, kMostCharacters);
+  return kept.size() == text.size() ? text : std::string(kept) + "…";
 }
 
 // One line, or two broken at the space nearest the middle.

@@ -33,14 +33,14 @@ Mesh lathe(std::span<const Vec2> profile, int usual_sides, double squash) {
     const bool has_before = i > 0 || closed, has_after = i + 2 < n || closed;
     const Vec2 na = has_before ? joint_normal(own, normals[i > 0 ? i - 1 : n - 2]) : own;
     const Vec2 nb = has_after ? joint_normal(own, normals[i + 2 < n ? i + 1 : 0]) : own;
-    const bool level = std::abs(own.x) < 0.1;
+    const bool flat = std::abs(own.x) < 0.1;
     const double next = along + std::hypot(b.x - a.x, b.y - a.y), r = std::max(a.x, b.x);
     std::uint32_t previous_a = 0, previous_b = 0;
     for (int k = 0; k <= sides; ++k) {
       const double t = 2 * kPi * k / sides, c = k == sides ? 1 : std::cos(t), s = k == sides ? 0 : std::sin(t);
       const auto put = [&](Vec2 p, Vec2 m, double u) {
         const Vec at{p.x * c, p.x * s * squash, p.y};
-        return maker.vertex(at, {m.x * c, m.x * s / squash, m.y}, level ? Vec2{at.x, at.y} : Vec2{u, t * r});
+        return maker.vertex(at, {m.x * c, m.x * s / squash, m.y}, flat ? Vec2{at.x, at.y} : Vec2{u, t * r});
       };
       const std::uint32_t va = put(a, na, along), vb = put(b, nb, next);
       if (k > 0) maker.quad(previous_a, va, vb, previous_b);

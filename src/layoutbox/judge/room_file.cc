@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "layoutbox/judge/readers/readers.h"
+#include "layoutbox/render/foreign.h"
 #include "layoutbox/scene/json_text.h"
 
 namespace layoutbox {
@@ -14,7 +15,15 @@ namespace {
 
 using namespace readers;  // NOLINT(google-build-using-namespace): the table below is what the namespace is for
 
+// What Blender reads of it is glTF; this is never called with the bytes themselves.
+Result<RoomFile> read_blend_as_gltf(std::string_view bytes, const Catalog& catalog, const nlohmann::json& models) {
+  LAYOUTBOX_ASSIGN(RoomFile room, read_named_nodes(bytes, catalog, models));
+  room.format = "blend";
+  return room;
+}
+
 constexpr std::array kFormats{
+    RoomFormat{"blend", "a scene of Blender's with named objects", &is_blend, &read_blend_as_gltf},
     RoomFormat{"gltf", "glTF or GLB with named nodes", &is_gltf, &read_named_nodes},
     RoomFormat{"scenestate", "SceneEval's scene state", &is_scene_state, &read_scene_state},
     RoomFormat{"layoutvlm", "LayoutVLM's layout with its scene configuration", &is_layoutvlm, &read_layoutvlm},
@@ -50,6 +59,14 @@ Result<RoomFile> read_room_file(std::string_view bytes, const Catalog& catalog, 
   nlohmann::json models = nlohmann::json::object();
   if (!options.models.empty()) {
     LAYOUTBOX_ASSIGN(models, parse_json(options.models));
+  }
+  std::string of_blend;
+  if (is_blend(bytes)) {
+    LAYOUTBOX_ASSIGN(const Blender blender, find_blender());
+    ForeignOptions foreign;
+    foreign.without_walls = options.without_walls;
+    LAYOUTBOX_ASSIGN(of_blend, gltf_of_blend(blender, bytes, foreign));
+    bytes = of_blend;
   }
   try {
     return format->read(bytes, catalog, models);

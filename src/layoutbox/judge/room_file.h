@@ -32,12 +32,15 @@ struct RoomFormat {
 struct RoomFileOptions {
   std::string format;  // a row's name; empty: by what the bytes look like
   std::string models;  // JSON with names and sizes of models, for formats that name only models; may be empty
+  // Open a .blend although this machine has no sandbox (docs/sandbox.md). DEFAULT: false.
+  bool without_walls = false;
 };
 
 std::span<const RoomFormat> room_formats();  // in the order in which they are tried
 const RoomFormat* find_room_format(std::string_view name);
 
-// Reads by what the bytes look like, or as the format that is named. Errors: kUsage (an unknown format), kParse (none fits).
+// Reads by what the bytes look like, or as the format that is named. A .blend is opened by a Blender in the sandbox, which takes seconds.
+// Errors: kUsage (an unknown format), kParse (none fits); for a .blend kNoBlender and kIo (no sandbox).
 Result<RoomFile> read_room_file(std::string_view bytes, const Catalog& catalog, const RoomFileOptions& options = {});
 
 }  // namespace layoutbox

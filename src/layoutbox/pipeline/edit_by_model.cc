@@ -67,9 +67,11 @@ Result<EditOutcome> edit_by_model(std::string_view text, const Layout& layout, c
   const SceneGraph before = scene_of(layout);
   GenerateOptions own = options;
   own.shell = before.room;
+  own.plan.stop = options.stop;
   own.solve.from = &layout;
   own.solve.on_conflict = OnConflict::kFail;
   llm::ConversationOptions conversation_options;
+  conversation_options.pause_s = own.repair.pause_s;
   conversation_options.trust = llm::Trust::kModel;
   conversation_options.scene_to_edit = scene_for_model(layout);
   llm::Conversation conversation(catalog, std::move(chat), std::string(text), own.plan, {{}, &*own.shell}, std::move(conversation_options));

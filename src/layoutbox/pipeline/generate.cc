@@ -14,7 +14,6 @@
 #include "layoutbox/pipeline/repair.h"
 #include "layoutbox/pipeline/run_record.h"
 #include "layoutbox/pipeline/variants.h"
-#include "layoutbox/plan/companions.h"
 #include "layoutbox/scene/scene_json.h"
 
 namespace layoutbox {
@@ -45,19 +44,15 @@ class Run {
   // Plans (when there is no scene yet), runs all stages, and writes run.json whatever happens after the folder is ours.
   Result<GenerateOutcome> operator()(const Planner* planner, SceneGraph scene) {
     if (planner)
-      conversation_ =
-          planner->converse(prompt_, options_.plan, {options_.normalize.room_size, options_.shell ? &*options_.shell : nullptr});
+      planning_ = planner->begin(prompt_, options_.plan, {options_.normalize.room_size, options_.shell ? &*options_.shell : nullptr});
     // A text that says nothing touches no folder.
-    LAYOUTBOX_CHECK(conversation_ ? plan_with_model()
-                    : planner     ? plan(*planner)
-                    : given_      ? take(std::move(scene))
-                                  : adopt(std::move(scene)));
+    LAYOUTBOX_CHECK(planning_ ? plan_with_repair() : planner ? plan(*planner) : given_ ? take(std::move(scene)) : adopt(std::move(scene)));
     LAYOUTBOX_CHECK(make_folder(folder_));
     LAYOUTBOX_ASSIGN(const FolderLock lock, FolderLock::acquire(folder_));
     remove_earlier_outputs();
     Status status = run_stages();
     while (status && picture_may_be_mended()) status = run_stages_again();
-    if (conversation_) outcome_.model_requests = write_attempts(conversation_->attempts());
+    if (planning_) outcome_.model_requests = planning_->record();
     const Error* failure = status ? nullptr : &status.error();
     const Status recorded = write("run.json", write_run_record(prompt_, options_, outcome_, failure));
     if (failure) return Failure(*failure);
@@ -126,9 +121,9 @@ class Run {
     return {};
   }
 
-  Status plan_with_model() {
+  Status plan_with_repair() {
     begin();
-    loop_.emplace(*conversation_, catalog_, options_);
+    loop_.emplace(*planning_, catalog_, options_);
     auto room = loop_->run();
     if (!room) {
       record_failure(room.error());
@@ -141,26 +136,20 @@ class Run {
   void take_room(PlannedRoom room) {
     outcome_.scene = std::move(room.scene);
     given_ = std::move(room.layout);
-    const chat::Usage usage = conversation_->client().usage();
-    const auto cost = conversation_->client().cost();
-    const std::string date = conversation_->client().price_date();
-    std::string price = cost && *cost > 0 ? fmt::format(", ${:.4f}", *cost) : "";
-    if (!price.empty() && !date.empty()) price += " at prices of " + date;
-    finish("plan", fmt::format("{}; {}, {}{}", scene_in_words(), counted(static_cast<std::size_t>(loop_->attempts()), "answer"),
-                               counted(static_cast<std::size_t>(usage.request_tokens + usage.response_tokens), "token"), price));
+    finish("plan", scene_in_words() + "; " + planning_->cost_in_words());
   }
 
-  // What a model was asked in vain is worth keeping, but not in the place of an earlier run.
+  // What was asked in vain is worth keeping, but not in the place of an earlier run.
   void record_failure(const Error& error) {
     std::error_code ignored;
-    if (conversation_->attempts().empty() || std::filesystem::exists(folder_ / "run.json", ignored)) return;
-    outcome_.model_requests = write_attempts(conversation_->attempts());
+    if (planning_->attempts() == 0 || std::filesystem::exists(folder_ / "run.json", ignored)) return;
+    outcome_.model_requests = planning_->record();
     if (!make_folder(folder_)) return;
     const auto lock = FolderLock::acquire(folder_);
     if (lock) (void)write("run.json", write_run_record(prompt_, options_, outcome_, &error));  // the first error is the one that counts
   }
 
-  // A script or a picture that failed is told the model while attempts are left; a Blender that is missing is not its fault.
+  // A script or a picture that failed is told the planner while attempts are left; a Blender that is missing is not its fault.
   bool picture_may_be_mended() const {
     return loop_ && outcome_.picture_error && outcome_.picture_error->code == ErrorCode::kRenderFailed && !given_up_on_picture_ &&
            loop_->has_attempts_left();
@@ -168,8 +157,7 @@ class Run {
 
   Status run_stages_again() {
     begin();
-    auto room = loop_->run_again("The scene has a layout, but its picture failed: " + outcome_.picture_error->message +
-                                 ". Change what may be the reason and call create_scene with the whole scene.");
+    auto room = loop_->run_again("The scene has a layout, but its picture failed: " + outcome_.picture_error->message);
     if (!room) {
       given_up_on_picture_ = true;
       return room.error().code == ErrorCode::kInterrupted ? Status(Failure(room.error())) : Status{};
@@ -331,7 +319,7 @@ class Run {
   GenerateOutcome outcome_;
   std::optional<Layout> given_;
   Model model_;
-  std::unique_ptr<llm::Conversation> conversation_;  // where a model plans
+  std::unique_ptr<Planning> planning_;  // where the planner can be told what is wrong
   std::optional<RepairLoop> loop_;
   bool given_up_on_picture_ = false;
 };
@@ -357,35 +345,8 @@ Result<GenerateOutcome> generate_from_layout(SceneGraph scene, Layout layout, co
   return run(nullptr, std::move(scene));
 }
 
-Result<SceneGraph> prepare_scene(SceneGraph scene, const Catalog& catalog, const GenerateOptions& options) {
-  if (options.shell) {
-    std::string type = options.shell->type.empty() ? scene.room.type : options.shell->type;
-    scene.room = *options.shell;
-    scene.room.type = std::move(type);
-  }
-  return normalize_scene(std::move(scene), catalog, options.normalize);
-}
-
-Result<SceneGraph> prepare_plan(const Plan& plan, const Catalog& catalog, const GenerateOptions& options) {
-  LAYOUTBOX_ASSIGN(SceneGraph scene, prepare_scene(plan.scene, catalog, options));
-  if (!options.companions) return scene;
-  SceneGraph more = plan.scene;
-  const std::size_t added = add_companions(more, scene, plan.unwanted, catalog);
-  if (added == 0) return scene;
-  more.notes.push_back({"filled", counted(added, "thing") + " that the use of the room needs came with what is named", "prompt"});
-  return prepare_scene(std::move(more), catalog, options);
-}
-
 bool is_output_name(std::string_view name) {
   return is_variant_name(name) || std::ranges::any_of(artefacts(), [name](const Artefact& one) { return one.file == name; });
 }
-
-bool as_asked(const GenerateOutcome& outcome) { return as_asked(outcome.layout, outcome.report); }
-
-bool as_asked(const Layout& layout, const Report& report) {
-  return layout.status == LayoutStatus::kSolved && layout.relaxed.empty() && report.passed;
-}
-
-std::string_view program_version() { return LAYOUTBOX_VERSION; }
 
 }  // namespace layoutbox

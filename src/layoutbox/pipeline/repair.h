@@ -1,4 +1,4 @@
-// The loop between a model and the solver: a scene that has no layout goes back with the reason and with ways out.
+// The loop between a planner and the solver: a scene that has no layout goes back with the reason and with ways out.
 #pragma once
 
 #include <functional>
@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "layoutbox/pipeline/generate.h"
-#include "layoutbox/plan/llm/conversation.h"
+#include "layoutbox/plan/planner.h"
 
 namespace layoutbox {
 
@@ -19,20 +19,20 @@ struct PlannedRoom {
 class RepairLoop {
  public:
   // All must outlive it. REQUIRES: options.repair.max_attempts > 0.
-  RepairLoop(llm::Conversation& conversation, const Catalog& catalog, const GenerateOptions& options);
+  RepairLoop(Planning& planning, const Catalog& catalog, const GenerateOptions& options);
 
   // Asks until there is a layout that gives up nothing, or no more attempts; then what `options.solve.on_conflict` says.
-  // Errors: those of the model where it gave nothing usable; of solve().
+  // Errors: those of the planner where it gave nothing usable; of solve().
   Result<PlannedRoom> run();
 
-  // Once more, after a script or a picture failed. `failure`: the error as the model hears it.
+  // Once more, after a script or a picture failed. `failure`: what happened, a sentence without its full stop.
   Result<PlannedRoom> run_again(const std::string& failure);
 
   // Called with each scene before it is normalised; may be empty.
   std::function<void(SceneGraph&)> adjust;
 
   bool has_attempts_left() const { return attempts() < limits_.max_attempts; }
-  int attempts() const { return static_cast<int>(conversation_.attempts().size()); }
+  int attempts() const { return planning_.attempts(); }
 
  private:
   struct Candidate {
@@ -41,24 +41,20 @@ class RepairLoop {
     std::size_t given_up = 0;
   };
 
-  Result<PlannedRoom> loop(std::optional<llm::Complaint> complaint);
-  Status pause() const;
-  // True: this draft has a layout that gives up nothing.
-  Result<bool> try_draft(llm::Draft draft, llm::Attempt& attempt);
-  llm::Complaint conflict_complaint(const Candidate& candidate) const;
+  Result<PlannedRoom> loop(std::optional<Feedback> feedback);
+  // Is there a layout that gives up nothing? REQUIRES: the proposal is a scene.
+  Result<ProposalOutcome> judge(Proposal proposal);
+  Feedback conflict_feedback(const Candidate& candidate) const;
   Result<PlannedRoom> settle();
 
-  llm::Conversation& conversation_;
+  Planning& planning_;
   const Catalog& catalog_;
   const GenerateOptions& options_;
   RepairOptions limits_;
   int repairs_ = 0;
+  bool repeated_ = false;  // the last scene was the one before
   std::optional<Candidate> last_, best_;
   std::optional<Error> unsolved_;  // of a scene that has no layout whatever is given up
-  std::vector<Error> faults_;
 };
-
-// run.json's list of what was asked of a model: an object for each attempt.
-std::string write_attempts(const std::vector<llm::Attempt>& attempts);
 
 }  // namespace layoutbox

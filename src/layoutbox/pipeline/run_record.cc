@@ -77,11 +77,7 @@ std::string options_text(const GenerateOptions& options) {
   return json.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
 }
 
-OrderedJson json_of_error(const Error& error) {
-  OrderedJson json{{"code", error_code_name(error.code)}, {"message", error.message}, {"pointer", error.pointer}, {"hint", error.hint}};
-  for (const Error& detail : error.details) json["details"].push_back(json_of_error(detail));
-  return json;
-}
+OrderedJson json_of_error(const Error& error) { return OrderedJson::parse(write_error(error)); }
 
 std::optional<RunState> state_of_same_run(std::string_view record, std::string_view prompt, const GenerateOptions& options) {
   const auto json = parse_json(record);

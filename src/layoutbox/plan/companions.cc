@@ -130,7 +130,12 @@ class Companions {
       return;
     }
     constexpr Mm kAtHand = 400;
+    const bool knees = std::ranges::any_of(entry->spaces, [](const SpaceFormula& space) { return !space.carries; });
     const std::vector<Side> used = sized->used_sides.value_or(entry->used_sides);
+    if (knees && std::ranges::find(used, Side::kFront) != used.end()) {  // pushed under, out of the way until somebody sits down
+      relate(RelationType::kNextTo, seats, id);
+      return;
+    }
     const bool behind = std::ranges::find(used, Side::kFront) == used.end() && std::ranges::find(used, Side::kBack) != used.end();
     relate(behind ? RelationType::kBehind : RelationType::kInFrontOf, seats, id, kAtHand);
     relate(RelationType::kFacing, seats, id);

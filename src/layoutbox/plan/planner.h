@@ -3,6 +3,8 @@
 
 #include <atomic>
 #include <memory>
+#include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,10 +14,6 @@
 #include "layoutbox/scene/scene_graph.h"
 
 namespace layoutbox {
-
-namespace llm {
-class Conversation;
-}
 
 struct PlanOptions {
   // DEFAULT: 1. Only models use it; the offline planner has no randomness.
@@ -53,15 +51,70 @@ struct RoomGiven {
   const Room* shell = nullptr;  // the user's own room, or null
 };
 
+// Why a scene goes back to who planned it.
+struct Feedback {
+  enum class Kind {
+    kFaults,    // it cannot be used
+    kConflict,  // it has no layout: the reason and ways out
+    kNotice,    // it has no layout, without a reason: as the paper does
+    kFailure,   // its script or its picture failed
+  } kind = Kind::kFaults;
+  std::string text;           // what is wrong; kFaults, kNotice: empty
+  std::vector<Error> faults;  // kFaults
+  // kConflict: of what takes part, which may be left out against the prompt, and how many things that takes at most.
+  std::set<std::string> categories;
+  std::size_t may_go = 0;
+};
+
+// What came of a proposal, for the record.
+struct ProposalOutcome {
+  std::string outcome;        // "solved", "conflict", "faults", "same as before"
+  std::vector<Error> faults;  // what the scene was found unusable for
+  std::string conflict;       // what the solver found, empty where it found a layout
+};
+
+// A scene, or what is wrong with the one that was made.
+struct Proposal {
+  std::optional<SceneGraph> scene;  // not yet normalised
+  std::string document;             // the scene as JSON as the planner wrote it: to which a change of it refers
+  bool repeated = false;            // it is the scene proposed before
+  std::vector<Error> faults;
+};
+
+// One prompt in the hands of a planner that can be told what is wrong with its scene. One thread at a time.
+class Planning {
+ public:
+  virtual ~Planning() = default;
+  // The first scene. Errors: those of Planner::plan().
+  virtual Result<Proposal> propose() = 0;
+  // Another one, after what is wrong with the last. Errors: the same.
+  virtual Result<Proposal> revise(const Feedback& feedback) = 0;
+  // The last proposal with everything left out that is wrong in it; empty where there was none.
+  virtual std::optional<Proposal> salvage() const = 0;
+
+  // What became of the last proposal.
+  virtual void note(ProposalOutcome result) = 0;
+  // Scenes that were asked for so far, those that did not come included.
+  virtual int attempts() const = 0;
+  // What was asked and answered, as run.json keeps it: a list, as JSON.
+  virtual std::string record() const = 0;
+  // What it took, for people: "2 answers, 9123 tokens".
+  virtual std::string cost_in_words() const = 0;
+  // That nothing usable came of it, and what was wrong with the last proposal.
+  virtual Error no_usable_scene() const = 0;
+  // What is asked of others first, in full. Errors: those of the prompt.
+  virtual Result<std::string> describe_first_request() const = 0;
+};
+
 class Planner {
  public:
   virtual ~Planner() = default;
   // Errors: kEmpty (nothing in the prompt), kTooLarge, kParse (not UTF-8), kInterrupted; of a model also kNetwork, kNotFound.
   virtual Result<Plan> plan(std::string_view prompt, const PlanOptions& options) const = 0;
 
-  // A planner that can be told what is wrong with its scene begins a conversation; null: it has one answer, that of plan().
-  // The planner must outlive the conversation. May be called from several threads.
-  virtual std::unique_ptr<llm::Conversation> converse(std::string_view prompt, const PlanOptions& options, const RoomGiven& room) const;
+  // Takes a prompt in hand; null: this planner has one answer, that of plan(). The planner must outlive what it gives out. May be called
+  // from several threads.
+  virtual std::unique_ptr<Planning> begin(std::string_view prompt, const PlanOptions& options, const RoomGiven& room) const;
 };
 
 // The catalogue must outlive the planner.

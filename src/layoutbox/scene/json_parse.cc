@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "layoutbox/base/utf8.h"
 #include "layoutbox/scene/json_text.h"
 
 namespace layoutbox {
@@ -17,9 +18,8 @@ std::string line_and_column(std::string_view text, std::size_t byte) {
   const auto lines = std::count(before.begin(), before.end(), '\n');
   const std::size_t line_begin = before.rfind('\n') == std::string_view::npos ? 0 : before.rfind('\n') + 1;
   // Columns count characters, not the bytes of UTF-8.
-  const auto column = std::count_if(before.begin() + static_cast<std::ptrdiff_t>(line_begin), before.end(),
-                                    [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; });
-  return fmt::format("line {}, column {}", lines + 1, std::max<std::ptrdiff_t>(column, 1));
+  const auto column = characters_in(before.substr(line_begin));
+  return fmt::format("line {}, column {}", lines + 1, std::max<std::size_t>(column, 1));
 }
 
 std::string shortened(std::string_view token) {

@@ -1,7 +1,8 @@
 #include "layoutbox/scene/layout_scene.h"
-#include "layoutbox/scene/relation_traits.h"
 
 #include <algorithm>
+
+#include "layoutbox/scene/relation_traits.h"
 
 namespace layoutbox {
 namespace {
@@ -44,6 +45,17 @@ void add_support(const Layout& layout, const PlacedObject& placed, SceneGraph& s
   scene.relations.push_back(std::move(relation));
 }
 
+// Ids that relations name and that the layout lists as left out.
+std::vector<std::string> left_out_of(const Layout& layout) {
+  std::vector<std::string> ids;
+  for (const auto* list : {&layout.relaxed, &layout.gave_way}) {
+    for (const Relaxation& item : *list) {
+      if (layout.find_object(item.relation) == nullptr) ids.push_back(item.relation);
+    }
+  }
+  return ids;
+}
+
 }  // namespace
 
 SceneGraph scene_of(const Layout& layout) {
@@ -53,7 +65,11 @@ SceneGraph scene_of(const Layout& layout) {
   scene.room.openings_given = true;
   scene.materials = layout.materials;
   for (const PlacedObject& placed : layout.objects) scene.objects.push_back(object_of(placed));
-  for (const PlacedRelation& placed : layout.relations) scene.relations.push_back(placed.relation);
+  const std::vector<std::string> left_out = left_out_of(layout);
+  for (const PlacedRelation& placed : layout.relations) {
+    Relation relation = placed.relation;
+    if (take_out(relation, left_out)) scene.relations.push_back(std::move(relation));
+  }
   for (const PlacedObject& placed : layout.objects) add_support(layout, placed, scene);
   return scene;
 }

@@ -6,7 +6,8 @@
 
 namespace layoutbox {
 
-// The layout's room with its openings where they are, its objects with exactly their sizes, its relations, and what stands on what.
+// The layout's room with its openings where they are, its objects with exactly their sizes, its relations (without what it lists as left
+// out), and what stands on what.
 // Places are left out: give the layout itself as SolveOptions::from. Not yet normalised.
 SceneGraph scene_of(const Layout& layout);
 

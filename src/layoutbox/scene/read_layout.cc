@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "layoutbox/scene/json_documents.h"
 #include "layoutbox/scene/json_parts.h"
 #include "layoutbox/scene/json_text.h"
 #include "layoutbox/scene/quirks.h"
@@ -105,8 +106,7 @@ Layout layout_from(const json& document) {
 
 }  // namespace
 
-Result<Layout> read_layout(std::string_view text) {
-  LAYOUTBOX_ASSIGN(json document, parse_json(text));
+Result<Layout> layout_from_json(json document) {
   try {
     drop_nulls(document);
     if (std::vector<Error> errors = check_against_schema(document, SchemaName::kLayout); !errors.empty())
@@ -118,6 +118,11 @@ Result<Layout> read_layout(std::string_view text) {
   } catch (const std::exception& error) {
     return fail(ErrorCode::kInternal, fmt::format("the layout cannot be read: {}", error.what()));
   }
+}
+
+Result<Layout> read_layout(std::string_view text) {
+  LAYOUTBOX_ASSIGN(json document, parse_json(text));
+  return layout_from_json(std::move(document));
 }
 
 Result<std::string> kind_of_document(std::string_view text) {

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "layoutbox/scene/json_documents.h"
 #include "layoutbox/scene/json_parts.h"
 #include "layoutbox/scene/json_text.h"
 #include "layoutbox/scene/quirks.h"
@@ -168,12 +169,15 @@ SceneGraph scene_from(const json& document, bool own) {
   return scene;
 }
 
+Status check_units(std::string_view units) {
+  if (metres_per_unit(units)) return {};
+  return fail(ErrorCode::kUsage, fmt::format("\"{}\" is no unit of length", units), {}, "give m, cm, mm, ft or in");
+}
+
 }  // namespace
 
-Result<SceneGraph> read_scene(std::string_view text, std::string_view units) {
-  if (!metres_per_unit(units))
-    return fail(ErrorCode::kUsage, fmt::format("\"{}\" is no unit of length", units), {}, "give m, cm, mm, ft or in");
-  LAYOUTBOX_ASSIGN(json document, parse_json(text));
+Result<SceneGraph> scene_from_json(json document, std::string_view units) {
+  LAYOUTBOX_CHECK(check_units(units));
   try {
     const bool own = document.is_object() && document.contains("format");
     std::vector<Note> notes;
@@ -192,10 +196,8 @@ Result<SceneGraph> read_scene(std::string_view text, std::string_view units) {
   }
 }
 
-Result<Room> read_room(std::string_view text, std::string_view units) {
-  const auto factor = metres_per_unit(units);
-  if (!factor) return fail(ErrorCode::kUsage, fmt::format("\"{}\" is no unit of length", units), {}, "give m, cm, mm, ft or in");
-  LAYOUTBOX_ASSIGN(json document, parse_json(text));
+Result<Room> room_from_json(json document, std::string_view units) {
+  LAYOUTBOX_CHECK(check_units(units));
   try {
     // A whole scene or layout file gives its room.
     if (document.is_object() && document.contains("room")) document = json(document.at("room"));
@@ -212,6 +214,16 @@ Result<Room> read_room(std::string_view text, std::string_view units) {
   } catch (const std::exception& error) {
     return fail(ErrorCode::kInternal, fmt::format("the room cannot be read: {}", error.what()));
   }
+}
+
+Result<SceneGraph> read_scene(std::string_view text, std::string_view units) {
+  LAYOUTBOX_ASSIGN(json document, parse_json(text));
+  return scene_from_json(std::move(document), units);
+}
+
+Result<Room> read_room(std::string_view text, std::string_view units) {
+  LAYOUTBOX_ASSIGN(json document, parse_json(text));
+  return room_from_json(std::move(document), units);
 }
 
 }  // namespace layoutbox

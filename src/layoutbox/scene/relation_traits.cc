@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "layoutbox/scene/scene_graph.h"
+
 namespace layoutbox {
 namespace {
 
@@ -126,6 +128,21 @@ bool are_opposed(RelationType a, RelationType b) {
   const Placing one = traits_of(a).placing, other = traits_of(b).placing;
   if (a == b) return one == Placing::kInRoom && (relation_row(a).reference_kinds & kWall) != 0;  // at two walls
   return one != Placing::kAnywhere && one == other;
+}
+
+bool take_out(Relation& relation, const std::vector<std::string>& ids) {
+  const auto is_out = [&](const std::string& id) { return std::find(ids.begin(), ids.end(), id) != ids.end(); };
+  const bool referred = !relation.references.empty();
+  const std::size_t lost_targets = std::erase_if(relation.targets, is_out);
+  const std::size_t lost_references = std::erase_if(relation.references, is_out);
+  if (lost_targets + lost_references == 0) return true;
+  const bool nothing_between = relation.type == RelationType::kBetween && lost_references > 0 && relation.references.size() < 2;
+  const bool no_pairs =
+      relation.type == RelationType::kPairedWith && lost_targets > 0 && relation.targets.size() < relation.references.size();
+  const RelationArity arity = relation_row(relation.type).arity;
+  const bool among_themselves = !referred && (arity == RelationArity::kOne || arity == RelationArity::kMany);
+  const bool alone = among_themselves && relation.targets.size() < 2;
+  return !relation.targets.empty() && !(referred && relation.references.empty()) && !nothing_between && !no_pairs && !alone;
 }
 
 }  // namespace layoutbox

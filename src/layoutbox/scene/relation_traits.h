@@ -3,10 +3,14 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "layoutbox/scene/relation_table.h"
 
 namespace layoutbox {
+
+struct Relation;
 
 // A set of relations.
 class RelationSet {
@@ -40,5 +44,8 @@ const RelationTraits& traits_of(RelationType type);
 
 // Can the two not hold between the same two things at once? Of one that names a wall: not with two walls.
 bool are_opposed(RelationType a, RelationType b);
+
+// Takes those that are not there out of a relation; false where it says nothing without them.
+bool take_out(Relation& relation, const std::vector<std::string>& ids);
 
 }  // namespace layoutbox

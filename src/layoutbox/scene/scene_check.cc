@@ -185,6 +185,10 @@ std::vector<Error> check_layout(const Layout& layout) {
   }
   Names names{ids, layout.room.walls, {}};
   for (const PlacedObject& object : layout.objects) names.object_ids.push_back(object.id);
+  // What was left out is listed by its id; relations speak of it still.
+  for (const auto* list : {&layout.relaxed, &layout.gave_way}) {
+    for (const Relaxation& item : *list) names.object_ids.push_back(item.relation);
+  }
   for (std::size_t i = 0; i < layout.relations.size(); ++i) {
     check_relation(layout.relations[i].relation, fmt::format("/relations/{}", i), names, layout.room, errors);
   }

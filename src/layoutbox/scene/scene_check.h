@@ -13,7 +13,7 @@ namespace layoutbox {
 // without a place. REQUIRES: read from a document in schema order (pointers count the items).
 std::vector<Error> check_scene(const SceneGraph& scene);
 
-// The same for a layout, where every wall, opening and support must be there.
+// The same for a layout, where every wall, opening and support must be there; relations may name what it lists as left out.
 std::vector<Error> check_layout(const Layout& layout);
 
 // All faults as one Error: the first, with all of them in `details` where there are several.

@@ -15,7 +15,8 @@ enum class SchemaName { kScene, kLayout, kCatalog };
 // A schema that is compiled once and checked against from any thread.
 class JsonSchema {
  public:
-  // REQUIRES: a valid JSON Schema (draft 7) whose references stay within it.
+  // REQUIRES: a valid JSON Schema (draft 7) whose references stay within it and whose keywords are those of schema_walk.cc (others: check()
+  // says kInternal).
   explicit JsonSchema(nlohmann::json schema);
   JsonSchema(JsonSchema&&) noexcept;
   JsonSchema& operator=(JsonSchema&&) noexcept;

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "layoutbox/scene/json_text.h"
+#include "layoutbox/scene/layout_scene.h"
 #include "layoutbox/scene/scene_json.h"
 
 namespace layoutbox {
@@ -103,6 +104,34 @@ TEST(Layouts, AreWrittenAsTheFormatPageShows) {
   "stats": {"solver": "", "seed": 1, "seconds": 0.0042, "proven": false}
 }
 )");
+}
+
+// What was left out is listed by its id, and relations may speak of it; of what nobody heard they may not.
+TEST(Layouts, MaySpeakOfWhatTheyLeaveOut) {
+  const auto text_with = [](const char* relaxed) {
+    return std::string(R"({"format": "layoutbox/layout@1", "prompt": "", "roomType": "", "status": "relaxed",
+      "room": {"polygon": [[0, 0], [4, 0], [4, 3], [0, 3]], "height": 2.5},
+      "objects": [{"id": "desk_1", "category": "desk", "name": "desk", "size": [1, 0.6, 0.75], "pos": [2, 1, 0], "rotation": 0,
+                   "mount": "floor", "supportedBy": "floor", "usedSides": ["front"]}],
+      "relations": [{"id": "c1", "type": "near", "targets": ["desk_1", "chair_1"], "relativeTo": "bed_1", "held": false},
+                    {"id": "c2", "type": "againstWall", "targets": ["desk_1", "chair_1"], "relativeTo": "wall1", "held": false}],
+      "relaxed": [)") +
+           relaxed + R"(], "conflicts": [], "score": {"total": 1, "terms": {}}})";
+  };
+  const char* listed = R"({"relation": "bed_1", "by": 0, "why": "left out"}, {"relation": "chair_1", "by": 0, "why": "left out"})";
+  const auto layout = read_layout(text_with(listed));
+  ASSERT_TRUE(layout) << layout.error().message;
+  EXPECT_EQ(layout->relations.size(), 2u);
+  EXPECT_TRUE(read_layout(write_layout(*layout)));
+
+  const SceneGraph scene = scene_of(*layout);
+  ASSERT_EQ(scene.relations.size(), 1u);
+  EXPECT_EQ(scene.relations[0].id, "c2");
+  EXPECT_THAT(scene.relations[0].targets, testing::ElementsAre("desk_1"));
+
+  const auto unlisted = read_layout(text_with(""));
+  ASSERT_FALSE(unlisted);
+  EXPECT_EQ(unlisted.error().code, ErrorCode::kReference);
 }
 
 }  // namespace

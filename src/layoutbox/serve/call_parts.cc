@@ -2,13 +2,14 @@
 
 #include <chrono>
 
-#include "layoutbox/scene/json_text.h"
-#include "layoutbox/scene/scene_json.h"
+#include "layoutbox/scene/json_documents.h"
 
 namespace layoutbox::serve {
 namespace {
 
 double now_ms() { return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+
+std::string text_of(const Json& value) { return value.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
 // The error of a part of the request, with its place in the whole.
 Error below(Error error, const std::string& key) {
@@ -25,9 +26,9 @@ Result<T> placed(Result<T> result, const char* key) {
 
 }  // namespace
 
-Result<Layout> layout_of(const Json& request, const char* key) { return placed(read_layout(request.at(key).dump()), key); }
+Result<Layout> layout_of(const Json& request, const char* key) { return placed(layout_from_json(request.at(key)), key); }
 
-Result<SceneGraph> scene_of_request(const Json& request, const char* key) { return placed(read_scene(request.at(key).dump()), key); }
+Result<SceneGraph> scene_of_request(const Json& request, const char* key) { return placed(scene_from_json(request.at(key)), key); }
 
 SolveOptions solve_options(const Json& request, const Surroundings& around) {
   SolveOptions options;
@@ -42,21 +43,18 @@ SolveOptions solve_options(const Json& request, const Surroundings& around) {
 
 Result<GenerateOptions> generate_options(const Json& request, const Surroundings& around) {
   GenerateOptions options;
-  options.companions = request.value("companions", true);
+  options.companions = request.value("companions", request.value("planner", "offline") == "offline");  // a model names all it wants
   options.variants = request.value("variants", 1);
   options.plan.stop = around.stop;
   options.stop = around.stop;
   options.solve = solve_options(request, around);
   if (request.contains("room")) {
-    auto room = placed(read_room(request.at("room").dump()), "room");
+    auto room = placed(room_from_json(request.at("room")), "room");
     if (!room) return Failure(std::move(room).error());
     options.shell = *std::move(room);
   }
   return options;
 }
-
-Json json_of_layout(const Layout& layout) { return Json::parse(write_layout(layout)); }
-Json json_of_report(const Report& report) { return Json::parse(write_report(report)); }
 
 Json json_of_notes(const std::vector<Note>& notes) {
   Json list = Json::array();
@@ -75,8 +73,21 @@ Json json_of_words(const std::vector<WordReading>& words) {
   return list;
 }
 
-Answer json_answer(const Json& body, int status) {
-  return {status, "application/json", body.dump(-1, ' ', false, Json::error_handler_t::replace)};
+Answer json_answer(const Json& body, int status) { return {status, "application/json", text_of(body)}; }
+
+JsonText& JsonText::add(std::string_view key, const Json& value) { return add_written(key, text_of(value)); }
+
+JsonText& JsonText::add_written(std::string_view key, std::string_view json) {
+  if (text_.size() > 1) text_ += ',';
+  ((text_ += '"') += key) += "\":";
+  text_ += json;
+  return *this;
+}
+
+JsonText& JsonText::add_written(std::string_view key, const std::vector<std::string>& list) {
+  std::string text;
+  for (const std::string& item : list) (text += text.empty() ? '[' : ',') += item;
+  return add_written(key, text.empty() ? "[]" : text + ']');
 }
 
 Stopwatch::Stopwatch() : last_(now_ms()) {}

@@ -22,12 +22,23 @@ SolveOptions solve_options(const Json& request, const Surroundings& around);
 // Companions and the user's own room.
 Result<GenerateOptions> generate_options(const Json& request, const Surroundings& around);
 
-Json json_of_layout(const Layout& layout);
-Json json_of_report(const Report& report);
 Json json_of_notes(const std::vector<Note>& notes);
 Json json_of_words(const std::vector<WordReading>& words);
 
 Answer json_answer(const Json& body, int status = 200);
+
+// An object as JSON text, member by member; what a stage has written as JSON goes in as it is. REQUIRES: no key given twice.
+class JsonText {
+ public:
+  JsonText& add(std::string_view key, const Json& value);
+  JsonText& add_written(std::string_view key, std::string_view json);
+  JsonText& add_written(std::string_view key, const std::vector<std::string>& list);
+  std::string text() const { return text_ + '}'; }
+  Answer answer(int status = 200) const { return {status, "application/json", text()}; }
+
+ private:
+  std::string text_ = "{";
+};
 
 // Milliseconds since it was made, or since the last call.
 class Stopwatch {

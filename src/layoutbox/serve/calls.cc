@@ -30,6 +30,13 @@ struct Asked {
   std::vector<WordReading> words;
 };
 
+Result<const Planner*> planner_for(const Json& request, const Surroundings& around) {
+  if (request.value("planner", "offline") != "llm") return &around.planner;
+  if (around.by_model != nullptr) return around.by_model;
+  return fail(ErrorCode::kUsage, "this service asks no language model", "/planner",
+              "start it with --planner llm, or leave the planner out");
+}
+
 Result<Asked> asked_room(const Json& request, const GenerateOptions& options, const Surroundings& around) {
   if (request.contains("prompt") == request.contains("scene")) {
     return fail(ErrorCode::kUsage, "a room is made from a prompt or from a scene", {}, "give exactly one of \"prompt\" and \"scene\"");
@@ -39,9 +46,16 @@ Result<Asked> asked_room(const Json& request, const GenerateOptions& options, co
     LAYOUTBOX_ASSIGN(SceneGraph scene, prepare_scene(std::move(given), around.catalog, options));
     return Asked{std::move(scene), {}};
   }
-  LAYOUTBOX_ASSIGN(Plan plan, around.planner.plan(request.at("prompt").get<std::string>(), options.plan));
+  LAYOUTBOX_ASSIGN(const Planner* planner, planner_for(request, around));
+  LAYOUTBOX_ASSIGN(Plan plan, planner->plan(request.at("prompt").get<std::string>(), options.plan));
   LAYOUTBOX_ASSIGN(SceneGraph scene, prepare_plan(plan, around.catalog, options));
   return Asked{std::move(scene), std::move(plan.readings)};
+}
+
+std::vector<std::string> texts_of(const std::vector<Layout>& layouts) {
+  std::vector<std::string> texts;
+  for (const Layout& layout : layouts) texts.push_back(write_layout(layout));
+  return texts;
 }
 
 }  // namespace
@@ -78,29 +92,34 @@ Call find_call(std::string_view operation) {
 
 Result<Answer> generate_call(const Json& request, const Surroundings& around) {
   LAYOUTBOX_ASSIGN(const GenerateOptions options, generate_options(request, around));
+  const auto begin = [&](std::string_view stage) {
+    if (around.on_stage) around.on_stage(stage);
+  };
   Stopwatch watch;
+  begin("plan");
   LAYOUTBOX_ASSIGN(const Asked asked, asked_room(request, options, around));
   const double plan_ms = watch.lap();
+  begin("solve");
   LAYOUTBOX_ASSIGN(const std::vector<Layout> layouts, solve_variants(asked.scene, around.catalog, options.solve, options.variants));
   const double solve_ms = watch.lap();
+  begin("verify");
   const Report report = verify(layouts.front(), around.catalog);
-  Json answer{{"scene", Json::parse(write_scene(asked.scene))},
-              {"layouts", Json::array()},
-              {"report", json_of_report(report)},
-              {"notes", json_of_notes(asked.scene.notes)},
-              {"asAsked", as_asked(layouts.front(), report)},
-              {"milliseconds", {{"plan", plan_ms}, {"solve", solve_ms}, {"verify", watch.lap()}}}};
-  for (const Layout& layout : layouts) answer["layouts"].push_back(json_of_layout(layout));
-  if (!asked.words.empty()) answer["words"] = json_of_words(asked.words);
-  return json_answer(answer);
+  JsonText answer;
+  answer.add_written("scene", write_scene(asked.scene))
+      .add_written("layouts", texts_of(layouts))
+      .add_written("report", write_report(report));
+  answer.add("notes", json_of_notes(asked.scene.notes)).add("asAsked", as_asked(layouts.front(), report));
+  answer.add("milliseconds", {{"plan", plan_ms}, {"solve", solve_ms}, {"verify", watch.lap()}});
+  if (!asked.words.empty()) answer.add("words", json_of_words(asked.words));
+  return answer.answer();
 }
 
 Result<Answer> plan_call(const Json& request, const Surroundings& around) {
   LAYOUTBOX_ASSIGN(const GenerateOptions options, generate_options(request, around));
   LAYOUTBOX_ASSIGN(const Asked asked, asked_room(request, options, around));
-  return json_answer({{"scene", Json::parse(write_scene(asked.scene))},
-                      {"words", json_of_words(asked.words)},
-                      {"notes", json_of_notes(asked.scene.notes)}});
+  JsonText answer;
+  answer.add_written("scene", write_scene(asked.scene));
+  return answer.add("words", json_of_words(asked.words)).add("notes", json_of_notes(asked.scene.notes)).answer();
 }
 
 Result<Answer> solve_call(const Json& request, const Surroundings& around) {
@@ -113,9 +132,7 @@ Result<Answer> solve_call(const Json& request, const Surroundings& around) {
     options.solve.from = &*from;
   }
   LAYOUTBOX_ASSIGN(const std::vector<Layout> layouts, solve_variants(scene, around.catalog, options.solve, options.variants));
-  Json answer{{"layouts", Json::array()}};
-  for (const Layout& layout : layouts) answer["layouts"].push_back(json_of_layout(layout));
-  return json_answer(answer);
+  return JsonText().add_written("layouts", texts_of(layouts)).answer();
 }
 
 Result<Answer> edit_call(const Json& request, const Surroundings& around) {
@@ -123,25 +140,23 @@ Result<Answer> edit_call(const Json& request, const Surroundings& around) {
   LAYOUTBOX_ASSIGN(const EditOutcome edited,
                    edit_layout(request.at("text").get<std::string>(), layout, around.catalog, solve_options(request, around)));
   const Report report = verify(edited.layout, around.catalog);
-  Json answer{{"layout", json_of_layout(edited.layout)},
-              {"report", json_of_report(report)},
-              {"changes", Json::array()},
-              {"dropped", Json::array()},
-              {"notes", json_of_notes(edited.notes)},
-              {"asAsked", as_asked(edited.layout, report)}};
+  Json changes = Json::array(), dropped = Json::array();
   for (const ObjectChange& change : edited.changes) {
-    answer["changes"].push_back(
+    changes.push_back(
         {{"id", change.id}, {"what", change.what}, {"metres", change.metres}, {"degrees", change.degrees}, {"asked", change.asked}});
   }
   for (const Relation& relation : edited.dropped) {
-    answer["dropped"].push_back(relation.why.empty() ? std::string(relation_row(relation.type).name) : relation.why);
+    dropped.push_back(relation.why.empty() ? std::string(relation_row(relation.type).name) : relation.why);
   }
-  return json_answer(answer);
+  JsonText answer;
+  answer.add_written("layout", write_layout(edited.layout)).add_written("report", write_report(report));
+  answer.add("changes", changes).add("dropped", dropped).add("notes", json_of_notes(edited.notes));
+  return answer.add("asAsked", as_asked(edited.layout, report)).answer();
 }
 
 Result<Answer> verify_call(const Json& request, const Surroundings& around) {
   LAYOUTBOX_ASSIGN(const Layout layout, layout_of(request));
-  return json_answer(json_of_report(verify(layout, around.catalog)));
+  return Answer{200, "application/json", write_report(verify(layout, around.catalog))};
 }
 
 Answer relations_answer() {

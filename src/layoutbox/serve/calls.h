@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -25,6 +26,9 @@ struct Surroundings {
   const Catalog& catalog;
   const Planner& planner;
   const std::atomic<bool>* stop = nullptr;  // ends what is being worked at (kInterrupted)
+  // Told as a stage begins: "plan", "solve", "verify". May be empty.
+  std::function<void(std::string_view stage)> on_stage = {};
+  const Planner* by_model = nullptr;  // the planner that asks a language model, where the service has one
 };
 
 // The OpenAPI document of web/openapi.json as it is served.

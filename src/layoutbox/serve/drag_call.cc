@@ -6,6 +6,7 @@
 #include <set>
 
 #include "layoutbox/scene/layout_scene.h"
+#include "layoutbox/scene/scene_json.h"
 #include "layoutbox/serve/call_parts.h"
 #include "layoutbox/serve/snapping.h"
 
@@ -128,6 +129,23 @@ void judge_relations(Layout& layout, const std::vector<PlacedRelation>& set_asid
   }
 }
 
+// What was left out before is so still, where a relation speaks of it.
+void keep_left_out(Layout& layout, const Layout& earlier) {
+  const auto is_spoken_of = [&](const std::string& id) {
+    return std::any_of(layout.relations.begin(), layout.relations.end(), [&](const PlacedRelation& placed) {
+      return names(placed.relation.targets, id) || names(placed.relation.references, id);
+    });
+  };
+  const auto keep = [&](const std::vector<Relaxation>& before, std::vector<Relaxation>& now) {
+    for (const Relaxation& item : before) {
+      const bool gone = layout.find_object(item.relation) == nullptr && !layout.lists_as_given_up(item.relation);
+      if (gone && is_spoken_of(item.relation)) now.push_back(item);
+    }
+  };
+  keep(earlier.relaxed, layout.relaxed);
+  keep(earlier.gave_way, layout.gave_way);
+}
+
 Json reasons_against(const Layout& wished, const Error& error, const Catalog& catalog) {
   Json reasons = Json::array();
   for (const Error& detail : error.details) reasons.push_back({{"text", detail.message}});
@@ -158,19 +176,22 @@ Result<Answer> drag_call(const Json& request, const Surroundings& around) {
   LAYOUTBOX_ASSIGN(const SceneGraph scene, prepare_scene(scene_of(wished), around.catalog, {}));
   auto solved = solve(scene, around.catalog, options_for(wished, request, around));
   if (!solved && solved.error().code == ErrorCode::kInterrupted) return Failure(std::move(solved).error());
-  Json answer{{"legal", solved.has_value()}, {"moved", Json::array()}, {"reasons", Json::array()}};
+  Json moved = Json::array(), reasons = Json::array();
+  std::string result;
   if (solved) {
     judge_relations(*solved, set_aside, layout, around.catalog);
+    keep_left_out(*solved, layout);
     for (const PlacedObject& object : solved->objects) {
-      if (object.id != id && stands_elsewhere(object, layout)) answer["moved"].push_back(object.id);
+      if (object.id != id && stands_elsewhere(object, layout)) moved.push_back(object.id);
     }
-    answer["layout"] = json_of_layout(*solved);
+    result = write_layout(*solved);
   } else {
-    answer["reasons"] = reasons_against(wished, solved.error(), around.catalog);
-    answer["layout"] = request.at("layout");
+    reasons = reasons_against(wished, solved.error(), around.catalog);
+    result = request.at("layout").dump();
   }
-  answer["milliseconds"] = watch.lap();
-  return json_answer(answer);
+  JsonText answer;
+  answer.add("legal", solved.has_value()).add("moved", moved).add("reasons", reasons).add_written("layout", result);
+  return answer.add("milliseconds", watch.lap()).answer();
 }
 
 }  // namespace layoutbox::serve

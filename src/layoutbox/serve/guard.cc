@@ -39,6 +39,8 @@ bool has_token(const GuardOptions& options, const Headers& headers) {
 
 }  // namespace
 
+bool is_own_address(std::string_view address) { return address == "127.0.0.1" || address == "localhost" || address == "::1"; }
+
 bool same_secret(std::string_view a, std::string_view b) {
   unsigned difference = a.size() == b.size() ? 0 : 1;
   for (std::size_t i = 0; i < a.size() && i < b.size(); ++i) {

@@ -27,6 +27,9 @@ struct Refusal {
 };
 std::optional<Refusal> refusal(const GuardOptions& options, std::string_view method, const Headers& headers);
 
+// Reached from this machine alone.
+bool is_own_address(std::string_view address);
+
 // True where both have the same bytes; takes as long for any two of one length.
 bool same_secret(std::string_view a, std::string_view b);
 

@@ -49,10 +49,12 @@ RenderOptions options_of(const Json& request) {
 }  // namespace
 
 std::string write_job(const JobView& job) {
-  Json json{{"id", job.record.id},      {"kind", job.record.kind},   {"state", name_of(job.record.state)},
-            {"progress", job.progress}, {"files", job.record.files}, {"created", job.record.created}};
-  if (!job.record.error.empty()) json["error"] = Json::parse(job.record.error);
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  const JobRecord& record = job.record;
+  JsonText text;
+  text.add("id", record.id).add("kind", record.kind).add("state", name_of(record.state)).add("progress", job.progress);
+  text.add("files", record.files).add("created", record.created);
+  if (!record.error.empty()) text.add_written("error", record.error);
+  return text.text();
 }
 
 struct Jobs::State {

@@ -25,28 +25,45 @@ constexpr std::string_view kNoPage =
     "<h1>Layout-in-a-Box</h1><p>The service runs; its page was left out of this build. "
     "<a href=\"/api/openapi.json\">What the service answers</a>.</p></html>\n";
 
-}  // namespace
-
-Page::Page(const std::filesystem::path& folder) {
-  std::error_code ignored;
-  for (const auto& file : std::filesystem::directory_iterator(folder, ignored)) {
-    for (const EndingType& row : kServed) {
-      if (file.path().extension() != row.ending) continue;
-      if (auto bytes = read_file(file.path())) {
-        files_[file.path().filename().string()] = {200, std::string(row.type), *std::move(bytes)};
-      }
-    }
+std::string_view type_of(const std::filesystem::path& file) {
+  for (const EndingType& row : kServed) {
+    if (file.extension() == row.ending) return row.type;
   }
+  return {};
 }
 
-Answer Page::start() const {
-  if (const auto found = files_.find("index.html"); found != files_.end()) return found->second;
+}  // namespace
+
+Page::Page(std::filesystem::path folder) : folder_(std::move(folder)), files_(std::make_shared<Files>()) { start(); }
+
+std::shared_ptr<const Page::Files> Page::files() const {
+  const std::lock_guard lock(mutex_);
+  return files_;
+}
+
+Answer Page::start() {
+  Stamps stamps;
+  std::error_code ignored;
+  for (const auto& file : std::filesystem::directory_iterator(folder_, ignored)) {
+    if (!type_of(file.path()).empty()) stamps[file.path().filename().string()] = file.last_write_time(ignored);
+  }
+  const std::lock_guard lock(mutex_);
+  if (stamps != stamps_) {
+    auto files = std::make_shared<Files>();
+    for (const auto& [name, stamp] : stamps) {
+      if (auto bytes = read_file(folder_ / name)) (*files)[name] = {200, std::string(type_of(name)), *std::move(bytes)};
+    }
+    stamps_ = std::move(stamps);
+    files_ = std::move(files);
+  }
+  if (const auto found = files_->find("index.html"); found != files_->end()) return found->second;
   return {200, "text/html; charset=utf-8", std::string(kNoPage)};
 }
 
 std::optional<Answer> Page::file(const std::string& name) const {
-  const auto found = files_.find(name);
-  return found == files_.end() ? std::nullopt : std::optional(found->second);
+  const auto files = this->files();
+  const auto found = files->find(name);
+  return found == files->end() ? std::nullopt : std::optional(found->second);
 }
 
 }  // namespace layoutbox::serve

@@ -1,8 +1,10 @@
-// The built page: a few files of one folder, read once.
+// The built page: a few files of one folder, kept in memory; who opens it after a new build gets the new one.
 #pragma once
 
 #include <filesystem>
 #include <map>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 
@@ -13,12 +15,19 @@ namespace layoutbox::serve {
 class Page {
  public:
   // Empty or missing: there is no page, and start() says so.
-  explicit Page(const std::filesystem::path& folder);
-  Answer start() const;
+  explicit Page(std::filesystem::path folder);
+  Answer start();  // reads the folder again where a file of it has changed
   std::optional<Answer> file(const std::string& name) const;
 
  private:
-  std::map<std::string, Answer> files_;
+  using Stamps = std::map<std::string, std::filesystem::file_time_type>;
+  using Files = std::map<std::string, Answer>;
+  std::shared_ptr<const Files> files() const;
+
+  std::filesystem::path folder_;
+  mutable std::mutex mutex_;
+  Stamps stamps_;
+  std::shared_ptr<const Files> files_;
 };
 
 }  // namespace layoutbox::serve

@@ -20,13 +20,12 @@ struct ServeOptions {
   int workers = 0;                      // calls that work at a time; 0: one a core
   int longest_queue = 64;               // calls that wait, and pictures
   std::size_t largest_body = 8u << 20;  // bytes
-  const std::atomic<bool>* stop = nullptr;
   // Called once it listens, with its address ("http://127.0.0.1:8080/").
   std::function<void(const std::string& url)> on_ready;
 };
 
-// Serves until `stop` is set; work that runs is finished or put back. Errors: kUsage (an address without a token), kIo (the port is taken,
-// the folder cannot be written, the database is damaged).
-Status serve(const Catalog& catalog, const Planner& planner, const ServeOptions& options);
+// Serves until `around.stop` is set; work that runs is finished or put back. Errors: kUsage (an address without a token), kIo (the port is
+// taken, the folder cannot be written, the database is damaged).
+Status serve(const Surroundings& around, const ServeOptions& options);
 
 }  // namespace layoutbox::serve

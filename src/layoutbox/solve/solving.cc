@@ -16,6 +16,7 @@ constexpr double kShortProof = 0.3;  // of CP-SAT's deterministic time
 constexpr std::size_t kMostForEarlyProof = 40;
 constexpr int kStarts = 4, kIdleShakes = 40;
 constexpr std::int64_t kShortPatience = 1, kPatienceShaken = 4;  // moves in vain a thing
+constexpr std::int64_t kShareOfLast = 4;
 constexpr std::int64_t kShareOfStarts = 8, kShareOfTakingBack = 4;
 
 }  // namespace
@@ -258,8 +259,10 @@ void Solver::improve() {
     }
     if (take_if_better()) idle = 0;
   }
+  // The best of all gets a share of its own: each thing is looked at once more, however much was spent on the way.
+  Budget last{0, std::max(budgets_.improvement / kShareOfLast, budget.limit - budget.steps), budget.stop, false};
   search.adopt(placements_, left_out_);
-  search.improve(budget, kPatience);
+  search.improve(last, kPatience);
   take_if_better();
 }
 

@@ -159,5 +159,116 @@ TEST(UsualGroups, GuestsSitBeforeTheBar) {
   }
 }
 
+// From the edge of one to the nearer edge of the other, both turned by quarters.
+double between_edges(const Layout& layout, const std::string& a, const std::string& b) {
+  double off[2];
+  for (const int axis : {0, 1}) {
+    double reach = 0;
+    for (const PlacedObject* o : {layout.find_object(a), layout.find_object(b)}) {
+      const bool aside = std::lround(o->rotation_deg) % 180 != 0;
+      reach += ((axis == 0) != aside ? o->size.width : o->size.depth) / 2.0;
+    }
+    off[axis] = std::max(0.0, std::abs(layout.find_object(a)->position[axis] - layout.find_object(b)->position[axis]) - reach);
+  }
+  return std::hypot(off[0], off[1]);
+}
+
+TEST(UsualGroups, ABedForOneStandsInACorner) {
+  const Layout layout = solved_as_asked(SceneMaker(4200, 3600).add("single_bed").add("wardrobe").make(true));
+  const PlacedObject& bed = *layout.find_object("single_bed_1");
+  const double across = std::abs(std::sin(bed.rotation_deg * kPi / 180)) > 0.5 ? bed.position[1] : bed.position[0];
+  const double wide = across == bed.position[1] ? 3600 : 4200;
+  EXPECT_LT(std::min(across, wide - across) - bed.size.width / 2.0, 60);
+}
+
+TEST(UsualGroups, ABedInACornerIsGotIntoFromItsOtherSide) {
+  for (const char* wall : {"wall1", "wall2", "wall3", "wall4"}) {
+    const Layout layout = solved_as_asked(
+        SceneMaker(3600, 3200).add("single_bed").add("floor_lamp").add("bookshelf").relate("corner", {"single_bed_1"}, {wall}).make(true));
+    for (const char* other : {"floor_lamp_1", "bookshelf_1"}) {
+      const PlacedObject &bed = *layout.find_object("single_bed_1"), &thing = *layout.find_object(other);
+      const TestPoint place = in_frame_of(bed, {thing.position[0], thing.position[1], 0});
+      EXPECT_FALSE(std::abs(place.y) < 300 && std::abs(place.x) < bed.size.width / 2.0 + 500) << wall << " " << other;
+    }
+  }
+}
+
+TEST(UsualGroups, ChairsByTheFireDoNotPullTheTableFromItsSofa) {
+  SceneMaker maker(5500, 4200);
+  maker.add("sofa").add("fireplace").add("armchair", 2).add("coffee_table");
+  maker.relate("facing", {"sofa_1"}, {"fireplace_1"}).relate("eachSideOf", {"armchair_1", "armchair_2"}, {"fireplace_1"});
+  const Layout layout = solved_as_asked(maker.make(true));
+  EXPECT_LT(between_edges(layout, "sofa_1", "coffee_table_1"), 700);
+}
+
+TEST(UsualGroups, ASofaAndItsTableInTheMiddleStandTogether) {
+  const Layout layout = solved_as_asked(
+      SceneMaker(5500, 4600).add("sofa").add("coffee_table").relate("centerOfRoom", {"sofa_1", "coffee_table_1"}).make(true));
+  EXPECT_LT(between_edges(layout, "sofa_1", "coffee_table_1"), 700);
+}
+
+TEST(UsualGroups, AnIslandStandsAlongTheRun) {
+  const Layout layout =
+      solved_as_asked(SceneMaker(5200, 4400).add("fridge").add("stove").add("kitchen_sink").add("kitchen_island").make(true));
+  EXPECT_LT(turned(layout, "stove_1", "kitchen_island_1"), 1);
+}
+
+TEST(UsualGroups, AScreenHangsAtTheEndOfALongTableWithNothingBeforeIt) {
+  SceneMaker maker(7000, 4600);
+  maker.add("conference_table").add("conference_chair", 8).add("projector_screen").mounted(Mount::kWall).add("sideboard");
+  std::vector<std::string> seats;
+  for (int i = 1; i <= 8; ++i) seats.push_back("conference_chair_" + std::to_string(i));
+  const Layout layout = solved_as_asked(maker.relate("around", seats, {"conference_table_1"}).make(true));
+  const PlacedObject& screen = *layout.find_object("projector_screen_1");
+  const PlacedObject& table = *layout.find_object("conference_table_1");
+  const TestPoint seen = in_frame_of(table, {screen.position[0], screen.position[1], 0});
+  EXPECT_LT(std::abs(table.size.width > table.size.depth ? seen.y : seen.x), 400);
+  EXPECT_GT(between_edges(layout, "projector_screen_1", "sideboard_1"), 0);
+}
+
+TEST(UsualGroups, AScreenDoesNotHangOverTheBed) {
+  const Layout layout = solved_as_asked(
+      SceneMaker(6000, 5000).add("bed").add("sofa").add("tv").mounted(Mount::kWall).relate("facing", {"sofa_1"}, {"tv_1"}).make(true));
+  const PlacedObject &bed = *layout.find_object("bed_1"), &tv = *layout.find_object("tv_1");
+  const TestPoint seen = in_frame_of(bed, {tv.position[0], tv.position[1], 0});
+  EXPECT_FALSE(std::abs(seen.x) < bed.size.width / 2.0 && seen.y > 0);
+}
+
+TEST(UsualGroups, AShortLastRowStandsAboutTheMiddle) {
+  const Layout layout = solved_as_asked(SceneMaker(8000, 6500).add("dining_table", 5).make(true));
+  double lowest = 1e9;
+  for (int i = 1; i <= 5; ++i) lowest = std::min(lowest, layout.find_object("dining_table_" + std::to_string(i))->position[1]);
+  double of_first = 0, of_others = 0;
+  int first = 0;
+  for (int i = 1; i <= 5; ++i) {
+    const PlacedObject& table = *layout.find_object("dining_table_" + std::to_string(i));
+    const bool in_first = table.position[1] < lowest + 300;
+    (in_first ? of_first : of_others) += table.position[0];
+    first += in_first;
+  }
+  ASSERT_GT(first, 1);
+  EXPECT_NEAR(of_first / first, of_others / (5 - first), 150);
+}
+
+TEST(UsualGroups, ALaptopLooksAtWhoSitsBeforeIt) {
+  const Layout layout = solved_as_asked(SceneMaker(4200, 3600)
+                                            .add("table")
+                                            .add("laptop")
+                                            .add("office_chair")
+                                            .relate("on", {"laptop_1"}, {"table_1"})
+                                            .relate("facing", {"office_chair_1"}, {"table_1"})
+                                            .make(true));
+  EXPECT_NEAR(turned(layout, "laptop_1", "office_chair_1"), 180, 1);
+}
+
+TEST(UsualGroups, AWholeGroupMovesToTheMiddleOfItsWall) {
+  SceneMaker maker(5400, 4200);
+  maker.add("sofa").add("coffee_table").add("armchair", 2).add("tv_stand").add("tv").add("rug");
+  const Layout layout = solved_as_asked(maker.relate("on", {"tv_1"}, {"tv_stand_1"}).make(true));
+  const PlacedObject& sofa = *layout.find_object("sofa_1");
+  const bool aside = std::lround(sofa.rotation_deg) % 180 != 0;
+  EXPECT_NEAR(sofa.position[aside ? 1 : 0], aside ? 2100 : 2700, 450);
+}
+
 }  // namespace
 }  // namespace layoutbox::placement

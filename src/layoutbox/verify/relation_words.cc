@@ -152,15 +152,15 @@ Finding shares_along(const Case& c, const Body& t, const Face& face, double shar
 
 namespace {
 
+// What stands at a wall and is turned by a degree has a corner in it, metres.
+constexpr double kTurnedCorner = 0.01;
+
 // How far a body is on the other side of a wall's inner face.
 double reach_through(const Body& t, const Face& wall) {
   return std::max(0.0, dot(wall.start, wall.inward) - extent(t.shape, wall.inward).lo);
 }
 
 }  // namespace
-
-// What stands at a wall and is turned by a degree has a corner in it, metres.
-constexpr double kTurnedCorner = 0.01;
 
 Finding side_along_wall(const Case& c, const Body& t, const Face& wall, const std::vector<Side>& sides, double max_gap) {
   std::vector<Finding> findings;

@@ -2,15 +2,18 @@
 import {useEffect, useRef, useState} from "preact/hooks";
 import {Icon} from "../icons";
 import {type FormValue, form_scene, wrong_lengths} from "../pure/form_scene";
+import {type Shape, shape_of} from "../pure/outline";
+import {read_length} from "../pure/units";
 import {furnish_scene} from "../state/actions";
-import {OpenFile, Prompt} from "../prompt";
+import {OpenFile, Prompt, ReadBy} from "../prompt";
 import {get, set, use} from "../state/store";
 import {texts} from "../texts";
 import {Openings} from "./openings";
+import {Outline} from "./outline";
 import {Pieces} from "./pieces";
 import {Relations} from "./relations";
 
-const kEmpty: FormValue = {kind: "", w: "", d: "", h: "", openings: [], pieces: [], relations: []};
+const kEmpty: FormValue = {kind: "", w: "", d: "", h: "", outline: null, openings: [], pieces: [], relations: []};
 let kept: FormValue = kEmpty;
 
 function Size({value, change}: {value: FormValue; change: (part: Partial<FormValue>) => void}) {
@@ -19,9 +22,15 @@ function Size({value, change}: {value: FormValue; change: (part: Partial<FormVal
   const side = (key: "w" | "d" | "h", label: string, usual: string) => (
     <label class="field">
       <span>{label} ({texts.bar[units === "m" ? "metres" : "feet"]})</span>
-      <input value={value[key]} placeholder={usual} data-testid={`form-${key}`} onInput={(event) => change({[key]: event.currentTarget.value})} />
+      <input value={value[key]} placeholder={usual} disabled={value.outline !== null && key !== "h"} data-testid={`form-${key}`} onInput={(event) => change({[key]: event.currentTarget.value})} />
     </label>
   );
+  const [shape, put] = useState<Shape>(value.outline ? "l" : "rectangle");
+  const reshape = (next: Shape) => {
+    put(next);
+    const read = (text: string, usual: number) => read_length(text, units) || usual;
+    change({outline: next === "rectangle" ? null : shape_of(next, read(value.w, 5), read(value.d, 4))});
+  };
   return (
     <fieldset>
       <legend>{form.room}</legend>
@@ -31,11 +40,18 @@ function Size({value, change}: {value: FormValue; change: (part: Partial<FormVal
           <input list="kinds" value={value.kind} data-testid="form-kind" onInput={(event) => change({kind: event.currentTarget.value})} />
           <datalist id="kinds">{form.kinds.map((kind) => <option value={kind} />)}</datalist>
         </label>
+        <label class="field">
+          <span>{form.shape}</span>
+          <select value={shape} data-testid="form-shape" onChange={(event) => reshape(event.currentTarget.value as Shape)}>
+            {Object.entries(form.shapes).map(([name, text]) => <option value={name}>{text}</option>)}
+          </select>
+        </label>
         {side("w", form.width, units === "m" ? "4" : "13'")}
         {side("d", form.depth, units === "m" ? "3.5" : "11' 6\"")}
         {side("h", form.height, units === "m" ? "2.7" : "9'")}
         <button type="button" class="small" data-testid="form-units" onClick={() => set({units: get().units === "m" ? "ft" : "m"})}>{texts.bar.units}</button>
       </div>
+      {value.outline && <Outline points={value.outline} change={(outline) => change({outline})} />}
     </fieldset>
   );
 }
@@ -69,7 +85,7 @@ export function Form() {
         <h2 id="form-heading">{open ? texts.bar.start : texts.form.heading}</h2>
         <button type="button" class="tool" aria-label={texts.form.close} data-testid="form-close" onClick={() => set({form: false})}><Icon name="close" /></button>
       </header>
-      {open && <div class="anew"><Prompt large empty /><OpenFile /><h3>{texts.form.heading}</h3></div>}
+      {open && <div class="anew"><Prompt large empty /><OpenFile /><ReadBy /><h3>{texts.form.heading}</h3></div>}
       <form onSubmit={go}>
         <Size value={value} change={change} />
         <Pieces value={value} change={change} />

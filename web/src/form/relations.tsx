@@ -1,6 +1,6 @@
 // Relations of the form, chosen from the service's table.
 import {Tool} from "../bar";
-import {type FormRelation, type FormValue, things_of} from "../pure/form_scene";
+import {type FormRelation, type FormValue, opening_ids, things_of, wall_ids} from "../pure/form_scene";
 import {use} from "../state/store";
 import {texts} from "../texts";
 import {fresh_key} from "./pieces";
@@ -24,14 +24,11 @@ export function Relations({value, change}: Part) {
   const put = (key: number, part: Partial<FormRelation>) =>
     change({relations: value.relations.map((one) => (one.key === key ? {...one, ...part} : one))});
   const named = (sentence: string) => sentence.replace("{targets}", "…").replace("{references}", "…").replace(/\{(\w+)\}/g, "$1");
-  const counts = {door: 0, window: 0};
+  const ids = opening_ids(value.openings);
   const others: [string, string][] = [
     ...things,
-    ...Object.entries(form.walls).map(([id, side]): [string, string] => [id, places.wall(side)]),
-    ...value.openings.map((one): [string, string] => {
-      counts[one.type] += 1;
-      return [`${one.type}${counts[one.type]}`, `${places[one.type]} ${counts[one.type]}`];
-    }),
+    ...wall_ids(value).map((id, i): [string, string] => [id, value.outline ? places.wall_number(i + 1) : places.wall(form.walls[id] ?? id)]),
+    ...ids.map((id): [string, string] => [id, id.replace(/(\d+)$/, " $1")]),
   ];
   return (
     <fieldset>

@@ -148,22 +148,32 @@ function Checks({layout}: {layout: Layout}) {
   const checks = (report["checks"] ?? []) as Check[];
   const failed = checks.filter((check) => !check.passed);
   const bad = failed.filter((check) => check.required);
+  const remarks = failed.filter((check) => !check.required);
+  const row = (check: Check) => (
+    <li class={check.required ? "bad" : "quiet"}>
+      <button type="button" class="bare" onClick={() => set({selected: check.subject, relation: null})}>{with_names(check.message, names)}</button>
+    </li>
+  );
   return (
     <>
       <p class={bad.length === 0 ? "good" : "bad"} data-testid="checks">
         <Icon name={bad.length === 0 ? "tick" : "cross"} />{bad.length === 0 ? texts.about.checks_passed(checks.length - failed.length) : texts.about.checks_failed}
       </p>
-      {failed.length > 0 && (
-        <ul class="plain">
-          {failed.map((check) => (
-            <li class={check.required ? "bad" : "quiet"}>
-              <button type="button" class="bare" onClick={() => set({selected: check.subject, relation: null})}>{with_names(check.message, names)}</button>
-            </li>
-          ))}
-        </ul>
-      )}
+      {bad.length > 0 && <ul class="plain">{bad.map(row)}</ul>}
+      {remarks.length > 0 && <details><summary>{texts.about.remarks(remarks.length)}</summary><ul class="plain">{remarks.map(row)}</ul></details>}
     </>
   );
+}
+
+/** The answer first: is it as it was asked for? */
+function Verdict({layout}: {layout: Layout}) {
+  const report = use((state) => state.rooms.now?.report);
+  const by_hand = use((state) => state.rooms.now?.by_hand ?? false);
+  const {about} = texts;
+  if (!report) return null;
+  const good = report["passed"] === true && (by_hand || layout.status === "solved");
+  const text = by_hand ? about.changed : good ? about.as_asked : about.not_as_asked;
+  return <p class={`verdict ${good ? "good" : "bad"}`} data-testid="verdict"><Icon name={good ? "tick" : "cross"} />{text}</p>;
 }
 
 export function About() {
@@ -172,6 +182,7 @@ export function About() {
   if (!layout) return null;
   return (
     <>
+      <Verdict layout={layout} />
       <section><h3>{texts.about.words}</h3><Words layout={layout} /></section>
       <Conflicts layout={layout} />
       <section><Relations layout={layout} /></section>
@@ -179,7 +190,7 @@ export function About() {
       {notes.length > 0 && (
         <details>
           <summary>{texts.about.notes(notes.length)}</summary>
-          <ul class="plain">{notes.map((note) => <li>{note.text}</li>)}</ul>
+          <ul class="plain">{notes.map((note) => <li>{note.message}</li>)}</ul>
         </details>
       )}
     </>

@@ -12,7 +12,7 @@ export function Compare() {
     <section class="compare" aria-label={texts.views.other} data-testid="compare">
       <header>
         <h2>{other.name}</h2>
-        <button type="button" class="tool" aria-label={texts.views.other_close} onClick={() => set({other: null})}><Icon name="close" /></button>
+        <button type="button" class="tool" aria-label={texts.views.other_close} data-testid="compare-close" onClick={() => set({other: null})}><Icon name="close" /></button>
       </header>
       <div class="view view-3d"><View3D layout={other.layout} live={false} /></div>
       <div class="view view-plan"><Plan layout={other.layout} live={false} /></div>

@@ -28,7 +28,7 @@ export function EditBox() {
 function change_text(change: Change, units: Units): string {
   const parts = change.what.map((what) => {
     if (what === "moved") return texts.edit.moved(length_text(change.metres, units));
-    if (what === "turned") return texts.edit.turned(`${Math.round(change.degrees)}°`);
+    if (what === "turned") return texts.edit.turned(`${Math.abs(Math.round(change.degrees))}°`);
     return texts.edit.what[what] ?? what;
   });
   return parts.join(", ");
@@ -38,14 +38,14 @@ function Changes({ghost}: {ghost: Edited}) {
   const units = use((state) => state.units);
   const now = use((state) => state.rooms.now);
   const names = new Map([...(now ? names_of(now.layout) : []), ...names_of(ghost.layout)]);
-  if (ghost.changes.length === 0) return <p class="quiet">{texts.edit.nothing}</p>;
   return (
     <ul class="plain">
+      {ghost.changes.length === 0 && <li class="quiet">{texts.edit.nothing}</li>}
       {ghost.changes.map((change) => (
         <li><b>{names.get(change.id) ?? change.id}</b> {change_text(change, units)}{!change.asked && <small> ({texts.edit.gives_way})</small>}</li>
       ))}
       {ghost.dropped.length > 0 && <li class="quiet">{texts.edit.dropped}: {ghost.dropped.join("; ")}</li>}
-      {ghost.notes.map((note) => <li class="quiet">{note.text}</li>)}
+      {ghost.notes.map((note) => <li class="quiet">{note.message}</li>)}
     </ul>
   );
 }
@@ -53,13 +53,14 @@ function Changes({ghost}: {ghost: Edited}) {
 export function Proposal() {
   const ghost = use((state) => state.ghost);
   if (!ghost) return null;
+  const changes = ghost.changes.length > 0;
   return (
     <section class="proposal" role="status" data-testid="proposal">
       <h2>{texts.edit.proposal}</h2>
       <Changes ghost={ghost} />
       <p class="outs">
-        <button type="button" class="main" data-testid="ghost-take" onClick={take_ghost}>{texts.edit.take}</button>
-        <button type="button" class="small" data-testid="ghost-drop" onClick={drop_ghost}>{texts.edit.drop}</button>
+        {changes && <button type="button" class="main" data-testid="ghost-take" onClick={take_ghost}>{texts.edit.take}</button>}
+        <button type="button" class="small" data-testid="ghost-drop" onClick={drop_ghost}>{changes ? texts.edit.drop : texts.edit.close}</button>
       </p>
     </section>
   );

@@ -64,6 +64,7 @@ export function Rooms() {
       <h3>{texts.rooms.heading}</h3>
       <Keep />
       {kept.length === 0 ? <p class="quiet">{texts.rooms.none}</p> : <ul class="kept">{kept.map((room) => <Row key={room.id} room={room} />)}</ul>}
+      <p class="outs"><button type="button" class="link" data-testid="open-rate" onClick={() => set({rating: true})}>{texts.rate.open}</button></p>
     </section>
   );
 }

@@ -1,42 +1,64 @@
-// The chosen thing: name, size, place and turn to type in, lock, remove.
-import {useEffect, useState} from "preact/hooks";
+// The chosen thing, door or window: size, place and turn to type in, lock, remove.
 import {Tool} from "../bar";
+import type {Layout, LayoutOpening} from "../gen/types";
 import {bounds, footprint, on_grid, room_bounds, upright} from "../pure/geometry";
+import {places_of} from "../pure/relations";
 import {name_of, names_of} from "../pure/scenes";
 import {length_value, read_length} from "../pure/units";
-import {remove, toggle_lock} from "../state/actions";
+import {change_opening, remove, remove_opening, toggle_lock} from "../state/actions";
 import {Hand, type Pose, nudge} from "../state/hand";
-import {doc, shown, use} from "../state/store";
+import {doc, get, shown, use} from "../state/store";
 import {texts} from "../texts";
+import {Field} from "./fields";
 
-interface FieldProps { label: string; value: string; id: string; off: boolean; read: (text: string) => Pose | null; thing: string }
+/** Puts the thing so as a hand would. */
+async function put_so(id: string, pose: Pose): Promise<boolean> {
+  const now = doc();
+  if (!now) return false;
+  const hand = new Hand(now.layout, id, false);
+  hand.move(pose);
+  return hand.drop();
+}
 
-/** A field whose value is taken with Enter or when it is left. */
-function Field({label, value, id, off, read, thing}: FieldProps) {
-  const [text, put] = useState(value);
-  const [wrong, mark] = useState(false);
-  useEffect(() => {
-    put(value);
-    mark(false);
-  }, [value, thing]);
-  const take = async () => {
-    if (text === value) return;
-    const pose = read(text);
-    const now = doc();
-    mark(pose === null);
-    if (!pose || !now) return;
-    const hand = new Hand(now.layout, thing, false);
-    hand.move(pose);
-    if (!(await hand.drop())) put(value);
-  };
+function Refused({id}: {id: string}) {
+  const refused = use((state) => state.refused);
+  const preview = use((state) => state.preview);
+  const reason = refused?.id === id ? refused.text : preview?.id === id && !preview.legal ? preview.reasons.map((one) => one.text).join("; ") : "";
+  return reason ? <p class="bad" role="status" data-testid="reason">{reason}</p> : null;
+}
+
+function SelectedOpening({opening, layout}: {opening: LayoutOpening; layout: Layout}) {
+  const units = use((state) => state.units);
+  const change = (part: Partial<LayoutOpening>) => change_opening(opening.id, part).then(() => get().error === null);
+  const length = (key: "w" | "h" | "sill") => ({
+    value: length_value(opening[key] ?? 0, units), id: `opening-field-${key}`, of: opening.id, take: change,
+    read: (text: string) => {
+      const metres = read_length(text, units);
+      return metres === null || metres < 0 || (metres === 0 && key !== "sill") || metres > 20 ? null : {[key]: metres};
+    },
+  });
+  const {openings} = texts;
   return (
-    <label class="field">
-      <span>{label}</span>
-      <input
-        value={text} disabled={off} aria-invalid={wrong} data-testid={id} inputMode="text" onInput={(event) => put(event.currentTarget.value)}
-        onBlur={() => void take()} onKeyDown={(event) => event.key === "Enter" && void take()}
-      />
-    </label>
+    <section class="selected" data-testid="selected" aria-label={texts.thing.heading}>
+      <header>
+        <h2>{places_of(layout).get(opening.id) ?? opening.id}</h2>
+        <Tool name="remove" label={texts.thing.remove} id="opening-remove" on={() => void remove_opening(opening.id)} />
+      </header>
+      <div class="fields">
+        <Field label={texts.thing.width} {...length("w")} />
+        <Field label={texts.thing.height} {...length("h")} />
+        {opening.type === "window" && <Field label={openings.sill} {...length("sill")} />}
+        {opening.type === "door" && (
+          <label class="field">
+            <span>{openings.swing}</span>
+            <select value={opening.swing} data-testid="opening-swing" onChange={(event) => void change({swing: event.currentTarget.value as LayoutOpening["swing"] & string})}>
+              {Object.entries(openings.swings).map(([name, text]) => <option value={name}>{text}</option>)}
+            </select>
+          </label>
+        )}
+      </div>
+      <Refused id={opening.id} />
+    </section>
   );
 }
 
@@ -44,10 +66,11 @@ export function Selected() {
   const layout = use(shown);
   const selected = use((state) => state.selected);
   const units = use((state) => state.units);
-  const refused = use((state) => state.refused);
   const preview = use((state) => state.preview);
   const locked = use((state) => state.rooms.now?.locked.includes(state.selected ?? "") ?? false);
   const object = layout?.objects.find((one) => one.id === selected);
+  const opening = layout?.room.openings?.find((one) => one.id === selected);
+  if (layout && opening) return <SelectedOpening opening={opening} layout={layout} />;
   if (!layout || !object) return null;
   const names = names_of(layout);
   const box = bounds(footprint(object));
@@ -68,8 +91,7 @@ export function Selected() {
     return {pos};
   };
   const turn = (text: string) => (/^-?\d+(\.\d+)?°?$/.test(text.trim()) ? {rotation: parseFloat(text)} : null);
-  const common = {thing: object.id, off: locked};
-  const reason = refused?.id === object.id ? refused.text : preview?.id === object.id && !preview.legal ? preview.reasons.map((one) => one.text).join("; ") : "";
+  const common = {of: object.id, off: locked, take: (pose: Pose) => put_so(object.id, pose)};
   const carrier = layout.objects.find((one) => one.id === object.supportedBy);
   const moved = preview?.id === object.id && preview.legal ? preview.moved.map((id) => names.get(id) ?? id) : [];
   const value = (metres: number) => length_value(metres, units);
@@ -90,7 +112,7 @@ export function Selected() {
         <Field label={texts.thing.y} id="field-y" value={value(on_grid(box.y0 - room.y0))} read={place(1, box.y0 - room.y0)} {...common} />
         <Field label={texts.thing.turn} id="field-turn" value={`${Math.round(upright(object.rotation) * 10) / 10}°`} read={turn} {...common} />
       </div>
-      {reason && <p class="bad" role="status" data-testid="reason">{reason}</p>}
+      <Refused id={object.id} />
       {moved.length > 0 && <p class="quiet" data-testid="gives-way">{texts.hand.gives_way(moved.join(", "))}</p>}
     </section>
   );

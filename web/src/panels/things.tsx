@@ -6,7 +6,7 @@ import type {Article} from "../gen/types";
 import {upright} from "../pure/geometry";
 import {names_of} from "../pure/scenes";
 import {length_value, read_length, size_text} from "../pure/units";
-import {add, add_article} from "../state/actions";
+import {add, add_article, add_opening} from "../state/actions";
 import {set, shown, use} from "../state/store";
 import {texts} from "../texts";
 
@@ -99,6 +99,14 @@ export function Things() {
     <>
       <Add />
       <section>
+        <h3>{texts.openings.heading}</h3>
+        <p class="outs">
+          {(["door", "window", "open"] as const).map((type) => (
+            <button key={type} type="button" class="small" data-testid={`add-${type}`} onClick={() => void add_opening(type)}>{texts.openings.add[type]}</button>
+          ))}
+        </p>
+      </section>
+      <section>
         <h3>{texts.things.table} <small>({layout.objects.length})</small></h3>
         <div class="scroll">
           <table data-testid="things">
@@ -110,8 +118,8 @@ export function Things() {
                     <button type="button" class="bare" aria-pressed={object.id === selected} onClick={() => set({selected: object.id, relation: null})}>{names.get(object.id)}</button>
                     {locked?.includes(object.id) && <Icon name="lock" />}
                   </td>
-                  <td class="number">{object.size.map((side) => length_value(side, units)).join(" × ")}</td>
-                  <td class="number">{object.pos.map((side) => length_value(Math.round(side * 100) / 100, units)).join(", ")}</td>
+                  <td class="number">{object.size.map((side) => length_value(side, units)).join("×")}</td>
+                  <td class="number">{object.pos.slice(0, object.pos[2] > 0 ? 3 : 2).map((side) => length_value(Math.round(side * 100) / 100, units)).join(", ")}</td>
                   <td class="number">{Math.round(upright(object.rotation))}°</td>
                 </tr>
               ))}

@@ -83,6 +83,7 @@ export function grab_size(event: PointerEvent, svg: SVGSVGElement, layout: Layou
 
 /** A door or window slid along the walls. */
 export function grab_opening(event: PointerEvent, svg: SVGSVGElement, layout: Layout, opening: LayoutOpening): void {
+  set({selected: opening.id, relation: null, refused: null});
   with_hand(event, svg, layout, opening.id, (now) => ({pos: now}));
 }
 

@@ -2,8 +2,9 @@
 import type {Layout, LayoutOpening, LayoutWall} from "../gen/types";
 import {on_wall, opening_middle, wall_length} from "../pure/shell_moves";
 import {places_of} from "../pure/relations";
-import {shift_wall} from "../state/actions";
+import {remove_opening, shift_wall} from "../state/actions";
 import {nudge_opening} from "../state/hand";
+import {set, use} from "../state/store";
 import {texts} from "../texts";
 import type {Frame} from "./frame";
 import {grab_opening, grab_wall} from "./grab";
@@ -22,6 +23,10 @@ function step_of(event: KeyboardEvent): [number, number] | null {
 }
 
 function opening_key(event: KeyboardEvent, layout: Layout, opening: LayoutOpening): void {
+  if (event.key === "Delete" || event.key === "Backspace") {
+    event.preventDefault();
+    return void remove_opening(opening.id);
+  }
   const step = step_of(event);
   const middle = opening_middle(layout.room, opening);
   if (step && middle) nudge_opening(opening.id, [middle[0] + step[0], middle[1] + step[1]]);
@@ -38,6 +43,7 @@ function wall_key(event: KeyboardEvent, wall: LayoutWall): void {
 
 export function Grips({layout, base, frame, svg, show}: GripsProps) {
   const names = places_of(layout);
+  const selected = use((state) => state.selected);
   const walls = layout.room.walls ?? [];
   const band = (wall: LayoutWall, from: number, to: number, inner: number) => {
     const thick = wall.thickness ?? kWallWidth;
@@ -58,9 +64,9 @@ export function Grips({layout, base, frame, svg, show}: GripsProps) {
         const wall = walls.find((one) => one.id === opening.wall);
         return wall && (
           <path
-            key={opening.id} class="grip" d={band(wall, opening.offset, opening.offset + opening.w, 0.06)} tabindex={0} role="button"
+            key={opening.id} class={`grip${selected === opening.id ? " selected" : ""}`} d={band(wall, opening.offset, opening.offset + opening.w, 0.06)} tabindex={0} role="button"
             data-testid={`opening-${opening.id}`} aria-label={texts.views.opening(names.get(opening.id) ?? opening.id)}
-            onKeyDown={(event) => opening_key(event, layout, opening)} onPointerDown={(event) => grab_opening(event, svg(), base(), opening)}
+            onKeyDown={(event) => opening_key(event, layout, opening)} onFocus={() => set({selected: opening.id, relation: null})} onPointerDown={(event) => grab_opening(event, svg(), base(), opening)}
           />
         );
       })}

@@ -1,5 +1,5 @@
 // From a layout back to a scene, and changes of a layout that need no solver. Nothing here alters what it is given.
-import type {Layout, LayoutObject, Scene, SceneObject, SceneRelation} from "../gen/types";
+import type {Layout, LayoutObject, LayoutOpening, Scene, SceneObject, SceneRelation} from "../gen/types";
 
 function scene_object(object: LayoutObject): SceneObject {
   const {size, pos, rotation, supportedBy: _held, ...same} = object;
@@ -8,6 +8,26 @@ function scene_object(object: LayoutObject): SceneObject {
     dims: {w: size[0], d: size[1], h: size[2]},
     xform: {pos, rot: [0, 0, rotation]},
   } as SceneObject;
+}
+
+const references = (relation: SceneRelation): string[] =>
+  relation.relativeTo === undefined ? [] : [relation.relativeTo].flat();
+
+/** Relations without some things; those that say nothing without them are gone. */
+function relations_without(layout: Layout, gone: ReadonlySet<string>): (SceneRelation & {held?: boolean})[] {
+  return (layout.relations ?? []).flatMap((relation) => {
+    const targets = relation.targets.filter((target) => !gone.has(target));
+    const about = references(relation);
+    const left = about.filter((reference) => !gone.has(reference));
+    if (targets.length === 0 || (about.length > 0 && left.length === 0)) return [];
+    return [about.length === left.length ? {...relation, targets} : {...relation, targets, relativeTo: left}];
+  });
+}
+
+/** Ids that relations name still and that the layout lists as left out. */
+function left_out_of(layout: Layout): Set<string> {
+  const here = new Set(layout.objects.map((object) => object.id));
+  return new Set([...(layout.relaxed ?? []), ...(layout.gaveWay ?? [])].map((one) => one.relation).filter((id) => !here.has(id)));
 }
 
 /** What the layout would be asked for as a scene; every thing keeps its place as a hint. */
@@ -25,7 +45,7 @@ export function scene_of(layout: Layout): Scene {
       ...(room.wallMat ? {wallMat: room.wallMat} : {}),
     },
     furniture: layout.objects.map(scene_object),
-    constraints: (layout.relations ?? []).map(({held: _held, ...same}: SceneRelation & {held?: boolean}) => same),
+    constraints: relations_without(layout, left_out_of(layout)).map(({held: _held, ...same}: SceneRelation & {held?: boolean}) => same),
     ...(layout.materials ? {materials: layout.materials} : {}),
   } as Scene;
 }
@@ -43,9 +63,6 @@ export function open_scene(layout: Layout, locked: readonly string[]): Scene {
   };
 }
 
-const references = (relation: SceneRelation): string[] =>
-  relation.relativeTo === undefined ? [] : [relation.relativeTo].flat();
-
 /** Ids of a thing and of all that stands or hangs on it. */
 export function with_load(layout: Layout, id: string): Set<string> {
   const found = new Set([id]);
@@ -59,14 +76,20 @@ export function with_load(layout: Layout, id: string): Set<string> {
 /** The layout without a thing, what stood on it, and the relations that speak of them. */
 export function without(layout: Layout, id: string): Layout {
   const gone = with_load(layout, id);
-  const relations = (layout.relations ?? []).flatMap((relation) => {
-    const targets = relation.targets.filter((target) => !gone.has(target));
-    const about = references(relation);
-    const left = about.filter((reference) => !gone.has(reference));
-    if (targets.length === 0 || (about.length > 0 && left.length === 0)) return [];
-    return [about.length === left.length ? {...relation, targets} : {...relation, targets, relativeTo: left}];
-  });
-  return {...layout, objects: layout.objects.filter((object) => !gone.has(object.id)), relations};
+  return {...layout, objects: layout.objects.filter((object) => !gone.has(object.id)), relations: relations_without(layout, gone)};
+}
+
+/** The layout without a door or window; what stood on its sill stands on the floor until it is solved. */
+export function without_opening(layout: Layout, id: string): Layout {
+  const openings = (layout.room.openings ?? []).filter((opening) => opening.id !== id);
+  const objects = layout.objects.map((object) => (object.supportedBy === id ? {...object, supportedBy: "floor"} : object));
+  return {...layout, room: {...layout.room, openings}, objects, relations: relations_without(layout, new Set([id]))};
+}
+
+/** A scene with one opening more, where the solver likes. */
+export function with_opening(scene: Scene, type: LayoutOpening["type"], id: string): Scene {
+  const openings = [...(scene.room.openings ?? []), {id, type, origin: "asked"}] as Scene["room"]["openings"];
+  return {...scene, room: {...scene.room, openings}} as Scene;
 }
 
 export function scene_without_relation(scene: Scene, id: string): Scene {

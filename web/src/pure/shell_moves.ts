@@ -39,6 +39,18 @@ export function put_opening(layout: Layout, id: string, point: Point): Layout {
   return {...layout, room: {...layout.room, openings}};
 }
 
+/** An opening with other sizes: its middle stays, as far as its wall is long. */
+export function changed_opening(layout: Layout, id: string, change: Partial<LayoutOpening>): Layout {
+  const openings = (layout.room.openings ?? []).map((opening): LayoutOpening => {
+    const wall = layout.room.walls?.find((one) => one.id === opening.wall);
+    if (opening.id !== id || !wall) return opening;
+    const w = Math.min(change.w ?? opening.w, wall_length(wall));
+    const offset = Math.max(0, Math.min(wall_length(wall) - w, opening.offset + (opening.w - w) / 2));
+    return {...opening, ...change, w, offset: on_grid(offset)};
+  });
+  return {...layout, room: {...layout.room, openings}};
+}
+
 const same = (a: Point, b: Point): boolean => Math.hypot(a[0] - b[0], a[1] - b[1]) < 0.001;
 
 /** The middle of an opening on the inner face of its wall. */

@@ -1,8 +1,8 @@
 // What a person can do: each asks the service and makes one step that can be undone.
 import {Refused, api} from "../api";
-import type {Article, GenerateRequest, Layout, Room, Scene, SceneObject} from "../gen/types";
-import {fresh_id, open_scene, replaced, scene_of, scene_without_relation, without} from "../pure/scenes";
-import {move_wall} from "../pure/shell_moves";
+import type {Article, GenerateRequest, Layout, LayoutOpening, Room, Scene, SceneObject} from "../gen/types";
+import {fresh_id, open_scene, replaced, scene_of, scene_without_relation, with_opening, without, without_opening} from "../pure/scenes";
+import {changed_opening, move_wall} from "../pure/shell_moves";
 import {texts} from "../texts";
 import {check} from "./hand";
 import {redone, undone} from "./history";
@@ -38,6 +38,11 @@ export function show_error(error: unknown): void {
   set({error: {message, ...(hint ? {hint} : {}), ...(details ? {details: details.map((detail) => detail.message)} : {})}});
 }
 
+/** What is being done at the moment, in words. */
+const told = (stage: string): void => {
+  if (get().busy !== null) set({busy: texts.stages[stage] ?? get().busy});
+};
+
 export const stop = (): void => running?.abort();
 
 function take(room: Room, prompt: string, seed: number): void {
@@ -47,28 +52,31 @@ function take(room: Room, prompt: string, seed: number): void {
     report: room.report, notes: room.notes, seed, locked: [], by_hand: false,
   };
   set({selected: null, relation: null, other: null, form: false, said: texts.said.furnished(layout.objects.length)});
+  if (!room.asAsked) set({panel: "about"}); // what is the matter stands there
   step(next);
 }
 
+const read_by = (): Pick<GenerateRequest, "planner"> => (get().planner === "offline" ? {} : {planner: get().planner});
+
 export const furnish = (prompt: string): Promise<void> =>
-  work(texts.busy.furnish, async (signal) => take(await api.generate({prompt}, signal), prompt, 1));
+  work(texts.busy.furnish, async (signal) => take(await api.generate({prompt, ...read_by()}, signal, told), prompt, 1));
 
 export const furnish_scene = (scene: Scene, prompt = ""): Promise<void> =>
   work(texts.busy.furnish, async (signal) => {
-    const room = await api.generate({scene}, signal);
+    const room = await api.generate({scene}, signal, told);
     take({...room, words: room.words ?? doc()?.words ?? []}, prompt, 1);
   });
 
 function asked_again(now: Doc): GenerateRequest {
   if (now.by_hand || now.locked.length > 0 || !now.prompt) return {scene: now.scene && !now.by_hand && now.locked.length === 0 ? now.scene : open_scene(now.layout, now.locked)};
-  return {prompt: now.prompt};
+  return {prompt: now.prompt, ...read_by()};
 }
 
 export const another = (): Promise<void> =>
   work(texts.busy.another, async (signal) => {
     const now = doc();
     if (!now) return;
-    const room = await api.generate({...asked_again(now), seed: now.seed + 1}, signal);
+    const room = await api.generate({...asked_again(now), seed: now.seed + 1}, signal, told);
     take({...room, words: room.words ?? now.words}, now.prompt, now.seed + 1);
   });
 
@@ -76,7 +84,7 @@ export const variants = (): Promise<void> =>
   work(texts.busy.variants, async (signal) => {
     const now = doc();
     if (!now) return;
-    const room = await api.generate({...asked_again(now), seed: now.seed, variants: 4}, signal);
+    const room = await api.generate({...asked_again(now), seed: now.seed, variants: 4}, signal, told);
     take({...room, words: room.words ?? now.words}, now.prompt, now.seed);
   });
 
@@ -155,6 +163,31 @@ export function shift_wall(id: string, out: number): Promise<void> {
   const moved = now && move_wall(now.layout, id, out);
   if (!moved) return Promise.resolve();
   return solve_change(texts.busy.move, () => ({scene: scene_of(moved), from: moved}));
+}
+
+export function add_opening(type: LayoutOpening["type"]): Promise<void> {
+  return solve_change(texts.busy.add, (scene, layout) => {
+    const taken = new Set((layout.room.openings ?? []).map((opening) => opening.id));
+    const stem = type === "open" ? "opening" : type;
+    let number = 1;
+    while (taken.has(`${stem}${number}`)) number += 1;
+    return {scene: with_opening(scene, type, `${stem}${number}`), from: layout, select: `${stem}${number}`};
+  });
+}
+
+export function change_opening(id: string, change: Partial<LayoutOpening>): Promise<void> {
+  return solve_change(texts.busy.move, (_scene, layout) => {
+    const changed = changed_opening(layout, id, change);
+    return {scene: scene_of(changed), from: changed, select: id};
+  });
+}
+
+export function remove_opening(id: string): Promise<void> {
+  set({selected: null, relation: null});
+  return solve_change(texts.busy.move, (_scene, layout) => {
+    const changed = without_opening(layout, id);
+    return {scene: scene_of(changed), from: changed};
+  });
 }
 
 /** One way out of a conflict: without that relation. */

@@ -45,9 +45,13 @@ export interface State {
   panel: string;
   pane: "3d" | "plan" | "about";
   form: boolean;
+  rating: boolean;
   walking: boolean;
   snap: boolean;
   units: Units;
+  /** Who reads prompts, of those that the service has. */
+  planner: "offline" | "llm";
+  planners: readonly string[];
   theme: "auto" | "light" | "dark";
 }
 
@@ -67,8 +71,9 @@ let state: State = {
   rooms: begin<Doc | null>(null),
   selected: null, hovered: null, relation: null, preview: null, refused: null, ghost: null, other: null,
   busy: null, error: null, said: "", kept: [], sentences: new Map(),
-  panel: "about", pane: "3d", form: false, walking: false,
+  panel: "about", pane: "3d", form: false, rating: false, walking: false,
   snap: kept_view.snap ?? true, units: kept_view.units ?? "m", theme: kept_view.theme ?? "auto",
+  planner: "offline", planners: ["offline"],
 };
 
 const listeners = new Set<() => void>();

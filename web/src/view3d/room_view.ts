@@ -73,7 +73,7 @@ export class RoomView {
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
     if (this.layout_ && !this.walker) this.frame_(this.layout_, false);
-    this.draw();
+    this.frame_now_(performance.now()); // at once: setting the size has wiped the canvas
   }
 
   /** Takes a GLB of a layout in place of what was shown. */

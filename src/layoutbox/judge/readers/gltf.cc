@@ -40,7 +40,7 @@ struct Bounds {
   }
 };
 
-enum class NodeRole { kObject, kFloor, kWall, kCeiling, kDoor, kWindow };
+enum class NodeRole { kNothing, kObject, kFloor, kWall, kCeiling, kDoor, kWindow };
 
 class NodeReader {
  public:
@@ -142,15 +142,23 @@ class NodeReader {
     for (const std::size_t child : children(i)) gather(child, m, turn, depth + 1, out);
   }
 
+  // "wall back"; a wall lamp is none.
+  static bool is_a_side_of_walls(std::string_view words) {
+    constexpr std::array<std::string_view, 12> kSides{"back", "front", "left", "right", "north", "south",
+                                                      "east", "west",  "rear", "a",     "b",     "c"};
+    return words.starts_with("wall ") && std::ranges::find(kSides, words.substr(5)) != kSides.end();
+  }
+
   NodeRole role_of(const json& item, const std::string& words) const {
     const auto extras = item.find("extras");
     const std::string kind = extras == item.end() ? "" : text_of(*extras, "kind");
     const auto ends = [&](std::string_view end) { return words == end || words.ends_with(" " + std::string(end)); };
     if (kind == "object") return NodeRole::kObject;
     if (kind == "floor" || words == "floor" || words == "ground") return NodeRole::kFloor;
-    if (kind == "wall" || ends("wall") || words == "walls") return NodeRole::kWall;
+    if (kind == "wall" || ends("wall") || words == "walls" || is_a_side_of_walls(words)) return NodeRole::kWall;
     if (kind == "ceiling" || words == "ceiling" || words == "roof") return NodeRole::kCeiling;
-    if (ends("window")) return NodeRole::kWindow;
+    if (kind == "base" || kind == "mark") return NodeRole::kNothing;
+    if (ends("window") || (kind == "opening" && words.find("window") != std::string::npos)) return NodeRole::kWindow;
     if (kind == "opening" || ends("door") || ends("doorway")) return NodeRole::kDoor;
     return NodeRole::kObject;
   }
@@ -167,6 +175,7 @@ class NodeReader {
     gather(i, outer_, turn, 0, bounds);
     if (bounds.empty()) return;  // a camera, a lamp's light, a helper
     switch (role) {
+      case NodeRole::kNothing: break;
       case NodeRole::kFloor: add_floor(bounds, room); break;
       case NodeRole::kWall: walls_.add(bounds.low), walls_.add(bounds.high); break;
       case NodeRole::kCeiling: room.height = bounds.low[2]; break;

@@ -26,11 +26,18 @@ constexpr std::string_view kManner =
     "is "
     "used from. Many statements that you are asked about are deliberately false; say what the picture shows.";
 
-chat::Request request_for(const Picture& picture, std::string text, bool score, int repeat, const JudgeOptions& options) {
+std::string views_of(const std::vector<Picture>& pictures) {
+  std::string text;
+  for (const Picture& picture : pictures) text += (text.empty() ? "" : ", ") + (picture.view.empty() ? "a picture" : picture.view);
+  return text;
+}
+
+chat::Request request_for(const std::vector<Picture>& pictures, std::string text, bool score, int repeat, const JudgeOptions& options) {
   chat::Request request;
   request.messages.push_back({"system", std::string(kManner)});
   chat::Message message{"user", std::move(text)};
-  message.images.push_back({picture.media_type, picture.bytes});
+  for (const Picture& picture : pictures) message.images.push_back({picture.media_type, picture.bytes, picture.url});
+  if (pictures.size() > 1) message.content = "The pictures show one room: " + views_of(pictures) + ".\n" + message.content;
   request.messages.push_back(std::move(message));
   request.functions.push_back(score ? chat::Function{"score", "The score of the picture", std::string(kScoreSchema), true}
                                     : chat::Function{"answer", "The answer to the question", std::string(kAnswerSchema), true});
@@ -67,8 +74,9 @@ std::string_view word_for(Verdict verdict) { return verdict == Verdict::kYes ? "
 
 std::string scene_text(const Layout& layout) { return write_scene(scene_of(layout)); }
 
-Result<Said> ask_once(const std::string& text, int repeat, const Picture& picture, chat::ChatClient& client, const JudgeOptions& options) {
-  LAYOUTBOX_ASSIGN(const chat::Response response, client.ask(request_for(picture, text, false, repeat, options)));
+Result<Said> ask_once(const std::string& text, int repeat, const std::vector<Picture>& pictures, chat::ChatClient& client,
+                      const JudgeOptions& options) {
+  LAYOUTBOX_ASSIGN(const chat::Response response, client.ask(request_for(pictures, text, false, repeat, options)));
   const nlohmann::json document = document_of(response);
   Said said;
   said.repeat = repeat;
@@ -79,9 +87,9 @@ Result<Said> ask_once(const std::string& text, int repeat, const Picture& pictur
   return said;
 }
 
-Result<Score> score_once(const std::string& against, const std::string& text, int repeat, const Picture& picture, chat::ChatClient& client,
-                         const JudgeOptions& options) {
-  LAYOUTBOX_ASSIGN(const chat::Response response, client.ask(request_for(picture, text, true, repeat, options)));
+Result<Score> score_once(const std::string& against, const std::string& text, int repeat, const std::vector<Picture>& pictures,
+                         chat::ChatClient& client, const JudgeOptions& options) {
+  LAYOUTBOX_ASSIGN(const chat::Response response, client.ask(request_for(pictures, text, true, repeat, options)));
   const nlohmann::json document = document_of(response);
   Score score{against, std::nullopt, options.reasons ? member_text(document, "reason") : std::string(), repeat};
   if (document.is_object() && document.contains("score") && document.at("score").is_number()) {
@@ -173,8 +181,8 @@ RoomAnswers answer_by_geometry(const std::string& name, const Layout& layout, co
   return room;
 }
 
-Result<RoomAnswers> answer_by_model(const std::string& name, const Layout& layout, const Catalog& catalog, const Picture& picture,
-                                    chat::ChatClient& client, const JudgeOptions& options) {
+Result<RoomAnswers> answer_by_model(const std::string& name, const Layout& layout, const Catalog& catalog,
+                                    const std::vector<Picture>& pictures, chat::ChatClient& client, const JudgeOptions& options) {
   RoomAnswers room;
   room.name = name;
   const std::string scene = scene_text(layout);
@@ -183,7 +191,7 @@ Result<RoomAnswers> answer_by_model(const std::string& name, const Layout& layou
     std::string text = asked.question.text + " Answer yes or no.";
     if (options.with_scene) text = "The room as it was meant, in JSON:\n" + scene + "\n" + text;
     for (int repeat = 1; repeat <= options.repeats; ++repeat) {
-      LAYOUTBOX_ASSIGN(Said said, ask_once(text, repeat, picture, client, options));
+      LAYOUTBOX_ASSIGN(Said said, ask_once(text, repeat, pictures, client, options));
       asked.said.push_back(std::move(said));
     }
     room.questions.push_back(std::move(asked));
@@ -194,7 +202,7 @@ Result<RoomAnswers> answer_by_model(const std::string& name, const Layout& layou
     wanted["prompt"] = "How well does the picture show what was asked for, from 0.0 to 1.0? It was:\n" + layout.prompt;
   for (const auto& [against, text] : wanted) {
     for (int repeat = 1; repeat <= options.repeats; ++repeat) {
-      LAYOUTBOX_ASSIGN(Score score, score_once(against, text, repeat, picture, client, options));
+      LAYOUTBOX_ASSIGN(Score score, score_once(against, text, repeat, pictures, client, options));
       room.scores.push_back(std::move(score));
     }
   }

@@ -41,6 +41,8 @@ struct RoomAnswers {
 
 struct Picture {
   std::string media_type, bytes;
+  std::string url = {};   // where the model can fetch it; empty: it is sent along
+  std::string view = {};  // what it is, in words: "its floor plan"; may be empty
 };
 
 // Who is asked. `ask` sees the question's text alone beside the picture.
@@ -54,9 +56,9 @@ struct JudgeOptions {
 
 // By geometry: every question is answered by its truth, nothing is asked of anybody.
 RoomAnswers answer_by_geometry(const std::string& name, const Layout& layout, const Catalog& catalog, const JudgeOptions& options);
-// By a model. Errors: those of ChatClient::ask.
-Result<RoomAnswers> answer_by_model(const std::string& name, const Layout& layout, const Catalog& catalog, const Picture& picture,
-                                    chat::ChatClient& client, const JudgeOptions& options);
+// By a model, which sees all the pictures at once. REQUIRES: one at least. Errors: those of ChatClient::ask.
+Result<RoomAnswers> answer_by_model(const std::string& name, const Layout& layout, const Catalog& catalog,
+                                    const std::vector<Picture>& pictures, chat::ChatClient& client, const JudgeOptions& options);
 
 struct PanelFigures {
   AnswerFigures all, single, multi;

@@ -9,8 +9,6 @@ namespace {
 
 using namespace offline;
 
-constexpr double kUnknown = 1e9;
-
 std::string last_word(const std::string& name) {
   const std::string plain = name.substr(0, name.find(" of "));
   const std::size_t space = plain.rfind(' ');

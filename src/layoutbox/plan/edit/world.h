@@ -10,6 +10,9 @@
 
 namespace layoutbox::edit {
 
+// How far apart things are of which one has no place.
+inline constexpr double kUnknown = 1e9;
+
 struct Thing {
   std::string id;
   offline::NounPhrase noun;              // its name, as the planner reads it

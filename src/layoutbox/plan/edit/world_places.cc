@@ -9,8 +9,6 @@ namespace {
 
 using namespace offline;
 
-constexpr double kUnknown = 1e9;
-
 double to_segment(double x, double y, const Point& a, const Point& b) {
   const double dx = b.x - a.x, dy = b.y - a.y, square = dx * dx + dy * dy;
   const double t = square > 0 ? std::clamp(((x - a.x) * dx + (y - a.y) * dy) / square, 0.0, 1.0) : 0;

@@ -88,30 +88,23 @@ void settle_units(json& scene, Notes& notes) {
   note(notes, fmt::format("a room of {:g} is measured in {}, so lengths are read as {}", largest, meant, meant), "/room");
 }
 
-}  // namespace
+// {"width": 4, "depth": 3, "height": 2.5}
+void gather_dims(json& room, Notes& notes) {
+  if (!room.is_object() || room.contains("dims")) return;
+  json dims = json::object();
+  for (const char* key : {"w", "width", "d", "depth", "l", "length", "h"}) {
+    if (room.contains(key)) dims[key] = room[key], room.erase(key);
+  }
+  if (dims.empty()) return;
+  if (room.contains("height")) dims["h"] = room["height"], room.erase("height");
+  room["dims"] = std::move(dims);
+  note(notes, "the room's size is read as \"dims\"", "/room");
+}
 
-// NOLINTNEXTLINE(readability-function-cognitive-complexity): to be parted
-void mend_form(json& scene, Notes& notes) {
-  unwrap(scene, notes);
-  if (!scene.is_object()) return;
-  rename_all(scene, {{"objects", "furniture"}, {"items", "furniture"}, {"relations", "constraints"}, {"relationships", "constraints"}}, "",
-             notes);
-  for (const char* key : {"furniture", "constraints", "materials"}) make_list(scene, key, notes);
-  if (!scene.contains("room") || scene["room"].is_null()) scene["room"] = json::object();
-  if (scene.contains("metadata") && !scene["metadata"].is_object()) scene.erase("metadata");
+void mend_room_form(json& scene, Notes& notes) {
   json& room = scene["room"];
   rename_all(room, {{"dimensions", "dims"}, {"size", "dims"}}, "/room", notes);
-  if (room.is_object() && !room.contains("dims")) {  // {"width": 4, "depth": 3, "height": 2.5}
-    json dims = json::object();
-    for (const char* key : {"w", "width", "d", "depth", "l", "length", "h"}) {
-      if (room.contains(key)) dims[key] = room[key], room.erase(key);
-    }
-    if (!dims.empty()) {
-      if (room.contains("height")) dims["h"] = room["height"], room.erase("height");
-      room["dims"] = std::move(dims);
-      note(notes, "the room's size is read as \"dims\"", "/room");
-    }
-  }
+  gather_dims(room, notes);
   if (room.is_object() && room.contains("type") && room["type"].is_string()) {
     json& metadata = scene["metadata"];
     if (!metadata.is_object()) metadata = json::object();
@@ -120,53 +113,66 @@ void mend_form(json& scene, Notes& notes) {
     room.erase("type");
   }
   if (scene.contains("metadata")) rename_all(scene["metadata"], {{"room_type", "roomType"}, {"type", "roomType"}}, "/metadata", notes);
-  if (scene.contains("furniture") && scene["furniture"].is_array()) {
-    std::size_t i = 0;
-    for (json& object : scene["furniture"]) {
-      const std::string at = fmt::format("/furniture/{}", i++);
-      rename_all(object,
-                 {{"type", "category"},
-                  {"class", "category"},
-                  {"dimensions", "dims"},
-                  {"size", "dims"},
-                  {"transform", "xform"},
-                  {"catalog_id", "catalogId"}},
-                 at, notes);
-      if (!object.is_object()) continue;
-      if (object.contains("position") || object.contains("rotation")) {
-        json& xform = object["xform"];
-        if (!xform.is_object()) xform = json::object();
-        for (const auto& [from, to] : {std::pair{"position", "pos"}, std::pair{"rotation", "rot"}}) {
-          if (object.contains(from)) xform[to] = object[from], object.erase(from);
-        }
-        note(notes, "position and rotation are read as \"xform\"", at);
-      }
-    }
+}
+
+void mend_object_form(json& object, const std::string& at, Notes& notes) {
+  rename_all(object,
+             {{"type", "category"},
+              {"class", "category"},
+              {"dimensions", "dims"},
+              {"size", "dims"},
+              {"transform", "xform"},
+              {"catalog_id", "catalogId"}},
+             at, notes);
+  if (!object.is_object() || !(object.contains("position") || object.contains("rotation"))) return;
+  json& xform = object["xform"];
+  if (!xform.is_object()) xform = json::object();
+  for (const auto& [from, to] : {std::pair{"position", "pos"}, std::pair{"rotation", "rot"}}) {
+    if (object.contains(from)) xform[to] = object[from], object.erase(from);
   }
-  if (scene.contains("constraints") && scene["constraints"].is_array()) {
-    std::size_t i = 0;
-    for (json& relation : scene["constraints"]) {
-      const std::string at = fmt::format("/constraints/{}", i++);
-      if (!relation.is_object()) continue;
-      rename_all(relation,
-                 {{"relation", "type"},
-                  {"source", "targets"},
-                  {"subject", "targets"},
-                  {"object", "targets"},
-                  {"objects", "targets"},
-                  {"item", "targets"}},
-                 at, notes);
-      if (relation.contains("targets") && relation.contains("target")) rename_all(relation, {{"target", "relativeTo"}}, at, notes);
-      rename_all(relation,
-                 {{"relative_to", "relativeTo"},
-                  {"reference", "relativeTo"},
-                  {"references", "relativeTo"},
-                  {"anchor", "relativeTo"},
-                  {"to", "relativeTo"},
-                  {"wall", "relativeTo"}},
-                 at, notes);
-    }
-  }
+  note(notes, "position and rotation are read as \"xform\"", at);
+}
+
+void mend_relation_form(json& relation, const std::string& at, Notes& notes) {
+  if (!relation.is_object()) return;
+  rename_all(relation,
+             {{"relation", "type"},
+              {"source", "targets"},
+              {"subject", "targets"},
+              {"object", "targets"},
+              {"objects", "targets"},
+              {"item", "targets"}},
+             at, notes);
+  if (relation.contains("targets") && relation.contains("target")) rename_all(relation, {{"target", "relativeTo"}}, at, notes);
+  rename_all(relation,
+             {{"relative_to", "relativeTo"},
+              {"reference", "relativeTo"},
+              {"references", "relativeTo"},
+              {"anchor", "relativeTo"},
+              {"to", "relativeTo"},
+              {"wall", "relativeTo"}},
+             at, notes);
+}
+
+void mend_each(json& scene, const char* list, void (*mend_one)(json&, const std::string&, Notes&), Notes& notes) {
+  if (!scene.contains(list) || !scene[list].is_array()) return;
+  std::size_t i = 0;
+  for (json& one : scene[list]) mend_one(one, fmt::format("/{}/{}", list, i++), notes);
+}
+
+}  // namespace
+
+void mend_form(json& scene, Notes& notes) {
+  unwrap(scene, notes);
+  if (!scene.is_object()) return;
+  rename_all(scene, {{"objects", "furniture"}, {"items", "furniture"}, {"relations", "constraints"}, {"relationships", "constraints"}}, "",
+             notes);
+  for (const char* key : {"furniture", "constraints", "materials"}) make_list(scene, key, notes);
+  if (!scene.contains("room") || scene["room"].is_null()) scene["room"] = json::object();
+  if (scene.contains("metadata") && !scene["metadata"].is_object()) scene.erase("metadata");
+  mend_room_form(scene, notes);
+  mend_each(scene, "furniture", mend_object_form, notes);
+  mend_each(scene, "constraints", mend_relation_form, notes);
   settle_units(scene, notes);
   // Directions of axes are not asked for, and a model that writes them seldom means them.
   if (scene.contains("metadata") && scene["metadata"].is_object() && scene["metadata"].erase("axes") > 0)

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "layoutbox/base/plain_text.h"
+#include "layoutbox/base/utf8.h"
 
 namespace layoutbox::llm {
 
@@ -43,14 +44,13 @@ std::string clean_id(std::string_view written) {
 std::string clean_name(std::string_view written) {
   std::string name;
   for (const char c : plain_text(written)) {
-    const bool begins = (static_cast<unsigned char>(c) & 0xC0) != 0x80;
-    if (name.size() >= kLongestName && begins) break;
     if (c != ' ' && kSigns.find(c) == std::string_view::npos) {
       name += c;
     } else if (!name.empty() && name.back() != ' ') {
       name += ' ';
     }
   }
+  name = first_bytes(name, kLongestName);
   while (name.ends_with(' ')) name.pop_back();
   return name;
 }

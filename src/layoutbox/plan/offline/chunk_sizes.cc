@@ -174,6 +174,7 @@ bool Chunker::read_size_chunk() {
   size.width = values[0];
   size.depth = values[1];
   if (values.size() > 2) size.height = values[2];
+  size.either = true;  // "a car, 4.5 m by 1.8 m": the longer side is the one that such a thing has
   Chunk& chunk = add(ChunkKind::kSize, at - i_);
   chunk.size = size;
   return true;

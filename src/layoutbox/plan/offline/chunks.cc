@@ -10,6 +10,16 @@ namespace layoutbox::offline {
 
 using Class = WordClass;
 
+namespace {
+
+// Not "hangs", "is mounted", "hang the lamp", which are finite.
+bool is_participle_form(std::string_view word) {
+  static constexpr std::array<std::string_view, 9> kIrregular = {"hung", "set", "put", "laid", "left", "kept", "built", "found", "held"};
+  return word.ends_with("ing") || word.ends_with("ed") || std::find(kIrregular.begin(), kIrregular.end(), word) != kIrregular.end();
+}
+
+}  // namespace
+
 bool Chunker::opens_noun(const Token& token) const {
   return token.kind == Token::Kind::kNumber || lexicon_.is(token, Class::kDefinite) || lexicon_.is(token, Class::kIndefinite) ||
          lexicon_.is(token, Class::kPossessive) || lexicon_.is(token, Class::kEach) || lexicon_.is(token, Class::kBoth) ||
@@ -25,7 +35,11 @@ bool Chunker::clause_begins() const {
 }
 
 void Chunker::read() {
-  if (read_distance() || read_size_chunk() || read_rows()) return;
+  if (read_distance() || read_size_chunk() || read_rows() || read_infinitive()) return;
+  if (tokens_[i_].text == "all" && i_ + 1 < tokens_.size() && tokens_[i_ + 1].text == "around") {  // "chairs all around"
+    add(ChunkKind::kIgnored, 1);
+    return;
+  }
   const PhraseMatch phrase = phrase_here();
   const ChunkKind before = previous();
   // "my desk is 's": what a person owns was read with the noun; elsewhere the sign stands for "is" or "us".
@@ -36,7 +50,8 @@ void Chunker::read() {
   // "The left nightstand", "two chairs": what opens a noun phrase is one, unless a longer phrase begins so ("one behind the other").
   const std::size_t there = length_of(Class::kThere), without = length_of(Class::kWithout);
   if (there > 0 && there >= without) {
-    if (there == 1 && before == ChunkKind::kNoun) {
+    // "the lamp there", "it is there on the shelf"
+    if (there == 1 && tokens_[i_].text == "there" && (before == ChunkKind::kNoun || (before == ChunkKind::kVerb && !thing_next(i_ + 1)))) {
       add(ChunkKind::kIgnored, 1);
     } else {
       add(ChunkKind::kThere, there);
@@ -73,7 +88,7 @@ void Chunker::read() {
   read_small_word();
 }
 
-// The relation phrase that begins here. "On the left" ends before "end" or "wall": "on the left end of the counter".
+// The relation phrase that begins here. "On the left" ends before "end", "wall" or "one": "on the left end of the counter".
 PhraseMatch Chunker::phrase_here() const {
   const PhraseMatch phrase = lexicon_.find_phrase(tokens_, i_);
   const std::size_t after = i_ + phrase.length;
@@ -83,10 +98,27 @@ PhraseMatch Chunker::phrase_here() const {
   if (phrase.length > 2 && last == "of" && lexicon_.is(tokens_[after - 2], Class::kEach))
     return lexicon_.find_phrase(tokens_.first(after - 2), i_);
   if (last != "left" && last != "right" && last != "side") return phrase;
-  const Token& next = tokens_[after];
-  if (!lexicon_.is(next, Class::kWall) && !lexicon_.is(next, Class::kCorner) && !lexicon_.is(next, Class::kSide)) return phrase;
+  const Token& next = tokens_[after].text == "hand" && after + 1 < tokens_.size() ? tokens_[after + 1] : tokens_[after];
+  if (next.text != "one" && !lexicon_.is(next, Class::kWall) && !lexicon_.is(next, Class::kCorner) && !lexicon_.is(next, Class::kSide))
+    return phrase;
   const PhraseMatch shorter = lexicon_.find_phrase(tokens_.first(i_ + 1), i_);
   return shorter.length > 0 ? shorter : phrase;
+}
+
+// A new thing is named at that token.
+bool Chunker::thing_next(std::size_t at) const {
+  return at < tokens_.size() && (lexicon_.is(tokens_[at], Class::kIndefinite) || lexicon_.is(tokens_[at], Class::kNumber) ||
+                                 tokens_[at].kind == Token::Kind::kNumber || lexicon_.is(tokens_[at], Class::kAnother));
+}
+
+// "easy to picture", "nice to look at": what one does, after an adjective that begins no relation phrase.
+bool Chunker::read_infinitive() {
+  if (tokens_[i_].text != "to" || i_ == 0 || i_ + 1 >= tokens_.size() || tokens_[i_ + 1].kind != Token::Kind::kWord) return false;
+  static constexpr std::array<std::string_view, 14> kDoable = {"easy",      "easier", "hard", "nice", "nicer", "simple", "pleasant",
+                                                               "difficult", "ready",  "good", "fun",  "quick", "safe",   "able"};
+  if (std::find(kDoable.begin(), kDoable.end(), tokens_[i_ - 1].text) == kDoable.end()) return false;
+  add(ChunkKind::kPurpose, 2);
+  return true;
 }
 
 bool Chunker::noun_follows() const {
@@ -126,78 +158,74 @@ void Chunker::add_phrase(const PhraseMatch& phrase) {
   }
 }
 
-// NOLINTNEXTLINE(readability-function-cognitive-complexity): to be parted
-bool Chunker::read_words(const PhraseMatch& phrase, std::size_t without) {
-  struct Choice {
-    ChunkKind kind;
-    std::size_t length;
-  };
+// The longest of the words that may begin here; of equals the first.
+Chunker::Choice Chunker::longest(const PhraseMatch& phrase, std::size_t without) const {
   const ChunkKind before = previous();
   const bool after_noun = before == ChunkKind::kNoun || before == ChunkKind::kRelation;
-  const std::size_t be = be_length();
-  const std::size_t hang = length_of(Class::kHang), participle = length_of(Class::kParticiple), place = length_of(Class::kPlaceVerb);
-  std::array<Choice, 12> choices = {{
+  const std::array<Choice, 12> choices = {{
       {ChunkKind::kCommand, clause_begins() ? length_of(Class::kCommand) : 0},
       {ChunkKind::kWithout, without},
       {ChunkKind::kSoft, length_of(Class::kSoft)},
       {ChunkKind::kHave, length_of(Class::kHave)},
       {ChunkKind::kRelation, phrase.length},
-      {ChunkKind::kVerb, be},
-      {ChunkKind::kParticiple, std::max(participle, hang)},
-      {ChunkKind::kVerb, place},
+      {ChunkKind::kVerb, be_length()},
+      {ChunkKind::kParticiple, std::max(length_of(Class::kParticiple), length_of(Class::kHang))},
+      {ChunkKind::kVerb, length_of(Class::kPlaceVerb)},
       {ChunkKind::kClause, length_of(Class::kClause)},
       {ChunkKind::kAnd, length_of(Class::kAnd)},
       {ChunkKind::kPurpose, length_of(Class::kPurpose)},
       {ChunkKind::kRelative, after_noun ? length_of(Class::kRelative) : 0},
   }};
-  const Choice best =
-      *std::max_element(choices.begin(), choices.end(), [](const Choice& a, const Choice& b) { return a.length < b.length; });
-  if (best.length == 0) return false;
-  // A bare noun that begins with such a word and is longer: "standing lamp", "hanging chair", "set of drawers", "display cabinet".
+  return *std::max_element(choices.begin(), choices.end(), [](const Choice& a, const Choice& b) { return a.length < b.length; });
+}
+
+// A bare noun begins with such a word and is longer: "standing lamp", "hanging chair", "set of drawers", "display cabinet".
+bool Chunker::is_longer_noun(const Choice& best) const {
+  const ChunkKind before = previous();
   const bool verb_follows_that = before == ChunkKind::kRelative &&
                                  (best.kind == ChunkKind::kRelation || best.kind == ChunkKind::kHave || best.kind == ChunkKind::kVerb);
-  if (best.kind != ChunkKind::kAnd && best.kind != ChunkKind::kClause && before != ChunkKind::kNoun && !verb_follows_that) {
-    const auto noun = read_noun_phrase(lexicon_, tokens_, i_, true);
-    // "on opposite walls", "against left wall"
-    const bool of_room = noun && (noun->kind == NounKind::kWall || noun->kind == NounKind::kCorner);
-    if (of_room && (best.kind == ChunkKind::kParticiple || (before == ChunkKind::kRelation && best.kind == ChunkKind::kRelation)))
-      return read_noun(true);
-    // "Round table in the middle": a quality, where it stands first and a noun is right behind it.
-    if (noun && noun->kind == NounKind::kObject && best.kind == ChunkKind::kRelation && best.length == 1 && clause_begins() &&
-        tokens_[i_].text != "opposite" &&
-        std::find(noun->attributes.begin(), noun->attributes.end(), tokens_[i_].text) != noun->attributes.end())
-      return read_noun(true);
-    // "Waiting room with eight chairs", "Meeting room for ten".
-    if (noun && noun->kind == NounKind::kRoom && noun->room != nullptr && noun->last > i_ + best.length && clause_begins())
-      return read_noun(true);
-    if (noun && noun->kind == NounKind::kObject && noun->last > i_ + best.length && noun->entry != nullptr) {
-      const bool verb_first = (best.kind == ChunkKind::kParticiple || best.kind == ChunkKind::kVerb || best.kind == ChunkKind::kCommand ||
-                               best.kind == ChunkKind::kHave) &&
-                              clause_begins() && !noun->exact && !noun->plural && noun->determiner == Determiner::kNone &&
-                              noun->attributes.empty();
-      const bool preposition = best.kind == ChunkKind::kRelation && noun->name.find(tokens_[i_].text) == std::string::npos;
-      if (!verb_first && !preposition && best.kind != ChunkKind::kWithout && best.kind != ChunkKind::kPurpose) return read_noun(true);
-    }
-  }
+  if (best.kind == ChunkKind::kAnd || best.kind == ChunkKind::kClause || before == ChunkKind::kNoun || verb_follows_that) return false;
+  const auto noun = read_noun_phrase(lexicon_, tokens_, i_, true);
+  if (!noun) return false;
+  // "on opposite walls", "against left wall"
+  const bool of_room = noun->kind == NounKind::kWall || noun->kind == NounKind::kCorner;
+  if (of_room && (best.kind == ChunkKind::kParticiple || (before == ChunkKind::kRelation && best.kind == ChunkKind::kRelation)))
+    return true;
+  // "Waiting room with eight chairs", "Meeting room for ten".
+  if (noun->kind == NounKind::kRoom && noun->room != nullptr && noun->last > i_ + best.length && clause_begins()) return true;
+  return noun->kind == NounKind::kObject && is_longer_thing(best, *noun);
+}
+
+bool Chunker::is_longer_thing(const Choice& best, const NounPhrase& noun) const {
+  // "Round table in the middle": a quality, where it stands first and a noun is right behind it.
+  if (best.kind == ChunkKind::kRelation && best.length == 1 && clause_begins() && tokens_[i_].text != "opposite" &&
+      std::find(noun.attributes.begin(), noun.attributes.end(), tokens_[i_].text) != noun.attributes.end())
+    return true;
+  if (noun.last <= i_ + best.length || noun.entry == nullptr) return false;
+  const bool verbal = best.kind == ChunkKind::kParticiple || best.kind == ChunkKind::kVerb || best.kind == ChunkKind::kCommand ||
+                      best.kind == ChunkKind::kHave;
+  const bool verb_first =
+      verbal && clause_begins() && !noun.exact && !noun.plural && noun.determiner == Determiner::kNone && noun.attributes.empty();
+  const bool preposition = best.kind == ChunkKind::kRelation && noun.name.find(tokens_[i_].text) == std::string::npos;
+  return !verb_first && !preposition && best.kind != ChunkKind::kWithout && best.kind != ChunkKind::kPurpose;
+}
+
+bool Chunker::read_words(const PhraseMatch& phrase, std::size_t without) {
+  const Choice best = longest(phrase, without);
+  if (best.length == 0) return false;
+  if (is_longer_noun(best)) return read_noun(true);
   if (best.kind == ChunkKind::kRelation) {
     add_phrase(phrase);
     return true;
   }
+  const bool passive = best.kind == ChunkKind::kVerb && be_length() == best.length;
   const std::size_t first = i_;
   Chunk& chunk = add(best.kind, best.length);
-  if (best.kind == ChunkKind::kVerb || best.kind == ChunkKind::kParticiple) {
-    for (std::size_t i = first; i < chunk.last; ++i) chunk.hang |= lexicon_.is(tokens_[i], Class::kHang);
-    chunk.placing = true;
-    // "hangs", "is mounted", "hang the lamp": finite.
-    const std::string& word = tokens_[chunk.last - 1].text;
-    const bool ing_or_ed = word.ends_with("ing") || word.ends_with("ed") || word == "hung" || word == "set" || word == "put" ||
-                           word == "laid" || word == "left" || word == "kept" || word == "built" || word == "found" || word == "held";
-    chunk.passive = be > 0 && best.kind == ChunkKind::kVerb && be == best.length;
-    if (best.kind == ChunkKind::kParticiple && !ing_or_ed) chunk.kind = ChunkKind::kVerb;
-    if (best.kind == ChunkKind::kParticiple && clause_begins() && (word == "set" || word == "put" || word == "left" || word == "leave") &&
-        before != ChunkKind::kComma)
-      chunk.kind = ChunkKind::kVerb;
-  }
+  if (best.kind != ChunkKind::kVerb && best.kind != ChunkKind::kParticiple) return true;
+  for (std::size_t i = first; i < chunk.last; ++i) chunk.hang |= lexicon_.is(tokens_[i], Class::kHang);
+  chunk.placing = true;
+  chunk.passive = passive;
+  if (best.kind == ChunkKind::kParticiple && !is_participle_form(tokens_[chunk.last - 1].text)) chunk.kind = ChunkKind::kVerb;
   return true;
 }
 

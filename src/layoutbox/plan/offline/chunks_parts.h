@@ -46,10 +46,19 @@ class Chunker {
   void read();
   PhraseMatch phrase_here() const;
   bool noun_follows() const;
+  bool thing_next(std::size_t at) const;
+  bool read_infinitive();
   bool read_noun(bool bare);
   void add_phrase(const PhraseMatch& phrase);
   // Verbs, joining words and relation phrases; the longest wins, and of equals the first of this order.
   bool read_words(const PhraseMatch& phrase, std::size_t without);
+  struct Choice {
+    ChunkKind kind;
+    std::size_t length;
+  };
+  Choice longest(const PhraseMatch& phrase, std::size_t without) const;
+  bool is_longer_noun(const Choice& best) const;
+  bool is_longer_thing(const Choice& best, const NounPhrase& noun) const;
   // "is", "are placed", "is also gently mounted": the verb with its participle; 0 if there is none.
   std::size_t be_length() const;
   // "50 cm from the wall", "1 m to the left of", "at least 2 m away from".

@@ -32,63 +32,78 @@ bool RelationBuilder::is_related(int item, int other) const {
   return by(item, other) || by(other, item);
 }
 
-// NOLINTNEXTLINE(readability-function-cognitive-complexity): to be parted
+// Which of those that are said to have it do.
+std::vector<int> RelationBuilder::hosts_of(const Link& link, int m) const {
+  const Mention& target = mention(m);
+  std::vector<int> hosts = items_of(link.references);
+  // "a desk and chair equipped with a monitor": the one that can carry it.
+  const auto carries = [&](int h) { return !is_seat(catalog_, noun_of_item(h)) && may_carry(catalog_, noun_of_item(h), target.noun); };
+  if (link.references.size() > 1 && std::any_of(hosts.begin(), hosts.end(), carries))
+    std::erase_if(hosts, [&](int h) { return !carries(h); });
+  // "a kitchen run with an island and three stools": at what of the list one sits at.
+  if (!is_seat(catalog_, target.noun) || is_table(catalog_, noun_of_item(hosts.front()))) return hosts;
+  const auto table = std::find_if(link.targets.begin(), link.targets.end(), [&](int t) {
+    return t < m && !mention(t).items.empty() && is_table(catalog_, mention(t).noun) && mount_of(mention(t).noun) == Mount::kFloor;
+  });
+  return table != link.targets.end() ? mention(*table).items : hosts;
+}
+
+// Each of the things at its share of the hosts.
+void RelationBuilder::share_out(const Link& link, R type, const std::vector<int>& items, const std::vector<int>& hosts) {
+  for (std::size_t t = 0; t < items.size(); ++t) {
+    const std::size_t h = hosts.size() <= items.size() ? t * hosts.size() / items.size() : 0;
+    add(link, type, {id(items[t])}, {id(hosts[h])});
+  }
+}
+
+// "a table with four chairs", "desks with chairs".
+void RelationBuilder::add_seats(const Link& link, const std::vector<int>& seats, const std::vector<int>& tables) {
+  if (seats.size() > tables.size()) {
+    add_group(link, {R::kAround, Direction::kDirect, {}, {}, {}}, seats, tables, nullptr);
+    return;
+  }
+  // A school desk looks away from who sits at it.
+  const CatalogEntry* table = noun_of_item(tables.front()).entry;
+  const bool behind = table != nullptr && table->used_sides == std::vector<Side>{Side::kBack};
+  for (std::size_t t = 0; t < seats.size(); ++t) {
+    const std::string& desk = id(tables[std::min(t, tables.size() - 1)]);
+    add(link, behind ? R::kTuckedUnder : R::kInFrontOf, {id(seats[t])}, {desk});
+    if (!behind) add(link, R::kFacing, {id(seats[t])}, {desk});
+  }
+}
+
 void RelationBuilder::add_contents(const Link& link) {
-  const std::vector<int> all_hosts = items_of(link.references);
-  if (all_hosts.empty()) return;
+  if (items_of(link.references).empty()) return;
   for (const int m : link.targets) {
     const Mention& target = mention(m);
     if (target.items.empty()) continue;
-    // "a desk and chair equipped with a monitor": the one that can carry it.
-    std::vector<int> hosts = all_hosts;
-    if (link.references.size() > 1 && std::any_of(hosts.begin(), hosts.end(), [&](int h) {
-          return !is_seat(catalog_, noun_of_item(h)) && may_carry(catalog_, noun_of_item(h), target.noun);
-        })) {
-      std::erase_if(hosts, [&](int h) { return is_seat(catalog_, noun_of_item(h)) || !may_carry(catalog_, noun_of_item(h), target.noun); });
-    }
+    const std::vector<int> hosts = hosts_of(link, m);
     if (link.weak && is_placed(target.items.front())) continue;
-    if (is_related(target.items.front(), hosts.front())) continue;
-    const NounPhrase &host = noun_of_item(hosts.front()), &thing = target.noun;
-    const auto each = [&](R type) {
-      for (std::size_t t = 0; t < target.items.size(); ++t) {
-        const std::size_t h = hosts.size() <= target.items.size() ? t * hosts.size() / target.items.size() : 0;
-        add(link, type, {id(target.items[t])}, {id(hosts[h])});
-      }
-    };
-    const bool table = is_table(catalog_, host), seat = is_seat(catalog_, thing);
-    const Mount mount = mount_of(thing);
-    if (thing.entry != nullptr && thing.entry->thin && mount == Mount::kFloor) {
-      each(R::kUnder);
-    } else if (table && seat) {
-      if (target.items.size() > hosts.size()) {
-        add_group(link, {R::kAround, Direction::kDirect, {}, {}, {}}, target.items, hosts, nullptr);
-      } else {
-        // A school desk looks away from who sits at it.
-        const bool behind = host.entry != nullptr && host.entry->used_sides == std::vector<Side>{Side::kBack};
-        for (std::size_t t = 0; t < target.items.size(); ++t) {
-          const std::string& desk = id(hosts[std::min(t, hosts.size() - 1)]);
-          add(link, behind ? R::kTuckedUnder : R::kInFrontOf, {id(target.items[t])}, {desk});
-          if (!behind) add(link, R::kFacing, {id(target.items[t])}, {desk});
-        }
-      }
-    } else if ((may_carry(catalog_, host, thing) || (link.holding && shows(link))) && !(mount == Mount::kWall && !link.holding)) {
-      each(holds_inside(host) ? R::kIn : R::kOn);
-    } else if (mount == Mount::kWall || mount == Mount::kCeiling) {
-      if (!link.after_comma && mount_of(host) == Mount::kFloor) each(R::kAbove);
-    } else if (mount == Mount::kSurface && link.holding) {
-      each(R::kOn);
-    } else if (mount_of(host) == Mount::kWall && mount == Mount::kFloor && target.items.size() == 1) {
-      add(link, R::kAbove, {id(hosts.front())}, {id(target.items.front())});
-    } else if (!is_placed(target.items.front()) &&
-               (!link.after_comma ||
-                one_of(document_.tokens[link.first].text, {"accompanied", "joined", "paired", "complemented", "coupled"}))) {
-      const bool pair = target.items.size() == 2 && hosts.size() == 1 && mount == Mount::kFloor;
-      if (pair)
-        add(link, R::kEachSideOf, ids(target.items), {id(hosts.front())});
-      else
-        each(R::kNextTo);
-    }
+    if (!is_related(target.items.front(), hosts.front())) add_content(link, target, hosts);
   }
+}
+
+// One kind of thing that the hosts have.
+void RelationBuilder::add_content(const Link& link, const Mention& target, const std::vector<int>& hosts) {
+  const NounPhrase &host = noun_of_item(hosts.front()), &thing = target.noun;
+  const auto each = [&](R type) { share_out(link, type, target.items, hosts); };
+  const Mount mount = mount_of(thing);
+  if (thing.entry != nullptr && thing.entry->thin && mount == Mount::kFloor) return each(R::kUnder);
+  if (is_table(catalog_, host) && is_seat(catalog_, thing)) return add_seats(link, target.items, hosts);
+  const bool carried = may_carry(catalog_, host, thing) || (link.holding && shows(link));
+  if (carried && !(mount == Mount::kWall && !link.holding)) return each(holds_inside(host) ? R::kIn : R::kOn);
+  if (mount == Mount::kWall || mount == Mount::kCeiling) {
+    if (!link.after_comma && mount_of(host) == Mount::kFloor) each(R::kAbove);
+    return;
+  }
+  if (mount == Mount::kSurface && link.holding) return each(R::kOn);
+  if (mount_of(host) == Mount::kWall && mount == Mount::kFloor && target.items.size() == 1)
+    return add(link, R::kAbove, {id(hosts.front())}, {id(target.items.front())});
+  const bool joined = one_of(document_.tokens[link.first].text, {"accompanied", "joined", "paired", "complemented", "coupled"});
+  if (is_placed(target.items.front()) || (link.after_comma && !joined)) return;
+  if (target.items.size() == 2 && hosts.size() == 1 && mount == Mount::kFloor)
+    return add(link, R::kEachSideOf, ids(target.items), {id(hosts.front())});
+  each(R::kNextTo);
 }
 
 bool RelationBuilder::shows(const Link& link) const {

@@ -57,7 +57,8 @@ bool is_storage(const NounPhrase& noun) {
 
 bool is_textile(const Catalog& catalog, const NounPhrase& noun) {
   (void)catalog;
-  return one_of(noun.head, {"pillow", "cushion", "blanket", "throw", "bedspread", "quilt", "duvet", "comforter", "toy", "doll", "bear",
+  return mount_of(noun) == Mount::kHung ||
+         one_of(noun.head, {"pillow", "cushion", "blanket", "throw", "bedspread", "quilt", "duvet", "comforter", "toy", "doll", "bear",
                             "sheet", "linen", "coverlet", "bolster", "towel"});
 }
 
@@ -96,6 +97,10 @@ bool may_carry(const Catalog& catalog, const NounPhrase& host, const NounPhrase&
   if (mount == Mount::kHung &&
       one_of(host.head, {"rack", "hook", "stand", "rail", "rod", "tree", "hanger", "line", "chair", "wardrobe", "ladder"}))
     return true;
+  // Clothes lie on beds, seats, tables and shelves as well.
+  const bool lies =
+      is_seat(catalog, host) || is_table(catalog, host) || is_storage(host) || (host.entry != nullptr && host.entry->is(Trait::kBed));
+  if (mount == Mount::kHung && lies) return true;
   if (has_hooks(host)) return mount != Mount::kCeiling && !is_heavy(catalog, item);
   if (mount != Mount::kSurface && !(mount == Mount::kWall && one_of(item.head, {"mirror", "picture", "photo", "clock", "painting", "frame",
                                                                                 "photograph", "plant", "tv", "television", "screen"}))) {

@@ -101,6 +101,12 @@ void set_side(SaidSize& size, std::string_view which, double metres) {
   if (which == "s") size.width = size.depth = metres;
 }
 
+// "width", not "wide".
+bool names_side(const Token& token) {
+  static constexpr std::string_view kNames[] = {"width", "length", "depth", "height", "diameter"};
+  return std::find(std::begin(kNames), std::end(kNames), token.text) != std::end(kNames);
+}
+
 }  // namespace
 
 std::size_t read_size(const Lexicon& lexicon, std::span<const Token> tokens, std::size_t at, SaidSize& size) {
@@ -143,12 +149,15 @@ std::size_t read_size_of(const Lexicon& lexicon, std::span<const Token> tokens, 
     }
     return 0;
   }
-  // "with a diameter of 1.2 m", "its height of 90 cm"
+  // "with a diameter of 1.2 m", "its height of 90 cm", "width 6 m", "depth: 4 m"
   if (words_at(tokens, i, {"with"})) ++i;
   skip({Class::kIndefinite, Class::kDefinite, Class::kPossessive});
   const Match dimension = dimension_at(i);
-  if (dimension.length == 0 || !words_at(tokens, i + dimension.length, {"of"})) return 0;
-  i += dimension.length + 1;
+  if (dimension.length == 0) return 0;
+  const bool linked = words_at(tokens, i + dimension.length, {"of"}) || words_at(tokens, i + dimension.length, {":"}) ||
+                      words_at(tokens, i + dimension.length, {"="});
+  if (!linked && !names_side(tokens[i])) return 0;  // "width 6 m"
+  i += dimension.length + (linked ? 1 : 0);
   skip({Class::kAtLeast, Class::kAtMost, Class::kExactly});
   const auto measure = i < tokens.size() ? read_measure(lexicon, tokens, i) : std::nullopt;
   if (!measure) return 0;

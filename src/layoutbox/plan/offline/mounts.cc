@@ -33,61 +33,69 @@ bool RelationBuilder::only_small(const std::vector<std::string>& ids) const {
   });
 }
 
-// NOLINTNEXTLINE(readability-function-cognitive-complexity): to be parted
+RelationBuilder::Held RelationBuilder::how_held(const SceneObject& object, const NounPhrase& noun) const {
+  Held held;
+  for (const std::size_t r : relations_of(object.id)) {
+    const Relation& relation = scene_.relations[r];
+    held.wall |= relation.type == R::kOnWall || (relation.type == R::kAbove && has_wall_kind(noun));
+    held.ceiling |= relation.type == R::kOnCeiling;
+    held.supported |= relation.type == R::kOn || relation.type == R::kIn || relation.type == R::kStacked;
+    held.beside |= is_beside(relation.type) && !only_small(relation.references);
+  }
+  return held;
+}
+
+// It is the first of these kinds that there is, where its own was named.
+void RelationBuilder::specialise(SceneObject& object, const NounPhrase& noun, std::initializer_list<const char*> kinds) const {
+  for (const char* kind : kinds) {
+    const CatalogEntry* entry = catalog_.find(kind);
+    if (entry == nullptr || !noun.exact) continue;
+    object.category = entry->id;
+    return;
+  }
+}
+
+void RelationBuilder::settle_on_wall(SceneObject& object, const NounPhrase& noun) {
+  object.mount = Mount::kWall;
+  const CatalogEntry* on_wall = mount_of(noun) != Mount::kWall && noun.exact ? catalog_.find("wall_" + noun.entry->id) : nullptr;
+  if (on_wall != nullptr) {
+    object.category = on_wall->id;
+    // A board has a top and no inside.
+    const bool inside = std::any_of(on_wall->spaces.begin(), on_wall->spaces.end(), [](const SpaceFormula& s) { return s.carries; });
+    for (Relation& relation : scene_.relations) {
+      if (!inside && relation.type == R::kIn && !relation.references.empty() && relation.references.front() == object.id)
+        relation.type = R::kOn;
+    }
+  }
+  if (is_lamp(catalog_, noun) && mount_of(noun) != Mount::kWall) specialise(object, noun, {"wall_lamp", "sconce"});
+}
+
 void RelationBuilder::settle_mount(std::size_t index) {
   SceneObject& object = scene_.objects[index];
   const NounPhrase& noun = document_.items[index].noun;
-  bool wall = false, ceiling = false, supported = false, beside = false;
-  for (const std::size_t r : relations_of(object.id)) {
-    const Relation& relation = scene_.relations[r];
-    wall |= relation.type == R::kOnWall || (relation.type == R::kAbove && has_wall_kind(noun));
-    ceiling |= relation.type == R::kOnCeiling;
-    supported |= relation.type == R::kOn || relation.type == R::kIn || relation.type == R::kStacked;
-    beside |= is_beside(relation.type) && !only_small(relation.references);
-  }
-  const auto specialise = [&](std::initializer_list<const char*> kinds) {
-    for (const char* kind : kinds) {
-      const CatalogEntry* entry = catalog_.find(kind);
-      if (entry == nullptr || !noun.exact) continue;
-      object.category = entry->id;
-      return;
-    }
-  };
-  if (ceiling) {
+  const Held held = how_held(object, noun);
+  if (held.ceiling) {
     object.mount = Mount::kCeiling;
-    if (is_lamp(catalog_, noun) && mount_of(noun) != Mount::kCeiling) specialise({"pendant_lamp", "pendant_light", "ceiling_lamp"});
+    if (is_lamp(catalog_, noun) && mount_of(noun) != Mount::kCeiling)
+      specialise(object, noun, {"pendant_lamp", "pendant_light", "ceiling_lamp"});
     return;
   }
-  if (wall) {
-    object.mount = Mount::kWall;
-    const CatalogEntry* on_wall = mount_of(noun) != Mount::kWall && noun.exact ? catalog_.find("wall_" + noun.entry->id) : nullptr;
-    if (on_wall != nullptr) {
-      object.category = on_wall->id;
-      // A board has a top and no inside.
-      const bool inside = std::any_of(on_wall->spaces.begin(), on_wall->spaces.end(), [](const SpaceFormula& s) { return s.carries; });
-      for (Relation& relation : scene_.relations) {
-        if (!inside && relation.type == R::kIn && !relation.references.empty() && relation.references.front() == object.id)
-          relation.type = R::kOn;
-      }
-    }
-    if (is_lamp(catalog_, noun) && mount_of(noun) != Mount::kWall) specialise({"wall_lamp", "sconce"});
-    return;
-  }
-  if (supported && hangs_on_hooks(object.id)) {
+  if (held.wall) return settle_on_wall(object, noun);
+  if (held.supported && hangs_on_hooks(object.id)) {
     object.mount = Mount::kHung;
     return;
   }
-  if (supported && mount_of(noun) == Mount::kFloor && is_carried(object.id)) {
+  if (held.supported && mount_of(noun) == Mount::kFloor && is_carried(object.id)) {
     // A plant on a shelf is a small one.
     object.mount = Mount::kSurface;
     if (noun.exact && catalog_.find("small_" + noun.entry->id) != nullptr) object.category = "small_" + noun.entry->id;
     return;
   }
-  if (supported || mount_of(noun) != Mount::kSurface || !beside) return;
+  if (held.supported || mount_of(noun) != Mount::kSurface || !held.beside) return;
   if (noun.entry->is(Trait::kElseOnWall)) return;  // where nothing there carries it
   object.mount = Mount::kFloor;
   object.mount_assumed = true;
-  if (is_lamp(catalog_, noun) && one_of(noun.name, {"lamp", "light"})) specialise({"floor_lamp"});
+  if (is_lamp(catalog_, noun) && one_of(noun.name, {"lamp", "light"})) specialise(object, noun, {"floor_lamp"});
 }
 
 bool RelationBuilder::hangs_on_hooks(const std::string& object) const {

@@ -139,6 +139,7 @@ void NounPhraseReader::settle_place(const Part& head) {
 void NounPhraseReader::read_of() {
   if (!at_word("of") || i_ + 1 >= tokens_.size()) return;
   const bool bare = phrase_.kind == NounKind::kObject;
+  if (read_sides(lexicon_, tokens_, i_ + 1).united) return;  // "a rug of 3 x 2 m"
   auto base = read_noun_phrase(lexicon_, tokens_, i_ + 1, true);
   if (!base && bare && (is_noun(noun_form(tokens_[i_ + 1].text)) || is_english(tokens_[i_ + 1].text)) &&
       !lexicon_.is(tokens_[i_ + 1], Class::kDefinite)) {

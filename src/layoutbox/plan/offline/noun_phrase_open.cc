@@ -9,43 +9,36 @@ namespace layoutbox::offline {
 
 using Class = WordClass;
 
-// NOLINTNEXTLINE(readability-function-cognitive-complexity): to be parted
 bool NounPhraseReader::read_count() {
   // "the other a stack of books" is two phrases.
   if (phrase_.determiner == Determiner::kOther && lexicon_.is(token(), Class::kIndefinite)) return false;
   // "2 m long", "120 cm wide", "five-foot", "4-seater" are no counts.
   if (take_size()) return true;
-  if (token().kind == Token::Kind::kNumber) {
-    if (read_measure(lexicon_, tokens_, i_)) return false;
-    if (hyphenated(i_ + 1) && i_ + 1 < tokens_.size() && tokens_[i_ + 1].kind == Token::Kind::kWord) return false;
-    if (says_seats(i_ + 1)) return false;
-    const double value = token().number;
-    if (value < 0 || value > 500 || value != static_cast<int>(value)) return false;
-    phrase_.count = std::max(phrase_.count, 1) * static_cast<int>(value);
-    ++i_;
-    // "2-3 chairs", "2 to 3": the smaller number, at least.
-    if (more() && token().kind == Token::Kind::kNumber && hyphenated(i_)) ++i_, phrase_.at_least = true;
-    counted_ = true;
-    return true;
-  }
+  return token().kind == Token::Kind::kNumber ? read_digits() : read_number_word();
+}
+
+bool NounPhraseReader::read_digits() {
+  if (read_measure(lexicon_, tokens_, i_)) return false;
+  if (hyphenated(i_ + 1) && i_ + 1 < tokens_.size() && tokens_[i_ + 1].kind == Token::Kind::kWord) return false;
+  if (says_seats(i_ + 1)) return false;
+  const double value = token().number;
+  if (value < 0 || value > 500 || value != static_cast<int>(value)) return false;
+  phrase_.count = std::max(phrase_.count, 1) * static_cast<int>(value);
+  ++i_;
+  // "2-3 chairs", "2 to 3": the smaller number, at least.
+  if (more() && token().kind == Token::Kind::kNumber && hyphenated(i_)) ++i_, phrase_.at_least = true;
+  counted_ = true;
+  return true;
+}
+
+// A number in words, or "several"; the word may belong to something longer or be an adjective.
+bool NounPhraseReader::read_number_word() {
   const Match number = lexicon_.find(tokens_, i_, Class::kNumber), vague = lexicon_.find(tokens_, i_, Class::kVague);
   if (number.length == 0 && vague.length == 0) return false;
-  // Another word's longer meaning wins: "single bed", "one another", "twin-size".
-  const Match any = at_word("dual") ? Match{} : lexicon_.find(tokens_, i_);
   const bool is_number = number.length >= vague.length;
   const Match& best = is_number ? number : vague;
-  if (any.length > best.length && !has(any, Class::kNumber) && !has(any, Class::kVague)) return false;
-  if (is_number && attribute_of(any) != nullptr && any.length == best.length && counted_) return false;
-  // "two-seater", "three-legged": a compound adjective.
-  if (best.length == 1 && (hyphenated(i_ + 1) || (is_number && says_seats(i_ + 1)))) return false;
-  const Meaning* meaning = meaning_of(best, is_number ? Class::kNumber : Class::kVague);
-  if (doubles_noun(i_)) return false;
-  // "twin", "double", "single" and "full" are adjectives of beds and sofas as well: only "dual monitors" and the like are counts.
-  if (is_number && attribute_of(any) != nullptr) {
-    const Match next = lexicon_.find(tokens_, i_ + best.length);
-    if (!next.plural || has(next, Class::kSizeWord)) return false;
-  }
-  const int value = static_cast<int>(meaning->value);
+  if (is_no_count(best, is_number)) return false;
+  const int value = static_cast<int>(meaning_of(best, is_number ? Class::kNumber : Class::kVague)->value);
   // "a pair of two chairs" stays two; "several dozen" is not worth more than several.
   // "two pairs of boots", "three dozen": so many times.
   const bool times = is_number && phrase_.count > 0 && (at_word("pairs") || at_word("pair") || at_word("dozen"));
@@ -54,14 +47,31 @@ bool NounPhraseReader::read_count() {
   counted_ = true;
   for (std::size_t i = i_; i < i_ + best.length; ++i) paired_ |= tokens_[i].text == "pair" || tokens_[i].text == "pairs";
   i_ += best.length;
-  if (is_number && more()) {  // "three to five", "two or three"
-    const bool range = at_word("to") || at_word("or") || (token().kind == Token::Kind::kPunctuation && token().text == "-");
-    if (range && i_ + 1 < tokens_.size()) {
-      const Match upper = lexicon_.find(tokens_, i_ + 1, Class::kNumber);
-      if (upper.length > 0) i_ += 1 + upper.length, phrase_.at_least = true;
-    }
-  }
+  if (is_number) read_upper_end();
   return true;
+}
+
+bool NounPhraseReader::is_no_count(const Match& best, bool is_number) const {
+  // Another word's longer meaning wins: "single bed", "one another", "twin-size".
+  const Match any = at_word("dual") ? Match{} : lexicon_.find(tokens_, i_);
+  if (any.length > best.length && !has(any, Class::kNumber) && !has(any, Class::kVague)) return true;
+  const bool adjective = is_number && attribute_of(any) != nullptr;
+  if (adjective && any.length == best.length && counted_) return true;
+  // "two-seater", "three-legged": a compound adjective.
+  if (best.length == 1 && (hyphenated(i_ + 1) || (is_number && says_seats(i_ + 1)))) return true;
+  if (doubles_noun(i_)) return true;
+  // "twin", "double", "single" and "full" are adjectives of beds and sofas as well: only "dual monitors" and the like are counts.
+  if (!adjective) return false;
+  const Match next = lexicon_.find(tokens_, i_ + best.length);
+  return !next.plural || has(next, Class::kSizeWord);
+}
+
+// "three to five", "two or three"
+void NounPhraseReader::read_upper_end() {
+  if (!more() || i_ + 1 >= tokens_.size()) return;
+  if (!at_word("to") && !at_word("or") && !(token().kind == Token::Kind::kPunctuation && token().text == "-")) return;
+  const Match upper = lexicon_.find(tokens_, i_ + 1, Class::kNumber);
+  if (upper.length > 0) i_ += 1 + upper.length, phrase_.at_least = true;
 }
 
 // "a dual sink vanity", "a triple monitor stand": an adjective of what is one; "dual monitors" are two.
@@ -167,7 +177,8 @@ bool NounPhraseReader::read_pronoun() {
   const bool may_determine = text == "this" || text == "that" || text == "these" || text == "those";
   if (may_determine) {
     const Match next = lexicon_.find(tokens_, i_ + 1);
-    if (next.length > 0 && !has(next, Class::kBe) && !has(next, Class::kPlaceVerb)) return false;
+    const bool article = has(next, Class::kIndefinite) || has(next, Class::kDefinite);  // "between these a table"
+    if (next.length > 0 && !article && !has(next, Class::kBe) && !has(next, Class::kPlaceVerb)) return false;
     if (next.length == 0 && i_ + 1 < tokens_.size() && tokens_[i_ + 1].kind == Token::Kind::kWord) return false;
   }
   phrase_.kind = NounKind::kPronoun;
@@ -178,91 +189,107 @@ bool NounPhraseReader::read_pronoun() {
   return done_ = true;
 }
 
-// NOLINTNEXTLINE(readability-function-cognitive-complexity): to be parted
+// A number follows after so many tokens, and no length.
+bool NounPhraseReader::number_follows(std::size_t length) const {
+  return length > 0 && i_ + length < tokens_.size() &&
+         (tokens_[i_ + length].kind == Token::Kind::kNumber || lexicon_.find(tokens_, i_ + length, Class::kNumber).length > 0 ||
+          lexicon_.is(tokens_[i_ + length], Class::kIndefinite)) &&
+         !read_measure(lexicon_, tokens_, i_ + length);
+}
+
+// "at least three", "more than two", "exactly four".
+NounPhraseReader::Opening NounPhraseReader::read_bound() {
+  const Match at_least = lexicon_.find(tokens_, i_, Class::kAtLeast), more_than = lexicon_.find(tokens_, i_, Class::kMoreThan),
+              at_most = lexicon_.find(tokens_, i_, Class::kAtMost), exactly = lexicon_.find(tokens_, i_, Class::kExactly);
+  const auto is_article = [&](const Match& match) { return lexicon_.is(tokens_[i_ + match.length], Class::kIndefinite); };
+  if (number_follows(more_than.length) && !is_article(more_than)) {
+    i_ += more_than.length;
+    if (!read_count()) return Opening::kEnds;
+    phrase_.count += 1;
+    phrase_.at_least = true;
+    return Opening::kGoesOn;
+  }
+  if (number_follows(at_least.length)) {
+    phrase_.at_least = true;
+    i_ += at_least.length;
+    return Opening::kGoesOn;
+  }
+  if (number_follows(at_most.length) || (number_follows(exactly.length) && !is_article(exactly))) {
+    i_ += std::max(at_most.length, exactly.length);
+    return Opening::kGoesOn;
+  }
+  return Opening::kNothing;
+}
+
+bool NounPhraseReader::take(Class word_class, Determiner determiner) {
+  const Match match = lexicon_.find(tokens_, i_, word_class);
+  if (match.length == 0) return false;
+  phrase_.determiner = determiner;
+  i_ += match.length;
+  return true;
+}
+
+// The, a, my, another, each.
+NounPhraseReader::Opening NounPhraseReader::read_article() {
+  if (take(Class::kAnother, Determiner::kAnother)) return Opening::kGoesOn;
+  if (take(Class::kIndefinite, Determiner::kIndefinite)) {
+    if (at_word("few")) i_ += 1, phrase_.count = 3, phrase_.vague = counted_ = true;
+    return Opening::kGoesOn;
+  }
+  if (take(Class::kDefinite, Determiner::kDefinite)) return Opening::kGoesOn;
+  if (take(Class::kPossessive, Determiner::kPossessive)) {
+    if (at_word("own")) i_ += 1, phrase_.determiner = Determiner::kIndefinite;  // "each has its own locker"
+    return Opening::kGoesOn;
+  }
+  // "one each side of the door": the sides begin there.
+  if (counted_ && i_ + 1 < tokens_.size() && lexicon_.is(tokens_[i_ + 1], Class::kSide)) return Opening::kEnds;
+  if (!take(Class::kEach, Determiner::kEach) && !take(Class::kBoth, Determiner::kBoth)) return Opening::kNothing;
+  return read_each();
+}
+
+// After "each", "both", "all".
+NounPhraseReader::Opening NounPhraseReader::read_each() {
+  counted_ |= phrase_.determiner == Determiner::kEach;
+  if (tokens_[i_ - 1].text == "of") {  // "all of them"
+    --i_;
+    if (read_subset()) return Opening::kDone;
+    ++i_;
+  }
+  // "below each one a bin"
+  if (at_word("one") && (i_ + 1 >= tokens_.size() || tokens_[i_ + 1].kind == Token::Kind::kPunctuation || opens_at(i_ + 1))) {
+    phrase_.kind = NounKind::kMember;
+    i_ += 1;
+    done_ = true;
+    return Opening::kDone;
+  }
+  return read_subset() ? Opening::kDone : Opening::kGoesOn;
+}
+
+NounPhraseReader::Opening NounPhraseReader::read_opening() {
+  if (token().kind == Token::Kind::kPunctuation) return Opening::kEnds;
+  if (phrase_.determiner == Determiner::kNone && !counted_ && read_pronoun()) return Opening::kDone;
+  if (const Opening bound = read_bound(); bound != Opening::kNothing) return bound;
+  if (read_rows() || read_clusters()) return Opening::kGoesOn;
+  if (read_count()) return read_subset() ? Opening::kDone : Opening::kGoesOn;
+  if (phrase_.determiner == Determiner::kNone || phrase_.determiner == Determiner::kBoth || phrase_.determiner == Determiner::kEach) {
+    if (const Opening article = read_article(); article != Opening::kNothing) return article;
+  }
+  if (phrase_.determiner != Determiner::kDefinite && phrase_.determiner != Determiner::kNone) return Opening::kEnds;
+  const Match other = lexicon_.find(tokens_, i_, Class::kOther);
+  if (other.length == 0 || (phrase_.determiner != Determiner::kDefinite && !counted_ && !at_word("other"))) return Opening::kEnds;
+  phrase_.determiner = Determiner::kOther;
+  i_ += other.length;
+  return Opening::kGoesOn;
+}
+
 bool NounPhraseReader::read_determiners() {
   const std::size_t start = i_;
   while (more()) {
-    if (token().kind == Token::Kind::kPunctuation) break;
-    if (phrase_.determiner == Determiner::kNone && !counted_ && read_pronoun()) return true;
-    const Match at_least = lexicon_.find(tokens_, i_, Class::kAtLeast), more_than = lexicon_.find(tokens_, i_, Class::kMoreThan),
-                at_most = lexicon_.find(tokens_, i_, Class::kAtMost), exactly = lexicon_.find(tokens_, i_, Class::kExactly);
-    const auto count_follows = [&](std::size_t length) {
-      return length > 0 && i_ + length < tokens_.size() &&
-             (tokens_[i_ + length].kind == Token::Kind::kNumber || lexicon_.find(tokens_, i_ + length, Class::kNumber).length > 0 ||
-              lexicon_.is(tokens_[i_ + length], Class::kIndefinite)) &&
-             !read_measure(lexicon_, tokens_, i_ + length);
-    };
-    if (count_follows(more_than.length) && !lexicon_.is(tokens_[i_ + more_than.length], Class::kIndefinite)) {
-      i_ += more_than.length;
-      if (!read_count()) break;
-      phrase_.count += 1;
-      phrase_.at_least = true;
-      continue;
-    }
-    if (count_follows(at_least.length)) {
-      phrase_.at_least = true;
-      i_ += at_least.length;
-      continue;
-    }
-    if (count_follows(at_most.length) ||
-        (count_follows(exactly.length) && !lexicon_.is(tokens_[i_ + exactly.length], Class::kIndefinite))) {
-      i_ += std::max(at_most.length, exactly.length);
-      continue;
-    }
-    if (read_rows() || read_clusters()) continue;
-    if (read_count()) {
-      if (read_subset()) return true;
-      continue;
-    }
-    const auto take = [&](Class word_class, Determiner determiner) {
-      const Match match = lexicon_.find(tokens_, i_, word_class);
-      if (match.length == 0) return false;
-      phrase_.determiner = determiner;
-      i_ += match.length;
-      return true;
-    };
-    if (phrase_.determiner == Determiner::kNone || phrase_.determiner == Determiner::kBoth || phrase_.determiner == Determiner::kEach) {
-      if (take(Class::kAnother, Determiner::kAnother)) continue;
-      if (take(Class::kIndefinite, Determiner::kIndefinite)) {
-        if (at_word("few")) i_ += 1, phrase_.count = 3, phrase_.vague = counted_ = true;
-        continue;
-      }
-      if (take(Class::kDefinite, Determiner::kDefinite)) continue;
-      if (take(Class::kPossessive, Determiner::kPossessive)) {
-        if (at_word("own")) i_ += 1, phrase_.determiner = Determiner::kIndefinite;  // "each has its own locker"
-        continue;
-      }
-      // "one each side of the door": the sides begin there.
-      if (counted_ && i_ + 1 < tokens_.size() && lexicon_.is(tokens_[i_ + 1], Class::kSide)) break;
-      if (take(Class::kEach, Determiner::kEach) || take(Class::kBoth, Determiner::kBoth)) {
-        counted_ |= phrase_.determiner == Determiner::kEach;
-        if (tokens_[i_ - 1].text == "of") {  // "all of them"
-          --i_;
-          if (read_subset()) return true;
-          ++i_;
-        }
-        // "below each one a bin"
-        if (at_word("one") && (i_ + 1 >= tokens_.size() || tokens_[i_ + 1].kind == Token::Kind::kPunctuation || opens_at(i_ + 1))) {
-          phrase_.kind = NounKind::kMember;
-          i_ += 1;
-          return done_ = true;
-        }
-        if (read_subset()) return true;
-        continue;
-      }
-    }
-    if (phrase_.determiner == Determiner::kDefinite || phrase_.determiner == Determiner::kNone) {
-      const Match other = lexicon_.find(tokens_, i_, Class::kOther);
-      if (other.length > 0 && (phrase_.determiner == Determiner::kDefinite || counted_ || at_word("other"))) {
-        phrase_.determiner = Determiner::kOther;
-        i_ += other.length;
-        continue;
-      }
-    }
-    break;
+    const Opening opening = read_opening();
+    if (opening == Opening::kDone) return true;
+    if (opening != Opening::kGoesOn) break;
   }
-  const bool opened = i_ > start;
-  return more() && (opened || bare_);
+  return more() && (i_ > start || bare_);
 }
 
 }  // namespace layoutbox::offline

@@ -77,7 +77,19 @@ class NounPhraseReader {
 
   // The, a, two, at least three, several, a pair of, both, each, no. False when nothing can follow.
   bool read_determiners();
+  // What a word at the opening was; kEnds: the opening is over, kDone: so is the whole phrase.
+  enum class Opening { kNothing, kGoesOn, kEnds, kDone };
+  Opening read_opening();
+  Opening read_bound();
+  Opening read_article();
+  Opening read_each();
+  bool take(WordClass word_class, Determiner determiner);
+  bool number_follows(std::size_t length) const;
   bool read_count();
+  bool read_digits();
+  bool read_number_word();
+  bool is_no_count(const Match& best, bool is_number) const;
+  void read_upper_end();
   bool take_size();
   bool says_seats(std::size_t at) const;
   bool read_rows();

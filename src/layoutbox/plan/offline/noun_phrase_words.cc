@@ -290,7 +290,8 @@ bool NounPhraseReader::read_other(const Match& match, bool noun_before) {
   if (doubles_noun(i_)) return add(Class::kQuality, {Class::kQuality, nullptr, nullptr, 0, {}}, 1, false);
   // "every desk one chair": the next thing, counted.
   const bool counts_next = noun_before && lexicon_.find(tokens_, i_ + 1, Class::kObject).length > 0;
-  if (has(match, Class::kNumber) && at_word("one") && named && !counts_next) {  // "the left one", "the other one"
+  const bool after_plural = noun_before && !parts_.empty() && parts_.back().plural;              // "of the two benches one has a cushion"
+  if (has(match, Class::kNumber) && at_word("one") && named && !counts_next && !after_plural) {  // "the left one", "the other one"
     phrase_.kind = NounKind::kMember;
     i_ += 1;
     done_ = true;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <map>
 
+#include "layoutbox/base/utf8.h"
 #include "layoutbox/base/words.h"
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/left_out.h"
@@ -18,20 +19,6 @@ namespace layoutbox {
 namespace {
 
 using namespace offline;
-
-bool is_utf8(std::string_view text) {
-  std::size_t i = 0;
-  while (i < text.size()) {
-    const auto c = static_cast<unsigned char>(text[i]);
-    const std::size_t more = c < 0x80 ? 0 : c >= 0xC2 && c < 0xE0 ? 1 : c >= 0xE0 && c < 0xF0 ? 2 : c >= 0xF0 && c < 0xF5 ? 3 : 4;
-    if (more == 4 || i + more >= text.size() + (more == 0 ? 1 : 0)) return false;
-    for (std::size_t k = 1; k <= more; ++k) {
-      if ((static_cast<unsigned char>(text[i + k]) & 0xC0) != 0x80) return false;
-    }
-    i += more + 1;
-  }
-  return true;
-}
 
 class OfflinePlanner final : public Planner {
  public:
@@ -61,13 +48,14 @@ class OfflinePlanner final : public Planner {
                   "give a size such as 4 x 3 x 2.5 m");
     }
     read_seats_said(lexicon_, document, skip);
+    read_titles(document, skip);
     const std::vector<WordReading> of_size = take_out(document, skip);
     document.chunks = chunk_tokens(lexicon_, document.tokens, document.stop);
     if (is_set(document.stop)) return stopped();
     settle_opening_sizes(document);
     settle_opening_walls(lexicon_, document);
     settle_purposes(lexicon_, document);
-    settle_room_senses(lexicon_, document);
+    settle_room_senses(lexicon_, document, begins_of(of_size));
     read_document(lexicon_, document);
     if (is_set(document.stop)) return stopped();
     add_for_people(lexicon_, document);
@@ -110,6 +98,12 @@ class OfflinePlanner final : public Planner {
     stop.text = ".";
     stop.begin = stop.end = document.prompt.size();
     stop.ends_sentence = true;
+  }
+
+  static std::vector<std::size_t> begins_of(const std::vector<WordReading>& readings) {
+    std::vector<std::size_t> begins;
+    for (const WordReading& reading : readings) begins.push_back(reading.begin);
+    return begins;
   }
 
   // Takes the words that said the room's size out of the text: the rest reads as if they were not there.

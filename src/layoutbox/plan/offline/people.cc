@@ -198,7 +198,10 @@ class PeopleReader {
       if (persons == 1 && count >= kLeastInGrid)
         relate(Link::Kind::kRelation, {{RelationType::kGrid, Direction::kAlone, {}, {}, {}}}, host, -1);
     }
-    if (!seats_follow || named(*(*needs)[1].first) >= 0 || excluded(*(*needs)[1].first)) return;
+    const int seats = seats_follow ? named(*(*needs)[1].first) : -1;
+    if (seats >= 0 && mention(seats).noun.plural && mention(seats).noun.count == 0)
+      grow(seats, people);  // "to seat eight: a table, chairs"
+    if (!seats_follow || seats >= 0 || excluded(*(*needs)[1].first)) return;
     seat_at_table(add(*(*needs)[1].first, people, *room), host, persons != 1);
   }
 

@@ -11,8 +11,9 @@ namespace layoutbox::offline {
 // "a table that seats six", "with seating for six" read as "a table for six": the words that are not needed are marked in `skip`.
 void read_seats_said(const Lexicon& lexicon, Document& document, std::vector<bool>& skip);
 
-// "mats" in a gym are for exercise, "a board" in a classroom is written on. The kind of room may be named anywhere in the text.
-void settle_room_senses(const Lexicon& lexicon, Document& document);
+// "mats" in a gym are for exercise, "a board" in a classroom is written on. The kind of room may be named anywhere in the text; where none
+// is, it may be what the text opens with. `room_size_at`: the places in the prompt of the words that said the room's size.
+void settle_room_senses(const Lexicon& lexicon, Document& document, const std::vector<std::size_t>& room_size_at);
 
 // Adds the seats of a table that is "for six" and what each person needs in an office, classroom or bedroom "for three", where nothing
 // of that kind is named; marked as assumed.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/english.h"
 
 namespace layoutbox::offline {
@@ -54,10 +55,50 @@ void settle_activities(const Lexicon& lexicon, Document& document) {
   }
 }
 
+// "I use a power chair", "a man in a wheelchair": what somebody comes with is not part of the room.
+void settle_aids(const Lexicon& lexicon, Document& document) {
+  constexpr std::size_t kReach = 4;  // tokens between the person and the aid
+  static constexpr std::string_view kPersons[] = {"i", "we", "he", "she", "they", "who", "user"};
+  static constexpr std::string_view kWith[] = {"use", "uses", "using", "need", "needs", "in", "has", "have", "with"};
+  const auto is_one_of = [](const auto& words, const Token& token) { return std::ranges::find(words, token.text) != std::end(words); };
+  for (Chunk& chunk : document.chunks) {
+    if (chunk.kind != ChunkKind::kNoun || chunk.noun.entry == nullptr || !chunk.noun.entry->is(Trait::kPersonalAid) || chunk.first == 0)
+      continue;
+    bool with = false, person = false;
+    for (std::size_t i = chunk.first; i-- > 0 && chunk.first - i <= kReach && !document.tokens[i].ends_sentence;) {
+      const Token& token = document.tokens[i];
+      with = with || is_one_of(kWith, token);
+      person = person || is_one_of(kPersons, token) || lexicon.is_person(token.text) || word_form(token.text) == WordForm::kPerson;
+    }
+    if (with && person) pass_over(document, chunk, "whom it is for");
+  }
+}
+
+bool is_quote(const Token& token) { return token.kind == Token::Kind::kPunctuation && token.text == "\""; }
+
 }  // namespace
+
+void read_titles(Document& document, std::vector<bool>& skip) {
+  constexpr std::size_t kLongest = 12, kFewest = 2;  // words
+  const std::vector<Token>& tokens = document.tokens;
+  for (std::size_t open = 0; open < tokens.size(); ++open) {
+    if (!is_quote(tokens[open])) continue;
+    std::size_t close = open + 1, capitals = 0;
+    while (close < tokens.size() && close - open <= kLongest && !is_quote(tokens[close])) capitals += tokens[close++].capital ? 1 : 0;
+    if (close >= tokens.size() || !is_quote(tokens[close])) continue;
+    if (capitals >= kFewest && 2 * capitals > close - open - 1) {
+      for (std::size_t i = open; i <= close; ++i) {
+        skip[i] = true;
+        document.readings[i].role = "a name";
+      }
+    }
+    open = close;
+  }
+}
 
 void settle_purposes(const Lexicon& lexicon, Document& document) {
   settle_activities(lexicon, document);
+  settle_aids(lexicon, document);
   std::vector<Chunk>& chunks = document.chunks;
   for (std::size_t k = 0; k + 2 < chunks.size(); ++k) {
     if (chunks[k].kind != ChunkKind::kPurpose || document.tokens[chunks[k].last - 1].text != "for" ||

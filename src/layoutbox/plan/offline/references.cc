@@ -54,6 +54,13 @@ void References::grow(int mention, std::size_t count) {
   }
 }
 
+void References::join_group(int mention, int of) {
+  const std::vector<int>& group = document_.mentions[static_cast<std::size_t>(of)].items;
+  if (group.empty()) return;
+  for (const int item : document_.mentions[static_cast<std::size_t>(mention)].items)
+    document_.items[static_cast<std::size_t>(item)].group = document_.items[static_cast<std::size_t>(group.front())].group;
+}
+
 void References::mean_antecedent(Mention& mention, int antecedent) const {
   if (antecedent < 0) return;
   const NounPhrase noun = mention.noun;
@@ -172,7 +179,8 @@ void References::mean_object(Mention& mention, bool as_reference, bool of_known)
   if (mention.items.empty() && (noun.determiner == Determiner::kDefinite || noun.determiner == Determiner::kBoth))
     general(noun, as_reference, mention);
   if (!mention.items.empty()) return;
-  const int unsaid = noun.plural ? 2 : 1;
+  const bool either = noun.determiner == Determiner::kBoth && document_.tokens[noun.first].text == "either";  // "on either nightstand"
+  const int unsaid = noun.plural || either ? 2 : 1;
   introduce(mention, noun, noun.count > 0 ? noun.count : unsaid);
 }
 

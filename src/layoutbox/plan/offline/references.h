@@ -24,6 +24,9 @@ class References {
   // More items of the mention's kind, until there are `count`.
   void grow(int mention, std::size_t count);
 
+  // What the mention brought in belongs to the group of `of`: "the other two".
+  void join_group(int mention, int of);
+
   // True when some of the group were taken by "one", "five" … before, and that many are left.
   bool has_left(int mention, int count) const;
   // The mention that brought in the group.

@@ -35,6 +35,9 @@ int References::fit(const NounPhrase& wanted, const NounPhrase& item) const {
   // "twelve mats … the instructor's mat": none of the twelve.
   if (!wanted.owner_word.empty() && item.owner_word.empty() && item.count > 1 && !wanted.is_plural()) return 0;
   if (wanted.name == item.name) return 4;
+  // "the captain's chair" is no pilot seat.
+  const std::size_t owner = wanted.name.find("'s ");
+  if (owner != std::string::npos && wanted.head != item.head && item.name.find(wanted.name.substr(0, owner)) == std::string::npos) return 0;
   static constexpr std::string_view kOfIt[] = {"screen", "top", "surface", "area", "set"};
   if (wanted.name.starts_with(item.name + " ") &&
       std::find(std::begin(kOfIt), std::end(kOfIt), wanted.name.substr(item.name.size() + 1)) != std::end(kOfIt))
@@ -50,7 +53,8 @@ int References::fit(const NounPhrase& wanted, const NounPhrase& item) const {
   if (wanted.exact && item.entry != nullptr && wanted.entry != nullptr && wanted.entry != item.entry &&
       catalog.is_a(item.entry->id, wanted.entry->id))
     return 2;
-  if (wanted.entry != nullptr && item.entry == wanted.entry && (wanted.exact || item.exact) && wanted.name.find(' ') == std::string::npos)
+  if (wanted.entry != nullptr && item.entry == wanted.entry && (wanted.exact || item.exact) && wanted.name.find(' ') == std::string::npos &&
+      (item.exact || wanted.owner_word.empty()))
     return 2;
   // "the bench" is the workbench.
   constexpr std::size_t kShortest = 5;

@@ -72,6 +72,20 @@ class RelationBuilder {
   void add_group(const Link& link, PhraseSense sense, const std::vector<int>& targets, const std::vector<int>& references,
                  const Mention* place);
   void add_single(const Link& link, PhraseSense sense, const Mention& target, const std::vector<int>& references, const Mention* place);
+  void add_in_room(const Link& link, const PhraseSense& sense, const Mention& target, const NounPhrase& place);
+  bool is_side_on(const Link& link, const PhraseSense& sense, const NounPhrase& thing, const NounPhrase& host) const;
+  void settle_sense(const Link& link, PhraseSense& sense, const Mention& target, const std::vector<int>& references) const;
+  bool add_drawn_up(const Link& link, const PhraseSense& sense, const Mention& target, const std::vector<int>& references);
+  bool add_before_seats(const Link& link, const PhraseSense& sense, const Mention& target, const std::vector<int>& references);
+  bool add_by_one(const Link& link, const PhraseSense& sense, const Mention& target, int reference);
+  bool add_under_hung(const Link& link, const PhraseSense& sense, const Mention& target, const std::vector<int>& references);
+  bool add_by_carrier(const Link& link, const PhraseSense& sense, const Mention& target, int reference);
+  bool hangs_over(const PhraseSense& sense, const Mention& target, const std::vector<int>& references) const;
+  void add_for_each(const Link& link, PhraseSense sense, const Mention& target, const std::vector<int>& references);
+  void add_in_middle(const Link& link, const PhraseSense& sense, const std::vector<int>& targets);
+  bool in_ring(const std::vector<int>& targets, const std::vector<int>& references) const;
+  bool add_at_sides(const Link& link, const PhraseSense& sense, const std::vector<int>& targets, int host);
+  void add_shares(const Link& link, const PhraseSense& sense, const std::vector<int>& targets, const std::vector<int>& references);
   // Two of a kind that stand by beds (sofas …) "beside" one stand on either side of it.
   bool flanks(const NounPhrase& thing, const NounPhrase& host) const;
   // What one sees into: things that it has are in it; on others they stand on top.
@@ -87,6 +101,10 @@ class RelationBuilder {
   bool is_related(int item, int other) const;
   // What a thing has: on it, in it, at it, by it, as the two allow.
   void add_contents(const Link& link);
+  std::vector<int> hosts_of(const Link& link, int m) const;
+  void share_out(const Link& link, RelationType type, const std::vector<int>& items, const std::vector<int>& hosts);
+  void add_seats(const Link& link, const std::vector<int>& seats, const std::vector<int>& tables);
+  void add_content(const Link& link, const Mention& target, const std::vector<int>& hosts);
   // "holding", "displaying": the host carries it, whatever it is.
   bool shows(const Link& link) const;
   void add_hanging(const Link& link);
@@ -103,6 +121,13 @@ class RelationBuilder {
   const NounPhrase& noun_of_object(const SceneObject& object) const;
   // How a thing is held where the relations say otherwise than its kind.
   void settle_mount(std::size_t index);
+  // What the relations say of how it is held; `beside`: by what stands on the floor.
+  struct Held {
+    bool wall = false, ceiling = false, supported = false, beside = false;
+  };
+  Held how_held(const SceneObject& object, const NounPhrase& noun) const;
+  void settle_on_wall(SceneObject& object, const NounPhrase& noun);
+  void specialise(SceneObject& object, const NounPhrase& noun, std::initializer_list<const char*> kinds) const;
   // Small things beside small things share what those stand on (support.cc).
   void carry_support();
   void drop_implied_support();

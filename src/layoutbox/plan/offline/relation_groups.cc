@@ -125,83 +125,91 @@ bool RelationBuilder::seats_one_side(const Link& link, int seat, int host) const
   return counter && words.find("around") == std::string::npos && words.find("surround") == std::string::npos;
 }
 
-// NOLINTNEXTLINE(readability-function-cognitive-complexity): to be parted
-void RelationBuilder::add_group(const Link& link, PhraseSense sense, const std::vector<int>& targets, const std::vector<int>& references,
-                                const Mention* place) {
-  if (sense.type == R::kCenterOfRoom) {
-    // What lies flat shares the middle with what stands there.
-    std::vector<int> flat, standing;
-    for (const int target : targets)
-      (noun_of_item(target).entry != nullptr && noun_of_item(target).entry->thin ? flat : standing).push_back(target);
-    if (!flat.empty()) add(link, sense.type, ids(flat), {}, sense);
-    if (!standing.empty()) add(link, sense.type, ids(standing), {}, sense);
-    if (flat.size() == 1 && standing.size() == 1) add(link, R::kUnder, ids(flat), ids(standing));
-    return;
-  }
-  if (sense.type == R::kAround && !references.empty() && seats_one_side(link, targets.front(), references.front())) {
-    for (std::size_t t = 0; t < targets.size(); ++t) {
-      const std::string& host = id(references[t % references.size()]);
-      add(link, R::kInFrontOf, {id(targets[t])}, {host});
-      add(link, R::kFacing, {id(targets[t])}, {host});
-    }
-    return;
-  }
-  if (sense.type == R::kAround && !references.empty()) {
-    // In a ring where nothing has sides; spread over the sides of a table.
-    const NounPhrase& host = noun_of_item(references.front());
-    const bool enough = targets.size() >= 3 * references.size();
-    const bool round = std::any_of(host.attributes.begin(), host.attributes.end(),
-                                   [](const std::string& a) { return a == "round" || a == "circular" || a == "oval"; });
-    if ((round || !is_table(catalog_, host)) && enough) sense.type = R::kSurround;
-  }
-  if (sense.type == R::kEachSideOf && references.size() == 1 && add_laden_sides(link, sense, targets, references.front())) return;
+// What lies flat shares the middle with what stands there.
+void RelationBuilder::add_in_middle(const Link& link, const PhraseSense& sense, const std::vector<int>& targets) {
+  std::vector<int> flat, standing;
+  for (const int target : targets)
+    (noun_of_item(target).entry != nullptr && noun_of_item(target).entry->thin ? flat : standing).push_back(target);
+  if (!flat.empty()) add(link, sense.type, ids(flat), {}, sense);
+  if (!standing.empty()) add(link, sense.type, ids(standing), {}, sense);
+  if (flat.size() == 1 && standing.size() == 1) add(link, R::kUnder, ids(flat), ids(standing));
+}
+
+// In a ring where nothing has sides; spread over the sides of a table.
+bool RelationBuilder::in_ring(const std::vector<int>& targets, const std::vector<int>& references) const {
+  const NounPhrase& host = noun_of_item(references.front());
+  const bool round = std::any_of(host.attributes.begin(), host.attributes.end(),
+                                 [](const std::string& a) { return a == "round" || a == "circular" || a == "oval"; });
+  return (round || !is_table(catalog_, host)) && targets.size() >= 3 * references.size();
+}
+
+// At both sides of one thing; false where it is as of any other group.
+bool RelationBuilder::add_at_sides(const Link& link, const PhraseSense& sense, const std::vector<int>& targets, int host) {
+  if (add_laden_sides(link, sense, targets, host)) return true;
   // "a lamp at each end" of a console table: on it.
-  if (sense.type == R::kEachSideOf && references.size() == 1 && lie_on(targets, references.front())) {
+  if (lie_on(targets, host)) {
     for (std::size_t t = 0; t < targets.size(); ++t) {
       PhraseSense on{R::kOn, Direction::kDirect, t % 2 == 0 ? "left" : "right", {}, {}};
       if (targets.size() > 2) on.part.clear();
-      add(link, R::kOn, {id(targets[t])}, {id(references.front())}, on);
+      add(link, R::kOn, {id(targets[t])}, {id(host)}, on);
     }
-    return;
+    return true;
   }
+  if (!is_seat(catalog_, noun_of_item(targets.front())) || !is_table(catalog_, noun_of_item(host))) return false;
   // "two chairs, one at each end" of a table
-  if (sense.type == R::kEachSideOf && references.size() == 1 && targets.size() == 2 && is_seat(catalog_, noun_of_item(targets.front())) &&
-      is_table(catalog_, noun_of_item(references.front())) &&
-      words_between(document_, link.first, link.last).find("end") != std::string::npos) {
+  if (targets.size() == 2 && words_between(document_, link.first, link.last).find("end") != std::string::npos) {
     const PhraseSense along{R::kAlongSide, Direction::kDirect, {}, {}, Side::kShort};
     for (const int seat : targets) {
-      add(link, along.type, {id(seat)}, {id(references.front())}, along);
-      add_look(link, along.type, seat, references.front());
+      add(link, along.type, {id(seat)}, {id(host)}, along);
+      add_look(link, along.type, seat, host);
     }
-    return;
+    return true;
   }
-  if (sense.type == R::kEachSideOf && references.size() == 1 && targets.size() >= 4 && is_seat(catalog_, noun_of_item(targets.front())) &&
-      is_table(catalog_, noun_of_item(references.front()))) {
-    add_seats_at_sides(link, targets, references.front());
-    return;
-  }
-  if (sense.type == R::kRow && sense.part == "order") {  // "from left to right": each left of the next
-    for (std::size_t t = 1; t < targets.size(); ++t) add(link, R::kLeftOf, {id(targets[t - 1])}, {id(targets[t])});
-    return;
-  }
-  if (references.empty()) {
-    add(link, sense.type, ids(targets), place != nullptr ? room_reference(place->noun, sense.type) : std::vector<std::string>{}, sense);
-    return;
-  }
-  const std::size_t hosts = relation_row(sense.type).arity == RelationArity::kNone ? 1 : references.size();
-  // Several hosts share the targets out.
+  if (targets.size() < 4) return false;
+  add_seats_at_sides(link, targets, host);
+  return true;
+}
+
+// Several hosts share the targets out.
+void RelationBuilder::add_shares(const Link& link, const PhraseSense& sense, const std::vector<int>& targets,
+                                 const std::vector<int>& references) {
+  const bool alone = relation_row(sense.type).arity == RelationArity::kNone;
+  const std::size_t hosts = alone ? 1 : references.size();
   for (std::size_t h = 0; h < hosts; ++h) {
     std::vector<int> share;
     for (std::size_t t = h; t < targets.size(); t += hosts) share.push_back(targets[t]);
     if (share.empty()) continue;
-    const std::vector<std::string> host =
-        relation_row(sense.type).arity == RelationArity::kNone ? std::vector<std::string>{} : std::vector<std::string>{id(references[h])};
-    if (sense.type == R::kEachSideOf && share.size() == 1) {
+    const std::vector<std::string> host = alone ? std::vector<std::string>{} : std::vector<std::string>{id(references[h])};
+    if (sense.type == R::kEachSideOf && share.size() == 1)
       add(link, R::kNextTo, ids(share), host);
-    } else {
+    else
       add(link, sense.type, ids(share), host, sense);
-    }
   }
+}
+
+void RelationBuilder::add_group(const Link& link, PhraseSense sense, const std::vector<int>& targets, const std::vector<int>& references,
+                                const Mention* place) {
+  if (sense.type == R::kCenterOfRoom) return add_in_middle(link, sense, targets);
+  if (sense.type == R::kAround && !references.empty()) {
+    if (seats_one_side(link, targets.front(), references.front())) {
+      for (std::size_t t = 0; t < targets.size(); ++t) {
+        const std::string& host = id(references[t % references.size()]);
+        add(link, R::kInFrontOf, {id(targets[t])}, {host});
+        add(link, R::kFacing, {id(targets[t])}, {host});
+      }
+      return;
+    }
+    if (in_ring(targets, references)) sense.type = R::kSurround;
+  }
+  if (sense.type == R::kEachSideOf && references.size() == 1 && add_at_sides(link, sense, targets, references.front())) return;
+  if (sense.type == R::kRow && sense.part == "order") {  // "from left to right": each left of the next
+    for (std::size_t t = 1; t < targets.size(); ++t) add(link, R::kLeftOf, {id(targets[t - 1])}, {id(targets[t])});
+    return;
+  }
+  if (references.empty())
+    return add(link, sense.type, ids(targets), place != nullptr ? room_reference(place->noun, sense.type) : std::vector<std::string>{},
+               sense);
+  add_shares(link, sense, targets, references);
 }
 
 // "a nightstand and a lamp on either side": the lamps are on the nightstands. False: these are other things.

@@ -10,136 +10,162 @@ namespace layoutbox::offline {
 using R = RelationType;
 using Direction = PhraseSense::Direction;
 
-// NOLINTNEXTLINE(readability-function-cognitive-complexity): to be parted
-void RelationBuilder::add_single(const Link& link, PhraseSense sense, const Mention& target, const std::vector<int>& references,
-                                 const Mention* place) {
-  const auto place_kind = place != nullptr ? place->noun.kind : NounKind::kObject;
-  if (references.empty() && place != nullptr) {
-    if (place->noun.niche) {
-      add_in_niche(link, target);
-      return;
-    }
-    if (place_kind == NounKind::kFloor) {
-      for (const int item : target.items) {
-        if (mount_of(noun_of_item(item)) == Mount::kSurface) add(link, R::kOn, {id(item)}, {"floor"});
-      }
-      return;
-    }
-    if (place_kind == NounKind::kRoom && (sense.type == R::kIn || sense.type == R::kOn || sense.type == R::kInside)) return;
-    if (sense.type == R::kCorner) {
-      add_corners(link, target, place->noun);
-      return;
-    }
-    const std::vector<std::string> walls = target.items.size() > 1 ? shared_walls(place->noun) : std::vector<std::string>{};
-    for (std::size_t t = 0; t < target.items.size() && !walls.empty(); ++t)
-      add(link, sense.type, {id(target.items[t])}, {walls[t % walls.size()]}, sense);
-    if (!walls.empty()) return;
-    if (sense.type == R::kOpposite) add_wall_opposite(link, target);
+// By a part of the room.
+void RelationBuilder::add_in_room(const Link& link, const PhraseSense& sense, const Mention& target, const NounPhrase& place) {
+  if (place.niche) return add_in_niche(link, target);
+  if (place.kind == NounKind::kFloor) {
     for (const int item : target.items) {
-      add(link, sense.type, {id(item)}, room_reference(place->noun, sense.type), sense);
-      if (sense.type == R::kOpposite) add_across(link, item, room_reference(place->noun, sense.type));
+      if (mount_of(noun_of_item(item)) == Mount::kSurface) add(link, R::kOn, {id(item)}, {"floor"});
     }
     return;
   }
-  if (references.empty()) return;
-  if (sense.type == R::kOpposite && references.size() == 1 && add_on_other_side(link, sense, target, references.front())) return;
+  if (place.kind == NounKind::kRoom && (sense.type == R::kIn || sense.type == R::kOn || sense.type == R::kInside)) return;
+  if (sense.type == R::kCorner) return add_corners(link, target, place);
+  const std::vector<std::string> walls = target.items.size() > 1 ? shared_walls(place) : std::vector<std::string>{};
+  for (std::size_t t = 0; t < target.items.size() && !walls.empty(); ++t)
+    add(link, sense.type, {id(target.items[t])}, {walls[t % walls.size()]}, sense);
+  if (!walls.empty()) return;
   if (sense.type == R::kOpposite) add_wall_opposite(link, target);
-  // "on the left side of the desk" is on the desk for what stands on desks, beside it for the rest.
-  if (sense.type == R::kLeftOf || sense.type == R::kRightOf) {
-    const NounPhrase& host = noun_of_item(references.front());
-    const std::string words = words_between(document_, link.first, link.last);
-    const bool side_of = words.find("side") != std::string::npos || words.find("on the ") != std::string::npos;
-    const bool lies = one_of(host.head, {"bed", "sofa", "couch", "loveseat", "armchair"});
-    const bool carries = !lies && may_carry(catalog_, host, target.noun);
-    if (side_of && carries && (mount_of(target.noun) == Mount::kSurface || target.noun.entry == nullptr) &&
-        mount_of(host) != Mount::kSurface) {
-      sense.part = sense.type == R::kLeftOf ? "left" : "right";
-      sense.type = R::kOn;
-    }
+  for (const int item : target.items) {
+    add(link, sense.type, {id(item)}, room_reference(place, sense.type), sense);
+    if (sense.type == R::kOpposite) add_across(link, item, room_reference(place, sense.type));
   }
-  if (sense.type == R::kOpposite && mount_of(target.noun) == Mount::kSurface && document_.tokens[link.first].text == "across" &&
-      link.last - link.first <= 3 && mount_of(noun_of_item(references.front())) == Mount::kFloor && !link.implied)
+}
+
+// "on the left side of the desk" is on the desk for what stands on desks, beside it for the rest.
+bool RelationBuilder::is_side_on(const Link& link, const PhraseSense& sense, const NounPhrase& thing, const NounPhrase& host) const {
+  if (sense.type != R::kLeftOf && sense.type != R::kRightOf) return false;
+  const std::string words = words_between(document_, link.first, link.last);
+  const bool side_of = words.find("side") != std::string::npos || words.find("on the ") != std::string::npos;
+  const bool lies = one_of(host.head, {"bed", "sofa", "couch", "loveseat", "armchair"});
+  return side_of && !lies && may_carry(catalog_, host, thing) && (mount_of(thing) == Mount::kSurface || thing.entry == nullptr) &&
+         mount_of(host) != Mount::kSurface;
+}
+
+// What the phrase comes to mean by what the two are and where the reference is.
+void RelationBuilder::settle_sense(const Link& link, PhraseSense& sense, const Mention& target, const std::vector<int>& references) const {
+  const NounPhrase& host = noun_of_item(references.front());
+  const Mount mount = mount_of(target.noun);
+  if (is_side_on(link, sense, target.noun, host)) {
+    sense.part = sense.type == R::kLeftOf ? "left" : "right";
+    sense.type = R::kOn;
+  }
+  if (sense.type == R::kOpposite && mount == Mount::kSurface && document_.tokens[link.first].text == "across" &&
+      link.last - link.first <= 3 && mount_of(host) == Mount::kFloor && !link.implied)
     sense.type = R::kOn;  // "a tray across the tub"
-  // "a desk facing a chair": the chair is drawn up to it.
-  if (sense.type == R::kFacing && is_table(catalog_, target.noun)) {
-    const NounPhrase& other = noun_of_item(references.front());
-    if (is_seat(catalog_, other) && one_of(other.head, {"chair", "stool"}) && target.items.size() == 1 &&
-        mount_of(target.noun) == Mount::kFloor) {
-      for (const int seat : references) {
-        add(link, R::kInFrontOf, {id(seat)}, {id(target.items.front())});
-        add(link, R::kFacing, {id(seat)}, {id(target.items.front())});
-      }
-      return;
-    }
+}
+
+// "a desk facing a chair": the chair is drawn up to it.
+bool RelationBuilder::add_drawn_up(const Link& link, const PhraseSense& sense, const Mention& target, const std::vector<int>& references) {
+  if (sense.type != R::kFacing || !is_table(catalog_, target.noun)) return false;
+  const NounPhrase& other = noun_of_item(references.front());
+  if (!is_seat(catalog_, other) || !one_of(other.head, {"chair", "stool"}) || target.items.size() != 1 ||
+      mount_of(target.noun) != Mount::kFloor)
+    return false;
+  for (const int seat : references) {
+    add(link, R::kInFrontOf, {id(seat)}, {id(target.items.front())});
+    add(link, R::kFacing, {id(seat)}, {id(target.items.front())});
   }
-  // "behind the desk a clock is mounted on the wall": above it where the desk itself stands against the wall.
-  if (sense.type == R::kBehind && mount_of(target.noun) == Mount::kWall && references.size() == 1) {
-    const std::vector<std::size_t>& all = relations_of(id(references.front()));
-    if (std::any_of(all.begin(), all.end(), [&](std::size_t r) {
-          return scene_.relations[r].type == R::kAgainstWall || scene_.relations[r].type == R::kCenteredOnWall;
-        }))
-      sense.type = R::kAbove;
+  return true;
+}
+
+// "a glass in front of every chair": on the table where it stands.
+bool RelationBuilder::add_before_seats(const Link& link, const PhraseSense& sense, const Mention& target,
+                                       const std::vector<int>& references) {
+  if (sense.type != R::kInFrontOf || mount_of(target.noun) != Mount::kSurface || !is_seat(catalog_, noun_of_item(references.front())))
+    return false;
+  std::size_t laid = 0;
+  for (std::size_t t = 0; t < target.items.size(); ++t) {
+    const std::string table = table_of(id(references[std::min(t * references.size() / target.items.size(), references.size() - 1)]));
+    if (table.empty()) break;
+    add(link, R::kOn, {id(target.items[t])}, {table});
+    ++laid;
   }
-  // "a glass in front of every chair": on the table where it stands.
-  if (sense.type == R::kInFrontOf && mount_of(target.noun) == Mount::kSurface && is_seat(catalog_, noun_of_item(references.front()))) {
-    std::size_t laid = 0;
-    for (std::size_t t = 0; t < target.items.size(); ++t) {
-      const std::string table = table_of(id(references[std::min(t * references.size() / target.items.size(), references.size() - 1)]));
-      if (table.empty()) break;
-      add(link, R::kOn, {id(target.items[t])}, {table});
-      ++laid;
-    }
-    if (laid == target.items.size()) return;
-  }
-  // "magazines at one end" of a table lie on it.
-  if (sense.type == R::kAlongSide && mount_of(target.noun) == Mount::kSurface) sense = {R::kOn, Direction::kDirect, "end", {}, {}};
-  if (sense.type == R::kOn || sense.type == R::kIn) {
-    const NounPhrase& host = noun_of_item(references.front());
-    if (sense.type == R::kIn && !has_inside(host)) sense.type = R::kOn;
-  }
-  if (sense.type == R::kNextTo && target.items.size() == 2 && references.size() == 1 && link.references.size() == 1 &&
-      flanks(target.noun, noun_of_item(references.front()))) {
-    add(link, R::kEachSideOf, ids(target.items), {id(references.front())});
-    return;
+  return laid == target.items.size();
+}
+
+// Two that stand on either side of what such things flank; seats at a table or along a counter.
+bool RelationBuilder::add_by_one(const Link& link, const PhraseSense& sense, const Mention& target, int reference) {
+  const NounPhrase& host = noun_of_item(reference);
+  const bool several = target.items.size() > 1;
+  if (sense.type == R::kNextTo && target.items.size() == 2 && link.references.size() == 1 && flanks(target.noun, host)) {
+    add(link, R::kEachSideOf, ids(target.items), {id(reference)});
+    return true;
   }
   // A seat "at" a table is used there.
-  if (sense.type == R::kNextTo && references.size() == 1 && is_seat(catalog_, target.noun) &&
-      is_table(catalog_, noun_of_item(references.front())) && document_.tokens[link.first].text == "at") {
-    if (target.items.size() > 1) {
-      add_group(link, {R::kAround, Direction::kDirect, {}, {}, {}}, target.items, references, nullptr);
-    } else {
-      add(link, R::kInFrontOf, {id(target.items.front())}, {id(references.front())});
-      add(link, R::kFacing, {id(target.items.front())}, {id(references.front())});
-    }
-    return;
-  }
+  const bool at =
+      sense.type == R::kNextTo && is_seat(catalog_, target.noun) && is_table(catalog_, host) && document_.tokens[link.first].text == "at";
   // Several of them along a counter sit before it.
-  if ((sense.type == R::kNextTo || sense.type == R::kAlongSide) && !sense.side && references.size() == 1 && target.items.size() > 1 &&
-      seats_one_side(link, target.items.front(), references.front())) {
-    add_group(link, {R::kAround, Direction::kDirect, {}, {}, {}}, target.items, references, nullptr);
+  const bool along = (sense.type == R::kNextTo || sense.type == R::kAlongSide) && !sense.side && several &&
+                     seats_one_side(link, target.items.front(), reference);
+  if (several && (at || along)) {
+    add_group(link, {R::kAround, Direction::kDirect, {}, {}, {}}, target.items, {reference}, nullptr);
+    return true;
+  }
+  if (!at) return false;
+  add(link, R::kInFrontOf, {id(target.items.front())}, {id(reference)});
+  add(link, R::kFacing, {id(target.items.front())}, {id(reference)});
+  return true;
+}
+
+// What stands under a thing on the wall: the wall's thing is above it.
+bool RelationBuilder::add_under_hung(const Link& link, const PhraseSense& sense, const Mention& target,
+                                     const std::vector<int>& references) {
+  if (sense.type != R::kUnder || mount_of(target.noun) != Mount::kFloor || target.items.size() != 1) return false;
+  const std::vector<std::size_t>& all = relations_of(id(references.front()));
+  const bool hung = std::any_of(all.begin(), all.end(), [&](std::size_t r) { return scene_.relations[r].type == R::kOnWall; });
+  const Mount above = hung ? Mount::kWall : mount_of(noun_of_item(references.front()));
+  if (above != Mount::kWall && above != Mount::kCeiling) return false;
+  for (const int reference : references) add(link, R::kAbove, {id(reference)}, {id(target.items.front())});
+  return true;
+}
+
+// "nearby", after a small thing that stands on something: by that.
+bool RelationBuilder::add_by_carrier(const Link& link, const PhraseSense& sense, const Mention& target, int reference) {
+  const bool by = sense.type == R::kNear || sense.type == R::kNextTo || sense.type == R::kOpposite;
+  if (!link.implied || !by || mount_of(target.noun) != Mount::kFloor) return false;
+  for (const Relation& r : scene_.relations) {
+    const bool carried =
+        (r.type == R::kOn || r.type == R::kIn) && !r.targets.empty() && r.targets.front() == id(reference) && !r.references.empty();
+    if (!carried) continue;
+    const std::string host = r.references.front();
+    for (const int item : target.items) add(link, sense.type, {id(item)}, {host}, sense);
+    return true;
+  }
+  return false;
+}
+
+// "behind the desk a clock is mounted on the wall": above it where the desk itself stands against the wall.
+bool RelationBuilder::hangs_over(const PhraseSense& sense, const Mention& target, const std::vector<int>& references) const {
+  if (sense.type != R::kBehind || mount_of(target.noun) != Mount::kWall || references.size() != 1) return false;
+  const std::vector<std::size_t>& all = relations_of(id(references.front()));
+  return std::any_of(all.begin(), all.end(), [&](std::size_t r) {
+    return scene_.relations[r].type == R::kAgainstWall || scene_.relations[r].type == R::kCenteredOnWall;
+  });
+}
+
+void RelationBuilder::add_single(const Link& link, PhraseSense sense, const Mention& target, const std::vector<int>& references,
+                                 const Mention* place) {
+  if (references.empty()) {
+    if (place != nullptr) add_in_room(link, sense, target, place->noun);
     return;
   }
-  if (sense.type == R::kUnder && mount_of(target.noun) == Mount::kFloor && target.items.size() == 1) {
-    // What stands under a thing on the wall: the wall's thing is above it.
-    const std::vector<std::size_t>& all = relations_of(id(references.front()));
-    const bool hung = std::any_of(all.begin(), all.end(), [&](std::size_t r) { return scene_.relations[r].type == R::kOnWall; });
-    const Mount above = hung ? Mount::kWall : mount_of(noun_of_item(references.front()));
-    if (above == Mount::kWall || above == Mount::kCeiling) {
-      for (const int reference : references) add(link, R::kAbove, {id(reference)}, {id(target.items.front())});
-      return;
-    }
-  }
-  if (link.implied && (sense.type == R::kNear || sense.type == R::kNextTo || sense.type == R::kOpposite) &&
-      mount_of(target.noun) == Mount::kFloor && !references.empty()) {
-    for (const Relation& r : scene_.relations) {
-      const bool carried = (r.type == R::kOn || r.type == R::kIn) && !r.targets.empty() && r.targets.front() == id(references.front()) &&
-                           !r.references.empty();
-      if (!carried) continue;
-      const std::string host = r.references.front();
-      for (const int item : target.items) add(link, sense.type, {id(item)}, {host}, sense);
-      return;
-    }
-  }
+  if (sense.type == R::kOpposite && references.size() == 1 && add_on_other_side(link, sense, target, references.front())) return;
+  if (sense.type == R::kOpposite) add_wall_opposite(link, target);
+  settle_sense(link, sense, target, references);
+  if (add_drawn_up(link, sense, target, references)) return;
+  if (hangs_over(sense, target, references)) sense.type = R::kAbove;
+  if (add_before_seats(link, sense, target, references)) return;
+  // "magazines at one end" of a table lie on it.
+  if (sense.type == R::kAlongSide && mount_of(target.noun) == Mount::kSurface) sense = {R::kOn, Direction::kDirect, "end", {}, {}};
+  if (sense.type == R::kIn && !has_inside(noun_of_item(references.front()))) sense.type = R::kOn;
+  if (references.size() == 1 && add_by_one(link, sense, target, references.front())) return;
+  if (add_under_hung(link, sense, target, references) || add_by_carrier(link, sense, target, references.front())) return;
+  add_for_each(link, sense, target, references);
+}
+
+// As many as there are references: one for each; more: shared out; fewer: by all that can be so.
+void RelationBuilder::add_for_each(const Link& link, PhraseSense sense, const Mention& target, const std::vector<int>& references) {
   const bool seat_at = sense.type == R::kNextTo && references.size() > 1 && is_seat(catalog_, target.noun) &&
                        is_table(catalog_, noun_of_item(references.front())) && document_.tokens[link.first].text == "at";
   if (seat_at && target.items.size() > references.size()) {

@@ -1,6 +1,7 @@
 // What plain words mean in a kind of room.
 #include <algorithm>
 
+#include "layoutbox/catalog/kin.h"
 #include "layoutbox/plan/offline/people.h"
 
 namespace layoutbox::offline {
@@ -44,11 +45,74 @@ void settle_only_noun(const Lexicon& lexicon, Document& document) {
   }
 }
 
+// The chunk that follows `at`, but for what says nothing and for whom or what it is for.
+const Chunk* next_said(const std::vector<Chunk>& chunks, std::size_t at) {
+  bool purpose = false;
+  for (std::size_t k = at + 1; k < chunks.size(); ++k) {
+    purpose = purpose || chunks[k].kind == ChunkKind::kPurpose;
+    const bool goes_on = purpose && (chunks[k].kind == ChunkKind::kPurpose || chunks[k].kind == ChunkKind::kNoun);
+    if (chunks[k].kind != ChunkKind::kIgnored && !goes_on) return &chunks[k];
+  }
+  return nullptr;
+}
+
+// "A cell for prayer. …", "Storage unit, 10 x 10 ft. …": where no room is named, what a text opens with is the room, if it is nothing to
+// put into one or is given a room's size (`room_size_at`: the place of that in the prompt).
+void settle_topic(const Lexicon& lexicon, Document& document, const std::vector<std::size_t>& room_size_at) {
+  const auto names_room = [](const Chunk& c) {
+    return c.kind == ChunkKind::kNoun && c.noun.kind == NounKind::kRoom && c.noun.room != nullptr;
+  };
+  if (std::ranges::any_of(document.chunks, names_room)) return;
+  std::size_t first = 0;
+  while (first < document.chunks.size() && document.chunks[first].kind == ChunkKind::kIgnored) ++first;
+  const Chunk* next = next_said(document.chunks, first);
+  if (next == nullptr || document.chunks[first].kind != ChunkKind::kNoun) return;
+  NounPhrase& noun = document.chunks[first].noun;
+  const bool new_here =
+      noun.determiner == Determiner::kNone || noun.determiner == Determiner::kIndefinite || noun.determiner == Determiner::kPossessive;
+  const bool thing = noun.kind == NounKind::kObject || (noun.kind == NounKind::kAbstract && noun.doubted);
+  if (!thing || !new_here || noun.is_plural() || noun.count > 1) return;
+  const std::vector<Token>& tokens = document.tokens;
+  const bool sized = std::ranges::any_of(room_size_at, [&](std::size_t at) {
+    return at >= tokens[noun.last - 1].end && at < tokens[std::min(next->last, tokens.size() - 1)].begin;
+  });
+  const bool unknown =
+      !noun.exact && kin_of(lexicon.catalog(), noun.head) == nullptr && next->kind == ChunkKind::kStop && next != &document.chunks.back();
+  const bool ends = next->kind == ChunkKind::kStop || next->kind == ChunkKind::kComma;
+  if (!ends || (!unknown && !sized)) return;
+  noun.kind = NounKind::kRoom;
+  noun.entry = nullptr;
+  noun.head = noun.name;
+}
+
+// Does an item of a list begin with the chunk at `k`?
+bool opens_item(const std::vector<Chunk>& chunks, std::size_t k) {
+  return k == 0 || chunks[k - 1].kind == ChunkKind::kComma || chunks[k - 1].kind == ChunkKind::kStop;
+}
+
+// "boxing gym, ring in the middle": what is mostly a verb is a thing where such rooms have one.
+void name_listed_words(const Lexicon& lexicon, Document& document, const RoomKind& room, const std::string& name) {
+  for (std::size_t k = 0; k < document.chunks.size(); ++k) {
+    Chunk& chunk = document.chunks[k];
+    if ((chunk.kind != ChunkKind::kVerb && chunk.kind != ChunkKind::kUnknown) || chunk.last != chunk.first + 1 ||
+        !opens_item(document.chunks, k))
+      continue;
+    const std::string& word = document.tokens[chunk.first].text;
+    if (lexicon.meant_in(room, name, word) == nullptr) continue;
+    chunk.kind = ChunkKind::kNoun;
+    chunk.noun = {};
+    chunk.noun.name = chunk.noun.head = word;
+    chunk.noun.first = chunk.first;
+    chunk.noun.last = chunk.last;
+  }
+}
+
 }  // namespace
 
-void settle_room_senses(const Lexicon& lexicon, Document& document) {
+void settle_room_senses(const Lexicon& lexicon, Document& document, const std::vector<std::size_t>& room_size_at) {
   settle_first_room(lexicon, document);
   settle_only_noun(lexicon, document);
+  settle_topic(lexicon, document, room_size_at);
   const NounPhrase* room = nullptr;
   for (const Chunk& chunk : document.chunks) {
     if (chunk.kind != ChunkKind::kNoun || chunk.noun.kind != NounKind::kRoom || chunk.noun.room == nullptr) continue;
@@ -60,15 +124,19 @@ void settle_room_senses(const Lexicon& lexicon, Document& document) {
   for (const std::string_view article : {"a ", "an ", "the ", "my ", "our ", "this "}) {
     if (name.starts_with(article)) name.erase(0, article.size());
   }
+  name_listed_words(lexicon, document, *room->room, name);
   for (std::size_t k = 0; k < document.chunks.size(); ++k) {
     const Chunk& chunk = document.chunks[k];
     NounPhrase& noun = document.chunks[k].noun;
     if (chunk.kind != ChunkKind::kNoun || noun.head.empty()) continue;
     const bool plain = noun.kind == NounKind::kObject && noun.exact && noun.name == noun.head;
-    const bool said = noun.determiner != Determiner::kNone || noun.count > 0 || noun.plural;
+    const bool said = opens_item(document.chunks, k) || noun.determiner != Determiner::kNone || noun.count > 0 || noun.plural;
     const bool unknown = noun.entry == nullptr && said && (noun.kind == NounKind::kObject || noun.kind == NounKind::kAbstract) &&
                          (noun.name == noun.head || noun.name.ends_with(" " + noun.head)) && noun.last <= noun.first + 3;
-    if (!plain && !unknown) continue;
+    // "an island bench": a kind of bench that the catalogue does not know
+    const bool compound =
+        noun.kind == NounKind::kObject && noun.entry != nullptr && noun.entry->name == noun.head && noun.name.ends_with(" " + noun.head);
+    if (!plain && !unknown && !compound) continue;
     const CatalogEntry* entry = lexicon.meant_in(*room->room, name, document.tokens[noun.last - 1].text);  // "benches"
     if (entry == nullptr) entry = lexicon.meant_in(*room->room, name, noun.head);
     if (entry == nullptr) continue;

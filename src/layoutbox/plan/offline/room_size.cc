@@ -1,6 +1,7 @@
 // The size of the room: "4 x 3 m", "20 square meters", "ceilings 3 m high".
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 
 #include "layoutbox/plan/offline/room_reader.h"
 
@@ -13,8 +14,10 @@ bool has_class(const Match& match, Class word_class) {
   return std::any_of(match.meanings.begin(), match.meanings.end(), [&](const Meaning& m) { return m.word_class == word_class; });
 }
 
-constexpr double kLongestSide = 100;  // m, as in scene files
-constexpr double kSmallestRoom = 4;   // m²: less is a thing's size where one was named
+constexpr double kLongestSide = 100;    // m, as in scene files
+constexpr double kSmallestRoom = 4;     // m²: less is a thing's size where one was named
+constexpr std::size_t kLookBack = 100;  // tokens looked back; keeps endless sentences linear
+constexpr std::size_t kEarly = 12;      // tokens: a size so early is the room's unless a thing claims it
 
 class SizeReader {
  public:
@@ -69,16 +72,40 @@ class SizeReader {
       if (has_class(match, Class::kRoom) || has_class(match, Class::kRoomNoun)) return true;
       if (has_class(match, Class::kObject)) return false;
     }
-    constexpr std::size_t kReach = 100;  // tokens; keeps endless sentences linear
-    for (std::size_t i = first; i-- > (first > kReach ? first - kReach : 0);) {
-      if (tokens_[i].ends_sentence) break;
-      const Match match = lexicon_.find(tokens_, i);
-      if (has_class(match, Class::kRoom) || has_class(match, Class::kRoomNoun)) return !fits_thing_before(i, sides);
+    std::size_t begin = first;
+    while (begin > 0 && first - begin < kLookBack && !tokens_[begin - 1].ends_sentence) --begin;
+    const std::vector<Named> named = named_in(begin, first);
+    for (const Named& name : std::views::reverse(named)) {
+      if (has_class(name.match, Class::kRoom) || has_class(name.match, Class::kRoomNoun)) return !fits_thing_before(name.at, sides);
       const bool for_thing = sides.size() >= 2 && sides[0] * sides[1] < kSmallestRoom;  // "a mat of 2 x 1.5 m"
-      if (has_class(match, Class::kObject) && (for_thing || !beyond(match, sides))) return false;
-      if (has_class(match, Class::kWindow) || has_class(match, Class::kDoor)) return false;  // "three windows in a wall, each 1.5 m wide"
+      if (has_class(name.match, Class::kObject) && (for_thing || !beyond(name.match, sides))) return false;
+      if (has_class(name.match, Class::kWindow) || has_class(name.match, Class::kDoor))
+        return false;  // "a wall's windows, each 1.5 m wide"
     }
-    return size_.width == 0 && first < 12;
+    return size_.width == 0 && (first < kEarly || too_large_for_last_thing(begin, sides));
+  }
+
+  // What is named in a stretch of text, compounds whole: a camper van is no van.
+  struct Named {
+    std::size_t at = 0;
+    Match match;
+  };
+  std::vector<Named> named_in(std::size_t begin, std::size_t end) const {
+    std::vector<Named> named;
+    for (std::size_t i = begin; i < end;) {
+      named.push_back({i, lexicon_.find(tokens_, i)});
+      i += std::max<std::size_t>(named.back().match.length, 1);
+    }
+    return named;
+  }
+
+  // "A bed and a wardrobe. Size 4 x 3.5 m.": the floor of a room, and far more than the thing named last before that sentence can take.
+  bool too_large_for_last_thing(std::size_t begin, const std::vector<double>& sides) const {
+    if (sides.size() < 2 || sides[0] * sides[1] < kSmallestRoom) return false;
+    for (const Named& name : std::views::reverse(named_in(begin > kLookBack ? begin - kLookBack : 0, begin))) {
+      if (has_class(name.match, Class::kObject)) return beyond(name.match, sides);
+    }
+    return true;
   }
 
   // A second size: of the other part of an L, or one that contradicts the first.
@@ -175,38 +202,48 @@ class SizeReader {
     return length;
   }
 
+  bool is_ceiling(std::size_t at) const { return at < tokens_.size() && has_class(lexicon_.find(tokens_, at), Class::kCeiling); }
+
+  // "3 m ceilings", "a 3 m high ceiling"
+  bool ceiling_after(std::size_t last) const {
+    return is_ceiling(last) ||
+           (last < tokens_.size() && (tokens_[last].text == "high" || tokens_[last].text == "tall") && is_ceiling(last + 1));
+  }
+
+  // "ceiling 3 m", "a ceiling height of 2.8 m", "ceilings about 3 m high"; not "hangs from the ceiling 50 cm above the table".
+  bool ceiling_before(std::size_t at, std::size_t last) const {
+    constexpr std::size_t kFar = 5;
+    for (std::size_t back = 1; back <= kFar && back <= at; ++back) {
+      const Token& token = tokens_[at - back];
+      if (token.kind == Token::Kind::kPunctuation && token.text != "(" && token.text != ":") return false;
+      if (has_class(lexicon_.find(tokens_, at - back), Class::kObject)) return false;
+      if (is_ceiling(at - back))
+        return last >= tokens_.size() || tokens_[last].text == "high" || lexicon_.find_phrase(tokens_, last).length == 0;
+    }
+    return false;
+  }
+
   // "ceilings 3 m high", "3 m high ceiling", "a ceiling height of 2.8 m".
   std::size_t read_height(std::size_t at) {
+    constexpr double kLowest = 1.2, kHighest = 30;  // m: between them lies a ceiling
     const auto measure = read_measure(lexicon_, tokens_, at);
-    if (!measure) return 0;
+    if (!measure || measure->metres < kLowest || measure->metres > kHighest) return 0;
     const std::size_t last = at + measure->length;
-    const auto ceiling_at = [&](std::size_t i) {
-      return i < tokens_.size() &&
-             lexicon_.find(tokens_, i, Class::kCeiling).length +
-                     (lexicon_.find(tokens_, i).plural && has_class(lexicon_.find(tokens_, i), Class::kCeiling) ? 1 : 0) >
-                 0;
-    };
-    const bool after =
-        (last < tokens_.size() && ceiling_at(last)) ||
-        (last + 1 < tokens_.size() && (tokens_[last].text == "high" || tokens_[last].text == "tall") && ceiling_at(last + 1));
-    bool before = false;
-    for (std::size_t back = 1; back <= 5 && back <= at; ++back) {
-      if (tokens_[at - back].kind == Token::Kind::kPunctuation) break;
-      if (ceiling_at(at - back))
-        before = tokens_[last < tokens_.size() ? last : at].text == "high" ||
-                 std::any_of(tokens_.begin() + static_cast<std::ptrdiff_t>(at - back), tokens_.begin() + static_cast<std::ptrdiff_t>(at),
-                             [](const Token& t) { return t.text == "height" || t.text == "at" || t.text == "of"; });
-    }
-    if (!after && !before) return 0;
+    if (!ceiling_after(last) && !ceiling_before(at, last)) return 0;
     size_.height = measure->metres;
     take(at, last, "height of the room");
     return last - at;
   }
 
-  // "the room is 4 m wide and 3 m long": one side at a time.
+  // "the room is 4 m wide and 3 m long", "width 4 m": one side at a time.
   std::size_t read_side(std::size_t at) {
+    constexpr std::size_t kNameBefore = 2;  // "width", "width:"
     SaidSize said;
-    const std::size_t length = read_size(lexicon_, tokens_, at, said);
+    std::size_t length = read_size(lexicon_, tokens_, at, said);
+    for (std::size_t back = 1; length == 0 && back <= std::min(kNameBefore, at); ++back) {
+      const std::size_t taken = read_size_of(lexicon_, tokens_, at - back, said);
+      if (taken > back) length = taken - back;
+    }
     if (length == 0 || !speaks_of_room(at, at + length)) return 0;
     const double value = said.width.value_or(said.depth.value_or(said.length.value_or(0)));
     if (value > 0 && value < 1.2) return 0;

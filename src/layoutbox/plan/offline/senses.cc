@@ -26,10 +26,12 @@ bool allowed(const PhraseSense& sense, const NounPhrase& reference) {
   const RelationRow& row = relation_row(sense.type);
   switch (sense.type) {
     case R::kInRegion: return reference.kind == NounKind::kRoom;
-    case R::kCenterOfRoom: return reference.kind == NounKind::kRoom;
+    case R::kCenterOfRoom: return reference.kind == NounKind::kRoom || reference.kind == NounKind::kAbstract;  // "… of the bay"
     case R::kOnCeiling: return reference.kind == NounKind::kCeiling;
     case R::kUnderWindow: return reference.kind == NounKind::kWindow;
-    case R::kOn: return (kind_flags(reference) & kObject) != 0 || reference.kind == NounKind::kFloor || reference.kind == NounKind::kWindow;
+    case R::kOn:
+      if (reference.kind == NounKind::kAbstract && sense.part == "center") return false;
+      return (kind_flags(reference) & kObject) != 0 || reference.kind == NounKind::kFloor || reference.kind == NounKind::kWindow;
     case R::kCorner: return reference.kind == NounKind::kCorner || (reference.kind == NounKind::kRoom && sense.region == "corner");
     default:
       if (reference.kind == NounKind::kAbstract || reference.kind == NounKind::kOutsideRoom) return false;
@@ -42,155 +44,209 @@ bool one_lies_on(const NounPhrase& noun) {
   return noun.entry != nullptr && one_of(noun.entry->id, {"exam_table", "massage_table", "operating_table"});
 }
 
-}  // namespace
+// The sense that a phrase has between these two.
+class SenseChooser {
+ public:
+  SenseChooser(const Catalog& catalog, const PhraseSenses& senses, PhraseSense::Direction direction, const NounPhrase& target,
+               const NounPhrase& reference)
+      : catalog_(catalog), senses_(senses), direction_(direction), target_(target), reference_(reference) {}
 
-// NOLINTNEXTLINE(readability-function-cognitive-complexity): to be parted
-std::optional<PhraseSense> choose_sense(const Catalog& catalog, const PhraseSenses& senses, PhraseSense::Direction direction,
-                                        const NounPhrase& target, const NounPhrase& reference) {
-  (void)catalog;
-  const auto own = [&](R type) { return PhraseSense{type, direction, {}, {}, {}}; };
-  const auto says = [&](R type) {
-    return std::any_of(senses.begin(), senses.end(), [&](const PhraseSense& s) { return s.type == type && s.direction == direction; });
+  std::optional<PhraseSense> run() const {
+    if (direction_ == PhraseSense::Direction::kDirect) {
+      if (const auto place = by_kind(); place.chosen) return place.sense;
+    }
+    if (const auto sense = at_opening_or_table()) return sense;
+    return first_that_fits();
+  }
+
+ private:
+  // What the reference's kind says; not chosen: it says nothing, and the phrase decides.
+  struct Choice {
+    bool chosen = false;
+    std::optional<PhraseSense> sense;
   };
-  const bool placing = says(R::kOn) || says(R::kIn) || says(R::kNextTo) || says(R::kNear) || says(R::kAgainstWall) || says(R::kOnCeiling) ||
-                       says(R::kCorner) || says(R::kCenterOfRoom) || says(R::kFacing) || says(R::kTuckedUnder) || says(R::kAbove);
-  if (direction == PhraseSense::Direction::kDirect) {
-    if (reference.niche) return own(R::kInRegion);  // in it, at its wall
-    if (reference.kind == NounKind::kCorner && placing) {
-      if (reference.of && reference.of->kind == NounKind::kObject) {
-        PhraseSense sense = own(R::kOn);
-        sense.part = reference.wall_word.empty() ? "corner" : reference.wall_word + " corner";
-        return sense;
-      }
-      return own(R::kCorner);
-    }
-    if (reference.kind == NounKind::kCenter) {
-      if (reference.of && (reference.of->kind == NounKind::kObject || reference.of->kind == NounKind::kPronoun)) {
-        PhraseSense sense = own(R::kOn);
-        sense.part = "center";
-        return sense;
-      }
-      if (reference.of && reference.of->kind == NounKind::kWall) return own(R::kCenteredOnWall);
-      if (says(R::kOn) || says(R::kIn) || says(R::kNextTo) || says(R::kNear) || says(R::kCenterOfRoom) || says(R::kAgainstWall))
-        return own(R::kCenterOfRoom);
-      return std::nullopt;
-    }
-    if (reference.kind == NounKind::kCeiling) {
-      if (says(R::kOnCeiling) || says(R::kOn)) return own(R::kOnCeiling);
-      return std::nullopt;
-    }
-    if (reference.kind == NounKind::kFloor) {
-      if (says(R::kCenterOfRoom)) return own(R::kCenterOfRoom);
-      if (says(R::kOn) || says(R::kIn)) return own(R::kOn);
-      return std::nullopt;
-    }
-    if (reference.kind == NounKind::kPart) {
-      // "at the left end of the counter": on it what stands on such things, beside it the rest.
-      if (reference.head == "end" && (reference.wall_word == "left" || reference.wall_word == "right")) {
-        const bool left = reference.wall_word == "left";
-        if (mount_of(target) != Mount::kSurface && !says(R::kOn)) return own(left ? R::kLeftOf : R::kRightOf);
-        PhraseSense sense = own(R::kOn);
-        sense.part = reference.wall_word;
-        return sense;
-      }
-      if (reference.head == "foot" || reference.head == "end" || (reference.head == "bottom" && !says(R::kOn))) return own(R::kAtFootOf);
-      if (reference.head == "headboard" && says(R::kAbove)) return own(R::kAbove);
-      if (reference.head == "head" || reference.head == "headboard") return own(R::kAtHeadOf);
-      if (reference.head == "side" || reference.head == "edge") {
-        const auto has_word = [&](std::string_view word) {
-          return std::any_of(reference.attributes.begin(), reference.attributes.end(),
-                             [&](const std::string& a) { return a == word || a == std::string(word) + "er"; });
-        };
-        if (has_word("long") || has_word("short")) {
-          PhraseSense sense = own(R::kAlongSide);
-          sense.side = has_word("long") ? Side::kLong : Side::kShort;
-          return sense;
-        }
-        if (reference.wall_word == "left") return own(R::kLeftOf);
-        if (reference.wall_word == "right") return own(R::kRightOf);
-        if (reference.is_plural()) return own(R::kEachSideOf);
-      }
-      if (reference.head == "top" || reference.head == "surface" || reference.head == "tabletop" || reference.head == "lid") {
-        if (says(R::kOn) || says(R::kIn) || says(R::kCenterOfRoom)) return own(R::kOn);
-      }
-    }
-    if (reference.kind == NounKind::kWall) {
-      const Mount mount = mount_of(target);
-      if (says(R::kOnWall) && says(R::kAgainstWall) && !says(R::kCenteredOnWall))
-        return own(mount == Mount::kFloor || mount == Mount::kSurface ? R::kAgainstWall : R::kOnWall);
-      if (says(R::kOn) && says(R::kOnWall) && !says(R::kCenteredOnWall) && one_of(target.head, {"shelf", "rack", "hook"}))
-        return own(R::kOnWall);
-      if (says(R::kInFrontOf) || (says(R::kOn) && says(R::kOnWall) && !says(R::kCenteredOnWall) && is_heavy(catalog, target)))
-        return own(R::kAgainstWall);
+  static Choice chosen(std::optional<PhraseSense> sense) { return {true, std::move(sense)}; }
+  static Choice if_any(std::optional<PhraseSense> sense) { return {sense.has_value(), std::move(sense)}; }
+
+  PhraseSense own(R type) const { return {type, direction_, {}, {}, {}}; }
+  PhraseSense on_part(std::string part) const {
+    PhraseSense sense = own(R::kOn);
+    sense.part = std::move(part);
+    return sense;
+  }
+  bool says(R type) const {
+    return std::any_of(senses_.begin(), senses_.end(), [&](const PhraseSense& s) { return s.type == type && s.direction == direction_; });
+  }
+  bool says_any(std::initializer_list<R> types) const {
+    return std::any_of(types.begin(), types.end(), [&](R type) { return says(type); });
+  }
+
+  Choice by_kind() const {
+    if (reference_.niche) return chosen(own(R::kInRegion));  // in it, at its wall
+    switch (reference_.kind) {
+      case NounKind::kCorner: return at_corner();
+      case NounKind::kCenter: return chosen(at_center());
+      case NounKind::kCeiling: return chosen(says_any({R::kOnCeiling, R::kOn}) ? std::optional(own(R::kOnCeiling)) : std::nullopt);
+      case NounKind::kFloor:
+        if (says(R::kCenterOfRoom)) return chosen(own(R::kCenterOfRoom));
+        return chosen(says_any({R::kOn, R::kIn}) ? std::optional(own(R::kOn)) : std::nullopt);
+      case NounKind::kPart: return if_any(at_part());
+      case NounKind::kWall: return if_any(at_wall());
+      default: return {};
     }
   }
-  const Mount mount = mount_of(target);
-  const bool opening = reference.kind == NounKind::kDoor || reference.kind == NounKind::kWindow;
+
+  Choice at_corner() const {
+    if (!says_any({R::kOn, R::kIn, R::kNextTo, R::kNear, R::kAgainstWall, R::kOnCeiling, R::kCorner, R::kCenterOfRoom, R::kFacing,
+                   R::kTuckedUnder, R::kAbove}))
+      return {};
+    if (reference_.of && reference_.of->kind == NounKind::kObject)
+      return chosen(on_part(reference_.wall_word.empty() ? "corner" : reference_.wall_word + " corner"));
+    return chosen(own(R::kCorner));
+  }
+
+  std::optional<PhraseSense> at_center() const {
+    if (reference_.of && (reference_.of->kind == NounKind::kObject || reference_.of->kind == NounKind::kPronoun)) return on_part("center");
+    if (reference_.of && reference_.of->kind == NounKind::kWall) return own(R::kCenteredOnWall);
+    if (says_any({R::kOn, R::kIn, R::kNextTo, R::kNear, R::kCenterOfRoom, R::kAgainstWall})) return own(R::kCenterOfRoom);
+    return std::nullopt;
+  }
+
+  std::optional<PhraseSense> at_part() const {
+    const std::string& head = reference_.head;
+    // "at the left end of the counter": on it what stands on such things, beside it the rest.
+    if (head == "end" && (reference_.wall_word == "left" || reference_.wall_word == "right")) {
+      const bool left = reference_.wall_word == "left";
+      if (mount_of(target_) != Mount::kSurface && !says(R::kOn)) return own(left ? R::kLeftOf : R::kRightOf);
+      return on_part(reference_.wall_word);
+    }
+    if (head == "foot" || head == "end" || (head == "bottom" && !says(R::kOn))) return own(R::kAtFootOf);
+    if (head == "headboard" && says(R::kAbove)) return own(R::kAbove);
+    if (head == "head" || head == "headboard") return own(R::kAtHeadOf);
+    if (head == "side" || head == "edge") return at_side();
+    if (one_of(head, {"top", "surface", "tabletop", "lid"}) && says_any({R::kOn, R::kIn, R::kCenterOfRoom})) return own(R::kOn);
+    return std::nullopt;
+  }
+
+  std::optional<PhraseSense> at_side() const {
+    const auto has_word = [&](std::string_view word) {
+      return std::any_of(reference_.attributes.begin(), reference_.attributes.end(),
+                         [&](const std::string& a) { return a == word || a == std::string(word) + "er"; });
+    };
+    if (has_word("long") || has_word("short")) {
+      PhraseSense sense = own(R::kAlongSide);
+      sense.side = has_word("long") ? Side::kLong : Side::kShort;
+      return sense;
+    }
+    if (reference_.wall_word == "left") return own(R::kLeftOf);
+    if (reference_.wall_word == "right") return own(R::kRightOf);
+    if (reference_.is_plural()) return own(R::kEachSideOf);
+    return std::nullopt;
+  }
+
+  std::optional<PhraseSense> at_wall() const {
+    const Mount mount = mount_of(target_);
+    const bool hung = says(R::kOnWall) && !says(R::kCenteredOnWall);
+    if (hung && says(R::kAgainstWall)) return own(mount == Mount::kFloor || mount == Mount::kSurface ? R::kAgainstWall : R::kOnWall);
+    if (hung && says(R::kOn) && one_of(target_.head, {"shelf", "rack", "hook"})) return own(R::kOnWall);
+    if (says(R::kInFrontOf) || (hung && says(R::kOn) && is_heavy(catalog_, target_))) return own(R::kAgainstWall);
+    return std::nullopt;
+  }
+
   // A door has no left of its own: beside it. A seat "on the opposite side" of a table or "along one side" sits at it.
-  if (opening && (says(R::kLeftOf) || says(R::kRightOf) || says(R::kBehind))) return own(R::kNextTo);
-  if (opening && says(R::kIn) && !says(R::kOn) && mount == Mount::kFloor && direction == PhraseSense::Direction::kDirect)
-    return own(R::kNextTo);
-  const bool at_table = reference.kind == NounKind::kObject && is_seat(catalog, target) && is_table(catalog, reference);
-  if (at_table && (says(R::kAlongSide) || (says(R::kOpposite) && says(R::kEachSideOf))) &&
-      !(target.is_plural() && says(R::kEachSideOf) && !says(R::kOpposite))) {
-    const auto along = std::find_if(senses.begin(), senses.end(), [](const PhraseSense& s) { return s.type == R::kAlongSide; });
-    PhraseSense sense = along != senses.end() ? *along : own(R::kAlongSide);
-    sense.direction = direction;
+  std::optional<PhraseSense> at_opening_or_table() const {
+    const bool opening = reference_.kind == NounKind::kDoor || reference_.kind == NounKind::kWindow;
+    if (opening && says_any({R::kLeftOf, R::kRightOf, R::kBehind})) return own(R::kNextTo);
+    if (opening && says(R::kIn) && !says(R::kOn) && mount_of(target_) == Mount::kFloor && direction_ == PhraseSense::Direction::kDirect)
+      return own(R::kNextTo);
+    const bool at_table = reference_.kind == NounKind::kObject && is_seat(catalog_, target_) && is_table(catalog_, reference_);
+    const bool along_it = says(R::kAlongSide) || (says(R::kOpposite) && says(R::kEachSideOf));
+    if (!at_table || !along_it || (target_.is_plural() && says(R::kEachSideOf) && !says(R::kOpposite))) return std::nullopt;
+    const auto along = std::find_if(senses_.begin(), senses_.end(), [](const PhraseSense& s) { return s.type == R::kAlongSide; });
+    PhraseSense sense = along != senses_.end() ? *along : own(R::kAlongSide);
+    sense.direction = direction_;
     if (!sense.side) sense.side = Side::kLong;
     return sense;
   }
-  for (const PhraseSense& sense : senses) {
-    if (sense.direction != direction || !allowed(sense, reference)) continue;
-    if (sense.type == R::kTuckedUnder && !is_seat(catalog, target)) continue;
-    if (sense.type == R::kOnWall && says(R::kOnCeiling) && is_heavy(catalog, target)) return own(R::kAgainstWall);  // "from the wall"
-    // A lamp is over the table, a cloth on it; "at the end of the table" and "at the end of the bed" are two things.
-    if (sense.type == R::kAlongSide && reference.kind == NounKind::kObject && !says(R::kAlongSide)) continue;
-    if (sense.type == R::kAlongSide && (says(R::kAtFootOf) || says(R::kAtHeadOf)) && one_lies_on(reference)) continue;
-    if ((sense.type == R::kAtFootOf || sense.type == R::kAtHeadOf) && is_table(catalog, reference) && !one_lies_on(reference)) continue;
-    if (sense.type == R::kOn && !sense.part.empty() && mount != Mount::kSurface && reference.kind == NounKind::kObject &&
-        target.entry != nullptr && target.entry->thin && !(is_table(catalog, reference) && target.head == "mat"))
-      continue;
-    return sense;
+
+  std::optional<PhraseSense> first_that_fits() const {
+    for (const PhraseSense& sense : senses_) {
+      if (sense.direction != direction_ || !allowed(sense, reference_)) continue;
+      if (sense.type == R::kTuckedUnder && !is_seat(catalog_, target_)) continue;
+      if (sense.type == R::kOnWall && says(R::kOnCeiling) && is_heavy(catalog_, target_)) return own(R::kAgainstWall);  // "from the wall"
+      if (!contradicts_kinds(sense)) return sense;
+    }
+    return std::nullopt;
   }
-  return std::nullopt;
+
+  // A lamp is over the table, a cloth on it; "at the end of the table" and "at the end of the bed" are two things.
+  bool contradicts_kinds(const PhraseSense& sense) const {
+    const bool at_end = sense.type == R::kAtFootOf || sense.type == R::kAtHeadOf;
+    if (sense.type == R::kAlongSide && says_any({R::kAtFootOf, R::kAtHeadOf}) && one_lies_on(reference_)) return true;
+    if (at_end && is_table(catalog_, reference_) && !one_lies_on(reference_)) return true;
+    return sense.type == R::kOn && !sense.part.empty() && mount_of(target_) != Mount::kSurface && reference_.kind == NounKind::kObject &&
+           target_.entry != nullptr && target_.entry->thin && !(is_table(catalog_, reference_) && target_.head == "mat");
+  }
+
+  const Catalog& catalog_;
+  const PhraseSenses& senses_;
+  PhraseSense::Direction direction_;
+  const NounPhrase &target_, &reference_;
+};
+
+// On the wall hangs what is made for it; beds, tables and seats do not.
+int suits_on_wall(const Catalog& catalog, const NounPhrase& target) {
+  const Mount mount = mount_of(target);
+  if (mount == Mount::kWall) return 2;
+  const bool stands =
+      is_table(catalog, target) || is_seat(catalog, target) || one_of(target.head, {"bed", "sofa", "couch", "dresser", "wardrobe"});
+  return mount == Mount::kFloor && target.entry != nullptr && (stands || target.entry->thin) ? 0 : 1;
 }
 
-// NOLINTNEXTLINE(readability-function-cognitive-complexity): to be parted
+int suits_on(const Catalog& catalog, const NounPhrase& target, const NounPhrase& reference) {
+  if (reference.kind == NounKind::kFloor) return mount_of(target) == Mount::kFloor ? 2 : 1;
+  if (reference.kind == NounKind::kObject && may_carry(catalog, reference, target)) return 2;
+  return mount_of(target) == Mount::kSurface ? 1 : 0;
+}
+
+int suits_above(const Catalog& catalog, const NounPhrase& target) {
+  const Mount mount = mount_of(target);
+  if (mount == Mount::kWall || mount == Mount::kCeiling || is_lamp(catalog, target)) return 2;
+  if (one_of(target.head, {"tv", "television", "screen", "monitor", "speaker"})) return 1;  // may hang
+  return mount == Mount::kSurface ? 0 : 1;
+}
+
+// A small thing is seldom beside what stands on the floor, or at a door, a window or a wall.
+int suits_beside(RelationType type, const NounPhrase& target, const NounPhrase& reference) {
+  if (mount_of(target) != Mount::kSurface) return 2;
+  const bool by_great = stands_beside(type) && reference.kind == NounKind::kObject && mount_of(reference) == Mount::kFloor;
+  const bool by_room = reference.kind == NounKind::kWindow || reference.kind == NounKind::kDoor || reference.kind == NounKind::kWall;
+  return by_great || by_room ? 1 : 2;
+}
+
+}  // namespace
+
+std::optional<PhraseSense> choose_sense(const Catalog& catalog, const PhraseSenses& senses, PhraseSense::Direction direction,
+                                        const NounPhrase& target, const NounPhrase& reference) {
+  return SenseChooser(catalog, senses, direction, target, reference).run();
+}
+
 int suits(const Catalog& catalog, const PhraseSense& sense, const NounPhrase& target, const NounPhrase& reference) {
   const Mount mount = mount_of(target);
-  const bool known = target.entry != nullptr;
   switch (sense.type) {
     case R::kAgainstWall:
     case R::kCenteredOnWall:
     case R::kSideAgainstWall: return mount == Mount::kFloor ? 2 : mount == Mount::kSurface || mount == Mount::kWall ? 1 : 0;
     case R::kCorner: return mount == Mount::kFloor ? 2 : 1;
-    case R::kOnWall:
-      return mount == Mount::kWall ? 2
-             : mount == Mount::kFloor && known &&
-                     (is_table(catalog, target) || is_seat(catalog, target) || target.entry->thin ||
-                      one_of(target.head, {"bed", "sofa", "couch", "dresser", "wardrobe"}))
-                 ? 0
-                 : 1;
+    case R::kOnWall: return suits_on_wall(catalog, target);
     case R::kOnCeiling: return mount == Mount::kCeiling || is_lamp(catalog, target) ? 2 : 0;
-    case R::kOn:
-      if (reference.kind == NounKind::kFloor) return mount == Mount::kFloor ? 2 : 1;
-      return reference.kind == NounKind::kObject && may_carry(catalog, reference, target) ? 2 : mount == Mount::kSurface ? 1 : 0;
+    case R::kOn: return suits_on(catalog, target, reference);
     case R::kIn: return may_carry(catalog, reference, target) ? 2 : 1;
-    case R::kFacing: return known && !target.entry->has_front ? 1 : 2;
+    case R::kFacing: return target.entry != nullptr && !target.entry->has_front ? 1 : 2;
     case R::kCenterOfRoom:
     case R::kInRegion: return mount == Mount::kSurface ? 1 : 2;
-    case R::kAbove:
-      if (mount == Mount::kWall || mount == Mount::kCeiling || is_lamp(catalog, target)) return 2;
-      if (one_of(target.head, {"tv", "television", "screen", "monitor", "speaker"})) return 1;  // may hang
-      return mount == Mount::kSurface ? 0 : 1;
-    default:
-      return mount == Mount::kSurface && stands_beside(sense.type) && reference.kind == NounKind::kObject &&
-                     mount_of(reference) == Mount::kFloor
-                 ? 1
-             : mount == Mount::kSurface &&
-                     (reference.kind == NounKind::kWindow || reference.kind == NounKind::kDoor || reference.kind == NounKind::kWall)
-                 ? 1
-                 : 2;
+    case R::kAbove: return suits_above(catalog, target);
+    default: return suits_beside(sense.type, target, reference);
   }
 }
 

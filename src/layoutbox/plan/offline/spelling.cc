@@ -80,6 +80,22 @@ std::string nearest(const Lexicon& lexicon, const std::string& word) {
 
 bool is_known(const Lexicon& lexicon, const std::string& word) { return is_listed(lexicon, word) || is_doer(lexicon, word); }
 
+// "neighbours", "parlour": the word as American English spells it, where that is the known one; else empty.
+std::string american(const Lexicon& lexicon, const std::string& word) {
+  constexpr std::size_t kShortestWord = 6;
+  static constexpr std::pair<std::string_view, std::string_view> kSpellings[] = {
+      {"our", "or"}, {"tre", "ter"}, {"ise", "ize"}, {"ogue", "og"}};
+  if (word.size() < kShortestWord || lexicon.lists(word) || lexicon.knows(word)) return {};
+  for (const auto& [british, us] : kSpellings) {
+    const std::size_t at = word.rfind(british);
+    if (at == std::string::npos || at < 2) continue;
+    std::string spelt = word.substr(0, at) + std::string(us) + word.substr(at + british.size());
+    if (is_noun(noun_form(spelt)) && (word_form(singular_of(word)) == WordForm::kUnknown || lexicon.knows(singular_of(spelt))))
+      return spelt;
+  }
+  return {};
+}
+
 // One token becomes several where a space was left out ("infront").
 void add_words(const Token& whole, const std::vector<std::string>& words, std::vector<Token>& tokens) {
   std::size_t begin = whole.begin;
@@ -124,6 +140,7 @@ void correct_spelling(const Lexicon& lexicon, std::vector<Token>& tokens, StopFl
       add_words(token, meant, corrected);
       continue;
     }
+    if (std::string spelt = word ? american(lexicon, token.text) : std::string{}; !spelt.empty()) token.text = std::move(spelt);
     const bool name = token.capital && !corrected.empty() && !corrected.back().ends_sentence;
     if (word && !name && token.text.size() >= kShortest && seen.size() < kMostLookups && !is_known(lexicon, token.text)) {
       const auto [found, fresh] = seen.try_emplace(token.text);

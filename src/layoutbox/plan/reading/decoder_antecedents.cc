@@ -67,7 +67,8 @@ double Decoder::antecedent_place_score(const State& state, Referent referent, Re
   const bool side = says(senses, RelationType::kLeftOf) || says(senses, RelationType::kRightOf);
   const bool lies = says(senses, RelationType::kOn) || says(senses, RelationType::kIn);
   const Referent owner = subject >= 0 ? host_of(state, subject) : kNobody;
-  if (subject >= 0 && referent == owner && (side ? small : lies && noun != nullptr && noun->head == "it")) score += weight::kOwnHost;
+  if (subject >= 0 && referent == owner && side && small) score += weight::kOwnHost;
+  if (subject >= 0 && referent == owner && !side && lies && noun != nullptr && noun->head == "it") score += weight::kOnOwnHost;
   // "a keyboard in front": of the screen, not of the desk that carries both.
   const bool before = says(senses, RelationType::kInFrontOf) || says(senses, RelationType::kBehind);
   const bool has_it = owner != kNobody && (referent == owner || (owner >= 0 && referent == host_of(state, owner)));
@@ -133,23 +134,33 @@ double Decoder::clause_antecedents(const State& state, const NounPhrase* noun, c
 // What clauses were about, and what things were placed by.
 double Decoder::earlier_antecedents(const State& state, const NounPhrase* noun, const Trial& trial, double order) const {
   const bool pronoun = noun != nullptr && !noun->head.empty(), listed = is_list_wanted(noun);
+  const bool said = pronoun && noun->kind == NounKind::kPronoun;
   for (std::size_t r = state.roots.size(), looked = 0; r-- > 0 && looked < 6; ++looked) {
     const int root = state.roots[r];
     if (listed && root >= 0 && read_as(state, root).former >= 0) trial(root, order - 0.1, true);
     // What was named once more is what is spoken of.
-    bool again = false;
+    int again = 0;
     for (int u = root + 1; u < static_cast<int>(state.units.size()) && pronoun; ++u)
-      again |= read_as(state, u).role == NounRole::kReference && same(state, u, root);
-    order += trial(root, order - (again ? 1.4 : 0), false) ? 0.6 : 0;
+      again += read_as(state, u).role == NounRole::kReference && same(state, u, root) ? 1 : 0;
+    order += trial(root, order - (again > 1 && said ? weight::kNamedAgain : again > 0 ? weight::kNamedOnceMore : 0), false) ? 0.6 : 0;
   }
   for (int u = static_cast<int>(state.units.size()), looked = 0; u-- > 0 && looked < 6;) {
     if (!is(u, UnitKind::kNoun) || read_as(state, u).role != NounRole::kReference) continue;
     // What was known before and is named once more is what things are placed by.
     const double known = is_known(state, u) ? pronoun ? 0.3 : 0.8 : 0;
-    order += trial(u, order - known, false) ? 0.4 : 0;
+    const double again = known > 0 && said && placed_by_before(state, u) ? weight::kNamedAgain : 0;
+    order += trial(u, order - known - again, false) ? 0.4 : 0;
     ++looked;
   }
   return order;
+}
+
+// "a chair pulled up to the desk, a box next to the desk and a map above it": another place of the sentence is by the same thing.
+bool Decoder::placed_by_before(const State& state, int u) const {
+  for (int before = u; before-- > 0;) {
+    if (is(before, UnitKind::kNoun) && read_as(state, before).role == NounRole::kReference && same(state, before, u)) return true;
+  }
+  return false;
 }
 
 // Of the sentences before.

@@ -1,6 +1,7 @@
 // Which list a noun phrase goes on with: what the clause is about, what something has, or what a place is by.
 #include <algorithm>
 
+#include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/reader_words.h"
 #include "layoutbox/plan/reading/decoder.h"
@@ -60,12 +61,17 @@ void Decoder::root_list_actions(std::size_t s, int u, double gain) {
   for (const int place : state.fronted) share += reference_score(state, place, u);
   // "On the table a mug and a pad lie beside a clock": a plural verb of one thing speaks of the list.
   const bool agrees = subject && unit(u).joiner == Joiner::kAnd && !noun.is_plural() && is_plural_verb(word(u + 1));
+  // "on it tongs, three daggers and a horseshoe": what ends the list of a place that came first and has none of its own.
+  const bool ends = !state.fronted.empty() && unit(u).joiner == Joiner::kAnd && !subject && !placed && is_new_thing(noun) &&
+                    (u + 1 >= static_cast<int>(sentence_.size()) || (!is(u + 1, UnitKind::kHave) && unit(u + 1).joiner != Joiner::kNone));
   if (of_clause && (state.fronted.empty() || !subject || agrees)) {
     const bool own_place = placed && !state.fronted.empty() && !(share > 0 && mount_of(noun) == Mount::kSurface);
-    add(s, kNextRoot, gain + (agrees && !state.fronted.empty() ? weight::kAgrees : 0) + std::max(share, -2.5) - (own_place ? 1.2 : 0),
+    add(s, kNextRoot,
+        gain + (agrees && !state.fronted.empty() ? weight::kAgrees : 0) + std::max(share, ends ? weight::kEndsList : -2.5) -
+            (own_place ? 1.2 : 0),
         state.frontier.front());
   }
-  if (!of_clause || !state.fronted.empty()) add(s, kNewRoot, gain - (state.fronted.empty() ? 0 : 0.4));
+  if (!of_clause || !state.fronted.empty()) add(s, kNewRoot, gain - (state.fronted.empty() ? 0 : 0.4) + (ends ? weight::kEndsList : 0));
 }
 
 // "a desk with a lamp and a clock": the clock is the desk's as well.
@@ -96,9 +102,22 @@ double Decoder::content_list_score(const State& state, int member, int u) const 
   if (unit(predicate).joiner != Joiner::kNone && mount_of(noun) == Mount::kFloor && !inverse) score -= 2;  // ", with …"
   if (has_own_place(u)) score -= !sense_.carries(host, noun) ? 1.6 : joiner == Joiner::kAnd ? 0.6 : 1.4;
   // "each with a bed, a chair and a lamp": every one has all of them.
-  if (owner >= 0 && chunk(owner).noun.determiner == Determiner::kEach) score += weight::kEachHas;
+  if (owner >= 0 && chunk(owner).noun.determiner == Determiner::kEach)
+    score += may_come_with(host, noun) ? weight::kEachHas : weight::kNotWithEach;
   if (host.entry != nullptr && host.entry->thin) score -= 3;
   return score;
+}
+
+// "six tables, each with four chairs, a bar and a sideboard": no table has a bar of its own. At desks and beds anything may stand.
+bool Decoder::may_come_with(const NounPhrase& host, const NounPhrase& noun) const {
+  const bool works = host.entry != nullptr && (host.entry->is(Trait::kDesk) || host.entry->is(Trait::kDeskLike));
+  if (!is_table(lexicon_.catalog(), host) || works || mount_of(noun) != Mount::kFloor) return true;
+  return is_seat(lexicon_.catalog(), noun) || sense_.carries(host, noun) || (noun.entry != nullptr && noun.entry->thin);
+}
+
+// "a fireplace with a shelf on either side and a painting above": by the host as well.
+bool Decoder::placed_by_unsaid(int u) const {
+  return follows(u, UnitKind::kPlace) && !alone_senses(u + 1).empty() && !follows(u + 1, UnitKind::kNoun);
 }
 
 // How well it goes with the list, by what such things do: lie on the host, stand at it.
@@ -114,6 +133,8 @@ double Decoder::list_kind_score(const State& state, int member, int u, std::size
     if (one_of(noun.head, {"sofa", "couch", "loveseat", "ottoman", "recliner"})) return weight::kNotCarried;
     return (joiner == Joiner::kAnd || (joiner == Joiner::kCommaAnd && length > 1)) && !has_own_place(u) ? 0.6 : -0.6;
   }
+  if (is_new_thing(noun) && !may_come_with(host, noun) && !has_own_place(u)) return weight::kNotWithEach;
+  if (joiner == Joiner::kAnd && reading.placed && placed_by_unsaid(u)) return weight::kPlacedByHost;
   if (mount_of(noun) != mount_of(former) || (before && !read_as(state, predicate).inverse)) return weight::kNotCarried;
   return joiner == Joiner::kComma ? -1.2 : 0;
 }

@@ -184,7 +184,8 @@ double Decoder::habit_score(const State& state, int place, Referent subject, Ref
       is_thing(state, host) && mount_of(noun_of(state, host)) == Mount::kFloor && !same(state, host, other))
     score += weight::kSmallByPlace;
   if ((is_place_of_room(by.kind) || by.niche) && !by.of && small) score += weight::kSmallByPlace;
-  if (is_thing(state, host) && is_seat(lexicon_.catalog(), target) && is_table(lexicon_.catalog(), noun_of(state, host)) &&
+  const bool by_the_way = unit(read_as(state, subject).predicate).joiner != Joiner::kNone;  // ", with two armchairs near the fireplace"
+  if (!by_the_way && is_thing(state, host) && is_seat(lexicon_.catalog(), target) && is_table(lexicon_.catalog(), noun_of(state, host)) &&
       by.kind == NounKind::kObject && !says(senses, RelationType::kFacing) && word(place) != "at" && !same(state, host, other))
     score += weight::kSeatOfTable;
   return score;

@@ -36,8 +36,21 @@ double Decoder::attach_score(const State& state, int u, int level, bool inverse)
   if (word(u) == "from" && level > 0) score += weight::kFromRoot;
   if (!is_definite(state, member)) return score;
   if (inverse) return score + (is_thing(state, member) ? weight::kKnownHost : weight::kPlaceAsHost);
+  if (member + 1 == u && unit(u).joiner == Joiner::kNone && is_one_of_several(member)) return score + weight::kTellsWhich;
   score += is_known(state, member) ? weight::kKnownSubject : weight::kDefiniteSubject;
   return score;
+}
+
+// "two bookshelves … the bookshelf nearest the door": what follows says which.
+bool Decoder::is_one_of_several(int u) const {
+  const NounPhrase& noun = chunk(u).noun;
+  if (noun.kind != NounKind::kObject || noun.determiner != Determiner::kDefinite || noun.is_plural()) return false;
+  for (int before = 0; before < u; ++before) {
+    if (is(before, UnitKind::kNoun) && chunk(before).noun.kind == NounKind::kObject && chunk(before).noun.is_plural() &&
+        chunk(before).noun.name == noun.name)
+      return true;
+  }
+  return false;
 }
 
 // A place that is a finite verb: "faces", "hang on".
@@ -184,6 +197,13 @@ void Decoder::opening_place_actions(std::size_t s, int u) {
   add(s, kAttach, known + sense_.of_place(place.direct, chunk(u - 1).noun, chunk(u + 1).noun), u - 1, u - 1);
 }
 
+// A thing is brought in there, be it with "the": "on the wall the tv".
+bool Decoder::is_fresh(int u) const {
+  const NounPhrase& noun = chunk(u).noun;
+  const bool definite = noun.determiner == Determiner::kDefinite || noun.determiner == Determiner::kPossessive;
+  return is_new_thing(noun) || (noun.kind == NounKind::kObject && definite && !known_[static_cast<std::size_t>(u)]);
+}
+
 // After a comma or "and" it may as well come before its own thing.
 void Decoder::first_place_actions(std::size_t s, int u) {
   const State& state = states_[s];
@@ -194,7 +214,8 @@ void Decoder::first_place_actions(std::size_t s, int u) {
   while (is(after, UnitKind::kPlace) && unit(after).joiner == Joiner::kNone && follows(after, UnitKind::kNoun)) after += 2;
   double pattern = -4;
   const bool known = is_known_noun(noun) || known_[static_cast<std::size_t>(u + 1)];
-  if (is(after, UnitKind::kNoun) && unit(after).joiner == Joiner::kNone && is_new_thing(chunk(after).noun) && known) pattern = 3;
+  // "… and on a low shelf a statue": of a thing that comes right after it, even where the shelf is new.
+  if (is(after, UnitKind::kNoun) && unit(after).joiner == Joiner::kNone && is_fresh(after)) pattern = known ? 3 : 2;
   const bool verb = is(after, UnitKind::kVerb) || is(after, UnitKind::kOpen);
   if (verb && is(after + 1, UnitKind::kNoun) && chunk(after + 1).noun.kind == NounKind::kObject) pattern = 2.5;
   if (is(after, UnitKind::kNoun) && unit(after).joiner == Joiner::kComma && place.joiner != Joiner::kComma &&

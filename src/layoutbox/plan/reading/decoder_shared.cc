@@ -12,7 +12,8 @@ double Decoder::share_score(const State& state, int member, int u, Referent impl
   if (former < 0 || read_as(state, former).placed || !is_thing(state, former)) return -10;
   const NounPhrase &noun = noun_of(state, member), &before = noun_of(state, former);
   const Joiner joiner = unit(member).joiner;
-  if (noun.determiner == Determiner::kNone && noun.count == 0 && !noun.plural && before.determiner != Determiner::kNone)
+  if (joiner != Joiner::kComma && noun.determiner == Determiner::kNone && noun.count == 0 && !noun.plural &&
+      before.determiner != Determiner::kNone)
     return weight::kShareArticle;
   const Unit& place = unit(u);
   const PhraseSenses& senses = place.direct.empty() ? place.alone : place.direct;

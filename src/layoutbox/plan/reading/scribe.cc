@@ -121,7 +121,8 @@ void Scribe::write_have(int u) {
   if (!is_thing(hosts.front()) && kind != NounKind::kAbstract) {
     link.kind = Link::Kind::kRelation;
     link.weak = false;
-    link.senses = {{RelationType::kOn, Direction::kDirect, {}, {}, {}},
+    link.senses = {{RelationType::kCorner, Direction::kDirect, {}, {}, {}},
+                   {RelationType::kOn, Direction::kDirect, {}, {}, {}},
                    {RelationType::kOnWall, Direction::kDirect, {}, {}, {}},
                    {RelationType::kAgainstWall, Direction::kDirect, {}, {}, {}},
                    {RelationType::kOnCeiling, Direction::kDirect, {}, {}, {}}};
@@ -146,8 +147,31 @@ void Scribe::write_verb(int u) {
 // "a bicycle hung": where no place follows that says where.
 void Scribe::write_participle(int u) {
   const UnitReading& own = reading(u);
+  if (word(u) == "stacked" && own.subject >= 0) stack(u);
   if (!chunk(u).hang || (is(u + 1, UnitKind::kPlace) && unit(u + 1).joiner == Joiner::kNone)) return;
   if (own.subject >= 0) hang(subjects_of(u), u);
+}
+
+// "a washer and a dryer stacked in the corner": one on the other.
+void Scribe::stack(int u) {
+  Link link = link_at_unit(u);
+  link.senses = {{RelationType::kStacked, Direction::kDirect, {}, {}, {}}};
+  for (int m = reading(u).subject; m >= 0 && unit(m).joiner != Joiner::kComma; m = reading(m).former) {
+    const int former = reading(m).former;
+    if (link.targets.empty() && former >= 0) link.targets = mentions_of(m);
+    if (!link.targets.empty() && former >= 0) {
+      const std::vector<int> before = mentions_of(former);
+      link.targets.insert(link.targets.begin(), before.begin(), before.end());
+    }
+  }
+  std::erase_if(link.targets, [&](int m) { return !is_thing(m); });
+  if (link.targets.size() < 2) return;
+  Mention other;
+  other.noun.kind = NounKind::kPronoun;
+  other.reciprocal = true;
+  document_.mentions.push_back(std::move(other));
+  link.references = {static_cast<int>(document_.mentions.size()) - 1};
+  document_.links.push_back(std::move(link));
 }
 
 void Scribe::write_size(int u) {

@@ -27,6 +27,7 @@ class Scribe {
   void write_have(int u);
   void write_verb(int u);
   void write_participle(int u);
+  void stack(int u);
   void write_size(int u);
   void write_attribute(int u);
   void end_sentence();
@@ -46,6 +47,7 @@ class Scribe {
   void mark_noun(int u, int mention);
 
   // What a noun is for.
+  void grow_for_reference(int index, int mention, bool both);
   void fill_reference(int u, int mention);
   void fill_content(int u, int mention);
   void fill_root(int u, int mention);

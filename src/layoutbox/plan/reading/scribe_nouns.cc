@@ -140,7 +140,10 @@ int Scribe::make_member(int u, const NounPhrase& noun) {
                          mention_at(antecedent).items.size() <= static_cast<std::size_t>(std::max(noun.count, 1)) &&
                          reading(u).role != NounRole::kReference;
   if (noun.determiner == Determiner::kOther && of_placed) {
-    if (const int others = make_another(u, noun); others >= 0) return others;
+    if (const int others = make_another(u, noun); others >= 0) {
+      references_.join_group(others, antecedent);
+      return others;
+    }
   }
   if (antecedent >= 0 && references_.has_left(antecedent, noun.count)) antecedent = references_.whole_group(antecedent);
   NounPhrase meant = noun;
@@ -153,9 +156,13 @@ int Scribe::make_member(int u, const NounPhrase& noun) {
       mention_at(antecedent).items.size() == 2 * static_cast<std::size_t>(noun.count))
     meant.determiner = Determiner::kBoth;
   // "four lamps, one in every corner": all four.
-  const bool shared_out = is(u + 1, UnitKind::kPlace) && is(u + 2, UnitKind::kNoun) && chunk(u + 2).noun.determiner == Determiner::kEach &&
-                          reading(u + 2).predicate == u + 1 && reading(u).role != NounRole::kReference && noun.count == 1 && !noun.subset;
-  if (shared_out && antecedent >= 0 && mention_at(antecedent).items.size() > 1) meant.determiner = Determiner::kBoth;
+  const bool by_all = is(u + 2, UnitKind::kNoun) && (chunk(u + 2).noun.determiner == Determiner::kEach ||
+                                                     (chunk(u + 2).noun.determiner == Determiner::kBoth && !chunk(u + 2).noun.plural));
+  const bool shared_out = is(u + 1, UnitKind::kPlace) && by_all && reading(u + 2).predicate == u + 1 &&
+                          reading(u).role != NounRole::kReference && noun.count >= 1 && !noun.subset;
+  const std::size_t all = antecedent >= 0 ? mention_at(antecedent).items.size() : 0,
+                    share = static_cast<std::size_t>(std::max(noun.count, 1));
+  if (shared_out && all > share && all % share == 0) meant.determiner = Determiner::kBoth;  // "six stools, two per table"
   const int mention = references_.mention(meant, antecedent, reading(u).role == NounRole::kReference);
   // "both have a lamp": every single one.
   if (noun.determiner == Determiner::kBoth && is(u + 1, UnitKind::kHave)) mention_at(mention).distributes = true;
@@ -186,7 +193,9 @@ int Scribe::make_mention(int u) {
   const int mention = references_.mention(noun, antecedent, as_reference, as_reference || opens);
   mention_at(mention).reciprocal = noun.reciprocal;
   const bool of_each = noun.kind == NounKind::kPronoun && !noun.plural && antecedent >= 0 && mention_at(antecedent).distributes;
-  if (of_each || (noun.kind == NounKind::kPronoun && noun.determiner == Determiner::kEach)) mention_at(mention).distributes = true;
+  const bool both_have = noun.kind == NounKind::kObject && noun.determiner == Determiner::kBoth && is(u + 1, UnitKind::kHave);
+  if (of_each || both_have || (noun.kind == NounKind::kPronoun && noun.determiner == Determiner::kEach))
+    mention_at(mention).distributes = true;
   return mention;
 }
 

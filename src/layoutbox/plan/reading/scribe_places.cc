@@ -21,29 +21,22 @@ std::size_t corners_meant(const NounPhrase& corner) {
   return corner.wall_word.empty() ? 4 : 2;  // "in each back corner"
 }
 
+// "against each side wall" two, "on every wall" four.
+std::size_t walls_meant(const NounPhrase& wall) {
+  if (wall.count > 0) return static_cast<std::size_t>(wall.count);
+  if (!wall.wall_word.empty()) return 1;
+  const bool some = wall.name.ends_with("side wall") || contains_word(wall.attributes, "long") || contains_word(wall.attributes, "short");
+  return some ? 2 : 4;
+}
+
 }  // namespace
 
-void Scribe::fill_reference(int u, int mention) {
-  const UnitReading& own = reading(u);
-  const int index = link_[static_cast<std::size_t>(own.predicate)];
-  if (index < 0) return;
-  // "a plant on the other": on the other side.
-  if (chunk(u).noun.kind == NounKind::kMember && chunk(u).noun.determiner == Determiner::kOther && one_side_ >= 0 &&
-      takes_other_side(u, link_at(index).targets)) {
-    link_at(index).senses = {};
-    return;
-  }
+// What is put by several things is as many: one at each of them, at each of their sides, in every corner. `both`: "on both nightstands".
+void Scribe::grow_for_reference(int index, int mention, bool both) {
   Link& link = link_at(index);
-  const bool arranged = reading(own.predicate).inverse && own.predicate + 1 == u && is(own.predicate, UnitKind::kPlace) &&
-                        !unit(own.predicate).direct.empty();
-  link.references.push_back(mention);
-  link.last = chunk(u).last;
-  const UnitReading& place = reading(own.predicate);
-  if (place.fronted || link.gap || arranged || link.references.size() != 1) return;
-  if (link.each) add_laden_stand(link.senses, link.targets);
   const NounPhrase noun = noun_of(mention);
-  const bool has_sides = is_thing(mention) || noun.kind == NounKind::kWindow || noun.kind == NounKind::kDoor;
   const std::vector<int> targets = link.targets;
+  const bool has_sides = is_thing(mention) || noun.kind == NounKind::kWindow || noun.kind == NounKind::kDoor;
   if (link.each && has_sides) {
     for (const int target : targets) grow_for_sides(link, target, mention);
   }
@@ -65,6 +58,35 @@ void Scribe::fill_reference(int u, int mention) {
       if (!agree) grow_for_each(target, mention);
     }
   }
+  // "a lamp on both nightstands", "on either one": one on each.
+  if (both && says(link.senses, RelationType::kOn) && mention_at(mention).items.size() > 1) {
+    for (const int target : targets) {
+      if (mention_at(target).introduces && noun_of(target).determiner == Determiner::kIndefinite) grow_for_each(target, mention);
+    }
+  }
+}
+
+void Scribe::fill_reference(int u, int mention) {
+  const UnitReading& own = reading(u);
+  const int index = link_[static_cast<std::size_t>(own.predicate)];
+  if (index < 0) return;
+  // "a plant on the other": on the other side.
+  if (chunk(u).noun.kind == NounKind::kMember && chunk(u).noun.determiner == Determiner::kOther && one_side_ >= 0 &&
+      takes_other_side(u, link_at(index).targets)) {
+    link_at(index).senses = {};
+    return;
+  }
+  Link& link = link_at(index);
+  const bool arranged = reading(own.predicate).inverse && own.predicate + 1 == u && is(own.predicate, UnitKind::kPlace) &&
+                        !unit(own.predicate).direct.empty();
+  link.references.push_back(mention);
+  link.last = chunk(u).last;
+  const UnitReading& place = reading(own.predicate);
+  if (place.fronted || link.gap || arranged || link.references.size() != 1) return;
+  if (link.each) add_laden_stand(link.senses, link.targets);
+  const NounPhrase noun = noun_of(mention);
+  const std::vector<int> targets = link.targets;
+  grow_for_reference(index, mention, chunk(u).noun.determiner == Determiner::kBoth);
   follow_screen(link, own.predicate);
   const bool hung = hangs(own.predicate);
   if (hung && !targets.empty()) {
@@ -112,6 +134,7 @@ void Scribe::fill_content(int u, int mention) {
   for (const int host : hosts) {
     if (mention_at(host).distributes) grow_for_each(mention, host);
   }
+  for (const int host : hosts) grow_for_corners(noun_of(host), mention);
   place_with_zone(hosts, index);
   imply_adjective(u, mention);
 }
@@ -357,8 +380,14 @@ void Scribe::grow_for_hosts(int content, const std::vector<int>& hosts) {
 }
 
 void Scribe::grow_for_corners(const NounPhrase& corner, int target) {
-  if (corner.kind != NounKind::kCorner || corner.determiner != Determiner::kEach) return;
-  if (noun_of(target).count <= 1) references_.grow(target, corners_meant(corner));
+  const bool wall = corner.kind == NounKind::kWall;
+  if (corner.kind != NounKind::kCorner && !wall) return;
+  // "in two of the corners a pedestal with a bust on it"
+  const bool counted = !wall && corner.count > 1 && noun_of(target).determiner == Determiner::kIndefinite;
+  if (corner.determiner != Determiner::kEach && !counted) return;
+  const std::size_t before = mention_at(target).items.size();
+  if (noun_of(target).count <= 1) references_.grow(target, wall ? walls_meant(corner) : corners_meant(corner));
+  grow_contents(target, before);
 }
 
 // What each of the things has grows with them: "a nightstand with a lamp on each side".

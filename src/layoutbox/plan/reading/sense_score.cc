@@ -37,6 +37,10 @@ double SenseScore::over(const NounPhrase& target, const NounPhrase& reference) c
   double score = 0;
   if (is_table(catalog_, reference) && mount_of(target) == Mount::kCeiling) score += weight::kLampOverTable;
   if (is_chair(reference)) score += weight::kOverSeat;
+  // What hangs on the wall is over what is as wide, seldom over a box or a bin.
+  const bool narrow = reference.entry != nullptr && mount_of(reference) == Mount::kFloor && !reference.entry->back_to_wall &&
+                      !is_heavy(catalog_, reference) && reference.entry->size.usual.width <= 600;
+  if (mount_of(target) == Mount::kWall && narrow) score += weight::kOverSeat;
   // Seats and tables stand under things, not over them.
   const bool chest = one_of(target.head, {"dresser", "wardrobe", "sideboard", "drawers", "bed", "sofa", "couch", "desk"});
   if (is_seat(catalog_, target) || chest || (is_table(catalog_, target) && mount_of(target) == Mount::kFloor)) score += weight::kUnlikely;

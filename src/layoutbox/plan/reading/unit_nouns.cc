@@ -1,6 +1,7 @@
 // Noun phrases of a sentence: what is a part, a room, an opening; which wall or corner is meant where the words leave it out.
 #include <algorithm>
 
+#include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/reading/unit_reader.h"
 
@@ -32,8 +33,48 @@ bool UnitReader::is_content_of_thing() const {
   return false;
 }
 
+// "a mirror with a gilded frame", "a photo in a frame": the thing's own.
+bool UnitReader::is_own_frame(std::size_t k) const {
+  const NounPhrase& noun = chunk(k).noun;
+  if (noun.name != "frame" || noun.determiner == Determiner::kDefinite || noun.count > 0 || units_.size() < 2 || joiner_ != Joiner::kNone)
+    return false;
+  const Unit &with = units_.back(), &host = units_[units_.size() - 2];
+  if (host.kind != UnitKind::kNoun || chunk(host.chunk).noun.kind != NounKind::kObject) return false;
+  if (with.kind == UnitKind::kPlace) return says(with.direct, RelationType::kIn) && mount_of(chunk(host.chunk).noun) != Mount::kFloor;
+  const bool placed = is(next(k), ChunkKind::kRelation) && !is(next(next(k)), ChunkKind::kNoun);  // "with a frame on top"
+  const bool on_it = is(next(k), ChunkKind::kRelation) && !placed && chunk(next(next(k))).noun.kind == NounKind::kPronoun;
+  return with.kind == UnitKind::kHave && !noun.attributes.empty() && !placed && !on_it;
+}
+
+// "a restaurant with 20 seats": for how many it is; its tables bring the chairs.
+bool UnitReader::says_room_seats(std::size_t k) {
+  const NounPhrase& noun = chunk(k).noun;
+  if (noun.count < 2 || !noun.attributes.empty() || noun.category.find(noun.head) != 0 || !one_of(noun.head, {"seat", "cover", "place"}))
+    return false;
+  if (units_.size() != 2 || units_.back().kind != UnitKind::kHave || units_.front().kind != UnitKind::kNoun) return false;
+  const NounPhrase& room = chunk(units_.front().chunk).noun;
+  const Lexicon::Set* needs = room.kind == NounKind::kRoom && room.room != nullptr ? lexicon_.needs_in(room.room->id) : nullptr;
+  if (needs == nullptr || needs->size() < 2 || !needs->front().first->is(Trait::kTable) || is(next(k), ChunkKind::kRelation)) return false;
+  document_.people = noun.count;
+  mark(k, Use::kUsed, "for how many");
+  leave_out_part(k, is(next(k), ChunkKind::kAnd) || is(next(k), ChunkKind::kComma));
+  return true;
+}
+
+// The noun at k is no thing of its own; what had it has what is listed next, if the list goes on.
+void UnitReader::leave_out_part(std::size_t k, bool goes_on) {
+  if (goes_on && units_.back().kind == UnitKind::kHave) {
+    passed_over_ = next(k);
+    return;
+  }
+  joiner_ = units_.back().joiner;
+  clause_ = units_.back().clause;
+  units_.pop_back();
+}
+
 bool UnitReader::is_part(std::size_t k) const {
   const NounPhrase& noun = chunk(k).noun;
+  if (is_own_frame(k)) return true;
   if (units_.empty() || units_.back().kind != UnitKind::kHave || joiner_ != Joiner::kNone || !is_content_of_thing()) return false;
   if (noun.kind == NounKind::kDoor || noun.kind == NounKind::kWindow) return true;
   const bool built_in = std::find(noun.attributes.begin(), noun.attributes.end(), "built-in") != noun.attributes.end();
@@ -41,6 +82,19 @@ bool UnitReader::is_part(std::size_t k) const {
   if (noun.kind != NounKind::kObject || noun.head != "mattress") return false;
   const std::size_t host = last_noun();
   return host < document_.chunks.size() && chunk(host).noun.name.find("bed") != std::string::npos;
+}
+
+// "four display cases … in front of every case": a word that is a thing only in a rarer sense speaks of one whose name ends so.
+bool UnitReader::names_known(std::size_t k) const {
+  constexpr std::size_t kBack = 120;
+  const NounPhrase& noun = chunk(k).noun;
+  const bool of_known =
+      noun.determiner == Determiner::kDefinite || noun.determiner == Determiner::kEach || noun.determiner == Determiner::kBoth;
+  if (noun.kind != NounKind::kAbstract || !noun.doubted || !of_known) return false;
+  for (std::size_t c = k; c-- > 0 && c + kBack > k;) {
+    if (is(c, ChunkKind::kNoun) && chunk(c).noun.kind == NounKind::kObject && chunk(c).noun.name.ends_with(" " + noun.head)) return true;
+  }
+  return false;
 }
 
 // "a bench along the left", "a teepee in the other", "the desk against the right one".
@@ -67,12 +121,14 @@ void UnitReader::settle_place_words(std::size_t k) {
                       !noun.wall_relation.empty());
   if (other && one_corner_ >= 0 && (says(senses, RelationType::kIn) || says(senses, RelationType::kCorner))) {
     take(chunk(static_cast<std::size_t>(one_corner_)).noun);
+    noun.count = 1;
+    noun.plural = false;
   }
   if (noun.kind == NounKind::kMember && !noun.wall_word.empty() && wall_ >= 0 && says(senses, RelationType::kAgainstWall)) {
     const NounPhrase said = take(chunk(static_cast<std::size_t>(wall_)).noun);
     noun.wall_word = said.wall_word;
   }
-  if (placed && noun.kind == NounKind::kCorner && noun.count == 1) one_corner_ = static_cast<int>(k);
+  if (placed && noun.kind == NounKind::kCorner && noun.count > 0) one_corner_ = static_cast<int>(k);
   if (noun.kind == NounKind::kWall) wall_ = static_cast<int>(k);
 }
 
@@ -92,6 +148,7 @@ void UnitReader::settle_noun(std::size_t k) {
   if (const auto object = noun.as_object;
       object != nullptr && (content ? is_placed_itself(k) : !after_place() || noun.determiner == Determiner::kIndefinite))
     noun = NounPhrase(*object);
+  if (names_known(k)) noun.kind = NounKind::kObject;
   if (named_ || skipping_ || negated_) return;
   named_ = true;
   // "A craft brewery taproom has a bar": what nobody knows and has things, at the very beginning, is the room.
@@ -103,7 +160,8 @@ void UnitReader::settle_noun(std::size_t k) {
   if (noun.kind == NounKind::kObject && noun.entry == nullptr && ((!noun.is_plural() && (has || alone)) || title))
     noun.kind = NounKind::kRoom;
   // "A reading corner with an armchair": so is the corner that it is all about.
-  if (noun.kind == NounKind::kCorner && noun.wall_word.empty() && !after_place() && has) noun.kind = NounKind::kRoom;
+  const bool zone = noun.wall_word.empty() && noun.determiner != Determiner::kEach && noun.count == 0;
+  if (noun.kind == NounKind::kCorner && zone && !after_place() && has) noun.kind = NounKind::kRoom;
 }
 
 // "On the left wall it is a desk": as "there is".
@@ -154,7 +212,7 @@ void UnitReader::read_noun(std::size_t k) {
     if (noun.kind == NounKind::kRoom && !is_past(noun)) document_.rooms.push_back(noun);
     return;
   }
-  if (says_nothing_but_there(k) || says_where_room_is(k)) return;
+  if (says_nothing_but_there(k) || says_where_room_is(k) || says_room_seats(k)) return;
   // "instead of a bathtub a shower": what stands beside what is not wanted.
   if (negated_ && joiner_ == Joiner::kNone && k > 0 && is(k - 1, ChunkKind::kNoun) && noun.determiner == Determiner::kIndefinite)
     negated_ = false;
@@ -174,13 +232,7 @@ void UnitReader::read_noun(std::size_t k) {
   if (noun.kind == NounKind::kRoom && (!after_place() || noun.room != nullptr) && !is_past(noun)) document_.rooms.push_back(noun);
   if (is_part(k)) {
     mark(k, Use::kUsed, "part");
-    // "with a soft mattress and two pillows": the having goes on.
-    if (!is(next(k), ChunkKind::kAnd)) {
-      joiner_ = units_.back().joiner;
-      clause_ = units_.back().clause;
-      units_.pop_back();
-    } else
-      passed_over_ = next(k);
+    leave_out_part(k, is(next(k), ChunkKind::kAnd));  // "with a soft mattress and two pillows": the having goes on
     return;
   }
   if (noun.kind == NounKind::kDoor || noun.kind == NounKind::kWindow) document_.openings.push_back(noun);

@@ -54,17 +54,21 @@ bool UnitReader::place_after_purpose(std::size_t k) const {
   return false;
 }
 
-// "a recliner for my partner facing the TV": whom it is for, and where it is.
+// "a recliner for my partner facing the TV", "a box for toys at the foot of the bed": for whom or what it is, and where it is.
 bool UnitReader::follows_whom(std::size_t k) const {
-  const std::size_t p = previous(k), n = next(k);
+  const std::size_t p = previous(k), n = next(k), host = last_noun();
   if (!is(p, ChunkKind::kNoun) || !is(previous(p), ChunkKind::kPurpose) || !is(n, ChunkKind::kNoun)) return false;
   if (document_.tokens[chunk(previous(p)).last - 1].text != "for") return false;
-  const NounPhrase& whom = chunk(p).noun;
-  const bool person = lexicon_.is_person(whom.head) || word_form(whom.head) == WordForm::kPerson;
-  const bool place = chunk(n).noun.kind == NounKind::kObject || chunk(n).noun.kind == NounKind::kWall ||
-                     chunk(n).noun.kind == NounKind::kWindow || chunk(n).noun.kind == NounKind::kDoor ||
-                     chunk(n).noun.kind == NounKind::kCorner;
-  return person && place;
+  const NounPhrase &whom = chunk(p).noun, &by = chunk(n).noun;
+  const bool part_of_room =
+      by.kind == NounKind::kWall || by.kind == NounKind::kWindow || by.kind == NounKind::kDoor || by.kind == NounKind::kCorner;
+  if (lexicon_.is_person(whom.head) || word_form(whom.head) == WordForm::kPerson) return part_of_room || by.kind == NounKind::kObject;
+  if (host >= document_.chunks.size() || chunk(host).noun.kind != NounKind::kObject || whom.determiner == Determiner::kIndefinite ||
+      whom.count > 0)
+    return false;
+  const NounPhrase& known = by.kind == NounKind::kPart && by.of ? *by.of : by;
+  const bool definite = known.determiner == Determiner::kDefinite || known.determiner == Determiner::kPossessive;
+  return part_of_room || (known.kind == NounKind::kObject && definite);
 }
 
 // "Plants I do not want": none of what was named before.
@@ -207,7 +211,11 @@ bool UnitReader::brings_for_each(std::size_t k) {
   if (skipping_ || document_.tokens[chunk(k).first].text != "for" || !is(n, ChunkKind::kNoun)) return false;
   const NounPhrase& noun = chunk(n).noun;
   const bool things = noun.kind == NounKind::kObject || (noun.kind == NounKind::kMember && noun.of && noun.of->kind == NounKind::kObject);
-  if (noun.determiner != Determiner::kEach || !things) return false;
+  const std::size_t host = last_noun();
+  // "a chair for the desk": at it.
+  const bool seat = noun.kind == NounKind::kObject && noun.exact && noun.determiner == Determiner::kDefinite && host == previous(k) &&
+                    is(host, ChunkKind::kNoun) && is_seat(lexicon_.catalog(), chunk(host).noun) && is_table(lexicon_.catalog(), noun);
+  if ((noun.determiner != Determiner::kEach && !seat) || !things) return false;
   mark(k, Use::kUsed, "has");
   add_place(k, kBelongs);
   return true;

@@ -25,6 +25,8 @@ class UnitReader {
   void read_place(std::size_t k);
   bool centers_in_room(std::size_t k);
   bool tells_which(std::size_t k);
+  bool names_doer(std::size_t k);
+  bool tells_why(std::size_t k);
   void add_place(std::size_t k, const PhraseSenses& senses);
   void read_have(std::size_t k);
   void read_verb(std::size_t k);
@@ -54,6 +56,10 @@ class UnitReader {
   void settle_place_words(std::size_t k);
   bool is_content_of_thing() const;
   bool is_part(std::size_t k) const;
+  bool names_known(std::size_t k) const;
+  bool is_own_frame(std::size_t k) const;
+  void leave_out_part(std::size_t k, bool goes_on);
+  bool says_room_seats(std::size_t k);
   // The latest noun of the sentence, past the end if there is none.
   std::size_t last_noun() const;
   bool after_place() const { return !units_.empty() && units_.back().kind == UnitKind::kPlace && joiner_ == Joiner::kNone; }

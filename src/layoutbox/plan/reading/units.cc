@@ -1,5 +1,6 @@
 #include "layoutbox/plan/reading/units.h"
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 
@@ -75,7 +76,8 @@ void UnitReader::read(std::size_t k) {
       clause_ = true;
       where_ = document_.tokens[chunk(k).first].text == "where";
       soft_ = where_ && k > 0 && is(k - 1, ChunkKind::kNoun) && chunk(k - 1).noun.kind == NounKind::kWall;
-      skipping_ = negated_ = false;
+      negated_ = false;
+      skipping_ = tells_why(k);
       joiner_ = Joiner::kNone;
       break;
     case ChunkKind::kComma:
@@ -154,8 +156,41 @@ void UnitReader::read_place(std::size_t k) {
     passed_until_ = next(k) + 1;
     return;
   }
+  if (names_doer(k)) return;
   mark(k, Use::kUsed, "relation");
   if (!tells_which(k)) add_place(k, *chunk(k).phrase.senses);
+}
+
+// "is used by the gripper", "was painted by my aunt": who does it is no place. "Warmed by a stove" brings the stove in.
+bool UnitReader::names_doer(std::size_t k) {
+  const std::size_t first = chunk(k).first, n = next(k);
+  if (chunk(k).last - first != 1 || first == 0 || document_.tokens[first].text != "by" || is(k - 1, ChunkKind::kNoun)) return false;
+  const Token& verb = document_.tokens[first - 1];
+  const bool done =
+      verb.text.ends_with("ed") || verb.text == "made" || verb.text == "drawn" || verb.text == "driven" || verb.text == "worn";
+  if (!done || lexicon_.is(verb, WordClass::kParticiple) || lexicon_.is(verb, WordClass::kHang) || !is(n, ChunkKind::kNoun)) return false;
+  if (chunk(n).noun.determiner == Determiner::kIndefinite || chunk(n).noun.count > 0) return false;
+  mark(k, Use::kIgnored, "who does it");
+  mark(n, Use::kIgnored, "who does it");
+  passed_until_ = n + 1;
+  return true;
+}
+
+// "so that I can roll under", "because we eat there": why, until the next comma.
+bool UnitReader::tells_why(std::size_t k) {
+  static constexpr std::string_view kWhy[] = {"so", "that", "because", "since"}, kWho[] = {"i", "we", "you", "he", "she", "they", "it"},
+                                    kDoes[] = {"can", "could", "may", "might", "will", "would",
+                                               "do",  "does",  "eat", "sleep", "work", "like"};
+  const auto any = [](const auto& words, std::string_view text) {
+    return std::find(std::begin(words), std::end(words), text) != std::end(words);
+  };
+  const std::size_t who = chunk(k).last;
+  if (who + 1 >= document_.tokens.size() || !any(kWhy, document_.tokens[who - 1].text) || !any(kWho, document_.tokens[who].text) ||
+      !any(kDoes, document_.tokens[who + 1].text))
+    return false;
+  passed_until_ = k + 1;
+  while (passed_until_ < document_.chunks.size() && chunk(passed_until_).first <= who + 1) mark(passed_until_++, Use::kIgnored, "purpose");
+  return true;
 }
 
 // "against the wall to the right": which wall. "on the shelf below": which shelf. Not where the thing is.

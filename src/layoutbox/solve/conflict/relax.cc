@@ -4,6 +4,8 @@
 
 #include <tuple>
 
+#include "layoutbox/scene/relation_traits.h"
+
 namespace layoutbox::placement {
 namespace {
 
@@ -78,18 +80,10 @@ LessScene without_objects(const SceneGraph& scene, const std::vector<std::string
   std::erase_if(less.scene.objects, [&](const SceneObject& o) { return has(ids, o.id); });
   std::vector<Relation> kept;
   for (Relation& relation : less.scene.relations) {
-    const bool referred = !relation.references.empty();
-    const auto is_out = [&](const std::string& id) { return has(ids, id); };
-    const std::size_t lost_targets = std::erase_if(relation.targets, is_out);
-    const std::size_t lost_references = std::erase_if(relation.references, is_out);
-    const bool nothing_between = relation.type == RelationType::kBetween && lost_references > 0 && relation.references.size() < 2;
-    const bool no_pairs =
-        relation.type == RelationType::kPairedWith && lost_targets > 0 && relation.targets.size() < relation.references.size();
-    const bool too_few = nothing_between || no_pairs;
-    if ((lost_targets > 0 && relation.targets.empty()) || (referred && relation.references.empty()) || too_few) {
-      less.lost.push_back(relation.id);
-    } else {
+    if (take_out(relation, ids)) {
       kept.push_back(std::move(relation));
+    } else {
+      less.lost.push_back(relation.id);
     }
   }
   less.scene.relations = std::move(kept);

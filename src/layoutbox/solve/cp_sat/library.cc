@@ -27,7 +27,7 @@ fs::path& told_folder() {
 
 constexpr const char* kName = "libortools.so.9";
 constexpr int kMajor = 9, kLeastMinor = 8;  // tried with 9.15; the fields used are the same since 9.8
-constexpr const char* kHint = "run scripts/setup.sh, or set ORTOOLS_ROOT to a folder of OR-Tools 9.15";
+constexpr const char* kInstall = "run scripts/setup.sh, or set ORTOOLS_ROOT to a folder of OR-Tools 9.15";
 
 std::vector<fs::path> places() {
   std::vector<fs::path> found;
@@ -108,14 +108,14 @@ Result<CpSatLibrary> CpSatLibrary::open() {
     handle = dlopen(kName, RTLD_NOW | RTLD_LOCAL);
     if (handle) library.path_ = kName;
   }
-  if (!handle) return fail(ErrorCode::kNoSolver, why_not_loaded(reason), library.path_, kHint);
+  if (!handle) return fail(ErrorCode::kNoSolver, why_not_loaded(reason), library.path_, kInstall);
   const auto function = [&](const char* name) { return dlsym(handle, name); };
   library.new_env_ = reinterpret_cast<NewEnv>(function("SolveCpNewEnv"));
   library.destroy_env_ = reinterpret_cast<WithEnv>(function("SolveCpDestroyEnv"));
   library.stop_search_ = reinterpret_cast<WithEnv>(function("SolveCpStopSearch"));
   library.solve_ = reinterpret_cast<Interruptible>(function("SolveCpInterruptible"));
   if (!library.new_env_ || !library.destroy_env_ || !library.stop_search_ || !library.solve_) {
-    return fail(ErrorCode::kNoSolver, "the solver library has no C interface to CP-SAT", library.path_, kHint);
+    return fail(ErrorCode::kNoSolver, "the solver library has no C interface to CP-SAT", library.path_, kInstall);
   }
   using Number = int (*)();
   const auto major = reinterpret_cast<Number>(function("_ZN19operations_research19OrToolsMajorVersionEv"));
@@ -124,7 +124,7 @@ Result<CpSatLibrary> CpSatLibrary::open() {
   if (!major || !minor || major() != kMajor || minor() < kLeastMinor) {
     return fail(ErrorCode::kNoSolver,
                 fmt::format("the solver library is OR-Tools {}, {}.{} or later is needed", library.version_, kMajor, kLeastMinor),
-                library.path_, kHint);
+                library.path_, kInstall);
   }
   return library;
 }

@@ -9,6 +9,7 @@ namespace {
 constexpr Mm kWayAround = 600;       // left free between a formation and the walls
 constexpr Mm kSeatRoom = 850;        // behind a desk: the chair, and somebody getting up
 constexpr Mm kTucked = 200;          // how far a seat goes under its table
+constexpr Mm kBackOfSeat = 130;      // what of a chair stays before the edge
 constexpr Mm kBeforeKneeless = 100;  // from what one sits before without room for the knees
 
 // Gaps wanted between neighbours, along the rows and from row to row.
@@ -63,7 +64,9 @@ void add_formation_place(Formula& f, const Model& model, const std::vector<int>&
     const auto wish_at = [&](int axis, std::int64_t twice) {  // twice the way from the room's middle
       c.wish(mid2(item, axis) - Linear(std::int64_t{model.room.lo[axis]} + model.room.hi[axis] + twice), weight, 2);
     };
-    wish_at(row_axis, std::int64_t{form.across} * (2 * column - (form.columns - 1)));
+    // A last row that is not full stands about the middle, where no columns are asked for.
+    const int here = columns == 0 && row + 1 == rows ? n - row * form.columns : form.columns;
+    wish_at(row_axis, std::int64_t{form.across} * (2 * column - (here - 1)));
     wish_at(deep_axis, std::int64_t{form.deep} * (2 * row - (rows - 1)) - ahead * free);
   };
   if (!model.items[first].has_front) return add(0, states_with_width_along(model.items[item], 0), 0, false);
@@ -110,7 +113,9 @@ void add_seat_place(Formula& f, const Model& model, int seat, int table, int k, 
     // places · mid2(seat) = 2 · places · lo(table) + (2 · place + 1) · extent(table)
     c.wish(places * mid2(seat, across(d)) - 2 * places * lo(table, across(d)) - (2 * place + 1) * extent(table, across(d)), weight,
            2 * places);
-    c.wish(gap_towards(seat, table, d) + Linear(has_knee_room(host) ? std::min<Mm>(kTucked, own.depth / 2) : -kBeforeKneeless), weight);
+    // One alone goes under as far as its back allows.
+    const Mm under = n == 1 && host.has_front ? std::max(kTucked, own.depth - kBackOfSeat) : std::min<Mm>(kTucked, own.depth / 2);
+    c.wish(gap_towards(seat, table, d) + Linear(has_knee_room(host) ? under : -kBeforeKneeless), weight);
     c.require(reach(seat, d) - reach(table, d));
   });
   if (host.spans < 0 || side != Side::kFront) return;

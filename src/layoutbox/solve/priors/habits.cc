@@ -43,7 +43,7 @@ void Habits::stand(int index) {
   if (manned) {
     // Who sits behind it has the wall behind.
   } else if (item.entry->back_to_wall) {
-    back_to_wall(index, kBackToWall);
+    if (!told_to_stand_free(index)) back_to_wall(index, kBackToWall);
     stand_in_run(index);
     if (!stand_as_twin(index) && !with_host) stand_in_wall_row(index);
   } else if (!with_host && !placed_by_relation(index)) {
@@ -55,7 +55,7 @@ void Habits::stand(int index) {
       stand_at_wall(index);
     }
   }
-  if (!item.entry->back_to_wall && item.is(Trait::kOpenToRoom)) open_to_room(index);
+  if (!item.entry->back_to_wall && item.is(Trait::kOpenToRoom) && !stand_along_run(index)) open_to_room(index);
   if (item.is(Trait::kDesk)) near_light(index);
 }
 
@@ -121,6 +121,14 @@ bool Habits::related_as_target(int item, int reference, RelationType type) const
 bool Habits::placed_by_relation(int item) const {
   return std::any_of(model_.scene->relations.begin(), model_.scene->relations.end(), [&](const Relation& r) {
     return std::find(r.targets.begin(), r.targets.end(), model_.items[item].id) != r.targets.end();
+  });
+}
+
+// Told to be in the middle or off the walls.
+bool Habits::told_to_stand_free(int item) const {
+  return std::ranges::any_of(model_.scene->relations, [&](const Relation& r) {
+    return (r.type == RelationType::kCenterOfRoom || r.type == RelationType::kAwayFromWall) &&
+           std::ranges::find(r.targets, model_.items[item].id) != r.targets.end();
   });
 }
 

@@ -36,6 +36,7 @@ class Habits {
   bool only_related_by(int a, int b, std::initializer_list<RelationType> types) const;
   bool related_as_target(int item, int reference, RelationType type) const;
   bool placed_by_relation(int item) const;
+  bool told_to_stand_free(int item) const;
   void keep_hint(int item);
   void keep_turn(int item, double degrees);
   static std::vector<Side> used_sides(const Item& item) { return item.object->used_sides.value_or(item.entry->used_sides); }
@@ -59,6 +60,8 @@ class Habits {
 
   // Habits towards the room: backs to walls, the middle, light, rugs; doors and windows nobody placed.
   void back_to_wall(int item, int weight);
+  bool is_narrow_bed(int item) const;
+  bool keeps_to_corner(int item) const;
   bool leave_room_behind(int item);
   void stand_at_wall(int item);
   void stand_in_middle(int item);
@@ -78,6 +81,9 @@ class Habits {
   std::uint64_t states_facing(int item, const RoomWall& wall) const;
   bool placed_by_relation_besides_walls(int item) const;
   void cover_window(int item);
+  int long_table() const;
+  void hang_before_table(Formula& f, int item, int table);
+  void leave_free_before(int item);
 
   // Habits towards other things: beside, round, before and facing what they belong to.
   void come_near(int item, int host);
@@ -94,6 +100,7 @@ class Habits {
   void stand_at_side(int item);
   bool stand_beside(int item);
   void sit_round_low_table(int item, int table);
+  bool told_away_from_group(int item) const;
   void stand_before_middle(int item, int host);
   void flank(int item, int host, int hosts);
   std::vector<int> seats_at(int item, int host, int hosts) const;
@@ -114,6 +121,7 @@ class Habits {
   void keep_off_faced(int item);
   void stand_before_crowd(int faced);
   void stand_in_run(int item);
+  bool stand_along_run(int item);
   void stand_in_wall_row(int item);
   void stand_abreast_in_row(int item);
   bool stand_as_twin(int item);

@@ -130,7 +130,7 @@ bool Habits::stand_beside(int item) {
   if (self.is(Trait::kEasySeat) && !told) {
     const std::vector<int> seen = items_of_kinds(self.entry->faces, item);
     const auto low_table = std::find_if(seen.begin(), seen.end(), [&](int i) { return model_.items[i].is(Trait::kCoffeeTable); });
-    if (low_table != seen.end() && only_near(item, *low_table)) {
+    if (low_table != seen.end() && !told_away_from_group(item) && only_near(item, *low_table)) {
       sit_round_low_table(item, *low_table);
       return true;
     }
@@ -177,6 +177,20 @@ bool Habits::stand_beside(int item) {
   if (before_its_host(item)) stand_before_middle(item, host);
   if (ref.has_front && !before_its_host(item) && !self.is(Trait::kTableSeat)) flank(item, host, static_cast<int>(hosts.size()));
   return true;
+}
+
+// Told to stand by something that is not what one talks round: by the fire, at the window.
+bool Habits::told_away_from_group(int item) const {
+  if (!placed_besides_facing(item)) return false;
+  const auto in_group = [&](const std::string& id) {
+    const int other = model_.find_item(id);
+    if (other < 0 || model_.items[other].is_opening()) return false;
+    const Item& ref = model_.items[other];
+    return ref.is(Trait::kCenterPiece) || ref.is(Trait::kEasySeat) || ref.is(Trait::kCoffeeTable) || ref.thin;
+  };
+  return std::ranges::none_of(model_.scene->relations, [&](const Relation& r) {
+    return std::ranges::find(r.targets, model_.items[item].id) != r.targets.end() && std::ranges::any_of(r.references, in_group);
+  });
 }
 
 // Easy chairs make a talking group: at the ends of the coffee table, looking at it, two of them face to face.

@@ -7,7 +7,7 @@
 namespace layoutbox::placement {
 namespace {
 
-constexpr std::size_t kMany = 4;
+constexpr std::size_t kManyInFormation = 4;
 constexpr std::int64_t kManySize = 3'000'000;              // mm²: larger things are no crowd
 constexpr std::int64_t kTableToSitRound = 400'000;         // mm²
 constexpr Mm kStageDepth = 1600;                           // left before a crowd for what it looks at and who stands there
@@ -38,10 +38,10 @@ std::optional<Habits::Group> Habits::formation_with(int item) const {
   }
   // Two that one sits or walks round are enough: side by side, turned alike.
   const bool round_about = has_knee_room(self) || used_sides(self).size() >= 4;
-  const std::size_t least = self.is(Trait::kSeat) || area_of(self) < kTableToSitRound ? kMany
+  const std::size_t least = self.is(Trait::kSeat) || area_of(self) < kTableToSitRound ? kManyInFormation
                             : !self.has_front && round_about                          ? 2
                             : has_knee_room(self)                                     ? 3
-                                                                                      : kMany;
+                                                                                      : kManyInFormation;
   if (group.members.size() < least || std::find(group.members.begin(), group.members.end(), item) == group.members.end())
     return std::nullopt;
   return group;
@@ -88,7 +88,7 @@ void Habits::stand_before_crowd(int faced) {
   }
   const std::string name = "before the middle of the crowd";
   const bool placed = model_.items[faced].mount == Mount::kWall ? placed_by_relation_besides_walls(faced) : placed_besides_facing(faced);
-  if (crowd.size() < kMany || placed) return;
+  if (crowd.size() < kManyInFormation || placed) return;
   if (std::any_of(model_.constraints.begin(), model_.constraints.end(), [&](const Constraint& c) { return c.name.starts_with(name); }))
     return;
   Formula f;
@@ -165,6 +165,29 @@ void Habits::stand_in_run(int item) {
     for (const Side side : {Side::kLeft, Side::kRight}) add_beside(f, model_, item, other, side, {.most = 100});
   }
   if (!f.cases.empty()) habit("in the run", item, kInRun, std::move(f));
+}
+
+// An island stands along the run, its front away from it, an aisle between. False: there is no run, or words say where it is.
+bool Habits::stand_along_run(int item) {
+  constexpr Mm kAisle = 1100;
+  constexpr int kAlong = 300;
+  if (placed_besides_facing(item)) return false;
+  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+    const int unit = static_cast<int>(i);
+    const Item& run = model_.items[i];
+    if (unit == item || run.mount != Mount::kFloor || !run.is(Trait::kKitchenRun) || !run.entry->back_to_wall || !run.has_front) continue;
+    Formula f;
+    for_each_turn(run, [&](int turn, std::uint64_t states) {
+      if (turn % 90 != 0) return;
+      const std::uint64_t alike = model_.items[item].states_at(turn);
+      const Direction front = side_direction(run, Side::kFront, turn);
+      if (alike) f.add().when(unit, states).when(item, alike).wish(gap_towards(item, unit, front) - Linear(kAisle), kMiddle);
+    });
+    if (f.cases.empty()) return false;
+    habit("along the run", item, kAlong, std::move(f));
+    return true;
+  }
+  return false;
 }
 
 // Several of a kind with their backs to a wall stand side by side along it: lockers, bookshelves, the beds of a ward. Beds also

@@ -8,6 +8,7 @@ constexpr int kHangHeight = 600;  // points a metre
 
 const std::vector<std::string> kUnderPictures{"fireplace", "bed",  "sofa",     "sideboard", "console_table",
                                               "dresser",   "desk", "tv_stand", "cabinet"};
+const std::vector<std::string> kUnderScreens{"tv_stand", "fireplace", "sideboard", "console_table", "dresser", "cabinet"};
 const std::vector<std::string> kUnderMirrors{"sink", "vanity", "dresser", "console_table", "sideboard"};
 const std::vector<std::string> kUnderLamps{"dining_table", "kitchen_island", "conference_table", "table", "coffee_table", "bed"};
 
@@ -84,6 +85,59 @@ bool Habits::hang_in_row(int item) {
   return true;
 }
 
+// The table that a meeting sits round, or -1.
+int Habits::long_table() const {
+  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+    const Item& table = model_.items[i];
+    const Size& size = table.states[0].size;
+    const bool long_one = 2 * std::max(size.width, size.depth) >= 3 * std::min(size.width, size.depth);
+    if (table.is(Trait::kTable) && table.mount == Mount::kFloor && !table.entry->back_to_wall && !table.has_front && long_one &&
+        has_knee_room(table) && !table.is(Trait::kCoffeeTable))
+      return static_cast<int>(i);
+  }
+  return -1;
+}
+
+// At the end of the table, so that nobody has it behind.
+void Habits::hang_before_table(Formula& f, int item, int table) {
+  constexpr int kAtSide = 100;
+  const Item& long_one = model_.items[table];
+  for (const RoomWall& wall : model_.walls) {
+    for_each_turn(long_one, [&](int turn, std::uint64_t states) {
+      if (turn % 90 != 0 || !wall.straight) return;
+      const int side = side_direction(long_one, Side::kRight, turn).axis;
+      const Size& size = long_one.states[0].size;
+      const int axis = size.width >= size.depth ? side : 1 - side;
+      Case& c = f.add().when(item, states_facing(item, wall)).when(table, states);
+      c.wish(mid2(item, wall.along) - mid2(table, wall.along), kHangs, 2);
+      c.price = (axis == wall.normal() ? 0 : kAtSide) + (wall.turn == 180 || wall.turn == 270 ? 60 : 0);
+    });
+  }
+}
+
+// Cupboards and desks do not stand before a board or a screen that all look at, nor beds and sofas under a television.
+void Habits::leave_free_before(int item) {
+  constexpr Mm kBefore = 800;
+  constexpr int kFree = 400;  // points a metre
+  const Item& self = model_.items[item];
+  if (!self.is(Trait::kScreen)) return;
+  const bool board = !self.is(Trait::kElseOnWall);
+  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+    const int other = static_cast<int>(i);
+    const Item& ref = model_.items[i];
+    if (ref.is_opening() || ref.mount != Mount::kFloor || !ref.entry->back_to_wall) continue;
+    if (board ? related(item, other) : !ref.is(Trait::kCenterPiece) || !only_turned_by(item, other)) continue;
+    Formula f;
+    for_each_turn(self, [&](int turn, std::uint64_t states) {
+      if (turn % 90 != 0) return;
+      const Direction front = side_direction(self, Side::kFront, turn);
+      f.add().when(item, states).require(gap_towards(other, item, front) - Linear(kBefore));
+      for (const int sign : {1, -1}) f.add().when(item, states).require(gap_towards(other, item, {across(front), sign}));
+    });
+    if (!f.cases.empty()) habit("free before it", item, kFree, std::move(f));
+  }
+}
+
 // At its usual height; a curtain at its window, a picture over something, else in the middle of a wall.
 void Habits::hang_on_wall(int item) {
   const Item& self = model_.items[item];
@@ -95,6 +149,7 @@ void Habits::hang_on_wall(int item) {
     cover_window(item);
     return;
   }
+  leave_free_before(item);
   if (stand_beside(item)) return;
   look_at(item);
   if (hang_in_row(item)) return;
@@ -104,7 +159,9 @@ void Habits::hang_on_wall(int item) {
     return r.type == RelationType::kFacing && std::ranges::find(r.references, self.id) != r.references.end();
   });
   std::vector<int> under;
-  if (!is_faced) under = items_of_kinds(self.is(Trait::kMirror) ? kUnderMirrors : kUnderPictures, item);
+  const bool board = self.is(Trait::kScreen) && !self.is(Trait::kElseOnWall);
+  if (!is_faced && !board)
+    under = items_of_kinds(self.is(Trait::kMirror) ? kUnderMirrors : self.is(Trait::kScreen) ? kUnderScreens : kUnderPictures, item);
   Formula f;
   std::vector<int> hosts;
   if (static_cast<std::size_t>(rank_of(item)) < under.size()) {
@@ -115,6 +172,9 @@ void Habits::hang_on_wall(int item) {
       c.wish(mid2(item, wall.normal()) - mid2(hosts[0], wall.normal()), kHangs / 2, 2);
       c.require(lo(item, 2) - hi(hosts[0], 2) - Linear(120));
     }
+  } else if (const int table = self.is(Trait::kScreen) ? long_table() : -1; table >= 0) {
+    hang_before_table(f, item, table);
+    hosts.push_back(table);
   } else {
     for (const RoomWall& wall : model_.walls) {
       Case& c = f.add().when(item, states_facing(item, wall));

@@ -1,4 +1,5 @@
 // Habits towards the room: backs to walls, the middle, light, rugs; doors and windows nobody placed.
+#include "layoutbox/solve/objective/cost.h"
 #include "layoutbox/solve/priors/habits.h"
 
 namespace layoutbox::placement {
@@ -6,7 +7,9 @@ namespace {
 
 constexpr Mm kRugBeyondFoot = 500;
 constexpr Mm kNearWall = 400;
-constexpr int kOddTurn = 120;   // points
+constexpr int kOddTurn = 120;                     // points
+constexpr int kBedToCorner = 80, kToCorner = 20;  // points for not being in a corner
+constexpr Mm kFlushInCorner = 20;
 constexpr int kWallFree = 400;  // points a metre
 const std::vector<std::string> kOnRugs{"coffee_table", "dining_table", "bed", "crib", "table", "sofa", "desk"};
 
@@ -17,13 +20,49 @@ void Habits::back_to_wall(int item, int weight) {
   int alike = 0;  // that nobody placed
   for (std::size_t i = 0; i < model_.items.size(); ++i)
     alike += model_.items[i].entry == model_.items[item].entry && !placed_by_relation_besides_walls(static_cast<int>(i));
-  const bool heart = model_.items[item].is(Trait::kCenterPiece) && alike <= 1;
+  const bool narrow_bed = is_narrow_bed(item);
+  const bool heart = model_.items[item].is(Trait::kCenterPiece) && alike <= 1 && !narrow_bed;
+  // In a corner it gives up the free floor at one side, and keeps that at the other.
+  const std::map<Side, Mm>& wanted = model_.items[item].entry->clearance;
+  const int for_side = wanted.contains(Side::kLeft) && wanted.contains(Side::kRight) ? kCostWeights.wanted : 0;
+  const int to_corner = narrow_bed ? kBedToCorner + for_side : keeps_to_corner(item) ? kToCorner : 0;
   for (const RoomWall& wall : model_.walls) {
     const std::size_t known = f.cases.size();
     add_against(f, model_, item, states_with_back_to(model_.items[item], wall), wall, 20, true);
     for (std::size_t i = known; heart && i < f.cases.size(); ++i) wish_middle_of_wall(f.cases[i], model_, item, wall, kMiddle);
+    if (to_corner == 0 || !wall.straight || f.cases.size() == known) continue;
+    const Case anywhere = f.cases[known];
+    f.cases[known].price += to_corner;
+    Case low = anywhere, high = anywhere;
+    f.cases.push_back(low.require(Linear(std::int64_t{wall.lo} + kFlushInCorner) - lo(item, wall.along)));
+    f.cases.push_back(high.require(hi(item, wall.along) - Linear(std::int64_t{wall.hi} - kFlushInCorner)));
   }
   habit("back to wall", item, weight, std::move(f));
+}
+
+// A bed for one has a long side at the second wall too, but where one is cared for from both sides or more than two stand there.
+bool Habits::is_narrow_bed(int item) const {
+  constexpr Mm kForOne = 1200, kForCare = 700;
+  const Item& self = model_.items[item];
+  const auto is_wide = [&](Side side) {
+    const auto wanted = self.entry->clearance.find(side);
+    return wanted != self.entry->clearance.end() && wanted->second > kForCare;
+  };
+  const auto alike = std::ranges::count_if(model_.items, [&](const Item& other) { return other.entry == self.entry; });
+  return self.is(Trait::kBed) && self.states[0].size.width <= kForOne && self.states[0].size.depth > self.states[0].size.width &&
+         alike <= 2 && !(is_wide(Side::kLeft) && is_wide(Side::kRight));
+}
+
+// Cupboards, tubs and machines that nothing looks at and that stand by nothing leave the middle of the wall free.
+bool Habits::keeps_to_corner(int item) const {
+  const Item& self = model_.items[item];
+  if (self.is(Trait::kCenterPiece) || self.is(Trait::kTable) || self.is(Trait::kDeskLike) || self.is(Trait::kSeat)) return false;
+  if (self.is(Trait::kOpenToRoom) || placed_by_relation_besides_walls(item) || !items_of_kinds(self.entry->beside, item).empty())
+    return false;
+  return std::ranges::none_of(model_.items, [&](const Item& other) {
+    return other.entry != nullptr &&
+           std::ranges::any_of(other.entry->faces, [&](const std::string& kind) { return model_.is_a(item, kind); });
+  });
 }
 
 // A desk that somebody is told to sit behind stands off the wall, its front to the room.

@@ -7,6 +7,7 @@ namespace {
 constexpr Mm kTouching = 20;
 constexpr Mm kLongest = 512;  // mm
 constexpr std::int64_t kStepsOfNudge = 10;
+constexpr std::int64_t kWhole = 8;  // one nudge in so many moves all that belongs together
 
 bool touch(const Box& a, const Box& b) {
   for (int k = 0; k < 3; ++k) {
@@ -34,23 +35,41 @@ std::vector<int> Search::cluster_of(int item) {
   return cluster;
 }
 
+// The thing and all that habits tie to it, directly or not: a sofa with its table, chairs, rug and television.
+std::vector<int> Search::company_of(int item) const {
+  std::vector<int> company{item};
+  for (std::size_t i = 0; i < company.size(); ++i) {
+    for (const std::vector<int>* others : {&dependencies_.hosts[company[i]], &dependencies_.tenants[company[i]]}) {
+      for (const int other : *others) {
+        const bool apart = placements_[other].state < 0 || model_.items[other].is_opening() || stays(model_.items[other]);
+        if (!apart && std::find(company.begin(), company.end(), other) == company.end()) company.push_back(other);
+      }
+    }
+  }
+  return company;
+}
+
 // True: it is better there.
-bool Search::shift(const std::vector<int>& cluster, int axis, Mm by, Budget& budget) {
+bool Search::shift(const std::vector<int>& cluster, int axis, Mm by, std::int64_t least_gain, Budget& budget) {
   const Placements before = placements_;
   for (const int member : cluster) placements_[member].at[axis] += by;
   budget.count(kStepsOfNudge * static_cast<std::int64_t>(cluster.size()));
   const auto stays_right = [&](int member) { return may_stay(member, placements_[member]); };
-  if (std::all_of(cluster.begin(), cluster.end(), stays_right) && is_better(before, cluster, budget)) return true;
+  if (std::all_of(cluster.begin(), cluster.end(), stays_right) && is_better(before, cluster, budget, least_gain)) return true;
   placements_ = before;
   return false;
 }
 
 bool Search::nudge(int item, Budget& budget) {
-  const std::vector<int> cluster = cluster_of(item);
+  // Whole companies now and then; the ways, costly to measure, are looked at only where that gains something without them.
+  const bool whole = random_.below(kWhole) == 0;
+  const std::vector<int> cluster = whole ? company_of(item) : cluster_of(item);
+  const std::int64_t least_gain = whole ? 1 : kLeastGain;
   if (std::any_of(cluster.begin(), cluster.end(), [&](int m) { return stays(model_.items[m]); })) return false;
   bool any = false;
   for (Mm by = kLongest; by > 0; by /= 2) {
-    for (const int axis : {0, 1}) any = shift(cluster, axis, by, budget) || shift(cluster, axis, -by, budget) || any;
+    for (const int axis : {0, 1})
+      any = shift(cluster, axis, by, least_gain, budget) || shift(cluster, axis, -by, least_gain, budget) || any;
   }
   return any;
 }

@@ -241,12 +241,12 @@ bool Search::move(const std::vector<int>& group, std::int64_t noise, Budget& bud
 }
 
 // Whether what moved since is worth it.
-bool Search::is_better(const Placements& before, const std::vector<int>& moved, Budget& budget) {
+bool Search::is_better(const Placements& before, const std::vector<int>& moved, Budget& budget, std::int64_t least_gain) {
   if (placements_ == before) return false;
   const std::int64_t gain = gain_since(before, moved);
   budget.count(100);
   // The ways are costly to measure: only for what is better, or nearly as good, without them.
-  if (gain <= -kPoint * 400) return false;
+  if (gain <= least_gain) return false;
   budget.count(900);
   const std::int64_t ways_after = ways_cost(model_, placements_);
   if (gain + ways_ - ways_after <= 0) return false;

@@ -10,6 +10,8 @@
 
 namespace layoutbox::placement {
 
+inline constexpr std::int64_t kLeastGain =
+    -400'000;                                  // thousandths of a point: what a move must gain without the ways for these to be measured
 inline constexpr std::int64_t kPatience = 12;  // moves in vain a thing, after which an improvement ends
 
 class Search {
@@ -53,9 +55,10 @@ class Search {
   bool move(const std::vector<int>& group, std::int64_t noise, Budget& budget);
   bool push(int item, Budget& budget);
   std::vector<int> cluster_of(int item);
-  bool shift(const std::vector<int>& cluster, int axis, Mm by, Budget& budget);
+  std::vector<int> company_of(int item) const;
+  bool shift(const std::vector<int>& cluster, int axis, Mm by, std::int64_t least_gain, Budget& budget);
   bool nudge(int item, Budget& budget);
-  bool is_better(const Placements& before, const std::vector<int>& moved, Budget& budget);
+  bool is_better(const Placements& before, const std::vector<int>& moved, Budget& budget, std::int64_t least_gain = kLeastGain);
   std::int64_t gain_since(const Placements& before, const std::vector<int>& group) const;
 
   const Model& model_;

@@ -1,0 +1,35 @@
+// What every way to a room shares: a scene made ready for the solver, and whether a room is as asked.
+#include "layoutbox/base/words.h"
+#include "layoutbox/pipeline/generate.h"
+#include "layoutbox/plan/companions.h"
+
+namespace layoutbox {
+
+Result<SceneGraph> prepare_scene(SceneGraph scene, const Catalog& catalog, const GenerateOptions& options) {
+  if (options.shell) {
+    std::string type = options.shell->type.empty() ? scene.room.type : options.shell->type;
+    scene.room = *options.shell;
+    scene.room.type = std::move(type);
+  }
+  return normalize_scene(std::move(scene), catalog, options.normalize);
+}
+
+Result<SceneGraph> prepare_plan(const Plan& plan, const Catalog& catalog, const GenerateOptions& options) {
+  LAYOUTBOX_ASSIGN(SceneGraph scene, prepare_scene(plan.scene, catalog, options));
+  if (!options.companions) return scene;
+  SceneGraph more = plan.scene;
+  const std::size_t added = add_companions(more, scene, plan.unwanted, catalog);
+  if (added == 0) return scene;
+  more.notes.push_back({"filled", counted(added, "thing") + " that the use of the room needs came with what is named", "prompt"});
+  return prepare_scene(std::move(more), catalog, options);
+}
+
+bool as_asked(const GenerateOutcome& outcome) { return as_asked(outcome.layout, outcome.report); }
+
+bool as_asked(const Layout& layout, const Report& report) {
+  return layout.status == LayoutStatus::kSolved && layout.relaxed.empty() && report.passed;
+}
+
+std::string_view program_version() { return LAYOUTBOX_VERSION; }
+
+}  // namespace layoutbox

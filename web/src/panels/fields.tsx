@@ -1,0 +1,38 @@
+// A field whose value is taken with Enter or when it is left.
+import {useEffect, useState} from "preact/hooks";
+
+interface FieldProps<T> {
+  label: string;
+  value: string;
+  id: string;
+  off?: boolean;
+  /** What the value is of: another one's value begins anew. */
+  of: string;
+  read: (text: string) => T | null;
+  /** False: it could not be; the field shows the old value again. */
+  take: (value: T) => Promise<boolean>;
+}
+
+export function Field<T>({label, value, id, off = false, of, read, take}: FieldProps<T>) {
+  const [text, put] = useState(value);
+  const [wrong, mark] = useState(false);
+  useEffect(() => {
+    put(value);
+    mark(false);
+  }, [value, of]);
+  const done = async () => {
+    if (text === value) return;
+    const found = read(text);
+    mark(found === null);
+    if (found !== null && !(await take(found))) put(value);
+  };
+  return (
+    <label class="field">
+      <span>{label}</span>
+      <input
+        value={text} disabled={off} aria-invalid={wrong} data-testid={id} inputMode="text" onInput={(event) => put(event.currentTarget.value)}
+        onBlur={() => void done()} onKeyDown={(event) => event.key === "Enter" && void done()}
+      />
+    </label>
+  );
+}
