@@ -139,6 +139,22 @@ class Calls(ServiceCase):
         for layout in (again, dragged["layout"], edited["layout"]):
             self.assert_status(self.service.post("/api/verify", {"layout": layout}), 200)
 
+    def test_what_cannot_hold_together_has_ways_out(self):
+        prompt = "A room of 4 x 3 m with a table, a chair and a plant. The chair is left of the table. The chair is right of the table."
+        room = self.room(prompt, companions=False)
+        self.assertFalse(room["asAsked"])
+        asked = {"scene": room["scene"], "layout": room["layouts"][0]}
+        ways = self.assert_status(self.service.post("/api/remedies", asked), 200).json()["ways"]
+        self.assertTrue(ways)
+        for way in ways:
+            changed = self.assert_status(self.service.post("/api/generate", {"scene": way["scene"]}), 200).json()
+            self.assertTrue(changed["asAsked"], way["sentence"])
+
+    def test_a_room_is_judged(self):
+        asked = {"layout": self.layout, "scene": self.answer["scene"], "name": "mine"}
+        judged = self.assert_status(self.service.post("/api/judge", asked), 200).json()
+        self.assertEqual(judged["rooms"][0]["name"], "mine")
+
     def test_kept_rooms(self):
         kept = self.assert_status(self.service.post("/api/rooms", {"name": "Mine", "prompt": BEDROOM, "layout": self.layout}), 201).json()
         self.assertEqual(self.service.get("/api/rooms").json()["rooms"][0]["id"], kept["id"])

@@ -36,7 +36,8 @@ class ProtocolClient(unittest.TestCase):
             return (await session.list_tools()).tools
 
         tools = {tool.name: tool for tool in self.with_session(work)}
-        wanted = {"generate_room", "plan_scene", "solve_scene", "edit_room", "move_object", "verify_room", "look_at_room"}
+        rooms = {f"{verb}_room" for verb in ("generate", "edit", "verify", "judge", "look_at")}
+        wanted = {*rooms, "plan_scene", "solve_scene", "move_object", "settle_conflict"}
         self.assertLessEqual(wanted, set(tools))
         for tool in tools.values():
             self.assertEqual(field(tool, "input_schema", "inputSchema")["type"], "object")

@@ -1,5 +1,6 @@
-// Takes a picture of each state of the studio: node tests/studio/pictures.mjs [FOLDER], by default docs/pictures. To be looked at.
-import {mkdirSync} from "node:fs";
+// Takes a picture of each state of the studio, to be looked at: node tests/studio/pictures.mjs [FOLDER [png]], by default docs/pictures.
+import {mkdirSync, mkdtempSync, writeFileSync} from "node:fs";
+import {tmpdir} from "node:os";
 import {join} from "node:path";
 import {Service, browser_options, chromium, drag, furnish, id, kBedroom, middle, ready, source} from "./studio.mjs";
 
@@ -13,9 +14,32 @@ const open = async (options = {}, path = "") => {
   page = await context.newPage();
   await page.goto(service.url + path);
 };
+const lossless = process.argv[3] === "png";
 const shoot = async (name) => {
   await page.waitForTimeout(700);
-  await page.screenshot({path: join(folder, `studio-${name}.jpg`), type: "jpeg", quality: 55});
+  const path = join(folder, `${name === "room" ? "studio" : `studio-${name}`}.${lossless ? "png" : "jpg"}`);
+  await page.screenshot({path, ...(lossless ? {} : {type: "jpeg", quality: 55})});
+};
+const ask = async (path, body) => (await fetch(service.url.slice(0, -1) + path, body && {
+  method: "POST", headers: {"Content-Type": "application/json"}, body: JSON.stringify(body),
+}));
+/** A folder with rooms as a run leaves them: ID/layout.json and Blender's ID/scene.png. */
+const rooms_to_rate = async (prompts) => {
+  const rooms = mkdtempSync(join(tmpdir(), "rooms "));
+  for (const [i, prompt] of prompts.entries()) {
+    const layout = (await (await ask("/api/generate", {prompt})).json()).layouts[0];
+    let job = await (await ask("/api/jobs", {kind: "render", layout, quality: "draft", views: ["iso"]})).json();
+    while (job.state === "waiting" || job.state === "running") {
+      await new Promise((resolve) => setTimeout(resolve, 500));
+      job = await (await ask(`/api/jobs/${job.id}`)).json();
+    }
+    if (job.state !== "done") throw new Error(`the picture failed: ${job.error?.message}`);
+    const picture = await ask(`/api/jobs/${job.id}/files/${job.files.find((name) => name.endsWith(".png"))}`);
+    mkdirSync(join(rooms, `room-${i}`));
+    writeFileSync(join(rooms, `room-${i}`, "scene.png"), Buffer.from(await picture.arrayBuffer()));
+    writeFileSync(join(rooms, `room-${i}`, "layout.json"), JSON.stringify(layout));
+  }
+  return rooms;
 };
 const kClash = "A room of 4 x 3 m with a table, a chair and a plant. The chair is left of the table. The chair is right of the table.";
 const kLiving = "A living room with a sofa facing the TV, a coffee table on a rug, two armchairs, a bookshelf against the left wall and a plant in the corner";
@@ -92,7 +116,8 @@ try {
   await page.context().close();
 
   await open({}, "#rate");
-  await id(page, "rate-pictures").setInputFiles(["rooms", "families"].map((name) => join(source, `docs/gallery/${name}.jpg`)));
+  await id(page, "rate-folder").setInputFiles(await rooms_to_rate([kBedroom, kLiving]));
+  await id(page, "rate-prompt").waitFor();
   await id(page, "score-7").click();
   await shoot("rate");
 } finally {

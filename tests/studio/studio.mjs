@@ -12,7 +12,7 @@ export {chromium};
 export const source = process.env.LAYOUTBOX_SOURCE ?? dirname(dirname(dirname(fileURLToPath(import.meta.url))));
 const program = process.env.LAYOUTBOX_BINARY ?? "layoutbox";
 /** A test waits so long for anything at most: machines that do other things besides are slow. */
-export const kPatience = Number(process.env.LAYOUTBOX_PATIENCE ?? 30000);
+export const kPatience = Number(process.env.LAYOUTBOX_PATIENCE ?? 60000);
 
 export const kBedroom = "A bedroom (4 x 3.5 m) with a bed against the left wall, a nightstand beside the bed with a lamp on it, and a desk under the window.";
 

@@ -1,7 +1,7 @@
 // The service's calls, as in openapi.json. A refusal is thrown as `Refused` with the service's own error object.
 import type {
   Article, CatalogAnswer, DragRequest, Dragged, EditRequest, Edited, Error as ErrorBody, ExportRequest, GenerateRequest, HealthAnswer, Job,
-  KeepRoomRequest, KeptRoom, Layout, RelationsAnswer, Report, Room, RoomsAnswer, SolveAnswer, SolveRequest, StartJobRequest,
+  KeepRoomRequest, KeptRoom, Layout, RelationsAnswer, RemediesAnswer, RemediesRequest, Report, Room, RoomsAnswer, SolveAnswer, SolveRequest, StartJobRequest,
 } from "./gen/types";
 import {texts} from "./texts";
 
@@ -56,11 +56,16 @@ async function* events_of(answer: Response): AsyncGenerator<{name: string; data:
   }
 }
 
-/** A call that tells of its stages while it works. */
-async function staged<T>(path: string, body: unknown, signal: AbortSignal | undefined, on_stage: (stage: string) => void): Promise<T> {
+/** Told as a stage begins, and how much of it is done: 0 to 1. */
+export type OnStage = (stage: string, share?: number) => void;
+
+/** A call that tells of its stages while it works, and that the service ends where the signal does. */
+async function staged<T>(path: string, body: unknown, signal: AbortSignal | undefined, on_stage: OnStage): Promise<T> {
   const answer = await ask("POST", path, body, signal, "text/event-stream");
+  let stage = "solve";
   for await (const {name, data} of events_of(answer)) {
-    if (name === "stage") on_stage(data);
+    if (name === "stage") on_stage(stage = data);
+    if (name === "progress") on_stage(stage, Number(data));
     if (name === "answer") return JSON.parse(data) as T;
     if (name === "refusal") throw new Refused(JSON.parse(data) as ErrorBody, 422);
   }
@@ -71,10 +76,12 @@ const json = async <T>(method: string, path: string, body?: unknown, signal?: Ab
   (await ask(method, path, body, signal)).json() as Promise<T>;
 
 export const api = {
-  generate: (body: GenerateRequest, signal?: AbortSignal, on_stage: (stage: string) => void = () => undefined) =>
-    staged<Room>("/api/generate", body, signal, on_stage),
-  solve: (body: SolveRequest, signal?: AbortSignal) => json<SolveAnswer>("POST", "/api/solve", body, signal),
-  edit: (body: EditRequest, signal?: AbortSignal) => json<Edited>("POST", "/api/edit", body, signal),
+  generate: (body: GenerateRequest, signal: AbortSignal, on_stage: OnStage) => staged<Room>("/api/generate", body, signal, on_stage),
+  solve: (body: SolveRequest, signal: AbortSignal, on_stage: OnStage) => staged<SolveAnswer>("/api/solve", body, signal, on_stage),
+  /** Changes to a scene that would do, for a room that gave something up. */
+  remedies: (body: RemediesRequest, signal: AbortSignal) =>
+    staged<RemediesAnswer>("/api/remedies", body, signal, () => undefined).then((answer) => answer.ways),
+  edit: (body: EditRequest, signal: AbortSignal, on_stage: OnStage) => staged<Edited>("/api/edit", body, signal, on_stage),
   drag: (body: DragRequest, signal?: AbortSignal) => json<Dragged>("POST", "/api/drag", body, signal),
   verify: (layout: Layout) => json<Report>("POST", "/api/verify", {layout}),
   export: async (body: ExportRequest, signal?: AbortSignal) => (await ask("POST", "/api/export", body, signal)).blob(),

@@ -32,6 +32,19 @@ function Messages() {
   );
 }
 
+/** What is being done, for the eyes; who hears the page is told by `said`. */
+function Working() {
+  const busy = use((state) => state.busy);
+  const share = use((state) => state.share);
+  if (busy === null) return null;
+  return (
+    <div class="working" aria-hidden="true" data-testid="working">
+      {share === null ? <progress /> : <progress value={share} max={1} />}
+      <span>{busy}{share !== null && ` ${Math.round(share * 100)} %`}</span>
+    </div>
+  );
+}
+
 function Tabs() {
   const pane = use((state) => state.pane);
   const names = texts.views.tabs;
@@ -91,6 +104,7 @@ export function App() {
       {open && <a class="skip" href="#room" onClick={(event) => { event.preventDefault(); document.getElementById("room")?.focus(); }}>{texts.skip}</a>}
       {open && !rating && <header class="top"><h1><Icon name="orbit" /><span class="wide-only">{texts.title}</span></h1><Prompt /><Bar /></header>}
       <Messages />
+      <Working />
       {rating ? <Rate /> : open ? <Studio /> : <Start />}
       {form && <Form />}
       <p class="unseen" role="status" data-testid="said">{busy ?? said}</p>

@@ -68,11 +68,17 @@ export const texts = {
     held: "holds", not_held: "does not hold", unknown: "not checked",
     measured: (length: string) => `${length} apart`,
     conflicts: "These cannot all hold", do_without: (text: string) => `Do without “${text}”`,
+    remedies: "What would do", looking_for_remedies: "Looking for what would do…",
     more_outs: (count: number) => `${count} more`, relaxed: "Given up", gave_way: "Gave way to what was asked", by: (amount: string) => `missed by ${amount}`,
     checks: "Checks", checks_passed: (count: number) => `All ${count} checks passed`, remarks: (count: number) => plural(count, "remark", "remarks"), checks_failed: "Failed checks", checking: "Checking…",
     notes: (count: number) => `${plural(count, "note", "notes")} on what was filled in`,
     no_relations: "Nothing was said about where things go.",
     variants: "Variants", variant: (index: number) => `Variant ${index + 1}`,
+  },
+  remedies: {
+    leave_out: (name: string) => `Leave out ${name}`, resize: (name: string, size: string) => `Make ${name} ${size}`,
+    drop: (relation: string) => `Do without “${relation}”`, instead: (relation: string) => `Rather “${relation}”`,
+    wish: (relation: string) => `Only where it can be: “${relation}”`, room: (size: string) => `Make the room ${size}`,
   },
   edit: {
     label: "Change it in words", placeholder: "Move the desk under the window", go: "Try",

@@ -4,6 +4,7 @@ import {form_scene, things_of, wrong_lengths} from "../src/pure/form_scene";
 import {moved_corner, outline_area, polygon_of, shape_of, with_corner, without_corner} from "../src/pure/outline";
 import {mixed, ratings_csv, rooms_of} from "../src/pure/ratings";
 import {relation_text} from "../src/pure/relations";
+import {remedy_text} from "../src/pure/remedies";
 import {fresh_id, names_of, open_scene, scene_of, shape_key, with_load, with_names, without, without_opening} from "../src/pure/scenes";
 import {length_text, read_length} from "../src/pure/units";
 import {named_in_role, pieces} from "../src/pure/words";
@@ -40,6 +41,22 @@ test("relations become sentences", () => {
   const layout = room();
   assert.equal(relation_text(layout.relations![0]!, layout, sentences, "m"), "The bed stands with its back against the back wall");
   assert.equal(relation_text(layout.relations![1]!, layout, sentences, "m"), "The nightstand 1 and the nightstand 2 stands next to the bed");
+});
+
+test("a changed scene is told by what is other than before", () => {
+  const layout = room();
+  const scene = scene_of(layout);
+  const sentences = new Map([["againstWall", "{targets} stands with its back against {references}"], ["nextTo", "{targets} stands next to {references}"]]);
+  const told = (after: typeof scene) => remedy_text(scene, after, layout, sentences, "m");
+  assert.equal(told(JSON.parse(JSON.stringify(scene))), "");
+  assert.equal(told({...scene, furniture: scene.furniture.slice(1), constraints: scene.constraints!.slice(1)}), "Leave out the bed");
+  const [first, ...rest] = scene.constraints!;
+  assert.equal(told({...scene, constraints: rest}), "Do without “The bed stands with its back against the back wall”");
+  assert.equal(told({...scene, constraints: [{...first!, relativeTo: "wall4"}, ...rest]}), "Rather “The bed stands with its back against the left wall”");
+  assert.equal(told({...scene, constraints: [{...first!, hard: false}, ...rest]}), "Only where it can be: “The bed stands with its back against the back wall”");
+  assert.equal(told({...scene, room: {dims: {h: 2.7, w: 4.5, d: 3.5}}}), "Make the room 4.50 m × 3.50 m");
+  const smaller = scene.furniture.map((one, i) => (i === 0 ? {...one, dims: {d: 2, h: 0.5, w: 1.4}} : one));
+  assert.equal(told({...scene, furniture: smaller}), "Make the bed 1.40 m × 2.00 m");
 });
 
 test("a distance that is open at one end is said so", () => {

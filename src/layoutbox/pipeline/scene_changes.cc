@@ -29,6 +29,11 @@ Json replace(const std::string& path, Json value) { return {{"op", "replace"}, {
 Json add(const std::string& path, Json value) { return {{"op", "add"}, {"path", path}, {"value", std::move(value)}}; }
 Json remove(const std::string& path) { return {{"op", "remove"}, {"path", path}}; }
 
+// From (0, 0) round, as a room that has only its size.
+bool is_rectangle(const std::vector<Point>& polygon) {
+  return polygon.size() == 4 && polygon == std::vector<Point>{{0, 0}, {polygon[2].x, 0}, polygon[2], {0, polygon[2].y}};
+}
+
 // Changes to one scene that may settle its conflicts, the least first.
 class Proposer {
  public:
@@ -165,15 +170,17 @@ class Proposer {
   }
 
   void larger_room() {
-    if (scene_.room.polygon.size() != 4 || !document_.contains("room") || document_["room"].contains("walls") ||
-        document_["room"].contains("polygon"))
-      return;
+    if (!is_rectangle(scene_.room.polygon) || !document_.contains("room")) return;
     const Point far = scene_.room.polygon[2];
     for (const double more : {0.5, 1.0, 2.0}) {
       const double w = m_from_mm(far.x) + more, d = m_from_mm(far.y) + more;
       Json dims{{"w", w}, {"d", d}};
       if (scene_.room.height > 0) dims["h"] = m_from_mm(scene_.room.height);
-      propose(fmt::format("make the room {:g} x {:g} m", w, d), "room", Json::array({add("/room/dims", std::move(dims))}));
+      Json patch = Json::array({add("/room/dims", std::move(dims))});
+      for (const std::string key : {"polygon", "walls"}) {
+        if (document_["room"].contains(key)) patch.push_back(remove("/room/" + key));
+      }
+      propose(fmt::format("make the room {:g} x {:g} m", w, d), "room", std::move(patch));
     }
   }
 

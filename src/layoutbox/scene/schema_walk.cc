@@ -112,10 +112,13 @@ class Walk {
   }
 
   void check_choice(const json& schema, const json& value) {
+    const auto one = schema.find("const"), values = schema.find("enum");
+    const bool is_one = one != schema.end() && *one == value;
+    const bool is_among = values != schema.end() && std::ranges::find(*values, value) != values->end();
+    if ((one == schema.end() && values == schema.end()) || is_one || is_among) return;
     std::vector<json> choices;
-    if (const auto one = schema.find("const"); one != schema.end()) choices.push_back(*one);
-    if (const auto values = schema.find("enum"); values != schema.end()) choices.insert(choices.end(), values->begin(), values->end());
-    if (choices.empty() || std::ranges::find(choices, value) != choices.end()) return;
+    if (one != schema.end()) choices.push_back(*one);
+    if (values != schema.end()) choices.insert(choices.end(), values->begin(), values->end());
     std::vector<std::string> words;
     for (const json& choice : choices) words.push_back(choice.is_string() ? choice.get<std::string>() : choice.dump());
     const std::string near = value.is_string() ? nearest_word(value.get<std::string>(), words) : "";

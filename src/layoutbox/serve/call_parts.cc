@@ -38,6 +38,7 @@ SolveOptions solve_options(const Json& request, const Surroundings& around) {
   if (request.value("onConflict", "relax") == "fail") options.on_conflict = OnConflict::kFail;
   options.locked = request.value("locked", options.locked);
   options.stop = around.stop;
+  options.on_progress = around.on_progress;
   return options;
 }
 

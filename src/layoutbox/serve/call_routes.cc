@@ -4,6 +4,7 @@
 #include <chrono>
 #include <nlohmann/json.hpp>
 
+#include "layoutbox/serve/event_stream.h"
 #include "layoutbox/serve/http.h"
 #include "layoutbox/serve/site.h"
 
@@ -12,6 +13,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+constexpr int kHungUp = 499;  // counted so, as elsewhere: who asked has gone
 constexpr std::size_t kUsualArticles = 50, kMostArticles = 5000;
 
 struct Named {
@@ -27,29 +29,24 @@ Answer work(Site& site, Call call, const nlohmann::json& body, const Surrounding
   return answer ? *std::move(answer) : error_answer(answer.error());
 }
 
-// An event of text/event-stream; the data may have several lines.
-std::string event_text(std::string_view name, std::string_view data) {
-  std::string text = "event: ";
-  text += name;
-  for (std::size_t begin = 0; begin < data.size();) {
-    const std::size_t end = std::min(data.find('\n', begin), data.size());
-    (text += "\ndata: ") += data.substr(begin, end - begin);
-    begin = end + 1;
-  }
-  return text + "\n\n";
-}
-
-// For who wants to see it work: an event as each stage begins, then the answer or the error.
+// For who wants to see it work: an event as each stage begins, how far the solver is, then the answer or the error. Where the far end
+// hangs up, the work ends.
 void stream_call(Site& site, const Named& named, nlohmann::json body, httplib::Response& response) {
   response.set_header("Cache-Control", "no-store");
   response.set_chunked_content_provider("text/event-stream", [&site, named, body = std::move(body)](std::size_t, httplib::DataSink& sink) {
     const auto begin = Clock::now();
-    const auto send = [&](const std::string& text) { return sink.write(text.data(), text.size()); };
     Surroundings around = site.around;
-    around.on_stage = [&](std::string_view stage) { send(event_text("stage", stage)); };
-    const Answer answer = work(site, named.call, body, around);
-    site.metrics.add(named.operation, answer.status, std::chrono::duration<double>(Clock::now() - begin).count());
-    const bool sent = send(event_text(answer.status == 200 ? "answer" : "refusal", answer.body));
+    bool sent = false;
+    {
+      EventStream events(sink, [&site] { return site.ending(); });
+      around.stop = &events.stop();
+      around.on_stage = [&](std::string_view stage) { events.send("stage", stage); };
+      around.on_progress = [&](double share) { events.send_now_and_then("progress", share); };
+      const Answer answer = work(site, named.call, body, around);
+      const bool given_up = events.hung_up();
+      site.metrics.add(named.operation, given_up ? kHungUp : answer.status, std::chrono::duration<double>(Clock::now() - begin).count());
+      sent = !given_up && events.send(answer.status == 200 ? "answer" : "refusal", answer.body);
+    }
     sink.done();
     return sent;
   });
@@ -85,7 +82,7 @@ void answer_catalog(const Site& site, const httplib::Request& request, httplib::
 }  // namespace
 
 void add_call_routes(httplib::Server& server, Site& site) {
-  for (const std::string operation : {"generate", "plan", "solve", "edit", "drag", "verify", "export"}) {
+  for (const std::string operation : {"generate", "plan", "solve", "edit", "drag", "verify", "export", "judge", "remedies"}) {
     const Named named{operation, find_call(operation)};
     server.Post("/api/" + operation, [&site, named](const httplib::Request& request, httplib::Response& response) {
       answer_call(site, named, request, response);

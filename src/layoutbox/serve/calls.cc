@@ -20,8 +20,9 @@ struct CallRow {
 };
 
 constexpr std::array kCalls{
-    CallRow{"generate", generate_call}, CallRow{"plan", plan_call},     CallRow{"solve", solve_call},   CallRow{"edit", edit_call},
-    CallRow{"drag", drag_call},         CallRow{"verify", verify_call}, CallRow{"export", export_call},
+    CallRow{"generate", generate_call}, CallRow{"plan", plan_call},   CallRow{"solve", solve_call},
+    CallRow{"edit", edit_call},         CallRow{"drag", drag_call},   CallRow{"verify", verify_call},
+    CallRow{"export", export_call},     CallRow{"judge", judge_call}, CallRow{"remedies", remedies_call},
 };
 
 // The scene of a request, planned or given, with everything filled in; the words where it was planned.
@@ -131,6 +132,7 @@ Result<Answer> solve_call(const Json& request, const Surroundings& around) {
     LAYOUTBOX_ASSIGN(from, layout_of(request, "from"));
     options.solve.from = &*from;
   }
+  if (around.on_stage) around.on_stage("solve");
   LAYOUTBOX_ASSIGN(const std::vector<Layout> layouts, solve_variants(scene, around.catalog, options.solve, options.variants));
   return JsonText().add_written("layouts", texts_of(layouts)).answer();
 }

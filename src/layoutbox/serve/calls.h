@@ -28,7 +28,8 @@ struct Surroundings {
   const std::atomic<bool>* stop = nullptr;  // ends what is being worked at (kInterrupted)
   // Told as a stage begins: "plan", "solve", "verify". May be empty.
   std::function<void(std::string_view stage)> on_stage = {};
-  const Planner* by_model = nullptr;  // the planner that asks a language model, where the service has one
+  const Planner* by_model = nullptr;                   // the planner that asks a language model, where the service has one
+  std::function<void(double share)> on_progress = {};  // told now and then how much of the solving is done, 0 … 1. May be empty.
 };
 
 // The OpenAPI document of web/openapi.json as it is served.
@@ -58,6 +59,8 @@ Result<Answer> edit_call(const nlohmann::json& request, const Surroundings& arou
 Result<Answer> drag_call(const nlohmann::json& request, const Surroundings& around);
 Result<Answer> verify_call(const nlohmann::json& request, const Surroundings& around);
 Result<Answer> export_call(const nlohmann::json& request, const Surroundings& around);
+Result<Answer> judge_call(const nlohmann::json& request, const Surroundings& around);
+Result<Answer> remedies_call(const nlohmann::json& request, const Surroundings& around);
 
 // Articles that match `search` (all where it is empty), best first.
 Answer catalog_answer(const Catalog& catalog, std::string_view search, std::size_t limit);

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -47,6 +48,8 @@ struct SolveOptions {
   std::vector<const Layout*> unlike;
   // Set by another thread to stop; the best layout so far is returned if there is one, else Error kInterrupted. May be null.
   const std::atomic<bool>* stop = nullptr;
+  // Told now and then, in the thread that solves, how much of the effort is spent on better layouts: 0 … 1. May be empty.
+  std::function<void(double share)> on_progress = {};
 };
 
 // REQUIRES: a normalised scene (catalog/normalize.h).

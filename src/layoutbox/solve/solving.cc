@@ -1,5 +1,6 @@
 #include "layoutbox/solve/solving.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "layoutbox/solve/conflict/relax.h"
@@ -228,7 +229,11 @@ bool Solver::begin(Search& search, int start, Budget& budget) {
 // From unlike starts a short improvement each; then the best is shaken and improved again and again, until that brings nothing more or the
 // effort is spent. The best of all is kept.
 void Solver::improve() {
-  Budget budget{0, budgets_.improvement, [this] { return must_stop(); }, false};
+  Budget budget{0, budgets_.improvement, {}, false};
+  budget.stop = [this, &budget] {
+    if (options_.on_progress) options_.on_progress(std::min(1.0, static_cast<double>(budget.steps) / static_cast<double>(budget.limit)));
+    return must_stop();
+  };
   Search search(model_, given_up_, options_.seed, size_limit_);
   std::int64_t least = cost();
   const auto take_if_better = [&] {

@@ -44,6 +44,7 @@ Result<std::vector<Layout>> solve_variants(const SceneGraph& scene, const Catalo
   for (int k = 0; k < count; ++k) {
     SolveOptions one = options;
     one.seed = options.seed + static_cast<std::uint64_t>(k);
+    if (options.on_progress) one.on_progress = [&options, k, count](double share) { options.on_progress((k + share) / count); };
     for (const Layout& earlier : layouts) one.unlike.push_back(&earlier);
     auto layout = solve(scene, catalog, one);
     if (!layout && !layouts.empty() && layout.error().code == ErrorCode::kInterrupted) break;  // those that are done are kept

@@ -32,6 +32,12 @@ std::vector<Side> sides_to_reach(const Body& body) {
   return sides;
 }
 
+// Is hypot(x, y) at most `far`? Most pixels need no root for that. REQUIRES: neither is less than 0.
+bool within(double x, double y, double far) {
+  if (x > far || y > far) return false;
+  return x == 0 || y == 0 || std::hypot(x, y) <= far;
+}
+
 int samples(double length, double step) {
   const double wanted = std::nearbyint(length / step);
   return std::isfinite(wanted) ? static_cast<int>(std::clamp(wanted, 8.0, double{kMostSamples})) : kMostSamples;
@@ -90,21 +96,30 @@ void Plan::draw_floor(const Polygon& floor) {
 void Plan::erode(double width) {
   const int size = std::min(static_cast<int>(width / step_), resolution_);
   if (size <= 0) return;
-  // A pixel stays free when `size` neighbours in its line are: from `before` pixels before it to size / 2 after it, round the edge.
-  const int before = size - size / 2 - 1;
+  // A pixel stays free when `size` neighbours in its line are: from `before` pixels before it to `after` after it, round the edge.
+  const int after = size / 2, before = size - after - 1;
   const auto wrapped = [this](int i) { return i < 0 ? i + resolution_ : i >= resolution_ ? i - resolution_ : i; };
-  std::vector<std::uint8_t> line(places(resolution_));
-  for (const bool columns : {true, false}) {
-    for (int fixed = 0; fixed < resolution_; ++fixed) {
-      const auto at = [&](int moving) { return columns ? index(fixed, wrapped(moving)) : index(wrapped(moving), fixed); };
-      for (int i = 0; i < resolution_; ++i) line[places(i)] = free_[at(i)];
-      int free = 0;
-      for (int i = -before; i < size / 2; ++i) free += line[places(wrapped(i))];
-      for (int i = 0; i < resolution_; ++i) {
-        free += line[places(wrapped(i + size / 2))];
-        free_[at(i)] = free == size;
-        free -= line[places(wrapped(i - before))];
-      }
+  const std::vector<std::uint8_t> drawn = free_;
+  std::vector<std::uint16_t> free(places(resolution_), 0);  // of those neighbours, for each column
+  const auto count_row = [&](int row, int sign) {
+    const std::uint8_t* line = drawn.data() + index(0, wrapped(row));
+    for (std::size_t i = 0; i < free.size(); ++i) free[i] = static_cast<std::uint16_t>(free[i] + sign * line[i]);
+  };
+  for (int row = -before; row < after; ++row) count_row(row, 1);
+  for (int row = 0; row < resolution_; ++row) {
+    count_row(row + after, 1);
+    for (std::size_t i = 0; i < free.size(); ++i) free_[index(0, row) + i] = free[i] == size;
+    count_row(row - before, -1);
+  }
+  std::vector<std::uint8_t> line(places(before + resolution_ + after));
+  for (int row = 0; row < resolution_; ++row) {
+    std::uint8_t* to = free_.data() + index(0, row);
+    for (int i = -before; i < resolution_ + after; ++i) line[places(before + i)] = to[wrapped(i)];
+    int near = std::accumulate(line.begin(), line.begin() + before + after, 0);
+    for (int i = 0; i < resolution_; ++i) {
+      near += line[places(before + i + after)];
+      to[i] = near == size;
+      near -= line[places(i)];
     }
   }
 }
@@ -135,7 +150,7 @@ void Plan::block(const Body& body, double grow) {
       const Vec off = point(column, row) - body.shape.center;
       const double over_x = std::max(std::abs(dot(off, body.own_frame.x)) - body.width / 2, 0.0);
       const double over_y = std::max(std::abs(dot(off, body.own_frame.y)) - body.depth / 2, 0.0);
-      if (std::hypot(over_x, over_y) <= grow + kTiny) free_[index(column, row)] = 0;
+      if (within(over_x, over_y, grow + kTiny)) free_[index(column, row)] = 0;
     }
   }
 }
@@ -149,38 +164,53 @@ bool Plan::free_at(Vec at) const {
 
 std::int64_t Plan::free_pixels() const { return std::accumulate(free_.begin(), free_.end(), std::int64_t{0}); }
 
-std::vector<int> Plan::parts() const {
-  std::vector<int> label(free_.size(), 0);
-  std::vector<std::pair<int, int>> open;
-  int next = 0;
+// A stretch of free pixels in a row, and the one that stands for its part.
+struct Plan::Stretch {
+  int row, begin, end;
+  std::size_t part;
+};
+
+// Row by row; what touches a stretch of the row before, corners too, is one part with it.
+std::vector<Plan::Stretch> Plan::stretches() const {
+  std::vector<Stretch> all;
+  const auto part_of = [&all](std::size_t one) {
+    while (all[one].part != one) one = all[one].part = all[all[one].part].part;
+    return one;
+  };
+  std::size_t above = 0;  // the first of the row before that may touch
   for (int row = 0; row < resolution_; ++row) {
+    const std::size_t first = all.size();
+    const std::uint8_t* line = free_.data() + index(0, row);
     for (int column = 0; column < resolution_; ++column) {
-      if (!free(column, row) || label[index(column, row)] != 0) continue;
-      label[index(column, row)] = ++next;
-      open.emplace_back(column, row);
-      while (!open.empty()) {
-        const auto [x, y] = open.back();
-        open.pop_back();
-        for (int v = std::max(0, y - 1); v <= std::min(resolution_ - 1, y + 1); ++v) {
-          for (int u = std::max(0, x - 1); u <= std::min(resolution_ - 1, x + 1); ++u) {
-            if (!free(u, v) || label[index(u, v)] != 0) continue;
-            label[index(u, v)] = next;
-            open.emplace_back(u, v);
-          }
-        }
+      if (line[column] == 0) continue;
+      const int begin = column;
+      while (column < resolution_ && line[column] != 0) ++column;
+      all.push_back({row, begin, column, all.size()});
+      while (above < first && all[above].end < begin) ++above;
+      for (std::size_t other = above; other < first && all[other].begin <= column; ++other) {
+        const std::size_t a = part_of(other), b = part_of(all.size() - 1);
+        all[std::max(a, b)].part = std::min(a, b);
       }
     }
+    above = first;
+  }
+  for (std::size_t i = 0; i < all.size(); ++i) all[i].part = part_of(i);
+  return all;
+}
+
+std::vector<int> Plan::parts() const {
+  std::vector<int> label(free_.size(), 0);
+  for (const Stretch& one : stretches()) {
+    const auto begin = label.begin() + static_cast<std::ptrdiff_t>(index(0, one.row));
+    std::fill(begin + one.begin, begin + one.end, static_cast<int>(one.part) + 1);
   }
   return label;
 }
 
 std::int64_t Plan::largest_free_part() const {
-  std::vector<std::int64_t> size(1, 0);
-  for (const int label : parts()) {
-    if (label == 0) continue;
-    if (places(label) >= size.size()) size.resize(places(label) + 1, 0);
-    ++size[places(label)];
-  }
+  const std::vector<Stretch> all = stretches();
+  std::vector<std::int64_t> size(all.size() + 1, 0);
+  for (const Stretch& one : all) size[one.part] += one.end - one.begin;
   return *std::max_element(size.begin(), size.end());
 }
 

@@ -24,7 +24,7 @@ class Plan {
   bool free_at(Vec point) const;  // off the picture: false
   std::int64_t free_pixels() const;
   std::int64_t largest_free_part() const;
-  // Labels of the connected parts (eight neighbours), 0 where not free.
+  // A label for each pixel: the same in a connected part (eight neighbours), 0 where not free.
   std::vector<int> parts() const;
 
   double step() const { return step_; }
@@ -36,7 +36,10 @@ class Plan {
   }
 
  private:
+  struct Stretch;
+
   void draw_floor(const Polygon& floor);
+  std::vector<Stretch> stretches() const;
 
   int resolution_;
   double step_ = 1;

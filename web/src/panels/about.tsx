@@ -10,6 +10,7 @@ import {named_in_role, pieces} from "../pure/words";
 import {give_up} from "../state/actions";
 import {set, shown, use} from "../state/store";
 import {texts} from "../texts";
+import {Remedies} from "./remedies";
 
 type Held = SceneRelation & {held?: boolean};
 interface Check { name: string; subject: string; passed: boolean; required: boolean; message: string }
@@ -124,6 +125,7 @@ function Conflicts({layout}: {layout: Layout}) {
           ))}
         </section>
       )}
+      <Remedies layout={layout} />
       {([["relaxed", layout.relaxed], ["gave_way", layout.gaveWay]] as const).map(([key, list]) => list && list.length > 0 && (
         <section class={key === "relaxed" ? "trouble" : ""} data-testid={key}>
           <h3>{texts.about[key]}</h3>

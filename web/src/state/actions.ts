@@ -15,7 +15,7 @@ async function work(said: string, job: (signal: AbortSignal) => Promise<void>): 
   running?.abort();
   const mine = new AbortController();
   running = mine;
-  set({busy: said, error: null, refused: null});
+  set({busy: said, share: null, error: null, refused: null});
   try {
     await job(mine.signal);
   } catch (error) {
@@ -39,8 +39,8 @@ export function show_error(error: unknown): void {
 }
 
 /** What is being done at the moment, in words. */
-const told = (stage: string): void => {
-  if (get().busy !== null) set({busy: texts.stages[stage] ?? get().busy});
+const told = (stage: string, share?: number): void => {
+  if (get().busy !== null) set({busy: texts.stages[stage] ?? get().busy, share: share ?? null});
 };
 
 export const stop = (): void => running?.abort();
@@ -108,7 +108,7 @@ export function redo(): void {
 export const propose = (text: string): Promise<void> =>
   work(texts.busy.edit, async (signal) => {
     const now = doc();
-    if (now) set({ghost: await api.edit({layout: now.layout, text}, signal)});
+    if (now) set({ghost: await api.edit({layout: now.layout, text}, signal, told)});
   });
 
 export function take_ghost(): void {
@@ -124,7 +124,7 @@ export function solve_change(said: string, change: (scene: Scene, layout: Layout
     const now = doc();
     if (!now) return;
     const {scene, from, select} = change(scene_of(now.layout), now.layout);
-    const {layouts} = await api.solve({scene, from, locked: now.locked.filter((id) => from.objects.some((object) => object.id === id))}, signal);
+    const {layouts} = await api.solve({scene, from, locked: now.locked.filter((id) => from.objects.some((object) => object.id === id))}, signal, told);
     const layout = layouts[0] as Layout;
     change_layout(layout);
     if (select) set({selected: select});

@@ -38,6 +38,8 @@ export interface State {
   ghost: Edited | null;
   other: {name: string; layout: Layout} | null;
   busy: string | null;
+  /** How much of that is done, 0 to 1, where it is known. */
+  share: number | null;
   error: {message: string; hint?: string; details?: string[]} | null;
   said: string;
   kept: KeptRoom[];
@@ -70,7 +72,7 @@ const kept_view = saved();
 let state: State = {
   rooms: begin<Doc | null>(null),
   selected: null, hovered: null, relation: null, preview: null, refused: null, ghost: null, other: null,
-  busy: null, error: null, said: "", kept: [], sentences: new Map(),
+  busy: null, share: null, error: null, said: "", kept: [], sentences: new Map(),
   panel: "about", pane: "3d", form: false, rating: false, walking: false,
   snap: kept_view.snap ?? true, units: kept_view.units ?? "m", theme: kept_view.theme ?? "auto",
   planner: "offline", planners: ["offline"],
