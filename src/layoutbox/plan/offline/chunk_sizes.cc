@@ -1,5 +1,7 @@
 // Distances, rows and sizes that stand by themselves.
 #include <algorithm>
+#include <array>
+#include <string_view>
 
 #include "layoutbox/plan/offline/chunks_parts.h"
 
@@ -28,6 +30,42 @@ const PhraseSenses& grid_senses() {
 
 }  // namespace
 
+// "with a gap of 40 cm", "leaving a 40 cm gap", "at a distance of 50 cm".
+Chunker::Gap Chunker::gap_here() const {
+  Gap gap{i_, false, false};
+  const auto skip = [&](std::initializer_list<std::string_view> words) {
+    const bool found = gap.at < tokens_.size() && std::find(words.begin(), words.end(), tokens_[gap.at].text) != words.end();
+    gap.at += found ? 1 : 0;
+    return found;
+  };
+  gap.led = skip({"with", "leaving", "leave", "keeping", "keep", "at"});
+  const std::size_t article = gap.at;
+  if (skip({"a", "an"}) && gap.at < tokens_.size() && lexicon_.is(tokens_[gap.at], Class::kUnit))
+    gap.at = article;  // "with a metre between"
+  if (says_gap(gap.at) && gap.at + 1 < tokens_.size() && tokens_[gap.at + 1].text == "of") return {gap.at + 2, gap.led, true};
+  return gap.led ? gap : Gap{i_, false, false};
+}
+
+bool Chunker::says_gap(std::size_t at) const {
+  static constexpr std::array<std::string_view, 5> kGaps = {"gap", "distance", "space", "spacing", "clearance"};
+  return at < tokens_.size() && std::find(kGaps.begin(), kGaps.end(), tokens_[at].text) != kGaps.end();
+}
+
+// "a metre apart", "a foot from the wall": one of that unit.
+bool Chunker::is_one_unit(std::size_t at) const {
+  static constexpr std::array<std::string_view, 7> kAfter = {"apart", "away", "from", "between", "behind", "above", "below"};
+  if (at + 2 >= tokens_.size() || tokens_[at].text != "a" || !lexicon_.is(tokens_[at + 1], Class::kUnit)) return false;
+  const bool beyond = tokens_[at + 2].text == "in" && at + 3 < tokens_.size() && tokens_[at + 3].text == "front";
+  return beyond || std::find(kAfter.begin(), kAfter.end(), tokens_[at + 2].text) != kAfter.end() || says_gap(at + 2);
+}
+
+std::optional<Measure> Chunker::read_unit(std::size_t at) const {
+  for (const Meaning& meaning : lexicon_.find(tokens_, at + 1, Class::kUnit).meanings) {
+    if (meaning.word_class == Class::kUnit) return Measure{meaning.value, 2};
+  }
+  return std::nullopt;
+}
+
 bool Chunker::read_distance() {
   std::size_t at = i_;
   const auto skip_class = [&](Class word_class) {
@@ -36,18 +74,16 @@ bool Chunker::read_distance() {
     return length > 0;
   };
   bool at_least = false, at_most = false;
-  // "at a distance of 50 cm"
-  bool apart = false;
-  if (at + 4 < tokens_.size() && tokens_[at].text == "at" && tokens_[at + 2].text == "distance" && tokens_[at + 3].text == "of") {
-    at += 4;
-    apart = true;
-  }
+  const Gap gap = gap_here();
+  bool apart = gap.said;
+  at = gap.at;
+  if (at >= tokens_.size()) return false;
   if (tokens_[at].text == "within") at_most = true, ++at;
   at_least = skip_class(Class::kAtLeast) || skip_class(Class::kMoreThan);
   at_most |= skip_class(Class::kAtMost);
   skip_class(Class::kExactly);
-  if (at < tokens_.size() && tokens_[at].text == "a" && at + 1 < tokens_.size() && lexicon_.is(tokens_[at + 1], Class::kUnit)) return false;
-  const auto measure = read_measure(lexicon_, tokens_, at);
+  const bool one = at < tokens_.size() && is_one_unit(at);
+  const auto measure = one ? read_unit(at) : read_measure(lexicon_, tokens_, at);
   if (!measure) return false;
   at += measure->length;
   // "a table, 1.2 m by 0.8": a size
@@ -55,7 +91,18 @@ bool Chunker::read_distance() {
     return false;
   if (lexicon_.find(tokens_, at, Class::kDimension).length > std::max<std::size_t>(lexicon_.find_phrase(tokens_, at).length, 1))
     return false;
-  if (apart && (at >= tokens_.size() || (tokens_[at].text != "from" && tokens_[at].text != "to"))) {
+  // "600 mm gap", "40 cm of free space"
+  std::size_t after = at;
+  if (after < tokens_.size() && tokens_[after].text == "of") ++after;
+  if (after < tokens_.size() && tokens_[after].text == "free") ++after;
+  if (!apart && says_gap(after)) apart = true, at = after + 1;
+  const auto next_is = [&](std::initializer_list<std::string_view> words) {
+    return at < tokens_.size() && std::find(words.begin(), words.end(), tokens_[at].text) != words.end();
+  };
+  if (gap.led && !apart && !next_is({"between", "in"})) return false;
+  if (apart && next_is({"in"}) && at + 1 < tokens_.size() && tokens_[at + 1].text == "between") ++at;
+  if (apart && !next_is({"from", "to", "between"})) {
+    if (at < tokens_.size() && lexicon_.find_phrase(tokens_, at).length > 0) return false;  // "80 cm of space around it": kept free
     Chunk& chunk = add(ChunkKind::kRelation, at - i_);
     chunk.phrase = PhraseMatch{chunk.last - chunk.first, &distance_senses()};
     chunk.distance = measure->metres;
@@ -74,7 +121,7 @@ bool Chunker::read_distance() {
   }
   if (tokens_[at].text == "between") {
     Chunk& chunk = add(ChunkKind::kRelation, at + 1 - i_);
-    chunk.phrase = lexicon_.find_phrase(tokens_, at);
+    chunk.phrase = lexicon_.find_phrase(tokens_.first(at + 1), at);  // "them" is whom it is between
     chunk.distance = measure->metres;
     chunk.at_least = at_least;
     chunk.at_most = at_most;
@@ -82,7 +129,8 @@ bool Chunker::read_distance() {
     return true;
   }
   const PhraseMatch phrase = lexicon_.find_phrase(tokens_, at);
-  const bool from = tokens_[at].text == "from" || tokens_[at - 1].text == "of" || tokens_[at].text == "off";
+  const bool from =
+      tokens_[at].text == "from" || (apart && tokens_[at].text == "to") || tokens_[at - 1].text == "of" || tokens_[at].text == "off";
   if (!from && phrase.length == 0) return false;
   const std::size_t first = i_;
   const std::size_t length = at - first + (tokens_[at - 1].text == "of" ? 0 : from ? 1 : phrase.length);

@@ -1,6 +1,7 @@
 // The class behind chunk_tokens; its members stand in chunks and chunk_sizes.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -63,6 +64,16 @@ class Chunker {
   std::size_t be_length() const;
   // "50 cm from the wall", "1 m to the left of", "at least 2 m away from".
   bool read_distance();
+  // Where the length of a gap begins; `led`: after "with", "leaving"; `said`: as "a gap of".
+  struct Gap {
+    std::size_t at;
+    bool led;
+    bool said;
+  };
+  Gap gap_here() const;
+  bool says_gap(std::size_t at) const;
+  bool is_one_unit(std::size_t at) const;
+  std::optional<Measure> read_unit(std::size_t at) const;
   // "in three rows", "in rows of four", "in two rows of six".
   bool read_rows();
   // A size by itself: "120 cm wide", "2 m by 1 m", "(1.6 x 2.0 m)".

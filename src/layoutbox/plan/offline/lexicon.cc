@@ -169,7 +169,7 @@ void Lexicon::extend_phrase(std::span<const Token> tokens, std::size_t at, std::
     std::string extended = inside ? key + " " + word : word;
     if (!phrase_starts_.contains(extended)) return false;
     PhraseMatch next = so_far;
-    next.each |= is_distributor(word);
+    next.each |= is_distributor(word) || (inside && word == "all");  // "on all sides"
     next.possessive |= word == "its" || word == "their";
     next.plural |= plural;
     next.other |= word == "other";

@@ -180,6 +180,7 @@ void RelationBuilder::add_shares(const Link& link, const PhraseSense& sense, con
     for (std::size_t t = h; t < targets.size(); t += hosts) share.push_back(targets[t]);
     if (share.empty()) continue;
     const std::vector<std::string> host = alone ? std::vector<std::string>{} : std::vector<std::string>{id(references[h])};
+    if (sense.type == R::kEachSideOf && hosts > 1 && share.size() > 1 && add_at_sides(link, sense, share, references[h])) continue;
     if (sense.type == R::kEachSideOf && share.size() == 1)
       add(link, R::kNextTo, ids(share), host);
     else
@@ -300,7 +301,9 @@ void RelationBuilder::add_clusters() {
 // "four chairs on each side" of a table sit along its long sides; one on each side of a square table is around it.
 void RelationBuilder::add_seats_at_sides(const Link& link, const std::vector<int>& seats, int table) {
   const std::vector<std::string>& attributes = noun_of_item(table).attributes;
-  if (std::find(attributes.begin(), attributes.end(), "square") != attributes.end()) {
+  const std::string words = words_between(document_, link.first, link.last);
+  const bool every = words.find("every") != std::string::npos || words.find("all ") != std::string::npos;
+  if (every || std::find(attributes.begin(), attributes.end(), "square") != attributes.end()) {
     add(link, R::kAround, ids(seats), {id(table)});
     return;
   }

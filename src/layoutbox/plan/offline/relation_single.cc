@@ -93,8 +93,8 @@ bool RelationBuilder::add_by_one(const Link& link, const PhraseSense& sense, con
     return true;
   }
   // A seat "at" a table is used there.
-  const bool at =
-      sense.type == R::kNextTo && is_seat(catalog_, target.noun) && is_table(catalog_, host) && document_.tokens[link.first].text == "at";
+  const bool at = sense.type == R::kNextTo && is_seat(catalog_, target.noun) && is_table(catalog_, host) &&
+                  one_of(document_.tokens[link.first].text, {"at", "to", "for"});
   // Several of them along a counter sit before it.
   const bool along = (sense.type == R::kNextTo || sense.type == R::kAlongSide) && !sense.side && several &&
                      seats_one_side(link, target.items.front(), reference);
@@ -167,7 +167,8 @@ void RelationBuilder::add_single(const Link& link, PhraseSense sense, const Ment
 // As many as there are references: one for each; more: shared out; fewer: by all that can be so.
 void RelationBuilder::add_for_each(const Link& link, PhraseSense sense, const Mention& target, const std::vector<int>& references) {
   const bool seat_at = sense.type == R::kNextTo && references.size() > 1 && is_seat(catalog_, target.noun) &&
-                       is_table(catalog_, noun_of_item(references.front())) && document_.tokens[link.first].text == "at";
+                       is_table(catalog_, noun_of_item(references.front())) &&
+                       one_of(document_.tokens[link.first].text, {"at", "to", "for"});
   if (seat_at && target.items.size() > references.size()) {
     add_group(link, {R::kAround, Direction::kDirect, {}, {}, {}}, target.items, references, nullptr);
     return;

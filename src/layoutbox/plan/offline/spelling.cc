@@ -125,6 +125,15 @@ std::string_view meant_by_letter(const std::vector<Token>& tokens, std::size_t i
   return between && tokens[i].text == "n" ? "and" : std::string_view{};
 }
 
+// "four per side", "two per long side": at each of a thing's sides, not for each of several things.
+bool shares_sides(const Lexicon& lexicon, const std::vector<Token>& tokens, std::size_t i) {
+  if (tokens[i].text != "per") return false;
+  for (std::size_t next = i + 1; next < tokens.size() && next <= i + 2 && tokens[next].kind == Token::Kind::kWord; ++next) {
+    if (lexicon.is(tokens[next], WordClass::kSide)) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 void correct_spelling(const Lexicon& lexicon, std::vector<Token>& tokens, StopFlag stop) {
@@ -135,7 +144,8 @@ void correct_spelling(const Lexicon& lexicon, std::vector<Token>& tokens, StopFl
     Token& token = tokens[i];
     if (const std::string_view letter = meant_by_letter(tokens, i); !letter.empty()) token.text = letter;
     const bool word = token.kind == Token::Kind::kWord && token.text.find('~') == std::string::npos;
-    const std::vector<std::string> meant = word ? words_of(lexicon.meant_by(token.text)) : std::vector<std::string>{};
+    std::vector<std::string> meant = word ? words_of(lexicon.meant_by(token.text)) : std::vector<std::string>{};
+    if (word && shares_sides(lexicon, tokens, i)) meant = {"on", "each"};
     if (!meant.empty() && token.end - token.begin >= meant.size()) {
       add_words(token, meant, corrected);
       continue;

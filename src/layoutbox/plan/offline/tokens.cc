@@ -170,7 +170,11 @@ std::size_t read_contraction(std::string_view prompt, std::size_t at, std::vecto
 
 class Tokenizer {
  public:
-  explicit Tokenizer(std::string_view prompt) : prompt_(prompt) {}
+  explicit Tokenizer(std::string_view prompt) : prompt_(prompt) {
+    std::size_t dashes = 0;
+    for (std::size_t at = prompt.find(" - "); at != std::string_view::npos; at = prompt.find(" - ", at + 1)) ++dashes;
+    dashes_list_ = dashes >= kDashesOfList;
+  }
   std::vector<Token> run() {
     while (at_ < prompt_.size()) {
       const Letter first = letter_at(prompt_, at_);
@@ -290,8 +294,20 @@ class Tokenizer {
     token.ends_sentence = first.value == '.' || first.value == '!' || first.value == '?' || first.value == ';';
     // "(not under the window!)" ends no sentence.
     if (at_ < prompt_.size() && prompt_[at_] == ')') token.ends_sentence = false;
-    if (first.value == '-' && !token.glued) token.text = ",";
+    if (opens_item(first.value, token)) {
+      token.text = ";";
+      token.ends_sentence = true;
+    } else if (first.value == '-' && !token.glued) {
+      token.text = ",";
+    }
     return true;
+  }
+
+  // "… - bench under the window - dartboard on the wall", "* sink * bin": a bullet in the line, the sign just taken. Not "5 * 6 m".
+  bool opens_item(char sign, const Token& token) const {
+    const bool spaced = !token.glued && at_ < prompt_.size() && prompt_[at_] == ' ';
+    if (!spaced || tokens_.empty() || (after(Token::Kind::kNumber) && digit_at(at_ + 1))) return false;
+    return sign == '*' || (sign == '-' && dashes_list_);
   }
 
   // "w/", "w/o"
@@ -318,6 +334,8 @@ class Tokenizer {
   std::vector<Token> tokens_;
   std::size_t at_ = 0;
   bool space_before_ = true;
+  static constexpr std::size_t kDashesOfList = 3;  // fewer are asides
+  bool dashes_list_ = false;
 };
 
 }  // namespace

@@ -127,7 +127,7 @@ bool Decoder::same(const State& state, Referent one, Referent other) const {
   if (one == other) return true;
   const auto definite = [&](Referent referent) {
     const Determiner d = noun_of(state, referent).determiner;
-    return d == Determiner::kDefinite || d == Determiner::kPossessive;
+    return d == Determiner::kDefinite || d == Determiner::kPossessive || d == Determiner::kEach || d == Determiner::kBoth;
   };
   if (is_mention(one) && is_mention(other))
     return document_.mentions[static_cast<std::size_t>(mention_of(one))].items ==

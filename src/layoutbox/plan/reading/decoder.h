@@ -94,6 +94,7 @@ class Decoder {
   void waited_member_actions(std::size_t s, int u);
   void list_actions(std::size_t s, int u);
   void root_list_actions(std::size_t s, int u, double gain);
+  bool placed_by_clause(const State& state, int u) const;
   void member_actions(std::size_t s, int u);
   void place_actions(std::size_t s, int u);
   void relative_place_actions(std::size_t s, int u);
@@ -107,6 +108,7 @@ class Decoder {
   void attach_actions(std::size_t s, int u, Kind kind);
   void attach_to(std::size_t s, int u, Kind kind, std::size_t level);
   void have_actions(std::size_t s, int u);
+  int first_of_plural(const State& state, int last) const;
   void verb_actions(std::size_t s, int u);
   void relative_actions(std::size_t s, int u);
   void add(std::size_t s, Kind kind, double gain, int unit = -1, int first = -1, Referent meant = kNobody, bool list = false);

@@ -48,6 +48,22 @@ void Decoder::list_actions(std::size_t s, int u) {
   }
 }
 
+// "Opposite the door a glass case, a lamp above the case": what stands by a thing of the clause is not itself opposite the door.
+bool Decoder::placed_by_clause(const State& state, int u) const {
+  const int by = follows(u, UnitKind::kParticiple) ? u + 3 : u + 2;
+  const bool carried = std::any_of(state.fronted.begin(), state.fronted.end(), [&](int place) {
+    const PhraseSenses& senses = read_as(state, place).alone ? alone_senses(place) : unit(place).direct;
+    return says(senses, RelationType::kOn) || says(senses, RelationType::kIn);
+  });
+  if (state.fronted.empty() || carried || !is(by, UnitKind::kNoun) || state.frontier.empty()) return false;
+  const NounPhrase& noun = chunk(by).noun;
+  if (noun.kind == NounKind::kPronoun && !noun.reciprocal) return true;
+  for (int m = state.frontier.front(); m >= 0; m = read_as(state, m).former) {
+    if (same(state, by, m)) return true;
+  }
+  return false;
+}
+
 // With what the clause is about, or a clause of its own; `gain`: what speaks for either.
 void Decoder::root_list_actions(std::size_t s, int u, double gain) {
   const State& state = states_[s];
@@ -65,10 +81,11 @@ void Decoder::root_list_actions(std::size_t s, int u, double gain) {
   const bool ends = !state.fronted.empty() && unit(u).joiner == Joiner::kAnd && !subject && !placed && is_new_thing(noun) &&
                     (u + 1 >= static_cast<int>(sentence_.size()) || (!is(u + 1, UnitKind::kHave) && unit(u + 1).joiner != Joiner::kNone));
   if (of_clause && (state.fronted.empty() || !subject || agrees)) {
+    const double elsewhere = placed && placed_by_clause(state, u) ? weight::kPlacedByList : 0;
     const bool own_place = placed && !state.fronted.empty() && !(share > 0 && mount_of(noun) == Mount::kSurface);
     add(s, kNextRoot,
         gain + (agrees && !state.fronted.empty() ? weight::kAgrees : 0) + std::max(share, ends ? weight::kEndsList : -2.5) -
-            (own_place ? 1.2 : 0),
+            (own_place ? 1.2 : 0) + elsewhere,
         state.frontier.front());
   }
   if (!of_clause || !state.fronted.empty()) add(s, kNewRoot, gain - (state.fronted.empty() ? 0 : 0.4) + (ends ? weight::kEndsList : 0));

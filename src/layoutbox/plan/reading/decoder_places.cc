@@ -99,8 +99,9 @@ void Decoder::attach_to(std::size_t s, int u, Kind kind, std::size_t level) {
     add(s, kind, 0, member, state.first_subject);
     return;
   }
-  const bool part_of_room =
-      place == NounKind::kWall || opening || place == NounKind::kCorner || place == NounKind::kCeiling || place == NounKind::kPart;
+  const bool part_of_room = place == NounKind::kWall || opening || place == NounKind::kCorner || place == NounKind::kCeiling ||
+                            place == NounKind::kPart || place == NounKind::kCenter ||
+                            (place == NounKind::kRoom && kind == kAttachInverse && says(unit(u).inverse, RelationType::kCenterOfRoom));
   // "a reading corner by the window with …": a part of the room that has things.
   const bool zone = kind == kAttach && (place == NounKind::kCorner || place == NounKind::kAbstract) &&
                     is_zone(noun_of(state, member).head) && read_as(state, member).role != NounRole::kReference &&
@@ -118,6 +119,14 @@ void Decoder::attach_to(std::size_t s, int u, Kind kind, std::size_t level) {
   if (level == 0 && state.verb && state.first_subject >= 0) {
     add(s, kind, gain, member, state.first_subject);
     return;
+  }
+  // "a vase, a jar and a candle occupy the mantel": a plural verb that is a place.
+  if (kind == kAttach && level == 0 && lexicon_.is_place_verb(word(u)) && unit(u).joiner == Joiner::kNone &&
+      !noun_of(state, member).is_plural()) {
+    if (const int first = first_of_plural(state, member); first != member) {
+      add(s, kind, gain, member, first);
+      return;
+    }
   }
   add(s, kind, gain, member, member);
   if (inverse && !(word(u).ends_with("ed") || word(u).ends_with("ing"))) return;
@@ -147,7 +156,14 @@ void Decoder::place_actions(std::size_t s, int u) {
     relative_place_actions(s, u);
     if (!actions_.empty() && actions_.back().state == s) return;
   }
-  const bool inverse = place.direct.empty();
+  if (chunk(u).gap && !state.frontier.empty()) {  // "80 cm between the bed and the desk": of nothing else
+    add(s, kAttach, 0);
+    return;
+  }
+  // "a room centered on a table": what a room is said to be about is in it.
+  const bool about_room = says(place.inverse, RelationType::kCenterOfRoom) && !state.frontier.empty() &&
+                          noun_of(state, state.frontier.back()).kind == NounKind::kRoom;
+  const bool inverse = place.direct.empty() || about_room;
   if (state.frontier.empty()) {
     opening_place_actions(s, u);
     return;

@@ -19,6 +19,8 @@ double Decoder::share_score(const State& state, int member, int u, Referent impl
   const PhraseSenses& senses = place.direct.empty() ? place.alone : place.direct;
   if (says(senses, RelationType::kRow) || says(senses, RelationType::kGrid) || says(senses, RelationType::kEvenlySpaced)) return 2;
   const NounPhrase& by = implied != kNobody ? noun_of(state, implied) : follows(u, UnitKind::kNoun) ? chunk(u + 1).noun : nothing_;
+  // "a chair and a lamp for each desk"
+  if (by.determiner == Determiner::kEach && chunk(u).kind == ChunkKind::kPurpose && joiner != Joiner::kComma) return weight::kShareVerb;
   if (const double kind = share_kind_score(state, member, u, implied, by); kind > 0) return kind;
   if (says(senses, RelationType::kCenterOfRoom) && joiner == Joiner::kAnd && read_as(state, former).former < 0) return 1;
   if (by.reciprocal && several(state, member)) return -10;
@@ -37,7 +39,8 @@ double Decoder::share_kind_score(const State& state, int member, int u, Referent
   const bool lies = says(senses, RelationType::kOn) || says(senses, RelationType::kIn);
   const bool listed = unit(member).joiner != Joiner::kComma || state.frontier.back() != member;
   if (listed && (implied != kNobody || follows(u, UnitKind::kNoun)) && host.kind == NounKind::kObject) {
-    const bool around = says(senses, RelationType::kAround) || says(senses, RelationType::kSurround);
+    const bool around =
+        says(senses, RelationType::kAround) || says(senses, RelationType::kSurround) || says(senses, RelationType::kAlongSide);
     const auto carried = [&](const NounPhrase& n) {
       return sense_.carries(host, n) && (host.entry != nullptr ? !host.entry->thin : mount_of(n) != Mount::kFloor);
     };

@@ -76,14 +76,19 @@ void Decoder::verb_actions(std::size_t s, int u) {
   const int root = state.frontier.front();
   const std::string& verb = word(u);
   const bool plural = verb == "are" || verb == "were" || verb == "have" || (!verb.ends_with("s") && verb != "is" && verb != "was");
-  int first = root;
-  while (plural && first >= 0 && read_as(state, first).former >= 0) {
+  add(s, kFinite, 0, root, plural ? first_of_plural(state, root) : root);
+}
+
+// The first of the list up to that thing that a plural verb speaks of.
+int Decoder::first_of_plural(const State& state, int last) const {
+  int first = last;
+  while (first >= 0 && read_as(state, first).former >= 0) {
     const int former = read_as(state, first).former;
-    const bool list_ends = noun_of(state, root).is_plural() && (unit(first).joiner != Joiner::kAnd || read_as(state, former).placed);
+    const bool list_ends = noun_of(state, last).is_plural() && (unit(first).joiner != Joiner::kAnd || read_as(state, former).placed);
     if (list_ends || (state.room_list && unit(first).joiner != Joiner::kAnd)) break;
     first = former;
   }
-  add(s, kFinite, 0, root, first);
+  return first;
 }
 
 void Decoder::relative_actions(std::size_t s, int u) {

@@ -74,6 +74,8 @@ void Scribe::write_place_alone(int u) {
     // "in front of it, at a distance of 50 cm": of what was placed last.
     link.targets = document_.links.back().targets;
     link.references = document_.links.back().references;
+  } else if (says(link.senses, RelationType::kDistance) && link.targets.size() == 1 && mention_at(link.targets.front()).items.size() > 1) {
+    link.senses = {{RelationType::kRow, Direction::kDirect, {}, {}, {}}};  // "two desks with a gap of 80 cm"
   } else {
     link.references = references_alone(u, link);
   }

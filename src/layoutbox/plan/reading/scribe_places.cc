@@ -37,8 +37,15 @@ void Scribe::grow_for_reference(int index, int mention, bool both) {
   const NounPhrase noun = noun_of(mention);
   const std::vector<int> targets = link.targets;
   const bool has_sides = is_thing(mention) || noun.kind == NounKind::kWindow || noun.kind == NounKind::kDoor;
+  const std::size_t hosts = mention_at(mention).distributes ? mention_at(mention).items.size() : 1;
   if (link.each && has_sides) {
-    for (const int target : targets) grow_for_sides(link, target, mention);
+    for (const int target : targets) {
+      const std::size_t before = mention_at(target).items.size();
+      grow_for_sides(link, target, mention);
+      // "at either end of each sofa": two for every one.
+      const std::size_t sided = mention_at(target).items.size();
+      if (mention_at(target).introduces && hosts > 1 && sided > before) references_.grow(target, sided * hosts);
+    }
   }
   if (mention_at(mention).reciprocal) mean_each_other(link);
   for (const int target : targets) grow_for_corners(noun, target);
@@ -350,13 +357,15 @@ void Scribe::grow_for_sides(const Link& link, int target, int reference) {
   const std::size_t count = mention_at(target).items.size();
   const auto is_square = [&] {
     const NounPhrase& host = noun_of(reference);
-    const bool each = words_between(document_, link.first, link.last).find("each") != std::string::npos;
-    return each && is_table(lexicon_.catalog(), host) && is_seat(lexicon_.catalog(), noun_of(target)) &&
-           std::find(host.attributes.begin(), host.attributes.end(), "square") != host.attributes.end();
+    const std::string words = words_between(document_, link.first, link.last);
+    const bool each = words.find("each") != std::string::npos,
+               every = words.find("every") != std::string::npos || words.find("all ") != std::string::npos;
+    return (each || every) && is_table(lexicon_.catalog(), host) && is_seat(lexicon_.catalog(), noun_of(target)) &&
+           (every || contains_word(host.attributes, "square"));
   };
   if (says(link.senses, RelationType::kAlongSide))
     references_.grow(target, count * 2);
-  else if (says(link.senses, RelationType::kEachSideOf) && count == 1 && reference >= 0 && is_square())
+  else if (says(link.senses, RelationType::kEachSideOf) && (count == 1 || noun_of(target).count == 0) && reference >= 0 && is_square())
     references_.grow(target, 4);
   else if (says(link.senses, RelationType::kEachSideOf) && count != 2)
     references_.grow(target, count * 2);

@@ -141,7 +141,27 @@ bool UnitReader::is_placed_itself(std::size_t k) const {
          says(senses, RelationType::kFacing);
 }
 
+// "five tables, four stools to a table": to every one of those.
+void UnitReader::shares_out(std::size_t k) {
+  static const PhraseSenses kBelongs = {{RelationType::kNextTo, PhraseSense::Direction::kDirect, {}, {}, {}}};
+  NounPhrase& noun = document_.chunks[k].noun;
+  if (!after_place() || units_.size() < 3 || noun.kind != NounKind::kObject || noun.determiner != Determiner::kIndefinite) return;
+  Unit& place = units_.back();
+  const Unit& shared = units_[units_.size() - 2];
+  const bool to = chunk(place.chunk).last - chunk(place.chunk).first == 1 && document_.tokens[chunk(place.chunk).first].text == "to";
+  if (!to || shared.kind != UnitKind::kNoun || chunk(shared.chunk).noun.count == 0) return;
+  const bool named = std::any_of(units_.begin(), units_.end() - 2, [&](const Unit& unit) {
+    return unit.kind == UnitKind::kNoun && chunk(unit.chunk).noun.is_plural() && chunk(unit.chunk).noun.head == noun.head;
+  });
+  if (!named) return;
+  noun.determiner = Determiner::kEach;
+  place.senses = &kBelongs;
+  place.direct = kBelongs;
+  place.inverse.clear();
+}
+
 void UnitReader::settle_noun(std::size_t k) {
+  shares_out(k);
   NounPhrase& noun = document_.chunks[k].noun;
   const bool content = is_content_of_thing();
   // A part that has a thing's name is one where no host is there: "two sinks".
@@ -194,8 +214,9 @@ bool UnitReader::says_where_room_is(std::size_t k) {
   if (units_.size() != 2 || !after_place() || units_.front().kind != UnitKind::kNoun) return false;
   if (chunk(units_.front().chunk).noun.kind != NounKind::kRoom || units_.front().chunk + 2 != k) return false;
   const NounPhrase& whole = noun.kind != NounKind::kObject && noun.of ? *noun.of : noun;
-  const bool in = says(*units_.back().senses, RelationType::kIn) || says(*units_.back().senses, RelationType::kOn) ||
-                  says(*units_.back().senses, RelationType::kAbove) || says(*units_.back().senses, RelationType::kUnder);
+  const PhraseSenses& where = units_.back().direct;
+  const bool in = says(where, RelationType::kIn) || says(where, RelationType::kOn) || says(where, RelationType::kAbove) ||
+                  says(where, RelationType::kUnder);
   if (!in || whole.kind != NounKind::kObject || whole.determiner != Determiner::kIndefinite || whole.count > 0) return false;
   mark(k, Use::kIgnored, "where the room is");
   mark(units_.back().chunk, Use::kIgnored, "where the room is");
@@ -237,13 +258,15 @@ void UnitReader::read_noun(std::size_t k) {
   }
   if (noun.kind == NounKind::kDoor || noun.kind == NounKind::kWindow) document_.openings.push_back(noun);
   // "king bed north wall", "- desk: left wall": against it.
-  static const PhraseSenses kAgainst = {{RelationType::kAgainstWall, PhraseSense::Direction::kDirect, {}, {}, {}}};
+  static const PhraseSenses kAgainst = {{RelationType::kAgainstWall, PhraseSense::Direction::kDirect, {}, {}, {}},
+                                        {RelationType::kCenterOfRoom, PhraseSense::Direction::kDirect, {}, {}, {}}};
   const std::size_t after = next(k);
   const bool ends = after >= document_.chunks.size() || is(after, ChunkKind::kStop) || is(after, ChunkKind::kComma);
   const bool listed = ends && joiner_ == Joiner::kComma && noun.determiner == Determiner::kNone && is(previous(k), ChunkKind::kComma);
   const std::size_t before = listed ? previous(previous(k)) : previous(k);
-  const bool corner = listed && noun.kind == NounKind::kCorner && !noun.is_plural();  // "lamp - corner"
-  if ((noun.kind == NounKind::kWall || noun.kind == NounKind::kCorner) && (!noun.wall_word.empty() || corner) &&
+  const bool center = noun.kind == NounKind::kCenter;
+  const bool corner = listed && (center || noun.kind == NounKind::kCorner) && !noun.is_plural();  // "lamp - corner", "table (middle)"
+  if ((noun.kind == NounKind::kWall || noun.kind == NounKind::kCorner || center) && (!noun.wall_word.empty() || corner) &&
       (joiner_ == Joiner::kNone || listed) && is(before, ChunkKind::kNoun) && chunk(before).noun.kind == NounKind::kObject &&
       !units_.empty() && units_.back().chunk == before)
     add_place(k, kAgainst);

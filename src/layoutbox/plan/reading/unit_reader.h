@@ -52,6 +52,7 @@ class UnitReader {
   bool is_placed_itself(std::size_t k) const;
   bool says_where_room_is(std::size_t k);
   bool is_past(const NounPhrase& noun) const;
+  void shares_out(std::size_t k);
   void settle_noun(std::size_t k);
   void settle_place_words(std::size_t k);
   bool is_content_of_thing() const;

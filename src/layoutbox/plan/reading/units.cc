@@ -137,7 +137,7 @@ void UnitReader::read_break(std::size_t k) {
     if (!more) negated_ = false;
   }
   if (comma)
-    joiner_ = Joiner::kComma;
+    joiner_ = joiner_ == Joiner::kNone || joiner_ == Joiner::kComma ? Joiner::kComma : Joiner::kCommaAnd;  // "… and, across from it, …"
   else
     joiner_ = joiner_ == Joiner::kComma ? Joiner::kCommaAnd : Joiner::kAnd;
 }
