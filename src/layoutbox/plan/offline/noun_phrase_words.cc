@@ -281,7 +281,11 @@ std::optional<bool> NounPhraseReader::read_place(const Match& match, bool noun_b
 // Sides, numbers within adjectives, members, participles, adverbs.
 bool NounPhraseReader::read_other(const Match& match, bool noun_before) {
   const bool named = is_named();
+  // "one left of the door": where it is, not which one.
+  const std::size_t after = i_ + match.length;
+  const bool side_of = after < tokens_.size() && (tokens_[after].text == "of" || tokens_[after].text == "and") && phrase_.count > 0;
   for (const Class word : {Class::kWallRelation, Class::kWallWord}) {
+    if (side_of && named) break;
     if (const Meaning* meaning = meaning_of(match, word); meaning != nullptr && (named || bare_) && !noun_before)
       return add(word, *meaning, match.length, false);
   }

@@ -140,6 +140,7 @@ class Decoder {
   bool is_fresh(int u) const;
   bool is_one_of_several(int u) const;
   bool nothing_nearer(const State& state, std::size_t level) const;
+  Referent side_ahead(int u, const PhraseSenses& senses) const;
   Referent side_host(const State& state, int u, const PhraseSenses& senses) const;
   double end_score(const State& state) const;
 

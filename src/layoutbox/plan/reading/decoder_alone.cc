@@ -44,6 +44,24 @@ Referent Decoder::side_host(const State& state, int u, const PhraseSenses& sense
   return kNobody;
 }
 
+// "one to the left and one to the right of the mirror": what the other side's reference, which comes later, is.
+Referent Decoder::side_ahead(int u, const PhraseSenses& senses) const {
+  constexpr int kAhead = 4;
+  const auto opposed = [&](RelationType one, RelationType other) {
+    return [&senses, one, other](const PhraseSenses& all) {
+      return (says(senses, one) && says(all, other)) || (says(senses, other) && says(all, one));
+    };
+  };
+  const auto across = opposed(RelationType::kLeftOf, RelationType::kRightOf);
+  const auto along = opposed(RelationType::kInFrontOf, RelationType::kBehind);
+  for (int p = u + 1; p <= u + kAhead && p < static_cast<int>(sentence_.size()) && !unit(p).clause; ++p) {
+    if (!is(p, UnitKind::kPlace)) continue;
+    if (!(across(unit(p).direct) || along(unit(p).direct)) || !follows(p, UnitKind::kNoun)) return kNobody;
+    return speaks_of_others(chunk(p + 1).noun) || is_new_thing(chunk(p + 1).noun) ? kNobody : p + 1;
+  }
+  return kNobody;
+}
+
 // The reference is not said: "nearby", "on each side", "to its left".
 void Decoder::alone_actions(std::size_t s, int u) {
   const State& state = states_[s];
@@ -123,6 +141,7 @@ void Decoder::alone_of_member(std::size_t s, int u, std::size_t level, int neare
   // "a laptop on the right side of the desk and a mug on the left side": of the desk as well.
   if (const Referent host = side_host(state, u, senses); host != kNobody && !same(state, host, member))
     alone_of_list(s, u, level, {host, gain + weight::kSameSide, false});
+  if (const Referent ahead = side_ahead(u, senses); ahead != kNobody) alone_of_list(s, u, level, {ahead, gain + weight::kSameSide, false});
   const auto habit = [&](Referent by) { return place.joiner == Joiner::kNone ? habit_score(state, u, member, by, senses) : 0; };
   const int first = state.verb && level == 0 ? state.first_subject : -1;  // "a radio and a clock stand on it": on neither
   for (const Candidate& meant : antecedents(state, member, &senses, &whom, first))

@@ -69,6 +69,9 @@ double Decoder::antecedent_place_score(const State& state, Referent referent, Re
   const Referent owner = subject >= 0 ? host_of(state, subject) : kNobody;
   if (subject >= 0 && referent == owner && side && small) score += weight::kOwnHost;
   if (subject >= 0 && referent == owner && !side && lies && noun != nullptr && noun->head == "it") score += weight::kOnOwnHost;
+  // "a cage with a parrot inside": in the cage.
+  const bool inside = says(senses, RelationType::kIn) && noun != nullptr && noun->head.empty();
+  if (subject >= 0 && referent == owner && inside) score += weight::kInOwnHost;
   // "a keyboard in front": of the screen, not of the desk that carries both.
   const bool before = says(senses, RelationType::kInFrontOf) || says(senses, RelationType::kBehind);
   const bool has_it = owner != kNobody && (referent == owner || (owner >= 0 && referent == host_of(state, owner)));

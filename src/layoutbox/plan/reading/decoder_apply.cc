@@ -48,7 +48,9 @@ void Decoder::apply_noun(State& state, const Action& action, int u) const {
   own.whole_list = action.list;
   // "another one", "a smaller one": a thing of the kind that was named last.
   if (chunk(u).noun.kind == NounKind::kMember && own.meant == kNobody && !speaks_of_others(chunk(u).noun))
-    own.meant = action.unit >= 0       ? action.unit
+    own.meant = has_place(u) && state.place >= 0 && is_thing(state, read_as(state, state.place).subject)
+                    ? read_as(state, state.place).subject  // "an urn to the left of it and another to the right"
+                : action.unit >= 0     ? action.unit
                 : !state.roots.empty() ? state.roots.back()
                 : before_.topic >= 0   ? referent_of_mention(before_.topic)
                                        : kNobody;

@@ -52,6 +52,7 @@ void Decoder::list_actions(std::size_t s, int u) {
 bool Decoder::placed_by_clause(const State& state, int u) const {
   const int by = follows(u, UnitKind::kParticiple) ? u + 3 : u + 2;
   const bool carried = std::any_of(state.fronted.begin(), state.fronted.end(), [&](int place) {
+    if (!is_thing(state, read_as(state, place).alone ? read_as(state, place).implied : place + 1)) return false;
     const PhraseSenses& senses = read_as(state, place).alone ? alone_senses(place) : unit(place).direct;
     return says(senses, RelationType::kOn) || says(senses, RelationType::kIn);
   });

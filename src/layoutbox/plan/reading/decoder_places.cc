@@ -111,7 +111,7 @@ void Decoder::attach_to(std::size_t s, int u, Kind kind, std::size_t level) {
   double gain = state.relative >= 0 ? 0 : attach_score(state, u, static_cast<int>(level), inverse);
   // "in a row along the wall": of all that the place before was said of.
   const UnitReading* before = state.place >= 0 ? &read_as(state, state.place) : nullptr;
-  if (kind == kAttach && before != nullptr && before->subject == member && before->first_subject != member &&
+  if (kind == kAttach && before != nullptr && !before->fronted && before->subject == member && before->first_subject != member &&
       unit(u).joiner == Joiner::kNone) {
     add(s, kind, gain, member, before->first_subject);
     return;

@@ -24,6 +24,9 @@ double Decoder::share_score(const State& state, int member, int u, Referent impl
   if (const double kind = share_kind_score(state, member, u, implied, by); kind > 0) return kind;
   if (says(senses, RelationType::kCenterOfRoom) && joiner == Joiner::kAnd && read_as(state, former).former < 0) return 1;
   if (by.reciprocal && several(state, member)) return -10;
+  // "four chairs and a lantern hanging over it": the chairs do not hang.
+  const bool hangs = chunk(u).hang || ((is(u - 1, UnitKind::kParticiple) || is(u - 1, UnitKind::kVerb)) && chunk(u - 1).hang);
+  if (hangs && mount_of(before) == Mount::kFloor) return -10;
   const std::string& first = word(u);
   const bool participle = state.participle || chunk(u).placing || first.ends_with("ing") || first.ends_with("ed");
   if (joiner == Joiner::kAnd && participle) return weight::kShareVerb;

@@ -16,7 +16,9 @@ void Scribe::write(const Sentence& sentence, const SentenceReading& reading) {
   link_.assign(sentence.size(), -1);
   one_side_ = -1;
   sentence_links_ = document_.links.size();
+  const auto waits = [&](int u) { return is(u, UnitKind::kPlace) && this->reading(u).alone && this->reading(u).implied > u; };
   for (int u = 0; u < static_cast<int>(sentence.size()); ++u) {
+    if (waits(u)) continue;
     switch (unit(u).kind) {
       case UnitKind::kNoun: write_noun(u); break;
       case UnitKind::kPlace: write_place(u); break;
@@ -27,6 +29,9 @@ void Scribe::write(const Sentence& sentence, const SentenceReading& reading) {
       case UnitKind::kAttribute: write_attribute(u); break;
       default: break;
     }
+  }
+  for (int u = 0; u < static_cast<int>(sentence.size()); ++u) {
+    if (waits(u)) write_place(u);  // by what was named later
   }
   end_sentence();
 }

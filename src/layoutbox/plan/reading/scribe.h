@@ -34,6 +34,7 @@ class Scribe {
 
   // Mentions of nouns.
   int make_mention(int u);
+  bool as_reference_of(int u, RelationType type) const;
   int make_member(int u, const NounPhrase& noun);
   int make_another(int u, const NounPhrase& noun);
   int make_more(int u, const NounPhrase& noun);

@@ -169,9 +169,19 @@ int Scribe::make_member(int u, const NounPhrase& noun) {
   return mention;
 }
 
-int Scribe::make_mention(int u) {
-  const NounPhrase noun = chunk(u).noun;
+// The noun is what a place that may say that is by.
+bool Scribe::as_reference_of(int u, RelationType type) const {
   const UnitReading& own = reading(u);
+  return own.role == NounRole::kReference && own.predicate >= 0 && says(unit(own.predicate).direct, type);
+}
+
+int Scribe::make_mention(int u) {
+  NounPhrase noun = chunk(u).noun;
+  const UnitReading& own = reading(u);
+  // "A crooked room. A cauldron stands in the middle of it": of the room.
+  if (noun.kind == NounKind::kCenter && own.meant == kNobody && noun.of && noun.of->kind == NounKind::kPronoun) noun.of.reset();
+  const bool in_middle = as_reference_of(u, RelationType::kCenterOfRoom);
+  if (in_middle && noun.kind == NounKind::kPronoun && noun.head == "it" && own.meant == kNobody) noun.kind = NounKind::kRoom;
   const bool as_reference = own.role == NounRole::kReference;
   if (noun.kind == NounKind::kMember) return make_member(u, noun);
   int antecedent = -1;

@@ -206,6 +206,14 @@ bool Scribe::takes_other_side(int u, const std::vector<int>& targets) {
   if (one_side_ < 0 || targets.empty()) return false;
   Link& link = link_at(one_side_);
   if (link.targets.empty()) return false;
+  // "each bed has a locker on one side and a stand on the other": as many of either.
+  const std::size_t first = mention_at(link.targets.front()).items.size();
+  const std::size_t hosts = link.references.empty() ? 0 : mention_at(link.references.front()).items.size();
+  if (hosts > 1 && first == hosts) {
+    for (const int target : targets) {
+      if (mention_at(target).introduces && mention_at(target).items.size() == 1) references_.grow(target, hosts);
+    }
+  }
   link.targets.insert(link.targets.end(), targets.begin(), targets.end());
   link.senses = {{RelationType::kEachSideOf, Direction::kDirect, {}, {}, {}}};
   link.one_side = false;
@@ -393,9 +401,10 @@ void Scribe::grow_for_corners(const NounPhrase& corner, int target) {
   if (corner.kind != NounKind::kCorner && !wall) return;
   // "in two of the corners a pedestal with a bust on it"
   const bool counted = !wall && corner.count > 1 && noun_of(target).determiner == Determiner::kIndefinite;
-  if (corner.determiner != Determiner::kEach && !counted) return;
+  const bool both = !wall && corner.determiner == Determiner::kBoth && noun_of(target).determiner == Determiner::kIndefinite;
+  if (corner.determiner != Determiner::kEach && !counted && !both) return;
   const std::size_t before = mention_at(target).items.size();
-  if (noun_of(target).count <= 1) references_.grow(target, wall ? walls_meant(corner) : corners_meant(corner));
+  if (noun_of(target).count <= 1) references_.grow(target, wall ? walls_meant(corner) : both ? 2 : corners_meant(corner));
   grow_contents(target, before);
 }
 

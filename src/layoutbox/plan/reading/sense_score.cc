@@ -27,6 +27,7 @@ double SenseScore::of_place(const PhraseSenses& senses, const NounPhrase& target
       mount_of(reference) == Mount::kSurface)
     score += weight::kSmallTogether;
   if (sense->type == RelationType::kIn && is_storage(reference)) score += weight::kInStorage;
+  if (sense->type == RelationType::kAtHeadOf && is_seat(catalog_, reference)) score += weight::kNoReference;  // no chair has a head
   if (sense->type == RelationType::kAbove && reference.kind == NounKind::kObject) score += over(target, reference);
   if ((sense->type == RelationType::kEachSideOf || sense->type == RelationType::kNextTo) && stands_by(catalog_, target, reference))
     score += weight::kStandsBy;

@@ -10,6 +10,7 @@ namespace layoutbox::offline {
 using Use = WordReading::Use;
 
 void UnitReader::read_purpose(std::size_t k) {
+  if (passes_keeper(k)) return;
   if (reads_as_verb(k)) {
     mark(k, Use::kUsed, "placing");
     add(UnitKind::kVerb, k);
@@ -29,6 +30,18 @@ void UnitReader::read_purpose(std::size_t k) {
   mark(k, Use::kIgnored, "purpose");
   skipping_ = true;
   joiner_ = Joiner::kNone;
+}
+
+// "a shelf on which she keeps four jars": they are there.
+bool UnitReader::passes_keeper(std::size_t k) {
+  const std::size_t verb = next(k), thing = next(verb);
+  if (skipping_ || units_.empty() || units_.back().kind != UnitKind::kNoun || chunk(units_.back().chunk).noun.head != "which") return false;
+  if (joiner_ != Joiner::kNone || !(is(verb, ChunkKind::kHave) || is(verb, ChunkKind::kVerb)) || !is(thing, ChunkKind::kNoun)) return false;
+  mark(k, Use::kIgnored, "opens a statement");
+  mark(verb, Use::kIgnored, "opens a statement");
+  add(UnitKind::kOpen, k);
+  passed_over_ = verb;
+  return true;
 }
 
 // A verb that no list has, and then a place: "a lamp towers over the desk", "two stools huddle by the bar".
