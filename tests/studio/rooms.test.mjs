@@ -64,6 +64,19 @@ test("a conflict is told in words, and each way out is a button", async () => {
   await page.context().close();
 });
 
+test("changes that the solver has tried are offered, and give a room as asked", async () => {
+  const page = await here.open();
+  await furnish(page, "A room of 4 x 3 m with a table, a chair and a plant. The chair is left of the table. The chair is right of the table.");
+  await id(page, "remedy-0").filter({hasText: "Rather “The chair stands to the"}).waitFor();
+  await id(page, "remedy-0").click();
+  await id(page, "verdict").filter({hasText: "All as asked"}).waitFor();
+  await id(page, "remedies").waitFor({state: "detached"});
+  await id(page, "undo").click();
+  await id(page, "conflicts").waitFor();
+  assert.deepEqual(page.faults, []);
+  await page.context().close();
+});
+
 test("a layout that was downloaded can be opened again, also one with something left out", async () => {
   const page = await here.open();
   await furnish(page, "A room of 1.2 x 1.2 m with a piano, a stool in front of the piano and a lamp on the piano.");

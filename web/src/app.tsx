@@ -1,4 +1,5 @@
 // The page: a prompt, the room in 3D beside its plan, and what there is to know of it.
+import {useEffect, useState} from "preact/hooks";
 import {Bar} from "./bar";
 import {Form} from "./form/form";
 import {Icon} from "./icons";
@@ -32,11 +33,20 @@ function Messages() {
   );
 }
 
-/** What is being done, for the eyes; who hears the page is told by `said`. */
+const kLongEnough = 400;
+
+/** What is being done, for the eyes, where it takes long enough to be read; who hears the page is told by `said`. */
 function Working() {
   const busy = use((state) => state.busy);
   const share = use((state) => state.share);
-  if (busy === null) return null;
+  const [late, be_late] = useState(false);
+  const works = busy !== null;
+  useEffect(() => {
+    be_late(false);
+    const timer = works ? setTimeout(() => be_late(true), kLongEnough) : 0;
+    return () => clearTimeout(timer);
+  }, [works]);
+  if (!works || !late) return null;
   return (
     <div class="working" aria-hidden="true" data-testid="working">
       {share === null ? <progress /> : <progress value={share} max={1} />}

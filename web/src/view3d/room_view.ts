@@ -33,6 +33,7 @@ export class RoomView {
   private readonly scene_ = new Scene();
   private readonly sun_ = new DirectionalLight(0xfff4e2, 2.1);
   private readonly marks_ = new Group();
+  private readonly lines_ = new Map<string, LineBasicMaterial>();
   private readonly ghosts_ = new Group();
   private readonly ray_ = new Raycaster();
   private room_: Object3D | null = null;
@@ -43,9 +44,13 @@ export class RoomView {
   private asked_ = 0;
   private last_ = 0;
   private fresh_ = false;
+  private held_ = false;
+  /** Rooms no longer shown, kept until the next is drawn: it uses the same shaders, which take longer to compile than all else. */
+  private gone_: Object3D[] = [];
 
   constructor(readonly canvas: HTMLCanvasElement) {
     this.renderer_ = new WebGLRenderer({canvas, antialias: true, alpha: true, powerPreference: "low-power"});
+    this.renderer_.debug.checkShaderErrors = false; // asking whether a shader is good waits for it
     this.renderer_.setPixelRatio(Math.min(devicePixelRatio, 2));
     this.renderer_.toneMapping = NeutralToneMapping;
     this.renderer_.toneMappingExposure = 1.05;
@@ -81,7 +86,7 @@ export class RoomView {
     const {scene} = await new GLTFLoader().parseAsync(glb, "");
     if (this.room_) {
       this.scene_.remove(this.room_);
-      free(this.room_);
+      this.gone_.push(this.room_);
     }
     this.nodes_ = new Map();
     const lights: Object3D[] = [];
@@ -106,7 +111,7 @@ export class RoomView {
     this.framed_ = shape;
     this.light_(layout);
     this.fresh_ = true;
-    this.draw();
+    this.release();
   }
 
   /** GLTFLoader strips some signs of names; ids are letters, digits, "_" and "-", so the name is the id. */
@@ -136,14 +141,22 @@ export class RoomView {
     if (made?.length === 3) node.scale.set(object.size[0] / (made[0] || 1), object.size[2] / (made[2] || 1), object.size[1] / (made[1] || 1));
   }
 
+  /** Kept for the next thing that is marked, with its shader. */
+  private line_(colour: string, opacity: number): LineBasicMaterial {
+    const key = `${colour} ${opacity}`;
+    const line = this.lines_.get(key) ?? new LineBasicMaterial({color: new Color(colour), transparent: true, opacity});
+    this.lines_.set(key, line);
+    return line;
+  }
+
   mark(marks: Marks): void {
-    free(this.marks_);
+    for (const edges of this.marks_.children as LineSegments[]) edges.geometry.dispose();
     this.marks_.clear();
     const add = (id: string, colour: string, opacity: number) => {
       const object = this.layout_?.objects.find((one) => one.id === id);
       if (!object) return;
       const [w, d, h] = object.size;
-      const edges = new LineSegments(new EdgesGeometry(new BoxGeometry(w + 0.02, h + 0.02, d + 0.02)), new LineBasicMaterial({color: new Color(colour), transparent: true, opacity}));
+      const edges = new LineSegments(new EdgesGeometry(new BoxGeometry(w + 0.02, h + 0.02, d + 0.02)), this.line_(colour, opacity));
       edges.position.set(object.pos[0], object.pos[2] + h / 2, -object.pos[1]);
       edges.rotation.y = (object.rotation * Math.PI) / 180;
       this.marks_.add(edges);
@@ -208,11 +221,21 @@ export class RoomView {
     this.draw();
   }
 
+  /** Nothing is drawn until another room is loaded, or `release`: meshes of the old one at places of the new one would only take time. */
+  hold(): void {
+    this.held_ = true;
+  }
+
+  release(): void {
+    this.held_ = false;
+    this.draw();
+  }
+
   draw(): void {
-    if (this.asked_) return;
+    if (this.asked_ || this.held_) return;
     this.asked_ = requestAnimationFrame((now) => {
       this.asked_ = 0;
-      this.frame_now_(now);
+      if (!this.held_) this.frame_now_(now);
     });
   }
 
@@ -227,6 +250,8 @@ export class RoomView {
     this.canvas.dataset["calls"] = String(this.draw_calls);
     if (this.fresh_) {
       this.fresh_ = false;
+      this.gone_.forEach(free);
+      this.gone_ = [];
       this.canvas.dataset["room"] = String(Number(this.canvas.dataset["room"] ?? 0) + 1);
       this.canvas.dataset["at"] = String(performance.now());
     }
@@ -278,6 +303,7 @@ export class RoomView {
     cancelAnimationFrame(this.asked_);
     this.walker?.end();
     this.controls.dispose();
+    this.gone_.forEach(free);
     free(this.scene_);
     this.renderer_.dispose();
   }

@@ -106,6 +106,7 @@ export function View3D({layout, live}: {layout: Layout; live: boolean}) {
 
   useEffect(() => {
     const ended = new AbortController();
+    view.current?.hold();
     void (async () => {
       try {
         const blob = await api.export({layout, format: "glb"}, ended.signal);
@@ -115,6 +116,7 @@ export function View3D({layout, live}: {layout: Layout; live: boolean}) {
         put((now) => (now === "none" ? now : "ready"));
       } catch (error) {
         if (ended.signal.aborted) return;
+        view.current?.release();
         put((now) => (now === "none" ? now : "failed"));
         show_error(error);
       }
