@@ -56,6 +56,16 @@ class Jobs(unittest.TestCase):
         answer = self.service.ask("DELETE", f"/api/jobs/{jobs[2]}")
         self.assertEqual(answer.json()["state"], "cancelled", str(answer))
 
+    def test_one_client_does_not_fill_the_queue(self):
+        if not has_blender():
+            self.skipTest("there is no Blender")
+        jobs = [self.start() for _ in range(16)]
+        answers = [self.service.post("/api/jobs", {"kind": "render", "layout": self.layout}) for _ in range(4)]
+        self.assertEqual(answers[-1].status, 429, str(answers[-1]))
+        self.assertIn("yours", answers[-1].json()["message"])
+        self.service.ask("DELETE", f"/api/jobs/{jobs[-1]}")
+        self.start()
+
     def test_without_a_blender_it_fails_in_words(self):
         with tempfile.TemporaryDirectory() as folder:
             service = Service(folder, LAYOUTBOX_BLENDER="/no/such/blender")

@@ -25,7 +25,7 @@ void put_job(httplib::Response& response, const Result<std::optional<JobView>>& 
 void start_job(Site& site, const httplib::Request& request, httplib::Response& response) {
   const auto body = site.read_body("startJob", request, response);
   if (!body) return;
-  const auto job = site.jobs.start(*body);
+  const auto job = site.jobs.start(*body, request.remote_addr);
   if (job) {
     put(response, {202, "application/json", write_job(*job)});
   } else if (job.error().code == ErrorCode::kTooLarge && job.error().pointer.empty()) {

@@ -20,10 +20,12 @@ namespace layoutbox::serve {
 namespace {
 
 constexpr int kKeptJobs = 500;
+constexpr std::ptrdiff_t kMostOfOne = 16;  // that wait for one client
 
 // What changes while a job waits and runs; the rest is in the store.
 struct Live {
   JobRecord record;
+  std::string client;  // who asked this service for it
   double progress = 0;
   int version = 1;
   std::atomic<bool> stop{false};
@@ -180,13 +182,18 @@ Jobs::~Jobs() {
   state_->worker.join();
 }
 
-Result<JobView> Jobs::start(const Json& request) {
+Result<JobView> Jobs::start(const Json& request, const std::string& client) {
   LAYOUTBOX_CHECK(layout_of(request));
   auto job = std::make_shared<Live>();
+  job->client = client;
   job->record = {new_id(), request.at("kind").get<std::string>(), request.dump(), JobState::kWaiting, {}, {}, time_text()};
   const std::lock_guard lock(state_->mutex);
   if (state_->queue.size() >= state_->longest_queue) {
     return fail(ErrorCode::kTooLarge, fmt::format("{} pictures wait already", state_->queue.size()), {}, "ask again later");
+  }
+  const auto is_theirs = [&](const std::string& id) { return state_->live.at(id)->client == client; };
+  if (std::ranges::count_if(state_->queue, is_theirs) >= kMostOfOne) {
+    return fail(ErrorCode::kTooLarge, fmt::format("{} pictures of yours wait already", kMostOfOne), {}, "ask again later, or cancel some");
   }
   LAYOUTBOX_CHECK(state_->store.put_job(job->record));
   state_->live.emplace(job->record.id, job);

@@ -35,8 +35,8 @@ class Jobs {
   Jobs(const Jobs&) = delete;
   Jobs& operator=(const Jobs&) = delete;
 
-  // Errors: kTooLarge where too many wait, kIo, those of the layout.
-  Result<JobView> start(const nlohmann::json& request);
+  // Errors: kTooLarge where too many wait, of all or of this client, kIo, those of the layout.
+  Result<JobView> start(const nlohmann::json& request, const std::string& client);
   Result<std::optional<JobView>> find(const std::string& id) const;
   Result<std::optional<JobView>> cancel(const std::string& id);
   // Waits until the job is at another version than `seen`, or for `patience`.
