@@ -8,7 +8,7 @@ add_library(layoutbox_library STATIC ${objects})
 set_target_properties(layoutbox_library PROPERTIES OUTPUT_NAME layoutbox EXPORT_NAME layoutbox LINKER_LANGUAGE CXX)
 target_compile_features(layoutbox_library INTERFACE cxx_std_20)
 target_include_directories(layoutbox_library INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
-target_link_libraries(layoutbox_library INTERFACE fmt::fmt ZLIB::ZLIB Threads::Threads ${CMAKE_DL_LIBS})
+target_link_libraries(layoutbox_library INTERFACE fmt::fmt ZLIB::ZLIB meshoptimizer::meshoptimizer Threads::Threads ${CMAKE_DL_LIBS})
 add_library(layoutbox::layoutbox ALIAS layoutbox_library)
 
 # What the public headers include, and nothing else; tests/cli/test_install.py compiles against it.

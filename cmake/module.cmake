@@ -8,12 +8,12 @@ function(layoutbox_unite target)
 endfunction()
 
 # layoutbox_module(NAME DEPENDS floor… LIBRARIES lib… PRIVATE_LIBRARIES lib…): one library per folder from all its *.cc, and one test
-# program from its *_test.cc. A file that is added is picked up at the next build.
+# program from its *_test.cc; main.cc is the program's own. A file that is added is picked up at the next build.
 function(layoutbox_module name)
   cmake_parse_arguments(arg "" "" "DEPENDS;LIBRARIES;PRIVATE_LIBRARIES" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cc)
   set(tests ${sources})
-  list(FILTER sources EXCLUDE REGEX "_test\\.cc$")
+  list(FILTER sources EXCLUDE REGEX "(_test|/main)\\.cc$")
   list(FILTER tests INCLUDE REGEX "_test\\.cc$")
   if(NOT sources)
     message(FATAL_ERROR "no sources in ${CMAKE_CURRENT_SOURCE_DIR}/${name}")

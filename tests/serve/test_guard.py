@@ -1,6 +1,8 @@
 """Pages of other sites, names that lead here from outside, and callers without the token are refused."""
 
+import http.client
 import tempfile
+import time
 from pathlib import Path
 
 from service import Service, ServiceCase
@@ -19,6 +21,25 @@ class OwnMachine(ServiceCase):
         origin = f"http://localhost:{self.service.port}"
         answer = self.service.get("/api/health", headers={"Origin": origin}, host=f"localhost:{self.service.port}")
         self.assert_status(answer, 200)
+
+    def test_what_is_left_unread_is_not_the_next_request(self):
+        """A body that comes after its request was refused, or where none belongs, on a connection that is used again."""
+        own = {"Host": f"127.0.0.1:{self.service.port}"}
+        body = b"{}"
+        refused = (("POST", "/api/generate", {"Origin": "http://evil.example"}), ("POST", "/api/plan", {"Range": "none"}))
+        for method, path, more in (*refused, ("GET", "/api/health", {}), ("PUT", "/api/health", {})):
+            with self.subTest(method=method, path=path):
+                connection = http.client.HTTPConnection("127.0.0.1", self.service.port, timeout=60)
+                self.addCleanup(connection.close)
+                connection.putrequest(method, path, skip_host=True)
+                for name, value in {**own, **more, "Content-Length": str(len(body))}.items():
+                    connection.putheader(name, value)
+                connection.endheaders()
+                time.sleep(0.3)
+                connection.send(body)
+                connection.getresponse().read()
+                connection.request("GET", "/api/catalog?search=chair", headers=own)
+                self.assertEqual(connection.getresponse().status, 200)
 
 
 class WithToken(ServiceCase):

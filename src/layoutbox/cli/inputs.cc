@@ -214,7 +214,7 @@ Status RenderFlags::apply(RenderOptions& options) const {
   const bool has_x = width.ptr != end && (*width.ptr == 'x' || *width.ptr == 'X');
   const auto height = has_x ? std::from_chars(width.ptr + 1, end, options.height) : width;
   const bool in_range = options.width >= 16 && options.width <= 16384 && options.height >= 16 && options.height <= 16384;
-  if (!has_x || height.ec != std::errc{} || height.ptr != end || !in_range) {
+  if (width.ec != std::errc{} || !has_x || height.ec != std::errc{} || height.ptr != end || !in_range) {
     return layoutbox::fail(ErrorCode::kUsage, fmt::format("'{}' is not a size of a picture", size), "--size",
                            "write it as 1920x1080, each side from 16 to 16384");
   }

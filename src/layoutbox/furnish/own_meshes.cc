@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "layoutbox/furnish/mesh_file.h"
+#include "layoutbox/furnish/simplify.h"
 
 namespace layoutbox {
 namespace {
@@ -44,6 +45,7 @@ Result<Node> own_mesh_node(const PlacedObject& object, const Material* material,
   if (!mesh) return of_whom(mesh.error(), "", object.id);
   const kit::Vec size{m_from_mm(object.size.width), m_from_mm(object.size.depth), m_from_mm(object.size.height)};
   if (const Status fitted = fit_mesh(*mesh, size, object.mesh_front, object.mount); !fitted) return of_whom(fitted.error(), "", object.id);
+  simplify(*mesh, most_triangles(options.detail));
   Node node;
   node.id = object.id;
   node.kind = NodeKind::kObject;
@@ -62,6 +64,7 @@ Status replace_walls_by_own_meshes(const Layout& layout, Palette& palette, const
     if (!mesh) return of_whom(mesh.error(), "the wall ", wall->id);
     const double length = std::hypot(m_from_mm(wall->end.x - wall->start.x), m_from_mm(wall->end.y - wall->start.y));
     fit_wall_mesh(*mesh, {length, m_from_mm(wall->thickness), m_from_mm(layout.room.height)});
+    simplify(*mesh, most_triangles(options.detail));
     node.parts = parts_of(std::move(*mesh), scene_material(layout, wall->material), palette);
   }
   return {};

@@ -27,9 +27,18 @@ void set_limits(httplib::Server& server, const ServeOptions& options) {
   });
 }
 
+// The body of a request that is refused is not read: it must not be taken for the next request of the same connection.
+void end_connection(httplib::Response& response) { response.set_header("Connection", "close"); }
+
+// The library reads bodies of the other methods only.
+bool leaves_body(const httplib::Request& request) {
+  const bool is_without = request.method == "GET" || request.method == "HEAD" || request.method == "OPTIONS";
+  return is_without && (request.has_header("Content-Length") || request.has_header("Transfer-Encoding"));
+}
+
 void put_foreign_method(const std::string& allowed, httplib::Response& response) {
   response.set_header("Allow", allowed.empty() ? "GET, HEAD, POST, DELETE" : allowed);
-  response.set_header("Connection", "close");  // a body of a request that is not read must not be taken for the next one
+  end_connection(response);
   put_error(response, 405,
             {ErrorCode::kUsage, "this address does not know this method", {}, "GET /api/openapi.json lists what there is", {}});
 }
@@ -37,6 +46,7 @@ void put_foreign_method(const std::string& allowed, httplib::Response& response)
 void add_guard(httplib::Server& server, Site& site) {
   server.set_pre_routing_handler([&site](const httplib::Request& request, httplib::Response& response) {
     set_headers(response);
+    if (leaves_body(request)) end_connection(response);
     if (site.gives_token(request)) return httplib::Server::HandlerResponse::Unhandled;
     const auto refused =
         refusal(site.guard, request.method, [&](std::string_view name) { return request.get_header_value(std::string(name).c_str()); });
@@ -45,6 +55,7 @@ void add_guard(httplib::Server& server, Site& site) {
       return httplib::Server::HandlerResponse::Handled;
     }
     if (!refused) return httplib::Server::HandlerResponse::Unhandled;
+    end_connection(response);
     put_error(response, refused->status, refused->error);
     site.metrics.add("refused", refused->status, 0);
     return httplib::Server::HandlerResponse::Handled;
@@ -56,10 +67,12 @@ void add_guard(httplib::Server& server, Site& site) {
     if (response.status == 400 && !request.method.empty() && request.path.empty()) {
       put_foreign_method({}, response);
     } else if (response.status == 413) {
+      end_connection(response);
       put_error(response, 413, {ErrorCode::kTooLarge, "the request is too large", {}, {}, {}});
     } else if (response.status == 404) {
       put_nothing_there(response);
     } else {
+      end_connection(response);
       put_error(response, response.status, {ErrorCode::kParse, "the request cannot be read", {}, {}, {}});
     }
   });

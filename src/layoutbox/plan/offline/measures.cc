@@ -21,6 +21,24 @@ bool fraction_at(std::span<const Token> tokens, std::size_t at) {
          tokens[at + 1].glued && tokens[at + 1].begin == tokens[at].end + 1 && tokens[at].number < tokens[at + 1].number;
 }
 
+constexpr double kFoot = 0.3048, kInch = 0.0254;
+
+// What follows the feet of a measure that begins at `at`: 5 ft 6 in, 5'6, 5'-6 1/2" as draughtsmen write.
+void add_inches(const Lexicon& lexicon, std::span<const Token> tokens, std::size_t at, Measure& measure) {
+  const std::size_t end = at + measure.length;
+  const bool by_sign = tokens[end - 1].text == "'";
+  const bool hyphen = end < tokens.size() && tokens[end].text == "-" && tokens[end].glued;
+  const std::size_t from = end + (hyphen ? 1 : 0);
+  if (from >= tokens.size() || tokens[from].kind != Token::Kind::kNumber) return;
+  const NumberRead inches = read_number(lexicon, tokens, from);
+  const std::size_t after = from + inches.length;
+  const std::string_view unit = after < tokens.size() ? std::string_view(tokens[after].text) : "";
+  const bool said = unit == "\"" || unit == "in" || unit == "inches" || unit == "inch";
+  if (!said && !(tokens[from].glued && by_sign)) return;
+  measure.metres += inches.value * kInch;
+  measure.length = after + (said ? 1 : 0) - at;
+}
+
 }  // namespace
 
 NumberRead read_number(const Lexicon& lexicon, std::span<const Token> tokens, std::size_t at) {
@@ -55,8 +73,8 @@ std::optional<Measure> read_measure(const Lexicon& lexicon, std::span<const Toke
   Match unit = lexicon.find(tokens, unit_at, Class::kUnit);
   double scale = 0;
   if (unit.length > 0) scale = meaning_of(unit, Class::kUnit)->value;
-  if (unit.length == 0 && unit_word == "\"") scale = 0.0254, unit.length = 1;
-  if (unit.length == 0 && (unit_word == "'" || unit_word == "'s")) scale = 0.3048, unit.length = 1;
+  if (unit.length == 0 && unit_word == "\"") scale = kInch, unit.length = 1;
+  if (unit.length == 0 && (unit_word == "'" || unit_word == "'s")) scale = kFoot, unit.length = 1;
   if (unit.length == 0) return std::nullopt;
   // "in" is a preposition unless a number stands right before it and no noun phrase follows.
   if (unit_word == "in" && tokens[at].kind == Token::Kind::kNumber && !tokens[unit_at].glued) {
@@ -66,16 +84,7 @@ std::optional<Measure> read_measure(const Lexicon& lexicon, std::span<const Toke
   }
   if (unit_word == "in" && tokens[at].kind != Token::Kind::kNumber) return std::nullopt;
   Measure measure{value * scale, unit_at + 1 - at};
-  // Feet and inches: 5 ft 6 in, 5'6.
-  if (scale == 0.3048 && at + measure.length < tokens.size() && tokens[at + measure.length].kind == Token::Kind::kNumber) {
-    const Token& inches = tokens[at + measure.length];
-    const std::string_view second = at + measure.length + 1 < tokens.size() ? std::string_view(tokens[at + measure.length + 1].text) : "";
-    const bool said = second == "\"" || second == "in" || second == "inches" || second == "inch";
-    if (said || (inches.glued && unit_word == "'")) {
-      measure.metres += inches.number * 0.0254;
-      measure.length += said ? 2 : 1;
-    }
-  }
+  if (scale == kFoot) add_inches(lexicon, tokens, at, measure);
   // "1m20"
   constexpr double kCentimetres = 100;
   const std::size_t rest = at + measure.length;
