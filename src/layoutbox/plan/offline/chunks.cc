@@ -35,7 +35,11 @@ bool Chunker::clause_begins() const {
 }
 
 void Chunker::read() {
-  if (read_distance() || read_size_chunk() || read_rows() || read_infinitive()) return;
+  if (read_distance() || read_size_chunk() || read_rows() || read_infinitive() || read_doing()) return;
+  if (tokens_[i_].text == "like" && i_ + 1 < tokens_.size() && lexicon_.is(tokens_[i_ + 1], Class::kNumber)) {  // "like three mugs"
+    add(ChunkKind::kIgnored, 1);
+    return;
+  }
   if (tokens_[i_].text == "all" && i_ + 1 < tokens_.size() && tokens_[i_ + 1].text == "around") {  // "chairs all around"
     add(ChunkKind::kIgnored, 1);
     return;
@@ -111,13 +115,34 @@ bool Chunker::thing_next(std::size_t at) const {
                                  tokens_[at].kind == Token::Kind::kNumber || lexicon_.is(tokens_[at], Class::kAnother));
 }
 
-// "easy to picture", "nice to look at": what one does, after an adjective that begins no relation phrase.
+// "easy to picture", "nice to look at": what one does, after an adjective that begins no relation phrase. "A layout to copy": with it.
 bool Chunker::read_infinitive() {
   if (tokens_[i_].text != "to" || i_ == 0 || i_ + 1 >= tokens_.size() || tokens_[i_ + 1].kind != Token::Kind::kWord) return false;
   static constexpr std::array<std::string_view, 14> kDoable = {"easy",      "easier", "hard", "nice", "nicer", "simple", "pleasant",
                                                                "difficult", "ready",  "good", "fun",  "quick", "safe",   "able"};
-  if (std::find(kDoable.begin(), kDoable.end(), tokens_[i_ - 1].text) == kDoable.end()) return false;
+  const bool with_it = previous() == ChunkKind::kNoun && chunks_.back().last == i_ && lexicon_.find(tokens_, i_ + 1).length == 0 &&
+                       lexicon_.find_phrase(tokens_, i_ + 1).length == 0;
+  if (!with_it && std::find(kDoable.begin(), kDoable.end(), tokens_[i_ - 1].text) == kDoable.end()) return false;
   add(ChunkKind::kPurpose, 2);
+  return true;
+}
+
+// "I'm writing a thriller", "nobody will weigh the dog": what somebody does. "I'm building a cabin" is about the cabin.
+bool Chunker::read_doing() {
+  static constexpr std::array<std::string_view, 9> kWho = {"i", "we", "they", "he", "she", "you", "who", "nobody", "one"};
+  static constexpr std::array<std::string_view, 8> kMaking = {"building",   "making",   "creating",   "designing",
+                                                              "furnishing", "planning", "decorating", "equipping"};
+  static constexpr std::array<std::string_view, 14> kBringing = {"fit",  "put",     "place", "get",     "squeeze",     "store", "keep",
+                                                                 "add",  "include", "find",  "see", "accommodate", "use",   "need"};
+  const auto any = [](const auto& words, const std::string& text) { return std::find(words.begin(), words.end(), text) != words.end(); };
+  if (i_ == 0 || i_ + 2 >= tokens_.size() || !any(kWho, tokens_[i_ - 1].text) || length_of(Class::kBe) != 1) return false;
+  const std::string& doing = tokens_[i_ + 1].text;
+  for (const Class placing : {Class::kParticiple, Class::kHang, Class::kHave, Class::kPlaceVerb, Class::kBe, Class::kAdverb}) {
+    if (lexicon_.is(tokens_[i_ + 1], placing)) return false;
+  }
+  const bool is = tokens_[i_].text == "am" || tokens_[i_].text == "are" || tokens_[i_].text == "is";
+  if (is ? !doing.ends_with("ing") : any(kBringing, doing) || !opens_noun(tokens_[i_ + 2])) return false;
+  add(is && any(kMaking, doing) ? ChunkKind::kCommand : ChunkKind::kPurpose, 2);
   return true;
 }
 
@@ -162,7 +187,9 @@ void Chunker::add_phrase(const PhraseMatch& phrase) {
 Chunker::Choice Chunker::longest(const PhraseMatch& phrase, std::size_t without) const {
   const ChunkKind before = previous();
   const bool after_noun = before == ChunkKind::kNoun || before == ChunkKind::kRelation;
-  const std::array<Choice, 12> choices = {{
+  const std::size_t filler = length_of(Class::kFiller);
+  const std::array<Choice, 13> choices = {{
+      {ChunkKind::kIgnored, filler > 1 ? filler : 0},  // "six in all", "three should do"
       {ChunkKind::kCommand, clause_begins() ? length_of(Class::kCommand) : 0},
       {ChunkKind::kWithout, without},
       {ChunkKind::kSoft, length_of(Class::kSoft)},

@@ -49,6 +49,7 @@ class Chunker {
   bool noun_follows() const;
   bool thing_next(std::size_t at) const;
   bool read_infinitive();
+  bool read_doing();
   bool read_noun(bool bare);
   void add_phrase(const PhraseMatch& phrase);
   // Verbs, joining words and relation phrases; the longest wins, and of equals the first of this order.

@@ -19,7 +19,7 @@ bool is_missed(const Lexicon& lexicon, const Document& document, std::size_t k) 
   if (chunk.kind != ChunkKind::kNoun || was_used(document, chunk)) return false;
   const NounPhrase& noun = chunk.noun;
   const bool new_here = noun.determiner == Determiner::kIndefinite || noun.determiner == Determiner::kAnother || noun.count > 0;
-  if (noun.kind == NounKind::kAbstract) return noun.doubted && new_here;
+  if (noun.kind == NounKind::kAbstract) return noun.doubted && (new_here || noun.unplaced);
   if (noun.kind != NounKind::kObject) return false;
   if (new_here) return true;
   const bool there = noun.entry != nullptr && std::any_of(document.items.begin(), document.items.end(), [&](const Item& item) {

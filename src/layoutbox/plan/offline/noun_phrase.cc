@@ -294,11 +294,18 @@ std::optional<NounPhrase> NounPhraseReader::settle_without_head() {
   return finish();
 }
 
-// "a bear guards a safe": one bear, and what it does.
+// "a bear guards a safe": one bear, and what it does. "The party shoulders open the door."
 bool NounPhraseReader::ends_in_verb(std::size_t head) const {
-  if (head < 2 || phrase_.determiner != Determiner::kIndefinite || phrase_.count != 0) return false;
+  const bool definite = phrase_.determiner == Determiner::kDefinite || phrase_.determiner == Determiner::kPossessive;
+  if (head < 2 || (phrase_.determiner != Determiner::kIndefinite && !definite) || phrase_.count != 0) return false;
   const Part &last = parts_[head - 1], &before = parts_[head - 2];
   if (!last.plural || before.plural || (last.word_class != Class::kFiller && !opens_at(last.last))) return false;
+  if (definite) {
+    const bool particle = last.last < tokens_.size() && lexicon_.is(tokens_[last.last], Class::kVerb);
+    const std::size_t object = last.last + (particle ? 1 : 0);
+    return last.last - last.first == 1 &&
+           (opens_at(object) || (object < tokens_.size() && lexicon_.is(tokens_[object], Class::kEach)));
+  }
   return before.word_class == Class::kObject || (before.word_class == Class::kFiller && is_thing(before));
 }
 

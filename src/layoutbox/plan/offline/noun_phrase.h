@@ -57,6 +57,7 @@ struct NounPhrase {
   bool subset = false;        // "two of the beds"
   bool reciprocal = false;    // "each other"
   bool doubted = false;       // taken for no thing by what English says of the word alone: no list of ours has it
+  bool unplaced = false;      // … or by what the text says of it: neither where it is nor that it is there
   bool collective = false;    // "items", "essentials": things where something holds them
   bool niche = false;         // an alcove, a notch: a part of the room's outline
   std::string wall_word;      // left, right, back, front

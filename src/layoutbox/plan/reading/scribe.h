@@ -47,6 +47,13 @@ class Scribe {
   bool write_set(int u);
   void mark_noun(int u, int mention);
 
+  // Whether an unknown noun is a thing of the room.
+  bool tells_more() const;
+  bool is_named_anew(int u) const;
+  bool is_listed(int u) const;
+  bool is_evident(int u) const;
+  void forget(int u, int mention, std::size_t items);
+
   // What a noun is for.
   void grow_for_reference(int index, int mention, bool both);
   void fill_reference(int u, int mention);

@@ -339,8 +339,10 @@ void Scribe::write_noun(int u) {
   // Collectives ("bath essentials") are things where something holds them.
   NounPhrase& noun = document_.chunks[unit(u).chunk].noun;
   if (noun.kind == NounKind::kAbstract && noun.collective && own.role == NounRole::kContent) noun.kind = NounKind::kObject;
+  const std::size_t items = document_.items.size();
   const int mention = make_mention(u);
   mention_[static_cast<std::size_t>(u)] = mention;
+  if (document_.items.size() > items && !is_evident(u)) forget(u, mention, items);
   if (own.role == NounRole::kReference && mention_at(mention).items.empty() &&
       (noun.kind == NounKind::kAbstract || noun.kind == NounKind::kRoom)) {
     if (const int meant = thing_of_zone(noun); meant >= 0) {

@@ -172,15 +172,20 @@ void UnitReader::settle_noun(std::size_t k) {
       object != nullptr && (content ? is_placed_itself(k) : !after_place() || noun.determiner == Determiner::kIndefinite))
     noun = NounPhrase(*object);
   if (names_known(k)) noun.kind = NounKind::kObject;
+  if (is_figure(k)) {
+    noun.kind = NounKind::kObject;
+    if (noun.entry == nullptr) noun.entry = lexicon_.catalog().find("figurine");
+  }
+  if (is_within_room(noun)) noun.of->kind = NounKind::kRoom;
   if (named_ || skipping_ || negated_) return;
-  named_ = true;
+  // "Notes for chapter three: the bridge of the freighter": a heading says nothing yet
+  if (is_title(k)) noun.kind = NounKind::kRoom;
+  named_ = noun.kind != NounKind::kAbstract;
   // "A craft brewery taproom has a bar": what nobody knows and has things, at the very beginning, is the room.
   const bool has = is(next(k), ChunkKind::kHave);
   // "I want a two-bed recovery bay."
-  const bool title =
-      k == 0 && noun.determiner == Determiner::kNone && noun.count == 0 && is(k + 1, ChunkKind::kStop) && k + 2 < document_.chunks.size();
   const bool alone = noun.determiner == Determiner::kIndefinite && is(k + 1, ChunkKind::kStop);
-  if (noun.kind == NounKind::kObject && noun.entry == nullptr && ((!noun.is_plural() && (has || alone)) || title))
+  if (noun.kind == NounKind::kObject && noun.entry == nullptr && !noun.is_plural() && (has || alone))
     noun.kind = NounKind::kRoom;
   // "A reading corner with an armchair": so is the corner that it is all about.
   const bool zone = noun.wall_word.empty() && noun.determiner != Determiner::kEach && noun.count == 0;
@@ -237,6 +242,11 @@ void UnitReader::read_noun(std::size_t k) {
     return;
   }
   if (says_nothing_but_there(k) || says_where_room_is(k) || says_room_seats(k)) return;
+  if (counts_before(k)) return;
+  if (is_said_of_subject(k) || announces_things(k)) {
+    mark(k, Use::kIgnored, "no object");
+    return;
+  }
   // "instead of a bathtub a shower": what stands beside what is not wanted.
   if (negated_ && joiner_ == Joiner::kNone && k > 0 && is(k - 1, ChunkKind::kNoun) && noun.determiner == Determiner::kIndefinite)
     negated_ = false;

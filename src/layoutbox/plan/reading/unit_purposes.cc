@@ -28,6 +28,7 @@ void UnitReader::read_purpose(std::size_t k) {
     return;
   }
   mark(k, Use::kIgnored, "purpose");
+  doing_ = is_person(previous(k));
   skipping_ = true;
   joiner_ = Joiner::kNone;
 }
@@ -104,6 +105,7 @@ bool UnitReader::purpose_ends(std::size_t k, std::size_t n) const {
       return false;  // "for my aunt, who has a dog"
     if (!comma && is(n, ChunkKind::kRelation) && chunk(n).last - chunk(n).first > 1)
       return true;  // "… and at the right one for the guitar"
+    if (!comma && doing_ && is(n, ChunkKind::kVerb)) return false;  // "guests come in and hang up their coats"
     if (!comma) return is(n, ChunkKind::kVerb) || is(n, ChunkKind::kThere) || is(n, ChunkKind::kCommand);
     return is(n, ChunkKind::kRelation) || is(n, ChunkKind::kHave) || is(n, ChunkKind::kParticiple) || is(n, ChunkKind::kRelative) ||
            is(n, ChunkKind::kThere) || is(n, ChunkKind::kVerb);
@@ -146,6 +148,10 @@ bool UnitReader::names_contents(std::size_t k) const {
            !is(next(n), ChunkKind::kRelation) && thing.kind == NounKind::kObject && thing.exact && thing.plural &&
            thing.determiner == Determiner::kNone && thing.count == 0 && mount_of(thing) == Mount::kSurface;
   }
+  // "the left wall takes two bookcases"
+  const bool takes = one_of(word, {"takes", "take", "gets", "get", "receives", "receive"});
+  if (takes && (host.kind == NounKind::kWall || host.kind == NounKind::kCorner || host.kind == NounKind::kObject))
+    return thing.kind == NounKind::kObject && (thing.determiner == Determiner::kIndefinite || thing.count > 0) && !is_person(before);
   static constexpr std::string_view kShows[] = {"offers", "offer", "provides", "provide", "offering", "providing", "enjoys"};
   const bool room = host.kind == NounKind::kRoom || host.kind == NounKind::kOutsideRoom;
   const bool there =

@@ -1,4 +1,4 @@
-// The class behind read_units; its members stand in units, unit_nouns and unit_purposes.
+// The class behind read_units; its members stand in units, unit_nouns, unit_purposes and unit_asides.
 #pragma once
 
 #include <string>
@@ -26,7 +26,6 @@ class UnitReader {
   bool centers_in_room(std::size_t k);
   bool tells_which(std::size_t k);
   bool names_doer(std::size_t k);
-  bool tells_why(std::size_t k);
   void add_place(std::size_t k, const PhraseSenses& senses);
   void read_have(std::size_t k);
   void read_verb(std::size_t k);
@@ -46,6 +45,18 @@ class UnitReader {
   void seat_so_many(NounPhrase& tables, int people) const;
   bool denies_place(std::size_t k);
   bool excepts_from_nothing(std::size_t k) const;
+
+  // What is told by the way.
+  std::size_t clause_end(std::size_t k) const;
+  bool is_person(std::size_t k) const;
+  bool says_what_is_there(std::size_t first, std::size_t last) const;
+  bool passes_aside(std::size_t k);
+  bool is_said_of_subject(std::size_t k) const;
+  bool is_title(std::size_t k) const;
+  bool is_within_room(const NounPhrase& noun) const;
+  bool counts_before(std::size_t k);
+  bool announces_things(std::size_t k) const;
+  bool is_figure(std::size_t k) const;
 
   // Nouns.
   bool says_nothing_but_there(std::size_t k);
@@ -77,6 +88,7 @@ class UnitReader {
   Sentence units_;
   Joiner joiner_ = Joiner::kNone;
   bool clause_ = false, where_ = false, soft_ = false, skipping_ = false, negated_ = false;
+  bool doing_ = false;  // what is skipped is what a person does
   std::size_t passed_over_ = static_cast<std::size_t>(-1), passed_until_ = 0;
   bool named_ = false;               // a noun was read
   int one_corner_ = -1, wall_ = -1;  // chunks: "in one corner", the last wall

@@ -72,12 +72,12 @@ void UnitReader::read(std::size_t k) {
   switch (chunk(k).kind) {
     case ChunkKind::kStop: end_sentence(); break;
     case ChunkKind::kClause:
+      if (passes_aside(k)) break;
       mark(k, Use::kIgnored, "joins clauses");
       clause_ = true;
       where_ = document_.tokens[chunk(k).first].text == "where";
       soft_ = where_ && k > 0 && is(k - 1, ChunkKind::kNoun) && chunk(k - 1).noun.kind == NounKind::kWall;
-      negated_ = false;
-      skipping_ = tells_why(k);
+      negated_ = skipping_ = false;
       joiner_ = Joiner::kNone;
       break;
     case ChunkKind::kComma:
@@ -174,23 +174,6 @@ bool UnitReader::names_doer(std::size_t k) {
   mark(k, Use::kIgnored, "who does it");
   mark(n, Use::kIgnored, "who does it");
   passed_until_ = n + 1;
-  return true;
-}
-
-// "so that I can roll under", "because we eat there": why, until the next comma.
-bool UnitReader::tells_why(std::size_t k) {
-  static constexpr std::string_view kWhy[] = {"so", "that", "because", "since"}, kWho[] = {"i", "we", "you", "he", "she", "they", "it"},
-                                    kDoes[] = {"can", "could", "may", "might", "will", "would",
-                                               "do",  "does",  "eat", "sleep", "work", "like"};
-  const auto any = [](const auto& words, std::string_view text) {
-    return std::find(std::begin(words), std::end(words), text) != std::end(words);
-  };
-  const std::size_t who = chunk(k).last;
-  if (who + 1 >= document_.tokens.size() || !any(kWhy, document_.tokens[who - 1].text) || !any(kWho, document_.tokens[who].text) ||
-      !any(kDoes, document_.tokens[who + 1].text))
-    return false;
-  passed_until_ = k + 1;
-  while (passed_until_ < document_.chunks.size() && chunk(passed_until_).first <= who + 1) mark(passed_until_++, Use::kIgnored, "purpose");
   return true;
 }
 
