@@ -132,8 +132,8 @@ bool Chunker::read_doing() {
   static constexpr std::array<std::string_view, 9> kWho = {"i", "we", "they", "he", "she", "you", "who", "nobody", "one"};
   static constexpr std::array<std::string_view, 8> kMaking = {"building",   "making",   "creating",   "designing",
                                                               "furnishing", "planning", "decorating", "equipping"};
-  static constexpr std::array<std::string_view, 14> kBringing = {"fit",  "put",     "place", "get",     "squeeze",     "store", "keep",
-                                                                 "add",  "include", "find",  "see", "accommodate", "use",   "need"};
+  static constexpr std::array<std::string_view, 14> kBringing = {"fit", "put",     "place", "get", "squeeze",     "store", "keep",
+                                                                 "add", "include", "find",  "see", "accommodate", "use",   "need"};
   const auto any = [](const auto& words, const std::string& text) { return std::find(words.begin(), words.end(), text) != words.end(); };
   if (i_ == 0 || i_ + 2 >= tokens_.size() || !any(kWho, tokens_[i_ - 1].text) || length_of(Class::kBe) != 1) return false;
   const std::string& doing = tokens_[i_ + 1].text;

@@ -25,6 +25,15 @@ bool RelationBuilder::has_wall_kind(const NounPhrase& noun) const {
   return mount_of(noun) == Mount::kFloor && noun.exact && catalog_.find("wall_" + noun.entry->id) != nullptr;
 }
 
+// A shelf under what hangs on the wall is a board there: its kind for the wall has nothing inside.
+bool RelationBuilder::is_board_under(const Relation& relation, const NounPhrase& noun) const {
+  if (relation.type != R::kUnder || !has_wall_kind(noun) || relation.references.empty()) return false;
+  const SceneObject* above = object_of(relation.references.front());
+  if (above == nullptr || mount_of(noun_of_object(*above)) != Mount::kWall) return false;
+  const std::vector<SpaceFormula>& spaces = catalog_.find("wall_" + noun.entry->id)->spaces;
+  return std::none_of(spaces.begin(), spaces.end(), [](const SpaceFormula& s) { return s.carries; });
+}
+
 // Things that stand on others: what is beside them does so as well.
 bool RelationBuilder::only_small(const std::vector<std::string>& ids) const {
   return !ids.empty() && std::all_of(ids.begin(), ids.end(), [&](const std::string& id) {
@@ -37,7 +46,7 @@ RelationBuilder::Held RelationBuilder::how_held(const SceneObject& object, const
   Held held;
   for (const std::size_t r : relations_of(object.id)) {
     const Relation& relation = scene_.relations[r];
-    held.wall |= relation.type == R::kOnWall || (relation.type == R::kAbove && has_wall_kind(noun));
+    held.wall |= relation.type == R::kOnWall || (relation.type == R::kAbove && has_wall_kind(noun)) || is_board_under(relation, noun);
     held.ceiling |= relation.type == R::kOnCeiling;
     held.supported |= relation.type == R::kOn || relation.type == R::kIn || relation.type == R::kStacked;
     held.beside |= is_beside(relation.type) && !only_small(relation.references);

@@ -303,8 +303,7 @@ bool NounPhraseReader::ends_in_verb(std::size_t head) const {
   if (definite) {
     const bool particle = last.last < tokens_.size() && lexicon_.is(tokens_[last.last], Class::kVerb);
     const std::size_t object = last.last + (particle ? 1 : 0);
-    return last.last - last.first == 1 &&
-           (opens_at(object) || (object < tokens_.size() && lexicon_.is(tokens_[object], Class::kEach)));
+    return last.last - last.first == 1 && (opens_at(object) || (object < tokens_.size() && lexicon_.is(tokens_[object], Class::kEach)));
   }
   return before.word_class == Class::kObject || (before.word_class == Class::kFiller && is_thing(before));
 }

@@ -184,7 +184,8 @@ bool NounPhraseReader::is_verb_in_name(const Match& match) const {
   if (match.length != 1 || !parts_.empty() || !is_named() || token().text.size() < 2 || !is_noun(noun_form(token().text)) ||
       opens_at(i_ + 1))
     return false;
-  if (phrase_.determiner == Determiner::kDefinite && i_ + 1 < tokens_.size() && (tokens_[i_ + 1].text == "is" || tokens_[i_ + 1].text == "are"))
+  if (phrase_.determiner == Determiner::kDefinite && i_ + 1 < tokens_.size() &&
+      (tokens_[i_ + 1].text == "is" || tokens_[i_ + 1].text == "are"))
     return has(match, Class::kVerb);  // "the highlight is a piano"
   const bool thing_follows = i_ + 1 < tokens_.size() && tokens_[i_ + 1].kind == Token::Kind::kWord &&
                              is_noun(noun_form(tokens_[i_ + 1].text)) && lexicon_.find_phrase(tokens_, i_ + 1).length == 0;

@@ -14,9 +14,12 @@ bool is_own_shelf(const NounPhrase& noun) {
   return std::find(std::begin(kWhich), std::end(kWhich), noun.name) != std::end(kWhich);
 }
 
+// No bed, sink or seat, whose mattress, bowl or seat carries as well.
 bool has_shelves(const CatalogEntry* entry) {
-  return entry != nullptr && entry->mount == Mount::kFloor &&
-         std::any_of(entry->spaces.begin(), entry->spaces.end(), [](const SpaceFormula& s) { return s.carries; });
+  static constexpr std::string_view kShelves[] = {"shelf", "compartment", "below", "tray", "ledge", "niche", "floor"};
+  return entry != nullptr && entry->mount == Mount::kFloor && std::ranges::any_of(entry->spaces, [](const SpaceFormula& s) {
+           return s.carries && std::ranges::any_of(kShelves, [&](std::string_view part) { return s.name.find(part) != std::string::npos; });
+         });
 }
 
 }  // namespace

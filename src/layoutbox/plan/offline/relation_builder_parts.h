@@ -139,6 +139,7 @@ class RelationBuilder {
   std::size_t sentence_of(std::size_t token);
   bool only_small(const std::vector<std::string>& ids) const;
   bool has_wall_kind(const NounPhrase& noun) const;
+  bool is_board_under(const Relation& relation, const NounPhrase& noun) const;
   bool hangs_on_hooks(const std::string& object) const;
   // On or in a thing other than a rug.
   bool is_carried(const std::string& object) const;

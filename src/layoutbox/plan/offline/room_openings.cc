@@ -8,7 +8,36 @@ namespace layoutbox::offline {
 
 namespace {
 using Class = WordClass;
+
+// Doors that slide, and doors of two leaves.
+struct DoorKind {
+  std::string_view word;
+  bool slides, two_leaves;
+};
+constexpr DoorKind kDoorKinds[] = {{"patio", true, true},   {"garage", true, true},   {"roller", true, true},  {"automatic", true, true},
+                                   {"french", false, true}, {"double", false, true},  {"saloon", false, true}, {"folding", false, true},
+                                   {"bifold", false, true}, {"bi-fold", false, true}, {"pocket", true, false}, {"barn", true, false},
+                                   {"sliding", true, false}};
+
+const DoorKind* door_kind(const NounPhrase& noun) {
+  if (noun.kind != NounKind::kDoor) return nullptr;
+  const auto says = [&](const DoorKind& kind) {
+    return (" " + noun.name + " ").find(" " + std::string(kind.word) + " ") != std::string::npos ||
+           std::find(noun.attributes.begin(), noun.attributes.end(), kind.word) != noun.attributes.end();
+  };
+  const auto* kind = std::find_if(std::begin(kDoorKinds), std::end(kDoorKinds), says);
+  return kind == std::end(kDoorKinds) ? nullptr : kind;
+}
 }  // namespace
+
+bool is_kind_of_door(const NounPhrase& noun) { return door_kind(noun) != nullptr; }
+
+// "French doors", "double doors": one opening, whose leaves they are.
+int openings_said(const NounPhrase& noun) {
+  const bool leaves = noun.plural && door_kind(noun) != nullptr && (noun.count == 0 || noun.name.find("double") != std::string::npos);
+  if (leaves) return 1;
+  return noun.count > 0 ? noun.count : noun.plural ? 2 : 1;
+}
 
 void settle_opening_sizes(Document& document) {
   std::vector<Chunk>& chunks = document.chunks;
@@ -82,9 +111,10 @@ Opening opening_said(OpeningType type, const NounPhrase& noun) {
     if (noun.name.find("floor to ceiling") != std::string::npos || noun.name.find("floor-to-ceiling") != std::string::npos)
       opening.sill = 100, opening.height = 2200;
   } else {
-    opening.width = said("double") ? 1600 : 900;
+    const DoorKind* kind = door_kind(noun);
+    opening.width = kind != nullptr && (kind->two_leaves || noun.plural) ? 1600 : 900;
     opening.height = 2000;
-    if (said("sliding")) opening.swing = Swing::kSliding;
+    if (kind != nullptr && kind->slides) opening.swing = Swing::kSliding;
   }
   if (noun.size.span) opening.width = mm_from_m(*noun.size.span);
   if (noun.size.either && noun.size.depth) opening.height = mm_from_m(*noun.size.depth);

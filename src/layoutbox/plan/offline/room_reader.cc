@@ -145,8 +145,7 @@ void put_openings(const PlacedOpenings& placed, SceneGraph& scene) {
     const OpeningType type = opening_type(*mention);
     // "two doors, one in the front wall and one in the left wall": shared out.
     const auto places = std::count_if(placed.begin(), placed.end(), [&, m = mention](const auto& p) { return p.first == m; });
-    const int all = mention->noun.count > 0 ? mention->noun.count : mention->noun.plural ? 2 : 1;
-    const int count = std::max(1, all / static_cast<int>(places));
+    const int count = std::max(1, openings_said(mention->noun) / static_cast<int>(places));
     for (int i = 0; i < std::min(count, 12); ++i) add_opening(scene, type, mention->noun, wall);
   }
 }
@@ -160,14 +159,16 @@ void add_openings(const Document& document, SceneGraph& scene) {
     if (!is_opening(mention)) continue;
     const bool said = std::any_of(placed.begin(), placed.end(), [&](const auto& p) { return p.first == &mention; });
     const bool counted = mention.noun.count > 1 || (mention.noun.plural && mention.noun.determiner != Determiner::kDefinite);
-    if (said || (!counted && !mention.noun.size.any() && mention.noun.wall_word.empty() && !is_described(mention.noun))) continue;
+    if (said || (!counted && !mention.noun.size.any() && mention.noun.wall_word.empty() && !is_described(mention.noun) &&
+                 !is_kind_of_door(mention.noun)))
+      continue;
     const OpeningType type = opening_type(mention);
     const bool there = std::any_of(room.openings.begin(), room.openings.end(), [&](const Opening& o) { return o.type == type; });
     if (there) {  // "there is a window in the back wall. The window is 2 m wide."
       if (mention.noun.size.any()) resize_openings(scene.room, opening_said(type, mention.noun));
       continue;
     }
-    const int count = mention.noun.count > 0 ? mention.noun.count : counted ? 2 : 1;
+    const int count = openings_said(mention.noun);
     for (int i = 0; i < std::min(count, 12); ++i) add_opening(scene, type, mention.noun, mention.noun.wall_word);
   }
 }

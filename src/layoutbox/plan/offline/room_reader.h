@@ -33,6 +33,11 @@ void settle_opening_walls(const Lexicon& lexicon, Document& document);
 // A door or a window as a noun phrase says it, without an id and a place.
 Opening opening_said(OpeningType type, const NounPhrase& noun);
 
+// "a sliding door", "the patio door": not the usual one.
+bool is_kind_of_door(const NounPhrase& noun);
+// How many openings a noun phrase names.
+int openings_said(const NounPhrase& noun);
+
 // Fills the scene's room from what was read.
 void build_room(const Document& document, const RoomSize& size, SceneGraph& scene);
 

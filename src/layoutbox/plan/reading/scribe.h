@@ -51,6 +51,7 @@ class Scribe {
   bool tells_more() const;
   bool is_named_anew(int u) const;
   bool is_listed(int u) const;
+  bool is_living(const NounPhrase& noun) const;
   bool is_evident(int u) const;
   void forget(int u, int mention, std::size_t items);
 

@@ -2,6 +2,7 @@
 // "Nobody will weigh the labrador" does nothing of that.
 #include <algorithm>
 
+#include "layoutbox/plan/offline/english.h"
 #include "layoutbox/plan/reading/scribe.h"
 
 namespace layoutbox::offline {
@@ -39,13 +40,21 @@ bool Scribe::is_listed(int u) const {
   return false;
 }
 
+// An animal, which may be spoken of without being part of the room; a toy or a statue of one is a thing.
+bool Scribe::is_living(const NounPhrase& noun) const {
+  if (noun.entry != nullptr && lexicon_.catalog().is_a(noun.entry->id, "pet")) return true;
+  return !noun.exact && noun_form(noun.head) == WordForm::kBody && noun.attributes.empty() && noun.name == noun.head;
+}
+
 bool Scribe::is_evident(int u) const {
   const NounPhrase& noun = chunk(u).noun;
+  const bool living = is_living(noun);
   const UnitReading& own = reading(u);
   // "the belly of a whale": what a part is of, where nothing is placed by it.
   if (noun.kind != NounKind::kObject) return own.role != NounRole::kRoot || own.placed || noun.kind == NounKind::kMember;
-  if (noun.exact || own.role != NounRole::kRoot || own.placed || own.predicate >= 0) return true;
-  if (is(u - 1, UnitKind::kOpen) && unit(u - 1).chunk + 1 == unit(u).chunk) return true;
+  if ((noun.exact && !living) || own.role != NounRole::kRoot || own.placed || own.predicate >= 0) return true;
+  if (is(u - 1, UnitKind::kOpen) && unit(u - 1).chunk + 1 == unit(u).chunk && (!living || chunk(u - 1).kind == ChunkKind::kThere))
+    return true;
   if (is_named_anew(u) || is_listed(u)) return true;
   for (int v = 0; v < static_cast<int>(sentence_->size()); ++v) {
     const bool verb = is(v, UnitKind::kVerb) || is(v, UnitKind::kParticiple) || is(v, UnitKind::kPlace);

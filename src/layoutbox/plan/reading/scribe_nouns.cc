@@ -251,7 +251,11 @@ bool Scribe::trails_each(int u) {
   const bool listed = hosts.empty() && before.former >= 0;
   if (listed) hosts = {mention_[static_cast<std::size_t>(before.former)]};
   std::size_t count = 0;
-  for (const int host : hosts) count += is_thing(host) ? mention_at(host).items.size() : 0;
+  for (const int host : hosts) {
+    const NounPhrase& by = noun_of(host);
+    const bool walls = by.kind == NounKind::kWall && by.plural;  // "the side walls take three lockers each"
+    count += is_thing(host) ? mention_at(host).items.size() : walls ? static_cast<std::size_t>(std::max(by.count, 2)) : 0;
+  }
   if (count < 2) return false;
   references_.grow(content, mention_at(content).items.size() * count);
   mark(u, Use::kUsed, "reference");

@@ -1,6 +1,7 @@
 // What a text tells besides what stands in the room: why, what somebody does, what the room is like. It brings in nothing.
 #include <algorithm>
 #include <string_view>
+#include <utility>
 
 #include "layoutbox/plan/offline/english.h"
 #include "layoutbox/plan/offline/knowledge.h"
@@ -23,7 +24,8 @@ std::size_t UnitReader::clause_end(std::size_t k) const {
   std::size_t c = k + 1;
   while (is(c, ChunkKind::kClause)) ++c;  // "since nobody"
   for (; c < document_.chunks.size() && !is(c, ChunkKind::kStop) && !is(c, ChunkKind::kClause); ++c) {
-    if ((is(c, ChunkKind::kComma) || is(c, ChunkKind::kAnd)) && purpose_ends(c, next(c))) break;
+    const bool over = is(c, ChunkKind::kComma) && is(next(c), ChunkKind::kCommand);
+    if (over || ((is(c, ChunkKind::kComma) || is(c, ChunkKind::kAnd)) && purpose_ends(c, next(c)))) break;
   }
   return c;
 }
@@ -33,8 +35,9 @@ bool UnitReader::is_person(std::size_t k) const {
   const Chunk& who = chunk(k);
   const Token& token = document_.tokens[who.first];
   if (who.kind == ChunkKind::kNoun)
-    return (who.noun.kind == NounKind::kPronoun && one_of(token.text, {"they", "them", "him"})) || lexicon_.is_person(who.noun.head) ||
-           (!who.noun.exact && word_form(who.noun.head) == WordForm::kPerson);
+    return (who.noun.kind == NounKind::kPronoun && one_of(token.text, {"they", "them", "him"})) ||
+           (who.noun.entry == nullptr && (word_form(who.noun.head) == WordForm::kPerson ||
+                                          (lexicon_.is_person(who.noun.head) && !one_of(who.noun.head, {"seat", "place"}))));
   return lexicon_.is(token, WordClass::kOwnClause) || one_of(token.text, {"i", "we", "nobody", "no"});
 }
 
@@ -44,10 +47,13 @@ bool UnitReader::says_what_is_there(std::size_t first, std::size_t last) const {
   for (std::size_t c = first; c < last; ++c) {
     if (is(c, ChunkKind::kThere) || is(c, ChunkKind::kWithout)) return true;
     told = told || is_person(c) || is(c, ChunkKind::kPurpose) || is(c, ChunkKind::kUnknown);
-    if (!is(c, ChunkKind::kNoun) || chunk(c).noun.kind != NounKind::kObject || !chunk(c).noun.exact) continue;
+    const bool known = is(c, ChunkKind::kNoun) && chunk(c).noun.kind == NounKind::kObject && chunk(c).noun.entry != nullptr &&
+                       !lexicon_.catalog().is_a(chunk(c).noun.entry->id, "pet");
+    if (!known || (!chunk(c).noun.exact && c != first)) continue;
     const std::size_t n = next(c);
     const bool placed = n < last && (is(n, ChunkKind::kRelation) || is(n, ChunkKind::kParticiple) || is(n, ChunkKind::kVerb));
-    if (placed && !told) return true;
+    const bool used = is_new_here(chunk(c).noun) && c > first && is(previous(c), ChunkKind::kRelation);  // "guests sit on two sofas"
+    if ((placed && !told) || used) return true;
     thing = thing || is_new_here(chunk(c).noun);
   }
   return thing && !told;
@@ -55,8 +61,8 @@ bool UnitReader::says_what_is_there(std::size_t first, std::size_t last) const {
 
 // "because my knee gets stiff", "so that the postman can rest", "where grandpa tells his stories": the clause at k, told by the way.
 bool UnitReader::passes_aside(std::size_t k) {
-  static constexpr std::string_view kWhy[] = {"because", "since", "so", "that", "if", "unless", "case", "hence", "otherwise", "why",
-                                              "although", "though", "until", "whenever", "when"};
+  static constexpr std::string_view kWhy[] = {"because",   "since", "so",       "that",   "if",    "unless",   "case", "hence",
+                                              "otherwise", "why",   "although", "though", "until", "whenever", "when"};
   const std::size_t first = k + 1, end = clause_end(k);
   if (first >= end || is(first, ChunkKind::kComma)) return false;
   const bool why = std::ranges::find(kWhy, document_.tokens[chunk(k).last - 1].text) != std::end(kWhy);
@@ -72,28 +78,59 @@ bool UnitReader::passes_aside(std::size_t k) {
   return true;
 }
 
-// "my flat is a matchbox", "it's basically a shoebox", "the sofa is an antique": what something is called, no thing of its own.
-bool UnitReader::is_said_of_subject(std::size_t k) const {
-  const NounPhrase& noun = chunk(k).noun;
-  if (noun.kind != NounKind::kObject || units_.size() < 2 || joiner_ != Joiner::kNone || units_.back().kind != UnitKind::kVerb) return false;
+// The unit that the noun at k is said to be: "my flat is a …", "it's a …"; past the end if there is none.
+std::size_t UnitReader::subject_of_being(std::size_t k) const {
   static constexpr std::string_view kBe[] = {"is", "are", "was", "were", "be", "been"};
-  const Unit& subject = units_[units_.size() - 2];
-  if (subject.kind != UnitKind::kNoun || std::ranges::find(kBe, document_.tokens[chunk(units_.back().chunk).last - 1].text) == std::end(kBe))
-    return false;
+  const std::size_t none = units_.size();
+  if (units_.empty() || joiner_ != Joiner::kNone) return none;
+  if (units_.back().kind == UnitKind::kNoun) {
+    const std::size_t end = chunk(units_.back().chunk).last;
+    return end < document_.tokens.size() && document_.tokens[end].text == "'s" && previous(k) == units_.back().chunk ? none - 1 : none;
+  }
+  if (none < 2 || units_.back().kind != UnitKind::kVerb || units_[none - 2].kind != UnitKind::kNoun) return none;
+  const std::string& be = document_.tokens[chunk(units_.back().chunk).last - 1].text;
+  return std::ranges::find(kBe, be) == std::end(kBe) ? none : none - 2;
+}
+
+// "my flat is a matchbox", "it's basically a shoebox", "the sofa is an antique": what something is called, no thing of its own.
+bool UnitReader::is_said_of_subject(std::size_t k) {
+  const NounPhrase& noun = chunk(k).noun;
+  const std::size_t at = noun.kind == NounKind::kObject ? subject_of_being(k) : units_.size();
+  if (at >= units_.size()) return false;
+  const Unit& subject = units_[at];
   // "behind the desk is a chair"
-  const bool first = units_.size() == 2 || subject.joiner != Joiner::kNone || subject.clause || units_[units_.size() - 3].kind == UnitKind::kOpen;
+  const bool first = at == 0 || subject.joiner != Joiner::kNone || subject.clause || units_[at - 1].kind == UnitKind::kOpen;
   if (!first) return false;
-  for (std::size_t u = units_.size() - 2; u-- > 0 && !units_[u + 1].clause;) {
+  for (std::size_t u = at; u-- > 0 && !units_[u + 1].clause;) {
     if (units_[u].kind == UnitKind::kVerb) break;
     if (units_[u].kind == UnitKind::kPlace && (u == 0 || units_[u - 1].kind != UnitKind::kNoun)) return false;
   }
-  const NounPhrase& what = chunk(subject.chunk).noun;
+  NounPhrase& what = document_.chunks[subject.chunk].noun;
   const std::size_t n = next(k);
   const bool listed = is(n, ChunkKind::kComma) || is(n, ChunkKind::kAnd);
   if (what.kind == NounKind::kRoom || what.kind == NounKind::kOutsideRoom || (what.kind == NounKind::kPronoun && what.head == "it"))
     return !(noun.exact && listed && document_.rooms.empty());
-  // "the centerpiece is a piano" names the piano.
-  return what.kind == NounKind::kObject && what.exact;
+  // "the centerpiece is a piano" names the piano, and so does "the furniture is a piano".
+  if (what.kind != NounKind::kObject || !what.exact || (noun.count > 1 && !what.plural)) return false;
+  const bool generic = one_of(what.head, {"furniture", "object", "item", "piece", "seating", "storage", "decoration"});
+  const bool of_kind = noun.exact && noun.entry != what.entry && lexicon_.catalog().is_a(noun.entry->id, what.entry->id);
+  if ((generic || of_kind) && noun.exact && !is_named_before(subject.chunk, what.head)) {
+    const NounPhrase said = what;
+    what = noun;
+    what.first = said.first;
+    what.last = said.last;
+    what.determiner = said.determiner;
+  }
+  return true;
+}
+
+// A thing so called stands in the text shortly before chunk k.
+bool UnitReader::is_named_before(std::size_t k, std::string_view head) const {
+  constexpr std::size_t kBack = 400;
+  for (std::size_t c = k; c-- > 0 && c + kBack > k;) {
+    if (is(c, ChunkKind::kNoun) && chunk(c).noun.kind == NounKind::kObject && chunk(c).noun.head == head) return true;
+  }
+  return false;
 }
 
 // The first thing that a text names, alone in its sentence and of no kind that is known: its title, and so the room.
@@ -101,10 +138,11 @@ bool UnitReader::is_said_of_subject(std::size_t k) const {
 bool UnitReader::is_title(std::size_t k) const {
   const NounPhrase& noun = chunk(k).noun;
   const std::size_t n = next(k);
-  if (noun.kind != NounKind::kObject || noun.exact || noun.count > 0 || noun.plural || !units_.empty() || !is(n, ChunkKind::kStop) ||
-      n + 1 >= document_.chunks.size())
+  if (noun.kind != NounKind::kObject || noun.exact || noun.count > 0 || noun.plural || !units_.empty() || n + 1 >= document_.chunks.size())
     return false;
-  return noun.determiner == Determiner::kDefinite || noun.determiner == Determiner::kNone || noun.entry == nullptr;
+  if (is(n, ChunkKind::kComma) && noun.entry == nullptr) return is(next(n), ChunkKind::kWithout) || is(next(n), ChunkKind::kSize);
+  if (!is(n, ChunkKind::kStop)) return false;
+  return noun.determiner == Determiner::kDefinite || noun.entry == nullptr;
 }
 
 // "chairs around the table, eight of them", "lamps (three)": how many of what was named before.
@@ -122,6 +160,49 @@ bool UnitReader::counts_before(std::size_t k) {
     return true;
   }
   return false;
+}
+
+// "the vet weighs every poodle on the scales by the door": where the scales are.
+bool UnitReader::is_used_in_place(std::size_t k) const {
+  const NounPhrase& noun = chunk(k).noun;
+  const std::size_t by = next(next(k));
+  return noun.kind == NounKind::kObject && noun.exact && noun.determiner == Determiner::kDefinite && !lexicon_.is_person(noun.head) &&
+         !lexicon_.catalog().is_a(noun.entry->id, "pet") && is(next(k), ChunkKind::kRelation) && is(by, ChunkKind::kNoun) &&
+         (chunk(by).noun.determiner == Determiner::kDefinite || chunk(by).noun.kind == NounKind::kPronoun);
+}
+
+// "We see both from the nurses' station, so put that by the wall": what was told of is meant, and with it is there.
+void UnitReader::take_told(std::size_t k) {
+  NounPhrase& noun = document_.chunks[k].noun;
+  if (skipping_ || noun.kind != NounKind::kPronoun || noun.plural || !one_of(noun.head, {"it", "that", "this"}) || told_ >= k) return;
+  const std::size_t told = std::exchange(told_, static_cast<std::size_t>(-1));
+  if (std::ranges::any_of(units_, [](const Unit& unit) { return unit.kind == UnitKind::kNoun; })) return;
+  const NounPhrase said = noun;
+  noun = chunk(told).noun;
+  noun.first = said.first;
+  noun.last = said.last;
+}
+
+// "Copy this layout: …": an unknown word before a determiner is what one is told to do.
+bool UnitReader::opens_command(std::size_t k) {
+  const NounPhrase& noun = chunk(k).noun;
+  if (noun.kind != NounKind::kObject || noun.exact || noun.plural || noun.determiner != Determiner::kNone || noun.count > 0 ||
+      !units_.empty() || noun.last != noun.first + 1 || !is(k + 1, ChunkKind::kNoun) ||
+      (chunk(k + 1).noun.determiner != Determiner::kDefinite && chunk(k + 1).noun.determiner != Determiner::kIndefinite))
+    return false;
+  mark(k, Use::kIgnored, "opens a statement");
+  return true;
+}
+
+// "beside the fire crouches a gargoyle": a verb that no list has, between a place and a thing.
+bool UnitReader::inverts(std::size_t k) const {
+  const std::size_t n = units_.size();
+  if (skipping_ || chunk(k).last - chunk(k).first != 1 || n < 2 || units_[n - 1].kind != UnitKind::kNoun ||
+      units_[n - 2].kind != UnitKind::kPlace || previous(k) != units_[n - 1].chunk || !is(next(k), ChunkKind::kNoun))
+    return false;
+  const bool fronted = n == 2 || units_[n - 2].joiner != Joiner::kNone || units_[n - 2].clause;
+  const std::string& word = document_.tokens[chunk(k).first].text;
+  return fronted && chunk(next(k)).noun.kind == NounKind::kObject && is_new_here(chunk(next(k)).noun) && word_form(word) == WordForm::kVerb;
 }
 
 // "Items on the shelf: a clock, a vase": no things, but what announces them.
@@ -157,15 +238,14 @@ bool UnitReader::is_figure(std::size_t k) const {
 }
 
 // "the middle of the chamber", "a corner of the burrow": of the room, where nothing of that name is known or was named.
-bool UnitReader::is_within_room(const NounPhrase& noun) const {
+bool UnitReader::is_within_room(std::size_t k) const {
+  const NounPhrase& noun = chunk(k).noun;
   const bool place = noun.kind == NounKind::kCenter || noun.kind == NounKind::kCorner || noun.kind == NounKind::kFloor ||
                      noun.kind == NounKind::kCeiling || noun.kind == NounKind::kWall;
   if (!place || !noun.of || noun.of->kind != NounKind::kObject || noun.of->exact || noun.of->entry != nullptr ||
       noun.of->determiner != Determiner::kDefinite)
     return false;
-  return std::ranges::none_of(document_.chunks, [&](const Chunk& c) {
-    return c.kind == ChunkKind::kNoun && c.first < noun.first && c.noun.kind == NounKind::kObject && c.noun.head == noun.of->head;
-  });
+  return !is_named_before(k, noun.of->head);
 }
 
 }  // namespace layoutbox::offline

@@ -172,11 +172,12 @@ void UnitReader::settle_noun(std::size_t k) {
       object != nullptr && (content ? is_placed_itself(k) : !after_place() || noun.determiner == Determiner::kIndefinite))
     noun = NounPhrase(*object);
   if (names_known(k)) noun.kind = NounKind::kObject;
+  if (noun.name == "thing" && noun.determiner == Determiner::kDefinite && !noun.plural) noun.kind = NounKind::kAbstract;
   if (is_figure(k)) {
     noun.kind = NounKind::kObject;
     if (noun.entry == nullptr) noun.entry = lexicon_.catalog().find("figurine");
   }
-  if (is_within_room(noun)) noun.of->kind = NounKind::kRoom;
+  if (is_within_room(k)) noun.of->kind = NounKind::kRoom;
   if (named_ || skipping_ || negated_) return;
   // "Notes for chapter three: the bridge of the freighter": a heading says nothing yet
   if (is_title(k)) noun.kind = NounKind::kRoom;
@@ -185,8 +186,7 @@ void UnitReader::settle_noun(std::size_t k) {
   const bool has = is(next(k), ChunkKind::kHave);
   // "I want a two-bed recovery bay."
   const bool alone = noun.determiner == Determiner::kIndefinite && is(k + 1, ChunkKind::kStop);
-  if (noun.kind == NounKind::kObject && noun.entry == nullptr && !noun.is_plural() && (has || alone))
-    noun.kind = NounKind::kRoom;
+  if (noun.kind == NounKind::kObject && noun.entry == nullptr && !noun.is_plural() && (has || alone)) noun.kind = NounKind::kRoom;
   // "A reading corner with an armchair": so is the corner that it is all about.
   const bool zone = noun.wall_word.empty() && noun.determiner != Determiner::kEach && noun.count == 0;
   if (noun.kind == NounKind::kCorner && zone && !after_place() && has) noun.kind = NounKind::kRoom;
@@ -236,12 +236,15 @@ void UnitReader::read_noun(std::size_t k) {
   settle_noun(k);
   settle_place_words(k);
   NounPhrase& noun = document_.chunks[k].noun;
+  if (skipping_ && doing_ && is_used_in_place(k)) skipping_ = false;
   if (skipping_) {
+    if (noun.kind == NounKind::kObject && noun.determiner == Determiner::kDefinite && noun.count == 0) told_ = k;
     mark(k, Use::kIgnored, "purpose");
     if (noun.kind == NounKind::kRoom && !is_past(noun)) document_.rooms.push_back(noun);
     return;
   }
-  if (says_nothing_but_there(k) || says_where_room_is(k) || says_room_seats(k)) return;
+  take_told(k);
+  if (opens_command(k) || says_nothing_but_there(k) || says_where_room_is(k) || says_room_seats(k)) return;
   if (counts_before(k)) return;
   if (is_said_of_subject(k) || announces_things(k)) {
     mark(k, Use::kIgnored, "no object");

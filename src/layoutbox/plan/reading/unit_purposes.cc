@@ -11,7 +11,7 @@ using Use = WordReading::Use;
 
 void UnitReader::read_purpose(std::size_t k) {
   if (passes_keeper(k)) return;
-  if (reads_as_verb(k)) {
+  if (reads_as_verb(k) || inverts(k)) {
     mark(k, Use::kUsed, "placing");
     add(UnitKind::kVerb, k);
     return;
@@ -28,7 +28,7 @@ void UnitReader::read_purpose(std::size_t k) {
     return;
   }
   mark(k, Use::kIgnored, "purpose");
-  doing_ = is_person(previous(k));
+  doing_ = is_person(previous(k)) || is_person(k);
   skipping_ = true;
   joiner_ = Joiner::kNone;
 }
@@ -104,7 +104,7 @@ bool UnitReader::purpose_ends(std::size_t k, std::size_t n) const {
     if (comma && is(n, ChunkKind::kRelative) && document_.tokens[chunk(n).first].text == "who")
       return false;  // "for my aunt, who has a dog"
     if (!comma && is(n, ChunkKind::kRelation) && chunk(n).last - chunk(n).first > 1)
-      return true;  // "… and at the right one for the guitar"
+      return true;                                                  // "… and at the right one for the guitar"
     if (!comma && doing_ && is(n, ChunkKind::kVerb)) return false;  // "guests come in and hang up their coats"
     if (!comma) return is(n, ChunkKind::kVerb) || is(n, ChunkKind::kThere) || is(n, ChunkKind::kCommand);
     return is(n, ChunkKind::kRelation) || is(n, ChunkKind::kHave) || is(n, ChunkKind::kParticiple) || is(n, ChunkKind::kRelative) ||

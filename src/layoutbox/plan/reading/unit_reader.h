@@ -51,11 +51,17 @@ class UnitReader {
   bool is_person(std::size_t k) const;
   bool says_what_is_there(std::size_t first, std::size_t last) const;
   bool passes_aside(std::size_t k);
-  bool is_said_of_subject(std::size_t k) const;
+  std::size_t subject_of_being(std::size_t k) const;
+  bool is_said_of_subject(std::size_t k);
+  bool is_named_before(std::size_t k, std::string_view head) const;
   bool is_title(std::size_t k) const;
-  bool is_within_room(const NounPhrase& noun) const;
+  bool is_within_room(std::size_t k) const;
   bool counts_before(std::size_t k);
   bool announces_things(std::size_t k) const;
+  bool is_used_in_place(std::size_t k) const;
+  void take_told(std::size_t k);
+  bool opens_command(std::size_t k);
+  bool inverts(std::size_t k) const;
   bool is_figure(std::size_t k) const;
 
   // Nouns.
@@ -88,7 +94,8 @@ class UnitReader {
   Sentence units_;
   Joiner joiner_ = Joiner::kNone;
   bool clause_ = false, where_ = false, soft_ = false, skipping_ = false, negated_ = false;
-  bool doing_ = false;  // what is skipped is what a person does
+  bool doing_ = false;                               // what is skipped is what a person does
+  std::size_t told_ = static_cast<std::size_t>(-1);  // … with this thing
   std::size_t passed_over_ = static_cast<std::size_t>(-1), passed_until_ = 0;
   bool named_ = false;               // a noun was read
   int one_corner_ = -1, wall_ = -1;  // chunks: "in one corner", the last wall

@@ -233,6 +233,11 @@ void UnitReader::read_verb(std::size_t k) {
   if (skipping_ && is(previous(k), ChunkKind::kNoun) &&
       (is_finite(document_.tokens[chunk(k).first].text) || (!chunk(k).passive && is(next(k), ChunkKind::kRelation))))
     skipping_ = false;
+  // "the first thing he sees is a mirror", "the stove we cook on is against the wall"
+  const std::string& be = document_.tokens[chunk(k).first].text;
+  const bool over = doing_ && (be == "is" || be == "are") && !is(previous(k), ChunkKind::kNoun) && !units_.empty() &&
+                    units_.back().kind == UnitKind::kNoun;
+  if (over) skipping_ = false;
   mark(k, skipping_ ? Use::kIgnored : Use::kUsed, skipping_ ? "purpose" : "placing");
   if (skipping_) return;
   add(UnitKind::kVerb, k);
