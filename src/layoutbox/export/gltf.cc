@@ -241,6 +241,13 @@ class GltfWriter {
       if (!text.empty()) values[key] = Value(text);
     };
     add("wall", node.parent);
+    if (const Opening* opening = node.kind == NodeKind::kOpening ? layout_.find_opening(node.id) : nullptr) {
+      add("category", std::string(name_of(opening->type)));
+      add("swing", std::string(name_of(opening->swing)));
+      Value::Array size;
+      for (const Mm length : {opening->width, opening->height, opening->sill}) size.emplace_back(m_from_mm(length));
+      values["size"] = Value(std::move(size));
+    }
     const PlacedObject* object = node.kind == NodeKind::kObject ? layout_.find_object(node.id) : nullptr;
     if (object == nullptr) return Value(std::move(values));
     add("category", object->category);

@@ -141,6 +141,47 @@ TEST(FormatsTest, OwnGlb) {
   EXPECT_EQ(second->layout.room.polygon, first->layout.room.polygon);
 }
 
+// A leaf that stands open and casings that reach past the hole make no other door of it.
+TEST(FormatsTest, OwnGlbHasTheSameDoorsAndWindows) {
+  auto made = read_room_file(kHolodeck, Catalog::builtin(), {{}, std::string(kModels)});
+  ASSERT_TRUE(made);
+  Layout& layout = made->layout;
+  layout.room.openings.clear();
+  for (std::size_t i = 0; i < 4; ++i) {
+    Opening opening;
+    opening.id = "opening_" + std::to_string(i);
+    opening.type = i == 3 ? OpeningType::kOpen : i % 2 == 0 ? OpeningType::kDoor : OpeningType::kWindow;
+    opening.wall = layout.room.walls[i].id;
+    opening.offset = 700;
+    opening.width = 900;
+    opening.height = opening.type == OpeningType::kWindow ? 1200 : 2000;
+    opening.sill = opening.type == OpeningType::kWindow ? 900 : 0;
+    opening.swing = opening.type == OpeningType::kDoor ? (i == 0 ? Swing::kInLeft : Swing::kInRight) : Swing::kNone;
+    layout.room.openings.push_back(opening);
+  }
+  layout.objects.clear();
+  const auto model = furnish(layout, Catalog::builtin());
+  ASSERT_TRUE(model) << model.error().message;
+  const auto glb = write_glb(*model, layout);
+  ASSERT_TRUE(glb);
+  const auto read = read_room_file(*glb, Catalog::builtin());
+  ASSERT_TRUE(read) << read.error().message;
+  ASSERT_EQ(read->layout.room.openings.size(), layout.room.openings.size());
+  for (const Opening& wanted : layout.room.openings) {
+    const Opening* found = read->layout.find_opening(wanted.id);
+    ASSERT_TRUE(found) << wanted.id;
+    EXPECT_EQ(found->type, wanted.type) << wanted.id;
+    EXPECT_EQ(found->swing, wanted.swing) << wanted.id;
+    EXPECT_EQ(found->offset, wanted.offset) << wanted.id;
+    EXPECT_EQ(found->width, wanted.width) << wanted.id;
+    EXPECT_EQ(found->height, wanted.height) << wanted.id;
+    EXPECT_EQ(found->sill, wanted.sill) << wanted.id;
+    const Wall *there = read->layout.find_wall(found->wall), *here = layout.find_wall(wanted.wall);
+    ASSERT_TRUE(there && here) << wanted.id;
+    EXPECT_EQ(there->start, here->start) << wanted.id;
+  }
+}
+
 TEST(FormatsTest, WhatIsMissingIsSaid) {
   const auto no_sizes = read_room_file(kSceneState, Catalog::builtin());
   ASSERT_FALSE(no_sizes);

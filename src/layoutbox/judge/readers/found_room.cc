@@ -87,7 +87,7 @@ void add_opening(const FoundOpening& found, std::array<double, 2> origin, Room& 
   opening.width = mm(width);
   opening.sill = found.type == OpeningType::kDoor ? 0 : mm(std::max(0.0, found.low));
   opening.height = std::max(100, std::min(room.height, mm(found.high)) - opening.sill);
-  opening.swing = Swing::kNone;  // which way a door turns is not said
+  opening.swing = found.swing;
   room.openings.push_back(std::move(opening));
 }
 

@@ -25,6 +25,7 @@ struct FoundOpening {
   OpeningType type = OpeningType::kDoor;
   std::array<double, 2> start{}, end{};  // m, on the floor plan, near a wall
   double low = 0, high = 2;              // m
+  Swing swing = Swing::kNone;            // which way a door turns, where that is said
 };
 
 struct FoundRoom {

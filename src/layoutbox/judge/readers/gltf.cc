@@ -168,9 +168,10 @@ class NodeReader {
     const std::string name = text_of(item, "name"), words = words_in(name);
     const NodeRole role = role_of(item, words);
     const Matrix m = times(outer_, matrix(i));
-    // +z of the node is its front.
+    // +z of the node is its front; a door's or window's x runs along its wall.
     const double front_x = m[8], front_y = -m[10];
-    const double turn = role == NodeRole::kObject && std::hypot(front_x, front_y) > 1e-9 ? std::atan2(front_x, -front_y) : 0;
+    const bool has_frame = role == NodeRole::kObject || role == NodeRole::kDoor || role == NodeRole::kWindow;
+    const double turn = has_frame && std::hypot(front_x, front_y) > 1e-9 ? std::atan2(front_x, -front_y) : 0;
     Bounds bounds;
     gather(i, outer_, turn, 0, bounds);
     if (bounds.empty()) return;  // a camera, a lamp's light, a helper
@@ -179,8 +180,8 @@ class NodeReader {
       case NodeRole::kFloor: add_floor(bounds, room); break;
       case NodeRole::kWall: walls_.add(bounds.low), walls_.add(bounds.high); break;
       case NodeRole::kCeiling: room.height = bounds.low[2]; break;
-      case NodeRole::kDoor: add_opening(name, OpeningType::kDoor, bounds, room); break;
-      case NodeRole::kWindow: add_opening(name, OpeningType::kWindow, bounds, room); break;
+      case NodeRole::kDoor: add_opening(item, name, OpeningType::kDoor, m, turn, bounds, room); break;
+      case NodeRole::kWindow: add_opening(item, name, OpeningType::kWindow, m, turn, bounds, room); break;
       default: add_object(item, name, turn, bounds, room);
     }
   }
@@ -191,12 +192,32 @@ class NodeReader {
         {bounds.low[0], bounds.low[1]}, {bounds.high[0], bounds.low[1]}, {bounds.high[0], bounds.high[1]}, {bounds.low[0], bounds.high[1]}};
   }
 
-  static void add_opening(const std::string& name, OpeningType type, const Bounds& bounds, FoundRoom& room) {
-    FoundOpening opening{name, type, {}, {}, bounds.low[2], bounds.high[2]};
-    const double x = (bounds.low[0] + bounds.high[0]) / 2, y = (bounds.low[1] + bounds.high[1]) / 2;
+  // Where the node's origin is within its box, that is the wall's face: a leaf that stands open reaches into the room, casings reach past
+  // the hole. Our own nodes say the hole itself, from the origin along x.
+  static void add_opening(const json& item, const std::string& name, OpeningType type, const Matrix& m, double turn, const Bounds& bounds,
+                          FoundRoom& room) {
+    FoundOpening opening{name, type, {}, {}, bounds.low[2], bounds.high[2], Swing::kNone};
+    const double cs = std::cos(turn), sn = std::sin(turn);
+    const std::array<double, 2> origin{m[12] * cs - m[14] * sn, -m[14] * cs - m[12] * sn};
     const bool along_x = bounds.high[0] - bounds.low[0] >= bounds.high[1] - bounds.low[1];
-    opening.start = along_x ? std::array{bounds.low[0], y} : std::array{x, bounds.low[1]};
-    opening.end = along_x ? std::array{bounds.high[0], y} : std::array{x, bounds.high[1]};
+    const std::size_t along = along_x ? 0 : 1, across = 1 - along;
+    double from = bounds.low[along], to = bounds.high[along];
+    double at = (bounds.low[across] + bounds.high[across]) / 2;
+    if (origin[across] >= bounds.low[across] && origin[across] <= bounds.high[across]) at = origin[across];
+    if (const auto extras = item.find("extras"); extras != item.end() && extras->is_object()) {
+      opening.type = opening_type_from_name(text_of(*extras, "category")).value_or(type);
+      opening.swing = swing_from_name(text_of(*extras, "swing")).value_or(Swing::kNone);
+      if (const auto size = extras->find("size"); size != extras->end() && along_x) {
+        const auto hole = point_of(*size);  // width, height, sill
+        if (hole) from = origin[0], to = from + (*hole)[0], opening.low = (*hole)[2], opening.high = (*hole)[1] + (*hole)[2];
+      }
+    }
+    const auto in_room = [&](double p) {
+      const double x = along_x ? p : at, y = along_x ? at : p;
+      return std::array{x * cs - y * sn, x * sn + y * cs};
+    };
+    opening.start = in_room(from);
+    opening.end = in_room(to);
     room.openings.push_back(opening);
   }
 
