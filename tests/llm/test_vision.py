@@ -4,6 +4,7 @@ yes to everything and one who is blind: the figures come out as planted."""
 import base64
 import hashlib
 import io
+import re
 import unittest
 
 import model_case
@@ -49,10 +50,19 @@ class VisionServer(FaultServer):
         body = request.json()
         name = body["tools"][0]["function"]["name"]
         try:
+            if name == "write_questions":
+                return call(name, self.write(body["messages"][-1]["content"]))
             return call(name, self.answer(name, body["messages"][-1]["content"]))
         except Exception as error:  # told by the test, which else would only see a broken answer
             self.errors.append(repr(error))
             return call(name, {"answer": "unsure", "reason": "", "score": 0})
+
+    @staticmethod
+    def write(text):
+        """Every statement but the first as a question of its own wording."""
+        statements = re.findall(r"^(\d+)\. (.+)$", text, re.MULTILINE)
+        assert "wardrobe_1" in text, "the scene is not shown"
+        return {"questions": [{"number": int(n), "question": f"Can it be seen that {what}?"} for n, what in statements[1:]]}
 
     def answer(self, name, parts):
         urls = [part["image_url"]["url"] for part in parts if part["type"] == "image_url"]
@@ -133,6 +143,19 @@ class Vision(model_case.ModelCase):
         figures = answers["figures"]["all"]
         self.assertEqual(figures["neitherRate"]["value"], 1)
         self.assertIsNone(figures["kappa"])
+
+    def test_questions_in_the_models_words_keep_their_truth(self):
+        def judge(picture, text):
+            return ("yes" if text.startswith("Can it be seen") else "no") if text else 0.5
+
+        answers, server = self.ask(judge, "--written")
+        questions = answers["rooms"][0]["questions"]
+        self.assertEqual([q["writtenBy"] for q in questions], ["program"] + ["model"] * (len(questions) - 1))
+        self.assertEqual(server.count, 1 + len(questions) + 2)
+        for question in questions[1:]:
+            self.assertEqual(question["question"], f"Can it be seen that {', and '.join(hop['sentence'] for hop in question['hops'])}?")
+            self.assertEqual(question["truth"], all(hop["holds"] for hop in question["hops"]))
+            self.assertEqual(question["answers"][0]["verdict"], "yes")
 
     def test_repeats_are_asked_apart_and_kept(self):
         turn = iter(range(10**6))

@@ -9,11 +9,9 @@
 
 #include "layoutbox/base/files.h"
 #include "layoutbox/cli/inputs.h"
-#include "layoutbox/export/export.h"
-#include "layoutbox/furnish/furnish.h"
+#include "layoutbox/cli/judge_pictures.h"
 #include "layoutbox/judge/vlm/pairs.h"
 #include "layoutbox/judge/vlm/planted.h"
-#include "layoutbox/publish/publish.h"
 
 namespace layoutbox::cli {
 namespace {
@@ -33,109 +31,27 @@ Result<chat::ChatOptions> vision_options(const QuestionFlags& flags, const Conso
   return options;
 }
 
-constexpr int kWidth = 960, kHeight = 540;  // of pictures drawn for a judge
+// A vision model with what it is shown.
+struct VisionJudge {
+  std::string name;
+  Showing showing;
+  std::unique_ptr<chat::ChatClient> client;
 
-Result<vlm::Picture> plan_of(const Layout& layout) {
-  FloorPlanOptions plan;
-  plan.dots_per_inch = 120;
-  LAYOUTBOX_ASSIGN(std::string png, write_floor_plan_png(layout, plan));
-  return vlm::Picture{"image/png", std::move(png), {}, "its floor plan"};
-}
-
-std::string words_for(View view) {
-  switch (view) {
-    case View::kTop: return "seen from straight above";
-    case View::kFront: return "seen from the front, the front wall left out";
-    case View::kEye: return "seen by somebody who stands in it";
-    case View::kDoor: return "seen from its door";
-    default: return "seen from above a corner";
+  static Result<VisionJudge> make(const QuestionFlags& flags, const std::map<std::string, RoomPicture>& pictures, const Console& console) {
+    LAYOUTBOX_ASSIGN(chat::ChatOptions chat, vision_options(flags, console));
+    LAYOUTBOX_ASSIGN(Showing showing, Showing::make(flags, pictures, console));
+    std::string name = fmt::format("{} at {}", chat.endpoint.model, chat.endpoint.base_url);
+    return VisionJudge{std::move(name), std::move(showing), std::make_unique<chat::ChatClient>(std::move(chat))};
   }
-}
-
-// Drawn now, whatever pictures there are: the views that were asked for, in their order.
-Result<std::vector<vlm::Picture>> drawn_pictures(const Layout& layout, const std::vector<std::string>& views) {
-  RenderOptions render;
-  render.views.clear();
-  render.quality = Quality::kDraft;
-  render.width = kWidth, render.height = kHeight;
-  render.save_blend = false;
-  render.stop = &stop_flag();
-  for (const std::string& name : views) {
-    if (const auto view = view_from_name(name)) render.views.push_back(*view);
-  }
-  LAYOUTBOX_ASSIGN(const auto folder, TemporaryFolder::make("layoutbox-views"));
-  if (!render.views.empty()) {
-    LAYOUTBOX_ASSIGN(const Model model, furnish(layout, Catalog::builtin()));
-    LAYOUTBOX_CHECK(write_file(folder.path() / "blender.py", write_blender_script(model, layout, render)));
-    LAYOUTBOX_ASSIGN(const Blender blender, find_blender());
-    LAYOUTBOX_CHECK(run_blender(blender, folder.path() / "blender.py", folder.path(), render));
-  }
-  std::vector<vlm::Picture> pictures;
-  for (const std::string& name : views) {
-    const auto view = view_from_name(name);
-    if (!view) {
-      LAYOUTBOX_ASSIGN(pictures.emplace_back(), plan_of(layout));
-      continue;
-    }
-    LAYOUTBOX_ASSIGN(std::string png, read_file(folder.path() / picture_name(*view)));
-    pictures.push_back({"image/png", std::move(png), {}, words_for(*view)});
-  }
-  return pictures;
-}
-
-// What a model is shown of rooms, and by which way.
-class Showing {
- public:
-  Showing(const QuestionFlags& flags, const std::map<std::string, RoomPicture>& pictures, const Console& console)
-      : flags_(flags), pictures_(pictures), console_(console) {}
-
-  Status prepare() {
-    if (flags_.publish.empty()) return {};
-    LAYOUTBOX_ASSIGN(publish::Settings settings, publish::Settings::of_user());
-    LAYOUTBOX_ASSIGN(publisher_, publish::make_publisher(flags_.publish, std::move(settings)));
-    return {};
-  }
-
-  // `own`: the room's own picture may be taken, which is none of a room that was changed.
-  Result<std::vector<vlm::Picture>> of(const std::string& name, const Layout& layout, bool own) const {
-    std::vector<vlm::Picture> shown;
-    const auto found = pictures_.find(name);
-    if (!flags_.views.empty()) {
-      LAYOUTBOX_ASSIGN(shown, drawn_pictures(layout, flags_.views));
-    } else if (own && found != pictures_.end()) {
-      shown.push_back({found->second.media_type, found->second.bytes});
-    } else {
-      if (own) console_.say(fmt::format("judge    {} has no picture; its floor plan is shown", name));
-      LAYOUTBOX_ASSIGN(shown.emplace_back(), plan_of(layout));
-    }
-    for (vlm::Picture& picture : shown) {
-      if (publisher_ == nullptr) break;
-      LAYOUTBOX_ASSIGN(picture.url, publisher_->publish({picture.media_type, picture.bytes}, &stop_flag()));
-    }
-    return shown;
-  }
-
- private:
-  const QuestionFlags& flags_;
-  const std::map<std::string, RoomPicture>& pictures_;
-  const Console& console_;
-  std::unique_ptr<publish::Publisher> publisher_;
 };
 
-Result<std::vector<vlm::RoomAnswers>> ask_model(const QuestionFlags& flags, const std::vector<Judgement>& rooms,
-                                                const std::map<std::string, RoomPicture>& pictures, std::string& judge,
-                                                const Console& console) {
-  LAYOUTBOX_ASSIGN(chat::ChatOptions chat, vision_options(flags, console));
-  judge = fmt::format("{} at {}", chat.endpoint.model, chat.endpoint.base_url);
-  chat::ChatClient client(std::move(chat));
-  Showing showing(flags, pictures, console);
-  LAYOUTBOX_CHECK(showing.prepare());
+Result<std::vector<vlm::RoomAnswers>> ask_model(VisionJudge& judge, const QuestionFlags& flags, const std::vector<Judgement>& rooms) {
   std::vector<vlm::RoomAnswers> answers;
   for (const Judgement& room : rooms) {
     if (!room.error.empty()) continue;
-    LAYOUTBOX_ASSIGN(const std::vector<vlm::Picture> shown, showing.of(room.name, room.room.layout, true));
+    LAYOUTBOX_ASSIGN(const std::vector<vlm::Picture> shown, judge.showing.of(room.name, room.room.layout, true));
     LAYOUTBOX_ASSIGN(vlm::RoomAnswers said,
-                     vlm::answer_by_model(room.name, room.room.layout, Catalog::builtin(), shown, client, flags.options));
+                     vlm::answer_by_model(room.name, room.room.layout, Catalog::builtin(), shown, *judge.client, flags.options));
     answers.push_back(std::move(said));
   }
   return answers;
@@ -147,18 +63,11 @@ int faults_in(const Judgement& room) {
 }
 
 // Each two rooms, or each room and itself with a fault.
-Result<std::vector<vlm::Comparison>> compare_rooms(const QuestionFlags& flags, const std::vector<Judgement>& rooms,
-                                                   const std::map<std::string, RoomPicture>& pictures, std::string& judge,
-                                                   const Console& console) {
-  LAYOUTBOX_ASSIGN(chat::ChatOptions chat, vision_options(flags, console));
-  judge = fmt::format("{} at {}", chat.endpoint.model, chat.endpoint.base_url);
-  chat::ChatClient client(std::move(chat));
-  Showing showing(flags, pictures, console);
-  LAYOUTBOX_CHECK(showing.prepare());
+Result<std::vector<vlm::Comparison>> compare_rooms(VisionJudge& judge, const QuestionFlags& flags, const std::vector<Judgement>& rooms) {
   std::vector<vlm::Contestant> contestants;
   std::vector<vlm::Comparison> comparisons;
   const auto meet = [&](const vlm::Contestant& a, const vlm::Contestant& b, const std::string& fault, const std::string& wanted) -> Status {
-    LAYOUTBOX_ASSIGN(vlm::Comparison said, vlm::compare(a, b, wanted, client, flags.options));
+    LAYOUTBOX_ASSIGN(vlm::Comparison said, vlm::compare(a, b, wanted, *judge.client, flags.options));
     said.fault = fault;
     comparisons.push_back(std::move(said));
     return {};
@@ -168,12 +77,12 @@ Result<std::vector<vlm::Comparison>> compare_rooms(const QuestionFlags& flags, c
     const Layout& layout = room.room.layout;
     vlm::Contestant own{room.name, {}, faults_in(room)};
     // Beside a changed room, which has no picture of its own, it is shown in the same way.
-    LAYOUTBOX_ASSIGN(own.pictures, showing.of(room.name, layout, !flags.faults));
+    LAYOUTBOX_ASSIGN(own.pictures, judge.showing.of(room.name, layout, !flags.faults));
     if (flags.faults) {
       for (const vlm::PlantedFault& fault : vlm::plant_faults(layout, Catalog::builtin(), flags.options.questions.seed)) {
         if (flags.views.empty() && fault.kind == "hung in the air") continue;  // a plan does not show it
         vlm::Contestant changed{fmt::format("{} with {} {}", room.name, fault.object, fault.kind), {}, own.faults + 1};
-        LAYOUTBOX_ASSIGN(changed.pictures, showing.of(room.name, fault.layout, false));
+        LAYOUTBOX_ASSIGN(changed.pictures, judge.showing.of(room.name, fault.layout, false));
         LAYOUTBOX_CHECK(meet(own, changed, fault.kind, layout.prompt));
       }
       continue;
@@ -186,10 +95,11 @@ Result<std::vector<vlm::Comparison>> compare_rooms(const QuestionFlags& flags, c
 
 int answer_comparisons(const QuestionFlags& flags, const std::vector<Judgement>& rooms, const std::map<std::string, RoomPicture>& pictures,
                        const std::string& output, const Console& console) {
-  std::string judge;
-  const auto said = compare_rooms(flags, rooms, pictures, judge, console);
+  auto judge = VisionJudge::make(flags, pictures, console);
+  if (!judge) return console.fail(judge.error());
+  const auto said = compare_rooms(*judge, flags, rooms);
   if (!said) return console.fail(said.error());
-  const std::string json = vlm::pairs_json(*said, judge);
+  const std::string json = vlm::pairs_json(*said, judge->name);
   if (!output.empty()) {
     if (const Status written = write_output(output, json); !written) return console.fail(written.error());
   }
@@ -253,6 +163,7 @@ void QuestionFlags::add_to(CLI::App& command) {
   command
       .add_flag("--with-scene", options.with_scene, "Show the scene's JSON beside the picture for questions too, not for the score alone")
       ->group(group);
+  command.add_flag("--written", options.written, "The model writes the words of the questions first, from the scene's JSON")->group(group);
   add_publish_to(command, publish, group);
   command.add_option("--model", model, "The model's name (else LAYOUTBOX_VLM_MODEL, else LAYOUTBOX_MODEL)")->group(group);
   command.add_option("--base-url", base_url, "The server's address up to /v1 (else OPENAI_BASE_URL)")->group(group);
@@ -268,16 +179,19 @@ void QuestionFlags::add_to(CLI::App& command) {
 int answer_questions(const QuestionFlags& flags, const std::vector<Judgement>& rooms, const std::map<std::string, RoomPicture>& pictures,
                      const std::string& output, const Console& console) {
   if (flags.pairwise || flags.faults) return answer_comparisons(flags, rooms, pictures, output, console);
-  std::string judge = "geometry";
+  std::string name = "geometry";
   std::vector<vlm::RoomAnswers> answers;
   if (flags.by == "vlm") {
-    auto said = ask_model(flags, rooms, pictures, judge, console);
+    auto judge = VisionJudge::make(flags, pictures, console);
+    if (!judge) return console.fail(judge.error());
+    auto said = ask_model(*judge, flags, rooms);
     if (!said) return console.fail(said.error());
     answers = *std::move(said);
+    name = judge->name;
   } else {
     answers = ask_geometry(flags, rooms);
   }
-  const std::string json = vlm::answers_json(answers, judge, flags.options);
+  const std::string json = vlm::answers_json(answers, name, flags.options);
   if (!output.empty()) {
     if (const Status written = write_output(output, json); !written) return console.fail(written.error());
   }
@@ -295,10 +209,10 @@ Status judge_generated(const QuestionFlags& flags, const GenerateOutcome& outcom
   Judgement room;
   room.name = std::filesystem::absolute(folder).lexically_normal().filename().string();
   room.room.layout = outcome.layout;
-  std::string judge;
-  LAYOUTBOX_ASSIGN(const std::vector<vlm::RoomAnswers> answers,
-                   ask_model(flags, {room}, {{room.name, {"image/png", std::move(bytes)}}}, judge, console));
-  LAYOUTBOX_CHECK(write_file(std::filesystem::path(folder) / "answers.json", vlm::answers_json(answers, judge, flags.options)));
+  const std::map<std::string, RoomPicture> pictures{{room.name, {"image/png", std::move(bytes)}}};
+  LAYOUTBOX_ASSIGN(VisionJudge judge, VisionJudge::make(flags, pictures, console));
+  LAYOUTBOX_ASSIGN(const std::vector<vlm::RoomAnswers> answers, ask_model(judge, flags, {room}));
+  LAYOUTBOX_CHECK(write_file(std::filesystem::path(folder) / "answers.json", vlm::answers_json(answers, judge.name, flags.options)));
   console.say(vlm::answers_text(answers, flags.options.reasons));
   return {};
 }

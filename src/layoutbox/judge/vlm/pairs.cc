@@ -5,7 +5,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "layoutbox/scene/json_text.h"
+#include "layoutbox/judge/vlm/asking.h"
 
 namespace layoutbox::vlm {
 namespace {
@@ -14,33 +14,23 @@ constexpr std::string_view kPairSchema = R"({"type": "object", "properties": {
   "better": {"type": "string", "enum": ["first", "second", "neither"], "description": "the better room"},
   "reason": {"type": "string", "maxLength": 400, "description": "one sentence, or empty"}},
   "required": ["better", "reason"], "additionalProperties": false})";
-constexpr std::string_view kPairManner =
+constexpr std::string_view kPairTask =
     "You compare pictures of two furnished rooms. Better is the room that is as was asked and in which nothing is wrong: nothing in "
     "another "
     "thing or a wall, nothing in the air, nothing turned away from its use.";
 
-std::string pictures_of(const Contestant& room) {
-  std::string text;
-  for (const Picture& picture : room.pictures) text += (text.empty() ? "" : ", ") + (picture.view.empty() ? "a picture" : picture.view);
-  return text;
-}
-
 Result<Choice> choose(const Contestant& first, const Contestant& second, const std::string& wanted, chat::ChatClient& client,
                       const JudgeOptions& options) {
-  chat::Request request;
-  request.messages.push_back({"system", std::string(kPairManner)});
-  chat::Message message{"user", fmt::format("The first room: {}. Then the second room: {}.{} Which is better?", pictures_of(first),
-                                            pictures_of(second), wanted.empty() ? "" : " What was asked for: " + wanted)};
+  Asking asking{kPairTask,
+                fmt::format("The first room: {}. Then the second room: {}.{} Which is better?", views_of(first.pictures),
+                            views_of(second.pictures), wanted.empty() ? "" : " What was asked for: " + wanted),
+                {},
+                {"choose", "The better room", std::string(kPairSchema), true}};
   for (const Contestant* room : {&first, &second}) {
-    for (const Picture& picture : room->pictures) message.images.push_back({picture.media_type, picture.bytes, picture.url});
+    for (const Picture& picture : room->pictures) asking.pictures.push_back(&picture);
   }
-  request.messages.push_back(std::move(message));
-  request.functions.push_back({"choose", "The better room", std::string(kPairSchema), true});
-  request.temperature = options.temperature;
-  request.max_response_tokens = 400;
-  LAYOUTBOX_ASSIGN(const chat::Response response, client.ask(request));
-  const auto document = parse_json(response.calls.empty() ? response.content : response.calls[0].arguments);
-  const std::string said = document && document->is_object() ? document->value("better", "") : "";
+  LAYOUTBOX_ASSIGN(const chat::Response response, client.ask(request_for(std::move(asking), options)));
+  const std::string said = member_text(document_of(response), "better");
   return said == "first" ? Choice::kFirst : said == "second" ? Choice::kSecond : Choice::kNeither;
 }
 

@@ -27,7 +27,8 @@ struct RoomQuestion {
   QuestionKind kind = QuestionKind::kSingle;
   std::string text;
   std::vector<Hop> hops;
-  bool truth = false;  // all hops hold
+  bool truth = false;    // all hops hold
+  bool written = false;  // its words are a model's
 };
 
 struct QuestionOptions {

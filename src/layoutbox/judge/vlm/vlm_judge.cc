@@ -6,7 +6,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "layoutbox/scene/json_text.h"
+#include "layoutbox/judge/vlm/asking.h"
+#include "layoutbox/judge/vlm/written.h"
 #include "layoutbox/scene/layout_scene.h"
 #include "layoutbox/scene/scene_json.h"
 
@@ -21,42 +22,17 @@ constexpr std::string_view kScoreSchema = R"({"type": "object", "properties": {
   "score": {"type": "number", "minimum": 0, "maximum": 1, "description": "0.0: nothing is as described, 1.0: everything is"},
   "reason": {"type": "string", "maxLength": 400, "description": "one sentence, or empty"}},
   "required": ["score", "reason"], "additionalProperties": false})";
-constexpr std::string_view kManner =
-    "You judge a picture of a furnished room. Left and right, in front of and behind a thing are meant as its own: its front is where it "
-    "is "
-    "used from. Many statements that you are asked about are deliberately false; say what the picture shows.";
+constexpr std::string_view kTask =
+    "You judge a picture of a furnished room. Many statements that you are asked about are deliberately false; say what the picture shows.";
 
-std::string views_of(const std::vector<Picture>& pictures) {
-  std::string text;
-  for (const Picture& picture : pictures) text += (text.empty() ? "" : ", ") + (picture.view.empty() ? "a picture" : picture.view);
-  return text;
-}
-
-chat::Request request_for(const std::vector<Picture>& pictures, std::string text, bool score, int repeat, const JudgeOptions& options) {
-  chat::Request request;
-  request.messages.push_back({"system", std::string(kManner)});
-  chat::Message message{"user", std::move(text)};
-  for (const Picture& picture : pictures) message.images.push_back({picture.media_type, picture.bytes, picture.url});
-  if (pictures.size() > 1) message.content = "The pictures show one room: " + views_of(pictures) + ".\n" + message.content;
-  request.messages.push_back(std::move(message));
-  request.functions.push_back(score ? chat::Function{"score", "The score of the picture", std::string(kScoreSchema), true}
-                                    : chat::Function{"answer", "The answer to the question", std::string(kAnswerSchema), true});
-  request.temperature = options.temperature;
-  request.seed = static_cast<std::uint64_t>(repeat);
-  request.max_response_tokens = 400;
-  return request;
-}
-
-// The arguments of the call, or the text as JSON where there is no call; null where it is neither.
-nlohmann::json document_of(const chat::Response& response) {
-  const std::string& text = response.calls.empty() ? response.content : response.calls[0].arguments;
-  const auto document = parse_json(text);
-  return document ? *document : nlohmann::json();
-}
-
-std::string member_text(const nlohmann::json& document, const char* key) {
-  if (!document.is_object() || !document.contains(key) || !document.at(key).is_string()) return {};
-  return document.at(key).get<std::string>();
+chat::Request request_for_room(const std::vector<Picture>& pictures, const std::string& text, bool score, int repeat,
+                               const JudgeOptions& options) {
+  const std::string shown = pictures.size() > 1 ? "The pictures show one room: " + views_of(pictures) + ".\n" : "";
+  Asking asking{kTask, shown + text, {}, {}, static_cast<std::uint64_t>(repeat)};
+  for (const Picture& picture : pictures) asking.pictures.push_back(&picture);
+  asking.function = score ? chat::Function{"score", "The score of the picture", std::string(kScoreSchema), true}
+                          : chat::Function{"answer", "The answer to the question", std::string(kAnswerSchema), true};
+  return request_for(std::move(asking), options);
 }
 
 // A word of its own: "Yes.", "no, it is not". Anything else is neither.
@@ -76,7 +52,7 @@ std::string scene_text(const Layout& layout) { return write_scene(scene_of(layou
 
 Result<Said> ask_once(const std::string& text, int repeat, const std::vector<Picture>& pictures, chat::ChatClient& client,
                       const JudgeOptions& options) {
-  LAYOUTBOX_ASSIGN(const chat::Response response, client.ask(request_for(pictures, text, false, repeat, options)));
+  LAYOUTBOX_ASSIGN(const chat::Response response, client.ask(request_for_room(pictures, text, false, repeat, options)));
   const nlohmann::json document = document_of(response);
   Said said;
   said.repeat = repeat;
@@ -89,7 +65,7 @@ Result<Said> ask_once(const std::string& text, int repeat, const std::vector<Pic
 
 Result<Score> score_once(const std::string& against, const std::string& text, int repeat, const std::vector<Picture>& pictures,
                          chat::ChatClient& client, const JudgeOptions& options) {
-  LAYOUTBOX_ASSIGN(const chat::Response response, client.ask(request_for(pictures, text, true, repeat, options)));
+  LAYOUTBOX_ASSIGN(const chat::Response response, client.ask(request_for_room(pictures, text, true, repeat, options)));
   const nlohmann::json document = document_of(response);
   Score score{against, std::nullopt, options.reasons ? member_text(document, "reason") : std::string(), repeat};
   if (document.is_object() && document.contains("score") && document.at("score").is_number()) {
@@ -151,9 +127,15 @@ Json question_json(const AskedQuestion& asked, const JudgeOptions& options, bool
     if (!one.reason.empty()) item["reason"] = one.reason;
     said.push_back(std::move(item));
   }
-  return {{"id", asked.question.id},         {"kind", name_of(asked.question.kind)},
-          {"question", asked.question.text}, {"saw", !by_model ? "layout" : options.with_scene ? "picture and scene" : "picture"},
-          {"truth", asked.question.truth},   {"hops", std::move(hops)},
+  return {{"id", asked.question.id},
+          {"kind", name_of(asked.question.kind)},
+          {"question", asked.question.text},
+          {"writtenBy", asked.question.written ? "model" : "program"},
+          {"saw", !by_model            ? "layout"
+                  : options.with_scene ? "picture and scene"
+                                       : "picture"},
+          {"truth", asked.question.truth},
+          {"hops", std::move(hops)},
           {"answers", std::move(said)}};
 }
 
@@ -186,7 +168,9 @@ Result<RoomAnswers> answer_by_model(const std::string& name, const Layout& layou
   RoomAnswers room;
   room.name = name;
   const std::string scene = scene_text(layout);
-  for (RoomQuestion& question : draw_questions(layout, catalog, options.questions)) {
+  std::vector<RoomQuestion> questions = draw_questions(layout, catalog, options.questions);
+  if (options.written) LAYOUTBOX_CHECK(write_questions(questions, scene, client, options));
+  for (RoomQuestion& question : questions) {
     AskedQuestion asked{std::move(question), {}};
     std::string text = asked.question.text + " Answer yes or no.";
     if (options.with_scene) text = "The room as it was meant, in JSON:\n" + scene + "\n" + text;

@@ -51,6 +51,7 @@ struct JudgeOptions {
   int repeats = 1;  // the repeat's number is the request's seed, and so part of what answers are kept by
   double temperature = 0;
   bool reasons = false;
+  bool written = false;     // the model writes the questions' words first, from the scene's JSON
   bool with_scene = false;  // questions too are asked with the scene's JSON beside the picture
 };
 
