@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
+#include "layoutbox/experiment/charts.h"
 #include "layoutbox/experiment/tables.h"
 #include "layoutbox/judge/report_html.h"
 
@@ -11,9 +13,12 @@ namespace layoutbox::experiment {
 namespace {
 
 constexpr std::string_view kStyle = R"(body{font:15px/1.45 system-ui,sans-serif;margin:2rem auto;max-width:1500px;padding:0 1rem;color:#222}
-table{border-collapse:collapse;margin:.8rem 0;font-size:13px}td,th{padding:.25rem .5rem;text-align:left;border-bottom:1px solid #e4e4e4;vertical-align:top}
-td.n,th.n{text-align:right;font-variant-numeric:tabular-nums;white-space:nowrap}small{color:#666}.bad{color:#b00000}.good{color:#186a1e}
-.rooms{display:flex;flex-wrap:wrap;gap:1rem}.rooms>div{flex:1 1 22rem;max-width:32rem}.rooms svg{width:100%;height:auto;border:1px solid #ddd})";
+h1{margin-bottom:.2rem}h2{margin-top:2.2rem}h3{margin:2rem 0 .2rem;border-top:1px solid #ddd;padding-top:1rem}p{max-width:60rem}
+.wide{overflow-x:auto}table{border-collapse:collapse;margin:.8rem 0;font-size:13px}td,th{padding:.3rem .6rem;text-align:left;border-bottom:1px solid #e4e4e4;vertical-align:top;white-space:nowrap}
+td.n,th.n{text-align:right;font-variant-numeric:tabular-nums}td small{display:block}small,.skipped{color:#666}.bad{color:#b00000}.good{color:#186a1e}
+.chart{width:100%;max-width:1330px;height:auto;font:13px system-ui,sans-serif}.axis{font-size:10px;fill:#777}
+.rooms{display:grid;grid-template-columns:repeat(auto-fill,minmax(15rem,1fr));gap:1.2rem 1rem}.rooms svg{width:100%;height:15rem;border:1px solid #ddd;background:#fff}
+.rooms small{display:block;overflow-wrap:anywhere;line-height:1.3;margin-top:.2rem})";
 
 std::string percent(const std::optional<vlm::Estimate>& estimate) {
   if (!estimate) return "n/a";
@@ -33,7 +38,7 @@ std::string methods_table(const std::vector<std::pair<std::string, Records>>& gr
     for (const MeasureRow& row : measure_rows()) rows += cell(percent(measure_over(records, std::string(row.name))));
     rows += cell(fmt::format("{:.0f} ms", median_seconds(records) * 1000)) + "</tr>\n";
   }
-  return "<table>" + head + "<th class=n>median time</th></tr>\n" + rows + "</table>\n";
+  return "<div class=wide><table>" + head + "<th class=n>median time</th></tr>\n" + rows + "</table></div>\n";
 }
 
 std::string size_table(const std::vector<std::pair<std::string, Records>>& groups) {
@@ -87,6 +92,24 @@ std::string claims_table(const std::vector<std::pair<std::string, Records>>& gro
                       : "<table><tr><th>claim</th><th>method</th><th class=n>measured</th></tr>\n" + rows + "</table>\n";
 }
 
+// What keeps a room from everything met: entries that do not hold, measures that are not as they should be.
+std::string what_is_missing(const Judgement& judgement) {
+  std::string text;
+  for (const scoring::Verdict& verdict : judgement.verdicts) {
+    if (!verdict.holds) text += fmt::format("<small>{} <code>{}</code></small>", name_of(verdict.kind), escaped_html(verdict.entry));
+  }
+  for (const MeasureRow& row : measure_rows()) {
+    const auto found = judgement.measures.find(std::string(row.name));
+    if (found == judgement.measures.end() || row.name == "CF" || row.name == "IB") continue;
+    const double share = found->second.whole > 0 ? found->second.share() : (row.more_is_better ? 1 : 0);
+    const double least = row.name == "ACC" ? 0.9 : row.name == "NAV" ? 0.99 : 1;
+    const bool of_entries = row.name == "CNT" || row.name == "OOR" || row.name == "OAR";
+    if (of_entries || (row.more_is_better ? share >= least : share == 0)) continue;
+    text += fmt::format("<small>{} {:.0f} %: {}</small>", row.name, share * 100, escaped_html(row.meaning));
+  }
+  return text;
+}
+
 std::string rooms_of(const Suite& suite, const ExperimentOutcome& outcome) {
   std::string text;
   for (const scoring::Annotation& scene : suite.scenes) {
@@ -94,19 +117,30 @@ std::string rooms_of(const Suite& suite, const ExperimentOutcome& outcome) {
     for (const RunRecord& record : outcome.records) {
       if (record.scene != scene.id || record.repeat != 1) continue;
       const Judgement& judgement = record.judgement;
-      std::string missed;
-      for (const scoring::Verdict& verdict : judgement.verdicts) {
-        if (!verdict.holds)
-          missed += fmt::format("<br><small>{} <code>{}</code></small>", name_of(verdict.kind), escaped_html(verdict.entry));
-      }
       text += fmt::format("<div><b>{}</b> <span class={}>{}</span>{}{}</div>\n", escaped_html(record.method),
                           judgement.everything ? "good" : "bad",
                           judgement.everything         ? "everything met"
                           : record.outcome == "failed" ? escaped_html(record.error)
                                                        : "not all is met",
-                          judgement.error.empty() ? judged_plan(judgement) : "", missed);
+                          judgement.error.empty() ? judged_plan(judgement) : "", judgement.everything ? "" : what_is_missing(judgement));
     }
     text += "</div>\n";
+  }
+  return text;
+}
+
+// Those that were not run for one reason, in one line.
+std::string skipped_text(const std::vector<std::string>& skipped) {
+  std::map<std::string, std::string> by_reason;
+  for (const std::string& line : skipped) {
+    const std::size_t colon = line.find(": ");
+    std::string& names = by_reason[colon == std::string::npos ? "" : line.substr(colon + 2)];
+    names += (names.empty() ? "" : ", ") + line.substr(0, colon);
+  }
+  std::string text;
+  for (const auto& [reason, names] : by_reason) {
+    text +=
+        fmt::format("<p class=skipped>Not run{}{}: {}.</p>\n", reason.empty() ? "" : ", as ", escaped_html(reason), escaped_html(names));
   }
   return text;
 }
@@ -149,16 +183,17 @@ std::string results_csv(const ExperimentOutcome& outcome) {
 
 std::string experiment_html(const Suite& suite, const ExperimentOutcome& outcome, const ExperimentOptions& options) {
   const auto groups = by_method(outcome);
-  std::string page =
-      fmt::format("<!doctype html>\n<html lang=en><head><meta charset=utf-8><title>Experiment {}</title><style>{}</style></head><body>\n",
-                  escaped_html(suite.name), kStyle);
+  std::string page = fmt::format(
+      "<!doctype html>\n<html lang=en><head><meta charset=utf-8><meta name=viewport content=\"width=device-width\"><title>Experiment "
+      "{}</title><style>{}</style></head><body>\n",
+      escaped_html(suite.name), kStyle);
   page += fmt::format("<h1>Experiment: {}</h1>\n<p>{} prompts. {}</p>\n", escaped_html(suite.name), suite.scenes.size(),
                       escaped_html(options_text(options)));
-  for (const std::string& skipped : outcome.skipped) page += fmt::format("<p class=bad>Not run: {}.</p>\n", escaped_html(skipped));
+  page += skipped_text(outcome.skipped);
   page +=
       "<h2>Methods</h2>\n<p>Shares with 95 % intervals: Wilson's for rooms, resampled rooms for the rest. COL and OOB: less is "
       "better.</p>\n";
-  page += methods_table(groups);
+  page += shares_chart(groups) + methods_table(groups);
   page += "<ul>";
   for (const auto& [name, records] : groups) {
     if (const Method* method = find_method(name)) page += fmt::format("<li><b>{}</b>: {}</li>", method->name, method->about);
