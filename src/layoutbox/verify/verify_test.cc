@@ -253,6 +253,36 @@ TEST(Ways, AccessNeedsOneFreeSide) {
   EXPECT_TRUE(blocked(true).passed);
 }
 
+// A shelf from wall to wall leaves the bed behind it out of reach; nothing of that kind is a fault of a sound room.
+TEST(Ways, UsedSidesAreReachedFromTheDoor) {
+  const auto with_shelf = [](double width) {
+    return TestRoom()
+        .door("door1", "wall1", 0.5)
+        .add("bed", "bed", {1.6, 2, 0.5}, {3.5, 3})
+        .used({Side::kFront, Side::kLeft, Side::kRight})
+        .add("shelf", "shelf", {0.4, width, 2}, {1.9, width / 2})
+        .judge();
+  };
+  const Report open = with_shelf(3), shut = with_shelf(4);
+  EXPECT_TRUE(passes(open, "reachability", "bed"));
+  EXPECT_EQ(open.metrics.at("reachability"), 1);
+  EXPECT_FALSE(passes(shut, "reachability", "bed"));
+  EXPECT_EQ(shut.metrics.at("reachability"), 0);
+  EXPECT_THAT(find_check(shut, "reachability", "bed")->message, HasSubstr("the front, left, right side of bed"));
+  EXPECT_TRUE(shut.passed);  // it warns
+}
+
+// At a wall a bed has one side less.
+TEST(Ways, OneUsedSideThatIsReachedIsEnough) {
+  const Report report = TestRoom()
+                            .door("door1", "wall1", 0.5)
+                            .add("bed", "bed", {1.6, 2, 0.5}, {4.2, 3})
+                            .used({Side::kFront, Side::kLeft, Side::kRight})
+                            .judge();
+  EXPECT_TRUE(passes(report, "reachability", "bed"));
+  EXPECT_NEAR(report.metrics.at("reachability"), 2 / 3.0, 1e-9);
+}
+
 // ---- relations as the layout claims them
 
 TestRoom claimed(double gap, bool hard) {

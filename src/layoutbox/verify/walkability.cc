@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 #include "layoutbox/verify/checks.h"
 
@@ -16,21 +17,10 @@ constexpr double kPerson = 0.2;                        // m, width of who walks 
 constexpr double kStripDepth = 0.2, kStripGap = 0.05;  // m, the strip of `accessibility`
 constexpr int kMostSamples = 4096;                     // along a side: enough for any room, and bounded for absurd sizes
 constexpr double kStandsBelow = 0.05;                  // m: what begins higher is not used from the floor
-constexpr double kReachSlack = 0.02;                   // m, half a pixel of a large room
-constexpr int kReachResolution = 384;
 
 std::size_t places(int n) { return static_cast<std::size_t>(n); }
 
 bool in_the_way(const Body& body) { return !body.rug && body.shape.heights.mid() <= kBodyReach; }
-
-std::vector<Side> sides_to_reach(const Body& body) {
-  std::vector<Side> sides;
-  if (body.rug || body.underside() > kStandsBelow) return sides;
-  for (const Side side : body.object->used_sides) {
-    if (side == Side::kFront || side == Side::kBack || side == Side::kLeft || side == Side::kRight) sides.push_back(side);
-  }
-  return sides;
-}
 
 // Is hypot(x, y) at most `far`? Most pixels need no root for that. REQUIRES: neither is less than 0.
 bool within(double x, double y, double far) {
@@ -55,6 +45,15 @@ double side_access(const Body& body, Side which, const Plan& plan) {
 }
 
 }  // namespace
+
+std::vector<Side> sides_to_reach(const Body& body) {
+  std::vector<Side> sides;
+  if (body.rug || body.underside() > kStandsBelow) return sides;
+  for (const Side side : body.object->used_sides) {
+    if (side == Side::kFront || side == Side::kBack || side == Side::kLeft || side == Side::kRight) sides.push_back(side);
+  }
+  return sides;
+}
 
 Plan::Plan(const RoomView& view, double margin, int resolution)
     : resolution_(resolution), free_(places(resolution) * places(resolution), 0) {
@@ -125,26 +124,30 @@ void Plan::erode(double width) {
 }
 
 void Plan::keep_from_edges(const Polygon& floor, double distance) {
-  for (int row = 0; row < resolution_; ++row) {
-    for (int column = 0; column < resolution_; ++column) {
-      if (!free(column, row)) continue;
-      const Vec here = point(column, row);
-      for (std::size_t i = 0; i < floor.size(); ++i) {
-        if (distance_to_segment(here, floor[i], floor[(i + 1) % floor.size()]) < distance) free_[index(column, row)] = 0;
+  for (std::size_t i = 0; i < floor.size(); ++i) {
+    const Vec a = floor[i], b = floor[(i + 1) % floor.size()];
+    const Pixels near_a = around(a, distance), near_b = around(b, distance);
+    for (int row = std::min(near_a.y0, near_b.y0); row < std::max(near_a.y1, near_b.y1); ++row) {
+      for (int column = std::min(near_a.x0, near_b.x0); column < std::max(near_a.x1, near_b.x1); ++column) {
+        if (free(column, row) && distance_to_segment(point(column, row), a, b) < distance) free_[index(column, row)] = 0;
       }
     }
   }
 }
 
-void Plan::block(const Body& body, double grow) {
-  const double reach = std::hypot(body.width, body.depth) / 2 + grow;
+Plan::Pixels Plan::around(Vec point, double reach) const {
   const auto pixel = [&](double offset, bool up) {
     const double at = (up ? std::ceil(offset / step_) + 1 : std::floor(offset / step_)) + resolution_ / 2;
     return static_cast<int>(std::clamp(at, 0.0, double(resolution_)));
   };
-  const Vec from_middle = body.shape.center - middle_;
-  const int x0 = pixel(from_middle.x - reach, false), x1 = pixel(from_middle.x + reach, true);
-  const int y0 = pixel(from_middle.y - reach, false), y1 = pixel(from_middle.y + reach, true);
+  const Vec from_middle = point - middle_;
+  return {pixel(from_middle.x - reach, false), pixel(from_middle.x + reach, true), pixel(from_middle.y - reach, false),
+          pixel(from_middle.y + reach, true)};
+}
+
+void Plan::block(const Body& body, double grow) {
+  const double reach = std::hypot(body.width, body.depth) / 2 + grow;
+  const auto [x0, x1, y0, y1] = around(body.shape.center, reach);
   for (int row = y0; row < y1; ++row) {
     for (int column = x0; column < x1; ++column) {
       const Vec off = point(column, row) - body.shape.center;
@@ -236,69 +239,6 @@ std::optional<double> accessibility(const Body& body, const Plan& plan) {
   std::optional<double> best;
   for (const Side side : sides_to_reach(body)) best = std::max(best.value_or(0), side_access(body, side, plan));
   return best;
-}
-
-bool reachable(const RoomView& view, const Body& body, double width) {
-  if (view.floor.empty()) return false;
-  Plan plan(view, 0, kReachResolution);
-  const double half = width / 2 - kReachSlack;
-  plan.keep_from_edges(view.floor, half);
-  for (const Body& other : view.bodies) {
-    if (!other.rug && other.underside() < kBodyReach && !view.belongs_to(other, body)) plan.block(other, half);
-  }
-  std::vector<Side> sides = sides_to_reach(body);
-  if (sides.empty()) sides = {Side::kFront, Side::kBack, Side::kLeft, Side::kRight};
-  const bool any_door = std::any_of(view.openings.begin(), view.openings.end(), [](const Face& face) { return face.is_door(); });
-  const double near_enough = width / 2 + 0.15;
-  const auto at_door = [&](Vec point) {
-    return std::any_of(view.openings.begin(), view.openings.end(), [&](const Face& face) {
-      const double along = dot(point - face.start, face.along), off = dot(point - face.start, face.inward);
-      return face.is_door() && along >= 0 && along <= face.length && off >= 0 && off <= near_enough;
-    });
-  };
-  const auto at_side = [&](Vec point) {
-    return std::any_of(sides.begin(), sides.end(), [&](Side which) {
-      const BodySide side = side_of(body, which);
-      const Vec way = point - body.shape.center;
-      const double off = dot(way, side.outward) - side.reach;
-      return off >= 0 && off <= near_enough && std::abs(dot(way, side.along)) <= side.half_width;
-    });
-  };
-  const std::vector<int> label = plan.parts();
-  std::vector<bool> from_door(label.size() + 1, !any_door), to_side(label.size() + 1, false);
-  for (int row = 0; row < plan.resolution(); ++row) {
-    for (int column = 0; column < plan.resolution(); ++column) {
-      const int part = label[plan.index(column, row)];
-      if (part == 0) continue;
-      const Vec here = plan.point(column, row);
-      if (at_door(here)) from_door[places(part)] = true;
-      if (at_side(here)) to_side[places(part)] = true;
-    }
-  }
-  for (std::size_t part = 1; part < from_door.size(); ++part) {
-    if (from_door[part] && to_side[part]) return true;
-  }
-  return false;
-}
-
-void check_ways(const RoomView& view, Report& report) {
-  const double way = navigability(view);
-  report.metrics["navigability"] = way;
-  report.checks.push_back({"navigability", "room", way >= kLeastNavigability, false, way, "share",
-                           fmt::format("{:.1f} % of the free floor hangs together, at least 99 %", way * 100), "/room"});
-  const Plan plan = plan_for_access(view);
-  double sum = 0;
-  int count = 0;
-  for (const Body& body : view.bodies) {
-    const std::optional<double> access = accessibility(body, plan);
-    if (!access) continue;
-    sum += *access;
-    ++count;
-    report.checks.push_back({"accessibility", body.id(), *access >= kLeastAccess, false, *access, "share",
-                             fmt::format("{:.0f} % of the strip at the best side of {} is free, at least 90 %", *access * 100, body.id()),
-                             object_pointer(body)});
-  }
-  report.metrics["accessibility"] = count == 0 ? 1.0 : sum / count;
 }
 
 }  // namespace layoutbox::judge

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "layoutbox/verify/room_view.h"
@@ -26,6 +27,12 @@ class Plan {
   std::int64_t largest_free_part() const;
   // A label for each pixel: the same in a connected part (eight neighbours), 0 where not free.
   std::vector<int> parts() const;
+
+  // The pixels within `reach` of a point in both directions, as far as the plan goes; the ends are not part of it.
+  struct Pixels {
+    int x0 = 0, x1 = 0, y0 = 0, y1 = 0;
+  };
+  Pixels around(Vec point, double reach) const;
 
   double step() const { return step_; }
   int resolution() const { return resolution_; }
@@ -53,7 +60,7 @@ double navigability(const RoomView& view);
 std::optional<double> accessibility(const Body& body, const Plan& plan);
 Plan plan_for_access(const RoomView& view);
 
-// Can a person `width` metres wide walk from a door (from anywhere, if there is none) to a used side of the body?
-bool reachable(const RoomView& view, const Body& body, double width);
+// The used sides at which things are taken hold of from the floor.
+std::vector<Side> sides_to_reach(const Body& body);
 
 }  // namespace layoutbox::judge

@@ -6,7 +6,7 @@
 
 #include "layoutbox/verify/checks.h"
 #include "layoutbox/verify/relation_check.h"
-#include "layoutbox/verify/walkability.h"
+#include "layoutbox/verify/walks.h"
 
 namespace layoutbox::judge {
 namespace {

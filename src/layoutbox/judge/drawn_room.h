@@ -1,0 +1,14 @@
+// What furnish makes of a layout, as the verifier measures it.
+#pragma once
+
+#include <vector>
+
+#include "layoutbox/furnish/model.h"
+#include "layoutbox/verify/drawn.h"
+
+namespace layoutbox {
+
+// The objects' triangles, in the room's frame. What furnish shows in free spaces (books in a shelf) is part of its holder.
+std::vector<DrawnObject> drawn_objects(const Model& model);
+
+}  // namespace layoutbox
