@@ -5,11 +5,17 @@ import {type Units, length_text} from "../pure/units";
 import type {Frame} from "./frame";
 
 const kShortest = 0.02;
+/** Pixels from a thing's front to the middle of the knob that turns it, and to what is written beyond that. */
+const kKnobAt = 24;
+const kBeyondKnob = 58;
 
-export function Measure({gap, frame, units, about = "way"}: {gap: Gap; frame: Frame; units: Units; about?: string}) {
+interface MeasureProps { gap: Gap; frame: Frame; units: Units; about?: string; /** at least so many pixels from where it begins */ beyond?: number }
+
+export function Measure({gap, frame, units, about = "way", beyond = 0}: MeasureProps) {
   const [x1, y1] = frame.at(gap.from);
   const [x2, y2] = frame.at(gap.to);
-  const [x, y] = [(x1 + x2) / 2, (y1 + y2) / 2];
+  const share = Math.max(0.5, (beyond * frame.px) / (Math.hypot(x2 - x1, y2 - y1) || 1));
+  const [x, y] = [x1 + (x2 - x1) * share, y1 + (y2 - y1) * share];
   const text = length_text(gap.length, units);
   const size = 11 * frame.px;
   const half = text.length * size * 0.3 + 3 * frame.px;
@@ -23,9 +29,13 @@ export function Measure({gap, frame, units, about = "way"}: {gap: Gap; frame: Fr
 }
 
 export function Ways({layout, object, frame, units}: {layout: Layout; object: LayoutObject; frame: Frame; units: Units}) {
+  const [fx, fy] = in_room(object, [0, -object.size[1] / 2]);
+  const at_front = ({from: [x, y]}: Gap): boolean => Math.hypot(x - fx, y - fy) < 0.01;
   return (
     <g class="ways">
-      {free_ways(layout, object).filter((gap) => gap.length > kShortest).map((gap) => <Measure gap={gap} frame={frame} units={units} />)}
+      {free_ways(layout, object).filter((gap) => gap.length > kShortest).map((gap) => (
+        <Measure gap={gap} frame={frame} units={units} beyond={at_front(gap) ? kBeyondKnob : 0} />
+      ))}
     </g>
   );
 }
@@ -61,7 +71,7 @@ export function Knobs({object, frame, on_turn, on_resize}: KnobsProps) {
   const at = (point: Point) => frame.at(in_room(object, point));
   const [fx, fy] = at([0, -d]);
   const knob = 7.5 * frame.px;
-  const [tx, ty] = at([0, -d - (24 * frame.px) / 100]);
+  const [tx, ty] = at([0, -d - (kKnobAt * frame.px) / 100]);
   const [cx, cy] = at([w, -d]);
   return (
     <g class="knobs">

@@ -49,7 +49,10 @@ function open_ended(template: string | undefined, {min, max}: SceneRelation): st
 export function relation_text(relation: SceneRelation, layout: Layout, sentences: Sentences, units: Units): string {
   const template = open_ended(sentences.get(relation.type), relation);
   const names = new Map([...places_of(layout), ...names_of(layout)]);
-  const called = (id: string) => texts.places.the(names.get(id) ?? id.replaceAll("_", " "));
+  const called = (id: string) => {
+    const name = names.get(id) ?? id.replaceAll("_", " ");
+    return /\d$/.test(name) ? name : texts.places.the(name);
+  };
   const targets = list(relation.targets.map(called));
   const about = references(relation);
   const others = about.length > 0 ? list(about.map(called)) : texts.places.unnamed[relation.type] ?? texts.places.the(texts.places.room);
