@@ -93,7 +93,7 @@ bool Lexicon::may_run_together(std::span<const Token> tokens, std::size_t at, st
   return std::all_of(tokens.begin() + static_cast<std::ptrdiff_t>(at), tokens.begin() + static_cast<std::ptrdiff_t>(at + length),
                      [&](const Token& token) {
                        return (token.text.size() >= kShortest || token.kind == Token::Kind::kNumber || token.glued) &&
-                              !is(token, WordClass::kBe) && !is(token, WordClass::kAnd) && !is(token, WordClass::kDefinite);
+                              !is(token, WordClass::kBe) && !is(token, WordClass::kEach) && !is(token, WordClass::kAnd) && !is(token, WordClass::kDefinite);
                      });
 }
 

@@ -114,6 +114,7 @@ class NounPhraseReader {
   bool opens_text(std::size_t after) const;
   std::optional<bool> read_thing(const Match& match, bool noun_before, bool verbal);
   std::optional<bool> read_place(const Match& match, bool noun_before, bool verbal);
+  bool counts_thing(std::size_t at) const;
   bool read_other(const Match& match, bool noun_before);
   bool read_unlisted();
   bool doubles_noun(std::size_t at) const;

@@ -281,6 +281,20 @@ std::optional<bool> NounPhraseReader::read_place(const Match& match, bool noun_b
   return std::nullopt;
 }
 
+// A thing is named there, with its qualities: "one old chair".
+bool NounPhraseReader::counts_thing(std::size_t at) const {
+  constexpr std::size_t kQualities = 2;
+  for (std::size_t last = at + kQualities; at < tokens_.size() && at <= last; ++at) {
+    if (lexicon_.find(tokens_, at, Class::kObject).length > 0) return true;
+    const Token& word = tokens_[at];
+    const bool quality = lexicon_.is(word, Class::kColor) || lexicon_.is(word, Class::kMaterial) || lexicon_.is(word, Class::kSizeWord) ||
+                         lexicon_.is(word, Class::kShape) || lexicon_.is(word, Class::kStyle) ||
+                         word_form(word.text) == WordForm::kAdjective;
+    if (!quality) return false;
+  }
+  return false;
+}
+
 // Sides, numbers within adjectives, members, participles, adverbs.
 bool NounPhraseReader::read_other(const Match& match, bool noun_before) {
   const bool named = is_named();
@@ -296,7 +310,7 @@ bool NounPhraseReader::read_other(const Match& match, bool noun_before) {
     return add(Class::kQuality, {Class::kQuality, nullptr, nullptr, 0, {}}, 2, false);
   if (doubles_noun(i_)) return add(Class::kQuality, {Class::kQuality, nullptr, nullptr, 0, {}}, 1, false);
   // "every desk one chair": the next thing, counted.
-  const bool counts_next = noun_before && lexicon_.find(tokens_, i_ + 1, Class::kObject).length > 0;
+  const bool counts_next = noun_before && counts_thing(i_ + 1);
   const bool after_plural = noun_before && !parts_.empty() && parts_.back().plural;              // "of the two benches one has a cushion"
   if (has(match, Class::kNumber) && at_word("one") && named && !counts_next && !after_plural) {  // "the left one", "the other one"
     phrase_.kind = NounKind::kMember;

@@ -50,6 +50,7 @@ class RelationBuilder {
   void add_in_niche(const Link& link, const Mention& target);
   void add_wall_opposite(const Link& link, const Mention& target);
   std::string table_of(const std::string& seat) const;
+  bool add_across_table(const Link& link, const Mention& target, int table);
   bool add_on_other_side(const Link& link, PhraseSense& sense, const Mention& target, int reference);
   // "eight chairs around the table, two of them at its ends": the others at its long sides.
   void complete_sides();

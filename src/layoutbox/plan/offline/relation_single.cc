@@ -151,6 +151,7 @@ void RelationBuilder::add_single(const Link& link, PhraseSense sense, const Ment
     return;
   }
   if (sense.type == R::kOpposite && references.size() == 1 && add_on_other_side(link, sense, target, references.front())) return;
+  if (sense.type == R::kOpposite && references.size() == 1 && add_across_table(link, target, references.front())) return;
   if (sense.type == R::kOpposite) add_wall_opposite(link, target);
   settle_sense(link, sense, target, references);
   if (add_drawn_up(link, sense, target, references)) return;
@@ -243,6 +244,32 @@ std::string RelationBuilder::table_of(const std::string& seat) const {
     if (table != nullptr && is_table(catalog_, noun_of_object(*table))) return table->id;
   }
   return {};
+}
+
+// "On one side of the table a stool, opposite two chairs": at the table, across from the stool. False: nobody sits at its one side.
+bool RelationBuilder::add_across_table(const Link& link, const Mention& target, int table) {
+  const auto is_chair = [&](const NounPhrase& noun) { return is_seat(catalog_, noun) && mount_of(noun) == Mount::kFloor; };
+  if (!link.implied || !is_chair(target.noun) || !is_table(catalog_, noun_of_item(table))) return false;
+  for (Relation& first : scene_.relations) {
+    const bool at = first.type == R::kAlongSide || first.type == R::kNextTo || first.type == R::kInFrontOf;
+    if (!at || first.targets.size() != 1 || first.references != std::vector<std::string>{id(table)}) continue;
+    const SceneObject* seat = object_of(first.targets.front());
+    if (seat == nullptr || !is_chair(noun_of_object(*seat))) continue;
+    if (first.type == R::kNextTo) {
+      first.type = R::kAlongSide;
+      first.parameters.side = Side::kLong;
+    }
+    const std::string other = seat->id;
+    const PhraseSense along{R::kAlongSide, Direction::kDirect, {}, {}, Side::kLong};
+    for (const int item : target.items) {
+      add(link, along.type, {id(item)}, {id(table)}, along);
+      add_look(link, along.type, item, table);
+    }
+    add(link, R::kOpposite, ids(target.items), {other});
+    scene_.relations.back().parameters.min = 300;  // with the table between them
+    return true;
+  }
+  return false;
 }
 
 // "on the other side of the bed is a nightstand": beside it, where the thing on its first side is not. False: the phrase does not say so.

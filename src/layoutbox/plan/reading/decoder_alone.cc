@@ -137,7 +137,8 @@ void Decoder::alone_of_member(std::size_t s, int u, std::size_t level, int neare
     alone_of_room(s, u, level, gain);
     return;
   }
-  const NounPhrase whom = unsaid(senses);
+  NounPhrase whom = unsaid(senses);
+  if (document_.tokens[chunk(u).last - 1].text == "it") whom.head = "it";  // said, as part of the phrase
   // "a laptop on the right side of the desk and a mug on the left side": of the desk as well.
   if (const Referent host = side_host(state, u, senses); host != kNobody && !same(state, host, member))
     alone_of_list(s, u, level, {host, gain + weight::kSameSide, false});

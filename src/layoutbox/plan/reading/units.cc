@@ -197,6 +197,8 @@ void UnitReader::add_place(std::size_t k, const PhraseSenses& senses) {
   unit.senses = &senses;
   unit.each = chunk(k).phrase.each;
   for (const PhraseSense& sense : senses) {
+    // "on opposite sides of the stove": one on each.
+    if (chunk(k).phrase.plural && sense.type == RelationType::kOpposite && says(senses, RelationType::kEachSideOf)) continue;
     PhraseSenses& side = sense.direction == PhraseSense::Direction::kDirect    ? unit.direct
                          : sense.direction == PhraseSense::Direction::kInverse ? unit.inverse
                                                                                : unit.alone;
