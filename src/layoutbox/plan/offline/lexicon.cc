@@ -90,11 +90,11 @@ std::string_view Lexicon::meant_by(std::string_view word) const {
 bool Lexicon::may_run_together(std::span<const Token> tokens, std::size_t at, std::size_t length, const Entry& entry) const {
   if (length <= std::max<std::size_t>(entry.words, 1)) return true;
   constexpr std::size_t kShortest = 3;
-  return std::all_of(tokens.begin() + static_cast<std::ptrdiff_t>(at), tokens.begin() + static_cast<std::ptrdiff_t>(at + length),
-                     [&](const Token& token) {
-                       return (token.text.size() >= kShortest || token.kind == Token::Kind::kNumber || token.glued) &&
-                              !is(token, WordClass::kBe) && !is(token, WordClass::kEach) && !is(token, WordClass::kAnd) && !is(token, WordClass::kDefinite);
-                     });
+  return std::all_of(
+      tokens.begin() + static_cast<std::ptrdiff_t>(at), tokens.begin() + static_cast<std::ptrdiff_t>(at + length), [&](const Token& token) {
+        return (token.text.size() >= kShortest || token.kind == Token::Kind::kNumber || token.glued) && !is(token, WordClass::kBe) &&
+               !is(token, WordClass::kEach) && !is(token, WordClass::kAnd) && !is(token, WordClass::kDefinite);
+      });
 }
 
 Match Lexicon::find(std::span<const Token> tokens, std::size_t at) const {

@@ -6,6 +6,7 @@
 #include "layoutbox/base/words.h"
 #include "layoutbox/plan/offline/english.h"
 #include "layoutbox/plan/offline/noun_phrase_parts.h"
+#include "layoutbox/plan/offline/reader_words.h"
 
 namespace layoutbox::offline {
 
@@ -118,7 +119,11 @@ Match NounPhraseReader::without_attribute(const Match& match) const {
 bool NounPhraseReader::ends_before(const Match& match) const {
   // "both stand", "all sit": the verb.
   const bool verb = match.length == 1 && !plural_at(i_) && has(match, Class::kPlaceVerb);
-  if (parts_.empty()) return phrase_.determiner == Determiner::kBoth && verb;
+  if (parts_.empty()) {
+    // "each looks at the bar"
+    const bool place = phrase_.determiner == Determiner::kEach && is_finite(token().text) && lexicon_.find_phrase(tokens_, i_).length > 1;
+    return place || (phrase_.determiner == Determiner::kBoth && verb);
+  }
   const Part& last = parts_.back();
   if (verb && last.last == i_ && plural_at(i_ - 1) && !is_attribute_class(last.word_class)) return true;
   const std::size_t phrase = lexicon_.find_phrase(tokens_, i_).length;

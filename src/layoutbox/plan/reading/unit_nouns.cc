@@ -112,7 +112,8 @@ void UnitReader::settle_place_words(std::size_t k) {
   };
   const bool side = noun.kind == NounKind::kPart && (noun.head == "left" || noun.head == "right");
   // "a counter along the left side": of the room, where nothing else was named.
-  const bool of_room = noun.kind == NounKind::kPart && noun.head == "side" && !noun.wall_word.empty() && units_.size() == 2;
+  const bool of_room = (noun.kind == NounKind::kPart || noun.kind == NounKind::kAbstract) && noun.head == "side" &&
+                       !noun.wall_word.empty() && units_.size() == 2;
   if (of_room && says(senses, RelationType::kAgainstWall) && !noun.of) noun.kind = NounKind::kWall;
   if (side && says(senses, RelationType::kAgainstWall) && !noun.of && !noun.plural && noun.determiner != Determiner::kPossessive) {
     noun.kind = NounKind::kWall;
