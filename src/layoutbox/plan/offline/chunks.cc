@@ -36,7 +36,8 @@ bool Chunker::clause_begins() const {
 
 void Chunker::read() {
   if (read_distance() || read_size_chunk() || read_rows() || read_infinitive() || read_doing()) return;
-  if (tokens_[i_].text == "like" && i_ + 1 < tokens_.size() && lexicon_.is(tokens_[i_ + 1], Class::kNumber)) {  // "like three mugs"
+  const bool about = tokens_[i_].text == "like" || tokens_[i_].text == "say";  // "like three mugs", "stools, say five"
+  if (about && i_ + 1 < tokens_.size() && lexicon_.is(tokens_[i_ + 1], Class::kNumber)) {
     add(ChunkKind::kIgnored, 1);
     return;
   }

@@ -148,6 +148,12 @@ void NounPhraseReader::read_of() {
     return;
   }
   if (!base) return;
+  if (bare && base->kind == NounKind::kRoom && base->determiner == Determiner::kIndefinite) {  // "a shoebox of a bedroom"
+    base->first = phrase_.first;
+    i_ = base->last;
+    phrase_ = std::move(*base);
+    return;
+  }
   if (bare) {  // part of the name, not a thing of its own
     if (base->kind != NounKind::kObject && base->kind != NounKind::kAbstract) return;
     i_ = base->last;

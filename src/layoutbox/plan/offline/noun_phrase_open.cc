@@ -54,7 +54,8 @@ bool NounPhraseReader::read_number_word() {
 bool NounPhraseReader::is_no_count(const Match& best, bool is_number) const {
   // Another word's longer meaning wins: "single bed", "one another", "twin-size".
   const Match any = at_word("dual") ? Match{} : lexicon_.find(tokens_, i_);
-  if (any.length > best.length && !has(any, Class::kNumber) && !has(any, Class::kVague)) return true;
+  const bool so_many = any.plural && !has(any, Class::kObject) && attribute_of(any) != nullptr;  // "two seats" are no "two-seat"
+  if (any.length > best.length && !has(any, Class::kNumber) && !has(any, Class::kVague) && !so_many) return true;
   const bool adjective = is_number && attribute_of(any) != nullptr;
   if (adjective && any.length == best.length && counted_) return true;
   // "two-seater", "three-legged": a compound adjective.

@@ -16,7 +16,7 @@ bool is_own_shelf(const NounPhrase& noun) {
 
 // No bed, sink or seat, whose mattress, bowl or seat carries as well.
 bool has_shelves(const CatalogEntry* entry) {
-  static constexpr std::string_view kShelves[] = {"shelf", "compartment", "below", "tray", "ledge", "niche", "floor"};
+  static constexpr std::string_view kShelves[] = {"shelf", "compartment", "below", "tray", "niche", "floor"};
   return entry != nullptr && entry->mount == Mount::kFloor && std::ranges::any_of(entry->spaces, [](const SpaceFormula& s) {
            return s.carries && std::ranges::any_of(kShelves, [&](std::string_view part) { return s.name.find(part) != std::string::npos; });
          });

@@ -68,6 +68,9 @@ bool UnitReader::passes_aside(std::size_t k) {
   const bool why = std::ranges::find(kWhy, document_.tokens[chunk(k).last - 1].text) != std::end(kWhy);
   if (!why && !is_person(k) && !is_person(first)) return false;
   if (says_what_is_there(first, end)) return false;
+  // "nobody touches the harp, which stands by the window"
+  if (is(next(end), ChunkKind::kRelative) && is(previous(end), ChunkKind::kNoun) && chunk(previous(end)).noun.kind == NounKind::kObject)
+    return false;
   mark(k, Use::kIgnored, "told by the way");
   for (std::size_t c = first; c < end; ++c) {
     mark(c, Use::kIgnored, "told by the way");
@@ -140,7 +143,8 @@ bool UnitReader::is_title(std::size_t k) const {
   const std::size_t n = next(k);
   if (noun.kind != NounKind::kObject || noun.exact || noun.count > 0 || noun.plural || !units_.empty() || n + 1 >= document_.chunks.size())
     return false;
-  if (is(n, ChunkKind::kComma) && noun.entry == nullptr) return is(next(n), ChunkKind::kWithout) || is(next(n), ChunkKind::kSize);
+  if (is(n, ChunkKind::kComma) && noun.entry == nullptr)
+    return is(next(n), ChunkKind::kWithout) || is(next(n), ChunkKind::kSize) || is(next(n), ChunkKind::kComma);
   if (!is(n, ChunkKind::kStop)) return false;
   return noun.determiner == Determiner::kDefinite || noun.entry == nullptr;
 }
@@ -235,6 +239,16 @@ bool UnitReader::is_figure(std::size_t k) const {
   std::size_t before = previous(k);
   if (is(before, ChunkKind::kVerb)) before = previous(before);
   return before < document_.chunks.size() && before > 0 && holds(previous(before), before);
+}
+
+// "Dear computer, …", "Hello helper!": who is spoken to.
+bool UnitReader::is_addressed(std::size_t k) const {
+  const NounPhrase& noun = chunk(k).noun;
+  const bool ends = is(next(k), ChunkKind::kComma) || is(next(k), ChunkKind::kStop);
+  if (!ends || !units_.empty() || noun.count > 0) return false;
+  const std::size_t first = chunk(k).first;
+  const auto greets = [&](std::size_t i) { return one_of(document_.tokens[i].text, {"dear", "hello", "hi", "hey", "greetings"}); };
+  return (greets(first) && noun.last > first + 1) || (first > 0 && greets(first - 1));
 }
 
 // "the middle of the chamber", "a corner of the burrow": of the room, where nothing of that name is known or was named.

@@ -251,6 +251,10 @@ void UnitReader::read_noun(std::size_t k) {
   take_told(k);
   if (opens_command(k) || says_nothing_but_there(k) || says_where_room_is(k) || says_room_seats(k)) return;
   if (counts_before(k)) return;
+  if (is_addressed(k)) {
+    mark(k, Use::kIgnored, "opens a statement");
+    return;
+  }
   if (is_said_of_subject(k) || announces_things(k)) {
     mark(k, Use::kIgnored, "no object");
     return;

@@ -55,6 +55,7 @@ class UnitReader {
   bool is_said_of_subject(std::size_t k);
   bool is_named_before(std::size_t k, std::string_view head) const;
   bool is_title(std::size_t k) const;
+  bool is_addressed(std::size_t k) const;
   bool is_within_room(std::size_t k) const;
   bool counts_before(std::size_t k);
   bool announces_things(std::size_t k) const;

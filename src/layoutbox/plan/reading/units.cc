@@ -135,7 +135,7 @@ void UnitReader::read_break(std::size_t k) {
   if (skipping_ && !is(n, ChunkKind::kAnd) && purpose_ends(k, n)) skipping_ = false;
   if (negated_) {
     const bool more = is(n, ChunkKind::kNoun) && chunk(n).noun.determiner == Determiner::kNone && chunk(n).noun.count == 0;
-    if (!more) negated_ = false;
+    if (!more || (document_.tokens[chunk(k).first].text == ":" && is(previous(k), ChunkKind::kNoun))) negated_ = false;
   }
   if (comma)
     joiner_ = joiner_ == Joiner::kNone || joiner_ == Joiner::kComma ? Joiner::kComma : Joiner::kCommaAnd;  // "… and, across from it, …"
@@ -211,7 +211,8 @@ void UnitReader::read_have(std::size_t k) {
   const std::string& word = document_.tokens[chunk(k).first].text;
   const std::size_t n = next(k);
   if (skipping_) {
-    const bool finite = is_finite(word) && is(previous(k), ChunkKind::kNoun);
+    const bool finite = is_finite(word) && is(previous(k), ChunkKind::kNoun) &&
+                        !(doing_ && chunk(previous(k)).noun.kind == NounKind::kPronoun);  // "the vet says it needs light"
     const NounPhrase* noun = is(n, ChunkKind::kNoun) ? &chunk(n).noun : nullptr;
     const bool thing = noun != nullptr && noun->kind == NounKind::kObject &&
                        (noun->entry != nullptr || noun->determiner == Determiner::kIndefinite || noun->count > 0);
