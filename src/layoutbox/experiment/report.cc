@@ -201,7 +201,7 @@ std::string experiment_html(const Suite& suite, const ExperimentOutcome& outcome
   page += "</ul>\n<h2>Everything met, by the number of objects in the room</h2>\n" + size_table(groups);
   page += "<h2>Rooms that cannot be, by what is wrong</h2>\n" + failures_table(groups);
   page += "<h2>Claims of the paper</h2>\n" + claims_table(groups);
-  page += "<h2>Rooms side by side</h2>\n<p>What failed is drawn in red.</p>\n" + rooms_of(suite, outcome);
+  page += "<h2>Rooms side by side</h2>\n<p>What failed, or only warns, is drawn in red.</p>\n" + rooms_of(suite, outcome);
   return page + "</body></html>\n";
 }
 

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 
-#include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/judge/predicates.h"
 #include "layoutbox/judge/rays.h"
 #include "layoutbox/judge/vocabulary.h"
@@ -109,15 +108,6 @@ Scored under_it(const Pair& p) {
           {}};
 }
 
-Scored faces(const Pair& p) {
-  Scored own = look_at(p.target, p.reference, p.target.frame.y * -1);
-  // Of a desk and the like also who sits there does.
-  const bool worked_at = p.target.body && p.target.body->entry->is(Trait::kDeskLike);
-  if (!worked_at) return own;
-  Scored user = look_at(p.target, p.reference, p.target.frame.y);
-  return user.score > own.score ? user : own;
-}
-
 Scored middle_of(const Pair& p) {
   const double off = judge::length(p.target.center() - p.reference.center());
   return {std::exp(-off * off / (2 * 0.25 * 0.25)), fmt::format("centres {:.2f} m apart in the plan", off), {}};
@@ -161,7 +151,7 @@ constexpr std::array kChecks{
     Row{"inside", [](const Pair& p) { return inside_it(p, true); }, false},
     Row{"outside", [](const Pair& p) { return inside_it(p, false); }, false},
     Row{"on", &on_top, false},
-    Row{"face", &faces, false},
+    Row{"face", [](const Pair& p) { return faces(p.target, p.reference); }, false},
     Row{"above", &above_it, false},
     Row{"under", &under_it, false},
     Row{"middle", &middle_of, false},

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "layoutbox/base/units.h"
+#include "layoutbox/catalog/trait_table.h"
 
 namespace layoutbox::scoring {
 namespace {
@@ -47,6 +48,14 @@ Scored look_at(const Block& target, const Block& reference, Vec front) {
   const double cosine = dot(look, front) / std::max(judge::length(look), 1e-9);
   const double angle = std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / kPi;
   return {std::max(0.0, 1 - angle / 30), fmt::format("turned {:.0f} degrees from it (limit 15)", angle), {}};
+}
+
+Scored faces(const Block& target, const Block& reference) {
+  Scored own = look_at(target, reference, target.frame.y * -1);
+  const bool worked_at = target.body && target.body->entry->is(Trait::kDeskLike);
+  if (!worked_at) return own;
+  Scored user = look_at(target, reference, target.frame.y);
+  return user.score > own.score ? user : own;
 }
 
 }  // namespace layoutbox::scoring

@@ -58,9 +58,7 @@ Scored before(const Block& block, const Face& face, double high, double spread, 
           {}};
 }
 
-Scored looks_at_face(const Block& block, const Face& face) {
-  return look_at(block, block_of(judge::space_before(face, 0.01)), block.frame.y * -1);
-}
+Scored looks_at_face(const Block& block, const Face& face) { return faces(block, block_of(judge::space_before(face, 0.01))); }
 
 using FaceCheck = Scored (*)(const Block&, const Face&);
 struct FaceRow {
