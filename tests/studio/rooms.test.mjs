@@ -43,7 +43,7 @@ test("a form becomes a room: kind, size, furniture, an opening and a relation", 
   const layout = await layout_of(page);
   const xs = layout.room.polygon.map(([x]) => x);
   assert.ok(Math.abs(Math.max(...xs) - Math.min(...xs) - 3.96) < 0.02, "13 feet wide");
-  assert.equal(layout.room.openings.filter((one) => one.type === "window").length, 1);
+  assert.deepEqual(layout.room.openings.map((one) => one.type).sort(), ["door", "window"]);
   for (const word of ["desk", "bookshelf", "globe"]) assert.ok(layout.objects.some((one) => one.name.toLowerCase().includes(word)), word);
   assert.ok(layout.relations.some((one) => one.type === "againstWall" && one.targets.includes("desk_1") && one.origin === "asked"));
   assert.deepEqual(page.faults, []);

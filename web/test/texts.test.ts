@@ -112,6 +112,8 @@ test("the form asks for a scene", () => {
   assert.deepEqual(scene.furniture[0]!.dims, {w: 0.5});
   assert.deepEqual(scene.room.dims, {w: 4, d: 3});
   assert.deepEqual(scene.room.openings, [{id: "door1", type: "door", wallId: "wall1", offset: 0.5}]);
+  const windows = form_scene({...value, openings: [{key: 2, type: "window", wall: "", offset: "", w: ""}]}, "m").room.openings;
+  assert.deepEqual(windows, [{id: "window1", type: "window"}, {id: "door1", type: "door", origin: "assumed"}]);
   assert.deepEqual(scene.constraints![0]!.targets, ["chair_1", "chair_2"]);
   assert.deepEqual(wrong_lengths({...value, w: "wide"}, "m"), ["wide"]);
   assert.equal(things_of([piece])[1]!.name, "chair 2");

@@ -1,6 +1,9 @@
 // What rooms are judged by, and what would make one possible.
 #include "layoutbox/judge/judge.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "layoutbox/pipeline/ways_out.h"
 #include "layoutbox/serve/call_parts.h"
 

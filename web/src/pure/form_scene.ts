@@ -70,6 +70,8 @@ export function form_scene(value: FormValue, units: Units): Scene {
       id: ids[i], type: one.type, ...(one.wall ? {wallId: one.wall} : {}), ...(offset === null ? {} : {offset}), ...(w ? {w} : {}),
     } as SceneOpening;
   });
+  // Whoever names windows alone did not ask for a room without a way in.
+  if (openings.length > 0 && openings.every((one) => one.type === "window")) openings.push({id: "door1", type: "door", origin: "assumed"} as SceneOpening);
   const constraints = value.relations.filter((one) => one.type && one.subject).map((one, i): SceneRelation => ({
     id: `c${i + 1}`, type: one.type, targets: one.subject.split(","), ...(one.reference ? {relativeTo: one.reference.split(",")} : {}), hard: true,
   } as SceneRelation));
