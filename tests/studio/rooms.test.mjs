@@ -191,6 +191,7 @@ test("pictures of rooms are rated, and a table comes out", async () => {
   await id(page, "rate-kind").selectOption("place");
   await id(page, "rate-reason").fill("the desk, askew");
   await id(page, "rate-next").click();
+  await id(page, "rate-count").filter({hasText: "2 of 2"}).waitFor();
   await page.keyboard.press("0");
   await id(page, "rate-count").filter({hasText: "2 rated"}).waitFor();
   const [download] = await Promise.all([page.waitForEvent("download"), id(page, "rate-save").click()]);

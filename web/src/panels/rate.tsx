@@ -1,5 +1,5 @@
 // Rooms rated by people: a picture after the other, one to ten, and why. Files stay in the browser; a table comes out.
-import {useEffect, useMemo, useRef, useState} from "preact/hooks";
+import {useEffect, useLayoutEffect, useMemo, useRef, useState} from "preact/hooks";
 import {Icon} from "../icons";
 import {type Rating, type RoomFiles, mixed, ratings_csv, rooms_of} from "../pure/ratings";
 import {set} from "../state/store";
@@ -110,7 +110,8 @@ export function Rate() {
     } catch { /* a browser that keeps nothing */ }
     return next;
   });
-  useEffect(() => {
+  // With the picture, not after it: a key is meant for the room that is seen.
+  useLayoutEffect(() => {
     const on_key = (event: KeyboardEvent) => {
       if (!room || event.ctrlKey || event.metaKey || event.altKey || event.target instanceof HTMLInputElement || event.target instanceof HTMLSelectElement) return;
       const score = event.key === "0" ? 10 : Number(event.key);
@@ -122,7 +123,7 @@ export function Rate() {
     return () => removeEventListener("keydown", on_key);
   });
   // A button that is switched off would keep the focus, and the keys with it.
-  useEffect(() => main.current?.focus({preventScroll: true}), [at, room]);
+  useLayoutEffect(() => main.current?.focus({preventScroll: true}), [at, room]);
   const take = () => save(new Blob([ratings_csv(done.map((one) => ratings[one.id] as Rating))], {type: "text/csv"}), "ratings.csv");
   return (
     <main ref={main} id="room" class="rate" data-testid="rate" tabIndex={-1}>
