@@ -51,6 +51,14 @@ bool Chunker::says_gap(std::size_t at) const {
   return at < tokens_.size() && std::find(kGaps.begin(), kGaps.end(), tokens_[at].text) != kGaps.end();
 }
 
+// Past the word for the gap after its length, or `at`: "600 mm gap", "40 cm of free space".
+std::size_t Chunker::gap_ends(std::size_t at) const {
+  std::size_t word = at;
+  if (word < tokens_.size() && tokens_[word].text == "of") ++word;
+  if (word < tokens_.size() && tokens_[word].text == "free") ++word;
+  return says_gap(word) ? word + 1 : at;
+}
+
 // "a metre apart", "a foot from the wall": one of that unit.
 bool Chunker::is_one_unit(std::size_t at) const {
   static constexpr std::array<std::string_view, 7> kAfter = {"apart", "away", "from", "between", "behind", "above", "below"};
@@ -91,11 +99,7 @@ bool Chunker::read_distance() {
     return false;
   if (lexicon_.find(tokens_, at, Class::kDimension).length > std::max<std::size_t>(lexicon_.find_phrase(tokens_, at).length, 1))
     return false;
-  // "600 mm gap", "40 cm of free space"
-  std::size_t after = at;
-  if (after < tokens_.size() && tokens_[after].text == "of") ++after;
-  if (after < tokens_.size() && tokens_[after].text == "free") ++after;
-  if (!apart && says_gap(after)) apart = true, at = after + 1;
+  if (const std::size_t end = gap_ends(at); !apart && end > at) apart = true, at = end;
   const auto next_is = [&](std::initializer_list<std::string_view> words) {
     return at < tokens_.size() && std::find(words.begin(), words.end(), tokens_[at].text) != words.end();
   };

@@ -73,6 +73,7 @@ class Chunker {
   };
   Gap gap_here() const;
   bool says_gap(std::size_t at) const;
+  std::size_t gap_ends(std::size_t at) const;
   bool is_one_unit(std::size_t at) const;
   std::optional<Measure> read_unit(std::size_t at) const;
   // "in three rows", "in rows of four", "in two rows of six".
