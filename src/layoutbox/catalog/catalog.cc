@@ -59,11 +59,32 @@ const CatalogEntry* Catalog::find(std::string_view id) const {
   return found ? &entries_[*found] : nullptr;
 }
 
+// By the words, or by the longest ending of them that is known; that ending may have another word in what is known ("crash trolley" →
+// crash cart), if that is a kind of it or of what it is a kind of.
 const CatalogEntry* Catalog::find_by_words(std::string_view words) const {
   const std::vector<std::string> all = words_of(words);
+  const auto kind_called = [&](const std::string& modifier, std::string_view word, const CatalogEntry& head) -> const CatalogEntry* {
+    const auto found = find_key(index_.words, modifier + key_of(word));
+    if (!found) return nullptr;
+    const CatalogEntry& entry = entries_[*found];
+    return is_a(entry.id, head.id) || (!head.kind_of.empty() && is_a(entry.id, head.kind_of)) ? &entry : nullptr;
+  };
+  const auto with_modifier = [&](std::span<const std::string> before, const CatalogEntry& head) -> const CatalogEntry* {
+    for (; !before.empty(); before = before.subspan(1)) {
+      std::string modifier;
+      for (const std::string& word : before) modifier += word;
+      if (const CatalogEntry* entry = kind_called(modifier, head.name, head)) return entry;
+      for (const std::string& synonym : head.synonyms) {
+        if (const CatalogEntry* entry = kind_called(modifier, synonym, head)) return entry;
+      }
+    }
+    return &head;
+  };
   for (std::span<const std::string> rest(all); !rest.empty(); rest = rest.subspan(1)) {
     for (const std::string& key : candidate_keys(rest)) {
-      if (const auto found = find_key(index_.words, key)) return &entries_[*found];
+      if (const auto found = find_key(index_.words, key)) {
+        return with_modifier(std::span(all).first(all.size() - rest.size()), entries_[*found]);
+      }
     }
   }
   return nullptr;

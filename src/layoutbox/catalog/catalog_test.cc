@@ -2,6 +2,10 @@
 
 #include <gmock/gmock.h>
 
+#include <array>
+#include <string_view>
+#include <utility>
+
 #include "layoutbox/base/files.h"
 #include "layoutbox/catalog/catalog_json.h"
 #include "layoutbox/catalog/pack.h"
@@ -104,6 +108,45 @@ TEST(Catalog, FindsByWords) {
   EXPECT_EQ(id("king size bed"), "bed");
   EXPECT_EQ(id("desk lamp"), "-") << "the head noun decides";
   EXPECT_EQ(id(""), "-");
+}
+
+TEST(Catalog, FindsByAnotherWordForTheHead) {
+  const auto id = [](std::string_view words) { return Catalog::builtin().find_by_words(words)->id; };
+  EXPECT_EQ(id("crash trolley"), "medical_cart") << "a crash cart";
+  EXPECT_EQ(id("old sleeper settee"), "sofa_bed") << "a sleeper sofa";
+  EXPECT_EQ(id("linen cupboard"), id("linen cabinet"));
+  EXPECT_EQ(id("three carts"), "cart");
+}
+
+// Nouns of all sorts of rooms, and what they are sized and drawn like.
+TEST(Catalog, KnowsWhatPeopleCallThings) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 24> kThings = {{
+      {"profiling bed", "hospital_bed"},
+      {"straw mattress", "straw_mattress"},
+      {"riser recliner", "recliner"},
+      {"swivel seat", "office_chair"},
+      {"fold-down seat", "shower_seat"},
+      {"mini kitchen", "play_kitchen"},
+      {"kitchenette", "kitchenette"},
+      {"larder", "pantry_cabinet"},
+      {"belfast sink", "kitchen_sink"},
+      {"rabbit hutch", "rabbit_hutch"},
+      {"pillar drill", "drill_press"},
+      {"barrier posts", "barrier_post"},
+      {"low plinth", "plinth"},
+      {"label stand", "information_panel"},
+      {"box of gloves", "tissue_box"},
+      {"dialysis machine", "dialysis_machine"},
+      {"walk-on scales", "platform_scale"},
+      {"baby scales", "kitchen_scale"},
+      {"bunch of grapes", "grapes"},
+      {"wooden spoon", "spoon"},
+      {"captain's console", "control_console"},
+      {"concrete pier", "instrument_pier"},
+      {"honey extractor", "honey_extractor"},
+      {"tiered flower stand", "flower_stand"},
+  }};
+  for (const auto& [called, id] : kThings) EXPECT_EQ(Catalog::builtin().entry_or_nearest(called).id, id) << called;
 }
 
 TEST(Catalog, KnowsKinds) {

@@ -121,8 +121,16 @@ void hospital_bed(Piece& p) {
                     0.03, 3));
   p.add(blanket, rounded_box(sides(-p.w / 2 + 0.02, p.w / 2 - 0.02, -p.d / 2 + 0.04, head - 0.62, level - 0.1, level), 0.025, 3));
   p.add(mattress, pillow(sides(-p.w * 0.32, p.w * 0.32, head - 0.5, head - 0.06, level - 0.07, level), 8));
-  p.add(p.frame("oak"), rounded_box(sides(-p.w / 2 + 0.02, p.w / 2 - 0.02, std::max(head, p.d / 2 - 0.04), p.d / 2, under, p.h), 0.015, 3));
-  p.add(p.frame("oak"), rounded_box(sides(-p.w / 2 + 0.02, p.w / 2 - 0.02, -p.d / 2, -p.d / 2 + 0.035, under, level - 0.01), 0.015, 3));
+  const int board = p.named("plastic"), rail = p.named("steel");
+  p.add(board, rounded_box(sides(-p.w / 2 + 0.02, p.w / 2 - 0.02, std::max(head, p.d / 2 - 0.04), p.d / 2, under, p.h), 0.015, 3));
+  p.add(board, rounded_box(sides(-p.w / 2 + 0.02, p.w / 2 - 0.02, -p.d / 2, -p.d / 2 + 0.035, under, level + 0.12), 0.015, 3));
+  // Side rails beside the mattress, where it leaves room for them: what tells it from a bed at home.
+  const double from = -p.d * 0.1, to = head - 0.12, rise = std::min(0.3, p.h - level - 0.03);
+  if (open == nullptr || p.w / 2 - open->box.max.x < 0.04) return;
+  for (const double x : {-p.w / 2 + 0.015, p.w / 2 - 0.015}) {
+    for (const double share : {0.4, 0.7, 1.0}) p.add(rail, rod({x, from, level + rise * share}, {x, to, level + rise * share}, 0.012, 8));
+    for (const double y : {from, (from + to) / 2, to}) p.add(rail, rod({x, y, under + 0.03}, {x, y, level + rise}, 0.012, 8));
+  }
 }
 
 void exam_table(Piece& p) {

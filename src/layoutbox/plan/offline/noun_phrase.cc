@@ -80,10 +80,14 @@ void NounPhraseReader::settle_object(const Part& head, std::size_t head_index) {
     return;
   }
   phrase_.exact = phrase_.entry != nullptr && begin == head.first;
-  if (phrase_.entry != nullptr) {
-    phrase_.category = snake_case(called);  // the entry's, or the word for what is only like it
+  if (phrase_.entry == nullptr) return settle_unknown();
+  // "crash trolley": a crash cart, by another word for its head.
+  const CatalogEntry* special = phrase_.exact ? nullptr : lexicon_.catalog().find_by_words(phrase_.name);
+  if (special != nullptr && special != phrase_.entry && lexicon_.catalog().is_a(special->id, phrase_.entry->id)) {
+    phrase_.entry = special;
+    phrase_.category = special->id;
   } else {
-    settle_unknown();
+    phrase_.category = snake_case(called);  // the entry's, or the word for what is only like it
   }
 }
 
