@@ -21,7 +21,10 @@ bool is_missed(const Lexicon& lexicon, const Document& document, std::size_t k) 
   const bool new_here = noun.determiner == Determiner::kIndefinite || noun.determiner == Determiner::kAnother || noun.count > 0;
   if (noun.kind == NounKind::kAbstract) return noun.doubted && (new_here || noun.unplaced);
   if (noun.kind != NounKind::kObject) return false;
-  if (new_here) return true;
+  const bool unknown = !noun.exact && noun.determiner == Determiner::kDefinite;  // "nobody will weigh the labrador"
+  const bool named =
+      unknown && std::any_of(document.items.begin(), document.items.end(), [&](const Item& item) { return item.noun.head == noun.head; });
+  if (new_here || (unknown && !named)) return true;
   const bool there = noun.entry != nullptr && std::any_of(document.items.begin(), document.items.end(), [&](const Item& item) {
                        return item.noun.entry != nullptr && lexicon.catalog().is_a(item.noun.entry->id, noun.entry->id);
                      });

@@ -152,7 +152,9 @@ void NounPhraseReader::read_of() {
     return;
   }
   if (!base) return;
-  if (bare && base->kind == NounKind::kRoom && base->determiner == Determiner::kIndefinite) {  // "a shoebox of a bedroom"
+  // "a shoebox of a bedroom" at the very beginning; a "model of a theater" is a thing
+  constexpr std::size_t kOpening = 4;
+  if (bare && phrase_.first < kOpening && base->kind == NounKind::kRoom && base->determiner == Determiner::kIndefinite) {
     base->first = phrase_.first;
     i_ = base->last;
     phrase_ = std::move(*base);
