@@ -270,5 +270,63 @@ TEST(UsualGroups, AWholeGroupMovesToTheMiddleOfItsWall) {
   EXPECT_NEAR(sofa.position[aside ? 1 : 0], aside ? 2100 : 2700, 450);
 }
 
+TEST(UsualGroups, AnAisleLeadsBetweenTwoColumnsOfPews) {
+  RelationParameters two_columns;
+  two_columns.columns = 2;
+  const Layout layout = solved_as_asked(SceneMaker(8000, 10000)
+                                            .add("altar")
+                                            .add("church_pew", 8)
+                                            .relate("facing", {"church_pew_1"}, {"altar_1"})
+                                            .relate("grid",
+                                                    {"church_pew_1", "church_pew_2", "church_pew_3", "church_pew_4", "church_pew_5",
+                                                     "church_pew_6", "church_pew_7", "church_pew_8"},
+                                                    {}, two_columns)
+                                            .make(true));
+  EXPECT_GT(apart(layout, "church_pew_1", "church_pew_2"), layout.find_object("church_pew_1")->size.width + 550);
+}
+
+TEST(UsualGroups, AnAltarIsInTheMiddleOfItsWall) {
+  const Layout layout = solved_as_asked(SceneMaker(8000, 6000)
+                                            .add("altar")
+                                            .add("kneeler", 2)
+                                            .relate("againstWall", {"altar_1"}, {"wall3"})
+                                            .relate("inFrontOf", {"kneeler_1"}, {"altar_1"})
+                                            .relate("inFrontOf", {"kneeler_2"}, {"altar_1"})
+                                            .make());
+  EXPECT_NEAR(layout.find_object("altar_1")->position[0], 4000, 400);
+}
+
+TEST(UsualGroups, SeveralTablesInTheMiddleStandInRows) {
+  const Layout layout = solved_as_asked(SceneMaker(9000, 8000)
+                                            .add("table", 6)
+                                            .relate("centerOfRoom", {"table_1", "table_2", "table_3", "table_4", "table_5", "table_6"})
+                                            .make(true));
+  for (int i = 1; i <= 6; ++i) {
+    const PlacedObject& one = *layout.find_object("table_" + std::to_string(i));
+    int in_line = 0;
+    for (int j = 1; j <= 6; ++j) {
+      const PlacedObject& other = *layout.find_object("table_" + std::to_string(j));
+      for (const int axis : {0, 1}) in_line += i != j && std::abs(one.position[axis] - other.position[axis]) < 60;
+    }
+    EXPECT_GE(in_line, 2) << one.id;
+  }
+}
+
+TEST(UsualGroups, WhatCarriesTheTelevisionStandsAtAWall) {
+  const Layout layout = solved_as_asked(SceneMaker(5500, 4500)
+                                            .opening(OpeningType::kWindow, "wall1", 2150, 1200, 900, 1200)
+                                            .add("sofa")
+                                            .add("tv")
+                                            .add("furniture")
+                                            .relate("underWindow", {"sofa_1"})
+                                            .relate("opposite", {"tv_1"}, {"sofa_1"})
+                                            .relate("on", {"tv_1"}, {"furniture_1"})
+                                            .make());
+  const PlacedObject& unit = *layout.find_object("furniture_1");
+  const double angle = unit.rotation_deg * kPi / 180;
+  const double x = unit.position[0] - std::sin(angle) * unit.size.depth / 2, y = unit.position[1] + std::cos(angle) * unit.size.depth / 2;
+  EXPECT_LT(std::min({x, 5500 - x, y, 4500 - y}), 60);
+}
+
 }  // namespace
 }  // namespace layoutbox::placement

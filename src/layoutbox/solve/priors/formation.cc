@@ -9,6 +9,7 @@ namespace {
 constexpr Mm kWayAround = 600;       // left free between a formation and the walls
 constexpr Mm kSeatRoom = 850;        // behind a desk: the chair, and somebody getting up
 constexpr Mm kTucked = 200;          // how far a seat goes under its table
+constexpr Mm kForSeveral = 1500;     // so wide a seat is for several: an aisle leads to its ends
 constexpr Mm kBackOfSeat = 130;      // what of a chair stays before the edge
 constexpr Mm kBeforeKneeless = 100;  // from what one sits before without room for the knees
 
@@ -17,6 +18,7 @@ std::pair<Mm, Mm> gaps_of(const Item& item) {
   if (has_knee_room(item) || item.is(Trait::kDeskLike))
     return item.has_front ? std::pair<Mm, Mm>{500, kSeatRoom} : std::pair<Mm, Mm>{1300, 1300};
   if (item.thin) return {500, 400};
+  if (item.has_front && item.is_seat && item.states[0].size.width >= kForSeveral) return {1000, 600};
   return item.has_front ? std::pair<Mm, Mm>{80, 600} : std::pair<Mm, Mm>{500, 500};
 }
 

@@ -116,6 +116,7 @@ class Habits {
   std::optional<Group> formation_with(int item) const;
   bool placed_besides_facing(int item) const;
   bool told_where_to_look(int item) const;
+  bool told_middle_with_others(int item) const;
   void turn_as(int item, int other);
   bool stand_in_formation(int item);
   void keep_off_faced(int item);

@@ -128,9 +128,10 @@ bool Habits::stand_beside(int item) {
   if (self.is(Trait::kTableSeat) && !told && placed_besides_facing(item))
     return false;  // told to stand elsewhere: chairs along the walls, in rows
   if (self.is(Trait::kEasySeat) && !told) {
+    if (told_away_from_group(item)) return false;  // two by the fire do not draw the sofa there
     const std::vector<int> seen = items_of_kinds(self.entry->faces, item);
     const auto low_table = std::find_if(seen.begin(), seen.end(), [&](int i) { return model_.items[i].is(Trait::kCoffeeTable); });
-    if (low_table != seen.end() && !told_away_from_group(item) && only_near(item, *low_table)) {
+    if (low_table != seen.end() && only_near(item, *low_table)) {
       sit_round_low_table(item, *low_table);
       return true;
     }

@@ -34,7 +34,8 @@ std::optional<Habits::Group> Habits::formation_with(int item) const {
   Group group;
   for (std::size_t i = 0; i < model_.items.size(); ++i) {
     const int other = static_cast<int>(i);
-    if (model_.items[i].entry == self.entry && !model_.items[i].fixed && !placed_besides_facing(other)) group.members.push_back(other);
+    if (model_.items[i].entry == self.entry && !model_.items[i].fixed && (!placed_besides_facing(other) || told_middle_with_others(other)))
+      group.members.push_back(other);
   }
   // Two that one sits or walks round are enough: side by side, turned alike.
   const bool round_about = has_knee_room(self) || used_sides(self).size() >= 4;
@@ -62,6 +63,19 @@ bool Habits::placed_besides_facing(int item) const {
         r.type == RelationType::kFacing || r.type == RelationType::kSameOrientation || r.type == RelationType::kParallel;
     return !turns_only && std::find(r.targets.begin(), r.targets.end(), model_.items[item].id) != r.targets.end();
   });
+}
+
+// "Six tables in the middle": they cannot all be there, so their rows are about it.
+bool Habits::told_middle_with_others(int item) const {
+  constexpr std::size_t kSeveral = 3;
+  bool middle = false;
+  for (const Relation& r : model_.scene->relations) {
+    if (std::find(r.targets.begin(), r.targets.end(), model_.items[item].id) == r.targets.end()) continue;
+    if (r.type == RelationType::kFacing || r.type == RelationType::kSameOrientation || r.type == RelationType::kParallel) continue;
+    if (r.type != RelationType::kCenterOfRoom || r.targets.size() < kSeveral) return false;
+    middle = true;
+  }
+  return middle;
 }
 
 void Habits::turn_as(int item, int other) {
