@@ -26,7 +26,7 @@ constexpr std::array kCalls{
 };
 
 // The scene of a request, planned or given, with everything filled in; the words where it was planned.
-struct Asked {
+struct AskedRoom {
   SceneGraph scene;
   std::vector<WordReading> words;
 };
@@ -38,19 +38,19 @@ Result<const Planner*> planner_for(const Json& request, const Surroundings& arou
               "start it with --planner llm, or leave the planner out");
 }
 
-Result<Asked> asked_room(const Json& request, const GenerateOptions& options, const Surroundings& around) {
+Result<AskedRoom> asked_room(const Json& request, const GenerateOptions& options, const Surroundings& around) {
   if (request.contains("prompt") == request.contains("scene")) {
     return fail(ErrorCode::kUsage, "a room is made from a prompt or from a scene", {}, "give exactly one of \"prompt\" and \"scene\"");
   }
   if (request.contains("scene")) {
     LAYOUTBOX_ASSIGN(SceneGraph given, scene_of_request(request));
     LAYOUTBOX_ASSIGN(SceneGraph scene, prepare_scene(std::move(given), around.catalog, options));
-    return Asked{std::move(scene), {}};
+    return AskedRoom{std::move(scene), {}};
   }
   LAYOUTBOX_ASSIGN(const Planner* planner, planner_for(request, around));
   LAYOUTBOX_ASSIGN(Plan plan, planner->plan(request.at("prompt").get<std::string>(), options.plan));
   LAYOUTBOX_ASSIGN(SceneGraph scene, prepare_plan(plan, around.catalog, options));
-  return Asked{std::move(scene), std::move(plan.readings)};
+  return AskedRoom{std::move(scene), std::move(plan.readings)};
 }
 
 std::vector<std::string> texts_of(const std::vector<Layout>& layouts) {
@@ -98,7 +98,7 @@ Result<Answer> generate_call(const Json& request, const Surroundings& around) {
   };
   Stopwatch watch;
   begin("plan");
-  LAYOUTBOX_ASSIGN(const Asked asked, asked_room(request, options, around));
+  LAYOUTBOX_ASSIGN(const AskedRoom asked, asked_room(request, options, around));
   const double plan_ms = watch.lap();
   begin("solve");
   LAYOUTBOX_ASSIGN(const std::vector<Layout> layouts, solve_variants(asked.scene, around.catalog, options.solve, options.variants));
@@ -117,7 +117,7 @@ Result<Answer> generate_call(const Json& request, const Surroundings& around) {
 
 Result<Answer> plan_call(const Json& request, const Surroundings& around) {
   LAYOUTBOX_ASSIGN(const GenerateOptions options, generate_options(request, around));
-  LAYOUTBOX_ASSIGN(const Asked asked, asked_room(request, options, around));
+  LAYOUTBOX_ASSIGN(const AskedRoom asked, asked_room(request, options, around));
   JsonText answer;
   answer.add_written("scene", write_scene(asked.scene));
   return answer.add("words", json_of_words(asked.words)).add("notes", json_of_notes(asked.scene.notes)).answer();
