@@ -1,5 +1,6 @@
 #include "layoutbox/plan/offline/tokens.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <utility>
@@ -261,7 +262,15 @@ class Tokenizer {
       at_ += letter.size;
     }
     finish_word(token);
+    if (stands_for_one(token.text)) token.text = "one";
     if (token.text == "round" && !tokens_.empty() && tokens_.back().text == "all") token.text = "around";  // "chairs all round"
+  }
+
+  // "…, mine has a lamp", "his chair on the left and hers on the right": one of what was named. Not "a gold mine", "a friend of mine".
+  bool stands_for_one(std::string_view word) const {
+    static constexpr std::string_view kWhose[] = {"mine", "ours", "yours", "hers", "theirs"};
+    const bool opens = tokens_.empty() || tokens_.back().kind == Token::Kind::kPunctuation || tokens_.back().text == "and";
+    return opens && std::find(std::begin(kWhose), std::end(kWhose), word) != std::end(kWhose);
   }
 
   // Neither letter nor digit. Whether it makes a token of its own.

@@ -46,7 +46,8 @@ bool UnitReader::says_what_is_there(std::size_t first, std::size_t last) const {
   bool told = false, thing = false;
   for (std::size_t c = first; c < last; ++c) {
     if (is(c, ChunkKind::kThere) || is(c, ChunkKind::kWithout)) return true;
-    told = told || is_person(c) || is(c, ChunkKind::kPurpose) || is(c, ChunkKind::kUnknown);
+    // "so a table for eight": whom it is for comes after the thing.
+    told = told || is_person(c) || (is(c, ChunkKind::kPurpose) && !thing) || is(c, ChunkKind::kUnknown);
     const bool known = is(c, ChunkKind::kNoun) && chunk(c).noun.kind == NounKind::kObject && chunk(c).noun.entry != nullptr &&
                        !lexicon_.catalog().is_a(chunk(c).noun.entry->id, "pet");
     if (!known || (!chunk(c).noun.exact && c != first)) continue;
@@ -77,6 +78,26 @@ bool UnitReader::passes_aside(std::size_t k) {
     if (is(c, ChunkKind::kNoun) && chunk(c).noun.kind == NounKind::kRoom && !is_past(chunk(c).noun))
       document_.rooms.push_back(chunk(c).noun);
   }
+  passed_until_ = end;
+  return true;
+}
+
+// "We record podcasts.", "I bake bread for the village.": what somebody does with nothing that is counted or stands anywhere. After the
+// pronoun alone at k (what is wanted, kept or put is read with it) comes a verb, whatever the lists take it for.
+bool UnitReader::passes_doing(std::size_t k) {
+  static constexpr std::string_view kWho[] = {"i", "we", "they", "he", "she"};
+  const bool who = chunk(k).last == chunk(k).first + 1 && std::ranges::find(kWho, document_.tokens[chunk(k).first].text) != std::end(kWho);
+  if (!who || !units_.empty() || skipping_ || (!is(k + 1, ChunkKind::kNoun) && !is(k + 1, ChunkKind::kUnknown))) return false;
+  std::size_t end = k + 1;
+  for (; end < document_.chunks.size() && !is(end, ChunkKind::kStop); ++end) {
+    const bool told = is(end, ChunkKind::kNoun)
+                          ? chunk(end).noun.determiner == Determiner::kNone && chunk(end).noun.count == 0
+                          : is(end, ChunkKind::kUnknown) || is(end, ChunkKind::kIgnored) || is(end, ChunkKind::kPurpose) ||
+                                is(end, ChunkKind::kAnd) || is(end, ChunkKind::kComma);
+    if (is(end, ChunkKind::kPurpose)) end = clause_end(end) - 1;
+    if (!told) return false;
+  }
+  for (std::size_t c = k; c < end; ++c) mark(c, Use::kIgnored, "told by the way");
   passed_until_ = end;
   return true;
 }
@@ -143,8 +164,12 @@ bool UnitReader::is_title(std::size_t k) const {
   const std::size_t n = next(k);
   if (noun.kind != NounKind::kObject || noun.exact || noun.count > 0 || noun.plural || !units_.empty() || n + 1 >= document_.chunks.size())
     return false;
-  if (is(n, ChunkKind::kComma) && noun.entry == nullptr)
-    return is(next(n), ChunkKind::kWithout) || is(next(n), ChunkKind::kSize) || is(next(n), ChunkKind::kComma);
+  if (is(n, ChunkKind::kComma) && noun.entry == nullptr) {
+    const std::size_t after = next(n);
+    const bool of_room = is(after, ChunkKind::kNoun) && chunk(after).noun.kind == NounKind::kRoom;  // "The Drowned Rat, common room"
+    return of_room || document_.tokens[chunk(n).first].text == ":" || is(after, ChunkKind::kWithout) || is(after, ChunkKind::kSize) ||
+           is(after, ChunkKind::kComma);
+  }
   if (!is(n, ChunkKind::kStop)) return false;
   return noun.determiner == Determiner::kDefinite || noun.entry == nullptr;
 }

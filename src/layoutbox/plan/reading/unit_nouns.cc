@@ -237,6 +237,23 @@ bool UnitReader::says_where_room_is(std::size_t k) {
   return true;
 }
 
+// "king bed north wall", "- desk: left wall": against it.
+void UnitReader::place_at_named_wall(std::size_t k) {
+  const NounPhrase& noun = chunk(k).noun;
+  static const PhraseSenses kAgainst = {{RelationType::kAgainstWall, PhraseSense::Direction::kDirect, {}, {}, {}},
+                                        {RelationType::kCenterOfRoom, PhraseSense::Direction::kDirect, {}, {}, {}}};
+  const std::size_t after = next(k);
+  const bool ends = after >= document_.chunks.size() || is(after, ChunkKind::kStop) || is(after, ChunkKind::kComma);
+  const bool listed = ends && joiner_ == Joiner::kComma && noun.determiner == Determiner::kNone && is(previous(k), ChunkKind::kComma);
+  const std::size_t before = listed ? previous(previous(k)) : previous(k);
+  const bool center = noun.kind == NounKind::kCenter;
+  const bool corner = listed && (center || noun.kind == NounKind::kCorner) && !noun.is_plural();  // "lamp - corner", "table (middle)"
+  if ((noun.kind == NounKind::kWall || noun.kind == NounKind::kCorner || center) && (!noun.wall_word.empty() || corner) &&
+      (joiner_ == Joiner::kNone || listed) && is(before, ChunkKind::kNoun) && chunk(before).noun.kind == NounKind::kObject &&
+      !units_.empty() && units_.back().chunk == before)
+    add_place(k, kAgainst);
+}
+
 void UnitReader::read_noun(std::size_t k) {
   settle_noun(k);
   settle_place_words(k);
@@ -282,19 +299,7 @@ void UnitReader::read_noun(std::size_t k) {
     return;
   }
   if (noun.kind == NounKind::kDoor || noun.kind == NounKind::kWindow) document_.openings.push_back(noun);
-  // "king bed north wall", "- desk: left wall": against it.
-  static const PhraseSenses kAgainst = {{RelationType::kAgainstWall, PhraseSense::Direction::kDirect, {}, {}, {}},
-                                        {RelationType::kCenterOfRoom, PhraseSense::Direction::kDirect, {}, {}, {}}};
-  const std::size_t after = next(k);
-  const bool ends = after >= document_.chunks.size() || is(after, ChunkKind::kStop) || is(after, ChunkKind::kComma);
-  const bool listed = ends && joiner_ == Joiner::kComma && noun.determiner == Determiner::kNone && is(previous(k), ChunkKind::kComma);
-  const std::size_t before = listed ? previous(previous(k)) : previous(k);
-  const bool center = noun.kind == NounKind::kCenter;
-  const bool corner = listed && (center || noun.kind == NounKind::kCorner) && !noun.is_plural();  // "lamp - corner", "table (middle)"
-  if ((noun.kind == NounKind::kWall || noun.kind == NounKind::kCorner || center) && (!noun.wall_word.empty() || corner) &&
-      (joiner_ == Joiner::kNone || listed) && is(before, ChunkKind::kNoun) && chunk(before).noun.kind == NounKind::kObject &&
-      !units_.empty() && units_.back().chunk == before)
-    add_place(k, kAgainst);
+  place_at_named_wall(k);
   // "the desk's left corner" is the left corner of the desk.
   if (owner_ < document_.chunks.size() && !noun.of) {
     noun.of = std::make_shared<NounPhrase>(chunk(owner_).noun);

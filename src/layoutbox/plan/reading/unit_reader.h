@@ -51,6 +51,7 @@ class UnitReader {
   bool is_person(std::size_t k) const;
   bool says_what_is_there(std::size_t first, std::size_t last) const;
   bool passes_aside(std::size_t k);
+  bool passes_doing(std::size_t k);
   std::size_t subject_of_being(std::size_t k) const;
   bool is_said_of_subject(std::size_t k);
   bool is_named_before(std::size_t k, std::string_view head) const;
@@ -67,6 +68,7 @@ class UnitReader {
 
   // Nouns.
   bool says_nothing_but_there(std::size_t k);
+  void place_at_named_wall(std::size_t k);
   void read_noun(std::size_t k);
   bool is_placed_itself(std::size_t k) const;
   bool says_where_room_is(std::size_t k);

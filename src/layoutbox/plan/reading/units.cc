@@ -98,7 +98,7 @@ void UnitReader::read(std::size_t k) {
     case ChunkKind::kPurpose: read_purpose(k); break;
     case ChunkKind::kThere:
     case ChunkKind::kCommand:
-      if (passes_keeper(k)) break;
+      if (passes_keeper(k) || passes_doing(k)) break;
       mark(k, Use::kIgnored, "opens a statement");
       skipping_ = false;
       add(UnitKind::kOpen, k);
