@@ -7,7 +7,7 @@ RUN /source/scripts/build.sh layoutbox layoutbox_library && { /source/scripts/pa
 
 FROM debian:12-slim
 COPY --from=build /opt /opt
-RUN apt-get update && apt-get install -y --no-install-recommends libfmt9 libcpp-httplib0.11 libsqlite3-0 libcurl4 zlib1g python3 ca-certificates \
+RUN apt-get update && apt-get install -y --no-install-recommends libfmt9 libcpp-httplib0.11 libsqlite3-0 libmeshoptimizer2d libcurl4 zlib1g python3 ca-certificates \
       $(awk '$1 == "picture" || $1 == "bpy" || $1 == "sandbox" {print $3}' /opt/layoutbox/packages.txt) && rm -rf /var/lib/apt/lists/* && \
     ln -s /opt/layoutbox/bin/layoutbox /usr/local/bin/layoutbox && useradd --create-home --uid 1000 layoutbox && \
     mkdir /rooms && chown layoutbox /rooms
