@@ -63,7 +63,8 @@ export function Picture({layout}: {layout: Layout}) {
       show_error(error);
     }
   };
-  const cancel = () => job && api.cancel(job.id).then(put_job).catch(show_error);
+  // That it ended is told by its events: the answer here may say that it runs, and come after them.
+  const cancel = () => job && api.cancel(job.id).catch(show_error);
   const {files} = texts;
   const works = job !== null && !ended(job);
   return (
