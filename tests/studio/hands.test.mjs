@@ -80,6 +80,25 @@ test("a thing is dragged in 3D, turned and resized in the plan, and typed to a p
   await page.context().close();
 });
 
+test("what is typed as soon as a thing is chosen is kept", async () => {
+  const page = await here.open();
+  await furnish(page);
+  const before = pose(await object_of(page, "nightstand_1"));
+  await page.getByRole("tab", {name: "Things"}).click();
+  await page.evaluate(async () => {
+    const rows = [...document.querySelectorAll("[data-testid=things] button")];
+    rows.find((row) => row.textContent.startsWith("nightstand")).click();
+    for (let turn = 0; turn < 20; ++turn) await null;  // the page is drawn anew, nothing is painted yet
+    const field = document.querySelector("[data-testid=field-x]");
+    field.value = "2.2";
+    field.dispatchEvent(new Event("input", {bubbles: true}));
+    await new Promise((done) => setTimeout(done, 300));
+    field.dispatchEvent(new KeyboardEvent("keydown", {key: "Enter", bubbles: true}));
+  });
+  await moved(page, "nightstand_1", before);
+  await page.context().close();
+});
+
 test("a door is dragged along its wall and round a corner, a wall is drawn outwards", async () => {
   const page = await here.open();
   await furnish(page);

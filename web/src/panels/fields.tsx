@@ -1,5 +1,5 @@
 // A field whose value is taken with Enter or when it is left.
-import {useEffect, useState} from "preact/hooks";
+import {useLayoutEffect, useRef, useState} from "preact/hooks";
 
 interface FieldProps<T> {
   label: string;
@@ -16,13 +16,24 @@ interface FieldProps<T> {
 export function Field<T>({label, value, id, off = false, of, read, take}: FieldProps<T>) {
   const [text, put] = useState(value);
   const [wrong, mark] = useState(false);
-  useEffect(() => {
+  const typed = useRef<string | null>(null);  // of `of`, and not taken yet: an answer that comes meanwhile leaves it alone
+  const shown_of = useRef(of);
+  useLayoutEffect(() => {
+    if (shown_of.current === of && typed.current !== null) return;
+    shown_of.current = of;
+    typed.current = null;
     put(value);
     mark(false);
   }, [value, of]);
+  const type = (words: string) => {
+    typed.current = words;
+    put(words);
+  };
   const done = async () => {
-    if (text === value) return;
-    const found = read(text);
+    const words = typed.current;
+    typed.current = null;
+    if (words === null || words === value) return;
+    const found = read(words);
     mark(found === null);
     if (found !== null && !(await take(found))) put(value);
   };
@@ -30,7 +41,7 @@ export function Field<T>({label, value, id, off = false, of, read, take}: FieldP
     <label class="field">
       <span>{label}</span>
       <input
-        value={text} disabled={off} aria-invalid={wrong} data-testid={id} inputMode="text" onInput={(event) => put(event.currentTarget.value)}
+        value={text} disabled={off} aria-invalid={wrong} data-testid={id} inputMode="text" onInput={(event) => type(event.currentTarget.value)}
         onBlur={() => void done()} onKeyDown={(event) => event.key === "Enter" && void done()}
       />
     </label>
