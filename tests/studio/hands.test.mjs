@@ -57,7 +57,79 @@ test("a thing dragged into another is refused with the reason beside it, or the 
   await page.context().close();
 });
 
-test("a thing is dragged in 3D, turned and resized in the plan, and typed to a place", async () => {
+/** A point on top of the chosen thing in 3D: below the knob that raises it. */
+const on_top = async (page) => {
+  const knob = await middle(id(page, "knob3d-height"));
+  return {x: knob.x, y: knob.y + 20};
+};
+
+test("in 3D a thing is dragged, turned, resized and raised, with its distances beside it", async () => {
+  const page = await here.open();
+  await furnish(page);
+  await id(page, "edit-text").fill("remove the lamp"); // it would be under the pointer
+  await id(page, "edit-go").click();
+  await id(page, "ghost-take").click();
+  await id(page, "thing-nightstand_1").click();
+  await id(page, "knob3d-turn").waitFor();
+  const now = () => object_of(page, "nightstand_1");
+  const by_hand = async (from, dx, dy) => {
+    const before = pose(await now());
+    await drag(page, from, dx, dy);
+    await page.mouse.up();
+    await moved(page, "nightstand_1", before);
+    assert.deepEqual(await sound(page), []);
+  };
+  const start = await now();
+  await drag(page, await on_top(page), 120, 10);
+  await page.locator(".handles .measure").first().waitFor();
+  await page.mouse.up();
+  await moved(page, "nightstand_1", pose(start));
+  await by_hand(await middle(id(page, "knob3d-turn")), 60, -60);
+  assert.notEqual((await now()).rotation, start.rotation);
+  const [w, d, h] = (await now()).size;
+  await by_hand(await middle(id(page, "knob3d-resize")), 30, 25);
+  assert.notDeepEqual((await now()).size.slice(0, 2), [w, d]);
+  await by_hand(await middle(id(page, "knob3d-height")), 0, -30);
+  assert.ok((await now()).size[2] > h + 0.05, `${(await now()).size[2]} is not higher than ${h}`);
+  assert.deepEqual(page.faults, []);
+  await page.context().close();
+});
+
+test("the outline of a finished room is redrawn: corners, a step in a wall, by mouse and by keys; all of it can be undone", async () => {
+  const page = await here.open();
+  await furnish(page);
+  const polygon = async () => JSON.stringify((await layout_of(page)).room.polygon);
+  const first = await polygon();
+  const changed = (was) => page.waitForFunction((text) => JSON.stringify(JSON.parse(sessionStorage.getItem("layoutbox.room")).layout.room.polygon) !== text, was);
+  await id(page, "outlining").click();
+  await drag(page, await middle(id(page, "corner-1")), 60, 60);
+  await page.mouse.up();
+  await changed(first);
+  assert.deepEqual(await sound(page), []);
+  const second = await polygon();
+  await id(page, "split-wall4").click();
+  await changed(second);
+  const parted = await polygon();
+  assert.equal(JSON.parse(parted).length, 5);
+  const half = await middle(id(page, "split-wall5"));
+  await drag(page, {x: half.x - 4, y: half.y + 30}, -50, 0); // the wall beside its middle
+  await page.mouse.up();
+  await changed(parted);
+  assert.equal(JSON.parse(await polygon()).length, 6);
+  assert.deepEqual(await sound(page), []);
+  const stepped = await polygon();
+  await id(page, "corner-2").focus();
+  await page.keyboard.press("Shift+ArrowUp");
+  await changed(stepped);
+  await page.keyboard.press("Escape");
+  await id(page, "corner-2").waitFor({state: "detached"});
+  for (let i = 0; i < 4; ++i) await id(page, "undo").click();
+  assert.equal(await polygon(), first);
+  assert.deepEqual(page.faults, []);
+  await page.context().close();
+});
+
+test("a thing is turned and resized, and typed to a place", async () => {
   const page = await here.open();
   await furnish(page);
   const bed = pose(await object_of(page, "nightstand_1"));

@@ -72,6 +72,8 @@ function Studio() {
   const pane = use((state) => state.pane);
   const other = use((state) => state.other);
   const walking = use((state) => state.walking);
+  const outlining = use((state) => state.outlining);
+  const {outline} = texts.views;
   const units = use((state) => state.units);
   if (!layout) return null;
   const box = room_bounds(layout.room);
@@ -86,7 +88,15 @@ function Studio() {
         </div>
         <div class="view view-plan">
           <Plan layout={layout} live={true} />
-          <p class="hint" data-testid="room-size">{texts.views.room_size(length_text(box.x1 - box.x0, units), length_text(box.y1 - box.y0, units), area_text(area(layout.room.polygon), units))}</p>
+          <p class="hint" data-testid="room-size">
+            {outlining ? outline.hint : texts.views.room_size(length_text(box.x1 - box.x0, units), length_text(box.y1 - box.y0, units), area_text(area(layout.room.polygon), units))}
+          </p>
+          <button
+            type="button" class="tool corner" title={outlining ? outline.end : outline.begin} aria-label={outlining ? outline.end : outline.begin} aria-pressed={outlining}
+            data-testid="outlining" onClick={() => set({outlining: !outlining, selected: null, relation: null})}
+          >
+            <Icon name="outline" />
+          </button>
         </div>
         {other && <Compare />}
       </section>

@@ -7,6 +7,7 @@ const paths = {
   magnet: "M5 4v8a7 7 0 0 0 14 0V4h-4v8a3 3 0 0 1-6 0V4zM5 8h4M15 8h4",
   walk: "M13 4.5a1.5 1.5 0 1 1-3 0 1.5 1.5 0 0 1 3 0M8 12l3-4 3 2 1 3h3M11 8l-1 7-3 5M10 15l4 2 1 4",
   orbit: "M12 3 4 7v10l8 4 8-4V7zM4 7l8 4 8-4M12 11v10",
+  outline: "M6 6h7v6h5v6H6zM4 4h4v4H4zM16 16h4v4h-4z",
   theme: "M12 3a9 9 0 1 0 0 18zM12 3a9 9 0 0 1 0 18",
   keep: "M6 3h12v18l-6-4-6 4z",
   lock: "M6 11h12v9H6zM9 11V7a3 3 0 0 1 6 0v4",

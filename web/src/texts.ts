@@ -58,6 +58,10 @@ export const texts = {
     wall: (name: string) => `${name}: arrow keys move it`,
     room_size: (w: string, d: string, area: string) => `${w} × ${d} · ${area}`,
     reset: "Show all",
+    outline: {
+      begin: "Redraw the outline", end: "Outline is done", hint: "Drag corners and walls; + parts a wall in two, Delete takes a corner away",
+      corner: (number: number) => `Corner ${number}: arrow keys move it, Delete takes it away`, split: (wall: string) => `Part ${wall} in two`,
+    },
   },
   tabs: {about: "Understood", things: "Things", files: "Files", rooms: "Rooms"},
   about: {
@@ -147,6 +151,9 @@ export const texts = {
     sides: {front: "front", right: "right", back: "back", left: "left"},
     door: "door", window: "window", open: "opening", the: (name: string) => `the ${name}`,
     and: (first: string, last: string) => `${first} and ${last}`,
+    verbs: [
+      ["stands", "stand"], ["is", "are"], ["hangs", "hang"], ["keeps", "keep"], ["touches", "touch"], ["faces", "face"], ["looks", "look"], ["has", "have"],
+    ] as readonly (readonly string[])[],
     at_least: (length: string) => `at least ${length}`, at_most: (length: string) => `at most ${length}`,
     unnamed: {
       againstWall: "a wall", sideAgainstWall: "a wall", onWall: "a wall", centeredOnWall: "a wall", awayFromWall: "the walls", corner: "the room",

@@ -2,7 +2,8 @@ import assert from "node:assert/strict";
 import {test} from "node:test";
 import {leaves} from "../src/plan/frame";
 import {area, bounds, contains, footprint, free_ways, gap_between, in_room, overlaps, turned, upright} from "../src/pure/geometry";
-import {move_wall, on_wall, put_opening} from "../src/pure/shell_moves";
+import {move_corner, on_wall, remove_corner, split_wall} from "../src/pure/corners";
+import {move_wall, put_opening} from "../src/pure/shell_moves";
 import {room} from "./sample";
 
 const near = (a: number, b: number) => assert.ok(Math.abs(a - b) < 1e-9, `${a} is not ${b}`);
@@ -72,4 +73,34 @@ test("a wall takes its neighbours along, openings stay where they are in the roo
   assert.equal(wider.room.openings![0]!.offset, 0.7);
   assert.equal(area(wider.room.polygon), 13.5);
   assert.equal(move_wall(room(), "wall4", -3.5), null);
+});
+
+const outline = (layout: ReturnType<typeof move_corner>) => layout?.room.polygon.map(([x, y]) => `${x},${y}`).join(" ");
+
+test("a corner is put elsewhere, in line with its neighbours where it comes near; no room crosses itself", () => {
+  assert.equal(outline(move_corner(room(), 2, [5, 3.5], false)), "0,0 4,0 5,3.5 0,3");
+  assert.equal(outline(move_corner(room(), 2, [4.6, 3.1], true)), "0,0 4,0 4.6,3 0,3");
+  assert.equal(move_corner(room(), 2, [-1, -1], true), null);
+  assert.equal(move_corner(room(), 2, [2, -0.5], true), null);
+});
+
+test("a wall is parted and half of it drawn out: a step comes between, is gone where it is drawn back, and turns inwards beyond", () => {
+  const parted = split_wall(room(), 1)!;
+  assert.equal(outline(parted), "0,0 4,0 4,1.5 4,3 0,3");
+  assert.deepEqual(parted.room.walls!.map((wall) => wall.id), ["wall1", "wall2", "wall5", "wall3", "wall4"]);
+  const drawn = move_wall(parted, "wall5", 0.5)!;
+  assert.equal(outline(drawn), "0,0 4,0 4,1.5 4.5,1.5 4.5,3 0,3");
+  assert.equal(outline(move_wall(drawn, "wall5", -0.5)), "0,0 4,0 4,1.5 4,3 0,3");
+  assert.equal(outline(move_wall(drawn, "wall5", -1)), "0,0 4,0 4,1.5 3.5,1.5 3.5,3 0,3");
+});
+
+test("a door in a wall that is parted keeps its place in the room; what spoke of a wall that is gone speaks of the one in its place", () => {
+  const door = {...room().room.openings![0]!, wall: "wall3", offset: 2.5};
+  const parted = split_wall({...room(), room: {...room().room, openings: [door]}}, 2)!;
+  assert.deepEqual([parted.room.openings![0]!.wall, parted.room.openings![0]!.offset], ["wall5", 0.5]);
+  const joined = remove_corner(parted, 3)!;
+  assert.deepEqual([joined.room.openings![0]!.wall, joined.room.openings![0]!.offset], ["wall3", 2.5]);
+  const cut = remove_corner(room(), 2)!;
+  assert.equal(outline(cut), "0,0 4,0 0,3");
+  assert.equal(cut.relations![0]!.relativeTo, "wall2");
 });

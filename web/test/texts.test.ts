@@ -4,7 +4,7 @@ import {form_scene, things_of, wrong_lengths} from "../src/pure/form_scene";
 import {moved_corner, outline_area, polygon_of, shape_of, with_corner, without_corner} from "../src/pure/outline";
 import {mixed, ratings_csv, rooms_of} from "../src/pure/ratings";
 import {relation_text} from "../src/pure/relations";
-import {remedy_text} from "../src/pure/remedies";
+import {only_gives_up, remedy_text} from "../src/pure/remedies";
 import {fresh_id, names_of, open_scene, scene_of, shape_key, with_load, with_names, without, without_opening} from "../src/pure/scenes";
 import {length_text, read_length} from "../src/pure/units";
 import {named_in_role, pieces} from "../src/pure/words";
@@ -40,7 +40,7 @@ test("relations become sentences", () => {
   const sentences = new Map([["againstWall", "{targets} stands with its back against {references}"], ["nextTo", "{targets} stands next to {references}"]]);
   const layout = room();
   assert.equal(relation_text(layout.relations![0]!, layout, sentences, "m"), "The bed stands with its back against the back wall");
-  assert.equal(relation_text(layout.relations![1]!, layout, sentences, "m"), "Nightstand 1 and nightstand 2 stands next to the bed");
+  assert.equal(relation_text(layout.relations![1]!, layout, sentences, "m"), "Nightstand 1 and nightstand 2 stand next to the bed");
 });
 
 test("a changed scene is told by what is other than before", () => {
@@ -57,6 +57,15 @@ test("a changed scene is told by what is other than before", () => {
   assert.equal(told({...scene, room: {dims: {h: 2.7, w: 4.5, d: 3.5}}}), "Make the room 4.50 m × 3.50 m");
   const smaller = scene.furniture.map((one, i) => (i === 0 ? {...one, dims: {d: 2, h: 0.5, w: 1.4}} : one));
   assert.equal(told({...scene, furniture: smaller}), "Make the bed 1.40 m × 2.00 m");
+});
+
+test("a way that only gives up what is in conflict is known as such", () => {
+  const scene = scene_of(room());
+  const [first, ...rest] = scene.constraints!;
+  assert.equal(only_gives_up(scene, {...scene, constraints: rest}, ["c1"]), true);
+  assert.equal(only_gives_up(scene, {...scene, constraints: [{...first!, hard: false}, ...rest]}, ["c2", "c1"]), true);
+  assert.equal(only_gives_up(scene, {...scene, constraints: rest}, ["c2"]), false);
+  assert.equal(only_gives_up(scene, {...scene, constraints: [{...first!, relativeTo: "wall4"}, ...rest]}, ["c1"]), false);
 });
 
 test("a distance that is open at one end is said so", () => {

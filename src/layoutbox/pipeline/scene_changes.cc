@@ -128,10 +128,21 @@ class Proposer {
     }
   }
 
+  // Does another relation say this already, with the type it would have, or seen from the other thing? Then the change only takes back
+  // what contradicts that, and to leave it away is said further down.
+  bool is_said(const Relation& relation, RelationType type) const {
+    const auto inverse = traits_of(type).inverse;
+    return std::ranges::any_of(scene_.relations, [&](const Relation& other) {
+      if (other.id == relation.id) return false;
+      const bool same = other.type == type && other.targets == relation.targets && other.references == relation.references;
+      return same || (inverse && other.type == *inverse && other.targets == relation.references && other.references == relation.targets);
+    });
+  }
+
   // The other side of the same thing; then merely near it.
   void other_sides(const Relation& relation) {
     const auto to = traits_of(relation.type).instead;
-    if (!to) return;
+    if (!to || is_said(relation, *to)) return;
     propose(fmt::format("let {} be {} instead of {}", target_words(relation), relation_row(*to).name, relation_row(relation.type).name),
             "side " + relation.id, Json::array({replace(path_of(relation) + "/type", relation_row(*to).name)}));
   }

@@ -2,7 +2,7 @@
 import {useEffect, useState} from "preact/hooks";
 import {api} from "../api";
 import type {Layout, RemediesAnswer, Scene} from "../gen/types";
-import {remedy_text} from "../pure/remedies";
+import {only_gives_up, remedy_text} from "../pure/remedies";
 import {furnish_scene} from "../state/actions";
 import {use} from "../state/store";
 import {texts} from "../texts";
@@ -18,7 +18,10 @@ export function Remedies({layout}: {layout: Layout}) {
     put(null);
     if (!wanted || !scene) return undefined;
     const gone = new AbortController();
-    api.remedies({scene, layout}, gone.signal).then(put).catch(() => !gone.signal.aborted && put([]));
+    // To do without one of what is in conflict is offered there.
+    const offered = (layout.conflicts ?? []).flatMap((conflict) => conflict.relations ?? []);
+    const further = (found: RemediesAnswer["ways"]) => found.filter((way) => !only_gives_up(scene, way.scene, offered));
+    api.remedies({scene, layout}, gone.signal).then((found) => put(further(found))).catch(() => !gone.signal.aborted && put([]));
     return () => gone.abort();
   }, [layout, wanted]);
   if (!wanted || ways?.length === 0) return null;

@@ -1,9 +1,10 @@
 // From metres in the room to centimetres on the drawing, y downwards.
 import type {Layout, LayoutOpening, LayoutWall} from "../gen/types";
 import {type Box, type Point, room_bounds} from "../pure/geometry";
-import {on_wall} from "../pure/shell_moves";
+import {on_wall} from "../pure/corners";
 
-export interface Frame { box: Box; at: (point: Point) => Point; path: (points: readonly Point[]) => string; view: string; px: number }
+/** `page`: the drawing's own edges, in its units. */
+export interface Frame { box: Box; page: Box; at: (point: Point) => Point; path: (points: readonly Point[]) => string; view: string; px: number }
 
 const kMargin = 28;
 
@@ -11,12 +12,14 @@ const kMargin = 28;
 export function frame_of(layout: Layout, px = 1): Frame {
   const box = room_bounds(layout.room);
   const at = ([x, y]: Point): Point => [round(x * 100), round(-y * 100)];
+  const page = {x0: box.x0 * 100 - kMargin, y0: -box.y1 * 100 - kMargin, x1: box.x1 * 100 + kMargin, y1: -box.y0 * 100 + kMargin};
   return {
     box,
+    page,
     px,
     at,
     path: (points) => `M${points.map((point) => at(point).join(" ")).join("L")}Z`,
-    view: [box.x0 * 100 - kMargin, -box.y1 * 100 - kMargin, (box.x1 - box.x0) * 100 + 2 * kMargin, (box.y1 - box.y0) * 100 + 2 * kMargin].join(" "),
+    view: [page.x0, page.y0, page.x1 - page.x0, page.y1 - page.y0].join(" "),
   };
 }
 

@@ -1,6 +1,7 @@
 // Where doors, windows and walls are taken hold of.
 import type {Layout, LayoutOpening, LayoutWall} from "../gen/types";
-import {on_wall, opening_middle, wall_length} from "../pure/shell_moves";
+import {on_wall, wall_length} from "../pure/corners";
+import {opening_middle} from "../pure/shell_moves";
 import {places_of} from "../pure/relations";
 import {remove_opening, shift_wall} from "../state/actions";
 import {nudge_opening} from "../state/hand";
@@ -14,7 +15,8 @@ const kArrows: Record<string, [number, number]> = {ArrowLeft: [-1, 0], ArrowRigh
 
 interface GripsProps { layout: Layout; base: () => Layout; frame: Frame; svg: () => SVGSVGElement; show: (layout: Layout | null) => void }
 
-function step_of(event: KeyboardEvent): [number, number] | null {
+/** Metres that an arrow key stands for. */
+export function step_of(event: KeyboardEvent): [number, number] | null {
   const arrow = kArrows[event.key];
   if (!arrow) return null;
   event.preventDefault();

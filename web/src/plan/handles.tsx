@@ -1,20 +1,21 @@
 // Beside the thing in the hand: free ways with their lengths, why it cannot stand there, knobs to turn and to resize it.
 import type {Layout, LayoutObject} from "../gen/types";
-import {type Gap, type Point, free_ways, in_room} from "../pure/geometry";
+import {type Box, type Gap, type Point, free_ways, in_room} from "../pure/geometry";
 import {type Units, length_text} from "../pure/units";
 import type {Frame} from "./frame";
 
 const kShortest = 0.02;
 /** Pixels from a thing's front to the middle of the knob that turns it, and to what is written beyond that. */
-const kKnobAt = 24;
+export const kKnobAt = 24;
 const kBeyondKnob = 58;
 
-interface MeasureProps { gap: Gap; frame: Frame; units: Units; about?: string; /** at least so many pixels from where it begins */ beyond?: number }
+/** `at`: how far along its length is written; `beyond`: at least so many pixels from where it begins. */
+interface MeasureProps { gap: Gap; frame: Pick<Frame, "at" | "px">; units: Units; about?: string; at?: number; beyond?: number }
 
-export function Measure({gap, frame, units, about = "way", beyond = 0}: MeasureProps) {
+export function Measure({gap, frame, units, about = "way", at = 0.5, beyond = 0}: MeasureProps) {
   const [x1, y1] = frame.at(gap.from);
   const [x2, y2] = frame.at(gap.to);
-  const share = Math.max(0.5, (beyond * frame.px) / (Math.hypot(x2 - x1, y2 - y1) || 1));
+  const share = Math.max(at, (beyond * frame.px) / (Math.hypot(x2 - x1, y2 - y1) || 1));
   const [x, y] = [x1 + (x2 - x1) * share, y1 + (y2 - y1) * share];
   const text = length_text(gap.length, units);
   const size = 11 * frame.px;
@@ -28,7 +29,9 @@ export function Measure({gap, frame, units, about = "way", beyond = 0}: MeasureP
   );
 }
 
-export function Ways({layout, object, frame, units}: {layout: Layout; object: LayoutObject; frame: Frame; units: Units}) {
+interface WaysProps { layout: Layout; object: LayoutObject; frame: Pick<Frame, "at" | "px">; units: Units }
+
+export function Ways({layout, object, frame, units}: WaysProps) {
   const [fx, fy] = in_room(object, [0, -object.size[1] / 2]);
   const at_front = ({from: [x, y]}: Gap): boolean => Math.hypot(x - fx, y - fy) < 0.01;
   return (
@@ -40,44 +43,60 @@ export function Ways({layout, object, frame, units}: {layout: Layout; object: La
   );
 }
 
-export function Reason({object, text, frame}: {object: Pick<LayoutObject, "pos" | "size">; text: string; frame: Frame}) {
-  const [x, y] = frame.at([object.pos[0], object.pos[1]]);
-  const size = 12 * frame.px;
-  const width = (frame.box.x1 - frame.box.x0) * 100 + 40;
-  const fits = Math.max(14, Math.min(38, Math.floor(width / (size * 0.56)) - 3));
+/** `at`: the thing's middle on the drawing; `reach`: how far it reaches from there; `page`: what of the drawing can be seen. */
+interface ReasonProps { at: Point; reach: number; text: string; px: number; page: Box }
+
+export function Reason({at: [x, y], reach, text, px, page}: ReasonProps) {
+  const size = 12 * px;
+  const fits = Math.max(14, Math.min(38, Math.floor((page.x1 - page.x0) / (size * 0.56)) - 3));
   const lines: string[] = [""];
   for (const word of text.split(" ")) {
     if (`${lines.at(-1)} ${word}`.length > fits) lines.push(word);
     else lines[lines.length - 1] = `${lines.at(-1)} ${word}`.trim();
   }
   const half = Math.max(...lines.map((line) => line.length)) * size * 0.28 + size * 0.7;
-  const reach = Math.hypot(object.size[0], object.size[1]) * 50;
   const high = (lines.length * 1.25 + 0.7) * size;
-  const above = y - reach - high > -frame.box.y1 * 100 - 20;
-  const top = above ? y - reach - high + 6 : y + reach - 6;
-  const left = Math.min(Math.max(x, frame.box.x0 * 100 + half - 16), frame.box.x1 * 100 - half + 16);
+  const top = y - reach - high > page.y0 ? y - reach - high + 6 * px : Math.min(y + reach - 6 * px, page.y1 - high);
+  const left = Math.min(Math.max(x, page.x0 + half), page.x1 - half);
   return (
     <g class="reason" role="status">
-      <rect x={left - half} y={top} width={half * 2} height={high} rx={5 * frame.px} />
+      <rect x={left - half} y={top} width={half * 2} height={high} rx={5 * px} />
       <text font-size={size}>{lines.map((line, i) => <tspan x={left} y={top + size * (0.98 + i * 1.25)}>{line}</tspan>)}</text>
     </g>
   );
 }
 
-interface KnobsProps { object: LayoutObject; frame: Frame; on_turn: (event: PointerEvent) => void; on_resize: (event: PointerEvent) => void }
+export type OnPress = (event: PointerEvent) => void;
+
+const kKnob = 7.5;
+/** How far from a knob's middle a finger may be. */
+const kFinger = 14;
+
+/** A round knob turns, a square one resizes, a pointed one raises. */
+export function Knob({look, at: [x, y], px, id, on}: {look: "turn" | "size" | "height"; at: Point; px: number; id: string; on: OnPress}) {
+  const r = kKnob * px;
+  return (
+    <g class={`knob ${look}`} data-testid={id} onPointerDown={on}>
+      <circle class="finger" cx={x} cy={y} r={kFinger * px} />
+      {look === "turn" && <circle cx={x} cy={y} r={r} />}
+      {look === "size" && <rect x={x - r * 0.8} y={y - r * 0.8} width={r * 1.6} height={r * 1.6} rx={2 * px} />}
+      {look === "height" && <path d={`M${x} ${y - r * 1.35}L${x + r} ${y}L${x} ${y + r * 1.35}L${x - r} ${y}Z`} />}
+    </g>
+  );
+}
+
+interface KnobsProps { object: LayoutObject; frame: Frame; on_turn: OnPress; on_resize: OnPress }
 
 export function Knobs({object, frame, on_turn, on_resize}: KnobsProps) {
   const [w, d] = [object.size[0] / 2, object.size[1] / 2];
   const at = (point: Point) => frame.at(in_room(object, point));
   const [fx, fy] = at([0, -d]);
-  const knob = 7.5 * frame.px;
-  const [tx, ty] = at([0, -d - (kKnobAt * frame.px) / 100]);
-  const [cx, cy] = at([w, -d]);
+  const turn = at([0, -d - (kKnobAt * frame.px) / 100]);
   return (
     <g class="knobs">
-      <path d={`M${fx} ${fy}L${tx} ${ty}`} />
-      <circle class="knob turn" data-testid="knob-turn" cx={tx} cy={ty} r={knob} onPointerDown={on_turn} />
-      <rect class="knob size" data-testid="knob-resize" x={cx - knob * 0.8} y={cy - knob * 0.8} width={knob * 1.6} height={knob * 1.6} rx={2 * frame.px} onPointerDown={on_resize} />
+      <path d={`M${fx} ${fy}L${turn.join(" ")}`} />
+      <Knob look="turn" at={turn} px={frame.px} id="knob-turn" on={on_turn} />
+      <Knob look="size" at={at([w, -d])} px={frame.px} id="knob-resize" on={on_resize} />
     </g>
   );
 }

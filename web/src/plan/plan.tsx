@@ -8,7 +8,8 @@ import {opening_middle} from "../pure/shell_moves";
 import {size_text} from "../pure/units";
 import {type State, get, set, use} from "../state/store";
 import {texts} from "../texts";
-import {grab, grab_size, grab_turn} from "./grab";
+import {Corners} from "./corners";
+import {grab, grab_size, grab_turn, paper} from "./grab";
 import {type Frame, frame_of, round} from "./frame";
 import {Grips} from "./grips";
 import {Knobs, Measure, Reason, Ways} from "./handles";
@@ -118,12 +119,16 @@ export function Plan({layout, live}: {layout: Layout; live: boolean}) {
   const chosen = live ? layout.objects.find((object) => object.id === state.selected) : undefined;
   const held = state.preview?.id === chosen?.id ? state.preview : null;
   const refused = live && state.refused ? layout.objects.find((object) => object.id === state.refused?.id) ?? middle_of(layout, state.refused.id) : null;
+  const outlining = live && state.outlining;
   const base = () => get().rooms.now?.layout ?? layout;
   const element = () => svg.current as SVGSVGElement;
+  const why = (thing: Pick<LayoutObject, "pos" | "size">, text: string) => (
+    <Reason at={frame.at([thing.pos[0], thing.pos[1]])} reach={Math.hypot(thing.size[0], thing.size[1]) * 50} text={text} px={frame.px} page={frame.page} />
+  );
   const on = (object: LayoutObject) => ({
     onPointerDown: (event: PointerEvent) => {
       (event.currentTarget as SVGGElement).focus({preventScroll: true});
-      grab(event, element(), base(), base().objects.find((one) => one.id === object.id) ?? object);
+      grab(event, paper(element()), base(), base().objects.find((one) => one.id === object.id) ?? object);
     },
     onPointerEnter: () => set({hovered: object.id}),
     onPointerLeave: () => get().hovered === object.id && set({hovered: null}),
@@ -132,7 +137,7 @@ export function Plan({layout, live}: {layout: Layout; live: boolean}) {
   });
   return (
     <svg
-      ref={svg} class={`plan${live ? " live" : ""}`} viewBox={frame.view} data-testid={live ? "plan" : "plan-other"} role={live ? "group" : "img"}
+      ref={svg} class={`plan${live ? " live" : ""}${outlining ? " outlining" : ""}`} viewBox={frame.view} data-testid={live ? "plan" : "plan-other"} role={live ? "group" : "img"}
       aria-label={texts.views.plan} aria-describedby={live ? "thing-help" : undefined}
       onPointerDown={(event) => live && event.target === event.currentTarget && set({selected: null, relation: null, refused: null})}
     >
@@ -152,21 +157,20 @@ export function Plan({layout, live}: {layout: Layout; live: boolean}) {
       })}
       <g class="labels">{things.filter((object) => object.supportedBy === "floor" && object.size[2] > kFlat).map((object) => <Label object={object} name={names.get(object.id) ?? ""} frame={frame} />)}</g>
       {live && <Grips layout={layout} base={base} frame={frame} svg={element} show={show_shell} />}
+      {outlining && <Corners layout={shell ?? layout} base={base} frame={frame} svg={element} show={show_shell} />}
       {live && state.ghost && <Ghost layout={state.ghost.layout} now={layout} frame={frame} />}
       {live && relation && <Between layout={layout} relation={state.relation ?? ""} frame={frame} />}
-      {chosen && !state.ghost && !relation && <Ways layout={layout} object={chosen} frame={frame} units={state.units} />}
-      {chosen && !state.ghost && !state.rooms.now?.locked.includes(chosen.id) && (
+      {chosen && !outlining && !state.ghost && !relation && <Ways layout={layout} object={chosen} frame={frame} units={state.units} />}
+      {chosen && !outlining && !state.ghost && !state.rooms.now?.locked.includes(chosen.id) && (
         <Knobs
           object={chosen} frame={frame}
-          on_turn={(event) => grab_turn(event, element(), base(), base().objects.find((one) => one.id === chosen.id) ?? chosen)}
-          on_resize={(event) => grab_size(event, element(), base(), base().objects.find((one) => one.id === chosen.id) ?? chosen)}
+          on_turn={(event) => grab_turn(event, paper(element()), base(), base().objects.find((one) => one.id === chosen.id) ?? chosen)}
+          on_resize={(event) => grab_size(event, paper(element()), base(), base().objects.find((one) => one.id === chosen.id) ?? chosen)}
         />
       )}
-      {chosen && held && !held.legal && <Reason object={chosen} text={held.reasons.map((reason) => reason.text).join("; ")} frame={frame} />}
-      {live && state.preview && !state.preview.legal && !held && (
-        <Reason object={middle_of(layout, state.preview.id)} text={state.preview.reasons.map((reason) => reason.text).join("; ")} frame={frame} />
-      )}
-      {refused && !held && <Reason object={refused} text={state.refused?.text ?? ""} frame={frame} />}
+      {chosen && held && !held.legal && why(chosen, held.reasons.map((reason) => reason.text).join("; "))}
+      {live && state.preview && !state.preview.legal && !held && why(middle_of(layout, state.preview.id), state.preview.reasons.map((reason) => reason.text).join("; "))}
+      {refused && !held && why(refused, state.refused?.text ?? "")}
     </svg>
   );
 }

@@ -1,6 +1,6 @@
 // The room without its furniture: walls, floor, doors with their swing, windows.
 import type {Layout, LayoutOpening, LayoutWall} from "../gen/types";
-import {on_wall} from "../pure/shell_moves";
+import {on_wall} from "../pure/corners";
 import {type Frame, leaves} from "./frame";
 
 const kThickness = 0.1;

@@ -46,6 +46,14 @@ function open_ended(template: string | undefined, {min, max}: SceneRelation): st
   return template.replace("between {min} and {max}", min === undefined ? words.at_most("{max}") : words.at_least("{min}"));
 }
 
+/** The verb after the targets for one of them or for several. */
+function agreed(template: string, count: number): string {
+  return template.replace(/^\{targets\} (\w+)/, (all, verb: string) => {
+    const pair = words.verbs.find((forms) => forms.includes(verb));
+    return pair ? `{targets} ${pair[count === 1 ? 0 : 1]}` : all;
+  });
+}
+
 export function relation_text(relation: SceneRelation, layout: Layout, sentences: Sentences, units: Units): string {
   const template = open_ended(sentences.get(relation.type), relation);
   const names = new Map([...places_of(layout), ...names_of(layout)]);
@@ -57,7 +65,7 @@ export function relation_text(relation: SceneRelation, layout: Layout, sentences
   const about = references(relation);
   const others = about.length > 0 ? list(about.map(called)) : texts.places.unnamed[relation.type] ?? texts.places.the(texts.places.room);
   const values = relation as unknown as Record<string, unknown>;
-  const text = (template ?? `{targets}: ${relation.type} {references}`).replace(/\{(\w+)\}/g, (_all, name: string) => {
+  const text = agreed(template ?? `{targets}: ${relation.type} {references}`, relation.targets.length).replace(/\{(\w+)\}/g, (_all, name: string) => {
     if (name === "targets") return targets;
     if (name === "references") return others;
     const value = values[name];

@@ -44,3 +44,12 @@ export function remedy_text(before: Scene, after: Scene, layout: Layout, sentenc
   if (dims && !same(before.room.dims, dims)) said.push(words.room(floor_size(dims, units)));
   return said.join("; ");
 }
+
+/** Is all that changes that one of these relations binds no more? */
+export function only_gives_up(before: Scene, after: Scene, relations: readonly string[]): boolean {
+  return relations.some((id) => {
+    const others = (scene: Scene) => ({...scene, constraints: (scene.constraints ?? []).filter((one) => one.id !== id)});
+    const left = after.constraints?.find((one) => one.id === id);
+    return same(others(before), others(after)) && (!left || left.hard === false);
+  });
+}

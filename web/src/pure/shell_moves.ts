@@ -1,40 +1,13 @@
 // The shell of the room changed by hand: openings put elsewhere, walls moved outwards or inwards.
 import type {Layout, LayoutOpening, LayoutRoom, LayoutWall} from "../gen/types";
+import {fresh_wall, on_wall, place_in_walls, wall_length, with_walls} from "./corners";
 import {type Point, on_grid} from "./geometry";
-
-const kSmallestRoom = 1;
-
-export const wall_length = (wall: LayoutWall): number => Math.hypot(wall.end[0] - wall.start[0], wall.end[1] - wall.start[1]);
-
-/** A wall's own frame: `along` metres from its start, `out` metres out of the room. */
-export function on_wall(wall: LayoutWall, along: number, out: number): Point {
-  const dx = wall.end[0] - wall.start[0];
-  const dy = wall.end[1] - wall.start[1];
-  const length = Math.hypot(dx, dy) || 1;
-  return [wall.start[0] + (dx * along + dy * out) / length, wall.start[1] + (dy * along - dx * out) / length];
-}
-
-/** How far a point lies along a wall from its start, and out of the room. */
-export function from_wall(wall: LayoutWall, [x, y]: Point): {along: number; out: number} {
-  const dx = wall.end[0] - wall.start[0];
-  const dy = wall.end[1] - wall.start[1];
-  const length = Math.hypot(dx, dy) || 1;
-  const [px, py] = [x - wall.start[0], y - wall.start[1]];
-  return {along: (px * dx + py * dy) / length, out: (px * dy - py * dx) / length};
-}
 
 /** The opening in the wall that is nearest to a point, centred there as far as the wall is long. */
 export function put_opening(layout: Layout, id: string, point: Point): Layout {
   const opening = layout.room.openings?.find((one) => one.id === id);
   if (!opening) return layout;
-  let best = {distance: Infinity, wall: opening.wall, offset: opening.offset};
-  for (const wall of layout.room.walls ?? []) {
-    if (wall_length(wall) < opening.w) continue;
-    const offset = Math.max(0, Math.min(wall_length(wall) - opening.w, from_wall(wall, point).along - opening.w / 2));
-    const [x, y] = on_wall(wall, offset + opening.w / 2, 0);
-    const distance = Math.hypot(x - point[0], y - point[1]);
-    if (distance < best.distance) best = {distance, wall: wall.id, offset: on_grid(offset)};
-  }
+  const best = place_in_walls(layout.room.walls ?? [], opening.w, point) ?? opening;
   const openings = layout.room.openings?.map((one): LayoutOpening => (one.id === id ? {...one, wall: best.wall, offset: best.offset} : one));
   return {...layout, room: {...layout.room, openings}};
 }
@@ -59,29 +32,50 @@ export function opening_middle(room: LayoutRoom, opening: LayoutOpening): Point 
   return wall ? on_wall(wall, opening.offset + opening.w / 2, 0) : null;
 }
 
-/** A wall moved outwards (or, below zero, inwards); its neighbours follow, openings stay where they are in the room. Too far: null. */
+type Line = Pick<LayoutWall, "start" | "end">;
+
+const in_line = (a: Line, b: Line): boolean => {
+  const [ax, ay, bx, by] = [a.end[0] - a.start[0], a.end[1] - a.start[1], b.end[0] - b.start[0], b.end[1] - b.start[1]];
+  return Math.abs(ax * by - ay * bx) < 1e-6 * Math.hypot(ax, ay) * Math.hypot(bx, by) && ax * bx + ay * by > 0;
+};
+
+/**
+ * A wall moved outwards (or, below zero, inwards); its neighbours follow, and where one goes on in the same line a step comes between. Openings stay where they are in
+ * the room. Too far: null.
+ */
 export function move_wall(layout: Layout, id: string, out: number): Layout | null {
-  const {room} = layout;
-  const wall = room.walls?.find((one) => one.id === id);
-  if (!wall) return null;
-  const length = wall_length(wall) || 1;
-  const normal: Point = [(wall.end[1] - wall.start[1]) / length, (wall.start[0] - wall.end[0]) / length];
-  const shift = (point: Point): Point =>
-    same(point, wall.start) || same(point, wall.end) ? [on_grid(point[0] + normal[0] * out), on_grid(point[1] + normal[1] * out)] : point;
-  const walls = room.walls?.map((one) => ({...one, start: shift(one.start), end: shift(one.end)})) ?? [];
-  const kept = walls.every((one, i) => {
-    const before = room.walls?.[i] as LayoutWall;
-    const turned = (one.end[0] - one.start[0]) * (before.end[0] - before.start[0]) + (one.end[1] - one.start[1]) * (before.end[1] - before.start[1]);
-    const shortened = wall_length(one) < wall_length(before) - 0.001;
-    return turned > 0 && !(shortened && wall_length(one) < kSmallestRoom);
+  const walls = layout.room.walls ?? [];
+  const index = walls.findIndex((one) => one.id === id);
+  const wall = walls[index];
+  if (!wall || out === 0) return wall ? layout : null;
+  const shifted = (along: number): Point => {
+    const [x, y] = on_wall(wall, along, out);
+    return [on_grid(x), on_grid(y)];
+  };
+  const [start, end] = [shifted(0), shifted(wall_length(wall))];
+  const before = (index + walls.length - 1) % walls.length;
+  const after = (index + 1) % walls.length;
+  const [step_before, step_after] = [in_line(walls[before] as LayoutWall, wall), in_line(wall, walls[after] as LayoutWall)];
+  const steps = fresh_steps(layout);
+  const ring = walls.flatMap((one, i): LayoutWall[] => {
+    if (i === index) {
+      return [
+        ...(step_before ? [{...bare(one), id: steps[0], start: one.start, end: start}] : []), {...one, start, end},
+        ...(step_after ? [{...bare(one), id: steps[1], start: end, end: one.end}] : []),
+      ];
+    }
+    return [{...one, ...(i === before && !step_before ? {end: start} : {}), ...(i === after && !step_after ? {start: end} : {})}];
   });
-  if (!kept) return null;
-  const openings = (room.openings ?? []).map((opening) => {
-    const now = walls.find((one) => one.id === opening.wall);
-    const middle = opening_middle(room, opening);
-    if (!now || !middle || opening.wall === id) return opening;
-    const offset = from_wall(now, middle).along - opening.w / 2;
-    return {...opening, offset: on_grid(Math.max(0, Math.min(wall_length(now) - opening.w, offset)))};
-  });
-  return {...layout, room: {...room, polygon: room.polygon.map(shift), walls, openings}};
+  // A step that has come to nothing is none.
+  const gone = ring.filter((one) => same(one.start, one.end)).map((one): [string, string] => [one.id, wall.id]);
+  return with_walls(layout, ring.filter((one) => !same(one.start, one.end)), new Map(gone));
+}
+
+/** A wall's looks without its own mesh. */
+const bare = ({mesh: _own, ...wall}: LayoutWall & {mesh?: string}): LayoutWall => wall;
+
+function fresh_steps(layout: Layout): [string, string] {
+  const first = fresh_wall(layout);
+  const second = fresh_wall({...layout, room: {...layout.room, walls: [...(layout.room.walls ?? []), {id: first, start: [0, 0], end: [0, 0]}]}});
+  return [first, second];
 }

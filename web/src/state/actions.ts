@@ -157,12 +157,14 @@ export function toggle_lock(id: string): void {
   step({...now, locked});
 }
 
-/** A wall moved outwards by so many metres; what stands in the room keeps its place as far as can be. */
+/** The room with another shell; what stands in it keeps its place as far as can be. */
+export const reshape = (changed: Layout | null): Promise<void> =>
+  (changed ? solve_change(texts.busy.move, () => ({scene: scene_of(changed), from: changed})) : Promise.resolve());
+
+/** A wall moved outwards by so many metres. */
 export function shift_wall(id: string, out: number): Promise<void> {
   const now = doc();
-  const moved = now && move_wall(now.layout, id, out);
-  if (!moved) return Promise.resolve();
-  return solve_change(texts.busy.move, () => ({scene: scene_of(moved), from: moved}));
+  return reshape(now && move_wall(now.layout, id, out));
 }
 
 export function add_opening(type: LayoutOpening["type"]): Promise<void> {

@@ -49,6 +49,8 @@ export interface State {
   form: boolean;
   rating: boolean;
   walking: boolean;
+  /** The plan's corners can be taken hold of. */
+  outlining: boolean;
   snap: boolean;
   units: Units;
   /** Who reads prompts, of those that the service has. */
@@ -73,7 +75,7 @@ let state: State = {
   rooms: begin<Doc | null>(null),
   selected: null, hovered: null, relation: null, preview: null, refused: null, ghost: null, other: null,
   busy: null, share: null, error: null, said: "", kept: [], sentences: new Map(),
-  panel: "about", pane: "3d", form: false, rating: false, walking: false,
+  panel: "about", pane: "3d", form: false, rating: false, walking: false, outlining: false,
   snap: kept_view.snap ?? true, units: kept_view.units ?? "m", theme: kept_view.theme ?? "auto",
   planner: "offline", planners: ["offline"],
 };

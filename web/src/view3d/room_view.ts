@@ -1,41 +1,30 @@
 // The room in 3D: one scene, drawn only when something changes.
 import {
-  Box3, Box3Helper, BoxGeometry, BufferGeometry, Color, DirectionalLight, EdgesGeometry, Group, HemisphereLight, Light, LineBasicMaterial, LineSegments,
-  Mesh, MeshBasicMaterial, NeutralToneMapping, type Object3D, PCFShadowMap, PerspectiveCamera, Plane, Raycaster, Scene, Vector2, Vector3, WebGLRenderer,
+  DirectionalLight, HemisphereLight, Light, Mesh, NeutralToneMapping, type Object3D, PCFShadowMap, PerspectiveCamera, Scene, Vector3, WebGLRenderer,
 } from "three";
 import {OrbitControls} from "three/addons/controls/OrbitControls.js";
 import {GLTFLoader} from "three/addons/loaders/GLTFLoader.js";
 import type {Layout, LayoutObject} from "../gen/types";
 import {room_bounds} from "../pure/geometry";
+import {Aim} from "./aim";
+import {free} from "./free";
+import {type Marked, Marks} from "./marks";
 import {Walker} from "./walker";
 import {Walls} from "./walls";
 
 const kShadow = 1024;
 
-export interface Marks { selected: string | null; hovered: string | null; about: readonly string[]; illegal: boolean; colours: {accent: string; wrong: string; about: string} }
-
-function free(root: Object3D): void {
-  root.traverse((node) => {
-    if (!(node instanceof Mesh || node instanceof LineSegments)) return;
-    (node.geometry as BufferGeometry).dispose();
-    for (const material of [node.material].flat()) {
-      for (const value of Object.values(material)) if ((value as {isTexture?: boolean} | null)?.isTexture) (value as {dispose(): void}).dispose();
-      material.dispose();
-    }
-  });
-}
-
 export class RoomView {
   readonly camera = new PerspectiveCamera(42, 1, 0.05, 200);
   readonly controls: OrbitControls;
+  readonly aim: Aim;
+  /** Told when what is seen has changed. */
+  on_frame: (() => void) | null = null;
   walker: Walker | null = null;
   private readonly renderer_: WebGLRenderer;
   private readonly scene_ = new Scene();
   private readonly sun_ = new DirectionalLight(0xfff4e2, 2.1);
-  private readonly marks_ = new Group();
-  private readonly lines_ = new Map<string, LineBasicMaterial>();
-  private readonly ghosts_ = new Group();
-  private readonly ray_ = new Raycaster();
+  private readonly marks_ = new Marks();
   private room_: Object3D | null = null;
   private nodes_ = new Map<string, Object3D>();
   private walls_: Walls | null = null;
@@ -61,7 +50,8 @@ export class RoomView {
     this.sun_.shadow.mapSize.set(kShadow, kShadow);
     this.sun_.shadow.bias = -0.0006;
     this.sun_.shadow.normalBias = 0.02;
-    this.scene_.add(new HemisphereLight(0xffffff, 0xcbb89d, 2.0), this.sun_, this.sun_.target, this.marks_, this.ghosts_);
+    this.scene_.add(new HemisphereLight(0xffffff, 0xcbb89d, 2.0), this.sun_, this.sun_.target, this.marks_.root);
+    this.aim = new Aim(this.camera, canvas);
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.enableDamping = false;
     this.controls.maxPolarAngle = Math.PI * 0.495;
@@ -141,69 +131,25 @@ export class RoomView {
     if (made?.length === 3) node.scale.set(object.size[0] / (made[0] || 1), object.size[2] / (made[2] || 1), object.size[1] / (made[1] || 1));
   }
 
-  /** Kept for the next thing that is marked, with its shader. */
-  private line_(colour: string, opacity: number): LineBasicMaterial {
-    const key = `${colour} ${opacity}`;
-    const line = this.lines_.get(key) ?? new LineBasicMaterial({color: new Color(colour), transparent: true, opacity});
-    this.lines_.set(key, line);
-    return line;
-  }
-
-  mark(marks: Marks): void {
-    for (const edges of this.marks_.children as LineSegments[]) edges.geometry.dispose();
-    this.marks_.clear();
-    const add = (id: string, colour: string, opacity: number) => {
-      const object = this.layout_?.objects.find((one) => one.id === id);
-      if (!object) return;
-      const [w, d, h] = object.size;
-      const edges = new LineSegments(new EdgesGeometry(new BoxGeometry(w + 0.02, h + 0.02, d + 0.02)), this.line_(colour, opacity));
-      edges.position.set(object.pos[0], object.pos[2] + h / 2, -object.pos[1]);
-      edges.rotation.y = (object.rotation * Math.PI) / 180;
-      this.marks_.add(edges);
-    };
-    for (const id of marks.about) add(id, marks.colours.about, 1);
-    if (marks.hovered && marks.hovered !== marks.selected) add(marks.hovered, marks.colours.accent, 0.5);
-    if (marks.selected) add(marks.selected, marks.illegal ? marks.colours.wrong : marks.colours.accent, 1);
+  mark(marked: Marked): void {
+    this.marks_.mark(this.layout_?.objects ?? [], marked);
     this.draw();
   }
 
   ghost(objects: readonly LayoutObject[], colour: string): void {
-    free(this.ghosts_);
-    this.ghosts_.clear();
-    for (const object of objects) {
-      const [w, d, h] = object.size;
-      const body = new Mesh(new BoxGeometry(w, h, d), new MeshBasicMaterial({color: new Color(colour), transparent: true, opacity: 0.28, depthWrite: false}));
-      body.position.set(object.pos[0], object.pos[2] + h / 2, -object.pos[1]);
-      body.rotation.y = (object.rotation * Math.PI) / 180;
-      const edge = new Box3Helper(new Box3(new Vector3(-w / 2, -h / 2, -d / 2), new Vector3(w / 2, h / 2, d / 2)), new Color(colour));
-      body.add(edge);
-      this.ghosts_.add(body);
-    }
+    this.marks_.ghost(objects, colour);
     this.draw();
-  }
-
-  private aim_(x: number, y: number): void {
-    const box = this.canvas.getBoundingClientRect();
-    this.ray_.setFromCamera(new Vector2(((x - box.left) / box.width) * 2 - 1, 1 - ((y - box.top) / box.height) * 2), this.camera);
   }
 
   /** The thing under a point of the window. */
   pick(x: number, y: number): string | null {
     if (!this.room_ || !this.layout_) return null;
-    this.aim_(x, y);
     const roots = this.layout_.objects.flatMap((object) => this.nodes_.get(object.id) ?? []).filter((node) => node.visible);
-    const hit = this.ray_.intersectObjects(roots, true)[0]?.object;
+    const hit = this.aim.ray(x, y).intersectObjects(roots, true)[0]?.object;
     for (let node: Object3D | null = hit ?? null; node; node = node.parent) {
       for (const [id, root] of this.nodes_) if (root === node) return id;
     }
     return null;
-  }
-
-  /** Where the ray through a point of the window meets a height, in the room's metres. */
-  at_height(x: number, y: number, height: number): [number, number] | null {
-    this.aim_(x, y);
-    const hit = this.ray_.ray.intersectPlane(new Plane(new Vector3(0, 1, 0), -height), new Vector3());
-    return hit ? [hit.x, -hit.z] : null;
   }
 
   walk(on: boolean): void {
@@ -255,6 +201,7 @@ export class RoomView {
       this.canvas.dataset["room"] = String(Number(this.canvas.dataset["room"] ?? 0) + 1);
       this.canvas.dataset["at"] = String(performance.now());
     }
+    this.on_frame?.();
     if (fading || walking) this.draw();
   }
 

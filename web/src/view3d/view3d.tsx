@@ -4,16 +4,16 @@ import {api} from "../api";
 import {Icon} from "../icons";
 import type {Layout} from "../gen/types";
 import {references} from "../pure/relations";
+import {type Where, follow} from "../pointer";
 import {names_of, shape_key} from "../pure/scenes";
 import {size_text} from "../pure/units";
 import {Hand} from "../state/hand";
 import {show_error} from "../state/actions";
 import {doc, get, set, use} from "../state/store";
 import {texts} from "../texts";
+import {Handles3D} from "./handles3d";
 import {RoomView} from "./room_view";
 import {type Go, go_of_key} from "./walker";
-
-const kClick = 4;
 
 function colour(name: string): string {
   return getComputedStyle(document.documentElement).getPropertyValue(name).trim() || "#0f766e";
@@ -25,29 +25,20 @@ function press(view: RoomView, event: PointerEvent): void {
   const id = view.pick(event.clientX, event.clientY);
   const now = doc();
   const object = now?.layout.objects.find((one) => one.id === id);
-  const start = [event.clientX, event.clientY] as const;
   const touch_first = event.pointerType === "touch" && get().selected !== id;
-  const locked = !object || now?.locked.includes(object.id) || touch_first;
-  const from = object && view.at_height(event.clientX, event.clientY, object.pos[2]);
-  const hand = object && from && !locked ? new Hand(now!.layout, object.id) : null;
+  const held = object !== undefined && !now?.locked.includes(object.id) && !touch_first;
+  const where: Where = ({clientX, clientY}) => view.aim.at_height(clientX, clientY, object?.pos[2] ?? 0);
+  const from = where(event);
+  const hand = now && held && from ? new Hand(now.layout, object.id) : null;
   if (hand) view.controls.enabled = false;
-  let dragged = false;
-  const ended = new AbortController();
-  const {signal} = ended;
-  view.canvas.addEventListener("pointermove", (move: PointerEvent) => {
-    dragged ||= Math.hypot(move.clientX - start[0], move.clientY - start[1]) > kClick;
-    const at = hand && dragged && object ? view.at_height(move.clientX, move.clientY, object.pos[2]) : null;
-    if (at && object && from) hand?.move({pos: [object.pos[0] + at[0] - from[0], object.pos[1] + at[1] - from[1]]});
-  }, {signal});
-  const done = (up: PointerEvent) => {
-    ended.abort();
+  follow(event, view.canvas, where, (at) => {
+    if (hand && object && from) hand.move({pos: [object.pos[0] + at[0] - from[0], object.pos[1] + at[1] - from[1]]});
+  }, (how) => {
     view.controls.enabled = !view.walker;
-    if (!dragged) set({selected: id, relation: null, refused: null});
-    else if (hand && up.type === "pointerup") void hand.drop();
+    if (how === "click") set({selected: id, relation: null, refused: null});
+    if (how === "drop") void hand?.drop();
     else hand?.cancel();
-  };
-  view.canvas.addEventListener("pointerup", done, {signal});
-  view.canvas.addEventListener("pointercancel", done, {signal});
+  });
 }
 
 function Tip({layout, at}: {layout: Layout; at: {x: number; y: number; id: string} | null}) {
@@ -179,6 +170,7 @@ export function View3D({layout, live}: {layout: Layout; live: boolean}) {
         onPointerDown={(event) => live && view.current && press(view.current, event)} onPointerMove={on_move}
         onPointerLeave={() => { show_tip(null); if (live && get().hovered) set({hovered: null}); }}
       />
+      {live && state === "ready" && !walking && !ghost && <Handles3D layout={layout} view={() => view.current} />}
       <Tip layout={layout} at={tip} />
       {live && walking && <WalkPad view={() => view.current} />}
       {state === "loading" && <p class="over">{texts.views.loading}</p>}

@@ -1,7 +1,7 @@
 // A walk through the room at eye level: drag to look, keys or buttons to go.
 import type {Layout} from "../gen/types";
 import {type Point, contains, footprint, room_bounds, turned} from "../pure/geometry";
-import {on_wall} from "../pure/shell_moves";
+import {on_wall} from "../pure/corners";
 import type {RoomView} from "./room_view";
 
 const kEye = 1.6;
