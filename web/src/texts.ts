@@ -2,6 +2,8 @@
 const plural = (count: number, one: string, many: string): string => `${count} ${count === 1 ? one : many}`;
 
 export const texts = {
+  /** Written in capitals wherever they are a word. */
+  capitals: ["tv", "pc", "led", "diy"] as readonly string[],
   language: "en",
   title: "Layout-in-a-Box",
   skip: "Skip to the room",
@@ -59,7 +61,7 @@ export const texts = {
     room_size: (w: string, d: string, area: string) => `${w} × ${d} · ${area}`,
     reset: "Show all",
     outline: {
-      begin: "Redraw the outline", end: "Outline is done", hint: "Drag corners and walls; + parts a wall in two, Delete takes a corner away",
+      begin: "Redraw the outline", end: "Outline is done", hint: "Drag corners and walls; + parts a wall, Delete removes a corner",
       corner: (number: number) => `Corner ${number}: arrow keys move it, Delete takes it away`, split: (wall: string) => `Part ${wall} in two`,
     },
   },
@@ -99,7 +101,7 @@ export const texts = {
   openings: {
     heading: "Doors and windows", sill: "Sill", swing: "Opens",
     swings: {"in-left": "inwards, left", "in-right": "inwards, right", "out-left": "outwards, left", "out-right": "outwards, right", sliding: "slides", none: "no leaf"} as Record<string, string>,
-    add: {door: "Add a door", window: "Add a window", open: "Add an opening"},
+    add: {door: "Door", window: "Window", open: "Opening"}, adds: (name: string) => `Add: ${name}`,
   },
   hand: {refused: "It cannot stand there.", gives_way: (names: string) => `${names} ${names.includes(",") ? "give" : "gives"} way`},
   things: {

@@ -40,7 +40,7 @@ test("relations become sentences", () => {
   const sentences = new Map([["againstWall", "{targets} stands with its back against {references}"], ["nextTo", "{targets} stands next to {references}"]]);
   const layout = room();
   assert.equal(relation_text(layout.relations![0]!, layout, sentences, "m"), "The bed stands with its back against the back wall");
-  assert.equal(relation_text(layout.relations![1]!, layout, sentences, "m"), "Nightstand 1 and nightstand 2 stand next to the bed");
+  assert.equal(relation_text(layout.relations![1]!, layout, sentences, "m"), "Nightstand 1 and 2 stand next to the bed");
 });
 
 test("a changed scene is told by what is other than before", () => {

@@ -103,7 +103,8 @@ std::string_view Decor::wood_for(std::string_view usual, std::uint64_t kind) con
 }
 
 Decor decor_of(const Layout& layout, std::uint64_t seed) {
-  const std::uint64_t chance = hash(layout.prompt, seed);
+  // What edits add are further lines: they change what they speak of, not the whole room's colours.
+  const std::uint64_t chance = hash(layout.prompt.substr(0, layout.prompt.find('\n')), seed);
   const std::string& kind = layout.room.type;
   const Json& room = room_data(kind);
   const Json* style = style_of(layout.prompt).data;

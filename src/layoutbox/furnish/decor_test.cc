@@ -21,6 +21,16 @@ TEST(Decor, TheSameRoomAlwaysLooksTheSame) {
   EXPECT_EQ(a.wall, b.wall);
 }
 
+TEST(Decor, WhatAnEditAddsLeavesTheRoomsColours) {
+  for (const std::string text : {"a bedroom", "a living room with a sofa", "an office for two"}) {
+    const Decor a = decor_of(room("bedroom", text), 1), b = decor_of(room("bedroom", text + "\nremove the rug and add a lamp"), 1);
+    EXPECT_EQ(a.floor, b.floor);
+    EXPECT_EQ(a.woods, b.woods);
+    EXPECT_EQ(a.wall, b.wall);
+    EXPECT_EQ(decor_of(room("bedroom", text + "\nmake it a rustic bedroom"), 1).woods.front(), "reclaimed_wood");
+  }
+}
+
 TEST(Decor, RoomsOfAKindDiffer) {
   std::vector<std::string> floors;
   for (int i = 0; i < 20; ++i) floors.push_back(decor_of(room("living_room", "room " + std::to_string(i)), 1).floor);

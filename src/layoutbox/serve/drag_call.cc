@@ -9,6 +9,7 @@
 #include "layoutbox/scene/scene_json.h"
 #include "layoutbox/serve/call_parts.h"
 #include "layoutbox/serve/snapping.h"
+#include "layoutbox/verify/standing.h"
 
 namespace layoutbox::serve {
 namespace {
@@ -114,7 +115,7 @@ void judge_relations(Layout& layout, const std::vector<PlacedRelation>& set_asid
     placed.held = false;
     layout.relations.push_back(std::move(placed));
   }
-  const Report report = verify(layout, catalog);
+  const Report report = verify_standing(layout, catalog);
   for (const Check& check : report.checks) {
     if (check.name != "relation") continue;
     for (PlacedRelation& placed : layout.relations) {
@@ -150,7 +151,7 @@ Json reasons_against(const Layout& wished, const Error& error, const Catalog& ca
   Json reasons = Json::array();
   for (const Error& detail : error.details) reasons.push_back({{"text", detail.message}});
   if (!reasons.empty()) return reasons;
-  for (const Check& check : verify(wished, catalog).checks) {
+  for (const Check& check : verify_standing(wished, catalog).checks) {
     if (check.passed || !check.required || check.name == "relation") continue;
     reasons.push_back({{"text", check.message}, {"subject", check.subject}});
   }

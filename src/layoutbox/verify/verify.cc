@@ -1,8 +1,10 @@
 #include "layoutbox/verify/verify.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "layoutbox/verify/checks.h"
+#include "layoutbox/verify/standing.h"
 
 namespace layoutbox {
 namespace {
@@ -19,10 +21,7 @@ void add_limits(Report& report, const VerifyOptions& options) {
   }
 }
 
-}  // namespace
-
-Report verify(const Layout& layout, const Catalog& catalog, const VerifyOptions& options) {
-  const judge::RoomView view(layout, catalog, options);
+Report standing(const judge::RoomView& view) {
   Report report;
   if (view.floor.empty()) {
     report.checks.push_back({"room", "room", false, true, 0, "m2", "the room's polygon has no area", "/room/polygon"});
@@ -32,11 +31,27 @@ Report verify(const Layout& layout, const Catalog& catalog, const VerifyOptions&
   judge::check_support(view, report);
   judge::check_openings(view, report);
   judge::check_relations(view, report);
-  judge::check_ways(view, report);
+  return report;
+}
+
+Report judged(Report report, const VerifyOptions& options) {
   add_limits(report, options);
   report.passed =
       std::all_of(report.checks.begin(), report.checks.end(), [](const Check& check) { return check.passed || !check.required; });
   return report;
+}
+
+}  // namespace
+
+Report verify(const Layout& layout, const Catalog& catalog, const VerifyOptions& options) {
+  const judge::RoomView view(layout, catalog, options);
+  Report report = standing(view);
+  judge::check_ways(view, report);
+  return judged(std::move(report), options);
+}
+
+Report verify_standing(const Layout& layout, const Catalog& catalog, const VerifyOptions& options) {
+  return judged(standing(judge::RoomView(layout, catalog, options)), options);
 }
 
 }  // namespace layoutbox

@@ -1,5 +1,6 @@
 // Doors and windows of the form. Without any, the room gets a door and a window where they are least in the way.
 import {Tool} from "../bar";
+import {Icon} from "../icons";
 import {type FormOpening, type FormValue, wall_ids} from "../pure/form_scene";
 import {texts} from "../texts";
 import {fresh_key} from "./pieces";
@@ -33,7 +34,7 @@ export function Openings({value, change}: Part) {
       </ul>
       <p class="outs">
         {(["door", "window", "open"] as const).map((type) => (
-          <button key={type} type="button" class="small" data-testid={`form-${type}`} onClick={() => add(type)}>{texts.openings.add[type]}</button>
+          <button key={type} type="button" class="small plus" aria-label={texts.openings.adds(texts.openings.add[type])} data-testid={`form-${type}`} onClick={() => add(type)}><Icon name="plus" />{texts.openings.add[type]}</button>
         ))}
       </p>
     </fieldset>

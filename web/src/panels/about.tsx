@@ -105,6 +105,7 @@ function Conflicts({layout}: {layout: Layout}) {
   const sentences = use((state) => state.sentences);
   const units = use((state) => state.units);
   const scene = use((state) => state.rooms.now?.scene);
+  const by_hand = use((state) => state.rooms.now?.by_hand ?? false);
   const names = useMemo(() => names_of(layout), [layout]);
   const conflicts = layout.conflicts ?? [];
   const text_of = (id: string) => {
@@ -112,6 +113,8 @@ function Conflicts({layout}: {layout: Layout}) {
     return found ? relation_text(found, layout, sentences, units) : id;
   };
   const known = (id: string) => layout.relations?.some((one) => one.id === id) || scene?.constraints?.some((one) => one.id === id);
+  // What a hand has broken is crossed in the list of relations; nobody has to be told of it twice.
+  const given_up = layout.relaxed?.filter((one) => !by_hand || !layout.relations?.some((relation) => relation.id === one.relation));
   return (
     <>
       {conflicts.length > 0 && (
@@ -126,8 +129,8 @@ function Conflicts({layout}: {layout: Layout}) {
         </section>
       )}
       <Remedies layout={layout} />
-      {([["relaxed", layout.relaxed], ["gave_way", layout.gaveWay]] as const).map(([key, list]) => list && list.length > 0 && (
-        <section class={key === "relaxed" ? "trouble" : ""} data-testid={key}>
+      {([["relaxed", given_up], ["gave_way", layout.gaveWay]] as const).map(([key, list]) => list && list.length > 0 && (
+        <section class={key === "relaxed" && conflicts.length === 0 ? "trouble" : ""} data-testid={key}>
           <h3>{texts.about[key]}</h3>
           <ul class="plain">
             {list.map((one) => (

@@ -26,7 +26,7 @@ export function Remedies({layout}: {layout: Layout}) {
   }, [layout, wanted]);
   if (!wanted || ways?.length === 0) return null;
   return (
-    <section class="trouble" data-testid="remedies">
+    <section class="help" data-testid="remedies">
       <h3>{texts.about.remedies}</h3>
       {ways === null ? <p class="quiet">{texts.about.looking_for_remedies}</p> : (
         <p class="outs">

@@ -102,7 +102,7 @@ export function Things() {
         <h3>{texts.openings.heading}</h3>
         <p class="outs">
           {(["door", "window", "open"] as const).map((type) => (
-            <button key={type} type="button" class="small" data-testid={`add-${type}`} onClick={() => void add_opening(type)}>{texts.openings.add[type]}</button>
+            <button key={type} type="button" class="small plus" aria-label={texts.openings.adds(texts.openings.add[type])} data-testid={`add-${type}`} onClick={() => void add_opening(type)}><Icon name="plus" />{texts.openings.add[type]}</button>
           ))}
         </p>
       </section>

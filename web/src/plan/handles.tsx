@@ -8,6 +8,10 @@ const kShortest = 0.02;
 /** Pixels from a thing's front to the middle of the knob that turns it, and to what is written beyond that. */
 export const kKnobAt = 24;
 const kBeyondKnob = 58;
+const kKnobAside = 10;
+
+/** So far to the right of a way that goes down, or above one that goes across. */
+const beside = ([dx, dy]: Point, far: number): Point => (Math.abs(dy) > Math.abs(dx) ? [far, 0] : [0, -far / 2]);
 
 /** `at`: how far along its length is written; `beyond`: at least so many pixels from where it begins. */
 interface MeasureProps { gap: Gap; frame: Pick<Frame, "at" | "px">; units: Units; about?: string; at?: number; beyond?: number }
@@ -15,11 +19,15 @@ interface MeasureProps { gap: Gap; frame: Pick<Frame, "at" | "px">; units: Units
 export function Measure({gap, frame, units, about = "way", at = 0.5, beyond = 0}: MeasureProps) {
   const [x1, y1] = frame.at(gap.from);
   const [x2, y2] = frame.at(gap.to);
-  const share = Math.max(at, (beyond * frame.px) / (Math.hypot(x2 - x1, y2 - y1) || 1));
-  const [x, y] = [x1 + (x2 - x1) * share, y1 + (y2 - y1) * share];
   const text = length_text(gap.length, units);
   const size = 11 * frame.px;
   const half = text.length * size * 0.3 + 3 * frame.px;
+  const way = Math.hypot(x2 - x1, y2 - y1) || 1;
+  const share = Math.max(at, (beyond * frame.px) / way);
+  // Where the way ends before that, the length is written beside it.
+  const aside = share > 1 ? beside([x2 - x1, y2 - y1], half + kKnobAside * frame.px) : [0, 0];
+  const along = share > 1 ? at : share;
+  const [x, y] = [x1 + (x2 - x1) * along + (aside[0] as number), y1 + (y2 - y1) * along + (aside[1] as number)];
   return (
     <g class={`measure ${about}`}>
       <path d={`M${x1} ${y1}L${x2} ${y2}`} />

@@ -1,7 +1,7 @@
 // The floor plan: drawn from the layout, everything on it can be taken hold of.
 import {useEffect, useMemo, useRef, useState} from "preact/hooks";
 import type {Layout, LayoutObject} from "../gen/types";
-import {footprint, gap_between, kFlat} from "../pure/geometry";
+import {footprint, gap_between} from "../pure/geometry";
 import {references} from "../pure/relations";
 import {names_of, shape_key} from "../pure/scenes";
 import {opening_middle} from "../pure/shell_moves";
@@ -14,9 +14,10 @@ import {type Frame, frame_of, round} from "./frame";
 import {Grips} from "./grips";
 import {Knobs, Measure, Reason, Ways} from "./handles";
 import {on_thing_key} from "./keys";
+import {Labels} from "./labels";
 import {Shell} from "./shell";
 import {type Symbols, symbols_of} from "./symbols";
-import {Label, Outline} from "./thing";
+import {Outline} from "./thing";
 
 function useSymbols(layout: Layout | null): Symbols {
   const [symbols, put] = useState<Symbols>(new Map());
@@ -155,7 +156,7 @@ export function Plan({layout, live}: {layout: Layout; live: boolean}) {
           </g>
         );
       })}
-      <g class="labels">{things.filter((object) => object.supportedBy === "floor" && object.size[2] > kFlat).map((object) => <Label object={object} name={names.get(object.id) ?? ""} frame={frame} />)}</g>
+      <Labels objects={things} names={names} frame={frame} />
       {live && <Grips layout={layout} base={base} frame={frame} svg={element} show={show_shell} />}
       {outlining && <Corners layout={shell ?? layout} base={base} frame={frame} svg={element} show={show_shell} />}
       {live && state.ghost && <Ghost layout={state.ghost.layout} now={layout} frame={frame} />}

@@ -37,7 +37,11 @@ export function places_of(layout: Layout): Map<string, string> {
 
 function list(names: string[]): string {
   if (names.length < 2) return names[0] ?? "";
-  return texts.places.and(names.slice(0, -1).join(", "), names.at(-1) ?? "");
+  const [first = "", ...rest] = names;
+  const stem = /^(.*\D)\d+$/.exec(first)?.[1];
+  // "chair 1, 5 and 9" where all are of one name.
+  const said = stem && rest.every((name) => name.startsWith(stem) && /^\d+$/.test(name.slice(stem.length))) ? [first, ...rest.map((name) => name.slice(stem.length))] : names;
+  return texts.places.and(said.slice(0, -1).join(", "), said.at(-1) ?? "");
 }
 
 /** "between {min} and {max}" where only one of the two is said. */

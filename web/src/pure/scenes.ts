@@ -1,5 +1,6 @@
 // From a layout back to a scene, and changes of a layout that need no solver. Nothing here alters what it is given.
 import type {Layout, LayoutObject, LayoutOpening, Scene, SceneObject, SceneRelation} from "../gen/types";
+import {texts} from "../texts";
 
 function scene_object(object: LayoutObject): SceneObject {
   const {size, pos, rotation, supportedBy: _held, ...same} = object;
@@ -115,7 +116,7 @@ export function replaced(layout: Layout, id: string, change: Partial<LayoutObjec
 }
 
 export const name_of = (object: {id: string; name?: string; category: string}): string =>
-  object.name || object.category.replaceAll("_", " ");
+  (object.name || object.category.replaceAll("_", " ")).replace(/[a-z]+/g, (word) => (texts.capitals.includes(word) ? word.toUpperCase() : word));
 
 /** Names that tell things of one kind apart: "nightstand 1", "nightstand 2". */
 export function names_of(layout: Layout): Map<string, string> {

@@ -13,6 +13,9 @@ import {Walker} from "./walker";
 import {Walls} from "./walls";
 
 const kShadow = 1024;
+/** Light that the floor throws back: seen from within it is all that a ceiling has. */
+const kFromBelow = 0xcbb89d;
+const kFromBelowWithin = 0xf3efe8;
 
 export class RoomView {
   readonly camera = new PerspectiveCamera(42, 1, 0.05, 200);
@@ -23,6 +26,7 @@ export class RoomView {
   walker: Walker | null = null;
   private readonly renderer_: WebGLRenderer;
   private readonly scene_ = new Scene();
+  private readonly sky_ = new HemisphereLight(0xffffff, kFromBelow, 2.0);
   private readonly sun_ = new DirectionalLight(0xfff4e2, 2.1);
   private readonly marks_ = new Marks();
   private room_: Object3D | null = null;
@@ -50,7 +54,7 @@ export class RoomView {
     this.sun_.shadow.mapSize.set(kShadow, kShadow);
     this.sun_.shadow.bias = -0.0006;
     this.sun_.shadow.normalBias = 0.02;
-    this.scene_.add(new HemisphereLight(0xffffff, 0xcbb89d, 2.0), this.sun_, this.sun_.target, this.marks_.root);
+    this.scene_.add(this.sky_, this.sun_, this.sun_.target, this.marks_.root);
     this.aim = new Aim(this.camera, canvas);
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.enableDamping = false;
@@ -157,6 +161,7 @@ export class RoomView {
     this.walker = on && this.layout_ ? new Walker(this, this.layout_) : null;
     this.controls.enabled = !on;
     this.camera.fov = on ? 68 : 42;
+    this.sky_.groundColor.set(on ? kFromBelowWithin : kFromBelow);
     this.camera.updateProjectionMatrix();
     if (!on && this.layout_) this.frame_(this.layout_, true);
     this.draw();

@@ -206,7 +206,16 @@ int Model::find_wall(std::string_view id) const {
 
 bool Model::is_a(int item, std::string_view kind) const {
   const SceneObject* object = items[item].object;
-  return object && (catalog->is_a(object->category, kind) || catalog->is_a(items[item].entry->id, kind));
+  if (object == nullptr) return false;
+  auto known = kinds.find(kind);
+  if (known == kinds.end()) known = kinds.emplace(kind, std::vector<signed char>()).first;
+  if (known->second.size() != items.size()) known->second.assign(items.size(), -1);
+  signed char& answer = known->second[item];
+  if (answer < 0) {
+    const std::string& entry = items[item].entry->id;
+    answer = catalog->is_a(object->category, kind) || (entry != object->category && catalog->is_a(entry, kind)) ? 1 : 0;
+  }
+  return answer > 0;
 }
 
 namespace {

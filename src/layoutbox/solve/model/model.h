@@ -2,6 +2,7 @@
 // may not share room, and every constraint in the small form.
 #pragma once
 
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -128,6 +129,8 @@ struct Model {
   std::vector<PairRule> pairs;             // items × items
   const Layout* from = nullptr;            // the earlier layout that guides, if any
   Placements start;                        // by item: where it had things; empty where there is none
+  // By kind: which items are one (-1: nobody asked yet). The catalogue looks each up by its name.
+  mutable std::map<std::string, std::vector<signed char>, std::less<>> kinds;
 
   PairRule pair(int a, int b) const { return pairs[static_cast<std::size_t>(a) * items.size() + b]; }
   void set_pair(int a, int b, PairRule rule);
