@@ -3,9 +3,9 @@
 
     python3 bench/drag_bench.py [--binary build/release/src/layoutbox/layoutbox] [--objects 50] [--things 8] [--steps 40]
 
-Rooms of tables with chairs around them and what stands along the walls; one thing after the other is drawn across the room in steps of 5 cm, the
-others giving way, over one connection, a request as soon as the last one is answered. The service is one of its own. Where other work
-shares the machine the clock says little: the processor time that the service takes for an answer is printed beside it.
+Rooms of tables with chairs around them and what stands along the walls; one thing after the other is drawn across the room in steps of
+5 cm, the others giving way, over one connection, a request as soon as the last one is answered. The service is one of its own. Where other
+work shares the machine the clock says little: the processor time that the service takes for an answer is printed beside it.
 """
 
 from __future__ import annotations
@@ -78,10 +78,13 @@ def main() -> None:
                     (legal if json.loads(text)["legal"] else refused).append(took)
             used = processor_seconds(service.process.pid) - used
             count = len(legal) + len(refused)
-            print(f"{len(layout['objects'])} things, load of the machine {os.getloadavg()[0]:.1f}; processor {1000 * used / count:.1f} ms an answer")
+            print(
+                f"{len(layout['objects'])} things, load of the machine {os.getloadavg()[0]:.1f}; processor {1000 * used / count:.1f} ms an answer"
+            )
             for name, times in (("it can stand there", legal), ("it cannot", refused), ("all", legal + refused)):
                 if times:
-                    print(f"{name:>18}: {len(times):4} answers, p50 {at(0.5, times):5.1f} ms, p95 {at(0.95, times):5.1f} ms, most {max(times):5.1f} ms")
+                    figures = f"p50 {at(0.5, times):5.1f} ms, p95 {at(0.95, times):5.1f} ms, most {max(times):5.1f} ms"
+                    print(f"{name:>18}: {len(times):4} answers, {figures}")
         finally:
             service.stop()
 

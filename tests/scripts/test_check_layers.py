@@ -33,7 +33,7 @@ class CheckLayers(unittest.TestCase):
         self.assertIn("base/a.cc:2: includes layoutbox/scene/layout.h: scene/ is above base/", out)
 
     def test_sibling_is_a_fault(self):
-        status, out = self.check(render__a='#  include <layoutbox/export/export.h>\n')
+        status, out = self.check(render__a="#  include <layoutbox/export/export.h>\n")
         self.assertEqual(status, 1)
         self.assertIn("export/ is on the same floor as render/", out)
 

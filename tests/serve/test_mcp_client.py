@@ -65,6 +65,26 @@ class ProtocolClient(unittest.TestCase):
             self.skipTest("the library Cairo is missing")
         self.assertEqual(field(picture.content[0], "mime_type", "mimeType"), "image/png")
 
+    def test_planned_solved_judged_and_settled(self):
+        prompt = "A room of 4 x 3 m with a table, a chair and a plant. The chair is left of the table. The chair is right of the table."
+
+        async def work(session):
+            async def call(tool, **arguments):
+                answer = await session.call_tool(tool, arguments)
+                self.assertFalse(field(answer, "is_error", "isError"), answer.content[0].text)
+                return json.loads(answer.content[0].text)
+
+            scene = (await call("plan_scene", prompt=prompt))["scene"]
+            layout = (await call("solve_scene", scene=scene))["layouts"][0]
+            ways = (await call("settle_conflict", scene=scene, layout=layout))["ways"]
+            settled = (await call("solve_scene", scene=ways[0]["scene"]))["layouts"][0]
+            return layout, settled, await call("judge_room", layout=settled, scene=ways[0]["scene"], name="mine")
+
+        layout, settled, judged = self.with_session(work)
+        self.assertTrue(layout["conflicts"])
+        self.assertFalse(settled.get("conflicts"))
+        self.assertEqual(judged["rooms"][0]["name"], "mine")
+
     def test_a_conflict_is_explained(self):
         scene = {
             "room": {"dims": {"w": 2, "d": 2, "h": 2.5}, "openings": []},
