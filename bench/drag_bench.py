@@ -78,9 +78,7 @@ def main() -> None:
                     (legal if json.loads(text)["legal"] else refused).append(took)
             used = processor_seconds(service.process.pid) - used
             count = len(legal) + len(refused)
-            print(
-                f"{len(layout['objects'])} things, load of the machine {os.getloadavg()[0]:.1f}; processor {1000 * used / count:.1f} ms an answer"
-            )
+            print(f"{len(layout['objects'])} things, load of the machine {os.getloadavg()[0]:.1f}; processor {each:.1f} ms an answer")
             for name, times in (("it can stand there", legal), ("it cannot", refused), ("all", legal + refused)):
                 if times:
                     figures = f"p50 {at(0.5, times):5.1f} ms, p95 {at(0.95, times):5.1f} ms, most {max(times):5.1f} ms"
