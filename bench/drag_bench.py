@@ -77,7 +77,7 @@ def main() -> None:
                     took = 1000 * (time.perf_counter() - began)
                     (legal if json.loads(text)["legal"] else refused).append(took)
             used = processor_seconds(service.process.pid) - used
-            count = len(legal) + len(refused)
+            each = 1000 * used / (len(legal) + len(refused))
             print(f"{len(layout['objects'])} things, load of the machine {os.getloadavg()[0]:.1f}; processor {each:.1f} ms an answer")
             for name, times in (("it can stand there", legal), ("it cannot", refused), ("all", legal + refused)):
                 if times:
