@@ -80,47 +80,67 @@ Mesh rod(Vec from, Vec to, double radius, int sides) {
   return posed(lathe({{0, 0}, {radius, 0}, {radius, length(to - from)}, {0, length(to - from)}}, sides), aimed(from, to - from));
 }
 
-// NOLINTNEXTLINE(readability-function-cognitive-complexity): to be parted
+namespace {
+
+// The way a path runs at one of its points: between the ways from the point before and to the next.
+Vec tangent_at(std::span<const Vec> path, std::size_t i, bool closed) {
+  const std::size_t n = path.size();
+  const Vec before = i > 0 ? path[i - 1] : closed ? path[n - 1] : path[0];
+  const Vec after = i + 1 < n ? path[i + 1] : closed ? path[0] : path[n - 1];
+  return unit(unit(after - path[i]) * (i + 1 < n || closed ? 1.0 : 0.0) + unit(path[i] - before) * (i > 0 || closed ? 1.0 : 0.0));
+}
+
+// A section of a tube: its middle, two directions across, the radius.
+struct Section {
+  Vec middle, across, up;
+  double radius;
+  int sides;
+
+  Vec normal(int s) const {
+    const double a = 2 * kPi * (s % sides) / sides;
+    return across * std::cos(a) + up * std::sin(a);
+  }
+};
+
+std::vector<std::uint32_t> add_section(Maker& maker, const Section& section, double along) {
+  std::vector<std::uint32_t> ring;
+  for (int s = 0; s <= section.sides; ++s) {
+    const Vec normal = section.normal(s);
+    ring.push_back(maker.vertex(section.middle + normal * section.radius, normal, {along, 2 * kPi * s / section.sides * section.radius}));
+  }
+  return ring;
+}
+
+void close_end(Maker& maker, const Section& section, Vec outwards) {
+  std::vector<std::uint32_t> rim;
+  for (int s = 0; s < section.sides; ++s)
+    rim.push_back(maker.vertex(section.middle + section.normal(s) * section.radius, outwards, {0, 0}));
+  for (std::size_t s = 1; s + 1 < rim.size(); ++s) maker.triangle(rim[0], rim[s], rim[s + 1]);
+}
+
+}  // namespace
+
 Mesh tube(std::span<const Vec> path, double radius, int usual_sides, bool closed) {
-  const int sides = sides_at_detail(usual_sides);
-  Maker maker;
   const std::size_t n = path.size();
   if (n < 2) return {};
-  const auto tangent = [&](std::size_t i) {
-    const Vec before = i > 0 ? path[i - 1] : closed ? path[n - 1] : path[0];
-    const Vec after = i + 1 < n ? path[i + 1] : closed ? path[0] : path[n - 1];
-    return unit(unit(after - path[i]) * (i + 1 < n || closed ? 1.0 : 0.0) + unit(path[i] - before) * (i > 0 || closed ? 1.0 : 0.0));
-  };
-  const Vec first = tangent(0);
-  Vec side = unit(cross(std::abs(first.z) > 0.9 ? Vec{0, 1, 0} : Vec{0, 0, 1}, first));
-  std::vector<std::uint32_t> previous, start;
+  Maker maker;
+  const Vec first = tangent_at(path, 0, closed), across_first = unit(cross(std::abs(first.z) > 0.9 ? Vec{0, 1, 0} : Vec{0, 0, 1}, first));
+  Vec side = across_first;
+  std::vector<std::uint32_t> previous;
   double along = 0;
-  const std::size_t rings = closed ? n + 1 : n;
-  for (std::size_t k = 0; k < rings; ++k) {
+  for (std::size_t k = 0; k < (closed ? n + 1 : n); ++k) {
     const std::size_t i = k % n;
-    const Vec t = tangent(i);
+    const Vec t = tangent_at(path, i, closed);
     if (k < n) side = unit(side - t * dot(side, t));
     // A closed tube ends on its own first ring, turned as that one is.
-    const Vec across = k == n ? unit(cross(std::abs(first.z) > 0.9 ? Vec{0, 1, 0} : Vec{0, 0, 1}, first)) : side;
-    const Vec up = cross(t, across);
+    const Vec across = k == n ? across_first : side;
+    const Section section{path[i], across, cross(t, across), radius, sides_at_detail(usual_sides)};
     if (k > 0) along += length(path[i] - path[(k - 1) % n]);
-    std::vector<std::uint32_t> ring;
-    for (int s = 0; s <= sides; ++s) {
-      const double a = 2 * kPi * (s % sides) / sides;
-      const Vec normal = across * std::cos(a) + up * std::sin(a);
-      ring.push_back(maker.vertex(path[i] + normal * radius, normal, {along, 2 * kPi * s / sides * radius}));
-    }
+    std::vector<std::uint32_t> ring = add_section(maker, section, along);
     for (std::size_t s = 0; s + 1 < ring.size() && !previous.empty(); ++s)
       maker.wound_quad(previous[s], previous[s + 1], ring[s + 1], ring[s]);
-    if (!closed && (k == 0 || k + 1 == n)) {
-      const Vec outwards = k == 0 ? t * -1.0 : t;
-      std::vector<std::uint32_t> rim;
-      for (int s = 0; s < sides; ++s) {
-        const double a = 2 * kPi * s / sides;
-        rim.push_back(maker.vertex(path[i] + (across * std::cos(a) + up * std::sin(a)) * radius, outwards, {0, 0}));
-      }
-      for (std::size_t s = 1; s + 1 < rim.size(); ++s) maker.triangle(rim[0], rim[s], rim[s + 1]);
-    }
+    if (!closed && k == 0) close_end(maker, section, t * -1.0);
+    if (!closed && k + 1 == n) close_end(maker, section, t);
     previous = std::move(ring);
   }
   return maker.take();

@@ -7,26 +7,17 @@
 #include <chrono>
 #include <utility>
 
-#include "layoutbox/base/files.h"
 #include "layoutbox/base/words.h"
 #include "layoutbox/pipeline/artefacts.h"
-#include "layoutbox/pipeline/folder_lock.h"
 #include "layoutbox/pipeline/repair.h"
+#include "layoutbox/pipeline/run_folder.h"
+#include "layoutbox/pipeline/run_pictures.h"
 #include "layoutbox/pipeline/run_record.h"
 #include "layoutbox/pipeline/variants.h"
 #include "layoutbox/scene/scene_json.h"
 
 namespace layoutbox {
 namespace {
-
-// A Blender that is started for this room alone.
-Result<RenderOutputs> draw_with_new_blender(const std::filesystem::path& script, const std::filesystem::path& folder,
-                                            const RenderOptions& options) {
-  LAYOUTBOX_ASSIGN(const Blender blender, find_blender());
-  return run_blender(blender, script, folder, options);
-}
-
-constexpr std::size_t kMostVariants = 50;
 
 // One run: holds the folder, the clock and what has been made so far.
 class Run {
@@ -47,14 +38,11 @@ class Run {
       planning_ = planner->begin(prompt_, options_.plan, {options_.normalize.room_size, options_.shell ? &*options_.shell : nullptr});
     // A text that says nothing touches no folder.
     LAYOUTBOX_CHECK(planning_ ? plan_with_repair() : planner ? plan(*planner) : given_ ? take(std::move(scene)) : adopt(std::move(scene)));
-    LAYOUTBOX_CHECK(make_folder(folder_));
-    LAYOUTBOX_ASSIGN(const FolderLock lock, FolderLock::acquire(folder_));
-    remove_earlier_outputs();
+    LAYOUTBOX_CHECK(folder_.open());
     Status status = run_stages();
     while (status && picture_may_be_mended()) status = run_stages_again();
-    if (planning_) outcome_.model_requests = planning_->record();
     const Error* failure = status ? nullptr : &status.error();
-    const Status recorded = write("run.json", write_run_record(prompt_, options_, outcome_, failure));
+    const Status recorded = record(failure);
     if (failure) return Failure(*failure);
     if (!recorded) return Failure(recorded.error());
     return std::move(outcome_);
@@ -81,34 +69,12 @@ class Run {
     return counted(outcome_.scene.objects.size(), "object") + ", " + counted(outcome_.scene.relations.size(), "relation");
   }
 
-  Status write(const std::string& name, std::string_view bytes) {
-    LAYOUTBOX_CHECK(write_file(folder_ / name, bytes));
-    outcome_.files.emplace_back(name);
+  Status record(const Error* failure) {
+    if (planning_) outcome_.model_requests = planning_->record();
+    outcome_.files = folder_.files();
+    LAYOUTBOX_CHECK(folder_.write("run.json", write_run_record(prompt_, options_, outcome_, failure)));
+    outcome_.files = folder_.files();
     return {};
-  }
-
-  // A folder never holds files of two different runs.
-  void remove_earlier_outputs() const {
-    std::error_code ignored;
-    if (!std::filesystem::exists(folder_ / "run.json", ignored)) return;
-    for (const Artefact& one : artefacts()) {
-      const std::string name(one.file);
-      std::filesystem::remove(folder_ / name, ignored);
-      for (std::size_t k = 1; one.each_variant && k < kMostVariants; ++k) std::filesystem::remove(folder_ / variant_name(name, k), ignored);
-    }
-  }
-
-  // What is written after a stage, of one of the layouts; their names for people.
-  Result<std::string> write_artefacts(Stage stage, const RoomSoFar& room, std::size_t variant = 0) {
-    std::string names;
-    for (const Artefact& one : artefacts()) {
-      if (one.stage != stage || one.make == nullptr || (variant > 0 && !one.each_variant)) continue;
-      LAYOUTBOX_ASSIGN(const std::string bytes, one.make(room));
-      const std::string name = variant_name(std::string(one.file), variant);
-      LAYOUTBOX_CHECK(write(name, bytes));
-      names += (names.empty() ? "" : ", ") + name;
-    }
-    return names;
   }
 
   RoomSoFar room() const { return {outcome_.scene, outcome_.layout, model_, outcome_.report, options_}; }
@@ -141,12 +107,8 @@ class Run {
 
   // What was asked in vain is worth keeping, but not in the place of an earlier run.
   void record_failure(const Error& error) {
-    std::error_code ignored;
-    if (planning_->attempts() == 0 || std::filesystem::exists(folder_ / "run.json", ignored)) return;
-    outcome_.model_requests = planning_->record();
-    if (!make_folder(folder_)) return;
-    const auto lock = FolderLock::acquire(folder_);
-    if (lock) (void)write("run.json", write_run_record(prompt_, options_, outcome_, &error));  // the first error is the one that counts
+    if (planning_->attempts() == 0 || folder_.holds_a_run()) return;
+    if (folder_.open()) (void)record(&error);  // the first error is the one that counts
   }
 
   // A script or a picture that failed is told the planner while attempts are left; a Blender that is missing is not its fault.
@@ -163,7 +125,7 @@ class Run {
       return room.error().code == ErrorCode::kInterrupted ? Status(Failure(room.error())) : Status{};
     }
     take_room(std::move(*room));
-    outcome_.files.clear();
+    folder_.forget_files();
     outcome_.picture_error.reset();
     return run_stages();
   }
@@ -187,7 +149,7 @@ class Run {
   }
 
   Status run_stages() {
-    LAYOUTBOX_CHECK(write_artefacts(Stage::kPlan, room()));
+    LAYOUTBOX_CHECK(folder_.write_artefacts(Stage::kPlan, room()));
     LAYOUTBOX_CHECK(check_stopped());
     LAYOUTBOX_CHECK(solve_scene());
     LAYOUTBOX_CHECK(check_stopped());
@@ -196,7 +158,7 @@ class Run {
     LAYOUTBOX_CHECK(check_stopped());
     LAYOUTBOX_CHECK(make_variants());
     if (!options_.pictures) return {};
-    LAYOUTBOX_CHECK(render());
+    LAYOUTBOX_CHECK(render(0));
     return render_variants();
   }
 
@@ -210,32 +172,18 @@ class Run {
       LAYOUTBOX_ASSIGN(const Model model, furnish(layout, catalog_, options_.furnish));
       const Report report = verify(layout, catalog_, options_.verify);
       for (const Stage stage : {Stage::kExport, Stage::kVerify}) {
-        LAYOUTBOX_CHECK(write_artefacts(stage, {outcome_.scene, layout, model, report, options_}, k));
+        LAYOUTBOX_CHECK(folder_.write_artefacts(stage, {outcome_.scene, layout, model, report, options_}, k));
       }
     }
     finish("variants", counted(outcome_.more_layouts.size(), "more layout") + " furnished, exported and verified");
     return {};
   }
 
-  // Blender writes the same names each time, so each is drawn elsewhere. What one of them costs is not asked of the others again.
+  // What the picture of one of them costs is not asked of the others again.
   Status render_variants() {
     for (std::size_t k = 1; k <= outcome_.more_layouts.size() && !outcome_.picture_error; ++k) {
       LAYOUTBOX_CHECK(check_stopped());
-      begin();
-      LAYOUTBOX_ASSIGN(const TemporaryFolder place, TemporaryFolder::make("layoutbox-variant"));
-      const auto made = draw(folder_ / variant_name("blender.py", k), place.path());
-      if (!made) {
-        LAYOUTBOX_CHECK(keep_picture_error(made.error()));
-        continue;
-      }
-      std::string pictures;
-      for (const auto& file : made->files()) {
-        LAYOUTBOX_ASSIGN(const std::string bytes, read_file(file));
-        const std::string name = variant_name(file.filename().string(), k);
-        LAYOUTBOX_CHECK(write(name, bytes));
-        pictures += name + " ";
-      }
-      finish("render", pictures + fmt::format("{}×{}", options_.render.width, options_.render.height));
+      LAYOUTBOX_CHECK(render(k));
     }
     return {};
   }
@@ -248,7 +196,7 @@ class Run {
     } else {
       LAYOUTBOX_ASSIGN(std::vector<Layout> layouts, solve_variants(outcome_.scene, catalog_, options_.solve, options_.variants));
       for (std::size_t k = 1; k < layouts.size(); ++k) {
-        LAYOUTBOX_CHECK(write_artefacts(Stage::kSolve, {outcome_.scene, layouts[k], model_, outcome_.report, options_}, k));
+        LAYOUTBOX_CHECK(folder_.write_artefacts(Stage::kSolve, {outcome_.scene, layouts[k], model_, outcome_.report, options_}, k));
         others += fmt::format("; variant {}: {}", k + 1, variant_in_words(layouts, k));
       }
       outcome_.layout = std::move(layouts[0]);
@@ -256,7 +204,7 @@ class Run {
     }
     const Layout& layout = outcome_.layout;
     if (loop_) started_ = Clock::now() - std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(layout.stats.seconds));
-    LAYOUTBOX_CHECK(write_artefacts(Stage::kSolve, room()));
+    LAYOUTBOX_CHECK(folder_.write_artefacts(Stage::kSolve, room()));
     const auto held = std::count_if(layout.relations.begin(), layout.relations.end(), [](const auto& r) { return r.held; });
     std::string given_up = layout.relaxed.empty() ? "" : fmt::format(", {} given up", layout.relaxed.size());
     finish("solve", fmt::format("{} of {} held{} ({}){}", held, counted(layout.relations.size(), "relation"), given_up, layout.stats.solver,
@@ -269,7 +217,7 @@ class Run {
     LAYOUTBOX_ASSIGN(model_, furnish(outcome_.layout, catalog_, options_.furnish));
     finish("furnish", counted(model_.nodes.size(), "piece"));
     begin();
-    LAYOUTBOX_ASSIGN(std::string names, write_artefacts(Stage::kExport, room()));
+    LAYOUTBOX_ASSIGN(std::string names, folder_.write_artefacts(Stage::kExport, room()));
     finish("export", std::move(names));
     return {};
   }
@@ -277,7 +225,7 @@ class Run {
   Status verify_layout() {
     begin();
     outcome_.report = verify(outcome_.layout, catalog_, options_.verify);
-    LAYOUTBOX_CHECK(write_artefacts(Stage::kVerify, room()));
+    LAYOUTBOX_CHECK(folder_.write_artefacts(Stage::kVerify, room()));
     const auto& checks = outcome_.report.checks;
     const auto failed = std::count_if(checks.begin(), checks.end(), [](const Check& c) { return c.required && !c.passed; });
     finish("verify", failed == 0 ? fmt::format("all {} checks passed or warned", checks.size())
@@ -286,22 +234,13 @@ class Run {
   }
 
   // A missing or failing Blender costs the picture only: the error is kept beside the outcome.
-  Status render() {
+  Status render(std::size_t variant) {
     begin();
-    const auto made = draw(folder_ / "blender.py", folder_);
-    if (made) {
-      outcome_.blender_version = made->blender_version;
-      std::string pictures;
-      for (const auto& file : made->files()) outcome_.files.push_back(file.filename().string());
-      for (const auto& file : made->pictures) pictures += file.filename().string() + " ";
-      finish("render", fmt::format("{}{}×{}, Blender {}", pictures, options_.render.width, options_.render.height, made->blender_version));
-      return {};
-    }
-    return keep_picture_error(made.error());
-  }
-
-  Result<RenderOutputs> draw(const std::filesystem::path& script, const std::filesystem::path& into) const {
-    return options_.draw ? options_.draw(script, into, options_.render) : draw_with_new_blender(script, into, options_.render);
+    auto drawn = draw_pictures(folder_, variant, options_);
+    if (!drawn) return keep_picture_error(drawn.error());
+    if (variant == 0) outcome_.blender_version = drawn->blender_version;
+    finish("render", std::move(drawn->summary));
+    return {};
   }
 
   Status keep_picture_error(const Error& error) {
@@ -313,7 +252,7 @@ class Run {
 
   std::string prompt_;
   const Catalog& catalog_;
-  std::filesystem::path folder_;
+  RunFolder folder_;
   GenerateOptions options_;
   Clock::time_point started_;
   GenerateOutcome outcome_;

@@ -33,9 +33,8 @@ constexpr std::array kTools{
     Tool{"move_object", "drag", "Puts one object of a layout elsewhere, turns or resizes it: what gives way, or why it cannot be."},
     Tool{"verify_room", "verify", "Checks a layout by geometry: collisions, support, doors, ways to walk, every relation."},
     Tool{"settle_conflict", "remedies",
-         "For a scene whose layout has conflicts: small changes, each tried and enough, in words and as the changed scene. Give the scene "
-         "and "
-         "the layout that was made of it."},
+         "For a scene whose layout has conflicts: small changes, each tried and enough, in words and as the changed scene. "
+         "Give the scene and the layout that was made of it."},
     Tool{"judge_room", "judge", "The measures of a layout, against the scene that was asked for: what is there, held, possible."},
     Tool{"look_at_room", "export", "A layout as a picture of its floor plan (format png), or as svg, glb, pdf, json or blender.py."},
 };

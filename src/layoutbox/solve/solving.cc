@@ -64,39 +64,57 @@ bool Solver::must_stop() {
   return stopped_by_clock_ || interrupted();
 }
 
+// One thing less where sums show that not everything can be; kPlaced: they show nothing.
+Result<Solver::Round> Solver::settle_sums() {
+  std::vector<Clash> sums = clashes_of_locks(model_, given_up_, left_out_);
+  if (sums.empty()) sums = clashes_by_sums(model_, given_up_, left_out_);
+  if (sums.empty()) return Round::kPlaced;
+  LAYOUTBOX_ASSIGN(const bool less, shed(sums));
+  if (!less) {
+    LAYOUTBOX_CHECK(give_up(sums[0]));  // one at a time: giving up the first may settle the others
+  }
+  return Round::kAgain;
+}
+
+// Where the search found nothing: a proof, and what is given up by it.
+Result<Solver::Round> Solver::settle_failed_search() {
+  if (interrupted()) return fail(ErrorCode::kInterrupted, "stopped");
+  if (enough()) return Round::kEnd;
+  if (!options_.prove && options_.on_conflict == OnConflict::kFail) return Round::kEnd;
+  LAYOUTBOX_ASSIGN(const bool impossible, give_up_impossible());
+  if (impossible) return Round::kAgain;
+  LAYOUTBOX_ASSIGN(const Early early, prove_early());
+  if (early == Early::kGivenUp) return Round::kAgain;
+  LAYOUTBOX_ASSIGN(const bool found, early == Early::kFound ? Result<bool>(true) : prove());
+  return found ? Round::kPlaced : Round::kAgain;
+}
+
+// With something legal: whether what was left out comes back, once.
+Result<Solver::Round> Solver::settle_left_out() {
+  if (left_out_ids_.size() < (shed_ ? 1 : 2) || brought_back_) return Round::kPlaced;
+  brought_back_ = true;
+  LAYOUTBOX_ASSIGN(const bool more, bring_back());
+  return more ? Round::kAgain : Round::kPlaced;
+}
+
 // Search, then proof, giving up one thing after another until everything that is left fits.
-// NOLINTNEXTLINE(readability-function-cognitive-complexity): to be parted
 Status Solver::find_legal() {
   // Each gives up one thing of the scene as it was asked for.
   const std::size_t most_rounds = model_.constraints.size() + model_.items.size();
-  for (std::size_t round = 0; round <= most_rounds; ++round) {
+  Round now = Round::kAgain;
+  for (std::size_t k = 0; k <= most_rounds && now == Round::kAgain; ++k) {
     if (interrupted()) return fail(ErrorCode::kInterrupted, "stopped");
     if (fallback_) return {};
     if (enough()) break;
-    std::vector<Clash> sums = clashes_of_locks(model_, given_up_, left_out_);
-    if (sums.empty()) sums = clashes_by_sums(model_, given_up_, left_out_);
-    if (!sums.empty()) {
-      LAYOUTBOX_ASSIGN(const bool less, shed(sums));
-      if (less) continue;
-      LAYOUTBOX_CHECK(give_up(sums[0]));  // one at a time: giving up the first may settle the others
-      continue;
+    LAYOUTBOX_ASSIGN(now, settle_sums());
+    if (now == Round::kPlaced && !search(given_up_)) {
+      LAYOUTBOX_ASSIGN(now, settle_failed_search());
     }
-    if (!search(given_up_)) {
-      if (interrupted()) return fail(ErrorCode::kInterrupted, "stopped");
-      if (enough()) break;
-      if (!options_.prove && options_.on_conflict == OnConflict::kFail) break;
-      LAYOUTBOX_ASSIGN(const bool impossible, give_up_impossible());
-      if (impossible) continue;
-      LAYOUTBOX_ASSIGN(const Early early, prove_early());
-      if (early == Early::kGivenUp) continue;
-      LAYOUTBOX_ASSIGN(const bool found, early == Early::kFound ? Result<bool>(true) : prove());
-      if (!found) continue;
+    if (now == Round::kPlaced) {
+      LAYOUTBOX_ASSIGN(now, settle_left_out());
     }
-    if (left_out_ids_.size() < (shed_ ? 1 : 2) || brought_back_) return {};
-    brought_back_ = true;
-    LAYOUTBOX_ASSIGN(const bool more, bring_back());
-    if (!more) return {};
   }
+  if (now == Round::kPlaced) return {};
   return fail(ErrorCode::kNotFound, "no layout was found within the limits, and no proof that there is none", {},
               "raise --effort or --time-limit");
 }

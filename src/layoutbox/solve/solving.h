@@ -60,6 +60,11 @@ class Solver {
   }
 
   // ---- finding (solving.cc)
+  // How a round of finding ended: something was given up; everything left has its place; no more can be done.
+  enum class Round { kAgain, kPlaced, kEnd };
+  Result<Round> settle_sums();
+  Result<Round> settle_failed_search();
+  Result<Round> settle_left_out();
   Status find_legal();
   enum class Early { kFound, kGivenUp, kUnknown };
   Result<Early> prove_early();

@@ -45,83 +45,118 @@ BedLevels levels(const Piece& p) {
   return l;
 }
 
-// NOLINTNEXTLINE(readability-function-cognitive-complexity): to be parted
-void bed(Piece& p) {
-  const BedLevels l = levels(p);
-  const int wood = p.frame("oak"), white = p.named("cotton"),
-            head_surface = p.says("upholstered") || p.says("velvet") || p.says("tufted") ? p.main_accent("linen") : p.frame("walnut");
-  const int duvet = p.main_accent("cotton");
-  const double under = l.under > 0 ? l.under : std::min(0.14, l.top * 0.3), head = std::max(0.02, p.d / 2 - l.head);
-  const double rail = std::min(0.12, std::max(0.02, (l.top - under) * 0.35));
-  if (p.number("headboard", 1) <= 0 && p.h < 0.55 && p.open_above() == nullptr) {
-    // A mattress on the floor, blown up or rolled out.
-    bedding(p, sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, 0, p.h), std::max(1, p.count("pillows", 1)), duvet, white);
-    return;
-  }
-  if (p.number("canopy", 0) > 0) {
-    const double post = side_room(p, 0.06);
-    for (const double x : {-1.0, 1.0}) {
-      const double cx = x * (p.w / 2 - post / 2);
-      for (const double y : {-1.0, 1.0})
-        p.add(wood,
-              box(sides(cx - post / 2, cx + post / 2, y * (p.d / 2 - post / 2) - post / 2, y * (p.d / 2 - post / 2) + post / 2, 0, p.h),
-                  0.006));
-      p.add(wood, box(sides(cx - post / 2, cx + post / 2, -p.d / 2, p.d / 2, p.h - std::min(0.05, post), p.h), 0.005));
-      p.add(wood, box(sides(-p.w / 2, p.w / 2, x * (p.d / 2 - post / 2) - post / 2, x * (p.d / 2 - post / 2) + post / 2,
+bool is_upholstered(const Piece& p) { return p.says("upholstered") || p.says("velvet") || p.says("tufted"); }
+
+// What a bed is made of and where its parts end.
+struct Bed {
+  BedLevels levels;
+  int wood, white, head_surface, duvet;
+  double under, head, rail;
+};
+
+Bed bed_of(Piece& p) {
+  Bed b{levels(p), p.frame("oak"), p.named("cotton"), 0, 0, 0, 0, 0};
+  b.head_surface = is_upholstered(p) ? p.main_accent("linen") : p.frame("walnut");
+  b.duvet = p.main_accent("cotton");
+  b.under = b.levels.under > 0 ? b.levels.under : std::min(0.14, b.levels.top * 0.3);
+  b.head = std::max(0.02, p.d / 2 - b.levels.head);
+  b.rail = std::min(0.12, std::max(0.02, (b.levels.top - b.under) * 0.35));
+  return b;
+}
+
+// Four posts with bars between their tops.
+void canopy_bed(Piece& p, const Bed& b) {
+  const double post = side_room(p, 0.06);
+  for (const double x : {-1.0, 1.0}) {
+    const double cx = x * (p.w / 2 - post / 2);
+    for (const double y : {-1.0, 1.0})
+      p.add(b.wood,
+            box(sides(cx - post / 2, cx + post / 2, y * (p.d / 2 - post / 2) - post / 2, y * (p.d / 2 - post / 2) + post / 2, 0, p.h),
+                0.006));
+    p.add(b.wood, box(sides(cx - post / 2, cx + post / 2, -p.d / 2, p.d / 2, p.h - std::min(0.05, post), p.h), 0.005));
+    p.add(b.wood, box(sides(-p.w / 2, p.w / 2, x * (p.d / 2 - post / 2) - post / 2, x * (p.d / 2 - post / 2) + post / 2,
                             p.h - std::min(0.05, post), p.h),
                       0.005));
-    }
-    p.add(wood, box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, under, under + rail), 0.006));
-    p.add(wood, box(sides(-p.w / 2, p.w / 2, p.d / 2 - std::min(head, 0.04), p.d / 2, under, l.top + 0.45), 0.006));
-    bedding(p, sides(-p.w / 2 + 0.01, p.w / 2 - 0.01, -p.d / 2 + 0.01, p.d / 2 - post, under + rail - 0.002, l.top), 2, duvet, white);
-    return;
   }
-  const bool soft = p.says("upholstered") || p.says("velvet") || p.says("tufted");
-  p.legs(wood, under, 0.07, 0.03, false, 0.8);
-  p.add(wood, box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2 - std::min(head, 0.03), under, under + rail), 0.008));
+  p.add(b.wood, box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, b.under, b.under + b.rail), 0.006));
+  p.add(b.wood, box(sides(-p.w / 2, p.w / 2, p.d / 2 - std::min(b.head, 0.04), p.d / 2, b.under, b.levels.top + 0.45), 0.006));
+  bedding(p, sides(-p.w / 2 + 0.01, p.w / 2 - 0.01, -p.d / 2 + 0.01, p.d / 2 - post, b.under + b.rail - 0.002, b.levels.top), 2, b.duvet,
+          b.white);
+}
+
+// Boards between two posts.
+void head_of_boards(Piece& p, const Bed& b, double thick) {
+  for (const double x : {-1.0, 1.0})
+    p.add(b.head_surface,
+          box(sides(x > 0 ? p.w / 2 - 0.06 : -p.w / 2, x > 0 ? p.w / 2 : -p.w / 2 + 0.06, p.d / 2 - thick, p.d / 2, 0, p.h), 0.008));
+  const double low = b.under * 0.5 + 0.1, pitch = (p.h - 0.02 - low) / 4;
+  for (int i = 0; i < 4; ++i)
+    p.add(b.head_surface, box(sides(-p.w / 2 + 0.055, p.w / 2 - 0.055, p.d / 2 - thick * 0.8, p.d / 2 - thick * 0.2, low + pitch * i,
+                                    low + pitch * (i + 0.82)),
+                              0.005));
+}
+
+// A panel in a frame.
+void head_of_a_panel(Piece& p, const Bed& b, double thick) {
+  p.add(b.head_surface, box(sides(-p.w / 2, p.w / 2, p.d / 2 - thick * 0.6, p.d / 2, b.under * 0.5, p.h - 0.02), 0.004));
+  p.add(b.head_surface, box(sides(-p.w / 2, p.w / 2, p.d / 2 - thick, p.d / 2, p.h - 0.07, p.h), 0.01));
+  for (const double x : {-1.0, 1.0})
+    p.add(b.head_surface, box(sides(x > 0 ? p.w / 2 - 0.07 : -p.w / 2, x > 0 ? p.w / 2 : -p.w / 2 + 0.07, p.d / 2 - thick, p.d / 2,
+                                    b.under * 0.5, p.h - 0.06),
+                              0.006));
+}
+
+// Cloth in upright panels.
+void head_of_cloth(Piece& p, const Bed& b, double thick) {
+  const int n = std::max(2, static_cast<int>(p.w / 0.32)), cloth = p.main_accent("linen");
+  p.add(b.wood, box(sides(-p.w / 2, p.w / 2, p.d / 2 - thick * 0.4, p.d / 2, b.under * 0.5, p.h), 0.004));
+  for (int i = 0; i < n; ++i)
+    p.add(cloth, rounded_box(sides(-p.w / 2 + p.w * i / n + 0.002, -p.w / 2 + p.w * (i + 1) / n - 0.002, p.d / 2 - thick,
+                                   p.d / 2 - thick * 0.3, b.levels.top - 0.1, p.h - 0.004),
+                             thick * 0.3, 3));
+}
+
+// The board at the head, by the style of the bed where it is high enough to show one.
+void head_board(Piece& p, const Bed& b) {
+  const bool soft = is_upholstered(p);
   const int look = soft                                               ? 0
                    : p.is_style("modern") || p.is_style("minimalist") ? 0
                    : p.is_style("rustic")                             ? 1
                    : p.is_style("traditional")                        ? 2
                                                                       : p.variant(4);
-  const double thick = std::min(head, 0.05);
-  if (p.h > l.top + 0.2 && look == 1) {  // boards between two posts
-    for (const double x : {-1.0, 1.0})
-      p.add(head_surface,
-            box(sides(x > 0 ? p.w / 2 - 0.06 : -p.w / 2, x > 0 ? p.w / 2 : -p.w / 2 + 0.06, p.d / 2 - thick, p.d / 2, 0, p.h), 0.008));
-    const double low = under * 0.5 + 0.1, pitch = (p.h - 0.02 - low) / 4;
-    for (int i = 0; i < 4; ++i)
-      p.add(head_surface, box(sides(-p.w / 2 + 0.055, p.w / 2 - 0.055, p.d / 2 - thick * 0.8, p.d / 2 - thick * 0.2, low + pitch * i,
-                                    low + pitch * (i + 0.82)),
-                              0.005));
-  } else if (p.h > l.top + 0.2 && look == 2) {  // a framed panel
-    p.add(head_surface, box(sides(-p.w / 2, p.w / 2, p.d / 2 - thick * 0.6, p.d / 2, under * 0.5, p.h - 0.02), 0.004));
-    p.add(head_surface, box(sides(-p.w / 2, p.w / 2, p.d / 2 - thick, p.d / 2, p.h - 0.07, p.h), 0.01));
-    for (const double x : {-1.0, 1.0})
-      p.add(head_surface, box(sides(x > 0 ? p.w / 2 - 0.07 : -p.w / 2, x > 0 ? p.w / 2 : -p.w / 2 + 0.07, p.d / 2 - thick, p.d / 2,
-                                    under * 0.5, p.h - 0.06),
-                              0.006));
-  } else if (p.h > l.top + 0.2 && look == 3 && head > 0.03) {  // cloth in panels
-    const int n = std::max(2, static_cast<int>(p.w / 0.32)), cloth = p.main_accent("linen");
-    p.add(wood, box(sides(-p.w / 2, p.w / 2, p.d / 2 - thick * 0.4, p.d / 2, under * 0.5, p.h), 0.004));
-    for (int i = 0; i < n; ++i)
-      p.add(cloth, rounded_box(sides(-p.w / 2 + p.w * i / n + 0.002, -p.w / 2 + p.w * (i + 1) / n - 0.002, p.d / 2 - thick,
-                                     p.d / 2 - thick * 0.3, l.top - 0.1, p.h - 0.004),
-                               thick * 0.3, 3));
-  } else if (p.h > l.top + 0.03) {
-    p.add(head_surface, soft ? rounded_box(sides(-p.w / 2, p.w / 2, p.d / 2 - head, p.d / 2, under, p.h), head * 0.4, 3)
-                             : box(sides(-p.w / 2, p.w / 2, p.d / 2 - std::min(head, 0.05), p.d / 2, under * 0.5, p.h), 0.008));
-  } else {
-    p.add(wood, box(sides(-p.w / 2, p.w / 2, p.d / 2 - std::min(head, 0.03), p.d / 2, under * 0.5, std::min(p.h, l.top)), 0.006));
+  const double thick = std::min(b.head, 0.05), top = b.levels.top;
+  const bool high = p.h > top + 0.2;
+  if (high && look == 1) return head_of_boards(p, b, thick);
+  if (high && look == 2) return head_of_a_panel(p, b, thick);
+  if (high && look == 3 && b.head > 0.03) return head_of_cloth(p, b, thick);
+  if (p.h > top + 0.03) {
+    p.add(b.head_surface, soft ? rounded_box(sides(-p.w / 2, p.w / 2, p.d / 2 - b.head, p.d / 2, b.under, p.h), b.head * 0.4, 3)
+                               : box(sides(-p.w / 2, p.w / 2, p.d / 2 - std::min(b.head, 0.05), p.d / 2, b.under * 0.5, p.h), 0.008));
+    return;
   }
-  const double edge = p.d / 2 - std::min(head, soft ? head : 0.05);
-  if (p.h < l.top + 0.03 && p.h > l.top) p.add(wood, box(sides(-0.05, 0.05, p.d / 2 - 0.02, p.d / 2, l.top - 0.02, p.h), 0.004));
+  p.add(b.wood, box(sides(-p.w / 2, p.w / 2, p.d / 2 - std::min(b.head, 0.03), p.d / 2, b.under * 0.5, std::min(p.h, top)), 0.006));
+}
+
+void bed(Piece& p) {
+  const Bed b = bed_of(p);
+  const BedLevels& l = b.levels;
+  if (p.number("headboard", 1) <= 0 && p.h < 0.55 && p.open_above() == nullptr) {
+    // A mattress on the floor, blown up or rolled out.
+    bedding(p, sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, 0, p.h), std::max(1, p.count("pillows", 1)), b.duvet, b.white);
+    return;
+  }
+  if (p.number("canopy", 0) > 0) return canopy_bed(p, b);
+  p.legs(b.wood, b.under, 0.07, 0.03, false, 0.8);
+  p.add(b.wood, box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2 - std::min(b.head, 0.03), b.under, b.under + b.rail), 0.008));
+  head_board(p, b);
+  const double edge = p.d / 2 - std::min(b.head, is_upholstered(p) ? b.head : 0.05);
+  if (p.h < l.top + 0.03 && p.h > l.top) p.add(b.wood, box(sides(-0.05, 0.05, p.d / 2 - 0.02, p.d / 2, l.top - 0.02, p.h), 0.004));
   const int pillows = p.count("pillows", p.w > 1.15 ? 2 : 1);
-  bedding(p, sides(-p.w / 2 + 0.015, p.w / 2 - 0.015, -p.d / 2 + 0.015, edge, under + rail - 0.002, l.top), std::max(1, pillows), duvet,
-          white);
+  bedding(p, sides(-p.w / 2 + 0.015, p.w / 2 - 0.015, -p.d / 2 + 0.015, edge, b.under + b.rail - 0.002, l.top), std::max(1, pillows),
+          b.duvet, b.white);
   // A foot board, where the bedding ends before the bed does.
   if (l.foot > -p.d / 2 + 0.02)
-    p.add(wood, box(sides(-p.w / 2, p.w / 2, -p.d / 2, std::min(l.foot, -p.d / 2 + 0.04), under, std::min(p.h, l.top + 0.15)), 0.008));
+    p.add(b.wood, box(sides(-p.w / 2, p.w / 2, -p.d / 2, std::min(l.foot, -p.d / 2 + 0.04), b.under, std::min(p.h, l.top + 0.15)), 0.008));
 }
 
 void bunk_bed(Piece& p) {

@@ -1,6 +1,7 @@
 // Seats: chairs, armchairs, sofas, stools, benches, office chairs.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "layoutbox/furnish/families/parts.h"
 
@@ -92,52 +93,64 @@ void chair(Piece& p) {
   }
 }
 
-// Sofas that go round a corner (or two): a part along the back, and a part to the front at each side of the free middle.
-// NOLINTNEXTLINE(readability-function-cognitive-complexity): to be parted
-void corner_sofa(Piece& p, const FreeSpace& middle) {
-  const int cloth = p.main_accent("linen"), feet = p.frame("walnut");
-  const double x = p.w / 2, y = p.d / 2, inner = middle.box.max.y;
-  double level = p.h * 0.5, back = y - 0.24;
+// Measures of a sofa that goes round a corner (or two): a part along the back, and a part to the front at each side of the free middle.
+struct CornerSofa {
+  double inner;  // where the part along the back begins
+  double level, back, foot, pad, arm;
+  int cloth, feet;
+};
+
+CornerSofa corner_sofa_of(Piece& p, const FreeSpace& middle) {
+  CornerSofa c{middle.box.max.y, p.h * 0.5, p.d / 2 - 0.24, 0, 0, 0, p.main_accent("linen"), p.frame("walnut")};
   for (const FreeSpace& s : p.spaces) {
-    if (s.carries) level = std::min(level, s.box.min.z), back = std::max(back, s.box.max.y);
+    if (s.carries) c.level = std::min(c.level, s.box.min.z), c.back = std::max(c.back, s.box.max.y);
   }
-  const double foot = std::min(0.1, level * 0.25), pad = std::min(0.15, (level - foot) * 0.5), arm = std::min(p.h, level + 0.2);
-  const auto base = [&](double x0, double x1, double y0, double y1) {
-    p.add(cloth, rounded_box(sides(x0 + 0.005, x1 - 0.005, y0 + 0.005, y1 - 0.005, foot, level - pad), 0.02, 2));
-    for (const double fx : {x0 + 0.06, x1 - 0.06}) {
-      for (const double fy : {y0 + 0.06, y1 - 0.06}) p.add(feet, cone({fx, fy, 0}, 0.016, 0.024, foot + 0.01, 12));
-    }
-  };
-  base(-x, x, inner, y);
-  p.add(cloth, rounded_box(sides(-x, x, back + 0.1, y, foot + 0.01, p.h), 0.04, 3));
-  const double ends[] = {middle.box.min.x, middle.box.max.x};
-  for (const int i : {0, 1}) {
-    const double s = i == 0 ? -1 : 1, far_edge = s * x, near_edge = ends[i];
-    if (std::abs(far_edge - near_edge) > 0.1) base(std::min(far_edge, near_edge), std::max(far_edge, near_edge), -y, inner + 0.01);
+  c.foot = std::min(0.1, c.level * 0.25);
+  c.pad = std::min(0.15, (c.level - c.foot) * 0.5);
+  c.arm = std::min(p.h, c.level + 0.2);
+  return c;
+}
+
+void corner_sofa_base(Piece& p, const CornerSofa& c, double x0, double x1, double y0, double y1) {
+  p.add(c.cloth, rounded_box(sides(x0 + 0.005, x1 - 0.005, y0 + 0.005, y1 - 0.005, c.foot, c.level - c.pad), 0.02, 2));
+  for (const double fx : {x0 + 0.06, x1 - 0.06}) {
+    for (const double fy : {y0 + 0.06, y1 - 0.06}) p.add(c.feet, cone({fx, fy, 0}, 0.016, 0.024, c.foot + 0.01, 12));
   }
-  for (const FreeSpace& s : p.spaces) {
-    if (!s.carries) continue;
-    const Box& b = s.box;
-    const bool to_front = b.max.y < inner + 0.01;
-    const int n = std::max(1, static_cast<int>(std::lround((b.max.x - b.min.x) / 0.75)));
-    const double front = to_front ? b.min.y : inner;
-    cushions(p, cloth, sides(b.min.x, b.max.x, front, b.max.y, level - pad, level), n, 0.045);
-    if (!to_front) {
-      for (int k = 0; k < n; ++k) {
-        const double each = (b.max.x - b.min.x) / n, x0 = b.min.x + each * k + 0.004;
-        p.add(cloth, rounded_box(sides(x0, x0 + each - 0.008, back, back + 0.12, level + 0.003, p.h - 0.04), 0.06, 3));
-      }
-    }
-    // What is left at the sides and at the end of this part is arm or back.
-    for (const double k : {-1.0, 1.0}) {
-      const double edge = k > 0 ? b.max.x : b.min.x, width = x - std::abs(edge);
-      if (edge * k < 0 || width > 0.35 || width < 0.03) continue;
-      const bool high = width > 0.2;
-      p.add(cloth, rounded_box(sides(k > 0 ? x - width : -x, k > 0 ? x : -x + width, to_front ? -y : inner,
-                                     to_front ? inner + 0.02 : y - 0.01, foot + 0.01, high ? p.h : arm),
+}
+
+// One of its parts: cushions on a space that one sits in, those behind the back, and what is left at the sides and at the end as arm or
+// back.
+void corner_sofa_part(Piece& p, const CornerSofa& c, const Box& b) {
+  const double x = p.w / 2, y = p.d / 2;
+  const bool to_front = b.max.y < c.inner + 0.01;
+  const int n = std::max(1, static_cast<int>(std::lround((b.max.x - b.min.x) / 0.75)));
+  cushions(p, c.cloth, sides(b.min.x, b.max.x, to_front ? b.min.y : c.inner, b.max.y, c.level - c.pad, c.level), n, 0.045);
+  for (int k = 0; k < n && !to_front; ++k) {
+    const double each = (b.max.x - b.min.x) / n, x0 = b.min.x + each * k + 0.004;
+    p.add(c.cloth, rounded_box(sides(x0, x0 + each - 0.008, c.back, c.back + 0.12, c.level + 0.003, p.h - 0.04), 0.06, 3));
+  }
+  for (const double k : {-1.0, 1.0}) {
+    const double edge = k > 0 ? b.max.x : b.min.x, width = x - std::abs(edge);
+    if (edge * k < 0 || width > 0.35 || width < 0.03) continue;
+    const double top = width > 0.2 ? p.h : c.arm;
+    p.add(c.cloth, rounded_box(sides(k > 0 ? x - width : -x, k > 0 ? x : -x + width, to_front ? -y : c.inner,
+                                     to_front ? c.inner + 0.02 : y - 0.01, c.foot + 0.01, top),
                                0.045, 3));
-    }
-    if (to_front && b.min.y > -y + 0.03) p.add(cloth, rounded_box(sides(b.min.x, b.max.x, -y, b.min.y, foot + 0.01, arm), 0.045, 3));
+  }
+  if (to_front && b.min.y > -y + 0.03) p.add(c.cloth, rounded_box(sides(b.min.x, b.max.x, -y, b.min.y, c.foot + 0.01, c.arm), 0.045, 3));
+}
+
+void corner_sofa(Piece& p, const FreeSpace& middle) {
+  const CornerSofa c = corner_sofa_of(p, middle);
+  const double x = p.w / 2, y = p.d / 2;
+  corner_sofa_base(p, c, -x, x, c.inner, y);
+  p.add(c.cloth, rounded_box(sides(-x, x, c.back + 0.1, y, c.foot + 0.01, p.h), 0.04, 3));
+  for (const auto& [far_edge, near_edge] : {std::pair{-x, middle.box.min.x}, {x, middle.box.max.x}}) {
+    if (std::abs(far_edge - near_edge) > 0.1)
+      corner_sofa_base(p, c, std::min(far_edge, near_edge), std::max(far_edge, near_edge), -y, c.inner + 0.01);
+  }
+  for (const FreeSpace& s : p.spaces) {
+    if (s.carries) corner_sofa_part(p, c, s.box);
   }
 }
 

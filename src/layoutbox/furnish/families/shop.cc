@@ -28,23 +28,31 @@ void cash_register(Piece& p) {
   p.fit();
 }
 
-// A glass case on a base, framed at its corners; its shelves stand at its spaces' floors. Under a wooden top the back is of wood, too.
-// NOLINTNEXTLINE(readability-function-cognitive-complexity): to be parted
-void display_case(Piece& p) {
-  const int base = p.main("oak"), glass = p.named("glass");
-  double low = p.h * 0.25, side = 0.02;
-  std::vector<double> levels;
+// Measures of a glass case: half its width and depth, how thick its frame is, where the glass begins and ends, its shelves' heights.
+struct GlassCase {
+  double x, y, frame, low, roof;
+  std::vector<double> levels;  // the floors of its spaces
+};
+
+GlassCase glass_case_of(const Piece& p) {
+  GlassCase c{p.w / 2, p.d / 2, 0, p.h * 0.25, p.h - std::min(0.03, p.h * 0.02), {}};
+  double side = 0.02;
   for (const FreeSpace& s : p.spaces) {
-    levels.push_back(s.box.min.z);
-    side = std::min({side, s.box.min.x + p.w / 2, p.w / 2 - s.box.max.x, s.box.min.y + p.d / 2, p.d / 2 - s.box.max.y});
+    c.levels.push_back(s.box.min.z);
+    side = std::min({side, s.box.min.x + c.x, c.x - s.box.max.x, s.box.min.y + c.y, c.y - s.box.max.y});
+    c.roof = std::max(c.roof, s.box.max.z);
   }
-  std::sort(levels.begin(), levels.end());
-  if (!levels.empty()) low = levels.front();
-  if (levels.empty()) levels = {low, low + (p.h - low) * 0.45};
-  const double x = p.w / 2, y = p.d / 2, t = std::max(0.004, side), top = std::min(0.03, p.h * 0.02);
-  double roof = p.h - top;
-  for (const FreeSpace& s : p.spaces) roof = std::max(roof, s.box.max.z);
-  roof = std::min(roof, p.h - 0.004);
+  c.frame = std::max(0.004, side);
+  c.roof = std::min(c.roof, p.h - 0.004);
+  std::sort(c.levels.begin(), c.levels.end());
+  if (!c.levels.empty()) c.low = c.levels.front();
+  if (c.levels.empty()) c.levels = {c.low, c.low + (p.h - c.low) * 0.45};
+  return c;
+}
+
+// Base, roof, posts, and glass at the sides and the front.
+void case_shell(Piece& p, const GlassCase& c, int base, int glass) {
+  const double x = c.x, y = c.y, t = c.frame, low = c.low, roof = c.roof;
   p.add(base, box(sides(-x, x, -y, y, 0, low), 0.006));
   p.add(base, box(sides(-x, x, -y, y, roof, p.h), std::min(0.004, (p.h - roof) * 0.4)));
   for (const double sx : {-1.0, 1.0}) {
@@ -54,6 +62,48 @@ void display_case(Piece& p) {
     p.add(glass, box(sides(sx > 0 ? x - t * 0.6 : -x + t * 0.4, sx > 0 ? x - t * 0.4 : -x + t * 0.6, -y + t, y - t, low, roof), 0));
   }
   p.add(glass, box(sides(-x + t, x - t, -y + t * 0.4, -y + t * 0.6, low, roof), 0));
+}
+
+void case_shelves(Piece& p, const GlassCase& c, int surface, double usual) {
+  for (std::size_t i = 1; i < c.levels.size(); ++i) {
+    double thick = usual;
+    for (const FreeSpace& s : p.spaces) {
+      if (s.box.max.z < c.levels[i] + 0.001) thick = std::min(thick, std::max(0.002, c.levels[i] - s.box.max.z));
+    }
+    p.add(surface, box(sides(-c.x + c.frame, c.x - c.frame, -c.y + c.frame, c.y - c.frame, c.levels[i] - thick, c.levels[i]), 0));
+  }
+}
+
+// China in a space where nothing of the room stands: plates leaning at the back, cups and bowls before them. `k`: pieces so far.
+void china_in(Piece& p, const Box& space, int& k) {
+  const Vec c = space.center();
+  const double plate = std::min({0.11, space.size().z * 0.38, space.size().y * 0.4});
+  for (double px = space.min.x + plate * 1.2; px + plate < space.max.x; px += plate * 2.6, ++k) {
+    const int china = p.tinted("ceramic", k % 3 == 1 ? mixed(p.accent(), {0.95, 0.95, 0.93}, 0.5) : Color{0.95, 0.95, 0.93});
+    if (k % 2 == 0) {
+      p.add(china, lathe({{0, 0}, {plate * 0.6, 0}, {plate, 0.012}, {plate, 0.016}, {plate * 0.6, 0.005}, {0, 0.005}}, 28),
+            aimed({px, space.max.y - 0.03, space.min.z + plate + 0.001}, unit({0, -1, 0.12})));
+    } else {
+      p.add(china,
+            lathe({{0, 0},
+                   {plate * 0.35, 0},
+                   {plate * 0.5, plate * 0.2},
+                   {plate * 0.66, plate * 0.75},
+                   {plate * 0.6, plate * 0.75},
+                   {plate * 0.45, plate * 0.25},
+                   {0, plate * 0.12}},
+                  22),
+            moved(px, c.y, space.min.z));
+    }
+  }
+}
+
+// A glass case on a base, framed at its corners; its shelves stand at its spaces' floors. Under a wooden top the back is of wood, too.
+void display_case(Piece& p) {
+  const int base = p.main("oak"), glass = p.named("glass");
+  const GlassCase c = glass_case_of(p);
+  const double x = c.x, y = c.y, t = c.frame, low = c.low, roof = c.roof;
+  case_shell(p, c, base, glass);
   const bool cabinet = p.count("doors", 0) > 0;
   if (cabinet) {
     p.add(base, box(sides(-x + t, x - t, y - t, y - t * 0.4, low, roof), 0));
@@ -63,38 +113,11 @@ void display_case(Piece& p) {
   } else {
     p.add(glass, box(sides(-x + t, x - t, y - t * 0.6, y - t * 0.4, low, roof), 0));
   }
-  for (std::size_t i = 1; i < levels.size(); ++i) {
-    double thick = cabinet ? 0.014 : 0.006;
-    for (const FreeSpace& s : p.spaces) {
-      if (s.box.max.z < levels[i] + 0.001) thick = std::min(thick, std::max(0.002, levels[i] - s.box.max.z));
-    }
-    p.add(cabinet ? base : glass, box(sides(-x + t, x - t, -y + t, y - t, levels[i] - thick, levels[i]), 0));
-  }
+  case_shelves(p, c, cabinet ? base : glass, cabinet ? 0.014 : 0.006);
   if (!p.may_show_contents() || !cabinet) return;
-  // China where nothing of the room stands: plates leaning at the back, cups and bowls before them.
   int k = 0;
   for (const FreeSpace& s : p.spaces) {
-    if (!s.carries || s.held || s.box.size().z < 0.2 || s.box.size().y < 0.16) continue;
-    const Vec c = s.box.center();
-    const double plate = std::min({0.11, s.box.size().z * 0.38, s.box.size().y * 0.4});
-    for (double px = s.box.min.x + plate * 1.2; px + plate < s.box.max.x; px += plate * 2.6, ++k) {
-      const int china = p.tinted("ceramic", k % 3 == 1 ? mixed(p.accent(), {0.95, 0.95, 0.93}, 0.5) : Color{0.95, 0.95, 0.93});
-      if (k % 2 == 0) {
-        p.add(china, lathe({{0, 0}, {plate * 0.6, 0}, {plate, 0.012}, {plate, 0.016}, {plate * 0.6, 0.005}, {0, 0.005}}, 28),
-              aimed({px, s.box.max.y - 0.03, s.box.min.z + plate + 0.001}, unit({0, -1, 0.12})));
-      } else {
-        p.add(china,
-              lathe({{0, 0},
-                     {plate * 0.35, 0},
-                     {plate * 0.5, plate * 0.2},
-                     {plate * 0.66, plate * 0.75},
-                     {plate * 0.6, plate * 0.75},
-                     {plate * 0.45, plate * 0.25},
-                     {0, plate * 0.12}},
-                    22),
-              moved(px, c.y, s.box.min.z));
-      }
-    }
+    if (s.carries && !s.held && s.box.size().z >= 0.2 && s.box.size().y >= 0.16) china_in(p, s.box, k);
   }
 }
 

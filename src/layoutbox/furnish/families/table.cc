@@ -73,13 +73,51 @@ void picnic_table(Piece& p) {
   }
 }
 
-// NOLINTNEXTLINE(readability-function-cognitive-complexity): to be parted
+std::string top_of(const Piece& p) {
+  return p.says("round") || p.says("circular")       ? "round"
+         : p.says("oval")                            ? "oval"
+         : p.says("rectangular") || p.says("square") ? "rect"
+                                                     : p.word("top", "rect");
+}
+
+// Four legs under a frame of boards.
+void apron_and_legs(Piece& p, int frame, double under, double level) {
+  const double in = std::min(0.05, p.d * 0.08);
+  if (level - under > 0.015) {
+    const double x = p.w / 2 - in, y = p.d / 2 - in;
+    for (const double s : {-1.0, 1.0}) {
+      p.add(frame, box(sides(-x, x, s * y - 0.009, s * y + 0.009, under, level), 0.003));
+      p.add(frame, box(sides(s * x - 0.009, s * x + 0.009, -y, y, under, level), 0.003));
+    }
+  }
+  const bool slim = p.is_style("modern") || p.is_style("scandinavian") || p.is_style("mid-century") || p.says("modern");
+  const int look = slim ? 1 : p.is_style("industrial") ? 3 : p.is_style("traditional") ? 2 : p.is_style("rustic") ? 0 : p.variant(3);
+  const double tapered = look == 1 ? 0.6 : look == 2 ? 0.75 : 1;
+  p.legs(look == 3 ? p.named("black_metal") : frame, level, std::min(0.06, 0.025 + p.w * 0.025) * (look == 3 ? 0.7 : 1), in * 0.7,
+         look == 2, tapered);
+}
+
+// A shelf below, where the catalogue has a space that stands on one.
+void shelves_below(Piece& p, int wood) {
+  for (const FreeSpace& s : p.spaces) {
+    if (!s.carries || s.box.min.z < 0.05 || s.box.max.z > p.h - 0.005) continue;
+    p.add(wood, box(sides(s.box.min.x, s.box.max.x, s.box.min.y, s.box.max.y, s.box.min.z - 0.02, s.box.min.z), 0.004));
+  }
+}
+
+void drawers_below(Piece& p, int wood, double under, double level) {
+  const int drawers = p.count("drawers", 0);
+  if (drawers <= 0 || level - under <= 0.05) return;
+  const double each = (p.w - 0.2) / drawers;
+  for (int i = 0; i < drawers; ++i) {
+    const double x0 = -p.w / 2 + 0.1 + each * i, y0 = -p.d / 2 + 0.022;
+    fronts(p, wood, p.named("brass"), {x0 + 0.01, x0 + each - 0.01, under + 0.006, level - 0.004, y0, 1, 1, false, 0.02, 0.018});
+  }
+}
+
 void table(Piece& p) {
   if (p.count("benches", 0) > 0) return picnic_table(p);
-  const std::string top = p.says("round") || p.says("circular")       ? "round"
-                          : p.says("oval")                            ? "oval"
-                          : p.says("rectangular") || p.says("square") ? "rect"
-                                                                      : p.word("top", "rect");
+  const std::string top = top_of(p);
   const int wood = p.main("oak"), frame = p.frame("oak");
   const double under = p.clear_below(p.h - std::min(0.09, p.h * 0.16)), board = std::min(0.035, (p.h - under) * 0.6 + 0.002);
   const double level = p.h - board;
@@ -87,35 +125,10 @@ void table(Piece& p) {
   if (top == "round" || top == "oval" || p.count("legs", 4) == 1) {
     round_support(p, frame, level);
   } else {
-    const double apron = level - under, in = std::min(0.05, p.d * 0.08);
-    if (apron > 0.015) {
-      const double x = p.w / 2 - in, y = p.d / 2 - in;
-      for (const double s : {-1.0, 1.0}) {
-        p.add(frame, box(sides(-x, x, s * y - 0.009, s * y + 0.009, under, level), 0.003));
-        p.add(frame, box(sides(s * x - 0.009, s * x + 0.009, -y, y, under, level), 0.003));
-      }
-    }
-    const bool slim = p.is_style("modern") || p.is_style("scandinavian") || p.is_style("mid-century") || p.says("modern");
-    const int look = slim ? 1 : p.is_style("industrial") ? 3 : p.is_style("traditional") ? 2 : p.is_style("rustic") ? 0 : p.variant(3);
-    p.legs(look == 3 ? p.named("black_metal") : frame, level, std::min(0.06, 0.025 + p.w * 0.025) * (look == 3 ? 0.7 : 1), in * 0.7,
-           look == 2,
-           look == 1   ? 0.6
-           : look == 2 ? 0.75
-                       : 1);
+    apron_and_legs(p, frame, under, level);
   }
-  // A shelf below, where the catalogue has a space that stands on one.
-  for (const FreeSpace& s : p.spaces) {
-    if (!s.carries || s.box.min.z < 0.05 || s.box.max.z > p.h - 0.005) continue;
-    p.add(wood, box(sides(s.box.min.x, s.box.max.x, s.box.min.y, s.box.max.y, s.box.min.z - 0.02, s.box.min.z), 0.004));
-  }
-  const int drawers = p.count("drawers", 0);
-  if (drawers > 0 && level - under > 0.05) {
-    const double each = (p.w - 0.2) / drawers;
-    for (int i = 0; i < drawers; ++i) {
-      const double x0 = -p.w / 2 + 0.1 + each * i, y0 = -p.d / 2 + 0.022;
-      fronts(p, wood, p.named("brass"), {x0 + 0.01, x0 + each - 0.01, under + 0.006, level - 0.004, y0, 1, 1, false, 0.02, 0.018});
-    }
-  }
+  shelves_below(p, wood);
+  drawers_below(p, wood, under, level);
 }
 
 // What closes a desk at one side of its knee room: drawers where there is width, else a frame of two legs.

@@ -15,9 +15,8 @@ constexpr std::string_view kPairSchema = R"({"type": "object", "properties": {
   "reason": {"type": "string", "maxLength": 400, "description": "one sentence, or empty"}},
   "required": ["better", "reason"], "additionalProperties": false})";
 constexpr std::string_view kPairTask =
-    "You compare pictures of two furnished rooms. Better is the room that is as was asked and in which nothing is wrong: nothing in "
-    "another "
-    "thing or a wall, nothing in the air, nothing turned away from its use.";
+    "You compare pictures of two furnished rooms. Better is the room that is as was asked and in which nothing is wrong: "
+    "nothing in another thing or a wall, nothing in the air, nothing turned away from its use.";
 
 Result<Choice> choose(const Contestant& first, const Contestant& second, const std::string& wanted, chat::ChatClient& client,
                       const JudgeOptions& options) {

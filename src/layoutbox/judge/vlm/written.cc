@@ -11,10 +11,9 @@ namespace layoutbox::vlm {
 namespace {
 
 constexpr std::string_view kTask =
-    "You write questions about a picture of a furnished room for somebody who sees only the picture. Of each numbered statement you make "
-    "one "
-    "question that is answered by yes where all of the statement is so and by no where not. Some statements are deliberately false: do not "
-    "mend them, and do not hint at the answer. Name things by words, not by their ids.";
+    "You write questions about a picture of a furnished room for somebody who sees only the picture. "
+    "Of each numbered statement you make one question that is answered by yes where all of the statement is so and by no where not. "
+    "Some statements are deliberately false: do not mend them, and do not hint at the answer. Name things by words, not by their ids.";
 
 // Lists and texts are bounded, so that a small model cannot run away.
 std::string schema_for(std::size_t count) {

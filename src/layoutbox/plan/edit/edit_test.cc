@@ -78,41 +78,64 @@ std::string side_text(const EditResize::Side& side) {
   return text.str();
 }
 
-// "move desk_1: underWindow desk_1 window1", a step a part, with " | " between.
-// NOLINTNEXTLINE(readability-function-cognitive-complexity): to be parted
-std::string text_of(const EditPlan& plan) {
+std::string text_of(const EditOpeningPlace& place) {
+  std::string text = " at " + (place.wall.empty() ? "any" : place.wall);
+  if (place.near) text += " " + std::to_string(std::lround((*place.near)[0])) + " " + std::to_string(std::lround((*place.near)[1]));
+  return text;
+}
+
+// " new vase_1,blue new window2 1200x1000".
+std::string new_things(const EditStep& step) {
+  std::string text;
+  for (const SceneObject& object : step.objects) {
+    text += " new " + object.id;
+    for (const std::string& attribute : object.attributes) text += "," + attribute;
+  }
+  for (const Opening& opening : step.openings) {
+    text += " new " + opening.id + " " + std::to_string(opening.width) + "x" + std::to_string(opening.height);
+  }
+  return text;
+}
+
+// " : underWindow desk_1 window1".
+std::string text_of(const std::vector<Relation>& relations) {
+  std::string text;
+  for (const Relation& relation : relations) {
+    if (relation.origin == Origin::kAssumed) continue;
+    text += " : " + std::string(relation_row(relation.type).name) + " " + joined(relation.targets);
+    if (!relation.references.empty()) text += " " + joined(relation.references);
+  }
+  return text;
+}
+
+// " left 500 desk_1".
+std::string shift_text(const EditStep& step) {
   static constexpr const char* kWays[] = {"left", "right", "front", "back", "up", "down", "towards", "away"};
+  if (!step.shift) return {};
+  std::string text = std::string(" ") + kWays[static_cast<int>(step.shift->way)];
+  if (step.shift->distance) text += " " + std::to_string(*step.shift->distance);
+  if (!step.shift->reference.empty()) text += " " + step.shift->reference;
+  return text;
+}
+
+std::string resize_text(const EditStep& step) {
+  std::string text;
+  if (step.kind != EditKind::kResize) return text;
+  for (const auto& side : step.resize.sides) text += " " + side_text(side);
+  return text + (step.resize.longer_side ? " longer" : "");
+}
+
+// "move desk_1: underWindow desk_1 window1", a step a part, with " | " between.
+std::string text_of(const EditPlan& plan) {
   std::string text;
   for (const EditStep& step : plan.steps) {
     text += (text.empty() ? "" : " | ") + std::string(name_of(step.kind));
     if (!step.targets.empty()) text += " " + joined(step.targets);
-    for (const SceneObject& object : step.objects) {
-      text += " new " + object.id;
-      for (const std::string& attribute : object.attributes) text += "," + attribute;
-    }
-    for (const Opening& opening : step.openings) {
-      text += " new " + opening.id + " " + std::to_string(opening.width) + "x" + std::to_string(opening.height);
-    }
-    if (step.opening_place) {
-      const EditOpeningPlace& place = *step.opening_place;
-      text += " at " + (place.wall.empty() ? "any" : place.wall);
-      if (place.near) text += " " + std::to_string(std::lround((*place.near)[0])) + " " + std::to_string(std::lround((*place.near)[1]));
-    }
-    for (const Relation& relation : step.relations) {
-      if (relation.origin == Origin::kAssumed) continue;
-      text += " : " + std::string(relation_row(relation.type).name) + " " + joined(relation.targets);
-      if (!relation.references.empty()) text += " " + joined(relation.references);
-    }
-    if (step.shift) {
-      text += std::string(" ") + kWays[static_cast<int>(step.shift->way)];
-      if (step.shift->distance) text += " " + std::to_string(*step.shift->distance);
-      if (!step.shift->reference.empty()) text += " " + step.shift->reference;
-    }
+    text += new_things(step);
+    if (step.opening_place) text += text_of(*step.opening_place);
+    text += text_of(step.relations) + shift_text(step);
     if (step.degrees != 0) text += " " + std::to_string(static_cast<int>(step.degrees));
-    if (step.kind == EditKind::kResize) {
-      for (const auto& side : step.resize.sides) text += " " + side_text(side);
-      if (step.resize.longer_side) text += " longer";
-    }
+    text += resize_text(step);
     for (const std::string& attribute : step.attributes) text += " " + attribute;
     if (!step.name.empty()) text += " \"" + step.name + "\"";
   }

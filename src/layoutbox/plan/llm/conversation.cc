@@ -48,9 +48,8 @@ std::string in_words(const Feedback& feedback) {
     case Feedback::Kind::kFaults: return faults_in_words(feedback.faults) + "Call create_scene with the whole scene, corrected.";
     case Feedback::Kind::kConflict:
       return feedback.text +
-             "Call patch_scene with the one that keeps most of what the description asks for, or create_scene with the whole scene "
-             "changed. "
-             "Leave all else as it is.";
+             "Call patch_scene with the one that keeps most of what the description asks for, "
+             "or create_scene with the whole scene changed. Leave all else as it is.";
     case Feedback::Kind::kNotice: return "No feasible layout was found for this scene. Adjust the constraints and call create_scene again.";
     case Feedback::Kind::kFailure: return feedback.text + ". Change what may be the reason and call create_scene with the whole scene.";
   }

@@ -1,7 +1,8 @@
 // Relations of several objects: around a table, on either side, in rows and grids, symmetric.
+#include <algorithm>
 #include <bit>
 #include <cmath>
-#include <tuple>
+#include <utility>
 
 #include "layoutbox/solve/compile/phrases.h"
 #include "layoutbox/solve/priors/seating.h"
@@ -16,9 +17,6 @@ std::vector<std::vector<int>> orders_into(Formula& f, const Compilation& c) {
   f.exact = false;
   return {c.targets};
 }
-
-// Well beyond what the meanings of rows, columns and spacings allow.
-constexpr Mm kSurelyUneven = 50;
 
 std::vector<int> axes_of(const Compilation& c) {
   if (!c.relation.parameters.axis) return {0, 1};
@@ -83,23 +81,59 @@ std::vector<std::pair<Side, Side>> pairs_of_sides(const Compilation& c, int r) {
   return {across, along};
 }
 
+constexpr int kFromFrontAndBack = 150;  // points
+
+// Alternately to either side, in the order given.
+std::vector<std::vector<char>> alternating(std::size_t n) {
+  std::vector<std::vector<char>> halves(n % 2 == 1 ? 2 : 1, std::vector<char>(n));
+  for (std::size_t k = 0; k < halves.size(); ++k) {
+    for (std::size_t i = 0; i < n; ++i) halves[k][i] = static_cast<char>(i % 2 == k);
+  }
+  return halves;
+}
+
+// Half of the targets are beyond the one side of r, the others beyond the other.
+void part_evenly(Formula& f, const Compilation& c, int r, const std::vector<std::pair<Side, Side>>& pairs,
+                 const std::vector<std::vector<char>>& halves) {
+  for_each_turn(c.item(r), [&](int turn, std::uint64_t states) {
+    for (const auto& [first, second] : pairs) {
+      const Direction d = side_direction(c.item(r), first, turn);
+      for (const std::vector<char>& half : halves) {
+        Case& in = f.add().when(r, states);
+        for (std::size_t i = 0; i < half.size(); ++i) in.require(gap_towards(c.targets[i], r, half[i] ? d : opposite(d)));
+        if (first == Side::kFront && pairs.size() > 1) in.price = kFromFrontAndBack;
+      }
+    }
+  });
+}
+
+// The middle of t within the common extent of a and b along the other axis; best within either's own.
+void stand_between(Formula& f, int t, const Place& a, const Place& b, int axis) {
+  const int other = 1 - axis;
+  for (const auto& [low, high] : {std::pair{&a, &a}, {&b, &b}, {&a, &b}, {&b, &a}}) {
+    Case& in = f.add();
+    in.require(lo(t, axis) - a.hi[axis]).require(b.lo[axis] - hi(t, axis));
+    in.wish(mid2(t, axis) - a.hi[axis] - b.lo[axis], 60, 2);
+    in.require(mid2(t, other) - 2 * low->lo[other]).require(2 * high->hi[other] - mid2(t, other));
+    for (const Place* ref : {&a, &b}) {
+      if (ref->item >= 0) in.wish(mid2(t, other) - ref->lo[other] - ref->hi[other], 40, 2);
+    }
+    if (low != high) in.price = 60;
+  }
+}
+
+bool is_known_exactly(const Compilation& c, const Reference& r) {
+  return r.kind == Reference::Kind::kItem || (r.kind == Reference::Kind::kWall && c.model.walls[r.index].straight);
+}
+
 }  // namespace
 
-// NOLINTNEXTLINE(readability-function-cognitive-complexity): to be parted
 void compile_EachSideOf(Compilation& c) {
-  constexpr int kFromFrontAndBack = 150;  // points
   const Mm most = c.length(c.relation.parameters.max, "max", 500);
   const std::size_t n = c.targets.size();
-  // Alternately to either side, in the order given, where that is as good as any other or the others are too many.
+  // In the order given, where that is as good as any other or the others are too many.
   const bool alike = orders_of(c.model, c.relation, c.targets).size() == 1;
-  std::vector<std::vector<char>> halves;
-  if (alike || n > kMostDivided) {
-    std::vector<char>& one = halves.emplace_back(n);
-    for (std::size_t i = 0; i < n; ++i) one[i] = i % 2 == 0;
-    if (n % 2 == 1) halves.push_back(halves[0]), std::for_each(halves[1].begin(), halves[1].end(), [](char& h) { h = !h; });
-  } else {
-    halves = halves_of(n);
-  }
+  const std::vector<std::vector<char>> halves = alike || n > kMostDivided ? alternating(n) : halves_of(n);
   for (const int r : c.reference_items()) {
     const auto pairs = pairs_of_sides(c, r);
     for (const int t : c.targets) {  // each beyond one of the sides…
@@ -111,115 +145,29 @@ void compile_EachSideOf(Compilation& c) {
     if (n < 2) continue;
     Formula& f = c.formula();  // …and half of them beyond either
     f.exact = alike || n <= kMostDivided;
-    for_each_turn(c.item(r), [&](int turn, std::uint64_t states) {
-      for (const auto& [first, second] : pairs) {
-        const Direction d = side_direction(c.item(r), first, turn);
-        for (const std::vector<char>& half : halves) {
-          Case& in = f.add().when(r, states);
-          for (std::size_t i = 0; i < n; ++i) in.require(gap_towards(c.targets[i], r, half[i] ? d : opposite(d)));
-          if (first == Side::kFront && pairs.size() > 1) in.price = kFromFrontAndBack;
-        }
-      }
-    });
+    part_evenly(f, c, r, pairs, halves);
   }
 }
 
-// NOLINTNEXTLINE(readability-function-cognitive-complexity): to be parted
 void compile_Between(Compilation& c) {
+  const auto is_place = [](const Reference& r) { return r.kind != Reference::Kind::kRoom; };
   for (const int t : c.targets) {
     Formula& f = c.formula();
     const std::size_t n = c.references.size();
     for (std::size_t i = 0; i < n; ++i) {
       for (std::size_t j = 0; j < n; ++j) {
-        if (i == j || c.references[i].kind == Reference::Kind::kRoom || c.references[j].kind == Reference::Kind::kRoom) continue;
+        if (i == j || !is_place(c.references[i]) || !is_place(c.references[j])) continue;
         const Place a = c.place(c.references[i]), b = c.place(c.references[j]);
-        for (int axis = 0; axis < 2; ++axis) {
-          const int other = 1 - axis;
-          // The middle of t within the common extent of both along the other axis; best within either's own.
-          for (const auto& [low, high] : {std::pair{&a, &a}, {&b, &b}, {&a, &b}, {&b, &a}}) {
-            Case& in = f.add();
-            in.require(lo(t, axis) - a.hi[axis]).require(b.lo[axis] - hi(t, axis));
-            in.wish(mid2(t, axis) - a.hi[axis] - b.lo[axis], 60, 2);
-            in.require(mid2(t, other) - 2 * low->lo[other]).require(2 * high->hi[other] - mid2(t, other));
-            for (const Place* ref : {&a, &b}) {
-              if (ref->item >= 0) in.wish(mid2(t, other) - ref->lo[other] - ref->hi[other], 40, 2);
-            }
-            if (low != high) in.price = 60;
-          }
-        }
+        for (const int axis : {0, 1}) stand_between(f, t, a, b, axis);
       }
     }
-    for (const Reference& r : c.references) {
-      if (r.kind == Reference::Kind::kRoom || (r.kind == Reference::Kind::kWall && !c.model.walls[r.index].straight)) f.exact = false;
-    }
+    f.exact = f.exact && std::ranges::all_of(c.references, [&](const Reference& r) { return is_known_exactly(c, r); });
   }
 }
 
 void compile_Row(Compilation& c) { line_of_all(c, axes_of(c)); }
 
 void compile_Column(Compilation& c) { line_of_all(c, {1}); }
-
-// NOLINTNEXTLINE(readability-function-cognitive-complexity): to be parted
-void compile_Grid(Compilation& c) {
-  const int n = static_cast<int>(c.targets.size());
-  int columns = c.relation.parameters.columns.value_or(0);
-  if (columns < 1) columns = static_cast<int>(std::ceil(std::sqrt(n)));
-  columns = std::min(columns, std::max(n, 1));
-  Formula& f = c.formula();
-  const std::size_t first = c.out.formulas.size() - 1;
-  f.exact = false;  // in the order given only
-  Case& in = f.add();
-  const auto at = [&](int row, int column) { return c.targets[row * columns + column]; };
-  const int rows = (n + columns - 1) / columns;
-  if (rows == 1 || columns == 1) {  // whatever the order: one line
-    Case& line = f.add_outer();
-    for (const int t : c.targets) line.require_small(mid2(t, rows == 1 ? 1 : 0) - mid2(c.targets[0], rows == 1 ? 1 : 0), 2 * kSurelyUneven);
-  }
-  for (int i = 0; i < n; ++i) {
-    const int row = i / columns, column = i % columns;
-    if (row > 0) {
-      in.require_small(mid2(at(row, column), 0) - mid2(at(0, column), 0), 0);
-      const Linear gap = lo(at(row, column), 1) - hi(at(row - 1, column), 1);
-      in.require(gap);
-      in.wish(gap - Linear(600), 20);
-    }
-    if (column > 0) {
-      in.require_small(mid2(at(row, column), 1) - mid2(at(row, 0), 1), 0);
-      const Linear gap = lo(at(row, column), 0) - hi(at(row, column - 1), 0);
-      in.require(gap);
-      in.wish(gap - Linear(400), 20);
-    }
-  }
-  // The gap is that between the longest: one of them is that.
-  if (c.relation.parameters.gap) {
-    for (const int axis : {0, 1}) {
-      const int next = axis == 0 ? (columns > 1 ? at(0, 1) : -1) : (rows > 1 ? at(1, 0) : -1);
-      if (next < 0) continue;
-      Formula& spacing = c.formula();
-      spacing.exact = false;
-      for (const int longest : c.targets) {
-        Case& one = spacing.add();
-        for (const int t : c.targets) {
-          if (t != longest) one.require(extent(longest, axis) - extent(t, axis));
-        }
-        one.require_small(
-            mid2(next, axis) - mid2(at(0, 0), axis) - 2 * extent(longest, axis) - Linear(std::int64_t{2} * *c.relation.parameters.gap), 2);
-      }
-    }
-  }
-  Case& even = c.out.formulas[first].cases[0];
-  const auto centre_step = [&](int from, int to, int like_from, int like_to, int axis) {
-    even.require_small((mid2(to, axis) - mid2(from, axis)) - (mid2(like_to, axis) - mid2(like_from, axis)), 0);
-  };
-  // Said of every row and column, not of the first alone: a search that places one after another sees at once what each must keep to.
-  for (int i = 0; i < n; ++i) {
-    const int row = i / columns, column = i % columns;
-    if (column > 1) centre_step(at(row, column - 1), at(row, column), at(row, column - 2), at(row, column - 1), 0);
-    if (row > 1) centre_step(at(row - 1, column), at(row, column), at(row - 2, column), at(row - 1, column), 1);
-    if (row > 1) even.require_small(mid2(at(row, column), 0) - mid2(at(row - 1, column), 0), 0);
-    if (column > 1) even.require_small(mid2(at(row, column), 1) - mid2(at(row, column - 1), 1), 0);
-  }
-}
 
 void compile_EvenlySpaced(Compilation& c) {
   if (c.targets.size() < 3) {
@@ -285,42 +233,45 @@ std::vector<std::vector<std::size_t>> pairings(std::size_t n) {
   return out;
 }
 
+// The pairs of one way lie as mirror images about the middle of a place, so far off at most.
+Case mirrored(const Compilation& c, Case in, const std::vector<std::size_t>& partner, const Place& place, int axis, Mm off) {
+  for (std::size_t i = 0; i < partner.size(); ++i) {
+    const int a = c.targets[i], b = c.targets[partner[i]];
+    if (partner[i] < i) continue;
+    in.require_small(mid2(a, axis) + mid2(b, axis) - 2 * (place.lo[axis] + place.hi[axis]), off);
+    if (a != b) in.require_small(mid2(a, 1 - axis) - mid2(b, 1 - axis), off);
+  }
+  return in;
+}
+
+void add_mirrored(Formula& f, const Compilation& c, const Case& base, const Place& place, int axis) {
+  constexpr Mm kPlacing = 14, kProving = 40;
+  const std::size_t n = c.targets.size();
+  for (const std::vector<std::size_t>& partner : pairings(n)) {
+    f.cases.push_back(mirrored(c, base, partner, place, axis, kPlacing));
+    if (n <= 2) f.outer.push_back(mirrored(c, base, partner, place, axis, kProving));
+  }
+}
+
 }  // namespace
 
-// NOLINTNEXTLINE(readability-function-cognitive-complexity): to be parted
 void compile_SymmetricAbout(Compilation& c) {
-  const std::size_t n = c.targets.size();
-  const std::vector<std::vector<std::size_t>> ways = pairings(n);
   const bool along_y = c.relation.parameters.axis == Axis::kY;
   for (const Reference& r : c.references) {
     Formula& f = c.formula();
     if (r.kind == Reference::Kind::kRoom) continue;
     f.exact = false;  // two may share one mirror image
     const Place place = c.place(r);
-    const auto mirror = [&](int axis, const Case& base) {
-      for (const std::vector<std::size_t>& partner : ways) {
-        for (const auto& [cases, off, aside] : {std::tuple{&f.cases, 14, 14}, {&f.outer, 40, 40}}) {
-          if (cases == &f.outer && n > 2) continue;
-          Case in = base;
-          for (std::size_t i = 0; i < n; ++i) {
-            const int a = c.targets[i], b = c.targets[partner[i]];
-            if (partner[i] < i) continue;
-            in.require_small(mid2(a, axis) + mid2(b, axis) - 2 * (place.lo[axis] + place.hi[axis]), off);
-            if (a != b) in.require_small(mid2(a, 1 - axis) - mid2(b, 1 - axis), aside);
-          }
-          cases->push_back(std::move(in));
-        }
-      }
-    };
     if (r.kind == Reference::Kind::kWall) {
       const RoomWall& wall = c.model.walls[r.index];
-      if (wall.straight) mirror(along_y ? wall.normal() : wall.along, {});
+      if (wall.straight) add_mirrored(f, c, {}, place, along_y ? wall.normal() : wall.along);
       continue;
     }
     const Side along = along_y ? Side::kBack : Side::kRight;
     for_each_turn(c.item(r.index), [&](int turn, std::uint64_t states) {
       Case base;
-      mirror(side_direction(c.item(r.index), along, turn).axis, base.when(r.index, states));
+      base.when(r.index, states);
+      add_mirrored(f, c, base, place, side_direction(c.item(r.index), along, turn).axis);
     });
   }
 }

@@ -1,4 +1,8 @@
 // Relations of height: on, under, above, in, stacked.
+#include <array>
+#include <initializer_list>
+#include <utility>
+
 #include "layoutbox/solve/compile/phrases.h"
 #include "layoutbox/solve/compile/support.h"
 
@@ -7,57 +11,81 @@ namespace {
 
 bool says(const std::string& part, std::string_view word) { return part.find(word) != std::string::npos; }
 
-// Where on the reference: halves, the middle, corners; in its own frame.
-// NOLINTNEXTLINE(readability-function-cognitive-complexity): to be parted
+// The cases of one turn of the reference in which a thing is at a part of it that words name: halves, the middle, corners, edges.
+class PartOfTop {
+ public:
+  PartOfTop(const Item& ref, int t, int r, int turn, std::uint64_t states) : ref_(ref), t_(t), r_(r), turn_(turn), cases_(1) {
+    cases_[0].when(r, states);
+  }
+
+  void read(const std::string& part) {
+    if (says(part, "center") || says(part, "middle") || says(part, "centre")) keep_to_middle();
+    for (const auto& [word, side] :
+         {std::pair{"left", Side::kLeft}, {"right", Side::kRight}, {"front", Side::kFront}, {"back", Side::kBack}}) {
+      if (!says(part, word)) continue;
+      for (Case& c : cases_) half(c, side);
+    }
+    if (says(part, "corner")) {
+      branch({Side::kLeft, Side::kRight}, 0);
+      branch({Side::kBack, Side::kFront}, 20);
+    }
+    if (says(part, "edge")) branch_by_side({Side::kBack, Side::kLeft, Side::kRight, Side::kFront});
+  }
+
+  std::vector<Case> take() { return std::move(cases_); }
+
+ private:
+  // Twice how far its middle is beyond the reference's.
+  Linear beyond2(Direction d) const { return d.sign * mid2(t_, d.axis) - d.sign * mid2(r_, d.axis); }
+
+  void keep_to_middle() {
+    for (int axis = 0; axis < 2; ++axis) {
+      const Linear off = mid2(t_, axis) - mid2(r_, axis);
+      for (Case& c : cases_) c.require(extent(r_, axis) - 3 * off).require(extent(r_, axis) + 3 * off).wish(off, 100, 2);
+    }
+  }
+
+  void half(Case& c, Side side) const {
+    const Direction d = side_direction(ref_, side, turn_);
+    c.require(beyond2(d)).wish(2 * beyond2(d) - extent(r_, d.axis), 40, 4);
+  }
+
+  void outer_third(Case& c, Side side) const {
+    const Direction d = side_direction(ref_, side, turn_);
+    c.require(3 * beyond2(d) - extent(r_, d.axis)).wish(reach(t_, d) - reach(r_, d) + Linear(60), 60);
+  }
+
+  // Each case so far at either side; the second costs so much more.
+  void branch(std::array<Side, 2> either, int second_price) {
+    std::vector<Case> more;
+    for (const Case& c : cases_) {
+      outer_third(more.emplace_back(c), either[0]);
+      outer_third(more.emplace_back(c), either[1]);
+      more.back().price += second_price;
+    }
+    cases_ = std::move(more);
+  }
+
+  void branch_by_side(std::initializer_list<Side> sides) {
+    std::vector<Case> more;
+    for (const Side side : sides) {
+      for (const Case& c : cases_) outer_third(more.emplace_back(c), side);
+    }
+    cases_ = std::move(more);
+  }
+
+  const Item& ref_;
+  int t_, r_, turn_;
+  std::vector<Case> cases_;
+};
+
+// Where on the reference, in its own frame.
 void require_part(Formula& f, const Model& model, int t, int r, const std::string& part) {
   const Item& ref = model.items[r];
   for_each_turn(ref, [&](int turn, std::uint64_t states) {
-    const auto half = [&](Case& c, Side side) {
-      const Direction d = side_direction(ref, side, turn);
-      const Linear beyond2 = d.sign * mid2(t, d.axis) - d.sign * mid2(r, d.axis);
-      c.require(beyond2).wish(2 * beyond2 - extent(r, d.axis), 40, 4);
-    };
-    const auto outer_third = [&](Case& c, Side side) {
-      const Direction d = side_direction(ref, side, turn);
-      const Linear beyond2 = d.sign * mid2(t, d.axis) - d.sign * mid2(r, d.axis);  // ≥ extent/3: the outer third
-      c.require(3 * beyond2 - extent(r, d.axis)).wish(reach(t, d) - reach(r, d) + Linear(60), 60);
-    };
-    std::vector<Case> cases(1);
-    cases[0].when(r, states);
-    const auto each = [&](const std::function<void(Case&)>& add) { std::for_each(cases.begin(), cases.end(), add); };
-    // Either of two, for each case so far.
-    const auto either = [&](const std::function<void(Case&, bool)>& add) {
-      std::vector<Case> more;
-      for (const Case& c : cases) {
-        for (const bool first : {true, false}) add(more.emplace_back(c), first);
-      }
-      cases = std::move(more);
-    };
-    if (says(part, "center") || says(part, "middle") || says(part, "centre")) {
-      for (int axis = 0; axis < 2; ++axis) {
-        const Linear off = mid2(t, axis) - mid2(r, axis);
-        each([&](Case& c) { c.require(extent(r, axis) - 3 * off).require(extent(r, axis) + 3 * off).wish(off, 100, 2); });
-      }
-    }
-    for (const auto& [word, side] :
-         {std::pair{"left", Side::kLeft}, {"right", Side::kRight}, {"front", Side::kFront}, {"back", Side::kBack}}) {
-      if (says(part, word)) each([&, side = side](Case& c) { half(c, side); });
-    }
-    if (says(part, "corner")) {
-      either([&](Case& c, bool left) { outer_third(c, left ? Side::kLeft : Side::kRight); });
-      either([&](Case& c, bool back) {
-        outer_third(c, back ? Side::kBack : Side::kFront);
-        if (!back) c.price += 20;
-      });
-    }
-    if (says(part, "edge")) {
-      std::vector<Case> more;
-      for (const Side side : {Side::kBack, Side::kLeft, Side::kRight, Side::kFront}) {
-        for (const Case& c : cases) outer_third(more.emplace_back(c), side);
-      }
-      cases = std::move(more);
-    }
-    for (Case& c : cases) f.cases.push_back(std::move(c));
+    PartOfTop where(ref, t, r, turn, states);
+    where.read(part);
+    for (Case& c : where.take()) f.cases.push_back(std::move(c));
   });
 }
 

@@ -60,41 +60,43 @@ void align_all(Compilation& c) {
   }
 }
 
+void offset_from_wall(Formula& f, const Compilation& c, int t, const RoomWall& wall, Mm distance) {
+  const int axis = c.relation.parameters.axis ? static_cast<int>(*c.relation.parameters.axis) : wall.normal();
+  if (!wall.straight) f.exact = false;
+  if (axis == wall.normal()) {
+    for (const int sign : {wall.inward, -wall.inward}) {  // past a corner of the room there may be room behind a wall's line
+      Case& in = f.add().require_small(gap_towards(t, place_of(c.model, wall), {axis, sign}) - Linear(distance), 0);
+      if (sign != wall.inward) in.price = 100;
+    }
+  } else if (axis == wall.along) {  // from either end of the wall
+    f.add().require_small(lo(t, axis) - Linear(wall.lo + distance), 0);
+    f.add().require_small(Linear(wall.hi - distance) - hi(t, axis), 0);
+  }
+}
+
+void offset_from_item(Formula& f, const Compilation& c, int t, int r, Mm distance) {
+  const std::optional<Axis>& asked = c.relation.parameters.axis;
+  const std::vector<int> axes = asked ? std::vector{static_cast<int>(*asked)} : std::vector{0, 1};
+  for (const int axis : axes) {
+    for (const int sign : {1, -1}) {
+      Case& in = f.add();
+      if (const auto side = hinted_side(c, t, r); side && !(*side == Direction{axis, sign})) in.price = kOtherSide;
+      in.require_small(gap_towards(t, r, {axis, sign}) - Linear(distance), 0);
+      if (asked) continue;
+      for (const int way : {1, -1}) in.require(Linear(distance) - gap_towards(t, r, {1 - axis, way}));  // the axis with the larger gap
+    }
+  }
+}
+
 }  // namespace
 
-// NOLINTNEXTLINE(readability-function-cognitive-complexity): to be parted
 void compile_Offset(Compilation& c) {
   const Mm distance = c.relation.parameters.distance.value_or(0);
   for (const int t : c.targets) {
     for (const Reference& r : c.references) {
       Formula& f = c.formula();
-      if (r.kind == Reference::Kind::kWall) {
-        const RoomWall& wall = c.model.walls[r.index];
-        const int axis = c.relation.parameters.axis ? static_cast<int>(*c.relation.parameters.axis) : wall.normal();
-        if (!wall.straight) f.exact = false;
-        if (axis == wall.normal()) {
-          for (const int sign : {wall.inward, -wall.inward}) {  // past a corner of the room there may be room behind a wall's line
-            Case& in = f.add().require_small(gap_towards(t, place_of(c.model, wall), {axis, sign}) - Linear(distance), 0);
-            if (sign != wall.inward) in.price = 100;
-          }
-        } else if (axis == wall.along) {  // from either end of the wall
-          f.add().require_small(lo(t, axis) - Linear(wall.lo + distance), 0);
-          f.add().require_small(Linear(wall.hi - distance) - hi(t, axis), 0);
-        }
-        continue;
-      }
-      if (r.kind != Reference::Kind::kItem) continue;
-      for (int axis = 0; axis < 3; ++axis) {
-        if (c.relation.parameters.axis ? static_cast<int>(*c.relation.parameters.axis) != axis : axis == 2) continue;
-        for (const int sign : {1, -1}) {
-          Case& in = f.add();
-          if (const auto side = hinted_side(c, t, r.index); side && !(*side == Direction{axis, sign})) in.price = kOtherSide;
-          in.require_small(gap_towards(t, r.index, {axis, sign}) - Linear(distance), 0);
-          if (!c.relation.parameters.axis) {  // the axis with the larger gap
-            for (const int way : {1, -1}) in.require(Linear(distance) - gap_towards(t, r.index, {1 - axis, way}));
-          }
-        }
-      }
+      if (r.kind == Reference::Kind::kWall) offset_from_wall(f, c, t, c.model.walls[r.index], distance);
+      if (r.kind == Reference::Kind::kItem) offset_from_item(f, c, t, r.index, distance);
     }
   }
 }

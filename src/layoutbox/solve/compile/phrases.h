@@ -134,6 +134,9 @@ std::uint64_t states_with_width_along(const Item& item, int axis);
 // "The targets stand opposite r, as a group."
 void add_opposite_group(Compilation& c, int r, Mm least, Mm most);
 
+// Well beyond what the meanings of rows, columns and spacings allow.
+inline constexpr Mm kSurelyUneven = 50;
+
 // All orders of a few things that matter: one where they are alike in all that is said of them. Empty: too many.
 std::vector<std::vector<int>> orders_of(const Model& model, const Relation& relation, std::vector<int> things);
 

@@ -72,63 +72,104 @@ int frame_host(const Model& model, int r) {
   return host >= 0 && model.items[host].has_front ? host : -1;
 }
 
-// NOLINTNEXTLINE(readability-function-cognitive-complexity): to be parted
+namespace {
+
+// "All of t beyond that side of r, in line with it", on its way into a formula.
+class BesideCases {
+ public:
+  BesideCases(Formula& f, const Model& model, int t, int r, Side side, const Beside& how)
+      : f_(f),
+        model_(model),
+        t_(t),
+        r_(r),
+        side_(side),
+        how_(how),
+        framed_(how.frame >= 0 ? how.frame : r),
+        ref_(model.items[framed_]),
+        place_(place_of(r)),
+        odd_(model.items[t].odd_states) {
+    const Heights heights = heights_between(model, t, place_, how.most, Purpose::kPlacing);
+    level_ = how.in_plan_only || (heights.known && heights.gap == 0);
+  }
+
+  bool level() const { return level_; }
+
+  // For one turn of what the side is meant of.
+  void add(int turn, std::uint64_t all) {
+    const std::uint64_t states = all & how_.ref_states;
+    if (!states || (!quarter(turn) && ref_.spans >= 0)) return;
+    turn_ = turn, d_ = side_direction(ref_, side_, turn);
+    Case base;
+    base.when(framed_, states);
+    if (how_.may_reach_under) {
+      base.require(reach(t_, d_) - reach(r_, d_));
+      base.require(-2 * reach(t_, opposite(d_)) - d_.sign * mid2(r_, d_.axis));  // its near edge not past the middle of r
+    } else {
+      base.require(gap());
+    }
+    const std::vector<Case> lines = in_line(base, model_, t_, place_, across(d_));
+    for (std::size_t k = 0; k < lines.size(); ++k) place(lines[k], k == 0, true);
+    if (level_) return;
+    f_.exact = false;
+    for (std::size_t k = 0; k < lines.size(); ++k) place(lines[k], k == 0, false);
+    for (const Case& line : lines) f_.outer.push_back(within(line, Way::kProving));
+  }
+
+ private:
+  enum class Way { kStraight, kRound, kProving };
+
+  Linear gap() const { return gap_towards(t_, r_, d_); }
+  Linear share(std::int64_t percent) const { return Linear(how_.most * percent / 100); }
+
+  // In line, so the distance is that along d and the one in height.
+  Case within(Case c, Way way) const {
+    c.require(share(way != Way::kRound || level_ ? 100 : 92) - gap());
+    if (level_) return c;
+    const Linear most_rise = way == Way::kProving ? Linear(how_.most) : way == Way::kStraight ? Linear(0) : share(92);
+    const std::int64_t both = way == Way::kProving ? how_.most * 14143 / 10000 + 1 : how_.most * 13000 / 10000;
+    for (const int up : {1, -1}) {
+      const Linear rise = gap_towards(t_, r_, {2, up});
+      c.require(most_rise - rise);
+      if (way != Way::kStraight) c.require(Linear(both) - rise - gap());
+    }
+    return c;
+  }
+
+  void place(const Case& line, bool well_in_line, bool straight) {
+    Case c = within(line, straight ? Way::kStraight : Way::kRound);
+    if (!well_in_line) c.price = 150;
+    if (!straight) c.price += 40;
+    c.wish(gap() - Linear(std::min(how_.wished_gap, how_.most)), 100);
+    wish_alignment(c, ref_, t_, r_, side_, turn_, d_);
+    // Turned, it may reach less far than the box around it.
+    if (odd_ && straight && !how_.in_plan_only) add_within(f_.cases, c, model_, t_, place_, how_.most, Purpose::kPlacing, odd_);
+    if (odd_ && !how_.in_plan_only) c.when(t_, quarter_states(model_.items[t_]));
+    f_.cases.push_back(std::move(c));
+  }
+
+  Formula& f_;
+  const Model& model_;
+  int t_, r_;
+  Side side_;
+  const Beside& how_;
+  int framed_;  // in whose frame the side is meant
+  const Item& ref_;
+  Place place_;
+  std::uint64_t odd_;
+  bool level_ = false;
+  int turn_ = 0;
+  Direction d_{};
+};
+
+}  // namespace
+
 void add_beside(Formula& f, const Model& model, int t, int r, Side side, const Beside& how) {
   const Item& ref = model.items[how.frame >= 0 ? how.frame : r];
-  const int framed = how.frame >= 0 ? how.frame : r;
-  const Place place = place_of(r);
-  const Heights heights = heights_between(model, t, place, how.most, Purpose::kPlacing);
-  const bool level = how.in_plan_only || (heights.known && heights.gap == 0);
-  const std::uint64_t odd = model.items[t].odd_states;
-  // NOLINTNEXTLINE(readability-function-cognitive-complexity): to be parted
-  for_each_turn(ref, [&](int turn, std::uint64_t all) {
-    const std::uint64_t states = all & how.ref_states;
-    if (!states || (!quarter(turn) && ref.spans >= 0)) return;
-    const Direction d = side_direction(ref, side, turn);
-    const Linear gap = gap_towards(t, r, d);
-    Case base;
-    base.when(framed, states);
-    if (how.may_reach_under) {
-      base.require(reach(t, d) - reach(r, d));
-      base.require(-2 * reach(t, opposite(d)) - d.sign * mid2(r, d.axis));  // its near edge not past the middle of r
-    } else {
-      base.require(gap);
-    }
-    // In line, so the distance is that along d and the one in height.
-    // NOLINTNEXTLINE(readability-function-cognitive-complexity): to be parted
-    const auto add = [&](std::vector<Case>& to, bool proving, bool straight) {
-      const std::vector<Case> lines = in_line(base, model, t, place, across(d));
-      for (std::size_t k = 0; k < lines.size(); ++k) {
-        Case c = lines[k];
-        const auto share = [&](std::int64_t percent) { return Linear(how.most * percent / 100); };
-        c.require(share(proving || straight || level ? 100 : 92) - gap);
-        for (const int up : {1, -1}) {
-          if (level) continue;
-          const Linear rise = gap_towards(t, r, {2, up});
-          c.require((proving ? Linear(how.most) : straight ? Linear(0) : share(92)) - rise);
-          if (proving || !straight) c.require(Linear(how.most * (proving ? 14143 : 13000) / 10000 + (proving ? 1 : 0)) - rise - gap);
-        }
-        if (!proving) {
-          if (k > 0) c.price = 150;
-          if (!straight) c.price += 40;
-          c.wish(gap - Linear(std::min(how.wished_gap, how.most)), 100);
-          wish_alignment(c, ref, t, r, side, turn, d);
-          // Turned, it may reach less far than the box around it.
-          if (odd && straight && !how.in_plan_only) add_within(to, c, model, t, place, how.most, Purpose::kPlacing, odd);
-          if (odd && !how.in_plan_only) c.when(t, quarter_states(model.items[t]));
-        }
-        to.push_back(std::move(c));
-      }
-    };
-    add(f.cases, false, true);
-    if (level) return;
-    f.exact = false;
-    add(f.cases, false, false);
-    add(f.outer, true, false);
-  });
+  BesideCases cases(f, model, t, r, side, how);
+  for_each_turn(ref, [&](int turn, std::uint64_t states) { cases.add(turn, states); });
   if (ref.odd_states == 0 || ref.spans < 0) return;
   if (f.exact) f.outer = f.cases;
-  add_beside_slanted(f, model, t, r, side, how, level);
+  add_beside_slanted(f, model, t, r, side, how, cases.level());
 }
 
 }  // namespace layoutbox::placement

@@ -64,55 +64,74 @@ std::vector<Pair> pairs_of_parts(const Model& model, int t, const Place& r, std:
   return pairs;
 }
 
+// What "at most so far off" leaves: for the plan where heights are known beforehand, else for all three axes.
+struct Limit {
+  bool level = false;  // heights are known
+  std::int64_t left = 0;
+  bool proving = false;
+
+  void along(Case& c, const Place& own, const Place& other, int axis, std::int64_t length) const {
+    for (const int sign : {1, -1}) c.require(Linear(length) - gap_towards(own, other, {axis, sign}));
+  }
+
+  // Exactly so far off, straight across.
+  void add_straight(std::vector<Case>& cases, const Case& from, const Place& own, const Place& other) const {
+    for (int axis = 0; axis < 2; ++axis) {
+      Case straight = from;
+      along(straight, own, other, axis, left);
+      along(straight, own, other, 1 - axis, 0);
+      if (!level) along(straight, own, other, 2, 0);
+      cases.push_back(std::move(straight));
+    }
+  }
+
+  // An octagon within the circle; around it for proving.
+  void add_round(std::vector<Case>& cases, Case round, const Place& own, const Place& other) const {
+    const int axes = level ? 2 : 3;
+    const std::int64_t one = proving ? left : level ? left * 92 / 100 : left * 8 / 10;
+    const std::int64_t two = proving ? left * 14143 / 10000 + 1 : level ? left * 13 / 10 : left * 11 / 10;
+    for (int axis = 0; axis < axes; ++axis) along(round, own, other, axis, one);
+    for (int first = 0; first < axes; ++first) {
+      for (int second = first + 1; second < axes; ++second) require_sum(round, own, other, first, second, two);
+    }
+    cases.push_back(std::move(round));
+  }
+
+  void add(std::vector<Case>& cases, const Case& from, const Place& own, const Place& other) const {
+    if (!proving) add_straight(cases, from, own, other);
+    add_round(cases, from, own, other);
+  }
+
+ private:
+  static void require_sum(Case& c, const Place& own, const Place& other, int first, int second, std::int64_t most) {
+    for (const int s1 : {1, -1}) {
+      for (const int s2 : {1, -1}) c.require(Linear(most) - gap_towards(own, other, {first, s1}) - gap_towards(own, other, {second, s2}));
+    }
+  }
+};
+
 }  // namespace
 
-// NOLINTNEXTLINE(readability-function-cognitive-complexity): to be parted
 void add_within(std::vector<Case>& cases, Case base, const Model& model, int t, const Place& r, Mm most, Purpose purpose,
                 std::uint64_t t_states) {
   const Heights heights = heights_between(model, t, r, most, purpose);
-  std::int64_t left = most;  // what the difference in height leaves for the plan
+  Limit limit{heights.known, most, purpose == Purpose::kProving};
   if (heights.known) {
     if (heights.gap > most) return;
-    if (purpose == Purpose::kPlacing && heights.states != model.items[t].all_states && r.item >= 0) base.when(t, heights.states);
+    if (!limit.proving && heights.states != model.items[t].all_states && r.item >= 0) base.when(t, heights.states);
     const double squared = static_cast<double>(most) * most - static_cast<double>(heights.gap) * heights.gap;
-    left = static_cast<std::int64_t>(std::floor(std::sqrt(squared) + (purpose == Purpose::kProving ? 1 : 0)));
+    limit.left = static_cast<std::int64_t>(std::floor(std::sqrt(squared) + (limit.proving ? 1 : 0)));
   }
-  const bool proving = purpose == Purpose::kProving;
   const bool odd = model.items[t].odd_states != 0 || (r.item >= 0 && model.items[r.item].odd_states != 0);
-  const auto add = [&](const Case& from, const Place& own, const Place& other) {
-    const auto limit = [&](Case& c, int axis, std::int64_t length) {
-      for (const int sign : {1, -1}) c.require(Linear(length) - gap_towards(own, other, {axis, sign}));
-    };
-    for (int axis = 0; axis < 2 && !proving; ++axis) {
-      Case straight = from;
-      limit(straight, axis, left);
-      limit(straight, 1 - axis, 0);
-      if (!heights.known) limit(straight, 2, 0);
-      cases.push_back(std::move(straight));
-    }
-    Case round = from;
-    const int axes = heights.known ? 2 : 3;
-    for (int axis = 0; axis < axes; ++axis) limit(round, axis, proving ? left : heights.known ? left * 92 / 100 : left * 8 / 10);
-    const std::int64_t pair = proving ? left * 14143 / 10000 + 1 : heights.known ? left * 13 / 10 : left * 11 / 10;
-    for (int first = 0; first < axes; ++first) {
-      for (int second = first + 1; second < axes; ++second) {
-        for (const int s1 : {1, -1}) {
-          for (const int s2 : {1, -1})
-            round.require(Linear(pair) - gap_towards(own, other, {first, s1}) - gap_towards(own, other, {second, s2}));
-        }
-      }
-    }
-    cases.push_back(std::move(round));
-  };
-  if (proving || !odd) {  // the box around a turned body is no farther than the body
-    add(base, place_of(t), r);
+  if (limit.proving || !odd) {  // the box around a turned body is no farther than the body
+    limit.add(cases, base, place_of(t), r);
     return;
   }
   for (const Pair& pair : pairs_of_parts(model, t, r, t_states)) {
     Case c = base;
     if (pair.t.states != model.items[t].all_states) c.when(t, pair.t.states);
     if (r.item >= 0 && pair.r.states != model.items[r.item].all_states) c.when(r.item, pair.r.states);
-    add(c, pair.t.place, pair.r.place);
+    limit.add(cases, c, pair.t.place, pair.r.place);
   }
 }
 

@@ -68,27 +68,35 @@ std::uint64_t states_where(const Item& r, Side one, Side meant) {
   return mask;
 }
 
-// NOLINTNEXTLINE(readability-function-cognitive-complexity): to be parted
-std::uint64_t states_with_side_to(const Item& item, const RoomWall& wall, Side side) {
-  if (!wall.straight) {
-    std::uint64_t mask = 0;
-    const double quarters = side == Side::kBack    ? 0
-                            : side == Side::kFront ? 180
-                            : side == Side::kLeft  ? 270
-                            : side == Side::kRight ? 90
-                                                   : -1;
-    if (item.has_front) return quarters < 0 ? 0 : states_at_angle(item, wall.angle + quarters, 360);
-    const std::uint64_t all_along = states_at_angle(item, wall.angle, 180), all_across = states_at_angle(item, wall.angle + 90, 180);
-    for (std::size_t s = 0; s < item.states.size(); ++s) {  // any side, or that which is the longer or shorter
-      const State& state = item.states[s];
-      const bool along = (all_along >> s & 1) != 0, across = (all_across >> s & 1) != 0;
-      const bool longer = along ? state.size.width >= state.size.depth : state.size.depth >= state.size.width;
-      const bool shorter = along ? state.size.width <= state.size.depth : state.size.depth <= state.size.width;
-      const bool meant = side == Side::kLong ? longer : side != Side::kShort || shorter;
-      if ((along || across) && meant) mask |= std::uint64_t{1} << s;
+namespace {
+
+// With that side to a slanted wall. No front: any side, or that which is the longer or shorter.
+std::uint64_t states_with_side_to_slanted(const Item& item, const RoomWall& wall, Side side) {
+  if (item.has_front) {
+    switch (side) {
+      case Side::kBack: return states_at_angle(item, wall.angle, 360);
+      case Side::kRight: return states_at_angle(item, wall.angle + 90, 360);
+      case Side::kFront: return states_at_angle(item, wall.angle + 180, 360);
+      case Side::kLeft: return states_at_angle(item, wall.angle + 270, 360);
+      default: return 0;
     }
-    return mask;
   }
+  std::uint64_t mask = 0;
+  const std::uint64_t all_along = states_at_angle(item, wall.angle, 180), all_across = states_at_angle(item, wall.angle + 90, 180);
+  for (std::size_t s = 0; s < item.states.size(); ++s) {
+    const bool along = (all_along >> s & 1) != 0, across = (all_across >> s & 1) != 0;
+    const Size& size = item.states[s].size;
+    const Mm beside = along ? size.width : size.depth, off = along ? size.depth : size.width;
+    const bool meant = side == Side::kLong ? beside >= off : side != Side::kShort || beside <= off;
+    if ((along || across) && meant) mask |= std::uint64_t{1} << s;
+  }
+  return mask;
+}
+
+}  // namespace
+
+std::uint64_t states_with_side_to(const Item& item, const RoomWall& wall, Side side) {
+  if (!wall.straight) return states_with_side_to_slanted(item, wall, side);
   const Direction towards{wall.normal(), -wall.inward};
   const bool by_length = side == Side::kLong || side == Side::kShort;
   std::uint64_t mask = 0;

@@ -81,12 +81,39 @@ void compile_SideAgainstWall(Compilation& c) {
   }
 }
 
+namespace {
+
 constexpr int kIntoCorner = 300;  // points a metre: what is in a corner stands close to both walls
 
-// NOLINTNEXTLINE(readability-function-cognitive-complexity): to be parted
+// A wall and the next meet in an inner corner.
+bool is_inner_corner(const RoomWall& a, const RoomWall& b) {
+  if (!a.straight || !b.straight) return turns_left(a, b);
+  // Inner angle under 180°: the second wall runs the way the first one looks.
+  return a.along != b.along && (b.runs_up ? 1 : -1) == a.inward;
+}
+
+// Of one wall that is named either end is meant, of several where two of them meet.
+bool is_meant(const std::vector<int>& named, int first, int second) {
+  const auto is_named = [&](int w) { return std::find(named.begin(), named.end(), w) != named.end(); };
+  if (named.empty()) return true;
+  return named.size() == 1 ? is_named(first) || is_named(second) : is_named(first) && is_named(second);
+}
+
+void stand_in_corner(Formula& f, const Compilation& c, int t, const RoomWall& a, const RoomWall& b, Mm most) {
+  if (!a.straight || !b.straight) return stand_in_slanted_corner(f, c, t, a, most);
+  Case& inside = f.add();
+  for (const RoomWall* wall : {&a, &b}) {
+    require_near_wall(inside, c.model, t, *wall, most);
+    const Linear off = gap_towards(t, place_of(c.model, *wall), {wall->normal(), wall->inward});
+    inside.require(off).wish(off, kIntoCorner);
+  }
+}
+
+}  // namespace
+
 void compile_Corner(Compilation& c) {
   const Mm most = c.length(c.relation.parameters.max, "max", 500);
-  const std::size_t n = c.model.walls.size();
+  const int n = static_cast<int>(c.model.walls.size());
   std::vector<int> named;
   for (const Reference& r : c.references) {
     if (r.kind == Reference::Kind::kWall) named.push_back(r.index);
@@ -100,27 +127,10 @@ void compile_Corner(Compilation& c) {
     Formula& f = c.formula();
     // Near the end of a wall that goes on past another the distance runs round a corner.
     if (!c.model.outside.empty()) f.exact = false;
-    for (std::size_t i = 0; i < n; ++i) {
-      const int first = static_cast<int>(i), second = static_cast<int>((i + 1) % n);
+    for (int first = 0; first < n; ++first) {
+      const int second = (first + 1) % n;
       const RoomWall &a = c.model.walls[first], &b = c.model.walls[second];
-      const bool slanted = !a.straight || !b.straight;
-      if (slanted && !turns_left(a, b)) continue;
-      if (!slanted && a.along == b.along) continue;
-      // Inner angle under 180°: the second wall runs the way the first one looks.
-      if (!slanted && (b.runs_up ? 1 : -1) != a.inward) continue;
-      const auto is_named = [&](int w) { return std::find(named.begin(), named.end(), w) != named.end(); };
-      if (named.size() == 1 && !is_named(first) && !is_named(second)) continue;
-      if (named.size() > 1 && (!is_named(first) || !is_named(second))) continue;
-      if (slanted) {
-        stand_in_slanted_corner(f, c, t, a, most);
-        continue;
-      }
-      Case& inside = f.add();
-      for (const RoomWall* wall : {&a, &b}) {
-        require_near_wall(inside, c.model, t, *wall, most);
-        const Linear off = gap_towards(t, place_of(c.model, *wall), {wall->normal(), wall->inward});
-        inside.require(off).wish(off, kIntoCorner);
-      }
+      if (is_inner_corner(a, b) && is_meant(named, first, second)) stand_in_corner(f, c, t, a, b, most);
     }
   }
 }

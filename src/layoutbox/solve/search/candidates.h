@@ -29,6 +29,8 @@ struct CandidateOptions {
   int most_size_step = 0;
 };
 
+class Coordinates;
+
 class CandidateFinder {
  public:
   // `given_up`: by constraint index; those need not hold.
@@ -49,7 +51,14 @@ class CandidateFinder {
   bool enforced(int constraint) const { return regions_.enforced(constraint); }
 
  private:
+  struct Hunt;
+  bool consider(Hunt& hunt, int state, const Vec3& at, std::int64_t cost);
+  bool try_grid(Hunt& hunt, int state, std::int64_t size_cost, CandidateGrid& grid);
+  bool try_points(Hunt& hunt, int state, std::int64_t size_cost, const Region& region, const std::vector<Point>& points,
+                  const std::vector<Mm>& heights);
+  void reduce_soft(const Placements& placements, const Case& one, int item, int state, Reduced& reduced) const;
   void find_soft(const Placements& placements, int item, int state);
+  void offer_neighbours(const Placements& placements, int item, int state, Coordinates& to) const;
   void cut(const Placements& placements, int item, int state, const Region& region, CandidateGrid& grid) const;
   std::vector<Point> crossings(const Placements& placements, int item, int state, const Region& region,
                                const std::array<std::vector<Mm>, 3>& grid, Budget& budget) const;

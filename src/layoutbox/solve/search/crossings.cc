@@ -32,66 +32,85 @@ std::optional<Point> crossing_of(const Line& p, const Line& q, const Region& reg
 
 constexpr std::size_t kMostCrossings = 60, kAcross = 8;
 
-}  // namespace
-
-// Before a slanted wall: where the edge of what is allowed meets what is wished, what stands there, and some lines across.
-// NOLINTNEXTLINE(readability-function-cognitive-complexity): to be parted
-std::vector<Point> CandidateFinder::crossings(const Placements& placements, int item, int state, const Region& region,
-                                              const std::array<std::vector<Mm>, 3>& grid, Budget& budget) const {
+// The lines of a region before slanted walls: the edges of what is allowed, and what may cross them.
+struct Lines {
+  Mm z = 0;
   std::vector<Line> edges, others;
-  const Mm z = region.lo[2];
-  const auto line_of = [&](const Partial& form) {
-    return Line{form.coefficient[0], form.coefficient[1], form.constant + std::int64_t{form.coefficient[2]} * z};
-  };
-  const auto slants = [](const Partial& form) { return form.scale != 1 && form.coefficient[0] != 0 && form.coefficient[1] != 0; };
-  for (const Reduced* one : region.cases) {
-    for (const Partial& check : one->checks) {
-      if (slants(check)) edges.push_back(line_of(check));
+
+  Line line_of(const Partial& form) const {
+    return {form.coefficient[0], form.coefficient[1], form.constant + std::int64_t{form.coefficient[2]} * z};
+  }
+  void add_edges(const Region& region) {
+    const auto slants = [](const Partial& form) { return form.scale != 1 && form.coefficient[0] != 0 && form.coefficient[1] != 0; };
+    for (const Reduced* one : region.cases) {
+      for (const Partial& check : one->checks) {
+        if (slants(check)) edges.push_back(line_of(check));
+      }
     }
   }
-  if (edges.empty()) return {};
-  const auto add_wish = [&](const Wish& wish) {
-    if (wish.form.axis() == -2) others.push_back(line_of(wish.form));
-  };
-  for (const Reduced* one : region.cases) std::for_each(one->wishes.begin(), one->wishes.end(), add_wish);
-  for (const SoftFormula& formula : soft_) {
-    for (const Reduced& one : formula.all()) {
-      if (one.miss == 0) std::for_each(one.wishes.begin(), one.wishes.end(), add_wish);
+  void add_wishes(const std::vector<Wish>& wishes) {
+    for (const Wish& wish : wishes) {
+      if (wish.form.axis() == -2) others.push_back(line_of(wish.form));
     }
   }
-  for (std::size_t j = 0; j < placements.size(); ++j) {  // beside what stands there, turned or not
-    if (placements[j].state < 0 || static_cast<int>(j) == item || model_.items[j].is_opening()) continue;
-    if (model_.pair(item, static_cast<int>(j)) == PairRule::kFree) continue;
-    for (std::size_t k = 0; k < model_.headings.size(); ++k) {
-      const Heading& h = model_.headings[k];
-      const Reach mine = reach_of(model_, model_.items[item], state, -1, static_cast<int>(k));
-      const Reach theirs = reach_of(model_, model_.items[j], placements[j].state, -1, static_cast<int>(k));
-      const Vec3& at = placements[j].at;
-      const std::int64_t off = mine.middle2 - theirs.middle2 - 2 * (std::int64_t{h.x} * at[0] + std::int64_t{h.y} * at[1]);
-      for (const int sign : {1, -1}) others.push_back({2 * h.x, 2 * h.y, off + sign * (mine.span + theirs.span)});
-    }
-  }
-  for (int axis = 0; axis < 2; ++axis) {
-    const std::vector<Mm>& values = grid[axis];
+  // Some of the coordinates, from end to end.
+  void add_across(int axis, const std::vector<Mm>& values) {
     for (std::size_t i = 0; i < kAcross && !values.empty(); ++i) {
       const std::int64_t value = values[i * (values.size() - 1) / (kAcross - 1)];
       others.push_back(axis == 0 ? Line{1, 0, -value} : Line{0, 1, -value});
     }
   }
-  budget.count(static_cast<std::int64_t>(edges.size() * (edges.size() + others.size())));
-  std::vector<Point> points;
-  const auto offer = [&](const Line& p, const Line& q) {
-    if (points.size() >= kMostCrossings) return;
-    const auto point = crossing_of(p, q, region, z);
-    if (point && std::find(points.begin(), points.end(), *point) == points.end()) points.push_back(*point);
-  };
-  for (std::size_t i = 0; i < edges.size(); ++i) {
-    for (std::size_t j = i + 1; j < edges.size(); ++j) offer(edges[i], edges[j]);
+  // Beside what stands there, turned or not.
+  void add_beside(const Model& model, int item, int state, int other, const Placement& placement) {
+    for (std::size_t k = 0; k < model.headings.size(); ++k) {
+      const Heading& h = model.headings[k];
+      const Reach mine = reach_of(model, model.items[item], state, -1, static_cast<int>(k));
+      const Reach theirs = reach_of(model, model.items[other], placement.state, -1, static_cast<int>(k));
+      const Vec3& at = placement.at;
+      const std::int64_t off = mine.middle2 - theirs.middle2 - 2 * (std::int64_t{h.x} * at[0] + std::int64_t{h.y} * at[1]);
+      for (const int sign : {1, -1}) others.push_back({2 * h.x, 2 * h.y, off + sign * (mine.span + theirs.span)});
+    }
   }
-  for (const Line& other : others) {
-    for (const Line& edge : edges) offer(edge, other);
+  // Where an edge meets another, then where one meets the others.
+  std::vector<Point> crossings(const Region& region) const {
+    std::vector<Point> points;
+    const auto offer = [&](const Line& p, const Line& q) {
+      if (points.size() >= kMostCrossings) return;
+      const auto point = crossing_of(p, q, region, z);
+      if (point && std::find(points.begin(), points.end(), *point) == points.end()) points.push_back(*point);
+    };
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      for (std::size_t j = i + 1; j < edges.size(); ++j) offer(edges[i], edges[j]);
+    }
+    for (const Line& other : others) {
+      for (const Line& edge : edges) offer(edge, other);
+    }
+    return points;
   }
-  return points;
+};
+
+}  // namespace
+
+// Before a slanted wall: where the edge of what is allowed meets what is wished, what stands there, and some lines across.
+std::vector<Point> CandidateFinder::crossings(const Placements& placements, int item, int state, const Region& region,
+                                              const std::array<std::vector<Mm>, 3>& grid, Budget& budget) const {
+  Lines lines{region.lo[2], {}, {}};
+  lines.add_edges(region);
+  if (lines.edges.empty()) return {};
+  for (const Reduced* one : region.cases) lines.add_wishes(one->wishes);
+  for (const SoftFormula& formula : soft_) {
+    for (const Reduced& one : formula.all()) {
+      if (one.miss == 0) lines.add_wishes(one.wishes);
+    }
+  }
+  for (std::size_t j = 0; j < placements.size(); ++j) {
+    const int other = static_cast<int>(j);
+    if (placements[j].state < 0 || other == item || model_.items[j].is_opening() || model_.pair(item, other) == PairRule::kFree) continue;
+    lines.add_beside(model_, item, state, other, placements[j]);
+  }
+  for (const int axis : {0, 1}) lines.add_across(axis, grid[axis]);
+  budget.count(static_cast<std::int64_t>(lines.edges.size() * (lines.edges.size() + lines.others.size())));
+  return lines.crossings(region);
 }
 
 // What a single position costs, as the tables of a grid have it.

@@ -29,6 +29,10 @@ class QuickSearch {
   bool settle(int item, Budget& budget);
   bool settle_once(int item, Budget& budget);
   bool push_out(int item, std::vector<int>& pending, Budget& budget);
+  class Prices;
+  struct Push;
+  void coordinates_of(const Region& region, int axis, std::vector<Mm>& tried);
+  void try_to_push(const Region& region, int state, const Vec3& at, Prices& prices, Push& push);
   std::vector<int> all_hosts(int item) const;
   bool take_hosts(int item, std::vector<int>& pending);
   void take_out(int item, std::vector<int>& pending);

@@ -99,43 +99,49 @@ bool RegionFinder::is_linked(int item) const {
   });
 }
 
-// Bounds that follow from the constraints, found by going over all items a few times.
-// NOLINTNEXTLINE(readability-function-cognitive-complexity): to be parted
-void RegionFinder::narrow_domains() {
-  const Placements nowhere(model_.items.size());
-  domains_.resize(model_.items.size());
-  for (std::size_t i = 0; i < domains_.size(); ++i) {
-    const Item& item = model_.items[i];
-    Domain& d = domains_[i];
-    d.least = d.greatest = item.states[0].extent;
-    for (const State& state : item.states) {
-      for (int k = 0; k < 3; ++k) {
-        d.least[k] = std::min(d.least[k], state.extent[k]);
-        d.greatest[k] = std::max(d.greatest[k], state.extent[k]);
-      }
-    }
+// What the room alone leaves.
+Domain RegionFinder::widest_domain(const Item& item) const {
+  Domain d;
+  d.least = d.greatest = item.states[0].extent;
+  for (const State& state : item.states) {
     for (int k = 0; k < 3; ++k) {
-      d.lo[k] = item.fixed ? item.fixed_at[k] : model_.room.lo[k];
-      d.hi[k] = item.fixed ? item.fixed_at[k] : model_.room.hi[k] - d.least[k];
+      d.least[k] = std::min(d.least[k], state.extent[k]);
+      d.greatest[k] = std::max(d.greatest[k], state.extent[k]);
     }
   }
+  for (int k = 0; k < 3; ++k) {
+    d.lo[k] = item.fixed ? item.fixed_at[k] : model_.room.lo[k];
+    d.hi[k] = item.fixed ? item.fixed_at[k] : model_.room.hi[k] - d.least[k];
+  }
+  return d;
+}
+
+// What the constraints leave while nothing stands; as before where they leave nothing.
+Domain RegionFinder::narrower_domain(int item, const Placements& nowhere) {
+  Domain all = domains_[static_cast<std::size_t>(item)];
+  bool any = false;
+  const std::vector<State>& states = model_.items[item].states;
+  for (std::size_t s = 0; s < states.size(); ++s) {
+    if (states[s].size_step > most_size_step_) continue;
+    for (const Region& region : find(nowhere, item, static_cast<int>(s), false)) {
+      for (int k = 0; k < 3; ++k) {
+        all.lo[k] = any ? std::min(all.lo[k], region.lo[k]) : region.lo[k];
+        all.hi[k] = any ? std::max(all.hi[k], region.hi[k]) : region.hi[k];
+      }
+      any = true;
+    }
+  }
+  return all;
+}
+
+// Bounds that follow from the constraints, found by going over all items a few times.
+void RegionFinder::narrow_domains() {
+  const Placements nowhere(model_.items.size());
+  for (const Item& item : model_.items) domains_.push_back(widest_domain(item));
   for (int round = 0; round < kNarrowings; ++round) {
     for (std::size_t i = 0; i < domains_.size(); ++i) {
       if (narrowing_ < 0) return;
-      if (!is_linked(static_cast<int>(i))) continue;
-      Domain all = domains_[i];
-      bool any = false;
-      for (std::size_t s = 0; s < model_.items[i].states.size(); ++s) {
-        if (model_.items[i].states[s].size_step > most_size_step_) continue;
-        for (const Region& region : find(nowhere, static_cast<int>(i), static_cast<int>(s), false)) {
-          for (int k = 0; k < 3; ++k) {
-            all.lo[k] = any ? std::min(all.lo[k], region.lo[k]) : region.lo[k];
-            all.hi[k] = any ? std::max(all.hi[k], region.hi[k]) : region.hi[k];
-          }
-          any = true;
-        }
-      }
-      if (any) domains_[i] = all;
+      if (is_linked(static_cast<int>(i))) domains_[i] = narrower_domain(static_cast<int>(i), nowhere);
     }
   }
 }

@@ -100,6 +100,8 @@ class RegionFinder {
   void share_out();
   bool toil(std::size_t more);
   bool is_linked(int item) const;
+  Domain widest_domain(const Item& item) const;
+  Domain narrower_domain(int item, const Placements& nowhere);
   void narrow_domains();
   void descend(std::size_t depth, const Region& region, int& nodes);
   std::vector<Reduced>& next_pool();

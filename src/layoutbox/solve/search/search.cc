@@ -10,10 +10,7 @@ constexpr int kFirst = 2;                                           // things th
 constexpr std::int64_t kNoiseOfStart = 500, kNoiseOfShaking = 400;  // points
 constexpr std::int64_t kShaken = 3;                                 // things at once, at most
 constexpr int kEjectionsPerItem = 6;
-constexpr int kFormationTries = 4;
-constexpr std::int64_t kPushing = 60 * kPoint;    // what it takes to push another thing away
-constexpr std::int64_t kPushes = 4, kNudges = 8;  // one move in so many does
-constexpr std::int64_t kStayingNoise = 40;        // an earlier layout makes every metre so much dearer
+constexpr std::int64_t kPushing = 60 * kPoint;  // what it takes to push another thing away
 
 // What any of them is told to face, then those that face it, then the others.
 std::vector<std::string> in_facing_order(const SceneGraph& scene, const std::vector<std::string>& ids) {
@@ -324,55 +321,6 @@ bool Search::shake(Budget& budget) {
     return false;
   }
   return true;
-}
-
-// NOLINTNEXTLINE(readability-function-cognitive-complexity): to be parted
-void Search::improve(Budget& budget, std::int64_t patience, bool sweeps) {
-  const std::vector<int> movable = this->movable();
-  if (movable.empty()) return;
-  std::fill(bonus_.begin(), bonus_.end(), 0);  // what failed while it was built is looked after no longer
-  ways_ = ways_cost(model_, placements_);
-  const auto count = static_cast<std::int64_t>(movable.size());
-  std::vector<int> group;
-  const std::vector<std::vector<int>> together = model_.start.empty() ? formations() : std::vector<std::vector<int>>{};
-  for (const std::vector<int>& formation : together) {
-    for (int attempt = 0; attempt < kFormationTries && !move(formation, kPoint * 100 * attempt, budget); ++attempt) {
-    }
-  }
-  std::int64_t idle = 0;
-  for (std::int64_t turn = 0; !budget.spent() && idle < patience * count; ++turn) {
-    const bool sweep = sweeps && turn < count;  // first everything once, alone
-    const int item = movable[sweep ? turn : random_.below(count)];
-    if (!model_.start.empty() && (sweep || random_.below(3) == 0) && slide(item, budget)) {
-      idle = 0;
-      continue;
-    }
-    if (!sweep && !together.empty() && random_.below(20) == 0) {
-      if (move(together[random_.below(static_cast<std::int64_t>(together.size()))], kPoint * 50 * random_.below(4), budget)) idle = 0;
-      continue;
-    }
-    if (!sweep && model_.start.empty() && random_.below(kPushes) == 0) {
-      idle = push(item, budget) ? 0 : idle + 1;
-      continue;
-    }
-    if (!sweep && model_.start.empty() && random_.below(kNudges) == 0) {
-      idle = nudge(item, budget) ? 0 : idle + 1;
-      continue;
-    }
-    group.assign(1, item);
-    if (!sweep) group_of(dependencies_, placements_, item, group);
-    if (!sweep && random_.below(3) == 0) {  // and a second one, so that two can change places
-      const int other = movable[random_.below(count)];
-      std::vector<int> more;
-      group_of(dependencies_, placements_, other, more);
-      for (const int m : more) {
-        if (std::find(group.begin(), group.end(), m) == group.end()) group.push_back(m);
-      }
-    }
-    std::int64_t noise = sweep || random_.below(3) == 0 ? 0 : kPoint * (50 + 50 * random_.below(8));
-    if (!model_.start.empty()) noise *= kStayingNoise;
-    idle = move(group, noise, budget) ? 0 : idle + 1;
-  }
 }
 
 }  // namespace layoutbox::placement

@@ -3,6 +3,7 @@
 // Deterministic: integer costs, a seeded generator of its own, effort counted in steps.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "layoutbox/solve/search/candidates.h"
@@ -53,6 +54,9 @@ class Search {
   bool repair(Budget& budget);
   void take_out(int item, std::vector<int>& queue);
   bool move(const std::vector<int>& group, std::int64_t noise, Budget& budget);
+  void gather_group(int item, const std::vector<int>& movable, std::vector<int>& group);
+  bool sweep_step(int item, Budget& budget);
+  std::optional<bool> chance_step(int item, const std::vector<int>& movable, const std::vector<std::vector<int>>& together, Budget& budget);
   bool push(int item, Budget& budget);
   std::vector<int> cluster_of(int item);
   std::vector<int> company_of(int item) const;

@@ -1,0 +1,218 @@
+// Sums that show at once that something cannot be.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "layoutbox/solve/conflict/clash_words.h"
+#include "layoutbox/solve/conflict/conflict.h"
+#include "layoutbox/solve/conflict/fixed.h"
+#include "layoutbox/solve/model/items.h"
+
+namespace layoutbox::placement {
+namespace {
+
+// The least an object can measure along its width or depth.
+Mm least_width(const Item& item) { return item.object->size->least.width; }
+
+// Objects that must stay out of a clash because they are elsewhere or hold others.
+bool stands_on_floor_always(const Item& item) {
+  return !item.is_opening() && !item.thin && item.supports.size() == 1 && item.supports[0].kind == SupportOption::Kind::kFloor;
+}
+
+std::int64_t least_floor(const Item& item) {
+  std::int64_t least = std::numeric_limits<std::int64_t>::max();
+  for (const State& state : item.states) {
+    std::int64_t covered = 0;  // what of the floor is body: a table's legs are little, but two tables never share their outline
+    covered = std::int64_t{state.size.width} * state.size.depth;
+    least = std::min(least, covered);
+  }
+  return least;
+}
+
+std::int64_t room_area(const Model& model) {
+  std::int64_t twice = 0;
+  const std::vector<Point>& polygon = model.scene->room.polygon;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Point &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+    twice += std::int64_t{a.x} * b.y - std::int64_t{b.x} * a.y;
+  }
+  return (std::abs(twice) + 1) / 2;
+}
+
+// Relations without a single case: left of itself, in a thing that has no inside.
+void add_never(const Model& model, const std::vector<char>& given_up, std::vector<Clash>& out) {
+  for (std::size_t c = 0; c < model.constraints.size(); ++c) {
+    const Constraint& constraint = model.constraints[c];
+    if (constraint.relation < 0 || constraint.firmness != Firmness::kHard || given_up[c]) continue;
+    const auto never = [](const Formula& f) { return f.cases.empty() && f.exact; };
+    if (std::none_of(constraint.formulas.begin(), constraint.formulas.end(), never)) continue;
+    Clash clash;
+    clash.demands.push_back({Demand::Kind::kConstraint, static_cast<int>(c)});
+    clash.sentence = fmt::format("it can never be that {}", relation_in_words(model, model.scene->relations[constraint.relation]));
+    out.push_back(std::move(clash));
+  }
+}
+
+void add_too_large(const Model& model, const std::vector<char>& left_out, std::vector<Clash>& out) {
+  for (std::size_t i = 0; i < model.items.size(); ++i) {
+    const Item& item = model.items[i];
+    if (item.is_opening() || item.fixed || left_out[i]) continue;
+    const auto fits = [&](const State& s) {
+      return s.extent[0] <= model.room.extent(0) && s.extent[1] <= model.room.extent(1) && s.extent[2] <= model.room.extent(2);
+    };
+    if (std::any_of(item.states.begin(), item.states.end(), fits)) continue;
+    Clash clash;
+    clash.demands.push_back({Demand::Kind::kItem, static_cast<int>(i)});
+    clash.sentence = fmt::format("{} measures at least {} and does not fit into the room, which measures {}",
+                                 object_in_words(model, static_cast<int>(i)), sizes_in_words(item), room_in_words(model));
+    out.push_back(std::move(clash));
+  }
+}
+
+// Do these things surely fit into the room side by side, wherever they please? Steinberg's theorem on packing rectangles.
+bool surely_fit(const Model& model, const std::vector<int>& items) {
+  std::int64_t widest = 0, deepest = 0, area = 0;
+  for (const int i : items) {
+    const State& state = model.items[i].states[0];
+    widest = std::max<std::int64_t>(widest, state.extent[0]), deepest = std::max<std::int64_t>(deepest, state.extent[1]);
+    area += std::int64_t{state.extent[0]} * state.extent[1];
+  }
+  const std::int64_t w = model.room.extent(0), d = model.room.extent(1);
+  const std::int64_t lost = std::max<std::int64_t>(2 * widest - w, 0) * std::max<std::int64_t>(2 * deepest - d, 0);
+  return model.outside.empty() && widest <= w && deepest <= d && 2 * area <= w * d - lost;
+}
+
+// What stands with its back to one wall because of a relation.
+struct AtWall {
+  int item, constraint;
+  Mm width;  // the least
+};
+
+// The relation that puts its targets at that wall and no other; null: that constraint is another or given up.
+const Relation* puts_at_wall(const Model& model, std::size_t constraint, int wall, const std::vector<char>& given_up) {
+  const Constraint& one = model.constraints[constraint];
+  if (one.relation < 0 || one.firmness != Firmness::kHard || given_up[constraint]) return nullptr;
+  const Relation& relation = model.scene->relations[one.relation];
+  const bool back = relation.type == RelationType::kAgainstWall || relation.type == RelationType::kCenteredOnWall;
+  return back && relation.references.size() == 1 && model.find_wall(relation.references[0]) == wall ? &relation : nullptr;
+}
+
+// The widest first.
+std::vector<AtWall> things_at_wall(const Model& model, int wall, const std::vector<char>& given_up, const std::vector<char>& left_out) {
+  std::vector<AtWall> things;
+  for (std::size_t c = 0; c < model.constraints.size(); ++c) {
+    const Relation* relation = puts_at_wall(model, c, wall, given_up);
+    if (relation == nullptr) continue;
+    for (const std::string& id : relation->targets) {
+      const int item = model.find_item(id);
+      if (item < 0 || left_out[item] || !stands_on_floor_always(model.items[item]) || !model.items[item].has_front) continue;
+      const bool known = std::any_of(things.begin(), things.end(), [&](const AtWall& one) { return one.item == item; });
+      if (!known) things.push_back({item, static_cast<int>(c), least_width(model.items[item])});
+    }
+  }
+  std::stable_sort(things.begin(), things.end(), [](const AtWall& a, const AtWall& b) { return a.width > b.width; });
+  return things;
+}
+
+Clash too_wide(const Model& model, const RoomWall& wall, const std::vector<AtWall>& things) {
+  Clash clash;
+  std::vector<std::string> words;
+  std::vector<int> items;
+  for (const AtWall& one : things) items.push_back(one.item);
+  clash.minimal = surely_fit(model, items);  // else the room may be too small for them whatever the wall
+  for (const AtWall& one : things) {
+    clash.demands.push_back({Demand::Kind::kItem, one.item});
+    const Demand relation{Demand::Kind::kConstraint, one.constraint};
+    if (std::find(clash.demands.begin(), clash.demands.end(), relation) == clash.demands.end()) clash.demands.push_back(relation);
+    words.push_back(fmt::format("{} ({})", object_in_words(model, one.item), metres(one.width)));
+  }
+  const char* verb = things.size() == 1 ? "stands" : things.size() == 2 ? "both stand" : "all stand";
+  clash.sentence = fmt::format("{} {} against {}, which is {} long", listed(words), verb, wall_in_words(wall, model.walls.size() == 4),
+                               metres(wall.hi - wall.lo));
+  return clash;
+}
+
+// Backs against one wall side by side: the widths add up.
+void add_too_wide(const Model& model, const std::vector<char>& given_up, const std::vector<char>& left_out, std::vector<Clash>& out) {
+  for (std::size_t w = 0; w < model.walls.size(); ++w) {
+    const RoomWall& wall = model.walls[w];
+    std::vector<AtWall> things = things_at_wall(model, static_cast<int>(w), given_up, left_out);
+    const auto length = static_cast<Mm>(std::ceil(std::hypot(wall.end.x - wall.start.x, wall.end.y - wall.start.y)));
+    std::int64_t sum = 0;
+    std::size_t needed = 0;
+    while (needed < things.size() && sum <= length) sum += things[needed++].width;
+    if (sum <= length) continue;
+    things.resize(needed);
+    out.push_back(too_wide(model, wall, things));
+  }
+}
+
+// The door that wants the most free floor before it, which lies within the room wherever in its walls it is; −1: none.
+int widest_door(const Model& model, const std::vector<char>& given_up, std::int64_t& area) {
+  int widest = -1;
+  area = 0;
+  for (std::size_t i = 0; i < model.items.size(); ++i) {
+    const Item& item = model.items[i];
+    if (!item.is_opening() || item.opening->sill > 0 || item.states.empty() || given_up[item.clearance_constraint]) continue;
+    if (!model.outside.empty() || item.opening->type == OpeningType::kWindow) continue;
+    const std::int64_t clear = floor_area(item.states[0].clear[0]);
+    const bool fits = item.opening->width <= std::min(model.room.extent(0), model.room.extent(1));
+    if (fits && clear > area) area = clear, widest = static_cast<int>(i);
+  }
+  return widest;
+}
+
+void add_too_much(const Model& model, const std::vector<char>& given_up, const std::vector<char>& left_out, std::vector<Clash>& out) {
+  std::vector<std::pair<std::int64_t, int>> areas;
+  for (std::size_t i = 0; i < model.items.size(); ++i) {
+    const Item& item = model.items[i];
+    // Only what surely covers its outline alone: nothing slides under it and it slides under nothing.
+    const auto close = [&](std::size_t j) { return j != i && model.pair(static_cast<int>(i), static_cast<int>(j)) == PairRule::kSolids; };
+    bool alone = true;
+    for (std::size_t j = 0; j < model.items.size() && alone; ++j) alone = !close(j) || !stands_on_floor_always(model.items[j]);
+    if (left_out[i] || !stands_on_floor_always(item) || item.fixed || !alone) continue;
+    areas.push_back({least_floor(item), static_cast<int>(i)});
+  }
+  std::stable_sort(areas.begin(), areas.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  const std::int64_t room = room_area(model);
+  std::int64_t sum = 0, before_door = 0;
+  int door = widest_door(model, given_up, before_door);
+  Clash clash;
+  std::vector<int> items;
+  const std::int64_t all =
+      std::accumulate(areas.begin(), areas.end(), std::int64_t{0}, [](std::int64_t s, const auto& a) { return s + a.first; });
+  if (all > room) door = -1, before_door = 0;
+  for (const auto& [area, item] : areas) {
+    if (sum + before_door > room) break;
+    sum += area;
+    clash.demands.push_back({Demand::Kind::kItem, item});
+    items.push_back(item);
+  }
+  if (sum + before_door <= room) return;
+  clash.minimal = false;  // by the sum alone: it says nothing of how the rest would fit
+  std::string door_words;
+  if (door >= 0) {
+    clash.demands.push_back({Demand::Kind::kItem, door});
+    clash.demands.push_back({Demand::Kind::kConstraint, model.items[door].clearance_constraint});
+    door_words = fmt::format(", {} keeps {:.2f} m² free before it", object_in_words(model, door), static_cast<double>(before_door) / 1e6);
+  }
+  clash.sentence = fmt::format("{} cover{} at least {:.2f} m² of floor{}, and the room has {:.2f} m²", things_in_words(model, items),
+                               items.size() == 1 ? "s" : "", static_cast<double>(sum) / 1e6, door_words, static_cast<double>(room) / 1e6);
+  out.push_back(std::move(clash));
+}
+
+}  // namespace
+
+std::vector<Clash> clashes_by_sums(const Model& model, const std::vector<char>& given_up, const std::vector<char>& left_out) {
+  std::vector<Clash> out = clashes_of_fixed(model, left_out);
+  add_never(model, given_up, out);
+  add_too_large(model, left_out, out);
+  add_too_wide(model, given_up, left_out, out);
+  if (out.empty()) add_too_much(model, given_up, left_out, out);
+  return out;
+}
+
+}  // namespace layoutbox::placement

@@ -1,0 +1,152 @@
+// What is wished for around an item, and the coordinates at which it is tried.
+#include <algorithm>
+#include <array>
+
+#include "layoutbox/solve/model/whole_division.h"
+#include "layoutbox/solve/objective/cost.h"
+#include "layoutbox/solve/search/candidates.h"
+
+namespace layoutbox::placement {
+namespace {
+
+constexpr std::array<Mm, 2> kRoomBehind{400, 700};  // off the ends of a region: for a lamp behind a sofa, for somebody to pass
+
+}  // namespace
+
+// The coordinates of a grid as they are gathered, axis by axis.
+class Coordinates {
+ public:
+  Coordinates(const Region& region, CandidateGrid& grid) : region_(region), grid_(grid) {
+    for (int axis = 0; axis < 3; ++axis) {
+      grid.values[axis].clear();
+      offer(axis, region.lo[axis]);
+      offer(axis, region.hi[axis]);
+      if (axis == 2) continue;
+      offer(axis, region.lo[axis] + (region.hi[axis] - region.lo[axis]) / 2);
+      for (const Mm room : kRoomBehind)
+        offer(axis, std::int64_t{region.lo[axis]} + room), offer(axis, std::int64_t{region.hi[axis]} - room);
+    }
+  }
+
+  // Where a form of one axis is zero, or as near as the region has it: always tried, however many others there are.
+  void offer_wish(const Partial& form) {
+    const int axis = form.axis();
+    if (axis < 0) return;
+    wished_[axis].push_back(static_cast<Mm>(std::clamp<std::int64_t>(zero_of(form, axis), region_.lo[axis], region_.hi[axis])));
+  }
+  // Where it is zero, within the region.
+  void offer_edge(const Partial& form) {
+    if (const int axis = form.axis(); axis >= 0) offer(axis, zero_of(form, axis));
+  }
+  void offer_beside(const Box& body, const Box& mine) {
+    for (int axis = 0; axis < 2; ++axis) {
+      offer(axis, std::int64_t{body.hi[axis]} - mine.lo[axis]);
+      offer(axis, std::int64_t{body.lo[axis]} - mine.hi[axis]);
+    }
+  }
+
+  // In order, at most so many a axis besides those wished for.
+  void thin_out(std::size_t most) {
+    for (int axis = 0; axis < 3; ++axis) {
+      std::vector<Mm>& values = grid_.values[axis];
+      put_in_order(values);
+      if (values.size() > most) {
+        std::vector<Mm> fewer;  // evenly over all of them, both ends kept
+        for (std::size_t i = 0; i < most; ++i) fewer.push_back(values[i * (values.size() - 1) / (most - 1)]);
+        values = std::move(fewer);
+      }
+      values.insert(values.end(), wished_[axis].begin(), wished_[axis].end());
+      put_in_order(values);
+    }
+  }
+
+ private:
+  static std::int64_t zero_of(const Partial& form, int axis) { return floor_div(-form.constant, form.coefficient[axis]); }
+  static void put_in_order(std::vector<Mm>& values) {
+    std::sort(values.begin(), values.end());
+    values.erase(std::unique(values.begin(), values.end()), values.end());
+  }
+  void offer(int axis, std::int64_t value) {
+    if (value >= region_.lo[axis] && value <= region_.hi[axis]) grid_.values[axis].push_back(static_cast<Mm>(value));
+  }
+
+  const Region& region_;
+  CandidateGrid& grid_;
+  std::array<std::vector<Mm>, 3> wished_;
+};
+
+// A case of something wished for, with the item at hand in that state and everything else where it is.
+void CandidateFinder::reduce_soft(const Placements& placements, const Case& one, int item, int state, Reduced& reduced) const {
+  reduced.checks.clear();
+  reduced.wishes.clear();
+  reduced.miss = 0;
+  reduced.price = one.price * kPoint;
+  for (const StateLiteral& literal : one.states) {
+    const int s = literal.item == item ? state : placements[literal.item].state;
+    if (!(literal.states >> s & 1)) reduced.miss = kStateMiss;
+  }
+  for (const Linear& form : one.at_least_zero)
+    reduced.checks.push_back(partial_of(model_, placements, regions_.domains(), form, item, state));
+  for (const Preference& wish : one.wishes) {
+    reduced.wishes.push_back({partial_of(model_, placements, regions_.domains(), wish.form, item, state), wish.weight, wish.scale});
+  }
+}
+
+void CandidateFinder::find_soft(const Placements& placements, int item, int state) {
+  std::size_t used = 0;
+  const auto known = [&](int other) { return other == item || placements[other].state >= 0; };
+  for (const int c : model_.touching[item]) {
+    const Constraint& constraint = model_.constraints[c];
+    if (constraint.firmness != Firmness::kSoft) continue;
+    for (const Formula& formula : constraint.formulas) {
+      if (formula.cases.empty() || !std::all_of(formula.items.begin(), formula.items.end(), known)) continue;
+      if (used == soft_pool_.size()) soft_pool_.emplace_back();
+      SoftFormula& soft = soft_pool_[used++];
+      soft.weight = constraint.weight, soft.count = 0;
+      for (const Case& one : formula.cases) {
+        if (soft.count == soft.cases.size()) soft.cases.emplace_back();
+        reduce_soft(placements, one, item, state, soft.cases[soft.count++]);
+      }
+    }
+  }
+  soft_ = {soft_pool_.data(), used};
+}
+
+// Beside what stands there, and beside what it must leave free.
+void CandidateFinder::offer_neighbours(const Placements& placements, int item, int state, Coordinates& to) const {
+  const State& own = model_.items[item].states[state];
+  const Box mine{{0, 0, 0}, own.extent};
+  for (const Box& outside : model_.outside) to.offer_beside(outside, mine);
+  for (std::size_t j = 0; j < model_.items.size(); ++j) {
+    const int other = static_cast<int>(j);
+    if (placements[j].state < 0 || other == item) continue;
+    const PairRule rule = model_.pair(item, other);
+    if (rule == PairRule::kFree) continue;
+    const State& theirs = model_.items[j].states[placements[j].state];
+    to.offer_beside(box_of(model_.items[j], placements[j]), mine);
+    for (const Box& clear : theirs.clear) to.offer_beside(clear.shifted(placements[j].at), mine);
+    for (const Box& clear : own.clear) to.offer_beside(box_of(model_.items[j], placements[j]), clear);
+    if (rule != PairRule::kSolids || theirs.solids.size() * own.solids.size() > 24) continue;
+    for (const Box& body : theirs.solids) {
+      for (const Box& part : own.solids) to.offer_beside(body.shifted(placements[j].at), part);
+    }
+  }
+}
+
+void CandidateFinder::cut(const Placements& placements, int item, int state, const Region& region, CandidateGrid& grid) const {
+  Coordinates all(region, grid);
+  for (const Reduced* one : region.cases) {
+    for (const Wish& wish : one->wishes) all.offer_wish(wish.form);
+  }
+  for (const SoftFormula& formula : soft_) {
+    for (const Reduced& one : formula.all()) {
+      if (one.miss > 0) continue;
+      for (const Wish& wish : one.wishes) all.offer_wish(wish.form);
+      for (const Partial& form : one.checks) all.offer_edge(form);
+    }
+  }
+  offer_neighbours(placements, item, state, all);
+  all.thin_out(36 + model_.items.size() / 3);
+}
+
+}  // namespace layoutbox::placement

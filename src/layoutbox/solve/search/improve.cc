@@ -1,0 +1,74 @@
+// A complete layout made better, step by step: each thing alone once, then groups of things taken out and placed again by chance.
+#include <algorithm>
+#include <optional>
+
+#include "layoutbox/solve/objective/cost.h"
+#include "layoutbox/solve/search/search.h"
+
+namespace layoutbox::placement {
+namespace {
+
+constexpr int kFormationTries = 4;
+constexpr std::int64_t kPushes = 4, kNudges = 8;  // one move in so many does
+constexpr std::int64_t kStayingNoise = 40;        // an earlier layout makes every metre so much dearer
+
+}  // namespace
+
+// The item with what hangs on it, and sometimes a second one with what is its own, so that two can change places.
+void Search::gather_group(int item, const std::vector<int>& movable, std::vector<int>& group) {
+  group_of(dependencies_, placements_, item, group);
+  if (random_.below(3) != 0) return;
+  const int other = movable[random_.below(static_cast<std::int64_t>(movable.size()))];
+  std::vector<int> more;
+  group_of(dependencies_, placements_, other, more);
+  for (const int m : more) {
+    if (std::find(group.begin(), group.end(), m) == group.end()) group.push_back(m);
+  }
+}
+
+// Each alone, where it costs least; what stays near an earlier place slides there.
+bool Search::sweep_step(int item, Budget& budget) {
+  if (!model_.start.empty() && slide(item, budget)) return true;
+  return move({item}, 0, budget);
+}
+
+// One step of chance. Nothing: of a kind that says nothing of whether more of them are worth it.
+std::optional<bool> Search::chance_step(int item, const std::vector<int>& movable, const std::vector<std::vector<int>>& together,
+                                        Budget& budget) {
+  const bool fresh = model_.start.empty();
+  if (!fresh && random_.below(3) == 0 && slide(item, budget)) return true;
+  if (!together.empty() && random_.below(20) == 0) {
+    const std::int64_t noise = kPoint * 50 * random_.below(4);
+    const std::vector<int>& formation = together[random_.below(static_cast<std::int64_t>(together.size()))];
+    return move(formation, noise, budget) ? std::optional<bool>(true) : std::nullopt;
+  }
+  if (fresh && random_.below(kPushes) == 0) return push(item, budget);
+  if (fresh && random_.below(kNudges) == 0) return nudge(item, budget);
+  std::vector<int> group;
+  gather_group(item, movable, group);
+  std::int64_t noise = random_.below(3) == 0 ? 0 : kPoint * (50 + 50 * random_.below(8));
+  if (!fresh) noise *= kStayingNoise;
+  return move(group, noise, budget);
+}
+
+void Search::improve(Budget& budget, std::int64_t patience, bool sweeps) {
+  const std::vector<int> movable = this->movable();
+  if (movable.empty()) return;
+  std::fill(bonus_.begin(), bonus_.end(), 0);  // what failed while it was built is looked after no longer
+  ways_ = ways_cost(model_, placements_);
+  const auto count = static_cast<std::int64_t>(movable.size());
+  const std::vector<std::vector<int>> together = model_.start.empty() ? formations() : std::vector<std::vector<int>>{};
+  for (const std::vector<int>& formation : together) {
+    for (int attempt = 0; attempt < kFormationTries && !move(formation, kPoint * 100 * attempt, budget); ++attempt) {
+    }
+  }
+  std::int64_t idle = 0;
+  for (std::int64_t turn = 0; !budget.spent() && idle < patience * count; ++turn) {
+    const bool sweep = sweeps && turn < count;  // first everything once, alone
+    const int item = movable[sweep ? turn : random_.below(count)];
+    const std::optional<bool> better = sweep ? sweep_step(item, budget) : chance_step(item, movable, together, budget);
+    if (better) idle = *better ? 0 : idle + 1;
+  }
+}
+
+}  // namespace layoutbox::placement
