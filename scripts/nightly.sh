@@ -29,6 +29,7 @@ if step set-up scripts/setup.sh --nightly; then
     seed=$((RANDOM * 32768 + RANDOM))
     echo "random rooms from seed $seed on"
     LAYOUTBOX_RANDOM_SEED=$seed LAYOUTBOX_SEED=$seed LAYOUTBOX_RANDOM_ROUNDS=20000 cases random build/release -R 'Property|Parity' --timeout 7200
+    LAYOUTBOX_ALL_ANSWERS=1 cases answers build/release -R test_right_answers --timeout 1800
     LAYOUTBOX_SOAK_SECONDS=600 LAYOUTBOX_REQUEST_SECONDS=300 cases service build/release -R 'serve\.test_(soak|any_request)' --timeout 1800
   fi
   if step build-fuzz scripts/build.sh --preset fuzz; then

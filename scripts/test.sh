@@ -1,19 +1,19 @@
 #!/usr/bin/env bash
-# Sets up, builds and runs every test: unit tests, whole-program tests, and the checks of the sources.
+# Sets up, builds and runs every test: unit tests, whole-program tests, and the checks of the sources. .ci/run adds clang-tidy.
 # Ends with one line, "N passed, N failed" (", N skipped"), and fails where anything failed. Logs are under build/logs/.
 set -uo pipefail
 
 usage() {
   cat <<'TEXT'
-usage: scripts/test.sh [--quick]
-  --quick   leave out what takes minutes: clang-tidy
+usage: scripts/test.sh [--tidy]
+  --tidy   then clang-tidy over all sources (scripts/tidy.sh), six minutes more
 TEXT
 }
 
-quick=""
+tidy=""
 case ${1:-} in
   "") ;;
-  --quick) quick=1 ;;
+  --tidy) tidy=1 ;;
   -h | --help) usage && exit 0 ;;
   *) usage >&2 && exit 2 ;;
 esac
@@ -33,7 +33,7 @@ if step set-up scripts/setup.sh --tests; then
   step page scripts/page.sh --check
   if step build scripts/build.sh --tests; then
     cases tests build/release
-    [[ $quick ]] || step clang-tidy scripts/tidy.sh
+    if [[ $tidy ]]; then step clang-tidy scripts/tidy.sh; fi
   fi
 fi
 finished=1

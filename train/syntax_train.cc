@@ -205,7 +205,7 @@ void learn_trees(Parser& parser, std::vector<Example>& examples, int epochs) {
 float usual_margin(const Weights& weights, const std::vector<Example>& examples) {
   std::vector<float> margins;
   for (std::size_t i = 0; i < examples.size(); i += 20) {
-    for (const Node& node : parse_with(weights, views(*examples[i].tree))) margins.push_back(node.margin);
+    for (const TreeNode& node : parse_with(weights, views(*examples[i].tree))) margins.push_back(node.margin);
   }
   std::sort(margins.begin(), margins.end());
   return std::max(margins[margins.size() / 2], 1.0F);
@@ -214,7 +214,7 @@ float usual_margin(const Weights& weights, const std::vector<Example>& examples)
 std::string learn(const Options& options) {
   const std::string words = word_table(options.words);
   float unused = 0;
-  const std::string none = model_table(Model::kTag, {}, 0, unused);
+  const std::string none = model_table(WeightTable::kTag, {}, 0, unused);
   const std::string only_words = weights_file(words, {none, none, none}, {});
   const Weights known(only_words);
   std::vector<std::pair<std::vector<Tree>, int>> files;
@@ -240,7 +240,7 @@ std::string learn(const Options& options) {
   const std::array<const Learner*, kModels> learners = {&tagger, &parser.steps, &parser.labels};
   std::array<std::string, kModels> tables;
   for (std::size_t i = 0; i < kModels; ++i) {
-    tables[i] = model_table(Model{static_cast<std::uint8_t>(i)}, learners[i]->averaged(), options.keep[i], units[i]);
+    tables[i] = model_table(WeightTable{static_cast<std::uint8_t>(i)}, learners[i]->averaged(), options.keep[i], units[i]);
     std::cerr << "model " << i << ": " << tables[i].size() << " bytes\n";
   }
   const std::string plain = weights_file(words, tables, {1, 1, 1});

@@ -86,7 +86,7 @@ int whole(float weight, float units) { return static_cast<int>(std::lround(std::
 
 }  // namespace
 
-std::string model_table(Model model, const Averages& averages, std::size_t keep, float& units) {
+std::string model_table(WeightTable model, const Averages& averages, std::size_t keep, float& units) {
   const auto features = largest(averages, keep, units);
   constexpr std::size_t kUsual = 8;  // features in a line: those that find theirs full are lost, the smallest ones
   const std::size_t count = features.size() / kUsual + 1;
@@ -104,10 +104,10 @@ std::string model_table(Model model, const Averages& averages, std::size_t keep,
       if (whole(weight, units) == 0) continue;
       pairs.push_back(static_cast<char>(label));
       pairs.push_back(static_cast<char>(whole(weight, units)));
-      if (model == Model::kStep) value[label] = pairs.back();
+      if (model == WeightTable::kStep) value[label] = pairs.back();
     }
     if (pairs.empty()) continue;
-    if (model != Model::kStep) {
+    if (model != WeightTable::kStep) {
       pairs.insert(pairs.begin(), static_cast<char>(pairs.size() / 2));
       const auto [known, added] = places.emplace(pairs, pool.size());
       if (added) pool += pairs;

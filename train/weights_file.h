@@ -19,7 +19,7 @@ std::string word_table(const std::string& path);
 
 // A model's table: at most `keep` features, those with the largest weights, in whole numbers from -127 to 127. Sets how many of them
 // make 1.
-std::string model_table(Model model, const Averages& averages, std::size_t keep, float& units);
+std::string model_table(WeightTable model, const Averages& averages, std::size_t keep, float& units);
 
 // The whole file. `scales`: one over a usual margin in the models' whole numbers.
 std::string weights_file(const std::string& words, const std::array<std::string, kModels>& models,

@@ -68,24 +68,24 @@ TEST(Retry, doubles_and_never_undercuts_the_server) {
     RetryPolicy policy({.max_retries = 5}, seed);
     double doubled = 0.5;
     for (int i = 0; i < 5; ++i, doubled *= 2) {
-      const auto wait = policy.wait_after(Outcome::kBusy, std::nullopt, 0);
+      const auto wait = policy.wait_after(TryOutcome::kBusy, std::nullopt, 0);
       ASSERT_TRUE(wait);
       EXPECT_GE(*wait, doubled * 0.75);
       EXPECT_LE(*wait, doubled * 1.25);
     }
-    EXPECT_FALSE(policy.wait_after(Outcome::kBusy, std::nullopt, 0));
-    EXPECT_GT(*RetryPolicy({}, seed).wait_after(Outcome::kBusy, 7.0, 0), 7.0);
+    EXPECT_FALSE(policy.wait_after(TryOutcome::kBusy, std::nullopt, 0));
+    EXPECT_GT(*RetryPolicy({}, seed).wait_after(TryOutcome::kBusy, 7.0, 0), 7.0);
   }
 }
 
 TEST(Retry, ends) {
-  EXPECT_FALSE(RetryPolicy({}, 1).wait_after(Outcome::kFinal, std::nullopt, 0));
-  EXPECT_FALSE(RetryPolicy({.total_s = 60}, 1).wait_after(Outcome::kBusy, 61.0, 0));
-  EXPECT_FALSE(RetryPolicy({.total_s = 60}, 1).wait_after(Outcome::kBusy, std::nullopt, 60));
+  EXPECT_FALSE(RetryPolicy({}, 1).wait_after(TryOutcome::kFinal, std::nullopt, 0));
+  EXPECT_FALSE(RetryPolicy({.total_s = 60}, 1).wait_after(TryOutcome::kBusy, 61.0, 0));
+  EXPECT_FALSE(RetryPolicy({.total_s = 60}, 1).wait_after(TryOutcome::kBusy, std::nullopt, 60));
   RetryPolicy unclear({}, 1);
-  EXPECT_TRUE(unclear.wait_after(Outcome::kUnclear, std::nullopt, 0));
-  EXPECT_TRUE(unclear.wait_after(Outcome::kUnclear, std::nullopt, 0));
-  EXPECT_FALSE(unclear.wait_after(Outcome::kUnclear, std::nullopt, 0));
+  EXPECT_TRUE(unclear.wait_after(TryOutcome::kUnclear, std::nullopt, 0));
+  EXPECT_TRUE(unclear.wait_after(TryOutcome::kUnclear, std::nullopt, 0));
+  EXPECT_FALSE(unclear.wait_after(TryOutcome::kUnclear, std::nullopt, 0));
 }
 
 TEST(Key, shows_nowhere) {

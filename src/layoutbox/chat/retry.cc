@@ -5,8 +5,8 @@
 
 namespace layoutbox::chat {
 
-Outcome outcome_of_status(int status) {
-  if (status >= 200 && status < 300) return Outcome::kResponse;
+TryOutcome outcome_of_status(int status) {
+  if (status >= 200 && status < 300) return TryOutcome::kResponse;
   switch (status) {
     case 408:
     case 409:
@@ -15,33 +15,33 @@ Outcome outcome_of_status(int status) {
     case 502:
     case 503:
     case 504:
-    case 529: return Outcome::kBusy;
-    default: return Outcome::kFinal;
+    case 529: return TryOutcome::kBusy;
+    default: return TryOutcome::kFinal;
   }
 }
 
-Outcome outcome_of_fault(HttpFault fault) {
+TryOutcome outcome_of_fault(HttpFault fault) {
   switch (fault) {
     case HttpFault::kCut:
-    case HttpFault::kTimeout: return Outcome::kBusy;
+    case HttpFault::kTimeout: return TryOutcome::kBusy;
     case HttpFault::kResolve:
-    case HttpFault::kConnect: return Outcome::kUnclear;
-    default: return Outcome::kFinal;
+    case HttpFault::kConnect: return TryOutcome::kUnclear;
+    default: return TryOutcome::kFinal;
   }
 }
 
 RetryPolicy::RetryPolicy(const RetryOptions& options, std::uint64_t jitter_seed) : options_(options), random_(jitter_seed) {}
 
-std::optional<double> RetryPolicy::wait_after(Outcome outcome, std::optional<double> retry_after_s, double elapsed_s) {
-  if (outcome != Outcome::kBusy && outcome != Outcome::kUnclear) return std::nullopt;
+std::optional<double> RetryPolicy::wait_after(TryOutcome outcome, std::optional<double> retry_after_s, double elapsed_s) {
+  if (outcome != TryOutcome::kBusy && outcome != TryOutcome::kUnclear) return std::nullopt;
   if (retries_ >= options_.max_retries) return std::nullopt;
-  if (outcome == Outcome::kUnclear && quick_retries_ >= options_.max_quick_retries) return std::nullopt;
+  if (outcome == TryOutcome::kUnclear && quick_retries_ >= options_.max_quick_retries) return std::nullopt;
   const double doubled = options_.first_delay_s * std::pow(2.0, retries_);
   double wait = std::min(doubled, options_.longest_delay_s) * std::uniform_real_distribution(0.75, 1.25)(random_);
   if (retry_after_s) wait = std::max(wait, *retry_after_s * 1.02 + 0.05);  // a little later rather than too early
   if (elapsed_s + wait >= options_.total_s) return std::nullopt;
   ++retries_;
-  quick_retries_ += outcome == Outcome::kUnclear;
+  quick_retries_ += outcome == TryOutcome::kUnclear;
   return wait;
 }
 

@@ -19,7 +19,7 @@ struct RetryOptions {
 };
 
 // What a request came to.
-enum class Outcome {
+enum class TryOutcome {
   kResponse,  // 2xx with a whole answer
   kBusy,      // 408, 409, 429, 500, 502, 503, 504, 529; or cut off, or without an answer in time: again, with patience
   kUnclear,   // no connection, an empty or broken body: again, a few times
@@ -27,8 +27,8 @@ enum class Outcome {
 };
 
 // Of a status alone.
-Outcome outcome_of_status(int status);
-Outcome outcome_of_fault(HttpFault fault);
+TryOutcome outcome_of_status(int status);
+TryOutcome outcome_of_fault(HttpFault fault);
 
 // Counts the tries of one question.
 class RetryPolicy {
@@ -37,7 +37,7 @@ class RetryPolicy {
 
   // Seconds to wait before the next try; empty when there must be none: kFinal, tries used up, or the wait would pass the total time.
   // `retry_after_s`: what the server asked for; never undercut.
-  std::optional<double> wait_after(Outcome outcome, std::optional<double> retry_after_s, double elapsed_s);
+  std::optional<double> wait_after(TryOutcome outcome, std::optional<double> retry_after_s, double elapsed_s);
 
   int retries() const { return retries_; }
 

@@ -101,10 +101,10 @@ Problem problem_of(const HttpResponse& response, const ServerError& error, const
                                   response.location.empty() ? "nowhere" : one_line(response.location, 150));
     problem.hint = fmt::format("set {} to the right address", facts.address_variable);
   } else if (is_about_money(error)) {
-    problem.outcome = Outcome::kFinal;
+    problem.outcome = TryOutcome::kFinal;
     problem.message = fmt::format("nothing is left to pay with at {} ({}{})", endpoint.base_url, status, words);
     problem.hint = "check the account";
-  } else if (problem.outcome == Outcome::kBusy) {
+  } else if (problem.outcome == TryOutcome::kBusy) {
     problem.message = fmt::format("{} is busy or out of order ({}{})", endpoint.base_url, status, words);
     problem.hint = "try again later";
   } else if (is_about_length(lower(error.message)) || status == 413) {
@@ -123,11 +123,11 @@ Problem problem_of(const ReadResponse& read, const HttpResponse& response, const
   switch (read.kind) {
     case ReadResponse::Kind::kResponse: break;
     case ReadResponse::Kind::kCut:
-      problem.outcome = Outcome::kBusy;
+      problem.outcome = TryOutcome::kBusy;
       problem.message = fmt::format("the answer of {} broke off before it was whole", endpoint.base_url);
       break;
     case ReadResponse::Kind::kBroken:
-      problem.outcome = Outcome::kUnclear;
+      problem.outcome = TryOutcome::kUnclear;
       problem.message = fmt::format("{}: {}", endpoint.base_url, read.error.message);
       problem.hint = not_this_form(endpoint);
       break;
@@ -151,7 +151,7 @@ Problem problem_of(const ReadResponse& read, const HttpResponse& response, const
 
 Error final_error(const Problem& problem, int retries, double seconds) {
   std::string message = problem.message;
-  if (problem.retry_after_s && problem.outcome == Outcome::kBusy)
+  if (problem.retry_after_s && problem.outcome == TryOutcome::kBusy)
     message += fmt::format("; it asks for {:g} s of patience", *problem.retry_after_s);
   if (retries > 0) message += fmt::format("; asked {} times in {:.0f} s", retries + 1, seconds);
   return {ErrorCode::kNetwork, message, {}, problem.hint, {}};

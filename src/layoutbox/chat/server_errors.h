@@ -13,7 +13,7 @@
 namespace layoutbox::chat {
 
 struct Problem {
-  Outcome outcome = Outcome::kFinal;
+  TryOutcome outcome = TryOutcome::kFinal;
   std::string message;  // "the server is busy (503: try later)"
   std::string hint;
   std::optional<double> retry_after_s;

@@ -99,7 +99,7 @@ struct Held {
 std::optional<Held> drawn_hold(const RoomView& view, const Meshes& meshes, const Body& body, const BodyMesh& mesh) {
   const std::string& by = body.object->supported_by;
   const double stands = view.options.support_tolerance_m, hangs = view.options.mount_tolerance_m;
-  const Box& box = mesh.box();
+  const MeshBox& box = mesh.box();
   if (by == "floor") return Held{by, std::abs(box.z.lo), stands};
   if (by == "ceiling") return Held{by, std::abs(view.height - box.z.hi), hangs};
   if (const Face* wall = view.find_wall(by)) return Held{by, gap_to_wall(mesh, *wall), hangs};

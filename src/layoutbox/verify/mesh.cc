@@ -18,15 +18,15 @@ Point3 operator*(Point3 a, double s) { return {a.x * s, a.y * s, a.z * s}; }
 double dot(Point3 a, Point3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 Point3 cross(Point3 a, Point3 b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
 
-Box box_of(const Triangle& triangle) {
+MeshBox box_of(const Triangle& triangle) {
   const auto [a, b, c] = triangle;
   return {{std::min({a.x, b.x, c.x}), std::max({a.x, b.x, c.x})},
           {std::min({a.y, b.y, c.y}), std::max({a.y, b.y, c.y})},
           {std::min({a.z, b.z, c.z}), std::max({a.z, b.z, c.z})}};
 }
 
-bool touch(const Box& a, const Box& b) { return overlap(a.x, b.x) >= 0 && overlap(a.y, b.y) >= 0 && overlap(a.z, b.z) >= 0; }
-bool within(const Box& a, const Box& b) {
+bool touch(const MeshBox& a, const MeshBox& b) { return overlap(a.x, b.x) >= 0 && overlap(a.y, b.y) >= 0 && overlap(a.z, b.z) >= 0; }
+bool within(const MeshBox& a, const MeshBox& b) {
   const auto inside = [](Interval p, Interval q) { return p.lo >= q.lo && p.hi <= q.hi; };
   return inside(a.x, b.x) && inside(a.y, b.y) && inside(a.z, b.z);
 }
@@ -55,15 +55,15 @@ bool edge_cuts(const Triangle& a, const Triangle& b) {
 }
 
 struct Boxed {
-  Box box;
+  MeshBox box;
   const Triangle* triangle;
 };
 
 // Those of a mesh that reach into a box, from left to right.
-std::vector<Boxed> in_box(const BodyMesh& mesh, const Box& box) {
+std::vector<Boxed> in_box(const BodyMesh& mesh, const MeshBox& box) {
   std::vector<Boxed> found;
   for (const Triangle& triangle : mesh.triangles()) {
-    const Box own = box_of(triangle);
+    const MeshBox own = box_of(triangle);
     if (touch(own, box)) found.push_back({own, &triangle});
   }
   std::sort(found.begin(), found.end(), [](const Boxed& p, const Boxed& q) { return p.box.x.lo < q.box.x.lo; });
@@ -72,7 +72,7 @@ std::vector<Boxed> in_box(const BodyMesh& mesh, const Box& box) {
 
 bool surfaces_cut(const BodyMesh& a, const BodyMesh& b) {
   const auto both = [](Interval p, Interval q) { return Interval{std::max(p.lo, q.lo), std::min(p.hi, q.hi)}; };
-  const Box shared{both(a.box().x, b.box().x), both(a.box().y, b.box().y), both(a.box().z, b.box().z)};
+  const MeshBox shared{both(a.box().x, b.box().x), both(a.box().y, b.box().y), both(a.box().z, b.box().z)};
   const std::vector<Boxed> of_a = in_box(a, shared), of_b = in_box(b, shared);
   for (const Boxed& one : of_a) {
     for (const Boxed& other : of_b) {
@@ -120,7 +120,7 @@ double area_off(const Triangle& triangle, const Polygon& floor, int halvings) {
 }
 
 // The whole rectangle over the floor: no corner of the floor reaches into it, and its own are over it.
-bool wholly_over(const Box& box, const Polygon& floor) {
+bool wholly_over(const MeshBox& box, const Polygon& floor) {
   for (const Vec corner : floor) {
     if (corner.x > box.x.lo + kOnFloor && corner.x < box.x.hi - kOnFloor && corner.y > box.y.lo + kOnFloor &&
         corner.y < box.y.hi - kOnFloor)
@@ -142,7 +142,7 @@ BodyMesh::BodyMesh(std::vector<Triangle> triangles, Frame frame) : triangles_(st
   constexpr double kFar = std::numeric_limits<double>::infinity();
   box_ = {{kFar, -kFar}, {kFar, -kFar}, {kFar, -kFar}};
   for (const Triangle& triangle : triangles_) {
-    const Box own = box_of(triangle);
+    const MeshBox own = box_of(triangle);
     box_ = {hull(box_.x, own.x), hull(box_.y, own.y), hull(box_.z, own.z)};
   }
 }

@@ -8,7 +8,7 @@
 
 namespace layoutbox::judge {
 
-struct Box {
+struct MeshBox {
   Interval x, y, z;
 };
 
@@ -21,13 +21,13 @@ class BodyMesh {
   BodyMesh inset(double inset) const;
   BodyMesh lowered(double by) const;
 
-  const Box& box() const { return box_; }
+  const MeshBox& box() const { return box_; }
   const std::vector<Triangle>& triangles() const { return triangles_; }
 
  private:
   std::vector<Triangle> triangles_;
   Frame frame_;
-  Box box_;
+  MeshBox box_;
 };
 
 // Their surfaces cut each other, or one is wholly inside the other.

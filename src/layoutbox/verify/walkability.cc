@@ -33,7 +33,7 @@ int samples(double length, double step) {
   return std::isfinite(wanted) ? static_cast<int>(std::clamp(wanted, 8.0, double{kMostSamples})) : kMostSamples;
 }
 
-double side_access(const Body& body, Side which, const Plan& plan) {
+double side_access(const Body& body, Side which, const FloorPixels& plan) {
   const BodySide side = side_of(body, which);
   const int along = samples(2 * side.half_width, plan.step()), deep = samples(kStripDepth, plan.step());
   int free = 0;
@@ -55,7 +55,7 @@ std::vector<Side> sides_to_reach(const Body& body) {
   return sides;
 }
 
-Plan::Plan(const RoomView& view, double margin, int resolution)
+FloorPixels::FloorPixels(const RoomView& view, double margin, int resolution)
     : resolution_(resolution), free_(places(resolution) * places(resolution), 0) {
   if (view.floor.empty()) return;
   middle_ = {(view.floor_x.lo + view.floor_x.hi) / 2, (view.floor_y.lo + view.floor_y.hi) / 2};
@@ -63,12 +63,12 @@ Plan::Plan(const RoomView& view, double margin, int resolution)
   draw_floor(view.floor);
 }
 
-Vec Plan::point(int column, int row) const {
+Vec FloorPixels::point(int column, int row) const {
   return {(column - resolution_ / 2) * step_ + middle_.x, (row - resolution_ / 2) * step_ + middle_.y};
 }
 
 // Row by row; a point on the floor's edge is on the floor.
-void Plan::draw_floor(const Polygon& floor) {
+void FloorPixels::draw_floor(const Polygon& floor) {
   std::vector<double> crossings;
   std::vector<Interval> spans;
   for (int row = 0; row < resolution_; ++row) {
@@ -92,7 +92,7 @@ void Plan::draw_floor(const Polygon& floor) {
   }
 }
 
-void Plan::erode(double width) {
+void FloorPixels::erode(double width) {
   const int size = std::min(static_cast<int>(width / step_), resolution_);
   if (size <= 0) return;
   // A pixel stays free when `size` neighbours in its line are: from `before` pixels before it to `after` after it, round the edge.
@@ -123,7 +123,7 @@ void Plan::erode(double width) {
   }
 }
 
-void Plan::keep_from_edges(const Polygon& floor, double distance) {
+void FloorPixels::keep_from_edges(const Polygon& floor, double distance) {
   for (std::size_t i = 0; i < floor.size(); ++i) {
     const Vec a = floor[i], b = floor[(i + 1) % floor.size()];
     const Pixels near_a = around(a, distance), near_b = around(b, distance);
@@ -135,7 +135,7 @@ void Plan::keep_from_edges(const Polygon& floor, double distance) {
   }
 }
 
-Plan::Pixels Plan::around(Vec point, double reach) const {
+FloorPixels::Pixels FloorPixels::around(Vec point, double reach) const {
   const auto pixel = [&](double offset, bool up) {
     const double at = (up ? std::ceil(offset / step_) + 1 : std::floor(offset / step_)) + resolution_ / 2;
     return static_cast<int>(std::clamp(at, 0.0, double(resolution_)));
@@ -145,7 +145,7 @@ Plan::Pixels Plan::around(Vec point, double reach) const {
           pixel(from_middle.y + reach, true)};
 }
 
-void Plan::block(const Body& body, double grow) {
+void FloorPixels::block(const Body& body, double grow) {
   const double reach = std::hypot(body.width, body.depth) / 2 + grow;
   const auto [x0, x1, y0, y1] = around(body.shape.center, reach);
   for (int row = y0; row < y1; ++row) {
@@ -158,23 +158,23 @@ void Plan::block(const Body& body, double grow) {
   }
 }
 
-bool Plan::free_at(Vec at) const {
+bool FloorPixels::free_at(Vec at) const {
   const double column = std::nearbyint((at.x - middle_.x) / step_) + resolution_ / 2;
   const double row = std::nearbyint((at.y - middle_.y) / step_) + resolution_ / 2;
   if (!(column >= 0 && column < resolution_ && row >= 0 && row < resolution_)) return false;
   return free(static_cast<int>(column), static_cast<int>(row));
 }
 
-std::int64_t Plan::free_pixels() const { return std::accumulate(free_.begin(), free_.end(), std::int64_t{0}); }
+std::int64_t FloorPixels::free_pixels() const { return std::accumulate(free_.begin(), free_.end(), std::int64_t{0}); }
 
 // A stretch of free pixels in a row, and the one that stands for its part.
-struct Plan::Stretch {
+struct FloorPixels::Stretch {
   int row, begin, end;
   std::size_t part;
 };
 
 // Row by row; what touches a stretch of the row before, corners too, is one part with it.
-std::vector<Plan::Stretch> Plan::stretches() const {
+std::vector<FloorPixels::Stretch> FloorPixels::stretches() const {
   std::vector<Stretch> all;
   const auto part_of = [&all](std::size_t one) {
     while (all[one].part != one) one = all[one].part = all[all[one].part].part;
@@ -201,7 +201,7 @@ std::vector<Plan::Stretch> Plan::stretches() const {
   return all;
 }
 
-std::vector<int> Plan::parts() const {
+std::vector<int> FloorPixels::parts() const {
   std::vector<int> label(free_.size(), 0);
   for (const Stretch& one : stretches()) {
     const auto begin = label.begin() + static_cast<std::ptrdiff_t>(index(0, one.row));
@@ -210,7 +210,7 @@ std::vector<int> Plan::parts() const {
   return label;
 }
 
-std::int64_t Plan::largest_free_part() const {
+std::int64_t FloorPixels::largest_free_part() const {
   const std::vector<Stretch> all = stretches();
   std::vector<std::int64_t> size(all.size() + 1, 0);
   for (const Stretch& one : all) size[one.part] += one.end - one.begin;
@@ -218,7 +218,7 @@ std::int64_t Plan::largest_free_part() const {
 }
 
 double navigability(const RoomView& view) {
-  Plan plan(view, 0.2, kResolution);
+  FloorPixels plan(view, 0.2, kResolution);
   plan.erode(kPerson);
   for (const Body& body : view.bodies) {
     if (in_the_way(body)) plan.block(body, kPerson / 2);
@@ -227,15 +227,15 @@ double navigability(const RoomView& view) {
   return all == 0 ? 0.0 : static_cast<double>(plan.largest_free_part()) / static_cast<double>(all);
 }
 
-Plan plan_for_access(const RoomView& view) {
-  Plan plan(view, 0, kResolution);
+FloorPixels plan_for_access(const RoomView& view) {
+  FloorPixels plan(view, 0, kResolution);
   for (const Body& body : view.bodies) {
     if (in_the_way(body)) plan.block(body, 0);
   }
   return plan;
 }
 
-std::optional<double> accessibility(const Body& body, const Plan& plan) {
+std::optional<double> accessibility(const Body& body, const FloorPixels& plan) {
   std::optional<double> best;
   for (const Side side : sides_to_reach(body)) best = std::max(best.value_or(0), side_access(body, side, plan));
   return best;

@@ -11,9 +11,9 @@ namespace layoutbox::judge {
 
 // Square plan of `resolution` pixels a side around the floor's middle, `margin` metres wider than the floor on each side;
 // a pixel is the point in its middle, and free while it lies on the floor and nothing is drawn over it.
-class Plan {
+class FloorPixels {
  public:
-  Plan(const RoomView& view, double margin, int resolution);
+  FloorPixels(const RoomView& view, double margin, int resolution);
 
   // Takes away what lies within half of `width` of the floor's edge (as SceneEval does: a square brush).
   void erode(double width);
@@ -57,8 +57,8 @@ class Plan {
 // Largest connected walkable area over all walkable area, for a person 0.2 m wide; 0 where there is none.
 double navigability(const RoomView& view);
 // Free share of the strip 0.2 m deep, 0.05 m off the best used side; empty for what has no side to be reached.
-std::optional<double> accessibility(const Body& body, const Plan& plan);
-Plan plan_for_access(const RoomView& view);
+std::optional<double> accessibility(const Body& body, const FloorPixels& plan);
+FloorPixels plan_for_access(const RoomView& view);
 
 // The used sides at which things are taken hold of from the floor.
 std::vector<Side> sides_to_reach(const Body& body);

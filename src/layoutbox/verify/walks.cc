@@ -37,7 +37,7 @@ Walks::Floor Walks::floor_for(const Body* body) const {
 }
 
 void Walks::walk_from_doors(Floor& floor) const {
-  const Plan& plan = floor.plan;
+  const FloorPixels& plan = floor.plan;
   const std::vector<int> part = plan.parts();
   const double near_enough = width_ / 2 + kStandsOff;
   std::set<int> from_door;
@@ -95,7 +95,7 @@ bool reachable(const RoomView& view, const Body& body, double width) {
 namespace {
 
 void check_access(const RoomView& view, Report& report) {
-  const Plan plan = plan_for_access(view);
+  const FloorPixels plan = plan_for_access(view);
   double sum = 0;
   int count = 0;
   for (const Body& body : view.bodies) {

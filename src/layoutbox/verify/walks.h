@@ -18,7 +18,7 @@ class Walks {
 
  private:
   struct Floor {
-    Plan plan;
+    FloorPixels plan;
     std::vector<std::uint8_t> walked;  // by pixel: whether the person gets there
   };
   Floor floor_for(const Body* body) const;
@@ -26,8 +26,8 @@ class Walks {
 
   const RoomView& view_;
   double width_;
-  Plan bare_;    // without furniture
-  Floor usual_;  // with all of it
+  FloorPixels bare_;  // without furniture
+  Floor usual_;       // with all of it
 };
 
 // Can a person `width` metres wide walk from a door to a used side of the body, to any side where none is known?

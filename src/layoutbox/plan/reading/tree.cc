@@ -10,7 +10,7 @@ namespace layoutbox::offline {
 namespace {
 
 using syntax::Arc;
-using syntax::Node;
+using syntax::TreeNode;
 using syntax::Tag;
 
 bool is_verb(Tag tag) {
@@ -39,7 +39,7 @@ class TreeWalk {
     subject_.assign(nodes_.size(), -1);
     object_.assign(nodes_.size(), -1);
     for (std::size_t t = 0; t < nodes_.size(); ++t) {
-      const Node& node = nodes_[t];
+      const TreeNode& node = nodes_[t];
       if (node.head < 0) continue;
       const auto head = static_cast<std::size_t>(node.head);
       if (node.arc == Arc::kNsubj || node.arc == Arc::kNsubjpass) subject_[head] = static_cast<int>(t);
@@ -56,7 +56,7 @@ class TreeWalk {
     if (sentence_[u].kind == UnitKind::kNoun) return listed_with(top);
     int at = top;
     for (int steps = 0; steps < 8 && at >= 0; ++steps) {
-      const Node& node = nodes_[static_cast<std::size_t>(at)];
+      const TreeNode& node = nodes_[static_cast<std::size_t>(at)];
       // A verb's own subject.
       if (is_verb(node.tag) && steps >= 0) {
         const int subject = noun_unit(subject_[static_cast<std::size_t>(at)], u);
@@ -92,7 +92,7 @@ class TreeWalk {
   }
 
   std::pair<int, double> listed_with(int top) const {
-    const Node& node = nodes_[static_cast<std::size_t>(top)];
+    const TreeNode& node = nodes_[static_cast<std::size_t>(top)];
     if (node.arc != Arc::kConj && node.arc != Arc::kAppos) return {-1, 0};
     const int noun = noun_unit(node.head, static_cast<std::size_t>(-1));
     return {noun, noun < 0 ? 0 : std::min(1.0, static_cast<double>(std::max(node.margin, 0.0F)))};
@@ -101,7 +101,7 @@ class TreeWalk {
   const Document& document_;
   const Sentence& sentence_;
   std::size_t first_ = 0;
-  std::vector<Node> nodes_;
+  std::vector<TreeNode> nodes_;
   std::vector<int> unit_of_, subject_, object_;
 };
 

@@ -20,6 +20,6 @@ void step_features(const Sentence& sentence, const State& state, Features& featu
 void label_features(const Sentence& sentence, const State& state, Step step, Features& features);
 
 // syntax::parse with other weights than the program's.
-std::vector<Node> parse_with(const Weights& weights, std::span<const std::string_view> words);
+std::vector<TreeNode> parse_with(const Weights& weights, std::span<const std::string_view> words);
 
 }  // namespace layoutbox::syntax

@@ -14,7 +14,7 @@ void find_tags(Sentence& sentence, const Weights& weights, Features& features) {
   for (int i = 0; i < sentence.size(); ++i) {
     std::array<int, kTags> scores{};
     tag_features(sentence, i, features);
-    weights.add(Model::kTag, features, scores);
+    weights.add(WeightTable::kTag, features, scores);
     sentence.tags[static_cast<std::size_t>(i)] = static_cast<std::uint8_t>(std::max_element(scores.begin(), scores.end()) - scores.begin());
   }
   look_ahead(sentence);
@@ -28,7 +28,7 @@ struct Choice {
 Choice choose_step(const Sentence& sentence, const State& state, const Weights& weights, Features& features) {
   std::array<int, kSteps> scores{};
   step_features(sentence, state, features);
-  weights.add(Model::kStep, features, scores);
+  weights.add(WeightTable::kStep, features, scores);
   constexpr int kLowest = std::numeric_limits<int>::min() / 2;
   int best = -1, first = kLowest, second = kLowest;
   for (int i = 0; i < kSteps; ++i) {
@@ -44,28 +44,28 @@ Choice choose_step(const Sentence& sentence, const State& state, const Weights& 
   }
   constexpr float kSure = 1e6F;
   return {Step{static_cast<std::uint8_t>(best)},
-          second == kLowest ? kSure : static_cast<float>(first - second) * weights.scale(Model::kStep)};
+          second == kLowest ? kSure : static_cast<float>(first - second) * weights.scale(WeightTable::kStep)};
 }
 
 Arc choose_label(const Sentence& sentence, const State& state, Step step, const Weights& weights, Features& features) {
   if (state.head(step) == sentence.size()) return Arc::kRoot;
   std::array<int, kArcs> scores{};
   label_features(sentence, state, step, features);
-  weights.add(Model::kLabel, features, scores);
+  weights.add(WeightTable::kLabel, features, scores);
   scores[static_cast<std::size_t>(Arc::kRoot)] = std::numeric_limits<int>::min();
   return Arc{static_cast<std::uint8_t>(std::max_element(scores.begin(), scores.end()) - scores.begin())};
 }
 
 }  // namespace
 
-std::vector<Node> parse(std::span<const std::string_view> words) { return parse_with(built_in_weights(), words); }
+std::vector<TreeNode> parse(std::span<const std::string_view> words) { return parse_with(built_in_weights(), words); }
 
-std::vector<Node> parse_with(const Weights& weights, std::span<const std::string_view> words) {
+std::vector<TreeNode> parse_with(const Weights& weights, std::span<const std::string_view> words) {
   Features features;
   Sentence sentence = read_sentence(words, weights);
   find_tags(sentence, weights, features);
   State state(sentence.size());
-  std::vector<Node> nodes(words.size());
+  std::vector<TreeNode> nodes(words.size());
   std::vector<float> margins(words.size(), std::numeric_limits<float>::max());
   while (!state.done()) {
     const Choice choice = choose_step(sentence, state, weights, features);

@@ -99,7 +99,7 @@ enum class Arc : std::uint8_t {
 };
 inline constexpr int kArcs = 45;
 
-struct Node {
+struct TreeNode {
   Tag tag = Tag::kNN;
   Arc arc = Arc::kDep;
   int head = -1;     // place in the sentence, -1: none
@@ -108,7 +108,7 @@ struct Node {
 
 // The tree of one sentence: words as the planner's tokens have them (case does not matter), signs as words of their own. Several words may
 // have no head (a list of fragments). Heads make no circle and no arcs cross. Time is linear; any bytes will do.
-std::vector<Node> parse(std::span<const std::string_view> words);
+std::vector<TreeNode> parse(std::span<const std::string_view> words);
 
 // "NN", "PRP$", "nsubj" … as the treebanks write them.
 std::string_view name(Tag tag);

@@ -26,7 +26,7 @@ void PrintTo(const Case& example, std::ostream* out) { *out << example.text; }
 
 struct Parsed {
   std::vector<std::string> words;
-  std::vector<Node> nodes;
+  std::vector<TreeNode> nodes;
 
   int place(std::string word) const {
     int skip = 0;
@@ -53,7 +53,7 @@ Parsed parse_text(std::string_view text) {
 std::string written(const Parsed& parsed) {
   std::string all;
   for (std::size_t i = 0; i < parsed.words.size(); ++i) {
-    const Node& node = parsed.nodes[i];
+    const TreeNode& node = parsed.nodes[i];
     all += parsed.words[i] + "/" + std::string(name(node.tag)) + ":" + std::string(name(node.arc)) + ">" +
            (node.head < 0 ? "." : parsed.words[static_cast<std::size_t>(node.head)]) + " ";
   }
@@ -66,7 +66,7 @@ bool holds(const Parsed& parsed, const std::string& claim) {
   }
   const std::size_t colon = claim.find(':'), arrow = claim.find('>');
   const std::size_t begin = colon == std::string::npos ? 0 : colon + 1;
-  const Node& node = parsed.nodes[static_cast<std::size_t>(parsed.place(claim.substr(begin, arrow - begin)))];
+  const TreeNode& node = parsed.nodes[static_cast<std::size_t>(parsed.place(claim.substr(begin, arrow - begin)))];
   const std::string head = claim.substr(arrow + 1);
   return node.head == (head == "." ? -1 : parsed.place(head)) && (colon == std::string::npos || name(node.arc) == claim.substr(0, colon));
 }
@@ -142,7 +142,7 @@ TEST(Syntax, NothingAndLittle) {
 }
 
 // Heads are words of the sentence, and following them ends.
-void expect_forest(const std::vector<Node>& nodes) {
+void expect_forest(const std::vector<TreeNode>& nodes) {
   std::vector<std::size_t> seen(nodes.size(), 0);  // by which walk
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     ASSERT_GE(nodes[i].head, -1);

@@ -73,7 +73,7 @@ const char* Weights::Table::find(std::uint64_t key) const {
   return nullptr;
 }
 
-void Weights::add(Model model, std::span<const std::uint64_t> features, std::span<int> scores) const {
+void Weights::add(WeightTable model, std::span<const std::uint64_t> features, std::span<int> scores) const {
   const Table& table = models_[static_cast<std::size_t>(model)];
   const std::size_t lines = table.lines.size() / kLine;
   if (lines == 0) return;
@@ -81,7 +81,7 @@ void Weights::add(Model model, std::span<const std::uint64_t> features, std::spa
   for (const std::uint64_t key : features) {
     const char* value = table.find(key);
     if (value == nullptr) continue;
-    if (model == Model::kStep) {
+    if (model == WeightTable::kStep) {
       for (std::size_t label = 0; label < kLineValue; ++label) scores[label] += static_cast<signed char>(value[label]);
       continue;
     }

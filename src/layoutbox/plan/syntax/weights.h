@@ -9,7 +9,7 @@
 namespace layoutbox::syntax {
 
 // Models in the order of the file.
-enum class Model : std::uint8_t { kTag, kStep, kLabel };
+enum class WeightTable : std::uint8_t { kTag, kStep, kLabel };
 inline constexpr int kModels = 3;
 
 // Scatters the bits of a key, so that its upper bits choose a bucket and its lower ones tell it from others.
@@ -33,10 +33,10 @@ class Weights {
   std::uint32_t info(std::uint64_t word) const;
 
   // Adds the weights of all features to the scores of a model's classes.
-  void add(Model model, std::span<const std::uint64_t> features, std::span<int> scores) const;
+  void add(WeightTable model, std::span<const std::uint64_t> features, std::span<int> scores) const;
 
   // One over what a usual margin is, for a model's scores.
-  float scale(Model model) const { return scales_[static_cast<std::size_t>(model)]; }
+  float scale(WeightTable model) const { return scales_[static_cast<std::size_t>(model)]; }
 
  private:
   // Three bytes for a feature: the steps' weights themselves; for tags and labels a place in the pool, where pairs of class and weight are.

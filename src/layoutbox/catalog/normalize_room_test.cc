@@ -1,0 +1,199 @@
+#include "layoutbox/catalog/normalize.h"
+
+#include <gmock/gmock.h>
+
+#include "layoutbox/catalog/test_kinds.h"
+
+namespace layoutbox {
+namespace {
+
+using namespace test_kinds;
+using testing::AllOf;
+using testing::Contains;
+using testing::ElementsAre;
+using testing::Field;
+using testing::IsEmpty;
+
+TEST(NormalizeRoom, WallsThatNobodyNamedGiveWayToAThingOfTheirName) {
+  SceneGraph scene;
+  scene.objects = {object("wall1", "bed"), object("room_wall3", "desk"), object("wall3", "desk")};
+  const auto normal = normalize_scene(scene, catalog());
+  ASSERT_TRUE(normal) << normal.error().message;
+  std::vector<std::string> ids;
+  for (const Wall& wall : normal->room.walls) ids.push_back(wall.id);
+  EXPECT_THAT(ids, ElementsAre("room_wall1", "wall2", "room_room_wall3", "wall4"));
+}
+
+TEST(NormalizeRoom, FillsASizeForTheKindOfRoom) {
+  const SceneGraph scene = normalized(scene_of({}));
+  EXPECT_THAT(scene.room.polygon, ElementsAre(Point{0, 0}, Point{4000, 0}, Point{4000, 3500}, Point{0, 3500}));
+  EXPECT_EQ(scene.room.height, 2600);
+  ASSERT_EQ(scene.room.walls.size(), 4u);
+  EXPECT_EQ(scene.find_wall("front")->id, "wall1");
+  EXPECT_EQ(scene.find_wall("right")->id, "wall2");
+  EXPECT_EQ(scene.find_wall("back")->id, "wall3");
+  EXPECT_EQ(scene.find_wall("left")->id, "wall4");
+  EXPECT_THAT(scene.notes, Contains(AllOf(Field(&Note::code, "filled"), Field(&Note::pointer, "/room/dims"))));
+}
+
+TEST(NormalizeRoom, IsSmallForLittleUnlessTheTextSaysHowLarge) {
+  const SceneGraph little = normalized(scene_of({object("chair_1", "chair")})), nothing = normalized(scene_of({}));
+  EXPECT_LT(doubled_area(little.room.polygon), doubled_area(nothing.room.polygon));
+  SceneGraph large = scene_of({object("chair_1", "chair")});
+  large.room.size_word = "medium";
+  EXPECT_EQ(doubled_area(normalized(large).room.polygon), doubled_area(nothing.room.polygon));
+}
+
+double area(const SceneGraph& scene) { return static_cast<double>(doubled_area(scene.room.polygon)) / 2e6; }
+
+TEST(NormalizeHosts, GrowForWhatTheyHold) {
+  const auto width = [](int lamps) {
+    std::vector<SceneObject> objects{object("desk_1", "desk")};
+    std::vector<Relation> relations;
+    for (int i = 0; i < lamps; ++i) {
+      objects.push_back(object("lamp_" + std::to_string(i), "lamp"));
+      relations.push_back(relation(RelationType::kOn, {objects.back().id}, {"desk_1"}));
+    }
+    return normalized(scene_of(objects, relations)).find_object("desk_1")->size->usual.width;
+  };
+  EXPECT_EQ(width(1), 1200);
+  EXPECT_EQ(width(3), 1200);
+  EXPECT_GT(width(6), 1200);
+  EXPECT_EQ(width(40), 1600);  // its range is the limit
+}
+
+TEST(NormalizeHosts, ASizeThatWasGivenStays) {
+  SceneObject desk = object("desk_1", "desk");
+  desk.size = SizeRange{{1000, 500, 750}, {1000, 500, 750}, {1000, 500, 750}};
+  desk.size_source = SizeSource::kUser;
+  std::vector<SceneObject> objects{desk};
+  std::vector<Relation> relations;
+  for (int i = 0; i < 8; ++i) {
+    objects.push_back(object("lamp_" + std::to_string(i), "lamp"));
+    relations.push_back(relation(RelationType::kOn, {objects.back().id}, {"desk_1"}));
+  }
+  EXPECT_EQ(normalized(scene_of(objects, relations)).find_object("desk_1")->size->usual.width, 1000);
+}
+
+TEST(NormalizeHosts, ATableSeatsAllThatSitAroundIt) {
+  std::vector<SceneObject> objects{object("desk_1", "desk")};
+  Relation around = relation(RelationType::kAround, {}, {"desk_1"});
+  for (int i = 0; i < 7; ++i) {
+    objects.push_back(object("plant_" + std::to_string(i), "plant"));
+    around.targets.push_back(objects.back().id);
+  }
+  const Size size = normalized(scene_of(objects, {around})).find_object("desk_1")->size->usual;
+  EXPECT_GE(2 * (size.width + size.depth), 7 * 600);
+}
+
+TEST(NormalizeRoom, GrowsWithItsFurniture) {
+  std::vector<SceneObject> beds;
+  for (int i = 0; i < 6; ++i) beds.push_back(object("bed_" + std::to_string(i), "bed"));
+  const SceneGraph scene = normalized(scene_of(beds));
+  EXPECT_GE(area(scene), 6 * 3.2 / 0.35);
+  EXPECT_LE(area(scene), 6 * 3.2 / 0.25);
+}
+
+TEST(NormalizeRoom, ReadsAreaSizeWordsAndShape) {
+  SceneGraph scene = scene_of({});
+  scene.room.area_m2 = 20;
+  EXPECT_NEAR(area(normalized(scene)), 20, 0.1);
+  scene.room.shape = "L";
+  EXPECT_NEAR(area(normalized(scene)), 20, 0.3);
+  EXPECT_EQ(normalized(scene).room.walls.size(), 6u);
+  scene.room.shape = "T";
+  EXPECT_EQ(normalized(scene).room.walls.size(), 8u);
+  scene.room.shape = "U";
+  EXPECT_EQ(normalized(scene).room.walls.size(), 8u);
+  scene = scene_of({});
+  const double ordinary = area(normalized(scene));
+  scene.room.size_word = "spacious";
+  EXPECT_GT(area(normalized(scene)), ordinary);
+  scene.room.size_word = "small";
+  EXPECT_LT(area(normalized(scene)), ordinary);
+}
+
+TEST(NormalizeRoom, TheCallersSizeWins) {
+  SceneGraph scene = scene_of({});
+  scene.room.polygon = {{0, 0}, {9000, 0}, {9000, 9000}, {0, 9000}};
+  scene = normalized(scene, {{5000, 4000, 3000}, true});
+  EXPECT_EQ(scene.room.polygon[2], (Point{5000, 4000}));
+  EXPECT_EQ(scene.room.height, 3000);
+  EXPECT_THAT(scene.notes, Contains(Field(&Note::code, "contradiction")));
+}
+
+TEST(NormalizeRoom, GetsADoorAndAWindowOnlyWhereNothingIsSaid) {
+  const SceneGraph scene = normalized(scene_of({}));
+  ASSERT_EQ(scene.room.openings.size(), 2u);
+  EXPECT_EQ(scene.room.openings[0].type, OpeningType::kDoor);
+  EXPECT_EQ(scene.room.openings[1].type, OpeningType::kWindow);
+  for (const Opening& opening : scene.room.openings) {
+    EXPECT_EQ(opening.origin, Origin::kAssumed);
+    EXPECT_THAT(opening.wall, IsEmpty());
+    EXPECT_FALSE(opening.offset);
+  }
+  SceneGraph none = scene_of({});
+  none.room.openings_given = true;
+  EXPECT_THAT(normalized(none).room.openings, IsEmpty());
+  EXPECT_THAT(normalized(scene_of({}), {{}, false}).room.openings, IsEmpty());
+  SceneGraph one = scene_of({});
+  one.room.openings = {Opening{}};
+  one.room.openings[0].id = "way_in";
+  EXPECT_EQ(normalized(one).room.openings.size(), 1u);
+}
+
+TEST(NormalizeRoom, DefaultsGiveWayToSmallRooms) {
+  const SceneGraph scene = normalized(scene_of({}), {{900, 800, 1900}, true});
+  for (const Opening& opening : scene.room.openings) {
+    EXPECT_LE(opening.width, 800);
+    EXPECT_LE(opening.sill + opening.height, 1900);
+    EXPECT_GT(opening.width, 0);
+    EXPECT_GT(opening.height, 0);
+  }
+}
+
+TEST(NormalizeRoom, TurnsWallsWithTheirOpenings) {
+  SceneGraph scene = scene_of({});
+  const auto wall = [](std::string id, Point start, Point end) {
+    Wall out;
+    out.id = std::move(id);
+    out.start = start;
+    out.end = end;
+    return out;
+  };
+  scene.room.walls = {wall("N", {0, 3000}, {4000, 3000}), wall("W", {0, 0}, {0, 3000}), wall("S", {0, 0}, {4000, 0}),
+                      wall("E", {4000, 3000}, {4000, 0})};
+  Opening door;
+  door.id = "d";
+  door.wall = "N";
+  door.offset = 500;
+  scene.room.openings = {door};
+  scene = normalized(scene);
+  EXPECT_EQ(scene.room.walls[0].id, "S");
+  EXPECT_EQ(scene.room.walls[2].id, "N");
+  EXPECT_EQ(scene.room.walls[2].start, (Point{4000, 3000}));
+  EXPECT_EQ(scene.room.openings[0].offset, 4000 - 500 - 900);
+}
+
+TEST(NormalizeRoom, MovesTheOriginIntoTheCorner) {
+  SceneGraph scene = scene_of({object("bed_1", "bed")});
+  scene.room.polygon = {{-2000, -1000}, {2000, -1000}, {2000, 2000}, {-2000, 2000}};
+  scene.objects[0].hint.position = {0, 0, 0};
+  scene = normalized(scene);
+  EXPECT_EQ(scene.room.polygon[0], (Point{0, 0}));
+  EXPECT_EQ(scene.objects[0].hint.position, (std::array<double, 3>{2000, 1000, 0}));
+}
+
+TEST(NormalizeRoom, ImpossibleRoomsAreErrors) {
+  SceneGraph scene = scene_of({});
+  scene.room.polygon = {{0, 0}, {200'000, 0}, {200'000, 4000}, {0, 4000}};
+  EXPECT_EQ(error_of(scene).code, ErrorCode::kGeometry);
+  scene.room.polygon = {{0, 0}, {4000, 3000}, {4000, 0}, {0, 3000}};
+  EXPECT_EQ(error_of(scene).code, ErrorCode::kGeometry);
+  scene = scene_of({});
+  scene.room.height = -1;
+  EXPECT_EQ(error_of(scene).code, ErrorCode::kGeometry);
+}
+
+}  // namespace
+}  // namespace layoutbox
