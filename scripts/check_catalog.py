@@ -144,7 +144,7 @@ def check_entry(entry: dict, ids: dict[str, dict], rooms: set[str], families: di
         if not set(entry.get(key, [])) <= SIDES:
             yield f"{key}: sides are front, back, left, right"
     if families and entry["shape"].get("family") not in families:
-        yield f"shape family '{entry['shape'].get('family')}' is unknown"
+        yield f"shape family '{entry['shape'].get('family')}' is unknown: it has no row in catalog/shapes.json"
     if entry.get("thin") and three(entry["size"]["h"])[2] > THIN:
         yield f"thin, but up to {three(entry['size']['h'])[2]} m high"
     for key in ("standsOn", "faces", "beside"):

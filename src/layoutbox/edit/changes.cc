@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+
+#include "layoutbox/catalog/word_lists.h"
 
 namespace layoutbox {
 namespace {
@@ -21,6 +24,23 @@ std::optional<std::array<double, 2>> place_of(const Layout& layout, const std::s
   if (opening != nullptr && opening->offset) along = *opening->offset + opening->width / 2.0;
   along = std::clamp(along, 0.0, length);
   return std::array<double, 2>{wall->start.x + dx / length * along, wall->start.y + dy / length * along};
+}
+
+// "round", "oval": a word for the form, where the others say colour and material.
+bool is_form(const std::string& attribute) {
+  for (const WordList::Member word : word_list("words_attributes").at("shape")) {
+    if (word.value.text() == attribute) return true;
+  }
+  return false;
+}
+
+// Those for the form, or the others.
+std::set<std::string> words_of(const std::vector<std::string>& attributes, bool form) {
+  std::set<std::string> words;
+  for (const std::string& attribute : attributes) {
+    if (is_form(attribute) == form) words.insert(attribute);
+  }
+  return words;
 }
 
 bool differs(double a, double b) { return std::abs(a - b) > 0.5; }
@@ -129,7 +149,9 @@ std::vector<ObjectChange> changes_between(const Layout& before, const Layout& af
     if (moved) change.what.emplace_back("moved");
     if (std::abs(change.degrees) > 0.01) change.what.emplace_back("turned");
     if (!(now.size == was->size)) change.what.emplace_back("resized");
-    if (now.attributes != was->attributes || now.material != was->material) change.what.emplace_back("recolored");
+    if (words_of(now.attributes, true) != words_of(was->attributes, true)) change.what.emplace_back("reshaped");
+    if (words_of(now.attributes, false) != words_of(was->attributes, false) || now.material != was->material)
+      change.what.emplace_back("recolored");
     if (now.name != was->name) change.what.emplace_back("renamed");
     if (!change.what.empty()) changes.push_back(std::move(change));
   }

@@ -16,7 +16,7 @@ namespace layoutbox {
 // What became of one object.
 struct ObjectChange {
   std::string id;
-  std::vector<std::string> what;  // "added", "removed", "moved", "turned", "resized", "recolored", "renamed"
+  std::vector<std::string> what;  // "added", "removed", "moved", "turned", "resized", "reshaped", "recolored", "renamed"
   double metres = 0;              // by how much its centre moved
   double degrees = 0;             // by how much it turned, counter-clockwise, −180…180
   bool asked = false;             // the text speaks of it; else it had to make room, or stood on what went

@@ -115,6 +115,16 @@ TEST(EditSteps, PaintOnWallsAndFloorIsAChange) {
   EXPECT_EQ(changes[1].id, "floor");
 }
 
+TEST(EditLayout, AFormIsNoColour) {
+  for (const auto& [text, what] : {std::pair{"make the sofa round", "reshaped"}, {"make the sofa green", "recolored"}}) {
+    const auto outcome = edit_layout(text, room(), Catalog::builtin());
+    ASSERT_TRUE(outcome) << outcome.error().message;
+    const auto changed = std::ranges::find(outcome->changes, "sofa_1", &ObjectChange::id);
+    ASSERT_NE(changed, outcome->changes.end()) << text;
+    EXPECT_THAT(changed->what, ElementsAre(what)) << text;
+  }
+}
+
 // A relation of the user's own is not taken for one that keeps a turned thing turned, whatever it is called.
 TEST(EditLayout, RelationsOfAnyIdAreKept) {
   Layout layout = room();

@@ -1,4 +1,4 @@
-// What relations have to do with one another, and how they are meant; a typed row for each (relation_traits.inc).
+// What relations have to do with one another, and how they are meant; a typed row for each (relation_traits.cc).
 #pragma once
 
 #include <cstdint>
