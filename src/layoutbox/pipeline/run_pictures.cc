@@ -14,7 +14,7 @@ Result<RenderOutputs> draw(const std::filesystem::path& script, const std::files
   return run_blender(blender, script, into, options.render);
 }
 
-Drawn drawn(const std::string& names, const RenderOutputs& made, const RenderOptions& options) {
+Drawn told_of(const std::string& names, const RenderOutputs& made, const RenderOptions& options) {
   return {fmt::format("{}{}×{}, Blender {}", names, options.width, options.height, made.blender_version), made.blender_version};
 }
 
@@ -27,7 +27,7 @@ Result<Drawn> draw_pictures(RunFolder& folder, std::size_t variant, const Genera
     LAYOUTBOX_ASSIGN(const RenderOutputs made, draw(script, folder.path(), options));
     for (const auto& file : made.files()) folder.add(file.filename().string());
     for (const auto& file : made.pictures) names += file.filename().string() + " ";
-    return drawn(names, made, options.render);
+    return told_of(names, made, options.render);
   }
   // Blender writes the same names each time, so each of the others is drawn elsewhere.
   LAYOUTBOX_ASSIGN(const TemporaryFolder place, TemporaryFolder::make("layoutbox-variant"));
@@ -37,7 +37,7 @@ Result<Drawn> draw_pictures(RunFolder& folder, std::size_t variant, const Genera
     LAYOUTBOX_CHECK(folder.write(variant_name(file.filename().string(), variant), bytes));
   }
   for (const auto& file : made.pictures) names += variant_name(file.filename().string(), variant) + " ";
-  return drawn(names, made, options.render);
+  return told_of(names, made, options.render);
 }
 
 }  // namespace layoutbox
