@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "layoutbox/catalog/test_kinds.h"
+#include "layoutbox/scene/shell.h"
 
 namespace layoutbox {
 namespace {

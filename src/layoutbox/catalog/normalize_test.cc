@@ -8,6 +8,7 @@
 #include "layoutbox/catalog/test_kinds.h"
 #include "layoutbox/scene/random_scene.h"
 #include "layoutbox/scene/scene_json.h"
+#include "layoutbox/scene/shell.h"
 
 namespace layoutbox {
 namespace {

@@ -78,20 +78,20 @@ std::optional<SignedHeading> signed_heading(const Model& model, double degrees) 
   return std::nullopt;
 }
 
-std::vector<BodyPart> parts_of(const Model& model, int index) {
+std::vector<PartPlace> parts_of(const Model& model, int index) {
   const Item& item = model.items[index];
-  std::vector<BodyPart> parts;
+  std::vector<PartPlace> parts;
   if (quarter_states(item)) parts.push_back({place_of(index), quarter_states(item)});
   if (item.odd_states == 0) return parts;
   const auto constant = [&](int k) { return constant_of(index, item.footprint + k); };
-  BodyPart within{place_of(index), item.odd_states};
+  PartPlace within{place_of(index), item.odd_states};
   for (int axis = 0; axis < 2; ++axis) {
     within.place.lo[axis] = lo(index, axis) + constant(axis);
     within.place.hi[axis] = lo(index, axis) + constant(2 + axis);
   }
   parts.push_back(within);
   for (int corner = 0; corner < 4; ++corner) {
-    BodyPart point = within;
+    PartPlace point = within;
     point.corner = true;
     for (int axis = 0; axis < 2; ++axis) point.place.lo[axis] = point.place.hi[axis] = lo(index, axis) + constant(4 + 2 * corner + axis);
     parts.push_back(point);

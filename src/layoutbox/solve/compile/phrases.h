@@ -28,12 +28,12 @@ inline Linear gap_towards(int t, int r, Direction d) { return gap_towards(t, pla
 
 // Places that lie within the body of an item, whatever its turn: the item's box in the states at quarter turns, an upright box within the
 // turned body and its corners in the others. A thing is at most as far from the body as from one of these.
-struct BodyPart {
+struct PartPlace {
   Place place;
   std::uint64_t states;  // in these
   bool corner = false;
 };
-std::vector<BodyPart> parts_of(const Model& model, int item);
+std::vector<PartPlace> parts_of(const Model& model, int item);
 // The states of an item at quarter turns.
 inline std::uint64_t quarter_states(const Item& item) { return item.all_states & ~item.odd_states; }
 

@@ -49,15 +49,15 @@ Heights heights_between(const Model& model, int t, const Place& r, Mm most, Purp
 namespace {
 
 struct Pair {
-  BodyPart t, r;
+  PartPlace t, r;
 };
 
 // Pairs of places within t and r, one of which is as near as need be: corners meet what is no corner.
 std::vector<Pair> pairs_of_parts(const Model& model, int t, const Place& r, std::uint64_t t_states) {
-  const std::vector<BodyPart> references = r.item >= 0 ? parts_of(model, r.item) : std::vector<BodyPart>{{r, 0}};
+  const std::vector<PartPlace> references = r.item >= 0 ? parts_of(model, r.item) : std::vector<PartPlace>{{r, 0}};
   std::vector<Pair> pairs;
-  for (const BodyPart& own : parts_of(model, t)) {
-    for (const BodyPart& other : references) {
+  for (const PartPlace& own : parts_of(model, t)) {
+    for (const PartPlace& other : references) {
       if ((own.states & t_states) && !(own.corner && other.corner)) pairs.push_back({own, other});
     }
   }
