@@ -10,8 +10,8 @@ namespace layoutbox::offline {
 namespace {
 
 using syntax::Arc;
-using syntax::TreeNode;
 using syntax::Tag;
+using syntax::TreeNode;
 
 bool is_verb(Tag tag) {
   return tag == Tag::kVB || tag == Tag::kVBD || tag == Tag::kVBG || tag == Tag::kVBN || tag == Tag::kVBP || tag == Tag::kVBZ;
