@@ -43,7 +43,7 @@ class Lofted {
     const Vec own = unit(faces_[k * n_ + i]);
     Vec sum{};
     for (const std::size_t fk : {pk, pk - 1}) {
-      if (fk + 1 >= rings_.size()) continue;  // also where pk − 1 went below zero
+      if (fk >= rings_.size() - 1) continue;  // also where pk − 1 went below zero, and is very large
       for (const std::size_t fi : {pi % n_, (pi + n_ - 1) % n_}) {
         const Vec face = faces_[fk * n_ + fi];
         if (dot(unit(face), own) > kSmoothLoftCosine && length(face) > 0) sum = sum + face;

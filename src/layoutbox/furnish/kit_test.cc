@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <memory>
+#include <vector>
+
 #include "layoutbox/furnish/mesh_checks.h"
 
 namespace layoutbox::kit {
@@ -87,6 +91,26 @@ TEST(Kit, TriangulatesHollowOutlines) {
   double area = 0;
   for (const auto& [a, b, c] : triangulate(u)) area += ((u[b].x - u[a].x) * (u[c].y - u[a].y) - (u[b].y - u[a].y) * (u[c].x - u[a].x)) / 2;
   EXPECT_NEAR(area, 5, 1e-9);
+}
+
+// Whatever lies in memory beside its faces (once the first ring's normals took some of that).
+TEST(Loft, NormalsFollowFromItsRingsAlone) {
+  std::vector<std::vector<Vec>> rings(2);
+  for (std::size_t k = 0; k < rings.size(); ++k) {
+    for (int i = 0; i < 16; ++i) rings[k].push_back({std::cos(kPi * i / 8), std::sin(kPi * i / 8), static_cast<double>(k)});
+  }
+  std::vector<std::unique_ptr<std::vector<double>>> around;
+  for (int i = 0; i < 400; ++i) around.push_back(std::make_unique<std::vector<double>>(48, i % 3 == 0 ? 1e3 : i % 3 == 1 ? 4e2 : -1e3));
+  for (std::size_t i = 0; i < around.size(); i += 2) around[i].reset();
+  for (int turn = 0; turn < 50; ++turn) {
+    const Mesh tube = loft(rings);
+    for (std::size_t v = 0; v < tube.normals.size(); ++v) {
+      const auto& n = tube.normals[v];
+      if (std::abs(n[2]) > 0.99F) continue;  // an end
+      EXPECT_NEAR(n[2], 0, 1e-5) << "vertex " << v;
+      EXPECT_NEAR(n[0] * tube.positions[v][0] + n[1] * tube.positions[v][1], 1, 1e-5) << "vertex " << v;
+    }
+  }
 }
 
 }  // namespace
