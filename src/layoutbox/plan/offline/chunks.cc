@@ -75,7 +75,8 @@ void Chunker::read() {
   const std::size_t after_sides = i_ + phrase.length;
   const bool sides_end = both_sides && (after_sides >= tokens_.size() || tokens_[after_sides].kind == Token::Kind::kPunctuation ||
                                         lexicon_.is(tokens_[after_sides], Class::kAnd));
-  if (opens_noun(tokens_[i_]) && phrase.length < 3 && !sides_end && count_follows) {
+  const bool one_more = tokens_[i_].text == "one" && before == ChunkKind::kAnd;  // "… and one on the other" side
+  if (opens_noun(tokens_[i_]) && (phrase.length < 3 || one_more) && !sides_end && count_follows) {
     const bool relative =
         lexicon_.is(tokens_[i_], Class::kRelative) && before == ChunkKind::kNoun && !(tokens_[i_].text == "that" && noun_follows());
     if (relative || (before == ChunkKind::kComma && tokens_[i_].text == "which")) {
@@ -102,6 +103,9 @@ PhraseMatch Chunker::phrase_here() const {
   // "above each of the beds": "each of" are those.
   if (phrase.length > 2 && last == "of" && lexicon_.is(tokens_[after - 2], Class::kEach))
     return lexicon_.find_phrase(tokens_.first(after - 2), i_);
+  // "at its far end": the end of a thing, not of the room.
+  if (phrase.possessive && std::ranges::all_of(*phrase.senses, [](const PhraseSense& s) { return s.type == RelationType::kInRegion; }))
+    return lexicon_.find_phrase(tokens_.first(i_ + 1), i_);
   if (last != "left" && last != "right" && last != "side") return phrase;
   const Token& next = tokens_[after].text == "hand" && after + 1 < tokens_.size() ? tokens_[after + 1] : tokens_[after];
   if (next.text != "one" && !lexicon_.is(next, Class::kWall) && !lexicon_.is(next, Class::kCorner) && !lexicon_.is(next, Class::kSide))

@@ -91,7 +91,8 @@ void RelationBuilder::add_content(const Link& link, const Mention& target, const
   if (thing.entry != nullptr && thing.entry->thin && mount == Mount::kFloor) return each(R::kUnder);
   if (is_table(catalog_, host) && is_seat(catalog_, thing)) return add_seats(link, target.items, hosts);
   const bool carried = may_carry(catalog_, host, thing) || (link.holding && shows(link));
-  if (carried && !(mount == Mount::kWall && !link.holding)) return each(holds_inside(host) ? R::kIn : R::kOn);
+  const bool inside = holds_inside(host) || (says_inside(link) && has_inside(host));
+  if (carried && !(mount == Mount::kWall && !link.holding)) return each(inside ? R::kIn : R::kOn);
   if (mount == Mount::kWall || mount == Mount::kCeiling) {
     if (!link.after_comma && mount_of(host) == Mount::kFloor) each(R::kAbove);
     return;
@@ -104,6 +105,11 @@ void RelationBuilder::add_content(const Link& link, const Mention& target, const
   if (target.items.size() == 2 && hosts.size() == 1 && mount == Mount::kFloor)
     return add(link, R::kEachSideOf, ids(target.items), {id(hosts.front())});
   each(R::kNextTo);
+}
+
+// "a cabinet containing bandages"
+bool RelationBuilder::says_inside(const Link& link) const {
+  return one_of(document_.tokens[link.first].text, {"containing", "contains", "contain", "filled", "stocked", "storing", "stores"});
 }
 
 bool RelationBuilder::shows(const Link& link) const {

@@ -38,6 +38,7 @@ struct Link {
   bool each = false;                     // one (or as many as said) for every reference or side
   bool holding = false;                  // a have that says that the host carries ("holding", "filled with")
   bool one_side = false;                 // "on one side of": "on the other" may follow
+  bool other_side = false;               // … and did
   bool weak = false;                     // a have that another link of the target makes needless
   bool soft = false;
   bool concluded = false;    // follows from the words without being said: support carried on, seats for so many

@@ -297,6 +297,15 @@ NounPhrase NounPhraseReader::settle_member() {
 
 // Nothing but attributes: "each", "the other", "both", "the larger", a count alone.
 std::optional<NounPhrase> NounPhraseReader::settle_without_head() {
+  // "its twin": another one.
+  if (phrase_.determiner == Determiner::kPossessive && i_ > phrase_.first + 1 && tokens_[i_ - 1].text == "twin") {
+    phrase_.kind = NounKind::kMember;
+    phrase_.determiner = Determiner::kAnother;
+    phrase_.count = 0;
+    phrase_.attributes.clear();
+    phrase_.attribute_classes.clear();
+    return finish();
+  }
   const bool member = phrase_.determiner == Determiner::kEach || phrase_.determiner == Determiner::kBoth ||
                       phrase_.determiner == Determiner::kOther || phrase_.determiner == Determiner::kAnother || counted_ ||
                       phrase_.ordinal != 0;

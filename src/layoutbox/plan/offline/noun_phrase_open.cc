@@ -180,7 +180,8 @@ bool NounPhraseReader::read_pronoun() {
     const Match next = lexicon_.find(tokens_, i_ + 1);
     const bool place = lexicon_.find_phrase(tokens_, i_ + 1).length > 0 && !has(next, Class::kObject) && attribute_of(next) == nullptr &&
                        !has(next, Class::kWallRelation) && !has(next, Class::kWallWord);         // "put that by the window"
-    const bool article = place || has(next, Class::kIndefinite) || has(next, Class::kDefinite);  // "between these a table"
+    const bool number = (text == "that" || text == "this") && has(next, Class::kNumber) && !at_word("one", 1);  // "behind that two chairs"
+    const bool article = place || number || has(next, Class::kIndefinite) || has(next, Class::kDefinite);  // "between these a table"
     if (next.length > 0 && !article && !has(next, Class::kBe) && !has(next, Class::kPlaceVerb)) return false;
     if (next.length == 0 && i_ + 1 < tokens_.size() && tokens_[i_ + 1].kind == Token::Kind::kWord) return false;
   }
@@ -234,6 +235,8 @@ bool NounPhraseReader::take(Class word_class, Determiner determiner) {
 
 // The, a, my, another, each.
 NounPhraseReader::Opening NounPhraseReader::read_article() {
+  // "on one a blanket", "above both a shelf"
+  if ((counted_ || phrase_.determiner == Determiner::kBoth) && lexicon_.is(token(), Class::kIndefinite)) return Opening::kEnds;
   if (take(Class::kAnother, Determiner::kAnother)) return Opening::kGoesOn;
   if (take(Class::kIndefinite, Determiner::kIndefinite)) {
     if (at_word("few")) i_ += 1, phrase_.count = 3, phrase_.vague = counted_ = true;

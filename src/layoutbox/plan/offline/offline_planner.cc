@@ -4,6 +4,7 @@
 
 #include "layoutbox/base/utf8.h"
 #include "layoutbox/base/words.h"
+#include "layoutbox/plan/offline/forward_counts.h"
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/left_out.h"
 #include "layoutbox/plan/offline/object_size.h"
@@ -56,6 +57,7 @@ class OfflinePlanner final : public Planner {
     settle_opening_walls(lexicon_, document);
     settle_purposes(lexicon_, document);
     settle_room_senses(lexicon_, document, begins_of(of_size));
+    settle_forward_counts(document);
     read_document(lexicon_, document);
     if (is_set(document.stop)) return stopped();
     add_for_people(lexicon_, document);

@@ -65,9 +65,10 @@ class RelationBuilder {
   std::string carrier_of(const std::vector<std::string>& objects) const;
   std::vector<std::vector<std::string>> between_pairs(const Link& link, const std::vector<std::string>& all) const;
   void add_between(const Link& link, const std::vector<int>& targets);
+  void add_seats_near(const Link& link, const std::vector<std::string>& seats, int table);
   bool are_flankers(const std::vector<std::string>& pair, int middle) const;
   // Small things that stand on the host wherever they are said to be by it.
-  bool lie_on(const std::vector<int>& items, int host) const;
+  bool lie_on(const Link& link, const std::vector<int>& items, int host) const;
   bool add_laden_sides(const Link& link, const PhraseSense& sense, const std::vector<int>& targets, int host);
   bool seats_one_side(const Link& link, int seat, int host) const;
   void add_group(const Link& link, PhraseSense sense, const std::vector<int>& targets, const std::vector<int>& references,
@@ -108,6 +109,7 @@ class RelationBuilder {
   void add_content(const Link& link, const Mention& target, const std::vector<int>& hosts);
   // "holding", "displaying": the host carries it, whatever it is.
   bool shows(const Link& link) const;
+  bool says_inside(const Link& link) const;
   void add_hanging(const Link& link);
   // "a wall-mounted TV", "a floating shelf".
   void add_mounts_said();

@@ -77,6 +77,17 @@ bool RelationBuilder::are_flankers(const std::vector<std::string>& pair, int mid
   });
 }
 
+// "Two chairs face each other across a table": they sit at it.
+void RelationBuilder::add_seats_near(const Link& link, const std::vector<std::string>& seats, int table) {
+  if (!is_table(catalog_, noun_of_item(table))) return;
+  Link near = link;
+  near.soft = near.concluded = true;
+  for (const std::string& seat : seats) {
+    const SceneObject* object = object_of(seat);
+    if (object != nullptr && is_seat(catalog_, noun_of_object(*object))) add(near, R::kNextTo, {seat}, {id(table)});
+  }
+}
+
 void RelationBuilder::add_between(const Link& link, const std::vector<int>& targets) {
   std::vector<std::string> references;
   for (const int m : link.references) {
@@ -94,6 +105,7 @@ void RelationBuilder::add_between(const Link& link, const std::vector<int>& targ
     // "two candlesticks on the mantel with a clock between them": there as well.
     const SceneObject* carrier = host.empty() ? nullptr : object_of(host);
     if (carrier != nullptr && may_carry(catalog_, noun_of_object(*carrier), noun_of_item(target))) add(link, R::kOn, {id(target)}, {host});
+    if (link.first < link.last && document_.tokens[link.first].text == "across") add_seats_near(link, references, target);
     for (const auto& pair : between_pairs(link, references)) {
       if (are_flankers(pair, target))
         add(link, R::kEachSideOf, pair, {id(target)});
@@ -103,9 +115,12 @@ void RelationBuilder::add_between(const Link& link, const std::vector<int>& targ
   }
 }
 
-bool RelationBuilder::lie_on(const std::vector<int>& items, int host) const {
+bool RelationBuilder::lie_on(const Link& link, const std::vector<int>& items, int host) const {
   const NounPhrase& carrier = noun_of_item(host);
+  // At the sides of a stage, a throne or a piano things stand on the floor, at the ends of a mantel on it.
+  const bool ends = words_between(document_, link.first, link.last).find("end") != std::string::npos;
   if (mount_of(carrier) != Mount::kFloor || carrier.entry == nullptr || !carrier.entry->top_carries ||
+      !(is_table(catalog_, carrier) || is_storage(carrier) || ends || carrier.head == "mantel") || is_seat(catalog_, carrier) ||
       one_of(carrier.head, {"bed", "sofa", "couch", "loveseat", "daybed", "crib"}))
     return false;
   return std::all_of(items.begin(), items.end(), [&](int item) {
@@ -147,7 +162,7 @@ bool RelationBuilder::in_ring(const std::vector<int>& targets, const std::vector
 bool RelationBuilder::add_at_sides(const Link& link, const PhraseSense& sense, const std::vector<int>& targets, int host) {
   if (add_laden_sides(link, sense, targets, host)) return true;
   // "a lamp at each end" of a console table: on it.
-  if (lie_on(targets, host)) {
+  if (lie_on(link, targets, host)) {
     for (std::size_t t = 0; t < targets.size(); ++t) {
       PhraseSense on{R::kOn, Direction::kDirect, t % 2 == 0 ? "left" : "right", {}, {}};
       if (targets.size() > 2) on.part.clear();
@@ -203,8 +218,10 @@ void RelationBuilder::add_group(const Link& link, PhraseSense sense, const std::
     if (in_ring(targets, references)) sense.type = R::kSurround;
   }
   if (sense.type == R::kEachSideOf && references.size() == 1 && add_at_sides(link, sense, targets, references.front())) return;
-  if (sense.type == R::kRow && sense.part == "order") {  // "from left to right": each left of the next
-    for (std::size_t t = 1; t < targets.size(); ++t) add(link, R::kLeftOf, {id(targets[t - 1])}, {id(targets[t])});
+  if (sense.type == R::kRow && !sense.part.empty()) {  // "from left to right": each left of the next
+    const bool reverse = sense.part == "reverse";
+    for (std::size_t t = 1; t < targets.size(); ++t)
+      add(link, R::kLeftOf, {id(targets[reverse ? t : t - 1])}, {id(targets[reverse ? t - 1 : t])});
     return;
   }
   if (references.empty())

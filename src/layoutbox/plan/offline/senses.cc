@@ -98,7 +98,7 @@ class SenseChooser {
 
   Choice at_corner() const {
     if (!says_any({R::kOn, R::kIn, R::kNextTo, R::kNear, R::kAgainstWall, R::kOnCeiling, R::kCorner, R::kCenterOfRoom, R::kFacing,
-                   R::kTuckedUnder, R::kAbove}))
+                   R::kTuckedUnder, R::kAbove, R::kDistance}))
       return {};
     if (reference_.of && reference_.of->kind == NounKind::kObject)
       return chosen(on_part(reference_.wall_word.empty() ? "corner" : reference_.wall_word + " corner"));
@@ -106,7 +106,8 @@ class SenseChooser {
   }
 
   std::optional<PhraseSense> at_center() const {
-    if (reference_.of && (reference_.of->kind == NounKind::kObject || reference_.of->kind == NounKind::kPronoun)) return on_part("center");
+    const auto of = [&](NounKind kind) { return reference_.of && reference_.of->kind == kind; };
+    if (of(NounKind::kObject) || of(NounKind::kPronoun) || of(NounKind::kPart)) return on_part("center");
     if (reference_.of && reference_.of->kind == NounKind::kWall) return own(R::kCenteredOnWall);
     if (says_any({R::kOn, R::kIn, R::kNextTo, R::kNear, R::kCenterOfRoom, R::kAgainstWall})) return own(R::kCenterOfRoom);
     return std::nullopt;
@@ -120,6 +121,8 @@ class SenseChooser {
       if (mount_of(target_) != Mount::kSurface && !says(R::kOn)) return own(left ? R::kLeftOf : R::kRightOf);
       return on_part(reference_.wall_word);
     }
+    // "at the far end of the bench": on it, or by it.
+    if (head == "end" && !reference_.wall_word.empty() && mount_of(target_) == Mount::kSurface) return on_part("end");
     if (head == "foot" || head == "end" || (head == "bottom" && !says(R::kOn))) return own(R::kAtFootOf);
     if (head == "headboard" && says(R::kAbove)) return own(R::kAbove);
     if (head == "head" || head == "headboard") return own(R::kAtHeadOf);

@@ -143,7 +143,8 @@ bool Decoder::several(const State& state, Referent referent) const {
   }
   if (referent < 0) return false;
   const NounPhrase& own = chunk(referent).noun;
-  if (own.determiner == Determiner::kEach || (own.kind == NounKind::kMember && own.determiner != Determiner::kBoth)) return own.count > 1;
+  const bool each = own.determiner == Determiner::kEach;
+  if (each || (own.kind == NounKind::kMember && own.determiner != Determiner::kBoth)) return own.kind == NounKind::kMember && own.count > 1;
   const UnitReading& reading = read_as(state, referent);
   if (reading.whole_list) return true;
   if (reading.meant != kNobody && own.kind != NounKind::kObject) return several(state, reading.meant);

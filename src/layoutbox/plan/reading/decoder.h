@@ -108,6 +108,7 @@ class Decoder {
   void attach_actions(std::size_t s, int u, Kind kind);
   void attach_to(std::size_t s, int u, Kind kind, std::size_t level);
   void have_actions(std::size_t s, int u);
+  bool is_placed_apart(const State& state, int member) const;
   int first_of_plural(const State& state, int last) const;
   void verb_actions(std::size_t s, int u);
   void relative_actions(std::size_t s, int u);
@@ -133,6 +134,8 @@ class Decoder {
   double reference_list_score(const State& state, int member, int u) const;
   double reference_score(const State& state, int place, Referent reference) const;
   double habit_score(const State& state, int place, Referent subject, Referent other, const PhraseSenses& senses) const;
+  double part_score(const State& state, int place, const NounPhrase& part, Referent meant) const;
+  void repeated_part_actions(std::size_t s, int u);
   double content_score(const State& state, int predicate, Referent content) const;
   bool speaks_of_no_thing(const State& state) const;
   bool may_come_with(const NounPhrase& host, const NounPhrase& noun) const;

@@ -41,7 +41,9 @@ Referent Decoder::side_host(const State& state, int u, const PhraseSenses& sense
     const Referent host = place.alone ? place.implied : is(p + 1, UnitKind::kNoun) ? p + 1 : kNobody;
     if (host != kNobody) return host;
   }
-  return kNobody;
+  // "A desk stands to the left of the door. On the right is a bench."
+  const bool opposed = before_.sided >= 0 && says(senses, before_.left ? RelationType::kRightOf : RelationType::kLeftOf);
+  return opposed ? referent_of_mention(before_.sided) : kNobody;
 }
 
 // "one to the left and one to the right of the mirror": what the other side's reference, which comes later, is.

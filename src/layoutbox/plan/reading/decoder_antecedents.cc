@@ -90,8 +90,10 @@ std::vector<Decoder::Candidate> Decoder::antecedents(const State& state, Referen
     return consider(all, state, referent, order, subject, senses, noun, list);
   };
   const bool plural = noun != nullptr && (noun->plural || noun->kind == NounKind::kMember || noun->determiner == Determiner::kBoth);
-  if (noun != nullptr && !noun->head.empty() && noun->kind == NounKind::kPronoun && state.it != kNobody && !plural)
+  const bool that = noun != nullptr && one_of(noun->head, {"that", "this"});  // what was named last
+  if (noun != nullptr && !noun->head.empty() && noun->kind == NounKind::kPronoun && state.it != kNobody && !plural && !that)
     trial(state.it, 0.6, false);
+  if (that && !state.roots.empty()) trial(state.roots.back(), -weight::kNamedAgain, false);
   text_antecedents(state, senses, trial, clause_antecedents(state, noun, trial));
   std::stable_sort(all.begin(), all.end(), [](const Candidate& a, const Candidate& b) { return a.score > b.score; });
   if (all.size() > kChoices) all.resize(kChoices);
@@ -169,7 +171,10 @@ bool Decoder::placed_by_before(const State& state, int u) const {
 // Of the sentences before.
 void Decoder::text_antecedents(const State& state, const PhraseSenses* senses, const Trial& trial, double order) const {
   const bool lies = senses != nullptr && (says(*senses, RelationType::kOn) || says(*senses, RelationType::kIn));
-  if (before_.fronted >= 0 && !lies && state.roots.empty() && state.frontier.empty()) trial(referent_of_mention(before_.fronted), 0, false);
+  // "Opposite the shower is a sink. Over it …": the sink; but "in front of it" as the place before.
+  const bool over = senses != nullptr && (says(*senses, RelationType::kAbove) || says(*senses, RelationType::kUnder));
+  if (before_.fronted >= 0 && !lies && !over && state.roots.empty() && state.frontier.empty())
+    trial(referent_of_mention(before_.fronted), 0, false);
   if (before_.topic >= 0) trial(referent_of_mention(before_.topic), order, false);
   order += 0.8;
   for (std::size_t r = before_.roots.size(), looked = 0; r-- > 0 && looked < 6; ++looked, order += 0.6)

@@ -1,5 +1,6 @@
 // What a choice does to the state of the reading.
 #include <algorithm>
+#include <utility>
 
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/reader_words.h"
@@ -228,6 +229,10 @@ void Decoder::take_subject(State& state, const Action& action, int u) const {
     read_as(state, m).many |= is(u, UnitKind::kPlace) && unit(u).each;
     if (m == own.first_subject) break;
   }
+  // "a table where two chairs face each other": at the table.
+  if (state.where >= 0 && action.unit != state.where && is(u, UnitKind::kPlace) && (verb_like(u) || lexicon_.is_place_verb(word(u))) && own.implied == kNobody &&
+      read_as(state, action.unit).role == NounRole::kRoot)
+    own.implied = std::exchange(state.where, -1);
   cut_frontier(state, action.unit);
   state.relative = -1;
 }

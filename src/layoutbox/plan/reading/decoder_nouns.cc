@@ -20,7 +20,8 @@ namespace {
 // A part whose thing is not said ("the left side", "its top").
 bool needs_owner(const NounPhrase& noun) {
   if (noun.kind == NounKind::kObject || noun.kind == NounKind::kRoom) return false;
-  if (noun.of) return noun.of->kind == NounKind::kPronoun || noun.of->kind == NounKind::kMember;
+  const bool of_part = noun.of && noun.of->kind == NounKind::kPart && !noun.of->of;  // "the middle of the tabletop"
+  if (noun.of) return noun.of->kind == NounKind::kPronoun || noun.of->kind == NounKind::kMember || of_part;
   if (noun.kind == NounKind::kPart) return true;
   return noun.determiner == Determiner::kPossessive && (noun.kind == NounKind::kCorner || noun.kind == NounKind::kCenter);
 }
@@ -64,7 +65,7 @@ void Decoder::noun_actions(std::size_t s, int u) {
     }
   }
   if (state.verb && !joined) {
-    add(s, kNewRoot, 0);
+    add(s, kNewRoot, others ? -8 : 0);  // "two lamps stand one on each side"
     return;
   }
   if (!others) list_actions(s, u);
@@ -121,13 +122,51 @@ void Decoder::waited_member_actions(std::size_t s, int u) {
   const NounPhrase& noun = chunk(u).noun;
   const bool part = noun.kind != NounKind::kPronoun && noun.kind != NounKind::kMember;
   for (const Candidate& meant : antecedents(state, place.subject, part ? nullptr : &unit(p).direct, &noun, place.first_subject))
-    add(s, kFill, meant.score + (part ? sense_.of_part(noun, noun_of(state, meant.referent)) : 0), -1, -1, meant.referent, meant.list);
+    add(s, kFill, meant.score + (part ? part_score(state, p, noun, meant.referent) : 0), -1, -1, meant.referent, meant.list);
+  if (part) repeated_part_actions(s, u);
+  // "two chairs face two on the other side", "a sofa opposite another": more of the kind.
+  const bool count = noun.kind == NounKind::kMember && !noun.of && !noun.subset && noun.ordinal == 0 &&
+                     (noun.determiner == Determiner::kNone || noun.determiner == Determiner::kAnother || noun.count > 1);
+  const PhraseSenses& senses = unit(p).direct;
+  if (count && place.subject >= 0 && is_thing(state, place.subject) &&
+      (says(senses, RelationType::kFacing) || says(senses, RelationType::kOpposite) || says(senses, RelationType::kBehind) ||
+       says(senses, RelationType::kInFrontOf)))
+    add(s, kFill, weight::kMoreOfIt);
   // "a wardrobe to the right of the door and a cabinet to the left of it"
   if (noun.head == "it") {
     if (const Referent host = side_host(state, p, unit(p).direct); host != kNobody && !same(state, host, place.subject))
       add(s, kFill, weight::kSameSide, -1, -1, host);
   }
   add(s, kFill, weight::kMeansNobody);
+}
+
+// How well that part ("its right end", "the middle of the tabletop") of the one that may be meant suits whom the place speaks of.
+double Decoder::part_score(const State& state, int place, const NounPhrase& part, Referent meant) const {
+  const NounPhrase& owner = noun_of(state, meant);
+  const double own = sense_.of_part(part.of && part.of->kind == NounKind::kPart ? *part.of : part, owner);
+  const Referent subject = read_as(state, place).subject;
+  if (subject == kNobody || !is_thing(state, subject) || owner.kind != NounKind::kObject) return own;
+  NounPhrase of_owner = part;
+  of_owner.of = std::make_shared<NounPhrase>(owner);
+  const bool small = mount_of(noun_of(state, subject)) == Mount::kSurface;
+  const bool carried = small && mount_of(owner) == Mount::kFloor && sense_.carries(owner, noun_of(state, subject));
+  return own + std::min(0.0, sense_.of_place(unit(place).direct, noun_of(state, subject), of_owner)) +
+         (carried ? weight::kPartOfCarrier : 0);
+}
+
+// "a computer at its left end, a printer at its right end": of the same thing.
+void Decoder::repeated_part_actions(std::size_t s, int u) {
+  const State& state = states_[s];
+  const NounPhrase& noun = chunk(u).noun;
+  if (noun.determiner != Determiner::kPossessive) return;
+  for (int before = u; before-- > 0;) {
+    const NounPhrase& part = chunk(before).noun;
+    if (!is(before, UnitKind::kNoun) || part.kind != noun.kind || part.determiner != Determiner::kPossessive || part.head != noun.head) continue;
+    const Referent meant = read_as(state, before).meant;
+    const bool itself = meant == kNobody || same(state, meant, read_as(state, state.waiting).subject);
+    if (!itself) add(s, kFill, weight::kSameSide + part_score(state, state.waiting, noun, meant), -1, -1, meant);
+    return;
+  }
 }
 
 // What may carry a small thing whose place is a part of it, the likeliest first.

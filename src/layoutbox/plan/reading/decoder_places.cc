@@ -208,7 +208,10 @@ void Decoder::opening_place_actions(std::size_t s, int u) {
   const State& state = states_[s];
   const bool after_front = !state.fronted.empty() && state.waiting < 0 && state.fronted.back() + 2 == u && place.joiner == Joiner::kNone;
   if (!after_front || place.direct.empty() || !is_thing(state, u - 1) || speaks_of_others(chunk(u - 1).noun)) return;
-  if (mount_of(chunk(u - 1).noun) != Mount::kFloor) return;
+  const bool carried = says(place.direct, RelationType::kOn) && sense_.carries(chunk(u + 1).noun, chunk(u - 1).noun);
+  const NounKind by = chunk(u + 1).noun.kind;
+  const bool held = mount_of(chunk(u - 1).noun) != Mount::kSurface && (by == NounKind::kWall || by == NounKind::kCeiling);
+  if (mount_of(chunk(u - 1).noun) != Mount::kFloor && !carried && !held) return;  // "in the bowl on the table five lemons"
   const double known = known_[static_cast<std::size_t>(u - 1)] ? weight::kKnownSubject : weight::kNewCarrier;
   add(s, kAttach, known + sense_.of_place(place.direct, chunk(u - 1).noun, chunk(u + 1).noun), u - 1, u - 1);
 }

@@ -79,12 +79,22 @@ void Decoder::verb_actions(std::size_t s, int u) {
   add(s, kFinite, 0, root, plural ? first_of_plural(state, root) : root);
 }
 
+// A place that comes after it speaks of it, and is complete.
+bool Decoder::is_placed_apart(const State& state, int member) const {
+  for (int p = member + 1; p < static_cast<int>(state.units.size()); ++p) {
+    if (is(p, UnitKind::kNoun) && read_as(state, p).role == NounRole::kRoot) return false;  // the next of the list
+    if (is(p, UnitKind::kPlace) && read_as(state, p).subject == member && !read_as(state, p).fronted) return true;
+  }
+  return false;
+}
+
 // The first of the list up to that thing that a plural verb speaks of.
 int Decoder::first_of_plural(const State& state, int last) const {
   int first = last;
   while (first >= 0 && read_as(state, first).former >= 0) {
     const int former = read_as(state, first).former;
-    const bool list_ends = noun_of(state, last).is_plural() && (unit(first).joiner != Joiner::kAnd || read_as(state, former).placed);
+    const bool list_ends = (noun_of(state, last).is_plural() && (unit(first).joiner != Joiner::kAnd || read_as(state, former).placed)) ||
+                           is_placed_apart(state, former);
     if (list_ends || (state.room_list && unit(first).joiner != Joiner::kAnd)) break;
     first = former;
   }

@@ -33,6 +33,7 @@ void Scribe::write(const Sentence& sentence, const SentenceReading& reading) {
   for (int u = 0; u < static_cast<int>(sentence.size()); ++u) {
     if (waits(u)) write_place(u);  // by what was named later
   }
+  join_sides();
   end_sentence();
 }
 
@@ -51,6 +52,14 @@ void Scribe::end_sentence() {
     }
   }
   so_far_.fronted = fronted;
+  so_far_.sided = -1;
+  for (std::size_t l = sentence_links_; l < document_.links.size(); ++l) {
+    const Link& link = document_.links[l];
+    so_far_.left = says(link.senses, RelationType::kLeftOf);
+    if (link.references.empty() || !(so_far_.left || says(link.senses, RelationType::kRightOf))) continue;
+    so_far_.sided = link.references.front();
+    break;
+  }
   if (!roots.empty()) {
     so_far_.topic = roots.front();
     so_far_.roots = std::move(roots);

@@ -38,6 +38,12 @@ class Scribe {
   int make_member(int u, const NounPhrase& noun);
   int make_another(int u, const NounPhrase& noun);
   int make_more(int u, const NounPhrase& noun);
+  int make_opposed(int u, const NounPhrase& noun);
+  bool is_bare_again(int u) const;
+  int not_itself(int u, const NounPhrase& noun, int mention);
+  int copy_of(int mention, const NounPhrase& said);
+  bool same_as_placed(int u) const;
+  std::vector<int> pair_named_last(int u) const;
   int make_ordinal(const NounPhrase& noun);
   int antecedent_of(int u);
   int combined(const std::vector<int>& mentions);
@@ -60,7 +66,7 @@ class Scribe {
   void fill_reference(int u, int mention);
   void fill_content(int u, int mention);
   void fill_root(int u, int mention);
-  bool takes_other_side(int u, const std::vector<int>& targets);
+  bool takes_other_side(const std::vector<int>& targets);
   void add_named_contents(int u, int host);
   void imply_adjective(int u, int mention);
   bool is_placed_before(int mention, int link) const;
@@ -83,6 +89,11 @@ class Scribe {
   int looked_at_by(int mention, const std::vector<int>& but) const;
   Link link_at_unit(int u) const;
   int add_link(int u, Link link);
+  void join_sides();
+  bool verb_ends(int u) const;
+  void place_where(int u, const std::vector<int>& targets);
+  void mean_between(int u, const Link& looking);
+  void lies_between(int u, int mention);
   void hang(const std::vector<int>& targets, int u);
   bool hangs(int u) const;
 

@@ -1,5 +1,6 @@
 // Writes the places that a reading found as links between mentions.
 #include <algorithm>
+#include <utility>
 
 #include "layoutbox/plan/offline/reader_words.h"
 #include "layoutbox/plan/reading/scribe.h"
@@ -33,7 +34,7 @@ bool Scribe::hangs(int u) const {
 
 // "side by side", "stacked": of the things by each other.
 bool Scribe::is_mutual(int u, const Link& link) const {
-  return reading(u).implied == kNobody && !link.targets.empty() &&
+  return reading(u).implied == kNobody && (!link.targets.empty() || reading(u).fronted) &&
          (says(link.senses, RelationType::kStacked) || word(u) == "side" || word(u) == "back");
 }
 
@@ -66,7 +67,7 @@ void Scribe::complete_pair(int u, Link& link) {
 void Scribe::write_place_alone(int u) {
   const UnitReading& own = reading(u);
   Link link = link_at_unit(u);
-  if (chunk(u).phrase.other && one_side_ >= 0 && takes_other_side(u, subjects_of(u))) return;
+  if ((chunk(u).phrase.other || unit(u).other) && one_side_ >= 0 && takes_other_side(subjects_of(u))) return;
   link.senses = unit(u).alone.empty() ? unit(u).direct : unit(u).alone;
   if (!own.fronted) link.targets = subjects_of(u);
   if (link.each && !own.fronted) add_laden_stand(link.senses, link.targets);
@@ -124,15 +125,70 @@ void Scribe::write_place(int u) {
   } else if (!own.fronted) {
     link.targets = subjects_of(u);
   }
+  if (!own.fronted && !own.inverse && own.implied != kNobody && verb_ends(u)) place_where(u, link.targets);
   if (centers(u)) link.senses.insert(link.senses.begin(), {RelationType::kCenteredOnWall, Direction::kDirect, {}, {}, {}});
   if (chunk(u).kind == ChunkKind::kPurpose) {  // "one lamp for each desk"
     link.kind = Link::Kind::kHave;
     link.weak = true;
   }
   link.one_side = chunk(u).phrase.one && says(link.senses, RelationType::kNextTo);
+  link.other_side = unit(u).other && says(link.senses, RelationType::kNextTo);
   const bool one_side = link.one_side;
   const int added = add_link(u, std::move(link));
   if (one_side) one_side_ = added;
+}
+
+// A place that is a verb: "face", "lean on".
+bool Scribe::verb_ends(int u) const { return is_finite(word(u)) || lexicon_.is_place_verb(word(u)); }
+
+// "a table where two chairs face each other": the table has them.
+void Scribe::place_where(int u, const std::vector<int>& targets) {
+  Link link = link_at_unit(u);
+  link.kind = Link::Kind::kHave;
+  link.weak = true;
+  link.targets = targets;
+  link.references = mentions_of(reading(u).implied);
+  if (!link.references.empty() && is_thing(link.references.front())) document_.links.push_back(std::move(link));
+}
+
+// "Across the table two chairs face each other": the table is between them.
+void Scribe::mean_between(int u, const Link& looking) {
+  for (int p = u; p-- > 0;) {
+    const int index = is(p, UnitKind::kPlace) ? link_[static_cast<std::size_t>(p)] : -1;
+    if (index < 0 || !reading(p).fronted || word(p) != "across") continue;
+    Link& across = link_at(index);
+    if (across.targets != looking.targets || across.references.size() != 1 || !is_thing(across.references.front())) return;
+    across.senses = {{RelationType::kBetween, Direction::kDirect, {}, {}, {}}};
+    std::swap(across.targets, across.references);
+    return;
+  }
+}
+
+// "Two armchairs facing two others across a table": the table at u is between them.
+void Scribe::lies_between(int u, int mention) {
+  Link& across = link_at(link_[static_cast<std::size_t>(u)]);
+  for (int p = u; p-- > 0 && is_thing(mention);) {
+    const int index = is(p, UnitKind::kPlace) ? link_[static_cast<std::size_t>(p)] : -1;
+    if (index < 0 || link_at(index).targets != across.targets || !says(link_at(index).senses, RelationType::kFacing)) continue;
+    const std::vector<int> seen = link_at(index).references;
+    if (seen.size() != 1 || !is_thing(seen.front()) || mention_at(seen.front()).reciprocal) return;
+    across.references = across.targets;
+    across.references.push_back(seen.front());
+    across.targets = {mention};
+    across.senses = {{RelationType::kBetween, Direction::kDirect, {}, {}, {}}};
+    return;
+  }
+}
+
+// "On one side of the stage a speaker, on the other a drum": one on either side.
+void Scribe::join_sides() {
+  if (one_side_ < 0) return;
+  for (std::size_t l = static_cast<std::size_t>(one_side_) + 1; l < document_.links.size(); ++l) {
+    Link& other = document_.links[l];
+    if (!other.other_side || link_at(one_side_).targets.empty() || other.targets.empty()) continue;
+    takes_other_side(std::exchange(other.targets, {}));
+    return;
+  }
 }
 
 }  // namespace layoutbox::offline

@@ -37,6 +37,21 @@ int Scribe::pair_just_related() {
   return -1;
 }
 
+// "a tray on its left and a mug on its right, a spoon between the two": what the sentence named last of the size of who is placed by them.
+std::vector<int> Scribe::pair_named_last(int u) const {
+  const UnitReading& own = reading(u);
+  const std::vector<int> placed = own.predicate >= 0 ? subjects_of(own.predicate) : std::vector<int>{};
+  if (placed.size() != 1 || !is_thing(placed.front()) || mount_of(noun_of(placed.front())) != Mount::kSurface) return {};
+  std::vector<int> two;
+  for (int before = u; before-- > 0 && two.size() < 2;) {
+    const int m = mention_[static_cast<std::size_t>(before)];
+    const bool thing = is(before, UnitKind::kNoun) && is_thing(m) && reading(before).role != NounRole::kReference && m != placed.front();
+    if (thing && mention_at(m).introduces && mention_at(m).items.size() == 1 && mount_of(noun_of(m)) == Mount::kSurface)
+      two.insert(two.begin(), m);
+  }
+  return two;
+}
+
 int Scribe::antecedent_of(int u) {
   const UnitReading& own = reading(u);
   const NounPhrase& noun = chunk(u).noun;
@@ -63,6 +78,7 @@ int Scribe::antecedent_of(int u) {
   const std::vector<int> meant = mentions_of(own.meant);
   const int antecedent = meant.empty() ? -1 : meant.front();
   if (plural && (antecedent < 0 || mention_at(antecedent).items.size() < 2)) {
+    if (const std::vector<int> two = pair_named_last(u); two.size() == 2) return combined(two);
     if (const int pair = pair_just_related(); pair >= 0) return pair;
     // The last two things that were spoken of.
     if (so_far_.roots.size() > 1) return combined({so_far_.roots[so_far_.roots.size() - 2], so_far_.roots.back()});
@@ -103,13 +119,34 @@ int Scribe::make_more(int u, const NounPhrase& noun) {
     }
   }
   if (kind.empty() || references_.has_left(kind.front(), noun.count)) return -1;
-  NounPhrase copy = noun_of(kind.front());
+  return copy_of(kind.front(), noun);
+}
+
+// As many more of the mention's kind as the words say.
+int Scribe::copy_of(int mention, const NounPhrase& said) {
+  NounPhrase copy = noun_of(mention);
   copy.determiner = Determiner::kNone;
-  copy.count = noun.count;
-  copy.plural = noun.count > 1;
-  copy.first = noun.first;
-  copy.last = noun.last;
+  copy.count = std::max(said.count, 1);
+  copy.plural = copy.count > 1;
+  copy.rows = 0;
+  copy.first = said.first;
+  copy.last = said.last;
   return references_.mention(copy, -1, false);
+}
+
+// "Two chairs face two on the other side", "three recliners opposite another three", "a loveseat facing another": more of who is placed.
+int Scribe::make_opposed(int u, const NounPhrase& noun) {
+  const UnitReading& own = reading(u);
+  const bool more = noun.determiner == Determiner::kNone ? noun.count > 0 : noun.determiner == Determiner::kAnother ||
+                                                                            noun.determiner == Determiner::kOther;
+  if (own.role != NounRole::kReference || own.predicate < 0 || !more || noun.of || noun.ordinal != 0) return -1;
+  const std::vector<int> placed = subjects_of(own.predicate);
+  if (placed.size() != 1 || !is_thing(placed.front()) || !mention_at(placed.front()).introduces) return -1;
+  const Mention& group = mention_at(placed.front());
+  if (noun.determiner == Determiner::kOther && noun.count == 0 && !chunk(u).noun.plural) return -1;  // "the other"
+  if (references_.whole_group(placed.front()) != placed.front() || (noun.count > 0 && group.items.size() > 2 * static_cast<std::size_t>(noun.count)))
+    return -1;
+  return copy_of(placed.front(), noun);
 }
 
 // "the first wardrobe … the second": of the same kind.
@@ -127,6 +164,14 @@ int Scribe::make_ordinal(const NounPhrase& noun) {
   return -1;
 }
 
+// Nobody but who is placed by it is there to be meant.
+bool Scribe::same_as_placed(int u) const {
+  const UnitReading& own = reading(u);
+  if (own.predicate < 0) return false;
+  const std::vector<int> meant = mentions_of(own.meant), placed = subjects_of(own.predicate);
+  return meant.size() == 1 && placed.size() == 1 && mention_at(meant.front()).items == mention_at(placed.front()).items;
+}
+
 int Scribe::make_member(int u, const NounPhrase& noun) {
   if (const int same = make_ordinal(noun); same >= 0) return same;
   const bool fresh = noun.determiner == Determiner::kAnother || (noun.determiner == Determiner::kIndefinite && !noun.attributes.empty());
@@ -134,6 +179,9 @@ int Scribe::make_member(int u, const NounPhrase& noun) {
     if (const int another = make_another(u, noun); another >= 0) return another;
   }
   if (const int more = make_more(u, noun); more >= 0) return more;
+  if (reading(u).meant == kNobody || same_as_placed(u)) {
+    if (const int opposed = make_opposed(u, noun); opposed >= 0) return opposed;
+  }
   int antecedent = antecedent_of(u);
   // "two lockers stand by the door and the other two at the window": four.
   const bool of_placed = antecedent >= 0 && mention_at(antecedent).introduces &&
@@ -175,6 +223,29 @@ bool Scribe::as_reference_of(int u, RelationType type) const {
   return own.role == NounRole::kReference && own.predicate >= 0 && says(unit(own.predicate).direct, type);
 }
 
+// "A bassinet is drawn up to the bed": a bassinet is a bed, but nothing stands by itself. −1: the mention means something else.
+int Scribe::not_itself(int u, const NounPhrase& noun, int mention) {
+  const UnitReading& own = reading(u);
+  if (own.role != NounRole::kReference || own.predicate < 0 || noun.kind != NounKind::kObject || reading(own.predicate).fronted) return -1;
+  const std::vector<int> placed = subjects_of(own.predicate);
+  if (placed.size() != 1 || !is_thing(mention) || mention_at(placed.front()).items != mention_at(mention).items) return -1;
+  if (noun_of(placed.front()).name == noun.name || !noun.exact || noun_of(placed.front()).entry == noun.entry) return -1;
+  NounPhrase fresh = noun;
+  fresh.determiner = Determiner::kIndefinite;
+  return references_.mention(fresh, -1, false);
+}
+
+// "pc on a cart, cart in the corner": where articles are left out, the same one.
+bool Scribe::is_bare_again(int u) const {
+  const NounPhrase& noun = chunk(u).noun;
+  const bool bare = noun.kind == NounKind::kObject && noun.determiner == Determiner::kNone && noun.count == 0 && !noun.plural;
+  if (!bare || reading(u).role != NounRole::kRoot || !(is(u + 1, UnitKind::kPlace) || is(u + 1, UnitKind::kParticiple))) return false;
+  for (int before = 0; before < u; ++before) {
+    if (is(before, UnitKind::kNoun) && reading(before).role == NounRole::kReference && chunk(before).noun.name == noun.name) return true;
+  }
+  return false;
+}
+
 int Scribe::make_mention(int u) {
   NounPhrase noun = chunk(u).noun;
   const UnitReading& own = reading(u);
@@ -184,6 +255,7 @@ int Scribe::make_mention(int u) {
   if (in_middle && noun.kind == NounKind::kPronoun && noun.head == "it" && own.meant == kNobody) noun.kind = NounKind::kRoom;
   const bool as_reference = own.role == NounRole::kReference;
   if (noun.kind == NounKind::kMember) return make_member(u, noun);
+  if (is_bare_again(u)) noun.determiner = Determiner::kDefinite;
   int antecedent = -1;
   if (noun.kind == NounKind::kPronoun) {
     antecedent = noun.reciprocal ? -1 : antecedent_of(u);
@@ -201,6 +273,7 @@ int Scribe::make_mention(int u) {
   }
   const bool opens = own.role == NounRole::kRoot && own.opens_clause;
   const int mention = references_.mention(noun, antecedent, as_reference, as_reference || opens);
+  if (const int other = not_itself(u, noun, mention); other >= 0) return other;
   mention_at(mention).reciprocal = noun.reciprocal;
   const bool of_each = noun.kind == NounKind::kPronoun && !noun.plural && antecedent >= 0 && mention_at(antecedent).distributes;
   const bool both_have = noun.kind == NounKind::kObject && noun.determiner == Determiner::kBoth && is(u + 1, UnitKind::kHave);

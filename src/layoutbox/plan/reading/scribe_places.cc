@@ -25,7 +25,7 @@ std::size_t corners_meant(const NounPhrase& corner) {
 std::size_t walls_meant(const NounPhrase& wall) {
   if (wall.count > 0) return static_cast<std::size_t>(wall.count);
   if (!wall.wall_word.empty()) return 1;
-  const bool some = wall.name.ends_with("side wall") || contains_word(wall.attributes, "long") || contains_word(wall.attributes, "short");
+  const bool some = wall.name.find("side wall") != std::string::npos || contains_word(wall.attributes, "long") || contains_word(wall.attributes, "short");
   return some ? 2 : 4;
 }
 
@@ -79,7 +79,7 @@ void Scribe::fill_reference(int u, int mention) {
   if (index < 0) return;
   // "a plant on the other": on the other side.
   if (chunk(u).noun.kind == NounKind::kMember && chunk(u).noun.determiner == Determiner::kOther && one_side_ >= 0 &&
-      takes_other_side(u, link_at(index).targets)) {
+      takes_other_side(link_at(index).targets)) {
     link_at(index).senses = {};
     return;
   }
@@ -94,6 +94,8 @@ void Scribe::fill_reference(int u, int mention) {
   const NounPhrase noun = noun_of(mention);
   const std::vector<int> targets = link.targets;
   grow_for_reference(index, mention, chunk(u).noun.determiner == Determiner::kBoth);
+  if (mention_at(mention).reciprocal) mean_between(own.predicate, Link(link_at(index)));
+  if (word(own.predicate) == "across") lies_between(own.predicate, mention);
   follow_screen(link, own.predicate);
   const bool hung = hangs(own.predicate);
   if (hung && !targets.empty()) {
@@ -201,8 +203,7 @@ void Scribe::fill_root(int u, int mention) {
 }
 
 // "a lamp on one side of the sofa and a plant on the other": one on either side. False when no first side waits.
-bool Scribe::takes_other_side(int u, const std::vector<int>& targets) {
-  (void)u;
+bool Scribe::takes_other_side(const std::vector<int>& targets) {
   if (one_side_ < 0 || targets.empty()) return false;
   Link& link = link_at(one_side_);
   if (link.targets.empty()) return false;
@@ -401,10 +402,14 @@ void Scribe::grow_for_corners(const NounPhrase& corner, int target) {
   if (corner.kind != NounKind::kCorner && !wall) return;
   // "in two of the corners a pedestal with a bust on it"
   const bool counted = !wall && corner.count > 1 && noun_of(target).determiner == Determiner::kIndefinite;
+  const int said = noun_of(target).count;
   const bool both = !wall && corner.determiner == Determiner::kBoth && noun_of(target).determiner == Determiner::kIndefinite;
   if (corner.determiner != Determiner::kEach && !counted && !both) return;
   const std::size_t before = mention_at(target).items.size();
-  if (noun_of(target).count <= 1) references_.grow(target, wall ? walls_meant(corner) : both ? 2 : corners_meant(corner));
+  if (said <= 1) references_.grow(target, wall ? walls_meant(corner) : both ? 2 : corners_meant(corner));
+  // "on each of the side walls hang three portraits"; "four lamps, on every wall one" were counted before.
+  if (said > 1 && wall && before == static_cast<std::size_t>(said) && corner.determiner == Determiner::kEach)
+    references_.grow(target, before * walls_meant(corner));
   grow_contents(target, before);
 }
 

@@ -15,6 +15,8 @@ double SenseScore::of_place(const PhraseSenses& senses, const NounPhrase& target
     score += stands_beside(sense->type) && mount_of(reference) != Mount::kCeiling ? weight::kNotBeside : weight::kNoReference;
   if (sense->type == RelationType::kOn && small_host(reference)) score += weight::kSmallHost;
   if (sense->type == RelationType::kOn && on_soft(reference, target)) score += weight::kSoftHost;
+  if (sense->type == RelationType::kOn && has_hooks(reference) && is_textile(catalog_, target)) score += weight::kHungOnHook;
+  if (reference.entry != nullptr && catalog_.is_a(reference.entry->id, "pet")) score += weight::kByAnimal;
   if (stands_beside(sense->type) && is_seat(catalog_, target) && is_table(catalog_, reference)) score += weight::kSeatByTable;
   if (sense->type == RelationType::kFacing && suited < 2) score += weight::kNoFront;
   if (sense->type == RelationType::kAlongSide && reference.kind == NounKind::kObject && !is_table(catalog_, reference))

@@ -92,7 +92,10 @@ bool UnitReader::names_known(std::size_t k) const {
       noun.determiner == Determiner::kDefinite || noun.determiner == Determiner::kEach || noun.determiner == Determiner::kBoth;
   if (noun.kind != NounKind::kAbstract || !noun.doubted || !of_known) return false;
   for (std::size_t c = k; c-- > 0 && c + kBack > k;) {
-    if (is(c, ChunkKind::kNoun) && chunk(c).noun.kind == NounKind::kObject && chunk(c).noun.name.ends_with(" " + noun.head)) return true;
+    if (!is(c, ChunkKind::kNoun) || chunk(c).noun.kind != NounKind::kObject) continue;
+    const std::string& name = chunk(c).noun.name;
+    constexpr std::size_t kShortest = 4;  // "the board" of a whiteboard
+    if (name.ends_with(" " + noun.head) || (noun.head.size() >= kShortest && name.ends_with(noun.head))) return true;
   }
   return false;
 }
@@ -257,6 +260,12 @@ void UnitReader::place_at_named_wall(std::size_t k) {
 void UnitReader::read_noun(std::size_t k) {
   settle_noun(k);
   settle_place_words(k);
+  if (!skipping_ && !negated_ && repeats_place(k)) return;
+  repeat_owner(k);
+  mean_group(k);
+  mean_twin(k);
+  mean_side_of_room(k);
+  place_at_spot(k);
   NounPhrase& noun = document_.chunks[k].noun;
   if (skipping_ && doing_ && is_used_in_place(k)) skipping_ = false;
   if (skipping_) {

@@ -11,6 +11,15 @@ using Use = WordReading::Use;
 
 void UnitReader::read_purpose(std::size_t k) {
   if (passes_keeper(k)) return;
+  // "another just like it to the right": which one, no purpose.
+  const std::size_t like = next(k);
+  if (document_.tokens[chunk(k).first].text == "like" && is(previous(k), ChunkKind::kNoun) && is(like, ChunkKind::kNoun) &&
+      (chunk(like).noun.kind == NounKind::kPronoun || chunk(like).noun.kind == NounKind::kMember)) {
+    mark(k, Use::kIgnored, "filler");
+    mark(like, Use::kIgnored, "filler");
+    passed_over_ = like;
+    return;
+  }
   if (reads_as_verb(k) || inverts(k)) {
     mark(k, Use::kUsed, "placing");
     add(UnitKind::kVerb, k);
@@ -58,8 +67,9 @@ bool UnitReader::reads_as_verb(std::size_t k) const {
 bool UnitReader::place_after_purpose(std::size_t k) const {
   const std::size_t n = next(k);
   const std::size_t p = previous(k);
-  if (!is(n, ChunkKind::kNoun) || chunk(n).noun.kind != NounKind::kObject || chunk(n).noun.determiner != Determiner::kDefinite)
-    return false;
+  const bool place = is(n, ChunkKind::kNoun) && (chunk(n).noun.kind == NounKind::kObject || chunk(n).noun.kind == NounKind::kWindow ||
+                                                 chunk(n).noun.kind == NounKind::kDoor || chunk(n).noun.kind == NounKind::kCorner);
+  if (!place || chunk(n).noun.determiner != Determiner::kDefinite) return false;
   if (!is(p, ChunkKind::kNoun) || chunk(p).noun.kind != NounKind::kAbstract || chunk(p).noun.determiner == Determiner::kIndefinite)
     return false;
   for (std::size_t c = k; c-- > 0 && !is(c, ChunkKind::kComma) && !is(c, ChunkKind::kStop);) {
@@ -149,7 +159,7 @@ bool UnitReader::names_contents(std::size_t k) const {
            thing.determiner == Determiner::kNone && thing.count == 0 && mount_of(thing) == Mount::kSurface;
   }
   // "the left wall takes two bookcases"
-  const bool takes = one_of(word, {"takes", "take", "gets", "get", "receives", "receive"});
+  const bool takes = one_of(word, {"takes", "take", "gets", "get", "receives", "receive", "carry", "carries", "bears"});
   if (takes && (host.kind == NounKind::kWall || host.kind == NounKind::kCorner || host.kind == NounKind::kObject))
     return thing.kind == NounKind::kObject && (thing.determiner == Determiner::kIndefinite || thing.count > 0) && !is_person(before);
   static constexpr std::string_view kShows[] = {"offers", "offer", "provides", "provide", "offering", "providing", "enjoys"};

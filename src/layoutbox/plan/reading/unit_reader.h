@@ -1,4 +1,4 @@
-// The class behind read_units; its members stand in units, unit_nouns, unit_purposes and unit_asides.
+// The class behind read_units; its members stand in units, unit_nouns, unit_parallels, unit_purposes and unit_asides.
 #pragma once
 
 #include <string>
@@ -76,6 +76,12 @@ class UnitReader {
   void shares_out(std::size_t k);
   void settle_noun(std::size_t k);
   void settle_place_words(std::size_t k);
+  bool repeats_place(std::size_t k);
+  void repeat_owner(std::size_t k);
+  void mean_group(std::size_t k);
+  void mean_twin(std::size_t k);
+  void mean_side_of_room(std::size_t k);
+  void place_at_spot(std::size_t k);
   bool is_content_of_thing() const;
   bool is_part(std::size_t k) const;
   bool names_known(std::size_t k) const;

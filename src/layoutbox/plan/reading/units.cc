@@ -188,6 +188,10 @@ bool UnitReader::tells_which(std::size_t k) {
     noun.wall_word = left ? "left" : "right";
     return true;
   }
+  if (noun.kind == NounKind::kWall && says(senses, RelationType::kOpposite) && noun.wall_word.empty() && !noun.of) {
+    noun.wall_relation = "opposite";
+    return true;
+  }
   const bool up_or_down = says(senses, RelationType::kUnder) || says(senses, RelationType::kAbove);
   return up_or_down && noun.determiner == Determiner::kDefinite && document_.tokens[chunk(k).last - 1].text != "it";
 }
@@ -204,6 +208,13 @@ void UnitReader::add_place(std::size_t k, const PhraseSenses& senses) {
                                                                                : unit.alone;
     side.push_back(sense);
     side.back().direction = PhraseSense::Direction::kDirect;
+  }
+  // "From a rail over the stove hang two pans": on it.
+  if (document_.tokens[chunk(k).first].text != "from" || chunk(k).last - chunk(k).first != 1) return;
+  for (std::size_t c = k + 1; c < document_.chunks.size() && !is(c, ChunkKind::kStop) && !is(c, ChunkKind::kClause); ++c) {
+    if (!chunk(c).hang || !is(c, ChunkKind::kVerb)) continue;
+    units_.back().direct.push_back({RelationType::kOn, PhraseSense::Direction::kDirect, {}, {}, {}});
+    return;
   }
 }
 

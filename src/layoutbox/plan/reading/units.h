@@ -31,6 +31,7 @@ struct Unit {
   const PhraseSenses* senses = nullptr;  // of a place
   PhraseSenses direct, inverse, alone;   // … by direction, each turned to direct
   bool each = false;                     // a place on "each side"
+  bool other = false;                    // … on the other side or end, where the first one was said
 };
 
 using Sentence = std::vector<Unit>;

@@ -1,0 +1,52 @@
+#include "layoutbox/plan/offline/forward_counts.h"
+
+#include <algorithm>
+
+namespace layoutbox::offline {
+
+namespace {
+
+bool is_thing(const Chunk& chunk) { return chunk.kind == ChunkKind::kNoun && chunk.noun.kind == NounKind::kObject; }
+
+// "table" and "round table", "bed" and "bed"; no "table lamp".
+bool is_same(const NounPhrase& one, const NounPhrase& other) {
+  const auto ends = [](const std::string& name, const std::string& word) { return name == word || name.ends_with(" " + word); };
+  return ends(one.name, other.name) || ends(other.name, one.name);
+}
+
+// "… the tables, five of them", "the chairs, two in number": how many, behind the noun at k; 0: not said.
+int count_behind(const std::vector<Chunk>& chunks, std::size_t k) {
+  if (k + 2 >= chunks.size() || chunks[k + 1].kind != ChunkKind::kComma || chunks[k + 2].kind != ChunkKind::kNoun) return 0;
+  const NounPhrase& count = chunks[k + 2].noun;
+  return count.kind == NounKind::kMember && count.attributes.empty() && !count.of ? count.count : 0;
+}
+
+}  // namespace
+
+void settle_forward_counts(Document& document) {
+  constexpr std::size_t kReach = 200;  // chunks that are looked at either way
+  std::vector<Chunk>& chunks = document.chunks;
+  for (std::size_t k = 0; k < chunks.size() && !is_set(document.stop); ++k) {
+    if (!is_thing(chunks[k])) continue;
+    NounPhrase& each = chunks[k].noun;
+    const bool either = each.determiner == Determiner::kBoth && document.tokens[each.first].text == "either";
+    if ((each.determiner != Determiner::kEach && !either) || each.count > 0) continue;
+    bool named = false;
+    for (std::size_t c = k; c-- > 0 && c + kReach > k && !named;) named = is_thing(chunks[c]) && is_same(chunks[c].noun, each);
+    for (std::size_t c = k + 1; c < chunks.size() && c < k + kReach && !named; ++c) {
+      if (!is_thing(chunks[c]) || !is_same(chunks[c].noun, each)) continue;
+      NounPhrase& all = chunks[c].noun;
+      const int behind = all.plural && all.count == 0 ? count_behind(chunks, c) : 0;
+      const int count = std::max(all.count, behind);
+      if (count > 1) {
+        each.count = count;
+        if (either) each.determiner = Determiner::kEach;
+        all.count = count;
+        all.determiner = Determiner::kDefinite;
+      }
+      break;
+    }
+  }
+}
+
+}  // namespace layoutbox::offline
