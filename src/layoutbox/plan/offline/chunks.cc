@@ -188,6 +188,12 @@ void Chunker::add_phrase(const PhraseMatch& phrase) {
   }
 }
 
+// "which bears a jug", "it bears two jars": a verb where something is brought in; elsewhere bears are animals.
+std::size_t Chunker::bears_thing() const {
+  const bool subject = previous() == ChunkKind::kNoun || previous() == ChunkKind::kAnd || previous() == ChunkKind::kRelative;
+  return tokens_[i_].text == "bears" && subject && thing_next(i_ + 1) ? 1 : 0;
+}
+
 // The longest of the words that may begin here; of equals the first.
 Chunker::Choice Chunker::longest(const PhraseMatch& phrase, std::size_t without) const {
   const ChunkKind before = previous();
@@ -198,7 +204,7 @@ Chunker::Choice Chunker::longest(const PhraseMatch& phrase, std::size_t without)
       {ChunkKind::kCommand, clause_begins() ? length_of(Class::kCommand) : 0},
       {ChunkKind::kWithout, without},
       {ChunkKind::kSoft, length_of(Class::kSoft)},
-      {ChunkKind::kHave, length_of(Class::kHave)},
+      {ChunkKind::kHave, std::max(length_of(Class::kHave), bears_thing())},
       {ChunkKind::kRelation, phrase.length},
       {ChunkKind::kVerb, be_length()},
       {ChunkKind::kParticiple, std::max(length_of(Class::kParticiple), length_of(Class::kHang))},

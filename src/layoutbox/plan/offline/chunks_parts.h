@@ -58,6 +58,7 @@ class Chunker {
     ChunkKind kind;
     std::size_t length;
   };
+  std::size_t bears_thing() const;
   Choice longest(const PhraseMatch& phrase, std::size_t without) const;
   bool is_longer_noun(const Choice& best) const;
   bool is_longer_thing(const Choice& best, const NounPhrase& noun) const;

@@ -179,9 +179,9 @@ bool NounPhraseReader::read_pronoun() {
   if (may_determine) {
     const Match next = lexicon_.find(tokens_, i_ + 1);
     const bool place = lexicon_.find_phrase(tokens_, i_ + 1).length > 0 && !has(next, Class::kObject) && attribute_of(next) == nullptr &&
-                       !has(next, Class::kWallRelation) && !has(next, Class::kWallWord);         // "put that by the window"
+                       !has(next, Class::kWallRelation) && !has(next, Class::kWallWord);                        // "put that by the window"
     const bool number = (text == "that" || text == "this") && has(next, Class::kNumber) && !at_word("one", 1);  // "behind that two chairs"
-    const bool article = place || number || has(next, Class::kIndefinite) || has(next, Class::kDefinite);  // "between these a table"
+    const bool article = place || number || has(next, Class::kIndefinite) || has(next, Class::kDefinite);       // "between these a table"
     if (next.length > 0 && !article && !has(next, Class::kBe) && !has(next, Class::kPlaceVerb)) return false;
     if (next.length == 0 && i_ + 1 < tokens_.size() && tokens_[i_ + 1].kind == Token::Kind::kWord) return false;
   }

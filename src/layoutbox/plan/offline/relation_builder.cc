@@ -212,8 +212,9 @@ void RelationBuilder::add_relations(const Link& link) {
   if (link.gap && link.distance) {  // "80 cm between the sofa and the table"
     std::vector<std::string> ends = ids(items_of(link.references));
     for (const int m : link.references) {  // "a metre between the bed and the wall"
-      const bool of_room = mention(m).items.empty() && (mention(m).noun.kind == NounKind::kWall || mention(m).noun.kind == NounKind::kDoor ||
-                                                        mention(m).noun.kind == NounKind::kWindow);
+      const bool of_room =
+          mention(m).items.empty() &&
+          (mention(m).noun.kind == NounKind::kWall || mention(m).noun.kind == NounKind::kDoor || mention(m).noun.kind == NounKind::kWindow);
       if (of_room && ends.size() == 1) ends.push_back(room_reference(mention(m).noun, R::kDistance).front());
     }
     if (ends.size() == 2) add(link, R::kDistance, {ends[0]}, {ends[1]});

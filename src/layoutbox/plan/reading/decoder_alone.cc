@@ -109,7 +109,8 @@ void Decoder::front_alone_actions(std::size_t s, int u, double gain) {
     add(s, kFrontAlone, gain);
     return;
   }
-  const NounPhrase them = unsaid(senses);
+  NounPhrase them = unsaid(senses);
+  if (chunk(u).phrase.possessive && !them.plural) them.head = "it";  // "to its right"
   if (const Referent host = side_host(state, u, senses); host != kNobody) add(s, kFrontAlone, gain + weight::kSameSide, -1, -1, host);
   for (const Candidate& meant : antecedents(state, kNobody, &senses, &them))
     add(s, kFrontAlone, gain + meant.score, -1, -1, meant.referent, meant.list);
@@ -140,7 +141,8 @@ void Decoder::alone_of_member(std::size_t s, int u, std::size_t level, int neare
     return;
   }
   NounPhrase whom = unsaid(senses);
-  if (document_.tokens[chunk(u).last - 1].text == "it") whom.head = "it";  // said, as part of the phrase
+  // Said, as part of the phrase.
+  if (document_.tokens[chunk(u).last - 1].text == "it" || (chunk(u).phrase.possessive && !whom.plural)) whom.head = "it";
   // "a laptop on the right side of the desk and a mug on the left side": of the desk as well.
   if (const Referent host = side_host(state, u, senses); host != kNobody && !same(state, host, member))
     alone_of_list(s, u, level, {host, gain + weight::kSameSide, false});

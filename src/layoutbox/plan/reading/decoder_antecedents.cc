@@ -115,7 +115,9 @@ double Decoder::clause_antecedents(const State& state, const NounPhrase* noun, c
   }
   if (!state.frontier.empty()) {
     lists(state.frontier.front(), order);
-    trial(state.frontier.front(), order, false);
+    // "Two lanterns on the wall, one on each side": of these.
+    const bool of_group = noun != nullptr && noun->kind == NounKind::kMember && !noun->of && several(state, state.frontier.front());
+    trial(state.frontier.front(), order - (of_group ? weight::kNamedAgain : 0), false);
     for (std::size_t f = state.frontier.size(); noun != nullptr && noun->kind == NounKind::kMember && f-- > 1;)
       trial(state.frontier[f], order + 0.2, false);
   }

@@ -60,7 +60,7 @@ void Decoder::apply_noun(State& state, const Action& action, int u) const {
     case kElided:
       own.role = NounRole::kContent;
       own.predicate = action.unit;
-      own.subject = u - 1;
+      own.subject = action.first;
       state.frontier.push_back(u);
       break;
     case kNextRoot:
@@ -230,8 +230,8 @@ void Decoder::take_subject(State& state, const Action& action, int u) const {
     if (m == own.first_subject) break;
   }
   // "a table where two chairs face each other": at the table.
-  if (state.where >= 0 && action.unit != state.where && is(u, UnitKind::kPlace) && (verb_like(u) || lexicon_.is_place_verb(word(u))) && own.implied == kNobody &&
-      read_as(state, action.unit).role == NounRole::kRoot)
+  if (state.where >= 0 && action.unit != state.where && is(u, UnitKind::kPlace) && (verb_like(u) || lexicon_.is_place_verb(word(u))) &&
+      own.implied == kNobody && read_as(state, action.unit).role == NounRole::kRoot)
     own.implied = std::exchange(state.where, -1);
   cut_frontier(state, action.unit);
   state.relative = -1;

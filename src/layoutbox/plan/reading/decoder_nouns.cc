@@ -56,11 +56,14 @@ void Decoder::noun_actions(std::size_t s, int u) {
     return;
   }
   // "one holding a lamp and the other a stack of books": the verb is said once.
-  if (!joined && is(u - 1, UnitKind::kNoun) && read_as(state, u - 1).role == NounRole::kMember && is_new_thing(chunk(u).noun)) {
+  // "… and the one to its right a stack of books"
+  const bool placed_alone = is(u - 1, UnitKind::kPlace) && read_as(state, u - 1).alone && read_as(state, u - 1).subject >= 0;
+  const int member = placed_alone ? read_as(state, u - 1).subject : u - 1;
+  if (!joined && is(member, UnitKind::kNoun) && read_as(state, member).role == NounRole::kMember && is_new_thing(chunk(u).noun)) {
     for (int p = u; p-- > 0;) {
       const bool carries = is(p, UnitKind::kPlace) && read_as(state, p).inverse && !read_as(state, p).fronted;
       if (!carries && (!is(p, UnitKind::kHave) || read_as(state, p).of_room)) continue;
-      add(s, kElided, 0.5, p);
+      add(s, kElided, 0.5, p, member);
       break;
     }
   }
@@ -131,7 +134,7 @@ void Decoder::waited_member_actions(std::size_t s, int u) {
   if (count && place.subject >= 0 && is_thing(state, place.subject) &&
       (says(senses, RelationType::kFacing) || says(senses, RelationType::kOpposite) || says(senses, RelationType::kBehind) ||
        says(senses, RelationType::kInFrontOf)))
-    add(s, kFill, weight::kMoreOfIt);
+    add(s, kFill, weight::kMoreOfIt, -1, -1, place.subject);
   // "a wardrobe to the right of the door and a cabinet to the left of it"
   if (noun.head == "it") {
     if (const Referent host = side_host(state, p, unit(p).direct); host != kNobody && !same(state, host, place.subject))
@@ -161,7 +164,8 @@ void Decoder::repeated_part_actions(std::size_t s, int u) {
   if (noun.determiner != Determiner::kPossessive) return;
   for (int before = u; before-- > 0;) {
     const NounPhrase& part = chunk(before).noun;
-    if (!is(before, UnitKind::kNoun) || part.kind != noun.kind || part.determiner != Determiner::kPossessive || part.head != noun.head) continue;
+    if (!is(before, UnitKind::kNoun) || part.kind != noun.kind || part.determiner != Determiner::kPossessive || part.head != noun.head)
+      continue;
     const Referent meant = read_as(state, before).meant;
     const bool itself = meant == kNobody || same(state, meant, read_as(state, state.waiting).subject);
     if (!itself) add(s, kFill, weight::kSameSide + part_score(state, state.waiting, noun, meant), -1, -1, meant);

@@ -1,4 +1,6 @@
 // What a place is said of.
+#include <algorithm>
+
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/reader_words.h"
 #include "layoutbox/plan/reading/decoder.h"
@@ -206,14 +208,18 @@ void Decoder::opening_place_actions(std::size_t s, int u) {
   add(s, kFront, 0);
   // "On a chest across from the bed a lamp": the chest is there.
   const State& state = states_[s];
-  const bool after_front = !state.fronted.empty() && state.waiting < 0 && state.fronted.back() + 2 == u && place.joiner == Joiner::kNone;
-  if (!after_front || place.direct.empty() || !is_thing(state, u - 1) || speaks_of_others(chunk(u - 1).noun)) return;
-  const bool carried = says(place.direct, RelationType::kOn) && sense_.carries(chunk(u + 1).noun, chunk(u - 1).noun);
-  const NounKind by = chunk(u + 1).noun.kind;
-  const bool held = mount_of(chunk(u - 1).noun) != Mount::kSurface && (by == NounKind::kWall || by == NounKind::kCeiling);
-  if (mount_of(chunk(u - 1).noun) != Mount::kFloor && !carried && !held) return;  // "in the bowl on the table five lemons"
-  const double known = known_[static_cast<std::size_t>(u - 1)] ? weight::kKnownSubject : weight::kNewCarrier;
-  add(s, kAttach, known + sense_.of_place(place.direct, chunk(u - 1).noun, chunk(u + 1).noun), u - 1, u - 1);
+  if (state.fronted.empty() || state.waiting >= 0 || place.joiner != Joiner::kNone || place.direct.empty()) return;
+  const int carrier = state.fronted.back() + 1;
+  // "From a rail suspended from the ceiling over the island": both places are the rail's.
+  const bool goes_on = is(u - 2, UnitKind::kPlace) && read_as(state, u - 2).subject == carrier;
+  if ((carrier + 1 != u && !goes_on) || !is_thing(state, carrier) || speaks_of_others(chunk(carrier).noun)) return;
+  const NounPhrase &noun = chunk(carrier).noun, &by = chunk(u + 1).noun;
+  const bool carried = says(place.direct, RelationType::kOn) && sense_.carries(by, noun);  // "in the bowl on the table five lemons"
+  const bool held = mount_of(noun) != Mount::kSurface && (by.kind == NounKind::kWall || by.kind == NounKind::kCeiling);
+  if (mount_of(noun) != Mount::kFloor && !carried && !held && !goes_on) return;
+  const double known = known_[static_cast<std::size_t>(carrier)] ? weight::kKnownSubject : weight::kNewCarrier;
+  const double sense = sense_.of_place(place.direct, noun, by);
+  add(s, kAttach, known + (chunk(u).hang || goes_on ? std::max(sense, weight::kUsual) : sense), carrier, carrier);
 }
 
 // A thing is brought in there, be it with "the": "on the wall the tv".
@@ -231,6 +237,7 @@ void Decoder::first_place_actions(std::size_t s, int u) {
   // "…, in front of the sofa is a table": the place comes first.
   int after = u + 2;
   while (is(after, UnitKind::kPlace) && unit(after).joiner == Joiner::kNone && follows(after, UnitKind::kNoun)) after += 2;
+  if (is(after, UnitKind::kPlace) && says(unit(after).alone, RelationType::kRow)) ++after;  // "on it, from left to right, stand a jar …"
   double pattern = -4;
   const bool known = is_known_noun(noun) || known_[static_cast<std::size_t>(u + 1)];
   // "… and on a low shelf a statue": of a thing that comes right after it, even where the shelf is new.

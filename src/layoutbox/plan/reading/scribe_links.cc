@@ -88,6 +88,7 @@ void Scribe::write_place_alone(int u) {
   }
   complete_pair(u, link);
   link.implied = true;
+  link.other_side = unit(u).other && says(link.senses, RelationType::kNextTo);
   link.one_side = chunk(u).phrase.one && says(link.senses, RelationType::kNextTo);
   if (link.each && !own.fronted) {
     for (const int target : link.targets) grow_for_sides(link, target, link.references.empty() ? -1 : link.references.front());

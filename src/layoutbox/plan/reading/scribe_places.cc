@@ -25,7 +25,8 @@ std::size_t corners_meant(const NounPhrase& corner) {
 std::size_t walls_meant(const NounPhrase& wall) {
   if (wall.count > 0) return static_cast<std::size_t>(wall.count);
   if (!wall.wall_word.empty()) return 1;
-  const bool some = wall.name.find("side wall") != std::string::npos || contains_word(wall.attributes, "long") || contains_word(wall.attributes, "short");
+  const bool some =
+      wall.name.find("side wall") != std::string::npos || contains_word(wall.attributes, "long") || contains_word(wall.attributes, "short");
   return some ? 2 : 4;
 }
 
@@ -159,7 +160,9 @@ void Scribe::place_with_zone(const std::vector<int>& hosts, int index) {
     place.targets.push_back(added);
     placed = true;
   }
-  if (placed && noun_of(hosts.front()).wall_word.empty()) link_at(index).senses.clear();
+  const NounPhrase& zone = noun_of(hosts.front());
+  const bool said = zone.kind == NounKind::kCorner && zone.determiner == Determiner::kDefinite;  // "the corner by the window has …"
+  if (placed && zone.wall_word.empty() && !said) link_at(index).senses.clear();
 }
 
 void Scribe::fill_root(int u, int mention) {

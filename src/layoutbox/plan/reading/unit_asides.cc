@@ -237,8 +237,11 @@ bool UnitReader::inverts(std::size_t k) const {
 // "Items on the shelf: a clock, a vase": no things, but what announces them.
 bool UnitReader::announces_things(std::size_t k) const {
   const NounPhrase& noun = chunk(k).noun;
-  if (noun.kind != NounKind::kObject || !noun.plural || noun.count > 0 || noun.determiner != Determiner::kNone || !units_.empty() ||
-      !(is_collective(noun.head) || noun.head == "thing") || noun.name != noun.head)
+  const bool things = noun.kind == NounKind::kObject && noun.plural && (is_collective(noun.head) || noun.head == "thing");
+  // "Dressing on the desk: typewriter, telephone"
+  const bool heading = !noun.exact && !noun.plural && is(next(k), ChunkKind::kRelation) &&
+                       (noun.kind == NounKind::kAbstract || (noun.kind == NounKind::kObject && noun.entry == nullptr));
+  if (!(things || heading) || noun.count > 0 || noun.determiner != Determiner::kNone || !units_.empty() || noun.name != noun.head)
     return false;
   for (std::size_t c = k + 1; c < document_.chunks.size() && !is(c, ChunkKind::kStop); ++c) {
     if (document_.tokens[chunk(c).first].text == ":") return true;

@@ -94,7 +94,7 @@ bool UnitReader::names_known(std::size_t k) const {
   for (std::size_t c = k; c-- > 0 && c + kBack > k;) {
     if (!is(c, ChunkKind::kNoun) || chunk(c).noun.kind != NounKind::kObject) continue;
     const std::string& name = chunk(c).noun.name;
-    constexpr std::size_t kShortest = 4;  // "the board" of a whiteboard
+    constexpr std::size_t kShortest = 5;  // "the board" of a whiteboard
     if (name.ends_with(" " + noun.head) || (noun.head.size() >= kShortest && name.ends_with(noun.head))) return true;
   }
   return false;

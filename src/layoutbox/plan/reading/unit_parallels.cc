@@ -25,6 +25,13 @@ bool is_one_of_its_kind(const NounPhrase& noun) {
 // the same preposition.
 bool UnitReader::repeats_place(std::size_t k) {
   NounPhrase& noun = document_.chunks[k].noun;
+  // "two baskets stacked one on top of the other"
+  if (after_place() && is_other_one(noun) && chunk(units_.back().chunk).phrase.one && says(units_.back().direct, RelationType::kStacked)) {
+    noun.kind = NounKind::kPronoun;
+    noun.head = "other";
+    noun.reciprocal = true;
+    return false;
+  }
   if (!after_place() || !is_other_one(noun) || chunk(units_.back().chunk).last - chunk(units_.back().chunk).first != 1) return false;
   const std::string& preposition = document_.tokens[chunk(units_.back().chunk).first].text;
   for (std::size_t u = units_.size() - 1; u-- > 0;) {
@@ -37,7 +44,8 @@ bool UnitReader::repeats_place(std::size_t k) {
                          one_of(preposition, {"on", "against", "along", "down", "at"});
     if (first != preposition && !at_wall) continue;
     // "a table with a jug at one end, a tray at the other"
-    if (chunk(before.chunk).phrase.one && !before.alone.empty() && !(noun_follows && !before.direct.empty() && place.kind == NounKind::kObject && place.determiner == Determiner::kDefinite)) {
+    if (chunk(before.chunk).phrase.one && !before.alone.empty() &&
+        !(noun_follows && !before.direct.empty() && place.kind == NounKind::kObject && place.determiner == Determiner::kDefinite)) {
       units_.back().direct.clear();
       units_.back().inverse.clear();
       units_.back().alone = before.alone;
@@ -69,7 +77,8 @@ bool UnitReader::repeats_place(std::size_t k) {
 // "a lamp on the left end of the sideboard, a vase on the right end": of the sideboard as well.
 void UnitReader::repeat_owner(std::size_t k) {
   NounPhrase& noun = document_.chunks[k].noun;
-  if (!after_place() || noun.kind != NounKind::kPart || noun.of || noun.determiner != Determiner::kDefinite || noun.wall_word.empty()) return;
+  if (!after_place() || noun.kind != NounKind::kPart || noun.of || noun.determiner != Determiner::kDefinite || noun.wall_word.empty())
+    return;
   for (std::size_t u = units_.size(); u-- > 0;) {
     if (units_[u].kind != UnitKind::kNoun) continue;
     const NounPhrase& before = chunk(units_[u].chunk).noun;
@@ -83,10 +92,10 @@ void UnitReader::repeat_owner(std::size_t k) {
 // "the pair stands by the door", "a rug under the group": those that were named.
 void UnitReader::mean_group(std::size_t k) {
   NounPhrase& noun = document_.chunks[k].noun;
-  const bool group = one_of(noun.head, {"pair", "duo", "trio", "quartet", "foursome", "group", "grouping", "ensemble", "lot", "whole", "bunch",
-                                        "cluster", "arrangement"});
-  if (!group || noun.kind == NounKind::kPronoun || noun.of || noun.contents || !noun.attributes.empty() || noun.name.find(" of ") != std::string::npos ||
-      noun.determiner != Determiner::kDefinite || noun.last - noun.first > 2)
+  const bool group = one_of(noun.head, {"pair", "duo", "trio", "quartet", "foursome", "group", "grouping", "ensemble", "lot", "whole",
+                                        "bunch", "cluster", "arrangement"});
+  if (!group || noun.kind == NounKind::kPronoun || noun.of || noun.contents || !noun.attributes.empty() ||
+      noun.name.find(" of ") != std::string::npos || noun.determiner != Determiner::kDefinite || noun.last - noun.first > 2)
     return;
   bool named = false;
   for (std::size_t c = k; c-- > 0 && !named;) named = is(c, ChunkKind::kNoun) && chunk(c).noun.kind == NounKind::kObject;
@@ -110,7 +119,8 @@ void UnitReader::mean_twin(std::size_t k) {
   const bool twin = noun.determiner == Determiner::kPossessive && noun.last - noun.first <= 3 &&
                     one_of(last, {"twin", "counterpart", "mate", "match", "double", "partner", "pendant", "sibling", "equal", "copy"});
   const std::size_t n = next(k);
-  const bool same = last == "same" && noun.determiner == Determiner::kDefinite && noun.kind == NounKind::kAbstract && is(n, ChunkKind::kRelation);
+  const bool same =
+      last == "same" && noun.determiner == Determiner::kDefinite && noun.kind == NounKind::kAbstract && is(n, ChunkKind::kRelation);
   if ((!twin && !same) || units_.empty()) return;
   NounPhrase another;
   another.kind = NounKind::kMember;
@@ -149,7 +159,8 @@ void UnitReader::place_at_spot(std::size_t k) {
                                    {RelationType::kIn, PhraseSense::Direction::kDirect, {}, {}, {}}};
   const NounPhrase& noun = chunk(k).noun;
   const std::size_t verb = previous(k), thing = verb < k ? previous(verb) : k;
-  const bool spot = (noun.kind == NounKind::kCenter || noun.kind == NounKind::kCorner) && noun.determiner == Determiner::kDefinite && noun.of;
+  const bool spot =
+      (noun.kind == NounKind::kCenter || noun.kind == NounKind::kCorner) && noun.determiner == Determiner::kDefinite && noun.of;
   if (!spot || verb >= k || thing >= k || chunk(verb).last - chunk(verb).first != 1) return;
   const bool unread = is(verb, ChunkKind::kUnknown) || is(verb, ChunkKind::kPurpose);
   if (!unread || !is(thing, ChunkKind::kNoun) || chunk(thing).noun.kind != NounKind::kObject) return;

@@ -42,8 +42,24 @@ void UnitReader::read_purpose(std::size_t k) {
   joiner_ = Joiner::kNone;
 }
 
+// "In the corner someone has put down a crate": it is there.
+bool UnitReader::passes_placer(std::size_t k) {
+  if (!one_of(document_.tokens[chunk(k).first].text, {"someone", "somebody"}) || chunk(k).last - chunk(k).first != 1) return false;
+  std::size_t n = next(k);
+  bool placing = false;
+  for (; is(n, ChunkKind::kHave) || is(n, ChunkKind::kVerb) || is(n, ChunkKind::kParticiple); n = next(n))
+    placing |= !is(n, ChunkKind::kHave);
+  if (!placing || !is(n, ChunkKind::kNoun) || chunk(n).noun.kind != NounKind::kObject) return false;
+  for (std::size_t c = k; c < n; ++c) mark(c, Use::kIgnored, "opens a statement");
+  skipping_ = false;
+  add(UnitKind::kOpen, k);
+  passed_until_ = n;
+  return true;
+}
+
 // "a shelf on which she keeps four jars": they are there.
 bool UnitReader::passes_keeper(std::size_t k) {
+  if (passes_placer(k)) return true;
   const std::size_t verb = next(k), thing = next(verb);
   if (skipping_ || units_.empty() || units_.back().kind != UnitKind::kNoun || chunk(units_.back().chunk).noun.head != "which") return false;
   if (joiner_ != Joiner::kNone || !(is(verb, ChunkKind::kHave) || is(verb, ChunkKind::kVerb)) || !is(thing, ChunkKind::kNoun)) return false;
@@ -70,8 +86,9 @@ bool UnitReader::place_after_purpose(std::size_t k) const {
   const bool place = is(n, ChunkKind::kNoun) && (chunk(n).noun.kind == NounKind::kObject || chunk(n).noun.kind == NounKind::kWindow ||
                                                  chunk(n).noun.kind == NounKind::kDoor || chunk(n).noun.kind == NounKind::kCorner);
   if (!place || chunk(n).noun.determiner != Determiner::kDefinite) return false;
-  if (!is(p, ChunkKind::kNoun) || chunk(p).noun.kind != NounKind::kAbstract || chunk(p).noun.determiner == Determiner::kIndefinite)
-    return false;
+  if (!is(p, ChunkKind::kNoun) || chunk(p).noun.kind != NounKind::kAbstract) return false;
+  if (chunk(p).noun.determiner == Determiner::kIndefinite && !is_zone(chunk(p).noun.head))
+    return false;  // "forms a sitting area on the rug"
   for (std::size_t c = k; c-- > 0 && !is(c, ChunkKind::kComma) && !is(c, ChunkKind::kStop);) {
     if (is(c, ChunkKind::kPurpose)) return is_finite(document_.tokens[chunk(c).first].text);
   }

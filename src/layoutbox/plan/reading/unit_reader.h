@@ -38,6 +38,7 @@ class UnitReader {
   bool denies_before(std::size_t k);
   bool names_contents(std::size_t k) const;
   bool passes_keeper(std::size_t k);
+  bool passes_placer(std::size_t k);
   bool reads_as_verb(std::size_t k) const;
   bool passes_count(std::size_t k);
   bool passes_role(std::size_t k);

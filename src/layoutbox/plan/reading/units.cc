@@ -192,6 +192,7 @@ bool UnitReader::tells_which(std::size_t k) {
     noun.wall_relation = "opposite";
     return true;
   }
+  if (noun.kind != NounKind::kObject && noun.kind != NounKind::kPart) return false;  // "on the wall above": above what was spoken of
   const bool up_or_down = says(senses, RelationType::kUnder) || says(senses, RelationType::kAbove);
   return up_or_down && noun.determiner == Determiner::kDefinite && document_.tokens[chunk(k).last - 1].text != "it";
 }

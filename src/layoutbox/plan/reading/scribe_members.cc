@@ -1,0 +1,180 @@
+// Mentions of one of several, of more of a kind, of what was named before.
+#include <algorithm>
+
+#include "layoutbox/plan/offline/knowledge.h"
+#include "layoutbox/plan/offline/reader_words.h"
+#include "layoutbox/plan/reading/scribe.h"
+
+namespace layoutbox::offline {
+
+// "a tray on its left and a mug on its right, a spoon between the two": what the sentence named last of the size of who is placed by them.
+std::vector<int> Scribe::pair_named_last(int u) const {
+  const UnitReading& own = reading(u);
+  const std::vector<int> placed = own.predicate >= 0 ? subjects_of(own.predicate) : std::vector<int>{};
+  if (placed.size() != 1 || !is_thing(placed.front()) || mount_of(noun_of(placed.front())) != Mount::kSurface) return {};
+  std::vector<int> two;
+  for (int before = u; before-- > 0 && two.size() < 2;) {
+    const int m = mention_[static_cast<std::size_t>(before)];
+    const bool thing = is(before, UnitKind::kNoun) && is_thing(m) && reading(before).role != NounRole::kReference && m != placed.front();
+    if (thing && mention_at(m).introduces && mention_at(m).items.size() == 1 && mount_of(noun_of(m)) == Mount::kSurface)
+      two.insert(two.begin(), m);
+  }
+  return two;
+}
+
+// "a large bookcase and a smaller one", "another one": brought in anew.
+int Scribe::make_another(int u, const NounPhrase& noun) {
+  const std::vector<int> kind = mentions_of(reading(u).meant);
+  if (kind.empty() || !is_thing(kind.front()) || noun_of(kind.front()).kind != NounKind::kObject) return -1;
+  const bool another = noun.determiner == Determiner::kAnother;
+  if (another && references_.has_left(references_.latest_group(), std::max(noun.count, 1))) return -1;
+  NounPhrase copy = noun_of(kind.front());
+  copy.determiner = Determiner::kIndefinite;
+  copy.count = noun.count;
+  copy.plural = noun.count > 1;
+  copy.rows = 0;
+  if (!noun.attributes.empty()) {
+    copy.attributes = noun.attributes;
+    copy.attribute_classes = noun.attribute_classes;
+  }
+  copy.first = noun.first;
+  copy.last = noun.last;
+  return references_.mention(copy, -1, false);
+}
+
+// "two chairs on each long side and one on each short side": more of the kind.
+int Scribe::make_more(int u, const NounPhrase& noun) {
+  const bool joined = unit(u).joiner == Joiner::kAnd || unit(u).joiner == Joiner::kCommaAnd;
+  if (!joined || noun.determiner != Determiner::kNone || noun.count == 0 || noun.subset || !is(u + 1, UnitKind::kPlace)) return -1;
+  std::vector<int> kind = mentions_of(reading(u).meant);
+  for (int before = u; before-- > 0;) {
+    if (is(before, UnitKind::kNoun) && is_thing(mention_[static_cast<std::size_t>(before)]) &&
+        mention_at(mention_[static_cast<std::size_t>(before)]).introduces && reading(before).role != NounRole::kReference) {
+      kind = {mention_[static_cast<std::size_t>(before)]};
+      break;
+    }
+  }
+  if (kind.empty() || references_.has_left(kind.front(), noun.count)) return -1;
+  return copy_of(kind.front(), noun);
+}
+
+// As many more of the mention's kind as the words say.
+int Scribe::copy_of(int mention, const NounPhrase& said) {
+  NounPhrase copy = noun_of(mention);
+  copy.determiner = Determiner::kNone;
+  copy.count = std::max(said.count, 1);
+  copy.plural = copy.count > 1;
+  copy.rows = 0;
+  copy.first = said.first;
+  copy.last = said.last;
+  return references_.mention(copy, -1, false);
+}
+
+// "Two chairs face two on the other side", "three recliners opposite another three", "a loveseat facing another": more of who is placed.
+int Scribe::make_opposed(int u, const NounPhrase& noun) {
+  const UnitReading& own = reading(u);
+  const bool more = noun.determiner == Determiner::kNone ? noun.count > 0
+                                                         : noun.determiner == Determiner::kAnother || noun.determiner == Determiner::kOther;
+  if (own.role != NounRole::kReference || own.predicate < 0 || !more || noun.of || noun.ordinal != 0) return -1;
+  const std::vector<int> placed = subjects_of(own.predicate);
+  if (placed.size() != 1 || !is_thing(placed.front()) || !mention_at(placed.front()).introduces) return -1;
+  const Mention& group = mention_at(placed.front());
+  if (noun.determiner == Determiner::kOther && noun.count == 0 && !chunk(u).noun.plural) return -1;  // "the other"
+  if (references_.whole_group(placed.front()) != placed.front() ||
+      (noun.count > 0 && group.items.size() > 2 * static_cast<std::size_t>(noun.count)))
+    return -1;
+  return copy_of(placed.front(), noun);
+}
+
+// "the first wardrobe … the second": of the same kind.
+int Scribe::make_ordinal(const NounPhrase& noun) {
+  if (noun.ordinal == 0) return -1;
+  for (std::size_t m = document_.mentions.size(), looked = 0; m-- > 0 && looked < kReach; ++looked) {
+    if (document_.mentions[m].noun.ordinal == 0 || document_.mentions[m].items.empty()) continue;
+    NounPhrase same = document_.mentions[m].noun;
+    same.ordinal = noun.ordinal;
+    same.determiner = Determiner::kDefinite;
+    same.first = noun.first;
+    same.last = noun.last;
+    return references_.mention(same, -1, true);
+  }
+  return -1;
+}
+
+// Nobody but who is placed by it is there to be meant.
+bool Scribe::same_as_placed(int u) const {
+  const UnitReading& own = reading(u);
+  if (own.predicate < 0) return false;
+  const std::vector<int> meant = mentions_of(own.meant), placed = subjects_of(own.predicate);
+  return meant.size() == 1 && placed.size() == 1 && mention_at(meant.front()).items == mention_at(placed.front()).items;
+}
+
+int Scribe::make_member(int u, const NounPhrase& noun) {
+  if (const int same = make_ordinal(noun); same >= 0) return same;
+  const bool fresh = noun.determiner == Determiner::kAnother || (noun.determiner == Determiner::kIndefinite && !noun.attributes.empty());
+  if (fresh && !noun.subset && !noun.of) {
+    if (const int another = make_another(u, noun); another >= 0) return another;
+  }
+  if (const int more = make_more(u, noun); more >= 0) return more;
+  if (reading(u).meant == kNobody || same_as_placed(u)) {
+    if (const int opposed = make_opposed(u, noun); opposed >= 0) return opposed;
+  }
+  int antecedent = antecedent_of(u);
+  // "two lockers stand by the door and the other two at the window": four.
+  const bool of_placed = antecedent >= 0 && mention_at(antecedent).introduces &&
+                         mention_at(antecedent).items.size() <= static_cast<std::size_t>(std::max(noun.count, 1)) &&
+                         reading(u).role != NounRole::kReference;
+  if (noun.determiner == Determiner::kOther && of_placed) {
+    if (const int others = make_another(u, noun); others >= 0) {
+      references_.join_group(others, antecedent);
+      return others;
+    }
+  }
+  if (antecedent >= 0 && references_.has_left(antecedent, noun.count)) antecedent = references_.whole_group(antecedent);
+  NounPhrase meant = noun;
+  // "two tables, one on each side of the bed": the two, not one of them.
+  const bool sides =
+      is(u + 1, UnitKind::kPlace) && unit(u + 1).each && reading(u).role != NounRole::kReference && noun.count > 0 && !noun.subset;
+  const PhraseSenses none;
+  const PhraseSenses& senses = sides ? *unit(u + 1).senses : none;
+  if (sides && antecedent >= 0 && (says(senses, RelationType::kEachSideOf) || says(senses, RelationType::kAlongSide)) &&
+      mention_at(antecedent).items.size() == 2 * static_cast<std::size_t>(noun.count))
+    meant.determiner = Determiner::kBoth;
+  // "four lamps, one in every corner": all four.
+  const bool by_all = is(u + 2, UnitKind::kNoun) && (chunk(u + 2).noun.determiner == Determiner::kEach ||
+                                                     (chunk(u + 2).noun.determiner == Determiner::kBoth && !chunk(u + 2).noun.plural));
+  const bool shared_out = is(u + 1, UnitKind::kPlace) && by_all && reading(u + 2).predicate == u + 1 &&
+                          reading(u).role != NounRole::kReference && noun.count >= 1 && !noun.subset;
+  const std::size_t all = antecedent >= 0 ? mention_at(antecedent).items.size() : 0,
+                    share = static_cast<std::size_t>(std::max(noun.count, 1));
+  if (shared_out && all > share && all % share == 0) meant.determiner = Determiner::kBoth;  // "six stools, two per table"
+  const int mention = references_.mention(meant, antecedent, reading(u).role == NounRole::kReference);
+  // "both have a lamp": every single one.
+  if (noun.determiner == Determiner::kBoth && is(u + 1, UnitKind::kHave)) mention_at(mention).distributes = true;
+  return mention;
+}
+
+// "A bassinet is drawn up to the bed": a bassinet is a bed, but nothing stands by itself. −1: the mention means something else.
+int Scribe::not_itself(int u, const NounPhrase& noun, int mention) {
+  const UnitReading& own = reading(u);
+  if (own.role != NounRole::kReference || own.predicate < 0 || noun.kind != NounKind::kObject || reading(own.predicate).fronted) return -1;
+  const std::vector<int> placed = subjects_of(own.predicate);
+  if (placed.size() != 1 || !is_thing(mention) || mention_at(placed.front()).items != mention_at(mention).items) return -1;
+  if (noun_of(placed.front()).name == noun.name || !noun.exact || noun_of(placed.front()).entry == noun.entry) return -1;
+  NounPhrase fresh = noun;
+  fresh.determiner = Determiner::kIndefinite;
+  return references_.mention(fresh, -1, false);
+}
+
+// "pc on a cart, cart in the corner": where articles are left out, the same one.
+bool Scribe::is_bare_again(int u) const {
+  const NounPhrase& noun = chunk(u).noun;
+  const bool bare = noun.kind == NounKind::kObject && noun.determiner == Determiner::kNone && noun.count == 0 && !noun.plural;
+  if (!bare || reading(u).role != NounRole::kRoot || !(is(u + 1, UnitKind::kPlace) || is(u + 1, UnitKind::kParticiple))) return false;
+  for (int before = 0; before < u; ++before) {
+    if (is(before, UnitKind::kNoun) && reading(before).role == NounRole::kReference && chunk(before).noun.name == noun.name) return true;
+  }
+  return false;
+}
+
+}  // namespace layoutbox::offline
