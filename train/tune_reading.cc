@@ -40,7 +40,8 @@ class Tuner {
   explicit Tuner(std::vector<Set> sets) : sets_(std::move(sets)), planner_(make_offline_planner(Catalog::builtin())) {}
 
   // Relations found less those that are wrong, a figure a set; of the descriptions whose number has that remainder by two, or of all (−1).
-  std::vector<double> score(int half) const {
+  // Ends at the first set that has less than `least`.
+  std::vector<double> score(int half, const std::vector<double>& least = {}) const {
     std::vector<double> all;
     for (const Set& set : sets_) {
       reading::Tally tally;
@@ -50,20 +51,21 @@ class Tuner {
         reading::measure(Catalog::builtin(), set.descriptions[i], plan ? plan->scene : SceneGraph{}, tally, nullptr);
       }
       all.push_back(tally.found - tally.wrong);
+      if (all.size() <= least.size() && all.back() < least[all.size() - 1]) break;
     }
     return all;
   }
 
   void tune(int half) {
-    constexpr int kRounds = 2;
+    constexpr int kRounds = 1;
     std::vector<double> best = score(half);
     for (int round = 0; round < kRounds; ++round) {
       bool changed = false;
       for (const Weight& weight : weights()) {
-        for (const double step : {0.25, -0.25, 0.6, -0.6, 1.2, -1.2}) {
+        for (const double step : {0.5, -0.5}) {
           const double before = *weight.value;
           *weight.value = before + step * std::max(1.0, std::abs(before) / 2);
-          const std::vector<double> now = score(half);
+          const std::vector<double> now = score(half, best);
           if (better(now, best)) {
             std::printf("%-20s %6.2f -> %6.2f   %+.0f\n", weight.name, before, *weight.value, total(now) - total(best));
             std::fflush(stdout);
@@ -91,6 +93,7 @@ class Tuner {
     return sum;
   }
   static bool better(const std::vector<double>& now, const std::vector<double>& before) {
+    if (now.size() < before.size()) return false;
     for (std::size_t s = 0; s < now.size(); ++s) {
       if (now[s] < before[s]) return false;
     }

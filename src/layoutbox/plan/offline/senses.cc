@@ -141,6 +141,9 @@ class SenseChooser {
       sense.side = has_word("long") ? Side::kLong : Side::kShort;
       return sense;
     }
+    // "clamped to its right edge"
+    const bool on_edge = reference_.head == "edge" && says(R::kOn) && mount_of(target_) == Mount::kSurface;
+    if (on_edge && (reference_.wall_word == "left" || reference_.wall_word == "right")) return on_part(reference_.wall_word);
     if (reference_.wall_word == "left") return own(R::kLeftOf);
     if (reference_.wall_word == "right") return own(R::kRightOf);
     if (reference_.is_plural()) return own(R::kEachSideOf);

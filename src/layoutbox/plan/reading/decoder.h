@@ -178,6 +178,7 @@ class Decoder {
   const std::string& word(int u) const { return document_.tokens[chunk(u).first].text; }
   const PhraseSenses& alone_senses(int u) const;
   bool by_each_other(int u) const;
+  bool says_its(int u) const;
   bool is_subject(int u) const;
   bool has_place(int u) const;
   bool has_own_place(int u) const;

@@ -101,6 +101,12 @@ void Decoder::alone_actions(std::size_t s, int u) {
 // What the place at u says without its reference.
 const PhraseSenses& Decoder::alone_senses(int u) const { return unit(u).alone.empty() ? unit(u).direct : unit(u).alone; }
 
+bool Decoder::says_its(int u) const {
+  const auto first = document_.tokens.begin() + static_cast<std::ptrdiff_t>(chunk(u).first),
+             last = document_.tokens.begin() + static_cast<std::ptrdiff_t>(chunk(u).last);
+  return std::any_of(first, last, [](const Token& token) { return token.text == "its"; });
+}
+
 // It comes before its thing.
 void Decoder::front_alone_actions(std::size_t s, int u, double gain) {
   const State& state = states_[s];
@@ -110,7 +116,7 @@ void Decoder::front_alone_actions(std::size_t s, int u, double gain) {
     return;
   }
   NounPhrase them = unsaid(senses);
-  if (chunk(u).phrase.possessive && !them.plural) them.head = "it";  // "to its right"
+  if (says_its(u) && !them.plural) them.head = "it";  // "to its right"
   if (const Referent host = side_host(state, u, senses); host != kNobody) add(s, kFrontAlone, gain + weight::kSameSide, -1, -1, host);
   for (const Candidate& meant : antecedents(state, kNobody, &senses, &them))
     add(s, kFrontAlone, gain + meant.score, -1, -1, meant.referent, meant.list);
@@ -142,7 +148,7 @@ void Decoder::alone_of_member(std::size_t s, int u, std::size_t level, int neare
   }
   NounPhrase whom = unsaid(senses);
   // Said, as part of the phrase.
-  if (document_.tokens[chunk(u).last - 1].text == "it" || (chunk(u).phrase.possessive && !whom.plural)) whom.head = "it";
+  if (document_.tokens[chunk(u).last - 1].text == "it" || (says_its(u) && !whom.plural)) whom.head = "it";
   // "a laptop on the right side of the desk and a mug on the left side": of the desk as well.
   if (const Referent host = side_host(state, u, senses); host != kNobody && !same(state, host, member))
     alone_of_list(s, u, level, {host, gain + weight::kSameSide, false});

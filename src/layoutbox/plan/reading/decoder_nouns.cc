@@ -83,7 +83,7 @@ void Decoder::waited_actions(std::size_t s, int u) {
     waited_content_actions(s, u);
     return;
   }
-  if (noun.kind == NounKind::kPronoun && place.implied != kNobody) {  // "on which"
+  if (noun.kind == NounKind::kPronoun && !noun.reciprocal && place.implied != kNobody) {  // "on which"
     add(s, kFill, 0, -1, -1, place.implied);
     return;
   }

@@ -172,7 +172,8 @@ void Scribe::lies_between(int u, int mention) {
     const int index = is(p, UnitKind::kPlace) ? link_[static_cast<std::size_t>(p)] : -1;
     if (index < 0 || link_at(index).targets != across.targets || !says(link_at(index).senses, RelationType::kFacing)) continue;
     const std::vector<int> seen = link_at(index).references;
-    if (seen.size() != 1 || !is_thing(seen.front()) || mention_at(seen.front()).reciprocal) return;
+    if (seen.size() != 1 || !is_thing(seen.front()) || mention_at(seen.front()).reciprocal || across.targets.size() != 1) return;
+    if (noun_of(seen.front()).head != noun_of(across.targets.front()).head || chunk(u).last - chunk(u).first != 1) return;
     across.references = across.targets;
     across.references.push_back(seen.front());
     across.targets = {mention};

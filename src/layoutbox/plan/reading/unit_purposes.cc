@@ -86,7 +86,9 @@ bool UnitReader::place_after_purpose(std::size_t k) const {
   const bool place = is(n, ChunkKind::kNoun) && (chunk(n).noun.kind == NounKind::kObject || chunk(n).noun.kind == NounKind::kWindow ||
                                                  chunk(n).noun.kind == NounKind::kDoor || chunk(n).noun.kind == NounKind::kCorner);
   if (!place || chunk(n).noun.determiner != Determiner::kDefinite) return false;
-  if (!is(p, ChunkKind::kNoun) || chunk(p).noun.kind != NounKind::kAbstract) return false;
+  const bool light = is(p, ChunkKind::kNoun) && chunk(p).noun.determiner == Determiner::kDefinite &&
+                     one_of(chunk(p).noun.head, {"light", "sun", "sunlight", "sunshine", "view", "warmth", "breeze", "shade"});
+  if (!light && (!is(p, ChunkKind::kNoun) || chunk(p).noun.kind != NounKind::kAbstract)) return false;
   if (chunk(p).noun.determiner == Determiner::kIndefinite && !is_zone(chunk(p).noun.head))
     return false;  // "forms a sitting area on the rug"
   for (std::size_t c = k; c-- > 0 && !is(c, ChunkKind::kComma) && !is(c, ChunkKind::kStop);) {
