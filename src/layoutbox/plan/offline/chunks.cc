@@ -106,6 +106,8 @@ PhraseMatch Chunker::phrase_here() const {
   // "at its far end": the end of a thing, not of the room.
   if (phrase.possessive && std::ranges::all_of(*phrase.senses, [](const PhraseSense& s) { return s.type == RelationType::kInRegion; }))
     return lexicon_.find_phrase(tokens_.first(i_ + 1), i_);
+  const bool end = last == "end" || last == "edge";
+  if (phrase.possessive && end && tokens_[after - 2].text == "right") return lexicon_.find_phrase(tokens_.first(i_ + 1), i_);
   if (last != "left" && last != "right" && last != "side") return phrase;
   const Token& next = tokens_[after].text == "hand" && after + 1 < tokens_.size() ? tokens_[after + 1] : tokens_[after];
   if (next.text != "one" && !lexicon_.is(next, Class::kWall) && !lexicon_.is(next, Class::kCorner) && !lexicon_.is(next, Class::kSide))

@@ -91,8 +91,10 @@ void Decoder::alone_actions(std::size_t s, int u) {
   if (place.joiner == Joiner::kNone) return;
   // "to its right there is a plant, to its left a table"
   const bool noun_next = follows(u, UnitKind::kNoun) && chunk(u + 1).noun.kind == NounKind::kObject;
-  const bool verb_next = (is(u + 1, UnitKind::kVerb) || is(u + 1, UnitKind::kOpen)) && is(u + 2, UnitKind::kNoun) &&
-                         chunk(u + 2).noun.kind == NounKind::kObject;
+  // "on it, from left to right, stand a jar and a mug"
+  const int verb = is(u + 1, UnitKind::kPlace) && says(unit(u + 1).alone, RelationType::kRow) ? u + 2 : u + 1;
+  const bool verb_next = (is(verb, UnitKind::kVerb) || is(verb, UnitKind::kOpen)) && is(verb + 1, UnitKind::kNoun) &&
+                         chunk(verb + 1).noun.kind == NounKind::kObject;
   const bool comma_next =
       is(u + 1, UnitKind::kNoun) && unit(u + 1).joiner == Joiner::kComma && is_new_thing(chunk(u + 1).noun) && place.clause;
   if (noun_next || verb_next || comma_next) front_alone_actions(s, u, 2.5);
