@@ -13,7 +13,7 @@ from pathlib import Path
 
 from service import BEDROOM, Service
 
-SECONDS = float(os.environ.get("LAYOUTBOX_SOAK_SECONDS", "45"))
+SECONDS = float(os.environ.get("LAYOUTBOX_SOAK_SECONDS", "60"))
 CLIENTS = 4
 LONGEST_WAIT = 300
 GROWTH = 30_000  # kB: what the allocator may keep more at the end of the calm part than in its middle

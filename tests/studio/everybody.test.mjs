@@ -104,6 +104,10 @@ for (const colorScheme of ["light", "dark"]) {
     await furnish(page, "A room of 4 x 3 m with a table, a chair and a plant. The chair is left of the table. The chair is right of the table. A gizmoid.");
     await look("conflict");
     await page.locator("[data-testid^=thing-]").first().click();
+    await look("chosen");
+    await id(page, "outlining").click();
+    await look("outline");
+    await id(page, "outlining").click();
     for (const name of ["things", "files", "rooms"]) {
       await id(page, `tab-${name}`).click();
       await look(name);

@@ -58,7 +58,7 @@ export function Reason({at: [x, y], reach, text, px, page}: ReasonProps) {
   const size = 12 * px;
   const fits = Math.max(14, Math.min(38, Math.floor((page.x1 - page.x0) / (size * 0.56)) - 3));
   const lines: string[] = [""];
-  for (const word of text.split(" ")) {
+  for (const word of (text.charAt(0).toUpperCase() + text.slice(1)).split(" ")) {
     if (`${lines.at(-1)} ${word}`.length > fits) lines.push(word);
     else lines[lines.length - 1] = `${lines.at(-1)} ${word}`.trim();
   }

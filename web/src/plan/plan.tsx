@@ -161,7 +161,7 @@ export function Plan({layout, live}: {layout: Layout; live: boolean}) {
       {outlining && <Corners layout={shell ?? layout} base={base} frame={frame} svg={element} show={show_shell} />}
       {live && state.ghost && <Ghost layout={state.ghost.layout} now={layout} frame={frame} />}
       {live && relation && <Between layout={layout} relation={state.relation ?? ""} frame={frame} />}
-      {chosen && !outlining && !state.ghost && !relation && <Ways layout={layout} object={chosen} frame={frame} units={state.units} />}
+      {chosen && !outlining && !state.ghost && !relation && held?.legal !== false && <Ways layout={layout} object={chosen} frame={frame} units={state.units} />}
       {chosen && !outlining && !state.ghost && !state.rooms.now?.locked.includes(chosen.id) && (
         <Knobs
           object={chosen} frame={frame}

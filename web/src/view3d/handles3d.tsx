@@ -62,9 +62,9 @@ export function Handles3D({layout, view}: {layout: Layout; view: () => RoomView 
   const top = shown ? now.aim.on_canvas([object.pos[0], object.pos[1]], object.pos[2] + object.size[2]) : null;
   return (
     <svg ref={svg} class="handles" aria-hidden="true">
-      {shown && held && <Ways layout={layout} object={object} frame={{at: on_floor, px: 1}} units={units} />}
+      {shown && held?.legal && <Ways layout={layout} object={object} frame={{at: on_floor, px: 1}} units={units} />}
       {shown && base && !locked && svg.current && <Knobs object={object} base={base} view={now} svg={svg.current} />}
-      {top && reason && <Reason at={top} reach={30} text={reason} px={1} page={page} />}
+      {top && reason && <Reason at={top} reach={kAboveTop + 26} text={reason} px={1} page={page} />}
     </svg>
   );
 }
