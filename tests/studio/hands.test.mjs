@@ -121,9 +121,14 @@ test("the outline of a finished room is redrawn: corners, a step in a wall, by m
   await id(page, "corner-2").focus();
   await page.keyboard.press("Shift+ArrowUp");
   await changed(stepped);
+  const moved_by_keys = await polygon();
+  const twice = await middle(id(page, "corner-2"));
+  await page.mouse.dblclick(twice.x, twice.y);
+  await changed(moved_by_keys);
+  assert.equal(JSON.parse(await polygon()).length, 5);
   await page.keyboard.press("Escape");
   await id(page, "corner-2").waitFor({state: "detached"});
-  for (let i = 0; i < 4; ++i) await id(page, "undo").click();
+  for (let i = 0; i < 5; ++i) await id(page, "undo").click();
   assert.equal(await polygon(), first);
   assert.deepEqual(page.faults, []);
   await page.context().close();

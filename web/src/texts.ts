@@ -61,7 +61,7 @@ export const texts = {
     room_size: (w: string, d: string, area: string) => `${w} × ${d} · ${area}`,
     reset: "Show all",
     outline: {
-      begin: "Redraw the outline", end: "Outline is done", hint: "Drag corners and walls; + parts a wall, Delete removes a corner",
+      begin: "Redraw the outline", end: "Outline is done", hint: "Drag corners and walls; + parts a wall, a double click removes a corner",
       corner: (number: number) => `Corner ${number}: arrow keys move it, Delete takes it away`, split: (wall: string) => `Part ${wall} in two`,
     },
   },

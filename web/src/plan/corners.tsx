@@ -1,4 +1,5 @@
 // The outline of a room that is there already, redrawn: its corners are dragged, walls parted, corners taken away.
+import {useRef} from "preact/hooks";
 import type {Layout} from "../gen/types";
 import {move_corner, on_wall, outline_of, remove_corner, split_wall, wall_length} from "../pure/corners";
 import {places_of} from "../pure/relations";
@@ -16,6 +17,8 @@ interface CornersProps { layout: Layout; base: () => Layout; frame: Frame; svg: 
 const kDot = 6.5;
 const kFinger = 14;
 const kInside = 18;
+/** Milliseconds between two clicks that are one double click: the plan has the pointer, so no corner hears of them. */
+const kTwice = 400;
 
 export function Corners({layout, base, frame, svg, show}: CornersProps) {
   const units = use((state) => state.units);
@@ -36,6 +39,12 @@ export function Corners({layout, base, frame, svg, show}: CornersProps) {
     else if (event.key === "Escape") set({outlining: false});
     else return;
     event.preventDefault();
+  };
+  const clicks = useRef({index: -1, at: 0});
+  const clicked = (index: number) => {
+    const [before, now] = [clicks.current, performance.now()];
+    clicks.current = {index, at: now};
+    if (before.index === index && now - before.at < kTwice) void reshape(remove_corner(base(), index));
   };
   const split = (index: number) => void reshape(split_wall(base(), index));
   return (
@@ -61,7 +70,7 @@ export function Corners({layout, base, frame, svg, show}: CornersProps) {
       {outline_of(walls).map((corner, i) => (
         <g
           key={`corner ${i}`} class="dot" role="button" tabindex={0} aria-label={outline.corner(i + 1)} data-testid={`corner-${i}`} onKeyDown={(event) => on_key(event, i)}
-          onPointerDown={(event) => grab_shell(event, svg(), (now) => move_corner(base(), i, now, get().snap), show)} onDblClick={() => void reshape(remove_corner(base(), i))}
+          onPointerDown={(event) => grab_shell(event, svg(), (now) => move_corner(base(), i, now, get().snap), show, () => clicked(i))}
         >
           {dot(frame.at(corner), "corner")}
         </g>

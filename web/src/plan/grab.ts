@@ -81,7 +81,7 @@ export function grab_opening(event: PointerEvent, svg: SVGSVGElement, layout: La
 }
 
 /** The room's shell drawn otherwise: `changed` is the room with the pointer there, `show` draws it until it is let go and furnished so. */
-export function grab_shell(event: PointerEvent, svg: SVGSVGElement, changed: (now: Point, start: Point) => Layout | null, show: (layout: Layout | null) => void): void {
+export function grab_shell(event: PointerEvent, svg: SVGSVGElement, changed: (now: Point, start: Point) => Layout | null, show: (layout: Layout | null) => void, clicked?: () => void): void {
   const {element, where} = paper(svg);
   const start = where(event);
   let last: Layout | null = null;
@@ -90,6 +90,7 @@ export function grab_shell(event: PointerEvent, svg: SVGSVGElement, changed: (no
     last = changed(now, start) ?? last;
     show(last);
   }, (how) => {
+    if (how === "click") clicked?.();
     if (how !== "drop" || !last) return show(null);
     void reshape(last).finally(() => show(null));
   });
