@@ -36,7 +36,9 @@ void RelationBuilder::add_in_room(const Link& link, const PhraseSense& sense, co
 bool RelationBuilder::is_side_on(const Link& link, const PhraseSense& sense, const NounPhrase& thing, const NounPhrase& host) const {
   if (sense.type != R::kLeftOf && sense.type != R::kRightOf) return false;
   const std::string words = words_between(document_, link.first, link.last);
-  const bool side_of = words.find("side") != std::string::npos || document_.tokens[link.first].text == "on";
+  const bool bare =
+      one_of(document_.tokens[std::min(link.first + 1, document_.tokens.size() - 1)].text, {"left", "right"});  // "on left of"
+  const bool side_of = words.find("side") != std::string::npos || (document_.tokens[link.first].text == "on" && !bare);
   const bool lies = is_seat(catalog_, host) || one_of(host.head, {"bed", "sofa", "couch", "loveseat", "armchair"});
   return side_of && !lies && may_carry(catalog_, host, thing) && (mount_of(thing) == Mount::kSurface || thing.entry == nullptr) &&
          mount_of(host) != Mount::kSurface;
