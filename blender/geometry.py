@@ -93,7 +93,7 @@ def hides_the_room(wall):
 
 def walls_that_stay():
     """Ids of the walls whose inner face the camera sees and that hide nothing of the room. The others are cut away."""
-    if CAMERA.get("inside"):
+    if CAMERA.get("inside") or CAMERA.get("all_walls"):
         return {wall["id"] for wall in WALLS}
     toward = view_axes()[2]
     return {wall["id"] for wall in WALLS if dot(inward_normal(wall), toward) > -1e-6 and not hides_the_room(wall)}

@@ -62,6 +62,10 @@ def main():
         if number == 0 and "--overlay" in words and "--no-picture" not in words:
             write_overlay(stay, out, meshes, os.path.join(folder, picture_of(view)), os.path.join(folder, OUTPUT["overlay"]))
             print("layoutbox: wrote overlay", flush=True)
+        if number == 0 and "--thumbnail" in words and "--no-picture" not in words:
+            shown = os.path.join(folder, OUTPUT["overlay"] if "--overlay" in words else picture_of(view))
+            write_thumbnail(shown, os.path.join(folder, OUTPUT["thumbnail"]))
+            print("layoutbox: wrote thumbnail", flush=True)
     kind = next((word.split("=")[1] for word in words if word.startswith("--turntable=")), "")
     if kind:
         write_turntable(kind, engine, meshes, os.path.join(folder, f"{OUTPUT['turntable']}.{kind}"))

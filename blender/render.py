@@ -175,6 +175,16 @@ def set_up_render(engine):
     report_progress()
 
 
+def write_thumbnail(picture, path):
+    """A picture that is there already as a small JPEG."""
+    image = bpy.data.images.load(picture)
+    width = min(480, image.size[0])
+    image.scale(width, max(1, round(image.size[1] * width / image.size[0])))
+    image.filepath_raw, image.file_format = path, "JPEG"
+    image.save()
+    bpy.data.images.remove(image)
+
+
 def render_picture(path):
     scene = bpy.context.scene
     scene.render.filepath = path

@@ -35,8 +35,8 @@ class Experiment(CliTestCase):
             self.assertEqual(len(list(csv.DictReader(file))), len(lines))
         page = self.path("out/report.html").read_text()
         self.assertIn("<svg", page)
-        self.assertNotIn("src=\"http", page)
-        self.assertTrue(self.path("out/runs/two/pipeline-1.json").exists())
+        self.assertNotIn('src="http', page)
+        self.assertTrue(self.path("out/runs/two.pipeline.1/layout.json").exists())
 
     def test_goes_on_where_it_was_stopped(self):
         self.assert_status(self.experiment("--methods", "pipeline"), DONE)
@@ -64,6 +64,35 @@ class Experiment(CliTestCase):
         run = self.experiment("--methods", "random", suite="paper")
         self.assert_status(run, DONE)
         self.assertEqual(len(self.lines()), 7)
+
+    def test_ratings_by_people(self):
+        """Tables of the studio's rating page: means by method, how they go with what is measured, how two raters agree."""
+        rows = {"one.pipeline.1": (9, 8), "two.pipeline.1": (8, 8), "one.random.1": (3, 4), "two.random.1": (2, 1), "elsewhere": (5, 5)}
+        files = []
+        for rater in (0, 1):
+            lines = [f'{room},{scores[rater]},place,"a ""bed"", askew",x' for room, scores in rows.items()]
+            files.append(str(self.write_text(f"rater{rater}.csv", "\n".join(["id,score,kind,reason,prompt", *lines]) + "\n")))
+        run = self.experiment("--methods", "pipeline,random", "--ratings", ",".join(files))
+        self.assert_status(run, DONE)
+        self.assertIn("2 ratings are of rooms that are not here", run.err)
+        with self.path("out/results.csv").open(newline="") as file:
+            rated = {f"{row['scene']}.{row['method']}": row for row in csv.DictReader(file)}
+        self.assertEqual((rated["one.pipeline"]["ratings"], rated["one.pipeline"]["rating"]), ("2", "8.5"))
+        page = self.path("out/report.html").read_text()
+        self.assertIn("Ratings by people", page)
+        self.assertIn("raters agree with 0.9", page)
+        self.assertIn("<th>pipeline</th><td class=n>2</td><td class=n>8.25", page)
+        for broken in ("id,score\na,11\n", "id,grade\na,3\n", "id,score\na,good\n"):
+            run = self.experiment("--methods", "random", "--ratings", self.write_text("broken.csv", broken))
+            self.assert_status(run, WRONG_INPUT)
+
+    def test_the_page_says_each_style_and_room_once(self):
+        self.assert_status(self.experiment("--methods", "pipeline,no-proofs,random"), DONE)
+        page = self.path("out/report.html").read_text()
+        self.assertIn("<b>pipeline, no-proofs</b>", page)  # the same rooms
+        self.assertNotIn('stroke-width="0.18"', page)
+        self.assertIn("stroke-width:0.18", page)
+        self.assertLess(len(page), 60_000)
 
     def test_wrong_names(self):
         run = self.experiment(suite="nothing.csv")

@@ -170,6 +170,39 @@ class Vision(model_case.ModelCase):
         self.assertEqual(server.count, 0)
         self.assertEqual(again["rooms"], answers["rooms"])
 
+    def test_the_models_own_temperature(self):
+        answers, server = self.ask(lambda picture, text: "yes" if text else 0.5, "--temperature", "default")
+        self.assertIsNone(answers["temperature"])
+        self.assertTrue(all("temperature" not in request.json() for request in server.requests))
+        _, server = self.ask(lambda picture, text: "yes" if text else 0.5, "--temperature", "0.5")
+        self.assertEqual({request.json()["temperature"] for request in server.requests}, {0.5})
+
+    def test_verify_asks_as_judge_does(self):
+        """The same questions by the same code; the report by geometry beside them."""
+        truths = self.truths()
+        with VisionServer(self.seeing(truths)) as server:
+            files = ["-o", self.path("report.json"), "--report", self.path("report.html"), "--answers", self.path("answers.json")]
+            options = ["--by", "vlm", "--json", "--reasons", *OPTIONS, *files]
+            run = self.run_layoutbox("verify", self.room, *options, env=self.environment(server))
+            self.assertIn(run.status, (0, 1))
+            self.assertEqual(server.errors, [])
+        answers = self.read_json("answers.json")
+        self.assertEqual(answers, run.json())
+        self.assertEqual(answers["figures"]["all"]["accuracy"]["value"], 1)
+        self.assertEqual(answers["rooms"][0]["scores"][0]["reason"], "scripted")
+        self.assertEqual(run.status == 0, self.read_json("report.json")["passed"])
+        self.assertIn("data:image/png;base64,", self.path("report.html").read_text())
+        by_geometry = self.run_layoutbox("verify", self.room, "--questions", "--json", *OPTIONS).json()
+        self.assertEqual({q["question"]: q["truth"] for q in by_geometry["rooms"][0]["questions"]}, truths)
+
+    def test_verify_shows_a_picture_that_is_given(self):
+        self.path("room/scene.png").unlink()
+        Image.new("RGB", (32, 24), (10, 200, 30)).save(self.path("other.png"))
+        with VisionServer(lambda picture, text: "no" if text else 0.1) as server:
+            run = self.run_layoutbox("verify", self.room, "--by", "vlm", "--image", self.path("other.png"), env=self.environment(server))
+            self.assertIn(run.status, (0, 1))
+            self.assertEqual(set(server.pictures), {(32, 24)})
+
     def test_a_room_without_picture_is_shown_by_its_plan(self):
         self.path("room/scene.png").unlink()
         sizes = set()

@@ -22,11 +22,13 @@ struct ResourceLimit {
 };
 
 struct ProcessOptions {
-  std::filesystem::path working_folder;                // empty: the caller's
-  std::map<std::string, std::string> environment;      // added to the caller's
-  bool own_environment = false;                        // nothing of the caller's: `environment` is all there is, no descriptor is inherited
-  std::vector<ResourceLimit> limits;                   // those that cannot be set are left
-  std::vector<int> inherited;                          // but these, which stay open under their numbers
+  std::filesystem::path working_folder;            // empty: the caller's
+  std::map<std::string, std::string> environment;  // added to the caller's
+  bool own_environment = false;                    // nothing of the caller's: `environment` is all there is, no descriptor is inherited
+  std::vector<ResourceLimit> limits;               // those that cannot be set are left
+  std::vector<int> inherited;                      // but these, which stay open under their numbers
+  // In the child, last before it becomes the program: it may call the system and nothing that allocates. May be empty.
+  std::function<void()> before_exec;
   double time_limit_s = 600;                           // then SIGTERM, and SIGKILL 2 s later, to the whole process group
   const std::atomic<bool>* stop = nullptr;             // the same when it becomes true
   std::function<void(std::string_view line)> on_line;  // each line of stdout and stderr as it comes; may be empty

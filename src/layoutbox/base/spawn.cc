@@ -41,6 +41,7 @@ struct Launch {
   std::vector<ResourceLimit> limits;
   std::vector<int> inherited;
   bool alone = false;
+  const std::function<void()>* before_exec = nullptr;  // null: nothing
   pid_t parent = ::getpid();
 #ifdef __linux__
   bool from_main_thread = ::gettid() == ::getpid();
@@ -55,6 +56,7 @@ Launch prepare(const std::vector<std::string>& command, const ProcessOptions& op
   launch.limits = options.limits;
   launch.inherited = options.inherited;
   launch.alone = options.own_environment;
+  if (options.before_exec) launch.before_exec = &options.before_exec;
   for (char** entry = environ; *entry != nullptr && !options.own_environment; ++entry) {
     const std::string_view text(*entry);
     if (!options.environment.contains(std::string(text.substr(0, text.find('='))))) launch.environment.emplace_back(text);
@@ -91,8 +93,10 @@ Launch prepare(const std::vector<std::string>& command, const ProcessOptions& op
   sigemptyset(&none);
   ::sigprocmask(SIG_SETMASK, &none, nullptr);
   for (const int number : {SIGPIPE, SIGXFSZ, SIGINT, SIGTERM, SIGHUP, SIGQUIT}) ::signal(number, SIG_DFL);
-  if (launch.folder.empty() || ::chdir(launch.folder.c_str()) == 0)
+  if (launch.folder.empty() || ::chdir(launch.folder.c_str()) == 0) {
+    if (launch.before_exec != nullptr) (*launch.before_exec)();
     ::execve(launch.program.c_str(), launch.argv.data(), launch.envp.data());
+  }
   const int error = errno;
   [[maybe_unused]] const ssize_t written = ::write(failure, &error, sizeof error);
   ::_exit(127);

@@ -170,7 +170,8 @@ class AnthropicProvider final : public Provider {
     if (!system.empty()) body["system"] = system;
     body["messages"] = std::move(messages);
     if (capabilities.mode != Mode::kJson) add_functions(body, request, capabilities);
-    if (!capabilities.without.contains("temperature")) body["temperature"] = request.temperature;  // it knows no seed
+    if (request.temperature && !capabilities.without.contains("temperature"))
+      body["temperature"] = *request.temperature;  // it knows no seed
     if (stream) body["stream"] = true;
     return body.dump(-1, ' ', false, Ordered::error_handler_t::replace);
   }

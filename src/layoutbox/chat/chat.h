@@ -38,8 +38,8 @@ struct Message {
 
 struct Request {
   std::vector<Message> messages;
-  std::vector<Function> functions;  // the first is the one that plain JSON stands for. REQUIRES: at least one
-  double temperature = 0;
+  std::vector<Function> functions;        // the first is the one that plain JSON stands for. REQUIRES: at least one
+  std::optional<double> temperature = 0;  // empty: the model's own, nothing is sent
   std::uint64_t seed = 1;
   int max_response_tokens = 8000;
   std::shared_ptr<const Request> shorter;  // the same in fewer words, for a model that cannot hold this one; may be null

@@ -86,7 +86,7 @@ std::string completion_request(const Request& asked, const std::string& model, c
       text += plain_json_wish(question.functions[0]);
     }
   }
-  if (!capabilities.without.contains("temperature")) body["temperature"] = question.temperature;
+  if (question.temperature && !capabilities.without.contains("temperature")) body["temperature"] = *question.temperature;
   if (!capabilities.without.contains("seed")) body["seed"] = question.seed;
   body[capabilities.without.contains("max_completion_tokens") ? "max_tokens" : "max_completion_tokens"] = question.max_response_tokens;
   if (stream) {

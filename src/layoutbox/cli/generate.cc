@@ -207,7 +207,7 @@ void add_generate(CLI::App& app, Context& context) {
   const auto* const judging = "Judging by a vision model";
   command->add_flag("--vlm", flags->by_vlm, "A vision model judges the picture: a score and questions, into answers.json")->group(judging);
   command->add_option("--vlm-model", flags->vlm_model, "Its name (else LAYOUTBOX_VLM_MODEL, else LAYOUTBOX_MODEL)")->group(judging);
-  command->add_flag("--vlm-reasons", flags->questions.options.reasons, "With its reasons")->group(judging);
+  command->add_flag("--reasons,--vlm-reasons", flags->questions.options.reasons, "With its reasons")->group(judging);
   add_publish_to(*command, flags->questions.publish, judging);
   flags->plan.add_to(*command);
   flags->plan.add_companions_to(*command);

@@ -8,6 +8,7 @@
 #include "layoutbox/base/files.h"
 #include "layoutbox/cli/commands.h"
 #include "layoutbox/cli/inputs.h"
+#include "layoutbox/cli/judge_pictures.h"
 #include "layoutbox/cli/judge_questions.h"
 #include "layoutbox/judge/report_html.h"
 
@@ -144,17 +145,10 @@ class JudgeRun {
     return {};
   }
 
-  // The picture that was given, else scene.png beside the room.
   Status find_picture(const RoomPlace& place, bool alone) {
-    const bool given = alone && !flags_.picture.empty();
-    const fs::path path = given ? fs::path(flags_.picture) : fs::path(place.path).parent_path() / "scene.png";
-    std::error_code error;
-    if ((flags_.report.empty() && !flags_.questions.shows_pictures()) || (!given && !fs::exists(path, error))) return {};
-    LAYOUTBOX_ASSIGN(std::string bytes, read_file(path, 64u << 20));
-    if (!bytes.starts_with("\x89PNG") && !bytes.starts_with("\xff\xd8")) {
-      return fail(ErrorCode::kParse, fmt::format("{} is neither PNG nor JPEG", path.string()), path.string());
-    }
-    pictures_[place.id] = {bytes.starts_with("\xff") ? "image/jpeg" : "image/png", std::move(bytes)};
+    if (flags_.report.empty() && !flags_.questions.shows_pictures()) return {};
+    LAYOUTBOX_ASSIGN(std::optional<RoomPicture> picture, picture_of_room(place.path, alone ? flags_.picture : std::string()));
+    if (picture) pictures_[place.id] = *std::move(picture);
     return {};
   }
 
@@ -195,9 +189,10 @@ void add_judge(CLI::App& app, Context& context) {
   command->add_option("--models", flags->models, "JSON with names and sizes of models, for formats that name only models");
   command->add_option("-o,--output", flags->output, "Where the judgement goes as JSON; - writes it to stdout");
   command->add_option("--report", flags->report, "Where a page goes: picture, plan with the failures drawn in, tables; one file");
-  command->add_option("--picture", flags->picture, "A picture of the room for the page (else scene.png beside it)");
+  command->add_option("--image,--picture", flags->picture,
+                      "A picture of the room for the page and for questions (else scene.png beside it)");
   command->add_flag("--unsafe-scripts", flags->unsafe_scripts, "Open a .blend although there is no sandbox on this machine");
-  flags->questions.add_to(*command);
+  flags->questions.add_to(*command, true);
   command->add_flag("--reasons", flags->reasons, "Each failed entry and check, with what was measured");
   command->callback([flags, &context] { context.status = JudgeRun(*flags, context.console).run(); });
 }

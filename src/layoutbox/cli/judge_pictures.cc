@@ -62,6 +62,18 @@ Result<std::vector<vlm::Picture>> drawn_pictures(const Layout& layout, const std
 
 }  // namespace
 
+Result<std::optional<RoomPicture>> picture_of_room(const std::string& room_file, const std::string& given) {
+  namespace fs = std::filesystem;
+  const fs::path path = given.empty() ? fs::path(room_file).parent_path() / "scene.png" : fs::path(given);
+  std::error_code error;
+  if (given.empty() && !fs::exists(path, error)) return std::optional<RoomPicture>();
+  LAYOUTBOX_ASSIGN(std::string bytes, read_file(path, 64u << 20));
+  if (!bytes.starts_with("\x89PNG") && !bytes.starts_with("\xff\xd8")) {
+    return layoutbox::fail(ErrorCode::kParse, fmt::format("{} is neither PNG nor JPEG", path.string()), path.string());
+  }
+  return std::optional(RoomPicture{bytes.starts_with("\xff") ? "image/jpeg" : "image/png", std::move(bytes)});
+}
+
 Result<Showing> Showing::make(const QuestionFlags& flags, const std::map<std::string, RoomPicture>& pictures, const Console& console) {
   Showing showing(flags, pictures, console);
   if (flags.publish.empty()) return showing;

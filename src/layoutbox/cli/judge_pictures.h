@@ -3,6 +3,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,10 @@
 #include "layoutbox/publish/publish.h"
 
 namespace layoutbox::cli {
+
+// A picture from a file: `given`, else scene.png in the folder of the room's file, if it is there. Errors: kIo, kTooLarge; kParse where it
+// is neither PNG nor JPEG.
+Result<std::optional<RoomPicture>> picture_of_room(const std::string& room_file, const std::string& given);
 
 class Showing {
  public:

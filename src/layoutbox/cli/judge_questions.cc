@@ -16,21 +16,6 @@
 namespace layoutbox::cli {
 namespace {
 
-Result<chat::ChatOptions> vision_options(const QuestionFlags& flags, const Console& console) {
-  chat::ChatOptions options;
-  std::string model = flags.model;
-  if (const char* named = std::getenv("LAYOUTBOX_VLM_MODEL"); model.empty() && named != nullptr) model = named;
-  LAYOUTBOX_ASSIGN(options.endpoint, chat::find_endpoint({flags.base_url, model, flags.provider}));
-  LAYOUTBOX_ASSIGN(options.prices, chat::Prices::of_user());
-  options.request_limit_s = flags.timeout_s;
-  options.retry.total_s = std::max(options.retry.total_s, flags.timeout_s);
-  options.spend_limit->max_cost = flags.max_cost;
-  options.use_cached_answers = !flags.no_cache;
-  options.stop = &stop_flag();
-  options.on_wait = [&console](const std::string& line) { console.say("model    " + line); };
-  return options;
-}
-
 // A vision model with what it is shown.
 struct VisionJudge {
   std::string name;
@@ -38,7 +23,7 @@ struct VisionJudge {
   std::unique_ptr<chat::ChatClient> client;
 
   static Result<VisionJudge> make(const QuestionFlags& flags, const std::map<std::string, RoomPicture>& pictures, const Console& console) {
-    LAYOUTBOX_ASSIGN(chat::ChatOptions chat, vision_options(flags, console));
+    LAYOUTBOX_ASSIGN(chat::ChatOptions chat, flags.chat_options(console));
     LAYOUTBOX_ASSIGN(Showing showing, Showing::make(flags, pictures, console));
     std::string name = fmt::format("{} at {}", chat.endpoint.model, chat.endpoint.base_url);
     return VisionJudge{std::move(name), std::move(showing), std::make_unique<chat::ChatClient>(std::move(chat))};
@@ -55,6 +40,11 @@ Result<std::vector<vlm::RoomAnswers>> ask_model(VisionJudge& judge, const Questi
     answers.push_back(std::move(said));
   }
   return answers;
+}
+
+std::optional<double> temperature_from(const std::string& word) {
+  if (word == "default") return std::nullopt;
+  return std::strtod(word.c_str(), nullptr);
 }
 
 int faults_in(const Judgement& room) {
@@ -117,6 +107,21 @@ std::vector<vlm::RoomAnswers> ask_geometry(const QuestionFlags& flags, const std
 
 }  // namespace
 
+Result<chat::ChatOptions> QuestionFlags::chat_options(const Console& console) const {
+  chat::ChatOptions chat;
+  std::string name = model;
+  if (const char* named = std::getenv("LAYOUTBOX_VLM_MODEL"); name.empty() && named != nullptr) name = named;
+  LAYOUTBOX_ASSIGN(chat.endpoint, chat::find_endpoint({base_url, name, provider}));
+  LAYOUTBOX_ASSIGN(chat.prices, chat::Prices::of_user());
+  chat.request_limit_s = timeout_s;
+  chat.retry.total_s = std::max(chat.retry.total_s, timeout_s);
+  chat.spend_limit->max_cost = max_cost;
+  chat.use_cached_answers = !no_cache;
+  chat.stop = &stop_flag();
+  chat.on_wait = [&console](const std::string& line) { console.say("model    " + line); };
+  return chat;
+}
+
 void add_publish_to(CLI::App& command, std::string& publish, const char* group) {
   command
       .add_option("--publish", publish,
@@ -125,24 +130,8 @@ void add_publish_to(CLI::App& command, std::string& publish, const char* group) 
       ->group(group);
 }
 
-void QuestionFlags::add_to(CLI::App& command) {
+void QuestionFlags::add_asking_to(CLI::App& command) {
   const auto* const group = "Questions";
-  command.add_option("--by", by, "Who judges: geometry, or vlm: a vision model, by questions of which geometry knows the truth")
-      ->capture_default_str()
-      ->check(CLI::IsMember({"geometry", "vlm"}))
-      ->group(group);
-  command.add_flag("--questions", questions, "Answer the questions by geometry")->group(group);
-  auto* two_rooms = command.add_flag("--pairwise", pairwise, "A vision model compares each two rooms, both ways round")->group(group);
-  command.add_flag("--faults", faults, "A vision model compares each room with itself with a fault planted, both ways round: it is judged")
-      ->excludes(two_rooms)
-      ->group(group);
-  command
-      .add_option(
-          "--views", views,
-          "What a vision model is shown, with commas between: plan, iso, top, front, eye, door, drawn now (else the room's picture)")
-      ->delimiter(',')
-      ->check(CLI::IsMember({"plan", "iso", "top", "front", "eye", "door"}))
-      ->group(group);
   command.add_option("--singles", options.questions.singles, "Questions over one relation for each room, and as many false ones")
       ->capture_default_str()
       ->check(CLI::Range(0, 100))
@@ -152,18 +141,46 @@ void QuestionFlags::add_to(CLI::App& command) {
       ->check(CLI::Range(0, 100))
       ->group(group);
   command.add_option("--question-seed", options.questions.seed, "Which questions")->capture_default_str()->group(group);
-  command.add_option("--repeats", options.repeats, "How often each is asked")
-      ->capture_default_str()
-      ->check(CLI::Range(1, 100))
-      ->group(group);
-  command.add_option("--temperature", options.temperature, "Of the model")
-      ->capture_default_str()
-      ->check(CLI::Range(0.0, 2.0))
-      ->group(group);
   command
       .add_flag("--with-scene", options.with_scene, "Show the scene's JSON beside the picture for questions too, not for the score alone")
       ->group(group);
   command.add_flag("--written", options.written, "The model writes the words of the questions first, from the scene's JSON")->group(group);
+}
+
+void QuestionFlags::add_to(CLI::App& command, bool many_rooms) {
+  const auto* const group = "Questions";
+  command.add_option("--by", by, "Who judges: geometry, or vlm: a vision model, by questions of which geometry knows the truth")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"geometry", "vlm"}))
+      ->group(group);
+  command.add_flag("--questions", questions, "Answer the questions by geometry")->group(group);
+  auto* planted =
+      command
+          .add_flag("--faults", faults, "A vision model compares each room with itself with a fault planted, both ways round: it is judged")
+          ->group(group);
+  if (many_rooms) {
+    command.add_flag("--pairwise", pairwise, "A vision model compares each two rooms, both ways round")->excludes(planted)->group(group);
+  }
+  command
+      .add_option(
+          "--views", views,
+          "What a vision model is shown, with commas between: plan, iso, top, front, eye, door, drawn now (else the room's picture)")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"plan", "iso", "top", "front", "eye", "door"}))
+      ->group(group);
+  add_asking_to(command);
+  command.add_option("--blend", blend, "The room's .blend: each relation of a question is measured in it too")->group(group);
+  command.add_option("--repeats", options.repeats, "How often each is asked")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 100))
+      ->group(group);
+  command
+      .add_option_function<std::string>(
+          "--temperature", [this](const std::string& word) { options.temperature = temperature_from(word); },
+          "Of the model, 0 to 2; or default: its own")
+      ->default_str("0")
+      ->check(CLI::Range(0.0, 2.0) | CLI::IsMember({"default"}))
+      ->group(group);
   add_publish_to(command, publish, group);
   command.add_option("--model", model, "The model's name (else LAYOUTBOX_VLM_MODEL, else LAYOUTBOX_MODEL)")->group(group);
   command.add_option("--base-url", base_url, "The server's address up to /v1 (else OPENAI_BASE_URL)")->group(group);
@@ -175,6 +192,21 @@ void QuestionFlags::add_to(CLI::App& command) {
   command.add_option("--max-cost", max_cost, "US dollars that the answers may cost")->check(CLI::Range(0.0, 1e6))->group(group);
   command.add_flag("--no-cache", no_cache, "Ask although the same was asked before, and keep no answer")->group(group);
 }
+
+namespace {
+
+Status read_blend_back(const QuestionFlags& flags, const std::vector<Judgement>& rooms, std::vector<vlm::RoomAnswers>& answers) {
+  if (flags.blend.empty()) return {};
+  if (rooms.size() != 1 || answers.size() != 1) {
+    return layoutbox::fail(ErrorCode::kUsage, "a .blend is of one room", "--blend", "judge the room alone");
+  }
+  LAYOUTBOX_ASSIGN(const std::string bytes, read_file(flags.blend, 1u << 30));
+  LAYOUTBOX_ASSIGN(const RoomFile room, read_room_file(bytes, Catalog::builtin(), {"blend", {}, flags.blend_is_ours}));
+  measure_in_blend(answers[0], rooms[0].room.layout, room.layout, Catalog::builtin());
+  return {};
+}
+
+}  // namespace
 
 int answer_questions(const QuestionFlags& flags, const std::vector<Judgement>& rooms, const std::map<std::string, RoomPicture>& pictures,
                      const std::string& output, const Console& console) {
@@ -191,6 +223,7 @@ int answer_questions(const QuestionFlags& flags, const std::vector<Judgement>& r
   } else {
     answers = ask_geometry(flags, rooms);
   }
+  if (const Status read = read_blend_back(flags, rooms, answers); !read) return console.fail(read.error());
   const std::string json = vlm::answers_json(answers, name, flags.options);
   if (!output.empty()) {
     if (const Status written = write_output(output, json); !written) return console.fail(written.error());
@@ -211,7 +244,13 @@ Status judge_generated(const QuestionFlags& flags, const GenerateOutcome& outcom
   room.room.layout = outcome.layout;
   const std::map<std::string, RoomPicture> pictures{{room.name, {"image/png", std::move(bytes)}}};
   LAYOUTBOX_ASSIGN(VisionJudge judge, VisionJudge::make(flags, pictures, console));
-  LAYOUTBOX_ASSIGN(const std::vector<vlm::RoomAnswers> answers, ask_model(judge, flags, {room}));
+  LAYOUTBOX_ASSIGN(std::vector<vlm::RoomAnswers> answers, ask_model(judge, flags, {room}));
+  QuestionFlags ours = flags;
+  ours.blend_is_ours = true;
+  if (std::find(outcome.files.begin(), outcome.files.end(), "scene.blend") != outcome.files.end()) ours.blend = folder + "/scene.blend";
+  if (const Status read = read_blend_back(ours, {room}, answers); !read) {
+    console.warn("the .blend could not be read back: " + read.error().message);
+  }
   LAYOUTBOX_CHECK(write_file(std::filesystem::path(folder) / "answers.json", vlm::answers_json(answers, judge.name, flags.options)));
   console.say(vlm::answers_text(answers, flags.options.reasons));
   return {};

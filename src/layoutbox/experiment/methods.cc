@@ -4,6 +4,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <random>
 
 #include "layoutbox/base/bytes.h"
@@ -12,9 +13,11 @@
 #include "layoutbox/judge/room_file.h"
 #include "layoutbox/plan/llm/conversation.h"
 #include "layoutbox/plan/planner.h"
+#include "layoutbox/scene/json_text.h"
 #include "layoutbox/scene/layout_scene.h"
 #include "layoutbox/scene/scene_json.h"
 #include "layoutbox/solve/solver.h"
+#include "layoutbox/verify/verify.h"
 
 namespace layoutbox::experiment {
 namespace {
@@ -101,6 +104,18 @@ Failure no_model() {
               "set OPENAI_API_KEY, or OPENAI_BASE_URL for a server at home");
 }
 
+// A run that came to no room, with what was asked of the model all the same, as its record has it.
+Result<MethodResult> without_room(const Error& error, const std::filesystem::path& folder, double seconds) {
+  const auto record = read_file(folder / "run.json");
+  const auto document = record ? parse_json(*record) : Result<nlohmann::json>(Failure(record.error()));
+  if (error.code == ErrorCode::kInterrupted || !document || !document->contains("modelRequests")) return Failure(error);
+  MethodResult result;
+  result.seconds = {{"plan", seconds}};
+  result.requests = document->at("modelRequests").dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  result.failure = "no scene", result.error = error.message;
+  return result;
+}
+
 Result<MethodResult> by_model(const MethodInput& input, const Catalog& catalog, const std::function<void(GenerateOptions&)>& change) {
   if (input.model == nullptr) return no_model();
   GenerateOptions options = input.options;
@@ -109,10 +124,12 @@ Result<MethodResult> by_model(const MethodInput& input, const Catalog& catalog, 
   options.plan.seed = input.seed;
   change(options);
   LAYOUTBOX_ASSIGN(const TemporaryFolder folder, TemporaryFolder::make("experiment"));
-  LAYOUTBOX_ASSIGN(GenerateOutcome outcome, generate(input.prompt, *input.model, catalog, folder.path(), options));
-  MethodResult result{std::move(outcome.layout), {}, content_key(write_scene(outcome.scene)), {}, std::move(outcome.model_requests)};
+  const Clock clock;
+  auto outcome = generate(input.prompt, *input.model, catalog, folder.path(), options);
+  if (!outcome) return without_room(outcome.error(), folder.path(), clock.seconds());
+  MethodResult result{std::move(outcome->layout), {}, content_key(write_scene(outcome->scene)), {}, std::move(outcome->model_requests)};
   result.outcome = name_of(result.layout.status);
-  for (const StageTime& stage : outcome.stages) result.seconds[stage.stage] += stage.seconds;
+  for (const StageTime& stage : outcome->stages) result.seconds[stage.stage] += stage.seconds;
   return result;
 }
 
@@ -132,17 +149,56 @@ Result<MethodResult> model_without_repair(const MethodInput& input, const Catalo
   });
 }
 
-// The model's own numbers, as they are.
-Result<MethodResult> model_positions(const MethodInput& input, const Catalog& catalog) {
+// What is impossible in a room or not as its scene says, for the model; empty where nothing is.
+std::string faults_of(const Layout& layout, const Catalog& catalog) {
+  std::string text;
+  for (const Check& check : verify(layout, catalog).checks) {
+    if (!check.passed && check.required) text += "- " + check.message + "\n";
+  }
+  return text.empty() ? text : "Move, turn and resize what is at the wrong place. With your numbers the room is not possible:\n" + text;
+}
+
+// The model's own numbers, as they are; up to `most` answers, each after the first with what is wrong with the numbers before.
+Result<MethodResult> by_numbers(const MethodInput& input, const Catalog& catalog, int most) {
   if (input.model == nullptr) return no_model();
   PlanOptions options = input.options.plan;
   options.seed = input.seed;
   const Clock clock;
-  LAYOUTBOX_ASSIGN(const Plan plan, input.model->plan(input.prompt, options));
-  const double seconds = clock.seconds();
-  const std::string scene = write_scene(plan.scene);
-  LAYOUTBOX_ASSIGN(RoomFile room, read_room_file(scene, catalog, {"scene", {}}));
-  return MethodResult{std::move(room.layout), "placed", content_key(scene), {{"plan", seconds}}, {}};
+  const std::unique_ptr<Planning> planning = input.model->begin(input.prompt, options, {});
+  if (planning == nullptr) return no_model();
+  std::optional<MethodResult> last;
+  LAYOUTBOX_ASSIGN(Proposal proposal, planning->propose());
+  for (std::string faults;;) {
+    if (proposal.scene) {
+      const std::string scene = write_scene(*proposal.scene);
+      LAYOUTBOX_ASSIGN(RoomFile room, read_room_file(scene, catalog, {"scene", {}}));
+      faults = faults_of(room.layout, catalog);
+      last = MethodResult{std::move(room.layout), "placed", content_key(scene), {}, {}};
+      planning->note({faults.empty() ? "possible" : "impossible", {}, {}});
+    }
+    const bool again = proposal.scene ? planning->attempts() < most && !faults.empty() && !proposal.repeated
+                                      : planning->attempts() < input.options.repair.max_attempts;
+    if (!again) break;
+    const Feedback wrong = proposal.scene ? Feedback{Feedback::Kind::kFailure, faults, {}, {}, 0}
+                                          : Feedback{Feedback::Kind::kFaults, {}, proposal.faults, {}, 0};
+    LAYOUTBOX_ASSIGN(proposal, planning->revise(wrong));
+  }
+  if (!last) {
+    const std::optional<Proposal> rest = planning->salvage();
+    if (!rest || !rest->scene) return Failure(planning->no_usable_scene());
+    const std::string scene = write_scene(*rest->scene);
+    LAYOUTBOX_ASSIGN(RoomFile room, read_room_file(scene, catalog, {"scene", {}}));
+    last = MethodResult{std::move(room.layout), "placed", content_key(scene), {}, {}};
+  }
+  last->seconds = {{"plan", clock.seconds()}};
+  last->requests = planning->record();
+  return *std::move(last);
+}
+
+Result<MethodResult> model_positions(const MethodInput& input, const Catalog& catalog) { return by_numbers(input, catalog, 1); }
+
+Result<MethodResult> model_positions_again(const MethodInput& input, const Catalog& catalog) {
+  return by_numbers(input, catalog, input.options.repair.max_attempts);
 }
 
 // The model plans as ever, but is asked in plain JSON instead of by function calling.
@@ -178,6 +234,7 @@ constexpr std::array kMethods{
     Method{"model-no-repair", "the same with one answer of the model", true, &model_without_repair},
     Method{"model-plain-json", "the same asked in plain JSON instead of by function calling", true, &model_plain_json},
     Method{"model-positions", "the model's own positions, no solver", true, &model_positions},
+    Method{"model-moves", "the same, told what is impossible: the model moves its numbers, again and again", true, &model_positions_again},
     Method{"model-cleaned", "the model's own positions, cleaned up by the solver with the least movement", true, &model_positions_cleaned},
     Method{"one-step", "the model writes Blender's Python in one answer: no scene graph, no solver, no rerun", true, &one_step},
     Method{"one-step-cleaned", "the same, cleaned up by the solver with the least movement", true, &one_step_cleaned},

@@ -40,5 +40,37 @@ std::map<std::string, int> failures_of(const Records& records);
 std::optional<vlm::Estimate> made_within(const Records& records, int attempts);
 
 double median_seconds(const Records& records);
+// By stage, of the records that have it.
+std::map<std::string, double> median_by_stage(const Records& records);
+
+// All that was spent on them.
+Spent spent_over(const Records& records);
+
+// A mean over rooms with the 95 % interval of 1,000 resamples of them. Empty for none.
+std::optional<vlm::Estimate> mean_over(const std::vector<double>& values);
+
+// The four judgements over rooms: answers added up, scores' means.
+struct FourOver {
+  int rooms = 0;
+  vlm::AnswerFigures single, multi, all;
+  std::optional<vlm::Estimate> scene_score, prompt_score;
+  std::optional<double> score_and_answers;  // correlation, over rooms, of the score against the scene with the share of right answers
+};
+FourOver four_over(const Records& records, bool walled = false);
+// Those that were judged both with walls cut away and with all of them.
+Records judged_both_ways(const Records& records);
+
+// The mean of people's ratings of each room.
+std::optional<vlm::Estimate> rating_over(const Records& records);
+
+// How people's ratings go with something else that is known of the same rooms.
+struct RatingLink {
+  std::string name;
+  int rooms = 0;
+  std::optional<double> pearson, spearman;
+};
+std::vector<RatingLink> rating_links(const Records& records);
+// How raters agree, each two over the rooms that both rated: the mean of their rank correlations.
+std::optional<double> agreement_of(const std::vector<Rating>& ratings);
 
 }  // namespace layoutbox::experiment

@@ -22,6 +22,8 @@ struct PlanMark {
 
 struct FloorPlanOptions {
   bool names = true, sizes = true, scale_bar = true;
+  // A sheet of paper with title, lengths, names and a key; else (of SVG) the room alone, drawn small, for pages that show many.
+  bool sheet = true;
   double dots_per_inch = 200;   // of PNG. REQUIRES: 10…2000
   std::vector<PlanMark> marks;  // drawn over all else, in red
 };

@@ -20,6 +20,7 @@ namespace {
 
 // A4 across, in millimetres.
 constexpr double kPageWidth = 297, kPageHeight = 210, kMargin = 10, kTitleHeight = 20, kKeyWidth = 46;
+constexpr double kSmallRatio = 50, kSmallMargin = 4;  // of a room alone
 constexpr std::array kScales{5, 10, 20, 25, 30, 40, 50, 60, 75, 100, 125, 150, 200, 250, 500, 1000, 2000, 5000};
 
 std::string title_of(const Layout& layout) {
@@ -29,22 +30,40 @@ std::string title_of(const Layout& layout) {
   return title;
 }
 
+// The paper that a plan takes: width and height.
+PaperPoint paper_for(const Layout& layout, const FloorPlanOptions& options) {
+  if (options.sheet) return {kPageWidth, kPageHeight};
+  const PlanRoom room(layout);
+  return {(room.x1 - room.x0) / kSmallRatio + 2 * kSmallMargin, (room.y1 - room.y0) / kSmallRatio + 2 * kSmallMargin};
+}
+
 class FloorPlan {
  public:
   FloorPlan(const Layout& layout, const FloorPlanOptions& options, Canvas& canvas)
-      : layout_(layout), options_(options), ink_(kPageWidth, kPageHeight), page_(canvas, ink_), room_(layout) {
-    choose_scale();
+      : layout_(layout),
+        options_(options),
+        paper_(paper_for(layout, options)),
+        ink_(paper_.x, paper_.y),
+        page_(canvas, ink_),
+        room_(layout) {
+    if (options.sheet) {
+      choose_scale();
+    } else {
+      put_in_the_middle(kSmallRatio, {paper_.x / 2, paper_.y / 2});
+    }
   }
 
   void draw() {
     draw_walls();
     draw_furniture();
     for (const Opening& opening : layout_.room.openings) draw_opening(opening);  // swings lie over rugs
-    draw_dimensions(page_, scale_, layout_, room_);
-    draw_title();
-    draw_north();
-    draw_labels(page_, ink_, scale_, layout_, options_,
-                {kPageWidth - kMargin - kKeyWidth, kMargin + 20, kPageWidth - kMargin, title_top() - 3});
+    if (options_.sheet) {
+      draw_dimensions(page_, scale_, layout_, room_);
+      draw_title();
+      draw_north();
+      draw_labels(page_, ink_, scale_, layout_, options_,
+                  {kPageWidth - kMargin - kKeyWidth, kMargin + 20, kPageWidth - kMargin, title_top() - 3});
+    }
     for (const PlanMark& mark : options_.marks) draw_mark(mark);
   }
 
@@ -70,8 +89,11 @@ class FloorPlan {
         break;
       }
     }
-    scale_.factor = 1.0 / ratio_;
-    const PaperPoint middle{kMargin + kDimensionReach + width / 2, kMargin + kDimensionReach + height / 2};
+    put_in_the_middle(ratio_, {kMargin + kDimensionReach + width / 2, kMargin + kDimensionReach + height / 2});
+  }
+
+  void put_in_the_middle(double ratio, PaperPoint middle) {
+    scale_.factor = 1.0 / ratio;
     scale_.left = middle.x - (room_.x0 + room_.x1) / 2 * scale_.factor;
     scale_.bottom = middle.y + (room_.y0 + room_.y1) / 2 * scale_.factor;
   }
@@ -224,6 +246,7 @@ class FloorPlan {
 
   const Layout& layout_;
   const FloorPlanOptions& options_;
+  PaperPoint paper_;
   PlanInk ink_;
   BothCanvases page_;
   PlanRoom room_;
@@ -234,14 +257,16 @@ class FloorPlan {
 }  // namespace
 
 std::string write_floor_plan_svg(const Layout& layout, const FloorPlanOptions& options) {
-  SvgWriter svg(kPageWidth, kPageHeight);
+  const PaperPoint paper = paper_for(layout, options);
+  SvgWriter svg(paper.x, paper.y, options.sheet ? 2 : 1);
   FloorPlan(layout, options, svg).draw();
   return std::move(svg).finish();
 }
 
 namespace {
 
-Result<std::string> write_by_cairo(PageFormat format, const Layout& layout, const FloorPlanOptions& options) {
+Result<std::string> write_by_cairo(PageFormat format, const Layout& layout, FloorPlanOptions options) {
+  options.sheet = true;
   LAYOUTBOX_ASSIGN(const auto page, CairoCanvas::make(format, kPageWidth, kPageHeight, options.dots_per_inch, title_of(layout)));
   FloorPlan(layout, options, *page).draw();
   return page->finish();

@@ -8,9 +8,9 @@ namespace layoutbox {
 namespace {
 
 // Two digits are a hundredth of a millimetre on paper.
-std::string number(double value) {
-  std::string text = fmt::format("{:.2f}", value);
-  while (text.back() == '0') text.pop_back();
+std::string number(double value, int digits = 2) {
+  std::string text = fmt::format("{:.{}f}", value, digits);
+  while (text.back() == '0' && text.find('.') != std::string::npos) text.pop_back();
   if (text.back() == '.') text.pop_back();
   return text == "-0" ? "0" : text;
 }
@@ -22,9 +22,9 @@ std::string attributes(const DrawStyle& style) {
   return text;
 }
 
-std::string list(const std::vector<PaperPoint>& points) {
+std::string list(const std::vector<PaperPoint>& points, int digits) {
   std::string text;
-  for (const PaperPoint& p : points) text += (text.empty() ? "" : " ") + number(p.x) + "," + number(p.y);
+  for (const PaperPoint& p : points) text += (text.empty() ? "" : " ") + number(p.x, digits) + "," + number(p.y, digits);
   return text;
 }
 
@@ -44,7 +44,7 @@ std::string escape_xml(std::string_view text) {
   return out;
 }
 
-SvgWriter::SvgWriter(double width, double height) {
+SvgWriter::SvgWriter(double width, double height, int digits) : digits_(digits) {
   body_ = fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}mm\" height=\"{1}mm\" viewBox=\"0 0 {0} {1}\" "
@@ -54,15 +54,16 @@ SvgWriter::SvgWriter(double width, double height) {
 }
 
 void SvgWriter::polygon(const std::vector<PaperPoint>& points, const DrawStyle& style) {
-  body_ += fmt::format("<polygon points=\"{}\"{}/>\n", list(points), attributes(style));
+  body_ += fmt::format("<polygon points=\"{}\"{}/>\n", list(points, digits_), attributes(style));
 }
 
 void SvgWriter::polyline(const std::vector<PaperPoint>& points, const DrawStyle& style) {
-  body_ += fmt::format("<polyline points=\"{}\"{}/>\n", list(points), attributes(style));
+  body_ += fmt::format("<polyline points=\"{}\"{}/>\n", list(points, digits_), attributes(style));
 }
 
 void SvgWriter::circle(PaperPoint center, double radius, const DrawStyle& style) {
-  body_ += fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\"{}/>\n", number(center.x), number(center.y), number(radius), attributes(style));
+  body_ += fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\"{}/>\n", number(center.x, digits_), number(center.y, digits_),
+                       number(radius, digits_), attributes(style));
 }
 
 void SvgWriter::text(PaperPoint at, double size, std::string_view words, TextAnchor anchor, double degrees, std::string_view color) {

@@ -11,7 +11,8 @@ namespace layoutbox {
 
 class SvgWriter final : public Canvas {
  public:
-  SvgWriter(double width, double height);
+  // `digits`: of places after the point.
+  SvgWriter(double width, double height, int digits = 2);
 
   void polygon(const std::vector<PaperPoint>& points, const DrawStyle& style) override;
   void polyline(const std::vector<PaperPoint>& points, const DrawStyle& style) override;
@@ -24,6 +25,7 @@ class SvgWriter final : public Canvas {
   std::string finish() &&;
 
  private:
+  int digits_;
   std::string body_;
 };
 

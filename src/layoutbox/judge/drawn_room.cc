@@ -30,4 +30,10 @@ std::vector<DrawnObject> drawn_objects(const Model& model) {
   return drawn;
 }
 
+Report verify_with_furniture(const Layout& layout, const Model& model, const Catalog& catalog, const VerifyOptions& options) {
+  Report report = verify(layout, catalog, options);
+  verify_drawn(layout, catalog, drawn_objects(model), options, report);
+  return report;
+}
+
 }  // namespace layoutbox

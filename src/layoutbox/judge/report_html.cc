@@ -55,10 +55,11 @@ Corners place_of(const Check& check, const judge::RoomView& view) {
   return {};
 }
 
-std::string plan_of(const Judgement& judgement, const std::vector<const Check*>& failed) {
+std::string plan_of(const Judgement& judgement, const std::vector<const Check*>& failed, bool sheet = true) {
   const VerifyOptions options;
   const judge::RoomView view(judgement.room.layout, Catalog::builtin(), options);
   FloorPlanOptions plan;
+  plan.sheet = sheet;
   for (std::size_t i = 0; i < failed.size(); ++i) {
     Corners corners = place_of(*failed[i], view);
     if (corners.size() < 3) continue;
@@ -152,7 +153,7 @@ std::string room_section(const Judgement& judgement, const std::map<std::string,
 
 }  // namespace
 
-std::string judged_plan(const Judgement& judgement) { return plan_of(judgement, failed_checks(judgement.report)); }
+std::string judged_plan(const Judgement& judgement, bool sheet) { return plan_of(judgement, failed_checks(judgement.report), sheet); }
 
 std::string escaped_html(std::string_view text) {
   std::string out;

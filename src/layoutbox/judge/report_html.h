@@ -18,7 +18,8 @@ struct RoomPicture {
 std::string judgement_html(const std::vector<Judgement>& judgements, const std::map<std::string, RoomPicture>& pictures = {});
 
 // The floor plan as SVG, with what failed drawn in and numbered as in the report.
-std::string judged_plan(const Judgement& judgement);
+// `sheet`: with title and lengths; else the room alone, small.
+std::string judged_plan(const Judgement& judgement, bool sheet = true);
 
 // Text as it stands in a page.
 std::string escaped_html(std::string_view text);

@@ -7,7 +7,9 @@
 #include <chrono>
 #include <utility>
 
+#include "layoutbox/base/files.h"
 #include "layoutbox/base/words.h"
+#include "layoutbox/judge/drawn_room.h"
 #include "layoutbox/pipeline/artefacts.h"
 #include "layoutbox/pipeline/repair.h"
 #include "layoutbox/pipeline/run_folder.h"
@@ -170,7 +172,7 @@ class Run {
       LAYOUTBOX_CHECK(check_stopped());
       const Layout& layout = outcome_.more_layouts[k - 1];
       LAYOUTBOX_ASSIGN(const Model model, furnish(layout, catalog_, options_.furnish));
-      const Report report = verify(layout, catalog_, options_.verify);
+      const Report report = verify_with_furniture(layout, model, catalog_, options_.verify);
       for (const Stage stage : {Stage::kExport, Stage::kVerify}) {
         LAYOUTBOX_CHECK(folder_.write_artefacts(stage, {outcome_.scene, layout, model, report, options_}, k));
       }
@@ -224,7 +226,7 @@ class Run {
 
   Status verify_layout() {
     begin();
-    outcome_.report = verify(outcome_.layout, catalog_, options_.verify);
+    outcome_.report = verify_with_furniture(outcome_.layout, model_, catalog_, options_.verify);
     LAYOUTBOX_CHECK(folder_.write_artefacts(Stage::kVerify, room()));
     const auto& checks = outcome_.report.checks;
     const auto failed = std::count_if(checks.begin(), checks.end(), [](const Check& c) { return c.required && !c.passed; });
@@ -238,9 +240,20 @@ class Run {
     begin();
     auto drawn = draw_pictures(folder_, variant, options_);
     if (!drawn) return keep_picture_error(drawn.error());
-    if (variant == 0) outcome_.blender_version = drawn->blender_version;
+    if (variant == 0) {
+      outcome_.blender_version = drawn->blender_version;
+      LAYOUTBOX_CHECK(verify_picture());
+    }
     finish("render", std::move(drawn->summary));
     return {};
+  }
+
+  // What the picture hides, where there is a mask that tells it: the report has it too.
+  Status verify_picture() {
+    if (!options_.render.object_mask) return {};
+    LAYOUTBOX_ASSIGN(const std::string mask, read_file(folder_.path() / "mask.json"));
+    LAYOUTBOX_CHECK(verify_seen(outcome_.layout, mask, outcome_.report));
+    return write_file(folder_.path() / "report.json", write_report(outcome_.report));
   }
 
   Status keep_picture_error(const Error& error) {

@@ -34,6 +34,7 @@ std::vector<std::string> script_words(const std::filesystem::path& folder, const
   if (options.object_mask) words.emplace_back("--mask");
   if (options.overlay) words.emplace_back("--overlay");
   if (!options.save_blend) words.emplace_back("--no-blend");
+  if (options.thumbnail) words.emplace_back("--thumbnail");
   if (!options.turntable.empty()) words.push_back("--turntable=" + options.turntable);
   if (workbench) words.emplace_back("--engine=workbench");
   return words;
@@ -106,7 +107,7 @@ Status check_outcome(const ProcessOutcome& outcome, const RenderOptions& options
 
 std::vector<std::filesystem::path> RenderOutputs::files() const {
   std::vector<std::filesystem::path> all;
-  for (const auto* file : {&blend, &mask, &mask_index, &turntable}) {
+  for (const auto* file : {&blend, &mask, &mask_index, &turntable, &thumbnail}) {
     if (!file->empty()) all.push_back(*file);
   }
   all.insert(all.end(), pictures.begin(), pictures.end());
@@ -126,6 +127,9 @@ Result<RenderOutputs> deliver_outputs(const std::filesystem::path& made, const s
   if (!outputs.pictures.empty()) outputs.picture = outputs.pictures.front();
   if (options.overlay) {
     LAYOUTBOX_ASSIGN(outputs.pictures.emplace_back(), bring("scene-overlay.png", true));
+  }
+  if (options.thumbnail) {
+    LAYOUTBOX_ASSIGN(outputs.thumbnail, bring("scene-small.jpg", false));
   }
   if (!options.turntable.empty()) {
     LAYOUTBOX_ASSIGN(outputs.turntable, bring("scene-turntable." + options.turntable, false));

@@ -95,18 +95,19 @@ std::string settings(const Layout& layout, const RenderOptions& options) {
   for (const View view : options.views) views += fmt::format("\"{}\", ", name_of(view));
   return fmt::format(
       "OUTPUT = {{\"picture\": \"scene.png\", \"blend\": {}, \"mask\": \"mask.png\", \"mask_index\": \"mask.json\",\n"
-      "          \"overlay\": \"scene-overlay.png\", \"turntable\": \"scene-turntable\"}}\n\n"
+      "          \"overlay\": \"scene-overlay.png\", \"thumbnail\": \"scene-small.jpg\", \"turntable\": \"scene-turntable\"}}\n\n"
       "# A picture each: iso (scene.png), top, front, eye (in the room), door (scene-top.png and so on).\n"
       "VIEWS = ({})\n\n"
       "# The camera of iso. Azimuth 0 looks from the front, 90 from the right. Walls that would stand before the room are cut away.\n"
       "CAMERA = {{\"azimuth\": {}, \"elevation\": {}, \"orthographic\": {}, \"lens_angle\": 35.0,\n"
-      "          \"width\": {}, \"height\": {}, \"margin\": 0.04}}\n\n"
+      "          \"width\": {}, \"height\": {}, \"margin\": 0.04{}}}\n\n"
       "# draft, preview or final; samples of Cycles with OpenImageDenoise, and where this Blender has none.\n"
       "QUALITY = \"{}\"\n"
       "SAMPLES = {{\"draft\": {{\"denoised\": 3, \"filtered\": 6}}, \"preview\": {{\"denoised\": 10, \"filtered\": 20}},\n"
       "           \"final\": {{\"denoised\": 96, \"filtered\": 128}}}}\n\n",
       options.save_blend ? "\"scene.blend\"" : "\"\"", views, number(azimuth_from(layout, options)), number(options.elevation_deg),
-      python(options.orthographic), options.width, options.height, quality_name(options.quality));
+      python(options.orthographic), options.width, options.height, options.all_walls ? ", \"all_walls\": True" : "",
+      quality_name(options.quality));
 }
 
 std::string room_tables(const Layout& layout) {

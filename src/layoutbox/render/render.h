@@ -49,6 +49,10 @@ struct RenderOptions {
   bool object_mask = false;
   // Also the first view with the objects' names, clearances, and what does not hold in red (scene-overlay.png). DEFAULT: false.
   bool overlay = false;
+  // Also the overlay, else the first view, as a small JPEG for pages that show many (scene-small.jpg). DEFAULT: false.
+  bool thumbnail = false;
+  // No wall is cut away, as in the paper's pictures: near ones hide the room. For comparing; inside views have them anyway. DEFAULT: false.
+  bool all_walls = false;
   // Also iso turned once round the room: "gif", "mp4", or empty for none. DEFAULT: none.
   std::string turntable;
   double time_limit_s = 600;
@@ -77,8 +81,9 @@ struct Blender {
 Result<Blender> find_blender();
 
 struct RenderOutputs {
-  std::filesystem::path picture, blend, mask, mask_index, turntable;  // picture: the first view; the others empty unless asked for
-  std::vector<std::filesystem::path> pictures;                        // of all views in their order, then the overlay
+  std::filesystem::path picture, blend, mask, mask_index, turntable,
+      thumbnail;                                // picture: the first view; the others empty unless asked for
+  std::vector<std::filesystem::path> pictures;  // of all views in their order, then the overlay
   std::string blender_version;
   // All that there are, in the order they were asked for.
   std::vector<std::filesystem::path> files() const;

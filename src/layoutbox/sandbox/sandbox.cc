@@ -7,10 +7,12 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
 #include <csignal>
 #include <optional>
 
 #include "layoutbox/base/descriptor.h"
+#include "layoutbox/sandbox/namespaces.h"
 #include "layoutbox/sandbox/seccomp_filter.h"
 #include "layoutbox/sandbox/watch.h"
 
@@ -26,9 +28,15 @@ constexpr const char* kHint =
     "--unsafe-scripts";
 
 struct Walls {
-  std::string program, version;
-  bool forbids_users = false;  // knows --disable-userns
+  std::string program, version;  // of bubblewrap; without a program they are the kernel's own (namespaces.h)
+  bool forbids_users = false;    // knows --disable-userns
+  bool own() const { return program.empty(); }
 };
+
+// What is there of the system, besides /usr.
+constexpr const char* kSystemFolders[] = {"/bin", "/sbin", "/lib", "/lib32", "/lib64", "/libx32"};
+constexpr const char* kSystemFiles[] = {"/etc/ld.so.cache", "/etc/alternatives", "/etc/fonts"};
+constexpr std::string_view kScratch[] = {"/dev/shm", "/tmp", kHome};
 
 std::string mb(double value) { return fmt::format("{:.0f}", value * kMb); }
 
@@ -55,7 +63,7 @@ std::vector<std::string> isolation(const Walls& walls) {
 // The system's programs and libraries, without its users, their files, or what runs.
 void add_system(std::vector<std::string>& words) {
   add(words, {"--ro-bind", "/usr", "/usr"});
-  for (const char* name : {"/bin", "/sbin", "/lib", "/lib32", "/lib64", "/libx32"}) {
+  for (const char* name : kSystemFolders) {
     std::error_code error;
     if (fs::is_symlink(name, error)) {
       add(words, {"--symlink", fs::read_symlink(name, error).string(), name});
@@ -63,9 +71,9 @@ void add_system(std::vector<std::string>& words) {
       add(words, {"--ro-bind-try", name, name});
     }
   }
-  for (const char* name : {"/etc/ld.so.cache", "/etc/alternatives", "/etc/fonts"}) add(words, {"--ro-bind-try", name, name});
+  for (const char* name : kSystemFiles) add(words, {"--ro-bind-try", name, name});
   add(words, {"--proc", "/proc", "--dev", "/dev"});
-  for (const std::string_view name : {std::string_view("/dev/shm"), std::string_view("/tmp"), kHome}) {
+  for (const std::string_view name : kScratch) {
     add(words, {"--size", mb(kScratchMb), "--tmpfs", std::string(name)});
   }
 }
@@ -74,6 +82,43 @@ void add_system(std::vector<std::string>& words) {
 // owner of the kernel's settings in /proc/sys.
 void add_seal(std::vector<std::string>& words) {
   for (const char* name : {"/dev", "/proc", "/"}) add(words, {"--remount-ro", name});
+}
+
+// The same by the kernel alone.
+NamespaceWalls own_walls() {
+  NamespaceWalls walls;
+  walls.show("/usr");
+  for (const char* name : kSystemFolders) {
+    std::error_code error;
+    if (fs::is_symlink(name, error)) {
+      walls.link(fs::read_symlink(name, error).string(), name);
+    } else {
+      walls.show(name);
+    }
+  }
+  for (const char* name : kSystemFiles) walls.show(name);
+  walls.give_memory("/dev", 1);
+  for (const char* name : {"/dev/null", "/dev/zero", "/dev/full", "/dev/random", "/dev/urandom"}) walls.show_device(name);
+  walls.link("/proc/self/fd", "/dev/fd");
+  for (const int number : {0, 1, 2}) {
+    walls.link(fmt::format("/proc/self/fd/{}", number),
+               fmt::format("/dev/{}", std::array{"stdin", "stdout", "stderr"}[static_cast<std::size_t>(number)]));
+  }
+  for (const std::string_view name : kScratch) walls.give_memory(std::string(name), kScratchMb);
+  walls.filter(seccomp_filter());
+  return walls;
+}
+
+std::optional<Walls> try_own_walls(std::string& why) {
+  const NamespaceWalls walls = own_walls();
+  ProcessOptions options;
+  options.time_limit_s = 20;
+  options.own_environment = true;
+  options.before_exec = [&walls] { walls.enter(); };
+  const auto outcome = run_process({"/usr/bin/true"}, options);
+  if (outcome && outcome->exit_status == 0) return Walls{{}, "namespaces of the kernel", false};
+  why = outcome ? outcome->output : outcome.error().message;
+  return std::nullopt;
 }
 
 std::optional<Walls> try_walls(const Walls& walls, std::string& why) {
@@ -96,16 +141,21 @@ Result<Walls> find_walls() {
   };
   if (seccomp_filter().empty()) return none("its filter of system calls is not written for this machine");
   Walls walls;
+  std::string why = "bubblewrap is not installed";
   walls.program = find_program("bwrap").string();
-  if (walls.program.empty()) return none("bubblewrap is not installed");
-  const auto answer = run_process({walls.program, "--version"});
-  if (answer) walls.version = answer->output.substr(0, answer->output.find('\n'));
-  std::string why;
-  for (const bool forbids : {true, false}) {
-    walls.forbids_users = forbids;
-    if (const auto found = try_walls(walls, why)) return *found;
+  if (!walls.program.empty()) {
+    const auto answer = run_process({walls.program, "--version"});
+    if (answer) walls.version = answer->output.substr(0, answer->output.find('\n'));
+    for (const bool forbids : {true, false}) {
+      walls.forbids_users = forbids;
+      if (const auto found = try_walls(walls, why)) return *found;
+    }
+    why = fmt::format("{} does not work here ({})", walls.version, why);
   }
-  return none(fmt::format("{} does not work here ({})", walls.version, why));
+  std::string why_not_own;
+  if (const auto found = try_own_walls(why_not_own)) return *found;
+  while (!why_not_own.empty() && why_not_own.back() == '\n') why_not_own.pop_back();
+  return none(fmt::format("{}, nor do namespaces without it ({})", why, why_not_own));
 }
 
 const Result<Walls>& walls() {
@@ -181,7 +231,16 @@ Result<Outcome> run(const Job& job) {
   options.watch = [&](pid_t child) { return passed_limit(child, job.folder, job.limits); };
   std::vector<std::string> words;
   Descriptor filter;
-  if (walls()) {
+  NamespaceWalls own;
+  if (walls() && walls()->own()) {
+    own = own_walls();
+    for (const fs::path& path : job.readable) own.show(path);
+    own.give(job.folder, std::string(kFolder));
+    own.start_in(std::string(kFolder));
+    options.before_exec = [&own] { own.enter(); };
+    options.environment = environment_of(job, std::string(kHome));
+    words = job.command;
+  } else if (walls()) {
     LAYOUTBOX_ASSIGN(filter, filter_file());
     options.inherited = {filter.get()};
     words = walled(job, *walls(), filter.get());
@@ -196,6 +255,9 @@ Result<Outcome> run(const Job& job) {
   make_removable(job.folder);
   if (!process) return Failure(std::move(process).error());
   if (process->stopped) return fail(ErrorCode::kInterrupted, "what ran in the sandbox was stopped");
+  if (walls() && walls()->own() && process->exit_status == NamespaceWalls::kNotEntered && process->output.starts_with("sandbox: ")) {
+    return fail(ErrorCode::kIo, process->output);
+  }
   Outcome outcome{*std::move(process), {}};
   outcome.ended = outcome.process.timed_out ? fmt::format("it took more than {:g} s", job.limits.time_s) : outcome.process.ended;
   if (outcome.ended.empty() && outcome.process.exit_status == 128 + SIGXFSZ) {

@@ -1,8 +1,9 @@
 // Code that nobody vouches for (a script that a model wrote, a .blend from elsewhere) runs here: no network, no files but the system's
 // and one folder, no processes beside it, no environment, limits on time, memory, threads, files and what it writes.
 //
-// The walls are bubblewrap's (namespaces of the kernel, made by an ordinary user or by root), a filter of system calls, and a watch over
-// what limits of the kernel cannot say. Where the machine has no bubblewrap that works, nothing is run unless the caller insists.
+// The walls are bubblewrap's (namespaces of the kernel, made by an ordinary user or by root), else the same namespaces without it, a filter
+// of system calls, and a watch over what limits of the kernel cannot say. Where the machine allows neither, nothing is run unless the
+// caller insists.
 #pragma once
 
 #include <atomic>
@@ -48,7 +49,8 @@ struct Outcome {
   std::string ended;
 };
 
-// What the walls are on this machine: "bubblewrap 0.8.0". Found out once. Error: kIo, why there are none and what to do.
+// What the walls are on this machine: "bubblewrap 0.8.0", "namespaces of the kernel". Found out once. Error: kIo, why there are none and
+// what to do.
 Result<std::string> describe_walls();
 
 // Errors: that of describe_walls(), kIo where it cannot be started, kInterrupted. How the code ended is no error but the outcome.

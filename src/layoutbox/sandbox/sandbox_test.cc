@@ -93,6 +93,12 @@ class Listener {
   int port_ = 0;
 };
 
+TEST_F(Sandbox, SaysWhatItsWallsAre) {
+  const char* path = std::getenv("PATH");
+  const bool none_to_find = path != nullptr && std::string(path) == "/nowhere";
+  EXPECT_THAT(describe_walls().value(), HasSubstr(none_to_find ? "namespaces" : ""));
+}
+
 TEST_F(Sandbox, RunsWhatItIsGiven) {
   const Outcome outcome = run_python("print(os.getcwd(), os.environ['HOME']); open('left', 'w').write('x' * 10); sys.exit(3)");
   EXPECT_EQ(outcome.process.output, "/job /home/nobody\n");

@@ -1,18 +1,11 @@
-// What rooms are judged by, and what would make one possible.
+// What rooms are judged by.
 #include "layoutbox/judge/judge.h"
 
-#include <algorithm>
 #include <utility>
 
-#include "layoutbox/pipeline/ways_out.h"
 #include "layoutbox/serve/call_parts.h"
 
 namespace layoutbox::serve {
-namespace {
-
-constexpr double kLongestLook = 10;  // seconds
-
-}  // namespace
 
 Result<Answer> judge_call(const Json& request, const Surroundings& around) {
   RoomFile room{request.value("name", ""), "layout", {}, {}};
@@ -22,21 +15,6 @@ Result<Answer> judge_call(const Json& request, const Surroundings& around) {
     LAYOUTBOX_ASSIGN(asked.scene, scene_of_request(request));
   }
   return Answer{200, "application/json", judgement_json({judge_room(std::move(room), asked, around.catalog)})};
-}
-
-Result<Answer> remedies_call(const Json& request, const Surroundings& around) {
-  LAYOUTBOX_ASSIGN(GenerateOptions options, generate_options(request, around));
-  options.solve.on_progress = {};  // of each of many small tries
-  LAYOUTBOX_ASSIGN(const Layout layout, layout_of(request));
-  LAYOUTBOX_CHECK(scene_of_request(request));
-  WaysOutOptions limits;
-  limits.time_limit_s = std::min(kLongestLook, options.solve.time_limit_s);
-  const Json& scene = request.at("scene");
-  Json ways = Json::array();
-  for (const WayOut& way : find_ways_out(scene.dump(), layout, around.catalog, options, limits)) {
-    ways.push_back({{"sentence", way.sentence}, {"scene", scene.patch(Json::parse(way.patch))}});
-  }
-  return json_answer({{"ways", std::move(ways)}});
 }
 
 }  // namespace layoutbox::serve

@@ -21,8 +21,9 @@ struct DrawnObject {
   std::vector<Triangle> triangles;
 };
 
-// Adds `drawnCollision`, `drawnOutOfBounds` and `drawnSupport`, which warn, and their metrics to what verify() found of the layout. What is
-// not in the layout, or has no triangle, is passed over.
+// Adds what verify() measures of boxes, measured of what is drawn: `drawnCollision`, `drawnOutOfBounds`, `drawnSupport`, `drawnDoorSwing`,
+// `drawnOpeningClearance`, `drawnNavigability`, `drawnAccessibility`, `drawnReachability`, which warn, and their metrics. What is not in
+// the layout, or has no triangle, is passed over.
 void verify_drawn(const Layout& layout, const Catalog& catalog, const std::vector<DrawnObject>& drawn, const VerifyOptions& options,
                   Report& report);
 

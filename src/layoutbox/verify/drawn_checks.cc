@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -128,12 +129,83 @@ void check_drawn_support(const RoomView& view, const Meshes& meshes, Report& rep
   report.metrics["drawnSupport"] = all == 0 ? 1.0 : held / static_cast<double>(all);
 }
 
+// An upright prism as a mesh: what comes into it meets it.
+BodyMesh prism(const Polygon& plan, Interval heights) {
+  std::vector<Triangle> faces;
+  const auto at = [&](std::size_t i, double z) { return Point3{plan[i % plan.size()].x, plan[i % plan.size()].y, z}; };
+  for (std::size_t i = 0; i < plan.size(); ++i) {
+    faces.push_back({at(i, heights.lo), at(i + 1, heights.lo), at(i + 1, heights.hi)});
+    faces.push_back({at(i, heights.lo), at(i + 1, heights.hi), at(i, heights.hi)});
+    if (i == 0 || i + 1 == plan.size()) continue;
+    for (const double z : {heights.lo, heights.hi}) faces.push_back({at(0, z), at(i, z), at(i + 1, z)});
+  }
+  return BodyMesh(std::move(faces), Frame{});
+}
+
+// What is drawn within a space that is to stay free; its share of the checks.
+void check_space(const RoomView& view, const Meshes& meshes, const char* name, const Face& opening, const BodyMesh& space, Report& report,
+                 int& clear) {
+  const double tolerance = view.options.collision_tolerance_m;
+  std::string blockers;
+  for (const Body& body : view.bodies) {
+    const auto mesh = meshes.find(body.id());
+    if (mesh == meshes.end() || body.rug || (opening.is_window() && body.curtain)) continue;
+    if (meet(mesh->second.inset(tolerance), space)) blockers += (blockers.empty() ? "" : ", ") + body.id();
+  }
+  clear += blockers.empty();
+  report.checks.push_back({name, opening.id, blockers.empty(), false, blockers.empty() ? 0.0 : 1.0, "",
+                           blockers.empty() ? fmt::format("nothing drawn is in the way of {}", opening.id)
+                                            : fmt::format("{} as drawn in the way of {}", blockers, opening.id),
+                           fmt::format("/room/openings/{}", opening.index)});
+}
+
+void check_drawn_openings(const RoomView& view, const Meshes& meshes, Report& report) {
+  int clear = 0, openings = 0, swings = 0, doors = 0;
+  for (const Face& opening : view.openings) {
+    const Shape space = space_before(opening);
+    ++openings;
+    check_space(view, meshes, "drawnOpeningClearance", opening, prism(space.plan, space.heights), report, clear);
+    if (opening.opening->type != OpeningType::kDoor) continue;
+    const Polygon swing = swing_of(opening);
+    ++doors;
+    if (swing.size() < 3) {
+      ++swings;
+      continue;
+    }
+    check_space(view, meshes, "drawnDoorSwing", opening, prism(swing, opening.shape.heights), report, swings);
+  }
+  const auto share = [](int part, int whole) { return whole == 0 ? 1.0 : part / static_cast<double>(whole); };
+  report.metrics["drawnOpeningClearance"] = share(clear, openings);
+  report.metrics["drawnDoorSwing"] = share(swings, doors);
+}
+
+std::string drawn_name(const std::string& name) {
+  return "drawn" + std::string(1, static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])))) + name.substr(1);
+}
+
+// Ways on the floor that what is drawn leaves free.
+void check_drawn_ways(RoomView& view, const Meshes& meshes, Report& report) {
+  for (Body& body : view.bodies) {
+    if (const auto mesh = meshes.find(body.id()); mesh != meshes.end()) body.drawn = &mesh->second.triangles();
+  }
+  Report found;
+  check_ways(view, found);
+  for (Check& check : found.checks) {
+    if (check.name == "navigability") check.limit = kLeastNavigability;
+    if (check.name == "accessibility") check.limit = kLeastAccess;
+    check.name = drawn_name(check.name);
+    check.message += " (as drawn)";
+    report.checks.push_back(std::move(check));
+  }
+  for (const auto& [name, value] : found.metrics) report.metrics[drawn_name(name)] = value;
+}
+
 }  // namespace
 }  // namespace judge
 
 void verify_drawn(const Layout& layout, const Catalog& catalog, const std::vector<DrawnObject>& drawn, const VerifyOptions& options,
                   Report& report) {
-  const judge::RoomView view(layout, catalog, options);
+  judge::RoomView view(layout, catalog, options);
   judge::Meshes meshes;
   for (const DrawnObject& object : drawn) {
     const judge::Body* body = view.find_body(object.id);
@@ -142,6 +214,8 @@ void verify_drawn(const Layout& layout, const Catalog& catalog, const std::vecto
   judge::check_drawn_collisions(view, meshes, report);
   judge::check_drawn_bounds(view, meshes, report);
   judge::check_drawn_support(view, meshes, report);
+  judge::check_drawn_openings(view, meshes, report);
+  judge::check_drawn_ways(view, meshes, report);
 }
 
 }  // namespace layoutbox

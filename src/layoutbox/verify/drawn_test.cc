@@ -125,7 +125,58 @@ TEST(Drawn, WhatIsNoneOfTheLayoutIsPassedOver) {
   TestRoom room;
   room.add("a", "bed", {1, 1, 1}, {1, 1});
   const Report report = drawn(room, {{"a", {}}, {"stranger", block({0, 0, 0}, {9, 9, 9})}});
-  EXPECT_EQ(report.checks.size(), 1u);
+  for (const char* name : {"drawnOutOfBounds", "drawnSupport"}) EXPECT_EQ(find_check(report, name, "a"), nullptr) << name;
+  EXPECT_EQ(report.metrics.at("drawnOutOfBounds"), 0);
+}
+
+// The box shuts off half of the room, what is drawn of it a corner; and the other way round.
+TEST(Drawn, WaysAreThoseThatMeshesLeaveFree) {
+  TestRoom room;
+  room.door("d", "wall1", 0.5)
+      .add("chest", "wardrobe", {4.98, 0.6, 1}, {2.5, 2})
+      .add("desk", "desk", {1.2, 0.6, 0.75}, {2.5, 3.7})
+      .used({Side::kFront});
+  const std::vector<Triangle> small = block({0, 1.7, 0}, {1, 2.3, 1}), desk = block({1.9, 3.4, 0}, {3.1, 4, 0.75});
+  const Report open = drawn(room, {{"chest", small}, {"desk", desk}});
+  EXPECT_NEAR(open.metrics.at("drawnNavigability"), 1, 1e-9);
+  EXPECT_TRUE(passes(open, "drawnReachability", "desk"));
+  const Report shut = drawn(room, {{"chest", block({0.01, 1.7, 0}, {4.99, 2.3, 1})}, {"desk", desk}});
+  EXPECT_LT(shut.metrics.at("drawnNavigability"), 0.6);
+  EXPECT_FALSE(passes(shut, "drawnReachability", "desk"));
+  EXPECT_EQ(find_check(shut, "drawnNavigability")->limit, 0.99);
+  EXPECT_FALSE(find_check(shut, "drawnNavigability")->required);
+}
+
+// A box and a mesh that fills it are in the way alike, whichever way they are turned.
+TEST(Drawn, AMeshThatFillsItsBoxMeasuresAsTheBox) {
+  TestRoom room;
+  room.door("d", "wall1", 0.5)
+      .add("a", "bed", {1.6, 2, 0.5}, {3.5, 2.2})
+      .used({Side::kLeft, Side::kRight})
+      .add("b", "wardrobe", {1.2, 0.6, 2}, {0.8, 3.1})
+      .used({Side::kFront});
+  const Report boxes = verify(room.layout, Catalog::builtin());
+  const Report meshes = drawn(room, {{"a", block({2.7, 1.2, 0}, {4.3, 3.2, 0.5})}, {"b", block({0.2, 2.8, 0}, {1.4, 3.4, 2})}});
+  EXPECT_NEAR(meshes.metrics.at("drawnNavigability"), boxes.metrics.at("navigability"), 0.01);
+  EXPECT_NEAR(meshes.metrics.at("drawnAccessibility"), boxes.metrics.at("accessibility"), 0.05);
+  EXPECT_NEAR(meshes.metrics.at("drawnReachability"), boxes.metrics.at("reachability"), 1e-9);
+}
+
+TEST(Drawn, WhatIsBeforeADoorOrInItsSwing) {
+  TestRoom room;
+  room.door("d", "wall1", 1.0).add("a", "stool", {0.4, 0.4, 0.5}, {1.5, 0.5});
+  const auto at = [&](double x, double y) { return drawn(room, {{"a", block({x, y, 0}, {x + 0.1, y + 0.1, 0.5})}}); };
+  const Report before = at(1.4, 0.3);
+  EXPECT_FALSE(passes(before, "drawnOpeningClearance", "d"));
+  EXPECT_FALSE(passes(before, "drawnDoorSwing", "d"));
+  EXPECT_EQ(before.metrics.at("drawnDoorSwing"), 0);
+  const Report beside = at(2.2, 0.3);
+  EXPECT_TRUE(passes(beside, "drawnOpeningClearance", "d"));
+  EXPECT_TRUE(passes(beside, "drawnDoorSwing", "d"));
+  // In a corner of the box that the leaf does not sweep.
+  const Report corner = at(1.0, 0.79).metrics.at("drawnDoorSwing") == 1 ? at(1.0, 0.79) : at(1.8, 0.79);
+  EXPECT_FALSE(passes(corner, "drawnOpeningClearance", "d"));
+  EXPECT_TRUE(passes(corner, "drawnDoorSwing", "d"));
 }
 
 TEST(Seen, WhatIsHiddenInThePicture) {

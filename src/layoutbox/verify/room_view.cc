@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace layoutbox::judge {
 namespace {
@@ -36,21 +37,49 @@ Shape space_before(const Face& opening, double depth) {
   return make_box(opening.shape.center + opening.inward * (depth / 2), opening.length, depth, opening.shape.heights, opening.shape.frame);
 }
 
-double swing_intrusion(const Face& door, const Body& body) {
-  if (door.opening == nullptr) return 0;
+namespace {
+
+constexpr double kAtEdges = 0.005;  // m: at the two straight edges it is no intrusion
+
+// Where a leaf that opens inwards hangs, and the way from there along the wall to its free edge.
+struct Leaf {
+  Vec hinge, towards;
+};
+
+std::optional<Leaf> leaf_of(const Face& door) {
+  if (door.opening == nullptr) return std::nullopt;
   const Swing swing = door.opening->swing;
-  if (door.opening->type != OpeningType::kDoor || (swing != Swing::kInLeft && swing != Swing::kInRight)) return 0;
-  if (overlap(body.shape.heights, door.shape.heights) <= 0.005 + kTiny) return 0;
+  if (door.opening->type != OpeningType::kDoor || (swing != Swing::kInLeft && swing != Swing::kInRight)) return std::nullopt;
   // Looking at the wall from the room, the wall's direction (floor on its left hand) runs to the left.
   const bool at_left_end = swing == Swing::kInLeft;
   const bool end_is_left = dot(door.along, door.shape.frame.x) < 0;
-  const Vec hinge = at_left_end == end_is_left ? door.end : door.start;
-  const Vec towards = at_left_end == end_is_left ? door.along * -1 : door.along;
-  // 5 mm at the two straight edges are no intrusion.
-  Polygon swept = clip_half_plane(body.shape.plan, hinge + towards * 0.005, towards);
-  swept = clip_half_plane(swept, hinge + door.inward * 0.005, door.inward);
+  if (at_left_end == end_is_left) return Leaf{door.end, door.along * -1};
+  return Leaf{door.start, door.along};
+}
+
+}  // namespace
+
+double swing_intrusion(const Face& door, const Body& body) {
+  const std::optional<Leaf> leaf = leaf_of(door);
+  if (!leaf || overlap(body.shape.heights, door.shape.heights) <= kAtEdges + kTiny) return 0;
+  Polygon swept = clip_half_plane(body.shape.plan, leaf->hinge + leaf->towards * kAtEdges, leaf->towards);
+  swept = clip_half_plane(swept, leaf->hinge + door.inward * kAtEdges, door.inward);
   if (swept.size() < 3) return 0;
-  return std::max(0.0, door.length - distance(swept, hinge));
+  return std::max(0.0, door.length - distance(swept, leaf->hinge));
+}
+
+Polygon swing_of(const Face& door) {
+  constexpr int kSteps = 16;
+  const std::optional<Leaf> leaf = leaf_of(door);
+  if (!leaf || door.length <= 2 * kAtEdges) return {};
+  const Vec corner = leaf->hinge + (leaf->towards + door.inward) * kAtEdges;
+  Polygon disc{corner};
+  for (int i = 0; i <= kSteps; ++i) {
+    const double turn = std::acos(-1.0) / 2 * i / kSteps;
+    disc.push_back(corner + (leaf->towards * std::cos(turn) + door.inward * std::sin(turn)) * (door.length - kAtEdges));
+  }
+  if (signed_area(disc) < 0) std::reverse(disc.begin(), disc.end());
+  return disc;
 }
 
 BodySide side_of(const Body& body, Side side) {

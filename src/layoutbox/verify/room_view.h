@@ -7,6 +7,7 @@
 
 #include "layoutbox/catalog/catalog.h"
 #include "layoutbox/scene/layout.h"
+#include "layoutbox/verify/drawn.h"
 #include "layoutbox/verify/geometry.h"
 #include "layoutbox/verify/verify.h"
 
@@ -32,6 +33,7 @@ struct Body {
   Frame own_frame;              // turned with it, front or not
   double width = 0, depth = 0;  // along own_frame
   std::vector<Hollow> hollows;
+  const std::vector<Triangle>* drawn = nullptr;  // what is made of it; where there is any, plans are drawn from it instead of the box
   bool rug = false, curtain = false, has_front = true;
   const std::string& id() const { return object->id; }
   double underside() const { return shape.heights.lo; }
@@ -57,6 +59,8 @@ Shape space_before(const Face& opening, double depth);
 
 // How deep a body reaches into the quarter disc that a hinged door sweeps in the room; 0 when it does not.
 double swing_intrusion(const Face& door, const Body& body);
+// That quarter disc less 5 mm at its straight edges, as a polygon; empty where no leaf comes into the room.
+Polygon swing_of(const Face& door);
 
 // A named side of a body: the outward direction and how far it is from the centre.
 struct BodySide {

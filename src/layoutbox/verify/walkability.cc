@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <optional>
 
@@ -21,6 +22,14 @@ constexpr double kStandsBelow = 0.05;                  // m: what begins higher 
 std::size_t places(int n) { return static_cast<std::size_t>(n); }
 
 bool in_the_way(const Body& body) { return !body.rug && body.shape.heights.mid() <= kBodyReach; }
+
+std::vector<const Body*> all_in_the_way(const RoomView& view) {
+  std::vector<const Body*> bodies;
+  for (const Body& body : view.bodies) {
+    if (in_the_way(body)) bodies.push_back(&body);
+  }
+  return bodies;
+}
 
 // Is hypot(x, y) at most `far`? Most pixels need no root for that. REQUIRES: neither is less than 0.
 bool within(double x, double y, double far) {
@@ -145,7 +154,76 @@ FloorPixels::Pixels FloorPixels::around(Vec point, double reach) const {
           pixel(from_middle.y + reach, true)};
 }
 
-void FloorPixels::block(const Body& body, double grow) {
+void FloorPixels::block(const std::vector<const Body*>& bodies, double grow) {
+  std::vector<std::uint8_t> marks;
+  for (const Body* body : bodies) {
+    if (body->drawn == nullptr) {
+      block_box(*body, grow);
+      continue;
+    }
+    if (marks.empty()) marks.resize(free_.size(), 0);
+    for (const Triangle& triangle : *body->drawn) mark(triangle, marks);
+  }
+  if (!marks.empty()) block_near(marks, grow);
+}
+
+// Row by row: from the leftmost to the rightmost place of the triangle within the height of a pixel.
+void FloorPixels::mark(const Triangle& triangle, std::vector<std::uint8_t>& marks) const {
+  const auto column_of = [&](double x) { return (x - middle_.x) / step_ + resolution_ / 2; };
+  const auto row_of = [&](double y) { return (y - middle_.y) / step_ + resolution_ / 2; };
+  const auto bounded = [&](double at) { return static_cast<int>(std::clamp(std::nearbyint(at), 0.0, double(resolution_ - 1))); };
+  double low = row_of(triangle[0].y), high = low;
+  for (const Point3& corner : triangle) low = std::min(low, row_of(corner.y)), high = std::max(high, row_of(corner.y));
+  if (!(high >= -0.5) || !(low <= resolution_ - 0.5)) return;
+  for (int row = bounded(low); row <= bounded(high); ++row) {
+    double left = std::numeric_limits<double>::infinity(), right = -left;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Point3 &a = triangle[i], &b = triangle[(i + 1) % 3];
+      double from = 0, to = 1;  // of the edge, within this row
+      const double ya = row_of(a.y) - row, yb = row_of(b.y) - row;
+      if (std::abs(yb - ya) < 1e-12) {
+        if (std::abs(ya) > 0.5) continue;
+      } else {
+        const double first = (-0.5 - ya) / (yb - ya), last = (0.5 - ya) / (yb - ya);
+        from = std::max(from, std::min(first, last)), to = std::min(to, std::max(first, last));
+        if (from > to) continue;
+      }
+      for (const double at : {from, to}) {
+        const double x = column_of(a.x + (b.x - a.x) * at);
+        left = std::min(left, x), right = std::max(right, x);
+      }
+    }
+    if (!(left <= right) || right < -0.5 || left > resolution_ - 0.5) continue;
+    std::fill(marks.begin() + static_cast<std::ptrdiff_t>(index(bounded(left), row)),
+              marks.begin() + static_cast<std::ptrdiff_t>(index(bounded(right), row)) + 1, std::uint8_t{1});
+  }
+}
+
+// Pixels whose middle is at most that far from the middle of a marked one: along rows first, then across them.
+void FloorPixels::block_near(const std::vector<std::uint8_t>& marks, double distance) {
+  const double reach = distance / step_;
+  const int rows = static_cast<int>(reach);
+  std::vector<int> off(marks.size(), resolution_);  // columns to the nearest mark in the row
+  for (int row = 0; row < resolution_; ++row) {
+    int far = resolution_;
+    for (int column = 0; column < resolution_; ++column) off[index(column, row)] = far = marks[index(column, row)] ? 0 : far + 1;
+    far = resolution_;
+    for (int column = resolution_ - 1; column >= 0; --column) {
+      far = marks[index(column, row)] ? 0 : far + 1;
+      off[index(column, row)] = std::min(off[index(column, row)], far);
+    }
+  }
+  for (int up = -rows; up <= rows; ++up) {
+    const int across = static_cast<int>(std::sqrt(std::max(0.0, reach * reach - up * up)));
+    for (int row = std::max(0, -up); row < resolution_ - std::max(0, up); ++row) {
+      const int* from = off.data() + index(0, row + up);
+      std::uint8_t* to = free_.data() + index(0, row);
+      for (int column = 0; column < resolution_; ++column) to[column] = from[column] <= across ? 0 : to[column];
+    }
+  }
+}
+
+void FloorPixels::block_box(const Body& body, double grow) {
   const double reach = std::hypot(body.width, body.depth) / 2 + grow;
   const auto [x0, x1, y0, y1] = around(body.shape.center, reach);
   for (int row = y0; row < y1; ++row) {
@@ -220,18 +298,14 @@ std::int64_t FloorPixels::largest_free_part() const {
 double navigability(const RoomView& view) {
   FloorPixels plan(view, 0.2, kResolution);
   plan.erode(kPerson);
-  for (const Body& body : view.bodies) {
-    if (in_the_way(body)) plan.block(body, kPerson / 2);
-  }
+  plan.block(all_in_the_way(view), kPerson / 2);
   const std::int64_t all = plan.free_pixels();
   return all == 0 ? 0.0 : static_cast<double>(plan.largest_free_part()) / static_cast<double>(all);
 }
 
 FloorPixels plan_for_access(const RoomView& view) {
   FloorPixels plan(view, 0, kResolution);
-  for (const Body& body : view.bodies) {
-    if (in_the_way(body)) plan.block(body, 0);
-  }
+  plan.block(all_in_the_way(view), 0);
   return plan;
 }
 

@@ -19,8 +19,8 @@ class FloorPixels {
   void erode(double width);
   // Takes away what lies within `distance` of the floor's edge (round).
   void keep_from_edges(const Polygon& floor, double distance);
-  // Draws a body, `grow` metres wider all round.
-  void block(const Body& body, double grow);
+  // Draws bodies, `grow` metres wider all round: their boxes, or what is drawn of them as it is seen from above.
+  void block(const std::vector<const Body*>& bodies, double grow);
 
   bool free_at(Vec point) const;  // off the picture: false
   std::int64_t free_pixels() const;
@@ -46,6 +46,9 @@ class FloorPixels {
   struct Stretch;
 
   void draw_floor(const Polygon& floor);
+  void block_box(const Body& body, double grow);
+  void mark(const Triangle& triangle, std::vector<std::uint8_t>& marks) const;
+  void block_near(const std::vector<std::uint8_t>& marks, double distance);
   std::vector<Stretch> stretches() const;
 
   int resolution_;

@@ -28,10 +28,12 @@ Walks::Walks(const RoomView& view, double width) : view_(view), width_(width), b
 
 Walks::Floor Walks::floor_for(const Body* body) const {
   Floor floor{bare_, {}};
+  std::vector<const Body*> others;
   for (const Body& other : view_.bodies) {
     if (other.rug || other.underside() >= kBodyReach || (body != nullptr && view_.belongs_to(other, *body))) continue;
-    floor.plan.block(other, width_ / 2 - kReachSlack);
+    others.push_back(&other);
   }
+  floor.plan.block(others, width_ / 2 - kReachSlack);
   walk_from_doors(floor);
   return floor;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace layoutbox::vlm {
 namespace {
@@ -42,12 +43,28 @@ AnswerFigures figures_of(std::span<const Answered> answers) {
       ++(answer.truth ? f.false_no : f.true_no);
     }
   }
+  return figures_of_counts(f);
+}
+
+AnswerFigures figures_of_counts(AnswerFigures f) {
   f.accuracy = share_of(f.true_yes + f.true_no, f.answers);
   f.precision = share_of(f.true_yes, f.true_yes + f.false_yes);
   f.recall = share_of(f.true_yes, f.true_yes + f.false_no);
   f.neither_rate = share_of(f.neither, f.answers);
   if (f.answers > f.neither) f.kappa = kappa_of(f);
   return f;
+}
+
+std::vector<double> ranks_of(std::span<const double> values) {
+  std::vector<std::size_t> order(values.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
+  std::vector<double> ranks(values.size());
+  for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
+    while (end < order.size() && values[order[end]] == values[order[begin]]) ++end;
+    for (std::size_t i = begin; i < end; ++i) ranks[order[i]] = static_cast<double>(begin + end + 1) / 2;
+  }
+  return ranks;
 }
 
 std::optional<double> correlation(std::span<const double> a, std::span<const double> b) {

@@ -30,6 +30,11 @@ struct AnswerFigures {
   std::optional<Estimate> accuracy, precision, recall, kappa, neither_rate;
 };
 AnswerFigures figures_of(std::span<const Answered> answers);
+// The shares and kappa of counts that are there already (those of several rooms added up).
+AnswerFigures figures_of_counts(AnswerFigures counts);
+
+// Ranks from 1 on, equal values their mean: the correlation of ranks is Spearman's.
+std::vector<double> ranks_of(std::span<const double> values);
 
 // Pearson's; empty for fewer than three pairs or where one side does not vary.
 std::optional<double> correlation(std::span<const double> a, std::span<const double> b);

@@ -228,6 +228,35 @@ class Drawer {
 
 std::string_view name_of(QuestionKind kind) { return kind == QuestionKind::kSingle ? "single" : "multi"; }
 
+void measure_in_blend(std::vector<RoomQuestion>& questions, const Layout& layout, const Layout& read_back, const Catalog& catalog) {
+  Layout built = layout;
+  std::set<std::string> gone;
+  for (PlacedObject& object : built.objects) {
+    const PlacedObject* found = read_back.find_object(object.id);
+    if (found == nullptr) {
+      gone.insert(object.id);
+      continue;
+    }
+    object.position = found->position;
+    object.size = found->size;
+    object.rotation_deg = found->rotation_deg;
+  }
+  for (RoomQuestion& question : questions) {
+    std::vector<Relation> relations;
+    for (const Hop& hop : question.hops) relations.push_back(hop.relation);
+    const std::vector<Hop> again = measured(built, catalog, relations);
+    for (std::size_t i = 0; i < std::min(again.size(), question.hops.size()); ++i) {
+      Hop& hop = question.hops[i];
+      const auto missing = [&](const std::vector<std::string>& ids) {
+        return std::any_of(ids.begin(), ids.end(), [&](const std::string& id) { return gone.contains(id); });
+      };
+      const bool there = !missing(hop.relation.targets) && !missing(hop.relation.references);
+      hop.in_blend = there && again[i].holds;
+      hop.why_in_blend = there ? again[i].why : "something of it is not in the .blend";
+    }
+  }
+}
+
 std::string sentence_of(const Relation& relation, const Layout& layout) {
   std::string text(relation_row(relation.type).sentence);
   replace_all(text, "{targets}", list_in_words(relation.targets, layout));

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,9 @@ struct Hop {
   std::string sentence;  // "the desk stands to the left of the bed"
   bool holds = false;
   std::string why;  // what was measured
+  // The same, measured in the .blend that the picture was drawn from; empty where that was not read.
+  std::optional<bool> in_blend = {};
+  std::string why_in_blend = {};
 };
 
 struct RoomQuestion {
@@ -40,6 +44,10 @@ struct QuestionOptions {
 // Relations are the layout's own that were asked for; where they are too few, others that hold are read from the room. A room with fewer
 // than two objects has none. The same options give the same questions.
 std::vector<RoomQuestion> draw_questions(const Layout& layout, const Catalog& catalog, const QuestionOptions& options);
+
+// Measures each relation of the questions once more in the room as it was read back from its .blend: things are found by their ids, one
+// that is not there fails its relations.
+void measure_in_blend(std::vector<RoomQuestion>& questions, const Layout& layout, const Layout& read_back, const Catalog& catalog);
 
 // "the desk stands to the left of the bed"; empty where a relation has a parameter that its sentence cannot say.
 std::string sentence_of(const Relation& relation, const Layout& layout);

@@ -121,7 +121,11 @@ Json figures_json(const AnswerFigures& f) {
 
 Json question_json(const AskedQuestion& asked, const JudgeOptions& options, bool by_model) {
   Json hops = Json::array(), said = Json::array();
-  for (const Hop& hop : asked.question.hops) hops.push_back({{"sentence", hop.sentence}, {"holds", hop.holds}, {"why", hop.why}});
+  for (const Hop& hop : asked.question.hops) {
+    Json item{{"sentence", hop.sentence}, {"holds", hop.holds}, {"why", hop.why}};
+    if (hop.in_blend) item["inBlend"] = {{"holds", *hop.in_blend}, {"why", hop.why_in_blend}};
+    hops.push_back(std::move(item));
+  }
   for (const Said& one : asked.said) {
     Json item{{"repeat", one.repeat}, {"verdict", word_for(one.verdict)}, {"text", one.text}};
     if (!one.reason.empty()) item["reason"] = one.reason;
@@ -193,6 +197,13 @@ Result<RoomAnswers> answer_by_model(const std::string& name, const Layout& layou
   return room;
 }
 
+void measure_in_blend(RoomAnswers& room, const Layout& layout, const Layout& read_back, const Catalog& catalog) {
+  std::vector<RoomQuestion> questions;
+  for (const AskedQuestion& asked : room.questions) questions.push_back(asked.question);
+  measure_in_blend(questions, layout, read_back, catalog);
+  for (std::size_t i = 0; i < questions.size(); ++i) room.questions[i].question = std::move(questions[i]);
+}
+
 PanelFigures figures_of_rooms(const std::vector<RoomAnswers>& rooms) {
   std::vector<Answered> all, single, multi;
   std::vector<double> scores, right;
@@ -240,6 +251,13 @@ std::string answers_text(const std::vector<RoomAnswers>& rooms, bool reasons) {
   const PanelFigures figures = figures_of_rooms(rooms);
   text += figures_text("all", figures.all) + figures_text("single", figures.single) + figures_text("multi", figures.multi);
   text += fmt::format("answers that are neither yes nor no {}\n", estimate_text(figures.all.neither_rate));
+  int in_blend = 0, alike = 0;
+  for (const RoomAnswers& room : rooms) {
+    for (const AskedQuestion& asked : room.questions) {
+      for (const Hop& hop : asked.question.hops) in_blend += hop.in_blend.has_value(), alike += hop.in_blend == hop.holds;
+    }
+  }
+  if (in_blend > 0) text += fmt::format("relations that the .blend has alike  {} of {}\n", alike, in_blend);
   if (figures.unsteady) text += fmt::format("questions whose repeats differ       {}\n", estimate_text(figures.unsteady));
   if (figures.mean_score) text += fmt::format("score against the scene, mean        {:6.3f}\n", *figures.mean_score);
   if (figures.score_and_answers) text += fmt::format("score and right answers, correlation {:6.3f}\n", *figures.score_and_answers);
@@ -265,7 +283,7 @@ std::string answers_json(const std::vector<RoomAnswers>& rooms, const std::strin
   const Json document{{"format", "layoutbox/answers@1"},
                       {"judge", judge},
                       {"repeats", options.repeats},
-                      {"temperature", options.temperature},
+                      {"temperature", or_null(options.temperature)},
                       {"figures",
                        {{"all", figures_json(figures.all)},
                         {"single", figures_json(figures.single)},

@@ -48,8 +48,8 @@ struct Picture {
 // Who is asked. `ask` sees the question's text alone beside the picture.
 struct JudgeOptions {
   QuestionOptions questions;
-  int repeats = 1;  // the repeat's number is the request's seed, and so part of what answers are kept by
-  double temperature = 0;
+  int repeats = 1;                        // the repeat's number is the request's seed, and so part of what answers are kept by
+  std::optional<double> temperature = 0;  // empty: the model's own
   bool reasons = false;
   bool written = false;     // the model writes the questions' words first, from the scene's JSON
   bool with_scene = false;  // questions too are asked with the scene's JSON beside the picture
@@ -60,6 +60,9 @@ RoomAnswers answer_by_geometry(const std::string& name, const Layout& layout, co
 // By a model, which sees all the pictures at once. REQUIRES: one at least. Errors: those of ChatClient::ask.
 Result<RoomAnswers> answer_by_model(const std::string& name, const Layout& layout, const Catalog& catalog,
                                     const std::vector<Picture>& pictures, chat::ChatClient& client, const JudgeOptions& options);
+
+// measure_in_blend() of what was asked.
+void measure_in_blend(RoomAnswers& room, const Layout& layout, const Layout& read_back, const Catalog& catalog);
 
 struct PanelFigures {
   AnswerFigures all, single, multi;
