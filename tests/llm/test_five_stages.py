@@ -93,6 +93,24 @@ class FiveStages(model_case.ModelCase):
         self.assertEqual(answers["figures"]["meanScore"], 0.75)
         self.assertTrue(answers["rooms"][0]["questions"])
 
+    def test_relations_are_read_back_from_the_blend(self):
+        """Each relation of a question has its verdict in the .blend that was written, which agrees with the layout's."""
+        with Everything([SCRIPT]) as server, Folder() as folder:
+            env = {"LAYOUTBOX_PUT_URL": folder.address + "/rooms", "LAYOUTBOX_PUT_HEADER": SECRETS["LAYOUTBOX_PUT_HEADER"]}
+            arguments = ["generate", model_case.PROMPT, "-o", self.path("out"), *SMALL, "--vlm", "--publish", "put"]
+            run = self.run_layoutbox(*arguments, env=self.environment(server, **env))
+            self.assert_status(run, DONE)
+        hops = [hop for q in self.read_json("out/answers.json")["rooms"][0]["questions"] for hop in q["hops"]]
+        self.assertTrue(hops)
+        self.assertEqual([hop["inBlend"]["holds"] for hop in hops], [hop["holds"] for hop in hops])
+        self.assertIn(f"relations that the .blend has alike  {len(hops)} of {len(hops)}", run.err)
+        # In another room's .blend they are not so.
+        other = self.run_layoutbox("generate", "A kitchen with a table.", "-o", self.path("other"), *SMALL)
+        self.assertIn(other.status, (0, 1))
+        layout, blend = self.path("out/layout.json"), self.path("other/scene.blend")
+        again = self.run_layoutbox("judge", layout, "--questions", "--blend", blend, "--json").json()
+        self.assertFalse(any(hop["inBlend"]["holds"] for q in again["rooms"][0]["questions"] for hop in q["hops"]))
+
     def test_the_template_where_no_script_works(self):
         with Everything(["for x in\n"]) as server:
             run = self.make(server, "--max-attempts", "2")

@@ -148,8 +148,8 @@ class JudgedExperiment(model_case.ModelCase):
         room = self.path("out/runs/one.pipeline.1")
         for name in ("scene.png", "scene-overlay.png", "scene-walls.png"):
             with Image.open(room / name) as picture:
-                self.assertEqual(picture.size, (640, 360), name)
-        self.assertEqual(set(sizes), {(640, 360)})
+                self.assertEqual(picture.size, (560, 440), name)
+        self.assertEqual(set(sizes), {(560, 440)})
         self.assertNotEqual((room / "scene.png").read_bytes(), (room / "scene-walls.png").read_bytes())
         line = json.loads(self.path("out/results.jsonl").read_text())
         self.assertEqual(line["judged"]["shown"], "picture")

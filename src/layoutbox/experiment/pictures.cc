@@ -10,7 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kWidth = 640, kHeight = 360;
+constexpr int kWidth = 560, kHeight = 440;
 constexpr const char* kWalled = "scene-walls.png";
 
 FourJudgements summed(const vlm::RoomAnswers& answers) {

@@ -18,7 +18,7 @@ h1{margin-bottom:.2rem}h2{margin-top:2.2rem}h3{margin:2rem 0 .2rem;border-top:1p
 .wide{overflow-x:auto}table{border-collapse:collapse;margin:.8rem 0;font-size:13px}td,th{padding:.3rem .6rem;text-align:left;border-bottom:1px solid #e4e4e4;vertical-align:top;white-space:nowrap}
 td.n,th.n{text-align:right;font-variant-numeric:tabular-nums}td small{display:block}small,.skipped{color:#666}.bad{color:#b00000}.good{color:#186a1e}
 .chart{width:100%;max-width:1330px;height:auto;font:13px system-ui,sans-serif}.axis{font-size:10px;fill:#777}
-.rooms{display:grid;grid-template-columns:repeat(auto-fill,minmax(15rem,1fr));gap:1.2rem 1rem}.rooms svg,.rooms img{width:100%;height:auto;max-height:15rem;border:1px solid #ddd;background:#fff}.rooms svg{stroke-linejoin:round}.rooms svg text{font-size:4px}
+.rooms{display:grid;grid-template-columns:repeat(auto-fill,minmax(18rem,1fr));gap:1.2rem 1rem}.rooms svg,.rooms img{width:100%;height:auto;max-height:18rem;border:1px solid #ddd;background:#fff}.rooms svg{stroke-linejoin:round}.rooms svg text{font-size:4px}
 .rooms small{display:block;overflow-wrap:anywhere;line-height:1.3;margin-top:.2rem})";
 
 // Those that were not run for one reason, in one line.
