@@ -157,6 +157,15 @@ class Vision(model_case.ModelCase):
             self.assertEqual(question["truth"], all(hop["holds"] for hop in question["hops"]))
             self.assertEqual(question["answers"][0]["verdict"], "yes")
 
+    def test_a_model_without_eyes_writes_what_geometry_answers(self):
+        with VisionServer(lambda picture, text: 1 / 0) as server:
+            options = ["--questions", "--written", "--json", *OPTIONS]
+            answers = self.run_layoutbox("judge", self.room, *options, env=self.environment(server)).json()
+            self.assertEqual((server.errors, server.count), ([], 1))
+        questions = answers["rooms"][0]["questions"]
+        self.assertTrue(all(q["writtenBy"] == "model" and q["question"].startswith("Can it be seen") for q in questions[1:]))
+        self.assertEqual(answers["figures"]["all"]["accuracy"]["value"], 1)
+
     def test_repeats_are_asked_apart_and_kept(self):
         turn = iter(range(10**6))
         often = ["--repeats", "3", "--temperature", "1"]

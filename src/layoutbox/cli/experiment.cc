@@ -26,14 +26,14 @@ struct ExperimentArguments {
 };
 
 // A model, where one can be asked: a key, or a server at home. All that it is asked draws on one limit.
-struct Model {
+struct AskedModel {
   chat::ChatOptions chat;
   std::unique_ptr<Planner> planner;
 };
 
 // Those that are named; without a name the one that would be asked anyway. None where there is no key and no server at home.
-Result<std::vector<std::unique_ptr<Model>>> models_at_hand(ExperimentArguments& flags, const Console& console) {
-  std::vector<std::unique_ptr<Model>> models;
+Result<std::vector<std::unique_ptr<AskedModel>>> models_at_hand(ExperimentArguments& flags, const Console& console) {
+  std::vector<std::unique_ptr<AskedModel>> models;
   const std::vector<std::string> names = flags.models.empty() ? std::vector{flags.model.model} : flags.models;
   for (const std::string& name : names) {
     flags.model.model = name;
@@ -43,7 +43,7 @@ Result<std::vector<std::unique_ptr<Model>>> models_at_hand(ExperimentArguments& 
       return Failure(chat ? chat::check_key(chat->endpoint).error() : chat.error());
     }
     LAYOUTBOX_ASSIGN(auto planner, flags.model.make_planner("llm", Catalog::builtin(), flags.options.generate, console, &*chat));
-    models.push_back(std::make_unique<Model>(Model{*std::move(chat), std::move(planner)}));
+    models.push_back(std::make_unique<AskedModel>(AskedModel{*std::move(chat), std::move(planner)}));
     const chat::Endpoint& endpoint = models.back()->chat.endpoint;
     const std::string shown = names.size() > 1 ? endpoint.model : fmt::format("{} at {}", endpoint.model, endpoint.base_url);
     flags.options.models.push_back({shown, models.back()->planner.get(), &models.back()->chat});

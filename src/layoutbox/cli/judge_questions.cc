@@ -12,6 +12,7 @@
 #include "layoutbox/cli/judge_pictures.h"
 #include "layoutbox/judge/vlm/pairs.h"
 #include "layoutbox/judge/vlm/planted.h"
+#include "layoutbox/judge/vlm/written.h"
 
 namespace layoutbox::cli {
 namespace {
@@ -97,10 +98,21 @@ int answer_comparisons(const QuestionFlags& flags, const std::vector<Judgement>&
   return kDone;
 }
 
-std::vector<vlm::RoomAnswers> ask_geometry(const QuestionFlags& flags, const std::vector<Judgement>& rooms) {
+// A model that reads text alone may write the questions that geometry answers.
+Result<std::vector<vlm::RoomAnswers>> ask_geometry(const QuestionFlags& flags, const std::vector<Judgement>& rooms,
+                                                   const Console& console) {
+  std::optional<chat::ChatClient> writer;
+  if (flags.options.written) {
+    LAYOUTBOX_ASSIGN(chat::ChatOptions chat, flags.chat_options(console));
+    writer.emplace(std::move(chat));
+  }
   std::vector<vlm::RoomAnswers> answers;
   for (const Judgement& room : rooms) {
-    if (room.error.empty()) answers.push_back(vlm::answer_by_geometry(room.name, room.room.layout, Catalog::builtin(), flags.options));
+    if (!room.error.empty()) continue;
+    const Layout& layout = room.room.layout;
+    vlm::RoomAnswers said = vlm::answer_by_geometry(room.name, layout, Catalog::builtin(), flags.options);
+    if (writer) LAYOUTBOX_CHECK(vlm::write_questions(said, layout, *writer, flags.options));
+    answers.push_back(std::move(said));
   }
   return answers;
 }
@@ -221,7 +233,9 @@ int answer_questions(const QuestionFlags& flags, const std::vector<Judgement>& r
     answers = *std::move(said);
     name = judge->name;
   } else {
-    answers = ask_geometry(flags, rooms);
+    auto said = ask_geometry(flags, rooms, console);
+    if (!said) return console.fail(said.error());
+    answers = *std::move(said);
   }
   if (const Status read = read_blend_back(flags, rooms, answers); !read) return console.fail(read.error());
   const std::string json = vlm::answers_json(answers, name, flags.options);

@@ -49,13 +49,13 @@ Result<Report> report_of(const Layout& layout, const VerifyArguments& flags) {
 }
 
 // The room as `judge` has it, for the page and for questions.
-struct Room {
+struct RoomAsked {
   std::vector<Judgement> judged;
   std::map<std::string, RoomPicture> pictures;
 };
 
-Result<Room> room_of(const Layout& layout, const Report& report, const VerifyArguments& flags) {
-  Room room;
+Result<RoomAsked> room_of(const Layout& layout, const Report& report, const VerifyArguments& flags) {
+  RoomAsked room;
   room.judged.push_back(judge_room(RoomFile{flags.layout, "layout", layout, {}}, {}, Catalog::builtin()));
   room.judged.back().report = report;
   LAYOUTBOX_ASSIGN(std::optional<RoomPicture> picture, picture_of_room(flags.layout, flags.picture));

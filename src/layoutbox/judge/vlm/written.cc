@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "layoutbox/judge/vlm/asking.h"
+#include "layoutbox/scene/layout_scene.h"
+#include "layoutbox/scene/scene_json.h"
 
 namespace layoutbox::vlm {
 namespace {
@@ -53,6 +55,14 @@ Status write_questions(std::vector<RoomQuestion>& questions, const std::string& 
     questions[number - 1].text = words;
     questions[number - 1].written = true;
   }
+  return {};
+}
+
+Status write_questions(RoomAnswers& room, const Layout& layout, chat::ChatClient& client, const JudgeOptions& options) {
+  std::vector<RoomQuestion> questions;
+  for (const AskedQuestion& asked : room.questions) questions.push_back(asked.question);
+  LAYOUTBOX_CHECK(write_questions(questions, write_scene(scene_of(layout)), client, options));
+  for (std::size_t i = 0; i < questions.size(); ++i) room.questions[i].question = std::move(questions[i]);
   return {};
 }
 

@@ -12,4 +12,7 @@ namespace layoutbox::vlm {
 Status write_questions(std::vector<RoomQuestion>& questions, const std::string& scene, chat::ChatClient& client,
                        const JudgeOptions& options);
 
+// The same of what was asked of a room.
+Status write_questions(RoomAnswers& room, const Layout& layout, chat::ChatClient& client, const JudgeOptions& options);
+
 }  // namespace layoutbox::vlm
