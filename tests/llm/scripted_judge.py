@@ -21,9 +21,12 @@ from fault_server import FaultServer, call, scripted
 from harness import BINARY
 
 
-def truths_of(folder):
-    """SHA-256 of a picture → question → is it so?, of every room with pictures; and the questions' words."""
-    done = subprocess.run([BINARY, "judge", folder / "runs", "--questions", "--json"], capture_output=True, text=True, check=True)
+def truths_of(folder, options):
+    """SHA-256 of a picture → question → is it so?, of every room with pictures."""
+    which = ("--singles", "--multis", "--question-seed")
+    numbers = [word for i, option in enumerate(options) if option in which for word in options[i : i + 2]]
+    command = [BINARY, "judge", folder / "runs", "--questions", "--json", *numbers]
+    done = subprocess.run(command, capture_output=True, text=True, check=True)
     truths = {}
     for room in json.loads(done.stdout)["rooms"]:
         for name in ("scene.png", "scene-walls.png"):
@@ -35,8 +38,8 @@ def truths_of(folder):
 
 
 class Judge(FaultServer):
-    def __init__(self, kind, folder):
-        self.kind, self.truths = kind, truths_of(folder) if kind == "sees" else {}
+    def __init__(self, kind, folder, options):
+        self.kind, self.truths = kind, truths_of(folder, options) if kind == "sees" else {}
         super().__init__([scripted(self.reply)])
 
     def reply(self, request):
@@ -60,7 +63,7 @@ class Judge(FaultServer):
 
 def main():
     kind, suite, folder = sys.argv[1], sys.argv[2], Path(sys.argv[3])
-    with tempfile.TemporaryDirectory() as cache, Judge(kind, folder) as server:
+    with tempfile.TemporaryDirectory() as cache, Judge(kind, folder, sys.argv[4:]) as server:
         env = {**os.environ, "OPENAI_BASE_URL": server.url, "OPENAI_API_KEY": "none", "XDG_CACHE_HOME": cache}
         judged = ["--vlm", "--vlm-model", f"scripted-{kind}", *sys.argv[4:]]
         return subprocess.run([BINARY, "experiment", suite, "-o", folder, *judged], env=env, check=False).returncode
