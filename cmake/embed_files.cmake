@@ -18,7 +18,11 @@ foreach(file IN LISTS FILES)
   string(APPEND values "constinit const std::string_view ${id}(${symbol}, ${size});\n")
 endforeach()
 string(APPEND header "// Every file above with its name, in that order.\nstd::span<const std::pair<std::string_view, std::string_view>> ${NAME}_files();\n")
+list(LENGTH FILES count)
+if(count EQUAL 0)
+  set(index "      {},\n")  # there are no arrays of nothing
+endif()
 string(APPEND values "std::span<const std::pair<std::string_view, std::string_view>> ${NAME}_files() {\n"
-                     "  static const std::pair<std::string_view, std::string_view> files[] = {\n${index}  };\n  return files;\n}\n")
+                     "  static const std::pair<std::string_view, std::string_view> files[] = {\n${index}  };\n  return std::span(files).first(${count});\n}\n")
 file(WRITE ${FOLDER}/${NAME}.h "${header}}  // namespace layoutbox::embedded\n")
 file(WRITE ${FOLDER}/${NAME}.cc "#include \"layoutbox/embedded/${NAME}.h\"\n${assembly}${symbols}namespace layoutbox::embedded {\n${values}}  // namespace layoutbox::embedded\n")

@@ -8,6 +8,7 @@
 #include "layoutbox/cli/commands.h"
 #include "layoutbox/cli/inputs.h"
 #include "layoutbox/cli/model_flags.h"
+#include "layoutbox/serve/page.h"
 
 namespace layoutbox::cli {
 namespace {
@@ -52,7 +53,8 @@ int run_serve(ServeArguments& flags, const Console& console) {
   options.page = flags.page.empty() ? page_beside_program() : std::filesystem::path(flags.page);
   if (const char* token = std::getenv("LAYOUTBOX_TOKEN"); token != nullptr) options.token = token;
   options.on_ready = [&](const std::string& url) {
-    if (options.page.empty()) console.warn("the page was left out of this build; the service runs without it");
+    if (options.page.empty() && !serve::page_is_embedded())
+      console.warn("the page was left out of this build; the service runs without it");
     const std::string token = options.token.empty() ? "" : " (open it once with ?token= and the token)";
     console.say(fmt::format("Layout-in-a-Box listens at {}{}; Ctrl-C ends it", url, token));
   };

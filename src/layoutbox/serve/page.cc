@@ -3,6 +3,7 @@
 #include <array>
 
 #include "layoutbox/base/files.h"
+#include "layoutbox/embedded/page.h"
 
 namespace layoutbox::serve {
 namespace {
@@ -34,7 +35,18 @@ std::string_view type_of(const std::filesystem::path& file) {
 
 }  // namespace
 
-Page::Page(std::filesystem::path folder) : folder_(std::move(folder)), files_(std::make_shared<Files>()) { start(); }
+bool page_is_embedded() { return !embedded::page_files().empty(); }
+
+Page::Page(std::filesystem::path folder) : folder_(std::move(folder)) {
+  auto files = std::make_shared<Files>();
+  if (folder_.empty()) {
+    for (const auto& [name, bytes] : embedded::page_files()) {
+      (*files)[std::string(name)] = {200, std::string(type_of(name)), std::string(bytes)};
+    }
+  }
+  files_ = std::move(files);
+  start();
+}
 
 std::shared_ptr<const Page::Files> Page::files() const {
   const std::lock_guard lock(mutex_);

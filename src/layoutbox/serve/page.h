@@ -1,4 +1,5 @@
-// The built page: a few files of one folder, kept in memory; who opens it after a new build gets the new one.
+// The built page: a few files of one folder, kept in memory; who opens it after a new build gets the new one. Without a folder: what is
+// embedded in the program.
 #pragma once
 
 #include <filesystem>
@@ -12,9 +13,12 @@
 
 namespace layoutbox::serve {
 
+// Was the page built before the program?
+bool page_is_embedded();
+
 class Page {
  public:
-  // Empty or missing: there is no page, and start() says so.
+  // Empty: the embedded page. Where there is none, start() says so.
   explicit Page(std::filesystem::path folder);
   Answer start();  // reads the folder again where a file of it has changed
   std::optional<Answer> file(const std::string& name) const;
