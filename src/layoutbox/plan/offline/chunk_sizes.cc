@@ -179,7 +179,33 @@ bool Chunker::read_rows() {
   return true;
 }
 
+// "W 100 D 60 H 200", "w: 1.2 m, d: 0.6 m": sides by their letters, at least two; in centimetres where no unit is said.
+bool Chunker::read_lettered_size() {
+  SaidSize size;
+  std::size_t at = i_, sides = 0;
+  while (at + 1 < tokens_.size() && tokens_[at].end == tokens_[at].begin + 1) {
+    const char letter = tokens_[at].text[0];  // a "w" alone was written out as "with"
+    std::optional<double>* side = letter == 'w'   ? &size.width
+                                  : letter == 'd' ? &size.depth
+                                  : letter == 'h' ? &size.height
+                                  : letter == 'l' ? &size.length
+                                                  : nullptr;
+    const std::size_t number = at + (tokens_[at + 1].text == ":" ? 2 : 1);
+    if (side == nullptr || number >= tokens_.size() || tokens_[number].kind != Token::Kind::kNumber) break;
+    const auto measure = read_measure(lexicon_, tokens_, number);
+    constexpr double kCentimetre = 0.01;
+    *side = measure ? measure->metres : tokens_[number].number * kCentimetre;
+    at = number + (measure ? measure->length : 1);
+    ++sides;
+    if (at + 1 < tokens_.size() && (tokens_[at].text == "x" || tokens_[at].text == ",") && tokens_[at + 1].text.size() == 1) ++at;
+  }
+  if (sides < 2) return false;
+  add(ChunkKind::kSize, at - i_).size = size;
+  return true;
+}
+
 bool Chunker::read_size_chunk() {
+  if (read_lettered_size()) return true;
   SaidSize size;
   if (const std::size_t taken = previous() == ChunkKind::kStop ? 0 : read_size_of(lexicon_, tokens_, i_, size); taken > 0) {
     add(ChunkKind::kSize, taken).size = size;
@@ -215,6 +241,8 @@ bool Chunker::read_size_chunk() {
     }
     break;
   }
+  constexpr double kFewestCentimetres = 30;  // "a bed (140x200)"
+  if (unit == 0 && values.size() > 1 && *std::min_element(values.begin(), values.end()) >= kFewestCentimetres) unit = 0.01;
   if (values.size() < 2 || unit == 0 || noun_goes_on(lexicon_, tokens_, at)) return false;
   // One unit at the end holds for all: "120 x 60 cm".
   std::size_t check = i_;

@@ -41,6 +41,10 @@ void Chunker::read() {
     add(ChunkKind::kIgnored, 1);
     return;
   }
+  if (opens_question() || says_enough()) {
+    add(ChunkKind::kIgnored, 1);
+    return;
+  }
   if (tokens_[i_].text == "all" && i_ + 1 < tokens_.size() && tokens_[i_ + 1].text == "around") {  // "chairs all around"
     add(ChunkKind::kIgnored, 1);
     return;
@@ -94,6 +98,21 @@ void Chunker::read() {
   read_small_word();
 }
 
+// "Would a bike fit in …", "Could two desks stand …": the question is about the thing.
+bool Chunker::opens_question() const {
+  static constexpr std::array<std::string_view, 7> kAsking = {"would", "could", "can", "will", "should", "might", "may"};
+  return (chunks_.empty() || previous() == ChunkKind::kStop) && i_ + 1 < tokens_.size() &&
+         std::find(kAsking.begin(), kAsking.end(), tokens_[i_].text) != kAsking.end() && opens_noun(tokens_[i_ + 1]) &&
+         !lexicon_.is(tokens_[i_ + 1], Class::kPronoun);
+}
+
+// "enough chairs for six": a number is yet to come.
+bool Chunker::says_enough() const {
+  if (tokens_[i_].text != "enough" || previous() == ChunkKind::kNoun || i_ + 1 >= tokens_.size()) return false;
+  const auto noun = read_noun_phrase(lexicon_, tokens_, i_ + 1, true);
+  return noun && noun->kind == NounKind::kObject && noun->exact && noun->plural;
+}
+
 // The relation phrase that begins here. "On the left" ends before "end", "wall" or "one": "on the left end of the counter".
 PhraseMatch Chunker::phrase_here() const {
   const PhraseMatch phrase = lexicon_.find_phrase(tokens_, i_);
@@ -131,25 +150,6 @@ bool Chunker::read_infinitive() {
                        lexicon_.find_phrase(tokens_, i_ + 1).length == 0;
   if (!with_it && std::find(kDoable.begin(), kDoable.end(), tokens_[i_ - 1].text) == kDoable.end()) return false;
   add(ChunkKind::kPurpose, 2);
-  return true;
-}
-
-// "I'm writing a thriller", "nobody will weigh the dog": what somebody does. "I'm building a cabin" is about the cabin.
-bool Chunker::read_doing() {
-  static constexpr std::array<std::string_view, 9> kWho = {"i", "we", "they", "he", "she", "you", "who", "nobody", "one"};
-  static constexpr std::array<std::string_view, 8> kMaking = {"building",   "making",   "creating",   "designing",
-                                                              "furnishing", "planning", "decorating", "equipping"};
-  static constexpr std::array<std::string_view, 14> kBringing = {"fit", "put",     "place", "get", "squeeze",     "store", "keep",
-                                                                 "add", "include", "find",  "see", "accommodate", "use",   "need"};
-  const auto any = [](const auto& words, const std::string& text) { return std::find(words.begin(), words.end(), text) != words.end(); };
-  if (i_ == 0 || i_ + 2 >= tokens_.size() || !any(kWho, tokens_[i_ - 1].text) || length_of(Class::kBe) != 1) return false;
-  const std::string& doing = tokens_[i_ + 1].text;
-  for (const Class placing : {Class::kParticiple, Class::kHang, Class::kHave, Class::kPlaceVerb, Class::kBe, Class::kAdverb}) {
-    if (lexicon_.is(tokens_[i_ + 1], placing)) return false;
-  }
-  const bool is = tokens_[i_].text == "am" || tokens_[i_].text == "are" || tokens_[i_].text == "is";
-  if (is ? !doing.ends_with("ing") : any(kBringing, doing) || !opens_noun(tokens_[i_ + 2])) return false;
-  add(is && any(kMaking, doing) ? ChunkKind::kCommand : ChunkKind::kPurpose, 2);
   return true;
 }
 
@@ -296,7 +296,7 @@ void Chunker::read_small_word() {
   const auto is = [&](Class word_class) {
     return std::any_of(match.meanings.begin(), match.meanings.end(), [&](const Meaning& m) { return m.word_class == word_class; });
   };
-  if (match.length > 0 && (is(Class::kVerb) || is(Class::kOwnClause))) {
+  if (match.length > 0 && (is(Class::kVerb) || is(Class::kDoer))) {
     add(ChunkKind::kPurpose, match.length);  // what such a verb says of the room is no placing
     return;
   }

@@ -1,4 +1,4 @@
-// The class behind chunk_tokens; its members stand in chunks and chunk_sizes.
+// The class behind chunk_tokens; its members stand in chunks, chunk_deeds and chunk_sizes.
 #pragma once
 
 #include <optional>
@@ -48,8 +48,15 @@ class Chunker {
   PhraseMatch phrase_here() const;
   bool noun_follows() const;
   bool thing_next(std::size_t at) const;
+  bool opens_question() const;
+  bool says_enough() const;
   bool read_infinitive();
+  // What somebody does (chunk_deeds).
+  bool follows_doer() const;
   bool read_doing();
+  bool is_placing(std::size_t at) const;
+  bool brings_in(std::size_t at) const;
+  bool is_deed(std::size_t at) const;
   bool read_noun(bool bare);
   void add_phrase(const PhraseMatch& phrase);
   // Verbs, joining words and relation phrases; the longest wins, and of equals the first of this order.
@@ -81,6 +88,7 @@ class Chunker {
   bool read_rows();
   // A size by itself: "120 cm wide", "2 m by 1 m", "(1.6 x 2.0 m)".
   bool read_size_chunk();
+  bool read_lettered_size();
   void read_small_word();
   const Lexicon& lexicon_;
   std::span<const Token> tokens_;

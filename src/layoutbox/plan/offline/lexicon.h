@@ -61,7 +61,7 @@ enum class WordClass {
   kAdverb,
   kFiller,
   kVerb,
-  kOwnClause,
+  kDoer,  // who does something: "we", "guests"
   kParticiple,
   kPlaceVerb,
   kHang,
@@ -141,6 +141,12 @@ class Lexicon {
   bool is_plural_only(std::string_view word) const { return plural_only_.contains(std::string(word)); }
   // "hang", "flank": a relation phrase that is a finite verb as it stands.
   bool is_place_verb(std::string_view word) const { return place_verbs_.contains(std::string(word)); }
+  // Whether a list of words_grammar.json that says nothing of grammar has the word: "wishing" (who does that brings something in),
+  // "closings" and "closing_leads" (of letters), "money", "name_verbs" (before a quoted name).
+  bool is_in(std::string_view list, std::string_view word) const {
+    const auto found = small_lists_.find(std::string(list));
+    return found != small_lists_.end() && found->second.contains(std::string(word));
+  }
   // What "a pair of" so called is, where it is one thing ("glasses"), or empty.
   std::string_view meant_by_pair(std::string_view word) const;
   // What a set consists of, the host first ("dining set": table, chairs), or nothing.
@@ -200,6 +206,7 @@ class Lexicon {
   std::vector<std::pair<const CatalogEntry*, const CatalogEntry*>> seats_;  // table, seat or null; special kinds first
   std::unordered_map<std::string, const CatalogEntry*> room_senses_;        // "room word"
   std::unordered_set<std::string> persons_, young_persons_, plural_only_, place_verbs_;
+  std::unordered_map<std::string, std::unordered_set<std::string>> small_lists_;  // by the list's name
   std::unordered_map<std::string, std::string> pairs_meant_;
   std::string listed_;  // all that was listed, a line each
   std::string key_;     // of the word that is listed just now

@@ -47,6 +47,11 @@ bool NounPhraseReader::read_number_word() {
   counted_ = true;
   for (std::size_t i = i_; i < i_ + best.length; ++i) paired_ |= tokens_[i].text == "pair" || tokens_[i].text == "pairs";
   i_ += best.length;
+  if (is_number && value >= 20 && value < 100 && value % 10 == 0 && more()) {  // "twenty-five"
+    const Match ones = lexicon_.find(tokens_, i_, Class::kNumber);
+    const int more_by = ones.length == 1 ? static_cast<int>(meaning_of(ones, Class::kNumber)->value) : 0;
+    if (more_by > 0 && more_by < 10) phrase_.count += more_by, i_ += 1;
+  }
   if (is_number) read_upper_end();
   return true;
 }
@@ -58,8 +63,10 @@ bool NounPhraseReader::is_no_count(const Match& best, bool is_number) const {
   if (any.length > best.length && !has(any, Class::kNumber) && !has(any, Class::kVague) && !so_many) return true;
   const bool adjective = is_number && attribute_of(any) != nullptr;
   if (adjective && any.length == best.length && counted_) return true;
-  // "two-seater", "three-legged": a compound adjective.
-  if (best.length == 1 && (hyphenated(i_ + 1) || (is_number && says_seats(i_ + 1)))) return true;
+  // "two-seater", "three-legged": a compound adjective. "Twenty-five" is none.
+  if (best.length == 1 && !lexicon_.is(tokens_[std::min(i_ + 1, tokens_.size() - 1)], Class::kNumber) &&
+      (hyphenated(i_ + 1) || (is_number && says_seats(i_ + 1))))
+    return true;
   if (doubles_noun(i_)) return true;
   // "twin", "double", "single" and "full" are adjectives of beds and sofas as well: only "dual monitors" and the like are counts.
   if (!adjective) return false;

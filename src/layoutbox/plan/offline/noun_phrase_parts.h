@@ -1,4 +1,5 @@
-// The class behind read_noun_phrase; its members stand in noun_phrase, noun_phrase_open and noun_phrase_words.
+// The class behind read_noun_phrase; its members stand in noun_phrase (what it is called), noun_phrase_open (how it opens),
+// noun_phrase_words (where it ends), noun_phrase_read (its words) and noun_phrase_head (what its head is).
 #pragma once
 
 #include <algorithm>
@@ -103,6 +104,7 @@ class NounPhraseReader {
   bool names_after_one(const Match& match) const;
   bool read_part();
   bool count_follows() const;
+  bool counts_plural(const Match& match) const;
   bool is_verb_in_name(const Match& match) const;
   bool read_compound_adjective(const Match& match);
   bool plural_at(std::size_t i) const;

@@ -4,8 +4,10 @@
 
 #include "layoutbox/base/utf8.h"
 #include "layoutbox/base/words.h"
+#include "layoutbox/plan/offline/absent.h"
 #include "layoutbox/plan/offline/forward_counts.h"
 #include "layoutbox/plan/offline/knowledge.h"
+#include "layoutbox/plan/offline/labels.h"
 #include "layoutbox/plan/offline/left_out.h"
 #include "layoutbox/plan/offline/object_size.h"
 #include "layoutbox/plan/offline/people.h"
@@ -48,15 +50,17 @@ class OfflinePlanner final : public Planner {
       return fail(ErrorCode::kGeometry, "the text asks for a room with a side of 0 m or of more than 100 m", "prompt",
                   "give a size such as 4 x 3 x 2.5 m");
     }
+    const std::vector<std::size_t> room_size_at = begins_of(document.readings, skip);
     read_seats_said(lexicon_, document, skip);
-    read_titles(document, skip);
+    read_labels(lexicon_, document, skip);
     const std::vector<WordReading> of_size = take_out(document, skip);
     document.chunks = chunk_tokens(lexicon_, document.tokens, document.stop);
     if (is_set(document.stop)) return stopped();
     settle_opening_sizes(document);
     settle_opening_walls(lexicon_, document);
+    settle_absent(lexicon_, document);
     settle_purposes(lexicon_, document);
-    settle_room_senses(lexicon_, document, begins_of(of_size));
+    settle_room_senses(lexicon_, document, room_size_at);
     settle_forward_counts(document);
     read_document(lexicon_, document);
     if (is_set(document.stop)) return stopped();
@@ -102,9 +106,11 @@ class OfflinePlanner final : public Planner {
     stop.ends_sentence = true;
   }
 
-  static std::vector<std::size_t> begins_of(const std::vector<WordReading>& readings) {
+  static std::vector<std::size_t> begins_of(const std::vector<WordReading>& readings, const std::vector<bool>& marked) {
     std::vector<std::size_t> begins;
-    for (const WordReading& reading : readings) begins.push_back(reading.begin);
+    for (std::size_t i = 0; i < readings.size(); ++i) {
+      if (marked[i]) begins.push_back(readings[i].begin);
+    }
     return begins;
   }
 

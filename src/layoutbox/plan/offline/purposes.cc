@@ -74,27 +74,7 @@ void settle_aids(const Lexicon& lexicon, Document& document) {
   }
 }
 
-bool is_quote(const Token& token) { return token.kind == Token::Kind::kPunctuation && token.text == "\""; }
-
 }  // namespace
-
-void read_titles(Document& document, std::vector<bool>& skip) {
-  constexpr std::size_t kLongest = 12, kFewest = 2;  // words
-  const std::vector<Token>& tokens = document.tokens;
-  for (std::size_t open = 0; open < tokens.size(); ++open) {
-    if (!is_quote(tokens[open])) continue;
-    std::size_t close = open + 1, capitals = 0;
-    while (close < tokens.size() && close - open <= kLongest && !is_quote(tokens[close])) capitals += tokens[close++].capital ? 1 : 0;
-    if (close >= tokens.size() || !is_quote(tokens[close])) continue;
-    if (capitals >= kFewest && 2 * capitals > close - open - 1) {
-      for (std::size_t i = open; i <= close; ++i) {
-        skip[i] = true;
-        document.readings[i].role = "a name";
-      }
-    }
-    open = close;
-  }
-}
 
 void settle_purposes(const Lexicon& lexicon, Document& document) {
   settle_activities(lexicon, document);

@@ -1,4 +1,4 @@
-// What a text says besides the room and its things: whom and what they are for, and what it is called.
+// What a text says besides the room and its things: whom and what they are for.
 #pragma once
 
 #include "layoutbox/plan/offline/document.h"
@@ -9,8 +9,5 @@ namespace layoutbox::offline {
 // furniture ends where "with" or a colon follows it, so that what comes then belongs to what has the purpose.
 // So is the wheelchair that somebody uses.
 void settle_purposes(const Lexicon& lexicon, Document& document);
-
-// "Gallery 3, \"Bronze Age Traders\"": marks quoted names of several words, most of them capitalised, in `skip`.
-void read_titles(Document& document, std::vector<bool>& skip);
 
 }  // namespace layoutbox::offline

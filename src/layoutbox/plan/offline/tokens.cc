@@ -9,11 +9,11 @@ namespace layoutbox::offline {
 namespace {
 
 // Signs outside ASCII and what they mean here.
-constexpr std::array<std::pair<std::string_view, char>, 22> kSigns = {{
-    {"\u2018", '\''}, {"\u2019", '\''}, {"\u02BC", '\''}, {"\u201C", '"'}, {"\u201D", '"'}, {"\u2032", '\''},
-    {"\u2033", '"'},  {"\u2013", '-'},  {"\u2014", ','},  {"\u2010", '-'}, {"\u2011", '-'}, {"\u2212", '-'},
-    {"\u00D7", 'x'},  {"\u2715", 'x'},  {"\u2A2F", 'x'},  {"\u2026", '.'}, {"\u00A0", ' '}, {"\u202F", ' '},
-    {"\u2009", ' '},  {"\u2022", ';'},  {"\u00BD", 'h'},  {"\u00B2", '2'},
+constexpr std::array<std::pair<std::string_view, char>, 25> kSigns = {{
+    {"\u2018", '\''}, {"\u2019", '\''}, {"\u02BC", '\''}, {"\u201C", '"'}, {"\u201D", '"'}, {"\u2032", '\''}, {"\u2033", '"'},
+    {"\u2013", '-'},  {"\u2014", ','},  {"\u2010", '-'},  {"\u2011", '-'}, {"\u2212", '-'}, {"\u00D7", 'x'},  {"\u2715", 'x'},
+    {"\u2A2F", 'x'},  {"\u2026", '.'},  {"\u00A0", ' '},  {"\u202F", ' '}, {"\u2009", ' '}, {"\u2022", ';'},  {"\u00BD", 'h'},
+    {"\u00B2", '2'},  {"\u00A3", '$'},  {"\u20AC", '$'},  {"\u00A5", '$'},
 }};
 
 // Letters with accents, folded to plain ones.
@@ -262,15 +262,19 @@ class Tokenizer {
       at_ += letter.size;
     }
     finish_word(token);
-    if (stands_for_one(token.text)) token.text = "one";
-    if (token.text == "round" && !tokens_.empty() && tokens_.back().text == "all") token.text = "around";  // "chairs all round"
+    if (stands_for_one(token.text)) token.text = tokens_.empty() || tokens_.back().text != "one" ? "one" : "else";  // "one mine, one hers"
+    if (token.text == "round" && !tokens_.empty() && tokens_.back().text == "all") token.text = "around";           // "chairs all round"
   }
 
   // "…, mine has a lamp", "his chair on the left and hers on the right": one of what was named. Not "a gold mine", "a friend of mine".
   bool stands_for_one(std::string_view word) const {
     static constexpr std::string_view kWhose[] = {"mine", "ours", "yours", "hers", "theirs"};
-    const bool opens = tokens_.empty() || tokens_.back().kind == Token::Kind::kPunctuation || tokens_.back().text == "and";
-    return opens && std::find(std::begin(kWhose), std::end(kWhose), word) != std::end(kWhose);
+    if (std::find(std::begin(kWhose), std::end(kWhose), word) == std::end(kWhose)) return false;
+    if (tokens_.empty() || tokens_.back().kind == Token::Kind::kPunctuation) return true;
+    static constexpr std::string_view kBefore[] = {"and",     "one",     "by",   "from", "to",    "opposite", "beside", "behind", "near",
+                                                   "beneath", "between", "with", "than", "above", "below",    "under",  "against"};
+    const std::string& before = tokens_.back().text;
+    return before.ends_with("ing") || std::find(std::begin(kBefore), std::end(kBefore), before) != std::end(kBefore);
   }
 
   // Neither letter nor digit. Whether it makes a token of its own.

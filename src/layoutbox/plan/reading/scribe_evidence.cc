@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "layoutbox/plan/offline/english.h"
+#include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/reading/scribe.h"
 
 namespace layoutbox::offline {
@@ -43,6 +44,8 @@ bool Scribe::is_listed(int u) const {
 // An animal, which may be spoken of without being part of the room; a toy or a statue of one is a thing.
 bool Scribe::is_living(const NounPhrase& noun) const {
   if (noun.entry != nullptr && lexicon_.catalog().is_a(noun.entry->id, "pet")) return true;
+  const bool farm = noun.entry != nullptr && one_of(noun.entry->id, {"bird", "horse", "cow", "sheep", "hen"});
+  if (farm && noun.name == noun.head && noun_form(noun.head) == WordForm::kBody) return true;
   return !noun.exact && noun_form(noun.head) == WordForm::kBody && noun.attributes.empty() && noun.name == noun.head;
 }
 
@@ -50,6 +53,9 @@ bool Scribe::is_evident(int u) const {
   const NounPhrase& noun = chunk(u).noun;
   const bool living = is_living(noun);
   const UnitReading& own = reading(u);
+  // "my parrot lives in the cage", "the dog sleeps under it": whose animal it is comes and goes. "The dog by the stove" lies there.
+  const bool owned = noun.determiner == Determiner::kDefinite || noun.determiner == Determiner::kPossessive;
+  if (living && owned && noun.kind == NounKind::kObject && own.role == NounRole::kRoot && tells_more()) return false;
   // "the belly of a whale": what a part is of, where nothing is placed by it.
   if (noun.kind != NounKind::kObject) return own.role != NounRole::kRoot || own.placed || noun.kind == NounKind::kMember;
   if ((noun.exact && !living) || own.role != NounRole::kRoot || own.placed || own.predicate >= 0) return true;

@@ -38,7 +38,7 @@ bool UnitReader::is_person(std::size_t k) const {
     return (who.noun.kind == NounKind::kPronoun && one_of(token.text, {"they", "them", "him"})) ||
            (who.noun.entry == nullptr && (word_form(who.noun.head) == WordForm::kPerson ||
                                           (lexicon_.is_person(who.noun.head) && !one_of(who.noun.head, {"seat", "place"}))));
-  return lexicon_.is(token, WordClass::kOwnClause) || one_of(token.text, {"i", "we", "nobody", "no"});
+  return lexicon_.is(token, WordClass::kDoer) || token.text == "no";
 }
 
 // Whether the chunks [first, last) say that something is somewhere, or that it is there.
@@ -82,24 +82,35 @@ bool UnitReader::passes_aside(std::size_t k) {
   return true;
 }
 
-// "We record podcasts.", "I bake bread for the village.": what somebody does with nothing that is counted or stands anywhere. After the
-// pronoun alone at k (what is wanted, kept or put is read with it) comes a verb, whatever the lists take it for.
-bool UnitReader::passes_doing(std::size_t k) {
-  static constexpr std::string_view kWho[] = {"i", "we", "they", "he", "she"};
-  const bool who = chunk(k).last == chunk(k).first + 1 && std::ranges::find(kWho, document_.tokens[chunk(k).first].text) != std::end(kWho);
-  if (!who || !units_.empty() || skipping_ || (!is(k + 1, ChunkKind::kNoun) && !is(k + 1, ChunkKind::kUnknown))) return false;
-  std::size_t end = k + 1;
-  for (; end < document_.chunks.size() && !is(end, ChunkKind::kStop); ++end) {
-    const bool told = is(end, ChunkKind::kNoun)
-                          ? chunk(end).noun.determiner == Determiner::kNone && chunk(end).noun.count == 0
-                          : is(end, ChunkKind::kUnknown) || is(end, ChunkKind::kIgnored) || is(end, ChunkKind::kPurpose) ||
-                                is(end, ChunkKind::kAnd) || is(end, ChunkKind::kComma);
-    if (is(end, ChunkKind::kPurpose)) end = clause_end(end) - 1;
-    if (!told) return false;
+// "he repairs watches at a workbench": where it is done is there.
+bool UnitReader::does_it_there(std::size_t k) const {
+  const std::size_t n = next(k);
+  if (!doing_ || !is(n, ChunkKind::kNoun) || chunk(k).phrase.length > 2) return false;
+  const NounPhrase& noun = chunk(n).noun;
+  if (noun.kind != NounKind::kObject || !noun.exact || (noun.determiner == Determiner::kNone && noun.count == 0)) return false;
+  return noun.entry->mount == Mount::kFloor && !lexicon_.catalog().is_a(noun.entry->id, "pet") &&
+         has_direction(*chunk(k).phrase.senses, Direction::kDirect);
+}
+
+// A known kind of thing, not what is done to it or with it.
+bool UnitReader::names_thing(std::size_t k) const {
+  return is(k, ChunkKind::kNoun) && chunk(k).noun.kind == NounKind::kObject && chunk(k).noun.exact;
+}
+
+// "Portraits are taken in this studio", "Shoes are repaired here": what is done in the room, no thing in it.
+bool UnitReader::is_done_here(std::size_t k) const {
+  const NounPhrase& noun = chunk(k).noun;
+  const std::size_t be = noun.last;
+  if (noun.kind != NounKind::kObject || noun.determiner != Determiner::kNone || noun.count > 0 || !noun.plural || !units_.empty() ||
+      be + 2 >= document_.tokens.size() || !lexicon_.is(document_.tokens[be], WordClass::kBe))
+    return false;
+  const Token& done = document_.tokens[be + 1];
+  if (lexicon_.is(done, WordClass::kParticiple) || lexicon_.is(done, WordClass::kHang) || lexicon_.is(done, WordClass::kHave)) return false;
+  if (document_.tokens[be + 2].text == "here") return true;
+  for (std::size_t c = k + 1; c < document_.chunks.size() && !is(c, ChunkKind::kStop) && !is(c, ChunkKind::kComma); ++c) {
+    if (is(c, ChunkKind::kNoun)) return chunk(c).noun.kind == NounKind::kRoom && chunk(c).noun.determiner == Determiner::kDefinite;
   }
-  for (std::size_t c = k; c < end; ++c) mark(c, Use::kIgnored, "told by the way");
-  passed_until_ = end;
-  return true;
+  return false;
 }
 
 // The unit that the noun at k is said to be: "my flat is a …", "it's a …"; past the end if there is none.
@@ -133,7 +144,7 @@ bool UnitReader::is_said_of_subject(std::size_t k) {
   const std::size_t n = next(k);
   const bool listed = is(n, ChunkKind::kComma) || is(n, ChunkKind::kAnd);
   if (what.kind == NounKind::kRoom || what.kind == NounKind::kOutsideRoom || (what.kind == NounKind::kPronoun && what.head == "it"))
-    return !(noun.exact && listed && document_.rooms.empty());
+    return !(noun.exact && (noun.count > 1 || (listed && document_.rooms.empty())));  // "it's eight washers down one wall"
   // "the centerpiece is a piano" names the piano, and so does "the furniture is a piano".
   if (what.kind != NounKind::kObject || !what.exact || (noun.count > 1 && !what.plural)) return false;
   const bool generic = one_of(what.head, {"furniture", "object", "item", "piece", "seating", "storage", "decoration"});
@@ -237,12 +248,11 @@ bool UnitReader::inverts(std::size_t k) const {
 // "Items on the shelf: a clock, a vase": no things, but what announces them.
 bool UnitReader::announces_things(std::size_t k) const {
   const NounPhrase& noun = chunk(k).noun;
-  const bool things = noun.kind == NounKind::kObject && noun.plural && (is_collective(noun.head) || noun.head == "thing");
-  // "Dressing on the desk: typewriter, telephone"
-  const bool heading = !noun.exact && !noun.plural && is(next(k), ChunkKind::kRelation) &&
-                       (noun.kind == NounKind::kAbstract || (noun.kind == NounKind::kObject && noun.entry == nullptr));
-  if (!(things || heading) || noun.count > 0 || noun.determiner != Determiner::kNone || !units_.empty() || noun.name != noun.head)
+  if (noun.kind != NounKind::kObject || noun.count > 0 || noun.determiner != Determiner::kNone || !units_.empty() || noun.name != noun.head)
     return false;
+  if (one_of(noun.head, {"decor", "decoration", "furniture", "storage", "seating", "lighting"}) && is(next(k), ChunkKind::kStop))
+    return true;
+  if (!noun.plural || !(is_collective(noun.head) || noun.head == "thing")) return false;
   for (std::size_t c = k + 1; c < document_.chunks.size() && !is(c, ChunkKind::kStop); ++c) {
     if (document_.tokens[chunk(c).first].text == ":") return true;
   }

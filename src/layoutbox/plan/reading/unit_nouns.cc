@@ -285,6 +285,11 @@ void UnitReader::read_noun(std::size_t k) {
     mark(k, Use::kIgnored, "no object");
     return;
   }
+  if (is_done_here(k)) {
+    passed_until_ = clause_end(k);
+    for (std::size_t c = k; c < passed_until_; ++c) mark(c, Use::kIgnored, "told by the way");
+    return;
+  }
   // "instead of a bathtub a shower": what stands beside what is not wanted.
   if (negated_ && joiner_ == Joiner::kNone && k > 0 && is(k - 1, ChunkKind::kNoun) && noun.determiner == Determiner::kIndefinite)
     negated_ = false;

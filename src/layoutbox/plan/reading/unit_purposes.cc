@@ -101,8 +101,11 @@ bool UnitReader::place_after_purpose(std::size_t k) const {
 bool UnitReader::follows_whom(std::size_t k) const {
   const std::size_t p = previous(k), n = next(k), host = last_noun();
   if (!is(p, ChunkKind::kNoun) || !is(previous(p), ChunkKind::kPurpose) || !is(n, ChunkKind::kNoun)) return false;
-  if (document_.tokens[chunk(previous(p)).last - 1].text != "for") return false;
+  const std::string& word = document_.tokens[chunk(previous(p)).last - 1].text;
   const NounPhrase &whom = chunk(p).noun, &by = chunk(n).noun;
+  // "a lamp shaped like a mushroom on a table": where the lamp is
+  if (word == "like" && host < document_.chunks.size() && names_thing(host) && names_thing(n)) return true;
+  if (word != "for") return false;
   const bool part_of_room =
       by.kind == NounKind::kWall || by.kind == NounKind::kWindow || by.kind == NounKind::kDoor || by.kind == NounKind::kCorner;
   if (lexicon_.is_person(whom.head) || word_form(whom.head) == WordForm::kPerson) return part_of_room || by.kind == NounKind::kObject;
@@ -204,6 +207,13 @@ bool UnitReader::passes_count(std::size_t k) {
   const NounPhrase& noun = chunk(n).noun;
   const bool persons = noun.kind == NounKind::kMember || lexicon_.is_person(noun.head);
   const std::size_t before = last_noun();
+  if (persons && is_enough(before)) {  // "enough chairs for six"
+    document_.chunks[before].noun.count = noun.count;
+    mark(k, Use::kUsed, "for how many");
+    mark(n, Use::kUsed, "for how many");
+    passed_over_ = n;
+    return true;
+  }
   const bool room = before >= document_.chunks.size() || chunk(before).noun.kind == NounKind::kRoom;
   if (!persons || (!room && !is_table(lexicon_.catalog(), chunk(before).noun))) return false;
   if (room) {
@@ -216,6 +226,13 @@ bool UnitReader::passes_count(std::size_t k) {
   mark(n, Use::kUsed, "for how many");
   passed_over_ = n;
   return true;
+}
+
+// "enough chairs", not counted yet
+bool UnitReader::is_enough(std::size_t k) const {
+  if (k >= document_.chunks.size() || chunk(k).first == 0 || !names_thing(k)) return false;
+  const NounPhrase& noun = chunk(k).noun;
+  return noun.plural && noun.count == 0 && document_.tokens[chunk(k).first - 1].text == "enough";
 }
 
 // "a table for six" has six seats; "desks for 24 students" are 24, "tables for forty guests" ten.

@@ -41,6 +41,7 @@ class UnitReader {
   bool passes_placer(std::size_t k);
   bool reads_as_verb(std::size_t k) const;
   bool passes_count(std::size_t k);
+  bool is_enough(std::size_t k) const;
   bool passes_role(std::size_t k);
   bool brings_for_each(std::size_t k);
   void seat_so_many(NounPhrase& tables, int people) const;
@@ -52,7 +53,9 @@ class UnitReader {
   bool is_person(std::size_t k) const;
   bool says_what_is_there(std::size_t first, std::size_t last) const;
   bool passes_aside(std::size_t k);
-  bool passes_doing(std::size_t k);
+  bool does_it_there(std::size_t k) const;
+  bool names_thing(std::size_t k) const;
+  bool is_done_here(std::size_t k) const;
   std::size_t subject_of_being(std::size_t k) const;
   bool is_said_of_subject(std::size_t k);
   bool is_named_before(std::size_t k, std::string_view head) const;

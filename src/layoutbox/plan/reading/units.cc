@@ -98,9 +98,9 @@ void UnitReader::read(std::size_t k) {
     case ChunkKind::kPurpose: read_purpose(k); break;
     case ChunkKind::kThere:
     case ChunkKind::kCommand:
-      if (passes_keeper(k) || passes_doing(k)) break;
+      if (passes_keeper(k)) break;
       mark(k, Use::kIgnored, "opens a statement");
-      skipping_ = false;
+      skipping_ = negated_ = false;  // "instead of chairs there are benches"
       add(UnitKind::kOpen, k);
       break;
     case ChunkKind::kRelative:
@@ -132,7 +132,8 @@ void UnitReader::read_break(std::size_t k) {
   const bool comma = is(k, ChunkKind::kComma);
   mark(k, Use::kIgnored, comma ? "" : "joins");
   const std::size_t n = next(k);
-  if (skipping_ && !is(n, ChunkKind::kAnd) && purpose_ends(k, n)) skipping_ = false;
+  const bool after_comma = !comma && is(previous(k), ChunkKind::kComma);  // "…, and the chair": as after the comma
+  if (skipping_ && !is(n, ChunkKind::kAnd) && purpose_ends(after_comma && names_thing(n) ? previous(k) : k, n)) skipping_ = false;
   if (negated_) {
     const bool more = is(n, ChunkKind::kNoun) && chunk(n).noun.determiner == Determiner::kNone && chunk(n).noun.count == 0;
     if (!more || (document_.tokens[chunk(k).first].text == ":" && is(previous(k), ChunkKind::kNoun))) negated_ = false;
@@ -145,6 +146,12 @@ void UnitReader::read_break(std::size_t k) {
 
 void UnitReader::read_place(std::size_t k) {
   if (skipping_ && (place_after_purpose(k) || follows_whom(k))) skipping_ = false;
+  if (skipping_ && does_it_there(k)) {
+    mark(k, Use::kIgnored, "told by the way");
+    skipping_ = false;
+    add(UnitKind::kOpen, k);
+    return;
+  }
   if (skipping_) {
     mark(k, Use::kIgnored, "purpose");
     return;

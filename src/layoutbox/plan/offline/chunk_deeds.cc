@@ -1,0 +1,68 @@
+// What somebody does: "we teach the violin", "I'm writing a thriller". No thing of the room comes of it; where it is done, the units read.
+#include <algorithm>
+#include <array>
+
+#include "layoutbox/plan/offline/chunks_parts.h"
+#include "layoutbox/plan/offline/english.h"
+
+namespace layoutbox::offline {
+
+using Class = WordClass;
+
+// Who does something stands right before, alone: "we", "they also".
+bool Chunker::follows_doer() const {
+  if (telling_ >= chunks_.size()) return false;
+  const Chunk& who = chunks_[telling_];
+  return who.last == who.first + 1 && lexicon_.is(tokens_[who.first], Class::kDoer);
+}
+
+// "I'm writing a thriller", "nobody will weigh the dog". "I'm building a cabin" is about the cabin.
+bool Chunker::read_doing() {
+  static constexpr std::array<std::string_view, 8> kMaking = {"building",   "making",   "creating",   "designing",
+                                                              "furnishing", "planning", "decorating", "equipping"};
+  if (!follows_doer()) return false;
+  if (is_deed(i_)) {
+    add(ChunkKind::kPurpose, 1);
+    return true;
+  }
+  if (i_ + 2 >= tokens_.size() || length_of(Class::kBe) != 1 || is_placing(i_ + 1)) return false;
+  const std::string& doing = tokens_[i_ + 1].text;
+  const bool is = tokens_[i_].text == "am" || tokens_[i_].text == "are" || tokens_[i_].text == "is";
+  if (is ? !doing.ends_with("ing") : brings_in(i_ + 1) || !opens_noun(tokens_[i_ + 2])) return false;
+  const bool making = is && std::find(kMaking.begin(), kMaking.end(), doing) != kMaking.end();
+  add(making ? ChunkKind::kCommand : ChunkKind::kPurpose, 2);
+  return true;
+}
+
+// A verb that says where something is or that it is there.
+bool Chunker::is_placing(std::size_t at) const {
+  constexpr std::array kPlacing = {Class::kParticiple, Class::kHang, Class::kHave, Class::kPlaceVerb, Class::kBe, Class::kAdverb};
+  return std::any_of(kPlacing.begin(), kPlacing.end(), [&](Class placing) { return lexicon_.is(tokens_[at], placing); });
+}
+
+// What is wanted, kept or put somewhere.
+bool Chunker::brings_in(std::size_t at) const {
+  return lexicon_.is(tokens_[at], Class::kCommand) || lexicon_.is_in("wishing", tokens_[at].text);
+}
+
+// The word right after who does it is the verb, whatever it is elsewhere ("we host", "I record"). In the past tense, and of a new thing
+// that stands on the floor, it may as well say what is there: "we bought a sofa", "I fancy a big bed".
+bool Chunker::is_deed(std::size_t at) const {
+  const std::string& who = tokens_[chunks_[telling_].first].text;
+  const Token& verb = tokens_[at];
+  if (verb.kind != Token::Kind::kWord || at + 1 >= tokens_.size() || opens_noun(verb) || brings_in(at) || is_placing(at) ||
+      lexicon_.find(tokens_, at, Class::kThere).length > 0 || lexicon_.find_phrase(tokens_, at).length > 0 || !is_english(verb.text))
+    return false;
+  if (lexicon_.find(tokens_, at, Class::kWithout).length > 0) return false;              // "plants I do not want"
+  if (who != "i" && who != "we" && lexicon_.find(tokens_, at).length > 0) return false;  // "they face", "you find"
+  const bool third = who == "he" || who == "she";
+  if (verb.text.ends_with("ed") || verb.text.ends_with("ing") || (third && !verb.text.ends_with("s"))) return false;
+  const WordForm form = word_form(verb.text);
+  if (form == WordForm::kAdverb || form == WordForm::kAdjective) return false;
+  const auto object = read_noun_phrase(lexicon_, tokens_, at + 1, false);
+  const bool anew = object && object->kind == NounKind::kObject && object->exact && object->entry->mount != Mount::kSurface &&
+                    (object->determiner == Determiner::kIndefinite || object->determiner == Determiner::kAnother || object->count > 0);
+  return !anew;
+}
+
+}  // namespace layoutbox::offline

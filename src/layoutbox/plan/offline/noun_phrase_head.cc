@@ -1,0 +1,263 @@
+// Which word of a noun phrase is its head, and whether that is a thing.
+#include <algorithm>
+
+#include "layoutbox/base/words.h"
+#include "layoutbox/catalog/kin.h"
+#include "layoutbox/plan/offline/english.h"
+#include "layoutbox/plan/offline/noun_phrase_parts.h"
+
+namespace layoutbox::offline {
+
+using Class = WordClass;
+
+// "an owl", "a cross"; no "leading", no "ride" of "ride-on".
+bool NounPhraseReader::is_thing_where_named(const Part& part) const {
+  const std::string& word = tokens_[part.last - 1].text;
+  if (word.ends_with("ing") || word.ends_with("ed") || hyphenated(part.last)) return false;
+  const WordForm noun = noun_form(word);
+  return noun == WordForm::kBody || noun == WordForm::kThing;
+}
+
+bool NounPhraseReader::is_thing(const Part& part) const {
+  const WordForm form = word_form(tokens_[part.last - 1].text);
+  return form == WordForm::kThing || form == WordForm::kBody;
+}
+
+bool NounPhraseReader::has_attribute(Class word_class) const {
+  return std::find(phrase_.attribute_classes.begin(), phrase_.attribute_classes.end(), word_class) != phrase_.attribute_classes.end();
+}
+
+// "wooden mandir", "red zafu": a word that nobody knows, but what it looks like.
+bool NounPhraseReader::is_bodily_described() const {
+  return has_attribute(Class::kMaterial) || has_attribute(Class::kColor) || has_attribute(Class::kShape) || has_attribute(Class::kSizeWord);
+}
+
+// "two blue cases", "a game case", "a metal case"; a plain "case" is none.
+bool NounPhraseReader::is_rare_thing(const Part& part, std::size_t head) const {
+  const std::string& word = tokens_[part.last - 1].text;
+  if (word.ends_with("ing") || word.ends_with("ed") || noun_form(word) != WordForm::kRarelyThing) return false;
+  const bool counted = counted_ && !phrase_.vague && phrase_.count > 1;
+  const bool compound = is_compound(head);
+  return counted || compound || has_attribute(Class::kColor) || has_attribute(Class::kMaterial);
+}
+
+// "a kettlebell set", "a first aid kit": the things themselves, as one.
+void NounPhraseReader::join_set(std::size_t& head) {
+  static constexpr std::string_view kSets[] = {"set", "kit", "collection", "ensemble", "stack", "pile", "bundle"};
+  if (head < 2) return;
+  const Part& last = parts_[head - 1];
+  Part& thing = parts_[head - 2];
+  if (thing.word_class != Class::kObject || thing.last != last.first || thing.last + 1 != last.last || last.word_class == Class::kObject ||
+      lexicon_.set_of(text_of(tokens_, thing.first, last.last)) != nullptr)
+    return;
+  const std::string word = singular_of(tokens_[last.first].text);
+  if (std::find(std::begin(kSets), std::end(kSets), word) == std::end(kSets)) return;
+  thing.last = last.last;
+  thing.plural = last.plural;
+  parts_.erase(parts_.begin() + static_cast<std::ptrdiff_t>(head) - 1);
+  --head;
+}
+
+// Whether the part at `head` follows right after a noun: "cipher wheel", "eyewash station".
+bool NounPhraseReader::is_compound(std::size_t head) const {
+  if (head == 0 || parts_[head - 1].last != parts_[head].first) return false;
+  const Part& before = parts_[head - 1];
+  const std::string& word = tokens_[before.last - 1].text;
+  if (before.word_class == Class::kObject || before.word_class == Class::kZone) return !before.plural;
+  if (before.word_class != Class::kFiller || word.ends_with("ing") || word.ends_with("ed")) return false;
+  const WordForm form = word_form(word);
+  return is_noun(form) || form == WordForm::kUnknown;
+}
+
+// "a plush", "miniature", "toy" something
+bool NounPhraseReader::is_modeled(std::size_t head) const {
+  return std::any_of(parts_.begin(), parts_.begin() + static_cast<std::ptrdiff_t>(head),
+                     [&](const Part& p) { return p.last == p.first + 1 && is_kin_modifier(tokens_[p.first].text); });
+}
+
+// "a miniature station", "plush animals", "a toy garage", "eyewash station": a thing, though the last word alone is none.
+bool NounPhraseReader::is_thing_by_name(std::size_t head) const {
+  const Part& part = parts_[head];
+  const std::string& word = tokens_[part.last - 1].text;
+  const bool station = part.word_class == Class::kZone && singular_of(word) == "station";
+  if (station && is_compound(head)) return true;
+  if (!is_modeled(head)) return false;
+  constexpr std::size_t kOpening = 3;  // "a miniature house with …" is what the text is about
+  if (part.word_class == Class::kRoom || part.word_class == Class::kRoomNoun) return phrase_.first >= kOpening && is_compound(head);
+  return station || (part.word_class == Class::kAbstract && is_thing_where_named(part));
+}
+
+// The head is the last noun; words after it that are not nouns were read too far.
+void NounPhraseReader::find_head(std::size_t& head) {
+  for (head = parts_.size(); head > 0; --head) {
+    Part& part = parts_[head - 1];
+    if (!is_attribute_class(part.word_class) && part.word_class != Class::kWallWord && part.word_class != Class::kWallRelation) return;
+    // "a climbing cube", "two wooden spheres"
+    const bool shape = part.word_class == Class::kShape && head == parts_.size() && is_noun(word_form(tokens_[part.last - 1].text));
+    if (shape && is_named() && !(part.first > 0 && tokens_[part.first - 1].text == "all") &&
+        (head == 1 || parts_[head - 2].last == part.first)) {
+      part.word_class = Class::kFiller;
+      part.plural = plural_at(part.last - 1);
+      shaped_ = true;
+      return;
+    }
+  }
+  if (parts_.empty()) return;
+  Part& last = parts_.back();  // "a family": an adjective that is a noun as well
+  const Match match = lexicon_.find(tokens_.first(last.last), last.first);
+  if (last.word_class != Class::kQuality || meaning_of(match, Class::kAbstract) == nullptr || phrase_.determiner != Determiner::kIndefinite)
+    return;
+  last.word_class = Class::kAbstract;
+  head = parts_.size();
+}
+
+// "the left one", "a smaller one"
+NounPhrase NounPhraseReader::settle_member() {
+  for (const Part& part : parts_) {
+    if (part.word_class != Class::kFiller) continue;
+    phrase_.attributes.push_back(text_of(tokens_, part.first, part.last));
+    phrase_.attribute_classes.push_back(Class::kQuality);
+  }
+  take_attributes(parts_.size());
+  phrase_.last = i_;
+  return phrase_;
+}
+
+// Nothing but attributes: "each", "the other", "both", "the larger", a count alone.
+std::optional<NounPhrase> NounPhraseReader::settle_without_head() {
+  // "its twin": another one.
+  if (phrase_.determiner == Determiner::kPossessive && i_ > phrase_.first + 1 && tokens_[i_ - 1].text == "twin") {
+    phrase_.kind = NounKind::kMember;
+    phrase_.determiner = Determiner::kAnother;
+    phrase_.count = 0;
+    phrase_.attributes.clear();
+    phrase_.attribute_classes.clear();
+    return finish();
+  }
+  const bool member = phrase_.determiner == Determiner::kEach || phrase_.determiner == Determiner::kBoth ||
+                      phrase_.determiner == Determiner::kOther || phrase_.determiner == Determiner::kAnother || counted_ ||
+                      phrase_.ordinal != 0;
+  if (!member || (bare_ && !counted_ && phrase_.determiner == Determiner::kNone)) return std::nullopt;
+  if (!parts_.empty()) i_ = parts_.front().first;
+  phrase_.kind = NounKind::kMember;
+  return finish();
+}
+
+// "a bear guards a safe": one bear, and what it does. "The party shoulders open the door."
+bool NounPhraseReader::ends_in_verb(std::size_t head) const {
+  const bool definite = phrase_.determiner == Determiner::kDefinite || phrase_.determiner == Determiner::kPossessive;
+  if (head < 2 || (phrase_.determiner != Determiner::kIndefinite && !definite) || phrase_.count != 0) return false;
+  const Part &last = parts_[head - 1], &before = parts_[head - 2];
+  if (!last.plural || before.plural || (last.word_class != Class::kFiller && !opens_at(last.last))) return false;
+  if (definite) {
+    const bool particle = last.last < tokens_.size() && lexicon_.is(tokens_[last.last], Class::kVerb);
+    const std::size_t object = last.last + (particle ? 1 : 0);
+    const bool whose =
+        object < tokens_.size() && (lexicon_.is(tokens_[object], Class::kEach) || lexicon_.is(tokens_[object], Class::kPossessive));
+    return last.last - last.first == 1 && (opens_at(object) || whose);
+  }
+  return before.word_class == Class::kObject || (before.word_class == Class::kFiller && is_thing(before));
+}
+
+// "in Naples", "from Brazil": a name in the middle of a sentence, after what is said of places.
+bool NounPhraseReader::is_place_name(const Part& part, std::size_t head) const {
+  static constexpr std::string_view kBefore[] = {"in", "from", "near", "at", "to", "of", "like", "outside", "across"};
+  if (head > 0 || part.first == 0 || phrase_.first != part.first || !tokens_[part.first].capital) return false;
+  const Token& before = tokens_[part.first - 1];
+  const bool small = std::ranges::any_of(tokens_, [](const Token& t) { return t.kind == Token::Kind::kWord && !t.capital; });
+  return small && !before.capital && std::find(std::begin(kBefore), std::end(kBefore), before.text) != std::end(kBefore);
+}
+
+// A head that no list has; false where it is no noun phrase at all.
+bool NounPhraseReader::settle_filler(std::size_t head) {
+  const Part part = parts_[head];
+  const std::string& word = tokens_[part.last - 1].text;
+  const WordForm form = word_form(word), noun = noun_form(word);
+  const bool named = phrase_.determiner != Determiner::kNone || counted_;
+  take_attributes(head);
+  const bool ends = !more() || token().kind == Token::Kind::kPunctuation || lexicon_.is(token(), Class::kAnd) ||
+                    lexicon_.find_phrase(tokens_, i_).length > 0;
+  const bool listed = !named && part.plural && ends &&  // "hooks on the wall", "with ribbon rolls and …"
+                      (head == 0 ? noun == WordForm::kThing : is_compound(head) && (is_noun(noun) && noun != WordForm::kNoun));
+  const bool thing = form == WordForm::kThing || (form == WordForm::kUnknown && (named || part.plural || is_bodily_described())) ||
+                     (hyphenated(part.first) && !is_noun(form)) || (form == WordForm::kBody && part.plural && head == 0) ||
+                     (named && (is_thing_where_named(part) || is_rare_thing(part, head) || (is_modeled(head) && is_compound(head)))) ||
+                     listed || shaped_;
+  const bool made = form != WordForm::kAdverb && form != WordForm::kAdjective && named && has_attribute(Class::kMaterial);
+  const bool place = !named && is_place_name(part, head);
+  if (!thing && !named && !is_noun(form)) return false;
+  settle_object(part, head);
+  if (place) {
+    phrase_.kind = NounKind::kAbstract;
+  } else if (!thing && (!made || form == WordForm::kPerson)) {
+    phrase_.kind = NounKind::kAbstract;
+    phrase_.doubted = true;
+  }
+  return true;
+}
+
+// A head that stands in the lists of places, rooms and parts.
+void NounPhraseReader::settle_listed(std::size_t head) {
+  const Part part = parts_[head];
+  const Part as_thing{part.first, part.last, Class::kFiller, {Class::kFiller, nullptr, nullptr, 0, {}}, part.plural};
+  const bool thing = is_thing_by_name(head);
+  take_attributes(head);
+  if (thing) return settle_object(as_thing, head);
+  const bool new_here = counted_ || part.plural || phrase_.determiner == Determiner::kIndefinite;
+  if (part.word_class == Class::kPart && new_here && (part.meaning.entry != nullptr || is_compound(head))) {
+    const NounPhrase opened = phrase_;
+    settle_object(part.meaning.entry != nullptr ? part : as_thing, head);
+    auto object = std::make_shared<NounPhrase>(phrase_);
+    object->last = i_;
+    phrase_ = opened;
+    phrase_.as_object = std::move(object);
+  }
+  settle_place(part);
+  // "bath essentials", "decorative items": things, where something holds them.
+  if (phrase_.kind == NounKind::kAbstract && is_collective(phrase_.head)) {
+    settle_object(as_thing, head);
+    phrase_.kind = NounKind::kAbstract;
+    phrase_.collective = true;
+  }
+}
+
+std::optional<NounPhrase> NounPhraseReader::settle() {
+  if (done_) return settle_member();
+  std::size_t head = 0;
+  find_head(head);
+  if (head == 0) return settle_without_head();
+  if (ends_in_verb(head)) --head;
+  join_set(head);
+  const Part part = parts_[head - 1];
+  i_ = part.last;
+  if (part.word_class == Class::kFiller) {
+    if (!settle_filler(head - 1)) return std::nullopt;
+  } else if (part.word_class == Class::kObject) {
+    take_attributes(head - 1);
+    settle_object(part, head - 1);
+  } else {
+    settle_listed(head - 1);
+  }
+  if (phrase_.kind == NounKind::kWall && phrase_.wall_word.empty() && more()) {  // "wall east"
+    const Match which = lexicon_.find(tokens_, i_, Class::kWallWord);
+    const std::size_t after = i_ + which.length;
+    if (which.length > 0 && (after >= tokens_.size() || tokens_[after].kind == Token::Kind::kPunctuation)) {
+      phrase_.wall_word = meaning_of(which, Class::kWallWord)->word;
+      i_ = after;
+    }
+  }
+  if (count_follows()) {
+    if (phrase_.count == 0) phrase_.count = static_cast<int>(std::clamp(tokens_[i_ + 1].number, 0.0, 1000.0));
+    i_ += 2;
+  }
+  read_of();
+  if (more() && token().text == "'s") phrase_.owner = true;
+  return finish();
+}
+
+std::optional<NounPhrase> read_noun_phrase(const Lexicon& lexicon, std::span<const Token> tokens, std::size_t at, bool bare) {
+  if (at >= tokens.size() || tokens[at].kind == Token::Kind::kPunctuation) return std::nullopt;
+  return NounPhraseReader(lexicon, tokens, at, bare).read();
+}
+
+}  // namespace layoutbox::offline

@@ -1,0 +1,281 @@
+// Takes the words of a noun phrase one after the other: listed things, places and attributes, and what no list has.
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "layoutbox/base/words.h"
+#include "layoutbox/plan/offline/english.h"
+#include "layoutbox/plan/offline/noun_phrase_parts.h"
+
+namespace layoutbox::offline {
+
+using Class = WordClass;
+
+bool NounPhraseReader::add(Class word_class, const Meaning& meaning, std::size_t length, bool plural) {
+  parts_.push_back({i_, i_ + length, word_class, meaning, plural});
+  i_ += length;
+  return true;
+}
+
+// "a miniature station model", "three parking meters", "a dog lead hook": no command, unit or verb within a name.
+bool NounPhraseReader::names_on(const Match& match) const {
+  const std::string& text = token().text;
+  if (match.length != 1 || parts_.empty() || parts_.back().last != i_ || opens_at(i_ + 1) || text.size() < 2 || !is_noun(noun_form(text)))
+    return false;
+  const bool one = phrase_.determiner == Determiner::kIndefinite && phrase_.count == 0 && !parts_.back().plural && !plural_at(i_) &&
+                   !text.ends_with("ed") && !text.ends_with("ing");
+  return std::all_of(match.meanings.begin(), match.meanings.end(), [&](const Meaning& m) {
+    const bool verb = m.word_class == Class::kVerb || m.word_class == Class::kPurpose;
+    return m.word_class == Class::kCommand || m.word_class == Class::kUnit || (one && verb);
+  });
+}
+
+// "a wreath stand", "an owl perch": after "a" and one thing, a verb would have its -s; but "let a lamp stand".
+bool NounPhraseReader::names_after_one(const Match& match) const {
+  static constexpr std::string_view kCausing[] = {"let", "make", "makes", "see", "watch", "have", "having"};
+  const std::string& text = token().text;
+  if (match.length != 1 || parts_.empty() || parts_.back().last != i_ || parts_.back().plural || has(match, Class::kParticiple))
+    return false;
+  const std::string& named = tokens_[i_ - 1].text;  // "a truing stand", "a wig stand"
+  const bool noun = parts_.back().word_class == Class::kObject ||
+                    (parts_.back().word_class == Class::kFiller && (named.ends_with("ing") || is_noun(word_form(named))));
+  if (!noun || phrase_.determiner != Determiner::kIndefinite || phrase_.count != 0) return false;
+  if (plural_at(i_) || text.ends_with("ed") || text.ends_with("ing") || opens_at(i_ + 1)) return false;
+  if (phrase_.first == 0) return true;
+  const Token& before = tokens_[phrase_.first - 1];  // "a table and a lamp stand in the corner": of both
+  return !lexicon_.is(before, Class::kAnd) && std::find(std::begin(kCausing), std::end(kCausing), before.text) == std::end(kCausing);
+}
+
+bool NounPhraseReader::read_part() {
+  if (read_ordinal()) return true;
+  Match match = lexicon_.find(tokens_, i_);
+  if (read_compound_adjective(match)) return true;
+  match = without_attribute(without_verb(match));
+  if (ends_before(match)) return false;
+  const bool noun_before = std::any_of(parts_.begin(), parts_.end(), [](const Part& p) {
+    return !is_attribute_class(p.word_class) && p.word_class != Class::kFiller && p.word_class != Class::kWallWord;
+  });
+  if (match.length > 0 && !is_verb_in_name(match) && !names_on(match)) return read_listed(match, noun_before);
+  return read_unlisted();
+}
+
+// "four perches", "two repair stands": of several, a verb would have no -s.
+bool NounPhraseReader::counts_plural(const Match& match) const {
+  const WordForm form = noun_form(token().text);
+  const bool named = parts_.empty() || (parts_.back().last == i_ && !parts_.back().plural);
+  return match.length == 1 && named && phrase_.count > 1 && plural_at(i_) && !opens_at(i_ + 1) &&
+         meaning_of(match, Class::kObject) == nullptr && meaning_of(match, Class::kPart) == nullptr &&
+         (form == WordForm::kThing || form == WordForm::kBody || form == WordForm::kRarelyThing);
+}
+
+// "two grab rails": after a number or an article, before a thing, no verb.
+bool NounPhraseReader::is_verb_in_name(const Match& match) const {
+  if (counts_plural(match)) {
+    constexpr std::array kVerbs = {Class::kVerb, Class::kPlaceVerb, Class::kHave, Class::kPurpose, Class::kCommand, Class::kHang};
+    return std::ranges::any_of(kVerbs, [&](Class verb) { return has(match, verb); });
+  }
+  if (match.length != 1 || !parts_.empty() || !is_named() || token().text.size() < 2 || !is_noun(noun_form(token().text)) ||
+      opens_at(i_ + 1))
+    return false;
+  if (phrase_.determiner == Determiner::kDefinite && i_ + 1 < tokens_.size() &&
+      (tokens_[i_ + 1].text == "is" || tokens_[i_ + 1].text == "are"))
+    return has(match, Class::kVerb);  // "the highlight is a piano"
+  const bool thing_follows = i_ + 1 < tokens_.size() && tokens_[i_ + 1].kind == Token::Kind::kWord &&
+                             is_noun(noun_form(tokens_[i_ + 1].text)) && lexicon_.find_phrase(tokens_, i_ + 1).length == 0;
+  return thing_follows && std::ranges::all_of(match.meanings, [](const Meaning& m) {
+           return m.word_class == Class::kCommand || m.word_class == Class::kVerb || m.word_class == Class::kDoer;
+         });
+}
+
+bool NounPhraseReader::read_listed(const Match& match, bool noun_before) {
+  const Meaning* object = meaning_of(match, Class::kObject);
+  if (object != nullptr && has(match, Class::kRoom) && opens_text(i_ + match.length))
+    return add(Class::kRoom, *meaning_of(match, Class::kRoom), match.length, match.plural);
+  // "mid-century style table", "tan colored rug": the word belongs to the attribute before it.
+  static constexpr std::string_view kOfAttribute[] = {"style", "styled", "themed", "inspired", "shaped", "toned", "colored",
+                                                      "size",  "sized",  "type",   "looking",  "backed", "topped"};
+  if (!parts_.empty() && is_attribute_class(parts_.back().word_class) && match.length == 1 &&
+      std::find(std::begin(kOfAttribute), std::end(kOfAttribute), token().text) != std::end(kOfAttribute)) {
+    parts_.back().last = i_ + 1;
+    ++i_;
+    return true;
+  }
+  const bool verbal = has(match, Class::kParticiple) || has(match, Class::kPlaceVerb) || has(match, Class::kHang) ||
+                      has(match, Class::kHave) || has(match, Class::kVerb) || has(match, Class::kPurpose);
+  if (const std::optional<bool> thing = read_thing(match, noun_before, verbal)) return *thing;
+  if (const std::optional<bool> place = read_place(match, noun_before, verbal)) return *place;
+  return read_other(match, noun_before);
+}
+
+// "A bar with a counter", "I want a pantry with shelves": what something is in, where nothing else was named before, is the room.
+bool NounPhraseReader::opens_text(std::size_t after) const {
+  if (after >= tokens_.size() || !lexicon_.is(tokens_[after], Class::kHave)) return false;
+  for (std::size_t i = 0; i < phrase_.first; ++i) {
+    if (tokens_[i].kind == Token::Kind::kPunctuation || lexicon_.find(tokens_, i, Class::kObject).length > 0 ||
+        lexicon_.find_phrase(tokens_, i).length > 0)
+      return false;
+  }
+  return true;
+}
+
+// A thing, a part of one, or an attribute; nothing where the words are none of these.
+std::optional<bool> NounPhraseReader::read_thing(const Match& match, bool noun_before, bool verbal) {
+  const Meaning* object = meaning_of(match, Class::kObject);
+  const Meaning* attribute = attribute_of(match);
+  // A noun that is a verb as well ("light", "plant", "stand", "frames") is a verb right after another noun, unless it ends a name.
+  // "glass" before a noun is what the noun is made of; "drawers" are parts where both are listed.
+  if (attribute != nullptr && object != nullptr && match.length == 1 && !noun_before && noun_after(i_ + match.length))
+    return add(attribute->word_class, *attribute, match.length, match.plural);
+  Token single = token();
+  single.text = singular_of(single.text);
+  const bool part = has(match, Class::kPart) || (match.length == 1 && lexicon_.is(single, Class::kPart));
+  // "along the left wall fridge, stove and sink": a place and what stands there.
+  if (object != nullptr && !parts_.empty() && parts_.back().word_class == Class::kWall && parts_.size() > 1 &&
+      parts_[parts_.size() - 2].word_class == Class::kWallWord && object->entry->mount == Mount::kFloor && !hyphenated(i_))
+    return false;
+  const bool verb = verbal && noun_before && !hyphenated(i_) && !names_after_one(match);
+  if (object != nullptr && !verb && !part) return add(Class::kObject, *object, match.length, match.plural);
+  if (object != nullptr && part) return add(Class::kPart, *object, match.length, match.plural);
+  if (part && match.length == 1 && has(match, Class::kPart)) {  // "two sinks": parts of a vanity, or things
+    const Match one = lexicon_.find({&single, 1}, 0);
+    if (const Meaning* thing = meaning_of(one, Class::kObject); thing != nullptr && single.text != token().text)
+      return add(Class::kPart, *thing, 1, true);
+  }
+  if (attribute == nullptr || (noun_before && verbal)) return std::nullopt;
+  // "bed king size": an attribute after the noun ends the phrase, unless another noun follows it ("table glass lamp").
+  if (noun_before && !hyphenated(i_) && !has(lexicon_.find(tokens_, i_ + match.length), Class::kObject)) return false;
+  return add(attribute->word_class, *attribute, match.length, match.plural);
+}
+
+// A place, a room, a part, what is no thing; nothing where the words are none of these.
+std::optional<bool> NounPhraseReader::read_place(const Match& match, bool noun_before, bool verbal) {
+  const bool named = is_named();
+  for (const Class place :
+       {Class::kDoor, Class::kWindow, Class::kWall, Class::kCorner, Class::kCenter, Class::kFloor, Class::kCeiling, Class::kOutsideRoom,
+        Class::kRoom, Class::kNiche, Class::kZone, Class::kRoomNoun, Class::kPart, Class::kSide, Class::kAbstract}) {
+    const Meaning* meaning = meaning_of(match, place);
+    if (meaning == nullptr) continue;
+    if ((place == Class::kSide || place == Class::kPart) && meaning_of(match, Class::kWallWord) != nullptr) {
+      const Match next = lexicon_.find(tokens_, i_ + 1);
+      if (has(next, Class::kObject) || has(next, Class::kWall) || has(next, Class::kCorner) || has(next, Class::kSide) ||
+          has(next, Class::kNumber) || has(next, Class::kWallWord))
+        break;  // "left corner"
+    }
+    if ((verbal && noun_before && !names_set()) || (!named && !bare_)) return false;
+    // "newspapers lines the wall": the verb, not a name that goes on.
+    if (noun_before && !hyphenated(i_) && (place == Class::kAbstract || place == Class::kPart) &&
+        lexicon_.find_phrase(tokens_, i_).length > 0)
+      return false;
+    // "another table right of the sofa", "a chair back": a side after a noun is no part of its name.
+    if (noun_before && place == Class::kSide && !hyphenated(i_)) return false;
+    if (noun_before && place == Class::kPart && meaning_of(match, Class::kSide) != nullptr && !hyphenated(i_)) return false;
+    return add(place, *meaning, match.length, match.plural);
+  }
+  return std::nullopt;
+}
+
+// A thing is named there, with its qualities: "one old chair".
+bool NounPhraseReader::counts_thing(std::size_t at) const {
+  constexpr std::size_t kQualities = 2;
+  for (std::size_t last = at + kQualities; at < tokens_.size() && at <= last; ++at) {
+    if (lexicon_.find(tokens_, at, Class::kObject).length > 0) return true;
+    const Token& word = tokens_[at];
+    const bool quality = lexicon_.is(word, Class::kColor) || lexicon_.is(word, Class::kMaterial) || lexicon_.is(word, Class::kSizeWord) ||
+                         lexicon_.is(word, Class::kShape) || lexicon_.is(word, Class::kStyle) ||
+                         word_form(word.text) == WordForm::kAdjective;
+    if (!quality) return false;
+  }
+  return false;
+}
+
+// Sides, numbers within adjectives, members, participles, adverbs.
+bool NounPhraseReader::read_other(const Match& match, bool noun_before) {
+  const bool named = is_named();
+  // "one left of the door": where it is, not which one.
+  const std::size_t after = i_ + match.length;
+  const bool side_of = after < tokens_.size() && (tokens_[after].text == "of" || tokens_[after].text == "and") && phrase_.count > 0;
+  for (const Class word : {Class::kWallRelation, Class::kWallWord}) {
+    if (side_of && named) break;
+    if (const Meaning* meaning = meaning_of(match, word); meaning != nullptr && (named || bare_) && !noun_before)
+      return add(word, *meaning, match.length, false);
+  }
+  if (has(match, Class::kNumber) && i_ + 1 < tokens_.size() && (hyphenated(i_ + 1) || says_seats(i_ + 1)))  // "one-way", "two-tone"
+    return add(Class::kQuality, {Class::kQuality, nullptr, nullptr, 0, {}}, 2, false);
+  if (doubles_noun(i_)) return add(Class::kQuality, {Class::kQuality, nullptr, nullptr, 0, {}}, 1, false);
+  // "every desk one chair": the next thing, counted.
+  const bool counts_next = noun_before && counts_thing(i_ + 1);
+  const bool after_plural = noun_before && !parts_.empty() && parts_.back().plural;              // "of the two benches one has a cushion"
+  if (has(match, Class::kNumber) && at_word("one") && named && !counts_next && !after_plural) {  // "the left one", "the other one"
+    phrase_.kind = NounKind::kMember;
+    i_ += 1;
+    done_ = true;
+    return false;
+  }
+  // Participles and verbs stand before the noun only: "a folded blanket", "a rolling chair".
+  if (!noun_before && named && (has(match, Class::kParticiple) || has(match, Class::kHang) || has(match, Class::kVerb)) &&
+      match.length == 1 && (token().text.ends_with("ed") || token().text.ends_with("ing")) &&
+      lexicon_.find_phrase(tokens_, i_).length < 2 && lexicon_.find(tokens_, i_, Class::kHave).length < 2) {  // "each filled with"
+    return add(Class::kFiller, match.meanings.front(), 1, false);
+  }
+  if (!noun_before && named && has(match, Class::kAdverb) && lexicon_.find_phrase(tokens_, i_).length <= match.length) {
+    i_ += match.length;
+    return true;
+  }
+  return false;
+}
+
+bool NounPhraseReader::read_unlisted() {
+  if (token().kind != Token::Kind::kWord) {
+    // "55-inch", "2-seater": one adjective.
+    if (token().kind == Token::Kind::kNumber && i_ + 1 < tokens_.size() && tokens_[i_ + 1].kind == Token::Kind::kWord &&
+        (hyphenated(i_ + 1) || says_seats(i_ + 1)))
+      return add(Class::kQuality, {Class::kQuality, nullptr, nullptr, 0, {}}, 2, false);
+    return false;
+  }
+  if (lexicon_.find_phrase(tokens_, i_).length > 0 || (!is_named() && !bare_) || !word_may_belong()) return false;
+  return add(Class::kFiller, {Class::kFiller, nullptr, nullptr, 0, {}}, 1, plural_at(i_));
+}
+
+void NounPhraseReader::read_parts() {
+  constexpr std::size_t kMostParts = 12;
+  while (more() && parts_.size() < kMostParts && !done_) {
+    if (token().text == "'s") {
+      const bool noun = !parts_.empty() && !is_attribute_class(parts_.back().word_class);
+      if (!noun) break;
+      // "teenager's bedroom", "child's desk", "the cat's bed": a person or an animal owns it; "the bed's foot": a thing does.
+      const CatalogEntry* entry = parts_.back().meaning.entry;
+      const bool animal = entry != nullptr && lexicon_.catalog().is_a(entry->id, "pet");
+      if (animal) {
+        parts_.clear();
+        ++i_;
+        continue;
+      }
+      if (parts_.back().word_class == Class::kObject || parts_.back().word_class == Class::kRoom) {
+        phrase_.owner = true;
+        break;
+      }
+      phrase_.owner_word = text_of(tokens_, parts_.back().first, parts_.back().last);
+      parts_.clear();
+      ++i_;
+      continue;
+    }
+    if (token().kind == Token::Kind::kPunctuation || token().text == "and") {
+      if ((token().text == "," || token().text == "and") && goes_on_after_break()) {
+        ++i_;
+        if (more() && token().text == "and") ++i_;
+        continue;
+      }
+      break;
+    }
+    if (token().kind == Token::Kind::kNumber && take_size()) continue;
+    if (count_follows() || !read_part()) break;
+  }
+}
+
+// "bookcases x2", "2 desks, chairs x 4": the number behind the noun.
+bool NounPhraseReader::count_follows() const {
+  if (parts_.empty() || i_ + 1 >= tokens_.size() || tokens_[i_].text != "x" || tokens_[i_ + 1].kind != Token::Kind::kNumber) return false;
+  return i_ + 2 == tokens_.size() || tokens_[i_ + 2].kind == Token::Kind::kPunctuation || !tokens_[i_ + 2].glued;
+}
+
+}  // namespace layoutbox::offline
