@@ -168,6 +168,12 @@ bool Chunker::read_noun(bool bare) {
   auto noun = read_noun_phrase(lexicon_, tokens_, i_, bare);
   if (!noun || noun->last <= i_) return false;
   if (after_noun && noun->kind != NounKind::kWall && noun->kind != NounKind::kCorner) return false;
+  if (bare && is_verb_before_article(*noun)) {
+    static constexpr std::array<std::string_view, 7> kHaving = {"bears", "sports", "boasts", "houses", "shelters", "cradles", "hosts"};
+    const bool has = std::find(kHaving.begin(), kHaving.end(), tokens_[i_].text) != kHaving.end();
+    add(has ? ChunkKind::kHave : ChunkKind::kPurpose, 1);
+    return true;
+  }
   if (bare && noun->kind == NounKind::kAbstract && !noun->collective && noun->last == i_ + 1 &&
       lexicon_.find_phrase(tokens_, i_).length > 0)
     return false;
@@ -178,6 +184,16 @@ bool Chunker::read_noun(bool bare) {
     chunk.last = i_;
   }
   return true;
+}
+
+// "…, throw a warm light", "and bears a watering can": one word after a break and before an article, which may be a verb.
+bool Chunker::is_verb_before_article(const NounPhrase& noun) const {
+  const ChunkKind before = previous();
+  if ((before != ChunkKind::kComma && before != ChunkKind::kAnd) || noun.last != i_ + 1 || noun.last >= tokens_.size() ||
+      noun.determiner != Determiner::kNone || noun.count > 0)
+    return false;
+  const Token& next = tokens_[noun.last];
+  return (lexicon_.is(next, Class::kIndefinite) || lexicon_.is(next, Class::kPossessive)) && may_be_verb(tokens_[i_].text);
 }
 
 void Chunker::add_phrase(const PhraseMatch& phrase) {

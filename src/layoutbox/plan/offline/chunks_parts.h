@@ -47,6 +47,7 @@ class Chunker {
   void read();
   PhraseMatch phrase_here() const;
   bool noun_follows() const;
+  bool is_verb_before_article(const NounPhrase& noun) const;
   bool thing_next(std::size_t at) const;
   bool opens_question() const;
   bool says_enough() const;

@@ -62,10 +62,17 @@ WordForm noun_form(std::string_view word) {
   return WordForm::kUnknown;
 }
 
+bool may_be_verb(std::string_view word) {
+  const auto has_verb = [](std::string_view line) { return line.substr(0, line.find(' ')).find('v') != std::string_view::npos; };
+  const std::vector<std::string> forms = singular_forms(word);
+  return has_verb(english_line(word)) ||
+         std::any_of(forms.begin(), forms.end(), [&](const std::string& form) { return has_verb(english_line(form)); });
+}
+
 bool is_collective(std::string_view singular) {
-  static constexpr std::array<std::string_view, 18> kCollectives = {
-      "item",     "essential", "product", "accessory", "supply",  "object", "trinket",  "knickknack", "decoration",
-      "ornament", "toiletry",  "good",    "keepsake",  "utensil", "tool",   "valuable", "belonging",  "peripheral"};
+  static constexpr std::array<std::string_view, 20> kCollectives = {
+      "item",     "essential", "product",  "accessory", "supply", "object",   "trinket",   "knickknack", "decoration", "ornament",
+      "toiletry", "good",      "keepsake", "utensil",   "tool",   "valuable", "belonging", "peripheral", "gear",       "stuff"};
   return std::find(kCollectives.begin(), kCollectives.end(), singular) != kCollectives.end();
 }
 

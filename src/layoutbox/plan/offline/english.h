@@ -31,6 +31,9 @@ WordForm word_form(std::string_view word);
 // What it is as a noun, even where it mostly is a verb or an adjective ("a cross"); kUnknown where it is none or not known.
 WordForm noun_form(std::string_view word);
 
+// Whether it is a verb among other things ("throw", "bears").
+bool may_be_verb(std::string_view word);
+
 // "items", "essentials", "supplies": nouns that stand for things when something holds them.
 bool is_collective(std::string_view singular);
 

@@ -87,6 +87,13 @@ class LabelReader {
     if (!is_number(i) || skip_[i]) return;
     const bool behind = is_letter(i + 1) && tokens_[i + 1].glued;
     const bool before = i > 0 && is_letter(i - 1) && tokens_[i].glued && tokens_[i].begin == tokens_[i - 1].end;
+    // "Item 6, the committee room", "(6-DoF)"
+    static constexpr std::string_view kListed[] = {"item", "section", "chapter", "page", "lot", "nr", "point", "step", "option", "figure"};
+    const bool listed = i > 0 && is_one_of(i - 1, kListed) && i + 1 < tokens_.size() && tokens_[i + 1].kind == Token::Kind::kPunctuation;
+    const bool bracketed = i > 0 && tokens_[i - 1].text == "(" && is_word(i + 1) && i + 2 < tokens_.size() && tokens_[i + 2].text == ")" &&
+                           tokens_[i + 1].glued && !lexicon_.is(tokens_[i + 1], WordClass::kUnit) && tokens_[i + 1].text != "x";
+    if (listed) leave_out(i - 1, i + 1, "a name");
+    if (bracketed) leave_out(i, i + 2, "a name");
     if (behind || before) leave_out(before ? i - 1 : i, behind ? i + 2 : i + 1, "a name");
   }
 

@@ -175,9 +175,10 @@ bool UnitReader::is_title(std::size_t k) const {
   const std::size_t n = next(k);
   if (noun.kind != NounKind::kObject || noun.exact || noun.count > 0 || noun.plural || !units_.empty() || n + 1 >= document_.chunks.size())
     return false;
-  if (is(n, ChunkKind::kComma) && noun.entry == nullptr) {
+  if (is(n, ChunkKind::kComma)) {
     const std::size_t after = next(n);
     const bool of_room = is(after, ChunkKind::kNoun) && chunk(after).noun.kind == NounKind::kRoom;  // "The Drowned Rat, common room"
+    if (noun.entry != nullptr) return of_room && noun.determiner == Determiner::kNone;              // "Community radio, studio 1"
     return of_room || document_.tokens[chunk(n).first].text == ":" || is(after, ChunkKind::kWithout) || is(after, ChunkKind::kSize) ||
            is(after, ChunkKind::kComma);
   }
@@ -248,15 +249,29 @@ bool UnitReader::inverts(std::size_t k) const {
 // "Items on the shelf: a clock, a vase": no things, but what announces them.
 bool UnitReader::announces_things(std::size_t k) const {
   const NounPhrase& noun = chunk(k).noun;
+  // "The only decoration, a wall clock, …"
+  const std::size_t named = next(next(k));
+  if (noun.kind == NounKind::kObject && is_collective(noun.head) && noun.determiner == Determiner::kDefinite &&
+      is(next(k), ChunkKind::kComma) && is(named, ChunkKind::kNoun) && is_new_here(chunk(named).noun))
+    return true;
   if (noun.kind != NounKind::kObject || noun.count > 0 || noun.determiner != Determiner::kNone || !units_.empty() || noun.name != noun.head)
     return false;
   if (one_of(noun.head, {"decor", "decoration", "furniture", "storage", "seating", "lighting"}) && is(next(k), ChunkKind::kStop))
     return true;
-  if (!noun.plural || !(is_collective(noun.head) || noun.head == "thing")) return false;
+  const bool activity = noun.head.ends_with("ing") && !noun.plural;  // "Dressing on the desk: a typewriter"
+  if (!activity && (!noun.plural || !(is_collective(noun.head) || noun.head == "thing"))) return false;
   for (std::size_t c = k + 1; c < document_.chunks.size() && !is(c, ChunkKind::kStop); ++c) {
     if (document_.tokens[chunk(c).first].text == ":") return true;
   }
   return false;
+}
+
+// "Multi-faith room, regional airport.": where the room is, at the very beginning.
+bool UnitReader::is_address(std::size_t k) const {
+  const NounPhrase& noun = chunk(k).noun;
+  return sentences_.empty() && units_.size() == 1 && units_.back().kind == UnitKind::kNoun &&
+         chunk(units_.back().chunk).noun.kind == NounKind::kRoom && joiner_ == Joiner::kComma && is(next(k), ChunkKind::kStop) &&
+         noun.kind == NounKind::kObject && !noun.exact && noun.determiner == Determiner::kNone && noun.count == 0 && !noun.plural;
 }
 
 // "on the plinth stands a centurion", "a homunculus in the jar": in or on what is for nobody, a figure.

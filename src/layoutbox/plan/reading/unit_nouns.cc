@@ -171,6 +171,27 @@ void UnitReader::shares_out(std::size_t k) {
   place.inverse.clear();
 }
 
+// "with five of the cups in it": cups that nobody spoke of before.
+bool UnitReader::takes_new_share(std::size_t k) const {
+  const NounPhrase& noun = chunk(k).noun;
+  return noun.kind == NounKind::kMember && noun.subset && noun.count > 0 && noun.of && noun.of->kind == NounKind::kObject &&
+         noun.of->exact && !is_named_before(k, noun.of->head);
+}
+
+// "a monitor on a cart, cart in the corner": the same, spoken of again without an article.
+bool UnitReader::resumes(std::size_t k) const {
+  const NounPhrase& noun = chunk(k).noun;
+  if (noun.kind != NounKind::kObject || !noun.exact || noun.determiner != Determiner::kNone || noun.count > 0 || noun.plural ||
+      units_.empty() || units_.back().kind != UnitKind::kNoun || joiner_ != Joiner::kComma || !noun.attributes.empty())
+    return false;
+  const NounPhrase& before = chunk(units_.back().chunk).noun;
+  const std::size_t n = next(k);
+  const bool placed =
+      is(n, ChunkKind::kRelation) || is(n, ChunkKind::kParticiple) || is(n, ChunkKind::kUnknown) || is(n, ChunkKind::kPurpose);
+  return placed && before.kind == NounKind::kObject && before.name == noun.name && !before.is_plural() &&
+         before.determiner != Determiner::kNone;
+}
+
 void UnitReader::settle_noun(std::size_t k) {
   shares_out(k);
   NounPhrase& noun = document_.chunks[k].noun;
@@ -186,6 +207,17 @@ void UnitReader::settle_noun(std::size_t k) {
     if (noun.entry == nullptr) noun.entry = lexicon_.catalog().find("figurine");
   }
   if (is_within_room(k)) noun.of->kind = NounKind::kRoom;
+  if (noun.kind == NounKind::kRoom && noun.of && noun.of->kind == NounKind::kObject) noun.of.reset();  // "the lobby of a seaside hotel"
+  if (takes_new_share(k)) {
+    const NounPhrase share = noun;
+    noun = NounPhrase(*share.of);
+    noun.determiner = Determiner::kNone;
+    noun.count = share.count;
+    noun.at_least = share.at_least;
+    noun.first = share.first;
+    noun.last = share.last;
+  }
+  if (resumes(k)) noun.determiner = Determiner::kDefinite;
   if (named_ || skipping_ || negated_) return;
   // "Notes for chapter three: the bridge of the freighter": a heading says nothing yet
   if (is_title(k)) noun.kind = NounKind::kRoom;
@@ -281,7 +313,7 @@ void UnitReader::read_noun(std::size_t k) {
     mark(k, Use::kIgnored, "opens a statement");
     return;
   }
-  if (is_said_of_subject(k) || announces_things(k)) {
+  if (is_said_of_subject(k) || announces_things(k) || is_address(k)) {
     mark(k, Use::kIgnored, "no object");
     return;
   }

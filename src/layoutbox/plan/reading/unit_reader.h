@@ -64,6 +64,7 @@ class UnitReader {
   bool is_within_room(std::size_t k) const;
   bool counts_before(std::size_t k);
   bool announces_things(std::size_t k) const;
+  bool is_address(std::size_t k) const;
   bool is_used_in_place(std::size_t k) const;
   void take_told(std::size_t k);
   bool opens_command(std::size_t k);
@@ -78,6 +79,8 @@ class UnitReader {
   bool says_where_room_is(std::size_t k);
   bool is_past(const NounPhrase& noun) const;
   void shares_out(std::size_t k);
+  bool takes_new_share(std::size_t k) const;
+  bool resumes(std::size_t k) const;
   void settle_noun(std::size_t k);
   void settle_place_words(std::size_t k);
   bool repeats_place(std::size_t k);
