@@ -249,17 +249,20 @@ bool UnitReader::inverts(std::size_t k) const {
 // "Items on the shelf: a clock, a vase": no things, but what announces them.
 bool UnitReader::announces_things(std::size_t k) const {
   const NounPhrase& noun = chunk(k).noun;
+  const bool object = noun.kind == NounKind::kObject;
   // "The only decoration, a wall clock, …"
-  const std::size_t named = next(next(k));
-  if (noun.kind == NounKind::kObject && is_collective(noun.head) && noun.determiner == Determiner::kDefinite &&
-      is(next(k), ChunkKind::kComma) && is(named, ChunkKind::kNoun) && is_new_here(chunk(named).noun))
+  const std::size_t n = next(k), named = next(n);
+  if (object && is_collective(noun.head) && noun.determiner == Determiner::kDefinite && is(n, ChunkKind::kComma) &&
+      is(named, ChunkKind::kNoun) && is_new_here(chunk(named).noun))
     return true;
-  if (noun.kind != NounKind::kObject || noun.count > 0 || noun.determiner != Determiner::kNone || !units_.empty() || noun.name != noun.head)
-    return false;
-  if (one_of(noun.head, {"decor", "decoration", "furniture", "storage", "seating", "lighting"}) && is(next(k), ChunkKind::kStop))
-    return true;
-  const bool activity = noun.head.ends_with("ing") && !noun.plural;  // "Dressing on the desk: a typewriter"
-  if (!activity && (!noun.plural || !(is_collective(noun.head) || noun.head == "thing"))) return false;
+  if (noun.count > 0 || noun.determiner != Determiner::kNone || !units_.empty() || noun.name != noun.head) return false;
+  const bool alone = one_of(noun.head, {"decor", "decoration", "furniture", "storage", "seating", "lighting"});
+  if (object && alone && is(n, ChunkKind::kStop)) return true;
+  const bool things = object && noun.plural && (is_collective(noun.head) || noun.head == "thing");
+  // "Dressing on the desk: typewriter, telephone"
+  const bool heading =
+      !noun.exact && !noun.plural && is(n, ChunkKind::kRelation) && (noun.kind == NounKind::kAbstract || (object && noun.entry == nullptr));
+  if (!things && !heading) return false;
   for (std::size_t c = k + 1; c < document_.chunks.size() && !is(c, ChunkKind::kStop); ++c) {
     if (document_.tokens[chunk(c).first].text == ":") return true;
   }
