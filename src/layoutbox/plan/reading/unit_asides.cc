@@ -256,8 +256,9 @@ bool UnitReader::announces_things(std::size_t k) const {
       is(named, ChunkKind::kNoun) && is_new_here(chunk(named).noun))
     return true;
   if (noun.count > 0 || noun.determiner != Determiner::kNone || !units_.empty() || noun.name != noun.head) return false;
-  const bool alone = one_of(noun.head, {"decor", "decoration", "furniture", "storage", "seating", "lighting"});
-  if (object && alone && is(n, ChunkKind::kStop)) return true;
+  const bool alone = one_of(noun.head, {"decor", "decoration", "furniture", "furnishing", "storage", "seating", "lighting"});
+  const bool ends = is(n, ChunkKind::kStop) || (is(n, ChunkKind::kComma) && document_.tokens[chunk(n).first].text == ":");
+  if (object && alone && ends) return true;
   const bool things = object && noun.plural && (is_collective(noun.head) || noun.head == "thing");
   // "Dressing on the desk: typewriter, telephone"
   const bool heading =
