@@ -25,7 +25,8 @@ struct MethodResult {
   std::string structure;                  // a key of the scene graph: the same for the same structure
   std::map<std::string, double> seconds;  // by stage, of the wall clock
   std::string requests;                   // what was asked of a model, as a JSON list; empty: nothing
-  // Why there is no layout although the method ran: "syntax", "run-time", "limit", "no script", "no room", "no scene"; and in words. Else empty.
+  // Why there is no layout although the method ran: "syntax", "run-time", "limit", "no script", "no room", "no scene"; and in words. Else
+  // empty.
   std::string failure = {}, error = {};
 };
 

@@ -162,7 +162,11 @@ void FloorPixels::block(const std::vector<const Body*>& bodies, double grow) {
       continue;
     }
     if (marks.empty()) marks.resize(free_.size(), 0);
-    for (const Triangle& triangle : *body->drawn) mark(triangle, marks);
+    for (const Triangle& triangle : *body->drawn) {
+      // What looks down has something above it that looks up.
+      const auto [a, b, c] = triangle;
+      if ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x) >= 0) mark(triangle, marks);
+    }
   }
   if (!marks.empty()) block_near(marks, grow);
 }
