@@ -183,7 +183,7 @@ void normalize_hosts(NormalizeContext& context) {
     const int seats = static_cast<int>(relation.targets.size());
     if (relation.type == RelationType::kAround || relation.type == RelationType::kSurround) contents.around += seats;
     if (relation.type == RelationType::kAlongSide && relation.parameters.side.value_or(Side::kLong) == Side::kLong) contents.along += seats;
-    if (relation.type == RelationType::kInFrontOf) {
+    if (relation.type == RelationType::kInFrontOf || relation.type == RelationType::kBehind) {
       const Mm width = seat_width(context.catalog, by_id, relation.targets);
       contents.front += width;
       contents.before += width > 0 ? seats : 0;

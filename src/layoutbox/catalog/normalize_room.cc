@@ -27,6 +27,8 @@ constexpr double kMostCovered = 0.32;
 constexpr double kMostUsed = 0.58;
 // … and at least this share of an ordinary room's, down to so much of its area: few things are lost in a room for many.
 constexpr double kLeastUsed = 0.3, kSmallestShare = 0.65;
+constexpr double kShareOfWindow = 0.5, kShareOfWideWindow = 0.75;  // of the longest wall
+constexpr Mm kWidestWindow = 3000, kBetweenUnderWindow = 100;
 constexpr Point kGridWay{350, 850};  // free between the columns and rows of a grid
 
 struct SizeWordFactor {
@@ -170,7 +172,7 @@ class RoomNormalizer {
     double covered = 0, used = 0, longest = 0;
     for (const SceneObject& object : context_.scene.objects) {
       const CatalogEntry& entry = context_.catalog.entry_or_nearest(object.category);
-      if (object.mount != Mount::kFloor || !object.size || entry.thin) continue;
+      if (object.mount != Mount::kFloor || !object.size || (entry.thin && !entry.lain_on)) continue;
       const Size& size = object.size->usual;
       covered += double(size.width) * size.depth;
       used += stands_in_grid(object.id) ? double(size.width + kGridWay.x) * (size.depth + kGridWay.y)
@@ -250,16 +252,36 @@ class RoomNormalizer {
       Opening& opening = room_.openings[i];
       if (const Wall* wall = context_.scene.find_wall(opening.wall); wall != nullptr && !opening.wall.empty()) opening.wall = wall->id;
       if (opening.id.empty()) opening.id = unused_id(context_.scene, fmt::format("{}{}", name_of(opening.type), i + 1));
-      if (!opening.asked()) fit_assumed(opening);
+      if (opening.asked()) continue;
+      const Mm wanted = width_of_what_is_under(opening);
+      fit_assumed(opening, wanted > opening.width ? kShareOfWideWindow : kShareOfWindow,
+                  std::max(opening.width, std::min(wanted, kWidestWindow)));
     }
   }
 
+  // Of what is told to stand side by side under a window whose width is ours to choose: two desks want more of it than one.
+  Mm width_of_what_is_under(const Opening& window) const {
+    Mm width = 0;
+    std::vector<std::string> seen;
+    for (const Relation& relation : context_.scene.relations) {
+      if (relation.type != RelationType::kUnderWindow || window.type != OpeningType::kWindow) continue;
+      const bool here = relation.references.empty() || std::ranges::find(relation.references, window.id) != relation.references.end();
+      for (const std::string& id : relation.targets) {
+        const SceneObject* object = context_.scene.find_object(id);
+        if (!here || object == nullptr || !object->size || std::ranges::find(seen, id) != seen.end()) continue;
+        seen.push_back(id);
+        width += object->size->usual.width + kBetweenUnderWindow;
+      }
+    }
+    return width;
+  }
+
   // Defaults give way to small rooms.
-  void fit_assumed(Opening& opening) const {
+  void fit_assumed(Opening& opening, double share_of_window, Mm width) const {
     Mm longest = 0;
     for (const Wall& wall : room_.walls) longest = std::max(longest, length_of(wall));
-    const double share = opening.type == OpeningType::kWindow ? 0.5 : 0.8;
-    opening.width = std::min(opening.width, static_cast<Mm>(longest * share) / kGridMm * kGridMm);
+    const double share = opening.type == OpeningType::kWindow ? share_of_window : 0.8;
+    opening.width = std::min(width, static_cast<Mm>(longest * share) / kGridMm * kGridMm);
     if (opening.type != OpeningType::kWindow) {
       opening.height = std::min(opening.height, room_.height - 50);
     } else if (opening.sill + opening.height > room_.height - 200) {
@@ -272,7 +294,7 @@ class RoomNormalizer {
     Opening door;
     door.id = unused_id(context_.scene, "door1");
     door.origin = Origin::kAssumed;
-    fit_assumed(door);
+    fit_assumed(door, kShareOfWindow, door.width);
     room_.openings.push_back(door);
 
     Opening window;
@@ -282,7 +304,7 @@ class RoomNormalizer {
     window.sill = 900;
     window.swing = Swing::kNone;
     window.origin = Origin::kAssumed;
-    fit_assumed(window);
+    fit_assumed(window, kShareOfWindow, window.width);
     if (window.height >= 300 && window.width >= 300) room_.openings.push_back(window);
     context_.note("filled", "no door or window is named: the room gets one of each, where they are least in the way", "/room/openings");
   }

@@ -153,6 +153,28 @@ TEST(NormalizeRoom, DefaultsGiveWayToSmallRooms) {
   }
 }
 
+TEST(NormalizeRoom, AWindowIsAsWideAsWhatStandsUnderIt) {
+  const auto width = [](int desks, Origin origin) {
+    std::vector<SceneObject> objects;
+    std::vector<Relation> relations;
+    for (int i = 0; i < desks; ++i) {
+      objects.push_back(object("desk_" + std::to_string(i), "desk"));
+      relations.push_back(relation(RelationType::kUnderWindow, {objects.back().id}, {"window1"}));
+    }
+    SceneGraph scene = scene_of(objects, relations);
+    scene.room.polygon = {{0, 0}, {5000, 0}, {5000, 4000}, {0, 4000}};
+    Opening window;
+    window.id = "window1", window.type = OpeningType::kWindow, window.width = 1200, window.height = 1200, window.sill = 900;
+    window.origin = origin;
+    scene.room.openings = {window};
+    return normalized(scene).room.openings[0].width;
+  };
+  EXPECT_EQ(width(0, Origin::kAssumed), 1200);
+  EXPECT_GE(width(2, Origin::kAssumed), 2400);
+  EXPECT_LE(width(9, Origin::kAssumed), 3750) << "the wall is the limit";
+  EXPECT_EQ(width(2, Origin::kAsked), 1200) << "a size that was said stays";
+}
+
 TEST(NormalizeRoom, TurnsWallsWithTheirOpenings) {
   SceneGraph scene = scene_of({});
   const auto wall = [](std::string id, Point start, Point end) {

@@ -1,6 +1,7 @@
 // What a thing has, and what hangs.
 #include <algorithm>
 
+#include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/relation_builder_parts.h"
 
@@ -94,7 +95,9 @@ void RelationBuilder::add_content(const Link& link, const Mention& target, const
   const bool inside = holds_inside(host) || (says_inside(link) && has_inside(host));
   if (carried && !(mount == Mount::kWall && !link.holding)) return each(inside ? R::kIn : R::kOn);
   if (mount == Mount::kWall || mount == Mount::kCeiling) {
-    if (!link.after_comma && mount_of(host) == Mount::kFloor) each(R::kAbove);
+    // A curtain round a bed hangs beside it.
+    const bool beside = mount == Mount::kCeiling && thing.entry != nullptr && thing.entry->is(Trait::kCurtain);
+    if (!link.after_comma && mount_of(host) == Mount::kFloor) each(beside ? R::kNextTo : R::kAbove);
     return;
   }
   if (mount == Mount::kSurface && link.holding) return each(R::kOn);

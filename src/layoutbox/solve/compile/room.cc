@@ -83,7 +83,7 @@ void compile_SideAgainstWall(Compilation& c) {
 
 namespace {
 
-constexpr int kIntoCorner = 300;  // points a metre: what is in a corner stands close to both walls
+constexpr int kIntoCorner = 700;  // points a metre: what is in a corner stands close to both walls
 
 // A wall and the next meet in an inner corner.
 bool is_inner_corner(const RoomWall& a, const RoomWall& b) {

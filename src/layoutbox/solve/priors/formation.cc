@@ -6,46 +6,51 @@
 namespace layoutbox::placement {
 namespace {
 
-constexpr Mm kWayAround = 600;       // left free between a formation and the walls
+constexpr Mm kBehindSeats = 300;     // left free behind and before rows of seats, and round mats
 constexpr Mm kSeatRoom = 850;        // behind a desk: the chair, and somebody getting up
 constexpr Mm kTucked = 200;          // how far a seat goes under its table
 constexpr Mm kForSeveral = 1500;     // so wide a seat is for several: an aisle leads to its ends
 constexpr Mm kBackOfSeat = 130;      // what of a chair stays before the edge
 constexpr Mm kBeforeKneeless = 100;  // from what one sits before without room for the knees
+constexpr Mm kSeatOfIsland = 450;    // what the seats take at either side of an island of desks
+constexpr Mm kBetweenIslands = 800, kBetweenDesks = 20;
+constexpr int kOneRow = 5;             // so few seats that look at something sit in one row
+constexpr std::int64_t kUneven = 400;  // thousandths of the room that a last row which is not full may cost
 
 // Gaps wanted between neighbours, along the rows and from row to row.
 std::pair<Mm, Mm> gaps_of(const Item& item) {
   if (has_knee_room(item) || item.is(Trait::kDeskLike))
     return item.has_front ? std::pair<Mm, Mm>{500, kSeatRoom} : std::pair<Mm, Mm>{1300, 1300};
   if (item.thin) return {500, 400};
-  if (item.has_front && item.is_seat && item.states[0].size.width >= kForSeveral) return {1000, 600};
+  if (item.has_front && item.is_seat && item.states[0].size.width >= kForSeveral) return {1000, 700};
   return item.has_front ? std::pair<Mm, Mm>{80, 600} : std::pair<Mm, Mm>{500, 500};
 }
 
 }  // namespace
 
-Formation formation_of(int n, const Size& size, Mm gap_across, Mm gap_deep, Mm room_across, Mm room_deep, int columns) {
-  const auto fitted = [](int count, Mm one, Mm gap, Mm room) -> Mm {  // from middle to middle; 0: does not fit
+Formation formation_of(int n, const Size& size, Mm gap_across, Mm gap_deep, Mm room_across, Mm room_deep, int columns, Mm sides, Mm ends) {
+  const auto fitted = [](int count, Mm one, Mm gap, Mm room, Mm around) -> Mm {  // from middle to middle; 0: does not fit
     if (count == 1) return one + gap;
-    const Mm most = (room - 2 * kWayAround - one) / (count - 1);
+    const Mm most = (room - 2 * around - one) / (count - 1);
     return most < one + gap * 6 / 10 ? 0 : std::min(one + gap, most);
   };
   Formation best{0, 0, 0};
   std::int64_t best_price = 0;
   for (int c = std::max(1, columns); c <= (columns > 0 ? columns : n); ++c) {
     const int rows = (n + c - 1) / c;
-    const Mm across = fitted(c, size.width, gap_across, room_across), deep = fitted(rows, size.depth, gap_deep, room_deep);
+    const Mm across = fitted(c, size.width, gap_across, room_across, sides), deep = fitted(rows, size.depth, gap_deep, room_deep, ends);
     if (across == 0 || deep == 0) continue;
     // Shares of the room that it takes along both should be alike; full rows are better.
     const std::int64_t w = std::int64_t{1000} * (across * (c - 1) + size.width) / room_across,
                        d = std::int64_t{1000} * (deep * (rows - 1) + size.depth) / room_deep;
-    const std::int64_t price = std::abs(w - d) + (n % c ? 250 : 0);
+    const std::int64_t price = std::abs(w - d) + (n % c ? kUneven : 0);
     if (best.columns == 0 || price < best_price) best = {c, across, deep}, best_price = price;
   }
   return best;
 }
 
-void add_formation_place(Formula& f, const Model& model, const std::vector<int>& group, int k, int columns, int weight, Mm before) {
+void add_formation_place(Formula& f, const Model& model, const std::vector<int>& group, int k, int columns, int weight, Mm before,
+                         int leader) {
   const int first = group[0], item = group[k], n = static_cast<int>(group.size());
   const auto [gap_across, gap_deep] = gaps_of(model.items[first]);
   const Size& size = model.items[first].states[0].size;
@@ -54,13 +59,21 @@ void add_formation_place(Formula& f, const Model& model, const std::vector<int>&
     const int deep_axis = 1 - row_axis, asked = aside ? (n + columns - 1) / columns : columns;
     const Mm deep = model.room.extent(deep_axis);
     const Mm free = ahead != 0 ? std::min(before, deep / 3) : 0;
+    const bool seats = model.items[first].is_seat && model.items[first].has_front;
+    const bool flat = model.items[first].thin;
+    const auto formed = [&](int in_row, int tenths) {
+      return formation_of(n, size, gap_across * tenths / 10, gap_deep * tenths / 10, model.room.extent(row_axis), deep - free, in_row,
+                          flat ? kBehindSeats : kWayAround, seats || flat ? kBehindSeats : kWayAround);
+    };
     Formation form{0, 0, 0};
-    for (int tenths = 10; tenths > 0 && form.columns == 0; tenths -= 3) {  // closer where the room is small
-      form = formation_of(n, size, gap_across * tenths / 10, gap_deep * tenths / 10, model.room.extent(row_axis), deep - free, asked);
-    }
+    if (seats && ahead != 0 && before > 0 && columns == 0 && n <= kOneRow) form = formed(n, 10);
+    for (int tenths = 10; tenths > 0 && form.columns == 0; tenths -= 3) form = formed(asked, tenths);  // closer where the room is small
     if (form.columns == 0) return;
     const int rows = (n + form.columns - 1) / form.columns;
-    const int row = aside ? k % columns : k / form.columns, column = aside ? k / columns : k % form.columns;
+    // Who is told to look at something has the middle of a row: from there it is straight ahead.
+    const int middle = (form.columns - 1) / 2;
+    const int at = leader < 0 ? k : k == leader ? middle : k == middle ? leader : k;
+    const int row = aside ? at % columns : at / form.columns, column = aside ? at / columns : at % form.columns;
     Case& c = f.add();
     if (states) c.when(item, states);
     const auto wish_at = [&](int axis, std::int64_t twice) {  // twice the way from the room's middle
@@ -82,6 +95,33 @@ void add_formation_place(Formula& f, const Model& model, const std::vector<int>&
       add(across(ahead), states, before > 0 ? ahead.sign : 0, aside);
     });
   }
+}
+
+void add_island_place(Formula& f, const Model& model, const std::vector<int>& group, int k, int weight) {
+  const int item = group[k], pairs = (static_cast<int>(group.size()) + 1) / 2, pair = k / 2;
+  const Size& desk = model.items[group[0]].states[0].size;
+  const Size island{desk.width, 2 * (desk.depth + kSeatOfIsland), desk.height};
+  for_each_turn(model.items[item], [&](int turn, std::uint64_t states) {
+    if (!quarter(turn)) return;
+    // Of a pair the first has its back up the axis, the second down.
+    const Direction back = side_direction(model.items[item], Side::kBack, turn);
+    if (back.sign != (k % 2 == 0 ? 1 : -1)) return;
+    const int row_axis = across(back);
+    Formation form{0, 0, 0};
+    for (int tenths = 10; tenths > 0 && form.columns == 0; tenths -= 3) {
+      form = formation_of(pairs, island, kBetweenDesks, kBetweenIslands * tenths / 10, model.room.extent(row_axis),
+                          model.room.extent(back.axis), 0);
+    }
+    if (form.columns == 0) return;
+    const int rows = (pairs + form.columns - 1) / form.columns, row = pair / form.columns, column = pair % form.columns;
+    const int here = row + 1 == rows ? pairs - row * form.columns : form.columns;
+    Case& c = f.add().when(item, states);
+    const auto wish_at = [&](int axis, std::int64_t twice) {
+      c.wish(mid2(item, axis) - Linear(std::int64_t{model.room.lo[axis]} + model.room.hi[axis] + twice), weight, 2);
+    };
+    wish_at(row_axis, std::int64_t{form.across} * (2 * column - (here - 1)));
+    wish_at(back.axis, std::int64_t{form.deep} * (2 * row - (rows - 1)) - std::int64_t{back.sign} * desk.depth);
+  });
 }
 
 void add_seat_place(Formula& f, const Model& model, int seat, int table, int k, int n, int weight, bool long_sides) {

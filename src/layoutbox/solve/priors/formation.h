@@ -14,13 +14,21 @@ struct Formation {
   Mm deep = 0;
 };
 
+inline constexpr Mm kWayAround = 600;
+
 // The formation of n things of that size with at least those gaps that fits the room's shape best; 0 columns where none fits.
-// `room_across` and `room_deep` are the room's extents along and across the rows. `columns` given: it stays.
-Formation formation_of(int n, const Size& size, Mm gap_across, Mm gap_deep, Mm room_across, Mm room_deep, int columns = 0);
+// `room_across` and `room_deep` are the room's extents along and across the rows. `columns` given: it stays; `sides`, `ends`: so much is
+// left free before the walls beside the rows, and before and behind them.
+Formation formation_of(int n, const Size& size, Mm gap_across, Mm gap_deep, Mm room_across, Mm room_deep, int columns = 0,
+                       Mm sides = kWayAround, Mm ends = kWayAround);
 
 // Wishes for the place of group[k] in a formation about the middle of the room, whichever way the first of the group looks. `before`:
-// floor left free before the first row, for what all look at.
-void add_formation_place(Formula& f, const Model& model, const std::vector<int>& group, int k, int columns, int weight, Mm before = 0);
+// floor left free before the first row, for what all look at; `leader`: the one of them who has to see it straight ahead.
+void add_formation_place(Formula& f, const Model& model, const std::vector<int>& group, int k, int columns, int weight, Mm before = 0,
+                         int leader = -1);
+
+// The same for desks in islands: two rows back to back, those who sit there looking at each other.
+void add_island_place(Formula& f, const Model& model, const std::vector<int>& group, int k, int weight);
 
 // Wishes for seat k of n at a table used all round (shared out over its sides, or its two long ones), or at the side where a desk is used.
 void add_seat_place(Formula& f, const Model& model, int seat, int table, int k, int n, int weight, bool long_sides = false);

@@ -32,6 +32,8 @@ void Habits::stand(int index) {
   sit_on_host(index);
   lie_straight(index);
   keep_before_counter(index);
+  lie_alike(index);
+  sit_before_mirror(index);
   if (stand_in_formation(index) || stand_abreast(index)) return;
   stand_at_side(index);
   const bool with_host = sit_by_between(index) || stand_beside(index);
@@ -47,8 +49,8 @@ void Habits::stand(int index) {
     stand_in_run(index);
     if (!stand_as_twin(index) && !with_host) stand_in_wall_row(index);
   } else if (!with_host && !placed_by_relation(index)) {
-    if (used_sides(item).size() >= 4 && !item.is(Trait::kSeat) && rank_of(index) == 0) {
-      stand_in_middle(index);
+    if (used_sides(item).size() >= 4 && !item.is(Trait::kSeat) && rank_of(index) == 0 && (has_sitters(index) || !middle_is_taken(index))) {
+      if (!middle_is_taken(index)) stand_in_middle(index);
     } else if (item.is(Trait::kSeat) && item.has_front && !looks && !item.object->hint.position) {
       back_to_wall(index, kSeatToWall);
     } else {
@@ -56,7 +58,7 @@ void Habits::stand(int index) {
     }
   }
   if (!item.entry->back_to_wall && item.is(Trait::kOpenToRoom) && !stand_along_run(index)) open_to_room(index);
-  if (item.is(Trait::kDesk)) near_light(index);
+  if (item.is(Trait::kDesk) && !item.is(Trait::kOpenToRoom)) near_light(index);
 }
 
 Constraint& Habits::habit(const std::string& what, int item, int weight, Formula formula, std::vector<int> hosts) {
@@ -163,6 +165,7 @@ void Habits::keep_turn(int item, double degrees) {
 void add_habits(Model& model) {
   Habits habits(model);
   for (std::size_t i = 0; i < model.items.size(); ++i) habits.add(static_cast<int>(i));
+  habits.spread();
 }
 
 }  // namespace layoutbox::placement

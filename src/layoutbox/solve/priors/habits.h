@@ -26,6 +26,7 @@ class Habits {
  public:
   explicit Habits(Model& model) : model_(model) {}
   void add(int index);
+  void spread();
 
  private:
   void stand(int index);
@@ -60,9 +61,17 @@ class Habits {
 
   // Habits towards the room: backs to walls, the middle, light, rugs; doors and windows nobody placed.
   void back_to_wall(int item, int weight);
+  bool may_float(int item) const;
+  void lie_alike(int item);
   bool is_narrow_bed(int item) const;
   bool keeps_to_corner(int item) const;
+  bool is_faced_by_kind(int item) const;
+  bool is_looked_at(int item) const;
   bool leave_room_behind(int item);
+  int board_of_room() const;
+  void face_the_class(int item);
+  bool middle_is_taken(int item) const;
+  bool has_sitters(int item) const;
   void stand_at_wall(int item);
   void stand_in_middle(int item);
   void lie_straight(int item);
@@ -76,6 +85,10 @@ class Habits {
   // Habits of what hangs on walls and from ceilings.
   void hang_from_ceiling(int item);
   void hang_clear(int item);
+  bool told_where_it_hangs(int item) const;
+  void hang_along(int item);
+  bool hangs_over_run(int item) const;
+  int seat_facing(int item) const;
   bool hang_in_row(int item);
   void hang_on_wall(int item);
   std::uint64_t states_facing(int item, const RoomWall& wall) const;
@@ -86,6 +99,8 @@ class Habits {
   void leave_free_before(int item);
 
   // Habits towards other things: beside, round, before and facing what they belong to.
+  void sit_before_mirror(int item);
+  void watch_from_near(int item, int screen);
   void come_near(int item, int host);
   void sit_facing(int item, int host);
   bool sit_by_between(int item);
@@ -115,6 +130,11 @@ class Habits {
   };
   std::optional<Group> formation_with(int item) const;
   bool placed_besides_facing(int item) const;
+  bool fits_islands(int item) const;
+  int leader_of(const Group& group) const;
+  Mm teachers_depth() const;
+  bool faces_a_class(int item) const;
+  bool stand_in_islands(int item, const Group& group, int k);
   bool told_where_to_look(int item) const;
   bool told_middle_with_others(int item) const;
   void turn_as(int item, int other);

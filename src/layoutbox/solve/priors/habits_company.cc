@@ -39,7 +39,8 @@ bool Habits::stand_abreast_of(int item, int host, RelationType how) {
   const bool across_from = how == RelationType::kOpposite || how == RelationType::kFacing;
   const Item &self = model_.items[item], &ref = model_.items[host];
   const bool seat = self.is(Trait::kTableSeat);
-  if (!ref.has_front || ref.is_opening() || (seat && how == RelationType::kInFrontOf)) return false;
+  const bool sided = !ref.is_opening() && (ref.has_front || (seat && how == RelationType::kBehind));  // a table's back is that of the room
+  if (!sided || (seat && how == RelationType::kInFrontOf)) return false;
   std::vector<int> peers;
   for (std::size_t i = 0; i < model_.items.size(); ++i) {
     const int other = static_cast<int>(i);
@@ -69,10 +70,11 @@ bool Habits::stand_abreast_of(int item, int host, RelationType how) {
 // the bed. On a table too, and not so close that they touch.
 void Habits::stand_at_side(int item) {
   const Item& self = model_.items[item];
-  if (self.is(Trait::kTableSeat) || self.is(Trait::kEasySeat)) return;
+  if (self.is(Trait::kTableSeat)) return;
   for (const Relation& r : model_.scene->relations) {
     if (r.type != RelationType::kNextTo || r.references.size() != 1) continue;
     const int host = model_.find_item(r.references[0]);
+    if (host >= 0 && self.is(Trait::kEasySeat) && !model_.items[host].is(Trait::kBed)) continue;
     if (host < 0 || !related_as_target(item, host, r.type) || !only_related_by(item, host, {RelationType::kNextTo, RelationType::kNear}))
       continue;
     const Item& ref = model_.items[host];
@@ -210,6 +212,42 @@ void Habits::sit_round_low_table(int item, int table) {
   flank(item, table, 1);
 }
 
+// Who is to look into a mirror of their own sits before it, close enough to see.
+void Habits::sit_before_mirror(int item) {
+  constexpr Mm kOff = 500;
+  const Item& self = model_.items[item];
+  if ((!self.is(Trait::kSeat) && !self.is(Trait::kEasySeat)) || !self.has_front || placed_besides_facing(item)) return;
+  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+    const int mirror = static_cast<int>(i);
+    if (!model_.items[i].is(Trait::kMirror) || model_.items[i].mount != Mount::kWall ||
+        !related_as_target(item, mirror, RelationType::kFacing))
+      continue;
+    Formula f;
+    for_each_turn(model_.items[i], [&](int turn, std::uint64_t states) {
+      if (turn % 90 != 0) return;
+      const Direction front = side_direction(model_.items[i], Side::kFront, turn);
+      Case& c = f.add().when(mirror, states).when(item, states_looking(self, opposite(front)));
+      c.wish(mid2(item, across(front)) - mid2(mirror, across(front)), kBeside, 2);
+      c.wish(gap_towards(item, mirror, front) - Linear(kOff), kBeside);
+    });
+    habit("before its mirror", item, kBeside, std::move(f), {mirror});
+    return;
+  }
+}
+
+// A screen is watched from no farther than one sees it well.
+void Habits::watch_from_near(int item, int screen) {
+  constexpr Mm kFarthest = 3800;
+  constexpr int kTooFar = 150;  // points a metre
+  Formula f;
+  for_each_turn(model_.items[item], [&](int turn, std::uint64_t states) {
+    if (turn % 90 != 0) return;
+    const Direction front = side_direction(model_.items[item], Side::kFront, turn);
+    f.add().when(item, states).require(Linear(kFarthest) - gap_towards(screen, item, front));
+  });
+  habit("near enough to see", item, kTooFar, std::move(f));
+}
+
 void Habits::stand_before_middle(int item, int host) {
   Formula f;
   for_each_turn(model_.items[host], [&](int turn, std::uint64_t states) {
@@ -270,6 +308,7 @@ bool Habits::look_at(int item, bool leads) {
     const bool elsewhere = self.is(Trait::kEasySeat) && placed_besides_facing(item) && !related(item, other);
     habit("faces", item, elsewhere ? kFaces / 3 : kFaces, std::move(f),
           self.is(Trait::kEasySeat) || leads ? std::vector<int>{other} : std::vector<int>{});
+    if (self.is(Trait::kCenterPiece) && !self.is(Trait::kBed) && model_.items[other].is(Trait::kScreen)) watch_from_near(item, other);
     return true;
   }
   return false;

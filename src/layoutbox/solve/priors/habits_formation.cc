@@ -25,9 +25,11 @@ std::optional<Habits::Group> Habits::formation_with(int item) const {
     return group;
   }
   const Item& self = model_.items[item];
-  // What usually stands at a wall and is told where to look, as a class's desks are, stands in rows.
-  const bool at_wall = self.entry->back_to_wall && !told_where_to_look(item);
+  // What usually stands at a wall and is told where to look, as a class's desks are, stands in rows, desks of an office in islands.
+  const bool at_wall = self.entry->back_to_wall && !told_where_to_look(item) && !fits_islands(item);
   if (self.mount != Mount::kFloor || at_wall || area_of(self) > kManySize) return std::nullopt;
+  // Small things that nobody walks up to (plants, barrels) stand at the walls and in the corners, however many.
+  if (used_sides(self).empty() && !self.thin && !self.is(Trait::kSeat) && area_of(self) < kTableToSitRound) return std::nullopt;
   const bool has_host = std::ranges::any_of(items_of_kinds(self.entry->beside, item),
                                             [&](int h) { return !model_.items[h].thin && area_of(model_.items[h]) > area_of(self); });
   if (has_host && !has_knee_room(self)) return std::nullopt;
@@ -37,15 +39,25 @@ std::optional<Habits::Group> Habits::formation_with(int item) const {
     if (model_.items[i].entry == self.entry && !model_.items[i].fixed && (!placed_besides_facing(other) || told_middle_with_others(other)))
       group.members.push_back(other);
   }
+  if (self.entry->back_to_wall && !told_where_to_look(item) && group.members.size() < kManyInFormation) return std::nullopt;
   // Two that one sits or walks round are enough: side by side, turned alike.
   const bool round_about = has_knee_room(self) || used_sides(self).size() >= 4;
-  const std::size_t least = self.is(Trait::kSeat) || area_of(self) < kTableToSitRound ? kManyInFormation
-                            : !self.has_front && round_about                          ? 2
-                            : has_knee_room(self)                                     ? 3
-                                                                                      : kManyInFormation;
+  const std::size_t least = self.is(Trait::kTableSeat) && self.has_front && told_where_to_look(item) ? 3
+                            : self.is(Trait::kSeat) || area_of(self) < kTableToSitRound              ? kManyInFormation
+                            : !self.has_front && round_about                                         ? 2
+                            : has_knee_room(self)                                                    ? 3
+                                                                                                     : kManyInFormation;
   if (group.members.size() < least || std::find(group.members.begin(), group.members.end(), item) == group.members.end())
     return std::nullopt;
   return group;
+}
+
+// Desks that one sits down at from the front, in a room that is wide enough for two rows of them with chairs on both sides.
+bool Habits::fits_islands(int item) const {
+  constexpr Mm kLeastRoom = 4200;
+  const Item& self = model_.items[item];
+  return self.is(Trait::kDesk) && self.entry->back_to_wall && self.has_front && has_knee_room(self) && used_side(self) == Side::kFront &&
+         !told_where_to_look(item) && std::min(model_.room.extent(0), model_.room.extent(1)) >= kLeastRoom;
 }
 
 // Does a relation say which way it looks?
@@ -258,20 +270,61 @@ void Habits::stand_abreast_in_row(int item) {
   }
 }
 
+// The only one of them that is told to look at something else; -1: none, or several.
+int Habits::leader_of(const Group& group) const {
+  int leader = -1;
+  for (std::size_t k = 0; k < group.members.size(); ++k) {
+    const bool leads = std::ranges::any_of(model_.scene->relations, [&](const Relation& r) {
+      return r.type == RelationType::kFacing && std::ranges::find(r.targets, model_.items[group.members[k]].id) != r.targets.end();
+    });
+    if (leads && leader >= 0) return -1;
+    if (leads) leader = static_cast<int>(k);
+  }
+  return leader;
+}
+
+// What a teacher's desk that nobody placed takes between the class and its board.
+Mm Habits::teachers_depth() const {
+  constexpr Mm kForTeacher = 900;
+  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+    if (faces_a_class(static_cast<int>(i))) return kForTeacher;
+  }
+  return 0;
+}
+
+// Two rows back to back, turned one way and the other.
+bool Habits::stand_in_islands(int item, const Group& group, int k) {
+  Formula f;
+  add_island_place(f, model_, group.members, k, kFormation);
+  if (f.cases.empty()) return false;
+  habit("in an island", item, kFormation, std::move(f));
+  if (k == 0) return true;
+  Formula alike;
+  const int first = group.members[0];
+  for_each_turn(model_.items[item], [&](int turn, std::uint64_t states) {
+    const std::uint64_t same = model_.items[first].states_at((turn + (k % 2 == 0 ? 0 : 180)) % 360);
+    if (same) alike.add().when(item, states).when(first, same);
+  });
+  habit("turned as the island", item, kFaces, std::move(alike), {first});
+  return true;
+}
+
 bool Habits::stand_in_formation(int item) {
   const std::optional<Group> group = formation_with(item);
   if (!group) return false;
   const int k = static_cast<int>(std::find(group->members.begin(), group->members.end(), item) - group->members.begin());
-  Formula f;
   const int first = group->members[0];
+  if (group->columns == 0 && model_.items[first].entry->back_to_wall && fits_islands(first)) return stand_in_islands(item, *group, k);
+  Formula f;
   const bool looks =
       told_where_to_look(first) || (model_.items[first].has_front && !items_of_kinds(model_.items[first].entry->faces, first).empty());
-  add_formation_place(f, model_, group->members, k, group->columns, kFormation, looks ? kStageDepth : 0);
+  add_formation_place(f, model_, group->members, k, group->columns, kFormation, looks ? kStageDepth + teachers_depth() : 0,
+                      group->columns == 0 ? leader_of(*group) : -1);
   if (f.cases.empty()) return false;
   habit("in formation", item, kFormation, std::move(f));
   keep_off_faced(item);
   if (k == 0) {
-    look_at(item, true);
+    if (!told_where_to_look(item)) look_at(item, true);
   } else if (model_.items[item].has_front) {
     turn_as(item, group->members[0]);
   }

@@ -5,6 +5,7 @@ namespace layoutbox::placement {
 namespace {
 
 constexpr int kHangHeight = 600;  // points a metre
+constexpr Mm kMostUnder = 1300;   // what is higher has nothing above it
 
 const std::vector<std::string> kUnderPictures{"fireplace", "bed",  "sofa",     "sideboard", "console_table",
                                               "dresser",   "desk", "tv_stand", "cabinet"};
@@ -14,20 +15,76 @@ const std::vector<std::string> kUnderLamps{"dining_table", "kitchen_island", "co
 
 }  // namespace
 
-void Habits::hang_from_ceiling(int item) {
-  const bool placed = std::ranges::any_of(model_.scene->relations, [&](const Relation& r) {
+bool Habits::told_where_it_hangs(int item) const {
+  return std::ranges::any_of(model_.scene->relations, [&](const Relation& r) {
     return r.type != RelationType::kOnCeiling && std::ranges::find(r.targets, model_.items[item].id) != r.targets.end();
   });
-  if (placed) return;  // above its thing, in its corner: the middle of the room would pull it off
-  const std::vector<int> below = items_of_kinds(kUnderLamps, item);
+}
+
+// Lamps over tables, else in the middle of the room.
+void Habits::hang_from_ceiling(int item) {
+  if (told_where_it_hangs(item)) {  // above its thing, in its corner: the middle of the room would pull it off
+    hang_along(item);
+    return;
+  }
+  const Item& self = model_.items[item];
+  std::vector<int> below = self.is(Trait::kLamp) ? items_of_kinds(kUnderLamps, item) : std::vector<int>{};
+  std::erase_if(below, [&](int i) { return model_.items[i].entry->back_to_wall && !model_.items[i].is(Trait::kBed); });  // no desks
+  if (!below.empty()) std::erase_if(below, [&, kind = model_.items[below[0]].entry](int i) { return model_.items[i].entry != kind; });
+  // Several share the tables there are, and the length of each.
+  std::vector<int> peers;
+  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+    const int other = static_cast<int>(i);
+    if (model_.items[i].entry == self.entry && model_.items[i].mount == Mount::kCeiling && !told_where_it_hangs(other))
+      peers.push_back(other);
+  }
+  const auto rank = std::ranges::find(peers, item) - peers.begin(), n = std::ssize(peers);
+  const auto tables = std::max<std::ptrdiff_t>(1, std::ssize(below));
+  const auto place = rank / tables, sharing = std::max<std::ptrdiff_t>(1, (n - rank % tables + tables - 1) / tables);
+  const auto aside2 = [&](Mm length) { return Linear(std::int64_t{length} * (2 * place + 1 - sharing) / sharing); };
   Formula f;
-  Case& c = f.add();
   std::vector<int> hosts;
-  if (!below.empty()) hosts.push_back(below[0]);
-  for (int axis = 0; axis < 2; ++axis)
-    c.wish(mid2(item, axis) - (hosts.empty() ? room_mid2(model_, axis) : mid2(hosts[0], axis)), kHangs, 2);
+  if (below.empty()) {
+    const int along = model_.room.extent(0) >= model_.room.extent(1) ? 0 : 1;
+    Case& c = f.add();
+    c.wish(mid2(item, along) - room_mid2(model_, along) - aside2(model_.room.extent(along)), kHangs, 2);
+    c.wish(mid2(item, 1 - along) - room_mid2(model_, 1 - along), kHangs, 2);
+  } else {
+    hosts.push_back(below[static_cast<std::size_t>(rank % tables)]);
+    const Size& size = model_.items[hosts[0]].states[0].size;
+    for_each_turn(model_.items[hosts[0]], [&](int turn, std::uint64_t states) {
+      const int right = side_direction(model_.items[hosts[0]], Side::kRight, turn).axis;
+      const int along = size.width >= size.depth ? right : 1 - right;
+      Case& c = f.add().when(hosts[0], states);
+      c.wish(mid2(item, along) - mid2(hosts[0], along) - aside2(std::max(size.width, size.depth)), kHangs, 2);
+      c.wish(mid2(item, 1 - along) - mid2(hosts[0], 1 - along), kHangs, 2);
+    });
+  }
   habit("hangs", item, kHangs, std::move(f), hosts);
   if (hosts.empty()) hang_clear(item);
+}
+
+// What hangs from the ceiling down to the floor beside a bed (a ward's curtain) hangs along its long side.
+void Habits::hang_along(int item) {
+  constexpr Mm kOff = 120;
+  if (!model_.items[item].curtain) return;
+  for (const Relation& r : model_.scene->relations) {
+    const int host = r.type == RelationType::kNextTo && r.references.size() == 1 ? model_.find_item(r.references[0]) : -1;
+    if (host < 0 || !model_.items[host].is(Trait::kBed) || !related_as_target(item, host, r.type)) continue;
+    Formula f;
+    for_each_turn(model_.items[host], [&](int turn, std::uint64_t states) {
+      if (turn % 90 != 0) return;
+      const int along = side_direction(model_.items[host], Side::kBack, turn).axis;
+      for (const Side side : {Side::kLeft, Side::kRight}) {
+        const Direction d = side_direction(model_.items[host], side, turn);
+        Case& c = f.add().when(host, states).when(item, states_with_width_along(model_.items[item], along));
+        c.wish(gap_towards(item, host, d) - Linear(kOff), kHangs).wish(mid2(item, along) - mid2(host, along), kHangs, 2);
+        c.require(gap_towards(item, host, d));
+      }
+    });
+    habit("hangs along", item, kHangs, std::move(f), {host});
+    return;
+  }
 }
 
 // What hangs so low that one stands before it (a punching bag) hangs clear of what is on the floor, and of its like.
@@ -50,7 +107,7 @@ void Habits::hang_clear(int item) {
 
 // Several of a kind of which the same is said (hooks above a bench, three pictures) hang side by side at one height.
 bool Habits::hang_in_row(int item) {
-  constexpr Mm kLeastAir = 80, kMostAir = 250;
+  constexpr Mm kLeastAir = 80, kMostAir = 250, kBetweenSeats = 300;
   constexpr int kInRow = 400;
   const auto said_of = [&](int i) {
     std::vector<std::pair<RelationType, std::vector<std::string>>> said;
@@ -61,16 +118,23 @@ bool Habits::hang_in_row(int item) {
     return said;
   };
   const auto mine = said_of(item);
-  if (mine.empty()) return false;
+  const bool faced = seat_facing(item) >= 0;  // each by a seat of its own
+  if (mine.empty() && !faced) return false;
   int before = -1;
   for (int i = 0; i < item; ++i) {
     const Item& other = model_.items[i];
-    if (!other.is_opening() && other.entry == model_.items[item].entry && other.mount == Mount::kWall && said_of(i) == mine) before = i;
+    if (!other.is_opening() && other.entry == model_.items[item].entry && other.mount == Mount::kWall && said_of(i) == mine &&
+        (seat_facing(i) >= 0) == faced)
+      before = i;
   }
   if (before < 0) return false;
   const Item& self = model_.items[item];
-  const Mm pitch2 = self.states[0].size.width + model_.items[before].states[0].size.width +
-                    2 * std::clamp(self.states[0].size.width / 2, kLeastAir, kMostAir);
+  // Who sits before each of them needs more width than they.
+  const auto width_of = [&](int i) {
+    const int seat = seat_facing(i);
+    return std::max(model_.items[i].states[0].size.width, seat < 0 ? 0 : model_.items[seat].states[0].size.width + kBetweenSeats);
+  };
+  const Mm pitch2 = width_of(item) + width_of(before) + 2 * std::clamp(self.states[0].size.width / 2, kLeastAir, kMostAir);
   Formula f;
   for (const RoomWall& wall : model_.walls) {
     if (!wall.straight) continue;
@@ -83,6 +147,16 @@ bool Habits::hang_in_row(int item) {
   if (f.cases.empty()) return false;
   habit("in a row on the wall", item, kInRow, std::move(f), {before});
   return true;
+}
+
+// The seat that alone is told to face what hangs on the wall; -1: none.
+int Habits::seat_facing(int item) const {
+  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+    const int seat = static_cast<int>(i);
+    if ((model_.items[i].is(Trait::kSeat) || model_.items[i].is(Trait::kEasySeat)) && related_as_target(seat, item, RelationType::kFacing))
+      return seat;
+  }
+  return -1;
 }
 
 // The table that a meeting sits round, or -1.
@@ -138,6 +212,13 @@ void Habits::leave_free_before(int item) {
   }
 }
 
+// A cupboard of a kitchen on the wall, where there are units below.
+bool Habits::hangs_over_run(int item) const {
+  const CatalogEntry& entry = *model_.items[item].entry;
+  return !entry.spaces.empty() && std::ranges::find(entry.rooms, "kitchen") != entry.rooms.end() &&
+         std::ranges::any_of(model_.items, [](const Item& other) { return other.is(Trait::kKitchenRun) && other.mount == Mount::kFloor; });
+}
+
 // At its usual height; a curtain at its window, a picture over something, else in the middle of a wall.
 void Habits::hang_on_wall(int item) {
   const Item& self = model_.items[item];
@@ -160,8 +241,18 @@ void Habits::hang_on_wall(int item) {
   });
   std::vector<int> under;
   const bool board = self.is(Trait::kScreen) && !self.is(Trait::kElseOnWall);
-  if (!is_faced && !board)
-    under = items_of_kinds(self.is(Trait::kMirror) ? kUnderMirrors : self.is(Trait::kScreen) ? kUnderScreens : kUnderPictures, item);
+  if (!is_faced && !board) {
+    const bool unit = hangs_over_run(item);
+    if (!unit)
+      under = items_of_kinds(self.is(Trait::kMirror) ? kUnderMirrors : self.is(Trait::kScreen) ? kUnderScreens : kUnderPictures, item);
+    for (std::size_t i = 0; unit && i < model_.items.size(); ++i) {
+      if (model_.items[i].is(Trait::kKitchenRun) && model_.items[i].mount == Mount::kFloor) under.push_back(static_cast<int>(i));
+    }
+    // A wardrobe leaves no wall above it.
+    std::erase_if(under, [&](int i) {
+      return model_.items[i].states[0].size.height > kMostUnder || (self.is(Trait::kScreen) && model_.items[i].is(Trait::kKitchenRun));
+    });
+  }
   Formula f;
   std::vector<int> hosts;
   if (static_cast<std::size_t>(rank_of(item)) < under.size()) {
@@ -172,7 +263,7 @@ void Habits::hang_on_wall(int item) {
       c.wish(mid2(item, wall.normal()) - mid2(hosts[0], wall.normal()), kHangs / 2, 2);
       c.require(lo(item, 2) - hi(hosts[0], 2) - Linear(120));
     }
-  } else if (const int table = self.is(Trait::kScreen) ? long_table() : -1; table >= 0) {
+  } else if (const int table = self.is(Trait::kScreen) && items_of_kinds(self.entry->faces, item).empty() ? long_table() : -1; table >= 0) {
     hang_before_table(f, item, table);
     hosts.push_back(table);
   } else {

@@ -11,7 +11,8 @@ constexpr int kOddTurn = 120;                     // points
 constexpr int kBedToCorner = 80, kToCorner = 20;  // points for not being in a corner
 constexpr Mm kFlushInCorner = 20;
 constexpr int kWallFree = 400;  // points a metre
-const std::vector<std::string> kOnRugs{"coffee_table", "dining_table", "bed", "crib", "table", "sofa", "desk"};
+constexpr int kFloats = 250;    // points for a sofa that stands off the walls of a large room
+const std::vector<std::string> kOnRugs{"coffee_table", "dining_table", "bed", "crib", "table", "sofa"};
 
 }  // namespace
 
@@ -21,7 +22,7 @@ void Habits::back_to_wall(int item, int weight) {
   for (std::size_t i = 0; i < model_.items.size(); ++i)
     alike += model_.items[i].entry == model_.items[item].entry && !placed_by_relation_besides_walls(static_cast<int>(i));
   const bool narrow_bed = is_narrow_bed(item);
-  const bool heart = model_.items[item].is(Trait::kCenterPiece) && alike <= 1 && !narrow_bed;
+  const bool heart = (model_.items[item].is(Trait::kCenterPiece) || is_looked_at(item)) && alike <= 1 && !narrow_bed;
   // In a corner it gives up the free floor at one side, and keeps that at the other.
   const std::map<Side, Mm>& wanted = model_.items[item].entry->clearance;
   const int for_side = wanted.contains(Side::kLeft) && wanted.contains(Side::kRight) ? kCostWeights.wanted : 0;
@@ -37,7 +38,20 @@ void Habits::back_to_wall(int item, int weight) {
     f.cases.push_back(low.require(Linear(std::int64_t{wall.lo} + kFlushInCorner) - lo(item, wall.along)));
     f.cases.push_back(high.require(hi(item, wall.along) - Linear(std::int64_t{wall.hi} - kFlushInCorner)));
   }
+  if (may_float(item)) f.add().price = kFloats;
   habit("back to wall", item, weight, std::move(f));
+}
+
+// In a large room a sofa comes off its wall rather than look at a screen from afar.
+bool Habits::may_float(int item) const {
+  constexpr Mm kLarge = 5600;
+  const Item& self = model_.items[item];
+  return self.is(Trait::kCenterPiece) && !self.is(Trait::kBed) && std::min(model_.room.extent(0), model_.room.extent(1)) >= kLarge &&
+         !placed_by_relation_besides_walls(item) && std::ranges::any_of(model_.items, [&](const Item& other) {
+           return other.is(Trait::kScreen) && other.is(Trait::kElseOnWall) &&
+                  std::ranges::any_of(self.entry->faces,
+                                      [&](const std::string& kind) { return model_.catalog->is_a(other.entry->id, kind); });
+         });
 }
 
 // A bed for one has a long side at the second wall too, but where one is cared for from both sides or more than two stand there.
@@ -59,20 +73,36 @@ bool Habits::keeps_to_corner(int item) const {
   if (self.is(Trait::kCenterPiece) || self.is(Trait::kTable) || self.is(Trait::kDeskLike) || self.is(Trait::kSeat)) return false;
   if (self.is(Trait::kOpenToRoom) || placed_by_relation_besides_walls(item) || !items_of_kinds(self.entry->beside, item).empty())
     return false;
-  return std::ranges::none_of(model_.items, [&](const Item& other) {
-    return other.entry != nullptr &&
+  return !is_faced_by_kind(item);
+}
+
+// A fireplace, a piano; no desk, at which one sits.
+bool Habits::is_looked_at(int item) const {
+  const Item& self = model_.items[item];
+  return is_faced_by_kind(item) && !self.is(Trait::kTable) && !self.is(Trait::kDeskLike) && !self.is(Trait::kCounter);
+}
+
+// Is it what something there usually faces?
+bool Habits::is_faced_by_kind(int item) const {
+  const Item& self = model_.items[item];
+  return std::ranges::any_of(model_.items, [&](const Item& other) {
+    return other.entry != nullptr && other.entry != self.entry &&
            std::ranges::any_of(other.entry->faces, [&](const std::string& kind) { return model_.is_a(item, kind); });
   });
 }
 
-// A desk that somebody is told to sit behind stands off the wall, its front to the room.
+// A desk that somebody is told to sit behind, or a counter that somebody serves over, stands off the wall, its front to the room.
 bool Habits::leave_room_behind(int item) {
   constexpr Mm kForSitter = 1100;
   constexpr int kBehind = 400;  // points a metre
-  if (!model_.items[item].is(Trait::kDeskLike) || used_side(model_.items[item]) != Side::kFront ||
-      looking_side(model_, item) != Side::kFront)
-    return false;
-  if (placed_by_relation(item)) return true;
+  const Item& self = model_.items[item];
+  const std::vector<Side> used = used_sides(self);
+  const bool open = self.is(Trait::kOpenToRoom) && std::ranges::find(used, Side::kBack) != used.end();
+  const bool told = used_side(self) == Side::kFront && looking_side(model_, item) == Side::kFront;
+  const bool served_over = open && self.is(Trait::kCounter) && used.size() < 4;  // no island
+  if ((!self.is(Trait::kDeskLike) || (!open && !told)) && !served_over) return false;
+  if (placed_besides_facing(item)) return true;
+  face_the_class(item);
   Formula f;
   for (const RoomWall& wall : model_.walls) {
     if (!wall.straight) continue;
@@ -113,6 +143,32 @@ void Habits::stand_at_wall(int item) {
     }
   }
   habit("at a wall", item, kAtWall, std::move(f));
+}
+
+// Something else is told to be in the middle.
+bool Habits::middle_is_taken(int item) const {
+  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+    const Item& other = model_.items[i];
+    const int index = static_cast<int>(i);
+    if (index == item || other.is_opening() || other.mount != Mount::kFloor || other.thin) continue;
+    if (std::ranges::any_of(model_.scene->relations, [&](const Relation& r) {
+          return r.type == RelationType::kCenterOfRoom && std::ranges::find(r.targets, other.id) != r.targets.end();
+        }))
+      return true;
+  }
+  return false;
+}
+
+// Seats that words put there, or that usually stand there and are nowhere else.
+bool Habits::has_sitters(int item) const {
+  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+    const int seat = static_cast<int>(i);
+    if (!model_.items[i].is(Trait::kTableSeat)) continue;
+    const std::vector<std::string>& at = model_.items[i].entry->beside;
+    const bool usual = std::ranges::any_of(at, [&](const std::string& kind) { return model_.is_a(item, kind); });
+    if (related(seat, item) || (usual && !placed_besides_facing(seat))) return true;
+  }
+  return false;
 }
 
 void Habits::stand_in_middle(int item) {

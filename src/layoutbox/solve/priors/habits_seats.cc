@@ -43,6 +43,7 @@ void Habits::come_near(int item, int host) {
     const Direction front = side_direction(ref, Side::kFront, turn);
     Case& c = f.add().when(host, states).wish(gap_towards(item, host, front) - Linear(before ? 400 : at_foot ? 50 : 10), kBeside);
     if (at_foot || before) c.when(item, states_with_width_along(self, across(front)));
+    if (at_foot) c.wish(mid2(item, across(front)) - mid2(host, across(front)), kBeside, 2);
   });
   if (ref.spans >= 0 && ref.odd_states != 0) {
     const std::size_t known = f.cases.size();
