@@ -85,7 +85,13 @@ TEST(Furnished, TheTeacherSitsBetweenTheBoardAndTheClassAndLooksAtIt) {
 }
 
 TEST(Furnished, ASofaIsNearEnoughToItsScreen) {
-  const Layout layout = solved_as_asked(SceneMaker(7000, 5000).add("pool_table").add("sofa").add("tv").mounted(Mount::kWall).make(true));
+  const Layout layout = solved_as_asked(SceneMaker(7000, 5000)
+                                            .add("pool_table")
+                                            .add("sofa")
+                                            .add("tv")
+                                            .mounted(Mount::kWall)
+                                            .relate("facing", {"sofa_1"}, {"tv_1"})
+                                            .make(true));
   const Point tv = seen_from(object(layout, "sofa_1"), object(layout, "tv_1"));
   EXPECT_LT(tv.y, 0);
   EXPECT_GT(tv.y, -5000);

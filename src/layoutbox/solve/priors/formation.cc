@@ -14,6 +14,7 @@ constexpr Mm kBackOfSeat = 130;      // what of a chair stays before the edge
 constexpr Mm kBeforeKneeless = 100;  // from what one sits before without room for the knees
 constexpr Mm kSeatOfIsland = 450;    // what the seats take at either side of an island of desks
 constexpr Mm kBetweenIslands = 800, kBetweenDesks = 20;
+constexpr Mm kRoundCounter = 1100;     // behind a counter, and before it
 constexpr int kOneRow = 5;             // so few seats that look at something sit in one row
 constexpr std::int64_t kUneven = 400;  // thousandths of the room that a last row which is not full may cost
 
@@ -50,19 +51,25 @@ Formation formation_of(int n, const Size& size, Mm gap_across, Mm gap_deep, Mm r
 }
 
 void add_formation_place(Formula& f, const Model& model, const std::vector<int>& group, int k, int columns, int weight, Mm before,
-                         int leader) {
+                         int leader, int counter) {
   const int first = group[0], item = group[k], n = static_cast<int>(group.size());
   const auto [gap_across, gap_deep] = gaps_of(model.items[first]);
   const Size& size = model.items[first].states[0].size;
   // `ahead`: which way along the columns they look. `aside`: what the words call a column is a row to those who stand in it.
-  const auto add = [&](int row_axis, std::uint64_t states, int ahead, bool aside) {
+  struct Taken {  // the end of the room where the counter stands, which looks that way in those of its states
+    std::uint64_t states = 0;
+    Direction front{0, 1};
+    Mm depth = 0;
+  };
+  const auto add = [&](int row_axis, std::uint64_t states, int ahead, bool aside, const Taken& taken = {}) {
     const int deep_axis = 1 - row_axis, asked = aside ? (n + columns - 1) / columns : columns;
-    const Mm deep = model.room.extent(deep_axis);
+    const auto extent = [&](int axis) { return model.room.extent(axis) - (axis == taken.front.axis ? taken.depth : 0); };
+    const Mm deep = extent(deep_axis);
     const Mm free = ahead != 0 ? std::min(before, deep / 3) : 0;
     const bool seats = model.items[first].is_seat && model.items[first].has_front;
     const bool flat = model.items[first].thin;
     const auto formed = [&](int in_row, int tenths) {
-      return formation_of(n, size, gap_across * tenths / 10, gap_deep * tenths / 10, model.room.extent(row_axis), deep - free, in_row,
+      return formation_of(n, size, gap_across * tenths / 10, gap_deep * tenths / 10, extent(row_axis), deep - free, in_row,
                           flat ? kBehindSeats : kWayAround, seats || flat ? kBehindSeats : kWayAround);
     };
     Formation form{0, 0, 0};
@@ -76,7 +83,9 @@ void add_formation_place(Formula& f, const Model& model, const std::vector<int>&
     const int row = aside ? at % columns : at / form.columns, column = aside ? at / columns : at % form.columns;
     Case& c = f.add();
     if (states) c.when(item, states);
+    if (taken.states) c.when(counter, taken.states);
     const auto wish_at = [&](int axis, std::int64_t twice) {  // twice the way from the room's middle
+      if (axis == taken.front.axis) twice += std::int64_t{taken.front.sign} * taken.depth;
       c.wish(mid2(item, axis) - Linear(std::int64_t{model.room.lo[axis]} + model.room.hi[axis] + twice), weight, 2);
     };
     // A last row that is not full stands about the middle, where no columns are asked for.
@@ -84,6 +93,15 @@ void add_formation_place(Formula& f, const Model& model, const std::vector<int>&
     wish_at(row_axis, std::int64_t{form.across} * (2 * column - (here - 1)));
     wish_at(deep_axis, std::int64_t{form.deep} * (2 * row - (rows - 1)) - ahead * free);
   };
+  if (!model.items[first].has_front && counter >= 0) {
+    const Item& bar = model.items[counter];
+    for_each_turn(bar, [&](int turn, std::uint64_t turned) {
+      const std::uint64_t states = states_with_width_along(model.items[item], 0);
+      if (quarter(turn))
+        add(0, states, 0, false, {turned, side_direction(bar, Side::kFront, turn), bar.states[0].size.depth + kRoundCounter});
+    });
+    if (!f.cases.empty()) return;
+  }
   if (!model.items[first].has_front) return add(0, states_with_width_along(model.items[item], 0), 0, false);
   const Side eyes = looking_side(model, item);
   // The places speak of nothing but the item itself, so that they hold whichever of the group comes first.

@@ -23,9 +23,10 @@ Formation formation_of(int n, const Size& size, Mm gap_across, Mm gap_deep, Mm r
                        Mm sides = kWayAround, Mm ends = kWayAround);
 
 // Wishes for the place of group[k] in a formation about the middle of the room, whichever way the first of the group looks. `before`:
-// floor left free before the first row, for what all look at; `leader`: the one of them who has to see it straight ahead.
+// floor left free before the first row, for what all look at; `leader`: the one of them who has to see it straight ahead;
+// `counter`: what they stand before, and not behind or where its own place is.
 void add_formation_place(Formula& f, const Model& model, const std::vector<int>& group, int k, int columns, int weight, Mm before = 0,
-                         int leader = -1);
+                         int leader = -1, int counter = -1);
 
 // The same for desks in islands: two rows back to back, those who sit there looking at each other.
 void add_island_place(Formula& f, const Model& model, const std::vector<int>& group, int k, int weight);

@@ -99,6 +99,7 @@ class Habits {
   void leave_free_before(int item);
 
   // Habits towards other things: beside, round, before and facing what they belong to.
+  int mirror_of(int item) const;
   void sit_before_mirror(int item);
   void watch_from_near(int item, int screen);
   void come_near(int item, int host);
@@ -120,7 +121,7 @@ class Habits {
   void flank(int item, int host, int hosts);
   std::vector<int> seats_at(int item, int host, int hosts) const;
   bool before_its_host(int item) const;
-  bool look_at(int item, bool leads = false);
+  bool look_at(int item, bool leads = false, const std::vector<int>& crowd = {});
 
   // Habits of things that come in numbers.
   // The things of a kind that stand in formation: asked for as a grid, or many that nobody placed.
@@ -132,6 +133,7 @@ class Habits {
   bool placed_besides_facing(int item) const;
   bool fits_islands(int item) const;
   int leader_of(const Group& group) const;
+  int counter_of_room() const;
   Mm teachers_depth() const;
   bool faces_a_class(int item) const;
   bool stand_in_islands(int item, const Group& group, int k);

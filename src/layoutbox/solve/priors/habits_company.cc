@@ -212,27 +212,31 @@ void Habits::sit_round_low_table(int item, int table) {
   flank(item, table, 1);
 }
 
-// Who is to look into a mirror of their own sits before it, close enough to see.
+// The mirror on the wall that a seat is told to look into, where nothing else says where it stands; -1: none.
+int Habits::mirror_of(int item) const {
+  const Item& self = model_.items[item];
+  if ((!self.is(Trait::kSeat) && !self.is(Trait::kEasySeat)) || !self.has_front || placed_besides_facing(item)) return -1;
+  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+    const bool mirror = model_.items[i].is(Trait::kMirror) && model_.items[i].mount == Mount::kWall;
+    if (mirror && related_as_target(item, static_cast<int>(i), RelationType::kFacing)) return static_cast<int>(i);
+  }
+  return -1;
+}
+
+// Who is to look into a mirror sits before it, close enough to see.
 void Habits::sit_before_mirror(int item) {
   constexpr Mm kOff = 500;
-  const Item& self = model_.items[item];
-  if ((!self.is(Trait::kSeat) && !self.is(Trait::kEasySeat)) || !self.has_front || placed_besides_facing(item)) return;
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
-    const int mirror = static_cast<int>(i);
-    if (!model_.items[i].is(Trait::kMirror) || model_.items[i].mount != Mount::kWall ||
-        !related_as_target(item, mirror, RelationType::kFacing))
-      continue;
-    Formula f;
-    for_each_turn(model_.items[i], [&](int turn, std::uint64_t states) {
-      if (turn % 90 != 0) return;
-      const Direction front = side_direction(model_.items[i], Side::kFront, turn);
-      Case& c = f.add().when(mirror, states).when(item, states_looking(self, opposite(front)));
-      c.wish(mid2(item, across(front)) - mid2(mirror, across(front)), kBeside, 2);
-      c.wish(gap_towards(item, mirror, front) - Linear(kOff), kBeside);
-    });
-    habit("before its mirror", item, kBeside, std::move(f), {mirror});
-    return;
-  }
+  const int mirror = mirror_of(item);
+  if (mirror < 0) return;
+  Formula f;
+  for_each_turn(model_.items[mirror], [&](int turn, std::uint64_t states) {
+    if (turn % 90 != 0) return;
+    const Direction front = side_direction(model_.items[mirror], Side::kFront, turn);
+    Case& c = f.add().when(mirror, states).when(item, states_looking(model_.items[item], opposite(front)));
+    c.wish(mid2(item, across(front)) - mid2(mirror, across(front)), kBeside, 2);
+    c.wish(gap_towards(item, mirror, front) - Linear(kOff), kBeside);
+  });
+  habit("before its mirror", item, kBeside, std::move(f), {mirror});
 }
 
 // A screen is watched from no farther than one sees it well.
@@ -290,7 +294,7 @@ void Habits::flank(int item, int host, int hosts) {
 bool Habits::before_its_host(int item) const { return model_.items[item].is(Trait::kStandsBefore); }
 
 // Its front to what it is for: sofas to screens, easy chairs to the table between. False: there is nothing of that.
-bool Habits::look_at(int item, bool leads) {
+bool Habits::look_at(int item, bool leads, const std::vector<int>& crowd) {
   const Item& self = model_.items[item];
   if (!self.has_front) return false;
   const std::vector<int> seen = items_of_kinds(self.entry->faces, item);
@@ -298,7 +302,7 @@ bool Habits::look_at(int item, bool leads) {
     if (model_.items[other].mount != Mount::kFloor && model_.items[other].mount != Mount::kWall && seen.size() > 1 && other != seen[0])
       continue;
     Formula f;
-    add_looks_at(f, model_, item, other);
+    crowd.empty() ? add_looks_at(f, model_, item, other) : add_looks_with_group(f, model_, item, crowd, other);
     if (self.is(Trait::kEasySeat) && !related(item, other)) {
       for (Case& c : f.cases) {  // near enough to put a cup down
         for (int axis = 0; axis < 2; ++axis) c.wish(mid2(item, axis) - mid2(other, axis), 60, 2);

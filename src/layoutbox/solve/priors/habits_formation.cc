@@ -33,6 +33,7 @@ std::optional<Habits::Group> Habits::formation_with(int item) const {
   const bool has_host = std::ranges::any_of(items_of_kinds(self.entry->beside, item),
                                             [&](int h) { return !model_.items[h].thin && area_of(model_.items[h]) > area_of(self); });
   if (has_host && !has_knee_room(self)) return std::nullopt;
+  if (mirror_of(item) >= 0) return std::nullopt;
   Group group;
   for (std::size_t i = 0; i < model_.items.size(); ++i) {
     const int other = static_cast<int>(i);
@@ -283,6 +284,16 @@ int Habits::leader_of(const Group& group) const {
   return leader;
 }
 
+// Where guests or customers are served, which nobody placed; -1: nowhere.
+int Habits::counter_of_room() const {
+  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+    const Item& bar = model_.items[i];
+    const bool served_over = bar.is(Trait::kCounter) && bar.is(Trait::kOpenToRoom) && bar.has_front && bar.mount == Mount::kFloor;
+    if (served_over && used_sides(bar).size() < 4 && !placed_besides_facing(static_cast<int>(i))) return static_cast<int>(i);
+  }
+  return -1;
+}
+
 // What a teacher's desk that nobody placed takes between the class and its board.
 Mm Habits::teachers_depth() const {
   constexpr Mm kForTeacher = 900;
@@ -316,15 +327,16 @@ bool Habits::stand_in_formation(int item) {
   const int first = group->members[0];
   if (group->columns == 0 && model_.items[first].entry->back_to_wall && fits_islands(first)) return stand_in_islands(item, *group, k);
   Formula f;
+  const int counter = group->columns == 0 && model_.items[first].is(Trait::kTable) ? counter_of_room() : -1;
   const bool looks =
       told_where_to_look(first) || (model_.items[first].has_front && !items_of_kinds(model_.items[first].entry->faces, first).empty());
   add_formation_place(f, model_, group->members, k, group->columns, kFormation, looks ? kStageDepth + teachers_depth() : 0,
-                      group->columns == 0 ? leader_of(*group) : -1);
+                      group->columns == 0 ? leader_of(*group) : -1, counter);
   if (f.cases.empty()) return false;
-  habit("in formation", item, kFormation, std::move(f));
+  habit("in formation", item, kFormation, std::move(f), counter >= 0 ? std::vector<int>{counter} : std::vector<int>{});
   keep_off_faced(item);
   if (k == 0) {
-    if (!told_where_to_look(item)) look_at(item, true);
+    if (!told_where_to_look(item)) look_at(item, true, group->members);
   } else if (model_.items[item].has_front) {
     turn_as(item, group->members[0]);
   }

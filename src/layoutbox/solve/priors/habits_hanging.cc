@@ -232,7 +232,7 @@ void Habits::hang_on_wall(int item) {
   }
   leave_free_before(item);
   if (stand_beside(item)) return;
-  look_at(item);
+  look_at(item, self.is(Trait::kScreen));
   if (hang_in_row(item)) return;
   if (placed_by_relation_besides_walls(item)) return;
   // A board that a class looks at hangs over nobody's desk.

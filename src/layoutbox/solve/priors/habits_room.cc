@@ -93,7 +93,7 @@ bool Habits::is_faced_by_kind(int item) const {
 
 // A desk that somebody is told to sit behind, or a counter that somebody serves over, stands off the wall, its front to the room.
 bool Habits::leave_room_behind(int item) {
-  constexpr Mm kForSitter = 1100;
+  constexpr Mm kForSitter = 1100, kForServer = 590;
   constexpr int kBehind = 400;  // points a metre
   const Item& self = model_.items[item];
   const std::vector<Side> used = used_sides(self);
@@ -107,7 +107,8 @@ bool Habits::leave_room_behind(int item) {
   for (const RoomWall& wall : model_.walls) {
     if (!wall.straight) continue;
     Case& c = f.add().when(item, states_with_back_to(model_.items[item], wall));
-    c.wish(gap_towards(item, place_of(model_, wall), {wall.normal(), wall.inward}) - Linear(kForSitter), kBehind);
+    c.wish(gap_towards(item, place_of(model_, wall), {wall.normal(), wall.inward}) - Linear(served_over ? kForServer : kForSitter),
+           kBehind);
     wish_middle_of_wall(c, model_, item, wall, kMiddle);
   }
   if (!f.cases.empty()) habit("room behind", item, kBehind, std::move(f));

@@ -7,7 +7,7 @@ namespace layoutbox::placement {
 void Habits::spread() {
   constexpr int kSpread = 80;             // points a metre
   constexpr std::int64_t kUnit = 10'000;  // mm²
-  constexpr int kFewest = 3;
+  constexpr int kFewest = 5;
   Linear off[2];
   std::int64_t all = 0;
   int things = 0;
