@@ -86,7 +86,7 @@ TEST(Furnished, TheTeacherSitsBetweenTheBoardAndTheClassAndLooksAtIt) {
 
 TEST(Furnished, ASofaIsNearEnoughToItsScreen) {
   const Layout layout = solved_as_asked(SceneMaker(7000, 5000)
-                                            .add("pool_table")
+                                            .add("coffee_table")
                                             .add("sofa")
                                             .add("tv")
                                             .mounted(Mount::kWall)
