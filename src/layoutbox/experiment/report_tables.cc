@@ -15,12 +15,12 @@ std::string percent(const std::optional<vlm::Estimate>& estimate) {
   return fmt::format("{:.1f} % <small>[{:.0f}, {:.0f}]</small>", estimate->value * 100, estimate->low * 100, estimate->high * 100);
 }
 
-std::string figure(const std::optional<vlm::Estimate>& estimate) {
+std::string two_places(const std::optional<vlm::Estimate>& estimate) {
   if (!estimate) return "n/a";
   return fmt::format("{:.2f} <small>[{:.2f}, {:.2f}]</small>", estimate->value, estimate->low, estimate->high);
 }
 
-std::string figure(const std::optional<double>& value) { return value ? fmt::format("{:.2f}", *value) : "n/a"; }
+std::string two_places(const std::optional<double>& value) { return value ? fmt::format("{:.2f}", *value) : "n/a"; }
 
 std::string cell(const std::string& text) { return "<td class=n>" + text + "</td>"; }
 
@@ -43,8 +43,8 @@ std::string claims_of_judge(const std::string& name, const Records& records) {
   const FourOver open = four_over(both), walled = four_over(both, true);
   rows += claim("right answers on pictures with walls cut away", name, percent(open.all.accuracy));
   rows += claim("right answers on the same rooms with all walls", name, percent(walled.all.accuracy));
-  rows += claim("score against the scene, walls cut away", name, figure(open.scene_score));
-  rows += claim("score against the scene, all walls", name, figure(walled.scene_score));
+  rows += claim("score against the scene, walls cut away", name, two_places(open.scene_score));
+  rows += claim("score against the scene, all walls", name, two_places(walled.scene_score));
   return rows;
 }
 
@@ -128,8 +128,8 @@ std::string four_table(const Groups& groups) {
       if (record->picture.cut_away) judges.insert(record->picture.judge + ", shown the " + record->picture.shown);
     }
     rows += named(name) + cell(std::to_string(over.rooms)) + cell(percent(over.single.accuracy)) + cell(percent(over.multi.accuracy)) +
-            cell(figure(over.scene_score)) + cell(figure(over.prompt_score)) + cell(figure(over.all.kappa)) +
-            cell(percent(over.all.neither_rate)) + cell(figure(over.score_and_answers)) + "</tr>\n";
+            cell(two_places(over.scene_score)) + cell(two_places(over.prompt_score)) + cell(two_places(over.all.kappa)) +
+            cell(percent(over.all.neither_rate)) + cell(two_places(over.score_and_answers)) + "</tr>\n";
   }
   if (rows.empty()) return "<p class=skipped>No vision model judged the pictures: n/a.</p>\n";
   std::string who;
@@ -168,10 +168,11 @@ std::string ratings_part(const Groups& groups, const std::vector<Rating>& rating
   for (const auto& [name, records] : groups) {
     all.insert(all.end(), records.begin(), records.end());
     const auto rated = std::count_if(records.begin(), records.end(), [](const RunRecord* record) { return !record->ratings.empty(); });
-    if (rated > 0) rows += named(name) + cell(std::to_string(rated)) + cell(figure(rating_over(records))) + "</tr>\n";
+    if (rated > 0) rows += named(name) + cell(std::to_string(rated)) + cell(two_places(rating_over(records))) + "</tr>\n";
   }
   for (const RatingLink& link : rating_links(all)) {
-    links += named(link.name) + cell(std::to_string(link.rooms)) + cell(figure(link.pearson)) + cell(figure(link.spearman)) + "</tr>\n";
+    links +=
+        named(link.name) + cell(std::to_string(link.rooms)) + cell(two_places(link.pearson)) + cell(two_places(link.spearman)) + "</tr>\n";
   }
   const std::optional<double> agreement = agreement_of(ratings);
   return fmt::format("<h2>Ratings by people</h2>\n<p>{} ratings, 1 to 10, in {} file{}{}{}.</p>\n", ratings.size(), raters.size(),
