@@ -16,6 +16,15 @@ bool Chunker::follows_doer() const {
   return who.last == who.first + 1 && lexicon_.is(tokens_[who.first], Class::kDoer);
 }
 
+// "on the desk I wish one lamp", "here we require two vases": what is wanted is there, as after "I want".
+bool Chunker::read_wishing() {
+  if (i_ + 2 >= tokens_.size() || !lexicon_.is(tokens_[i_], Class::kDoer) || !lexicon_.is_in("wishing", tokens_[i_ + 1].text) ||
+      !thing_next(i_ + 2))
+    return false;
+  add(ChunkKind::kThere, 2);
+  return true;
+}
+
 // "I'm writing a thriller", "nobody will weigh the dog". "I'm building a cabin" is about the cabin.
 bool Chunker::read_doing() {
   static constexpr std::array<std::string_view, 8> kMaking = {"building",   "making",   "creating",   "designing",

@@ -35,7 +35,7 @@ bool Chunker::clause_begins() const {
 }
 
 void Chunker::read() {
-  if (read_distance() || read_size_chunk() || read_rows() || read_infinitive() || read_doing()) return;
+  if (read_distance() || read_size_chunk() || read_rows() || read_infinitive() || read_wishing() || read_doing()) return;
   const bool about = tokens_[i_].text == "like" || tokens_[i_].text == "say";  // "like three mugs", "stools, say five"
   if (about && i_ + 1 < tokens_.size() && lexicon_.is(tokens_[i_ + 1], Class::kNumber)) {
     add(ChunkKind::kIgnored, 1);

@@ -54,6 +54,7 @@ class Chunker {
   bool read_infinitive();
   // What somebody does (chunk_deeds).
   bool follows_doer() const;
+  bool read_wishing();
   bool read_doing();
   bool is_placing(std::size_t at) const;
   bool brings_in(std::size_t at) const;

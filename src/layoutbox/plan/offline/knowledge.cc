@@ -32,6 +32,7 @@ bool is_table(const Catalog& /*catalog*/, const NounPhrase& noun) {
 
 bool is_seat(const Catalog& /*catalog*/, const NounPhrase& noun) {
   if (noun.entry != nullptr && noun.entry->is(Trait::kSeat)) return true;
+  if (noun.entry != nullptr && noun.entry->is(Trait::kTable)) return false;  // a bench to work at
   return one_of(noun.head,
                 {"chair", "stool", "armchair", "seat", "bench", "barstool", "recliner", "sofa", "couch", "loveseat", "ottoman", "pouf"});
 }

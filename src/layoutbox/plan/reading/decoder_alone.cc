@@ -125,10 +125,10 @@ void Decoder::front_alone_actions(std::size_t s, int u, double gain) {
   add(s, kFrontAlone, gain - 5);
 }
 
-// "side by side", "back to back", stacks: of the list by itself.
+// "side by side", "shoulder to shoulder", stacks: of the list by itself.
 bool Decoder::by_each_other(int u) const {
   const std::string& last = document_.tokens[chunk(u).last - 1].text;
-  return (chunk(u).last > chunk(u).first + 1 && last == word(u) && (last == "side" || last == "back")) ||
+  return (chunk(u).last > chunk(u).first + 1 && last == word(u)) ||
          says(alone_senses(u), RelationType::kStacked);
 }
 

@@ -69,6 +69,9 @@ double Decoder::antecedent_place_score(const State& state, Referent referent, Re
   const Referent owner = subject >= 0 ? host_of(state, subject) : kNobody;
   if (subject >= 0 && referent == owner && side && small) score += weight::kOwnHost;
   if (subject >= 0 && referent == owner && !side && lies && noun != nullptr && noun->head == "it") score += weight::kOnOwnHost;
+  // "a mirror with a shelf below it"
+  const bool over = says(senses, RelationType::kAbove) || says(senses, RelationType::kUnder);
+  if (subject >= 0 && referent == owner && over && noun != nullptr && noun->head == "it") score += weight::kOwnHost;
   // "a cage with a parrot inside": in the cage.
   const bool inside = says(senses, RelationType::kIn) && noun != nullptr && noun->head.empty();
   if (subject >= 0 && referent == owner && inside) score += weight::kInOwnHost;

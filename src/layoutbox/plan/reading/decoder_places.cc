@@ -36,11 +36,25 @@ double Decoder::attach_score(const State& state, int u, int level, bool inverse)
   if (again && unit(u).joiner == Joiner::kNone && nearer == 0) score += weight::kSameSubject;
   if (level > 0 && finite_place(u)) score += weight::kFiniteRoot;
   if (word(u) == "from" && level > 0) score += weight::kFromRoot;
+  if (!inverse && hangs_twice(state, u, member)) score += weight::kPlacedTwice;
   if (!is_definite(state, member)) return score;
   if (inverse) return score + (is_thing(state, member) ? weight::kKnownHost : weight::kPlaceAsHost);
   if (member + 1 == u && unit(u).joiner == Joiner::kNone && is_one_of_several(member)) return score + weight::kTellsWhich;
   score += is_known(state, member) ? weight::kKnownSubject : weight::kDefiniteSubject;
   return score;
+}
+
+// "a poster hangs on the wall, with a dispenser fixed to the wall": the poster hangs there already.
+bool Decoder::hangs_twice(const State& state, int u, int member) const {
+  const auto at_wall = [&](int place) {
+    return is(place, UnitKind::kPlace) && says(unit(place).direct, RelationType::kOnWall) && is(place + 1, UnitKind::kNoun) &&
+           chunk(place + 1).noun.kind == NounKind::kWall;
+  };
+  if (!at_wall(u)) return false;
+  for (int before = member + 1; before < u; ++before) {
+    if (at_wall(before) && read_as(state, before).subject == member) return true;
+  }
+  return false;
 }
 
 // "two bookshelves … the bookshelf nearest the door": what follows says which.

@@ -32,10 +32,11 @@ bool Scribe::hangs(int u) const {
   return u > 0 && (is(u - 1, UnitKind::kParticiple) || is(u - 1, UnitKind::kVerb)) && chunk(u - 1).hang;
 }
 
-// "side by side", "stacked": of the things by each other.
+// "side by side", "elbow to elbow", "stacked": of the things by each other.
 bool Scribe::is_mutual(int u, const Link& link) const {
+  const bool twice = chunk(u).last > chunk(u).first + 2 && document_.tokens[chunk(u).last - 1].text == word(u);
   return reading(u).implied == kNobody && (!link.targets.empty() || reading(u).fronted) &&
-         (says(link.senses, RelationType::kStacked) || word(u) == "side" || word(u) == "back");
+         (says(link.senses, RelationType::kStacked) || twice || word(u) == "side" || word(u) == "back");
 }
 
 // Whom a place without a reference is by.

@@ -60,6 +60,21 @@ bool UnitReader::says_what_is_there(std::size_t first, std::size_t last) const {
   return thing && !told;
 }
 
+// "so its front edge meets the foot of the bed", "so that it faces the window": where what was spoken of is.
+bool UnitReader::says_where_known_is(std::size_t first, std::size_t last) const {
+  if (!is(first, ChunkKind::kNoun) || is_person(first)) return false;
+  const NounPhrase& who = chunk(first).noun;
+  const std::string& opens = document_.tokens[chunk(first).first].text;
+  const bool known = (who.kind == NounKind::kPronoun && who.head == "it") || opens == "its" ||
+                     (who.determiner == Determiner::kDefinite && who.kind == NounKind::kObject && who.exact);
+  std::size_t place = next(first);
+  if (is(place, ChunkKind::kVerb) || is(place, ChunkKind::kParticiple)) place = next(place);
+  const std::size_t by = next(place);
+  if (!known || by >= last || !is(place, ChunkKind::kRelation) || !is(by, ChunkKind::kNoun)) return false;
+  const NounPhrase& what = chunk(by).noun;
+  return what.kind != NounKind::kRoom && what.kind != NounKind::kAbstract && what.determiner == Determiner::kDefinite;
+}
+
 // "because my knee gets stiff", "so that the postman can rest", "where grandpa tells his stories": the clause at k, told by the way.
 bool UnitReader::passes_aside(std::size_t k) {
   static constexpr std::string_view kWhy[] = {"because",   "since", "so",       "that",   "if",    "unless",   "case", "hence",
@@ -68,7 +83,7 @@ bool UnitReader::passes_aside(std::size_t k) {
   if (first >= end || is(first, ChunkKind::kComma)) return false;
   const bool why = std::ranges::find(kWhy, document_.tokens[chunk(k).last - 1].text) != std::end(kWhy);
   if (!why && !is_person(k) && !is_person(first)) return false;
-  if (says_what_is_there(first, end)) return false;
+  if (says_what_is_there(first, end) || (why && says_where_known_is(first, end))) return false;
   // "nobody touches the harp, which stands by the window"
   if (is(next(end), ChunkKind::kRelative) && is(previous(end), ChunkKind::kNoun) && chunk(previous(end)).noun.kind == NounKind::kObject)
     return false;

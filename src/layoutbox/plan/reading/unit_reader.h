@@ -52,6 +52,7 @@ class UnitReader {
   std::size_t clause_end(std::size_t k) const;
   bool is_person(std::size_t k) const;
   bool says_what_is_there(std::size_t first, std::size_t last) const;
+  bool says_where_known_is(std::size_t first, std::size_t last) const;
   bool passes_aside(std::size_t k);
   bool does_it_there(std::size_t k) const;
   bool names_thing(std::size_t k) const;
