@@ -128,8 +128,7 @@ void Decoder::front_alone_actions(std::size_t s, int u, double gain) {
 // "side by side", "shoulder to shoulder", stacks: of the list by itself.
 bool Decoder::by_each_other(int u) const {
   const std::string& last = document_.tokens[chunk(u).last - 1].text;
-  return (chunk(u).last > chunk(u).first + 1 && last == word(u)) ||
-         says(alone_senses(u), RelationType::kStacked);
+  return (chunk(u).last > chunk(u).first + 1 && last == word(u)) || says(alone_senses(u), RelationType::kStacked);
 }
 
 // Of the thing at that level of the frontier; `nearer`: how many things are nearer.
