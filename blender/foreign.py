@@ -10,7 +10,7 @@ import sys
 import traceback
 
 import bpy
-from mathutils import Matrix
+from mathutils import Matrix, Vector
 
 UP = Matrix(((1, 0, 0, 0), (0, 0, 1, 0), (0, -1, 0, 0), (0, 0, 0, 1)))  # z up to y up
 GEOMETRY = {"MESH", "CURVE", "SURFACE", "META", "FONT", "CURVES", "VOLUME"}
@@ -70,6 +70,29 @@ def rows(matrix):
     return [matrix[row][column] for column in range(4) for row in range(4)]
 
 
+def three(values):
+    """Three numbers of a custom property, or None."""
+    try:
+        numbers = [float(value) for value in values]
+    except (TypeError, ValueError):
+        return None
+    return numbers if len(numbers) == 3 else None
+
+
+def facts_of(thing):
+    """What a .blend of ours says of a thing beyond its meshes; of what was moved or scaled by hand only what is still so."""
+    words = {key: thing.get(key) for key in ("kind", "category", "swing", "supportedBy")}
+    facts = {key: value for key, value in words.items() if isinstance(value, str) and value}
+    size, placed = three(thing.get("size")), three(thing.get("placed at"))
+    if size and facts.get("kind") == "object":
+        facts["size"] = [length * abs(scale) for length, scale in zip(size, thing.matrix_world.to_scale())]
+    elif size and max(abs(scale - 1) for scale in thing.matrix_world.to_scale()) < 1e-4:
+        facts["size"] = size
+    if not placed or (thing.matrix_world.translation - Vector(placed)).length > 1e-3:
+        facts.pop("supportedBy", None)
+    return facts
+
+
 class Writer:
     def __init__(self, graph):
         self.graph = graph
@@ -84,8 +107,7 @@ class Writer:
 
     def add(self, thing, original, above, drawn, children):
         node = {"name": original.name, "matrix": rows(UP @ above @ thing.matrix_world @ UP.inverted())}
-        facts = {key: original.get(key) for key in ("kind", "category")}
-        facts = {key: value for key, value in facts.items() if isinstance(value, str) and value}
+        facts = facts_of(original)
         if facts:
             node["extras"] = facts
         # Of ours the walls that a picture leaves out are walls all the same.

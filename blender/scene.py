@@ -106,6 +106,17 @@ def add_lights(row, thing, group):
         group.objects.link(lamp)
 
 
+def say_what_it_is(row, thing):
+    """What the meshes do not tell, as custom properties: an open leaf is no obstacle, what sticks out of a box is not its size."""
+    thing["kind"], thing["category"], thing["name in words"] = row["kind"], row["category"], row["name"]
+    opening = next((o for o in OPENINGS if o["id"] == row["id"]), None) if row["kind"] == "opening" else None
+    if opening:
+        thing["category"], thing["swing"] = opening["type"], opening["swing"]
+        thing["size"] = (opening["w"], opening["h"], opening["sill"])
+    if row["kind"] == "object":  # what holds it is so only where it was put
+        thing["size"], thing["supportedBy"], thing["placed at"] = row["size"], row["stands_on"], row["at"]
+
+
 def build_rows(rows, out, meshes, materials):
     shared = {}
     panes = {name: make_pane(name, row) for name, row in MATERIALS.items() if row["alpha"] < 1 and not row["image"]}
@@ -119,7 +130,7 @@ def build_rows(rows, out, meshes, materials):
             if data is None:
                 data = shared[key] = make_mesh(row["id"], row["parts"], meshes, own)
         thing = place(row, data, group)
-        thing["kind"], thing["category"], thing["name in words"] = row["kind"], row["category"], row["name"]
+        say_what_it_is(row, thing)
         thing.hide_render = row["id"] in out
         if row["kind"] == "ceiling":  # seen from inside, yet the light comes in as if it were not there
             thing.visible_shadow = thing.visible_diffuse = thing.visible_glossy = thing.visible_transmission = False

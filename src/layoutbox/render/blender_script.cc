@@ -121,9 +121,10 @@ std::string room_tables(const Layout& layout) {
   }
   text += "]\n\nOPENINGS = [\n";
   for (const Opening& opening : room.openings) {
-    text += fmt::format("    {{\"id\": {}, \"type\": \"{}\", \"wall\": {}, \"offset\": {}, \"w\": {}, \"h\": {}, \"sill\": {}}},\n",
-                        literal(opening.id), name_of(opening.type), literal(opening.wall), number(m_from_mm(opening.offset.value_or(0))),
-                        number(m_from_mm(opening.width)), number(m_from_mm(opening.height)), number(m_from_mm(opening.sill)));
+    text += fmt::format(
+        "    {{\"id\": {}, \"type\": \"{}\", \"wall\": {}, \"offset\": {}, \"w\": {}, \"h\": {}, \"sill\": {}, \"swing\": \"{}\"}},\n",
+        literal(opening.id), name_of(opening.type), literal(opening.wall), number(m_from_mm(opening.offset.value_or(0))),
+        number(m_from_mm(opening.width)), number(m_from_mm(opening.height)), number(m_from_mm(opening.sill)), name_of(opening.swing));
   }
   return text + "]\n\n";
 }

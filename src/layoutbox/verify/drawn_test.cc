@@ -183,8 +183,8 @@ TEST(Seen, WhatIsHiddenInThePicture) {
   TestRoom room;
   room.add("bed", "bed", {1, 2, 0.5}, {1, 1}).add("stool", "stool", {0.3, 0.3, 0.4}, {3, 3}).add("clock", "clock", {0.3, 0.1, 0.3}, {1, 0});
   Report report;
-  const Status read = verify_seen(room.layout, R"({"objects": {"bed": {"visible": 0.9, "behind": []},
-    "stool": {"visible": 0.0, "behind": ["bed"]}}, "behindWalls": 0, "leftOut": ["clock"]})",
+  const Status read = verify_seen(room.layout, R"({"things": [], "visibility": {"objects": {"bed": {"visible": 0.9, "behind": []},
+    "stool": {"visible": 0.0, "behind": ["bed"]}}, "behindWalls": 0, "leftOut": ["clock"]}})",
                                   report);
   ASSERT_TRUE(read);
   EXPECT_TRUE(passes(report, "visibility", "bed"));
@@ -193,7 +193,8 @@ TEST(Seen, WhatIsHiddenInThePicture) {
   EXPECT_THAT(find_check(report, "visibility", "stool")->message, HasSubstr("behind bed"));
   EXPECT_EQ(find_check(report, "visibility", "clock"), nullptr);
   EXPECT_EQ(report.metrics.at("visibility"), 0.5);
-  for (const char* broken : {"", "[]", "{}", R"({"objects": []})"}) EXPECT_FALSE(verify_seen(room.layout, broken, report)) << broken;
+  for (const char* broken : {"", "[]", "{}", R"({"visibility": []})", R"({"visibility": {"objects": []}})"})
+    EXPECT_FALSE(verify_seen(room.layout, broken, report)) << broken;
 }
 
 }  // namespace

@@ -46,21 +46,24 @@ std::string words_for(const std::string& id, const Sight& sight) {
 
 Status verify_seen(const Layout& layout, std::string_view mask_index, Report& report) {
   LAYOUTBOX_ASSIGN(const json document, parse_json(mask_index));
-  if (!document.is_object() || !document.contains("objects") || !document.at("objects").is_object()) {
-    return fail(ErrorCode::kSchema, "the index of a mask has no \"objects\"", "/objects", "give the mask.json that --mask wrote");
+  const json::json_pointer place_of_objects("/visibility/objects");
+  if (!document.contains(place_of_objects) || !document.at(place_of_objects).is_object()) {
+    return fail(ErrorCode::kSchema, "the index of a mask has no \"objects\" under \"visibility\"", "/visibility/objects",
+                "give the mask.json that --mask wrote");
   }
+  const json& visibility = document.at("visibility");
   int seen = 0, all = 0;
   for (std::size_t i = 0; i < layout.objects.size(); ++i) {
     const std::string& id = layout.objects[i].id;
-    const std::optional<Sight> sight = sight_of(document.at("objects"), id);
+    const std::optional<Sight> sight = sight_of(visibility.at("objects"), id);
     if (!sight) continue;  // left out of the picture together with the wall on which it hangs
     const bool enough = sight->visible >= kLeastSeen;
     ++all, seen += enough;
     report.checks.push_back(
         {"visibility", id, enough, false, sight->visible, "share", words_for(id, *sight), fmt::format("/objects/{}", i), kLeastSeen});
   }
-  const auto behind = document.find("behindWalls");
-  const double hidden = behind != document.end() && behind->is_number() ? behind->get<double>() : 0;
+  const auto behind = visibility.find("behindWalls");
+  const double hidden = behind != visibility.end() && behind->is_number() ? behind->get<double>() : 0;
   report.checks.push_back(
       {"visibility", "walls", hidden == 0, false, hidden, "",
        hidden == 0 ? "no wall stands before anything" : fmt::format("walls stand before {} pixels of furniture", hidden), "/room", 0});
