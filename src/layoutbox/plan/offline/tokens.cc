@@ -222,6 +222,7 @@ class Tokenizer {
       take_number(token);
     } else if (is_letter(first.value)) {
       take_word(token);
+      if (ends_dimensions(token)) return;
     } else if (const std::size_t taken = read_contraction(prompt_, at_, tokens_); taken > 0) {
       at_ += taken;
       return;
@@ -264,6 +265,18 @@ class Tokenizer {
     finish_word(token);
     if (stands_for_one(token.text)) token.text = tokens_.empty() || tokens_.back().text != "one" ? "one" : "else";  // "one mine, one hers"
     if (token.text == "round" && !tokens_.empty() && tokens_.back().text == "all") token.text = "around";           // "chairs all round"
+  }
+
+  // "a 3D printer", "a 2D map": one word, no count.
+  bool ends_dimensions(const Token& token) {
+    if (token.text != "d" || !token.glued || tokens_.empty()) return false;
+    Token& number = tokens_.back();
+    if (number.kind != Token::Kind::kNumber || number.end != token.begin || (number.text != "2" && number.text != "3")) return false;
+    number.kind = Token::Kind::kWord;
+    number.text += "d";
+    number.number = 0;
+    number.end = at_;
+    return true;
   }
 
   // "…, mine has a lamp", "his chair on the left and hers on the right": one of what was named. Not "a gold mine", "a friend of mine".
