@@ -217,7 +217,8 @@ bool NounPhraseReader::read_other(const Match& match, bool noun_before) {
       lexicon_.find_phrase(tokens_, i_).length < 2 && lexicon_.find(tokens_, i_, Class::kHave).length < 2) {  // "each filled with"
     return add(Class::kFiller, match.meanings.front(), 1, false);
   }
-  if (!noun_before && named && has(match, Class::kAdverb) && lexicon_.find_phrase(tokens_, i_).length <= match.length) {
+  const bool rather = has(match, Class::kAdverb) || at_word("otherwise");  // "an otherwise bare gallery"
+  if (!noun_before && named && rather && lexicon_.find_phrase(tokens_, i_).length <= match.length) {
     i_ += match.length;
     return true;
   }

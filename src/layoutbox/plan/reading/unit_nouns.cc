@@ -192,6 +192,23 @@ bool UnitReader::resumes(std::size_t k) const {
          before.determiner != Determiner::kNone;
 }
 
+// "2 bins, 1 table. Table stands along a wall.": without an article, of the one that was listed and has no place yet.
+bool UnitReader::places_listed(std::size_t k) const {
+  const NounPhrase& noun = chunk(k).noun;
+  if (noun.kind != NounKind::kObject || noun.determiner != Determiner::kNone || noun.count > 0 || noun.plural || !noun.attributes.empty() ||
+      !units_.empty())
+    return false;
+  const auto tells = [&](std::size_t c) { return is(c, ChunkKind::kRelation) || is(c, ChunkKind::kParticiple) || is(c, ChunkKind::kVerb); };
+  if (!tells(next(k))) return false;
+  std::size_t found = 0, one = 0;
+  for (std::size_t c = 0; c < k; ++c) {
+    if (!is(c, ChunkKind::kNoun) || chunk(c).noun.kind != NounKind::kObject || chunk(c).noun.name != noun.name) continue;
+    one = c;
+    ++found;
+  }
+  return found == 1 && !chunk(one).noun.is_plural() && !tells(next(one));
+}
+
 void UnitReader::settle_noun(std::size_t k) {
   shares_out(k);
   NounPhrase& noun = document_.chunks[k].noun;
@@ -217,7 +234,7 @@ void UnitReader::settle_noun(std::size_t k) {
     noun.first = share.first;
     noun.last = share.last;
   }
-  if (resumes(k)) noun.determiner = Determiner::kDefinite;
+  if (resumes(k) || places_listed(k)) noun.determiner = Determiner::kDefinite;
   if (named_ || skipping_ || negated_) return;
   // "Notes for chapter three: the bridge of the freighter": a heading says nothing yet
   if (is_title(k)) noun.kind = NounKind::kRoom;

@@ -82,6 +82,8 @@ class UnitReader {
   void shares_out(std::size_t k);
   bool takes_new_share(std::size_t k) const;
   bool resumes(std::size_t k) const;
+  bool places_listed(std::size_t k) const;
+  bool is_topic_before_colon(std::size_t k) const;
   void settle_noun(std::size_t k);
   void settle_place_words(std::size_t k);
   bool repeats_place(std::size_t k);

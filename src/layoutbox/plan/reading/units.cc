@@ -128,6 +128,13 @@ void UnitReader::read(std::size_t k) {
   }
 }
 
+// "The bar counter: five stools lined up in front of it": what is said next is told of it, and is no more of one list.
+bool UnitReader::is_topic_before_colon(std::size_t k) const {
+  if (document_.tokens[chunk(k).first].text != ":" || units_.size() != 1 || units_.front().kind != UnitKind::kNoun) return false;
+  const NounPhrase& topic = chunk(units_.front().chunk).noun;
+  return topic.kind == NounKind::kObject && topic.determiner == Determiner::kDefinite && !topic.is_plural();
+}
+
 void UnitReader::read_break(std::size_t k) {
   const bool comma = is(k, ChunkKind::kComma);
   mark(k, Use::kIgnored, comma ? "" : "joins");
@@ -137,6 +144,10 @@ void UnitReader::read_break(std::size_t k) {
   if (negated_) {
     const bool more = is(n, ChunkKind::kNoun) && chunk(n).noun.determiner == Determiner::kNone && chunk(n).noun.count == 0;
     if (!more || (document_.tokens[chunk(k).first].text == ":" && is(previous(k), ChunkKind::kNoun))) negated_ = false;
+  }
+  if (is_topic_before_colon(k)) {
+    clause_ = true;
+    return;
   }
   if (comma)
     joiner_ = joiner_ == Joiner::kNone || joiner_ == Joiner::kComma ? Joiner::kComma : Joiner::kCommaAnd;  // "… and, across from it, …"
