@@ -34,27 +34,27 @@ Json relation(const char* id, const char* type, const char* target, const char* 
   return {{"id", id}, {"type", type}, {"targets", {target}}, {"relativeTo", reference}, {"hard", true}};
 }
 
-const auto other_side = [](const char* words) { return Contains(Field(&SceneChange::sentence, HasSubstr(words))); };
+const auto kOtherSide = [](const char* words) { return Contains(Field(&SceneChange::sentence, HasSubstr(words))); };
 
 TEST(SceneChanges, TheOtherSideIsProposed) {
-  EXPECT_THAT(changes_for(Json::array({relation("c1", "leftOf", "chair_1", "table_1")})), other_side("be rightOf instead of leftOf"));
+  EXPECT_THAT(changes_for(Json::array({relation("c1", "leftOf", "chair_1", "table_1")})), kOtherSide("be rightOf instead of leftOf"));
 }
 
 TEST(SceneChanges, WhatIsSaidAlreadyIsNoFurtherWayOut) {
   EXPECT_THAT(changes_for(Json::array({relation("c1", "leftOf", "chair_1", "table_1"), relation("c2", "rightOf", "chair_1", "table_1")})),
-              Not(other_side("instead of")));
+              Not(kOtherSide("instead of")));
   EXPECT_THAT(changes_for(Json::array({relation("c1", "behind", "chair_1", "table_1"), relation("c2", "inFrontOf", "chair_1", "table_1")})),
-              Not(other_side("instead of")));
+              Not(kOtherSide("instead of")));
 }
 
 TEST(SceneChanges, NorIsWhatIsSaidFromTheOtherThing) {
   EXPECT_THAT(changes_for(Json::array({relation("c1", "leftOf", "chair_1", "table_1"), relation("c2", "leftOf", "table_1", "chair_1")})),
-              Not(other_side("instead of")));
+              Not(kOtherSide("instead of")));
 }
 
 TEST(SceneChanges, WhatIsSaidOfOtherThingsDoesNotCount) {
   EXPECT_THAT(changes_for(Json::array({relation("c1", "leftOf", "chair_1", "table_1"), relation("c2", "rightOf", "table_1", "chair_1")})),
-              other_side("be rightOf instead of leftOf"));
+              kOtherSide("be rightOf instead of leftOf"));
 }
 
 }  // namespace

@@ -6,9 +6,10 @@
 #include "layoutbox/catalog/word_lists.h"
 
 namespace layoutbox::offline {
-namespace {
 
 using Class = WordClass;
+
+namespace {
 
 class AbsentReader {
  public:

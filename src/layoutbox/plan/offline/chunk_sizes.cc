@@ -224,9 +224,8 @@ bool Chunker::read_size_chunk() {
       const std::size_t taken = read_size(lexicon_, tokens_, at, named);
       if (taken > 0 && values.size() == 1) {  // "120 cm wide and 60 cm deep" comes in two
         // Before a noun it belongs to the noun phrase.
-        if (previous() != ChunkKind::kNoun && previous() != ChunkKind::kComma && previous() != ChunkKind::kAnd &&
-            previous() != ChunkKind::kVerb && previous() != ChunkKind::kIgnored)
-          return false;
+        constexpr std::array kStandsAfter = {ChunkKind::kNoun, ChunkKind::kComma, ChunkKind::kAnd, ChunkKind::kVerb, ChunkKind::kIgnored};
+        if (std::ranges::find(kStandsAfter, previous()) == kStandsAfter.end()) return false;
         if (at + taken < tokens_.size() && lexicon_.find(tokens_, at + taken, Class::kObject).length > 0) return false;
         Chunk& chunk = add(ChunkKind::kSize, at + taken - i_);
         chunk.size = named;

@@ -34,6 +34,17 @@ bool Chunker::clause_begins() const {
          before == ChunkKind::kCommand;
 }
 
+// "there is", but not "the lamp there", "it is there on the shelf"
+bool Chunker::read_there(std::size_t without) {
+  const std::size_t there = length_of(Class::kThere);
+  if (there == 0 || there < without) return false;
+  const ChunkKind before = previous();
+  const bool place =
+      there == 1 && tokens_[i_].text == "there" && (before == ChunkKind::kNoun || (before == ChunkKind::kVerb && !thing_next(i_ + 1)));
+  add(place ? ChunkKind::kIgnored : ChunkKind::kThere, there);
+  return true;
+}
+
 void Chunker::read() {
   if (read_distance() || read_size_chunk() || read_rows() || read_infinitive() || read_wishing() || read_doing()) return;
   const bool about = tokens_[i_].text == "like" || tokens_[i_].text == "say";  // "like three mugs", "stools, say five"
@@ -57,16 +68,8 @@ void Chunker::read() {
     return;
   }
   // "The left nightstand", "two chairs": what opens a noun phrase is one, unless a longer phrase begins so ("one behind the other").
-  const std::size_t there = length_of(Class::kThere), without = length_of(Class::kWithout);
-  if (there > 0 && there >= without) {
-    // "the lamp there", "it is there on the shelf"
-    if (there == 1 && tokens_[i_].text == "there" && (before == ChunkKind::kNoun || (before == ChunkKind::kVerb && !thing_next(i_ + 1)))) {
-      add(ChunkKind::kIgnored, 1);
-    } else {
-      add(ChunkKind::kThere, there);
-    }
-    return;
-  }
+  const std::size_t without = length_of(Class::kWithout);
+  if (read_there(without)) return;
   const bool counts = tokens_[i_].text == "over" || tokens_[i_].text == "at" || tokens_[i_].text == "more" || tokens_[i_].text == "exactly";
   const bool count_follows =
       !counts || length_of(Class::kAtLeast) > 0 ||

@@ -45,6 +45,7 @@ class Chunker {
   // A command or statement may begin here, so that a bare word is its verb and not a noun.
   bool clause_begins() const;
   void read();
+  bool read_there(std::size_t without);
   PhraseMatch phrase_here() const;
   bool noun_follows() const;
   bool is_verb_before_article(const NounPhrase& noun) const;

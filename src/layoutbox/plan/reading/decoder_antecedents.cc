@@ -11,7 +11,7 @@ namespace layoutbox::offline {
 namespace {
 
 constexpr std::size_t kChoices = 4;
-constexpr int kBack = 12;  // mentions of earlier sentences that are looked at
+constexpr int kMentionsBack = 12;  // mentions of earlier sentences that are looked at
 
 // "it" of several, "them" of one.
 double number_score(const NounPhrase& noun, bool many) {
@@ -185,7 +185,7 @@ void Decoder::text_antecedents(const State& state, const PhraseSenses* senses, c
   for (std::size_t r = before_.roots.size(), looked = 0; r-- > 0 && looked < 6; ++looked, order += 0.6)
     trial(referent_of_mention(before_.roots[r]), order, false);
   int back = 0;
-  for (std::size_t m = document_.mentions.size(); m-- > 0 && back < kBack; ++back, order += 0.4)
+  for (std::size_t m = document_.mentions.size(); m-- > 0 && back < kMentionsBack; ++back, order += 0.4)
     trial(referent_of_mention(static_cast<int>(m)), order, false);
 }
 

@@ -50,67 +50,95 @@ Formation formation_of(int n, const Size& size, Mm gap_across, Mm gap_deep, Mm r
   return best;
 }
 
-void add_formation_place(Formula& f, const Model& model, const std::vector<int>& group, int k, int columns, int weight, Mm before,
-                         int leader, int counter) {
-  const int first = group[0], item = group[k], n = static_cast<int>(group.size());
-  const auto [gap_across, gap_deep] = gaps_of(model.items[first]);
-  const Size& size = model.items[first].states[0].size;
+namespace {
+
+// The end of the room where the counter stands, which looks that way in those of its states.
+struct Taken {
+  std::uint64_t states = 0;
+  Direction front{0, 1};
+  Mm depth = 0;
+};
+
+// The places of one member of a formation, a case for each way that it may look.
+class FormationPlace {
+ public:
+  FormationPlace(Formula& formula, const Model& model, const FormationOf& of)
+      : f_(formula), model_(model), of_(of), item_(of.group[of.k]), first_(model.items[of.group[0]]) {}
+
   // `ahead`: which way along the columns they look. `aside`: what the words call a column is a row to those who stand in it.
-  struct Taken {  // the end of the room where the counter stands, which looks that way in those of its states
-    std::uint64_t states = 0;
-    Direction front{0, 1};
-    Mm depth = 0;
-  };
-  const auto add = [&](int row_axis, std::uint64_t states, int ahead, bool aside, const Taken& taken = {}) {
-    const int deep_axis = 1 - row_axis, asked = aside ? (n + columns - 1) / columns : columns;
-    const auto extent = [&](int axis) { return model.room.extent(axis) - (axis == taken.front.axis ? taken.depth : 0); };
-    const Mm deep = extent(deep_axis);
-    const Mm free = ahead != 0 ? std::min(before, deep / 3) : 0;
-    const bool seats = model.items[first].is_seat && model.items[first].has_front;
-    const bool flat = model.items[first].thin;
-    const auto formed = [&](int in_row, int tenths) {
-      return formation_of(n, size, gap_across * tenths / 10, gap_deep * tenths / 10, extent(row_axis), deep - free, in_row,
-                          flat ? kBehindSeats : kWayAround, seats || flat ? kBehindSeats : kWayAround);
-    };
-    Formation form{0, 0, 0};
-    if (seats && ahead != 0 && before > 0 && columns == 0 && n <= kOneRow) form = formed(n, 10);
-    for (int tenths = 10; tenths > 0 && form.columns == 0; tenths -= 3) form = formed(asked, tenths);  // closer where the room is small
+  void add(int row_axis, std::uint64_t states, int ahead, bool aside, const Taken& taken = {}) {
+    const int n = static_cast<int>(of_.group.size()), deep_axis = 1 - row_axis;
+    const Mm deep = extent(deep_axis, taken), free = ahead != 0 ? std::min(of_.before, deep / 3) : 0;
+    const Formation form = form_in(extent(row_axis, taken), deep - free, ahead, aside);
     if (form.columns == 0) return;
     const int rows = (n + form.columns - 1) / form.columns;
     // Who is told to look at something has the middle of a row: from there it is straight ahead.
-    const int middle = (form.columns - 1) / 2;
+    const int middle = (form.columns - 1) / 2, leader = of_.leader, k = of_.k;
     const int at = leader < 0 ? k : k == leader ? middle : k == middle ? leader : k;
-    const int row = aside ? at % columns : at / form.columns, column = aside ? at / columns : at % form.columns;
-    Case& c = f.add();
-    if (states) c.when(item, states);
-    if (taken.states) c.when(counter, taken.states);
+    const int row = aside ? at % of_.columns : at / form.columns, column = aside ? at / of_.columns : at % form.columns;
+    Case& c = f_.add();
+    if (states) c.when(item_, states);
+    if (taken.states) c.when(of_.counter, taken.states);
     const auto wish_at = [&](int axis, std::int64_t twice) {  // twice the way from the room's middle
       if (axis == taken.front.axis) twice += std::int64_t{taken.front.sign} * taken.depth;
-      c.wish(mid2(item, axis) - Linear(std::int64_t{model.room.lo[axis]} + model.room.hi[axis] + twice), weight, 2);
+      c.wish(mid2(item_, axis) - Linear(std::int64_t{model_.room.lo[axis]} + model_.room.hi[axis] + twice), of_.weight, 2);
     };
     // A last row that is not full stands about the middle, where no columns are asked for.
-    const int here = columns == 0 && row + 1 == rows ? n - row * form.columns : form.columns;
+    const int here = of_.columns == 0 && row + 1 == rows ? n - row * form.columns : form.columns;
     wish_at(row_axis, std::int64_t{form.across} * (2 * column - (here - 1)));
     wish_at(deep_axis, std::int64_t{form.deep} * (2 * row - (rows - 1)) - ahead * free);
-  };
-  if (!model.items[first].has_front && counter >= 0) {
-    const Item& bar = model.items[counter];
+  }
+
+ private:
+  Mm extent(int axis, const Taken& taken) const { return model_.room.extent(axis) - (axis == taken.front.axis ? taken.depth : 0); }
+
+  // No columns: it has no room.
+  Formation form_in(Mm across, Mm deep, int ahead, bool aside) const {
+    const int n = static_cast<int>(of_.group.size());
+    const int asked = aside ? (n + of_.columns - 1) / of_.columns : of_.columns;
+    const bool seats = first_.is_seat && first_.has_front, flat = first_.thin;
+    const auto [gap_across, gap_deep] = gaps_of(first_);
+    const auto formed = [&, wide = gap_across, far = gap_deep](int in_row, int tenths) {
+      return formation_of(n, first_.states[0].size, wide * tenths / 10, far * tenths / 10, across, deep, in_row,
+                          flat ? kBehindSeats : kWayAround, seats || flat ? kBehindSeats : kWayAround);
+    };
+    Formation form{0, 0, 0};
+    if (seats && ahead != 0 && of_.before > 0 && of_.columns == 0 && n <= kOneRow) form = formed(n, 10);
+    for (int tenths = 10; tenths > 0 && form.columns == 0; tenths -= 3) form = formed(asked, tenths);  // closer where the room is small
+    return form;
+  }
+
+  Formula& f_;
+  const Model& model_;
+  const FormationOf& of_;
+  const int item_;
+  const Item& first_;
+};
+
+}  // namespace
+
+void add_formation_place(Formula& f, const Model& model, const FormationOf& of) {
+  const int item = of.group[of.k];
+  const Item& first = model.items[of.group[0]];
+  FormationPlace places(f, model, of);
+  if (!first.has_front && of.counter >= 0) {
+    const Item& bar = model.items[of.counter];
     for_each_turn(bar, [&](int turn, std::uint64_t turned) {
       const std::uint64_t states = states_with_width_along(model.items[item], 0);
       if (quarter(turn))
-        add(0, states, 0, false, {turned, side_direction(bar, Side::kFront, turn), bar.states[0].size.depth + kRoundCounter});
+        places.add(0, states, 0, false, {turned, side_direction(bar, Side::kFront, turn), bar.states[0].size.depth + kRoundCounter});
     });
     if (!f.cases.empty()) return;
   }
-  if (!model.items[first].has_front) return add(0, states_with_width_along(model.items[item], 0), 0, false);
+  if (!first.has_front) return places.add(0, states_with_width_along(model.items[item], 0), 0, false);
   const Side eyes = looking_side(model, item);
   // The places speak of nothing but the item itself, so that they hold whichever of the group comes first.
   for (const bool aside : {false, true}) {
-    if (aside && (!f.cases.empty() || columns == 0)) return;
+    if (aside && (!f.cases.empty() || of.columns == 0)) return;
     for_each_turn(model.items[item], [&](int turn, std::uint64_t states) {
       if (!quarter(turn)) return;
       const Direction ahead = side_direction(model.items[item], eyes, turn);
-      add(across(ahead), states, before > 0 ? ahead.sign : 0, aside);
+      places.add(across(ahead), states, of.before > 0 ? ahead.sign : 0, aside);
     });
   }
 }

@@ -22,11 +22,19 @@ inline constexpr Mm kWayAround = 600;
 Formation formation_of(int n, const Size& size, Mm gap_across, Mm gap_deep, Mm room_across, Mm room_deep, int columns = 0,
                        Mm sides = kWayAround, Mm ends = kWayAround);
 
-// Wishes for the place of group[k] in a formation about the middle of the room, whichever way the first of the group looks. `before`:
-// floor left free before the first row, for what all look at; `leader`: the one of them who has to see it straight ahead;
-// `counter`: what they stand before, and not behind or where its own place is.
-void add_formation_place(Formula& f, const Model& model, const std::vector<int>& group, int k, int columns, int weight, Mm before = 0,
-                         int leader = -1, int counter = -1);
+// Whose place in a formation is wished for: group[k]'s.
+struct FormationOf {
+  const std::vector<int>& group;
+  int k = 0;
+  int columns = 0;  // 0: as suits the room
+  int weight = 0;
+  Mm before = 0;     // floor left free before the first row, for what all look at
+  int leader = -1;   // the one of them who has to see it straight ahead
+  int counter = -1;  // what they stand before, and not behind or where its own place is
+};
+
+// Wishes for that place in a formation about the middle of the room, whichever way the first of the group looks.
+void add_formation_place(Formula& f, const Model& model, const FormationOf& of);
 
 // The same for desks in islands: two rows back to back, those who sit there looking at each other.
 void add_island_place(Formula& f, const Model& model, const std::vector<int>& group, int k, int weight);

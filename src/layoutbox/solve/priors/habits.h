@@ -88,6 +88,7 @@ class Habits {
   bool told_where_it_hangs(int item) const;
   void hang_along(int item);
   bool hangs_over_run(int item) const;
+  std::vector<int> usually_under(int item) const;
   int seat_facing(int item) const;
   bool hang_in_row(int item);
   void hang_on_wall(int item);

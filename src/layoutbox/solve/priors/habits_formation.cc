@@ -330,8 +330,14 @@ bool Habits::stand_in_formation(int item) {
   const int counter = group->columns == 0 && model_.items[first].is(Trait::kTable) ? counter_of_room() : -1;
   const bool looks =
       told_where_to_look(first) || (model_.items[first].has_front && !items_of_kinds(model_.items[first].entry->faces, first).empty());
-  add_formation_place(f, model_, group->members, k, group->columns, kFormation, looks ? kStageDepth + teachers_depth() : 0,
-                      group->columns == 0 ? leader_of(*group) : -1, counter);
+  add_formation_place(f, model_,
+                      {.group = group->members,
+                       .k = k,
+                       .columns = group->columns,
+                       .weight = kFormation,
+                       .before = looks ? kStageDepth + teachers_depth() : 0,
+                       .leader = group->columns == 0 ? leader_of(*group) : -1,
+                       .counter = counter});
   if (f.cases.empty()) return false;
   habit("in formation", item, kFormation, std::move(f), counter >= 0 ? std::vector<int>{counter} : std::vector<int>{});
   keep_off_faced(item);

@@ -219,6 +219,29 @@ bool Habits::hangs_over_run(int item) const {
          std::ranges::any_of(model_.items, [](const Item& other) { return other.is(Trait::kKitchenRun) && other.mount == Mount::kFloor; });
 }
 
+// Over what the thing on the wall usually hangs.
+std::vector<int> Habits::usually_under(int item) const {
+  const Item& self = model_.items[item];
+  std::vector<int> under;
+  // A board that a class looks at hangs over nobody's desk.
+  const bool is_faced = std::ranges::any_of(model_.scene->relations, [&](const Relation& r) {
+    return r.type == RelationType::kFacing && std::ranges::find(r.references, self.id) != r.references.end();
+  });
+  const bool board = self.is(Trait::kScreen) && !self.is(Trait::kElseOnWall);
+  if (is_faced || board) return under;
+  const bool unit = hangs_over_run(item);
+  if (!unit)
+    under = items_of_kinds(self.is(Trait::kMirror) ? kUnderMirrors : self.is(Trait::kScreen) ? kUnderScreens : kUnderPictures, item);
+  for (std::size_t i = 0; unit && i < model_.items.size(); ++i) {
+    if (model_.items[i].is(Trait::kKitchenRun) && model_.items[i].mount == Mount::kFloor) under.push_back(static_cast<int>(i));
+  }
+  // A wardrobe leaves no wall above it.
+  std::erase_if(under, [&](int i) {
+    return model_.items[i].states[0].size.height > kMostUnder || (self.is(Trait::kScreen) && model_.items[i].is(Trait::kKitchenRun));
+  });
+  return under;
+}
+
 // At its usual height; a curtain at its window, a picture over something, else in the middle of a wall.
 void Habits::hang_on_wall(int item) {
   const Item& self = model_.items[item];
@@ -235,24 +258,7 @@ void Habits::hang_on_wall(int item) {
   look_at(item, self.is(Trait::kScreen));
   if (hang_in_row(item)) return;
   if (placed_by_relation_besides_walls(item)) return;
-  // A board that a class looks at hangs over nobody's desk.
-  const bool is_faced = std::ranges::any_of(model_.scene->relations, [&](const Relation& r) {
-    return r.type == RelationType::kFacing && std::ranges::find(r.references, self.id) != r.references.end();
-  });
-  std::vector<int> under;
-  const bool board = self.is(Trait::kScreen) && !self.is(Trait::kElseOnWall);
-  if (!is_faced && !board) {
-    const bool unit = hangs_over_run(item);
-    if (!unit)
-      under = items_of_kinds(self.is(Trait::kMirror) ? kUnderMirrors : self.is(Trait::kScreen) ? kUnderScreens : kUnderPictures, item);
-    for (std::size_t i = 0; unit && i < model_.items.size(); ++i) {
-      if (model_.items[i].is(Trait::kKitchenRun) && model_.items[i].mount == Mount::kFloor) under.push_back(static_cast<int>(i));
-    }
-    // A wardrobe leaves no wall above it.
-    std::erase_if(under, [&](int i) {
-      return model_.items[i].states[0].size.height > kMostUnder || (self.is(Trait::kScreen) && model_.items[i].is(Trait::kKitchenRun));
-    });
-  }
+  const std::vector<int> under = usually_under(item);
   Formula f;
   std::vector<int> hosts;
   if (static_cast<std::size_t>(rank_of(item)) < under.size()) {
