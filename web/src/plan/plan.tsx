@@ -156,7 +156,7 @@ export function Plan({layout, live}: {layout: Layout; live: boolean}) {
           </g>
         );
       })}
-      {chosen && held && <path class={`held${held.legal ? "" : " wrong"}`} d={frame.path(footprint(chosen))} />}
+      {chosen && held && <path class={`in-hand${held.legal ? "" : " wrong"}`} d={frame.path(footprint(chosen))} />}
       <Labels objects={things} names={names} frame={frame} />
       {live && <Grips layout={layout} base={base} frame={frame} svg={element} show={show_shell} />}
       {outlining && <Corners layout={shell ?? layout} base={base} frame={frame} svg={element} show={show_shell} />}
