@@ -110,9 +110,7 @@ Status Solver::take_what_fits() {
   for (std::size_t c = 0; c < model_.constraints.size(); ++c) {
     const Constraint& constraint = model_.constraints[c];
     if (constraint.firmness != Firmness::kHard || given_up_[c]) continue;
-    const bool placed =
-        std::all_of(constraint.formulas.begin(), constraint.formulas.end(), [&](const Formula& f) { return all_placed(f, placements_); });
-    if (placed && miss_of(model_, constraint, placements_) == 0) continue;
+    if (all_placed(constraint, placements_) && miss_of(model_, constraint, placements_) == 0) continue;
     missed.push_back(constraint.name);
     asked = asked || !is_assumption(model_, constraint);
     clash.demands.push_back({Demand::Kind::kConstraint, static_cast<int>(c)});

@@ -44,6 +44,10 @@ bool all_placed(const Formula& formula, const Placements& placements) {
   return std::all_of(formula.items.begin(), formula.items.end(), [&](int item) { return placements[item].state >= 0; });
 }
 
+bool all_placed(const Constraint& constraint, const Placements& placements) {
+  return std::all_of(constraint.formulas.begin(), constraint.formulas.end(), [&](const Formula& f) { return all_placed(f, placements); });
+}
+
 std::int64_t miss_of(const Model& model, const Formula& formula, const Placements& placements) {
   std::int64_t least = std::numeric_limits<std::int64_t>::max() / 4;
   for (const Case& one : formula.cases) {

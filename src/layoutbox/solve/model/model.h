@@ -174,6 +174,7 @@ std::int64_t miss_of(const Model& model, const Formula& formula, const Placement
 std::int64_t miss_of(const Model& model, const Constraint& constraint, const Placements& placements);
 
 bool all_placed(const Formula& formula, const Placements& placements);
+bool all_placed(const Constraint& constraint, const Placements& placements);
 
 // Do the two placed items collide? `clear_boxes` also counts the clear boxes of either.
 bool collide(const Model& model, int a, const Placement& pa, int b, const Placement& pb, bool clear_boxes);

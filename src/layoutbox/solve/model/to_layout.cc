@@ -184,8 +184,7 @@ Layout to_layout(const Model& model, const Placements& placements) {
   }
   for (const Constraint& constraint : model.constraints) {
     if (constraint.relation < 0) continue;
-    const bool placed =
-        std::all_of(constraint.formulas.begin(), constraint.formulas.end(), [&](const Formula& f) { return all_placed(f, placements); });
+    const bool placed = all_placed(constraint, placements);
     const bool reached = std::all_of(constraint.reach.begin(), constraint.reach.end(),
                                      [&](const auto& r) { return reachable(model, r.first, r.second, placements); });
     const Relation& relation = scene.relations[constraint.relation];

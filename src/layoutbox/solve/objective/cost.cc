@@ -6,6 +6,7 @@ namespace layoutbox::placement {
 namespace {}  // namespace
 
 std::int64_t constraint_cost(const Model& model, const Constraint& constraint, const Placements& placements) {
+  if (!all_placed(constraint, placements)) return 0;
   const bool soft = constraint.firmness == Firmness::kSoft;
   std::int64_t sum = 0;
   for (const Formula& formula : constraint.formulas) {
@@ -32,9 +33,7 @@ std::int64_t constraint_cost(const Model& model, const Constraint& constraint, c
 std::map<std::string, std::int64_t> cost_terms(const Model& model, const Placements& placements) {
   std::map<std::string, std::int64_t> terms{{"habits", 0}, {"relations", 0}, {"access", 0}, {"ways", 0}, {"sizes", 0}};
   for (const Constraint& constraint : model.constraints) {
-    const bool placed =
-        std::all_of(constraint.formulas.begin(), constraint.formulas.end(), [&](const Formula& f) { return all_placed(f, placements); });
-    if (!placed) continue;
+    if (!all_placed(constraint, placements)) continue;
     const bool stay = constraint.stay || !constraint.words.empty();
     terms[stay ? "stay" : constraint.relation < 0 ? "habits" : "relations"] += constraint_cost(model, constraint, placements);
   }

@@ -27,7 +27,8 @@ inline constexpr CostWeights kCostWeights{};
 // Costs are counted in thousandths of a point.
 inline constexpr std::int64_t kPoint = 1000;
 
-// Cost of one constraint where everything it speaks of is placed: the best case's wishes and price; soft ones also what they miss.
+// Cost of one constraint: the best case's wishes and price; soft ones also what they miss. Nothing where something it speaks of is not
+// placed.
 std::int64_t constraint_cost(const Model& model, const Constraint& constraint, const Placements& placements);
 
 // Thousandths of the free floor that hang together for a person 0.2 m wide (largest part of all).
