@@ -70,13 +70,18 @@ def rows(matrix):
     return [matrix[row][column] for column in range(4) for row in range(4)]
 
 
-def three(values):
-    """Three numbers of a custom property, or None."""
+def numbers(values):
+    """The numbers of a custom property, or None."""
     try:
-        numbers = [float(value) for value in values]
+        return [float(value) for value in values]
     except (TypeError, ValueError):
         return None
-    return numbers if len(numbers) == 3 else None
+
+
+def three(values):
+    """Three numbers of a custom property, or None."""
+    found = numbers(values)
+    return found if found and len(found) == 3 else None
 
 
 def facts_of(thing):
@@ -88,6 +93,8 @@ def facts_of(thing):
         facts["size"] = [length * abs(scale) for length, scale in zip(size, thing.matrix_world.to_scale())]
     elif size and max(abs(scale - 1) for scale in thing.matrix_world.to_scale()) < 1e-4:
         facts["size"] = size
+    if facts.get("kind") == "floor" and (corners := numbers(thing.get("polygon"))):
+        facts["polygon"] = [corners[i : i + 2] for i in range(0, len(corners), 2)]
     if not placed or (thing.matrix_world.translation - Vector(placed)).length > 1e-3:
         facts.pop("supportedBy", None)
     return facts

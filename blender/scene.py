@@ -113,6 +113,8 @@ def say_what_it_is(row, thing):
     if opening:
         thing["category"], thing["swing"] = opening["type"], opening["swing"]
         thing["size"] = (opening["w"], opening["h"], opening["sill"])
+    if row["kind"] == "floor":  # of an L the mesh's box says no corners
+        thing["polygon"] = [length for corner in ROOM["polygon"] for length in corner]
     if row["kind"] == "object":  # what holds it is so only where it was put
         thing["size"], thing["supportedBy"], thing["placed at"] = row["size"], row["stands_on"], row["at"]
 

@@ -53,6 +53,9 @@ class Blend(ReadBackCase):
     def test_chairs_under_a_table_below_a_lamp(self):
         self.check("A kitchen with a fridge, a stove, a dining table with six chairs and a pendant lamp over the table.")
 
+    def test_an_l_shaped_room(self):
+        self.check("An L-shaped living room, 6 x 5 m, with a sofa, a bookshelf, a dining table with four chairs and a floor lamp.")
+
     def test_what_was_moved_by_hand_is_judged_where_it_is(self):
         self.make("A bedroom with a bed, two nightstands and a lamp on each nightstand.")
         lamps = [o for o in self.read_json("out/layout.json")["objects"] if "lamp" in o["id"]]

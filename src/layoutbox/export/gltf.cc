@@ -248,6 +248,7 @@ class GltfWriter {
       for (const Mm length : {opening->width, opening->height, opening->sill}) size.emplace_back(m_from_mm(length));
       values["size"] = Value(std::move(size));
     }
+    if (node.kind == NodeKind::kFloor) values["polygon"] = Value(polygon());
     const PlacedObject* object = node.kind == NodeKind::kObject ? layout_.find_object(node.id) : nullptr;
     if (object == nullptr) return Value(std::move(values));
     add("category", object->category);
@@ -258,6 +259,15 @@ class GltfWriter {
     values["size"] = Value(std::move(size));
     values["relations"] = Value(relations(node.id));
     return Value(std::move(values));
+  }
+
+  // The room's corners [x, y] in metres, y to the back as in the layout: of an L the mesh alone says no corners.
+  Value::Array polygon() const {
+    Value::Array corners;
+    for (const Point& corner : layout_.room.polygon) {
+      corners.emplace_back(Value::Array{Value(m_from_mm(corner.x)), Value(m_from_mm(corner.y))});
+    }
+    return corners;
   }
 
   // The relations that place this object.

@@ -7,6 +7,7 @@
 #include "layoutbox/furnish/furnish.h"
 #include "layoutbox/judge/judge.h"
 #include "layoutbox/scene/scene_json.h"
+#include "layoutbox/scene/shell.h"
 
 namespace layoutbox {
 namespace {
@@ -139,6 +140,35 @@ TEST(FormatsTest, OwnGlb) {
   ASSERT_EQ(second->layout.objects.size(), 3u);
   expect_box(kind(second->layout, "desk"), {1200, 600, 750}, {3700, 1800, 0}, 270, "desk");
   EXPECT_EQ(second->layout.room.polygon, first->layout.room.polygon);
+}
+
+// Of an L the box of its floor would count what stands in the notch as inside; a floor that was cut since is what it is now.
+TEST(FormatsTest, OwnGlbOfAnL) {
+  auto made = read_room_file(kHolodeck, Catalog::builtin(), {{}, std::string(kModels)});
+  ASSERT_TRUE(made);
+  Layout& layout = made->layout;
+  layout.room.polygon = {{0, 0}, {4000, 0}, {4000, 3000}, {2000, 3000}, {2000, 2000}, {0, 2000}};
+  layout.room.walls = walls_along(layout.room.polygon);
+  layout.room.openings.clear();
+  layout.objects.clear();
+  const auto model = furnish(layout, Catalog::builtin());
+  ASSERT_TRUE(model) << model.error().message;
+  const auto glb = write_glb(*model, layout);
+  ASSERT_TRUE(glb);
+  const auto read = read_room_file(*glb, Catalog::builtin());
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_EQ(read->layout.room.polygon, layout.room.polygon);
+  Model cut = *model;
+  for (Node& node : cut.nodes) {
+    for (Part& part : node.parts) {
+      for (auto& position : part.mesh.positions) position[0] = node.id == "floor" ? position[0] / 2 : position[0];
+    }
+  }
+  const auto smaller = write_glb(cut, layout);
+  ASSERT_TRUE(smaller);
+  const auto again = read_room_file(*smaller, Catalog::builtin());
+  ASSERT_TRUE(again) << again.error().message;
+  EXPECT_EQ(again->layout.room.polygon, (std::vector<Point>{{0, 0}, {2000, 0}, {2000, 3000}, {0, 3000}}));
 }
 
 // A leaf that stands open and casings that reach past the hole make no other door of it.

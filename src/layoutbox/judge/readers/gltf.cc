@@ -21,7 +21,7 @@ using Corner = std::array<double, 3>;
 
 constexpr int kDeepest = 64;
 constexpr std::size_t kMostNodes = 50'000;
-constexpr double kThin = 1e-3;  // m
+constexpr double kThin = 1e-3, kSameFloor = 0.01;  // m
 
 // The JSON of a GLB is its first chunk.
 std::string_view json_of_gltf(std::string_view bytes) {
@@ -177,7 +177,7 @@ class NodeReader {
     if (bounds.empty()) return;  // a camera, a lamp's light, a helper
     switch (role) {
       case NodeRole::kNothing: break;
-      case NodeRole::kFloor: add_floor(bounds, room); break;
+      case NodeRole::kFloor: add_floor(item, m, bounds, room); break;
       case NodeRole::kWall: walls_.add(bounds.low), walls_.add(bounds.high); break;
       case NodeRole::kCeiling: room.height = bounds.low[2]; break;
       case NodeRole::kDoor: add_opening(item, name, OpeningType::kDoor, m, turn, bounds, room); break;
@@ -186,10 +186,27 @@ class NodeReader {
     }
   }
 
-  void add_floor(const Bounds& bounds, FoundRoom& room) const {
+  // The box of the floor, or the corners that our own files state in its frame, unless the mesh was cut or grown since.
+  static void add_floor(const json& item, const Matrix& m, const Bounds& bounds, FoundRoom& room) {
     if (!room.polygon.empty()) return;
     room.polygon = {
         {bounds.low[0], bounds.low[1]}, {bounds.high[0], bounds.low[1]}, {bounds.high[0], bounds.high[1]}, {bounds.low[0], bounds.high[1]}};
+    const auto extras = item.find("extras");
+    if (extras == item.end() || !extras->is_object()) return;
+    Bounds stated;
+    std::vector<std::array<double, 2>> corners;
+    for (const json& corner : extras->value("polygon", json::array())) {
+      const bool pair = corner.is_array() && corner.size() == 2;
+      const auto x = pair ? number(corner[0]) : std::nullopt, y = pair ? number(corner[1]) : std::nullopt;
+      if (!x || !y) return;
+      corners.push_back({m[0] * *x - m[8] * *y + m[12], -m[2] * *x + m[10] * *y - m[14]});
+      stated.add({corners.back()[0], corners.back()[1], 0});
+    }
+    const auto same = [](double a, double b) { return std::abs(a - b) < kSameFloor; };
+    if (corners.size() >= 3 && same(stated.low[0], bounds.low[0]) && same(stated.low[1], bounds.low[1]) &&
+        same(stated.high[0], bounds.high[0]) && same(stated.high[1], bounds.high[1])) {
+      room.polygon = std::move(corners);
+    }
   }
 
   // Where the node's origin is within its box, that is the wall's face: a leaf that stands open reaches into the room, casings reach past
@@ -247,7 +264,7 @@ class NodeReader {
       all.add({object.position[0] + reach, object.position[1] + reach, 0});
     }
     if (all.empty()) return;
-    add_floor(all, room);
+    add_floor({}, outer_, all, room);
     room.notes.push_back({"guessed", "no node is a floor: the room is the box round everything", {}});
   }
 
