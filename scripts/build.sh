@@ -36,10 +36,17 @@ die() {
   exit 3
 }
 
+# How long it will still take, by the steps done so far: nothing where that is soon, or where too little is done to say.
+time_to_go() {
+  local done=$1 all=$2 seconds=$3 left
+  ((left = done > 0 ? seconds * (all - done) / done : 0, 20 * done >= all && left > 20)) || return 0
+  if ((left < 90)); then printf ', some %d s to go' $((left / 10 * 10)); else printf ', some %d min to go' $(((left + 30) / 60)); fi
+}
+
 # Reads Ninja's output; shows how far it is: one changing line on a terminal, a line every tenth elsewhere.
 show_progress() {
-  local line share last=-1 unit='\n' step=10
-  if [[ -t 2 ]]; then unit='\r' step=1; fi
+  local line share last=-1 unit='\n' step=10 began=$SECONDS
+  if [[ -t 2 ]]; then unit='    \r' step=1; fi
   while IFS= read -r line; do
     printf '%s\n' "$line" >&3
     [[ $line =~ ^\[([0-9]+)/([0-9]+)\] ]] || continue
@@ -47,7 +54,8 @@ show_progress() {
     ((share > last)) || continue
     last=$share
     # shellcheck disable=SC2059  # the unit is an escape
-    printf "build: %3d %% (step %d of %d)$unit" "$share" "${BASH_REMATCH[1]}" "${BASH_REMATCH[2]}" >&2
+    printf "build: %3d %% (step %d of %d%s)$unit" "$share" "${BASH_REMATCH[1]}" "${BASH_REMATCH[2]}" \
+      "$(time_to_go "${BASH_REMATCH[1]}" "${BASH_REMATCH[2]}" $((SECONDS - began)))" >&2
   done 3>>"$log"
   if [[ -t 2 ]] && ((last >= 0)); then printf '\n' >&2; fi
 }
