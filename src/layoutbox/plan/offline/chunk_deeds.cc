@@ -43,6 +43,30 @@ bool Chunker::read_doing() {
   return true;
 }
 
+// "sits open on the ottoman", "stands guard by the door", "goes lengthways down the wall": how, between a thing's verb and its place.
+bool Chunker::read_manner() {
+  if (telling_ >= chunks_.size() || telling_ + 1 != chunks_.size() || telling_ == 0) return false;
+  const Chunk &verb = chunks_[telling_], &thing = chunks_[telling_ - 1];
+  const bool placing = (verb.kind == ChunkKind::kVerb || verb.kind == ChunkKind::kParticiple) && verb.placing;
+  if (!placing || thing.kind != ChunkKind::kNoun || thing.noun.kind != NounKind::kObject) return false;
+  // "by the door stand umbrellas in a tub"
+  if (telling_ > 1 && chunks_[telling_ - 2].kind == ChunkKind::kRelation) return false;
+  constexpr std::size_t kMostWords = 3;
+  std::size_t at = i_;
+  while (at < tokens_.size() && at < i_ + kMostWords && may_tell_how(at)) ++at;
+  if (at == i_ || lexicon_.find_phrase(tokens_, at).length == 0) return false;
+  add(ChunkKind::kIgnored, at - i_);
+  return true;
+}
+
+// A word that says nothing of what or where.
+bool Chunker::may_tell_how(std::size_t at) const {
+  if (tokens_[at].kind != Token::Kind::kWord || opens_noun(tokens_[at]) || lexicon_.find_phrase(tokens_, at).length > 0) return false;
+  constexpr std::array kTelling = {Class::kAbstract, Class::kVerb, Class::kAdverb, Class::kQuality, Class::kStyle, Class::kSizeWord};
+  const Match match = lexicon_.find(tokens_, at);
+  return std::ranges::all_of(match.meanings, [&](const Meaning& m) { return std::ranges::find(kTelling, m.word_class) != kTelling.end(); });
+}
+
 // A verb that says where something is or that it is there.
 bool Chunker::is_placing(std::size_t at) const {
   constexpr std::array kPlacing = {Class::kParticiple, Class::kHang, Class::kHave, Class::kPlaceVerb, Class::kBe, Class::kAdverb};

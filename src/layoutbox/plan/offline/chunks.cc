@@ -46,7 +46,7 @@ bool Chunker::read_there(std::size_t without) {
 }
 
 void Chunker::read() {
-  if (read_distance() || read_size_chunk() || read_rows() || read_infinitive() || read_wishing() || read_doing()) return;
+  if (read_distance() || read_size_chunk() || read_rows() || read_infinitive() || read_wishing() || read_doing() || read_manner()) return;
   const bool about = tokens_[i_].text == "like" || tokens_[i_].text == "say";  // "like three mugs", "stools, say five"
   if (about && i_ + 1 < tokens_.size() && lexicon_.is(tokens_[i_ + 1], Class::kNumber)) {
     add(ChunkKind::kIgnored, 1);

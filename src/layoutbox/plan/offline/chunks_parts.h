@@ -57,6 +57,8 @@ class Chunker {
   bool follows_doer() const;
   bool read_wishing();
   bool read_doing();
+  bool read_manner();
+  bool may_tell_how(std::size_t at) const;
   bool is_placing(std::size_t at) const;
   bool brings_in(std::size_t at) const;
   bool is_deed(std::size_t at) const;

@@ -32,7 +32,9 @@ WordForm word_form(std::string_view word) {
   for (const std::string& singular : singular_forms(word)) {
     if (const WordForm form = form_of(english_line(singular)); is_noun(form) || form == WordForm::kVerb) return form;
   }
-  if (word.ends_with("ly")) return WordForm::kAdverb;
+  for (const std::string_view ending : {"ly", "ways", "wards", "wise"}) {
+    if (word.ends_with(ending)) return WordForm::kAdverb;
+  }
   for (const std::string_view ending : {"ing", "ed"}) {
     if (!word.ends_with(ending) || word.size() < ending.size() + 3) continue;
     const std::string base(word.substr(0, word.size() - ending.size()));

@@ -5,6 +5,7 @@
 #include "layoutbox/catalog/kin.h"
 #include "layoutbox/plan/offline/english.h"
 #include "layoutbox/plan/offline/noun_phrase_parts.h"
+#include "layoutbox/plan/offline/reader_words.h"
 
 namespace layoutbox::offline {
 
@@ -159,6 +160,39 @@ bool NounPhraseReader::ends_in_verb(std::size_t head) const {
   return before.word_class == Class::kObject || (before.word_class == Class::kFiller && is_thing(before));
 }
 
+// Whether a place is said there: "in the corner", "up against the wall".
+bool NounPhraseReader::place_at(std::size_t at) const {
+  static constexpr std::string_view kParticles[] = {"up", "down", "out", "off", "over", "away", "back"};
+  if (at >= tokens_.size() || tokens_[at].text == "of") return false;
+  if (lexicon_.find_phrase(tokens_, at).length > 0) return true;
+  return std::find(std::begin(kParticles), std::end(kParticles), tokens_[at].text) != std::end(kParticles) &&
+         lexicon_.find_phrase(tokens_, at + 1).length > 0;
+}
+
+// No verb comes before the sentence or clause is over.
+bool NounPhraseReader::lacks_verb(std::size_t at) const {
+  for (; at < tokens_.size() && tokens_[at].kind == Token::Kind::kWord; ++at) {
+    const Token& word = tokens_[at];
+    if (lexicon_.is(word, Class::kBe) || lexicon_.is(word, Class::kHave) || (lexicon_.is(word, Class::kPlaceVerb) && is_finite(word.text)))
+      return false;
+  }
+  return true;
+}
+
+// "the harp slouches in the corner", "a robe floats by the door": one thing, and what it does there.
+bool NounPhraseReader::ends_in_doing(std::size_t head) const {
+  if (head < 2 || phrase_.count > 1 || counted_) return false;
+  const Part &last = parts_[head - 1], &before = parts_[head - 2];
+  const bool one = phrase_.determiner == Determiner::kIndefinite;
+  if (!one && phrase_.determiner != Determiner::kDefinite && phrase_.determiner != Determiner::kPossessive) return false;
+  const std::string& word = tokens_[last.first].text;
+  if (last.last != last.first + 1 || before.last != last.first || hyphenated(last.first) || !last.plural || before.plural ||
+      before.word_class != Class::kObject || !place_at(last.last))
+    return false;
+  if ((one && may_be_verb(word)) || word_form(word) == WordForm::kVerb) return true;
+  return (phrase_.first == 0 || tokens_[phrase_.first - 1].ends_sentence) && lacks_verb(last.last);
+}
+
 // "in Naples", "from Brazil": a name in the middle of a sentence, after what is said of places.
 bool NounPhraseReader::is_place_name(const Part& part, std::size_t head) const {
   static constexpr std::string_view kBefore[] = {"in", "from", "near", "at", "to", "of", "like", "outside", "across"};
@@ -226,7 +260,7 @@ std::optional<NounPhrase> NounPhraseReader::settle() {
   std::size_t head = 0;
   find_head(head);
   if (head == 0) return settle_without_head();
-  if (ends_in_verb(head)) --head;
+  if (ends_in_verb(head) || ends_in_doing(head)) --head;
   join_set(head);
   const Part part = parts_[head - 1];
   i_ = part.last;

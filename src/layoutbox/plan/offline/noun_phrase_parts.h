@@ -138,6 +138,9 @@ class NounPhraseReader {
   NounPhrase settle_member();
   std::optional<NounPhrase> settle_without_head();
   bool ends_in_verb(std::size_t head) const;
+  bool ends_in_doing(std::size_t head) const;
+  bool place_at(std::size_t at) const;
+  bool lacks_verb(std::size_t at) const;
   bool settle_filler(std::size_t head);
   void settle_listed(std::size_t head);
   std::optional<NounPhrase> settle();

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "layoutbox/plan/offline/lexicon.h"
+#include "layoutbox/plan/offline/noun_phrase.h"
 
 namespace layoutbox::offline {
 
@@ -43,6 +43,12 @@ inline bool is_zone(std::string_view head) {
   static constexpr std::string_view kZones[] = {"area",    "zone", "nook",    "setup",  "arrangement",
                                                 "section", "spot", "station", "corner", "set-up"};
   return std::find(std::begin(kZones), std::end(kZones), head) != std::end(kZones);
+}
+
+// A wall, a corner, a door …
+inline bool is_part_of_room(const NounPhrase& noun) {
+  return noun.kind == NounKind::kWall || noun.kind == NounKind::kCorner || noun.kind == NounKind::kCenter ||
+         noun.kind == NounKind::kCeiling || noun.kind == NounKind::kDoor || noun.kind == NounKind::kWindow;
 }
 
 inline bool contains(const std::vector<int>& all, int one) { return std::find(all.begin(), all.end(), one) != all.end(); }

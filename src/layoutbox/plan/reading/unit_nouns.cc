@@ -309,6 +309,7 @@ void UnitReader::place_at_named_wall(std::size_t k) {
 void UnitReader::read_noun(std::size_t k) {
   settle_noun(k);
   settle_place_words(k);
+  if (!negated_ && passes_spot(k)) return;
   if (!skipping_ && !negated_ && repeats_place(k)) return;
   repeat_owner(k);
   mean_group(k);

@@ -130,44 +130,4 @@ void UnitReader::mean_twin(std::size_t k) {
   noun = another;
 }
 
-// "along one side of the room", "on each side of the hall": at its side walls.
-void UnitReader::mean_side_of_room(std::size_t k) {
-  static const PhraseSenses kAtWall = {{RelationType::kAgainstWall, PhraseSense::Direction::kDirect, {}, {}, {}},
-                                       {RelationType::kOnWall, PhraseSense::Direction::kDirect, {}, {}, {}}};
-  NounPhrase& noun = document_.chunks[k].noun;
-  if (!after_place() || noun.kind != NounKind::kRoom || says(units_.back().direct, RelationType::kInRegion)) return;
-  const Chunk& place = chunk(units_.back().chunk);
-  const bool side = says(units_.back().direct, RelationType::kAlongSide), each = units_.back().each;
-  const std::string words = words_between(document_, place.first, place.last);
-  if ((!side && !each) || words.find("side") == std::string::npos) return;
-  if (noun.room != nullptr && document_.rooms.empty()) document_.rooms.push_back(noun);
-  noun.kind = NounKind::kWall;
-  noun.room = nullptr;
-  noun.name = words.find(" long") != std::string::npos || words.find(" short") != std::string::npos ? "wall" : "side wall";
-  noun.head = "wall";
-  noun.count = place.phrase.one ? 1 : 0;
-  noun.determiner = each ? Determiner::kEach : Determiner::kDefinite;
-  units_.back().direct = kAtWall;
-  units_.back().senses = &kAtWall;
-  units_.back().each = false;
-}
-
-// "a bell marks the middle of the desk", "a lamp claims the corner": a verb that no list has, and where.
-void UnitReader::place_at_spot(std::size_t k) {
-  static const PhraseSenses kAt = {{RelationType::kCenterOfRoom, PhraseSense::Direction::kDirect, {}, {}, {}},
-                                   {RelationType::kOn, PhraseSense::Direction::kDirect, {}, {}, {}},
-                                   {RelationType::kIn, PhraseSense::Direction::kDirect, {}, {}, {}}};
-  const NounPhrase& noun = chunk(k).noun;
-  const std::size_t verb = previous(k), thing = verb < k ? previous(verb) : k;
-  const bool spot =
-      (noun.kind == NounKind::kCenter || noun.kind == NounKind::kCorner) && noun.determiner == Determiner::kDefinite && noun.of;
-  if (!spot || verb >= k || thing >= k || chunk(verb).last - chunk(verb).first != 1) return;
-  const bool unread = is(verb, ChunkKind::kUnknown) || is(verb, ChunkKind::kPurpose);
-  if (!unread || !is(thing, ChunkKind::kNoun) || chunk(thing).noun.kind != NounKind::kObject) return;
-  if (units_.empty() || units_.back().chunk != thing) return;
-  skipping_ = false;
-  mark(verb, WordReading::Use::kUsed, "placing");
-  add_place(verb, kAt);
-}
-
 }  // namespace layoutbox::offline

@@ -25,7 +25,7 @@ void UnitReader::read_purpose(std::size_t k) {
     add(UnitKind::kVerb, k);
     return;
   }
-  if (names_contents(k)) {
+  if (names_contents(k) || wall_has(k)) {
     mark(k, Use::kUsed, "has");
     add(UnitKind::kHave, k);
     return;
@@ -72,7 +72,9 @@ bool UnitReader::passes_keeper(std::size_t k) {
 
 // A verb that no list has, and then a place: "a lamp towers over the desk", "two stools huddle by the bar".
 bool UnitReader::reads_as_verb(std::size_t k) const {
-  if (skipping_ || chunk(k).last - chunk(k).first != 1 || !is(previous(k), ChunkKind::kNoun)) return false;
+  const std::size_t p = previous(k);
+  const bool would = is(p, ChunkKind::kVerb) && chunk(p).passive && is(previous(p), ChunkKind::kNoun);  // "would look good in the corner"
+  if (skipping_ || chunk(k).last - chunk(k).first != 1 || !(is(p, ChunkKind::kNoun) || would)) return false;
   const std::size_t n = next(k);
   if (!is(n, ChunkKind::kRelation) || !is(next(n), ChunkKind::kNoun)) return false;
   const std::string& word = document_.tokens[chunk(k).first].text;

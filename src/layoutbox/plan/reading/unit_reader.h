@@ -1,4 +1,4 @@
-// The class behind read_units; its members stand in units, unit_nouns, unit_parallels, unit_purposes and unit_asides.
+// The class behind read_units; its members stand in units, unit_nouns, unit_parallels, unit_room, unit_purposes and unit_asides.
 #pragma once
 
 #include <string>
@@ -92,6 +92,9 @@ class UnitReader {
   void mean_twin(std::size_t k);
   void mean_side_of_room(std::size_t k);
   void place_at_spot(std::size_t k);
+  bool is_unread_verb(std::size_t k) const;
+  bool wall_has(std::size_t k) const;
+  bool passes_spot(std::size_t k);
   bool is_content_of_thing() const;
   bool is_part(std::size_t k) const;
   bool names_known(std::size_t k) const;

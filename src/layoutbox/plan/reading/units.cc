@@ -188,7 +188,7 @@ bool UnitReader::names_doer(std::size_t k) {
   const bool done =
       verb.text.ends_with("ed") || verb.text == "made" || verb.text == "drawn" || verb.text == "driven" || verb.text == "worn";
   if (!done || lexicon_.is(verb, WordClass::kParticiple) || lexicon_.is(verb, WordClass::kHang) || !is(n, ChunkKind::kNoun)) return false;
-  if (chunk(n).noun.determiner == Determiner::kIndefinite || chunk(n).noun.count > 0) return false;
+  if (chunk(n).noun.determiner == Determiner::kIndefinite || chunk(n).noun.count > 0 || is_part_of_room(chunk(n).noun)) return false;
   mark(k, Use::kIgnored, "who does it");
   mark(n, Use::kIgnored, "who does it");
   passed_until_ = n + 1;

@@ -1,0 +1,104 @@
+// Parts of the room in whatever words: its sides and ends, where the light comes in, and verbs between a thing and a part of the room.
+#include <algorithm>
+
+#include "layoutbox/plan/offline/english.h"
+#include "layoutbox/plan/offline/knowledge.h"
+#include "layoutbox/plan/reading/unit_reader.h"
+
+namespace layoutbox::offline {
+
+using Use = WordReading::Use;
+
+// "along one side of the room", "on each side of the hall": at its side walls.
+void UnitReader::mean_side_of_room(std::size_t k) {
+  static const PhraseSenses kAtWall = {{RelationType::kAgainstWall, PhraseSense::Direction::kDirect, {}, {}, {}},
+                                       {RelationType::kOnWall, PhraseSense::Direction::kDirect, {}, {}, {}}};
+  NounPhrase& noun = document_.chunks[k].noun;
+  if (!after_place() || noun.kind != NounKind::kRoom || says(units_.back().direct, RelationType::kInRegion)) return;
+  const Chunk& place = chunk(units_.back().chunk);
+  const bool side = says(units_.back().direct, RelationType::kAlongSide), each = units_.back().each;
+  const std::string words = words_between(document_, place.first, place.last);
+  if ((!side && !each) || words.find("side") == std::string::npos) return;
+  if (noun.room != nullptr && document_.rooms.empty()) document_.rooms.push_back(noun);
+  noun.kind = NounKind::kWall;
+  noun.room = nullptr;
+  noun.name = words.find(" long") != std::string::npos || words.find(" short") != std::string::npos ? "wall" : "side wall";
+  noun.head = "wall";
+  noun.count = place.phrase.one ? 1 : 0;
+  noun.determiner = each ? Determiner::kEach : Determiner::kDefinite;
+  units_.back().direct = kAtWall;
+  units_.back().senses = &kAtWall;
+  units_.back().each = false;
+}
+
+// The chunk is one word that no list has for places, and may be a verb.
+bool UnitReader::is_unread_verb(std::size_t k) const {
+  if (k >= document_.chunks.size() || chunk(k).last - chunk(k).first != 1) return false;
+  const std::string& word = document_.tokens[chunk(k).first].text;
+  const bool to = chunk(k).first > 0 && document_.tokens[chunk(k).first - 1].text == "to";
+  return (is(k, ChunkKind::kUnknown) || is(k, ChunkKind::kPurpose)) && !to && !one_of(word, {"for", "as", "like", "enough", "perfect"});
+}
+
+// "a bell marks the middle of the desk", "a wardrobe straddles the corner", "two sofas claim the far wall": a verb, and where.
+void UnitReader::place_at_spot(std::size_t k) {
+  static const PhraseSenses kAt = {{RelationType::kCenterOfRoom, PhraseSense::Direction::kDirect, {}, {}, {}},
+                                   {RelationType::kOn, PhraseSense::Direction::kDirect, {}, {}, {}},
+                                   {RelationType::kIn, PhraseSense::Direction::kDirect, {}, {}, {}},
+                                   {RelationType::kAgainstWall, PhraseSense::Direction::kDirect, {}, {}, {}},
+                                   {RelationType::kOnWall, PhraseSense::Direction::kDirect, {}, {}, {}},
+                                   {RelationType::kNextTo, PhraseSense::Direction::kDirect, {}, {}, {}}};
+  const NounPhrase& noun = chunk(k).noun;
+  const std::size_t verb = previous(k), thing = verb < k ? previous(verb) : k;
+  if (!is_part_of_room(noun) || noun.kind == NounKind::kCeiling || noun.determiner == Determiner::kNone || verb >= k || thing >= k) return;
+  if (!is_unread_verb(verb) || !is(thing, ChunkKind::kNoun) || chunk(thing).noun.kind != NounKind::kObject) return;
+  if (units_.empty() || units_.back().chunk != thing) return;
+  skipping_ = false;
+  mark(verb, Use::kUsed, "placing");
+  document_.chunks[verb].kind = ChunkKind::kRelation;
+  document_.chunks[verb].phrase.senses = &kAt;
+  add_place(verb, kAt);
+}
+
+// "the wall facing the door carries a map", "the far corner shelters a stove": what a part of the room has.
+bool UnitReader::wall_has(std::size_t k) const {
+  const std::size_t n = next(k);
+  if (skipping_ || !is_unread_verb(k) || !is(n, ChunkKind::kNoun) || joiner_ != Joiner::kNone || !is(previous(k), ChunkKind::kNoun))
+    return false;
+  if (chunk(n).noun.kind != NounKind::kObject || (chunk(n).noun.determiner == Determiner::kNone && chunk(n).noun.count == 0)) return false;
+  for (std::size_t u = units_.size(); u-- > 0;) {
+    if (units_[u].kind == UnitKind::kNoun && (u == 0 || units_[u].joiner != Joiner::kNone || units_[u].clause)) {
+      const NounKind kind = chunk(units_[u].chunk).noun.kind;
+      return kind == NounKind::kWall || kind == NounKind::kCorner || kind == NounKind::kCenter;
+    }
+    if (units_[u].kind != UnitKind::kNoun && units_[u].kind != UnitKind::kPlace) return false;
+  }
+  return false;
+}
+
+// "has its place in the corner", "finds a home by the window", "holds court in the middle": it is there.
+bool UnitReader::passes_spot(std::size_t k) {
+  const NounPhrase& noun = chunk(k).noun;
+  const std::size_t verb = previous(k), n = next(k);
+  if (verb >= k || !is(n, ChunkKind::kRelation) || noun.count > 0 || noun.plural || chunk(verb).last != chunk(k).first) return false;
+  const bool bare =
+      noun.determiner == Determiner::kNone && one_of(noun.head, {"court", "watch", "guard", "dust", "sentry", "sentinel", "sway"});
+  const bool own = one_of(noun.head, {"place", "home", "spot", "position", "keep", "perch", "berth", "post", "life", "station", "rest"}) &&
+                   (noun.determiner == Determiner::kIndefinite || noun.determiner == Determiner::kPossessive) &&
+                   noun.last <= noun.first + 3;
+  if (!bare && !own) return false;
+  const bool subject = is(previous(verb), ChunkKind::kNoun) && chunk(previous(verb)).noun.kind == NounKind::kObject;
+  const bool has = is(verb, ChunkKind::kHave) || is(verb, ChunkKind::kVerb) || is(verb, ChunkKind::kPurpose) ||
+                   is(verb, ChunkKind::kThere) || is(verb, ChunkKind::kCommand);
+  if (!subject || !has || chunk(verb).last - chunk(verb).first != 1) return false;
+  if (!units_.empty() && units_.back().chunk == verb) {
+    joiner_ = units_.back().joiner;
+    units_.pop_back();
+  }
+  skipping_ = false;
+  mark(verb, Use::kUsed, "placing");
+  mark(k, Use::kIgnored, "no object");
+  add(UnitKind::kVerb, verb);
+  return true;
+}
+
+}  // namespace layoutbox::offline
