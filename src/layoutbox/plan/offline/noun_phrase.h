@@ -30,6 +30,9 @@ enum class NounKind {
 
 enum class Determiner { kNone, kDefinite, kIndefinite, kPossessive, kEach, kBoth, kAnother, kOther, kNo };
 
+// Which of several, by where they stand among each other.
+enum class Rank { kAny, kFirst, kMiddle, kLast, kEnds };
+
 // Lengths said of a thing, in metres.
 struct SaidSize {
   std::optional<double> width, depth, height, length;
@@ -48,11 +51,14 @@ struct NounPhrase {
   std::string category, name, head;  // head: the last word in the singular
   std::vector<std::string> attributes;
   std::vector<WordClass> attribute_classes;
-  int count = 0;     // 0: not said
-  int ordinal = 0;   // "the second bed"; -1: the last
-  int rows = 0;      // "two rows of chairs", "a row of three stools"
-  int seats = 0;     // "a table for six"
-  int clusters = 0;  // "two clusters of four desks"
+  int count = 0;           // 0: not said
+  int ordinal = 0;         // "the second bed"; -1: the last
+  Rank rank = Rank::kAny;  // "the middle one", "the outer two"
+  int share = 0;           // "half of them": 2, "a third of the jars": 3
+  int every = 0;           // "every other chair": 2
+  int rows = 0;            // "two rows of chairs", "a row of three stools"
+  int seats = 0;           // "a table for six"
+  int clusters = 0;        // "two clusters of four desks"
   bool at_least = false, vague = false, plural = false;
   bool subset = false;        // "two of the beds"
   bool reciprocal = false;    // "each other"

@@ -263,6 +263,7 @@ NounPhraseReader::Opening NounPhraseReader::read_article() {
 // After "each", "both", "all".
 NounPhraseReader::Opening NounPhraseReader::read_each() {
   counted_ |= phrase_.determiner == Determiner::kEach;
+  read_every_nth();
   if (tokens_[i_ - 1].text == "of") {  // "all of them"
     --i_;
     if (read_subset()) return Opening::kDone;
@@ -281,6 +282,7 @@ NounPhraseReader::Opening NounPhraseReader::read_each() {
 NounPhraseReader::Opening NounPhraseReader::read_opening() {
   if (token().kind == Token::Kind::kPunctuation) return Opening::kEnds;
   if (phrase_.determiner == Determiner::kNone && !counted_ && read_pronoun()) return Opening::kDone;
+  if (read_rest() || read_share() || read_superlative()) return Opening::kDone;
   if (const Opening bound = read_bound(); bound != Opening::kNothing) return bound;
   if (read_rows() || read_clusters()) return Opening::kGoesOn;
   if (read_count()) return read_subset() ? Opening::kDone : Opening::kGoesOn;

@@ -1,5 +1,6 @@
 // The class behind read_noun_phrase; its members stand in noun_phrase (what it is called), noun_phrase_open (how it opens),
-// noun_phrase_words (where it ends), noun_phrase_read (its words) and noun_phrase_head (what its head is).
+// noun_phrase_members (which of several), noun_phrase_words (where it ends), noun_phrase_read (its words) and noun_phrase_head (what its
+// head is).
 #pragma once
 
 #include <algorithm>
@@ -97,6 +98,12 @@ class NounPhraseReader {
   bool read_clusters();
   bool read_subset();
   bool read_pronoun();
+  bool name_ends(std::size_t at) const;
+  bool read_rest();
+  bool read_share();
+  void read_every_nth();
+  bool read_rank();
+  bool read_superlative();
   void read_parts();
   bool is_named() const { return !parts_.empty() || phrase_.determiner != Determiner::kNone || counted_; }
   bool add(WordClass word_class, const Meaning& meaning, std::size_t length, bool plural);

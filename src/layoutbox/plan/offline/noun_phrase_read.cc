@@ -47,7 +47,7 @@ bool NounPhraseReader::names_after_one(const Match& match) const {
 }
 
 bool NounPhraseReader::read_part() {
-  if (read_ordinal()) return true;
+  if (read_ordinal() || read_rank()) return true;
   Match match = lexicon_.find(tokens_, i_);
   if (read_compound_adjective(match)) return true;
   match = without_attribute(without_verb(match));

@@ -55,6 +55,8 @@ bool NounPhraseReader::read_ordinal() {
     if (!at_word(word)) continue;
     phrase_.ordinal = place;
     ++i_;
+    const Match number = more() ? lexicon_.find(tokens_, i_, Class::kNumber) : Match{};  // "the first two"
+    if (number.length > 0 && !at_word("one") && read_count()) phrase_.plural = true;
     return true;
   }
   return false;

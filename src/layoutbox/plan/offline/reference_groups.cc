@@ -31,6 +31,27 @@ int References::described(const NounPhrase& noun) const {
   return -1;
 }
 
+std::vector<int> References::singled_out(const std::vector<int>& all, const NounPhrase& noun) {
+  const std::size_t size = all.size();
+  const std::size_t count = std::min(noun.count > 0 ? static_cast<std::size_t>(noun.count) : 1, size);
+  const auto from = [&](std::size_t first, std::size_t many) {
+    first = std::min(first, size - 1);
+    const auto begin = all.begin() + static_cast<std::ptrdiff_t>(first);
+    return std::vector<int>(begin, begin + static_cast<std::ptrdiff_t>(std::min(many, size - first)));
+  };
+  if (size < 2) return all;
+  if (noun.every > 1) {
+    std::vector<int> some;
+    for (std::size_t i = 0; i < size; i += static_cast<std::size_t>(noun.every)) some.push_back(all[i]);
+    return some;
+  }
+  if (noun.rank == Rank::kMiddle) return from((size - count) / 2, noun.plural && noun.count == 0 ? size - 2 : count);
+  if (noun.rank == Rank::kEnds) return {all.front(), all.back()};
+  if (noun.rank == Rank::kFirst || noun.ordinal > 0) return from(noun.ordinal > 0 ? static_cast<std::size_t>(noun.ordinal) - 1 : 0, count);
+  if (noun.rank == Rank::kLast || noun.ordinal < 0) return from(size - count, count);
+  return all;
+}
+
 void References::choose_members(Mention& mention, const NounPhrase& noun, int antecedent) {
   if (noun.determiner == Determiner::kDefinite) {
     if (const int item = described(noun); item >= 0) {
@@ -43,15 +64,21 @@ void References::choose_members(Mention& mention, const NounPhrase& noun, int an
   const int group = document_.items[static_cast<std::size_t>(all.front())].group;
   std::vector<int>& picked = picked_[group];
   if (noun.determiner == Determiner::kEach || noun.determiner == Determiner::kBoth) {
-    mention.items = all;
+    mention.items = noun.every > 1 ? singled_out(all, noun) : all;
     mention.distributes = noun.determiner == Determiner::kEach;
     return;
   }
-  const std::size_t count = noun.count > 0 ? static_cast<std::size_t>(noun.count) : 1;
+  const std::size_t count = noun.share > 1   ? std::max<std::size_t>(all.size() / static_cast<std::size_t>(noun.share), 1)
+                            : noun.count > 0 ? static_cast<std::size_t>(noun.count)
+                                             : 1;
   const bool side = noun.wall_word == "left" || noun.wall_word == "right";
-  if (noun.ordinal != 0 || (side && noun.determiner == Determiner::kDefinite && noun.count == 0)) {
-    const std::size_t at = noun.ordinal < 0 || noun.wall_word == "right" ? all.size() : side ? 1 : static_cast<std::size_t>(noun.ordinal);
-    mention.items = {all[std::min(at, all.size()) - 1]};
+  if (noun.rank != Rank::kAny || noun.ordinal != 0) {
+    mention.items = singled_out(all, noun);
+    picked.insert(picked.end(), mention.items.begin(), mention.items.end());
+    return;
+  }
+  if (side && noun.determiner == Determiner::kDefinite && noun.count == 0) {
+    mention.items = {noun.wall_word == "right" ? all.back() : all.front()};
     picked.push_back(mention.items.front());
     return;
   }

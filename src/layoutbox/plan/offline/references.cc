@@ -114,6 +114,7 @@ void References::mean_known(Mention& mention) {
   const NounPhrase& noun = mention.noun;
   mention.items = known(noun);
   if (noun.determiner == Determiner::kEach) mention.distributes = true;
+  if (noun.every > 1) mention.items = singled_out(mention.items, noun);
   if (!mention.items.empty()) {
     auto& items = mention.items;
     const int group = document_.items[static_cast<std::size_t>(items.front())].group;
@@ -128,7 +129,8 @@ void References::mean_known(Mention& mention) {
       picked.insert(picked.end(), items.begin(), items.end());
     } else if (!noun.is_plural() && items.size() > 1 && !mention.distributes) {
       // "the left nightstand" of two; "the other chair"; else one that was spoken of as one.
-      items = {noun.wall_word == "right" ? items.back() : items.front()};
+      items =
+          noun.rank != Rank::kAny ? singled_out(items, noun) : std::vector<int>{noun.wall_word == "right" ? items.back() : items.front()};
       auto& picked = picked_[group];
       if (picked.empty()) picked.push_back(items.front());
     } else if (noun.count > 1 && items.size() > static_cast<std::size_t>(noun.count)) {

@@ -54,6 +54,9 @@ class References {
   bool same_kind(const NounPhrase& wanted, const NounPhrase& item) const;
   int fit(const NounPhrase& wanted, const NounPhrase& item) const;
   void general(const NounPhrase& noun, bool as_reference, Mention& mention) const;
+  // Those that the words single out by their place among all: "the first two", "the middle one", "every other chair"; all where they
+  // do not.
+  static std::vector<int> singled_out(const std::vector<int>& all, const NounPhrase& noun);
   void choose_members(Mention& mention, const NounPhrase& noun, int antecedent);
 
   const Lexicon& lexicon_;

@@ -90,7 +90,7 @@ std::vector<int> References::known(const NounPhrase& noun) const {
   std::reverse(found.begin(), found.end());
   if (!found.empty() && noun.ordinal != 0) {
     const std::size_t at = noun.ordinal < 0 ? found.size() : static_cast<std::size_t>(noun.ordinal);
-    return at > found.size() ? std::vector<int>{} : std::vector<int>{found[at - 1]};
+    return at > found.size() ? std::vector<int>{} : singled_out(found, noun);
   }
   if (!found.empty() && !noun.is_plural() && noun.determiner != Determiner::kEach) {
     // A singular names one thing; which member of a group, "left" and "other" say.

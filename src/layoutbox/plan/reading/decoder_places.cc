@@ -37,6 +37,7 @@ double Decoder::attach_score(const State& state, int u, int level, bool inverse)
   if (level > 0 && finite_place(u)) score += weight::kFiniteRoot;
   if (word(u) == "from" && level > 0) score += weight::kFromRoot;
   if (!inverse && hangs_twice(state, u, member)) score += weight::kPlacedTwice;
+  if (!inverse && lies_twice(state, u, member)) score += weight::kLiesTwice;
   if (!is_definite(state, member)) return score;
   if (inverse) return score + (is_thing(state, member) ? weight::kKnownHost : weight::kPlaceAsHost);
   if (member + 1 == u && unit(u).joiner == Joiner::kNone && is_one_of_several(member)) return score + weight::kTellsWhich;
@@ -53,6 +54,20 @@ bool Decoder::hangs_twice(const State& state, int u, int member) const {
   if (!at_wall(u)) return false;
   for (int before = member + 1; before < u; ++before) {
     if (at_wall(before) && read_as(state, before).subject == member) return true;
+  }
+  return false;
+}
+
+// "On the desk stands a bust, on the table an urn": the bust lies there already.
+bool Decoder::lies_twice(const State& state, int u, int member) const {
+  const auto on_thing = [&](int place) {
+    return is(place, UnitKind::kPlace) && (says(unit(place).direct, RelationType::kOn) || says(unit(place).direct, RelationType::kIn)) &&
+           is(place + 1, UnitKind::kNoun) && unit(place + 1).joiner == Joiner::kNone;
+  };
+  if (!on_thing(u) || unit(u).joiner == Joiner::kNone || chunk(u + 1).noun.kind == NounKind::kPronoun) return false;
+  for (int before = 0; before < u; ++before) {
+    const UnitReading& place = read_as(state, before);
+    if (on_thing(before) && place.subject == member && !place.inverse && !place.alone && is_thing(state, before + 1)) return true;
   }
   return false;
 }

@@ -54,11 +54,12 @@ struct SentenceReading {
 
 // What earlier sentences leave behind; mentions of the document.
 struct TextSoFar {
-  int topic = -1;          // what the sentence before spoke of
-  int fronted = -1;        // … what it placed things by, these named later
-  std::vector<int> roots;  // … the things that it spoke of
-  int sided = -1;          // … what something stands left or right of
-  bool left = false;       // … left
+  int topic = -1;           // what the sentence before spoke of
+  int fronted = -1;         // … what it placed things by, these named later
+  std::vector<int> roots;   // … the things that it spoke of
+  std::vector<int> listed;  // the last things that a sentence listed
+  int sided = -1;           // … what something stands left or right of
+  bool left = false;        // … left
 };
 
 }  // namespace layoutbox::offline

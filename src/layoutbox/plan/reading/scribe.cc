@@ -34,6 +34,7 @@ void Scribe::write(const Sentence& sentence, const SentenceReading& reading) {
     if (waits(u)) write_place(u);  // by what was named later
   }
   join_sides();
+  write_orders();
   end_sentence();
 }
 
@@ -60,6 +61,9 @@ void Scribe::end_sentence() {
     so_far_.sided = link.references.front();
     break;
   }
+  std::vector<int> listed = roots;
+  std::erase_if(listed, [&](int m) { return !mention_at(m).introduces; });
+  if (listed.size() > 1) so_far_.listed = std::move(listed);
   if (!roots.empty()) {
     so_far_.topic = roots.front();
     so_far_.roots = std::move(roots);

@@ -46,6 +46,7 @@ class Scribe {
   std::vector<int> pair_named_last(int u) const;
   int make_ordinal(const NounPhrase& noun);
   int antecedent_of(int u);
+  int list_ranked(const NounPhrase& noun, int antecedent);
   int combined(const std::vector<int>& mentions);
   int pair_just_related();
   int thing_of_zone(const NounPhrase& noun) const;
@@ -90,6 +91,8 @@ class Scribe {
   Link link_at_unit(int u) const;
   int add_link(int u, Link link);
   void join_sides();
+  void write_orders();
+  std::vector<int> list_ordered(int u) const;
   bool verb_ends(int u) const;
   void place_where(int u, const std::vector<int>& targets);
   void mean_between(int u, const Link& looking);

@@ -62,6 +62,7 @@ int Scribe::antecedent_of(int u) {
   }
   const std::vector<int> meant = mentions_of(own.meant);
   const int antecedent = meant.empty() ? -1 : meant.front();
+  if (const int listed = list_ranked(noun, antecedent); listed >= 0) return listed;
   if (plural && (antecedent < 0 || mention_at(antecedent).items.size() < 2)) {
     if (const std::vector<int> two = pair_named_last(u); two.size() == 2) return combined(two);
     if (const int pair = pair_just_related(); pair >= 0) return pair;
@@ -69,6 +70,19 @@ int Scribe::antecedent_of(int u) {
     if (so_far_.roots.size() > 1) return combined({so_far_.roots[so_far_.roots.size() - 2], so_far_.roots.back()});
   }
   return antecedent;
+}
+
+// "a crib, a table and a chair. The first two …, the third …": of what the sentence before listed, where nothing named is as many.
+int Scribe::list_ranked(const NounPhrase& noun, int antecedent) {
+  const bool ranked =
+      noun.kind == NounKind::kMember && !noun.of && (noun.ordinal != 0 || noun.rank != Rank::kAny) && noun.attributes.empty();
+  if (!ranked) return -1;
+  const std::size_t wanted =
+      static_cast<std::size_t>(std::max({noun.ordinal, 0, 2})) + static_cast<std::size_t>(std::max(noun.count, 1)) - 1;
+  const bool group = antecedent >= 0 && mention_at(references_.whole_group(antecedent)).items.size() > 1;
+  if (group) return -1;
+  if (so_far_.listed.size() < wanted || so_far_.listed.size() < 2) return -1;
+  return combined(so_far_.listed);
 }
 
 // The noun is what a place that may say that is by.

@@ -26,6 +26,7 @@ class UnitReader {
   bool centers_in_room(std::size_t k);
   bool tells_which(std::size_t k);
   bool names_doer(std::size_t k);
+  bool takes_order(std::size_t k);
   void add_place(std::size_t k, const PhraseSenses& senses);
   void read_have(std::size_t k);
   void read_verb(std::size_t k);
@@ -121,6 +122,8 @@ class UnitReader {
   std::size_t passed_over_ = static_cast<std::size_t>(-1), passed_until_ = 0;
   bool named_ = false;               // a noun was read
   int one_corner_ = -1, wall_ = -1;  // chunks: "in one corner", the last wall
+  std::size_t order_ = kNoOrder;     // "from left to right", said before its list
+  bool in_brackets_ = false;         // … between commas
   std::size_t owner_ = static_cast<std::size_t>(-1);
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "layoutbox/plan/offline/english.h"
 #include "layoutbox/plan/offline/knowledge.h"
@@ -43,6 +44,8 @@ std::vector<Sentence> UnitReader::run() {
 void UnitReader::end_sentence() {
   if (!units_.empty()) sentences_.push_back(std::move(units_));
   units_.clear();
+  order_ = kNoOrder;
+  in_brackets_ = false;
   joiner_ = Joiner::kNone;
   clause_ = where_ = soft_ = skipping_ = negated_ = false;
 }
@@ -62,6 +65,8 @@ Unit& UnitReader::add(UnitKind kind, std::size_t k) {
   unit.clause = clause_;
   unit.where = where_;
   unit.soft = soft_;
+  unit.order = std::exchange(order_, kNoOrder);
+  in_brackets_ = false;
   joiner_ = Joiner::kNone;
   clause_ = where_ = false;
   units_.push_back(std::move(unit));
@@ -138,6 +143,7 @@ bool UnitReader::is_topic_before_colon(std::size_t k) const {
 void UnitReader::read_break(std::size_t k) {
   const bool comma = is(k, ChunkKind::kComma);
   mark(k, Use::kIgnored, comma ? "" : "joins");
+  if (in_brackets_ && comma) return;
   const std::size_t n = next(k);
   const bool after_comma = !comma && is(previous(k), ChunkKind::kComma);  // "…, and the chair": as after the comma
   if (skipping_ && !is(n, ChunkKind::kAnd) && purpose_ends(after_comma && names_thing(n) ? previous(k) : k, n)) skipping_ = false;
@@ -177,7 +183,20 @@ void UnitReader::read_place(std::size_t k) {
   }
   if (names_doer(k)) return;
   mark(k, Use::kUsed, "relation");
+  if (takes_order(k)) return;
   if (!tells_which(k)) add_place(k, *chunk(k).phrase.senses);
+}
+
+// "a counter that carries, from left to right, a scale and a till": said of the list, wherever it stands.
+bool UnitReader::takes_order(std::size_t k) {
+  const PhraseSenses& senses = *chunk(k).phrase.senses;
+  const bool order = std::ranges::all_of(senses, [](const PhraseSense& s) { return s.type == RelationType::kRow && !s.part.empty(); });
+  if (!order) return false;
+  const bool before_list = units_.empty() || units_.back().kind != UnitKind::kNoun;
+  (units_.empty() ? order_ : units_.back().order) = k;
+  in_brackets_ = before_list;
+  if (before_list) joiner_ = Joiner::kNone;
+  return true;
 }
 
 // "is used by the gripper", "was painted by my aunt": who does it is no place. "Warmed by a stove" brings the stove in.

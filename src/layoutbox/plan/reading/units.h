@@ -21,6 +21,8 @@ enum class UnitKind {
   kAttribute,
 };
 
+inline constexpr std::size_t kNoOrder = static_cast<std::size_t>(-1);
+
 struct Unit {
   UnitKind kind = UnitKind::kNoun;
   std::size_t chunk = 0;  // of the document
@@ -31,6 +33,7 @@ struct Unit {
   const PhraseSenses* senses = nullptr;  // of a place
   PhraseSenses direct, inverse, alone;   // … by direction, each turned to direct
   bool each = false;                     // a place on "each side"
+  std::size_t order = kNoOrder;          // the chunk that says in which order stands the list that it is of, or that follows
   bool other = false;                    // … on the other side or end, where the first one was said
 };
 
