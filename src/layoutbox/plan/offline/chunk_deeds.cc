@@ -18,11 +18,58 @@ bool Chunker::follows_doer() const {
 
 // "on the desk I wish one lamp", "here we require two vases": what is wanted is there, as after "I want".
 bool Chunker::read_wishing() {
-  if (i_ + 2 >= tokens_.size() || !lexicon_.is(tokens_[i_], Class::kDoer) || !lexicon_.is_in("wishing", tokens_[i_ + 1].text) ||
-      !thing_next(i_ + 2))
-    return false;
+  if (i_ + 2 >= tokens_.size() || !lexicon_.is(tokens_[i_], Class::kDoer)) return false;
+  std::size_t verb = i_ + 1;
+  bool helped = false;
+  for (; verb + 1 < tokens_.size() && is_helping(verb); ++verb) helped |= tokens_[verb].text != "just" && tokens_[verb].text != "also";
+  if (helped) return read_helped_wish(verb);
+  if (!lexicon_.is_in("wishing", tokens_[verb].text) || !thing_next(verb + 1)) return false;
+  add(ChunkKind::kThere, verb + 1 - i_);
+  return true;
+}
+
+// "would", "have", "also", "really": before what somebody wants or has put somewhere.
+bool Chunker::is_helping(std::size_t at) const {
+  static constexpr std::array<std::string_view, 12> kHelping = {"would", "will", "have",   "has",   "had", "do",
+                                                                "just",  "also", "really", "still", "now", "then"};
+  return std::ranges::find(kHelping, tokens_[at].text) != kHelping.end();
+}
+
+// "I would just like my recliner …", "someone had left a bucket", "I'd also like to put the till …", after "would", "had".
+bool Chunker::read_helped_wish(std::size_t verb) {
+  static constexpr std::array<std::string_view, 8> kWanting = {"like", "love", "prefer", "want", "need", "appreciate", "adore", "have"};
+  bool wanted = false, put = false;
+  for (; verb + 1 < tokens_.size(); verb += 2) {
+    wanted |= std::ranges::find(kWanting, tokens_[verb].text) != kWanting.end();
+    put |= brings_in(verb) || lexicon_.is(tokens_[verb], Class::kParticiple) || lexicon_.is(tokens_[verb], Class::kPlaceVerb) ||
+           lexicon_.is(tokens_[verb], Class::kHang);
+    if (tokens_[verb + 1].text != "to") break;
+  }
+  const std::size_t thing = verb + 1;
+  if ((!wanted && !put) || thing >= tokens_.size()) return false;
+  const bool known = lexicon_.is(tokens_[thing], Class::kDefinite) || lexicon_.is(tokens_[thing], Class::kPossessive);
+  if (!thing_next(thing) && !(wanted && known)) return false;
+  add(ChunkKind::kThere, thing - i_);
+  return true;
+}
+
+// "opposite the door you meet a desk", "by the window he keeps a telescope": somebody finds a thing where the clause begins.
+bool Chunker::read_finding() {
+  if (i_ + 2 >= tokens_.size() || !lexicon_.is(tokens_[i_], Class::kDoer) || !thing_next(i_ + 2) || chunks_.size() < 2) return false;
+  if (!one_of_finders(tokens_[i_].text) || !may_be_verb(tokens_[i_ + 1].text)) return false;
+  std::size_t first = chunks_.size();
+  while (first > 0 && (chunks_[first - 1].kind == ChunkKind::kNoun || chunks_[first - 1].kind == ChunkKind::kRelation ||
+                       chunks_[first - 1].kind == ChunkKind::kIgnored))
+    --first;
+  const bool opens = first == 0 || chunks_[first - 1].kind == ChunkKind::kStop || chunks_[first - 1].kind == ChunkKind::kClause;
+  if (!opens || first >= chunks_.size() || chunks_[first].kind != ChunkKind::kRelation || previous() != ChunkKind::kNoun) return false;
   add(ChunkKind::kThere, 2);
   return true;
+}
+
+bool Chunker::one_of_finders(std::string_view who) {
+  static constexpr std::array<std::string_view, 6> kFinders = {"you", "we", "guests", "visitors", "i", "he"};
+  return std::ranges::find(kFinders, who) != kFinders.end();
 }
 
 // "I'm writing a thriller", "nobody will weigh the dog". "I'm building a cabin" is about the cabin.

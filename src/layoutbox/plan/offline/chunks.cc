@@ -46,12 +46,15 @@ bool Chunker::read_there(std::size_t without) {
 }
 
 void Chunker::read() {
-  if (read_distance() || read_size_chunk() || read_rows() || read_infinitive() || read_wishing() || read_doing() || read_manner()) return;
+  if (read_distance() || read_size_chunk() || read_rows() || read_infinitive() || read_wishing() || read_finding() || read_doing() ||
+      read_manner() || read_trailing_bound())
+    return;
   const bool about = tokens_[i_].text == "like" || tokens_[i_].text == "say";  // "like three mugs", "stools, say five"
   if (about && i_ + 1 < tokens_.size() && lexicon_.is(tokens_[i_ + 1], Class::kNumber)) {
     add(ChunkKind::kIgnored, 1);
     return;
   }
+  if (read_such_as() || read_leave_out()) return;
   if (opens_question() || says_enough()) {
     add(ChunkKind::kIgnored, 1);
     return;
@@ -107,6 +110,41 @@ bool Chunker::opens_question() const {
   return (chunks_.empty() || previous() == ChunkKind::kStop) && i_ + 1 < tokens_.size() &&
          std::find(kAsking.begin(), kAsking.end(), tokens_[i_].text) != kAsking.end() && opens_noun(tokens_[i_ + 1]) &&
          !lexicon_.is(tokens_[i_ + 1], Class::kPronoun);
+}
+
+// "plants, ten at least!", "six at most": a bound behind its number.
+bool Chunker::read_trailing_bound() {
+  const std::size_t length = std::max(length_of(Class::kAtLeast), length_of(Class::kAtMost));
+  if (length == 0 || previous() != ChunkKind::kNoun || chunks_[telling_].noun.count == 0 || i_ + length > tokens_.size()) return false;
+  if (i_ + length < tokens_.size() && tokens_[i_ + length].kind != Token::Kind::kPunctuation) return false;
+  chunks_[telling_].noun.at_least = length_of(Class::kAtLeast) > 0;
+  add(ChunkKind::kIgnored, length);
+  return true;
+}
+
+// "props such as a suitcase and a hat": what is listed, and nothing besides.
+bool Chunker::read_such_as() {
+  if (tokens_[i_].text != "such" || i_ + 1 >= tokens_.size() || tokens_[i_ + 1].text != "as" || !thing_next(i_ + 2)) return false;
+  Chunk* kinds = previous() == ChunkKind::kNoun ? &chunks_[telling_] : nullptr;
+  if (kinds == nullptr || !(kinds->noun.plural || kinds->noun.head == "furniture") || kinds->noun.count > 0 ||
+      kinds->noun.determiner != Determiner::kNone)
+    return false;
+  kinds->kind = ChunkKind::kIgnored;
+  do --telling_;
+  while (telling_ < chunks_.size() && (chunks_[telling_].kind == ChunkKind::kIgnored || chunks_[telling_].kind == ChunkKind::kSoft));
+  add(ChunkKind::kIgnored, 2);
+  return true;
+}
+
+// "please leave the wardrobe out", "keep plants out": it is not wanted.
+bool Chunker::read_leave_out() {
+  static constexpr std::array<std::string_view, 4> kLeaving = {"leave", "keep", "cut", "take"};
+  if (std::ranges::find(kLeaving, tokens_[i_].text) == kLeaving.end() || !clause_begins()) return false;
+  const auto noun = read_noun_phrase(lexicon_, tokens_, i_ + 1, true);
+  if (!noun || noun->kind != NounKind::kObject || noun->last >= tokens_.size() || tokens_[noun->last].text != "out") return false;
+  if (noun->last + 1 < tokens_.size() && tokens_[noun->last + 1].kind == Token::Kind::kWord) return false;
+  add(ChunkKind::kWithout, 1);
+  return true;
 }
 
 // "enough chairs for six": a number is yet to come.

@@ -56,6 +56,13 @@ class Chunker {
   // What somebody does (chunk_deeds).
   bool follows_doer() const;
   bool read_wishing();
+  bool is_helping(std::size_t at) const;
+  bool read_helped_wish(std::size_t verb);
+  bool read_finding();
+  static bool one_of_finders(std::string_view who);
+  bool read_trailing_bound();
+  bool read_such_as();
+  bool read_leave_out();
   bool read_doing();
   bool read_manner();
   bool may_tell_how(std::size_t at) const;

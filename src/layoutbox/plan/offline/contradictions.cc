@@ -44,7 +44,26 @@ bool contradict(const Relation& a, const Relation& b) {
 
 }  // namespace
 
+// "a room dominated by a bed against the wall", "centered on a fireplace in the back wall": so much of the room's middle is a manner of
+// speaking.
+void RelationBuilder::soften_middles() {
+  static constexpr std::string_view kSpeaking[] = {"dominated by", "centered on", "centered around",
+                                                   "built around", "centers on",  "centers around"};
+  for (Relation& middle : scene_.relations) {
+    if (middle.type != R::kCenterOfRoom || !middle.asked() || middle.targets.size() != 1) continue;
+    if (std::none_of(std::begin(kSpeaking), std::end(kSpeaking), [&](std::string_view words) { return middle.why.starts_with(words); }))
+      continue;
+    const std::vector<std::size_t>& all = relations_of(middle.targets.front());
+    if (std::none_of(all.begin(), all.end(),
+                     [&](std::size_t r) { return at_wall(scene_.relations[r].type) && scene_.relations[r].asked(); }))
+      continue;
+    middle.hard = false;
+    middle.origin = Origin::kConcluded;
+  }
+}
+
 void RelationBuilder::note_contradictions() {
+  soften_middles();
   constexpr std::size_t kMost = 20;  // relations of one thing that are compared
   for (const SceneObject& object : scene_.objects) {
     const std::vector<std::size_t>& all = relations_of(object.id);

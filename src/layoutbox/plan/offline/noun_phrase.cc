@@ -110,6 +110,7 @@ std::string_view NounPhraseReader::settle_pair(const Part& head) {
   if (!one) return head.meaning.word;
   if (!meant.empty()) phrase_.entry = &lexicon_.catalog().entry_or_nearest(meant);
   if (paired_) phrase_.count /= 2;
+  if (phrase_.vague && !paired_ && tokens_[head.first > 1 ? head.first - 2 : 0].text == "set") phrase_.count = 1;  // "a set of scales"
   phrase_.plural = false;
   phrase_.head = tokens_[head.last - 1].text;
   return meant.empty() ? head.meaning.word : meant;

@@ -59,6 +59,20 @@ void NounPhraseReader::join_set(std::size_t& head) {
   --head;
 }
 
+// "a drying rack thing": the rack. Where the phrase ends then, 0 where no such word is there.
+std::size_t NounPhraseReader::drop_thing(std::size_t& head) {
+  static constexpr std::string_view kThings[] = {"thing", "things", "thingy", "thingie", "thingamajig", "contraption", "affair"};
+  if (head < 2 || head != parts_.size()) return 0;
+  const Part &last = parts_[head - 1], &named = parts_[head - 2];
+  if (named.word_class != Class::kObject || named.last != last.first || last.last != last.first + 1 ||
+      std::find(std::begin(kThings), std::end(kThings), tokens_[last.first].text) == std::end(kThings))
+    return 0;
+  const std::size_t end = last.last;
+  parts_.pop_back();
+  --head;
+  return end;
+}
+
 // Whether the part at `head` follows right after a noun: "cipher wheel", "eyewash station".
 bool NounPhraseReader::is_compound(std::size_t head) const {
   if (head == 0 || parts_[head - 1].last != parts_[head].first) return false;
@@ -230,6 +244,12 @@ bool NounPhraseReader::settle_filler(std::size_t head) {
   return true;
 }
 
+// "five freshly rinsed prints": parts elsewhere.
+bool NounPhraseReader::counts_things(const Part& part) const {
+  return counted_ && !phrase_.vague && phrase_.count > 1 && part.last == part.first + 1 &&
+         noun_form(tokens_[part.first].text) == WordForm::kThing;
+}
+
 // A head that stands in the lists of places, rooms and parts.
 void NounPhraseReader::settle_listed(std::size_t head) {
   const Part part = parts_[head];
@@ -238,7 +258,7 @@ void NounPhraseReader::settle_listed(std::size_t head) {
   take_attributes(head);
   if (thing) return settle_object(as_thing, head);
   const bool new_here = counted_ || part.plural || phrase_.determiner == Determiner::kIndefinite;
-  if (part.word_class == Class::kPart && new_here && (part.meaning.entry != nullptr || is_compound(head))) {
+  if (part.word_class == Class::kPart && new_here && (part.meaning.entry != nullptr || is_compound(head) || counts_things(part))) {
     const NounPhrase opened = phrase_;
     settle_object(part.meaning.entry != nullptr ? part : as_thing, head);
     auto object = std::make_shared<NounPhrase>(phrase_);
@@ -262,8 +282,9 @@ std::optional<NounPhrase> NounPhraseReader::settle() {
   if (head == 0) return settle_without_head();
   if (ends_in_verb(head) || ends_in_doing(head)) --head;
   join_set(head);
+  const std::size_t end = drop_thing(head);
   const Part part = parts_[head - 1];
-  i_ = part.last;
+  i_ = std::max(end, part.last);
   if (part.word_class == Class::kFiller) {
     if (!settle_filler(head - 1)) return std::nullopt;
   } else if (part.word_class == Class::kObject) {

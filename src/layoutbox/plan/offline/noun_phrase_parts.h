@@ -145,6 +145,7 @@ class NounPhraseReader {
   NounPhrase settle_member();
   std::optional<NounPhrase> settle_without_head();
   bool ends_in_verb(std::size_t head) const;
+  bool counts_things(const Part& part) const;
   bool ends_in_doing(std::size_t head) const;
   bool place_at(std::size_t at) const;
   bool lacks_verb(std::size_t at) const;
@@ -153,6 +154,7 @@ class NounPhraseReader {
   std::optional<NounPhrase> settle();
   void settle_object(const Part& head, std::size_t head_index);
   void join_set(std::size_t& head);
+  std::size_t drop_thing(std::size_t& head);
   std::string_view settle_pair(const Part& head);
   void settle_unknown();
   void settle_place(const Part& head);

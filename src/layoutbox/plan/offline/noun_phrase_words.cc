@@ -85,7 +85,8 @@ bool NounPhraseReader::read_compound_adjective(const Match& match) {
   if (match.length > 1 || i_ + 1 >= tokens_.size() || !hyphenated(i_ + 1) || token().kind != Token::Kind::kWord) return false;
   static constexpr std::string_view kEnds[] = {"style", "free", "on", "up", "in", "out", "off", "down", "over"};
   const std::string& end = tokens_[i_ + 1].text;
-  const bool adjective = end.ends_with("ed") || std::find(std::begin(kEnds), std::end(kEnds), end) != std::end(kEnds);
+  const bool adjective =
+      end.ends_with("ed") || end.ends_with("ing") || std::find(std::begin(kEnds), std::end(kEnds), end) != std::end(kEnds);
   const bool side = has(lexicon_.find(tokens_, i_ + 1), Class::kSide) && has(lexicon_.find(tokens_, i_ + 2), Class::kObject);
   if ((!adjective && !side) || lexicon_.find(tokens_, i_ + 1, Class::kObject).length > 0) return false;
   if (lexicon_.find_phrase(tokens_, i_).length > 1) return false;  // "close-up", "in-between"
@@ -127,6 +128,10 @@ bool NounPhraseReader::ends_before(const Match& match) const {
   // "both stand", "all sit": the verb.
   const bool verb = match.length == 1 && !plural_at(i_) && has(match, Class::kPlaceVerb);
   if (parts_.empty()) {
+    // "both look toward the window"
+    if (phrase_.determiner == Determiner::kBoth && may_be_verb(token().text) && lexicon_.find_phrase(tokens_, i_).length > 1 &&
+        !plural_at(i_))
+      return true;
     // "each looks at the bar"
     const bool place = phrase_.determiner == Determiner::kEach && is_finite(token().text) && lexicon_.find_phrase(tokens_, i_).length > 1;
     return place || (phrase_.determiner == Determiner::kBoth && verb);
@@ -140,7 +145,9 @@ bool NounPhraseReader::ends_before(const Match& match) const {
       match.length == 1 && has(match, Class::kParticiple) && (token().text.ends_with("ed") || token().text.ends_with("ing"));
   if (!participle || last.word_class != Class::kFiller || last.last != i_) return false;
   const WordForm before = noun_form(tokens_[last.last - 1].text);
-  const std::size_t after = i_ + match.length;
+  std::size_t after = i_ + match.length;  // "a missal lying open upon it"
+  if (after + 1 < tokens_.size() && lexicon_.find_phrase(tokens_, after).length == 0 && lexicon_.find_phrase(tokens_, after + 1).length > 0)
+    ++after;
   const bool over =
       after >= tokens_.size() || tokens_[after].kind == Token::Kind::kPunctuation || lexicon_.find_phrase(tokens_, after).length > 0;
   return over && (is_noun(before) || before == WordForm::kUnknown);

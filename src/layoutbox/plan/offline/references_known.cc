@@ -34,6 +34,10 @@ int References::fit(const NounPhrase& wanted, const NounPhrase& item) const {
   if (!wanted.owner_word.empty() && !item.owner_word.empty() && wanted.owner_word != item.owner_word) return 0;
   // "twelve mats … the instructor's mat": none of the twelve.
   if (!wanted.owner_word.empty() && item.owner_word.empty() && item.count > 1 && !wanted.is_plural()) return 0;
+  // "the judge's bench … the clerk's desk": another one.
+  if (!wanted.owner_word.empty() && item.owner_word.empty() && item.name.find("'s ") != std::string::npos &&
+      item.name.find(wanted.owner_word) == std::string::npos)
+    return 0;
   if (wanted.name == item.name) return 4;
   // "the captain's chair" is no pilot seat.
   const std::size_t owner = wanted.name.find("'s ");

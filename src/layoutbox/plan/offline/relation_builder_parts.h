@@ -146,6 +146,7 @@ class RelationBuilder {
   bool hangs_on_hooks(const std::string& object) const;
   // On or in a thing other than a rug.
   bool is_carried(const std::string& object) const;
+  void soften_middles();
   void note_contradictions();
   const Catalog& catalog_;
   Document& document_;

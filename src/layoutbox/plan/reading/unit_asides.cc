@@ -145,6 +145,10 @@ std::size_t UnitReader::subject_of_being(std::size_t k) const {
 // "my flat is a matchbox", "it's basically a shoebox", "the sofa is an antique": what something is called, no thing of its own.
 bool UnitReader::is_said_of_subject(std::size_t k) {
   const NounPhrase& noun = chunk(k).noun;
+  // "the case with the urn is the centerpiece and stands …"
+  if (noun.head == "centerpiece" && noun.determiner == Determiner::kDefinite && !units_.empty() && units_.back().kind == UnitKind::kVerb &&
+      units_.front().kind == UnitKind::kNoun && joiner_ == Joiner::kNone)
+    return true;
   const std::size_t at = noun.kind == NounKind::kObject ? subject_of_being(k) : units_.size();
   if (at >= units_.size()) return false;
   const Unit& subject = units_[at];

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "layoutbox/catalog/trait_table.h"
+#include "layoutbox/plan/offline/english.h"
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/reading/unit_reader.h"
 
@@ -82,6 +83,32 @@ bool UnitReader::is_part(std::size_t k) const {
   if (noun.kind != NounKind::kObject || noun.head != "mattress") return false;
   const std::size_t host = last_noun();
   return host < document_.chunks.size() && chunk(host).noun.name.find("bed") != std::string::npos;
+}
+
+// "a cart with two lenses, a flash and a laptop", "a script on the sofa": what English alone says is no thing is one among things, or
+// where the text says where it is.
+bool UnitReader::is_thing_in_company(std::size_t k) const {
+  const NounPhrase& noun = chunk(k).noun;
+  const bool anew =
+      noun.determiner == Determiner::kIndefinite || noun.determiner == Determiner::kAnother || (noun.count > 0 && !noun.vague);
+  if (noun.kind != NounKind::kAbstract || !noun.doubted || !anew || noun.of || noun.name.find(" of ") != std::string::npos) return false;
+  if (word_form(noun.head) == WordForm::kPerson || lexicon_.is_person(noun.head)) return false;
+  const auto is_new_thing = [&](std::size_t c) {
+    if (!is(c, ChunkKind::kNoun) || chunk(c).noun.kind != NounKind::kObject) return false;
+    return chunk(c).noun.determiner == Determiner::kIndefinite || chunk(c).noun.count > 0;
+  };
+  const auto past_break = [&](std::size_t c, bool forward) {
+    std::size_t passed = 0;
+    for (; is(c, ChunkKind::kComma) || is(c, ChunkKind::kAnd); ++passed) c = forward ? next(c) : previous(c);
+    return passed > 0 ? c : document_.chunks.size();
+  };
+  if (is_new_thing(past_break(previous(k), false)) || is_new_thing(past_break(next(k), true))) return true;
+  std::size_t place = next(k);
+  if (is(place, ChunkKind::kVerb) || is(place, ChunkKind::kParticiple)) place = next(place);
+  const std::size_t by = next(place);
+  if (!is(place, ChunkKind::kRelation) || !is(by, ChunkKind::kNoun)) return false;
+  const NounPhrase& host = chunk(by).noun;
+  return is_part_of_room(host) || (host.kind == NounKind::kObject && host.exact && host.determiner == Determiner::kDefinite);
 }
 
 // "four display cases … in front of every case": a word that is a thing only in a rarer sense speaks of one whose name ends so.
@@ -217,7 +244,7 @@ void UnitReader::settle_noun(std::size_t k) {
   if (const auto object = noun.as_object;
       object != nullptr && (content ? is_placed_itself(k) : !after_place() || noun.determiner == Determiner::kIndefinite))
     noun = NounPhrase(*object);
-  if (names_known(k)) noun.kind = NounKind::kObject;
+  if (names_known(k) || is_thing_in_company(k)) noun.kind = NounKind::kObject;
   if (noun.name == "thing" && noun.determiner == Determiner::kDefinite && !noun.plural) noun.kind = NounKind::kAbstract;
   if (is_figure(k)) {
     noun.kind = NounKind::kObject;
@@ -317,7 +344,7 @@ void UnitReader::read_noun(std::size_t k) {
   mean_side_of_room(k);
   place_at_spot(k);
   NounPhrase& noun = document_.chunks[k].noun;
-  if (skipping_ && doing_ && is_used_in_place(k)) skipping_ = false;
+  if (skipping_ && ((doing_ && is_used_in_place(k)) || follows_purpose(k))) skipping_ = false;
   if (skipping_) {
     if (noun.kind == NounKind::kObject && noun.determiner == Determiner::kDefinite && noun.count == 0) told_ = k;
     mark(k, Use::kIgnored, "purpose");

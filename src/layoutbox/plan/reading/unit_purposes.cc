@@ -10,16 +10,7 @@ namespace layoutbox::offline {
 using Use = WordReading::Use;
 
 void UnitReader::read_purpose(std::size_t k) {
-  if (passes_keeper(k)) return;
-  // "another just like it to the right": which one, no purpose.
-  const std::size_t like = next(k);
-  if (document_.tokens[chunk(k).first].text == "like" && is(previous(k), ChunkKind::kNoun) && is(like, ChunkKind::kNoun) &&
-      (chunk(like).noun.kind == NounKind::kPronoun || chunk(like).noun.kind == NounKind::kMember)) {
-    mark(k, Use::kIgnored, "filler");
-    mark(like, Use::kIgnored, "filler");
-    passed_over_ = like;
-    return;
-  }
+  if (passes_keeper(k) || passes_like(k)) return;
   if (reads_as_verb(k) || inverts(k)) {
     mark(k, Use::kUsed, "placing");
     add(UnitKind::kVerb, k);
@@ -42,13 +33,42 @@ void UnitReader::read_purpose(std::size_t k) {
   joiner_ = Joiner::kNone;
 }
 
+// "and then like a mirror over the sink" says nothing; "another just like it to the right", "a clock shaped like a cat" say which one.
+bool UnitReader::passes_like(std::size_t k) {
+  const std::size_t like = next(k), p = previous(k);
+  if (skipping_ || document_.tokens[chunk(k).first].text != "like" || chunk(k).last - chunk(k).first != 1 || !is(like, ChunkKind::kNoun))
+    return false;
+  const NounPhrase& noun = chunk(like).noun;
+  if (is(p, ChunkKind::kNoun) && (noun.kind == NounKind::kPronoun || noun.kind == NounKind::kMember)) {
+    mark(k, Use::kIgnored, "filler");
+    mark(like, Use::kIgnored, "filler");
+    passed_over_ = like;
+    return true;
+  }
+  const bool breaks = is(p, ChunkKind::kAnd) || is(p, ChunkKind::kComma) || is(p, ChunkKind::kStop) || is(p, ChunkKind::kClause) ||
+                      is(p, ChunkKind::kThere) || is(p, ChunkKind::kHave);
+  const bool anew = noun.kind == NounKind::kObject && (noun.determiner == Determiner::kIndefinite || noun.count > 0);
+  if (!breaks || !anew) return false;
+  mark(k, Use::kIgnored, "filler");
+  return true;
+}
+
 // "In the corner someone has put down a crate": it is there.
 bool UnitReader::passes_placer(std::size_t k) {
   if (!one_of(document_.tokens[chunk(k).first].text, {"someone", "somebody"}) || chunk(k).last - chunk(k).first != 1) return false;
   std::size_t n = next(k);
   bool placing = false;
-  for (; is(n, ChunkKind::kHave) || is(n, ChunkKind::kVerb) || is(n, ChunkKind::kParticiple); n = next(n))
-    placing |= !is(n, ChunkKind::kHave);
+  const auto is_verb = [&](std::size_t c) {
+    return is(c, ChunkKind::kHave) || is(c, ChunkKind::kVerb) || is(c, ChunkKind::kParticiple) || is_unread_verb(c);
+  };
+  for (; is_verb(n); n = next(n)) placing |= !is(n, ChunkKind::kHave);
+  // "a cart that somebody has rolled up beside the door"
+  if (placing && is(n, ChunkKind::kRelation) && is(previous(k), ChunkKind::kRelative)) {
+    for (std::size_t c = k; c < n; ++c) mark(c, Use::kIgnored, "placing");
+    skipping_ = false;
+    passed_until_ = n;
+    return true;
+  }
   if (!placing || !is(n, ChunkKind::kNoun) || chunk(n).noun.kind != NounKind::kObject) return false;
   for (std::size_t c = k; c < n; ++c) mark(c, Use::kIgnored, "opens a statement");
   skipping_ = false;
@@ -117,6 +137,18 @@ bool UnitReader::follows_whom(std::size_t k) const {
   const NounPhrase& known = by.kind == NounKind::kPart && by.of ? *by.of : by;
   const bool definite = known.determiner == Determiner::kDefinite || known.determiner == Determiner::kPossessive;
   return part_of_room || (known.kind == NounKind::kObject && definite);
+}
+
+// "For the family a recliner by the window": after whom or what it is for, at the beginning of a clause.
+bool UnitReader::follows_purpose(std::size_t k) const {
+  const std::size_t whom = previous(k), purpose = previous(whom), before = previous(purpose);
+  if (!is(whom, ChunkKind::kNoun) || !is(purpose, ChunkKind::kPurpose) || document_.tokens[chunk(purpose).first].text != "for")
+    return false;
+  const NounPhrase& noun = chunk(k).noun;
+  const bool anew = noun.determiner == Determiner::kIndefinite || noun.determiner == Determiner::kAnother || noun.count > 0;
+  const bool opens = before >= document_.chunks.size() || is(before, ChunkKind::kStop) || is(before, ChunkKind::kComma) ||
+                     is(before, ChunkKind::kAnd) || is(before, ChunkKind::kClause);
+  return opens && anew && noun.kind == NounKind::kObject;
 }
 
 // "Plants I do not want": none of what was named before.

@@ -36,10 +36,13 @@ class UnitReader {
   bool purpose_ends(std::size_t k, std::size_t n) const;
   bool place_after_purpose(std::size_t k) const;
   bool follows_whom(std::size_t k) const;
+  bool follows_purpose(std::size_t k) const;
   bool denies_before(std::size_t k);
   bool names_contents(std::size_t k) const;
   bool passes_keeper(std::size_t k);
   bool passes_placer(std::size_t k);
+  bool passes_like(std::size_t k);
+  bool ends_comparison(std::size_t k) const;
   bool reads_as_verb(std::size_t k) const;
   bool passes_count(std::size_t k);
   bool is_enough(std::size_t k) const;
@@ -99,6 +102,7 @@ class UnitReader {
   bool is_content_of_thing() const;
   bool is_part(std::size_t k) const;
   bool names_known(std::size_t k) const;
+  bool is_thing_in_company(std::size_t k) const;
   bool is_own_frame(std::size_t k) const;
   void leave_out_part(std::size_t k, bool goes_on);
   bool says_room_seats(std::size_t k);

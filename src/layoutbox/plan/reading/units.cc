@@ -271,6 +271,18 @@ void UnitReader::read_have(std::size_t k) {
   if (!skipping_) add(UnitKind::kHave, k);
 }
 
+// "a clock shaped like a cat is hung on the wall": the verb is the clock's, which has none yet.
+bool UnitReader::ends_comparison(std::size_t k) const {
+  const std::size_t whom = previous(k), like = previous(whom);
+  if (doing_ || !chunk(k).passive || !is(whom, ChunkKind::kNoun) || !is(like, ChunkKind::kPurpose)) return false;
+  if (!one_of(document_.tokens[chunk(like).last - 1].text, {"like", "for", "as", "of"})) return false;
+  for (std::size_t u = units_.size(); u-- > 0;) {
+    if (units_[u].kind == UnitKind::kVerb || units_[u].kind == UnitKind::kOpen) return false;
+    if (units_[u].clause) break;
+  }
+  return !units_.empty() && units_.front().kind == UnitKind::kNoun;
+}
+
 // "The desk stands centered": in the middle of the room, where no place follows that says of what.
 bool UnitReader::centers_in_room(std::size_t k) {
   static const PhraseSenses kMiddle = {{RelationType::kCenterOfRoom, PhraseSense::Direction::kAlone, {}, {}, {}}};
@@ -287,6 +299,7 @@ void UnitReader::read_verb(std::size_t k) {
     skipping_ = false;
   // "the first thing he sees is a mirror", "the stove we cook on is against the wall"
   const std::string& be = document_.tokens[chunk(k).first].text;
+  if (skipping_ && ends_comparison(k)) skipping_ = false;
   const bool over = doing_ && (be == "is" || be == "are") && !is(previous(k), ChunkKind::kNoun) && !units_.empty() &&
                     units_.back().kind == UnitKind::kNoun;
   if (over) skipping_ = false;
