@@ -47,7 +47,7 @@ bool Chunker::read_there(std::size_t without) {
 
 void Chunker::read() {
   if (read_distance() || read_size_chunk() || read_rows() || read_infinitive() || read_wishing() || read_finding() || read_doing() ||
-      read_manner() || read_trailing_bound())
+      read_built_place() || read_having_by() || read_manner() || read_trailing_bound())
     return;
   const bool about = tokens_[i_].text == "like" || tokens_[i_].text == "say";  // "like three mugs", "stools, say five"
   if (about && i_ + 1 < tokens_.size() && lexicon_.is(tokens_[i_ + 1], Class::kNumber)) {
@@ -71,7 +71,10 @@ void Chunker::read() {
     return;
   }
   // "The left nightstand", "two chairs": what opens a noun phrase is one, unless a longer phrase begins so ("one behind the other").
-  const std::size_t without = length_of(Class::kWithout);
+  std::size_t without = length_of(Class::kWithout);
+  const std::size_t denied = i_ + without;
+  // "is no more than a step from it": how far.
+  if (without > 1 && denied < tokens_.size() && (tokens_[denied].text == "more" || tokens_[denied].text == "further")) without = 0;
   if (read_there(without)) return;
   const bool counts = tokens_[i_].text == "over" || tokens_[i_].text == "at" || tokens_[i_].text == "more" || tokens_[i_].text == "exactly";
   const bool count_follows =
@@ -164,8 +167,8 @@ PhraseMatch Chunker::phrase_here() const {
   if (phrase.length > 2 && last == "of" && lexicon_.is(tokens_[after - 2], Class::kEach))
     return lexicon_.find_phrase(tokens_.first(after - 2), i_);
   // "at its far end": the end of a thing, not of the room.
-  if (phrase.possessive && std::ranges::all_of(*phrase.senses, [](const PhraseSense& s) { return s.type == RelationType::kInRegion; }))
-    return lexicon_.find_phrase(tokens_.first(i_ + 1), i_);
+  const bool of_room = std::ranges::all_of(*phrase.senses, [](const PhraseSense& s) { return s.type == RelationType::kInRegion; });
+  if (of_room && (phrase.possessive || (last == "of" && names_thing_at(after)))) return lexicon_.find_phrase(tokens_.first(i_ + 1), i_);
   const bool end = last == "end" || last == "edge";
   if (phrase.possessive && end && tokens_[after - 2].text == "right") return lexicon_.find_phrase(tokens_.first(i_ + 1), i_);
   if (last != "left" && last != "right" && last != "side") return phrase;
@@ -192,6 +195,13 @@ bool Chunker::read_infinitive() {
   if (!with_it && std::find(kDoable.begin(), kDoable.end(), tokens_[i_ - 1].text) == kDoable.end()) return false;
   add(ChunkKind::kPurpose, 2);
   return true;
+}
+
+// A thing is named there: "at the far end of the sofa", not "of the room".
+bool Chunker::names_thing_at(std::size_t at) const {
+  if (at >= tokens_.size()) return false;
+  const auto noun = read_noun_phrase(lexicon_, tokens_, at, true);
+  return noun && (noun->kind == NounKind::kObject || (noun->kind == NounKind::kPronoun && noun->head == "it"));
 }
 
 bool Chunker::noun_follows() const {

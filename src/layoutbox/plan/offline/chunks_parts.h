@@ -1,4 +1,4 @@
-// The class behind chunk_tokens; its members stand in chunks, chunk_deeds and chunk_sizes.
+// The class behind chunk_tokens; its members stand in chunks, chunk_deeds, chunk_grammar and chunk_sizes.
 #pragma once
 
 #include <optional>
@@ -48,6 +48,7 @@ class Chunker {
   bool read_there(std::size_t without);
   PhraseMatch phrase_here() const;
   bool noun_follows() const;
+  bool names_thing_at(std::size_t at) const;
   bool is_verb_before_article(const NounPhrase& noun) const;
   bool thing_next(std::size_t at) const;
   bool opens_question() const;
@@ -69,6 +70,17 @@ class Chunker {
   bool is_placing(std::size_t at) const;
   bool brings_in(std::size_t at) const;
   bool is_deed(std::size_t at) const;
+  // Places by the way they are built (chunk_grammar).
+  bool is_verb_of(std::string_view list, std::size_t at) const;
+  std::size_t past_particles(std::size_t at) const;
+  std::size_t length_of_looking() const;
+  std::size_t length_of_particle() const;
+  bool read_past();
+  bool parts_from() const;
+  bool read_built_place();
+  std::optional<Measure> read_stride(std::size_t at) const;
+  bool read_steps();
+  bool read_having_by();
   bool read_noun(bool bare);
   void add_phrase(const PhraseMatch& phrase);
   // Verbs, joining words and relation phrases; the longest wins, and of equals the first of this order.

@@ -127,6 +127,19 @@ class Lexicon {
   // The longest relation phrase from `at`, articles, possessives and adverbs within it left out.
   PhraseMatch find_phrase(std::span<const Token> tokens, std::size_t at) const;
 
+  // What a listed phrase says, or null.
+  const PhraseSenses* senses_of(std::string_view phrase) const { return phrases_.find(phrase); }
+  // "holds" of "held", or empty.
+  std::string_view present_of(std::string_view word) const {
+    const auto found = pasts_.find(std::string(word));
+    return found == pasts_.end() ? std::string_view{} : std::string_view(found->second);
+  }
+  // "step", "arm length": how far that is in metres, 0 where it is no such thing.
+  double stride_of(std::string_view words) const {
+    const auto found = strides_.find(std::string(words));
+    return found == strides_.end() ? 0 : found->second;
+  }
+
   bool is(const Token& token, WordClass word_class) const;
   // "guest", "student", and the young of them: who a room is for.
   bool is_person(std::string_view word) const { return persons_.contains(std::string(word)) || is_young(word); }
@@ -142,7 +155,7 @@ class Lexicon {
   // "hang", "flank": a relation phrase that is a finite verb as it stands.
   bool is_place_verb(std::string_view word) const { return place_verbs_.contains(std::string(word)); }
   // Whether a list of words_grammar.json that says nothing of grammar has the word: "wishing" (who does that brings something in),
-  // "closings" and "closing_leads" (of letters), "money", "name_verbs" (before a quoted name).
+  // "closings" and "closing_leads" (of letters), "money", "name_verbs" (before a quoted name), "looking", "watching", "turning".
   bool is_in(std::string_view list, std::string_view word) const {
     const auto found = small_lists_.find(std::string(list));
     return found != small_lists_.end() && found->second.contains(std::string(word));
@@ -207,6 +220,8 @@ class Lexicon {
   std::unordered_map<std::string, const CatalogEntry*> room_senses_;        // "room word"
   std::unordered_set<std::string> persons_, young_persons_, plural_only_, place_verbs_;
   std::unordered_map<std::string, std::unordered_set<std::string>> small_lists_;  // by the list's name
+  std::unordered_map<std::string, std::string> pasts_;                            // what is no form by rule
+  std::unordered_map<std::string, double> strides_;                               // metres
   std::unordered_map<std::string, std::string> pairs_meant_;
   std::string listed_;  // all that was listed, a line each
   std::string key_;     // of the word that is listed just now

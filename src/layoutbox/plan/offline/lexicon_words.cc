@@ -221,13 +221,17 @@ void Lexicon::read_words() {
   }
   for (const WordList::Member wrong : grammar.at("typing_errors")) typing_errors_[std::string(wrong.key)] = wrong.value.text();
   for (const WordList::Member word : grammar.at("plural_only")) plural_only_.emplace(word.value.text());
-  for (const std::string_view list : {"wishing", "closings", "closing_leads", "money", "name_verbs"}) {
+  for (const std::string_view list :
+       {"wishing", "closings", "closing_leads", "money", "name_verbs", "looking", "watching", "turning", "aiming", "parting"}) {
     for (const WordList::Member word : grammar.at(list)) small_lists_[std::string(list)].emplace(word.value.text());
   }
   // What is looked up by its letters is known to spelling too.
-  for (const std::string_view list : {"wishing", "closings", "closing_leads", "money", "name_verbs", "absent", "replaced", "absent_yet"}) {
+  for (const std::string_view list : {"wishing", "closings", "closing_leads", "money", "name_verbs", "absent", "replaced", "absent_yet",
+                                      "looking", "watching", "turning", "aiming", "parting"}) {
     for (const WordList::Member word : grammar.at(list)) listed_.append(word.value.text()) += '\n';
   }
+  for (const WordList::Member word : grammar.at("pasts")) pasts_[std::string(word.key)] = word.value.text();
+  for (const WordList::Member word : grammar.at("strides")) strides_[std::string(word.key)] = word.value.number();
   for (const WordList::Member word : grammar.at("place_verbs")) place_verbs_.emplace(word.value.text());
   for (const WordList::Member word : grammar.at("pairs_meant")) pairs_meant_[std::string(word.key)] = word.value.text();
   for (const WordList::Member listed : room.at("sets")) {

@@ -158,18 +158,22 @@ std::optional<NounPhrase> NounPhraseReader::settle_without_head() {
   return finish();
 }
 
-// "a bear guards a safe": one bear, and what it does. "The party shoulders open the door."
+// "a bear guards a safe": one bear, and what it does. "The party shoulders open the door." "A floor lamp towers over the chair."
 bool NounPhraseReader::ends_in_verb(std::size_t head) const {
-  const bool definite = phrase_.determiner == Determiner::kDefinite || phrase_.determiner == Determiner::kPossessive;
+  const bool definite = phrase_.determiner == Determiner::kDefinite || phrase_.determiner == Determiner::kPossessive ||
+                        phrase_.determiner == Determiner::kEach;
   if (head < 2 || (phrase_.determiner != Determiner::kIndefinite && !definite) || phrase_.count != 0) return false;
   const Part &last = parts_[head - 1], &before = parts_[head - 2];
-  if (!last.plural || before.plural || (last.word_class != Class::kFiller && !opens_at(last.last))) return false;
+  const bool place_follows = last.last < tokens_.size() && lexicon_.find_phrase(tokens_, last.last).length > 0;
+  const bool listed_noun = last.word_class == Class::kAbstract && place_follows;
+  if (!last.plural || before.plural || (last.word_class != Class::kFiller && !opens_at(last.last) && !listed_noun)) return false;
   if (definite) {
     const bool particle = last.last < tokens_.size() && lexicon_.is(tokens_[last.last], Class::kVerb);
     const std::size_t object = last.last + (particle ? 1 : 0);
     const bool whose =
         object < tokens_.size() && (lexicon_.is(tokens_[object], Class::kEach) || lexicon_.is(tokens_[object], Class::kPossessive));
-    return last.last - last.first == 1 && (opens_at(object) || whose);
+    const bool places = before.word_class == Class::kObject && place_follows && may_be_verb(tokens_[last.last - 1].text);
+    return last.last - last.first == 1 && (opens_at(object) || whose || places);
   }
   return before.word_class == Class::kObject || (before.word_class == Class::kFiller && is_thing(before));
 }

@@ -39,6 +39,8 @@ bool NounPhraseReader::word_may_belong() const {
       !parts_.empty() && parts_.back().word_class == Class::kObject && parts_.back().plural && parts_.back().last == i_;
   if (after_plural && !plural_at(i_) && i_ + 1 < tokens_.size() && lexicon_.find_phrase(tokens_, i_ + 1).length > 0) return false;
   if (!noun_before) return form != WordForm::kAdverb;
+  const bool place_next = i_ + 1 < tokens_.size() && (opens_at(i_ + 1) || lexicon_.find_phrase(tokens_, i_ + 1).length > 0);
+  if (place_next && !lexicon_.present_of(text).empty()) return false;  // "the bed ran along the wall"
   if (text.ends_with("ed") || text.ends_with("ing") || text.ends_with("ly"))
     return form == WordForm::kThing && !text.ends_with("ing") && !text.ends_with("ed");
   // "soup cans"; "the lamp fronts the wall" goes on as a verb does.

@@ -234,7 +234,9 @@ void read_seats_said(const Lexicon& lexicon, Document& document, std::vector<boo
     if (length == 0 || number + length > tokens.size() || skip[number]) continue;
     const bool thing = number + length < tokens.size() && lexicon.find(tokens, number + length, Class::kObject).length > 0;
     const bool measure = number + length < tokens.size() && lexicon.find(tokens, number + length, Class::kUnit).length > 0;
-    if (thing || measure) continue;
+    // "the printer sits to one side of the monitor"
+    const bool side = number + length < tokens.size() && lexicon.is(tokens[number + length], Class::kSide);
+    if (thing || measure || side) continue;
     std::size_t first = i;
     while (first > 1 &&
            is_word(tokens[first - 1], {"that", "which", "can", "could", "to", "will", "should", "comfortably", "with", "offering"}))

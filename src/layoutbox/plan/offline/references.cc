@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/reader_words.h"
 
 namespace layoutbox::offline {
@@ -11,6 +12,7 @@ namespace {
 bool is_own_shelf(const NounPhrase& noun) {
   static constexpr std::string_view kWhich[] = {"shelf",       "top shelf",   "bottom shelf", "middle shelf",
                                                 "lower shelf", "upper shelf", "lowest shelf", "highest shelf"};
+  if (noun.determiner == Determiner::kPossessive && one_of(noun.head, {"shelf", "tier", "level"})) return true;
   return std::find(std::begin(kWhich), std::end(kWhich), noun.name) != std::end(kWhich);
 }
 
@@ -158,7 +160,9 @@ void References::mean_one_of_known(Mention& mention) {
 // "the shelf below": of what was named and has one.
 void References::mean_own_shelf(Mention& mention) const {
   for (std::size_t i = document_.items.size(), looked = 0; i-- > 0 && mention.items.empty() && looked < kReach; ++looked) {
-    if (has_shelves(document_.items[i].noun.entry)) mention.items = {static_cast<int>(i)};
+    const NounPhrase& host = document_.items[i].noun;
+    const bool its = mention.noun.determiner == Determiner::kPossessive && is_storage(host);  // "on its shelves"
+    if (has_shelves(host.entry) || its) mention.items = {static_cast<int>(i)};
   }
 }
 

@@ -52,6 +52,7 @@ class SenseChooser {
       : catalog_(catalog), senses_(senses), direction_(direction), target_(target), reference_(reference) {}
 
   std::optional<PhraseSense> run() const {
+    if (says(R::kOn) && says(R::kAbove) && says(R::kUnder) && says(R::kNextTo)) return by_any_verb();
     if (direction_ == PhraseSense::Direction::kDirect) {
       if (const auto place = by_kind(); place.chosen) return place.sense;
     }
@@ -96,6 +97,24 @@ class SenseChooser {
     }
   }
 
+  // "a vase enlivens the sideboard", "a rug softens the desk": a verb that says only that the two are together.
+  std::optional<PhraseSense> by_any_verb() const {
+    const Mount mount = mount_of(target_);
+    if (reference_.kind == NounKind::kWall) return own(mount == Mount::kFloor || mount == Mount::kSurface ? R::kAgainstWall : R::kOnWall);
+    if (reference_.kind == NounKind::kCorner) return own(R::kCorner);
+    if (reference_.kind == NounKind::kWindow || reference_.kind == NounKind::kDoor) return own(R::kNextTo);
+    if (reference_.kind == NounKind::kPart) {
+      if (const auto part = at_part()) return part;
+      return own(mount == Mount::kSurface ? R::kOn : R::kNextTo);
+    }
+    if (reference_.kind != NounKind::kObject) return std::nullopt;
+    const bool thin = target_.entry != nullptr && target_.entry->thin && mount == Mount::kFloor;
+    if (thin && mount_of(reference_) == Mount::kFloor) return own(R::kUnder);
+    if (mount == Mount::kCeiling || (mount == Mount::kWall && mount_of(reference_) == Mount::kFloor)) return own(R::kAbove);
+    if ((mount == Mount::kSurface || is_textile(catalog_, target_)) && may_carry(catalog_, reference_, target_)) return own(R::kOn);
+    return own(R::kNextTo);
+  }
+
   Choice at_corner() const {
     if (!says_any({R::kOn, R::kIn, R::kNextTo, R::kNear, R::kAgainstWall, R::kOnCeiling, R::kCorner, R::kCenterOfRoom, R::kFacing,
                    R::kTuckedUnder, R::kAbove, R::kDistance}))
@@ -122,7 +141,11 @@ class SenseChooser {
       return on_part(reference_.wall_word);
     }
     // "at the far end of the bench": on it, or by it.
-    if (head == "end" && !reference_.wall_word.empty() && mount_of(target_) == Mount::kSurface) return on_part("end");
+    const NounPhrase* whole = reference_.of && reference_.of->kind == NounKind::kObject ? reference_.of.get() : nullptr;
+    const bool flat = whole != nullptr && whole->head != "bed" && may_carry(catalog_, *whole, target_);
+    if (head == "end" && (!reference_.wall_word.empty() || flat) && mount_of(target_) == Mount::kSurface) return on_part("end");
+    // "at the far end of the sofa": only what one lies on has a foot.
+    if (head == "end" && whole != nullptr && (is_seat(catalog_, *whole) || is_storage(*whole))) return own(R::kNextTo);
     if (head == "foot" || head == "end" || (head == "bottom" && !says(R::kOn))) return own(R::kAtFootOf);
     if (head == "headboard" && says(R::kAbove)) return own(R::kAbove);
     if (head == "head" || head == "headboard") return own(R::kAtHeadOf);
@@ -147,6 +170,8 @@ class SenseChooser {
     if (reference_.wall_word == "left") return own(R::kLeftOf);
     if (reference_.wall_word == "right") return own(R::kRightOf);
     if (reference_.is_plural()) return own(R::kEachSideOf);
+    // "on the bed's far side"
+    if (!reference_.wall_word.empty() && mount_of(target_) != Mount::kSurface) return own(R::kNextTo);
     return std::nullopt;
   }
 
@@ -180,9 +205,18 @@ class SenseChooser {
       if (sense.direction != direction_ || !allowed(sense, reference_)) continue;
       if (sense.type == R::kTuckedUnder && !is_seat(catalog_, target_)) continue;
       if (sense.type == R::kOnWall && says(R::kOnCeiling) && is_heavy(catalog_, target_)) return own(R::kAgainstWall);  // "from the wall"
-      if (!contradicts_kinds(sense)) return sense;
+      if (contradicts_kinds(sense)) continue;
+      if (sense.type == R::kAbove && lies_over()) return own(R::kOn);
+      return sense;
     }
     return std::nullopt;
+  }
+
+  // "books spill over the table": what does not hang lies on it.
+  bool lies_over() const {
+    return mount_of(target_) == Mount::kSurface && reference_.kind == NounKind::kObject && !is_lamp(catalog_, target_) &&
+           one_of(target_.head, {"book", "magazine", "toy", "brick", "cushion", "pillow", "cloth", "towel", "paper", "blanket", "throw"}) &&
+           may_carry(catalog_, reference_, target_);
   }
 
   // A lamp is over the table, a cloth on it; "at the end of the table" and "at the end of the bed" are two things.

@@ -271,7 +271,10 @@ void Decoder::first_place_actions(std::size_t s, int u) {
   const bool known = is_known_noun(noun) || known_[static_cast<std::size_t>(u + 1)];
   // "… and on a low shelf a statue": of a thing that comes right after it, even where the shelf is new.
   if (is(after, UnitKind::kNoun) && unit(after).joiner == Joiner::kNone && is_fresh(after)) pattern = known ? 3 : 2;
-  const bool verb = is(after, UnitKind::kVerb) || is(after, UnitKind::kOpen);
+  // "above the mantel hung a map"
+  const bool hung = is(after, UnitKind::kParticiple) && unit(after).joiner == Joiner::kNone && is(after + 1, UnitKind::kNoun) &&
+                    unit(after + 1).joiner == Joiner::kNone && is_fresh(after + 1);
+  const bool verb = is(after, UnitKind::kVerb) || is(after, UnitKind::kOpen) || hung;
   if (verb && is(after + 1, UnitKind::kNoun) && chunk(after + 1).noun.kind == NounKind::kObject) pattern = 2.5;
   if (is(after, UnitKind::kNoun) && unit(after).joiner == Joiner::kComma && place.joiner != Joiner::kComma &&
       is_new_thing(chunk(after).noun))

@@ -343,6 +343,8 @@ void UnitReader::read_noun(std::size_t k) {
   mean_twin(k);
   mean_side_of_room(k);
   place_at_spot(k);
+  place_by_verb(k);
+  if (!skipping_ && !negated_ && passes_light_noun(k)) return;
   NounPhrase& noun = document_.chunks[k].noun;
   if (skipping_ && ((doing_ && is_used_in_place(k)) || follows_purpose(k))) skipping_ = false;
   if (skipping_) {
@@ -397,6 +399,7 @@ void UnitReader::read_noun(std::size_t k) {
     noun.of->determiner = Determiner::kDefinite;
   }
   owner_ = document_.chunks.size();
+  mean_owner_of_spot(k);
   if (noun.owner) {
     owner_ = k;
     mark(k, Use::kUsed, "owner");

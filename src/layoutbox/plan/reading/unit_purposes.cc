@@ -172,6 +172,9 @@ bool UnitReader::purpose_ends(std::size_t k, std::size_t n) const {
     if (!comma && is(n, ChunkKind::kRelation) && chunk(n).last - chunk(n).first > 1)
       return true;                                                  // "… and at the right one for the guitar"
     if (!comma && doing_ && is(n, ChunkKind::kVerb)) return false;  // "guests come in and hang up their coats"
+    // "it serves as a stand and carries a lamp"
+    if (!comma && !doing_ && (is(n, ChunkKind::kRelation) || is(n, ChunkKind::kHave)) && is_finite(document_.tokens[chunk(n).first].text))
+      return true;
     if (!comma) return is(n, ChunkKind::kVerb) || is(n, ChunkKind::kThere) || is(n, ChunkKind::kCommand);
     return is(n, ChunkKind::kRelation) || is(n, ChunkKind::kHave) || is(n, ChunkKind::kParticiple) || is(n, ChunkKind::kRelative) ||
            is(n, ChunkKind::kThere) || is(n, ChunkKind::kVerb);
@@ -320,12 +323,32 @@ bool UnitReader::brings_for_each(std::size_t k) {
   return true;
 }
 
+// "a trunk serves as a table for a thermos and two notepads": they are on it.
+bool UnitReader::serves_for(std::size_t k, std::size_t role) {
+  const std::size_t whom = next(role), thing = next(whom);
+  if (units_.empty() || !is(whom, ChunkKind::kPurpose) || document_.tokens[chunk(whom).first].text != "for" || !is(thing, ChunkKind::kNoun))
+    return false;
+  const NounPhrase &noun = chunk(thing).noun, &as = chunk(role).noun;
+  const bool anew = noun.kind == NounKind::kObject && (noun.determiner == Determiner::kIndefinite || noun.count > 0);
+  if (!anew || is_person(thing) || !may_carry(lexicon_.catalog(), as, noun)) return false;
+  for (std::size_t c = k; c <= role; ++c) mark(c, Use::kIgnored, "purpose");
+  mark(whom, Use::kUsed, "has");
+  skipping_ = false;
+  add(UnitKind::kHave, whom);
+  passed_until_ = thing;
+  return true;
+}
+
 // "a dresser that doubles as a changing table next to it": what it is used as is no thing; what follows is said of it.
 bool UnitReader::passes_role(std::size_t k) {
   const std::size_t n = next(k);
   if (document_.tokens[chunk(k).last - 1].text != "as" || !is(n, ChunkKind::kNoun) || chunk(n).noun.kind != NounKind::kObject) return false;
   if (skipping_ && (k == 0 || !is(k - 1, ChunkKind::kPurpose))) return false;
-  if (is(next(n), ChunkKind::kAnd) || (chunk(k).first > 0 && document_.tokens[chunk(k).first - 1].text == "such")) return false;
+  const std::size_t then = next(next(n));
+  const bool list =
+      is(next(n), ChunkKind::kAnd) && !is(then, ChunkKind::kRelation) && !is(then, ChunkKind::kHave) && !is(then, ChunkKind::kVerb);
+  if (serves_for(k, n)) return true;
+  if (list || (chunk(k).first > 0 && document_.tokens[chunk(k).first - 1].text == "such")) return false;
   mark(k, Use::kIgnored, "purpose");
   mark(n, Use::kIgnored, "purpose");
   passed_over_ = n;

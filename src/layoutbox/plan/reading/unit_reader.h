@@ -1,4 +1,5 @@
-// The class behind read_units; its members stand in units, unit_nouns, unit_parallels, unit_room, unit_purposes and unit_asides.
+// The class behind read_units; its members stand in units, unit_nouns, unit_parallels, unit_room, unit_purposes, unit_verbs and
+// unit_asides.
 #pragma once
 
 #include <string>
@@ -28,6 +29,7 @@ class UnitReader {
   bool names_doer(std::size_t k);
   bool takes_order(std::size_t k);
   void add_place(std::size_t k, const PhraseSenses& senses);
+  void add_shorter_senses(std::size_t k);
   void read_have(std::size_t k);
   void read_verb(std::size_t k);
 
@@ -47,6 +49,7 @@ class UnitReader {
   bool passes_count(std::size_t k);
   bool is_enough(std::size_t k) const;
   bool passes_role(std::size_t k);
+  bool serves_for(std::size_t k, std::size_t role);
   bool brings_for_each(std::size_t k);
   void seat_so_many(NounPhrase& tables, int people) const;
   bool denies_place(std::size_t k);
@@ -99,6 +102,11 @@ class UnitReader {
   bool is_unread_verb(std::size_t k) const;
   bool wall_has(std::size_t k) const;
   bool passes_spot(std::size_t k);
+  bool is_unlisted_verb(std::size_t k) const;
+  bool passes_light_noun(std::size_t k);
+  void mean_owner_of_spot(std::size_t k);
+  const NounPhrase* subject_of_verb(std::size_t verb) const;
+  void place_by_verb(std::size_t k);
   bool is_content_of_thing() const;
   bool is_part(std::size_t k) const;
   bool names_known(std::size_t k) const;

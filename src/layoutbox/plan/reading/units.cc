@@ -182,6 +182,14 @@ void UnitReader::read_place(std::size_t k) {
     return;
   }
   if (names_doer(k)) return;
+  // "separates the bath from the door": the second of the two.
+  const bool parted = units_.size() > 1 && units_.back().kind == UnitKind::kNoun && units_[units_.size() - 2].kind == UnitKind::kPlace &&
+                      says(units_[units_.size() - 2].direct, RelationType::kBetween);
+  if (parted && joiner_ == Joiner::kNone && document_.tokens[chunk(k).first].text == "from" && chunk(k).last - chunk(k).first == 1) {
+    mark(k, Use::kUsed, "relation");
+    joiner_ = Joiner::kAnd;
+    return;
+  }
   mark(k, Use::kUsed, "relation");
   if (takes_order(k)) return;
   if (!tells_which(k)) add_place(k, *chunk(k).phrase.senses);
@@ -247,12 +255,31 @@ void UnitReader::add_place(std::size_t k, const PhraseSenses& senses) {
     side.push_back(sense);
     side.back().direction = PhraseSense::Direction::kDirect;
   }
+  add_shorter_senses(k);
   // "From a rail over the stove hang two pans": on it.
   if (document_.tokens[chunk(k).first].text != "from" || chunk(k).last - chunk(k).first != 1) return;
   for (std::size_t c = k + 1; c < document_.chunks.size() && !is(c, ChunkKind::kStop) && !is(c, ChunkKind::kClause); ++c) {
     if (!chunk(c).hang || !is(c, ChunkKind::kVerb)) continue;
     units_.back().direct.push_back({RelationType::kOn, PhraseSense::Direction::kDirect, {}, {}, {}});
     return;
+  }
+}
+
+// "resting against the piano": what "against" says as well, where the longer words are listed for walls alone.
+void UnitReader::add_shorter_senses(std::size_t k) {
+  const Chunk& place = chunk(k);
+  const bool by_it = !units_.back().direct.empty() && units_.back().inverse.empty();  // not "flanked by"
+  if (place.last - place.first < 2 || place.phrase.senses == nullptr || place.distance || !by_it) return;
+  const Token& verb = document_.tokens[place.first];
+  const bool verbal = verb.text.ends_with("ing") || verb.text.ends_with("ed") || lexicon_.is(verb, WordClass::kParticiple) ||
+                      lexicon_.is(verb, WordClass::kHang) || lexicon_.is(verb, WordClass::kPlaceVerb);
+  if (!verbal) return;
+  const std::span<const Token> tokens(document_.tokens);
+  const PhraseMatch rest = lexicon_.find_phrase(tokens.first(place.last), place.first + 1);
+  if (rest.length != place.last - place.first - 1) return;
+  for (const PhraseSense& sense : *rest.senses) {
+    if (sense.direction == PhraseSense::Direction::kDirect && !says(units_.back().direct, sense.type))
+      units_.back().direct.push_back(sense);
   }
 }
 

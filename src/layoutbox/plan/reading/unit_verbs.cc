@@ -1,0 +1,124 @@
+// What a verb that no list has says of two things: "a vase enlivens the sideboard", "a screen shields the bath".
+#include <algorithm>
+
+#include "layoutbox/plan/offline/english.h"
+#include "layoutbox/plan/offline/knowledge.h"
+#include "layoutbox/plan/offline/reader_words.h"
+#include "layoutbox/plan/reading/unit_reader.h"
+
+namespace layoutbox::offline {
+
+namespace {
+
+// On, above, under or beside, as the two allow (senses).
+const PhraseSenses& senses_of_any_verb() {
+  using Way = PhraseSense::Direction;
+  static const PhraseSenses senses{
+      {RelationType::kOn, Way::kDirect, {}, {}, {}},          {RelationType::kAbove, Way::kDirect, {}, {}, {}},
+      {RelationType::kUnder, Way::kDirect, {}, {}, {}},       {RelationType::kNextTo, Way::kDirect, {}, {}, {}},
+      {RelationType::kAgainstWall, Way::kDirect, {}, {}, {}}, {RelationType::kOnWall, Way::kDirect, {}, {}, {}},
+      {RelationType::kCorner, Way::kDirect, {}, {}, {}}};
+  return senses;
+}
+
+}  // namespace
+
+// The chunk is a verb that no list has, and says no purpose.
+bool UnitReader::is_unlisted_verb(std::size_t k) const {
+  if (!is_unread_verb(k)) return false;
+  const Token& verb = document_.tokens[chunk(k).first];
+  return !lexicon_.is(verb, WordClass::kPurpose) && !lexicon_.is(verb, WordClass::kDoer) && !lexicon_.is(verb, WordClass::kCommand) &&
+         (word_form(verb.text) == WordForm::kVerb || may_be_verb(verb.text));
+}
+
+// The thing that a verb at that chunk is said of: the noun before it, or before "which"; null where it is none.
+const NounPhrase* UnitReader::subject_of_verb(std::size_t verb) const {
+  if (units_.empty() || units_.back().chunk != previous(verb)) return nullptr;
+  std::size_t u = units_.size() - 1;
+  if (units_[u].kind == UnitKind::kRelative) {
+    if (document_.tokens[chunk(units_[u].chunk).first].text == "who" || u == 0) return nullptr;
+    --u;
+  }
+  if (units_[u].kind != UnitKind::kNoun) return nullptr;
+  const NounPhrase& subject = chunk(units_[u].chunk).noun;
+  const bool thing = subject.kind == NounKind::kObject && subject.entry != nullptr && !lexicon_.catalog().is_a(subject.entry->id, "pet");
+  return thing && word_form(subject.head) != WordForm::kPerson ? &subject : nullptr;
+}
+
+// A thing, a verb that no list has, and the noun at k: where the first is by the second, or that it has it.
+void UnitReader::place_by_verb(std::size_t k) {
+  const NounPhrase& noun = chunk(k).noun;
+  const std::size_t verb = previous(k);
+  if (verb >= k || joiner_ != Joiner::kNone || !is_unlisted_verb(verb)) return;
+  const NounPhrase* subject = subject_of_verb(verb);
+  if (subject == nullptr) return;
+  const bool part = noun.kind == NounKind::kPart && noun.of && noun.of->kind == NounKind::kObject;
+  const bool said = noun.determiner != Determiner::kNone || noun.count > 0 || noun.plural;
+  const bool thing = noun.kind == NounKind::kObject && noun.entry != nullptr && said;
+  if (!part && !thing) return;
+  const bool anew = thing && noun.determiner != Determiner::kDefinite && noun.determiner != Determiner::kPossessive;
+  // What such a verb says of two known things is seldom where they are: "it complements the sofa".
+  if (!anew && lexicon_.is(document_.tokens[chunk(verb).first], WordClass::kVerb)) return;
+  skipping_ = doing_ = false;
+  const Catalog& catalog = lexicon_.catalog();
+  const bool has = anew && mount_of(noun) == Mount::kSurface && may_carry(catalog, *subject, noun) && !may_carry(catalog, noun, *subject);
+  mark(verb, WordReading::Use::kUsed, has ? "has" : "placing");
+  if (has) {
+    add(UnitKind::kHave, verb);
+    return;
+  }
+  document_.chunks[verb].kind = ChunkKind::kRelation;
+  document_.chunks[verb].phrase.senses = &senses_of_any_verb();
+  add_place(verb, senses_of_any_verb());
+  units_.back().soft = true;
+}
+
+// "stands guard beside the door", "keeps watch over it": a noun that only goes with its verb.
+bool UnitReader::passes_light_noun(std::size_t k) {
+  const NounPhrase& noun = chunk(k).noun;
+  if (units_.empty() || units_.back().kind != UnitKind::kVerb || units_.back().chunk != previous(k) || joiner_ != Joiner::kNone)
+    return false;
+  const bool bare = noun.determiner == Determiner::kNone && noun.count == 0 && !noun.plural && noun.last - noun.first == 1;
+  const bool none = noun.kind == NounKind::kAbstract || (noun.kind == NounKind::kObject && !noun.exact);
+  const bool after_thing = units_.size() > 1 && units_[units_.size() - 2].kind == UnitKind::kNoun;
+  if (!bare || !none || !after_thing || !is(next(k), ChunkKind::kRelation)) return false;
+  mark(k, WordReading::Use::kIgnored, "goes with the verb");
+  return true;
+}
+
+// "in the shadow of the wardrobe", "at the flank of the sofa", "a mug at its elbow": by the thing, or on it, as the preposition has it.
+void UnitReader::mean_owner_of_spot(std::size_t k) {
+  static constexpr std::string_view kOfBody[] = {"elbow", "flank", "shoulder", "heel", "hip", "knee",
+                                                 "feet",  "toe",   "tail",     "nose", "rear"};
+  static const PhraseSenses kBy = {{RelationType::kNextTo, PhraseSense::Direction::kDirect, {}, {}, {}}};
+  static const PhraseSenses kUpon = {{RelationType::kOn, PhraseSense::Direction::kDirect, {}, {}, {}}};
+  NounPhrase& noun = document_.chunks[k].noun;
+  if (!after_place() || chunk(units_.back().chunk).last - chunk(units_.back().chunk).first != 1) return;
+  const std::string& preposition = document_.tokens[chunk(units_.back().chunk).first].text;
+  if (!one_of(preposition, {"in", "at", "by", "on", "to", "upon", "along", "beside", "near"})) return;
+  const bool body = std::find(std::begin(kOfBody), std::end(kOfBody), noun.head) != std::end(kOfBody) &&
+                    (noun.kind == NounKind::kAbstract || noun.kind == NounKind::kObject);
+  const bool its = body && noun.determiner == Determiner::kPossessive && !noun.of;
+  const bool named = noun.of && (noun.kind == NounKind::kAbstract || body) && !noun.niche && noun.of->kind == NounKind::kObject &&
+                     noun.of->exact && (noun.of->determiner == Determiner::kDefinite || noun.of->determiner == Determiner::kPossessive);
+  if ((!its && !named) || is_zone(noun.head)) return;
+  NounPhrase whole;
+  if (named) {
+    whole = *noun.of;
+    whole.owner = false;
+  } else {
+    whole.kind = NounKind::kPronoun;
+    whole.head = "it";
+  }
+  whole.first = noun.first;
+  whole.last = noun.last;
+  const bool side = one_of(noun.head, {"side", "end", "edge"});  // on a desk's far side a lamp is on it, a chair by it
+  const PhraseSenses& senses = side ? senses_of_any_verb() : preposition == "on" || preposition == "upon" ? kUpon : kBy;
+  units_.back().direct = senses;
+  units_.back().senses = &senses;
+  units_.back().inverse.clear();
+  units_.back().alone.clear();
+  noun = whole;
+}
+
+}  // namespace layoutbox::offline
