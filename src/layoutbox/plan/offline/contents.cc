@@ -21,6 +21,19 @@ bool RelationBuilder::is_placed(int item) const {
   return std::any_of(all.begin(), all.end(), [&](std::size_t r) { return places(scene_.relations[r].type); });
 }
 
+// … by something else than each other: "two chairs per table facing each other" are at the table still.
+bool RelationBuilder::is_placed_apart(const std::vector<int>& items) const {
+  const std::vector<std::string> own = ids(items);
+  const std::vector<std::size_t>& all = relations_of(own.front());
+  return std::any_of(all.begin(), all.end(), [&](std::size_t r) {
+    const Relation& relation = scene_.relations[r];
+    const bool mutual = !relation.references.empty() &&
+                        std::all_of(relation.references.begin(), relation.references.end(),
+                                    [&](const std::string& one) { return std::find(own.begin(), own.end(), one) != own.end(); });
+    return places(relation.type) && !mutual;
+  });
+}
+
 bool RelationBuilder::is_related(int item, int other) const {
   const auto by = [&](int one, int two) {
     const std::vector<std::size_t>& all = relations_of(id(one));
@@ -79,7 +92,7 @@ void RelationBuilder::add_contents(const Link& link) {
     const Mention& target = mention(m);
     if (target.items.empty()) continue;
     const std::vector<int> hosts = hosts_of(link, m);
-    if (link.weak && is_placed(target.items.front())) continue;
+    if (link.weak && is_placed_apart(target.items)) continue;
     if (!is_related(target.items.front(), hosts.front())) add_content(link, target, hosts);
   }
 }

@@ -27,6 +27,7 @@ struct Mention {
 };
 
 struct Link {
+  static constexpr int kAllSides = -1;
   enum class Kind {
     kRelation,  // targets stand PHRASE references
     kHave,      // references have targets: on, in, at or by them
@@ -36,6 +37,8 @@ struct Link {
   PhraseSenses senses;                   // as for TARGET phrase REFERENCE
   std::vector<int> targets, references;  // mentions
   bool each = false;                     // one (or as many as said) for every reference or side
+  int sides = 0;                         // … so many sides; 0: not said, kAllSides: "on every side"
+  bool sides_shared = false;             // … at each of them as many
   bool holding = false;                  // a have that says that the host carries ("holding", "filled with")
   bool one_side = false;                 // "on one side of": "on the other" may follow
   bool other_side = false;               // … and did

@@ -79,6 +79,15 @@ bool has_hooks(const NounPhrase& noun) {
          (noun.entry->mount == Mount::kWall || noun.entry->mount == Mount::kCeiling);
 }
 
+int sides_by_shape(const NounPhrase& noun) {
+  static constexpr std::array<std::pair<std::string_view, int>, 5> kShapes = {
+      {{"triangular", 3}, {"square", 4}, {"pentagonal", 5}, {"hexagonal", 6}, {"octagonal", 8}}};
+  for (const auto& [shape, sides] : kShapes) {
+    if (std::find(noun.attributes.begin(), noun.attributes.end(), shape) != noun.attributes.end()) return sides;
+  }
+  return 0;
+}
+
 bool is_heavy(const Catalog& catalog, const NounPhrase& noun) {
   if (noun.entry == nullptr || mount_of(noun) != Mount::kFloor) return false;
   if (is_table(catalog, noun) || is_seat(catalog, noun) || noun.entry->thin) return true;

@@ -36,7 +36,10 @@ bool is_textile(const Catalog& catalog, const NounPhrase& noun);                
 bool stands_by(const Catalog& catalog, const NounPhrase& noun, const NounPhrase& other);  // a nightstand by a bed
 // Whether the phrase makes sense between the two; used to find out who "it" is.
 bool may_refer(const Catalog& catalog, const PhraseSenses& senses, const NounPhrase& target, const NounPhrase& reference);
-bool has_hooks(const NounPhrase& noun);                         // things hang on it: a pegboard, a towel rack
+bool has_hooks(const NounPhrase& noun);  // things hang on it: a pegboard, a towel rack
+// "a hexagonal table": how many sides its shape has; 0: nobody says, or a ring.
+int sides_by_shape(const NounPhrase& noun);
+
 bool is_heavy(const Catalog& catalog, const NounPhrase& noun);  // stands on the floor, never hangs on a wall
 // True when `item` may stand on, lie on or be in `host`.
 bool may_carry(const Catalog& catalog, const NounPhrase& host, const NounPhrase& item);

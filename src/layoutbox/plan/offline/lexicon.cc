@@ -14,6 +14,13 @@ bool is_article(std::string_view word) {
   return std::find(kArticles.begin(), kArticles.end(), word) != kArticles.end();
 }
 
+// "two" … "eight": of sides.
+int number_of(std::string_view word) {
+  static constexpr std::array<std::string_view, 9> kNumbers = {"", "", "two", "three", "four", "five", "six", "seven", "eight"};
+  const auto found = std::find(kNumbers.begin() + 2, kNumbers.end(), word);
+  return found == kNumbers.end() ? 0 : static_cast<int>(found - kNumbers.begin());
+}
+
 // "cans" are no modal verbs: small words have no plurals.
 bool has_plural(std::span<const Meaning> meanings) {
   static constexpr std::array kSmall = {WordClass::kBe,         WordClass::kThere,    WordClass::kDefinite, WordClass::kIndefinite,
@@ -170,6 +177,8 @@ void Lexicon::extend_phrase(std::span<const Token> tokens, std::size_t at, std::
     if (!phrase_starts_.contains(extended)) return false;
     PhraseMatch next = so_far;
     next.each |= is_distributor(word) || (inside && word == "all");  // "on all sides"
+    next.all |= inside && (word == "every" || word == "all");
+    if (const int sides = number_of(word); inside && sides > 1) next.sides = sides;
     next.possessive |= word == "its" || word == "their";
     next.plural |= plural;
     next.other |= word == "other";
@@ -190,6 +199,29 @@ void Lexicon::extend_phrase(std::span<const Token> tokens, std::size_t at, std::
     extend_phrase(tokens, at, i + 1, extended, next, best);
     return true;
   };
+  const auto sides_at = [&](std::size_t side) {
+    return side < tokens.size() && (tokens[side].text == "sides" || tokens[side].text == "edges");
+  };
+  // "at each of its six sides", "on three of its sides": as at each side.
+  if (const int sides = number_of(token.text); inside && sides > 1) {
+    std::size_t side = i + 1;
+    if (side + 1 < tokens.size() && tokens[side].text == "of") side += 2;
+    if (sides_at(side)) {
+      PhraseMatch counted = so_far;
+      counted.sides = sides;
+      counted.shared = so_far.each;
+      counted.each = true;
+      const std::string each = key.ends_with(" each") ? key : key + " each";
+      if (phrase_starts_.contains(each + " side")) extend_phrase(tokens, at, side, each, counted, best);
+    }
+  }
+  // "at each of its sides"
+  if (token.text == "of" && so_far.each && inside && i + 1 < tokens.size() && is_article(tokens[i + 1].text) &&
+      (sides_at(i + 2) || sides_at(i + 3))) {
+    PhraseMatch next = so_far;
+    next.possessive |= tokens[i + 1].text == "its" || tokens[i + 1].text == "their";
+    extend_phrase(tokens, at, i + 2, key, next, best);
+  }
   if (!consume(token.text, false)) {
     const std::string singular = singular_of(token.text);
     if (singular != token.text) consume(singular, true);

@@ -111,6 +111,9 @@ struct PhraseMatch {
   const PhraseSenses* senses = nullptr;
   bool each = false;        // "on each side of": every, each, both, either
   bool possessive = false;  // "on its left side": the reference is spoken of
+  bool all = false;         // … every, all
+  bool shared = false;      // … at each of so many, not just on so many
+  int sides = 0;            // "on three sides of", "at each of its six sides": how many
   bool plural = false;      // "in the corners"
   bool one = false;         // "on one side of"
   bool other = false;       // "on the other side"

@@ -136,7 +136,9 @@ bool NounPhraseReader::ends_before(const Match& match) const {
       return true;
     // "each looks at the bar"
     const bool place = phrase_.determiner == Determiner::kEach && is_finite(token().text) && lexicon_.find_phrase(tokens_, i_).length > 1;
-    return place || (phrase_.determiner == Determiner::kBoth && verb);
+    // "four stools each stand before a machine"
+    const bool after_several = phrase_.determiner == Determiner::kEach && verb && phrase_.first > 0 && plural_at(phrase_.first - 1);
+    return place || after_several || (phrase_.determiner == Determiner::kBoth && verb);
   }
   const Part& last = parts_.back();
   if (verb && last.last == i_ && plural_at(i_ - 1) && !is_attribute_class(last.word_class)) return true;

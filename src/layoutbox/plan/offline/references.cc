@@ -94,6 +94,7 @@ void References::mean_part(Mention& mention, int antecedent) {
   if (noun.of && (noun.of->kind == NounKind::kObject || noun.of->kind == NounKind::kPronoun || noun.of->kind == NounKind::kMember)) {
     const int base = this->mention(*noun.of, antecedent, true);
     mention.items = document_.mentions[static_cast<std::size_t>(base)].items;
+    mention.distributes = document_.mentions[static_cast<std::size_t>(base)].distributes;  // "along the front of each bench"
     return;
   }
   const bool spot = noun.kind == NounKind::kCorner || noun.kind == NounKind::kCenter;
@@ -189,7 +190,8 @@ void References::mean_object(Mention& mention, bool as_reference, bool of_known)
     general(noun, as_reference, mention);
   if (!mention.items.empty()) return;
   const bool either = noun.determiner == Determiner::kBoth && document_.tokens[noun.first].text == "either";  // "on either nightstand"
-  const int unsaid = noun.plural || either ? 2 : 1;
+  const bool each = noun.determiner == Determiner::kEach;                                                     // "a lamp on each nightstand"
+  const int unsaid = noun.plural || either || each ? 2 : 1;
   introduce(mention, noun, noun.count > 0 ? noun.count : unsaid);
 }
 

@@ -100,6 +100,7 @@ class RelationBuilder {
   void add_seats_at_sides(const Link& link, const std::vector<int>& seats, int table);
   void add_corners(const Link& link, const Mention& target, const NounPhrase& corner);
   bool is_placed(int item) const;
+  bool is_placed_apart(const std::vector<int>& items) const;
   bool is_related(int item, int other) const;
   // What a thing has: on it, in it, at it, by it, as the two allow.
   void add_contents(const Link& link);

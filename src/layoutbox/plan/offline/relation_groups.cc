@@ -180,7 +180,7 @@ bool RelationBuilder::add_at_sides(const Link& link, const PhraseSense& sense, c
     }
     return true;
   }
-  if (targets.size() < 4) return false;
+  if (targets.size() < 4 && link.sides <= 2) return false;
   add_seats_at_sides(link, targets, host);
   return true;
 }
@@ -315,12 +315,9 @@ void RelationBuilder::add_clusters() {
   }
 }
 
-// "four chairs on each side" of a table sit along its long sides; one on each side of a square table is around it.
+// "four chairs on each side" of a table sit along its long sides; one on each side of a square table, or on three sides, is around it.
 void RelationBuilder::add_seats_at_sides(const Link& link, const std::vector<int>& seats, int table) {
-  const std::vector<std::string>& attributes = noun_of_item(table).attributes;
-  const std::string words = words_between(document_, link.first, link.last);
-  const bool every = words.find("every") != std::string::npos || words.find("all ") != std::string::npos;
-  if (every || std::find(attributes.begin(), attributes.end(), "square") != attributes.end()) {
+  if (link.sides == Link::kAllSides || link.sides > 2 || sides_by_shape(noun_of_item(table)) > 0) {
     add(link, R::kAround, ids(seats), {id(table)});
     return;
   }

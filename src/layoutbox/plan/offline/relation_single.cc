@@ -81,6 +81,11 @@ bool RelationBuilder::add_before_seats(const Link& link, const PhraseSense& sens
     const std::string table = table_of(id(references[std::min(t * references.size() / target.items.size(), references.size() - 1)]));
     if (table.empty()) break;
     add(link, R::kOn, {id(target.items[t])}, {table});
+    const std::size_t seat = std::min(t * references.size() / target.items.size(), references.size() - 1);
+    if (target.items.size() <= references.size()) {
+      add(link, R::kInFrontOf, {id(target.items[t])}, {id(references[seat])});
+      scene_.relations.back().hard = false;  // as near as the others leave room
+    }
     ++laid;
   }
   return laid == target.items.size();

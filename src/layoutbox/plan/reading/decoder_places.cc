@@ -34,7 +34,8 @@ double Decoder::attach_score(const State& state, int u, int level, bool inverse)
   }
   // "in the corner by the door": the second place is of the same thing.
   if (again && unit(u).joiner == Joiner::kNone && nearer == 0) score += weight::kSameSubject;
-  if (level > 0 && finite_place(u)) score += weight::kFiniteRoot;
+  const bool floats = member + 1 == u && chunk(member).noun.kind == NounKind::kMember && chunk(member).noun.determiner == Determiner::kEach;
+  if (level > 0 && finite_place(u)) score += floats ? -weight::kFiniteRoot : weight::kFiniteRoot;  // "three chairs each face a mirror"
   if (word(u) == "from" && level > 0) score += weight::kFromRoot;
   if (!inverse && hangs_twice(state, u, member)) score += weight::kPlacedTwice;
   if (!inverse && lies_twice(state, u, member)) score += weight::kLiesTwice;

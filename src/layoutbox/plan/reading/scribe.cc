@@ -111,6 +111,8 @@ Link Scribe::link_at_unit(int u) const {
   link.first = said.first;
   link.last = said.last;
   link.each = said.phrase.each;
+  link.sides = said.phrase.sides > 0 ? said.phrase.sides : said.phrase.all ? Link::kAllSides : 0;
+  link.sides_shared = said.phrase.shared;
   link.distance = said.distance;
   link.rows = said.rows;
   link.columns = said.columns;
@@ -127,7 +129,7 @@ void Scribe::write_have(int u) {
   const std::vector<int> hosts = subjects_of(u);
   if (hosts.empty()) return;
   const std::string& how = word(u);
-  const bool plain = how == "with" || how == "featuring" || how == "features" || how == "feature" || how == "including" ||
+  const bool plain = unit(u).unsaid || how == "with" || how == "featuring" || how == "features" || how == "feature" || how == "including" ||
                      how == "includes" || how == "include" || how == "has" || how == "have" || how == "having";
   Link link = link_at_unit(u);
   link.kind = Link::Kind::kHave;

@@ -46,6 +46,7 @@ class Scribe {
   std::vector<int> pair_named_last(int u) const;
   int make_ordinal(const NounPhrase& noun);
   int antecedent_of(int u);
+  int shared_as(int u, const NounPhrase& noun);
   int list_ranked(const NounPhrase& noun, int antecedent);
   int combined(const std::vector<int>& mentions);
   int pair_just_related();
@@ -77,6 +78,7 @@ class Scribe {
   void follow_screen(Link& link, int u) const;
 
   // Counts that follow from places.
+  int sides_meant(const Link& link, int target, int reference) const;
   void grow_for_sides(const Link& link, int target, int reference);
   void grow_for_hosts(int content, const std::vector<int>& hosts);
   void grow_for_each(int thing, int each);

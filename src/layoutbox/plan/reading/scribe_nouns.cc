@@ -85,6 +85,19 @@ int Scribe::list_ranked(const NounPhrase& noun, int antecedent) {
   return combined(so_far_.listed);
 }
 
+// "for each guest a bed and a lamp beside the bed": the bed of every one.
+int Scribe::shared_as(int u, const NounPhrase& noun) {
+  const bool known = noun.determiner == Determiner::kDefinite || noun.determiner == Determiner::kPossessive;
+  if (unit(u).share < 2 || noun.kind != NounKind::kObject || !known || noun.is_plural()) return -1;
+  for (int before = u; before-- > 0;) {
+    const int m = mention_[static_cast<std::size_t>(before)];
+    if (!is(before, UnitKind::kNoun) || !is_thing(m) || !mention_at(m).introduces || unit(before).share < 2) continue;
+    const std::string& name = noun_of(m).name;
+    if (name == noun.name || name.ends_with(" " + noun.name)) return combined({m});
+  }
+  return -1;
+}
+
 // The noun is what a place that may say that is by.
 bool Scribe::as_reference_of(int u, RelationType type) const {
   const UnitReading& own = reading(u);
@@ -116,6 +129,7 @@ int Scribe::make_mention(int u) {
   } else if (own.meant != kNobody) {
     antecedent = antecedent_of(u);
   }
+  if (const int shared = shared_as(u, noun); shared >= 0) return shared;
   const bool opens = own.role == NounRole::kRoot && own.opens_clause;
   const int mention = references_.mention(noun, antecedent, as_reference, as_reference || opens);
   if (const int other = not_itself(u, noun, mention); other >= 0) return other;
@@ -165,7 +179,8 @@ bool Scribe::trails_each(int u) {
   const UnitReading& before = reading(u - 1);
   if (!is_thing(content) || !mention_at(content).introduces) return false;
   std::vector<int> hosts;
-  if (before.role == NounRole::kContent && before.predicate >= 0) hosts = subjects_of(before.predicate);
+  const bool placed = before.role == NounRole::kReference && is(before.predicate, UnitKind::kPlace);  // "three chairs face a mirror each"
+  if (before.predicate >= 0 && (placed || before.role == NounRole::kContent)) hosts = subjects_of(before.predicate);
   const bool listed = hosts.empty() && before.former >= 0;
   if (listed) hosts = {mention_[static_cast<std::size_t>(before.former)]};
   std::size_t count = 0;
@@ -264,6 +279,8 @@ void Scribe::write_noun(int u) {
   const std::size_t items = document_.items.size();
   const int mention = make_mention(u);
   mention_[static_cast<std::size_t>(u)] = mention;
+  if (unit(u).share > 1 && is_thing(mention))
+    references_.grow(mention, mention_at(mention).items.size() * static_cast<std::size_t>(unit(u).share));
   if (document_.items.size() > items && !is_evident(u)) forget(u, mention, items);
   if (own.role == NounRole::kReference && mention_at(mention).items.empty() &&
       (noun.kind == NounKind::kAbstract || noun.kind == NounKind::kRoom)) {

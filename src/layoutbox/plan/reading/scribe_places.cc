@@ -364,22 +364,27 @@ int Scribe::looked_at_by(int mention, const std::vector<int>& but) const {
   return -1;
 }
 
+// At how many sides of the thing the words put something: "on three sides", "at each side" of a square table; two where nobody says.
+int Scribe::sides_meant(const Link& link, int target, int reference) const {
+  if (link.sides > 2) return link.sides;
+  if (reference < 0 || !is_table(lexicon_.catalog(), noun_of(reference)) || !is_seat(lexicon_.catalog(), noun_of(target))) return 2;
+  const int shape = sides_by_shape(noun_of(reference));
+  constexpr int kSidesOfTable = 4;
+  return shape > 0 ? shape : link.sides == Link::kAllSides ? kSidesOfTable : 2;
+}
+
 // "a lamp on each side" is two lamps, "two chairs on each long side" four, a chair on each side of a square table as well.
 void Scribe::grow_for_sides(const Link& link, int target, int reference) {
   const std::size_t count = mention_at(target).items.size();
-  const auto is_square = [&] {
-    const NounPhrase& host = noun_of(reference);
-    const std::string words = words_between(document_, link.first, link.last);
-    const bool each = words.find("each") != std::string::npos,
-               every = words.find("every") != std::string::npos || words.find("all ") != std::string::npos;
-    return (each || every) && is_table(lexicon_.catalog(), host) && is_seat(lexicon_.catalog(), noun_of(target)) &&
-           (every || contains_word(host.attributes, "square"));
-  };
+  const bool said = noun_of(target).count > 1, each_side = says(link.senses, RelationType::kEachSideOf);
+  const int sides = each_side ? sides_meant(link, target, reference) : 2;
   if (says(link.senses, RelationType::kAlongSide))
     references_.grow(target, count * 2);
-  else if (says(link.senses, RelationType::kEachSideOf) && (count == 1 || noun_of(target).count == 0) && reference >= 0 && is_square())
-    references_.grow(target, 4);
-  else if (says(link.senses, RelationType::kEachSideOf) && count != 2)
+  else if (sides > 2 && !said)
+    references_.grow(target, static_cast<std::size_t>(sides));
+  else if (sides > 2 && link.sides > 0)  // "six chairs on three sides" are six; "two at each of four sides" eight
+    references_.grow(target, link.sides_shared ? count * static_cast<std::size_t>(sides) : count);
+  else if (each_side && count != 2)
     references_.grow(target, count * 2);
   grow_contents(target, count);
 }
@@ -424,6 +429,16 @@ void Scribe::grow_contents(int host, std::size_t before) {
     const Link& link = document_.links[l];
     if (link.kind != Link::Kind::kHave || !contains(link.references, host)) continue;
     for (const int content : link.targets) references_.grow(content, mention_at(content).items.size() * now / before);
+  }
+  // "a lamp on a stand at either end of the desk": so do the lamp and the stand.
+  for (std::size_t l = sentence_links_; l < document_.links.size(); ++l) {
+    const Link& link = document_.links[l];
+    if (link.kind != Link::Kind::kRelation || link.references.size() != 1 || link.targets.size() != 1) continue;
+    if (!says(link.senses, RelationType::kOn) && !says(link.senses, RelationType::kIn)) continue;
+    const int other = link.targets.front() == host ? link.references.front() : link.references.front() == host ? link.targets.front() : -1;
+    if (other < 0 || !is_thing(other) || !mention_at(other).introduces || mention_at(other).items.size() != before) continue;
+    if (noun_of(other).determiner == Determiner::kIndefinite && mount_of(noun_of(link.targets.front())) == Mount::kSurface)
+      references_.grow(other, now);
   }
 }
 

@@ -117,7 +117,8 @@ bool UnitReader::names_known(std::size_t k) const {
   const NounPhrase& noun = chunk(k).noun;
   const bool of_known =
       noun.determiner == Determiner::kDefinite || noun.determiner == Determiner::kEach || noun.determiner == Determiner::kBoth;
-  if (noun.kind != NounKind::kAbstract || !noun.doubted || !of_known) return false;
+  const bool part = noun.kind == NounKind::kPart && noun.determiner == Determiner::kEach && !noun.of;  // "two pottery wheels … each wheel"
+  if (!(noun.kind == NounKind::kAbstract && noun.doubted && of_known) && !part) return false;
   for (std::size_t c = k; c-- > 0 && c + kBack > k;) {
     if (!is(c, ChunkKind::kNoun) || chunk(c).noun.kind != NounKind::kObject) continue;
     const std::string& name = chunk(c).noun.name;
@@ -244,7 +245,14 @@ void UnitReader::settle_noun(std::size_t k) {
   if (const auto object = noun.as_object;
       object != nullptr && (content ? is_placed_itself(k) : !after_place() || noun.determiner == Determiner::kIndefinite))
     noun = NounPhrase(*object);
-  if (names_known(k) || is_thing_in_company(k)) noun.kind = NounKind::kObject;
+  if (names_known(k) || is_thing_in_company(k)) {
+    noun.kind = NounKind::kObject;
+    if (noun.entry == nullptr && noun.determiner == Determiner::kEach) noun.name = noun.head;
+  }
+  // "above either sink"
+  if (noun.determiner == Determiner::kBoth && !noun.plural && noun.count == 0 && document_.tokens[noun.first].text == "either" &&
+      noun.kind == NounKind::kObject)
+    noun.determiner = Determiner::kEach;
   if (noun.name == "thing" && noun.determiner == Determiner::kDefinite && !noun.plural) noun.kind = NounKind::kAbstract;
   if (is_figure(k)) {
     noun.kind = NounKind::kObject;
@@ -335,6 +343,7 @@ void UnitReader::place_at_named_wall(std::size_t k) {
 
 void UnitReader::read_noun(std::size_t k) {
   settle_noun(k);
+  if (shares_by_subject(k)) return;
   settle_place_words(k);
   if (!negated_ && passes_spot(k)) return;
   if (!skipping_ && !negated_ && repeats_place(k)) return;
@@ -406,6 +415,7 @@ void UnitReader::read_noun(std::size_t k) {
     return;
   }
   add(UnitKind::kNoun, k);
+  has_unsaid(k);
 }
 
 }  // namespace layoutbox::offline

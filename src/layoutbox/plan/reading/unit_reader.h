@@ -1,4 +1,4 @@
-// The class behind read_units; its members stand in units, unit_nouns, unit_parallels, unit_room, unit_purposes, unit_verbs and
+// The class behind read_units; its members stand in units, unit_nouns, unit_parallels, unit_shares, unit_room, unit_purposes, unit_verbs and
 // unit_asides.
 #pragma once
 
@@ -79,6 +79,13 @@ class UnitReader {
   bool inverts(std::size_t k) const;
   bool is_figure(std::size_t k) const;
 
+  // What is there for each.
+  int shares_of(std::size_t k) const;
+  bool shares_by_purpose(std::size_t k);
+  bool shares_by_subject(std::size_t k);
+  void open_share(std::size_t first, std::size_t last, int shares);
+  void has_unsaid(std::size_t k);
+
   // Nouns.
   bool says_nothing_but_there(std::size_t k);
   void place_at_named_wall(std::size_t k);
@@ -132,6 +139,7 @@ class UnitReader {
   bool doing_ = false;                               // what is skipped is what a person does
   std::size_t told_ = static_cast<std::size_t>(-1);  // … with this thing
   std::size_t passed_over_ = static_cast<std::size_t>(-1), passed_until_ = 0;
+  int share_ = 1;                    // so many times is there what the sentence brings in: "for every place …"
   bool named_ = false;               // a noun was read
   int one_corner_ = -1, wall_ = -1;  // chunks: "in one corner", the last wall
   std::size_t order_ = kNoOrder;     // "from left to right", said before its list

@@ -46,6 +46,7 @@ void UnitReader::end_sentence() {
   units_.clear();
   order_ = kNoOrder;
   in_brackets_ = false;
+  share_ = 1;
   joiner_ = Joiner::kNone;
   clause_ = where_ = soft_ = skipping_ = negated_ = false;
 }
@@ -54,7 +55,9 @@ Unit& UnitReader::add(UnitKind kind, std::size_t k) {
   if (units_.size() >= kLongestSentence) {
     const Joiner joiner = joiner_;
     const bool soft = soft_;
+    const int share = share_;
     end_sentence();
+    share_ = share;
     joiner_ = joiner;
     soft_ = soft;
   }
@@ -65,6 +68,7 @@ Unit& UnitReader::add(UnitKind kind, std::size_t k) {
   unit.clause = clause_;
   unit.where = where_;
   unit.soft = soft_;
+  unit.share = kind == UnitKind::kNoun ? share_ : 1;
   unit.order = std::exchange(order_, kNoOrder);
   in_brackets_ = false;
   joiner_ = Joiner::kNone;

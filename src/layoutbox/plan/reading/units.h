@@ -34,6 +34,8 @@ struct Unit {
   PhraseSenses direct, inverse, alone;   // … by direction, each turned to direct
   bool each = false;                     // a place on "each side"
   std::size_t order = kNoOrder;          // the chunk that says in which order stands the list that it is of, or that follows
+  int share = 1;                         // of a noun: so many times is it there, where it is new
+  bool unsaid = false;                   // a having without words: "each plinth a bust"
   bool other = false;                    // … on the other side or end, where the first one was said
 };
 
