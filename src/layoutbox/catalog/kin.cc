@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "layoutbox/base/words.h"
 #include "layoutbox/catalog/word_lists.h"
@@ -20,12 +21,14 @@ Words words_of_list(std::string_view key) {
 
 struct Kinds {
   Words kinds, modifiers, portions;
+  std::set<std::string_view> no_things;
   std::map<std::string, std::string_view, std::less<>> like_keys;  // by the key (words.h)
 };
 
 const Kinds& known_kinds() {
   static const Kinds kinds = [] {
-    Kinds read{words_of_list("kinds"), words_of_list("modifiers"), words_of_list("portions"), {}};
+    Kinds read{words_of_list("kinds"), words_of_list("modifiers"), words_of_list("portions"), {}, {}};
+    for (const WordList::Member kind : word_list("words_kinds").at("no_things")) read.no_things.insert(kind.value.text());
     for (const auto& [word, id] : like_words()) read.like_keys.emplace(key_of(word), id);
     return read;
   }();
@@ -37,18 +40,29 @@ bool is_bodily(std::string_view letters) {
   return letters.ends_with('t') || letters.ends_with('c') || letters.ends_with('o') || letters.ends_with('k');
 }
 
-const CatalogEntry* kin_by_line(const Catalog& catalog, std::string_view line) {
+// What stands for a kind, or null.
+const CatalogEntry* entry_of_kind(const Catalog& catalog, std::string_view kind) {
+  const auto meant = known_kinds().kinds.find(kind);
+  if (meant == known_kinds().kinds.end()) return catalog.find_by_words(kind);
+  return meant->second.empty() ? nullptr : catalog.find(meant->second);
+}
+
+// The kinds of a line, the nearest first.
+std::vector<std::string_view> kinds_of(std::string_view line) {
+  std::vector<std::string_view> kinds;
   std::size_t at = line.find(' ');
-  if (!is_bodily(line.substr(0, at))) return nullptr;
+  if (!is_bodily(line.substr(0, at))) return kinds;
   while (at != std::string_view::npos) {
     const std::size_t end = line.find(' ', at + 1);
-    const std::string_view kind = line.substr(at + 1, end == std::string_view::npos ? end : end - at - 1);
-    const auto meant = known_kinds().kinds.find(kind);
-    const CatalogEntry* entry = meant == known_kinds().kinds.end() ? catalog.find_by_words(kind)
-                                : meant->second.empty()            ? nullptr
-                                                                   : catalog.find(meant->second);
-    if (entry != nullptr) return entry;
+    kinds.push_back(line.substr(at + 1, end == std::string_view::npos ? end : end - at - 1));
     at = end;
+  }
+  return kinds;
+}
+
+const CatalogEntry* kin_by_line(const Catalog& catalog, std::string_view line) {
+  for (const std::string_view kind : kinds_of(line)) {
+    if (const CatalogEntry* entry = entry_of_kind(catalog, kind); entry != nullptr) return entry;
   }
   return nullptr;
 }
@@ -88,6 +102,17 @@ std::vector<std::pair<std::string_view, std::string_view>> like_words() {
   std::sort(all.begin(), all.end());
   all.erase(std::unique(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.first == b.first; }), all.end());
   return all;
+}
+
+bool is_no_thing(const Catalog& catalog, std::string_view word) {
+  if (!liked_entry(word).empty() || catalog.find_by_words(word) != nullptr) return false;
+  for (const std::string& form : singular_forms(std::string(word))) {
+    for (const std::string_view kind : kinds_of(english_line(form))) {
+      if (known_kinds().no_things.contains(kind)) return true;
+      if (entry_of_kind(catalog, kind) != nullptr) return false;
+    }
+  }
+  return false;
 }
 
 std::string_view portion_entry(std::string_view container) {

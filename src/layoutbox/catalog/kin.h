@@ -18,6 +18,10 @@ std::string_view english_line(std::string_view word);
 // The entry that a thing of that name ("koala", "plush koala", "soup tureen") is sized, held and drawn like, or null.
 const CatalogEntry* kin_of(const Catalog& catalog, std::string_view noun);
 
+// A word for a place, a part or some stuff ("darkroom", "driveway", "seam"), by its more general kinds; none of the nearer ones has an
+// entry.
+bool is_no_thing(const Catalog& catalog, std::string_view word);
+
 // The id of the entry that a word is listed to be like ("wok" → pan), case and separators apart, or empty.
 std::string_view liked_entry(std::string_view words);
 

@@ -20,6 +20,16 @@ TEST(Kin, IsTheNearestKnownKind) {
   EXPECT_EQ(kin(""), "");
 }
 
+TEST(Kin, PlacesPartsAndStuffAreNoThings) {
+  const Catalog& catalog = Catalog::builtin();
+  for (const char* word : {"darkroom", "conservatoire", "driveways", "monastery", "hem", "keyhole", "subway"})
+    EXPECT_TRUE(is_no_thing(catalog, word)) << word;
+  for (const char* word : {"walrus", "engraving", "secateurs", "bassoon", "wok", "sofa", "xyzzy"})
+    EXPECT_FALSE(is_no_thing(catalog, word)) << word;
+  EXPECT_EQ(kin("botanical engraving"), "painting");
+  EXPECT_EQ(kin("secateurs"), "scissors");
+}
+
 TEST(Kin, AWordBeforeTheNounMaySayMore) {
   EXPECT_EQ(kin("plush walrus"), "teddy_bear");
   EXPECT_TRUE(is_kin_modifier("plush"));

@@ -25,12 +25,18 @@ WordForm form_of(std::string_view line) {
   }
 }
 
+// A darkroom and a driveway are built, but stand in no room.
+WordForm without_places(WordForm form, std::string_view word) {
+  return form == WordForm::kThing && is_no_thing(Catalog::builtin(), word) ? WordForm::kNoun : form;
+}
+
 }  // namespace
 
 WordForm word_form(std::string_view word) {
-  if (const WordForm form = form_of(english_line(word)); form != WordForm::kUnknown) return form;
+  if (const WordForm form = form_of(english_line(word)); form != WordForm::kUnknown) return without_places(form, word);
   for (const std::string& singular : singular_forms(word)) {
-    if (const WordForm form = form_of(english_line(singular)); is_noun(form) || form == WordForm::kVerb) return form;
+    if (const WordForm form = form_of(english_line(singular)); is_noun(form) || form == WordForm::kVerb)
+      return without_places(form, singular);
   }
   for (const std::string_view ending : {"ly", "ways", "wards", "wise"}) {
     if (word.ends_with(ending)) return WordForm::kAdverb;
@@ -59,7 +65,7 @@ WordForm noun_form(std::string_view word) {
     if (line.empty()) continue;
     const std::string_view letters = line.substr(0, line.find(' '));
     const WordForm form = form_of(letters.substr(letters.size() - 1));
-    if (is_noun(form)) return form;
+    if (is_noun(form)) return without_places(form, singular);
   }
   return WordForm::kUnknown;
 }
