@@ -16,6 +16,7 @@ class LabelReader {
     for (std::size_t i = 0; i < tokens_.size(); ++i) {
       read_price(i);
       read_code(i);
+      read_address(i);
       read_count_signs(i);
     }
     read_closing();
@@ -95,6 +96,17 @@ class LabelReader {
     if (listed) leave_out(i - 1, i + 1, "a name");
     if (bracketed) leave_out(i, i + 2, "a name");
     if (behind || before) leave_out(before ? i - 1 : i, behind ? i + 2 : i + 1, "a name");
+  }
+
+  // "14 Alder Close", "221 Baker Street": two capitalised words or more at a number, of which none is a thing of the catalogue's.
+  void read_address(std::size_t i) {
+    if (!is_number(i) || skip_[i] || (i > 0 && is_word(i - 1) && tokens_[i - 1].capital && i > 1 && !tokens_[i - 2].ends_sentence)) return;
+    std::size_t end = i + 1;
+    for (; is_word(end) && tokens_[end].capital; ++end) {
+      const Match known = lexicon_.find(tokens_, end);
+      if (known.length > 0 && known.meanings.front().entry != nullptr) return;
+    }
+    if (end - i > 2) leave_out(i, end, "a name");
   }
 
   // Names at most: "Thanks! Bed, desk, lamp." goes on.
