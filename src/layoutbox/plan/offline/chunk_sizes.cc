@@ -64,7 +64,8 @@ bool Chunker::is_one_unit(std::size_t at) const {
   static constexpr std::array<std::string_view, 7> kAfter = {"apart", "away", "from", "between", "behind", "above", "below"};
   if (at + 2 >= tokens_.size() || tokens_[at].text != "a" || !lexicon_.is(tokens_[at + 1], Class::kUnit)) return false;
   const bool beyond = tokens_[at + 2].text == "in" && at + 3 < tokens_.size() && tokens_[at + 3].text == "front";
-  return beyond || std::find(kAfter.begin(), kAfter.end(), tokens_[at + 2].text) != kAfter.end() || says_gap(at + 2);
+  const bool within = at > 0 && tokens_[at - 1].text == "within" && tokens_[at + 2].text == "of";
+  return beyond || within || std::find(kAfter.begin(), kAfter.end(), tokens_[at + 2].text) != kAfter.end() || says_gap(at + 2);
 }
 
 std::optional<Measure> Chunker::read_unit(std::size_t at) const {

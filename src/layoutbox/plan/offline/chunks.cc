@@ -54,12 +54,13 @@ void Chunker::read() {
     add(ChunkKind::kIgnored, 1);
     return;
   }
-  if (read_such_as() || read_leave_out()) return;
+  if (read_where_in() || read_entering() || read_such_as() || read_leave_out()) return;
   if (opens_question() || says_enough()) {
     add(ChunkKind::kIgnored, 1);
     return;
   }
-  if (tokens_[i_].text == "all" && i_ + 1 < tokens_.size() && tokens_[i_ + 1].text == "around") {  // "chairs all around"
+  if ((tokens_[i_].text == "all" && i_ + 1 < tokens_.size() && tokens_[i_ + 1].text == "around") ||
+      is_loose_particle()) {  // "chairs all around"
     add(ChunkKind::kIgnored, 1);
     return;
   }
@@ -123,6 +124,14 @@ bool Chunker::read_trailing_bound() {
   chunks_[telling_].noun.at_least = length_of(Class::kAtLeast) > 0;
   add(ChunkKind::kIgnored, length);
   return true;
+}
+
+// "over by the window", "off in the corner": the place comes after it.
+bool Chunker::is_loose_particle() const {
+  static constexpr std::array<std::string_view, 6> kParticles = {"over", "up", "off", "out", "down", "round"};
+  if (std::ranges::find(kParticles, tokens_[i_].text) == kParticles.end() || phrase_here().length > 1) return false;
+  return i_ + 2 < tokens_.size() && !opens_noun(tokens_[i_ + 1]) && lexicon_.find_phrase(tokens_, i_ + 1).length > 0 &&
+         opens_noun(tokens_[i_ + 2]);
 }
 
 // "props such as a suitcase and a hat": what is listed, and nothing besides.
@@ -251,6 +260,7 @@ void Chunker::add_phrase(const PhraseMatch& phrase) {
   const std::size_t first = i_;
   Chunk& chunk = add(ChunkKind::kRelation, phrase.length);
   chunk.phrase = phrase;
+  if (entering_) mean_hand(chunk);
   for (std::size_t i = first; i < first + phrase.length; ++i) {
     chunk.hang |= lexicon_.is(tokens_[i], Class::kHang);
     chunk.placing |= lexicon_.is(tokens_[i], Class::kParticiple) || chunk.hang;

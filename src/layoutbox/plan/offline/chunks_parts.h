@@ -1,4 +1,4 @@
-// The class behind chunk_tokens; its members stand in chunks, chunk_deeds, chunk_grammar and chunk_sizes.
+// The class behind chunk_tokens; its members stand in chunks, chunk_deeds, chunk_entry, chunk_grammar and chunk_sizes.
 #pragma once
 
 #include <optional>
@@ -17,6 +17,7 @@ class Chunker {
   std::vector<Chunk> run() {
     while (i_ < tokens_.size() && !is_set(stop_)) {
       if (tokens_[i_].kind == Token::Kind::kPunctuation) {
+        entering_ = entering_ && !tokens_[i_].ends_sentence;
         add(tokens_[i_].ends_sentence ? ChunkKind::kStop : ChunkKind::kComma, 1);
       } else {
         read();
@@ -62,7 +63,14 @@ class Chunker {
   bool read_finding();
   static bool one_of_finders(std::string_view who);
   bool read_trailing_bound();
+  bool is_loose_particle() const;
   bool read_such_as();
+  // Who or what comes in (chunk_entry).
+  std::size_t past_inside(std::size_t at) const;
+  bool read_where_in();
+  void add_opening(NounKind kind, std::size_t end);
+  bool read_entering();
+  static void mean_hand(Chunk& place);
   bool read_leave_out();
   bool read_doing();
   bool read_manner();
@@ -119,6 +127,7 @@ class Chunker {
   StopFlag stop_;
   std::size_t i_ = 0;
   std::size_t telling_ = static_cast<std::size_t>(-1);
+  bool entering_ = false;  // "as you enter" was said in this sentence
   std::vector<Chunk> chunks_;
 };
 

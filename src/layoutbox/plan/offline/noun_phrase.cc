@@ -120,6 +120,11 @@ void NounPhraseReader::settle_place(const Part& head) {
   phrase_.plural = head.plural;
   phrase_.head = singular_of(tokens_[head.last - 1].text);
   phrase_.name = text_of(tokens_, phrase_.first, head.last);
+  if (phrase_.vague && !phrase_.plural && phrase_.count > 1) {  // "in some corner"
+    phrase_.count = 0;
+    phrase_.vague = false;
+    phrase_.determiner = Determiner::kIndefinite;
+  }
   switch (head.word_class) {
     case Class::kWall: phrase_.kind = NounKind::kWall; break;
     case Class::kCorner: phrase_.kind = NounKind::kCorner; break;

@@ -159,7 +159,9 @@ bool NounPhraseReader::read_subset() {
   }
   if (lexicon_.is(next, Class::kDefinite) || lexicon_.is(next, Class::kPossessive)) {
     auto base = read_noun_phrase(lexicon_, tokens_, i_ + 1, false);
-    if (base && (base->kind == NounKind::kWall || base->kind == NounKind::kCorner)) {  // "three of the walls"
+    const bool part_of_room = base && (base->kind == NounKind::kWall || base->kind == NounKind::kCorner ||
+                                       base->kind == NounKind::kWindow || base->kind == NounKind::kDoor);
+    if (part_of_room) {  // "three of the walls", "by one of the windows"
       if (phrase_.determiner == Determiner::kEach) base->determiner = Determiner::kEach;
       if (phrase_.count > 0) base->count = phrase_.count;
       base->first = phrase_.first;

@@ -133,7 +133,9 @@ std::optional<bool> NounPhraseReader::read_thing(const Match& match, bool noun_b
   if (object != nullptr && !parts_.empty() && parts_.back().word_class == Class::kWall && parts_.size() > 1 &&
       parts_[parts_.size() - 2].word_class == Class::kWallWord && object->entry->mount == Mount::kFloor && !hyphenated(i_))
     return false;
-  const bool verb = verbal && noun_before && !hyphenated(i_) && !names_after_one(match);
+  const bool covers =
+      match.length == 1 && !parts_.empty() && parts_.back().plural && lexicon_.is_place_verb(token().text) && opens_at(i_ + 1);
+  const bool verb = (verbal || covers) && noun_before && !hyphenated(i_) && !names_after_one(match);  // "curtains frame the window"
   if (object != nullptr && !verb && !part) return add(Class::kObject, *object, match.length, match.plural);
   if (object != nullptr && part) return add(Class::kPart, *object, match.length, match.plural);
   if (part && match.length == 1 && has(match, Class::kPart)) {  // "two sinks": parts of a vanity, or things
@@ -141,6 +143,7 @@ std::optional<bool> NounPhraseReader::read_thing(const Match& match, bool noun_b
     if (const Meaning* thing = meaning_of(one, Class::kObject); thing != nullptr && single.text != token().text)
       return add(Class::kPart, *thing, 1, true);
   }
+  if (covers) return false;
   if (attribute == nullptr || (noun_before && verbal)) return std::nullopt;
   // "bed king size": an attribute after the noun ends the phrase, unless another noun follows it ("table glass lamp").
   if (noun_before && !hyphenated(i_) && !has(lexicon_.find(tokens_, i_ + match.length), Class::kObject)) return false;
@@ -150,6 +153,13 @@ std::optional<bool> NounPhraseReader::read_thing(const Match& match, bool noun_b
 // A place, a room, a part, what is no thing; nothing where the words are none of these.
 std::optional<bool> NounPhraseReader::read_place(const Match& match, bool noun_before, bool verbal) {
   const bool named = is_named();
+  // "the window side", "the door end": where the window is.
+  const bool at_opening = noun_before && parts_.back().last == i_ && match.length == 1 &&
+                          (parts_.back().word_class == Class::kWindow || parts_.back().word_class == Class::kDoor);
+  if (at_opening && (at_word("side") || at_word("end")) && !at_word("of", 1)) {
+    ++i_;
+    return true;
+  }
   for (const Class place :
        {Class::kDoor, Class::kWindow, Class::kWall, Class::kCorner, Class::kCenter, Class::kFloor, Class::kCeiling, Class::kOutsideRoom,
         Class::kRoom, Class::kNiche, Class::kZone, Class::kRoomNoun, Class::kPart, Class::kSide, Class::kAbstract}) {

@@ -225,7 +225,8 @@ void RelationBuilder::add_relations(const Link& link) {
   if (link.references.empty()) {
     for (const PhraseSense& sense : link.senses) {
       const RelationArity arity = relation_row(sense.type).arity;
-      if (arity == RelationArity::kNone || (arity == RelationArity::kOptional && sense.type == R::kOnCeiling)) {
+      if (arity == RelationArity::kNone ||
+          (arity == RelationArity::kOptional && (sense.type == R::kOnCeiling || sense.type == R::kAgainstWall))) {
         if (speaks_of_group(sense.type))
           add_group(link, sense, targets, {}, nullptr);
         else

@@ -75,6 +75,7 @@ class Scribe {
   int last_great_thing(const std::vector<int>& but) const;
   void imply_opposite(int u, const NounPhrase& place, int link);
   void mean_each_other(Link& link);
+  bool is_told_to_hang(int u) const;
   void follow_screen(Link& link, int u) const;
 
   // Counts that follow from places.

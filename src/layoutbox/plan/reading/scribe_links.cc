@@ -81,6 +81,10 @@ void Scribe::write_place_alone(int u) {
   } else {
     link.references = references_alone(u, link);
   }
+  // "against the wall opposite", where nobody says of what
+  if (says(link.senses, RelationType::kOpposite) && link.references.empty() &&
+      words_between(document_, chunk(u).first, chunk(u).last).find("wall") != std::string::npos)
+    link.senses = {{RelationType::kAgainstWall, Direction::kDirect, {}, {}, {}}};
   if (says(link.senses, RelationType::kCenterOfRoom) && !link.references.empty())
     link.senses = {{RelationType::kOn, Direction::kDirect, "center", {}, {}}};
   if (says(link.senses, RelationType::kInRegion) && !link.references.empty()) {

@@ -98,7 +98,7 @@ void Scribe::fill_reference(int u, int mention) {
   if (mention_at(mention).reciprocal) mean_between(own.predicate, Link(link_at(index)));
   if (word(own.predicate) == "across") lies_between(own.predicate, mention);
   follow_screen(link, own.predicate);
-  const bool hung = hangs(own.predicate);
+  const bool hung = hangs(own.predicate) || is_told_to_hang(own.predicate);
   if (hung && !targets.empty()) {
     // "a shelf mounted on the wall": not before it.
     if (noun.kind == NounKind::kWall && says(link.senses, RelationType::kOnWall))
@@ -106,6 +106,15 @@ void Scribe::fill_reference(int u, int mention) {
     if (noun.kind != NounKind::kWall && noun.kind != NounKind::kCeiling && noun.kind != NounKind::kFloor) hang(targets, own.predicate);
   }
   imply_opposite(u, noun, index);  // `link` does not outlive a new one
+}
+
+// "Mount the rack to the wall": the verb was a command.
+bool Scribe::is_told_to_hang(int u) const {
+  const int thing = reading(u).subject;
+  for (int v = 0; v < thing; ++v) {
+    if (is(v, UnitKind::kVerb) && chunk(v).hang && reading(v).subject == thing) return true;
+  }
+  return false;
 }
 
 // A screen on a stand looks where the stand looks.

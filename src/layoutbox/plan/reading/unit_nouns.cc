@@ -330,7 +330,9 @@ void UnitReader::place_at_named_wall(std::size_t k) {
   static const PhraseSenses kAgainst = {{RelationType::kAgainstWall, PhraseSense::Direction::kDirect, {}, {}, {}},
                                         {RelationType::kCenterOfRoom, PhraseSense::Direction::kDirect, {}, {}, {}}};
   const std::size_t after = next(k);
-  const bool ends = after >= document_.chunks.size() || is(after, ChunkKind::kStop) || is(after, ChunkKind::kComma);
+  const bool ends = after >= document_.chunks.size() || is(after, ChunkKind::kStop) || is(after, ChunkKind::kComma) ||
+                    (is(after, ChunkKind::kRelation) && is(previous(k), ChunkKind::kComma) &&
+                     document_.tokens[chunk(previous(k)).first].text == ":");  // "Plant: corner by window"
   const bool listed = ends && joiner_ == Joiner::kComma && noun.determiner == Determiner::kNone && is(previous(k), ChunkKind::kComma);
   const std::size_t before = listed ? previous(previous(k)) : previous(k);
   const bool center = noun.kind == NounKind::kCenter;
@@ -351,6 +353,8 @@ void UnitReader::read_noun(std::size_t k) {
   mean_group(k);
   mean_twin(k);
   mean_side_of_room(k);
+  mean_end_of_room(k);
+  mean_fabric(k);
   place_at_spot(k);
   place_by_verb(k);
   if (!skipping_ && !negated_ && passes_light_noun(k)) return;

@@ -105,6 +105,9 @@ class UnitReader {
   void mean_group(std::size_t k);
   void mean_twin(std::size_t k);
   void mean_side_of_room(std::size_t k);
+  void mean_end_of_room(std::size_t k);
+  bool stands_in_room(std::size_t k) const;
+  void mean_fabric(std::size_t k);
   void place_at_spot(std::size_t k);
   bool is_unread_verb(std::size_t k) const;
   bool wall_has(std::size_t k) const;

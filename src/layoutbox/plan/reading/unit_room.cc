@@ -31,6 +31,70 @@ void UnitReader::mean_side_of_room(std::size_t k) {
   units_.back().each = false;
 }
 
+// "the entire end of the hall", "the edge of the room", "down the far end", "at the eastern end": at the room's wall. An end of no said
+// thing is the room's where what is placed stands on the floor and no table has been named for a seat.
+void UnitReader::mean_end_of_room(std::size_t k) {
+  static const PhraseSenses kAtWall = {{RelationType::kAgainstWall, PhraseSense::Direction::kDirect, {}, {}, {}},
+                                       {RelationType::kOnWall, PhraseSense::Direction::kDirect, {}, {}, {}}};
+  NounPhrase& noun = document_.chunks[k].noun;
+  if (!after_place() || (noun.kind != NounKind::kPart && noun.kind != NounKind::kAbstract) ||
+      !one_of(noun.head, {"side", "end", "edge", "back", "front", "perimeter"}))
+    return;
+  const bool of_room = noun.of && noun.of->kind == NounKind::kRoom;
+  const bool behind = (noun.head == "back" || noun.head == "front") && noun.determiner == Determiner::kDefinite &&
+                      says(units_.back().direct, RelationType::kAgainstWall);  // "along the back"
+  if (!of_room && (noun.of || noun.determiner == Determiner::kPossessive || (noun.wall_word.empty() && !behind) || noun.head == "edge" ||
+                   !stands_in_room(k)))
+    return;
+  if (of_room && noun.of->room != nullptr && document_.rooms.empty()) document_.rooms.push_back(*noun.of);
+  if (noun.wall_word.empty() && (noun.head == "back" || noun.head == "front")) noun.wall_word = noun.head;
+  const bool sides = noun.head == "side" && noun.wall_word.empty();
+  noun.kind = NounKind::kWall;
+  noun.head = "wall";
+  noun.name = sides ? "side wall" : "wall";
+  noun.of.reset();
+  units_.back().direct = kAtWall;
+  units_.back().senses = &kAtWall;
+}
+
+// Whether what the place before chunk k is said of stands on the floor by itself: no seat where a table was named.
+bool UnitReader::stands_in_room(std::size_t k) const {
+  const std::size_t place = units_.back().chunk;
+  std::size_t thing = document_.chunks.size();
+  for (std::size_t c = place; c-- > 0 && !is(c, ChunkKind::kStop) && thing >= document_.chunks.size();) {
+    if (is(c, ChunkKind::kNoun) && chunk(c).noun.kind == NounKind::kObject) thing = c;
+  }
+  const std::size_t before = previous(place);
+  const bool fronted = before >= place || is(before, ChunkKind::kStop) || is(before, ChunkKind::kComma) || is(before, ChunkKind::kAnd);
+  if (fronted) {
+    std::size_t after = next(k);
+    while (is(after, ChunkKind::kComma) || is(after, ChunkKind::kVerb) || is(after, ChunkKind::kThere)) after = next(after);
+    if (is(after, ChunkKind::kNoun)) thing = after;
+  }
+  if (thing >= document_.chunks.size() || chunk(thing).noun.kind != NounKind::kObject || mount_of(chunk(thing).noun) != Mount::kFloor)
+    return false;
+  if (!is_seat(lexicon_.catalog(), chunk(thing).noun)) return true;
+  return std::none_of(units_.begin(), units_.end(), [&](const Unit& unit) {
+    return unit.kind == UnitKind::kNoun && is_table(lexicon_.catalog(), chunk(unit.chunk).noun);
+  });
+}
+
+// "in front of the glass" is before the window, "the nook under the stairs" is no staircase: what rooms have, where it was not named.
+void UnitReader::mean_fabric(std::size_t k) {
+  NounPhrase& noun = document_.chunks[k].noun;
+  const bool shines =
+      one_of(noun.head, {"light", "sun", "sunlight", "sunshine", "glow", "daylight"}) && noun.determiner == Determiner::kDefinite;
+  if (after_place() && shines && says(units_.back().direct, RelationType::kIn) && noun.name == noun.head && !is_named_before(k, noun.head))
+    noun.kind = NounKind::kAbstract;  // "in the light"
+  if (!after_place() || noun.kind != NounKind::kObject || noun.determiner != Determiner::kDefinite || noun.count > 0 || noun.of ||
+      !noun.attributes.empty())
+    return;
+  if (noun.head == "glass" && noun.name == "glass" && !noun.plural && !is_named_before(k, "glass") &&
+      !says(units_.back().direct, RelationType::kOn) && !says(units_.back().direct, RelationType::kIn))
+    noun.kind = NounKind::kWindow;
+  if (one_of(noun.name, {"stair", "stairs"}) && noun.plural && !is_named_before(k, noun.head)) noun.kind = NounKind::kAbstract;
+}
+
 // The chunk is one word that no list has for places, and may be a verb.
 bool UnitReader::is_unread_verb(std::size_t k) const {
   if (k >= document_.chunks.size() || chunk(k).last - chunk(k).first != 1) return false;
@@ -62,15 +126,19 @@ void UnitReader::place_at_spot(std::size_t k) {
 // "the wall facing the door carries a map", "the far corner shelters a stove": what a part of the room has.
 bool UnitReader::wall_has(std::size_t k) const {
   const std::size_t n = next(k);
-  if (skipping_ || !is_unread_verb(k) || !is(n, ChunkKind::kNoun) || joiner_ != Joiner::kNone || !is(previous(k), ChunkKind::kNoun))
-    return false;
+  const std::size_t p = previous(k);
+  // "one corner is for the trolley"
+  const bool is_for = document_.tokens[chunk(k).first].text == "for" && is(p, ChunkKind::kVerb);
+  const bool verb = is_unread_verb(k) && is(p, ChunkKind::kNoun);
+  if (skipping_ || !(verb || is_for) || !is(n, ChunkKind::kNoun) || joiner_ != Joiner::kNone) return false;
   if (chunk(n).noun.kind != NounKind::kObject || (chunk(n).noun.determiner == Determiner::kNone && chunk(n).noun.count == 0)) return false;
   for (std::size_t u = units_.size(); u-- > 0;) {
     if (units_[u].kind == UnitKind::kNoun && (u == 0 || units_[u].joiner != Joiner::kNone || units_[u].clause)) {
       const NounKind kind = chunk(units_[u].chunk).noun.kind;
       return kind == NounKind::kWall || kind == NounKind::kCorner || kind == NounKind::kCenter;
     }
-    if (units_[u].kind != UnitKind::kNoun && units_[u].kind != UnitKind::kPlace) return false;
+    const bool be = is_for && u + 1 == units_.size() && units_[u].kind == UnitKind::kVerb;
+    if (units_[u].kind != UnitKind::kNoun && units_[u].kind != UnitKind::kPlace && !be) return false;
   }
   return false;
 }

@@ -1,0 +1,110 @@
+// Where the light or who lives there comes in, and what one finds on which hand then.
+#include <algorithm>
+#include <array>
+
+#include "layoutbox/plan/offline/chunks_parts.h"
+
+namespace layoutbox::offline {
+
+using Class = WordClass;
+using Direction = PhraseSense::Direction;
+
+namespace {
+
+bool one_of_words(const Token& token, std::initializer_list<std::string_view> words) {
+  return token.kind == Token::Kind::kWord && std::find(words.begin(), words.end(), token.text) != words.end();
+}
+
+bool enters(const Token& token) {
+  return one_of_words(token, {"enter", "enters", "come", "comes", "walk", "walks", "step", "steps", "go", "goes", "arrive", "arrives"});
+}
+
+}  // namespace
+
+// "in", "into the room", "through the door": past what follows a verb of coming.
+std::size_t Chunker::past_inside(std::size_t at) const {
+  while (at < tokens_.size() && one_of_words(tokens_[at], {"in", "inside", "through", "into"})) ++at;
+  const auto where = at < tokens_.size() ? read_noun_phrase(lexicon_, tokens_, at, false) : std::nullopt;
+  const bool room = where && (where->kind == NounKind::kRoom || where->kind == NounKind::kDoor);
+  return room && where->determiner == Determiner::kDefinite ? where->last : at;
+}
+
+// "where the light comes in" is the window, "where you come in" the door.
+bool Chunker::read_where_in() {
+  if (tokens_[i_].text != "where") return false;
+  std::size_t at = i_ + 1;
+  constexpr std::size_t kWords = 3;
+  while (at < tokens_.size() && at < i_ + kWords && one_of_words(tokens_[at], {"the", "most", "all", "morning", "evening", "afternoon"}))
+    ++at;
+  if (at + 2 > tokens_.size() || at + 1 >= tokens_.size()) return false;
+  const bool light = one_of_words(tokens_[at], {"light", "sun", "daylight", "sunlight", "sunshine"});
+  const bool who = lexicon_.is(tokens_[at], Class::kDoer) || tokens_[at].text == "one" || lexicon_.is_person(tokens_[at].text);
+  const Token& verb = tokens_[at + 1];
+  const bool pours = one_of_words(verb, {"comes", "gets", "pours", "streams", "floods", "falls", "shines", "enters", "hits"});
+  if (!(light && pours) && !(who && enters(verb))) return false;
+  const std::size_t end = past_inside(at + 2);
+  if (end == at + 2 && !verb.text.starts_with("enter") && !light) return false;
+  add_opening(light ? NounKind::kWindow : NounKind::kDoor, end);
+  return true;
+}
+
+// "as you enter", "when one walks in", "on entering the room": what is on the left or right then is so in the room.
+bool Chunker::read_entering() {
+  std::size_t end = 0;
+  if (one_of_words(tokens_[i_], {"on", "upon"}) && i_ + 1 < tokens_.size() && one_of_words(tokens_[i_ + 1], {"entering", "entry"})) {
+    end = past_inside(i_ + 2);
+  } else if (one_of_words(tokens_[i_], {"as", "when", "once", "after"}) && i_ + 2 < tokens_.size() && enters(tokens_[i_ + 2]) &&
+             (lexicon_.is(tokens_[i_ + 1], Class::kDoer) || tokens_[i_ + 1].text == "one")) {
+    end = past_inside(i_ + 3);
+    if (end == i_ + 3 && !tokens_[i_ + 2].text.starts_with("enter")) return false;
+  }
+  if (end == 0) return false;
+  entering_ = true;
+  const bool place = telling_ < chunks_.size() && chunks_[telling_].kind == ChunkKind::kRelation;
+  const bool which =
+      place && telling_ > 0 && chunks_[telling_ - 1].kind == ChunkKind::kNoun && chunks_[telling_ - 1].noun.kind == NounKind::kWall;
+  if (place && !which) mean_hand(chunks_[telling_]);
+  const bool ends = end >= tokens_.size() || tokens_[end].kind == Token::Kind::kPunctuation;
+  const bool verb = previous() == ChunkKind::kVerb && telling_ > 0 && chunks_[telling_ - 1].kind == ChunkKind::kNoun;
+  const bool thing = previous() == ChunkKind::kNoun && chunks_[telling_].noun.kind == NounKind::kObject &&
+                     (telling_ == 0 || chunks_[telling_ - 1].kind != ChunkKind::kRelation);
+  if (ends && end > i_ + 1 && (verb || thing)) {  // "a harp as you come in": by the door
+    add_opening(NounKind::kDoor, end);
+    return true;
+  }
+  add(ChunkKind::kIgnored, end - i_);
+  return true;
+}
+
+// The words up to `end` say that something is by the window or the door.
+void Chunker::add_opening(NounKind kind, std::size_t end) {
+  static const PhraseSenses kBeside = {{RelationType::kNextTo, Direction::kDirect, {}, {}, {}}};
+  if (previous() == ChunkKind::kRelation) {
+    add(ChunkKind::kIgnored, 1);
+  } else {
+    Chunk& place = add(ChunkKind::kRelation, 1);
+    place.phrase.length = 1;
+    place.phrase.senses = &kBeside;
+  }
+  NounPhrase opening;
+  opening.kind = kind;
+  opening.determiner = Determiner::kDefinite;
+  opening.name = opening.head = kind == NounKind::kWindow ? "window" : "door";
+  opening.first = i_;
+  opening.last = end;
+  add(ChunkKind::kNoun, end - i_).noun = std::move(opening);
+}
+
+// "on the left", said of the room.
+void Chunker::mean_hand(Chunk& place) {
+  static const PhraseSenses kLeft = {{RelationType::kInRegion, Direction::kAlone, {}, "left", {}}};
+  static const PhraseSenses kRight = {{RelationType::kInRegion, Direction::kAlone, {}, "right", {}}};
+  for (const PhraseSense& sense : *place.phrase.senses) {
+    if (sense.direction != Direction::kAlone) continue;
+    if (sense.type == RelationType::kLeftOf) place.phrase.senses = &kLeft;
+    if (sense.type == RelationType::kRightOf) place.phrase.senses = &kRight;
+    if (place.phrase.senses == &kLeft || place.phrase.senses == &kRight) return;
+  }
+}
+
+}  // namespace layoutbox::offline
