@@ -37,7 +37,8 @@ void UnitReader::mean_end_of_room(std::size_t k) {
   static const PhraseSenses kAtWall = {{RelationType::kAgainstWall, PhraseSense::Direction::kDirect, {}, {}, {}},
                                        {RelationType::kOnWall, PhraseSense::Direction::kDirect, {}, {}, {}}};
   NounPhrase& noun = document_.chunks[k].noun;
-  if (!after_place() || (noun.kind != NounKind::kPart && noun.kind != NounKind::kAbstract) ||
+  const bool owned = owner_ < document_.chunks.size();  // "the bed's far side"
+  if (owned || !after_place() || (noun.kind != NounKind::kPart && noun.kind != NounKind::kAbstract) ||
       !one_of(noun.head, {"side", "end", "edge", "back", "front", "perimeter"}))
     return;
   const bool of_room = noun.of && noun.of->kind == NounKind::kRoom;
