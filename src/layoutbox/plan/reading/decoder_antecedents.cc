@@ -45,7 +45,9 @@ bool Decoder::consider(std::vector<Candidate>& all, const State& state, Referent
   for (int m = list ? referent : -1; m >= 0; m = read_as(state, m).former) {
     if ((subject != kNobody && same(state, m, subject)) || (host != kNobody && same(state, m, host))) return false;
   }
-  double score = weight::kOrder * order - (opening ? 0.3 : 0);
+  // "a tub under the window, a stool next to it": seldom the window by which something else was placed.
+  const bool by_opening = opening && referent >= 0 && read_as(state, referent).role == NounRole::kReference;
+  double score = weight::kOrder * order + (by_opening ? weight::kItIsOpening : opening ? -0.3 : 0);
   if (noun != nullptr) score += number_score(*noun, list || several(state, referent));
   if (senses != nullptr && subject != kNobody && is_thing(state, subject))
     score += antecedent_place_score(state, referent, subject, *senses, noun);
@@ -68,6 +70,10 @@ double Decoder::antecedent_place_score(const State& state, Referent referent, Re
   const bool lies = says(senses, RelationType::kOn) || says(senses, RelationType::kIn);
   const Referent owner = subject >= 0 ? host_of(state, subject) : kNobody;
   if (subject >= 0 && referent == owner && side && small) score += weight::kOwnHost;
+  // "holds a laptop, with a mug to its left": of what stands on the same thing.
+  const bool fellow = subject >= 0 && referent >= 0 && owner != kNobody && referent != owner && host_of(state, referent) == owner &&
+                      read_as(state, referent).predicate != read_as(state, subject).predicate;
+  if (fellow && side && small && mount_of(meant) == Mount::kSurface) score += weight::kSideOfFellow;
   if (subject >= 0 && referent == owner && !side && lies && noun != nullptr && noun->head == "it") score += weight::kOnOwnHost;
   // "a mirror with a shelf below it"
   const bool over = says(senses, RelationType::kAbove) || says(senses, RelationType::kUnder);
@@ -105,6 +111,7 @@ std::vector<Decoder::Candidate> Decoder::antecedents(const State& state, Referen
 
 // The sentence's own: what has the clause's thing, then that thing, then what was named for their sake, then groups.
 double Decoder::clause_antecedents(const State& state, const NounPhrase* noun, const Trial& trial) const {
+  constexpr int kNear = 12;
   const bool listed = is_list_wanted(noun);
   const auto lists = [&](int u, double at) {
     if (listed && u >= 0 && read_as(state, u).former >= 0) trial(u, at, true);
@@ -114,6 +121,10 @@ double Decoder::clause_antecedents(const State& state, const NounPhrase* noun, c
     const Referent host = host_of(state, state.frontier[f]);
     if (host == kNobody) continue;
     lists(host, order);
+    const bool its = noun != nullptr && noun->head == "it";
+    for (int u = state.frontier[f]; its && u-- > 0 && u + kNear > state.frontier[f];) {
+      if (is(u, UnitKind::kNoun) && read_as(state, u).role == NounRole::kContent && host_of(state, u) == host) trial(u, order + 2, false);
+    }
     order += trial(host, order, false) ? 0.5 : 0;
   }
   if (!state.frontier.empty()) {

@@ -267,6 +267,12 @@ void Decoder::first_place_actions(std::size_t s, int u) {
   // "…, in front of the sofa is a table": the place comes first.
   int after = u + 2;
   while (is(after, UnitKind::kPlace) && unit(after).joiner == Joiner::kNone && follows(after, UnitKind::kNoun)) after += 2;
+  // "… and near it, against the wall, a sideboard"
+  int last = after;
+  while (is(last, UnitKind::kPlace) && unit(last).joiner == Joiner::kComma && follows(last, UnitKind::kNoun)) last += 2;
+  const bool begins = place.joiner == Joiner::kAnd || place.joiner == Joiner::kCommaAnd || place.clause;
+  const bool listed = last > after && begins && is(last, UnitKind::kNoun) && unit(last).joiner == Joiner::kComma && is_fresh(last);
+  if (listed) after = last;
   if (is(after, UnitKind::kPlace) && says(unit(after).alone, RelationType::kRow)) ++after;  // "on it, from left to right, stand a jar …"
   double pattern = -4;
   const bool known = is_known_noun(noun) || known_[static_cast<std::size_t>(u + 1)];
@@ -279,7 +285,7 @@ void Decoder::first_place_actions(std::size_t s, int u) {
   if (verb && is(after + 1, UnitKind::kNoun) && chunk(after + 1).noun.kind == NounKind::kObject) pattern = 2.5;
   if (is(after, UnitKind::kNoun) && unit(after).joiner == Joiner::kComma && place.joiner != Joiner::kComma &&
       is_new_thing(chunk(after).noun))
-    pattern = 1.2;
+    pattern = listed ? 2.5 : 1.2;
   if (is(after, UnitKind::kOpen)) pattern = 2.5;
   // "…, and nearby a table stands in the center"
   if (!place.alone.empty() && is_new_thing(noun) && verb_like(u + 2) && unit(u + 2).joiner == Joiner::kNone) {

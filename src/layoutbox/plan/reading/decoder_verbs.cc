@@ -76,7 +76,9 @@ void Decoder::verb_actions(std::size_t s, int u) {
   const int root = state.frontier.front();
   const std::string& verb = word(u);
   const bool plural = verb == "are" || verb == "were" || verb == "have" || (!verb.ends_with("s") && verb != "is" && verb != "was");
-  add(s, kFinite, 0, root, plural ? first_of_plural(state, root) : root);
+  // "a cart with two books, a vase and a bowl stands by the sofa": one thing stands there.
+  const bool listed = !plural && !state.verb && read_as(state, root).former >= 0 && unit(root).joiner == Joiner::kAnd;
+  add(s, kFinite, listed ? weight::kDisagrees : 0, root, plural ? first_of_plural(state, root) : root);
 }
 
 // A place that comes after it speaks of it, and is complete.
