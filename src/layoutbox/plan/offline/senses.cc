@@ -1,6 +1,7 @@
 // Which relation a phrase means between these two, and how well it suits them.
 #include <algorithm>
 
+#include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/knowledge.h"
 
 namespace layoutbox::offline {
@@ -249,8 +250,11 @@ int suits_on(const Catalog& catalog, const NounPhrase& target, const NounPhrase&
   return mount_of(target) == Mount::kSurface ? 1 : 0;
 }
 
-int suits_above(const Catalog& catalog, const NounPhrase& target) {
+int suits_above(const Catalog& catalog, const NounPhrase& target, const NounPhrase& reference) {
   const Mount mount = mount_of(target);
+  // What lies or hangs loosely is over no door or window; curtains are.
+  const bool opening = reference.kind == NounKind::kDoor || reference.kind == NounKind::kWindow;
+  if (opening && mount == Mount::kHung && !(target.entry != nullptr && target.entry->is(Trait::kCurtain))) return 0;
   if (mount == Mount::kWall || mount == Mount::kCeiling || is_lamp(catalog, target)) return 2;
   if (one_of(target.head, {"tv", "television", "screen", "monitor", "speaker"})) return 1;  // may hang
   return mount == Mount::kSurface ? 0 : 1;
@@ -285,7 +289,7 @@ int suits(const Catalog& catalog, const PhraseSense& sense, const NounPhrase& ta
     case R::kFacing: return target.entry != nullptr && !target.entry->has_front ? 1 : 2;
     case R::kCenterOfRoom:
     case R::kInRegion: return mount == Mount::kSurface ? 1 : 2;
-    case R::kAbove: return suits_above(catalog, target);
+    case R::kAbove: return suits_above(catalog, target, reference);
     default: return suits_beside(sense.type, target, reference);
   }
 }

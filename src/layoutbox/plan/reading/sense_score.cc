@@ -43,7 +43,8 @@ double SenseScore::over(const NounPhrase& target, const NounPhrase& reference) c
   // What hangs on the wall is over what is as wide, seldom over a box or a bin.
   const bool narrow = reference.entry != nullptr && mount_of(reference) == Mount::kFloor && !reference.entry->back_to_wall &&
                       !is_heavy(catalog_, reference) && reference.entry->size.usual.width <= 600;
-  if (mount_of(target) == Mount::kWall && narrow) score += weight::kOverSeat;
+  const bool small = mount_of(reference) == Mount::kSurface;  // "a vase on it, a painting above": over what carries the vase
+  if (mount_of(target) == Mount::kWall && (narrow || small)) score += weight::kOverSeat;
   // Seats and tables stand under things, not over them.
   const bool chest = one_of(target.head, {"dresser", "wardrobe", "sideboard", "drawers", "bed", "sofa", "couch", "desk"});
   if (is_seat(catalog_, target) || chest || (is_table(catalog_, target) && mount_of(target) == Mount::kFloor)) score += weight::kUnlikely;

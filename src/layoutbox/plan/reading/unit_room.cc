@@ -149,8 +149,8 @@ bool UnitReader::passes_spot(std::size_t k) {
   const NounPhrase& noun = chunk(k).noun;
   const std::size_t verb = previous(k), n = next(k);
   if (verb >= k || !is(n, ChunkKind::kRelation) || noun.count > 0 || noun.plural || chunk(verb).last != chunk(k).first) return false;
-  const bool bare =
-      noun.determiner == Determiner::kNone && one_of(noun.head, {"court", "watch", "guard", "dust", "sentry", "sentinel", "sway"});
+  const bool bare = noun.determiner == Determiner::kNone &&
+                    one_of(noun.head, {"court", "watch", "guard", "dust", "sentry", "sentinel", "sway", "room", "space", "shelter"});
   const bool own = one_of(noun.head, {"place", "home", "spot", "position", "keep", "perch", "berth", "post", "life", "station", "rest"}) &&
                    (noun.determiner == Determiner::kIndefinite || noun.determiner == Determiner::kPossessive) &&
                    noun.last <= noun.first + 3;

@@ -86,6 +86,15 @@ bool UnitReader::passes_light_noun(std::size_t k) {
   return true;
 }
 
+// "on the bed itself": the bed.
+bool UnitReader::stresses(std::size_t k) {
+  const NounPhrase& noun = chunk(k).noun;
+  const bool self = noun.kind == NounKind::kPronoun && one_of(noun.head, {"itself", "themselves"});
+  if (!self || joiner_ != Joiner::kNone || !is(previous(k), ChunkKind::kNoun)) return false;
+  mark(k, WordReading::Use::kIgnored, "filler");
+  return true;
+}
+
 // "in the shadow of the wardrobe", "at the flank of the sofa", "a mug at its elbow": by the thing, or on it, as the preposition has it.
 void UnitReader::mean_owner_of_spot(std::size_t k) {
   static constexpr std::string_view kOfBody[] = {"elbow", "flank", "shoulder", "heel", "hip", "knee",
