@@ -177,6 +177,10 @@ void References::mean_object(Mention& mention, bool as_reference, bool of_known)
                         (as_reference && bare && noun.count == 0 && !noun.plural);
   if (as_reference) mention.items = whose_shelf(noun);
   if (!mention.items.empty()) return;
+  // "a washing machine and a dryer … above the two machines"
+  if (noun.determiner == Determiner::kDefinite && noun.count > 1 && known(noun).size() < static_cast<std::size_t>(noun.count))
+    general(noun, as_reference, mention);
+  if (!mention.items.empty()) return;
   if (definite) {
     mean_known(mention);
   } else if (noun.attributes.empty() &&

@@ -142,6 +142,7 @@ class Decoder {
   bool placed_by_unsaid(int u) const;
   bool is_fresh(int u) const;
   bool hangs_twice(const State& state, int u, int member) const;
+  double parallel_score(const State& state, int u, int member) const;
   bool lies_twice(const State& state, int u, int member) const;
   bool is_one_of_several(int u) const;
   bool nothing_nearer(const State& state, std::size_t level) const;

@@ -28,7 +28,8 @@ bool stands(const NounPhrase& noun) {
 
 // "both", "them": a list may be meant as well.
 bool is_list_wanted(const NounPhrase* noun) {
-  return noun != nullptr && (noun->plural || noun->determiner == Determiner::kBoth || noun->count == 2);
+  const bool each_of_them = noun != nullptr && noun->determiner == Determiner::kEach && noun->subset && !noun->of;
+  return noun != nullptr && (noun->plural || each_of_them || noun->determiner == Determiner::kBoth || noun->count == 2);
 }
 
 }  // namespace

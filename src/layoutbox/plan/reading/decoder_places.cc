@@ -34,6 +34,7 @@ double Decoder::attach_score(const State& state, int u, int level, bool inverse)
   }
   // "in the corner by the door": the second place is of the same thing.
   if (again && unit(u).joiner == Joiner::kNone && nearer == 0) score += weight::kSameSubject;
+  score += parallel_score(state, u, member);
   const bool floats = member + 1 == u && chunk(member).noun.kind == NounKind::kMember && chunk(member).noun.determiner == Determiner::kEach;
   if (level > 0 && finite_place(u)) score += floats ? -weight::kFiniteRoot : weight::kFiniteRoot;  // "three chairs each face a mirror"
   if (word(u) == "from" && level > 0) score += weight::kFromRoot;
@@ -44,6 +45,28 @@ double Decoder::attach_score(const State& state, int u, int level, bool inverse)
   if (member + 1 == u && unit(u).joiner == Joiner::kNone && is_one_of_several(member)) return score + weight::kTellsWhich;
   score += is_known(state, member) ? weight::kKnownSubject : weight::kDefiniteSubject;
   return score;
+}
+
+// "two urns on its left half, a tray with six cups on its right half": of what is named as the first was, the tray and not its cups.
+double Decoder::parallel_score(const State& state, int u, int member) const {
+  const auto side_of = [&](int place) -> std::string {
+    const PhraseSenses& senses = alone_senses(place);
+    if (says(senses, RelationType::kLeftOf)) return "left";
+    if (says(senses, RelationType::kRightOf)) return "right";
+    const bool part = follows(place, UnitKind::kNoun) && chunk(place + 1).noun.kind == NounKind::kPart;
+    return part ? chunk(place + 1).noun.wall_word : std::string{};
+  };
+  const std::string side = side_of(u);
+  // … where something that it has is nearer
+  const bool has_nearer = !state.frontier.empty() && host_of(state, state.frontier.back()) == member;
+  if (side.empty() || !is_thing(state, member) || !has_nearer) return 0;
+  for (int p = u; p-- > 0 && !unit(p + 1).clause;) {
+    const UnitReading& place = read_as(state, p);
+    if (!is(p, UnitKind::kPlace) || place.fronted || place.subject < 0 || side_of(p).empty() || side_of(p) == side) continue;
+    if (place.subject == member) return 0;
+    return read_as(state, place.subject).role == read_as(state, member).role ? weight::kParallel : 0;
+  }
+  return 0;
 }
 
 // "a poster hangs on the wall, with a dispenser fixed to the wall": the poster hangs there already.

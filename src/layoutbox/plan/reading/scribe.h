@@ -39,11 +39,12 @@ class Scribe {
   int make_another(int u, const NounPhrase& noun);
   int make_more(int u, const NounPhrase& noun);
   int make_opposed(int u, const NounPhrase& noun);
-  bool is_bare_again(int u) const;
   int not_itself(int u, const NounPhrase& noun, int mention);
   int copy_of(int mention, const NounPhrase& said);
   bool same_as_placed(int u) const;
-  std::vector<int> pair_named_last(int u) const;
+  std::vector<int> pair_named_last(int u, const std::vector<int>& placed) const;
+  std::vector<int> two_alike(int u, bool by_name) const;
+  int others_listed(int u, const NounPhrase& noun);
   int make_ordinal(const NounPhrase& noun);
   int antecedent_of(int u);
   int shared_as(int u, const NounPhrase& noun);

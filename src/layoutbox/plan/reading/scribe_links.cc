@@ -59,6 +59,11 @@ std::vector<int> Scribe::references_alone(int u, const Link& link) {
 void Scribe::complete_pair(int u, Link& link) {
   if (!says(link.senses, RelationType::kBetween) || link.references.size() != 1) return;
   const bool several = mention_at(link.references.front()).items.size() > 1;
+  // "a phone at one end, a vase at the other, a bell between them"
+  if (const std::vector<int> two = pair_named_last(u, link.targets); !several && two.size() == 2) {
+    link.references = two;
+    return;
+  }
   const bool them = several && document_.tokens[chunk(u).last - 1].text == "them";
   const int other = them ? -1 : looked_at_by(link.references.front(), link.targets);
   if (other >= 0) link.references.push_back(other);

@@ -8,9 +8,7 @@
 namespace layoutbox::offline {
 
 // "a tray on its left and a mug on its right, a spoon between the two": what the sentence named last of the size of who is placed by them.
-std::vector<int> Scribe::pair_named_last(int u) const {
-  const UnitReading& own = reading(u);
-  const std::vector<int> placed = own.predicate >= 0 ? subjects_of(own.predicate) : std::vector<int>{};
+std::vector<int> Scribe::pair_named_last(int u, const std::vector<int>& placed) const {
   if (placed.size() != 1 || !is_thing(placed.front()) || mount_of(noun_of(placed.front())) != Mount::kSurface) return {};
   std::vector<int> two;
   for (int before = u; before-- > 0 && two.size() < 2;) {
@@ -20,6 +18,42 @@ std::vector<int> Scribe::pair_named_last(int u) const {
       two.insert(two.begin(), m);
   }
   return two;
+}
+
+// The last two single things that the sentence brought in: held alike, or of one name.
+std::vector<int> Scribe::two_alike(int u, bool by_name) const {
+  std::vector<int> two;
+  for (int before = u; before-- > 0 && two.size() < 2;) {
+    const int m = mention_[static_cast<std::size_t>(before)];
+    if (!is(before, UnitKind::kNoun) || !is_thing(m) || !mention_at(m).introduces || reading(before).role == NounRole::kReference) continue;
+    if (mention_at(m).items.size() != 1) return {};
+    if (!two.empty() && (by_name ? noun_of(m).name != noun_of(two.front()).name : mount_of(noun_of(m)) != mount_of(noun_of(two.front()))))
+      return {};
+    two.insert(two.begin(), m);
+  }
+  return two;
+}
+
+// "a cup, a jar and a bowl, the jar between the other two": of the list those that are not placed by it; −1: nothing was listed so.
+int Scribe::others_listed(int u, const NounPhrase& noun) {
+  const UnitReading& own = reading(u);
+  if (noun.determiner != Determiner::kOther || noun.of || own.role != NounRole::kReference || own.predicate < 0) return -1;
+  const std::vector<int> placed = subjects_of(own.predicate);
+  if (placed.size() != 1 || !is_thing(placed.front()) || mention_at(placed.front()).items.size() != 1 || noun.count < 2) return -1;
+  for (int last = u; last-- > 0;) {
+    if (!is(last, UnitKind::kNoun)) continue;
+    std::vector<int> others;
+    bool mine = false;
+    for (int m = last; m >= 0; m = reading(m).former) {
+      const int mention = mention_[static_cast<std::size_t>(m)];
+      if (!is_thing(mention)) continue;
+      const bool itself = mention_at(mention).items == mention_at(placed.front()).items;
+      mine = mine || itself;
+      if (!itself) others.insert(others.begin(), mention);
+    }
+    if (mine && others.size() == static_cast<std::size_t>(noun.count)) return combined(others);
+  }
+  return -1;
 }
 
 // "a large bookcase and a smaller one", "another one": brought in anew.
@@ -111,6 +145,7 @@ bool Scribe::same_as_placed(int u) const {
 
 int Scribe::make_member(int u, const NounPhrase& noun) {
   if (const int same = make_ordinal(noun); same >= 0) return same;
+  if (const int others = others_listed(u, noun); others >= 0) return others;
   const bool fresh = noun.determiner == Determiner::kAnother || (noun.determiner == Determiner::kIndefinite && !noun.attributes.empty());
   if (fresh && !noun.subset && !noun.of) {
     if (const int another = make_another(u, noun); another >= 0) return another;
@@ -164,17 +199,6 @@ int Scribe::not_itself(int u, const NounPhrase& noun, int mention) {
   NounPhrase fresh = noun;
   fresh.determiner = Determiner::kIndefinite;
   return references_.mention(fresh, -1, false);
-}
-
-// "pc on a cart, cart in the corner": where articles are left out, the same one.
-bool Scribe::is_bare_again(int u) const {
-  const NounPhrase& noun = chunk(u).noun;
-  const bool bare = noun.kind == NounKind::kObject && noun.determiner == Determiner::kNone && noun.count == 0 && !noun.plural;
-  if (!bare || reading(u).role != NounRole::kRoot || !(is(u + 1, UnitKind::kPlace) || is(u + 1, UnitKind::kParticiple))) return false;
-  for (int before = 0; before < u; ++before) {
-    if (is(before, UnitKind::kNoun) && reading(before).role == NounRole::kReference && chunk(before).noun.name == noun.name) return true;
-  }
-  return false;
 }
 
 // The things of the list that the unit is of, or else of the next one, or the one before: what an order said there is of.

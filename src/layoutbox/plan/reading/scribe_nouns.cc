@@ -41,8 +41,9 @@ int Scribe::antecedent_of(int u) {
   const UnitReading& own = reading(u);
   const NounPhrase& noun = chunk(u).noun;
   const bool both = noun.kind == NounKind::kMember && noun.determiner == Determiner::kBoth;
-  const bool plural =
-      noun.plural || both || (noun.kind == NounKind::kMember && noun.determiner == Determiner::kDefinite && noun.count == 2);
+  const bool each_of_them = noun.kind == NounKind::kMember && noun.determiner == Determiner::kEach && noun.subset && !noun.of;
+  const bool plural = noun.plural || both || each_of_them ||
+                      (noun.kind == NounKind::kMember && noun.determiner == Determiner::kDefinite && noun.count == 2);
   // "the crib is between the wardrobe and the dresser; all three …"
   if (both && noun.count > 0) {
     std::vector<int> last;
@@ -64,7 +65,9 @@ int Scribe::antecedent_of(int u) {
   const int antecedent = meant.empty() ? -1 : meant.front();
   if (const int listed = list_ranked(noun, antecedent); listed >= 0) return listed;
   if (plural && (antecedent < 0 || mention_at(antecedent).items.size() < 2)) {
-    if (const std::vector<int> two = pair_named_last(u); two.size() == 2) return combined(two);
+    const std::vector<int> placed = own.predicate >= 0 ? subjects_of(own.predicate) : std::vector<int>{};
+    if (const std::vector<int> two = pair_named_last(u, placed); two.size() == 2) return combined(two);
+    if (const std::vector<int> two = two_alike(u, !each_of_them); two.size() == 2 && own.predicate < 0) return combined(two);
     if (const int pair = pair_just_related(); pair >= 0) return pair;
     // The last two things that were spoken of.
     if (so_far_.roots.size() > 1) return combined({so_far_.roots[so_far_.roots.size() - 2], so_far_.roots.back()});
@@ -113,7 +116,6 @@ int Scribe::make_mention(int u) {
   if (in_middle && noun.kind == NounKind::kPronoun && noun.head == "it" && own.meant == kNobody) noun.kind = NounKind::kRoom;
   const bool as_reference = own.role == NounRole::kReference;
   if (noun.kind == NounKind::kMember) return make_member(u, noun);
-  if (is_bare_again(u)) noun.determiner = Determiner::kDefinite;
   int antecedent = -1;
   if (noun.kind == NounKind::kPronoun) {
     antecedent = noun.reciprocal ? -1 : antecedent_of(u);

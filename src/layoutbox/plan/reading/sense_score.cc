@@ -1,5 +1,6 @@
 #include "layoutbox/plan/reading/sense_score.h"
 
+#include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/reader_words.h"
 #include "layoutbox/plan/reading/weights.h"
@@ -30,6 +31,9 @@ double SenseScore::of_place(const PhraseSenses& senses, const NounPhrase& target
     score += weight::kSmallTogether;
   if (sense->type == RelationType::kIn && is_storage(reference)) score += weight::kInStorage;
   if (sense->type == RelationType::kAtHeadOf && is_seat(catalog_, reference)) score += weight::kNoReference;  // no chair has a head
+  const bool lain_on = reference.entry != nullptr && (reference.entry->is(Trait::kBed) || is_table(catalog_, reference));
+  if (sense->type == RelationType::kAtFootOf && reference.kind == NounKind::kObject && !lain_on && mount_of(reference) == Mount::kFloor)
+    score += weight::kNotBeside;  // beds have a foot
   if (sense->type == RelationType::kAbove && reference.kind == NounKind::kObject) score += over(target, reference);
   if ((sense->type == RelationType::kEachSideOf || sense->type == RelationType::kNextTo) && stands_by(catalog_, target, reference))
     score += weight::kStandsBy;

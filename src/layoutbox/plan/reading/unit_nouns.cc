@@ -206,27 +206,17 @@ bool UnitReader::takes_new_share(std::size_t k) const {
          noun.of->exact && !is_named_before(k, noun.of->head);
 }
 
-// "a monitor on a cart, cart in the corner": the same, spoken of again without an article.
-bool UnitReader::resumes(std::size_t k) const {
+// "a monitor on a cart, cart in the corner", "pc on cart, cart by the door", "2 bins, 1 table. Table stands along a wall.": a single thing
+// that was named once and has no place of its own yet, spoken of again without an article to say where it is.
+bool UnitReader::speaks_again(std::size_t k) const {
   const NounPhrase& noun = chunk(k).noun;
-  if (noun.kind != NounKind::kObject || !noun.exact || noun.determiner != Determiner::kNone || noun.count > 0 || noun.plural ||
-      units_.empty() || units_.back().kind != UnitKind::kNoun || joiner_ != Joiner::kComma || !noun.attributes.empty())
-    return false;
-  const NounPhrase& before = chunk(units_.back().chunk).noun;
-  const std::size_t n = next(k);
-  const bool placed =
-      is(n, ChunkKind::kRelation) || is(n, ChunkKind::kParticiple) || is(n, ChunkKind::kUnknown) || is(n, ChunkKind::kPurpose);
-  return placed && before.kind == NounKind::kObject && before.name == noun.name && !before.is_plural() &&
-         before.determiner != Determiner::kNone;
-}
-
-// "2 bins, 1 table. Table stands along a wall.": without an article, of the one that was listed and has no place yet.
-bool UnitReader::places_listed(std::size_t k) const {
-  const NounPhrase& noun = chunk(k).noun;
-  if (noun.kind != NounKind::kObject || noun.determiner != Determiner::kNone || noun.count > 0 || noun.plural || !noun.attributes.empty() ||
-      !units_.empty())
-    return false;
-  const auto tells = [&](std::size_t c) { return is(c, ChunkKind::kRelation) || is(c, ChunkKind::kParticiple) || is(c, ChunkKind::kVerb); };
+  const bool bare =
+      noun.kind == NounKind::kObject && noun.determiner == Determiner::kNone && noun.count == 0 && !noun.plural && noun.attributes.empty();
+  if (!bare || (!units_.empty() && joiner_ == Joiner::kNone)) return false;
+  const auto tells = [&](std::size_t c) {
+    return is(c, ChunkKind::kRelation) || is(c, ChunkKind::kParticiple) || is(c, ChunkKind::kVerb) || is(c, ChunkKind::kUnknown) ||
+           is(c, ChunkKind::kPurpose);
+  };
   if (!tells(next(k))) return false;
   std::size_t found = 0, one = 0;
   for (std::size_t c = 0; c < k; ++c) {
@@ -234,7 +224,11 @@ bool UnitReader::places_listed(std::size_t k) const {
     one = c;
     ++found;
   }
-  return found == 1 && !chunk(one).noun.is_plural() && !tells(next(one));
+  if (found != 1 || chunk(one).noun.is_plural()) return false;
+  const bool reference = is(previous(one), ChunkKind::kRelation);
+  if (units_.empty()) return reference || !tells(next(one));
+  const bool just_named = units_.back().chunk == one && chunk(one).noun.determiner != Determiner::kNone;
+  return just_named || (reference && one >= units_.front().chunk);
 }
 
 void UnitReader::settle_noun(std::size_t k) {
@@ -269,7 +263,7 @@ void UnitReader::settle_noun(std::size_t k) {
     noun.first = share.first;
     noun.last = share.last;
   }
-  if (resumes(k) || places_listed(k)) noun.determiner = Determiner::kDefinite;
+  if (speaks_again(k)) noun.determiner = Determiner::kDefinite;
   if (named_ || skipping_ || negated_) return;
   // "Notes for chapter three: the bridge of the freighter": a heading says nothing yet
   if (is_title(k)) noun.kind = NounKind::kRoom;
@@ -346,7 +340,7 @@ void UnitReader::place_at_named_wall(std::size_t k) {
 void UnitReader::read_noun(std::size_t k) {
   if (stresses(k)) return;
   settle_noun(k);
-  if (shares_by_subject(k)) return;
+  if (shares_by_subject(k) || opens_topic(k)) return;
   settle_place_words(k);
   if (!negated_ && passes_spot(k)) return;
   if (!skipping_ && !negated_ && repeats_place(k)) return;

@@ -85,6 +85,8 @@ class UnitReader {
   bool shares_by_subject(std::size_t k);
   void open_share(std::size_t first, std::size_t last, int shares);
   void has_unsaid(std::size_t k);
+  const PhraseSenses* place_of_topic(std::size_t k) const;
+  bool opens_topic(std::size_t k);
 
   // Nouns.
   bool says_nothing_but_there(std::size_t k);
@@ -95,8 +97,7 @@ class UnitReader {
   bool is_past(const NounPhrase& noun) const;
   void shares_out(std::size_t k);
   bool takes_new_share(std::size_t k) const;
-  bool resumes(std::size_t k) const;
-  bool places_listed(std::size_t k) const;
+  bool speaks_again(std::size_t k) const;
   bool is_topic_before_colon(std::size_t k) const;
   void settle_noun(std::size_t k);
   void settle_place_words(std::size_t k);
