@@ -54,7 +54,7 @@ void Chunker::read() {
     add(ChunkKind::kIgnored, 1);
     return;
   }
-  if (read_where_in() || read_entering() || read_such_as() || read_leave_out()) return;
+  if (read_from_which() || read_where_in() || read_entering() || read_such_as() || read_leave_out()) return;
   if (opens_question() || says_enough()) {
     add(ChunkKind::kIgnored, 1);
     return;
@@ -123,6 +123,18 @@ bool Chunker::read_trailing_bound() {
   if (i_ + length < tokens_.size() && tokens_[i_ + length].kind != Token::Kind::kPunctuation) return false;
   chunks_[telling_].noun.at_least = length_of(Class::kAtLeast) > 0;
   add(ChunkKind::kIgnored, length);
+  return true;
+}
+
+// "a rail from which two coats hang": a place; "a bench from which to watch" is none.
+bool Chunker::read_from_which() {
+  if (tokens_[i_].text != "from" || i_ + 1 >= tokens_.size() || tokens_[i_ + 1].text != "which") return false;
+  bool hangs = false;
+  for (std::size_t at = i_ + 2; at < tokens_.size() && tokens_[at].kind == Token::Kind::kWord; ++at)
+    hangs |= lexicon_.is(tokens_[at], Class::kHang);
+  const PhraseMatch from = hangs ? lexicon_.find_phrase(tokens_.first(i_ + 1), i_) : PhraseMatch{};
+  if (from.length == 0) return false;
+  add_phrase(from);
   return true;
 }
 

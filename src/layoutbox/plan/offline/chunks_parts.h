@@ -65,6 +65,7 @@ class Chunker {
   bool read_trailing_bound();
   bool is_loose_particle() const;
   bool read_such_as();
+  bool read_from_which();
   // Who or what comes in (chunk_entry).
   std::size_t past_inside(std::size_t at) const;
   bool read_where_in();

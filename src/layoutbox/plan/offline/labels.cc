@@ -101,6 +101,7 @@ class LabelReader {
   // "14 Alder Close", "221 Baker Street": two capitalised words or more at a number, of which none is a thing of the catalogue's.
   void read_address(std::size_t i) {
     if (!is_number(i) || skip_[i] || (i > 0 && is_word(i - 1) && tokens_[i - 1].capital && i > 1 && !tokens_[i - 2].ends_sentence)) return;
+    if (i > 0 && tokens_[i - 1].text == "x") return;  // "stool x1 IN FRONT OF"
     std::size_t end = i + 1;
     for (; is_word(end) && tokens_[end].capital; ++end) {
       const Match known = lexicon_.find(tokens_, end);

@@ -243,6 +243,15 @@ bool NounPhraseReader::read_unlisted() {
       return add(Class::kQuality, {Class::kQuality, nullptr, nullptr, 0, {}}, 2, false);
     return false;
   }
+  // "five freshly rinsed prints": how, before what was done to it
+  const bool how = parts_.empty() && is_named() && token().text.ends_with("ly") && word_form(token().text) == WordForm::kAdverb &&
+                   i_ + 1 < tokens_.size() && tokens_[i_ + 1].kind == Token::Kind::kWord &&
+                   (tokens_[i_ + 1].text.ends_with("ed") || tokens_[i_ + 1].text.ends_with("ing") ||
+                    word_form(tokens_[i_ + 1].text) == WordForm::kAdjective);
+  if (how) {
+    ++i_;
+    return true;
+  }
   if (lexicon_.find_phrase(tokens_, i_).length > 0 || (!is_named() && !bare_) || !word_may_belong()) return false;
   return add(Class::kFiller, {Class::kFiller, nullptr, nullptr, 0, {}}, 1, plural_at(i_));
 }

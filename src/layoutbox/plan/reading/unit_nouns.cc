@@ -91,7 +91,11 @@ bool UnitReader::is_thing_in_company(std::size_t k) const {
   const NounPhrase& noun = chunk(k).noun;
   const bool anew =
       noun.determiner == Determiner::kIndefinite || noun.determiner == Determiner::kAnother || (noun.count > 0 && !noun.vague);
-  if (noun.kind != NounKind::kAbstract || !noun.doubted || !anew || noun.of || noun.name.find(" of ") != std::string::npos) return false;
+  // "a stacking tower", "a toy castle": outside elsewhere
+  const bool compound = noun.last > noun.first + 2 && noun_form(noun.head) == WordForm::kThing && noun.attributes.empty() &&
+                        noun.name.find(' ') != noun.name.rfind(' ');
+  if (noun.kind != NounKind::kAbstract || !(noun.doubted || compound) || !anew || noun.of || noun.name.find(" of ") != std::string::npos)
+    return false;
   if (word_form(noun.head) == WordForm::kPerson || lexicon_.is_person(noun.head)) return false;
   const auto is_new_thing = [&](std::size_t c) {
     if (!is(c, ChunkKind::kNoun) || chunk(c).noun.kind != NounKind::kObject) return false;
@@ -176,7 +180,8 @@ bool UnitReader::is_placed_itself(std::size_t k) const {
   const std::size_t r = next(k);
   if (!is(r, ChunkKind::kRelation) || !is(next(r), ChunkKind::kNoun)) return false;
   const PhraseSenses& senses = *chunk(r).phrase.senses;
-  return says(senses, RelationType::kAround) || says(senses, RelationType::kNextTo) || says(senses, RelationType::kInFrontOf) ||
+  const bool on_it = says(senses, RelationType::kOn) && chunk(next(r)).noun.kind == NounKind::kPronoun;  // "five prints clipped to it"
+  return on_it || says(senses, RelationType::kAround) || says(senses, RelationType::kNextTo) || says(senses, RelationType::kInFrontOf) ||
          says(senses, RelationType::kFacing);
 }
 

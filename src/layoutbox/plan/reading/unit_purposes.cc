@@ -141,8 +141,8 @@ bool UnitReader::follows_whom(std::size_t k) const {
 
 // "For the family a recliner by the window": after whom or what it is for, at the beginning of a clause.
 bool UnitReader::follows_purpose(std::size_t k) const {
-  const std::size_t whom = previous(k), purpose = previous(whom), before = previous(purpose);
-  if (!is(whom, ChunkKind::kNoun) || !is(purpose, ChunkKind::kPurpose) || document_.tokens[chunk(purpose).first].text != "for")
+  const std::size_t whom = previous(k), purpose = is(whom, ChunkKind::kNoun) ? previous(whom) : whom, before = previous(purpose);
+  if (!is(purpose, ChunkKind::kPurpose) || chunk(purpose).last == chunk(k).first || document_.tokens[chunk(purpose).first].text != "for")
     return false;
   const NounPhrase& noun = chunk(k).noun;
   const bool anew = noun.determiner == Determiner::kIndefinite || noun.determiner == Determiner::kAnother || noun.count > 0;
