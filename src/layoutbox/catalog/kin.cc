@@ -21,14 +21,15 @@ Words words_of_list(std::string_view key) {
 
 struct Kinds {
   Words kinds, modifiers, portions;
-  std::set<std::string_view> no_things;
+  std::set<std::string_view> no_things, body_parts;
   std::map<std::string, std::string_view, std::less<>> like_keys;  // by the key (words.h)
 };
 
 const Kinds& known_kinds() {
   static const Kinds kinds = [] {
-    Kinds read{words_of_list("kinds"), words_of_list("modifiers"), words_of_list("portions"), {}, {}};
+    Kinds read{words_of_list("kinds"), words_of_list("modifiers"), words_of_list("portions"), {}, {}, {}};
     for (const WordList::Member kind : word_list("words_kinds").at("no_things")) read.no_things.insert(kind.value.text());
+    for (const WordList::Member kind : word_list("words_kinds").at("body_parts")) read.body_parts.insert(kind.value.text());
     for (const auto& [word, id] : like_words()) read.like_keys.emplace(key_of(word), id);
     return read;
   }();
@@ -107,8 +108,10 @@ std::vector<std::pair<std::string_view, std::string_view>> like_words() {
 bool is_no_thing(const Catalog& catalog, std::string_view word) {
   if (!liked_entry(word).empty() || catalog.find_by_words(word) != nullptr) return false;
   for (const std::string& form : singular_forms(std::string(word))) {
-    for (const std::string_view kind : kinds_of(english_line(form))) {
-      if (known_kinds().no_things.contains(kind)) return true;
+    const std::string_view line = english_line(form);
+    const auto& none = line.starts_with("c ") ? known_kinds().body_parts : known_kinds().no_things;
+    for (const std::string_view kind : kinds_of(line)) {
+      if (none.contains(kind)) return true;
       if (entry_of_kind(catalog, kind) != nullptr) return false;
     }
   }

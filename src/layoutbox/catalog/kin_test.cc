@@ -22,9 +22,9 @@ TEST(Kin, IsTheNearestKnownKind) {
 
 TEST(Kin, PlacesPartsAndStuffAreNoThings) {
   const Catalog& catalog = Catalog::builtin();
-  for (const char* word : {"darkroom", "conservatoire", "driveways", "monastery", "hem", "keyhole", "subway"})
+  for (const char* word : {"darkroom", "conservatoire", "driveways", "monastery", "hem", "keyhole", "subway", "eaves", "hand"})
     EXPECT_TRUE(is_no_thing(catalog, word)) << word;
-  for (const char* word : {"walrus", "engraving", "secateurs", "bassoon", "wok", "sofa", "xyzzy"})
+  for (const char* word : {"walrus", "engraving", "secateurs", "bassoon", "wok", "sofa", "heron", "ammonite", "xyzzy"})
     EXPECT_FALSE(is_no_thing(catalog, word)) << word;
   EXPECT_EQ(kin("botanical engraving"), "painting");
   EXPECT_EQ(kin("secateurs"), "scissors");

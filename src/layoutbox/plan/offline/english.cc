@@ -25,9 +25,9 @@ WordForm form_of(std::string_view line) {
   }
 }
 
-// A darkroom and a driveway are built, but stand in no room.
+// A darkroom and a driveway are built, but stand in no room; a hand is somebody's.
 WordForm without_places(WordForm form, std::string_view word) {
-  return form == WordForm::kThing && is_no_thing(Catalog::builtin(), word) ? WordForm::kNoun : form;
+  return (form == WordForm::kThing || form == WordForm::kBody) && is_no_thing(Catalog::builtin(), word) ? WordForm::kNoun : form;
 }
 
 }  // namespace
