@@ -88,6 +88,7 @@ bool NounPhraseReader::doubles_noun(std::size_t at) const {
   if (at + 1 >= tokens_.size() || std::find(std::begin(kDoubling), std::end(kDoubling), tokens_[at].text) == std::end(kDoubling))
     return false;
   const Match next = lexicon_.find(tokens_, at + 1);
+  if (tokens_[at + 1].text == "one") return true;  // "a double one"
   return next.length > 0 && has(next, Class::kObject) && !next.plural;
 }
 

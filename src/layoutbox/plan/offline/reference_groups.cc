@@ -122,6 +122,13 @@ bool References::has_left(int mention, int count) const {
   return left >= count;
 }
 
+bool References::has_left_of(int mention) const {
+  const std::vector<int>& items = document_.mentions[static_cast<std::size_t>(mention)].items;
+  if (items.empty()) return false;
+  const auto picked = picked_.find(document_.items[static_cast<std::size_t>(items.front())].group);
+  return picked == picked_.end() || std::any_of(items.begin(), items.end(), [&](int item) { return !contains(picked->second, item); });
+}
+
 int References::whole_group(int mention) const {
   const auto group_of = [&](const Mention& m) {
     return m.items.empty() ? -1 : document_.items[static_cast<std::size_t>(m.items.front())].group;

@@ -29,6 +29,8 @@ class References {
 
   // True when some of the group were taken by "one", "five" … before, and that many are left.
   bool has_left(int mention, int count) const;
+  // True while one of the mention's things was not taken.
+  bool has_left_of(int mention) const;
   // The mention that brought in the group.
   int whole_group(int mention) const;
 

@@ -44,6 +44,7 @@ class Scribe {
   bool same_as_placed(int u) const;
   std::vector<int> pair_named_last(int u, const std::vector<int>& placed) const;
   std::vector<int> two_alike(int u, bool by_name) const;
+  bool describes_one_of(int u, const NounPhrase& noun) const;
   int others_listed(int u, const NounPhrase& noun);
   int make_ordinal(const NounPhrase& noun);
   int antecedent_of(int u);
@@ -71,6 +72,7 @@ class Scribe {
   void fill_root(int u, int mention);
   bool takes_other_side(const std::vector<int>& targets);
   void add_named_contents(int u, int host);
+  void seat_at_its(int u, int mention);
   void imply_adjective(int u, int mention);
   bool is_placed_before(int mention, int link) const;
   int last_great_thing(const std::vector<int>& but) const;

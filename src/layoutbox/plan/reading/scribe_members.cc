@@ -143,11 +143,25 @@ bool Scribe::same_as_placed(int u) const {
   return meant.size() == 1 && placed.size() == 1 && mention_at(meant.front()).items == mention_at(placed.front()).items;
 }
 
+// "two beds: a large one under the window and a small one by the door": of those that the sentence counted, while some are left.
+bool Scribe::describes_one_of(int u, const NounPhrase& noun) const {
+  if (noun.determiner != Determiner::kIndefinite || noun.count > 1) return false;
+  for (int before = u; before-- > 0;) {
+    const int m = mention_[static_cast<std::size_t>(before)];
+    if (!is(before, UnitKind::kNoun) || !is_thing(m) || !mention_at(m).introduces) continue;
+    const bool counted = noun_of(m).count > 1 && mention_at(m).items.size() == static_cast<std::size_t>(noun_of(m).count);
+    if (counted && reading(before).role != NounRole::kReference)
+      return unit(before + 1).joiner != Joiner::kNone || is(before + 1, UnitKind::kPlace) ? references_.has_left_of(m) : false;
+    if (noun_of(m).count <= 1 && reading(before).role != NounRole::kReference) return false;
+  }
+  return false;
+}
+
 int Scribe::make_member(int u, const NounPhrase& noun) {
   if (const int same = make_ordinal(noun); same >= 0) return same;
   if (const int others = others_listed(u, noun); others >= 0) return others;
   const bool fresh = noun.determiner == Determiner::kAnother || (noun.determiner == Determiner::kIndefinite && !noun.attributes.empty());
-  if (fresh && !noun.subset && !noun.of) {
+  if (fresh && !noun.subset && !noun.of && !describes_one_of(u, noun)) {
     if (const int another = make_another(u, noun); another >= 0) return another;
   }
   if (const int more = make_more(u, noun); more >= 0) return more;
@@ -165,7 +179,10 @@ int Scribe::make_member(int u, const NounPhrase& noun) {
       return others;
     }
   }
-  if (antecedent >= 0 && references_.has_left(antecedent, noun.count)) antecedent = references_.whole_group(antecedent);
+  if (antecedent >= 0 && references_.has_left(antecedent, noun.count)) {
+    const int whole = references_.whole_group(antecedent);
+    if (mention_at(whole).items.size() >= mention_at(antecedent).items.size()) antecedent = whole;  // not the first thing of a list
+  }
   NounPhrase meant = noun;
   // "two tables, one on each side of the bed": the two, not one of them.
   const bool sides =

@@ -301,6 +301,27 @@ void Scribe::write_noun(int u) {
     default: break;
   }
   add_named_contents(u, mention);
+  seat_at_its(u, mention);
+}
+
+// "a desk by the wall. Its chair faces the window": at what one sits at and was named last.
+void Scribe::seat_at_its(int u, int mention) {
+  const NounPhrase& noun = chunk(u).noun;
+  if (noun.determiner != Determiner::kPossessive || document_.tokens[noun.first].text != "its" || !is_thing(mention) ||
+      !mention_at(mention).introduces || !is_seat(lexicon_.catalog(), noun))
+    return;
+  for (std::size_t m = static_cast<std::size_t>(mention), looked = 0; m-- > 0 && looked < kReach; ++looked) {
+    if (!is_thing(static_cast<int>(m)) || !is_table(lexicon_.catalog(), document_.mentions[m].noun)) continue;
+    Link link;
+    link.kind = Link::Kind::kHave;
+    link.weak = true;
+    link.targets = {mention};
+    link.references = {static_cast<int>(m)};
+    link.first = noun.first;
+    link.last = noun.last;
+    document_.links.push_back(std::move(link));
+    return;
+  }
 }
 
 }  // namespace layoutbox::offline

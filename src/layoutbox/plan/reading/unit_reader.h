@@ -85,6 +85,7 @@ class UnitReader {
   bool shares_by_subject(std::size_t k);
   void open_share(std::size_t first, std::size_t last, int shares);
   void has_unsaid(std::size_t k);
+  bool is_for_all(std::size_t k) const;
   const PhraseSenses* place_of_topic(std::size_t k) const;
   bool opens_topic(std::size_t k);
 

@@ -77,6 +77,13 @@ void UnitReader::open_share(std::size_t first, std::size_t last, int shares) {
   share_ = shares;
 }
 
+// "… and one printer for all": shared.
+bool UnitReader::is_for_all(std::size_t k) const {
+  const std::size_t last = chunk(k).last;
+  if (last + 1 >= document_.tokens.size() || document_.tokens[last].text != "for") return false;
+  return one_of(document_.tokens[last + 1].text, {"all", "everyone", "everybody", "both", "them", "us"});
+}
+
 // "each plinth a bust", "every desk two monitors": a having that is not said.
 void UnitReader::has_unsaid(std::size_t k) {
   const NounPhrase& noun = chunk(k).noun;

@@ -68,7 +68,7 @@ Unit& UnitReader::add(UnitKind kind, std::size_t k) {
   unit.clause = clause_;
   unit.where = where_;
   unit.soft = soft_;
-  unit.share = kind == UnitKind::kNoun ? share_ : 1;
+  unit.share = kind == UnitKind::kNoun && !is_for_all(k) ? share_ : 1;
   unit.order = std::exchange(order_, kNoOrder);
   in_brackets_ = false;
   joiner_ = Joiner::kNone;
