@@ -8,7 +8,9 @@ namespace {
 // Most questions are answered at once, faster than presolve reads them; distances that clash are answered only after it.
 constexpr double kWithoutPresolve = 0.001;
 constexpr std::int64_t kMostTerms = 1'200'000;  // of a model that is still asked about: some 300 MB
-constexpr double kPerByte = 7e-9;               // deterministic time that the reading of a model is counted as
+// Deterministic time, about a second each, that the library leaves out of its own count: a model is read, and presolve looks at all of it
+// before it counts anything.
+constexpr double kPerByteRead = 2e-8, kPerBytePresolved = 2e-7;
 constexpr std::size_t kSmallModel = 1'000'000;  // bytes: its presolve is quick whatever it looks for
 constexpr double kSizeQuestion = 0.01;          // of one question about a size that may take part
 
@@ -19,11 +21,17 @@ Result<CpAnswer> ask(Encoding& encoding, const CpSatLibrary& library, const std:
   parameters.inclusions = model.size() < kSmallModel;
   double used = 0;
   for (const bool presolve : {false, true}) {
+    const double reading = static_cast<double>(model.size()) * (presolve ? kPerBytePresolved : kPerByteRead);
+    if (used + reading > limits.deterministic_time && presolve) {
+      CpAnswer unknown;
+      unknown.deterministic_time = used;
+      return unknown;
+    }
     parameters.presolve = presolve;
     parameters.deterministic_time = presolve ? limits.deterministic_time - used : std::min(kWithoutPresolve, limits.deterministic_time);
     const std::string bytes = library.solve(model, write_parameters(parameters), limits.stop, limits.seconds);
     LAYOUTBOX_ASSIGN(CpAnswer answer, read_answer(bytes, encoding.variable_count()));
-    used = answer.deterministic_time += used + kPerByte * static_cast<double>(model.size());
+    used = answer.deterministic_time += used + reading;
     const bool stopped = limits.stop && limits.stop->load();
     if (presolve || stopped || answer.status != CpStatus::kUnknown || used >= limits.deterministic_time) return answer;
   }
