@@ -13,7 +13,7 @@
 namespace layoutbox::placement {
 namespace {
 
-constexpr double kShortProof = 0.3;  // of CP-SAT's deterministic time
+constexpr double kShortProof = 0.32;  // of CP-SAT's deterministic time
 constexpr std::size_t kMostForEarlyProof = 40;
 constexpr int kStarts = 4, kIdleShakes = 40;
 constexpr std::int64_t kShortPatience = 1, kPatienceShaken = 4;  // moves in vain a thing
@@ -27,7 +27,7 @@ Solver::Solver(const SceneGraph& scene, const Catalog& catalog, const SolveOptio
   size_to_model();
   budgets_ = budgets_for(options.effort, model_.items.size());
   finding_.limit = budgets_.finding;
-  proof_time_ = budgets_.proof;
+  proof_time_ = more_proof_ = budgets_.proof;
 }
 
 Result<Layout> Solver::run() {
@@ -195,8 +195,10 @@ Result<Proof> Solver::ask(const std::vector<char>& given_up, const std::vector<c
 void Solver::look_for_more(const Clash& clash) {
   constexpr int kMostConflicts = 8;
   if (!clash.proven || ++conflicts_proven_ > kMostConflicts) return;
-  proof_time_ = budgets_.proof;
-  finding_.limit = std::max(finding_.limit, finding_.steps + budgets_.finding / 2);
+  const double more = std::min(budgets_.proof - proof_time_, more_proof_);
+  proof_time_ += more, more_proof_ -= more;
+  const std::int64_t further = std::min(finding_.steps + budgets_.finding / 2, 2 * budgets_.finding);
+  finding_.limit = std::max(finding_.limit, further);
 }
 
 // True: a layout was found. False: something was given up; try again.

@@ -171,6 +171,7 @@ class Solver {
   std::vector<int> failed_;
   int size_limit_ = 0;
   double proof_time_ = 0;  // left of what CP-SAT may take
+  double more_proof_ = 0;  // left of what is added to that for further conflicts
   int conflicts_proven_ = 0;
   int unproven_ = 0;          // rounds that ended without a layout and without a proof
   bool proven_best_ = false;  // no layout is better by a point

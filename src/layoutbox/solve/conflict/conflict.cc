@@ -22,13 +22,14 @@ Result<CpAnswer> ask(Encoding& encoding, const CpSatLibrary& library, const std:
   double used = 0;
   for (const bool presolve : {false, true}) {
     const double reading = static_cast<double>(model.size()) * (presolve ? kPerBytePresolved : kPerByteRead);
-    if (used + reading > limits.deterministic_time && presolve) {
+    if (presolve && used + reading >= limits.deterministic_time) {
       CpAnswer unknown;
       unknown.deterministic_time = used;
       return unknown;
     }
     parameters.presolve = presolve;
-    parameters.deterministic_time = presolve ? limits.deterministic_time - used : std::min(kWithoutPresolve, limits.deterministic_time);
+    parameters.deterministic_time =
+        presolve ? limits.deterministic_time - used - reading : std::min(kWithoutPresolve, limits.deterministic_time);
     const std::string bytes = library.solve(model, write_parameters(parameters), limits.stop, limits.seconds);
     LAYOUTBOX_ASSIGN(CpAnswer answer, read_answer(bytes, encoding.variable_count()));
     used = answer.deterministic_time += used + reading;
