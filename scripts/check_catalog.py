@@ -210,7 +210,7 @@ def check_like(folder: Path, ids: dict[str, dict]) -> Iterator[str]:
         if entry not in ids:
             yield f"words_kinds like: there is no entry '{entry}'"
         yield from (f"words_kinds like: '{word}' has an entry" for word in like if word in words)
-    for named in [*data["kinds"].values(), *data["modifiers"].values()]:
+    for named in [*data["kinds"].values(), *data["modifiers"].values(), *data["heads"].values()]:
         if named and named not in ids:
             yield f"words_kinds: there is no entry '{named}'"
 

@@ -20,14 +20,14 @@ Words words_of_list(std::string_view key) {
 }
 
 struct Kinds {
-  Words kinds, modifiers, portions;
+  Words kinds, modifiers, heads, portions;
   std::set<std::string_view> no_things, body_parts;
   std::map<std::string, std::string_view, std::less<>> like_keys;  // by the key (words.h)
 };
 
 const Kinds& known_kinds() {
   static const Kinds kinds = [] {
-    Kinds read{words_of_list("kinds"), words_of_list("modifiers"), words_of_list("portions"), {}, {}, {}};
+    Kinds read{words_of_list("kinds"), words_of_list("modifiers"), words_of_list("heads"), words_of_list("portions"), {}, {}, {}};
     for (const WordList::Member kind : word_list("words_kinds").at("no_things")) read.no_things.insert(kind.value.text());
     for (const WordList::Member kind : word_list("words_kinds").at("body_parts")) read.body_parts.insert(kind.value.text());
     for (const auto& [word, id] : like_words()) read.like_keys.emplace(key_of(word), id);
@@ -139,6 +139,10 @@ const CatalogEntry* kin_of(const Catalog& catalog, std::string_view noun) {
       if (const auto like = known_kinds().like_keys.find(form); like != known_kinds().like_keys.end()) return catalog.find(like->second);
       if (const CatalogEntry* kin = kin_by_line(catalog, english_line(form)); kin != nullptr) return kin;
     }
+  }
+  if (words.size() < 2) return nullptr;
+  for (const std::string& form : singular_forms(words.back())) {
+    if (const auto head = known_kinds().heads.find(form); head != known_kinds().heads.end()) return catalog.find(head->second);
   }
   return nullptr;
 }

@@ -30,6 +30,12 @@ TEST(Kin, PlacesPartsAndStuffAreNoThings) {
   EXPECT_EQ(kin("secateurs"), "scissors");
 }
 
+TEST(Kin, ACompoundIsLikeWhatItsHeadUsuallyIs) {
+  EXPECT_EQ(kin("demonstration board"), "bulletin_board");
+  EXPECT_EQ(kin("cardboard tubes"), "cylinder");
+  EXPECT_EQ(kin("board"), "");
+}
+
 TEST(Kin, AWordBeforeTheNounMaySayMore) {
   EXPECT_EQ(kin("plush walrus"), "teddy_bear");
   EXPECT_TRUE(is_kin_modifier("plush"));
