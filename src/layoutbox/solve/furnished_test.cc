@@ -206,7 +206,7 @@ TEST(Furnished, ThoseBehindATableSitAbreast) {
 TEST(Furnished, BehindACounterOfAShopIsRoomToServe) {
   const Layout layout = solved_as_asked(SceneMaker(5500, 4500).add("shop_counter").add("display_table", 2).add("shelf", 3).make(true));
   const PlacedObject& counter = object(layout, "shop_counter_1");
-  const double a = counter.rotation_deg * 3.14159265358979 / 180, reach = counter.size.depth / 2 + 700;
+  const double a = counter.rotation_deg * 3.14159265358979 / 180, reach = counter.size.depth / 2 + 650;
   const double x = counter.position[0] - std::sin(a) * reach, y = counter.position[1] + std::cos(a) * reach;
   EXPECT_TRUE(x > 0 && x < 5500 && y > 0 && y < 4500);
 }

@@ -44,5 +44,98 @@ TEST(UsualPlaces, AScreenLooksAtWhoIsToldToSitThere) {
   EXPECT_NEAR(std::abs(turned), 180, 1);
 }
 
+// How far the back of a thing is from the wall behind it, in a room of that size.
+double behind_back(const Layout& layout, const std::string& id, double width, double depth) {
+  const PlacedObject& o = *layout.find_object(id);
+  const int turn = static_cast<int>(std::lround(o.rotation_deg)) % 360;
+  const double half = o.size.depth / 2.0, x = o.position[0], y = o.position[1];
+  switch (turn) {
+    case 0: return depth - y - half;
+    case 90: return x - half;
+    case 180: return y - half;
+    default: return width - x - half;
+  }
+}
+
+TEST(UsualPlaces, ShelvesBehindABarHaveTheWallBehindThem) {
+  SceneMaker maker(6000, 5000);
+  maker.add("bar_counter").add("bookshelf", 2).add("bar_stool", 4);
+  for (const char* id : {"bookshelf_1", "bookshelf_2"}) maker.relate("behind", {id}, {"bar_counter_1"});
+  const Layout layout = solved_as_asked(maker.make(true));
+  for (const char* id : {"bookshelf_1", "bookshelf_2"}) EXPECT_LT(behind_back(layout, id, 6000, 5000), 60) << id;
+}
+
+TEST(UsualPlaces, AFullBookcaseByASeatStandsAtTheWall) {
+  SceneMaker maker(5000, 4200);
+  maker.add("recliner").add("bookshelf").add("book", 2).add("sculpture", 2).add("table").add("sofa").add("coffee_table");
+  for (const char* id : {"book_1", "book_2", "sculpture_1", "sculpture_2"}) maker.relate("in", {id}, {"bookshelf_1"});
+  const Layout layout = solved_as_asked(maker.relate("nextTo", {"recliner_1"}, {"bookshelf_1"})
+                                            .relate("opposite", {"table_1"}, {"recliner_1"})
+                                            .relate("centerOfRoom", {"coffee_table_1"})
+                                            .make(true));
+  EXPECT_LT(behind_back(layout, "bookshelf_1", 5000, 4200), 150);
+}
+
+TEST(UsualPlaces, ChairsWithTheirBacksToTheWallSitInARow) {
+  SceneMaker maker(4500, 3600);
+  maker.add("chair", 6).add("aquarium");
+  for (int i = 1; i <= 6; ++i) maker.relate("againstWall", {"chair_" + std::to_string(i)});
+  const Layout layout = solved_as_asked(maker.relate("corner", {"aquarium_1"}).make(true));
+  for (int i = 2; i <= 6; ++i) {
+    const PlacedObject &one = *layout.find_object("chair_" + std::to_string(i - 1)),
+                       &next = *layout.find_object("chair_" + std::to_string(i));
+    EXPECT_NEAR(one.rotation_deg, next.rotation_deg, 1) << next.id;
+    EXPECT_LT(std::hypot(one.position[0] - next.position[0], one.position[1] - next.position[1]), 700) << next.id;
+  }
+}
+
+TEST(UsualPlaces, WhoVisitsAPatientHasRoomForTheKnees) {
+  for (const char* side : {"leftOf", "rightOf"}) {
+    const Layout layout = solved_as_asked(SceneMaker(4500, 4000)
+                                              .add("hospital_bed")
+                                              .add("conference_chair")
+                                              .add("iv_stand")
+                                              .relate(side, {"conference_chair_1"}, {"hospital_bed_1"})
+                                              .relate("nextTo", {"iv_stand_1"}, {"hospital_bed_1"})
+                                              .make(true));
+    const PlacedObject &chair = *layout.find_object("conference_chair_1"), &bed = *layout.find_object("hospital_bed_1");
+    const TestPoint at = in_frame_of(chair, {bed.position[0], bed.position[1], 0});
+    const bool across = static_cast<int>(std::lround(std::abs(chair.rotation_deg - bed.rotation_deg))) % 180 != 0;
+    const double half_x = (across ? bed.size.depth : bed.size.width) / 2.0, half_y = (across ? bed.size.width : bed.size.depth) / 2.0;
+    const bool before = at.y < 0 && std::abs(at.x) < half_x + chair.size.width / 2.0 - 10;
+    if (before) {
+      EXPECT_GE(-at.y - half_y - chair.size.depth / 2.0, 450) << side;
+    }
+  }
+}
+
+TEST(UsualPlaces, AScreenOnACounterLooksAtTheStoolBehindIt) {
+  const Layout layout = solved_as_asked(SceneMaker(5000, 4000)
+                                            .add("shop_counter")
+                                            .add("laptop")
+                                            .add("bar_stool")
+                                            .relate("on", {"laptop_1"}, {"shop_counter_1"})
+                                            .relate("behind", {"bar_stool_1"}, {"shop_counter_1"})
+                                            .make(true));
+  const PlacedObject &laptop = *layout.find_object("laptop_1"), &stool = *layout.find_object("bar_stool_1");
+  EXPECT_LT(in_frame_of(laptop, {stool.position[0], stool.position[1], 0}).y, 0);
+}
+
+TEST(UsualPlaces, AShelfBelowAMirrorHangsCloseBelowIt) {
+  for (const char* above : {"mirror", "painting"}) {
+    const std::string over = std::string(above) + "_1";
+    const Layout layout = solved_as_asked(SceneMaker(4000, 3500)
+                                              .add("salon_chair")
+                                              .add(above)
+                                              .add("wall_shelf")
+                                              .relate("facing", {"salon_chair_1"}, {over})
+                                              .relate("under", {"wall_shelf_1"}, {over})
+                                              .make(true));
+    const PlacedObject &high = *layout.find_object(over), &shelf = *layout.find_object("wall_shelf_1");
+    EXPECT_NEAR(high.position[2] - shelf.position[2] - shelf.size.height, 60, 60) << above;
+    EXPECT_NEAR(high.position[2], above == std::string("mirror") ? 1150 : 1300, 100) << "where it hangs without the shelf";
+  }
+}
+
 }  // namespace
 }  // namespace layoutbox::placement

@@ -57,6 +57,8 @@ void Habits::stand(int index) {
       stand_at_wall(index);
     }
   }
+  if (!item.entry->back_to_wall && item.is(Trait::kSeat) && item.has_front && !with_host) stand_in_wall_row(index);
+  keep_nose_free(index);
   if (!item.entry->back_to_wall && item.is(Trait::kOpenToRoom) && !stand_along_run(index)) open_to_room(index);
   if (item.is(Trait::kDesk) && !item.is(Trait::kOpenToRoom)) near_light(index);
 }

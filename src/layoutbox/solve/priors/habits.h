@@ -54,6 +54,7 @@ class Habits {
   Spot spot_of_screen(int item, int host) const;
   bool lies_free(int item, int host) const;
   int seat_told_to_be_at(int host, int rank) const;
+  bool is_sat_behind(int host) const;
   void look_at_user(int item, int user);
   bool rests_on(int item, int host) const;
   int rider_that_is(Trait trait, int host) const;
@@ -91,6 +92,7 @@ class Habits {
   std::vector<int> usually_under(int item) const;
   int seat_facing(int item) const;
   bool hang_in_row(int item);
+  bool hang_close_below(int item);
   void hang_on_wall(int item);
   std::uint64_t states_facing(int item, const RoomWall& wall) const;
   bool placed_by_relation_besides_walls(int item) const;
@@ -106,6 +108,7 @@ class Habits {
   void come_near(int item, int host);
   void sit_facing(int item, int host);
   bool sit_by_between(int item);
+  void keep_nose_free(int item);
   void keep_before_counter(int item);
   bool only_turned_by(int item, int host) const;
   bool only_near(int item, int host) const;

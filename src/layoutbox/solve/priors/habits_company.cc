@@ -52,6 +52,8 @@ bool Habits::stand_abreast_of(int item, int host, RelationType how) {
   const auto n = static_cast<std::ptrdiff_t>(peers.size());
   if (n < 2 || k == n || (across_from && peers.size() > kMostAbreast)) return false;
   const Mm pitch = self.states[0].size.width + kApart;
+  // A bar's back shelves have the wall behind them, however far that is from the bar.
+  const bool at_wall = how == RelationType::kBehind && self.entry->back_to_wall && !self.is(Trait::kDeskLike);
   Formula f;
   for_each_turn(ref, [&](int turn, std::uint64_t states) {
     if (turn % 90 != 0) return;
@@ -60,9 +62,10 @@ bool Habits::stand_abreast_of(int item, int host, RelationType how) {
     const int along = across(away);
     if (self.has_front) c.when(item, states_looking(self, opposite(away)));
     c.wish(mid2(item, along) - mid2(host, along) - Linear((2 * k - (n - 1)) * pitch), kBeside, 2);
-    c.wish(gap_towards(item, host, away) - Linear(seat ? kSeatOff : across_from ? kTalkingOff : kOff), kBeside);
+    if (!at_wall) c.wish(gap_towards(item, host, away) - Linear(seat ? kSeatOff : across_from ? kTalkingOff : kOff), kBeside);
   });
   habit("abreast", item, kBeside, std::move(f), {host});
+  if (at_wall) back_to_wall(item, kBackToWall);
   return true;
 }
 

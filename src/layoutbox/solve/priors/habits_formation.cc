@@ -217,14 +217,17 @@ bool Habits::stand_along_run(int item) {
   return false;
 }
 
-// Several of a kind with their backs to a wall stand side by side along it: lockers, bookshelves, the beds of a ward. Beds also
-// opposite one another.
+// Several of a kind with their backs to a wall stand side by side along it: lockers, bookshelves, the beds of a ward, chairs told to have
+// it behind them. Beds also opposite one another.
 void Habits::stand_in_wall_row(int item) {
-  constexpr Mm kBesideBed = 900, kBesideDesk = 200;
+  constexpr Mm kBesideBed = 900, kBesideDesk = 200, kBesideSeat = 80;
   constexpr int kOutOfRow = 200, kAcross = 40;  // points
   const auto in_row = [&](int i) {
     const Item& other = model_.items[i];
-    return other.entry == model_.items[item].entry && !other.fixed && other.mount == Mount::kFloor && !placed_by_relation_besides_walls(i);
+    if (other.is_opening()) return false;
+    const bool told = other.entry->back_to_wall || placed_by_relation(i);
+    return other.entry == model_.items[item].entry && !other.fixed && other.mount == Mount::kFloor && told &&
+           !placed_by_relation_besides_walls(i);
   };
   const Item& self = model_.items[item];
   if (self.is(Trait::kKitchenRun) || (self.is(Trait::kCenterPiece) && !self.is(Trait::kBed)) || !in_row(item)) return;
@@ -233,7 +236,7 @@ void Habits::stand_in_wall_row(int item) {
     if (in_row(i)) before = i;
   }
   if (before < 0) return;
-  const Mm air = self.is(Trait::kBed) ? kBesideBed : has_knee_room(self) ? kBesideDesk : 0;
+  const Mm air = self.is(Trait::kBed) ? kBesideBed : self.is(Trait::kSeat) ? kBesideSeat : has_knee_room(self) ? kBesideDesk : 0;
   Formula f;
   for_each_turn(model_.items[before], [&](int turn, std::uint64_t states) {
     if (turn % 90 != 0) return;

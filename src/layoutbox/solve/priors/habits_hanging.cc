@@ -242,13 +242,30 @@ std::vector<int> Habits::usually_under(int item) const {
   return under;
 }
 
+// What is told to hang below something on the wall hangs close below it, not at a height of its own: a shelf below a mirror.
+bool Habits::hang_close_below(int item) {
+  constexpr Mm kAir = 60;
+  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+    const int over = static_cast<int>(i);
+    if (over == item || model_.items[i].is_opening() || model_.items[i].mount != Mount::kWall) continue;
+    if (!related_as_target(item, over, RelationType::kUnder)) continue;
+    Formula f;
+    f.add().wish(lo(over, 2) - hi(item, 2) - Linear(kAir), kHangHeight);
+    habit("close below", item, kHangHeight, std::move(f), {over});
+    return true;
+  }
+  return false;
+}
+
 // At its usual height; a curtain at its window, a picture over something, else in the middle of a wall.
 void Habits::hang_on_wall(int item) {
   const Item& self = model_.items[item];
-  Formula height;
-  const Mm wished = self.entry->hang_height > 0 ? self.entry->hang_height : 1200;
-  height.add().wish(lo(item, 2) - Linear(wished), kHangHeight);
-  habit("height", item, kHangHeight, std::move(height));
+  if (!hang_close_below(item)) {
+    Formula height;
+    const Mm wished = self.entry->hang_height > 0 ? self.entry->hang_height : 1200;
+    height.add().wish(lo(item, 2) - Linear(wished), kHangHeight);
+    habit("height", item, kHangHeight, std::move(height));
+  }
   if (self.curtain) {
     cover_window(item);
     return;

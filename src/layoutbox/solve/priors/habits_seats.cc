@@ -54,6 +54,34 @@ void Habits::come_near(int item, int host) {
   habit("near", item, kBeside, std::move(f), {host});
 }
 
+// Who sits beside a bed, a bookcase or a machine does not have it before the knees: the visitor's chair looks past the bed, or stands off
+// it.
+void Habits::keep_nose_free(int item) {
+  constexpr Mm kKnees = 500;
+  constexpr int kFree = 300;  // points a metre
+  const Item& self = model_.items[item];
+  if (!self.has_front || (!self.is(Trait::kSeat) && !self.is(Trait::kEasySeat))) return;
+  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+    const int host = static_cast<int>(i);
+    const Item& ref = model_.items[i];
+    if (host == item || ref.is_opening() || ref.mount != Mount::kFloor || ref.thin || has_knee_room(ref)) continue;
+    if (!ref.entry->back_to_wall || ref.is(Trait::kTable) || ref.is(Trait::kDeskLike) || ref.is(Trait::kCounter)) continue;
+    const bool beside = std::ranges::any_of(
+        std::initializer_list<RelationType>{RelationType::kNextTo, RelationType::kNear, RelationType::kLeftOf, RelationType::kRightOf},
+        [&](RelationType how) { return related_as_target(item, host, how) || related_as_target(host, item, how); });
+    if (!beside) continue;
+    Formula f;
+    for_each_turn(self, [&](int turn, std::uint64_t states) {
+      if (turn % 90 != 0) return;
+      const Direction front = side_direction(self, Side::kFront, turn);
+      f.add().when(item, states).require(gap_towards(host, item, front) - Linear(kKnees));
+      for (const Direction past : {opposite(front), Direction{across(front), 1}, Direction{across(front), -1}})
+        f.add().when(item, states).require(gap_towards(host, item, past));
+    });
+    habit("room for the knees", item, kFree, std::move(f));
+  }
+}
+
 // Seats with a table between them draw up to it.
 bool Habits::sit_by_between(int item) {
   constexpr Mm kEasyGap = 350, kChairGap = 50;
@@ -143,6 +171,15 @@ int Habits::seat_told_to_be_at(int host, int rank) const {
     if (other != host && model_.items[i].is(Trait::kTableSeat) && model_.items[i].has_front && related(other, host)) seats.push_back(other);
   }
   return seats.empty() ? -1 : seats[static_cast<std::size_t>(rank) % seats.size()];
+}
+
+// Is a seat, be it a stool without a front, told to be behind it?
+bool Habits::is_sat_behind(int host) const {
+  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+    const bool seat = model_.items[i].is(Trait::kSeat) || model_.items[i].is(Trait::kTableSeat);
+    if (seat && related_as_target(static_cast<int>(i), host, RelationType::kBehind)) return true;
+  }
+  return false;
 }
 
 // A screen looks at who sits before it, whichever side of the desk that is.

@@ -22,7 +22,7 @@ struct Budgets {
 // `things`: objects and openings.
 inline Budgets budgets_for(std::int64_t effort, std::size_t things) {
   constexpr std::int64_t kStepsPerUnit = 5000;  // candidate positions tried in about a quarter of a millisecond
-  constexpr std::int64_t kThingsPerEffort = 9, kThingsOfStart = 8, kMany = 30, kLessOfMany = 5;
+  constexpr std::int64_t kThingsPerEffort = 9, kThingsOfStart = 8, kMany = 30, kLessOfMany = 5, kLeastWeighed = 32;
   constexpr std::int64_t kFindingPerUnit = 80'000, kLeastFinding = 4'000'000;
   constexpr double kProofPerUnit = 0.005, kLeastProof = 0.1, kMostProof = 20;
   constexpr std::int64_t kLeastEffortForBest =
@@ -36,7 +36,7 @@ inline Budgets budgets_for(std::int64_t effort, std::size_t things) {
   budgets.finding = std::max(effort * kFindingPerUnit, kLeastFinding);
   // The more things, the more moves it takes to bring all to their places, of many not quite so many; a start costs something in any room.
   const auto count = static_cast<std::int64_t>(things);
-  const std::int64_t weighed = count + kThingsOfStart - std::max<std::int64_t>(0, count - kMany) / kLessOfMany;
+  const std::int64_t weighed = std::max(kLeastWeighed, count + kThingsOfStart - std::max<std::int64_t>(0, count - kMany) / kLessOfMany);
   budgets.improvement = 2 * steps * weighed / kThingsPerEffort;
   budgets.proof = std::clamp(static_cast<double>(effort) * kProofPerUnit, kLeastProof, kMostProof);
   if (effort >= kLeastEffortForBest) budgets.best_proof = kBestProofPerUnit * static_cast<double>(effort);

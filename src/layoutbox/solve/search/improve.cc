@@ -10,12 +10,33 @@ namespace {
 
 constexpr int kFormationTries = 4;
 constexpr std::int64_t kPushes = 4, kNudges = 8;  // one move in so many does
+constexpr std::int64_t kLoads = 4;                // one group in so many is a thing with what rests on it
 constexpr std::int64_t kStayingNoise = 40;        // an earlier layout makes every metre so much dearer
 
 }  // namespace
 
-// The item with what hangs on it, and sometimes a second one with what is its own, so that two can change places.
+// The item with what rests on it, and no more: a full bookcase, while what refers to it stays and says where it may go.
+std::vector<int> Search::load_of(int item) const {
+  std::vector<int> load{item};
+  for (std::size_t i = 0; i < load.size(); ++i) {
+    for (const int tenant : dependencies_.tenants[load[i]]) {
+      if (placements_[tenant].state < 0 || stays(model_.items[tenant]) || std::ranges::find(load, tenant) != load.end()) continue;
+      const bool rests = std::ranges::any_of(model_.items[tenant].supports, [&](const SupportOption& support) {
+        return support.kind == SupportOption::Kind::kItem && support.index == load[i];
+      });
+      if (rests) load.push_back(tenant);
+    }
+  }
+  return load;
+}
+
+// The item with what hangs on it, or with what rests on it alone, and sometimes a second one with what is its own, so that two can
+// change places.
 void Search::gather_group(int item, const std::vector<int>& movable, std::vector<int>& group) {
+  if (random_.below(kLoads) == 0) {
+    group = load_of(item);
+    return;
+  }
   group_of(dependencies_, placements_, item, group);
   if (random_.below(3) != 0) return;
   const int other = movable[random_.below(static_cast<std::int64_t>(movable.size()))];
@@ -29,7 +50,7 @@ void Search::gather_group(int item, const std::vector<int>& movable, std::vector
 // Each alone, where it costs least; what stays near an earlier place slides there.
 bool Search::sweep_step(int item, Budget& budget) {
   if (!model_.start.empty() && slide(item, budget)) return true;
-  return move({item}, 0, budget);
+  return move(load_of(item), 0, budget);
 }
 
 // One step of chance. Nothing: of a kind that says nothing of whether more of them are worth it.

@@ -7,7 +7,7 @@ namespace {
 constexpr Mm kTouching = 20;
 constexpr Mm kLongest = 512;  // mm
 constexpr std::int64_t kStepsOfNudge = 10;
-constexpr std::int64_t kWhole = 8;  // one nudge in so many moves all that belongs together
+constexpr std::int64_t kWhole = 6;  // one nudge in so many moves all that belongs together
 
 bool touch(const Box& a, const Box& b) {
   for (int k = 0; k < 3; ++k) {

@@ -54,6 +54,7 @@ class Search {
   bool repair(Budget& budget);
   void take_out(int item, std::vector<int>& queue);
   bool move(const std::vector<int>& group, std::int64_t noise, Budget& budget);
+  std::vector<int> load_of(int item) const;
   void gather_group(int item, const std::vector<int>& movable, std::vector<int>& group);
   bool sweep_step(int item, Budget& budget);
   std::optional<bool> chance_step(int item, const std::vector<int>& movable, const std::vector<std::vector<int>>& together, Budget& budget);
