@@ -214,8 +214,15 @@ bool NounPhraseReader::read_other(const Match& match, bool noun_before) {
   if (doubles_noun(i_)) return add(Class::kQuality, {Class::kQuality, nullptr, nullptr, 0, {}}, 1, false);
   // "every desk one chair": the next thing, counted.
   const bool counts_next = noun_before && counts_thing(i_ + 1);
-  const bool after_plural = noun_before && !parts_.empty() && parts_.back().plural;              // "of the two benches one has a cushion"
-  if (has(match, Class::kNumber) && at_word("one") && named && !counts_next && !after_plural) {  // "the left one", "the other one"
+  const bool after_plural = noun_before && !parts_.empty() && parts_.back().plural;  // "of the two benches one has a cushion"
+  // "one on the left of the screen one on the right": the second of two.
+  constexpr std::size_t kBack = 10;
+  bool second = false;
+  for (std::size_t t = phrase_.first; noun_before && t-- > 0 && t + kBack > phrase_.first && !tokens_[t].ends_sentence && !second;)
+    second = tokens_[t].text == "one" && lexicon_.find_phrase(tokens_, t + 1).length > 0;
+  second = second && lexicon_.find_phrase(tokens_, i_ + 1).length > 0;
+  if (has(match, Class::kNumber) && at_word("one") && named && !counts_next && !after_plural &&
+      !second) {  // "the left one", "the other one"
     phrase_.kind = NounKind::kMember;
     i_ += 1;
     done_ = true;

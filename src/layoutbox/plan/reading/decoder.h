@@ -47,6 +47,7 @@ class Decoder {
     int where = -1;           // "a table where …": the table
     int outer = -1;           // "the desk, on which …, is": the subject that waits
     int it = kNobody;         // what the last pronoun meant
+    int by = kNobody;         // … by which something was placed that is none of its own
   };
   struct Action {
     std::size_t state = 0;

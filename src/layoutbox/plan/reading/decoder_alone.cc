@@ -96,7 +96,8 @@ void Decoder::alone_actions(std::size_t s, int u) {
   const bool verb_next = (is(verb, UnitKind::kVerb) || is(verb, UnitKind::kOpen)) && is(verb + 1, UnitKind::kNoun) &&
                          chunk(verb + 1).noun.kind == NounKind::kObject;
   const bool comma_next =
-      is(u + 1, UnitKind::kNoun) && unit(u + 1).joiner == Joiner::kComma && is_new_thing(chunk(u + 1).noun) && place.clause;
+      is(u + 1, UnitKind::kNoun) && unit(u + 1).joiner == Joiner::kComma && is_new_thing(chunk(u + 1).noun) &&
+      (place.clause || place.joiner == Joiner::kAnd || place.joiner == Joiner::kCommaAnd);  // "… and, right on top, a raven"
   if (noun_next || verb_next || comma_next) front_alone_actions(s, u, 2.5);
 }
 

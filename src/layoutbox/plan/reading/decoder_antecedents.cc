@@ -104,6 +104,11 @@ std::vector<Decoder::Candidate> Decoder::antecedents(const State& state, Referen
   if (noun != nullptr && !noun->head.empty() && noun->kind == NounKind::kPronoun && state.it != kNobody && !plural && !that)
     trial(state.it, 0.6, false);
   if (that && !state.roots.empty()) trial(state.roots.back(), -weight::kNamedAgain, false);
+  if (that && state.roots.empty() && !before_.roots.empty()) trial(referent_of_mention(before_.roots.back()), -weight::kNamedAgain, false);
+  // "a mirror above the sink, a stool beside it, a mat in front": of what the place before was by.
+  const bool unsaid = noun != nullptr && noun->head.empty() && noun->kind == NounKind::kPronoun && !plural;
+  if (unsaid && state.by != kNobody && senses != nullptr && !says(*senses, RelationType::kOpposite))
+    trial(state.by, -weight::kNamedOnceMore, false);
   text_antecedents(state, senses, trial, clause_antecedents(state, noun, trial));
   std::stable_sort(all.begin(), all.end(), [](const Candidate& a, const Candidate& b) { return a.score > b.score; });
   if (all.size() > kChoices) all.resize(kChoices);

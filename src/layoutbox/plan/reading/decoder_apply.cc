@@ -110,6 +110,8 @@ void Decoder::apply_fill(State& state, int u) const {
   if (own.role == NounRole::kReference) state.place = p;
   if (own.role == NounRole::kContent) own.placed = !is(p, UnitKind::kHave);
   if (own.meant != kNobody && noun_of(state, u).kind == NounKind::kObject) state.it = own.meant;
+  const bool of_its_own = place.subject < 0 || host_of(state, place.subject) == own.meant;  // "a tray with a cup on it"
+  if (own.meant != kNobody && !of_its_own && chunk(u).noun.head == "it") state.by = own.meant;
   const bool of_front = state.frontier.empty() && !state.fronted.empty();  // of what the clause's place is by
   if (!place.fronted && !of_front) state.frontier.push_back(u);
 }
@@ -187,6 +189,9 @@ void Decoder::apply_predicate(State& state, const Action& action, int u) const {
     case kAttachAlone:
       take_subject(state, action, u);
       own.alone = true;
+      if (document_.tokens[chunk(u).last - 1].text == "it" && own.implied != kNobody && !own.implied_list &&
+          host_of(state, action.unit) != own.implied)
+        state.by = own.implied;
       state.place = u;
       break;
     case kHaveRoom:
@@ -231,7 +236,7 @@ void Decoder::take_subject(State& state, const Action& action, int u) const {
   }
   // "a table where two chairs face each other": at the table.
   if (state.where >= 0 && action.unit != state.where && is(u, UnitKind::kPlace) && (verb_like(u) || lexicon_.is_place_verb(word(u))) &&
-      own.implied == kNobody && read_as(state, action.unit).role == NounRole::kRoot)
+      own.implied == kNobody && host_of(state, action.unit) != own.implied)
     own.implied = std::exchange(state.where, -1);
   cut_frontier(state, action.unit);
   state.relative = -1;

@@ -39,7 +39,9 @@ int UnitReader::shares_of(std::size_t k) const {
   for (std::size_t c = k + 1; !member && c < document_.chunks.size() && c < k + kFarthest; ++c) {
     if (const int count = so_many(c); count > 0) return count;
   }
-  return document_.people > 1 && !place ? document_.people : 0;
+  if (document_.people > 1 && !place) return document_.people;
+  constexpr int kSeveral = 2;  // "each guest has a bed", where nobody says how many come
+  return !member && is_somebody(whom) ? kSeveral : 0;
 }
 
 // "for every place a stool and a mirror": what the sentence brings in from here on is there so many times.
