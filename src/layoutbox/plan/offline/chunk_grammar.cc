@@ -86,6 +86,21 @@ std::size_t Chunker::length_of_looking() const {
   return looks && over && opens_noun(tokens_[at]) ? ends_at(at) : 0;
 }
 
+// "has a clear view of", "with views over": the tokens up to the preposition; 0 for none.
+std::size_t Chunker::length_of_view() const {
+  static constexpr std::array<std::string_view, 10> kHaving = {"has",    "have",  "had",      "with",     "having",
+                                                               "enjoys", "enjoy", "enjoying", "commands", "gets"};
+  static constexpr std::array<std::string_view, 6> kOver = {"of", "over", "to", "onto", "across", "through"};
+  static constexpr std::array<std::string_view, 5> kViews = {"view", "views", "outlook", "sightline", "sightlines"};
+  constexpr std::size_t kMost = 4;
+  if (!is_among(kHaving, tokens_[i_].text) || previous() == ChunkKind::kStop) return 0;
+  for (std::size_t at = i_ + 1; at + 2 < tokens_.size() && at <= i_ + kMost && tokens_[at].kind == Token::Kind::kWord; ++at) {
+    if (is_among(kViews, tokens_[at].text)) return is_among(kOver, tokens_[at + 1].text) ? at + 2 - i_ : 0;
+    if (lexicon_.find(tokens_, at, Class::kObject).length > 0) return 0;
+  }
+  return 0;
+}
+
 // "peeks out from beneath the bed", "in behind the sofa", "over by the window": a particle before the preposition that counts.
 std::size_t Chunker::length_of_particle() const {
   static constexpr std::array<std::string_view, 14> kParticles = {"from", "out",  "up",    "down", "in",     "over", "along",
@@ -139,7 +154,9 @@ bool Chunker::parts_from() const {
   if (previous() != ChunkKind::kNoun && previous() != ChunkKind::kRelative) return false;
   if (!is_verb_of("parting", i_) || i_ + 1 >= tokens_.size() || !opens_noun(tokens_[i_ + 1])) return false;
   for (std::size_t i = i_ + 2; i < tokens_.size() && i < i_ + kFar && tokens_[i].kind == Token::Kind::kWord; ++i) {
-    if (tokens_[i].text == "from") return true;
+    if (tokens_[i].text != "from") continue;
+    const auto from = read_noun_phrase(lexicon_, tokens_, i + 1, true);  // not "from view"
+    return from && from->kind != NounKind::kAbstract;
   }
   return false;
 }
@@ -156,7 +173,7 @@ bool Chunker::read_built_place() {
     return true;
   }
   const std::size_t listed = lexicon_.find_phrase(tokens_, i_).length;
-  if (const std::size_t looking = length_of_looking(); looking > listed) {
+  if (const std::size_t looking = std::max(length_of_looking(), length_of_view()); looking > listed) {
     PhraseMatch facing;
     facing.length = looking;
     facing.senses = lexicon_.senses_of("facing");

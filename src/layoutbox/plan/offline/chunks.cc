@@ -393,6 +393,13 @@ void Chunker::read_small_word() {
     add(ChunkKind::kAttribute, match.length);
     return;
   }
+  // "a wardrobe blocks the corner": a thing's name that is a verb here.
+  const bool verb = match.length == 1 && is(Class::kObject) && previous() == ChunkKind::kNoun && i_ + 1 < tokens_.size() &&
+                    tokens_[i_].text.ends_with("s") && opens_noun(tokens_[i_ + 1]) && may_be_verb(tokens_[i_].text);
+  if (verb) {
+    add(ChunkKind::kUnknown, 1);
+    return;
+  }
   if (match.length > 0) {
     add(ChunkKind::kIgnored, match.length);
     return;

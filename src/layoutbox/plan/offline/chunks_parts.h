@@ -83,6 +83,7 @@ class Chunker {
   bool is_verb_of(std::string_view list, std::size_t at) const;
   std::size_t past_particles(std::size_t at) const;
   std::size_t length_of_looking() const;
+  std::size_t length_of_view() const;
   std::size_t length_of_particle() const;
   bool read_past();
   bool parts_from() const;

@@ -30,6 +30,7 @@ class UnitReader {
   bool takes_order(std::size_t k);
   void add_place(std::size_t k, const PhraseSenses& senses);
   void add_shorter_senses(std::size_t k);
+  void choose_way(std::size_t k);
   void read_have(std::size_t k);
   void read_verb(std::size_t k);
 

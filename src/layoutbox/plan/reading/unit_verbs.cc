@@ -57,10 +57,14 @@ void UnitReader::place_by_verb(std::size_t k) {
   const bool thing = noun.kind == NounKind::kObject && noun.entry != nullptr && said;
   if (!part && !thing) return;
   const bool anew = thing && noun.determiner != Determiner::kDefinite && noun.determiner != Determiner::kPossessive;
-  // What such a verb says of two known things is seldom where they are: "it complements the sofa".
-  if (!anew && lexicon_.is(document_.tokens[chunk(verb).first], WordClass::kVerb)) return;
-  skipping_ = doing_ = false;
   const Catalog& catalog = lexicon_.catalog();
+  // What such a verb says of two known things is seldom where they are ("it complements the sofa"), but "a fleece softens the bench".
+  const bool lies = thing &&
+                    (mount_of(*subject) == Mount::kSurface || is_textile(catalog, *subject) ||
+                     (subject->entry->thin && mount_of(*subject) == Mount::kFloor)) &&
+                    may_carry(catalog, noun, *subject);
+  if (!anew && !lies && lexicon_.is(document_.tokens[chunk(verb).first], WordClass::kVerb)) return;
+  skipping_ = doing_ = false;
   const bool has = anew && mount_of(noun) == Mount::kSurface && may_carry(catalog, *subject, noun) && !may_carry(catalog, noun, *subject);
   mark(verb, WordReading::Use::kUsed, has ? "has" : "placing");
   if (has) {

@@ -260,6 +260,7 @@ void UnitReader::add_place(std::size_t k, const PhraseSenses& senses) {
     side.back().direction = PhraseSense::Direction::kDirect;
   }
   add_shorter_senses(k);
+  choose_way(k);
   // "From a rail over the stove hang two pans": on it.
   if (document_.tokens[chunk(k).first].text != "from" || chunk(k).last - chunk(k).first != 1) return;
   for (std::size_t c = k + 1; c < document_.chunks.size() && !is(c, ChunkKind::kStop) && !is(c, ChunkKind::kClause); ++c) {
@@ -267,6 +268,17 @@ void UnitReader::add_place(std::size_t k, const PhraseSenses& senses) {
     units_.back().direct.push_back({RelationType::kOn, PhraseSense::Direction::kDirect, {}, {}, {}});
     return;
   }
+}
+
+// "with its back to the wall": against it; "… to the bookcase": that is behind.
+void UnitReader::choose_way(std::size_t k) {
+  Unit& unit = units_.back();
+  const std::size_t n = next(k);
+  if (unit.direct.empty() || unit.inverse.empty() || !is(n, ChunkKind::kNoun)) return;
+  const bool walls = std::ranges::all_of(unit.direct, [](const PhraseSense& sense) {
+    return (relation_row(sense.type).reference_kinds & kObject) == 0 || sense.type == RelationType::kAgainstWall;
+  });
+  if (walls && says(unit.inverse, RelationType::kBehind) && chunk(n).noun.kind == NounKind::kObject) unit.direct.clear();
 }
 
 // "resting against the piano": what "against" says as well, where the longer words are listed for walls alone.
