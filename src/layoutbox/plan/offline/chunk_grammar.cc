@@ -161,10 +161,27 @@ bool Chunker::parts_from() const {
   return false;
 }
 
+// "a rail from which two coats hang": they hang on it.
+bool Chunker::hangs_from_which() const {
+  constexpr std::size_t kFar = 8;
+  if (tokens_[i_].text != "from" || i_ + 2 >= tokens_.size() || tokens_[i_ + 1].text != "which") return false;
+  for (std::size_t i = i_ + 2; i < tokens_.size() && i < i_ + kFar && tokens_[i].kind == Token::Kind::kWord; ++i) {
+    if (lexicon_.is(tokens_[i], Class::kHang)) return true;
+  }
+  return false;
+}
+
 // A place that no list has as it stands.
 bool Chunker::read_built_place() {
   if (tokens_[i_].kind != Token::Kind::kWord) return false;
   if (read_steps() || read_past()) return true;
+  if (hangs_from_which()) {
+    PhraseMatch from;
+    from.length = 1;
+    from.senses = lexicon_.senses_of("hanging from");
+    add_phrase(from);
+    return true;
+  }
   if (parts_from()) {
     PhraseMatch between;
     between.length = 1;

@@ -190,6 +190,8 @@ PhraseMatch Chunker::phrase_here() const {
   // "at its far end": the end of a thing, not of the room.
   const bool of_room = std::ranges::all_of(*phrase.senses, [](const PhraseSense& s) { return s.type == RelationType::kInRegion; });
   if (of_room && (phrase.possessive || (last == "of" && names_thing_at(after)))) return lexicon_.find_phrase(tokens_.first(i_ + 1), i_);
+  // "at its right-hand end": not "at hand".
+  if (last == "hand" && lexicon_.is(tokens_[after], Class::kSide)) return lexicon_.find_phrase(tokens_.first(i_ + 1), i_);
   const bool end = last == "end" || last == "edge";
   if (phrase.possessive && end && tokens_[after - 2].text == "right") return lexicon_.find_phrase(tokens_.first(i_ + 1), i_);
   if (last != "left" && last != "right" && last != "side") return phrase;
@@ -394,8 +396,9 @@ void Chunker::read_small_word() {
     return;
   }
   // "a wardrobe blocks the corner": a thing's name that is a verb here.
-  const bool verb = match.length == 1 && is(Class::kObject) && previous() == ChunkKind::kNoun && i_ + 1 < tokens_.size() &&
-                    tokens_[i_].text.ends_with("s") && opens_noun(tokens_[i_ + 1]) && may_be_verb(tokens_[i_].text);
+  const bool verb = match.length == 1 && !is(Class::kFiller) && !is(Class::kAdverb) && !is(Class::kCommand) &&
+                    previous() == ChunkKind::kNoun && i_ + 1 < tokens_.size() && tokens_[i_].text.ends_with("s") &&
+                    opens_noun(tokens_[i_ + 1]);
   if (verb) {
     add(ChunkKind::kUnknown, 1);
     return;

@@ -87,6 +87,7 @@ class Chunker {
   std::size_t length_of_particle() const;
   bool read_past();
   bool parts_from() const;
+  bool hangs_from_which() const;
   bool read_built_place();
   std::optional<Measure> read_stride(std::size_t at) const;
   bool read_steps();

@@ -12,7 +12,8 @@ namespace {
 bool is_own_shelf(const NounPhrase& noun) {
   static constexpr std::string_view kWhich[] = {"shelf",       "top shelf",   "bottom shelf", "middle shelf",
                                                 "lower shelf", "upper shelf", "lowest shelf", "highest shelf"};
-  if (noun.determiner == Determiner::kPossessive && one_of(noun.head, {"shelf", "tier", "level"})) return true;
+  if (noun.determiner == Determiner::kPossessive && one_of(noun.head, {"shelf", "tier", "level", "board", "plank", "rung", "deck"}))
+    return true;
   return std::find(std::begin(kWhich), std::end(kWhich), noun.name) != std::end(kWhich);
 }
 

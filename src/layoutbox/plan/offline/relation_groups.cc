@@ -126,6 +126,8 @@ bool RelationBuilder::lie_on(const Link& link, const std::vector<int>& items, in
   return std::all_of(items.begin(), items.end(), [&](int item) {
     const std::vector<std::string>& qualities = noun_of_item(item).attributes;
     if (std::find(qualities.begin(), qualities.end(), "tall") != qualities.end()) return false;  // beside it
+    // Loudspeakers flank a sideboard on the floor.
+    if (one_of(noun_of_item(item).head, {"speaker", "loudspeaker"}) && !ends && !is_table(catalog_, carrier)) return false;
     return mount_of(noun_of_item(item)) == Mount::kSurface && may_carry(catalog_, carrier, noun_of_item(item));
   });
 }

@@ -142,6 +142,10 @@ class SenseChooser {
       return on_part(reference_.wall_word);
     }
     // "at the far end of the bench": on it, or by it.
+    // "on the left half of the tabletop", "takes up the right third"
+    const bool share = one_of(head, {"half", "third", "part", "portion", "section", "quarter"});
+    if (share && one_of(reference_.wall_word, {"left", "right", "front", "back"}) && mount_of(target_) == Mount::kSurface)
+      return on_part(reference_.wall_word);
     const NounPhrase* whole = reference_.of && reference_.of->kind == NounKind::kObject ? reference_.of.get() : nullptr;
     const bool flat = whole != nullptr && whole->head != "bed" && may_carry(catalog_, *whole, target_);
     if (head == "end" && (!reference_.wall_word.empty() || flat) && mount_of(target_) == Mount::kSurface) return on_part("end");

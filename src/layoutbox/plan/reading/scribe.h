@@ -20,6 +20,7 @@ class Scribe {
   void write_noun(int u);
   void write_place(int u);
   void write_place_alone(int u);
+  int whole_of(int mention);
   std::vector<int> references_alone(int u, const Link& link);
   void complete_pair(int u, Link& link);
   bool is_mutual(int u, const Link& link) const;

@@ -39,6 +39,16 @@ bool Scribe::is_mutual(int u, const Link& link) const {
          (says(link.senses, RelationType::kStacked) || twice || word(u) == "side" || word(u) == "back");
 }
 
+// "three jars at its right end, a crate beneath": beneath the thing, not its end.
+int Scribe::whole_of(int mention) {
+  if (mention < 0 || mention_at(mention).noun.kind != NounKind::kPart || mention_at(mention).items.empty()) return mention;
+  Mention whole = mention_at(mention);
+  whole.noun = document_.items[static_cast<std::size_t>(whole.items.front())].noun;
+  whole.introduces = false;
+  document_.mentions.push_back(std::move(whole));
+  return static_cast<int>(document_.mentions.size()) - 1;
+}
+
 // Whom a place without a reference is by.
 std::vector<int> Scribe::references_alone(int u, const Link& link) {
   const UnitReading& own = reading(u);
@@ -49,7 +59,11 @@ std::vector<int> Scribe::references_alone(int u, const Link& link) {
     document_.mentions.push_back(std::move(other));
     return {static_cast<int>(document_.mentions.size()) - 1};
   }
-  if (!own.implied_list || own.implied < 0) return mentions_of(own.implied);
+  if (!own.implied_list || own.implied < 0) {
+    std::vector<int> meant = mentions_of(own.implied);
+    for (int& m : meant) m = whole_of(m);
+    return meant;
+  }
   std::vector<int> all;
   for (int m = own.implied; m >= 0; m = reading(m).former) all.insert(all.begin(), mention_[static_cast<std::size_t>(m)]);
   return says(link.senses, RelationType::kBetween) && all.size() != 2 ? std::vector<int>{combined(all)} : all;

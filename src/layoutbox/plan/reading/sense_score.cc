@@ -30,6 +30,10 @@ double SenseScore::of_place(const PhraseSenses& senses, const NounPhrase& target
       mount_of(reference) == Mount::kSurface)
     score += weight::kSmallTogether;
   if (sense->type == RelationType::kIn && is_storage(reference)) score += weight::kInStorage;
+  // "… at the foot": of the bed rather than of what stands beside it.
+  if (sense->type == RelationType::kAtFootOf && reference.entry != nullptr && !reference.entry->is(Trait::kBed) &&
+      !is_seat(catalog_, reference))
+    score += weight::kNotBeside;
   if (sense->type == RelationType::kAtHeadOf && is_seat(catalog_, reference)) score += weight::kNoReference;  // no chair has a head
   const bool lain_on = reference.entry != nullptr && (reference.entry->is(Trait::kBed) || is_table(catalog_, reference));
   if (sense->type == RelationType::kAtFootOf && reference.kind == NounKind::kObject && !lain_on && mount_of(reference) == Mount::kFloor)

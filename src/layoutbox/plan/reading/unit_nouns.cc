@@ -344,6 +344,7 @@ void UnitReader::place_at_named_wall(std::size_t k) {
 
 void UnitReader::read_noun(std::size_t k) {
   if (stresses(k)) return;
+  mean_desktop(k);
   settle_noun(k);
   if (shares_by_subject(k) || opens_topic(k)) return;
   settle_place_words(k);

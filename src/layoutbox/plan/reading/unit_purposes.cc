@@ -334,7 +334,15 @@ bool UnitReader::serves_for(std::size_t k, std::size_t role) {
   for (std::size_t c = k; c <= role; ++c) mark(c, Use::kIgnored, "purpose");
   mark(whom, Use::kUsed, "has");
   skipping_ = false;
-  add(UnitKind::kHave, whom);
+  // On it, though it has an inside, where what it serves as has none.
+  static const PhraseSenses kTopped = {{RelationType::kOn, PhraseSense::Direction::kInverse, {}, {}, {}}};
+  if (is_table(lexicon_.catalog(), as)) {
+    document_.chunks[whom].kind = ChunkKind::kRelation;
+    document_.chunks[whom].phrase.senses = &kTopped;
+    add_place(whom, kTopped);
+  } else {
+    add(UnitKind::kHave, whom);
+  }
   passed_until_ = thing;
   return true;
 }

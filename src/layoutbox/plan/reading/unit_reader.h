@@ -118,6 +118,7 @@ class UnitReader {
   bool is_unlisted_verb(std::size_t k) const;
   bool passes_light_noun(std::size_t k);
   bool stresses(std::size_t k);
+  void mean_desktop(std::size_t k);
   void mean_owner_of_spot(std::size_t k);
   const NounPhrase* subject_of_verb(std::size_t verb) const;
   void place_by_verb(std::size_t k);

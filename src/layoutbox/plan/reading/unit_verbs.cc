@@ -90,6 +90,22 @@ bool UnitReader::passes_light_noun(std::size_t k) {
   return true;
 }
 
+// "a typewriter in the middle of the desktop": of the desk, where one was named and no computer.
+void UnitReader::mean_desktop(std::size_t k) {
+  NounPhrase& noun = document_.chunks[k].noun;
+  if (noun.name != "desktop" || noun.kind != NounKind::kObject || noun.determiner != Determiner::kDefinite || !after_place()) return;
+  bool desk = false;
+  for (std::size_t c = k; c-- > 0;) {
+    if (!is(c, ChunkKind::kNoun) || chunk(c).noun.kind != NounKind::kObject) continue;
+    if (chunk(c).noun.entry == noun.entry && chunk(c).noun.entry != nullptr) return;
+    desk |= one_of(chunk(c).noun.head, {"desk", "workstation"});
+  }
+  if (!desk) return;
+  noun.kind = NounKind::kPart;
+  noun.entry = nullptr;
+  noun.category.clear();
+}
+
 // "on the bed itself": the bed.
 bool UnitReader::stresses(std::size_t k) {
   const NounPhrase& noun = chunk(k).noun;
