@@ -21,18 +21,25 @@ bool Chunker::read_wishing() {
   if (i_ + 2 >= tokens_.size() || !lexicon_.is(tokens_[i_], Class::kDoer)) return false;
   std::size_t verb = i_ + 1;
   bool helped = false;
-  for (; verb + 1 < tokens_.size() && is_helping(verb); ++verb) helped |= tokens_[verb].text != "just" && tokens_[verb].text != "also";
+  for (; verb + 1 < tokens_.size() && is_helping(verb); ++verb) helped |= !says_how_much(verb);
   if (helped) return read_helped_wish(verb);
   if (!lexicon_.is_in("wishing", tokens_[verb].text) || !thing_next(verb + 1)) return false;
   add(ChunkKind::kThere, verb + 1 - i_);
   return true;
 }
 
+// "really", "probably", "rather": between what helps and the verb.
+bool Chunker::says_how_much(std::size_t at) const {
+  const std::string& word = tokens_[at].text;
+  return word == "just" || word == "also" || lexicon_.is(tokens_[at], Class::kAdverb) || lexicon_.is(tokens_[at], Class::kSoft) ||
+         (word.ends_with("ly") && word_form(word) == WordForm::kAdverb);
+}
+
 // "would", "have", "also", "really": before what somebody wants or has put somewhere.
 bool Chunker::is_helping(std::size_t at) const {
   static constexpr std::array<std::string_view, 12> kHelping = {"would", "will", "have",   "has",   "had", "do",
                                                                 "just",  "also", "really", "still", "now", "then"};
-  return std::ranges::find(kHelping, tokens_[at].text) != kHelping.end();
+  return std::ranges::find(kHelping, tokens_[at].text) != kHelping.end() || says_how_much(at);
 }
 
 // "I would just like my recliner …", "someone had left a bucket", "I'd also like to put the till …", after "would", "had".

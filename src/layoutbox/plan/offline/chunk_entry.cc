@@ -41,8 +41,9 @@ bool Chunker::read_where_in() {
   const bool who = lexicon_.is(tokens_[at], Class::kDoer) || tokens_[at].text == "one" || lexicon_.is_person(tokens_[at].text);
   const Token& verb = tokens_[at + 1];
   const bool pours = one_of_words(verb, {"comes", "gets", "pours", "streams", "floods", "falls", "shines", "enters", "hits"});
-  if (!(light && pours) && !(who && enters(verb))) return false;
-  const std::size_t end = past_inside(at + 2);
+  const bool good = light && verb.text == "is" && at + 2 < tokens_.size() && tokens_[at + 2].kind == Token::Kind::kWord;  // "is best"
+  if (!(light && pours) && !good && !(who && enters(verb))) return false;
+  const std::size_t end = past_inside(at + (good ? 3 : 2));
   if (end == at + 2 && !verb.text.starts_with("enter") && !light) return false;
   add_opening(light ? NounKind::kWindow : NounKind::kDoor, end);
   return true;

@@ -65,6 +65,10 @@ void Chunker::read() {
     return;
   }
   const PhraseMatch phrase = phrase_here();
+  if (tokens_[i_].text == "all" && phrase.length == 2) {  // "trays all over it"
+    add_phrase(phrase);
+    return;
+  }
   const ChunkKind before = previous();
   // "my desk is 's": what a person owns was read with the noun; elsewhere the sign stands for "is" or "us".
   if (tokens_[i_].text == "'s") {
@@ -148,15 +152,18 @@ bool Chunker::is_loose_particle() const {
 
 // "props such as a suitcase and a hat": what is listed, and nothing besides.
 bool Chunker::read_such_as() {
-  if (tokens_[i_].text != "such" || i_ + 1 >= tokens_.size() || tokens_[i_ + 1].text != "as" || !thing_next(i_ + 2)) return false;
+  const bool like = tokens_[i_].text == "like" && thing_next(i_ + 1);  // "items like a kettle"
+  const bool such = tokens_[i_].text == "such" && i_ + 1 < tokens_.size() && tokens_[i_ + 1].text == "as" && thing_next(i_ + 2);
+  if (!like && !such) return false;
   Chunk* kinds = previous() == ChunkKind::kNoun ? &chunks_[telling_] : nullptr;
   if (kinds == nullptr || !(kinds->noun.plural || kinds->noun.head == "furniture") || kinds->noun.count > 0 ||
       kinds->noun.determiner != Determiner::kNone)
     return false;
+  if (like && !is_collective(kinds->noun.head) && kinds->noun.head != "thing" && kinds->noun.head != "furniture") return false;
   kinds->kind = ChunkKind::kIgnored;
   do --telling_;
   while (telling_ < chunks_.size() && (chunks_[telling_].kind == ChunkKind::kIgnored || chunks_[telling_].kind == ChunkKind::kSoft));
-  add(ChunkKind::kIgnored, 2);
+  add(ChunkKind::kIgnored, like ? 1 : 2);
   return true;
 }
 

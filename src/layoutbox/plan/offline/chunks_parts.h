@@ -59,6 +59,7 @@ class Chunker {
   bool follows_doer() const;
   bool read_wishing();
   bool is_helping(std::size_t at) const;
+  bool says_how_much(std::size_t at) const;
   bool read_helped_wish(std::size_t verb);
   bool read_finding();
   static bool one_of_finders(std::string_view who);

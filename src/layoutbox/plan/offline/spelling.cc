@@ -1,6 +1,7 @@
 #include "layoutbox/plan/offline/spelling.h"
 
 #include <algorithm>
+#include <ranges>
 #include <string_view>
 #include <unordered_map>
 #include <utility>
@@ -57,6 +58,12 @@ int likelihood(std::string_view word, std::string_view known) {
   return known.size() == word.size() ? 1 : 0;
 }
 
+// "demo" is no "deco": of four letters that differ in one, rather another word than a slip, unless two were swapped.
+bool is_other_short_word(std::string_view word, std::string_view known) {
+  if (word.size() != kShortest || known.size() != kShortest) return false;
+  return std::ranges::count_if(std::views::iota(std::size_t{0}, kShortest), [&](std::size_t i) { return word[i] != known[i]; }) == 1;
+}
+
 // The nearest known word: one letter changed, added, left out or swapped; two in long words that
 // are no compounds. Empty where there is none.
 std::string nearest(const Lexicon& lexicon, const std::string& word) {
@@ -66,6 +73,7 @@ std::string nearest(const Lexicon& lexicon, const std::string& word) {
   const auto look = [&](char first) {
     for (std::size_t length = word.size() - reach; length <= word.size() + reach; ++length) {
       for (const std::string_view known : lexicon.words_like(first, length)) {
+        if (is_other_short_word(word, known)) continue;
         const std::size_t distance = edit_distance(word, known);
         const bool better =
             distance < least || (distance == least && distance <= reach && likelihood(word, known) > likelihood(word, best));

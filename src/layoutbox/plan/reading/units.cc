@@ -321,9 +321,9 @@ bool UnitReader::ends_comparison(std::size_t k) const {
   if (!one_of(document_.tokens[chunk(like).last - 1].text, {"like", "for", "as", "of"})) return false;
   for (std::size_t u = units_.size(); u-- > 0;) {
     if (units_[u].kind == UnitKind::kVerb || units_[u].kind == UnitKind::kOpen) return false;
-    if (units_[u].clause) break;
+    if (units_[u].clause || (units_[u].kind == UnitKind::kNoun && units_[u].joiner != Joiner::kNone)) break;
   }
-  return !units_.empty() && units_.front().kind == UnitKind::kNoun;
+  return !units_.empty() && units_.back().kind == UnitKind::kNoun;
 }
 
 // "The desk stands centered": in the middle of the room, where no place follows that says of what.
