@@ -144,6 +144,7 @@ class Decoder {
   bool is_fresh(int u) const;
   bool hangs_twice(const State& state, int u, int member) const;
   double parallel_score(const State& state, int u, int member) const;
+  Referent carrier_before(const State& state, int u) const;
   bool lies_twice(const State& state, int u, int member) const;
   bool is_one_of_several(int u) const;
   bool nothing_nearer(const State& state, std::size_t level) const;
@@ -162,6 +163,7 @@ class Decoder {
   void text_antecedents(const State& state, const PhraseSenses* senses, const Trial& trial, double order) const;
   double antecedent_place_score(const State& state, Referent referent, Referent subject, const PhraseSenses& senses,
                                 const NounPhrase* noun) const;
+  bool is_of_one_group(const State& state, Referent group, Referent subject, const NounPhrase* noun) const;
   bool consider(std::vector<Candidate>& all, const State& state, Referent referent, double order, Referent subject,
                 const PhraseSenses* senses, const NounPhrase* noun, bool list) const;
 

@@ -110,11 +110,27 @@ bool Decoder::says_its(int u) const {
   return std::any_of(first, last, [](const Token& token) { return token.text == "its"; });
 }
 
+// "on its left end a toaster, in the middle a bowl": what the place before put a small thing on, where another one follows.
+Referent Decoder::carrier_before(const State& state, int u) const {
+  const bool small =
+      follows(u, UnitKind::kNoun) && chunk(u + 1).noun.kind == NounKind::kObject && mount_of(chunk(u + 1).noun) == Mount::kSurface;
+  for (int p = u; small && p-- > 0 && !unit(p + 1).clause;) {
+    if (!is(p, UnitKind::kPlace)) continue;
+    if (read_as(state, p).alone && says_its(p)) return read_as(state, p).implied;  // "on its left end"
+    const bool on = says(unit(p).direct, RelationType::kOn) && follows(p, UnitKind::kNoun) && chunk(p + 1).noun.kind == NounKind::kPart;
+    if (!on) return kNobody;
+    return read_as(state, p + 1).meant != kNobody ? read_as(state, p + 1).meant : p + 1;
+  }
+  return kNobody;
+}
+
 // It comes before its thing.
 void Decoder::front_alone_actions(std::size_t s, int u, double gain) {
   const State& state = states_[s];
   const PhraseSenses& senses = alone_senses(u);
   if (of_group_only(senses)) {
+    if (const Referent carrier = carrier_before(state, u); carrier != kNobody && says(senses, RelationType::kCenterOfRoom))
+      add(s, kFrontAlone, gain + weight::kPartOfCarrier, -1, -1, carrier);
     add(s, kFrontAlone, gain);
     return;
   }

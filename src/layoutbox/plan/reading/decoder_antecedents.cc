@@ -34,13 +34,19 @@ bool is_list_wanted(const NounPhrase* noun) {
 
 }  // namespace
 
+// "two crates, the blue one on the grey one": both are of the group.
+bool Decoder::is_of_one_group(const State& state, Referent group, Referent subject, const NounPhrase* noun) const {
+  return noun != nullptr && noun->kind == NounKind::kMember && !noun->plural && noun->count <= 1 && subject >= 0 &&
+         chunk(subject).noun.kind == NounKind::kMember && several(state, group);
+}
+
 bool Decoder::consider(std::vector<Candidate>& all, const State& state, Referent referent, double order, Referent subject,
                        const PhraseSenses* senses, const NounPhrase* noun, bool list) const {
   if (referent == kNobody) return false;
   const NounPhrase& meant = noun_of(state, referent);
   const bool opening = meant.kind == NounKind::kDoor || meant.kind == NounKind::kWindow;
   if (!is_thing(state, referent) && !(opening && senses != nullptr && noun != nullptr && noun->head == "it")) return false;
-  if (subject != kNobody && same(state, referent, subject)) return false;
+  if (subject != kNobody && !is_of_one_group(state, referent, subject, noun) && same(state, referent, subject)) return false;
   // Nothing stands between itself, or what has it, and something else.
   const Referent host = subject >= 0 ? host_of(state, subject) : kNobody;
   for (int m = list ? referent : -1; m >= 0; m = read_as(state, m).former) {
@@ -96,7 +102,9 @@ std::vector<Decoder::Candidate> Decoder::antecedents(const State& state, Referen
   std::vector<Candidate> all;
   const std::vector<int> placed = subject >= 0 && first_subject >= 0 ? list_of(state, subject, first_subject) : std::vector<int>{};
   const Trial trial = [&](Referent referent, double order, bool list) {
-    if (std::any_of(placed.begin(), placed.end(), [&](int member) { return same(state, referent, member); })) return false;
+    if (!is_of_one_group(state, referent, subject, noun) &&
+        std::any_of(placed.begin(), placed.end(), [&](int member) { return same(state, referent, member); }))
+      return false;
     return consider(all, state, referent, order, subject, senses, noun, list);
   };
   const bool plural = noun != nullptr && (noun->plural || noun->kind == NounKind::kMember || noun->determiner == Determiner::kBoth);
