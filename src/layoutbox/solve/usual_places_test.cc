@@ -121,6 +121,23 @@ TEST(UsualPlaces, AScreenOnACounterLooksAtTheStoolBehindIt) {
   EXPECT_LT(in_frame_of(laptop, {stool.position[0], stool.position[1], 0}).y, 0);
 }
 
+TEST(UsualPlaces, EachLooksIntoItsOwnMirrorFromTheSameDistance) {
+  SceneMaker maker(5000, 4000);
+  maker.add("salon_chair", 3).add("mirror", 3).add("wall_shelf", 3);
+  for (int i = 1; i <= 3; ++i) {
+    const std::string mirror = "mirror_" + std::to_string(i);
+    maker.relate("facing", {"salon_chair_" + std::to_string(i)}, {mirror}).relate("under", {"wall_shelf_" + std::to_string(i)}, {mirror});
+  }
+  const Layout layout = solved_as_asked(maker.make(true));
+  for (int i = 1; i <= 3; ++i) {
+    const PlacedObject &chair = *layout.find_object("salon_chair_" + std::to_string(i)),
+                       &mirror = *layout.find_object("mirror_" + std::to_string(i));
+    const TestPoint at = in_frame_of(mirror, {chair.position[0], chair.position[1], 0});
+    EXPECT_NEAR(at.x, 0, 60) << i;
+    EXPECT_NEAR(-at.y, 500 + chair.size.depth / 2.0, 150) << i;
+  }
+}
+
 TEST(UsualPlaces, AShelfBelowAMirrorHangsCloseBelowIt) {
   for (const char* above : {"mirror", "painting"}) {
     const std::string over = std::string(above) + "_1";

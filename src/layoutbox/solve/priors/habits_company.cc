@@ -300,7 +300,9 @@ bool Habits::before_its_host(int item) const { return model_.items[item].is(Trai
 bool Habits::look_at(int item, bool leads, const std::vector<int>& crowd) {
   const Item& self = model_.items[item];
   if (!self.has_front) return false;
-  const std::vector<int> seen = items_of_kinds(self.entry->faces, item);
+  std::vector<int> seen = items_of_kinds(self.entry->faces, item);
+  // Each has its own mirror before all others.
+  std::ranges::stable_partition(seen, [&](int other) { return related_as_target(item, other, RelationType::kFacing); });
   for (const int other : seen) {
     if (model_.items[other].mount != Mount::kFloor && model_.items[other].mount != Mount::kWall && seen.size() > 1 && other != seen[0])
       continue;
