@@ -65,8 +65,10 @@ bool Chunker::read_finding() {
   if (i_ + 2 >= tokens_.size() || !lexicon_.is(tokens_[i_], Class::kDoer) || !thing_next(i_ + 2) || chunks_.size() < 2) return false;
   if (!one_of_finders(tokens_[i_].text) || !may_be_verb(tokens_[i_ + 1].text)) return false;
   std::size_t first = chunks_.size();
-  while (first > 0 && (chunks_[first - 1].kind == ChunkKind::kNoun || chunks_[first - 1].kind == ChunkKind::kRelation ||
-                       chunks_[first - 1].kind == ChunkKind::kIgnored))
+  constexpr std::size_t kMostChunks = 12;
+  while (first > 0 && first + kMostChunks > chunks_.size() &&
+         (chunks_[first - 1].kind == ChunkKind::kNoun || chunks_[first - 1].kind == ChunkKind::kRelation ||
+          chunks_[first - 1].kind == ChunkKind::kIgnored))
     --first;
   const bool opens = first == 0 || chunks_[first - 1].kind == ChunkKind::kStop || chunks_[first - 1].kind == ChunkKind::kClause;
   if (!opens || first >= chunks_.size() || chunks_[first].kind != ChunkKind::kRelation || previous() != ChunkKind::kNoun) return false;

@@ -120,64 +120,6 @@ bool Chunker::opens_question() const {
          !lexicon_.is(tokens_[i_ + 1], Class::kPronoun);
 }
 
-// "plants, ten at least!", "six at most": a bound behind its number.
-bool Chunker::read_trailing_bound() {
-  const std::size_t length = std::max(length_of(Class::kAtLeast), length_of(Class::kAtMost));
-  if (length == 0 || previous() != ChunkKind::kNoun || chunks_[telling_].noun.count == 0 || i_ + length > tokens_.size()) return false;
-  if (i_ + length < tokens_.size() && tokens_[i_ + length].kind != Token::Kind::kPunctuation) return false;
-  chunks_[telling_].noun.at_least = length_of(Class::kAtLeast) > 0;
-  add(ChunkKind::kIgnored, length);
-  return true;
-}
-
-// "a rail from which two coats hang": a place; "a bench from which to watch" is none.
-bool Chunker::read_from_which() {
-  if (tokens_[i_].text != "from" || i_ + 1 >= tokens_.size() || tokens_[i_ + 1].text != "which") return false;
-  bool hangs = false;
-  for (std::size_t at = i_ + 2; at < tokens_.size() && tokens_[at].kind == Token::Kind::kWord; ++at)
-    hangs |= lexicon_.is(tokens_[at], Class::kHang);
-  const PhraseMatch from = hangs ? lexicon_.find_phrase(tokens_.first(i_ + 1), i_) : PhraseMatch{};
-  if (from.length == 0) return false;
-  add_phrase(from);
-  return true;
-}
-
-// "over by the window", "off in the corner": the place comes after it.
-bool Chunker::is_loose_particle() const {
-  static constexpr std::array<std::string_view, 6> kParticles = {"over", "up", "off", "out", "down", "round"};
-  if (std::ranges::find(kParticles, tokens_[i_].text) == kParticles.end() || phrase_here().length > 1) return false;
-  return i_ + 2 < tokens_.size() && !opens_noun(tokens_[i_ + 1]) && lexicon_.find_phrase(tokens_, i_ + 1).length > 0 &&
-         opens_noun(tokens_[i_ + 2]);
-}
-
-// "props such as a suitcase and a hat": what is listed, and nothing besides.
-bool Chunker::read_such_as() {
-  const bool like = tokens_[i_].text == "like" && thing_next(i_ + 1);  // "items like a kettle"
-  const bool such = tokens_[i_].text == "such" && i_ + 1 < tokens_.size() && tokens_[i_ + 1].text == "as" && thing_next(i_ + 2);
-  if (!like && !such) return false;
-  Chunk* kinds = previous() == ChunkKind::kNoun ? &chunks_[telling_] : nullptr;
-  if (kinds == nullptr || !(kinds->noun.plural || kinds->noun.head == "furniture") || kinds->noun.count > 0 ||
-      kinds->noun.determiner != Determiner::kNone)
-    return false;
-  if (like && !is_collective(kinds->noun.head) && kinds->noun.head != "thing" && kinds->noun.head != "furniture") return false;
-  kinds->kind = ChunkKind::kIgnored;
-  do --telling_;
-  while (telling_ < chunks_.size() && (chunks_[telling_].kind == ChunkKind::kIgnored || chunks_[telling_].kind == ChunkKind::kSoft));
-  add(ChunkKind::kIgnored, like ? 1 : 2);
-  return true;
-}
-
-// "please leave the wardrobe out", "keep plants out": it is not wanted.
-bool Chunker::read_leave_out() {
-  static constexpr std::array<std::string_view, 4> kLeaving = {"leave", "keep", "cut", "take"};
-  if (std::ranges::find(kLeaving, tokens_[i_].text) == kLeaving.end() || !clause_begins()) return false;
-  const auto noun = read_noun_phrase(lexicon_, tokens_, i_ + 1, true);
-  if (!noun || noun->kind != NounKind::kObject || noun->last >= tokens_.size() || tokens_[noun->last].text != "out") return false;
-  if (noun->last + 1 < tokens_.size() && tokens_[noun->last + 1].kind == Token::Kind::kWord) return false;
-  add(ChunkKind::kWithout, 1);
-  return true;
-}
-
 // "enough chairs for six": a number is yet to come.
 bool Chunker::says_enough() const {
   if (tokens_[i_].text != "enough" || previous() == ChunkKind::kNoun || i_ + 1 >= tokens_.size()) return false;

@@ -1,4 +1,4 @@
-// The class behind chunk_tokens; its members stand in chunks, chunk_deeds, chunk_entry, chunk_grammar and chunk_sizes.
+// The class behind chunk_tokens; its members stand in chunks, chunk_asides, chunk_deeds, chunk_entry, chunk_grammar and chunk_sizes.
 #pragma once
 
 #include <optional>

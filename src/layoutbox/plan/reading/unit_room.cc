@@ -62,7 +62,8 @@ void UnitReader::mean_end_of_room(std::size_t k) {
 bool UnitReader::stands_in_room(std::size_t k) const {
   const std::size_t place = units_.back().chunk;
   std::size_t thing = document_.chunks.size();
-  for (std::size_t c = place; c-- > 0 && !is(c, ChunkKind::kStop) && thing >= document_.chunks.size();) {
+  constexpr std::size_t kBack = 60;
+  for (std::size_t c = place; c-- > 0 && c + kBack > place && !is(c, ChunkKind::kStop) && thing >= document_.chunks.size();) {
     if (is(c, ChunkKind::kNoun) && chunk(c).noun.kind == NounKind::kObject) thing = c;
   }
   const std::size_t before = previous(place);
