@@ -223,8 +223,9 @@ bool UnitReader::speaks_again(std::size_t k) const {
            is(c, ChunkKind::kPurpose);
   };
   if (!tells(next(k))) return false;
+  constexpr std::size_t kFarthest = 400;  // chunks that are looked back at; keeps long texts linear
   std::size_t found = 0, one = 0;
-  for (std::size_t c = 0; c < k; ++c) {
+  for (std::size_t c = k > kFarthest ? k - kFarthest : 0; c < k; ++c) {
     if (!is(c, ChunkKind::kNoun) || chunk(c).noun.kind != NounKind::kObject || chunk(c).noun.name != noun.name) continue;
     one = c;
     ++found;
