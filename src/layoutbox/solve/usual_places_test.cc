@@ -89,6 +89,18 @@ TEST(UsualPlaces, ChairsWithTheirBacksToTheWallSitInARow) {
   }
 }
 
+TEST(UsualPlaces, WhatIsToldItsWallStandsThereSideBySide) {
+  for (const char* kind : {"bookshelf", "wardrobe", "locker"}) {
+    SceneMaker maker(5000, 4200);
+    maker.opening(OpeningType::kDoor, "wall1", 100).add(kind, 2).add("painting");
+    const std::string one = std::string(kind) + "_1", other = std::string(kind) + "_2";
+    for (const std::string& id : {one, other}) maker.relate("againstWall", {id}).relate("farFromDoor", {id});
+    const Layout layout = solved_as_asked(maker.make());
+    EXPECT_NEAR(layout.find_object(one)->rotation_deg, layout.find_object(other)->rotation_deg, 1) << kind;
+    EXPECT_LT(between(layout, one, other), layout.find_object(one)->size.width + 200.0) << kind;
+  }
+}
+
 TEST(UsualPlaces, WhoVisitsAPatientHasRoomForTheKnees) {
   for (const char* side : {"leftOf", "rightOf"}) {
     const Layout layout = solved_as_asked(SceneMaker(4500, 4000)

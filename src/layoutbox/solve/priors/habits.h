@@ -149,6 +149,7 @@ class Habits {
   void stand_before_crowd(int faced);
   void stand_in_run(int item);
   bool stand_along_run(int item);
+  bool only_told_its_wall(int item) const;
   void stand_in_wall_row(int item);
   void stand_abreast_in_row(int item);
   bool stand_as_twin(int item);

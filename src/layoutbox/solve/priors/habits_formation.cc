@@ -1,4 +1,5 @@
 // Habits of things that come in numbers.
+#include <array>
 #include <cmath>
 
 #include "layoutbox/solve/priors/formation.h"
@@ -217,6 +218,18 @@ bool Habits::stand_along_run(int item) {
   return false;
 }
 
+// Do words say at most at which wall it stands (its own, the one opposite something, one far from the door), and nothing of where along
+// it? What stands anywhere has to be told to be at a wall.
+bool Habits::only_told_its_wall(int item) const {
+  using R = RelationType;
+  constexpr std::array kOfWalls{R::kOnWall, R::kAgainstWall, R::kOpposite, R::kDistance, R::kFar, R::kFarFromDoor};
+  const auto& relations = model_.scene->relations;
+  const auto told = [&](const Relation& r) { return std::ranges::find(r.targets, model_.items[item].id) != r.targets.end(); };
+  const auto at_wall = [&](const Relation& r) { return r.type == R::kAgainstWall && told(r); };
+  const auto elsewhere = [&](const Relation& r) { return told(r) && std::ranges::find(kOfWalls, r.type) == kOfWalls.end(); };
+  return (model_.items[item].entry->back_to_wall || std::ranges::any_of(relations, at_wall)) && std::ranges::none_of(relations, elsewhere);
+}
+
 // Several of a kind with their backs to a wall stand side by side along it: lockers, bookshelves, the beds of a ward, chairs told to have
 // it behind them. Beds also opposite one another.
 void Habits::stand_in_wall_row(int item) {
@@ -224,10 +237,7 @@ void Habits::stand_in_wall_row(int item) {
   constexpr int kOutOfRow = 200, kAcross = 40;  // points
   const auto in_row = [&](int i) {
     const Item& other = model_.items[i];
-    if (other.is_opening()) return false;
-    const bool told = other.entry->back_to_wall || placed_by_relation(i);
-    return other.entry == model_.items[item].entry && !other.fixed && other.mount == Mount::kFloor && told &&
-           !placed_by_relation_besides_walls(i);
+    return other.entry == model_.items[item].entry && !other.fixed && other.mount == Mount::kFloor && only_told_its_wall(i);
   };
   const Item& self = model_.items[item];
   if (self.is(Trait::kKitchenRun) || (self.is(Trait::kCenterPiece) && !self.is(Trait::kBed)) || !in_row(item)) return;
