@@ -193,7 +193,7 @@ def check_words(things: list[dict]) -> Iterator[str]:
             if word in thing.get("synonyms", []) and word != word.lower():
                 yield f"{thing['id']}: synonym '{word}' is not in lower case"
             if owner.get(key) == thing["id"]:
-                yield f"{thing['id']}: '{word}' is there twice"
+                yield f"{thing['id']}: '{word}' is there twice (the id and the name are words too)"
             elif key in owner:
                 yield f"{thing['id']}: '{word}' already names {owner[key]}"
             owner.setdefault(key, thing["id"])

@@ -14,7 +14,7 @@ namespace layoutbox::judge {
 
 using Type = RelationType;
 
-// A move of `who` in metres and degrees by which the relation breaks; a fraction of it is within the slack.
+// A move of `who` in metres and degrees by which the relation breaks; a fifth of it is within the slack (5 mm, 1°): 20 mm.
 struct Break {
   std::string who;
   Place by;

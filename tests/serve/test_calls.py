@@ -1,8 +1,9 @@
 """Each call of the service does what the OpenAPI document says, and what it makes is sound."""
 
 import json
+import subprocess
 
-from service import BEDROOM, ServiceCase
+from service import BEDROOM, BINARY, ServiceCase
 
 
 class Calls(ServiceCase):
@@ -101,6 +102,13 @@ class Calls(ServiceCase):
         answer = self.service.post("/api/drag", {"layout": self.layout, "id": "piano_7"})
         self.assert_status(answer, 422)
         self.assertIn("piano_7", answer.json()["message"])
+
+    def test_every_export_format_is_offered(self):
+        run = subprocess.run([BINARY, "export", "-", "-o", "-", "--format", "none"], capture_output=True, text=True, check=False)
+        offered = set(run.stderr.split("use one of: ")[1].split(")")[0].split(", "))
+        document = self.service.get("/api/openapi.json").json()
+        schema = document["paths"]["/api/export"]["post"]["requestBody"]["content"]["application/json"]["schema"]
+        self.assertEqual(offered | {"json", "blender.py"}, set(schema["properties"]["format"]["enum"]), "web/openapi.json")
 
     def test_files_of_other_tools(self):
         begins = {"glb": b"glTF", "svg": b"<svg", "pdf": b"%PDF", "png": b"\x89PNG", "json": b"{", "blender.py": b"for Blender"}

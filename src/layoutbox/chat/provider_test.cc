@@ -46,6 +46,31 @@ TEST(Providers, each_hears_of_the_function_and_the_text) {
   }
 }
 
+TEST(Providers, each_asks_in_each_of_its_modes) {
+  for (const Provider* provider : providers()) {
+    Capabilities capabilities = all_of(*provider);
+    for (const Mode mode : provider->modes()) {
+      capabilities.mode = mode;
+      const std::string body = provider->write_request(a_request(), "m", capabilities, false);
+      EXPECT_TRUE(json::accept(body));
+      for (const char* part : {"You place furniture.", "A bedroom.", "object"}) EXPECT_THAT(body, HasSubstr(part)) << name_of(mode);
+    }
+  }
+}
+
+TEST(Providers, each_leaves_out_what_a_server_does_not_take) {
+  for (const Provider* provider : providers()) {
+    Capabilities capabilities = all_of(*provider);
+    capabilities.without = {"temperature", "seed", "tool_choice"};
+    const json body = json::parse(provider->write_request(a_request(), "m", capabilities, false));
+    for (const std::string& parameter : capabilities.without) EXPECT_FALSE(body.contains(parameter)) << provider->facts().name;
+  }
+}
+
+TEST(Providers, each_says_that_it_wants_a_stream) {
+  for (const Provider* provider : providers()) EXPECT_NE(written(*provider, a_request(), true), written(*provider, a_request()));
+}
+
 TEST(Providers, each_sees_images_in_its_own_form) {
   Request request = a_request();
   request.messages.back().images = {{"image/png", "\x89PNG"}};

@@ -10,7 +10,7 @@
 namespace layoutbox::chat {
 
 std::span<const Provider* const> providers() {
-  static const std::array<const Provider*, 2> all = {&openai_provider(), &anthropic_provider()};
+  static const std::array all = {&openai_provider(), &anthropic_provider()};
   return all;
 }
 

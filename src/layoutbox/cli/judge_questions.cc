@@ -10,6 +10,7 @@
 #include "layoutbox/base/files.h"
 #include "layoutbox/cli/inputs.h"
 #include "layoutbox/cli/judge_pictures.h"
+#include "layoutbox/cli/provider_names.h"
 #include "layoutbox/judge/vlm/pairs.h"
 #include "layoutbox/judge/vlm/planted.h"
 #include "layoutbox/judge/vlm/written.h"
@@ -196,7 +197,7 @@ void QuestionFlags::add_to(CLI::App& command, bool many_rooms) {
   add_publish_to(command, publish, group);
   command.add_option("--model", model, "The model's name (else LAYOUTBOX_VLM_MODEL, else LAYOUTBOX_MODEL)")->group(group);
   command.add_option("--base-url", base_url, "The server's address up to /v1 (else OPENAI_BASE_URL)")->group(group);
-  command.add_option("--provider", provider, "The form it is asked in: openai or anthropic")->group(group);
+  command.add_option("--provider", provider, "The form it is asked in: " + provider_names())->group(group);
   command.add_option("--model-timeout", timeout_s, "Seconds for one answer")
       ->capture_default_str()
       ->check(CLI::Range(0.1, 86400.0))

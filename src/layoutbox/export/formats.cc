@@ -25,10 +25,10 @@ Result<std::string> svg(const Layout& layout, const Catalog&, const ExportOption
 }
 
 constexpr std::array kFormats{
-    ExportFormat{"glb", "binary glTF 2.0 with meshes, materials and lights; y up, metres", glb},
-    ExportFormat{"pdf", "the floor plan as PDF, to scale on A4", pdf},
-    ExportFormat{"png", "the floor plan as a picture, 2339 × 1654 at 200 dots per inch", png},
-    ExportFormat{"svg", "floor plan with names, sizes, door swings and a scale bar", svg},
+    ExportFormat{"glb", "binary glTF 2.0 with meshes, materials and lights; y up, metres", "model/gltf-binary", glb},
+    ExportFormat{"pdf", "the floor plan as PDF, to scale on A4", "application/pdf", pdf},
+    ExportFormat{"png", "the floor plan as a picture, 2339 × 1654 at 200 dots per inch", "image/png", png},
+    ExportFormat{"svg", "floor plan with names, sizes, door swings and a scale bar", "image/svg+xml", svg},
 };
 
 }  // namespace

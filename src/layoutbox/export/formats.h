@@ -21,6 +21,7 @@ struct ExportOptions {
 struct ExportFormat {
   std::string_view name;         // as in --format, and the file's ending without the dot: "glb"
   std::string_view description;  // "binary glTF 2.0, y up"
+  std::string_view media_type;   // as the service answers: "model/gltf-binary"
   Result<std::string> (*write)(const Layout& layout, const Catalog& catalog, const ExportOptions& options);
 };
 

@@ -7,23 +7,22 @@
 namespace layoutbox::serve {
 namespace {
 
-struct FileType {
-  std::string_view format, type;
-};
+Result<std::string> script(const Layout& layout, const Catalog& catalog, const ExportOptions& options) {
+  LAYOUTBOX_ASSIGN(const Model model, furnish(layout, catalog, options.furnish));
+  return write_blender_script(model, layout, {});
+}
 
-constexpr std::array kTypes{FileType{"glb", "model/gltf-binary"}, FileType{"svg", "image/svg+xml"},
-                            FileType{"pdf", "application/pdf"},   FileType{"png", "image/png"},
-                            FileType{"json", "application/json"}, FileType{"blender.py", "text/x-python; charset=utf-8"}};
+Result<std::string> json(const Layout& layout, const Catalog&, const ExportOptions&) { return write_layout(layout); }
 
-Result<std::string> file_of(const Layout& layout, std::string_view format, const ExportOptions& options, const Catalog& catalog) {
-  if (format == "json") return write_layout(layout);
-  if (format == "blender.py") {
-    LAYOUTBOX_ASSIGN(const Model model, furnish(layout, catalog, options.furnish));
-    return write_blender_script(model, layout, {});
+// What the service has beside the table of formats.
+constexpr std::array kOwn{ExportFormat{"json", "the layout", "application/json", json},
+                          ExportFormat{"blender.py", "the script of the picture", "text/x-python; charset=utf-8", script}};
+
+const ExportFormat* format_of(std::string_view name) {
+  for (const ExportFormat& own : kOwn) {
+    if (own.name == name) return &own;
   }
-  const ExportFormat* writer = find_export_format(format);
-  if (writer == nullptr) return fail(ErrorCode::kUsage, "there is no such format", "/format");
-  return writer->write(layout, catalog, options);
+  return find_export_format(name);
 }
 
 }  // namespace
@@ -33,12 +32,10 @@ Result<Answer> export_call(const Json& request, const Surroundings& around) {
   const auto format = request.at("format").get<std::string>();
   ExportOptions options;
   if (const auto detail = detail_from_name(request.value("detail", "usual"))) options.furnish.detail = *detail;
-  LAYOUTBOX_ASSIGN(std::string bytes, file_of(layout, format, options, around.catalog));
-  Answer answer{200, "application/octet-stream", std::move(bytes)};
-  for (const FileType& row : kTypes) {
-    if (row.format == format) answer.type = row.type;
-  }
-  return answer;
+  const ExportFormat* writer = format_of(format);
+  if (writer == nullptr) return fail(ErrorCode::kUsage, "there is no such format", "/format");
+  LAYOUTBOX_ASSIGN(std::string bytes, writer->write(layout, around.catalog, options));
+  return Answer{200, std::string(writer->media_type), std::move(bytes)};
 }
 
 }  // namespace layoutbox::serve
