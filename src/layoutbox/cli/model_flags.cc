@@ -13,8 +13,7 @@ void ModelFlags::add_to(CLI::App& command, RepairOptions& repair) {
   command.add_option("--model", model, "The model's name (else LAYOUTBOX_MODEL)")->group(group);
   command.add_option("--base-url", base_url, "The server's address up to /v1 (else OPENAI_BASE_URL); its key is read from OPENAI_API_KEY")
       ->group(group);
-  command
-      .add_option("--provider", provider, "The form it is asked in: " + provider_names() + " (else LAYOUTBOX_PROVIDER, else openai)")
+  command.add_option("--provider", provider, "The form it is asked in: " + provider_names() + " (else LAYOUTBOX_PROVIDER, else openai)")
       ->group(group);
   command.add_option("--trust", trust, "Whom to believe where the model's scene is not what the text says: text or model")
       ->capture_default_str()
