@@ -255,6 +255,7 @@ void Solver::improve() {
     return must_stop();
   };
   Search search(model_, given_up_, options_.seed, size_limit_);
+  search.skip_dear_regions();
   std::int64_t least = cost();
   const auto take_if_better = [&] {
     Placements other = search.placements();

@@ -8,6 +8,8 @@
 namespace layoutbox::placement {
 namespace {
 
+constexpr std::int64_t kStepsOfBound = 16;  // of a region that is passed over
+
 // What the best of every column and row costs, in each state.
 class LineCosts {
  public:
@@ -26,6 +28,31 @@ class LineCosts {
  private:
   std::map<std::tuple<int, int, Mm>, std::int64_t> least_;
 };
+
+// The least and the greatest value of a form over a region.
+std::pair<std::int64_t, std::int64_t> range_of(const Partial& form, const Region& region) {
+  std::int64_t least = form.constant, most = form.constant;
+  for (int k = 0; k < 3; ++k) {
+    const std::int64_t c = form.coefficient[k];
+    least += c * (c > 0 ? region.lo[k] : region.hi[k]);
+    most += c * (c > 0 ? region.hi[k] : region.lo[k]);
+  }
+  return {least, most};
+}
+
+std::int64_t least_cost(const Wish& wish, const Region& region) {
+  const auto [least, most] = range_of(wish.form, region);
+  return std::max<std::int64_t>({0, least, -most}) * wish.weight / wish.scale;
+}
+
+// What a case of something wished for costs at least, wherever in the region.
+std::int64_t least_cost(const Reduced& one, std::int64_t weight, const Region& region) {
+  std::int64_t miss = one.miss;
+  for (const Partial& check : one.checks) miss = std::max(miss, missing(range_of(check, region).second, check.scale));
+  std::int64_t cost = one.price + miss * weight;
+  for (const Wish& wish : one.wishes) cost += least_cost(wish, region);
+  return cost;
+}
 
 }  // namespace
 
@@ -130,6 +157,20 @@ bool CandidateFinder::consider(Hunt& hunt, int state, const Vec3& at, std::int64
   return false;
 }
 
+// Does every position of the region cost so much? Then none of them need be looked at.
+bool CandidateFinder::costs_at_least(std::int64_t limit, const Region& region, std::int64_t base) const {
+  std::int64_t cost = base + region.price;
+  for (const Reduced* one : region.cases) {
+    for (const Wish& wish : one->wishes) cost += least_cost(wish, region);
+  }
+  for (std::size_t i = 0; i < soft_.size() && cost < limit; ++i) {
+    std::int64_t least = kNoCost;
+    for (const Reduced& one : soft_[i].all()) least = std::min(least, least_cost(one, soft_[i].weight, region));
+    cost += least;
+  }
+  return cost >= limit;
+}
+
 // All of the grid; true: that was enough.
 bool CandidateFinder::try_grid(Hunt& hunt, int state, std::int64_t size_cost, CandidateGrid& grid) {
   for (std::size_t iz = 0; iz < grid.values[2].size(); ++iz) {
@@ -178,6 +219,10 @@ std::vector<Candidate> CandidateFinder::find(const Placements& placements, int i
     find_soft(placements, item, state);
     const std::int64_t size_cost = kPoint * kCostWeights.size_step * self.states[s].size_step;
     for (const Region& region : regions) {
+      if (skips_dear_ && hunt.worst() < kNoCost && costs_at_least(hunt.worst(), region, size_cost)) {
+        budget.count(kStepsOfBound);
+        continue;
+      }
       obstacles_.gather(placements, item, state, region);
       access_.focus(state, region.lo, region.hi);
       cut(placements, item, state, region, grid);

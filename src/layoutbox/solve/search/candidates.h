@@ -38,6 +38,10 @@ class CandidateFinder {
   // By item: not there at all; what speaks of them cannot hold.
   void leave_out(const std::vector<char>& items) { regions_.leave_out(items); }
 
+  // From now on regions are passed over where no position can be cheaper than the best so far. It finds the same in fewer steps, so that a
+  // search with a budget goes farther; the first search, which decides what is given up, goes without.
+  void skip_dear_regions() { skips_dear_ = true; }
+
   // The item itself is taken as not placed.
   std::vector<Candidate> find(const Placements& placements, int item, const CandidateOptions& options, Budget& budget);
 
@@ -53,6 +57,7 @@ class CandidateFinder {
  private:
   struct Hunt;
   bool consider(Hunt& hunt, int state, const Vec3& at, std::int64_t cost);
+  bool costs_at_least(std::int64_t limit, const Region& region, std::int64_t base) const;
   bool try_grid(Hunt& hunt, int state, std::int64_t size_cost, CandidateGrid& grid);
   bool try_points(Hunt& hunt, int state, std::int64_t size_cost, const Region& region, const std::vector<Point>& points,
                   const std::vector<Mm>& heights);
@@ -73,6 +78,7 @@ class CandidateFinder {
   Placements probe_;  // the placements, with the item tried
   std::vector<SoftFormula> soft_pool_;
   std::span<const SoftFormula> soft_;  // those of the item at hand
+  bool skips_dear_ = false;
 };
 
 }  // namespace layoutbox::placement

@@ -20,6 +20,8 @@ class Search {
   // `given_up`: by constraint index; those need not hold. `most_size_step`: how far below the usual size items may be.
   Search(const Model& model, std::vector<char> given_up, std::uint64_t seed, int most_size_step);
 
+  void skip_dear_regions() { finder_.skip_dear_regions(); }
+
   // Places everything but what is `left_out`, or as much as it can. True when all are placed.
   bool construct(const std::vector<char>& left_out, int restarts, Budget& budget);
   // A start unlike that: a few things first that have no right to be, and places that are as good within a noise. What finds no place
