@@ -125,6 +125,8 @@ std::string_view portion_entry(std::string_view container) {
 
 bool is_kin_modifier(std::string_view word) { return known_kinds().modifiers.contains(word); }
 
+bool is_kin_head(std::string_view word) { return known_kinds().heads.contains(word); }
+
 const CatalogEntry* kin_of(const Catalog& catalog, std::string_view noun) {
   const std::vector<std::string> words = words_of(noun);
   for (std::size_t i = 0; i + 1 < words.size(); ++i) {

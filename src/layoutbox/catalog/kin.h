@@ -34,4 +34,7 @@ std::string_view portion_entry(std::string_view container);
 // "plush", "toy", "model": a word before a noun that says more of what a thing is like than the noun does.
 bool is_kin_modifier(std::string_view word);
 
+// "board", "tube": whether compounds of that last word are things, though what it says alone is no more than stuff or a part.
+bool is_kin_head(std::string_view word);
+
 }  // namespace layoutbox

@@ -42,6 +42,13 @@ bool NounPhraseReader::is_rare_thing(const Part& part, std::size_t head) const {
   return counted || compound || has_attribute(Class::kColor) || has_attribute(Class::kMaterial);
 }
 
+// "drawing board", "flannel board", "cardboard tubes": compounds of a head that usually is a thing; "wooden boards" are stuff.
+bool NounPhraseReader::has_telling_head(const Part& part, std::size_t head) const {
+  if (head == 0 || parts_[head - 1].last != part.first || !is_kin_head(singular_of(tokens_[part.last - 1].text))) return false;
+  const Class before = parts_[head - 1].word_class;
+  return before == Class::kFiller || before == Class::kObject || (before == Class::kMaterial && !part.plural);
+}
+
 // "a kettlebell set", "a first aid kit": the things themselves, as one.
 void NounPhraseReader::join_set(std::size_t& head) {
   static constexpr std::string_view kSets[] = {"set", "kit", "collection", "ensemble", "stack", "pile", "bundle"};
@@ -234,7 +241,7 @@ bool NounPhraseReader::settle_filler(std::size_t head) {
   const bool thing = form == WordForm::kThing || (form == WordForm::kUnknown && (named || part.plural || is_bodily_described())) ||
                      (hyphenated(part.first) && !is_noun(form)) || (form == WordForm::kBody && part.plural && head == 0) ||
                      (named && (is_thing_where_named(part) || is_rare_thing(part, head) || (is_modeled(head) && is_compound(head)))) ||
-                     listed || shaped_;
+                     listed || shaped_ || has_telling_head(part, head);
   const bool made = form != WordForm::kAdverb && form != WordForm::kAdjective && named && has_attribute(Class::kMaterial);
   const bool place = !named && is_place_name(part, head);
   if (!thing && !named && !is_noun(form)) return false;
