@@ -21,7 +21,38 @@ int count_behind(const std::vector<Chunk>& chunks, std::size_t k) {
   return count.kind == NounKind::kMember && count.attributes.empty() && !count.of ? count.count : 0;
 }
 
+// Four of it lie on a table, and look like many.
+bool is_small(const NounPhrase& noun) {
+  constexpr Mm kSmall = 350;
+  return noun.entry != nullptr && std::max(noun.entry->size.usual.width, noun.entry->size.usual.depth) <= kSmall;
+}
+
+bool has_filling_word(const Lexicon& lexicon, const Document& document, const Chunk& chunk) {
+  for (std::size_t t = chunk.first; t < chunk.last; ++t) {
+    if (lexicon.is_in("filling", document.tokens[t].text)) return true;
+  }
+  return false;
+}
+
+bool is_all_over(const Document& document, std::size_t token) {
+  return token + 1 < document.tokens.size() && document.tokens[token].text == "all" && document.tokens[token + 1].text == "over";
+}
+
 }  // namespace
+
+void settle_filling_counts(const Lexicon& lexicon, Document& document) {
+  constexpr int kMany = 4;  // as "many" has it (words_grammar.json)
+  std::vector<Chunk>& chunks = document.chunks;
+  for (std::size_t k = 0; k < chunks.size() && !is_set(document.stop); ++k) {
+    NounPhrase& noun = chunks[k].noun;
+    const bool bare = is_thing(chunks[k]) && noun.plural && noun.count == 0 && noun.determiner == Determiner::kNone && is_small(noun);
+    if (!bare) continue;
+    const bool filling = k > 0 && has_filling_word(lexicon, document, chunks[k - 1]);
+    if (!filling && !is_all_over(document, chunks[k].last)) continue;
+    noun.count = kMany;
+    noun.vague = noun.at_least = true;
+  }
+}
 
 void settle_forward_counts(Document& document) {
   constexpr std::size_t kReach = 200;  // chunks that are looked at either way

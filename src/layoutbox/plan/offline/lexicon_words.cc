@@ -222,12 +222,12 @@ void Lexicon::read_words() {
   for (const WordList::Member wrong : grammar.at("typing_errors")) typing_errors_[std::string(wrong.key)] = wrong.value.text();
   for (const WordList::Member word : grammar.at("plural_only")) plural_only_.emplace(word.value.text());
   for (const std::string_view list :
-       {"wishing", "closings", "closing_leads", "money", "name_verbs", "looking", "watching", "turning", "aiming", "parting"}) {
+       {"wishing", "closings", "closing_leads", "money", "name_verbs", "looking", "watching", "turning", "aiming", "parting", "filling"}) {
     for (const WordList::Member word : grammar.at(list)) small_lists_[std::string(list)].emplace(word.value.text());
   }
   // What is looked up by its letters is known to spelling too.
   for (const std::string_view list : {"wishing", "closings", "closing_leads", "money", "name_verbs", "absent", "replaced", "absent_yet",
-                                      "looking", "watching", "turning", "aiming", "parting"}) {
+                                      "looking", "watching", "turning", "aiming", "parting", "filling"}) {
     for (const WordList::Member word : grammar.at(list)) listed_.append(word.value.text()) += '\n';
   }
   for (const WordList::Member word : grammar.at("pasts")) pasts_[std::string(word.key)] = word.value.text();

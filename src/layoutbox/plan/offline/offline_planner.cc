@@ -62,6 +62,7 @@ class OfflinePlanner final : public Planner {
     settle_purposes(lexicon_, document);
     settle_room_senses(lexicon_, document, room_size_at);
     settle_forward_counts(document);
+    settle_filling_counts(lexicon_, document);
     read_document(lexicon_, document);
     if (is_set(document.stop)) return stopped();
     add_for_people(lexicon_, document);

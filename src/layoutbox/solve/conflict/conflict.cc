@@ -12,7 +12,8 @@ constexpr std::int64_t kMostTerms = 1'200'000;  // of a model that is still aske
 // before it counts anything.
 constexpr double kPerByteRead = 2e-8, kPerBytePresolved = 2e-7;
 constexpr std::size_t kSmallModel = 1'000'000;  // bytes: its presolve is quick whatever it looks for
-constexpr double kSizeQuestion = 0.01;          // of one question about a size that may take part
+constexpr double kSizeQuestion = 0.02;          // of one question about a size that may take part
+constexpr double kLeastForSmallest = 0.08;      // to find the smallest conflict of a few things, whatever the question itself took
 
 Result<CpAnswer> ask(Encoding& encoding, const CpSatLibrary& library, const std::vector<char>& demanded, const ProofLimits& limits) {
   CpParameters parameters;
@@ -260,7 +261,7 @@ Result<Proof> decide(const Model& model, const CpSatLibrary& library, const std:
   std::vector<Demand> demands;
   for (const std::size_t d : core) demands.push_back(encoding.demands()[d]);
   ProofLimits rest = limits;
-  rest.deterministic_time = std::max(0.02, limits.deterministic_time - proof.deterministic_time);
+  rest.deterministic_time = std::max(kLeastForSmallest, limits.deterministic_time - proof.deterministic_time);
   LAYOUTBOX_ASSIGN(std::optional<Clash> proven,
                    prove(model, library, given_up, demands, outside_of(model, encoding, core), rest, proof.deterministic_time));
   if (!proven && model.items.size() <= kMostForWholeProof) {
