@@ -45,22 +45,25 @@ bool Chunker::read_there(std::size_t without) {
   return true;
 }
 
+// "like three mugs", "stools, say five"
+bool Chunker::is_about_number() const {
+  return (tokens_[i_].text == "like" || tokens_[i_].text == "say") && i_ + 1 < tokens_.size() &&
+         lexicon_.is(tokens_[i_ + 1], Class::kNumber);
+}
+
+// "chairs all around"
+bool Chunker::is_all_around() const { return tokens_[i_].text == "all" && i_ + 1 < tokens_.size() && tokens_[i_ + 1].text == "around"; }
+
 void Chunker::read() {
   if (read_distance() || read_size_chunk() || read_rows() || read_infinitive() || read_wishing() || read_finding() || read_doing() ||
       read_built_place() || read_having_by() || read_manner() || read_trailing_bound())
     return;
-  const bool about = tokens_[i_].text == "like" || tokens_[i_].text == "say";  // "like three mugs", "stools, say five"
-  if (about && i_ + 1 < tokens_.size() && lexicon_.is(tokens_[i_ + 1], Class::kNumber)) {
+  if (is_about_number()) {
     add(ChunkKind::kIgnored, 1);
     return;
   }
   if (read_from_which() || read_where_in() || read_entering() || read_such_as() || read_leave_out()) return;
-  if (opens_question() || says_enough()) {
-    add(ChunkKind::kIgnored, 1);
-    return;
-  }
-  if ((tokens_[i_].text == "all" && i_ + 1 < tokens_.size() && tokens_[i_ + 1].text == "around") ||
-      is_loose_particle()) {  // "chairs all around"
+  if (opens_question() || says_enough() || is_all_around() || is_loose_particle()) {
     add(ChunkKind::kIgnored, 1);
     return;
   }

@@ -57,6 +57,8 @@ class Chunker {
   bool read_infinitive();
   // What somebody does (chunk_deeds).
   bool follows_doer() const;
+  bool is_about_number() const;
+  bool is_all_around() const;
   bool read_wishing();
   bool is_helping(std::size_t at) const;
   bool says_how_much(std::size_t at) const;

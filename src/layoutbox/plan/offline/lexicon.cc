@@ -165,6 +165,37 @@ Match Lexicon::find(std::span<const Token> tokens, std::size_t at, WordClass wor
 
 bool Lexicon::is(const Token& token, WordClass word_class) const { return has(words_.find(token.text), word_class); }
 
+namespace {
+
+bool is_sides_at(std::span<const Token> tokens, std::size_t side) {
+  return side < tokens.size() && (tokens[side].text == "sides" || tokens[side].text == "edges");
+}
+
+}  // namespace
+
+// "at each of its six sides", "on three of its sides", "at each of its sides": as at each side.
+void Lexicon::extend_by_sides(std::span<const Token> tokens, std::size_t at, std::size_t i, const std::string& key,
+                              const PhraseMatch& so_far, PhraseMatch& best) const {
+  if (const int sides = number_of(tokens[i].text); sides > 1) {
+    std::size_t side = i + 1;
+    if (side + 1 < tokens.size() && tokens[side].text == "of") side += 2;
+    const std::string each = key.ends_with(" each") ? key : key + " each";
+    if (is_sides_at(tokens, side) && phrase_starts_.contains(each + " side")) {
+      PhraseMatch counted = so_far;
+      counted.sides = sides;
+      counted.shared = so_far.each;
+      counted.each = true;
+      extend_phrase(tokens, at, side, each, counted, best);
+    }
+  }
+  const bool of_its = tokens[i].text == "of" && so_far.each && i + 1 < tokens.size() && is_article(tokens[i + 1].text);
+  if (of_its && (is_sides_at(tokens, i + 2) || is_sides_at(tokens, i + 3))) {
+    PhraseMatch next = so_far;
+    next.possessive |= tokens[i + 1].text == "its" || tokens[i + 1].text == "their";
+    extend_phrase(tokens, at, i + 2, key, next, best);
+  }
+}
+
 void Lexicon::extend_phrase(std::span<const Token> tokens, std::size_t at, std::size_t i, const std::string& key, PhraseMatch so_far,
                             PhraseMatch& best) const {
   constexpr std::size_t kMostTokens = 9;
@@ -199,29 +230,7 @@ void Lexicon::extend_phrase(std::span<const Token> tokens, std::size_t at, std::
     extend_phrase(tokens, at, i + 1, extended, next, best);
     return true;
   };
-  const auto sides_at = [&](std::size_t side) {
-    return side < tokens.size() && (tokens[side].text == "sides" || tokens[side].text == "edges");
-  };
-  // "at each of its six sides", "on three of its sides": as at each side.
-  if (const int sides = number_of(token.text); inside && sides > 1) {
-    std::size_t side = i + 1;
-    if (side + 1 < tokens.size() && tokens[side].text == "of") side += 2;
-    if (sides_at(side)) {
-      PhraseMatch counted = so_far;
-      counted.sides = sides;
-      counted.shared = so_far.each;
-      counted.each = true;
-      const std::string each = key.ends_with(" each") ? key : key + " each";
-      if (phrase_starts_.contains(each + " side")) extend_phrase(tokens, at, side, each, counted, best);
-    }
-  }
-  // "at each of its sides"
-  if (token.text == "of" && so_far.each && inside && i + 1 < tokens.size() && is_article(tokens[i + 1].text) &&
-      (sides_at(i + 2) || sides_at(i + 3))) {
-    PhraseMatch next = so_far;
-    next.possessive |= tokens[i + 1].text == "its" || tokens[i + 1].text == "their";
-    extend_phrase(tokens, at, i + 2, key, next, best);
-  }
+  if (inside) extend_by_sides(tokens, at, i, key, so_far, best);
   if (!consume(token.text, false)) {
     const std::string singular = singular_of(token.text);
     if (singular != token.text) consume(singular, true);

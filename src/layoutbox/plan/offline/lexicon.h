@@ -194,6 +194,8 @@ class Lexicon {
   void add(std::string_view words, const Meaning& meaning);
   void extend_phrase(std::span<const Token> tokens, std::size_t at, std::size_t i, const std::string& key, PhraseMatch so_far,
                      PhraseMatch& best) const;
+  void extend_by_sides(std::span<const Token> tokens, std::size_t at, std::size_t i, const std::string& key, const PhraseMatch& so_far,
+                       PhraseMatch& best) const;
   bool names_place(std::span<const Token> tokens, std::size_t at) const;
   void add_phrase(std::string_view words, PhraseSense sense);
   // The single words of all lists, which only spelling asks for; made when it first does.

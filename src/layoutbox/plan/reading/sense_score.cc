@@ -14,9 +14,7 @@ double SenseScore::of_place(const PhraseSenses& senses, const NounPhrase& target
   double score = suited == 0 ? weight::kUnlikely : suited == 2 ? weight::kUsual : 0;
   if (!may_refer(catalog_, senses, target, reference))
     score += stands_beside(sense->type) && mount_of(reference) != Mount::kCeiling ? weight::kNotBeside : weight::kNoReference;
-  if (sense->type == RelationType::kOn && small_host(reference)) score += weight::kSmallHost;
-  if (sense->type == RelationType::kOn && on_soft(reference, target)) score += weight::kSoftHost;
-  if (sense->type == RelationType::kOn && has_hooks(reference) && is_textile(catalog_, target)) score += weight::kHungOnHook;
+  if (sense->type == RelationType::kOn) score += on_top(target, reference);
   if (reference.entry != nullptr && catalog_.is_a(reference.entry->id, "pet")) score += weight::kByAnimal;
   if (stands_beside(sense->type) && is_seat(catalog_, target) && is_table(catalog_, reference)) score += weight::kSeatByTable;
   if (sense->type == RelationType::kFacing && suited < 2) score += weight::kNoFront;
@@ -30,17 +28,31 @@ double SenseScore::of_place(const PhraseSenses& senses, const NounPhrase& target
       mount_of(reference) == Mount::kSurface)
     score += weight::kSmallTogether;
   if (sense->type == RelationType::kIn && is_storage(reference)) score += weight::kInStorage;
-  // "… at the foot": of the bed rather than of what stands beside it.
-  if (sense->type == RelationType::kAtFootOf && reference.entry != nullptr && !reference.entry->is(Trait::kBed) &&
-      !is_seat(catalog_, reference))
-    score += weight::kNotBeside;
-  if (sense->type == RelationType::kAtHeadOf && is_seat(catalog_, reference)) score += weight::kNoReference;  // no chair has a head
-  const bool lain_on = reference.entry != nullptr && (reference.entry->is(Trait::kBed) || is_table(catalog_, reference));
-  if (sense->type == RelationType::kAtFootOf && reference.kind == NounKind::kObject && !lain_on && mount_of(reference) == Mount::kFloor)
-    score += weight::kNotBeside;  // beds have a foot
+  score += at_end(sense->type, reference);
   if (sense->type == RelationType::kAbove && reference.kind == NounKind::kObject) score += over(target, reference);
   if ((sense->type == RelationType::kEachSideOf || sense->type == RelationType::kNextTo) && stands_by(catalog_, target, reference))
     score += weight::kStandsBy;
+  return score;
+}
+
+// What lies on what.
+double SenseScore::on_top(const NounPhrase& target, const NounPhrase& reference) const {
+  double score = 0;
+  if (small_host(reference)) score += weight::kSmallHost;
+  if (on_soft(reference, target)) score += weight::kSoftHost;
+  if (has_hooks(reference) && is_textile(catalog_, target)) score += weight::kHungOnHook;
+  return score;
+}
+
+// "… at the foot": of the bed rather than of what stands beside it; no chair has a head.
+double SenseScore::at_end(RelationType type, const NounPhrase& reference) const {
+  if (type == RelationType::kAtHeadOf) return is_seat(catalog_, reference) ? weight::kNoReference : 0;
+  if (type != RelationType::kAtFootOf) return 0;
+  const bool bed = reference.entry != nullptr && reference.entry->is(Trait::kBed);
+  const bool lain_on = bed || (reference.entry != nullptr && is_table(catalog_, reference));
+  double score = 0;
+  if (reference.entry != nullptr && !bed && !is_seat(catalog_, reference)) score += weight::kNotBeside;
+  if (reference.kind == NounKind::kObject && !lain_on && mount_of(reference) == Mount::kFloor) score += weight::kNotBeside;
   return score;
 }
 

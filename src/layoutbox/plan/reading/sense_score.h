@@ -18,6 +18,8 @@ class SenseScore {
 
  private:
   // A thing that is above another.
+  double on_top(const NounPhrase& target, const NounPhrase& reference) const;
+  double at_end(RelationType type, const NounPhrase& reference) const;
   double over(const NounPhrase& target, const NounPhrase& reference) const;
   bool small_host(const NounPhrase& host) const;
   bool is_chair(const NounPhrase& noun) const;

@@ -343,6 +343,26 @@ void UnitReader::place_at_named_wall(std::size_t k) {
     add_place(k, kAgainst);
 }
 
+// What brings nothing in, and says nothing of where something is.
+bool UnitReader::is_told_by_the_way(std::size_t k) {
+  if (opens_command(k) || says_nothing_but_there(k) || says_where_room_is(k) || says_room_seats(k)) return true;
+  if (counts_before(k)) return true;
+  if (is_addressed(k)) {
+    mark(k, Use::kIgnored, "opens a statement");
+    return true;
+  }
+  if (is_said_of_subject(k) || announces_things(k) || is_address(k)) {
+    mark(k, Use::kIgnored, "no object");
+    return true;
+  }
+  if (is_done_here(k)) {
+    passed_until_ = clause_end(k);
+    for (std::size_t c = k; c < passed_until_; ++c) mark(c, Use::kIgnored, "told by the way");
+    return true;
+  }
+  return false;
+}
+
 void UnitReader::read_noun(std::size_t k) {
   if (stresses(k)) return;
   mean_desktop(k);
@@ -369,21 +389,7 @@ void UnitReader::read_noun(std::size_t k) {
     return;
   }
   take_told(k);
-  if (opens_command(k) || says_nothing_but_there(k) || says_where_room_is(k) || says_room_seats(k)) return;
-  if (counts_before(k)) return;
-  if (is_addressed(k)) {
-    mark(k, Use::kIgnored, "opens a statement");
-    return;
-  }
-  if (is_said_of_subject(k) || announces_things(k) || is_address(k)) {
-    mark(k, Use::kIgnored, "no object");
-    return;
-  }
-  if (is_done_here(k)) {
-    passed_until_ = clause_end(k);
-    for (std::size_t c = k; c < passed_until_; ++c) mark(c, Use::kIgnored, "told by the way");
-    return;
-  }
+  if (is_told_by_the_way(k)) return;
   // "instead of a bathtub a shower": what stands beside what is not wanted.
   if (negated_ && joiner_ == Joiner::kNone && k > 0 && is(k - 1, ChunkKind::kNoun) && noun.determiner == Determiner::kIndefinite)
     negated_ = false;

@@ -93,6 +93,7 @@ class UnitReader {
   // Nouns.
   bool says_nothing_but_there(std::size_t k);
   void place_at_named_wall(std::size_t k);
+  bool is_told_by_the_way(std::size_t k);
   void read_noun(std::size_t k);
   bool is_placed_itself(std::size_t k) const;
   bool says_where_room_is(std::size_t k);
