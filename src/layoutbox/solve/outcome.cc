@@ -15,12 +15,8 @@ std::optional<Relaxation> Solver::relaxation_of(const std::string& name, const s
   const Constraint& constraint = *found;
   const auto index = static_cast<int>(found - model_.constraints.begin());
   Relaxation out{constraint.name, 0, "m", why};
-  std::int64_t miss = 0;
-  bool placed = true;
-  for (const Formula& formula : constraint.formulas) {
-    placed = placed && all_placed(formula, placements_);
-    if (placed) miss = std::max(miss, miss_of(model_, formula, placements_));
-  }
+  bool placed = all_placed(constraint, placements_);
+  std::int64_t miss = placed ? miss_of(model_, constraint, placements_) : 0;
   for (std::size_t i = 0; i < model_.items.size(); ++i) {
     if (model_.items[i].clearance_constraint != index) continue;
     placed = placements_[i].state >= 0;

@@ -19,19 +19,6 @@ bool Chunker::read_trailing_bound() {
   return true;
 }
 
-// "a rail from which two coats hang": a place; "a bench from which to watch" is none.
-bool Chunker::read_from_which() {
-  if (tokens_[i_].text != "from" || i_ + 1 >= tokens_.size() || tokens_[i_ + 1].text != "which") return false;
-  bool hangs = false;
-  constexpr std::size_t kAhead = 20;
-  for (std::size_t at = i_ + 2; at < std::min(tokens_.size(), i_ + kAhead) && tokens_[at].kind == Token::Kind::kWord; ++at)
-    hangs |= lexicon_.is(tokens_[at], Class::kHang);
-  const PhraseMatch from = hangs ? lexicon_.find_phrase(tokens_.first(i_ + 1), i_) : PhraseMatch{};
-  if (from.length == 0) return false;
-  add_phrase(from);
-  return true;
-}
-
 // "over by the window", "off in the corner": the place comes after it.
 bool Chunker::is_loose_particle() const {
   static constexpr std::array<std::string_view, 6> kParticles = {"over", "up", "off", "out", "down", "round"};

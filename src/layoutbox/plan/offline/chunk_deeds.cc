@@ -63,7 +63,7 @@ bool Chunker::read_helped_wish(std::size_t verb) {
 // "opposite the door you meet a desk", "by the window he keeps a telescope": somebody finds a thing where the clause begins.
 bool Chunker::read_finding() {
   if (i_ + 2 >= tokens_.size() || !lexicon_.is(tokens_[i_], Class::kDoer) || !thing_next(i_ + 2) || chunks_.size() < 2) return false;
-  if (!one_of_finders(tokens_[i_].text) || !may_be_verb(tokens_[i_ + 1].text)) return false;
+  if (!may_be_verb(tokens_[i_ + 1].text)) return false;
   std::size_t first = chunks_.size();
   constexpr std::size_t kMostChunks = 12;
   while (first > 0 && first + kMostChunks > chunks_.size() &&
@@ -74,11 +74,6 @@ bool Chunker::read_finding() {
   if (!opens || first >= chunks_.size() || chunks_[first].kind != ChunkKind::kRelation || previous() != ChunkKind::kNoun) return false;
   add(ChunkKind::kThere, 2);
   return true;
-}
-
-bool Chunker::one_of_finders(std::string_view who) {
-  static constexpr std::array<std::string_view, 6> kFinders = {"you", "we", "guests", "visitors", "i", "he"};
-  return std::ranges::find(kFinders, who) != kFinders.end();
 }
 
 // "I'm writing a thriller", "nobody will weigh the dog". "I'm building a cabin" is about the cabin.

@@ -79,13 +79,12 @@ bool Chunker::read_entering() {
 
 // The words up to `end` say that something is by the window or the door.
 void Chunker::add_opening(NounKind kind, std::size_t end) {
-  static const PhraseSenses kBeside = {{RelationType::kNextTo, Direction::kDirect, {}, {}, {}}};
   if (previous() == ChunkKind::kRelation) {
     add(ChunkKind::kIgnored, 1);
   } else {
     Chunk& place = add(ChunkKind::kRelation, 1);
     place.phrase.length = 1;
-    place.phrase.senses = &kBeside;
+    place.phrase.senses = &direct_senses<RelationType::kNextTo>();
   }
   NounPhrase opening;
   opening.kind = kind;

@@ -30,12 +30,6 @@ std::vector<std::string> verb_bases(const std::string& word) {
   return bases;
 }
 
-const PhraseSenses& steps_senses() {
-  static const PhraseSenses senses{{RelationType::kDistance, PhraseSense::Direction::kDirect, {}, {}, {}},
-                                   {RelationType::kDistance, PhraseSense::Direction::kAlone, {}, {}, {}}};
-  return senses;
-}
-
 }  // namespace
 
 bool Chunker::is_verb_of(std::string_view list, std::size_t at) const {
@@ -161,9 +155,9 @@ bool Chunker::parts_from() const {
   return false;
 }
 
-// "a rail from which two coats hang": they hang on it.
+// "a rail from which two coats hang": they hang on it; "a bench from which to watch" is no place.
 bool Chunker::hangs_from_which() const {
-  constexpr std::size_t kFar = 8;
+  constexpr std::size_t kFar = 20;
   if (tokens_[i_].text != "from" || i_ + 2 >= tokens_.size() || tokens_[i_ + 1].text != "which") return false;
   for (std::size_t i = i_ + 2; i < tokens_.size() && i < i_ + kFar && tokens_[i].kind == Token::Kind::kWord; ++i) {
     if (lexicon_.is(tokens_[i], Class::kHang)) return true;
@@ -171,33 +165,21 @@ bool Chunker::hangs_from_which() const {
   return false;
 }
 
+bool Chunker::add_said_as(std::string_view words, std::size_t length) {
+  const PhraseSenses* senses = lexicon_.senses_of(words);
+  if (senses == nullptr) return false;
+  add_phrase(PhraseMatch{length, senses});
+  return true;
+}
+
 // A place that no list has as it stands.
 bool Chunker::read_built_place() {
   if (tokens_[i_].kind != Token::Kind::kWord) return false;
   if (read_steps() || read_past()) return true;
-  if (hangs_from_which()) {
-    PhraseMatch from;
-    from.length = 1;
-    from.senses = lexicon_.senses_of("hanging from");
-    add_phrase(from);
-    return true;
-  }
-  if (parts_from()) {
-    PhraseMatch between;
-    between.length = 1;
-    between.senses = lexicon_.senses_of("separating");
-    add_phrase(between);
-    return true;
-  }
+  if (hangs_from_which()) return add_said_as("hanging from", 1);
+  if (parts_from()) return add_said_as("separating", 1);
   const std::size_t listed = lexicon_.find_phrase(tokens_, i_).length;
-  if (const std::size_t looking = std::max(length_of_looking(), length_of_view()); looking > listed) {
-    PhraseMatch facing;
-    facing.length = looking;
-    facing.senses = lexicon_.senses_of("facing");
-    if (facing.senses == nullptr) return false;
-    add_phrase(facing);
-    return true;
-  }
+  if (const std::size_t looking = std::max(length_of_looking(), length_of_view()); looking > listed) return add_said_as("facing", looking);
   const std::size_t particle = length_of_particle();
   if (particle == 0) return false;
   PhraseMatch place = lexicon_.find_phrase(tokens_, i_ + particle);
@@ -271,7 +253,7 @@ bool Chunker::read_steps() {
   Chunk& chunk = add(ChunkKind::kRelation, length);
   chunk.phrase = phrase;
   chunk.phrase.length = length;
-  if (!direct) chunk.phrase.senses = &steps_senses();
+  if (!direct) chunk.phrase.senses = &distance_senses();
   chunk.distance = stride->metres;
   chunk.at_most = true;
   return true;

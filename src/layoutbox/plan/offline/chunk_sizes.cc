@@ -11,12 +11,6 @@ using Class = WordClass;
 
 namespace {
 
-const PhraseSenses& distance_senses() {
-  static const PhraseSenses senses{{RelationType::kDistance, PhraseSense::Direction::kDirect, {}, {}, {}},
-                                   {RelationType::kDistance, PhraseSense::Direction::kAlone, {}, {}, {}}};
-  return senses;
-}
-
 // "50 cm apart": a row with that much between its members.
 const PhraseSenses& row_senses() {
   static const PhraseSenses senses{{RelationType::kRow, PhraseSense::Direction::kAlone, {}, {}, {}}};

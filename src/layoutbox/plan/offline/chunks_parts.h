@@ -64,11 +64,9 @@ class Chunker {
   bool says_how_much(std::size_t at) const;
   bool read_helped_wish(std::size_t verb);
   bool read_finding();
-  static bool one_of_finders(std::string_view who);
   bool read_trailing_bound();
   bool is_loose_particle() const;
   bool read_such_as();
-  bool read_from_which();
   // Who or what comes in (chunk_entry).
   std::size_t past_inside(std::size_t at) const;
   bool read_where_in();
@@ -92,6 +90,8 @@ class Chunker {
   bool parts_from() const;
   bool hangs_from_which() const;
   bool read_built_place();
+  // A place of so many tokens that says what the listed words say; false where they are not listed.
+  bool add_said_as(std::string_view words, std::size_t length);
   std::optional<Measure> read_stride(std::size_t at) const;
   bool read_steps();
   bool read_having_by();

@@ -100,6 +100,19 @@ struct PhraseSense {
 
 using PhraseSenses = std::vector<PhraseSense>;
 
+// What a place says that no listed phrase stands for: what is placed before it, one sense for each type. One object for the whole run.
+template <RelationType... types>
+const PhraseSenses& direct_senses() {
+  static const PhraseSenses senses{{types, PhraseSense::Direction::kDirect, {}, {}, {}}...};
+  return senses;
+}
+// "two steps from the door", "a chair 50 cm away".
+inline const PhraseSenses& distance_senses() {
+  static const PhraseSenses senses{{RelationType::kDistance, PhraseSense::Direction::kDirect, {}, {}, {}},
+                                   {RelationType::kDistance, PhraseSense::Direction::kAlone, {}, {}, {}}};
+  return senses;
+}
+
 struct Match {
   std::size_t length = 0;  // tokens; 0 = none
   std::span<const Meaning> meanings;

@@ -18,6 +18,10 @@ struct PlainList {
   WordClass word_class;
 };
 
+// Lists of words_grammar.json that say nothing of grammar (Lexicon::is_in).
+constexpr std::array<std::string_view, 11> kSmallLists = {"wishing",  "closings", "closing_leads", "money",   "name_verbs", "looking",
+                                                          "watching", "turning",  "aiming",        "parting", "filling"};
+
 constexpr std::array kPlainLists = {
     PlainList{"words_room", "wall", WordClass::kWall},
     PlainList{"words_room", "corner", WordClass::kCorner},
@@ -221,14 +225,16 @@ void Lexicon::read_words() {
   }
   for (const WordList::Member wrong : grammar.at("typing_errors")) typing_errors_[std::string(wrong.key)] = wrong.value.text();
   for (const WordList::Member word : grammar.at("plural_only")) plural_only_.emplace(word.value.text());
-  for (const std::string_view list :
-       {"wishing", "closings", "closing_leads", "money", "name_verbs", "looking", "watching", "turning", "aiming", "parting", "filling"}) {
-    for (const WordList::Member word : grammar.at(list)) small_lists_[std::string(list)].emplace(word.value.text());
-  }
   // What is looked up by its letters is known to spelling too.
-  for (const std::string_view list : {"wishing", "closings", "closing_leads", "money", "name_verbs", "absent", "replaced", "absent_yet",
-                                      "looking", "watching", "turning", "aiming", "parting", "filling"}) {
-    for (const WordList::Member word : grammar.at(list)) listed_.append(word.value.text()) += '\n';
+  const auto know = [&](std::string_view word) { listed_.append(word) += '\n'; };
+  for (const std::string_view list : kSmallLists) {
+    for (const WordList::Member word : grammar.at(list)) {
+      small_lists_[std::string(list)].emplace(word.value.text());
+      know(word.value.text());
+    }
+  }
+  for (const std::string_view list : {"absent", "replaced", "absent_yet"}) {
+    for (const WordList::Member word : grammar.at(list)) know(word.value.text());
   }
   for (const WordList::Member word : grammar.at("pasts")) pasts_[std::string(word.key)] = word.value.text();
   for (const WordList::Member word : grammar.at("strides")) strides_[std::string(word.key)] = word.value.number();

@@ -175,12 +175,11 @@ void Decoder::repeated_part_actions(std::size_t s, int u) {
 
 // What may carry a small thing whose place is a part of it, the likeliest first.
 std::vector<Decoder::Candidate> Decoder::carriers(const State& state, Referent subject) const {
-  static const PhraseSenses kLies = {{RelationType::kOn, PhraseSense::Direction::kDirect, {}, {}, {}}};
   if (subject < 0 || mount_of(noun_of(state, subject)) != Mount::kSurface) return {};
   NounPhrase it;
   it.kind = NounKind::kPronoun;
   it.head = "it";
-  std::vector<Candidate> all = antecedents(state, subject, &kLies, &it);
+  std::vector<Candidate> all = antecedents(state, subject, &direct_senses<RelationType::kOn>(), &it);
   std::erase_if(all, [&](const Candidate& one) {
     return one.list || mount_of(noun_of(state, one.referent)) != Mount::kFloor ||
            !sense_.carries(noun_of(state, one.referent), noun_of(state, subject));

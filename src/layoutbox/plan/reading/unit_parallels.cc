@@ -132,27 +132,22 @@ void UnitReader::mean_twin(std::size_t k) {
 
 // "Left wall: a wardrobe and a mirror", "Corner - a plant", "Desk: laptop, mug": where what is listed after it is.
 const PhraseSenses* UnitReader::place_of_topic(std::size_t k) const {
-  constexpr auto kDirect = PhraseSense::Direction::kDirect;
-  static const PhraseSenses kWall = {{RelationType::kAgainstWall, kDirect, {}, {}, {}}, {RelationType::kOnWall, kDirect, {}, {}, {}}};
-  static const PhraseSenses kSpot = {{RelationType::kCorner, kDirect, {}, {}, {}}, {RelationType::kCenterOfRoom, kDirect, {}, {}, {}}};
-  static const PhraseSenses kBy = {{RelationType::kNextTo, kDirect, {}, {}, {}}};
-  static const PhraseSenses kOn = {{RelationType::kOn, kDirect, {}, {}, {}}};
   const std::size_t colon = k + 1, thing = k + 2;
   if (!units_.empty() || joiner_ != Joiner::kNone || skipping_ || negated_) return nullptr;
   if (!is(colon, ChunkKind::kComma) || !one_of(document_.tokens[chunk(colon).first].text, {":", "-"})) return nullptr;
   if (!is(thing, ChunkKind::kNoun) || chunk(thing).noun.kind != NounKind::kObject) return nullptr;
   const NounPhrase& noun = chunk(k).noun;
   switch (noun.kind) {
-    case NounKind::kWall: return &kWall;
+    case NounKind::kWall: return &direct_senses<RelationType::kAgainstWall, RelationType::kOnWall>();
     case NounKind::kCorner:
-    case NounKind::kCenter: return noun.of ? nullptr : &kSpot;
+    case NounKind::kCenter: return noun.of ? nullptr : &direct_senses<RelationType::kCorner, RelationType::kCenterOfRoom>();
     case NounKind::kWindow:
-    case NounKind::kDoor: return &kBy;
+    case NounKind::kDoor: return &direct_senses<RelationType::kNextTo>();
     case NounKind::kObject: {
       const NounPhrase& first = chunk(thing).noun;
       const bool carries = noun.exact && !noun.is_plural() && mount_of(noun) == Mount::kFloor && mount_of(first) == Mount::kSurface &&
                            may_carry(lexicon_.catalog(), noun, first);
-      return carries ? &kOn : nullptr;
+      return carries ? &direct_senses<RelationType::kOn>() : nullptr;
     }
     default: return nullptr;
   }

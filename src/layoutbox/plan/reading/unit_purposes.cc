@@ -308,7 +308,6 @@ bool UnitReader::excepts_from_nothing(std::size_t k) const {
 
 // "one locker for each bed", "for every desk one chair": what those have.
 bool UnitReader::brings_for_each(std::size_t k) {
-  static const PhraseSenses kBelongs = {{RelationType::kNextTo, PhraseSense::Direction::kDirect, {}, {}, {}}};
   const std::size_t n = next(k);
   if (skipping_ || document_.tokens[chunk(k).first].text != "for" || !is(n, ChunkKind::kNoun)) return false;
   const NounPhrase& noun = chunk(n).noun;
@@ -319,7 +318,7 @@ bool UnitReader::brings_for_each(std::size_t k) {
                     is(host, ChunkKind::kNoun) && is_seat(lexicon_.catalog(), chunk(host).noun) && is_table(lexicon_.catalog(), noun);
   if ((noun.determiner != Determiner::kEach && !seat) || !things) return false;
   mark(k, Use::kUsed, "has");
-  add_place(k, kBelongs);
+  add_place(k, direct_senses<RelationType::kNextTo>());
   return true;
 }
 

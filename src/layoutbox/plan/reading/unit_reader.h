@@ -1,5 +1,5 @@
-// The class behind read_units; its members stand in units, unit_nouns, unit_parallels, unit_shares, unit_room, unit_purposes, unit_verbs
-// and unit_asides.
+// The class behind read_units; its members stand in units, unit_nouns, unit_known, unit_parallels, unit_shares, unit_room, unit_purposes,
+// unit_verbs and unit_asides.
 #pragma once
 
 #include <string>
@@ -17,6 +17,9 @@ class UnitReader {
   std::vector<Sentence> run();
 
  private:
+  // How many chunks are looked back at, at most: keeps long texts linear.
+  static constexpr std::size_t kFarthestBack = 400;
+
   void read(std::size_t k);
   void end_sentence();
   Unit& add(UnitKind kind, std::size_t k);

@@ -9,10 +9,19 @@ namespace layoutbox::offline {
 
 using Use = WordReading::Use;
 
+namespace {
+
+const PhraseSenses& at_wall_senses() { return direct_senses<RelationType::kAgainstWall, RelationType::kOnWall>(); }
+
+const PhraseSenses& at_spot_senses() {
+  return direct_senses<RelationType::kCenterOfRoom, RelationType::kOn, RelationType::kIn, RelationType::kAgainstWall, RelationType::kOnWall,
+                       RelationType::kNextTo>();
+}
+
+}  // namespace
+
 // "along one side of the room", "on each side of the hall": at its side walls.
 void UnitReader::mean_side_of_room(std::size_t k) {
-  static const PhraseSenses kAtWall = {{RelationType::kAgainstWall, PhraseSense::Direction::kDirect, {}, {}, {}},
-                                       {RelationType::kOnWall, PhraseSense::Direction::kDirect, {}, {}, {}}};
   NounPhrase& noun = document_.chunks[k].noun;
   if (!after_place() || noun.kind != NounKind::kRoom || says(units_.back().direct, RelationType::kInRegion)) return;
   const Chunk& place = chunk(units_.back().chunk);
@@ -26,16 +35,14 @@ void UnitReader::mean_side_of_room(std::size_t k) {
   noun.head = "wall";
   noun.count = place.phrase.one ? 1 : 0;
   noun.determiner = each ? Determiner::kEach : Determiner::kDefinite;
-  units_.back().direct = kAtWall;
-  units_.back().senses = &kAtWall;
+  units_.back().direct = at_wall_senses();
+  units_.back().senses = &at_wall_senses();
   units_.back().each = false;
 }
 
 // "the entire end of the hall", "the edge of the room", "down the far end", "at the eastern end": at the room's wall. An end of no said
 // thing is the room's where what is placed stands on the floor and no table has been named for a seat.
 void UnitReader::mean_end_of_room(std::size_t k) {
-  static const PhraseSenses kAtWall = {{RelationType::kAgainstWall, PhraseSense::Direction::kDirect, {}, {}, {}},
-                                       {RelationType::kOnWall, PhraseSense::Direction::kDirect, {}, {}, {}}};
   NounPhrase& noun = document_.chunks[k].noun;
   const bool owned = owner_ < document_.chunks.size();  // "the bed's far side"
   if (owned || !after_place() || (noun.kind != NounKind::kPart && noun.kind != NounKind::kAbstract) ||
@@ -54,8 +61,8 @@ void UnitReader::mean_end_of_room(std::size_t k) {
   noun.head = "wall";
   noun.name = sides ? "side wall" : "wall";
   noun.of.reset();
-  units_.back().direct = kAtWall;
-  units_.back().senses = &kAtWall;
+  units_.back().direct = at_wall_senses();
+  units_.back().senses = &at_wall_senses();
 }
 
 // Whether what the place before chunk k is said of stands on the floor by itself: no seat where a table was named.
@@ -107,12 +114,6 @@ bool UnitReader::is_unread_verb(std::size_t k) const {
 
 // "a bell marks the middle of the desk", "a wardrobe straddles the corner", "two sofas claim the far wall": a verb, and where.
 void UnitReader::place_at_spot(std::size_t k) {
-  static const PhraseSenses kAt = {{RelationType::kCenterOfRoom, PhraseSense::Direction::kDirect, {}, {}, {}},
-                                   {RelationType::kOn, PhraseSense::Direction::kDirect, {}, {}, {}},
-                                   {RelationType::kIn, PhraseSense::Direction::kDirect, {}, {}, {}},
-                                   {RelationType::kAgainstWall, PhraseSense::Direction::kDirect, {}, {}, {}},
-                                   {RelationType::kOnWall, PhraseSense::Direction::kDirect, {}, {}, {}},
-                                   {RelationType::kNextTo, PhraseSense::Direction::kDirect, {}, {}, {}}};
   const NounPhrase& noun = chunk(k).noun;
   const std::size_t verb = previous(k), thing = verb < k ? previous(verb) : k;
   if (!is_part_of_room(noun) || noun.kind == NounKind::kCeiling || noun.determiner == Determiner::kNone || verb >= k || thing >= k) return;
@@ -121,8 +122,8 @@ void UnitReader::place_at_spot(std::size_t k) {
   skipping_ = false;
   mark(verb, Use::kUsed, "placing");
   document_.chunks[verb].kind = ChunkKind::kRelation;
-  document_.chunks[verb].phrase.senses = &kAt;
-  add_place(verb, kAt);
+  document_.chunks[verb].phrase.senses = &at_spot_senses();
+  add_place(verb, at_spot_senses());
 }
 
 // "the wall facing the door carries a map", "the far corner shelters a stove": what a part of the room has.

@@ -12,13 +12,8 @@ namespace {
 
 // On, above, under or beside, as the two allow (senses).
 const PhraseSenses& senses_of_any_verb() {
-  using Way = PhraseSense::Direction;
-  static const PhraseSenses senses{
-      {RelationType::kOn, Way::kDirect, {}, {}, {}},          {RelationType::kAbove, Way::kDirect, {}, {}, {}},
-      {RelationType::kUnder, Way::kDirect, {}, {}, {}},       {RelationType::kNextTo, Way::kDirect, {}, {}, {}},
-      {RelationType::kAgainstWall, Way::kDirect, {}, {}, {}}, {RelationType::kOnWall, Way::kDirect, {}, {}, {}},
-      {RelationType::kCorner, Way::kDirect, {}, {}, {}}};
-  return senses;
+  return direct_senses<RelationType::kOn, RelationType::kAbove, RelationType::kUnder, RelationType::kNextTo, RelationType::kAgainstWall,
+                       RelationType::kOnWall, RelationType::kCorner>();
 }
 
 }  // namespace
@@ -95,7 +90,7 @@ void UnitReader::mean_desktop(std::size_t k) {
   NounPhrase& noun = document_.chunks[k].noun;
   if (noun.name != "desktop" || noun.kind != NounKind::kObject || noun.determiner != Determiner::kDefinite || !after_place()) return;
   bool desk = false;
-  for (std::size_t c = k; c-- > 0;) {
+  for (std::size_t c = k > kFarthestBack ? k - kFarthestBack : 0; c < k; ++c) {
     if (!is(c, ChunkKind::kNoun) || chunk(c).noun.kind != NounKind::kObject) continue;
     if (chunk(c).noun.entry == noun.entry && chunk(c).noun.entry != nullptr) return;
     desk |= one_of(chunk(c).noun.head, {"desk", "workstation"});
@@ -119,8 +114,6 @@ bool UnitReader::stresses(std::size_t k) {
 void UnitReader::mean_owner_of_spot(std::size_t k) {
   static constexpr std::string_view kOfBody[] = {"elbow", "flank", "shoulder", "heel", "hip", "knee",
                                                  "feet",  "toe",   "tail",     "nose", "rear"};
-  static const PhraseSenses kBy = {{RelationType::kNextTo, PhraseSense::Direction::kDirect, {}, {}, {}}};
-  static const PhraseSenses kUpon = {{RelationType::kOn, PhraseSense::Direction::kDirect, {}, {}, {}}};
   NounPhrase& noun = document_.chunks[k].noun;
   if (!after_place() || chunk(units_.back().chunk).last - chunk(units_.back().chunk).first != 1) return;
   const std::string& preposition = document_.tokens[chunk(units_.back().chunk).first].text;
@@ -142,7 +135,10 @@ void UnitReader::mean_owner_of_spot(std::size_t k) {
   whole.first = noun.first;
   whole.last = noun.last;
   const bool side = one_of(noun.head, {"side", "end", "edge"});  // on a desk's far side a lamp is on it, a chair by it
-  const PhraseSenses& senses = side ? senses_of_any_verb() : preposition == "on" || preposition == "upon" ? kUpon : kBy;
+  const bool upon = preposition == "on" || preposition == "upon";
+  const PhraseSenses& senses = side   ? senses_of_any_verb()
+                               : upon ? direct_senses<RelationType::kOn>()
+                                      : direct_senses<RelationType::kNextTo>();
   units_.back().direct = senses;
   units_.back().senses = &senses;
   units_.back().inverse.clear();

@@ -1,0 +1,86 @@
+// Noun phrases whose company says what they are: things among things, things spoken of again, shares of what was named.
+#include "layoutbox/plan/offline/english.h"
+#include "layoutbox/plan/reading/unit_reader.h"
+
+namespace layoutbox::offline {
+
+// "a cart with two lenses, a flash and a laptop", "a script on the sofa": what English alone says is no thing is one among things, or
+// where the text says where it is.
+bool UnitReader::is_thing_in_company(std::size_t k) const {
+  const NounPhrase& noun = chunk(k).noun;
+  const bool anew =
+      noun.determiner == Determiner::kIndefinite || noun.determiner == Determiner::kAnother || (noun.count > 0 && !noun.vague);
+  // "a stacking tower", "a toy castle": outside elsewhere
+  const bool compound = noun.last > noun.first + 2 && noun_form(noun.head) == WordForm::kThing && noun.attributes.empty() &&
+                        noun.name.find(' ') != noun.name.rfind(' ');
+  if (noun.kind != NounKind::kAbstract || !(noun.doubted || compound) || !anew || noun.of || noun.name.find(" of ") != std::string::npos)
+    return false;
+  if (word_form(noun.head) == WordForm::kPerson || lexicon_.is_person(noun.head)) return false;
+  const auto is_new_thing = [&](std::size_t c) {
+    if (!is(c, ChunkKind::kNoun) || chunk(c).noun.kind != NounKind::kObject) return false;
+    return chunk(c).noun.determiner == Determiner::kIndefinite || chunk(c).noun.count > 0;
+  };
+  const auto past_break = [&](std::size_t c, bool forward) {
+    std::size_t passed = 0;
+    for (; is(c, ChunkKind::kComma) || is(c, ChunkKind::kAnd); ++passed) c = forward ? next(c) : previous(c);
+    return passed > 0 ? c : document_.chunks.size();
+  };
+  if (is_new_thing(past_break(previous(k), false)) || is_new_thing(past_break(next(k), true))) return true;
+  std::size_t place = next(k);
+  if (is(place, ChunkKind::kVerb) || is(place, ChunkKind::kParticiple)) place = next(place);
+  const std::size_t by = next(place);
+  if (!is(place, ChunkKind::kRelation) || !is(by, ChunkKind::kNoun)) return false;
+  const NounPhrase& host = chunk(by).noun;
+  return is_part_of_room(host) || (host.kind == NounKind::kObject && host.exact && host.determiner == Determiner::kDefinite);
+}
+
+// "four display cases … in front of every case": a word that is a thing only in a rarer sense speaks of one whose name ends so.
+bool UnitReader::names_known(std::size_t k) const {
+  constexpr std::size_t kBack = 120;
+  const NounPhrase& noun = chunk(k).noun;
+  const bool of_known =
+      noun.determiner == Determiner::kDefinite || noun.determiner == Determiner::kEach || noun.determiner == Determiner::kBoth;
+  const bool part = noun.kind == NounKind::kPart && noun.determiner == Determiner::kEach && !noun.of;  // "two pottery wheels … each wheel"
+  if (!(noun.kind == NounKind::kAbstract && noun.doubted && of_known) && !part) return false;
+  for (std::size_t c = k; c-- > 0 && c + kBack > k;) {
+    if (!is(c, ChunkKind::kNoun) || chunk(c).noun.kind != NounKind::kObject) continue;
+    const std::string& name = chunk(c).noun.name;
+    constexpr std::size_t kShortest = 5;  // "the board" of a whiteboard
+    if (name.ends_with(" " + noun.head) || (noun.head.size() >= kShortest && name.ends_with(noun.head))) return true;
+  }
+  return false;
+}
+
+// "with five of the cups in it": cups that nobody spoke of before.
+bool UnitReader::takes_new_share(std::size_t k) const {
+  const NounPhrase& noun = chunk(k).noun;
+  return noun.kind == NounKind::kMember && noun.subset && noun.count > 0 && noun.of && noun.of->kind == NounKind::kObject &&
+         noun.of->exact && !is_named_before(k, noun.of->head);
+}
+
+// "a monitor on a cart, cart in the corner", "pc on cart, cart by the door", "2 bins, 1 table. Table stands along a wall.": a single thing
+// that was named once and has no place of its own yet, spoken of again without an article to say where it is.
+bool UnitReader::speaks_again(std::size_t k) const {
+  const NounPhrase& noun = chunk(k).noun;
+  const bool bare =
+      noun.kind == NounKind::kObject && noun.determiner == Determiner::kNone && noun.count == 0 && !noun.plural && noun.attributes.empty();
+  if (!bare || (!units_.empty() && joiner_ == Joiner::kNone)) return false;
+  const auto tells = [&](std::size_t c) {
+    return is(c, ChunkKind::kRelation) || is(c, ChunkKind::kParticiple) || is(c, ChunkKind::kVerb) || is(c, ChunkKind::kUnknown) ||
+           is(c, ChunkKind::kPurpose);
+  };
+  if (!tells(next(k))) return false;
+  std::size_t found = 0, one = 0;
+  for (std::size_t c = k > kFarthestBack ? k - kFarthestBack : 0; c < k; ++c) {
+    if (!is(c, ChunkKind::kNoun) || chunk(c).noun.kind != NounKind::kObject || chunk(c).noun.name != noun.name) continue;
+    one = c;
+    ++found;
+  }
+  if (found != 1 || chunk(one).noun.is_plural()) return false;
+  const bool reference = is(previous(one), ChunkKind::kRelation);
+  if (units_.empty()) return reference || !tells(next(one));
+  const bool just_named = units_.back().chunk == one && chunk(one).noun.determiner != Determiner::kNone;
+  return just_named || (reference && one >= units_.front().chunk);
+}
+
+}  // namespace layoutbox::offline
