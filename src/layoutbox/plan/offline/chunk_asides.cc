@@ -44,6 +44,15 @@ bool Chunker::read_such_as() {
   return true;
 }
 
+// "…, that I may watch the street": what for.
+bool Chunker::read_that_may() {
+  static constexpr std::array<std::string_view, 5> kMay = {"may", "might", "can", "could", "should"};
+  if (tokens_[i_].text != "that" || previous() != ChunkKind::kComma || i_ + 2 >= tokens_.size()) return false;
+  if (!lexicon_.is(tokens_[i_ + 1], Class::kDoer) || std::ranges::find(kMay, tokens_[i_ + 2].text) == kMay.end()) return false;
+  add(ChunkKind::kClause, 1);
+  return true;
+}
+
 // "please leave the wardrobe out", "keep plants out": it is not wanted.
 bool Chunker::read_leave_out() {
   static constexpr std::array<std::string_view, 4> kLeaving = {"leave", "keep", "cut", "take"};

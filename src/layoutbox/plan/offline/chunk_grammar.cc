@@ -142,19 +142,6 @@ bool Chunker::read_past() {
   return false;
 }
 
-// "a screen shields the bath from the door": between the two.
-bool Chunker::parts_from() const {
-  constexpr std::size_t kFar = 8;
-  if (previous() != ChunkKind::kNoun && previous() != ChunkKind::kRelative) return false;
-  if (!is_verb_of("parting", i_) || i_ + 1 >= tokens_.size() || !opens_noun(tokens_[i_ + 1])) return false;
-  for (std::size_t i = i_ + 2; i < tokens_.size() && i < i_ + kFar && tokens_[i].kind == Token::Kind::kWord; ++i) {
-    if (tokens_[i].text != "from") continue;
-    const auto from = read_noun_phrase(lexicon_, tokens_, i + 1, true);  // not "from view"
-    return from && from->kind != NounKind::kAbstract;
-  }
-  return false;
-}
-
 // "a rail from which two coats hang": they hang on it; "a bench from which to watch" is no place.
 bool Chunker::hangs_from_which() const {
   constexpr std::size_t kFar = 20;
@@ -177,6 +164,7 @@ bool Chunker::read_built_place() {
   if (tokens_[i_].kind != Token::Kind::kWord) return false;
   if (read_steps() || read_past()) return true;
   if (hangs_from_which()) return add_said_as("hanging from", 1);
+  if (read_parted()) return true;
   if (parts_from()) return add_said_as("separating", 1);
   const std::size_t listed = lexicon_.find_phrase(tokens_, i_).length;
   if (const std::size_t looking = std::max(length_of_looking(), length_of_view()); looking > listed) return add_said_as("facing", looking);

@@ -62,7 +62,7 @@ void Chunker::read() {
     add(ChunkKind::kIgnored, 1);
     return;
   }
-  if (read_where_in() || read_entering() || read_such_as() || read_leave_out()) return;
+  if (read_where_in() || read_entering() || read_such_as() || read_leave_out() || read_that_may()) return;
   if (opens_question() || says_enough() || is_all_around() || is_loose_particle()) {
     add(ChunkKind::kIgnored, 1);
     return;

@@ -1,4 +1,5 @@
-// The class behind chunk_tokens; its members stand in chunks, chunk_asides, chunk_deeds, chunk_entry, chunk_grammar and chunk_sizes.
+// The class behind chunk_tokens; its members stand in chunks, chunk_asides, chunk_deeds, chunk_entry, chunk_grammar, chunk_parting and
+// chunk_sizes.
 #pragma once
 
 #include <optional>
@@ -74,6 +75,7 @@ class Chunker {
   bool read_entering();
   static void mean_hand(Chunk& place);
   bool read_leave_out();
+  bool read_that_may();
   bool read_doing();
   bool read_manner();
   bool may_tell_how(std::size_t at) const;
@@ -87,7 +89,10 @@ class Chunker {
   std::size_t length_of_view() const;
   std::size_t length_of_particle() const;
   bool read_past();
+  // What stands between two things (chunk_parting).
   bool parts_from() const;
+  NounPhrase mean_parted() const;
+  bool read_parted();
   bool hangs_from_which() const;
   bool read_built_place();
   // A place of so many tokens that says what the listed words say; false where they are not listed.

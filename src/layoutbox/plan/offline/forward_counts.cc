@@ -62,10 +62,15 @@ void settle_forward_counts(Document& document) {
     NounPhrase& each = chunks[k].noun;
     const bool either = each.determiner == Determiner::kBoth && document.tokens[each.first].text == "either";
     if ((each.determiner != Determiner::kEach && !either) || each.count > 0) continue;
+    const auto speaks_of = [&](std::size_t c) { return is_thing(chunks[c]) && is_same(chunks[c].noun, each); };
     bool named = false;
-    for (std::size_t c = k; c-- > 0 && c + kReach > k && !named;) named = is_thing(chunks[c]) && is_same(chunks[c].noun, each);
+    for (std::size_t c = k; c-- > 0 && c + kReach > k && !named;) {
+      if (!speaks_of(c)) continue;
+      named = true;  // "a lamp per bed and a chest at the foot of each bed": as many as those
+      if (chunks[c].noun.determiner == Determiner::kEach) each.count = chunks[c].noun.count;
+    }
     for (std::size_t c = k + 1; c < chunks.size() && c < k + kReach && !named; ++c) {
-      if (!is_thing(chunks[c]) || !is_same(chunks[c].noun, each)) continue;
+      if (!speaks_of(c) || chunks[c].noun.determiner == Determiner::kEach) continue;
       NounPhrase& all = chunks[c].noun;
       const int behind = all.plural && all.count == 0 ? count_behind(chunks, c) : 0;
       const int count = std::max(all.count, behind);

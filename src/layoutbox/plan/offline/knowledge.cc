@@ -98,6 +98,19 @@ bool is_heavy(const Catalog& catalog, const NounPhrase& noun) {
   return noun.entry->back_to_wall && (usual.height >= kTall || 1.0 * usual.width * usual.depth * usual.height > kHeavy);
 }
 
+namespace {
+
+// A stage, a dais: low, and wide enough for furniture.
+bool is_platform(const NounPhrase& host) {
+  constexpr Mm kLow = 450;
+  constexpr double kWide = 1e6;  // mm²
+  if (host.entry == nullptr || !host.entry->top_carries || host.entry->is(Trait::kBed) || host.entry->is(Trait::kSeat)) return false;
+  const Size& usual = host.entry->size.usual;
+  return host.entry->mount == Mount::kFloor && usual.height <= kLow && 1.0 * usual.width * usual.depth >= kWide;
+}
+
+}  // namespace
+
 bool may_carry(const Catalog& catalog, const NounPhrase& host, const NounPhrase& item) {
   if (host.kind != NounKind::kObject) return false;
   const Mount mount = mount_of(item);
@@ -112,6 +125,7 @@ bool may_carry(const Catalog& catalog, const NounPhrase& host, const NounPhrase&
       is_seat(catalog, host) || is_table(catalog, host) || is_storage(host) || (host.entry != nullptr && host.entry->is(Trait::kBed));
   if (mount == Mount::kHung && lies) return true;
   if (has_hooks(host)) return mount != Mount::kCeiling && !is_heavy(catalog, item);
+  if (is_platform(host) && mount == Mount::kFloor) return true;
   if (mount != Mount::kSurface && !(mount == Mount::kWall && one_of(item.head, {"mirror", "picture", "photo", "clock", "painting", "frame",
                                                                                 "photograph", "plant", "tv", "television", "screen"}))) {
     // A thing nobody knows may be small.

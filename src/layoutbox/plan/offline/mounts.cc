@@ -48,6 +48,7 @@ RelationBuilder::Held RelationBuilder::how_held(const SceneObject& object, const
     const Relation& relation = scene_.relations[r];
     held.wall |= relation.type == R::kOnWall || (relation.type == R::kAbove && has_wall_kind(noun)) || is_board_under(relation, noun);
     held.ceiling |= relation.type == R::kOnCeiling;
+    held.above |= relation.type == R::kAbove && !relation.references.empty();
     held.supported |= relation.type == R::kOn || relation.type == R::kIn || relation.type == R::kStacked;
     held.beside |= is_beside(relation.type) && !only_small(relation.references);
   }
@@ -83,7 +84,9 @@ void RelationBuilder::settle_mount(std::size_t index) {
   SceneObject& object = scene_.objects[index];
   const NounPhrase& noun = document_.items[index].noun;
   const Held held = how_held(object, noun);
-  if (held.ceiling) {
+  // "a bench with a lamp above it": a lamp for tables stands on nothing there.
+  const bool over = held.above && !held.supported && !held.wall && mount_of(noun) == Mount::kSurface && is_lamp(catalog_, noun);
+  if (held.ceiling || over) {
     object.mount = Mount::kCeiling;
     if (is_lamp(catalog_, noun) && mount_of(noun) != Mount::kCeiling)
       specialise(object, noun, {"pendant_lamp", "pendant_light", "ceiling_lamp"});

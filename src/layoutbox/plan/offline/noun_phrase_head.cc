@@ -185,6 +185,19 @@ bool NounPhraseReader::ends_in_verb(std::size_t head) const {
   return before.word_class == Class::kObject || (before.word_class == Class::kFiller && is_thing(before));
 }
 
+// "two sconces guard it", "the stools rim the table": several, and what they do. Compounds begin with one ("sconce guard").
+bool NounPhraseReader::ends_in_plural_verb(std::size_t head) const {
+  if (head < 2) return false;
+  const Part &last = parts_[head - 1], &before = parts_[head - 2];
+  if (last.last != last.first + 1 || before.last != last.first || hyphenated(last.first) || last.plural || !before.plural ||
+      before.word_class != Class::kObject || last.last >= tokens_.size())
+    return false;
+  const Token& next = tokens_[last.last];
+  const bool object = lexicon_.is(next, Class::kDefinite) || lexicon_.is(next, Class::kIndefinite) || lexicon_.is(next, Class::kPronoun) ||
+                      lexicon_.is(next, Class::kPossessive);
+  return object && may_be_verb(tokens_[last.first].text);
+}
+
 // Whether a place is said there: "in the corner", "up against the wall".
 bool NounPhraseReader::place_at(std::size_t at) const {
   static constexpr std::string_view kParticles[] = {"up", "down", "out", "off", "over", "away", "back"};
@@ -286,12 +299,19 @@ void NounPhraseReader::settle_listed(std::size_t head) {
   }
 }
 
+// "nothing", "everything": no compound begins so.
+bool NounPhraseReader::is_nothing(const Part& part) const {
+  const std::string& word = tokens_[part.first].text;
+  return part.last == part.first + 1 && (word == "nothing" || word == "everything" || word == "anything" || word == "something");
+}
+
 std::optional<NounPhrase> NounPhraseReader::settle() {
   if (done_) return settle_member();
   std::size_t head = 0;
   find_head(head);
   if (head == 0) return settle_without_head();
-  if (ends_in_verb(head) || ends_in_doing(head)) --head;
+  if (is_nothing(parts_.front())) head = 1;  // "nothing blocks the window"
+  if (ends_in_verb(head) || ends_in_plural_verb(head) || ends_in_doing(head)) --head;
   join_set(head);
   const std::size_t end = drop_thing(head);
   const Part part = parts_[head - 1];

@@ -146,6 +146,8 @@ class NounPhraseReader {
   NounPhrase settle_member();
   std::optional<NounPhrase> settle_without_head();
   bool ends_in_verb(std::size_t head) const;
+  bool is_nothing(const Part& part) const;
+  bool ends_in_plural_verb(std::size_t head) const;
   bool counts_things(const Part& part) const;
   bool ends_in_doing(std::size_t head) const;
   bool place_at(std::size_t at) const;

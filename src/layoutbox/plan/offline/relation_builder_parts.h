@@ -127,7 +127,7 @@ class RelationBuilder {
   void settle_mount(std::size_t index);
   // What the relations say of how it is held; `beside`: by what stands on the floor.
   struct Held {
-    bool wall = false, ceiling = false, supported = false, beside = false;
+    bool wall = false, ceiling = false, supported = false, beside = false, above = false;
   };
   Held how_held(const SceneObject& object, const NounPhrase& noun) const;
   void settle_on_wall(SceneObject& object, const NounPhrase& noun);

@@ -80,7 +80,7 @@ bool UnitReader::passes_aside(std::size_t k) {
   static constexpr std::string_view kWhy[] = {"because",   "since", "so",       "that",   "if",    "unless",   "case", "hence",
                                               "otherwise", "why",   "although", "though", "until", "whenever", "when"};
   const std::size_t first = k + 1, end = clause_end(k);
-  if (first >= end || is(first, ChunkKind::kComma)) return false;
+  if (first >= end || is(first, ChunkKind::kComma) || sums_up(first)) return false;
   const bool why = std::ranges::find(kWhy, document_.tokens[chunk(k).last - 1].text) != std::end(kWhy);
   if (!why && !is_person(k) && !is_person(first)) return false;
   if (says_what_is_there(first, end) || (why && says_where_known_is(first, end))) return false;
@@ -206,11 +206,22 @@ bool UnitReader::is_title(std::size_t k) const {
 }
 
 // "chairs around the table, eight of them", "lamps (three)": how many of what was named before.
+// "(two per side, so four)", "three each, making six in all": the number that was not said with the things.
+bool UnitReader::sums_up(std::size_t k) const {
+  if (!is(k, ChunkKind::kNoun) || chunk(k).first == 0) return false;
+  const NounPhrase& noun = chunk(k).noun;
+  const std::size_t n = next(k);
+  const bool ends = n >= document_.chunks.size() || is(n, ChunkKind::kStop) || is(n, ChunkKind::kComma);
+  return noun.kind == NounKind::kMember && noun.count > 1 && noun.attributes.empty() && !noun.of && ends &&
+         one_of(document_.tokens[chunk(k).first - 1].text, {"so", "making", "makes", "totaling", "giving"});
+}
+
 bool UnitReader::counts_before(std::size_t k) {
   const NounPhrase& noun = chunk(k).noun;
   const bool alone = noun.kind == NounKind::kMember && noun.attributes.empty() && noun.ordinal == 0 && !noun.of;
   const std::size_t n = next(k);
-  if (!alone || noun.count < 2 || joiner_ != Joiner::kComma || !(is(n, ChunkKind::kStop) || is(n, ChunkKind::kComma))) return false;
+  const bool listed = joiner_ == Joiner::kComma && (is(n, ChunkKind::kStop) || is(n, ChunkKind::kComma));
+  if (!alone || noun.count < 2 || !(listed || sums_up(k))) return false;
   for (std::size_t u = units_.size(); u-- > 0;) {
     if (units_[u].kind != UnitKind::kNoun) continue;
     NounPhrase& named = document_.chunks[units_[u].chunk].noun;

@@ -286,7 +286,7 @@ void UnitReader::read_noun(std::size_t k) {
   settle_noun(k);
   if (shares_by_subject(k) || opens_topic(k)) return;
   settle_place_words(k);
-  if (!negated_ && passes_spot(k)) return;
+  if (!negated_ && (passes_spot(k) || passes_patch(k))) return;
   if (!skipping_ && !negated_ && repeats_place(k)) return;
   repeat_owner(k);
   mean_group(k);
@@ -299,6 +299,10 @@ void UnitReader::read_noun(std::size_t k) {
   if (!skipping_ && !negated_ && passes_light_noun(k)) return;
   NounPhrase& noun = document_.chunks[k].noun;
   if (skipping_ && ((doing_ && is_used_in_place(k)) || follows_purpose(k))) skipping_ = false;
+  if (sums_up(k) && counts_before(k)) {
+    skipping_ = false;
+    return;
+  }
   if (skipping_) {
     if (noun.kind == NounKind::kObject && noun.determiner == Determiner::kDefinite && noun.count == 0) told_ = k;
     mark(k, Use::kIgnored, "purpose");
@@ -343,6 +347,7 @@ void UnitReader::read_noun(std::size_t k) {
     mark(k, Use::kUsed, "owner");
     return;
   }
+  has_its_own(k);
   add(UnitKind::kNoun, k);
   has_unsaid(k);
 }

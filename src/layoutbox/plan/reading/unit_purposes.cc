@@ -199,7 +199,10 @@ bool UnitReader::purpose_ends(std::size_t k, std::size_t n) const {
       first < document_.chunks.size() && chunk(first).noun.determiner == Determiner::kNone && chunk(first).noun.count == 0;
   if (bare_list && noun.kind == NounKind::kObject && noun.exact) return true;
   // "to be used as an office: sofa bed, desk, …"
-  return document_.tokens[chunk(k).first].text == ":" && (noun.kind == NounKind::kObject || noun.kind == NounKind::kAbstract);
+  // "a shed for garden stuff - long bench, tool rack"
+  const Token& sign = document_.tokens[chunk(k).first];
+  const bool dash = sign.begin < document_.prompt.size() && document_.prompt[sign.begin] != ',' && document_.prompt[sign.begin] != '(';
+  return (sign.text == ":" || (sign.text == "," && dash)) && (noun.kind == NounKind::kObject || noun.kind == NounKind::kAbstract);
 }
 
 // "a shelf for controllers and headsets", "the room offers a fireplace and two sofas": what a verb of purpose names is there.

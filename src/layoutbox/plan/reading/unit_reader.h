@@ -74,6 +74,7 @@ class UnitReader {
   bool is_title(std::size_t k) const;
   bool is_addressed(std::size_t k) const;
   bool is_within_room(std::size_t k) const;
+  bool sums_up(std::size_t k) const;
   bool counts_before(std::size_t k);
   bool announces_things(std::size_t k) const;
   bool is_address(std::size_t k) const;
@@ -89,6 +90,7 @@ class UnitReader {
   bool shares_by_subject(std::size_t k);
   void open_share(std::size_t first, std::size_t last, int shares);
   void has_unsaid(std::size_t k);
+  void has_its_own(std::size_t k);
   bool is_for_all(std::size_t k) const;
   const PhraseSenses* place_of_topic(std::size_t k) const;
   bool opens_topic(std::size_t k);
@@ -119,6 +121,7 @@ class UnitReader {
   bool is_unread_verb(std::size_t k) const;
   bool wall_has(std::size_t k) const;
   bool passes_spot(std::size_t k);
+  bool passes_patch(std::size_t k);
   bool is_unlisted_verb(std::size_t k) const;
   bool passes_light_noun(std::size_t k);
   bool stresses(std::size_t k);

@@ -126,6 +126,26 @@ void UnitReader::place_at_spot(std::size_t k) {
   add_place(verb, at_spot_senses());
 }
 
+// "a print brightens the wall above the bed", "a rug warms the floor beneath it": where of the wall or floor is where it is.
+bool UnitReader::passes_patch(std::size_t k) {
+  const NounPhrase& noun = chunk(k).noun;
+  const std::size_t verb = previous(k), place = next(k);
+  const bool patch = (noun.kind == NounKind::kFloor || noun.kind == NounKind::kWall) && noun.determiner == Determiner::kDefinite &&
+                     noun.wall_word.empty() && noun.wall_relation.empty() && !noun.of;
+  if (!patch || verb >= k || !is_unread_verb(verb) || !is(place, ChunkKind::kRelation) || units_.empty()) return false;
+  const std::size_t thing = previous(verb);
+  const bool subject = is(thing, ChunkKind::kNoun) && chunk(thing).noun.kind == NounKind::kObject && units_.back().chunk == thing;
+  if (!subject || !is(next(place), ChunkKind::kNoun)) {
+    const bool it = subject && !chunk(place).phrase.senses->empty() && document_.tokens[chunk(place).last - 1].text == "it";
+    if (!it) return false;
+  }
+  skipping_ = doing_ = false;
+  mark(verb, Use::kUsed, "placing");
+  mark(k, Use::kIgnored, "no object");
+  add(UnitKind::kVerb, verb);
+  return true;
+}
+
 // "the wall facing the door carries a map", "the far corner shelters a stove": what a part of the room has.
 bool UnitReader::wall_has(std::size_t k) const {
   const std::size_t n = next(k);

@@ -10,6 +10,15 @@ namespace layoutbox::offline {
 
 using Use = WordReading::Use;
 
+namespace {
+
+// "its vise", "their cushions"
+bool is_its(const NounPhrase& noun) {
+  return noun.kind == NounKind::kObject && noun.determiner == Determiner::kPossessive && !noun.owner && !noun.of;
+}
+
+}  // namespace
+
 // How many the noun at k means by "each", where it is a person or a place for one, not a thing; 0: it is a thing, or nobody says.
 int UnitReader::shares_of(std::size_t k) const {
   constexpr std::size_t kFarthest = 120;
@@ -90,11 +99,26 @@ bool UnitReader::is_for_all(std::size_t k) const {
 void UnitReader::has_unsaid(std::size_t k) {
   const NounPhrase& noun = chunk(k).noun;
   const bool placed = units_.size() > 1 && units_[units_.size() - 2].kind == UnitKind::kPlace && units_.back().joiner == Joiner::kNone;
-  if (placed || !is(k + 1, ChunkKind::kNoun) || noun.determiner != Determiner::kEach || noun.kind != NounKind::kObject) return;
+  if (placed || !is(k + 1, ChunkKind::kNoun) || noun.kind != NounKind::kObject) return;
   const NounPhrase& thing = chunk(k + 1).noun;
-  const bool fresh = thing.kind == NounKind::kObject && (thing.determiner == Determiner::kIndefinite || thing.count > 0);
+  const bool each = noun.determiner == Determiner::kEach && (thing.determiner == Determiner::kIndefinite || thing.count > 0);
+  const bool its = units_.back().joiner != Joiner::kNone && is_its(thing);  // "the desk has its lamp, the bed its nightstand"
+  const bool fresh = thing.kind == NounKind::kObject && (each || its);
   if (!fresh || (!units_.empty() && units_.back().chunk == k && units_.back().kind == UnitKind::kHave)) return;
   add(UnitKind::kHave, k);
+  units_.back().unsaid = true;
+}
+
+// "the bench and its vise, the cart and its bins": with it, where nothing is said of the two.
+void UnitReader::has_its_own(std::size_t k) {
+  if (joiner_ != Joiner::kAnd || clause_ || units_.empty() || units_.back().kind != UnitKind::kNoun || !is_its(chunk(k).noun)) return;
+  const std::size_t host = units_.back().chunk, after = next(k);
+  const bool reference = units_.size() > 1 && units_[units_.size() - 2].kind == UnitKind::kPlace && units_.back().joiner == Joiner::kNone;
+  const bool ends =
+      after >= document_.chunks.size() || is(after, ChunkKind::kComma) || is(after, ChunkKind::kAnd) || is(after, ChunkKind::kStop);
+  if (reference || !ends || chunk(host).noun.kind != NounKind::kObject || is_named_before(k, chunk(k).noun.head)) return;
+  joiner_ = Joiner::kNone;
+  add(UnitKind::kHave, host);
   units_.back().unsaid = true;
 }
 
