@@ -43,8 +43,9 @@ def read_senses(folder: pathlib.Path) -> dict[str, list[int]]:
     return senses
 
 
-def read_synsets(folder: pathlib.Path) -> dict[int, tuple[int, list[str], list[int]]]:
-    synsets = {}
+def read_synsets(folder: pathlib.Path) -> tuple[dict[int, tuple[int, list[str], list[int]]], set[int]]:
+    """All senses of nouns, and which of them are names (Heron of Alexandria, Turkey): those are no sense of the word."""
+    synsets, names = {}, set()
     for line in (folder / "data.noun").read_text().splitlines():
         if line.startswith(" "):
             continue
@@ -54,7 +55,15 @@ def read_synsets(folder: pathlib.Path) -> dict[int, tuple[int, list[str], list[i
         pointers = parts[4 + 2 * count + 1 :]
         above = [int(pointers[i + 1]) for i in range(0, len(pointers) - 3, 4) if pointers[i] == "@"]
         synsets[int(parts[0])] = (int(parts[1]), words, above)
-    return synsets
+        if "@i" in pointers:
+            names.add(int(parts[0]))
+    return synsets, names
+
+
+def read_pasts(folder: pathlib.Path) -> dict[str, str]:
+    """Irregular forms of verbs: "came" of "come"."""
+    lines = (line.split() for line in (folder / "verb.exc").read_text().splitlines())
+    return {form: base for form, base, *_ in lines if re.fullmatch("[a-z]+", form) and not form.endswith("ing")}
 
 
 def lemmas(folder: pathlib.Path, part: str) -> set[str]:
@@ -107,8 +116,11 @@ def main() -> None:
     parser.add_argument("--wordnet", type=pathlib.Path, default=pathlib.Path("/usr/share/wordnet"))
     parser.add_argument("--output", type=pathlib.Path, default=pathlib.Path(__file__).parent.parent / "catalog" / "words_english.txt")
     options = parser.parse_args()
-    counts, senses, synsets = (read(options.wordnet) for read in (read_counts, read_senses, read_synsets))
+    counts, (synsets, names) = read_counts(options.wordnet), read_synsets(options.wordnet)
+    all_senses = read_senses(options.wordnet)
+    senses = {lemma: kept for lemma, listed in all_senses.items() if (kept := [sense for sense in listed if sense not in names])}
     parts = {letter: lemmas(options.wordnet, name) for letter, name in (("n", "noun"), ("v", "verb"), ("a", "adj"), ("r", "adv"))}
+    parts["n"] &= senses.keys()
     lines = {}
     for lemma in sorted(set().union(*parts.values())):
         if not re.fullmatch(r"[a-z]+([_-][a-z]+){0,2}", lemma):
@@ -144,6 +156,14 @@ def main() -> None:
             above = kinds(sense, synsets)
             if "taxonomicgroup" not in above:
                 lines.setdefault(lemma, " ".join(["k", *above]))
+    for lemma, listed in all_senses.items():  # "for Otis" is for somebody, whatever genus or pastry is called so
+        kind = lines.get(lemma, "k").split()
+        somebody = any(sense in names and synsets[sense][0] == PERSON for sense in listed[:2])
+        if somebody and (kind[0] == "k" or "group" in kind):
+            lines[lemma] = "p"
+    for form, base in read_pasts(options.wordnet).items():
+        if counts.get((base, "v"), 0) > 0:
+            lines.setdefault(form, "v")
     options.output.write_text("".join(f"{word} {what}\n" for word, what in sorted(lines.items())))
 
 

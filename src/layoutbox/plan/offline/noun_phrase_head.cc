@@ -231,13 +231,17 @@ bool NounPhraseReader::ends_in_doing(std::size_t head) const {
   return (phrase_.first == 0 || tokens_[phrase_.first - 1].ends_sentence) && lacks_verb(last.last);
 }
 
-// "in Naples", "from Brazil": a name in the middle of a sentence, after what is said of places.
-bool NounPhraseReader::is_place_name(const Part& part, std::size_t head) const {
+// "in Naples", "from Brazil", "on Mill Lane": a name in the middle of a sentence, after what is said of places.
+bool NounPhraseReader::is_place_name(const Part& part) const {
   static constexpr std::string_view kBefore[] = {"in", "from", "near", "at", "to", "of", "like", "outside", "across"};
-  if (head > 0 || part.first == 0 || phrase_.first != part.first || !tokens_[part.first].capital) return false;
-  const Token& before = tokens_[part.first - 1];
+  static constexpr std::string_view kBeforeSeveral[] = {"on", "by", "off", "around", "for", "with", "de", "is", "was"};
+  if (phrase_.first == 0 || tokens_[phrase_.first - 1].capital) return false;
+  const auto words = std::span(tokens_).subspan(phrase_.first, part.last - phrase_.first);
   const bool small = std::ranges::any_of(tokens_, [](const Token& t) { return t.kind == Token::Kind::kWord && !t.capital; });
-  return small && !before.capital && std::find(std::begin(kBefore), std::end(kBefore), before.text) != std::end(kBefore);
+  if (!small || !std::ranges::all_of(words, &Token::capital)) return false;
+  const std::string& before = tokens_[phrase_.first - 1].text;
+  const auto is_before = [&](const auto& list) { return std::find(std::begin(list), std::end(list), before) != std::end(list); };
+  return is_before(kBefore) || (words.size() > 1 && is_before(kBeforeSeveral));
 }
 
 // A head that no list has; false where it is no noun phrase at all.
@@ -256,7 +260,7 @@ bool NounPhraseReader::settle_filler(std::size_t head) {
                      (named && (is_thing_where_named(part) || is_rare_thing(part, head) || (is_modeled(head) && is_compound(head)))) ||
                      listed || shaped_ || has_telling_head(part, head);
   const bool made = form != WordForm::kAdverb && form != WordForm::kAdjective && named && has_attribute(Class::kMaterial);
-  const bool place = !named && is_place_name(part, head);
+  const bool place = !named && is_place_name(part);
   if (!thing && !named && !is_noun(form)) return false;
   settle_object(part, head);
   if (place) {

@@ -342,6 +342,7 @@ void UnitReader::read_noun(std::size_t k) {
   }
   owner_ = document_.chunks.size();
   mean_owner_of_spot(k);
+  mean_own_part(k);
   if (noun.owner) {
     owner_ = k;
     mark(k, Use::kUsed, "owner");

@@ -127,6 +127,7 @@ class UnitReader {
   bool stresses(std::size_t k);
   void mean_desktop(std::size_t k);
   void mean_owner_of_spot(std::size_t k);
+  void mean_own_part(std::size_t k);
   const NounPhrase* subject_of_verb(std::size_t verb) const;
   void place_by_verb(std::size_t k);
   bool is_content_of_thing() const;

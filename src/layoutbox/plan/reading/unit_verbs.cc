@@ -110,6 +110,27 @@ bool UnitReader::stresses(std::size_t k) {
   return true;
 }
 
+// "a bench in front of its keyboard", "a lamp above its needle": a small part of what was named, which no other words bring in: at the
+// thing.
+void UnitReader::mean_own_part(std::size_t k) {
+  NounPhrase& noun = document_.chunks[k].noun;
+  if (noun.kind != NounKind::kObject || noun.determiner != Determiner::kPossessive || noun.of || noun.is_plural() ||
+      !noun.attributes.empty() || !after_place())
+    return;
+  if (!one_of(document_.tokens[noun.first].text, {"its", "their"}) || is_named_before(k, noun.head)) return;
+  if (mount_of(noun) != Mount::kSurface) return;
+  const PhraseSenses& direct = units_.back().direct;
+  const bool before_it = says(direct, RelationType::kInFrontOf) || says(direct, RelationType::kAbove) ||
+                         says(direct, RelationType::kBehind) || says(direct, RelationType::kNextTo) || says(direct, RelationType::kFacing);
+  if (!before_it || says(direct, RelationType::kOn) || says(direct, RelationType::kIn)) return;
+  NounPhrase whole;
+  whole.kind = NounKind::kPronoun;
+  whole.head = "it";
+  whole.first = noun.first;
+  whole.last = noun.last;
+  noun = whole;
+}
+
 // "in the shadow of the wardrobe", "at the flank of the sofa", "a mug at its elbow": by the thing, or on it, as the preposition has it.
 void UnitReader::mean_owner_of_spot(std::size_t k) {
   static constexpr std::string_view kOfBody[] = {"elbow", "flank", "shoulder", "heel", "hip", "knee",
