@@ -181,7 +181,9 @@ bool Chunker::names_thing_at(std::size_t at) const {
 
 bool Chunker::noun_follows() const {
   const auto noun = read_noun_phrase(lexicon_, tokens_, i_, false);
-  return noun && noun->kind == NounKind::kObject;
+  // "a stand that bears a kettle": "that" is of one thing, and "bears" a verb.
+  const bool many_after_that = noun && noun->plural && tokens_[i_].text == "that";
+  return noun && noun->kind == NounKind::kObject && !many_after_that;
 }
 
 bool Chunker::read_noun(bool bare) {
@@ -293,10 +295,22 @@ bool Chunker::is_longer_thing(const Choice& best, const NounPhrase& noun) const 
   return !verb_first && !preposition && best.kind != ChunkKind::kWithout && best.kind != ChunkKind::kPurpose;
 }
 
+// "tv on a stand, stand against the wall": a thing that was named before, without its article, and not the verb.
+bool Chunker::is_known_thing(const Choice& best) const {
+  const bool verbal = best.kind == ChunkKind::kParticiple || best.kind == ChunkKind::kVerb || best.kind == ChunkKind::kCommand;
+  if (!verbal || best.length != 1 || !clause_begins() || i_ + 1 >= tokens_.size()) return false;
+  if (lexicon_.find_phrase(tokens_, i_ + 1).length == 0 || opens_noun(tokens_[i_ + 1])) return false;
+  constexpr std::size_t kBack = 100;
+  const auto first = chunks_.size() > kBack ? chunks_.end() - kBack : chunks_.begin();
+  return std::any_of(first, chunks_.end(), [&](const Chunk& chunk) {
+    return chunk.kind == ChunkKind::kNoun && chunk.noun.kind == NounKind::kObject && chunk.noun.head == tokens_[i_].text;
+  });
+}
+
 bool Chunker::read_words(const PhraseMatch& phrase, std::size_t without) {
   const Choice best = longest(phrase, without);
   if (best.length == 0) return false;
-  if (is_longer_noun(best)) return read_noun(true);
+  if (is_longer_noun(best) || is_known_thing(best)) return read_noun(true);
   if (best.kind == ChunkKind::kRelation) {
     add_phrase(phrase);
     return true;

@@ -111,6 +111,7 @@ class Chunker {
   std::size_t bears_thing() const;
   Choice longest(const PhraseMatch& phrase, std::size_t without) const;
   bool is_longer_noun(const Choice& best) const;
+  bool is_known_thing(const Choice& best) const;
   bool is_longer_thing(const Choice& best, const NounPhrase& noun) const;
   // "is", "are placed", "is also gently mounted": the verb with its participle; 0 if there is none.
   std::size_t be_length() const;

@@ -343,6 +343,7 @@ void UnitReader::read_noun(std::size_t k) {
   owner_ = document_.chunks.size();
   mean_owner_of_spot(k);
   mean_own_part(k);
+  mean_hand_of_owner(k);
   if (noun.owner) {
     owner_ = k;
     mark(k, Use::kUsed, "owner");

@@ -163,6 +163,14 @@ bool UnitReader::denies_before(std::size_t k) {
   return true;
 }
 
+// The clause's first thing has neither article nor number.
+bool UnitReader::is_bare_list() const {
+  const auto first = std::find_if(units_.begin(), units_.end(), [&](const Unit& unit) {
+    return unit.kind == UnitKind::kNoun && chunk(unit.chunk).noun.kind == NounKind::kObject;
+  });
+  return first != units_.end() && chunk(first->chunk).noun.determiner == Determiner::kNone && chunk(first->chunk).noun.count == 0;
+}
+
 // The break at chunk k, before chunk n, ends a purpose: what follows is said of the room again.
 bool UnitReader::purpose_ends(std::size_t k, std::size_t n) const {
   const bool comma = is(k, ChunkKind::kComma);
@@ -189,15 +197,7 @@ bool UnitReader::purpose_ends(std::size_t k, std::size_t n) const {
   if (!comma) return false;
   if (noun.determiner == Determiner::kDefinite || noun.kind == NounKind::kMember) return true;
   // In a list without articles the next bare thing goes on with it: "bed for guests, desk, lamp".
-  const std::size_t first = [&] {
-    for (const Unit& unit : units_) {
-      if (unit.kind == UnitKind::kNoun && chunk(unit.chunk).noun.kind == NounKind::kObject) return unit.chunk;
-    }
-    return document_.chunks.size();
-  }();
-  const bool bare_list =
-      first < document_.chunks.size() && chunk(first).noun.determiner == Determiner::kNone && chunk(first).noun.count == 0;
-  if (bare_list && noun.kind == NounKind::kObject && noun.exact) return true;
+  if (is_bare_list() && noun.kind == NounKind::kObject && noun.exact) return true;
   // "to be used as an office: sofa bed, desk, …"
   // "a shed for garden stuff - long bench, tool rack"
   const Token& sign = document_.tokens[chunk(k).first];

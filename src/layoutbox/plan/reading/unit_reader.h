@@ -39,6 +39,7 @@ class UnitReader {
 
   // Purposes and what is not wanted.
   void read_purpose(std::size_t k);
+  bool is_bare_list() const;
   bool purpose_ends(std::size_t k, std::size_t n) const;
   bool place_after_purpose(std::size_t k) const;
   bool follows_whom(std::size_t k) const;
@@ -128,6 +129,7 @@ class UnitReader {
   void mean_desktop(std::size_t k);
   void mean_owner_of_spot(std::size_t k);
   void mean_own_part(std::size_t k);
+  void mean_hand_of_owner(std::size_t k);
   const NounPhrase* subject_of_verb(std::size_t verb) const;
   void place_by_verb(std::size_t k);
   bool is_content_of_thing() const;

@@ -131,6 +131,41 @@ void UnitReader::mean_own_part(std::size_t k) {
   noun = whole;
 }
 
+// "on the sofa's left side", "at the desk's right": left of the owner, as "to the left of" it.
+void UnitReader::mean_hand_of_owner(std::size_t k) {
+  NounPhrase& noun = document_.chunks[k].noun;
+  const std::size_t place = units_.empty() ? 0 : units_.back().chunk;
+  if (!noun.owner || !after_place() || chunk(place).last - chunk(place).first != 1) return;
+  if (!one_of(document_.tokens[chunk(place).first].text, {"on", "at", "to", "upon", "by"})) return;
+  std::size_t at = chunk(k).last;
+  const auto says_next = [&](std::initializer_list<std::string_view> words) {
+    return at < document_.tokens.size() && one_of(document_.tokens[at].text, words);
+  };
+  if (says_next({"immediate"})) ++at;
+  const bool left = says_next({"left"});
+  if (!left && !says_next({"right"})) return;
+  ++at;
+  if (says_next({"hand"})) ++at;
+  const bool part = says_next({"end", "edge", "half"});  // on it, where it carries that
+  if (part || says_next({"side", "flank"})) ++at;
+  // Not "the desk's left drawer", which is a part.
+  std::size_t after = k + 1;
+  while (after < document_.chunks.size() && chunk(after).first < at && chunk(after).last <= at) ++after;
+  if (after < document_.chunks.size() &&
+      (chunk(after).first < at ||
+       (is(after, ChunkKind::kNoun) && chunk(after).noun.determiner == Determiner::kNone && chunk(after).noun.count == 0)))
+    return;
+  const PhraseSenses* senses = part ? &senses_of_any_verb() : lexicon_.senses_of(left ? "to left of" : "to right of");
+  if (senses == nullptr) return;
+  noun.owner = false;
+  units_.back().direct = *senses;
+  units_.back().senses = senses;
+  units_.back().inverse.clear();
+  units_.back().alone.clear();
+  for (std::size_t c = k + 1; c < after; ++c) mark(c, WordReading::Use::kUsed, "relation");
+  passed_until_ = after;
+}
+
 // "in the shadow of the wardrobe", "at the flank of the sofa", "a mug at its elbow": by the thing, or on it, as the preposition has it.
 void UnitReader::mean_owner_of_spot(std::size_t k) {
   static constexpr std::string_view kOfBody[] = {"elbow", "flank", "shoulder", "heel", "hip", "knee",
