@@ -147,6 +147,8 @@ def main() -> None:
                 lines.setdefault(lemma, " ".join([best + ("t" if thing is not None else letter), *kinds(thing or sense, synsets)]))
             else:
                 lines.setdefault(lemma, best + letter)
+        elif uses.keys() == {"r"} and not compound and not lemma.endswith("ly") and lemma[:-1] not in parts["n"] | parts["v"]:
+            lines.setdefault(lemma, "r")  # "amidships"; not "needs"
         elif (
             "n" in uses
             and not compound

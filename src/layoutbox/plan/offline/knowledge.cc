@@ -109,6 +109,13 @@ bool is_platform(const NounPhrase& host) {
   return host.entry->mount == Mount::kFloor && usual.height <= kLow && 1.0 * usual.width * usual.depth >= kWide;
 }
 
+// What is made for the wall and flat, as a poster or a mirror, may as well lie or stand on something.
+bool lies_or_hangs(const NounPhrase& item) {
+  constexpr Mm kFlat = 60;
+  return item.entry != nullptr && mount_of(item) == Mount::kWall &&
+         (item.entry->size.usual.depth <= kFlat || one_of(item.head, {"frame", "clock", "plant", "tv", "television", "screen"}));
+}
+
 }  // namespace
 
 bool may_carry(const Catalog& catalog, const NounPhrase& host, const NounPhrase& item) {
@@ -126,8 +133,7 @@ bool may_carry(const Catalog& catalog, const NounPhrase& host, const NounPhrase&
   if (mount == Mount::kHung && lies) return true;
   if (has_hooks(host)) return mount != Mount::kCeiling && !is_heavy(catalog, item);
   if (is_platform(host) && mount == Mount::kFloor) return true;
-  if (mount != Mount::kSurface && !(mount == Mount::kWall && one_of(item.head, {"mirror", "picture", "photo", "clock", "painting", "frame",
-                                                                                "photograph", "plant", "tv", "television", "screen"}))) {
+  if (mount != Mount::kSurface && !lies_or_hangs(item)) {
     // A thing nobody knows may be small.
     const bool unknown = item.entry == nullptr || (!item.exact && item.entry->id != item.category);
     const bool small =

@@ -33,6 +33,21 @@ bool NounPhraseReader::is_bodily_described() const {
   return has_attribute(Class::kMaterial) || has_attribute(Class::kColor) || has_attribute(Class::kShape) || has_attribute(Class::kSizeWord);
 }
 
+// "; transceiver on the desk", "- sconce, mirror": a word that nobody knows where a thing is named without its article. Not the first
+// of the text, nor with a capital letter: those call somebody.
+bool NounPhraseReader::is_unknown_subject(const Part& part) const {
+  constexpr std::size_t kShortest = 5;  // shorter ones are rather said by the way
+  const Token& word = tokens_[part.first];
+  if (part.last != part.first + 1 || part.first != phrase_.first || part.first == 0 || word.capital || word.text.size() < kShortest)
+    return false;
+  const Token& before = tokens_[part.first - 1];
+  if (before.kind != Token::Kind::kPunctuation && !lexicon_.is(before, Class::kAnd)) return false;
+  if (lexicon_.find_phrase(tokens_, part.last).length > 0) return true;
+  const bool listed = part.last + 1 < tokens_.size() && (tokens_[part.last].text == "," || lexicon_.is(tokens_[part.last], Class::kAnd));
+  return listed && (lexicon_.find(tokens_, part.last + 1, Class::kObject).length > 0 ||
+                    lexicon_.find(tokens_, part.last + 2, Class::kObject).length > 0);
+}
+
 // "two blue cases", "a game case", "a metal case"; a plain "case" is none.
 bool NounPhraseReader::is_rare_thing(const Part& part, std::size_t head) const {
   const std::string& word = tokens_[part.last - 1].text;
@@ -255,7 +270,8 @@ bool NounPhraseReader::settle_filler(std::size_t head) {
                     lexicon_.find_phrase(tokens_, i_).length > 0;
   const bool listed = !named && part.plural && ends &&  // "hooks on the wall", "with ribbon rolls and …"
                       (head == 0 ? noun == WordForm::kThing : is_compound(head) && (is_noun(noun) && noun != WordForm::kNoun));
-  const bool thing = form == WordForm::kThing || (form == WordForm::kUnknown && (named || part.plural || is_bodily_described())) ||
+  const bool thing = form == WordForm::kThing ||
+                     (form == WordForm::kUnknown && (named || part.plural || is_bodily_described() || is_unknown_subject(part))) ||
                      (hyphenated(part.first) && !is_noun(form)) || (form == WordForm::kBody && part.plural && head == 0) ||
                      (named && (is_thing_where_named(part) || is_rare_thing(part, head) || (is_modeled(head) && is_compound(head)))) ||
                      listed || shaped_ || has_telling_head(part, head);

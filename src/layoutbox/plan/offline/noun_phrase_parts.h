@@ -135,6 +135,7 @@ class NounPhraseReader {
   bool is_thing(const Part& part) const;
   bool is_thing_where_named(const Part& part) const;
   bool has_attribute(WordClass word_class) const;
+  bool is_unknown_subject(const Part& part) const;
   bool is_bodily_described() const;
   bool is_place_name(const Part& part) const;
   bool is_rare_thing(const Part& part, std::size_t head) const;

@@ -60,6 +60,17 @@ void References::grow(int mention, std::size_t count) {
   }
 }
 
+void References::mean_one_for_each(int mention, std::size_t count) {
+  std::vector<int>& items = document_.mentions[static_cast<std::size_t>(mention)].items;
+  if (items.size() != 1) return;
+  const int group = document_.items[static_cast<std::size_t>(items.front())].group;
+  std::vector<int> all;
+  for (std::size_t i = 0; i < document_.items.size(); ++i) {
+    if (document_.items[i].group == group) all.push_back(static_cast<int>(i));
+  }
+  if (all.size() == count) items = std::move(all);
+}
+
 void References::join_group(int mention, int of) {
   const std::vector<int>& group = document_.mentions[static_cast<std::size_t>(of)].items;
   if (group.empty()) return;

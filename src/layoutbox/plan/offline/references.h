@@ -24,6 +24,9 @@ class References {
   // More items of the mention's kind, until there are `count`.
   void grow(int mention, std::size_t count);
 
+  // The one of a group that the mention means becomes the whole group, where that has `count` of them.
+  void mean_one_for_each(int mention, std::size_t count);
+
   // What the mention brought in belongs to the group of `of`: "the other two".
   void join_group(int mention, int of);
 

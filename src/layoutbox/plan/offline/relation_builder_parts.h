@@ -79,6 +79,7 @@ class RelationBuilder {
   void settle_sense(const Link& link, PhraseSense& sense, const Mention& target, const std::vector<int>& references) const;
   bool add_drawn_up(const Link& link, const PhraseSense& sense, const Mention& target, const std::vector<int>& references);
   bool add_before_seats(const Link& link, const PhraseSense& sense, const Mention& target, const std::vector<int>& references);
+  bool sits_at(const Link& link, const PhraseSense& sense, const NounPhrase& seat, const NounPhrase& table) const;
   bool add_by_one(const Link& link, const PhraseSense& sense, const Mention& target, int reference);
   bool add_under_hung(const Link& link, const PhraseSense& sense, const Mention& target, const std::vector<int>& references);
   bool add_by_carrier(const Link& link, const PhraseSense& sense, const Mention& target, int reference);

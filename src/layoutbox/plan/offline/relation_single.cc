@@ -91,6 +91,14 @@ bool RelationBuilder::add_before_seats(const Link& link, const PhraseSense& sens
   return laid == target.items.size();
 }
 
+// A seat "at" a table, "drawn up to" it, is used there, from any side.
+bool RelationBuilder::sits_at(const Link& link, const PhraseSense& sense, const NounPhrase& seat, const NounPhrase& table) const {
+  if (!is_seat(catalog_, seat) || !is_table(catalog_, table)) return false;
+  const std::string& word = document_.tokens[link.first].text;
+  if (sense.type == R::kInFrontOf) return one_of(word, {"pulled", "drawn"});
+  return sense.type == R::kNextTo && one_of(word, {"at", "to", "for"});
+}
+
 // Two that stand on either side of what such things flank; seats at a table or along a counter.
 bool RelationBuilder::add_by_one(const Link& link, const PhraseSense& sense, const Mention& target, int reference) {
   const NounPhrase& host = noun_of_item(reference);
@@ -99,9 +107,7 @@ bool RelationBuilder::add_by_one(const Link& link, const PhraseSense& sense, con
     add(link, R::kEachSideOf, ids(target.items), {id(reference)});
     return true;
   }
-  // A seat "at" a table is used there.
-  const bool at = sense.type == R::kNextTo && is_seat(catalog_, target.noun) && is_table(catalog_, host) &&
-                  one_of(document_.tokens[link.first].text, {"at", "to", "for"});
+  const bool at = sits_at(link, sense, target.noun, host);
   // Several of them along a counter sit before it.
   const bool along = (sense.type == R::kNextTo || sense.type == R::kAlongSide) && !sense.side && several &&
                      seats_one_side(link, target.items.front(), reference);
@@ -174,9 +180,7 @@ void RelationBuilder::add_single(const Link& link, PhraseSense sense, const Ment
 
 // As many as there are references: one for each; more: shared out; fewer: by all that can be so.
 void RelationBuilder::add_for_each(const Link& link, PhraseSense sense, const Mention& target, const std::vector<int>& references) {
-  const bool seat_at = sense.type == R::kNextTo && references.size() > 1 && is_seat(catalog_, target.noun) &&
-                       is_table(catalog_, noun_of_item(references.front())) &&
-                       one_of(document_.tokens[link.first].text, {"at", "to", "for"});
+  const bool seat_at = references.size() > 1 && sits_at(link, sense, target.noun, noun_of_item(references.front()));
   if (seat_at && target.items.size() > references.size()) {
     add_group(link, {R::kAround, Direction::kDirect, {}, {}, {}}, target.items, references, nullptr);
     return;
