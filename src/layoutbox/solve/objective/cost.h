@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <string>
 
@@ -36,8 +37,9 @@ int walk_permille(const Model& model, const Placements& placements);
 // Can somebody `width` wide walk from a door to a place beside the item?
 bool reachable(const Model& model, int item, Mm width, const Placements& placements);
 
-// Cost of cut off floor, and of `reachable` relations that do not hold.
-std::int64_t ways_cost(const Model& model, const Placements& placements);
+// Cost of cut off floor, and of `reachable` relations that do not hold; where it comes to `enough`, perhaps less than all of it, but so
+// much.
+std::int64_t ways_cost(const Model& model, const Placements& placements, std::int64_t enough = std::numeric_limits<std::int64_t>::max());
 
 // All terms by name, for the layout's score; "stay", the way from an earlier layout, is not part of it.
 std::map<std::string, std::int64_t> cost_terms(const Model& model, const Placements& placements);

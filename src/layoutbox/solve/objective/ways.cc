@@ -13,7 +13,8 @@ constexpr Mm kBesideStrip = 200;         // from the strip at a used side to whe
 constexpr std::int64_t kGreat = 400000;  // mm²: seats and bedside tables have their own ways
 constexpr Mm kArmLength = 150;           // how near one must come to a door or a thing
 
-// The floor in cells; which of those free for somebody's middle hang together is found by runs of them, row by row.
+// The floor in cells; which of those free for somebody's middle hang together is found by runs of them, row by row. Rows that are alike
+// are one band: what blocks the floor has straight sides, so there are few bands, however fine the cells.
 class WalkRaster {
  public:
   // `whole`: everything that begins below standing height is in the way, else only what has its middle there.
@@ -23,7 +24,7 @@ class WalkRaster {
     step_ = std::max<Mm>(finest, longest * finest / 4000);
     columns_ = model.room.extent(0) / step_ + 1, rows_ = model.room.extent(1) / step_ + 1;
     words_ = static_cast<std::size_t>(columns_) / kBits + 1;
-    free_.assign(words_ * static_cast<std::size_t>(rows_), ~std::uint64_t{0});
+    blocked_.reserve(4 + model.outside.size() + model.items.size());
     const Box& r = model.room;
     block({{r.lo[0] - 1000, r.lo[1] - 1000, 0}, {r.lo[0], r.hi[1] + 1000, 0}});
     block({{r.hi[0], r.lo[1] - 1000, 0}, {r.hi[0] + 1000, r.hi[1] + 1000, 0}});
@@ -36,6 +37,7 @@ class WalkRaster {
       const Item& item = model.items[i];
       if (whole ? !item.is_opening() && !item.thin && box.lo[2] < kBodyReach : blocks_floor(item, box)) block(box);
     }
+    cut_into_bands();
     join();
   }
 
@@ -61,11 +63,14 @@ class WalkRaster {
   int largest_permille() {
     std::int64_t total = 0, largest = 0;
     std::vector<std::int64_t> sizes(runs_.size(), 0);
-    for (std::size_t i = 0; i < runs_.size(); ++i) {
-      const int length = runs_[i].last - runs_[i].first + 1;
-      std::int64_t& size = sizes[part_of(static_cast<int>(i))];
-      total += length, size += length;
-      largest = std::max(largest, size);
+    for (std::size_t band = 0; band + 1 < first_row_.size(); ++band) {
+      const int rows = first_row_[band + 1] - first_row_[band];
+      for (std::size_t i = first_run_[band]; i < first_run_[band + 1]; ++i) {
+        const int cells = rows * (runs_[i].last - runs_[i].first + 1);
+        std::int64_t& size = sizes[part_of(static_cast<int>(i))];
+        total += cells, size += cells;
+        largest = std::max(largest, size);
+      }
     }
     return total == 0 ? 0 : static_cast<int>(largest * 1000 / total);
   }
@@ -90,22 +95,40 @@ class WalkRaster {
 
   void block(const Box& box) {
     const Cells c = cells_in(box, half_);
-    if (c.x0 > c.x1) return;
+    if (c.x0 <= c.x1 && c.y0 <= c.y1) blocked_.push_back(c);
+  }
+
+  // A band begins wherever something begins or ends to be in the way.
+  void cut_into_bands() {
+    first_row_.reserve(2 * blocked_.size() + 2);
+    first_row_.assign({0, rows_});
+    for (const Cells& c : blocked_) first_row_.push_back(c.y0), first_row_.push_back(c.y1 + 1);
+    std::sort(first_row_.begin(), first_row_.end());
+    first_row_.erase(std::unique(first_row_.begin(), first_row_.end()), first_row_.end());
+    free_.assign(words_ * (first_row_.size() - 1), ~std::uint64_t{0});
+    for (const Cells& c : blocked_) {
+      for (std::size_t band = band_of(c.y0); first_row_[band] <= c.y1; ++band) take_away(c, &free_[band * words_]);
+    }
+  }
+
+  std::size_t band_of(int row) const {
+    return static_cast<std::size_t>(std::upper_bound(first_row_.begin(), first_row_.end(), row) - first_row_.begin()) - 1;
+  }
+
+  static void take_away(const Cells& c, std::uint64_t* row) {
     const int first = c.x0 / kBits, last = c.x1 / kBits;
-    for (int y = c.y0; y <= c.y1; ++y) {
-      for (int word = first; word <= last; ++word) {
-        std::uint64_t in = ~std::uint64_t{0};
-        if (word == first) in &= ~std::uint64_t{0} << (c.x0 % kBits);
-        if (word == last) in &= ~std::uint64_t{0} >> (kBits - 1 - c.x1 % kBits);
-        free_[static_cast<std::size_t>(y) * words_ + static_cast<std::size_t>(word)] &= ~in;
-      }
+    for (int word = first; word <= last; ++word) {
+      std::uint64_t in = ~std::uint64_t{0};
+      if (word == first) in &= ~std::uint64_t{0} << (c.x0 % kBits);
+      if (word == last) in &= ~std::uint64_t{0} >> (kBits - 1 - c.x1 % kBits);
+      row[word] &= ~in;
     }
   }
 
   // The next column from `x` on that is free, or that is not.
-  int next(int y, int x, bool free) const {
+  int next(std::size_t band, int x, bool free) const {
     while (x < columns_) {
-      std::uint64_t bits = free_[static_cast<std::size_t>(y) * words_ + static_cast<std::size_t>(x) / kBits];
+      std::uint64_t bits = free_[band * words_ + static_cast<std::size_t>(x) / kBits];
       if (!free) bits = ~bits;
       bits >>= x % kBits;
       if (bits != 0) return std::min(columns_, x + std::countr_zero(bits));
@@ -115,21 +138,23 @@ class WalkRaster {
   }
 
   void join() {
-    for (int y = 0; y < rows_; ++y) {
-      std::size_t below = y > 0 ? row_start_[static_cast<std::size_t>(y) - 1] : 0;
+    const std::size_t bands = first_row_.size() - 1;
+    first_run_.reserve(bands + 1), runs_.reserve(4 * bands), parent_.reserve(4 * bands);
+    for (std::size_t band = 0; band < bands; ++band) {
+      std::size_t below = band > 0 ? first_run_[band - 1] : 0;
       const std::size_t start = runs_.size();
-      row_start_.push_back(start);
-      for (int x = next(y, 0, true); x < columns_;) {
-        const int end = next(y, x, false);
+      first_run_.push_back(start);
+      for (int x = next(band, 0, true); x < columns_;) {
+        const int end = next(band, x, false);
         const int run = static_cast<int>(runs_.size());
         runs_.push_back({x, end - 1});
         parent_.push_back(run);
         while (below < start && runs_[below].last < x) ++below;
         for (std::size_t k = below; k < start && runs_[k].first < end; ++k) parent_[part_of(static_cast<int>(k))] = part_of(run);
-        x = next(y, end, true);
+        x = next(band, end, true);
       }
     }
-    row_start_.push_back(runs_.size());
+    first_run_.push_back(runs_.size());
     walked_.assign(runs_.size(), 0);
   }
 
@@ -142,8 +167,9 @@ class WalkRaster {
   template <typename Visit>
   void for_runs_in(const Box& box, const Visit& visit) const {
     const Cells c = cells_in(box, 0);
-    for (int y = c.y0; y <= c.y1; ++y) {
-      for (std::size_t k = row_start_[y]; k < row_start_[static_cast<std::size_t>(y) + 1]; ++k) {
+    if (c.y0 > c.y1) return;
+    for (std::size_t band = band_of(c.y0); band + 1 < first_row_.size() && first_row_[band] <= c.y1; ++band) {
+      for (std::size_t k = first_run_[band]; k < first_run_[band + 1]; ++k) {
         if (runs_[k].first <= c.x1 && c.x0 <= runs_[k].last) visit(static_cast<int>(k));
       }
     }
@@ -154,9 +180,11 @@ class WalkRaster {
   Mm step_ = 25;
   int columns_ = 0, rows_ = 0;
   std::size_t words_ = 0;
-  std::vector<std::uint64_t> free_;     // a bit a cell, rows of whole words
-  std::vector<Run> runs_;               // of free cells, row by row
-  std::vector<std::size_t> row_start_;  // into runs_, and its end
+  std::vector<Cells> blocked_;          // what is in the way
+  std::vector<int> first_row_;          // of each band, and the end
+  std::vector<std::uint64_t> free_;     // a bit a cell of a band's rows, bands of whole words
+  std::vector<Run> runs_;               // of free cells, band by band
+  std::vector<std::size_t> first_run_;  // of each band, and the end
   std::vector<int> parent_;
   std::vector<char> walked_;  // by the first of the runs that hang together
 };
@@ -233,11 +261,13 @@ bool reachable(const Model& model, int item, Mm width, const Placements& placeme
   return WalkRaster(model, placements, width / 2, true).way(doors, sides);
 }
 
-std::int64_t ways_cost(const Model& model, const Placements& placements) {
+std::int64_t ways_cost(const Model& model, const Placements& placements, std::int64_t enough) {
+  if (enough <= 0) return 0;
   std::int64_t cost = kPoint * kCostWeights.walk * std::max(0, 998 - walk_permille(model, placements));
-  cost += kPoint * kCostWeights.narrow * without_wide_way(model, placements);
+  if (cost < enough) cost += kPoint * kCostWeights.narrow * without_wide_way(model, placements);
   for (const Constraint& constraint : model.constraints) {
     for (const auto& [item, width] : constraint.reach) {
+      if (cost >= enough) return cost;
       if (!reachable(model, item, width, placements)) cost += kPoint * kCostWeights.unreached;
     }
   }

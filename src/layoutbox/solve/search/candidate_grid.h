@@ -2,6 +2,7 @@
 // done once per coordinate.
 #pragma once
 
+#include <array>
 #include <limits>
 #include <span>
 
@@ -33,34 +34,35 @@ class CandidateGrid {
   std::int64_t cost_in_row(std::size_t x, std::int64_t limit) const;
 
  private:
-  // What a case costs along one axis, for each coordinate tried there.
-  struct AxisCosts {
-    std::vector<std::int64_t> miss, wish;
+  static constexpr std::size_t kHard = 0;  // the number of the region's own cases, all together; after it those of the soft formulas
+
+  // By how much a case is missed, and what its wishes cost.
+  struct Cost {
+    std::int64_t miss = 0, wish = 0;
   };
-  struct CaseTable {
-    std::int64_t price = 0;
-    std::array<AxisCosts, 3> axes;
-    std::vector<Partial> crossing;  // forms over several axes
-    std::vector<Wish> crossing_wishes;
+  // Its forms over several axes, which no table holds.
+  struct Slanted {
+    std::vector<Partial> checks;
+    std::vector<Wish> wishes;
   };
-  // The same in the row at hand.
+  // A case in the row at hand.
   struct RowCase {
     std::int64_t miss = 0, cost = 0;
-    const std::int64_t *miss_x = nullptr, *wish_x = nullptr;
-    const CaseTable* table = nullptr;
+    const Slanted* slanted = nullptr;  // where it has any
   };
   struct RowSoft {
     std::int64_t weight = 0, rest = 0;  // at least so much do the formulas after it cost, wherever in the row
-    std::size_t first = 0, end = 0;     // of row_cases_
+    std::size_t first = 0, end = 0;     // of its cases
   };
 
-  void start(CaseTable& table) const;
-  void add_wish(CaseTable& table, const Wish& wish) const;
-  void add_check(CaseTable& table, const Partial& form) const;
+  void start(std::size_t cases);
+  void add_wish(std::size_t number, const Wish& wish);
+  void add_check(std::size_t number, const Partial& form);
 
-  CaseTable hard_;                 // the wishes of the region's cases
-  std::vector<CaseTable> tables_;  // of all soft cases, and after them such as were used before
-  std::size_t used_ = 0;
+  std::size_t cases_ = 0;
+  std::array<std::vector<Cost>, 3> costs_;  // along each axis: of all cases at the first coordinate, at the second…
+  std::vector<Cost> whole_;                 // of each case, whatever the position
+  std::vector<Slanted> slanted_;            // of each case, and after them such as were used before
   std::vector<RowSoft> soft_;
   std::vector<std::int64_t> column_bound_;  // by x: at least so much, whatever the row
   std::vector<RowCase> row_cases_;

@@ -209,7 +209,7 @@ std::vector<Candidate> CandidateFinder::find(const Placements& placements, int i
   const Item& self = model_.items[item];
   regions_.watch(&budget);
   access_.start(placements, item);
-  CandidateGrid grid;
+  CandidateGrid& grid = grid_;
   for (std::size_t s = 0; s < self.states.size(); ++s) {
     const int state = static_cast<int>(s);
     if (self.states[s].size_step > options.most_size_step) continue;

@@ -78,6 +78,7 @@ class CandidateFinder {
   Placements probe_;  // the placements, with the item tried
   std::vector<SoftFormula> soft_pool_;
   std::span<const SoftFormula> soft_;  // those of the item at hand
+  CandidateGrid grid_;                 // kept for its room
   bool skips_dear_ = false;
 };
 

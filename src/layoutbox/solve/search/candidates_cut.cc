@@ -1,6 +1,7 @@
 // What is wished for around an item, and the coordinates at which it is tried.
 #include <algorithm>
 #include <array>
+#include <iterator>
 
 #include "layoutbox/solve/model/whole_division.h"
 #include "layoutbox/solve/objective/cost.h"
@@ -55,8 +56,12 @@ class Coordinates {
         for (std::size_t i = 0; i < most; ++i) fewer.push_back(values[i * (values.size() - 1) / (most - 1)]);
         values = std::move(fewer);
       }
-      values.insert(values.end(), wished_[axis].begin(), wished_[axis].end());
-      put_in_order(values);
+      if (wished_[axis].empty()) continue;
+      put_in_order(wished_[axis]);
+      std::vector<Mm> both;
+      both.reserve(values.size() + wished_[axis].size());
+      std::ranges::set_union(values, wished_[axis], std::back_inserter(both));
+      values = std::move(both);
     }
   }
 

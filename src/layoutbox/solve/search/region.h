@@ -35,7 +35,12 @@ struct Partial {
 struct Wish {
   Partial form;
   std::int32_t weight = 1, scale = 1;
-  std::int64_t cost(const Vec3& at) const { return std::abs(form.at(at)) * weight / scale; }
+  std::int64_t cost(const Vec3& at) const { return cost_of(form.at(at)); }
+  // Of the form's value. Nearly all scales are 1, and a division takes as long as all the rest.
+  std::int64_t cost_of(std::int64_t value) const {
+    const std::int64_t whole = std::abs(value) * weight;
+    return scale == 1 ? whole : whole / scale;
+  }
 };
 
 // Between which bounds the low corner and the extents of an item lie, whatever its place and state.

@@ -245,8 +245,8 @@ bool Search::is_better(const Placements& before, const std::vector<int>& moved, 
   // The ways are costly to measure: only for what is better, or nearly as good, without them.
   if (gain <= least_gain) return false;
   budget.count(900);
-  const std::int64_t ways_after = ways_cost(model_, placements_);
-  if (gain + ways_ - ways_after <= 0) return false;
+  const std::int64_t ways_after = ways_cost(model_, placements_, gain + ways_);
+  if (ways_after >= gain + ways_) return false;
   ways_ = ways_after;
   return true;
 }
