@@ -3,8 +3,9 @@
 
     python3 bench/packed_bench.py [--rooms 20000] [--jobs 2] [--binary A --binary B] [--rounds 1] [--prompts-only FILE]
 
-Seven kinds of room, three to eight pieces of furniture each, the same for everybody. Several binaries take turns over the same rooms, so that a slow moment of
-the machine hits all alike; --rounds repeats that. Memory is read once a second, and reported at the rooms that --at names.
+Seven kinds of room, three to eight pieces of furniture each, the same for everybody. Several binaries take turns over the same rooms, so
+that a slow moment of the machine hits all alike; --rounds repeats that. Memory is read once a second, and reported at the rooms that
+--at names.
 """
 
 from __future__ import annotations
@@ -22,7 +23,17 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 ROOMS = {
-    "bedroom": ("a double bed", "two nightstands", "a wardrobe", "a dresser", "a desk", "a desk chair", "an armchair", "a floor lamp", "a rug"),
+    "bedroom": (
+        "a double bed",
+        "two nightstands",
+        "a wardrobe",
+        "a dresser",
+        "a desk",
+        "a desk chair",
+        "an armchair",
+        "a floor lamp",
+        "a rug",
+    ),
     "living room": ("a sofa", "a coffee table", "a TV stand", "two armchairs", "a bookshelf", "a floor lamp", "a side table", "a plant"),
     "study": ("a desk", "an office chair", "a bookshelf", "a filing cabinet", "an armchair", "a floor lamp", "a plant", "a side table"),
     "dining room": ("a dining table", "six dining chairs", "a sideboard", "a cabinet", "a plant", "a floor lamp", "a rug"),
@@ -114,11 +125,10 @@ def main() -> None:
                 file.write_text(lines, encoding="utf-8")
                 one = run(binary, file, options.keep or Path(scratch) / "rooms", options)
             spent[binary].append(1000 * one["processor"] / options.rooms)
-            print(
-                f"{binary}: {options.rooms / one['seconds']:.1f} rooms a second by the clock, {spent[binary][-1]:.2f} ms of processor a room, "
-                f"{memory_in_words(one['memory'], options.at or [])}, status {one['status']}",
-                flush=True,
-            )
+            rate = options.rooms / one["seconds"]
+            memory = memory_in_words(one["memory"], options.at or [])
+            spent_words = f"{rate:.1f} rooms a second by the clock, {spent[binary][-1]:.2f} ms of processor a room"
+            print(f"{binary}: {spent_words}, {memory}, status {one['status']}", flush=True)
     for binary, values in spent.items():
         print(f"{binary}: {statistics.median(values):.2f} ms of processor a room (median of {len(values)}, least {min(values):.2f})")
 
