@@ -25,12 +25,13 @@ void PlanInk::line_cells(PaperPoint a, PaperPoint b, const std::function<void(st
   }
 }
 
-void PlanInk::fill_cells(const std::vector<PaperPoint>& points, const std::function<void(Cell&)>& change) {
+void PlanInk::fill_cells(const std::vector<PaperPoint>& points, const std::function<void(std::span<Cell>)>& change) {
   if (points.size() < 3) return;
   const auto [low, high] = std::minmax_element(points.begin(), points.end(), [](auto& a, auto& b) { return a.y < b.y; });
+  std::vector<double> crossings;
   for (int row = std::max(0, cell(low->y)); row <= std::min(height_ - 1, cell(high->y)); ++row) {
     const double y = (row + 0.5) * kCell;
-    std::vector<double> crossings;
+    crossings.clear();
     for (std::size_t i = 0; i < points.size(); ++i) {
       const PaperPoint &a = points[i], &b = points[(i + 1) % points.size()];
       if ((a.y > y) != (b.y > y)) crossings.push_back(a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x));
@@ -39,14 +40,14 @@ void PlanInk::fill_cells(const std::vector<PaperPoint>& points, const std::funct
     for (std::size_t k = 0; k + 1 < crossings.size(); k += 2) {
       const int first = std::max(0, static_cast<int>(std::ceil(crossings[k] / kCell - 0.5)));
       const int last = std::min(width_ - 1, static_cast<int>(std::floor(crossings[k + 1] / kCell - 0.5)));
-      for (int x = first; x <= last; ++x) change(cells_[index(x, row)]);
+      if (first <= last) change(std::span(cells_).subspan(index(first, row), static_cast<std::size_t>(last - first) + 1));
     }
   }
 }
 
 void PlanInk::polygon(const std::vector<PaperPoint>& points, const DrawStyle& style) {
   if (style.fill != "none") {
-    fill_cells(points, [&](Cell& c) { c = {static_cast<std::int16_t>(owner_), false}; });
+    fill_cells(points, [&](std::span<Cell> row) { std::ranges::fill(row, Cell{static_cast<std::int16_t>(owner_), false}); });
   }
   if (style.stroke == "none" || points.empty()) return;
   polyline(points, style);
@@ -72,12 +73,16 @@ void PlanInk::text(PaperPoint at, double size, std::string_view words, TextAncho
   const auto point = [&](double x, double y) { return PaperPoint{at.x + c * x - s * y, at.y + s * x + c * y}; };
   const std::vector<PaperPoint> box{point(from, -0.8 * size), point(from + width, -0.8 * size), point(from + width, 0.25 * size),
                                     point(from, 0.25 * size)};
-  fill_cells(box, [](Cell& cell) { cell.ink = true; });
+  fill_cells(box, [](std::span<Cell> row) {
+    for (Cell& one : row) one.ink = true;
+  });
 }
 
 void PlanInk::hand_over(const std::vector<PaperPoint>& points, int owner, const std::function<bool(int)>& whose) {
-  fill_cells(points, [&](Cell& c) {
-    if (whose(c.owner)) c.owner = static_cast<std::int16_t>(owner);
+  fill_cells(points, [&](std::span<Cell> row) {
+    for (Cell& c : row) {
+      if (whose(c.owner)) c.owner = static_cast<std::int16_t>(owner);
+    }
   });
 }
 

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "layoutbox/export/canvas.h"
@@ -69,7 +70,7 @@ class PlanInk final : public Canvas {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
   }
   void line_cells(PaperPoint a, PaperPoint b, const std::function<void(std::size_t)>& visit) const;
-  void fill_cells(const std::vector<PaperPoint>& points, const std::function<void(Cell&)>& change);
+  void fill_cells(const std::vector<PaperPoint>& points, const std::function<void(std::span<Cell>)>& change);  // row by row
 
   int width_, height_, owner_ = kPaper;
   std::vector<Cell> cells_;

@@ -232,6 +232,7 @@ void FloorPixels::block_box(const Body& body, double grow) {
   const auto [x0, x1, y0, y1] = around(body.shape.center, reach);
   for (int row = y0; row < y1; ++row) {
     for (int column = x0; column < x1; ++column) {
+      if (!free(column, row)) continue;
       const Vec off = point(column, row) - body.shape.center;
       const double over_x = std::max(std::abs(dot(off, body.own_frame.x)) - body.width / 2, 0.0);
       const double over_y = std::max(std::abs(dot(off, body.own_frame.y)) - body.depth / 2, 0.0);

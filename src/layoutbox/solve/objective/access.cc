@@ -113,21 +113,21 @@ std::int64_t access_cost_of(const Model& model, int item, const Placements& plac
   return cost_of_claims(state.strips.size(), blocked_of(state.strips), state.wanted.size(), blocked_of(state.wanted));
 }
 
-std::int64_t access_gain(const Model& model, const Placements& before, const Placements& after, const std::vector<int>& group) {
+std::vector<int> access_touched(const Model& model, const Placements& before, const Placements& after, const std::vector<int>& group) {
   std::vector<Box> bodies;
   for (const int member : group) {
     for (const Placements* placements : {&before, &after}) bodies.push_back(box_of(model.items[member], (*placements)[member]));
   }
-  std::int64_t gain = 0;
+  std::vector<int> touched;
   for (std::size_t i = 0; i < model.items.size(); ++i) {
     const int item = static_cast<int>(i);
     if (after[i].state < 0) continue;
     const Box claims = model.items[i].states[after[i].state].claims.shifted(after[i].at);
-    const auto touched = [&](const Box& body) { return overlap_in_plan(claims, body); };
-    if (std::none_of(bodies.begin(), bodies.end(), touched) && std::find(group.begin(), group.end(), item) == group.end()) continue;
-    gain += access_cost_of(model, item, before) - access_cost_of(model, item, after);
+    const auto reaches = [&](const Box& body) { return overlap_in_plan(claims, body); };
+    if (std::any_of(bodies.begin(), bodies.end(), reaches) || std::find(group.begin(), group.end(), item) != group.end())
+      touched.push_back(item);
   }
-  return gain;
+  return touched;
 }
 
 void AccessProbe::start(const Placements& placements, int item) {
@@ -191,7 +191,7 @@ const AccessProbe::Claims& AccessProbe::claims_of(int owner) {
   return claims;
 }
 
-std::int64_t AccessProbe::cost_at(const Vec3& at) {
+std::int64_t AccessProbe::cost_at(const Vec3& at, std::int64_t enough) {
   const Item& self = model_.items[item_];
   const State& own = self.states[state_];
   std::int64_t cost = 0;
@@ -207,6 +207,7 @@ std::int64_t AccessProbe::cost_at(const Vec3& at) {
   const Box body = box_of(self, {state_, at});
   if (!blocks_floor(self, body)) return cost;
   for (const int owner : near_owners_) {
+    if (cost >= enough) return cost;
     const Placement& there = (*placements_)[owner];
     if (!overlap_in_plan(body, model_.items[owner].states[there.state].claims.shifted(there.at))) continue;
     const Claims& claims = claims_of(owner);

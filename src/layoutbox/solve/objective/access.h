@@ -24,8 +24,8 @@ Mm intrusion_of(const Model& model, int opening, const Placements& placements);
 // Cost of the strips and wanted floors of one placed item; of a door or window, of what reaches into its swing.
 std::int64_t access_cost_of(const Model& model, int item, const Placements& placements);
 
-// How much less that costs for all items together since things stood as in `before`, where only those of the group have moved.
-std::int64_t access_gain(const Model& model, const Placements& before, const Placements& after, const std::vector<int>& group);
+// The items for which that may have changed since things stood as in `before`, where only those of the group have moved.
+std::vector<int> access_touched(const Model& model, const Placements& before, const Placements& after, const std::vector<int>& group);
 
 // What one item costs in many places while the others stay: its own floor, and what it takes of theirs.
 class AccessProbe {
@@ -36,7 +36,8 @@ class AccessProbe {
   void start(const Placements& placements, int item);
   // The low corner will lie between these.
   void focus(int state, const Vec3& lo, const Vec3& hi);
-  std::int64_t cost_at(const Vec3& at);
+  // Where it comes to `enough`, perhaps less than all of it, but so much.
+  std::int64_t cost_at(const Vec3& at, std::int64_t enough);
 
  private:
   struct Body {

@@ -66,12 +66,14 @@ void CandidateGrid::tabulate(const Region& region, std::span<const SoftFormula> 
     soft_.push_back({formula.weight, 0, first, number});
   }
   column_bound_.clear();
+  column_least_.clear();
   for (std::size_t x = 0; x < values[0].size(); ++x) {
     const Cost* const here = &costs_[0][x * cases_];
     std::int64_t bound = here[kHard].wish;
     for (const RowSoft& formula : soft_) {
       std::int64_t least = kNoCost;
       for (std::size_t k = formula.first; k < formula.end; ++k) least = std::min(least, here[k].wish);
+      column_least_.push_back(least);
       bound += least;
     }
     column_bound_.push_back(bound);
@@ -86,28 +88,25 @@ void CandidateGrid::start_row(std::size_t y, std::size_t z, std::int64_t base) {
     row_cases_.push_back({std::max({whole_[k].miss, along_y[k].miss, along_z[k].miss}), whole_[k].wish + along_y[k].wish + along_z[k].wish,
                           slanted_[k].checks.empty() && slanted_[k].wishes.empty() ? nullptr : &slanted_[k]});
   }
-  row_ = base + row_cases_[kHard].cost;
-  std::int64_t rest = 0;
-  for (std::size_t i = soft_.size(); i-- > 0;) {
-    RowSoft& formula = soft_[i];
-    formula.rest = rest;
-    std::int64_t least = kNoCost;
+  row_bound_ = base + row_cases_[kHard].cost;
+  for (RowSoft& formula : soft_) {
+    formula.least = kNoCost;
     for (std::size_t k = formula.first; k < formula.end; ++k)
-      least = std::min(least, row_cases_[k].cost + row_cases_[k].miss * formula.weight);
-    rest += least;
+      formula.least = std::min(formula.least, row_cases_[k].cost + row_cases_[k].miss * formula.weight);
+    row_bound_ += formula.least;
   }
-  row_bound_ = row_ + rest;
 }
 
 std::int64_t CandidateGrid::cost_in_row(std::size_t x, std::int64_t limit) const {
-  if (row_bound_ + column_bound_[x] >= limit) return kNoCost;
+  std::int64_t cost = row_bound_ + column_bound_[x];  // at least; formula by formula its bounds give way to what it costs
+  if (cost >= limit) return kNoCost;
   const Cost* const here = &costs_[0][x * cases_];
   const Vec3 at{values[0][x], static_cast<Mm>(y_), static_cast<Mm>(z_)};
   for (const Partial& check : slanted_[kHard].checks) {
     if (check.at(at) < 0) return kNoCost;
   }
-  std::int64_t cost = row_ + here[kHard].wish;
   for (const Wish& wish : slanted_[kHard].wishes) cost += wish.cost(at);
+  const std::int64_t* column_least = column_least_.data() + x * soft_.size();
   for (const RowSoft& formula : soft_) {
     std::int64_t least = kNoCost;
     for (std::size_t k = formula.first; k < formula.end; ++k) {
@@ -119,10 +118,10 @@ std::int64_t CandidateGrid::cost_in_row(std::size_t x, std::int64_t limit) const
       }
       least = std::min(least, sum + miss * formula.weight);
     }
-    cost += least;
-    if (cost + formula.rest >= limit) return kNoCost;
+    cost += least - formula.least - *column_least++;
+    if (cost >= limit) return kNoCost;
   }
-  return cost < limit ? cost : kNoCost;
+  return cost;
 }
 
 }  // namespace layoutbox::placement

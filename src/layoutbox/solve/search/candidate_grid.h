@@ -23,6 +23,9 @@ struct SoftFormula {
 class CandidateGrid {
  public:
   std::array<std::vector<Mm>, 3> values;
+  // For whoever fills them: kept for their room.
+  std::array<std::vector<Mm>, 3> wished;
+  std::vector<Mm> scratch;
 
   // REQUIRES: `values` are filled, and stay as they are; the region and the formulas outlive the next calls.
   void tabulate(const Region& region, std::span<const SoftFormula> soft);
@@ -51,8 +54,8 @@ class CandidateGrid {
     const Slanted* slanted = nullptr;  // where it has any
   };
   struct RowSoft {
-    std::int64_t weight = 0, rest = 0;  // at least so much do the formulas after it cost, wherever in the row
-    std::size_t first = 0, end = 0;     // of its cases
+    std::int64_t weight = 0, least = 0;  // at least so much does it cost, wherever in the row, without the wishes along x
+    std::size_t first = 0, end = 0;      // of its cases
   };
 
   void start(std::size_t cases);
@@ -65,8 +68,9 @@ class CandidateGrid {
   std::vector<Slanted> slanted_;            // of each case, and after them such as were used before
   std::vector<RowSoft> soft_;
   std::vector<std::int64_t> column_bound_;  // by x: at least so much, whatever the row
+  std::vector<std::int64_t> column_least_;  // the share of each formula in that, by x
   std::vector<RowCase> row_cases_;
-  std::int64_t row_ = 0, row_bound_ = 0, y_ = 0, z_ = 0;
+  std::int64_t row_bound_ = 0, y_ = 0, z_ = 0;
 };
 
 }  // namespace layoutbox::placement

@@ -150,8 +150,8 @@ bool CandidateFinder::consider(Hunt& hunt, int state, const Vec3& at, std::int64
   if (options.noise > 0) candidate.cost += options.random->below(options.noise);
   if (candidate.cost >= hunt.worst()) return false;
   if (candidate.hit.empty())
-    candidate.cost +=
-        model_.items[hunt.item].is_opening() ? swing_cost(hunt.placements, hunt.item, candidate.placement) : access_.cost_at(at);
+    candidate.cost += model_.items[hunt.item].is_opening() ? swing_cost(hunt.placements, hunt.item, candidate.placement)
+                                                           : access_.cost_at(at, hunt.worst() - candidate.cost);
   hunt.budget.count(8);
   hunt.keep(std::move(candidate));
   return false;

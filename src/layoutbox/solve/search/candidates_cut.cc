@@ -17,8 +17,9 @@ constexpr std::array<Mm, 2> kRoomBehind{400, 700};  // off the ends of a region:
 // The coordinates of a grid as they are gathered, axis by axis.
 class Coordinates {
  public:
-  Coordinates(const Region& region, CandidateGrid& grid) : region_(region), grid_(grid) {
+  Coordinates(const Region& region, CandidateGrid& grid) : region_(region), grid_(grid), wished_(grid.wished) {
     for (int axis = 0; axis < 3; ++axis) {
+      wished_[axis].clear();
       grid.values[axis].clear();
       offer(axis, region.lo[axis]);
       offer(axis, region.hi[axis]);
@@ -58,10 +59,10 @@ class Coordinates {
       }
       if (wished_[axis].empty()) continue;
       put_in_order(wished_[axis]);
-      std::vector<Mm> both;
-      both.reserve(values.size() + wished_[axis].size());
+      std::vector<Mm>& both = grid_.scratch;
+      both.clear();
       std::ranges::set_union(values, wished_[axis], std::back_inserter(both));
-      values = std::move(both);
+      values.swap(both);
     }
   }
 
@@ -77,7 +78,7 @@ class Coordinates {
 
   const Region& region_;
   CandidateGrid& grid_;
-  std::array<std::vector<Mm>, 3> wished_;
+  std::array<std::vector<Mm>, 3>& wished_;
 };
 
 // A case of something wished for, with the item at hand in that state and everything else where it is.

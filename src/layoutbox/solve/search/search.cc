@@ -210,16 +210,16 @@ bool Search::construct_unlike(const std::vector<char>& left_out, Budget& budget)
 }
 
 // How much less what touches the group costs than before it moved; ways to walk apart.
-std::int64_t Search::gain_since(const Placements& before, const std::vector<int>& group) const {
+std::int64_t Search::gain_since(const Placements& before, const std::vector<int>& group) {
+  known_.are_of(model_, before);
   std::vector<int> constraints;
   for (const int item : group) constraints.insert(constraints.end(), model_.touching[item].begin(), model_.touching[item].end());
   std::sort(constraints.begin(), constraints.end());
   constraints.erase(std::unique(constraints.begin(), constraints.end()), constraints.end());
-  std::int64_t gain = access_gain(model_, before, placements_, group);
-  for (const int c : constraints) {
-    const Constraint& constraint = model_.constraints[c];
-    gain += constraint_cost(model_, constraint, before) - constraint_cost(model_, constraint, placements_);
-  }
+  std::int64_t gain = 0;
+  for (const int item : access_touched(model_, before, placements_, group))
+    gain += known_.of_access(model_, item) - access_cost_of(model_, item, placements_);
+  for (const int c : constraints) gain += known_.of_constraint(model_, c) - constraint_cost(model_, model_.constraints[c], placements_);
   for (const int item : group) {
     const std::vector<State>& states = model_.items[item].states;
     gain += kPoint * kCostWeights.size_step * (states[before[item].state].size_step - states[placements_[item].state].size_step);

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "layoutbox/solve/objective/cost.h"
 #include "layoutbox/solve/search/candidates.h"
 #include "layoutbox/solve/search/order.h"
 
@@ -14,6 +15,29 @@ namespace layoutbox::placement {
 inline constexpr std::int64_t kLeastGain =
     -400'000;                                  // thousandths of a point: what a move must gain without the ways for these to be measured
 inline constexpr std::int64_t kPatience = 12;  // moves in vain a thing, after which an improvement ends
+
+// What constraints and items cost in one arrangement, each once: most moves are weighed against the same.
+struct KnownCosts {
+  Placements of;
+  std::vector<std::optional<std::int64_t>> constraints, access;
+
+  void are_of(const Model& model, const Placements& placements) {
+    if (of == placements && constraints.size() == model.constraints.size()) return;
+    of = placements;
+    constraints.assign(model.constraints.size(), std::nullopt);
+    access.assign(model.items.size(), std::nullopt);
+  }
+  std::int64_t of_constraint(const Model& model, int constraint) {
+    std::optional<std::int64_t>& cost = constraints[static_cast<std::size_t>(constraint)];
+    if (!cost) cost = constraint_cost(model, model.constraints[constraint], of);
+    return *cost;
+  }
+  std::int64_t of_access(const Model& model, int item) {
+    std::optional<std::int64_t>& cost = access[static_cast<std::size_t>(item)];
+    if (!cost) cost = access_cost_of(model, item, of);
+    return *cost;
+  }
+};
 
 class Search {
  public:
@@ -66,7 +90,7 @@ class Search {
   bool shift(const std::vector<int>& cluster, int axis, Mm by, std::int64_t least_gain, Budget& budget);
   bool nudge(int item, Budget& budget);
   bool is_better(const Placements& before, const std::vector<int>& moved, Budget& budget, std::int64_t least_gain = kLeastGain);
-  std::int64_t gain_since(const Placements& before, const std::vector<int>& group) const;
+  std::int64_t gain_since(const Placements& before, const std::vector<int>& group);
 
   const Model& model_;
   CandidateFinder finder_;
@@ -75,6 +99,7 @@ class Search {
   Placements placements_;
   std::vector<int> failed_;
   std::int64_t ways_ = 0;  // cost of the ways as things stand, while improving
+  KnownCosts known_;       // of what many moves start from
   std::vector<char> left_out_;
   std::vector<int> bonus_;  // how often an item failed
   Dependencies dependencies_;
