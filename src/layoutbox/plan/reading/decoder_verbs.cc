@@ -49,7 +49,11 @@ void Decoder::have_actions(std::size_t s, int u) {
   } else {
     attach_actions(s, u, kHaveThing);
   }
-  if (actions_.size() == before) add(s, kHaveRoom, -0.5);
+  if (actions_.size() == before) {
+    add(s, kHaveRoom, -0.5);
+  } else if (how == "with" && unit(u).joiner == Joiner::kComma && state.relative < 0) {
+    add(s, kHaveRoom, weight::kBesides);
+  }
 }
 
 void Decoder::verb_actions(std::size_t s, int u) {

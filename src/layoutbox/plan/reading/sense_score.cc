@@ -112,7 +112,7 @@ bool SenseScore::carries(const NounPhrase& host, const NounPhrase& thing) const 
 
 double SenseScore::of_having(const NounPhrase& host, const NounPhrase& thing, bool holds) const {
   if (host.kind != NounKind::kObject || thing.kind != NounKind::kObject) return 0;
-  if (may_carry(catalog_, host, thing) && on_soft(host, thing)) return weight::kUsual + weight::kSoftHost;
+  if (may_carry(catalog_, host, thing) && on_soft(host, thing)) return weight::kSoftHost;  // "armchairs …, and ferns by the window"
   if (may_carry(catalog_, host, thing) && small_host(host)) return weight::kUsual + weight::kSmallHost;
   if (may_carry(catalog_, host, thing)) return host.entry != nullptr && host.entry->thin ? -0.5 : weight::kUsual;
   if (is_table(catalog_, host) && is_seat(catalog_, thing)) return weight::kUsual;

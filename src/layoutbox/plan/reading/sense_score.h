@@ -16,6 +16,9 @@ class SenseScore {
   double of_part(const NounPhrase& part, const NounPhrase& owner) const;
   bool carries(const NounPhrase& host, const NounPhrase& thing) const;
 
+  // On a bed or a seat lies what is soft; that is not.
+  bool on_soft(const NounPhrase& host, const NounPhrase& thing) const;
+
  private:
   // A thing that is above another.
   double on_top(const NounPhrase& target, const NounPhrase& reference) const;
@@ -23,7 +26,6 @@ class SenseScore {
   double over(const NounPhrase& target, const NounPhrase& reference) const;
   bool small_host(const NounPhrase& host) const;
   bool is_chair(const NounPhrase& noun) const;
-  bool on_soft(const NounPhrase& host, const NounPhrase& thing) const;
   const Catalog& catalog_;
 };
 
