@@ -234,7 +234,7 @@ def stands_on_floor(entry: dict) -> bool:
 
 
 SOLIDS = {
-    "box": 6, "rounded": 7, "cushion": 7, "ball": 6, "can": 5, "cone": 6, "rod": 7, "beam": 8, "tube": 7, "ring": 5, "turned": 8,
+    "box": 6, "rounded": 7, "cushion": 7, "ball": 6, "can": 5, "cone": 6, "rod": 7, "beam": 8, "tube": 7, "ring": 5, "turned": 8, "oval": 9,
     "prism": 8, "prism_x": 8, "prism_y": 8, "waves": 7, "light": 4,
 }  # fmt: skip
 

@@ -1,6 +1,9 @@
 // catalog/shapes.json against the families themselves: each is there, and each of its numbers changes the mesh.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "layoutbox/base/files.h"
 #include "layoutbox/catalog/catalog_json.h"
 #include "layoutbox/furnish/furnish.h"
@@ -65,6 +68,54 @@ TEST(Shapes, EveryNumberChangesTheMeshAndHasItsDefault) {
       EXPECT_TRUE(changes) << "nothing reads it";
     }
   }
+}
+
+// Corners on the floor, by the leg that they are of: those less than a hand apart belong together.
+std::vector<std::vector<Vec3f>> feet_of(const std::vector<Vec3f>& corners) {
+  std::vector<std::vector<Vec3f>> feet;
+  for (const Vec3f& c : corners) {
+    if (c[2] > 0.005F) continue;
+    const auto near = [&](const std::vector<Vec3f>& foot) { return std::hypot(foot[0][0] - c[0], foot[0][1] - c[1]) < 0.1F; };
+    const auto found = std::find_if(feet.begin(), feet.end(), near);
+    found == feet.end() ? feet.push_back({c}) : found->push_back(c);
+  }
+  return feet;
+}
+
+std::vector<Vec3f> builtin_corners(const std::string& id, const std::string& name) {
+  CatalogEntry entry = *Catalog::builtin().find(id);
+  entry.name = name;
+  return corners_of(entry, true);
+}
+
+TEST(Shapes, StoolsHaveThreeLegsWhereTheTextSaysSo) {
+  EXPECT_EQ(feet_of(builtin_corners("stool", "stool")).size(), 4U);
+  EXPECT_EQ(feet_of(builtin_corners("stool", "three-legged stool")).size(), 3U);
+}
+
+TEST(Shapes, PostsOfBunksAreAsThickAsPosts) {
+  for (const char* id : {"loft_bed", "bunk_bed"}) {
+    for (const auto& foot : feet_of(builtin_corners(id, id))) {
+      const auto [least, most] = std::minmax_element(foot.begin(), foot.end());
+      // Those at the head: at the foot there is a ladder too.
+      if ((*least)[1] > 0) {
+        EXPECT_GT((*most)[0] - (*least)[0], 0.04F) << id;
+      }
+    }
+  }
+}
+
+TEST(Shapes, EaselsShowAPaintingWhereContentsAreDrawn) {
+  const CatalogEntry& entry = *Catalog::builtin().find("easel");
+  PlacedObject object;
+  object.id = object.category = object.name = "easel";
+  object.size = entry.size.usual;
+  object.spaces = spaces_at(entry, object.size);
+  FurnishOptions bare;
+  bare.contents = false;
+  const auto with = furnish_object(object, Catalog::builtin()), without = furnish_object(object, Catalog::builtin(), bare);
+  ASSERT_TRUE(with && without);
+  EXPECT_GT(with->nodes.front().parts.size(), without->nodes.front().parts.size());
 }
 
 }  // namespace

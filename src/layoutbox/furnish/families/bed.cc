@@ -159,9 +159,17 @@ void bed(Piece& p) {
     p.add(b.wood, box(sides(-p.w / 2, p.w / 2, -p.d / 2, std::min(l.foot, -p.d / 2 + 0.04), b.under, std::min(p.h, l.top + 0.15)), 0.008));
 }
 
+// How thick corner posts may be: as wanted, less where a space reaches into the corner.
+double corner_room(const Piece& p, double wanted) {
+  constexpr double kStep = 0.005, kThinnest = 0.02;
+  double post = wanted;
+  while (post > kThinnest && !p.is_free(sides(p.w / 2 - post, p.w / 2, p.d / 2 - post, p.d / 2, 0, p.h))) post -= kStep;
+  return post;
+}
+
 void bunk_bed(Piece& p) {
   const int wood = p.frame("oak"), white = p.named("cotton"), duvet = p.main_accent("cotton");
-  const double post = side_room(p, std::min(0.07, p.w * 0.08));
+  const double post = corner_room(p, std::min(0.07, p.w * 0.08));
   for (const double x : {-1.0, 1.0}) {
     for (const double y : {-1.0, 1.0}) {
       const double cx = x * (p.w / 2 - post / 2), cy = y * (p.d / 2 - post / 2);

@@ -122,6 +122,7 @@ const std::map<std::string_view, Solid>& solids() {
           return torus({n[0], n[1], n[2]}, n[3], n[4], 20, 6);
         }}},
       {"turned", {8, [](const Numbers& n) { return posed(lathe(outline_from(n, 2), 24), moved(n[0], n[1], 0)); }}},
+      {"oval", {9, [](const Numbers& n) { return posed(lathe(outline_from(n, 3), 24), moved(n[0], n[1], 0) * scaled(1, n[2], 1)); }}},
       {"prism", {8, [](const Numbers& n) { return prism(outline_from(n, 2), n[0], n[1]); }}},
       {"prism_y", {8, prism_along_y}},
       {"prism_x", {8, prism_along_x}},

@@ -218,6 +218,8 @@ void sofa(Piece& p) {
   scatter_cushions(p, s, seats);
 }
 
+bool three_legs(const Piece& p) { return p.says("three-legged") || p.says("three legged") || p.says("tripod") || p.says("milking"); }
+
 void stool(Piece& p) {
   const bool round = p.word("top", p.w / p.d > 1.25 || p.d / p.w > 1.25 ? "rect" : "round") == "round";
   const FreeSpace* open = p.open_above();
@@ -227,13 +229,16 @@ void stool(Piece& p) {
   slab(p, seat, sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, top - thick, top), round ? "round" : "rect", 0.015);
   const double rx = p.w * (round ? 0.34 : 0.46), ry = p.d * (round ? 0.34 : 0.46), in = 0.72;
   std::vector<Vec> ring;
-  for (const auto& [x, y] : {std::pair{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}}) {
+  using Corner = std::pair<double, double>;
+  const std::vector<Corner> feet =
+      three_legs(p) ? std::vector<Corner>{{-1, 0.8}, {0, -1}, {1, 0.8}} : std::vector<Corner>{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+  for (const auto& [x, y] : feet) {
     const double leg = std::min(0.016, p.w / 14);
     p.add(wood, kit::leg({x * (rx - leg), y * (ry - leg), 0}, {x * rx * in, y * ry * in, top - thick}, leg * 0.8, leg));
     const double t = top > 0.55 ? 0.35 : 0.4;
     ring.push_back({x * ((rx - leg) * (1 - t) + rx * in * t), y * ((ry - leg) * (1 - t) + ry * in * t), t * (top - thick)});
   }
-  for (std::size_t i = 0; i < 4; ++i) p.add(wood, rod(ring[i], ring[(i + 1) % 4], std::min(0.01, p.w / 20), 8));
+  for (std::size_t i = 0; i < ring.size(); ++i) p.add(wood, rod(ring[i], ring[(i + 1) % ring.size()], std::min(0.01, p.w / 20), 8));
   // A low back, where the piece is higher than its seat.
   if (p.h - top > 0.03) {
     const double y = open != nullptr ? std::max(open->box.max.y, p.d / 2 - 0.04) : p.d / 2 - 0.03;

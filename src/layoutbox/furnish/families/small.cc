@@ -54,22 +54,65 @@ void magazine(Piece& p) {
   p.add(p.tinted("paper", kCovers[p.pick(6)]), box(sides(-p.w * 0.42, p.w * 0.42, -p.d * 0.42, p.d * 0.12, p.h * 0.88, p.h), 0));
 }
 
+// Four walls of woven courses, every other one standing out, under a thick rim.
+void woven_box(Piece& p, int weave) {
+  const double wall = 0.022, thin = 0.006;
+  Box in = sides(-p.w / 2 + wall, p.w / 2 - wall, -p.d / 2 + wall, p.d / 2 - wall, wall, p.h);
+  if (const FreeSpace* s = p.open_above()) in = s->box;
+  const auto course = [&](double out, double z0, double z1, double bevel) {
+    const double x = p.w / 2 - out, y = p.d / 2 - out;
+    p.add(weave, box(sides(-x, x, -y, in.min.y, z0, z1), bevel));
+    p.add(weave, box(sides(-x, x, in.max.y, y, z0, z1), bevel));
+    p.add(weave, box(sides(-x, in.min.x, in.min.y - thin, in.max.y + thin, z0, z1), bevel));
+    p.add(weave, box(sides(in.max.x, x, in.min.y - thin, in.max.y + thin, z0, z1), bevel));
+  };
+  const double rim = std::min(0.03, p.h * 0.15), step = in.max.x > 0 ? std::min({thin, p.w / 2 - in.max.x, p.d / 2 - in.max.y}) : 0;
+  p.add(weave, box(sides(-p.w / 2 + step, p.w / 2 - step, -p.d / 2 + step, p.d / 2 - step, 0, in.min.z), 0.003));
+  const int courses = std::clamp(static_cast<int>((p.h - rim) / 0.03), 3, 9);
+  for (int i = 0; i < courses; ++i)
+    course(i % 2 == 0 ? step * 0.3 : step, (p.h - rim) * i / courses, (p.h - rim) * (i + 1) / courses, std::min(0.004, step * 0.6));
+  course(0, p.h - rim, p.h, std::min(0.008, rim * 0.3));
+  // The stakes that the courses are woven round, and a darker braid below the rim.
+  const int dark = p.tinted("rattan", {0.45, 0.3, 0.16});
+  const double half = std::min(0.006, step * 1.5), x = p.w / 2, y = p.d / 2;
+  for (const double side : {-1.0, 1.0}) {
+    p.add(dark,
+          box(sides(-x, x, std::min(side * y, side * (y - step)), std::max(side * y, side * (y - step)), p.h - rim * 1.7, p.h - rim), 0));
+    p.add(dark,
+          box(sides(std::min(side * x, side * (x - step)), std::max(side * x, side * (x - step)), -y, y, p.h - rim * 1.7, p.h - rim), 0));
+    for (const double at : {-0.78, -0.39, 0.0, 0.39, 0.78}) {
+      p.add(dark, box(sides(at * x - half, at * x + half, side > 0 ? y - step : -y, side > 0 ? y : -y + step, 0.004, p.h - rim), 0));
+      p.add(dark, box(sides(side > 0 ? x - step : -x, side > 0 ? x : -x + step, at * y - half, at * y + half, 0.004, p.h - rim), 0));
+    }
+  }
+}
+
 void basket(Piece& p) {
   const int weave = p.main("rattan");
   const FreeSpace* in = p.open_above();
   const double half = in != nullptr ? std::hypot(in->box.max.x, in->box.max.y * p.w / p.d) : 0;
   const bool round = p.word("top", "round") == "round" && std::abs(p.w - p.d) < 0.25 * p.w && half < p.w / 2 - 0.006;
   const double floor = in != nullptr ? in->box.min.z : 0.02;
-  if (!round) {
-    open_box(p, weave, p.body(), 0.02, 0.008);
-    return;
-  }
+  if (!round) return woven_box(p, weave);
   const double r = p.w / 2, wall = std::min(0.012, r * 0.1);
   // As straight as what it must leave free asks for.
   const double need =
       in != nullptr ? std::hypot(std::max(-in->box.min.x, in->box.max.x), std::max(-in->box.min.y, in->box.max.y) * p.w / p.d) + wall : 0;
   const double foot = std::clamp(need, r * 0.8, r);
-  vessel(p, weave, {{foot, 0}, {(foot + r) / 2, p.h * 0.4}, {r - wall * 0.3, p.h * 0.93}, {r, p.h * 0.95}, {r, p.h}}, wall, floor, 32);
+  // Courses of withies: every other one stands out a little, where that leaves free what the inside asks for.
+  std::vector<Vec2> outside{{foot, 0}, {(foot + r) / 2, p.h * 0.4}};
+  const double groove = wall * 0.4;
+  if (need < foot - groove) {
+    outside.clear();
+    const int courses = std::clamp(static_cast<int>(p.h / 0.04), 4, 9);
+    for (int i = 0; i < courses; ++i) {
+      const double out = foot + (r - foot) * i / courses;
+      outside.push_back({out - groove, p.h * 0.94 * i / courses});
+      outside.push_back({out, p.h * 0.94 * (i + 0.5) / courses});
+    }
+  }
+  outside.insert(outside.end(), {{r - wall * 0.3, p.h * 0.93}, {r, p.h * 0.95}, {r, p.h}});
+  vessel(p, weave, outside, wall, floor, 32);
 }
 
 void box_container(Piece& p) {

@@ -20,6 +20,16 @@ void display_easel(Piece& p) {
   p.add(wood, box(sides(-p.w / 2, p.w / 2, s.min.y, back, s.min.z - 0.03, s.min.z), 0.004));
   p.add(wood, box(sides(-p.w * 0.14, p.w * 0.14, back - 0.015, back + 0.02, p.h - 0.05, p.h), 0.004));
   p.add(wood, box(sides(-p.w / 2, p.w / 2, p.d / 2 - 0.03, p.d / 2, 0, 0.02), 0.004));
+  // A painting that is begun, where nothing else stands on it.
+  if (!p.may_show_contents() || p.spaces.front().held) return;
+  const double x = p.w * 0.44, top = s.min.z + std::min(p.w * 1.1, (p.h - s.min.z) * 0.85), front = s.max.y - 0.025, tall = top - s.min.z;
+  p.add(p.named("cotton"), box(sides(-x, x, front, s.max.y - 0.003, s.min.z, top), 0.003));
+  const auto stroke = [&](int paint, double x0, double x1, double z0, double z1) {
+    p.add(paint, box(sides(x0 * x, x1 * x, front - 0.003, front + 0.002, s.min.z + z0 * tall, s.min.z + z1 * tall), 0));
+  };
+  stroke(p.tinted("paper", {0.62, 0.78, 0.88}), -0.8, 0.8, 0.5, 0.88);
+  stroke(p.tinted("paper", {0.45, 0.62, 0.38}), -0.8, 0.45, 0.2, 0.52);
+  stroke(p.tinted("paper", {0.9, 0.62, 0.3}), 0.2, 0.55, 0.58, 0.78);
 }
 
 void easel(Piece& p) {
