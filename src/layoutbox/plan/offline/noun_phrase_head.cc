@@ -259,6 +259,12 @@ bool NounPhraseReader::is_place_name(const Part& part) const {
   return is_before(kBefore) || (words.size() > 1 && is_before(kBeforeSeveral));
 }
 
+// "from Turkey", "from China": a country, though a thing is called so as well.
+bool NounPhraseReader::comes_from(const Part& part) const {
+  const bool named = phrase_.determiner != Determiner::kNone || counted_;
+  return !named && phrase_.first == part.first && phrase_.first > 0 && tokens_[phrase_.first - 1].text == "from" && is_place_name(part);
+}
+
 // A head that no list has; false where it is no noun phrase at all.
 bool NounPhraseReader::settle_filler(std::size_t head) {
   const Part part = parts_[head];
@@ -341,6 +347,7 @@ std::optional<NounPhrase> NounPhraseReader::settle() {
   } else if (part.word_class == Class::kObject) {
     take_attributes(head - 1);
     settle_object(part, head - 1);
+    if (comes_from(part)) phrase_.kind = NounKind::kAbstract;
   } else {
     settle_listed(head - 1);
   }

@@ -138,6 +138,7 @@ class NounPhraseReader {
   bool is_unknown_subject(const Part& part) const;
   bool is_bodily_described() const;
   bool is_place_name(const Part& part) const;
+  bool comes_from(const Part& part) const;
   bool is_rare_thing(const Part& part, std::size_t head) const;
   bool has_telling_head(const Part& part, std::size_t head) const;
   bool is_compound(std::size_t head) const;

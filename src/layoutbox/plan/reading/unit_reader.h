@@ -50,6 +50,7 @@ class UnitReader {
   bool passes_placer(std::size_t k);
   bool passes_like(std::size_t k);
   bool ends_comparison(std::size_t k) const;
+  bool ends_contact_clause(std::size_t k) const;
   bool reads_as_verb(std::size_t k) const;
   bool passes_count(std::size_t k);
   bool is_enough(std::size_t k) const;

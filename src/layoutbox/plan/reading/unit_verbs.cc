@@ -40,6 +40,24 @@ const NounPhrase* UnitReader::subject_of_verb(std::size_t verb) const {
   return thing && word_form(subject.head) != WordForm::kPerson ? &subject : nullptr;
 }
 
+// "the armchair I bought goes by the window", "the chest we found in Lyon stands in the corner": the second verb is the thing's.
+bool UnitReader::ends_contact_clause(std::size_t k) const {
+  if (units_.empty() || joiner_ != Joiner::kNone || chunk(k).passive) return false;
+  const std::size_t thing = last_noun();
+  if (thing >= k || chunk(thing).noun.kind != NounKind::kObject) return false;
+  const bool placed = is(k, ChunkKind::kVerb) && is(next(k), ChunkKind::kRelation);  // not "sits on", which is one chunk
+  if (!placed && !is_finite(document_.tokens[chunk(k).first].text)) return false;
+  std::size_t doer = next(thing);
+  if (is(doer, ChunkKind::kRelative)) doer = next(doer);
+  if (doer >= k || !is_person(doer)) return false;
+  bool done = false;  // it has a verb of its own
+  for (std::size_t c = next(doer); c < k; c = next(c)) {
+    if (is(c, ChunkKind::kComma) || is(c, ChunkKind::kAnd)) return false;
+    done = done || is(c, ChunkKind::kPurpose) || is(c, ChunkKind::kUnknown) || is(c, ChunkKind::kVerb) || is(c, ChunkKind::kHave);
+  }
+  return done;
+}
+
 // A thing, a verb that no list has, and the noun at k: where the first is by the second, or that it has it.
 void UnitReader::place_by_verb(std::size_t k) {
   const NounPhrase& noun = chunk(k).noun;

@@ -166,7 +166,7 @@ void UnitReader::read_break(std::size_t k) {
 }
 
 void UnitReader::read_place(std::size_t k) {
-  if (skipping_ && (place_after_purpose(k) || follows_whom(k))) skipping_ = false;
+  if (skipping_ && (place_after_purpose(k) || follows_whom(k) || ends_contact_clause(k))) skipping_ = false;
   if (skipping_ && does_it_there(k)) {
     mark(k, Use::kIgnored, "told by the way");
     skipping_ = false;
@@ -342,7 +342,7 @@ void UnitReader::read_verb(std::size_t k) {
     skipping_ = false;
   // "the first thing he sees is a mirror", "the stove we cook on is against the wall"
   const std::string& be = document_.tokens[chunk(k).first].text;
-  if (skipping_ && ends_comparison(k)) skipping_ = false;
+  if (skipping_ && (ends_comparison(k) || ends_contact_clause(k))) skipping_ = false;
   const bool over = doing_ && (be == "is" || be == "are") && !is(previous(k), ChunkKind::kNoun) && !units_.empty() &&
                     units_.back().kind == UnitKind::kNoun;
   if (over) skipping_ = false;
