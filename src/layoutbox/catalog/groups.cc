@@ -38,6 +38,7 @@ Groups read_groups() {
   const Json& fill = data.at("fill");
   groups.fill = {fill.at("bare").get<double>(), fill.at("until").get<double>(), fill.at("most").get<int>()};
   groups.carried = strings(data, "carried");
+  groups.sat_at = strings(data, "sat_at");
   groups.none = strings(data, "none");
   groups.none_to_fill = strings(data, "none_to_fill");
   return groups;

@@ -42,6 +42,7 @@ struct Groups {
   std::vector<Companion> companions;  // in this order
   Filling fill;
   std::vector<std::string> carried;             // kinds that get something to stand on where nothing there carries them
+  std::vector<std::string> sat_at;              // words by which a table is one to sit at
   std::vector<std::string> none, none_to_fill;  // words by which nothing comes; by which a bare room stays bare
 
   // The first seating whose kind `entry` is, in a room of that kind (empty: a rule for all rooms). Null: none.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "layoutbox/base/words.h"
@@ -231,11 +232,38 @@ void settle_ids(NormalizeContext& context) {
   }
 }
 
+// Several of a kind that hang above one thing are together no wider than it, as far as such things come so small.
+void fit_rows_above(NormalizeContext& context) {
+  constexpr double kAir = 1.08;                                                   // of their width, with what is between them
+  std::map<std::pair<std::string, std::string>, std::vector<SceneObject*>> rows;  // by what they hang above, and kind
+  for (const Relation& relation : context.scene.relations) {
+    if (relation.type != RelationType::kAbove || relation.references.size() != 1) continue;
+    for (SceneObject& object : context.scene.objects) {
+      const bool hangs = object.mount == Mount::kWall && object.size_source == SizeSource::kCatalog && object.size;
+      if (!hangs || std::ranges::find(relation.targets, object.id) == relation.targets.end()) continue;
+      std::vector<SceneObject*>& row = rows[{relation.references[0], object.category}];
+      if (std::ranges::find(row, &object) == row.end()) row.push_back(&object);
+    }
+  }
+  for (auto& [key, row] : rows) {
+    const SceneObject* below = context.scene.find_object(key.first);
+    if (row.size() < 2 || below == nullptr || !below->size) continue;
+    const double all = kAir * double(row.size()) * row[0]->size->usual.width, width = below->size->usual.width;
+    if (all <= width) continue;
+    for (SceneObject* object : row) {
+      SizeRange& size = *object->size;
+      for (const auto side : {&Size::width, &Size::height})
+        size.usual.*side = std::max(size.least.*side, static_cast<Mm>(std::lround(size.usual.*side * width / all)));
+    }
+  }
+}
+
 }  // namespace
 
 void normalize_objects(NormalizeContext& context) {
   settle_ids(context);
   for (std::size_t i = 0; i < context.scene.objects.size(); ++i) ObjectNormalizer(context, i).run();
+  fit_rows_above(context);
   if (context.catalog.only_articles()) settle_articles_only(context);
 }
 

@@ -179,8 +179,11 @@ class RoomNormalizer {
                                         : double(size.width) * size.depth + wanted_floor(entry, size);
       longest = std::max({longest, double(size.width), double(size.depth)});
     }
-    const bool may_shrink = room_.size_word.empty() && used > 0;
-    const double least = may_shrink ? std::sqrt(std::clamp(used / kLeastUsed / area, kSmallestShare, 1.0)) : 1.0;
+    const auto word = std::ranges::find_if(kRoomWords, [&](const SizeWordFactor& rule) { return same_name(room_.size_word, rule.word); });
+    const double factor = word == std::end(kRoomWords) ? 1.0 : word->factor;
+    // A tiny room is smaller than an ordinary one for as little, and fuller.
+    const bool may_shrink = (room_.size_word.empty() || factor < 1) && used > 0;
+    const double least = may_shrink ? std::sqrt(std::clamp(used * factor / kLeastUsed / area, kSmallestShare, 1.0)) : 1.0;
     return std::max({least, std::sqrt(covered / kMostCovered / area), std::sqrt(used / kMostUsed / area), (longest + 600) / longest_side,
                      span_wanted() / longest_side});
   }

@@ -45,6 +45,29 @@ TEST(NormalizeRoom, IsSmallForLittleUnlessTheTextSaysHowLarge) {
   EXPECT_EQ(doubled_area(normalized(large).room.polygon), doubled_area(nothing.room.polygon));
 }
 
+TEST(NormalizeRoom, IsSmallerAndFullerWhereTheTextCallsItTiny) {
+  const auto area_of = [](const char* word) {
+    SceneGraph scene = scene_of({object("chair_1", "chair")});
+    scene.room.size_word = word;
+    return doubled_area(normalized(scene).room.polygon);
+  };
+  EXPECT_LT(area_of("tiny"), area_of(""));
+  EXPECT_LT(area_of("tiny"), area_of("small"));
+  EXPECT_LT(area_of("small"), area_of("medium"));
+}
+
+TEST(NormalizeObjects, PicturesAboveOneThingAreTogetherNoWiderThanIt) {
+  std::vector<SceneObject> objects{object("desk_1", "desk")};
+  std::vector<Relation> relations;
+  for (int i = 0; i < 4; ++i) {
+    objects.push_back(object("painting_" + std::to_string(i), "painting"));
+    objects.back().mount = Mount::kWall;
+    relations.push_back(relation(RelationType::kAbove, {objects.back().id}, {"desk_1"}));
+  }
+  const SceneGraph alone = normalized(scene_of({objects[0], objects[1]})), row = normalized(scene_of(objects, relations));
+  EXPECT_LT(row.find_object("painting_0")->size->usual.width, alone.find_object("painting_0")->size->usual.width);
+}
+
 double area(const SceneGraph& scene) { return static_cast<double>(doubled_area(scene.room.polygon)) / 2e6; }
 
 TEST(NormalizeHosts, GrowForWhatTheyHold) {

@@ -119,7 +119,9 @@ class Companions {
     const CatalogEntry* entry = catalog_.find(category);
     const SceneObject* sized = sized_.find_object(id);
     const Seating* seating = entry == nullptr ? nullptr : groups_.seating_at(catalog_, *entry, scene_.room.type);
-    if (seating == nullptr || !seating->comes || sized == nullptr || !sized->size || sized->mount != Mount::kFloor) return;
+    if (seating == nullptr || !(seating->comes || says_any(groups_.sat_at)) || sized == nullptr || !sized->size ||
+        sized->mount != Mount::kFloor)
+      return;
     const CatalogEntry* seat = catalog_.find(seating->seat);
     if (seat == nullptr || spoken_of(*seat) || has_seat(id) || has_loose_seat()) return;
     const int count = std::min(seats_at_size(*seating, is_round(*sized), sized->size->usual), kMostSeats);
@@ -242,6 +244,11 @@ class Companions {
     const double floor = std::max(1.0, double(doubled_area(sized_.room.polygon)) / 2);
     double share = covered(scene_) / floor;
     if (kind == nullptr || share >= groups_.fill.bare || says_any(groups_.none_to_fill)) return;
+    constexpr std::ptrdiff_t kCrowd = 6;
+    const std::ptrdiff_t crowd = std::ranges::count_if(
+        named_, [&](std::size_t i) { return catalog_.entry_or_nearest(scene_.objects[i].category).is(Trait::kSeat); });
+    const bool looked_at = std::ranges::any_of(
+        named_, [&](std::size_t i) { return catalog_.entry_or_nearest(scene_.objects[i].category).is(Trait::kScreen); });
     int added = 0;
     for (const auto& [id, usual] : kind->usual) {
       const CatalogEntry* entry = catalog_.find(id);
@@ -254,7 +261,11 @@ class Companions {
                has_seat(o.id);
       };
       const bool seated = entry->is(Trait::kTableSeat) && std::ranges::any_of(scene_.objects, is_taken);
-      if (lacks_host || lacks_table || seated) continue;
+      // Where a crowd of seats is named, they stand in rows without desks.
+      const bool desk = entry->is(Trait::kDeskLike) && crowd >= kCrowd;
+      // … and what all look at is there once.
+      const bool board = entry->is(Trait::kScreen) && entry->mount == Mount::kWall && looked_at;
+      if (lacks_host || lacks_table || seated || desk || board) continue;
       for (int k = 0; k < usual && added < groups_.fill.most && share < groups_.fill.until; ++k, ++added) {
         add(*entry);
         share = covered(scene_) / floor;

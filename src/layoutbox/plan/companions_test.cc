@@ -42,6 +42,16 @@ TEST(Companions, SeatsComeWithDesksAndTables) {
   EXPECT_EQ(count_of(added_to("A bedroom with a bed, a wardrobe and a dressing table."), "vanity_stool"), 1);
 }
 
+TEST(Companions, ATableToSitAtGetsItsSeats) {
+  EXPECT_GE(count_of(added_to("A studio with a bed, a wardrobe and a small table to eat and work at."), "chair"), 1);
+  EXPECT_EQ(count_of(added_to("A studio with a bed, a wardrobe and a small table for the plants."), "chair"), 0);
+}
+
+TEST(Companions, ACrowdOfSeatsNeedsNoDesks) {
+  EXPECT_EQ(count_of(added_to("A lecture room with twelve chairs in rows facing a screen."), "school_desk"), 0);
+  EXPECT_GE(count_of(added_to("A lecture room with a lectern."), "school_desk"), 1);
+}
+
 TEST(Companions, NoChairsWhereOtherSeatsAreByTheTable) {
   EXPECT_EQ(count_of(added_to("A dining room with a dining table. A bench stands next to the dining table."), "dining_chair"), 0);
   EXPECT_EQ(count_of(added_to("A playroom with an activity table. Two floor cushions lie beside the table."), "kids_chair"), 0);

@@ -21,36 +21,94 @@ int count_behind(const std::vector<Chunk>& chunks, std::size_t k) {
   return count.kind == NounKind::kMember && count.attributes.empty() && !count.of ? count.count : 0;
 }
 
-// Four of it lie on a table, and look like many.
-bool is_small(const NounPhrase& noun) {
-  constexpr Mm kSmall = 350;
-  return noun.entry != nullptr && std::max(noun.entry->size.usual.width, noun.entry->size.usual.depth) <= kSmall;
+Mm longest_of(const NounPhrase& noun) { return std::max(noun.entry->size.usual.width, noun.entry->size.usual.depth); }
+
+// So many of it look like many: 0 for what is large.
+int many_of(const NounPhrase& noun) {
+  constexpr std::pair<Mm, int> kMany[] = {{130, 8}, {350, 6}, {700, 5}};  // up to that long, so many
+  for (const auto& [longest, many] : kMany) {
+    if (noun.entry != nullptr && longest_of(noun) <= longest) return many;
+  }
+  return 0;
 }
 
-bool has_filling_word(const Lexicon& lexicon, const Document& document, const Chunk& chunk) {
+bool has_word(const Lexicon& lexicon, const Document& document, const Chunk& chunk, const char* list) {
   for (std::size_t t = chunk.first; t < chunk.last; ++t) {
-    if (lexicon.is_in("filling", document.tokens[t].text)) return true;
+    if (lexicon.is_in(list, document.tokens[t].text)) return true;
   }
   return false;
 }
 
-bool is_all_over(const Document& document, std::size_t token) {
-  return token + 1 < document.tokens.size() && document.tokens[token].text == "all" && document.tokens[token + 1].text == "over";
+// "all over", "all along": "all" and what follows.
+bool is_all(const Document& document, std::size_t token, std::string_view next) {
+  return token + 1 < document.tokens.size() && document.tokens[token].text == "all" && document.tokens[token + 1].text == next;
+}
+
+// "bottles": no number, no article, and small.
+bool is_bare(const Chunk& chunk) {
+  return is_thing(chunk) && chunk.noun.plural && chunk.noun.count == 0 && chunk.noun.determiner == Determiner::kNone &&
+         many_of(chunk.noun) > 0;
+}
+
+// What is filled by the noun at k, as in "a shelf full of cans": a part of the room, or one thing large enough that many fit.
+bool is_wide_enough(const std::vector<Chunk>& chunks, std::size_t k) {
+  constexpr std::int64_t kTimes = 12, kLeast = 80'000;  // as much as one of them; mm²
+  if (k < 2) return false;
+  std::size_t host = k - 2;
+  while (host > 0 && chunks[host].kind != ChunkKind::kNoun) --host;
+  const NounPhrase& noun = chunks[host].noun;
+  if (chunks[host].kind != ChunkKind::kNoun) return false;
+  if (noun.kind == NounKind::kWall || noun.kind == NounKind::kFloor || noun.kind == NounKind::kCeiling || noun.kind == NounKind::kRoom)
+    return true;
+  if (noun.kind != NounKind::kObject || noun.entry == nullptr || noun.is_plural() || noun.determiner == Determiner::kEach) return false;
+  const auto area = [](const Size& size) { return std::int64_t{size.width} * size.depth; };
+  const std::int64_t levels = std::max<std::int64_t>(1, std::ssize(noun.entry->spaces));
+  const std::int64_t own = area(noun.entry->size.usual);
+  return own >= kLeast && own * levels >= kTimes * area(chunks[k].noun.entry->size.usual);
+}
+
+// "of all sizes", "in various sizes", behind the noun's first word and before the next thing.
+bool says_all_sizes(const Lexicon& lexicon, const Document& document, std::size_t k) {
+  constexpr std::size_t kReach = 5;  // tokens behind it: "ten plants or more, of all sizes"
+  const Chunk& chunk = document.chunks[k];
+  std::size_t end = std::min(document.tokens.size(), chunk.last + kReach);
+  for (std::size_t next = k + 1; next < document.chunks.size(); ++next) {
+    if (is_thing(document.chunks[next])) {
+      end = std::min(end, document.chunks[next].first);
+      break;
+    }
+  }
+  for (std::size_t t = chunk.first; t + 1 < end && !document.tokens[t].ends_sentence; ++t) {
+    const std::string& what = document.tokens[t + 1].text;
+    if (lexicon.is_in("assorting", document.tokens[t].text) && (what == "sizes" || what == "size")) return true;
+  }
+  return false;
 }
 
 }  // namespace
 
 void settle_filling_counts(const Lexicon& lexicon, Document& document) {
-  constexpr int kMany = 4;  // as "many" has it (words_grammar.json)
+  constexpr int kOverhead = 2;  // times as many on a ceiling
   std::vector<Chunk>& chunks = document.chunks;
   for (std::size_t k = 0; k < chunks.size() && !is_set(document.stop); ++k) {
     NounPhrase& noun = chunks[k].noun;
-    const bool bare = is_thing(chunks[k]) && noun.plural && noun.count == 0 && noun.determiner == Determiner::kNone && is_small(noun);
-    if (!bare) continue;
-    const bool filling = k > 0 && has_filling_word(lexicon, document, chunks[k - 1]);
-    if (!filling && !is_all_over(document, chunks[k].last)) continue;
-    noun.count = kMany;
-    noun.vague = noun.at_least = true;
+    if (!is_thing(chunks[k]) || !noun.plural) continue;
+    noun.assorted = says_all_sizes(lexicon, document, k);
+    const int many = many_of(noun);
+    if (!is_bare(chunks[k])) continue;
+    const bool over = is_all(document, chunks[k].last, "over"), along = is_all(document, chunks[k].last, "along");
+    const bool strewn = k > 0 && has_word(lexicon, document, chunks[k - 1], "filling");
+    const bool full = k > 0 && has_word(lexicon, document, chunks[k - 1], "full") && is_wide_enough(chunks, k);
+    if (!over && !along && !strewn && !full && !noun.assorted) continue;
+    const bool ceiling = over && k + 2 < chunks.size() && chunks[k + 2].noun.kind == NounKind::kCeiling;
+    // "stocked with glasses and bottles": the next of the list as well, each with half of the many.
+    const bool listed = !over && !along && k + 2 < chunks.size() && chunks[k + 1].kind == ChunkKind::kAnd && is_bare(chunks[k + 2]);
+    noun.count = ceiling ? kOverhead * many : listed ? many / 2 : many;
+    if (listed) {
+      chunks[k + 2].noun.count = many / 2;
+      chunks[k + 2].noun.vague = chunks[k + 2].noun.at_least = chunks[k + 2].noun.filling = true;
+    }
+    noun.vague = noun.at_least = noun.filling = true;
   }
 }
 

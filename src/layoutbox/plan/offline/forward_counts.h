@@ -9,8 +9,8 @@ namespace layoutbox::offline {
 // Gives things that are first spoken of as "each" their number, and makes the later mention one of the same things.
 void settle_forward_counts(Document& document);
 
-// "littered with bottles", "stars all over the ceiling": small things without a number that fill something are
-// more than two.
+// "littered with bottles", "a shelf full of cans", "stars all over the ceiling", "plants of all sizes": small things without a
+// number that fill something are as many as look like it; and which come in all sizes.
 void settle_filling_counts(const Lexicon& lexicon, Document& document);
 
 }  // namespace layoutbox::offline

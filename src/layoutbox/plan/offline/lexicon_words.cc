@@ -19,8 +19,9 @@ struct PlainList {
 };
 
 // Lists of words_grammar.json that say nothing of grammar (Lexicon::is_in).
-constexpr std::array<std::string_view, 11> kSmallLists = {"wishing",  "closings", "closing_leads", "money",   "name_verbs", "looking",
-                                                          "watching", "turning",  "aiming",        "parting", "filling"};
+constexpr std::array<std::string_view, 13> kSmallLists = {"wishing", "closings", "closing_leads", "money",  "name_verbs",
+                                                          "looking", "watching", "turning",       "aiming", "parting",
+                                                          "filling", "full",     "assorting"};
 
 constexpr std::array kPlainLists = {
     PlainList{"words_room", "wall", WordClass::kWall},

@@ -60,6 +60,8 @@ struct NounPhrase {
   int seats = 0;           // "a table for six"
   int clusters = 0;        // "two clusters of four desks"
   bool at_least = false, vague = false, plural = false;
+  bool filling = false;       // "a shelf full of cans": as many as look like it, two of them for certain
+  bool assorted = false;      // "plants of all sizes"
   bool subset = false;        // "two of the beds"
   bool reciprocal = false;    // "each other"
   bool doubted = false;       // taken for no thing by what English says of the word alone: no list of ours has it

@@ -1,6 +1,7 @@
 #include "layoutbox/plan/offline/object_size.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace layoutbox::offline {
 namespace {
@@ -66,6 +67,22 @@ void apply_size(const NounPhrase& noun, SceneObject& object) {
   fix(size.height, &Size::height);
   object.size = range;
   object.size_source = SizeSource::kUser;
+}
+
+void apply_assorted_size(const NounPhrase& noun, int rank, int count, SceneObject& object) {
+  if (noun.entry == nullptr || count < 2 || noun.size.any()) return;
+  constexpr double kOwnRange = 0.1;  // it may be so much smaller or larger than its rank says
+  const double share = static_cast<double>(rank) / (count - 1);
+  SizeRange range = noun.entry->size;
+  for (const auto side : {&Size::width, &Size::depth, &Size::height}) {
+    const double low = range.least.*side, high = (range.usual.*side + range.greatest.*side) / 2.0;
+    const double usual = low + share * (high - low);
+    range.usual.*side = static_cast<Mm>(std::lround(usual));
+    range.least.*side = static_cast<Mm>(std::lround(std::max(low, usual * (1 - kOwnRange))));
+    range.greatest.*side = static_cast<Mm>(std::lround(std::min(high, usual * (1 + kOwnRange))));
+  }
+  object.size = range;
+  object.size_source = SizeSource::kInferred;
 }
 
 }  // namespace layoutbox::offline

@@ -137,14 +137,19 @@ class OfflinePlanner final : public Planner {
 
   static void build_objects(Document& document, SceneGraph& scene) {
     std::map<std::string, int> numbers;
+    std::map<int, int> of_group, so_far;
+    for (const Item& item : document.items) ++of_group[item.group];
     for (const Item& item : document.items) {
+      constexpr int kCertain = 2;  // of what fills its place: the plural's own
+      const int rank = so_far[item.group]++;
       SceneObject object;
       object.category = item.noun.category;
       object.name = item.noun.name;
       object.attributes = item.noun.attributes;
       object.id = object.category + "_" + std::to_string(++numbers[object.category]);
-      object.origin = item.concluded ? Origin::kConcluded : Origin::kAsked;
+      object.origin = item.concluded || (item.noun.filling && rank >= kCertain) ? Origin::kConcluded : Origin::kAsked;
       apply_size(item.noun, object);
+      if (item.noun.assorted) apply_assorted_size(item.noun, rank, of_group[item.group], object);
       for (std::size_t i = item.noun.first; i < item.noun.last && i < document.readings.size(); ++i) {
         if (document.readings[i].role == item.noun.name) document.readings[i].role = "object " + object.id;
       }

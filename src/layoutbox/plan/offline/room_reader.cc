@@ -84,7 +84,8 @@ void describe_room(const NounPhrase& noun, Room& room) {
     static constexpr std::pair<std::string_view, std::string_view> kWords[] = {
         {"small", "small"},         {"tiny", "tiny"},     {"compact", "compact"}, {"little", "small"}, {"narrow", "narrow"},
         {"medium-sized", "medium"}, {"medium", "medium"}, {"large", "large"},     {"big", "large"},    {"huge", "huge"},
-        {"spacious", "spacious"},   {"grand", "large"},   {"vast", "vast"},       {"cozy", "cozy"}};
+        {"spacious", "spacious"},   {"cramped", "tiny"},  {"poky", "tiny"},       {"shoebox", "tiny"}, {"minuscule", "tiny"},
+        {"grand", "large"},         {"vast", "vast"},     {"cozy", "cozy"}};
     for (const auto& [said, kept] : kWords) {
       if (word == said && room.size_word.empty()) room.size_word = kept;
     }

@@ -32,6 +32,8 @@ void Habits::stand(int index) {
   sit_on_host(index);
   lie_straight(index);
   keep_before_counter(index);
+  keep_off_play(index);
+  share_wall_out(index);
   lie_alike(index);
   sit_before_mirror(index);
   if (stand_in_formation(index) || stand_abreast(index)) return;
@@ -59,7 +61,9 @@ void Habits::stand(int index) {
   }
   if (!item.entry->back_to_wall && item.is(Trait::kSeat) && item.has_front && !with_host) stand_in_wall_row(index);
   keep_nose_free(index);
-  if (!item.entry->back_to_wall && item.is(Trait::kOpenToRoom) && !stand_along_run(index)) open_to_room(index);
+  const bool is_worked_at = item.is(Trait::kTable) || item.is(Trait::kCounter) || item.is(Trait::kDeskLike);
+  if (!item.entry->back_to_wall && item.is(Trait::kOpenToRoom) && !(is_worked_at && stand_along_run(index)))
+    open_to_room(index, is_worked_at ? kAtWall : kFaces), leave_seat_behind(index);
   if (item.is(Trait::kDesk) && !item.is(Trait::kOpenToRoom)) near_light(index);
 }
 

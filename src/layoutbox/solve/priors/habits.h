@@ -76,7 +76,7 @@ class Habits {
   void stand_at_wall(int item);
   void stand_in_middle(int item);
   void lie_straight(int item);
-  void open_to_room(int item);
+  void open_to_room(int item, int weight = kAtWall);
   void near_light(int item);
   void lie_under(int item);
   void lie_at_foot(int item, int bed);
@@ -92,6 +92,11 @@ class Habits {
   std::vector<int> usually_under(int item) const;
   int seat_facing(int item) const;
   bool hang_in_row(int item);
+  bool hang_in_row_over(int item);
+  bool is_of_few_on_wall(int item) const;
+  void share_wall_out(int item);
+  void leave_seat_behind(int item);
+  void keep_off_play(int item);
   bool hang_close_below(int item);
   void hang_on_wall(int item);
   std::uint64_t states_facing(int item, const RoomWall& wall) const;

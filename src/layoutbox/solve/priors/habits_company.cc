@@ -165,7 +165,9 @@ bool Habits::stand_beside(int item) {
     habit("at table", item, kBeside, std::move(f), {host});
     return true;
   }
-  if (before_its_host(item)) {
+  if (self.is(Trait::kTableSeat) && used.size() == 1 && ref.has_front) {  // a drummer's stool
+    add_beside(f, model_, item, host, used[0], {.most = 500, .wished_gap = 0});
+  } else if (before_its_host(item)) {
     add_beside(f, model_, item, host, Side::kFront, {.most = 600, .wished_gap = self.is(Trait::kCoffeeTable) ? 400 : 100});
   } else {
     add_beside(f, model_, item, host, Side::kLeft, {.most = 500, .wished_gap = 60});
@@ -303,6 +305,8 @@ bool Habits::look_at(int item, bool leads, const std::vector<int>& crowd) {
   std::vector<int> seen = items_of_kinds(self.entry->faces, item);
   // Each has its own mirror before all others.
   std::ranges::stable_partition(seen, [&](int other) { return related_as_target(item, other, RelationType::kFacing); });
+  // … and a visitor the bed that the chair is told to be at.
+  if (self.is(Trait::kTableSeat)) std::ranges::stable_partition(seen, [&](int other) { return related(item, other); });
   for (const int other : seen) {
     if (model_.items[other].mount != Mount::kFloor && model_.items[other].mount != Mount::kWall && seen.size() > 1 && other != seen[0])
       continue;

@@ -234,33 +234,38 @@ bool Habits::only_told_its_wall(int item) const {
 // it behind them. Beds also opposite one another.
 void Habits::stand_in_wall_row(int item) {
   constexpr Mm kBesideBed = 900, kBesideDesk = 200, kBesideSeat = 80;
-  constexpr int kOutOfRow = 200, kAcross = 40;  // points
+  constexpr int kOutOfRow = 200, kSeatOutOfRow = 400, kAcross = 40;  // points
   const auto in_row = [&](int i) {
     const Item& other = model_.items[i];
     return other.entry == model_.items[item].entry && !other.fixed && other.mount == Mount::kFloor && only_told_its_wall(i);
   };
   const Item& self = model_.items[item];
   if (self.is(Trait::kKitchenRun) || (self.is(Trait::kCenterPiece) && !self.is(Trait::kBed)) || !in_row(item)) return;
-  int before = -1;
+  // A seat joins the row at either end: it may stand beside the first or one of the last two.
+  std::vector<int> row;
   for (int i = 0; i < item; ++i) {
-    if (in_row(i)) before = i;
+    if (in_row(i)) row.push_back(i);
   }
-  if (before < 0) return;
+  if (row.empty()) return;
+  if (!self.is(Trait::kSeat)) row.erase(row.begin(), row.end() - 1);
+  if (row.size() > 3) row.erase(row.begin() + 1, row.end() - 2);
   const Mm air = self.is(Trait::kBed) ? kBesideBed : self.is(Trait::kSeat) ? kBesideSeat : has_knee_room(self) ? kBesideDesk : 0;
   Formula f;
-  for_each_turn(model_.items[before], [&](int turn, std::uint64_t states) {
-    if (turn % 90 != 0) return;
-    const Direction back = side_direction(model_.items[before], Side::kBack, turn);
-    for (const int sign : {1, -1}) {
-      const Linear gap = gap_towards(item, before, {across(back), sign});
-      Case& c = f.add().when(before, states).when(item, self.states_at(turn)).require(gap).wish(gap - Linear(air), kInRun);
-      c.wish(reach(item, back) - reach(before, back), kInRun);
-    }
-    if (!self.is(Trait::kBed)) return;
-    Case& opposite_it = f.add().when(before, states).when(item, self.states_at((turn + 180) % 360));
-    opposite_it.wish(mid2(item, across(back)) - mid2(before, across(back)), kInRun, 2).price = kAcross;
-  });
-  f.add().price = kOutOfRow;
+  for (const int before : row) {
+    for_each_turn(model_.items[before], [&](int turn, std::uint64_t states) {
+      if (turn % 90 != 0) return;
+      const Direction back = side_direction(model_.items[before], Side::kBack, turn);
+      for (const int sign : {1, -1}) {
+        const Linear gap = gap_towards(item, before, {across(back), sign});
+        Case& c = f.add().when(before, states).when(item, self.states_at(turn)).require(gap).wish(gap - Linear(air), kInRun);
+        c.wish(reach(item, back) - reach(before, back), kInRun);
+      }
+      if (!self.is(Trait::kBed)) return;
+      Case& opposite_it = f.add().when(before, states).when(item, self.states_at((turn + 180) % 360));
+      opposite_it.wish(mid2(item, across(back)) - mid2(before, across(back)), kInRun, 2).price = kAcross;
+    });
+  }
+  f.add().price = self.is(Trait::kSeat) ? kSeatOutOfRow : kOutOfRow;
   // No host: that one looks for another place does not send the whole row to look for one.
   habit("in a row at the wall", item, kInRun, std::move(f));
 }

@@ -6,6 +6,7 @@ namespace {
 
 constexpr int kHangHeight = 600;  // points a metre
 constexpr Mm kMostUnder = 1300;   // what is higher has nothing above it
+constexpr int kStrewn = 6;        // on the ceiling
 
 const std::vector<std::string> kUnderPictures{"fireplace", "bed",  "sofa",     "sideboard", "console_table",
                                               "dresser",   "desk", "tv_stand", "cabinet"};
@@ -48,7 +49,10 @@ void Habits::hang_from_ceiling(int item) {
     const int along = model_.room.extent(0) >= model_.room.extent(1) ? 0 : 1;
     Case& c = f.add();
     c.wish(mid2(item, along) - room_mid2(model_, along) - aside2(model_.room.extent(along)), kHangs, 2);
-    c.wish(mid2(item, 1 - along) - room_mid2(model_, 1 - along), kHangs, 2);
+    // Many small ones (stars, balloons) are strewn over all of it, not in one line.
+    const Mm third = model_.room.extent(1 - along) / 3;
+    const auto off = sharing >= kStrewn && !self.is(Trait::kLamp) ? 2 * third * (2 * place % 3 - 1) : 0;
+    c.wish(mid2(item, 1 - along) - room_mid2(model_, 1 - along) - Linear(off), kHangs, 2);
   } else {
     hosts.push_back(below[static_cast<std::size_t>(rank % tables)]);
     const Size& size = model_.items[hosts[0]].states[0].size;
@@ -118,8 +122,9 @@ bool Habits::hang_in_row(int item) {
     return said;
   };
   const auto mine = said_of(item);
+  if (hang_in_row_over(item)) return true;
   const bool faced = seat_facing(item) >= 0;  // each by a seat of its own
-  if (mine.empty() && !faced) return false;
+  if (mine.empty() && !faced && !is_of_few_on_wall(item)) return false;
   int before = -1;
   for (int i = 0; i < item; ++i) {
     const Item& other = model_.items[i];
@@ -147,6 +152,33 @@ bool Habits::hang_in_row(int item) {
   if (f.cases.empty()) return false;
   habit("in a row on the wall", item, kInRow, std::move(f), {before});
   return true;
+}
+
+// One of a few of a kind told to hang on the same wall (or on a wall, and no more): a set, but for lamps, which light it from its ends.
+bool Habits::is_of_few_on_wall(int item) const {
+  constexpr int kFew = 5;
+  const auto wall_of = [&](int i) -> const Relation* {
+    const Item& other = model_.items[i];
+    if (other.is_opening() || other.mount != Mount::kWall || other.curtain || other.is(Trait::kLamp) || other.is(Trait::kScreen))
+      return nullptr;
+    const Relation* told = nullptr;
+    for (const Relation& r : model_.scene->relations) {
+      if (std::ranges::find(r.targets, other.id) == r.targets.end()) continue;
+      if (r.type != RelationType::kOnWall || told != nullptr) return nullptr;
+      told = &r;
+    }
+    return told;
+  };
+  const Relation* mine = wall_of(item);
+  if (mine == nullptr) return false;
+  int alike = 0;
+  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+    if (model_.items[i].entry != model_.items[item].entry) continue;
+    const Relation* other = wall_of(static_cast<int>(i));
+    if (other == nullptr || other->references != mine->references) return false;
+    ++alike;
+  }
+  return alike >= 2 && alike <= kFew;
 }
 
 // The seat that alone is told to face what hangs on the wall; -1: none.

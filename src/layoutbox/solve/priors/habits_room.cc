@@ -194,8 +194,8 @@ void Habits::lie_straight(int item) {
   habit("straight", item, kAtWall, std::move(f));
 }
 
-// A bar or a reception desk turns its front to where the guests are.
-void Habits::open_to_room(int item) {
+// A bar or a reception desk turns its front to where the guests are; a face, a loudspeaker or a drum kit to all.
+void Habits::open_to_room(int item, int weight) {
   if (!model_.items[item].has_front) return;
   Formula f;
   for_each_turn(model_.items[item], [&](int turn, std::uint64_t states) {
@@ -203,7 +203,7 @@ void Habits::open_to_room(int item) {
     const Direction d = side_direction(model_.items[item], Side::kFront, turn);
     f.add().when(item, states).require(d.sign * (room_mid2(model_, d.axis) - mid2(item, d.axis)));
   });
-  habit("open to the room", item, kAtWall, std::move(f));
+  habit("open to the room", item, weight, std::move(f));
 }
 
 // Behind a bar is who serves: the guests' tables stand before it.

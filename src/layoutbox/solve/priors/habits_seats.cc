@@ -66,9 +66,10 @@ void Habits::keep_nose_free(int item) {
     const Item& ref = model_.items[i];
     if (host == item || ref.is_opening() || ref.mount != Mount::kFloor || ref.thin || has_knee_room(ref)) continue;
     if (!ref.entry->back_to_wall || ref.is(Trait::kTable) || ref.is(Trait::kDeskLike) || ref.is(Trait::kCounter)) continue;
-    const bool beside = std::ranges::any_of(
-        std::initializer_list<RelationType>{RelationType::kNextTo, RelationType::kNear, RelationType::kLeftOf, RelationType::kRightOf},
-        [&](RelationType how) { return related_as_target(item, host, how) || related_as_target(host, item, how); });
+    const bool beside =
+        std::ranges::any_of(std::initializer_list<RelationType>{RelationType::kNextTo, RelationType::kNear, RelationType::kLeftOf,
+                                                                RelationType::kRightOf, RelationType::kAtFootOf},
+                            [&](RelationType how) { return related_as_target(item, host, how) || related_as_target(host, item, how); });
     if (!beside) continue;
     Formula f;
     for_each_turn(self, [&](int turn, std::uint64_t states) {

@@ -13,6 +13,8 @@ namespace {
 constexpr Mm kReachUnder = 100, kKneeless = -40, kEasyChair = -350;
 
 constexpr Mm kSquare = 150;  // sides that differ by less are alike
+constexpr Mm kElbows = 120;  // that a seat takes besides its width
+constexpr int kSqueezed = 60;
 
 constexpr std::array kSides{Side::kFront, Side::kBack, Side::kLeft, Side::kRight};
 
@@ -194,6 +196,19 @@ bool is_round(const Item& table) {
   return (round_kind || said || table.object->name.find("round") != std::string::npos) && std::abs(size.width - size.depth) <= 100;
 }
 
+// The less even, the more crowded and the less usual, the dearer.
+int price_of(const Seats& s, int n, Mm width, Mm depth, Mm seat_width, bool circle) {
+  const double even = n == 1 ? 1 : evenness(arms_of(s, width, depth, seat_width / 2 - kReachUnder));
+  int price = static_cast<int>((1 - even) * (circle ? 600 : 300));
+  price += 40 * (std::abs(s[0] - s[1]) + std::abs(s[2] - s[3]));
+  for (std::size_t side = 0; side < s.size(); ++side) {
+    if (s[side] >= 2 && s[side] * (seat_width + kElbows) > (side < 2 ? width : depth)) price += kSqueezed;
+  }
+  if (n <= 4 && std::abs(width - depth) < kSquare && std::ranges::max(s) > 1) price += 120;        // one at each side of a square one
+  if (n <= 2 && (width > depth ? s[2] + s[3] : width < depth ? s[0] + s[1] : 0) > 0) price += 20;  // long sides first
+  return price;
+}
+
 }  // namespace
 
 std::vector<std::pair<Seats, int>> seatings(int n, Mm width, Mm depth, Mm seat_width, bool circle, std::size_t limit) {
@@ -206,12 +221,7 @@ std::vector<std::pair<Seats, int>> seatings(int n, Mm width, Mm depth, Mm seat_w
       for (s[2] = 0; s[2] <= std::min(deep, half); ++s[2]) {
         s[3] = n - s[0] - s[1] - s[2];
         if (s[3] < 0 || s[3] > std::min(deep, half)) continue;
-        const double even = n == 1 ? 1 : evenness(arms_of(s, width, depth, seat_width / 2 - kReachUnder));
-        int price = static_cast<int>((1 - even) * (circle ? 600 : 300));
-        price += 40 * (std::abs(s[0] - s[1]) + std::abs(s[2] - s[3]));
-        if (n <= 4 && std::abs(width - depth) < kSquare && std::ranges::max(s) > 1) price += 120;        // one at each side of a square one
-        if (n <= 2 && (width > depth ? s[2] + s[3] : width < depth ? s[0] + s[1] : 0) > 0) price += 20;  // long sides first
-        found.push_back({s, price});
+        found.push_back({s, price_of(s, n, width, depth, seat_width, circle)});
       }
     }
   }
