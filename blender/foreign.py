@@ -138,11 +138,24 @@ class Writer:
         return place
 
 
+def evaluate_all(collection, things):
+    """Blender knows where a thing is only if it shows it: also the window of a wall that is cut away for the picture."""
+    collections = [collection]
+    while collections:
+        one = collections.pop()
+        one.exclude = one.hide_viewport = one.collection.hide_viewport = False
+        collections.extend(one.children)
+    for thing in things:
+        thing.hide_viewport = False
+    bpy.context.view_layer.update()
+
+
 def read_room():
     bpy.ops.wm.open_mainfile(filepath=os.path.abspath("room.blend"), load_ui=False, use_scripts=False)
     scene = bpy.context.scene
-    graph = bpy.context.evaluated_depsgraph_get()
     drawn = {thing.name for thing in bpy.context.view_layer.objects if not thing.hide_render}
+    evaluate_all(bpy.context.view_layer.layer_collection, scene.objects)
+    graph = bpy.context.evaluated_depsgraph_get()
     of_scene = set(scene.objects)
     writer = Writer(graph)
 

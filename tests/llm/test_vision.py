@@ -130,13 +130,15 @@ class Vision(model_case.ModelCase):
         self.assertEqual(figures["kappa"]["value"], 0)
 
     def test_who_is_blind_agrees_by_chance(self):
-        def coin(picture, text):
-            return "yes" if text and hashlib.sha256(text.encode()).digest()[0] % 2 else "no" if text else 0.5
+        # A bound of 95 % misses the truth once in twenty times.
+        chance = 0
+        for salt in range(8):
+            def coin(picture, text, salt=salt):
+                return "yes" if text and hashlib.sha256(f"{salt} {text}".encode()).digest()[0] % 2 else "no" if text else 0.5
 
-        answers, _ = self.ask(coin)
-        kappa = answers["figures"]["all"]["kappa"]
-        self.assertLess(kappa["low"], 0)
-        self.assertGreater(kappa["high"], 0)
+            kappa = self.ask(coin)[0]["figures"]["all"]["kappa"]
+            chance += kappa["low"] < 0 < kappa["high"]
+        self.assertGreaterEqual(chance, 6)
 
     def test_who_will_not_say_is_counted_apart(self):
         answers, _ = self.ask(lambda picture, text: "unsure" if text else 0.5)

@@ -170,8 +170,10 @@ std::vector<Space> spaces_from(const std::vector<SpaceFormula>& formulas, const 
 
 std::vector<Space> spaces_at(const CatalogEntry& entry, const Size& size) { return spaces_from(entry.spaces, size); }
 
-std::vector<Space> spaces_of(const SceneObject& object, const CatalogEntry& entry, const Size& size) {
-  if (object.spaces_given) return object.spaces;
+namespace {
+
+// The spaces of its kind, as its words name it.
+std::vector<Space> usual_spaces_of(const SceneObject& object, const CatalogEntry& entry, const Size& size) {
   const bool differ = std::ranges::any_of(entry.variants, [](const SizeVariant& variant) { return !variant.spaces.empty(); });
   if (!differ) return spaces_at(entry, size);
   const std::vector<std::string> said = words_said_of(object);
@@ -180,6 +182,24 @@ std::vector<Space> spaces_of(const SceneObject& object, const CatalogEntry& entr
     if (named && !variant.spaces.empty()) return spaces_from(variant.spaces, size);
   }
   return spaces_at(entry, size);
+}
+
+}  // namespace
+
+std::vector<Space> spaces_of(const SceneObject& object, const CatalogEntry& entry, const Size& size) {
+  constexpr double kWall = 0.08, kLeg = 50;  // of a side; mm
+  if (object.spaces_given) return object.spaces;
+  std::vector<Space> spaces = usual_spaces_of(object, entry, {size.width, size.depth, size.height - object.raised});
+  const double x = size.width / 2.0, y = size.depth / 2.0;
+  if (object.hollow) {
+    const double bottom = std::round(kWall * size.height);
+    spaces.push_back({"inside", {-x * (1 - kWall), -y * (1 - kWall), bottom}, {x * (1 - kWall), y * (1 - kWall), size.height * 1.0}, true});
+  }
+  if (object.raised > 0) {
+    for (Space& space : spaces) space.min[2] += object.raised, space.max[2] += object.raised;
+    spaces.push_back({std::string(kSpaceUnderIt), {kLeg - x, -y, 0}, {x - kLeg, y - kLeg, object.raised * 1.0}, false});
+  }
+  return spaces;
 }
 
 }  // namespace layoutbox

@@ -139,8 +139,11 @@ class Catalog {
 // The catalogue's free spaces at that size.
 std::vector<Space> spaces_at(const CatalogEntry& entry, const Size& size);
 
+// The space below what was raised onto legs so that something finds room there; the body of its kind stands above it.
+inline constexpr std::string_view kSpaceUnderIt = "under it";
+
 // The free spaces of an object: the scene's own where a file gave them, else those of the first variant of its entry that its words name
-// ("round" table) where that has any, else the entry's.
+// ("round" table) where that has any, else the entry's; and those that it was given to hold what is to be in or under it.
 std::vector<Space> spaces_of(const SceneObject& object, const CatalogEntry& entry, const Size& size);
 
 // "w/2 - 0.02" in metres → millimetres; error with the place in the text.

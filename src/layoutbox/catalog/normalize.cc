@@ -36,6 +36,7 @@ Result<SceneGraph> normalize_scene(SceneGraph scene, const Catalog& catalog, con
   NormalizeContext context{scene, catalog, options, {}, {}};
   normalize_objects(context);
   normalize_hosts(context);
+  normalize_guests(context);
   normalize_room(context);
   normalize_curtains(context);
   if (context.errors.empty()) {

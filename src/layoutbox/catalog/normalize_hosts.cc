@@ -129,47 +129,6 @@ void share_out_seats(const NormalizeContext& context, std::map<std::string, Cont
   }
 }
 
-// How much smaller than its least size a thing must be to lie in one of the host's spaces, half of it below the top; 1: it fits.
-double share_that_fits(const CatalogEntry& entry, const SceneObject& host, const SceneObject& guest) {
-  const Size& size = host.size_source == SizeSource::kCatalog ? host.size->greatest : host.size->usual;
-  const Size& least = guest.size->least;
-  double best = 0;
-  for (const Space& space : spaces_of(host, entry, size)) {
-    if (!space.carries) continue;
-    const double width = space.max[0] - space.min[0], depth = space.max[1] - space.min[1];
-    const bool open_above = space.max[2] >= size.height;
-    const double height = open_above ? 2 * (size.height - space.min[2]) : space.max[2] - space.min[2];
-    const double plan = std::max(std::min(width / least.width, depth / least.depth), std::min(width / least.depth, depth / least.width));
-    best = std::max(best, std::min(plan, height / least.height));
-  }
-  return std::min(best, 1.0);
-}
-
-// What is to be in something and is too large for it only by the catalogue's size is smaller than usual: a plant in a basket.
-void shrink_guests(NormalizeContext& context) {
-  constexpr double kLeastShare = 0.3;
-  SceneGraph& scene = context.scene;
-  for (const Relation& relation : scene.relations) {
-    if (relation.type != RelationType::kIn || !relation.hard || relation.references.size() != 1) continue;
-    const SceneObject* host = scene.find_object(relation.references.front());
-    if (host == nullptr || !host->size) continue;
-    for (SceneObject& guest : scene.objects) {
-      const bool named = std::ranges::find(relation.targets, guest.id) != relation.targets.end();
-      if (!named || guest.size_source != SizeSource::kCatalog || !guest.catalog_id.empty() || &guest == host) continue;
-      const double share = share_that_fits(context.catalog.entry_or_nearest(host->category), *host, guest);
-      if (share >= 1 || share < kLeastShare) continue;
-      for (const auto side : {&Size::width, &Size::depth, &Size::height}) {
-        const Mm smaller = static_cast<Mm>(guest.size->least.*side * share);
-        guest.size->least.*side = guest.size->usual.*side = smaller;
-      }
-      context.note("filled",
-                   fmt::format("\"{}\" is {} wide, smaller than usual, so that it finds room in \"{}\"", guest.id,
-                               metres_text(guest.size->usual.width), host->id),
-                   fmt::format("/furniture/{}/dims", &guest - scene.objects.data()));
-    }
-  }
-}
-
 }  // namespace
 
 void normalize_hosts(NormalizeContext& context) {
@@ -212,7 +171,6 @@ void normalize_hosts(NormalizeContext& context) {
                              metres_text(size.depth)),
                  fmt::format("/furniture/{}/dims", i));
   }
-  shrink_guests(context);
 }
 
 }  // namespace layoutbox

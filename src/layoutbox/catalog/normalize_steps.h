@@ -26,6 +26,10 @@ void normalize_objects(NormalizeContext& context);
 // Larger usual sizes, within their ranges, for furniture that must hold more than usual. REQUIRES: sizes are known.
 void normalize_hosts(NormalizeContext& context);
 
+// What is to be in or under something finds room there: furniture that is solid gets legs or an inside, guests of an assumed size are
+// smaller. REQUIRES: sizes are known.
+void normalize_guests(NormalizeContext& context);
+
 // The article of the user's that an object is: the one it names, else of its kind, the best by words, the least used; null for none.
 const CatalogEntry* choose_article(const NormalizeContext& context, const SceneObject& object);
 

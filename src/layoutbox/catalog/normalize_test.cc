@@ -31,6 +31,38 @@ TEST(NormalizeObjects, TakeTheirSizeFromTheCatalogue) {
   EXPECT_THAT(scene.notes, Contains(Field(&Note::pointer, "/furniture/0/dims")));
 }
 
+// Asked beats assumed: no size or shape of the catalogue's keeps a thing from where the text has it.
+TEST(NormalizeGuests, FurnitureIsRaisedAboveWhatIsToBeUnderIt) {
+  const SceneGraph scene = normalized(
+      scene_of({object("desk_1", "desk"), object("plant_1", "plant")}, {relation(RelationType::kUnder, {"plant_1"}, {"desk_1"})}));
+  const SceneObject &desk = scene.objects[0], &plant = scene.objects[1];
+  EXPECT_GT(desk.raised, 300);
+  EXPECT_LT(plant.size->least.height, desk.raised);
+  const std::vector<Space> spaces = spaces_of(desk, *catalog().find("desk"), desk.size->usual);
+  ASSERT_FALSE(spaces.empty());
+  EXPECT_EQ(spaces.back().name, kSpaceUnderIt);
+  EXPECT_EQ(spaces.back().max[2], desk.raised);
+}
+
+TEST(NormalizeGuests, WhatIsSaidToBeUnderSomethingElseOrNowhereLeavesItAsItIs) {
+  for (const RelationType type : {RelationType::kNextTo, RelationType::kOn}) {
+    const SceneGraph scene =
+        normalized(scene_of({object("desk_1", "desk"), object("book_1", "book")}, {relation(type, {"book_1"}, {"desk_1"})}));
+    EXPECT_EQ(scene.objects[0].raised, 0);
+    EXPECT_EQ(scene.objects[1].size, catalog().find("book")->size);
+  }
+}
+
+TEST(NormalizeGuests, AVesselIsHollowWhereSomethingIsInIt) {
+  const auto scene = [](const char* host) {
+    return normalized(scene_of({object("host", host), object("book_1", "book")}, {relation(RelationType::kIn, {"book_1"}, {"host"})}));
+  };
+  const SceneGraph jar = scene("jar");
+  EXPECT_TRUE(jar.objects[0].hollow);
+  EXPECT_LT(jar.objects[1].size->usual.width, 120);  // a book is 20 cm wide, the jar 12
+  EXPECT_FALSE(scene("nightstand").objects[0].hollow);
+}
+
 TEST(NormalizeObjects, WordsNarrowTheSize) {
   SceneObject king = object("bed_1", "bed"), tall = object("plant_1", "plant"), small = object("desk_1", "desk");
   king.name = "king size bed";

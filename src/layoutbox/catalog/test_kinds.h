@@ -23,6 +23,7 @@ inline const Catalog& catalog() {
      "standsOn": ["nightstand", "desk"], "shape": {"family": "lamp"}},
     {"id": "floor_lamp", "name": "floor lamp", "kindOf": "lamp", "size": {"w": 0.4, "d": 0.4, "h": [1.3, 1.6, 1.8]}, "shape": {"family": "lamp"}},
     {"id": "book", "name": "book", "mount": "surface", "size": {"w": 0.2, "d": 0.15, "h": 0.03}, "shape": {"family": "book"}},
+    {"id": "jar", "name": "jar", "traits": ["vessel"], "mount": "surface", "size": {"w": 0.12, "d": 0.12, "h": 0.2}, "shape": {"family": "jar"}},
     {"id": "towel", "name": "towel", "mount": "hung", "size": {"w": 0.5, "d": 0.05, "h": 0.7}, "shape": {"family": "cloth"}},
     {"id": "rug", "name": "rug", "thin": true, "size": {"w": 2.0, "d": 1.4, "h": 0.02}, "shape": {"family": "rug"}},
     {"id": "plant", "name": "plant", "size": {"w": 0.4, "d": 0.4, "h": [0.3, 0.8, 1.5]}, "hasFront": false, "shape": {"family": "plant"}},

@@ -37,7 +37,7 @@ std::optional<double> RetryPolicy::wait_after(TryOutcome outcome, std::optional<
   if (retries_ >= options_.max_retries) return std::nullopt;
   if (outcome == TryOutcome::kUnclear && quick_retries_ >= options_.max_quick_retries) return std::nullopt;
   const double doubled = options_.first_delay_s * std::pow(2.0, retries_);
-  double wait = std::min(doubled, options_.longest_delay_s) * std::uniform_real_distribution(0.75, 1.25)(random_);
+  double wait = std::min(doubled, options_.longest_delay_s) * (0.75 + random_.fraction() / 2);
   if (retry_after_s) wait = std::max(wait, *retry_after_s * 1.02 + 0.05);  // a little later rather than too early
   if (elapsed_s + wait >= options_.total_s) return std::nullopt;
   ++retries_;

@@ -3,9 +3,9 @@
 
 #include <cstdint>
 #include <optional>
-#include <random>
 #include <string>
 
+#include "layoutbox/base/random.h"
 #include "layoutbox/chat/http_client.h"
 
 namespace layoutbox::chat {
@@ -44,7 +44,7 @@ class RetryPolicy {
  private:
   RetryOptions options_;
   int retries_ = 0, quick_retries_ = 0;
-  std::mt19937_64 random_;
+  Random random_;
 };
 
 }  // namespace layoutbox::chat

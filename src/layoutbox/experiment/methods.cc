@@ -5,10 +5,10 @@
 #include <chrono>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <random>
 
 #include "layoutbox/base/bytes.h"
 #include "layoutbox/base/files.h"
+#include "layoutbox/base/random.h"
 #include "layoutbox/experiment/script_methods.h"
 #include "layoutbox/judge/room_file.h"
 #include "layoutbox/plan/llm/conversation.h"
@@ -79,12 +79,12 @@ Result<MethodResult> without_companions(const MethodInput& input, const Catalog&
 Result<MethodResult> at_random(const MethodInput& input, const Catalog& catalog) {
   LAYOUTBOX_ASSIGN(const Planned planned, plan_offline(input, catalog));
   SceneGraph scene = planned.scene;
-  std::mt19937_64 random(input.seed);
-  const auto between = [&](double low, double high) { return low + (high - low) * (static_cast<double>(random() % 100'001) / 100'000); };
+  Random random(input.seed);
+  const auto between = [&](double low, double high) { return low + (high - low) * random.fraction(); };
   Mm right = 0, back = 0;
   for (const Point& corner : scene.room.polygon) right = std::max(right, corner.x), back = std::max(back, corner.y);
   for (SceneObject& object : scene.objects) {
-    const double turn = static_cast<double>(random() % 4) * 90;
+    const double turn = static_cast<double>(random.below(4)) * 90;
     const Size size = object.size ? object.size->usual : Size{500, 500, 500};
     const bool across = turn == 90 || turn == 270;
     const double w = (across ? size.depth : size.width) / 2.0, d = (across ? size.width : size.depth) / 2.0;

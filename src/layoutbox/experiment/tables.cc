@@ -4,8 +4,9 @@
 #include <array>
 #include <iterator>
 #include <numeric>
-#include <random>
 #include <set>
+
+#include "layoutbox/base/random.h"
 
 namespace layoutbox::experiment {
 namespace {
@@ -42,12 +43,12 @@ std::optional<vlm::Estimate> measure_over(const Records& records, const std::str
     part += found->second.part, whole += found->second.whole;
   }
   if (tallies.empty()) return std::nullopt;
-  std::mt19937_64 random(1);
+  Random random(1);
   std::array<double, kResamples> shares{};
   for (double& share : shares) {
     double p = 0, w = 0;
     for (std::size_t i = 0; i < tallies.size(); ++i) {
-      const Tally& tally = tallies[random() % tallies.size()];
+      const Tally& tally = tallies[random.below(tallies.size())];
       p += tally.part, w += tally.whole;
     }
     share = p / w;
@@ -140,10 +141,10 @@ Spent spent_over(const Records& records) {
 std::optional<vlm::Estimate> mean_over(const std::vector<double>& values) {
   if (values.empty()) return std::nullopt;
   const double count = static_cast<double>(values.size());
-  std::mt19937_64 random(1);
+  Random random(1);
   std::array<double, kResamples> means{};
   for (double& mean : means) {
-    for (std::size_t i = 0; i < values.size(); ++i) mean += values[random() % values.size()] / count;
+    for (std::size_t i = 0; i < values.size(); ++i) mean += values[random.below(values.size())] / count;
   }
   std::sort(means.begin(), means.end());
   return vlm::Estimate{std::accumulate(values.begin(), values.end(), 0.0) / count, means[24], means[974]};

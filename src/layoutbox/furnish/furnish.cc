@@ -44,6 +44,16 @@ std::vector<FreeSpace> free_spaces(const PlacedObject& object, const CatalogEntr
   return spaces;
 }
 
+// Of what was raised onto legs: the spaces of its body as if that stood on the floor, and by how much it is raised, m.
+double lower_onto_floor(std::vector<FreeSpace>& spaces) {
+  const auto below = std::ranges::find(spaces, kSpaceUnderIt, &FreeSpace::name);
+  if (below == spaces.end()) return 0;
+  const double raised = below->box.max.z;
+  spaces.erase(below);
+  for (FreeSpace& space : spaces) space.box.min.z -= raised, space.box.max.z -= raised;
+  return raised;
+}
+
 Result<Node> object_node(const PlacedObject& object, const Catalog& catalog, const Layout* layout, Palette& palette, const Decor& decor,
                          const FurnishOptions& options) {
   const CatalogEntry& entry = catalog.entry_or_nearest(object.category);
@@ -58,8 +68,13 @@ Result<Node> object_node(const PlacedObject& object, const Catalog& catalog, con
     LAYOUTBOX_ASSIGN(Node node, own_mesh_node(object, material, palette, options));
     return placed(std::move(node));
   }
-  kit::Piece piece(object, entry, free_spaces(object, entry, layout), material, palette, decor, options.seed, options.contents);
+  std::vector<FreeSpace> spaces = free_spaces(object, entry, layout);
+  const double raised = lower_onto_floor(spaces);
+  PlacedObject body = object;
+  body.size.height -= static_cast<Mm>(std::lround(raised * 1000));
+  kit::Piece piece(body, entry, std::move(spaces), material, palette, decor, options.seed, options.contents);
   kit::family_or_generic(entry.shape.family)(piece);
+  if (raised > 0) piece.raise(raised);
   return placed(piece.take_node());
 }
 

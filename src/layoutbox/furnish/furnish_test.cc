@@ -107,6 +107,27 @@ TEST(Furnish, EveryVariantFillsItsBoxAndKeepsOutOfItsSpaces) {
   });
 }
 
+// A counter with a bin under it: what is solid by itself stands on legs.
+TEST(Furnish, WhatIsRaisedLeavesTheSpaceUnderItFree) {
+  FurnishOptions empty;
+  empty.contents = false;
+  for (const char* id : {"counter", "exam_table", "sideboard", "berth", "bookshelf", "workbench", "kitchen_sink"}) {
+    SCOPED_TRACE(id);
+    SceneObject said;
+    said.raised = 180;
+    PlacedObject object = object_of(id);
+    object.spaces = spaces_of(said, *catalog().find(id), object.size);
+    ASSERT_EQ(object.spaces.back().name, kSpaceUnderIt);
+    EXPECT_EQ(object.spaces.back().max[2], 180);
+    const Node node = furnished(object, empty).nodes.at(0);
+    const kit::Vec size = mesh_checks::bounds_of(node).size();
+    EXPECT_NEAR(size.x, object.size.width / 1000.0, 0.005);
+    EXPECT_NEAR(size.y, object.size.depth / 1000.0, 0.005);
+    EXPECT_NEAR(size.z, object.size.height / 1000.0, 0.005);
+    for (const Space& space : object.spaces) EXPECT_EQ(mesh_checks::intrusion(node, metres(space), 0.0015), "") << space.name;
+  }
+}
+
 TEST(Furnish, EveryMeshIsClosedFacesOutwardsAndIsOfSensibleSize) {
   for_every_piece([&](const PlacedObject& object) {
     const Model model = furnished(object);

@@ -15,15 +15,6 @@ std::uint64_t hash(std::string_view text, std::uint64_t seed) {
   return h;
 }
 
-// One step of splitmix64: the same numbers on every machine.
-std::uint64_t next(std::uint64_t& state) {
-  state += 0x9E3779B97F4A7C15ULL;
-  std::uint64_t z = state;
-  z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9ULL;
-  z = (z ^ (z >> 27)) * 0x94D049BB133111EBULL;
-  return z ^ (z >> 31);
-}
-
 std::string lower_words(std::string_view text) {
   std::string out;
   for (const char c : text) out += c == '_' || c == '-' ? ' ' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -70,7 +61,7 @@ Piece::Piece(const PlacedObject& object, const CatalogEntry& entry, std::vector<
       palette_(palette),
       decor_(decor_of_thing(decor, said_of(object))),
       contents_(contents),
-      random_state_(hash(object.id, seed)),
+      random_(hash(object.id, seed)),
       kind_seed_(hash(object.category, seed ^ decor.chance)) {
   std::vector<std::string> own_name = split(lower_words(object.category));
   for (const std::string& word : split(lower_words(entry.name))) own_name.push_back(word);
@@ -168,9 +159,9 @@ int Piece::variant(int n) const { return static_cast<int>((kind_seed_ >> 7) % st
 Color Piece::accent() const {
   static constexpr Color kAccents[] = {{0.36, 0.52, 0.66}, {0.55, 0.63, 0.50}, {0.74, 0.47, 0.36}, {0.80, 0.66, 0.38}, {0.50, 0.53, 0.58},
                                        {0.38, 0.50, 0.48}, {0.72, 0.62, 0.52}, {0.62, 0.40, 0.42}, {0.44, 0.46, 0.60}, {0.78, 0.74, 0.68}};
-  std::uint64_t state = kind_seed_;
-  if (!decor_.accents.empty()) return decor_.accents[next(state) % decor_.accents.size()];
-  return kAccents[next(state) % std::size(kAccents)];
+  Random random(kind_seed_);
+  if (!decor_.accents.empty()) return decor_.accents[random.below(decor_.accents.size())];
+  return kAccents[random.below(std::size(kAccents))];
 }
 
 int Piece::main_accent(std::string_view usual) {
@@ -208,6 +199,23 @@ void Piece::fit() {
   }
 }
 
+void Piece::raise(double by) {
+  constexpr double kLeg = 0.045, kFrame = 0.015;
+  const Pose up = moved(0, 0, by);
+  const auto most = std::ranges::max_element(meshes_, {}, [](const auto& m) { return m.second.indices.size(); });
+  if (most == meshes_.end()) return;
+  for (auto& [surface, mesh] : meshes_) mesh = posed(std::move(mesh), up);
+  for (Light& light : lights_) light.position[2] += static_cast<float>(by);
+  h += by;
+  add(most->first, box({{-w / 2, -d / 2, by}, {w / 2, d / 2, by + kFrame}}));  // what is narrower below stands on it
+  for (const double sx : {-1.0, 1.0}) {
+    for (const double sy : {-1.0, 1.0}) {
+      const double x = sx * (w / 2 - kLeg / 2), y = sy * (d / 2 - kLeg / 2);
+      add(most->first, box({{x - kLeg / 2, y - kLeg / 2, 0}, {x + kLeg / 2, y + kLeg / 2, by + 0.002}}));
+    }
+  }
+}
+
 void Piece::legs(int surface, double top, double thick, double inset, bool round, double taper_below) {
   if (top < 0.005) return;
   for (const double sx : {-1.0, 1.0}) {
@@ -232,8 +240,6 @@ void Piece::legs(int surface, double top, double thick, double inset, bool round
     }
   }
 }
-
-double Piece::random() { return static_cast<double>(next(random_state_) >> 11) * 0x1.0p-53; }
 
 Node Piece::take_node() {
   Node node;

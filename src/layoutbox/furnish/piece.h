@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "layoutbox/base/random.h"
 #include "layoutbox/catalog/catalog.h"
 #include "layoutbox/furnish/decor.h"
 #include "layoutbox/furnish/kit.h"
@@ -71,10 +72,12 @@ class Piece {
   void light(Vec position, double watts, double radius = 0.05);
   // Scales what was made so that it fills the body (for grown and free shapes only; the rest is built to size).
   void fit();
+  // Puts what was made so much higher, on legs at the corners of its box.
+  void raise(double by);
   // Four legs (or as many as stand free) under a rectangle, square or round, moved outwards where a space is in the way.
   void legs(int surface, double top, double thick, double inset, bool round = false, double taper = 1);
 
-  double random();  // [0, 1)
+  double random() { return random_.fraction(); }
   double random(double from, double to) { return from + (to - from) * random(); }
   int pick(int n) { return static_cast<int>(random() * n); }
 
@@ -92,7 +95,8 @@ class Piece {
   SurfaceWish wish_;                // what was said of the object, then what the catalogue says of its kind
   std::size_t said_materials_ = 0;  // so many of its materials were said
   std::string text_;
-  std::uint64_t random_state_, kind_seed_;
+  Random random_;
+  std::uint64_t kind_seed_;
   std::map<int, Mesh> meshes_;
   std::vector<Light> lights_;
 };

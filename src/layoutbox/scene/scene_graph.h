@@ -110,6 +110,9 @@ struct SceneObject {
   std::optional<std::vector<Side>> used_sides;  // normalised; empty vector: none
   std::vector<Space> spaces;                    // only where a file gave them; else the catalogue's formulas hold (catalog/spaces.h)
   bool spaces_given = false;
+  // How it is built where something is to be under or in it and its kind is solid there (catalog/normalize_guests.cc); not in files.
+  Mm raised = 0;        // so much is free below it, between legs
+  bool hollow = false;  // open above, with an inside
   PoseHint hint;
   bool fixed = false;  // stays at `hint` exactly (columns, built-ins, locked parts of an earlier layout)
   std::array<double, 3> scale{1, 1, 1};

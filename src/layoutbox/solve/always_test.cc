@@ -36,6 +36,22 @@ SceneGraph contradictions() {
   return maker.make(true);
 }
 
+// Of what is too much for the room as much stays as fits, whatever the seed: here three beds, two desks with their lamps or as good.
+TEST(Always, AsMuchStaysAsFits) {
+  SceneMaker maker(4000, 2000);
+  maker.add("single_bed", 3).add("desk", 3).add("table_lamp", 3).add("bookshelf").add("plant");
+  for (const char* n : {"1", "2", "3"}) maker.relate("on", {std::string("table_lamp_") + n}, {std::string("desk_") + n});
+  const SceneGraph scene = maker.make(true);
+  for (const std::uint64_t seed : {1, 2, 3, 4, 5}) {
+    SolveOptions options;
+    options.seed = seed;
+    const auto layout = solve(scene, Catalog::builtin(), options);
+    ASSERT_TRUE(layout) << layout.error().message;
+    expect_sound(*layout);
+    EXPECT_GE(layout->objects.size(), 7U) << "seed " << seed;
+  }
+}
+
 TEST(Always, TheClockNeverTurnsARoomIntoNone) {
   for (const double limit : {0.001, 0.05}) {
     SolveOptions options;

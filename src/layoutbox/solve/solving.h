@@ -104,6 +104,7 @@ class Solver {
   Result<bool> settle();
   Status take_what_fits();
   void drop_what_hangs_in_the_air();
+  void place_what_fits(const Model& trial, const std::vector<char>& given_up, std::uint64_t seed, double until);
   void place_openings_first(const Model& trial, const std::vector<char>& given_up);
   std::vector<char> all_wished(Model& trial) const;
   void keep_what_can_be(std::vector<int>& missed);

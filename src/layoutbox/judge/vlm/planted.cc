@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <random>
 
+#include "layoutbox/base/random.h"
 #include "layoutbox/verify/verify.h"
 
 namespace layoutbox::vlm {
@@ -87,8 +87,7 @@ std::vector<PlantedFault> plant_faults(const Layout& sound, const Catalog& catal
   if (sound.objects.empty() || !fault_in(sound, catalog).empty()) return faults;
   std::vector<std::size_t> order(sound.objects.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-  std::mt19937_64 random(seed);
-  for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random() % i]);
+  Random(seed).shuffle(order);
   for (const Kind& kind : kKinds) {
     for (const std::size_t i : order) {
       Layout layout = sound;

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <map>
-#include <random>
 #include <set>
 
+#include "layoutbox/base/random.h"
 #include "layoutbox/scene/json_text.h"
 #include "layoutbox/verify/verify.h"
 
@@ -15,12 +15,6 @@ namespace {
 
 constexpr std::size_t kDrawn = 4;       // relations that a multi-relation question is drawn from, as in the paper
 constexpr std::size_t kMostPairs = 40;  // objects that relations are read from, at most
-
-// std::shuffle and the distributions differ from library to library; this does not.
-template <class Item>
-void shuffle(std::vector<Item>& items, std::mt19937_64& random) {
-  for (std::size_t i = items.size(); i > 1; --i) std::swap(items[i - 1], items[random() % i]);
-}
 
 void replace_all(std::string& text, std::string_view from, const std::string& to) {
   for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size())) text.replace(at, from.size(), to);
@@ -135,8 +129,8 @@ class Drawer {
       if (placed.relation.asked()) own.push_back(placed.relation);
     }
     std::vector<Hop> asked = measured(layout_, catalog_, own), others = measured(layout_, catalog_, all_that_could_be_said(layout_));
-    shuffle(asked, random_);
-    shuffle(others, random_);
+    random_.shuffle(asked);
+    random_.shuffle(others);
     for (Hop& hop : asked) (hop.holds ? true_ : false_).push_back(std::move(hop));
     for (Hop& hop : others) (hop.holds ? true_ : false_).push_back(std::move(hop));
   }
@@ -202,12 +196,12 @@ class Drawer {
 
   void add_multi(int number) {
     std::vector<Hop> drawn = true_;
-    shuffle(drawn, random_);
+    random_.shuffle(drawn);
     std::vector<Hop> joined;
     for (std::size_t first = 0; first < drawn.size() && joined.size() < 2; ++first) joined = joined_from(drawn, first);
     if (joined.size() < 2) return;
-    joined.resize(2 + random_() % (joined.size() - 1));
-    const std::size_t changed = random_() % joined.size();
+    joined.resize(2 + random_.below(joined.size() - 1));
+    const std::size_t changed = random_.below(joined.size());
     const Hop* twin = false_twin(joined[changed]);
     if (twin == nullptr) return;
     add(fmt::format("m{}", number), QuestionKind::kMulti, joined);
@@ -218,7 +212,7 @@ class Drawer {
   const Layout& layout_;
   const Catalog& catalog_;
   const QuestionOptions& options_;
-  std::mt19937_64 random_;
+  Random random_;
   std::vector<Hop> true_, false_;
   std::set<std::string> used_;
   std::vector<RoomQuestion> questions_;

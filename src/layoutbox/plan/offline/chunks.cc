@@ -231,13 +231,18 @@ void Chunker::add_phrase(const PhraseMatch& phrase) {
   if (entering_) mean_hand(chunk);
   for (std::size_t i = first; i < first + phrase.length; ++i) {
     chunk.hang |= lexicon_.is(tokens_[i], Class::kHang);
-    chunk.placing |= lexicon_.is(tokens_[i], Class::kParticiple) || chunk.hang;
+    const bool placed = lexicon_.is(tokens_[i], Class::kParticiple) && tokens_[i].text != "left";  // "to the left of"
+    chunk.placing |= placed || chunk.hang;
   }
 }
 
 // "which bears a jug", "it bears two jars": a verb where something is brought in; elsewhere bears are animals.
 std::size_t Chunker::bears_thing() const {
-  const bool subject = previous() == ChunkKind::kNoun || previous() == ChunkKind::kAnd || previous() == ChunkKind::kRelative;
+  const bool in_place = previous() == ChunkKind::kRelation && chunks_.back().phrase.senses != nullptr &&
+                        std::ranges::any_of(*chunks_.back().phrase.senses, [](const PhraseSense& s) {
+                          return s.direction == PhraseSense::Direction::kAlone;  // "the table in the middle bears a jug"
+                        });
+  const bool subject = previous() == ChunkKind::kNoun || previous() == ChunkKind::kAnd || previous() == ChunkKind::kRelative || in_place;
   return tokens_[i_].text == "bears" && subject && thing_next(i_ + 1) ? 1 : 0;
 }
 

@@ -104,7 +104,9 @@ void RelationBuilder::add_content(const Link& link, const Mention& target, const
   const Mount mount = mount_of(thing);
   if (thing.entry != nullptr && thing.entry->thin && mount == Mount::kFloor) return each(R::kUnder);
   if (is_table(catalog_, host) && is_seat(catalog_, thing)) return add_seats(link, target.items, hosts);
-  const bool carried = may_carry(catalog_, host, thing) || (link.holding && shows(link));
+  // "a table crowded with bottles and an alembic": whatever it is, a table's top has it.
+  const bool on_table = is_table(catalog_, host) && !is_table(catalog_, thing) && mount == Mount::kFloor;
+  const bool carried = may_carry(catalog_, host, thing) || (link.holding && (shows(link) || on_table));
   const bool inside = holds_inside(host) || (says_inside(link) && has_inside(host));
   if (carried && !(mount == Mount::kWall && !link.holding)) return each(inside ? R::kIn : R::kOn);
   if (mount == Mount::kWall || mount == Mount::kCeiling) {
@@ -140,8 +142,12 @@ void RelationBuilder::add_hanging(const Link& link) {
                          r.type == R::kAgainstWall || r.type == R::kCenteredOnWall;
       return hangs && std::find(r.targets.begin(), r.targets.end(), id(item)) != r.targets.end();
     });
-    if (said) continue;
     const NounPhrase& noun = noun_of_item(item);
+    // "a telescope is mounted in the center of the room": on its floor.
+    const std::vector<std::size_t>& all = relations_of(id(item));
+    const bool amid = mount_of(noun) == Mount::kFloor &&
+                      std::ranges::any_of(all, [&](std::size_t r) { return scene_.relations[r].type == R::kCenterOfRoom; });
+    if (said || amid) continue;
     const bool ceiling = mount_of(noun) == Mount::kCeiling || (is_lamp(catalog_, noun) && mount_of(noun) != Mount::kWall);
     add(link, ceiling ? R::kOnCeiling : R::kOnWall, {id(item)}, {});
   }

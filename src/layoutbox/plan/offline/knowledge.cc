@@ -144,7 +144,7 @@ bool may_carry(const Catalog& catalog, const NounPhrase& host, const NounPhrase&
   }
   if (is_storage(host) || is_table(catalog, host)) return true;
   if (host.entry == nullptr) return true;
-  return host.entry->top_carries ||
+  return host.entry->top_carries || host.entry->is(Trait::kVessel) ||
          std::any_of(host.entry->spaces.begin(), host.entry->spaces.end(), [](const SpaceFormula& s) { return s.carries; });
 }
 

@@ -20,17 +20,23 @@ bool is_beside(R type) {
 
 }  // namespace
 
-// A shelf that is above something is one for the wall.
-bool RelationBuilder::has_wall_kind(const NounPhrase& noun) const {
-  return mount_of(noun) == Mount::kFloor && noun.exact && catalog_.find("wall_" + noun.entry->id) != nullptr;
+// What it is on a wall, where that is another kind: a shelf is a board there, a rug or a quilt a tapestry. Else null.
+const CatalogEntry* RelationBuilder::wall_kind(const NounPhrase& noun) const {
+  if (!noun.exact || mount_of(noun) == Mount::kWall) return nullptr;
+  const CatalogEntry* entry = catalog_.find("wall_" + noun.entry->id);
+  const bool cloth = noun.entry->thin || catalog_.is_a(noun.entry->id, "blanket");
+  return entry == nullptr && cloth ? catalog_.find("tapestry") : entry;
 }
+
+// A shelf that is above something is one for the wall.
+bool RelationBuilder::has_wall_kind(const NounPhrase& noun) const { return mount_of(noun) == Mount::kFloor && wall_kind(noun) != nullptr; }
 
 // A shelf under what hangs on the wall is a board there: its kind for the wall has nothing inside.
 bool RelationBuilder::is_board_under(const Relation& relation, const NounPhrase& noun) const {
   if (relation.type != R::kUnder || !has_wall_kind(noun) || relation.references.empty()) return false;
   const SceneObject* above = object_of(relation.references.front());
   if (above == nullptr || mount_of(noun_of_object(*above)) != Mount::kWall) return false;
-  const std::vector<SpaceFormula>& spaces = catalog_.find("wall_" + noun.entry->id)->spaces;
+  const std::vector<SpaceFormula>& spaces = wall_kind(noun)->spaces;
   return std::none_of(spaces.begin(), spaces.end(), [](const SpaceFormula& s) { return s.carries; });
 }
 
@@ -67,7 +73,7 @@ void RelationBuilder::specialise(SceneObject& object, const NounPhrase& noun, st
 
 void RelationBuilder::settle_on_wall(SceneObject& object, const NounPhrase& noun) {
   object.mount = Mount::kWall;
-  const CatalogEntry* on_wall = mount_of(noun) != Mount::kWall && noun.exact ? catalog_.find("wall_" + noun.entry->id) : nullptr;
+  const CatalogEntry* on_wall = wall_kind(noun);
   if (on_wall != nullptr) {
     object.category = on_wall->id;
     // A board has a top and no inside.

@@ -88,7 +88,25 @@ void NounPhraseReader::settle_object(const Part& head, std::size_t head_index) {
     phrase_.category = special->id;
   } else {
     phrase_.category = snake_case(called);  // the entry's, or the word for what is only like it
+    if (!phrase_.exact && (special == nullptr || special == phrase_.entry)) settle_modeled();
   }
+}
+
+// "four model buses", "a toy station": small, whatever size the real one has.
+void NounPhraseReader::settle_modeled() {
+  constexpr Mm kSmall = 600;
+  std::vector<std::string> words = phrase_.attributes;
+  for (std::size_t t = phrase_.first; t + 1 < i_; ++t) words.push_back(tokens_[t].text);
+  const auto telling = std::find_if(words.begin(), words.end(), is_kin_modifier);
+  if (telling == words.end()) return;
+  const Size& real = phrase_.entry->size.usual;
+  const bool listed = lexicon_.catalog().find(phrase_.category) != nullptr;
+  if (listed && std::max({real.width, real.depth, real.height}) <= kSmall) return;
+  const std::string called = *telling + " " + phrase_.head;
+  const CatalogEntry* small = kin_of(lexicon_.catalog(), called);
+  if (small == nullptr) return;
+  phrase_.entry = small;
+  phrase_.category = snake_case(called);
 }
 
 // What no list has: its category is its own name, which then is all that says what it is like ("plush narwhal").
@@ -101,10 +119,21 @@ void NounPhraseReader::settle_unknown() {
   phrase_.entry = kind != nullptr ? kind : kin_of(lexicon_.catalog(), called);
 }
 
+namespace {
+
+bool is_called(const CatalogEntry& entry, const std::string& words) {
+  return entry.name == words || std::find(entry.synonyms.begin(), entry.synonyms.end(), words) != entry.synonyms.end();
+}
+
+}  // namespace
+
 // "scissors", "a pair of glasses": one thing by two words, or by a plural. Returns the category's word.
 std::string_view NounPhraseReader::settle_pair(const Part& head) {
   const std::string word = text_of(tokens_, head.first, head.last);  // "wine glasses" are no "glasses"
-  const std::string_view meant = paired_ ? lexicon_.meant_by_pair(word) : std::string_view{};
+  std::string_view meant = paired_ ? lexicon_.meant_by_pair(word) : std::string_view{};
+  // "a pair of boots", "three pairs of skis": what is drawn as a pair is one thing.
+  const CatalogEntry* pair = paired_ && meant.empty() ? lexicon_.catalog().find_by_words("pair of " + word) : nullptr;
+  if (pair != nullptr && is_called(*pair, "pair of " + word)) meant = pair->id;
   // "dog scales", "garden shears"
   const bool one = lexicon_.is_plural_only(word) || lexicon_.is_plural_only(tokens_[head.last - 1].text) || !meant.empty();
   if (!one) return head.meaning.word;

@@ -293,6 +293,11 @@ NounPhraseReader::Opening NounPhraseReader::read_opening() {
     if (const Opening article = read_article(); article != Opening::kNothing) return article;
   }
   if (phrase_.determiner != Determiner::kDefinite && phrase_.determiner != Determiner::kNone) return Opening::kEnds;
+  if (phrase_.determiner == Determiner::kDefinite && at_word("same") && i_ + 1 < tokens_.size() &&
+      is_noun(noun_form(tokens_[i_ + 1].text)) && lexicon_.find_phrase(tokens_, i_ + 1).length == 0) {  // "on the same tabletop"
+    ++i_;
+    return Opening::kGoesOn;
+  }
   const Match other = lexicon_.find(tokens_, i_, Class::kOther);
   if (other.length == 0 || (phrase_.determiner != Determiner::kDefinite && !counted_ && !at_word("other"))) return Opening::kEnds;
   phrase_.determiner = Determiner::kOther;

@@ -162,6 +162,7 @@ class NounPhraseReader {
   std::size_t drop_thing(std::size_t& head);
   std::string_view settle_pair(const Part& head);
   void settle_unknown();
+  void settle_modeled();
   void settle_place(const Part& head);
   void read_of();
   void take_attributes(std::size_t until);

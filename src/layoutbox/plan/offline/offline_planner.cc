@@ -5,6 +5,8 @@
 #include "layoutbox/base/utf8.h"
 #include "layoutbox/base/words.h"
 #include "layoutbox/plan/offline/absent.h"
+#include "layoutbox/plan/offline/corrections.h"
+#include "layoutbox/plan/offline/courtesy.h"
 #include "layoutbox/plan/offline/forward_counts.h"
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/labels.h"
@@ -38,6 +40,7 @@ class OfflinePlanner final : public Planner {
     document.tokens = tokenize(prompt);
     end_last_sentence(document);
     correct_spelling(lexicon_, document.tokens, document.stop);
+    part_contractions(document.tokens);
     if (is_set(document.stop)) return stopped();
     if (std::none_of(document.tokens.begin(), document.tokens.end(), [](const Token& t) { return t.kind != Token::Kind::kPunctuation; })) {
       return fail(ErrorCode::kEmpty, "there is nothing in the prompt", {},
@@ -53,9 +56,12 @@ class OfflinePlanner final : public Planner {
     const std::vector<std::size_t> room_size_at = begins_of(document.readings, skip);
     read_seats_said(lexicon_, document, skip);
     read_labels(lexicon_, document, skip);
+    read_corrected_counts(lexicon_, document, skip);
+    read_courtesies(lexicon_, document, skip);
     const std::vector<WordReading> of_size = take_out(document, skip);
     document.chunks = chunk_tokens(lexicon_, document.tokens, document.stop);
     if (is_set(document.stop)) return stopped();
+    settle_corrected_places(document);
     settle_opening_sizes(document);
     settle_opening_walls(lexicon_, document);
     settle_absent(lexicon_, document);
@@ -87,7 +93,8 @@ class OfflinePlanner final : public Planner {
     note_unknown(document, plan.scene);
     note_left_out(lexicon_, document, plan.scene);
     for (std::size_t i = 0; i < document.tokens.size(); ++i) {
-      if (document.tokens[i].kind != Token::Kind::kPunctuation) plan.readings.push_back(std::move(document.readings[i]));
+      if (document.tokens[i].kind != Token::Kind::kPunctuation && document.tokens[i].begin < document.tokens[i].end)
+        plan.readings.push_back(std::move(document.readings[i]));
     }
     plan.readings.insert(plan.readings.end(), of_size.begin(), of_size.end());
     std::sort(plan.readings.begin(), plan.readings.end(), [](const WordReading& a, const WordReading& b) { return a.begin < b.begin; });

@@ -60,9 +60,11 @@ int References::fit(const NounPhrase& wanted, const NounPhrase& item) const {
   if (wanted.entry != nullptr && item.entry == wanted.entry && (wanted.exact || item.exact) && wanted.name.find(' ') == std::string::npos &&
       (item.exact || wanted.owner_word.empty()))
     return 2;
-  // "the bench" is the workbench.
+  // "the bench" is the workbench, "the table" no turntable.
   constexpr std::size_t kShortest = 5;
-  if (wanted.name.size() >= kShortest && item.head.size() > wanted.name.size() && item.head.ends_with(wanted.name)) return 1;
+  const bool other_mount = wanted.entry != nullptr && item.entry != nullptr && wanted.entry->mount != item.entry->mount;
+  if (!other_mount && wanted.name.size() >= kShortest && item.head.size() > wanted.name.size() && item.head.ends_with(wanted.name))
+    return 1;
   const bool same_head = wanted.head.ends_with(item.head) || item.head.ends_with(wanted.head);
   if (same_head && wanted.exact && item.exact && catalog.is_a(wanted.entry->id, item.entry->id) &&
       wanted.determiner == Determiner::kDefinite)

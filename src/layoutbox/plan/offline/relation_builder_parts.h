@@ -143,6 +143,7 @@ class RelationBuilder {
   std::string host_spoken_of(std::size_t index);
   std::size_t sentence_of(std::size_t token);
   bool only_small(const std::vector<std::string>& ids) const;
+  const CatalogEntry* wall_kind(const NounPhrase& noun) const;
   bool has_wall_kind(const NounPhrase& noun) const;
   bool is_board_under(const Relation& relation, const NounPhrase& noun) const;
   bool hangs_on_hooks(const std::string& object) const;

@@ -24,6 +24,9 @@ void RelationBuilder::add_each_other(const Link& link, const std::vector<int>& t
       add(link, sense->type, {id(targets[t])}, {id(targets[(t + targets.size() / 2) % targets.size()])}, *sense);
     return;
   }
+  // "three tables side by side" stand in a row.
+  if (sense->type == R::kNextTo && targets.size() > 2 && !in_pairs && mount_of(other) == Mount::kFloor)
+    add(link, R::kRow, ids(targets), {});
   for (std::size_t t = 1; t < targets.size(); t += in_pairs ? 2 : 1) {
     const std::string &one = id(targets[t - 1]), &next = id(targets[t]);
     if (sense->type == R::kStacked) {  // shelves on a wall are above each other, boxes stand on each other

@@ -1,6 +1,7 @@
 // One relation for each single thing: what a phrase means for these two, and what it says besides.
 #include <algorithm>
 
+#include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/relation_builder_parts.h"
 #include "layoutbox/plan/offline/room_reader.h"
@@ -17,6 +18,11 @@ void RelationBuilder::add_in_room(const Link& link, const PhraseSense& sense, co
     for (const int item : target.items) {
       if (mount_of(noun_of_item(item)) == Mount::kSurface) add(link, R::kOn, {id(item)}, {"floor"});
     }
+    return;
+  }
+  // "at the very center of the compartment": whatever the room is called
+  if ((sense.type == R::kIn || sense.type == R::kOn) && sense.part == "center") {
+    for (const int item : target.items) add(link, R::kCenterOfRoom, {id(item)}, {});
     return;
   }
   if (place.kind == NounKind::kRoom && (sense.type == R::kIn || sense.type == R::kOn || sense.type == R::kInside)) return;
@@ -333,6 +339,7 @@ bool RelationBuilder::holds_inside(const NounPhrase& host) const {
 
 bool RelationBuilder::has_inside(const NounPhrase& host) const {
   if (host.entry == nullptr) return is_storage(host);
+  if (host.entry->is(Trait::kVessel)) return true;
   return std::any_of(host.entry->spaces.begin(), host.entry->spaces.end(), [](const SpaceFormula& s) { return s.carries; });
 }
 

@@ -373,8 +373,67 @@ class Tokenizer {
   bool dashes_list_ = false;
 };
 
+// "an on-air lamp", "the on-call bed": one word, no place.
+bool joins_on(const Token& on, const Token& next) {
+  return on.text == "on" && next.glued && next.kind == Token::Kind::kWord && next.begin == on.end + 1;
+}
+
+// "two lamps, one left, one right of the bed", "the other right of it": on the left, on the right. Not "the left one".
+bool is_on_side(const std::vector<Token>& tokens, std::size_t at) {
+  const std::string &side = tokens[at].text, &before = tokens[at - 1].text;
+  if ((side != "left" && side != "right") || (before != "one" && before != "other")) return false;
+  if (at + 1 >= tokens.size()) return true;
+  const Token& next = tokens[at + 1];
+  return next.kind == Token::Kind::kPunctuation || next.text == "of" || next.text == "and";
+}
+
+// The same tokens with "on" where it is meant, and as a part of the word that it belongs to.
+std::vector<Token> settle_on(const std::vector<Token>& tokens) {
+  std::vector<Token> out;
+  out.reserve(tokens.size());
+  for (std::size_t i = 0; i < tokens.size(); ++i) {
+    if (i > 0 && is_on_side(tokens, i)) {
+      Token& on = out.emplace_back();
+      on.text = "on";
+      on.begin = on.end = tokens[i].begin;
+    }
+    if (i == 0 || i + 1 >= tokens.size() || !joins_on(tokens[i], tokens[i + 1])) {
+      out.push_back(tokens[i]);
+      continue;
+    }
+    Token& word = out.emplace_back(tokens[i + 1]);
+    word.text = "on-" + word.text;
+    word.begin = tokens[i].begin;
+    word.glued = false;
+    ++i;
+  }
+  return out;
+}
+
+// "the bin's under the sink": before where something is, 's is no possessive. But "the bed's near side", "mum's in-tray".
+bool says_where(const std::vector<Token>& tokens, std::size_t at) {
+  static constexpr std::string_view kPlain[] = {"under", "underneath", "beneath", "against",  "beside", "behind",
+                                                "above", "below",      "between", "opposite", "inside", "along"};
+  static constexpr std::string_view kWhere[] = {"near", "in", "on", "at", "by", "just", "right", "next", "to"};
+  const std::string& word = tokens[at].text;
+  if (at + 1 >= tokens.size()) return false;
+  const Token& next = tokens[at + 1];
+  if (std::find(std::begin(kPlain), std::end(kPlain), word) != std::end(kPlain)) return !next.glued;
+  if (std::find(std::begin(kWhere), std::end(kWhere), word) == std::end(kWhere)) return false;
+  static constexpr std::string_view kAfter[] = {"the", "a", "an", "my", "our", "his", "her", "their", "its", "it", "that", "this"};
+  const bool place = std::find(std::begin(kAfter), std::end(kAfter), next.text) != std::end(kAfter);
+  const bool two_words = (word == "next" && next.text == "to") || ((word == "right" || word == "just") && says_where(tokens, at + 1));
+  return !next.glued && (two_words || (place && word != "next" && word != "right" && word != "just"));
+}
+
 }  // namespace
 
-std::vector<Token> tokenize(std::string_view prompt) { return Tokenizer(prompt).run(); }
+std::vector<Token> tokenize(std::string_view prompt) { return settle_on(Tokenizer(prompt).run()); }
+
+void part_contractions(std::vector<Token>& tokens) {
+  for (std::size_t i = 1; i + 1 < tokens.size(); ++i) {
+    if (tokens[i].text == "'s" && says_where(tokens, i + 1)) tokens[i].text = "is";
+  }
+}
 
 }  // namespace layoutbox::offline

@@ -21,4 +21,7 @@ struct Token {
 // Splits a prompt. Hyphens within a word and possessive apostrophes part it ("bed's" → bed, 's). REQUIRES: valid UTF-8.
 std::vector<Token> tokenize(std::string_view prompt);
 
+// "the bin's under the sink": 's that is no possessive becomes "is". After spelling is corrected.
+void part_contractions(std::vector<Token>& tokens);
+
 }  // namespace layoutbox::offline

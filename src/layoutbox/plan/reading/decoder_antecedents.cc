@@ -76,7 +76,7 @@ double Decoder::antecedent_place_score(const State& state, Referent referent, Re
   const bool side = says(senses, RelationType::kLeftOf) || says(senses, RelationType::kRightOf);
   const bool lies = says(senses, RelationType::kOn) || says(senses, RelationType::kIn);
   const Referent owner = subject >= 0 ? host_of(state, subject) : kNobody;
-  if (subject >= 0 && referent == owner && side && small) score += weight::kOwnHost;
+  if (subject >= 0 && referent == owner && side) score += weight::kOwnHost;
   // "holds a laptop, with a mug to its left": of what stands on the same thing.
   const bool fellow = subject >= 0 && referent >= 0 && owner != kNobody && referent != owner && host_of(state, referent) == owner &&
                       read_as(state, referent).predicate != read_as(state, subject).predicate;

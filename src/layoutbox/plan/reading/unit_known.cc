@@ -59,7 +59,7 @@ bool UnitReader::takes_new_share(std::size_t k) const {
 }
 
 // "a monitor on a cart, cart in the corner", "pc on cart, cart by the door", "2 bins, 1 table. Table stands along a wall.": a single thing
-// that was named once and has no place of its own yet, spoken of again without an article to say where it is.
+// that was named once and has no place of its own yet, or was just called "the", spoken of again without an article to say where it is.
 bool UnitReader::speaks_again(std::size_t k) const {
   const NounPhrase& noun = chunk(k).noun;
   const bool bare =
@@ -77,6 +77,12 @@ bool UnitReader::speaks_again(std::size_t k) const {
     ++found;
   }
   if (found != 1 || chunk(one).noun.is_plural()) return false;
+  // "the kettle and the toaster stand on the counter, kettle left of the toaster"
+  const Determiner called = chunk(one).noun.determiner;
+  const bool called_the = called == Determiner::kDefinite || called == Determiner::kPossessive;
+  bool same_sentence = called_the;
+  for (std::size_t c = one; same_sentence && c < k; ++c) same_sentence = !is(c, ChunkKind::kStop);
+  if (same_sentence) return true;
   const bool reference = is(previous(one), ChunkKind::kRelation);
   if (units_.empty()) return reference || !tells(next(one));
   const bool just_named = units_.back().chunk == one && chunk(one).noun.determiner != Determiner::kNone;

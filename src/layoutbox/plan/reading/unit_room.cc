@@ -93,6 +93,13 @@ void UnitReader::mean_fabric(std::size_t k) {
   NounPhrase& noun = document_.chunks[k].noun;
   const bool shines =
       one_of(noun.head, {"light", "sun", "sunlight", "sunshine", "glow", "daylight"}) && noun.determiner == Determiner::kDefinite;
+  // "Cold light enters through the window"
+  const std::size_t verb = next(k);
+  const bool falls = one_of(noun.head, {"light", "sun", "sunlight", "sunshine", "daylight", "moonlight"}) && noun.count == 0 &&
+                     verb < document_.chunks.size() && chunk(verb).kind != ChunkKind::kNoun &&
+                     one_of(document_.tokens[chunk(verb).first].text,
+                            {"enters", "falls", "pours", "streams", "floods", "filters", "slants", "comes", "spills", "seeps", "shines"});
+  if (falls) noun.kind = NounKind::kAbstract;
   if (after_place() && shines && says(units_.back().direct, RelationType::kIn) && noun.name == noun.head && !is_named_before(k, noun.head))
     noun.kind = NounKind::kAbstract;  // "in the light"
   if (!after_place() || noun.kind != NounKind::kObject || noun.determiner != Determiner::kDefinite || noun.count > 0 || noun.of ||

@@ -72,25 +72,42 @@ void Solver::place_openings_first(const Model& trial, const std::vector<char>& g
   placements_ = std::move(now);
 }
 
-// The items that found no place are marked as left out. Errors: kInterrupted; kNotFound where a door has no place.
-Status Solver::take_what_fits() {
-  const bool late = stopped_by_clock_;
-  Model trial = model_;
-  const std::vector<char> given_up = all_wished(trial);
-  const double until = late ? seconds() + kGrace : options_.time_limit_s + kGrace;
-  Search search(trial, given_up, options_.seed, kAllSizes);
+// Everything where it goes, as far as it goes; what finds no place has none.
+void Solver::place_what_fits(const Model& trial, const std::vector<char>& given_up, std::uint64_t seed, double until) {
+  Search search(trial, given_up, seed, kAllSizes);
   Budget budget{0, kLeastSteps, [this, until] { return interrupted() || seconds() > until; }, false};
   const bool all = search.construct(left_out_, 0, budget);
   placements_ = search.placements();
   if (!all && !interrupted()) {  // the rest without a look at what is wished for, nor at the clock: these steps are few
     const Dependencies dependencies(trial);
-    QuickSearch quick(trial, dependencies, given_up, options_.seed, kAllSizes);
+    QuickSearch quick(trial, dependencies, given_up, seed, kAllSizes);
     Budget more{0, kLeastSteps, [this] { return interrupted(); }, false};
     quick.complete(placements_, left_out_, more);
   }
-  if (interrupted()) return fail(ErrorCode::kInterrupted, "stopped");
+  if (interrupted()) return;
   place_openings_first(trial, given_up);
   drop_what_hangs_in_the_air();
+}
+
+// The items that found no place are marked as left out. Errors: kInterrupted; kNotFound where a door has no place.
+Status Solver::take_what_fits() {
+  constexpr int kTries = 6;  // from unlike starts: with which most finds a place
+  const bool late = stopped_by_clock_;
+  Model trial = model_;
+  const std::vector<char> given_up = all_wished(trial);
+  const double until = late ? seconds() + kGrace : options_.time_limit_s + kGrace;
+  const Placements before = placements_;
+  Placements best;
+  std::ptrdiff_t most = -1;
+  for (int t = 0; t < (late ? 1 : kTries) && (best.empty() || seconds() < options_.time_limit_s); ++t) {
+    placements_ = before;
+    place_what_fits(trial, given_up, options_.seed + static_cast<std::uint64_t>(t), until);
+    if (interrupted()) return fail(ErrorCode::kInterrupted, "stopped");
+    const auto placed = std::ranges::count_if(placements_, [](const Placement& p) { return p.state >= 0; });
+    if (placed > most) most = placed, best = placements_;
+    if (placed == static_cast<std::ptrdiff_t>(placements_.size())) break;
+  }
+  placements_ = std::move(best);
   const std::string because = late ? "no layout of all that is asked for was found before the time was up"
                                    : "no layout was found in which all that is asked for holds together";
   Clash clash;

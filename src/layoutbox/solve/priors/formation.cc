@@ -103,8 +103,10 @@ class FormationPlace {
                           flat ? kBehindSeats : kWayAround, seats || flat ? kBehindSeats : kWayAround);
     };
     Formation form{0, 0, 0};
-    if (seats && ahead != 0 && of_.before > 0 && of_.columns == 0 && n <= kOneRow) form = formed(n, 10);
-    for (int tenths = 10; tenths > 0 && form.columns == 0; tenths -= 3) form = formed(asked, tenths);  // closer where the room is small
+    const bool one_row = seats && ahead != 0 && of_.before > 0 && of_.columns == 0 && n <= kOneRow;
+    for (const int in_row : {one_row ? n : asked, asked}) {
+      for (int tenths = 10; tenths > 0 && form.columns == 0; tenths -= 3) form = formed(in_row, tenths);  // closer in a small room
+    }
     return form;
   }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "layoutbox/base/random.h"
 #include "layoutbox/solve/objective/access.h"
 #include "layoutbox/solve/search/budget.h"
 #include "layoutbox/solve/search/candidate_grid.h"

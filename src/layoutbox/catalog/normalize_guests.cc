@@ -1,0 +1,124 @@
+// What is to be in or under a thing finds room there, where only the catalogue's sizes and shapes stand against it.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "layoutbox/catalog/normalize_steps.h"
+#include "layoutbox/catalog/trait_table.h"
+
+namespace layoutbox {
+namespace {
+
+constexpr Mm kStillUnder = 50;            // a bottom board so high is as good as the floor
+constexpr double kLeastShare = 0.3;       // of its least size, for a guest
+constexpr double kLeastShareUnder = 0.5;  // a smaller wardrobe is none
+constexpr double kMostRaised = 0.55;      // of its height, for what stands on legs
+constexpr double kMostRaisedSeat = 0.25;
+constexpr Mm kOverGuest = 40;
+
+// How much smaller than its least size a thing must be for a space of that size; 1: it fits.
+double share_that_fits(const Size& least, double width, double depth, double height) {
+  constexpr double kPlay = 4;
+  width -= kPlay, depth -= kPlay;
+  const double plan = std::max(std::min(width / least.width, depth / least.depth), std::min(width / least.depth, depth / least.width));
+  return std::min({plan, height / least.height, 1.0});
+}
+
+std::vector<Space> spaces_of_host(const CatalogEntry& entry, const SceneObject& host, Size& size) {
+  size = host.size_source == SizeSource::kCatalog ? host.size->greatest : host.size->usual;
+  size.height = host.size->usual.height;
+  return spaces_of(host, entry, size);
+}
+
+// To lie in one of the host's spaces, half of it below the top.
+double share_inside(const CatalogEntry& entry, const SceneObject& host, const Size& least) {
+  Size size;
+  double best = 0;
+  for (const Space& space : spaces_of_host(entry, host, size)) {
+    if (!space.carries) continue;
+    const bool open_above = space.max[2] >= size.height;
+    const double height = open_above ? 2 * (size.height - space.min[2]) : space.max[2] - space.min[2];
+    best = std::max(best, share_that_fits(least, space.max[0] - space.min[0], space.max[1] - space.min[1], height));
+  }
+  return best;
+}
+
+// To stand below it, between its legs or in what is open down to the floor.
+double share_under(const CatalogEntry& entry, const SceneObject& host, const Size& least) {
+  Size size;
+  double best = 0;
+  for (const Space& space : spaces_of_host(entry, host, size)) {
+    if (space.min[2] > kStillUnder || space.max[2] >= size.height) continue;
+    best = std::max(best, share_that_fits(least, space.max[0] - space.min[0], space.max[1] - space.min[1], space.max[2] - space.min[2]));
+  }
+  return best;
+}
+
+// A cabinet with a box under it stands on legs.
+void raise(NormalizeContext& context, const CatalogEntry& entry, SceneObject& host, const Size& guest) {
+  const bool seat = !entry.is(Trait::kBed) && (entry.is(Trait::kSeat) || entry.is(Trait::kEasySeat) || entry.is(Trait::kCenterPiece));
+  host.size->least.height = host.size->usual.height;
+  host.raised = std::min<Mm>(guest.height + kOverGuest, static_cast<Mm>((seat ? kMostRaisedSeat : kMostRaised) * host.size->least.height));
+  context.note("filled",
+               fmt::format("\"{}\" stands on legs of {}, so that something finds room under it", host.id, metres_text(host.raised)),
+               fmt::format("/furniture/{}/spaces", &host - context.scene.objects.data()));
+}
+
+bool may_be_raised(const CatalogEntry& entry, const SceneObject& host) {
+  const bool holds = entry.top_carries || std::ranges::any_of(entry.spaces, [](const SpaceFormula& space) { return space.carries; });
+  return holds && !entry.thin && !host.spaces_given && host.mesh.empty() && host.raised == 0 && host.mount == Mount::kFloor;
+}
+
+// To stand on top of it, where such things stand on the floor: a telescope on a desk leaves room for more.
+double share_on_top(const Catalog& catalog, const SceneObject& host, const SceneObject& guest) {
+  constexpr double kOfTop = 0.6;
+  constexpr Mm kTallest = 700;
+  const bool stands_on_floor = catalog.entry_or_nearest(guest.category).mount == Mount::kFloor && guest.mount == Mount::kSurface;
+  if (!stands_on_floor || catalog.entry_or_nearest(host.category).thin) return 1;
+  return share_that_fits(guest.size->least, kOfTop * host.size->usual.width, kOfTop * host.size->usual.depth, kTallest);
+}
+
+void shrink(NormalizeContext& context, SceneObject& guest, double share, const std::string& host) {
+  for (const auto side : {&Size::width, &Size::depth, &Size::height}) {
+    const Mm smaller = static_cast<Mm>(guest.size->least.*side * share);
+    guest.size->least.*side = guest.size->usual.*side = smaller;
+  }
+  context.note("filled",
+               fmt::format("\"{}\" is {} wide, smaller than usual, so that it finds room in, on or under \"{}\"", guest.id,
+                           metres_text(guest.size->usual.width), host),
+               fmt::format("/furniture/{}/dims", &guest - context.scene.objects.data()));
+}
+
+// What one relation says of a guest and the host that it names.
+void find_room(NormalizeContext& context, RelationType type, SceneObject& host, SceneObject& guest) {
+  const CatalogEntry& entry = context.catalog.entry_or_nearest(host.category);
+  const bool in = type == RelationType::kIn, under = type == RelationType::kUnder;
+  if (under && (guest.mount != Mount::kFloor || context.catalog.entry_or_nearest(guest.category).thin)) return;
+  if (in && entry.is(Trait::kVessel) && !host.spaces_given && share_inside(entry, host, guest.size->least) == 0) host.hollow = true;
+  if (under && may_be_raised(entry, host) && share_under(entry, host, guest.size->least) == 0)
+    raise(context, entry, host, guest.size->usual);
+  if (guest.size_source != SizeSource::kCatalog || !guest.catalog_id.empty()) return;
+  const double share = in      ? share_inside(entry, host, guest.size->least)
+                       : under ? share_under(entry, host, guest.size->least)
+                               : share_on_top(context.catalog, host, guest);
+  if (share < 1 && share >= (under ? kLeastShareUnder : kLeastShare)) shrink(context, guest, share, host.id);
+}
+
+}  // namespace
+
+void normalize_guests(NormalizeContext& context) {
+  SceneGraph& scene = context.scene;
+  for (const Relation& relation : scene.relations) {
+    const RelationType type = relation.type;
+    if (type != RelationType::kIn && type != RelationType::kUnder && type != RelationType::kOn) continue;
+    if (!relation.hard || relation.references.size() != 1) continue;
+    const auto host = std::ranges::find(scene.objects, relation.references.front(), &SceneObject::id);
+    if (host == scene.objects.end() || !host->size || host->mount == Mount::kWall || host->mount == Mount::kCeiling) continue;
+    for (SceneObject& guest : scene.objects) {
+      const bool named = std::ranges::find(relation.targets, guest.id) != relation.targets.end();
+      if (named && guest.size && &guest != &*host) find_room(context, type, *host, guest);
+    }
+  }
+}
+
+}  // namespace layoutbox
