@@ -185,7 +185,9 @@ test("a door is dragged along its wall and round a corner, a wall is drawn outwa
     const found = JSON.parse(sessionStorage.getItem("layoutbox.room")).layout.room.openings.find((one) => one.type === "door");
     return JSON.stringify([found.wall, found.offset]) !== text;
   }, JSON.stringify([was.wall, was.offset]));
-  await drag(page, await middle(id(page, `opening-${before.id}`)), 130, 0);
+  const from = await middle(id(page, `opening-${before.id}`));
+  const plan = await middle(id(page, "plan"));
+  await drag(page, from, 130 * Math.sign(plan.x - from.x), 0);
   await page.mouse.up();
   await changed(before);
   assert.deepEqual(await sound(page), []);
