@@ -44,11 +44,11 @@ double share_inside(const CatalogEntry& entry, const SceneObject& host, const Si
 }
 
 // To stand below it, between its legs or in what is open down to the floor.
-double share_under(const CatalogEntry& entry, const SceneObject& host, const Size& least) {
+double share_under(const CatalogEntry& entry, const SceneObject& host, const Size& least, Mm floor = kStillUnder) {
   Size size;
   double best = 0;
   for (const Space& space : spaces_of_host(entry, host, size)) {
-    if (space.min[2] > kStillUnder || space.max[2] >= size.height) continue;
+    if (space.min[2] > floor || space.max[2] >= size.height) continue;
     best = std::max(best, share_that_fits(least, space.max[0] - space.min[0], space.max[1] - space.min[1], space.max[2] - space.min[2]));
   }
   return best;
@@ -89,15 +89,31 @@ void shrink(NormalizeContext& context, SceneObject& guest, double share, const s
                fmt::format("/furniture/{}/dims", &guest - context.scene.objects.data()));
 }
 
+// A suitcase under a bed lies flat, where it does not stand there.
+void lay_down(const Catalog& catalog, const CatalogEntry& entry, const SceneObject& host, SceneObject& guest) {
+  const CatalogEntry& kind = catalog.entry_or_nearest(guest.category);
+  const Size& least = guest.size->least;
+  const bool portable = !kind.back_to_wall && !kind.top_carries && kind.spaces.empty() && !kind.is(Trait::kSeat) && !kind.is(Trait::kRound);
+  if (!portable || least.height <= std::min(least.width, least.depth) || share_under(entry, host, least) == 1) return;
+  const auto lie = [&](Size size) {
+    std::swap(size.height, least.width < least.depth ? size.width : size.depth);
+    return size;
+  };
+  if (share_under(entry, host, lie(least)) < 1) return;
+  guest.size = SizeRange{lie(guest.size->least), lie(guest.size->usual), lie(guest.size->greatest)};
+}
+
 // What one relation says of a guest and the host that it names.
 void find_room(NormalizeContext& context, RelationType type, SceneObject& host, SceneObject& guest) {
   const CatalogEntry& entry = context.catalog.entry_or_nearest(host.category);
-  const bool in = type == RelationType::kIn, under = type == RelationType::kUnder;
+  const bool in = type == RelationType::kIn, tucked = type == RelationType::kTuckedUnder;
+  const bool under = type == RelationType::kUnder || tucked;
   if (under && (guest.mount != Mount::kFloor || context.catalog.entry_or_nearest(guest.category).thin)) return;
   if (in && entry.is(Trait::kVessel) && !host.spaces_given && share_inside(entry, host, guest.size->least) == 0) host.hollow = true;
-  if (under && may_be_raised(entry, host) && share_under(entry, host, guest.size->least) == 0)
+  if (under && may_be_raised(entry, host) && share_under(entry, host, guest.size->least, tucked ? 0 : kStillUnder) == 0)
     raise(context, entry, host, guest.size->usual);
-  if (guest.size_source != SizeSource::kCatalog || !guest.catalog_id.empty()) return;
+  if (guest.size_source != SizeSource::kCatalog || !guest.catalog_id.empty() || tucked) return;
+  if (under) lay_down(context.catalog, entry, host, guest);
   const double share = in      ? share_inside(entry, host, guest.size->least)
                        : under ? share_under(entry, host, guest.size->least)
                                : share_on_top(context.catalog, host, guest);
@@ -110,10 +126,12 @@ void normalize_guests(NormalizeContext& context) {
   SceneGraph& scene = context.scene;
   for (const Relation& relation : scene.relations) {
     const RelationType type = relation.type;
-    if (type != RelationType::kIn && type != RelationType::kUnder && type != RelationType::kOn) continue;
+    const bool under = type == RelationType::kUnder || type == RelationType::kTuckedUnder;
+    if (type != RelationType::kIn && type != RelationType::kOn && !under) continue;
     if (!relation.hard || relation.references.size() != 1) continue;
     const auto host = std::ranges::find(scene.objects, relation.references.front(), &SceneObject::id);
-    if (host == scene.objects.end() || !host->size || host->mount == Mount::kWall || host->mount == Mount::kCeiling) continue;
+    if (host == scene.objects.end() || !host->size) continue;
+    if (type != RelationType::kIn && (host->mount == Mount::kWall || host->mount == Mount::kCeiling)) continue;
     for (SceneObject& guest : scene.objects) {
       const bool named = std::ranges::find(relation.targets, guest.id) != relation.targets.end();
       if (named && guest.size && &guest != &*host) find_room(context, type, *host, guest);

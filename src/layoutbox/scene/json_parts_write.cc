@@ -41,7 +41,10 @@ ordered_json json_of(const std::vector<Side>& sides) {
 
 ordered_json json_of(const Relation& relation) {
   const RelationParameters& p = relation.parameters;
-  ordered_json out{{"id", relation.id}, {"type", relation_row(relation.type).name}, {"targets", relation.targets}};
+  ordered_json out = ordered_json::object();
+  if (!relation.id.empty()) out["id"] = relation.id;
+  out["type"] = relation_row(relation.type).name;
+  out["targets"] = relation.targets;
   if (relation.references.size() == 1) out["relativeTo"] = relation.references.front();
   if (relation.references.size() > 1) out["relativeTo"] = relation.references;
   if (p.axis) out["axis"] = name_of(*p.axis);

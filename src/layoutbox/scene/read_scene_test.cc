@@ -180,6 +180,15 @@ TEST(PaperScene, NamesAreReadInAnyCase) {
   EXPECT_EQ(named.objects[0].mount, Mount::kFloor);
 }
 
+TEST(OwnScene, ARelationWithoutANameIsWrittenAsItWasRead) {
+  const auto scene = read_scene(R"({"room": {"width": 4, "depth": 3}, "furniture": [{"id": "bed", "category": "bed"}],
+    "constraints": [{"type": "againstWall", "targets": ["bed"]}]})");
+  ASSERT_TRUE(scene.has_value()) << scene.error().message;
+  const auto again = read_scene(write_scene(*scene));
+  ASSERT_TRUE(again.has_value()) << again.error().message;
+  EXPECT_EQ(again->relations, scene->relations);
+}
+
 TEST(PaperScene, MissingMembersAreMissing) {
   const SceneGraph scene = read({{"room", json::object()}, {"furniture", json::array()}});
   EXPECT_THAT(scene.room.polygon, IsEmpty());

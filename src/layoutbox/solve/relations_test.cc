@@ -100,6 +100,38 @@ TEST(Under, WhatPeopleKeepUnderThings) {
   }
 }
 
+// What stands the wrong way under a bed lies there, stools go under a bench that has a shelf, a parrot is in its hanging cage.
+TEST(Under, SuitcasesLieAndStoolsFindRoom) {
+  const auto held = [](SceneMaker& maker, const char* relation) {
+    const auto layout = solve(maker.make(), Catalog::builtin());
+    if (!layout) return false;
+    expect_sound(*layout);
+    return holds(*layout, relation);
+  };
+  EXPECT_TRUE(held(SceneMaker(5000, 4000).add("bunk_bed").add("suitcase").relate("under", {"suitcase_1"}, {"bunk_bed_1"}), "c1"));
+  EXPECT_TRUE(held(SceneMaker(5000, 4000).add("workbench").add("stool").relate("tuckedUnder", {"stool_1"}, {"workbench_1"}), "c1"));
+  SceneMaker cage(5000, 4000);
+  cage.add("bird_cage").mounted(Mount::kCeiling).add("bird").mounted(Mount::kSurface);
+  EXPECT_TRUE(held(cage.relate("onCeiling", {"bird_cage_1"}).relate("in", {"bird_1"}, {"bird_cage_1"}), "c2"));
+}
+
+// A bench has two long sides alike; one that is told to face something turns its front there, as anybody reads the layout.
+TEST(Facing, WhatHasNoFrontTurnsItsLongSideThere) {
+  for (const char* wall : {"wall1", "wall2", "wall3", "wall4"}) {
+    const auto layout = solve(SceneMaker(6000, 6000)
+                                  .add("bench")
+                                  .add("plinth")
+                                  .relate("centeredOnWall", {"plinth_1"}, {wall})
+                                  .relate("facing", {"bench_1"}, {"plinth_1"})
+                                  .make(),
+                              Catalog::builtin());
+    ASSERT_TRUE(layout);
+    const PlacedObject &bench = *layout->find_object("bench_1"), &plinth = *layout->find_object("plinth_1");
+    const double a = bench.rotation_deg * kPi / 180, dx = plinth.position[0] - bench.position[0], dy = plinth.position[1] - bench.position[1];
+    EXPECT_GT((std::sin(a) * dx - std::cos(a) * dy) / std::hypot(dx, dy), 0.8) << wall;
+  }
+}
+
 TEST(In, BasketsAndBoxesInShelves) {
   for (const char* shelf : {"bookshelf", "cube_shelf", "toy_shelf", "shelf"}) {
     const std::string r = shelf + std::string("_1");

@@ -23,9 +23,24 @@ bool Chunker::read_wishing() {
   bool helped = false;
   for (; verb + 1 < tokens_.size() && is_helping(verb); ++verb) helped |= !says_how_much(verb);
   if (helped) return read_helped_wish(verb);
-  if (!lexicon_.is_in("wishing", tokens_[verb].text) || !thing_next(verb + 1)) return false;
+  // "the sink I want near the door"
+  const bool told = previous() == ChunkKind::kNoun && chunks_.back().noun.kind == NounKind::kObject && !opens_noun(tokens_[verb + 1]);
+  if (told && (tokens_[verb].text == "want" || tokens_[verb].text == "need" || tokens_[verb].text == "like") &&
+      lexicon_.find_phrase(tokens_, verb + 1).length > 0) {
+    add(ChunkKind::kIgnored, verb + 1 - i_);
+    return true;
+  }
+  if (!thing_next(verb + 1) || (!lexicon_.is_in("wishing", tokens_[verb].text) && !owns_furniture(verb))) return false;
   add(ChunkKind::kThere, verb + 1 - i_);
   return true;
+}
+
+// "he also owns a rocking chair": a piece of furniture somebody has is there; a cat, a boat and a shop are told of.
+bool Chunker::owns_furniture(std::size_t verb) const {
+  static constexpr std::array<std::string_view, 5> kOwning = {"own", "owns", "owned", "possesses", "possessed"};
+  if (std::ranges::find(kOwning, tokens_[verb].text) == kOwning.end()) return false;
+  const auto thing = read_noun_phrase(lexicon_, tokens_, verb + 1, false);
+  return thing && thing->kind == NounKind::kObject && thing->exact && !lexicon_.catalog().is_a(thing->entry->id, "pet");
 }
 
 // "really", "probably", "rather": between what helps and the verb.

@@ -83,6 +83,7 @@ void Chunker::read() {
   const std::size_t denied = i_ + without;
   // "is no more than a step from it": how far.
   if (without > 1 && denied < tokens_.size() && (tokens_[denied].text == "more" || tokens_[denied].text == "further")) without = 0;
+  if (without > 0 && std::max(length_of(Class::kAtLeast), length_of(Class::kAtMost)) > without) without = 0;  // "no fewer than eight pots"
   if (read_there(without)) return;
   const bool counts = tokens_[i_].text == "over" || tokens_[i_].text == "at" || tokens_[i_].text == "more" || tokens_[i_].text == "exactly";
   const bool count_follows =

@@ -18,6 +18,7 @@ class LabelReader {
       read_code(i);
       read_address(i);
       read_count_signs(i);
+      read_sender(i);
     }
     read_closing();
   }
@@ -127,6 +128,15 @@ class LabelReader {
     if (times) skip_[i - 2] = skip_[i + 1] = true;
     static constexpr std::string_view kPieces[] = {"pcs", "pieces", "nos"};
     if (is_one_of(i + 1, kPieces) && !is_word(i + 2)) skip_[i + 1] = true;
+  }
+
+  // "From Jonas", a line of its own.
+  void read_sender(std::size_t i) {
+    constexpr std::size_t kMostNames = 3;
+    if (tokens_[i].text != "from" || !tokens_[i].capital || (i > 0 && !tokens_[i - 1].ends_sentence)) return;
+    std::size_t end = i + 1;
+    while (is_word(end) && tokens_[end].capital && lexicon_.find(tokens_, end, WordClass::kObject).length == 0) ++end;
+    if (end > i + 1 && end <= i + 1 + kMostNames && (end >= tokens_.size() || tokens_[end].ends_sentence)) leave_out(i, end, "who writes");
   }
 
   // The end of a letter: few words, of which the first say so.

@@ -34,13 +34,13 @@ bool NounPhraseReader::is_bodily_described() const {
 }
 
 // "; transceiver on the desk", "- sconce, mirror": a word that nobody knows where a thing is named without its article. Not the first
-// of the text, nor with a capital letter: those call somebody.
+// of the text, nor with a capital letter within a sentence: those call somebody.
 bool NounPhraseReader::is_unknown_subject(const Part& part) const {
   constexpr std::size_t kShortest = 5;  // shorter ones are rather said by the way
   const Token& word = tokens_[part.first];
-  if (part.last != part.first + 1 || part.first != phrase_.first || part.first == 0 || word.capital || word.text.size() < kShortest)
-    return false;
+  if (part.last != part.first + 1 || part.first != phrase_.first || part.first == 0 || word.text.size() < kShortest) return false;
   const Token& before = tokens_[part.first - 1];
+  if (word.capital && !(before.ends_sentence && lexicon_.find_phrase(tokens_, part.last).length > 0)) return false;
   if (before.kind != Token::Kind::kPunctuation && !lexicon_.is(before, Class::kAnd)) return false;
   if (lexicon_.find_phrase(tokens_, part.last).length > 0) return true;
   const bool listed = part.last + 1 < tokens_.size() && (tokens_[part.last].text == "," || lexicon_.is(tokens_[part.last], Class::kAnd));

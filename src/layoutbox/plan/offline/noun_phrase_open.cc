@@ -14,7 +14,23 @@ bool NounPhraseReader::read_count() {
   if (phrase_.determiner == Determiner::kOther && lexicon_.is(token(), Class::kIndefinite)) return false;
   // "2 m long", "120 cm wide", "five-foot", "4-seater" are no counts.
   if (take_size()) return true;
+  if (describes(i_)) return false;
   return token().kind == Token::Kind::kNumber ? read_digits() : read_number_word();
+}
+
+// "a 10 litre bucket", "a six burner stove", "two 40 watt lamps": a number of what the thing has, holds or takes.
+bool NounPhraseReader::describes(std::size_t at) const {
+  static constexpr std::string_view kUnits[] = {"litre", "liter", "litres", "liters", "l",  "ml",  "gallon", "gallons", "kg",  "kilo", "lb",
+                                                "watt",  "watts", "w",      "volt",   "hp", "bit", "pound",  "gram",    "amp", "quart"};
+  static constexpr std::string_view kCounting[] = {"one", "single", "dual", "twin", "double", "triple", "dozen", "hundred", "pair", "lone", "sole"};
+  if (at + 2 >= tokens_.size() || tokens_[at + 1].kind != Token::Kind::kWord || tokens_[at + 2].kind != Token::Kind::kWord) return false;
+  const bool digits = tokens_[at].kind == Token::Kind::kNumber;
+  if (!digits && lexicon_.find(tokens_, at, Class::kNumber).length != 1) return false;
+  if (std::find(std::begin(kCounting), std::end(kCounting), tokens_[at].text) != std::end(kCounting)) return false;
+  if (std::find(std::begin(kUnits), std::end(kUnits), tokens_[at + 1].text) != std::end(kUnits))
+    return tokens_[at + 2].text != "of" && lexicon_.find_phrase(tokens_, at + 2).length == 0;
+  if (phrase_.determiner != Determiner::kIndefinite || counted_ || plural_at(at + 1)) return false;
+  return is_noun(noun_form(tokens_[at + 1].text)) && lexicon_.find(tokens_, at + 2).length > 0 && !plural_at(at + 2);
 }
 
 bool NounPhraseReader::read_digits() {
@@ -27,6 +43,7 @@ bool NounPhraseReader::read_digits() {
   ++i_;
   // "2-3 chairs", "2 to 3": the smaller number, at least.
   if (more() && token().kind == Token::Kind::kNumber && hyphenated(i_)) ++i_, phrase_.at_least = true;
+  if (at_word("or")) read_upper_end();
   counted_ = true;
   return true;
 }
@@ -78,6 +95,11 @@ bool NounPhraseReader::is_no_count(const Match& best, bool is_number) const {
 void NounPhraseReader::read_upper_end() {
   if (!more() || i_ + 1 >= tokens_.size()) return;
   if (!at_word("to") && !at_word("or") && !(token().kind == Token::Kind::kPunctuation && token().text == "-")) return;
+  if (at_word("or") && (at_word("more", 1) || at_word("so", 1) || at_word("less", 1) || at_word("fewer", 1))) {
+    phrase_.at_least |= at_word("more", 1);
+    i_ += 2;
+    return;
+  }
   const Match upper = lexicon_.find(tokens_, i_ + 1, Class::kNumber);
   if (upper.length > 0) i_ += 1 + upper.length, phrase_.at_least = true;
 }
@@ -297,6 +319,13 @@ NounPhraseReader::Opening NounPhraseReader::read_opening() {
       is_noun(noun_form(tokens_[i_ + 1].text)) && lexicon_.find_phrase(tokens_, i_ + 1).length == 0) {  // "on the same tabletop"
     ++i_;
     return Opening::kGoesOn;
+  }
+  // "12 more board games", "two additional stools"
+  if (counted_ && (at_word("more") || at_word("additional") || at_word("extra") || at_word("further")) && i_ + 1 < tokens_.size() &&
+      tokens_[i_ + 1].kind == Token::Kind::kWord && lexicon_.find_phrase(tokens_, i_ + 1).length == 0) {
+    phrase_.determiner = Determiner::kAnother;
+    ++i_;
+    return Opening::kEnds;
   }
   const Match other = lexicon_.find(tokens_, i_, Class::kOther);
   if (other.length == 0 || (phrase_.determiner != Determiner::kDefinite && !counted_ && !at_word("other"))) return Opening::kEnds;

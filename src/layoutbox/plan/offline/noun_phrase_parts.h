@@ -88,6 +88,7 @@ class NounPhraseReader {
   bool take(WordClass word_class, Determiner determiner);
   bool number_follows(std::size_t length) const;
   bool read_count();
+  bool describes(std::size_t at) const;
   bool read_digits();
   bool read_number_word();
   bool is_no_count(const Match& best, bool is_number) const;

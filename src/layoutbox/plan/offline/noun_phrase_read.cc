@@ -30,7 +30,7 @@ bool NounPhraseReader::names_on(const Match& match) const {
   });
 }
 
-// "a wreath stand", "an owl perch": after "a" and one thing, a verb would have its -s; but "let a lamp stand".
+// "a wreath stand", "an owl perch", "the witness stand": after one thing a verb would have its -s; but "let a lamp stand".
 bool NounPhraseReader::names_after_one(const Match& match) const {
   static constexpr std::string_view kCausing[] = {"let", "make", "makes", "see", "watch", "have", "having"};
   const std::string& text = token().text;
@@ -39,7 +39,12 @@ bool NounPhraseReader::names_after_one(const Match& match) const {
   const std::string& named = tokens_[i_ - 1].text;  // "a truing stand", "a wig stand"
   const bool noun = parts_.back().word_class == Class::kObject ||
                     (parts_.back().word_class == Class::kFiller && (named.ends_with("ing") || is_noun(word_form(named))));
-  if (!noun || phrase_.determiner != Determiner::kIndefinite || phrase_.count != 0) return false;
+  // "; thurible stand, in a corner"
+  const bool item = phrase_.determiner == Determiner::kNone && bare_ && phrase_.first > 0 && tokens_[phrase_.first - 1].ends_sentence;
+  const bool told = phrase_.determiner == Determiner::kDefinite && phrase_.first > 0 && tokens_[phrase_.first - 1].kind == Token::Kind::kWord &&
+                    lexicon_.find_phrase(tokens_, phrase_.first - 1).length == 0;  // not "on the mantel stand a clock and a vase"
+  const bool one = phrase_.determiner == Determiner::kIndefinite || told || item;
+  if (!noun || !one || phrase_.count != 0) return false;
   if (plural_at(i_) || text.ends_with("ed") || text.ends_with("ing") || opens_at(i_ + 1)) return false;
   if (phrase_.first == 0) return true;
   const Token& before = tokens_[phrase_.first - 1];  // "a table and a lamp stand in the corner": of both
@@ -209,7 +214,7 @@ bool NounPhraseReader::read_other(const Match& match, bool noun_before) {
     if (const Meaning* meaning = meaning_of(match, word); meaning != nullptr && (named || bare_) && !noun_before)
       return add(word, *meaning, match.length, false);
   }
-  if (has(match, Class::kNumber) && i_ + 1 < tokens_.size() && (hyphenated(i_ + 1) || says_seats(i_ + 1)))  // "one-way", "two-tone"
+  if (has(match, Class::kNumber) && i_ + 1 < tokens_.size() && (hyphenated(i_ + 1) || says_seats(i_ + 1) || describes(i_)))  // "one-way", "two-tone"
     return add(Class::kQuality, {Class::kQuality, nullptr, nullptr, 0, {}}, 2, false);
   if (doubles_noun(i_)) return add(Class::kQuality, {Class::kQuality, nullptr, nullptr, 0, {}}, 1, false);
   // "every desk one chair": the next thing, counted.
@@ -246,7 +251,7 @@ bool NounPhraseReader::read_unlisted() {
   if (token().kind != Token::Kind::kWord) {
     // "55-inch", "2-seater": one adjective.
     if (token().kind == Token::Kind::kNumber && i_ + 1 < tokens_.size() && tokens_[i_ + 1].kind == Token::Kind::kWord &&
-        (hyphenated(i_ + 1) || says_seats(i_ + 1)))
+        (hyphenated(i_ + 1) || says_seats(i_ + 1) || describes(i_)))
       return add(Class::kQuality, {Class::kQuality, nullptr, nullptr, 0, {}}, 2, false);
     return false;
   }

@@ -8,6 +8,7 @@
 #include "layoutbox/plan/offline/corrections.h"
 #include "layoutbox/plan/offline/courtesy.h"
 #include "layoutbox/plan/offline/forward_counts.h"
+#include "layoutbox/plan/offline/inserts.h"
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/labels.h"
 #include "layoutbox/plan/offline/left_out.h"
@@ -16,6 +17,7 @@
 #include "layoutbox/plan/offline/purposes.h"
 #include "layoutbox/plan/offline/relation_builder.h"
 #include "layoutbox/plan/offline/room_reader.h"
+#include "layoutbox/plan/offline/said_counts.h"
 #include "layoutbox/plan/offline/spelling.h"
 #include "layoutbox/plan/offline/wishes.h"
 #include "layoutbox/plan/planner.h"
@@ -57,6 +59,7 @@ class OfflinePlanner final : public Planner {
     read_seats_said(lexicon_, document, skip);
     read_labels(lexicon_, document, skip);
     read_corrected_counts(lexicon_, document, skip);
+    read_said_counts(lexicon_, document, skip);
     read_courtesies(lexicon_, document, skip);
     const std::vector<WordReading> of_size = take_out(document, skip);
     document.chunks = chunk_tokens(lexicon_, document.tokens, document.stop);
@@ -65,6 +68,7 @@ class OfflinePlanner final : public Planner {
     settle_opening_sizes(document);
     settle_opening_walls(lexicon_, document);
     settle_absent(lexicon_, document);
+    settle_inserts(document);
     settle_purposes(lexicon_, document);
     settle_room_senses(lexicon_, document, room_size_at);
     settle_forward_counts(document);

@@ -76,6 +76,7 @@ class RelationBuilder {
   void add_single(const Link& link, PhraseSense sense, const Mention& target, const std::vector<int>& references, const Mention* place);
   void add_in_room(const Link& link, const PhraseSense& sense, const Mention& target, const NounPhrase& place);
   bool is_side_on(const Link& link, const PhraseSense& sense, const NounPhrase& thing, const NounPhrase& host) const;
+  bool says_top(const Link& link) const;
   void settle_sense(const Link& link, PhraseSense& sense, const Mention& target, const std::vector<int>& references) const;
   bool add_drawn_up(const Link& link, const PhraseSense& sense, const Mention& target, const std::vector<int>& references);
   bool add_before_seats(const Link& link, const PhraseSense& sense, const Mention& target, const std::vector<int>& references);

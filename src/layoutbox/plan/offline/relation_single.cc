@@ -50,6 +50,15 @@ bool RelationBuilder::is_side_on(const Link& link, const PhraseSense& sense, con
          mount_of(host) != Mount::kSurface;
 }
 
+// "on top of every locker", "atop".
+bool RelationBuilder::says_top(const Link& link) const {
+  for (std::size_t i = link.first; i < link.last; ++i) {
+    const std::string& word = document_.tokens[i].text;
+    if (word == "atop" || (word == "top" && i > 0 && document_.tokens[i - 1].text == "on")) return true;
+  }
+  return false;
+}
+
 // What the phrase comes to mean by what the two are and where the reference is.
 void RelationBuilder::settle_sense(const Link& link, PhraseSense& sense, const Mention& target, const std::vector<int>& references) const {
   const NounPhrase& host = noun_of_item(references.front());
@@ -58,6 +67,9 @@ void RelationBuilder::settle_sense(const Link& link, PhraseSense& sense, const M
     sense.part = sense.type == R::kLeftOf ? "left" : "right";
     sense.type = R::kOn;
   }
+  if (sense.type == R::kOn && sense.part.empty() && says_top(link) && host.entry != nullptr && host.entry->top_carries &&
+      std::ranges::any_of(host.entry->spaces, &SpaceFormula::carries))
+    sense.part = "top";  // of a locker, not in it
   if (sense.type == R::kOpposite && mount == Mount::kSurface && document_.tokens[link.first].text == "across" &&
       link.last - link.first <= 3 && mount_of(host) == Mount::kFloor && !link.implied)
     sense.type = R::kOn;  // "a tray across the tub"

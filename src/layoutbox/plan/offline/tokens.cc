@@ -305,6 +305,10 @@ class Tokenizer {
       take_with_short();
       return false;
     }
+    if (first.value == '+' && token.glued && after(Token::Kind::kNumber) && at_ + 1 < prompt_.size() && prompt_[at_ + 1] == ' ') {
+      at_ += 1;  // "5+ chairs"
+      return false;
+    }
     if (first.value == '+' && first.size == 1) {
       token.text = "and";
       at_ += 1;
@@ -316,6 +320,7 @@ class Tokenizer {
       if (at_ < prompt_.size() && lower(prompt_[at_]) == 's' && !letter_follows(at_ + 1)) ++at_;
       return true;
     }
+    if (take_leader(first, token)) return true;
     const std::size_t next = at_ + first.size;
     if ((first.value == '-' || first.value == '/') && token.glued && (letter_follows(next) || digit_at(next)) && !tokens_.empty() &&
         tokens_.back().end == at_ && tokens_.back().kind != Token::Kind::kPunctuation) {
@@ -335,6 +340,22 @@ class Tokenizer {
     } else if (first.value == '-' && !token.glued) {
       token.text = ",";
     }
+    return true;
+  }
+
+  // "Chair ........ 2", "and then… maybe a rug": dots that end no sentence, before what has no capital.
+  bool take_leader(const Letter& first, Token& token) {
+    constexpr std::size_t kFewest = 3;
+    const bool ellipsis = first.value == '.' && first.size > 1;
+    std::size_t end = at_;
+    while (end < prompt_.size() && letter_at(prompt_, end).value == first.value) end += letter_at(prompt_, end).size;
+    if ((first.value != '.' && first.value != '_') || (end - at_ < kFewest && !ellipsis)) return false;
+    std::size_t next = end;
+    while (next < prompt_.size() && prompt_[next] == ' ') ++next;
+    if (next >= prompt_.size() || !(digit_at(next) || (prompt_[next] >= 'a' && prompt_[next] <= 'z'))) return false;
+    at_ = end;
+    token.kind = Token::Kind::kPunctuation;
+    token.text = ",";
     return true;
   }
 
@@ -387,6 +408,16 @@ bool is_on_side(const std::vector<Token>& tokens, std::size_t at) {
   return next.kind == Token::Kind::kPunctuation || next.text == "of" || next.text == "and";
 }
 
+// "a vase, left without flowers", "left open": kept so, not a side.
+bool is_kept(const std::vector<Token>& tokens, std::size_t at) {
+  static constexpr std::string_view kState[] = {"without", "empty", "open", "bare", "unlocked", "ajar", "free", "untouched", "unfinished", "alone",
+                                                "clear"};
+  static constexpr std::string_view kSide[] = {"the", "its", "his", "her", "far", "on", "to"};
+  if (tokens[at].text != "left" || at == 0 || at + 1 >= tokens.size()) return false;
+  return std::find(std::begin(kState), std::end(kState), tokens[at + 1].text) != std::end(kState) &&
+         std::find(std::begin(kSide), std::end(kSide), tokens[at - 1].text) == std::end(kSide);
+}
+
 // The same tokens with "on" where it is meant, and as a part of the word that it belongs to.
 std::vector<Token> settle_on(const std::vector<Token>& tokens) {
   std::vector<Token> out;
@@ -399,6 +430,7 @@ std::vector<Token> settle_on(const std::vector<Token>& tokens) {
     }
     if (i == 0 || i + 1 >= tokens.size() || !joins_on(tokens[i], tokens[i + 1])) {
       out.push_back(tokens[i]);
+      if (is_kept(tokens, i)) out.back().text = "kept";
       continue;
     }
     Token& word = out.emplace_back(tokens[i + 1]);

@@ -27,7 +27,8 @@ double SenseScore::of_place(const PhraseSenses& senses, const NounPhrase& target
   if (stands_beside(sense->type) && mount_of(target) == Mount::kSurface && reference.kind == NounKind::kObject &&
       mount_of(reference) == Mount::kSurface)
     score += weight::kSmallTogether;
-  if (sense->type == RelationType::kIn && is_storage(reference)) score += weight::kInStorage;
+  const bool vessel = reference.entry != nullptr && reference.entry->is(Trait::kVessel);
+  if (sense->type == RelationType::kIn && (vessel || is_storage(reference))) score += weight::kInStorage;
   score += at_end(sense->type, reference);
   if (sense->type == RelationType::kAbove && reference.kind == NounKind::kObject) score += over(target, reference);
   if ((sense->type == RelationType::kEachSideOf || sense->type == RelationType::kNextTo) && stands_by(catalog_, target, reference))
@@ -40,6 +41,7 @@ double SenseScore::on_top(const NounPhrase& target, const NounPhrase& reference)
   double score = 0;
   if (small_host(reference)) score += weight::kSmallHost;
   if (on_soft(reference, target)) score += weight::kSoftHost;
+  if (one_of(reference.head, {"basket", "bucket", "bin", "cage", "jar", "bowl", "tub"})) score += weight::kSmallHost;  // in it, not on it
   if (has_hooks(reference) && is_textile(catalog_, target)) score += weight::kHungOnHook;
   return score;
 }

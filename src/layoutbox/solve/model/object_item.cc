@@ -258,6 +258,14 @@ Box beside(const Box& own, Side side, Mm from, Mm to, Mm height) {
   return strip;
 }
 
+// "A bench faces the plinth", "two tables face the judge": the long side of what has no front of its own looks there.
+bool told_to_look(const SceneGraph& scene, const Item& item) {
+  if (item.mount != Mount::kFloor || item.entry->thin || item.is(Trait::kRound)) return false;
+  return std::ranges::any_of(scene.relations, [&](const Relation& r) {
+    return r.type == RelationType::kFacing && r.hard && std::ranges::find(r.targets, item.id) != r.targets.end();
+  });
+}
+
 Item object_item(const SceneGraph& scene, const SceneObject& object, const Catalog& catalog, const ModelOptions& options,
                  const std::vector<RoomWall>& walls) {
   Item item;
@@ -266,7 +274,7 @@ Item object_item(const SceneGraph& scene, const SceneObject& object, const Catal
   item.entry = &catalog.entry_or_nearest(object.category);
   item.mount = mount_of(scene, object, *item.entry);
   item.usual_mount = object.mount.value_or(item.entry->mount);
-  item.has_front = item.entry->has_front;
+  item.has_front = item.entry->has_front || told_to_look(scene, item);
   item.thin = item.entry->thin && object.size->usual.height <= kThin && item.mount == Mount::kFloor && !rests_on_others(scene, object.id);
   item.curtain = item.is(Trait::kCurtain);
   item.fixed = object.fixed && object.hint.position.has_value();

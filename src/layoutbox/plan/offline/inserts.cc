@@ -1,0 +1,138 @@
+#include "layoutbox/plan/offline/inserts.h"
+
+#include <algorithm>
+#include <string_view>
+
+#include "layoutbox/plan/offline/english.h"
+#include "layoutbox/plan/offline/knowledge.h"
+
+namespace layoutbox::offline {
+namespace {
+
+class InsertReader {
+ public:
+  explicit InsertReader(Document& document) : document_(document), chunks_(document.chunks) {}
+
+  void run() {
+    for (std::size_t k = 0; k + 1 < chunks_.size(); ++k) {
+      read_insert(k);
+      read_quality(k);
+      read_degree(k);
+      read_only(k);
+      read_another(k);
+      read_perfect(k);
+    }
+  }
+
+ private:
+  bool is(std::size_t k, ChunkKind kind) const { return k < chunks_.size() && chunks_[k].kind == kind; }
+  bool is_thing(std::size_t k) const { return is(k, ChunkKind::kNoun) && chunks_[k].noun.kind == NounKind::kObject; }
+  std::string_view word(std::size_t k) const { return document_.tokens[chunks_[k].first].text; }
+  std::string_view last_word(std::size_t k) const { return document_.tokens[chunks_[k].last - 1].text; }
+
+  void pass_over(std::size_t first, std::size_t last, std::string_view role) {
+    for (std::size_t k = first; k < last; ++k) {
+      chunks_[k].kind = ChunkKind::kIgnored;
+      for (std::size_t i = chunks_[k].first; i < chunks_[k].last; ++i) {
+        document_.readings[i].use = WordReading::Use::kIgnored;
+        document_.readings[i].role = role;
+      }
+    }
+  }
+
+  bool begins_clause(std::size_t k) const {
+    while (k > 0 && is(k - 1, ChunkKind::kIgnored)) --k;
+    return k == 0 || is(k - 1, ChunkKind::kStop) || is(k - 1, ChunkKind::kAnd) || is(k - 1, ChunkKind::kClause);
+  }
+
+  // Names no thing and no place, or is a relative clause that names no new thing.
+  bool says_nothing(std::size_t first, std::size_t last) const {
+    const bool relative = is(first, ChunkKind::kRelative) || word(first) == "which" || word(first) == "where" || word(first) == "who";
+    for (std::size_t k = first; k < last; ++k) {
+      if (is(k, ChunkKind::kStop) || is(k, ChunkKind::kHave) || is(k, ChunkKind::kThere) || is(k, ChunkKind::kCommand)) return false;
+      if (is_thing(k) && !(relative && chunks_[k].noun.determiner == Determiner::kDefinite)) return false;
+      if (!relative && (is(k, ChunkKind::kRelation) || is(k, ChunkKind::kSoft))) return false;
+      if (is(k, ChunkKind::kNoun) && chunks_[k].noun.kind == NounKind::kMember) return false;
+    }
+    return true;
+  }
+
+  // "Behind the chair, humming, is a cabinet", "in the box, always, the cat", "behind the bench, which nobody minds, there is a chair".
+  void read_insert(std::size_t k) {
+    constexpr std::size_t kLongest = 9;  // chunks
+    if (!is(k, ChunkKind::kRelation) || !is(k + 1, ChunkKind::kNoun) || !is(k + 2, ChunkKind::kComma) || !begins_clause(k)) return;
+    std::size_t end = k + 3;
+    while (end < chunks_.size() && end < k + 3 + kLongest && !is(end, ChunkKind::kComma) && !is(end, ChunkKind::kStop)) ++end;
+    if (!is(end, ChunkKind::kComma) || end == k + 3 || !says_nothing(k + 3, end)) return;
+    const std::size_t next = end + 1;
+    const bool be = is(next, ChunkKind::kVerb) && is_thing(next + 1);
+    if (!be && !is(next, ChunkKind::kThere) && !is_thing(next)) return;
+    pass_over(k + 2, be || is(next, ChunkKind::kThere) ? end + 1 : end, "by the way");
+  }
+
+  // "in sherbet colours", "in a rustic style"; "covered in paper", "wrapped in felt": what it looks like.
+  void read_quality(std::size_t k) {
+    if (!is(k, ChunkKind::kRelation) || !is(k + 1, ChunkKind::kNoun) || k == 0) return;
+    const NounPhrase& noun = chunks_[k + 1].noun;
+    const bool shown = chunks_[k].last == chunks_[k].first + 1 && word(k) == "in" &&
+                       one_of(noun.head, {"color", "shade", "hue", "tone", "tint", "style", "finish", "pattern", "print", "fabric"});
+    const bool cover = one_of(word(k), {"covered", "coated", "wrapped", "clad", "upholstered", "padded", "bound", "painted", "dipped"});
+    const bool stuff = noun.kind == NounKind::kObject && noun.determiner == Determiner::kNone && noun.count == 0 && !noun.plural &&
+                       noun.name == noun.head && !noun.contents;
+    if (shown || (cover && stuff && one_of(last_word(k), {"in", "with", "by"}))) pass_over(k, k + 2, "attribute");
+  }
+
+  // "muddy to the axle", "kindest to seedlings": how far, or to whom, an adjective holds.
+  void read_degree(std::size_t k) {
+    if (k == 0 || !is(k, ChunkKind::kRelation) || !is(k + 1, ChunkKind::kNoun) || word(k) != "to" || last_word(k) != "to") return;
+    const std::string& before = document_.tokens[chunks_[k].first - 1].text;
+    if (is(k - 1, ChunkKind::kNoun) || is(k - 1, ChunkKind::kRelation) || word_form(before) != WordForm::kAdjective) return;
+    pass_over(k, k + 2, "attribute");
+  }
+
+  // "The only seat is a stool": the stool.
+  void read_only(std::size_t k) {
+    if (!is(k, ChunkKind::kNoun) || !is(k + 1, ChunkKind::kVerb) || !is(k + 2, ChunkKind::kNoun)) return;
+    const NounPhrase &noun = chunks_[k].noun, &named = chunks_[k + 2].noun;
+    if (noun.determiner != Determiner::kDefinite || named.determiner != Determiner::kIndefinite || !begins_clause(k)) return;
+    if (chunks_[k + 1].last != chunks_[k + 1].first + 1 || !one_of(word(k + 1), {"is", "was"})) return;
+    bool only = false;
+    for (std::size_t i = chunks_[k].first; i < chunks_[k].last; ++i) only = only || one_of(document_.tokens[i].text, {"only", "sole", "one"});
+    if (only && named.kind == NounKind::kObject) pass_over(k, k + 2, "what is said of it");
+  }
+
+  // "To the left of the bench stands a flag, to the right of the bench another": another flag.
+  void read_another(std::size_t k) {
+    if (k < 2 || !is(k, ChunkKind::kNoun) || chunks_[k].noun.kind != NounKind::kMember || chunks_[k].noun.subset) return;
+    if (chunks_[k].noun.determiner != Determiner::kAnother || !is(k - 1, ChunkKind::kNoun) || !is(k - 2, ChunkKind::kRelation)) return;
+    const bool over = is(k + 1, ChunkKind::kStop) || is(k + 1, ChunkKind::kComma) || is(k + 1, ChunkKind::kAnd);
+    for (std::size_t n = k - 2; over && n-- > 0 && !is(n, ChunkKind::kStop);) {
+      if (!is_thing(n) || (n > 0 && is(n - 1, ChunkKind::kRelation)) || !is_new(chunks_[n].noun)) continue;
+      NounPhrase same = chunks_[n].noun;
+      same.determiner = Determiner::kAnother;
+      same.count = 0;
+      same.first = chunks_[k].noun.first, same.last = chunks_[k].noun.last;
+      chunks_[k].noun = std::move(same);
+      return;
+    }
+  }
+
+  // "has found its place in the corner": found it.
+  void read_perfect(std::size_t k) {
+    if (!is(k, ChunkKind::kHave) || !one_of(word(k), {"has", "have", "had"}) || chunks_[k].last != chunks_[k].first + 1) return;
+    if (chunks_[k + 1].first == chunks_[k].last && one_of(word(k + 1), {"found", "taken", "earned", "made"})) pass_over(k, k + 1, "perfect");
+  }
+
+  static bool is_new(const NounPhrase& noun) {
+    return noun.determiner == Determiner::kIndefinite || (noun.determiner == Determiner::kNone && noun.count == 1);
+  }
+
+  Document& document_;
+  std::vector<Chunk>& chunks_;
+};
+
+}  // namespace
+
+void settle_inserts(Document& document) { InsertReader(document).run(); }
+
+}  // namespace layoutbox::offline

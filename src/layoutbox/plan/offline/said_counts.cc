@@ -1,0 +1,183 @@
+#include "layoutbox/plan/offline/said_counts.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "layoutbox/base/words.h"
+
+namespace layoutbox::offline {
+namespace {
+
+using Words = std::vector<std::string_view>;
+
+class SaidCounts {
+ public:
+  SaidCounts(const Lexicon& lexicon, Document& document, std::vector<bool>& skip)
+      : lexicon_(lexicon), tokens_(document.tokens), readings_(document.readings), skip_(skip) {}
+
+  void run() {
+    for (std::size_t i = 1; i < tokens_.size(); ++i) {
+      read_quantity(i);
+      read_leader(i);
+      read_shortened(i);
+      read_behind(i);
+      read_sum(i);
+    }
+  }
+
+ private:
+  bool is(std::size_t at, std::string_view text) const { return at < tokens_.size() && tokens_[at].text == text; }
+  bool is_one_of(std::size_t at, const Words& words) const {
+    return at < tokens_.size() && std::ranges::find(words, tokens_[at].text) != words.end();
+  }
+  bool is_count(std::size_t at) const {
+    return at < tokens_.size() && (tokens_[at].kind == Token::Kind::kNumber || lexicon_.is(tokens_[at], WordClass::kNumber));
+  }
+  bool is_word(std::size_t at) const { return at < tokens_.size() && tokens_[at].kind == Token::Kind::kWord; }
+  bool ends(std::size_t at) const { return at >= tokens_.size() || tokens_[at].kind == Token::Kind::kPunctuation; }
+  void leave_out(std::size_t first, std::size_t last) {
+    std::fill(skip_.begin() + static_cast<std::ptrdiff_t>(first), skip_.begin() + static_cast<std::ptrdiff_t>(last), true);
+  }
+  std::size_t past_signs(std::size_t at) const {
+    while (is_one_of(at, {":", ".", "=", ","})) ++at;
+    return at;
+  }
+
+  // "chairs, qty 4", "chair for guests ... quantity: 4": the number goes before its line's first word.
+  void read_quantity(std::size_t i) {
+    constexpr std::size_t kLongest = 8;  // words
+    if (!is_one_of(i, {"qty", "quantity", "qnty", "quant"})) return;
+    const std::size_t number = past_signs(i + 1);
+    if (number >= tokens_.size() || tokens_[number].kind != Token::Kind::kNumber) return;
+    std::size_t line = i;
+    while (line > 0 && i - line < kLongest && !tokens_[line - 1].ends_sentence && !is_count(line - 1) &&
+           !lexicon_.is(tokens_[line - 1], WordClass::kAnd))
+      --line;
+    leave_out(i, number);
+    if (line == i || !is_word(line) || lexicon_.is(tokens_[line], WordClass::kIndefinite)) return leave_out(number, number + 1);
+    if (is_one_of(i - 1, {",", ":"})) leave_out(i - 1, i);
+    const auto at = [](auto& all, std::size_t k) { return all.begin() + static_cast<std::ptrdiff_t>(k); };
+    std::rotate(at(tokens_, line), at(tokens_, number), at(tokens_, number + 1));
+    std::rotate(at(readings_, line), at(readings_, number), at(readings_, number + 1));
+    std::rotate(at(skip_, line), at(skip_, number), at(skip_, number + 1));
+  }
+
+  // "Chair ........ 2": chair x 2. "As many as six": six.
+  void read_leader(std::size_t i) {
+    constexpr std::size_t kFewest = 3;  // bytes
+    if (is_one_of(i, {"as"}) && is(i + 1, "many") && is(i + 2, "as") && is_count(i + 3)) leave_out(i, i + 3);
+    if (!is(i, ",") || tokens_[i].end - tokens_[i].begin < kFewest || !ends(i + 2)) return;
+    if (!is_word(i - 1) || i + 1 >= tokens_.size() || tokens_[i + 1].kind != Token::Kind::kNumber) return;
+    tokens_[i].text = "x";
+    tokens_[i].kind = Token::Kind::kWord;
+  }
+
+  // "min. 6", "4 no. chairs": no sentence ends there.
+  void read_shortened(std::size_t i) {
+    const bool bound = is_one_of(i, {"min", "max", "approx", "ca"}) && is(i + 1, ".") && is_count(i + 2);
+    if (bound) leave_out(i + 1, i + 2);
+    const bool numero = is_one_of(i, {"no", "nos", "pcs", "pc"}) && is(i + 1, ".") && tokens_[i - 1].kind == Token::Kind::kNumber;
+    const bool goes_on = is_one_of(i + 2, {","}) || (is_word(i + 2) && !tokens_[i + 2].capital);
+    if (numero) leave_out(i, goes_on ? i + 2 : i + 1);
+  }
+
+  // "chairs, minimum four", "glasses (six pieces)", "stools, 4 at the very most": the number alone.
+  void read_behind(std::size_t i) {
+    if (!is_count(i) || !is_word(i - 1)) {
+      if (!is_count(i) || !is_one_of(i - 1, {",", "(", ":"})) return;
+    }
+    static const Words kBefore{"minimum", "min", "maximum", "max"};
+    const bool bound = is_one_of(i - 1, kBefore) && i >= 2 && is_one_of(i - 2, {",", "(", ":"});
+    if (!bound && !is_one_of(i - 1, {",", "(", ":"})) return;
+    const std::size_t last = past_unit(i + 1);
+    if (!ends(last)) return;
+    if (bound) leave_out(i - 1, i);
+    leave_out(i + 1, last);
+  }
+
+  std::size_t past_unit(std::size_t at) const {
+    static const std::array<Words, 12> kUnits{{{"in", "number"}, {"at", "the", "very", "most"}, {"at", "the", "very", "least"},
+                                               {"at", "the", "most"}, {"at", "the", "least"}, {"at", "most"}, {"at", "least"},
+                                               {"pieces"}, {"pcs"}, {"units"}, {"max"}, {"min"}}};
+    for (const Words& unit : kUnits) {
+      std::size_t t = at;
+      while (t - at < unit.size() && is(t, unit[t - at])) ++t;
+      if (t - at == unit.size()) return t;
+    }
+    return at;
+  }
+
+  // Words that say a sum is to come ("so", "that makes", "for a total of"), before the number at `number`: where they begin, else `number`.
+  std::size_t sum_begins(std::size_t number) const {
+    static const std::array<Words, 13> kLeads{{{"for", "a", "total", "of"}, {"a", "total", "of"}, {"that", "makes"}, {"which", "makes"},
+                                               {"this", "makes"}, {"making"}, {"makes"}, {"that", "is"}, {"that", "'s"}, {"totaling"},
+                                               {"totalling"}, {"so"}, {"thus"}}};
+    for (const Words& lead : kLeads) {
+      if (number < lead.size() + 1) continue;
+      const std::size_t first = number - lead.size();
+      bool same = true;
+      for (std::size_t k = 0; k < lead.size(); ++k) same = same && tokens_[first + k].text == lead[k];
+      if (!same) continue;
+      const bool again = is_one_of(first - 1, {"so", "and"});
+      return again ? first - 1 : first;
+    }
+    return number;
+  }
+
+  std::size_t past_total(std::size_t at) const {
+    static const std::array<Words, 9> kTrails{{{"in", "total"}, {"in", "all"}, {"all", "in", "all"}, {"all", "told"}, {"all", "together"},
+                                               {"total"}, {"altogether"}, {"overall"}, {"totally"}}};
+    for (const Words& trail : kTrails) {
+      std::size_t t = at;
+      while (t - at < trail.size() && is(t, trail[t - at])) ++t;
+      if (t - at == trail.size()) return t;
+    }
+    return at;
+  }
+
+  // "…, so four chairs in all", "(that's 8 stools)": what was counted before, summed up.
+  void read_sum(std::size_t i) {
+    constexpr std::size_t kName = 3;  // words of what is counted
+    if (!is_count(i) || skip_[i]) return;
+    const std::size_t first = sum_begins(i);
+    const bool led = first < i && !is(first, "that") && is_word(first - 1);  // "a trolley so two trolleys and …"
+    if (first == 0 || (!led && !is_one_of(first - 1, {",", "(", "-", ":", "and"}))) return;
+    std::size_t noun = i + 1;
+    while (is_word(noun + 1) && noun < i + kName && !lexicon_.is(tokens_[noun + 1], WordClass::kAnd) && past_total(noun + 1) == noun + 1) ++noun;
+    if (!is_word(noun) || !is_plural(tokens_[noun].text)) return;
+    const std::size_t last = past_total(noun + 1);
+    if (!(ends(last) || (first < i && lexicon_.is(tokens_[last], WordClass::kAnd))) || (first == i && last == noun + 1) || !counted_before(first, singular_of(tokens_[noun].text))) return;
+    leave_out(first, last);
+  }
+
+  static bool is_plural(const std::string& word) { return singular_of(word) != word; }
+
+  // The thing was named in this sentence or the one before, with a number or for each of something.
+  bool counted_before(std::size_t first, const std::string& thing) const {
+    constexpr int kSentences = 2;
+    bool named = false, counted = false;
+    int sentences = 0;
+    for (std::size_t t = first; t-- > 0 && sentences < kSentences;) {
+      if (tokens_[t].ends_sentence) ++sentences;
+      const bool here = singular_of(tokens_[t].text) == thing;
+      if (here && t > 0 && is_one_of(t - 1, {"per", "each", "every"})) return false;  // "one stool per easel, six easels in all"
+      named = named || here;
+      counted = counted || (named && (is_count(t) || is_one_of(t, {"a", "an", "each", "every", "per", "either", "both"})));
+    }
+    return named && counted;
+  }
+
+  const Lexicon& lexicon_;
+  std::vector<Token>& tokens_;
+  std::vector<WordReading>& readings_;
+  std::vector<bool>& skip_;
+};
+
+}  // namespace
+
+void read_said_counts(const Lexicon& lexicon, Document& document, std::vector<bool>& skip) {
+  SaidCounts(lexicon, document, skip).run();
+}
+
+}  // namespace layoutbox::offline
