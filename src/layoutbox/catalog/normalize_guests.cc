@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "layoutbox/catalog/normalize_steps.h"
 #include "layoutbox/catalog/trait_table.h"
@@ -30,15 +31,18 @@ std::vector<Space> spaces_of_host(const CatalogEntry& entry, const SceneObject& 
   return spaces_of(host, entry, size);
 }
 
-// To lie in one of the host's spaces, half of it below the top.
-double share_inside(const CatalogEntry& entry, const SceneObject& host, const Size& least) {
+// To lie in one of the host's spaces, more than half of it below the top; so many side by side in all.
+double share_inside(const CatalogEntry& entry, const SceneObject& host, const Size& least, std::size_t guests) {
+  constexpr double kBelowTop = 0.6, kFilled = 0.7;
   Size size;
   double best = 0;
   for (const Space& space : spaces_of_host(entry, host, size)) {
     if (!space.carries) continue;
     const bool open_above = space.max[2] >= size.height;
-    const double height = open_above ? 2 * (size.height - space.min[2]) : space.max[2] - space.min[2];
-    best = std::max(best, share_that_fits(least, space.max[0] - space.min[0], space.max[1] - space.min[1], height));
+    const double height = open_above ? (size.height - space.min[2]) / kBelowTop : space.max[2] - space.min[2];
+    const double width = space.max[0] - space.min[0], depth = space.max[1] - space.min[1];
+    const double all = guests < 2 ? 1 : std::sqrt(kFilled * width * depth / (double(least.width) * least.depth * static_cast<double>(guests)));
+    best = std::max(best, std::min(all, share_that_fits(least, width, depth, height)));
   }
   return best;
 }
@@ -103,18 +107,36 @@ void lay_down(const Catalog& catalog, const CatalogEntry& entry, const SceneObje
   guest.size = SizeRange{lie(guest.size->least), lie(guest.size->usual), lie(guest.size->greatest)};
 }
 
+// So many things are said to be in it.
+std::size_t guests_in(const SceneGraph& scene, const SceneObject& host) {
+  std::size_t guests = 0;
+  for (const Relation& r : scene.relations) {
+    if (r.type == RelationType::kIn && r.references.size() == 1 && r.references.front() == host.id) guests += r.targets.size();
+  }
+  return guests;
+}
+
+// A crate that something stands on and nothing is in is closed, or stands upside down.
+void close_up(const CatalogEntry& entry, SceneObject& host) {
+  if (entry.shape.family != "box_container" || entry.top_carries || host.spaces_given || !host.mesh.empty()) return;
+  host.spaces_given = true;
+  host.spaces.clear();
+}
+
 // What one relation says of a guest and the host that it names.
 void find_room(NormalizeContext& context, RelationType type, SceneObject& host, SceneObject& guest) {
   const CatalogEntry& entry = context.catalog.entry_or_nearest(host.category);
   const bool in = type == RelationType::kIn, tucked = type == RelationType::kTuckedUnder;
   const bool under = type == RelationType::kUnder || tucked;
   if (under && (guest.mount != Mount::kFloor || context.catalog.entry_or_nearest(guest.category).thin)) return;
-  if (in && entry.is(Trait::kVessel) && !host.spaces_given && share_inside(entry, host, guest.size->least) == 0) host.hollow = true;
+  const std::size_t guests = guests_in(context.scene, host);
+  if (in && entry.is(Trait::kVessel) && !host.spaces_given && share_inside(entry, host, guest.size->least, 1) == 0) host.hollow = true;
+  if (type == RelationType::kOn && guests == 0) close_up(entry, host);
   if (under && may_be_raised(entry, host) && share_under(entry, host, guest.size->least, tucked ? 0 : kStillUnder) == 0)
     raise(context, entry, host, guest.size->usual);
   if (guest.size_source != SizeSource::kCatalog || !guest.catalog_id.empty() || tucked) return;
   if (under) lay_down(context.catalog, entry, host, guest);
-  const double share = in      ? share_inside(entry, host, guest.size->least)
+  const double share = in      ? share_inside(entry, host, guest.size->least, guests)
                        : under ? share_under(entry, host, guest.size->least)
                                : share_on_top(context.catalog, host, guest);
   if (share < 1 && share >= (under ? kLeastShareUnder : kLeastShare)) shrink(context, guest, share, host.id);

@@ -69,8 +69,8 @@ void add_space(Formula& f, const Model& model, int t, int r, const ItemSpace& sp
   for (Case* one : {&c, &outer}) {
     one->require_small(lo(t, 2) - low[2], 0);
     if (!space.open_above) one->require(high[2] - hi(t, 2));
-    if (!inside) continue;  // half of it below the top, and no wider than its host
-    one->require(2 * hi(r, 2) - 2 * lo(t, 2) - extent(t, 2));
+    if (!inside) continue;  // more than half of it below the top, and no wider than its host
+    one->require(5 * hi(r, 2) - 5 * lo(t, 2) - 3 * extent(t, 2));
     for (int axis = 0; axis < 2; ++axis) one->require(lo(t, axis) - lo(r, axis)).require(hi(r, axis) - hi(t, axis));
   }
   const std::vector<Mm>& sides = ref.states[0].constants;
