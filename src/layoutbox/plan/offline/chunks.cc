@@ -247,6 +247,11 @@ std::size_t Chunker::bears_thing() const {
   return tokens_[i_].text == "bears" && subject && thing_next(i_ + 1) ? 1 : 0;
 }
 
+// ", picture over the clock": no "picture a room".
+bool Chunker::is_picture() const {
+  return tokens_[i_].text == "picture" && i_ + 1 < tokens_.size() && lexicon_.find_phrase(tokens_, i_ + 1).length > 0;
+}
+
 // The longest of the words that may begin here; of equals the first.
 Chunker::Choice Chunker::longest(const PhraseMatch& phrase, std::size_t without) const {
   const ChunkKind before = previous();
@@ -254,7 +259,7 @@ Chunker::Choice Chunker::longest(const PhraseMatch& phrase, std::size_t without)
   const std::size_t filler = length_of(Class::kFiller);
   const std::array<Choice, 13> choices = {{
       {ChunkKind::kIgnored, filler > 1 ? filler : 0},  // "six in all", "three should do"
-      {ChunkKind::kCommand, clause_begins() ? length_of(Class::kCommand) : 0},
+      {ChunkKind::kCommand, clause_begins() && !is_picture() ? length_of(Class::kCommand) : 0},
       {ChunkKind::kWithout, without},
       {ChunkKind::kSoft, length_of(Class::kSoft)},
       {ChunkKind::kHave, std::max(length_of(Class::kHave), bears_thing())},

@@ -106,7 +106,8 @@ void RelationBuilder::add_content(const Link& link, const Mention& target, const
   if (is_table(catalog_, host) && is_seat(catalog_, thing)) return add_seats(link, target.items, hosts);
   // "a table crowded with bottles and an alembic": whatever it is, a table's top has it.
   const bool on_table = is_table(catalog_, host) && !is_table(catalog_, thing) && mount == Mount::kFloor;
-  const bool carried = may_carry(catalog_, host, thing) || (link.holding && (shows(link) || on_table));
+  const bool carried = may_carry(catalog_, host, thing) || (link.holding && (shows(link) || on_table)) ||
+                       (says_inside(link) && has_inside(host) && !is_heavy(catalog_, thing));
   const bool inside = holds_inside(host) || (says_inside(link) && has_inside(host));
   if (carried && !(mount == Mount::kWall && !link.holding)) return each(inside ? R::kIn : R::kOn);
   if (mount == Mount::kWall || mount == Mount::kCeiling) {

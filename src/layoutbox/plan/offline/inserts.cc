@@ -21,6 +21,7 @@ class InsertReader {
       read_only(k);
       read_another(k);
       read_perfect(k);
+      read_place_has(k);
     }
   }
 
@@ -121,6 +122,12 @@ class InsertReader {
   void read_perfect(std::size_t k) {
     if (!is(k, ChunkKind::kHave) || !one_of(word(k), {"has", "have", "had"}) || chunks_[k].last != chunks_[k].first + 1) return;
     if (chunks_[k + 1].first == chunks_[k].last && one_of(word(k + 1), {"found", "taken", "earned", "made"})) pass_over(k, k + 1, "perfect");
+  }
+
+  // "Either side of the window gets a bookshelf", "on the wall has one clock": there it is.
+  void read_place_has(std::size_t k) {
+    if (!is(k, ChunkKind::kRelation) || !is(k + 1, ChunkKind::kNoun) || !is(k + 2, ChunkKind::kHave) || !begins_clause(k)) return;
+    if (one_of(word(k + 2), {"has", "have", "gets", "get", "holds", "had"}) && is_thing(k + 3)) pass_over(k + 2, k + 3, "there");
   }
 
   static bool is_new(const NounPhrase& noun) {

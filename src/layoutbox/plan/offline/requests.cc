@@ -23,6 +23,12 @@ class RequestReader {
       read_weight(i);
       read_whose(i);
       read_not_but(i);
+      read_stranded(i);
+      read_left(i);
+      read_is_where(i);
+      read_back(i);
+      read_there(i);
+      read_position(i);
     }
   }
 
@@ -131,6 +137,70 @@ class RequestReader {
       leave_out(i, but + 1);
       if (i > 0 && tokens_[i - 1].text == ",") leave_out(i - 1, i);
       return;
+    }
+  }
+
+  // "The stool that the plant stands on is next to the window": with the plant on it
+  void read_stranded(std::size_t i) {
+    constexpr std::size_t kName = 4;  // words of what stands there
+    if (i == 0 || !is(i, {"that", "which"}) || !is_article(i + 1) || !lexicon_.is(tokens_[i + 1], WordClass::kDefinite)) return;
+    std::size_t verb = i + 2;
+    while (verb < i + 2 + kName && !ends(verb) && !is(verb, {"stands", "stand", "sits", "sit", "lies", "lie", "rests", "rest", "hangs", "hang"})) ++verb;
+    if (ends(verb) || verb == i + 2 || verb >= i + 2 + kName || !is(verb + 1, {"on", "in", "under", "above", "upon", "beside"})) return;
+    if (is_article(verb + 2) || verb + 2 >= tokens_.size()) return;
+    tokens_[i].text = "with";
+    std::swap(tokens_[verb].text, tokens_[verb + 1].text);
+    tokens_[verb + 1].text = "it";
+  }
+
+  // "Somebody left a bucket in front of the cabinet": put it there.
+  void read_left(std::size_t i) {
+    if (i == 0 || !is(i, {"left"}) || !is_article(i + 1) || lexicon_.is(tokens_[i + 1], WordClass::kPossessive)) return;
+    const bool who = lexicon_.is(tokens_[i - 1], WordClass::kDoer) ||
+                     is(i - 1, {"somebody", "someone", "has", "have", "had", "who", "he", "she", "they", "we", "i"});
+    if (!who) return;
+    tokens_[i].text = "put";
+    if (is(i - 1, {"somebody", "someone"})) leave_out(i - 1, i);
+  }
+
+  // "Far from the bed is where the desk ought to be": the desk
+  void read_is_where(std::size_t i) {
+    constexpr std::size_t kName = 8;  // tokens
+    if (!is(i, {"is", "are"}) || !is(i + 1, {"where"}) || !is_article(i + 2)) return;
+    std::size_t verb = i + 3;
+    while (verb < i + kName && !ends(verb) && !is(verb, {"ought", "should", "must", "has", "goes", "stands", "belongs", "lives", "sits", "is", "shall"})) ++verb;
+    std::size_t end = verb;
+    while (is(end, {"ought", "should", "must", "has", "goes", "stands", "belongs", "lives", "sits", "is", "shall", "to", "be", "stand", "go", "sit"})) ++end;
+    if (end == verb || !ends(end)) return;
+    leave_out(i, i + 2);
+    leave_out(verb, end);
+    if (tokens_[i - 1].text == ",") leave_out(i - 1, i);
+  }
+
+  // "The sofa's back is against the wall": the sofa is.
+  void read_back(std::size_t i) {
+    if (i == 0 || !is(i, {"'s"}) || !is(i + 1, {"back"}) || !is(i + 2, {"is", "are", "against", "pressed", "to", "touches", "faces"})) return;
+    leave_out(i, i + 2);
+    if (is(i + 2, {"touches", "faces"})) tokens_[i + 2].text = "against";
+  }
+
+  // "squeezed in there, right next to a plant": where that is follows.
+  void read_there(std::size_t i) {
+    if (is(i, {"in", "over", "up", "out"}) && is(i + 1, {"there"}) && (ends(i + 2) || is_place(i + 2))) {
+      leave_out(i, i + 2);
+      if (is(i + 2, {","}) && is_place(i + 3)) leave_out(i + 2, i + 3);
+    }
+  }
+
+  // "Item: bookcase. Position: adjacent to desk": the labels of a form
+  void read_position(std::size_t i) {
+    if (!is(i + 1, {":"}) || (i > 0 && !tokens_[i - 1].ends_sentence)) return;
+    if (is(i, {"item", "object", "thing", "piece"})) leave_out(i, i + 2);
+    if (!is(i, {"position", "location", "where", "placement", "place"}) || !is_place(i + 2)) return;
+    leave_out(i, i + 2);
+    if (i > 0) {
+      tokens_[i - 1].text = ",";
+      tokens_[i - 1].ends_sentence = false;
     }
   }
 
