@@ -55,9 +55,31 @@ std::size_t lead_of(const std::vector<Token>& tokens, std::size_t at) {
   return at;
 }
 
+// "two chairs, no wait, three, beside a table": the last number counts.
+void read_numbers_taken_back(const Lexicon& lexicon, Document& document, std::vector<bool>& skip) {
+  constexpr std::size_t kBack = 8;  // tokens
+  std::vector<Token>& tokens = document.tokens;
+  for (std::size_t i = 1; i < tokens.size(); ++i) {
+    const std::size_t marker = tokens[i - 1].text == "," ? marker_at(tokens, i) : 0;
+    std::size_t number = i + marker;
+    while (marker > 0 && number < tokens.size() && tokens[number].text == ",") ++number;
+    if (marker == 0 || number + 1 >= tokens.size() || !is_count(lexicon, tokens[number]) || tokens[number + 1].kind != Token::Kind::kPunctuation)
+      continue;
+    std::size_t counted = i - 1;
+    while (counted > 0 && counted + kBack > i && !is_count(lexicon, tokens[counted])) --counted;
+    if (!is_count(lexicon, tokens[counted])) continue;
+    tokens[counted].text = tokens[number].text;
+    tokens[counted].kind = tokens[number].kind;
+    tokens[counted].number = tokens[number].number;
+    std::fill(skip.begin() + static_cast<std::ptrdiff_t>(i) - 1, skip.begin() + static_cast<std::ptrdiff_t>(number) + 2, true);
+    if (tokens[number + 1].ends_sentence) skip[number + 1] = false;
+  }
+}
+
 }  // namespace
 
 void read_corrected_counts(const Lexicon& lexicon, Document& document, std::vector<bool>& skip) {
+  read_numbers_taken_back(lexicon, document, skip);
   std::vector<Token>& tokens = document.tokens;
   for (std::size_t i = 1; i + 2 < tokens.size(); ++i) {
     if (!makes(tokens, i) || !is_count(lexicon, tokens[i + 2])) continue;

@@ -16,6 +16,7 @@
 #include "layoutbox/plan/offline/people.h"
 #include "layoutbox/plan/offline/purposes.h"
 #include "layoutbox/plan/offline/relation_builder.h"
+#include "layoutbox/plan/offline/relatives.h"
 #include "layoutbox/plan/offline/requests.h"
 #include "layoutbox/plan/offline/room_reader.h"
 #include "layoutbox/plan/offline/said_counts.h"
@@ -63,6 +64,7 @@ class OfflinePlanner final : public Planner {
     read_said_counts(lexicon_, document, skip);
     read_courtesies(lexicon_, document, skip);
     read_requests(lexicon_, document, skip);
+    part_relatives(lexicon_, document, skip);
     const std::vector<WordReading> of_size = take_out(document, skip);
     document.chunks = chunk_tokens(lexicon_, document.tokens, document.stop);
     if (is_set(document.stop)) return stopped();

@@ -4,6 +4,8 @@
 #include <initializer_list>
 #include <string_view>
 
+#include "layoutbox/plan/offline/english.h"
+
 namespace layoutbox::offline {
 namespace {
 
@@ -29,6 +31,11 @@ class RequestReader {
       read_back(i);
       read_there(i);
       read_position(i);
+      read_said_by(i);
+      read_neither(i);
+      read_elided(i);
+      if (is(i, {"apiece"})) tokens_[i].text = "each";
+      if (are(i, {"as", "to"}) && is_article(i + 2) && begins(i)) tokens_[i + 1].text = "for";  // "As to the lamp, leave it …"
     }
   }
 
@@ -202,6 +209,48 @@ class RequestReader {
       tokens_[i - 1].text = ",";
       tokens_[i - 1].ends_sentence = false;
     }
+  }
+
+  bool begins(std::size_t at) const { return at == 0 || tokens_[at - 1].ends_sentence; }
+
+  // "Mum says the plants must stand under the window", "my wife insists that …": what is said.
+  void read_said_by(std::size_t i) {
+    constexpr std::size_t kWho = 4;  // words
+    if (!begins(i)) return;
+    bool person = false;
+    for (std::size_t at = i; at < i + kWho && !ends(at); ++at) {
+      if (is(at, {"says", "said", "thinks", "insists", "reckons", "suggests"}) && person && at > i) {
+        if (is_article(at + 1) || is(at + 1, {"that"})) leave_out(i, at + (is(at + 1, {"that"}) ? 2 : 1));
+        return;
+      }
+      person = person || lexicon_.is_person(tokens_[at].text) || lexicon_.is(tokens_[at], WordClass::kDoer) ||
+               word_form(tokens_[at].text) == WordForm::kPerson;
+    }
+  }
+
+  // "Neither the sofa nor the cabinet may block the window": both are there.
+  void read_neither(std::size_t i) {
+    constexpr std::size_t kReach = 12;  // tokens
+    if (!is(i, {"neither"}) || !is_article(i + 1)) return;
+    std::size_t nor = i + 2;
+    while (nor < i + kReach && !ends(nor) && !is(nor, {"nor"})) ++nor;
+    std::size_t may = nor;
+    while (may < nor + kReach && !ends(may) && !is(may, {"may", "should", "must", "can", "shall", "will", "is", "are"})) ++may;
+    if (!is(nor, {"nor"}) || ends(may)) return;
+    std::size_t end = may;
+    while (!ends(end) && !is(end, {"but"})) ++end;
+    leave_out(i, i + 1);
+    leave_out(may, end);
+    tokens_[nor].text = "and";
+  }
+
+  // "My father's chair stands by the window, my mother's by the bookcase": another one.
+  void read_elided(std::size_t i) {
+    if (i == 0 || !lexicon_.is(tokens_[i], WordClass::kPossessive) || !is(i + 2, {"'s"}) || !is_place(i + 3)) return;
+    if (tokens_[i - 1].text != "," && !is(i - 1, {"and"})) return;
+    tokens_[i].text = "another";
+    tokens_[i + 1].text = "one";
+    leave_out(i + 2, i + 3);
   }
 
   const Lexicon& lexicon_;
