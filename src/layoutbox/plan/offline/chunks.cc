@@ -194,6 +194,8 @@ bool Chunker::read_noun(bool bare) {
                           !chunks_.back().noun.wall_word.empty() && lexicon_.find(tokens_, i_, Class::kObject).length > 0;
   const bool after_noun = bare && previous() == ChunkKind::kNoun && !chunks_.back().noun.owner && !after_which && !after_wall;
   if (after_noun && !lexicon_.is(tokens_[i_], Class::kWallWord)) return false;
+  // "for the one who watches": after "who" a verb.
+  if (bare && i_ > 0 && tokens_[i_ - 1].text == "who" && may_be_verb(tokens_[i_].text)) return false;
   auto noun = read_noun_phrase(lexicon_, tokens_, i_, bare);
   if (!noun || noun->last <= i_) return false;
   if (after_noun && noun->kind != NounKind::kWall && noun->kind != NounKind::kCorner) return false;

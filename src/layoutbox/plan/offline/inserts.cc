@@ -18,6 +18,8 @@ class InsertReader {
       read_insert(k);
       read_quality(k);
       read_degree(k);
+      read_own_feet(k);
+      read_one_of_named(k);
       read_only(k);
       read_another(k);
       read_perfect(k);
@@ -81,6 +83,27 @@ class InsertReader {
     const bool stuff = noun.kind == NounKind::kObject && noun.determiner == Determiner::kNone && noun.count == 0 && !noun.plural &&
                        noun.name == noun.head && !noun.contents;
     if (shown || (cover && stuff && one_of(last_word(k), {"in", "with", "by"}))) pass_over(k, k + 2, "attribute");
+  }
+
+  // "waits on its legs", "stands on its wheels": how it stands, not where.
+  void read_own_feet(std::size_t k) {
+    if (!is(k, ChunkKind::kRelation) || !is(k + 1, ChunkKind::kNoun) || word(k) != "on" || last_word(k) != "on") return;
+    const NounPhrase& noun = chunks_[k + 1].noun;
+    const bool feet = one_of(noun.head, {"leg", "foot", "wheel", "castor", "caster", "hinge", "rocker", "tripod", "haunch"});
+    if (feet && (noun.determiner == Determiner::kPossessive || noun.count > 0)) pass_over(k, k + 2, "attribute");
+  }
+
+  // "two candlesticks, one candlestick to the left of the clock, the other to its right": one of them.
+  void read_one_of_named(std::size_t k) {
+    if (!is_thing(k) || k == 0 || !is(k - 1, ChunkKind::kComma) || chunks_[k].noun.count != 1 || !is(k + 1, ChunkKind::kRelation)) return;
+    bool other = false;
+    for (std::size_t n = k + 1; n < chunks_.size() && !is(n, ChunkKind::kStop); ++n)
+      other = other || (is(n, ChunkKind::kNoun) && chunks_[n].noun.kind == NounKind::kMember && chunks_[n].noun.determiner == Determiner::kOther);
+    for (std::size_t n = k; other && n-- > 0 && !is(n, ChunkKind::kStop);) {
+      if (!is_thing(n) || chunks_[n].noun.head != chunks_[k].noun.head || chunks_[n].noun.count < 2) continue;
+      chunks_[k].noun.kind = NounKind::kMember;
+      return;
+    }
   }
 
   // "muddy to the axle", "kindest to seedlings": how far, or to whom, an adjective holds.

@@ -86,9 +86,33 @@ void RelationBuilder::settle_on_wall(SceneObject& object, const NounPhrase& noun
   if (is_lamp(catalog_, noun) && mount_of(noun) != Mount::kWall) specialise(object, noun, {"wall_lamp", "sconce"});
 }
 
+// "four cushions around the low table", "a floor globe": they lie and stand on the floor, whatever such things mostly do.
+bool RelationBuilder::settle_on_floor(SceneObject& object, const NounPhrase& noun) {
+  const auto says = [&](std::string_view word) { return std::ranges::find(noun.attributes, word) != noun.attributes.end(); };
+  const bool floor = noun.name.starts_with("floor ") || says("floor-standing") || says("freestanding") || says("free-standing");
+  const bool cushion = noun.exact && noun.entry->id == "pillow" && std::ranges::any_of(relations_of(object.id), [&](std::size_t r) {
+    const R type = scene_.relations[r].type;
+    return type == R::kAround || type == R::kSurround;
+  });
+  if (mount_of(noun) != Mount::kSurface || (!floor && !cushion)) return false;
+  const auto is_on = [&](const Relation& r) { return r.type == R::kOn && std::ranges::find(r.targets, object.id) != r.targets.end(); };
+  for (const std::size_t r : relations_of(object.id)) {
+    if (is_on(scene_.relations[r]) && scene_.relations[r].origin == Origin::kAsked) return false;
+  }
+  for (Relation& relation : scene_.relations) {
+    if (!is_on(relation)) continue;
+    relation.type = R::kNear;
+    relation.hard = false;
+  }
+  object.mount = Mount::kFloor;
+  if (cushion) object.category = "floor_cushion";
+  return true;
+}
+
 void RelationBuilder::settle_mount(std::size_t index) {
   SceneObject& object = scene_.objects[index];
   const NounPhrase& noun = document_.items[index].noun;
+  if (settle_on_floor(object, noun)) return;
   const Held held = how_held(object, noun);
   // "a bench with a lamp above it": a lamp for tables stands on nothing there.
   const bool over = held.above && !held.supported && !held.wall && mount_of(noun) == Mount::kSurface && is_lamp(catalog_, noun);

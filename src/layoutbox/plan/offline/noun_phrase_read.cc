@@ -218,7 +218,10 @@ bool NounPhraseReader::read_other(const Match& match, bool noun_before) {
     return add(Class::kQuality, {Class::kQuality, nullptr, nullptr, 0, {}}, 2, false);
   if (doubles_noun(i_)) return add(Class::kQuality, {Class::kQuality, nullptr, nullptr, 0, {}}, 1, false);
   // "every desk one chair": the next thing, counted.
-  const bool counts_next = noun_before && counts_thing(i_ + 1);
+  const bool names_next = noun_before && parts_.back().word_class == Class::kObject && i_ + 1 < tokens_.size() &&
+                          tokens_[i_ + 1].kind == Token::Kind::kWord && is_noun(noun_form(tokens_[i_ + 1].text)) &&
+                          lexicon_.find_phrase(tokens_, i_ + 1).length == 0;  // "on this table one pack of paper"
+  const bool counts_next = noun_before && (names_next || counts_thing(i_ + 1));
   const bool after_plural = noun_before && !parts_.empty() && parts_.back().plural;  // "of the two benches one has a cushion"
   // "one on the left of the screen one on the right": the second of two.
   constexpr std::size_t kBack = 10;

@@ -126,6 +126,7 @@ class RelationBuilder {
   bool is_only_table(std::size_t index) const;
   const NounPhrase& noun_of_object(const SceneObject& object) const;
   // How a thing is held where the relations say otherwise than its kind.
+  bool settle_on_floor(SceneObject& object, const NounPhrase& noun);
   void settle_mount(std::size_t index);
   // What the relations say of how it is held; `beside`: by what stands on the floor.
   struct Held {
