@@ -19,6 +19,7 @@ class LabelReader {
       read_address(i);
       read_count_signs(i);
       read_sender(i);
+      read_time(i);
     }
     read_closing();
   }
@@ -128,6 +129,15 @@ class LabelReader {
     if (times) skip_[i - 2] = skip_[i + 1] = true;
     static constexpr std::string_view kPieces[] = {"pcs", "pieces", "nos"};
     if (is_one_of(i + 1, kPieces) && !is_word(i + 2)) skip_[i + 1] = true;
+  }
+
+  // "stopped at 3:10", "from 9:30 pm"
+  void read_time(std::size_t i) {
+    static constexpr std::string_view kAt[] = {"at", "until", "till", "from", "by", "before", "after", "to"};
+    static constexpr std::string_view kHalf[] = {"am", "pm", "a", "p", "h", "hrs"};
+    if (!is_number(i) || i + 2 >= tokens_.size() || tokens_[i + 1].text != ":" || !is_number(i + 2) || tokens_[i + 2].text.size() != 2) return;
+    if (tokens_[i].number > 24 || tokens_[i + 2].number > 59 || tokens_[i + 2].begin != tokens_[i + 1].end) return;
+    leave_out(i > 0 && is_one_of(i - 1, kAt) ? i - 1 : i, is_one_of(i + 3, kHalf) ? i + 4 : i + 3, "a time");
   }
 
   // "From Jonas", a line of its own.

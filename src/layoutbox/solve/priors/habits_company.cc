@@ -107,7 +107,14 @@ bool Habits::stand_beside(int item) {
     for (const RelationType how : {RelationType::kInFrontOf, RelationType::kAlongSide}) {
       if (related_as_target(item, host, how) && sit_in_row(item, host, how)) return true;
     }
-    if (related_as_target(item, host, RelationType::kAtFootOf) && self.states[0].size.height <= kLowAtFoot) come_near(item, host);
+    if (related_as_target(item, host, RelationType::kAtFootOf) && self.states[0].size.height <= kLowAtFoot) {
+      come_near(item, host);
+      if (self.has_front && model_.items[host].has_front) turn_as(item, host);  // its back to the bed
+    }
+    // Who sits behind a bench or a counter looks over it.
+    const Item& desk = model_.items[host];
+    const bool sat_behind = self.is(Trait::kEasySeat) && desk.has_front && (desk.is(Trait::kTable) || desk.is(Trait::kDeskLike) || desk.is(Trait::kCounter));
+    if (sat_behind && related_as_target(item, host, RelationType::kBehind)) turn_as(item, host);
   }
   std::vector<int> hosts = items_of_kinds(self.entry->beside, item);
   std::erase_if(hosts, [&](int h) { return model_.items[h].thin || area_of(model_.items[h]) <= area_of(self); });
