@@ -41,7 +41,8 @@ double share_inside(const CatalogEntry& entry, const SceneObject& host, const Si
     const bool open_above = space.max[2] >= size.height;
     const double height = open_above ? (size.height - space.min[2]) / kBelowTop : space.max[2] - space.min[2];
     const double width = space.max[0] - space.min[0], depth = space.max[1] - space.min[1];
-    const double all = guests < 2 ? 1 : std::sqrt(kFilled * width * depth / (double(least.width) * least.depth * static_cast<double>(guests)));
+    const double all =
+        guests < 2 ? 1 : std::sqrt(kFilled * width * depth / (double(least.width) * least.depth * static_cast<double>(guests)));
     best = std::max(best, std::min(all, share_that_fits(least, width, depth, height)));
   }
   return best;

@@ -27,7 +27,7 @@ constexpr double kMostCovered = 0.32;
 constexpr double kMostUsed = 0.58;
 // … and at least this share of an ordinary room's, down to so much of its area: few things are lost in a room for many.
 constexpr double kLeastUsed = 0.3, kSmallestShare = 0.42, kSmallestArea = 12e6;  // mm²
-constexpr double kShareOfWindow = 0.5, kShareOfWideWindow = 0.75;  // of the longest wall
+constexpr double kShareOfWindow = 0.5, kShareOfWideWindow = 0.75;                // of the longest wall
 constexpr Mm kWidestWindow = 3000, kBetweenUnderWindow = 100;
 constexpr Point kGridWay{350, 850};  // free between the columns and rows of a grid
 
@@ -183,7 +183,9 @@ class RoomNormalizer {
     const double factor = word == std::end(kRoomWords) ? 1.0 : word->factor;
     // A tiny room is smaller than an ordinary one for as little, and fuller.
     const bool may_shrink = (room_.size_word.empty() || factor < 1) && used > 0;
-    const double least = may_shrink ? std::sqrt(std::clamp(used * factor / kLeastUsed / area, std::min(1.0, std::max(kSmallestShare, factor * kSmallestArea / area)), 1.0)) : 1.0;
+    const double least = may_shrink ? std::sqrt(std::clamp(used * factor / kLeastUsed / area,
+                                                           std::min(1.0, std::max(kSmallestShare, factor * kSmallestArea / area)), 1.0))
+                                    : 1.0;
     return std::max({least, std::sqrt(covered / kMostCovered / area), std::sqrt(used / kMostUsed / area), (longest + 600) / longest_side,
                      span_wanted() / longest_side});
   }

@@ -14,14 +14,14 @@ struct SizeWord {
   bool width, depth, height, larger;
 };
 constexpr SizeWord kSizeWords[] = {
-    {"large", true, true, true, true},     {"big", true, true, true, true},    {"huge", true, true, true, true},
-    {"great", true, true, true, true},     {"massive", true, true, true, true},
-    {"giant", true, true, true, true},     {"enormous", true, true, true, true},
-    {"broad", true, true, false, true},    {"oversized", true, true, true, true}, {"small", true, true, true, false}, {"little", true, true, true, false},
-    {"tiny", true, true, true, false},     {"mini", true, true, true, false},  {"compact", true, true, true, false},
-    {"wide", true, false, false, true},    {"long", true, false, false, true}, {"narrow", true, false, false, false},
-    {"slim", false, true, false, false},   {"deep", false, true, false, true}, {"shallow", false, true, false, false},
-    {"tall", false, false, true, true},    {"high", false, false, true, true}, {"low", false, false, true, false},
+    {"large", true, true, true, true},    {"big", true, true, true, true},        {"huge", true, true, true, true},
+    {"great", true, true, true, true},    {"massive", true, true, true, true},    {"giant", true, true, true, true},
+    {"enormous", true, true, true, true}, {"broad", true, true, false, true},     {"oversized", true, true, true, true},
+    {"small", true, true, true, false},   {"little", true, true, true, false},    {"tiny", true, true, true, false},
+    {"mini", true, true, true, false},    {"compact", true, true, true, false},   {"wide", true, false, false, true},
+    {"long", true, false, false, true},   {"narrow", true, false, false, false},  {"slim", false, true, false, false},
+    {"deep", false, true, false, true},   {"shallow", false, true, false, false}, {"tall", false, false, true, true},
+    {"high", false, false, true, true},   {"low", false, false, true, false},
 };
 
 }  // namespace

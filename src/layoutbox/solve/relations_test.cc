@@ -127,7 +127,8 @@ TEST(Facing, WhatHasNoFrontTurnsItsLongSideThere) {
                               Catalog::builtin());
     ASSERT_TRUE(layout);
     const PlacedObject &bench = *layout->find_object("bench_1"), &plinth = *layout->find_object("plinth_1");
-    const double a = bench.rotation_deg * kPi / 180, dx = plinth.position[0] - bench.position[0], dy = plinth.position[1] - bench.position[1];
+    const double a = bench.rotation_deg * kPi / 180, dx = plinth.position[0] - bench.position[0],
+                 dy = plinth.position[1] - bench.position[1];
     EXPECT_GT((std::sin(a) * dx - std::cos(a) * dy) / std::hypot(dx, dy), 0.8) << wall;
   }
 }

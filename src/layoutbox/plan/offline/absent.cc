@@ -67,8 +67,8 @@ class AbsentReader {
       const bool joins = tokens_[i].text == "," || lexicon_.is(tokens_[i], Class::kAnd);
       const Token& next = tokens_[i + 1];
       const bool listed = tokens_[at].kind == Token::Kind::kPunctuation;  // "a desk, printer: none"
-      if (joins &&
-          (listed || i + 1 == at || lexicon_.is(next, Class::kDefinite) || lexicon_.is(next, Class::kPossessive) || lexicon_.is(next, Class::kDoer)))
+      if (joins && (listed || i + 1 == at || lexicon_.is(next, Class::kDefinite) || lexicon_.is(next, Class::kPossessive) ||
+                    lexicon_.is(next, Class::kDoer)))
         return i + 1;
     }
     return 0;

@@ -60,7 +60,7 @@ bool Chunker::is_helping(std::size_t at) const {
 // "I would just like my recliner …", "someone had left a bucket", "I'd also like to put the till …", after "would", "had".
 bool Chunker::read_helped_wish(std::size_t verb) {
   static constexpr std::array<std::string_view, 9> kWanting = {"like",       "love",  "prefer", "want", "need",
-                                                                   "appreciate", "adore", "have",   "take"};
+                                                               "appreciate", "adore", "have",   "take"};
   bool wanted = false, put = false;
   for (; verb + 1 < tokens_.size(); verb += 2) {
     wanted |= std::ranges::find(kWanting, tokens_[verb].text) != kWanting.end();

@@ -63,7 +63,8 @@ void read_numbers_taken_back(const Lexicon& lexicon, Document& document, std::ve
     const std::size_t marker = tokens[i - 1].text == "," ? marker_at(tokens, i) : 0;
     std::size_t number = i + marker;
     while (marker > 0 && number < tokens.size() && tokens[number].text == ",") ++number;
-    if (marker == 0 || number + 1 >= tokens.size() || !is_count(lexicon, tokens[number]) || tokens[number + 1].kind != Token::Kind::kPunctuation)
+    if (marker == 0 || number + 1 >= tokens.size() || !is_count(lexicon, tokens[number]) ||
+        tokens[number + 1].kind != Token::Kind::kPunctuation)
       continue;
     std::size_t counted = i - 1;
     while (counted > 0 && counted + kBack > i && !is_count(lexicon, tokens[counted])) --counted;

@@ -24,6 +24,7 @@ class InsertReader {
       read_another(k);
       read_perfect(k);
       read_place_has(k);
+      read_place_between(k);
     }
   }
 
@@ -98,7 +99,8 @@ class InsertReader {
     if (!is_thing(k) || k == 0 || !is(k - 1, ChunkKind::kComma) || chunks_[k].noun.count != 1 || !is(k + 1, ChunkKind::kRelation)) return;
     bool other = false;
     for (std::size_t n = k + 1; n < chunks_.size() && !is(n, ChunkKind::kStop); ++n)
-      other = other || (is(n, ChunkKind::kNoun) && chunks_[n].noun.kind == NounKind::kMember && chunks_[n].noun.determiner == Determiner::kOther);
+      other = other ||
+              (is(n, ChunkKind::kNoun) && chunks_[n].noun.kind == NounKind::kMember && chunks_[n].noun.determiner == Determiner::kOther);
     for (std::size_t n = k; other && n-- > 0 && !is(n, ChunkKind::kStop);) {
       if (!is_thing(n) || chunks_[n].noun.head != chunks_[k].noun.head || chunks_[n].noun.count < 2) continue;
       chunks_[k].noun.kind = NounKind::kMember;
@@ -121,7 +123,8 @@ class InsertReader {
     if (noun.determiner != Determiner::kDefinite || named.determiner != Determiner::kIndefinite || !begins_clause(k)) return;
     if (chunks_[k + 1].last != chunks_[k + 1].first + 1 || !one_of(word(k + 1), {"is", "was"})) return;
     bool only = false;
-    for (std::size_t i = chunks_[k].first; i < chunks_[k].last; ++i) only = only || one_of(document_.tokens[i].text, {"only", "sole", "one"});
+    for (std::size_t i = chunks_[k].first; i < chunks_[k].last; ++i)
+      only = only || one_of(document_.tokens[i].text, {"only", "sole", "one"});
     if (only && named.kind == NounKind::kObject) pass_over(k, k + 2, "what is said of it");
   }
 
@@ -144,13 +147,22 @@ class InsertReader {
   // "has found its place in the corner": found it.
   void read_perfect(std::size_t k) {
     if (!is(k, ChunkKind::kHave) || !one_of(word(k), {"has", "have", "had"}) || chunks_[k].last != chunks_[k].first + 1) return;
-    if (chunks_[k + 1].first == chunks_[k].last && one_of(word(k + 1), {"found", "taken", "earned", "made"})) pass_over(k, k + 1, "perfect");
+    if (chunks_[k + 1].first == chunks_[k].last && one_of(word(k + 1), {"found", "taken", "earned", "made"}))
+      pass_over(k, k + 1, "perfect");
   }
 
   // "Either side of the window gets a bookshelf", "on the wall has one clock": there it is.
   void read_place_has(std::size_t k) {
     if (!is(k, ChunkKind::kRelation) || !is(k + 1, ChunkKind::kNoun) || !is(k + 2, ChunkKind::kHave) || !begins_clause(k)) return;
     if (one_of(word(k + 2), {"has", "have", "gets", "get", "holds", "had"}) && is_thing(k + 3)) pass_over(k + 2, k + 3, "there");
+  }
+
+  // "a desk with a lamp and, next to the desk, the old cabinet": the place is the cabinet's.
+  void read_place_between(std::size_t k) {
+    if (k < 2 || !is(k, ChunkKind::kRelation) || !is(k + 1, ChunkKind::kNoun) || !is(k + 2, ChunkKind::kComma) || !is_thing(k + 3)) return;
+    if (!is(k - 1, ChunkKind::kComma) || !is(k - 2, ChunkKind::kAnd)) return;
+    pass_over(k - 1, k, "joins");
+    pass_over(k + 2, k + 3, "joins");
   }
 
   static bool is_new(const NounPhrase& noun) {

@@ -20,6 +20,7 @@ class LabelReader {
       read_count_signs(i);
       read_sender(i);
       read_time(i);
+      read_greeting(i);
     }
     read_closing();
   }
@@ -131,11 +132,24 @@ class LabelReader {
     if (is_one_of(i + 1, kPieces) && !is_word(i + 2)) skip_[i + 1] = true;
   }
 
+  // "Hi Facilities,", "Buenas!", "Dear builder,": whom the text greets.
+  void read_greeting(std::size_t i) {
+    static constexpr std::string_view kGreetings[] = {"hi",     "hello", "hey",   "dear",    "howdy", "hola",
+                                                      "buenas", "ciao",  "hallo", "bonjour", "servus"};
+    constexpr std::size_t kMostNames = 4;
+    if (!is_one_of(i, kGreetings) || (i > 0 && !tokens_[i - 1].ends_sentence)) return;
+    std::size_t end = i + 1;
+    while (is_word(end) && !lexicon_.is(tokens_[end], WordClass::kIndefinite) && !lexicon_.is(tokens_[end], WordClass::kNumber)) ++end;
+    if (end <= i + 1 + kMostNames && end < tokens_.size() && tokens_[end].kind == Token::Kind::kPunctuation)
+      leave_out(i, end, "a greeting");
+  }
+
   // "stopped at 3:10", "from 9:30 pm"
   void read_time(std::size_t i) {
     static constexpr std::string_view kAt[] = {"at", "until", "till", "from", "by", "before", "after", "to"};
     static constexpr std::string_view kHalf[] = {"am", "pm", "a", "p", "h", "hrs"};
-    if (!is_number(i) || i + 2 >= tokens_.size() || tokens_[i + 1].text != ":" || !is_number(i + 2) || tokens_[i + 2].text.size() != 2) return;
+    if (!is_number(i) || i + 2 >= tokens_.size() || tokens_[i + 1].text != ":" || !is_number(i + 2) || tokens_[i + 2].text.size() != 2)
+      return;
     if (tokens_[i].number > 24 || tokens_[i + 2].number > 59 || tokens_[i + 2].begin != tokens_[i + 1].end) return;
     leave_out(i > 0 && is_one_of(i - 1, kAt) ? i - 1 : i, is_one_of(i + 3, kHalf) ? i + 4 : i + 3, "a time");
   }

@@ -123,9 +123,11 @@ bool NounPhraseReader::read_superlative() {
   const bool definite = phrase_.determiner == Determiner::kDefinite;
   if (!definite || !parts_.empty() || !more() || token().kind != Token::Kind::kWord || token().text.size() < 6) return false;
   const std::string& word = token().text;
-  static constexpr std::string_view kComparing[] = {"taller", "shorter", "larger", "smaller", "bigger", "wider", "narrower", "longer", "lower"};
+  static constexpr std::string_view kComparing[] = {"taller", "shorter",  "larger", "smaller", "bigger",
+                                                    "wider",  "narrower", "longer", "lower"};
   const bool compared = std::ranges::find(kComparing, word) != std::end(kComparing);
-  if ((!word.ends_with("est") && !compared) || lexicon_.find_phrase(tokens_, i_).length > 0 || lexicon_.find(tokens_, i_, Class::kObject).length > 0)
+  if ((!word.ends_with("est") && !compared) || lexicon_.find_phrase(tokens_, i_).length > 0 ||
+      lexicon_.find(tokens_, i_, Class::kObject).length > 0)
     return false;
   const std::size_t after = i_ + 1;
   const bool one = after < tokens_.size() && (tokens_[after].text == "one" || tokens_[after].text == "ones");

@@ -22,7 +22,8 @@ bool NounPhraseReader::read_count() {
 bool NounPhraseReader::describes(std::size_t at) const {
   static constexpr std::string_view kUnits[] = {"litre", "liter", "litres", "liters", "l",  "ml",  "gallon", "gallons", "kg",  "kilo", "lb",
                                                 "watt",  "watts", "w",      "volt",   "hp", "bit", "pound",  "gram",    "amp", "quart"};
-  static constexpr std::string_view kCounting[] = {"one", "single", "dual", "twin", "double", "triple", "dozen", "hundred", "pair", "lone", "sole"};
+  static constexpr std::string_view kCounting[] = {"one",   "single",  "dual", "twin", "double", "triple",
+                                                   "dozen", "hundred", "pair", "lone", "sole"};
   if (at + 2 >= tokens_.size() || tokens_[at + 1].kind != Token::Kind::kWord || tokens_[at + 2].kind != Token::Kind::kWord) return false;
   const bool digits = tokens_[at].kind == Token::Kind::kNumber;
   if (!digits && lexicon_.find(tokens_, at, Class::kNumber).length != 1) return false;

@@ -41,7 +41,8 @@ bool NounPhraseReader::names_after_one(const Match& match) const {
                     (parts_.back().word_class == Class::kFiller && (named.ends_with("ing") || is_noun(word_form(named))));
   // "; thurible stand, in a corner"
   const bool item = phrase_.determiner == Determiner::kNone && bare_ && phrase_.first > 0 && tokens_[phrase_.first - 1].ends_sentence;
-  const bool told = phrase_.determiner == Determiner::kDefinite && phrase_.first > 0 && tokens_[phrase_.first - 1].kind == Token::Kind::kWord &&
+  const bool told = phrase_.determiner == Determiner::kDefinite && phrase_.first > 0 &&
+                    tokens_[phrase_.first - 1].kind == Token::Kind::kWord &&
                     lexicon_.find_phrase(tokens_, phrase_.first - 1).length == 0;  // not "on the mantel stand a clock and a vase"
   const bool one = phrase_.determiner == Determiner::kIndefinite || told || item;
   if (!noun || !one || phrase_.count != 0) return false;
@@ -214,7 +215,8 @@ bool NounPhraseReader::read_other(const Match& match, bool noun_before) {
     if (const Meaning* meaning = meaning_of(match, word); meaning != nullptr && (named || bare_) && !noun_before)
       return add(word, *meaning, match.length, false);
   }
-  if (has(match, Class::kNumber) && i_ + 1 < tokens_.size() && (hyphenated(i_ + 1) || says_seats(i_ + 1) || describes(i_)))  // "one-way", "two-tone"
+  if (has(match, Class::kNumber) && i_ + 1 < tokens_.size() &&
+      (hyphenated(i_ + 1) || says_seats(i_ + 1) || describes(i_)))  // "one-way", "two-tone"
     return add(Class::kQuality, {Class::kQuality, nullptr, nullptr, 0, {}}, 2, false);
   if (doubles_noun(i_)) return add(Class::kQuality, {Class::kQuality, nullptr, nullptr, 0, {}}, 1, false);
   // "every desk one chair": the next thing, counted.

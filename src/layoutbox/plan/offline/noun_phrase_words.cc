@@ -31,8 +31,8 @@ bool NounPhraseReader::word_may_belong() const {
   if (text == "per") return false;  // "(2 per table)"
   if (hyphenated(i_)) return true;
   const bool noun_before = std::any_of(parts_.begin(), parts_.end(), [this](const Part& p) {
-    return p.word_class == Class::kObject || p.word_class == Class::kRoom || p.word_class == Class::kDoor || p.word_class == Class::kWindow ||
-           (p.word_class == Class::kWall && p.last == i_);  // "the clock on the wall reminds everyone"
+    return p.word_class == Class::kObject || p.word_class == Class::kRoom || p.word_class == Class::kDoor ||
+           p.word_class == Class::kWindow || (p.word_class == Class::kWall && p.last == i_);  // "the clock on the wall reminds everyone"
   });
   const WordForm form = word_form(text);
   // "our two cats nap on the sofa": names go on after a singular.

@@ -30,7 +30,8 @@ class RelativeParter {
         !lexicon_.is(tokens_[begin], Class::kPossessive))
       return false;
     for (std::size_t i = begin + 1; i < end; ++i) {
-      const bool verb = lexicon_.is(tokens_[i], Class::kBe) || lexicon_.is(tokens_[i], Class::kHave) || lexicon_.is(tokens_[i], Class::kAnd);
+      const bool verb =
+          lexicon_.is(tokens_[i], Class::kBe) || lexicon_.is(tokens_[i], Class::kHave) || lexicon_.is(tokens_[i], Class::kAnd);
       if (verb || tokens_[i].kind != Token::Kind::kWord || lexicon_.find_phrase(tokens_, i).length > 0) return false;
     }
     return true;
@@ -45,8 +46,9 @@ class RelativeParter {
   // The sentence's own verb or place.
   bool goes_on(std::size_t at) const {
     if (at >= tokens_.size()) return false;
-    const bool verb = lexicon_.is(tokens_[at], Class::kBe) || lexicon_.is(tokens_[at], Class::kPlaceVerb) || lexicon_.is(tokens_[at], Class::kHang) ||
-                      lexicon_.is(tokens_[at], Class::kHave) || lexicon_.is(tokens_[at], Class::kParticiple);
+    const bool verb = lexicon_.is(tokens_[at], Class::kBe) || lexicon_.is(tokens_[at], Class::kPlaceVerb) ||
+                      lexicon_.is(tokens_[at], Class::kHang) || lexicon_.is(tokens_[at], Class::kHave) ||
+                      lexicon_.is(tokens_[at], Class::kParticiple);
     return verb || (lexicon_.find_phrase(tokens_, at).length > 0 && !opens_relative(at));
   }
 
@@ -57,8 +59,8 @@ class RelativeParter {
     if (second >= most || tokens_[second].text != ",") return;
     std::size_t end = second + 1;
     while (end < tokens_.size() && !tokens_[end].ends_sentence) ++end;
-    const bool plural = tokens_[begin + 1].text != "a" && (tokens_[begin + 1].kind == Token::Kind::kNumber ||
-                                                            lexicon_.is(tokens_[begin + 1], Class::kNumber));
+    const bool plural = tokens_[begin + 1].text != "a" &&
+                        (tokens_[begin + 1].kind == Token::Kind::kNumber || lexicon_.is(tokens_[begin + 1], Class::kNumber));
     for (std::size_t i = comma + 1; i < second; ++i) {
       if (tokens_[i].text == "which") tokens_[i].text = plural ? "them" : "it";
     }

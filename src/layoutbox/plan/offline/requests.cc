@@ -13,12 +13,14 @@ using Words = std::initializer_list<std::string_view>;
 
 class RequestReader {
  public:
-  RequestReader(const Lexicon& lexicon, std::vector<Token>& tokens, std::vector<bool>& skip) : lexicon_(lexicon), tokens_(tokens), skip_(skip) {}
+  RequestReader(const Lexicon& lexicon, std::vector<Token>& tokens, std::vector<bool>& skip)
+      : lexicon_(lexicon), tokens_(tokens), skip_(skip) {}
 
   void run() {
     for (std::size_t i = 0; i < tokens_.size(); ++i) {
       if (skip_[i]) continue;
       read_possible(i);
+      read_must_be(i);
       read_spot(i);
       read_looked_for(i);
       read_nothing_but(i);
@@ -79,6 +81,14 @@ class RequestReader {
     }
   }
 
+  // "It must be one table against the wall": there is one.
+  void read_must_be(std::size_t i) {
+    if (!is(i, {"it"}) || !is(i + 1, {"must", "should", "shall"}) || !is(i + 2, {"be"}) || !is_article(i + 3)) return;
+    tokens_[i].text = "there";
+    leave_out(i + 1, i + 2);
+    tokens_[i + 2].text = "is";
+  }
+
   // "Find a spot for the plant by the window", "make room beside the printer for a plant": put it there.
   void read_spot(std::size_t i) {
     constexpr std::size_t kReach = 12;  // tokens
@@ -129,7 +139,8 @@ class RequestReader {
 
   // "a bench on whose seat a box has been left": on which
   void read_whose(std::size_t i) {
-    if (!is(i, {"whose"}) || !is(i + 1, {"seat", "top", "surface", "lid", "tabletop", "shelf", "shelves", "cushion"}) || !is_article(i + 2)) return;
+    if (!is(i, {"whose"}) || !is(i + 1, {"seat", "top", "surface", "lid", "tabletop", "shelf", "shelves", "cushion"}) || !is_article(i + 2))
+      return;
     if (i == 0 || lexicon_.find_phrase(tokens_, i - 1).length == 0) return;
     tokens_[i].text = "which";
     leave_out(i + 1, i + 2);
@@ -152,7 +163,9 @@ class RequestReader {
     constexpr std::size_t kName = 4;  // words of what stands there
     if (i == 0 || !is(i, {"that", "which"}) || !is_article(i + 1) || !lexicon_.is(tokens_[i + 1], WordClass::kDefinite)) return;
     std::size_t verb = i + 2;
-    while (verb < i + 2 + kName && !ends(verb) && !is(verb, {"stands", "stand", "sits", "sit", "lies", "lie", "rests", "rest", "hangs", "hang"})) ++verb;
+    while (verb < i + 2 + kName && !ends(verb) &&
+           !is(verb, {"stands", "stand", "sits", "sit", "lies", "lie", "rests", "rest", "hangs", "hang"}))
+      ++verb;
     if (ends(verb) || verb == i + 2 || verb >= i + 2 + kName || !is(verb + 1, {"on", "in", "under", "above", "upon", "beside"})) return;
     if (is_article(verb + 2) || verb + 2 >= tokens_.size()) return;
     tokens_[i].text = "with";
@@ -175,9 +188,13 @@ class RequestReader {
     constexpr std::size_t kName = 8;  // tokens
     if (!is(i, {"is", "are"}) || !is(i + 1, {"where"}) || !is_article(i + 2)) return;
     std::size_t verb = i + 3;
-    while (verb < i + kName && !ends(verb) && !is(verb, {"ought", "should", "must", "has", "goes", "stands", "belongs", "lives", "sits", "is", "shall"})) ++verb;
+    while (verb < i + kName && !ends(verb) &&
+           !is(verb, {"ought", "should", "must", "has", "goes", "stands", "belongs", "lives", "sits", "is", "shall"}))
+      ++verb;
     std::size_t end = verb;
-    while (is(end, {"ought", "should", "must", "has", "goes", "stands", "belongs", "lives", "sits", "is", "shall", "to", "be", "stand", "go", "sit"})) ++end;
+    while (is(end, {"ought", "should", "must", "has", "goes", "stands", "belongs", "lives", "sits", "is", "shall", "to", "be", "stand",
+                    "go", "sit"}))
+      ++end;
     if (end == verb || !ends(end)) return;
     leave_out(i, i + 2);
     leave_out(verb, end);
@@ -186,7 +203,8 @@ class RequestReader {
 
   // "The sofa's back is against the wall": the sofa is.
   void read_back(std::size_t i) {
-    if (i == 0 || !is(i, {"'s"}) || !is(i + 1, {"back"}) || !is(i + 2, {"is", "are", "against", "pressed", "to", "touches", "faces"})) return;
+    if (i == 0 || !is(i, {"'s"}) || !is(i + 1, {"back"}) || !is(i + 2, {"is", "are", "against", "pressed", "to", "touches", "faces"}))
+      return;
     leave_out(i, i + 2);
     if (is(i + 2, {"touches", "faces"})) tokens_[i + 2].text = "against";
   }

@@ -75,6 +75,8 @@ class SaidCounts {
 
   // "min. 6", "4 no. chairs": no sentence ends there.
   void read_shortened(std::size_t i) {
+    // "on the shelf minimum six shoes": no shelf of that name.
+    if (is_one_of(i, {"minimum", "maximum", "min", "max"}) && is_count(i + 1) && is_word(i - 1)) leave_out(i, i + 1);
     const bool bound = is_one_of(i, {"min", "max", "approx", "ca"}) && is(i + 1, ".") && is_count(i + 2);
     if (bound) leave_out(i + 1, i + 2);
     const bool numero = is_one_of(i, {"no", "nos", "pcs", "pc"}) && is(i + 1, ".") && tokens_[i - 1].kind == Token::Kind::kNumber;
@@ -97,9 +99,18 @@ class SaidCounts {
   }
 
   std::size_t past_unit(std::size_t at) const {
-    static const std::array<Words, 12> kUnits{{{"in", "number"}, {"at", "the", "very", "most"}, {"at", "the", "very", "least"},
-                                               {"at", "the", "most"}, {"at", "the", "least"}, {"at", "most"}, {"at", "least"},
-                                               {"pieces"}, {"pcs"}, {"units"}, {"max"}, {"min"}}};
+    static const std::array<Words, 12> kUnits{{{"in", "number"},
+                                               {"at", "the", "very", "most"},
+                                               {"at", "the", "very", "least"},
+                                               {"at", "the", "most"},
+                                               {"at", "the", "least"},
+                                               {"at", "most"},
+                                               {"at", "least"},
+                                               {"pieces"},
+                                               {"pcs"},
+                                               {"units"},
+                                               {"max"},
+                                               {"min"}}};
     for (const Words& unit : kUnits) {
       std::size_t t = at;
       while (t - at < unit.size() && is(t, unit[t - at])) ++t;
@@ -110,9 +121,19 @@ class SaidCounts {
 
   // Words that say a sum is to come ("so", "that makes", "for a total of"), before the number at `number`: where they begin, else `number`.
   std::size_t sum_begins(std::size_t number) const {
-    static const std::array<Words, 13> kLeads{{{"for", "a", "total", "of"}, {"a", "total", "of"}, {"that", "makes"}, {"which", "makes"},
-                                               {"this", "makes"}, {"making"}, {"makes"}, {"that", "is"}, {"that", "'s"}, {"totaling"},
-                                               {"totalling"}, {"so"}, {"thus"}}};
+    static const std::array<Words, 13> kLeads{{{"for", "a", "total", "of"},
+                                               {"a", "total", "of"},
+                                               {"that", "makes"},
+                                               {"which", "makes"},
+                                               {"this", "makes"},
+                                               {"making"},
+                                               {"makes"},
+                                               {"that", "is"},
+                                               {"that", "'s"},
+                                               {"totaling"},
+                                               {"totalling"},
+                                               {"so"},
+                                               {"thus"}}};
     for (const Words& lead : kLeads) {
       if (number < lead.size() + 1) continue;
       const std::size_t first = number - lead.size();
@@ -126,8 +147,15 @@ class SaidCounts {
   }
 
   std::size_t past_total(std::size_t at) const {
-    static const std::array<Words, 9> kTrails{{{"in", "total"}, {"in", "all"}, {"all", "in", "all"}, {"all", "told"}, {"all", "together"},
-                                               {"total"}, {"altogether"}, {"overall"}, {"totally"}}};
+    static const std::array<Words, 9> kTrails{{{"in", "total"},
+                                               {"in", "all"},
+                                               {"all", "in", "all"},
+                                               {"all", "told"},
+                                               {"all", "together"},
+                                               {"total"},
+                                               {"altogether"},
+                                               {"overall"},
+                                               {"totally"}}};
     for (const Words& trail : kTrails) {
       std::size_t t = at;
       while (t - at < trail.size() && is(t, trail[t - at])) ++t;
@@ -144,10 +172,13 @@ class SaidCounts {
     const bool led = first < i && !is(first, "that") && is_word(first - 1);  // "a trolley so two trolleys and …"
     if (first == 0 || (!led && !is_one_of(first - 1, {",", "(", "-", ":", "and"}))) return;
     std::size_t noun = i + 1;
-    while (is_word(noun + 1) && noun < i + kName && !lexicon_.is(tokens_[noun + 1], WordClass::kAnd) && past_total(noun + 1) == noun + 1) ++noun;
+    while (is_word(noun + 1) && noun < i + kName && !lexicon_.is(tokens_[noun + 1], WordClass::kAnd) && past_total(noun + 1) == noun + 1)
+      ++noun;
     if (!is_word(noun) || !is_plural(tokens_[noun].text)) return;
     const std::size_t last = past_total(noun + 1);
-    if (!(ends(last) || (first < i && lexicon_.is(tokens_[last], WordClass::kAnd))) || (first == i && last == noun + 1) || !counted_before(first, singular_of(tokens_[noun].text))) return;
+    if (!(ends(last) || (first < i && lexicon_.is(tokens_[last], WordClass::kAnd))) || (first == i && last == noun + 1) ||
+        !counted_before(first, singular_of(tokens_[noun].text)))
+      return;
     leave_out(first, last);
   }
 
@@ -176,8 +207,6 @@ class SaidCounts {
 
 }  // namespace
 
-void read_said_counts(const Lexicon& lexicon, Document& document, std::vector<bool>& skip) {
-  SaidCounts(lexicon, document, skip).run();
-}
+void read_said_counts(const Lexicon& lexicon, Document& document, std::vector<bool>& skip) { SaidCounts(lexicon, document, skip).run(); }
 
 }  // namespace layoutbox::offline

@@ -7,7 +7,8 @@
 
 namespace layoutbox::offline {
 
-// Forms' quantities become "x 4", the words beside a number behind its noun are marked in `skip`, and so is a sum of what was counted before.
+// Forms' quantities become "x 4", the words beside a number behind its noun are marked in `skip`, and so is a sum of what was counted
+// before.
 void read_said_counts(const Lexicon& lexicon, Document& document, std::vector<bool>& skip);
 
 }  // namespace layoutbox::offline

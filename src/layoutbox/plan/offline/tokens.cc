@@ -12,8 +12,8 @@ namespace {
 constexpr std::array<std::pair<std::string_view, char>, 35> kSigns = {{
     {"\u2018", '\''}, {"\u2019", '\''}, {"\u02BC", '\''}, {"\u201C", '"'}, {"\u201D", '"'}, {"\u2032", '\''}, {"\u2033", '"'},
     {"\u2013", '-'},  {"\u2014", ','},  {"\u2010", '-'},  {"\u2011", '-'}, {"\u2212", '-'}, {"\u00D7", 'x'},  {"\u2715", 'x'},
-    {"\u2192", ':'}, {"\u2A2F", 'x'},  {"\u2026", '.'},  {"\u00A0", ' '},  {"\u202F", ' '}, {"\u2009", ' '}, {"\u2022", ';'},  {"\u00BD", 'h'},
-    {"\u00B2", '2'},  {"\u00A3", '$'},  {"\u20AC", '$'},  {"\u00A5", '$'},  // then marks of list items
+    {"\u2192", ':'},  {"\u2A2F", 'x'},  {"\u2026", '.'},  {"\u00A0", ' '}, {"\u202F", ' '}, {"\u2009", ' '},  {"\u2022", ';'},
+    {"\u00BD", 'h'},  {"\u00B2", '2'},  {"\u00A3", '$'},  {"\u20AC", '$'}, {"\u00A5", '$'},  // then marks of list items
     {"\u2713", ';'},  {"\u2714", ';'},  {"\u2610", ';'},  {"\u2611", ';'}, {"\u25AA", ';'}, {"\u25CF", ';'},  {"\u25B8", ';'},
     {"\u25A0", ';'},  {"\u27A4", ';'},
 }};
@@ -410,8 +410,8 @@ bool is_on_side(const std::vector<Token>& tokens, std::size_t at) {
 
 // "a vase, left without flowers", "left open": kept so, not a side.
 bool is_kept(const std::vector<Token>& tokens, std::size_t at) {
-  static constexpr std::string_view kState[] = {"without", "empty", "open", "bare", "unlocked", "ajar", "free", "untouched", "unfinished", "alone",
-                                                "clear"};
+  static constexpr std::string_view kState[] = {"without", "empty",     "open",       "bare",  "unlocked", "ajar",
+                                                "free",    "untouched", "unfinished", "alone", "clear"};
   static constexpr std::string_view kSide[] = {"the", "its", "his", "her", "far", "on", "to"};
   if (tokens[at].text != "left" || at == 0 || at + 1 >= tokens.size()) return false;
   return std::find(std::begin(kState), std::end(kState), tokens[at + 1].text) != std::end(kState) &&

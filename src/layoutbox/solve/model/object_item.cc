@@ -260,9 +260,10 @@ Box beside(const Box& own, Side side, Mm from, Mm to, Mm height) {
 
 // "A bench faces the plinth", "two tables face the judge": the long side of what has no front of its own looks there.
 bool told_to_look(const SceneGraph& scene, const Item& item) {
-  if (item.mount != Mount::kFloor || item.entry->thin || item.is(Trait::kRound)) return false;
+  if (item.mount != Mount::kFloor || item.entry->thin) return false;
   return std::ranges::any_of(scene.relations, [&](const Relation& r) {
-    return r.type == RelationType::kFacing && r.hard && std::ranges::find(r.targets, item.id) != r.targets.end();
+    const bool told = r.type == RelationType::kFacing && r.hard && (r.origin == Origin::kAsked || !item.is(Trait::kRound));
+    return told && std::ranges::find(r.targets, item.id) != r.targets.end();
   });
 }
 

@@ -113,7 +113,8 @@ bool Habits::stand_beside(int item) {
     }
     // Who sits behind a bench or a counter looks over it.
     const Item& desk = model_.items[host];
-    const bool sat_behind = self.is(Trait::kEasySeat) && desk.has_front && (desk.is(Trait::kTable) || desk.is(Trait::kDeskLike) || desk.is(Trait::kCounter));
+    const bool sat_behind =
+        self.is(Trait::kEasySeat) && desk.has_front && (desk.is(Trait::kTable) || desk.is(Trait::kDeskLike) || desk.is(Trait::kCounter));
     if (sat_behind && related_as_target(item, host, RelationType::kBehind)) turn_as(item, host);
   }
   std::vector<int> hosts = items_of_kinds(self.entry->beside, item);
