@@ -181,7 +181,8 @@ TEST(PaperScene, NamesAreReadInAnyCase) {
 }
 
 TEST(OwnScene, ARelationWithoutANameIsWrittenAsItWasRead) {
-  const auto scene = read_scene(R"({"room": {"width": 4, "depth": 3}, "furniture": [{"id": "bed", "category": "bed"}],
+  const auto scene = read_scene(R"({"room": {"polygon": [[0, 0], [4, 0], [4, 3], [0, 3]], "height": 2.5},
+    "furniture": [{"id": "bed", "category": "bed"}],
     "constraints": [{"type": "againstWall", "targets": ["bed"]}]})");
   ASSERT_TRUE(scene.has_value()) << scene.error().message;
   const auto again = read_scene(write_scene(*scene));
