@@ -36,7 +36,8 @@ Groups read_groups() {
                                  strings(value, "unless"), strings(value, "rooms")});
   }
   const Json& fill = data.at("fill");
-  groups.fill = {fill.at("bare").get<double>(), fill.at("until").get<double>(), fill.at("most").get<int>()};
+  groups.fill = {fill.at("bare").get<double>(), fill.at("until").get<double>(), fill.at("hardly_any").get<int>(),
+                 fill.at("usually_covered").get<double>(), fill.at("most").get<int>()};
   groups.carried = strings(data, "carried");
   groups.sat_at = strings(data, "sat_at");
   groups.none = strings(data, "none");

@@ -31,9 +31,12 @@ struct Companion {
   std::vector<std::string> rooms;   // in these kinds of room only; empty: in all
 };
 
-// A room is bare below the first share of its floor that is covered; its usual furniture comes up to the second.
+// A room is bare below the first share of its floor that is covered; its usual furniture comes up to the second. Where hardly any
+// furniture is named, the text says what kind of room it is, and no list of what is in it: it is furnished as such rooms are.
 struct Filling {
   double bare = 0, until = 0;
+  int hardly_any = 0;         // so many pieces that stand on the floor
+  double usually_covered = 0;  // … up to this share
   int most = 0;
 };
 

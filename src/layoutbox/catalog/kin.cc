@@ -20,14 +20,15 @@ Words words_of_list(std::string_view key) {
 }
 
 struct Kinds {
-  Words kinds, modifiers, heads, portions;
+  Words kinds, modifiers, heads, portions, set_in;
   std::set<std::string_view> no_things, body_parts;
   std::map<std::string, std::string_view, std::less<>> like_keys;  // by the key (words.h)
 };
 
 const Kinds& known_kinds() {
   static const Kinds kinds = [] {
-    Kinds read{words_of_list("kinds"), words_of_list("modifiers"), words_of_list("heads"), words_of_list("portions"), {}, {}, {}};
+    Kinds read{words_of_list("kinds"), words_of_list("modifiers"), words_of_list("heads"),
+               words_of_list("portions"), words_of_list("set_in"), {}, {}, {}};
     for (const WordList::Member kind : word_list("words_kinds").at("no_things")) read.no_things.insert(kind.value.text());
     for (const WordList::Member kind : word_list("words_kinds").at("body_parts")) read.body_parts.insert(kind.value.text());
     for (const auto& [word, id] : like_words()) read.like_keys.emplace(key_of(word), id);
@@ -116,6 +117,11 @@ bool is_no_thing(const Catalog& catalog, std::string_view word) {
     }
   }
   return false;
+}
+
+std::string_view set_in_entry(std::string_view id) {
+  const auto found = known_kinds().set_in.find(id);
+  return found == known_kinds().set_in.end() ? std::string_view{} : std::string_view(found->second);
 }
 
 std::string_view portion_entry(std::string_view container) {

@@ -198,7 +198,7 @@ class Companions {
     const auto takes = [&](const SceneObject& object) {
       const CatalogEntry* entry = catalog_.find(object.category);
       return entry != nullptr && catalog_.is_a(object.category, companion.of) &&
-             (kind->mount != Mount::kFloor ||
+             (kind->mount != Mount::kFloor || (kind->is(Trait::kKitchenRun) && entry->is(Trait::kKitchenRun)) ||
               std::ranges::any_of(entry->beside, [&](const std::string& id) { return akin(id, kind->id); }));
     };
     std::vector<std::string> hosts;
@@ -211,6 +211,11 @@ class Companions {
         if (on_it && kind->mount == Mount::kSurface) relate(RelationType::kOn, {id}, host);
       }
     }
+  }
+
+  bool stands(const SceneObject& object) const {
+    const CatalogEntry* entry = catalog_.find(object.category);
+    return entry != nullptr && object.mount.value_or(entry->mount) == Mount::kFloor && !entry->thin;
   }
 
   double covered(const SceneGraph& scene) const {
@@ -226,15 +231,14 @@ class Companions {
   // Does the text say where furniture stands? Then it is the whole arrangement; rows and ways to look alone are not.
   bool says_where() const {
     using R = RelationType;
-    const auto stands = [&](const std::string& id) {
+    const auto is_furniture = [&](const std::string& id) {
       const SceneObject* object = scene_.find_object(id);
-      const CatalogEntry* entry = object == nullptr ? nullptr : catalog_.find(object->category);
-      return entry != nullptr && object->mount.value_or(entry->mount) == Mount::kFloor && !entry->thin;
+      return object != nullptr && stands(*object);
     };
     return std::ranges::any_of(scene_.relations, [&](const Relation& r) {
       const bool order =
           r.type == R::kRow || r.type == R::kColumn || r.type == R::kGrid || r.type == R::kFacing || r.type == R::kSameOrientation;
-      return r.origin == Origin::kAsked && !order && std::ranges::any_of(r.targets, stands);
+      return r.origin == Origin::kAsked && !order && std::ranges::any_of(r.targets, is_furniture);
     });
   }
 
@@ -243,7 +247,9 @@ class Companions {
     const RoomKind* kind = scene_.room.type.empty() ? nullptr : catalog_.find_room(scene_.room.type);
     const double floor = std::max(1.0, double(doubled_area(sized_.room.polygon)) / 2);
     double share = covered(scene_) / floor;
-    if (kind == nullptr || share >= groups_.fill.bare || says_any(groups_.none_to_fill)) return;
+    const bool hardly_any = std::ranges::count_if(named_, [&](std::size_t i) { return stands(scene_.objects[i]); }) <= groups_.fill.hardly_any;
+    const double until = hardly_any ? groups_.fill.usually_covered : groups_.fill.until;
+    if (kind == nullptr || share >= (hardly_any ? until : groups_.fill.bare) || says_any(groups_.none_to_fill)) return;
     constexpr std::ptrdiff_t kCrowd = 6;
     const std::ptrdiff_t crowd = std::ranges::count_if(
         named_, [&](std::size_t i) { return catalog_.entry_or_nearest(scene_.objects[i].category).is(Trait::kSeat); });
@@ -266,7 +272,9 @@ class Companions {
       // … and what all look at is there once.
       const bool board = entry->is(Trait::kScreen) && entry->mount == Mount::kWall && looked_at;
       if (lacks_host || lacks_table || seated || desk || board) continue;
-      for (int k = 0; k < usual && added < groups_.fill.most && share < groups_.fill.until; ++k, ++added) {
+      const bool takes_floor = entry->mount == Mount::kFloor && !entry->thin;
+      const auto has_room = [&] { return share < until || (hardly_any && !takes_floor); };
+      for (int k = 0; k < usual && added < groups_.fill.most && has_room(); ++k, ++added) {
         add(*entry);
         share = covered(scene_) / floor;
       }

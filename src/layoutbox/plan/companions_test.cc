@@ -90,6 +90,19 @@ TEST(Companions, BareRoomsOfAKnownKindGetSomeOfWhatIsUsual) {
   EXPECT_THAT(added_to("A minimalist bedroom of 40 square meters with a single bed."), testing::Not(testing::Contains("wardrobe")));
 }
 
+TEST(Companions, ARoomOfWhichHardlyAnythingIsNamedIsFurnished) {
+  const std::vector<std::string> living = added_to("A cosy living room with a fireplace.");
+  for (const char* kind : {"sofa", "coffee_table", "rug"}) EXPECT_EQ(count_of(living, kind), 1) << kind;
+  EXPECT_EQ(count_of(added_to("A bedroom with a desk."), "bed"), 1);
+  EXPECT_TRUE(added_to("A study, 3 x 3 m, with only a desk and an office chair.").empty());
+}
+
+TEST(Companions, AKitchenHasWorktops) {
+  EXPECT_EQ(count_of(added_to("A kitchen with a sink, a dishwasher, a fridge and a table in the middle."), "base_cabinet"), 2);
+  EXPECT_EQ(count_of(added_to("A kitchen with a sink, a stove and two counters."), "base_cabinet"), 0);
+  EXPECT_EQ(count_of(added_to("A kitchen with a hob and a table in the middle."), "base_cabinet"), 1);
+}
+
 TEST(Companions, NeverWhereOnlyTheUsersArticlesMayBePlaced) {
   const Catalog only({Catalog::builtin().entries().begin(), Catalog::builtin().entries().end()}, {}, true);
   SceneGraph scene;

@@ -133,6 +133,19 @@ TEST(Facing, WhatHasNoFrontTurnsItsLongSideThere) {
   }
 }
 
+// What has no front may be said to look at the room, however it lies; and where it cannot turn to a thing, nothing is proven.
+TEST(Facing, WhatHasNoFrontIsNoProof) {
+  SceneMaker maker(2000, 4000);
+  maker.add("bench").sized(1000, 3800, 450);
+  const auto at_room = solve(SceneMaker(maker).relate("facing", {"bench_1"}, {"room"}).make(), Catalog::builtin());
+  ASSERT_TRUE(at_room);
+  EXPECT_EQ(at_room->status, LayoutStatus::kSolved);
+  const auto layout = solve(maker.add("plinth").relate("facing", {"bench_1"}, {"plinth_1"}).relate("leftOf", {"plinth_1"}, {"bench_1"}).make(),
+                            Catalog::builtin());
+  ASSERT_TRUE(layout);
+  for (const Conflict& conflict : layout->conflicts) EXPECT_FALSE(conflict.minimal) << conflict.sentence;
+}
+
 TEST(In, BasketsAndBoxesInShelves) {
   for (const char* shelf : {"bookshelf", "cube_shelf", "toy_shelf", "shelf"}) {
     const std::string r = shelf + std::string("_1");

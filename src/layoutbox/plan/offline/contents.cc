@@ -62,6 +62,23 @@ std::vector<int> RelationBuilder::hosts_of(const Link& link, int m) const {
   return table != link.targets.end() ? mention(*table).items : hosts;
 }
 
+// "an armchair with a side table and a lamp", "a bed with a nightstand and a clock": on the table that comes with it.
+std::vector<int> RelationBuilder::carriers_among(const Link& link, int m, std::vector<int> hosts) const {
+  const NounPhrase &thing = mention(m).noun, &host = noun_of_item(hosts.front());
+  const auto is_for_sitting = [&](const NounPhrase& noun) {
+    return is_seat(catalog_, noun) || (noun.entry != nullptr && noun.entry->is(Trait::kBed));
+  };
+  if (mount_of(thing) != Mount::kSurface || thing.entry == nullptr || host.entry == nullptr || !is_for_sitting(host)) return hosts;
+  const auto lies_there = [&](const std::string& kind) { return catalog_.is_a(host.entry->id, kind); };  // a pillow
+  if (std::ranges::any_of(thing.entry->stands_on, lies_there)) return hosts;
+  for (const int t : link.targets) {
+    if (t >= m || mention(t).items.empty() || !mention(t).introduces) continue;
+    const NounPhrase& table = mention(t).noun;
+    if (mount_of(table) == Mount::kFloor && !is_for_sitting(table) && may_carry(catalog_, table, thing)) return mention(t).items;
+  }
+  return hosts;
+}
+
 // Each of the things at its share of the hosts.
 void RelationBuilder::share_out(const Link& link, R type, const std::vector<int>& items, const std::vector<int>& hosts) {
   for (std::size_t t = 0; t < items.size(); ++t) {
@@ -91,7 +108,7 @@ void RelationBuilder::add_contents(const Link& link) {
   for (const int m : link.targets) {
     const Mention& target = mention(m);
     if (target.items.empty()) continue;
-    const std::vector<int> hosts = hosts_of(link, m);
+    const std::vector<int> hosts = carriers_among(link, m, hosts_of(link, m));
     if (link.weak && is_placed_apart(target.items)) continue;
     if (!is_related(target.items.front(), hosts.front())) add_content(link, target, hosts);
   }

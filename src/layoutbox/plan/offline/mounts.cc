@@ -116,6 +116,12 @@ void RelationBuilder::settle_mount(std::size_t index) {
   const Held held = how_held(object, noun);
   // "a bench with a lamp above it": a lamp for tables stands on nothing there.
   const bool over = held.above && !held.supported && !held.wall && mount_of(noun) == Mount::kSurface && is_lamp(catalog_, noun);
+  // "a bed with fairy lights above it": at the wall behind it, not in mid-air.
+  const bool festoon = noun.entry != nullptr && noun.entry->mount == Mount::kCeiling && noun.entry->is(Trait::kElseOnWall);
+  if (festoon && held.above && !held.ceiling && !over_table(object.id)) {
+    object.mount = Mount::kWall;
+    return;
+  }
   if (held.ceiling || over) {
     object.mount = Mount::kCeiling;
     if (is_lamp(catalog_, noun) && mount_of(noun) != Mount::kCeiling)
@@ -138,6 +144,17 @@ void RelationBuilder::settle_mount(std::size_t index) {
   object.mount = Mount::kFloor;
   object.mount_assumed = true;
   if (is_lamp(catalog_, noun) && one_of(noun.name, {"lamp", "light"})) specialise(object, noun, {"floor_lamp"});
+}
+
+bool RelationBuilder::over_table(const std::string& object) const {
+  const std::vector<std::size_t>& all = relations_of(object);
+  return std::any_of(all.begin(), all.end(), [&](std::size_t i) {
+    const Relation& r = scene_.relations[i];
+    const SceneObject* below = r.type == R::kAbove && !r.references.empty() ? object_of(r.references.front()) : nullptr;
+    if (below == nullptr) return false;
+    const NounPhrase& noun = noun_of_object(*below);
+    return is_table(catalog_, noun) && !(noun.entry != nullptr && noun.entry->is(Trait::kDeskLike));
+  });
 }
 
 bool RelationBuilder::hangs_on_hooks(const std::string& object) const {

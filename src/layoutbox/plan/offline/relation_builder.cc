@@ -1,7 +1,9 @@
 // Links between mentions become relations: who is placed by what, alone, in groups and at parts of the room.
 #include <algorithm>
 
+#include "layoutbox/catalog/kin.h"
 #include "layoutbox/plan/offline/knowledge.h"
+#include "layoutbox/plan/offline/reader_words.h"
 #include "layoutbox/plan/offline/relation_builder_parts.h"
 
 namespace layoutbox::offline {
@@ -40,8 +42,32 @@ void RelationBuilder::place_hosts() {
   }
 }
 
+// "an island with a sink", "a basin in the counter": what stands by itself elsewhere is let into a top.
+void RelationBuilder::let_into_tops() {
+  for (const Link& link : document_.links) {
+    const bool place = link.kind == Link::Kind::kRelation && (says(link.senses, R::kOn) || says(link.senses, R::kIn));
+    if ((!place && link.kind != Link::Kind::kHave) || link.references.empty() || mention(link.references.front()).items.empty()) continue;
+    const NounPhrase& host = noun_of_item(mention(link.references.front()).items.front());
+    if (host.entry == nullptr || mount_of(host) != Mount::kFloor) continue;
+    for (const int m : link.targets) let_in(m, *host.entry);
+  }
+}
+
+void RelationBuilder::let_in(int m, const CatalogEntry& host) {
+  Mention& thing = document_.mentions[static_cast<std::size_t>(m)];
+  const CatalogEntry* form = thing.noun.entry == nullptr ? nullptr : catalog_.find(set_in_entry(thing.noun.entry->id));
+  if (form == nullptr || std::ranges::none_of(form->stands_on, [&](const std::string& id) { return catalog_.is_a(host.id, id); })) return;
+  const auto become = [&](NounPhrase& noun) { noun.entry = form, noun.category = form->id; };
+  become(thing.noun);
+  for (const int item : thing.items) {
+    become(document_.items[static_cast<std::size_t>(item)].noun);
+    scene_.objects[static_cast<std::size_t>(item)].category = form->id;
+  }
+}
+
 void RelationBuilder::run() {
   place_hosts();
+  let_into_tops();
   for (const Link& link : document_.links) {
     if (is_set(document_.stop)) return;
     if (link.kind == Link::Kind::kRelation) add_relations(link);

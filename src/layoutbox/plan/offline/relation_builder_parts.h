@@ -42,6 +42,8 @@ class RelationBuilder {
   // As many of them as the words say: "between two windows".
   std::vector<std::string> opening_ids(const NounPhrase& noun) const;
   void place_hosts();
+  void let_into_tops();
+  void let_in(int m, const CatalogEntry& host);
   void add_relations(const Link& link);
   void add_relations_to(const Link& link, const std::vector<int>& targets, const Mention& reference_mention);
   void add_rows();
@@ -107,6 +109,7 @@ class RelationBuilder {
   // What a thing has: on it, in it, at it, by it, as the two allow.
   void add_contents(const Link& link);
   std::vector<int> hosts_of(const Link& link, int m) const;
+  std::vector<int> carriers_among(const Link& link, int m, std::vector<int> hosts) const;
   void share_out(const Link& link, RelationType type, const std::vector<int>& items, const std::vector<int>& hosts);
   void add_seats(const Link& link, const std::vector<int>& seats, const std::vector<int>& tables);
   void add_content(const Link& link, const Mention& target, const std::vector<int>& hosts);
@@ -128,6 +131,7 @@ class RelationBuilder {
   // How a thing is held where the relations say otherwise than its kind.
   bool settle_on_floor(SceneObject& object, const NounPhrase& noun);
   void settle_mount(std::size_t index);
+  bool over_table(const std::string& object) const;
   // What the relations say of how it is held; `beside`: by what stands on the floor.
   struct Held {
     bool wall = false, ceiling = false, supported = false, beside = false, above = false;

@@ -65,6 +65,7 @@ class SizeReader {
   // Whether a size at [first, last) is the room's: a room follows, or is the last thing that was named before it.
   // `sides`: what it says, in metres; what is far too large for a thing is no size of that ("a desk and a bookshelf, 3 x 4 m").
   bool speaks_of_room(std::size_t first, std::size_t last, const std::vector<double>& sides = {}) const {
+    if (follows_room(first) && sides.size() >= 2 && sides[0] * sides[1] >= kSmallestRoom) return true;
     for (std::size_t i = last; i < std::min(last + 4, tokens_.size()); ++i) {
       if (tokens_[i].kind == Token::Kind::kPunctuation) break;
       const Match match = lexicon_.find(tokens_, i);
@@ -83,6 +84,16 @@ class SizeReader {
         return false;  // "a wall's windows, each 1.5 m wide"
     }
     return size_.width == 0 && (first < kEarly || too_large_for_last_thing(begin, sides));
+  }
+
+  // "bathroom 2x2.5 shower, toilet": right after the room.
+  bool follows_room(std::size_t at) const {
+    constexpr std::size_t kLongestName = 3;  // words
+    for (std::size_t back = 1; back <= std::min(at, kLongestName) && !tokens_[at - back].ends_sentence; ++back) {
+      const Match match = lexicon_.find(tokens_, at - back);
+      if (match.length == back && (has_class(match, Class::kRoom) || has_class(match, Class::kRoomNoun))) return true;
+    }
+    return false;
   }
 
   // What is named in a stretch of text, compounds whole: a camper van is no van.

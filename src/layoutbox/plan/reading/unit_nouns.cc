@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "layoutbox/catalog/trait_table.h"
+#include "layoutbox/catalog/kin.h"
 #include "layoutbox/plan/offline/english.h"
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/reading/unit_reader.h"
@@ -138,6 +139,15 @@ bool UnitReader::is_placed_itself(std::size_t k) const {
          says(senses, RelationType::kFacing);
 }
 
+// "two counters with sinks": let into their tops; a vanity has its own.
+bool UnitReader::is_let_in(const NounPhrase& object) const {
+  const Catalog& catalog = lexicon_.catalog();
+  const std::size_t host = last_noun();
+  const CatalogEntry* form = object.entry == nullptr ? nullptr : catalog.find(set_in_entry(object.entry->id));
+  if (form == nullptr || host >= document_.chunks.size() || chunk(host).noun.entry == nullptr) return false;
+  return std::ranges::any_of(form->stands_on, [&](const std::string& id) { return catalog.is_a(chunk(host).noun.entry->id, id); });
+}
+
 // "five tables, four stools to a table": to every one of those.
 void UnitReader::shares_out(std::size_t k) {
   NounPhrase& noun = document_.chunks[k].noun;
@@ -162,7 +172,7 @@ void UnitReader::settle_noun(std::size_t k) {
   const bool content = is_content_of_thing();
   // A part that has a thing's name is one where no host is there: "two sinks".
   if (const auto object = noun.as_object;
-      object != nullptr && (content ? is_placed_itself(k) : !after_place() || noun.determiner == Determiner::kIndefinite))
+      object != nullptr && (content ? is_placed_itself(k) || is_let_in(*object) : !after_place() || noun.determiner == Determiner::kIndefinite))
     noun = NounPhrase(*object);
   if (names_known(k) || is_thing_in_company(k)) {
     noun.kind = NounKind::kObject;

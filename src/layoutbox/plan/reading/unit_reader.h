@@ -103,6 +103,7 @@ class UnitReader {
   bool is_told_by_the_way(std::size_t k);
   void read_noun(std::size_t k);
   bool is_placed_itself(std::size_t k) const;
+  bool is_let_in(const NounPhrase& object) const;
   bool says_where_room_is(std::size_t k);
   bool is_past(const NounPhrase& noun) const;
   void shares_out(std::size_t k);
@@ -155,6 +156,7 @@ class UnitReader {
   Sentence units_;
   Joiner joiner_ = Joiner::kNone;
   bool clause_ = false, where_ = false, soft_ = false, skipping_ = false, negated_ = false;
+  bool contrasted_ = false;  // what is not wanted is named instead of the thing before it: "shower not bath"
   bool doing_ = false;                               // what is skipped is what a person does
   std::size_t told_ = static_cast<std::size_t>(-1);  // … with this thing
   std::size_t passed_over_ = static_cast<std::size_t>(-1), passed_until_ = 0;

@@ -102,6 +102,7 @@ void UnitReader::read(std::size_t k) {
     case ChunkKind::kWithout:
       mark(k, Use::kUsed, "negation");
       skipping_ = false;
+      contrasted_ = joiner_ == Joiner::kNone && is(previous(k), ChunkKind::kNoun) && document_.tokens[chunk(k).last - 1].text == "not";
       if (!denies_place(k) && !denies_before(k)) negated_ = !excepts_from_nothing(k);
       break;
     case ChunkKind::kPurpose: read_purpose(k); break;
@@ -153,7 +154,7 @@ void UnitReader::read_break(std::size_t k) {
   if (skipping_ && !is(n, ChunkKind::kAnd) && purpose_ends(after_comma && names_thing(n) ? previous(k) : k, n)) skipping_ = false;
   if (negated_) {
     const bool more = is(n, ChunkKind::kNoun) && chunk(n).noun.determiner == Determiner::kNone && chunk(n).noun.count == 0;
-    if (!more || (document_.tokens[chunk(k).first].text == ":" && is(previous(k), ChunkKind::kNoun))) negated_ = false;
+    if (!more || (comma && contrasted_) || (document_.tokens[chunk(k).first].text == ":" && is(previous(k), ChunkKind::kNoun))) negated_ = false;
   }
   if (is_topic_before_colon(k)) {
     clause_ = true;

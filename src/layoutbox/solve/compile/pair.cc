@@ -178,6 +178,7 @@ void compile_Facing(Compilation& c) {
       if (r.kind == Reference::Kind::kRoom) {
         add_looks_at_point(f, c.model, t, {(room.lo[0] + room.hi[0]) / 2, (room.lo[1] + room.hi[1]) / 2}, eyes);
       }
+      if (!c.item(t).entry->has_front) f.exact = false, f.outer.clear();  // its long side should look there and need not
     }
   }
 }

@@ -263,7 +263,8 @@ bool told_to_look(const SceneGraph& scene, const Item& item) {
   if (item.mount != Mount::kFloor || item.entry->thin) return false;
   return std::ranges::any_of(scene.relations, [&](const Relation& r) {
     const bool told = r.type == RelationType::kFacing && r.hard && (r.origin == Origin::kAsked || !item.is(Trait::kRound));
-    return told && std::ranges::find(r.targets, item.id) != r.targets.end();
+    const bool at_things = std::ranges::any_of(r.references, [&](const std::string& id) { return scene.find_object(id) != nullptr; });
+    return told && at_things && std::ranges::find(r.targets, item.id) != r.targets.end();
   });
 }
 
