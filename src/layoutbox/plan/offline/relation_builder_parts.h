@@ -121,6 +121,7 @@ class RelationBuilder {
   void add_mounts_said();
   // Rows of desks that face a board look its way; only those before it look straight at it.
   void add_front();
+  void add_end_walls();
   void face_as_group();
   void face_as_crowd();
   bool sits_at(const std::string& seat) const;

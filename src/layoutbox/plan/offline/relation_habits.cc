@@ -107,8 +107,34 @@ void RelationBuilder::add_front() {
   }
 }
 
+// "a bookcase at the back", "a wardrobe on the left of the room": what stands at walls stands at that one.
+void RelationBuilder::add_end_walls() {
+  const std::size_t said = scene_.relations.size();
+  for (std::size_t r = 0; r < said; ++r) {
+    const Relation region = scene_.relations[r];
+    if (region.type != R::kInRegion || region.targets.size() != 1 || region.origin != Origin::kAsked) continue;
+    if (!one_of(region.parameters.region, {"back", "front", "left", "right"})) continue;
+    const SceneObject* object = object_of(region.targets.front());
+    const CatalogEntry* entry = object == nullptr ? nullptr : catalog_.find(object->category);
+    if (entry == nullptr || entry->mount != Mount::kFloor || !entry->back_to_wall || entry->is(Trait::kDeskLike)) continue;
+    const std::vector<std::size_t>& own = relations_of(object->id);
+    if (std::ranges::any_of(own, [&](std::size_t i) { return at_wall(scene_.relations[i].type); })) continue;
+    Relation habit;
+    habit.id = "c" + std::to_string(scene_.relations.size() + 1);
+    habit.type = R::kAgainstWall;
+    habit.targets = region.targets;
+    habit.references = {region.parameters.region};
+    habit.hard = false;
+    habit.origin = Origin::kAssumed;
+    habit.weight = 80;
+    habit.why = "what stands at walls and at that end stands at the wall there";
+    scene_.relations.push_back(std::move(habit));
+  }
+}
+
 void RelationBuilder::add_habits() {
   add_front();
+  add_end_walls();
   face_as_group();
   face_as_crowd();
   const std::size_t said = scene_.relations.size();
