@@ -66,7 +66,11 @@ class AbsentReader {
       if (is_break(i)) return i + 1;
       const bool joins = tokens_[i].text == "," || lexicon_.is(tokens_[i], Class::kAnd);
       const Token& next = tokens_[i + 1];
-      const bool listed = tokens_[at].kind == Token::Kind::kPunctuation;  // "a desk, printer: none"
+      // "a desk, printer: none", "two chairs, TV not needed"
+      constexpr std::size_t kName = 4;
+      const bool one = tokens_[i].text == "," && at - i <= kName && tokens_[at].text != "are" && tokens_[at].text != "were" &&
+                       tokens_[at].text != "have";
+      const bool listed = tokens_[at].kind == Token::Kind::kPunctuation || one;
       if (joins && (listed || i + 1 == at || lexicon_.is(next, Class::kDefinite) || lexicon_.is(next, Class::kPossessive) ||
                     lexicon_.is(next, Class::kDoer)))
         return i + 1;

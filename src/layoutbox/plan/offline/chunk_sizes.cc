@@ -199,8 +199,21 @@ bool Chunker::read_lettered_size() {
   return true;
 }
 
+// "a sofa 220 cm": its width, where the length ends what is said of it.
+bool Chunker::read_bare_length() {
+  const auto measure = previous() == ChunkKind::kNoun ? read_measure(lexicon_, tokens_, i_) : std::nullopt;
+  if (!measure || chunks_.back().noun.kind != NounKind::kObject || chunks_.back().noun.size.any()) return false;
+  const std::size_t end = i_ + measure->length;
+  constexpr double kShortest = 0.25, kLongest = 8;  // metres
+  if (measure->metres < kShortest || measure->metres > kLongest) return false;
+  const bool ends = end >= tokens_.size() || tokens_[end].text == "," || tokens_[end].ends_sentence || tokens_[end].text == "and";
+  if (!ends) return false;
+  add(ChunkKind::kSize, measure->length).size.width = measure->metres;
+  return true;
+}
+
 bool Chunker::read_size_chunk() {
-  if (read_lettered_size()) return true;
+  if (read_lettered_size() || read_bare_length()) return true;
   SaidSize size;
   if (const std::size_t taken = previous() == ChunkKind::kStop ? 0 : read_size_of(lexicon_, tokens_, i_, size); taken > 0) {
     add(ChunkKind::kSize, taken).size = size;

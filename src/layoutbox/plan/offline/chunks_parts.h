@@ -135,6 +135,7 @@ class Chunker {
   // A size by itself: "120 cm wide", "2 m by 1 m", "(1.6 x 2.0 m)".
   bool read_size_chunk();
   bool read_lettered_size();
+  bool read_bare_length();
   void read_small_word();
   const Lexicon& lexicon_;
   std::span<const Token> tokens_;

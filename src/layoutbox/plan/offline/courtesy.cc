@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string_view>
 
 #include "layoutbox/plan/offline/english.h"
@@ -23,6 +24,29 @@ std::size_t asking_at(const std::vector<Token>& tokens, std::size_t at) {
   std::size_t end = at + 3;
   while (end < tokens.size() && is_one_of(kPlease, tokens[end])) ++end;
   return end < tokens.size() && tokens[end].kind == Token::Kind::kWord ? end - at : 0;
+}
+
+// "the 1970s", "in the 80's": no number of things.
+std::size_t decade_at(const std::vector<Token>& tokens, std::size_t at) {
+  static constexpr std::array<std::string_view, 6> kBeforeYear{"around", "about", "circa", "in", "of", "from"};
+  if (tokens[at].kind != Token::Kind::kNumber || at + 1 >= tokens.size()) return 0;
+  const double number = tokens[at].number;
+  const bool year = number >= 1500 && number < 2100 && at > 0 && (tokens[at + 1].kind == Token::Kind::kPunctuation) &&
+                    std::ranges::find(kBeforeYear, tokens[at - 1].text) != std::end(kBeforeYear);
+  if (year) return 1;
+  const bool decade = (number >= 1000 && number < 2100) || (number >= 20 && number < 100 && std::fmod(number, 10) == 0);
+  return decade && (tokens[at + 1].text == "s" || tokens[at + 1].text == "'s") && tokens[at + 1].begin == tokens[at].end ? 2 : 0;
+}
+
+// "How could it be arranged?", "What do you think?": a question at `at` that names no thing; so many tokens, 0: none.
+std::size_t idle_question_at(const Lexicon& lexicon, const std::vector<Token>& tokens, std::size_t at) {
+  static constexpr std::array<std::string_view, 5> kAsks{"how", "what", "why", "which", "any"};
+  if ((at > 0 && !tokens[at - 1].ends_sentence) || !is_one_of(kAsks, tokens[at])) return 0;
+  std::size_t end = at;
+  for (; end < tokens.size() && !tokens[end].ends_sentence; ++end) {
+    if (lexicon.find(tokens, end, WordClass::kObject).length > 0 || lexicon.find(tokens, end, WordClass::kRoom).length > 0) return 0;
+  }
+  return end < tokens.size() && tokens[end].text == "?" ? end - at : 0;
 }
 
 // "I'm a nurse": past the person; 0: none such.
@@ -59,6 +83,8 @@ void read_courtesies(const Lexicon& lexicon, const Document& document, std::vect
     std::fill(skip.begin() + static_cast<std::ptrdiff_t>(first), skip.begin() + static_cast<std::ptrdiff_t>(last), true);
   };
   for (std::size_t i = 0; i < tokens.size(); ++i) {
+    if (const std::size_t decade = decade_at(tokens, i); decade > 0) leave_out(i, i + decade);
+    if (const std::size_t question = idle_question_at(lexicon, tokens, i); question > 0) leave_out(i, i + question);
     if (const std::size_t asking = asking_at(tokens, i); asking > 0) leave_out(i, i + asking);
     const bool opens = i == 0 || tokens[i - 1].ends_sentence;
     const std::size_t person = opens ? past_person(lexicon, tokens, i) : 0;

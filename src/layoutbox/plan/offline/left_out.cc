@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "layoutbox/plan/offline/english.h"
+
 namespace layoutbox::offline {
 namespace {
 
@@ -19,8 +21,10 @@ bool is_missed(const Lexicon& lexicon, const Document& document, std::size_t k) 
   if (chunk.kind != ChunkKind::kNoun || was_used(document, chunk)) return false;
   const NounPhrase& noun = chunk.noun;
   const bool new_here = noun.determiner == Determiner::kIndefinite || noun.determiner == Determiner::kAnother || noun.count > 0;
-  if (noun.kind == NounKind::kAbstract) return noun.doubted && (new_here || noun.unplaced);
-  if (noun.kind != NounKind::kObject) return false;
+  const bool purpose = k > 0 && document.chunks[k - 1].kind == ChunkKind::kPurpose;
+  if (noun.kind == NounKind::kAbstract)  // "for a factory", "a place for my cats" say for whom or what it is
+    return !purpose && word_form(noun.head) != WordForm::kPerson && noun.doubted && (new_here || noun.unplaced);
+  if (noun.kind != NounKind::kObject || (purpose && !noun.exact)) return false;
   const bool unknown = !noun.exact && noun.determiner == Determiner::kDefinite;  // "nobody will weigh the labrador"
   const bool named =
       unknown && std::any_of(document.items.begin(), document.items.end(), [&](const Item& item) { return item.noun.head == noun.head; });

@@ -262,6 +262,8 @@ bool NounPhraseReader::is_place_name(const Part& part) const {
 // "from Turkey", "from China": a country, though a thing is called so as well.
 bool NounPhraseReader::comes_from(const Part& part) const {
   const bool named = phrase_.determiner != Determiner::kNone || counted_;
+  const std::size_t first = phrase_.first;
+  if (first > 1 && (tokens_[first - 2].text == "far" || tokens_[first - 2].text == "away")) return false;  // "far from TV"
   return !named && phrase_.first == part.first && phrase_.first > 0 && tokens_[phrase_.first - 1].text == "from" && is_place_name(part);
 }
 

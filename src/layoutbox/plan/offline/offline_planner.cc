@@ -5,6 +5,7 @@
 #include "layoutbox/base/utf8.h"
 #include "layoutbox/base/words.h"
 #include "layoutbox/plan/offline/absent.h"
+#include "layoutbox/plan/offline/clusters.h"
 #include "layoutbox/plan/offline/corrections.h"
 #include "layoutbox/plan/offline/courtesy.h"
 #include "layoutbox/plan/offline/forward_counts.h"
@@ -71,7 +72,9 @@ class OfflinePlanner final : public Planner {
     settle_corrected_places(document);
     settle_opening_sizes(document);
     settle_opening_walls(lexicon_, document);
+    settle_opening_ends(document);
     settle_absent(lexicon_, document);
+    settle_clusters(lexicon_, document);
     settle_inserts(document);
     settle_purposes(lexicon_, document);
     settle_room_senses(lexicon_, document, room_size_at);
@@ -90,8 +93,10 @@ class OfflinePlanner final : public Planner {
     plan.scene.notes = std::move(document.notes);
     build_objects(document, plan.scene);
     build_room(document, size, plan.scene);
+    read_room_colors(lexicon_, document, plan.scene.room);
     build_relations(lexicon_, document, plan.scene);
     if (is_set(document.stop)) return stopped();
+    name_room_by_contents(lexicon_, document, plan.scene);
     furnish_by_wish(lexicon_, document, plan.scene);
     const bool speaks_of_room = !document.rooms.empty() || !plan.scene.room.openings.empty() || size.width > 0 || size.area > 0;
     if (plan.scene.objects.empty() && !speaks_of_room) {

@@ -36,6 +36,13 @@ bool is_definite_place(const Chunk& chunk) {
          chunk.noun.determiner == Determiner::kDefinite;
 }
 
+// "somewhere to hang coats and a bench": what is listed after what one does there.
+bool goes_on_with_thing(const std::vector<Chunk>& chunks, std::size_t k) {
+  return chunks[k].kind == ChunkKind::kAnd && k + 1 < chunks.size() && chunks[k + 1].kind == ChunkKind::kNoun &&
+         chunks[k + 1].noun.kind == NounKind::kObject && chunks[k + 1].noun.exact &&
+         (chunks[k + 1].noun.determiner == Determiner::kIndefinite || chunks[k + 1].noun.count > 0);
+}
+
 // "a place to fix bikes", "somewhere to watch the game": what one does there brings in nothing.
 void settle_activities(const Lexicon& lexicon, Document& document) {
   static constexpr std::string_view kPlaces[] = {"place", "room", "space", "spot", "somewhere", "area", "corner", "nook"};
@@ -47,9 +54,19 @@ void settle_activities(const Lexicon& lexicon, Document& document) {
     const std::string& word = document.tokens[to + 1].text;
     const bool verb = word_form(word) == WordForm::kVerb || lexicon.is(document.tokens[to + 1], WordClass::kVerb) ||
                       lexicon.is(document.tokens[to + 1], WordClass::kHang);
+    // "a bench to put your boots on"
+    const bool whose = to + 2 < document.tokens.size() && lexicon.is(document.tokens[to + 2], WordClass::kPossessive) &&
+                       (word == "put" || word == "keep" || word == "store" || word == "hang" || word == "lay");
+    if (whose) {
+      for (; k < chunks.size() && chunks[k].kind != ChunkKind::kStop && chunks[k].kind != ChunkKind::kComma &&
+             chunks[k].kind != ChunkKind::kAnd;
+           ++k)
+        pass_over(document, chunks[k], "purpose");
+      continue;
+    }
     if (!verb || std::find(std::begin(kPlaces), std::end(kPlaces), before) == std::end(kPlaces)) continue;
     for (; k < chunks.size() && chunks[k].kind != ChunkKind::kStop && chunks[k].kind != ChunkKind::kComma &&
-           chunks[k].kind != ChunkKind::kHave;
+           chunks[k].kind != ChunkKind::kHave && !goes_on_with_thing(chunks, k);
          ++k)
       pass_over(document, chunks[k], "purpose");
   }

@@ -5,6 +5,7 @@
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/reader_words.h"
 #include "layoutbox/plan/offline/relation_builder_parts.h"
+#include "layoutbox/plan/offline/room_reader.h"
 
 namespace layoutbox::offline {
 
@@ -99,6 +100,8 @@ void RelationBuilder::add(const Link& link, R type, std::vector<std::string> tar
   std::erase_if(references, [&](const std::string& r) { return std::find(targets.begin(), targets.end(), r) != targets.end(); });
   if (references.empty() && relation_row(type).arity != RelationArity::kNone && relation_row(type).arity != RelationArity::kOptional)
     return;
+  // "in Japanese style with a futon": that a thing is in the room says nothing.
+  if ((type == R::kOn || type == R::kIn) && references.size() == 1 && references.front() == "room") return;
   std::string key(relation_row(type).name);
   for (const std::string& target : targets) key += " " + target;
   key += ">";
@@ -168,14 +171,14 @@ std::vector<int> RelationBuilder::items_of(const std::vector<int>& mentions) con
   return all;
 }
 
-// Of the two side walls the one that fewer things were put at.
-std::string RelationBuilder::freer_side() const {
+// Of two walls across from each other the one that fewer things were put at.
+std::string RelationBuilder::freer_of(const std::string& one, const std::string& other) const {
   const auto said_of = [&](const std::string& wall) {
     return std::count_if(scene_.relations.begin(), scene_.relations.end(), [&](const Relation& r) {
       return std::find(r.references.begin(), r.references.end(), wall) != r.references.end();
     });
   };
-  return said_of("left") < said_of("right") ? "left" : "right";
+  return said_of(one) < said_of(other) ? one : other;
 }
 
 std::vector<std::string> RelationBuilder::room_reference(const NounPhrase& noun, R type) const {
@@ -193,7 +196,9 @@ std::vector<std::string> RelationBuilder::room_reference(const NounPhrase& noun,
     case NounKind::kWall: {
       auto all = words();
       if (all.size() > 1) all.resize(1);
-      if (all.empty() && noun.name.ends_with("side wall")) all = {freer_side()};
+      if (all.empty() && noun.name.ends_with("side wall")) all = {freer_of("left", "right")};
+      if (const auto [one, other] = walls_by_length(noun, scene_.room); all.empty() && !one.empty() && noun.wall_relation != "opposite")
+        all = {wall_of_.try_emplace(noun.first, freer_of(other, one)).first->second};  // all that is said to be at it
       if (all.empty() && noun.wall_relation.empty() && relation_row(type).arity != RelationArity::kOptional) all = {"back"};
       return all;
     }
@@ -203,9 +208,11 @@ std::vector<std::string> RelationBuilder::room_reference(const NounPhrase& noun,
       return all;
     }
     case NounKind::kDoor:
+      if (type == R::kNotBlocking) return {opening_id("door")};
       return relation_row(type).arity == RelationArity::kOptional ? std::vector<std::string>{}
                                                                   : std::vector<std::string>{opening_id("door")};
     case NounKind::kWindow:
+      if (type == R::kNotBlocking) return {opening_id("window")};
       return relation_row(type).arity == RelationArity::kOptional ? std::vector<std::string>{}
                                                                   : std::vector<std::string>{opening_id("window")};
     case NounKind::kFloor: return {"floor"};
@@ -247,6 +254,12 @@ void RelationBuilder::add_relations(const Link& link) {
     return;
   }
   const std::vector<int> targets = items_of(link.targets);
+  // "a window over the sink": the sink is under it.
+  const bool window = link.targets.size() == 1 && mention(link.targets.front()).noun.kind == NounKind::kWindow;
+  const bool over = std::ranges::any_of(link.senses, [](const PhraseSense& sense) { return sense.type == R::kAbove; });
+  if (window && over) {
+    for (const int item : items_of(link.references)) add(link, R::kUnderWindow, {id(item)}, {});
+  }
   if (targets.empty()) return;
   if (link.references.empty()) {
     for (const PhraseSense& sense : link.senses) {

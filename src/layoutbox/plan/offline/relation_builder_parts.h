@@ -36,7 +36,8 @@ class RelationBuilder {
   std::vector<int> items_of(const std::vector<int>& mentions) const;
   // What relativeTo says for a reference that is a part of the room.
   std::vector<std::string> room_reference(const NounPhrase& noun, RelationType type) const;
-  std::string freer_side() const;
+  mutable std::unordered_map<std::size_t, std::string> wall_of_;  // which wall a mention of one by its length means, by its first token
+  std::string freer_of(const std::string& one, const std::string& other) const;
   // A door or window that has an id of its own, else the word, which normalisation gives to the default one.
   std::string opening_id(std::string_view type) const;
   // As many of them as the words say: "between two windows".

@@ -296,7 +296,8 @@ void RelationBuilder::add_rows() {
 // "two clusters of four desks": each in two rows, close together.
 void RelationBuilder::add_clusters() {
   for (const Mention& mention : document_.mentions) {
-    const auto clusters = static_cast<std::size_t>(std::max(mention.noun.clusters, 0));
+    const auto together = static_cast<std::size_t>(mention.noun.together);
+    const auto clusters = together > 1 ? mention.items.size() / together : static_cast<std::size_t>(std::max(mention.noun.clusters, 0));
     if (!mention.introduces || clusters == 0 || mount_of(mention.noun) != Mount::kFloor || mention.items.size() % clusters != 0) continue;
     const std::size_t share = mention.items.size() / clusters;
     if (share < 2) continue;

@@ -327,6 +327,7 @@ std::vector<std::string> RelationBuilder::shared_walls(const NounPhrase& walls) 
   const auto said = [&](std::string_view word) {
     return walls.wall_relation == word || std::find(walls.attributes.begin(), walls.attributes.end(), word) != walls.attributes.end();
   };
+  if (const auto [one, other] = walls_by_length(walls, scene_.room); !one.empty() && !scene_.room.polygon.empty()) return {one, other};
   if (walls.count >= 3) return {"left", "back", "right"};
   if (said("adjacent")) return {"left", "back"};
   const bool pair = said("opposite") || walls.determiner == Determiner::kBoth || walls.name.find("side wall") != std::string::npos ||

@@ -30,6 +30,28 @@ const DoorKind* door_kind(const NounPhrase& noun) {
 }
 }  // namespace
 
+std::string length_word(const NounPhrase& wall) {
+  const auto said = [&](std::string_view word) {
+    return (" " + wall.name + " ").find(" " + std::string(word) + " ") != std::string::npos ||
+           std::find(wall.attributes.begin(), wall.attributes.end(), word) != wall.attributes.end();
+  };
+  if (said("long") || said("longer") || said("longest")) return "long";
+  return said("short") || said("shorter") || said("shortest") || said("narrow") ? "short" : "";
+}
+
+std::pair<std::string, std::string> walls_by_length(const NounPhrase& noun, const Room& room) {
+  const std::string word = length_word(noun);
+  if (word.empty()) return {};
+  Mm width = 0, depth = 0;
+  for (const Point& corner : room.polygon) {
+    width = std::max(width, corner.x);
+    depth = std::max(depth, corner.y);
+  }
+  // A room of no said size is at least as wide as deep.
+  if ((width >= depth) == (word == "long")) return {"back", "front"};
+  return {"left", "right"};
+}
+
 bool is_kind_of_door(const NounPhrase& noun) { return door_kind(noun) != nullptr; }
 
 // "French doors", "double doors": one opening, whose leaves they are.
@@ -95,6 +117,62 @@ void settle_opening_walls(const Lexicon& lexicon, Document& document) {
       break;
     }
   }
+}
+
+void settle_opening_ends(Document& document) {
+  const std::vector<Token>& tokens = document.tokens;
+  const auto is = [&](std::size_t i, std::initializer_list<std::string_view> words) {
+    return i < tokens.size() && std::ranges::find(words, tokens[i].text) != words.end();
+  };
+  for (Chunk& chunk : document.chunks) {
+    if (chunk.kind != ChunkKind::kNoun || (chunk.noun.kind != NounKind::kDoor && chunk.noun.kind != NounKind::kWindow)) continue;
+    std::size_t i = chunk.last;
+    while (is(i, {"is", "are", "being", "located", "placed", "situated"})) ++i;
+    const std::size_t first = i;
+    // "door on the short side, balcony door opposite."
+    const bool across = is(i, {"opposite"}) && (i + 1 >= tokens.size() || tokens[i + 1].kind == Token::Kind::kPunctuation);
+    if (!across && !is(i++, {"at", "on", "in"})) continue;
+    while (is(i, {"the", "one", "a", "of", "its", "two"})) ++i;
+    std::string word;
+    for (; is(i, {"long", "longer", "short", "shorter", "narrow", "other", "opposite"}); ++i)
+      word = is(i, {"other", "opposite"}) ? "other" : tokens[i].text.starts_with("long") ? "long" : "short";
+    const bool end = is(i, {"end", "ends"}), side = is(i, {"side", "sides", "one"});
+    if (end || (side && !word.empty())) ++i;
+    if (end && word.empty()) word = "short";
+    if (word.empty() || is(i, {"wall", "walls"}) || (!end && !side && word != "other")) continue;
+    if (is(i, {"of"}) && is(i + 1, {"the", "it"})) i += is(i + 1, {"it"}) ? 2 : 3;  // "of the room"
+    chunk.noun.wall_word = word;
+    for (Chunk& said : document.chunks) {
+      if (said.first < first || said.first >= i || said.kind == ChunkKind::kStop) continue;
+      said.kind = ChunkKind::kIgnored;
+      for (std::size_t t = said.first; t < said.last; ++t) {
+        document.readings[t].use = WordReading::Use::kUsed;
+        document.readings[t].role = "which wall";
+      }
+    }
+  }
+}
+
+std::string wall_across(std::string_view wall) {
+  static constexpr std::pair<std::string_view, std::string_view> kAcross[] = {
+      {"front", "back"}, {"back", "front"}, {"left", "right"}, {"right", "left"}};
+  const auto* found = std::ranges::find(kAcross, wall, &std::pair<std::string_view, std::string_view>::first);
+  return found == std::end(kAcross) ? std::string{} : std::string(found->second);
+}
+
+std::string wall_of_opening(const std::string& word, OpeningType type, const Room& room) {
+  if (word == "across") {  // from the door, or from the window
+    const auto by = std::ranges::find_if(room.openings, [&](const Opening& opening) { return opening.type != type; });
+    const std::string wall = by == room.openings.end() ? std::string{} : wall_across(by->wall);
+    return !wall.empty() ? wall : type == OpeningType::kWindow ? "back" : "front";
+  }
+  if (word == "other") return room.openings.empty() ? std::string{} : wall_across(room.openings.back().wall);
+  if (word != "short" && word != "long") return word;
+  NounPhrase wall;
+  wall.name = word + " wall";
+  const auto [one, other] = walls_by_length(wall, room);
+  const bool taken = std::ranges::any_of(room.openings, [&, o = other](const Opening& opening) { return opening.wall == o; });
+  return type == OpeningType::kWindow || taken ? one : other;
 }
 
 Opening opening_said(OpeningType type, const NounPhrase& noun) {

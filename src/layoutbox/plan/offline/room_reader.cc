@@ -37,7 +37,7 @@ void add_opening(SceneGraph& scene, OpeningType type, const NounPhrase& noun, co
   const auto number =
       std::count_if(scene.room.openings.begin(), scene.room.openings.end(), [&](const Opening& o) { return o.type == type; }) + 1;
   opening.id = std::string(name_of(type)) + std::to_string(number);
-  opening.wall = wall;
+  opening.wall = wall_of_opening(wall, type, scene.room);
   scene.room.openings.push_back(std::move(opening));
 }
 
@@ -106,6 +106,9 @@ void set_kind(const Document& document, SceneGraph& scene) {
     describe_room(noun, room);
     if (!type.empty() && std::find(types.begin(), types.end(), type) == types.end()) types.push_back(type);
   }
+  // "Our basement should become a cinema": what it is to be, not where it is.
+  const auto where = [](const std::string& type) { return type == "basement" || type == "attic" || type == "garage"; };
+  if (types.size() > 1 && where(types.front())) std::rotate(types.begin(), types.begin() + 1, types.end());
   if (!types.empty()) room.type = types.front();
   if (types.size() > 1) {
     std::string all;
@@ -127,6 +130,18 @@ void set_size(const Document& document, const RoomSize& size, SceneGraph& scene)
   if (size.height > 0) room.height = mm_from_m(size.height);
 }
 
+// Which wall a place says: "in the middle of the short wall", "opposite the door" (the one across from it).
+std::string wall_said(const Link& link, const NounPhrase& by) {
+  if (by.kind == NounKind::kDoor || by.kind == NounKind::kWindow) {
+    const bool across = std::ranges::any_of(link.senses, [](const PhraseSense& sense) { return sense.type == RelationType::kOpposite; });
+    return across ? "across" : "";
+  }
+  const NounPhrase& wall = by.kind == NounKind::kCenter && by.of ? *by.of : by;
+  if (wall.kind == NounKind::kWall && wall.wall_word.empty() && (wall.wall_relation == "opposite" || wall.wall_relation == "other"))
+    return "other";  // "the door in the long wall, a window on the opposite wall"
+  return wall.wall_word.empty() && wall.kind == NounKind::kWall ? length_word(wall) : wall.wall_word;
+}
+
 PlacedOpenings placed_openings(const Document& document) {
   PlacedOpenings placed;
   for (const Link& link : document.links) {
@@ -134,7 +149,7 @@ PlacedOpenings placed_openings(const Document& document) {
       const Mention& mention = document.mentions[static_cast<std::size_t>(target)];
       if (!is_opening(mention)) continue;
       std::string wall = mention.noun.wall_word;
-      for (const int reference : link.references) wall = document.mentions[static_cast<std::size_t>(reference)].noun.wall_word;
+      for (const int reference : link.references) wall = wall_said(link, document.mentions[static_cast<std::size_t>(reference)].noun);
       placed.emplace_back(&mention, wall.substr(0, wall.find(' ')));
     }
   }
@@ -144,6 +159,12 @@ PlacedOpenings placed_openings(const Document& document) {
 void put_openings(const PlacedOpenings& placed, SceneGraph& scene) {
   for (const auto& [mention, wall] : placed) {
     const OpeningType type = opening_type(*mention);
+    const auto known = std::ranges::find_if(scene.room.openings, [&](const Opening& o) { return o.type == type; });
+    // "a window at the end … opposite the door": the one that is there.
+    if (wall == "across" && mention->noun.determiner == Determiner::kDefinite && known != scene.room.openings.end()) {
+      if (known->wall.empty()) known->wall = wall_of_opening(wall, type, scene.room);
+      continue;
+    }
     // "two doors, one in the front wall and one in the left wall": shared out.
     const auto places = std::count_if(placed.begin(), placed.end(), [&, m = mention](const auto& p) { return p.first == m; });
     const int count = std::max(1, openings_said(mention->noun) / static_cast<int>(places));
@@ -178,11 +199,13 @@ void add_openings(const Document& document, SceneGraph& scene) {
 void add_needed_openings(const Document& document, SceneGraph& scene) {
   Room& room = scene.room;
   const bool windowless = wants_no_window(document);
+  const PlacedOpenings placed = placed_openings(document);
   if (!room.openings.empty() || windowless) {
     for (const OpeningType type : {OpeningType::kDoor, OpeningType::kWindow}) {
       if (std::any_of(room.openings.begin(), room.openings.end(), [&](const Opening& o) { return o.type == type; })) continue;
       if (type == OpeningType::kWindow && windowless) continue;
-      add_opening(scene, type, {}, {});
+      const bool across = !room.openings.empty() && std::ranges::any_of(placed, [](const auto& p) { return p.second == "across"; });
+      add_opening(scene, type, {}, across ? wall_across(room.openings.front().wall) : std::string{});
       room.openings.back().origin = Origin::kAssumed;
       scene.notes.push_back({"filled", std::string("a ") + std::string(name_of(type)) + " is assumed", "/room/openings"});
     }
@@ -199,7 +222,12 @@ void set_surfaces(const Document& document, Room& room) {
           (noun.attribute_classes[a] == Class::kColor || noun.attribute_classes[a] == Class::kMaterial))
         material += (material.empty() ? "" : " ") + noun.attributes[a];
     }
-    if (noun.kind == NounKind::kFloor && material.empty() && noun.name.find("hardwood") != std::string::npos) material = "wood";
+    // "hardwood floor", "wood floor": names of their own
+    if (noun.kind == NounKind::kFloor && material.empty() && noun.name.find("wood") != std::string::npos) material = "wood";
+    const auto said = [&](std::string_view word) {
+      return std::find(noun.attributes.begin(), noun.attributes.end(), word) != noun.attributes.end();
+    };
+    if (noun.kind == NounKind::kWall && material.empty()) material = said("dark") ? "dark gray" : said("bright") ? "white" : "";
     if (material.empty()) continue;
     if (noun.kind == NounKind::kFloor)
       room.floor_material = material + " floor";

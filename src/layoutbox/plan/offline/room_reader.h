@@ -30,13 +30,29 @@ void settle_opening_sizes(Document& document);
 // "a window to the east", "the entrance is on the left": the side becomes the opening's wall word.
 void settle_opening_walls(const Lexicon& lexicon, Document& document);
 
+// "the door at one end and the window at the other", "the entrance on the narrow side": the opening's wall word is "short", "long" or
+// "other", which is settled when the room's sides are known.
+void settle_opening_ends(Document& document);
+// What such a word means for an opening of that type after those that the room has; any other word stays.
+std::string wall_of_opening(const std::string& word, OpeningType type, const Room& room);
+// The wall across from that one.
+std::string wall_across(std::string_view wall);
+
 // A door or a window as a noun phrase says it, without an id and a place.
 Opening opening_said(OpeningType type, const NounPhrase& noun);
+
+// "short" or "long", where a wall or a side is said to be so; empty elsewhere.
+std::string length_word(const NounPhrase& wall);
+// "the short wall", "a long side": the two walls of that length, words for them; empty where nothing of the kind is said.
+std::pair<std::string, std::string> walls_by_length(const NounPhrase& noun, const Room& room);
 
 // "a sliding door", "the patio door": not the usual one.
 bool is_kind_of_door(const NounPhrase& noun);
 // How many openings a noun phrase names.
 int openings_said(const NounPhrase& noun);
+
+// "Pink and grey.", "a kitchen in white and oak", "green tiles": colours of the whole room, for its walls and its floor.
+void read_room_colors(const Lexicon& lexicon, Document& document, Room& room);
 
 // Fills the scene's room from what was read.
 void build_room(const Document& document, const RoomSize& size, SceneGraph& scene);

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <ranges>
+#include <utility>
 
 #include "layoutbox/plan/offline/room_reader.h"
 
@@ -207,7 +208,8 @@ class SizeReader {
     } else {
       return 0;
     }
-    if (!speaks_of_room(at, at + length)) return 0;
+    const double side = std::sqrt(tokens_[at].number * scale);
+    if (!speaks_of_room(at, at + length, {side, side})) return 0;
     size_.area = tokens_[at].number * scale;
     take(at, at + length, "area of the room");
     return length;
@@ -246,6 +248,18 @@ class SizeReader {
     return last - at;
   }
 
+  // "1.4 m wide and 4 m long" at [at, …): both of them, where a second one follows; the first is at most left to say.
+  std::vector<double> sides_from(std::size_t at, std::size_t length, const SaidSize& first) {
+    const auto side_of = [](const SaidSize& said) { return said.width.value_or(said.depth.value_or(said.length.value_or(0))); };
+    if (other_side_ > 0) return {side_of(first), std::exchange(other_side_, 0)};
+    std::size_t next = at + length;
+    while (next < tokens_.size() && (tokens_[next].text == "," || tokens_[next].text == "and" || tokens_[next].text == "by")) ++next;
+    SaidSize second;
+    if (next >= tokens_.size() || read_size(lexicon_, tokens_, next, second) == 0 || side_of(second) == 0) return {};
+    other_side_ = side_of(first);
+    return {side_of(first), side_of(second)};
+  }
+
   // "the room is 4 m wide and 3 m long", "width 4 m": one side at a time.
   std::size_t read_side(std::size_t at) {
     constexpr std::size_t kNameBefore = 2;  // "width", "width:"
@@ -255,7 +269,13 @@ class SizeReader {
       const std::size_t taken = read_size_of(lexicon_, tokens_, at - back, said);
       if (taken > back) length = taken - back;
     }
-    if (length == 0 || !speaks_of_room(at, at + length)) return 0;
+    if (length == 0) return 0;
+    const bool second = other_side_ > 0;  // of two sides that were said of the room
+    const std::vector<double> sides = sides_from(at, length, said);
+    if (!second && !speaks_of_room(at, at + length, sides)) {
+      other_side_ = 0;
+      return 0;
+    }
     const double value = said.width.value_or(said.depth.value_or(said.length.value_or(0)));
     if (value > 0 && value < 1.2) return 0;
     if (said.width) size_.width = *said.width;
@@ -271,6 +291,7 @@ class SizeReader {
   const std::vector<Token>& tokens_;
   std::vector<bool>& skip_;
   RoomSize size_;
+  double other_side_ = 0;  // that the side read last was said together with
   bool l_shaped_ = false;
 };
 

@@ -34,6 +34,20 @@ class Furnisher {
     scene_.notes.push_back({"filled", because + ": the usual furniture of a " + kinds_.front()->name + " is taken", "prompt"});
   }
 
+  // A part of the room of which nothing is there: "with a kitchen at one end".
+  void add_part(std::string_view id) {
+    const RoomKind* kind = catalog_.find_room(id);
+    if (kind == nullptr) return;
+    constexpr int kTells = 3;  // of the usual things: what such a part is told by
+    for (int i = 0; i < kTells && i < static_cast<int>(kind->usual.size()); ++i) {
+      const CatalogEntry* entry = catalog_.find(kind->usual[static_cast<std::size_t>(i)].first);
+      if (entry == nullptr || is_there(*entry) || excluded(entry->id)) return;
+    }
+    for (const SceneObject& object : scene_.objects) ++numbers_[object.category];
+    furnish(*kind, false);
+    scene_.notes.push_back({"filled", "a " + kind->name + " is named and nothing in it: the usual things are taken", "prompt"});
+  }
+
  private:
   // "for two children": for how many it is.
   void count_people() {
@@ -171,14 +185,48 @@ bool only_says_what_for(const Lexicon& lexicon, const Document& document) {
          });
 }
 
+// What a room of no named kind is, by what stands in it; empty where that says nothing.
+std::string kind_by_contents(const Lexicon& lexicon, const Document& document, const SceneGraph& scene) {
+  const Catalog& catalog = lexicon.catalog();
+  const auto count = [&](std::initializer_list<std::string_view> kinds) {
+    return std::ranges::count_if(scene.objects, [&](const SceneObject& object) {
+      return std::ranges::any_of(kinds, [&](std::string_view kind) { return catalog.is_a(object.category, kind); });
+    });
+  };
+  const auto cooks = count({"stove", "oven", "cooktop", "kitchen_sink"}), sits = count({"sofa"});
+  const bool young = std::ranges::any_of(document.tokens, [&](const Token& token) { return lexicon.is_young(singular_of(token.text)); });
+  if (count({"crib", "changing_table"}) > 1) return "nursery";
+  if (count({"bed"}) > 0) {
+    if (count({"hospital_bed"}) > 0) return "hospital_room";
+    if (cooks > 0 || (sits > 0 && count({"dining_table"}) > 0)) return "studio_apartment";
+    return young ? "kids_room" : "bedroom";
+  }
+  if (cooks > 0 && sits == 0) return "kitchen";
+  if (count({"toilet"}) > 0) return "bathroom";
+  if (sits > 0 && count({"tv", "coffee_table", "armchair", "fireplace"}) > 0) return "living_room";
+  if (count({"desk"}) > 0 && count({"file_cabinet", "printer", "conference_table"}) > 0) return "office";
+  return {};
+}
+
 }  // namespace
+
+void name_room_by_contents(const Lexicon& lexicon, const Document& document, SceneGraph& scene) {
+  const bool named = std::ranges::any_of(document.rooms, [](const NounPhrase& room) { return room.kind == NounKind::kRoom && room.room; });
+  if (scene.room.type.empty() && !named) scene.room.type = kind_by_contents(lexicon, document, scene);
+}
 
 void furnish_by_wish(const Lexicon& lexicon, const Document& document, SceneGraph& scene) {
   if (!scene.objects.empty() && only_says_what_for(lexicon, document)) {
     scene.objects.clear();
     scene.relations.clear();
   }
-  if (scene.objects.empty()) Furnisher(lexicon, document, scene).run();
+  if (scene.objects.empty()) return Furnisher(lexicon, document, scene).run();
+  // "Open plan flat. Kitchen at one end, …": a kitchen of which nothing is named.
+  const bool kitchen = std::ranges::any_of(document.rooms, [](const NounPhrase& room) {
+    const bool known = room.determiner != Determiner::kNone && room.determiner != Determiner::kIndefinite;  // "tea is in the kitchen"
+    return room.room != nullptr && room.room->id == "kitchen" && !known;
+  });
+  if (kitchen && scene.room.type != "kitchen") Furnisher(lexicon, document, scene).add_part("kitchen");
 }
 
 }  // namespace layoutbox::offline

@@ -94,6 +94,8 @@ class Decoder {
   void waited_content_actions(std::size_t s, int u);
   void waited_member_actions(std::size_t s, int u);
   void list_actions(std::size_t s, int u);
+  int open_list(const State& state) const;
+  bool goes_on_with_clause(const State& state, int u) const;
   void root_list_actions(std::size_t s, int u, double gain);
   bool placed_by_clause(const State& state, int u) const;
   void member_actions(std::size_t s, int u);

@@ -44,7 +44,8 @@ bool Decoder::consider(std::vector<Candidate>& all, const State& state, Referent
                        const PhraseSenses* senses, const NounPhrase* noun, bool list) const {
   if (referent == kNobody) return false;
   const NounPhrase& meant = noun_of(state, referent);
-  const bool opening = meant.kind == NounKind::kDoor || meant.kind == NounKind::kWindow;
+  const bool opening = (meant.kind == NounKind::kDoor || meant.kind == NounKind::kWindow) &&
+                       !(senses != nullptr && says(*senses, RelationType::kIn));  // "a desk and a bed in it": in the room
   if (!is_thing(state, referent) && !(opening && senses != nullptr && noun != nullptr && noun->head == "it")) return false;
   if (subject != kNobody && !is_of_one_group(state, referent, subject, noun) && same(state, referent, subject)) return false;
   // Nothing stands between itself, or what has it, and something else.

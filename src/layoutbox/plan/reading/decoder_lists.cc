@@ -65,6 +65,35 @@ bool Decoder::placed_by_clause(const State& state, int u) const {
   return false;
 }
 
+// The list of the clause's own things, none of which "and" has joined yet: how many they are; 0 where it is over.
+int Decoder::open_list(const State& state) const {
+  int length = 0;
+  for (int m = state.frontier.front(); m >= 0; m = read_as(state, m).former, ++length) {
+    if (read_as(state, m).former >= 0 && unit(m).joiner != Joiner::kComma) return 0;
+  }
+  return length;
+}
+
+// "a bed, a table with two chairs and a wardrobe": "and" ends the clause's list, which nothing has ended yet. "bed, table with four chairs,
+// wardrobe": after seats a comma goes on with it.
+bool Decoder::goes_on_with_clause(const State& state, int u) const {
+  const int content = state.frontier.back();
+  const Referent host = host_of(state, content);
+  if (state.frontier.size() < 2 || state.verb || !is_thing(state, host) || open_list(state) < 2) return false;
+  const NounPhrase &noun = chunk(u).noun, &former = noun_of(state, content), &owner = noun_of(state, host);
+  if (noun.kind != NounKind::kObject || mount_of(owner) != Mount::kFloor || is_seat(lexicon_.catalog(), noun)) return false;
+  const bool seats = is_table(lexicon_.catalog(), owner) && is_seat(lexicon_.catalog(), former);
+  if (unit(u).joiner == Joiner::kComma) return seats;
+  if (unit(u).joiner != Joiner::kAnd) return false;
+  for (int v = u + 1; v < static_cast<int>(sentence_.size()) && !unit(v).clause; ++v) {
+    if (is(v, UnitKind::kNoun) && unit(v).joiner != Joiner::kNone) return false;  // it is not the last
+  }
+  const auto known = [](const NounPhrase& n) { return n.determiner == Determiner::kDefinite || n.determiner == Determiner::kPossessive; };
+  int first = state.frontier.front();
+  while (read_as(state, first).former >= 0) first = read_as(state, first).former;
+  return mount_of(noun) == Mount::kFloor || (known(noun) && known(noun_of(state, first)));
+}
+
 // With what the clause is about, or a clause of its own; `gain`: what speaks for either.
 void Decoder::root_list_actions(std::size_t s, int u, double gain) {
   const State& state = states_[s];
@@ -102,7 +131,12 @@ double Decoder::content_list_score(const State& state, int member, int u) const 
   const Joiner joiner = unit(u).joiner;
   if (noun.kind != NounKind::kObject && noun.kind != NounKind::kAbstract && noun.kind != NounKind::kPart && noun.kind != NounKind::kMember)
     return -4;
-  double score = 0;
+  // "three desks, each with a chair, one printer for all": no desk's own
+  const std::size_t end = chunk(u).last;
+  if (end + 1 < document_.tokens.size() && document_.tokens[end].text == "for" &&
+      one_of(document_.tokens[end + 1].text, {"all", "everyone", "everybody", "both"}))
+    return -6;
+  double score = goes_on_with_clause(state, u) ? weight::kClosesList : 0;
   bool ended = false;
   std::size_t length = 0;
   for (int m = member; m >= 0; m = read_as(state, m).former, ++length) {

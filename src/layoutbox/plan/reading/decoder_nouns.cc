@@ -219,6 +219,11 @@ double Decoder::habit_score(const State& state, int place, Referent subject, Ref
   double score = 0;
   const Referent host = host_of(state, subject);
   const bool small = is_seat(lexicon_.catalog(), target) ? !says(senses, RelationType::kFacing) : mount_of(target) == Mount::kSurface;
+  // "a counter with a sink along the wall", "four stations with mirrors along it": the counter and the stations
+  const bool along = word(place) == "along" && is_thing(state, host) && mount_of(noun_of(state, host)) == Mount::kFloor &&
+                     (mount_of(target) == Mount::kWall || sense_.carries(noun_of(state, host), target) ||
+                      one_of(target.head, {"sink", "basin", "washbasin", "hob", "cooktop"}));
+  if (along && is_place_of_room(by.kind)) score += weight::kSmallByPlace;
   const bool apart = unit(place).joiner != Joiner::kNone || state.participle || chunk(place).placing;
   if (apart) return score;
   const bool beside = says(senses, RelationType::kBetween) || says(senses, RelationType::kNextTo) || says(senses, RelationType::kNear);

@@ -59,6 +59,10 @@ void Scribe::grow_for_reference(int index, int mention, bool both) {
   if (mention_at(mention).introduces && mention_at(mention).items.size() == 1 && noun.determiner == Determiner::kIndefinite &&
       targets.size() == 1 && mention_at(targets.front()).distributes && !mention_at(targets.front()).introduces)
     references_.grow(mention, mention_at(targets.front()).items.size());
+  // "three chairs facing mirrors": as many.
+  if (mention_at(mention).introduces && noun.plural && noun.count == 0 && noun.determiner == Determiner::kNone && targets.size() == 1 &&
+      noun_of(targets.front()).count > 2 && says(link.senses, RelationType::kFacing))
+    references_.grow(mention, mention_at(targets.front()).items.size());
   // "three mirrors and three chairs, each facing a mirror": every one its own.
   if (!mention_at(mention).introduces && noun.determiner == Determiner::kIndefinite && targets.size() == 1 &&
       mention_at(targets.front()).distributes)

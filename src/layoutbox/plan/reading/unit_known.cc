@@ -66,6 +66,7 @@ bool UnitReader::speaks_again(std::size_t k) const {
       noun.kind == NounKind::kObject && noun.determiner == Determiner::kNone && noun.count == 0 && !noun.plural && noun.attributes.empty();
   if (!bare || (!units_.empty() && joiner_ == Joiner::kNone)) return false;
   const auto tells = [&](std::size_t c) {
+    if (is(c, ChunkKind::kWithout)) return is(next(c), ChunkKind::kRelation);  // "cot not by the heater"
     return is(c, ChunkKind::kRelation) || is(c, ChunkKind::kParticiple) || is(c, ChunkKind::kVerb) || is(c, ChunkKind::kUnknown) ||
            is(c, ChunkKind::kPurpose);
   };

@@ -53,13 +53,23 @@ bool UnitReader::says_room_seats(std::size_t k) {
   const NounPhrase& noun = chunk(k).noun;
   if (noun.count < 2 || !noun.attributes.empty() || noun.category.find(noun.head) != 0 || !one_of(noun.head, {"seat", "cover", "place"}))
     return false;
-  if (units_.size() != 2 || units_.back().kind != UnitKind::kHave || units_.front().kind != UnitKind::kNoun) return false;
+  // "a sofa (3 seats)": how long it is
+  const bool own = !units_.empty() && units_.back().kind == UnitKind::kNoun && previous(previous(k)) == units_.back().chunk &&
+                   one_of(chunk(units_.back().chunk).noun.head, {"sofa", "couch", "settee", "bench"}) && k > 0 &&
+                   is(k - 1, ChunkKind::kComma) && document_.tokens[chunk(k - 1).first].text != ",";
+  if (own) {
+    mark(k, Use::kUsed, "size");
+    return true;
+  }
+  const bool listed = units_.size() == 1 && joiner_ == Joiner::kComma;  // "Restaurant, 40 seats, …"
+  if (!listed && (units_.size() != 2 || units_.back().kind != UnitKind::kHave)) return false;
+  if (units_.front().kind != UnitKind::kNoun) return false;
   const NounPhrase& room = chunk(units_.front().chunk).noun;
   const Lexicon::Set* needs = room.kind == NounKind::kRoom && room.room != nullptr ? lexicon_.needs_in(room.room->id) : nullptr;
   if (needs == nullptr || needs->size() < 2 || !needs->front().first->is(Trait::kTable) || is(next(k), ChunkKind::kRelation)) return false;
   document_.people = noun.count;
   mark(k, Use::kUsed, "for how many");
-  leave_out_part(k, is(next(k), ChunkKind::kAnd) || is(next(k), ChunkKind::kComma));
+  if (!listed) leave_out_part(k, is(next(k), ChunkKind::kAnd) || is(next(k), ChunkKind::kComma));
   return true;
 }
 
@@ -105,8 +115,13 @@ void UnitReader::settle_place_words(std::size_t k) {
                        !noun.wall_word.empty() && units_.size() == 2;
   if (of_room && says(senses, RelationType::kAgainstWall) && !noun.of) noun.kind = NounKind::kWall;
   if (side && says(senses, RelationType::kAgainstWall) && !noun.of && !noun.plural && noun.determiner != Determiner::kPossessive) {
-    noun.kind = NounKind::kWall;
-    noun.wall_word = noun.head;
+    const bool both = noun.wall_word == "back" || noun.wall_word == "front";  // "at the back right"
+    noun.kind = both ? NounKind::kCorner : NounKind::kWall;
+    noun.wall_word = both ? noun.wall_word + " " + noun.head : noun.head;
+    if (both) {
+      units_.back().direct = direct_senses<RelationType::kCorner>();
+      units_.back().senses = &direct_senses<RelationType::kCorner>();
+    }
   }
   const bool opposite = std::find(noun.attributes.begin(), noun.attributes.end(), "opposite") != noun.attributes.end();
   const bool other = noun.kind == NounKind::kMember && !noun.of &&
@@ -132,11 +147,14 @@ void UnitReader::settle_place_words(std::size_t k) {
 // "a table with six swivel seats around it": no part of the table.
 bool UnitReader::is_placed_itself(std::size_t k) const {
   const std::size_t r = next(k);
+  if (is(r, ChunkKind::kRelation) && !is(next(r), ChunkKind::kNoun) && chunk(r).last - chunk(r).first > 2)
+    return document_.tokens[chunk(r).last - 1].text.starts_with("end");  // "sinks at the ends"
   if (!is(r, ChunkKind::kRelation) || !is(next(r), ChunkKind::kNoun)) return false;
   const PhraseSenses& senses = *chunk(r).phrase.senses;
   const bool on_it = says(senses, RelationType::kOn) && chunk(next(r)).noun.kind == NounKind::kPronoun;  // "five prints clipped to it"
-  return on_it || says(senses, RelationType::kAround) || says(senses, RelationType::kNextTo) || says(senses, RelationType::kInFrontOf) ||
-         says(senses, RelationType::kFacing);
+  const bool at_end = chunk(next(r)).noun.kind == NounKind::kPart && one_of(chunk(next(r)).noun.head, {"end", "side"});
+  return on_it || at_end || says(senses, RelationType::kAround) || says(senses, RelationType::kNextTo) ||
+         says(senses, RelationType::kInFrontOf) || says(senses, RelationType::kFacing);
 }
 
 // "two counters with sinks": let into their tops; a vanity has its own.
@@ -304,6 +322,8 @@ void UnitReader::read_noun(std::size_t k) {
   mean_side_of_room(k);
   mean_end_of_room(k);
   mean_fabric(k);
+  mean_fire(k);
+  mean_thing_of_zone(k);
   place_at_spot(k);
   place_by_verb(k);
   if (!skipping_ && !negated_ && passes_light_noun(k)) return;
@@ -322,8 +342,7 @@ void UnitReader::read_noun(std::size_t k) {
   take_told(k);
   if (is_told_by_the_way(k)) return;
   // "instead of a bathtub a shower": what stands beside what is not wanted.
-  if (negated_ && joiner_ == Joiner::kNone && k > 0 && is(k - 1, ChunkKind::kNoun) && noun.determiner == Determiner::kIndefinite)
-    negated_ = false;
+  if (negated_ && k > 0 && is(previous(k), ChunkKind::kNoun) && noun.determiner == Determiner::kIndefinite) negated_ = false;
   if (negated_) {
     mark(k, Use::kUsed, "not wanted");
     if (noun.kind == NounKind::kObject || noun.kind == NounKind::kWindow) document_.excluded.push_back(noun);

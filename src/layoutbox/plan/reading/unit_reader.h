@@ -40,6 +40,9 @@ class UnitReader {
   // Purposes and what is not wanted.
   void read_purpose(std::size_t k);
   bool is_bare_list() const;
+  bool keeps_place_for(std::size_t k);
+  bool wishes_to(std::size_t k);
+  bool brings_each(std::size_t k);
   bool purpose_ends(std::size_t k, std::size_t n) const;
   bool place_after_purpose(std::size_t k) const;
   bool follows_whom(std::size_t k) const;
@@ -58,6 +61,7 @@ class UnitReader {
   bool serves_for(std::size_t k, std::size_t role);
   bool brings_for_each(std::size_t k);
   void seat_so_many(NounPhrase& tables, int people) const;
+  const PhraseSenses* kept_free(std::size_t r, std::size_t n);
   bool denies_place(std::size_t k);
   bool excepts_from_nothing(std::size_t k) const;
 
@@ -120,6 +124,8 @@ class UnitReader {
   void mean_end_of_room(std::size_t k);
   bool stands_in_room(std::size_t k) const;
   void mean_fabric(std::size_t k);
+  void mean_fire(std::size_t k);
+  void mean_thing_of_zone(std::size_t k);
   void place_at_spot(std::size_t k);
   bool is_unread_verb(std::size_t k) const;
   bool wall_has(std::size_t k) const;

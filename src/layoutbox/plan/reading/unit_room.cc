@@ -100,6 +100,12 @@ void UnitReader::mean_fabric(std::size_t k) {
                      one_of(document_.tokens[chunk(verb).first].text,
                             {"enters", "falls", "pours", "streams", "floods", "filters", "slants", "comes", "spills", "seeps", "shines"});
   if (falls) noun.kind = NounKind::kAbstract;
+  // "near the balcony": by its glass door
+  const bool by = after_place() && (says(units_.back().direct, RelationType::kNear) || says(units_.back().direct, RelationType::kNextTo) ||
+                                    says(units_.back().direct, RelationType::kFacing));
+  if (by && noun.kind == NounKind::kOutsideRoom && one_of(noun.head, {"balcony", "terrace", "patio"}) &&
+      noun.determiner == Determiner::kDefinite)
+    noun.kind = NounKind::kWindow;
   if (after_place() && shines && says(units_.back().direct, RelationType::kIn) && noun.name == noun.head && !is_named_before(k, noun.head))
     noun.kind = NounKind::kAbstract;  // "in the light"
   if (!after_place() || noun.kind != NounKind::kObject || noun.determiner != Determiner::kDefinite || noun.count > 0 || noun.of ||
@@ -109,6 +115,57 @@ void UnitReader::mean_fabric(std::size_t k) {
       !says(units_.back().direct, RelationType::kOn) && !says(units_.back().direct, RelationType::kIn))
     noun.kind = NounKind::kWindow;
   if (one_of(noun.name, {"stair", "stairs"}) && noun.plural && !is_named_before(k, noun.head)) noun.kind = NounKind::kAbstract;
+}
+
+// "a printer corner", "a small sofa area": the thing that such a place is for, where nothing else of its kind is named.
+void UnitReader::mean_thing_of_zone(std::size_t k) {
+  NounPhrase& noun = document_.chunks[k].noun;
+  const bool zone = noun.kind == NounKind::kCorner || noun.kind == NounKind::kAbstract || noun.kind == NounKind::kRoom;
+  const bool anew = noun.determiner == Determiner::kIndefinite || (noun.determiner == Determiner::kNone && joiner_ != Joiner::kNone);
+  if (!zone || !anew || after_place() || noun.room != nullptr || noun.last < noun.first + 2 ||
+      !one_of(noun.head, {"corner", "area", "zone", "nook", "spot"}))
+    return;
+  const Match match = lexicon_.find(document_.tokens, noun.last - 2, WordClass::kObject);
+  const auto thing =
+      std::ranges::find_if(match.meanings, [](const Meaning& m) { return m.word_class == WordClass::kObject && m.entry != nullptr; });
+  if (match.length != 1 || thing == match.meanings.end()) return;
+  const CatalogEntry& entry = *thing->entry;
+  const std::string& word = document_.tokens[noun.last - 2].text;
+  if (entry.mount != Mount::kFloor && !one_of(word, {"printer", "tv", "computer"})) return;
+  const bool named = std::ranges::any_of(document_.chunks, [&](const Chunk& other) {
+    return other.kind == ChunkKind::kNoun && other.noun.kind == NounKind::kObject && other.noun.entry == &entry;
+  });
+  if (named) return;
+  noun.kind = NounKind::kObject;
+  noun.entry = &entry;
+  noun.exact = true;
+  noun.category = entry.id;
+  noun.name = noun.head = word;
+  noun.doubted = false;
+}
+
+// "by the fire", "armchairs that face the fire": the fireplace or stove that was named.
+void UnitReader::mean_fire(std::size_t k) {
+  NounPhrase& noun = document_.chunks[k].noun;
+  if (noun.head != "fire" || noun.name != "fire" || noun.determiner != Determiner::kDefinite || noun.plural || noun.of || !after_place())
+    return;
+  const NounPhrase said = noun;
+  const auto burns = [&](const NounPhrase& named) {
+    if (named.kind != NounKind::kObject || named.entry == nullptr) return false;
+    const auto is_a = [&](std::string_view id) { return lexicon_.catalog().is_a(named.entry->id, id); };
+    return is_a("fireplace") || is_a("stove") || is_a("fire_pit");
+  };
+  for (std::size_t c = k; c-- > 0;) {
+    if (!is(c, ChunkKind::kNoun) || !burns(chunk(c).noun)) continue;
+    noun = chunk(c).noun;
+    noun.determiner = Determiner::kDefinite;
+    noun.count = 0;
+    noun.attributes.clear();
+    noun.attribute_classes.clear();
+    noun.first = said.first;
+    noun.last = said.last;
+    return;
+  }
 }
 
 // The chunk is one word that no list has for places, and may be a verb.

@@ -116,7 +116,8 @@ void UnitReader::has_its_own(std::size_t k) {
   const bool reference = units_.size() > 1 && units_[units_.size() - 2].kind == UnitKind::kPlace && units_.back().joiner == Joiner::kNone;
   const bool ends =
       after >= document_.chunks.size() || is(after, ChunkKind::kComma) || is(after, ChunkKind::kAnd) || is(after, ChunkKind::kStop);
-  if (reference || !ends || chunk(host).noun.kind != NounKind::kObject || is_named_before(k, chunk(k).noun.head)) return;
+  const bool own = one_of(document_.tokens[chunk(k).noun.first].text, {"its", "their"});  // not "a desk and my television"
+  if (!own || reference || !ends || chunk(host).noun.kind != NounKind::kObject || is_named_before(k, chunk(k).noun.head)) return;
   joiner_ = Joiner::kNone;
   add(UnitKind::kHave, host);
   units_.back().unsaid = true;

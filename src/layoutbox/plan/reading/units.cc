@@ -153,8 +153,12 @@ void UnitReader::read_break(std::size_t k) {
   const bool after_comma = !comma && is(previous(k), ChunkKind::kComma);  // "…, and the chair": as after the comma
   if (skipping_ && !is(n, ChunkKind::kAnd) && purpose_ends(after_comma && names_thing(n) ? previous(k) : k, n)) skipping_ = false;
   if (negated_) {
-    const bool more = is(n, ChunkKind::kNoun) && chunk(n).noun.determiner == Determiner::kNone && chunk(n).noun.count == 0;
-    if (!more || (comma && contrasted_) || (document_.tokens[chunk(k).first].text == ":" && is(previous(k), ChunkKind::kNoun))) negated_ = false;
+    // "the wall without a window, bench at the foot of it": what has a place of its own is there
+    const bool placed = comma && is(previous(k), ChunkKind::kNoun) && chunk(previous(k)).noun.determiner == Determiner::kIndefinite &&
+                        is(next(n), ChunkKind::kRelation);
+    const bool more = is(n, ChunkKind::kNoun) && chunk(n).noun.determiner == Determiner::kNone && chunk(n).noun.count == 0 && !placed;
+    if (!more || (comma && contrasted_) || (document_.tokens[chunk(k).first].text == ":" && is(previous(k), ChunkKind::kNoun)))
+      negated_ = false;
   }
   if (is_topic_before_colon(k)) {
     clause_ = true;

@@ -1,0 +1,110 @@
+// Colours that a text gives the whole room.
+#include <algorithm>
+
+#include "layoutbox/plan/offline/room_reader.h"
+
+namespace layoutbox::offline {
+namespace {
+
+struct Scheme {
+  std::string walls, floor;
+  std::size_t length = 0;  // tokens
+};
+
+bool is_one_of(const Token& token, std::initializer_list<std::string_view> words) {
+  return std::ranges::find(words, std::string_view(token.text)) != words.end();
+}
+
+// "white and oak", "mostly pale blue tones": a row of colours and materials from `at` on. Empty where something else is among them.
+Scheme scheme_at(const Lexicon& lexicon, const std::vector<Token>& tokens, std::size_t at) {
+  Scheme scheme;
+  std::size_t i = at;
+  for (std::string shade; i < tokens.size();) {
+    const Token& token = tokens[i];
+    const Match color = lexicon.find(tokens, i, WordClass::kColor), material = lexicon.find(tokens, i, WordClass::kMaterial);
+    if (color.length > 0) {
+      for (std::size_t w = i; w < i + color.length; ++w) shade += (shade.empty() ? "" : " ") + tokens[w].text;
+      if (scheme.walls.empty()) scheme.walls = shade;
+      shade.clear();
+      i += color.length;
+    } else if (material.length > 0) {
+      if (token.text.starts_with("tile") && !scheme.walls.empty())
+        scheme.walls += " tile";
+      else if (scheme.floor.empty() &&
+               is_one_of(token, {"oak", "wood", "walnut", "maple", "pine", "birch", "ash", "teak", "bamboo", "concrete"}))
+        scheme.floor = token.text;
+      i += material.length;
+    } else if (is_one_of(token, {"light", "dark", "pale", "soft", "bright", "deep"})) {
+      shade = token.text;
+      ++i;
+    } else if (is_one_of(token, {"and", ",", "tones", "tone", "colors", "color", "shades", "scheme", "palette", "mostly", "all", "please",
+                                 "natural", "everywhere", "throughout"})) {
+      ++i;
+    } else {
+      break;
+    }
+  }
+  scheme.length = i - at;
+  return scheme;
+}
+
+bool ends(const std::vector<Token>& tokens, std::size_t at) { return at >= tokens.size() || tokens[at].ends_sentence; }
+
+void use(Document& document, std::size_t first, std::size_t last) {
+  for (std::size_t i = first; i < last; ++i) {
+    document.readings[i].use = WordReading::Use::kUsed;
+    document.readings[i].role = "colors of the room";
+  }
+}
+
+// "Green tiles." of nothing in particular: on the walls.
+std::string tiles_said(const NounPhrase& noun) {
+  if (noun.kind != NounKind::kPart || noun.head != "tile" || noun.of) return {};
+  for (std::size_t a = 0; a < noun.attribute_classes.size() && a < noun.attributes.size(); ++a) {
+    if (noun.attribute_classes[a] == WordClass::kColor) return noun.attributes[a] + " tile";
+  }
+  return {};
+}
+
+}  // namespace
+
+void read_room_colors(const Lexicon& lexicon, Document& document, Room& room) {
+  const std::vector<Token>& tokens = document.tokens;
+  const auto take = [&](const Scheme& scheme) {
+    if (room.wall_material.empty()) room.wall_material = scheme.walls;
+    if (room.floor_material.empty() && !scheme.floor.empty()) room.floor_material = scheme.floor + " floor";
+  };
+  for (std::size_t i = 0; i < tokens.size(); ++i) {
+    if (i > 0 && !tokens[i - 1].ends_sentence) continue;
+    const Scheme scheme = scheme_at(lexicon, tokens, i);
+    if (scheme.walls.empty() || !ends(tokens, i + scheme.length)) continue;
+    take(scheme);
+    use(document, i, i + scheme.length);
+  }
+  for (const Chunk& chunk : document.chunks) {
+    if (chunk.kind != ChunkKind::kNoun) continue;
+    const std::size_t at = chunk.last;
+    if (chunk.noun.kind == NounKind::kRoom && at + 1 < tokens.size() && tokens[at].text == "in") {
+      const Scheme scheme = scheme_at(lexicon, tokens, at + 1);
+      const std::size_t end = at + 1 + scheme.length;
+      const bool over = ends(tokens, end) || tokens[end - 1].text == "," || is_one_of(tokens[end], {"with", "for"});
+      if (!scheme.walls.empty() && over) {
+        take(scheme);
+        use(document, at, end);
+      }
+    }
+    const bool own = chunk.first == 0 || tokens[chunk.first - 1].kind == Token::Kind::kPunctuation;
+    const bool on_floor = at + 2 < tokens.size() && tokens[at].text == "on" && tokens[at + 2].text == "floor";
+    if (const std::string tiles = on_floor ? tiles_said(chunk.noun) : ""; !tiles.empty()) {
+      if (room.floor_material.empty()) room.floor_material = tiles + " floor";
+      use(document, chunk.first, at + 3);
+      continue;
+    }
+    if (const std::string tiles = own ? tiles_said(chunk.noun) : std::string{}; !tiles.empty() && room.wall_material.empty()) {
+      room.wall_material = tiles;
+      use(document, chunk.first, chunk.last);
+    }
+  }
+}
+
+}  // namespace layoutbox::offline
