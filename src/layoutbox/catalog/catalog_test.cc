@@ -120,7 +120,7 @@ TEST(Catalog, FindsByAnotherWordForTheHead) {
 
 // Nouns of all sorts of rooms, and what they are sized and drawn like.
 TEST(Catalog, KnowsWhatPeopleCallThings) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 24> kThings = {{
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 34> kThings = {{
       {"profiling bed", "hospital_bed"},
       {"straw mattress", "straw_mattress"},
       {"riser recliner", "recliner"},
@@ -145,6 +145,16 @@ TEST(Catalog, KnowsWhatPeopleCallThings) {
       {"concrete pier", "instrument_pier"},
       {"honey extractor", "honey_extractor"},
       {"tiered flower stand", "flower_stand"},
+      {"bouncy castle", "bounce_house"},
+      {"rucksack", "backpack"},
+      {"lever arch file", "ring_binder"},
+      {"printing press", "letterpress"},
+      {"conference phone", "telephone"},
+      {"sandpit", "sandbox"},
+      {"fruit machine", "slot_machine"},
+      {"banker's lamp", "bankers_lamp"},
+      {"piglet", "pig"},
+      {"bow", "archery_bow"},
   }};
   for (const auto& [called, id] : kThings) EXPECT_EQ(Catalog::builtin().entry_or_nearest(called).id, id) << called;
 }

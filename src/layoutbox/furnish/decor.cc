@@ -70,9 +70,50 @@ const Json& room_data(std::string_view kind) {
   return data().at("looks").at("default");
 }
 
+// The value whose key "a b c" lists the word; empty where none does.
+std::string value_listed(const Json& by_words, std::string_view word) {
+  for (const auto& [words, value] : by_words.items()) {
+    if (!word.empty() && lists(words, word)) return value.get<std::string>();
+  }
+  return "";
+}
+
 void take_palette(Decor& decor, const Json& colors) {
   decor.accents.clear();
   for (const Json& color : colors) decor.accents.push_back(color_of(color));
+}
+
+// The colours of a clause that names nothing but colours ("pink and white", "colours: sage and cream"): those of the whole room.
+std::vector<Color> room_colors(std::string_view prompt) {
+  const std::string plain = data().at("color_words").get<std::string>();
+  std::vector<Color> colors;
+  for (std::size_t at = 0; at < prompt.size();) {
+    const std::size_t end = std::min(prompt.find_first_of(".;:!?\n", at), prompt.size());
+    std::vector<Color> clause;
+    bool only = true;
+    std::string word, two;
+    for (std::size_t i = at; i <= end && only; ++i) {
+      const char c = i < end ? static_cast<char>(std::tolower(static_cast<unsigned char>(prompt[i]))) : ' ';
+      if (std::isalpha(static_cast<unsigned char>(c)) != 0) {
+        word += c;
+        continue;
+      }
+      if (word.empty()) continue;
+      const SurfaceWish wish = read_wish(two.empty() ? word : two + " " + word);
+      if (wish.color) {
+        clause.push_back(*wish.color);
+        two.clear();
+      } else if (lists(plain, word)) {
+        two = word;
+      } else {
+        only = false;
+      }
+      word.clear();
+    }
+    if (only) colors.insert(colors.end(), clause.begin(), clause.end());
+    at = end + 1;
+  }
+  return colors;
 }
 
 // The name of the floor's surface, so that the furniture can differ from it.
@@ -110,6 +151,7 @@ Decor decor_of(const Layout& layout, std::uint64_t seed) {
   const Json* style = style_of(layout.prompt).data;
   Decor decor;
   decor.chance = chance;
+  decor.shelves = value_listed(data().at("shelves"), kind);
   const bool own_floor = style != nullptr && style->contains("floors") && !room.value("plain", false);
   decor.floor = one_of(own_floor ? style->at("floors") : room.at("floors"), chance).get<std::string>();
   const bool plain = room.value("plain", false);
@@ -124,7 +166,18 @@ Decor decor_of(const Layout& layout, std::uint64_t seed) {
   } else {
     take_palette(decor, one_of(data().at("palettes"), chance >> 24));
   }
-  return style == nullptr ? decor : decor_of_thing(decor, layout.prompt);
+  if (style != nullptr) decor = decor_of_thing(decor, layout.prompt);
+  if (std::vector<Color> said = room_colors(layout.prompt); !said.empty()) decor.accents = std::move(said);
+  return decor;
+}
+
+std::string shelf_contents_named(std::string_view text) {
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find_first_of(" ,", at), text.size());
+    if (std::string found = value_listed(data().at("shelf_words"), text.substr(at, end - at)); !found.empty()) return found;
+    at = end + 1;
+  }
+  return "";
 }
 
 Decor decor_of_thing(const Decor& room, std::string_view text) {

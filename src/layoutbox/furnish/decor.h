@@ -19,6 +19,7 @@ struct Decor {
   std::vector<std::string> woods;   // usual furniture is of the first, some of the others; empty: as each family says
   std::string metal;                // instead of steel; empty: steel
   std::vector<Color> accents;       // of cloth; empty: as of old
+  std::string shelves;              // what stands on a shelf of which nothing was said ("goods", "towels"); empty: books
   // A wood for a thing, where nobody said which: the room's. Stands for oak and walnut only.
   std::string_view wood_for(std::string_view usual, std::uint64_t kind) const;
 };
@@ -27,5 +28,8 @@ struct Decor {
 Decor decor_of(const Layout& layout, std::uint64_t seed);
 // The same with what the words of one object change ("rustic dining table"); `text` in lower case.
 Decor decor_of_thing(const Decor& room, std::string_view text);
+
+// What a shelf of that name holds ("wine shelf": bottles); empty where the name does not say. `text` in lower case.
+std::string shelf_contents_named(std::string_view text);
 
 }  // namespace layoutbox

@@ -53,6 +53,25 @@ TEST(Decor, WetRoomsAreTiledAndWorkshopsHaveConcrete) {
   EXPECT_EQ(decor_of(room("workshop", "x"), 1).floor, "concrete");
 }
 
+// A clause that names nothing but colours is about the whole room; colours of things are theirs alone.
+TEST(Decor, ColoursSaidOfTheRoomAreItsCloths) {
+  const auto accents = [](const std::string& prompt) { return decor_of(room("bedroom", prompt), 1).accents; };
+  const Color pink = *read_wish("pink").color, white = *read_wish("white").color, pale = *read_wish("light blue").color;
+  EXPECT_EQ(accents("A girl's bedroom with a bed and a desk. Pink and white"), (std::vector<Color>{pink, white}));
+  EXPECT_EQ(accents("A nursery with a crib. Colours: light blue and white."), (std::vector<Color>{pale, white}));
+  EXPECT_EQ(accents("A bedroom with a pink bed. There is a rug."), accents("A bedroom with a pink bed. There is a rug."));
+  EXPECT_GT(accents("A bedroom with a pink bed and a white desk.").size(), 2U);
+}
+
+TEST(Decor, ShelvesHoldWhatTheirRoomOrTheirNameSays) {
+  EXPECT_EQ(decor_of(room("bedroom", "x"), 1).shelves, "");
+  EXPECT_EQ(decor_of(room("kitchen", "x"), 1).shelves, "goods");
+  EXPECT_EQ(decor_of(room("garage", "x"), 1).shelves, "boxes");
+  EXPECT_EQ(shelf_contents_named("wine shelf"), "bottles");
+  EXPECT_EQ(shelf_contents_named("shelf for towels"), "towels");
+  EXPECT_EQ(shelf_contents_named("oak shelf"), "");
+}
+
 TEST(Decor, StyleWordsOfThePromptRule) {
   const Decor rustic = decor_of(room("dining_room", "A rustic dining room"), 1);
   EXPECT_EQ(rustic.woods.front(), "reclaimed_wood");

@@ -184,6 +184,27 @@ TEST(Furnish, GivesTheAskedColourToTheMainPart) {
   EXPECT_TRUE(blue);
 }
 
+// What an asked colour covers: the legs of a red chair, the frame as well as the cloth of a pink bed.
+TEST(Furnish, AnAskedColourCoversTheFrame) {
+  for (const char* kind : {"chair", "desk", "table", "bed"}) {
+    PlacedObject object = object_of(kind);
+    object.attributes = {"red"};
+    const Model model = furnished(object);
+    EXPECT_TRUE(std::ranges::none_of(model.surfaces, [](const Surface& s) { return s.texture == "wood"; })) << kind;
+  }
+}
+
+TEST(Furnish, WickerAndRustAreSeen) {
+  const auto uses = [&](const char* kind, const char* word, std::string_view surface) {
+    PlacedObject object = object_of(kind);
+    object.attributes = {word};
+    const Model model = furnished(object);
+    return std::ranges::any_of(model.surfaces, [&](const Surface& s) { return s.name == surface; });
+  };
+  for (const char* kind : {"chair", "armchair", "sofa"}) EXPECT_TRUE(uses(kind, "wicker", "rattan")) << kind;
+  for (const char* kind : {"bed", "cabinet"}) EXPECT_TRUE(uses(kind, "rusty", "rusty_metal")) << kind;
+}
+
 TEST(Furnish, GivesTheAskedMaterialToTheFittingPart) {
   PlacedObject chair = object_of("armchair");
   chair.attributes = {"leather"};

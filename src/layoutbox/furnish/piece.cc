@@ -69,7 +69,7 @@ Piece::Piece(const PlacedObject& object, const CatalogEntry& entry, std::vector<
   said_materials_ = wish_.materials.size();
   const SurfaceWish usual = read_wish(usual_look(entry));
   wish_.materials.insert(wish_.materials.end(), usual.materials.begin(), usual.materials.end());
-  if (!wish_.color) wish_.color = usual.color;
+  if (!wish_.color && said_materials_ == 0) wish_.color = usual.color;
   text_ = fmt::format(" {} {} ", lower_words(object.name), lower_words(fmt::format("{}", fmt::join(object.attributes, " "))));
   for (const auto& [key, value] : entry.shape.words) text_ += value + " ";
 }
@@ -155,6 +155,11 @@ int Piece::frame(std::string_view usual) { return palette_.add(asked(usual, fals
 bool Piece::is_style(std::string_view style) const { return decor_.style == style; }
 
 int Piece::variant(int n) const { return static_cast<int>((kind_seed_ >> 7) % static_cast<std::uint64_t>(n)); }
+
+std::string Piece::shelf_contents() const {
+  const std::string named = shelf_contents_named(text_);
+  return named.empty() ? decor_.shelves : named;
+}
 
 Color Piece::accent() const {
   static constexpr Color kAccents[] = {{0.36, 0.52, 0.66}, {0.55, 0.63, 0.50}, {0.74, 0.47, 0.36}, {0.80, 0.66, 0.38}, {0.50, 0.53, 0.58},

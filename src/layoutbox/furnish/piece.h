@@ -55,12 +55,16 @@ class Piece {
   // Surfaces. main: takes the asked colour and material; frame: only an asked material; named: as it is.
   int main(std::string_view usual);
   int frame(std::string_view usual);
+  // A frame that is painted with the rest where a colour is asked: a red chair has red legs.
+  int painted_frame(std::string_view usual) { return color_asked() ? main(usual) : frame(usual); }
   int named(std::string_view name) { return palette_.named(name); }
   int tinted(std::string_view name, const Color& color) { return palette_.add(colored(named_surface(name), color)); }
   // Whether the object or its room is of that style ("modern", "rustic", …).
   bool is_style(std::string_view style) const;
   // One of `n` ways to draw a kind, by its style and chance: the same for all things of a kind in a room.
   int variant(int n) const;
+  // What shelves hold in a room of this kind, or by the piece's own name ("towel shelf"): a word of decor.json; empty where neither says.
+  std::string shelf_contents() const;
   // A colour for what nobody gave a colour; the same for all things of a kind, so that a room looks of a piece.
   Color accent() const;
   // main with that accent where no colour was asked.
@@ -143,6 +147,8 @@ void add_odd_things(Families& to);
 void add_pocket_things(Families& to);
 void add_rolling_things(Families& to);
 void add_modeled(Families& to);
+void add_serving(Families& to);
+void add_seat_rows(Families& to);
 void add_generic(Families& to);
 
 }  // namespace layoutbox::kit

@@ -55,8 +55,8 @@ struct Bed {
 };
 
 Bed bed_of(Piece& p) {
-  Bed b{levels(p), p.frame("oak"), p.named("cotton"), 0, 0, 0, 0, 0};
-  b.head_surface = is_upholstered(p) ? p.main_accent("linen") : p.frame("walnut");
+  Bed b{levels(p), p.painted_frame("oak"), p.named("cotton"), 0, 0, 0, 0, 0};
+  b.head_surface = is_upholstered(p) ? p.main_accent("linen") : p.painted_frame("walnut");
   b.duvet = p.main_accent("cotton");
   b.under = b.levels.under > 0 ? b.levels.under : std::min(0.14, b.levels.top * 0.3);
   b.head = std::max(0.02, p.d / 2 - b.levels.head);
@@ -116,6 +116,27 @@ void head_of_cloth(Piece& p, const Bed& b, double thick) {
                              thick * 0.3, 3));
 }
 
+bool is_metal(const Piece& p) {
+  return p.says("metal") || p.says("iron") || p.says("wrought iron") || p.says("rusty") || p.says("rusted") || p.says("steel") ||
+         p.says("brass");
+}
+
+// Bars between two posts under a bow.
+void head_of_bars(Piece& p, const Bed& b, double y0, double top) {
+  const int metal = p.frame("black_metal");
+  const double r = std::min(0.02, b.head * 0.4), y = y0 > 0 ? y0 - r : y0 + r;
+  for (const double s : {-1.0, 1.0}) {
+    p.add(metal, rod({s * (p.w / 2 - r), y, 0}, {s * (p.w / 2 - r), y, top - r * 2}, r, 10));
+    p.add(metal, ellipsoid({s * (p.w / 2 - r), y, top - r}, {r, r, r}, 10, 6));
+  }
+  for (const double z : {b.levels.top + 0.02, top - r * 3}) p.add(metal, rod({-p.w / 2 + r, y, z}, {p.w / 2 - r, y, z}, r * 0.8, 8));
+  const int n = std::max(4, static_cast<int>(p.w / 0.16));
+  for (int i = 1; i < n; ++i) {
+    const double x = -p.w / 2 + p.w * i / n;
+    p.add(metal, rod({x, y, b.levels.top + 0.02}, {x, y, top - r * 3}, r * 0.5, 6));
+  }
+}
+
 // The board at the head, by the style of the bed where it is high enough to show one.
 void head_board(Piece& p, const Bed& b) {
   const bool soft = is_upholstered(p);
@@ -126,6 +147,7 @@ void head_board(Piece& p, const Bed& b) {
                                                                       : p.variant(4);
   const double thick = std::min(b.head, 0.05), top = b.levels.top;
   const bool high = p.h > top + 0.2;
+  if (high && !soft && is_metal(p)) return head_of_bars(p, b, p.d / 2, p.h);
   if (high && look == 1) return head_of_boards(p, b, thick);
   if (high && look == 2) return head_of_a_panel(p, b, thick);
   if (high && look == 3 && b.head > 0.03) return head_of_cloth(p, b, thick);

@@ -134,7 +134,7 @@ void hospital_bed(Piece& p) {
 }
 
 void exam_table(Piece& p) {
-  const int pad = p.main_accent("leather"), body = p.frame("painted_metal"), paper = p.named("paper");
+  const int pad = p.main("leather"), body = p.frame("painted_metal"), paper = p.named("paper");
   const FreeSpace* open = p.open_above();
   const double level = open != nullptr ? open->box.min.z : p.h, foot = std::min(0.1, level * 0.12);
   if (p.clear_below(0) > 0) {
@@ -143,8 +143,16 @@ void exam_table(Piece& p) {
     p.add(body, box(sides(-p.w / 2 + 0.05, p.w / 2 - 0.05, -p.d / 2 + 0.1, p.d / 2 - 0.1, foot, level - 0.1), 0.008));
     p.add(p.named("black_plastic"), box(sides(-p.w / 2 + 0.08, p.w / 2 - 0.08, -p.d / 2 + 0.14, p.d / 2 - 0.14, 0, foot), 0.002));
   }
-  p.add(pad, rounded_box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, level - 0.1, level - 0.003), 0.03, 3));
-  p.add(paper, box(sides(-p.w * 0.3, p.w * 0.3, -p.d / 2 + 0.02, p.d / 2 - 0.03, level - 0.006, level), 0));
+  // The pad in two parts, one for the head; a strip of paper over it, or where one lies face down, a hole for the face.
+  const double neck = p.d / 2 - p.d * 0.27;
+  p.add(pad, rounded_box(sides(-p.w / 2, p.w / 2, -p.d / 2, neck - 0.008, level - 0.1, level - 0.003), 0.03, 3));
+  p.add(pad, rounded_box(sides(-p.w / 2, p.w / 2, neck + 0.008, p.d / 2, level - 0.1, level - 0.003), 0.03, 3));
+  p.add(body, box(sides(-p.w / 2 + 0.04, p.w / 2 - 0.04, neck - 0.02, neck + 0.02, level - 0.09, level - 0.03), 0));
+  if (p.says("massage"))
+    p.add(p.named("black_plastic"), lathe({{0, level - 0.01}, {0.1, level - 0.01}, {0.1, level}, {0, level}}, 20),
+          moved(0, neck + p.d * 0.14, 0) * scaled(0.8, 1, 1));
+  else
+    p.add(paper, box(sides(-p.w * 0.27, p.w * 0.27, -p.d / 2 + 0.02, p.d / 2 - 0.03, level - 0.006, level), 0));
   if (p.h > level + 0.01)
     p.add(pad,
           rounded_box(sides(-p.w / 2 + 0.02, p.w / 2 - 0.02, open != nullptr ? open->box.max.y : p.d / 2 - 0.3, p.d / 2, level - 0.05, p.h),

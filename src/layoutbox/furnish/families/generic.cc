@@ -67,6 +67,8 @@ const Families& families() {
     add_odd_things(f);
     add_pocket_things(f);
     add_rolling_things(f);
+    add_serving(f);
+    add_seat_rows(f);
     add_modeled(f);
     add_generic(f);
     return f;

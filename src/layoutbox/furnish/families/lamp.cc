@@ -104,7 +104,7 @@ void glowing_lamp(Piece& p, std::string_view kind) {
 void table_lamp(Piece& p) {
   if (const std::string kind = p.word("kind", ""); kind == "lava" || kind == "salt" || kind == "globe") return glowing_lamp(p, kind);
   const double r = p.w / 2, tall = p.h * 0.42, k = p.d / p.w, neck = p.h - tall;
-  const int base = p.main_accent("ceramic"), cloth = p.named("lampshade"), metal = p.named("brass");
+  const int base = p.main_accent("ceramic"), cloth = p.color_asked() ? p.main("lampshade") : p.named("lampshade"), metal = p.named("brass");
   const int look = p.is_style("modern") || p.is_style("minimalist") ? 1 : p.is_style("traditional") ? 0 : p.variant(3);
   if (look == 1) {  // a slim column on a plate
     p.add(base, lathe({{0, 0}, {r * 0.5, 0}, {r * 0.5, neck * 0.06}, {r * 0.1, neck * 0.1}, {r * 0.1, neck * 0.95}, {0, neck * 0.95}}, 24),

@@ -43,6 +43,15 @@ void carcass(Piece& p, const Carcass& c);
 // Books, spines to −y, filling a box from the left as far as chance has it.
 void books(Piece& p, const Box& room);
 
+// What stands in a shelf's compartment that nothing was said of: as the piece's words say, else as the kind of room has it, else books.
+// Null where it stays empty.
+using ShelfContents = void (*)(Piece&, const Box&);
+ShelfContents contents_of(const Piece& p);
+
+// Chairs of wicker are of a build of their own.
+bool is_wicker(const Piece& p);
+void wicker_chair(Piece& p);
+
 // Pillow-like seat or back cushions side by side.
 void cushions(Piece& p, int surface, const Box& room, int n, double radius);
 

@@ -38,11 +38,12 @@ Back back_of(const Piece& p) {
 }
 
 void chair(Piece& p) {
+  if (is_wicker(p)) return wicker_chair(p);
   const Back style = back_of(p);
   const Seat s = seat_of(p, 0.46, 0, 0.06);
   const double back = std::max(0.02, p.d / 2 - s.back), post = std::min({0.035, back, p.w / 6});
   const bool soft = upholstered(p);
-  const int wood = p.frame("oak");
+  const int wood = soft ? p.frame("oak") : p.painted_frame("oak");
   const int colored = soft ? p.main_accent("linen") : p.main("oak");
   const double seat = std::min(soft ? 0.06 : 0.035, s.level * 0.4);
   // Front legs and posts that go up into the back.
@@ -181,7 +182,9 @@ void sofa(Piece& p) {
     if (!s.carries && s.box.min.z < 0.01 && s.box.max.z > p.h - 0.01) return corner_sofa(p, s);
   }
   const Seat s = seat_of(p, 0.43, std::min(0.18, p.w * 0.14), 0.22);
-  const int cloth = p.main_accent("linen"), feet = p.frame("walnut");
+  const bool wicker = is_wicker(p);  // the cushions are of cloth all the same
+  const int cloth = wicker ? p.tinted("linen", {0.90, 0.86, 0.76}) : p.main_accent("linen"), feet = p.frame("walnut"),
+            body = wicker ? p.main("rattan") : cloth;
   const double foot = std::max(p.clear_below(0), std::min(0.12, s.level * 0.25)),
                arm_top = std::min(p.h, s.level + std::min(0.22, (p.h - s.level) * 0.6));
   const double back = std::max(0.04, p.d / 2 - s.back), left = s.left + p.w / 2, right = p.w / 2 - s.right;
@@ -189,23 +192,23 @@ void sofa(Piece& p) {
   p.legs(look == 1 ? p.frame("black_metal") : feet, foot, look == 1 ? 0.035 : 0.05, look == 2 ? 0.02 : 0.04, look != 1,
          look == 2 ? 1 : 0.65);
   const double pad = std::min(0.15, (s.level - foot) * 0.5);
-  p.add(cloth, rounded_box(sides(-p.w / 2 + 0.01, p.w / 2 - 0.01, -p.d / 2 + 0.012, p.d / 2 - 0.01, foot, s.level - pad), 0.02, 2));
+  p.add(body, rounded_box(sides(-p.w / 2 + 0.01, p.w / 2 - 0.01, -p.d / 2 + 0.012, p.d / 2 - 0.01, foot, s.level - pad), 0.02, 2));
   for (const double x : {-1.0, 1.0}) {
     const double width = x < 0 ? left : right;
     if (width < 0.02) continue;
     const double x0 = x < 0 ? -p.w / 2 : p.w / 2 - width;
-    p.add(cloth, rounded_box(sides(x0, x0 + width, -p.d / 2, p.d / 2 - 0.005, foot + 0.01, arm_top),
-                             std::min(look == 1   ? 0.02
-                                      : look == 2 ? 0.09
-                                                  : 0.05,
-                                      width * 0.45),
-                             look == 2 ? 4 : 3));
+    p.add(body, rounded_box(sides(x0, x0 + width, -p.d / 2, p.d / 2 - 0.005, foot + 0.01, arm_top),
+                            std::min(look == 1   ? 0.02
+                                     : look == 2 ? 0.09
+                                                 : 0.05,
+                                     width * 0.45),
+                            look == 2 ? 4 : 3));
   }
   const bool split = back > 0.13;
   const double shell = split ? 0.1 : back;
-  p.add(cloth, rounded_box(sides(-p.w / 2 + (left > 0.02 ? 0.02 : 0), p.w / 2 - (right > 0.02 ? 0.02 : 0), p.d / 2 - shell, p.d / 2,
-                                 foot + 0.01, p.h),
-                           std::min(0.04, shell * 0.45), 3));
+  p.add(body, rounded_box(sides(-p.w / 2 + (left > 0.02 ? 0.02 : 0), p.w / 2 - (right > 0.02 ? 0.02 : 0), p.d / 2 - shell, p.d / 2,
+                                foot + 0.01, p.h),
+                          std::min(0.04, shell * 0.45), 3));
   const int seats = std::max(1, p.count("seats", std::max(1, static_cast<int>(std::lround((s.right - s.left) / 0.7)))));
   cushions(p, cloth, sides(s.left, s.right, -p.d / 2, s.back + (split ? 0.02 : 0), s.level - pad, s.level), seats, 0.045);
   if (split) {

@@ -51,10 +51,20 @@ GlassCase glass_case_of(const Piece& p) {
 }
 
 // Base, roof, posts, and glass at the sides and the front.
-void case_shell(Piece& p, const GlassCase& c, int base, int glass) {
+void case_shell(Piece& p, const GlassCase& c, int base, int glass, bool glass_roof) {
   const double x = c.x, y = c.y, t = c.frame, low = c.low, roof = c.roof;
   p.add(base, box(sides(-x, x, -y, y, 0, low), 0.006));
-  p.add(base, box(sides(-x, x, -y, y, roof, p.h), std::min(0.004, (p.h - roof) * 0.4)));
+  const double bevel = std::min(0.004, (p.h - roof) * 0.4);
+  if (glass_roof) {
+    const double rim = std::min(0.025, x * 0.2);
+    p.add(glass, box(sides(-x + rim, x - rim, -y + rim, y - rim, roof, p.h), 0));
+    for (const double s : {-1.0, 1.0}) {
+      p.add(base, box(sides(s > 0 ? x - rim : -x, s > 0 ? x : rim - x, -y, y, roof, p.h), bevel));
+      p.add(base, box(sides(-x + rim, x - rim, s > 0 ? y - rim : -y, s > 0 ? y : rim - y, roof, p.h), bevel));
+    }
+  } else {
+    p.add(base, box(sides(-x, x, -y, y, roof, p.h), bevel));
+  }
   for (const double sx : {-1.0, 1.0}) {
     for (const double sy : {-1.0, 1.0})
       p.add(base,
@@ -100,11 +110,12 @@ void china_in(Piece& p, const Box& space, int& k) {
 
 // A glass case on a base, framed at its corners; its shelves stand at its spaces' floors. Under a wooden top the back is of wood, too.
 void display_case(Piece& p) {
-  const int base = p.main("oak"), glass = p.named("glass");
+  const bool cabinet = p.count("doors", 0) > 0;
+  // What is called a glass case has a body of something else; without it nothing of it would be seen.
+  const int base = p.says("glass") && !p.color_asked() ? p.frame("lacquer") : p.main(cabinet ? "oak" : "lacquer"), glass = p.named("glass");
   const GlassCase c = glass_case_of(p);
   const double x = c.x, y = c.y, t = c.frame, low = c.low, roof = c.roof;
-  case_shell(p, c, base, glass);
-  const bool cabinet = p.count("doors", 0) > 0;
+  case_shell(p, c, base, glass, !cabinet);
   if (cabinet) {
     p.add(base, box(sides(-x + t, x - t, y - t, y - t * 0.4, low, roof), 0));
     p.add(base, box(sides(-t * 0.7, t * 0.7, -y, -y + t, low, roof), 0.001));  // where its doors meet

@@ -87,12 +87,34 @@ void woven_box(Piece& p, int weave) {
   }
 }
 
+// A round padded rim, full of balls up to the space that is for a child.
+void ball_pool(Piece& p) {
+  static constexpr Color kBalls[] = {{0.86, 0.24, 0.22}, {0.95, 0.78, 0.20}, {0.22, 0.50, 0.80}, {0.36, 0.66, 0.36}, {0.88, 0.46, 0.66}};
+  const FreeSpace* in = p.open_above();
+  const double r = std::min(p.w, p.d) / 2, kx = p.w / 2 / r, ky = p.d / 2 / r, level = in != nullptr ? in->box.min.z : p.h * 0.6;
+  const double wall = in != nullptr ? std::clamp(r - std::hypot(in->box.max.x / kx, in->box.max.y / ky) - 0.004, 0.02, 0.14) : 0.12;
+  const Pose shape = scaled(kx, ky, 1);
+  p.add(p.main_accent("linen"),
+        lathe({{0, 0}, {r, 0}, {r, p.h - 0.03}, {r - wall * 0.5, p.h}, {r - wall, p.h - 0.03}, {r - wall, 0.06}, {0, 0.06}}, 32), shape);
+  const double ball = std::max(0.055, (r - wall) / 11);
+  const int rings = std::max(1, static_cast<int>((r - wall) / (2 * ball)));
+  for (int k = 0; k < rings; ++k) {
+    const double at = ball * (2 * k + 1), n = std::max(1.0, std::floor(kPi * at / ball * 0.9));
+    for (int i = 0; i < static_cast<int>(n); ++i) {
+      const double a = 2 * kPi * i / n + 0.4 * k;
+      p.add(p.tinted("plastic", kBalls[p.pick(5)]),
+            ellipsoid({at * std::cos(a) * kx, at * std::sin(a) * ky, level - ball - 0.002 - p.random(0, 0.02)}, {ball, ball, ball}, 8, 5));
+    }
+  }
+}
+
 void basket(Piece& p) {
   const int weave = p.main("rattan");
   const FreeSpace* in = p.open_above();
   const double half = in != nullptr ? std::hypot(in->box.max.x, in->box.max.y * p.w / p.d) : 0;
   const bool round = p.word("top", "round") == "round" && std::abs(p.w - p.d) < 0.25 * p.w && half < p.w / 2 - 0.006;
   const double floor = in != nullptr ? in->box.min.z : 0.02;
+  if (p.word("kind", "") == "pool") return ball_pool(p);
   if (!round) return woven_box(p, weave);
   const double r = p.w / 2, wall = std::min(0.012, r * 0.1);
   // As straight as what it must leave free asks for.
@@ -205,17 +227,27 @@ void aquarium(Piece& p) {
   const double base = p.h > 0.7 ? p.h * 0.5 : std::min(0.03, p.h * 0.1);
   const int dark = p.frame("black_plastic");
   p.add(dark, box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, 0, base), 0.005));
-  p.add(dark, box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, p.h - std::min(0.03, p.h * 0.08), p.h), 0.004));
-  const double lid = p.h - std::min(0.03, p.h * 0.08), in = 0.008;
+  const double lid = p.h - std::min(0.03, p.h * 0.08), in = 0.008, rim = std::min(0.02, p.d * 0.1);
+  // A rim and a lamp across it; open else, so that the fish are seen from above.
+  for (const double s : {-1.0, 1.0}) {
+    p.add(dark, box(sides(s > 0 ? p.w / 2 - rim : -p.w / 2, s > 0 ? p.w / 2 : rim - p.w / 2, -p.d / 2, p.d / 2, lid, p.h), 0.003));
+    p.add(dark,
+          box(sides(-p.w / 2 + rim, p.w / 2 - rim, s > 0 ? p.d / 2 - rim : -p.d / 2, s > 0 ? p.d / 2 : rim - p.d / 2, lid, p.h), 0.003));
+  }
+  p.add(p.named("glass"), box(sides(-p.w / 2 + 0.003, -p.w / 2 + in - 0.001, -p.d / 2 + in, p.d / 2 - in, base, lid), 0));
+  p.add(p.named("glass"), box(sides(p.w / 2 - in + 0.001, p.w / 2 - 0.003, -p.d / 2 + in, p.d / 2 - in, base, lid), 0));
+  p.add(p.tinted("plastic", {0.16, 0.36, 0.52}), box(sides(-p.w / 2 + in, p.w / 2 - in, p.d / 2 - in, p.d / 2 - 0.002, base, lid), 0));
   p.add(p.tinted("soil", {0.76, 0.66, 0.48}),
         box(sides(-p.w / 2 + in, p.w / 2 - in, -p.d / 2 + in, p.d / 2 - in, base, base + (lid - base) * 0.12), 0));
   p.add(p.named("water"),
         box(sides(-p.w / 2 + in, p.w / 2 - in, -p.d / 2 + in, p.d / 2 - in, base + (lid - base) * 0.12, lid - (lid - base) * 0.12), 0));
   p.add(p.named("glass"), box(sides(-p.w / 2 + 0.003, p.w / 2 - 0.003, -p.d / 2 + 0.003, -p.d / 2 + in - 0.001, base, lid), 0));
-  for (int i = 0; i < 4; ++i) {
-    const double x = p.random(-0.3, 0.3) * p.w, z = base + (lid - base) * p.random(0.35, 0.75), l = std::min(p.w, p.h) * 0.06;
-    const int fish = p.tinted("wax", {0.94, 0.5 + 0.1 * i, 0.2});
-    p.add(fish, ellipsoid({x, p.random(-0.2, 0.2) * p.d, z}, {l, l * 0.3, l * 0.5}, 12, 6));
+  for (int i = 0; i < 6; ++i) {
+    const double x = p.w * (-0.36 + 0.14 * i) + p.random(-0.03, 0.03) * p.w, z = base + (lid - base) * p.random(0.45, 0.8),
+                 l = std::min(p.w, p.h) * 0.09, y = p.random(-0.28, 0.28) * p.d;
+    const int fish = p.tinted("wax", {0.96, 0.38 + 0.1 * i, 0.14});
+    p.add(fish, ellipsoid({x, y, z}, {l, l * 0.4, l * 0.5}, 12, 6));
+    p.add(fish, prism({{x + l * 0.8, y}, {x + l * 1.4, y - l * 0.35}, {x + l * 1.4, y + l * 0.35}}, z - l * 0.2, z + l * 0.2));
   }
   for (int i = 0; i < 5; ++i) {
     const double x = p.w * (-0.4 + 0.2 * i);

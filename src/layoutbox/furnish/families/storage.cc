@@ -13,10 +13,11 @@ struct Style {
   double feet;
   int drawers;
   int doors;
+  std::string_view top = "";  // another surface for the board on top; empty: as the body
 };
 
 void cabinet_of(Piece& p, const Style& style) {
-  const int body = p.frame(style.body);
+  const int body = p.painted_frame(style.body);
   const int front = p.color_asked() ? p.main(style.front) : style.front == style.body ? body : p.frame(style.front);
   double feet = p.number("feet", style.feet);
   const double under = p.clear_below(0);
@@ -36,7 +37,8 @@ void cabinet_of(Piece& p, const Style& style) {
   const double board = std::min(0.025, (p.h - feet) * 0.2);
   if (!has_spaces) {
     // A top board that stands over the fronts.
-    p.add(p.frame(style.body), box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, p.h - board, p.h), 0.004));
+    const int top = style.top.empty() ? body : p.named(p.says("marble") ? "marble" : style.top);
+    p.add(top, box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, p.h - board, p.h), 0.004));
     c.box.max.z -= board;
     c.box.min.x += 0.004;
     c.box.max.x -= 0.004;
@@ -48,39 +50,17 @@ void nightstand(Piece& p) { cabinet_of(p, {"oak", "oak", "brass", 0.1, p.count("
 void chest(Piece& p) { cabinet_of(p, {"oak", "oak", "brass", 0.08, p.h > 1.1 ? 5 : p.h > 0.7 ? 4 : 3, 0}); }
 void cabinet(Piece& p) { cabinet_of(p, {"oak", "oak", "black_metal", p.h > 1.4 ? 0.06 : 0.12, 0, 0}); }
 void wardrobe(Piece& p) { cabinet_of(p, {"oak", "lacquer", "steel", 0.06, 0, std::max(2, static_cast<int>(std::lround(p.w / 0.5)))}); }
-void kitchen_unit(Piece& p) { cabinet_of(p, {"lacquer", "lacquer", "steel", 0.03, 0, 0}); }
-
-// Packets, tins and bottles in a row, as in a shop.
-void goods(Piece& p, const Box& room) {
-  static constexpr Color kPackets[] = {{0.80, 0.16, 0.14}, {0.16, 0.38, 0.70}, {0.94, 0.74, 0.16},
-                                       {0.20, 0.56, 0.30}, {0.93, 0.92, 0.88}, {0.86, 0.46, 0.14}};
-  const Vec size = room.size();
-  for (double x = room.min.x + 0.01; x < room.max.x - 0.2;) {
-    const int surface = p.tinted("paper", kPackets[p.pick(static_cast<int>(std::size(kPackets)))]);
-    const int n = 2 + p.pick(3);
-    const bool tins = p.random() < 0.45;
-    const double wide = tins ? 0.08 : p.random(0.1, 0.17), tall = std::min(size.z * 0.9, tins ? 0.12 : p.random(0.18, 0.28));
-    for (int i = 0; i < n && x + wide < room.max.x - 0.005; ++i, x += wide + 0.008) {
-      const double y0 = room.min.y + 0.015, deep = std::min(size.y - 0.02, tins ? wide : 0.2);
-      if (tins) {
-        p.add(surface, cylinder({x + wide / 2, y0 + deep / 2, room.min.z}, std::min(wide, deep) / 2, tall, 12));
-      } else {
-        p.add(surface, box(sides(x, x + wide, y0, y0 + deep, room.min.z, room.min.z + tall), 0));
-      }
-    }
-    x += 0.02;
-  }
-}
+void kitchen_unit(Piece& p) { cabinet_of(p, {"lacquer", "lacquer", "steel", 0.03, 0, 0, "granite"}); }
 
 // What a shelf shows where it holds nothing of the layout. Other shelves than those for books and goods are left as they are once something
 // was asked for on them: it would not be seen among what nobody asked for.
 void shelf_contents(Piece& p) {
-  const std::string contents = p.word("contents", "");
+  const ShelfContents contents = contents_of(p);
   const bool holds = std::ranges::any_of(p.spaces, &FreeSpace::held);
-  if (!p.may_show_contents() || contents == "none" || (holds && contents != "books")) return;
+  if (!p.may_show_contents() || contents == nullptr || (holds && p.word("contents", "") != "books")) return;
   for (const FreeSpace& s : p.spaces) {
     if (!s.carries || s.held || s.box.size().z <= 0.15 || s.box.max.z >= p.h - 0.005) continue;
-    contents == "goods" ? goods(p, s.box) : books(p, s.box);
+    contents(p, s.box);
   }
 }
 
@@ -88,15 +68,17 @@ void shelf_contents(Piece& p) {
 void shelf(Piece& p) {
   const int wood = p.main("walnut");
   if (p.spaces.empty()) {
-    const int n = std::max(1, p.count("shelves", std::max(2, static_cast<int>(p.h / 0.36))));
+    const int n = std::max(2, static_cast<int>(p.h / 0.36));
     const double t = 0.02, back = p.d / 2 - 0.008;
+    const ShelfContents contents = contents_of(p);
     for (const double x : {-1.0, 1.0})
       p.add(wood, box(sides(x > 0 ? p.w / 2 - t : -p.w / 2, x > 0 ? p.w / 2 : -p.w / 2 + t, -p.d / 2, p.d / 2, 0, p.h), 0.003));
     p.add(wood, box(sides(-p.w / 2 + t, p.w / 2 - t, back, p.d / 2, 0, p.h), 0));
     for (int i = 0; i <= n; ++i) {
       const double z = 0.04 + (p.h - 0.04 - t) * i / n;
       p.add(wood, box(sides(-p.w / 2 + t, p.w / 2 - t, -p.d / 2 + 0.002, back, z, z + t), 0.003));
-      if (i < n) books(p, sides(-p.w / 2 + t, p.w / 2 - t, -p.d / 2 + 0.01, back, z + t, z + (p.h - 0.04 - t) / n));
+      if (i < n && contents != nullptr)
+        contents(p, sides(-p.w / 2 + t, p.w / 2 - t, -p.d / 2 + 0.01, back, z + t, z + (p.h - 0.04 - t) / n));
     }
     return;
   }

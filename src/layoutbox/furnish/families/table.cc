@@ -118,7 +118,7 @@ void drawers_below(Piece& p, int wood, double under, double level) {
 void table(Piece& p) {
   if (p.count("benches", 0) > 0) return picnic_table(p);
   const std::string top = top_of(p);
-  const int wood = p.main("oak"), frame = p.frame("oak");
+  const int wood = p.main("oak"), frame = p.painted_frame("oak");
   const double under = p.clear_below(p.h - std::min(0.09, p.h * 0.16)), board = std::min(0.035, (p.h - under) * 0.6 + 0.002);
   const double level = p.h - board;
   slab(p, wood, sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, level, p.h), top, 0.006);
@@ -148,7 +148,7 @@ void desk_side(Piece& p, int wood, int front, int metal, double x0, double x1, d
 
 // An L: a part along the back and one along the right, round a free corner.
 void corner_desk(Piece& p, const FreeSpace& corner) {
-  const int wood = p.main("oak"), frame = p.frame("oak");
+  const int wood = p.main("oak"), frame = p.painted_frame("oak");
   const double x = p.w / 2, y = p.d / 2, cx = corner.box.max.x, cy = corner.box.max.y, under = p.h - 0.07, board = 0.03, t = 0.045;
   p.add(wood, box(sides(-x, x, cy, y, p.h - board, p.h), 0.005));
   p.add(wood, box(sides(cx, x, -y, cy + 0.002, p.h - board, p.h), 0.005));
@@ -168,7 +168,7 @@ void desk(Piece& p) {
     c.drawers = std::max(1, p.count("drawers", 2));
     return carcass(p, c);
   }
-  const int wood = p.main("oak"), frame = p.frame("oak"), metal = p.named("steel");
+  const int wood = p.main("oak"), frame = p.painted_frame("oak"), metal = p.named("steel");
   const int front = p.color_asked() ? wood : p.named("lacquer");
   double top_level = p.h, under = 0, left = -p.w / 2 + 0.06, right = p.w / 2 - 0.06, back = p.d / 2;
   for (const FreeSpace& s : p.spaces) {
@@ -196,6 +196,12 @@ void desk(Piece& p) {
     double front_edge = p.d / 2 - 0.02;
     for (const FreeSpace& s : p.spaces) {
       if (s.box.min.z > top_level - 0.01) front_edge = std::min(p.d / 2 - 0.01, std::max(s.box.max.y, p.d / 2 - 0.3));
+    }
+    const bool mirror = p.word("kind", "") == "mirror";
+    if (mirror) {
+      p.add(p.named("mirror"),
+            box(sides(-p.w / 2 + 0.05, p.w / 2 - 0.05, front_edge, front_edge + 0.012, top_level + 0.05, p.h - 0.05), 0.001));
+      front_edge += 0.006;
     }
     carcass(p, {sides(-p.w / 2, p.w / 2, front_edge, p.d / 2, top_level, p.h), frame, front, metal, 0, 0, false, 0});
   }

@@ -7,10 +7,105 @@
 namespace layoutbox::kit {
 namespace {
 
+// Layers of a woven pattern, each a hair above the last, up to the rug's height.
+struct Weave {
+  Piece& p;
+  double low, step;
+  int next = 0;
+  void add(int surface, const std::vector<Vec2>& outline) {
+    ++next;
+    p.add(surface, prism(outline, low - 0.0005, low + step * next));
+  }
+};
+
+std::vector<Vec2> diamond(double x, double y, double rx, double ry) { return {{x + rx, y}, {x, y + ry}, {x - rx, y}, {x, y - ry}}; }
+std::vector<Vec2> rectangle(double x, double y) { return {{-x, -y}, {x, -y}, {x, y}, {-x, y}}; }
+
+// A field with a medallion and corners, within a wide border of small figures, fringes at the ends.
+void persian_rug(Piece& p) {
+  const Color field = {0.52, 0.13, 0.13}, dark = {0.12, 0.15, 0.29}, pale = {0.86, 0.78, 0.62};
+  const int red = p.color_asked() ? p.main("wool") : p.tinted("wool", field), navy = p.tinted("wool", dark), cream = p.tinted("wool", pale);
+  const bool along = p.w >= p.d;
+  const double fringe = 0.04, x = p.w / 2 - (along ? fringe : 0), y = p.d / 2 - (along ? 0 : fringe), in = std::min(x, y);
+  const double ground = p.h * 0.7;
+  p.add(red, box(sides(-x, x, -y, y, 0, ground), 0.002));
+  p.add(cream, box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, 0, p.h * 0.2), 0));
+  Weave weave{p, ground, (p.h - ground) / 7};
+  const double border = in * 0.3;
+  weave.add(cream, rectangle(x - in * 0.06, y - in * 0.06));
+  weave.add(navy, rectangle(x - in * 0.09, y - in * 0.09));
+  weave.add(cream, rectangle(x - border, y - border));
+  weave.add(red, rectangle(x - border - in * 0.03, y - border - in * 0.03));
+  const double fx = x - border - in * 0.03, fy = y - border - in * 0.03;
+  weave.next = 4;
+  for (const double sx : {-1.0, 1.0}) {
+    for (const double sy : {-1.0, 1.0}) {
+      weave.next = 4;
+      weave.add(navy, sx * sy > 0 ? std::vector<Vec2>{{sx * fx, sy * fy}, {sx * fx * 0.45, sy * fy}, {sx * fx, sy * fy * 0.3}}
+                                  : std::vector<Vec2>{{sx * fx, sy * fy}, {sx * fx, sy * fy * 0.3}, {sx * fx * 0.45, sy * fy}});
+    }
+  }
+  weave.next = 4;
+  weave.add(navy, diamond(0, 0, fx * 0.6, fy * 0.75));
+  weave.add(cream, diamond(0, 0, fx * 0.45, fy * 0.56));
+  weave.add(red, diamond(0, 0, fx * 0.3, fy * 0.38));
+  // Small figures along the border.
+  const double mid = in * 0.09 + (border - in * 0.09) / 2, r = (border - in * 0.09) * 0.32;
+  const auto figures = [&](double half, bool in_x, double at) {
+    const int n = std::max(2, static_cast<int>(2 * half / (r * 3)));
+    for (int i = 0; i < n; ++i) {
+      const double u = -half + 2 * half * (i + 0.5) / n;
+      weave.next = 2;
+      weave.add(i % 2 == 0 ? cream : red, in_x ? diamond(u, at, r, r) : diamond(at, u, r, r));
+    }
+  };
+  for (const double s : {-1.0, 1.0}) {
+    figures(x - border * 0.4, true, s * (y - mid));
+    figures(y - border * 1.2, false, s * (x - mid));
+  }
+}
+
+// A fell: of uneven outline where it is a whole beast's, else with a ragged edge.
+void fur_rug(Piece& p) {
+  const bool hide = p.says("bearskin") || p.says("cowhide") || p.says("hide") || p.says("bear");
+  const int fur = p.main(p.says("bearskin") || p.says("bear") ? "walnut" : "fur");
+  std::vector<Vec2> outline;
+  const int n = 48;
+  for (int i = 0; i < n; ++i) {
+    const double a = 2 * kPi * i / n, c = std::cos(a), s = std::sin(a);
+    const double square = 1 / std::pow(std::pow(std::abs(c), 6) + std::pow(std::abs(s), 6), 1.0 / 6);
+    const double legs = 0.72 + 0.38 * std::pow(std::abs(std::sin(2 * a)), 1.5) + 0.2 * std::pow(std::abs(c) > 0.9 ? std::abs(c) : 0, 4);
+    const double k = hide ? legs : square * (i % 2 == 0 ? 1.0 : 0.965);
+    outline.push_back({k * c, k * s});
+  }
+  p.add(fur, prism(outline, 0, p.h * 0.6));
+  for (Vec2& v : outline) v = {v.x * 0.93, v.y * 0.93};
+  p.add(fur, prism(outline, p.h * 0.6, p.h));
+  p.fit();
+}
+
+// Tiles in four bright colours.
+void puzzle_mat(Piece& p) {
+  static constexpr Color kTiles[] = {{0.85, 0.27, 0.24}, {0.22, 0.47, 0.75}, {0.95, 0.78, 0.25}, {0.35, 0.65, 0.36}};
+  const int nx = std::max(2, static_cast<int>(std::lround(p.w / 0.35))), ny = std::max(2, static_cast<int>(std::lround(p.d / 0.35)));
+  for (int i = 0; i < nx; ++i) {
+    for (int j = 0; j < ny; ++j)
+      p.add(p.tinted("plastic", kTiles[(i + 2 * j) % 4]), box(sides(-p.w / 2 + p.w * i / nx, -p.w / 2 + p.w * (i + 1) / nx,
+                                                                    -p.d / 2 + p.d * j / ny, -p.d / 2 + p.d * (j + 1) / ny, 0, p.h),
+                                                              0.002));
+  }
+}
+
 void rug(Piece& p) {
+  const std::string kind = p.word("kind", "");
+  const bool long_haired = p.says("fluffy") || p.says("shaggy") || p.says("shag") || p.says("sheepskin") || p.says("fur");
+  if (kind == "puzzle") return puzzle_mat(p);
   const bool round = p.says("round") || p.says("circular") || p.word("top", "rect") == "round";
   const bool oval = p.says("oval") || p.word("top", "rect") == "oval";
+  if (kind == "pattern" && !round && !oval) return persian_rug(p);
+  if ((kind == "hide" || long_haired) && !round && !oval) return fur_rug(p);
   const int base = p.main("wool");
+  if (kind == "plain" || p.says("plain")) return p.add(base, box(p.body(), std::min(0.006, p.h * 0.4)));
   const Color accent = p.accent();
   const int stripe = p.tinted("wool", p.color_asked() ? Color{0.92, 0.89, 0.82} : accent);
   const double low = p.h * 0.8;

@@ -84,14 +84,42 @@ void mirror(Piece& p) {
   p.add(glass, box(sides(-p.w / 2 + t, p.w / 2 - t, y, p.d / 2 - 0.001, t, p.h - t), 0));
 }
 
+// Hammer, saw, spanners and pliers in outline, as they hang on a board for tools.
+void hanging_tools(Piece& p, const Box& b) {
+  const int steel = p.named("steel"), red = p.tinted("plastic", {0.80, 0.20, 0.16}), wood = p.named("walnut"),
+            dark = p.named("black_metal");
+  const double y = b.max.y, t = b.size().y, pitch = 0.16, row = 0.34;
+  const auto bar = [&](int surface, double x, double z, double half, double low, double high) {
+    p.add(surface, box(sides(x - half, x + half, y - t, y, z + low, z + high), 0));
+  };
+  const int columns = std::max(1, static_cast<int>(b.size().x / pitch)), rows = std::max(1, static_cast<int>(b.size().z / row));
+  for (int r = 0; r < rows; ++r) {
+    for (int c = 0; c < columns; ++c) {
+      const double x = b.min.x + b.size().x * (c + 0.5) / columns, z = b.min.z + b.size().z * (r + 0.5) / rows - 0.14;
+      const int kind = (c + 2 * r) % 4;
+      bar(kind == 1 ? steel : kind == 3 ? dark : kind == 0 ? wood : red, x, z, 0.014, 0, 0.2);
+      if (kind == 0) bar(dark, x, z, 0.055, 0.19, 0.235);
+      if (kind == 1) bar(steel, x, z, 0.028, 0.19, 0.24);
+      if (kind == 2) bar(steel, x, z, 0.007, 0.2, 0.28);
+      if (kind == 3) bar(red, x, z, 0.03, 0, 0.1);
+    }
+  }
+}
+
 void board(Piece& p) {
   const std::string kind = p.word("kind", p.says("cork") || p.says("bulletin") ? "cork"
                                           : p.says("black") || p.says("chalk") ? "chalk"
                                                                                : "white");
   frame(p, p.frame(kind == "white" ? "steel" : "oak"), 0.02);
   const double t = std::min({0.02, p.w * 0.2, p.h * 0.2});
-  const int face = kind == "cork" ? p.named("cork") : kind == "chalk" ? p.tinted("plaster", {0.14, 0.22, 0.19}) : p.named("ceramic");
-  p.add(face, box(sides(-p.w / 2 + t, p.w / 2 - t, -p.d / 2 + std::min(0.006, p.d * 0.4), p.d / 2 - 0.001, t, p.h - t), 0));
+  const int face = kind == "cork"    ? p.named("cork")
+                   : kind == "peg"   ? p.tinted("lacquer", {0.80, 0.66, 0.46})
+                   : kind == "chalk" ? p.tinted("plaster", {0.14, 0.22, 0.19})
+                                     : p.named("ceramic");
+  const double front = -p.d / 2 + (kind == "peg" ? p.d * 0.6 : std::min(0.006, p.d * 0.4));
+  p.add(face, box(sides(-p.w / 2 + t, p.w / 2 - t, front, p.d / 2 - 0.001, t, p.h - t), 0));
+  if (kind == "peg" && p.may_show_contents())
+    hanging_tools(p, sides(-p.w / 2 + t * 2, p.w / 2 - t * 2, -p.d / 2 + 0.002, front, t * 2, p.h - t * 2));
 }
 
 void wall_shelf(Piece& p) {

@@ -1,0 +1,118 @@
+// What stands on shelves where nothing of the layout does.
+#include <algorithm>
+#include <map>
+#include <string_view>
+
+#include "layoutbox/furnish/families/parts.h"
+
+namespace layoutbox::kit {
+namespace {
+
+// Packets, tins and bottles in a row, as in a shop.
+void goods(Piece& p, const Box& room) {
+  static constexpr Color kPackets[] = {{0.80, 0.16, 0.14}, {0.16, 0.38, 0.70}, {0.94, 0.74, 0.16},
+                                       {0.20, 0.56, 0.30}, {0.93, 0.92, 0.88}, {0.86, 0.46, 0.14}};
+  const Vec size = room.size();
+  for (double x = room.min.x + 0.01; x < room.max.x - 0.2;) {
+    const int surface = p.tinted("paper", kPackets[p.pick(static_cast<int>(std::size(kPackets)))]);
+    const int n = 2 + p.pick(3);
+    const bool tins = p.random() < 0.45;
+    const double wide = tins ? 0.08 : p.random(0.1, 0.17), tall = std::min(size.z * 0.9, tins ? 0.12 : p.random(0.18, 0.28));
+    for (int i = 0; i < n && x + wide < room.max.x - 0.005; ++i, x += wide + 0.008) {
+      const double y0 = room.min.y + 0.015, deep = std::min(size.y - 0.02, tins ? wide : 0.2);
+      if (tins) {
+        p.add(surface, cylinder({x + wide / 2, y0 + deep / 2, room.min.z}, std::min(wide, deep) / 2, tall, 12));
+      } else {
+        p.add(surface, box(sides(x, x + wide, y0, y0 + deep, room.min.z, room.min.z + tall), 0));
+      }
+    }
+    x += 0.02;
+  }
+}
+
+// Bottles in a row.
+void bottles(Piece& p, const Box& room) {
+  static constexpr Color kGlass[] = {{0.16, 0.34, 0.20}, {0.45, 0.24, 0.10}, {0.75, 0.83, 0.84}, {0.62, 0.16, 0.16}, {0.82, 0.62, 0.22}};
+  const Vec size = room.size();
+  const double pitch = std::max(0.1, size.x / 16), r = std::min(0.037, size.y * 0.4), tall = std::min(size.z * 0.94, 0.31);
+  for (double x = room.min.x + 0.05; x < room.max.x - 0.04; x += pitch) {
+    const double h = tall * p.random(0.8, 1.0);
+    p.add(p.tinted("plastic", kGlass[p.pick(static_cast<int>(std::size(kGlass)))]),
+          lathe({{0, 0}, {r, 0}, {r, h * 0.62}, {r * 0.38, h * 0.78}, {r * 0.38, h}, {0, h}}, 8),
+          moved(x, room.min.y + r + 0.02, room.min.z));
+  }
+}
+
+// Bottles that lie side by side, their necks to the front.
+void lying_bottles(Piece& p, const Box& room) {
+  static constexpr Color kGlass[] = {{0.13, 0.27, 0.16}, {0.20, 0.09, 0.10}, {0.36, 0.20, 0.09}};
+  const Vec size = room.size();
+  const double r = std::min(0.04, size.z * 0.45), y0 = room.min.y + 0.01, neck = std::min(0.1, size.y * 0.35);
+  const int n = std::clamp(static_cast<int>(size.x / (2.3 * r)), 1, 10);
+  for (int i = 0; i < n; ++i) {
+    const double x = room.min.x + size.x * (i + 0.5) / n, z = room.min.z + r;
+    const int glass = p.tinted("plastic", kGlass[p.pick(3)]);
+    p.add(glass, rod({x, y0 + neck, z}, {x, room.max.y - 0.01, z}, r, 10));
+    p.add(glass, rod({x, y0, z}, {x, y0 + neck, z}, r * 0.4, 8));
+    p.add(p.tinted("plastic", {0.72, 0.58, 0.26}), rod({x, y0 - 0.004, z}, {x, y0 + neck * 0.3, z}, r * 0.45, 8));
+  }
+}
+
+// Folded towels in piles.
+void towels(Piece& p, const Box& room) {
+  const int white = p.named("cotton"), other = p.tinted("cotton", p.accent());
+  const Vec size = room.size();
+  const int piles = std::max(1, static_cast<int>(size.x / 0.34)), most = std::clamp(static_cast<int>(size.z * 0.8 / 0.055), 1, 4);
+  for (int i = 0; i < piles; ++i) {
+    const double x = room.min.x + size.x * (i + 0.5) / piles, half = std::min(0.14, size.x / piles * 0.46);
+    const int surface = i % 2 == 0 ? white : other;
+    for (int k = 0, n = 1 + p.pick(most); k < n; ++k) {
+      const double z = room.min.z + 0.055 * k;
+      p.add(surface, rounded_box(sides(x - half, x + half, room.min.y + 0.012, std::min(room.max.y, room.min.y + 0.3), z,
+                                       std::min(z + 0.053, room.max.z)),
+                                 0.018, 2));
+    }
+  }
+}
+
+// Cartons and plastic boxes.
+void boxes(Piece& p, const Box& room) {
+  static constexpr Color kBoxes[] = {{0.30, 0.42, 0.55}, {0.80, 0.80, 0.78}, {0.72, 0.30, 0.22}, {0.25, 0.45, 0.36}};
+  const Vec size = room.size();
+  for (double x = room.min.x + 0.02; x < room.max.x - 0.2;) {
+    const double wide = std::min(p.random(0.2, 0.38), room.max.x - 0.01 - x), tall = size.z * p.random(0.45, 0.88);
+    const int surface = p.random() < 0.5 ? p.named("cardboard") : p.tinted("plastic", kBoxes[p.pick(4)]);
+    const double y0 = room.min.y + 0.02, y1 = std::max(y0 + 0.05, room.max.y - 0.01);
+    p.add(surface, box(sides(x, x + wide, y0, y1, room.min.z, room.min.z + tall), 0.004));
+    p.add(p.named("paper"),
+          box(sides(x + wide * 0.3, x + wide * 0.7, y0 - 0.003, y0 + 0.002, room.min.z + tall * 0.4, room.min.z + tall * 0.7), 0));
+    x += wide + 0.03;
+  }
+}
+
+// Ring binders, a label on every back.
+void binders(Piece& p, const Box& room) {
+  static constexpr Color kBacks[] = {{0.15, 0.30, 0.52}, {0.13, 0.13, 0.14}, {0.62, 0.16, 0.15}, {0.55, 0.57, 0.58}};
+  const Vec size = room.size();
+  const double tall = std::min(size.z * 0.94, 0.32), deep = std::min(size.y * 0.9, 0.28), thick = 0.07;
+  for (double x = room.min.x + 0.01; x + thick < room.max.x - 0.005; x += thick + 0.004) {
+    if (p.random() < 0.12) continue;
+    p.add(p.tinted("plastic", kBacks[p.pick(4)]),
+          box(sides(x, x + thick, room.min.y + 0.012, room.min.y + deep, room.min.z, room.min.z + tall), 0));
+    p.add(p.named("paper"), box(sides(x + 0.012, x + thick - 0.012, room.min.y + 0.009, room.min.y + 0.014, room.min.z + tall * 0.5,
+                                      room.min.z + tall * 0.85),
+                                0));
+  }
+}
+
+}  // namespace
+
+ShelfContents contents_of(const Piece& p) {
+  static const std::map<std::string_view, ShelfContents> kinds = {{"books", books},        {"goods", goods}, {"bottles", bottles},
+                                                                  {"towels", towels},      {"boxes", boxes}, {"binders", binders},
+                                                                  {"wine", lying_bottles}, {"none", nullptr}};
+  const auto found = kinds.find(p.word("contents", p.shelf_contents()));
+  return found == kinds.end() ? books : found->second;
+}
+
+}  // namespace layoutbox::kit
