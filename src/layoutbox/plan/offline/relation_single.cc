@@ -329,10 +329,10 @@ std::vector<std::string> RelationBuilder::shared_walls(const NounPhrase& walls) 
   };
   if (const auto [one, other] = walls_by_length(walls, scene_.room); !one.empty() && !scene_.room.polygon.empty()) return {one, other};
   if (walls.count >= 3) return {"left", "back", "right"};
-  if (said("adjacent")) return {"left", "back"};
   const bool pair = said("opposite") || walls.determiner == Determiner::kBoth || walls.name.find("side wall") != std::string::npos ||
                     walls.name.find("long") != std::string::npos;
-  return pair ? std::vector<std::string>{"left", "right"} : std::vector<std::string>{};
+  if (pair) return {"left", "right"};
+  return said("adjacent") || walls.count == 2 ? std::vector<std::string>{"left", "back"} : std::vector<std::string>{};
 }
 
 bool RelationBuilder::flanks(const NounPhrase& thing, const NounPhrase& host) const {

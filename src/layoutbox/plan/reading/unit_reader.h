@@ -123,6 +123,8 @@ class UnitReader {
   void mean_side_of_room(std::size_t k);
   void mean_end_of_room(std::size_t k);
   bool stands_in_room(std::size_t k) const;
+  std::size_t carrier_of(std::size_t thing) const;
+  const PhraseSenses* end_of_room(std::size_t k) const;
   void mean_fabric(std::size_t k);
   void mean_fire(std::size_t k);
   void mean_thing_of_zone(std::size_t k);

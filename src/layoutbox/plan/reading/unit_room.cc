@@ -1,6 +1,7 @@
 // Parts of the room in whatever words: its sides and ends, where the light comes in, and verbs between a thing and a part of the room.
 #include <algorithm>
 
+#include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/english.h"
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/reading/unit_reader.h"
@@ -63,6 +64,32 @@ void UnitReader::mean_end_of_room(std::size_t k) {
   noun.of.reset();
   units_.back().direct = at_wall_senses();
   units_.back().senses = &at_wall_senses();
+}
+
+// "a table, a screen at one end, a sideboard at the other end": of the room, where what has a place there stands by itself.
+const PhraseSenses* UnitReader::end_of_room(std::size_t k) const {
+  static const PhraseSenses kOne = {{RelationType::kInRegion, PhraseSense::Direction::kAlone, {}, "left", {}}},
+                            kOther = {{RelationType::kInRegion, PhraseSense::Direction::kAlone, {}, "right", {}}};
+  const Chunk& place = chunk(k);
+  const auto& tokens = document_.tokens;
+  if (tokens[place.last - 1].text != "end" || (place.last < tokens.size() && tokens[place.last].text == "of")) return nullptr;
+  const bool other = place.last >= 2 && tokens[place.last - 2].text == "other";
+  if (!other && !place.phrase.one) return nullptr;
+  std::size_t thing = previous(k);
+  if (!is(thing, ChunkKind::kNoun) || chunk(thing).noun.kind != NounKind::kObject) return nullptr;
+  thing = carrier_of(thing);
+  if (is(previous(thing), ChunkKind::kHave)) return nullptr;  // "a counter with a fridge at one end"
+  const CatalogEntry* entry = chunk(thing).noun.entry;
+  const bool board = entry != nullptr && entry->is(Trait::kScreen) && (entry->mount == Mount::kWall || entry->is(Trait::kElseOnWall));
+  const bool stands = mount_of(chunk(thing).noun) == Mount::kFloor && !is_seat(lexicon_.catalog(), chunk(thing).noun);
+  return !board && !stands ? nullptr : other ? &kOther : &kOne;
+}
+
+// "a sideboard with a coffee machine": the sideboard, of the machine.
+std::size_t UnitReader::carrier_of(std::size_t thing) const {
+  if (thing >= document_.chunks.size() || mount_of(chunk(thing).noun) != Mount::kSurface || !is(previous(thing), ChunkKind::kHave)) return thing;
+  const std::size_t host = previous(previous(thing));
+  return is(host, ChunkKind::kNoun) && chunk(host).noun.kind == NounKind::kObject ? host : thing;
 }
 
 // Whether what the place before chunk k is said of stands on the floor by itself: no seat where a table was named.

@@ -201,7 +201,9 @@ void UnitReader::read_place(std::size_t k) {
   }
   mark(k, Use::kUsed, "relation");
   if (takes_order(k)) return;
-  if (!tells_which(k)) add_place(k, *chunk(k).phrase.senses);
+  if (tells_which(k)) return;
+  const PhraseSenses* end = end_of_room(k);
+  add_place(k, end != nullptr ? *end : *chunk(k).phrase.senses);
 }
 
 // "a counter that carries, from left to right, a scale and a till": said of the list, wherever it stands.
