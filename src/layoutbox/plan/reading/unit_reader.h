@@ -26,6 +26,7 @@ class UnitReader {
   void mark(std::size_t k, WordReading::Use use, const std::string& role);
 
   void read_break(std::size_t k);
+  bool after_room(std::size_t k) const;
   void read_place(std::size_t k);
   bool centers_in_room(std::size_t k);
   bool tells_which(std::size_t k);
@@ -164,7 +165,8 @@ class UnitReader {
   Sentence units_;
   Joiner joiner_ = Joiner::kNone;
   bool clause_ = false, where_ = false, soft_ = false, skipping_ = false, negated_ = false;
-  bool contrasted_ = false;  // what is not wanted is named instead of the thing before it: "shower not bath"
+  bool instead_ = false;                             // … "instead of", "rather than"
+  bool contrasted_ = false;                          // what is not wanted is named instead of the thing before it: "shower not bath"
   bool doing_ = false;                               // what is skipped is what a person does
   std::size_t told_ = static_cast<std::size_t>(-1);  // … with this thing
   std::size_t passed_over_ = static_cast<std::size_t>(-1), passed_until_ = 0;

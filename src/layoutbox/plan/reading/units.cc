@@ -102,6 +102,7 @@ void UnitReader::read(std::size_t k) {
     case ChunkKind::kWithout:
       mark(k, Use::kUsed, "negation");
       skipping_ = false;
+      instead_ = one_of(document_.tokens[chunk(k).last - 1].text, {"of", "than"});
       contrasted_ = joiner_ == Joiner::kNone && is(previous(k), ChunkKind::kNoun) && document_.tokens[chunk(k).last - 1].text == "not";
       if (!denies_place(k) && !denies_before(k)) negated_ = !excepts_from_nothing(k);
       break;
@@ -114,6 +115,15 @@ void UnitReader::read(std::size_t k) {
       add(UnitKind::kOpen, k);
       break;
     case ChunkKind::kRelative:
+      // "a treadmill in a room that already has a sofa": the room has it
+      if (units_.size() > 1 && after_room(k) && is(next(k), ChunkKind::kHave)) {
+        mark(k, Use::kUsed, "has");
+        mark(next(k), Use::kUsed, "has");
+        skipping_ = false;
+        add(UnitKind::kOpen, k);
+        passed_until_ = next(k) + 1;
+        break;
+      }
       mark(k, Use::kUsed, "relative clause");
       skipping_ = false;
       add(UnitKind::kRelative, k);
@@ -136,6 +146,12 @@ void UnitReader::read(std::size_t k) {
         add(UnitKind::kParticiple, k);  // not "the desk's left corner"
       break;
   }
+}
+
+// The last word said was a room that something was placed in.
+bool UnitReader::after_room(std::size_t k) const {
+  return is(previous(k), ChunkKind::kNoun) && chunk(previous(k)).noun.kind == NounKind::kRoom && units_.back().chunk == previous(k) &&
+         units_[units_.size() - 2].kind == UnitKind::kPlace;
 }
 
 // "The bar counter: five stools lined up in front of it": what is said next is told of it, and is no more of one list.
@@ -182,6 +198,9 @@ void UnitReader::read_place(std::size_t k) {
     mark(k, Use::kIgnored, "purpose");
     return;
   }
+  // "a bench rather than chairs at the table": where the bench is
+  const bool thing = !units_.empty() && units_.back().kind == UnitKind::kNoun && chunk(units_.back().chunk).noun.kind == NounKind::kObject;
+  if (negated_ && instead_ && thing && joiner_ == Joiner::kNone && is(next(k), ChunkKind::kNoun)) negated_ = false;
   // "no chairs in the room": where they are not.
   if (negated_ && joiner_ == Joiner::kNone && is(previous(k), ChunkKind::kNoun) && is(next(k), ChunkKind::kNoun)) {
     mark(k, Use::kIgnored, "not wanted");
