@@ -302,6 +302,17 @@ bool NounPhraseReader::counts_things(const Part& part) const {
          noun_form(tokens_[part.first].text) == WordForm::kThing;
 }
 
+// "two fitting rooms at the back" of a shop: stalls in the room, where the catalogue has such a booth. Null: a room.
+const CatalogEntry* NounPhraseReader::stall_of(const Part& part) const {
+  constexpr std::size_t kOpening = 3;  // "a fitting room with …" is what the text is about
+  if (part.word_class != Class::kRoom || part.first < kOpening) return nullptr;
+  const std::string words = text_of(tokens_, part.first, part.last - 1) + (part.last - part.first > 1 ? " " : "") +
+                            singular_of(tokens_[part.last - 1].text) + " booth";
+  const CatalogEntry* entry = lexicon_.catalog().find_by_words(words);
+  const bool called = entry != nullptr && std::ranges::find(entry->synonyms, words) != entry->synonyms.end();
+  return called ? entry : nullptr;
+}
+
 // A head that stands in the lists of places, rooms and parts.
 void NounPhraseReader::settle_listed(std::size_t head) {
   const Part part = parts_[head];
@@ -309,6 +320,10 @@ void NounPhraseReader::settle_listed(std::size_t head) {
   const bool thing = is_thing_by_name(head);
   take_attributes(head);
   if (thing) return settle_object(as_thing, head);
+  if (const CatalogEntry* stall = stall_of(part); stall != nullptr) {
+    const Part booth{part.first, part.last, Class::kObject, {Class::kObject, stall, nullptr, 0, stall->id}, part.plural};
+    return settle_object(booth, head);
+  }
   const bool new_here = counted_ || part.plural || phrase_.determiner == Determiner::kIndefinite;
   if (part.word_class == Class::kPart && new_here && (part.meaning.entry != nullptr || is_compound(head) || counts_things(part))) {
     const NounPhrase opened = phrase_;

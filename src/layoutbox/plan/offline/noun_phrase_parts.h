@@ -142,6 +142,7 @@ class NounPhraseReader {
   bool comes_from(const Part& part) const;
   bool is_rare_thing(const Part& part, std::size_t head) const;
   bool has_telling_head(const Part& part, std::size_t head) const;
+  const CatalogEntry* stall_of(const Part& part) const;
   bool is_compound(std::size_t head) const;
   bool is_modeled(std::size_t head) const;
   bool is_thing_by_name(std::size_t head) const;
