@@ -76,6 +76,20 @@ TEST(UsualPlaces, AFullBookcaseByASeatStandsAtTheWall) {
   EXPECT_LT(behind_back(layout, "bookshelf_1", 5000, 4200), 150);
 }
 
+TEST(UsualPlaces, WhatIsOnAShelfStandsWhereItIsSeen) {
+  SceneMaker maker(4000, 3500);
+  maker.add("shelf").add("soup_can", 4);
+  for (int i = 1; i <= 4; ++i) maker.relate("on", {"soup_can_" + std::to_string(i)}, {"shelf_1"});
+  const Layout layout = solved_as_asked(maker.make(true));
+  const PlacedObject& shelf = *layout.find_object("shelf_1");
+  const double turn = radians_from_degrees(shelf.rotation_deg);
+  for (int i = 1; i <= 4; ++i) {
+    const PlacedObject& can = *layout.find_object("soup_can_" + std::to_string(i));
+    const double to_front = (can.position[0] - shelf.position[0]) * std::sin(turn) - (can.position[1] - shelf.position[1]) * std::cos(turn);
+    EXPECT_GT(to_front, shelf.size.depth / 4.0) << can.id;
+  }
+}
+
 TEST(UsualPlaces, ChairsWithTheirBacksToTheWallSitInARow) {
   SceneMaker maker(4500, 3600);
   maker.add("chair", 6).add("aquarium");

@@ -56,9 +56,10 @@ bool Habits::lies_free(int item, int host) const {
 }
 
 // What lies free on one thing is spread over it in rows, in the order of the words, one thing alone in the middle; what is placed by its
-// neighbours goes with these. At the back of what is deep and has a front; nothing where there are too many for even rows.
+// neighbours goes with these. At the back of what is deep and has a front, at the front of shelves; nothing where there are too many for
+// even rows.
 std::optional<Habits::Spot> Habits::spot_on(int item, int host) const {
-  constexpr Mm kApart = 30, kLeastApart = 4, kDeep = 500, kWorkingHeight = 600;
+  constexpr Mm kApart = 30, kLeastApart = 4, kDeep = 500, kWorkingHeight = 600, kFromShelfEdge = 30;
   if (!lies_free(item, host)) return {};
   const Item& below = model_.items[host];
   Mm widest = 0, screens = 0;  // widths
@@ -86,6 +87,11 @@ std::optional<Habits::Spot> Habits::spot_on(int item, int host) const {
   const std::int64_t along = (2 * column + 1 - here) * length / columns, away = (rows - 1 - 2 * row) * breadth / rows;
   if (!across) return Spot{away, along};
   if (rows == 1 && deep_at_back) return Spot{along, {}};
+  // On a shelf at its front edge: farther in, the board above hides it.
+  if (rows == 1 && below.has_front && below.is(Trait::kShelving)) {
+    const Mm own = model_.items[item].states[0].size.depth;
+    return Spot{along, std::min<std::int64_t>(0, own + 2 * kFromShelfEdge - top.depth)};
+  }
   return Spot{along, away};
 }
 
