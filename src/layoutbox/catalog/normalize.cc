@@ -41,6 +41,7 @@ Result<SceneGraph> normalize_scene(SceneGraph scene, const Catalog& catalog, con
   normalize_curtains(context);
   if (context.errors.empty()) {
     normalize_relations(context);
+    normalize_visitors(context);
     normalize_support(context);
   }
   if (!context.errors.empty()) {

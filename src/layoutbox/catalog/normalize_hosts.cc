@@ -102,26 +102,45 @@ void grow_with_seats(const NormalizeContext& context, const CatalogEntry& entry,
   }
 }
 
-// Seats that no relation places go to the only thing of the kind they usually stand by: bar stools to the island.
+// The things that a seat which no relation places usually goes to: all of the kind of the first that people sit at.
+std::vector<const SceneObject*> usual_hosts(const NormalizeContext& context, const SceneObject& seat) {
+  constexpr Mm kLow = 600, kHighSeat = 700;
+  const CatalogEntry& entry = context.catalog.entry_or_nearest(seat.category);
+  std::vector<const SceneObject*> hosts;
+  for (const std::string& kind : entry.beside) {
+    for (const SceneObject& object : context.scene.objects) {
+      const CatalogEntry& host = context.catalog.entry_or_nearest(object.category);
+      if (!object.size || host.thin || !context.catalog.is_a(object.category, kind)) continue;
+      const Seating* seating = Groups::builtin().seating_at(context.catalog, host, context.scene.room.type);
+      const bool low = object.size->usual.height < kLow && seat.size && seat.size->usual.height > kHighSeat;
+      if (low || (seating != nullptr && seating->seat.empty())) continue;
+      if (hosts.empty() || object.category == hosts[0]->category) hosts.push_back(&object);
+    }
+    if (!hosts.empty()) break;
+  }
+  return hosts;
+}
+
+// Seats that no relation places go to the only thing of the kind they usually stand by, or share those out that one sits round: bar stools
+// to the island, chairs to the table.
 void share_out_seats(const NormalizeContext& context, std::map<std::string, Contents>& hosts, const ById& by_id) {
   const SceneGraph& scene = context.scene;
   std::map<std::string, Mm> widths;
   std::map<std::string, int> counts;
+  std::map<std::string, std::size_t> ranks;  // by kind of seat
   for (const SceneObject& seat : scene.objects) {
-    const CatalogEntry& entry = context.catalog.entry_or_nearest(seat.category);
     const bool placed =
         std::ranges::any_of(scene.relations, [&](const Relation& r) { return std::ranges::find(r.targets, seat.id) != r.targets.end(); });
-    if (placed || !entry.is(Trait::kTableSeat)) continue;
-    for (const std::string& kind : entry.beside) {
-      const auto host = std::ranges::find(scene.objects, kind, &SceneObject::category);
-      if (host == scene.objects.end()) continue;
-      const bool only = std::ranges::count(scene.objects, kind, &SceneObject::category) == 1;
-      if (only && context.catalog.entry_or_nearest(kind).has_front) {
-        widths[host->id] += seat_width(context.catalog, by_id, {seat.id});
-        ++counts[host->id];
-      }
-      break;
+    if (placed || !context.catalog.entry_or_nearest(seat.category).is(Trait::kTableSeat)) continue;
+    const std::vector<const SceneObject*> usual = usual_hosts(context, seat);
+    if (usual.empty()) continue;
+    if (context.catalog.entry_or_nearest(usual[0]->category).has_front) {
+      if (usual.size() > 1) continue;
+      widths[usual[0]->id] += seat_width(context.catalog, by_id, {seat.id});
+      ++counts[usual[0]->id];
+      continue;
     }
+    ++hosts[usual[ranks[seat.category]++ % usual.size()]->id].around;
   }
   for (const auto& [host, width] : widths) {
     hosts[host].front += width;

@@ -49,6 +49,9 @@ void normalize_curtains(NormalizeContext& context);
 // Names that relations use: walls by word become ids, relations to nothing are left out; ids for those without.
 void normalize_relations(NormalizeContext& context);
 
+// Visitors sit before the desk, who works there behind it, where words leave that open.
+void normalize_visitors(NormalizeContext& context);
+
 // What stands or hangs on something gets something to stand on; heights of pose hints that may mean the centre are settled.
 void normalize_support(NormalizeContext& context);
 

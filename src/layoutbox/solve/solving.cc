@@ -277,6 +277,7 @@ void Solver::improve() {
   int idle = 0;  // since the last that brought something
   for (int start = 0; idle < kIdleShakes && !budget.spent(); ++start, ++idle) {
     if (start < kStarts && begin(search, start, budget)) {
+      search.form_up(budget);
       search.improve(budget, kShortPatience);
     } else {
       search.adopt(placements_, left_out_);
@@ -288,6 +289,7 @@ void Solver::improve() {
   // The best of all gets a share of its own: each thing is looked at once more, however much was spent on the way.
   Budget last{0, std::max(budgets_.improvement / kShareOfLast, budget.limit - budget.steps), budget.stop, false};
   search.adopt(placements_, left_out_);
+  search.form_up(last);
   search.improve(last, kPatience);
   take_if_better();
 }

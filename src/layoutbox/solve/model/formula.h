@@ -117,6 +117,7 @@ struct Constraint {
   std::vector<int> hosts;                 // habits: the items that are to be placed first
   std::string words;                      // what it says, where it is no relation of the scene: "the bed stays where it was"
   bool stay = false;                      // how far something is from its earlier place: no part of the score
+  int formation = -1, member = -1;  // the place of that item in the formation that the first of them leads; its cases are in one order
 };
 
 }  // namespace layoutbox::placement

@@ -1,5 +1,7 @@
 #include "layoutbox/solve/priors/formation.h"
 
+#include <algorithm>
+
 #include "layoutbox/solve/compile/phrases.h"
 #include "layoutbox/solve/priors/seating.h"
 
@@ -13,7 +15,7 @@ constexpr Mm kForSeveral = 1500;     // so wide a seat is for several: an aisle 
 constexpr Mm kBackOfSeat = 130;      // what of a chair stays before the edge
 constexpr Mm kBeforeKneeless = 100;  // from what one sits before without room for the knees
 constexpr Mm kSeatOfIsland = 450;    // what the seats take at either side of an island of desks
-constexpr Mm kBetweenIslands = 800, kBetweenDesks = 20;
+constexpr Mm kBetweenIslands = 1500, kBetweenDesks = 20;
 constexpr Mm kRoundCounter = 1100;     // behind a counter, and before it
 constexpr int kOneRow = 5;             // so few seats that look at something sit in one row
 constexpr std::int64_t kUneven = 400;  // thousandths of the room that a last row which is not full may cost
@@ -27,7 +29,33 @@ std::pair<Mm, Mm> gaps_of(const Item& item) {
   return item.has_front ? std::pair<Mm, Mm>{80, 600} : std::pair<Mm, Mm>{500, 500};
 }
 
+Mm lo_of(const Model& model, const PartOfRoom& part, int axis) { return part.axis == axis ? part.lo : model.room.lo[axis]; }
+Mm hi_of(const Model& model, const PartOfRoom& part, int axis) { return part.axis == axis ? part.hi : model.room.hi[axis]; }
+
 }  // namespace
+
+std::vector<PartOfRoom> parts_of_room(const Model& model, const std::vector<std::vector<int>>& groups) {
+  std::vector<PartOfRoom> parts(groups.size());
+  if (groups.size() < 2) return parts;
+  std::vector<std::int64_t> wanted;
+  std::int64_t all = 0, before = 0;
+  for (const std::vector<int>& group : groups) {
+    const Item& first = model.items[group[0]];
+    const auto [across, deep] = gaps_of(first);
+    const Size& size = first.states[0].size;
+    wanted.push_back(static_cast<std::int64_t>(group.size()) * (size.width + across) * (size.depth + deep));
+    all += wanted.back();
+  }
+  const int axis = model.room.extent(0) >= model.room.extent(1) ? 0 : 1;
+  const auto edge = [&](std::int64_t share) {
+    return model.room.lo[axis] + static_cast<Mm>(std::int64_t{model.room.extent(axis)} * (share / 1000) / (all / 1000));
+  };
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    parts[i] = {axis, edge(before), edge(before + wanted[i])};
+    before += wanted[i];
+  }
+  return parts;
+}
 
 Formation formation_of(int n, const Size& size, Mm gap_across, Mm gap_deep, Mm room_across, Mm room_deep, int columns, Mm sides, Mm ends) {
   const auto fitted = [](int count, Mm one, Mm gap, Mm room, Mm around) -> Mm {  // from middle to middle; 0: does not fit
@@ -72,25 +100,40 @@ class FormationPlace {
     const Formation form = form_in(extent(row_axis, taken), deep - free, ahead, aside);
     if (form.columns == 0) return;
     const int rows = (n + form.columns - 1) / form.columns;
-    // Who is told to look at something has the middle of a row: from there it is straight ahead.
-    const int middle = (form.columns - 1) / 2, leader = of_.leader, k = of_.k;
-    const int at = leader < 0 ? k : k == leader ? middle : k == middle ? leader : k;
-    const int row = aside ? at % of_.columns : at / form.columns, column = aside ? at / of_.columns : at % form.columns;
+    // Twice the way from the room's middle, along the row and along the column.
+    const auto place_of = [&](int one) {
+      // Who is told to look at something has the middle of a row: from there it is straight ahead.
+      const int middle = (form.columns - 1) / 2, leader = of_.leader;
+      const int at = leader < 0 ? one : one == leader ? middle : one == middle ? leader : one;
+      const int row = aside ? at % of_.columns : at / form.columns, column = aside ? at / of_.columns : at % form.columns;
+      // A last row that is not full stands about the middle, where no columns are asked for.
+      const int here = of_.columns == 0 && row + 1 == rows ? n - row * form.columns : form.columns;
+      return std::pair{std::int64_t{form.across} * (2 * column - (here - 1)),
+                       std::int64_t{form.deep} * (2 * row - (rows - 1)) - ahead * free};
+    };
     Case& c = f_.add();
     if (states) c.when(item_, states);
     if (taken.states) c.when(of_.counter, taken.states);
-    const auto wish_at = [&](int axis, std::int64_t twice) {  // twice the way from the room's middle
+    const auto wish_at = [&](int axis, std::int64_t twice) {
       if (axis == taken.front.axis) twice += std::int64_t{taken.front.sign} * taken.depth;
-      c.wish(mid2(item_, axis) - Linear(std::int64_t{model_.room.lo[axis]} + model_.room.hi[axis] + twice), of_.weight, 2);
+      c.wish(mid2(item_, axis) - Linear(std::int64_t{lo_of(model_, of_.part, axis)} + hi_of(model_, of_.part, axis) + twice), of_.weight,
+             2);
     };
-    // A last row that is not full stands about the middle, where no columns are asked for.
-    const int here = of_.columns == 0 && row + 1 == rows ? n - row * form.columns : form.columns;
-    wish_at(row_axis, std::int64_t{form.across} * (2 * column - (here - 1)));
-    wish_at(deep_axis, std::int64_t{form.deep} * (2 * row - (rows - 1)) - ahead * free);
+    const auto [along, back] = place_of(of_.k);
+    wish_at(row_axis, along);
+    wish_at(deep_axis, back);
+    if (of_.k == 0) return;
+    // … and in line with its neighbour: rather all of them a little off than one.
+    const int neighbour = of_.k % form.columns > 0 ? of_.k - 1 : of_.k - form.columns;
+    const auto [next_along, next_back] = place_of(neighbour);
+    c.wish(mid2(item_, row_axis) - mid2(of_.group[neighbour], row_axis) - Linear(along - next_along), of_.in_line, 2);
+    c.wish(mid2(item_, deep_axis) - mid2(of_.group[neighbour], deep_axis) - Linear(back - next_back), of_.in_line, 2);
   }
 
  private:
-  Mm extent(int axis, const Taken& taken) const { return model_.room.extent(axis) - (axis == taken.front.axis ? taken.depth : 0); }
+  Mm extent(int axis, const Taken& taken) const {
+    return hi_of(model_, of_.part, axis) - lo_of(model_, of_.part, axis) - (axis == taken.front.axis ? taken.depth : 0);
+  }
 
   // No columns: it has no room.
   Formation form_in(Mm across, Mm deep, int ahead, bool aside) const {
@@ -145,9 +188,11 @@ void add_formation_place(Formula& f, const Model& model, const FormationOf& of) 
   }
 }
 
-void add_island_place(Formula& f, const Model& model, const std::vector<int>& group, int k, int weight) {
-  const int item = group[k], pairs = (static_cast<int>(group.size()) + 1) / 2, pair = k / 2;
+void add_island_place(Formula& f, const Model& model, const FormationOf& of) {
+  const std::vector<int>& group = of.group;
+  const int k = of.k, item = group[k], pairs = (static_cast<int>(group.size()) + 1) / 2, pair = k / 2;
   const Size& desk = model.items[group[0]].states[0].size;
+  const auto extent = [&](int axis) { return hi_of(model, of.part, axis) - lo_of(model, of.part, axis); };
   const Size island{desk.width, 2 * (desk.depth + kSeatOfIsland), desk.height};
   for_each_turn(model.items[item], [&](int turn, std::uint64_t states) {
     if (!quarter(turn)) return;
@@ -157,19 +202,34 @@ void add_island_place(Formula& f, const Model& model, const std::vector<int>& gr
     const int row_axis = across(back);
     Formation form{0, 0, 0};
     for (int tenths = 10; tenths > 0 && form.columns == 0; tenths -= 3) {
-      form = formation_of(pairs, island, kBetweenDesks, kBetweenIslands * tenths / 10, model.room.extent(row_axis),
-                          model.room.extent(back.axis), 0);
+      form = formation_of(pairs, island, kBetweenDesks, kBetweenIslands * tenths / 10, extent(row_axis), extent(back.axis), 0);
     }
     if (form.columns == 0) return;
-    const int rows = (pairs + form.columns - 1) / form.columns, row = pair / form.columns, column = pair % form.columns;
-    const int here = row + 1 == rows ? pairs - row * form.columns : form.columns;
+    const int rows = (pairs + form.columns - 1) / form.columns;
+    // Twice the way of an island's middle from the room's, along the row and from row to row.
+    const auto place_of = [&](int one) {
+      const int row = one / form.columns, column = one % form.columns;
+      const int here = row + 1 == rows ? pairs - row * form.columns : form.columns;
+      return std::pair{std::int64_t{form.across} * (2 * column - (here - 1)), std::int64_t{form.deep} * (2 * row - (rows - 1))};
+    };
     Case& c = f.add().when(item, states);
     const auto wish_at = [&](int axis, std::int64_t twice) {
-      c.wish(mid2(item, axis) - Linear(std::int64_t{model.room.lo[axis]} + model.room.hi[axis] + twice), weight, 2);
+      c.wish(mid2(item, axis) - Linear(std::int64_t{lo_of(model, of.part, axis)} + hi_of(model, of.part, axis) + twice), of.weight, 2);
     };
-    wish_at(row_axis, std::int64_t{form.across} * (2 * column - (here - 1)));
-    wish_at(back.axis, std::int64_t{form.deep} * (2 * row - (rows - 1)) - std::int64_t{back.sign} * desk.depth);
+    const auto [along, deep] = place_of(pair);
+    wish_at(row_axis, along);
+    wish_at(back.axis, deep - std::int64_t{back.sign} * desk.depth);
+    if (k == 0) return;
+    // In line with its mate, back to back, or with the island beside or before.
+    const bool mate = k % 2 == 1;
+    const int neighbour = mate ? pair : pair % form.columns > 0 ? pair - 1 : pair - form.columns, other = group[2 * neighbour];
+    const auto [next_along, next_deep] = place_of(neighbour);
+    c.wish(mid2(item, row_axis) - mid2(other, row_axis) - Linear(along - next_along), of.in_line, 2);
+    c.wish(mid2(item, back.axis) - mid2(other, back.axis) - Linear(deep - next_deep - (mate ? 2 * back.sign * desk.depth : 0)), of.in_line,
+           2);
   });
+  // Both of a pair have their cases in the same order: those along y first.
+  if (k % 2 == 1) std::ranges::reverse(f.cases);
 }
 
 void add_seat_place(Formula& f, const Model& model, int seat, int table, int k, int n, int weight, bool long_sides) {

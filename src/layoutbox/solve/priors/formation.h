@@ -16,6 +16,15 @@ struct Formation {
 
 inline constexpr Mm kWayAround = 600;
 
+// The part of the room, along one axis, that a formation has where others share it; no axis: all of it is its own.
+struct PartOfRoom {
+  int axis = -1;
+  Mm lo = 0, hi = 0;
+};
+
+// The parts of several formations, in their order: the longer side is shared out by the floor that each wants.
+std::vector<PartOfRoom> parts_of_room(const Model& model, const std::vector<std::vector<int>>& groups);
+
 // The formation of n things of that size with at least those gaps that fits the room's shape best; 0 columns where none fits.
 // `room_across` and `room_deep` are the room's extents along and across the rows. `columns` given: it stays; `sides`, `ends`: so much is
 // left free before the walls beside the rows, and before and behind them.
@@ -26,18 +35,19 @@ Formation formation_of(int n, const Size& size, Mm gap_across, Mm gap_deep, Mm r
 struct FormationOf {
   const std::vector<int>& group;
   int k = 0;
-  int columns = 0;  // 0: as suits the room
-  int weight = 0;
-  Mm before = 0;     // floor left free before the first row, for what all look at
-  int leader = -1;   // the one of them who has to see it straight ahead
-  int counter = -1;  // what they stand before, and not behind or where its own place is
+  int columns = 0;              // 0: as suits the room
+  int weight = 0, in_line = 0;  // of the place in the room, and of that beside its neighbour
+  Mm before = 0;                // floor left free before the first row, for what all look at
+  int leader = -1;              // the one of them who has to see it straight ahead
+  int counter = -1;             // what they stand before, and not behind or where its own place is
+  PartOfRoom part = {};
 };
 
 // Wishes for that place in a formation about the middle of the room, whichever way the first of the group looks.
 void add_formation_place(Formula& f, const Model& model, const FormationOf& of);
 
 // The same for desks in islands: two rows back to back, those who sit there looking at each other.
-void add_island_place(Formula& f, const Model& model, const std::vector<int>& group, int k, int weight);
+void add_island_place(Formula& f, const Model& model, const FormationOf& of);
 
 // Wishes for seat k of n at a table used all round (shared out over its sides, or its two long ones), or at the side where a desk is used.
 void add_seat_place(Formula& f, const Model& model, int seat, int table, int k, int n, int weight, bool long_sides = false);

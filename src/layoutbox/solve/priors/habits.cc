@@ -21,7 +21,7 @@ void Habits::add(int index) {
     case Mount::kFloor: break;
   }
   if (item.thin) {
-    if (!placed_by_relation(index) && !stand_in_formation(index)) lie_under(index);
+    if (!stand_in_formation(index) && !placed_by_relation(index)) lie_under(index);
     return;
   }
   stand(index);
@@ -50,8 +50,11 @@ void Habits::stand(int index) {
     if (!told_to_stand_free(index)) back_to_wall(index, kBackToWall);
     stand_in_run(index);
     if (!stand_as_twin(index) && !with_host) stand_in_wall_row(index);
+  } else if (!with_host && only_told_opening(index) && !item.is(Trait::kSeat) && !item.is(Trait::kEasySeat) && !has_sitters(index)) {
+    stand_at_wall(index);
   } else if (!with_host && !placed_by_relation(index)) {
-    if (used_sides(item).size() >= 4 && !item.is(Trait::kSeat) && rank_of(index) == 0 && (has_sitters(index) || !middle_is_taken(index))) {
+    const bool all_round = used_sides(item).size() >= 4 && !item.is(Trait::kSeat) && rank_of(index) == 0;
+    if (all_round && (has_sitters(index) || (!middle_is_taken(index) && !is_low_aside(index)))) {
       if (!middle_is_taken(index)) stand_in_middle(index);
     } else if (item.is(Trait::kSeat) && item.has_front && !looks && !item.object->hint.position) {
       back_to_wall(index, kSeatToWall);
@@ -59,6 +62,9 @@ void Habits::stand(int index) {
       stand_at_wall(index);
     }
   }
+  if (looks && item.is(Trait::kEasySeat) && !with_host && !placed_by_relation(index) && !item.entry->back_to_wall &&
+      only_sees_screen(index))
+    back_to_wall(index, kAtWall);
   if (!item.entry->back_to_wall && item.is(Trait::kSeat) && item.has_front && !with_host) stand_in_wall_row(index);
   keep_nose_free(index);
   const bool is_worked_at = item.is(Trait::kTable) || item.is(Trait::kCounter) || item.is(Trait::kDeskLike);
@@ -130,6 +136,30 @@ bool Habits::placed_by_relation(int item) const {
   return std::any_of(model_.scene->relations.begin(), model_.scene->relations.end(), [&](const Relation& r) {
     return std::find(r.targets.begin(), r.targets.end(), model_.items[item].id) != r.targets.end();
   });
+}
+
+// A table for children or toys that nobody there sits at, beside the sofa's group: not in the middle of it.
+bool Habits::is_low_aside(int item) const {
+  constexpr Mm kLow = 600;
+  const Item& self = model_.items[item];
+  return self.is(Trait::kTable) && !self.is(Trait::kCoffeeTable) && self.states[0].size.height < kLow;
+}
+
+// Is a door or window all that it is told to be by? Then it stands at the wall there, a coat stand or a cat tree, not in the way.
+bool Habits::only_told_opening(int item) const {
+  using R = RelationType;
+  bool told = false;
+  for (const Relation& r : model_.scene->relations) {
+    if (std::ranges::find(r.targets, model_.items[item].id) == r.targets.end()) continue;
+    const bool near = r.type == R::kNear || r.type == R::kNextTo || r.type == R::kNearWindow || r.type == R::kNearDoor;
+    const bool opening = std::ranges::all_of(r.references, [&](const std::string& id) {
+      const int other = model_.find_item(id);
+      return other >= 0 && model_.items[other].is_opening();
+    });
+    if (!near || !opening) return false;
+    told = true;
+  }
+  return told;
 }
 
 // Told to be in the middle or off the walls.

@@ -9,18 +9,22 @@
 #include <vector>
 
 #include "layoutbox/solve/compile/phrases.h"
+#include "layoutbox/solve/priors/formation.h"
 
 namespace layoutbox::placement {
 
 // Points per metre missed; docs/solve.md says where they come from.
 inline constexpr int kBackToWall = 900, kBeside = 500, kFaces = 600, kAtWall = 150, kSeatToWall = 700, kRug = 300, kHint = 800,
                      kHintOfTurn = 20000, kOpeningPlace = 80, kHangs = 200, kSits = 400, kCurtain = 900, kMiddle = 40, kLight = 25,
-                     kFormation = 300;
+                     kFormation = 150, kInLine = 400;
 
 inline std::int64_t area_of(const Item& item) { return std::int64_t{item.states[0].size.width} * item.states[0].size.depth; }
 
 // Twice the middle of the floor's extent.
 inline Linear room_mid2(const Model& model, int axis) { return {std::int64_t{model.room.lo[axis]} + model.room.hi[axis]}; }
+
+// The states in which its front looks that way.
+std::uint64_t states_looking(const Item& item, Direction direction);
 
 class Habits {
  public:
@@ -37,6 +41,8 @@ class Habits {
   bool only_related_by(int a, int b, std::initializer_list<RelationType> types) const;
   bool related_as_target(int item, int reference, RelationType type) const;
   bool placed_by_relation(int item) const;
+  bool only_told_opening(int item) const;
+  bool is_low_aside(int item) const;
   bool told_to_stand_free(int item) const;
   void keep_hint(int item);
   void keep_turn(int item, double degrees);
@@ -65,6 +71,7 @@ class Habits {
   bool may_float(int item) const;
   void lie_alike(int item);
   bool is_narrow_bed(int item) const;
+  bool has_bedside(int bed) const;
   bool keeps_to_corner(int item) const;
   bool is_faced_by_kind(int item) const;
   bool is_looked_at(int item) const;
@@ -80,6 +87,7 @@ class Habits {
   void near_light(int item);
   void lie_under(int item);
   void lie_at_foot(int item, int bed);
+  void lie_before(int item, int sofa);
   void open_well(int item);
   void leave_wall_free(int item);
 
@@ -110,6 +118,8 @@ class Habits {
   int mirror_of(int item) const;
   void sit_before_mirror(int item);
   void watch_from_near(int item, int screen);
+  bool only_sees_screen(int item) const;
+  void watch_past_tables(int item, int screen);
   void come_near(int item, int host);
   void sit_facing(int item, int host);
   bool sit_by_between(int item);
@@ -130,6 +140,8 @@ class Habits {
   void flank(int item, int host, int hosts);
   std::vector<int> seats_at(int item, int host, int hosts) const;
   bool before_its_host(int item) const;
+  std::vector<int> usual_hosts(int item) const;
+  bool takes_seat(int host, int seat) const;
   bool look_at(int item, bool leads = false, const std::vector<int>& crowd = {});
 
   // Habits of things that come in numbers.
@@ -139,6 +151,7 @@ class Habits {
     int columns = 0;
   };
   std::optional<Group> formation_with(int item) const;
+  PartOfRoom part_of(const Group& group);
   bool placed_besides_facing(int item) const;
   bool fits_islands(int item) const;
   int leader_of(const Group& group) const;
@@ -160,6 +173,7 @@ class Habits {
   bool stand_as_twin(int item);
 
   Model& model_;
+  std::optional<std::vector<std::vector<int>>> formations_;  // all there are, once somebody asked
 };
 
 }  // namespace layoutbox::placement

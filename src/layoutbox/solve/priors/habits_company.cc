@@ -6,17 +6,6 @@
 #include "layoutbox/solve/priors/habits.h"
 
 namespace layoutbox::placement {
-namespace {
-
-std::uint64_t states_looking(const Item& item, Direction direction) {
-  std::uint64_t looking = 0;
-  for_each_turn(item, [&](int turn, std::uint64_t states) {
-    if (turn % 90 == 0 && side_direction(item, Side::kFront, turn) == direction) looking |= states;
-  });
-  return looking;
-}
-
-}  // namespace
 
 // Several of a kind before or behind one thing stand abreast: chairs behind a news desk, cameras before it.
 bool Habits::stand_abreast(int item) {
@@ -39,7 +28,9 @@ bool Habits::stand_abreast_of(int item, int host, RelationType how) {
   const bool across_from = how == RelationType::kOpposite || how == RelationType::kFacing;
   const Item &self = model_.items[item], &ref = model_.items[host];
   const bool seat = self.is(Trait::kTableSeat);
-  const bool sided = !ref.is_opening() && (ref.has_front || (seat && how == RelationType::kBehind));  // a table's back is that of the room
+  const bool window = ref.is_opening() && how == RelationType::kFacing && !self.is(Trait::kTable);
+  const bool sided =
+      window || (!ref.is_opening() && (ref.has_front || (seat && how == RelationType::kBehind)));  // a table's back is that of the room
   if (!sided || (seat && how == RelationType::kInFrontOf)) return false;
   std::vector<int> peers;
   for (std::size_t i = 0; i < model_.items.size(); ++i) {
@@ -62,7 +53,7 @@ bool Habits::stand_abreast_of(int item, int host, RelationType how) {
     const int along = across(away);
     if (self.has_front) c.when(item, states_looking(self, opposite(away)));
     c.wish(mid2(item, along) - mid2(host, along) - Linear((2 * k - (n - 1)) * pitch), kBeside, 2);
-    if (!at_wall) c.wish(gap_towards(item, host, away) - Linear(seat ? kSeatOff : across_from ? kTalkingOff : kOff), kBeside);
+    if (!at_wall) c.wish(gap_towards(item, host, away) - Linear(seat ? kSeatOff : across_from && !window ? kTalkingOff : kOff), kBeside);
   });
   habit("abreast", item, kBeside, std::move(f), {host});
   if (at_wall) back_to_wall(item, kBackToWall);
@@ -117,8 +108,7 @@ bool Habits::stand_beside(int item) {
         self.is(Trait::kEasySeat) && desk.has_front && (desk.is(Trait::kTable) || desk.is(Trait::kDeskLike) || desk.is(Trait::kCounter));
     if (sat_behind && related_as_target(item, host, RelationType::kBehind)) turn_as(item, host);
   }
-  std::vector<int> hosts = items_of_kinds(self.entry->beside, item);
-  std::erase_if(hosts, [&](int h) { return model_.items[h].thin || area_of(model_.items[h]) <= area_of(self); });
+  std::vector<int> hosts = usual_hosts(item);
   for (std::size_t i = 0; i < model_.items.size() && self.is(Trait::kTableSeat); ++i) {  // a potter's wheel
     const int other = static_cast<int>(i);
     const bool known = std::ranges::find(hosts, other) != hosts.end();
@@ -173,6 +163,13 @@ bool Habits::stand_beside(int item) {
     habit("at table", item, kBeside, std::move(f), {host});
     return true;
   }
+  if (self.is(Trait::kTableSeat) && ref.is(Trait::kCounter) && ref.has_front) {  // at its front; who serves is behind
+    const std::vector<int> seats = seats_at(item, host, static_cast<int>(hosts.size()));
+    const auto k = std::find(seats.begin(), seats.end(), item) - seats.begin();
+    add_seat_place(f, model_, item, host, static_cast<int>(k), static_cast<int>(seats.size()), kBeside);
+    habit("at the counter", item, kBeside, std::move(f), {host});
+    return true;
+  }
   if (self.is(Trait::kTableSeat) && used.size() == 1 && ref.has_front) {  // a drummer's stool
     add_beside(f, model_, item, host, used[0], {.most = 500, .wished_gap = 0});
   } else if (before_its_host(item)) {
@@ -225,46 +222,6 @@ void Habits::sit_round_low_table(int item, int table) {
   flank(item, table, 1);
 }
 
-// The mirror on the wall that a seat is told to look into, where nothing else says where it stands; -1: none.
-int Habits::mirror_of(int item) const {
-  const Item& self = model_.items[item];
-  if ((!self.is(Trait::kSeat) && !self.is(Trait::kEasySeat)) || !self.has_front || placed_besides_facing(item)) return -1;
-  for (std::size_t i = 0; i < model_.items.size(); ++i) {
-    const bool mirror = model_.items[i].is(Trait::kMirror) && model_.items[i].mount == Mount::kWall;
-    if (mirror && related_as_target(item, static_cast<int>(i), RelationType::kFacing)) return static_cast<int>(i);
-  }
-  return -1;
-}
-
-// Who is to look into a mirror sits before it, close enough to see.
-void Habits::sit_before_mirror(int item) {
-  constexpr Mm kOff = 500;
-  const int mirror = mirror_of(item);
-  if (mirror < 0) return;
-  Formula f;
-  for_each_turn(model_.items[mirror], [&](int turn, std::uint64_t states) {
-    if (turn % 90 != 0) return;
-    const Direction front = side_direction(model_.items[mirror], Side::kFront, turn);
-    Case& c = f.add().when(mirror, states).when(item, states_looking(model_.items[item], opposite(front)));
-    c.wish(mid2(item, across(front)) - mid2(mirror, across(front)), kBeside, 2);
-    c.wish(gap_towards(item, mirror, front) - Linear(kOff), kBeside);
-  });
-  habit("before its mirror", item, kBeside, std::move(f), {mirror});
-}
-
-// A screen is watched from no farther than one sees it well.
-void Habits::watch_from_near(int item, int screen) {
-  constexpr Mm kFarthest = 3800;
-  constexpr int kTooFar = 150;  // points a metre
-  Formula f;
-  for_each_turn(model_.items[item], [&](int turn, std::uint64_t states) {
-    if (turn % 90 != 0) return;
-    const Direction front = side_direction(model_.items[item], Side::kFront, turn);
-    f.add().when(item, states).require(Linear(kFarthest) - gap_towards(screen, item, front));
-  });
-  habit("near enough to see", item, kTooFar, std::move(f));
-}
-
 void Habits::stand_before_middle(int item, int host) {
   Formula f;
   for_each_turn(model_.items[host], [&](int turn, std::uint64_t states) {
@@ -315,12 +272,13 @@ bool Habits::look_at(int item, bool leads, const std::vector<int>& crowd) {
   std::ranges::stable_partition(seen, [&](int other) { return related_as_target(item, other, RelationType::kFacing); });
   // … and a visitor the bed that the chair is told to be at.
   if (self.is(Trait::kTableSeat)) std::ranges::stable_partition(seen, [&](int other) { return related(item, other); });
+  if (self.is(Trait::kTableSeat)) std::erase_if(seen, [&](int other) { return !takes_seat(other, item); });
   for (const int other : seen) {
     if (model_.items[other].mount != Mount::kFloor && model_.items[other].mount != Mount::kWall && seen.size() > 1 && other != seen[0])
       continue;
     Formula f;
     crowd.empty() ? add_looks_at(f, model_, item, other) : add_looks_with_group(f, model_, item, crowd, other);
-    if (self.is(Trait::kEasySeat) && !related(item, other)) {
+    if (self.is(Trait::kEasySeat) && !related(item, other) && !model_.items[other].is(Trait::kScreen)) {
       for (Case& c : f.cases) {  // near enough to put a cup down
         for (int axis = 0; axis < 2; ++axis) c.wish(mid2(item, axis) - mid2(other, axis), 60, 2);
       }
@@ -329,7 +287,10 @@ bool Habits::look_at(int item, bool leads, const std::vector<int>& crowd) {
     const bool elsewhere = self.is(Trait::kEasySeat) && placed_besides_facing(item) && !related(item, other);
     habit("faces", item, elsewhere ? kFaces / 3 : kFaces, std::move(f),
           self.is(Trait::kEasySeat) || leads ? std::vector<int>{other} : std::vector<int>{});
-    if (self.is(Trait::kCenterPiece) && !self.is(Trait::kBed) && model_.items[other].is(Trait::kScreen)) watch_from_near(item, other);
+    if (self.is(Trait::kCenterPiece) && !self.is(Trait::kBed) && model_.items[other].is(Trait::kScreen)) {
+      watch_from_near(item, other);
+      watch_past_tables(item, other);
+    }
     return true;
   }
   return false;

@@ -8,7 +8,7 @@
 namespace layoutbox::placement {
 namespace {
 
-constexpr std::size_t kManyInFormation = 4;
+constexpr std::size_t kManyInFormation = 4, kManySeats = 7;
 constexpr std::int64_t kManySize = 3'000'000;              // mm²: larger things are no crowd
 constexpr std::int64_t kTableToSitRound = 400'000;         // mm²
 constexpr Mm kStageDepth = 1600;                           // left before a crowd for what it looks at and who stands there
@@ -35,6 +35,9 @@ std::optional<Habits::Group> Habits::formation_with(int item) const {
                                             [&](int h) { return !model_.items[h].thin && area_of(model_.items[h]) > area_of(self); });
   if (has_host && !has_knee_room(self)) return std::nullopt;
   if (mirror_of(item) >= 0) return std::nullopt;
+  // A few chairs with nothing to look at and no table stand at the walls.
+  const bool watches = board_of_room() >= 0 || told_where_to_look(item);
+  const std::size_t fewest_seats = self.is(Trait::kTableSeat) && self.has_front && !watches ? kManySeats : kManyInFormation;
   Group group;
   for (std::size_t i = 0; i < model_.items.size(); ++i) {
     const int other = static_cast<int>(i);
@@ -44,14 +47,33 @@ std::optional<Habits::Group> Habits::formation_with(int item) const {
   if (self.entry->back_to_wall && !told_where_to_look(item) && group.members.size() < kManyInFormation) return std::nullopt;
   // Two that one sits or walks round are enough: side by side, turned alike.
   const bool round_about = has_knee_room(self) || used_sides(self).size() >= 4;
-  const std::size_t least = self.is(Trait::kTableSeat) && self.has_front && told_where_to_look(item) ? 3
-                            : self.is(Trait::kSeat) || area_of(self) < kTableToSitRound              ? kManyInFormation
-                            : !self.has_front && round_about                                         ? 2
-                            : has_knee_room(self)                                                    ? 3
-                                                                                                     : kManyInFormation;
+  const std::size_t least = told_middle_with_others(item)                                              ? 2
+                            : self.is(Trait::kTableSeat) && self.has_front && told_where_to_look(item) ? 3
+                            : self.is(Trait::kSeat) || area_of(self) < kTableToSitRound                ? fewest_seats
+                            : !self.has_front && round_about                                           ? 2
+                            : has_knee_room(self)                                                      ? 3
+                                                                                                       : kManyInFormation;
   if (group.members.size() < least || std::find(group.members.begin(), group.members.end(), item) == group.members.end())
     return std::nullopt;
   return group;
+}
+
+// The part of the room that it shares with other formations, of things of which the floor is full: study tables beside rows of shelves.
+PartOfRoom Habits::part_of(const Group& group) {
+  if (!formations_) {
+    formations_.emplace();
+    std::vector<char> known(model_.items.size(), 0);
+    for (std::size_t i = 0; i < model_.items.size(); ++i) {
+      if (known[i] || model_.items[i].is_opening() || model_.items[i].fixed || model_.items[i].mount != Mount::kFloor) continue;
+      const std::optional<Group> found = formation_with(static_cast<int>(i));
+      if (!found) continue;
+      for (const int member : found->members) known[static_cast<std::size_t>(member)] = 1;
+      formations_->push_back(found->members);
+    }
+  }
+  const std::vector<PartOfRoom> parts = parts_of_room(model_, *formations_);
+  const auto own = std::ranges::find(*formations_, group.members);
+  return own == formations_->end() ? PartOfRoom{} : parts[static_cast<std::size_t>(own - formations_->begin())];
 }
 
 // Desks that one sits down at from the front, in a room that is wide enough for two rows of them with chairs on both sides.
@@ -81,7 +103,7 @@ bool Habits::placed_besides_facing(int item) const {
 
 // "Six tables in the middle": they cannot all be there, so their rows are about it.
 bool Habits::told_middle_with_others(int item) const {
-  constexpr std::size_t kSeveral = 3;
+  constexpr std::size_t kSeveral = 2;
   bool middle = false;
   for (const Relation& r : model_.scene->relations) {
     if (std::find(r.targets.begin(), r.targets.end(), model_.items[item].id) == r.targets.end()) continue;
@@ -250,6 +272,8 @@ void Habits::stand_in_wall_row(int item) {
   if (!self.is(Trait::kSeat)) row.erase(row.begin(), row.end() - 1);
   if (row.size() > 3) row.erase(row.begin() + 1, row.end() - 2);
   const Mm air = self.is(Trait::kBed) ? kBesideBed : self.is(Trait::kSeat) ? kBesideSeat : has_knee_room(self) ? kBesideDesk : 0;
+  const bool twins =
+      std::ranges::count_if(model_.items, [&](const Item& other) { return other.entry == self.entry; }) == 2 && has_bedside(item);
   Formula f;
   for (const int before : row) {
     for_each_turn(model_.items[before], [&](int turn, std::uint64_t states) {
@@ -260,7 +284,7 @@ void Habits::stand_in_wall_row(int item) {
         Case& c = f.add().when(before, states).when(item, self.states_at(turn)).require(gap).wish(gap - Linear(air), kInRun);
         c.wish(reach(item, back) - reach(before, back), kInRun);
       }
-      if (!self.is(Trait::kBed)) return;
+      if (!self.is(Trait::kBed) || twins) return;
       Case& opposite_it = f.add().when(before, states).when(item, self.states_at((turn + 180) % 360));
       opposite_it.wish(mid2(item, across(back)) - mid2(before, across(back)), kInRun, 2).price = kAcross;
     });
@@ -324,9 +348,10 @@ Mm Habits::teachers_depth() const {
 // Two rows back to back, turned one way and the other.
 bool Habits::stand_in_islands(int item, const Group& group, int k) {
   Formula f;
-  add_island_place(f, model_, group.members, k, kFormation);
+  add_island_place(f, model_, {.group = group.members, .k = k, .weight = kFormation, .in_line = kInLine, .part = part_of(group)});
   if (f.cases.empty()) return false;
-  habit("in an island", item, kFormation, std::move(f));
+  Constraint& place = habit("in an island", item, kFormation, std::move(f));
+  place.formation = group.members[0], place.member = item;
   if (k == 0) return true;
   Formula alike;
   const int first = group.members[0];
@@ -346,18 +371,23 @@ bool Habits::stand_in_formation(int item) {
   if (group->columns == 0 && model_.items[first].entry->back_to_wall && fits_islands(first)) return stand_in_islands(item, *group, k);
   Formula f;
   const int counter = group->columns == 0 && model_.items[first].is(Trait::kTable) ? counter_of_room() : -1;
+  // Round something in the middle of the room each stands where there is room for it.
+  const bool crossed = !told_middle_with_others(first) && middle_is_taken(first);
   const bool looks =
       told_where_to_look(first) || (model_.items[first].has_front && !items_of_kinds(model_.items[first].entry->faces, first).empty());
   add_formation_place(f, model_,
                       {.group = group->members,
                        .k = k,
                        .columns = group->columns,
-                       .weight = kFormation,
+                       .weight = crossed ? 2 * kFormation : kFormation,
+                       .in_line = crossed ? 0 : kInLine,
                        .before = looks ? kStageDepth + teachers_depth() : 0,
                        .leader = group->columns == 0 ? leader_of(*group) : -1,
-                       .counter = counter});
+                       .counter = counter,
+                       .part = part_of(*group)});
   if (f.cases.empty()) return false;
-  habit("in formation", item, kFormation, std::move(f), counter >= 0 ? std::vector<int>{counter} : std::vector<int>{});
+  Constraint& place = habit("in formation", item, kFormation, std::move(f), counter >= 0 ? std::vector<int>{counter} : std::vector<int>{});
+  place.formation = first, place.member = item;
   keep_off_faced(item);
   if (k == 0) {
     if (!told_where_to_look(item)) look_at(item, true, group->members);

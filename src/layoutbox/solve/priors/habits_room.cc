@@ -12,7 +12,7 @@ constexpr int kBedToCorner = 80, kToCorner = 20;  // points for not being in a c
 constexpr Mm kFlushInCorner = 20;
 constexpr int kWallFree = 400;  // points a metre
 constexpr int kFloats = 250;    // points for a sofa that stands off the walls of a large room
-const std::vector<std::string> kOnRugs{"coffee_table", "dining_table", "bed", "crib", "table", "sofa"};
+const std::vector<std::string> kOnRugs{"coffee_table", "dining_table", "bed", "crib", "sofa", "table"};
 
 }  // namespace
 
@@ -64,7 +64,16 @@ bool Habits::is_narrow_bed(int item) const {
   };
   const auto alike = std::ranges::count_if(model_.items, [&](const Item& other) { return other.entry == self.entry; });
   return self.is(Trait::kBed) && self.states[0].size.width <= kForOne && self.states[0].size.depth > self.states[0].size.width &&
-         alike <= 2 && !(is_wide(Side::kLeft) && is_wide(Side::kRight));
+         alike <= 2 && !(alike == 2 && has_bedside(item)) && !(is_wide(Side::kLeft) && is_wide(Side::kRight));
+}
+
+// Twin beds with nightstands stand beside each other as a wide one would, those of children in a corner each.
+bool Habits::has_bedside(int bed) const {
+  return std::ranges::any_of(model_.items, [&](const Item& other) {
+    return !other.is_opening() && other.mount == Mount::kFloor && other.entry->back_to_wall &&
+           area_of(other) < area_of(model_.items[bed]) / 4 &&
+           std::ranges::any_of(other.entry->beside, [&](const std::string& kind) { return model_.is_a(bed, kind); });
+  });
 }
 
 // Cupboards, tubs and machines that nothing looks at and that stand by nothing leave the middle of the wall free.
@@ -164,7 +173,7 @@ bool Habits::middle_is_taken(int item) const {
 bool Habits::has_sitters(int item) const {
   for (std::size_t i = 0; i < model_.items.size(); ++i) {
     const int seat = static_cast<int>(i);
-    if (!model_.items[i].is(Trait::kTableSeat)) continue;
+    if (!model_.items[i].is(Trait::kTableSeat) || !takes_seat(item, seat)) continue;
     const std::vector<std::string>& at = model_.items[i].entry->beside;
     const bool usual = std::ranges::any_of(at, [&](const std::string& kind) { return model_.is_a(item, kind); });
     if (related(seat, item) || (usual && !placed_besides_facing(seat))) return true;
@@ -245,11 +254,15 @@ void Habits::lie_under(int item) {
   const auto beds = std::count_if(over.begin(), over.end(), [&](int i) { return model_.items[i].is(Trait::kBed); });
   std::erase_if(over, [&](int i) {
     if (model_.items[i].is(Trait::kBed)) return beds > 1 || !model_.items[i].is(Trait::kCenterPiece);
-    return model_.items[i].is(Trait::kTable) && !model_.items[i].is(Trait::kDesk) && model_.items[i].entry->back_to_wall;
+    return model_.items[i].is(Trait::kTable) && model_.items[i].entry->back_to_wall;
   });
   Formula f;
   if (!over.empty() && model_.items[over[rank_of(item) % static_cast<int>(over.size())]].is(Trait::kBed)) {
     lie_at_foot(item, over[rank_of(item) % static_cast<int>(over.size())]);
+    return;
+  }
+  if (!over.empty() && model_.items[over[rank_of(item) % static_cast<int>(over.size())]].is(Trait::kCenterPiece)) {
+    lie_before(item, over[rank_of(item) % static_cast<int>(over.size())]);
     return;
   }
   Case& c = f.add();
@@ -269,6 +282,20 @@ void Habits::lie_at_foot(int item, int bed) {
     c.wish(reach(item, foot) - reach(bed, foot) - Linear(kRugBeyondFoot), kRug);
   });
   habit("rug", item, kRug, std::move(f), {bed});
+}
+
+// Before a sofa without a table, its front legs on it.
+void Habits::lie_before(int item, int sofa) {
+  constexpr Mm kUnderFeet = 250;
+  Formula f;
+  for_each_turn(model_.items[sofa], [&](int turn, std::uint64_t states) {
+    if (turn % 90 != 0) return;
+    const Direction front = side_direction(model_.items[sofa], Side::kFront, turn);
+    Case& c = f.add().when(sofa, states).when(item, states_with_width_along(model_.items[item], across(front)));
+    c.wish(mid2(item, across(front)) - mid2(sofa, across(front)), kRug, 2);
+    c.wish(gap_towards(item, sofa, front) + Linear(kUnderFeet), kRug);
+  });
+  habit("rug", item, kRug, std::move(f), {sofa});
 }
 
 // A window that nobody placed is not in the wall that the board is said to hang on.

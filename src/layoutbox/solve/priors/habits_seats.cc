@@ -16,6 +16,27 @@ bool Habits::only_near(int item, int host) const {
   return only_related_by(item, host, {RelationType::kNear, RelationType::kFacing, RelationType::kParallel, RelationType::kSameOrientation});
 }
 
+// Does one sit there on such a seat? Not on a chair at a children's table, nor at a coffee table, where nobody says so.
+bool Habits::takes_seat(int host, int seat) const {
+  constexpr Mm kLow = 600, kHighSeat = 700;
+  const Item &table = model_.items[host], &self = model_.items[seat];
+  if (related(seat, host) || !table.is(Trait::kTable)) return true;
+  return table.states[0].size.height >= kLow || self.states[0].size.height <= kHighSeat;
+}
+
+// The greater things that it usually stands by.
+std::vector<int> Habits::usual_hosts(int item) const {
+  const Item& self = model_.items[item];
+  std::vector<int> hosts = items_of_kinds(self.entry->beside, item);
+  std::erase_if(hosts, [&](int h) { return model_.items[h].thin || area_of(model_.items[h]) <= area_of(self); });
+  if (!self.is(Trait::kTableSeat)) return hosts;
+  std::erase_if(hosts, [&](int h) { return !takes_seat(h, item); });
+  // Rather where there is room for the knees: at the desk, not at the table that one stands round.
+  const auto no_knees = [&](int h) { return model_.items[h].is(Trait::kTable) && !has_knee_room(model_.items[h]) && !related(item, h); };
+  if (!std::ranges::all_of(hosts, no_knees)) std::erase_if(hosts, no_knees);
+  return hosts;
+}
+
 // Do the relations between these two only say that it is by the host, so that it may stand where its kind usually does? "Near the desk"
 // a chair stands before it; "to the left of the bed" a nightstand stands beside the pillow.
 bool Habits::leaves_usual_place(int item, int host) const {
@@ -70,7 +91,10 @@ void Habits::keep_nose_free(int item) {
         std::ranges::any_of(std::initializer_list<RelationType>{RelationType::kNextTo, RelationType::kNear, RelationType::kLeftOf,
                                                                 RelationType::kRightOf, RelationType::kAtFootOf},
                             [&](RelationType how) { return related_as_target(item, host, how) || related_as_target(host, item, how); });
-    if (!beside) continue;
+    // … and the visitor by the window has the bed before them that such chairs look at.
+    const bool faced =
+        ref.is(Trait::kBed) && std::ranges::any_of(self.entry->faces, [&](const std::string& kind) { return model_.is_a(host, kind); });
+    if (!beside && !faced) continue;
     Formula f;
     for_each_turn(self, [&](int turn, std::uint64_t states) {
       if (turn % 90 != 0) return;

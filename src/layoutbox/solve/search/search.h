@@ -3,6 +3,7 @@
 // Deterministic: integer costs, a seeded generator of its own, effort counted in steps.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -54,6 +55,8 @@ class Search {
 
   // Local moves from a complete layout; never makes it worse. Ends after so many moves a thing in vain. `sweeps`: each thing once first.
   void improve(Budget& budget, std::int64_t patience, bool sweeps = true);
+  // Things in formation go to their places all at once, each with what hangs on it; what stood there looks for a new place.
+  void form_up(Budget& budget);
   // Takes a few things with all that hangs on them out of a complete layout, and puts them where they are well off within a noise.
   // False: they found no place; nothing is changed then.
   bool shake(Budget& budget);
@@ -72,6 +75,14 @@ class Search {
   std::vector<int> movable() const;
   std::vector<std::vector<int>> formations() const;
   bool try_start(const std::vector<int>& order, Budget& budget);
+  // Which case of its places a formation takes, and how far off them all of it stands.
+  struct Way {
+    std::size_t looking = 0;
+    std::array<Mm, 2> off{};
+  };
+  bool form_up(const std::vector<int>& places, const Way& way, Budget& budget);
+  bool step_into_place(int constraint, const Way& way, const std::vector<int>& members, std::vector<int>& moved, std::vector<int>& loose);
+  std::vector<int> followers_of(int item, const std::vector<int>& members) const;
   bool slide(int item, Budget& budget);
   bool push_away(std::vector<int>& moved, std::vector<int> in_way, const std::vector<std::int64_t>& price);
   bool may_stay(int item, const Placement& placement) const;

@@ -1,0 +1,146 @@
+// Things that stand in formation go to their places all at once: one by one they are in one another's way.
+#include <array>
+#include <bit>
+#include <map>
+
+#include "layoutbox/catalog/trait_table.h"
+#include "layoutbox/solve/search/search.h"
+
+namespace layoutbox::placement {
+namespace {
+
+constexpr std::int64_t kStepsOfPlace = 10;
+
+// By formation, the constraints that say the places of its members.
+std::map<int, std::vector<int>> places_by_formation(const Model& model) {
+  std::map<int, std::vector<int>> places;
+  for (std::size_t c = 0; c < model.constraints.size(); ++c) {
+    if (model.constraints[c].formation >= 0) places[model.constraints[c].formation].push_back(static_cast<int>(c));
+  }
+  return places;
+}
+
+// Where a wish that speaks of nothing but the item's own place along one axis is met.
+void meet(const Preference& wish, const Item& item, int index, Placement& placement) {
+  std::int64_t slope = 0, rest = wish.form.constant;
+  int axis = -1;
+  for (const Term& term : wish.form.terms) {
+    if (term.item != index) return;
+    if (term.quantity == kPositionX || term.quantity == kPositionY) {
+      axis = term.quantity;
+      slope += term.coefficient;
+    } else {
+      rest += term.coefficient * value_of(item, placement, term.quantity);
+    }
+  }
+  if (axis >= 0 && slope != 0) placement.at[axis] = static_cast<Mm>(-rest / slope);
+}
+
+}  // namespace
+
+// What rests on it and who sits there, but for members; what it is looked at from or looks at stays.
+std::vector<int> Search::followers_of(int item, const std::vector<int>& members) const {
+  std::vector<int> group{item};
+  for (std::size_t i = 0; i < group.size(); ++i) {
+    for (const int tenant : dependencies_.tenants[group[i]]) {
+      const bool known = std::ranges::find(group, tenant) != group.end() || std::ranges::find(members, tenant) != members.end();
+      if (known || placements_[tenant].state < 0 || model_.items[tenant].is_opening()) continue;
+      const Item& other = model_.items[tenant];
+      const bool rests = std::ranges::any_of(other.supports, [&](const SupportOption& support) {
+        return support.kind == SupportOption::Kind::kItem && support.index == group[i];
+      });
+      const bool sits = other.mount == Mount::kFloor && (other.is(Trait::kSeat) || other.is(Trait::kEasySeat));
+      if (rests || sits) group.push_back(tenant);
+    }
+  }
+  group.erase(group.begin());
+  return group;
+}
+
+// One member in the place that its constraint says for that way to look. What hangs on it comes along, or, where it is turned, is loose.
+bool Search::step_into_place(int constraint, const Way& way, const std::vector<int>& members, std::vector<int>& moved,
+                             std::vector<int>& loose) {
+  const Constraint& c = model_.constraints[constraint];
+  const int index = c.member;
+  const Item& item = model_.items[index];
+  if (stays(item) || placements_[index].state < 0 || way.looking >= c.formulas[0].cases.size()) return false;
+  const Case& here = c.formulas[0].cases[way.looking];
+  const Placement before = placements_[index];
+  Placement after = before;
+  for (const StateLiteral& literal : here.states) {
+    if (literal.item == index) {
+      const bool may_stay_so = (literal.states >> before.state & 1) != 0;
+      if (literal.states == 0) return false;
+      if (!may_stay_so) after.state = std::countr_zero(literal.states);
+    } else if (placements_[literal.item].state < 0 || (literal.states >> placements_[literal.item].state & 1) == 0) {
+      return false;
+    }
+  }
+  for (const Preference& wish : here.wishes) meet(wish, item, index, after);
+  for (int axis = 0; axis < 2; ++axis) after.at[axis] += way.off[axis];
+  for (const int follower : followers_of(index, members)) {
+    if (std::ranges::find(moved, follower) != moved.end() || std::ranges::find(loose, follower) != loose.end()) continue;
+    if (stays(model_.items[follower])) return false;
+    if (after.state != before.state) {
+      loose.push_back(follower);
+      continue;
+    }
+    for (int axis = 0; axis < 2; ++axis) placements_[follower].at[axis] += after.at[axis] - before.at[axis];
+    moved.push_back(follower);
+  }
+  placements_[index] = after;
+  moved.push_back(index);
+  return true;
+}
+
+bool Search::form_up(const std::vector<int>& places, const Way& way, Budget& budget) {
+  const Placements before = placements_;
+  std::vector<int> members, moved, queue;
+  for (const int c : places) members.push_back(model_.constraints[c].member);
+  bool all = std::ranges::all_of(places, [&](int c) { return step_into_place(c, way, members, moved, queue); });
+  for (const int item : queue) placements_[item] = {};
+  std::vector<std::int64_t> price(model_.items.size(), kPoint);
+  for (std::size_t i = 0; i < price.size(); ++i) {
+    if (stays(model_.items[i]) || std::ranges::find(moved, static_cast<int>(i)) != moved.end()) price[i] = -1;
+  }
+  std::vector<int> hit;
+  for (std::size_t i = 0; i < moved.size() && all; ++i) {
+    // What was taken out may have taken one of them along.
+    all = placements_[moved[i]].state >= 0 && finder_.collisions(placements_, moved[i], placements_[moved[i]], price, hit);
+    for (const int other : hit) {
+      if (all && placements_[other].state >= 0) take_out(other, queue);
+    }
+    budget.count(kStepsOfPlace);
+  }
+  all = all && std::ranges::all_of(moved, [&](int item) { return placements_[item].state >= 0 && may_stay(item, placements_[item]); });
+  for (std::size_t i = 0; i < queue.size() && all; ++i) all = placements_[queue[i]].state >= 0 || place(queue[i], 0, budget);
+  moved.insert(moved.end(), queue.begin(), queue.end());
+  if (all && is_better(before, moved, budget)) return true;
+  placements_ = before;
+  return false;
+}
+
+// At its places, whichever way all look; where that is no better, a little off them, the way they look now.
+void Search::form_up(Budget& budget) {
+  constexpr std::array<Mm, 4> kOff{150, -150, 300, -300};
+  ways_ = ways_cost(model_, placements_);
+  for (const auto& [first, places] : places_by_formation(model_)) {
+    const std::vector<Case>& cases = model_.constraints[places[0]].formulas[0].cases;
+    bool formed = false;
+    for (std::size_t way = 0; way < cases.size() && !budget.spent(); ++way) formed = form_up(places, {way, {}}, budget) || formed;
+    for (std::size_t way = 0; way < cases.size() && !formed; ++way) {
+      const bool looks_so = std::ranges::all_of(cases[way].states, [&](const StateLiteral& literal) {
+        return placements_[literal.item].state >= 0 && (literal.states >> placements_[literal.item].state & 1) != 0;
+      });
+      for (int axis = 0; axis < 2 && looks_so; ++axis) {
+        for (const Mm off : kOff) {
+          std::array<Mm, 2> by{};
+          by[axis] = off;
+          if (!budget.spent()) form_up(places, {way, by}, budget);
+        }
+      }
+    }
+  }
+}
+
+}  // namespace layoutbox::placement
