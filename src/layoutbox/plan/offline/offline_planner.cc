@@ -23,6 +23,7 @@
 #include "layoutbox/plan/offline/said_counts.h"
 #include "layoutbox/plan/offline/spelling.h"
 #include "layoutbox/plan/offline/wishes.h"
+#include "layoutbox/plan/offline/wordings.h"
 #include "layoutbox/plan/planner.h"
 
 namespace layoutbox {
@@ -65,6 +66,7 @@ class OfflinePlanner final : public Planner {
     read_said_counts(lexicon_, document, skip);
     read_courtesies(lexicon_, document, skip);
     read_requests(lexicon_, document, skip);
+    read_wordings(lexicon_, document, skip);
     part_relatives(lexicon_, document, skip);
     const std::vector<WordReading> of_size = take_out(document, skip);
     document.chunks = chunk_tokens(lexicon_, document.tokens, document.stop);

@@ -35,13 +35,6 @@ class RequestReader {
       read_position(i);
       read_said_by(i);
       read_neither(i);
-      read_picture(i);
-      read_besides(i);
-      read_seater(i);
-      read_has_back(i);
-      read_in_it(i);
-      read_ends(i);
-      read_needs(i);
       read_elided(i);
       if (is(i, {"apiece"})) tokens_[i].text = "each";
       if (are(i, {"as", "to"}) && is_article(i + 2) && begins(i)) tokens_[i + 1].text = "for";  // "As to the lamp, leave it …"
@@ -267,85 +260,6 @@ class RequestReader {
     leave_out(i, i + 1);
     leave_out(may, end);
     tokens_[nor].text = "and";
-  }
-
-  // "I need a picture of a living room", "a 3D model of my kitchen": the room.
-  void read_picture(std::size_t i) {
-    constexpr std::size_t kName = 5;  // words of the room
-    if (!is(i, {"picture", "image", "photo", "drawing", "sketch", "rendering", "render", "model", "view", "visualization", "illustration",
-                "design", "plan"}) ||
-        !is(i + 1, {"of", "for"}) || !is_article(i + 2))
-      return;
-    for (std::size_t at = i + 2; at < i + 2 + kName && !ends(at); ++at) {
-      if (lexicon_.find(tokens_, at, WordClass::kRoom).length == 0 && !is(at, {"room"})) continue;
-      std::size_t first = i;
-      while (first > 0 && !is_article(first) && i - first < 3) --first;
-      if (is_article(first)) leave_out(first, i + 2);
-      return;
-    }
-  }
-
-  // "a 3 seater": a sofa; "a two seater" a small one.
-  void read_seater(std::size_t i) {
-    if (i == 0 || !is(i, {"seater", "seaters"})) return;
-    if (i + 1 < tokens_.size() && !tokens_[i].ends_sentence && lexicon_.find(tokens_, i + 1, WordClass::kObject).length > 0) return;
-    const NumberRead number = read_number(lexicon_, tokens_, i - 1);
-    if (number.length != 1 || number.value < 2) return;
-    tokens_[i].text = number.value < 3 ? "loveseat" : "sofa";
-    leave_out(i - 1, i);
-  }
-
-  // "The sofa should have its back to the wall": it stands with its back to it.
-  void read_has_back(std::size_t i) {
-    if (!is(i, {"has", "have", "having"}) || !is(i + 1, {"its", "their"}) || !is(i + 2, {"back", "backs"}) ||
-        !is(i + 3, {"to", "against", "toward", "towards"}))
-      return;
-    tokens_[i].text = "with";
-    tokens_[i + 3].text = "to";
-  }
-
-  // "I need a bed, a desk and a shelf in it.": in the room that was spoken of.
-  void read_in_it(std::size_t i) {
-    if (!is(i, {"in", "inside"}) || !is(i + 1, {"it", "there"}) || !(i + 2 >= tokens_.size() || tokens_[i + 2].ends_sentence)) return;
-    std::size_t first = i;
-    std::size_t commas = 0;
-    for (; first > 0 && !tokens_[first - 1].ends_sentence; --first) commas += tokens_[first].text == "," ? 1 : 0;
-    if (commas > 0 && is(first, {"i", "we", "it", "there", "put", "place", "please"}) && first > 0) leave_out(i, i + 2);
-  }
-
-  // "Kitchen at one end, a sofa at the other": the ends are the room's.
-  void read_ends(std::size_t i) {
-    if (i == 0 || !are(i, {"at", "one", "end"}) || is(i + 3, {"of"}) || lexicon_.find(tokens_, i - 1, WordClass::kRoom).length == 0) return;
-    for (std::size_t at = i + 3; at + 2 < tokens_.size() && !tokens_[at].ends_sentence; ++at) {
-      if (!are(at, {"at", "the", "other"}) || is(at + 4, {"of"})) continue;
-      tokens_[at + 2].text = "back";
-      if (is(at + 3, {"end", "side"})) leave_out(at + 3, at + 4);
-    }
-  }
-
-  // "Each of the three nurses needs a desk", "every guest gets a towel": has one.
-  void read_needs(std::size_t i) {
-    constexpr std::size_t kName = 6;  // words of who
-    if (!is(i, {"needs", "gets", "wants", "requires"}) || !is_article(i + 1)) return;
-    for (std::size_t at = i; at-- > 0 && i - at <= kName && !ends(at);) {
-      if (is(at, {"each", "every"})) tokens_[i].text = "has";
-    }
-  }
-
-  // "Besides the sofa there is an armchair", "apart from the bed I want a desk": as well as what was named, not beside it.
-  void read_besides(std::size_t i) {
-    constexpr std::size_t kName = 8;  // tokens
-    const bool from = is(i, {"apart", "aside"}) && is(i + 1, {"from"});
-    if (!begins(i) || !(is(i, {"besides"}) || from) || !is_article(i + (from ? 2 : 1))) return;
-    std::size_t end = i + 1;
-    while (end < i + kName && !ends(end) && !is(end, {"there", "i", "we"})) ++end;
-    if (end >= i + kName || end >= tokens_.size() || (tokens_[end].text != "," && ends(end))) return;
-    const std::string& name = tokens_[end - 1].text;
-    const bool named = std::any_of(tokens_.begin(), tokens_.begin() + static_cast<std::ptrdiff_t>(i),
-                                   [&](const Token& token) { return token.text == name; });
-    if (named) return leave_out(i, end + (tokens_[end].text == "," ? 1 : 0));
-    tokens_[i].text = "add";
-    if (from) leave_out(i + 1, i + 2);
   }
 
   // "My father's chair stands by the window, my mother's by the bookcase": another one.

@@ -1,0 +1,11 @@
+// Wordings of people's wishes that say something plain in other words: pictures of rooms, "besides", "a 3 seater", the room's two ends.
+#pragma once
+
+#include "layoutbox/plan/offline/document.h"
+
+namespace layoutbox::offline {
+
+// Replaces the words of `document` by plain ones; those that say nothing are marked in `skip`.
+void read_wordings(const Lexicon& lexicon, Document& document, std::vector<bool>& skip);
+
+}  // namespace layoutbox::offline
