@@ -35,7 +35,7 @@ struct Companion {
 // furniture is named, the text says what kind of room it is, and no list of what is in it: it is furnished as such rooms are.
 struct Filling {
   double bare = 0, until = 0;
-  int hardly_any = 0;         // so many pieces that stand on the floor
+  int hardly_any = 0;          // so many pieces that stand on the floor
   double usually_covered = 0;  // … up to this share
   int most = 0;
 };

@@ -27,8 +27,14 @@ struct Kinds {
 
 const Kinds& known_kinds() {
   static const Kinds kinds = [] {
-    Kinds read{words_of_list("kinds"), words_of_list("modifiers"), words_of_list("heads"),
-               words_of_list("portions"), words_of_list("set_in"), {}, {}, {}};
+    Kinds read{words_of_list("kinds"),
+               words_of_list("modifiers"),
+               words_of_list("heads"),
+               words_of_list("portions"),
+               words_of_list("set_in"),
+               {},
+               {},
+               {}};
     for (const WordList::Member kind : word_list("words_kinds").at("no_things")) read.no_things.insert(kind.value.text());
     for (const WordList::Member kind : word_list("words_kinds").at("body_parts")) read.body_parts.insert(kind.value.text());
     for (const auto& [word, id] : like_words()) read.like_keys.emplace(key_of(word), id);

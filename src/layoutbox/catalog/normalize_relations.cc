@@ -11,8 +11,6 @@
 namespace layoutbox {
 namespace {
 
-bool names(const std::vector<std::string>& ids, const std::string& id) { return std::ranges::find(ids, id) != ids.end(); }
-
 // Ids for relations that have none, or one that another has: c1, c1_2, c1_3… In time linear in the scene.
 void settle_relation_ids(SceneGraph& scene) {
   std::unordered_set<std::string> taken{"room", "floor", "ceiling"};

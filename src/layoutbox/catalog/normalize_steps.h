@@ -1,6 +1,7 @@
 // The steps of normalize_scene, in their order. Each fills what is missing and notes it; errors are collected, not thrown.
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <string>
 #include <vector>
@@ -8,6 +9,8 @@
 #include "layoutbox/catalog/normalize.h"
 
 namespace layoutbox {
+
+inline bool names(const std::vector<std::string>& ids, const std::string& id) { return std::ranges::find(ids, id) != ids.end(); }
 
 struct NormalizeContext {
   SceneGraph& scene;

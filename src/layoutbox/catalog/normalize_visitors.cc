@@ -9,8 +9,6 @@
 namespace layoutbox {
 namespace {
 
-bool names(const std::vector<std::string>& ids, const std::string& id) { return std::ranges::find(ids, id) != ids.end(); }
-
 class Visitors {
  public:
   explicit Visitors(NormalizeContext& context) : context_(context), scene_(context.scene), kind_(context.catalog.find("visitor_chair")) {}

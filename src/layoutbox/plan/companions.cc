@@ -247,7 +247,8 @@ class Companions {
     const RoomKind* kind = scene_.room.type.empty() ? nullptr : catalog_.find_room(scene_.room.type);
     const double floor = std::max(1.0, double(doubled_area(sized_.room.polygon)) / 2);
     double share = covered(scene_) / floor;
-    const bool hardly_any = std::ranges::count_if(named_, [&](std::size_t i) { return stands(scene_.objects[i]); }) <= groups_.fill.hardly_any;
+    const bool hardly_any =
+        std::ranges::count_if(named_, [&](std::size_t i) { return stands(scene_.objects[i]); }) <= groups_.fill.hardly_any;
     const double until = hardly_any ? groups_.fill.usually_covered : groups_.fill.until;
     if (kind == nullptr || share >= (hardly_any ? until : groups_.fill.bare) || says_any(groups_.none_to_fill)) return;
     constexpr std::ptrdiff_t kCrowd = 6;

@@ -140,8 +140,9 @@ TEST(Facing, WhatHasNoFrontIsNoProof) {
   const auto at_room = solve(SceneMaker(maker).relate("facing", {"bench_1"}, {"room"}).make(), Catalog::builtin());
   ASSERT_TRUE(at_room);
   EXPECT_EQ(at_room->status, LayoutStatus::kSolved);
-  const auto layout = solve(maker.add("plinth").relate("facing", {"bench_1"}, {"plinth_1"}).relate("leftOf", {"plinth_1"}, {"bench_1"}).make(),
-                            Catalog::builtin());
+  const auto layout =
+      solve(maker.add("plinth").relate("facing", {"bench_1"}, {"plinth_1"}).relate("leftOf", {"plinth_1"}, {"bench_1"}).make(),
+            Catalog::builtin());
   ASSERT_TRUE(layout);
   for (const Conflict& conflict : layout->conflicts) EXPECT_FALSE(conflict.minimal) << conflict.sentence;
 }

@@ -344,9 +344,8 @@ TEST_F(OfflinePlannerTest, AbsurdNumbersOfRowsStayCountable) {
 
 TEST_F(OfflinePlannerTest, StorageAtAnEndOfTheRoomStandsAtItsWall) {
   const auto at_wall = [](const SceneGraph& scene) {
-    return std::ranges::any_of(scene.relations, [](const Relation& r) {
-      return r.type == RelationType::kAgainstWall && r.origin == Origin::kAssumed && !r.hard;
-    });
+    return std::ranges::any_of(
+        scene.relations, [](const Relation& r) { return r.type == RelationType::kAgainstWall && r.origin == Origin::kAssumed && !r.hard; });
   };
   EXPECT_TRUE(at_wall(scene("A hall with a wardrobe at the back.")));
   EXPECT_FALSE(at_wall(scene("A hall with a stool at the back.")));

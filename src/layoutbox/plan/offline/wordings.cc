@@ -7,7 +7,7 @@
 namespace layoutbox::offline {
 namespace {
 
-using Words = std::initializer_list<std::string_view>;
+using AnyOf = std::initializer_list<std::string_view>;
 
 class WordingReader {
  public:
@@ -28,10 +28,10 @@ class WordingReader {
   }
 
  private:
-  bool is(std::size_t at, Words words) const {
+  bool is(std::size_t at, AnyOf words) const {
     return at < tokens_.size() && std::ranges::find(words, std::string_view(tokens_[at].text)) != words.end();
   }
-  bool are(std::size_t at, Words words) const {
+  bool are(std::size_t at, AnyOf words) const {
     for (const std::string_view word : words) {
       if (at >= tokens_.size() || tokens_[at++].text != word) return false;
     }

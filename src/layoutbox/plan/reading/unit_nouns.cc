@@ -1,8 +1,8 @@
 // Noun phrases of a sentence: what is a part, a room, an opening; which wall or corner is meant where the words leave it out.
 #include <algorithm>
 
-#include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/catalog/kin.h"
+#include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/english.h"
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/reading/unit_reader.h"
@@ -189,8 +189,8 @@ void UnitReader::settle_noun(std::size_t k) {
   NounPhrase& noun = document_.chunks[k].noun;
   const bool content = is_content_of_thing();
   // A part that has a thing's name is one where no host is there: "two sinks".
-  if (const auto object = noun.as_object;
-      object != nullptr && (content ? is_placed_itself(k) || is_let_in(*object) : !after_place() || noun.determiner == Determiner::kIndefinite))
+  if (const auto object = noun.as_object; object != nullptr && (content ? is_placed_itself(k) || is_let_in(*object)
+                                                                        : !after_place() || noun.determiner == Determiner::kIndefinite))
     noun = NounPhrase(*object);
   if (names_known(k) || is_thing_in_company(k)) {
     noun.kind = NounKind::kObject;

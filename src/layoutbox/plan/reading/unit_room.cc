@@ -87,7 +87,8 @@ const PhraseSenses* UnitReader::end_of_room(std::size_t k) const {
 
 // "a sideboard with a coffee machine": the sideboard, of the machine.
 std::size_t UnitReader::carrier_of(std::size_t thing) const {
-  if (thing >= document_.chunks.size() || mount_of(chunk(thing).noun) != Mount::kSurface || !is(previous(thing), ChunkKind::kHave)) return thing;
+  if (thing >= document_.chunks.size() || mount_of(chunk(thing).noun) != Mount::kSurface || !is(previous(thing), ChunkKind::kHave))
+    return thing;
   const std::size_t host = previous(previous(thing));
   return is(host, ChunkKind::kNoun) && chunk(host).noun.kind == NounKind::kObject ? host : thing;
 }
