@@ -243,8 +243,9 @@ void aquarium(Piece& p) {
         box(sides(-p.w / 2 + in, p.w / 2 - in, -p.d / 2 + in, p.d / 2 - in, base + (lid - base) * 0.12, lid - (lid - base) * 0.12), 0));
   p.add(p.named("glass"), box(sides(-p.w / 2 + 0.003, p.w / 2 - 0.003, -p.d / 2 + 0.003, -p.d / 2 + in - 0.001, base, lid), 0));
   for (int i = 0; i < 6; ++i) {
-    const double x = p.w * (-0.36 + 0.14 * i) + p.random(-0.03, 0.03) * p.w, z = base + (lid - base) * p.random(0.45, 0.8),
-                 l = std::min(p.w, p.h) * 0.09, y = p.random(-0.28, 0.28) * p.d;
+    const double x = p.w * (-0.36 + 0.14 * i) + p.random(-0.03, 0.03) * p.w, l = std::min(p.w, p.h) * 0.1, y = p.random(-0.28, 0.28) * p.d;
+    // Every other one at the surface, where it is seen from above.
+    const double z = base + (lid - base) * (i % 2 == 0 ? 0.88 : p.random(0.45, 0.8)) - l * 0.2;
     const int fish = p.tinted("wax", {0.96, 0.38 + 0.1 * i, 0.14});
     p.add(fish, ellipsoid({x, y, z}, {l, l * 0.4, l * 0.5}, 12, 6));
     p.add(fish, prism({{x + l * 0.8, y}, {x + l * 1.4, y - l * 0.35}, {x + l * 1.4, y + l * 0.35}}, z - l * 0.2, z + l * 0.2));
