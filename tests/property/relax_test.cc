@@ -121,7 +121,9 @@ TEST(Relax, OneImpossibleWishCostsNoOther) {
   maker.add("crib").add("changing_table").add("bookshelf").add("rocking_chair").add("ottoman").add("side_table").add("book", 3);
   maker.add("table_lamp").add("rug").add("toy_chest");
   maker.relate("againstWall", {"crib_1"}).relate("leftOf", {"bookshelf_1"}, {"crib_1"});
-  maker.relate("far", {"crib_1"}, {"toy_chest_1"}).relate("nextTo", {"toy_chest_1"}, {"bookshelf_1"});
+  RelationParameters far;
+  far.min = 4000;  // in so small a room
+  maker.relate("far", {"crib_1"}, {"toy_chest_1"}, far).relate("nextTo", {"toy_chest_1"}, {"bookshelf_1"});
   maker.relate("distance", {"changing_table_1"}, {"crib_1"}, across).relate("inFrontOf", {"ottoman_1"}, {"rocking_chair_1"});
   maker.relate("rightOf", {"side_table_1"}, {"rocking_chair_1"}).relate("on", {"table_lamp_1"}, {"side_table_1"});
   for (const char* book : {"book_1", "book_2", "book_3"}) maker.relate("in", {book}, {"bookshelf_1"});

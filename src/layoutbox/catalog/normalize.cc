@@ -40,6 +40,7 @@ Result<SceneGraph> normalize_scene(SceneGraph scene, const Catalog& catalog, con
   normalize_room(context);
   normalize_curtains(context);
   if (context.errors.empty()) {
+    normalize_distances(context);
     normalize_relations(context);
     normalize_visitors(context);
     normalize_support(context);

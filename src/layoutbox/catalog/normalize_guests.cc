@@ -25,24 +25,42 @@ double share_that_fits(const Size& least, double width, double depth, double hei
   return std::min({plan, height / least.height, 1.0});
 }
 
+// At the host's usual size, which has grown for its guests already: larger it never is.
 std::vector<Space> spaces_of_host(const CatalogEntry& entry, const SceneObject& host, Size& size) {
-  size = host.size_source == SizeSource::kCatalog ? host.size->greatest : host.size->usual;
-  size.height = host.size->usual.height;
+  size = host.size->usual;
   return spaces_of(host, entry, size);
 }
 
-// To lie in one of the host's spaces, more than half of it below the top; so many side by side in all.
+// Whether so many of that size lie in rows and columns on a plane.
+bool lie_in_rows(const Size& size, double width, double depth, std::size_t guests) {
+  constexpr double kPlay = 2, kGap = 1;
+  const auto columns = [&](double room, double one) { return static_cast<std::size_t>(std::max(0.0, room - kPlay) / (one + kGap)); };
+  return std::max(columns(width, size.width) * columns(depth, size.depth), columns(width, size.depth) * columns(depth, size.width)) >=
+         guests;
+}
+
+// How much smaller they must be for that.
+double share_in_rows(const Size& size, double width, double depth, std::size_t guests) {
+  constexpr int kSteps = 20;
+  for (int step = kSteps; step >= kLeastShare * kSteps; --step) {
+    const double share = double(step) / kSteps;
+    if (lie_in_rows({static_cast<Mm>(size.width * share), static_cast<Mm>(size.depth * share), size.height}, width, depth, guests))
+      return share;
+  }
+  return 0;
+}
+
+// To lie in one of the host's spaces, more than half of it below the top; so many of them in all.
 double share_inside(const CatalogEntry& entry, const SceneObject& host, const Size& least, std::size_t guests) {
-  constexpr double kBelowTop = 0.6, kFilled = 0.7;
+  constexpr double kBelowTop = 0.6, kPlay = 1;
   Size size;
   double best = 0;
   for (const Space& space : spaces_of_host(entry, host, size)) {
     if (!space.carries) continue;
     const bool open_above = space.max[2] >= size.height;
-    const double height = open_above ? (size.height - space.min[2]) / kBelowTop : space.max[2] - space.min[2];
+    const double height = open_above ? (size.height - space.min[2] - kPlay) / kBelowTop : space.max[2] - space.min[2];
     const double width = space.max[0] - space.min[0], depth = space.max[1] - space.min[1];
-    const double all =
-        guests < 2 ? 1 : std::sqrt(kFilled * width * depth / (double(least.width) * least.depth * static_cast<double>(guests)));
+    const double all = guests < 2 ? 1 : share_in_rows(least, width, depth, guests);
     best = std::max(best, std::min(all, share_that_fits(least, width, depth, height)));
   }
   return best;
@@ -124,12 +142,25 @@ void close_up(const CatalogEntry& entry, SceneObject& host) {
   host.spaces.clear();
 }
 
+// Of many that only fit where each is small each is: the search need not find that out.
+void pack(const CatalogEntry& entry, const SceneObject& host, SceneObject& guest, std::size_t guests) {
+  constexpr int kSteps = 10;
+  const Size least = guest.size->least, usual = guest.size->usual;
+  for (int step = kSteps; step >= 0; --step) {
+    for (const auto side : {&Size::width, &Size::depth, &Size::height})
+      guest.size->usual.*side = least.*side + (usual.*side - least.*side) * step / kSteps;
+    if (share_inside(entry, host, guest.size->usual, guests) >= 1) return;
+  }
+  guest.size->usual = usual;
+}
+
 // What one relation says of a guest and the host that it names.
 void find_room(NormalizeContext& context, RelationType type, SceneObject& host, SceneObject& guest) {
   const CatalogEntry& entry = context.catalog.entry_or_nearest(host.category);
   const bool in = type == RelationType::kIn, tucked = type == RelationType::kTuckedUnder;
   const bool under = type == RelationType::kUnder || tucked;
-  if (under && (guest.mount != Mount::kFloor || context.catalog.entry_or_nearest(guest.category).thin)) return;
+  const bool stands = guest.mount == Mount::kFloor || guest.mount == Mount::kSurface;
+  if (under && (!stands || context.catalog.entry_or_nearest(guest.category).thin)) return;
   const std::size_t guests = guests_in(context.scene, host);
   if (in && entry.is(Trait::kVessel) && !host.spaces_given && share_inside(entry, host, guest.size->least, 1) == 0) host.hollow = true;
   if (type == RelationType::kOn && guests == 0) close_up(entry, host);
@@ -140,7 +171,8 @@ void find_room(NormalizeContext& context, RelationType type, SceneObject& host, 
   const double share = in      ? share_inside(entry, host, guest.size->least, guests)
                        : under ? share_under(entry, host, guest.size->least)
                                : share_on_top(context.catalog, host, guest);
-  if (share < 1 && share >= (under ? kLeastShareUnder : kLeastShare)) shrink(context, guest, share, host.id);
+  if (share < 1 && share >= (under ? kLeastShareUnder : kLeastShare)) return shrink(context, guest, share, host.id);
+  if (in && guests > 1) pack(entry, host, guest, guests);
 }
 
 }  // namespace

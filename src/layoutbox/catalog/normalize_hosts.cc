@@ -16,6 +16,7 @@ constexpr Mm kGap = 20;         // between things that stand side by side
 constexpr Mm kSeatWidth = 620;  // of a table's edge that one person needs
 constexpr Mm kElbows = 60;      // between seats at a counter
 constexpr int kSteps = 10;      // from the usual size to the greatest
+constexpr int kMoreSteps = 5;   // as long again as half of that, by a tenth of the greatest each, for what is to be on or in it
 
 struct Contents {
   std::vector<Size> on_top, inside;
@@ -49,7 +50,8 @@ bool is_round(const SceneObject& object) {
   return std::ranges::any_of(object.attributes, [](const std::string& a) { return a == "round" || a == "circular"; });
 }
 
-bool holds(const CatalogEntry& entry, const SceneObject& host, const Size& size, const Contents& contents) {
+// What is to be on it and in it finds room.
+bool carries_all(const CatalogEntry& entry, const SceneObject& host, const Size& size, const Contents& contents) {
   if (entry.top_carries && !fit_in_rows(contents.on_top, size.width, size.depth, 1)) return false;
   std::vector<Space> carrying = spaces_of(host, entry, size);
   std::erase_if(carrying, [](const Space& space) { return !space.carries; });
@@ -60,19 +62,32 @@ bool holds(const CatalogEntry& entry, const SceneObject& host, const Size& size,
     const Mm width = static_cast<Mm>(space.max[0] - space.min[0]), depth = static_cast<Mm>(space.max[1] - space.min[1]);
     if (!fit_in_rows(inside, width, depth, static_cast<int>(carrying.size()))) return false;
   }
+  return true;
+}
+
+bool holds(const CatalogEntry& entry, const SceneObject& host, const Size& size, const Contents& contents) {
+  if (!carries_all(entry, host, size, contents)) return false;
   const double edge = is_round(host) ? std::numbers::pi * size.width : 2.0 * (size.width + size.depth);
   return edge >= 1.0 * contents.around * kSeatWidth && size.width >= contents.front && size.width >= (contents.along + 1) / 2 * kSeatWidth;
 }
 
 Mm between(Mm from, Mm to, int step) { return from + (to - from) * step / kSteps; }
 
-// The first size on the way to the greatest that holds it all; the greatest where none does.
+// The first size on the way to the greatest that holds it all; the greatest where none does, or a little more where that is enough for
+// what is on and in it.
 Size size_that_holds(const CatalogEntry& entry, const SceneObject& host, const Contents& contents) {
   Size size = host.size->usual;
   for (int step = 0; step <= kSteps; ++step) {
     size.width = between(host.size->usual.width, host.size->greatest.width, step);
     size.depth = between(host.size->usual.depth, host.size->greatest.depth, step);
-    if (holds(entry, host, size, contents)) break;
+    if (holds(entry, host, size, contents)) return size;
+  }
+  if (carries_all(entry, host, size, contents)) return size;
+  Size larger = size;
+  for (int step = 1; step <= kMoreSteps; ++step) {
+    larger.width = size.width + size.width * step / kSteps;
+    larger.depth = size.depth + size.depth * step / kSteps;
+    if (carries_all(entry, host, larger, contents)) return larger;
   }
   return size;
 }
@@ -185,6 +200,8 @@ void normalize_hosts(NormalizeContext& context) {
     const Size size = size_that_holds(entry, host, found->second);
     if (size == before) continue;
     host.size->usual = size;
+    host.size->greatest.width = std::max(host.size->greatest.width, size.width);
+    host.size->greatest.depth = std::max(host.size->greatest.depth, size.depth);
     context.note("filled",
                  fmt::format("\"{}\" is {} wide and {} deep, so that what it is to hold finds room", host.id, metres_text(size.width),
                              metres_text(size.depth)),

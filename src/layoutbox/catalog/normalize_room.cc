@@ -154,7 +154,8 @@ class RoomNormalizer {
         d *= std::sqrt(rule.factor);
         reason = fmt::format("\"{}\"", room_.size_word);
       }
-      const double factor = growth(w * d * share, std::max(w, d));
+      const double grown = growth(w * d * share, std::max(w, d));
+      const double factor = grown * growth_for_distances(context_, w * grown, d * grown);
       if (factor > 1.001) reason += ", grown to hold its furniture";
       if (factor < 0.999) reason += ", smaller as little stands in it";
       w = rounded_up(w * factor);
@@ -186,30 +187,13 @@ class RoomNormalizer {
     const double least = may_shrink ? std::sqrt(std::clamp(used * factor / kLeastUsed / area,
                                                            std::min(1.0, std::max(kSmallestShare, factor * kSmallestArea / area)), 1.0))
                                     : 1.0;
-    return std::max({least, std::sqrt(covered / kMostCovered / area), std::sqrt(used / kMostUsed / area), (longest + 600) / longest_side,
-                     span_wanted() / longest_side});
+    return std::max({least, std::sqrt(covered / kMostCovered / area), std::sqrt(used / kMostUsed / area), (longest + 600) / longest_side});
   }
 
   bool stands_in_grid(const std::string& id) const {
     return std::ranges::any_of(context_.scene.relations, [&](const Relation& r) {
       return r.type == RelationType::kGrid && std::ranges::find(r.targets, id) != r.targets.end();
     });
-  }
-
-  // The longer side that distances ask for: "far from the door", "across from the table in the middle".
-  double span_wanted() const {
-    constexpr double kDiagonal = 1.3, kBody = 1800;  // of an ordinary room, by its longer side; of the two things at its ends
-    double span = 0;
-    const auto& relations = context_.scene.relations;
-    for (const Relation& relation : relations) {
-      if (relation.type == RelationType::kFar) span = std::max(span, (relation.parameters.min.value_or(4000) + kBody) / kDiagonal);
-      if (relation.type == RelationType::kDistance) span = std::max(span, (relation.parameters.min.value_or(0) + kBody) / kDiagonal);
-      const bool from_middle = relation.type == RelationType::kOpposite && std::ranges::any_of(relations, [&](const Relation& other) {
-                                 return other.type == RelationType::kCenterOfRoom && other.targets == relation.references;
-                               });
-      if (from_middle) span = std::max(span, 2.0 * relation.parameters.min.value_or(1500) + 1.4 * kBody);
-    }
-    return span;
   }
 
   void settle_height() {

@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
+
 #include "layoutbox/catalog/test_kinds.h"
 #include "layoutbox/scene/shell.h"
 
@@ -84,6 +86,58 @@ TEST(NormalizeHosts, GrowForWhatTheyHold) {
   EXPECT_EQ(width(3), 1200);
   EXPECT_GT(width(6), 1200);
   EXPECT_EQ(width(40), 1600);  // its range is the limit
+}
+
+// A little beyond its range, where all then finds room; that a host is larger than such things mostly are beats leaving things out.
+TEST(NormalizeHosts, GrowBeyondTheirRangeWhereThatIsEnough) {
+  std::vector<SceneObject> objects{object("desk_1", "desk")};
+  std::vector<Relation> relations;
+  for (int i = 0; i < 16; ++i) {
+    objects.push_back(object("lamp_" + std::to_string(i), "lamp"));
+    relations.push_back(relation(RelationType::kOn, {objects.back().id}, {"desk_1"}));
+  }
+  const Mm width = normalized(scene_of(objects, relations)).find_object("desk_1")->size->usual.width;
+  EXPECT_GT(width, 1600);
+  EXPECT_LE(width, 2400);
+}
+
+TEST(NormalizeRoom, GrowsUntilWhatIsToBeFarCanBe) {
+  const auto diagonal = [](RelationType type) {
+    const Point corner =
+        normalized(scene_of({object("bed_1", "bed"), object("wardrobe_1", "wardrobe")}, {relation(type, {"bed_1"}, {"wardrobe_1"})}))
+            .room.polygon[2];
+    return std::hypot(double(corner.x), double(corner.y));
+  };
+  EXPECT_GT(diagonal(RelationType::kFar), diagonal(RelationType::kNextTo) + 500);
+}
+
+TEST(NormalizeRoom, FarIsAsFarAsARoomOfGivenSizeGoes) {
+  const auto least = [](Mm width, Mm depth) {
+    SceneGraph scene =
+        scene_of({object("desk_1", "desk"), object("lamp_1", "floor_lamp")}, {relation(RelationType::kFar, {"desk_1"}, {"lamp_1"})});
+    scene.room.polygon = {{0, 0}, {width, 0}, {width, depth}, {0, depth}};
+    return normalized(std::move(scene)).relations[0].parameters.min;
+  };
+  EXPECT_FALSE(least(8000, 6000));
+  ASSERT_TRUE(least(3000, 3000));
+  EXPECT_LT(*least(3000, 3000), 3000);
+  EXPECT_GT(*least(3000, 3000), 1500);
+}
+
+TEST(NormalizeRoom, WhatStandsOppositeABedFindsRoomAcrossFromIt) {
+  const Point corner = normalized(scene_of({object("bed_1", "bed"), object("wardrobe_1", "wardrobe")},
+                                           {relation(RelationType::kOpposite, {"wardrobe_1"}, {"bed_1"})}))
+                           .room.polygon[2];
+  EXPECT_GE(std::max(corner.x, corner.y), 2000 + 1500 + 600);
+}
+
+TEST(NormalizeRoom, WhatHangsAboveSomethingEndsBelowTheCeiling) {
+  std::vector<SceneObject> objects{object("desk_1", "desk"), object("wardrobe_1", "wardrobe")};
+  objects[1].mount = Mount::kWall;
+  const SceneGraph scene = normalized(scene_of(objects, {relation(RelationType::kAbove, {"wardrobe_1"}, {"desk_1"})}));
+  const SizeRange& size = *scene.find_object("wardrobe_1")->size;
+  EXPECT_LE(size.usual.height, scene.room.height - 750);
+  EXPECT_LE(size.least.height, size.usual.height);
 }
 
 TEST(NormalizeHosts, ASizeThatWasGivenStays) {

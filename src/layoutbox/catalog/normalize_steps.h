@@ -46,6 +46,12 @@ void settle_articles_only(NormalizeContext& context);
 // Polygon, height, walls and openings. REQUIRES: sizes of objects are known (an unsized room grows with them).
 void normalize_room(NormalizeContext& context);
 
+// By how much a room of that size must grow so that distances and heights that words ask for find room in it, given how large things are.
+double growth_for_distances(const NormalizeContext& context, double width, double depth);
+
+// What is far in a room that is what it is, and heights of what is to hang above something. REQUIRES: the room is settled.
+void normalize_distances(NormalizeContext& context);
+
 // Widths of curtains that nobody gave, by their windows. REQUIRES: sizes of objects and openings are known.
 void normalize_curtains(NormalizeContext& context);
 

@@ -63,6 +63,22 @@ TEST(NormalizeGuests, AVesselIsHollowWhereSomethingIsInIt) {
   EXPECT_FALSE(scene("nightstand").objects[0].hollow);
 }
 
+TEST(NormalizeGuests, ManyInOneVesselAreAllSmallEnough) {
+  std::vector<SceneObject> objects{object("jar_1", "jar")};
+  std::vector<Relation> relations;
+  for (int i = 0; i < 2; ++i) {
+    objects.push_back(object("book_" + std::to_string(i), "book"));
+    relations.push_back(relation(RelationType::kIn, {objects.back().id}, {"jar_1"}));
+  }
+  const SceneGraph scene = normalized(scene_of(objects, relations));
+  const std::vector<Space> spaces = spaces_of(scene.objects[0], *catalog().find("jar"), scene.objects[0].size->usual);
+  ASSERT_FALSE(spaces.empty());
+  double covered = 0;
+  for (int i = 1; i <= 2; ++i)
+    covered += double(scene.objects[static_cast<std::size_t>(i)].size->usual.width) * scene.objects[1].size->usual.depth;
+  EXPECT_LT(covered, (spaces[0].max[0] - spaces[0].min[0]) * (spaces[0].max[1] - spaces[0].min[1]));
+}
+
 TEST(NormalizeObjects, WordsNarrowTheSize) {
   SceneObject king = object("bed_1", "bed"), tall = object("plant_1", "plant"), small = object("desk_1", "desk");
   king.name = "king size bed";

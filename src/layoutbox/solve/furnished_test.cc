@@ -231,5 +231,47 @@ TEST(Furnished, ThingsAreNotHeapedInOneHalfOfALargeRoom) {
   EXPECT_NEAR(y / all, 3250, 900);
 }
 
+RelationParameters at_part(const std::string& part) {
+  RelationParameters parameters;
+  parameters.part = part;
+  return parameters;
+}
+
+// The desk waits for nothing that stands on it: else all of it is taken up again with each thing that finds no place.
+TEST(Furnished, AFullDeskIsFoundWithoutAProof) {
+  const SceneGraph scene = SceneMaker(3400, 3000)
+                               .add("desk")
+                               .sized(950, 500, 750)
+                               .add("monitor")
+                               .add("keyboard")
+                               .add("mouse")
+                               .add("desk_lamp")
+                               .add("office_chair")
+                               .add("rug")
+                               .relate("on", {"monitor_1"}, {"desk_1"})
+                               .relate("on", {"keyboard_1"}, {"desk_1"})
+                               .relate("on", {"mouse_1"}, {"desk_1"})
+                               .relate("on", {"desk_lamp_1"}, {"desk_1"}, at_part("right"))
+                               .relate("inFrontOf", {"office_chair_1"}, {"desk_1"})
+                               .relate("facing", {"office_chair_1"}, {"desk_1"})
+                               .relate("centerOfRoom", {"rug_1"})
+                               .make();
+  SolveOptions options;
+  options.prove = false, options.effort = 1;
+  for (options.seed = 1; options.seed <= 8; ++options.seed) {
+    const auto layout = solve(scene, Catalog::builtin(), options);
+    ASSERT_TRUE(layout);
+    EXPECT_TRUE(layout->relaxed.empty()) << "seed " << options.seed << ": " << layout->relaxed.front().relation;
+  }
+}
+
+TEST(Furnished, AtTheEndOfACounterIsAtOneOfItsEnds) {
+  const SceneGraph scene =
+      SceneMaker(4000, 3000).add("counter").add("coffee_machine").relate("on", {"coffee_machine_1"}, {"counter_1"}, at_part("end")).make();
+  const auto layout = solve(scene, Catalog::builtin());
+  ASSERT_TRUE(layout);
+  EXPECT_TRUE(layout->relaxed.empty());
+}
+
 }  // namespace
 }  // namespace layoutbox::placement

@@ -29,6 +29,7 @@ class PartOfTop {
       branch({Side::kLeft, Side::kRight}, 0);
       branch({Side::kBack, Side::kFront}, 20);
     }
+    if (part == "end") branch({Side::kLeft, Side::kRight}, 0);
     if (says(part, "edge")) branch_by_side({Side::kBack, Side::kLeft, Side::kRight, Side::kFront});
   }
 
@@ -90,6 +91,7 @@ void require_part(Formula& f, const Model& model, int t, int r, const std::strin
 }
 
 bool is_place_word(const std::string& part) {
+  if (part == "end") return true;  // of a counter
   for (const char* word : {"left", "right", "front", "back", "center", "centre", "middle", "corner", "edge"}) {
     if (says(part, word)) return true;
   }

@@ -121,8 +121,9 @@ bool CandidateFinder::legal(const Placements& placements, int item, const Placem
 }
 
 // What stands at that position of the region at hand; false: the room's edge, or what is not to be pushed.
-bool CandidateFinder::pushes(const Vec3& at, const std::vector<std::int64_t>& price, std::vector<int>& hit) const {
-  for (const Obstacles::Forbidden& f : obstacles_.all()) {
+bool CandidateFinder::pushes(const Vec3& at, const std::vector<std::int64_t>& price, std::vector<int>& hit) {
+  for (const Obstacles::Forbidden* const near : obstacles_.across(at)) {
+    const Obstacles::Forbidden& f = *near;
     if (!obstacles_.holds(f, at)) continue;
     if (f.owner < 0 || price.empty() || price[f.owner] < 0) return false;
     if (hit.empty() || hit.back() != f.owner) hit.push_back(f.owner);

@@ -69,7 +69,7 @@ class CandidateFinder {
   std::vector<Point> crossings(const Placements& placements, int item, int state, const Region& region,
                                const std::array<std::vector<Mm>, 3>& grid, Budget& budget) const;
   std::int64_t cost_at(const Region& region, const Vec3& at) const;
-  bool pushes(const Vec3& at, const std::vector<std::int64_t>& price, std::vector<int>& hit) const;
+  bool pushes(const Vec3& at, const std::vector<std::int64_t>& price, std::vector<int>& hit);
   std::int64_t swing_cost(const Placements& placements, int opening, const Placement& placement);
 
   const Model& model_;

@@ -1,6 +1,7 @@
 // What is wished for around an item, and the coordinates at which it is tried.
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <iterator>
 
 #include "layoutbox/solve/model/whole_division.h"
@@ -51,14 +52,14 @@ class Coordinates {
   void thin_out(std::size_t most) {
     for (int axis = 0; axis < 3; ++axis) {
       std::vector<Mm>& values = grid_.values[axis];
-      put_in_order(values);
+      put_in_order(axis, values);
       if (values.size() > most) {
         std::vector<Mm> fewer;  // evenly over all of them, both ends kept
         for (std::size_t i = 0; i < most; ++i) fewer.push_back(values[i * (values.size() - 1) / (most - 1)]);
         values = std::move(fewer);
       }
       if (wished_[axis].empty()) continue;
-      put_in_order(wished_[axis]);
+      put_in_order(axis, wished_[axis]);
       std::vector<Mm>& both = grid_.scratch;
       both.clear();
       std::ranges::set_union(values, wished_[axis], std::back_inserter(both));
@@ -68,9 +69,24 @@ class Coordinates {
 
  private:
   static std::int64_t zero_of(const Partial& form, int axis) { return floor_div(-form.constant, form.coefficient[axis]); }
-  static void put_in_order(std::vector<Mm>& values) {
-    std::sort(values.begin(), values.end());
-    values.erase(std::unique(values.begin(), values.end()), values.end());
+  // Each once, from the least on. All lie in the region: where that is not large, a bit for each place in it sorts them.
+  void put_in_order(int axis, std::vector<Mm>& values) {
+    constexpr std::size_t kBits = 64, kMostWords = 256, kFew = 12;
+    const Mm from = region_.lo[axis];
+    const std::size_t words = static_cast<std::size_t>(region_.hi[axis] - from) / kBits + 1;
+    if (values.size() <= kFew || words > kMostWords) {
+      std::sort(values.begin(), values.end());
+      values.erase(std::unique(values.begin(), values.end()), values.end());
+      return;
+    }
+    std::array<std::uint64_t, kMostWords> there;
+    std::fill_n(there.begin(), words, 0);
+    for (const Mm value : values) there[static_cast<std::size_t>(value - from) / kBits] |= std::uint64_t{1} << (value - from) % kBits;
+    values.clear();
+    for (std::size_t word = 0; word < words; ++word) {
+      for (std::uint64_t bits = there[word]; bits != 0; bits &= bits - 1)
+        values.push_back(from + static_cast<Mm>(word * kBits) + std::countr_zero(bits));
+    }
   }
   void offer(int axis, std::int64_t value) {
     if (value >= region_.lo[axis] && value <= region_.hi[axis]) grid_.values[axis].push_back(static_cast<Mm>(value));

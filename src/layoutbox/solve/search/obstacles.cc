@@ -62,6 +62,17 @@ bool Obstacles::is_free(const Vec3& at) const {
   return std::none_of(forbidden_.begin(), forbidden_.end(), [&](const Forbidden& f) { return holds(f, at); });
 }
 
+std::span<const Obstacles::Forbidden* const> Obstacles::across(const Vec3& at) {
+  if (!across_known_ || across_y_ != at[1] || across_z_ != at[2]) {
+    across_known_ = true, across_y_ = at[1], across_z_ = at[2];
+    across_.clear();
+    for (const Forbidden& f : forbidden_) {
+      if (f.lo[1] < at[1] && at[1] < f.hi[1] && f.lo[2] < at[2] && at[2] < f.hi[2]) across_.push_back(&f);
+    }
+  }
+  return across_;
+}
+
 void Obstacles::add_stripes(Forbidden& f, const Placements& placements, int item, int state, const Piece& mine, const Piece& theirs) {
   const Placement& there = placements[f.owner];
   const auto reach_of_piece = [&](int of, int in, const Piece& piece, int heading) {
@@ -118,6 +129,7 @@ void Obstacles::add_pair(const Placements& placements, int item, int state, int 
 void Obstacles::gather(const Placements& placements, int item, int state, const Region& region) {
   forbidden_.clear();
   stripes_.clear();
+  across_known_ = false;
   const Item& self = model_.items[item];
   if (!self.is_opening() && !self.fixed) {
     const Vec3& e = self.states[state].extent;

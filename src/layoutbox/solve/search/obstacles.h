@@ -40,6 +40,8 @@ class Obstacles {
            (f.stripes == 0 || within_stripes(f, at));
   }
   bool is_free(const Vec3& at) const;
+  // What may hold a position with that y and z. Asked for row by row, most often of the one before.
+  std::span<const Forbidden* const> across(const Vec3& at);
 
   // The first free position of the region gathered for, line by line from one of its corners; false: there is none.
   bool sweep(const Region& region, const Sweep& how, Vec3& at, Budget& budget);
@@ -68,6 +70,9 @@ class Obstacles {
   std::vector<Forbidden> forbidden_;
   std::vector<Stripe> stripes_;
   std::vector<const Forbidden*> near_;  // those at the height that is swept
+  std::vector<const Forbidden*> across_;
+  Mm across_y_ = 0, across_z_ = 0;
+  bool across_known_ = false;
   std::vector<Mm> lines_;
 };
 

@@ -6,6 +6,11 @@
 namespace layoutbox::placement {
 namespace {
 
+bool may_rest_on(const Item& item, int host) {
+  return std::any_of(item.supports.begin(), item.supports.end(),
+                     [&](const SupportOption& support) { return support.kind == SupportOption::Kind::kItem && support.index == host; });
+}
+
 std::vector<int> hosts_of(const Model& model, int item) {
   std::vector<int> found;
   const auto add = [&](int other) {
@@ -16,7 +21,9 @@ std::vector<int> hosts_of(const Model& model, int item) {
   }
   for (const int c : model.touching[item]) {
     const Constraint& constraint = model.constraints[c];
-    for (const int other : constraint.hosts) add(other);
+    for (const int other : constraint.hosts) {  // a desk waits for no screen that the keyboard on it lies before
+      if (!may_rest_on(model.items[other], item)) add(other);
+    }
     if (constraint.relation < 0) continue;
     const Relation& relation = model.scene->relations[constraint.relation];
     if (std::find(relation.targets.begin(), relation.targets.end(), model.items[item].id) == relation.targets.end()) continue;

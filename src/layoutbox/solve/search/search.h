@@ -22,12 +22,8 @@ struct KnownCosts {
   Placements of;
   std::vector<std::optional<std::int64_t>> constraints, access;
 
-  void are_of(const Model& model, const Placements& placements) {
-    if (of == placements && constraints.size() == model.constraints.size()) return;
-    of = placements;
-    constraints.assign(model.constraints.size(), std::nullopt);
-    access.assign(model.items.size(), std::nullopt);
-  }
+  // What does not depend on the difference stays known.
+  void are_of(const Model& model, const Placements& placements);
   std::int64_t of_constraint(const Model& model, int constraint) {
     std::optional<std::int64_t>& cost = constraints[static_cast<std::size_t>(constraint)];
     if (!cost) cost = constraint_cost(model, model.constraints[constraint], of);
@@ -101,7 +97,7 @@ class Search {
   bool shift(const std::vector<int>& cluster, int axis, Mm by, std::int64_t least_gain, Budget& budget);
   bool nudge(int item, Budget& budget);
   bool is_better(const Placements& before, const std::vector<int>& moved, Budget& budget, std::int64_t least_gain = kLeastGain);
-  std::int64_t gain_since(const Placements& before, const std::vector<int>& group);
+  std::int64_t gain_since(const Placements& before, const std::vector<int>& group, std::int64_t least_gain);
 
   const Model& model_;
   CandidateFinder finder_;

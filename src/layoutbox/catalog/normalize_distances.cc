@@ -1,0 +1,152 @@
+// Distances that words ask for, and the room they need.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "layoutbox/catalog/normalize_steps.h"
+
+namespace layoutbox {
+namespace {
+
+constexpr Mm kFar = 4000, kOpposite = 1500;  // where words give no number (docs/relations.md)
+constexpr Mm kPlay = 100;
+constexpr double kBody = 1800;  // two things at the ends
+constexpr double kStep = 0.02, kMostGrowth = 1.6;
+
+// What it takes of the floor's two sides, in a corner or at a wall.
+std::optional<Point> footprint_of(const SceneGraph& scene, const std::string& id) {
+  constexpr Mm kFromCorner = 150;
+  if (const SceneObject* object = scene.find_object(id); object != nullptr && object->size)
+    return Point{object->size->usual.width, object->size->usual.depth};
+  for (const Opening& opening : scene.room.openings) {
+    if (opening.id == id) return Point{opening.width + kFromCorner, 0};
+  }
+  constexpr Point kOrdinaryDoor{1050, 0}, kOrdinaryWindow{1350, 0};  // that nobody has made yet
+  if (id.starts_with("door")) return kOrdinaryDoor;
+  if (id.starts_with("window")) return kOrdinaryWindow;
+  return std::nullopt;
+}
+
+// Visits each two things that a relation speaks of.
+template <typename Visit>
+void for_pairs(const SceneGraph& scene, const Relation& relation, const Visit& visit) {
+  for (const std::string& target : relation.targets) {
+    for (const std::string& reference : relation.references) {
+      const auto a = footprint_of(scene, target), b = footprint_of(scene, reference);
+      if (a && b) visit(*a, *b);
+    }
+  }
+}
+
+// How far apart the two can be at most, in opposite corners.
+double farthest(Point a, Point b, double width, double depth) {
+  double most = 0;
+  for (const Point one : {a, Point{a.y, a.x}}) {
+    for (const Point other : {b, Point{b.y, b.x}})
+      most = std::max(most, std::hypot(std::max(0.0, width - one.x - other.x), std::max(0.0, depth - one.y - other.y)));
+  }
+  return most;
+}
+
+Mm least_distance(const Relation& relation) {
+  if (relation.type == RelationType::kFar) return relation.parameters.min.value_or(kFar);
+  return relation.type == RelationType::kDistance ? relation.parameters.min.value_or(0) : 0;
+}
+
+double growth_for_pair(Point a, Point b, Mm least, double width, double depth) {
+  double growth = 1;
+  while (growth < kMostGrowth && farthest(a, b, width * growth, depth * growth) < least + kPlay) growth += kStep;
+  return growth;
+}
+
+bool at_named_wall(const SceneGraph& scene, const std::string& id) {
+  return std::ranges::any_of(scene.relations, [&](const Relation& r) {
+    const bool wall = relation_row(r.type).group == RelationGroup::kRoomGroup && !r.references.empty();
+    return wall && std::ranges::find(r.targets, id) != r.targets.end();
+  });
+}
+
+// From one wall to the other: a bed, the room between, a dressing table.
+double growth_for_opposite(const SceneGraph& scene, const Relation& relation, double width, double depth) {
+  double growth = 1;
+  const Mm between = relation.parameters.min.value_or(kOpposite);
+  for (const std::string& reference : relation.references) {
+    const SceneObject* ref = scene.find_object(reference);
+    if (ref == nullptr || !ref->size || ref->mount != Mount::kFloor) continue;
+    const bool in_middle = std::ranges::any_of(scene.relations, [&](const Relation& other) {
+      return other.type == RelationType::kCenterOfRoom && other.targets == relation.references;
+    });
+    if (in_middle) growth = std::max(growth, (2.0 * between + 1.4 * kBody) / std::max(width, depth));
+    for (const std::string& target : relation.targets) {
+      const SceneObject* object = scene.find_object(target);
+      if (object == nullptr || !object->size || object->mount != Mount::kFloor) continue;
+      const double span = double(object->size->usual.depth) + ref->size->usual.depth + between + kPlay;
+      const bool named = at_named_wall(scene, target) || at_named_wall(scene, reference);
+      growth = std::max(growth, span / (named ? std::min(width, depth) : std::max(width, depth)));
+    }
+  }
+  return growth;
+}
+
+// The room has that size, whoever gave it: where two things cannot be far apart in it they are as far as it goes.
+void settle_far(NormalizeContext& context, Relation& relation, double width, double depth) {
+  constexpr double kShare = 0.85;
+  constexpr Mm kRounded = 100;
+  if (relation.type != RelationType::kFar || relation.parameters.min) return;
+  double most = kFar + kPlay;
+  for_pairs(context.scene, relation, [&](Point a, Point b) { most = std::min(most, farthest(a, b, width, depth)); });
+  if (most >= kFar + kPlay) return;
+  relation.parameters.min = static_cast<Mm>(kShare * most) / kRounded * kRounded;
+  context.note("filled", fmt::format("in so small a room {} is far", metres_text(*relation.parameters.min)));
+}
+
+// A mirror above a washstand hangs, though such mirrors stand elsewhere, and ends below the ceiling.
+void settle_height_above(NormalizeContext& context, const Relation& relation) {
+  constexpr double kLeastShare = 0.5;  // of its least height
+  constexpr Mm kFlat = 100;
+  if (relation.type != RelationType::kAbove || relation.references.size() != 1) return;
+  const SceneObject* host = context.scene.find_object(relation.references.front());
+  if (host == nullptr || !host->size || host->mount != Mount::kFloor) return;
+  const Mm room = context.scene.room.height - host->size->usual.height - kPlay;
+  for (SceneObject& object : context.scene.objects) {
+    const bool named = std::ranges::find(relation.targets, object.id) != relation.targets.end();
+    if (named && object.size && object.mount == Mount::kFloor && object.mount_assumed && object.size->usual.depth <= kFlat)
+      object.mount = Mount::kWall;
+    if (!named || !object.size || object.size_source != SizeSource::kCatalog || !object.catalog_id.empty()) continue;
+    if (object.size->usual.height <= room || room < kLeastShare * object.size->least.height) continue;
+    object.size->usual.height = room;
+    object.size->least.height = std::min(object.size->least.height, room);
+    context.note("filled", fmt::format("\"{}\" is {} high, so that it finds room above \"{}\"", object.id, metres_text(room), host->id));
+  }
+}
+
+}  // namespace
+
+double growth_for_distances(const NormalizeContext& context, double width, double depth) {
+  constexpr double kDiagonal = 1.3;  // of an ordinary room, by its longer side
+  const SceneGraph& scene = context.scene;
+  double growth = 1;
+  for (const Relation& relation : scene.relations) {
+    if (relation.type == RelationType::kOpposite) growth = std::max(growth, growth_for_opposite(scene, relation, width, depth));
+    const Mm least = least_distance(relation);
+    if (least <= 0) continue;
+    growth = std::max(growth, (least + kBody) / kDiagonal / std::max(width, depth));
+    for_pairs(scene, relation, [&](Point a, Point b) { growth = std::max(growth, growth_for_pair(a, b, least, width, depth)); });
+  }
+  return std::min(growth, kMostGrowth);
+}
+
+void normalize_distances(NormalizeContext& context) {
+  Point low{1 << 30, 1 << 30}, high{-(1 << 30), -(1 << 30)};
+  for (const Point corner : context.scene.room.polygon) {
+    low = {std::min(low.x, corner.x), std::min(low.y, corner.y)};
+    high = {std::max(high.x, corner.x), std::max(high.y, corner.y)};
+  }
+  for (Relation& relation : context.scene.relations) {
+    settle_far(context, relation, double(high.x) - low.x, double(high.y) - low.y);
+    settle_height_above(context, relation);
+  }
+}
+
+}  // namespace layoutbox
