@@ -211,6 +211,13 @@ TEST_F(OfflinePlannerTest, WallsOfOpeningsByTheirSide) {
   EXPECT_EQ(wall("A desk. There is a window to the east.", OpeningType::kWindow), "right");
   EXPECT_EQ(wall("The entrance is on the left. A table.", OpeningType::kDoor), "left");
   EXPECT_EQ(wall("The window faces east. A bed.", OpeningType::kWindow), "right");
+  const char* cellar = "A cellar, 2 x 5 m, the door at one end and the window at the other. A rack.";
+  EXPECT_EQ(wall(cellar, OpeningType::kDoor), "front");
+  EXPECT_EQ(wall(cellar, OpeningType::kWindow), "back");
+  const char* studio = "A studio of 6 x 4 m, door on the short side, window opposite the door. A sofa.";
+  EXPECT_EQ(wall(studio, OpeningType::kDoor), "right");
+  EXPECT_EQ(wall(studio, OpeningType::kWindow), "left");
+  EXPECT_EQ(wall("A desk. The door to the yard is at the back.", OpeningType::kDoor), "back");
   const SceneGraph two = scene("The room has two doors, one in the front wall and one in the left wall. A bed.");
   EXPECT_EQ(
       std::count_if(two.room.openings.begin(), two.room.openings.end(), [](const Opening& o) { return o.type == OpeningType::kDoor; }), 2);
@@ -222,6 +229,9 @@ TEST_F(OfflinePlannerTest, WallsOfOpeningsByTheirSide) {
 }
 
 TEST_F(OfflinePlannerTest, ReadsFloorAndWalls) {
+  EXPECT_EQ(scene("A den with a sofa. Teal and white.").room.wall_material, "teal");
+  EXPECT_EQ(scene("A kitchen in cream and walnut with a stove.").room.floor_material, "walnut floor");
+  EXPECT_EQ(scene("A bed and a wardrobe.").room.type, "bedroom");
   const SceneGraph read = scene("An office with white walls and a wooden floor has a desk.");
   EXPECT_EQ(read.room.wall_material, "white");
   EXPECT_EQ(read.room.floor_material, "wooden floor");

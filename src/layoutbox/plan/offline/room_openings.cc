@@ -104,6 +104,20 @@ void settle_opening_walls(const Lexicon& lexicon, Document& document) {
     NounPhrase& noun = chunks[k].noun;
     if (chunks[k].kind != ChunkKind::kNoun || (noun.kind != NounKind::kDoor && noun.kind != NounKind::kWindow)) continue;
     std::size_t n = k + 1;
+    // "the door to the bakehouse is at the back"
+    const bool leads = n + 1 < chunks.size() && chunks[n].first + 1 == chunks[n].last && document.tokens[chunks[n].first].text == "to" &&
+                       chunks[n + 1].kind == ChunkKind::kNoun &&
+                       (chunks[n + 1].noun.kind != NounKind::kObject || !chunks[n + 1].noun.exact) &&
+                       chunks[n + 1].noun.kind != NounKind::kWall;
+    if (leads && noun.kind == NounKind::kDoor) {
+      for (std::size_t c = n; c < n + 2; ++c) {
+        chunks[c].kind = ChunkKind::kIgnored;
+        for (std::size_t i = chunks[c].first; i < chunks[c].last; ++i) {
+          document.readings[i].use = WordReading::Use::kIgnored;
+          document.readings[i].role = "where the door leads";
+        }
+      }
+    }
     while (passed(n)) ++n;
     if (n >= chunks.size() || chunks[n].kind != ChunkKind::kRelation) continue;
     const std::size_t first = n++;
@@ -124,9 +138,12 @@ void settle_opening_ends(Document& document) {
   const auto is = [&](std::size_t i, std::initializer_list<std::string_view> words) {
     return i < tokens.size() && std::ranges::find(words, tokens[i].text) != words.end();
   };
-  for (Chunk& chunk : document.chunks) {
+  for (std::size_t k = 0; k < document.chunks.size(); ++k) {
+    Chunk& chunk = document.chunks[k];
     if (chunk.kind != ChunkKind::kNoun || (chunk.noun.kind != NounKind::kDoor && chunk.noun.kind != NounKind::kWindow)) continue;
     std::size_t i = chunk.last;
+    for (std::size_t n = k + 1; n < document.chunks.size() && document.chunks[n].kind == ChunkKind::kIgnored; ++n)
+      i = document.chunks[n].last;
     while (is(i, {"is", "are", "being", "located", "placed", "situated"})) ++i;
     const std::size_t first = i;
     // "door on the short side, balcony door opposite."

@@ -149,15 +149,20 @@ PlacedOpenings placed_openings(const Document& document) {
       const Mention& mention = document.mentions[static_cast<std::size_t>(target)];
       if (!is_opening(mention)) continue;
       std::string wall = mention.noun.wall_word;
-      for (const int reference : link.references) wall = wall_said(link, document.mentions[static_cast<std::size_t>(reference)].noun);
+      for (const int reference : link.references) {
+        const std::string said = wall_said(link, document.mentions[static_cast<std::size_t>(reference)].noun);
+        if (!said.empty() || mention.noun.wall_word.empty()) wall = said;
+      }
       placed.emplace_back(&mention, wall.substr(0, wall.find(' ')));
     }
   }
   return placed;
 }
 
-void put_openings(const PlacedOpenings& placed, SceneGraph& scene) {
+// `across`: those that are across from another one, which comes first.
+void put_openings(const PlacedOpenings& placed, bool across, SceneGraph& scene) {
   for (const auto& [mention, wall] : placed) {
+    if ((wall == "other" || wall == "across") != across) continue;
     const OpeningType type = opening_type(*mention);
     const auto known = std::ranges::find_if(scene.room.openings, [&](const Opening& o) { return o.type == type; });
     // "a window at the end … opposite the door": the one that is there.
@@ -176,7 +181,7 @@ void put_openings(const PlacedOpenings& placed, SceneGraph& scene) {
 void add_openings(const Document& document, SceneGraph& scene) {
   const Room& room = scene.room;
   const PlacedOpenings placed = placed_openings(document);
-  put_openings(placed, scene);
+  put_openings(placed, false, scene);
   for (const Mention& mention : document.mentions) {
     if (!is_opening(mention)) continue;
     const bool said = std::any_of(placed.begin(), placed.end(), [&](const auto& p) { return p.first == &mention; });
@@ -185,7 +190,12 @@ void add_openings(const Document& document, SceneGraph& scene) {
                  !is_kind_of_door(mention.noun)))
       continue;
     const OpeningType type = opening_type(mention);
-    const bool there = std::any_of(room.openings.begin(), room.openings.end(), [&](const Opening& o) { return o.type == type; });
+    // "The entrance is on the narrow side … The door to the yard is at the back": another one
+    const auto same = [&](const Opening& o) {
+      const std::string wall = wall_of_opening(mention.noun.wall_word, type, room);
+      return o.type == type && (wall.empty() || o.wall.empty() || o.wall == wall);
+    };
+    const bool there = std::any_of(room.openings.begin(), room.openings.end(), same);
     if (there) {  // "there is a window in the back wall. The window is 2 m wide."
       if (mention.noun.size.any()) resize_openings(scene.room, opening_said(type, mention.noun));
       continue;
@@ -193,6 +203,7 @@ void add_openings(const Document& document, SceneGraph& scene) {
     const int count = openings_said(mention.noun);
     for (int i = 0; i < std::min(count, 12); ++i) add_opening(scene, type, mention.noun, mention.noun.wall_word);
   }
+  put_openings(placed, true, scene);
 }
 
 // One kind named, the other is still needed; nobody wants to do without a door.

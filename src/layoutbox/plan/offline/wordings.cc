@@ -24,6 +24,9 @@ class WordingReader {
       read_in_it(i);
       read_ends(i);
       read_needs(i);
+      read_see_how(i);
+      read_left_and_right(i);
+      read_other_part(i);
     }
   }
 
@@ -101,6 +104,41 @@ class WordingReader {
       tokens_[at + 2].text = "back";
       if (is(at + 3, {"end", "side"})) leave_out(at + 3, at + 4);
     }
+  }
+
+  // "I want to see how my new couch would look in the lounge": it is there.
+  void read_see_how(std::size_t i) {
+    constexpr std::size_t kName = 8;  // tokens
+    if (i == 0 || !is(i, {"how"}) || !is(i - 1, {"see", "know", "imagine", "show", "me"}) || !is_article(i + 1)) return;
+    std::size_t would = i + 1;
+    while (would < i + kName && !ends(would) && !is(would, {"would", "will", "could", "might"})) ++would;
+    if (!is(would, {"would", "will", "could", "might"}) || !is(would + 1, {"look", "fit", "go", "work", "stand"})) return;
+    leave_out(i > 1 && is(i - 2, {"to"}) ? i - 2 : i - 1, i + 1);
+    leave_out(would, would + (is(would + 2, {"like"}) ? 3 : 2));
+  }
+
+  // "speakers left and right of the screen", "two lamps left and right": on both sides.
+  void read_left_and_right(std::size_t i) {
+    if (i == 0 || !are(i, {"left", "and", "right"}) || !(ends(i + 3) || is(i + 3, {"of"})) ||
+        is(i - 1, {"the", "to", "on", "its", "from", "both"}))
+      return;
+    tokens_[i].text = "on";
+    tokens_[i + 1].text = "both";
+    tokens_[i + 2].text = "sides";
+  }
+
+  // "in the other half of the room", and of a room in the form of an L "in the small part … in the long one": part of the room, no more.
+  void read_other_part(std::size_t i) {
+    if (!are(i, {"in", "the"})) return;
+    const bool l_shaped = std::any_of(tokens_.begin(), tokens_.end(), [](const Token& token) { return token.text.starts_with("shape"); });
+    const bool other = is(i + 2, {"other"}) && is(i + 3, {"half", "part"});
+    const bool leg =
+        l_shaped &&
+        is(i + 2, {"small", "smaller", "large", "larger", "long", "longer", "short", "shorter", "main", "big", "wide", "narrow"}) &&
+        is(i + 3, {"part", "one", "section", "leg", "half", "bit"});
+    if (!other && !leg) return;
+    const bool of_room = are(i + 4, {"of", "the", "room"});
+    if (of_room || ends(i + 4) || is(i + 4, {"and"})) leave_out(i, i + (of_room ? 7 : 4));
   }
 
   // "Each of the three nurses needs a desk", "every guest gets a towel": has one.
