@@ -10,7 +10,7 @@ namespace layoutbox {
 namespace {
 
 constexpr Mm kFar = 4000, kOpposite = 1500;  // where words give no number (docs/relations.md)
-constexpr Mm kPlay = 100;
+constexpr Mm kRoomToSpare = 100;
 constexpr double kBody = 1800;  // two things at the ends
 constexpr double kStep = 0.02, kMostGrowth = 1.6;
 
@@ -56,7 +56,7 @@ Mm least_distance(const Relation& relation) {
 
 double growth_for_pair(Point a, Point b, Mm least, double width, double depth) {
   double growth = 1;
-  while (growth < kMostGrowth && farthest(a, b, width * growth, depth * growth) < least + kPlay) growth += kStep;
+  while (growth < kMostGrowth && farthest(a, b, width * growth, depth * growth) < least + kRoomToSpare) growth += kStep;
   return growth;
 }
 
@@ -81,7 +81,7 @@ double growth_for_opposite(const SceneGraph& scene, const Relation& relation, do
     for (const std::string& target : relation.targets) {
       const SceneObject* object = scene.find_object(target);
       if (object == nullptr || !object->size || object->mount != Mount::kFloor) continue;
-      const double span = double(object->size->usual.depth) + ref->size->usual.depth + between + kPlay;
+      const double span = double(object->size->usual.depth) + ref->size->usual.depth + between + kRoomToSpare;
       const bool named = at_named_wall(scene, target) || at_named_wall(scene, reference);
       growth = std::max(growth, span / (named ? std::min(width, depth) : std::max(width, depth)));
     }
@@ -94,9 +94,9 @@ void settle_far(NormalizeContext& context, Relation& relation, double width, dou
   constexpr double kShare = 0.85;
   constexpr Mm kRounded = 100;
   if (relation.type != RelationType::kFar || relation.parameters.min) return;
-  double most = kFar + kPlay;
+  double most = kFar + kRoomToSpare;
   for_pairs(context.scene, relation, [&](Point a, Point b) { most = std::min(most, farthest(a, b, width, depth)); });
-  if (most >= kFar + kPlay) return;
+  if (most >= kFar + kRoomToSpare) return;
   relation.parameters.min = static_cast<Mm>(kShare * most) / kRounded * kRounded;
   context.note("filled", fmt::format("in so small a room {} is far", metres_text(*relation.parameters.min)));
 }
@@ -108,7 +108,7 @@ void settle_height_above(NormalizeContext& context, const Relation& relation) {
   if (relation.type != RelationType::kAbove || relation.references.size() != 1) return;
   const SceneObject* host = context.scene.find_object(relation.references.front());
   if (host == nullptr || !host->size || host->mount != Mount::kFloor) return;
-  const Mm room = context.scene.room.height - host->size->usual.height - kPlay;
+  const Mm room = context.scene.room.height - host->size->usual.height - kRoomToSpare;
   for (SceneObject& object : context.scene.objects) {
     const bool named = std::ranges::find(relation.targets, object.id) != relation.targets.end();
     if (named && object.size && object.mount == Mount::kFloor && object.mount_assumed && object.size->usual.depth <= kFlat)

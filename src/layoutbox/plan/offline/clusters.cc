@@ -48,6 +48,7 @@ void settle_clusters(const Lexicon& lexicon, Document& document) {
     if (grouped != nullptr && groups && !noun.of) {  // "plants between the groups"
       const NounPhrase said = noun;
       noun = *grouped;
+      noun.apart = grouped->together;
       noun.determiner = Determiner::kDefinite;
       noun.count = noun.together = 0;
       noun.first = said.first;

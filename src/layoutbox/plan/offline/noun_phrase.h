@@ -60,6 +60,7 @@ struct NounPhrase {
   int seats = 0;           // "a table for six"
   int clusters = 0;        // "two clusters of four desks"
   int together = 0;        // "desks in groups of four"
+  int apart = 0;           // "between the groups": one of each group, which has so many
   bool at_least = false, vague = false, plural = false;
   bool filling = false;       // "a shelf full of cans": as many as look like it, two of them for certain
   bool assorted = false;      // "plants of all sizes"

@@ -49,6 +49,7 @@ class RelationBuilder {
   void add_relations_to(const Link& link, const std::vector<int>& targets, const Mention& reference_mention);
   void add_rows();
   void add_clusters();
+  bool look_at_one_thing(const Mention& mention) const;
   void set_heights();
   void add_in_niche(const Link& link, const Mention& target);
   void add_wall_opposite(const Link& link, const Mention& target);

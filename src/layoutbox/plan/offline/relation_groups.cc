@@ -95,7 +95,8 @@ void RelationBuilder::add_between(const Link& link, const std::vector<int>& targ
   std::vector<std::string> references;
   for (const int m : link.references) {
     if (!mention(m).items.empty()) {
-      for (const int item : mention(m).items) references.push_back(id(item));
+      const auto step = static_cast<std::size_t>(std::max(mention(m).noun.apart, 1));
+      for (std::size_t i = 0; i < mention(m).items.size(); i += step) references.push_back(id(mention(m).items[i]));
     } else if (mention(m).noun.kind == NounKind::kDoor || mention(m).noun.kind == NounKind::kWindow) {
       for (const std::string& opening : opening_ids(mention(m).noun)) references.push_back(opening);
     } else if (mention(m).noun.kind == NounKind::kWall) {
@@ -294,13 +295,23 @@ void RelationBuilder::add_rows() {
 }
 
 // "two clusters of four desks": each in two rows, close together.
+// "desks in pairs facing the board": rows before it, and nobody back to back.
+bool RelationBuilder::look_at_one_thing(const Mention& mention) const {
+  return !mention.items.empty() && std::ranges::all_of(mention.items, [&](int item) {
+    return std::ranges::any_of(relations_of(id(item)), [&](std::size_t r) {
+      const R type = scene_.relations[r].type;
+      return type == R::kFacing || type == R::kSameOrientation || type == R::kGrid;
+    });
+  });
+}
+
 void RelationBuilder::add_clusters() {
   for (const Mention& mention : document_.mentions) {
     const auto together = static_cast<std::size_t>(mention.noun.together);
     const auto clusters = together > 1 ? mention.items.size() / together : static_cast<std::size_t>(std::max(mention.noun.clusters, 0));
     if (!mention.introduces || clusters == 0 || mount_of(mention.noun) != Mount::kFloor || mention.items.size() % clusters != 0) continue;
     const std::size_t share = mention.items.size() / clusters;
-    if (share < 2) continue;
+    if (share < 2 || look_at_one_thing(mention)) continue;
     Link link;
     link.first = mention.noun.first;
     link.last = mention.noun.last;
