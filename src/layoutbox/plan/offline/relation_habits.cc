@@ -116,12 +116,15 @@ void RelationBuilder::add_end_walls() {
     if (!one_of(region.parameters.region, {"back", "front", "left", "right"})) continue;
     const SceneObject* object = object_of(region.targets.front());
     const CatalogEntry* entry = object == nullptr ? nullptr : catalog_.find(object->category);
-    if (entry == nullptr || entry->mount != Mount::kFloor || !entry->back_to_wall || entry->is(Trait::kDeskLike)) continue;
+    if (entry == nullptr) continue;
+    const bool hangs = object->mount.value_or(entry->mount) == Mount::kWall || (entry->is(Trait::kScreen) && entry->is(Trait::kElseOnWall));
+    const bool stands = entry->mount == Mount::kFloor && entry->back_to_wall && !entry->is(Trait::kDeskLike);
+    if (!hangs && !stands) continue;
     const std::vector<std::size_t>& own = relations_of(object->id);
     if (std::ranges::any_of(own, [&](std::size_t i) { return at_wall(scene_.relations[i].type); })) continue;
     Relation habit;
     habit.id = "c" + std::to_string(scene_.relations.size() + 1);
-    habit.type = R::kAgainstWall;
+    habit.type = hangs ? R::kOnWall : R::kAgainstWall;
     habit.targets = region.targets;
     habit.references = {region.parameters.region};
     habit.hard = false;

@@ -36,6 +36,7 @@ class RequestReader {
       read_said_by(i);
       read_neither(i);
       read_elided(i);
+      read_one_floor(i);
       if (is(i, {"apiece"})) tokens_[i].text = "each";
       if (are(i, {"as", "to"}) && is_article(i + 2) && begins(i)) tokens_[i + 1].text = "for";  // "As to the lamp, leave it …"
     }
@@ -244,6 +245,17 @@ class RequestReader {
       person = person || lexicon_.is_person(tokens_[at].text) || lexicon_.is(tokens_[at], WordClass::kDoer) ||
                word_form(tokens_[at].text) == WordForm::kPerson;
     }
+  }
+
+  // "…, all on one floor", "everything is on the same level": of the house.
+  void read_one_floor(std::size_t i) {
+    std::size_t at = i;
+    if (is(at, {"all", "both", "everything"})) ++at;
+    if (is(at, {"is", "are"})) ++at;
+    if (!is(at, {"on"})) return;
+    ++at;
+    if (is(at, {"the"})) ++at;
+    if (is(at, {"one", "same", "single"}) && is(at + 1, {"floor", "level", "storey", "story"}) && !is(at + 2, {"of"})) leave_out(i, at + 2);
   }
 
   // "Neither the sofa nor the cabinet may block the window": both are there.
