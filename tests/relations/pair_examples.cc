@@ -35,7 +35,7 @@ std::vector<Example> pair_examples() {
        }},
       {"far",
        [](SceneMaker& s) { s.add("chair").add("plant").relate("far", {"plant_1"}, {"chair_1"}, with([](auto& p) { p.min = 3000; })); },
-       [](SceneMaker& s) { s.add("desk").add("chair").relate("far", {"chair_1"}, {"desk_1"}); }},
+       [](SceneMaker& s) { s.add("desk").add("chair").relate("far", {"chair_1"}, {"desk_1"}, with([](auto& p) { p.min = 4000; })); }},
       {"distance",
        [](SceneMaker& s) {
          s.add("sofa").add("tv_stand").relate("distance", {"tv_stand_1"}, {"sofa_1"}, with([](auto& p) { p.min = 1800, p.max = 2200; }));

@@ -156,9 +156,9 @@ void rack(Piece& p) {
       p.add(metal, box(sides(cx - t * 0.4, cx + t * 0.4, -p.d / 2 + t, p.d / 2 - t, z, z + t * 0.9), 0.002));
   }
   if (p.word("kind", "") == "garment" && !p.spaces.empty()) {
-    const FreeSpace& room = p.spaces.front();
+    const auto room = std::ranges::find_if(p.spaces, &FreeSpace::carries);  // where clothes hang; shoes stand below
     p.add(metal, rod({-p.w / 2, 0, p.h - t}, {p.w / 2, 0, p.h - t}, t * 0.6, 12));
-    if (p.may_show_contents() && !room.held) garments(p, room);
+    if (room != p.spaces.end() && p.may_show_contents() && !room->held) garments(p, *room);
   }
   std::vector<double> levels;
   for (const FreeSpace& s : p.spaces) {

@@ -43,7 +43,8 @@ void add_looks_at(Formula& f, const Model& model, int t, int r, Side eyes) {
       const auto ny = static_cast<std::int32_t>(std::lround(-std::cos(angle) * length));
       const Linear dx = mid2(r, 0) - mid2(t, 0), dy = mid2(r, 1) - mid2(t, 1);
       const Linear ahead = nx * dx + ny * dy, aside = nx * dy - ny * dx;
-      Case& c = f.add().when(t, states);  // within 7.6°: tan = 2/15
+      Case& c = f.add().when(t, states);  // within 7.6°: tan = 2/15, and before its front: not what stands on it
+      c.require(ahead - Linear(std::int64_t{kNormalise} * item.states[static_cast<std::size_t>(std::countr_zero(states))].size.depth));
       c.require(2 * ahead - 15 * aside).require(2 * ahead + 15 * aside);
       c.wish(aside, 100, 2 * kNormalise);
       return;

@@ -84,9 +84,12 @@ void add_space(Formula& f, const Model& model, int t, int r, const ItemSpace& sp
 
 // Hanging on something: against one of its sides, no higher than its top, off the floor.
 void add_hanging(Formula& f, const Model& model, int t, int r) {
+  const Item& host = model.items[r];
+  if (host.odd_states != 0) f.exact = false;  // on the sides of the box around it nothing hangs
   for (int axis = 0; axis < 2; ++axis) {
     for (const int sign : {1, -1}) {
       Case& c = f.add();
+      if (host.odd_states != 0) c.when(r, quarter_states(host));
       c.require_small(gap_towards(t, r, {axis, sign}), 0);
       const Linear off = mid2(t, 1 - axis) - mid2(r, 1 - axis);
       c.require(extent(r, 1 - axis) - off).require(extent(r, 1 - axis) + off);
