@@ -14,6 +14,9 @@ bool is_one_of(const Document& document, std::size_t at, std::initializer_list<s
 std::pair<int, std::size_t> together_at(const Lexicon& lexicon, const Document& document, std::size_t at) {
   if (is_one_of(document, at, {"arranged", "grouped", "placed", "set"})) ++at;
   if (!is_one_of(document, at, {"in", "into"})) return {};
+  if (const NumberRead count = read_number(lexicon, document.tokens, at + 1);  // "in three groups of four"
+      count.length > 0 && is_one_of(document, at + 1 + count.length, {"groups", "clusters", "islands", "pods", "blocks", "pairs", "rows"}))
+    at += count.length;
   if (is_one_of(document, at + 1, {"pairs", "twos", "couples"})) return {2, at + 2};
   if (is_one_of(document, at + 1, {"threes"})) return {3, at + 2};
   if (is_one_of(document, at + 1, {"fours"})) return {4, at + 2};

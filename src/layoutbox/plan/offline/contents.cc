@@ -125,7 +125,11 @@ void RelationBuilder::add_content(const Link& link, const Mention& target, const
   const bool on_table = is_table(catalog_, host) && !is_table(catalog_, thing) && mount == Mount::kFloor;
   const bool carried = may_carry(catalog_, host, thing) || (link.holding && (shows(link) || on_table)) ||
                        (says_inside(link) && has_inside(host) && !is_heavy(catalog_, thing));
-  const bool inside = holds_inside(host) || (says_inside(link) && has_inside(host));
+  // "an armchair with a lamp": beside it.
+  const bool sat_on = is_seat(catalog_, host) || (host.entry != nullptr && host.entry->is(Trait::kEasySeat));
+  if (is_lamp(catalog_, thing) && sat_on && mount != Mount::kCeiling && !link.holding) return each(R::kNextTo);
+  const bool looked_at = thing.entry != nullptr && thing.entry->is(Trait::kScreen);
+  const bool inside = (holds_inside(host) && !looked_at) || (says_inside(link) && has_inside(host));
   if (carried && !(mount == Mount::kWall && !link.holding)) return each(inside ? R::kIn : R::kOn);
   if (mount == Mount::kWall || mount == Mount::kCeiling) {
     // A curtain round a bed hangs beside it.

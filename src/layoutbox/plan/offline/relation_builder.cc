@@ -29,10 +29,18 @@ void RelationBuilder::place_hosts() {
     const Mention &host = mention(have.references.front()), &thing = mention(have.targets.front());
     if (host.items.size() != 1 || thing.items.empty() || !thing.introduces) continue;
     const NounPhrase &noun = noun_of_item(host.items.front()), &other = noun_of_item(thing.items.front());
-    if (!(is_table(catalog_, noun) && is_seat(catalog_, other)) && !flanks(other, noun)) continue;
+    const bool seats = is_table(catalog_, noun) && is_seat(catalog_, other);
+    // "a cabinet with a TV opposite the sofa": the cabinet, with the TV on it.
+    const bool carried = mount_of(noun) == Mount::kFloor && mount_of(other) == Mount::kSurface && may_carry(catalog_, noun, other);
+    if (!seats && !flanks(other, noun) && !carried) continue;
+    const auto stands = [&](int r) {
+      const Mention& by = mention(r);
+      return by.items.empty() || (carried && by.items != host.items && mount_of(noun_of_item(by.items.front())) == Mount::kFloor);
+    };
     const auto is_place = [&](const Link& link, int target) {
-      return link.kind == Link::Kind::kRelation && link.targets == std::vector<int>{target} &&
-             std::all_of(link.references.begin(), link.references.end(), [&](int r) { return mention(r).items.empty(); });
+      const bool rests = carried && (says(link.senses, R::kOn) || says(link.senses, R::kIn) || says(link.senses, R::kCenterOfRoom));
+      return link.kind == Link::Kind::kRelation && link.targets == std::vector<int>{target} && !rests &&
+             std::all_of(link.references.begin(), link.references.end(), stands);
     };
     const bool placed = std::any_of(document_.links.begin(), document_.links.end(),
                                     [&](const Link& link) { return is_place(link, have.references.front()); });

@@ -19,6 +19,7 @@ class SaidCounts {
   void run() {
     for (std::size_t i = 1; i < tokens_.size(); ++i) {
       read_quantity(i);
+      read_per_row(i);
       read_leader(i);
       read_shortened(i);
       read_behind(i);
@@ -57,10 +58,33 @@ class SaidCounts {
     leave_out(i, number);
     if (line == i || !is_word(line) || lexicon_.is(tokens_[line], WordClass::kIndefinite)) return leave_out(number, number + 1);
     if (is_one_of(i - 1, {",", ":"})) leave_out(i - 1, i);
+    bring_forward(line, number);
+  }
+
+  // The token at `from` comes before the one at `to`.
+  void bring_forward(std::size_t to, std::size_t from) {
     const auto at = [](auto& all, std::size_t k) { return all.begin() + static_cast<std::ptrdiff_t>(k); };
-    std::rotate(at(tokens_, line), at(tokens_, number), at(tokens_, number + 1));
-    std::rotate(at(readings_, line), at(readings_, number), at(readings_, number + 1));
-    std::rotate(at(skip_, line), at(skip_, number), at(skip_, number + 1));
+    std::rotate(at(tokens_, to), at(tokens_, from), at(tokens_, from + 1));
+    std::rotate(at(readings_, to), at(readings_, from), at(readings_, from + 1));
+    std::rotate(at(skip_, to), at(skip_, from), at(skip_, from + 1));
+  }
+
+  // "two rows of racks facing each other, five in each row": two rows of five racks.
+  void read_per_row(std::size_t i) {
+    constexpr std::size_t kReach = 24;  // tokens
+    if (!is_count(i) || !is_one_of(i + 1, {"in", "for", "to"}) || !is_one_of(i + 2, {"each", "every", "a"}) ||
+        !is_one_of(i + 3, {"row", "line", "column"}))
+      return;
+    std::size_t of = i;
+    while (of > 1 && i - of < kReach && !tokens_[of - 1].ends_sentence &&
+           !(is(of - 1, "of") && is_one_of(of - 2, {"rows", "lines", "columns"})))
+      --of;
+    if (of < 2 || !is(of - 1, "of") || is_count(of)) return;
+    leave_out(i + 1, i + 4);
+    std::size_t first = i;
+    while (first > of && is_one_of(first - 1, {",", "with", "and"})) --first;
+    leave_out(first, i);
+    bring_forward(of, i);
   }
 
   // "Chair ........ 2": chair x 2. "As many as six": six.

@@ -69,12 +69,14 @@ void UnitReader::mean_end_of_room(std::size_t k) {
 // "a table, a screen at one end, a sideboard at the other end": of the room, where what has a place there stands by itself.
 const PhraseSenses* UnitReader::end_of_room(std::size_t k) const {
   static const PhraseSenses kOne = {{RelationType::kInRegion, PhraseSense::Direction::kAlone, {}, "left", {}}},
-                            kOther = {{RelationType::kInRegion, PhraseSense::Direction::kAlone, {}, "right", {}}};
+                            kOther = {{RelationType::kInRegion, PhraseSense::Direction::kAlone, {}, "right", {}}},
+                            kFar = {{RelationType::kInRegion, PhraseSense::Direction::kAlone, {}, "back", {}}};
   const Chunk& place = chunk(k);
   const auto& tokens = document_.tokens;
   if (tokens[place.last - 1].text != "end" || (place.last < tokens.size() && tokens[place.last].text == "of")) return nullptr;
   const bool other = place.last >= 2 && tokens[place.last - 2].text == "other";
-  if (!other && !place.phrase.one) return nullptr;
+  const bool end = place.last == place.first + 3 && tokens[place.first].text == "at" && tokens[place.first + 1].text == "the";
+  if (!other && !end && !place.phrase.one) return nullptr;
   std::size_t thing = previous(k);
   if (!is(thing, ChunkKind::kNoun) || chunk(thing).noun.kind != NounKind::kObject) return nullptr;
   thing = carrier_of(thing);
@@ -82,7 +84,7 @@ const PhraseSenses* UnitReader::end_of_room(std::size_t k) const {
   const CatalogEntry* entry = chunk(thing).noun.entry;
   const bool board = entry != nullptr && entry->is(Trait::kScreen) && (entry->mount == Mount::kWall || entry->is(Trait::kElseOnWall));
   const bool stands = mount_of(chunk(thing).noun) == Mount::kFloor && !is_seat(lexicon_.catalog(), chunk(thing).noun);
-  return !board && !stands ? nullptr : other ? &kOther : &kOne;
+  return !board && !stands ? nullptr : other ? &kOther : end ? &kFar : &kOne;
 }
 
 // "a sideboard with a coffee machine": the sideboard, of the machine.

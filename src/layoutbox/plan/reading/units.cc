@@ -103,7 +103,7 @@ void UnitReader::read(std::size_t k) {
       mark(k, Use::kUsed, "negation");
       skipping_ = false;
       instead_ = one_of(document_.tokens[chunk(k).last - 1].text, {"of", "than"});
-      contrasted_ = joiner_ == Joiner::kNone && is(previous(k), ChunkKind::kNoun) && document_.tokens[chunk(k).last - 1].text == "not";
+      contrasted_ = is_one_not_wanted(k);
       if (!denies_place(k) && !denies_before(k)) negated_ = !excepts_from_nothing(k);
       break;
     case ChunkKind::kPurpose: read_purpose(k); break;
@@ -152,6 +152,17 @@ void UnitReader::read(std::size_t k) {
 bool UnitReader::after_room(std::size_t k) const {
   return is(previous(k), ChunkKind::kNoun) && chunk(previous(k)).noun.kind == NounKind::kRoom && units_.back().chunk == previous(k) &&
          units_[units_.size() - 2].kind == UnitKind::kPlace;
+}
+
+// "shower not bath, sink": instead of what was named; "a rug, no table, a sofa": one item of a list of what is there, which has no "or".
+bool UnitReader::is_one_not_wanted(std::size_t k) const {
+  const std::string& word = document_.tokens[chunk(k).last - 1].text;
+  if (word == "not") return joiner_ == Joiner::kNone && is(previous(k), ChunkKind::kNoun);
+  if (word != "no" || joiner_ == Joiner::kNone || units_.empty()) return false;
+  for (std::size_t i = chunk(k).last; i < document_.tokens.size() && !document_.tokens[i].ends_sentence; ++i) {
+    if (document_.tokens[i].text == "or" || document_.tokens[i].text == "nor") return false;
+  }
+  return true;
 }
 
 // "The bar counter: five stools lined up in front of it": what is said next is told of it, and is no more of one list.
