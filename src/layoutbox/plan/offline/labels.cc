@@ -16,6 +16,7 @@ class LabelReader {
     for (std::size_t i = 0; i < tokens_.size(); ++i) {
       read_price(i);
       read_code(i);
+      read_bracketed_name(i);
       read_address(i);
       read_count_signs(i);
       read_sender(i);
@@ -99,6 +100,13 @@ class LabelReader {
     if (listed) leave_out(i - 1, i + 1, "a name");
     if (bracketed) leave_out(i, i + 2, "a name");
     if (behind || before) leave_out(before ? i - 1 : i, behind ? i + 2 : i + 1, "a name");
+  }
+
+  // "a bookcase (Billy)": what it is called.
+  void read_bracketed_name(std::size_t i) {
+    if (i == 0 || i + 2 >= tokens_.size() || tokens_[i].text != "(" || tokens_[i + 2].text != ")" || !is_word(i + 1)) return;
+    const Token& word = tokens_[i + 1];
+    if (word.capital && is_word(i - 1) && lexicon_.find(tokens_, i + 1).length == 0) leave_out(i + 1, i + 2, "a name");
   }
 
   // "14 Alder Close", "221 Baker Street": two capitalised words or more at a number, of which none is a thing of the catalogue's.

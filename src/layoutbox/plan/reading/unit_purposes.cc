@@ -288,7 +288,14 @@ void UnitReader::seat_so_many(NounPhrase& tables, int people) const {
   tables.seats = people;
   if (tables.count > 0 || !tables.plural || tables.determiner == Determiner::kDefinite) return;
   const bool desks = tables.entry != nullptr && lexicon_.catalog().is_a(tables.entry->id, "desk");
-  if (!desks && people <= kAtALargeOne) return;  // "tables for two": for two each
+  if (!desks && people <= kAtALargeOne) {  // "tables for two": for two each, as many as the room's guests need
+    const auto are_tables = [&](const Chunk& c) {
+      return c.kind == ChunkKind::kNoun && c.noun.kind == NounKind::kObject && c.noun.plural && is_table(lexicon_.catalog(), c.noun);
+    };
+    const bool only_these = std::ranges::count_if(document_.chunks, are_tables) == 1;
+    if (people > 1 && document_.people > people && only_these) tables.count = (document_.people + people - 1) / people;
+    return;
+  }
   tables.seats = desks ? 1 : kAtATable;
   tables.count = (people + tables.seats - 1) / tables.seats;
 }

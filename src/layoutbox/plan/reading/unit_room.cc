@@ -144,7 +144,7 @@ void UnitReader::mean_fabric(std::size_t k) {
   if (noun.head == "glass" && noun.name == "glass" && !noun.plural && !is_named_before(k, "glass") &&
       !says(units_.back().direct, RelationType::kOn) && !says(units_.back().direct, RelationType::kIn))
     noun.kind = NounKind::kWindow;
-  if (one_of(noun.name, {"stair", "stairs"}) && noun.plural && !is_named_before(k, noun.head)) noun.kind = NounKind::kAbstract;
+  if ((noun.name == "stairs" || (noun.name == "stair" && noun.plural)) && !is_named_before(k, noun.head)) noun.kind = NounKind::kAbstract;
 }
 
 // "a printer corner", "a small sofa area": the thing that such a place is for, where nothing else of its kind is named.
