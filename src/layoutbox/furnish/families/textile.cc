@@ -96,6 +96,18 @@ void puzzle_mat(Piece& p) {
   }
 }
 
+// Two rings on a round or an oval.
+void round_rug(Piece& p, int base, int stripe) {
+  const double low = p.h * 0.8;
+  slab(p, base, sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, 0, low), "round", 0.003);
+  const double r = p.w / 2, k = p.d / p.w;
+  for (const auto& [outer, inner] : {std::pair{0.94, 0.88}, {0.55, 0.50}}) {
+    p.add(stripe,
+          lathe({{r * inner, low - 0.001}, {r * outer, low - 0.001}, {r * outer, p.h}, {r * inner, p.h}, {r * inner, low - 0.001}}, 40),
+          scaled(1, k, 1));
+  }
+}
+
 void rug(Piece& p) {
   const std::string kind = p.word("kind", "");
   const bool long_haired = p.says("fluffy") || p.says("shaggy") || p.says("shag") || p.says("sheepskin") || p.says("fur");
@@ -109,16 +121,7 @@ void rug(Piece& p) {
   const Color accent = p.accent();
   const int stripe = p.tinted("wool", p.color_asked() ? Color{0.92, 0.89, 0.82} : accent);
   const double low = p.h * 0.8;
-  if (round || oval) {
-    slab(p, base, sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, 0, low), "round", 0.003);
-    const double r = p.w / 2, k = p.d / p.w;
-    for (const auto& [outer, inner] : {std::pair{0.94, 0.88}, {0.55, 0.50}}) {
-      p.add(stripe,
-            lathe({{r * inner, low - 0.001}, {r * outer, low - 0.001}, {r * outer, p.h}, {r * inner, p.h}, {r * inner, low - 0.001}}, 40),
-            scaled(1, k, 1));
-    }
-    return;
-  }
+  if (round || oval) return round_rug(p, base, stripe);
   p.add(base, box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, 0, low), 0.003));
   const bool along = p.w >= p.d;  // bands run along the longer side
   const double a = (along ? p.w : p.d) / 2, b = (along ? p.d : p.w) / 2;
