@@ -213,7 +213,6 @@ bool Chunker::read_bare_length() {
 }
 
 bool Chunker::read_size_chunk() {
-  if (read_lettered_size() || read_bare_length()) return true;
   SaidSize size;
   if (const std::size_t taken = previous() == ChunkKind::kStop ? 0 : read_size_of(lexicon_, tokens_, i_, size); taken > 0) {
     add(ChunkKind::kSize, taken).size = size;

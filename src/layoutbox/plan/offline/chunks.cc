@@ -55,8 +55,8 @@ bool Chunker::is_about_number() const {
 bool Chunker::is_all_around() const { return tokens_[i_].text == "all" && i_ + 1 < tokens_.size() && tokens_[i_ + 1].text == "around"; }
 
 void Chunker::read() {
-  if (read_distance() || read_size_chunk() || read_rows() || read_infinitive() || read_wishing() || read_finding() || read_doing() ||
-      read_built_place() || read_having_by() || read_manner() || read_trailing_bound())
+  if (read_distance() || read_lettered_size() || read_bare_length() || read_size_chunk() || read_rows() || read_infinitive() ||
+      read_wishing() || read_finding() || read_doing() || read_built_place() || read_having_by() || read_manner() || read_trailing_bound())
     return;
   if (is_about_number()) {
     add(ChunkKind::kIgnored, 1);

@@ -133,40 +133,55 @@ void settle_opening_walls(const Lexicon& lexicon, Document& document) {
   }
 }
 
+namespace {
+
+bool says_one_of(const Document& document, std::size_t i, std::initializer_list<std::string_view> words) {
+  return i < document.tokens.size() && std::ranges::find(words, std::string_view(document.tokens[i].text)) != words.end();
+}
+
+// "on the short side", "at one end", "opposite": which wall, by its length or by the other opening, and where the words end; none: "".
+std::pair<std::string, std::size_t> end_said_at(const Document& document, std::size_t i) {
+  const auto is = [&](std::size_t at, std::initializer_list<std::string_view> words) { return says_one_of(document, at, words); };
+  // "door on the short side, balcony door opposite."
+  const bool across = is(i, {"opposite"}) && (i + 1 >= document.tokens.size() || document.tokens[i + 1].kind == Token::Kind::kPunctuation);
+  if (!across && !is(i++, {"at", "on", "in"})) return {};
+  while (is(i, {"the", "one", "a", "of", "its", "two"})) ++i;
+  std::string word;
+  for (; is(i, {"long", "longer", "short", "shorter", "narrow", "other", "opposite"}); ++i)
+    word = is(i, {"other", "opposite"}) ? "other" : document.tokens[i].text.starts_with("long") ? "long" : "short";
+  const bool end = is(i, {"end", "ends"}), side = is(i, {"side", "sides", "one"});
+  if (end || (side && !word.empty())) ++i;
+  if (end && word.empty()) word = "short";
+  if (word.empty() || is(i, {"wall", "walls"}) || (!end && !side && word != "other")) return {};
+  if (is(i, {"of"}) && is(i + 1, {"the", "it"})) i += is(i + 1, {"it"}) ? 2 : 3;  // "of the room"
+  return {word, i};
+}
+
+void pass_as_wall(Document& document, std::size_t first, std::size_t last) {
+  for (Chunk& said : document.chunks) {
+    if (said.first < first || said.first >= last || said.kind == ChunkKind::kStop) continue;
+    said.kind = ChunkKind::kIgnored;
+    for (std::size_t t = said.first; t < said.last; ++t) {
+      document.readings[t].use = WordReading::Use::kUsed;
+      document.readings[t].role = "which wall";
+    }
+  }
+}
+
+}  // namespace
+
 void settle_opening_ends(Document& document) {
-  const std::vector<Token>& tokens = document.tokens;
-  const auto is = [&](std::size_t i, std::initializer_list<std::string_view> words) {
-    return i < tokens.size() && std::ranges::find(words, tokens[i].text) != words.end();
-  };
   for (std::size_t k = 0; k < document.chunks.size(); ++k) {
     Chunk& chunk = document.chunks[k];
     if (chunk.kind != ChunkKind::kNoun || (chunk.noun.kind != NounKind::kDoor && chunk.noun.kind != NounKind::kWindow)) continue;
-    std::size_t i = chunk.last;
+    std::size_t first = chunk.last;
     for (std::size_t n = k + 1; n < document.chunks.size() && document.chunks[n].kind == ChunkKind::kIgnored; ++n)
-      i = document.chunks[n].last;
-    while (is(i, {"is", "are", "being", "located", "placed", "situated"})) ++i;
-    const std::size_t first = i;
-    // "door on the short side, balcony door opposite."
-    const bool across = is(i, {"opposite"}) && (i + 1 >= tokens.size() || tokens[i + 1].kind == Token::Kind::kPunctuation);
-    if (!across && !is(i++, {"at", "on", "in"})) continue;
-    while (is(i, {"the", "one", "a", "of", "its", "two"})) ++i;
-    std::string word;
-    for (; is(i, {"long", "longer", "short", "shorter", "narrow", "other", "opposite"}); ++i)
-      word = is(i, {"other", "opposite"}) ? "other" : tokens[i].text.starts_with("long") ? "long" : "short";
-    const bool end = is(i, {"end", "ends"}), side = is(i, {"side", "sides", "one"});
-    if (end || (side && !word.empty())) ++i;
-    if (end && word.empty()) word = "short";
-    if (word.empty() || is(i, {"wall", "walls"}) || (!end && !side && word != "other")) continue;
-    if (is(i, {"of"}) && is(i + 1, {"the", "it"})) i += is(i + 1, {"it"}) ? 2 : 3;  // "of the room"
+      first = document.chunks[n].last;
+    while (says_one_of(document, first, {"is", "are", "being", "located", "placed", "situated"})) ++first;
+    const auto [word, last] = end_said_at(document, first);
+    if (word.empty()) continue;
     chunk.noun.wall_word = word;
-    for (Chunk& said : document.chunks) {
-      if (said.first < first || said.first >= i || said.kind == ChunkKind::kStop) continue;
-      said.kind = ChunkKind::kIgnored;
-      for (std::size_t t = said.first; t < said.last; ++t) {
-        document.readings[t].use = WordReading::Use::kUsed;
-        document.readings[t].role = "which wall";
-      }
-    }
+    pass_as_wall(document, first, last);
   }
 }
 
