@@ -53,14 +53,7 @@ void Habits::stand(int index) {
   } else if (!with_host && only_told_opening(index) && !item.is(Trait::kSeat) && !item.is(Trait::kEasySeat) && !has_sitters(index)) {
     stand_at_wall(index);
   } else if (!with_host && !placed_by_relation(index)) {
-    const bool all_round = used_sides(item).size() >= 4 && !item.is(Trait::kSeat) && rank_of(index) == 0;
-    if (all_round && (has_sitters(index) || (!middle_is_taken(index) && !is_low_aside(index)))) {
-      if (!middle_is_taken(index)) stand_in_middle(index);
-    } else if (item.is(Trait::kSeat) && item.has_front && !looks && !item.object->hint.position) {
-      back_to_wall(index, kSeatToWall);
-    } else {
-      stand_at_wall(index);
-    }
+    stand_by_itself(index, looks);
   }
   if (looks && item.is(Trait::kEasySeat) && !with_host && !placed_by_relation(index) && !item.entry->back_to_wall &&
       only_sees_screen(index))
@@ -71,6 +64,19 @@ void Habits::stand(int index) {
   if (!item.entry->back_to_wall && item.is(Trait::kOpenToRoom) && !(is_worked_at && stand_along_run(index)))
     open_to_room(index, is_worked_at ? kAtWall : kFaces), leave_seat_behind(index);
   if (item.is(Trait::kDesk) && !item.is(Trait::kOpenToRoom)) near_light(index);
+}
+
+// What goes with nothing, and is told no place.
+void Habits::stand_by_itself(int index, bool looks) {
+  const Item& item = model_.items[index];
+  const bool all_round = used_sides(item).size() >= 4 && !item.is(Trait::kSeat) && rank_of(index) == 0;
+  if (all_round && (has_sitters(index) || (!middle_is_taken(index) && !is_low_aside(index)))) {
+    if (!middle_is_taken(index)) stand_in_middle(index);
+  } else if (item.is(Trait::kSeat) && item.has_front && !looks && !item.object->hint.position) {
+    back_to_wall(index, kSeatToWall);
+  } else {
+    stand_at_wall(index);
+  }
 }
 
 Constraint& Habits::habit(const std::string& what, int item, int weight, Formula formula, std::vector<int> hosts) {

@@ -34,6 +34,7 @@ class Habits {
 
  private:
   void stand(int index);
+  void stand_by_itself(int index, bool looks);
   Constraint& habit(const std::string& what, int item, int weight, Formula formula, std::vector<int> hosts = {});
   std::vector<int> items_of_kinds(const std::vector<std::string>& kinds, int except) const;
   int rank_of(int item) const;
@@ -151,6 +152,8 @@ class Habits {
     int columns = 0;
   };
   std::optional<Group> formation_with(int item) const;
+  std::optional<Group> grid_with(int item) const;
+  std::size_t least_in_formation(int item) const;
   PartOfRoom part_of(const Group& group);
   bool placed_besides_facing(int item) const;
   bool fits_islands(int item) const;

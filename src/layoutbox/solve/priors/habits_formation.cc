@@ -18,13 +18,34 @@ constexpr int kKeepOff = 300, kInRun = 250, kTwins = 300;  // points a metre
 
 }  // namespace
 
-std::optional<Habits::Group> Habits::formation_with(int item) const {
+// The grid that a relation asks for.
+std::optional<Habits::Group> Habits::grid_with(int item) const {
   for (const Relation& r : model_.scene->relations) {
     if (r.type != RelationType::kGrid || std::find(r.targets.begin(), r.targets.end(), model_.items[item].id) == r.targets.end()) continue;
     Group group{{}, r.parameters.columns.value_or(static_cast<int>(std::ceil(std::sqrt(static_cast<double>(r.targets.size())))))};
     for (const std::string& id : r.targets) group.members.push_back(model_.find_item(id));
     return group;
   }
+  return std::nullopt;
+}
+
+// How many of a kind stand in a formation at least.
+std::size_t Habits::least_in_formation(int item) const {
+  const Item& self = model_.items[item];
+  // A few chairs with nothing to look at and no table stand at the walls.
+  const bool watches = board_of_room() >= 0 || told_where_to_look(item);
+  const std::size_t fewest_seats = self.is(Trait::kTableSeat) && self.has_front && !watches ? kManySeats : kManyInFormation;
+  // Two that one sits or walks round are enough: side by side, turned alike.
+  const bool round_about = has_knee_room(self) || used_sides(self).size() >= 4;
+  if (told_middle_with_others(item)) return 2;
+  if (self.is(Trait::kTableSeat) && self.has_front && told_where_to_look(item)) return 3;
+  if (self.is(Trait::kSeat) || area_of(self) < kTableToSitRound) return fewest_seats;
+  if (!self.has_front && round_about) return 2;
+  return has_knee_room(self) ? 3 : kManyInFormation;
+}
+
+std::optional<Habits::Group> Habits::formation_with(int item) const {
+  if (const std::optional<Group> grid = grid_with(item)) return grid;
   const Item& self = model_.items[item];
   // What usually stands at a wall and is told where to look, as a class's desks are, stands in rows, desks of an office in islands.
   const bool at_wall = self.entry->back_to_wall && !told_where_to_look(item) && !fits_islands(item);
@@ -35,9 +56,6 @@ std::optional<Habits::Group> Habits::formation_with(int item) const {
                                             [&](int h) { return !model_.items[h].thin && area_of(model_.items[h]) > area_of(self); });
   if (has_host && !has_knee_room(self)) return std::nullopt;
   if (mirror_of(item) >= 0) return std::nullopt;
-  // A few chairs with nothing to look at and no table stand at the walls.
-  const bool watches = board_of_room() >= 0 || told_where_to_look(item);
-  const std::size_t fewest_seats = self.is(Trait::kTableSeat) && self.has_front && !watches ? kManySeats : kManyInFormation;
   Group group;
   for (std::size_t i = 0; i < model_.items.size(); ++i) {
     const int other = static_cast<int>(i);
@@ -45,15 +63,7 @@ std::optional<Habits::Group> Habits::formation_with(int item) const {
       group.members.push_back(other);
   }
   if (self.entry->back_to_wall && !told_where_to_look(item) && group.members.size() < kManyInFormation) return std::nullopt;
-  // Two that one sits or walks round are enough: side by side, turned alike.
-  const bool round_about = has_knee_room(self) || used_sides(self).size() >= 4;
-  const std::size_t least = told_middle_with_others(item)                                              ? 2
-                            : self.is(Trait::kTableSeat) && self.has_front && told_where_to_look(item) ? 3
-                            : self.is(Trait::kSeat) || area_of(self) < kTableToSitRound                ? fewest_seats
-                            : !self.has_front && round_about                                           ? 2
-                            : has_knee_room(self)                                                      ? 3
-                                                                                                       : kManyInFormation;
-  if (group.members.size() < least || std::find(group.members.begin(), group.members.end(), item) == group.members.end())
+  if (group.members.size() < least_in_formation(item) || std::find(group.members.begin(), group.members.end(), item) == group.members.end())
     return std::nullopt;
   return group;
 }
