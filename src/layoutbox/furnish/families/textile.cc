@@ -108,9 +108,13 @@ void round_rug(Piece& p, int base, int stripe) {
   }
 }
 
+bool is_long_haired(const Piece& p) {
+  return p.says("fluffy") || p.says("shaggy") || p.says("shag") || p.says("sheepskin") || p.says("fur");
+}
+
 void rug(Piece& p) {
   const std::string kind = p.word("kind", "");
-  const bool long_haired = p.says("fluffy") || p.says("shaggy") || p.says("shag") || p.says("sheepskin") || p.says("fur");
+  const bool long_haired = is_long_haired(p);
   if (kind == "puzzle") return puzzle_mat(p);
   const bool round = p.says("round") || p.says("circular") || p.word("top", "rect") == "round";
   const bool oval = p.says("oval") || p.word("top", "rect") == "oval";
