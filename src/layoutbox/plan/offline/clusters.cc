@@ -6,38 +6,25 @@
 namespace layoutbox::offline {
 namespace {
 
-bool is_one_of(const Document& document, std::size_t at, std::initializer_list<std::string_view> words) {
-  return at < document.tokens.size() && std::ranges::find(words, std::string_view(document.tokens[at].text)) != words.end();
-}
-
 // "in groups of four", "in pairs": how many stand together, and the tokens that say it; 0: nothing of the kind.
 std::pair<int, std::size_t> together_at(const Lexicon& lexicon, const Document& document, std::size_t at) {
-  if (is_one_of(document, at, {"arranged", "grouped", "placed", "set"})) ++at;
-  if (!is_one_of(document, at, {"in", "into"})) return {};
+  if (says_one_of(document, at, {"arranged", "grouped", "placed", "set"})) ++at;
+  if (!says_one_of(document, at, {"in", "into"})) return {};
   if (const NumberRead count = read_number(lexicon, document.tokens, at + 1);  // "in three groups of four"
-      count.length > 0 && is_one_of(document, at + 1 + count.length, {"groups", "clusters", "islands", "pods", "blocks", "pairs", "rows"}))
+      count.length > 0 &&
+      says_one_of(document, at + 1 + count.length, {"groups", "clusters", "islands", "pods", "blocks", "pairs", "rows"}))
     at += count.length;
-  if (is_one_of(document, at + 1, {"pairs", "twos", "couples"})) return {2, at + 2};
-  if (is_one_of(document, at + 1, {"threes"})) return {3, at + 2};
-  if (is_one_of(document, at + 1, {"fours"})) return {4, at + 2};
-  if (!is_one_of(document, at + 1, {"groups", "clusters", "islands", "pods", "blocks", "bunches"}) || !is_one_of(document, at + 2, {"of"}))
+  if (says_one_of(document, at + 1, {"pairs", "twos", "couples"})) return {2, at + 2};
+  if (says_one_of(document, at + 1, {"threes"})) return {3, at + 2};
+  if (says_one_of(document, at + 1, {"fours"})) return {4, at + 2};
+  if (!says_one_of(document, at + 1, {"groups", "clusters", "islands", "pods", "blocks", "bunches"}) ||
+      !says_one_of(document, at + 2, {"of"}))
     return {};
   const NumberRead number = read_number(lexicon, document.tokens, at + 3);
   constexpr double kMost = 12;
   return number.length > 0 && number.value >= 2 && number.value <= kMost
              ? std::pair<int, std::size_t>{static_cast<int>(number.value), at + 3 + number.length}
              : std::pair<int, std::size_t>{};
-}
-
-void pass_over(Document& document, std::size_t first, std::size_t last) {
-  for (Chunk& chunk : document.chunks) {
-    if (chunk.first < first || chunk.first >= last || chunk.kind == ChunkKind::kStop) continue;
-    chunk.kind = ChunkKind::kIgnored;
-    for (std::size_t i = chunk.first; i < chunk.last; ++i) {
-      document.readings[i].use = WordReading::Use::kUsed;
-      document.readings[i].role = "together";
-    }
-  }
 }
 
 }  // namespace
@@ -63,7 +50,7 @@ void settle_clusters(const Lexicon& lexicon, Document& document) {
     if (together == 0) continue;
     noun.together = together;
     grouped = &noun;
-    pass_over(document, chunk.last, end);
+    take_chunks(document, chunk.last, end, "together");
   }
 }
 

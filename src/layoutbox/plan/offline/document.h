@@ -1,8 +1,11 @@
 // What a text says, before it is a scene: things, mentions of them, and links between mentions.
 #pragma once
 
+#include <algorithm>
+#include <initializer_list>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "layoutbox/plan/offline/chunks.h"
@@ -87,5 +90,22 @@ std::string words_between(const Document& document, std::size_t first, std::size
 
 // Reads the chunks of `document` into mentions, items and links.
 void read_document(const Lexicon& lexicon, Document& document);
+
+// One of these words stands at token `i`.
+inline bool says_one_of(const Document& document, std::size_t i, std::initializer_list<std::string_view> words) {
+  return i < document.tokens.size() && std::ranges::find(words, std::string_view(document.tokens[i].text)) != words.end();
+}
+
+// The chunks that begin at tokens [first, last) have said what they had to say, in that role.
+inline void take_chunks(Document& document, std::size_t first, std::size_t last, std::string_view role) {
+  for (Chunk& chunk : document.chunks) {
+    if (chunk.first < first || chunk.first >= last || chunk.kind == ChunkKind::kStop) continue;
+    chunk.kind = ChunkKind::kIgnored;
+    for (std::size_t i = chunk.first; i < chunk.last; ++i) {
+      document.readings[i].use = WordReading::Use::kUsed;
+      document.readings[i].role = role;
+    }
+  }
+}
 
 }  // namespace layoutbox::offline

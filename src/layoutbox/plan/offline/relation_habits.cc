@@ -64,6 +64,20 @@ void RelationBuilder::face_as_crowd() {
   }
 }
 
+void RelationBuilder::add_habit(R type, std::vector<std::string> targets, std::vector<std::string> references, int weight,
+                                std::string why) {
+  Relation habit;
+  habit.id = "c" + std::to_string(scene_.relations.size() + 1);
+  habit.type = type;
+  habit.targets = std::move(targets);
+  habit.references = std::move(references);
+  habit.hard = false;
+  habit.origin = Origin::kAssumed;
+  habit.weight = weight;
+  habit.why = std::move(why);
+  scene_.relations.push_back(std::move(habit));
+}
+
 // "the desks face the whiteboard, a bookshelf stands at the back": the front is where the board is, if the words leave that open.
 void RelationBuilder::add_front() {
   const auto says_front_or_back = [](const Relation& r) {
@@ -92,17 +106,9 @@ void RelationBuilder::add_front() {
              r.type == R::kOn || (at_wall(r.type) && !r.references.empty());
     });
     if (placed || !(many || at_front)) continue;
-    Relation front;
-    front.id = "c" + std::to_string(scene_.relations.size() + 1);
-    front.type = mount_of(noun) == Mount::kWall ? R::kOnWall : R::kAgainstWall;
-    front.targets = {object.id};
-    front.references = {"front"};
-    front.hard = false;
-    front.origin = Origin::kAssumed;
-    front.weight = 100;
-    front.why = "what rows of seats face is at the front of the room";
     of_target_[object.id].push_back(scene_.relations.size());
-    scene_.relations.push_back(std::move(front));
+    add_habit(mount_of(noun) == Mount::kWall ? R::kOnWall : R::kAgainstWall, {object.id}, {"front"}, 100,
+              "what rows of seats face is at the front of the room");
     return;
   }
 }
@@ -122,16 +128,8 @@ void RelationBuilder::add_end_walls() {
     if (!hangs && !stands) continue;
     const std::vector<std::size_t>& own = relations_of(object->id);
     if (std::ranges::any_of(own, [&](std::size_t i) { return at_wall(scene_.relations[i].type); })) continue;
-    Relation habit;
-    habit.id = "c" + std::to_string(scene_.relations.size() + 1);
-    habit.type = hangs ? R::kOnWall : R::kAgainstWall;
-    habit.targets = region.targets;
-    habit.references = {region.parameters.region};
-    habit.hard = false;
-    habit.origin = Origin::kAssumed;
-    habit.weight = 80;
-    habit.why = "what stands at walls and at that end stands at the wall there";
-    scene_.relations.push_back(std::move(habit));
+    add_habit(hangs ? R::kOnWall : R::kAgainstWall, region.targets, {region.parameters.region}, 80,
+              "what stands at walls and at that end stands at the wall there");
   }
 }
 
@@ -167,16 +165,7 @@ void RelationBuilder::add_habits() {
     const auto alone = std::count_if(scene_.relations.begin(), scene_.relations.end(),
                                      [&](const Relation& o) { return o.type == R::kInFrontOf && o.references == relation.references; });
     if (relation.type == R::kInFrontOf && alone == 1) {
-      Relation habit;
-      habit.id = "c" + std::to_string(scene_.relations.size() + 1);
-      habit.type = R::kCenteredOn;
-      habit.targets = relation.targets;
-      habit.references = relation.references;
-      habit.hard = false;
-      habit.origin = Origin::kAssumed;
-      habit.weight = 80;
-      habit.why = "what is in front of something is in front of its middle";
-      scene_.relations.push_back(std::move(habit));
+      add_habit(R::kCenteredOn, relation.targets, relation.references, 80, "what is in front of something is in front of its middle");
     }
   }
   // "on either side of the sofa, near it": as far as near things are.

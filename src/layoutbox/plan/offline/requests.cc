@@ -1,20 +1,17 @@
 #include "layoutbox/plan/offline/requests.h"
 
 #include <algorithm>
-#include <initializer_list>
 #include <string_view>
 
 #include "layoutbox/plan/offline/english.h"
+#include "layoutbox/plan/offline/token_reader.h"
 
 namespace layoutbox::offline {
 namespace {
 
-using Words = std::initializer_list<std::string_view>;
-
-class RequestReader {
+class RequestReader : public TokenReader {
  public:
-  RequestReader(const Lexicon& lexicon, std::vector<Token>& tokens, std::vector<bool>& skip)
-      : lexicon_(lexicon), tokens_(tokens), skip_(skip) {}
+  using TokenReader::TokenReader;
 
   void run() {
     for (std::size_t i = 0; i < tokens_.size(); ++i) {
@@ -43,25 +40,7 @@ class RequestReader {
   }
 
  private:
-  bool is(std::size_t at, Words words) const {
-    return at < tokens_.size() && std::ranges::find(words, std::string_view(tokens_[at].text)) != words.end();
-  }
-  bool are(std::size_t at, Words words) const {
-    for (const std::string_view word : words) {
-      if (at >= tokens_.size() || tokens_[at++].text != word) return false;
-    }
-    return true;
-  }
-  bool is_article(std::size_t at) const {
-    return at < tokens_.size() && (lexicon_.is(tokens_[at], WordClass::kIndefinite) || lexicon_.is(tokens_[at], WordClass::kDefinite) ||
-                                   lexicon_.is(tokens_[at], WordClass::kPossessive) || lexicon_.is(tokens_[at], WordClass::kNumber) ||
-                                   tokens_[at].kind == Token::Kind::kNumber);
-  }
   bool is_place(std::size_t at) const { return at < tokens_.size() && lexicon_.find_phrase(tokens_, at).length > 0; }
-  bool ends(std::size_t at) const { return at >= tokens_.size() || tokens_[at].kind == Token::Kind::kPunctuation; }
-  void leave_out(std::size_t first, std::size_t last) {
-    std::fill(skip_.begin() + static_cast<std::ptrdiff_t>(first), skip_.begin() + static_cast<std::ptrdiff_t>(last), true);
-  }
 
   // "Would it be possible for the TV to sit on the cabinet, and for the console to be in it?": the TV sits there.
   void read_possible(std::size_t i) {
@@ -230,8 +209,6 @@ class RequestReader {
     }
   }
 
-  bool begins(std::size_t at) const { return at == 0 || tokens_[at - 1].ends_sentence; }
-
   // "Mum says the plants must stand under the window", "my wife insists that …": what is said.
   void read_said_by(std::size_t i) {
     constexpr std::size_t kWho = 4;  // words
@@ -282,10 +259,6 @@ class RequestReader {
     tokens_[i + 1].text = "one";
     leave_out(i + 2, i + 3);
   }
-
-  const Lexicon& lexicon_;
-  std::vector<Token>& tokens_;
-  std::vector<bool>& skip_;
 };
 
 }  // namespace

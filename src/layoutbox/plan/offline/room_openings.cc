@@ -135,10 +135,6 @@ void settle_opening_walls(const Lexicon& lexicon, Document& document) {
 
 namespace {
 
-bool says_one_of(const Document& document, std::size_t i, std::initializer_list<std::string_view> words) {
-  return i < document.tokens.size() && std::ranges::find(words, std::string_view(document.tokens[i].text)) != words.end();
-}
-
 // "on the short side", "at one end", "opposite": which wall, by its length or by the other opening, and where the words end; none: "".
 std::pair<std::string, std::size_t> end_said_at(const Document& document, std::size_t i) {
   const auto is = [&](std::size_t at, std::initializer_list<std::string_view> words) { return says_one_of(document, at, words); };
@@ -157,17 +153,6 @@ std::pair<std::string, std::size_t> end_said_at(const Document& document, std::s
   return {word, i};
 }
 
-void pass_as_wall(Document& document, std::size_t first, std::size_t last) {
-  for (Chunk& said : document.chunks) {
-    if (said.first < first || said.first >= last || said.kind == ChunkKind::kStop) continue;
-    said.kind = ChunkKind::kIgnored;
-    for (std::size_t t = said.first; t < said.last; ++t) {
-      document.readings[t].use = WordReading::Use::kUsed;
-      document.readings[t].role = "which wall";
-    }
-  }
-}
-
 }  // namespace
 
 void settle_opening_ends(Document& document) {
@@ -181,7 +166,7 @@ void settle_opening_ends(Document& document) {
     const auto [word, last] = end_said_at(document, first);
     if (word.empty()) continue;
     chunk.noun.wall_word = word;
-    pass_as_wall(document, first, last);
+    take_chunks(document, first, last, "which wall");
   }
 }
 

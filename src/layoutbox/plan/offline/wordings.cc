@@ -1,18 +1,16 @@
 #include "layoutbox/plan/offline/wordings.h"
 
 #include <algorithm>
-#include <initializer_list>
 #include <string_view>
+
+#include "layoutbox/plan/offline/token_reader.h"
 
 namespace layoutbox::offline {
 namespace {
 
-using AnyOf = std::initializer_list<std::string_view>;
-
-class WordingReader {
+class WordingReader : public TokenReader {
  public:
-  WordingReader(const Lexicon& lexicon, std::vector<Token>& tokens, std::vector<bool>& skip)
-      : lexicon_(lexicon), tokens_(tokens), skip_(skip) {}
+  using TokenReader::TokenReader;
 
   void run() {
     for (std::size_t i = 0; i < tokens_.size(); ++i) {
@@ -31,27 +29,6 @@ class WordingReader {
   }
 
  private:
-  bool is(std::size_t at, AnyOf words) const {
-    return at < tokens_.size() && std::ranges::find(words, std::string_view(tokens_[at].text)) != words.end();
-  }
-  bool are(std::size_t at, AnyOf words) const {
-    for (const std::string_view word : words) {
-      if (at >= tokens_.size() || tokens_[at++].text != word) return false;
-    }
-    return true;
-  }
-  bool is_article(std::size_t at) const {
-    return at < tokens_.size() && (lexicon_.is(tokens_[at], WordClass::kIndefinite) || lexicon_.is(tokens_[at], WordClass::kDefinite) ||
-                                   lexicon_.is(tokens_[at], WordClass::kPossessive) || lexicon_.is(tokens_[at], WordClass::kNumber) ||
-                                   tokens_[at].kind == Token::Kind::kNumber);
-  }
-  bool ends(std::size_t at) const { return at >= tokens_.size() || tokens_[at].kind == Token::Kind::kPunctuation; }
-  void leave_out(std::size_t first, std::size_t last) {
-    std::fill(skip_.begin() + static_cast<std::ptrdiff_t>(first), skip_.begin() + static_cast<std::ptrdiff_t>(last), true);
-  }
-
-  bool begins(std::size_t at) const { return at == 0 || tokens_[at - 1].ends_sentence; }
-
   // "I need a picture of a living room", "a 3D model of my kitchen": the room.
   void read_picture(std::size_t i) {
     constexpr std::size_t kName = 5;  // words of the room
@@ -165,10 +142,6 @@ class WordingReader {
     tokens_[i].text = "add";
     if (from) leave_out(i + 1, i + 2);
   }
-
-  const Lexicon& lexicon_;
-  std::vector<Token>& tokens_;
-  std::vector<bool>& skip_;
 };
 
 }  // namespace

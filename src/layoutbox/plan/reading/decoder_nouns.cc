@@ -1,6 +1,7 @@
 // What a noun phrase is for: the one that a place waits for, the next of a list, the subject of a clause, or one of those before.
 #include <algorithm>
 
+#include "layoutbox/catalog/kin.h"
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/reader_words.h"
 #include "layoutbox/plan/reading/decoder.h"
@@ -222,7 +223,7 @@ double Decoder::habit_score(const State& state, int place, Referent subject, Ref
   // "a counter with a sink along the wall", "four stations with mirrors along it": the counter and the stations
   const bool along = word(place) == "along" && is_thing(state, host) && mount_of(noun_of(state, host)) == Mount::kFloor &&
                      (mount_of(target) == Mount::kWall || sense_.carries(noun_of(state, host), target) ||
-                      one_of(target.head, {"sink", "basin", "washbasin", "hob", "cooktop"}));
+                      (target.entry != nullptr && !set_in_entry(target.entry->id).empty()));
   if (along && is_place_of_room(by.kind)) score += weight::kSmallByPlace;
   const bool apart = unit(place).joiner != Joiner::kNone || state.participle || chunk(place).placing;
   if (apart) return score;

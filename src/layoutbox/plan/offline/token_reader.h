@@ -1,0 +1,49 @@
+// What readers that rewrite tokens before phrases are looked for have in common (requests, wordings).
+#pragma once
+
+#include <algorithm>
+#include <initializer_list>
+#include <string_view>
+#include <vector>
+
+#include "layoutbox/plan/offline/lexicon.h"
+
+namespace layoutbox::offline {
+
+class TokenReader {
+ public:
+  using Words = std::initializer_list<std::string_view>;
+
+  TokenReader(const Lexicon& lexicon, std::vector<Token>& tokens, std::vector<bool>& skip)
+      : lexicon_(lexicon), tokens_(tokens), skip_(skip) {}
+
+ protected:
+  // One of these words stands there.
+  bool is(std::size_t at, Words words) const {
+    return at < tokens_.size() && std::ranges::find(words, std::string_view(tokens_[at].text)) != words.end();
+  }
+  // All of them do, one after the other.
+  bool are(std::size_t at, Words words) const {
+    for (const std::string_view word : words) {
+      if (at >= tokens_.size() || tokens_[at++].text != word) return false;
+    }
+    return true;
+  }
+  // An article, "my", or a number.
+  bool is_article(std::size_t at) const {
+    return at < tokens_.size() && (lexicon_.is(tokens_[at], WordClass::kIndefinite) || lexicon_.is(tokens_[at], WordClass::kDefinite) ||
+                                   lexicon_.is(tokens_[at], WordClass::kPossessive) || lexicon_.is(tokens_[at], WordClass::kNumber) ||
+                                   tokens_[at].kind == Token::Kind::kNumber);
+  }
+  bool ends(std::size_t at) const { return at >= tokens_.size() || tokens_[at].kind == Token::Kind::kPunctuation; }
+  bool begins(std::size_t at) const { return at == 0 || tokens_[at - 1].ends_sentence; }
+  void leave_out(std::size_t first, std::size_t last) {
+    std::fill(skip_.begin() + static_cast<std::ptrdiff_t>(first), skip_.begin() + static_cast<std::ptrdiff_t>(last), true);
+  }
+
+  const Lexicon& lexicon_;
+  std::vector<Token>& tokens_;
+  std::vector<bool>& skip_;
+};
+
+}  // namespace layoutbox::offline
