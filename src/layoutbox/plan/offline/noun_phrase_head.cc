@@ -325,7 +325,8 @@ void NounPhraseReader::settle_listed(std::size_t head) {
     return settle_object(booth, head);
   }
   const bool new_here = counted_ || part.plural || phrase_.determiner == Determiner::kIndefinite;
-  if (part.word_class == Class::kPart && new_here && (part.meaning.entry != nullptr || is_compound(head) || counts_things(part))) {
+  const bool quality = meaning_of(lexicon_.find(tokens_.first(part.last), part.first), Class::kAbstract) != nullptr;  // "light colors"
+  if (part.word_class == Class::kPart && new_here && !quality && (part.meaning.entry != nullptr || is_compound(head) || counts_things(part))) {
     const NounPhrase opened = phrase_;
     settle_object(part.meaning.entry != nullptr ? part : as_thing, head);
     auto object = std::make_shared<NounPhrase>(phrase_);

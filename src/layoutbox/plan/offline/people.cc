@@ -166,11 +166,27 @@ class PeopleReader {
       if (!one.introduces || one.noun.kind != NounKind::kObject) continue;
       const CatalogEntry* entry = one.noun.entry;
       const auto both = [&](Trait trait) { return kind.is(trait) && entry != nullptr && entry->is(trait); };
-      const bool tables = both(Trait::kTable) && !one_of(entry->id, {"coffee_table", "side_table", "console_table", "changing_table"});
+      // Where everybody has a desk, a meeting table is none.
+      const bool meeting = kind.is(Trait::kDeskLike) && entry != nullptr && !entry->is(Trait::kDeskLike) && entry->id != "table";
+      const bool tables =
+          both(Trait::kTable) && !meeting && !one_of(entry->id, {"coffee_table", "side_table", "console_table", "changing_table"});
       const bool seats = catalog_.is_a(kind.id, "chair") && one_of(one.noun.head, {"chair", "stool", "bench", "seat"});
       if (both(Trait::kBed) || tables || seats || (entry != nullptr && catalog_.is_a(entry->id, kind.id))) return static_cast<int>(m);
     }
     return -1;
+  }
+
+  // "to seat eight: a table, chairs": as many as people; whether any are named.
+  bool grow_seats(const Lexicon::Set& needs, int people) {
+    const int seats = needs.size() > 1 ? named(*needs[1].first) : -1;
+    if (seats >= 0 && mention(seats).noun.plural && mention(seats).noun.count == 0) grow(seats, people);
+    return seats >= 0;
+  }
+
+  void become(int m, const CatalogEntry& entry) {
+    const auto to_entry = [&](NounPhrase& noun) { noun.entry = &entry, noun.category = entry.id; };
+    to_entry(mention(m).noun);
+    for (const int item : mention(m).items) to_entry(document_.items[static_cast<std::size_t>(item)].noun);
   }
 
   // "an office for three": desks and chairs, where none are named.
@@ -187,7 +203,9 @@ class PeopleReader {
     // "an office for twelve with plants between the desks": twelve of them.
     if (host >= 0 && persons == 1 && mention(host).noun.plural && mention(host).noun.count == 0) {
       grow(host, people);
+      if (mention(host).noun.entry->id == "table") become(host, *main);  // "a classroom for 24 with tables in groups of four"
     } else if (host >= 0 && (persons > 0 || !seats_follow)) {
+      grow_seats(*needs, people);  // "a laboratory for 16 students with four benches, stools"
       return;
     }
     if (host < 0) {
@@ -198,10 +216,7 @@ class PeopleReader {
       if (persons == 1 && count >= kLeastInGrid)
         relate(Link::Kind::kRelation, {{RelationType::kGrid, Direction::kAlone, {}, {}, {}}}, host, -1);
     }
-    const int seats = seats_follow ? named(*(*needs)[1].first) : -1;
-    if (seats >= 0 && mention(seats).noun.plural && mention(seats).noun.count == 0)
-      grow(seats, people);  // "to seat eight: a table, chairs"
-    if (!seats_follow || seats >= 0 || excluded(*(*needs)[1].first)) return;
+    if (!seats_follow || grow_seats(*needs, people) || excluded(*(*needs)[1].first)) return;
     seat_at_table(add(*(*needs)[1].first, people, *room), host, persons != 1);
   }
 

@@ -17,6 +17,7 @@ bool has_class(const Match& match, Class word_class) {
 
 constexpr double kLongestSide = 100;    // m, as in scene files
 constexpr double kSmallestRoom = 4;     // m²: less is a thing's size where one was named
+constexpr double kNarrowest = 1.2, kNarrowestOfTwo = 0.8;  // m: of a side said alone, and of two
 constexpr std::size_t kLookBack = 100;  // tokens looked back; keeps endless sentences linear
 constexpr std::size_t kEarly = 12;      // tokens: a size so early is the room's unless a thing claims it
 
@@ -253,7 +254,8 @@ class SizeReader {
     const auto side_of = [](const SaidSize& said) { return said.width.value_or(said.depth.value_or(said.length.value_or(0))); };
     if (other_side_ > 0) return {side_of(first), std::exchange(other_side_, 0)};
     std::size_t next = at + length;
-    while (next < tokens_.size() && (tokens_[next].text == "," || tokens_[next].text == "and" || tokens_[next].text == "by")) ++next;
+    const auto passed = [&](const Token& token) { return token.text == "," || token.text == "and" || token.text == "by"; };
+    while (next < tokens_.size() && (passed(tokens_[next]) || lexicon_.find(tokens_, next, Class::kExactly).length == 1)) ++next;
     SaidSize second;
     if (next >= tokens_.size() || read_size(lexicon_, tokens_, next, second) == 0 || side_of(second) == 0) return {};
     other_side_ = side_of(first);
@@ -277,7 +279,7 @@ class SizeReader {
       return 0;
     }
     const double value = said.width.value_or(said.depth.value_or(said.length.value_or(0)));
-    if (value > 0 && value < 1.2) return 0;
+    if (value > 0 && value < (sides.empty() ? kNarrowest : kNarrowestOfTwo)) return 0;
     if (said.width) size_.width = *said.width;
     if (said.depth) size_.depth = *said.depth;
     if (said.length) size_.depth = *said.length;

@@ -18,6 +18,9 @@ class WordingReader : public TokenReader {
       read_picture(i);
       read_besides(i);
       read_seater(i);
+      read_bedrooms(i);
+      read_pattern(i);
+      read_boards(i);
       read_has_back(i);
       read_in_it(i);
       read_ends(i);
@@ -53,6 +56,39 @@ class WordingReader : public TokenReader {
     if (number.length != 1 || number.value < 2) return;
     tokens_[i].text = number.value < 3 ? "loveseat" : "sofa";
     leave_out(i - 1, i);
+  }
+
+  // "a two-bed flat", "3 bedroom house": how large a home is whose room this is.
+  void read_bedrooms(std::size_t i) {
+    if (i == 0 || !is(i, {"bed", "beds", "bedroom", "bedroomed"}) ||
+        !is(i + 1, {"flat", "apartment", "house", "home", "bungalow", "terrace", "maisonette", "semi", "property", "condo", "townhouse"}))
+      return;
+    if (const NumberRead number = read_number(lexicon_, tokens_, i - 1); number.length == 1) leave_out(i - 1, i + 1);
+  }
+
+  // "a carpet with roads on it", "curtains with clouds on them": what is printed or woven on cloth, where the catalogue has no such thing.
+  void read_pattern(std::size_t i) {
+    constexpr std::size_t kName = 3;  // words of what is on it
+    if (i == 0 || !is(i, {"with"}) ||
+        !is(i - 1, {"carpet", "rug", "wallpaper", "curtain", "curtains", "bedding", "duvet", "blanket", "mat", "cushion", "cushions", "poster",
+                    "tiles", "walls", "wall"}))
+      return;
+    std::size_t on = i + 1;
+    while (on <= i + kName && !ends(on) && !is(on, {"on"})) ++on;
+    if (on == i + 1 || !is(on, {"on"}) || !is(on + 1, {"it", "them"}) || is_article(i + 1)) return;
+    for (std::size_t at = i + 1; at < on; ++at) {
+      if (lexicon_.find(tokens_, at, WordClass::kObject).length > 0) return;
+    }
+    leave_out(i, on + 2);
+  }
+
+  // "Floor is old wooden planks": of wood.
+  void read_boards(std::size_t i) {
+    constexpr std::size_t kWords = 4;  // what they are like
+    if (!is(i, {"floor", "floors"}) || !is(i + 1, {"is", "are", "of"})) return;
+    for (std::size_t at = i + 2; at <= i + 1 + kWords && !ends(at); ++at) {
+      if (at > i + 2 && is(at, {"planks", "boards", "floorboards", "slabs", "plank"})) return leave_out(at, at + 1);
+    }
   }
 
   // "The sofa should have its back to the wall": it stands with its back to it.

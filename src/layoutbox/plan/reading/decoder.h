@@ -132,6 +132,7 @@ class Decoder {
   double attach_score(const State& state, int u, int level, bool inverse) const;
   double share_score(const State& state, int member, int u, Referent implied = kNobody) const;
   double share_kind_score(const State& state, int member, int u, Referent implied, const NounPhrase& by) const;
+  bool is_pair(const State& state, int member, int u) const;
   double content_list_score(const State& state, int member, int u) const;
   double list_kind_score(const State& state, int member, int u, std::size_t length) const;
   double reference_list_score(const State& state, int member, int u) const;

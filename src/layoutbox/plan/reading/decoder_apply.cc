@@ -40,6 +40,8 @@ void Decoder::apply(State& state, const Action& action, int u) const {
   } else if (kind == UnitKind::kAttribute && state.verb && !state.frontier.empty()) {
     own.subject = state.frontier.front();
     own.first_subject = state.first_subject;
+  } else if (kind == UnitKind::kAttribute && unit(u).joiner == Joiner::kComma && !follows(u, UnitKind::kNoun) && !state.roots.empty()) {
+    own.subject = state.roots.back();  // "L-shaped sofa in the corner, gray"
   }
 }
 

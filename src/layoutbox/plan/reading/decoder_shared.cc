@@ -31,7 +31,18 @@ double Decoder::share_score(const State& state, int member, int u, Referent impl
   const bool participle = state.participle || chunk(u).placing || first.ends_with("ing") || first.ends_with("ed");
   if (joiner == Joiner::kAnd && participle) return weight::kShareVerb;
   if (joiner == Joiner::kAnd && follows(u, UnitKind::kNoun) && chunk(u + 1).noun.reciprocal) return weight::kShareVerb;
-  return -10;
+  return is_pair(state, member, u) ? weight::kSharePair : -10;
+}
+
+// "Bench and whiteboard at the front": two by themselves, or as one item of a list whose items have each a place of their own, and no end
+// of a list.
+bool Decoder::is_pair(const State& state, int member, int u) const {
+  const int former = read_as(state, member).former;
+  if (unit(member).joiner != Joiner::kAnd || read_as(state, member).role == NounRole::kContent) return false;
+  if (former == 0 && read_as(state, former).former < 0) return true;
+  const int next = u + (follows(u, UnitKind::kNoun) ? 2 : 1);
+  return unit(former).joiner == Joiner::kComma && is(next, UnitKind::kNoun) &&
+         (unit(next).joiner == Joiner::kComma || unit(next).joiner == Joiner::kCommaAnd);
 }
 
 // Things of a kind share what such things have: what lies on a table, the seats around one.
