@@ -22,7 +22,9 @@ struct Contents {
   std::vector<Size> on_top, inside;
   int around = 0, along = 0;  // seats
   int before = 0;
-  Mm front = 0;  // width of the seats before it
+  Mm front = 0;                      // width of the seats before it
+  Mm abreast = 0;                    // … and of the screens on it, which stand side by side
+  std::vector<std::string> screens;  // their ids
 };
 
 // Whether the things find room in rows on a plane, the deepest first; `planes` of the same size may be used.
@@ -68,7 +70,8 @@ bool carries_all(const CatalogEntry& entry, const SceneObject& host, const Size&
 bool holds(const CatalogEntry& entry, const SceneObject& host, const Size& size, const Contents& contents) {
   if (!carries_all(entry, host, size, contents)) return false;
   const double edge = is_round(host) ? std::numbers::pi * size.width : 2.0 * (size.width + size.depth);
-  return edge >= 1.0 * contents.around * kSeatWidth && size.width >= contents.front && size.width >= (contents.along + 1) / 2 * kSeatWidth;
+  const Mm width = std::max({contents.front, contents.abreast, (contents.along + 1) / 2 * kSeatWidth});
+  return edge >= 1.0 * contents.around * kSeatWidth && size.width >= width;
 }
 
 Mm between(Mm from, Mm to, int step) { return from + (to - from) * step / kSteps; }
@@ -163,6 +166,16 @@ void share_out_seats(const NormalizeContext& context, std::map<std::string, Cont
   }
 }
 
+// Screens that would not stand side by side on the widest such desk are smaller ones.
+void narrow_screens(SceneGraph& scene, const Contents& contents, Mm width) {
+  if (contents.abreast <= width) return;
+  const Mm each = (width / static_cast<Mm>(contents.screens.size()) - kGap) / kGridMm * kGridMm;
+  for (SceneObject& screen : scene.objects) {
+    if (std::ranges::find(contents.screens, screen.id) == contents.screens.end() || screen.size_source != SizeSource::kCatalog) continue;
+    screen.size->usual.width = std::clamp(each, screen.size->least.width, screen.size->usual.width);
+  }
+}
+
 }  // namespace
 
 void normalize_hosts(NormalizeContext& context) {
@@ -185,7 +198,11 @@ void normalize_hosts(NormalizeContext& context) {
     for (const std::string& target : relation.targets) {
       const auto thing = by_id.find(target);
       if ((!on && !in) || thing == by_id.end() || !thing->second->size) continue;
-      (on ? contents.on_top : contents.inside).push_back(thing->second->size->usual);
+      const Size& size = thing->second->size->usual;
+      (on ? contents.on_top : contents.inside).push_back(size);
+      if (!on || !context.catalog.entry_or_nearest(thing->second->category).is(Trait::kMonitor)) continue;
+      contents.screens.push_back(target);
+      contents.abreast += size.width + kGap;
     }
   }
   share_out_seats(context, hosts, by_id);
@@ -198,6 +215,7 @@ void normalize_hosts(NormalizeContext& context) {
     const Size before = host.size->usual;
     grow_with_seats(context, entry, found->second, host);
     const Size size = size_that_holds(entry, host, found->second);
+    narrow_screens(scene, found->second, size.width);
     if (size == before) continue;
     host.size->usual = size;
     host.size->greatest.width = std::max(host.size->greatest.width, size.width);

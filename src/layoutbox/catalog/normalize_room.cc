@@ -26,9 +26,11 @@ constexpr double kMostCovered = 0.32;
 // The same with the free floor that the catalogue wants at its sides; neighbours may share some of that.
 constexpr double kMostUsed = 0.58;
 // … and at least this share of an ordinary room's, down to so much of its area: few things are lost in a room for many.
-constexpr double kLeastUsed = 0.3, kSmallestShare = 0.42, kSmallestArea = 12e6;  // mm²
+constexpr double kLeastUsed = 0.38, kSmallestShare = 0.42, kSmallestArea = 12e6;  // mm²
 constexpr double kShareOfWindow = 0.5, kShareOfWideWindow = 0.75;                // of the longest wall
 constexpr Mm kWidestWindow = 3000, kBetweenUnderWindow = 100;
+constexpr double kUsualWindow = 0.36;  // of the longest wall, between these widths
+constexpr Mm kNarrowUsualWindow = 1200, kWideUsualWindow = 1800;
 constexpr Point kGridWay{350, 850};  // free between the columns and rows of a grid
 
 struct SizeWordFactor {
@@ -265,10 +267,15 @@ class RoomNormalizer {
     return width;
   }
 
+  Mm longest_wall() const {
+    Mm longest = 0;
+    for (const Wall& wall : room_.walls) longest = std::max(longest, static_cast<Mm>(length_of(wall)));
+    return longest;
+  }
+
   // Defaults give way to small rooms.
   void fit_assumed(Opening& opening, double share_of_window, Mm width) const {
-    Mm longest = 0;
-    for (const Wall& wall : room_.walls) longest = std::max(longest, length_of(wall));
+    const Mm longest = longest_wall();
     const double share = opening.type == OpeningType::kWindow ? share_of_window : 0.8;
     opening.width = std::min(width, static_cast<Mm>(longest * share) / kGridMm * kGridMm);
     if (opening.type != OpeningType::kWindow) {
@@ -289,7 +296,8 @@ class RoomNormalizer {
     Opening window;
     window.id = unused_id(context_.scene, "window1");
     window.type = OpeningType::kWindow;
-    window.width = window.height = 1200;
+    window.height = kNarrowUsualWindow;
+    window.width = std::clamp(static_cast<Mm>(longest_wall() * kUsualWindow) / kGridMm * kGridMm, kNarrowUsualWindow, kWideUsualWindow);
     window.sill = 900;
     window.swing = Swing::kNone;
     window.origin = Origin::kAssumed;

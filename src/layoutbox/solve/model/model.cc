@@ -103,6 +103,31 @@ Pairs close_pairs(const Model& model) {
 // A rug lies under whatever there is; a mat that is used itself does not, unless a relation says so.
 bool lies_under(const Item& item) { return item.thin && !item.entry->lain_on; }
 
+// Is it asked to be at that window: under it, facing it, beside it?
+bool asked_at_window(const Model& model, int item, const Item& window) {
+  return std::ranges::any_of(model.scene->relations, [&](const Relation& r) {
+    const bool under = r.type == RelationType::kUnderWindow && r.references.empty();
+    return r.origin == Origin::kAsked && (under || std::ranges::find(r.references, window.id) != r.references.end()) &&
+           std::ranges::find(r.targets, model.items[item].id) != r.targets.end();
+  });
+}
+
+// What stands on a sill may be before the window, and so may what stands on a desk that is asked to be there.
+void let_before_windows(Model& model) {
+  for (std::size_t i = 0; i < model.items.size(); ++i) {
+    for (const SupportOption& support : model.items[i].supports) {
+      const int item = static_cast<int>(i);
+      if (support.kind == SupportOption::Kind::kSill) model.set_pair(item, support.index, PairRule::kFree);
+      if (support.kind != SupportOption::Kind::kItem) continue;
+      for (std::size_t w = 0; w < model.items.size(); ++w) {
+        const Item& window = model.items[w];
+        if (window.is_opening() && window.opening->type == OpeningType::kWindow && asked_at_window(model, support.index, window))
+          model.set_pair(item, static_cast<int>(w), PairRule::kFree);
+      }
+    }
+  }
+}
+
 void set_pair_rules(Model& model) {
   const std::size_t n = model.items.size();
   model.pairs.assign(n * n, PairRule::kBoxes);
@@ -123,11 +148,7 @@ void set_pair_rules(Model& model) {
     if (model.pair(a, b) != PairRule::kBoxes || model.items[a].is_opening() || model.items[b].is_opening()) continue;
     model.set_pair(a, b, model.items[a].thin != model.items[b].thin ? PairRule::kFree : PairRule::kSolids);
   }
-  for (std::size_t i = 0; i < n; ++i) {  // what stands on a sill may be before the window
-    for (const SupportOption& support : model.items[i].supports) {
-      if (support.kind == SupportOption::Kind::kSill) model.set_pair(static_cast<int>(i), support.index, PairRule::kFree);
-    }
-  }
+  let_before_windows(model);
 }
 
 std::vector<int> items_of(const std::vector<Case>& cases) {
