@@ -27,7 +27,7 @@ constexpr double kMostCovered = 0.32;
 constexpr double kMostUsed = 0.58;
 // … and at least this share of an ordinary room's, down to so much of its area: few things are lost in a room for many.
 constexpr double kLeastUsed = 0.38, kSmallestShare = 0.42, kSmallestArea = 12e6;  // mm²
-constexpr double kShareOfWindow = 0.5, kShareOfWideWindow = 0.75;                // of the longest wall
+constexpr double kShareOfWindow = 0.5, kShareOfWideWindow = 0.75;                 // of the longest wall
 constexpr Mm kWidestWindow = 3000, kBetweenUnderWindow = 100;
 constexpr double kUsualWindow = 0.36;  // of the longest wall, between these widths
 constexpr Mm kNarrowUsualWindow = 1200, kWideUsualWindow = 1800;

@@ -5,6 +5,12 @@
 #include <array>
 
 namespace layoutbox::offline {
+
+bool is_tall(const NounPhrase& noun) {
+  static constexpr std::string_view kTall[] = {"tall", "high", "floor-to-ceiling", "ceiling-high", "full-height", "large", "big", "wide"};
+  return std::ranges::any_of(kTall,
+                             [&](std::string_view word) { return std::ranges::find(noun.attributes, word) != noun.attributes.end(); });
+}
 namespace {
 
 using R = RelationType;

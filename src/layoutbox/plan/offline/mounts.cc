@@ -109,10 +109,20 @@ bool RelationBuilder::settle_on_floor(SceneObject& object, const NounPhrase& nou
   return true;
 }
 
+// "tall shelves on every wall": not boards on it; they stand along it.
+bool RelationBuilder::settle_tall(SceneObject& object, const NounPhrase& noun) {
+  if (!is_tall(noun) || mount_of(noun) != Mount::kFloor || wall_kind(noun) == nullptr || noun.entry->thin) return false;
+  for (const std::size_t r : relations_of(object.id)) {
+    if (scene_.relations[r].type == R::kOnWall) scene_.relations[r].type = R::kAgainstWall;
+  }
+  return !how_held(object, noun).wall;
+}
+
 void RelationBuilder::settle_mount(std::size_t index) {
   SceneObject& object = scene_.objects[index];
   const NounPhrase& noun = document_.items[index].noun;
   if (settle_on_floor(object, noun)) return;
+  if (settle_tall(object, noun)) return;
   const Held held = how_held(object, noun);
   // "a bench with a lamp above it": a lamp for tables stands on nothing there.
   const bool over = held.above && !held.supported && !held.wall && mount_of(noun) == Mount::kSurface && is_lamp(catalog_, noun);

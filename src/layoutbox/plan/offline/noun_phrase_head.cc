@@ -326,7 +326,8 @@ void NounPhraseReader::settle_listed(std::size_t head) {
   }
   const bool new_here = counted_ || part.plural || phrase_.determiner == Determiner::kIndefinite;
   const bool quality = meaning_of(lexicon_.find(tokens_.first(part.last), part.first), Class::kAbstract) != nullptr;  // "light colors"
-  if (part.word_class == Class::kPart && new_here && !quality && (part.meaning.entry != nullptr || is_compound(head) || counts_things(part))) {
+  if (part.word_class == Class::kPart && new_here && !quality &&
+      (part.meaning.entry != nullptr || is_compound(head) || counts_things(part))) {
     const NounPhrase opened = phrase_;
     settle_object(part.meaning.entry != nullptr ? part : as_thing, head);
     auto object = std::make_shared<NounPhrase>(phrase_);

@@ -59,7 +59,7 @@ class RelationBuilder {
   // "eight chairs around the table, two of them at its ends": the others at its long sides.
   void complete_sides();
   // "on opposite walls", "both side walls": which walls they share out; empty where that is not said.
-  std::vector<std::string> shared_walls(const NounPhrase& walls) const;
+  std::vector<std::string> shared_walls(const NounPhrase& walls, bool boards) const;
   bool add_at_walls(const Link& link, const std::vector<int>& targets);
   void name_shelf(PhraseSense& sense, const NounPhrase& said, const NounPhrase& host) const;
   void note_no_place(const Link& link, const Mention& target);
@@ -134,6 +134,7 @@ class RelationBuilder {
   const NounPhrase& noun_of_object(const SceneObject& object) const;
   // How a thing is held where the relations say otherwise than its kind.
   bool settle_on_floor(SceneObject& object, const NounPhrase& noun);
+  bool settle_tall(SceneObject& object, const NounPhrase& noun);
   void settle_mount(std::size_t index);
   bool over_table(const std::string& object) const;
   // What the relations say of how it is held; `beside`: by what stands on the floor.

@@ -125,7 +125,8 @@ void RelationBuilder::add_end_walls() {
     if (entry == nullptr) continue;
     const bool hangs = object->mount.value_or(entry->mount) == Mount::kWall || (entry->is(Trait::kScreen) && entry->is(Trait::kElseOnWall));
     const bool stands = entry->mount == Mount::kFloor && entry->back_to_wall && !entry->is(Trait::kDeskLike);
-    if (!hangs && !stands) continue;
+    const bool flat = entry->mount == Mount::kFloor && 4 * entry->size.usual.depth <= entry->size.usual.width;  // a folding screen
+    if (!hangs && !stands && !flat) continue;
     const std::vector<std::size_t>& own = relations_of(object->id);
     if (std::ranges::any_of(own, [&](std::size_t i) { return at_wall(scene_.relations[i].type); })) continue;
     add_habit(hangs ? R::kOnWall : R::kAgainstWall, region.targets, {region.parameters.region}, 80,

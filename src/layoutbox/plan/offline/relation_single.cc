@@ -27,7 +27,8 @@ void RelationBuilder::add_in_room(const Link& link, const PhraseSense& sense, co
   }
   if (place.kind == NounKind::kRoom && (sense.type == R::kIn || sense.type == R::kOn || sense.type == R::kInside)) return;
   if (sense.type == R::kCorner) return add_corners(link, target, place);
-  const std::vector<std::string> walls = target.items.size() > 1 ? shared_walls(place) : std::vector<std::string>{};
+  const std::vector<std::string> walls =
+      target.items.size() > 1 ? shared_walls(place, sense.type == R::kOnWall && !is_tall(target.noun)) : std::vector<std::string>{};
   for (std::size_t t = 0; t < target.items.size() && !walls.empty(); ++t)
     add(link, sense.type, {id(target.items[t])}, {walls[t % walls.size()]}, sense);
   if (!walls.empty()) return;
@@ -322,8 +323,11 @@ bool RelationBuilder::add_on_other_side(const Link& link, PhraseSense& sense, co
   return false;
 }
 
-std::vector<std::string> RelationBuilder::shared_walls(const NounPhrase& walls) const {
-  if (walls.kind != NounKind::kWall || !(walls.is_plural() || walls.determiner == Determiner::kBoth)) return {};
+std::vector<std::string> RelationBuilder::shared_walls(const NounPhrase& walls, bool boards) const {
+  const bool every = walls.determiner == Determiner::kEach && walls.wall_word.empty();  // "tall shelves on every wall": not the front one
+  if (walls.kind != NounKind::kWall || !(walls.is_plural() || walls.determiner == Determiner::kBoth || every)) return {};
+  if (every && boards) return {"back", "left", "right", "front"};
+  if (every) return {"left", "back", "right"};
   const auto said = [&](std::string_view word) {
     return walls.wall_relation == word || std::find(walls.attributes.begin(), walls.attributes.end(), word) != walls.attributes.end();
   };

@@ -15,11 +15,11 @@ bool has_class(const Match& match, Class word_class) {
   return std::any_of(match.meanings.begin(), match.meanings.end(), [&](const Meaning& m) { return m.word_class == word_class; });
 }
 
-constexpr double kLongestSide = 100;    // m, as in scene files
-constexpr double kSmallestRoom = 4;     // m²: less is a thing's size where one was named
+constexpr double kLongestSide = 100;                       // m, as in scene files
+constexpr double kSmallestRoom = 4;                        // m²: less is a thing's size where one was named
 constexpr double kNarrowest = 1.2, kNarrowestOfTwo = 0.8;  // m: of a side said alone, and of two
-constexpr std::size_t kLookBack = 100;  // tokens looked back; keeps endless sentences linear
-constexpr std::size_t kEarly = 12;      // tokens: a size so early is the room's unless a thing claims it
+constexpr std::size_t kLookBack = 100;                     // tokens looked back; keeps endless sentences linear
+constexpr std::size_t kEarly = 12;                         // tokens: a size so early is the room's unless a thing claims it
 
 class SizeReader {
  public:

@@ -70,8 +70,8 @@ class WordingReader : public TokenReader {
   void read_pattern(std::size_t i) {
     constexpr std::size_t kName = 3;  // words of what is on it
     if (i == 0 || !is(i, {"with"}) ||
-        !is(i - 1, {"carpet", "rug", "wallpaper", "curtain", "curtains", "bedding", "duvet", "blanket", "mat", "cushion", "cushions", "poster",
-                    "tiles", "walls", "wall"}))
+        !is(i - 1, {"carpet", "rug", "wallpaper", "curtain", "curtains", "bedding", "duvet", "blanket", "mat", "cushion", "cushions",
+                    "poster", "tiles", "walls", "wall"}))
       return;
     std::size_t on = i + 1;
     while (on <= i + kName && !ends(on) && !is(on, {"on"})) ++on;

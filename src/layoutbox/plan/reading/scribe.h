@@ -67,6 +67,8 @@ class Scribe {
   void forget(int u, int mention, std::size_t items);
 
   // What a noun is for.
+  std::size_t row_along_walls(const Link& link, int target, const NounPhrase& wall) const;
+  void grow_along_walls(const Link& link, int target, const NounPhrase& wall);
   void grow_for_reference(int index, int mention, bool both);
   void fill_reference(int u, int mention);
   void fill_content(int u, int mention);

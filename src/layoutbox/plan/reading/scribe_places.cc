@@ -32,6 +32,28 @@ std::size_t walls_meant(const NounPhrase& wall) {
 
 }  // namespace
 
+// "a wall covered in bookshelves", "tall shelves on every wall": so many that they fill an ordinary wall, or stand at all but the front
+// one.
+std::size_t Scribe::row_along_walls(const Link& link, int target, const NounPhrase& wall) const {
+  constexpr Mm kOrdinaryWall = 3600, kHalfOfIt = 1800;
+  constexpr std::size_t kWalls = 3, kMostAtWall = 5;
+  const CatalogEntry* entry = noun_of(target).entry;
+  if (entry == nullptr || entry->mount != Mount::kFloor || !entry->back_to_wall) return 0;
+  bool full = false;
+  for (std::size_t i = link.first; i < link.last; ++i) full |= lexicon_.is_in("full", document_.tokens[i].text);
+  const bool boards = says(link.senses, RelationType::kOnWall) && lexicon_.catalog().find("wall_" + entry->id) != nullptr;
+  if (boards && !full && !is_tall(noun_of(target))) return 0;
+  const bool every = wall.determiner == Determiner::kEach || wall.determiner == Determiner::kBoth;
+  const auto in_row = [&](Mm length) { return std::min(static_cast<std::size_t>(length / entry->size.usual.width), kMostAtWall); };
+  return every ? kWalls * std::max<std::size_t>(in_row(kHalfOfIt), 1) : full ? in_row(kOrdinaryWall) : 0;
+}
+
+// "bookshelves lining three walls": at least one at each.
+void Scribe::grow_along_walls(const Link& link, int target, const NounPhrase& wall) {
+  if (wall.kind != NounKind::kWall || !noun_of(target).plural || noun_of(target).count > 0) return;
+  references_.grow(target, std::max(static_cast<std::size_t>(std::max(wall.count, 0)), row_along_walls(link, target, wall)));
+}
+
 // What is put by several things is as many: one at each of them, at each of their sides, in every corner. `both`: "on both nightstands".
 void Scribe::grow_for_reference(int index, int mention, bool both) {
   Link& link = link_at(index);
@@ -50,11 +72,7 @@ void Scribe::grow_for_reference(int index, int mention, bool both) {
   }
   if (mention_at(mention).reciprocal) mean_each_other(link);
   for (const int target : targets) grow_for_corners(noun, target);
-  // "bookshelves lining three walls": at least one at each.
-  for (const int target : targets) {
-    if (noun.kind == NounKind::kWall && noun_of(target).plural && noun_of(target).count == 0)
-      references_.grow(target, static_cast<std::size_t>(std::max(noun.count, 0)));
-  }
+  for (const int target : targets) grow_along_walls(link, target, noun);
   // "three chairs, each facing a mirror": a mirror for each.
   if (mention_at(mention).introduces && mention_at(mention).items.size() == 1 && noun.determiner == Determiner::kIndefinite &&
       targets.size() == 1 && mention_at(targets.front()).distributes && !mention_at(targets.front()).introduces)
@@ -98,6 +116,8 @@ void Scribe::fill_reference(int u, int mention) {
   link.references.push_back(mention);
   link.last = chunk(u).last;
   const UnitReading& place = reading(own.predicate);
+  const std::vector<int> had = link.targets;
+  for (const int wall : had) grow_along_walls(Link(link), mention, noun_of(wall));  // "a wall covered in bookshelves"
   if (place.fronted || link.gap || arranged || link.references.size() != 1) return;
   if (link.each) add_laden_stand(link.senses, link.targets);
   const NounPhrase noun = noun_of(mention);
@@ -161,7 +181,10 @@ void Scribe::fill_content(int u, int mention) {
   for (const int host : hosts) {
     if (mention_at(host).distributes) grow_for_each(mention, host);
   }
-  for (const int host : hosts) grow_for_corners(noun_of(host), mention);
+  for (const int host : hosts) {
+    grow_for_corners(noun_of(host), mention);
+    grow_along_walls(link, mention, noun_of(host));
+  }
   place_with_zone(hosts, index);
   imply_adjective(u, mention);
 }

@@ -73,6 +73,7 @@ const PhraseSenses* UnitReader::end_of_room(std::size_t k) const {
                             kFar = {{RelationType::kInRegion, PhraseSense::Direction::kAlone, {}, "back", {}}};
   const Chunk& place = chunk(k);
   const auto& tokens = document_.tokens;
+  if (is_side_of_room(k)) return &kOne;
   if (tokens[place.last - 1].text != "end" || (place.last < tokens.size() && tokens[place.last].text == "of")) return nullptr;
   const bool other = place.last >= 2 && tokens[place.last - 2].text == "other";
   const bool end = place.last == place.first + 3 && tokens[place.first].text == "at" && tokens[place.first + 1].text == "the";
@@ -85,6 +86,23 @@ const PhraseSenses* UnitReader::end_of_room(std::size_t k) const {
   const bool board = entry != nullptr && entry->is(Trait::kScreen) && (entry->mount == Mount::kWall || entry->is(Trait::kElseOnWall));
   const bool stands = mount_of(chunk(thing).noun) == Mount::kFloor && !is_seat(lexicon_.catalog(), chunk(thing).noun);
   return !board && !stands ? nullptr : other ? &kOther : end ? &kFar : &kOne;
+}
+
+// "…, and shoji screens on one side": of the room, where what is listed stands by itself and goes with nothing, and no other side follows.
+bool UnitReader::is_side_of_room(std::size_t k) const {
+  const Chunk& place = chunk(k);
+  const auto& tokens = document_.tokens;
+  const std::size_t thing = previous(k);
+  if (place.last < 2 || tokens[place.last - 1].text != "side" || tokens[place.last - 2].text != "one" || !is(thing, ChunkKind::kNoun))
+    return false;
+  const bool over = place.last >= tokens.size() || tokens[place.last].kind == Token::Kind::kPunctuation || tokens[place.last].ends_sentence;
+  for (std::size_t i = place.last; i < tokens.size() && !tokens[i - 1].ends_sentence; ++i) {
+    if (tokens[i].text == "other") return false;
+  }
+  const NounPhrase& noun = chunk(thing).noun;
+  const bool listed = is(previous(thing), ChunkKind::kComma) || is(previous(thing), ChunkKind::kAnd);
+  return over && listed && noun.kind == NounKind::kObject && noun.entry != nullptr && noun.entry->beside.empty() &&
+         noun.entry->mount == Mount::kFloor && !noun.entry->thin && !is_seat(lexicon_.catalog(), noun);
 }
 
 // "a sideboard with a coffee machine": the sideboard, of the machine.
