@@ -131,8 +131,9 @@ bool UnitReader::follows_whom(std::size_t k) const {
   const bool part_of_room =
       by.kind == NounKind::kWall || by.kind == NounKind::kWindow || by.kind == NounKind::kDoor || by.kind == NounKind::kCorner;
   if (lexicon_.is_person(whom.head) || word_form(whom.head) == WordForm::kPerson) return part_of_room || by.kind == NounKind::kObject;
+  // "a rack for 12 coats by the door"
   if (host >= document_.chunks.size() || chunk(host).noun.kind != NounKind::kObject || whom.determiner == Determiner::kIndefinite ||
-      whom.count > 0)
+      (whom.count > 0 && !part_of_room))
     return false;
   const NounPhrase& known = by.kind == NounKind::kPart && by.of ? *by.of : by;
   const bool definite = known.determiner == Determiner::kDefinite || known.determiner == Determiner::kPossessive;
