@@ -83,37 +83,78 @@ void take_palette(Decor& decor, const Json& colors) {
   for (const Json& color : colors) decor.accents.push_back(color_of(color));
 }
 
-// The colours of a clause that names nothing but colours ("pink and white", "colours: sage and cream"): those of the whole room.
-std::vector<Color> room_colors(std::string_view prompt) {
+// The colours of words that name nothing but colours ("pink and white"); none where another word is among them.
+std::vector<Color> only_colors(std::string_view words) {
   const std::string plain = data().at("color_words").get<std::string>();
+  std::vector<Color> colors;
+  std::string word, two;
+  for (std::size_t i = 0; i <= words.size(); ++i) {
+    const char c = i < words.size() ? static_cast<char>(std::tolower(static_cast<unsigned char>(words[i]))) : ' ';
+    if (std::isalpha(static_cast<unsigned char>(c)) != 0) {
+      word += c;
+      continue;
+    }
+    if (word.empty()) continue;
+    if (const SurfaceWish wish = read_wish(two.empty() ? word : two + " " + word); wish.color) {
+      colors.push_back(*wish.color);
+      two.clear();
+    } else if (lists(plain, word)) {
+      two = word;
+    } else {
+      return {};
+    }
+    word.clear();
+  }
+  return colors;
+}
+
+// Those of a clause that names nothing but colours ("colours: sage and cream"), of the end of a list ("…, a bean bag, pink and beige"; one
+// colour alone is of what stands before it), and of the room's kind at once ("a nursery in soft yellow and white"): of the whole room.
+std::vector<Color> room_colors(std::string_view prompt) {
+  constexpr std::size_t kOpening = 40;  // characters
   std::vector<Color> colors;
   for (std::size_t at = 0; at < prompt.size();) {
     const std::size_t end = std::min(prompt.find_first_of(".;:!?\n", at), prompt.size());
-    std::vector<Color> clause;
-    bool only = true;
-    std::string word, two;
-    for (std::size_t i = at; i <= end && only; ++i) {
-      const char c = i < end ? static_cast<char>(std::tolower(static_cast<unsigned char>(prompt[i]))) : ' ';
-      if (std::isalpha(static_cast<unsigned char>(c)) != 0) {
-        word += c;
-        continue;
-      }
-      if (word.empty()) continue;
-      const SurfaceWish wish = read_wish(two.empty() ? word : two + " " + word);
-      if (wish.color) {
-        clause.push_back(*wish.color);
-        two.clear();
-      } else if (lists(plain, word)) {
-        two = word;
-      } else {
-        only = false;
-      }
-      word.clear();
+    const std::string_view clause = prompt.substr(at, end - at);
+    std::vector<Color> said = only_colors(clause);
+    const std::size_t comma = clause.rfind(','), in = clause.find(" in ");
+    if (said.empty() && comma != std::string_view::npos) {
+      said = only_colors(clause.substr(comma + 1));
+      if (said.size() < 2) said.clear();
     }
-    if (only) colors.insert(colors.end(), clause.begin(), clause.end());
+    if (said.empty() && at == 0 && in != std::string_view::npos && in < kOpening &&
+        clause.substr(0, in).find(" with ") == std::string_view::npos)
+      said = only_colors(clause.substr(in + 4));
+    colors.insert(colors.end(), said.begin(), said.end());
     at = end + 1;
   }
   return colors;
+}
+
+double brightness(const Color& c) { return 0.3 * c.r + 0.59 * c.g + 0.11 * c.b; }
+
+// Walls of a room whose colours are said: of the lightest of them, far paler.
+Color wall_of(const std::vector<Color>& said) {
+  const Color& lightest = *std::ranges::max_element(said, {}, brightness);
+  return mixed(lightest, {0.95, 0.94, 0.92}, 0.65);
+}
+
+// The colours of a child's room, by whose it is.
+const Json& child_palette(std::string_view prompt) {
+  const Json& palettes = data().at("child_palettes");
+  std::string word;
+  for (const char raw : prompt) {
+    const char c = static_cast<char>(std::tolower(static_cast<unsigned char>(raw)));
+    if (std::isalpha(static_cast<unsigned char>(c)) != 0) {
+      word += c;
+      continue;
+    }
+    for (const auto& [words, colors] : palettes.items()) {
+      if (!word.empty() && lists(words, word)) return colors;
+    }
+    word.clear();
+  }
+  return palettes.at("");
 }
 
 // The name of the floor's surface, so that the furniture can differ from it.
@@ -152,7 +193,9 @@ Decor decor_of(const Layout& layout, std::uint64_t seed) {
   Decor decor;
   decor.chance = chance;
   decor.shelves = value_listed(data().at("shelves"), kind);
-  const bool own_floor = style != nullptr && style->contains("floors") && !room.value("plain", false);
+  // A style that has walls of its own goes before what such rooms mostly look like.
+  const bool strong = style != nullptr && (style->contains("walls") || style->contains("wall"));
+  const bool own_floor = style != nullptr && style->contains("floors") && (strong || !room.value("plain", false));
   decor.floor = one_of(own_floor ? style->at("floors") : room.at("floors"), chance).get<std::string>();
   const bool plain = room.value("plain", false);
   decor.wall = color_of(one_of(data().at(plain ? "plain_walls" : "walls"), chance >> 8));
@@ -161,13 +204,19 @@ Decor decor_of(const Layout& layout, std::uint64_t seed) {
   decor.woods = woods_on(floor_name(floor), chance >> 16);
   const Json& children = data().at("child_rooms");
   if (std::find(children.begin(), children.end(), kind) != children.end()) {
-    take_palette(decor, data().at("child_palette"));
+    take_palette(decor, child_palette(layout.prompt));
     decor.woods = {"birch", "lacquer"};
   } else {
     take_palette(decor, one_of(data().at("palettes"), chance >> 24));
   }
   if (style != nullptr) decor = decor_of_thing(decor, layout.prompt);
-  if (std::vector<Color> said = room_colors(layout.prompt); !said.empty()) decor.accents = std::move(said);
+  if (style != nullptr && style->contains("walls") && decor.wall_tiles.empty())
+    decor.wall = color_of(one_of(style->at("walls"), chance >> 8));
+  if (style != nullptr && style->contains("wall")) decor.wall_tiles = style->at("wall").get<std::string>();
+  if (std::vector<Color> said = room_colors(layout.prompt); !said.empty()) {
+    decor.wall = wall_of(said);
+    decor.accents = std::move(said);
+  }
   return decor;
 }
 

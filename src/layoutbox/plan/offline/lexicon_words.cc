@@ -262,8 +262,9 @@ void Lexicon::read_words() {
     for (const WordList::Member word : surface.value.at("words")) {
       const std::string_view text = word.value.text();
       // "wooden floor" is a floor that is wooden.
-      if (!text.ends_with("floor") && !text.ends_with("wall") && !text.ends_with("boards"))
-        add(text, {WordClass::kMaterial, nullptr, nullptr, 0, {}});
+      if (text.ends_with("floor") || text.ends_with("wall") || text.ends_with("boards")) continue;
+      add(text, {WordClass::kMaterial, nullptr, nullptr, 0, {}});
+      add("light " + std::string(text), {WordClass::kMaterial, nullptr, nullptr, 0, {}});  // no lamp
     }
   }
   const WordList phrases = word_list("relation_phrases");

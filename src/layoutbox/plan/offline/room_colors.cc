@@ -66,7 +66,34 @@ std::string tiles_said(const NounPhrase& noun) {
   return {};
 }
 
+// "gray carpet, white walls": a carpet of a color, named with the walls, is the floor.
+bool is_floor_by_company(const Document& document, std::size_t k) {
+  const NounPhrase& noun = document.chunks[k].noun;
+  if (noun.name != "carpet" || noun.determiner != Determiner::kNone || noun.count > 0 || noun.attributes.empty()) return false;
+  const auto is_wall = [&](std::size_t c) {
+    return c < document.chunks.size() && document.chunks[c].kind == ChunkKind::kNoun && document.chunks[c].noun.kind == NounKind::kWall;
+  };
+  const auto joins = [&](std::size_t c) {
+    return c < document.chunks.size() && (document.chunks[c].kind == ChunkKind::kComma || document.chunks[c].kind == ChunkKind::kAnd);
+  };
+  return (joins(k + 1) && is_wall(k + 2)) || (k >= 2 && joins(k - 1) && is_wall(k - 2));
+}
+
 }  // namespace
+
+void settle_floor_carpets(Document& document) {
+  for (std::size_t k = 0; k < document.chunks.size(); ++k) {
+    NounPhrase& noun = document.chunks[k].noun;
+    if (document.chunks[k].kind != ChunkKind::kNoun || !is_floor_by_company(document, k)) continue;
+    noun.kind = NounKind::kFloor;
+    noun.attributes.push_back(noun.name);
+    noun.attribute_classes.resize(noun.attributes.size() - 1, WordClass::kColor);
+    noun.attribute_classes.push_back(WordClass::kMaterial);
+    noun.name = noun.head = "floor";
+    noun.entry = nullptr;
+    noun.exact = false;
+  }
+}
 
 void read_room_colors(const Lexicon& lexicon, Document& document, Room& room) {
   const std::vector<Token>& tokens = document.tokens;

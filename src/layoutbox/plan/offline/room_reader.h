@@ -51,6 +51,9 @@ bool is_kind_of_door(const NounPhrase& noun);
 // How many openings a noun phrase names.
 int openings_said(const NounPhrase& noun);
 
+// "gray carpet, white walls": a carpet named beside the walls is the floor.
+void settle_floor_carpets(Document& document);
+
 // "Pink and grey.", "a kitchen in white and oak", "green tiles": colours of the whole room, for its walls and its floor.
 void read_room_colors(const Lexicon& lexicon, Document& document, Room& room);
 
