@@ -1,12 +1,15 @@
 #include "layoutbox/plan/offline/wishes.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 
 #include "layoutbox/base/words.h"
+#include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/english.h"
 #include "layoutbox/plan/offline/noun_phrase_parts.h"
 #include "layoutbox/plan/offline/people.h"
+#include "layoutbox/scene/shell.h"
 
 namespace layoutbox::offline {
 namespace {
@@ -38,7 +41,6 @@ class Furnisher {
   void add_part(std::string_view id) {
     const RoomKind* kind = catalog_.find_room(id);
     if (kind == nullptr) return;
-    constexpr int kTells = 3;  // of the usual things: what such a part is told by
     for (int i = 0; i < kTells && i < static_cast<int>(kind->usual.size()); ++i) {
       const CatalogEntry* entry = catalog_.find(kind->usual[static_cast<std::size_t>(i)].first);
       if (entry == nullptr || is_there(*entry) || excluded(entry->id)) return;
@@ -49,6 +51,8 @@ class Furnisher {
   }
 
  private:
+  static constexpr int kTells = 3;  // of the usual things: what such a room is told by
+
   // "for two children": for how many it is.
   void count_people() {
     for (const Chunk& chunk : document_.chunks) {
@@ -136,13 +140,45 @@ class Furnisher {
     const std::map<std::string, int> needs = needs_of(lexicon_, kind.id, people_);
     constexpr int kOfPart = 4;
     int taken = 0;
+    double floor_left = whole ? floor_for_furniture(kind) : std::numeric_limits<double>::max();
     for (const auto& [category, usual] : kind.usual) {
       const auto needed = needs.find(category);
       const CatalogEntry* entry = catalog_.find(category);
       if (entry == nullptr || excluded(category) || (!whole && (taken >= kOfPart || is_there(*entry)))) continue;
-      add(*entry, needed != needs.end() ? needed->second : usual);
+      const int count = needed != needs.end() ? needed->second : usual;
+      const double floor = entry->mount == Mount::kFloor && !entry->thin ? area_of(entry->size.usual) * count : 0;
+      const double with_seats = floor + (entry->is(Trait::kTable) ? seats_floor(kind, *entry) : 0);
+      const bool seat_alone = entry->is(Trait::kTableSeat) && std::ranges::none_of(scene_.objects, [&](const SceneObject& object) {
+                                return std::ranges::find(entry->beside, object.category) != entry->beside.end();
+                              });
+      if (whole && needed == needs.end() && taken >= kTells && (with_seats > floor_left || (seat_alone && floor > 0))) continue;
+      floor_left -= floor;
+      add(*entry, count);
       ++taken;
     }
+  }
+
+  // … of the seats that usually stand by a table of that kind of room.
+  double seats_floor(const RoomKind& kind, const CatalogEntry& table) const {
+    double area = 0;
+    for (const auto& [category, count] : kind.usual) {
+      const CatalogEntry* seat = catalog_.find(category);
+      if (seat == nullptr || !seat->is(Trait::kTableSeat) || std::ranges::find(seat->beside, table.id) == seat->beside.end()) continue;
+      area += area_of(seat->size.usual) * count;
+    }
+    return area;
+  }
+
+  static double area_of(const Size& size) { return double(size.width) * size.depth; }
+
+  // How much of the floor its furniture may cover (mm²): in a small kitchen there is no dining table.
+  double floor_for_furniture(const RoomKind& kind) const {
+    constexpr double kCovered = 0.5, kInSmall = 0.32;
+    if (!scene_.room.polygon.empty()) return kCovered * static_cast<double>(doubled_area(scene_.room.polygon)) / 2;
+    if (scene_.room.area_m2) return kCovered * *scene_.room.area_m2 * 1e6;
+    const std::string& word = scene_.room.size_word;
+    const bool small = word == "small" || word == "tiny" || word == "compact" || word == "narrow";
+    return small ? kInSmall * area_of(kind.usual_size) : std::numeric_limits<double>::max();
   }
 
   // With what it stands on, where nothing of that is there.

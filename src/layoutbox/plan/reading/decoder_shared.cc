@@ -39,6 +39,9 @@ double Decoder::share_score(const State& state, int member, int u, Referent impl
 bool Decoder::is_pair(const State& state, int member, int u) const {
   const int former = read_as(state, member).former;
   if (unit(member).joiner != Joiner::kAnd || read_as(state, member).role == NounRole::kContent) return false;
+  for (int between = member + 1; between < u; ++between) {
+    if (is(between, UnitKind::kNoun)) return false;
+  }
   if (former == 0 && read_as(state, former).former < 0) return true;
   const int next = u + (follows(u, UnitKind::kNoun) ? 2 : 1);
   return unit(former).joiner == Joiner::kComma && is(next, UnitKind::kNoun) &&

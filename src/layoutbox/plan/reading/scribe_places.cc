@@ -43,7 +43,8 @@ std::size_t Scribe::row_along_walls(const Link& link, int target, const NounPhra
   for (std::size_t i = link.first; i < link.last; ++i) full |= lexicon_.is_in("full", document_.tokens[i].text);
   const bool boards = says(link.senses, RelationType::kOnWall) && lexicon_.catalog().find("wall_" + entry->id) != nullptr;
   if (boards && !full && !is_tall(noun_of(target))) return 0;
-  const bool every = wall.determiner == Determiner::kEach || wall.determiner == Determiner::kBoth;
+  const bool all = wall.determiner == Determiner::kBoth && document_.tokens[wall.first].text == "all";
+  const bool every = (wall.determiner == Determiner::kEach || all) && walls_meant(wall) > kWalls;
   const auto in_row = [&](Mm length) { return std::min(static_cast<std::size_t>(length / entry->size.usual.width), kMostAtWall); };
   return every ? kWalls * std::max<std::size_t>(in_row(kHalfOfIt), 1) : full ? in_row(kOrdinaryWall) : 0;
 }
