@@ -34,7 +34,7 @@ TEST(RoomLooks, WordsOfDoorsAndWindows) {
       {"A garage with a garage door and a workbench.", "door garage"},
       {"A study with a red door and a desk.", "door red"},
       {"A tea room with shoji doors.", "door shoji"},
-      {"An attic with two round windows on the back wall and an oak door on the right wall.", "door oak, window round, window round"},
+      {"An attic with two round windows on the back wall and an oak door on the right wall.", "window round, window round, door oak"},
       {"A loft with black-framed windows.", "window black-framed, window black-framed"},
       {"A bathroom with a frosted window.", "window frosted"},
       {"A study with an oak door and a balcony door.", "door oak, door balcony"},
