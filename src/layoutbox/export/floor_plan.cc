@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "layoutbox/base/words.h"
+#include "layoutbox/catalog/opening_look.h"
 #include "layoutbox/export/cairo_canvas.h"
 #include "layoutbox/export/export.h"
 #include "layoutbox/export/plan_dimensions.h"
@@ -140,9 +141,7 @@ class FloorPlan {
   }
 
   void draw_door(const Opening& opening, const PlanWall& wall, double s, double e) {
-    if (opening.swing == Swing::kSliding) {
-      page_.line(paper(wall.at(s, -30)), paper(wall.at(e - 0.05 * (e - s), -30)), {"none", "#222", 0.5, {}});
-    }
+    if (opening.swing == Swing::kSliding) draw_sliding(opening, wall, s, e);
     for (const std::vector<PlanVector>& sweep : door_sweeps(wall, opening)) {
       std::vector<PaperPoint> arc = paper(sweep);
       const auto is_floor = [&](int owner) {
@@ -153,6 +152,23 @@ class FloorPlan {
       arc.erase(arc.begin());
       page_.polyline(arc, {"none", "#777", 0.15, "1 0.7"});
       page_.line(hinge, arc.back(), {"none", "#222", 0.5, {}});
+    }
+  }
+
+  // Two leaves on two tracks within the wall, one that is drawn up, or one before the wall.
+  void draw_sliding(const Opening& opening, const PlanWall& wall, double s, double e) {
+    const DrawStyle leaf{"none", "#222", 0.5, {}};
+    const auto line = [&](double from, double to, double across) {
+      page_.line(paper(wall.at(from, across)), paper(wall.at(to, across)), leaf);
+    };
+    const double t = wall.thickness, middle = (s + e) / 2, lap = 0.04 * (e - s);
+    if (look_of(opening).leaf == Leaf::kSectional) {
+      for (const double across : {0.4 * t, 0.6 * t}) line(s, e, across);
+    } else if (has_two_leaves(opening)) {
+      line(s, middle + lap, 0.65 * t);
+      line(middle - lap, e, 0.35 * t);
+    } else {
+      line(s, e - lap, -30);
     }
   }
 

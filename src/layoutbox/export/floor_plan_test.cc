@@ -177,6 +177,29 @@ TEST(FloorPlan, DrawsTheLeafWhereItSwings) {
   EXPECT_GT(leaf(Swing::kOutRight).second, 0);
 }
 
+// Two leaves where the door's words or its width say so, turning or on two tracks.
+TEST(FloorPlan, DrawsBothLeavesOfADoor) {
+  const auto leaves = [](Mm width, Swing swing, std::vector<std::string> words) {
+    Layout layout = room_of(4000, 3000);
+    Opening door;
+    door.id = "door1";
+    door.wall = "wall1";
+    door.offset = 1000;
+    door.width = width;
+    door.swing = swing;
+    door.attributes = std::move(words);
+    layout.room.openings.push_back(door);
+    const std::string svg = write_floor_plan_svg(layout);
+    const std::regex line(R"re(fill="none" stroke="#222" stroke-width="0.5")re");
+    return std::distance(std::sregex_iterator(svg.begin(), svg.end(), line), std::sregex_iterator());
+  };
+  EXPECT_EQ(leaves(900, Swing::kInLeft, {}), 1);
+  EXPECT_EQ(leaves(1600, Swing::kInLeft, {}), 2);
+  EXPECT_EQ(leaves(1200, Swing::kInLeft, {"saloon"}), 2);
+  EXPECT_EQ(leaves(900, Swing::kSliding, {}), 1);
+  EXPECT_EQ(leaves(1800, Swing::kSliding, {"patio"}), 2);
+}
+
 TEST(FloorPlan, DrawsKindsDifferently) {
   const auto body = [](const char* category) {
     Layout layout = room_of(4000, 3000);

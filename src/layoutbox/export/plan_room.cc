@@ -4,12 +4,10 @@
 #include <cmath>
 
 #include "layoutbox/base/units.h"
+#include "layoutbox/catalog/opening_look.h"
 
 namespace layoutbox {
 namespace {
-
-// A wider door has two leaves, as people draw them.
-constexpr double kWidestLeaf = 1300;
 
 PlanVector vector_of(const Point& p) { return {double(p.x), double(p.y)}; }
 
@@ -61,7 +59,7 @@ std::vector<std::vector<PlanVector>> door_sweeps(const PlanWall& wall, const Ope
   if (door.type != OpeningType::kDoor || door.swing == Swing::kSliding || door.swing == Swing::kNone) return {};
   const double s = door.offset.value_or(0), e = s + door.width;
   const bool in = door.swing == Swing::kInLeft || door.swing == Swing::kInRight;
-  if (door.width > kWidestLeaf) {
+  if (has_two_leaves(door)) {
     return {sweep(wall, s, 1, door.width / 2.0, in), sweep(wall, e, -1, door.width / 2.0, in)};
   }
   // Seen from within looking at the wall, the wall's end is at the left.

@@ -68,6 +68,7 @@ Opening opening_from(const json& value) {
   opening.sill = length_at(value, "sill", window ? 900 : 0);
   opening.sill_depth = length_at(value, "sillDepth", Opening{}.sill_depth);
   opening.swing = swing_from_name(text_at(value, "swing")).value_or(opening.type == OpeningType::kDoor ? Swing::kInLeft : Swing::kNone);
+  opening.attributes = texts_at(value, "attributes");
   opening.origin = origin_at(value);
   return opening;
 }

@@ -45,6 +45,7 @@ Room RandomScenes::room() {
     opening.sill = number(0, 900);
     opening.swing = opening.type == OpeningType::kDoor ? static_cast<Swing>(number(0, 5)) : Swing::kNone;
     if (opening.type == OpeningType::kWindow) opening.sill_depth = number(0, 400);
+    if (coin()) opening.attributes = {"french", "red"};
     opening.origin = static_cast<Origin>(number(0, 3));
     room.openings.push_back(opening);
   }

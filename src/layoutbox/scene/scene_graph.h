@@ -65,7 +65,8 @@ struct Opening {
   Mm width = 900, height = 2000, sill = 0;
   Mm sill_depth = 200;  // windows: how deep a thing may be that stands on the sill
   Swing swing = Swing::kInLeft;
-  Origin origin = Origin::kAsked;  // else it is the first to be moved or narrowed
+  Origin origin = Origin::kAsked;         // else it is the first to be moved or narrowed
+  std::vector<std::string> attributes{};  // what the text says of its look: "french", "round", "red" (catalog/words_openings.json)
   bool asked() const { return origin == Origin::kAsked; }
 };
 

@@ -29,6 +29,7 @@ ordered_json placed_room_json(const Room& room) {
     item["sill"] = json_length(opening.sill);
     if (opening.type == OpeningType::kWindow) item["sillDepth"] = json_length(opening.sill_depth);
     if (opening.type == OpeningType::kDoor) item["swing"] = name_of(opening.swing);
+    if (!opening.attributes.empty()) item["attributes"] = opening.attributes;
     add_origin(item, opening.origin);
     openings.push_back(std::move(item));
   }

@@ -31,6 +31,7 @@ ordered_json opening_json(const Opening& opening) {
   out["sill"] = json_length(opening.sill);
   if (opening.type == OpeningType::kWindow) out["sillDepth"] = json_length(opening.sill_depth);
   if (opening.type == OpeningType::kDoor) out["swing"] = name_of(opening.swing);
+  if (!opening.attributes.empty()) out["attributes"] = opening.attributes;
   add_origin(out, opening.origin);
   return out;
 }

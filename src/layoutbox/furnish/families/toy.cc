@@ -7,8 +7,8 @@
 namespace layoutbox::kit {
 namespace {
 
-constexpr Color kBright[] = {{0.84, 0.30, 0.26}, {0.26, 0.50, 0.76}, {0.95, 0.76, 0.28},
-                             {0.36, 0.64, 0.40}, {0.90, 0.55, 0.24}, {0.58, 0.42, 0.68}};
+constexpr Color kToyColors[] = {{0.84, 0.30, 0.26}, {0.26, 0.50, 0.76}, {0.95, 0.76, 0.28},
+                                {0.36, 0.64, 0.40}, {0.90, 0.55, 0.24}, {0.58, 0.42, 0.68}};
 
 void teddy(Piece& p) {
   const int fur = p.color_asked() ? p.main("fur") : p.tinted("fur", {0.66, 0.47, 0.30}), pale = p.tinted("fur", {0.86, 0.74, 0.58}),
@@ -41,14 +41,14 @@ void toy_blocks(Piece& p) {
                         {0.6, 0.62, 0},   {-0.5, -0.42, 1}, {0.52, -0.4, 1}};
   for (int i = 0; i < 7; ++i) {
     const double a = p.random(-14, 14);
-    p.add(p.tinted("lacquer", kBright[i % 6]), box(sides(-s * 0.48, s * 0.48, -s * 0.48, s * 0.48, 0, s), s * 0.06),
+    p.add(p.tinted("lacquer", kToyColors[i % 6]), box(sides(-s * 0.48, s * 0.48, -s * 0.48, s * 0.48, 0, s), s * 0.06),
           moved(places[i].x * s, places[i].y * s, places[i].z * s) * turned_z(a));
   }
   p.fit();
 }
 
 void toy_car(Piece& p) {
-  const int paint = p.color_asked() ? p.main("plastic") : p.tinted("plastic", kBright[p.pick(6)]), dark = p.named("black_plastic");
+  const int paint = p.color_asked() ? p.main("plastic") : p.tinted("plastic", kToyColors[p.pick(6)]), dark = p.named("black_plastic");
   // Drives along the longer side.
   const bool along = p.w >= p.d;
   const Pose turn = along ? Pose{} : turned_z(90);
@@ -80,9 +80,9 @@ void doll_house(Piece& p) {
   p.add(roof, prism({{-p.w / 2, eaves - 0.02}, {0, p.h - 0.03}, {0, p.h}, {-p.w / 2, eaves + 0.01}}, -p.d / 2, p.d / 2), upright);
   if (!p.may_show_contents()) return;
   for (const double x : {-0.24, 0.2}) {
-    p.add(p.tinted("lacquer", kBright[1]),
+    p.add(p.tinted("lacquer", kToyColors[1]),
           box(sides(x * p.w - p.w * 0.08, x * p.w + p.w * 0.08, 0, p.d * 0.2, t, t + eaves * 0.14), 0.004));
-    p.add(p.tinted("lacquer", kBright[2]),
+    p.add(p.tinted("lacquer", kToyColors[2]),
           box(sides(x * p.w - p.w * 0.05, x * p.w + p.w * 0.05, 0, p.d * 0.2, eaves * 0.5 + t / 2, eaves * 0.5 + t / 2 + eaves * 0.2),
               0.004));
   }

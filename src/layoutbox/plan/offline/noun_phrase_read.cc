@@ -151,6 +151,8 @@ std::optional<bool> NounPhraseReader::read_thing(const Match& match, bool noun_b
   }
   if (covers) return false;
   if (attribute == nullptr || (noun_before && verbal)) return std::nullopt;
+  // "a hall with double doors": no quality of what follows.
+  if (has(match, Class::kDoor) && !noun_after(i_ + match.length)) return std::nullopt;
   // "bed king size": an attribute after the noun ends the phrase, unless another noun follows it ("table glass lamp").
   if (noun_before && !hyphenated(i_) && !has(lexicon_.find(tokens_, i_ + match.length), Class::kObject)) return false;
   return add(attribute->word_class, *attribute, match.length, match.plural);

@@ -216,13 +216,9 @@ std::vector<std::string> RelationBuilder::room_reference(const NounPhrase& noun,
       return all;
     }
     case NounKind::kDoor:
-      if (type == R::kNotBlocking) return {opening_id("door")};
-      return relation_row(type).arity == RelationArity::kOptional ? std::vector<std::string>{}
-                                                                  : std::vector<std::string>{opening_id("door")};
     case NounKind::kWindow:
-      if (type == R::kNotBlocking) return {opening_id("window")};
-      return relation_row(type).arity == RelationArity::kOptional ? std::vector<std::string>{}
-                                                                  : std::vector<std::string>{opening_id("window")};
+      if (type != R::kNotBlocking && relation_row(type).arity == RelationArity::kOptional) return {};
+      return {opening_ids(noun).front()};
     case NounKind::kFloor: return {"floor"};
     default:
       return relation_row(type).arity == RelationArity::kNone || relation_row(type).arity == RelationArity::kOptional
@@ -231,19 +227,19 @@ std::vector<std::string> RelationBuilder::room_reference(const NounPhrase& noun,
   }
 }
 
-std::string RelationBuilder::opening_id(std::string_view type) const {
-  for (const Opening& opening : scene_.room.openings) {
-    if (name_of(opening.type) == type) return opening.id;
-  }
-  return std::string(type);
-}
-
 std::vector<std::string> RelationBuilder::opening_ids(const NounPhrase& noun) const {
   const std::string_view type = noun.kind == NounKind::kDoor ? "door" : "window";
   std::vector<std::string> ids;
   const std::size_t wanted = noun.count > 0 ? static_cast<std::size_t>(noun.count) : noun.plural ? 2 : 1;
-  for (const Opening& opening : scene_.room.openings) {
-    if (name_of(opening.type) == type && ids.size() < wanted) ids.push_back(opening.id);
+  const std::vector<std::string> look =
+      opening_said(noun.kind == NounKind::kDoor ? OpeningType::kDoor : OpeningType::kWindow, noun).attributes;
+  // "by the balcony door" is by that one; "by the door" by the entrance.
+  const auto is_meant = [&](const Opening& o) { return look.empty() ? !leads_outside(o) : o.attributes == look; };
+  for (const bool meant : {true, false}) {
+    if (!ids.empty()) break;
+    for (const Opening& opening : scene_.room.openings) {
+      if (name_of(opening.type) == type && ids.size() < wanted && (!meant || is_meant(opening))) ids.push_back(opening.id);
+    }
   }
   if (ids.empty()) ids.push_back(std::string(type));
   return ids;

@@ -39,7 +39,6 @@ class RelationBuilder {
   mutable std::unordered_map<std::size_t, std::string> wall_of_;  // which wall a mention of one by its length means, by its first token
   std::string freer_of(const std::string& one, const std::string& other) const;
   // A door or window that has an id of its own, else the word, which normalisation gives to the default one.
-  std::string opening_id(std::string_view type) const;
   // As many of them as the words say: "between two windows".
   std::vector<std::string> opening_ids(const NounPhrase& noun) const;
   void place_hosts();

@@ -382,7 +382,9 @@ void RelationBuilder::add_across(const Link& link, int item, const std::vector<s
   if (scene_.relations.size() == known) return;
   scene_.relations.back().parameters.min = mm_from_m(relation_default(R::kOpposite, "min").value_or(1.5));
   const Mm most = mm_from_m(relation_default(R::kOpposite, "max").value_or(4));
-  if (reference.empty() || (reference[0] != opening_id("door") && reference[0] != opening_id("window"))) {
+  const bool of_opening =
+      !reference.empty() && (scene_.find_opening(reference[0]) != nullptr || reference[0] == "door" || reference[0] == "window");
+  if (!of_opening) {
     scene_.relations.back().parameters.max = most;
     return;
   }

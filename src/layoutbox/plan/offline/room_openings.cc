@@ -1,6 +1,7 @@
 // What the text says of doors and windows: their sizes, their walls.
 #include <algorithm>
 
+#include "layoutbox/catalog/opening_look.h"
 #include "layoutbox/plan/offline/noun_phrase_parts.h"
 #include "layoutbox/plan/offline/room_reader.h"
 
@@ -9,24 +10,24 @@ namespace layoutbox::offline {
 namespace {
 using Class = WordClass;
 
-// Doors that slide, and doors of two leaves.
-struct DoorKind {
-  std::string_view word;
-  bool slides, two_leaves;
-};
-constexpr DoorKind kDoorKinds[] = {{"patio", true, true},   {"garage", true, true},   {"roller", true, true},  {"automatic", true, true},
-                                   {"french", false, true}, {"double", false, true},  {"saloon", false, true}, {"folding", false, true},
-                                   {"bifold", false, true}, {"bi-fold", false, true}, {"pocket", true, false}, {"barn", true, false},
-                                   {"sliding", true, false}};
+// Everything that a noun phrase says of a door or a window, as one text.
+std::string words_of_opening(const NounPhrase& noun) {
+  std::string words = noun.name;
+  for (const std::string& attribute : noun.attributes) words += " " + attribute;
+  return words;
+}
 
-const DoorKind* door_kind(const NounPhrase& noun) {
-  if (noun.kind != NounKind::kDoor) return nullptr;
-  const auto says = [&](const DoorKind& kind) {
-    return (" " + noun.name + " ").find(" " + std::string(kind.word) + " ") != std::string::npos ||
-           std::find(noun.attributes.begin(), noun.attributes.end(), kind.word) != noun.attributes.end();
-  };
-  const auto* kind = std::find_if(std::begin(kDoorKinds), std::end(kDoorKinds), says);
-  return kind == std::end(kDoorKinds) ? nullptr : kind;
+// What of it changes its look: phrases of the table, colours and materials ("black-framed").
+std::vector<std::string> looks_said(OpeningType type, const NounPhrase& noun) {
+  std::vector<std::string> looks = look_words(type, words_of_opening(noun));
+  for (std::size_t a = 0; a < noun.attributes.size(); ++a) {
+    const bool framed = noun.attributes[a].ends_with("framed");
+    const bool plain =
+        a < noun.attribute_classes.size() && (noun.attribute_classes[a] == Class::kColor || noun.attribute_classes[a] == Class::kMaterial);
+    const bool known = std::ranges::any_of(looks, [&](const std::string& look) { return look == noun.attributes[a]; });
+    if ((framed || plain) && !known) looks.push_back(noun.attributes[a]);
+  }
+  return looks;
 }
 }  // namespace
 
@@ -52,12 +53,13 @@ std::pair<std::string, std::string> walls_by_length(const NounPhrase& noun, cons
   return {"left", "right"};
 }
 
-bool is_kind_of_door(const NounPhrase& noun) { return door_kind(noun) != nullptr; }
-
-// "French doors", "double doors": one opening, whose leaves they are.
+// "French doors", "double doors", "sliding doors": one opening, whose leaves they are.
 int openings_said(const NounPhrase& noun) {
-  const bool leaves = noun.plural && door_kind(noun) != nullptr && (noun.count == 0 || noun.name.find("double") != std::string::npos);
-  if (leaves) return 1;
+  if (noun.kind == NounKind::kDoor && noun.plural) {
+    const OpeningLook look = opening_look(OpeningType::kDoor, {words_of_opening(noun)});
+    const bool of_leaves = look.leaves == 2 || look.slides;
+    if (of_leaves && (noun.count == 0 || noun.name.find("double") != std::string::npos)) return 1;
+  }
   return noun.count > 0 ? noun.count : noun.plural ? 2 : 1;
 }
 
@@ -110,6 +112,7 @@ void settle_opening_walls(const Lexicon& lexicon, Document& document) {
                        (chunks[n + 1].noun.kind != NounKind::kObject || !chunks[n + 1].noun.exact) &&
                        chunks[n + 1].noun.kind != NounKind::kWall;
     if (leads && noun.kind == NounKind::kDoor) {
+      if (opening_look(OpeningType::kDoor, {chunks[n + 1].noun.head}).outside) noun.attributes.push_back(chunks[n + 1].noun.head);
       for (std::size_t c = n; c < n + 2; ++c) {
         chunks[c].kind = ChunkKind::kIgnored;
         for (std::size_t i = chunks[c].first; i < chunks[c].last; ++i) {
@@ -193,24 +196,16 @@ std::string wall_of_opening(const std::string& word, OpeningType type, const Roo
 }
 
 Opening opening_said(OpeningType type, const NounPhrase& noun) {
+  const OpeningLook look = opening_look(type, {words_of_opening(noun)});
+  const bool window = type == OpeningType::kWindow;
   Opening opening;
   opening.type = type;
-  const auto said = [&](std::string_view word) {
-    return std::find(noun.attributes.begin(), noun.attributes.end(), word) != noun.attributes.end();
-  };
-  if (type == OpeningType::kWindow) {
-    opening.width = said("large") || said("big") || said("wide") ? 1800 : said("small") ? 800 : 1200;
-    opening.height = 1200;
-    opening.sill = 900;
-    opening.swing = Swing::kNone;
-    if (noun.name.find("floor to ceiling") != std::string::npos || noun.name.find("floor-to-ceiling") != std::string::npos)
-      opening.sill = 100, opening.height = 2200;
-  } else {
-    const DoorKind* kind = door_kind(noun);
-    opening.width = kind != nullptr && (kind->two_leaves || noun.plural) ? 1600 : 900;
-    opening.height = 2000;
-    if (kind != nullptr && kind->slides) opening.swing = Swing::kSliding;
-  }
+  opening.attributes = looks_said(type, noun);
+  opening.swing = window ? Swing::kNone : look.slides ? Swing::kSliding : Swing::kInLeft;
+  const Mm usual = window ? 1200 : openings_said(noun) == 1 && noun.plural ? 1600 : 900;
+  opening.width = look.width.value_or(usual);
+  opening.height = look.height.value_or(window ? 1200 : 2000);
+  opening.sill = look.sill.value_or(window ? 900 : 0);
   if (noun.size.span) opening.width = mm_from_m(*noun.size.span);
   if (noun.size.either && noun.size.depth) opening.height = mm_from_m(*noun.size.depth);
   if (noun.size.length) opening.width = mm_from_m(*noun.size.length);
@@ -218,5 +213,13 @@ Opening opening_said(OpeningType type, const NounPhrase& noun) {
   if (noun.size.height) opening.height = mm_from_m(*noun.size.height);
   return opening;
 }
+
+bool is_usual(const Opening& opening) {
+  const Opening usual = opening_said(opening.type, {});
+  return opening.attributes.empty() && opening.width == usual.width && opening.height == usual.height && opening.sill == usual.sill &&
+         opening.swing == usual.swing;
+}
+
+bool leads_outside(const Opening& opening) { return look_of(opening).outside; }
 
 }  // namespace layoutbox::offline

@@ -1,6 +1,7 @@
 #include "layoutbox/plan/offline/room_reader.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "layoutbox/base/words.h"
 #include "layoutbox/catalog/normalize.h"
@@ -32,21 +33,32 @@ std::string room_type(const NounPhrase& noun) {
   return {};
 }
 
+// A size that is ours to choose gives way to a room whose size is said.
+void fit(Opening& opening, const Room& room) {
+  double longest = 0;
+  for (std::size_t i = 0; i < room.polygon.size(); ++i) {
+    const Point a = room.polygon[i], b = room.polygon[(i + 1) % room.polygon.size()];
+    longest = std::max(longest, std::hypot(double(b.x - a.x), double(b.y - a.y)));
+  }
+  constexpr Mm kBeside = 200, kAbove = 100;
+  if (longest > 2 * kBeside) opening.width = std::min(opening.width, (static_cast<Mm>(longest) - 2 * kBeside) / kGridMm * kGridMm);
+  if (room.height > opening.sill + kAbove) opening.height = std::min(opening.height, room.height - kAbove - opening.sill);
+}
+
 void add_opening(SceneGraph& scene, OpeningType type, const NounPhrase& noun, const std::string& wall) {
   Opening opening = opening_said(type, noun);
   const auto number =
       std::count_if(scene.room.openings.begin(), scene.room.openings.end(), [&](const Opening& o) { return o.type == type; }) + 1;
   opening.id = std::string(name_of(type)) + std::to_string(number);
   opening.wall = wall_of_opening(wall, type, scene.room);
+  if (!noun.size.any()) fit(opening, scene.room);
   scene.room.openings.push_back(std::move(opening));
 }
 
-// "a double door", "large windows": what a default one is not.
-bool is_described(const NounPhrase& noun) {
-  static constexpr std::string_view kWords[] = {"double", "sliding", "large", "big", "wide", "small", "round", "floor-to-ceiling"};
-  return noun.determiner != Determiner::kDefinite && std::any_of(noun.attributes.begin(), noun.attributes.end(), [](const std::string& a) {
-           return std::find(std::begin(kWords), std::end(kWords), a) != std::end(kWords);
-         });
+// "a double door", "large windows", "the red door": what a default one is not.
+bool is_described(OpeningType type, const NounPhrase& noun) {
+  const Opening opening = opening_said(type, noun);
+  return !opening.attributes.empty() || (noun.determiner != Determiner::kDefinite && !is_usual(opening));
 }
 
 // "no windows", "a windowless room"
@@ -184,26 +196,37 @@ void add_openings(const Document& document, SceneGraph& scene) {
   put_openings(placed, false, scene);
   for (const Mention& mention : document.mentions) {
     if (!is_opening(mention)) continue;
+    const OpeningType type = opening_type(mention);
     const bool said = std::any_of(placed.begin(), placed.end(), [&](const auto& p) { return p.first == &mention; });
     const bool counted = mention.noun.count > 1 || (mention.noun.plural && mention.noun.determiner != Determiner::kDefinite);
-    if (said || (!counted && !mention.noun.size.any() && mention.noun.wall_word.empty() && !is_described(mention.noun) &&
-                 !is_kind_of_door(mention.noun)))
-      continue;
-    const OpeningType type = opening_type(mention);
+    if (said || (!counted && !mention.noun.size.any() && mention.noun.wall_word.empty() && !is_described(type, mention.noun))) continue;
     // "The entrance is on the narrow side … The door to the yard is at the back": another one
+    const Opening meant = opening_said(type, mention.noun);
+    const bool anew = mention.noun.determiner != Determiner::kDefinite && !meant.attributes.empty();
     const auto same = [&](const Opening& o) {
       const std::string wall = wall_of_opening(mention.noun.wall_word, type, room);
-      return o.type == type && (wall.empty() || o.wall.empty() || o.wall == wall);
+      const bool other = leads_outside(o) != leads_outside(meant) || (anew && o.attributes != meant.attributes);
+      return o.type == type && !other && (wall.empty() || o.wall.empty() || o.wall == wall);
     };
-    const bool there = std::any_of(room.openings.begin(), room.openings.end(), same);
-    if (there) {  // "there is a window in the back wall. The window is 2 m wide."
-      if (mention.noun.size.any()) resize_openings(scene.room, opening_said(type, mention.noun));
+    const auto there = std::ranges::find_if(scene.room.openings, same);
+    if (there != scene.room.openings.end()) {  // "there is a window in the back wall. The window is 2 m wide."
+      if (there->attributes.empty()) there->attributes = meant.attributes;
+      if (mention.noun.size.any()) resize_openings(scene.room, meant);
       continue;
     }
     const int count = openings_said(mention.noun);
     for (int i = 0; i < std::min(count, 12); ++i) add_opening(scene, type, mention.noun, mention.noun.wall_word);
   }
   put_openings(placed, true, scene);
+}
+
+// A room is entered by a door; light comes in by a window, or by a door to the outside where no window is spoken of.
+bool is_there(OpeningType type, const Document& document, const Room& room) {
+  const bool window = type == OpeningType::kWindow;
+  const bool spoken_of = std::ranges::any_of(document.mentions, [](const Mention& m) { return m.noun.kind == NounKind::kWindow; });
+  return std::ranges::any_of(room.openings, [&](const Opening& o) {
+    return window ? o.type == type || (!spoken_of && leads_outside(o)) : o.type == type && !leads_outside(o);
+  });
 }
 
 // One kind named, the other is still needed; nobody wants to do without a door.
@@ -213,7 +236,7 @@ void add_needed_openings(const Document& document, SceneGraph& scene) {
   const PlacedOpenings placed = placed_openings(document);
   if (!room.openings.empty() || windowless) {
     for (const OpeningType type : {OpeningType::kDoor, OpeningType::kWindow}) {
-      if (std::any_of(room.openings.begin(), room.openings.end(), [&](const Opening& o) { return o.type == type; })) continue;
+      if (is_there(type, document, room)) continue;
       if (type == OpeningType::kWindow && windowless) continue;
       const bool across = !room.openings.empty() && std::ranges::any_of(placed, [](const auto& p) { return p.second == "across"; });
       add_opening(scene, type, {}, across ? wall_across(room.openings.front().wall) : std::string{});

@@ -46,8 +46,10 @@ std::string length_word(const NounPhrase& wall);
 // "the short wall", "a long side": the two walls of that length, words for them; empty where nothing of the kind is said.
 std::pair<std::string, std::string> walls_by_length(const NounPhrase& noun, const Room& room);
 
-// "a sliding door", "the patio door": not the usual one.
-bool is_kind_of_door(const NounPhrase& noun);
+// Neither its size nor its look is said to be another than that of an opening of which nothing is said.
+bool is_usual(const Opening& opening);
+// To a balcony, a terrace, the garden: no entrance.
+bool leads_outside(const Opening& opening);
 // How many openings a noun phrase names.
 int openings_said(const NounPhrase& noun);
 

@@ -1,6 +1,8 @@
 // Parts of the room in whatever words: its sides and ends, where the light comes in, and verbs between a thing and a part of the room.
 #include <algorithm>
+#include <span>
 
+#include "layoutbox/catalog/opening_look.h"
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/english.h"
 #include "layoutbox/plan/offline/knowledge.h"
@@ -11,6 +13,14 @@ namespace layoutbox::offline {
 using Use = WordReading::Use;
 
 namespace {
+
+// "a bedroom with a balcony …, an armchair near the balcony"
+bool is_known_as_door(const Document& document, std::size_t k) {
+  const auto earlier = std::span(document.chunks).first(k);
+  return std::ranges::any_of(earlier, [&](const Chunk& chunk) {
+    return chunk.kind == ChunkKind::kNoun && chunk.noun.kind == NounKind::kDoor && chunk.noun.head == document.chunks[k].noun.head;
+  });
+}
 
 const PhraseSenses& at_wall_senses() { return direct_senses<RelationType::kAgainstWall, RelationType::kOnWall>(); }
 
@@ -153,7 +163,11 @@ void UnitReader::mean_fabric(std::size_t k) {
                                     says(units_.back().direct, RelationType::kFacing));
   if (by && noun.kind == NounKind::kOutsideRoom && one_of(noun.head, {"balcony", "terrace", "patio"}) &&
       noun.determiner == Determiner::kDefinite)
-    noun.kind = NounKind::kWindow;
+    noun.kind = is_known_as_door(document_, k) ? NounKind::kDoor : NounKind::kWindow;
+  // "a bedroom with a balcony": what is seen of it in here is its door.
+  if (noun.kind == NounKind::kOutsideRoom && !units_.empty() && units_.back().kind == UnitKind::kHave && !noun.of &&
+      opening_look(OpeningType::kDoor, {noun.head}).outside)
+    noun.kind = NounKind::kDoor;
   if (after_place() && shines && says(units_.back().direct, RelationType::kIn) && noun.name == noun.head && !is_named_before(k, noun.head))
     noun.kind = NounKind::kAbstract;  // "in the light"
   if (!after_place() || noun.kind != NounKind::kObject || noun.determiner != Determiner::kDefinite || noun.count > 0 || noun.of ||
