@@ -1,6 +1,7 @@
 #include "layoutbox/dress/dress.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <optional>
 
@@ -60,37 +61,50 @@ Verdict judge(const Layout& layout, const Catalog& catalog) {
   return verdict;
 }
 
-// The ids of what is to blame for what is worse than before; empty where nothing is, "?" where it cannot be told.
-std::vector<std::string> faults(const Verdict& before, const Verdict& now, const std::vector<std::string>& added) {
-  std::vector<std::string> found;
-  const auto blame = [&](const std::string& subject) {
-    const std::size_t parted = subject.find(" / ");
-    const std::string first = subject.substr(0, parted), second = parted == std::string::npos ? first : subject.substr(parted + 3);
-    found.push_back(is_among(added, second) ? second : is_among(added, first) ? first : "?");
-  };
+// Of what is worse than before the subjects, each as verify names it: "desk_1", "sofa_1 / plant_1", "room".
+std::vector<std::string> worse(const Verdict& before, const Verdict& now) {
+  std::vector<std::string> subjects;
   for (const auto& [what, value] : now.failed) {
-    if (!before.failed.contains(what)) blame(what.second);
+    if (!before.failed.contains(what)) subjects.push_back(what.second);
   }
   for (const auto& [what, share] : now.shares) {
     const auto earlier = before.shares.find(what);
-    if (earlier != before.shares.end() && share < earlier->second - 1e-9) blame(what.second);
+    if (earlier != before.shares.end() && share < earlier->second - 1e-9) subjects.push_back(what.second);
   }
-  return found;
+  return subjects;
 }
 
-// Takes out again what makes the room worse: what is named, else what came last and stands on the floor.
+double gap_between(const Box& a, const Box& b) {
+  return std::hypot(std::max({0.0, a.x0 - b.x1, b.x0 - a.x1}), std::max({0.0, a.y0 - b.y1, b.y0 - a.y1}));
+}
+
+// Who is to blame: what is named, else of what people walk round the nearest to the thing, else the last.
+std::string to_blame(const Dresser& dresser, const std::string& subject) {
+  const std::vector<std::string>& added = dresser.added();
+  const std::size_t parted = subject.find(" / ");
+  const std::string first = subject.substr(0, parted), second = parted == std::string::npos ? first : subject.substr(parted + 3);
+  for (const std::string& id : {second, first}) {
+    if (is_among(added, id)) return id;
+  }
+  const PlacedObject* thing = dresser.layout().find_object(subject);
+  std::string nearest = added.back();
+  double least = 1e9;
+  for (const std::string& id : added) {
+    const PlacedObject& object = *dresser.layout().find_object(id);
+    const bool stands = object.mount == Mount::kFloor;
+    if (!stands && (thing == nullptr || object.mount != Mount::kWall)) continue;
+    const double gap = thing == nullptr ? 0 : gap_between(box_round(object), box_round(*thing));
+    if (gap <= least) nearest = id, least = gap;
+  }
+  return nearest;
+}
+
+// Takes out again what makes the room worse, one after the other.
 void mend(Dresser& dresser, const Verdict& before) {
   while (!dresser.added().empty()) {
-    std::vector<std::string> found = faults(before, judge(dresser.layout(), dresser.catalog()), dresser.added());
-    if (found.empty()) return;
-    std::erase(found, "?");
-    if (found.empty()) {
-      const auto& added = dresser.added();
-      const auto stands = [&](const std::string& id) { return dresser.layout().find_object(id)->mount == Mount::kFloor; };
-      const auto last = std::find_if(added.rbegin(), added.rend(), stands);
-      found.push_back(last == added.rend() ? added.back() : *last);
-    }
-    dresser.remove(std::move(found));
+    const std::vector<std::string> subjects = worse(before, judge(dresser.layout(), dresser.catalog()));
+    if (subjects.empty()) return;
+    dresser.remove({to_blame(dresser, subjects.front())});
   }
 }
 

@@ -4,10 +4,20 @@
 #include <cmath>
 
 #include "layoutbox/catalog/size_words.h"
+#include "layoutbox/render/render.h"
 
 namespace layoutbox::dressing {
 
 double on_grid(double length) { return std::round(length / kGridMm) * kGridMm; }
+
+Dresser::Dresser(Layout& layout, const Catalog& catalog, const Spoken& spoken)
+    : layout_(layout), catalog_(catalog), spoken_(spoken), room_(layout, catalog) {
+  const Corner corner = best_corner(layout);
+  toward_x_ = corner == Corner::kNorthEast || corner == Corner::kSouthEast ? 1 : -1;
+  toward_y_ = corner == Corner::kNorthEast || corner == Corner::kNorthWest ? 1 : -1;
+}
+
+bool Dresser::is_shown(const WallFrame& wall) const { return wall.along_x * toward_y_ - wall.along_y * toward_x_ > 0; }
 
 bool Dresser::is_one_of(const PlacedObject& object, const std::vector<std::string>& kinds) const {
   return std::ranges::any_of(kinds, [&](const std::string& kind) { return catalog_.is_a(object.category, kind); });

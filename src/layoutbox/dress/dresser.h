@@ -22,13 +22,15 @@ struct Pose {
 class Dresser {
  public:
   // REQUIRES: all outlive it.
-  Dresser(Layout& layout, const Catalog& catalog, const Spoken& spoken)
-      : layout_(layout), catalog_(catalog), spoken_(spoken), room_(layout, catalog) {}
+  Dresser(Layout& layout, const Catalog& catalog, const Spoken& spoken);
 
   const Layout& layout() const { return layout_; }
   const Catalog& catalog() const { return catalog_; }
   const Spoken& spoken() const { return spoken_; }
   const FreeRoom& room() const { return room_; }
+
+  // Does the usual picture show it? The others are cut away there.
+  bool is_shown(const WallFrame& wall) const;
 
   bool is_there(const std::string& kind) const;
   bool is_one_of(const PlacedObject& object, const std::vector<std::string>& kinds) const;
@@ -56,6 +58,7 @@ class Dresser {
   const Catalog& catalog_;
   const Spoken& spoken_;
   FreeRoom room_;
+  int toward_x_ = 1, toward_y_ = -1;  // the camera
   std::vector<std::string> added_;
 };
 

@@ -13,7 +13,7 @@ constexpr double kWalk = 1000;                      // free floor before a run
 constexpr double kTall = 1200;                      // a unit that ends a run
 constexpr double kNarrowest = 300, kCabinet = 700;  // widths of cabinets
 constexpr double kWidestGap = 2400;                 // between two units that become one run
-constexpr double kLeastTurn = 600, kMostTurn = 2400;
+constexpr double kLeastTurn = 600, kSaidTurn = 1200, kMostTurn = 2400;
 constexpr double kLeftOver = 450;                                                     // of wall beyond a run that is filled as well
 constexpr double kShortest = 3000, kLongest = 5000, kSmallRoom = 6, kLargeRoom = 16;  // mm of run in rooms of so many m²
 
@@ -31,8 +31,11 @@ class KitchenRun {
     for (const WallFrame& wall : dresser_.room().walls()) close_gaps(wall);
     const double share =
         std::clamp((double(doubled_area(dresser_.layout().room.polygon)) / 2e6 - kSmallRoom) / (kLargeRoom - kSmallRoom), 0.0, 1.0);
-    wanted_ = kShortest + share * (kLongest - kShortest);
+    wanted_ = kShortest + share * (kLongest - kShortest) + (form_ == "L" ? kLeastTurn : form_ == "U" ? 2 * kLeastTurn : 0);
     extend();
+    for (const WallFrame& wall : dresser_.room().walls()) {
+      if (&wall != main_) flank(wall);
+    }
     if (form_ == "galley") face();
   }
 
@@ -87,8 +90,9 @@ class KitchenRun {
     }
   }
 
-  // What is free beyond an end of the main run, and round the corner there.
+  // What is free beyond an end of a run, and round the corner there.
   struct End {
+    const WallFrame* wall = nullptr;
     bool high = false;
     double straight = 0;  // up to the corner, or to what stands there
     bool corner = false;  // it goes as far as the corner
@@ -96,66 +100,72 @@ class KitchenRun {
     double turn = 0;  // along the next wall, from the corner unit on
   };
 
-  End end_of(bool high) const {
-    End end{.high = high};
-    const std::vector<Unit> units = units_at(dresser_, *main_);
+  // REQUIRES: units stand at the wall.
+  End end_of(const WallFrame& wall, bool high) const {
+    End end{.wall = &wall, .high = high};
+    const std::vector<Unit> units = units_at(dresser_, wall);
     const Unit& last = high ? units.back() : units.front();
     if (last.object->size.height > kTall) return end;
     const double edge = high ? last.span.high : last.span.low;
-    for (const Span& span : free_at(*main_)) {
+    for (const Span& span : free_at(wall)) {
       if (std::abs((high ? span.low : span.high) - edge) > kTouching) continue;
       end.straight = span.length();
-      end.corner = high ? span.high > main_->length - 1 : span.low < 1;
+      end.corner = high ? span.high > wall.length - 1 : span.low < 1;
     }
-    end.turned = high ? dresser_.room().next(*main_) : dresser_.room().previous(*main_);
+    end.turned = high ? dresser_.room().next(wall) : dresser_.room().previous(wall);
     if (!end.corner || end.straight < size_.depth || end.turned == nullptr) return end;
-    const WallFrame& wall = *end.turned;
-    for (const Span& span : free_at(wall)) {
-      // The corner itself belongs to the main run.
-      const Span beyond =
-          high ? Span{std::max(span.low, double(size_.depth)), span.high} : Span{span.low, std::min(span.high, wall.length - size_.depth)};
-      const bool meets = high ? beyond.low <= size_.depth + 1 : beyond.high >= wall.length - size_.depth - 1;
+    const double corner = size_.depth, length = end.turned->length;  // the corner itself belongs to this wall
+    for (const Span& span : free_at(*end.turned)) {
+      const Span beyond = high ? Span{std::max(span.low, corner), span.high} : Span{span.low, std::min(span.high, length - corner)};
+      const bool meets = high ? beyond.low <= corner + 1 : beyond.high >= length - corner - 1;
       if (meets && beyond.length() >= kLeastTurn) end.turn = beyond.length();
     }
     return end;
   }
 
-  double edge_of(bool high) const {
-    const std::vector<Unit> units = units_at(dresser_, *main_);
+  double edge_of(const WallFrame& wall, bool high) const {
+    const std::vector<Unit> units = units_at(dresser_, wall);
     return high ? units.back().span.high : units.front().span.low;
   }
 
   void turn(const End& end, double wanted) {
-    const double edge = edge_of(end.high), depth = size_.depth;
-    const double corner = end.high ? main_->length - depth : 0;
-    place(*main_, end.high ? Span{edge, corner} : Span{depth, edge});
-    dresser_.add_at_wall("kitchen_corner_unit", row_.words, {size_.depth, size_.depth, size_.height}, *main_, corner, 0);
+    const double edge = edge_of(*end.wall, end.high), depth = size_.depth;
+    const double corner = end.high ? end.wall->length - depth : 0;
+    place(*end.wall, end.high ? Span{edge, corner} : Span{depth, edge});
+    dresser_.add_at_wall("kitchen_corner_unit", row_.words, {size_.depth, size_.depth, size_.height}, *end.wall, corner, 0);
     const double length = on_grid(std::clamp(wanted, kLeastTurn, std::min(end.turn, kMostTurn)));
     const double from = end.high ? depth : end.turned->length - depth - length;
     place(*end.turned, {from, from + length});
   }
 
-  void go_on(const End& end, double wanted) {
-    const double edge = edge_of(end.high);
+  void go_on(const End& end) {
+    const double edge = edge_of(*end.wall, end.high), wanted = wanted_ - length();
+    if (wanted < kNarrowest) return;
     const double length = end.straight - wanted < kLeftOver ? end.straight : on_grid(wanted);
-    place(*main_, end.high ? Span{edge, edge + length} : Span{edge - length, edge});
+    place(*end.wall, end.high ? Span{edge, edge + length} : Span{edge - length, edge});
   }
 
   void extend() {
-    End ends[] = {end_of(true), end_of(false)};
+    End ends[] = {end_of(*main_, true), end_of(*main_, false)};
     std::ranges::stable_sort(ends, std::greater{}, [](const End& end) { return std::pair(end.turn > 0, end.straight + end.turn); });
     const double straight = ends[0].straight + ends[1].straight, missing = wanted_ - length();
     const bool short_of_wall = form_.empty() && missing - straight > kLeastTurn;
     const int turns = form_ == "U" ? 2 : form_ == "L" || short_of_wall ? 1 : 0;
     int turned = 0;
     for (const End& end : ends) {
-      const double needed = wanted_ - length();
       if (turned < turns && end.turn > 0) {
-        turn(end, form_.empty() ? needed - end.straight : std::max(needed - end.straight, 1200.0));
+        turn(end, std::max(wanted_ - length() - end.straight, form_.empty() ? 0 : kSaidTurn));
         ++turned;
-      } else if (needed >= kNarrowest && end.straight >= kNarrowest) {
-        go_on(end, needed);
+      } else {
+        go_on(end);
       }
+    }
+  }
+
+  // The units along another wall get their worktop too.
+  void flank(const WallFrame& wall) {
+    for (const bool high : {true, false}) {
+      if (!units_at(dresser_, wall).empty()) go_on(end_of(wall, high));
     }
   }
 
@@ -163,7 +173,7 @@ class KitchenRun {
   void face() {
     const WallFrame* across = dresser_.room().opposite(*main_);
     if (across == nullptr) return;
-    const Span run{edge_of(false), edge_of(true)};
+    const Span run{edge_of(*main_, false), edge_of(*main_, true)};
     const Span mirrored{across->length - run.high, across->length - run.low};
     for (const Span& span : shared({mirrored}, free_at(*across))) {
       if (span.length() >= kLeastTurn) place(*across, span);

@@ -69,7 +69,7 @@ void hang_over_things(Dresser& dresser, const Dressing& row) {
   }
 }
 
-// The longest blank stretch first, one on a wall.
+// On walls that the picture shows first, the longest blank stretch of these; one on a wall.
 void hang_on_walls(Dresser& dresser, const Dressing& row) {
   const CatalogEntry& entry = dresser.catalog().entry_or_nearest(row.adds);
   struct Blank {
@@ -84,7 +84,8 @@ void hang_on_walls(Dresser& dresser, const Dressing& row) {
     const auto longest = std::ranges::max_element(free, {}, &Span::length);
     if (longest != free.end() && longest->length() >= row.stretch) blanks.push_back({&wall, *longest});
   }
-  std::ranges::stable_sort(blanks, std::greater{}, [](const Blank& blank) { return blank.span.length(); });
+  std::ranges::stable_sort(blanks, std::greater{},
+                           [&](const Blank& blank) { return std::pair(dresser.is_shown(*blank.wall), blank.span.length()); });
   int left = row.most;
   for (const auto& [wall, span] : blanks) {
     if (left == 0) return;

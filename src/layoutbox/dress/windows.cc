@@ -53,7 +53,7 @@ void hang_at_windows(Dresser& dresser, const Dressing& row) {
         return hang_before(dresser, row, *pane.wall, {pane.along.low - beyond, pane.along.high + beyond}, {from, top});
       });
     };
-    if (hangs(kOffFloor) || hangs(pane.height.low - kBelowSill)) --left;
+    if (hangs(kOffFloor) || hangs(pane.height.low - kBelowSill) || hangs(pane.height.low - kOffFloor)) --left;
   }
 }
 
