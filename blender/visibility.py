@@ -108,18 +108,20 @@ def with_what_they_carry(ids):
 
 
 def hangers_in_the_way(stay, out, meshes, width=240, height=135):
-    """Ids of things on walls that are cut away and that hide much of an object or of the floor, with what they carry. The others stay
-    where they hang."""
+    """Ids of things on walls that are cut away and that nobody asked for, or that hide much of an object or of the floor, with what
+    they carry. The others stay where they hang."""
     hangers = [row for row in OBJECTS if row["hangs_on"] and row["hangs_on"] not in stay]
     if not hangers:
         return set()
+    away = {row["id"] for row in hangers if not row["asked"]}
     view = View(stay, width, height)
     ids = with_what_they_carry(row["id"] for row in hangers)
     things = [thing for thing in things_seen(out, meshes) if thing[0]["id"] not in ids]
     seen, _ = cast_all(view, things)
     pixels = {number: seen.count(number) for number in set(seen)}
-    away = set()
     for row in hangers:
+        if row["id"] in away:
+            continue
         hidden = [seen[pixel] for pixel in pixels_alone(view, *in_room(row, meshes))]
         for number in set(hidden) - {-1}:
             most = 0.1 if things[number][0]["kind"] == "floor" else 0.35

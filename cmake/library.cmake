@@ -2,7 +2,7 @@
 # (layoutbox::layoutbox) and a pkg-config file. None of it names a folder of the machine that it was built on.
 include(CMakePackageConfigHelpers)
 
-set(folders base scene catalog chat sandbox publish plan solve furnish render export verify judge edit pipeline experiment)
+set(folders base scene catalog chat sandbox publish plan solve furnish render export verify judge edit dress pipeline experiment)
 list(TRANSFORM folders REPLACE "(.+)" "$<TARGET_OBJECTS:layoutbox_\\1>" OUTPUT_VARIABLE objects)
 add_library(layoutbox_library STATIC ${objects})
 set_target_properties(layoutbox_library PROPERTIES OUTPUT_NAME layoutbox EXPORT_NAME layoutbox LINKER_LANGUAGE CXX)

@@ -16,7 +16,7 @@ FLOORS = (
     ("catalog", "publish"),
     ("plan", "solve", "furnish"),
     ("render", "export", "verify"),
-    ("judge", "edit"),
+    ("judge", "edit", "dress"),
     ("pipeline",),
     ("experiment", "serve"),
     ("cli",),

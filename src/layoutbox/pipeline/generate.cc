@@ -83,8 +83,8 @@ class Run {
 
   Status plan(const Planner& planner) {
     begin();
-    LAYOUTBOX_ASSIGN(const Plan plan, planner.plan(prompt_, options_.plan));
-    LAYOUTBOX_ASSIGN(outcome_.scene, prepare_plan(plan, catalog_, options_));
+    LAYOUTBOX_ASSIGN(plan_, planner.plan(prompt_, options_.plan));
+    LAYOUTBOX_ASSIGN(outcome_.scene, prepare_plan(*plan_, catalog_, options_));
     finish("plan", scene_in_words());
     return {};
   }
@@ -190,6 +190,18 @@ class Run {
     return {};
   }
 
+  // The scene is the first layout's; what the others get besides is in their layouts alone.
+  Status dress_layouts(std::vector<Layout>& layouts) {
+    if (!plan_) return {};
+    for (std::size_t k = 1; k < layouts.size(); ++k) {
+      SceneGraph scene = outcome_.scene;
+      dress_room(*plan_, scene, layouts[k], catalog_, options_);
+    }
+    if (dress_room(*plan_, outcome_.scene, layouts[0], catalog_, options_) == 0) return {};
+    folder_.forget_files();
+    return folder_.write_artefacts(Stage::kPlan, room()).map([](const auto&) {});
+  }
+
   Status solve_scene() {
     begin();
     std::string others;
@@ -197,6 +209,7 @@ class Run {
       outcome_.layout = *std::exchange(given_, std::nullopt);
     } else {
       LAYOUTBOX_ASSIGN(std::vector<Layout> layouts, solve_variants(outcome_.scene, catalog_, options_.solve, options_.variants));
+      LAYOUTBOX_CHECK(dress_layouts(layouts));
       for (std::size_t k = 1; k < layouts.size(); ++k) {
         LAYOUTBOX_CHECK(folder_.write_artefacts(Stage::kSolve, {outcome_.scene, layouts[k], model_, outcome_.report, options_}, k));
         others += fmt::format("; variant {}: {}", k + 1, variant_in_words(layouts, k));
@@ -271,6 +284,7 @@ class Run {
   GenerateOutcome outcome_;
   std::optional<Layout> given_;
   Model model_;
+  std::optional<Plan> plan_;            // where a text was planned without a model
   std::unique_ptr<Planning> planning_;  // where the planner can be told what is wrong
   std::optional<RepairLoop> loop_;
   bool given_up_on_picture_ = false;

@@ -110,6 +110,10 @@ Result<SceneGraph> prepare_scene(SceneGraph scene, const Catalog& catalog, const
 // The same of a plan from text, with the companions of what it names.
 Result<SceneGraph> prepare_plan(const Plan& plan, const Catalog& catalog, const GenerateOptions& options);
 
+// What a layout of such a plan gets besides, where the options let companions come (dress/dress.h); the scene gets the same.
+// REQUIRES: the scene is prepare_plan()'s, the layout solve()'s of it. Returns how many things were added.
+std::size_t dress_room(const Plan& plan, SceneGraph& scene, Layout& layout, const Catalog& catalog, const GenerateOptions& options);
+
 // Is that the name of a file that a run writes?
 bool is_output_name(std::string_view name);
 

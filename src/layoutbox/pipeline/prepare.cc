@@ -1,5 +1,6 @@
 // What every way to a room shares: a scene made ready for the solver, and whether a room is as asked.
 #include "layoutbox/base/words.h"
+#include "layoutbox/dress/dress.h"
 #include "layoutbox/pipeline/generate.h"
 #include "layoutbox/plan/companions.h"
 
@@ -22,6 +23,13 @@ Result<SceneGraph> prepare_plan(const Plan& plan, const Catalog& catalog, const 
   if (added == 0) return scene;
   more.notes.push_back({"filled", counted(added, "thing") + " that the use of the room needs came with what is named", "prompt"});
   return prepare_scene(std::move(more), catalog, options);
+}
+
+std::size_t dress_room(const Plan& plan, SceneGraph& scene, Layout& layout, const Catalog& catalog, const GenerateOptions& options) {
+  if (!options.companions) return 0;
+  const std::size_t added = dress(scene, layout, catalog, Spoken(scene, plan.unwanted, catalog));
+  if (added > 0) scene.notes.push_back({"filled", counted(added, "thing") + " dress the finished room where it was free", "prompt"});
+  return added;
 }
 
 bool as_asked(const GenerateOutcome& outcome) { return as_asked(outcome.layout, outcome.report); }

@@ -33,6 +33,7 @@ Result<GenerateOutcome> lay_out(const Expected& expected, const Planner& planner
   LAYOUTBOX_ASSIGN(const Plan plan, planner.plan(expected.line->prompt, expected.options.plan));
   LAYOUTBOX_ASSIGN(outcome.scene, prepare_plan(plan, catalog, expected.options));
   LAYOUTBOX_ASSIGN(outcome.layout, solve(outcome.scene, catalog, expected.options.solve));
+  dress_room(plan, outcome.scene, outcome.layout, catalog, expected.options);
   outcome.layout.stats.seconds = 0;  // no clock in the bytes
   outcome.report = verify(outcome.layout, catalog, expected.options.verify);
   return outcome;

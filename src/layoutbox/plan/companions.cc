@@ -3,21 +3,15 @@
 #include <algorithm>
 #include <map>
 
-#include "layoutbox/base/words.h"
 #include "layoutbox/catalog/groups.h"
-#include "layoutbox/catalog/size_words.h"
 #include "layoutbox/catalog/trait_table.h"
+#include "layoutbox/plan/spoken.h"
 #include "layoutbox/scene/shell.h"
 
 namespace layoutbox {
 namespace {
 
 constexpr int kMostSeats = 24;
-
-std::string head_of(const std::string& name) {
-  const std::vector<std::string> words = words_of(name);
-  return words.empty() ? std::string{} : key_of(singular_of(words.back()));
-}
 
 bool is_round(const SceneObject& object) {
   return std::ranges::any_of(object.attributes, [](const std::string& a) { return a == "round" || a == "circular"; });
@@ -26,13 +20,13 @@ bool is_round(const SceneObject& object) {
 class Companions {
  public:
   Companions(SceneGraph& scene, const SceneGraph& sized, const std::vector<std::string>& excluded, const Catalog& catalog)
-      : scene_(scene), sized_(sized), excluded_(excluded), catalog_(catalog), groups_(Groups::builtin()), said_(words_of(scene.prompt)) {
+      : scene_(scene), sized_(sized), catalog_(catalog), groups_(Groups::builtin()), spoken_(scene, excluded, catalog) {
     for (std::size_t i = 0; i < scene.objects.size(); ++i) named_.push_back(i);
     if (std::ranges::none_of(scene.objects, &SceneObject::asked)) named_.clear();  // it has what is usual already
   }
 
   std::size_t run() {
-    if (named_.empty() || catalog_.only_articles() || says_any(groups_.none)) return 0;
+    if (named_.empty() || catalog_.only_articles() || spoken_.says_any(groups_.none)) return 0;
     const std::size_t before = scene_.objects.size();
     for (const std::size_t i : named_) seat_at(i);
     for (const std::size_t i : named_) carry(i);
@@ -42,22 +36,7 @@ class Companions {
   }
 
  private:
-  bool says_any(const std::vector<std::string>& phrases) const {
-    return std::ranges::any_of(phrases, [&](const std::string& phrase) { return says(said_, phrase); });
-  }
-
   bool akin(const std::string& a, const std::string& b) const { return catalog_.is_a(a, b) || catalog_.is_a(b, a); }
-
-  // The text has things of that kind, or wants none.
-  bool spoken_of(const CatalogEntry& kind) const {
-    const std::string head = head_of(kind.name);
-    const auto names = [&](std::size_t i) { return akin(scene_.objects[i].category, kind.id) || head_of(scene_.objects[i].name) == head; };
-    const auto excludes = [&](const std::string& id) {
-      const CatalogEntry* entry = catalog_.find(id);
-      return akin(id, kind.id) || (entry != nullptr && head_of(entry->name) == head);
-    };
-    return std::ranges::any_of(named_, names) || std::ranges::any_of(excluded_, excludes);
-  }
 
   bool has_kind(const std::string& kind) const {
     return std::ranges::any_of(scene_.objects, [&](const SceneObject& o) { return catalog_.is_a(o.category, kind); });
@@ -119,11 +98,11 @@ class Companions {
     const CatalogEntry* entry = catalog_.find(category);
     const SceneObject* sized = sized_.find_object(id);
     const Seating* seating = entry == nullptr ? nullptr : groups_.seating_at(catalog_, *entry, scene_.room.type);
-    if (seating == nullptr || !(seating->comes || says_any(groups_.sat_at)) || sized == nullptr || !sized->size ||
+    if (seating == nullptr || !(seating->comes || spoken_.says_any(groups_.sat_at)) || sized == nullptr || !sized->size ||
         sized->mount != Mount::kFloor)
       return;
     const CatalogEntry* seat = catalog_.find(seating->seat);
-    if (seat == nullptr || spoken_of(*seat) || has_seat(id) || has_loose_seat()) return;
+    if (seat == nullptr || spoken_.of(*seat) || has_seat(id) || has_loose_seat()) return;
     const int count = std::min(seats_at_size(*seating, is_round(*sized), sized->size->usual), kMostSeats);
     std::vector<std::string> seats;
     for (int k = 0; k < count; ++k) seats.push_back(add(*seat));
@@ -178,7 +157,7 @@ class Companions {
     for (const std::string& id : thing.stands_on) {
       const CatalogEntry* host = catalog_.find(id);
       if (host == nullptr || host->mount != Mount::kFloor || host->is(Trait::kBed) || area(host->size.usual) <= area(size)) continue;
-      if (spoken_of(*host)) continue;
+      if (spoken_.of(*host)) continue;
       const bool goes = std::ranges::any_of(host->beside, [&](const std::string& other) { return has_kind(other); });
       if (goes || (!scene_.room.type.empty() && std::ranges::find(host->rooms, scene_.room.type) != host->rooms.end())) return host;
       if (smallest == nullptr || area(host->size.usual) < area(smallest->size.usual)) smallest = host;
@@ -188,7 +167,7 @@ class Companions {
 
   void add_by(const Companion& companion) {
     const CatalogEntry* kind = catalog_.find(companion.adds);
-    if (kind == nullptr || !in_rooms(companion.rooms) || spoken_of(*kind) || has_kind(companion.adds)) return;
+    if (kind == nullptr || !in_rooms(companion.rooms) || spoken_.of(*kind) || has_kind(companion.adds)) return;
     const auto named = [&](const std::string& other) {
       return std::ranges::any_of(named_, [&](std::size_t i) { return catalog_.is_a(scene_.objects[i].category, other); });
     };
@@ -250,7 +229,7 @@ class Companions {
     const bool hardly_any =
         std::ranges::count_if(named_, [&](std::size_t i) { return stands(scene_.objects[i]); }) <= groups_.fill.hardly_any;
     const double until = hardly_any ? groups_.fill.usually_covered : groups_.fill.until;
-    if (kind == nullptr || share >= (hardly_any ? until : groups_.fill.bare) || says_any(groups_.none_to_fill)) return;
+    if (kind == nullptr || share >= (hardly_any ? until : groups_.fill.bare) || spoken_.says_any(groups_.none_to_fill)) return;
     constexpr std::ptrdiff_t kCrowd = 6;
     const std::ptrdiff_t crowd = std::ranges::count_if(
         named_, [&](std::size_t i) { return catalog_.entry_or_nearest(scene_.objects[i].category).is(Trait::kSeat); });
@@ -259,7 +238,7 @@ class Companions {
     int added = 0;
     for (const auto& [id, usual] : kind->usual) {
       const CatalogEntry* entry = catalog_.find(id);
-      if (entry == nullptr || spoken_of(*entry) || has_kind(id)) continue;
+      if (entry == nullptr || spoken_.of(*entry) || has_kind(id)) continue;
       const auto is_there = [&](const std::string& other) { return has_kind(other); };
       const bool lacks_host = entry->mount == Mount::kSurface && std::ranges::none_of(entry->stands_on, is_there);
       const bool lacks_table = entry->is(Trait::kTableSeat) && std::ranges::none_of(entry->beside, is_there);
@@ -284,10 +263,9 @@ class Companions {
 
   SceneGraph& scene_;
   const SceneGraph& sized_;
-  const std::vector<std::string>& excluded_;
   const Catalog& catalog_;
   const Groups& groups_;
-  const std::vector<std::string> said_;
+  const Spoken spoken_;
   std::vector<std::size_t> named_;
   std::map<std::string, std::string> hosts_;  // that came for small things, by kind
   int relations_ = 0;

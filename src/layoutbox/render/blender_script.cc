@@ -190,6 +190,11 @@ std::string hangs_on(const Layout& layout, std::string_view support) {
   return {};
 }
 
+// Asked for, or it follows from what was: not ours.
+bool is_spoken_of(const PlacedObject* object) {
+  return object == nullptr || object->origin == Origin::kAsked || object->origin == Origin::kConcluded;
+}
+
 Size3f box_of(const Node& node, const Layout& layout) {
   if (const PlacedObject* object = layout.find_object(node.id)) {
     return {m_from_mm(object->size.width), m_from_mm(object->size.depth), m_from_mm(object->size.height)};
@@ -207,10 +212,11 @@ std::string row(const Node& node, const Layout& layout, const Model& model, std:
   const std::string wall = node.kind == NodeKind::kWall ? node.id : node.kind == NodeKind::kObject ? "" : node.parent;
   std::string text = fmt::format(
       "    {{\"id\": {}, \"category\": {}, \"name\": {}, \"kind\": \"{}\", \"collection\": {},\n"
-      "     \"at\": {}, \"turn\": {}, \"size\": {}, \"stands_on\": {}, \"wall\": {}, \"hangs_on\": {}, \"uses\": [{}],\n     \"parts\": [",
+      "     \"at\": {}, \"turn\": {}, \"size\": {}, \"stands_on\": {}, \"wall\": {}, \"hangs_on\": {}, \"asked\": {}, \"uses\": [{}],\n    "
+      " \"parts\": [",
       literal(node.id), literal(node.category), literal(node.name), kind_name(node.kind), literal(collection_name(node)),
       tuple(node.position), number(double{node.rotation_deg}), tuple(box_of(node, layout)), literal(support), literal(wall),
-      literal(hangs_on(layout, support)), uses);
+      literal(hangs_on(layout, support)), is_spoken_of(object) ? "True" : "False", uses);
   for (std::size_t i = 0; i < node.parts.size(); ++i) {
     const auto surface = static_cast<std::size_t>(node.parts[i].surface);
     text += fmt::format("{}({}, {})", i == 0 ? "" : ", ", literal(model.surfaces.at(surface).name), meshes[i]);

@@ -72,7 +72,7 @@ TEST(BlenderScript, NamesEveryObjectWithItsPlaceAndSize) {
   EXPECT_THAT(text, HasSubstr(R"("id": "picture_1")"));
   EXPECT_THAT(text, HasSubstr("\"at\": (0.5, 0.25, 0.0)"));
   EXPECT_THAT(text, HasSubstr("\"size\": (0.4, 0.5, 0.9)"));
-  EXPECT_THAT(text, HasSubstr(R"("stands_on": "wall3", "wall": "", "hangs_on": "wall3")"));
+  EXPECT_THAT(text, HasSubstr(R"("stands_on": "wall3", "wall": "", "hangs_on": "wall3", "asked": True)"));
 }
 
 TEST(BlenderScript, CarriesTheOptions) {

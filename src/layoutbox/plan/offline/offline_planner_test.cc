@@ -67,6 +67,13 @@ TEST_F(OfflinePlannerTest, NichesChangeTheOutline) {
             (std::vector<Point>{{0, 0}, {6000, 0}, {6000, 2000}, {4000, 2000}, {4000, 4000}, {0, 4000}}));
 }
 
+TEST_F(OfflinePlannerTest, TheShapeOfAKitchenIsThatOfItsUnits) {
+  EXPECT_EQ(scene("An L-shaped kitchen with a sink and a stove.").room.shape, "");
+  EXPECT_EQ(scene("A U-shaped kitchen, 4 x 3 m, with a sink.").room.polygon, rectangle(4, 3));
+  EXPECT_EQ(scene("An L-shaped kitchen diner with a sink.").room.shape, "L");
+  EXPECT_EQ(scene("An L-shaped kitchen, 6 x 5 m with a 2 x 2 m notch, with a sink.").room.polygon.size(), 6u);
+}
+
 TEST_F(OfflinePlannerTest, SizesOfThingsInTheirUsualForms) {
   const auto usual = [&](const char* text) {
     const SceneGraph read = scene(text);

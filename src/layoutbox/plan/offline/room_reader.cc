@@ -90,8 +90,11 @@ OpeningType opening_type(const Mention& mention) {
   return mention.noun.kind == NounKind::kDoor ? OpeningType::kDoor : OpeningType::kWindow;
 }
 
+// Of an "L-shaped kitchen" the units stand in an L, unless the parts of the room have sizes.
+bool means_its_units(const NounPhrase& noun, const Document& document) { return noun.head == "kitchen" && !document.niche; }
+
 // "a small L-shaped room"
-void describe_room(const NounPhrase& noun, Room& room) {
+void describe_room(const NounPhrase& noun, const Document& document, Room& room) {
   for (const std::string& word : noun.attributes) {
     static constexpr std::pair<std::string_view, std::string_view> kWords[] = {
         {"small", "small"},         {"tiny", "tiny"},     {"compact", "compact"}, {"little", "small"}, {"narrow", "narrow"},
@@ -104,7 +107,7 @@ void describe_room(const NounPhrase& noun, Room& room) {
     static constexpr std::pair<std::string_view, std::string_view> kShapes[] = {
         {"l-shaped", "L"}, {"t-shaped", "T"}, {"u-shaped", "U"}, {"round", "round"}, {"circular", "round"}};
     for (const auto& [said, kept] : kShapes) {
-      if (word == said) room.shape = kept;
+      if (word == said && !means_its_units(noun, document)) room.shape = kept;
     }
   }
 }
@@ -115,7 +118,7 @@ void set_kind(const Document& document, SceneGraph& scene) {
   for (const NounPhrase& noun : document.rooms) {
     if (noun.kind != NounKind::kRoom) continue;
     const std::string type = room_type(noun);
-    describe_room(noun, room);
+    describe_room(noun, document, room);
     if (!type.empty() && std::find(types.begin(), types.end(), type) == types.end()) types.push_back(type);
   }
   // "Our basement should become a cinema": what it is to be, not where it is.

@@ -1,0 +1,65 @@
+#include "layoutbox/catalog/dressing.h"
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "layoutbox/embedded/catalog_data.h"
+
+namespace layoutbox {
+namespace {
+
+using Names = std::vector<std::string>;
+
+Names names_in(const nlohmann::json& value, const char* key) { return value.value(key, Names{}); }
+
+Mm length_in(const nlohmann::json& value, const char* key) { return mm_from_m(value.value(key, 0.0)); }
+
+// Kinds of room, where a name may stand for a set of them.
+Names rooms_in(const nlohmann::json& row, const std::map<std::string, Names>& sets) {
+  Names rooms;
+  for (const std::string& name : row.at("rooms").get<Names>()) {
+    const auto set = sets.find(name);
+    if (set == sets.end()) {
+      rooms.push_back(name);
+    } else {
+      std::ranges::copy(set->second, std::back_inserter(rooms));
+    }
+  }
+  return rooms;
+}
+
+Dressings read_dressings() {
+  const auto data = nlohmann::json::parse(embedded::dress_json);
+  const auto sets = data.at("sets").get<std::map<std::string, Names>>();
+  Dressings dressings;
+  for (const auto& row : data.at("rows")) {
+    Dressing dressing;
+    dressing.place = row.at("place").get<std::string>();
+    dressing.adds = row.at("adds").get<std::string>();
+    dressing.words = names_in(row, "words");
+    dressing.of = names_in(row, "of");
+    dressing.rooms = rooms_in(row, sets);
+    dressing.unless = names_in(row, "unless");
+    dressing.unspoken = names_in(row, "unspoken");
+    dressing.most = row.value("most", 1);
+    dressing.size = {length_in(row, "w"), length_in(row, "d"), length_in(row, "h")};
+    dressing.stretch = length_in(row, "stretch");
+    dressing.before = length_in(row, "before");
+    dressing.area_m2 = row.value("area", 0.0);
+    dressings.rows.push_back(std::move(dressing));
+  }
+  for (const auto& form : data.at("kitchenForms")) {
+    dressings.kitchen_forms.push_back({form.at("form").get<std::string>(), names_in(form, "words")});
+  }
+  return dressings;
+}
+
+}  // namespace
+
+const Dressings& Dressings::builtin() {
+  static const Dressings dressings = read_dressings();
+  return dressings;
+}
+
+}  // namespace layoutbox

@@ -1,0 +1,158 @@
+#include "layoutbox/dress/dress.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "layoutbox/catalog/dressing.h"
+#include "layoutbox/catalog/groups.h"
+#include "layoutbox/dress/places.h"
+#include "layoutbox/scene/shell.h"
+#include "layoutbox/verify/verify.h"
+
+namespace layoutbox {
+namespace dressing {
+namespace {
+
+constexpr std::pair<std::string_view, Place> kPlaces[] = {{"kitchen run", fill_kitchen_run},
+                                                          {"over stove", hang_over_stove},
+                                                          {"over run", hang_over_run},
+                                                          {"window", hang_at_windows},
+                                                          {"window top", hang_on_window_tops},
+                                                          {"over", hang_over_things},
+                                                          {"wall", hang_on_walls},
+                                                          {"corner", stand_in_corners},
+                                                          {"beside", stand_beside},
+                                                          {"free wall", stand_at_free_wall},
+                                                          {"under", lie_under},
+                                                          {"on", stand_on},
+                                                          {"ceiling", hang_from_ceiling}};
+
+double m2_of(const Room& room) { return double(doubled_area(room.polygon)) / 2e6; }
+
+bool is_among(const std::vector<std::string>& list, const std::string& one) { return std::ranges::find(list, one) != list.end(); }
+
+bool is_wanted(const Dresser& dresser, const Dressing& row) {
+  const Room& room = dresser.layout().room;
+  const CatalogEntry* kind = dresser.catalog().find(row.adds);
+  if (kind == nullptr || !is_among(row.rooms, room.type) || m2_of(room) < row.area_m2) return false;
+  if (std::ranges::any_of(row.unless, [&](const std::string& id) { return dresser.is_there(id); })) return false;
+  if (row.unspoken.empty()) return !dresser.spoken().of(*kind);
+  return std::ranges::none_of(row.unspoken, [&](const std::string& id) {
+    const CatalogEntry* other = dresser.catalog().find(id);
+    return other != nullptr && dresser.spoken().of(*other);
+  });
+}
+
+// What verify() found wrong, and how good what it measures is: by check and subject.
+using Findings = std::map<std::pair<std::string, std::string>, double>;
+
+struct Verdict {
+  Findings failed, shares;
+};
+
+Verdict judge(const Layout& layout, const Catalog& catalog) {
+  Verdict verdict;
+  for (const Check& check : verify(layout, catalog).checks) {
+    if (!check.passed) verdict.failed[{check.name, check.subject}] = check.value;
+    if (check.name == "reachability") verdict.shares[{check.name, check.subject}] = check.value;
+  }
+  return verdict;
+}
+
+// Of what is worse than before the subjects, each as verify names it: "desk_1", "sofa_1 / plant_1", "room".
+std::vector<std::string> worse(const Verdict& before, const Verdict& now) {
+  std::vector<std::string> subjects;
+  for (const auto& [what, value] : now.failed) {
+    if (!before.failed.contains(what)) subjects.push_back(what.second);
+  }
+  for (const auto& [what, share] : now.shares) {
+    const auto earlier = before.shares.find(what);
+    if (earlier != before.shares.end() && share < earlier->second - 1e-9) subjects.push_back(what.second);
+  }
+  return subjects;
+}
+
+double gap_between(const Box& a, const Box& b) {
+  return std::hypot(std::max({0.0, a.x0 - b.x1, b.x0 - a.x1}), std::max({0.0, a.y0 - b.y1, b.y0 - a.y1}));
+}
+
+// Who is to blame: what is named, else of what people walk round the nearest to the thing, else the last.
+std::string to_blame(const Dresser& dresser, const std::string& subject) {
+  const std::vector<std::string>& added = dresser.added();
+  const std::size_t parted = subject.find(" / ");
+  const std::string first = subject.substr(0, parted), second = parted == std::string::npos ? first : subject.substr(parted + 3);
+  for (const std::string& id : {second, first}) {
+    if (is_among(added, id)) return id;
+  }
+  const PlacedObject* thing = dresser.layout().find_object(subject);
+  std::string nearest = added.back();
+  double least = 1e9;
+  for (const std::string& id : added) {
+    const PlacedObject& object = *dresser.layout().find_object(id);
+    const bool stands = object.mount == Mount::kFloor;
+    if (!stands && (thing == nullptr || object.mount != Mount::kWall)) continue;
+    const double gap = thing == nullptr ? 0 : gap_between(box_round(object), box_round(*thing));
+    if (gap <= least) nearest = id, least = gap;
+  }
+  return nearest;
+}
+
+// Takes out again what makes the room worse, one after the other.
+void mend(Dresser& dresser, const Verdict& before) {
+  while (!dresser.added().empty()) {
+    const std::vector<std::string> subjects = worse(before, judge(dresser.layout(), dresser.catalog()));
+    if (subjects.empty()) return;
+    dresser.remove({to_blame(dresser, subjects.front())});
+  }
+}
+
+// The same in the scene: exactly that size, and the place as a hint.
+void add_to_scene(SceneGraph& scene, const Layout& layout, const std::vector<std::string>& added) {
+  for (const std::string& id : added) {
+    const PlacedObject& placed = *layout.find_object(id);
+    SceneObject object;
+    object.id = placed.id, object.category = placed.category, object.name = placed.name;
+    object.attributes = placed.attributes;
+    object.size = SizeRange{placed.size, placed.size, placed.size};
+    object.size_source = SizeSource::kCatalog;
+    object.mount = placed.mount;
+    object.used_sides = placed.used_sides;
+    object.hint.position = placed.position;
+    object.hint.rotation_deg = placed.rotation_deg;
+    object.origin = placed.origin;
+    scene.objects.push_back(std::move(object));
+  }
+  for (const PlacedRelation& placed : layout.relations) {
+    if (std::ranges::any_of(placed.relation.targets, [&](const std::string& id) { return is_among(added, id); }))
+      scene.relations.push_back(placed.relation);
+  }
+}
+
+}  // namespace
+
+Place find_place(std::string_view name) {
+  const auto found = std::ranges::find(kPlaces, name, &std::pair<std::string_view, Place>::first);
+  return found == std::end(kPlaces) ? nullptr : found->second;
+}
+
+}  // namespace dressing
+
+std::size_t dress(SceneGraph& scene, Layout& layout, const Catalog& catalog, const Spoken& spoken) {
+  using namespace dressing;
+  const Groups& groups = Groups::builtin();
+  if (catalog.only_articles() || spoken.says_any(groups.none) || spoken.says_any(groups.none_to_fill)) return 0;
+  Dresser dresser(layout, catalog, spoken);
+  std::optional<Verdict> before;
+  for (const Dressing& row : Dressings::builtin().rows) {
+    if (!is_wanted(dresser, row)) continue;
+    if (!before) before = judge(layout, catalog);
+    find_place(row.place)(dresser, row);
+  }
+  if (before) mend(dresser, *before);
+  add_to_scene(scene, layout, dresser.added());
+  return dresser.added().size();
+}
+
+}  // namespace layoutbox

@@ -1,0 +1,242 @@
+// What a finished room gets besides, what it does not get, and that nothing is worse for it.
+#include "layoutbox/dress/dress.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "layoutbox/catalog/dressing.h"
+#include "layoutbox/catalog/trait_table.h"
+#include "layoutbox/dress/free_room.h"
+#include "layoutbox/dress/places.h"
+#include "layoutbox/scene/scene_json.h"
+#include "layoutbox/scene/shell.h"
+#include "layoutbox/verify/verify.h"
+
+namespace layoutbox {
+namespace {
+
+using ::testing::Contains;
+using ::testing::IsEmpty;
+using ::testing::Not;
+
+const Catalog& catalog() { return Catalog::builtin(); }
+
+// A rectangle with a door at the left end of its front wall, and things that are put where the test wants them; metres.
+class DressedRoom {
+ public:
+  DressedRoom(const std::string& type, double width, double depth, const std::string& prompt = {}) {
+    const Mm w = mm_from_m(width), d = mm_from_m(depth);
+    Room& room = layout_.room;
+    room.type = type;
+    room.polygon = {{0, 0}, {w, 0}, {w, d}, {0, d}};
+    room.walls = walls_along(room.polygon);
+    room.height = 2700;
+    layout_.prompt = scene_.prompt = prompt;
+    opening(OpeningType::kDoor, "wall1", 0.1, 0.9, 2.0, 0);
+  }
+
+  DressedRoom& opening(OpeningType type, const std::string& wall, double offset, double width, double height, double sill) {
+    Opening one;
+    one.id = name_of(type) + std::to_string(layout_.room.openings.size() + 1);
+    one.type = type, one.wall = wall, one.offset = mm_from_m(offset);
+    one.width = mm_from_m(width), one.height = mm_from_m(height), one.sill = mm_from_m(sill);
+    layout_.room.openings.push_back(one);
+    return *this;
+  }
+  DressedRoom& window(const std::string& wall, double offset) { return opening(OpeningType::kWindow, wall, offset, 1.2, 1.2, 0.9); }
+
+  // Of its usual size; x, y: the centre.
+  DressedRoom& put(const std::string& kind, double x, double y, double turn) {
+    const CatalogEntry& entry = *catalog().find(kind);
+    PlacedObject object;
+    object.id = kind + "_" + std::to_string(layout_.objects.size() + 1);
+    object.category = kind, object.name = entry.name, object.size = entry.size.usual, object.mount = entry.mount;
+    object.position = {x * 1000, y * 1000, 0}, object.rotation_deg = turn;
+    object.used_sides = entry.used_sides, object.spaces = spaces_at(entry, object.size);
+    SceneObject asked;
+    asked.id = object.id, asked.category = kind, asked.name = entry.name;
+    scene_.objects.push_back(asked);
+    layout_.objects.push_back(object);
+    return *this;
+  }
+  DressedRoom& unwanted(const std::string& kind) {
+    unwanted_.push_back(kind);
+    return *this;
+  }
+
+  // Dresses it; what must hold for every room is checked here. Returns the kinds that came.
+  std::vector<std::string> dress() {
+    scene_.room = layout_.room;
+    const Layout before = layout_;
+    const std::set<std::string> faults = failed(layout_);
+    Layout again = layout_;
+    SceneGraph scene_again = scene_;
+    const Spoken spoken(scene_, unwanted_, catalog());
+    const std::size_t count = layoutbox::dress(scene_, layout_, catalog(), spoken);
+    layoutbox::dress(scene_again, again, catalog(), spoken);
+    EXPECT_EQ(write_layout(layout_), write_layout(again)) << "the same bytes each time";
+    EXPECT_EQ(layout_.objects.size(), before.objects.size() + count);
+    EXPECT_EQ(scene_.objects.size(), layout_.objects.size()) << "the scene has the same";
+    for (std::size_t i = 0; i < before.objects.size(); ++i) {
+      EXPECT_EQ(layout_.objects[i].id, before.objects[i].id);
+      EXPECT_EQ(layout_.objects[i].position, before.objects[i].position) << "nothing moves";
+    }
+    for (const std::string& fault : failed(layout_)) EXPECT_TRUE(faults.contains(fault)) << fault;
+    std::vector<std::string> kinds;
+    for (std::size_t i = before.objects.size(); i < layout_.objects.size(); ++i) {
+      EXPECT_EQ(layout_.objects[i].origin, Origin::kAdded);
+      kinds.push_back(layout_.objects[i].category);
+    }
+    return kinds;
+  }
+
+  const Layout& layout() const { return layout_; }
+  std::vector<PlacedObject> of(const std::string& kind) const {
+    std::vector<PlacedObject> found;
+    std::ranges::copy_if(layout_.objects, std::back_inserter(found), [&](const PlacedObject& o) { return o.category == kind; });
+    return found;
+  }
+
+ private:
+  static std::set<std::string> failed(const Layout& layout) {
+    std::set<std::string> faults;
+    for (const Check& check : verify(layout, catalog()).checks) {
+      if (!check.passed) faults.insert(check.name + " " + check.subject);
+    }
+    return faults;
+  }
+  static std::string name_of(OpeningType type) { return type == OpeningType::kWindow ? "window" : "door"; }
+
+  SceneGraph scene_;
+  Layout layout_;
+  std::vector<std::string> unwanted_;
+};
+
+// Units along the back wall with a gap between them: sink 0–0.9, fridge at the right end.
+DressedRoom kitchen(const std::string& prompt = {}) {
+  DressedRoom room("kitchen", 4, 3.4, prompt);
+  room.put("kitchen_sink", 0.45, 3.4 - 0.31, 0).put("stove", 2.0, 3.4 - 0.31, 0).put("fridge", 4 - 0.325, 3.4 - 0.33, 0);
+  return room;
+}
+
+TEST(Dress, KitchensBecomeFitted) {
+  DressedRoom room = kitchen();
+  EXPECT_THAT(room.dress(), Contains("base_cabinet").Times(::testing::Ge(3)));
+  double along = 0;  // the whole wall is taken
+  for (const PlacedObject& object : room.layout().objects) {
+    if (object.rotation_deg == 0 && object.mount == Mount::kFloor) along += object.size.width;
+  }
+  EXPECT_NEAR(along, 4000, 20);
+  ASSERT_EQ(room.of("range_hood").size(), 1u);
+  EXPECT_NEAR(room.of("range_hood")[0].position[0], 2000, 1);
+  EXPECT_FALSE(room.of("wall_cabinet").empty());
+  for (const PlacedObject& cabinet : room.of("wall_cabinet")) {
+    EXPECT_FALSE(dressing::overlap(dressing::box_round(cabinet), dressing::box_round(room.of("range_hood")[0])));
+  }
+}
+
+TEST(Dress, ACabinetStandsNotBeforeALowWindowOrADoor) {
+  DressedRoom room = kitchen();
+  room.opening(OpeningType::kWindow, "wall3", 1.8, 1.0, 1.6, 0.4);  // between sink and stove, seen from the right end of the wall
+  room.dress();
+  for (const PlacedObject& cabinet : room.of("base_cabinet")) {
+    const dressing::Box box = dressing::box_round(cabinet);
+    EXPECT_FALSE(box.y1 > 3300 && box.x0 < 2200 && box.x1 > 1200) << cabinet.id;
+  }
+}
+
+TEST(Dress, TheTextSaysTheFormOfAKitchen) {
+  DressedRoom plain("kitchen", 3.4, 3.4, "A one-wall kitchen with a sink and a stove.");
+  plain.put("kitchen_sink", 0.45, 3.09, 0).put("stove", 1.2, 3.09, 0);
+  plain.dress();
+  EXPECT_TRUE(plain.of("kitchen_corner_unit").empty());
+  DressedRoom turned("kitchen", 3.4, 3.4, "An L-shaped kitchen with a sink and a stove.");
+  turned.put("kitchen_sink", 0.45, 3.09, 0).put("stove", 1.2, 3.09, 0);
+  turned.dress();
+  ASSERT_EQ(turned.of("kitchen_corner_unit").size(), 1u);
+  EXPECT_TRUE(std::ranges::any_of(turned.of("base_cabinet"), [](const PlacedObject& o) { return o.rotation_deg == 270; }));
+  DressedRoom facing("kitchen", 3.4, 2.6, "A galley kitchen with a sink and a stove.");
+  facing.put("kitchen_sink", 2.0, 2.29, 0).put("stove", 2.75, 2.29, 0);
+  facing.dress();
+  EXPECT_TRUE(std::ranges::any_of(facing.of("base_cabinet"), [](const PlacedObject& o) { return o.rotation_deg == 180; }));
+}
+
+TEST(Dress, CurtainsHangAtWindows) {
+  DressedRoom room("bedroom", 4, 3.6);
+  room.window("wall3", 1.4).put("double_bed", 1.0, 1.8, 90);
+  room.dress();
+  ASSERT_EQ(room.of("curtain").size(), 1u);
+  EXPECT_NEAR(room.of("curtain")[0].position[0], 2000, 1);
+  EXPECT_LT(room.of("curtain")[0].position[2], 100) << "down to the floor";
+  DressedRoom low("bedroom", 4, 3.6);
+  low.window("wall3", 1.4).put("desk", 2.0, 3.6 - 0.35, 0);
+  low.dress();
+  ASSERT_EQ(low.of("curtain").size(), 1u);
+  EXPECT_GT(low.of("curtain")[0].position[2], 700) << "down to the sill";
+}
+
+TEST(Dress, NothingOfWhatTheTextSpeaksOf) {
+  DressedRoom named("bedroom", 4, 3.6);
+  named.window("wall3", 1.4).put("plant", 3.5, 0.5, 0);
+  EXPECT_THAT(named.dress(), Not(Contains("plant")));
+  DressedRoom without("bedroom", 4, 3.6);
+  EXPECT_THAT(without.window("wall3", 1.4).unwanted("curtain").dress(), Not(Contains("curtain")));
+  for (const char* text : {"A minimalist bedroom with a bed.", "A bedroom with a bed and nothing else.", "A bedroom with only a bed."}) {
+    DressedRoom room("bedroom", 4, 3.6, text);
+    EXPECT_THAT(room.window("wall3", 1.4).put("double_bed", 1.0, 1.8, 90).dress(), IsEmpty()) << text;
+  }
+  for (const char* kind : {"prison_cell", "warehouse", "operating_room", "sauna", "", "server_room"}) {
+    EXPECT_THAT(DressedRoom(kind, 4, 4).window("wall3", 1.4).dress(), IsEmpty()) << kind;
+  }
+}
+
+TEST(Dress, APictureHangsOverTheSofaAndNotBehindTallThings) {
+  DressedRoom room("living_room", 5, 4.2);
+  room.put("sofa", 2.5, 4.2 - 0.45, 0).put("coffee_table", 2.5, 2.6, 0);
+  EXPECT_THAT(room.dress(), Contains("rug"));
+  ASSERT_FALSE(room.of("painting").empty());
+  EXPECT_NEAR(room.of("painting")[0].position[0], 2500, 1);
+  EXPECT_GE(room.of("painting")[0].size.width, 1000) << "a large one over a sofa";
+  DressedRoom hidden("living_room", 2.2, 2.2);
+  hidden.put("wardrobe", 1.1, 1.9, 0).put("wardrobe", 1.9, 1.0, 270).put("wardrobe", 0.3, 1.7, 90);
+  EXPECT_THAT(hidden.dress(), Not(Contains("painting")));
+}
+
+TEST(Dress, APlantStandsInTheCornerFarthestFromTheDoor) {
+  DressedRoom room("office", 4, 4);
+  EXPECT_THAT(room.put("desk", 2.0, 2.0, 0).dress(), Contains("plant"));
+  EXPECT_GT(room.of("plant")[0].position[0], 3500);
+  EXPECT_GT(room.of("plant")[0].position[1], 3500);
+}
+
+TEST(Dress, SmallThingsStandOnWhatCarriesThem) {
+  DressedRoom room("dining_room", 4, 4);
+  room.put("dining_table", 2.0, 2.0, 0);
+  EXPECT_THAT(room.dress(), Contains("vase"));
+  EXPECT_EQ(room.of("vase")[0].supported_by, room.of("dining_table")[0].id);
+  EXPECT_TRUE(std::ranges::any_of(room.layout().relations, [&](const PlacedRelation& placed) {
+    return placed.relation.type == RelationType::kOn && placed.relation.targets[0] == room.of("vase")[0].id && placed.held;
+  }));
+}
+
+TEST(Dress, TheDataNamesWhatIsThere) {
+  const auto exists = [](const std::string& kind) { return catalog().find(kind) != nullptr; };
+  for (const Dressing& row : Dressings::builtin().rows) {
+    EXPECT_NE(dressing::find_place(row.place), nullptr) << row.place;
+    EXPECT_TRUE(exists(row.adds)) << row.adds;
+    for (const auto* kinds : {&row.of, &row.unless, &row.unspoken}) {
+      for (const std::string& kind : *kinds) EXPECT_TRUE(exists(kind)) << kind;
+    }
+    for (const std::string& room : row.rooms) {
+      EXPECT_TRUE(std::ranges::any_of(catalog().rooms(), [&](const RoomKind& kind) { return kind.id == room; })) << room;
+    }
+    EXPECT_FALSE(row.rooms.empty()) << row.adds;
+    EXPECT_GT(row.most, 0) << row.adds;
+  }
+}
+
+}  // namespace
+}  // namespace layoutbox

@@ -1,0 +1,81 @@
+// What is free in a room that is furnished: boxes along the room's axes round everything that stands, hangs or must stay free.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "layoutbox/catalog/catalog.h"
+#include "layoutbox/scene/layout.h"
+
+namespace layoutbox::dressing {
+
+// An upright box along the room's axes; millimetres.
+struct Box {
+  double x0 = 0, y0 = 0, z0 = 0, x1 = 0, y1 = 0, z1 = 0;
+};
+bool overlap(const Box& a, const Box& b);
+// The box round a thing, however it is turned.
+Box box_round(const PlacedObject& object);
+
+// A part of a wall, from its start; millimetres.
+struct Span {
+  double low = 0, high = 0;
+  double length() const { return high - low; }
+  double middle() const { return (low + high) / 2; }
+};
+
+// A wall along one of the room's axes, as its own frame: along it (from its start), off it (into the room), up.
+struct WallFrame {
+  const Wall* wall = nullptr;
+  Point start;
+  int along_x = 0, along_y = 0;  // one of them is ±1; the floor lies to the left
+  double length = 0;
+  double turn_deg = 0;  // of what has its back to it
+
+  Box box(Span along, Span off, Span height) const;
+  Span along(const Box& box) const;
+  Span off(const Box& box) const;
+  std::array<double, 3> point(double along, double off, double height) const;
+};
+
+// What of it counts when room is looked for.
+struct Taken {
+  enum class What { kStands, kHangs, kDoorway, kWindow };
+  Box box;
+  What what = What::kStands;
+};
+
+class FreeRoom {
+ public:
+  // REQUIRES: the layout outlives it; its room has walls along its polygon.
+  FreeRoom(const Layout& layout, const Catalog& catalog);
+
+  void take(const PlacedObject& object, const CatalogEntry& entry);
+
+  const std::vector<WallFrame>& walls() const { return walls_; }
+  // The walls before and after it, where the two meet in a corner of the room that is square; else null.
+  const WallFrame* next(const WallFrame& wall) const;
+  const WallFrame* previous(const WallFrame& wall) const;
+  const WallFrame* opposite(const WallFrame& wall) const;
+  // The wall that the thing has its back to, at most so far behind it; null: none.
+  const WallFrame* behind(const PlacedObject& object, double reach) const;
+
+  // Does a box of the plan lie on the floor?
+  bool inside(const Box& box) const;
+  // On the floor of the room, and nothing there; curtains may hang before windows (`window`).
+  bool is_free(const Box& box, bool window = false) const;
+  // The parts of a wall that are free so far off it and at these heights, in order. `floor_only`: but for what stands and doorways.
+  std::vector<Span> free_along(const WallFrame& wall, Span off, Span height, bool floor_only = false) const;
+
+ private:
+  void take_openings();
+
+  const Layout* layout_;
+  std::vector<WallFrame> walls_;
+  std::vector<Taken> taken_;
+};
+
+// The parts that two lists of spans share.
+std::vector<Span> shared(const std::vector<Span>& a, const std::vector<Span>& b);
+
+}  // namespace layoutbox::dressing

@@ -1,0 +1,206 @@
+// Fitted kitchens: the free wall between units and on from them becomes base cabinets, round a corner where the form or the room asks.
+#include <algorithm>
+#include <cmath>
+
+#include "layoutbox/dress/kitchen.h"
+#include "layoutbox/dress/places.h"
+#include "layoutbox/scene/shell.h"
+
+namespace layoutbox::dressing {
+namespace {
+
+constexpr double kWalk = 1000;                      // free floor before a run
+constexpr double kTall = 1200;                      // a unit that ends a run
+constexpr double kNarrowest = 300, kCabinet = 700;  // widths of cabinets
+constexpr double kWidestGap = 2400;                 // between two units that become one run
+constexpr double kLeastTurn = 600, kSaidTurn = 1200, kMostTurn = 2400;
+constexpr double kLeftOver = 450;                                                     // of wall beyond a run that is filled as well
+constexpr double kShortest = 3000, kLongest = 5000, kSmallRoom = 6, kLargeRoom = 16;  // mm of run in rooms of so many m²
+
+class KitchenRun {
+ public:
+  KitchenRun(Dresser& dresser, const Dressing& row) : dresser_(dresser), row_(row), size_(dresser.size_of(row)) {
+    const auto& forms = Dressings::builtin().kitchen_forms;
+    const auto said = std::ranges::find_if(forms, [&](const KitchenForm& form) { return dresser.spoken().says_any(form.words); });
+    if (said != forms.end()) form_ = said->form;
+  }
+
+  void fill() {
+    find_main();
+    if (main_ == nullptr) return;
+    for (const WallFrame& wall : dresser_.room().walls()) close_gaps(wall);
+    const double share =
+        std::clamp((double(doubled_area(dresser_.layout().room.polygon)) / 2e6 - kSmallRoom) / (kLargeRoom - kSmallRoom), 0.0, 1.0);
+    wanted_ = kShortest + share * (kLongest - kShortest) + (form_ == "L" ? kLeastTurn : form_ == "U" ? 2 * kLeastTurn : 0);
+    extend();
+    for (const WallFrame& wall : dresser_.room().walls()) {
+      if (&wall != main_) flank(wall);
+    }
+    if (form_ == "galley") face();
+  }
+
+ private:
+  // As long as the units along all walls are.
+  double length() const {
+    double sum = 0;
+    for (const WallFrame& wall : dresser_.room().walls()) {
+      for (const Unit& unit : units_at(dresser_, wall)) sum += unit.span.length();
+    }
+    return sum;
+  }
+
+  void find_main() {
+    double longest = 0;
+    for (const WallFrame& wall : dresser_.room().walls()) {
+      double sum = 0;
+      for (const Unit& unit : units_at(dresser_, wall)) {
+        sum += unit.span.length();
+        const bool counter = dresser_.catalog().is_a(unit.object->category, "counter") && unit.object->spaces.empty();
+        if (counter) size_.depth = unit.object->size.depth, size_.height = unit.object->size.height;
+      }
+      if (sum > longest) longest = sum, main_ = &wall;
+    }
+  }
+
+  // Where a cabinet may stand along a wall, with room to walk before it.
+  std::vector<Span> free_at(const WallFrame& wall) const {
+    const double depth = size_.depth;
+    return shared(dresser_.room().free_along(wall, {0, depth}, {0, double(size_.height)}),
+                  dresser_.room().free_along(wall, {depth, depth + kWalk}, {0, double(size_.height)}, true));
+  }
+
+  // Equal cabinets over the whole of it.
+  void place(const WallFrame& wall, Span span) {
+    if (span.length() < kNarrowest) return;
+    const int count = std::max(1, static_cast<int>(std::lround(span.length() / kCabinet)));
+    double from = span.low;
+    for (int k = 0; k < count; ++k) {
+      const double to = k + 1 == count ? std::floor(span.high) : from + std::floor(span.length() / count);
+      dresser_.add_at_wall(row_.adds, row_.words, {static_cast<Mm>(to - from), size_.depth, size_.height}, wall, from, 0);
+      from = to;
+    }
+  }
+
+  void close_gaps(const WallFrame& wall) {
+    const std::vector<Unit> units = units_at(dresser_, wall);
+    for (std::size_t i = 0; i + 1 < units.size(); ++i) {
+      const Span gap{units[i].span.high, units[i + 1].span.low};
+      if (gap.length() < kNarrowest || gap.length() > kWidestGap) continue;
+      for (const Span& span : shared({gap}, free_at(wall))) place(wall, span);
+    }
+  }
+
+  // What is free beyond an end of a run, and round the corner there.
+  struct End {
+    const WallFrame* wall = nullptr;
+    bool high = false;
+    double straight = 0;  // up to the corner, or to what stands there
+    bool corner = false;  // it goes as far as the corner
+    const WallFrame* turned = nullptr;
+    double turn = 0;  // along the next wall, from the corner unit on
+  };
+
+  // REQUIRES: units stand at the wall.
+  End end_of(const WallFrame& wall, bool high) const {
+    End end{.wall = &wall, .high = high};
+    const std::vector<Unit> units = units_at(dresser_, wall);
+    const Unit& last = high ? units.back() : units.front();
+    if (last.object->size.height > kTall) return end;
+    const double edge = high ? last.span.high : last.span.low;
+    for (const Span& span : free_at(wall)) {
+      if (std::abs((high ? span.low : span.high) - edge) > kTouching) continue;
+      end.straight = span.length();
+      end.corner = high ? span.high > wall.length - 1 : span.low < 1;
+    }
+    end.turned = high ? dresser_.room().next(wall) : dresser_.room().previous(wall);
+    if (!end.corner || end.straight < size_.depth || end.turned == nullptr) return end;
+    const double corner = size_.depth, length = end.turned->length;  // the corner itself belongs to this wall
+    for (const Span& span : free_at(*end.turned)) {
+      const Span beyond = high ? Span{std::max(span.low, corner), span.high} : Span{span.low, std::min(span.high, length - corner)};
+      const bool meets = high ? beyond.low <= corner + 1 : beyond.high >= length - corner - 1;
+      if (meets && beyond.length() >= kLeastTurn) end.turn = beyond.length();
+    }
+    return end;
+  }
+
+  double edge_of(const WallFrame& wall, bool high) const {
+    const std::vector<Unit> units = units_at(dresser_, wall);
+    return high ? units.back().span.high : units.front().span.low;
+  }
+
+  void turn(const End& end, double wanted) {
+    const double edge = edge_of(*end.wall, end.high), depth = size_.depth;
+    const double corner = end.high ? end.wall->length - depth : 0;
+    place(*end.wall, end.high ? Span{edge, corner} : Span{depth, edge});
+    dresser_.add_at_wall("kitchen_corner_unit", row_.words, {size_.depth, size_.depth, size_.height}, *end.wall, corner, 0);
+    const double length = on_grid(std::clamp(wanted, kLeastTurn, std::min(end.turn, kMostTurn)));
+    const double from = end.high ? depth : end.turned->length - depth - length;
+    place(*end.turned, {from, from + length});
+  }
+
+  void go_on(const End& end) {
+    const double edge = edge_of(*end.wall, end.high), wanted = wanted_ - length();
+    if (wanted < kNarrowest) return;
+    const double length = end.straight - wanted < kLeftOver ? end.straight : on_grid(wanted);
+    place(*end.wall, end.high ? Span{edge, edge + length} : Span{edge - length, edge});
+  }
+
+  void extend() {
+    End ends[] = {end_of(*main_, true), end_of(*main_, false)};
+    std::ranges::stable_sort(ends, std::greater{}, [](const End& end) { return std::pair(end.turn > 0, end.straight + end.turn); });
+    const double straight = ends[0].straight + ends[1].straight, missing = wanted_ - length();
+    const bool short_of_wall = form_.empty() && missing - straight > kLeastTurn;
+    const int turns = form_ == "U" ? 2 : form_ == "L" || short_of_wall ? 1 : 0;
+    int turned = 0;
+    for (const End& end : ends) {
+      if (turned < turns && end.turn > 0) {
+        turn(end, std::max(wanted_ - length() - end.straight, form_.empty() ? 0 : kSaidTurn));
+        ++turned;
+      } else {
+        go_on(end);
+      }
+    }
+  }
+
+  // The units along another wall get their worktop too.
+  void flank(const WallFrame& wall) {
+    for (const bool high : {true, false}) {
+      if (!units_at(dresser_, wall).empty()) go_on(end_of(wall, high));
+    }
+  }
+
+  // A second run along the wall across, as long as the first.
+  void face() {
+    const WallFrame* across = dresser_.room().opposite(*main_);
+    if (across == nullptr) return;
+    const Span run{edge_of(*main_, false), edge_of(*main_, true)};
+    const Span mirrored{across->length - run.high, across->length - run.low};
+    for (const Span& span : shared({mirrored}, free_at(*across))) {
+      if (span.length() >= kLeastTurn) place(*across, span);
+    }
+  }
+
+  Dresser& dresser_;
+  const Dressing& row_;
+  Size size_;
+  std::string form_;
+  const WallFrame* main_ = nullptr;
+  double wanted_ = 0;
+};
+
+}  // namespace
+
+std::vector<Unit> units_at(const Dresser& dresser, const WallFrame& wall) {
+  constexpr double kBehind = 80;
+  std::vector<Unit> units;
+  for (const PlacedObject& object : dresser.layout().objects) {
+    const bool is_unit = object.mount == Mount::kFloor && dresser.entry_of(object).is(Trait::kKitchenRun);
+    if (is_unit && dresser.room().behind(object, kBehind) == &wall) units.push_back({&object, wall.along(box_round(object))});
+  }
+  std::ranges::sort(units, {}, [](const Unit& unit) { return unit.span.low; });
+  return units;
+}
+
+void fill_kitchen_run(Dresser& dresser, const Dressing& row) { KitchenRun(dresser, row).fill(); }
+
+}  // namespace layoutbox::dressing

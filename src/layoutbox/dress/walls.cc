@@ -1,0 +1,97 @@
+// What hangs on walls: over things, and on blank stretches.
+#include <algorithm>
+#include <cmath>
+
+#include "layoutbox/dress/places.h"
+
+namespace layoutbox::dressing {
+namespace {
+
+constexpr double kAtWall = 350;    // mm: what stands no farther off has the wall behind it
+constexpr double kBeforeIt = 300;  // mm that are free before what hangs, so that it is seen
+constexpr double kAround = 80;     // … and about it
+constexpr double kAbove = 150;     // between a top and what hangs over it
+constexpr double kOverPicture = 120;
+constexpr double kOfWidth = 0.6;    // a single picture's share of what it hangs over
+constexpr double kOfStretch = 0.3;  // … of its stretch of wall
+constexpr double kBetween = 120;    // pictures of a row
+
+Size within(const CatalogEntry& entry, Size size, double scale) {
+  const auto held = [&](Mm side, Mm least, Mm most) {
+    return static_cast<Mm>(on_grid(std::clamp(side * scale, double(least), double(most))));
+  };
+  size.width = held(size.width, entry.size.least.width, entry.size.greatest.width);
+  size.height = held(size.height, entry.size.least.height, entry.size.greatest.height);
+  return size;
+}
+
+// Its usual height on the wall, with its middle at the height of the eyes where it is a picture; higher over what stands there.
+double height_for(const Dresser& dresser, const Dressing& row, const Size& size, double top) {
+  const CatalogEntry& entry = dresser.catalog().entry_or_nearest(row.adds);
+  const double usual = entry.hang_height + (entry.size.usual.height - size.height) / 2.0;
+  return on_grid(std::max(usual, top + kAbove));
+}
+
+bool fits(const Dresser& dresser, const WallFrame& wall, Span along, Span height) {
+  if (height.high > dresser.layout().room.height - kOverPicture) return false;
+  const Box seen = wall.box({along.low - kAround, along.high + kAround}, {0, kBeforeIt}, height);
+  return along.low >= kAround && along.high <= wall.length - kAround && dresser.room().is_free(seen);
+}
+
+// A row of them, centred there; the first that is hindered hinders all.
+bool hang(Dresser& dresser, const Dressing& row, const WallFrame& wall, double middle, double top, const Size& size, int count) {
+  const double whole = count * size.width + (count - 1) * kBetween, from = middle - whole / 2;
+  const double height = height_for(dresser, row, size, top);
+  if (!fits(dresser, wall, {from, from + whole}, {height, height + size.height})) return false;
+  for (int k = 0; k < count; ++k) dresser.add_at_wall(row.adds, row.words, size, wall, from + k * (size.width + kBetween), height);
+  return true;
+}
+
+}  // namespace
+
+// One as large as suits what stands below; where the row says how wide, as many of these as go over it, up to three.
+void hang_over_things(Dresser& dresser, const Dressing& row) {
+  const CatalogEntry& entry = dresser.catalog().entry_or_nearest(row.adds);
+  int left = row.most;
+  for (const std::size_t i : dresser.things(row.of)) {
+    const PlacedObject below = dresser.layout().objects[i];
+    const WallFrame* wall = below.mount == Mount::kFloor ? dresser.room().behind(below, kAtWall) : nullptr;
+    if (wall == nullptr || left == 0 || below.size.width < row.stretch) continue;
+    Size size = dresser.size_of(row);
+    int count = 1;
+    if (row.size.width > 0) {
+      count = std::clamp(static_cast<int>((below.size.width + kBetween) / (size.width + kBetween)), 1, std::min(3, left));
+    } else {
+      size = within(entry, size, below.size.width * kOfWidth / size.width);
+    }
+    const Box box = box_round(below);
+    if (hang(dresser, row, *wall, wall->along(box).middle(), box.z1, size, count)) left -= count;
+  }
+}
+
+// On walls that the picture shows first, the longest blank stretch of these; one on a wall.
+void hang_on_walls(Dresser& dresser, const Dressing& row) {
+  const CatalogEntry& entry = dresser.catalog().entry_or_nearest(row.adds);
+  struct Blank {
+    const WallFrame* wall;
+    Span span;
+  };
+  std::vector<Blank> blanks;
+  const Size usual = dresser.size_of(row);
+  const double low = height_for(dresser, row, usual, 0);
+  for (const WallFrame& wall : dresser.room().walls()) {
+    const std::vector<Span> free = dresser.room().free_along(wall, {0, kBeforeIt}, {low, low + usual.height});
+    const auto longest = std::ranges::max_element(free, {}, &Span::length);
+    if (longest != free.end() && longest->length() >= row.stretch) blanks.push_back({&wall, *longest});
+  }
+  std::ranges::stable_sort(blanks, std::greater{},
+                           [&](const Blank& blank) { return std::pair(dresser.is_shown(*blank.wall), blank.span.length()); });
+  int left = row.most;
+  for (const auto& [wall, span] : blanks) {
+    if (left == 0) return;
+    const double scale = row.size.width > 0 ? 1 : span.length() * kOfStretch / usual.width;
+    if (hang(dresser, row, *wall, on_grid(span.middle()), 0, within(entry, usual, scale), 1)) --left;
+  }
+}
+
+}  // namespace layoutbox::dressing

@@ -1,0 +1,40 @@
+#include "layoutbox/plan/spoken.h"
+
+#include <algorithm>
+
+#include "layoutbox/base/words.h"
+#include "layoutbox/catalog/size_words.h"
+
+namespace layoutbox {
+namespace {
+
+std::string head_of(const std::string& name) {
+  const std::vector<std::string> words = words_of(name);
+  return words.empty() ? std::string{} : key_of(singular_of(words.back()));
+}
+
+}  // namespace
+
+Spoken::Spoken(const SceneGraph& scene, std::vector<std::string> excluded, const Catalog& catalog)
+    : catalog_(&catalog), excluded_(std::move(excluded)), said_(words_of(scene.prompt)) {
+  for (const SceneObject& object : scene.objects) {
+    const bool named = object.origin == Origin::kAsked || object.origin == Origin::kConcluded;
+    if (named) named_.emplace_back(object.category, head_of(object.name));
+  }
+}
+
+bool Spoken::of(const CatalogEntry& kind) const {
+  const std::string head = head_of(kind.name);
+  const auto names = [&](const auto& thing) { return akin(thing.first, kind.id) || thing.second == head; };
+  const auto excludes = [&](const std::string& id) {
+    const CatalogEntry* entry = catalog_->find(id);
+    return akin(id, kind.id) || (entry != nullptr && head_of(entry->name) == head);
+  };
+  return std::ranges::any_of(named_, names) || std::ranges::any_of(excluded_, excludes);
+}
+
+bool Spoken::says_any(const std::vector<std::string>& phrases) const {
+  return std::ranges::any_of(phrases, [&](const std::string& phrase) { return says(said_, phrase); });
+}
+
+}  // namespace layoutbox

@@ -1,0 +1,32 @@
+// What a text speaks of: the kinds that it names, counts or wants none of, and its very words. What is added unasked keeps off these.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "layoutbox/catalog/catalog.h"
+#include "layoutbox/scene/scene_graph.h"
+
+namespace layoutbox {
+
+class Spoken {
+ public:
+  // Of a scene planned from text; `excluded`: the kinds that it wants none of (Plan::unwanted). What was added or is only usual is not
+  // spoken of. REQUIRES: the catalogue outlives it.
+  Spoken(const SceneGraph& scene, std::vector<std::string> excluded, const Catalog& catalog);
+
+  // The text has things of that kind, of a more general or a special one, or of the same head noun; or it wants none.
+  bool of(const CatalogEntry& kind) const;
+  // One of the phrases stands in the text, word for word.
+  bool says_any(const std::vector<std::string>& phrases) const;
+
+ private:
+  bool akin(const std::string& a, const std::string& b) const { return catalog_->is_a(a, b) || catalog_->is_a(b, a); }
+
+  const Catalog* catalog_;
+  std::vector<std::string> excluded_, said_;
+  std::vector<std::pair<std::string, std::string>> named_;  // category, head noun
+};
+
+}  // namespace layoutbox
