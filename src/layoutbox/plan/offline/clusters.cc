@@ -48,7 +48,9 @@ void settle_clusters(const Lexicon& lexicon, Document& document) {
     if (noun.kind != NounKind::kObject || !noun.is_plural()) continue;
     const auto [together, end] = together_at(lexicon, document, chunk.last);
     if (together == 0) continue;
-    noun.together = together;
+    // "tables in groups of four", of which nobody says how many: tables at which so many sit.
+    const bool shared = noun.head == "table" && noun.count == 0 && together > 2;
+    (shared ? noun.seats : noun.together) = together;
     grouped = &noun;
     take_chunks(document, chunk.last, end, "together");
   }

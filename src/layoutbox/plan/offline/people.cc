@@ -202,8 +202,10 @@ class PeopleReader {
     int host = named(*main);
     // "an office for twelve with plants between the desks": twelve of them.
     if (host >= 0 && persons == 1 && mention(host).noun.plural && mention(host).noun.count == 0) {
-      grow(host, people);
-      if (mention(host).noun.entry->id == "table") become(host, *main);  // "a classroom for 24 with tables in groups of four"
+      const int at_each = std::max(mention(host).noun.seats, 1);  // "tables in groups of four"
+      grow(host, (people + at_each - 1) / at_each);
+      if (at_each > 1) return;
+      if (mention(host).noun.entry->id == "table") become(host, *main);  // "a classroom for 24 with tables"
     } else if (host >= 0 && (persons > 0 || !seats_follow)) {
       grow_seats(*needs, people);  // "a laboratory for 16 students with four benches, stools"
       return;

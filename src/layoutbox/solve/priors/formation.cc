@@ -171,7 +171,8 @@ void add_formation_place(Formula& f, const Model& model, const FormationOf& of) 
     for_each_turn(bar, [&](int turn, std::uint64_t turned) {
       const std::uint64_t states = states_with_width_along(model.items[item], 0);
       if (quarter(turn))
-        places.add(0, states, 0, false, {turned, side_direction(bar, Side::kFront, turn), bar.states[0].size.depth + kRoundCounter});
+        places.add(0, states, 0, false,
+                   {turned, side_direction(bar, Side::kFront, turn), std::max(bar.states[0].size.depth + kRoundCounter, of.before)});
     });
     if (!f.cases.empty()) return;
   }

@@ -380,7 +380,9 @@ bool Habits::stand_in_formation(int item) {
   const int first = group->members[0];
   if (group->columns == 0 && model_.items[first].entry->back_to_wall && fits_islands(first)) return stand_in_islands(item, *group, k);
   Formula f;
-  const int counter = group->columns == 0 && model_.items[first].is(Trait::kTable) ? counter_of_room() : -1;
+  // Tables stand before the bar; those of a class before the board.
+  const bool tables = group->columns == 0 && model_.items[first].is(Trait::kTable);
+  const int bar = tables ? counter_of_room() : -1, counter = tables && bar < 0 ? board_of_room() : bar;
   // Round something in the middle of the room each stands where there is room for it.
   const bool crossed = !told_middle_with_others(first) && middle_is_taken(first);
   const bool looks =
@@ -391,7 +393,7 @@ bool Habits::stand_in_formation(int item) {
                        .columns = group->columns,
                        .weight = crossed ? 2 * kFormation : kFormation,
                        .in_line = crossed ? 0 : kInLine,
-                       .before = looks ? kStageDepth + teachers_depth() : 0,
+                       .before = looks || counter != bar ? kStageDepth + teachers_depth() : 0,
                        .leader = group->columns == 0 ? leader_of(*group) : -1,
                        .counter = counter,
                        .part = part_of(*group)});
