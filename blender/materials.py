@@ -213,6 +213,43 @@ def paint_bricks(nodes, point, row):
     return nodes.mix(joint, nodes.mix(0.5, tone, rough), rgba(second))
 
 
+def paint_tatami(nodes, point, row):
+    """Mats 1 long and 1/2 wide with cloth edges; the rush runs along them."""
+    base, second = row["color"], row["second"]
+    mat, joint = nodes.bricks(point, 1.0, 0.5, 0.022)
+    rush = nodes.ramp(nodes.noise(nodes.stretched(point, 2.0, 160.0), 1.0), (0.3, between(base, second, 0.16)), (0.7, base))
+    tone = nodes.ramp(mat, (0.0, between(base, second, 0.10)), (1.0, base))
+    return nodes.mix(joint, nodes.mix(0.5, rush, tone), rgba(second))
+
+
+def paint_flags(nodes, point, row):
+    """Slabs 1 long and 0.6 wide."""
+    base, second = row["color"], row["second"]
+    slab, joint = nodes.bricks(point, 1.0, 0.6, 0.012)
+    tone = nodes.ramp(slab, (0.0, between(base, second, 0.35)), (0.5, base), (1.0, between(base, (1, 1, 1), 0.1)))
+    rough = nodes.ramp(nodes.noise(point, 5.0, detail=6.0), (0.3, between(base, second, 0.4)), (0.7, base))
+    nodes.bump(nodes.ramp(joint, (0.0, (1, 1, 1)), (1.0, (0, 0, 0))), 4.0, 0.4)
+    return nodes.mix(joint, nodes.mix(0.5, tone, rough), rgba(second))
+
+
+def paint_flowers(nodes, point, row):
+    """A blossom of five petals about the middle of each cell of edge 1."""
+    base, second, math_node = row["color"], row["second"], nodes.math
+    cells = nodes.add("ShaderNodeTexVoronoi", feature="F1", voronoi_dimensions="2D")
+    cells.inputs["Scale"].default_value, cells.inputs["Randomness"].default_value = 1.0, 0.55
+    nodes.tree.links.new(point.outputs[0], cells.inputs["Vector"])
+    away = nodes.add("ShaderNodeVectorMath", operation="SUBTRACT")
+    nodes.tree.links.new(point.outputs[0], away.inputs[0])
+    nodes.tree.links.new(cells.outputs["Position"], away.inputs[1])
+    split = nodes.add("ShaderNodeSeparateXYZ")
+    nodes.tree.links.new(away.outputs[0], split.inputs[0])
+    turn = math_node("MULTIPLY", math_node("ARCTAN2", split.outputs[1], split.outputs[0]), 5.0)
+    petals = math_node("ADD", 0.22, math_node("MULTIPLY", math_node("COSINE", turn, 0.0), 0.085))
+    far = cells.outputs["Distance"]
+    blossom = nodes.mix(math_node("LESS_THAN", far, petals), rgba(base), rgba(second))
+    return nodes.mix(math_node("LESS_THAN", far, 0.06), blossom, rgba(between(second, (1.0, 0.85, 0.4), 0.6)))
+
+
 def paint_marble(nodes, point, row):
     base, second = row["color"], row["second"]
     veins = nodes.wave(point, math.pi / 20, distortion=6.0, direction="DIAGONAL", detail=5.0)
@@ -287,7 +324,7 @@ def paint_brushed(nodes, point, row):
 
 
 PAINTERS = {"wood": paint_wood, "planks": paint_planks, "parquet": paint_parquet, "tiles": paint_tiles, "checker": paint_checker,
-            "bricks": paint_bricks, "marble": paint_marble, "terrazzo": paint_terrazzo, "concrete": paint_concrete,
+            "bricks": paint_bricks, "tatami": paint_tatami, "flags": paint_flags, "flowers": paint_flowers, "marble": paint_marble, "terrazzo": paint_terrazzo, "concrete": paint_concrete,
             "plaster": paint_plaster, "fabric": paint_fabric, "carpet": paint_carpet, "leather": paint_leather,
             "wicker": paint_wicker, "stripes": paint_stripes, "brushed": paint_brushed}
 

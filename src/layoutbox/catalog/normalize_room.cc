@@ -74,6 +74,7 @@ class RoomNormalizer {
     move_to_origin();
     check_extent();
     if (!context_.errors.empty()) return;
+    settle_wall_looks();
     settle_openings();
     if (room_.openings.empty() && !room_.openings_given && context_.options.default_openings) add_default_openings();
     for (Error& error : check_openings(room_)) context_.errors.push_back(std::move(error));
@@ -236,6 +237,16 @@ class RoomNormalizer {
     check("width", high.x, kSmallestRoom, kLargestRoom);
     check("depth", high.y, kSmallestRoom, kLargestRoom);
     check("height", room_.height, kLowestRoom, kHighestRoom);
+  }
+
+  void settle_wall_looks() {
+    for (const auto& [word, material] : room_.wall_looks) {
+      const Wall* meant = context_.scene.find_wall(word);
+      for (Wall& wall : room_.walls) {
+        if (&wall == meant && wall.material.empty()) wall.material = material;
+      }
+    }
+    room_.wall_looks.clear();
   }
 
   void settle_openings() {

@@ -202,7 +202,7 @@ TEST(Gltf, SaysSoWhereTextIsNoText) {
 // Every procedure that model.h names has a pattern.
 TEST(Pattern, KnowsEveryProcedure) {
   for (const char* name : {"wood", "planks", "parquet", "tiles", "checker", "bricks", "marble", "terrazzo", "concrete", "plaster", "fabric",
-                           "carpet", "leather", "wicker", "stripes", "brushed"}) {
+                           "carpet", "leather", "wicker", "stripes", "brushed", "tatami", "flags", "flowers"}) {
     ASSERT_TRUE(has_pattern(name)) << name;
     const std::string png = pattern_png(surface("x", name));
     EXPECT_EQ(png.substr(1, 3), "PNG");

@@ -125,6 +125,35 @@ Tone bricks(const Place& p) {
   return {0, 0.7 * random(wrapped(static_cast<int>(std::floor(x)), 2), row, 3) + 0.3 * p.fine};
 }
 
+// Mats 1 by 1/2; one repeat is two of them.
+Tone tatami(const Place& p) {
+  const double y = p.v * 2;
+  const int row = static_cast<int>(y);
+  const double x = p.u + 0.5 * row, fx = x - std::floor(x), fy = y - row;
+  if (std::min(fy, 1 - fy) < 0.05) return {1, 0};
+  if (std::min(fx, 1 - fx) < 0.004) return {0.7, 0};
+  return {0.12 * step(0.3, 0.7, p.fine), 0.15 * row};
+}
+
+// Slabs 1 by 0.6; one repeat is two rows of one.
+Tone flags(const Place& p) {
+  const double y = p.v * 2;
+  const int row = static_cast<int>(y);
+  const double x = p.u + 0.5 * row, fx = x - std::floor(x), fy = y - row;
+  if (std::min(fx, 1 - fx) < 0.012 || std::min(fy, 1 - fy) < 0.02) return {1, 0};
+  return {0.35 * p.fine, 0.5 * random(0, row, 3)};
+}
+
+// Blossoms of five petals, in every second row between those of the first.
+Tone flowers(const Place& p) {
+  const double y = p.v * 2;
+  const int row = static_cast<int>(y);
+  const double x = p.u * 2 + 0.5 * row, dx = x - std::floor(x) - 0.5, dy = y - row - 0.5;
+  const double r = std::hypot(dx, dy), petals = 0.3 * (0.72 + 0.28 * std::cos(5 * std::atan2(dy, dx)));
+  if (r < 0.06) return {0.2, 0.2};
+  return {1 - step(petals - 0.03, petals, r), 0};
+}
+
 Tone marble(const Place& p) {
   const double vein = std::abs(std::sin(kPi * (2 * (p.u + p.v) + 3.0 * p.coarse)));
   return {std::max(0.8 * (1 - step(0.0, 0.16, vein)), 0.3 * step(0.45, 0.8, p.fine)), 0};
@@ -190,6 +219,9 @@ const std::map<std::string, Pattern>& patterns() {
       {"tiles", {tiles, 256, {2, 2}}},
       {"checker", {checker, 32, {2, 2}}},
       {"bricks", {bricks, 128, {2, 2}, {24, 24, 2}}},
+      {"tatami", {tatami, 256, {1, 1}, {2, 100, 2}}},
+      {"flags", {flags, 128, {1, 1.2}, {6, 6, 3}}},
+      {"flowers", {flowers, 128, {2, 2}}},
       {"marble", {marble, 256, {4, 4}, {5, 5, 4}, {4, 4, 5}}},
       {"terrazzo", {terrazzo, 128, {12, 12}}},
       {"concrete", {concrete, 128, {3, 3}, {3, 3, 5}}},

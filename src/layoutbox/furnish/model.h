@@ -32,6 +32,9 @@ struct Mesh {
 //   tiles     square tiles of edge `scale`, joints of second 1/45 of it wide
 //   checker   square tiles of edge `scale`, by turns base and second
 //   bricks    bricks `scale` long and scale/3 high in running bond, joints of second
+//   tatami    mats `scale` long and half as wide in running bond, rush along u, edged with second
+//   flags     slabs of stone `scale` long and 0.6 of it wide in running bond, shades of base, joints of second
+//   flowers   blossoms of second, about one in each square of edge `scale`, on base
 //   marble    base with thin turbulent veins of second about `scale` apart
 //   terrazzo  base with small chips of second and darker ones about `scale` in size
 //   concrete  base with soft clouds of second about `scale` in size

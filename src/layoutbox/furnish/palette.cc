@@ -147,7 +147,10 @@ Surface colored(const NamedSurface& named, const Color& color) {
   // What is seen through, gilded or veined keeps its own colour.
   if (!from->tint && from->kind != "wood" && from->kind != "leather" && from->kind != "floor") return surface;
   surface.base = color;
-  surface.second = mixed(color, Color{0, 0, 0}, from->kind == "floor" && from->surface.texture == "tiles" ? 0.3 : 0.16);
+  const std::string& texture = from->surface.texture;
+  const bool printed = from->kind == "floor" && (texture == "stripes" || texture == "flowers");  // on paper of that colour
+  surface.second =
+      printed ? mixed(color, Color{1, 1, 1}, 0.6) : mixed(color, Color{0, 0, 0}, from->kind == "floor" && texture == "tiles" ? 0.3 : 0.16);
   const auto byte = [](double c) { return static_cast<int>(std::clamp(c, 0.0, 1.0) * 255 + 0.5); };
   surface.name = fmt::format("{}_{:02x}{:02x}{:02x}", from->surface.name, byte(color.r), byte(color.g), byte(color.b));
   return surface;

@@ -29,14 +29,25 @@ std::string floor_of(const NamedSurface& named) {
     return name == "birch" || name == "pine" || name == "bamboo" ? "pale_planks" : "oak_planks";
   }
   if (name == "marble") return "marble_floor";
+  if (name == "stone" || name == "stone_wall") return "stone_floor";
+  if (name == "brick") return "brick_floor";
   return named.kind == "fabric" ? "carpet" : name;
+}
+
+// A wall's own surface for what the text names: boards of a wood, small tiles, rough blocks.
+std::string wall_of(const NamedSurface& named) {
+  const std::string& name = named.surface.name;
+  if (named.kind == "wood" && name != "lacquer" && name != "cork")
+    return name == "walnut" || name == "mahogany" || name == "ebony" ? "dark_panelling" : "panelling";
+  if (name == "tiles") return "wall_tiles";
+  return name == "stone" || name == "stone_floor" ? "stone_wall" : name;
 }
 
 Surface surface_for(const Layout& layout, const std::string& asked, std::string_view usual, bool is_floor) {
   const Material* own = material_of(layout, asked);
   const SurfaceWish wish = read_wish(asked);
   const NamedSurface* named = &named_surface(usual);
-  if (!wish.materials.empty()) named = is_floor ? &named_surface(floor_of(*wish.materials.front())) : wish.materials.front();
+  if (!wish.materials.empty()) named = &named_surface(is_floor ? floor_of(*wish.materials.front()) : wall_of(*wish.materials.front()));
   const std::optional<Color> color = own != nullptr && own->color ? own->color : wish.color;
   Surface surface = color ? colored(*named, *color) : named->surface;
   if (own == nullptr) return surface;
@@ -116,8 +127,12 @@ void add_wall(const Layout& layout, const Decor& decor, std::size_t index, Palet
   // The end at the start is the mirror image of the one at the end.
   const double at_end = mitre(frame.along, frame.thickness, after.along, after.thickness);
   const double at_start = mitre({-frame.along.x, frame.along.y}, frame.thickness, {-before.along.x, before.along.y}, before.thickness);
-  node.parts.push_back({kit::pierced_slab(frame.length, -kSlab, height, -frame.thickness, 0, holes, at_start, at_end),
-                        palette.add(wall_surface(layout, decor, asked))});
+  const Surface surface = wall_surface(layout, decor, asked);
+  Mesh body = kit::pierced_slab(frame.length, -kSlab, height, -frame.thickness, 0, holes, at_start, at_end);
+  if (surface.texture == "planks") {  // boards stand upright
+    for (Vec2f& uv : body.uvs) std::swap(uv[0], uv[1]);
+  }
+  node.parts.push_back({std::move(body), palette.add(surface)});
   Mesh boards;
   for (const auto& [a, b] : skirting) {
     if (b - a > 0.02) kit::append(boards, kit::box(kit::sides(a, b, 0, 0.012, 0, 0.08), 0.004));

@@ -9,6 +9,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "layoutbox/base/units.h"
@@ -78,6 +79,8 @@ struct Room {
   std::vector<Opening> openings;
   bool openings_given = false;  // the list is complete, even if empty: no default door and window are added
   std::string floor_material, wall_material;
+  // Single walls that the text gives a look: by id or word, and the material; normalize_scene hands it to the wall. Not in files.
+  std::vector<std::pair<std::string, std::string>> wall_looks{};
   // What the text said where no exact size was given; read by normalize_scene.
   std::optional<double> area_m2;
   std::string size_word;  // "small", "large", "spacious"… or empty

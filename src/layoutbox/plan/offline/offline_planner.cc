@@ -75,6 +75,7 @@ class OfflinePlanner final : public Planner {
     settle_opening_sizes(document);
     settle_opening_walls(lexicon_, document);
     settle_opening_ends(document);
+    settle_finishes(lexicon_, document);
     settle_absent(lexicon_, document);
     settle_clusters(lexicon_, document);
     settle_inserts(document);
@@ -95,7 +96,7 @@ class OfflinePlanner final : public Planner {
     plan.scene.prompt = document.prompt;
     plan.scene.notes = std::move(document.notes);
     build_objects(document, plan.scene);
-    build_room(document, size, plan.scene);
+    build_room(lexicon_, document, size, plan.scene);
     read_room_colors(lexicon_, document, plan.scene.room);
     build_relations(lexicon_, document, plan.scene);
     if (is_set(document.stop)) return stopped();

@@ -76,6 +76,7 @@ void RelationBuilder::let_in(int m, const CatalogEntry& host) {
 
 void RelationBuilder::run() {
   place_hosts();
+  place_before_walls();
   let_into_tops();
   for (const Link& link : document_.links) {
     if (is_set(document_.stop)) return;
@@ -243,6 +244,18 @@ std::vector<std::string> RelationBuilder::opening_ids(const NounPhrase& noun) co
   }
   if (ids.empty()) ids.push_back(std::string(type));
   return ids;
+}
+
+// "a green wall behind the bed": the bed is at it.
+void RelationBuilder::place_before_walls() {
+  for (std::size_t m = 0; m < document_.mentions.size(); ++m) {
+    const int wall = static_cast<int>(m), thing = thing_before_wall(document_, wall);
+    if (thing < 0) continue;
+    Link link;
+    link.first = mention(wall).noun.first;
+    link.last = mention(thing).noun.last;
+    for (const int item : mention(thing).items) add(link, R::kAgainstWall, {id(item)}, {single_wall(document_, wall, scene_.room)});
+  }
 }
 
 void RelationBuilder::add_relations(const Link& link) {

@@ -42,6 +42,7 @@ class RelationBuilder {
   // As many of them as the words say: "between two windows".
   std::vector<std::string> opening_ids(const NounPhrase& noun) const;
   void place_hosts();
+  void place_before_walls();
   void let_into_tops();
   void let_in(int m, const CatalogEntry& host);
   void add_relations(const Link& link);

@@ -249,38 +249,90 @@ void add_needed_openings(const Document& document, SceneGraph& scene) {
   }
 }
 
-void set_surfaces(const Document& document, Room& room) {
-  for (const Mention& mention : document.mentions) {
-    const NounPhrase& noun = mention.noun;
-    if (noun.kind != NounKind::kFloor && noun.kind != NounKind::kWall) continue;
-    std::string material;
-    for (std::size_t a = 0; a < noun.attributes.size(); ++a) {
-      if (a < noun.attribute_classes.size() &&
-          (noun.attribute_classes[a] == Class::kColor || noun.attribute_classes[a] == Class::kMaterial))
-        material += (material.empty() ? "" : " ") + noun.attributes[a];
+// The wall that a thing is said to be at; empty: none.
+std::string wall_of_thing(const Document& document, int mention) {
+  const Mention& thing = document.mentions[static_cast<std::size_t>(mention)];
+  for (const Link& link : document.links) {
+    for (const int target : link.targets) {
+      const Mention& placed = document.mentions[static_cast<std::size_t>(target)];
+      if (placed.items.empty() || placed.items != thing.items) continue;
+      for (const int reference : link.references) {
+        const NounPhrase& by = document.mentions[static_cast<std::size_t>(reference)].noun;
+        if (by.kind == NounKind::kWall && !by.wall_word.empty()) return by.wall_word;
+      }
     }
-    // "hardwood floor", "wood floor": names of their own
-    if (noun.kind == NounKind::kFloor && material.empty() && noun.name.find("wood") != std::string::npos) material = "wood";
-    const auto said = [&](std::string_view word) {
-      return std::find(noun.attributes.begin(), noun.attributes.end(), word) != noun.attributes.end();
-    };
-    if (noun.kind == NounKind::kWall && material.empty()) material = said("dark") ? "dark gray" : said("bright") ? "white" : "";
+  }
+  return {};
+}
+
+// The materials and colours that a wall or a floor is said to have: "dark green", "exposed brick", "stone" of "a stone floor".
+std::string finish_of(const Lexicon& lexicon, const Document& document, const NounPhrase& noun) {
+  std::string material;
+  const auto add = [&](const std::string& words) { material += (material.empty() ? "" : " ") + words; };
+  for (std::size_t a = 0; a < noun.attributes.size() && a < noun.attribute_classes.size(); ++a) {
+    if (noun.attribute_classes[a] == Class::kColor || noun.attribute_classes[a] == Class::kMaterial) add(noun.attributes[a]);
+  }
+  for (std::size_t i = noun.first; material.empty() && i < noun.last && i < document.tokens.size(); ++i) {
+    const Match color = lexicon.find(document.tokens, i, Class::kColor), stuff = lexicon.find(document.tokens, i, Class::kMaterial);
+    if (const std::size_t length = std::max(color.length, stuff.length); length > 0)
+      add(text_of(document.tokens, i, std::min(i + length, noun.last)));
+  }
+  if (material.empty() && noun.kind == NounKind::kFloor) {
+    if (noun.name.find("wood") != std::string::npos) material = "wood";  // "hardwood floor": a name of its own
+    if (noun.name.find("tatami") != std::string::npos) material = "tatami";
+  }
+  const auto said = [&](std::string_view word) { return std::ranges::find(noun.attributes, word) != noun.attributes.end(); };
+  if (material.empty() && noun.kind == NounKind::kWall) material = said("dark") ? "dark gray" : said("bright") ? "white" : "";
+  return material;
+}
+
+void set_surfaces(const Lexicon& lexicon, const Document& document, Room& room) {
+  for (std::size_t m = 0; m < document.mentions.size(); ++m) {
+    const NounPhrase& noun = document.mentions[m].noun;
+    if (noun.kind != NounKind::kFloor && noun.kind != NounKind::kWall) continue;
+    const std::string material = finish_of(lexicon, document, noun);
     if (material.empty()) continue;
     if (noun.kind == NounKind::kFloor)
-      room.floor_material = material + " floor";
-    else if (noun.wall_word.empty() && noun.wall_relation.empty())
+      room.floor_material = material.find("floor") == std::string::npos ? material + " floor" : material;
+    else if (const std::string wall = single_wall(document, static_cast<int>(m), room); !wall.empty())
+      room.wall_looks.emplace_back(wall, material);
+    else if (noun.wall_relation.empty())
       room.wall_material = material;
   }
 }
 
 }  // namespace
 
-void build_room(const Document& document, const RoomSize& size, SceneGraph& scene) {
+int thing_before_wall(const Document& document, int wall) {
+  const NounPhrase& noun = document.mentions[static_cast<std::size_t>(wall)].noun;
+  if (noun.kind != NounKind::kWall || !says_one_of(document, noun.last, {"behind"})) return -1;
+  const auto thing = std::ranges::find_if(document.mentions, [&](const Mention& m) {
+    return m.noun.first == noun.last + 1 && m.noun.kind == NounKind::kObject && !m.items.empty();
+  });
+  return thing == document.mentions.end() ? -1 : static_cast<int>(thing - document.mentions.begin());
+}
+
+std::string single_wall(const Document& document, int wall, const Room& room) {
+  const NounPhrase& noun = document.mentions[static_cast<std::size_t>(wall)].noun;
+  if (!noun.wall_word.empty()) return noun.wall_word;
+  const int thing = thing_before_wall(document, wall);
+  if (const std::string own = thing >= 0 ? wall_of_thing(document, thing) : std::string{}; !own.empty()) return own;
+  const bool one = noun.determiner == Determiner::kIndefinite || noun.count == 1 || says_one_of(document, noun.first, {"one"}) ||
+                   noun.name.find("accent") != std::string::npos || noun.name.find("feature") != std::string::npos;
+  if (noun.plural || noun.count > 1 || !noun.wall_relation.empty() || (!one && thing < 0)) return {};
+  // Seen best, and with nothing let into it that the text speaks of.
+  for (const std::string_view word : {"back", "left", "right"}) {
+    if (std::ranges::none_of(room.openings, [&](const Opening& o) { return o.wall == word; })) return std::string(word);
+  }
+  return "back";
+}
+
+void build_room(const Lexicon& lexicon, const Document& document, const RoomSize& size, SceneGraph& scene) {
   set_kind(document, scene);
   set_size(document, size, scene);
   add_openings(document, scene);
   add_needed_openings(document, scene);
-  set_surfaces(document, scene.room);
+  set_surfaces(lexicon, document, scene.room);
 }
 
 }  // namespace layoutbox::offline

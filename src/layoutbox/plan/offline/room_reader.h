@@ -33,6 +33,8 @@ void settle_opening_walls(const Lexicon& lexicon, Document& document);
 // "the door at one end and the window at the other", "the entrance on the narrow side": the opening's wall word is "short", "long" or
 // "other", which is settled when the room's sides are known.
 void settle_opening_ends(Document& document);
+// "exposed brick on the back wall", "floral wallpaper": the words become the wall or the floor that they speak of.
+void settle_finishes(const Lexicon& lexicon, Document& document);
 // What such a word means for an opening of that type after those that the room has; any other word stays.
 std::string wall_of_opening(const std::string& word, OpeningType type, const Room& room);
 // The wall across from that one.
@@ -59,7 +61,12 @@ void settle_floor_carpets(Document& document);
 // "Pink and grey.", "a kitchen in white and oak", "green tiles": colours of the whole room, for its walls and its floor.
 void read_room_colors(const Lexicon& lexicon, Document& document, Room& room);
 
+// Of a wall "behind the bed" the mention of the bed; −1: none.
+int thing_before_wall(const Document& document, int wall);
+// The wall's word where that mention speaks of one wall of the room and not of all ("an accent wall behind the bed"); else empty.
+std::string single_wall(const Document& document, int wall, const Room& room);
+
 // Fills the scene's room from what was read.
-void build_room(const Document& document, const RoomSize& size, SceneGraph& scene);
+void build_room(const Lexicon& lexicon, const Document& document, const RoomSize& size, SceneGraph& scene);
 
 }  // namespace layoutbox::offline
