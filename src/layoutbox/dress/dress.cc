@@ -26,6 +26,7 @@ constexpr std::pair<std::string_view, Place> kPlaces[] = {{"kitchen run", fill_k
                                                           {"beside", stand_beside},
                                                           {"free wall", stand_at_free_wall},
                                                           {"under", lie_under},
+                                                          {"before", lie_before},
                                                           {"on", stand_on},
                                                           {"ceiling", hang_from_ceiling}};
 
@@ -39,10 +40,7 @@ bool is_wanted(const Dresser& dresser, const Dressing& row) {
   if (kind == nullptr || !is_among(row.rooms, room.type) || m2_of(room) < row.area_m2) return false;
   if (std::ranges::any_of(row.unless, [&](const std::string& id) { return dresser.is_there(id); })) return false;
   if (row.unspoken.empty()) return !dresser.spoken().of(*kind);
-  return std::ranges::none_of(row.unspoken, [&](const std::string& id) {
-    const CatalogEntry* other = dresser.catalog().find(id);
-    return other != nullptr && dresser.spoken().of(*other);
-  });
+  return std::ranges::none_of(row.unspoken, [&](const std::string& id) { return dresser.spoken().of_just(id); });
 }
 
 // What verify() found wrong, and how good what it measures is: by check and subject.

@@ -33,6 +33,11 @@ bool Spoken::of(const CatalogEntry& kind) const {
   return std::ranges::any_of(named_, names) || std::ranges::any_of(excluded_, excludes);
 }
 
+bool Spoken::of_just(const std::string& kind) const {
+  return std::ranges::any_of(named_, [&](const auto& thing) { return catalog_->is_a(thing.first, kind); }) ||
+         std::ranges::any_of(excluded_, [&](const std::string& id) { return akin(id, kind); });
+}
+
 bool Spoken::says_any(const std::vector<std::string>& phrases) const {
   return std::ranges::any_of(phrases, [&](const std::string& phrase) { return says(said_, phrase); });
 }

@@ -18,6 +18,8 @@ class Spoken {
 
   // The text has things of that kind, of a more general or a special one, or of the same head noun; or it wants none.
   bool of(const CatalogEntry& kind) const;
+  // The same to the letter: things of that kind or a special one of it, none that are only like it.
+  bool of_just(const std::string& kind) const;
   // One of the phrases stands in the text, word for word.
   bool says_any(const std::vector<std::string>& phrases) const;
 
