@@ -40,7 +40,10 @@ bool is_wanted(const Dresser& dresser, const Dressing& row) {
   if (kind == nullptr || !is_among(row.rooms, room.type) || m2_of(room) < row.area_m2) return false;
   if (std::ranges::any_of(row.unless, [&](const std::string& id) { return dresser.is_there(id); })) return false;
   if (row.unspoken.empty()) return !dresser.spoken().of(*kind);
-  return std::ranges::none_of(row.unspoken, [&](const std::string& id) { return dresser.spoken().of_just(id); });
+  return std::ranges::none_of(row.unspoken, [&](const std::string& id) {
+    const CatalogEntry* other = dresser.catalog().find(id);
+    return other != nullptr && dresser.spoken().of_just(*other);
+  });
 }
 
 // What verify() found wrong, and how good what it measures is: by check and subject.

@@ -12,9 +12,9 @@ constexpr double kBeforeIt = 300;  // mm that are free before what hangs, so tha
 constexpr double kAround = 80;     // … and about it
 constexpr double kAbove = 150;     // between a top and what hangs over it
 constexpr double kOverPicture = 120;
-constexpr double kOfWidth = 0.6;    // a single picture's share of what it hangs over
-constexpr double kOfStretch = 0.3;  // … of its stretch of wall
-constexpr double kBetween = 120;    // pictures of a row
+constexpr double kOfWidth = 0.6;     // a single picture's share of what it hangs over
+constexpr double kOfStretch = 0.38;  // … of its stretch of wall
+constexpr double kBetween = 120;     // pictures of a row
 
 Size within(const CatalogEntry& entry, Size size, double scale) {
   const auto held = [&](Mm side, Mm least, Mm most) {
