@@ -17,7 +17,7 @@ struct Dressing {
   std::vector<std::string> of;        // kinds that it goes with, the best first
   std::vector<std::string> rooms;     // in these kinds of room only
   std::vector<std::string> unless;    // not where one of these kinds is there
-  std::vector<std::string> unspoken;  // not where the text speaks of one of these; empty: of what is added
+  std::vector<std::string> unspoken;  // not where the text names one of these or wants none; empty: speaks of what is added
   int most = 1;                       // of it in all
   Size size;                          // sides of 0 are usual, or follow from the place
   Mm stretch = 0;                     // so much wall must be free

@@ -26,6 +26,7 @@ constexpr std::pair<std::string_view, Place> kPlaces[] = {{"kitchen run", fill_k
                                                           {"beside", stand_beside},
                                                           {"free wall", stand_at_free_wall},
                                                           {"under", lie_under},
+                                                          {"before", lie_before},
                                                           {"on", stand_on},
                                                           {"ceiling", hang_from_ceiling}};
 
@@ -41,7 +42,7 @@ bool is_wanted(const Dresser& dresser, const Dressing& row) {
   if (row.unspoken.empty()) return !dresser.spoken().of(*kind);
   return std::ranges::none_of(row.unspoken, [&](const std::string& id) {
     const CatalogEntry* other = dresser.catalog().find(id);
-    return other != nullptr && dresser.spoken().of(*other);
+    return other != nullptr && dresser.spoken().of_just(*other);
   });
 }
 

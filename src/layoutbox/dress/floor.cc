@@ -11,6 +11,7 @@ namespace {
 constexpr double kOffWall = 40;                    // mm between a plant and its walls
 constexpr double kAbout = 60;                      // … that are free about it
 constexpr double kBesideGap = 60;                  // between a lamp and what it stands beside
+constexpr double kTallBack = 1200;                 // of what is higher the back is an eyesore
 constexpr double kRugOffWall = 150;                // least floor between a rug and a wall
 constexpr double kBeforeFoot = 500, kOfBed = 0.7;  // of a bed's rug: what lies before its foot; its depth as a share of the bed's
 
@@ -80,13 +81,18 @@ void stand_beside(Dresser& dresser, const Dressing& row) {
   }
 }
 
+// At walls that the picture shows first, the longest stretch of these; what is tall would turn its back to it at others.
 void stand_at_free_wall(Dresser& dresser, const Dressing& row) {
   const Size size = dresser.size_of(row);
   const WallFrame* best = nullptr;
+  std::pair<bool, double> most{false, 0};
   Span longest;
   for (const WallFrame& wall : dresser.room().walls()) {
+    const bool shown = dresser.is_shown(wall);
+    if (!shown && size.height > kTallBack) continue;
     for (const Span& span : dresser.room().free_along(wall, {0, size.depth + double(row.before)}, {0, double(size.height)})) {
-      if (span.length() >= row.stretch && span.length() > longest.length()) best = &wall, longest = span;
+      const std::pair worth{shown, span.length()};
+      if (span.length() >= row.stretch && worth > most) best = &wall, longest = span, most = worth;
     }
   }
   if (best == nullptr) return;
@@ -118,6 +124,19 @@ void lie_under(Dresser& dresser, const Dressing& row) {
       --left;
       break;
     }
+  }
+}
+
+void lie_before(Dresser& dresser, const Dressing& row) {
+  const Size size = dresser.size_of(row);
+  int left = row.most;
+  for (const std::size_t i : dresser.things(row.of)) {
+    const PlacedObject thing = dresser.layout().objects[i];
+    if (left == 0 || !is_square(thing)) continue;
+    const auto at = in_room(thing, 0, -thing.size.depth / 2.0 - row.before - size.depth / 2.0);
+    if (!dresser.room().is_free(box_round(flat(at, thing.rotation_deg, size)))) continue;
+    dresser.add(row.adds, row.words, size, {at, thing.rotation_deg});
+    --left;
   }
 }
 

@@ -155,12 +155,16 @@ bool FreeRoom::is_free(const Box& box, bool window) const {
   return inside(box) && std::ranges::none_of(taken_, in_the_way);
 }
 
-std::vector<Span> FreeRoom::free_along(const WallFrame& wall, Span off, Span height, bool floor_only) const {
+bool FreeRoom::counts(Taken::What what, Count count) {
+  if (count == Count::kThings) return what == Taken::What::kStands || what == Taken::What::kHangs;
+  return count == Count::kAll || what == Taken::What::kStands || what == Taken::What::kDoorway;
+}
+
+std::vector<Span> FreeRoom::free_along(const WallFrame& wall, Span off, Span height, Count count) const {
   std::vector<Span> blocked;
   const Box strip = wall.box({0, wall.length}, off, height);
   for (const Taken& taken : taken_) {
-    const bool counts = !floor_only || taken.what == Taken::What::kStands || taken.what == Taken::What::kDoorway;
-    if (counts && overlap(taken.box, strip)) blocked.push_back(wall.along(taken.box));
+    if (counts(taken.what, count) && overlap(taken.box, strip)) blocked.push_back(wall.along(taken.box));
   }
   const std::vector<Point>& polygon = layout_->room.polygon;
   for (std::size_t i = 0; i < polygon.size(); ++i) {  // where the room is narrower

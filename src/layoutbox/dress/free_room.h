@@ -64,11 +64,13 @@ class FreeRoom {
   bool inside(const Box& box) const;
   // On the floor of the room, and nothing there; curtains may hang before windows (`window`).
   bool is_free(const Box& box, bool window = false) const;
-  // The parts of a wall that are free so far off it and at these heights, in order. `floor_only`: but for what stands and doorways.
-  std::vector<Span> free_along(const WallFrame& wall, Span off, Span height, bool floor_only = false) const;
+  // The parts of a wall that are free so far off it and at these heights, in order; of what is there only what counts.
+  enum class Count { kAll, kThings, kStandingAndDoorways };
+  std::vector<Span> free_along(const WallFrame& wall, Span off, Span height, Count count = Count::kAll) const;
 
  private:
   void take_openings();
+  static bool counts(Taken::What what, Count count);
 
   const Layout* layout_;
   std::vector<WallFrame> walls_;

@@ -65,8 +65,9 @@ class KitchenRun {
   // Where a cabinet may stand along a wall, with room to walk before it.
   std::vector<Span> free_at(const WallFrame& wall) const {
     const double depth = size_.depth;
-    return shared(dresser_.room().free_along(wall, {0, depth}, {0, double(size_.height)}),
-                  dresser_.room().free_along(wall, {depth, depth + kWalk}, {0, double(size_.height)}, true));
+    return shared(
+        dresser_.room().free_along(wall, {0, depth}, {0, double(size_.height)}),
+        dresser_.room().free_along(wall, {depth, depth + kWalk}, {0, double(size_.height)}, FreeRoom::Count::kStandingAndDoorways));
   }
 
   // Equal cabinets over the whole of it.

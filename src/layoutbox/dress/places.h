@@ -32,6 +32,8 @@ void stand_beside(Dresser& dresser, const Dressing& row);
 void stand_at_free_wall(Dresser& dresser, const Dressing& row);
 // "under": on the floor under a table or the foot of a bed.
 void lie_under(Dresser& dresser, const Dressing& row);
+// "before": on the floor before the front of a thing, so far off as the row says.
+void lie_before(Dresser& dresser, const Dressing& row);
 // "on": on the top of a thing where nothing stands.
 void stand_on(Dresser& dresser, const Dressing& row);
 // "ceiling": in the middle of the room.

@@ -3,17 +3,18 @@
 #include <array>
 #include <cmath>
 
+#include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/dress/places.h"
 
 namespace layoutbox::dressing {
 namespace {
 
-constexpr double kToEdge = 30;   // mm between a thing and the edge of what carries it
-constexpr double kAboutIt = 40;  // … that are free about it
+constexpr double kToEdge = 20;   // mm between a thing and the edge of what carries it
+constexpr double kAboutIt = 20;  // … that are free about it
 
 }  // namespace
 
-// In the middle of tables, near the back of what stands at a wall; one on each, the row's first kind first.
+// In the middle of tables, at the side of desks, near the back of what stands at a wall; one on each, the row's first kind first.
 void stand_on(Dresser& dresser, const Dressing& row) {
   const Size size = dresser.size_of(row);
   int left = row.most;
@@ -33,7 +34,9 @@ void stand_on(Dresser& dresser, const Dressing& row) {
       thing.size = {size.width + static_cast<Mm>(2 * kAboutIt), size.depth + static_cast<Mm>(2 * kAboutIt), size.height};
       return dresser.room().is_free(box_round(thing));
     };
-    for (const double x : std::array{0.0, room_x * 0.6, -room_x * 0.6}) {
+    const double aside = room_x * (entry.is(Trait::kDesk) ? 1.0 : 0.6);
+    const std::array places = entry.is(Trait::kDesk) ? std::array{aside, -aside} : std::array{0.0, aside};
+    for (const double x : {places[0], places[1], -aside}) {
       if (!empty(x)) continue;
       dresser.add_on(row.adds, row.words, size, host.id, host.position[0] + x * c - y * s, host.position[1] + x * s + y * c);
       --left;

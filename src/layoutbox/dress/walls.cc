@@ -12,9 +12,9 @@ constexpr double kBeforeIt = 300;  // mm that are free before what hangs, so tha
 constexpr double kAround = 80;     // … and about it
 constexpr double kAbove = 150;     // between a top and what hangs over it
 constexpr double kOverPicture = 120;
-constexpr double kOfWidth = 0.6;    // a single picture's share of what it hangs over
-constexpr double kOfStretch = 0.3;  // … of its stretch of wall
-constexpr double kBetween = 120;    // pictures of a row
+constexpr double kOfWidth = 0.6;     // a single picture's share of what it hangs over
+constexpr double kOfStretch = 0.38;  // … of its stretch of wall
+constexpr double kBetween = 120;     // pictures of a row
 
 Size within(const CatalogEntry& entry, Size size, double scale) {
   const auto held = [&](Mm side, Mm least, Mm most) {
@@ -32,17 +32,23 @@ double height_for(const Dresser& dresser, const Dressing& row, const Size& size,
   return on_grid(std::max(usual, top + kAbove));
 }
 
-bool fits(const Dresser& dresser, const WallFrame& wall, Span along, Span height) {
+// Stretches where something so flat hangs in full view; what stands or hangs before it hides it, a door does not.
+std::vector<Span> seen_stretches(const Dresser& dresser, const WallFrame& wall, double depth, Span height) {
+  return shared(dresser.room().free_along(wall, {0, depth}, height),
+                dresser.room().free_along(wall, {0, kBeforeIt}, height, FreeRoom::Count::kThings));
+}
+
+bool fits(const Dresser& dresser, const WallFrame& wall, Span along, double depth, Span height) {
   if (height.high > dresser.layout().room.height - kOverPicture) return false;
-  const Box seen = wall.box({along.low - kAround, along.high + kAround}, {0, kBeforeIt}, height);
-  return along.low >= kAround && along.high <= wall.length - kAround && dresser.room().is_free(seen);
+  const auto holds = [&](const Span& free) { return free.low <= along.low - kAround && free.high >= along.high + kAround; };
+  return std::ranges::any_of(seen_stretches(dresser, wall, depth, height), holds);
 }
 
 // A row of them, centred there; the first that is hindered hinders all.
 bool hang(Dresser& dresser, const Dressing& row, const WallFrame& wall, double middle, double top, const Size& size, int count) {
   const double whole = count * size.width + (count - 1) * kBetween, from = middle - whole / 2;
   const double height = height_for(dresser, row, size, top);
-  if (!fits(dresser, wall, {from, from + whole}, {height, height + size.height})) return false;
+  if (!fits(dresser, wall, {from, from + whole}, size.depth, {height, height + size.height})) return false;
   for (int k = 0; k < count; ++k) dresser.add_at_wall(row.adds, row.words, size, wall, from + k * (size.width + kBetween), height);
   return true;
 }
@@ -80,7 +86,7 @@ void hang_on_walls(Dresser& dresser, const Dressing& row) {
   const Size usual = dresser.size_of(row);
   const double low = height_for(dresser, row, usual, 0);
   for (const WallFrame& wall : dresser.room().walls()) {
-    const std::vector<Span> free = dresser.room().free_along(wall, {0, kBeforeIt}, {low, low + usual.height});
+    const std::vector<Span> free = seen_stretches(dresser, wall, usual.depth, {low, low + usual.height});
     const auto longest = std::ranges::max_element(free, {}, &Span::length);
     if (longest != free.end() && longest->length() >= row.stretch) blanks.push_back({&wall, *longest});
   }

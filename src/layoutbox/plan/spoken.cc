@@ -23,14 +23,23 @@ Spoken::Spoken(const SceneGraph& scene, std::vector<std::string> excluded, const
   }
 }
 
-bool Spoken::of(const CatalogEntry& kind) const {
+bool Spoken::excludes(const CatalogEntry& kind) const {
   const std::string head = head_of(kind.name);
-  const auto names = [&](const auto& thing) { return akin(thing.first, kind.id) || thing.second == head; };
-  const auto excludes = [&](const std::string& id) {
+  return std::ranges::any_of(excluded_, [&](const std::string& id) {
     const CatalogEntry* entry = catalog_->find(id);
     return akin(id, kind.id) || (entry != nullptr && head_of(entry->name) == head);
-  };
-  return std::ranges::any_of(named_, names) || std::ranges::any_of(excluded_, excludes);
+  });
+}
+
+bool Spoken::of(const CatalogEntry& kind) const {
+  const auto is_more_general = [&](const auto& thing) { return catalog_->is_a(kind.id, thing.first); };
+  return of_just(kind) || std::ranges::any_of(named_, is_more_general);
+}
+
+bool Spoken::of_just(const CatalogEntry& kind) const {
+  const std::string head = head_of(kind.name);
+  const auto names = [&](const auto& thing) { return catalog_->is_a(thing.first, kind.id) || thing.second == head; };
+  return std::ranges::any_of(named_, names) || excludes(kind);
 }
 
 bool Spoken::says_any(const std::vector<std::string>& phrases) const {

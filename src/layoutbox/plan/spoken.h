@@ -18,10 +18,13 @@ class Spoken {
 
   // The text has things of that kind, of a more general or a special one, or of the same head noun; or it wants none.
   bool of(const CatalogEntry& kind) const;
+  // The same, but for things of a more general kind.
+  bool of_just(const CatalogEntry& kind) const;
   // One of the phrases stands in the text, word for word.
   bool says_any(const std::vector<std::string>& phrases) const;
 
  private:
+  bool excludes(const CatalogEntry& kind) const;
   bool akin(const std::string& a, const std::string& b) const { return catalog_->is_a(a, b) || catalog_->is_a(b, a); }
 
   const Catalog* catalog_;

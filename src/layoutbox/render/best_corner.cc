@@ -107,7 +107,9 @@ std::optional<Corner> corner_from_name(std::string_view name) {
 
 Corner best_corner(const Layout& layout, double elevation_deg) {
   std::vector<Thing> things;
-  for (const PlacedObject& object : layout.objects) things.push_back(thing_of(object));
+  for (const PlacedObject& object : layout.objects) {
+    if (object.origin != Origin::kAdded) things.push_back(thing_of(object));  // what we add to a room does not turn it
+  }
   const auto volume = [](const Thing& t) { return t.half_width * t.half_depth * t.height; };
   std::ranges::stable_sort(things, std::greater{}, volume);
   if (things.size() > kMostThings) things.resize(kMostThings);

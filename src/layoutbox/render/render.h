@@ -33,7 +33,7 @@ enum class Corner { kBest, kNorthEast, kNorthWest, kSouthEast, kSouthWest };
 // "best", "NE", "NW", "SE", "SW".
 std::string_view name_of(Corner corner);
 std::optional<Corner> corner_from_name(std::string_view name);
-// Never kBest; the front right one (SE) where no other shows clearly more.
+// Never kBest; the front right one (SE) where no other shows clearly more of what was asked for.
 Corner best_corner(const Layout& layout, double elevation_deg = 65);
 
 struct RenderOptions {
