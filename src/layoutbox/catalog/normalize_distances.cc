@@ -101,6 +101,31 @@ void settle_far(NormalizeContext& context, Relation& relation, double width, dou
   context.note("filled", fmt::format("in so small a room {} is far", metres_text(*relation.parameters.min)));
 }
 
+// The extent of the room across from the wall that a thing is named at; of no named one the longer.
+double extent_across(const SceneGraph& scene, const std::vector<std::string>& ids, double width, double depth) {
+  for (const Relation& r : scene.relations) {
+    if (r.type != RelationType::kAgainstWall || r.references.size() != 1) continue;
+    const bool here = std::ranges::any_of(ids, [&](const std::string& id) { return std::ranges::find(r.targets, id) != r.targets.end(); });
+    const Wall* wall = here ? scene.find_wall(r.references.front()) : nullptr;
+    if (wall != nullptr) return wall->start.x == wall->end.x ? width : depth;
+  }
+  return std::max(width, depth);
+}
+
+// A bed and the wardrobe opposite it in a room that is too narrow for the usual way between them: what way there is.
+void settle_opposite(NormalizeContext& context, Relation& relation, double width, double depth) {
+  constexpr Mm kLeast = 500, kRounded = 50;
+  const SceneGraph& scene = context.scene;
+  const bool across = relation.type == RelationType::kDistance && relation.parameters.min == kOpposite && relation.parameters.max;
+  if ((relation.type != RelationType::kOpposite && !across) || relation.targets.size() != 1 || relation.references.size() != 1) return;
+  const SceneObject *object = scene.find_object(relation.targets.front()), *ref = scene.find_object(relation.references.front());
+  if (object == nullptr || ref == nullptr || !object->size || !ref->size || object->mount != Mount::kFloor || ref->mount != Mount::kFloor)
+    return;
+  const double left = extent_across(scene, {object->id, ref->id}, width, depth) - object->size->usual.depth - ref->size->usual.depth;
+  if (left >= relation.parameters.min.value_or(kOpposite) || left < kLeast) return;
+  relation.parameters.min = static_cast<Mm>(left) / kRounded * kRounded;
+}
+
 // A mirror above a washstand hangs, though such mirrors stand elsewhere, and ends below the ceiling.
 void settle_height_above(NormalizeContext& context, const Relation& relation) {
   constexpr double kLeastShare = 0.5;  // of its least height
@@ -145,6 +170,7 @@ void normalize_distances(NormalizeContext& context) {
   }
   for (Relation& relation : context.scene.relations) {
     settle_far(context, relation, double(high.x) - low.x, double(high.y) - low.y);
+    settle_opposite(context, relation, double(high.x) - low.x, double(high.y) - low.y);
     settle_height_above(context, relation);
   }
 }

@@ -131,6 +131,20 @@ TEST(NormalizeRoom, WhatStandsOppositeABedFindsRoomAcrossFromIt) {
   EXPECT_GE(std::max(corner.x, corner.y), 2000 + 1500 + 600);
 }
 
+TEST(NormalizeRoom, InANarrowRoomWhatIsOppositeIsAsFarAsThereIsRoom) {
+  SceneGraph scene =
+      scene_of({object("bed_1", "bed"), object("wardrobe_1", "wardrobe")},
+               {relation(RelationType::kOpposite, {"wardrobe_1"}, {"bed_1"}), relation(RelationType::kAgainstWall, {"bed_1"}, {"left"})});
+  const auto least = [&](Mm width) {
+    scene.room.polygon = room_outline("", width, 4000);
+    return normalized(scene).relations[0].parameters.min;
+  };
+  EXPECT_FALSE(least(5000));
+  ASSERT_TRUE(least(3400));
+  EXPECT_LT(*least(3400), 1000);
+  EXPECT_GT(*least(3400), 400);
+}
+
 TEST(NormalizeRoom, WhatHangsAboveSomethingEndsBelowTheCeiling) {
   std::vector<SceneObject> objects{object("desk_1", "desk"), object("wardrobe_1", "wardrobe")};
   objects[1].mount = Mount::kWall;
