@@ -250,7 +250,7 @@ std::vector<std::string> RelationBuilder::opening_ids(const NounPhrase& noun) co
 void RelationBuilder::place_before_walls() {
   for (std::size_t m = 0; m < document_.mentions.size(); ++m) {
     const int wall = static_cast<int>(m), thing = thing_before_wall(document_, wall);
-    if (thing < 0) continue;
+    if (thing < 0 || mention(wall).noun.attributes.empty()) continue;  // "the fridge against the wall behind the bar": not the bar
     Link link;
     link.first = mention(wall).noun.first;
     link.last = mention(thing).noun.last;

@@ -21,6 +21,7 @@ class WordingReader : public TokenReader {
       read_bedrooms(i);
       read_pattern(i);
       read_boards(i);
+      read_round(i);
       read_has_back(i);
       read_in_it(i);
       read_ends(i);
@@ -80,6 +81,13 @@ class WordingReader : public TokenReader {
       if (lexicon_.find(tokens_, at, WordClass::kObject).length > 0) return;
     }
     leave_out(i, on + 2);
+  }
+
+  // "a locker, round window above the bunk": its shape, and not around it.
+  void read_round(std::size_t i) {
+    const bool item = begins(i) || tokens_[i - 1].kind == Token::Kind::kPunctuation || is(i - 1, {"and", "with"});
+    if (item && is(i, {"round"}) && i + 1 < tokens_.size() && lexicon_.find(tokens_, i + 1, WordClass::kWindow).length > 0)
+      tokens_[i].text = "circular";
   }
 
   // "Floor is old wooden planks": of wood.
