@@ -90,6 +90,7 @@ TEST(RoomLooks, FinishesOfWallsAndFloors) {
       {"A tea room with tatami floor.", "floor: tatami floor"},
       {"Six tatami mats in a dojo.", ""},
       {"A kids room. The back wall is blue.", "back: blue"},
+      {"A living room, one wall is exposed brick, a sofa.", "back: exposed brick"},
   };
   for (const auto& [text, finishes] : cases) EXPECT_EQ(finishes_of(room_said(text)), finishes) << text;
 }
