@@ -216,7 +216,7 @@ def paint_bricks(nodes, point, row):
 def paint_tatami(nodes, point, row):
     """Mats 1 long and 1/2 wide with cloth edges; the rush runs along them."""
     base, second = row["color"], row["second"]
-    mat, joint = nodes.bricks(point, 1.0, 0.5, 0.022)
+    mat, joint = nodes.bricks(point, 1.0, 0.5, 0.015)
     rush = nodes.ramp(nodes.noise(nodes.stretched(point, 2.0, 160.0), 1.0), (0.3, between(base, second, 0.16)), (0.7, base))
     tone = nodes.ramp(mat, (0.0, between(base, second, 0.10)), (1.0, base))
     return nodes.mix(joint, nodes.mix(0.5, rush, tone), rgba(second))

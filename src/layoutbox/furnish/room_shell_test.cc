@@ -137,6 +137,21 @@ TEST(RoomShell, ASillReachesUnderWhatStandsOnIt) {
   EXPECT_NEAR(mesh_checks::bounds_of(*node_of(shell(layout), "window1")).max.y, 0.16, 1e-3);
 }
 
+TEST(RoomShell, OneWallMayHaveALookOfItsOwn) {
+  Layout layout = rectangle();
+  layout.room.walls[2].material = "exposed brick";
+  layout.room.walls[1].material = "wood panelling";
+  layout.room.floor_material = "tatami floor";
+  const Model model = shell(layout);
+  const auto texture_of = [&](std::string_view id) {
+    return model.surfaces.at(static_cast<std::size_t>(node_of(model, id)->parts[0].surface)).texture;
+  };
+  EXPECT_EQ(texture_of("wall1"), "plaster");
+  EXPECT_EQ(texture_of("wall2"), "planks");
+  EXPECT_EQ(texture_of("wall3"), "bricks");
+  EXPECT_EQ(texture_of("floor"), "tatami");
+}
+
 TEST(RoomShell, FloorAndWallsTakeTheAskedMaterials) {
   Layout layout = rectangle();
   layout.room.floor_material = "dark wood";

@@ -12,8 +12,10 @@ constexpr std::array<std::string_view, 5> kCornerNames{"best", "NE", "NW", "SE",
 constexpr int kSamples = 3;                                                              // along an edge of a face
 constexpr std::size_t kMostThings = 250;                                                 // the largest; more hide nothing that matters
 constexpr double kFrontWorth = 2, kMostFront = 2.5;  // a front counts more than a top; m² from which a larger one counts no more
-constexpr double kBetter = 1.03;                     // so much better than the usual corner is worth another
-constexpr double kClear = 0.005;                     // metres beyond a face where a ray starts
+constexpr double kWallWorth = 0.25;                  // of a wall with a look of its own, for each m²
+constexpr double kOpeningWorth = 1;
+constexpr double kBetter = 1.03;  // so much better than the usual corner is worth another
+constexpr double kClear = 0.005;  // metres beyond a face where a ray starts
 
 struct Vector {
   double x = 0, y = 0, z = 0;
@@ -83,6 +85,23 @@ double shown_from(const std::vector<Thing>& things, double azimuth_deg, double e
   return shown;
 }
 
+// What is seen of walls, doors and windows that the text gives a look of their own: on walls that do not turn their back on the camera.
+double looks_shown_from(const Room& room, double azimuth_deg) {
+  const double azimuth = radians_from_degrees(azimuth_deg);
+  double shown = 0;
+  for (const Wall& wall : room.walls) {
+    const double along_x = m_from_mm(wall.end.x - wall.start.x), along_y = m_from_mm(wall.end.y - wall.start.y);
+    if (-along_y * std::sin(azimuth) - along_x * std::cos(azimuth) <= 0) continue;
+    const bool own_look = !wall.material.empty() && wall.material != room.wall_material;
+    if (own_look) shown += kWallWorth * std::hypot(along_x, along_y) * m_from_mm(room.height);
+    for (const Opening& opening : room.openings) {
+      if (opening.wall == wall.id && !opening.attributes.empty())
+        shown += kOpeningWorth * m_from_mm(opening.width) * m_from_mm(opening.height);
+    }
+  }
+  return shown;
+}
+
 double azimuth_of(Corner corner) {
   switch (corner) {
     case Corner::kNorthEast: return 135;
@@ -114,9 +133,12 @@ Corner best_corner(const Layout& layout, double elevation_deg) {
   std::ranges::stable_sort(things, std::greater{}, volume);
   if (things.size() > kMostThings) things.resize(kMostThings);
   Corner best = Corner::kSouthEast;
-  double most = shown_from(things, azimuth_of(best), elevation_deg) * kBetter;
+  const auto shown_at = [&](Corner corner) {
+    return shown_from(things, azimuth_of(corner), elevation_deg) + looks_shown_from(layout.room, azimuth_of(corner));
+  };
+  double most = shown_at(best) * kBetter;
   for (const Corner corner : {Corner::kSouthWest, Corner::kNorthEast, Corner::kNorthWest}) {
-    const double shown = shown_from(things, azimuth_of(corner), elevation_deg);
+    const double shown = shown_at(corner);
     if (shown > most * (1 + 1e-9)) best = corner, most = shown;  // of equals the first, on every machine
   }
   return best;

@@ -40,6 +40,20 @@ TEST(BestCorner, IsWhereNothingTallHides) {
             Corner::kNorthWest);
 }
 
+TEST(BestCorner, ShowsAWallOfItsOwnLook) {
+  Layout layout = room_with({});
+  Wall front, back;
+  front.start = {0, 0}, front.end = {4000, 0};
+  back.start = {4000, 3000}, back.end = {0, 3000};
+  layout.room.walls = {front, back};
+  layout.room.walls[0].material = "exposed brick";
+  EXPECT_EQ(best_corner(layout), Corner::kNorthEast);
+  std::swap(layout.room.walls[0].material, layout.room.walls[1].material);
+  EXPECT_EQ(best_corner(layout), Corner::kSouthEast);
+  layout.room.walls[0].material = layout.room.walls[1].material = layout.room.wall_material = "plaster";
+  EXPECT_EQ(best_corner(layout), Corner::kSouthEast);
+}
+
 TEST(BestCorner, OneThatIsNamedHolds) {
   const Layout layout = room_with({thing({1800, 600, 2200}, 2000, 300, 180)});
   RenderOptions options;

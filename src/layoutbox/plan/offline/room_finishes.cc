@@ -88,6 +88,7 @@ class FinishReader {
     // "six tatami mats", "the tiles of the table": things, or parts of one
     if (first > 0 && (document_.tokens[first - 1].kind == Token::Kind::kNumber || lexicon_.is(document_.tokens[first - 1], Class::kNumber)))
       return 0;
+    if (first > 0 && lexicon_.is(document_.tokens[first - 1], Class::kBe)) return 0;  // "one wall is exposed brick": said of that wall
     const bool indefinite = first > 0 && lexicon_.is(document_.tokens[first - 1], Class::kIndefinite);
     if (indefinite) --first;
     std::size_t last = at + finish.length;

@@ -1,6 +1,8 @@
 // What a text says of the look of doors and windows.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "layoutbox/plan/planner.h"
 
 namespace layoutbox {
@@ -45,7 +47,7 @@ TEST(RoomLooks, WordsOfDoorsAndWindows) {
 
 TEST(RoomLooks, ADoorToTheOutsideIsNoEntrance) {
   const Room room = room_said("A bedroom with a balcony door.");
-  ASSERT_EQ(room.openings.size(), 2u);
+  ASSERT_EQ(room.openings.size(), 3u);
   EXPECT_EQ(room.openings[1].type, OpeningType::kDoor);
   EXPECT_EQ(room.openings[1].origin, Origin::kAssumed);
   EXPECT_EQ(room_said("A garage with a garage door.").openings.size(), 2u);  // and a window
@@ -56,6 +58,51 @@ TEST(RoomLooks, SizesFitTheRoom) {
   const Room cabin = room_said("A hall with a round window.");
   ASSERT_FALSE(cabin.openings.empty());
   EXPECT_EQ(cabin.openings[0].width, cabin.openings[0].height);
+}
+
+// "back: brick; floor: oak floor": the looks of single walls, of all walls, and of the floor.
+std::string finishes_of(const Room& room) {
+  std::string all;
+  const auto add = [&](const std::string& where, const std::string& what) {
+    if (!what.empty()) all += (all.empty() ? "" : "; ") + where + ": " + what;
+  };
+  for (const auto& [wall, material] : room.wall_looks) add(wall, material);
+  add("walls", room.wall_material);
+  add("floor", room.floor_material);
+  return all;
+}
+
+TEST(RoomLooks, FinishesOfWallsAndFloors) {
+  const std::pair<const char*, const char*> cases[] = {
+      {"A loft with exposed brick on the back wall and a leather sofa.", "back: exposed brick"},
+      {"A living room with an exposed brick wall and a sofa.", "back: exposed brick"},
+      {"A bedroom with brick walls and a wooden floor.", "walls: brick; floor: wooden floor"},
+      {"A study with wood panelling on the left wall and a desk.", "left: wood panelling"},
+      {"A bedroom with a dark green accent wall behind the bed.", "back: dark green"},
+      {"A bed stands against the left wall. The wall behind the bed is dark blue.", "left: dark blue"},
+      {"A bathroom with white tiles up the walls.", "walls: white tiles"},
+      {"A nursery with striped wallpaper and a crib.", "walls: striped wallpaper"},
+      {"A living room with wallpaper with flowers and a sofa.", "walls: wallpaper with flowers"},
+      {"A bathroom with a bathtub. White tiles on the floor and green tiles on the walls.", "walls: green tiles; floor: white tiles floor"},
+      {"A hall with a stone floor and stone walls.", "walls: stone; floor: stone floor"},
+      {"A living room with herringbone parquet and a sofa.", "floor: herringbone parquet floor"},
+      {"A dojo with tatami mats on the floor.", "floor: tatami mats floor"},
+      {"A tea room with tatami floor.", "floor: tatami floor"},
+      {"Six tatami mats in a dojo.", ""},
+      {"A kids room. The back wall is blue.", "back: blue"},
+      {"A living room, one wall is exposed brick, a sofa.", "back: exposed brick"},
+  };
+  for (const auto& [text, finishes] : cases) EXPECT_EQ(finishes_of(room_said(text)), finishes) << text;
+}
+
+TEST(RoomLooks, WhatAWallIsBehindStandsAtIt) {
+  const auto planner = make_offline_planner(Catalog::builtin());
+  const Result<Plan> plan = planner->plan("A bedroom with a dark green accent wall behind the bed.", {});
+  ASSERT_TRUE(plan);
+  const bool at_wall = std::ranges::any_of(plan->scene.relations, [](const Relation& relation) {
+    return relation.type == RelationType::kAgainstWall && relation.references == std::vector<std::string>{"back"};
+  });
+  EXPECT_TRUE(at_wall);
 }
 
 }  // namespace

@@ -223,13 +223,19 @@ void add_openings(const Document& document, SceneGraph& scene) {
   put_openings(placed, true, scene);
 }
 
-// A room is entered by a door; light comes in by a window, or by a door to the outside where no window is spoken of.
-bool is_there(OpeningType type, const Document& document, const Room& room) {
-  const bool window = type == OpeningType::kWindow;
-  const bool spoken_of = std::ranges::any_of(document.mentions, [](const Mention& m) { return m.noun.kind == NounKind::kWindow; });
-  return std::ranges::any_of(room.openings, [&](const Opening& o) {
-    return window ? o.type == type || (!spoken_of && leads_outside(o)) : o.type == type && !leads_outside(o);
-  });
+// A door to the outside is no entrance.
+bool is_there(OpeningType type, const Room& room) {
+  return std::ranges::any_of(room.openings, [&](const Opening& o) { return o.type == type && !leads_outside(o); });
+}
+
+// A wall that the text says nothing of, for a door to the outside: seen best, and not where one comes in.
+std::string wall_to_outside(const Document& document, const Room& room) {
+  for (const std::string_view word : {"back", "left", "right"}) {
+    const bool said = std::ranges::any_of(document.mentions, [&](const Mention& m) { return m.noun.wall_word == word; }) ||
+                      std::ranges::any_of(room.openings, [&](const Opening& o) { return o.wall == word; });
+    if (!said) return std::string(word);
+  }
+  return {};
 }
 
 // One kind named, the other is still needed; nobody wants to do without a door.
@@ -237,9 +243,12 @@ void add_needed_openings(const Document& document, SceneGraph& scene) {
   Room& room = scene.room;
   const bool windowless = wants_no_window(document);
   const PlacedOpenings placed = placed_openings(document);
+  for (Opening& opening : room.openings) {
+    if (leads_outside(opening) && opening.wall.empty()) opening.wall = wall_to_outside(document, room);
+  }
   if (!room.openings.empty() || windowless) {
     for (const OpeningType type : {OpeningType::kDoor, OpeningType::kWindow}) {
-      if (is_there(type, document, room)) continue;
+      if (is_there(type, room)) continue;
       if (type == OpeningType::kWindow && windowless) continue;
       const bool across = !room.openings.empty() && std::ranges::any_of(placed, [](const auto& p) { return p.second == "across"; });
       add_opening(scene, type, {}, across ? wall_across(room.openings.front().wall) : std::string{});
