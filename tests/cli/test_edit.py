@@ -15,7 +15,7 @@ class EditCase(CliTestCase):
     @classmethod
     def setUpClass(cls):
         super().setUpClass()
-        run = cls.run_layoutbox("generate", ROOM, "--no-render", "-o", cls.class_folder / "room")
+        run = cls.run_layoutbox("generate", ROOM, "--no-render", "--companions", "off", "-o", cls.class_folder / "room")
         if run.status != DONE:
             raise AssertionError(str(run))
         cls.layout_file = cls.class_folder / "room/layout.json"

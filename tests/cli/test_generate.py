@@ -57,7 +57,7 @@ class PaperPrompts(CliTestCase):
 
     def test_prompt_3(self):
         layout = self.generate("3")
-        self.assertEqual(len(layout["objects"]), 4)
+        self.assertEqual(len([o for o in layout["objects"] if o["origin"] != "added"]), 4)
 
     def test_prompt_4(self):
         layout = self.generate("4")
@@ -97,9 +97,9 @@ class Outputs(CliTestCase):
         self.assertEqual(first_layout, second_layout)
 
     def test_stages_by_hand_give_what_generate_gives(self):
-        self.generate("--no-render")
+        self.generate("--no-render", "--companions", "off")
         for command in (
-            ["plan", "A bedroom with a bed and a desk.", "-o", self.path("scene.json")],
+            ["plan", "A bedroom with a bed and a desk.", "--companions", "off", "-o", self.path("scene.json")],
             ["solve", self.path("scene.json"), "-o", self.path("layout.json")],
             ["verify", self.path("layout.json"), "-o", self.path("report.json")],
             ["export", self.path("layout.json"), "-o", self.path("room.svg")],
@@ -111,6 +111,20 @@ class Outputs(CliTestCase):
         self.assertEqual(self.path("room.svg").read_bytes(), self.path("out/floorplan.svg").read_bytes())
         self.assertEqual(self.path("room.glb").read_bytes(), self.path("out/scene.glb").read_bytes())
         self.assertEqual(self.path("render/blender.py").read_bytes(), self.path("out/blender.py").read_bytes())
+
+    def test_finished_rooms_are_dressed(self):
+        self.generate("--no-render")
+        ids = {
+            "scene": {o["id"] for o in self.read_json("out/scene.json")["furniture"]},
+            "layout": {o["id"] for o in self.read_json("out/layout.json")["objects"]},
+        }
+        self.assertEqual(ids["scene"], ids["layout"])
+        self.assertTrue({"curtain_1", "painting_1"} <= ids["layout"], ids["layout"])
+        self.assert_done(self.run_layoutbox("solve", self.path("out/scene.json"), "-o", self.path("again.json")))
+        self.assertEqual({o["id"] for o in self.read_json("again.json")["objects"]}, ids["layout"])
+        self.assert_done(self.run_layoutbox("verify", self.path("again.json")))
+        self.generate("--no-render", "--companions", "off")
+        self.assertEqual({o["id"] for o in self.read_json("out/layout.json")["objects"]}, {"bed_1", "desk_1"})
 
     def test_own_files_validate(self):
         self.generate("--no-render")
@@ -133,7 +147,7 @@ class Outputs(CliTestCase):
 
     def test_a_line_per_stage(self):
         stages = [line.split()[0] for line in self.generate("--no-render").err.splitlines()]
-        self.assertEqual(stages, ["plan", "solve", "furnish", "export", "verify"])
+        self.assertEqual(stages, ["plan", "solve", "dress", "furnish", "export", "verify"])
 
     def test_prompt_from_stdin(self):
         run = self.run_layoutbox("generate", "-", "--no-render", "-o", self.path("out"), stdin="A bedroom with a bed.")

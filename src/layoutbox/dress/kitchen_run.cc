@@ -9,10 +9,11 @@
 namespace layoutbox::dressing {
 namespace {
 
-constexpr double kWalk = 1000;                      // free floor before a run
-constexpr double kTall = 1200;                      // a unit that ends a run
-constexpr double kNarrowest = 300, kCabinet = 700;  // widths of cabinets
-constexpr double kWidestGap = 2400;                 // between two units that become one run
+constexpr double kWalk = 1000;                                    // free floor before a run
+constexpr double kTall = 1200;                                    // a unit that ends a run
+constexpr double kNarrowest = 150, kOfUse = 300, kCabinet = 700;  // widths of cabinets: a pull-out, the least at an end, the usual
+constexpr double kInCorner = 350;                                 // what is narrower is part of the corner unit
+constexpr double kWidestGap = 2400;                               // between two units that become one run
 constexpr double kLeastTurn = 600, kSaidTurn = 1200, kMostTurn = 2400;
 constexpr double kLeftOver = 450;                                                     // of wall beyond a run that is filled as well
 constexpr double kShortest = 3000, kLongest = 5000, kSmallRoom = 6, kLargeRoom = 16;  // mm of run in rooms of so many m²
@@ -131,9 +132,11 @@ class KitchenRun {
 
   void turn(const End& end, double wanted) {
     const double edge = edge_of(*end.wall, end.high), depth = size_.depth;
-    const double corner = end.high ? end.wall->length - depth : 0;
-    place(*end.wall, end.high ? Span{edge, corner} : Span{depth, edge});
-    dresser_.add_at_wall("kitchen_corner_unit", row_.words, {size_.depth, size_.depth, size_.height}, *end.wall, corner, 0);
+    const double between = (end.high ? end.wall->length - edge : edge) - depth;
+    const double wide = between < kInCorner ? depth + between : depth;  // no chink, and none that cannot be stood before
+    const double corner = end.high ? end.wall->length - wide : 0;
+    place(*end.wall, end.high ? Span{edge, corner} : Span{wide, edge});
+    dresser_.add_at_wall("kitchen_corner_unit", row_.words, {static_cast<Mm>(wide), size_.depth, size_.height}, *end.wall, corner, 0);
     const double length = on_grid(std::clamp(wanted, kLeastTurn, std::min(end.turn, kMostTurn)));
     const double from = end.high ? depth : end.turned->length - depth - length;
     place(*end.turned, {from, from + length});
@@ -141,7 +144,7 @@ class KitchenRun {
 
   void go_on(const End& end) {
     const double edge = edge_of(*end.wall, end.high), wanted = wanted_ - length();
-    if (wanted < kNarrowest) return;
+    if (wanted < kOfUse || end.straight < kOfUse) return;
     const double length = end.straight - wanted < kLeftOver ? end.straight : on_grid(wanted);
     place(*end.wall, end.high ? Span{edge, edge + length} : Span{edge - length, edge});
   }

@@ -155,6 +155,7 @@ class Run {
     LAYOUTBOX_CHECK(check_stopped());
     LAYOUTBOX_CHECK(solve_scene());
     LAYOUTBOX_CHECK(check_stopped());
+    LAYOUTBOX_CHECK(dress_layouts());
     LAYOUTBOX_CHECK(furnish_layout());
     LAYOUTBOX_CHECK(verify_layout());
     LAYOUTBOX_CHECK(check_stopped());
@@ -190,16 +191,31 @@ class Run {
     return {};
   }
 
-  // The scene is the first layout's; what the others get besides is in their layouts alone.
-  Status dress_layouts(std::vector<Layout>& layouts) {
-    if (!plan_) return {};
-    for (std::size_t k = 1; k < layouts.size(); ++k) {
-      SceneGraph scene = outcome_.scene;
-      dress_room(*plan_, scene, layouts[k], catalog_, options_);
+  // The scene gets what the first layout gets; what dresses the others is in their layouts alone. All are written again.
+  Status dress_layouts() {
+    if (!plan_ || !options_.companions) return {};
+    begin();
+    const SceneGraph undressed = outcome_.scene;
+    const std::size_t added = dress_room(*plan_, outcome_.scene, outcome_.layout, catalog_, options_);
+    for (Layout& layout : outcome_.more_layouts) {
+      SceneGraph scene = undressed;
+      dress_room(*plan_, scene, layout, catalog_, options_);
     }
-    if (dress_room(*plan_, outcome_.scene, layouts[0], catalog_, options_) == 0) return {};
+    if (added == 0 && outcome_.more_layouts.empty()) return {};
     folder_.forget_files();
-    return folder_.write_artefacts(Stage::kPlan, room()).map([](const auto&) {});
+    LAYOUTBOX_CHECK(folder_.write_artefacts(Stage::kPlan, room()));
+    LAYOUTBOX_CHECK(write_more_layouts());
+    LAYOUTBOX_CHECK(folder_.write_artefacts(Stage::kSolve, room()));
+    finish("dress", counted(added, "thing") + " where it was free");
+    return {};
+  }
+
+  Status write_more_layouts() {
+    for (std::size_t k = 1; k <= outcome_.more_layouts.size(); ++k) {
+      const RoomSoFar one{outcome_.scene, outcome_.more_layouts[k - 1], model_, outcome_.report, options_};
+      LAYOUTBOX_CHECK(folder_.write_artefacts(Stage::kSolve, one, k));
+    }
+    return {};
   }
 
   Status solve_scene() {
@@ -209,13 +225,10 @@ class Run {
       outcome_.layout = *std::exchange(given_, std::nullopt);
     } else {
       LAYOUTBOX_ASSIGN(std::vector<Layout> layouts, solve_variants(outcome_.scene, catalog_, options_.solve, options_.variants));
-      LAYOUTBOX_CHECK(dress_layouts(layouts));
-      for (std::size_t k = 1; k < layouts.size(); ++k) {
-        LAYOUTBOX_CHECK(folder_.write_artefacts(Stage::kSolve, {outcome_.scene, layouts[k], model_, outcome_.report, options_}, k));
-        others += fmt::format("; variant {}: {}", k + 1, variant_in_words(layouts, k));
-      }
+      for (std::size_t k = 1; k < layouts.size(); ++k) others += fmt::format("; variant {}: {}", k + 1, variant_in_words(layouts, k));
       outcome_.layout = std::move(layouts[0]);
       outcome_.more_layouts.assign(std::make_move_iterator(layouts.begin() + 1), std::make_move_iterator(layouts.end()));
+      LAYOUTBOX_CHECK(write_more_layouts());
     }
     const Layout& layout = outcome_.layout;
     if (loop_) started_ = Clock::now() - std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(layout.stats.seconds));

@@ -21,7 +21,7 @@ namespace layoutbox {
 
 // How a stage went; reported as it ends, and kept in run.json.
 struct StageTime {
-  std::string stage;  // "plan", "solve", "furnish", "export", "verify", "render"
+  std::string stage;  // "plan", "solve", "dress", "furnish", "export", "verify", "render"
   double seconds = 0;
   std::string summary;  // "6 objects, 4 relations"
 };
@@ -51,7 +51,8 @@ struct GenerateOptions {
   // Who plans, in words that differ where the scene may: kept in run.json.
   std::string planner = "offline";
   PlanOptions plan;
-  // What the use of the named things needs comes with them (plan/companions.h), where a text is planned without a model. DEFAULT: true.
+  // What the use of the named things needs comes with them (plan/companions.h), and the finished room is dressed (dress/dress.h), where a
+  // text is planned without a model. DEFAULT: true.
   bool companions = true;
   RepairOptions repair;
   NormalizeOptions normalize;
