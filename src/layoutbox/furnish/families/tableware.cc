@@ -21,7 +21,11 @@ void vase(Piece& p) {
          r * 0.08, h * 0.05);
 }
 
+void fruit(Piece& p);
+
+// With fruit in it where it is a fruit bowl, and nothing else is in it.
 void bowl(Piece& p) {
+  if (p.says("fruit") && p.spaces.empty() && p.w > 0.13) return fruit(p);
   const double r = p.w / 2, h = p.h;
   vessel(p, p.main("ceramic"), {{r * 0.45, 0}, {r * 0.48, h * 0.08}, {r * 0.8, h * 0.4}, {r * 0.95, h * 0.75}, {r, h}},
          std::min(0.006, r * 0.06), h * 0.1);
