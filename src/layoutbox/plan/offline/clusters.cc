@@ -27,6 +27,13 @@ std::pair<int, std::size_t> together_at(const Lexicon& lexicon, const Document& 
              : std::pair<int, std::size_t>{};
 }
 
+bool is_class(const Document& document) {
+  for (std::size_t i = 0; i < document.tokens.size(); ++i) {
+    if (says_one_of(document, i, {"pupil", "pupils", "student", "students", "classroom", "schoolroom"})) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 void settle_clusters(const Lexicon& lexicon, Document& document) {
@@ -48,9 +55,12 @@ void settle_clusters(const Lexicon& lexicon, Document& document) {
     if (noun.kind != NounKind::kObject || !noun.is_plural()) continue;
     const auto [together, end] = together_at(lexicon, document, chunk.last);
     if (together == 0) continue;
-    // "tables in groups of four", of which nobody says how many: tables at which so many sit.
-    const bool shared = noun.head == "table" && noun.count == 0 && together > 2;
+    // "tables in groups of four", of which nobody says how many: tables at which so many sit, as a class does at desks put together.
+    const bool desks = noun.head == "desk" && is_class(document);
+    const bool shared = (noun.head == "table" || desks) && noun.count == 0 && together > 2;
     (shared ? noun.seats : noun.together) = together;
+    if (const CatalogEntry* table = lexicon.catalog().find("table"); shared && desks && table != nullptr)
+      noun.entry = table, noun.category = table->id;
     grouped = &noun;
     take_chunks(document, chunk.last, end, "together");
   }

@@ -39,6 +39,10 @@ void RelationBuilder::add_each_other(const Link& link, const std::vector<int>& t
     add(link, sense->type, {one}, {next}, *sense);
     if (sense->type == R::kOpposite) add_across(link, targets[t - 1], {next});
     if (sense->type == R::kFacing) add(link, sense->type, {next}, {one}, *sense);
+    // Desks at which two look at each other stand back to back.
+    const bool desks = sense->type == R::kFacing && targets.size() == 2 && other.entry != nullptr && other.entry->is(Trait::kDeskLike) &&
+                       noun_of_item(targets.back()).entry == other.entry;
+    if (desks) add_habit(R::kNextTo, {one}, {next}, 100, "desks at which two look at each other stand back to back");
   }
 }
 
@@ -360,8 +364,12 @@ void RelationBuilder::add_corners(const Link& link, const Mention& target, const
   }
   const bool every = corner.determiner == Determiner::kEach || corner.determiner == Determiner::kBoth || corner.count == 4;
   for (std::size_t t = 0; t < target.items.size(); ++t) {
-    const auto references = every && target.items.size() > 1 ? kCorners[t % kCorners.size()] : room_reference(corner, R::kCorner);
-    add(link, R::kCorner, {id(target.items[t])}, references);
+    const auto references = every && target.items.size() > 1 ? kCorners[t % kCorners.size()] : side;
+    // "two fitting rooms at the back right": one is in that corner, the other beside it.
+    if (!every && t > 0 && side.size() == 2 && mount_of(target.noun) == Mount::kFloor)
+      add(link, R::kNextTo, {id(target.items[t])}, {id(target.items[t - 1])});
+    else
+      add(link, R::kCorner, {id(target.items[t])}, references);
   }
 }
 

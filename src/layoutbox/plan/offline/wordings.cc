@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "layoutbox/base/words.h"
 #include "layoutbox/plan/offline/token_reader.h"
 
 namespace layoutbox::offline {
@@ -22,6 +23,7 @@ class WordingReader : public TokenReader {
       read_pattern(i);
       read_boards(i);
       read_round(i);
+      read_class(i);
       read_has_back(i);
       read_in_it(i);
       read_ends(i);
@@ -81,6 +83,18 @@ class WordingReader : public TokenReader {
       if (lexicon_.find(tokens_, at, WordClass::kObject).length > 0) return;
     }
     leave_out(i, on + 2);
+  }
+
+  // "a classroom with 24 pupils": for so many.
+  void read_class(std::size_t i) {
+    if (i == 0 || !is(i, {"with"})) return;
+    const NumberRead number = read_number(lexicon_, tokens_, i + 1);
+    const std::size_t who = i + 1 + number.length;
+    if (number.length == 0 || who >= tokens_.size() || !lexicon_.is_person(singular_of(tokens_[who].text))) return;
+    constexpr std::size_t kName = 3;  // words of the room
+    for (std::size_t back = 1; back <= std::min(i, kName); ++back) {
+      if (lexicon_.find(tokens_, i - back, WordClass::kRoom).length == back) tokens_[i].text = "for";
+    }
   }
 
   // "a locker, round window above the bunk": its shape, and not around it.

@@ -89,6 +89,7 @@ const PhraseSenses* UnitReader::end_of_room(std::size_t k) const {
   const bool end = place.last == place.first + 3 && tokens[place.first].text == "at" && tokens[place.first + 1].text == "the";
   if (!other && !end && !place.phrase.one) return nullptr;
   std::size_t thing = previous(k);
+  if (is(thing, ChunkKind::kNoun) && is(previous(thing), ChunkKind::kPurpose)) thing = previous(previous(thing));  // "a table for six at …"
   if (!is(thing, ChunkKind::kNoun) || chunk(thing).noun.kind != NounKind::kObject) return nullptr;
   thing = carrier_of(thing);
   if (is(previous(thing), ChunkKind::kHave)) return nullptr;  // "a counter with a fridge at one end"
