@@ -61,7 +61,10 @@ class SupportChooser {
   const SceneObject* choose() const {
     if (const SceneObject* around = inside_of()) return around;
     for (const std::string& id : entry(object_).stands_on) {
-      if (const SceneObject* found = freest([&](const SceneObject& o) { return context_.catalog.is_a(entry(o).id, id); })) return found;
+      const auto is_such = [&](const SceneObject& o) { return context_.catalog.is_a(entry(o).id, id); };
+      // A kettle rather stands on a cabinet than in the sink, which is a counter as well.
+      if (const SceneObject* found = freest([&](const SceneObject& o) { return is_such(o) && entry(o).top_carries; })) return found;
+      if (const SceneObject* found = freest(is_such)) return found;
     }
     if (entry(object_).hang_height > 0) return nullptr;  // a television rather hangs than stands on the coffee table
     return freest([&](const SceneObject& o) { return entry(o).top_carries && o.mount == Mount::kFloor; });

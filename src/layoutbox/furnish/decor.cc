@@ -120,7 +120,7 @@ std::vector<Color> room_colors(std::string_view prompt) {
     const std::size_t comma = clause.rfind(','), in = clause.find(" in ");
     if (said.empty() && comma != std::string_view::npos) {
       said = only_colors(clause.substr(comma + 1));
-      if (said.size() < 2) said.clear();
+      if (said.size() < 2 && clause.find("colo", comma) == std::string_view::npos) said.clear();
     }
     if (said.empty() && at == 0 && in != std::string_view::npos && in < kOpening &&
         clause.substr(0, in).find(" with ") == std::string_view::npos)

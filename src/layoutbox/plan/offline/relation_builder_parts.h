@@ -124,6 +124,7 @@ class RelationBuilder {
   // Rows of desks that face a board look its way; only those before it look straight at it.
   void add_front();
   void add_end_walls();
+  void hang_hoods();
   void add_habit(RelationType type, std::vector<std::string> targets, std::vector<std::string> references, int weight, std::string why);
   void face_as_group();
   void face_as_crowd();

@@ -134,8 +134,24 @@ void RelationBuilder::add_end_walls() {
   }
 }
 
+// A hood of which nobody says where it hangs is over the fire.
+void RelationBuilder::hang_hoods() {
+  for (const SceneObject& hood : scene_.objects) {
+    if (!catalog_.is_a(hood.category, "range_hood")) continue;
+    const auto fire = std::ranges::find_if(
+        scene_.objects, [&](const SceneObject& o) { return catalog_.is_a(o.category, "stove") || catalog_.is_a(o.category, "cooktop"); });
+    const std::vector<std::size_t>& own = relations_of(hood.id);
+    const bool placed = std::ranges::any_of(own, [&](std::size_t r) {
+      const Relation& relation = scene_.relations[r];
+      return relation.type != R::kNextTo && !relation.references.empty() && object_of(relation.references.front()) != nullptr;
+    });
+    if (fire != scene_.objects.end() && !placed) add_habit(R::kAbove, {hood.id}, {fire->id}, 100, "a hood hangs over the fire");
+  }
+}
+
 void RelationBuilder::add_habits() {
   add_front();
+  hang_hoods();
   add_end_walls();
   face_as_group();
   face_as_crowd();

@@ -249,6 +249,9 @@ std::string kind_by_contents(const Lexicon& lexicon, const Document& document, c
 void name_room_by_contents(const Lexicon& lexicon, const Document& document, SceneGraph& scene) {
   const bool named = std::ranges::any_of(document.rooms, [](const NounPhrase& room) { return room.kind == NounKind::kRoom && room.room; });
   if (scene.room.type.empty() && !named) scene.room.type = kind_by_contents(lexicon, document, scene);
+  for (SceneObject& object : scene.objects) {  // children sleep in beds for one
+    if (scene.room.type == "kids_room" && object.category == "bed" && object.attributes.empty()) object.category = "single_bed";
+  }
 }
 
 void furnish_by_wish(const Lexicon& lexicon, const Document& document, SceneGraph& scene) {

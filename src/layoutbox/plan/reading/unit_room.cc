@@ -84,6 +84,7 @@ const PhraseSenses* UnitReader::end_of_room(std::size_t k) const {
   const Chunk& place = chunk(k);
   const auto& tokens = document_.tokens;
   if (is_side_of_room(k)) return &kOne;
+  if (const std::string side = run_side_of_room(k); !side.empty()) return side == "left" ? &kOne : &kOther;
   if (tokens[place.last - 1].text != "end" || (place.last < tokens.size() && tokens[place.last].text == "of")) return nullptr;
   const bool other = place.last >= 2 && tokens[place.last - 2].text == "other";
   const bool end = place.last == place.first + 3 && tokens[place.first].text == "at" && tokens[place.first + 1].text == "the";
@@ -114,6 +115,30 @@ bool UnitReader::is_side_of_room(std::size_t k) const {
   const bool listed = is(previous(thing), ChunkKind::kComma) || is(previous(thing), ChunkKind::kAnd);
   return over && listed && noun.kind == NounKind::kObject && noun.entry != nullptr && noun.entry->beside.empty() &&
          noun.entry->mount == Mount::kFloor && !noun.entry->thin && !is_seat(lexicon_.catalog(), noun);
+}
+
+// "Sink and dishwasher on the left side, hob on the right": units of a kitchen are at the sides of the room where the text tells of both;
+// which side, or empty.
+std::string UnitReader::run_side_of_room(std::size_t k) const {
+  const auto& tokens = document_.tokens;
+  const auto side_at = [&](std::size_t last) -> std::string {  // "the left", "the right side", and no "of" after it
+    if (last < 2 || last > tokens.size() || (last < tokens.size() && tokens[last].text == "of")) return {};
+    const std::size_t word = last - (tokens[last - 1].text == "side" ? 2 : 1);
+    const bool side = tokens[word].text == "left" || tokens[word].text == "right";
+    return side && word > 0 && tokens[word - 1].text == "the" ? tokens[word].text : std::string{};
+  };
+  const std::string side = side_at(chunk(k).last);
+  std::size_t thing = previous(k);
+  while (is(thing, ChunkKind::kNoun) && (is(previous(thing), ChunkKind::kAnd) || is(previous(thing), ChunkKind::kHave)))
+    thing = previous(previous(thing));
+  if (side.empty() || !is(thing, ChunkKind::kNoun) || chunk(thing).noun.entry == nullptr ||
+      !chunk(thing).noun.entry->is(Trait::kKitchenRun))
+    return {};
+  for (std::size_t c = 0; c < document_.chunks.size(); ++c) {
+    if (c == k || !is(c, ChunkKind::kRelation)) continue;
+    if (const std::string other = side_at(chunk(c).last); !other.empty() && other != side) return side;
+  }
+  return {};
 }
 
 // "a sideboard with a coffee machine": the sideboard, of the machine.
