@@ -29,8 +29,6 @@ constexpr double kMostUsed = 0.58;
 constexpr double kLeastUsed = 0.38, kSmallestShare = 0.42, kSmallestArea = 12e6;  // mm²
 constexpr double kShareOfWindow = 0.5, kShareOfWideWindow = 0.75;                 // of the longest wall
 constexpr Mm kWidestWindow = 3000, kBetweenUnderWindow = 100;
-constexpr double kUsualWindow = 0.36;  // of the longest wall, between these widths
-constexpr Mm kNarrowUsualWindow = 1200, kWideUsualWindow = 1800;
 constexpr Point kGridWay{350, 850};  // free between the columns and rows of a grid
 
 struct SizeWordFactor {
@@ -307,8 +305,7 @@ class RoomNormalizer {
     Opening window;
     window.id = unused_id(context_.scene, "window1");
     window.type = OpeningType::kWindow;
-    window.height = kNarrowUsualWindow;
-    window.width = std::clamp(static_cast<Mm>(longest_wall() * kUsualWindow) / kGridMm * kGridMm, kNarrowUsualWindow, kWideUsualWindow);
+    window.width = window.height = 1200;
     window.sill = 900;
     window.swing = Swing::kNone;
     window.origin = Origin::kAssumed;

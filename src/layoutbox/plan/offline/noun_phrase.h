@@ -71,6 +71,7 @@ struct NounPhrase {
   bool collective = false;    // "items", "essentials": things where something holds them
   bool niche = false;         // an alcove, a notch: a part of the room's outline
   std::string wall_word;      // left, right, back, front
+  bool in_middle = false;     // of a door or window: in the middle of that wall
   std::string wall_relation;  // opposite, other, adjacent, same
   SaidSize size;
   std::shared_ptr<NounPhrase> of;         // "the corner of the desk", "two of the beds"

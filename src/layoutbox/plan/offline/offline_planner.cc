@@ -74,7 +74,7 @@ class OfflinePlanner final : public Planner {
     settle_corrected_places(document);
     settle_opening_sizes(document);
     settle_opening_walls(lexicon_, document);
-    settle_opening_ends(document);
+    settle_opening_ends(lexicon_, document);
     settle_finishes(lexicon_, document);
     settle_absent(lexicon_, document);
     settle_clusters(lexicon_, document);

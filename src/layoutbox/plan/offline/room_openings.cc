@@ -55,6 +55,7 @@ std::pair<std::string, std::string> walls_by_length(const NounPhrase& noun, cons
 
 // "French doors", "double doors", "sliding doors": one opening, whose leaves they are.
 int openings_said(const NounPhrase& noun) {
+  if (noun.wall_word == "ends") return 2;  // "a window at both ends"
   if (noun.kind == NounKind::kDoor && noun.plural) {
     const OpeningLook look = opening_look(OpeningType::kDoor, {words_of_opening(noun)});
     const bool of_leaves = look.leaves == 2 || look.slides;
@@ -143,6 +144,8 @@ std::pair<std::string, std::size_t> end_said_at(const Document& document, std::s
   const auto is = [&](std::size_t at, std::initializer_list<std::string_view> words) { return says_one_of(document, at, words); };
   // "door on the short side, balcony door opposite."
   const bool across = is(i, {"opposite"}) && (i + 1 >= document.tokens.size() || document.tokens[i + 1].kind == Token::Kind::kPunctuation);
+  if (is(i, {"at", "on"}) && is(i + 1, {"both", "each", "either"}) && is(i + 2, {"end", "ends"}))
+    return {"ends", i + (is(i + 3, {"of"}) && is(i + 4, {"the", "it"}) ? is(i + 4, {"it"}) ? 5 : 6 : 3)};
   if (!across && !is(i++, {"at", "on", "in"})) return {};
   while (is(i, {"the", "one", "a", "of", "its", "two"})) ++i;
   std::string word;
@@ -156,9 +159,26 @@ std::pair<std::string, std::size_t> end_said_at(const Document& document, std::s
   return {word, i};
 }
 
+// "in the middle of one short wall", "centered on the left wall": which wall, and where the words end; none: "".
+std::pair<std::string, std::size_t> middle_said_at(const Lexicon& lexicon, const Document& document, std::size_t i) {
+  const auto is = [&](std::size_t at, std::initializer_list<std::string_view> words) { return says_one_of(document, at, words); };
+  const bool middle = is(i, {"in", "at"}) && is(i + 1, {"the"}) && is(i + 2, {"middle", "center"}) && is(i + 3, {"of"});
+  if (!middle && !(is(i, {"centered"}) && is(i + 1, {"on", "in"}))) return {};
+  i += middle ? 4 : 2;
+  while (is(i, {"the", "one", "a", "of", "its"})) ++i;
+  std::string word;
+  if (const Match wall = lexicon.find(document.tokens, i, Class::kWallWord); wall.length > 0) {
+    word = meaning_of(wall, Class::kWallWord)->word;
+    i += wall.length;
+  } else if (is(i, {"long", "longer", "short", "shorter", "narrow"})) {
+    word = document.tokens[i++].text.starts_with("long") ? "long" : "short";
+  }
+  return word.empty() || !is(i, {"wall", "side", "end"}) ? std::pair<std::string, std::size_t>{} : std::pair{word, i + 1};
+}
+
 }  // namespace
 
-void settle_opening_ends(Document& document) {
+void settle_opening_ends(const Lexicon& lexicon, Document& document) {
   for (std::size_t k = 0; k < document.chunks.size(); ++k) {
     Chunk& chunk = document.chunks[k];
     if (chunk.kind != ChunkKind::kNoun || (chunk.noun.kind != NounKind::kDoor && chunk.noun.kind != NounKind::kWindow)) continue;
@@ -166,9 +186,11 @@ void settle_opening_ends(Document& document) {
     for (std::size_t n = k + 1; n < document.chunks.size() && document.chunks[n].kind == ChunkKind::kIgnored; ++n)
       first = document.chunks[n].last;
     while (says_one_of(document, first, {"is", "are", "being", "located", "placed", "situated"})) ++first;
-    const auto [word, last] = end_said_at(document, first);
+    const auto middle = middle_said_at(lexicon, document, first);
+    const auto& [word, last] = middle.first.empty() ? end_said_at(document, first) : middle;
     if (word.empty()) continue;
     chunk.noun.wall_word = word;
+    chunk.noun.in_middle = !middle.first.empty();
     take_chunks(document, first, last, "which wall");
   }
 }
@@ -187,11 +209,12 @@ std::string wall_of_opening(const std::string& word, OpeningType type, const Roo
     return !wall.empty() ? wall : type == OpeningType::kWindow ? "back" : "front";
   }
   if (word == "other") return room.openings.empty() ? std::string{} : wall_across(room.openings.back().wall);
-  if (word != "short" && word != "long") return word;
+  if (word != "short" && word != "long" && word != "ends") return word;
   NounPhrase wall;
-  wall.name = word + " wall";
+  wall.name = word == "long" ? "long wall" : "short wall";
   const auto [one, other] = walls_by_length(wall, room);
   const bool taken = std::ranges::any_of(room.openings, [&, o = other](const Opening& opening) { return opening.wall == o; });
+  if (word == "ends") return taken ? other : one;
   return type == OpeningType::kWindow || taken ? one : other;
 }
 

@@ -45,6 +45,15 @@ void fit(Opening& opening, const Room& room) {
   if (room.height > opening.sill + kAbove) opening.height = std::min(opening.height, room.height - kAbove - opening.sill);
 }
 
+// Where it begins that is in the middle of its wall; not known where the room's size is not.
+std::optional<Mm> middle_offset(const Opening& opening, const Room& room) {
+  if (room.polygon.empty() || opening.wall.empty()) return std::nullopt;
+  Mm width = 0, depth = 0;
+  for (const Point& corner : room.polygon) width = std::max(width, corner.x), depth = std::max(depth, corner.y);
+  const Mm length = opening.wall == "left" || opening.wall == "right" ? depth : width;
+  return std::max(0, (length - opening.width) / 2 / kGridMm * kGridMm);
+}
+
 void add_opening(SceneGraph& scene, OpeningType type, const NounPhrase& noun, const std::string& wall) {
   Opening opening = opening_said(type, noun);
   const auto number =
@@ -52,6 +61,7 @@ void add_opening(SceneGraph& scene, OpeningType type, const NounPhrase& noun, co
   opening.id = std::string(name_of(type)) + std::to_string(number);
   opening.wall = wall_of_opening(wall, type, scene.room);
   if (!noun.size.any()) fit(opening, scene.room);
+  if (noun.in_middle) opening.offset = middle_offset(opening, scene.room);
   scene.room.openings.push_back(std::move(opening));
 }
 

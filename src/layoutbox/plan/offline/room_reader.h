@@ -32,7 +32,7 @@ void settle_opening_walls(const Lexicon& lexicon, Document& document);
 
 // "the door at one end and the window at the other", "the entrance on the narrow side": the opening's wall word is "short", "long" or
 // "other", which is settled when the room's sides are known.
-void settle_opening_ends(Document& document);
+void settle_opening_ends(const Lexicon& lexicon, Document& document);
 // "exposed brick on the back wall", "floral wallpaper": the words become the wall or the floor that they speak of.
 void settle_finishes(const Lexicon& lexicon, Document& document);
 // What such a word means for an opening of that type after those that the room has; any other word stays.

@@ -24,6 +24,7 @@ class WordingReader : public TokenReader {
       read_boards(i);
       read_round(i);
       read_class(i);
+      read_doorway(i);
       read_has_back(i);
       read_in_it(i);
       read_ends(i);
@@ -83,6 +84,13 @@ class WordingReader : public TokenReader {
       if (lexicon_.find(tokens_, at, WordClass::kObject).length > 0) return;
     }
     leave_out(i, on + 2);
+  }
+
+  // "a doorway without a door": no less an opening.
+  void read_doorway(std::size_t i) {
+    if (i == 0 || !is(i - 1, {"doorway", "archway", "opening", "entrance"}) || !is(i, {"without"})) return;
+    const std::size_t door = i + (is(i + 1, {"a", "any"}) ? 2 : 1);
+    if (is(door, {"door", "doors"})) leave_out(i, door + 1);
   }
 
   // "a classroom with 24 pupils": for so many.

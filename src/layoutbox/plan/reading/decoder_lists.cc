@@ -188,7 +188,9 @@ double Decoder::list_kind_score(const State& state, int member, int u, std::size
   }
   if (is_new_thing(noun) && !may_come_with(host, noun) && !has_own_place(u)) return weight::kNotWithEach;
   if (joiner == Joiner::kAnd && reading.placed && placed_by_unsaid(u)) return weight::kPlacedByHost;
-  if (mount_of(noun) != mount_of(former) || (before && !read_as(state, predicate).inverse)) return weight::kNotCarried;
+  const bool differ = mount_of(noun) != mount_of(former) || (before && !read_as(state, predicate).inverse);
+  if (differ && mount_of(noun) == Mount::kFloor && !carried) return weight::kStandsByItself;
+  if (differ) return weight::kNotCarried;
   return joiner == Joiner::kComma ? -1.2 : 0;
 }
 
