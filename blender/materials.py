@@ -324,7 +324,8 @@ def paint_brushed(nodes, point, row):
 
 
 PAINTERS = {"wood": paint_wood, "planks": paint_planks, "parquet": paint_parquet, "tiles": paint_tiles, "checker": paint_checker,
-            "bricks": paint_bricks, "tatami": paint_tatami, "flags": paint_flags, "flowers": paint_flowers, "marble": paint_marble, "terrazzo": paint_terrazzo, "concrete": paint_concrete,
+            "bricks": paint_bricks, "tatami": paint_tatami, "flags": paint_flags, "flowers": paint_flowers,
+            "marble": paint_marble, "terrazzo": paint_terrazzo, "concrete": paint_concrete,
             "plaster": paint_plaster, "fabric": paint_fabric, "carpet": paint_carpet, "leather": paint_leather,
             "wicker": paint_wicker, "stripes": paint_stripes, "brushed": paint_brushed}
 

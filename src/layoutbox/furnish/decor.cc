@@ -4,6 +4,7 @@
 #include <cctype>
 #include <nlohmann/json.hpp>
 
+#include "layoutbox/base/words.h"
 #include "layoutbox/embedded/catalog_data.h"
 #include "layoutbox/furnish/palette.h"
 
@@ -87,14 +88,8 @@ void take_palette(Decor& decor, const Json& colors) {
 std::vector<Color> only_colors(std::string_view words) {
   const std::string plain = data().at("color_words").get<std::string>();
   std::vector<Color> colors;
-  std::string word, two;
-  for (std::size_t i = 0; i <= words.size(); ++i) {
-    const char c = i < words.size() ? static_cast<char>(std::tolower(static_cast<unsigned char>(words[i]))) : ' ';
-    if (std::isalpha(static_cast<unsigned char>(c)) != 0) {
-      word += c;
-      continue;
-    }
-    if (word.empty()) continue;
+  std::string two;
+  for (const std::string& word : words_of(words)) {
     if (const SurfaceWish wish = read_wish(two.empty() ? word : two + " " + word); wish.color) {
       colors.push_back(*wish.color);
       two.clear();
@@ -103,7 +98,6 @@ std::vector<Color> only_colors(std::string_view words) {
     } else {
       return {};
     }
-    word.clear();
   }
   return colors;
 }
@@ -142,17 +136,10 @@ Color wall_of(const std::vector<Color>& said) {
 // The colours of a child's room, by whose it is.
 const Json& child_palette(std::string_view prompt) {
   const Json& palettes = data().at("child_palettes");
-  std::string word;
-  for (const char raw : prompt) {
-    const char c = static_cast<char>(std::tolower(static_cast<unsigned char>(raw)));
-    if (std::isalpha(static_cast<unsigned char>(c)) != 0) {
-      word += c;
-      continue;
-    }
+  for (const std::string& word : words_of(prompt)) {
     for (const auto& [words, colors] : palettes.items()) {
-      if (!word.empty() && lists(words, word)) return colors;
+      if (lists(words, word)) return colors;
     }
-    word.clear();
   }
   return palettes.at("");
 }
@@ -199,7 +186,7 @@ Decor decor_of(const Layout& layout, std::uint64_t seed) {
   decor.floor = one_of(own_floor ? style->at("floors") : room.at("floors"), chance).get<std::string>();
   const bool plain = room.value("plain", false);
   decor.wall = color_of(one_of(data().at(plain ? "plain_walls" : "walls"), chance >> 8));
-  if (room.value("tiled", false)) decor.wall_tiles = data().at("tiled_wall").get<std::string>();
+  if (room.value("tiled", false)) decor.wall_finish = data().at("tiled_wall").get<std::string>();
   const std::string& floor = layout.room.floor_material.empty() ? decor.floor : layout.room.floor_material;
   decor.woods = woods_on(floor_name(floor), chance >> 16);
   const Json& children = data().at("child_rooms");
@@ -210,9 +197,9 @@ Decor decor_of(const Layout& layout, std::uint64_t seed) {
     take_palette(decor, one_of(data().at("palettes"), chance >> 24));
   }
   if (style != nullptr) decor = decor_of_thing(decor, layout.prompt);
-  if (style != nullptr && style->contains("walls") && decor.wall_tiles.empty())
+  if (style != nullptr && style->contains("walls") && decor.wall_finish.empty())
     decor.wall = color_of(one_of(style->at("walls"), chance >> 8));
-  if (style != nullptr && style->contains("wall")) decor.wall_tiles = style->at("wall").get<std::string>();
+  if (style != nullptr && style->contains("wall")) decor.wall_finish = style->at("wall").get<std::string>();
   if (std::vector<Color> said = room_colors(layout.prompt); !said.empty()) {
     decor.wall = wall_of(said);
     decor.accents = std::move(said);

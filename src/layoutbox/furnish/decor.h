@@ -15,7 +15,7 @@ struct Decor {
   std::uint64_t chance = 0;         // of the room: which of several ways its things are drawn
   std::string floor = "oak floor";  // as a text would ask for it
   Color wall{0.93, 0.91, 0.88};     // of plaster
-  std::string wall_tiles;           // as a text would ask for them; empty: plaster
+  std::string wall_finish;          // as a text would ask for it ("wall tiles", "stone"); empty: plaster
   std::vector<std::string> woods;   // usual furniture is of the first, some of the others; empty: as each family says
   std::string metal;                // instead of steel; empty: steel
   std::vector<Color> accents;       // of cloth; empty: as of old

@@ -48,8 +48,8 @@ TEST(Decor, FurnitureDoesNotVanishOnTheFloor) {
 }
 
 TEST(Decor, WetRoomsAreTiledAndWorkshopsHaveConcrete) {
-  EXPECT_FALSE(decor_of(room("bathroom", "x"), 1).wall_tiles.empty());
-  EXPECT_TRUE(decor_of(room("bedroom", "x"), 1).wall_tiles.empty());
+  EXPECT_FALSE(decor_of(room("bathroom", "x"), 1).wall_finish.empty());
+  EXPECT_TRUE(decor_of(room("bedroom", "x"), 1).wall_finish.empty());
   EXPECT_EQ(decor_of(room("workshop", "x"), 1).floor, "concrete");
 }
 

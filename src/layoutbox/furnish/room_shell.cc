@@ -96,7 +96,7 @@ double mitre(Vec2 along, double own, Vec2 next_along, double next) {
 // What a wall is of: as asked, else as the room's look has it.
 Surface wall_surface(const Layout& layout, const Decor& decor, const std::string& asked) {
   if (!asked.empty()) return surface_for(layout, asked, "plaster", false);
-  if (!decor.wall_tiles.empty()) return surface_for(layout, decor.wall_tiles, "tiles", false);
+  if (!decor.wall_finish.empty()) return surface_for(layout, decor.wall_finish, "tiles", false);
   return colored(named_surface("plaster"), decor.wall);
 }
 
