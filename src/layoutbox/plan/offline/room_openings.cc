@@ -96,6 +96,28 @@ void settle_opening_sizes(Document& document) {
   }
 }
 
+namespace {
+
+// "the door to the bakehouse is at the back": where the door leads, in the two chunks from n on.
+void leave_out_where_it_leads(Document& document, NounPhrase& door, std::size_t n) {
+  std::vector<Chunk>& chunks = document.chunks;
+  const bool leads = n + 1 < chunks.size() && chunks[n].first + 1 == chunks[n].last && document.tokens[chunks[n].first].text == "to" &&
+                     chunks[n + 1].kind == ChunkKind::kNoun &&
+                     (chunks[n + 1].noun.kind != NounKind::kObject || !chunks[n + 1].noun.exact) &&
+                     chunks[n + 1].noun.kind != NounKind::kWall;
+  if (!leads) return;
+  if (opening_look(OpeningType::kDoor, {chunks[n + 1].noun.head}).outside) door.attributes.push_back(chunks[n + 1].noun.head);
+  for (std::size_t c = n; c < n + 2; ++c) {
+    chunks[c].kind = ChunkKind::kIgnored;
+    for (std::size_t i = chunks[c].first; i < chunks[c].last; ++i) {
+      document.readings[i].use = WordReading::Use::kIgnored;
+      document.readings[i].role = "where the door leads";
+    }
+  }
+}
+
+}  // namespace
+
 // "a window to the east", "the entrance is on the left", "the window faces south": which wall.
 void settle_opening_walls(const Lexicon& lexicon, Document& document) {
   std::vector<Chunk>& chunks = document.chunks;
@@ -107,21 +129,7 @@ void settle_opening_walls(const Lexicon& lexicon, Document& document) {
     NounPhrase& noun = chunks[k].noun;
     if (chunks[k].kind != ChunkKind::kNoun || (noun.kind != NounKind::kDoor && noun.kind != NounKind::kWindow)) continue;
     std::size_t n = k + 1;
-    // "the door to the bakehouse is at the back"
-    const bool leads = n + 1 < chunks.size() && chunks[n].first + 1 == chunks[n].last && document.tokens[chunks[n].first].text == "to" &&
-                       chunks[n + 1].kind == ChunkKind::kNoun &&
-                       (chunks[n + 1].noun.kind != NounKind::kObject || !chunks[n + 1].noun.exact) &&
-                       chunks[n + 1].noun.kind != NounKind::kWall;
-    if (leads && noun.kind == NounKind::kDoor) {
-      if (opening_look(OpeningType::kDoor, {chunks[n + 1].noun.head}).outside) noun.attributes.push_back(chunks[n + 1].noun.head);
-      for (std::size_t c = n; c < n + 2; ++c) {
-        chunks[c].kind = ChunkKind::kIgnored;
-        for (std::size_t i = chunks[c].first; i < chunks[c].last; ++i) {
-          document.readings[i].use = WordReading::Use::kIgnored;
-          document.readings[i].role = "where the door leads";
-        }
-      }
-    }
+    if (noun.kind == NounKind::kDoor) leave_out_where_it_leads(document, noun, n);
     while (passed(n)) ++n;
     if (n >= chunks.size() || chunks[n].kind != ChunkKind::kRelation) continue;
     const std::size_t first = n++;
