@@ -51,8 +51,8 @@ cases() {
   local name=$1 build=$2 log=$logs/test-$1.log junit=$PWD/$logs/test-$1.xml began=$SECONDS counts
   shift 2
   rm -f "$junit"
-  # One more than there are cores: many cases wait for somebody who answers late.
-  into_log "$log" ctest --test-dir "$build" --output-junit "$junit" --output-on-failure --no-tests=error -j "$(($(nproc) + 1))" "$@"
+  # Two more than there are cores: many cases wait for somebody who answers late.
+  into_log "$log" ctest --test-dir "$build" --output-junit "$junit" --output-on-failure --no-tests=error -j "$(($(nproc) + 2))" "$@"
   if ! counts=$(python3 scripts/count_cases.py "$junit"); then
     ((failed += 1))
     echo "FAIL  $name: CTest ran nothing"
