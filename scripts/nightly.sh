@@ -25,6 +25,7 @@ if step set-up scripts/setup.sh --nightly; then
   if step build-sanitized scripts/build.sh --preset debug --tests; then cases sanitized build/debug; fi
   if step build-thread scripts/build.sh --preset thread --tests; then cases thread build/thread -L unit; fi
   if step build scripts/build.sh --tests; then
+    step clang-tidy scripts/tidy.sh
     # Many random rooms, from seeds that no other run has seen; each failure names its own.
     seed=$((RANDOM * 32768 + RANDOM))
     echo "random rooms from seed $seed on"
