@@ -273,6 +273,7 @@ class Variants(CliTestCase):
         self.assertEqual({path.name for path in self.path("out").iterdir()}, {"scene.json", "run.json", *self.EACH})
 
 
+@needs_shared
 class PaperFiles(CliTestCase):
     def test_scene_in_the_papers_form(self):
         file = SHARED / "data/paper/example/scene-as-the-paper-writes-it.json"
