@@ -5,6 +5,7 @@
 
 #include "layoutbox/base/words.h"
 #include "layoutbox/catalog/normalize_steps.h"
+#include "layoutbox/catalog/size_words.h"
 #include "layoutbox/scene/shell.h"
 
 namespace layoutbox {
@@ -30,15 +31,6 @@ constexpr double kLeastUsed = 0.38, kSmallestShare = 0.42, kSmallestArea = 12e6;
 constexpr double kShareOfWindow = 0.5, kShareOfWideWindow = 0.75;                 // of the longest wall
 constexpr Mm kWidestWindow = 3000, kBetweenUnderWindow = 100;
 constexpr Point kGridWay{350, 850};  // free between the columns and rows of a grid
-
-struct SizeWordFactor {
-  std::string_view word;
-  double factor;
-};
-constexpr SizeWordFactor kRoomWords[] = {
-    {"tiny", 0.65}, {"small", 0.8},    {"compact", 0.8}, {"cosy", 0.85}, {"cozy", 0.85}, {"narrow", 0.85}, {"medium", 1.0},
-    {"large", 1.3}, {"spacious", 1.3}, {"big", 1.3},     {"huge", 1.6},  {"vast", 1.8},  {"open", 1.2},
-};
 
 Mm rounded_up(double mm) { return static_cast<Mm>(std::ceil(mm / 100 - 1e-9) * 100); }
 
@@ -149,12 +141,10 @@ class RoomNormalizer {
       d = std::round(*room_.area_m2 * 1e6 / share / w / kGridMm) * kGridMm;
       reason = fmt::format("an area of {:.4g} m²", *room_.area_m2);
     } else {
-      for (const SizeWordFactor& rule : kRoomWords) {
-        if (!same_name(room_.size_word, rule.word)) continue;
-        w *= std::sqrt(rule.factor);
-        d *= std::sqrt(rule.factor);
-        reason = fmt::format("\"{}\"", room_.size_word);
-      }
+      const double scale = std::sqrt(room_size_factor(room_.size_word));
+      w *= scale;
+      d *= scale;
+      if (scale != 1) reason = fmt::format("\"{}\"", room_.size_word);
       const double grown = growth(w * d * share, std::max(w, d));
       const double factor = grown * growth_for_distances(context_, w * grown, d * grown);
       if (factor > 1.001) reason += ", grown to hold its furniture";
@@ -181,8 +171,7 @@ class RoomNormalizer {
                                         : double(size.width) * size.depth + wanted_floor(entry, size);
       longest = std::max({longest, double(size.width), double(size.depth)});
     }
-    const auto word = std::ranges::find_if(kRoomWords, [&](const SizeWordFactor& rule) { return same_name(room_.size_word, rule.word); });
-    const double factor = word == std::end(kRoomWords) ? 1.0 : word->factor;
+    const double factor = room_size_factor(room_.size_word);
     // A tiny room is smaller than an ordinary one for as little, and fuller.
     const bool may_shrink = (room_.size_word.empty() || factor < 1) && used > 0;
     const double least = may_shrink ? std::sqrt(std::clamp(used * factor / kLeastUsed / area,

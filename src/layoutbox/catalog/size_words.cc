@@ -24,6 +24,15 @@ constexpr SizeWord kSizeWords[] = {
     {"high", false, false, true, true},   {"low", false, false, true, false},
 };
 
+struct RoomWord {
+  std::string_view word;
+  double factor;
+};
+constexpr RoomWord kRoomWords[] = {
+    {"tiny", 0.65}, {"small", 0.8},    {"compact", 0.8}, {"cosy", 0.85}, {"cozy", 0.85}, {"narrow", 0.85}, {"medium", 1.0},
+    {"large", 1.3}, {"spacious", 1.3}, {"big", 1.3},     {"huge", 1.6},  {"vast", 1.8},  {"open", 1.2},
+};
+
 }  // namespace
 
 bool says(const std::vector<std::string>& said, std::string_view phrase) {
@@ -63,6 +72,11 @@ SizeRange size_by_words(const CatalogEntry& entry, const std::vector<std::string
 
 bool is_size_word(std::string_view word) {
   return std::ranges::any_of(kSizeWords, [&](const SizeWord& rule) { return rule.word == word; });
+}
+
+double room_size_factor(std::string_view word) {
+  const auto* found = std::ranges::find_if(kRoomWords, [&](const RoomWord& rule) { return same_name(word, rule.word); });
+  return found == std::end(kRoomWords) ? 1.0 : found->factor;
 }
 
 }  // namespace layoutbox

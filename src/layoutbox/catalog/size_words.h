@@ -24,4 +24,7 @@ bool says(const std::vector<std::string>& said, std::string_view phrase);
 // True for words of size that hold for every kind of thing: "large", "narrow"…
 bool is_size_word(std::string_view word);
 
+// How large a room's floor is of which that is said, as a share of such a room's usual one: 0.65 of a "tiny" one; 1 where it says nothing.
+double room_size_factor(std::string_view word);
+
 }  // namespace layoutbox

@@ -27,11 +27,13 @@ std::pair<int, std::size_t> together_at(const Lexicon& lexicon, const Document& 
              : std::pair<int, std::size_t>{};
 }
 
-bool is_class(const Document& document) {
-  for (std::size_t i = 0; i < document.tokens.size(); ++i) {
-    if (says_one_of(document, i, {"pupil", "pupils", "student", "students", "classroom", "schoolroom"})) return true;
-  }
-  return false;
+// A room in which everybody has a desk for pupils.
+bool is_class(const Lexicon& lexicon, const Document& document) {
+  return std::ranges::any_of(document.chunks, [&](const Chunk& chunk) {
+    const bool room = chunk.kind == ChunkKind::kNoun && chunk.noun.kind == NounKind::kRoom && chunk.noun.room != nullptr;
+    const Lexicon::Set* needs = room ? lexicon.needs_in(chunk.noun.room->id) : nullptr;
+    return needs != nullptr && needs->front().first->id == "school_desk";
+  });
 }
 
 }  // namespace
@@ -56,7 +58,7 @@ void settle_clusters(const Lexicon& lexicon, Document& document) {
     const auto [together, end] = together_at(lexicon, document, chunk.last);
     if (together == 0) continue;
     // "tables in groups of four", of which nobody says how many: tables at which so many sit, as a class does at desks put together.
-    const bool desks = noun.head == "desk" && is_class(document);
+    const bool desks = noun.head == "desk" && is_class(lexicon, document);
     const bool shared = (noun.head == "table" || desks) && noun.count == 0 && together > 2;
     (shared ? noun.seats : noun.together) = together;
     if (const CatalogEntry* table = lexicon.catalog().find("table"); shared && desks && table != nullptr)

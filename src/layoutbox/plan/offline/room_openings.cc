@@ -40,14 +40,16 @@ std::string length_word(const NounPhrase& wall) {
   return said("short") || said("shorter") || said("shortest") || said("narrow") ? "short" : "";
 }
 
+Point extent_of(const Room& room) {
+  Point extent{0, 0};
+  for (const Point& corner : room.polygon) extent = {std::max(extent.x, corner.x), std::max(extent.y, corner.y)};
+  return extent;
+}
+
 std::pair<std::string, std::string> walls_by_length(const NounPhrase& noun, const Room& room) {
   const std::string word = length_word(noun);
   if (word.empty()) return {};
-  Mm width = 0, depth = 0;
-  for (const Point& corner : room.polygon) {
-    width = std::max(width, corner.x);
-    depth = std::max(depth, corner.y);
-  }
+  const auto [width, depth] = extent_of(room);
   // A room of no said size is at least as wide as deep.
   if ((width >= depth) == (word == "long")) return {"back", "front"};
   return {"left", "right"};

@@ -48,8 +48,7 @@ void fit(Opening& opening, const Room& room) {
 // Where it begins that is in the middle of its wall; not known where the room's size is not.
 std::optional<Mm> middle_offset(const Opening& opening, const Room& room) {
   if (room.polygon.empty() || opening.wall.empty()) return std::nullopt;
-  Mm width = 0, depth = 0;
-  for (const Point& corner : room.polygon) width = std::max(width, corner.x), depth = std::max(depth, corner.y);
+  const auto [width, depth] = extent_of(room);
   const Mm length = opening.wall == "left" || opening.wall == "right" ? depth : width;
   return std::max(0, (length - opening.width) / 2 / kGridMm * kGridMm);
 }

@@ -43,6 +43,9 @@ std::string wall_across(std::string_view wall);
 // A door or a window as a noun phrase says it, without an id and a place.
 Opening opening_said(OpeningType type, const NounPhrase& noun);
 
+// How wide and deep the room is, from its front-left corner; 0 where nothing is said of its size.
+Point extent_of(const Room& room);
+
 // "short" or "long", where a wall or a side is said to be so; empty elsewhere.
 std::string length_word(const NounPhrase& wall);
 // "the short wall", "a long side": the two walls of that length, words for them; empty where nothing of the kind is said.

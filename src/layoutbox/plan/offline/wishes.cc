@@ -5,6 +5,7 @@
 #include <map>
 
 #include "layoutbox/base/words.h"
+#include "layoutbox/catalog/size_words.h"
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/english.h"
 #include "layoutbox/plan/offline/noun_phrase_parts.h"
@@ -176,9 +177,7 @@ class Furnisher {
     constexpr double kCovered = 0.5, kInSmall = 0.32;
     if (!scene_.room.polygon.empty()) return kCovered * static_cast<double>(doubled_area(scene_.room.polygon)) / 2;
     if (scene_.room.area_m2) return kCovered * *scene_.room.area_m2 * 1e6;
-    const std::string& word = scene_.room.size_word;
-    const bool small = word == "small" || word == "tiny" || word == "compact" || word == "narrow";
-    return small ? kInSmall * area_of(kind.usual_size) : std::numeric_limits<double>::max();
+    return room_size_factor(scene_.room.size_word) < 1 ? kInSmall * area_of(kind.usual_size) : std::numeric_limits<double>::max();
   }
 
   // With what it stands on, where nothing of that is there.
@@ -248,9 +247,13 @@ std::string kind_by_contents(const Lexicon& lexicon, const Document& document, c
 
 void name_room_by_contents(const Lexicon& lexicon, const Document& document, SceneGraph& scene) {
   const bool named = std::ranges::any_of(document.rooms, [](const NounPhrase& room) { return room.kind == NounKind::kRoom && room.room; });
-  if (scene.room.type.empty() && !named) scene.room.type = kind_by_contents(lexicon, document, scene);
-  for (SceneObject& object : scene.objects) {  // children sleep in beds for one
-    if (scene.room.type == "kids_room" && object.category == "bed" && object.attributes.empty()) object.category = "single_bed";
+  if (!scene.room.type.empty() || named) return;
+  scene.room.type = kind_by_contents(lexicon, document, scene);
+  const RoomKind* kind = scene.room.type.empty() ? nullptr : lexicon.catalog().find_room(scene.room.type);
+  for (SceneObject& object : scene.objects) {  // what a plain word means in such a room: children sleep in beds for one
+    const CatalogEntry* own = kind == nullptr ? nullptr : lexicon.catalog().find(object.category);
+    const bool plain = own != nullptr && singular_of(object.name) == own->name;
+    if (const CatalogEntry* meant = plain ? lexicon.meant_in(*kind, kind->name, own->name) : nullptr) object.category = meant->id;
   }
 }
 

@@ -1,0 +1,135 @@
+// How many of a thing there are by where they are put: one at every side, in every corner, for each of the others, so many that a wall is
+// full.
+#include <algorithm>
+
+#include "layoutbox/plan/offline/knowledge.h"
+#include "layoutbox/plan/offline/reader_words.h"
+#include "layoutbox/plan/reading/scribe.h"
+
+namespace layoutbox::offline {
+
+namespace {
+
+bool contains_word(const std::vector<std::string>& words, std::string_view word) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+// "in every corner" four, "in each of the two far corners" two.
+std::size_t corners_meant(const NounPhrase& corner) {
+  if (corner.count > 0) return static_cast<std::size_t>(corner.count);
+  return corner.wall_word.empty() ? 4 : 2;  // "in each back corner"
+}
+
+// "against each side wall" two, "on every wall" four.
+std::size_t walls_meant(const NounPhrase& wall) {
+  if (wall.count > 0) return static_cast<std::size_t>(wall.count);
+  if (!wall.wall_word.empty()) return 1;
+  const bool some =
+      wall.name.find("side wall") != std::string::npos || contains_word(wall.attributes, "long") || contains_word(wall.attributes, "short");
+  return some ? 2 : 4;
+}
+
+}  // namespace
+
+// "a wall covered in bookshelves", "tall shelves on every wall": so many that they fill an ordinary wall, or stand at all but the front
+// one.
+std::size_t Scribe::row_along_walls(const Link& link, int target, const NounPhrase& wall) const {
+  constexpr Mm kOrdinaryWall = 3600, kHalfOfIt = 1800;
+  constexpr std::size_t kWalls = 3, kMostAtWall = 5;
+  const CatalogEntry* entry = noun_of(target).entry;
+  if (entry == nullptr || entry->mount != Mount::kFloor || !entry->back_to_wall) return 0;
+  bool full = false;
+  for (std::size_t i = link.first; i < link.last; ++i) full |= lexicon_.is_in("full", document_.tokens[i].text);
+  const bool boards = says(link.senses, RelationType::kOnWall) && lexicon_.catalog().find("wall_" + entry->id) != nullptr;
+  if (boards && !full && !is_tall(noun_of(target))) return 0;
+  const bool all = wall.determiner == Determiner::kBoth && document_.tokens[wall.first].text == "all";
+  const bool every = (wall.determiner == Determiner::kEach || all) && walls_meant(wall) > kWalls;
+  const auto in_row = [&](Mm length) { return std::min(static_cast<std::size_t>(length / entry->size.usual.width), kMostAtWall); };
+  return every ? kWalls * std::max<std::size_t>(in_row(kHalfOfIt), 1) : full ? in_row(kOrdinaryWall) : 0;
+}
+
+// "bookshelves lining three walls": at least one at each.
+void Scribe::grow_along_walls(const Link& link, int target, const NounPhrase& wall) {
+  if (wall.kind != NounKind::kWall || !noun_of(target).plural || noun_of(target).count > 0) return;
+  references_.grow(target, std::max(static_cast<std::size_t>(std::max(wall.count, 0)), row_along_walls(link, target, wall)));
+}
+
+// At how many sides of the thing the words put something: "on three sides", "at each side" of a square table; two where nobody says.
+int Scribe::sides_meant(const Link& link, int target, int reference) const {
+  if (link.sides > 2) return link.sides;
+  if (reference < 0 || !is_table(lexicon_.catalog(), noun_of(reference)) || !is_seat(lexicon_.catalog(), noun_of(target))) return 2;
+  const int shape = sides_by_shape(noun_of(reference));
+  constexpr int kSidesOfTable = 4;
+  return shape > 0 ? shape : link.sides == Link::kAllSides ? kSidesOfTable : 2;
+}
+
+// "a lamp on each side" is two lamps, "two chairs on each long side" four, a chair on each side of a square table as well.
+void Scribe::grow_for_sides(const Link& link, int target, int reference) {
+  const std::size_t count = mention_at(target).items.size();
+  const bool said = noun_of(target).count > 1, each_side = says(link.senses, RelationType::kEachSideOf);
+  const int sides = each_side ? sides_meant(link, target, reference) : 2;
+  if (says(link.senses, RelationType::kAlongSide))
+    references_.grow(target, count * 2);
+  else if (sides > 2 && !said)
+    references_.grow(target, static_cast<std::size_t>(sides));
+  else if (sides > 2 && link.sides > 0)  // "six chairs on three sides" are six; "two at each of four sides" eight
+    references_.grow(target, link.sides_shared ? count * static_cast<std::size_t>(sides) : count);
+  else if (each_side && count != 2)
+    references_.grow(target, count * 2);
+  grow_contents(target, count);
+}
+
+// As many of the thing as were said for each of the others, unless they were shared out before.
+void Scribe::grow_for_each(int thing, int each) {
+  const NounPhrase& noun = noun_of(thing);
+  const std::size_t now = mention_at(thing).items.size(), unsaid = noun.plural ? 2 : 1;
+  if (now > std::max(static_cast<std::size_t>(std::max(noun.count, 0)), unsaid)) return;
+  references_.grow(thing, now * std::max<std::size_t>(mention_at(each).items.size(), 1));
+}
+
+// "thirty desks with chairs": one for each of them.
+void Scribe::grow_for_hosts(int content, const std::vector<int>& hosts) {
+  const NounPhrase& noun = noun_of(content);
+  if (!mention_at(content).introduces || !noun.plural || noun.count > 0 || noun.collective || hosts.size() != 1) return;
+  const Mention& host = mention_at(hosts.front());
+  if (!host.distributes && host.items.size() > mention_at(content).items.size()) references_.grow(content, host.items.size());
+}
+
+void Scribe::grow_for_corners(const NounPhrase& corner, int target) {
+  const bool wall = corner.kind == NounKind::kWall;
+  if (corner.kind != NounKind::kCorner && !wall) return;
+  // "in two of the corners a pedestal with a bust on it"
+  const bool counted = !wall && corner.count > 1 && noun_of(target).determiner == Determiner::kIndefinite;
+  const int said = noun_of(target).count;
+  const bool both = !wall && corner.determiner == Determiner::kBoth && noun_of(target).determiner == Determiner::kIndefinite;
+  if (corner.determiner != Determiner::kEach && !counted && !both) return;
+  const std::size_t before = mention_at(target).items.size();
+  if (said <= 1) references_.grow(target, wall ? walls_meant(corner) : both ? 2 : corners_meant(corner));
+  // "on each of the side walls hang three portraits"; "four lamps, on every wall one" were counted before.
+  if (said > 1 && wall && before == static_cast<std::size_t>(said) && corner.determiner == Determiner::kEach)
+    references_.grow(target, before * walls_meant(corner));
+  grow_contents(target, before);
+}
+
+// What each of the things has grows with them: "a nightstand with a lamp on each side".
+void Scribe::grow_contents(int host, std::size_t before) {
+  const std::size_t now = mention_at(host).items.size();
+  if (before == 0 || now <= before) return;
+  for (std::size_t l = sentence_links_; l < document_.links.size(); ++l) {
+    const Link& link = document_.links[l];
+    if (link.kind != Link::Kind::kHave || !contains(link.references, host)) continue;
+    for (const int content : link.targets) references_.grow(content, mention_at(content).items.size() * now / before);
+  }
+  // "a lamp on a stand at either end of the desk": so do the lamp and the stand.
+  for (std::size_t l = sentence_links_; l < document_.links.size(); ++l) {
+    const Link& link = document_.links[l];
+    if (link.kind != Link::Kind::kRelation || link.references.size() != 1 || link.targets.size() != 1) continue;
+    if (!says(link.senses, RelationType::kOn) && !says(link.senses, RelationType::kIn)) continue;
+    const int other = link.targets.front() == host ? link.references.front() : link.references.front() == host ? link.targets.front() : -1;
+    if (other < 0 || !is_thing(other) || !mention_at(other).introduces || mention_at(other).items.size() != before) continue;
+    if (noun_of(other).determiner == Determiner::kIndefinite && mount_of(noun_of(link.targets.front())) == Mount::kSurface)
+      references_.grow(other, now);
+  }
+}
+
+}  // namespace layoutbox::offline
