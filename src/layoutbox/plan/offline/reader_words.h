@@ -52,5 +52,8 @@ inline bool is_part_of_room(const NounPhrase& noun) {
 }
 
 inline bool contains(const std::vector<int>& all, int one) { return std::find(all.begin(), all.end(), one) != all.end(); }
+inline bool contains_word(const std::vector<std::string>& words, std::string_view word) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
 
 }  // namespace layoutbox::offline

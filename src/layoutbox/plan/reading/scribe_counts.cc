@@ -10,10 +10,6 @@ namespace layoutbox::offline {
 
 namespace {
 
-bool contains_word(const std::vector<std::string>& words, std::string_view word) {
-  return std::find(words.begin(), words.end(), word) != words.end();
-}
-
 // "in every corner" four, "in each of the two far corners" two.
 std::size_t corners_meant(const NounPhrase& corner) {
   if (corner.count > 0) return static_cast<std::size_t>(corner.count);
