@@ -125,6 +125,8 @@ void RelationBuilder::add_content(const Link& link, const Mention& target, const
   const bool on_table = is_table(catalog_, host) && !is_table(catalog_, thing) && mount == Mount::kFloor;
   const bool carried = may_carry(catalog_, host, thing) || (link.holding && (shows(link) || on_table)) ||
                        (says_inside(link) && has_inside(host) && !is_heavy(catalog_, thing));
+  const bool joined = one_of(document_.tokens[link.first].text, {"accompanied", "joined", "paired", "complemented", "coupled"});
+  if (joined && mount == Mount::kSurface && mount_of(host) == Mount::kSurface) return each(R::kNextTo);
   // "an armchair with a lamp": beside it.
   const bool sat_on = is_seat(catalog_, host) || (host.entry != nullptr && host.entry->is(Trait::kEasySeat));
   if (is_lamp(catalog_, thing) && sat_on && mount != Mount::kCeiling && !link.holding) return each(R::kNextTo);
@@ -140,7 +142,6 @@ void RelationBuilder::add_content(const Link& link, const Mention& target, const
   if (mount == Mount::kSurface && link.holding) return each(R::kOn);
   if (mount_of(host) == Mount::kWall && mount == Mount::kFloor && target.items.size() == 1)
     return add(link, R::kAbove, {id(hosts.front())}, {id(target.items.front())});
-  const bool joined = one_of(document_.tokens[link.first].text, {"accompanied", "joined", "paired", "complemented", "coupled"});
   if (is_placed(target.items.front()) || (link.after_comma && !joined)) return;
   if (target.items.size() == 2 && hosts.size() == 1 && mount == Mount::kFloor)
     return add(link, R::kEachSideOf, ids(target.items), {id(hosts.front())});

@@ -154,6 +154,14 @@ bool may_carry(const Catalog& catalog, const NounPhrase& host, const NounPhrase&
          std::any_of(host.entry->spaces.begin(), host.entry->spaces.end(), [](const SpaceFormula& s) { return s.carries; });
 }
 
+bool goes_into(const NounPhrase& vessel, const NounPhrase& item) {
+  if (item.entry == nullptr || !item.exact || vessel.entry == nullptr || !vessel.entry->is(Trait::kVessel)) return true;
+  const Size &outer = vessel.entry->size.usual, &inner = item.entry->size.usual;
+  std::array<Mm, 3> sides = {inner.width, inner.depth, inner.height};
+  std::ranges::sort(sides);
+  return sides[1] <= std::max(outer.width, outer.depth);
+}
+
 // What things on one floor are to each other.
 bool stands_beside(RelationType type) {
   return type == R::kEachSideOf || type == R::kNextTo || type == R::kLeftOf || type == R::kRightOf || type == R::kInFrontOf ||

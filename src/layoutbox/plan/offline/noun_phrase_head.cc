@@ -184,9 +184,13 @@ std::optional<NounPhrase> NounPhraseReader::settle_without_head() {
 bool NounPhraseReader::ends_in_verb(std::size_t head) const {
   const bool definite = phrase_.determiner == Determiner::kDefinite || phrase_.determiner == Determiner::kPossessive ||
                         phrase_.determiner == Determiner::kEach;
-  if (head < 2 || (phrase_.determiner != Determiner::kIndefinite && !definite) || phrase_.count != 0) return false;
+  if (head < 2 || phrase_.count != 0) return false;
   const Part &last = parts_[head - 1], &before = parts_[head - 2];
   const bool place_follows = last.last < tokens_.size() && lexicon_.find_phrase(tokens_, last.last).length > 0;
+  // "Sunlight spills over the table."
+  if (phrase_.determiner == Determiner::kNone && before.word_class == Class::kAbstract && last.word_class == Class::kFiller)
+    return !before.plural && last.plural && (place_follows || opens_at(last.last));
+  if (phrase_.determiner != Determiner::kIndefinite && !definite) return false;
   const bool listed_noun = last.word_class == Class::kAbstract && place_follows;
   if (!last.plural || before.plural || (last.word_class != Class::kFiller && !opens_at(last.last) && !listed_noun)) return false;
   if (definite) {

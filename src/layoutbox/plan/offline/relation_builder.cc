@@ -95,6 +95,9 @@ void RelationBuilder::run() {
   }
   add_mounts_said();
   set_heights();
+  part_from_neighbours();
+  leave_small_vessels();
+  stand_carriers_at_walls();
   carry_support();
   for (std::size_t i = 0; i < scene_.objects.size(); ++i) settle_mount(i);
   add_habits();
@@ -109,6 +112,7 @@ void RelationBuilder::add(const Link& link, R type, std::vector<std::string> tar
   std::erase_if(references, [&](const std::string& r) { return std::find(targets.begin(), targets.end(), r) != targets.end(); });
   if (references.empty() && relation_row(type).arity != RelationArity::kNone && relation_row(type).arity != RelationArity::kOptional)
     return;
+  if (type == R::kBetween && references.size() < 2) type = R::kNextTo;  // "a sectional parted by a table": nobody says from what
   // "in Japanese style with a futon": that a thing is in the room says nothing.
   if ((type == R::kOn || type == R::kIn) && references.size() == 1 && references.front() == "room") return;
   std::string key(relation_row(type).name);

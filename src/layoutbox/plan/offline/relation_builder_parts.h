@@ -146,6 +146,9 @@ class RelationBuilder {
   void settle_on_wall(SceneObject& object, const NounPhrase& noun);
   void specialise(SceneObject& object, const NounPhrase& noun, std::initializer_list<const char*> kinds) const;
   // Small things beside small things share what those stand on (support.cc).
+  void part_from_neighbours();
+  void leave_small_vessels();
+  void stand_carriers_at_walls();
   void carry_support();
   void drop_implied_support();
   std::string said_support(const std::string& object) const;

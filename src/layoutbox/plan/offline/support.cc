@@ -153,6 +153,53 @@ void RelationBuilder::carry_support() {
   }
 }
 
+// "Plates set with napkins to their right": what is said to be beside something is not on it as well.
+void RelationBuilder::part_from_neighbours() {
+  const auto is_beside = [&](const Relation& on) {
+    const std::vector<std::size_t>& all = relations_of(on.targets.front());
+    return std::any_of(all.begin(), all.end(), [&](std::size_t r) {
+      const Relation& other = scene_.relations[r];
+      return (other.type == R::kLeftOf || other.type == R::kRightOf || other.type == R::kNextTo) && other.references == on.references;
+    });
+  };
+  for (Relation& relation : scene_.relations) {
+    if (!carries(relation.type) || relation.targets.size() != 1 || !is_beside(relation)) continue;
+    const SceneObject* host = object_of(relation.references.empty() ? "" : relation.references.front());
+    if (host != nullptr && mount_of(noun_of_object(*host)) == Mount::kSurface) relation.type = R::kNextTo;
+  }
+}
+
+// "A vase filled with flowers and a fruit bowl": what the vessel is too small for stands where that stands.
+void RelationBuilder::leave_small_vessels() {
+  for (Relation& relation : scene_.relations) {
+    if (!carries(relation.type) || relation.targets.size() != 1 || relation.references.size() != 1) continue;
+    const SceneObject *thing = object_of(relation.targets.front()), *vessel = object_of(relation.references.front());
+    if (thing == nullptr || vessel == nullptr || goes_into(noun_of_object(*vessel), noun_of_object(*thing))) continue;
+    const std::string host = said_support(relation.references.front());
+    if (host.empty() || host == thing->id) continue;
+    relation.type = R::kOn;
+    relation.references = {host};
+  }
+}
+
+// "On the far wall, a mixer rests on a cabinet": the cabinet stands there.
+void RelationBuilder::stand_carriers_at_walls() {
+  for (Relation& relation : scene_.relations) {
+    if ((relation.type != R::kOnWall && relation.type != R::kAgainstWall) || relation.targets.size() != 1) continue;
+    const SceneObject* thing = object_of(relation.targets.front());
+    const std::string carrier = said_support(relation.targets.front());
+    const SceneObject* host = object_of(carrier);
+    if (thing == nullptr || host == nullptr || mount_of(noun_of_object(*thing)) != Mount::kSurface || has_wall_kind(noun_of_object(*thing)))
+      continue;
+    const std::vector<std::size_t>& all = relations_of(carrier);
+    const bool placed = std::any_of(all.begin(), all.end(), [&](std::size_t r) { return stands_elsewhere(scene_.relations[r].type); });
+    if (placed || mount_of(noun_of_object(*host)) != Mount::kFloor) continue;
+    relation.type = R::kAgainstWall;
+    relation.targets = {carrier};
+    of_target_[carrier].push_back(static_cast<std::size_t>(&relation - scene_.relations.data()));
+  }
+}
+
 // "A cup on a coaster on the table": that it is on the table follows from where the coaster is.
 void RelationBuilder::drop_implied_support() {
   const auto stands_on = [&](const std::string& object, const std::string& host) {
@@ -162,9 +209,16 @@ void RelationBuilder::drop_implied_support() {
       return relation.type == R::kOn && relation.references.size() == 1 && relation.references.front() == host;
     });
   };
+  const auto repeats = [&](const Relation& relation) {
+    return std::any_of(scene_.relations.begin(), scene_.relations.end(), [&](const Relation& other) {
+      const bool same = other.type == relation.type && other.targets == relation.targets && other.references == relation.references;
+      return same && other.id != relation.id && (!other.parameters.part.empty() || &other < &relation) && relation.parameters.part.empty();
+    });
+  };
   std::vector<std::string> implied;
   for (const Relation& relation : scene_.relations) {
     if (relation.type != R::kOn || relation.targets.size() != 1 || relation.references.size() != 1) continue;
+    if (repeats(relation)) implied.push_back(relation.id);
     const std::vector<std::size_t>& all = relations_of(relation.targets.front());
     const bool through_another = std::any_of(all.begin(), all.end(), [&](std::size_t r) {
       const Relation& other = scene_.relations[r];

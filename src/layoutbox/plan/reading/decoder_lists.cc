@@ -178,7 +178,9 @@ double Decoder::list_kind_score(const State& state, int member, int u, std::size
   const int predicate = reading.predicate;
   const NounPhrase &noun = chunk(u).noun, &former = noun_of(state, member), &host = noun_of(state, read_as(state, predicate).subject);
   const Joiner joiner = unit(u).joiner;
-  const bool carried = sense_.carries(host, noun) && !(sense_.on_soft(host, noun) && has_own_place(u)),
+  // What a table is surrounded by does not lie on it.
+  const bool around = read_as(state, predicate).inverse && mount_of(former) == Mount::kFloor && mount_of(noun) != Mount::kFloor;
+  const bool carried = !around && sense_.carries(host, noun) && !(sense_.on_soft(host, noun) && has_own_place(u)),
              before = sense_.carries(host, former);
   if (carried && (before || mount_of(noun) == Mount::kSurface))
     return mount_of(noun) == Mount::kFloor && mount_of(former) != Mount::kFloor ? 0.2 : weight::kCarriedToo;

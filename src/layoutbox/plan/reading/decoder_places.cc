@@ -141,8 +141,13 @@ void Decoder::attach_to(std::size_t s, int u, Kind kind, std::size_t level) {
   const int member = state.frontier[level];
   const NounKind place = noun_of(state, member).kind;
   const bool opening = place == NounKind::kDoor || place == NounKind::kWindow;
-  // "a desk with a setup of …": what the setup has, the desk has.
-  const Referent owner = place == NounKind::kAbstract && kind == kHaveThing ? host_of(state, member) : kNobody;
+  // "a desk with a setup of …": what the setup has, the desk has. "supported by turned legs, surrounded by chairs": the table is.
+  const bool around = says(unit(u).inverse, RelationType::kAround) || says(unit(u).inverse, RelationType::kSurround);
+  const int predicate = read_as(state, member).predicate;
+  const bool leg = place == NounKind::kPart && kind == kAttachInverse && around && predicate >= 0;
+  const Referent owner = leg                                                  ? read_as(state, predicate).subject
+                         : place == NounKind::kAbstract && kind == kHaveThing ? host_of(state, member)
+                                                                              : kNobody;
   if (owner >= 0 && is_thing(state, owner)) {
     add(s, kind, attach_score(state, u, static_cast<int>(level), true), owner,
         read_as(state, read_as(state, member).predicate).first_subject);
@@ -154,6 +159,7 @@ void Decoder::attach_to(std::size_t s, int u, Kind kind, std::size_t level) {
     add(s, kind, 0, member, state.first_subject);
     return;
   }
+  if (place == NounKind::kPart && kind == kAttachInverse && around && noun_of(state, member).wall_word.empty()) return;
   const bool part_of_room = place == NounKind::kWall || opening || place == NounKind::kCorner || place == NounKind::kCeiling ||
                             place == NounKind::kPart || place == NounKind::kCenter ||
                             (place == NounKind::kRoom && kind == kAttachInverse && says(unit(u).inverse, RelationType::kCenterOfRoom));
