@@ -157,6 +157,7 @@ bool may_carry(const Catalog& catalog, const NounPhrase& host, const NounPhrase&
 bool goes_into(const NounPhrase& vessel, const NounPhrase& item) {
   if (item.entry == nullptr || !item.exact || vessel.entry == nullptr || !vessel.entry->is(Trait::kVessel)) return true;
   const Size &outer = vessel.entry->size.usual, &inner = item.entry->size.usual;
+  if (outer.height < outer.width) return true;  // a tray, a bowl
   std::array<Mm, 3> sides = {inner.width, inner.depth, inner.height};
   std::ranges::sort(sides);
   return sides[1] <= std::max(outer.width, outer.depth);

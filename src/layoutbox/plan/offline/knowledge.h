@@ -41,7 +41,8 @@ bool has_hooks(const NounPhrase& noun);  // things hang on it: a pegboard, a tow
 // "a hexagonal table": how many sides its shape has; 0: nobody says, or a ring.
 int sides_by_shape(const NounPhrase& noun);
 
-// What a vessel is to hold is, but for one way in which it may stick out, no wider than the vessel: a fruit bowl goes into no vase.
+// What a vessel higher than wide is to hold is, but for one way in which it may stick out, no wider than the vessel: a fruit bowl goes into
+// no vase.
 bool goes_into(const NounPhrase& vessel, const NounPhrase& item);
 
 bool is_heavy(const Catalog& catalog, const NounPhrase& noun);  // stands on the floor, never hangs on a wall
