@@ -112,6 +112,33 @@ void settle_filling_counts(const Lexicon& lexicon, Document& document) {
   }
 }
 
+void settle_forward_names(Document& document) {
+  constexpr std::size_t kReach = 60;  // chunks that are looked at
+  std::vector<Chunk>& chunks = document.chunks;
+  const auto is_called = [&](std::size_t c, const NounPhrase& noun) { return is_thing(chunks[c]) && chunks[c].noun.head == noun.head; };
+  for (std::size_t k = 1; k < chunks.size() && !is_set(document.stop); ++k) {
+    NounPhrase& known = chunks[k].noun;
+    const bool plain = is_thing(chunks[k]) && known.determiner == Determiner::kDefinite && known.name == known.head && !known.is_plural() &&
+                       known.attributes.empty() && known.count == 0 && known.ordinal == 0 && !known.of;
+    if (!plain || chunks[k - 1].kind != ChunkKind::kRelation) continue;
+    std::size_t before = 0;
+    while (before < k && !is_called(before, known)) ++before;
+    std::size_t later = k + 1;
+    while (later < std::min(chunks.size(), k + kReach) && !is_called(later, known)) ++later;
+    if (before < k || later >= std::min(chunks.size(), k + kReach)) continue;
+    NounPhrase& named = chunks[later].noun;
+    const bool brings = named.determiner == Determiner::kNone || named.determiner == Determiner::kIndefinite;
+    if (!brings || named.is_plural() || named.count > 1 || later < 2 || chunks[later - 1].kind == ChunkKind::kRelation) continue;
+    known.entry = named.entry;
+    known.exact = named.exact;
+    known.category = named.category;
+    known.name = named.name;
+    known.attributes = named.attributes;
+    known.attribute_classes = named.attribute_classes;
+    named.determiner = Determiner::kDefinite;
+  }
+}
+
 void settle_forward_counts(Document& document) {
   constexpr std::size_t kReach = 200;  // chunks that are looked at either way
   std::vector<Chunk>& chunks = document.chunks;

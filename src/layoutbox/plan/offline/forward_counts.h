@@ -9,6 +9,9 @@ namespace layoutbox::offline {
 // Gives things that are first spoken of as "each" their number, and makes the later mention one of the same things.
 void settle_forward_counts(Document& document);
 
+// "leave space round the bed. A single bed, …": what is first spoken of by "the" is what the later mention brings in.
+void settle_forward_names(Document& document);
+
 // "littered with bottles", "a shelf full of cans", "stars all over the ceiling", "plants of all sizes": small things without a
 // number that fill something are as many as look like it; and which come in all sizes.
 void settle_filling_counts(const Lexicon& lexicon, Document& document);

@@ -11,6 +11,11 @@ bool is_tall(const NounPhrase& noun) {
   return std::ranges::any_of(kTall,
                              [&](std::string_view word) { return std::ranges::find(noun.attributes, word) != noun.attributes.end(); });
 }
+
+bool is_common(const NounPhrase& noun) {
+  return std::ranges::any_of(noun.attributes, [](const std::string& a) { return a == "shared" || a == "common" || a == "communal"; });
+}
+
 namespace {
 
 using R = RelationType;

@@ -30,6 +30,7 @@ Mount mount_of(const NounPhrase& noun);
 
 bool is_table(const Catalog& catalog, const NounPhrase& noun);  // one sits at it
 bool is_tall(const NounPhrase& noun);                           // said to be tall, high, floor-to-ceiling: stands, and is no board
+bool is_common(const NounPhrase& noun);                         // "a shared printer": one for all
 bool is_seat(const Catalog& catalog, const NounPhrase& noun);   // for one person
 bool is_lamp(const Catalog& catalog, const NounPhrase& noun);
 bool is_storage(const NounPhrase& noun);                                                  // things are in it

@@ -3,6 +3,7 @@
 
 #include "layoutbox/base/words.h"
 #include "layoutbox/catalog/kin.h"
+#include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/english.h"
 #include "layoutbox/plan/offline/noun_phrase_parts.h"
 #include "layoutbox/plan/offline/reader_words.h"
@@ -90,6 +91,18 @@ std::size_t NounPhraseReader::drop_thing(std::size_t& head) {
       std::find(std::begin(kThings), std::end(kThings), tokens_[last.first].text) == std::end(kThings))
     return 0;
   const std::size_t end = last.last;
+  parts_.pop_back();
+  --head;
+  return end;
+}
+
+// "the TV wall": the TV on it. Where the phrase ends then, 0 where it is another wall.
+std::size_t NounPhraseReader::drop_own_wall(std::size_t& head) {
+  if (head < 2 || parts_[head - 1].word_class != Class::kWall || parts_[head - 2].last != parts_[head - 1].first) return 0;
+  const Meaning* screen = meaning_of(lexicon_.find(tokens_, parts_[head - 2].first, Class::kObject), Class::kObject);
+  if (parts_[head - 2].word_class != Class::kObject || screen == nullptr || screen->entry == nullptr || !screen->entry->is(Trait::kScreen))
+    return 0;
+  const std::size_t end = parts_[head - 1].last;
   parts_.pop_back();
   --head;
   return end;
@@ -362,7 +375,7 @@ std::optional<NounPhrase> NounPhraseReader::settle() {
   if (is_nothing(parts_.front())) head = 1;  // "nothing blocks the window"
   if (ends_in_verb(head) || ends_in_plural_verb(head) || ends_in_doing(head)) --head;
   join_set(head);
-  const std::size_t end = drop_thing(head);
+  const std::size_t end = std::max(drop_thing(head), drop_own_wall(head));
   const Part part = parts_[head - 1];
   i_ = std::max(end, part.last);
   if (part.word_class == Class::kFiller) {

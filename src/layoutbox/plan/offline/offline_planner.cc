@@ -83,6 +83,7 @@ class OfflinePlanner final : public Planner {
     settle_room_senses(lexicon_, document, room_size_at);
     settle_floor_carpets(document);
     settle_forward_counts(document);
+    settle_forward_names(document);
     settle_filling_counts(lexicon_, document);
     read_document(lexicon_, document);
     if (is_set(document.stop)) return stopped();

@@ -112,6 +112,7 @@ void RelationBuilder::add(const Link& link, R type, std::vector<std::string> tar
   std::erase_if(references, [&](const std::string& r) { return std::find(targets.begin(), targets.end(), r) != targets.end(); });
   if (references.empty() && relation_row(type).arity != RelationArity::kNone && relation_row(type).arity != RelationArity::kOptional)
     return;
+  if (type == R::kBetween && references.size() > 2) keep_two_that_stand(references);
   if (type == R::kBetween && references.size() < 2) type = R::kNextTo;  // "a sectional parted by a table": nobody says from what
   // "in Japanese style with a futon": that a thing is in the room says nothing.
   if ((type == R::kOn || type == R::kIn) && references.size() == 1 && references.front() == "room") return;
@@ -274,7 +275,8 @@ void RelationBuilder::add_relations(const Link& link) {
     if (ends.size() == 2) add(link, R::kDistance, {ends[0]}, {ends[1]});
     return;
   }
-  const std::vector<int> targets = items_of(link.targets);
+  std::vector<int> targets = items_of(link.targets);
+  if (link.references.empty() || mention(link.references.front()).reciprocal) keep_standing(targets);
   // "a window over the sink": the sink is under it.
   const bool window = link.targets.size() == 1 && mention(link.targets.front()).noun.kind == NounKind::kWindow;
   const bool over = std::ranges::any_of(link.senses, [](const PhraseSense& sense) { return sense.type == R::kAbove; });
@@ -309,6 +311,21 @@ void RelationBuilder::add_relations(const Link& link) {
     else
       add_relations_to(link, targets, mention(reference));
   }
+}
+
+// "desks and monitors, back to back": of a list the things that stand on the floor, where there are any.
+void RelationBuilder::keep_standing(std::vector<int>& items) const {
+  const auto stands = [&](int item) { return mount_of(noun_of_item(item)) == Mount::kFloor; };
+  if (std::ranges::count_if(items, stands) > 1)
+    std::erase_if(items, [&](int item) { return mount_of(noun_of_item(item)) == Mount::kSurface; });
+}
+
+void RelationBuilder::keep_two_that_stand(std::vector<std::string>& objects) const {
+  const auto lies = [&](const std::string& one) {
+    const SceneObject* object = object_of(one);
+    return object != nullptr && mount_of(noun_of_object(*object)) == Mount::kSurface;
+  };
+  if (objects.size() - static_cast<std::size_t>(std::ranges::count_if(objects, lies)) > 1) std::erase_if(objects, lies);
 }
 
 // "two beds along the left and right walls": one at each.

@@ -106,6 +106,9 @@ class RelationBuilder {
   void add_seats_at_sides(const Link& link, const std::vector<int>& seats, int table);
   void add_corners(const Link& link, const Mention& target, const NounPhrase& corner);
   bool is_placed(int item) const;
+  bool place_table_of(const Mention& seats, const std::vector<int>& hosts);
+  void keep_standing(std::vector<int>& items) const;
+  void keep_two_that_stand(std::vector<std::string>& objects) const;
   bool is_placed_apart(const std::vector<int>& items) const;
   bool is_related(int item, int other) const;
   // What a thing has: on it, in it, at it, by it, as the two allow.
@@ -149,6 +152,7 @@ class RelationBuilder {
   void part_from_neighbours();
   void leave_small_vessels();
   void stand_carriers_at_walls();
+  std::string own_of_several(std::size_t index, const std::string& host) const;
   void carry_support();
   void drop_implied_support();
   std::string said_support(const std::string& object) const;

@@ -114,6 +114,21 @@ std::string RelationBuilder::host_spoken_of(std::size_t index) {
   return said.empty() ? named : said;
 }
 
+// "each with a desk and a monitor": of as many desks as there are monitors each has its own.
+std::string RelationBuilder::own_of_several(std::size_t index, const std::string& host) const {
+  const SceneObject* carrier = object_of(host);
+  if (carrier == nullptr) return host;
+  std::vector<std::string> hosts;
+  std::size_t things = 0, rank = 0;
+  for (std::size_t i = 0; i < scene_.objects.size(); ++i) {
+    if (scene_.objects[i].category == carrier->category) hosts.push_back(scene_.objects[i].id);
+    if (scene_.objects[i].category != scene_.objects[index].category) continue;
+    rank += i < index ? 1 : 0;
+    ++things;
+  }
+  return things > 1 && things == hosts.size() ? hosts[rank] : host;
+}
+
 void RelationBuilder::carry_support() {
   const std::vector<std::vector<std::size_t>> beside = small_neighbours();
   std::vector<std::string> supports(scene_.objects.size());
@@ -146,7 +161,7 @@ void RelationBuilder::carry_support() {
   spread();
   for (std::size_t i = 0; i < supports.size(); ++i) {
     if (beside[i].empty() || !supports[i].empty()) continue;
-    const std::string host = host_spoken_of(i);
+    const std::string host = own_of_several(i, host_spoken_of(i));
     if (host.empty() || host == scene_.objects[i].id) continue;
     conclude(i, host);
     spread();
@@ -217,8 +232,8 @@ void RelationBuilder::drop_implied_support() {
   };
   std::vector<std::string> implied;
   for (const Relation& relation : scene_.relations) {
-    if (relation.type != R::kOn || relation.targets.size() != 1 || relation.references.size() != 1) continue;
     if (repeats(relation)) implied.push_back(relation.id);
+    if (relation.type != R::kOn || relation.targets.size() != 1 || relation.references.size() != 1) continue;
     const std::vector<std::size_t>& all = relations_of(relation.targets.front());
     const bool through_another = std::any_of(all.begin(), all.end(), [&](std::size_t r) {
       const Relation& other = scene_.relations[r];

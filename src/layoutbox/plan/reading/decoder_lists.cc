@@ -136,6 +136,7 @@ double Decoder::content_list_score(const State& state, int member, int u) const 
   if (end + 1 < document_.tokens.size() && document_.tokens[end].text == "for" &&
       one_of(document_.tokens[end + 1].text, {"all", "everyone", "everybody", "both"}))
     return -6;
+  if (is_common(noun)) return -6;
   double score = goes_on_with_clause(state, u) ? weight::kClosesList : 0;
   bool ended = false;
   std::size_t length = 0;
@@ -172,6 +173,14 @@ bool Decoder::placed_by_unsaid(int u) const {
   return follows(u, UnitKind::kPlace) && !alone_senses(u + 1).empty() && !follows(u + 1, UnitKind::kNoun);
 }
 
+// A TV is on no coffee table.
+bool Decoder::looked_at_elsewhere(const NounPhrase& host, const NounPhrase& noun) const {
+  if (noun.entry == nullptr || !noun.exact || !noun.entry->is(Trait::kScreen) || host.entry == nullptr || !host.entry->is(Trait::kTable))
+    return false;
+  return std::ranges::none_of(noun.entry->stands_on,
+                              [&](const std::string& kind) { return lexicon_.catalog().is_a(host.entry->id, kind); });
+}
+
 // How well it goes with the list, by what such things do: lie on the host, stand at it.
 double Decoder::list_kind_score(const State& state, int member, int u, std::size_t length) const {
   const UnitReading& reading = read_as(state, member);
@@ -180,7 +189,8 @@ double Decoder::list_kind_score(const State& state, int member, int u, std::size
   const Joiner joiner = unit(u).joiner;
   // What a table is surrounded by does not lie on it.
   const bool around = read_as(state, predicate).inverse && mount_of(former) == Mount::kFloor && mount_of(noun) != Mount::kFloor;
-  const bool carried = !around && sense_.carries(host, noun) && !(sense_.on_soft(host, noun) && has_own_place(u)),
+  const bool carried = !around && sense_.carries(host, noun) && !looked_at_elsewhere(host, noun) &&
+                       !(sense_.on_soft(host, noun) && has_own_place(u)),
              before = sense_.carries(host, former);
   if (carried && (before || mount_of(noun) == Mount::kSurface))
     return mount_of(noun) == Mount::kFloor && mount_of(former) != Mount::kFloor ? 0.2 : weight::kCarriedToo;

@@ -17,6 +17,9 @@ double SenseScore::of_place(const PhraseSenses& senses, const NounPhrase& target
   if (sense->type == RelationType::kOn) score += on_top(target, reference);
   if (reference.entry != nullptr && catalog_.is_a(reference.entry->id, "pet")) score += weight::kByAnimal;
   if (stands_beside(sense->type) && is_seat(catalog_, target) && is_table(catalog_, reference)) score += weight::kSeatByTable;
+  if (sense->type == RelationType::kOpposite && reference.entry != nullptr && reference.entry->is(Trait::kStandsBefore) &&
+      !is_seat(catalog_, target))
+    score += weight::kNotBeside;  // "a bench at the foot of the bed, a dresser opposite": the bed
   if (sense->type == RelationType::kFacing && suited < 2) score += weight::kNoFront;
   if (sense->type == RelationType::kAlongSide && reference.kind == NounKind::kObject && !is_table(catalog_, reference))
     score += weight::kNoReference;

@@ -88,10 +88,13 @@ void UnitReader::open_share(std::size_t first, std::size_t last, int shares) {
   share_ = shares;
 }
 
-// "… and one printer for all": shared.
+// "… and one printer for all", "a shared printer".
 bool UnitReader::is_for_all(std::size_t k) const {
   const std::size_t last = chunk(k).last;
-  if (last + 1 >= document_.tokens.size() || document_.tokens[last].text != "for") return false;
+  if (is_common(chunk(k).noun)) return true;
+  if (last + 1 >= document_.tokens.size()) return false;
+  if (document_.tokens[last].text == "between") return one_of(document_.tokens[last + 1].text, {"us", "them", "both"});
+  if (document_.tokens[last].text != "for") return false;
   return one_of(document_.tokens[last + 1].text, {"all", "everyone", "everybody", "both", "them", "us"});
 }
 

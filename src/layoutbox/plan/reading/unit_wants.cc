@@ -19,8 +19,9 @@ bool UnitReader::keeps_place_for(std::size_t k) {
   const NounPhrase &place = chunk(p).noun, &thing = chunk(n).noun;
   static constexpr std::string_view kPlaces[] = {"place", "spot", "space", "room", "parking", "parking space", "somewhere"};
   const bool plain = std::ranges::find(kPlaces, place.head) != std::end(kPlaces) && place.room == nullptr;
-  const bool anew = thing.determiner == Determiner::kIndefinite || thing.count > 0 ||
-                    (thing.determiner == Determiner::kPossessive && !is_named_before(n, thing.head));
+  const bool anew =
+      thing.determiner == Determiner::kIndefinite || thing.count > 0 ||
+      ((thing.determiner == Determiner::kPossessive || thing.determiner == Determiner::kDefinite) && !is_named_before(n, thing.head));
   if (!plain || !anew || mount_of(thing) != Mount::kFloor || thing.entry->is(Trait::kPersonalAid)) return false;
   if (is(next(n), ChunkKind::kUnknown) || document_.tokens[std::min(chunk(n).last, document_.tokens.size() - 1)].text == "to") return false;
   mark(k, Use::kIgnored, "opens a statement");

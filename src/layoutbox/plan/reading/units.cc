@@ -69,6 +69,7 @@ Unit& UnitReader::add(UnitKind kind, std::size_t k) {
   unit.where = where_;
   unit.soft = soft_;
   unit.share = kind == UnitKind::kNoun && !is_for_all(k) ? share_ : 1;
+  if (kind == UnitKind::kNoun && is_common(chunk(k).noun)) share_ = 1;  // nor has everyone what follows
   unit.order = std::exchange(order_, kNoOrder);
   in_brackets_ = false;
   joiner_ = Joiner::kNone;
