@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "layoutbox/catalog/normalize_steps.h"
+#include "layoutbox/catalog/size_words.h"
 
 namespace layoutbox {
 namespace {
@@ -146,6 +147,21 @@ void settle_height_above(NormalizeContext& context, const Relation& relation) {
   }
 }
 
+// "floor-to-ceiling bookshelves" are as high as the room, where such things stand at walls and nobody gave their height.
+void settle_full_height(NormalizeContext& context) {
+  constexpr Mm kJoint = 20, kMost = 3200;
+  const Mm full = std::min(context.scene.room.height - kJoint, kMost) / kGridMm * kGridMm;
+  for (SceneObject& object : context.scene.objects) {
+    const CatalogEntry* entry = context.catalog.find(object.category);
+    if (entry == nullptr || !entry->back_to_wall || entry->mount != Mount::kFloor || object.mount != Mount::kFloor || !object.size ||
+        object.size_source != SizeSource::kCatalog || !object.catalog_id.empty() || object.size->usual.height >= full)
+      continue;
+    const std::vector<std::string> said = words_said_of(object);
+    if (std::ranges::none_of(kFullHeight, [&](std::string_view words) { return says(said, words); })) continue;
+    object.size->least.height = object.size->usual.height = object.size->greatest.height = full;
+  }
+}
+
 }  // namespace
 
 double growth_for_distances(const NormalizeContext& context, double width, double depth) {
@@ -163,6 +179,7 @@ double growth_for_distances(const NormalizeContext& context, double width, doubl
 }
 
 void normalize_distances(NormalizeContext& context) {
+  settle_full_height(context);
   Point low{1 << 30, 1 << 30}, high{-(1 << 30), -(1 << 30)};
   for (const Point corner : context.scene.room.polygon) {
     low = {std::min(low.x, corner.x), std::min(low.y, corner.y)};

@@ -145,6 +145,16 @@ TEST(NormalizeRoom, InANarrowRoomWhatIsOppositeIsAsFarAsThereIsRoom) {
   EXPECT_GT(*least(3400), 400);
 }
 
+TEST(NormalizeRoom, WhatGoesFromFloorToCeilingIsAsHighAsTheRoom) {
+  std::vector<SceneObject> objects{object("wardrobe_1", "wardrobe"), object("wardrobe_2", "wardrobe")};
+  objects[0].size = objects[1].size = std::nullopt;
+  objects[0].attributes = {"floor to ceiling"};
+  const SceneGraph scene = normalized(scene_of(objects, {}));
+  EXPECT_GT(scene.find_object("wardrobe_1")->size->least.height, scene.room.height - 50);
+  EXPECT_LE(scene.find_object("wardrobe_1")->size->greatest.height, scene.room.height);
+  EXPECT_LT(scene.find_object("wardrobe_2")->size->usual.height, scene.room.height - 50);
+}
+
 TEST(NormalizeRoom, WhatHangsAboveSomethingEndsBelowTheCeiling) {
   std::vector<SceneObject> objects{object("desk_1", "desk"), object("wardrobe_1", "wardrobe")};
   objects[1].mount = Mount::kWall;

@@ -21,6 +21,9 @@ SizeRange size_by_words(const CatalogEntry& entry, const std::vector<std::string
 // True when the words of `phrase` stand in `said` one after the other.
 bool says(const std::vector<std::string>& said, std::string_view phrase);
 
+// What is said of things as high as the room.
+inline constexpr std::array<std::string_view, 4> kFullHeight{"floor to ceiling", "ceiling high", "full height", "wall to ceiling"};
+
 // True for words of size that hold for every kind of thing: "large", "narrow"…
 bool is_size_word(std::string_view word);
 

@@ -28,7 +28,7 @@ inline const Catalog& catalog() {
     {"id": "rug", "name": "rug", "thin": true, "size": {"w": 2.0, "d": 1.4, "h": 0.02}, "shape": {"family": "rug"}},
     {"id": "plant", "name": "plant", "size": {"w": 0.4, "d": 0.4, "h": [0.3, 0.8, 1.5]}, "hasFront": false, "shape": {"family": "plant"}},
     {"id": "tv", "name": "TV", "mount": "surface", "hangHeight": 1.0, "size": {"w": 1.2, "d": 0.1, "h": 0.7}, "standsOn": ["nightstand"], "shape": {"family": "tv"}},
-    {"id": "wardrobe", "name": "wardrobe", "size": {"w": [0.8, 1.5, 2.4], "d": 0.6, "h": [1.8, 2.0, 2.4]}, "shape": {"family": "cabinet"}}
+    {"id": "wardrobe", "name": "wardrobe", "size": {"w": [0.8, 1.5, 2.4], "d": 0.6, "h": [1.8, 2.0, 2.4]}, "backToWall": true, "shape": {"family": "cabinet"}}
   ]})",
                                                   R"({"rooms": [{"id": "bedroom", "name": "bedroom", "synonyms": ["master bedroom"],
     "size": {"w": 4.0, "d": 3.5, "h": 2.6}, "usual": [["bed", 1]]}]})")

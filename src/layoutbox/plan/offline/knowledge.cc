@@ -1,4 +1,6 @@
 #include "layoutbox/plan/offline/knowledge.h"
+#include "layoutbox/base/words.h"
+#include "layoutbox/catalog/size_words.h"
 #include "layoutbox/catalog/trait_table.h"
 
 #include <algorithm>
@@ -6,10 +8,17 @@
 
 namespace layoutbox::offline {
 
+bool is_full_height(const NounPhrase& noun) {
+  return std::ranges::any_of(kFullHeight, [&](std::string_view words) {
+    return std::ranges::any_of(noun.attributes, [&](const std::string& said) { return same_name(said, words); });
+  });
+}
+
 bool is_tall(const NounPhrase& noun) {
-  static constexpr std::string_view kTall[] = {"tall", "high", "floor-to-ceiling", "ceiling-high", "full-height", "large", "big", "wide"};
-  return std::ranges::any_of(kTall,
-                             [&](std::string_view word) { return std::ranges::find(noun.attributes, word) != noun.attributes.end(); });
+  static constexpr std::string_view kTall[] = {"tall", "high", "large", "big", "wide"};
+  return is_full_height(noun) || std::ranges::any_of(kTall, [&](std::string_view word) {
+           return std::ranges::find(noun.attributes, word) != noun.attributes.end();
+         });
 }
 
 bool is_common(const NounPhrase& noun) {
@@ -144,6 +153,11 @@ bool may_carry(const Catalog& catalog, const NounPhrase& host, const NounPhrase&
   if (mount == Mount::kHung && lies) return true;
   if (has_hooks(host)) return mount != Mount::kCeiling && !is_heavy(catalog, item);
   if (is_platform(host) && mount == Mount::kFloor) return true;
+  // A sink unit's drainer has no room for a hob.
+  constexpr Mm kRoomBeside = 450;
+  if (host.entry != nullptr && host.entry->is(Trait::kCounter) && !host.entry->top_carries && item.entry != nullptr &&
+      item.entry->size.usual.width > kRoomBeside)
+    return false;
   if (mount != Mount::kSurface && !lies_or_hangs(item)) {
     // A thing nobody knows may be small.
     const bool unknown = item.entry == nullptr || (!item.exact && item.entry->id != item.category);

@@ -29,6 +29,7 @@ int suits(const Catalog& catalog, const PhraseSense& sense, const NounPhrase& ta
 Mount mount_of(const NounPhrase& noun);
 
 bool is_table(const Catalog& catalog, const NounPhrase& noun);  // one sits at it
+bool is_full_height(const NounPhrase& noun);                    // said to be as high as the room
 bool is_tall(const NounPhrase& noun);                           // said to be tall, high, floor-to-ceiling: stands, and is no board
 bool is_common(const NounPhrase& noun);                         // "a shared printer": one for all
 bool is_seat(const Catalog& catalog, const NounPhrase& noun);   // for one person

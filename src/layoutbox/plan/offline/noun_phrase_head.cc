@@ -96,6 +96,16 @@ std::size_t NounPhraseReader::drop_thing(std::size_t& head) {
   return end;
 }
 
+// "one overturned", "two broken": so many of those that were named.
+bool NounPhraseReader::is_described_member() const {
+  if (!counted_ || parts_.size() != 1 || parts_.front().word_class != Class::kFiller || parts_.front().last != parts_.front().first + 1)
+    return false;
+  const std::string& word = tokens_[parts_.front().first].text;
+  const std::size_t after = parts_.front().last;
+  const bool ends = after >= tokens_.size() || tokens_[after].kind == Token::Kind::kPunctuation || lexicon_.is(tokens_[after], Class::kAnd);
+  return ends && phrase_.first + 2 == after && word.ends_with("ed") && !is_noun(word_form(word));
+}
+
 // "the TV wall": the TV on it. Where the phrase ends then, 0 where it is another wall.
 std::size_t NounPhraseReader::drop_own_wall(std::size_t& head) {
   if (head < 2 || parts_[head - 1].word_class != Class::kWall || parts_[head - 2].last != parts_[head - 1].first) return 0;
@@ -369,6 +379,10 @@ bool NounPhraseReader::is_nothing(const Part& part) const {
 
 std::optional<NounPhrase> NounPhraseReader::settle() {
   if (done_) return settle_member();
+  if (is_described_member()) {  // "four beds, one overturned"
+    phrase_.kind = NounKind::kMember;
+    return settle_member();
+  }
   std::size_t head = 0;
   find_head(head);
   if (head == 0) return settle_without_head();

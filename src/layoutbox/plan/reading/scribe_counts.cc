@@ -34,14 +34,16 @@ std::size_t Scribe::row_along_walls(const Link& link, int target, const NounPhra
   constexpr std::size_t kWalls = 3, kMostAtWall = 5;
   const CatalogEntry* entry = noun_of(target).entry;
   if (entry == nullptr || entry->mount != Mount::kFloor || !entry->back_to_wall) return 0;
-  bool full = false;
+  bool full = is_full_height(noun_of(target));
   for (std::size_t i = link.first; i < link.last; ++i) full |= lexicon_.is_in("full", document_.tokens[i].text);
   const bool boards = says(link.senses, RelationType::kOnWall) && lexicon_.catalog().find("wall_" + entry->id) != nullptr;
   if (boards && !full && !is_tall(noun_of(target))) return 0;
   const bool all = wall.determiner == Determiner::kBoth && document_.tokens[wall.first].text == "all";
   const bool every = (wall.determiner == Determiner::kEach || all) && walls_meant(wall) > kWalls;
   const auto in_row = [&](Mm length) { return std::min(static_cast<std::size_t>(length / entry->size.usual.width), kMostAtWall); };
-  return every ? kWalls * std::max<std::size_t>(in_row(kHalfOfIt), 1) : full ? in_row(kOrdinaryWall) : 0;
+  if (every) return kWalls * std::max<std::size_t>(in_row(kHalfOfIt), 1);
+  if (full && wall.count > 1) return static_cast<std::size_t>(wall.count) * std::max<std::size_t>(in_row(kHalfOfIt), 1);
+  return full ? in_row(kOrdinaryWall) : 0;
 }
 
 // "bookshelves lining three walls": at least one at each.
