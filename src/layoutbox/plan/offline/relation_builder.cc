@@ -95,6 +95,7 @@ void RelationBuilder::run() {
   }
   add_mounts_said();
   set_heights();
+  keep_zones();
   carry_support();
   for (std::size_t i = 0; i < scene_.objects.size(); ++i) settle_mount(i);
   add_habits();

@@ -122,6 +122,11 @@ class RelationBuilder {
   // "a wall-mounted TV", "a floating shelf".
   void add_mounts_said();
   // Rows of desks that face a board look its way; only those before it look straight at it.
+  // "a reading corner with a rug and beanbags": together, in one corner (zone_habits.cc).
+  static constexpr int kTogether = 100;
+  int heart_of(const Zone& zone) const;
+  void keep_zones();
+  void keep_in_zone(const Zone& zone, int item, int heart);
   void add_front();
   void add_end_walls();
   void hang_hoods();

@@ -32,11 +32,13 @@ void Habits::stand(int index) {
   sit_on_host(index);
   lie_straight(index);
   keep_before_counter(index);
+  wait_before_counter(index);
   keep_off_play(index);
+  keep_off_sofas(index);
   share_wall_out(index);
   lie_alike(index);
   sit_before_mirror(index);
-  if (stand_in_formation(index) || stand_abreast(index)) return;
+  if (stand_in_formation(index) || stand_abreast(index) || sit_by_fire(index)) return;
   stand_at_side(index);
   const bool with_host = sit_by_between(index) || stand_beside(index);
   const bool looks = (!with_host || !item.is(Trait::kTableSeat)) && look_at(index);

@@ -145,6 +145,12 @@ class Habits {
   bool takes_seat(int host, int seat) const;
   bool look_at(int item, bool leads = false, const std::vector<int>& crowd = {});
 
+  // Habits of groups (habits_groups.cc).
+  bool is_dined_at(int item) const;
+  void keep_off_sofas(int item);
+  bool sit_by_fire(int item);
+  void wait_before_counter(int item);
+
   // Habits of things that come in numbers.
   // The things of a kind that stand in formation: asked for as a grid, or many that nobody placed.
   struct Group {

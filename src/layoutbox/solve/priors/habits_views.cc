@@ -57,7 +57,7 @@ void Habits::watch_from_near(int item, int screen) {
   habit("near enough to see", item, kTooFar, std::move(f));
 }
 
-// Nobody watches over those who sit at table: high tables and beds are not between a sofa and its screen.
+// Nobody watches over those who sit at table: high tables and beds are not between a sofa and its screen or fire.
 void Habits::watch_past_tables(int item, int screen) {
   constexpr int kBetween = 250;  // points a metre
   constexpr Mm kHigh = 600;
