@@ -106,7 +106,7 @@ class Companions {
     const auto is_used = [&](Side side) { return std::ranges::find(used, side) != used.end(); };
     // Who serves sits behind; the chairs that are named are the guests'.
     const bool serves = entry->is(Trait::kOpenToRoom) && is_used(Side::kBack) && is_used(Side::kFront);
-    if (seat == nullptr || (serves ? spoken_.of_just(*seat) : spoken_.of(*seat)) || has_seat(id) || has_loose_seat()) return;
+    if (seat == nullptr || (serves ? spoken_.names(*seat) : spoken_.of(*seat)) || has_seat(id) || (!serves && has_loose_seat())) return;
     const int count = std::min(seats_at_size(*seating, is_round(*sized), sized->size->usual), kMostSeats);
     std::vector<std::string> seats;
     for (int k = 0; k < count; ++k) seats.push_back(add(*seat));

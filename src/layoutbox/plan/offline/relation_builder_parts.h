@@ -41,6 +41,7 @@ class RelationBuilder {
   // A door or window that has an id of its own, else the word, which normalisation gives to the default one.
   // As many of them as the words say: "between two windows".
   std::vector<std::string> opening_ids(const NounPhrase& noun) const;
+  void complete_counters();
   void place_hosts();
   void place_before_walls();
   void let_into_tops();

@@ -32,6 +32,9 @@ class WordingReader : public TokenReader {
       read_see_how(i);
       read_left_and_right(i);
       read_other_part(i);
+      read_each_side(i);
+      read_clear_between(i);
+      read_sofa_group(i);
     }
   }
 
@@ -182,6 +185,35 @@ class WordingReader : public TokenReader {
     if (!other && !leg) return;
     const bool of_room = are(i + 4, {"of", "the", "room"});
     if (of_room || ends(i + 4) || is(i + 4, {"and"})) leave_out(i, i + (of_room ? 7 : 4));
+  }
+
+  // "a double bed, a bedside table each side": two of them beside it.
+  void read_each_side(std::size_t i) {
+    constexpr std::size_t kName = 3;  // words of what stands there
+    if (i < 2 || !is(i, {"each", "either"}) || !is(i + 1, {"side"}) || is(i + 2, {"of"}) || tokens_[i - 1].kind != Token::Kind::kWord) return;
+    if (lexicon_.find(tokens_, i - 1, WordClass::kObject).length == 0) return;
+    for (std::size_t at = i - 1; at-- > 0 && i - at <= kName + 1 && !ends(at);) {
+      if (!is(at, {"a", "an", "one"})) continue;
+      tokens_[at].text = "two";
+      tokens_[i].text = "beside";
+      tokens_[i + 1].text = "it";
+      return;
+    }
+  }
+
+  // "90 cm of clear floor between the sofa and the table": the gap.
+  void read_clear_between(std::size_t i) {
+    if (i < 3 || !is(i, {"between"})) return;
+    std::size_t first = i;
+    while (first > 0 && is(first - 1, {"clear", "free", "open", "empty", "floor", "space", "room", "of", "walkway", "clearance", "gap"})) --first;
+    if (first == i || first == 0 || lexicon_.find(tokens_, first - 1, WordClass::kUnit).length == 0) return;
+    leave_out(first, i);
+  }
+
+  // "between the sofa group and the dining table": the sofa.
+  void read_sofa_group(std::size_t i) {
+    if (i < 2 || !is(i, {"group", "suite"}) || !is(i - 2, {"the"}) || !is(i - 1, {"sofa", "couch", "settee", "table", "dining"})) return;
+    if (lexicon_.find(tokens_, i - 1, WordClass::kObject).length > 0) leave_out(i, i + 1);
   }
 
   // "Each of the three nurses needs a desk", "every guest gets a towel": has one.

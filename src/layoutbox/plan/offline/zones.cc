@@ -56,9 +56,12 @@ class ZoneReader {
     zone.last = noun(c).last;
     std::size_t at = c + 1;
     std::size_t place = 0;
-    if (is(at, ChunkKind::kRelation) && is(at + 1, ChunkKind::kNoun) && is_part_of_room(noun(at + 1))) {
-      place = at;
-      at += 2;
+    if (is(at, ChunkKind::kRelation)) {
+      const bool part = is(at + 1, ChunkKind::kNoun) && is_part_of_room(noun(at + 1));
+      if (part || !is(at + 1, ChunkKind::kNoun)) {
+        place = at;
+        at += part ? 2 : 1;
+      }
     }
     const bool fronted = c > 0 && is(c - 1, ChunkKind::kRelation);
     read_members(zone, at, fronted);
@@ -66,7 +69,7 @@ class ZoneReader {
     if (row != nullptr) take_meaning(zone, *row);
     if (zone.items.empty() && row != nullptr && !fronted && is_brought_in(c)) furnish(zone, *row);
     if (zone.items.empty()) return;
-    if (place > 0 && !std::ranges::any_of(zone.items, [&](int item) { return is_placed(item); })) put(zone, place);
+    if (place > 0 && !std::ranges::any_of(zone.items, [&](int item) { return is_placed(item, zone.first); })) put(zone, place);
     document_.zones.push_back(std::move(zone));
   }
 
@@ -172,12 +175,12 @@ class ZoneReader {
     return -1;
   }
 
-  bool is_placed(int item) const {
+  bool is_placed(int item, std::size_t zone) const {
     const int own = mention_of(item);
     return std::ranges::any_of(document_.links, [&](const Link& link) {
       return link.kind == Link::Kind::kRelation && contains(link.targets, own) && !link.references.empty() &&
              is_part_of_room(document_.mentions[static_cast<std::size_t>(link.references.front())].noun) &&
-             document_.mentions[static_cast<std::size_t>(link.references.front())].noun.first != document_.items[static_cast<std::size_t>(item)].noun.first;
+             document_.mentions[static_cast<std::size_t>(link.references.front())].noun.first != zone;
     });
   }
 
@@ -186,13 +189,15 @@ class ZoneReader {
     const Chunk& phrase = document_.chunks[place];
     const int target = mention_of(zone.items.front());
     if (phrase.phrase.senses == nullptr || target < 0) return;
-    Mention part;
-    part.noun = noun(place + 1);
-    document_.mentions.push_back(std::move(part));
     Link link;
     link.senses = *phrase.phrase.senses;
     link.targets = {target};
-    link.references = {static_cast<int>(document_.mentions.size()) - 1};
+    if (is(place + 1, ChunkKind::kNoun)) {
+      Mention part;
+      part.noun = noun(place + 1);
+      document_.mentions.push_back(std::move(part));
+      link.references = {static_cast<int>(document_.mentions.size()) - 1};
+    }
     link.concluded = true;
     link.first = phrase.first;
     link.last = document_.chunks[place + 1].last;

@@ -76,6 +76,7 @@ class Habits {
   bool keeps_to_corner(int item) const;
   bool is_faced_by_kind(int item) const;
   bool is_looked_at(int item) const;
+  bool only_told_across(int item) const;
   bool leave_room_behind(int item);
   int board_of_room() const;
   void face_the_class(int item);
@@ -149,6 +150,7 @@ class Habits {
   bool is_dined_at(int item) const;
   void keep_off_sofas(int item);
   bool sit_by_fire(int item);
+  bool is_served_over(int item) const;
   void wait_before_counter(int item);
 
   // Habits of things that come in numbers.

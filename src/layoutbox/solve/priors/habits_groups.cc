@@ -66,19 +66,24 @@ bool Habits::sit_by_fire(int item) {
   return true;
 }
 
+// A reception desk, a counter: guests before it, who serves behind.
+bool Habits::is_served_over(int item) const {
+  const Item& desk = model_.items[item];
+  if (desk.is_opening() || desk.mount != Mount::kFloor || !desk.has_front || !desk.is(Trait::kOpenToRoom)) return false;
+  const std::vector<Side> used = used_sides(desk);
+  return (desk.is(Trait::kDeskLike) || desk.is(Trait::kCounter)) && used.size() < 4 &&
+         std::ranges::find(used, Side::kBack) != used.end() && std::ranges::find(used, Side::kFront) != used.end();
+}
+
 // Guests wait before who serves: not behind a reception desk or a counter.
 void Habits::wait_before_counter(int item) {
-  constexpr int kGuests = 400;  // points a metre
+  constexpr int kGuests = 700;  // points a metre
   const Item& self = model_.items[item];
   if (!self.is(Trait::kTableSeat) && !self.is(Trait::kSeat) && !self.is(Trait::kEasySeat)) return;
   for (std::size_t i = 0; i < model_.items.size(); ++i) {
     const Item& desk = model_.items[i];
     const int host = static_cast<int>(i);
-    if (host == item || desk.is_opening() || desk.mount != Mount::kFloor || !desk.has_front || !desk.is(Trait::kOpenToRoom)) continue;
-    const std::vector<Side> used = used_sides(desk);
-    const bool served = (desk.is(Trait::kDeskLike) || desk.is(Trait::kCounter)) && used.size() < 4 &&
-                        std::ranges::find(used, Side::kBack) != used.end() && std::ranges::find(used, Side::kFront) != used.end();
-    if (!served || related(item, host)) continue;
+    if (host == item || !is_served_over(host) || related(item, host)) continue;
     Formula f;
     for_each_turn(desk, [&](int turn, std::uint64_t states) {
       if (turn % 90 != 0) return;

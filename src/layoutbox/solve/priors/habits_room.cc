@@ -100,6 +100,15 @@ bool Habits::is_faced_by_kind(int item) const {
   });
 }
 
+// Do words say no more of where it stands than that it is across from a door, or so far from something?
+bool Habits::only_told_across(int item) const {
+  using R = RelationType;
+  return std::ranges::none_of(model_.scene->relations, [&](const Relation& r) {
+    const bool leaves = r.type == R::kOpposite || r.type == R::kDistance || r.type == R::kFarFromDoor || r.type == R::kFacing;
+    return !leaves && std::ranges::find(r.targets, model_.items[item].id) != r.targets.end();
+  });
+}
+
 // A desk that somebody is told to sit behind, or a counter that somebody serves over, stands off the wall, its front to the room.
 bool Habits::leave_room_behind(int item) {
   constexpr Mm kForSitter = 1100, kForServer = 590;
@@ -110,7 +119,7 @@ bool Habits::leave_room_behind(int item) {
   const bool told = used_side(self) == Side::kFront && looking_side(model_, item) == Side::kFront;
   const bool served_over = open && self.is(Trait::kCounter) && used.size() < 4;  // no island
   if ((!self.is(Trait::kDeskLike) || (!open && !told)) && !served_over) return false;
-  if (placed_besides_facing(item)) return true;
+  if (placed_besides_facing(item) && !only_told_across(item)) return true;
   face_the_class(item);
   Formula f;
   for (const RoomWall& wall : model_.walls) {
@@ -224,7 +233,8 @@ void Habits::keep_before_counter(int item) {
   for (std::size_t i = 0; i < model_.items.size(); ++i) {
     const Item& bar = model_.items[i];
     const int host = static_cast<int>(i);
-    if (host == item || !bar.is(Trait::kCounter) || !bar.is(Trait::kOpenToRoom) || !bar.has_front || related(item, host)) continue;
+    const bool bar_or_desk = (bar.is(Trait::kCounter) && bar.is(Trait::kOpenToRoom) && bar.has_front) || is_served_over(host);
+    if (host == item || !bar_or_desk || related(item, host)) continue;
     Formula f;
     for_each_turn(bar, [&](int turn, std::uint64_t states) {
       if (turn % 90 != 0) return;
