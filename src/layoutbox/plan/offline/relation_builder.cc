@@ -123,6 +123,7 @@ void RelationBuilder::run() {
   add_habits();
   note_contradictions();
   drop_implied_support();
+  divide_groups();
 }
 
 void RelationBuilder::add(const Link& link, R type, std::vector<std::string> targets, std::vector<std::string> references,

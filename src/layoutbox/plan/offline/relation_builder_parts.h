@@ -128,6 +128,13 @@ class RelationBuilder {
   int heart_of(const Zone& zone) const;
   void keep_zones();
   void keep_in_zone(const Zone& zone, int item, int heart);
+  // "an open bookshelf as a divider" (dividers.cc)
+  bool may_divide(int item) const;
+  int side_at(std::size_t i) const;
+  int other_side(int divider, int side) const;
+  void widen(int divider);
+  void divide(std::size_t word);
+  void divide_groups();
   void add_front();
   void add_end_walls();
   void hang_hoods();

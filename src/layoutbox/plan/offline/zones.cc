@@ -34,7 +34,17 @@ class ZoneReader {
     const bool place = zone.kind == NounKind::kCorner || zone.kind == NounKind::kAbstract || zone.kind == NounKind::kRoom;
     if (!place || !is_zone(zone.head) || zone.is_plural() || !zone.wall_word.empty() || zone.of) return false;
     const bool room = !document_.rooms.empty() && document_.rooms.front().first == zone.first;
-    return !room && (row_of(zone) != nullptr || !zone.attributes.empty());
+    if (room || is_one_of_rooms(c)) return false;
+    return row_of(zone) != nullptr || !zone.attributes.empty();
+  }
+
+  // "Open-plan kitchen, dining and living area: …"
+  bool is_one_of_rooms(std::size_t c) const {
+    if (noun(c).kind != NounKind::kRoom || c == 0 || !(is(c - 1, ChunkKind::kAnd) || is(c - 1, ChunkKind::kComma))) return false;
+    for (std::size_t before = c; before-- > 0 && !is(before, ChunkKind::kStop);) {
+      if (is(before, ChunkKind::kHave) || (is(before, ChunkKind::kNoun) && noun(before).kind == NounKind::kObject)) return false;
+    }
+    return true;
   }
 
   const ZoneUse* row_of(const NounPhrase& zone) const {

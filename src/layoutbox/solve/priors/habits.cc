@@ -35,6 +35,7 @@ void Habits::stand(int index) {
   wait_before_counter(index);
   keep_off_play(index);
   keep_off_sofas(index);
+  stand_across(index);
   share_wall_out(index);
   lie_alike(index);
   sit_before_mirror(index);
@@ -170,8 +171,9 @@ bool Habits::only_told_opening(int item) const {
   return told;
 }
 
-// Told to be in the middle or off the walls.
+// Told to be in the middle or off the walls, or to part two groups.
 bool Habits::told_to_stand_free(int item) const {
+  if (divided_by(item)) return true;
   return std::ranges::any_of(model_.scene->relations, [&](const Relation& r) {
     return (r.type == RelationType::kCenterOfRoom || r.type == RelationType::kAwayFromWall) &&
            std::ranges::find(r.targets, model_.items[item].id) != r.targets.end();

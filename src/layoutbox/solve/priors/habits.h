@@ -70,6 +70,7 @@ class Habits {
   // Habits towards the room: backs to walls, the middle, light, rugs; doors and windows nobody placed.
   void back_to_wall(int item, int weight);
   bool may_float(int item) const;
+  void back_to_divider(Formula& f, int item);
   void lie_alike(int item);
   bool is_narrow_bed(int item) const;
   bool has_bedside(int bed) const;
@@ -149,6 +150,8 @@ class Habits {
   // Habits of groups (habits_groups.cc).
   bool is_dined_at(int item) const;
   void keep_off_sofas(int item);
+  const Relation* divided_by(int item) const;
+  void stand_across(int item);
   bool sit_by_fire(int item);
   bool is_served_over(int item) const;
   void wait_before_counter(int item);

@@ -30,6 +30,37 @@ void Habits::keep_off_sofas(int item) {
   }
 }
 
+// The relation by which it parts two groups of the room: a shelf between the bed and the sofa. Null: none.
+const Relation* Habits::divided_by(int item) const {
+  const auto found = std::ranges::find_if(model_.scene->relations, [&](const Relation& r) {
+    return r.type == RelationType::kBetween && r.origin == Origin::kConcluded && r.references.size() == 2 &&
+           r.targets == std::vector<std::string>{model_.items[item].id};
+  });
+  return found == model_.scene->relations.end() ? nullptr : &*found;
+}
+
+// What parts two groups stands across the way from one to the other, before the middle of the first.
+void Habits::stand_across(int item) {
+  constexpr Mm kRoom = 700;
+  constexpr int kAcross = 500;  // points a metre
+  const Relation* parts = divided_by(item);
+  if (parts == nullptr) return;
+  const int one = model_.find_item(parts->references[0]), other = model_.find_item(parts->references[1]);
+  if (one < 0 || other < 0) return;
+  Formula f;
+  for (const int axis : {0, 1}) {
+    const std::uint64_t across = states_with_width_along(model_.items[item], 1 - axis);
+    for (const int sign : {1, -1}) {
+      f.add()
+          .when(item, across)
+          .require(gap_towards(item, one, {axis, sign}) - Linear(kRoom))
+          .require(gap_towards(item, other, {axis, -sign}))
+          .wish(mid2(item, 1 - axis) - mid2(one, 1 - axis), kBeside / 2, 2);
+    }
+  }
+  habit("parts the groups", item, kAcross, std::move(f), {one, other});
+}
+
 // Easy chairs that have nothing but the fire to look at sit before it, side by side and close enough to feel it.
 bool Habits::sit_by_fire(int item) {
   constexpr Mm kOff = 1100, kBetween = 450;

@@ -38,8 +38,24 @@ void Habits::back_to_wall(int item, int weight) {
     f.cases.push_back(low.require(Linear(std::int64_t{wall.lo} + kFlushInCorner) - lo(item, wall.along)));
     f.cases.push_back(high.require(hi(item, wall.along) - Linear(std::int64_t{wall.hi} - kFlushInCorner)));
   }
+  if (model_.items[item].is(Trait::kCenterPiece) && !model_.items[item].is(Trait::kBed)) back_to_divider(f, item);
   if (may_float(item)) f.add().price = kFloats;
   habit("back to wall", item, weight, std::move(f));
+}
+
+// … or to what parts its group from another.
+void Habits::back_to_divider(Formula& f, int item) {
+  constexpr Mm kOff = 50;
+  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+    const int divider = static_cast<int>(i);
+    if (model_.items[i].is_opening() || divided_by(divider) == nullptr) continue;
+    for_each_turn(model_.items[item], [&](int turn, std::uint64_t states) {
+      if (turn % 90 != 0) return;
+      const Direction front = side_direction(model_.items[item], Side::kFront, turn);
+      Case& c = f.add().when(item, states).require(gap_towards(item, divider, front));
+      c.wish(gap_towards(item, divider, front) - Linear(kOff), kBackToWall).wish(mid2(item, across(front)) - mid2(divider, across(front)), kMiddle, 2);
+    });
+  }
 }
 
 // In a large room a sofa comes off its wall rather than look at a screen from afar.
