@@ -80,10 +80,10 @@ void RelationBuilder::divide(std::size_t word) {
   int divider = -1;
   for (std::size_t i = 0; i < document_.items.size(); ++i) {
     const NounPhrase& noun = document_.items[i].noun;
-    if (noun.first < first || noun.first >= last || !may_divide(static_cast<int>(i))) continue;
-    if (passive ? noun.first > word && divider < 0 : noun.first <= word) divider = static_cast<int>(i);
+    if (noun.first < first || noun.first >= last) continue;
+    if (passive ? noun.first > word && divider < 0 && may_divide(static_cast<int>(i)) : noun.first <= word) divider = static_cast<int>(i);
   }
-  if (divider < 0) return;
+  if (divider < 0 || !may_divide(divider)) return;
   std::vector<int> sides;
   const auto take = [&](int item) {
     if (item >= 0 && item != divider && !contains(sides, item) && sides.size() < 2) sides.push_back(item);

@@ -35,6 +35,9 @@ class WordingReader : public TokenReader {
       read_each_side(i);
       read_clear_between(i);
       read_sofa_group(i);
+      read_down_the_side(i);
+      read_on_wheels(i);
+      read_denied_in_brackets(i);
     }
   }
 
@@ -214,6 +217,34 @@ class WordingReader : public TokenReader {
   void read_sofa_group(std::size_t i) {
     if (i < 2 || !is(i, {"group", "suite"}) || !is(i - 2, {"the"}) || !is(i - 1, {"sofa", "couch", "settee", "table", "dining"})) return;
     if (lexicon_.find(tokens_, i - 1, WordClass::kObject).length > 0) leave_out(i, i + 1);
+  }
+
+  // "down the left side", "halfway along the right side": at that wall, in the middle of it.
+  void read_down_the_side(std::size_t i) {
+    if (!is(i, {"down", "along", "up"}) || !is(i + 1, {"the"}) || !is(i + 2, {"left", "right"}) || !is(i + 3, {"side"}) || is(i + 4, {"of"}))
+      return;
+    const bool halfway = i > 0 && is(i - 1, {"halfway"});
+    tokens_[i].text = halfway ? "on" : "along";
+    if (halfway) tokens_[i - 1].text = "centered";
+    tokens_[i + 3].text = "wall";
+  }
+
+  // "a tool chest on wheels, a cabinet on castors": how it is made.
+  void read_on_wheels(std::size_t i) {
+    if (i > 0 && is(i, {"on"}) && is(i + 1, {"wheels", "castors", "casters", "rollers"})) leave_out(i, i + 2);
+  }
+
+  // "a piano with its stool (not near the radiator, please), a television": said of what stands before the bracket.
+  void read_denied_in_brackets(std::size_t i) {
+    constexpr std::size_t kAside = 16;  // tokens
+    if (!is(i, {"("}) || !is(i + 1, {"not", "never"})) return;
+    leave_out(i, i + 1);
+    for (std::size_t at = i + 1; at < std::min(tokens_.size(), i + kAside); ++at) {
+      if (is(at, {"please"})) leave_out(is(at - 1, {","}) ? at - 1 : at, at + 1);
+      if (!is(at, {")"})) continue;
+      if (at + 1 < tokens_.size() && tokens_[at + 1].kind == Token::Kind::kPunctuation) leave_out(at, at + 1);
+      return;
+    }
   }
 
   // "Each of the three nurses needs a desk", "every guest gets a towel": has one.

@@ -33,6 +33,8 @@ class ZoneReader {
     const NounPhrase& zone = noun(c);
     const bool place = zone.kind == NounKind::kCorner || zone.kind == NounKind::kAbstract || zone.kind == NounKind::kRoom;
     if (!place || !is_zone(zone.head) || zone.is_plural() || !zone.wall_word.empty() || zone.of) return false;
+    if (document_.rooms.empty() && std::ranges::none_of(document_.items, [&](const Item& item) { return item.noun.first < zone.first; }))
+      return false;  // "A reading corner for two children.": that is the room
     const bool room = !document_.rooms.empty() && document_.rooms.front().first == zone.first;
     if (room || is_one_of_rooms(c)) return false;
     return row_of(zone) != nullptr || !zone.attributes.empty();

@@ -21,6 +21,7 @@ void Habits::add(int index) {
     case Mount::kFloor: break;
   }
   if (item.thin) {
+    lie_lengthwise(index);
     if (!stand_in_formation(index) && !placed_by_relation(index)) lie_under(index);
     return;
   }
@@ -35,6 +36,7 @@ void Habits::stand(int index) {
   wait_before_counter(index);
   keep_off_play(index);
   keep_off_sofas(index);
+  keep_hall_free(index);
   stand_across(index);
   share_wall_out(index);
   lie_alike(index);

@@ -90,6 +90,7 @@ class Habits {
   void near_light(int item);
   void lie_under(int item);
   void lie_at_foot(int item, int bed);
+  void lie_lengthwise(int item);
   void lie_before(int item, int sofa);
   void open_well(int item);
   void leave_wall_free(int item);
@@ -150,6 +151,7 @@ class Habits {
   // Habits of groups (habits_groups.cc).
   bool is_dined_at(int item) const;
   void keep_off_sofas(int item);
+  void keep_hall_free(int item);
   const Relation* divided_by(int item) const;
   void stand_across(int item);
   bool sit_by_fire(int item);

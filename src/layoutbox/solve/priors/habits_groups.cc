@@ -97,6 +97,22 @@ bool Habits::sit_by_fire(int item) {
   return true;
 }
 
+// In a hall nothing stands opposite anything: one walks past each by itself.
+void Habits::keep_hall_free(int item) {
+  constexpr Mm kNarrow = 1800;
+  constexpr int kOpposite = 250;  // points a metre
+  const Mm width = model_.room.extent(0), depth = model_.room.extent(1);
+  const int along = width > depth ? 0 : 1;
+  if (std::min(width, depth) > kNarrow || std::max(width, depth) < 2 * std::min(width, depth)) return;
+  for (int other = 0; other < item; ++other) {
+    const Item& ref = model_.items[other];
+    if (ref.is_opening() || ref.mount != Mount::kFloor || ref.thin || related(item, other)) continue;
+    Formula f;
+    for (const int sign : {1, -1}) f.add().require(gap_towards(item, other, {along, sign}));
+    habit("one by one along the hall", item, kOpposite, std::move(f));
+  }
+}
+
 // A reception desk, a counter: guests before it, who serves behind.
 bool Habits::is_served_over(int item) const {
   const Item& desk = model_.items[item];

@@ -298,6 +298,21 @@ void Habits::lie_under(int item) {
   habit("rug", item, kRug, std::move(f), hosts);
 }
 
+// A runner lies along a narrow room: down the aisle of a galley, along a hall.
+void Habits::lie_lengthwise(int item) {
+  const Item& self = model_.items[item];
+  const Size& size = self.states[0].size;
+  const Mm across = model_.room.extent(0), deep = model_.room.extent(1);
+  const bool is_runner = size.width >= 2 * size.depth && std::max(across, deep) * 4 >= std::min(across, deep) * 5;
+  const bool free = std::ranges::all_of(model_.scene->relations, [&](const Relation& r) {
+    return r.type == RelationType::kCenterOfRoom || std::ranges::find(r.targets, self.id) == r.targets.end();
+  });
+  if (!is_runner || !free) return;
+  Formula f;
+  f.add().when(item, states_with_width_along(self, across > deep ? 0 : 1));
+  habit("lengthwise", item, kRug, std::move(f));
+}
+
 void Habits::lie_at_foot(int item, int bed) {
   Formula f;
   for_each_turn(model_.items[bed], [&](int turn, std::uint64_t states) {
