@@ -43,9 +43,9 @@ struct Filling {
 
 // What a named part of a room is for, by the words before "corner", "area", "nook", and what is usual there.
 struct ZoneUse {
-  std::vector<std::string> said, rooms;           // rooms: in these kinds only; empty: in all
-  std::vector<std::pair<std::string, int>> has;   // kinds, and how many
-  std::vector<std::string> unless;                // nothing comes where one of these kinds is there
+  std::vector<std::string> said, rooms;                    // rooms: in these kinds only; empty: in all
+  std::vector<std::pair<std::string, int>> has;            // kinds, and how many
+  std::vector<std::string> unless;                         // nothing comes where one of these kinds is there
   std::vector<std::pair<std::string, std::string>> means;  // what a plain kind is there: a table for children
 };
 

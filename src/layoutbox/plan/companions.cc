@@ -87,7 +87,8 @@ class Companions {
     return std::ranges::any_of(named_, [&](std::size_t i) {
       const SceneObject& object = scene_.objects[i];
       const auto says_where = [&](const Relation& r) {
-        return std::ranges::find(r.targets, object.id) != r.targets.end() && (!r.references.empty() || r.type == RelationType::kAgainstWall);
+        return std::ranges::find(r.targets, object.id) != r.targets.end() &&
+               (!r.references.empty() || r.type == RelationType::kAgainstWall);
       };
       return catalog_.entry_or_nearest(object.category).is(Trait::kTableSeat) && std::ranges::none_of(scene_.relations, says_where);
     });
@@ -254,7 +255,8 @@ class Companions {
       const bool desk = entry->is(Trait::kDeskLike) && crowd >= kCrowd;
       // … and what all look at is there once.
       const bool board = entry->is(Trait::kScreen) && entry->mount == Mount::kWall && looked_at;
-      const bool instead = std::ranges::any_of(groups_.fill.unless, [&](const auto& row) { return row.first == id && has_kind(row.second); });
+      const bool instead =
+          std::ranges::any_of(groups_.fill.unless, [&](const auto& row) { return row.first == id && has_kind(row.second); });
       if (instead || lacks_host || lacks_table || seated || desk || board) continue;
       const bool takes_floor = entry->mount == Mount::kFloor && !entry->thin;
       const auto has_room = [&] { return share < until || (hardly_any && !takes_floor); };

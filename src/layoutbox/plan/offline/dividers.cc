@@ -29,8 +29,7 @@ int RelationBuilder::side_at(std::size_t i) const {
     return entry != nullptr && entry->mount == Mount::kFloor && !entry->thin && !entry->is(Trait::kTableSeat);
   };
   for (const Mention& m : document_.mentions) {
-    if (m.noun.kind == NounKind::kObject && m.noun.last == i + 1 && !m.items.empty() && stands(m.items.front()))
-      return m.items.front();
+    if (m.noun.kind == NounKind::kObject && m.noun.last == i + 1 && !m.items.empty() && stands(m.items.front())) return m.items.front();
   }
   if (!says_one_of(document_, i + 1, {"area", "zone", "space", "corner", "part", "side", "nook"})) return -1;
   for (const ZoneUse& row : Groups::builtin().zones) {

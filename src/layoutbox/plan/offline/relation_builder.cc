@@ -36,9 +36,12 @@ void RelationBuilder::place_hosts() {
     const bool carried = mount_of(noun) == Mount::kFloor && mount_of(other) == Mount::kSurface && may_carry(catalog_, noun, other);
     // "a dressing table with a mirror under the window"
     const bool hung = !list && mount_of(other) == Mount::kWall && mount_of(noun) == Mount::kFloor;
-    if (list ? !carried : !seats && !flanks(other, noun) && !carried && !hung) continue;
+    // "a piano with its stool by the window"
+    const bool own = !list && thing.noun.determiner == Determiner::kPossessive && mount_of(noun) == Mount::kFloor;
+    if (list ? !carried : !seats && !flanks(other, noun) && !carried && !hung && !own) continue;
     const auto stands = [&](int r) {
       const Mention& by = mention(r);
+      if (own && by.items != host.items) return true;
       if (hung && by.noun.kind != NounKind::kWindow) return false;
       return by.items.empty() || (carried && !list && by.items != host.items && mount_of(noun_of_item(by.items.front())) == Mount::kFloor);
     };
@@ -96,6 +99,14 @@ void RelationBuilder::let_in(int m, const CatalogEntry& host) {
 }
 
 void RelationBuilder::run() {
+  for (Link& link : document_.links) {
+    // "a television on a low unit and a nest of tables": it stands on one of them, the other is by itself.
+    const bool on = link.kind == Link::Kind::kRelation && says(link.senses, R::kOn) && !link.each && link.references.size() == 2;
+    if (!on || link.targets.size() != 1 || mention(link.targets[0]).items.size() != 1 || mention(link.targets[0]).noun.is_plural())
+      continue;
+    const bool things = std::ranges::all_of(link.references, [&](int r) { return mention(r).introduces && mention(r).items.size() == 1; });
+    if (things) link.references.resize(1);
+  }
   complete_counters();
   place_hosts();
   place_before_walls();
@@ -124,6 +135,7 @@ void RelationBuilder::run() {
   note_contradictions();
   drop_implied_support();
   divide_groups();
+  make_islands();
 }
 
 void RelationBuilder::add(const Link& link, R type, std::vector<std::string> targets, std::vector<std::string> references,

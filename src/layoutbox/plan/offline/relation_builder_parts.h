@@ -139,6 +139,8 @@ class RelationBuilder {
   void add_end_walls();
   void hang_hoods();
   void add_habit(RelationType type, std::vector<std::string> targets, std::vector<std::string> references, int weight, std::string why);
+  void lay_beds_along();
+  void make_islands();
   void face_as_group();
   void face_as_crowd();
   bool sits_at(const std::string& seat) const;

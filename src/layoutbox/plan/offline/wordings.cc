@@ -37,6 +37,8 @@ class WordingReader : public TokenReader {
       read_sofa_group(i);
       read_down_the_side(i);
       read_on_wheels(i);
+      read_same_wall(i);
+      read_fit_in(i);
       read_denied_in_brackets(i);
     }
   }
@@ -193,7 +195,8 @@ class WordingReader : public TokenReader {
   // "a double bed, a bedside table each side": two of them beside it.
   void read_each_side(std::size_t i) {
     constexpr std::size_t kName = 3;  // words of what stands there
-    if (i < 2 || !is(i, {"each", "either"}) || !is(i + 1, {"side"}) || is(i + 2, {"of"}) || tokens_[i - 1].kind != Token::Kind::kWord) return;
+    if (i < 2 || !is(i, {"each", "either"}) || !is(i + 1, {"side"}) || is(i + 2, {"of"}) || tokens_[i - 1].kind != Token::Kind::kWord)
+      return;
     if (lexicon_.find(tokens_, i - 1, WordClass::kObject).length == 0) return;
     for (std::size_t at = i - 1; at-- > 0 && i - at <= kName + 1 && !ends(at);) {
       if (!is(at, {"a", "an", "one"})) continue;
@@ -208,7 +211,8 @@ class WordingReader : public TokenReader {
   void read_clear_between(std::size_t i) {
     if (i < 3 || !is(i, {"between"})) return;
     std::size_t first = i;
-    while (first > 0 && is(first - 1, {"clear", "free", "open", "empty", "floor", "space", "room", "of", "walkway", "clearance", "gap"})) --first;
+    while (first > 0 && is(first - 1, {"clear", "free", "open", "empty", "floor", "space", "room", "of", "walkway", "clearance", "gap"}))
+      --first;
     if (first == i || first == 0 || lexicon_.find(tokens_, first - 1, WordClass::kUnit).length == 0) return;
     leave_out(first, i);
   }
@@ -221,12 +225,35 @@ class WordingReader : public TokenReader {
 
   // "down the left side", "halfway along the right side": at that wall, in the middle of it.
   void read_down_the_side(std::size_t i) {
-    if (!is(i, {"down", "along", "up"}) || !is(i + 1, {"the"}) || !is(i + 2, {"left", "right"}) || !is(i + 3, {"side"}) || is(i + 4, {"of"}))
+    if (!is(i, {"down", "along", "up"}) || !is(i + 1, {"the"}) || !is(i + 2, {"left", "right"}) || !is(i + 3, {"side"}) ||
+        is(i + 4, {"of"}))
       return;
     const bool halfway = i > 0 && is(i - 1, {"halfway"});
     tokens_[i].text = halfway ? "on" : "along";
     if (halfway) tokens_[i - 1].text = "centered";
     tokens_[i + 3].text = "wall";
+  }
+
+  // "two beds, not same wall please": on two that face each other.
+  void read_same_wall(std::size_t i) {
+    if (i == 0 || !is(i, {"not", "never"})) return;
+    std::size_t at = i + 1;
+    while (is(at, {"on", "at", "against", "along", "the"})) ++at;
+    if (!are(at, {"same", "wall"})) return;
+    std::size_t first = i;
+    if (is(i - 1, {","})) --first;
+    tokens_[at - 1].text = "on";
+    tokens_[at].text = "opposite";
+    tokens_[at + 1].text = "walls";
+    if (first < at - 1) leave_out(first, at - 1);
+    if (is(at + 2, {"please"})) leave_out(at + 2, at + 3);
+  }
+
+  // "whether my armchair and the television fit in with the bed": all of them are there.
+  void read_fit_in(std::size_t i) {
+    if (i == 0 || !is(i, {"fit", "fits", "go", "goes"}) || !are(i + 1, {"in", "with"}) || !is_article(i + 3)) return;
+    leave_out(i, i + 2);
+    tokens_[i + 2].text = "and";
   }
 
   // "a tool chest on wheels, a cabinet on castors": how it is made.

@@ -138,7 +138,8 @@ class ZoneReader {
   void take_meaning(const Zone& zone, const ZoneUse& row) {
     for (const int item : zone.items) {
       NounPhrase& thing = document_.items[static_cast<std::size_t>(item)].noun;
-      const auto means = std::ranges::find_if(row.means, [&](const auto& m) { return thing.entry != nullptr && thing.entry->id == m.first; });
+      const auto means =
+          std::ranges::find_if(row.means, [&](const auto& m) { return thing.entry != nullptr && thing.entry->id == m.first; });
       const CatalogEntry* entry = means == row.means.end() ? nullptr : catalog_.find(means->second);
       if (entry != nullptr) thing.entry = entry, thing.category = entry->id;
     }

@@ -15,7 +15,8 @@ double Decoder::share_score(const State& state, int member, int u, Referent impl
   const Joiner joiner = unit(member).joiner;
   // "a shelf for the toys and a carpet in the middle": shelves stand at walls.
   const auto at_wall = [](const NounPhrase& n) { return n.entry != nullptr && n.entry->back_to_wall && !n.entry->is(Trait::kCenterPiece); };
-  const bool middle = says(unit(u).direct, RelationType::kCenterOfRoom) || says(unit(u).alone, RelationType::kCenterOfRoom) || (follows(u, UnitKind::kNoun) && chunk(u + 1).noun.kind == NounKind::kCenter && !chunk(u + 1).noun.of);
+  const bool middle = says(unit(u).direct, RelationType::kCenterOfRoom) || says(unit(u).alone, RelationType::kCenterOfRoom) ||
+                      (follows(u, UnitKind::kNoun) && chunk(u + 1).noun.kind == NounKind::kCenter && !chunk(u + 1).noun.of);
   if (middle && at_wall(before) && !at_wall(noun)) return -10;
   if (joiner != Joiner::kComma && noun.determiner == Determiner::kNone && noun.count == 0 && !noun.plural &&
       before.determiner != Determiner::kNone)

@@ -118,8 +118,8 @@ bool Habits::is_served_over(int item) const {
   const Item& desk = model_.items[item];
   if (desk.is_opening() || desk.mount != Mount::kFloor || !desk.has_front || !desk.is(Trait::kOpenToRoom)) return false;
   const std::vector<Side> used = used_sides(desk);
-  return (desk.is(Trait::kDeskLike) || desk.is(Trait::kCounter)) && used.size() < 4 &&
-         std::ranges::find(used, Side::kBack) != used.end() && std::ranges::find(used, Side::kFront) != used.end();
+  return (desk.is(Trait::kDeskLike) || desk.is(Trait::kCounter)) && used.size() < 4 && std::ranges::find(used, Side::kBack) != used.end() &&
+         std::ranges::find(used, Side::kFront) != used.end();
 }
 
 // Guests wait before who serves: not behind a reception desk or a counter.

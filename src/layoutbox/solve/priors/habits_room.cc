@@ -53,7 +53,8 @@ void Habits::back_to_divider(Formula& f, int item) {
       if (turn % 90 != 0) return;
       const Direction front = side_direction(model_.items[item], Side::kFront, turn);
       Case& c = f.add().when(item, states).require(gap_towards(item, divider, front));
-      c.wish(gap_towards(item, divider, front) - Linear(kOff), kBackToWall).wish(mid2(item, across(front)) - mid2(divider, across(front)), kMiddle, 2);
+      c.wish(gap_towards(item, divider, front) - Linear(kOff), kBackToWall)
+          .wish(mid2(item, across(front)) - mid2(divider, across(front)), kMiddle, 2);
     });
   }
 }
