@@ -35,9 +35,18 @@ Groups read_groups() {
     groups.companions.push_back({value.at("of").get<std::string>(), value.at("adds").get<std::string>(), value.value("each", 1),
                                  strings(value, "unless"), strings(value, "rooms")});
   }
+  for (const Json& value : data.at("zones")) {
+    ZoneUse zone{strings(value, "said"), strings(value, "rooms"), {}, strings(value, "unless"), {}};
+    for (const Json& row : value.at("has")) zone.has.emplace_back(row.at(0).get<std::string>(), row.at(1).get<int>());
+    for (const Json& row : value.value("means", Json::array()))
+      zone.means.emplace_back(row.at(0).get<std::string>(), row.at(1).get<std::string>());
+    groups.zones.push_back(std::move(zone));
+  }
   const Json& fill = data.at("fill");
-  groups.fill = {fill.at("bare").get<double>(), fill.at("until").get<double>(), fill.at("hardly_any").get<int>(),
-                 fill.at("usually_covered").get<double>(), fill.at("most").get<int>()};
+  groups.fill = {fill.at("bare").get<double>(),    fill.at("until").get<double>(),
+                 fill.at("hardly_any").get<int>(), fill.at("usually_covered").get<double>(),
+                 fill.at("most").get<int>(),       {}};
+  for (const Json& row : fill.at("unless")) groups.fill.unless.emplace_back(row.at(0).get<std::string>(), row.at(1).get<std::string>());
   groups.carried = strings(data, "carried");
   groups.sat_at = strings(data, "sat_at");
   groups.none = strings(data, "none");

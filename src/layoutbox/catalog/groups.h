@@ -38,11 +38,21 @@ struct Filling {
   int hardly_any = 0;          // so many pieces that stand on the floor
   double usually_covered = 0;  // … up to this share
   int most = 0;
+  std::vector<std::pair<std::string, std::string>> unless;  // the first kind does not come where the second is
+};
+
+// What a named part of a room is for, by the words before "corner", "area", "nook", and what is usual there.
+struct ZoneUse {
+  std::vector<std::string> said, rooms;                    // rooms: in these kinds only; empty: in all
+  std::vector<std::pair<std::string, int>> has;            // kinds, and how many
+  std::vector<std::string> unless;                         // nothing comes where one of these kinds is there
+  std::vector<std::pair<std::string, std::string>> means;  // what a plain kind is there: a table for children
 };
 
 struct Groups {
   std::vector<Seating> seatings;      // special kinds first
   std::vector<Companion> companions;  // in this order
+  std::vector<ZoneUse> zones;         // special ones first
   Filling fill;
   std::vector<std::string> carried;             // kinds that get something to stand on where nothing there carries them
   std::vector<std::string> sat_at;              // words by which a table is one to sit at

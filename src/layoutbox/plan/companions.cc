@@ -87,7 +87,8 @@ class Companions {
     return std::ranges::any_of(named_, [&](std::size_t i) {
       const SceneObject& object = scene_.objects[i];
       const auto says_where = [&](const Relation& r) {
-        return std::ranges::find(r.targets, object.id) != r.targets.end() && !r.references.empty();
+        return std::ranges::find(r.targets, object.id) != r.targets.end() &&
+               (!r.references.empty() || r.type == RelationType::kAgainstWall);
       };
       return catalog_.entry_or_nearest(object.category).is(Trait::kTableSeat) && std::ranges::none_of(scene_.relations, says_where);
     });
@@ -102,7 +103,11 @@ class Companions {
         sized->mount != Mount::kFloor)
       return;
     const CatalogEntry* seat = catalog_.find(seating->seat);
-    if (seat == nullptr || spoken_.of(*seat) || has_seat(id) || has_loose_seat()) return;
+    const std::vector<Side> used = sized->used_sides.value_or(entry->used_sides);
+    const auto is_used = [&](Side side) { return std::ranges::find(used, side) != used.end(); };
+    // Who serves sits behind; the chairs that are named are the guests'.
+    const bool serves = entry->is(Trait::kOpenToRoom) && is_used(Side::kBack) && is_used(Side::kFront);
+    if (seat == nullptr || (serves ? spoken_.names(*seat) : spoken_.of(*seat)) || has_seat(id) || (!serves && has_loose_seat())) return;
     const int count = std::min(seats_at_size(*seating, is_round(*sized), sized->size->usual), kMostSeats);
     std::vector<std::string> seats;
     for (int k = 0; k < count; ++k) seats.push_back(add(*seat));
@@ -112,12 +117,11 @@ class Companions {
     }
     constexpr Mm kAtHand = 400;
     const bool knees = std::ranges::any_of(entry->spaces, [](const SpaceFormula& space) { return !space.carries; });
-    const std::vector<Side> used = sized->used_sides.value_or(entry->used_sides);
-    if (knees && std::ranges::find(used, Side::kFront) != used.end()) {  // pushed under, out of the way until somebody sits down
+    if (knees && is_used(Side::kFront) && !serves) {  // pushed under, out of the way until somebody sits down
       relate(RelationType::kNextTo, seats, id);
       return;
     }
-    const bool behind = std::ranges::find(used, Side::kFront) == used.end() && std::ranges::find(used, Side::kBack) != used.end();
+    const bool behind = serves || (!is_used(Side::kFront) && is_used(Side::kBack));
     relate(behind ? RelationType::kBehind : RelationType::kInFrontOf, seats, id, kAtHand);
     relate(RelationType::kFacing, seats, id);
   }
@@ -251,7 +255,9 @@ class Companions {
       const bool desk = entry->is(Trait::kDeskLike) && crowd >= kCrowd;
       // … and what all look at is there once.
       const bool board = entry->is(Trait::kScreen) && entry->mount == Mount::kWall && looked_at;
-      if (lacks_host || lacks_table || seated || desk || board) continue;
+      const bool instead =
+          std::ranges::any_of(groups_.fill.unless, [&](const auto& row) { return row.first == id && has_kind(row.second); });
+      if (instead || lacks_host || lacks_table || seated || desk || board) continue;
       const bool takes_floor = entry->mount == Mount::kFloor && !entry->thin;
       const auto has_room = [&] { return share < until || (hardly_any && !takes_floor); };
       for (int k = 0; k < usual && added < groups_.fill.most && has_room(); ++k, ++added) {

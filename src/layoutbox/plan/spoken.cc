@@ -42,6 +42,10 @@ bool Spoken::of_just(const CatalogEntry& kind) const {
   return std::ranges::any_of(named_, names) || excludes(kind);
 }
 
+bool Spoken::names(const CatalogEntry& kind) const {
+  return excludes(kind) || std::ranges::any_of(named_, [&](const auto& thing) { return catalog_->is_a(thing.first, kind.id); });
+}
+
 bool Spoken::says_any(const std::vector<std::string>& phrases) const {
   return std::ranges::any_of(phrases, [&](const std::string& phrase) { return says(said_, phrase); });
 }

@@ -20,6 +20,8 @@ class Spoken {
   bool of(const CatalogEntry& kind) const;
   // The same, but for things of a more general kind.
   bool of_just(const CatalogEntry& kind) const;
+  // Only that kind and special ones, or it wants none: "chairs" are no office chairs.
+  bool names(const CatalogEntry& kind) const;
   // One of the phrases stands in the text, word for word.
   bool says_any(const std::vector<std::string>& phrases) const;
 

@@ -31,7 +31,9 @@ bool RelationBuilder::is_placed_apart(const std::vector<int>& items) const {
     const bool mutual = !relation.references.empty() &&
                         std::all_of(relation.references.begin(), relation.references.end(),
                                     [&](const std::string& one) { return std::find(own.begin(), own.end(), one) != own.end(); });
-    return places(relation.type) && !mutual;
+    // Where it is not, says nothing of where it is.
+    const bool denied = relation.type == R::kDistance && relation.parameters.min && !relation.parameters.max;
+    return places(relation.type) && !mutual && !denied;
   });
 }
 

@@ -65,6 +65,13 @@ struct Niche {
   std::string walls;            // "back right": in that corner; "left": in the middle of that wall; empty: not said
 };
 
+// A named part of the room: "a reading corner".
+struct Zone {
+  std::vector<int> items;           // that belong there
+  bool corner = false;              // it is in a corner of the room
+  std::size_t first = 0, last = 0;  // tokens
+};
+
 struct Document {
   std::string prompt;
   std::vector<Token> tokens;
@@ -78,6 +85,7 @@ struct Document {
   std::vector<WordReading> readings;  // one a token
   std::vector<CloseReading> close;    // words that may as well mean something else
   std::vector<Note> notes;
+  std::vector<Zone> zones;
   std::optional<Niche> niche;
   int people = 0;      // "an office for three": for how many the room is; 0: not said
   bool young = false;  // … children

@@ -69,9 +69,9 @@ bool is_wide_enough(const std::vector<Chunk>& chunks, std::size_t k) {
 
 // "of all sizes", "in various sizes", behind the noun's first word and before the next thing.
 bool says_all_sizes(const Lexicon& lexicon, const Document& document, std::size_t k) {
-  constexpr std::size_t kReach = 5;  // tokens behind it: "ten plants or more, of all sizes"
+  constexpr std::size_t kNearby = 5;  // tokens behind it: "ten plants or more, of all sizes"
   const Chunk& chunk = document.chunks[k];
-  std::size_t end = std::min(document.tokens.size(), chunk.last + kReach);
+  std::size_t end = std::min(document.tokens.size(), chunk.last + kNearby);
   for (std::size_t next = k + 1; next < document.chunks.size(); ++next) {
     if (is_thing(document.chunks[next])) {
       end = std::min(end, document.chunks[next].first);
@@ -140,7 +140,7 @@ void settle_forward_names(Document& document) {
 }
 
 void settle_forward_counts(Document& document) {
-  constexpr std::size_t kReach = 200;  // chunks that are looked at either way
+  constexpr std::size_t kNearby = 200;  // chunks that are looked at either way
   std::vector<Chunk>& chunks = document.chunks;
   for (std::size_t k = 0; k < chunks.size() && !is_set(document.stop); ++k) {
     if (!is_thing(chunks[k])) continue;
@@ -149,12 +149,12 @@ void settle_forward_counts(Document& document) {
     if ((each.determiner != Determiner::kEach && !either) || each.count > 0) continue;
     const auto speaks_of = [&](std::size_t c) { return is_thing(chunks[c]) && is_same(chunks[c].noun, each); };
     bool named = false;
-    for (std::size_t c = k; c-- > 0 && c + kReach > k && !named;) {
+    for (std::size_t c = k; c-- > 0 && c + kNearby > k && !named;) {
       if (!speaks_of(c)) continue;
       named = true;  // "a lamp per bed and a chest at the foot of each bed": as many as those
       if (chunks[c].noun.determiner == Determiner::kEach) each.count = chunks[c].noun.count;
     }
-    for (std::size_t c = k + 1; c < chunks.size() && c < k + kReach && !named; ++c) {
+    for (std::size_t c = k + 1; c < chunks.size() && c < k + kNearby && !named; ++c) {
       if (!speaks_of(c) || chunks[c].noun.determiner == Determiner::kEach) continue;
       NounPhrase& all = chunks[c].noun;
       const int behind = all.plural && all.count == 0 ? count_behind(chunks, c) : 0;

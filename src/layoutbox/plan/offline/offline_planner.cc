@@ -24,6 +24,7 @@
 #include "layoutbox/plan/offline/spelling.h"
 #include "layoutbox/plan/offline/wishes.h"
 #include "layoutbox/plan/offline/wordings.h"
+#include "layoutbox/plan/offline/zones.h"
 #include "layoutbox/plan/planner.h"
 
 namespace layoutbox {
@@ -87,6 +88,7 @@ class OfflinePlanner final : public Planner {
     settle_filling_counts(lexicon_, document);
     read_document(lexicon_, document);
     if (is_set(document.stop)) return stopped();
+    find_zones(lexicon_, document);
     add_for_people(lexicon_, document);
 
     Plan plan;

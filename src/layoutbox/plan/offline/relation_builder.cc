@@ -25,20 +25,29 @@ bool speaks_of_group(R type) {
 // "a table with four chairs in the middle": what is said there of the place of the chairs is said of the table that has them.
 void RelationBuilder::place_hosts() {
   for (const Link& have : document_.links) {
-    if (have.kind != Link::Kind::kHave || have.after_comma || have.references.size() != 1 || have.targets.size() != 1) continue;
-    const Mention &host = mention(have.references.front()), &thing = mention(have.targets.front());
-    if (host.items.size() != 1 || thing.items.empty() || !thing.introduces) continue;
-    const NounPhrase &noun = noun_of_item(host.items.front()), &other = noun_of_item(thing.items.front());
+    if (have.kind != Link::Kind::kHave || have.after_comma || have.references.size() != 1 || have.targets.empty()) continue;
+    const int last = have.targets.back();
+    const bool list = have.targets.size() > 1;
+    const Mention &host = mention(have.references.front()), &thing = mention(last), &first = mention(have.targets.front());
+    if (host.items.size() != 1 || thing.items.empty() || !thing.introduces || first.items.empty()) continue;
+    const NounPhrase &noun = noun_of_item(host.items.front()), &other = noun_of_item(first.items.front());
     const bool seats = is_table(catalog_, noun) && is_seat(catalog_, other);
     // "a cabinet with a TV opposite the sofa": the cabinet, with the TV on it.
     const bool carried = mount_of(noun) == Mount::kFloor && mount_of(other) == Mount::kSurface && may_carry(catalog_, noun, other);
-    if (!seats && !flanks(other, noun) && !carried) continue;
+    // "a dressing table with a mirror under the window"
+    const bool hung = !list && mount_of(other) == Mount::kWall && mount_of(noun) == Mount::kFloor;
+    // "a piano with its stool by the window"
+    const bool own = !list && thing.noun.determiner == Determiner::kPossessive && mount_of(noun) == Mount::kFloor;
+    if (list ? !carried : !seats && !flanks(other, noun) && !carried && !hung && !own) continue;
     const auto stands = [&](int r) {
       const Mention& by = mention(r);
-      return by.items.empty() || (carried && by.items != host.items && mount_of(noun_of_item(by.items.front())) == Mount::kFloor);
+      if (own && by.items != host.items) return true;
+      if (hung && by.noun.kind != NounKind::kWindow) return false;
+      return by.items.empty() || (carried && !list && by.items != host.items && mount_of(noun_of_item(by.items.front())) == Mount::kFloor);
     };
     const auto is_place = [&](const Link& link, int target) {
       const bool rests = carried && (says(link.senses, R::kOn) || says(link.senses, R::kIn) || says(link.senses, R::kCenterOfRoom));
+      if (hung && !says(link.senses, R::kUnderWindow)) return false;
       return link.kind == Link::Kind::kRelation && link.targets == std::vector<int>{target} && !rests &&
              std::all_of(link.references.begin(), link.references.end(), stands);
     };
@@ -46,8 +55,23 @@ void RelationBuilder::place_hosts() {
                                     [&](const Link& link) { return is_place(link, have.references.front()); });
     for (Link& link : document_.links) {
       const bool follows = link.first >= thing.noun.last && link.first <= thing.noun.last + 1;
-      if (!placed && follows && is_place(link, have.targets.front())) link.targets = have.references;
+      if (!placed && follows && is_place(link, last)) link.targets = have.references;
     }
+  }
+}
+
+// "a counter with the till, the grinder and a cake display along the back wall": all three are what the counter has.
+void RelationBuilder::complete_counters() {
+  for (Link& have : document_.links) {
+    if (have.kind != Link::Kind::kHave || have.references.size() != 1 || have.targets.size() < 2) continue;
+    const NounPhrase& host = mention(have.references.front()).noun;
+    if (host.entry == nullptr || !host.entry->is(Trait::kCounter)) continue;
+    const std::size_t end = mention(have.targets.back()).noun.last;
+    const auto follows = [&](const Mention& m) {
+      return m.introduces && !m.items.empty() && m.noun.first == end + 1 && says_one_of(document_, end, {"and"});
+    };
+    const auto next = std::ranges::find_if(document_.mentions, follows);
+    if (next != document_.mentions.end()) have.targets.push_back(static_cast<int>(next - document_.mentions.begin()));
   }
 }
 
@@ -75,6 +99,15 @@ void RelationBuilder::let_in(int m, const CatalogEntry& host) {
 }
 
 void RelationBuilder::run() {
+  for (Link& link : document_.links) {
+    // "a television on a low unit and a nest of tables": it stands on one of them, the other is by itself.
+    const bool on = link.kind == Link::Kind::kRelation && says(link.senses, R::kOn) && !link.each && link.references.size() == 2;
+    if (!on || link.targets.size() != 1 || mention(link.targets[0]).items.size() != 1 || mention(link.targets[0]).noun.is_plural())
+      continue;
+    const bool things = std::ranges::all_of(link.references, [&](int r) { return mention(r).introduces && mention(r).items.size() == 1; });
+    if (things) link.references.resize(1);
+  }
+  complete_counters();
   place_hosts();
   place_before_walls();
   let_into_tops();
@@ -98,11 +131,14 @@ void RelationBuilder::run() {
   part_from_neighbours();
   leave_small_vessels();
   stand_carriers_at_walls();
+  keep_zones();
   carry_support();
   for (std::size_t i = 0; i < scene_.objects.size(); ++i) settle_mount(i);
   add_habits();
   note_contradictions();
   drop_implied_support();
+  divide_groups();
+  make_islands();
 }
 
 void RelationBuilder::add(const Link& link, R type, std::vector<std::string> targets, std::vector<std::string> references,

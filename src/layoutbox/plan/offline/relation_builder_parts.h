@@ -41,6 +41,7 @@ class RelationBuilder {
   // A door or window that has an id of its own, else the word, which normalisation gives to the default one.
   // As many of them as the words say: "between two windows".
   std::vector<std::string> opening_ids(const NounPhrase& noun) const;
+  void complete_counters();
   void place_hosts();
   void place_before_walls();
   void let_into_tops();
@@ -125,10 +126,24 @@ class RelationBuilder {
   // "a wall-mounted TV", "a floating shelf".
   void add_mounts_said();
   // Rows of desks that face a board look its way; only those before it look straight at it.
+  // "a reading corner with a rug and beanbags": together, in one corner (zone_habits.cc).
+  static constexpr int kTogether = 100;
+  int heart_of(const Zone& zone) const;
+  void keep_zones();
+  void keep_in_zone(const Zone& zone, int item, int heart);
+  // "an open bookshelf as a divider" (dividers.cc)
+  bool may_divide(int item) const;
+  int side_at(std::size_t i) const;
+  int other_side(int divider, int side) const;
+  void widen(int divider);
+  void divide(std::size_t word);
+  void divide_groups();
   void add_front();
   void add_end_walls();
   void hang_hoods();
   void add_habit(RelationType type, std::vector<std::string> targets, std::vector<std::string> references, int weight, std::string why);
+  void lay_beds_along();
+  void make_islands();
   void face_as_group();
   void face_as_crowd();
   bool sits_at(const std::string& seat) const;

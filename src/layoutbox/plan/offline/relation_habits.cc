@@ -149,12 +149,42 @@ void RelationBuilder::hang_hoods() {
   }
 }
 
+// "two single beds on opposite walls": along them, not with their heads to them.
+void RelationBuilder::lay_beds_along() {
+  constexpr Mm kForOne = 1200;
+  std::vector<Relation*> beds;
+  for (Relation& r : scene_.relations) {
+    const SceneObject* object =
+        r.type == R::kAgainstWall && r.targets.size() == 1 && r.references.size() == 1 ? object_of(r.targets[0]) : nullptr;
+    const CatalogEntry* entry = object == nullptr ? nullptr : catalog_.find(object->category);
+    if (entry != nullptr && entry->is(Trait::kBed) && entry->size.usual.width <= kForOne) beds.push_back(&r);
+  }
+  const bool apart = beds.size() == 2 && beds[0]->references != beds[1]->references && beds[0]->why == beds[1]->why;
+  for (Relation* r : beds) {
+    if (apart) r->type = R::kSideAgainstWall;
+  }
+}
+
+// "two rows of four desks back to back": an island of two rows, which is how such desks stand anyhow.
+void RelationBuilder::make_islands() {
+  const auto backs = [](const Relation& r) { return r.why.find("back to back") != std::string::npos; };
+  const auto row = std::ranges::find_if(scene_.relations, [&](const Relation& r) { return r.type == R::kRow && backs(r); });
+  if (row == scene_.relations.end()) return;
+  const std::vector<std::string> desks = row->targets;
+  const bool two_rows = std::ranges::any_of(scene_.relations, [&](const Relation& r) {
+    return r.type == R::kGrid && r.targets == desks && static_cast<std::size_t>(2 * r.parameters.columns.value_or(0)) == desks.size();
+  });
+  if (!two_rows) return;
+  std::erase_if(scene_.relations, [&](const Relation& r) { return (r.type == R::kGrid && r.targets == desks) || backs(r); });
+}
+
 void RelationBuilder::add_habits() {
   add_front();
   hang_hoods();
   add_end_walls();
   face_as_group();
   face_as_crowd();
+  lay_beds_along();
   const std::size_t said = scene_.relations.size();
   for (std::size_t r = 0; r < said; ++r) {
     const Relation relation = scene_.relations[r];

@@ -156,6 +156,8 @@ std::pair<std::string, std::size_t> end_said_at(const Document& document, std::s
   const bool across = is(i, {"opposite"}) && (i + 1 >= document.tokens.size() || document.tokens[i + 1].kind == Token::Kind::kPunctuation);
   if (is(i, {"at", "on"}) && is(i + 1, {"both", "each", "either"}) && is(i + 2, {"end", "ends"}))
     return {"ends", i + (is(i + 3, {"of"}) && is(i + 4, {"the", "it"}) ? is(i + 4, {"it"}) ? 5 : 6 : 3)};
+  if (is(i, {"on", "in", "along"}) && is(i + 1, {"two", "three", "both"}) && is(i + 2, {"sides", "walls"})) return {"sides", i + 3};
+  if (is(i, {"opposite", "facing"}) && is(i + 1, {"each"}) && is(i + 2, {"other"})) return {"across", i + 3};
   if (!across && !is(i++, {"at", "on", "in"})) return {};
   while (is(i, {"the", "one", "a", "of", "its", "two"})) ++i;
   std::string word;
@@ -218,13 +220,22 @@ std::string wall_of_opening(const std::string& word, OpeningType type, const Roo
     const std::string wall = by == room.openings.end() ? std::string{} : wall_across(by->wall);
     return !wall.empty() ? wall : type == OpeningType::kWindow ? "back" : "front";
   }
+  if (word == "sides") {  // "windows on two sides": one each, those first that the picture shows
+    for (const std::string_view side : {"back", "left", "right"}) {
+      if (std::ranges::none_of(room.openings, [&](const Opening& opening) { return opening.wall == side; })) return std::string(side);
+    }
+    return {};
+  }
   if (word == "other") return room.openings.empty() ? std::string{} : wall_across(room.openings.back().wall);
   if (word != "short" && word != "long" && word != "ends") return word;
   NounPhrase wall;
   wall.name = word == "long" ? "long wall" : "short wall";
   const auto [one, other] = walls_by_length(wall, room);
-  const bool taken = std::ranges::any_of(room.openings, [&, o = other](const Opening& opening) { return opening.wall == o; });
-  if (word == "ends") return taken ? other : one;
+  const auto is_taken = [&](const std::string& side) {
+    return std::ranges::any_of(room.openings, [&](const Opening& opening) { return opening.wall == side; });
+  };
+  if (word == "ends") return is_taken(one) ? other : one;
+  const bool taken = is_taken(other);
   return type == OpeningType::kWindow || taken ? one : other;
 }
 

@@ -53,6 +53,31 @@ std::optional<Mm> middle_offset(const Opening& opening, const Room& room) {
   return std::max(0, (length - opening.width) / 2 / kGridMm * kGridMm);
 }
 
+// … that is near the corner of those words ("right", "back right"), a hand's breadth off it; not known likewise.
+std::optional<Mm> corner_offset(const Opening& opening, const std::string& corner, const Room& room) {
+  constexpr Mm kOff = 100;
+  if (room.polygon.empty() || opening.wall.empty()) return std::nullopt;
+  const auto [width, depth] = extent_of(room);
+  const bool along_depth = opening.wall == "left" || opening.wall == "right";
+  const auto says = [&](std::string_view word) { return corner.find(word) != std::string::npos; };
+  // Walls run round the room, the front one from left to right.
+  const bool first = opening.wall == "front"   ? says("left")
+                     : opening.wall == "back"  ? says("right")
+                     : opening.wall == "right" ? says("front")
+                                               : says("back");
+  const bool second = along_depth ? says("front") || says("back") : says("left") || says("right");
+  if (!first && !second) return std::nullopt;
+  return first ? kOff : std::max(0, (along_depth ? depth : width) - opening.width - kOff);
+}
+
+// What the last one is across from is in the wall there.
+void face_opening(Room& room) {
+  const Opening& last = room.openings.back();
+  for (Opening& other : room.openings) {
+    if (other.type != last.type && other.wall.empty()) other.wall = wall_across(last.wall);
+  }
+}
+
 void add_opening(SceneGraph& scene, OpeningType type, const NounPhrase& noun, const std::string& wall) {
   Opening opening = opening_said(type, noun);
   const auto number =
@@ -90,8 +115,12 @@ void resize_openings(Room& room, const Opening& like) {
 
 namespace {
 
-// Where the text puts doors and windows: of each mention the walls.
-using PlacedOpenings = std::vector<std::pair<const Mention*, std::string>>;
+// Where the text puts a door or a window: the wall, and the corner there that it is near ("right").
+struct PlacedOpening {
+  const Mention* mention = nullptr;
+  std::string wall, corner;
+};
+using PlacedOpenings = std::vector<PlacedOpening>;
 
 bool is_opening(const Mention& mention) { return mention.noun.kind == NounKind::kDoor || mention.noun.kind == NounKind::kWindow; }
 
@@ -161,7 +190,10 @@ std::string wall_said(const Link& link, const NounPhrase& by) {
     return across ? "across" : "";
   }
   const NounPhrase& wall = by.kind == NounKind::kCenter && by.of ? *by.of : by;
-  if (wall.kind == NounKind::kWall && wall.wall_word.empty() && (wall.wall_relation == "opposite" || wall.wall_relation == "other"))
+  const auto is_across = [&](std::string_view word) {
+    return wall.wall_relation == word || std::ranges::find(wall.attributes, word) != wall.attributes.end();
+  };
+  if (wall.kind == NounKind::kWall && wall.wall_word.empty() && (is_across("opposite") || is_across("other")))
     return "other";  // "the door in the long wall, a window on the opposite wall"
   return wall.wall_word.empty() && wall.kind == NounKind::kWall ? length_word(wall) : wall.wall_word;
 }
@@ -172,12 +204,22 @@ PlacedOpenings placed_openings(const Document& document) {
     for (const int target : link.targets) {
       const Mention& mention = document.mentions[static_cast<std::size_t>(target)];
       if (!is_opening(mention)) continue;
-      std::string wall = mention.noun.wall_word;
+      std::string wall = mention.noun.wall_word, corner;
       for (const int reference : link.references) {
-        const std::string said = wall_said(link, document.mentions[static_cast<std::size_t>(reference)].noun);
+        const NounPhrase& by = document.mentions[static_cast<std::size_t>(reference)].noun;
+        const std::string said = wall_said(link, by);
         if (!said.empty() || mention.noun.wall_word.empty()) wall = said;
+        if (by.kind == NounKind::kCorner) corner = by.wall_word;
       }
-      placed.emplace_back(&mention, wall.substr(0, wall.find(' ')));
+      wall = wall.substr(0, wall.find(' '));
+      // "in the north wall near the east corner": one door.
+      const auto known = std::ranges::find_if(placed, [&](const PlacedOpening& p) { return p.mention == &mention; });
+      if (known == placed.end() || openings_said(mention.noun) > 1) {
+        placed.push_back({&mention, wall, corner});
+      } else {
+        if (!wall.empty() && (known->wall.empty() || corner.empty())) known->wall = wall;
+        if (known->corner.empty()) known->corner = corner;
+      }
     }
   }
   return placed;
@@ -185,7 +227,7 @@ PlacedOpenings placed_openings(const Document& document) {
 
 // `across`: those that are across from another one, which comes first.
 void put_openings(const PlacedOpenings& placed, bool across, SceneGraph& scene) {
-  for (const auto& [mention, wall] : placed) {
+  for (const auto& [mention, wall, corner] : placed) {
     if ((wall == "other" || wall == "across") != across) continue;
     const OpeningType type = opening_type(*mention);
     const auto known = std::ranges::find_if(scene.room.openings, [&](const Opening& o) { return o.type == type; });
@@ -195,9 +237,12 @@ void put_openings(const PlacedOpenings& placed, bool across, SceneGraph& scene) 
       continue;
     }
     // "two doors, one in the front wall and one in the left wall": shared out.
-    const auto places = std::count_if(placed.begin(), placed.end(), [&, m = mention](const auto& p) { return p.first == m; });
+    const auto places = std::count_if(placed.begin(), placed.end(), [&, m = mention](const auto& p) { return p.mention == m; });
     const int count = std::max(1, openings_said(mention->noun) / static_cast<int>(places));
     for (int i = 0; i < std::min(count, 12); ++i) add_opening(scene, type, mention->noun, wall);
+    Opening& last = scene.room.openings.back();
+    if (!corner.empty() && count == 1) last.offset = corner_offset(last, corner, scene.room);
+    if (wall == "across") face_opening(scene.room);
   }
 }
 
@@ -209,7 +254,7 @@ void add_openings(const Document& document, SceneGraph& scene) {
   for (const Mention& mention : document.mentions) {
     if (!is_opening(mention)) continue;
     const OpeningType type = opening_type(mention);
-    const bool said = std::any_of(placed.begin(), placed.end(), [&](const auto& p) { return p.first == &mention; });
+    const bool said = std::any_of(placed.begin(), placed.end(), [&](const auto& p) { return p.mention == &mention; });
     const bool counted = mention.noun.count > 1 || (mention.noun.plural && mention.noun.determiner != Determiner::kDefinite);
     if (said || (!counted && !mention.noun.size.any() && mention.noun.wall_word.empty() && !is_described(type, mention.noun))) continue;
     // "The entrance is on the narrow side … The door to the yard is at the back": another one
@@ -259,7 +304,7 @@ void add_needed_openings(const Document& document, SceneGraph& scene) {
     for (const OpeningType type : {OpeningType::kDoor, OpeningType::kWindow}) {
       if (is_there(type, room)) continue;
       if (type == OpeningType::kWindow && windowless) continue;
-      const bool across = !room.openings.empty() && std::ranges::any_of(placed, [](const auto& p) { return p.second == "across"; });
+      const bool across = !room.openings.empty() && std::ranges::any_of(placed, [](const auto& p) { return p.wall == "across"; });
       add_opening(scene, type, {}, across ? wall_across(room.openings.front().wall) : std::string{});
       room.openings.back().origin = Origin::kAssumed;
       scene.notes.push_back({"filled", std::string("a ") + std::string(name_of(type)) + " is assumed", "/room/openings"});

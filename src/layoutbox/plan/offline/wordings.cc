@@ -32,6 +32,14 @@ class WordingReader : public TokenReader {
       read_see_how(i);
       read_left_and_right(i);
       read_other_part(i);
+      read_each_side(i);
+      read_clear_between(i);
+      read_sofa_group(i);
+      read_down_the_side(i);
+      read_on_wheels(i);
+      read_same_wall(i);
+      read_fit_in(i);
+      read_denied_in_brackets(i);
     }
   }
 
@@ -182,6 +190,88 @@ class WordingReader : public TokenReader {
     if (!other && !leg) return;
     const bool of_room = are(i + 4, {"of", "the", "room"});
     if (of_room || ends(i + 4) || is(i + 4, {"and"})) leave_out(i, i + (of_room ? 7 : 4));
+  }
+
+  // "a double bed, a bedside table each side": two of them beside it.
+  void read_each_side(std::size_t i) {
+    constexpr std::size_t kName = 3;  // words of what stands there
+    if (i < 2 || !is(i, {"each", "either"}) || !is(i + 1, {"side"}) || is(i + 2, {"of"}) || tokens_[i - 1].kind != Token::Kind::kWord)
+      return;
+    if (lexicon_.find(tokens_, i - 1, WordClass::kObject).length == 0) return;
+    for (std::size_t at = i - 1; at-- > 0 && i - at <= kName + 1 && !ends(at);) {
+      if (!is(at, {"a", "an", "one"})) continue;
+      tokens_[at].text = "two";
+      tokens_[i].text = "beside";
+      tokens_[i + 1].text = "it";
+      return;
+    }
+  }
+
+  // "90 cm of clear floor between the sofa and the table": the gap.
+  void read_clear_between(std::size_t i) {
+    if (i < 3 || !is(i, {"between"})) return;
+    std::size_t first = i;
+    while (first > 0 && is(first - 1, {"clear", "free", "open", "empty", "floor", "space", "room", "of", "walkway", "clearance", "gap"}))
+      --first;
+    if (first == i || first == 0 || lexicon_.find(tokens_, first - 1, WordClass::kUnit).length == 0) return;
+    leave_out(first, i);
+  }
+
+  // "between the sofa group and the dining table": the sofa.
+  void read_sofa_group(std::size_t i) {
+    if (i < 2 || !is(i, {"group", "suite"}) || !is(i - 2, {"the"}) || !is(i - 1, {"sofa", "couch", "settee", "table", "dining"})) return;
+    if (lexicon_.find(tokens_, i - 1, WordClass::kObject).length > 0) leave_out(i, i + 1);
+  }
+
+  // "down the left side", "halfway along the right side": at that wall, in the middle of it.
+  void read_down_the_side(std::size_t i) {
+    if (!is(i, {"down", "along", "up"}) || !is(i + 1, {"the"}) || !is(i + 2, {"left", "right"}) || !is(i + 3, {"side"}) ||
+        is(i + 4, {"of"}))
+      return;
+    const bool halfway = i > 0 && is(i - 1, {"halfway"});
+    tokens_[i].text = halfway ? "on" : "along";
+    if (halfway) tokens_[i - 1].text = "centered";
+    tokens_[i + 3].text = "wall";
+  }
+
+  // "two beds, not same wall please": on two that face each other.
+  void read_same_wall(std::size_t i) {
+    if (i == 0 || !is(i, {"not", "never"})) return;
+    std::size_t at = i + 1;
+    while (is(at, {"on", "at", "against", "along", "the"})) ++at;
+    if (!are(at, {"same", "wall"})) return;
+    std::size_t first = i;
+    if (is(i - 1, {","})) --first;
+    tokens_[at - 1].text = "on";
+    tokens_[at].text = "opposite";
+    tokens_[at + 1].text = "walls";
+    if (first < at - 1) leave_out(first, at - 1);
+    if (is(at + 2, {"please"})) leave_out(at + 2, at + 3);
+  }
+
+  // "whether my armchair and the television fit in with the bed": all of them are there.
+  void read_fit_in(std::size_t i) {
+    if (i == 0 || !is(i, {"fit", "fits", "go", "goes"}) || !are(i + 1, {"in", "with"}) || !is_article(i + 3)) return;
+    leave_out(i, i + 2);
+    tokens_[i + 2].text = "and";
+  }
+
+  // "a tool chest on wheels, a cabinet on castors": how it is made.
+  void read_on_wheels(std::size_t i) {
+    if (i > 0 && is(i, {"on"}) && is(i + 1, {"wheels", "castors", "casters", "rollers"})) leave_out(i, i + 2);
+  }
+
+  // "a piano with its stool (not near the radiator, please), a television": said of what stands before the bracket.
+  void read_denied_in_brackets(std::size_t i) {
+    constexpr std::size_t kAside = 16;  // tokens
+    if (!is(i, {"("}) || !is(i + 1, {"not", "never"})) return;
+    leave_out(i, i + 1);
+    for (std::size_t at = i + 1; at < std::min(tokens_.size(), i + kAside); ++at) {
+      if (is(at, {"please"})) leave_out(is(at - 1, {","}) ? at - 1 : at, at + 1);
+      if (!is(at, {")"})) continue;
+      if (at + 1 < tokens_.size() && tokens_[at + 1].kind == Token::Kind::kPunctuation) leave_out(at, at + 1);
+      return;
+    }
   }
 
   // "Each of the three nurses needs a desk", "every guest gets a towel": has one.

@@ -1,4 +1,5 @@
 // Which of a list share a place: "a bed and a desk against the wall".
+#include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/reader_words.h"
 #include "layoutbox/plan/reading/decoder.h"
@@ -12,6 +13,11 @@ double Decoder::share_score(const State& state, int member, int u, Referent impl
   if (former < 0 || read_as(state, former).placed || !is_thing(state, former)) return -10;
   const NounPhrase &noun = noun_of(state, member), &before = noun_of(state, former);
   const Joiner joiner = unit(member).joiner;
+  // "a shelf for the toys and a carpet in the middle": shelves stand at walls.
+  const auto at_wall = [](const NounPhrase& n) { return n.entry != nullptr && n.entry->back_to_wall && !n.entry->is(Trait::kCenterPiece); };
+  const bool middle = says(unit(u).direct, RelationType::kCenterOfRoom) || says(unit(u).alone, RelationType::kCenterOfRoom) ||
+                      (follows(u, UnitKind::kNoun) && chunk(u + 1).noun.kind == NounKind::kCenter && !chunk(u + 1).noun.of);
+  if (middle && at_wall(before) && !at_wall(noun)) return -10;
   if (joiner != Joiner::kComma && noun.determiner == Determiner::kNone && noun.count == 0 && !noun.plural &&
       before.determiner != Determiner::kNone)
     return weight::kShareArticle;

@@ -88,8 +88,12 @@ void Scribe::grow_for_each(int thing, int each) {
 // "thirty desks with chairs": one for each of them.
 void Scribe::grow_for_hosts(int content, const std::vector<int>& hosts) {
   const NounPhrase& noun = noun_of(content);
-  if (!mention_at(content).introduces || !noun.plural || noun.count > 0 || noun.collective || hosts.size() != 1) return;
+  if (!mention_at(content).introduces || noun.count > 0 || noun.collective || hosts.size() != 1) return;
   const Mention& host = mention_at(hosts.front());
+  // "two desks with chair", as people write who leave out articles
+  const bool bare = !noun.plural && noun.determiner == Determiner::kNone && noun_of(hosts.front()).is_plural() &&
+                    is_seat(lexicon_.catalog(), noun) && is_table(lexicon_.catalog(), noun_of(hosts.front()));
+  if (!noun.plural && !bare) return;
   if (!host.distributes && host.items.size() > mention_at(content).items.size()) references_.grow(content, host.items.size());
 }
 

@@ -89,6 +89,8 @@ bool UnitReader::is_part(std::size_t k) const {
   if (is_own_frame(k)) return true;
   if (units_.empty() || units_.back().kind != UnitKind::kHave || joiner_ != Joiner::kNone || !is_content_of_thing()) return false;
   if (noun.kind == NounKind::kDoor || noun.kind == NounKind::kWindow) return true;
+  // "a changing table with drawers, a rocking chair": the chair is another thing of the list.
+  if (noun.kind == NounKind::kPart && !noun.as_object && !noun.of && is(next(k), ChunkKind::kComma)) return true;
   const bool built_in = std::find(noun.attributes.begin(), noun.attributes.end(), "built-in") != noun.attributes.end();
   if (noun.kind == NounKind::kObject && built_in) return true;
   if (noun.kind != NounKind::kObject || noun.head != "mattress") return false;

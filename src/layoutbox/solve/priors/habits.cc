@@ -21,6 +21,7 @@ void Habits::add(int index) {
     case Mount::kFloor: break;
   }
   if (item.thin) {
+    lie_lengthwise(index);
     if (!stand_in_formation(index) && !placed_by_relation(index)) lie_under(index);
     return;
   }
@@ -32,11 +33,15 @@ void Habits::stand(int index) {
   sit_on_host(index);
   lie_straight(index);
   keep_before_counter(index);
+  wait_before_counter(index);
   keep_off_play(index);
+  keep_off_sofas(index);
+  keep_hall_free(index);
+  stand_across(index);
   share_wall_out(index);
   lie_alike(index);
   sit_before_mirror(index);
-  if (stand_in_formation(index) || stand_abreast(index)) return;
+  if (stand_in_formation(index) || stand_abreast(index) || sit_by_fire(index)) return;
   stand_at_side(index);
   const bool with_host = sit_by_between(index) || stand_beside(index);
   const bool looks = (!with_host || !item.is(Trait::kTableSeat)) && look_at(index);
@@ -168,8 +173,9 @@ bool Habits::only_told_opening(int item) const {
   return told;
 }
 
-// Told to be in the middle or off the walls.
+// Told to be in the middle or off the walls, or to part two groups.
 bool Habits::told_to_stand_free(int item) const {
+  if (divided_by(item)) return true;
   return std::ranges::any_of(model_.scene->relations, [&](const Relation& r) {
     return (r.type == RelationType::kCenterOfRoom || r.type == RelationType::kAwayFromWall) &&
            std::ranges::find(r.targets, model_.items[item].id) != r.targets.end();

@@ -70,12 +70,14 @@ class Habits {
   // Habits towards the room: backs to walls, the middle, light, rugs; doors and windows nobody placed.
   void back_to_wall(int item, int weight);
   bool may_float(int item) const;
+  void back_to_divider(Formula& f, int item);
   void lie_alike(int item);
   bool is_narrow_bed(int item) const;
   bool has_bedside(int bed) const;
   bool keeps_to_corner(int item) const;
   bool is_faced_by_kind(int item) const;
   bool is_looked_at(int item) const;
+  bool only_told_across(int item) const;
   bool leave_room_behind(int item);
   int board_of_room() const;
   void face_the_class(int item);
@@ -88,6 +90,7 @@ class Habits {
   void near_light(int item);
   void lie_under(int item);
   void lie_at_foot(int item, int bed);
+  void lie_lengthwise(int item);
   void lie_before(int item, int sofa);
   void open_well(int item);
   void leave_wall_free(int item);
@@ -144,6 +147,16 @@ class Habits {
   std::vector<int> usual_hosts(int item) const;
   bool takes_seat(int host, int seat) const;
   bool look_at(int item, bool leads = false, const std::vector<int>& crowd = {});
+
+  // Habits of groups (habits_groups.cc).
+  bool is_dined_at(int item) const;
+  void keep_off_sofas(int item);
+  void keep_hall_free(int item);
+  const Relation* divided_by(int item) const;
+  void stand_across(int item);
+  bool sit_by_fire(int item);
+  bool is_served_over(int item) const;
+  void wait_before_counter(int item);
 
   // Habits of things that come in numbers.
   // The things of a kind that stand in formation: asked for as a grid, or many that nobody placed.

@@ -64,7 +64,7 @@ bool Habits::stand_abreast_of(int item, int host, RelationType how) {
 // the bed. On a table too, and not so close that they touch.
 void Habits::stand_at_side(int item) {
   const Item& self = model_.items[item];
-  if (self.is(Trait::kTableSeat)) return;
+  if (self.is(Trait::kTableSeat) || before_its_host(item)) return;
   for (const Relation& r : model_.scene->relations) {
     if (r.type != RelationType::kNextTo || r.references.size() != 1) continue;
     const int host = model_.find_item(r.references[0]);
@@ -287,9 +287,9 @@ bool Habits::look_at(int item, bool leads, const std::vector<int>& crowd) {
     const bool elsewhere = self.is(Trait::kEasySeat) && placed_besides_facing(item) && !related(item, other);
     habit("faces", item, elsewhere ? kFaces / 3 : kFaces, std::move(f),
           self.is(Trait::kEasySeat) || leads ? std::vector<int>{other} : std::vector<int>{});
-    if (self.is(Trait::kCenterPiece) && !self.is(Trait::kBed) && model_.items[other].is(Trait::kScreen)) {
-      watch_from_near(item, other);
-      watch_past_tables(item, other);
+    if (self.is(Trait::kCenterPiece) && !self.is(Trait::kBed)) {
+      if (model_.items[other].is(Trait::kScreen)) watch_from_near(item, other);
+      if (!model_.items[other].is(Trait::kCoffeeTable)) watch_past_tables(item, other);
     }
     return true;
   }

@@ -38,8 +38,25 @@ void Habits::back_to_wall(int item, int weight) {
     f.cases.push_back(low.require(Linear(std::int64_t{wall.lo} + kFlushInCorner) - lo(item, wall.along)));
     f.cases.push_back(high.require(hi(item, wall.along) - Linear(std::int64_t{wall.hi} - kFlushInCorner)));
   }
+  if (model_.items[item].is(Trait::kCenterPiece) && !model_.items[item].is(Trait::kBed)) back_to_divider(f, item);
   if (may_float(item)) f.add().price = kFloats;
   habit("back to wall", item, weight, std::move(f));
+}
+
+// … or to what parts its group from another.
+void Habits::back_to_divider(Formula& f, int item) {
+  constexpr Mm kOff = 50;
+  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+    const int divider = static_cast<int>(i);
+    if (model_.items[i].is_opening() || divided_by(divider) == nullptr) continue;
+    for_each_turn(model_.items[item], [&](int turn, std::uint64_t states) {
+      if (turn % 90 != 0) return;
+      const Direction front = side_direction(model_.items[item], Side::kFront, turn);
+      Case& c = f.add().when(item, states).require(gap_towards(item, divider, front));
+      c.wish(gap_towards(item, divider, front) - Linear(kOff), kBackToWall)
+          .wish(mid2(item, across(front)) - mid2(divider, across(front)), kMiddle, 2);
+    });
+  }
 }
 
 // In a large room a sofa comes off its wall rather than look at a screen from afar.
@@ -100,6 +117,15 @@ bool Habits::is_faced_by_kind(int item) const {
   });
 }
 
+// Do words say no more of where it stands than that it is across from a door, or so far from something?
+bool Habits::only_told_across(int item) const {
+  using R = RelationType;
+  return std::ranges::none_of(model_.scene->relations, [&](const Relation& r) {
+    const bool leaves = r.type == R::kOpposite || r.type == R::kDistance || r.type == R::kFarFromDoor || r.type == R::kFacing;
+    return !leaves && std::ranges::find(r.targets, model_.items[item].id) != r.targets.end();
+  });
+}
+
 // A desk that somebody is told to sit behind, or a counter that somebody serves over, stands off the wall, its front to the room.
 bool Habits::leave_room_behind(int item) {
   constexpr Mm kForSitter = 1100, kForServer = 590;
@@ -110,7 +136,7 @@ bool Habits::leave_room_behind(int item) {
   const bool told = used_side(self) == Side::kFront && looking_side(model_, item) == Side::kFront;
   const bool served_over = open && self.is(Trait::kCounter) && used.size() < 4;  // no island
   if ((!self.is(Trait::kDeskLike) || (!open && !told)) && !served_over) return false;
-  if (placed_besides_facing(item)) return true;
+  if (placed_besides_facing(item) && !only_told_across(item)) return true;
   face_the_class(item);
   Formula f;
   for (const RoomWall& wall : model_.walls) {
@@ -224,7 +250,8 @@ void Habits::keep_before_counter(int item) {
   for (std::size_t i = 0; i < model_.items.size(); ++i) {
     const Item& bar = model_.items[i];
     const int host = static_cast<int>(i);
-    if (host == item || !bar.is(Trait::kCounter) || !bar.is(Trait::kOpenToRoom) || !bar.has_front || related(item, host)) continue;
+    const bool bar_or_desk = (bar.is(Trait::kCounter) && bar.is(Trait::kOpenToRoom) && bar.has_front) || is_served_over(host);
+    if (host == item || !bar_or_desk || related(item, host)) continue;
     Formula f;
     for_each_turn(bar, [&](int turn, std::uint64_t states) {
       if (turn % 90 != 0) return;
@@ -270,6 +297,21 @@ void Habits::lie_under(int item) {
   if (!over.empty()) hosts.push_back(over[rank_of(item) % static_cast<int>(over.size())]);
   for (int axis = 0; axis < 2; ++axis) c.wish(mid2(item, axis) - (hosts.empty() ? room_mid2(model_, axis) : mid2(hosts[0], axis)), kRug, 2);
   habit("rug", item, kRug, std::move(f), hosts);
+}
+
+// A runner lies along a narrow room: down the aisle of a galley, along a hall.
+void Habits::lie_lengthwise(int item) {
+  const Item& self = model_.items[item];
+  const Size& size = self.states[0].size;
+  const Mm across = model_.room.extent(0), deep = model_.room.extent(1);
+  const bool is_runner = size.width >= 2 * size.depth && std::max(across, deep) * 4 >= std::min(across, deep) * 5;
+  const bool free = std::ranges::all_of(model_.scene->relations, [&](const Relation& r) {
+    return r.type == RelationType::kCenterOfRoom || std::ranges::find(r.targets, self.id) == r.targets.end();
+  });
+  if (!is_runner || !free) return;
+  Formula f;
+  f.add().when(item, states_with_width_along(self, across > deep ? 0 : 1));
+  habit("lengthwise", item, kRug, std::move(f));
 }
 
 void Habits::lie_at_foot(int item, int bed) {

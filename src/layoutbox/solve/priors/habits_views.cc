@@ -57,7 +57,7 @@ void Habits::watch_from_near(int item, int screen) {
   habit("near enough to see", item, kTooFar, std::move(f));
 }
 
-// Nobody watches over those who sit at table: high tables and beds are not between a sofa and its screen.
+// Nobody watches over those who sit at table: high tables, chairs, beds and dividers are not between a sofa and its screen or fire.
 void Habits::watch_past_tables(int item, int screen) {
   constexpr int kBetween = 250;  // points a metre
   constexpr Mm kHigh = 600;
@@ -66,7 +66,8 @@ void Habits::watch_past_tables(int item, int screen) {
     const Item& table = model_.items[i];
     if (table.is_opening() || table.mount != Mount::kFloor || other == item || rests_on(screen, other) || related(item, other)) continue;
     const bool high = table.is(Trait::kTable) && table.states[0].size.height >= kHigh && !table.entry->back_to_wall;
-    if (!high && !table.is(Trait::kBed)) continue;
+    const bool seat = table.is(Trait::kEasySeat) && !placed_besides_facing(other);
+    if (!high && !seat && !table.is(Trait::kBed) && divided_by(other) == nullptr) continue;
     Formula f;
     for_each_turn(model_.items[item], [&](int turn, std::uint64_t states) {
       if (turn % 90 != 0) return;

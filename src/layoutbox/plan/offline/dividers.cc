@@ -1,0 +1,128 @@
+// "separated from the living area by an open bookshelf", "a screen as a divider": what parts two groups stands between them.
+#include <algorithm>
+
+#include "layoutbox/catalog/groups.h"
+#include "layoutbox/catalog/trait_table.h"
+#include "layoutbox/plan/offline/knowledge.h"
+#include "layoutbox/plan/offline/noun_phrase_parts.h"
+#include "layoutbox/plan/offline/reader_words.h"
+#include "layoutbox/plan/offline/relation_builder_parts.h"
+
+namespace layoutbox::offline {
+
+using R = RelationType;
+
+// What may part a room: as flat as a shelf or a screen, and it stands on the floor or hangs from the ceiling.
+bool RelationBuilder::may_divide(int item) const {
+  const CatalogEntry* entry = noun_of_item(item).entry;
+  if (entry == nullptr || entry->thin) return false;
+  const Size& size = entry->size.usual;
+  const bool flat = 3 * size.depth <= 2 * size.width && !entry->is(Trait::kSeat) && !entry->is(Trait::kTable) && !entry->is(Trait::kBed) &&
+                    !entry->is(Trait::kCenterPiece);
+  return flat && (entry->mount == Mount::kFloor || catalog_.is_a(entry->id, "curtain") || catalog_.is_a(entry->id, "privacy_curtain"));
+}
+
+// The great thing of the part of the room whose name stands at token i ("living area"), or that is named there; -1: none.
+int RelationBuilder::side_at(std::size_t i) const {
+  const auto stands = [&](int item) {
+    const CatalogEntry* entry = noun_of_item(item).entry;
+    return entry != nullptr && entry->mount == Mount::kFloor && !entry->thin && !entry->is(Trait::kTableSeat);
+  };
+  for (const Mention& m : document_.mentions) {
+    if (m.noun.kind == NounKind::kObject && m.noun.last == i + 1 && !m.items.empty() && stands(m.items.front())) return m.items.front();
+  }
+  if (!says_one_of(document_, i + 1, {"area", "zone", "space", "corner", "part", "side", "nook"})) return -1;
+  for (const ZoneUse& row : Groups::builtin().zones) {
+    if (std::ranges::find(row.said, document_.tokens[i].text) == row.said.end()) continue;
+    for (const std::string& kind : row.unless) {
+      for (std::size_t item = 0; item < document_.items.size(); ++item) {
+        const NounPhrase& noun = document_.items[item].noun;
+        if (noun.entry != nullptr && catalog_.is_a(noun.entry->id, kind) && stands(static_cast<int>(item))) return static_cast<int>(item);
+      }
+    }
+  }
+  return -1;
+}
+
+// Of the other things the greatest that a group of its own stands round.
+int RelationBuilder::other_side(int divider, int side) const {
+  int greatest = -1;
+  double most = 0;
+  for (std::size_t i = 0; i < document_.items.size(); ++i) {
+    const int item = static_cast<int>(i);
+    const CatalogEntry* entry = noun_of_item(item).entry;
+    if (entry == nullptr || item == divider || item == side || entry->mount != Mount::kFloor) continue;
+    const bool heart = entry->is(Trait::kCenterPiece) || entry->is(Trait::kBed) || entry->is(Trait::kDesk);
+    const bool same = side >= 0 && noun_of_item(side).entry == entry;
+    const double area = double(entry->size.usual.width) * entry->size.usual.depth;
+    if (heart && !same && area > most) greatest = item, most = area;
+  }
+  return greatest;
+}
+
+// What nobody gave a size is as wide as parts something.
+void RelationBuilder::widen(int divider) {
+  constexpr Mm kParts = 1600;
+  const NounPhrase& noun = noun_of_item(divider);
+  SceneObject& object = scene_.objects[static_cast<std::size_t>(divider)];
+  if (noun.size.any() || object.size || noun.entry->size.usual.width >= kParts) return;
+  SizeRange size = noun.entry->size;
+  size.usual.width = std::min(kParts, size.greatest.width);
+  object.size = size;
+}
+
+void RelationBuilder::divide(std::size_t word) {
+  std::size_t first = word, last = word;
+  while (first > 0 && !document_.tokens[first - 1].ends_sentence) --first;
+  while (last < document_.tokens.size() && !document_.tokens[last].ends_sentence) ++last;
+  const bool passive = says_one_of(document_, word, {"separated", "divided", "partitioned", "screened"});
+  int divider = -1;
+  for (std::size_t i = 0; i < document_.items.size(); ++i) {
+    const NounPhrase& noun = document_.items[i].noun;
+    if (noun.first < first || noun.first >= last) continue;
+    if (passive ? noun.first > word && divider < 0 && may_divide(static_cast<int>(i)) : noun.first <= word) divider = static_cast<int>(i);
+  }
+  if (divider < 0 || !may_divide(divider)) return;
+  std::vector<int> sides;
+  const auto take = [&](int item) {
+    if (item >= 0 && item != divider && !contains(sides, item) && sides.size() < 2) sides.push_back(item);
+  };
+  // "a bed behind a shelf used as a divider, a sofa": what is named before parts from what follows.
+  const bool between = passive || !says_one_of(document_, word, {"divider", "partition", "separator"}) ||
+                       says_one_of(document_, word + 1, {"between", "from"});
+  for (std::size_t i = word; !between && i-- > first && sides.empty();) take(side_at(i));
+  for (std::size_t i = word + 1; i < last; ++i) take(side_at(i));
+  if (passive && sides.size() > 1) sides.resize(1);  // "separated from the living area by a shelf, a sofa"
+  for (std::size_t i = word; i-- > first && sides.size() < 2;) take(side_at(i));
+  if (sides.size() == 1) take(other_side(divider, sides.front()));
+  if (sides.size() < 2 || noun_of_item(sides[0]).entry == noun_of_item(sides[1]).entry) return;
+  const std::vector<std::string> parted{id(sides[0]), id(sides[1])};
+  const std::string& own = id(divider);
+  const auto is_parted = [&](const std::string& other) { return std::ranges::find(parted, other) != parted.end(); };
+  std::erase_if(scene_.relations, [&](const Relation& r) {
+    const bool by_it = r.targets == std::vector<std::string>{own} && std::ranges::any_of(r.references, is_parted);
+    const bool it_by = r.references == std::vector<std::string>{own} && std::ranges::any_of(r.targets, is_parted);
+    return (by_it || it_by) && r.type != R::kDistance;
+  });
+  widen(divider);
+  add_habit(R::kBetween, {own}, parted, kTogether, "what parts two groups stands between them");
+  scene_.relations.back().hard = true;
+  scene_.relations.back().origin = Origin::kConcluded;
+}
+
+void RelationBuilder::divide_groups() {
+  std::size_t sentence = document_.tokens.size();
+  for (std::size_t i = 0; i < document_.tokens.size(); ++i) {
+    const bool as = says_one_of(document_, i, {"divider", "partition", "separator"}) &&
+                    (says_one_of(document_, i - std::min<std::size_t>(i, 1), {"as", "a", "room", "the"}));
+    const bool verb = says_one_of(document_, i, {"separated", "divided", "partitioned", "separating", "separates", "dividing", "divides"});
+    if ((!as && !verb) || i < 2) continue;
+    const bool led = as && (says_one_of(document_, i - 1, {"as"}) || says_one_of(document_, i - 2, {"as"}) ||
+                            (i > 2 && says_one_of(document_, i - 3, {"as"})));
+    if ((!led && !verb) || sentence == i) continue;
+    sentence = i;
+    divide(i);
+  }
+}
+
+}  // namespace layoutbox::offline

@@ -1,0 +1,81 @@
+// What belongs to a named part of the room stands together there.
+#include <algorithm>
+
+#include "layoutbox/catalog/trait_table.h"
+#include "layoutbox/plan/offline/knowledge.h"
+#include "layoutbox/plan/offline/relation_builder_parts.h"
+
+namespace layoutbox::offline {
+
+using R = RelationType;
+
+// The one that the others stand by: what children sit round on the floor, else the greatest that is no chair; -1: none.
+int RelationBuilder::heart_of(const Zone& zone) const {
+  int greatest = -1, rug = -1;
+  bool looks = false;
+  const auto area = [&](int item) {
+    const Size& size = noun_of_item(item).entry->size.usual;
+    return double(size.width) * size.depth;
+  };
+  for (const int item : zone.items) {
+    const CatalogEntry* entry = noun_of_item(item).entry;
+    if (entry == nullptr || entry->mount != Mount::kFloor) continue;
+    if (entry->thin) {
+      if (rug < 0) rug = item;
+      continue;
+    }
+    looks |= entry->is(Trait::kEasySeat) || entry->is(Trait::kCenterPiece) || entry->is(Trait::kTable) || entry->is(Trait::kDeskLike);
+    if (!entry->is(Trait::kTableSeat) && (greatest < 0 || area(item) > area(greatest))) greatest = item;
+  }
+  return rug >= 0 && !looks ? rug : greatest;
+}
+
+void RelationBuilder::keep_zones() {
+  for (const Zone& zone : document_.zones) {
+    const int heart = heart_of(zone);
+    if (heart < 0) continue;
+    bool placed = false;
+    for (const std::size_t r : relations_of(id(heart))) {
+      const Relation& relation = scene_.relations[r];
+      placed |= relation.references.empty() || object_of(relation.references.front()) == nullptr;
+    }
+    if (zone.corner && !placed) add_habit(R::kCorner, {id(heart)}, {}, kTogether, "what such a corner is for is in a corner");
+    for (const int item : zone.items) {
+      if (item != heart) keep_in_zone(zone, item, heart);
+    }
+  }
+}
+
+// By the heart of the zone, unless words put it by something else there; the corner of the room is that one's.
+void RelationBuilder::keep_in_zone(const Zone& zone, int item, int heart) {
+  const CatalogEntry* entry = noun_of_item(item).entry;
+  if (entry == nullptr) return;
+  const bool rug = noun_of_item(heart).entry->thin;
+  const bool lies = rug && (entry->is(Trait::kSeat) || entry->is(Trait::kEasySeat) || entry->mount == Mount::kSurface);
+  const auto in_zone = [&](const std::string& other) {
+    return std::ranges::any_of(zone.items, [&](int member) { return id(member) == other; });
+  };
+  bool tied = false;
+  for (const std::size_t r : relations_of(id(item))) {
+    Relation& relation = scene_.relations[r];
+    tied |= std::ranges::any_of(relation.references, in_zone);
+    if (relation.type != R::kCorner || relation.targets.size() != 1) continue;
+    relation.type = lies ? R::kOn : R::kNextTo;
+    relation.references = {id(heart)};
+    relation.hard = lies && entry->mount == Mount::kSurface;
+    relation.weight = kTogether;
+    tied = true;
+  }
+  if (tied || entry->mount == Mount::kWall || entry->mount == Mount::kCeiling) return;
+  const bool loose = entry->mount == Mount::kSurface && !lies;  // it stands on something
+  const bool at_table = entry->is(Trait::kTableSeat) && std::ranges::any_of(zone.items, [&](int member) {
+                          const CatalogEntry* table = noun_of_item(member).entry;
+                          return table != nullptr && !table->is(Trait::kCoffeeTable) && is_table(catalog_, noun_of_item(member));
+                        });
+  if (loose || at_table) return;
+  of_target_[id(item)].push_back(scene_.relations.size());
+  add_habit(lies ? R::kOn : R::kNextTo, {id(item)}, {id(heart)}, kTogether, "what belongs to one corner stands together");
+  scene_.relations.back().hard = lies && entry->mount == Mount::kSurface;
+}
+
+}  // namespace layoutbox::offline

@@ -1,0 +1,144 @@
+// Habits of groups: those who sit by the fire, those who dine and those who talk, each with room of their own.
+#include "layoutbox/solve/priors/habits.h"
+
+namespace layoutbox::placement {
+
+// A table that one sits at upright, with those who do.
+bool Habits::is_dined_at(int item) const {
+  constexpr Mm kHigh = 600;
+  const Item& table = model_.items[item];
+  return table.is(Trait::kTable) && !table.is(Trait::kDeskLike) && table.mount == Mount::kFloor && !table.entry->back_to_wall &&
+         table.states[0].size.height >= kHigh && has_sitters(item);
+}
+
+// Who dines does not sit among the sofas: the table, with the chairs round it, keeps off what belongs to the talking group.
+void Habits::keep_off_sofas(int item) {
+  constexpr Mm kChairsAndWay = 1200;
+  constexpr int kApart = 300;  // points a metre
+  if (!is_dined_at(item)) return;
+  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+    const int other = static_cast<int>(i);
+    const Item& ref = model_.items[i];
+    if (ref.is_opening() || ref.mount != Mount::kFloor || ref.thin || related(item, other)) continue;
+    const bool sofa = ref.is(Trait::kCenterPiece) && !ref.is(Trait::kBed);
+    if (!sofa && !ref.is(Trait::kCoffeeTable)) continue;
+    Formula f;
+    for (const int axis : {0, 1}) {
+      for (const int sign : {1, -1}) f.add().require(gap_towards(item, other, {axis, sign}) - Linear(kChairsAndWay));
+    }
+    habit("off the sofas", item, kApart, std::move(f));
+  }
+}
+
+// The relation by which it parts two groups of the room: a shelf between the bed and the sofa. Null: none.
+const Relation* Habits::divided_by(int item) const {
+  const auto found = std::ranges::find_if(model_.scene->relations, [&](const Relation& r) {
+    return r.type == RelationType::kBetween && r.origin == Origin::kConcluded && r.references.size() == 2 &&
+           r.targets == std::vector<std::string>{model_.items[item].id};
+  });
+  return found == model_.scene->relations.end() ? nullptr : &*found;
+}
+
+// What parts two groups stands across the way from one to the other, before the middle of the first.
+void Habits::stand_across(int item) {
+  constexpr Mm kRoom = 700;
+  constexpr int kAcross = 500;  // points a metre
+  const Relation* parts = divided_by(item);
+  if (parts == nullptr) return;
+  const int one = model_.find_item(parts->references[0]), other = model_.find_item(parts->references[1]);
+  if (one < 0 || other < 0) return;
+  Formula f;
+  for (const int axis : {0, 1}) {
+    const std::uint64_t across = states_with_width_along(model_.items[item], 1 - axis);
+    for (const int sign : {1, -1}) {
+      f.add()
+          .when(item, across)
+          .require(gap_towards(item, one, {axis, sign}) - Linear(kRoom))
+          .require(gap_towards(item, other, {axis, -sign}))
+          .wish(mid2(item, 1 - axis) - mid2(one, 1 - axis), kBeside / 2, 2);
+    }
+  }
+  habit("parts the groups", item, kAcross, std::move(f), {one, other});
+}
+
+// Easy chairs that have nothing but the fire to look at sit before it, side by side and close enough to feel it.
+bool Habits::sit_by_fire(int item) {
+  constexpr Mm kOff = 1100, kBetween = 450;
+  const auto sits = [&](int i) {
+    const Item& other = model_.items[i];
+    return !other.is_opening() && other.mount == Mount::kFloor && other.is(Trait::kEasySeat) && other.has_front && !other.fixed &&
+           !placed_besides_facing(i);
+  };
+  if (!sits(item)) return false;
+  const std::vector<int> seen = items_of_kinds(model_.items[item].entry->faces, item);
+  const auto is_fire = [&](int i) { return model_.is_a(i, "fireplace"); };
+  const auto fire = std::ranges::find_if(seen, is_fire);
+  const bool other = std::ranges::any_of(seen, [&](int i) {
+    const Item& ref = model_.items[i];
+    return ref.is(Trait::kScreen) || ref.is(Trait::kCoffeeTable) || ref.is(Trait::kCenterPiece);
+  });
+  if (fire == seen.end() || other) return false;
+  std::vector<int> seats;
+  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+    if (sits(static_cast<int>(i)) && model_.items[i].entry == model_.items[item].entry) seats.push_back(static_cast<int>(i));
+  }
+  const auto k = std::ranges::find(seats, item) - seats.begin();
+  const auto n = static_cast<std::ptrdiff_t>(seats.size());
+  const Mm pitch = model_.items[item].states[0].size.width + kBetween;
+  Formula f;
+  for_each_turn(model_.items[*fire], [&](int turn, std::uint64_t states) {
+    if (turn % 90 != 0) return;
+    const Direction front = side_direction(model_.items[*fire], Side::kFront, turn);
+    Case& c = f.add().when(*fire, states).when(item, states_looking(model_.items[item], opposite(front)));
+    c.wish(mid2(item, across(front)) - mid2(*fire, across(front)) - Linear((2 * k - (n - 1)) * pitch), kBeside, 2);
+    c.wish(gap_towards(item, *fire, front) - Linear(kOff), kBeside);
+  });
+  habit("by the fire", item, kBeside, std::move(f), {*fire});
+  return true;
+}
+
+// In a hall nothing stands opposite anything: one walks past each by itself.
+void Habits::keep_hall_free(int item) {
+  constexpr Mm kNarrow = 1800;
+  constexpr int kOpposite = 250;  // points a metre
+  const Mm width = model_.room.extent(0), depth = model_.room.extent(1);
+  const int along = width > depth ? 0 : 1;
+  if (std::min(width, depth) > kNarrow || std::max(width, depth) < 2 * std::min(width, depth)) return;
+  for (int other = 0; other < item; ++other) {
+    const Item& ref = model_.items[other];
+    if (ref.is_opening() || ref.mount != Mount::kFloor || ref.thin || related(item, other)) continue;
+    Formula f;
+    for (const int sign : {1, -1}) f.add().require(gap_towards(item, other, {along, sign}));
+    habit("one by one along the hall", item, kOpposite, std::move(f));
+  }
+}
+
+// A reception desk, a counter: guests before it, who serves behind.
+bool Habits::is_served_over(int item) const {
+  const Item& desk = model_.items[item];
+  if (desk.is_opening() || desk.mount != Mount::kFloor || !desk.has_front || !desk.is(Trait::kOpenToRoom)) return false;
+  const std::vector<Side> used = used_sides(desk);
+  return (desk.is(Trait::kDeskLike) || desk.is(Trait::kCounter)) && used.size() < 4 && std::ranges::find(used, Side::kBack) != used.end() &&
+         std::ranges::find(used, Side::kFront) != used.end();
+}
+
+// Guests wait before who serves: not behind a reception desk or a counter.
+void Habits::wait_before_counter(int item) {
+  constexpr int kGuests = 700;  // points a metre
+  const Item& self = model_.items[item];
+  if (!self.is(Trait::kTableSeat) && !self.is(Trait::kSeat) && !self.is(Trait::kEasySeat)) return;
+  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+    const Item& desk = model_.items[i];
+    const int host = static_cast<int>(i);
+    if (host == item || !is_served_over(host) || related(item, host)) continue;
+    Formula f;
+    for_each_turn(desk, [&](int turn, std::uint64_t states) {
+      if (turn % 90 != 0) return;
+      const Direction front = side_direction(desk, Side::kFront, turn);
+      f.add().when(host, states).require(gap_towards(item, host, front) + Linear(desk.states[0].size.depth));
+    });
+    habit("waits before the desk", item, kGuests, std::move(f));
+  }
+}
+
+}  // namespace layoutbox::placement
