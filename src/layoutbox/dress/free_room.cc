@@ -86,13 +86,15 @@ std::array<double, 3> WallFrame::point(double along, double off, double height) 
   return {start.x + along * along_x - off * along_y, start.y + along * along_y + off * along_x, height};
 }
 
-FreeRoom::FreeRoom(const Layout& layout, const Catalog& catalog) : layout_(&layout) {
+FreeRoom::FreeRoom(const Layout& layout, const Catalog& catalog, std::string_view but) : layout_(&layout) {
   for (const Wall& wall : layout.room.walls) {
     const WallFrame frame = frame_of(wall);
     if (frame.along_x != 0 || frame.along_y != 0) walls_.push_back(frame);
   }
   take_openings();
-  for (const PlacedObject& object : layout.objects) take(object, catalog.entry_or_nearest(object.category));
+  for (const PlacedObject& object : layout.objects) {
+    if (object.id != but) take(object, catalog.entry_or_nearest(object.category));
+  }
 }
 
 void FreeRoom::take_openings() {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <string_view>
 #include <vector>
 
 #include "layoutbox/catalog/catalog.h"
@@ -48,7 +49,8 @@ struct Taken {
 class FreeRoom {
  public:
   // REQUIRES: the layout outlives it; its room has walls along its polygon.
-  FreeRoom(const Layout& layout, const Catalog& catalog);
+  // `but`: the id of an object that counts for nothing.
+  FreeRoom(const Layout& layout, const Catalog& catalog, std::string_view but = {});
 
   void take(const PlacedObject& object, const CatalogEntry& entry);
 

@@ -126,9 +126,9 @@ void RelationBuilder::settle_mount(std::size_t index) {
   const Held held = how_held(object, noun);
   // "a bench with a lamp above it": a lamp for tables stands on nothing there.
   const bool over = held.above && !held.supported && !held.wall && mount_of(noun) == Mount::kSurface && is_lamp(catalog_, noun);
-  // "a bed with fairy lights above it": at the wall behind it, not in mid-air.
+  // "a bedroom with fairy lights", "… above the bed": at a wall, not in mid-air.
   const bool festoon = noun.entry != nullptr && noun.entry->mount == Mount::kCeiling && noun.entry->is(Trait::kElseOnWall);
-  if (festoon && held.above && !held.ceiling && !over_table(object.id)) {
+  if (festoon && !held.ceiling && !over_table(object.id)) {
     object.mount = Mount::kWall;
     return;
   }
