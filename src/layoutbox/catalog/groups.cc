@@ -33,13 +33,15 @@ Groups read_groups() {
   }
   for (const Json& value : data.at("companions")) {
     groups.companions.push_back({value.at("of").get<std::string>(), value.at("adds").get<std::string>(), value.value("each", 1),
-                                 strings(value, "unless"), strings(value, "rooms")});
+                                 value.value("anywhere", false), strings(value, "unless"), strings(value, "rooms")});
   }
   const Json& fill = data.at("fill");
   groups.fill = {fill.at("bare").get<double>(), fill.at("until").get<double>(), fill.at("hardly_any").get<int>(),
                  fill.at("usually_covered").get<double>(), fill.at("most").get<int>()};
   groups.carried = strings(data, "carried");
   groups.sat_at = strings(data, "sat_at");
+  groups.empty = strings(data, "empty");
+  groups.to_furnish = strings(data, "to_furnish");
   groups.none = strings(data, "none");
   groups.none_to_fill = strings(data, "none_to_fill");
   return groups;

@@ -161,7 +161,7 @@ Place find_place(std::string_view name) {
 std::size_t dress(SceneGraph& scene, Layout& layout, const Catalog& catalog, const Spoken& spoken) {
   using namespace dressing;
   const Groups& groups = Groups::builtin();
-  if (catalog.only_articles() || spoken.says_any(groups.none) || spoken.says_any(groups.none_to_fill)) return 0;
+  if (catalog.only_articles() || spoken.wants_no_more(groups) || spoken.says_any(groups.none_to_fill)) return 0;
   const std::size_t moved = show_what_hides(layout, catalog, spoken);
   Dresser dresser(layout, catalog, spoken);
   std::optional<Verdict> before;

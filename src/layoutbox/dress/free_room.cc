@@ -112,7 +112,7 @@ void FreeRoom::take_openings() {
 void FreeRoom::take(const PlacedObject& object, const CatalogEntry& entry) {
   if (entry.thin && object.size.height <= kRug) return;
   const bool stands = object.mount != Mount::kWall && object.mount != Mount::kCeiling;
-  taken_.push_back({box_round(object), stands ? Taken::What::kStands : Taken::What::kHangs});
+  taken_.push_back({box_round(object), stands ? Taken::What::kStands : Taken::What::kHangs, object.id});
 }
 
 const WallFrame* FreeRoom::next(const WallFrame& wall) const {
@@ -154,6 +154,11 @@ bool FreeRoom::inside(const Box& box) const {
 
 bool FreeRoom::is_free(const Box& box, bool window) const {
   const auto in_the_way = [&](const Taken& taken) { return !(window && taken.what == Taken::What::kWindow) && overlap(taken.box, box); };
+  return inside(box) && std::ranges::none_of(taken_, in_the_way);
+}
+
+bool FreeRoom::is_free(const Box& box, const std::vector<std::string>& but) const {
+  const auto in_the_way = [&](const Taken& taken) { return std::ranges::find(but, taken.id) == but.end() && overlap(taken.box, box); };
   return inside(box) && std::ranges::none_of(taken_, in_the_way);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -44,6 +45,7 @@ struct Taken {
   enum class What { kStands, kHangs, kDoorway, kWindow };
   Box box;
   What what = What::kStands;
+  std::string id = {};  // of the thing
 };
 
 class FreeRoom {
@@ -66,6 +68,8 @@ class FreeRoom {
   bool inside(const Box& box) const;
   // On the floor of the room, and nothing there; curtains may hang before windows (`window`).
   bool is_free(const Box& box, bool window = false) const;
+  // The same, but for things that it may be in: what it lies on, chairs that are pushed under that.
+  bool is_free(const Box& box, const std::vector<std::string>& but) const;
   // The parts of a wall that are free so far off it and at these heights, in order; of what is there only what counts.
   enum class Count { kAll, kThings, kStandingAndDoorways };
   std::vector<Span> free_along(const WallFrame& wall, Span off, Span height, Count count = Count::kAll) const;

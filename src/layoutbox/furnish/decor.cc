@@ -178,6 +178,14 @@ std::map<std::string, std::string, std::less<>> shelves_said(std::string_view pr
   return said;
 }
 
+// A room for children, or a bedroom of one by the words of the text.
+bool is_childs(const std::string& kind, std::string_view prompt) {
+  const Json& children = data().at("child_rooms");
+  if (std::find(children.begin(), children.end(), kind) != children.end()) return true;
+  const std::string whose = data().at("child_words").get<std::string>();
+  return kind == "bedroom" && std::ranges::any_of(words_of(prompt), [&](const std::string& word) { return lists(whose, word); });
+}
+
 // The name of the floor's surface, so that the furniture can differ from it.
 std::string floor_name(const std::string& asked) {
   const SurfaceWish wish = read_wish(asked);
@@ -223,8 +231,7 @@ Decor decor_of(const Layout& layout, std::uint64_t seed) {
   if (room.value("tiled", false)) decor.wall_finish = data().at("tiled_wall").get<std::string>();
   const std::string& floor = layout.room.floor_material.empty() ? decor.floor : layout.room.floor_material;
   decor.woods = woods_on(floor_name(floor), chance >> 16);
-  const Json& children = data().at("child_rooms");
-  if (std::find(children.begin(), children.end(), kind) != children.end()) {
+  if (is_childs(kind, layout.prompt)) {
     take_palette(decor, child_palette(layout.prompt));
     decor.woods = {"birch", "lacquer"};
   } else {
