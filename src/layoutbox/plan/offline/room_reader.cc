@@ -304,7 +304,19 @@ std::string finish_of(const Lexicon& lexicon, const Document& document, const No
   return material;
 }
 
+// "Brick wall, dark green paint": of two that are said of no wall the one that is said of one wall is on the back wall.
+void set_walls(Room& room, const std::string& material, bool all, bool& all_before) {
+  if (!room.wall_material.empty() && room.wall_material != material && all != all_before) {
+    room.wall_looks.emplace_back("back", all ? room.wall_material : material);
+    if (all) room.wall_material = material;
+  } else {
+    room.wall_material = material;
+  }
+  all_before = all_before || all;
+}
+
 void set_surfaces(const Lexicon& lexicon, const Document& document, Room& room) {
+  bool all_walls = false;
   for (std::size_t m = 0; m < document.mentions.size(); ++m) {
     const NounPhrase& noun = document.mentions[m].noun;
     if (noun.kind != NounKind::kFloor && noun.kind != NounKind::kWall) continue;
@@ -315,7 +327,7 @@ void set_surfaces(const Lexicon& lexicon, const Document& document, Room& room) 
     else if (const std::string wall = single_wall(document, static_cast<int>(m), room); !wall.empty())
       room.wall_looks.emplace_back(wall, material);
     else if (noun.wall_relation.empty())
-      room.wall_material = material;
+      set_walls(room, material, noun.plural, all_walls);
   }
 }
 
