@@ -97,6 +97,7 @@ void RelationBuilder::run() {
   set_heights();
   carry_support();
   for (std::size_t i = 0; i < scene_.objects.size(); ++i) settle_mount(i);
+  settle_stands();
   add_habits();
   note_contradictions();
   drop_implied_support();

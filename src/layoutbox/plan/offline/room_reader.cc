@@ -283,12 +283,28 @@ std::string wall_of_thing(const Document& document, int mention) {
   return {};
 }
 
+bool is_shade(const std::string& word) {
+  for (const WordList::Member shade : word_list("words_room").at("shades")) {
+    if (shade.value.text() == word) return true;
+  }
+  return false;
+}
+
 // The materials and colours that a wall or a floor is said to have: "dark green", "exposed brick", "stone" of "a stone floor".
 std::string finish_of(const Lexicon& lexicon, const Document& document, const NounPhrase& noun) {
   std::string material;
   const auto add = [&](const std::string& words) { material += (material.empty() ? "" : " ") + words; };
+  // "soft yellow": what changes the colour goes with it.
+  const auto add_shade = [&] {
+    for (std::size_t i = noun.first; i + 1 < noun.last && i + 1 < document.tokens.size(); ++i) {
+      const std::string& word = document.tokens[i].text;
+      if (is_shade(word) && lexicon.find(document.tokens, i, Class::kColor).length == 0) return add(word);
+    }
+  };
   for (std::size_t a = 0; a < noun.attributes.size() && a < noun.attribute_classes.size(); ++a) {
-    if (noun.attribute_classes[a] == Class::kColor || noun.attribute_classes[a] == Class::kMaterial) add(noun.attributes[a]);
+    const bool color = noun.attribute_classes[a] == Class::kColor;
+    if (color && material.empty()) add_shade();
+    if (color || noun.attribute_classes[a] == Class::kMaterial) add(noun.attributes[a]);
   }
   for (std::size_t i = noun.first; material.empty() && i < noun.last && i < document.tokens.size(); ++i) {
     const Match color = lexicon.find(document.tokens, i, Class::kColor), stuff = lexicon.find(document.tokens, i, Class::kMaterial);
