@@ -42,6 +42,8 @@ Dressings read_dressings() {
     dressing.rooms = rooms_in(row, sets);
     dressing.unless = names_in(row, "unless");
     dressing.unspoken = names_in(row, "unspoken");
+    dressing.said = names_in(row, "said");
+    dressing.unsaid = names_in(row, "unsaid");
     dressing.most = row.value("most", 1);
     dressing.size = {length_in(row, "w"), length_in(row, "d"), length_in(row, "h")};
     dressing.stretch = length_in(row, "stretch");
@@ -49,6 +51,7 @@ Dressings read_dressings() {
     dressing.area_m2 = row.value("area", 0.0);
     dressings.rows.push_back(std::move(dressing));
   }
+  dressings.rehung = names_in(data, "rehung");
   for (const auto& form : data.at("kitchenForms")) {
     dressings.kitchen_forms.push_back({form.at("form").get<std::string>(), names_in(form, "words")});
   }

@@ -18,6 +18,8 @@ struct Dressing {
   std::vector<std::string> rooms;     // in these kinds of room only
   std::vector<std::string> unless;    // not where one of these kinds is there
   std::vector<std::string> unspoken;  // not where the text names one of these or wants none; empty: speaks of what is added
+  std::vector<std::string> said;      // only where the text says one of these words; empty: in any
+  std::vector<std::string> unsaid;    // not where it says one of these
   int most = 1;                       // of it in all
   Size size;                          // sides of 0 are usual, or follow from the place
   Mm stretch = 0;                     // so much wall must be free
@@ -32,7 +34,8 @@ struct KitchenForm {
 };
 
 struct Dressings {
-  std::vector<Dressing> rows;  // in this order
+  std::vector<Dressing> rows;       // in this order
+  std::vector<std::string> rehung;  // kinds that hang anywhere in view where nothing says where
   std::vector<KitchenForm> kitchen_forms;
 
   static const Dressings& builtin();

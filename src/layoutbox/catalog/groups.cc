@@ -33,7 +33,7 @@ Groups read_groups() {
   }
   for (const Json& value : data.at("companions")) {
     groups.companions.push_back({value.at("of").get<std::string>(), value.at("adds").get<std::string>(), value.value("each", 1),
-                                 strings(value, "unless"), strings(value, "rooms")});
+                                 value.value("anywhere", false), strings(value, "unless"), strings(value, "rooms")});
   }
   for (const Json& value : data.at("zones")) {
     ZoneUse zone{strings(value, "said"), strings(value, "rooms"), {}, strings(value, "unless"), {}};
@@ -49,6 +49,8 @@ Groups read_groups() {
   for (const Json& row : fill.at("unless")) groups.fill.unless.emplace_back(row.at(0).get<std::string>(), row.at(1).get<std::string>());
   groups.carried = strings(data, "carried");
   groups.sat_at = strings(data, "sat_at");
+  groups.empty = strings(data, "empty");
+  groups.to_furnish = strings(data, "to_furnish");
   groups.none = strings(data, "none");
   groups.none_to_fill = strings(data, "none_to_fill");
   return groups;

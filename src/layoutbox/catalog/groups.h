@@ -27,6 +27,7 @@ struct Seating {
 struct Companion {
   std::string of, adds;             // kinds
   int each = 1;                     // so many by every one of them
+  bool anywhere = false;            // in the room, not beside it
   std::vector<std::string> unless;  // not where one of these kinds is there
   std::vector<std::string> rooms;   // in these kinds of room only; empty: in all
 };
@@ -57,6 +58,7 @@ struct Groups {
   std::vector<std::string> carried;             // kinds that get something to stand on where nothing there carries them
   std::vector<std::string> sat_at;              // words by which a table is one to sit at
   std::vector<std::string> none, none_to_fill;  // words by which nothing comes; by which a bare room stays bare
+  std::vector<std::string> empty, to_furnish;   // words by which nothing comes, and by which it does in spite of them
 
   // The first seating whose kind `entry` is, in a room of that kind (empty: a rule for all rooms). Null: none.
   const Seating* seating_at(const Catalog& catalog, const CatalogEntry& entry, const std::string& room) const;

@@ -8,6 +8,7 @@
 #include "layoutbox/catalog/dressing.h"
 #include "layoutbox/catalog/groups.h"
 #include "layoutbox/dress/places.h"
+#include "layoutbox/dress/rehang.h"
 #include "layoutbox/scene/shell.h"
 #include "layoutbox/verify/verify.h"
 
@@ -38,6 +39,7 @@ bool is_wanted(const Dresser& dresser, const Dressing& row) {
   const Room& room = dresser.layout().room;
   const CatalogEntry* kind = dresser.catalog().find(row.adds);
   if (kind == nullptr || !is_among(row.rooms, room.type) || m2_of(room) < row.area_m2) return false;
+  if ((!row.said.empty() && !dresser.spoken().says_any(row.said)) || dresser.spoken().says_any(row.unsaid)) return false;
   if (std::ranges::any_of(row.unless, [&](const std::string& id) { return dresser.is_there(id); })) return false;
   if (row.unspoken.empty()) return !dresser.spoken().of(*kind);
   return std::ranges::none_of(row.unspoken, [&](const std::string& id) {
@@ -109,6 +111,22 @@ void mend(Dresser& dresser, const Verdict& before) {
   }
 }
 
+// What hides is hung where it is seen, unless something is worse for it.
+std::size_t show_what_hides(Layout& layout, const Catalog& catalog, const Spoken& spoken) {
+  const auto is_such = [&](const PlacedObject& object) {
+    return std::ranges::any_of(Dressings::builtin().rehung, [&](const std::string& kind) { return catalog.is_a(object.category, kind); });
+  };
+  if (std::ranges::none_of(layout.objects, is_such)) return 0;
+  const std::vector<PlacedObject> as_it_was = layout.objects;
+  const std::size_t moved = rehang(Dresser(layout, catalog, spoken), layout);
+  if (moved == 0) return 0;
+  Layout before = layout;
+  before.objects = as_it_was;
+  if (worse(judge(before, catalog), judge(layout, catalog)).empty()) return moved;
+  layout.objects = as_it_was;
+  return 0;
+}
+
 // The same in the scene: exactly that size, and the place as a hint.
 void add_to_scene(SceneGraph& scene, const Layout& layout, const std::vector<std::string>& added) {
   for (const std::string& id : added) {
@@ -143,7 +161,8 @@ Place find_place(std::string_view name) {
 std::size_t dress(SceneGraph& scene, Layout& layout, const Catalog& catalog, const Spoken& spoken) {
   using namespace dressing;
   const Groups& groups = Groups::builtin();
-  if (catalog.only_articles() || spoken.says_any(groups.none) || spoken.says_any(groups.none_to_fill)) return 0;
+  if (catalog.only_articles() || spoken.wants_no_more(groups) || spoken.says_any(groups.none_to_fill)) return 0;
+  const std::size_t moved = show_what_hides(layout, catalog, spoken);
   Dresser dresser(layout, catalog, spoken);
   std::optional<Verdict> before;
   for (const Dressing& row : Dressings::builtin().rows) {
@@ -153,7 +172,7 @@ std::size_t dress(SceneGraph& scene, Layout& layout, const Catalog& catalog, con
   }
   if (before) mend(dresser, *before);
   add_to_scene(scene, layout, dresser.added());
-  return dresser.added().size();
+  return dresser.added().size() + moved;
 }
 
 }  // namespace layoutbox

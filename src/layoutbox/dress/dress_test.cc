@@ -67,6 +67,19 @@ class DressedRoom {
     return *this;
   }
 
+  // On a wall, its underside at z; `where`: a wall that the text names.
+  DressedRoom& hang(const std::string& kind, double x, double y, double z, double turn, const std::string& wall,
+                    const std::string& where = {}) {
+    put(kind, x, y, turn);
+    PlacedObject& object = layout_.objects.back();
+    object.position[2] = z * 1000, object.supported_by = wall;
+    Relation on;
+    on.id = "on " + object.id, on.type = RelationType::kOnWall, on.targets = {object.id};
+    if (!where.empty()) on.references = {where};
+    layout_.relations.push_back({std::move(on), true});
+    return *this;
+  }
+
   // Dresses it; what must hold for every room is checked here. Returns the kinds that came.
   std::vector<std::string> dress() {
     scene_.room = layout_.room;
@@ -78,11 +91,16 @@ class DressedRoom {
     const std::size_t count = layoutbox::dress(scene_, layout_, catalog(), spoken);
     layoutbox::dress(scene_again, again, catalog(), spoken);
     EXPECT_EQ(write_layout(layout_), write_layout(again)) << "the same bytes each time";
-    EXPECT_EQ(layout_.objects.size(), before.objects.size() + count);
+    const auto hangs_elsewhere = [&](std::size_t i) {
+      return before.objects[i].mount == Mount::kWall && layout_.objects[i].position != before.objects[i].position;
+    };
+    std::size_t moved = 0;
+    for (std::size_t i = 0; i < before.objects.size(); ++i) moved += hangs_elsewhere(i) ? 1 : 0;
+    EXPECT_EQ(layout_.objects.size() + moved, before.objects.size() + count);
     EXPECT_EQ(scene_.objects.size(), layout_.objects.size()) << "the scene has the same";
     for (std::size_t i = 0; i < before.objects.size(); ++i) {
       EXPECT_EQ(layout_.objects[i].id, before.objects[i].id);
-      EXPECT_EQ(layout_.objects[i].position, before.objects[i].position) << "nothing moves";
+      EXPECT_TRUE(hangs_elsewhere(i) || layout_.objects[i].position == before.objects[i].position) << "nothing that stands moves";
     }
     for (const std::string& fault : failed(layout_)) EXPECT_TRUE(faults.contains(fault)) << fault;
     std::vector<std::string> kinds;
@@ -220,6 +238,27 @@ TEST(Dress, SmallThingsStandOnWhatCarriesThem) {
   EXPECT_TRUE(std::ranges::any_of(room.layout().relations, [&](const PlacedRelation& placed) {
     return placed.relation.type == RelationType::kOn && placed.relation.targets[0] == room.of("vase")[0].id && placed.held;
   }));
+}
+
+// A poster that hides behind a wardrobe hangs where it is seen, unless the text says on which wall.
+TEST(Dress, WhatHidesOnAWallIsHungInView) {
+  for (const std::string where : {"", "wall3"}) {
+    DressedRoom room("bedroom", 4, 3.4, "a bedroom with a wardrobe and a poster");
+    room.hang("poster", 2, 3.395, 1.15, 0, "wall3", where).put("wardrobe", 2, 3.1, 0);
+    room.dress();
+    const auto& at = room.of("poster")[0].position;
+    EXPECT_EQ(at[0] == 2000 && at[1] == 3395, !where.empty());
+  }
+}
+
+TEST(Dress, SomeRowsAreForWhatTheTextSays) {
+  const auto mat = [](const std::string& prompt) {
+    DressedRoom room("bathroom", 3, 2.6, prompt);
+    room.put("bathtub", 1.5, 2.2, 0);
+    return room.dress();
+  };
+  EXPECT_THAT(mat("a bathroom with a bathtub"), Contains("bath_mat"));
+  EXPECT_THAT(mat("a bathroom with a bathtub, for my mother who uses a walker"), Not(Contains("bath_mat")));
 }
 
 TEST(Dress, TheDataNamesWhatIsThere) {

@@ -45,9 +45,9 @@ class Dresser {
   // With its back to a wall, from there along it; millimetres from the floor to its underside.
   std::string add_at_wall(const std::string& kind, const std::vector<std::string>& words, const Size& size, const WallFrame& wall,
                           double along, double height);
-  // On top of a thing.
+  // On a thing, so high above its underside.
   std::string add_on(const std::string& kind, const std::vector<std::string>& words, const Size& size, const std::string& host, double x,
-                     double y);
+                     double y, double level);
 
   // Takes things out again, with what stands on them.
   void remove(std::vector<std::string> ids);

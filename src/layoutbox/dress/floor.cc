@@ -8,12 +8,13 @@
 namespace layoutbox::dressing {
 namespace {
 
-constexpr double kOffWall = 40;                    // mm between a plant and its walls
-constexpr double kAbout = 60;                      // … that are free about it
-constexpr double kBesideGap = 60;                  // between a lamp and what it stands beside
-constexpr double kTallBack = 1200;                 // of what is higher the back is an eyesore
-constexpr double kRugOffWall = 150;                // least floor between a rug and a wall
-constexpr double kBeforeFoot = 500, kOfBed = 0.7;  // of a bed's rug: what lies before its foot; its depth as a share of the bed's
+constexpr double kOffWall = 40;                         // mm between a plant and its walls
+constexpr double kAbout = 60;                           // … that are free about it
+constexpr double kBesideGap = 60;                       // between a lamp and what it stands beside
+constexpr double kTallBack = 1200;                      // of what is higher the back is an eyesore
+constexpr double kRugOffWall = 150;                     // least floor between a rug and a wall
+constexpr double kBeforeSeat = 1600, kUnderSeat = 250;  // of a seat's rug: how deep it is, and how much of that is under the seat
+constexpr double kBeforeFoot = 500, kOfBed = 0.7;       // of a bed's rug: what lies before its foot; its depth as a share of the bed's
 
 double distance_to_door(const Dresser& dresser, const std::array<double, 3>& point) {
   double least = 1e9;
@@ -99,7 +100,8 @@ void stand_at_free_wall(Dresser& dresser, const Dressing& row) {
   dresser.add_at_wall(row.adds, row.words, size, *best, on_grid(longest.middle() - size.width / 2.0), 0);
 }
 
-// Under the middle of a table; half under a bed, from its foot on; as large as the thing and the room let it be.
+// Under the middle of a table; half under a bed, from its foot on; before a seat, whose front feet stand on it; as large as the thing and
+// the room let it be.
 void lie_under(Dresser& dresser, const Dressing& row) {
   const CatalogEntry& entry = dresser.catalog().entry_or_nearest(row.adds);
   if (has_soft_floor(dresser.layout())) return;
@@ -108,15 +110,19 @@ void lie_under(Dresser& dresser, const Dressing& row) {
     const PlacedObject thing = dresser.layout().objects[i];
     if (left == 0) return;
     if (!is_square(thing) || thing.mount != Mount::kFloor) continue;
-    const bool bed = dresser.entry_of(thing).is(Trait::kBed);
+    const bool bed = dresser.entry_of(thing).is(Trait::kBed), seat = dresser.is_one_of(thing, {"sofa", "armchair"});
     for (const double scale : {1.0, 0.85, 0.7}) {
       const auto held = [&](double side, Mm least, Mm most) {
         return static_cast<Mm>(on_grid(std::clamp(side * scale, double(least), double(most))));
       };
-      const double depth = bed ? thing.size.depth * kOfBed : thing.size.depth + 2.0 * row.before;
+      const double depth = bed ? thing.size.depth * kOfBed : seat ? kBeforeSeat : thing.size.depth + 2.0 * row.before;
       const Size size{held(thing.size.width + 2.0 * row.before, entry.size.least.width, entry.size.greatest.width),
                       held(depth, entry.size.least.depth, entry.size.greatest.depth), entry.size.usual.height};
-      const auto at = in_room(thing, 0, bed ? -thing.size.depth / 2.0 - kBeforeFoot * scale + size.depth / 2.0 : 0);
+      const double front = -thing.size.depth / 2.0;
+      const auto at = in_room(thing, 0,
+                              bed    ? front - kBeforeFoot * scale + size.depth / 2.0
+                              : seat ? front + kUnderSeat - size.depth / 2.0
+                                     : 0);
       Box box = box_round(flat(at, thing.rotation_deg, size));
       box = {box.x0 - kRugOffWall, box.y0 - kRugOffWall, 0, box.x1 + kRugOffWall, box.y1 + kRugOffWall, 1};
       if (!dresser.room().inside(box)) continue;
@@ -160,7 +166,11 @@ void hang_from_ceiling(Dresser& dresser, const Dressing& row) {
   }
   for (const std::size_t i : dresser.things(row.of)) {
     const PlacedObject below = dresser.layout().objects[i];
-    hang(below.position[0], below.position[1]);
+    const int count = row.stretch == 0 ? 1 : std::clamp(below.size.width / row.stretch, 1, std::max(1, left));
+    for (int k = 0; k < count; ++k) {
+      const auto at = in_room(below, below.size.width * ((k + 0.5) / count - 0.5), 0);
+      hang(at[0], at[1]);
+    }
   }
 }
 

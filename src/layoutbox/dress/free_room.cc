@@ -86,13 +86,15 @@ std::array<double, 3> WallFrame::point(double along, double off, double height) 
   return {start.x + along * along_x - off * along_y, start.y + along * along_y + off * along_x, height};
 }
 
-FreeRoom::FreeRoom(const Layout& layout, const Catalog& catalog) : layout_(&layout) {
+FreeRoom::FreeRoom(const Layout& layout, const Catalog& catalog, std::string_view but) : layout_(&layout) {
   for (const Wall& wall : layout.room.walls) {
     const WallFrame frame = frame_of(wall);
     if (frame.along_x != 0 || frame.along_y != 0) walls_.push_back(frame);
   }
   take_openings();
-  for (const PlacedObject& object : layout.objects) take(object, catalog.entry_or_nearest(object.category));
+  for (const PlacedObject& object : layout.objects) {
+    if (object.id != but) take(object, catalog.entry_or_nearest(object.category));
+  }
 }
 
 void FreeRoom::take_openings() {
@@ -110,7 +112,7 @@ void FreeRoom::take_openings() {
 void FreeRoom::take(const PlacedObject& object, const CatalogEntry& entry) {
   if (entry.thin && object.size.height <= kRug) return;
   const bool stands = object.mount != Mount::kWall && object.mount != Mount::kCeiling;
-  taken_.push_back({box_round(object), stands ? Taken::What::kStands : Taken::What::kHangs});
+  taken_.push_back({box_round(object), stands ? Taken::What::kStands : Taken::What::kHangs, object.id});
 }
 
 const WallFrame* FreeRoom::next(const WallFrame& wall) const {
@@ -152,6 +154,11 @@ bool FreeRoom::inside(const Box& box) const {
 
 bool FreeRoom::is_free(const Box& box, bool window) const {
   const auto in_the_way = [&](const Taken& taken) { return !(window && taken.what == Taken::What::kWindow) && overlap(taken.box, box); };
+  return inside(box) && std::ranges::none_of(taken_, in_the_way);
+}
+
+bool FreeRoom::is_free(const Box& box, const std::vector<std::string>& but) const {
+  const auto in_the_way = [&](const Taken& taken) { return std::ranges::find(but, taken.id) == but.end() && overlap(taken.box, box); };
   return inside(box) && std::ranges::none_of(taken_, in_the_way);
 }
 

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "layoutbox/catalog/catalog.h"
@@ -43,12 +45,14 @@ struct Taken {
   enum class What { kStands, kHangs, kDoorway, kWindow };
   Box box;
   What what = What::kStands;
+  std::string id = {};  // of the thing
 };
 
 class FreeRoom {
  public:
   // REQUIRES: the layout outlives it; its room has walls along its polygon.
-  FreeRoom(const Layout& layout, const Catalog& catalog);
+  // `but`: the id of an object that counts for nothing.
+  FreeRoom(const Layout& layout, const Catalog& catalog, std::string_view but = {});
 
   void take(const PlacedObject& object, const CatalogEntry& entry);
 
@@ -64,6 +68,8 @@ class FreeRoom {
   bool inside(const Box& box) const;
   // On the floor of the room, and nothing there; curtains may hang before windows (`window`).
   bool is_free(const Box& box, bool window = false) const;
+  // The same, but for things that it may be in: what it lies on, chairs that are pushed under that.
+  bool is_free(const Box& box, const std::vector<std::string>& but) const;
   // The parts of a wall that are free so far off it and at these heights, in order; of what is there only what counts.
   enum class Count { kAll, kThings, kStandingAndDoorways };
   std::vector<Span> free_along(const WallFrame& wall, Span off, Span height, Count count = Count::kAll) const;

@@ -14,6 +14,7 @@ constexpr double kAbove = 150;     // between a top and what hangs over it
 constexpr double kOverPicture = 120;
 constexpr double kOfWidth = 0.6;     // a single picture's share of what it hangs over
 constexpr double kOfStretch = 0.38;  // … of its stretch of wall
+constexpr double kBasin = 1000;      // what hangs lower is like what stands
 constexpr double kBetween = 120;     // pictures of a row
 
 Size within(const CatalogEntry& entry, Size size, double scale) {
@@ -61,7 +62,8 @@ void hang_over_things(Dresser& dresser, const Dressing& row) {
   int left = row.most;
   for (const std::size_t i : dresser.things(row.of)) {
     const PlacedObject below = dresser.layout().objects[i];
-    const WallFrame* wall = below.mount == Mount::kFloor ? dresser.room().behind(below, kAtWall) : nullptr;
+    const bool low = below.mount == Mount::kFloor || (below.mount == Mount::kWall && below.position[2] + below.size.height < kBasin);
+    const WallFrame* wall = low ? dresser.room().behind(below, kAtWall) : nullptr;
     if (wall == nullptr || left == 0 || below.size.width < row.stretch) continue;
     Size size = dresser.size_of(row);
     int count = 1;

@@ -45,6 +45,19 @@ struct Style {
   const Json* data = nullptr;
 };
 
+constexpr std::size_t kLongestName = 24;  // characters that tell a thing's name from a style
+
+// "Loft bed": words of a style that are of a thing's name.
+bool names_a_thing(std::string_view text) {
+  std::string lower;
+  for (const char c : text) lower += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return std::ranges::any_of(data().at("no_styles"), [&](const Json& name) {
+    const auto phrase = name.get<std::string>();
+    const bool over = lower.size() <= phrase.size() || std::isalpha(static_cast<unsigned char>(lower[phrase.size()])) == 0;
+    return over && lower.starts_with(phrase);
+  });
+}
+
 // The style that a text names first; without data where it names none.
 Style style_of(std::string_view text) {
   std::string word;
@@ -54,7 +67,7 @@ Style style_of(std::string_view text) {
       word += c;
       continue;
     }
-    if (word.size() > 2) {
+    if (word.size() > 2 && !names_a_thing(text.substr(i - word.size(), kLongestName))) {
       for (const auto& [words, style] : data().at("styles").items()) {
         if (lists(words, word)) return {words.substr(0, words.find(' ')), &style};
       }
@@ -144,6 +157,35 @@ const Json& child_palette(std::string_view prompt) {
   return palettes.at("");
 }
 
+// "A shelf for the toys", "shelves stacked with jars": what the text says that shelves hold, by the word for them.
+std::map<std::string, std::string, std::less<>> shelves_said(std::string_view prompt) {
+  constexpr std::size_t kReach = 5;  // words from the shelf to what it holds
+  const Json& holders = data().at("shelf_holders");
+  const std::string joins = holders.at("joins").get<std::string>(), nouns = holders.at("nouns").get<std::string>();
+  std::map<std::string, std::string, std::less<>> said;
+  for (std::size_t at = 0; at < prompt.size();) {
+    const std::size_t end = std::min(prompt.find_first_of(",.;:!?\n", at), prompt.size());
+    const std::vector<std::string> words = words_of(prompt.substr(at, end - at));
+    for (std::size_t i = 0; i + 1 < words.size(); ++i) {
+      if (!lists(nouns, words[i]) || !lists(joins, words[i + 1])) continue;
+      for (std::size_t k = i + 2; k < std::min(words.size(), i + 2 + kReach); ++k) {
+        std::string contents = value_listed(data().at("shelf_words"), words[k]);
+        if (!contents.empty()) said.emplace(singular_of(words[i]), std::move(contents));
+      }
+    }
+    at = end + 1;
+  }
+  return said;
+}
+
+// A room for children, or a bedroom of one by the words of the text.
+bool is_childs(const std::string& kind, std::string_view prompt) {
+  const Json& children = data().at("child_rooms");
+  if (std::find(children.begin(), children.end(), kind) != children.end()) return true;
+  const std::string whose = data().at("child_words").get<std::string>();
+  return kind == "bedroom" && std::ranges::any_of(words_of(prompt), [&](const std::string& word) { return lists(whose, word); });
+}
+
 // The name of the floor's surface, so that the furniture can differ from it.
 std::string floor_name(const std::string& asked) {
   const SurfaceWish wish = read_wish(asked);
@@ -189,8 +231,7 @@ Decor decor_of(const Layout& layout, std::uint64_t seed) {
   if (room.value("tiled", false)) decor.wall_finish = data().at("tiled_wall").get<std::string>();
   const std::string& floor = layout.room.floor_material.empty() ? decor.floor : layout.room.floor_material;
   decor.woods = woods_on(floor_name(floor), chance >> 16);
-  const Json& children = data().at("child_rooms");
-  if (std::find(children.begin(), children.end(), kind) != children.end()) {
+  if (is_childs(kind, layout.prompt)) {
     take_palette(decor, child_palette(layout.prompt));
     decor.woods = {"birch", "lacquer"};
   } else {
@@ -200,10 +241,16 @@ Decor decor_of(const Layout& layout, std::uint64_t seed) {
   if (style != nullptr && style->contains("walls") && decor.wall_finish.empty())
     decor.wall = color_of(one_of(style->at("walls"), chance >> 8));
   if (style != nullptr && style->contains("wall")) decor.wall_finish = style->at("wall").get<std::string>();
+  decor.shelves_said = shelves_said(layout.prompt);
+  decor.parts = part_looks(layout.prompt);
   if (std::vector<Color> said = room_colors(layout.prompt); !said.empty()) {
     decor.wall = wall_of(said);
+    if (lists(data().at("colored_fronts").get<std::string>(), kind)) decor.parts.emplace("fronts", PartLook{{said.front()}, nullptr});
     decor.accents = std::move(said);
+    decor.colors_said = true;
   }
+  if (const auto accents = decor.parts.find("accents"); accents != decor.parts.end() && !accents->second.colors.empty())
+    decor.accents = accents->second.colors;
   return decor;
 }
 

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "layoutbox/furnish/part_looks.h"
 #include "layoutbox/scene/layout.h"
 
 namespace layoutbox {
@@ -19,7 +21,10 @@ struct Decor {
   std::vector<std::string> woods;   // usual furniture is of the first, some of the others; empty: as each family says
   std::string metal;                // instead of steel; empty: steel
   std::vector<Color> accents;       // of cloth; empty: as of old
-  std::string shelves;              // what stands on a shelf of which nothing was said ("goods", "towels"); empty: books
+  std::map<std::string, std::string, std::less<>> shelves_said;  // contents by the word for what holds them ("shelf": "toys")
+  bool colors_said = false;                                      // the accents are the text's own
+  std::string shelves;  // what stands on a shelf of which nothing was said ("goods", "towels"); empty: books
+  PartLooks parts;      // of parts, as the text says
   // A wood for a thing, where nobody said which: the room's. Stands for oak and walnut only.
   std::string_view wood_for(std::string_view usual, std::uint64_t kind) const;
 };

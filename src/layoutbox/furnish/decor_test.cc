@@ -91,5 +91,38 @@ TEST(Decor, EveryNamedMaterialAndFloorIsKnown) {
   }
 }
 
+Color named(std::string_view words) { return *read_wish(words).color; }
+
+// Parts that are no things of their own look as the text says.
+TEST(Decor, PartsAreOfTheirOwnColoursAndMaterials) {
+  const PartLooks parts = part_looks("A kitchen with sage green shaker cabinets, brass handles and butcher block counters.");
+  EXPECT_EQ(parts.at("fronts").colors, std::vector<Color>{named("sage green")});
+  EXPECT_EQ(parts.at("handles").material->surface.name, "brass");
+  EXPECT_EQ(parts.at("worktops").material->surface.name, "oak");
+  EXPECT_EQ(part_looks("Worktops of marble, fronts: navy.").at("worktops").material->surface.name, "marble");
+  EXPECT_EQ(part_looks("navy and mustard bedding").at("bedding").colors, (std::vector<Color>{named("navy"), named("mustard")}));
+  EXPECT_EQ(part_looks("a dark green kitchen with an island").at("fronts").colors, std::vector<Color>{named("dark green")});
+  EXPECT_TRUE(part_looks("a kitchen with cabinets, a white fridge and a table").empty());
+  EXPECT_EQ(decor_of(room("bedroom", "a bedroom with green and gold touches"), 1).accents,
+            (std::vector<Color>{named("green"), named("gold")}));
+}
+
+TEST(Decor, TheColourOfAKitchenIsThatOfItsFronts) {
+  EXPECT_EQ(decor_of(room("kitchen", "an l-shaped kitchen, colour dark green"), 1).parts.at("fronts").colors.front(), named("dark green"));
+  EXPECT_TRUE(decor_of(room("bedroom", "a bedroom, colours pink and white"), 1).parts.empty());
+}
+
+TEST(Decor, NamesOfThingsAreNoStyles) {
+  EXPECT_TRUE(decor_of(room("bedroom", "a bedroom with a loft bed"), 1).style.empty());
+  EXPECT_EQ(decor_of(room("bedroom", "a loft bedroom with a bed"), 1).style, "industrial");
+}
+
+TEST(Decor, ShelvesHoldWhatTheTextSays) {
+  const auto said = [](const std::string& prompt) { return decor_of(room("bedroom", prompt), 1).shelves_said; };
+  EXPECT_EQ(said("a shelf for my sneakers and a bookcase").at("shelf"), "shoes");
+  EXPECT_EQ(said("shelves stacked with glass jars").at("shelf"), "jars");
+  EXPECT_TRUE(said("a shelf above the toy box").empty());
+}
+
 }  // namespace
 }  // namespace layoutbox

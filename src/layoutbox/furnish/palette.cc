@@ -7,6 +7,7 @@
 #include <cctype>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "layoutbox/embedded/catalog_data.h"
 
@@ -47,6 +48,7 @@ struct Tables {
   std::map<std::string, std::size_t, std::less<>> by_name, by_phrase;
   std::map<std::string, Color, std::less<>> colors;
   std::map<std::string, Modifier, std::less<>> modifiers;
+  std::set<std::string, std::less<>> look_words;
 };
 
 NamedSurface surface_of(const Json& json) {
@@ -82,6 +84,14 @@ Tables read_tables() {
   for (const auto& [word, modifier] : colors.at("modifiers").items()) {
     tables.modifiers.emplace(word, Modifier{color_of(modifier.at("color")), modifier.at("share").get<double>()});
   }
+  const auto note = [&](std::string_view said) {
+    for (std::string& word : words_of(said)) tables.look_words.insert(std::move(word));
+  };
+  for (const auto& [said, index] : tables.by_phrase) {
+    if (tables.surfaces[index].kind != "floor") note(said);
+  }
+  for (const auto& [said, color] : tables.colors) note(said);
+  for (const auto& [word, modifier] : tables.modifiers) note(word);
   return tables;
 }
 
@@ -89,6 +99,8 @@ const Tables& tables() {
   static const Tables all = read_tables();
   return all;
 }
+
+constexpr std::size_t kLongestPhrase = 5;  // words of a material's name
 
 bool brownish(const Color& c) { return c.r > c.g && c.g > c.b && c.r - c.b > 0.12 && c.g - c.b < 0.35 && c.r < 0.85 && c.r - c.g < 0.32; }
 
@@ -118,7 +130,7 @@ SurfaceWish read_wish(std::string_view text, std::span<const std::string> skip) 
       continue;
     }
     std::size_t used = 0;
-    for (std::size_t n = std::min<std::size_t>(4, words.size() - i); n > 0 && used == 0; --n) {
+    for (std::size_t n = std::min(kLongestPhrase, words.size() - i); n > 0 && used == 0; --n) {
       const std::string part = phrase(std::span(words).subspan(i, n));
       // "gold" alone is a colour of cloth and a metal of lamps: it counts as both.
       const auto material = tables().by_phrase.find(part);
@@ -136,6 +148,8 @@ SurfaceWish read_wish(std::string_view text, std::span<const std::string> skip) 
   return wish;
 }
 
+bool is_look_word(std::string_view word) { return tables().look_words.contains(word); }
+
 Color mixed(const Color& a, const Color& b, double t) { return {a.r + (b.r - a.r) * t, a.g + (b.g - a.g) * t, a.b + (b.b - a.b) * t}; }
 
 Surface colored(const NamedSurface& named, const Color& color) {
@@ -146,11 +160,15 @@ Surface colored(const NamedSurface& named, const Color& color) {
   Surface surface = from->surface;
   // What is seen through, gilded or veined keeps its own colour.
   if (!from->tint && from->kind != "wood" && from->kind != "leather" && from->kind != "floor") return surface;
-  surface.base = color;
   const std::string& texture = from->surface.texture;
+  const double dark = std::max({color.r, color.g, color.b}), pale = std::min({color.r, color.g, color.b});
+  const bool checker = texture == "checker";
+  if (checker && (dark < 0.2 || pale > 0.8)) return surface;  // black and white are its own two
+  (checker ? surface.second : surface.base) = color;
   const bool printed = from->kind == "floor" && (texture == "stripes" || texture == "flowers");  // on paper of that colour
-  surface.second =
-      printed ? mixed(color, Color{1, 1, 1}, 0.6) : mixed(color, Color{0, 0, 0}, from->kind == "floor" && texture == "tiles" ? 0.3 : 0.16);
+  if (!checker)
+    surface.second = printed ? mixed(color, Color{1, 1, 1}, 0.6)
+                             : mixed(color, Color{0, 0, 0}, from->kind == "floor" && texture == "tiles" ? 0.3 : 0.16);
   const auto byte = [](double c) { return static_cast<int>(std::clamp(c, 0.0, 1.0) * 255 + 0.5); };
   surface.name = fmt::format("{}_{:02x}{:02x}{:02x}", from->surface.name, byte(color.r), byte(color.g), byte(color.b));
   return surface;

@@ -34,6 +34,9 @@ struct SurfaceWish {
 // Longer phrases win ("black metal" is a material, not a colour and a material); `skip` are words of the thing's own name ("coffee table").
 SurfaceWish read_wish(std::string_view text, std::span<const std::string> skip = {});
 
+// Is it a word of a colour or material, or one that changes a colour ("pale")? Words of floors ("floor", "tiles") are none.
+bool is_look_word(std::string_view word);
+
 // `surface` as its kind shows that colour: fabric dyed, brown wood stained, other wood lacquered, metal painted.
 Surface colored(const NamedSurface& surface, const Color& color);
 Color mixed(const Color& a, const Color& b, double share_of_b);

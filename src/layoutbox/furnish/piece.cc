@@ -66,12 +66,38 @@ Piece::Piece(const PlacedObject& object, const CatalogEntry& entry, std::vector<
   std::vector<std::string> own_name = split(lower_words(object.category));
   for (const std::string& word : split(lower_words(entry.name))) own_name.push_back(word);
   wish_ = read_wish(said_of(object), own_name);
+  take_part_look(entry);
   said_materials_ = wish_.materials.size();
   const SurfaceWish usual = read_wish(usual_look(entry));
   wish_.materials.insert(wish_.materials.end(), usual.materials.begin(), usual.materials.end());
   if (!wish_.color && said_materials_ == 0) wish_.color = usual.color;
   text_ = fmt::format(" {} {} ", lower_words(object.name), lower_words(fmt::format("{}", fmt::join(object.attributes, " "))));
   for (const auto& [key, value] : entry.shape.words) text_ += value + " ";
+}
+
+void Piece::take_part_look(const CatalogEntry& entry) {
+  const auto part = entry.shape.words.find("part");
+  // What is said of the slab ("marble countertops") is not of the fronts below it.
+  const PartLook* slab = part != entry.shape.words.end() && part->second == "fronts" ? part_look("worktops") : nullptr;
+  if (slab != nullptr && slab->material != nullptr && std::ranges::find(wish_.materials, slab->material) != wish_.materials.end())
+    wish_ = {};
+  const PartLook* look = part == entry.shape.words.end() || color_asked() || !wish_.materials.empty() ? nullptr : part_look(part->second);
+  if (look == nullptr) return;
+  if (!look->colors.empty()) wish_.color = look->colors.front();
+  if (look->material != nullptr) wish_.materials.push_back(look->material);
+}
+
+const PartLook* Piece::part_look(std::string_view part) const {
+  const auto found = decor_.parts.find(part);
+  return found == decor_.parts.end() ? nullptr : &found->second;
+}
+
+int Piece::part(std::string_view part, std::string_view usual) {
+  const PartLook* look = part_look(part);
+  if (look == nullptr) return named(usual);
+  const NamedSurface& surface = look->material != nullptr ? *look->material : named_surface(usual);
+  if (look->colors.empty()) return palette_.add(surface.surface);
+  return palette_.add(colored(surface.tint || surface.kind != "stone" ? surface : named_surface("lacquer"), look->colors.front()));
 }
 
 double Piece::number(std::string_view key, double otherwise) const {
@@ -161,6 +187,13 @@ std::string Piece::shelf_contents() const {
   return named.empty() ? decor_.shelves : named;
 }
 
+std::string Piece::said_contents() const {
+  for (const auto& [holder, contents] : decor_.shelves_said) {
+    if (lower_words(object_.name).ends_with(holder)) return contents;
+  }
+  return {};
+}
+
 Color Piece::accent() const {
   static constexpr Color kAccents[] = {{0.36, 0.52, 0.66}, {0.55, 0.63, 0.50}, {0.74, 0.47, 0.36}, {0.80, 0.66, 0.38}, {0.50, 0.53, 0.58},
                                        {0.38, 0.50, 0.48}, {0.72, 0.62, 0.52}, {0.62, 0.40, 0.42}, {0.44, 0.46, 0.60}, {0.78, 0.74, 0.68}};
@@ -172,7 +205,8 @@ Color Piece::accent() const {
 int Piece::main_accent(std::string_view usual) {
   const NamedSurface* fitting = wish_.fitting(named_surface(usual));
   const NamedSurface& chosen = fitting != nullptr ? *fitting : named_surface(usual);
-  const bool own_look = color_asked() || !chosen.tint || chosen.kind == "leather" || (fitting != nullptr && !chosen.soft());
+  const bool own_look =
+      color_asked() || !chosen.tint || chosen.kind == "leather" || chosen.surface.alpha < 1 || (fitting != nullptr && !chosen.soft());
   return own_look ? main(usual) : palette_.add(colored(chosen, accent()));
 }
 

@@ -59,16 +59,23 @@ class Piece {
   int painted_frame(std::string_view usual) { return color_asked() ? main(usual) : frame(usual); }
   int named(std::string_view name) { return palette_.named(name); }
   int tinted(std::string_view name, const Color& color) { return palette_.add(colored(named_surface(name), color)); }
+  // A part as the text has it of such parts in the room ("butcher block counters"), else as is usual.
+  int part(std::string_view part, std::string_view usual);
+  const PartLook* part_look(std::string_view part) const;  // null: nothing was said
   // Whether the object or its room is of that style ("modern", "rustic", …).
   bool is_style(std::string_view style) const;
   // One of `n` ways to draw a kind, by its style and chance: the same for all things of a kind in a room.
   int variant(int n) const;
   // What shelves hold in a room of this kind, or by the piece's own name ("towel shelf"): a word of decor.json; empty where neither says.
   std::string shelf_contents() const;
+  // What the text says that things of its name hold ("a shelf for the toys"); empty where it says nothing.
+  std::string said_contents() const;
   // A colour for what nobody gave a colour; the same for all things of a kind, so that a room looks of a piece.
   Color accent() const;
   // main with that accent where no colour was asked.
   int main_accent(std::string_view usual);
+  // Whether the text says what colours the whole room has.
+  bool colors_said() const { return decor_.colors_said; }
   bool color_asked() const { return wish_.color.has_value() || (own_ != nullptr && own_->color.has_value()); }
 
   void add(int surface, const Mesh& mesh);
@@ -88,6 +95,7 @@ class Piece {
   Node take_node();
 
  private:
+  void take_part_look(const CatalogEntry& entry);
   Surface asked(std::string_view usual, bool with_color) const;
 
   const PlacedObject& object_;

@@ -43,13 +43,26 @@ std::string wall_of(const NamedSurface& named) {
   return name == "stone" || name == "stone_floor" ? "stone_wall" : name;
 }
 
+// Of several materials the one that is a floor's own ("oak herringbone"), laid of the wood that is named with it.
+Surface laid(const SurfaceWish& wish) {
+  const auto wood = std::ranges::find(wish.materials, "wood", [](const NamedSurface* m) -> std::string_view { return m->kind; });
+  const auto floor = std::ranges::find(wish.materials, "floor", [](const NamedSurface* m) -> std::string_view { return m->kind; });
+  const bool both = wood != wish.materials.end() && floor != wish.materials.end() && (*floor)->surface.texture == "parquet";
+  if (!both) return named_surface(floor_of(*wish.materials.front())).surface;
+  Surface surface = (*floor)->surface;
+  const Surface& planks = named_surface(floor_of(**wood)).surface;
+  surface.base = planks.base, surface.second = planks.second;
+  surface.name += "_of_" + (*wood)->surface.name;
+  return surface;
+}
+
 Surface surface_for(const Layout& layout, const std::string& asked, std::string_view usual, bool is_floor) {
   const Material* own = material_of(layout, asked);
   const SurfaceWish wish = read_wish(asked);
   const NamedSurface* named = &named_surface(usual);
   if (!wish.materials.empty()) named = &named_surface(is_floor ? floor_of(*wish.materials.front()) : wall_of(*wish.materials.front()));
   const std::optional<Color> color = own != nullptr && own->color ? own->color : wish.color;
-  Surface surface = color ? colored(*named, *color) : named->surface;
+  Surface surface = color ? colored(*named, *color) : is_floor && !wish.materials.empty() ? laid(wish) : named->surface;
   if (own == nullptr) return surface;
   surface.name = own->id;
   if (own->roughness) surface.roughness = static_cast<float>(*own->roughness);

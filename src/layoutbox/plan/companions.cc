@@ -26,7 +26,7 @@ class Companions {
   }
 
   std::size_t run() {
-    if (named_.empty() || catalog_.only_articles() || spoken_.says_any(groups_.none)) return 0;
+    if (named_.empty() || catalog_.only_articles() || spoken_.wants_no_more(groups_)) return 0;
     const std::size_t before = scene_.objects.size();
     for (const std::size_t i : named_) seat_at(i);
     for (const std::size_t i : named_) carry(i);
@@ -181,7 +181,7 @@ class Companions {
     const auto takes = [&](const SceneObject& object) {
       const CatalogEntry* entry = catalog_.find(object.category);
       return entry != nullptr && catalog_.is_a(object.category, companion.of) &&
-             (kind->mount != Mount::kFloor || (kind->is(Trait::kKitchenRun) && entry->is(Trait::kKitchenRun)) ||
+             (kind->mount != Mount::kFloor || companion.anywhere || (kind->is(Trait::kKitchenRun) && entry->is(Trait::kKitchenRun)) ||
               std::ranges::any_of(entry->beside, [&](const std::string& id) { return akin(id, kind->id); }));
     };
     std::vector<std::string> hosts;

@@ -50,4 +50,8 @@ bool Spoken::says_any(const std::vector<std::string>& phrases) const {
   return std::ranges::any_of(phrases, [&](const std::string& phrase) { return says(said_, phrase); });
 }
 
+bool Spoken::wants_no_more(const Groups& groups) const {
+  return says_any(groups.none) || (says_any(groups.empty) && !says_any(groups.to_furnish));
+}
+
 }  // namespace layoutbox

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "layoutbox/catalog/catalog.h"
+#include "layoutbox/catalog/groups.h"
 #include "layoutbox/scene/scene_graph.h"
 
 namespace layoutbox {
@@ -24,6 +25,8 @@ class Spoken {
   bool names(const CatalogEntry& kind) const;
   // One of the phrases stands in the text, word for word.
   bool says_any(const std::vector<std::string>& phrases) const;
+  // "Nothing else", "an empty room"; but not "an empty room, please furnish".
+  bool wants_no_more(const Groups& groups) const;
 
  private:
   bool excludes(const CatalogEntry& kind) const;

@@ -7,6 +7,15 @@
 namespace layoutbox::kit {
 namespace {
 
+// What the bed is made up with, as the text says, else in a colour of the room.
+int duvet_of(Piece& p) { return p.part_look("bedding") != nullptr ? p.part("bedding", "cotton") : p.main_accent("cotton"); }
+
+// A throw goes with the duvet, or is of the second colour that was said.
+Color throw_color(const Piece& p) {
+  const PartLook* look = p.part_look("bedding");
+  return look != nullptr && look->colors.size() > 1 ? look->colors[1] : mixed(p.accent(), {0.93, 0.89, 0.80}, 0.55);
+}
+
 // Mattress, duvet and pillows in a box whose top is the level on which things may lie.
 void bedding(Piece& p, const Box& b, int pillows, int duvet, int white) {
   const double puff = std::min(0.09, b.size().z * 0.4), sheet = b.max.z - puff, margin = 0.012;
@@ -20,11 +29,12 @@ void bedding(Piece& p, const Box& b, int pillows, int duvet, int white) {
         rounded_box(sides(b.min.x, b.max.x, b.min.y, fold - turned + 0.05, sheet - drop, b.max.z - 0.008), std::min(0.045, puff), 3));
   p.add(white, rounded_box(sides(b.min.x + 0.004, b.max.x - 0.004, fold - turned, fold + 0.02, sheet - drop * 0.7, b.max.z),
                            std::min(0.045, puff), 3));
-  // A throw over the foot end, in a colour that goes with the duvet.
-  if (p.may_show_contents() && length > 1.5 && p.variant(3) != 0) {
-    const Color own = p.accent();
+  // A throw over the foot end.
+  const PartLook* said = p.part_look("bedding");
+  const bool two_colors = said != nullptr && said->colors.size() > 1;
+  if (p.may_show_contents() && length > 1.5 && (two_colors || p.variant(3) != 0)) {
     const double y0 = b.min.y + length * 0.06, y1 = b.min.y + length * 0.24;
-    p.add(p.tinted("wool", mixed(own, {0.93, 0.89, 0.80}, 0.55)),
+    p.add(p.tinted("wool", throw_color(p)),
           rounded_box(sides(b.min.x - 0.004, b.max.x + 0.004, y0, y1, sheet - drop * 0.8, b.max.z - 0.003), std::min(0.045, puff), 3));
   }
   const double room = b.size().x - 0.06, each = std::min(0.75, room / std::max(1, pillows));
@@ -57,7 +67,7 @@ struct Bed {
 Bed bed_of(Piece& p) {
   Bed b{levels(p), p.painted_frame("oak"), p.named("cotton"), 0, 0, 0, 0, 0};
   b.head_surface = is_upholstered(p) ? p.main_accent("linen") : p.painted_frame("walnut");
-  b.duvet = p.main_accent("cotton");
+  b.duvet = duvet_of(p);
   b.under = b.levels.under > 0 ? b.levels.under : std::min(0.14, b.levels.top * 0.3);
   b.head = std::max(0.02, p.d / 2 - b.levels.head);
   b.rail = std::min(0.12, std::max(0.02, (b.levels.top - b.under) * 0.35));
@@ -190,7 +200,7 @@ double corner_room(const Piece& p, double wanted) {
 }
 
 void bunk_bed(Piece& p) {
-  const int wood = p.frame("oak"), white = p.named("cotton"), duvet = p.main_accent("cotton");
+  const int wood = p.frame("oak"), white = p.named("cotton"), duvet = duvet_of(p);
   const double post = corner_room(p, std::min(0.07, p.w * 0.08));
   for (const double x : {-1.0, 1.0}) {
     for (const double y : {-1.0, 1.0}) {

@@ -75,6 +75,102 @@ void towels(Piece& p, const Box& room) {
   }
 }
 
+// Folded clothes in piles, each piece of another colour.
+void clothes(Piece& p, const Box& room) {
+  static constexpr Color kCloth[] = {{0.30, 0.40, 0.54}, {0.90, 0.87, 0.80}, {0.66, 0.32, 0.28}, {0.40, 0.50, 0.42}, {0.26, 0.27, 0.30}};
+  const Vec size = room.size();
+  const int piles = std::max(1, static_cast<int>(size.x / 0.32)), most = std::clamp(static_cast<int>(size.z * 0.8 / 0.045), 1, 6);
+  for (int i = 0; i < piles; ++i) {
+    const double x = room.min.x + size.x * (i + 0.5) / piles, half = std::min(0.13, size.x / piles * 0.44);
+    for (int k = 0, n = std::max(1, most - p.pick(3)); k < n; ++k) {
+      const double z = room.min.z + 0.045 * k;
+      p.add(p.tinted("cotton", kCloth[p.pick(5)]),
+            box(sides(x - half, x + half, room.min.y + 0.015, std::min(room.max.y, room.min.y + 0.3), z, std::min(z + 0.043, room.max.z)),
+                0.012));
+    }
+  }
+}
+
+// Pairs of low shoes, toes to the front.
+void shoe_pairs(Piece& p, const Box& room) {
+  static constexpr Color kUppers[] = {{0.92, 0.92, 0.90}, {0.14, 0.14, 0.16}, {0.76, 0.20, 0.18}, {0.20, 0.36, 0.62}, {0.86, 0.66, 0.22}};
+  const Vec size = room.size();
+  const double length = std::min(0.27, size.y - 0.02), wide = 0.09, tall = std::min(0.11, size.z * 0.8), y0 = room.min.y + 0.01;
+  const int pairs = std::clamp(static_cast<int>(size.x / 0.25), 1, 6), sole = p.tinted("plastic", {0.95, 0.95, 0.94});
+  for (int i = 0; i < pairs; ++i) {
+    const int upper = p.tinted("leather", kUppers[p.pick(5)]);
+    for (const double side : {-1.0, 1.0}) {
+      const double x = room.min.x + size.x * (i + 0.5) / pairs + side * (wide / 2 + 0.006), z = room.min.z, a = x - wide / 2,
+                   b = x + wide / 2;
+      p.add(sole, box(sides(a, b, y0, y0 + length, z, z + 0.024), 0.01));
+      p.add(upper, box(sides(a + 0.004, b - 0.004, y0 + 0.008, y0 + length - 0.004, z + 0.022, z + tall * 0.58), 0.016));
+      p.add(upper, box(sides(a + 0.007, b - 0.007, y0 + length * 0.45, y0 + length - 0.006, z + tall * 0.5, z + tall), 0.012));
+    }
+  }
+}
+
+// Jars with lids, filled with one thing and another.
+void jars(Piece& p, const Box& room) {
+  static constexpr Color kFood[] = {{0.86, 0.72, 0.44}, {0.62, 0.20, 0.16}, {0.42, 0.26, 0.14}, {0.90, 0.86, 0.76}, {0.46, 0.52, 0.24}};
+  const Vec size = room.size();
+  const int lid = p.named("oak");
+  const double r = std::min(0.05, size.y * 0.4), pitch = std::max(2 * r + 0.02, size.x / 9);
+  for (double x = room.min.x + r + 0.015; x < room.max.x - r; x += pitch) {
+    const double tall = std::min(size.z * 0.85, p.random(0.12, 0.24)), y = room.min.y + r + 0.02;
+    p.add(p.tinted("plastic", kFood[p.pick(5)]), cylinder({x, y, room.min.z}, r, tall * 0.86, 12));
+    p.add(lid, cylinder({x, y, room.min.z + tall * 0.86}, r * 0.9, tall * 0.14, 12));
+  }
+}
+
+constexpr Color kPlayThings[] = {{0.84, 0.30, 0.26}, {0.26, 0.50, 0.76}, {0.95, 0.76, 0.28}, {0.36, 0.64, 0.40}, {0.90, 0.55, 0.24}};
+
+// One toy, so wide at most, its middle at the place: a ball, a bear, a tower of blocks, a car, a bin of something.
+void toy(Piece& p, int kind, Vec at, double wide, double tall) {
+  const int paint = p.tinted("plastic", kPlayThings[p.pick(5)]), other = p.tinted("plastic", kPlayThings[p.pick(5)]);
+  const double r = std::min(wide, tall) / 2;
+  if (kind == 0) return p.add(paint, ellipsoid({at.x, at.y, at.z + r}, {r, r, r}, 12, 8));
+  if (kind == 1) {
+    const int fur = p.tinted("fur", {0.66, 0.47, 0.30});
+    p.add(fur, ellipsoid({at.x, at.y, at.z + r * 0.62}, {r * 0.62, r * 0.55, r * 0.62}, 10, 6));
+    p.add(fur, ellipsoid({at.x, at.y, at.z + r * 1.5}, {r * 0.5, r * 0.45, r * 0.45}, 10, 6));
+    for (const double s : {-1.0, 1.0}) {
+      p.add(fur, ellipsoid({at.x + s * r * 0.38, at.y, at.z + r * 1.85}, {r * 0.17, r * 0.12, r * 0.15}, 6, 4));
+      p.add(fur, ellipsoid({at.x + s * r * 0.5, at.y - r * 0.4, at.z + r * 0.2}, {r * 0.2, r * 0.4, r * 0.2}, 8, 4));
+    }
+    return;
+  }
+  if (kind == 2) {
+    const double e = std::min(0.075, tall / 3);
+    for (int k = 0; k < 3; ++k)
+      p.add(p.tinted("plastic", kPlayThings[p.pick(5)]),
+            box(sides(at.x - e / 2, at.x + e / 2, at.y - e / 2, at.y + e / 2, at.z + e * k, at.z + e * (k + 1)), 0.004));
+    return;
+  }
+  if (kind == 3) {
+    const double x = wide * 0.48, y = std::min(0.05, x * 0.5);
+    p.add(paint, box(sides(at.x - x, at.x + x, at.y - y, at.y + y, at.z + 0.02, at.z + 0.07), 0.012));
+    p.add(other, box(sides(at.x - x * 0.5, at.x + x * 0.4, at.y - y * 0.9, at.y + y * 0.9, at.z + 0.068, at.z + 0.11), 0.012));
+    for (const double sx : {-0.6, 0.6})
+      p.add(p.named("black_plastic"),
+            rod({at.x + sx * x, at.y - y - 0.004, at.z + 0.022}, {at.x + sx * x, at.y + y, at.z + 0.022}, 0.022, 8));
+    return;
+  }
+  const double h = std::min(tall, 0.2);
+  p.add(paint, box(sides(at.x - wide * 0.48, at.x + wide * 0.48, at.y - 0.1, at.y + 0.1, at.z, at.z + h), 0.012));
+  p.add(other, box(sides(at.x - wide * 0.5, at.x + wide * 0.5, at.y - 0.105, at.y + 0.105, at.z + h * 0.9, at.z + h), 0.006));
+}
+
+// Toys with gaps between them.
+void toys(Piece& p, const Box& room) {
+  const Vec size = room.size();
+  const double tall = std::min(size.z * 0.88, 0.26), deep = std::min(0.12, size.y / 2);
+  if (deep < 0.108) return books(p, room);
+  const int first = p.pick(5), n = std::clamp(static_cast<int>(size.x / 0.25), 1, 6);
+  for (int i = 0; i < n; ++i)
+    toy(p, (first + i * 2) % 5, {room.min.x + size.x * (i + 0.5) / n, room.min.y + deep + 0.005, room.min.z},
+        std::min(0.22, size.x / n * 0.9), tall);
+}
+
 // Cartons and plastic boxes.
 void boxes(Piece& p, const Box& room) {
   static constexpr Color kBoxes[] = {{0.30, 0.42, 0.55}, {0.80, 0.80, 0.78}, {0.72, 0.30, 0.22}, {0.25, 0.45, 0.36}};
@@ -108,10 +204,10 @@ void binders(Piece& p, const Box& room) {
 }  // namespace
 
 ShelfContents contents_of(const Piece& p) {
-  static const std::map<std::string_view, ShelfContents> kinds = {{"books", books},        {"goods", goods}, {"bottles", bottles},
-                                                                  {"towels", towels},      {"boxes", boxes}, {"binders", binders},
-                                                                  {"wine", lying_bottles}, {"none", nullptr}};
-  const auto found = kinds.find(p.word("contents", p.shelf_contents()));
+  static const std::map<std::string_view, ShelfContents> kinds = {
+      {"books", books},        {"goods", goods},     {"bottles", bottles},  {"towels", towels}, {"boxes", boxes}, {"binders", binders},
+      {"wine", lying_bottles}, {"clothes", clothes}, {"shoes", shoe_pairs}, {"jars", jars},     {"toys", toys},   {"none", nullptr}};
+  const auto found = kinds.find(p.said_contents().empty() ? p.word("contents", p.shelf_contents()) : p.said_contents());
   return found == kinds.end() ? books : found->second;
 }
 

@@ -8,7 +8,7 @@ namespace layoutbox::kit {
 namespace {
 
 void counter(Piece& p) {
-  const int body = p.main("lacquer"), top = p.named(p.says("marble") ? "marble" : p.says("wood") || p.says("wooden") ? "oak" : "granite");
+  const int body = p.main("lacquer"), top = worktop(p);
   const double slab_thick = std::min(0.04, p.h * 0.08), foot = std::min(0.08, p.h * 0.1);
   p.add(top, box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, p.h - slab_thick, p.h), 0.005));
   const double under = p.clear_below(0);
@@ -26,7 +26,7 @@ void counter(Piece& p) {
     return;
   }
   p.add(p.named("black_plastic"), box(sides(-p.w / 2 + 0.02, p.w / 2 - 0.02, front + 0.04, back - 0.01, 0, foot), 0));
-  Carcass c{sides(-p.w / 2 + 0.004, p.w / 2 - 0.004, front - 0.016, back, foot, p.h - slab_thick), body, body, p.named("steel")};
+  Carcass c{sides(-p.w / 2 + 0.004, p.w / 2 - 0.004, front - 0.016, back, foot, p.h - slab_thick), body, body, p.part("handles", "steel")};
   c.drawers = p.count("drawers", 0);
   c.doors = p.count("doors", 0);
   carcass(p, c);
@@ -215,7 +215,7 @@ Sink sink_of(Piece& p) {
 // A steel bowl in a worktop of another stuff, from x0 to x1: a sheet lies on it round the bowl, beside it the grooves of the drainer.
 void steel_bowl(Piece& p, const Sink& s, const Box& in, double x0, double x1, double wall) {
   const double y = p.d / 2;
-  const int top = p.named(p.says("marble") ? "marble" : p.says("wood") || p.says("wooden") ? "oak" : "granite");
+  const int top = worktop(p);
   basin(p, top, {{in.min.x, in.min.y, s.rim - 0.038}, in.max}, sides(x0, x1, -y, y, 0, 0), s.rim - 0.002, 0.036, wall, false);
   basin(p, s.surface, in,
         sides(std::max(x0, in.min.x - 0.025), std::min(x1, in.max.x + 0.025), in.min.y - 0.025, std::min(y, in.max.y + 0.08), 0, 0), s.rim,
@@ -257,7 +257,7 @@ void sink_cabinet(Piece& p, const Sink& sink) {
   f.out = 0.022;
   f.doors = true;
   f.columns = std::max(1, static_cast<int>(std::lround(p.w / 0.45)));
-  fronts(p, wood, p.named("steel"), f);
+  fronts(p, wood, p.part("handles", "steel"), f);
 }
 
 void sink(Piece& p) {

@@ -132,17 +132,18 @@ void table_lamp(Piece& p) {
   p.light({0, 0, p.h - tall * 0.5}, 10, 0.05);
 }
 
-// Bulbs on a cord that sags between its ends.
+// Bulbs on a cord that sags between hooks, more than a metre apart.
 void string_light(Piece& p) {
-  const int cord = p.named("black_plastic"), glow = p.named("bulb");
-  const int n = std::max(5, static_cast<int>(p.w / 0.18)) | 1;
+  const int cord = p.main("black_plastic"), glow = p.named("bulb");
+  const int sags = std::max(1, static_cast<int>(std::lround(p.w / 1.1))), each = std::max(6, static_cast<int>(p.w / sags / 0.13)),
+            n = sags * each;
   std::vector<Vec> line;
   for (int i = 0; i <= n; ++i) {
-    const double t = 2.0 * i / n - 1;
-    line.push_back({t * p.w / 2, 0, p.h * (0.45 + 0.55 * t * t)});
+    const double t = 2.0 * (i % each) / each - 1;
+    line.push_back({p.w * (static_cast<double>(i) / n - 0.5), 0, p.h * (0.3 + 0.7 * t * t)});
   }
   p.add(cord, tube(line, 0.004, 5));
-  for (int i = 1; i < n; ++i) p.add(glow, ellipsoid(line[static_cast<std::size_t>(i)] - Vec{0, 0, p.h * 0.2}, {0.02, 0.02, 0.03}, 8, 6));
+  for (int i = 1; i < n; ++i) p.add(glow, ellipsoid(line[static_cast<std::size_t>(i)] - Vec{0, 0, p.h * 0.2}, {0.026, 0.026, 0.034}, 8, 6));
   p.light({0, 0, p.h * 0.1}, 10, 0.2);
   p.fit();
 }

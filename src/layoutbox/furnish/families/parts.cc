@@ -174,6 +174,12 @@ void close_front(Piece& p, const Carcass& c, const Cell& cell, double front, dou
 
 }  // namespace
 
+int worktop(Piece& p) {
+  if (p.says("marble")) return p.named("marble");
+  if (p.says("wood") || p.says("wooden") || p.says("oak")) return p.named("oak");
+  return p.part("worktops", "granite");
+}
+
 void carcass(Piece& p, const Carcass& c) {
   std::vector<Box> open;
   std::vector<Cell> behind_doors;

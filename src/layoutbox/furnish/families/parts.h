@@ -29,6 +29,9 @@ struct Fronts {
 };
 void fronts(Piece& p, int surface, int handle_surface, const Fronts& f);
 
+// The slab on top of kitchen units: by the words of the piece, else as the text has the worktops, else granite.
+int worktop(Piece& p);
+
 // A cabinet in that box: boards round every space in it, fronts where it is closed (one column of doors per `door_width`, or drawers).
 struct Carcass {
   Box box;

@@ -13,7 +13,7 @@ struct Style {
   double feet;
   int drawers;
   int doors;
-  std::string_view top = "";  // another surface for the board on top; empty: as the body
+  bool worktop = false;  // the board on top is one
 };
 
 void cabinet_of(Piece& p, const Style& style) {
@@ -30,14 +30,14 @@ void cabinet_of(Piece& p, const Style& style) {
   } else if (feet > 0) {
     p.add(body, box(sides(-p.w / 2 + 0.02, p.w / 2 - 0.02, -p.d / 2 + 0.05, p.d / 2, 0, feet), 0.003));
   }
-  Carcass c{sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, feet, p.h), body, front, p.named(style.handles)};
+  Carcass c{sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, feet, p.h), body, front, p.part("handles", style.handles)};
   c.drawers = p.count("drawers", style.drawers);
   c.doors = p.count("doors", style.doors);
   const bool has_spaces = std::any_of(p.spaces.begin(), p.spaces.end(), [&](const FreeSpace& s) { return s.box.max.z > feet + 0.01; });
   const double board = std::min(0.025, (p.h - feet) * 0.2);
   if (!has_spaces) {
     // A top board that stands over the fronts.
-    const int top = style.top.empty() ? body : p.named(p.says("marble") ? "marble" : style.top);
+    const int top = style.worktop ? worktop(p) : body;
     p.add(top, box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, p.h - board, p.h), 0.004));
     c.box.max.z -= board;
     c.box.min.x += 0.004;
@@ -50,14 +50,14 @@ void nightstand(Piece& p) { cabinet_of(p, {"oak", "oak", "brass", 0.1, p.count("
 void chest(Piece& p) { cabinet_of(p, {"oak", "oak", "brass", 0.08, p.h > 1.1 ? 5 : p.h > 0.7 ? 4 : 3, 0}); }
 void cabinet(Piece& p) { cabinet_of(p, {"oak", "oak", "black_metal", p.h > 1.4 ? 0.06 : 0.12, 0, 0}); }
 void wardrobe(Piece& p) { cabinet_of(p, {"oak", "lacquer", "steel", 0.06, 0, std::max(2, static_cast<int>(std::lround(p.w / 0.5)))}); }
-void kitchen_unit(Piece& p) { cabinet_of(p, {"lacquer", "lacquer", "steel", 0.03, 0, 0, "granite"}); }
+void kitchen_unit(Piece& p) { cabinet_of(p, {"lacquer", "lacquer", "steel", 0.03, 0, 0, true}); }
 
-// What a shelf shows where it holds nothing of the layout. Other shelves than those for books and goods are left as they are once something
-// was asked for on them: it would not be seen among what nobody asked for.
+// What a shelf shows where it holds nothing of the layout. Shelves other than those for books are left as they are once something
+// was asked for on them, unless the text says what they are full of: it would not be seen among what nobody asked for.
 void shelf_contents(Piece& p) {
   const ShelfContents contents = contents_of(p);
   const bool holds = std::ranges::any_of(p.spaces, &FreeSpace::held);
-  if (!p.may_show_contents() || contents == nullptr || (holds && p.word("contents", "") != "books")) return;
+  if (!p.may_show_contents() || contents == nullptr || (holds && p.word("contents", "") != "books" && p.said_contents().empty())) return;
   for (const FreeSpace& s : p.spaces) {
     if (!s.carries || s.held || s.box.size().z <= 0.15 || s.box.max.z >= p.h - 0.005) continue;
     contents(p, s.box);

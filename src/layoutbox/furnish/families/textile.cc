@@ -120,10 +120,10 @@ void rug(Piece& p) {
   const bool oval = p.says("oval") || p.word("top", "rect") == "oval";
   if (kind == "pattern" && !round && !oval) return persian_rug(p);
   if ((kind == "hide" || long_haired) && !round && !oval) return fur_rug(p);
-  const int base = p.main("wool");
+  const int base = p.colors_said() ? p.main_accent("wool") : p.main("wool");
   if (kind == "plain" || p.says("plain")) return p.add(base, box(p.body(), std::min(0.006, p.h * 0.4)));
   const Color accent = p.accent();
-  const int stripe = p.tinted("wool", p.color_asked() ? Color{0.92, 0.89, 0.82} : accent);
+  const int stripe = p.tinted("wool", p.color_asked() || p.colors_said() ? Color{0.92, 0.89, 0.82} : accent);
   const double low = p.h * 0.8;
   if (round || oval) return round_rug(p, base, stripe);
   p.add(base, box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, 0, low), 0.003));

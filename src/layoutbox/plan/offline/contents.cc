@@ -157,8 +157,10 @@ void RelationBuilder::add_content(const Link& link, const Mention& target, const
   const bool inside = (holds_inside(host) && !looked_at) || (says_inside(link) && has_inside(host));
   if (carried && !(mount == Mount::kWall && !link.holding)) return each(inside ? R::kIn : R::kOn);
   if (mount == Mount::kWall || mount == Mount::kCeiling) {
-    // A curtain round a bed hangs beside it.
-    const bool beside = mount == Mount::kCeiling && thing.entry != nullptr && thing.entry->is(Trait::kCurtain);
+    // A curtain round a bed hangs beside it, and so does a rail that one holds on to.
+    const auto is_host = [&](const std::string& kind) { return host.entry != nullptr && catalog_.is_a(host.entry->id, kind); };
+    const bool beside = thing.entry != nullptr &&
+                        (mount == Mount::kCeiling ? thing.entry->is(Trait::kCurtain) : std::ranges::any_of(thing.entry->beside, is_host));
     if (!link.after_comma && mount_of(host) == Mount::kFloor) each(beside ? R::kNextTo : R::kAbove);
     return;
   }

@@ -113,7 +113,7 @@ void settle_filling_counts(const Lexicon& lexicon, Document& document) {
 }
 
 void settle_forward_names(Document& document) {
-  constexpr std::size_t kReach = 60;  // chunks that are looked at
+  constexpr std::size_t kAhead = 60;  // chunks that are looked at
   std::vector<Chunk>& chunks = document.chunks;
   const auto is_called = [&](std::size_t c, const NounPhrase& noun) { return is_thing(chunks[c]) && chunks[c].noun.head == noun.head; };
   for (std::size_t k = 1; k < chunks.size() && !is_set(document.stop); ++k) {
@@ -124,8 +124,8 @@ void settle_forward_names(Document& document) {
     std::size_t before = 0;
     while (before < k && !is_called(before, known)) ++before;
     std::size_t later = k + 1;
-    while (later < std::min(chunks.size(), k + kReach) && !is_called(later, known)) ++later;
-    if (before < k || later >= std::min(chunks.size(), k + kReach)) continue;
+    while (later < std::min(chunks.size(), k + kAhead) && !is_called(later, known)) ++later;
+    if (before < k || later >= std::min(chunks.size(), k + kAhead)) continue;
     NounPhrase& named = chunks[later].noun;
     const bool brings = named.determiner == Determiner::kNone || named.determiner == Determiner::kIndefinite;
     if (!brings || named.is_plural() || named.count > 1 || later < 2 || chunks[later - 1].kind == ChunkKind::kRelation) continue;

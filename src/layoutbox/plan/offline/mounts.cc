@@ -71,6 +71,19 @@ void RelationBuilder::specialise(SceneObject& object, const NounPhrase& noun, st
   }
 }
 
+// "A TV on a stand": of the kinds that such a thing usually stands on, the one of that last word.
+void RelationBuilder::settle_stands() {
+  for (const Relation& on : scene_.relations) {
+    if (on.type != R::kOn || on.targets.size() != 1 || on.references.size() != 1 || object_of(on.references[0]) == nullptr) continue;
+    const CatalogEntry* guest = noun_of_object(*object_of(on.targets[0])).entry;
+    const auto host = std::ranges::find(scene_.objects, on.references[0], &SceneObject::id);
+    if (guest == nullptr || host == scene_.objects.end() || host->category != noun_of_object(*host).head) continue;
+    const auto usual =
+        std::ranges::find_if(guest->stands_on, [&](const std::string& kind) { return kind.ends_with("_" + host->category); });
+    if (usual != guest->stands_on.end() && catalog_.find(*usual) != nullptr) host->category = *usual;
+  }
+}
+
 void RelationBuilder::settle_on_wall(SceneObject& object, const NounPhrase& noun) {
   object.mount = Mount::kWall;
   const CatalogEntry* on_wall = wall_kind(noun);
@@ -126,9 +139,9 @@ void RelationBuilder::settle_mount(std::size_t index) {
   const Held held = how_held(object, noun);
   // "a bench with a lamp above it": a lamp for tables stands on nothing there.
   const bool over = held.above && !held.supported && !held.wall && mount_of(noun) == Mount::kSurface && is_lamp(catalog_, noun);
-  // "a bed with fairy lights above it": at the wall behind it, not in mid-air.
+  // "a bedroom with fairy lights", "… above the bed": at a wall, not in mid-air.
   const bool festoon = noun.entry != nullptr && noun.entry->mount == Mount::kCeiling && noun.entry->is(Trait::kElseOnWall);
-  if (festoon && held.above && !held.ceiling && !over_table(object.id)) {
+  if (festoon && !held.ceiling && !over_table(object.id)) {
     object.mount = Mount::kWall;
     return;
   }

@@ -134,6 +134,7 @@ void RelationBuilder::run() {
   keep_zones();
   carry_support();
   for (std::size_t i = 0; i < scene_.objects.size(); ++i) settle_mount(i);
+  settle_stands();
   add_habits();
   note_contradictions();
   drop_implied_support();

@@ -111,7 +111,7 @@ void read_room_colors(const Lexicon& lexicon, Document& document, Room& room) {
   for (const Chunk& chunk : document.chunks) {
     if (chunk.kind != ChunkKind::kNoun) continue;
     const std::size_t at = chunk.last;
-    if (chunk.noun.kind == NounKind::kRoom && at + 1 < tokens.size() && tokens[at].text == "in") {
+    if (chunk.noun.kind == NounKind::kRoom && at + 1 < tokens.size() && is_one_of(tokens[at], {"in", "painted"})) {
       const Scheme scheme = scheme_at(lexicon, tokens, at + 1);
       const std::size_t end = at + 1 + scheme.length;
       const bool over = ends(tokens, end) || tokens[end - 1].text == "," || is_one_of(tokens[end], {"with", "for"});

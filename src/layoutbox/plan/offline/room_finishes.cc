@@ -85,6 +85,7 @@ class FinishReader {
   std::size_t take(std::size_t at, const Finish& finish) {
     std::size_t first = at;
     while (first > 0 && describes_finish(lexicon_, document_.tokens[first - 1]) && !document_.tokens[first - 1].ends_sentence) --first;
+    if (first == at && is_finish_word(document_, at, "described")) return 0;  // "a tin of paint" is on no wall, "dark green paint" is
     // "six tatami mats", "the tiles of the table": things, or parts of one
     if (first > 0 && (document_.tokens[first - 1].kind == Token::Kind::kNumber || lexicon_.is(document_.tokens[first - 1], Class::kNumber)))
       return 0;

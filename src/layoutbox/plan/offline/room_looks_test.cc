@@ -90,6 +90,12 @@ TEST(RoomLooks, FinishesOfWallsAndFloors) {
       {"A tea room with tatami floor.", "floor: tatami floor"},
       {"Six tatami mats in a dojo.", ""},
       {"A kids room. The back wall is blue.", "back: blue"},
+      {"A dining room with soft yellow walls and a table.", "walls: soft yellow"},
+      {"A nursery with pale blue walls.", "walls: pale blue"},
+      {"A coffee shop with a counter. Brick wall, dark green paint.", "back: brick; walls: dark green paint"},
+      {"An office with a desk. Navy paint on the walls.", "walls: navy paint"},
+      {"A living room painted dark green with a sofa.", "walls: dark green"},
+      {"A workshop with a shelf and a tin of paint.", ""},
       {"A living room, one wall is exposed brick, a sofa.", "back: exposed brick"},
   };
   for (const auto& [text, finishes] : cases) EXPECT_EQ(finishes_of(room_said(text)), finishes) << text;

@@ -328,12 +328,28 @@ std::string wall_of_thing(const Document& document, int mention) {
   return {};
 }
 
+bool is_shade(const std::string& word) {
+  for (const WordList::Member shade : word_list("words_room").at("shades")) {
+    if (shade.value.text() == word) return true;
+  }
+  return false;
+}
+
 // The materials and colours that a wall or a floor is said to have: "dark green", "exposed brick", "stone" of "a stone floor".
 std::string finish_of(const Lexicon& lexicon, const Document& document, const NounPhrase& noun) {
   std::string material;
   const auto add = [&](const std::string& words) { material += (material.empty() ? "" : " ") + words; };
+  // "soft yellow": what changes the colour goes with it.
+  const auto add_shade = [&] {
+    for (std::size_t i = noun.first; i + 1 < noun.last && i + 1 < document.tokens.size(); ++i) {
+      const std::string& word = document.tokens[i].text;
+      if (is_shade(word) && lexicon.find(document.tokens, i, Class::kColor).length == 0) return add(word);
+    }
+  };
   for (std::size_t a = 0; a < noun.attributes.size() && a < noun.attribute_classes.size(); ++a) {
-    if (noun.attribute_classes[a] == Class::kColor || noun.attribute_classes[a] == Class::kMaterial) add(noun.attributes[a]);
+    const bool color = noun.attribute_classes[a] == Class::kColor;
+    if (color && material.empty()) add_shade();
+    if (color || noun.attribute_classes[a] == Class::kMaterial) add(noun.attributes[a]);
   }
   for (std::size_t i = noun.first; material.empty() && i < noun.last && i < document.tokens.size(); ++i) {
     const Match color = lexicon.find(document.tokens, i, Class::kColor), stuff = lexicon.find(document.tokens, i, Class::kMaterial);
@@ -349,7 +365,19 @@ std::string finish_of(const Lexicon& lexicon, const Document& document, const No
   return material;
 }
 
+// "Brick wall, dark green paint": of two that are said of no wall the one that is said of one wall is on the back wall.
+void set_walls(Room& room, const std::string& material, bool all, bool& all_before) {
+  if (!room.wall_material.empty() && room.wall_material != material && all != all_before) {
+    room.wall_looks.emplace_back("back", all ? room.wall_material : material);
+    if (all) room.wall_material = material;
+  } else {
+    room.wall_material = material;
+  }
+  all_before = all_before || all;
+}
+
 void set_surfaces(const Lexicon& lexicon, const Document& document, Room& room) {
+  bool all_walls = false;
   for (std::size_t m = 0; m < document.mentions.size(); ++m) {
     const NounPhrase& noun = document.mentions[m].noun;
     if (noun.kind != NounKind::kFloor && noun.kind != NounKind::kWall) continue;
@@ -360,7 +388,7 @@ void set_surfaces(const Lexicon& lexicon, const Document& document, Room& room) 
     else if (const std::string wall = single_wall(document, static_cast<int>(m), room); !wall.empty())
       room.wall_looks.emplace_back(wall, material);
     else if (noun.wall_relation.empty())
-      room.wall_material = material;
+      set_walls(room, material, noun.plural, all_walls);
   }
 }
 
