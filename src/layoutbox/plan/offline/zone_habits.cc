@@ -46,6 +46,15 @@ void RelationBuilder::keep_zones() {
   }
 }
 
+// What looks at the heart of a group, is looked at from there, or lies under it stands as such things do.
+bool RelationBuilder::has_usual_place(const CatalogEntry& entry, const CatalogEntry& heart) const {
+  const auto sees = [&](const CatalogEntry& one, const CatalogEntry& other) {
+    return std::ranges::any_of(one.faces, [&](const std::string& kind) { return catalog_.is_a(other.id, kind); });
+  };
+  const bool over_rug = heart.is(Trait::kTable) || heart.is(Trait::kCenterPiece) || heart.is(Trait::kBed);
+  return (entry.thin && over_rug) || sees(heart, entry) || (!heart.is(Trait::kCoffeeTable) && sees(entry, heart));
+}
+
 // By the heart of the zone, unless words put it by something else there; the corner of the room is that one's.
 void RelationBuilder::keep_in_zone(const Zone& zone, int item, int heart) {
   const CatalogEntry* entry = noun_of_item(item).entry;
@@ -72,7 +81,7 @@ void RelationBuilder::keep_in_zone(const Zone& zone, int item, int heart) {
                           const CatalogEntry* table = noun_of_item(member).entry;
                           return table != nullptr && !table->is(Trait::kCoffeeTable) && is_table(catalog_, noun_of_item(member));
                         });
-  if (loose || at_table) return;
+  if (loose || at_table || has_usual_place(*entry, *noun_of_item(heart).entry)) return;
   of_target_[id(item)].push_back(scene_.relations.size());
   add_habit(lies ? R::kOn : R::kNextTo, {id(item)}, {id(heart)}, kTogether, "what belongs to one corner stands together");
   scene_.relations.back().hard = lies && entry->mount == Mount::kSurface;

@@ -100,6 +100,8 @@ class ZoneReader {
         case ChunkKind::kWithout: return;
         case ChunkKind::kComma:
           if (says(at, {")"}) || (last && !all)) return;
+          // "a waiting corner with two chairs, three mirrors with seats in front": another item of the room's list
+          if (!all && !zone.items.empty() && is(at + 1, ChunkKind::kNoun) && is(at + 2, ChunkKind::kHave)) return;
           break;
         case ChunkKind::kAnd: last = true; break;
         case ChunkKind::kRelation:  // what it is by is no part of it
