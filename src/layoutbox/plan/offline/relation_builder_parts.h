@@ -127,6 +127,7 @@ class RelationBuilder {
   static constexpr int kTogether = 100;
   int heart_of(const Zone& zone) const;
   void keep_zones();
+  void seat_in_zone(const Zone& zone);
   bool has_usual_place(const CatalogEntry& entry, const CatalogEntry& heart) const;
   void keep_in_zone(const Zone& zone, int item, int heart);
   // "an open bookshelf as a divider" (dividers.cc)
