@@ -130,6 +130,8 @@ class RelationBuilder {
   static constexpr int kTogether = 100;
   int heart_of(const Zone& zone) const;
   void keep_zones();
+  void seat_in_zone(const Zone& zone);
+  bool has_usual_place(const CatalogEntry& entry, const CatalogEntry& heart) const;
   void keep_in_zone(const Zone& zone, int item, int heart);
   // "an open bookshelf as a divider" (dividers.cc)
   bool may_divide(int item) const;
@@ -144,6 +146,7 @@ class RelationBuilder {
   void add_habit(RelationType type, std::vector<std::string> targets, std::vector<std::string> references, int weight, std::string why);
   void lay_beds_along();
   void make_islands();
+  void seat_those_who_wait();
   void face_as_group();
   void face_as_crowd();
   bool sits_at(const std::string& seat) const;

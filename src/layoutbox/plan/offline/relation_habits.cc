@@ -1,6 +1,7 @@
 // What a reader takes for granted; soft, and marked as ours.
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/knowledge.h"
@@ -165,6 +166,21 @@ void RelationBuilder::lay_beds_along() {
   }
 }
 
+// Where people wait the chairs of which nothing is said stand along the walls, more than sit at a table there.
+void RelationBuilder::seat_those_who_wait() {
+  constexpr std::size_t kMany = 5;
+  if (!one_of(scene_.room.type, {"waiting_room", "reception", "lobby", "clinic"})) return;
+  std::map<std::string, std::vector<std::string>> chairs;  // by kind
+  for (const SceneObject& object : scene_.objects) {
+    const CatalogEntry* entry = catalog_.find(object.category);
+    if (entry != nullptr && entry->is(Trait::kTableSeat) && relations_of(object.id).empty()) chairs[entry->id].push_back(object.id);
+  }
+  for (const auto& [kind, alike] : chairs) {
+    if (alike.size() < kMany) continue;
+    for (const std::string& chair : alike) add_habit(R::kAgainstWall, {chair}, {}, 100, "who waits sits along the walls");
+  }
+}
+
 // "two rows of four desks back to back": an island of two rows, which is how such desks stand anyhow.
 void RelationBuilder::make_islands() {
   const auto backs = [](const Relation& r) { return r.why.find("back to back") != std::string::npos; };
@@ -185,6 +201,7 @@ void RelationBuilder::add_habits() {
   face_as_group();
   face_as_crowd();
   lay_beds_along();
+  seat_those_who_wait();
   const std::size_t said = scene_.relations.size();
   for (std::size_t r = 0; r < said; ++r) {
     const Relation relation = scene_.relations[r];

@@ -45,6 +45,24 @@ TEST(RoomLooks, WordsOfDoorsAndWindows) {
   for (const auto& [text, openings] : cases) EXPECT_EQ(openings_of(room_said(text)), openings) << text;
 }
 
+TEST(RoomLooks, OpeningsAreInTheWallThatIsMeant) {
+  const auto walls_of = [](const Room& room) {
+    std::string all;
+    for (const Opening& opening : room.openings) all += (all.empty() ? "" : ", ") + std::string(name_of(opening.type)) + " " + opening.wall;
+    return all;
+  };
+  const std::pair<const char*, const char*> cases[] = {
+      {"A bedroom with a door in the left wall and a window in the opposite wall.", "door left, window right"},
+      {"Bedroom 3.4 by 4.1 metres, door in the corner of the short wall, window on the opposite wall.", "door front, window back"},
+      {"A corridor 1.3 x 5 m with doors at both ends, no windows.", "door back, door front"},
+      {"An office with windows on two sides, door in the front wall.", "door front, window back, window left"},
+      {"The room is 5 x 4 m, no windows. The door is on the north wall near the east corner.", "door back"},
+  };
+  for (const auto& [text, walls] : cases) EXPECT_EQ(walls_of(room_said(text)), walls) << text;
+  const Room room = room_said("The room is 5 x 4 m. The door is on the north wall near the east corner.");
+  EXPECT_EQ(room.openings.front().offset, 100);
+}
+
 TEST(RoomLooks, ADoorToTheOutsideIsNoEntrance) {
   const Room room = room_said("A bedroom with a balcony door.");
   ASSERT_EQ(room.openings.size(), 3u);

@@ -16,7 +16,7 @@ class ZoneReader {
   void run() {
     const std::size_t said = document_.chunks.size();
     for (std::size_t c = 0; c < said; ++c) {
-      if (is_named(c)) read(c);
+      if (is_named(c) || is_corner_of_thing(c)) read(c);
     }
   }
 
@@ -25,6 +25,12 @@ class ZoneReader {
   const NounPhrase& noun(std::size_t c) const { return document_.chunks[c].noun; }
   bool says(std::size_t c, std::initializer_list<std::string_view> words) const {
     return c < document_.chunks.size() && says_one_of(document_, document_.chunks[c].first, words);
+  }
+
+  // "a carpet corner with cushions": the carpet, and what is there with it.
+  bool is_corner_of_thing(std::size_t c) const {
+    if (!is(c, ChunkKind::kNoun) || noun(c).kind != NounKind::kObject || noun(c).last < noun(c).first + 2) return false;
+    return says_one_of(document_, noun(c).last - 1, {"corner", "nook"});
   }
 
   // A part of the room that has a name of its own: no plain corner, and not the room itself.
@@ -63,7 +69,8 @@ class ZoneReader {
 
   void read(std::size_t c) {
     Zone zone;
-    zone.corner = one_of(noun(c).head, {"corner", "nook"});
+    zone.corner = one_of(noun(c).head, {"corner", "nook"}) || is_corner_of_thing(c);
+    if (is_corner_of_thing(c)) add_items(zone, noun(c));
     zone.first = noun(c).first;
     zone.last = noun(c).last;
     std::size_t at = c + 1;
@@ -100,6 +107,8 @@ class ZoneReader {
         case ChunkKind::kWithout: return;
         case ChunkKind::kComma:
           if (says(at, {")"}) || (last && !all)) return;
+          // "a waiting corner with two chairs, three mirrors with seats in front": another item of the room's list
+          if (!all && !zone.items.empty() && is(at + 1, ChunkKind::kNoun) && is(at + 2, ChunkKind::kHave)) return;
           break;
         case ChunkKind::kAnd: last = true; break;
         case ChunkKind::kRelation:  // what it is by is no part of it

@@ -37,6 +37,7 @@ void Habits::stand(int index) {
   keep_off_play(index);
   keep_off_sofas(index);
   keep_hall_free(index);
+  keep_off_sitters_rug(index);
   stand_across(index);
   share_wall_out(index);
   lie_alike(index);

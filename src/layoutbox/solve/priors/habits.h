@@ -152,6 +152,7 @@ class Habits {
   bool is_dined_at(int item) const;
   void keep_off_sofas(int item);
   void keep_hall_free(int item);
+  void keep_off_sitters_rug(int item);
   const Relation* divided_by(int item) const;
   void stand_across(int item);
   bool sit_by_fire(int item);

@@ -97,6 +97,29 @@ bool Habits::sit_by_fire(int item) {
   return true;
 }
 
+// The rug that others sit on, on beanbags and cushions, is theirs: no table stands on it.
+void Habits::keep_off_sitters_rug(int item) {
+  constexpr int kOff = 400;  // points a metre
+  const Item& self = model_.items[item];
+  if (!self.is(Trait::kTable)) return;
+  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+    const int rug = static_cast<int>(i);
+    if (!model_.items[i].thin || model_.items[i].mount != Mount::kFloor || related(item, rug)) continue;
+    const bool sat_on = std::ranges::any_of(model_.scene->relations, [&](const Relation& r) {
+      const int sitter = r.type == RelationType::kOn && r.references == std::vector<std::string>{model_.items[i].id} && !r.targets.empty()
+                             ? model_.find_item(r.targets[0])
+                             : -1;
+      return sitter >= 0 && !model_.items[sitter].is(Trait::kTableSeat) && !model_.items[sitter].has_front;
+    });
+    if (!sat_on) continue;
+    Formula f;
+    for (const int axis : {0, 1}) {
+      for (const int sign : {1, -1}) f.add().require(gap_towards(item, rug, {axis, sign}));
+    }
+    habit("off the sitters' rug", item, kOff, std::move(f));
+  }
+}
+
 // In a hall nothing stands opposite anything: one walks past each by itself.
 void Habits::keep_hall_free(int item) {
   constexpr Mm kNarrow = 1800;
