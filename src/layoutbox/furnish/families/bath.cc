@@ -1,5 +1,6 @@
 // Bathroom: toilets, bathtubs, showers.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "layoutbox/furnish/families/parts.h"
@@ -65,22 +66,31 @@ void bathtub(Piece& p) {
   p.add(chrome, box(sides(mid - r * 0.8, mid + deep * 0.5 - 0.001, -r * 0.8, r * 0.8, h - 0.001, p.h), 0.001));
 }
 
+// One walks or rolls in: a floor of small tiles with a drain, no door.
+bool is_level(const Piece& p) {
+  return std::ranges::any_of(
+      std::array{"walk in", "level access", "roll in", "curbless", "barrier free", "wet room", "doorless", "step free"},
+      [&](const char* words) { return p.says(words); });
+}
+
 void shower(Piece& p) {
-  const int tray = p.named("ceramic"), chrome = p.named("chrome"), glass = p.named("glass");
+  const bool level = is_level(p);
+  const int tray = p.named(level ? "small_tiles" : "ceramic"), chrome = p.named("chrome"), glass = p.named("glass");
   const FreeSpace* in = nullptr;
   for (const FreeSpace& s : p.spaces) in = in == nullptr || s.box.max.z > in->box.max.z ? &s : in;
-  const double rim = in != nullptr ? std::max(0.02, in->box.min.z) : std::min(0.08, p.h * 0.05), t = 0.01;
+  const double rim = level ? 0.015 : in != nullptr ? std::max(0.02, in->box.min.z) : std::min(0.08, p.h * 0.05), t = 0.01;
   p.add(tray, box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, 0, rim), 0.01));
   p.add(chrome, lathe({{0, 0}, {0.04, 0}, {0.04, 0.0008}, {0, 0.0008}}, 16), moved(0, 0, rim));
   const auto pane = [&](double x0, double x1, double y0, double y1) { p.add(glass, box(sides(x0, x1, y0, y1, rim, p.h - 0.02), 0)); };
-  pane(-p.w / 2 + 0.004, p.w / 2 - 0.004, -p.d / 2 + 0.004, -p.d / 2 + 0.004 + t);
+  if (!level) pane(-p.w / 2 + 0.004, p.w / 2 - 0.004, -p.d / 2 + 0.004, -p.d / 2 + 0.004 + t);
   pane(p.w / 2 - 0.004 - t, p.w / 2 - 0.004, -p.d / 2 + 0.02, p.d / 2 - 0.004);
   for (const auto& [x, y] : {std::pair{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}}) {
+    if (level && x < 0) continue;
     p.add(chrome, box(sides(x * p.w / 2 - (x > 0 ? 0.018 : 0), x * p.w / 2 + (x > 0 ? 0 : 0.018), y * p.d / 2 - (y > 0 ? 0.018 : 0),
                             y * p.d / 2 + (y > 0 ? 0 : 0.018), rim - 0.002, p.h),
                       0.002));
   }
-  p.add(chrome, box(sides(-p.w / 2, p.w / 2, -p.d / 2, -p.d / 2 + 0.018, p.h - 0.022, p.h), 0.002));
+  if (!level) p.add(chrome, box(sides(-p.w / 2, p.w / 2, -p.d / 2, -p.d / 2 + 0.018, p.h - 0.022, p.h), 0.002));
   p.add(chrome, box(sides(p.w / 2 - 0.018, p.w / 2, -p.d / 2, p.d / 2, p.h - 0.022, p.h), 0.002));
   if (in != nullptr && in->box.max.z < p.h - 0.03) {
     // A booth: roof and a closed back instead of a shower.
@@ -90,7 +100,7 @@ void shower(Piece& p) {
     p.add(shell, box(sides(-p.w / 2, -p.w / 2 + 0.04, -p.d / 2 + 0.02, p.d / 2, rim, p.h - 0.05), 0.004));
     return;
   }
-  handle(p, chrome, Handle::kVertical, {-p.w * 0.3, -p.d / 2 + 0.004, p.h * 0.5}, 0.3, 0.004);
+  if (!level) handle(p, chrome, Handle::kVertical, {-p.w * 0.3, -p.d / 2 + 0.004, p.h * 0.5}, 0.3, 0.004);
   // On the wall behind: a mixer, a rail with a hand shower and its hose; a head above where there is room for it.
   const double y = p.d / 2 - 0.012, deep = in != nullptr ? p.d / 2 - in->box.max.y : 0.06, out = p.d / 2 - deep * 0.92, cx = -0.02;
   p.add(chrome, rod({cx, y, p.h * 0.5}, {cx, y, p.h - 0.06}, 0.009, 8));

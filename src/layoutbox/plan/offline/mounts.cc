@@ -71,16 +71,17 @@ void RelationBuilder::specialise(SceneObject& object, const NounPhrase& noun, st
   }
 }
 
-// "A TV on a stand": of the kinds that such a thing usually stands on, the one of that last word.
+// "A TV on a stand": what such a thing stands on first of all, where that is called so for short.
 void RelationBuilder::settle_stands() {
   for (const Relation& on : scene_.relations) {
-    if (on.type != R::kOn || on.targets.size() != 1 || on.references.size() != 1 || object_of(on.references[0]) == nullptr) continue;
-    const CatalogEntry* guest = noun_of_object(*object_of(on.targets[0])).entry;
+    if (on.type != R::kOn || on.targets.size() != 1 || on.references.size() != 1) continue;
+    const SceneObject* target = object_of(on.targets[0]);
+    const CatalogEntry* guest = target == nullptr ? nullptr : noun_of_object(*target).entry;
     const auto host = std::ranges::find(scene_.objects, on.references[0], &SceneObject::id);
-    if (guest == nullptr || host == scene_.objects.end() || host->category != noun_of_object(*host).head) continue;
-    const auto usual =
-        std::ranges::find_if(guest->stands_on, [&](const std::string& kind) { return kind.ends_with("_" + host->category); });
-    if (usual != guest->stands_on.end() && catalog_.find(*usual) != nullptr) host->category = *usual;
+    if (guest == nullptr || guest->stands_on.empty() || host == scene_.objects.end()) continue;
+    const std::string& usual = guest->stands_on.front();
+    const bool for_short = usual.ends_with("_" + host->category) && !catalog_.is_a(usual, host->category);
+    if (for_short && catalog_.find(usual) != nullptr) host->category = usual;
   }
 }
 
