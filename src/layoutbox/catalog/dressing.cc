@@ -44,6 +44,7 @@ Dressings read_dressings() {
     dressing.unspoken = names_in(row, "unspoken");
     dressing.said = names_in(row, "said");
     dressing.unsaid = names_in(row, "unsaid");
+    dressing.lifted = names_in(row, "lifted");
     dressing.most = row.value("most", 1);
     dressing.size = {length_in(row, "w"), length_in(row, "d"), length_in(row, "h")};
     dressing.stretch = length_in(row, "stretch");

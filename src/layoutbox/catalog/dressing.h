@@ -20,6 +20,7 @@ struct Dressing {
   std::vector<std::string> unspoken;  // not where the text names one of these or wants none; empty: speaks of what is added
   std::vector<std::string> said;      // only where the text says one of these words; empty: in any
   std::vector<std::string> unsaid;    // not where it says one of these
+  std::vector<std::string> lifted;    // where it says one of these, `unspoken` does not hold of what is added
   int most = 1;                       // of it in all
   Size size;                          // sides of 0 are usual, or follow from the place
   Mm stretch = 0;                     // so much wall must be free

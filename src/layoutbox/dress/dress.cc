@@ -42,9 +42,10 @@ bool is_wanted(const Dresser& dresser, const Dressing& row) {
   if ((!row.said.empty() && !dresser.spoken().says_any(row.said)) || dresser.spoken().says_any(row.unsaid)) return false;
   if (std::ranges::any_of(row.unless, [&](const std::string& id) { return dresser.is_there(id); })) return false;
   if (row.unspoken.empty()) return !dresser.spoken().of(*kind);
+  const bool lifted = dresser.spoken().says_any(row.lifted);  // "cabinets" of a kitchen are what is added
   return std::ranges::none_of(row.unspoken, [&](const std::string& id) {
     const CatalogEntry* other = dresser.catalog().find(id);
-    return other != nullptr && dresser.spoken().of_just(*other);
+    return other != nullptr && dresser.spoken().of_just(*other) && !(lifted && id == row.adds);
   });
 }
 

@@ -140,6 +140,15 @@ DressedRoom kitchen(const std::string& prompt = {}) {
   return room;
 }
 
+TEST(Dress, OneCabinetOfAKitchenIsOneAndCabinetsAreItsUnits) {
+  DressedRoom one = kitchen("A kitchen with a sink, a stove, a fridge and a cabinet.");
+  one.put("cabinet", 0.25, 1.2, 90);
+  EXPECT_THAT(one.dress(), Not(Contains(testing::AnyOf("base_cabinet", "wall_cabinet"))));
+  DressedRoom many = kitchen("A kitchen with a sink, a stove, a fridge and white cabinets.");
+  many.put("cabinet", 0.25, 1.2, 90);
+  EXPECT_THAT(many.dress(), Contains("base_cabinet"));
+}
+
 TEST(Dress, KitchensBecomeFitted) {
   DressedRoom room = kitchen();
   EXPECT_THAT(room.dress(), Contains("base_cabinet").Times(::testing::Ge(3)));
