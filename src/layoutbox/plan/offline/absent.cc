@@ -30,7 +30,9 @@ class AbsentReader {
       const std::size_t first = clause_begins(i);
       std::size_t end = i + length;
       if (first == i && end < tokens_.size() && tokens_[end].text == ",") ++end;  // "eventually, …"
-      pass_over(first, clause_ends(end));
+      const bool heading = first == i && end < tokens_.size() && tokens_[end].text == ":";  // "Not wanted: a television, a rug"
+      while (heading && end < tokens_.size() && !tokens_[end].ends_sentence) ++end;
+      pass_over(first, heading ? end : clause_ends(end));
     }
   }
 

@@ -48,7 +48,7 @@ void UnitReader::end_sentence() {
   in_brackets_ = false;
   share_ = 1;
   joiner_ = Joiner::kNone;
-  clause_ = where_ = soft_ = skipping_ = negated_ = false;
+  clause_ = where_ = soft_ = skipping_ = negated_ = denies_list_ = false;
 }
 
 Unit& UnitReader::add(UnitKind kind, std::size_t k) {
@@ -180,7 +180,8 @@ void UnitReader::read_break(std::size_t k) {
   const std::size_t n = next(k);
   const bool after_comma = !comma && is(previous(k), ChunkKind::kComma);  // "…, and the chair": as after the comma
   if (skipping_ && !is(n, ChunkKind::kAnd) && purpose_ends(after_comma && names_thing(n) ? previous(k) : k, n)) skipping_ = false;
-  if (negated_) {
+  denies_list_ |= negated_ && is(previous(k), ChunkKind::kWithout) && document_.tokens[chunk(k).first].text == ":";
+  if (negated_ && !denies_list_) {
     // "the wall without a window, bench at the foot of it": what has a place of its own is there
     const bool placed = comma && is(previous(k), ChunkKind::kNoun) && chunk(previous(k)).noun.determiner == Determiner::kIndefinite &&
                         is(next(n), ChunkKind::kRelation);
