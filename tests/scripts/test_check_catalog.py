@@ -42,7 +42,7 @@ ROOMS = [{"id": "kitchen", "name": "kitchen", "size": {"w": 3, "d": 3, "h": 2.6}
 MEANT = {
     "voting booth": "voting_booth",
     "fitting booth": "fitting_booth",
-    "phone booth": "phone_booth",
+    "phone booth": "office_phone_booth",
     "judge's bench": "judge_bench",
     "witness box": "witness_stand",
     "gavel": "gavel",

@@ -97,7 +97,7 @@ class BesideCases {
   // For one turn of what the side is meant of.
   void add(int turn, std::uint64_t all) {
     const std::uint64_t states = all & how_.ref_states;
-    if (!states || (!quarter(turn) && ref_.spans >= 0)) return;
+    if (!states || (!quarter(turn) && (ref_.spans >= 0 || framed_ != r_))) return;
     turn_ = turn, d_ = side_direction(ref_, side_, turn);
     Case base;
     base.when(framed_, states);
@@ -167,7 +167,11 @@ void add_beside(Formula& f, const Model& model, int t, int r, Side side, const B
   const Item& ref = model.items[how.frame >= 0 ? how.frame : r];
   BesideCases cases(f, model, t, r, side, how);
   for_each_turn(ref, [&](int turn, std::uint64_t states) { cases.add(turn, states); });
-  if (ref.odd_states == 0 || ref.spans < 0) return;
+  if (ref.odd_states == 0) return;
+  if (ref.spans < 0) {  // in the frame of what stands at an odd angle, whose reach nobody knows: not placed and not proven
+    if (how.frame >= 0) f.exact = false, f.outer.clear();
+    return;
+  }
   if (f.exact) f.outer = f.cases;
   add_beside_slanted(f, model, t, r, side, how, cases.level());
 }
