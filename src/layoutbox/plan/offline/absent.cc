@@ -29,7 +29,7 @@ class AbsentReader {
       if (length == 0) continue;
       const std::size_t first = clause_begins(i);
       std::size_t end = i + length;
-      if (first == i && end < tokens_.size() && tokens_[end].text == ",") ++end;  // "eventually, …"
+      if (first == i && end < tokens_.size() && tokens_[end].text == ",") ++end;            // "eventually, …"
       const bool heading = first == i && end < tokens_.size() && tokens_[end].text == ":";  // "Not wanted: a television, a rug"
       while (heading && end < tokens_.size() && !tokens_[end].ends_sentence) ++end;
       pass_over(first, heading ? end : clause_ends(end));

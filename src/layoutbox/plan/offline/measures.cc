@@ -196,9 +196,15 @@ std::size_t read_size_before(const Lexicon& lexicon, std::span<const Token> toke
   // "a 60x120 desk": centimetres, where no unit is said and metres are too many.
   constexpr double kFewest = 20, kCentimetre = 0.01;
   const SidesRead read = read_sides(lexicon, tokens, at);
-  const bool bare = !read.united && !read.sides.empty() && std::min(read.numbers[0], read.numbers[1]) >= kFewest;
-  if ((read.united || bare) && noun_goes_on(lexicon, tokens, at + read.length)) {
-    const auto side = [&](std::size_t s) { return bare ? read.numbers[s] * kCentimetre : read.sides[s]; };
+  const bool plain = !read.united && !read.sides.empty();
+  const bool bare = plain && std::min(read.numbers[0], read.numbers[1]) >= kFewest;
+  // "a 9x12 rug": feet, where metres are too many for a thing; "a 2 x 3 rug" is in metres.
+  constexpr double kMostMetres = 3.5;
+  const std::size_t named_at = at + read.length;
+  const bool rug = plain && named_at < tokens.size() && has(lexicon.find(tokens, named_at), Class::kObject);
+  const bool feet = rug && !bare && std::max(read.numbers[0], read.numbers[1]) > kMostMetres;
+  if ((read.united || bare || rug) && noun_goes_on(lexicon, tokens, named_at)) {
+    const auto side = [&](std::size_t s) { return bare ? read.numbers[s] * kCentimetre : feet ? read.numbers[s] * kFoot : read.sides[s]; };
     size.width = side(0);
     size.depth = side(1);
     if (read.sides.size() > 2) size.height = side(2);

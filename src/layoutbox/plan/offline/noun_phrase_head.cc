@@ -240,6 +240,14 @@ bool NounPhraseReader::ends_in_plural_verb(std::size_t head) const {
   return object && may_be_verb(tokens_[last.first].text);
 }
 
+// "the wardrobe or a bookcase can divide the room": what it may do, and no tin.
+bool NounPhraseReader::ends_in_can(std::size_t head) const {
+  if (head < 2 || parts_[head - 1].last != parts_[head - 1].first + 1 || tokens_[parts_[head - 1].first].text != "can") return false;
+  const std::size_t next = parts_[head - 1].last;
+  return parts_[head - 2].word_class == Class::kObject && next < tokens_.size() && tokens_[next].kind == Token::Kind::kWord &&
+         !place_at(next) && !lexicon_.is(tokens_[next], Class::kAnd) && !is_finite(tokens_[next].text);
+}
+
 // Whether a place is said there: "in the corner", "up against the wall".
 bool NounPhraseReader::place_at(std::size_t at) const {
   static constexpr std::string_view kParticles[] = {"up", "down", "out", "off", "over", "away", "back"};
@@ -387,7 +395,7 @@ std::optional<NounPhrase> NounPhraseReader::settle() {
   find_head(head);
   if (head == 0) return settle_without_head();
   if (is_nothing(parts_.front())) head = 1;  // "nothing blocks the window"
-  if (ends_in_verb(head) || ends_in_plural_verb(head) || ends_in_doing(head)) --head;
+  if (ends_in_verb(head) || ends_in_plural_verb(head) || ends_in_doing(head) || ends_in_can(head)) --head;
   join_set(head);
   const std::size_t end = std::max(drop_thing(head), drop_own_wall(head));
   const Part part = parts_[head - 1];

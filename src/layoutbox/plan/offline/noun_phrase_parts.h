@@ -162,6 +162,7 @@ class NounPhraseReader {
   void settle_object(const Part& head, std::size_t head_index);
   void join_set(std::size_t& head);
   bool is_described_member() const;
+  bool ends_in_can(std::size_t head) const;
   std::size_t drop_thing(std::size_t& head);
   std::size_t drop_own_wall(std::size_t& head);
   std::string_view settle_pair(const Part& head);

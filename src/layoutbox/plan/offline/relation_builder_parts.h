@@ -146,6 +146,8 @@ class RelationBuilder {
   void add_habit(RelationType type, std::vector<std::string> targets, std::vector<std::string> references, int weight, std::string why);
   void lay_beds_along();
   void make_islands();
+  void seat_at_only_table();
+  bool is_eaten_at(const NounPhrase& noun) const;
   void seat_those_who_wait();
   void face_as_group();
   void face_as_crowd();

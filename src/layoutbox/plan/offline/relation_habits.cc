@@ -181,6 +181,39 @@ void RelationBuilder::seat_those_who_wait() {
   }
 }
 
+// "an oval table, ten swivel chairs": at the only table that has no seats, where nobody says where they are.
+void RelationBuilder::seat_at_only_table() {
+  std::vector<int> tables, seats;
+  for (std::size_t i = 0; i < scene_.objects.size(); ++i) {
+    const NounPhrase& noun = document_.items[i].noun;
+    if (noun.entry == nullptr || mount_of(noun) != Mount::kFloor) continue;
+    const CatalogEntry& entry = *noun.entry;
+    const bool works = entry.is(Trait::kDeskLike) || entry.is(Trait::kDesk) || entry.is(Trait::kCounter);
+    if (works) return;  // the chairs may be its
+    if (entry.is(Trait::kTableSeat) && relations_of(scene_.objects[i].id).empty()) seats.push_back(static_cast<int>(i));
+    if (is_eaten_at(noun)) tables.push_back(static_cast<int>(i));
+  }
+  constexpr std::size_t kFewest = 2;
+  const auto has_seats = [&](const Relation& r) {
+    return (r.type == R::kAround || r.type == R::kSurround || r.type == R::kAlongSide) && r.references == ids(tables);
+  };
+  if (tables.size() != 1 || seats.size() < kFewest || std::ranges::any_of(scene_.relations, has_seats)) return;
+  Link link;
+  link.first = document_.items[static_cast<std::size_t>(seats.front())].noun.first;
+  link.last = document_.items[static_cast<std::size_t>(seats.front())].noun.last;
+  link.concluded = true;
+  add(link, R::kAround, ids(seats), ids(tables));
+}
+
+// A table high and large enough to sit at with others.
+bool RelationBuilder::is_eaten_at(const NounPhrase& noun) const {
+  constexpr Mm kHigh = 650, kWide = 600;
+  const CatalogEntry& entry = *noun.entry;
+  const Size& usual = entry.size.usual;
+  return entry.is(Trait::kTable) && !entry.is(Trait::kCoffeeTable) && usual.height >= kHigh &&
+         std::min(usual.width, usual.depth) >= kWide && one_of(noun.head, {"table"});
+}
+
 // "two rows of four desks back to back": an island of two rows, which is how such desks stand anyhow.
 void RelationBuilder::make_islands() {
   const auto backs = [](const Relation& r) { return r.why.find("back to back") != std::string::npos; };
@@ -202,6 +235,7 @@ void RelationBuilder::add_habits() {
   face_as_crowd();
   lay_beds_along();
   seat_those_who_wait();
+  seat_at_only_table();
   const std::size_t said = scene_.relations.size();
   for (std::size_t r = 0; r < said; ++r) {
     const Relation relation = scene_.relations[r];

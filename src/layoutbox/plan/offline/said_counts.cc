@@ -18,6 +18,7 @@ class SaidCounts {
 
   void run() {
     for (std::size_t i = 1; i < tokens_.size(); ++i) {
+      read_as_many(i);
       read_quantity(i);
       read_per_row(i);
       read_leader(i);
@@ -37,6 +38,17 @@ class SaidCounts {
   }
   bool is_word(std::size_t at) const { return at < tokens_.size() && tokens_[at].kind == Token::Kind::kWord; }
   bool ends(std::size_t at) const { return at >= tokens_.size() || tokens_[at].kind == Token::Kind::kPunctuation; }
+  // "as many bookshelves as possible", "… as fit": many.
+  void read_as_many(std::size_t i) {
+    constexpr std::size_t kName = 5;  // words of what they are
+    if (!is(i - 1, "as") || !is(i, "many")) return;
+    for (std::size_t at = i + 2; at <= i + kName && !ends(at); ++at) {
+      if (!is(at, "as") || !is_one_of(at + 1, {"possible", "fit", "will"})) continue;
+      leave_out(i - 1, i);
+      leave_out(at, at + (is(at + 1, "will") && is(at + 2, "fit") ? 3 : 2));
+      return;
+    }
+  }
   void leave_out(std::size_t first, std::size_t last) {
     std::fill(skip_.begin() + static_cast<std::ptrdiff_t>(first), skip_.begin() + static_cast<std::ptrdiff_t>(last), true);
   }

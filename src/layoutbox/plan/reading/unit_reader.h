@@ -168,7 +168,7 @@ class UnitReader {
   Sentence units_;
   Joiner joiner_ = Joiner::kNone;
   bool clause_ = false, where_ = false, soft_ = false, skipping_ = false, negated_ = false;
-  bool denies_list_ = false;  // "Avoid: a rug, a TV": all that the sentence goes on to list
+  bool denies_list_ = false;                         // "Avoid: a rug, a TV": all that the sentence goes on to list
   bool instead_ = false;                             // … "instead of", "rather than"
   bool contrasted_ = false;                          // what is not wanted is named instead of the thing before it: "shower not bath"
   bool doing_ = false;                               // what is skipped is what a person does

@@ -196,6 +196,9 @@ void UnitReader::mean_fabric(std::size_t k) {
     noun.kind = NounKind::kDoor;
   if (after_place() && shines && says(units_.back().direct, RelationType::kIn) && noun.name == noun.head && !is_named_before(k, noun.head))
     noun.kind = NounKind::kAbstract;  // "in the light"
+  const bool pane =
+      noun.head == "glass" && noun.name == noun.head && noun.determiner == Determiner::kNone && noun.count == 0 && !noun.plural;
+  if (pane && after_place()) noun.kind = NounKind::kAbstract;  // "a shower behind glass"
   if (!after_place() || noun.kind != NounKind::kObject || noun.determiner != Determiner::kDefinite || noun.count > 0 || noun.of ||
       !noun.attributes.empty())
     return;
