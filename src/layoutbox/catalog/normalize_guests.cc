@@ -13,6 +13,7 @@ namespace {
 constexpr Mm kStillUnder = 50;            // a bottom board so high is as good as the floor
 constexpr double kLeastShare = 0.3;       // of its least size, for a guest
 constexpr double kLeastShareUnder = 0.5;  // a smaller wardrobe is none
+constexpr double kMostRaisedTop = 0.96;   // of a counter's, which is then a board over what stands under it: washing machines
 constexpr double kMostRaised = 0.55;      // of its height, for what stands on legs
 constexpr double kMostRaisedSeat = 0.25;
 constexpr Mm kOverGuest = 40;
@@ -81,7 +82,8 @@ double share_under(const CatalogEntry& entry, const SceneObject& host, const Siz
 void raise(NormalizeContext& context, const CatalogEntry& entry, SceneObject& host, const Size& guest) {
   const bool seat = !entry.is(Trait::kBed) && (entry.is(Trait::kSeat) || entry.is(Trait::kEasySeat) || entry.is(Trait::kCenterPiece));
   host.size->least.height = host.size->usual.height;
-  host.raised = std::min<Mm>(guest.height + kOverGuest, static_cast<Mm>((seat ? kMostRaisedSeat : kMostRaised) * host.size->least.height));
+  const double most = entry.is(Trait::kCounter) ? kMostRaisedTop : seat ? kMostRaisedSeat : kMostRaised;
+  host.raised = std::min<Mm>(guest.height + kOverGuest, static_cast<Mm>(most * host.size->least.height));
   context.note("filled",
                fmt::format("\"{}\" stands on legs of {}, so that something finds room under it", host.id, metres_text(host.raised)),
                fmt::format("/furniture/{}/spaces", &host - context.scene.objects.data()));

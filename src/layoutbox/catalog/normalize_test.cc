@@ -44,6 +44,15 @@ TEST(NormalizeGuests, FurnitureIsRaisedAboveWhatIsToBeUnderIt) {
   EXPECT_EQ(spaces.back().max[2], desk.raised);
 }
 
+TEST(NormalizeGuests, AWorktopOverAWashingMachineIsABoardAndTheMachineWholeSized) {
+  const auto scene = normalize_scene(scene_of({object("counter_1", "counter"), object("washing_machine_1", "washing_machine")},
+                                              {relation(RelationType::kUnder, {"washing_machine_1"}, {"counter_1"})}),
+                                     Catalog::builtin());
+  ASSERT_TRUE(scene);
+  EXPECT_GE(scene->objects[1].size->usual.height, 800);
+  EXPECT_GE(scene->objects[0].raised, scene->objects[1].size->usual.height);
+}
+
 TEST(NormalizeGuests, WhatIsSaidToBeUnderSomethingElseOrNowhereLeavesItAsItIs) {
   for (const RelationType type : {RelationType::kNextTo, RelationType::kOn}) {
     const SceneGraph scene =

@@ -195,7 +195,9 @@ void RelationBuilder::seat_at_only_table() {
   }
   constexpr std::size_t kFewest = 2;
   const auto has_seats = [&](const Relation& r) {
-    return (r.type == R::kAround || r.type == R::kSurround || r.type == R::kAlongSide) && r.references == ids(tables);
+    const bool at_it = r.type == R::kAround || r.type == R::kSurround || r.type == R::kAlongSide;
+    const SceneObject* seat = at_it ? object_of(r.targets.front()) : nullptr;
+    return seat != nullptr && is_seat(catalog_, noun_of_object(*seat)) && r.references == ids(tables);
   };
   if (tables.size() != 1 || seats.size() < kFewest || std::ranges::any_of(scene_.relations, has_seats)) return;
   Link link;

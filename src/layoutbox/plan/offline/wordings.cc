@@ -38,6 +38,7 @@ class WordingReader : public TokenReader {
       read_down_the_side(i);
       read_on_wheels(i);
       read_same_wall(i);
+      read_end_wall(i);
       read_fit_in(i);
       read_denied_in_brackets(i);
     }
@@ -58,6 +59,11 @@ class WordingReader : public TokenReader {
       if (is_article(first)) leave_out(first, i + 2);
       return;
     }
+  }
+
+  // "on the end wall": on a short one.
+  void read_end_wall(std::size_t i) {
+    if (is(i, {"end"}) && is(i + 1, {"wall", "walls"})) tokens_[i].text = "short";
   }
 
   // "a 3 seater": a sofa; "a two seater" a small one.
