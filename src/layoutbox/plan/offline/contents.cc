@@ -1,6 +1,5 @@
 // What a thing has, and what hangs.
 #include <algorithm>
-#include <iterator>
 
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/knowledge.h"
@@ -106,33 +105,13 @@ void RelationBuilder::add_seats(const Link& link, const std::vector<int>& seats,
   }
 }
 
-// "a table with four chairs in the middle": the table is there. False where it has a place of its own, or they stand by something.
-bool RelationBuilder::place_table_of(const Mention& seats, const std::vector<int>& hosts) {
-  if (hosts.size() != 1 || seats.items.size() < 2 || !is_table(catalog_, noun_of_item(hosts.front())) || !is_seat(catalog_, seats.noun) ||
-      is_placed_apart(hosts))
-    return false;
-  const auto is_place = [&](std::size_t r) { return places(scene_.relations[r].type); };
-  std::vector<std::size_t> said;
-  for (const int seat : seats.items) std::ranges::copy_if(relations_of(id(seat)), std::back_inserter(said), is_place);
-  const bool by_thing = std::ranges::any_of(said, [&](std::size_t r) {
-    return std::ranges::any_of(scene_.relations[r].references, [&](const std::string& one) { return object_of(one) != nullptr; });
-  });
-  if (by_thing) return false;
-  for (const int seat : seats.items) std::erase_if(of_target_[id(seat)], is_place);
-  for (const std::size_t r : said) {
-    scene_.relations[r].targets = ids(hosts);
-    of_target_[id(hosts.front())].push_back(r);
-  }
-  return true;
-}
-
 void RelationBuilder::add_contents(const Link& link) {
   if (items_of(link.references).empty()) return;
   for (const int m : link.targets) {
     const Mention& target = mention(m);
     if (target.items.empty()) continue;
     const std::vector<int> hosts = carriers_among(link, m, hosts_of(link, m));
-    if (link.weak && is_placed_apart(target.items) && !place_table_of(target, hosts)) continue;
+    if (link.weak && is_placed_apart(target.items)) continue;
     if (!is_related(target.items.front(), hosts.front())) add_content(link, target, hosts);
   }
 }

@@ -26,12 +26,15 @@ bool speaks_of_group(R type) {
 void RelationBuilder::place_hosts() {
   for (const Link& have : document_.links) {
     if (have.kind != Link::Kind::kHave || have.after_comma || have.references.size() != 1 || have.targets.empty()) continue;
-    const int last = have.targets.back();
-    const bool list = have.targets.size() > 1;
-    const Mention &host = mention(have.references.front()), &thing = mention(last), &first = mention(have.targets.front());
-    if (host.items.size() != 1 || thing.items.empty() || !thing.introduces || first.items.empty()) continue;
+    const Mention &host = mention(have.references.front()), &first = mention(have.targets.front());
+    if (host.items.size() != 1 || first.items.empty()) continue;
     const NounPhrase &noun = noun_of_item(host.items.front()), &other = noun_of_item(first.items.front());
     const bool seats = is_table(catalog_, noun) && is_seat(catalog_, other);
+    // "a table with four chairs in the middle, a mug and a bowl on it": the place follows the chairs.
+    const int last = seats ? have.targets.front() : have.targets.back();
+    const bool list = !seats && have.targets.size() > 1;
+    const Mention& thing = mention(last);
+    if (thing.items.empty() || !thing.introduces) continue;
     // "a cabinet with a TV opposite the sofa": the cabinet, with the TV on it.
     const bool carried = mount_of(noun) == Mount::kFloor && mount_of(other) == Mount::kSurface && may_carry(catalog_, noun, other);
     // "a dressing table with a mirror under the window"

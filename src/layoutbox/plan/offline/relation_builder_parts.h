@@ -107,7 +107,6 @@ class RelationBuilder {
   void add_seats_at_sides(const Link& link, const std::vector<int>& seats, int table);
   void add_corners(const Link& link, const Mention& target, const NounPhrase& corner);
   bool is_placed(int item) const;
-  bool place_table_of(const Mention& seats, const std::vector<int>& hosts);
   void keep_standing(std::vector<int>& items) const;
   void keep_two_that_stand(std::vector<std::string>& objects) const;
   bool is_placed_apart(const std::vector<int>& items) const;
