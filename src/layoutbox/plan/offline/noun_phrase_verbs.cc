@@ -1,0 +1,90 @@
+// Where a noun phrase was read on into the verb after it.
+#include <algorithm>
+
+#include "layoutbox/plan/offline/english.h"
+#include "layoutbox/plan/offline/noun_phrase_parts.h"
+#include "layoutbox/plan/offline/reader_words.h"
+
+namespace layoutbox::offline {
+
+using Class = WordClass;
+
+// "a bear guards a safe": one bear, and what it does. "The party shoulders open the door." "A floor lamp towers over the chair."
+bool NounPhraseReader::ends_in_verb(std::size_t head) const {
+  const bool definite = phrase_.determiner == Determiner::kDefinite || phrase_.determiner == Determiner::kPossessive ||
+                        phrase_.determiner == Determiner::kEach;
+  if (head < 2 || phrase_.count != 0) return false;
+  const Part &last = parts_[head - 1], &before = parts_[head - 2];
+  const bool place_follows = last.last < tokens_.size() && lexicon_.find_phrase(tokens_, last.last).length > 0;
+  // "Sunlight spills over the table."
+  if (phrase_.determiner == Determiner::kNone && before.word_class == Class::kAbstract && last.word_class == Class::kFiller)
+    return !before.plural && last.plural && (place_follows || opens_at(last.last));
+  if (phrase_.determiner != Determiner::kIndefinite && !definite) return false;
+  const bool listed_noun = last.word_class == Class::kAbstract && place_follows;
+  if (!last.plural || before.plural || (last.word_class != Class::kFiller && !opens_at(last.last) && !listed_noun)) return false;
+  if (definite) {
+    const bool particle = last.last < tokens_.size() && lexicon_.is(tokens_[last.last], Class::kVerb);
+    const std::size_t object = last.last + (particle ? 1 : 0);
+    const bool whose =
+        object < tokens_.size() && (lexicon_.is(tokens_[object], Class::kEach) || lexicon_.is(tokens_[object], Class::kPossessive));
+    const bool places = before.word_class == Class::kObject && place_follows && may_be_verb(tokens_[last.last - 1].text);
+    return last.last - last.first == 1 && (opens_at(object) || whose || places);
+  }
+  return before.word_class == Class::kObject || (before.word_class == Class::kFiller && is_thing(before));
+}
+
+// "two sconces guard it", "the stools rim the table": several, and what they do. Compounds begin with one ("sconce guard").
+bool NounPhraseReader::ends_in_plural_verb(std::size_t head) const {
+  if (head < 2) return false;
+  const Part &last = parts_[head - 1], &before = parts_[head - 2];
+  if (last.last != last.first + 1 || before.last != last.first || hyphenated(last.first) || last.plural || !before.plural ||
+      before.word_class != Class::kObject || last.last >= tokens_.size())
+    return false;
+  const Token& next = tokens_[last.last];
+  const bool object = lexicon_.is(next, Class::kDefinite) || lexicon_.is(next, Class::kIndefinite) || lexicon_.is(next, Class::kPronoun) ||
+                      lexicon_.is(next, Class::kPossessive);
+  return object && may_be_verb(tokens_[last.first].text);
+}
+
+// "the wardrobe or a bookcase can divide the room": what it may do, and no tin.
+bool NounPhraseReader::ends_in_can(std::size_t head) const {
+  if (head < 2 || parts_[head - 1].last != parts_[head - 1].first + 1 || tokens_[parts_[head - 1].first].text != "can") return false;
+  const std::size_t next = parts_[head - 1].last;
+  return parts_[head - 2].word_class == Class::kObject && next < tokens_.size() && tokens_[next].kind == Token::Kind::kWord &&
+         !place_at(next) && !lexicon_.is(tokens_[next], Class::kAnd) && !is_finite(tokens_[next].text);
+}
+
+// Whether a place is said there: "in the corner", "up against the wall".
+bool NounPhraseReader::place_at(std::size_t at) const {
+  static constexpr std::string_view kParticles[] = {"up", "down", "out", "off", "over", "away", "back"};
+  if (at >= tokens_.size() || tokens_[at].text == "of") return false;
+  if (lexicon_.find_phrase(tokens_, at).length > 0) return true;
+  return std::find(std::begin(kParticles), std::end(kParticles), tokens_[at].text) != std::end(kParticles) &&
+         lexicon_.find_phrase(tokens_, at + 1).length > 0;
+}
+
+// No verb comes before the sentence or clause is over.
+bool NounPhraseReader::lacks_verb(std::size_t at) const {
+  for (; at < tokens_.size() && tokens_[at].kind == Token::Kind::kWord; ++at) {
+    const Token& word = tokens_[at];
+    if (lexicon_.is(word, Class::kBe) || lexicon_.is(word, Class::kHave) || (lexicon_.is(word, Class::kPlaceVerb) && is_finite(word.text)))
+      return false;
+  }
+  return true;
+}
+
+// "the harp slouches in the corner", "a robe floats by the door": one thing, and what it does there.
+bool NounPhraseReader::ends_in_doing(std::size_t head) const {
+  if (head < 2 || phrase_.count > 1 || counted_) return false;
+  const Part &last = parts_[head - 1], &before = parts_[head - 2];
+  const bool one = phrase_.determiner == Determiner::kIndefinite;
+  if (!one && phrase_.determiner != Determiner::kDefinite && phrase_.determiner != Determiner::kPossessive) return false;
+  const std::string& word = tokens_[last.first].text;
+  if (last.last != last.first + 1 || before.last != last.first || hyphenated(last.first) || !last.plural || before.plural ||
+      before.word_class != Class::kObject || !place_at(last.last))
+    return false;
+  if ((one && may_be_verb(word)) || word_form(word) == WordForm::kVerb) return true;
+  return (phrase_.first == 0 || tokens_[phrase_.first - 1].ends_sentence) && lacks_verb(last.last);
+}
+
+}  // namespace layoutbox::offline

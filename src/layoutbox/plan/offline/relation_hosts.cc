@@ -1,0 +1,93 @@
+// What a thing has, before places are given out: what is said of its chairs is said of a table, sinks are let into tops.
+#include <algorithm>
+
+#include "layoutbox/catalog/kin.h"
+#include "layoutbox/catalog/trait_table.h"
+#include "layoutbox/plan/offline/knowledge.h"
+#include "layoutbox/plan/offline/reader_words.h"
+#include "layoutbox/plan/offline/relation_builder_parts.h"
+
+namespace layoutbox::offline {
+
+using R = RelationType;
+
+// "a table with four chairs in the middle": what is said there of the place of the chairs is said of the table that has them.
+void RelationBuilder::place_hosts() {
+  for (const Link& have : document_.links) {
+    if (have.kind != Link::Kind::kHave || have.after_comma || have.references.size() != 1 || have.targets.empty()) continue;
+    const Mention &host = mention(have.references.front()), &first = mention(have.targets.front());
+    if (host.items.size() != 1 || first.items.empty()) continue;
+    const NounPhrase &noun = noun_of_item(host.items.front()), &other = noun_of_item(first.items.front());
+    const bool seats = is_table(catalog_, noun) && is_seat(catalog_, other);
+    // "a table with four chairs in the middle, a mug and a bowl on it": the place follows the chairs.
+    const int last = seats ? have.targets.front() : have.targets.back();
+    const bool list = !seats && have.targets.size() > 1;
+    const Mention& thing = mention(last);
+    if (thing.items.empty() || !thing.introduces) continue;
+    // "a cabinet with a TV opposite the sofa": the cabinet, with the TV on it.
+    const bool carried = mount_of(noun) == Mount::kFloor && mount_of(other) == Mount::kSurface && may_carry(catalog_, noun, other);
+    // "a dressing table with a mirror under the window"
+    const bool hung = !list && mount_of(other) == Mount::kWall && mount_of(noun) == Mount::kFloor;
+    // "a piano with its stool by the window"
+    const bool own = !list && thing.noun.determiner == Determiner::kPossessive && mount_of(noun) == Mount::kFloor;
+    if (list ? !carried : !seats && !flanks(other, noun) && !carried && !hung && !own) continue;
+    const auto stands = [&](int r) {
+      const Mention& by = mention(r);
+      if (own && by.items != host.items) return true;
+      if (hung && by.noun.kind != NounKind::kWindow) return false;
+      return by.items.empty() || (carried && !list && by.items != host.items && mount_of(noun_of_item(by.items.front())) == Mount::kFloor);
+    };
+    const auto is_place = [&](const Link& link, int target) {
+      const bool rests = carried && (says(link.senses, R::kOn) || says(link.senses, R::kIn) || says(link.senses, R::kCenterOfRoom));
+      if (hung && !says(link.senses, R::kUnderWindow)) return false;
+      return link.kind == Link::Kind::kRelation && link.targets == std::vector<int>{target} && !rests &&
+             std::all_of(link.references.begin(), link.references.end(), stands);
+    };
+    const bool placed = std::any_of(document_.links.begin(), document_.links.end(),
+                                    [&](const Link& link) { return is_place(link, have.references.front()); });
+    for (Link& link : document_.links) {
+      const bool follows = link.first >= thing.noun.last && link.first <= thing.noun.last + 1;
+      if (!placed && follows && is_place(link, last)) link.targets = have.references;
+    }
+  }
+}
+
+// "a counter with the till, the grinder and a cake display along the back wall": all three are what the counter has.
+void RelationBuilder::complete_counters() {
+  for (Link& have : document_.links) {
+    if (have.kind != Link::Kind::kHave || have.references.size() != 1 || have.targets.size() < 2) continue;
+    const NounPhrase& host = mention(have.references.front()).noun;
+    if (host.entry == nullptr || !host.entry->is(Trait::kCounter)) continue;
+    const std::size_t end = mention(have.targets.back()).noun.last;
+    const auto follows = [&](const Mention& m) {
+      return m.introduces && !m.items.empty() && m.noun.first == end + 1 && says_one_of(document_, end, {"and"});
+    };
+    const auto next = std::ranges::find_if(document_.mentions, follows);
+    if (next != document_.mentions.end()) have.targets.push_back(static_cast<int>(next - document_.mentions.begin()));
+  }
+}
+
+// "an island with a sink", "a basin in the counter": what stands by itself elsewhere is let into a top.
+void RelationBuilder::let_into_tops() {
+  for (const Link& link : document_.links) {
+    const bool place = link.kind == Link::Kind::kRelation && (says(link.senses, R::kOn) || says(link.senses, R::kIn));
+    if ((!place && link.kind != Link::Kind::kHave) || link.references.empty() || mention(link.references.front()).items.empty()) continue;
+    const NounPhrase& host = noun_of_item(mention(link.references.front()).items.front());
+    if (host.entry == nullptr || mount_of(host) != Mount::kFloor) continue;
+    for (const int m : link.targets) let_in(m, *host.entry);
+  }
+}
+
+void RelationBuilder::let_in(int m, const CatalogEntry& host) {
+  Mention& thing = document_.mentions[static_cast<std::size_t>(m)];
+  const CatalogEntry* form = thing.noun.entry == nullptr ? nullptr : catalog_.find(set_in_entry(thing.noun.entry->id));
+  if (form == nullptr || std::ranges::none_of(form->stands_on, [&](const std::string& id) { return catalog_.is_a(host.id, id); })) return;
+  const auto become = [&](NounPhrase& noun) { noun.entry = form, noun.category = form->id; };
+  become(thing.noun);
+  for (const int item : thing.items) {
+    become(document_.items[static_cast<std::size_t>(item)].noun);
+    scene_.objects[static_cast<std::size_t>(item)].category = form->id;
+  }
+}
+
+}  // namespace layoutbox::offline

@@ -1,0 +1,79 @@
+// Parts of the room as references: its walls, the freer of two, and its openings.
+#include <algorithm>
+
+#include "layoutbox/plan/offline/knowledge.h"
+#include "layoutbox/plan/offline/reader_words.h"
+#include "layoutbox/plan/offline/relation_builder_parts.h"
+#include "layoutbox/plan/offline/room_reader.h"
+
+namespace layoutbox::offline {
+
+using R = RelationType;
+
+// Of two walls across from each other the one that fewer things were put at.
+std::string RelationBuilder::freer_of(const std::string& one, const std::string& other) const {
+  const auto said_of = [&](const std::string& wall) {
+    return std::count_if(scene_.relations.begin(), scene_.relations.end(), [&](const Relation& r) {
+      return std::find(r.references.begin(), r.references.end(), wall) != r.references.end();
+    });
+  };
+  return said_of(one) < said_of(other) ? one : other;
+}
+
+std::vector<std::string> RelationBuilder::room_reference(const NounPhrase& noun, R type) const {
+  const auto words = [&] {
+    std::vector<std::string> all;
+    std::string rest = noun.wall_word;
+    while (!rest.empty()) {
+      const std::size_t space = rest.find(' ');
+      all.push_back(rest.substr(0, space));
+      rest = space == std::string::npos ? "" : rest.substr(space + 1);
+    }
+    return all;
+  };
+  switch (noun.kind) {
+    case NounKind::kWall: {
+      auto all = words();
+      if (all.size() > 1) all.resize(1);
+      if (all.empty() && noun.name.ends_with("side wall")) all = {freer_of("left", "right")};
+      if (const auto [one, other] = walls_by_length(noun, scene_.room); all.empty() && !one.empty() && noun.wall_relation != "opposite")
+        all = {wall_of_.try_emplace(noun.first, freer_of(other, one)).first->second};  // all that is said to be at it
+      if (all.empty() && noun.wall_relation.empty() && relation_row(type).arity != RelationArity::kOptional) all = {"back"};
+      return all;
+    }
+    case NounKind::kCorner: {
+      auto all = words();
+      // "the far corner" is the viewer's word for a back corner, which one is free.
+      return all;
+    }
+    case NounKind::kDoor:
+    case NounKind::kWindow:
+      if (type != R::kNotBlocking && relation_row(type).arity == RelationArity::kOptional) return {};
+      return {opening_ids(noun).front()};
+    case NounKind::kFloor: return {"floor"};
+    default:
+      return relation_row(type).arity == RelationArity::kNone || relation_row(type).arity == RelationArity::kOptional
+                 ? std::vector<std::string>{}
+                 : std::vector<std::string>{"room"};
+  }
+}
+
+std::vector<std::string> RelationBuilder::opening_ids(const NounPhrase& noun) const {
+  const std::string_view type = noun.kind == NounKind::kDoor ? "door" : "window";
+  std::vector<std::string> ids;
+  const std::size_t wanted = noun.count > 0 ? static_cast<std::size_t>(noun.count) : noun.plural ? 2 : 1;
+  const std::vector<std::string> look =
+      opening_said(noun.kind == NounKind::kDoor ? OpeningType::kDoor : OpeningType::kWindow, noun).attributes;
+  // "by the balcony door" is by that one; "by the door" by the entrance.
+  const auto is_meant = [&](const Opening& o) { return look.empty() ? !leads_outside(o) : o.attributes == look; };
+  for (const bool meant : {true, false}) {
+    if (!ids.empty()) break;
+    for (const Opening& opening : scene_.room.openings) {
+      if (name_of(opening.type) == type && ids.size() < wanted && (!meant || is_meant(opening))) ids.push_back(opening.id);
+    }
+  }
+  if (ids.empty()) ids.push_back(std::string(type));
+  return ids;
+}
+
+}  // namespace layoutbox::offline
