@@ -1,7 +1,6 @@
 // Links between mentions become relations: who is placed by what, alone, in groups and at parts of the room.
 #include <algorithm>
 
-#include "layoutbox/catalog/kin.h"
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/reader_words.h"
 #include "layoutbox/plan/offline/relation_builder_parts.h"
