@@ -112,6 +112,68 @@ bool is_long_haired(const Piece& p) {
   return p.says("fluffy") || p.says("shaggy") || p.says("shag") || p.says("sheepskin") || p.says("fur");
 }
 
+// What is woven into a rug from `low` up, its longer side along u.
+class RugPattern {
+ public:
+  RugPattern(Piece& p, int stripe, double low)
+      : p_(p), stripe_(stripe), low_(low), along_(p.w >= p.d), a_((along_ ? p.w : p.d) / 2), b_((along_ ? p.d : p.w) / 2) {}
+
+  void field(bool checks) {
+    const int nu = std::clamp(static_cast<int>(std::lround(2 * a_ / 0.42)), 2, 12),
+              nv = std::clamp(static_cast<int>(std::lround(2 * b_ / 0.42)), 2, 12);
+    const double in = 0.06, su = 2 * (a_ - in) / nu, sv = 2 * (b_ - in) / nv;
+    for (int i = 0; i < nu; ++i) {
+      for (int j = 0; j < nv; ++j) {
+        const double u = -a_ + in + su * (i + 0.5), v = -b_ + in + sv * (j + 0.5);
+        if (!checks) {
+          diamond(u, v, su * 0.36, sv * 0.36);
+        } else if ((i + j) % 2 == 0) {
+          band(stripe_, u - su * 0.5, u + su * 0.5, v - sv * 0.5, v + sv * 0.5);
+        }
+      }
+    }
+  }
+
+  void border() {
+    const double in = std::min(0.08, b_ * 0.2), t = std::min(0.05, b_ * 0.12);
+    band(stripe_, -a_ + in, a_ - in, -b_ + in, -b_ + in + t);
+    band(stripe_, -a_ + in, a_ - in, b_ - in - t, b_ - in);
+    band(stripe_, -a_ + in, -a_ + in + t, -b_ + in + t, b_ - in - t);
+    band(stripe_, a_ - in - t, a_ - in, -b_ + in + t, b_ - in - t);
+  }
+
+  void bands(int second) {
+    for (const double v : {-0.76, 0.76}) band(stripe_, -a_ + 0.003, a_ - 0.003, v * b_ - b_ * 0.045, v * b_ + b_ * 0.045);
+    band(second, -a_ + 0.003, a_ - 0.003, -b_ * 0.03, b_ * 0.03);
+  }
+
+ private:
+  void band(int surface, double u0, double u1, double v0, double v1) {
+    p_.add(surface, along_ ? box(sides(u0, u1, v0, v1, low_ - 0.001, p_.h), 0.001) : box(sides(v0, v1, u0, u1, low_ - 0.001, p_.h), 0.001));
+  }
+
+  void diamond(double u, double v, double hu, double hv) {
+    const std::vector<Vec2> outline = along_ ? std::vector<Vec2>{{u + hu, v}, {u, v + hv}, {u - hu, v}, {u, v - hv}}
+                                             : std::vector<Vec2>{{v + hv, u}, {v, u + hu}, {v - hv, u}, {v, u - hu}};
+    p_.add(stripe_, prism(outline, low_ - 0.001, p_.h));
+  }
+
+  Piece& p_;
+  int stripe_;
+  double low_;
+  bool along_;
+  double a_, b_;
+};
+
+void weave(Piece& p, int stripe, const Color& accent) {
+  constexpr const char* kPatterns[] = {"bands", "border", "diamonds", "checks"};
+  const std::string pattern = p.word("pattern", std::min(p.w, p.d) > 0.9 ? kPatterns[p.pick(4)] : kPatterns[p.pick(2)]);
+  RugPattern woven(p, stripe, p.h * 0.8);
+  if (pattern == "diamonds" || pattern == "checks") return woven.field(pattern == "checks");
+  if (pattern == "border") return woven.border();
+  woven.bands(p.tinted("wool", mixed(accent, {0.75, 0.35, 0.28}, 0.6)));
+}
+
 void rug(Piece& p) {
   const std::string kind = p.word("kind", "");
   const bool long_haired = is_long_haired(p);
@@ -127,43 +189,7 @@ void rug(Piece& p) {
   const double low = p.h * 0.8;
   if (round || oval) return round_rug(p, base, stripe);
   p.add(base, box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, 0, low), 0.003));
-  const bool along = p.w >= p.d;  // bands run along the longer side
-  const double a = (along ? p.w : p.d) / 2, b = (along ? p.d : p.w) / 2;
-  const auto band = [&](int surface, double u0, double u1, double v0, double v1) {
-    p.add(surface, along ? box(sides(u0, u1, v0, v1, low - 0.001, p.h), 0.001) : box(sides(v0, v1, u0, u1, low - 0.001, p.h), 0.001));
-  };
-  constexpr const char* kPatterns[] = {"bands", "border", "diamonds", "checks"};
-  const std::string pattern = p.word("pattern", std::min(p.w, p.d) > 0.9 ? kPatterns[p.pick(4)] : kPatterns[p.pick(2)]);
-  if (pattern == "diamonds" || pattern == "checks") {
-    const int nu = std::clamp(static_cast<int>(std::lround(2 * a / 0.42)), 2, 12),
-              nv = std::clamp(static_cast<int>(std::lround(2 * b / 0.42)), 2, 12);
-    const double in = 0.06, su = 2 * (a - in) / nu, sv = 2 * (b - in) / nv;
-    for (int i = 0; i < nu; ++i) {
-      for (int j = 0; j < nv; ++j) {
-        const double u = -a + in + su * (i + 0.5), v = -b + in + sv * (j + 0.5);
-        if (pattern == "checks") {
-          if ((i + j) % 2 == 0) band(stripe, u - su * 0.5, u + su * 0.5, v - sv * 0.5, v + sv * 0.5);
-          continue;
-        }
-        const double hu = su * 0.36, hv = sv * 0.36;
-        const std::vector<Vec2> outline = along ? std::vector<Vec2>{{u + hu, v}, {u, v + hv}, {u - hu, v}, {u, v - hv}}
-                                                : std::vector<Vec2>{{v + hv, u}, {v, u + hu}, {v - hv, u}, {v, u - hu}};
-        p.add(stripe, prism(outline, low - 0.001, p.h));
-      }
-    }
-    return;
-  }
-  if (pattern == "border") {
-    const double in = std::min(0.08, b * 0.2), t = std::min(0.05, b * 0.12);
-    band(stripe, -a + in, a - in, -b + in, -b + in + t);
-    band(stripe, -a + in, a - in, b - in - t, b - in);
-    band(stripe, -a + in, -a + in + t, -b + in + t, b - in - t);
-    band(stripe, a - in - t, a - in, -b + in + t, b - in - t);
-    return;
-  }
-  const int second = p.tinted("wool", mixed(accent, {0.75, 0.35, 0.28}, 0.6));
-  for (const double v : {-0.76, 0.76}) band(stripe, -a + 0.003, a - 0.003, v * b - b * 0.045, v * b + b * 0.045);
-  band(second, -a + 0.003, a - 0.003, -b * 0.03, b * 0.03);
+  weave(p, stripe, accent);
 }
 
 void curtain(Piece& p) {

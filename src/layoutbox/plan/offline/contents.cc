@@ -116,6 +116,15 @@ void RelationBuilder::add_contents(const Link& link) {
   }
 }
 
+// A curtain round a bed hangs beside it, and so does a rail that one holds on to; what else hangs is over it.
+void RelationBuilder::add_hung_content(const Link& link, const Mention& target, const std::vector<int>& hosts) {
+  const NounPhrase &host = noun_of_item(hosts.front()), &thing = target.noun;
+  const auto is_host = [&](const std::string& kind) { return host.entry != nullptr && catalog_.is_a(host.entry->id, kind); };
+  const bool beside = thing.entry != nullptr && (mount_of(thing) == Mount::kCeiling ? thing.entry->is(Trait::kCurtain)
+                                                                                    : std::ranges::any_of(thing.entry->beside, is_host));
+  if (!link.after_comma && mount_of(host) == Mount::kFloor) share_out(link, beside ? R::kNextTo : R::kAbove, target.items, hosts);
+}
+
 // One kind of thing that the hosts have.
 void RelationBuilder::add_content(const Link& link, const Mention& target, const std::vector<int>& hosts) {
   const NounPhrase &host = noun_of_item(hosts.front()), &thing = target.noun;
@@ -135,14 +144,7 @@ void RelationBuilder::add_content(const Link& link, const Mention& target, const
   const bool looked_at = thing.entry != nullptr && thing.entry->is(Trait::kScreen);
   const bool inside = (holds_inside(host) && !looked_at) || (says_inside(link) && has_inside(host));
   if (carried && !(mount == Mount::kWall && !link.holding)) return each(inside ? R::kIn : R::kOn);
-  if (mount == Mount::kWall || mount == Mount::kCeiling) {
-    // A curtain round a bed hangs beside it, and so does a rail that one holds on to.
-    const auto is_host = [&](const std::string& kind) { return host.entry != nullptr && catalog_.is_a(host.entry->id, kind); };
-    const bool beside = thing.entry != nullptr &&
-                        (mount == Mount::kCeiling ? thing.entry->is(Trait::kCurtain) : std::ranges::any_of(thing.entry->beside, is_host));
-    if (!link.after_comma && mount_of(host) == Mount::kFloor) each(beside ? R::kNextTo : R::kAbove);
-    return;
-  }
+  if (mount == Mount::kWall || mount == Mount::kCeiling) return add_hung_content(link, target, hosts);
   if (mount == Mount::kSurface && link.holding) return each(R::kOn);
   if (mount_of(host) == Mount::kWall && mount == Mount::kFloor && target.items.size() == 1)
     return add(link, R::kAbove, {id(hosts.front())}, {id(target.items.front())});

@@ -157,47 +157,44 @@ void RelationBuilder::place_before_walls() {
   }
 }
 
-void RelationBuilder::add_relations(const Link& link) {
-  if (link.gap && link.distance) {  // "80 cm between the sofa and the table"
-    std::vector<std::string> ends = ids(items_of(link.references));
-    for (const int m : link.references) {  // "a metre between the bed and the wall"
-      const bool of_room =
-          mention(m).items.empty() &&
-          (mention(m).noun.kind == NounKind::kWall || mention(m).noun.kind == NounKind::kDoor || mention(m).noun.kind == NounKind::kWindow);
-      if (of_room && ends.size() == 1) ends.push_back(room_reference(mention(m).noun, R::kDistance).front());
-    }
-    if (ends.size() == 2) add(link, R::kDistance, {ends[0]}, {ends[1]});
-    return;
+// "80 cm between the sofa and the table", "a metre between the bed and the wall"
+void RelationBuilder::add_gap(const Link& link) {
+  std::vector<std::string> ends = ids(items_of(link.references));
+  for (const int m : link.references) {
+    const NounKind kind = mention(m).noun.kind;
+    const bool of_room = mention(m).items.empty() && (kind == NounKind::kWall || kind == NounKind::kDoor || kind == NounKind::kWindow);
+    if (of_room && ends.size() == 1) ends.push_back(room_reference(mention(m).noun, R::kDistance).front());
   }
+  if (ends.size() == 2) add(link, R::kDistance, {ends[0]}, {ends[1]});
+}
+
+// "in a row", "on the ceiling": by nothing that is named.
+void RelationBuilder::add_alone(const Link& link, const std::vector<int>& targets) {
+  const auto stands_alone = [](const PhraseSense& sense) {
+    const RelationArity arity = relation_row(sense.type).arity;
+    return arity == RelationArity::kNone ||
+           (arity == RelationArity::kOptional && (sense.type == R::kOnCeiling || sense.type == R::kAgainstWall));
+  };
+  const auto sense = std::ranges::find_if(link.senses, stands_alone);
+  if (sense == link.senses.end()) return;
+  if (speaks_of_group(sense->type)) return add_group(link, *sense, targets, {}, nullptr);
+  for (const int target : targets) add(link, sense->type, {id(target)}, {}, *sense);
+}
+
+void RelationBuilder::add_relations(const Link& link) {
+  if (link.gap && link.distance) return add_gap(link);
   std::vector<int> targets = items_of(link.targets);
   if (link.references.empty() || mention(link.references.front()).reciprocal) keep_standing(targets);
   // "a window over the sink": the sink is under it.
   const bool window = link.targets.size() == 1 && mention(link.targets.front()).noun.kind == NounKind::kWindow;
-  const bool over = std::ranges::any_of(link.senses, [](const PhraseSense& sense) { return sense.type == R::kAbove; });
-  if (window && over) {
+  if (window && says(link.senses, R::kAbove)) {
     for (const int item : items_of(link.references)) add(link, R::kUnderWindow, {id(item)}, {});
   }
   if (targets.empty()) return;
-  if (link.references.empty()) {
-    for (const PhraseSense& sense : link.senses) {
-      const RelationArity arity = relation_row(sense.type).arity;
-      if (arity == RelationArity::kNone ||
-          (arity == RelationArity::kOptional && (sense.type == R::kOnCeiling || sense.type == R::kAgainstWall))) {
-        if (speaks_of_group(sense.type))
-          add_group(link, sense, targets, {}, nullptr);
-        else
-          for (const int target : targets) add(link, sense.type, {id(target)}, {}, sense);
-        return;
-      }
-    }
-    return;
-  }
-  if (std::any_of(link.senses.begin(), link.senses.end(), [](const PhraseSense& s) { return s.type == R::kBetween; }) &&
-      (link.references.size() > 1 || mention(link.references.front()).items.size() > 1 ||
-       mention(link.references.front()).noun.is_plural())) {
-    add_between(link, targets);
-    return;
-  }
+  if (link.references.empty()) return add_alone(link, targets);
+  const Mention& first = mention(link.references.front());
+  const bool several = link.references.size() > 1 || first.items.size() > 1 || first.noun.is_plural();
+  if (several && says(link.senses, R::kBetween)) return add_between(link, targets);
   if (add_at_walls(link, targets)) return;
   for (const int reference : link.references) {
     if (mention(reference).reciprocal)

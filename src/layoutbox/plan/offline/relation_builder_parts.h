@@ -42,10 +42,13 @@ class RelationBuilder {
   // As many of them as the words say: "between two windows".
   std::vector<std::string> opening_ids(const NounPhrase& noun) const;
   void complete_counters();
+  void place_host_of(const Link& have);
   void place_hosts();
   void place_before_walls();
   void let_into_tops();
   void let_in(int m, const CatalogEntry& host);
+  void add_gap(const Link& link);
+  void add_alone(const Link& link, const std::vector<int>& targets);
   void add_relations(const Link& link);
   void add_relations_to(const Link& link, const std::vector<int>& targets, const Mention& reference_mention);
   void add_rows();
@@ -117,6 +120,7 @@ class RelationBuilder {
   std::vector<int> carriers_among(const Link& link, int m, std::vector<int> hosts) const;
   void share_out(const Link& link, RelationType type, const std::vector<int>& items, const std::vector<int>& hosts);
   void add_seats(const Link& link, const std::vector<int>& seats, const std::vector<int>& tables);
+  void add_hung_content(const Link& link, const Mention& target, const std::vector<int>& hosts);
   void add_content(const Link& link, const Mention& target, const std::vector<int>& hosts);
   // "holding", "displaying": the host carries it, whatever it is.
   bool shows(const Link& link) const;

@@ -12,44 +12,46 @@ namespace layoutbox::offline {
 using R = RelationType;
 
 // "a table with four chairs in the middle": what is said there of the place of the chairs is said of the table that has them.
-void RelationBuilder::place_hosts() {
-  for (const Link& have : document_.links) {
-    if (have.kind != Link::Kind::kHave || have.after_comma || have.references.size() != 1 || have.targets.empty()) continue;
-    const Mention &host = mention(have.references.front()), &first = mention(have.targets.front());
-    if (host.items.size() != 1 || first.items.empty()) continue;
-    const NounPhrase &noun = noun_of_item(host.items.front()), &other = noun_of_item(first.items.front());
-    const bool seats = is_table(catalog_, noun) && is_seat(catalog_, other);
-    // "a table with four chairs in the middle, a mug and a bowl on it": the place follows the chairs.
-    const int last = seats ? have.targets.front() : have.targets.back();
-    const bool list = !seats && have.targets.size() > 1;
-    const Mention& thing = mention(last);
-    if (thing.items.empty() || !thing.introduces) continue;
-    // "a cabinet with a TV opposite the sofa": the cabinet, with the TV on it.
-    const bool carried = mount_of(noun) == Mount::kFloor && mount_of(other) == Mount::kSurface && may_carry(catalog_, noun, other);
-    // "a dressing table with a mirror under the window"
-    const bool hung = !list && mount_of(other) == Mount::kWall && mount_of(noun) == Mount::kFloor;
-    // "a piano with its stool by the window"
-    const bool own = !list && thing.noun.determiner == Determiner::kPossessive && mount_of(noun) == Mount::kFloor;
-    if (list ? !carried : !seats && !flanks(other, noun) && !carried && !hung && !own) continue;
-    const auto stands = [&](int r) {
-      const Mention& by = mention(r);
-      if (own && by.items != host.items) return true;
-      if (hung && by.noun.kind != NounKind::kWindow) return false;
-      return by.items.empty() || (carried && !list && by.items != host.items && mount_of(noun_of_item(by.items.front())) == Mount::kFloor);
-    };
-    const auto is_place = [&](const Link& link, int target) {
-      const bool rests = carried && (says(link.senses, R::kOn) || says(link.senses, R::kIn) || says(link.senses, R::kCenterOfRoom));
-      if (hung && !says(link.senses, R::kUnderWindow)) return false;
-      return link.kind == Link::Kind::kRelation && link.targets == std::vector<int>{target} && !rests &&
-             std::all_of(link.references.begin(), link.references.end(), stands);
-    };
-    const bool placed = std::any_of(document_.links.begin(), document_.links.end(),
-                                    [&](const Link& link) { return is_place(link, have.references.front()); });
-    for (Link& link : document_.links) {
-      const bool follows = link.first >= thing.noun.last && link.first <= thing.noun.last + 1;
-      if (!placed && follows && is_place(link, last)) link.targets = have.references;
-    }
+void RelationBuilder::place_host_of(const Link& have) {
+  if (have.kind != Link::Kind::kHave || have.after_comma || have.references.size() != 1 || have.targets.empty()) return;
+  const Mention &host = mention(have.references.front()), &first = mention(have.targets.front());
+  if (host.items.size() != 1 || first.items.empty()) return;
+  const NounPhrase &noun = noun_of_item(host.items.front()), &other = noun_of_item(first.items.front());
+  const bool seats = is_table(catalog_, noun) && is_seat(catalog_, other);
+  // "a table with four chairs in the middle, a mug and a bowl on it": the place follows the chairs.
+  const int last = seats ? have.targets.front() : have.targets.back();
+  const bool list = !seats && have.targets.size() > 1;
+  const Mention& thing = mention(last);
+  if (thing.items.empty() || !thing.introduces) return;
+  // "a cabinet with a TV opposite the sofa": the cabinet, with the TV on it.
+  const bool carried = mount_of(noun) == Mount::kFloor && mount_of(other) == Mount::kSurface && may_carry(catalog_, noun, other);
+  // "a dressing table with a mirror under the window"
+  const bool hung = !list && mount_of(other) == Mount::kWall && mount_of(noun) == Mount::kFloor;
+  // "a piano with its stool by the window"
+  const bool own = !list && thing.noun.determiner == Determiner::kPossessive && mount_of(noun) == Mount::kFloor;
+  if (list ? !carried : !seats && !flanks(other, noun) && !carried && !hung && !own) return;
+  const auto stands = [&](int r) {
+    const Mention& by = mention(r);
+    if (own && by.items != host.items) return true;
+    if (hung && by.noun.kind != NounKind::kWindow) return false;
+    return by.items.empty() || (carried && !list && by.items != host.items && mount_of(noun_of_item(by.items.front())) == Mount::kFloor);
+  };
+  const auto is_place = [&](const Link& link, int target) {
+    const bool rests = carried && (says(link.senses, R::kOn) || says(link.senses, R::kIn) || says(link.senses, R::kCenterOfRoom));
+    if (hung && !says(link.senses, R::kUnderWindow)) return false;
+    return link.kind == Link::Kind::kRelation && link.targets == std::vector<int>{target} && !rests &&
+           std::all_of(link.references.begin(), link.references.end(), stands);
+  };
+  const bool placed = std::any_of(document_.links.begin(), document_.links.end(),
+                                  [&](const Link& link) { return is_place(link, have.references.front()); });
+  for (Link& link : document_.links) {
+    const bool follows = link.first >= thing.noun.last && link.first <= thing.noun.last + 1;
+    if (!placed && follows && is_place(link, last)) link.targets = have.references;
   }
+}
+
+void RelationBuilder::place_hosts() {
+  for (const Link& have : document_.links) place_host_of(have);
 }
 
 // "a counter with the till, the grinder and a cake display along the back wall": all three are what the counter has.

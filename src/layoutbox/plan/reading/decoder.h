@@ -109,6 +109,8 @@ class Decoder {
   void alone_of_list(std::size_t s, int u, std::size_t level, const Candidate& meant);
   void alone_of_room(std::size_t s, int u, std::size_t level, double gain);
   void attach_actions(std::size_t s, int u, Kind kind);
+  bool says_around(int u) const;
+  Referent whole_of(const State& state, int u, Kind kind, int member) const;
   void attach_to(std::size_t s, int u, Kind kind, std::size_t level);
   void have_actions(std::size_t s, int u);
   bool is_placed_apart(const State& state, int member) const;

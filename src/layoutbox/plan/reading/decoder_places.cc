@@ -135,19 +135,25 @@ void Decoder::attach_actions(std::size_t s, int u, Kind kind) {
   if (of_no_thing || actions_.empty() || actions_.back().state != s) add(s, kind, of_no_thing ? weight::kNoThing : -1);
 }
 
+bool Decoder::says_around(int u) const {
+  return says(unit(u).inverse, RelationType::kAround) || says(unit(u).inverse, RelationType::kSurround);
+}
+
+// "a desk with a setup of …": what the setup has, the desk has. "supported by turned legs, surrounded by chairs": the table is.
+Referent Decoder::whole_of(const State& state, int u, Kind kind, int member) const {
+  const NounKind place = noun_of(state, member).kind;
+  const int predicate = read_as(state, member).predicate;
+  if (place == NounKind::kPart && kind == kAttachInverse && says_around(u) && predicate >= 0) return read_as(state, predicate).subject;
+  return place == NounKind::kAbstract && kind == kHaveThing ? host_of(state, member) : kNobody;
+}
+
 void Decoder::attach_to(std::size_t s, int u, Kind kind, std::size_t level) {
   const State& state = states_[s];
   const bool inverse = kind == kAttachInverse || kind == kHaveThing;
   const int member = state.frontier[level];
   const NounKind place = noun_of(state, member).kind;
   const bool opening = place == NounKind::kDoor || place == NounKind::kWindow;
-  // "a desk with a setup of …": what the setup has, the desk has. "supported by turned legs, surrounded by chairs": the table is.
-  const bool around = says(unit(u).inverse, RelationType::kAround) || says(unit(u).inverse, RelationType::kSurround);
-  const int predicate = read_as(state, member).predicate;
-  const bool leg = place == NounKind::kPart && kind == kAttachInverse && around && predicate >= 0;
-  const Referent owner = leg                                                  ? read_as(state, predicate).subject
-                         : place == NounKind::kAbstract && kind == kHaveThing ? host_of(state, member)
-                                                                              : kNobody;
+  const Referent owner = whole_of(state, u, kind, member);
   if (owner >= 0 && is_thing(state, owner)) {
     add(s, kind, attach_score(state, u, static_cast<int>(level), true), owner,
         read_as(state, read_as(state, member).predicate).first_subject);
@@ -159,7 +165,7 @@ void Decoder::attach_to(std::size_t s, int u, Kind kind, std::size_t level) {
     add(s, kind, 0, member, state.first_subject);
     return;
   }
-  if (place == NounKind::kPart && kind == kAttachInverse && around && noun_of(state, member).wall_word.empty()) return;
+  if (place == NounKind::kPart && kind == kAttachInverse && says_around(u) && noun_of(state, member).wall_word.empty()) return;
   const bool part_of_room = place == NounKind::kWall || opening || place == NounKind::kCorner || place == NounKind::kCeiling ||
                             place == NounKind::kPart || place == NounKind::kCenter ||
                             (place == NounKind::kRoom && kind == kAttachInverse && says(unit(u).inverse, RelationType::kCenterOfRoom));
