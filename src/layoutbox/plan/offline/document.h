@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "layoutbox/plan/offline/chunks.h"
@@ -114,6 +115,29 @@ inline void take_chunks(Document& document, std::size_t first, std::size_t last,
       document.readings[i].role = role;
     }
   }
+}
+
+// Brings in `count` things of a kind that no words name ("for eight", "a reading corner"), at the words [first, last): their mention.
+inline int bring_in(Document& document, const CatalogEntry& entry, int count, std::size_t first, std::size_t last) {
+  Mention added;
+  added.introduces = true;
+  NounPhrase& noun = added.noun;
+  noun.entry = &entry;
+  noun.exact = true;
+  noun.category = entry.id;
+  noun.name = entry.name;
+  noun.head = entry.name.substr(entry.name.rfind(' ') + 1);
+  noun.count = count;
+  noun.plural = count > 1;
+  noun.first = first;
+  noun.last = last;
+  const int group = document.groups++;
+  for (int i = 0; i < count; ++i) {
+    added.items.push_back(static_cast<int>(document.items.size()));
+    document.items.push_back({noun, group, true});
+  }
+  document.mentions.push_back(std::move(added));
+  return static_cast<int>(document.mentions.size()) - 1;
 }
 
 }  // namespace layoutbox::offline

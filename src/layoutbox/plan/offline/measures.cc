@@ -201,9 +201,9 @@ std::size_t read_size_before(const Lexicon& lexicon, std::span<const Token> toke
   // "a 9x12 rug": feet, where metres are too many for a thing; "a 2 x 3 rug" is in metres.
   constexpr double kMostMetres = 3.5;
   const std::size_t named_at = at + read.length;
-  const bool rug = plain && named_at < tokens.size() && has(lexicon.find(tokens, named_at), Class::kObject);
-  const bool feet = rug && !bare && std::max(read.numbers[0], read.numbers[1]) > kMostMetres;
-  if ((read.united || bare || rug) && noun_goes_on(lexicon, tokens, named_at)) {
+  const bool of_thing = plain && named_at < tokens.size() && has(lexicon.find(tokens, named_at), Class::kObject);
+  const bool feet = of_thing && !bare && std::max(read.numbers[0], read.numbers[1]) > kMostMetres;
+  if ((read.united || bare || of_thing) && noun_goes_on(lexicon, tokens, named_at)) {
     const auto side = [&](std::size_t s) { return bare ? read.numbers[s] * kCentimetre : feet ? read.numbers[s] * kFoot : read.sides[s]; };
     size.width = side(0);
     size.depth = side(1);

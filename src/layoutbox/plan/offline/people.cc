@@ -59,25 +59,7 @@ class PeopleReader {
 
   // Adds so many of a kind, as if "for eight" named them.
   int add(const CatalogEntry& entry, int count, const NounPhrase& by) {
-    Mention added;
-    added.introduces = true;
-    NounPhrase& noun = added.noun;
-    noun.entry = &entry;
-    noun.exact = true;
-    noun.category = entry.id;
-    noun.name = entry.name;
-    noun.head = entry.name.substr(entry.name.rfind(' ') + 1);
-    noun.count = count;
-    noun.plural = count > 1;
-    noun.first = by.first;
-    noun.last = by.last;
-    const int group = document_.groups++;
-    for (int i = 0; i < std::min(count, kMostPeople); ++i) {
-      added.items.push_back(static_cast<int>(document_.items.size()));
-      document_.items.push_back({noun, group, true});
-    }
-    document_.mentions.push_back(std::move(added));
-    return static_cast<int>(document_.mentions.size()) - 1;
+    return bring_in(document_, entry, std::min(count, kMostPeople), by.first, by.last);
   }
 
   void relate(Link::Kind kind, PhraseSenses senses, int target, int reference) {

@@ -1,6 +1,7 @@
 #include "layoutbox/plan/offline/zones.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "layoutbox/catalog/groups.h"
 #include "layoutbox/plan/offline/noun_phrase_parts.h"
@@ -169,25 +170,8 @@ class ZoneReader {
   }
 
   void add(Zone& zone, const CatalogEntry& entry, int count) {
-    Mention added;
-    added.introduces = true;
-    NounPhrase& thing = added.noun;
-    thing.entry = &entry;
-    thing.exact = true;
-    thing.category = entry.id;
-    thing.name = entry.name;
-    thing.head = entry.name.substr(entry.name.rfind(' ') + 1);
-    thing.count = count;
-    thing.plural = count > 1;
-    thing.first = zone.first;
-    thing.last = zone.last;
-    const int group = document_.groups++;
-    for (int k = 0; k < count; ++k) {
-      added.items.push_back(static_cast<int>(document_.items.size()));
-      zone.items.push_back(added.items.back());
-      document_.items.push_back({thing, group, true});
-    }
-    document_.mentions.push_back(std::move(added));
+    const int added = bring_in(document_, entry, count, zone.first, zone.last);
+    std::ranges::copy(document_.mentions[static_cast<std::size_t>(added)].items, std::back_inserter(zone.items));
   }
 
   int mention_of(int item) const {
