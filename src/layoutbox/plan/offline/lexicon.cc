@@ -214,8 +214,9 @@ void Lexicon::extend_phrase(std::span<const Token> tokens, std::size_t at, std::
     next.plural |= plural;
     next.other |= word == "other";
     // "on the left wall" is on a wall, not on the left of something.
-    const bool adjective = (word == "left" || word == "right" || word == "back" || word == "front" || word == "top" || word == "bottom") &&
-                           i + 1 < tokens.size() && names_place(tokens, i + 1);
+    static constexpr std::array<std::string_view, 7> kSides = {"left", "right", "back", "rear", "front", "top", "bottom"};
+    const bool adjective =
+        std::find(kSides.begin(), kSides.end(), word) != kSides.end() && i + 1 < tokens.size() && names_place(tokens, i + 1);
     // "on the side tables" are things on tables.
     const auto begins_name = [&] {
       const Match name = find(tokens, i);

@@ -270,6 +270,12 @@ const CatalogEntry* NounPhraseReader::stall_of(const Part& part) const {
   return called ? entry : nullptr;
 }
 
+// "a mizuhiki arrangement", "a feng shui piece": what word like that nobody knows may well be a thing.
+bool NounPhraseReader::follows_unknown_word(std::size_t head) const {
+  const Part& before = parts_[head > 0 ? head - 1 : 0];
+  return head > 0 && before.word_class == Class::kFiller && word_form(tokens_[before.last - 1].text) == WordForm::kUnknown;
+}
+
 // A head that stands in the lists of places, rooms and parts.
 void NounPhraseReader::settle_listed(std::size_t head) {
   const Part part = parts_[head];
@@ -293,6 +299,7 @@ void NounPhraseReader::settle_listed(std::size_t head) {
     phrase_.as_object = std::move(object);
   }
   settle_place(part);
+  phrase_.doubted = phrase_.kind == NounKind::kAbstract && new_here && follows_unknown_word(head);
   // "bath essentials", "decorative items": things, where something holds them.
   if (phrase_.kind == NounKind::kAbstract && is_collective(phrase_.head)) {
     settle_object(as_thing, head);

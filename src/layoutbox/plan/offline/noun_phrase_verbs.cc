@@ -33,7 +33,8 @@ bool NounPhraseReader::ends_in_verb(std::size_t head) const {
   return before.word_class == Class::kObject || (before.word_class == Class::kFiller && is_thing(before));
 }
 
-// "two sconces guard it", "the stools rim the table": several, and what they do. Compounds begin with one ("sconce guard").
+// "two sconces guard it", "the stools rim the table", "three brushes stick up in the jar": several, and what they do. Compounds begin with
+// one ("sconce guard").
 bool NounPhraseReader::ends_in_plural_verb(std::size_t head) const {
   if (head < 2) return false;
   const Part &last = parts_[head - 1], &before = parts_[head - 2];
@@ -41,8 +42,9 @@ bool NounPhraseReader::ends_in_plural_verb(std::size_t head) const {
       before.word_class != Class::kObject || last.last >= tokens_.size())
     return false;
   const Token& next = tokens_[last.last];
-  const bool object = lexicon_.is(next, Class::kDefinite) || lexicon_.is(next, Class::kIndefinite) || lexicon_.is(next, Class::kPronoun) ||
-                      lexicon_.is(next, Class::kPossessive);
+  const bool placed = phrase_.count > 1 && place_at(last.last);
+  const bool object = placed || lexicon_.is(next, Class::kDefinite) || lexicon_.is(next, Class::kIndefinite) ||
+                      lexicon_.is(next, Class::kPronoun) || lexicon_.is(next, Class::kPossessive);
   return object && may_be_verb(tokens_[last.first].text);
 }
 

@@ -45,6 +45,10 @@ inline bool is_zone(std::string_view head) {
   return std::find(std::begin(kZones), std::end(kZones), head) != std::end(kZones);
 }
 
+inline bool is_new_here(const NounPhrase& noun) {
+  return noun.determiner == Determiner::kIndefinite || noun.determiner == Determiner::kAnother || noun.count > 0;
+}
+
 // A wall, a corner, a door …
 inline bool is_part_of_room(const NounPhrase& noun) {
   return noun.kind == NounKind::kWall || noun.kind == NounKind::kCorner || noun.kind == NounKind::kCenter ||

@@ -126,8 +126,22 @@ bool is_inline_number(std::string_view prompt, std::size_t at, std::size_t end) 
   return open == std::string_view::npos || before.find(')', open) != std::string_view::npos;
 }
 
+// "(1) desk; … (2) table": the bytes of a number that goes on with a list, after the end of a sentence. Not "bed. (2) nightstands".
+std::size_t bracketed_list_number(std::string_view prompt, std::size_t at) {
+  constexpr std::size_t kReach = 600, kLength = 4;
+  if (at + kLength > prompt.size() || prompt[at] != '(' || !is_digit(prompt[at + 1]) || prompt.substr(at + 2, 2) != ") ") return 0;
+  const char number = prompt[at + 1];
+  const std::size_t end = prompt.substr(0, at).find_last_not_of(" \t\r");
+  if (end != std::string_view::npos && std::string_view(".;:!?\n").find(prompt[end]) == std::string_view::npos) return 0;
+  const std::string other = {'(', static_cast<char>(number == '1' ? '2' : number - 1), ')', ' '};
+  const std::string_view where =
+      number == '1' ? prompt.substr(at + kLength, kReach) : prompt.substr(at > kReach ? at - kReach : 0, std::min(at, kReach));
+  return where.find(other) != std::string_view::npos ? kLength - 1 : 0;
+}
+
 // "1." or "2)" at the beginning of a line, or "2)" within one: the bytes it takes, else 0.
 std::size_t list_number(std::string_view prompt, std::size_t at) {
+  if (const std::size_t bracketed = bracketed_list_number(prompt, at); bracketed > 0) return bracketed;
   std::size_t back = at;
   while (back > 0 && (prompt[back - 1] == ' ' || prompt[back - 1] == '\t')) --back;
   const bool within = back > 0 && prompt[back - 1] != '\n';

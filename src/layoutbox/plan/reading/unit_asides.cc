@@ -5,19 +5,12 @@
 
 #include "layoutbox/plan/offline/english.h"
 #include "layoutbox/plan/offline/knowledge.h"
+#include "layoutbox/plan/offline/reader_words.h"
 #include "layoutbox/plan/reading/unit_reader.h"
 
 namespace layoutbox::offline {
 
 using Use = WordReading::Use;
-
-namespace {
-
-bool is_new_here(const NounPhrase& noun) {
-  return noun.determiner == Determiner::kIndefinite || noun.determiner == Determiner::kAnother || noun.count > 0;
-}
-
-}  // namespace
 
 // Where the clause that follows chunk k is over: at a stop, or at a break after which the room is spoken of again.
 std::size_t UnitReader::clause_end(std::size_t k) const {

@@ -1,8 +1,22 @@
 // Noun phrases whose company says what they are: things among things, things spoken of again, shares of what was named.
 #include "layoutbox/plan/offline/english.h"
+#include "layoutbox/plan/offline/reader_words.h"
 #include "layoutbox/plan/reading/unit_reader.h"
 
 namespace layoutbox::offline {
+
+// "a palette and a jar are on the trolley": a list that is all of one place, on a thing that is known.
+bool UnitReader::lists_on_thing(std::size_t k) const {
+  std::size_t n = next(k);
+  while (is(n, ChunkKind::kAnd) || is(n, ChunkKind::kComma) || (is(n, ChunkKind::kNoun) && is_new_here(chunk(n).noun))) n = next(n);
+  if (is(n, ChunkKind::kVerb) || is(n, ChunkKind::kParticiple)) n = next(n);
+  const std::size_t host = next(n);
+  if (!is(n, ChunkKind::kRelation) || !is(host, ChunkKind::kNoun)) return false;
+  const NounPhrase& by = chunk(host).noun;
+  const PhraseSenses& senses = *chunk(n).phrase.senses;
+  return (says(senses, RelationType::kOn) || says(senses, RelationType::kIn)) && by.kind == NounKind::kObject && by.exact &&
+         by.determiner == Determiner::kDefinite;
+}
 
 // "a cart with two lenses, a flash and a laptop", "a script on the sofa": what English alone says is no thing is one among things, or
 // where the text says where it is.
@@ -13,7 +27,10 @@ bool UnitReader::is_thing_in_company(std::size_t k) const {
   // "a stacking tower", "a toy castle": outside elsewhere
   const bool compound = noun.last > noun.first + 2 && noun_form(noun.head) == WordForm::kThing && noun.attributes.empty() &&
                         noun.name.find(' ') != noun.name.rfind(' ');
-  if (noun.kind != NounKind::kAbstract || !(noun.doubted || compound) || !anew || noun.of || noun.name.find(" of ") != std::string::npos)
+  // "a palette and a jar are on the trolley": what is a thing as well, among things
+  const bool thing_too = noun.last == noun.first + 2 && word_form(noun.head) == WordForm::kThing && lists_on_thing(k);
+  if (noun.kind != NounKind::kAbstract || !(noun.doubted || compound || thing_too) || !anew || noun.of ||
+      noun.name.find(" of ") != std::string::npos)
     return false;
   if (word_form(noun.head) == WordForm::kPerson || lexicon_.is_person(noun.head)) return false;
   const auto is_new_thing = [&](std::size_t c) {

@@ -3,6 +3,7 @@
 
 #include "layoutbox/plan/offline/english.h"
 #include "layoutbox/plan/offline/knowledge.h"
+#include "layoutbox/plan/offline/reader_words.h"
 #include "layoutbox/plan/reading/unit_reader.h"
 
 namespace layoutbox::offline {
@@ -10,7 +11,7 @@ namespace layoutbox::offline {
 using Use = WordReading::Use;
 
 void UnitReader::read_purpose(std::size_t k) {
-  if (passes_keeper(k) || shares_by_purpose(k) || passes_like(k) || keeps_place_for(k) || wishes_to(k)) return;
+  if (passes_keeper(k) || shares_by_purpose(k) || passes_like(k) || keeps_place_for(k) || wishes_to(k) || tells_instead(k)) return;
   if (reads_as_verb(k) || inverts(k)) {
     mark(k, Use::kUsed, "placing");
     add(UnitKind::kVerb, k);
@@ -122,6 +123,10 @@ bool UnitReader::place_after_purpose(std::size_t k) const {
 // "a recliner for my partner facing the TV", "a box for toys at the foot of the bed": for whom or what it is, and where it is.
 bool UnitReader::follows_whom(std::size_t k) const {
   const std::size_t p = previous(k), n = next(k), host = last_noun();
+  // "an armchair for me beside the bookcase"
+  const bool for_us = is(p, ChunkKind::kPurpose) && document_.tokens[chunk(p).first].text == "for" && chunk(k).first > chunk(p).last &&
+                      one_of(document_.tokens[chunk(k).first - 1].text, {"me", "us", "myself", "ourselves"});
+  if (for_us && is(n, ChunkKind::kNoun)) return is_part_of_room(chunk(n).noun) || names_thing(n);
   if (!is(p, ChunkKind::kNoun) || !is(previous(p), ChunkKind::kPurpose) || !is(n, ChunkKind::kNoun)) return false;
   const std::string& word = document_.tokens[chunk(previous(p)).last - 1].text;
   const NounPhrase &whom = chunk(p).noun, &by = chunk(n).noun;

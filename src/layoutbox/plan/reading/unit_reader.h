@@ -43,6 +43,7 @@ class UnitReader {
   bool is_bare_list() const;
   bool keeps_place_for(std::size_t k);
   bool wishes_to(std::size_t k);
+  bool tells_instead(std::size_t k);
   bool brings_each(std::size_t k);
   bool purpose_ends(std::size_t k, std::size_t n) const;
   bool place_after_purpose(std::size_t k) const;
@@ -150,6 +151,7 @@ class UnitReader {
   bool is_part(std::size_t k) const;
   bool names_known(std::size_t k) const;
   bool is_thing_in_company(std::size_t k) const;
+  bool lists_on_thing(std::size_t k) const;
   bool is_own_frame(std::size_t k) const;
   void leave_out_part(std::size_t k, bool goes_on);
   bool says_room_seats(std::size_t k);
