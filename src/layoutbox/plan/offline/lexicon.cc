@@ -208,6 +208,7 @@ void Lexicon::extend_phrase(std::span<const Token> tokens, std::size_t at, std::
     if (!phrase_starts_.contains(extended)) return false;
     PhraseMatch next = so_far;
     next.each |= is_distributor(word) || (inside && word == "all");  // "on all sides"
+    next.each |= word == "right" && key.ends_with("left and");       // "a lamp on the left and right of the bed"
     next.all |= inside && (word == "every" || word == "all");
     if (const int sides = number_of(word); inside && sides > 1) next.sides = sides;
     next.possessive |= word == "its" || word == "their";

@@ -270,6 +270,12 @@ const CatalogEntry* NounPhraseReader::stall_of(const Part& part) const {
   return called ? entry : nullptr;
 }
 
+// "a palette", "a feng shui piece": what the lists call no thing may be one among things (UnitReader::is_thing_in_company).
+bool NounPhraseReader::may_be_thing(const Part& part, std::size_t head) const {
+  const bool alone = part.last == part.first + 1 && head == 0 && noun_form(tokens_[part.first].text) == WordForm::kThing;
+  return (alone && !is_collective(singular_of(tokens_[part.first].text))) || follows_unknown_word(head);
+}
+
 // "a mizuhiki arrangement", "a feng shui piece": what word like that nobody knows may well be a thing.
 bool NounPhraseReader::follows_unknown_word(std::size_t head) const {
   const Part& before = parts_[head > 0 ? head - 1 : 0];
@@ -299,7 +305,13 @@ void NounPhraseReader::settle_listed(std::size_t head) {
     phrase_.as_object = std::move(object);
   }
   settle_place(part);
-  phrase_.doubted = phrase_.kind == NounKind::kAbstract && new_here && follows_unknown_word(head);
+  if (phrase_.kind == NounKind::kAbstract && new_here && may_be_thing(part, head)) {
+    const bool doubted = follows_unknown_word(head);
+    settle_object(as_thing, head);
+    phrase_.kind = NounKind::kAbstract;
+    phrase_.doubted = doubted;
+    return;
+  }
   // "bath essentials", "decorative items": things, where something holds them.
   if (phrase_.kind == NounKind::kAbstract && is_collective(phrase_.head)) {
     settle_object(as_thing, head);

@@ -143,6 +143,7 @@ class NounPhraseReader {
   bool is_rare_thing(const Part& part, std::size_t head) const;
   bool has_telling_head(const Part& part, std::size_t head) const;
   const CatalogEntry* stall_of(const Part& part) const;
+  bool may_be_thing(const Part& part, std::size_t head) const;
   bool follows_unknown_word(std::size_t head) const;
   bool is_compound(std::size_t head) const;
   bool is_modeled(std::size_t head) const;

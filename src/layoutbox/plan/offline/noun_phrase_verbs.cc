@@ -43,6 +43,7 @@ bool NounPhraseReader::ends_in_plural_verb(std::size_t head) const {
     return false;
   const Token& next = tokens_[last.last];
   const bool placed = phrase_.count > 1 && place_at(last.last);
+  if (placed && lexicon_.find_phrase(tokens_, last.last).length == 0) return true;  // "stick up in"
   const bool object = placed || lexicon_.is(next, Class::kDefinite) || lexicon_.is(next, Class::kIndefinite) ||
                       lexicon_.is(next, Class::kPronoun) || lexicon_.is(next, Class::kPossessive);
   return object && may_be_verb(tokens_[last.first].text);

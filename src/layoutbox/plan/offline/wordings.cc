@@ -175,7 +175,12 @@ class WordingReader : public TokenReader {
   }
 
   // "speakers left and right of the screen", "two lamps left and right": on both sides.
+  // "on the left and on the right of the bookcase" likewise.
   void read_left_and_right(std::size_t i) {
+    const auto is_side = [&](std::size_t at, std::string_view side) {
+      return is(at, {"on", "to"}) && is(at + 1, {"the"}) && is(at + 2, {side});
+    };
+    if (is_side(i, "left") && is(i + 3, {"and"}) && is_side(i + 4, "right") && (ends(i + 7) || is(i + 7, {"of"}))) leave_out(i + 4, i + 6);
     if (i == 0 || !are(i, {"left", "and", "right"}) || !(ends(i + 3) || is(i + 3, {"of"})) ||
         is(i - 1, {"the", "to", "on", "its", "from", "both"}))
       return;

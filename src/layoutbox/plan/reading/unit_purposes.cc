@@ -11,7 +11,7 @@ namespace layoutbox::offline {
 using Use = WordReading::Use;
 
 void UnitReader::read_purpose(std::size_t k) {
-  if (passes_keeper(k) || shares_by_purpose(k) || passes_like(k) || keeps_place_for(k) || wishes_to(k) || tells_instead(k)) return;
+  if (passes_keeper(k) || shares_by_purpose(k) || passes_like(k) || keeps_place_for(k) || wishes_to(k)) return;
   if (reads_as_verb(k) || inverts(k)) {
     mark(k, Use::kUsed, "placing");
     add(UnitKind::kVerb, k);

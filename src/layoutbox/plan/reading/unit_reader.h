@@ -43,7 +43,6 @@ class UnitReader {
   bool is_bare_list() const;
   bool keeps_place_for(std::size_t k);
   bool wishes_to(std::size_t k);
-  bool tells_instead(std::size_t k);
   bool brings_each(std::size_t k);
   bool purpose_ends(std::size_t k, std::size_t n) const;
   bool place_after_purpose(std::size_t k) const;

@@ -4,7 +4,6 @@
 
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/knowledge.h"
-#include "layoutbox/plan/offline/reader_words.h"
 #include "layoutbox/plan/reading/unit_reader.h"
 
 namespace layoutbox::offline {
@@ -54,18 +53,6 @@ bool UnitReader::wishes_to(std::size_t k) {
     units_.pop_back();
   }
   mark(k, Use::kIgnored, "opens a statement");
-  add(UnitKind::kOpen, k);
-  return true;
-}
-
-// "no wardrobe I use a clothes rail": what is there instead, with nothing between.
-bool UnitReader::tells_instead(std::size_t k) {
-  const std::size_t n = next(k);
-  if (!negated_ || skipping_ || !lexicon_.is(document_.tokens[chunk(k).first], WordClass::kDoer) || !is(previous(k), ChunkKind::kNoun) ||
-      !is(n, ChunkKind::kNoun) || !is_new_here(chunk(n).noun))
-    return false;
-  mark(k, Use::kIgnored, "opens a statement");
-  negated_ = false;
   add(UnitKind::kOpen, k);
   return true;
 }
