@@ -94,22 +94,33 @@ PhraseSense sense_of(RelationType type, PhraseSense::Direction direction, const 
   return sense;
 }
 
-bool is_letter_or_digit(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || static_cast<unsigned char>(c) >= 0x80;
-}
+// What a letter or digit is in a key, lower case; 0: none.
+constexpr auto kKeyLetters = [] {
+  std::array<char, 256> letters{};
+  for (std::size_t c = 0; c < letters.size(); ++c) {
+    const char sign = static_cast<char>(c);
+    const bool capital = sign >= 'A' && sign <= 'Z';
+    const bool plain = (sign >= 'a' && sign <= 'z') || (sign >= '0' && sign <= '9') || c >= 0x80;
+    letters[c] = capital ? static_cast<char>(c - 'A' + 'a') : plain ? sign : '\0';
+  }
+  return letters;
+}();
 
 // As key_of makes it; the number of words as words_of parts them.
 std::uint32_t make_key(std::string_view words, std::string& key) {
-  key.clear();
+  key.resize(words.size());
   std::uint32_t count = 0;
+  std::size_t length = 0;
   bool open = false;
   for (const char c : words) {
     if (c == '\'') continue;
-    const bool letter = is_letter_or_digit(c);
-    if (letter && !open) ++count;
-    if (letter) key.push_back(c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c);
-    open = letter;
+    const char letter = kKeyLetters[static_cast<unsigned char>(c)];
+    count += letter != 0 && !open ? 1 : 0;
+    open = letter != 0;
+    key[length] = letter;
+    length += open ? 1 : 0;
   }
+  key.resize(length);
   return count;
 }
 
@@ -118,17 +129,15 @@ std::string plain_words(std::string_view listed) {
   std::string text;
   text.reserve(listed.size());
   for (const char c : listed) {
-    if (c == '\'') continue;
-    const bool letter = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || static_cast<unsigned char>(c) >= 0x80;
-    const bool capital = c >= 'A' && c <= 'Z';
-    text += capital ? static_cast<char>(c - 'A' + 'a') : letter ? c : ' ';
+    const char letter = kKeyLetters[static_cast<unsigned char>(c)];
+    if (c != '\'') text += letter != 0 ? letter : ' ';
   }
   return text;
 }
 
 std::string_view text_of(const WordList& item) { return item.is_text() ? item.text() : item.at("say").text(); }
 
-constexpr std::size_t kListedWords = 16000, kPhrases = 2000, kLetters = 400000;
+constexpr std::size_t kListedWords = 24000, kPhrases = 2000, kLetters = 400000;
 
 }  // namespace
 

@@ -28,12 +28,17 @@ struct Finish {
 };
 
 Finish finish_at(const std::vector<Token>& tokens, std::size_t i) {
+  static const std::vector<std::pair<std::vector<std::string>, std::string_view>> kFinishes = [] {
+    std::vector<std::pair<std::vector<std::string>, std::string_view>> finishes;
+    for (const WordList::Member finish : word_list("words_room").at("finishes"))
+      finishes.emplace_back(words_of(finish.key), finish.value.text());
+    return finishes;
+  }();
   Finish best;
-  for (const WordList::Member finish : word_list("words_room").at("finishes")) {
-    const std::vector<std::string> words = words_of(finish.key);
+  for (const auto& [words, where] : kFinishes) {
     bool said = i + words.size() <= tokens.size() && words.size() > best.length;
     for (std::size_t w = 0; said && w < words.size(); ++w) said = tokens[i + w].text == words[w];
-    if (said) best = {words.size(), finish.value.text()};
+    if (said) best = {words.size(), where};
   }
   return best;
 }

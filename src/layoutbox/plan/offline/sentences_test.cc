@@ -255,6 +255,12 @@ TEST(Sentences, FillersLeaveEveryMeaningAlone) {
   }
 }
 
+// Letters and digits, but for the numbers of a list: "(2) a table".
+bool is_of_word(const std::string& text, std::size_t at) {
+  const bool listed = at > 0 && at + 1 < text.size() && text[at - 1] == '(' && text[at + 1] == ')';
+  return !listed && std::isalnum(static_cast<unsigned char>(text[at]));
+}
+
 TEST(Sentences, EveryWordIsAccountedForOnceAndInOrder) {
   for (const Row& row : rows()) {
     const auto plan = planner().plan(row.text, {});
@@ -263,11 +269,11 @@ TEST(Sentences, EveryWordIsAccountedForOnceAndInOrder) {
     for (const WordReading& reading : plan->readings) {
       EXPECT_GE(reading.begin, at) << row.text;
       EXPECT_GT(reading.end, reading.begin) << row.text;
-      for (; at < reading.begin; ++at) EXPECT_FALSE(std::isalnum(static_cast<unsigned char>(row.text[at]))) << row.text.substr(at);
+      for (; at < reading.begin; ++at) EXPECT_FALSE(is_of_word(row.text, at)) << row.text.substr(at);
       at = reading.end;
     }
     EXPECT_LE(at, row.text.size());
-    for (; at < row.text.size(); ++at) EXPECT_FALSE(std::isalnum(static_cast<unsigned char>(row.text[at]))) << row.text.substr(at);
+    for (; at < row.text.size(); ++at) EXPECT_FALSE(is_of_word(row.text, at)) << row.text.substr(at);
   }
 }
 

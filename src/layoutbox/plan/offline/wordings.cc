@@ -14,6 +14,7 @@ class WordingReader : public TokenReader {
   using TokenReader::TokenReader;
 
   void run() {
+    speaks_of_shape_ = std::ranges::any_of(tokens_, [](const Token& token) { return token.text.starts_with("shape"); });
     for (std::size_t i = 0; i < tokens_.size(); ++i) {
       if (skip_[i]) continue;
       read_picture(i);
@@ -192,10 +193,9 @@ class WordingReader : public TokenReader {
   // "in the other half of the room", and of a room in the form of an L "in the small part … in the long one": part of the room, no more.
   void read_other_part(std::size_t i) {
     if (!are(i, {"in", "the"})) return;
-    const bool l_shaped = std::any_of(tokens_.begin(), tokens_.end(), [](const Token& token) { return token.text.starts_with("shape"); });
     const bool other = is(i + 2, {"other"}) && is(i + 3, {"half", "part"});
     const bool leg =
-        l_shaped &&
+        speaks_of_shape_ &&
         is(i + 2, {"small", "smaller", "large", "larger", "long", "longer", "short", "shorter", "main", "big", "wide", "narrow"}) &&
         is(i + 3, {"part", "one", "section", "leg", "half", "bit"});
     if (!other && !leg) return;
@@ -309,6 +309,8 @@ class WordingReader : public TokenReader {
     tokens_[i].text = "add";
     if (from) leave_out(i + 1, i + 2);
   }
+
+  bool speaks_of_shape_ = false;  // "an L-shaped room": it has parts
 };
 
 }  // namespace
