@@ -10,11 +10,11 @@
 namespace layoutbox {
 namespace {
 
-constexpr Mm kStillUnder = 50;            // a bottom board so high is as good as the floor
-constexpr double kLeastShare = 0.3;       // of its least size, for a guest
-constexpr double kLeastShareUnder = 0.5;  // a smaller wardrobe is none
-constexpr double kMostRaisedTop = 0.96;   // of a counter's, which is then a board over what stands under it: washing machines
-constexpr double kMostRaised = 0.55;      // of its height, for what stands on legs
+constexpr Mm kStillUnder = 50;                                     // a bottom board so high is as good as the floor
+constexpr double kLeastShare = 0.3, kLeastShareOfFurniture = 0.6;  // of its least size, for a guest
+constexpr double kLeastShareUnder = 0.5;                           // a smaller wardrobe is none
+constexpr double kMostRaisedTop = 0.96;  // of a counter's, which is then a board over what stands under it: washing machines
+constexpr double kMostRaised = 0.55;     // of its height, for what stands on legs
 constexpr double kMostRaisedSeat = 0.25;
 constexpr Mm kOverGuest = 40;
 
@@ -173,7 +173,10 @@ void find_room(NormalizeContext& context, RelationType type, SceneObject& host, 
   const double share = in      ? share_inside(entry, host, guest.size->least, guests)
                        : under ? share_under(entry, host, guest.size->least)
                                : share_on_top(context.catalog, host, guest);
-  if (share < 1 && share >= (under ? kLeastShareUnder : kLeastShare)) return shrink(context, guest, share, host.id);
+  // Furniture with a seat or shelves of its own is no toy.
+  const bool furniture = !context.catalog.entry_or_nearest(guest.category).spaces.empty();
+  const double least_share = under ? kLeastShareUnder : furniture ? kLeastShareOfFurniture : kLeastShare;
+  if (share < 1 && share >= least_share) return shrink(context, guest, share, host.id);
   if (in && guests > 1) pack(entry, host, guest, guests);
 }
 

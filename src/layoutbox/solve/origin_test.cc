@@ -87,6 +87,23 @@ TEST(Origins, ObjectsThatNobodyAskedForAreLeftOutFirst) {
   EXPECT_THAT(layout.gave_way[0].why, HasSubstr("left out"));
 }
 
+// Without a proof that it finds no place, all the rest stands all the same.
+TEST(Origins, ACompanionThatFindsNoPlaceTakesNothingWithIt) {
+  SceneMaker maker(4000, 3500);
+  maker.add("reception_desk").relate("againstWall", {"reception_desk_1"}, {"wall3"});
+  maker.add("chair", 4).relate("againstWall", {"chair_1"}, {"wall4"}).relate("againstWall", {"chair_2"}, {"wall2"});
+  maker.add("office_chair");
+  maker.raw().objects.back().origin = Origin::kAdded;
+  maker.relate("behind", {"office_chair_1"}, {"reception_desk_1"});
+  by(maker, Origin::kAdded);
+  SolveOptions options;
+  options.prove = false;
+  const auto layout = solve(maker.make(), Catalog::builtin(), options);
+  ASSERT_TRUE(layout) << layout.error().message;
+  expect_as_asked(*layout);
+  EXPECT_EQ(layout->objects.size(), 5u);
+}
+
 TEST(Origins, FreeFloorBeforeOpeningsGivesWay) {
   SceneMaker maker(3000, 3000);
   maker.opening(OpeningType::kWindow, "wall1", 900, 1200, 900, 1200).opening(OpeningType::kDoor, "wall2", 1000);

@@ -67,6 +67,7 @@ void Chunker::read() {
     add(ChunkKind::kIgnored, 1);
     return;
   }
+  if (read_whose()) return;
   const PhraseMatch phrase = phrase_here();
   if (tokens_[i_].text == "all" && phrase.length == 2) {  // "trays all over it"
     add_phrase(phrase);
@@ -114,6 +115,17 @@ void Chunker::read() {
     return;
   }
   read_small_word();
+}
+
+// "a cabinet whose shelves hold five bottles": the cabinet holds them.
+bool Chunker::read_whose() {
+  if (tokens_[i_].text != "whose" || previous() != ChunkKind::kNoun) return false;
+  const auto part = read_noun_phrase(lexicon_, tokens_, i_, false);
+  if (!part || part->last >= tokens_.size() || !lexicon_.is(tokens_[part->last], Class::kHave)) return false;
+  static constexpr std::string_view kHolding[] = {"shelf", "drawer", "top", "surface", "compartment", "rack", "tray", "level", "interior"};
+  if (std::ranges::find(kHolding, singular_of(tokens_[part->last - 1].text)) == std::end(kHolding)) return false;
+  add(ChunkKind::kRelative, part->last - i_);
+  return true;
 }
 
 // "Would a bike fit in …", "Could two desks stand …": the question is about the thing.

@@ -54,6 +54,7 @@ class Chunker {
   bool is_verb_before_article(const NounPhrase& noun) const;
   bool thing_next(std::size_t at) const;
   bool opens_question() const;
+  bool read_whose();
   bool says_enough() const;
   bool read_infinitive();
   // What somebody does (chunk_deeds).

@@ -125,7 +125,8 @@ bool NounPhraseReader::is_compound(std::size_t head) const {
   const std::string& word = tokens_[before.last - 1].text;
   if (before.word_class == Class::kObject || before.word_class == Class::kZone) return !before.plural;
   if (before.word_class != Class::kFiller || word.ends_with("ing") || word.ends_with("ed")) return false;
-  const WordForm form = word_form(word);
+  WordForm form = word_form(word);
+  if (form == WordForm::kVerb) form = noun_form(word);  // "a call button"
   return is_noun(form) || form == WordForm::kUnknown;
 }
 

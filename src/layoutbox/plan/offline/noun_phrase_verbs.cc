@@ -49,11 +49,13 @@ bool NounPhraseReader::ends_in_plural_verb(std::size_t head) const {
   return object && may_be_verb(tokens_[last.first].text);
 }
 
-// "the wardrobe or a bookcase can divide the room": what it may do, and no tin.
+// "the wardrobe or a bookcase can divide the room", "seven guests can eat at the counter": what they may do, and no tin.
 bool NounPhraseReader::ends_in_can(std::size_t head) const {
   if (head < 2 || parts_[head - 1].last != parts_[head - 1].first + 1 || tokens_[parts_[head - 1].first].text != "can") return false;
   const std::size_t next = parts_[head - 1].last;
-  return parts_[head - 2].word_class == Class::kObject && next < tokens_.size() && tokens_[next].kind == Token::Kind::kWord &&
+  const std::string& who = tokens_[parts_[head - 2].last - 1].text;
+  const bool person = word_form(singular_of(who)) == WordForm::kPerson || lexicon_.is_person(singular_of(who));
+  return (person || parts_[head - 2].word_class == Class::kObject) && next < tokens_.size() && tokens_[next].kind == Token::Kind::kWord &&
          !place_at(next) && !lexicon_.is(tokens_[next], Class::kAnd) && !is_finite(tokens_[next].text);
 }
 

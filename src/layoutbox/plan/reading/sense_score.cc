@@ -116,6 +116,9 @@ double SenseScore::of_part(const NounPhrase& part, const NounPhrase& owner) cons
 bool SenseScore::carries(const NounPhrase& host, const NounPhrase& thing) const { return may_carry(catalog_, host, thing); }
 
 double SenseScore::of_having(const NounPhrase& host, const NounPhrase& thing, bool holds) const {
+  // "under the window with a chair in front of it": not the window's
+  const bool opening = host.kind == NounKind::kWindow || host.kind == NounKind::kDoor;
+  if (opening && thing.kind == NounKind::kObject && mount_of(thing) == Mount::kFloor) return weight::kUnlikely;
   if (host.kind != NounKind::kObject || thing.kind != NounKind::kObject) return 0;
   if (may_carry(catalog_, host, thing) && on_soft(host, thing)) return weight::kSoftHost;  // "armchairs …, and ferns by the window"
   if (may_carry(catalog_, host, thing) && small_host(host)) return weight::kUsual + weight::kSmallHost;

@@ -29,7 +29,7 @@ bool UnitReader::is_person(std::size_t k) const {
   const Token& token = document_.tokens[who.first];
   if (who.kind == ChunkKind::kNoun)
     return (who.noun.kind == NounKind::kPronoun && one_of(token.text, {"they", "them", "him"})) ||
-           (who.noun.entry == nullptr && (word_form(who.noun.head) == WordForm::kPerson ||
+           (who.noun.entry == nullptr && (word_form(who.noun.head) == WordForm::kPerson || noun_form(who.noun.head) == WordForm::kPerson ||
                                           (lexicon_.is_person(who.noun.head) && !one_of(who.noun.head, {"seat", "place"}))));
   return lexicon_.is(token, WordClass::kDoer) || token.text == "no";
 }
@@ -97,7 +97,7 @@ bool UnitReader::does_it_there(std::size_t k) const {
   const std::size_t n = next(k);
   if (!doing_ || !is(n, ChunkKind::kNoun) || chunk(k).phrase.length > 2) return false;
   const NounPhrase& noun = chunk(n).noun;
-  if (noun.kind != NounKind::kObject || !noun.exact || (noun.determiner == Determiner::kNone && noun.count == 0)) return false;
+  if (noun.kind != NounKind::kObject || noun.entry == nullptr || (noun.determiner == Determiner::kNone && noun.count == 0)) return false;
   return noun.entry->mount == Mount::kFloor && !lexicon_.catalog().is_a(noun.entry->id, "pet") &&
          has_direction(*chunk(k).phrase.senses, Direction::kDirect);
 }

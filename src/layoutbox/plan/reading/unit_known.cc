@@ -18,6 +18,20 @@ bool UnitReader::lists_on_thing(std::size_t k) const {
          by.determiner == Determiner::kDefinite;
 }
 
+// Beside what is new in the room as well, in a list.
+bool UnitReader::stands_among_things(std::size_t k) const {
+  const auto is_new_thing = [&](std::size_t c) {
+    if (!is(c, ChunkKind::kNoun) || chunk(c).noun.kind != NounKind::kObject) return false;
+    return chunk(c).noun.determiner == Determiner::kIndefinite || chunk(c).noun.count > 0;
+  };
+  const auto past_break = [&](std::size_t c, bool forward) {
+    std::size_t passed = 0;
+    for (; is(c, ChunkKind::kComma) || is(c, ChunkKind::kAnd); ++passed) c = forward ? next(c) : previous(c);
+    return passed > 0 ? c : document_.chunks.size();
+  };
+  return is_new_thing(past_break(previous(k), false)) || is_new_thing(past_break(next(k), true));
+}
+
 // "a cart with two lenses, a flash and a laptop", "a script on the sofa": what English alone says is no thing is one among things, or
 // where the text says where it is.
 bool UnitReader::is_thing_in_company(std::size_t k) const {
@@ -33,16 +47,7 @@ bool UnitReader::is_thing_in_company(std::size_t k) const {
       noun.name.find(" of ") != std::string::npos)
     return false;
   if (word_form(noun.head) == WordForm::kPerson || lexicon_.is_person(noun.head)) return false;
-  const auto is_new_thing = [&](std::size_t c) {
-    if (!is(c, ChunkKind::kNoun) || chunk(c).noun.kind != NounKind::kObject) return false;
-    return chunk(c).noun.determiner == Determiner::kIndefinite || chunk(c).noun.count > 0;
-  };
-  const auto past_break = [&](std::size_t c, bool forward) {
-    std::size_t passed = 0;
-    for (; is(c, ChunkKind::kComma) || is(c, ChunkKind::kAnd); ++passed) c = forward ? next(c) : previous(c);
-    return passed > 0 ? c : document_.chunks.size();
-  };
-  if (is_new_thing(past_break(previous(k), false)) || is_new_thing(past_break(next(k), true))) return true;
+  if (stands_among_things(k)) return true;
   std::size_t place = next(k);
   if (is(place, ChunkKind::kVerb) || is(place, ChunkKind::kParticiple)) place = next(place);
   const std::size_t by = next(place);

@@ -191,8 +191,11 @@ void UnitReader::settle_noun(std::size_t k) {
   NounPhrase& noun = document_.chunks[k].noun;
   const bool content = is_content_of_thing();
   // A part that has a thing's name is one where no host is there: "two sinks".
-  if (const auto object = noun.as_object; object != nullptr && (content ? is_placed_itself(k) || is_let_in(*object)
-                                                                        : !after_place() || noun.determiner == Determiner::kIndefinite))
+  if (const auto object = noun.as_object;
+      object != nullptr &&
+      (content ? is_placed_itself(k) || is_let_in(*object) ||
+                     (object->entry == nullptr && object->name.find(' ') != std::string::npos && stands_among_things(k))
+               : !after_place() || noun.determiner == Determiner::kIndefinite))
     noun = NounPhrase(*object);
   if (names_known(k) || is_thing_in_company(k)) {
     noun.kind = NounKind::kObject;

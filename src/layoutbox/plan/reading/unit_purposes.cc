@@ -10,7 +10,22 @@ namespace layoutbox::offline {
 
 using Use = WordReading::Use;
 
+// "…, for seven stools stand before it": why, and what is there.
+bool UnitReader::gives_reason(std::size_t k) {
+  const std::size_t n = next(k), verb = next(n);
+  if (document_.tokens[chunk(k).first].text != "for" || !is(previous(k), ChunkKind::kComma) || !is(n, ChunkKind::kNoun) ||
+      !is(verb, ChunkKind::kVerb) || chunk(n).noun.kind != NounKind::kObject ||
+      !(chunk(n).noun.is_plural() || is_finite(document_.tokens[chunk(verb).first].text)))
+    return false;
+  mark(k, Use::kIgnored, "joins clauses");
+  clause_ = true;
+  negated_ = skipping_ = false;
+  joiner_ = Joiner::kNone;
+  return true;
+}
+
 void UnitReader::read_purpose(std::size_t k) {
+  if (gives_reason(k)) return;
   if (passes_keeper(k) || shares_by_purpose(k) || passes_like(k) || keeps_place_for(k) || wishes_to(k)) return;
   if (reads_as_verb(k) || inverts(k)) {
     mark(k, Use::kUsed, "placing");

@@ -43,6 +43,7 @@ class UnitReader {
   bool is_bare_list() const;
   bool keeps_place_for(std::size_t k);
   bool wishes_to(std::size_t k);
+  bool gives_reason(std::size_t k);
   bool brings_each(std::size_t k);
   bool purpose_ends(std::size_t k, std::size_t n) const;
   bool place_after_purpose(std::size_t k) const;
@@ -151,6 +152,8 @@ class UnitReader {
   bool names_known(std::size_t k) const;
   bool is_thing_in_company(std::size_t k) const;
   bool lists_on_thing(std::size_t k) const;
+  bool stands_among_things(std::size_t k) const;
+  bool inverts_after(std::size_t k) const;
   bool is_own_frame(std::size_t k) const;
   void leave_out_part(std::size_t k, bool goes_on);
   bool says_room_seats(std::size_t k);

@@ -7,6 +7,7 @@
 
 #include "layoutbox/plan/offline/english.h"
 #include "layoutbox/plan/offline/knowledge.h"
+#include "layoutbox/plan/offline/reader_words.h"
 #include "layoutbox/plan/reading/unit_reader.h"
 
 namespace layoutbox::offline {
@@ -173,11 +174,29 @@ bool UnitReader::is_topic_before_colon(std::size_t k) const {
   return topic.kind == NounKind::kObject && topic.determiner == Determiner::kDefinite && !topic.is_plural();
 }
 
+// "…, and mounted on the wall over it is a row of monitors": a clause whose subject comes last.
+bool UnitReader::inverts_after(std::size_t k) const {
+  std::size_t c = next(k);
+  const bool hung = is(c, ChunkKind::kRelation) && lexicon_.is(document_.tokens[chunk(c).first], WordClass::kHang);  // "mounted on"
+  if (!hung && !is(c, ChunkKind::kParticiple)) return false;
+  if (!hung) c = next(c);
+  bool placed = false;
+  for (; is(c, ChunkKind::kRelation) && is(next(c), ChunkKind::kNoun); c = next(next(c))) placed = true;
+  return placed && is(c, ChunkKind::kVerb) && one_of(document_.tokens[chunk(c).first].text, {"is", "are"}) &&
+         is(next(c), ChunkKind::kNoun) && is_new_here(chunk(next(c)).noun);
+}
+
 void UnitReader::read_break(std::size_t k) {
   const bool comma = is(k, ChunkKind::kComma);
   mark(k, Use::kIgnored, comma ? "" : "joins");
   if (in_brackets_ && comma) return;
   const std::size_t n = next(k);
+  if (inverts_after(k)) {
+    clause_ = true;
+    negated_ = skipping_ = false;
+    joiner_ = Joiner::kNone;
+    return;
+  }
   const bool after_comma = !comma && is(previous(k), ChunkKind::kComma);  // "…, and the chair": as after the comma
   if (skipping_ && !is(n, ChunkKind::kAnd) && purpose_ends(after_comma && names_thing(n) ? previous(k) : k, n)) skipping_ = false;
   denies_list_ |= negated_ && is(previous(k), ChunkKind::kWithout) && document_.tokens[chunk(k).first].text == ":";

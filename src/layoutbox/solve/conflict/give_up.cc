@@ -26,8 +26,9 @@ Result<bool> Solver::give_up_unproven(bool loose, const Placements& loosely) {
   if (search_from_elsewhere()) return true;
   if (!assumptions_left().empty()) {
     if (loose) placements_ = loosely;
+    const std::size_t before = left_out_ids_.size();
     LAYOUTBOX_CHECK(yield_assumptions(loose));
-    return loose;
+    return loose && left_out_ids_.size() == before;  // where companions went, the rest is placed anew
   }
   if (const std::vector<int> extras = extras_in_the_way(); !extras.empty()) {
     LAYOUTBOX_CHECK(leave_out_least(extras));
