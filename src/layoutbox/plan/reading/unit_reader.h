@@ -154,6 +154,7 @@ class UnitReader {
   bool lists_on_thing(std::size_t k) const;
   bool stands_among_things(std::size_t k) const;
   bool inverts_after(std::size_t k) const;
+  bool tells_of_pot(std::size_t k);
   bool is_own_frame(std::size_t k) const;
   void leave_out_part(std::size_t k, bool goes_on);
   bool says_room_seats(std::size_t k);

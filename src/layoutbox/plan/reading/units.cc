@@ -252,9 +252,25 @@ void UnitReader::read_place(std::size_t k) {
   }
   mark(k, Use::kUsed, "relation");
   if (takes_order(k)) return;
-  if (tells_which(k)) return;
+  if (tells_which(k) || tells_of_pot(k)) return;
   const PhraseSenses* end = end_of_room(k);
   add_place(k, end != nullptr ? *end : *chunk(k).phrase.senses);
+}
+
+// "three lemon trees in clay pots", "a fern in its pot": plants are drawn in one.
+bool UnitReader::tells_of_pot(std::size_t k) {
+  const std::size_t n = next(k), plant = previous(k);
+  if (document_.tokens[chunk(k).first].text != "in" || chunk(k).last - chunk(k).first != 1 || !names_thing(plant) ||
+      !is(n, ChunkKind::kNoun))
+    return false;
+  const NounPhrase& pot = chunk(n).noun;
+  if (!lexicon_.catalog().is_a(chunk(plant).noun.entry->id, "plant") || !one_of(pot.head, {"pot", "flowerpot", "planter"}) ||
+      pot.determiner == Determiner::kDefinite || pot.determiner == Determiner::kEach || pot.count > 1)
+    return false;
+  mark(k, Use::kIgnored, "attribute");
+  mark(n, Use::kIgnored, "attribute");
+  passed_until_ = n + 1;
+  return true;
 }
 
 // "a counter that carries, from left to right, a scale and a till": said of the list, wherever it stands.
