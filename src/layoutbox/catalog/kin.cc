@@ -19,8 +19,18 @@ Words words_of_list(std::string_view key) {
   return words;
 }
 
+std::vector<std::string_view> split_words(std::string_view text) {
+  std::vector<std::string_view> words;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find(' ', at), text.size());
+    if (end > at) words.push_back(text.substr(at, end - at));
+    at = end + 1;
+  }
+  return words;
+}
+
 struct Kinds {
-  Words kinds, modifiers, heads, portions, set_in;
+  Words kinds, modifiers, heads, portions, set_in, own_parts, company, users;
   std::set<std::string_view> no_things, body_parts;
   std::map<std::string, std::string_view, std::less<>> like_keys;  // by the key (words.h)
 };
@@ -32,6 +42,9 @@ const Kinds& known_kinds() {
                words_of_list("heads"),
                words_of_list("portions"),
                words_of_list("set_in"),
+               words_of_list("own_parts"),
+               words_of_list("company"),
+               words_of_list("users"),
                {},
                {},
                {}};
@@ -128,6 +141,28 @@ bool is_no_thing(const Catalog& catalog, std::string_view word) {
 std::string_view set_in_entry(std::string_view id) {
   const auto found = known_kinds().set_in.find(id);
   return found == known_kinds().set_in.end() ? std::string_view{} : std::string_view(found->second);
+}
+
+bool is_own_part(const Catalog& catalog, std::string_view owner, std::string_view part) {
+  const auto found = known_kinds().own_parts.find(owner);
+  if (found == known_kinds().own_parts.end()) return false;
+  return std::ranges::any_of(split_words(found->second), [&](std::string_view kind) { return catalog.is_a(part, kind); });
+}
+
+std::vector<std::pair<std::string_view, std::string_view>> kinds_in_company(std::string_view id) {
+  std::vector<std::pair<std::string_view, std::string_view>> kinds;
+  const auto found = known_kinds().company.find(id);
+  if (found == known_kinds().company.end()) return kinds;
+  for (const std::string_view row : split_words(found->second)) {
+    const std::size_t mark = row.find('>');
+    kinds.emplace_back(row.substr(0, mark), row.substr(mark + 1));
+  }
+  return kinds;
+}
+
+std::string_view kinds_for(std::string_view user) {
+  const auto found = known_kinds().users.find(user);
+  return found == known_kinds().users.end() ? std::string_view{} : std::string_view(found->second);
 }
 
 std::string_view portion_entry(std::string_view container) {

@@ -34,6 +34,15 @@ std::string_view portion_entry(std::string_view container);
 // The id of the entry that one stands for where it is let into the top of something (a sink of a counter → inset_sink), or empty.
 std::string_view set_in_entry(std::string_view id);
 
+// Whether a thing of the one kind has such a part of its own (a backwash chair its basin).
+bool is_own_part(const Catalog& catalog, std::string_view owner, std::string_view part);
+
+// What a kind is where another is named beside it: pairs of that other kind and what it is then (a PC: with a monitor the tower).
+std::vector<std::pair<std::string_view, std::string_view>> kinds_in_company(std::string_view id);
+
+// The kind that a plain thing is of where it is for somebody ("chairs for patients": visitors' chairs), or empty.
+std::string_view kinds_for(std::string_view user);
+
 // "plush", "toy", "model": a word before a noun that says more of what a thing is like than the noun does.
 bool is_kin_modifier(std::string_view word);
 

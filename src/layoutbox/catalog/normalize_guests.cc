@@ -98,6 +98,12 @@ bool may_be_raised(const CatalogEntry& entry, const SceneObject& host) {
 double share_on_top(const Catalog& catalog, const SceneObject& host, const SceneObject& guest) {
   constexpr double kOfTop = 0.6;
   constexpr Mm kTallest = 700;
+  // On a stage, a lift, a pallet things are as large as on the floor.
+  constexpr double kPlatform = 1.8e6;  // mm²
+  constexpr Mm kLow = 650;
+  const Size& top = host.size->usual;
+  if (top.height <= kLow && 1.0 * top.width * top.depth >= kPlatform)
+    return share_that_fits(guest.size->least, top.width, top.depth, guest.size->least.height);
   const bool stands_on_floor = catalog.entry_or_nearest(guest.category).mount == Mount::kFloor && guest.mount == Mount::kSurface;
   if (!stands_on_floor || catalog.entry_or_nearest(host.category).thin) return 1;
   return share_that_fits(guest.size->least, kOfTop * host.size->usual.width, kOfTop * host.size->usual.depth, kTallest);

@@ -28,10 +28,11 @@ class Visitors {
   const CatalogEntry& entry_of(const SceneObject& object) const { return context_.catalog.entry_or_nearest(object.category); }
   bool is_a(const SceneObject& object, const std::string& kind) const { return context_.catalog.is_a(object.category, kind); }
 
-  // Said to be there, and at most to look at something.
-  bool is_loose(const SceneObject& seat) const {
+  // Said to be there, and at most to look at something or to be at the desk: on one side of it.
+  bool is_loose(const SceneObject& seat, const std::string& desk) const {
     return entry_of(seat).is(Trait::kTableSeat) && std::ranges::none_of(scene_.relations, [&](const Relation& r) {
-             return r.type != RelationType::kFacing && names(r.targets, seat.id);
+             const bool at_it = r.type == RelationType::kNextTo && names(r.references, desk);
+             return r.type != RelationType::kFacing && !at_it && names(r.targets, seat.id);
            });
   }
 
@@ -59,7 +60,7 @@ class Visitors {
       if (!entry_of(seat).is(Trait::kTableSeat)) continue;
       visited |= is_told(seat, desk, RelationType::kInFrontOf);
       if (is_told(seat, desk, RelationType::kBehind)) own = seat.id;
-      if (alone && is_loose(seat)) loose.push_back(seat.id);
+      if (alone && is_loose(seat, desk)) loose.push_back(seat.id);
     }
     const bool manned = !own.empty();
     // Of chairs that nobody placed the best to work on is the worker's.

@@ -222,6 +222,7 @@ Decor decor_of(const Layout& layout, std::uint64_t seed) {
   Decor decor;
   decor.chance = chance;
   decor.shelves = value_listed(data().at("shelves"), kind);
+  decor.cases = value_listed(data().at("cases"), kind);
   // A style that has walls of its own goes before what such rooms mostly look like.
   const bool strong = style != nullptr && (style->contains("walls") || style->contains("wall"));
   const bool own_floor = style != nullptr && style->contains("floors") && (strong || !room.value("plain", false));

@@ -187,9 +187,15 @@ std::string Piece::shelf_contents() const {
   return named.empty() ? decor_.shelves : named;
 }
 
+std::string Piece::case_contents() const {
+  const std::string named = shelf_contents_named(text_);
+  return named.empty() ? decor_.cases : named;
+}
+
 std::string Piece::said_contents() const {
+  const std::string name = lower_words(object_.name), head = name.substr(0, name.find(" of "));  // "shelf of wine bottles"
   for (const auto& [holder, contents] : decor_.shelves_said) {
-    if (lower_words(object_.name).ends_with(holder)) return contents;
+    if (head.ends_with(holder)) return contents;
   }
   return {};
 }

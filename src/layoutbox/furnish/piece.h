@@ -68,6 +68,8 @@ class Piece {
   int variant(int n) const;
   // What shelves hold in a room of this kind, or by the piece's own name ("towel shelf"): a word of decor.json; empty where neither says.
   std::string shelf_contents() const;
+  // What lies in glass cases in a room of this kind, or by the piece's own name; empty where neither says.
+  std::string case_contents() const;
   // What the text says that things of its name hold ("a shelf for the toys"); empty where it says nothing.
   std::string said_contents() const;
   // A colour for what nobody gave a colour; the same for all things of a kind, so that a room looks of a piece.
@@ -141,6 +143,7 @@ void add_toys(Families& to);
 void add_music(Families& to);
 void add_gym(Families& to);
 void add_shop(Families& to);
+void add_trade(Families& to);
 void add_games_and_clinic(Families& to);
 void add_workshop(Families& to);
 void add_hall(Families& to);

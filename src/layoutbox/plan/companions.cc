@@ -77,7 +77,8 @@ class Companions {
       if (std::ranges::find(r.references, table) == r.references.end()) return false;
       return std::ranges::any_of(r.targets, [&](const std::string& id) {
         const SceneObject* object = scene_.find_object(id);
-        return object != nullptr && catalog_.entry_or_nearest(object->category).is(Trait::kSeat);
+        if (object == nullptr || catalog_.is_a(object->category, "visitor_chair")) return false;  // who works there sits behind
+        return catalog_.entry_or_nearest(object->category).is(Trait::kSeat);
       });
     });
   }
@@ -90,6 +91,7 @@ class Companions {
         return std::ranges::find(r.targets, object.id) != r.targets.end() &&
                (!r.references.empty() || r.type == RelationType::kAgainstWall);
       };
+      if (catalog_.is_a(object.category, "visitor_chair")) return false;  // of those who come, not of who works there
       return catalog_.entry_or_nearest(object.category).is(Trait::kTableSeat) && std::ranges::none_of(scene_.relations, says_where);
     });
   }

@@ -54,6 +54,7 @@ const Families& families() {
     add_music(f);
     add_gym(f);
     add_shop(f);
+    add_trade(f);
     add_games_and_clinic(f);
     add_workshop(f);
     add_hall(f);

@@ -50,6 +50,8 @@ void books(Piece& p, const Box& room);
 // Null where it stays empty.
 using ShelfContents = void (*)(Piece&, const Box&);
 ShelfContents contents_of(const Piece& p);
+// … by its word in decor.json; books where no such word is known.
+ShelfContents contents_named(std::string_view name);
 
 // Chairs of wicker are of a build of their own.
 bool is_wicker(const Piece& p);

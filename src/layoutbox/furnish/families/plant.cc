@@ -229,7 +229,23 @@ void tree(Piece& p) {
   p.fit();
 }
 
+// A pail full of cut flowers.
+void flower_pail(Piece& p) {
+  static constexpr Color kPetals[] = {{0.86, 0.24, 0.40}, {0.96, 0.78, 0.24}, {0.95, 0.94, 0.92}, {0.62, 0.40, 0.72}, {0.92, 0.46, 0.20}};
+  const double r = std::min(p.w, p.d) / 2, pail = p.h * 0.45;
+  p.add(p.frame("steel"), cone({0, 0, 0}, r * 0.62, r * 0.8, pail, 18));
+  p.add(green(p, 0.2), cone({0, 0, pail - 0.005}, r * 0.55, r * 0.85, p.h * 0.42, 14));
+  const int first = p.pick(5), n = 15;
+  for (int i = 0; i < n; ++i) {
+    const double a = 2.39996 * i, out = r * 0.82 * std::sqrt((i + 0.3) / n), b = r * 0.2;
+    const int petals = p.color_asked() ? p.main("paper") : p.tinted("paper", kPetals[(first + i % 2) % 5]);
+    p.add(petals, ellipsoid({std::cos(a) * out, std::sin(a) * out, p.h - b - r * 0.5 * i / n}, {b, b, b * 0.8}, 9, 5));
+  }
+  p.fit();
+}
+
 void flower_vase(Piece& p) {
+  if (p.word("kind", "") == "bucket") return flower_pail(p);
   const double r = std::min(p.w, p.d) / 2, tall = p.h * 0.45, vase = std::min(r * 0.55, tall * 0.45);
   p.add(p.named("ceramic"), lathe({{0, 0},
                                    {vase * 0.6, 0},

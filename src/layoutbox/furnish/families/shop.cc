@@ -108,6 +108,16 @@ void china_in(Piece& p, const Box& space, int& k) {
   }
 }
 
+// What a shop shows under glass: what the text says, else what such shops do.
+void shown_goods(Piece& p) {
+  const std::string said = p.said_contents();
+  if (said.empty() && p.case_contents().empty()) return;
+  const ShelfContents contents = contents_named(said.empty() ? p.case_contents() : said);
+  for (const FreeSpace& s : p.spaces) {
+    if (contents != nullptr && s.carries && !s.held) contents(p, s.box);
+  }
+}
+
 // A glass case on a base, framed at its corners; its shelves stand at its spaces' floors. Under a wooden top the back is of wood, too.
 void display_case(Piece& p) {
   const bool cabinet = p.count("doors", 0) > 0;
@@ -125,7 +135,8 @@ void display_case(Piece& p) {
     p.add(glass, box(sides(-x + t, x - t, y - t * 0.6, y - t * 0.4, low, roof), 0));
   }
   case_shelves(p, c, cabinet ? base : glass, cabinet ? 0.014 : 0.006);
-  if (!p.may_show_contents() || !cabinet) return;
+  if (!p.may_show_contents()) return;
+  if (!cabinet) return shown_goods(p);
   int k = 0;
   for (const FreeSpace& s : p.spaces) {
     if (s.carries && !s.held && s.box.size().z >= 0.2 && s.box.size().y >= 0.16) china_in(p, s.box, k);

@@ -143,7 +143,10 @@ void RelationBuilder::add_content(const Link& link, const Mention& target, const
   if (is_lamp(catalog_, thing) && sat_on && mount != Mount::kCeiling && !link.holding) return each(R::kNextTo);
   const bool looked_at = thing.entry != nullptr && thing.entry->is(Trait::kScreen);
   const bool inside = (holds_inside(host) && !looked_at) || (says_inside(link) && has_inside(host));
-  if (carried && !(mount == Mount::kWall && !link.holding)) return each(inside ? R::kIn : R::kOn);
+  // "a cork board with photographs": pinned to it.
+  const bool pinned = has_hooks(host) && mount == Mount::kWall && thing.entry != nullptr && host.entry != nullptr &&
+                      thing.entry->size.usual.width < host.entry->size.usual.width / 2;
+  if (carried && (pinned || !(mount == Mount::kWall && !link.holding))) return each(inside ? R::kIn : R::kOn);
   if (mount == Mount::kWall || mount == Mount::kCeiling) return add_hung_content(link, target, hosts);
   if (mount == Mount::kSurface && link.holding) return each(R::kOn);
   if (mount_of(host) == Mount::kWall && mount == Mount::kFloor && target.items.size() == 1)

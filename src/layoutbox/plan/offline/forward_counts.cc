@@ -87,7 +87,28 @@ bool says_all_sizes(const Lexicon& lexicon, const Document& document, std::size_
 
 }  // namespace
 
+namespace {
+
+// "flash art on the walls", "artwork around the walls": more than one piece of what has no plural.
+bool is_all_over_walls(const Document& document, std::size_t k) {
+  const std::vector<Chunk>& chunks = document.chunks;
+  if (k + 2 >= chunks.size() || chunks[k + 1].kind != ChunkKind::kRelation || chunks[k + 2].kind != ChunkKind::kNoun) return false;
+  const NounPhrase &noun = chunks[k].noun, &walls = chunks[k + 2].noun;
+  const bool mass =
+      noun.entry != nullptr && noun.determiner == Determiner::kNone && noun.count == 0 && !noun.plural && noun.entry->mount == Mount::kWall;
+  return mass && walls.kind == NounKind::kWall && walls.is_plural() && noun.head.ends_with("art");
+}
+
+}  // namespace
+
 void settle_filling_counts(const Lexicon& lexicon, Document& document) {
+  constexpr int kOnWalls = 3;
+  for (std::size_t k = 0; k < document.chunks.size(); ++k) {
+    if (!is_thing(document.chunks[k]) || !is_all_over_walls(document, k)) continue;
+    NounPhrase& noun = document.chunks[k].noun;
+    noun.count = kOnWalls;
+    noun.plural = noun.vague = noun.at_least = true;
+  }
   constexpr int kOverhead = 2;  // times as many on a ceiling
   std::vector<Chunk>& chunks = document.chunks;
   for (std::size_t k = 0; k < chunks.size() && !is_set(document.stop); ++k) {

@@ -151,7 +151,14 @@ bool may_carry(const Catalog& catalog, const NounPhrase& host, const NounPhrase&
   const bool lies =
       is_seat(catalog, host) || is_table(catalog, host) || is_storage(host) || (host.entry != nullptr && host.entry->is(Trait::kBed));
   if (mount == Mount::kHung && lies) return true;
-  if (has_hooks(host)) return mount != Mount::kCeiling && !is_heavy(catalog, item);
+  // A hat or a bag on its stand.
+  constexpr Mm kLight = 450;
+  if (host.entry != nullptr && catalog.is_a(host.entry->id, "coat_rack") && mount == Mount::kSurface && item.entry != nullptr)
+    return item.entry->size.usual.width <= kLight;
+  // What stands taller than the board or the hook stands by itself: a coat stand.
+  constexpr Mm kTallest = 900;
+  const bool tall = item.entry != nullptr && mount == Mount::kFloor && item.entry->size.usual.height > kTallest;
+  if (has_hooks(host)) return mount != Mount::kCeiling && !is_heavy(catalog, item) && !tall;
   if (is_platform(host) && mount == Mount::kFloor) return true;
   // A sink unit's drainer has no room for a hob.
   constexpr Mm kRoomBeside = 450;

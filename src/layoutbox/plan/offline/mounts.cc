@@ -85,6 +85,16 @@ void RelationBuilder::settle_stands() {
   }
 }
 
+// "Rows of shelves in the middle": the rows are about it, not each of them.
+void RelationBuilder::leave_middle_to_rows() {
+  constexpr std::size_t kMany = 3;
+  for (Relation& middle : scene_.relations) {
+    if (middle.type != R::kCenterOfRoom || middle.targets.size() < kMany) continue;
+    const auto is_grid = [&](const Relation& r) { return r.type == R::kGrid && r.targets == middle.targets; };
+    if (std::ranges::any_of(scene_.relations, is_grid)) middle.hard = false;
+  }
+}
+
 void RelationBuilder::settle_on_wall(SceneObject& object, const NounPhrase& noun) {
   object.mount = Mount::kWall;
   const CatalogEntry* on_wall = wall_kind(noun);
@@ -148,7 +158,10 @@ void RelationBuilder::settle_mount(std::size_t index) {
   }
   if (held.ceiling || over) {
     object.mount = Mount::kCeiling;
-    if (is_lamp(catalog_, noun) && mount_of(noun) != Mount::kCeiling)
+    const CatalogEntry* form = noun.exact && noun.entry->mount != Mount::kCeiling ? catalog_.find("ceiling_" + noun.entry->id) : nullptr;
+    if (form != nullptr) {
+      object.category = form->id;
+    } else if (is_lamp(catalog_, noun) && mount_of(noun) != Mount::kCeiling)
       specialise(object, noun, {"pendant_lamp", "pendant_light", "ceiling_lamp"});
     return;
   }
@@ -187,7 +200,11 @@ bool RelationBuilder::hangs_on_hooks(const std::string& object) const {
     const Relation& r = scene_.relations[i];
     if ((r.type != R::kOn && r.type != R::kIn) || r.references.empty()) return false;
     const SceneObject* host = object_of(r.references.front());
-    return host != nullptr && has_hooks(noun_of_object(*host));
+    if (host == nullptr) return false;
+    // A coat stand has no top and no inside: on it things hang.
+    const CatalogEntry* entry = noun_of_object(*host).entry;
+    const bool stand = entry != nullptr && catalog_.is_a(entry->id, "coat_rack") && entry->spaces.empty() && !entry->top_carries;
+    return stand || has_hooks(noun_of_object(*host));
   });
 }
 

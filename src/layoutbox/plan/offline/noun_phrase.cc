@@ -68,6 +68,7 @@ void NounPhraseReader::settle_object(const Part& head, std::size_t head_index) {
   }
   if (phrase_.determiner == Determiner::kIndefinite && phrase_.count == 0) phrase_.plural = false;  // "a box of tissues"
   // A row has three, of several rows each two, where no number is said.
+  if (phrase_.rows > 0 && phrase_.count == 0) phrase_.vague = true;
   if (phrase_.rows > 0) phrase_.count = phrase_.rows * (phrase_.count > 0 ? phrase_.count : phrase_.rows == 1 ? 3 : 2);
   phrase_.name = text_of(tokens_, begin, head.last);
   if (phrase_.plural) {

@@ -79,6 +79,12 @@ bool NounPhraseReader::is_no_count(const Match& best, bool is_number) const {
   const Match any = at_word("dual") ? Match{} : lexicon_.find(tokens_, i_);
   const bool so_many = any.plural && !has(any, Class::kObject) && attribute_of(any) != nullptr;  // "two seats" are no "two-seat"
   if (any.length > best.length && !has(any, Class::kNumber) && !has(any, Class::kVague) && !so_many) return true;
+  // "a stack of planks" is one thing that stands on the floor, "a stack of plates" so many.
+  if (!is_number && best.length > 1 && lexicon_.is(tokens_[i_], Class::kIndefinite)) {
+    const Match pile = lexicon_.find(tokens_, i_ + 1, Class::kObject);
+    const Meaning* thing = meaning_of(pile, Class::kObject);
+    if (pile.length >= best.length && thing != nullptr && thing->entry != nullptr && thing->entry->mount == Mount::kFloor) return true;
+  }
   const bool adjective = is_number && attribute_of(any) != nullptr;
   if (adjective && any.length == best.length && counted_) return true;
   // "two-seater", "three-legged": a compound adjective. "Twenty-five" is none.

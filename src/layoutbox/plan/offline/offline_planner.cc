@@ -82,6 +82,7 @@ class OfflinePlanner final : public Planner {
     settle_inserts(document);
     settle_purposes(lexicon_, document);
     settle_room_senses(lexicon_, document, room_size_at);
+    settle_company(lexicon_, document);
     settle_floor_carpets(document);
     settle_forward_counts(document);
     settle_forward_names(document);

@@ -41,6 +41,8 @@ class PeopleReader {
     const std::size_t said = document_.mentions.size();
     if (document_.people > 0) add_for_room();
     for (std::size_t m = 0; m < said; ++m) seat_table(static_cast<int>(m));
+    for (std::size_t m = 0; m < said; ++m) share_seats(static_cast<int>(m));
+    for (const Link& link : document_.links) share_stands(link);
   }
 
  private:
@@ -136,6 +138,48 @@ class PeopleReader {
     seat_at_table(add(dining != nullptr ? *dining : *seat, all, table.noun), m, seats > 1);
   }
 
+  // "two small tables with chairs": two at each of them; "four potter's wheels, stools": one for each.
+  void share_seats(int m) {
+    const NounPhrase noun = mention(m).noun;
+    if (!mention(m).introduces || noun.kind != NounKind::kObject || noun.entry == nullptr || !noun.plural || noun.count != 0) return;
+    if (!is_seat(catalog_, noun) || mention(m).items.empty()) return;
+    int tables = 0, places = 0;
+    for (std::size_t t = 0; t < document_.mentions.size(); ++t) {
+      const Mention& table = document_.mentions[t];
+      const NounPhrase& host = table.noun;
+      if (!table.introduces || host.kind != NounKind::kObject || host.entry == nullptr || table.items.size() < 2) continue;
+      const CatalogEntry* seat = lexicon_.seat_at(*host.entry);
+      if (at_table(m, table)) {
+        const bool one_each = host.entry->is(Trait::kDeskLike) || host.entry->is(Trait::kDesk) || host.entry->is(Trait::kCounter);
+        const bool at_sides = host.entry->is(Trait::kTable) && host.entry->used_sides.size() > 1 && catalog_.is_a(noun.entry->id, "chair");
+        tables = static_cast<int>(table.items.size()), places = one_each || !at_sides ? 1 : 2;
+        break;
+      }
+      if (seat != nullptr && seat->id == noun.entry->id && host.entry->is(Trait::kDeskLike))
+        tables = static_cast<int>(table.items.size()), places = 1;
+    }
+    if (tables > 0 && static_cast<int>(mention(m).items.size()) < tables * places) grow(m, tables * places);
+  }
+
+  // "three cameras on tripods": one for each, where one of them takes no more.
+  void share_stands(const Link& link) {
+    const auto on = [](const PhraseSense& sense) { return sense.type == RelationType::kOn; };
+    if (link.kind != Link::Kind::kRelation || link.targets.size() != 1 || link.references.size() != 1 ||
+        std::ranges::none_of(link.senses, on))
+      return;
+    const int things = static_cast<int>(mention(link.targets[0]).items.size());
+    const Mention& stand = mention(link.references[0]);
+    const NounPhrase& noun = stand.noun;
+    constexpr double kForOne = 0.7;  // metres: a plinth, a tripod
+    if (!stand.introduces || stand.items.empty() || noun.kind != NounKind::kObject || noun.entry == nullptr || !noun.plural ||
+        noun.count != 0)
+      return;
+    const Size& size = noun.entry->size.usual;
+    const bool small = noun.entry->mount == Mount::kFloor && !is_table(catalog_, noun) && !noun.entry->is(Trait::kShelving) &&
+                       std::min(size.width, size.depth) <= kForOne * 1000 + 100 && std::max(size.width, size.depth) <= 1000;
+    if (small && things > static_cast<int>(stand.items.size())) grow(link.references[0], things);
+  }
+
   bool excluded(const CatalogEntry& entry) const {
     return std::any_of(document_.excluded.begin(), document_.excluded.end(),
                        [&](const NounPhrase& n) { return n.entry != nullptr && catalog_.is_a(entry.id, n.entry->id); });
@@ -152,6 +196,8 @@ class PeopleReader {
       const bool meeting = kind.is(Trait::kDeskLike) && entry != nullptr && !entry->is(Trait::kDeskLike) && entry->id != "table";
       const bool tables =
           both(Trait::kTable) && !meeting && !one_of(entry->id, {"coffee_table", "side_table", "console_table", "changing_table"});
+      // A teacher's desk and a reception desk are none of those that everybody has.
+      if (entry != nullptr && entry->is(Trait::kOpenToRoom) && !kind.is(Trait::kOpenToRoom)) continue;
       const bool seats = catalog_.is_a(kind.id, "chair") && one_of(one.noun.head, {"chair", "stool", "bench", "seat"});
       if (both(Trait::kBed) || tables || seats || (entry != nullptr && catalog_.is_a(entry->id, kind.id))) return static_cast<int>(m);
     }
@@ -163,6 +209,18 @@ class PeopleReader {
     const int seats = needs.size() > 1 ? named(*needs[1].first) : -1;
     if (seats >= 0 && mention(seats).noun.plural && mention(seats).noun.count == 0) grow(seats, people);
     return seats >= 0;
+  }
+
+  // "computer tables with PCs" for twelve: as many PCs.
+  void grow_contents(int host) {
+    for (const Link& link : document_.links) {
+      if (link.kind != Link::Kind::kHave || !contains(link.references, host)) continue;
+      for (const int m : link.targets) {
+        const NounPhrase& noun = mention(m).noun;
+        const bool carried = noun.kind == NounKind::kObject && mount_of(noun) == Mount::kSurface;
+        if (carried && noun.plural && noun.count == 0) grow(m, static_cast<int>(mention(host).items.size()));
+      }
+    }
   }
 
   void become(int m, const CatalogEntry& entry) {
@@ -183,9 +241,14 @@ class PeopleReader {
     const int people = std::min(document_.people, kMostPeople);
     int host = named(*main);
     // "an office for twelve with plants between the desks": twelve of them.
-    if (host >= 0 && persons == 1 && mention(host).noun.plural && mention(host).noun.count == 0) {
+    const bool rows = host >= 0 && mention(host).noun.rows > 0 && mention(host).noun.vague;
+    if (host >= 0 && persons == 1 && mention(host).noun.plural && (mention(host).noun.count == 0 || rows)) {
       const int at_each = std::max(mention(host).noun.seats, 1);  // "tables in groups of four"
       grow(host, (people + at_each - 1) / at_each);
+      grow_contents(host);
+      constexpr int kMostInRow = 12;
+      if (rows && people > kMostInRow * mention(host).noun.rows) mention(host).noun.rows = 0;  // as many rows as there is room for
+      if (mention(host).noun.entry->id == "seat") become(host, *main);
       if (at_each > 1) return;
       if (mention(host).noun.entry->id == "table") become(host, *main);  // "a classroom for 24 with tables"
     } else if (host >= 0 && (persons > 0 || !seats_follow)) {

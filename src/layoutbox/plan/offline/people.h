@@ -15,6 +15,10 @@ void read_seats_said(const Lexicon& lexicon, Document& document, std::vector<boo
 // is, it may be what the text opens with. `room_size_at`: the places in the prompt of the words that said the room's size.
 void settle_room_senses(const Lexicon& lexicon, Document& document, const std::vector<std::size_t>& room_size_at);
 
+// What such a thing has of its own is a part of it ("backwash chairs with basins"), and what is named beside another may be of another
+// kind: a PC with two monitors is its tower.
+void settle_company(const Lexicon& lexicon, Document& document);
+
 // Adds the seats of a table that is "for six" and what each person needs in an office, classroom or bedroom "for three", where nothing
 // of that kind is named; marked as assumed.
 void add_for_people(const Lexicon& lexicon, Document& document);

@@ -58,6 +58,7 @@ void RelationBuilder::run() {
   carry_support();
   for (std::size_t i = 0; i < scene_.objects.size(); ++i) settle_mount(i);
   settle_stands();
+  leave_middle_to_rows();
   add_habits();
   note_contradictions();
   drop_implied_support();

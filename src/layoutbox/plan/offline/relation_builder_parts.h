@@ -163,6 +163,7 @@ class RelationBuilder {
   bool settle_on_floor(SceneObject& object, const NounPhrase& noun);
   bool settle_tall(SceneObject& object, const NounPhrase& noun);
   void settle_stands();
+  void leave_middle_to_rows();
   void settle_mount(std::size_t index);
   bool over_table(const std::string& object) const;
   // What the relations say of how it is held; `beside`: by what stands on the floor.

@@ -217,6 +217,10 @@ void RelationBuilder::add_group(const Link& link, PhraseSense sense, const std::
                                 const Mention* place) {
   if (sense.type == R::kCenterOfRoom) return add_in_middle(link, sense, targets);
   if (sense.type == R::kAround && !references.empty()) {
+    // One curtain that is drawn round a couch hangs along it.
+    const CatalogEntry* first = noun_of_item(targets.front()).entry;
+    if (targets.size() == 1 && first != nullptr && first->is(Trait::kCurtain))
+      return add(link, R::kNextTo, ids(targets), {id(references.front())});
     if (seats_one_side(link, targets.front(), references.front())) {
       for (std::size_t t = 0; t < targets.size(); ++t) {
         const std::string& host = id(references[t % references.size()]);
@@ -226,6 +230,12 @@ void RelationBuilder::add_group(const Link& link, PhraseSense sense, const std::
       return;
     }
     if (in_ring(targets, references)) sense.type = R::kSurround;
+  }
+  const auto lies = [&](int item) { return noun_of_item(item).entry != nullptr && noun_of_item(item).entry->thin; };
+  if (sense.type == R::kEachSideOf && references.size() == 1 && lies(references.front()) &&
+      mount_of(noun_of_item(targets.front())) == Mount::kWall) {  // banners on both sides of a carpet: on the walls there
+    for (std::size_t t = 0; t < targets.size(); ++t) add(link, R::kOnWall, {id(targets[t])}, {t % 2 == 0 ? "left" : "right"});
+    return;
   }
   if (sense.type == R::kEachSideOf && references.size() == 1 && add_at_sides(link, sense, targets, references.front())) return;
   if (sense.type == R::kRow && !sense.part.empty()) {  // "from left to right": each left of the next

@@ -194,6 +194,12 @@ void RelationBuilder::add_single(const Link& link, PhraseSense sense, const Ment
   if (sense.type == R::kIn && !has_inside(noun_of_item(references.front()))) sense.type = R::kOn;
   if (references.size() == 1 && add_by_one(link, sense, target, references.front())) return;
   if (add_under_hung(link, sense, target, references) || add_by_carrier(link, sense, target, references.front())) return;
+  // "A mirror wall in front" of mats: on the wall there, not on the floor before them.
+  if (sense.type == R::kInFrontOf && mount_of(target.noun) == Mount::kWall && target.noun.entry != nullptr &&
+      target.noun.entry->is(Trait::kMirror)) {
+    for (const int item : target.items) add(link, R::kOnWall, {id(item)}, {});
+    return;
+  }
   add_for_each(link, sense, target, references);
 }
 

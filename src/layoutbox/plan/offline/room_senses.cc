@@ -132,7 +132,7 @@ void settle_room_senses(const Lexicon& lexicon, Document& document, const std::v
     const bool plain = noun.kind == NounKind::kObject && noun.exact && noun.name == noun.head;
     const bool said = opens_item(document.chunks, k) || noun.determiner != Determiner::kNone || noun.count > 0 || noun.plural;
     const bool unknown = noun.entry == nullptr && said && (noun.kind == NounKind::kObject || noun.kind == NounKind::kAbstract) &&
-                         (noun.name == noun.head || noun.name.ends_with(" " + noun.head)) && noun.last <= noun.first + 3;
+                         (noun.name == noun.head || noun.name.ends_with(" " + noun.head)) && noun.last <= noun.first + 4;
     // "an island bench": a kind of bench that the catalogue does not know
     const bool compound =
         noun.kind == NounKind::kObject && noun.entry != nullptr && noun.entry->name == noun.head && noun.name.ends_with(" " + noun.head);

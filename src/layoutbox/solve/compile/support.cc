@@ -95,6 +95,10 @@ void add_hanging(Formula& f, const Model& model, int t, int r) {
       c.require(extent(r, 1 - axis) - off).require(extent(r, 1 - axis) + off);
       c.require(hi(r, 2) - hi(t, 2)).require(hi(t, 2) - lo(r, 2)).require(lo(t, 2) - Linear(model.room.lo[2] + 60));
       c.wish(mid2(t, 1 - axis) - mid2(r, 1 - axis), 30, 2);
+      // What is pinned to a board is within it.
+      const Size &board = host.states[0].size, &own = model.items[t].states[0].size;
+      if (host.mount != Mount::kWall || own.width * 2 > board.width || own.height > board.height) continue;
+      c.require(lo(t, 1 - axis) - lo(r, 1 - axis)).require(hi(r, 1 - axis) - hi(t, 1 - axis)).require(lo(t, 2) - lo(r, 2));
     }
   }
 }

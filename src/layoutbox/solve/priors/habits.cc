@@ -34,6 +34,7 @@ void Habits::stand(int index) {
   lie_straight(index);
   keep_before_counter(index);
   wait_before_counter(index);
+  face_entrance(index);
   keep_off_play(index);
   keep_off_sofas(index);
   keep_hall_free(index);

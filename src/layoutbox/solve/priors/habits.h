@@ -75,6 +75,7 @@ class Habits {
   bool is_narrow_bed(int item) const;
   bool has_bedside(int bed) const;
   bool keeps_to_corner(int item) const;
+  void stand_in_its_corner(int item);
   bool is_faced_by_kind(int item) const;
   bool is_looked_at(int item) const;
   bool only_told_across(int item) const;
@@ -158,6 +159,7 @@ class Habits {
   bool sit_by_fire(int item);
   bool is_served_over(int item) const;
   void wait_before_counter(int item);
+  void face_entrance(int item);
 
   // Habits of things that come in numbers.
   // The things of a kind that stand in formation: asked for as a grid, or many that nobody placed.

@@ -149,7 +149,8 @@ bool Habits::is_served_over(int item) const {
 void Habits::wait_before_counter(int item) {
   constexpr int kGuests = 700;  // points a metre
   const Item& self = model_.items[item];
-  if (!self.is(Trait::kTableSeat) && !self.is(Trait::kSeat) && !self.is(Trait::kEasySeat)) return;
+  const bool sofa = self.is(Trait::kCenterPiece) && !self.is(Trait::kBed) && self.has_front;
+  if (!self.is(Trait::kTableSeat) && !self.is(Trait::kSeat) && !self.is(Trait::kEasySeat) && !sofa) return;
   for (std::size_t i = 0; i < model_.items.size(); ++i) {
     const Item& desk = model_.items[i];
     const int host = static_cast<int>(i);
@@ -161,6 +162,24 @@ void Habits::wait_before_counter(int item) {
       f.add().when(host, states).require(gap_towards(item, host, front) + Linear(desk.states[0].size.depth));
     });
     habit("waits before the desk", item, kGuests, std::move(f));
+  }
+}
+
+// Who receives looks at those who come in: the doors are before a reception desk or a counter, not behind it.
+void Habits::face_entrance(int item) {
+  constexpr int kSeen = 250;  // points a metre
+  if (!is_served_over(item)) return;
+  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+    const Item& door = model_.items[i];
+    const int host = static_cast<int>(i);
+    if (!door.is_opening() || door.opening->type != OpeningType::kDoor) continue;
+    Formula f;
+    for_each_turn(model_.items[item], [&](int turn, std::uint64_t states) {
+      if (turn % 90 != 0) return;
+      const Direction front = side_direction(model_.items[item], Side::kFront, turn);
+      f.add().when(item, states).require(gap_towards(host, item, front));
+    });
+    habit("sees who comes in", item, kSeen, std::move(f), {host});
   }
 }
 

@@ -68,13 +68,14 @@ void Habits::hang_from_ceiling(int item) {
   if (hosts.empty()) hang_clear(item);
 }
 
-// What hangs from the ceiling down to the floor beside a bed (a ward's curtain) hangs along its long side.
+// What hangs from the ceiling down to the floor beside a bed or a couch (a ward's curtain) hangs along its long side.
 void Habits::hang_along(int item) {
-  constexpr Mm kOff = 120;
+  constexpr Mm kOff = 120, kLong = 1500;
   if (!model_.items[item].curtain) return;
   for (const Relation& r : model_.scene->relations) {
     const int host = r.type == RelationType::kNextTo && r.references.size() == 1 ? model_.find_item(r.references[0]) : -1;
-    if (host < 0 || !model_.items[host].is(Trait::kBed) || !related_as_target(item, host, r.type)) continue;
+    if (host < 0 || !related_as_target(item, host, r.type)) continue;
+    if (!model_.items[host].is(Trait::kBed) && model_.items[host].states[0].size.depth < kLong) continue;
     Formula f;
     for_each_turn(model_.items[host], [&](int turn, std::uint64_t states) {
       if (turn % 90 != 0) return;

@@ -26,7 +26,9 @@ void Habits::sit_on_host(int item) {
     Formula f;
     for_each_turn(host, [&](int turn, std::uint64_t states) {
       Case& c = f.add().when(support.index, states);
-      const bool towards_seat = screen && (used_side(host) == Side::kBack || is_sat_behind(support.index));
+      // A till, a scale, a coffee machine are for who serves.
+      const bool for_staff = is_served_over(support.index);
+      const bool towards_seat = for_staff || (screen && (used_side(host) == Side::kBack || is_sat_behind(support.index)));
       if (self.has_front && user < 0) c.when(item, self.states_at((turn + (towards_seat ? 180 : 0)) % 360));
       const Direction back = side_direction(host, Side::kBack, turn), right = side_direction(host, Side::kRight, turn);
       const auto off = [&](Direction d, std::int64_t place2) {

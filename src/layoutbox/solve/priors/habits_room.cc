@@ -14,6 +14,13 @@ constexpr int kWallFree = 400;  // points a metre
 constexpr int kFloats = 250;    // points for a sofa that stands off the walls of a large room
 const std::vector<std::string> kOnRugs{"coffee_table", "dining_table", "bed", "crib", "sofa", "table"};
 
+// A stage, a dais: low, with a top that much stands on.
+bool is_platform(const Item& item) {
+  constexpr Mm kLow = 650;
+  constexpr std::int64_t kLarge = 2'500'000;  // mm²
+  return item.entry->top_carries && item.states[0].size.height <= kLow && area_of(item) >= kLarge && !item.is(Trait::kBed);
+}
+
 }  // namespace
 
 void Habits::back_to_wall(int item, int weight) {
@@ -22,7 +29,8 @@ void Habits::back_to_wall(int item, int weight) {
   for (std::size_t i = 0; i < model_.items.size(); ++i)
     alike += model_.items[i].entry == model_.items[item].entry && !placed_by_relation_besides_walls(static_cast<int>(i));
   const bool narrow_bed = is_narrow_bed(item);
-  const bool heart = (model_.items[item].is(Trait::kCenterPiece) || is_looked_at(item)) && alike <= 1 && !narrow_bed;
+  const bool heart =
+      (model_.items[item].is(Trait::kCenterPiece) || is_looked_at(item) || is_platform(model_.items[item])) && alike <= 1 && !narrow_bed;
   // In a corner it gives up the free floor at one side, and keeps that at the other.
   const std::map<Side, Mm>& wanted = model_.items[item].entry->clearance;
   const int for_side = wanted.contains(Side::kLeft) && wanted.contains(Side::kRight) ? kCostWeights.wanted : 0;
@@ -40,6 +48,7 @@ void Habits::back_to_wall(int item, int weight) {
   }
   if (model_.items[item].is(Trait::kCenterPiece) && !model_.items[item].is(Trait::kBed)) back_to_divider(f, item);
   if (may_float(item)) f.add().price = kFloats;
+  stand_in_its_corner(item);
   habit("back to wall", item, weight, std::move(f));
 }
 
@@ -97,9 +106,32 @@ bool Habits::has_bedside(int bed) const {
 bool Habits::keeps_to_corner(int item) const {
   const Item& self = model_.items[item];
   if (self.is(Trait::kCenterPiece) || self.is(Trait::kTable) || self.is(Trait::kDeskLike) || self.is(Trait::kSeat)) return false;
+  if (is_platform(self)) return false;
   if (self.is(Trait::kOpenToRoom) || placed_by_relation_besides_walls(item) || !items_of_kinds(self.entry->beside, item).empty())
     return false;
   return !is_faced_by_kind(item);
+}
+
+// What is built in an L stands in a corner with both its backs to walls: the open part is at the front and the other side.
+void Habits::stand_in_its_corner(int item) {
+  const Item& self = model_.items[item];
+  const Size& size = self.states[0].size;
+  const auto is_open = [&](const Space& s) {
+    return !s.carries && s.max[2] >= size.height - 1 && s.min[0] <= -size.width / 2 + 1 && s.min[1] <= -size.depth / 2 + 1 &&
+           s.min[2] <= 0 && s.max[0] < size.width / 2;
+  };
+  if (std::ranges::none_of(spaces_of(*self.object, *self.entry, size), is_open) || !self.has_front) return;
+  Formula f;
+  for_each_turn(self, [&](int turn, std::uint64_t states) {
+    if (turn % 90 != 0) return;
+    const Direction right = side_direction(self, Side::kRight, turn);
+    const Mm edge = right.sign > 0 ? model_.room.hi[right.axis] : model_.room.lo[right.axis];
+    f.add()
+        .when(item, states)
+        .wish(Linear(std::int64_t{right.sign} * edge) - right.sign * (right.sign > 0 ? hi(item, right.axis) : lo(item, right.axis)),
+              kBackToWall / 2);
+  });
+  habit("in its corner", item, kBackToWall / 2, std::move(f));
 }
 
 // A fireplace, a piano; no desk, at which one sits.

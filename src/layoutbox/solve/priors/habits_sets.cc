@@ -80,15 +80,18 @@ void Habits::share_wall_out(int item) {
 
 // What is played from behind only (a drum kit) leaves the player a seat between it and the wall.
 void Habits::leave_seat_behind(int item) {
-  constexpr Mm kSeat = 420;
+  constexpr Mm kSeat = 420, kServing = 900;
   constexpr int kBehind = 500;  // points a metre
   const Item& self = model_.items[item];
-  if (used_sides(self) != std::vector<Side>{Side::kBack} || self.is(Trait::kTable) || self.is(Trait::kDeskLike)) return;
+  const bool served = is_served_over(item) && !self.is(Trait::kDeskLike);
+  const bool manned = used_sides(self) == std::vector<Side>{Side::kBack} && !self.is(Trait::kTable) && !self.is(Trait::kDeskLike);
+  if (!served && !manned) return;
+  const Mm behind = served ? kServing : kSeat;
   Formula f;
   for (const RoomWall& wall : model_.walls) {
     if (!wall.straight) continue;
     const Direction away{wall.normal(), wall.inward};
-    f.add().when(item, states_with_back_to(self, wall)).wish(gap_towards(item, place_of(model_, wall), away) - Linear(kSeat), kBehind);
+    f.add().when(item, states_with_back_to(self, wall)).wish(gap_towards(item, place_of(model_, wall), away) - Linear(behind), kBehind);
   }
   if (!f.cases.empty()) habit("a seat behind", item, kBehind, std::move(f));
 }

@@ -1,0 +1,72 @@
+// What things are by what is named beside them.
+#include <algorithm>
+
+#include "layoutbox/catalog/kin.h"
+#include "layoutbox/plan/offline/people.h"
+
+namespace layoutbox::offline {
+namespace {
+
+bool names_thing(const Chunk& chunk) {
+  return chunk.kind == ChunkKind::kNoun && chunk.noun.kind == NounKind::kObject && chunk.noun.entry != nullptr;
+}
+
+// The noun that is said to have what the chunk at `k` names, in a list or alone; null: none.
+const NounPhrase* owner_of(const std::vector<Chunk>& chunks, std::size_t k) {
+  bool has = false;
+  for (std::size_t i = k; i-- > 0;) {
+    const Chunk& chunk = chunks[i];
+    if (chunk.kind == ChunkKind::kHave) {
+      has = true;
+    } else if (chunk.kind == ChunkKind::kNoun && has) {
+      return names_thing(chunk) ? &chunk.noun : nullptr;
+    } else if (chunk.kind != ChunkKind::kNoun && chunk.kind != ChunkKind::kIgnored && chunk.kind != ChunkKind::kAnd) {
+      return nullptr;
+    }
+  }
+  return nullptr;
+}
+
+// "chairs for patients", "two chairs for the owners": whose a thing is, by the word behind "for"; empty: nobody's.
+std::string user_of(const Document& document, std::size_t k) {
+  constexpr std::size_t kNearby = 3;
+  const std::vector<Token>& tokens = document.tokens;
+  const std::size_t at = document.chunks[k].last;
+  if (at + 1 >= tokens.size() || tokens[at].text != "for" || (at > 0 && tokens[at - 1].ends_sentence)) return {};
+  for (std::size_t t = at + 1; t < std::min(tokens.size(), at + 1 + kNearby); ++t) {
+    std::string word = singular_of(tokens[t].text);
+    if (!kinds_for(word).empty()) return word;
+  }
+  return {};
+}
+
+}  // namespace
+
+void settle_company(const Lexicon& lexicon, Document& document) {
+  const Catalog& catalog = lexicon.catalog();
+  std::vector<Chunk>& chunks = document.chunks;
+  for (std::size_t k = 0; k < chunks.size(); ++k) {
+    if (!names_thing(chunks[k])) continue;
+    NounPhrase& noun = chunks[k].noun;
+    const NounPhrase* owner = owner_of(chunks, k);
+    if (owner != nullptr && is_own_part(catalog, owner->entry->id, noun.entry->id)) {
+      noun.kind = NounKind::kPart;
+      continue;
+    }
+    if (const std::string user = user_of(document, k); !user.empty()) {
+      const CatalogEntry* kind = catalog.find(std::string(kinds_for(user)));
+      if (kind != nullptr && noun.name == noun.head && catalog.is_a(kind->id, noun.entry->id)) noun.entry = kind, noun.category = kind->id;
+    }
+    for (const auto& [other, becomes] : kinds_in_company(noun.entry->id)) {
+      const std::string kind(other);
+      const auto is_there = [&](const Chunk& c) { return &c.noun != &noun && names_thing(c) && catalog.is_a(c.noun.entry->id, kind); };
+      const CatalogEntry* entry = catalog.find(std::string(becomes));
+      if (entry == nullptr || std::ranges::none_of(chunks, is_there)) continue;
+      noun.entry = entry;
+      noun.category = entry->id;
+      break;
+    }
+  }
+}
+
+}  // namespace layoutbox::offline
