@@ -53,6 +53,7 @@ constexpr SymbolRow kSymbols[] = {
     {"round_thing", draw_round_thing},
     {"pool_table", draw_pool_table},
     {"net_table", draw_net_table},
+    {"roof_slope", draw_roof_slope},
 };
 
 const CatalogEntry& entry_of(const PlacedObject& object) { return Catalog::builtin().entry_or_nearest(object.category); }
@@ -62,6 +63,7 @@ const CatalogEntry& entry_of(const PlacedObject& object) { return Catalog::built
 double plan_height(const PlacedObject& object) {
   if (object.mount == Mount::kCeiling) return 1e6;
   const CatalogEntry& entry = entry_of(object);
+  if (entry.is(Trait::kRoofSlope)) return 9e5;
   const bool seat = entry.is(Trait::kSeat) && !entry.is(Trait::kEasySeat);
   return object.position[2] + (seat ? std::min<double>(object.size.height, 460) : object.size.height);
 }

@@ -6,6 +6,8 @@
 #include <set>
 #include <span>
 
+#include "layoutbox/catalog/catalog.h"
+#include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/embedded/blender_scripts.h"
 #include "layoutbox/render/mesh_block.h"
 #include "layoutbox/render/render.h"
@@ -192,7 +194,9 @@ std::string hangs_on(const Layout& layout, std::string_view support) {
 
 // Asked for, or it follows from what was: not ours.
 bool is_spoken_of(const PlacedObject* object) {
-  return object == nullptr || object->origin == Origin::kAsked || object->origin == Origin::kConcluded;
+  if (object == nullptr) return true;
+  if (Catalog::builtin().entry_or_nearest(object->category).is(Trait::kRoofSlope)) return false;  // it goes with its wall
+  return object->origin == Origin::kAsked || object->origin == Origin::kConcluded;
 }
 
 Size3f box_of(const Node& node, const Layout& layout) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "layoutbox/base/words.h"
+#include "layoutbox/catalog/opening_look.h"
 #include "layoutbox/catalog/normalize.h"
 #include "layoutbox/plan/offline/noun_phrase_parts.h"
 
@@ -298,7 +299,7 @@ void add_needed_openings(const Document& document, SceneGraph& scene) {
   const bool windowless = wants_no_window(document);
   const PlacedOpenings placed = placed_openings(document);
   for (Opening& opening : room.openings) {
-    if (leads_outside(opening) && opening.wall.empty()) opening.wall = wall_to_outside(document, room);
+    if ((leads_outside(opening) || look_of(opening).whole) && opening.wall.empty()) opening.wall = wall_to_outside(document, room);
   }
   if (!room.openings.empty() || windowless) {
     for (const OpeningType type : {OpeningType::kDoor, OpeningType::kWindow}) {
@@ -420,6 +421,7 @@ std::string single_wall(const Document& document, int wall, const Room& room) {
 
 void build_room(const Lexicon& lexicon, const Document& document, const RoomSize& size, SceneGraph& scene) {
   set_kind(document, scene);
+  if (scene.room.shape.empty()) scene.room.shape = read_room_form(lexicon, document);
   set_size(document, size, scene);
   add_openings(document, scene);
   add_needed_openings(document, scene);

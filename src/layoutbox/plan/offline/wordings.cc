@@ -20,6 +20,7 @@ class WordingReader : public TokenReader {
       read_picture(i);
       read_besides(i);
       read_seater(i);
+      read_burners(i);
       read_bedrooms(i);
       read_pattern(i);
       read_boards(i);
@@ -75,6 +76,18 @@ class WordingReader : public TokenReader {
     if (number.length != 1 || number.value < 2) return;
     tokens_[i].text = number.value < 3 ? "loveseat" : "sofa";
     leave_out(i - 1, i);
+  }
+
+  // "a kitchenette with two burners": one hob.
+  void read_burners(std::size_t i) {
+    if (i == 0 || !is(i, {"burners", "rings"}) || (i + 1 < tokens_.size() && is(i + 1, {"on"}))) return;
+    const std::size_t first = is(i - 1, {"gas", "electric", "cooking"}) ? i - 1 : i;
+    if (first == 0 || (is(i, {"rings"}) && first == i)) return;
+    const NumberRead number = read_number(lexicon_, tokens_, first - 1);
+    if (number.length != 1) return;
+    tokens_[first - 1].text = "a";
+    tokens_[first - 1].kind = Token::Kind::kWord;
+    tokens_[i].text = "hob";
   }
 
   // "a two-bed flat", "3 bedroom house": how large a home is whose room this is.

@@ -1,0 +1,11 @@
+// What is built of things that the text names itself: a kitchenette with its hob and sink.
+#pragma once
+
+#include "layoutbox/plan/offline/document.h"
+
+namespace layoutbox::offline {
+
+// Where parts of such a thing are named (`built_of` of words_kinds.json), it is the plain thing that carries them, and has them all.
+void settle_built_ins(const Lexicon& lexicon, Document& document);
+
+}  // namespace layoutbox::offline
