@@ -229,8 +229,17 @@ void RelationBuilder::make_islands() {
   std::erase_if(scene_.relations, [&](const Relation& r) { return (r.type == R::kGrid && r.targets == desks) || backs(r); });
 }
 
+// "a bay window, a window seat": the seat is in the window.
+void RelationBuilder::seat_in_windows() {
+  for (std::size_t i = 0; i < scene_.objects.size(); ++i) {
+    if (!one_of(scene_.objects[i].category, {"window_seat"}) || is_placed(static_cast<int>(i))) continue;
+    add_habit(R::kUnderWindow, {scene_.objects[i].id}, {}, kTogether, "a window seat is in the window");
+  }
+}
+
 void RelationBuilder::add_habits() {
   add_front();
+  seat_in_windows();
   hang_hoods();
   add_end_walls();
   face_as_group();
