@@ -3,6 +3,8 @@
 #include <array>
 #include <cmath>
 
+#include "layoutbox/catalog/catalog.h"
+#include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/render/render.h"
 
 namespace layoutbox {
@@ -85,8 +87,12 @@ double shown_from(const std::vector<Thing>& things, double azimuth_deg, double e
   return shown;
 }
 
+// Where the ceiling comes down: it is drawn with its wall, and hides nothing (rafters).
+bool is_slope(const PlacedObject& object) { return Catalog::builtin().entry_or_nearest(object.category).is(Trait::kRoofSlope); }
+
 // What is seen of walls, doors and windows that the text gives a look of their own: on walls that do not turn their back on the camera.
-double looks_shown_from(const Room& room, double azimuth_deg) {
+double looks_shown_from(const Layout& layout, double azimuth_deg) {
+  const Room& room = layout.room;
   const double azimuth = radians_from_degrees(azimuth_deg);
   double shown = 0;
   for (const Wall& wall : room.walls) {
@@ -94,6 +100,10 @@ double looks_shown_from(const Room& room, double azimuth_deg) {
     if (-along_y * std::sin(azimuth) - along_x * std::cos(azimuth) <= 0) continue;
     const bool own_look = !wall.material.empty() && wall.material != room.wall_material;
     if (own_look) shown += kWallWorth * std::hypot(along_x, along_y) * m_from_mm(room.height);
+    for (const PlacedObject& object : layout.objects) {
+      if (is_slope(object) && object.supported_by == wall.id)
+        shown += kOpeningWorth * m_from_mm(object.size.width) * m_from_mm(object.size.height);
+    }
     for (const Opening& opening : room.openings) {
       if (opening.wall == wall.id && !opening.attributes.empty())
         shown += kOpeningWorth * m_from_mm(opening.width) * m_from_mm(opening.height);
@@ -127,14 +137,14 @@ std::optional<Corner> corner_from_name(std::string_view name) {
 Corner best_corner(const Layout& layout, double elevation_deg) {
   std::vector<Thing> things;
   for (const PlacedObject& object : layout.objects) {
-    if (object.origin != Origin::kAdded) things.push_back(thing_of(object));  // what we add to a room does not turn it
+    if (object.origin != Origin::kAdded && !is_slope(object)) things.push_back(thing_of(object));  // what we add to a room does not turn it
   }
   const auto volume = [](const Thing& t) { return t.half_width * t.half_depth * t.height; };
   std::ranges::stable_sort(things, std::greater{}, volume);
   if (things.size() > kMostThings) things.resize(kMostThings);
   Corner best = Corner::kSouthEast;
   const auto shown_at = [&](Corner corner) {
-    return shown_from(things, azimuth_of(corner), elevation_deg) + looks_shown_from(layout.room, azimuth_of(corner));
+    return shown_from(things, azimuth_of(corner), elevation_deg) + looks_shown_from(layout, azimuth_of(corner));
   };
   double most = shown_at(best) * kBetter;
   for (const Corner corner : {Corner::kSouthWest, Corner::kNorthEast, Corner::kNorthWest}) {

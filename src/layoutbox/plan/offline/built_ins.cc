@@ -15,7 +15,8 @@ class BuiltInReader {
     for (const WordList::Member row : word_list("words_kinds").at("built_of")) {
       for (std::size_t m = 0; m < document_.mentions.size(); ++m) {
         const Mention& mention = document_.mentions[m];
-        const bool one = mention.introduces && mention.items.size() == 1 && mention.noun.entry != nullptr && mention.noun.entry->id == row.key;
+        const bool one =
+            mention.introduces && mention.items.size() == 1 && mention.noun.entry != nullptr && mention.noun.entry->id == row.key;
         if (one && names_part(row.value)) return take_apart(static_cast<int>(m), row.value);
       }
     }
@@ -67,9 +68,8 @@ class BuiltInReader {
   }
 
   bool is_linked(int thing) const {
-    return std::ranges::any_of(document_.links, [&](const Link& link) {
-      return std::ranges::find(link.targets, thing) != link.targets.end();
-    });
+    return std::ranges::any_of(document_.links,
+                               [&](const Link& link) { return std::ranges::find(link.targets, thing) != link.targets.end(); });
   }
 
   void become(int m, const CatalogEntry& entry) {
@@ -83,7 +83,33 @@ class BuiltInReader {
   Document& document_;
 };
 
+bool is_kind(const Chunk& chunk, std::string_view kind) {
+  return chunk.kind == ChunkKind::kNoun && chunk.noun.kind == NounKind::kObject && chunk.noun.entry != nullptr &&
+         chunk.noun.entry->id == kind;
+}
+
 }  // namespace
+
+void settle_worktops(Document& document) {
+  const auto is_units = [](const Chunk& chunk) { return is_kind(chunk, "base_cabinet"); };
+  if (std::ranges::none_of(document.chunks, is_units)) return;
+  const auto names_top = [](const Chunk& chunk) {
+    const std::string& head = chunk.noun.head;
+    return is_kind(chunk, "counter") && (head == "worktop" || head == "countertop");
+  };
+  const auto spoken_of = std::ranges::count_if(document.chunks, names_top);
+  for (std::size_t k = 0; k < document.chunks.size() && spoken_of == 1; ++k) {
+    Chunk& chunk = document.chunks[k];
+    const bool placed = (k > 0 && document.chunks[k - 1].kind == ChunkKind::kRelation) ||
+                        (k + 1 < document.chunks.size() && document.chunks[k + 1].kind == ChunkKind::kRelation);
+    if (!names_top(chunk) || placed || chunk.noun.size.any() || chunk.noun.determiner == Determiner::kDefinite) continue;
+    chunk.kind = ChunkKind::kIgnored;
+    for (std::size_t i = chunk.first; i < chunk.last; ++i) {
+      document.readings[i].use = WordReading::Use::kUsed;
+      document.readings[i].role = "look of the units";
+    }
+  }
+}
 
 void settle_built_ins(const Lexicon& lexicon, Document& document) { BuiltInReader(lexicon, document).run(); }
 

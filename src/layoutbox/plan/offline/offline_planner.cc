@@ -85,6 +85,7 @@ class OfflinePlanner final : public Planner {
     settle_inserts(document);
     settle_purposes(lexicon_, document);
     settle_room_senses(lexicon_, document, room_size_at);
+    settle_worktops(document);
     settle_floor_carpets(document);
     settle_forward_counts(document);
     settle_forward_names(document);
