@@ -61,9 +61,9 @@ const CatalogEntry& entry_of(const PlacedObject& object) { return Catalog::built
 }  // namespace
 
 double plan_height(const PlacedObject& object) {
-  if (object.mount == Mount::kCeiling) return 1e6;
   const CatalogEntry& entry = entry_of(object);
   if (entry.is(Trait::kRoofSlope)) return 9e5;
+  if (object.mount == Mount::kCeiling) return 1e6;
   const bool seat = entry.is(Trait::kSeat) && !entry.is(Trait::kEasySeat);
   return object.position[2] + (seat ? std::min<double>(object.size.height, 460) : object.size.height);
 }
@@ -74,7 +74,7 @@ bool has_symbol(std::string_view name) {
 
 void draw_symbol(Canvas& page, const PlanScale& scale, const PlacedObject& object) {
   Pen pen(page, scale, object);
-  if (object.mount == Mount::kCeiling) {
+  if (object.mount == Mount::kCeiling && !entry_of(object).is(Trait::kRoofSlope)) {
     pen.style.dash = "0.8 0.6";
     pen.style.fill = "none";
     const bool round = std::abs(pen.w() - pen.d()) < 0.1 * pen.w();

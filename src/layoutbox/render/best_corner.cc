@@ -3,9 +3,8 @@
 #include <array>
 #include <cmath>
 
-#include "layoutbox/catalog/catalog.h"
-#include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/render/render.h"
+#include "layoutbox/render/slope_wall.h"
 
 namespace layoutbox {
 namespace {
@@ -87,9 +86,6 @@ double shown_from(const std::vector<Thing>& things, double azimuth_deg, double e
   return shown;
 }
 
-// Where the ceiling comes down: it is drawn with its wall, and hides nothing (rafters).
-bool is_slope(const PlacedObject& object) { return Catalog::builtin().entry_or_nearest(object.category).is(Trait::kRoofSlope); }
-
 // What is seen of walls, doors and windows that the text gives a look of their own: on walls that do not turn their back on the camera.
 double looks_shown_from(const Layout& layout, double azimuth_deg) {
   const Room& room = layout.room;
@@ -101,8 +97,7 @@ double looks_shown_from(const Layout& layout, double azimuth_deg) {
     const bool own_look = !wall.material.empty() && wall.material != room.wall_material;
     if (own_look) shown += kWallWorth * std::hypot(along_x, along_y) * m_from_mm(room.height);
     for (const PlacedObject& object : layout.objects) {
-      if (is_slope(object) && object.supported_by == wall.id)
-        shown += kOpeningWorth * m_from_mm(object.size.width) * m_from_mm(object.size.height);
+      if (wall_of_slope(layout, object) == &wall) shown += kOpeningWorth * m_from_mm(object.size.width) * m_from_mm(object.size.height);
     }
     for (const Opening& opening : room.openings) {
       if (opening.wall == wall.id && !opening.attributes.empty())
@@ -137,7 +132,8 @@ std::optional<Corner> corner_from_name(std::string_view name) {
 Corner best_corner(const Layout& layout, double elevation_deg) {
   std::vector<Thing> things;
   for (const PlacedObject& object : layout.objects) {
-    if (object.origin != Origin::kAdded && !is_slope(object)) things.push_back(thing_of(object));  // what we add to a room does not turn it
+    if (object.origin != Origin::kAdded && wall_of_slope(layout, object) == nullptr)
+      things.push_back(thing_of(object));  // what we add to a room does not turn it
   }
   const auto volume = [](const Thing& t) { return t.half_width * t.half_depth * t.height; };
   std::ranges::stable_sort(things, std::greater{}, volume);

@@ -256,6 +256,23 @@ void RelationBuilder::stand_under_counters() {
   }
 }
 
+// Cars stand nose to the garage door, side by side.
+void RelationBuilder::park_cars() {
+  const auto door = std::ranges::find_if(scene_.room.openings, [](const Opening& o) {
+    return o.type == OpeningType::kDoor && std::ranges::any_of(o.attributes, [](const std::string& look) {
+             return look.find("garage") != std::string::npos || look.find("roller") != std::string::npos;
+           });
+  });
+  std::string first;
+  for (const SceneObject& object : scene_.objects) {
+    if (object.category != "car") continue;
+    if (first.empty() && door != scene_.room.openings.end())
+      add_habit(R::kFacing, {object.id}, {door->id}, kTogether, "cars leave by the garage door");
+    if (!first.empty()) add_habit(R::kSameOrientation, {object.id}, {first}, kTogether, "cars are parked side by side");
+    if (first.empty()) first = object.id;
+  }
+}
+
 // "a bay window, a window seat": the seat is in the window.
 void RelationBuilder::seat_in_windows() {
   for (std::size_t i = 0; i < scene_.objects.size(); ++i) {
@@ -267,6 +284,7 @@ void RelationBuilder::seat_in_windows() {
 void RelationBuilder::add_habits() {
   add_front();
   seat_in_windows();
+  park_cars();
   stand_under_counters();
   hang_hoods();
   add_end_walls();

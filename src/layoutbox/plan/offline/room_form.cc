@@ -77,13 +77,17 @@ class FormReader {
            is_word(at, {"with", "so", "but", "and", "about", "around", "like", "because", "which", "where", "as"});
   }
 
-  // The noun last spoken of before is the room, or is "it" at the beginning of a text that speaks of nothing else yet.
+  // The noun last spoken of before is the room.
   bool is_said_of_room(std::size_t i) const {
-    for (std::size_t at = i; at-- > 0;) {
-      if (is_room(at)) return true;
-      if (is_of(at, Class::kObject) || is_of(at, Class::kDoor) || is_of(at, Class::kWindow) || is_of(at, Class::kWall)) return false;
+    bool room = false;
+    for (std::size_t at = 0; at < i;) {
+      const Match match = lexicon_.find(tokens_, at);
+      const bool thing = has(match, Class::kObject) || has(match, Class::kDoor) || has(match, Class::kWindow) || has(match, Class::kWall);
+      const bool place = has(match, Class::kRoom) || has(match, Class::kRoomNoun) || has(match, Class::kOutsideRoom);
+      if (place || thing) room = place;
+      at += std::max<std::size_t>(match.length, 1);
     }
-    return false;
+    return room;
   }
 
   const Lexicon& lexicon_;

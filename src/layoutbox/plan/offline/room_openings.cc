@@ -68,7 +68,8 @@ std::pair<std::string, std::string> walls_by_length(const NounPhrase& noun, cons
 // "French doors", "double doors", "sliding doors": one opening, whose leaves they are.
 int openings_said(const NounPhrase& noun) {
   if (noun.wall_word == "ends") return 2;  // "a window at both ends"
-  if (noun.kind == NounKind::kWindow && is_front(OpeningType::kWindow, noun)) return 1;
+  const bool glass = noun.kind == NounKind::kWindow && opening_look(OpeningType::kWindow, {words_of_opening(noun)}).whole;
+  if (noun.count == 0 && (glass || (noun.kind == NounKind::kWindow && is_front(OpeningType::kWindow, noun)))) return 1;
   if (noun.kind == NounKind::kDoor && noun.plural) {
     const OpeningLook look = opening_look(OpeningType::kDoor, {words_of_opening(noun)});
     const bool of_leaves = look.leaves == 2 || look.slides;

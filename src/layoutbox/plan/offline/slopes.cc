@@ -13,7 +13,7 @@ namespace {
 
 using R = RelationType;
 
-constexpr std::size_t kSides = 9;        // tokens after the slope in which its side is said
+constexpr std::size_t kSides = 9;  // tokens after the slope in which its side is said
 constexpr std::size_t kMostSlopes = 4;
 constexpr const char* kSlope = "sloped_ceiling";
 
@@ -72,7 +72,9 @@ class SlopeSettler {
 
  private:
   bool is_slope(const SceneObject& object) const { return object.category == kSlope; }
-  bool any() const { return std::ranges::any_of(scene_.objects, [&](const SceneObject& o) { return is_slope(o); }); }
+  bool any() const {
+    return std::ranges::any_of(scene_.objects, [&](const SceneObject& o) { return is_slope(o); });
+  }
   bool is(std::size_t i, std::initializer_list<std::string_view> words) const { return says_one_of(document_, i, words); }
 
   bool wanted_flat() const {
@@ -106,7 +108,8 @@ class SlopeSettler {
     slope.category = kSlope;
     slope.name = "sloped ceiling";
     slope.origin = origin;
-    for (int n = 1; slope.id.empty() || scene_.find_object(slope.id) != nullptr; ++n) slope.id = kSlope + std::string("_") + std::to_string(n);
+    for (int n = 1; slope.id.empty() || scene_.find_object(slope.id) != nullptr; ++n)
+      slope.id = kSlope + std::string("_") + std::to_string(n);
     scene_.objects.push_back(std::move(slope));
   }
 
@@ -118,12 +121,12 @@ class SlopeSettler {
       if (!wall.empty() && std::ranges::find(walls, wall) == walls.end()) walls.push_back(wall);
     };
     for (std::size_t i = 0; i < document_.tokens.size(); ++i) {
-      const Match match = lexicon_.find(document_.tokens, i, WordClass::kObject);
+      const Match match = lexicon_.find(document_.tokens, i);
       const Meaning* thing = meaning_of(match, WordClass::kObject);
       if (match.length == 0 || thing == nullptr || thing->entry == nullptr || thing->entry->id != kSlope) continue;
       plural |= match.plural || is(i + match.length - 1, {"eaves"});
       for (std::size_t at = i + match.length; at < i + match.length + kSides && at < document_.tokens.size(); ++at) {
-        if (document_.tokens[at - 1].ends_sentence || lexicon_.find(document_.tokens, at, WordClass::kObject).length > 0) break;
+        if (document_.tokens[at - 1].ends_sentence || has(lexicon_.find(document_.tokens, at), WordClass::kObject)) break;
         if (is(at, {"both", "either", "two", "each"}) && is(at + 1, {"side", "sides", "end", "ends", "walls"})) put("left"), put("right");
         const Match word = lexicon_.find(document_.tokens, at, WordClass::kWallWord);
         if (const Meaning* wall = word.length > 0 ? meaning_of(word, WordClass::kWallWord) : nullptr) put(first_word(wall->word));
@@ -131,9 +134,8 @@ class SlopeSettler {
     }
     const auto slopes = std::ranges::count_if(scene_.objects, [&](const SceneObject& o) { return is_slope(o); });
     if (walls.empty() && slopes > 1 && plural) return {"left", "right"};
-    if (walls.empty() && slopes > 1 && std::ranges::any_of(scene_.objects, [&](const SceneObject& o) {
-          return is_slope(o) && o.origin == Origin::kAssumed;
-        }))
+    if (walls.empty() && slopes > 1 &&
+        std::ranges::any_of(scene_.objects, [&](const SceneObject& o) { return is_slope(o) && o.origin == Origin::kAssumed; }))
       return {"left", "right"};
     if (walls.empty() && slopes > 0) return {free_wall()};
     return walls;
@@ -223,9 +225,7 @@ class SlopeSettler {
 
 }  // namespace
 
-void read_slopes(const Lexicon& lexicon, Document& document, std::vector<bool>& skip) {
-  SlopeWords(lexicon, document.tokens, skip).run();
-}
+void read_slopes(const Lexicon& lexicon, Document& document, std::vector<bool>& skip) { SlopeWords(lexicon, document.tokens, skip).run(); }
 
 void settle_slopes(const Lexicon& lexicon, const Document& document, SceneGraph& scene) { SlopeSettler(lexicon, document, scene).run(); }
 

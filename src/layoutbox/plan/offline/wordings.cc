@@ -24,6 +24,7 @@ class WordingReader : public TokenReader {
       read_on_stand(i);
       read_bare_opposite(i);
       read_double_sinks(i);
+      read_wall_of_windows(i);
       read_railing(i);
       read_bedrooms(i);
       read_pattern(i);
@@ -82,12 +83,21 @@ class WordingReader : public TokenReader {
     leave_out(i - 1, i);
   }
 
+  // "a wall of windows", "a wall of glass": a glass wall.
+  void read_wall_of_windows(std::size_t i) {
+    if (!are(i, {"wall", "of"}) || !is(i + 2, {"windows", "window", "glass"})) return;
+    tokens_[i].text = "glass";
+    tokens_[i + 1].text = "wall";
+    leave_out(i + 2, i + 3);
+  }
+
   // "with double sinks": one vanity that has two.
   void read_double_sinks(std::size_t i) {
-    if (i > 0 && read_number(lexicon_, tokens_, i - 1).length > 0) return;
+    const bool kitchen = std::ranges::any_of(tokens_, [](const Token& token) { return token.text == "kitchen"; });
+    if (kitchen || (i > 0 && read_number(lexicon_, tokens_, i - 1).length > 0)) return;
     if (is(i, {"double", "twin", "dual"}) && is(i + 1, {"sinks", "basins", "washbasins", "vanities"})) {
       tokens_[i].text = "double";
-      tokens_[i + 1].text = "sink";
+      tokens_[i + 1].text = "vanity";
     }
   }
 
