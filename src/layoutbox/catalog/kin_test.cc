@@ -22,7 +22,7 @@ TEST(Kin, IsTheNearestKnownKind) {
 
 TEST(Kin, PlacesPartsAndStuffAreNoThings) {
   const Catalog& catalog = Catalog::builtin();
-  for (const char* word : {"darkroom", "conservatoire", "driveways", "monastery", "hem", "keyhole", "subway", "eaves", "hand"})
+  for (const char* word : {"darkroom", "conservatoire", "driveways", "monastery", "hem", "keyhole", "subway", "hand"})
     EXPECT_TRUE(is_no_thing(catalog, word)) << word;
   for (const char* word : {"walrus", "engraving", "secateurs", "bassoon", "wok", "sofa", "heron", "ammonite", "xyzzy"})
     EXPECT_FALSE(is_no_thing(catalog, word)) << word;

@@ -39,6 +39,7 @@ Result<SceneGraph> normalize_scene(SceneGraph scene, const Catalog& catalog, con
   normalize_guests(context);
   normalize_room(context);
   normalize_curtains(context);
+  if (context.errors.empty()) normalize_slopes(context);
   if (context.errors.empty()) {
     normalize_distances(context);
     normalize_relations(context);

@@ -7,7 +7,9 @@
 
 #include "layoutbox/catalog/groups.h"
 #include "layoutbox/catalog/normalize_steps.h"
+#include "layoutbox/catalog/size_words.h"
 #include "layoutbox/catalog/trait_table.h"
+#include "layoutbox/scene/shell.h"
 
 namespace layoutbox {
 namespace {
@@ -107,13 +109,27 @@ Mm seat_width(const Catalog& catalog, const ById& by_id, const std::vector<std::
   return width;
 }
 
+// Where the room is small, or few sit there, a table whose size nobody gave is no larger than it must be.
+void shrink_for_room(const NormalizeContext& context, int seats, const SizeForSeats& wanted, SceneObject& host) {
+  constexpr double kSmallRoom = 15e6;  // mm²
+  const Room& room = context.scene.room;
+  const double area = room.area_m2 ? *room.area_m2 * 1e6 : room.polygon.empty() ? 0 : double(doubled_area(room.polygon)) / 2;
+  const bool small = (area > 0 && area < kSmallRoom) || room_size_factor(room.size_word) < 1 || seats <= 2;
+  if (!small || host.size_source != SizeSource::kCatalog || std::ranges::any_of(host.attributes, is_size_word)) return;
+  for (Size* size : {&host.size->usual, &host.size->least}) {
+    size->width = std::min(size->width, wanted.width);
+    size->depth = std::min(size->depth, wanted.depth);
+  }
+}
+
 // So large as the catalogue says it is for so many, be that larger than such things mostly are.
 void grow_with_seats(const NormalizeContext& context, const CatalogEntry& entry, const Contents& contents, SceneObject& host) {
   const Seating* seating = Groups::builtin().seating_at(context.catalog, entry, context.scene.room.type);
   const int seats = std::max(contents.around + contents.along, contents.before);
   if (seating == nullptr || seats == 0) return;
   const auto wanted = size_for_seats(*seating, is_round(host), seats);
-  if (!wanted || wanted->width <= host.size->usual.width) return;
+  if (!wanted) return;
+  if (wanted->width <= host.size->usual.width) return shrink_for_room(context, seats, *wanted, host);
   for (Size* size : {&host.size->usual, &host.size->greatest}) {
     size->width = std::max(size->width, wanted->width);
     size->depth = std::max(size->depth, wanted->depth);

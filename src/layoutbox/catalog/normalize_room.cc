@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
+#include <utility>
 
 #include "layoutbox/base/words.h"
 #include "layoutbox/catalog/normalize_steps.h"
+#include "layoutbox/catalog/opening_look.h"
 #include "layoutbox/catalog/size_words.h"
+#include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/scene/shell.h"
 
 namespace layoutbox {
@@ -30,7 +34,11 @@ constexpr double kMostUsed = 0.58;
 constexpr double kLeastUsed = 0.38, kSmallestShare = 0.42, kSmallestArea = 12e6;  // mm²
 constexpr double kShareOfWindow = 0.5, kShareOfWideWindow = 0.75;                 // of the longest wall
 constexpr Mm kWidestWindow = 3000, kBetweenUnderWindow = 100;
+constexpr Mm kBesideGlass = 120, kAtWholeWall = 500;  // of walls of glass: what is left beside them
+constexpr Mm kUnderRidge = 2750;  // of rooms whose ceiling comes down somewhere
 constexpr Point kGridWay{350, 850};  // free between the columns and rows of a grid
+// Rooms that are said to be long or wide: the longer side to the shorter one, and how narrow they get.
+constexpr double kLong = 2.2, kWide = 1.7, kNarrowest = 1900, kOfUsual = 0.75;
 
 Mm rounded_up(double mm) { return static_cast<Mm>(std::ceil(mm / 100 - 1e-9) * 100); }
 
@@ -152,10 +160,22 @@ class RoomNormalizer {
       w = rounded_up(w * factor);
       d = rounded_up(d * factor);
     }
+    std::tie(w, d) = formed(w, d);
     if (room_.shape == "round") context_.note("ignored", "round rooms are made rectangular", "/room/shape");
     context_.note("filled", fmt::format("the room's size is not given: {} x {} for {}", metres_text(w), metres_text(d), reason),
                   "/room/dims");
     return room_outline(room_.shape, static_cast<Mm>(std::min(w, 1e6)), static_cast<Mm>(std::min(d, 1e6)));
+  }
+
+  // The same floor in the form that the room is said to have: long ones are entered at a narrow end.
+  std::pair<double, double> formed(double w, double d) const {
+    const double area = w * d, even = std::round(std::sqrt(area) / kGridMm) * kGridMm;
+    if (room_.shape == "square") return {even, even};
+    if (room_.shape != "long" && room_.shape != "wide") return {w, d};
+    const double narrow = std::max(std::sqrt(area / (room_.shape == "long" ? kLong : kWide)),
+                                   std::min({kNarrowest, even, kOfUsual * std::min(usual_.width, usual_.depth)}));
+    const double shorter = std::round(narrow / kGridMm) * kGridMm, longer = std::round(area / shorter / kGridMm) * kGridMm;
+    return room_.shape == "long" ? std::pair{shorter, longer} : std::pair{longer, shorter};
   }
 
   // By how much both sides must grow so that the floor holds what stands on it, and the longest piece fits along a wall; or may shrink
@@ -189,8 +209,14 @@ class RoomNormalizer {
   void settle_height() {
     if (context_.options.room_size.height > 0) room_.height = context_.options.room_size.height;
     if (room_.height != 0) return;
-    room_.height = usual_.height;
+    room_.height = std::max(usual_.height, has_slopes() ? kUnderRidge : 0);
     context_.note("filled", fmt::format("the room's height is not given: {}", metres_text(room_.height)), "/room/dims/h");
+  }
+
+  bool has_slopes() const {
+    return std::ranges::any_of(context_.scene.objects, [&](const SceneObject& object) {
+      return context_.catalog.entry_or_nearest(object.category).is(Trait::kRoofSlope);
+    });
   }
 
   // The frame's origin is the front-left corner of the box round the room.
@@ -241,11 +267,23 @@ class RoomNormalizer {
       Opening& opening = room_.openings[i];
       if (const Wall* wall = context_.scene.find_wall(opening.wall); wall != nullptr && !opening.wall.empty()) opening.wall = wall->id;
       if (opening.id.empty()) opening.id = unused_id(context_.scene, fmt::format("{}{}", name_of(opening.type), i + 1));
+      take_whole_wall(opening);
       if (opening.asked()) continue;
       const Mm wanted = width_of_what_is_under(opening);
       fit_assumed(opening, wanted > opening.width ? kShareOfWideWindow : kShareOfWindow,
                   std::max(opening.width, std::min(wanted, kWidestWindow)));
     }
+  }
+
+  // A wall of glass is as wide and high as its wall.
+  void take_whole_wall(Opening& opening) const {
+    const Wall* wall = opening.wall.empty() ? nullptr : context_.scene.find_wall(opening.wall);
+    if (wall == nullptr || opening.type != OpeningType::kWindow || !look_of(opening).whole) return;
+    const Mm length = static_cast<Mm>(length_of(*wall));
+    if (opening.width < length - kAtWholeWall || length < 4 * kBesideGlass) return;
+    opening.width = (length - 2 * kBesideGlass) / kGridMm * kGridMm;
+    opening.offset = (length - opening.width) / 2;
+    opening.height = room_.height - opening.sill - kBesideGlass;
   }
 
   // Of what is told to stand side by side under a window whose width is ours to choose: two desks want more of it than one.

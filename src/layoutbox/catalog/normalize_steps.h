@@ -55,6 +55,10 @@ void normalize_distances(NormalizeContext& context);
 // Widths of curtains that nobody gave, by their windows. REQUIRES: sizes of objects and openings are known.
 void normalize_curtains(NormalizeContext& context);
 
+// Where the ceiling comes down: slopes run along their whole wall, from a knee wall up to the ceiling, and stay there; windows in them.
+// REQUIRES: the room is settled.
+void normalize_slopes(NormalizeContext& context);
+
 // Names that relations use: walls by word become ids, relations to nothing are left out; ids for those without.
 void normalize_relations(NormalizeContext& context);
 

@@ -19,6 +19,8 @@ struct OpeningLook {
   bool slides = false;
   bool rail = false;     // hangs before the wall
   bool outside = false;  // leads out of the house
+  bool whole = false;    // from one end of its wall to the other
+  bool bay = false;      // it stands out of the wall
   OpeningShape shape = OpeningShape::kRectangle;
   std::string pane, frame;  // surfaces as a text asks for them; empty: the usual ones
   std::optional<Mm> width, height, sill;

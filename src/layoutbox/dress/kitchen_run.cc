@@ -98,6 +98,7 @@ class KitchenRun {
     bool high = false;
     double straight = 0;  // up to the corner, or to what stands there
     bool corner = false;  // it goes as far as the corner
+    bool flush = false;   // the last unit stands in it
     const WallFrame* turned = nullptr;
     double turn = 0;  // along the next wall, from the corner unit on
   };
@@ -115,7 +116,8 @@ class KitchenRun {
       end.corner = high ? span.high > wall.length - 1 : span.low < 1;
     }
     end.turned = high ? dresser_.room().next(wall) : dresser_.room().previous(wall);
-    if (!end.corner || end.straight < size_.depth || end.turned == nullptr) return end;
+    end.flush = (high ? wall.length - edge : edge) < kNarrowest;
+    if (end.turned == nullptr || !(end.flush || (end.corner && end.straight >= size_.depth))) return end;
     const double corner = size_.depth, length = end.turned->length;  // the corner itself belongs to this wall
     for (const Span& span : free_at(*end.turned)) {
       const Span beyond = high ? Span{std::max(span.low, corner), span.high} : Span{span.low, std::min(span.high, length - corner)};
@@ -132,13 +134,19 @@ class KitchenRun {
 
   void turn(const End& end, double wanted) {
     const double edge = edge_of(*end.wall, end.high), depth = size_.depth;
+    if (end.flush) return turn_on(end, wanted);
     const double between = (end.high ? end.wall->length - edge : edge) - depth;
     const double wide = between < kInCorner ? depth + between : depth;  // no chink, and none that cannot be stood before
     const double corner = end.high ? end.wall->length - wide : 0;
     place(*end.wall, end.high ? Span{edge, corner} : Span{wide, edge});
     dresser_.add_at_wall("kitchen_corner_unit", row_.words, {static_cast<Mm>(wide), size_.depth, size_.height}, *end.wall, corner, 0);
+    turn_on(end, wanted);
+  }
+
+  // Along the next wall, from the corner's unit on.
+  void turn_on(const End& end, double wanted) {
     const double length = on_grid(std::clamp(wanted, kLeastTurn, std::min(end.turn, kMostTurn)));
-    const double from = end.high ? depth : end.turned->length - depth - length;
+    const double from = end.high ? size_.depth : end.turned->length - size_.depth - length;
     place(*end.turned, {from, from + length});
   }
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 
+#include "layoutbox/catalog/opening_look.h"
 #include "layoutbox/dress/places.h"
 
 namespace layoutbox::dressing {
@@ -17,6 +18,7 @@ constexpr std::array kBeyond{200.0, 120.0, 60.0};
 struct Pane {
   const WallFrame* wall;
   Span along, height;
+  bool open_to_view = false;  // a wall of glass, a bay
 };
 
 std::vector<Pane> panes(const Dresser& dresser) {
@@ -26,7 +28,8 @@ std::vector<Pane> panes(const Dresser& dresser) {
     const auto wall = std::ranges::find_if(walls, [&](const WallFrame& frame) { return frame.wall->id == window.wall; });
     if (window.type != OpeningType::kWindow || !window.offset || wall == walls.end()) continue;
     const double from = *window.offset, sill = window.sill;
-    found.push_back({&*wall, {from, from + window.width}, {sill, sill + window.height}});
+    const OpeningLook look = look_of(window);
+    found.push_back({&*wall, {from, from + window.width}, {sill, sill + window.height}, look.whole || look.bay});
   }
   return found;
 }
@@ -46,6 +49,7 @@ bool hang_before(Dresser& dresser, const Dressing& row, const WallFrame& wall, S
 void hang_at_windows(Dresser& dresser, const Dressing& row) {
   int left = row.most;
   for (const Pane& pane : panes(dresser)) {
+    if (pane.open_to_view) continue;
     const double top = std::min(pane.height.high + kBeyondHead, dresser.layout().room.height - kOverCurtain);
     if (left == 0 || top <= pane.height.high) continue;
     const auto hangs = [&](double from) {

@@ -133,7 +133,14 @@ class FloorPlan {
     page_.open_group(opening.id, opening.id);
     strip(0, t, {"#fff", "#222", 0.25, {}});
     switch (opening.type) {
-      case OpeningType::kWindow: strip(0.38 * t, 0.62 * t, {"#dbeaf4", "#222", 0.15, {}}); break;
+      case OpeningType::kWindow:
+        if (look_of(opening).bay) {
+          const double out = std::min(500.0, opening.width / 4.0);
+          page_.polyline(paper({wall.at(s, t), wall.at(s + out, t + out), wall.at(e - out, t + out), wall.at(e, t)}),
+                         {"none", "#222", 0.5, {}});
+          break;
+        }
+        strip(0.38 * t, 0.62 * t, {"#dbeaf4", "#222", 0.15, {}}); break;
       case OpeningType::kOpen: strip(0, t, {"#fff", "#888", 0.15, "1.2 0.8"}); break;
       case OpeningType::kDoor: draw_door(opening, wall, s, e); break;
     }

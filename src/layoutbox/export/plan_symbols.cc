@@ -53,6 +53,7 @@ constexpr SymbolRow kSymbols[] = {
     {"round_thing", draw_round_thing},
     {"pool_table", draw_pool_table},
     {"net_table", draw_net_table},
+    {"roof_slope", draw_roof_slope},
 };
 
 const CatalogEntry& entry_of(const PlacedObject& object) { return Catalog::builtin().entry_or_nearest(object.category); }
@@ -60,8 +61,9 @@ const CatalogEntry& entry_of(const PlacedObject& object) { return Catalog::built
 }  // namespace
 
 double plan_height(const PlacedObject& object) {
-  if (object.mount == Mount::kCeiling) return 1e6;
   const CatalogEntry& entry = entry_of(object);
+  if (entry.is(Trait::kRoofSlope)) return 9e5;
+  if (object.mount == Mount::kCeiling) return 1e6;
   const bool seat = entry.is(Trait::kSeat) && !entry.is(Trait::kEasySeat);
   return object.position[2] + (seat ? std::min<double>(object.size.height, 460) : object.size.height);
 }
@@ -72,7 +74,7 @@ bool has_symbol(std::string_view name) {
 
 void draw_symbol(Canvas& page, const PlanScale& scale, const PlacedObject& object) {
   Pen pen(page, scale, object);
-  if (object.mount == Mount::kCeiling) {
+  if (object.mount == Mount::kCeiling && !entry_of(object).is(Trait::kRoofSlope)) {
     pen.style.dash = "0.8 0.6";
     pen.style.fill = "none";
     const bool round = std::abs(pen.w() - pen.d()) < 0.1 * pen.w();

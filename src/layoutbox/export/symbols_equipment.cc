@@ -229,4 +229,20 @@ void draw_net_table(Pen& pen, const PlacedObject&) {
   w > d ? pen.line(0, -d, 0, d) : pen.line(-w, 0, w, 0);
 }
 
+// A dashed line where the ceiling begins to come down, and short ones that fall towards the wall.
+void draw_roof_slope(Pen& pen, const PlacedObject&) {
+  constexpr double kApart = 700, kFall = 0.35;
+  const double w = pen.w() / 2, d = pen.d() / 2;
+  pen.style.fill = "none";
+  pen.style.dash = "1.6 0.9";
+  pen.line(-w, -d, w, -d);
+  pen.style.dash = {};
+  pen.style.width = 0.1;
+  const int falls = std::max(1, static_cast<int>(2 * w / kApart));
+  for (int i = 0; i < falls; ++i) {
+    const double x = -w + 2 * w * (i + 0.5) / falls;
+    pen.line(x, -d, x, -d + kFall * 2 * d);
+  }
+}
+
 }  // namespace layoutbox

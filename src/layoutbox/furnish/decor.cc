@@ -221,6 +221,7 @@ Decor decor_of(const Layout& layout, std::uint64_t seed) {
   const Json* style = style_of(layout.prompt).data;
   Decor decor;
   decor.chance = chance;
+  decor.parapet = room.value("parapet", false);
   decor.shelves = value_listed(data().at("shelves"), kind);
   decor.cases = value_listed(data().at("cases"), kind);
   // A style that has walls of its own goes before what such rooms mostly look like.

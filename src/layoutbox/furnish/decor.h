@@ -22,10 +22,11 @@ struct Decor {
   std::string metal;                // instead of steel; empty: steel
   std::vector<Color> accents;       // of cloth; empty: as of old
   std::map<std::string, std::string, std::less<>> shelves_said;  // contents by the word for what holds them ("shelf": "toys")
-  bool colors_said = false;                                      // the accents are the text's own
-  std::string cases;                                             // what lies in glass cases of which nothing was said; empty: nothing
-  std::string shelves;  // what stands on a shelf of which nothing was said ("goods", "towels"); empty: books
-  PartLooks parts;      // of parts, as the text says
+  bool parapet = false;      // out of doors: walls that nothing is let into are no higher than a railing
+  bool colors_said = false;  // the accents are the text's own
+  std::string cases;         // what lies in glass cases of which nothing was said; empty: nothing
+  std::string shelves;       // what stands on a shelf of which nothing was said ("goods", "towels"); empty: books
+  PartLooks parts;           // of parts, as the text says
   // A wood for a thing, where nobody said which: the room's. Stands for oak and walnut only.
   std::string_view wood_for(std::string_view usual, std::uint64_t kind) const;
 };

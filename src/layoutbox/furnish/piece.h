@@ -160,6 +160,7 @@ void add_rolling_things(Families& to);
 void add_modeled(Families& to);
 void add_serving(Families& to);
 void add_seat_rows(Families& to);
+void add_roofs(Families& to);
 void add_generic(Families& to);
 
 }  // namespace layoutbox::kit

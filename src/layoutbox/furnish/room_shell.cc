@@ -12,7 +12,8 @@ namespace {
 
 using kit::Vec2;
 
-constexpr double kSlab = 0.12;  // thickness of floor and ceiling
+constexpr double kSlab = 0.12;    // thickness of floor and ceiling
+constexpr double kParapet = 1.0;  // m
 
 Vec2 metres(Point p) { return {m_from_mm(p.x), m_from_mm(p.y)}; }
 
@@ -117,7 +118,8 @@ void add_wall(const Layout& layout, const Decor& decor, std::size_t index, Palet
   const auto& walls = layout.room.walls;
   const Wall& wall = walls[index];
   const WallFrame frame(wall), before(walls[(index + walls.size() - 1) % walls.size()]), after(walls[(index + 1) % walls.size()]);
-  const double height = m_from_mm(layout.room.height);
+  const bool house = !decor.parapet || std::ranges::any_of(layout.room.openings, [&](const Opening& o) { return o.wall == wall.id; });
+  const double height = house ? m_from_mm(layout.room.height) : std::min(kParapet, m_from_mm(layout.room.height));
   std::vector<kit::Hole> holes;
   std::vector<std::pair<double, double>> skirting{{0, frame.length}};
   for (const Opening& opening : layout.room.openings) {

@@ -154,11 +154,36 @@ void add_rectangular(OpeningBuilder& b, Bars& bars, bool fine) {
   add_sill(b, bars.y);
 }
 
+// A bay: panes along three sides of it, under a roof and over a board of their own.
+void add_bay(OpeningBuilder& b, Bars& bars) {
+  const double out = std::min(0.5, b.w / 4), t = b.wall.thickness, z0 = b.sill, z1 = b.sill + b.h, bar = bars.frame;
+  const std::vector<Vec2> foot{{0, -t}, {out, -t - out}, {b.w - out, -t - out}, {b.w, -t}};
+  Mesh glass;
+  for (std::size_t side = 0; side + 1 < foot.size(); ++side) {
+    const Vec2 a = foot[side], e = foot[side + 1];
+    const double length = std::hypot(e.x - a.x, e.y - a.y);
+    const int panes = std::max(1, static_cast<int>(std::lround(length / 0.7)));
+    for (int i = 0; i <= panes; ++i) {
+      const double x = a.x + (e.x - a.x) * i / panes, y = a.y + (e.y - a.y) * i / panes;
+      append(bars.mesh, box(sides(x - bar / 2, x + bar / 2, y - bar / 2, y + bar / 2, z0, z1), 0.003));
+    }
+    for (const double z : {z0 + bar / 2, z1 - bar / 2}) append(bars.mesh, kit::beam({a.x, a.y, z}, {e.x, e.y, z}, {bar, bar}));
+    append(glass, kit::beam({a.x, a.y, (z0 + z1) / 2}, {e.x, e.y, (z0 + z1) / 2}, {0.008, b.h - 2 * bar}));
+  }
+  const std::vector<Vec2> level{foot[0], foot[1], foot[2], foot[3]};
+  Mesh boards = kit::prism(level, z0 - 0.05, z0);
+  append(boards, kit::prism(level, z1, z1 + 0.05));
+  b.add("lacquer", std::move(boards));
+  finish(b, bars, std::move(glass));
+  add_sill(b, -t);
+}
+
 }  // namespace
 
 void add_window(OpeningBuilder& b) {
   const bool fine = read_wish(b.look.frame).fitting(named_surface("steel")) != nullptr;  // many small panes in thin bars of metal
   Bars bars{-b.wall.thickness * 0.6, fine ? 0.035 : 0.045, fine ? 0.01 : 0.016, {}};
+  if (b.look.bay) return add_bay(b, bars);
   switch (b.look.shape) {
     case OpeningShape::kRectangle: add_rectangular(b, bars, fine); break;
     case OpeningShape::kRound: add_round(b, bars); break;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "layoutbox/render/render.h"
+#include "layoutbox/render/slope_wall.h"
 
 namespace layoutbox {
 namespace {
@@ -86,7 +87,8 @@ double shown_from(const std::vector<Thing>& things, double azimuth_deg, double e
 }
 
 // What is seen of walls, doors and windows that the text gives a look of their own: on walls that do not turn their back on the camera.
-double looks_shown_from(const Room& room, double azimuth_deg) {
+double looks_shown_from(const Layout& layout, double azimuth_deg) {
+  const Room& room = layout.room;
   const double azimuth = radians_from_degrees(azimuth_deg);
   double shown = 0;
   for (const Wall& wall : room.walls) {
@@ -94,6 +96,9 @@ double looks_shown_from(const Room& room, double azimuth_deg) {
     if (-along_y * std::sin(azimuth) - along_x * std::cos(azimuth) <= 0) continue;
     const bool own_look = !wall.material.empty() && wall.material != room.wall_material;
     if (own_look) shown += kWallWorth * std::hypot(along_x, along_y) * m_from_mm(room.height);
+    for (const PlacedObject& object : layout.objects) {
+      if (wall_of_slope(layout, object) == &wall) shown += kOpeningWorth * m_from_mm(object.size.width) * m_from_mm(object.size.height);
+    }
     for (const Opening& opening : room.openings) {
       if (opening.wall == wall.id && !opening.attributes.empty())
         shown += kOpeningWorth * m_from_mm(opening.width) * m_from_mm(opening.height);
@@ -127,14 +132,15 @@ std::optional<Corner> corner_from_name(std::string_view name) {
 Corner best_corner(const Layout& layout, double elevation_deg) {
   std::vector<Thing> things;
   for (const PlacedObject& object : layout.objects) {
-    if (object.origin != Origin::kAdded) things.push_back(thing_of(object));  // what we add to a room does not turn it
+    if (object.origin != Origin::kAdded && wall_of_slope(layout, object) == nullptr)
+      things.push_back(thing_of(object));  // what we add to a room does not turn it
   }
   const auto volume = [](const Thing& t) { return t.half_width * t.half_depth * t.height; };
   std::ranges::stable_sort(things, std::greater{}, volume);
   if (things.size() > kMostThings) things.resize(kMostThings);
   Corner best = Corner::kSouthEast;
   const auto shown_at = [&](Corner corner) {
-    return shown_from(things, azimuth_of(corner), elevation_deg) + looks_shown_from(layout.room, azimuth_of(corner));
+    return shown_from(things, azimuth_of(corner), elevation_deg) + looks_shown_from(layout, azimuth_of(corner));
   };
   double most = shown_at(best) * kBetter;
   for (const Corner corner : {Corner::kSouthWest, Corner::kNorthEast, Corner::kNorthWest}) {

@@ -9,6 +9,7 @@
 #include "layoutbox/embedded/blender_scripts.h"
 #include "layoutbox/render/mesh_block.h"
 #include "layoutbox/render/render.h"
+#include "layoutbox/render/slope_wall.h"
 #include "layoutbox/scene/relation_table.h"
 
 namespace layoutbox {
@@ -209,6 +210,7 @@ std::string row(const Node& node, const Layout& layout, const Model& model, std:
   if (object != nullptr) {
     for (const Side side : object->used_sides) uses += fmt::format("{}\"{}\"", uses.empty() ? "" : ", ", name_of(side));
   }
+  const Wall* slope = object == nullptr ? nullptr : wall_of_slope(layout, *object);  // it goes with its wall
   const std::string wall = node.kind == NodeKind::kWall ? node.id : node.kind == NodeKind::kObject ? "" : node.parent;
   std::string text = fmt::format(
       "    {{\"id\": {}, \"category\": {}, \"name\": {}, \"kind\": \"{}\", \"collection\": {},\n"
@@ -216,7 +218,7 @@ std::string row(const Node& node, const Layout& layout, const Model& model, std:
       " \"parts\": [",
       literal(node.id), literal(node.category), literal(node.name), kind_name(node.kind), literal(collection_name(node)),
       tuple(node.position), number(double{node.rotation_deg}), tuple(box_of(node, layout)), literal(support), literal(wall),
-      literal(hangs_on(layout, support)), is_spoken_of(object) ? "True" : "False", uses);
+      literal(slope != nullptr ? slope->id : hangs_on(layout, support)), is_spoken_of(object) && slope == nullptr ? "True" : "False", uses);
   for (std::size_t i = 0; i < node.parts.size(); ++i) {
     const auto surface = static_cast<std::size_t>(node.parts[i].surface);
     text += fmt::format("{}({}, {})", i == 0 ? "" : ", ", literal(model.surfaces.at(surface).name), meshes[i]);

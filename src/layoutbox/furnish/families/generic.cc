@@ -69,6 +69,7 @@ const Families& families() {
     add_pocket_things(f);
     add_rolling_things(f);
     add_serving(f);
+    add_roofs(f);
     add_seat_rows(f);
     add_modeled(f);
     add_generic(f);

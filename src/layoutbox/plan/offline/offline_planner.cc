@@ -5,6 +5,7 @@
 #include "layoutbox/base/utf8.h"
 #include "layoutbox/base/words.h"
 #include "layoutbox/plan/offline/absent.h"
+#include "layoutbox/plan/offline/built_ins.h"
 #include "layoutbox/plan/offline/clusters.h"
 #include "layoutbox/plan/offline/corrections.h"
 #include "layoutbox/plan/offline/courtesy.h"
@@ -21,6 +22,7 @@
 #include "layoutbox/plan/offline/requests.h"
 #include "layoutbox/plan/offline/room_reader.h"
 #include "layoutbox/plan/offline/said_counts.h"
+#include "layoutbox/plan/offline/slopes.h"
 #include "layoutbox/plan/offline/spelling.h"
 #include "layoutbox/plan/offline/wishes.h"
 #include "layoutbox/plan/offline/wordings.h"
@@ -68,6 +70,7 @@ class OfflinePlanner final : public Planner {
     read_courtesies(lexicon_, document, skip);
     read_requests(lexicon_, document, skip);
     read_wordings(lexicon_, document, skip);
+    read_slopes(lexicon_, document, skip);
     part_relatives(lexicon_, document, skip);
     const std::vector<WordReading> of_size = take_out(document, skip);
     document.chunks = chunk_tokens(lexicon_, document.tokens, document.stop);
@@ -83,6 +86,7 @@ class OfflinePlanner final : public Planner {
     settle_purposes(lexicon_, document);
     settle_room_senses(lexicon_, document, room_size_at);
     settle_company(lexicon_, document);
+    settle_worktops(document);
     settle_floor_carpets(document);
     settle_forward_counts(document);
     settle_forward_names(document);
@@ -90,6 +94,7 @@ class OfflinePlanner final : public Planner {
     read_document(lexicon_, document);
     if (is_set(document.stop)) return stopped();
     find_zones(lexicon_, document);
+    settle_built_ins(lexicon_, document);
     add_for_people(lexicon_, document);
 
     Plan plan;
@@ -106,6 +111,7 @@ class OfflinePlanner final : public Planner {
     if (is_set(document.stop)) return stopped();
     name_room_by_contents(lexicon_, document, plan.scene);
     furnish_by_wish(lexicon_, document, plan.scene);
+    settle_slopes(lexicon_, document, plan.scene);
     const bool speaks_of_room = !document.rooms.empty() || !plan.scene.room.openings.empty() || size.width > 0 || size.area > 0;
     if (plan.scene.objects.empty() && !speaks_of_room) {
       return fail(ErrorCode::kEmpty, "neither a room nor a piece of furniture was understood", "prompt",

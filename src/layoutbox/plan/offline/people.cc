@@ -100,6 +100,11 @@ class PeopleReader {
     });
   }
 
+  bool counter_named() const {
+    return std::ranges::any_of(document_.items,
+                               [](const Item& item) { return item.noun.entry != nullptr && item.noun.entry->is(Trait::kCounter); });
+  }
+
   // "a table for six, with chairs": as many; "with a bench": that is all.
   bool seats_named(const Mention& table, int seats) {
     bool named = false;
@@ -109,6 +114,7 @@ class PeopleReader {
       if (!mention(seat).introduces || noun.kind != NounKind::kObject || !is_seat(catalog_, noun)) continue;
       const bool upright = one_of(noun.head, {"chair", "stool", "bench", "barstool", "seat"});
       const bool here = at_table(seat, table);
+      if (!here && one_of(noun.head, {"stool", "barstool"}) && counter_named()) continue;  // "an island and four stools, a table for six"
       if (!here && (!upright || belongs_elsewhere(seat, table) || one_of(noun.name, {"piano bench", "piano stool"}))) continue;
       named = true;
       if (noun.count == 0 && noun.plural && upright && here) grow(seat, seats * static_cast<int>(table.items.size()));

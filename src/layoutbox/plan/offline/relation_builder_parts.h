@@ -157,6 +157,9 @@ class RelationBuilder {
   bool sits_at(const std::string& seat) const;
   // What a reader takes for granted; soft, and marked as ours.
   void add_habits();
+  void seat_in_windows();
+  void park_cars();
+  void stand_under_counters();
   bool is_only_table(std::size_t index) const;
   const NounPhrase& noun_of_object(const SceneObject& object) const;
   // How a thing is held where the relations say otherwise than its kind.

@@ -125,7 +125,9 @@ void RelationBuilder::add_end_walls() {
     const CatalogEntry* entry = object == nullptr ? nullptr : catalog_.find(object->category);
     if (entry == nullptr) continue;
     const bool hangs = object->mount.value_or(entry->mount) == Mount::kWall || (entry->is(Trait::kScreen) && entry->is(Trait::kElseOnWall));
-    const bool stands = entry->mount == Mount::kFloor && entry->back_to_wall && !entry->is(Trait::kDeskLike);
+    // A kitchen's units go on to that end, and do not turn the corner there.
+    const bool stands =
+        entry->mount == Mount::kFloor && entry->back_to_wall && !entry->is(Trait::kDeskLike) && !entry->is(Trait::kKitchenRun);
     const bool flat = entry->mount == Mount::kFloor && 4 * entry->size.usual.depth <= entry->size.usual.width;  // a folding screen
     if (!hangs && !stands && !flat) continue;
     const std::vector<std::size_t>& own = relations_of(object->id);
@@ -229,8 +231,61 @@ void RelationBuilder::make_islands() {
   std::erase_if(scene_.relations, [&](const Relation& r) { return (r.type == R::kGrid && r.targets == desks) || backs(r); });
 }
 
+// "a washer and a dryer, a counter above them": they stand under it.
+void RelationBuilder::stand_under_counters() {
+  for (Relation& relation : scene_.relations) {
+    if (relation.type != R::kAbove || relation.targets.size() != 1 || relation.references.empty()) continue;
+    const auto stands = [&](const std::string& id) {
+      const SceneObject* object = object_of(id);
+      return object != nullptr && mount_of(noun_of_object(*object)) == Mount::kFloor;
+    };
+    const SceneObject* top = object_of(relation.targets.front());
+    const CatalogEntry* entry = top == nullptr ? nullptr : noun_of_object(*top).entry;
+    if (entry == nullptr || !(entry->is(Trait::kCounter) || entry->is(Trait::kTable)) || !std::ranges::all_of(relation.references, stands))
+      continue;
+    if (!stands(relation.targets.front())) continue;
+    std::swap(relation.targets, relation.references);
+    relation.type = R::kUnder;
+    // "a washer and a dryer side by side, a counter above them": both.
+    const bool them = relation.why.ends_with("them"), one = relation.targets.size() == 1;
+    for (const Relation& beside : scene_.relations) {
+      if (!them || !one || beside.type != R::kNextTo || beside.targets != relation.targets || beside.references.size() != 1) continue;
+      if (stands(beside.references.front())) relation.targets.push_back(beside.references.front());
+      break;
+    }
+  }
+}
+
+// Cars stand nose to the garage door, side by side.
+void RelationBuilder::park_cars() {
+  const auto door = std::ranges::find_if(scene_.room.openings, [](const Opening& o) {
+    return o.type == OpeningType::kDoor && std::ranges::any_of(o.attributes, [](const std::string& look) {
+             return look.find("garage") != std::string::npos || look.find("roller") != std::string::npos;
+           });
+  });
+  std::string first;
+  for (const SceneObject& object : scene_.objects) {
+    if (object.category != "car") continue;
+    if (first.empty() && door != scene_.room.openings.end())
+      add_habit(R::kFacing, {object.id}, {door->id}, kTogether, "cars leave by the garage door");
+    if (!first.empty()) add_habit(R::kSameOrientation, {object.id}, {first}, kTogether, "cars are parked side by side");
+    if (first.empty()) first = object.id;
+  }
+}
+
+// "a bay window, a window seat": the seat is in the window.
+void RelationBuilder::seat_in_windows() {
+  for (std::size_t i = 0; i < scene_.objects.size(); ++i) {
+    if (!one_of(scene_.objects[i].category, {"window_seat"}) || is_placed(static_cast<int>(i))) continue;
+    add_habit(R::kUnderWindow, {scene_.objects[i].id}, {}, kTogether, "a window seat is in the window");
+  }
+}
+
 void RelationBuilder::add_habits() {
   add_front();
+  seat_in_windows();
+  park_cars();
+  stand_under_counters();
   hang_hoods();
   add_end_walls();
   face_as_group();

@@ -17,9 +17,18 @@ std::string words_of_opening(const NounPhrase& noun) {
   return words;
 }
 
+// "Floor-to-ceiling windows" of no said number are the front of a room: one from wall to wall.
+bool is_front(OpeningType type, const NounPhrase& noun) {
+  const std::string words = words_of_opening(noun);
+  const auto says = [&](std::string_view word) { return words.find(word) != std::string::npos; };
+  return type == OpeningType::kWindow && noun.plural && noun.count == 0 &&
+         (says("floor to ceiling") || says("floor-to-ceiling") || says("full height") || says("full-height"));
+}
+
 // What of it changes its look: phrases of the table, colours and materials ("black-framed").
 std::vector<std::string> looks_said(OpeningType type, const NounPhrase& noun) {
   std::vector<std::string> looks = look_words(type, words_of_opening(noun));
+  if (is_front(type, noun)) looks.emplace_back("window front");
   for (std::size_t a = 0; a < noun.attributes.size(); ++a) {
     const bool framed = noun.attributes[a].ends_with("framed");
     const bool plain =
@@ -50,14 +59,17 @@ std::pair<std::string, std::string> walls_by_length(const NounPhrase& noun, cons
   const std::string word = length_word(noun);
   if (word.empty()) return {};
   const auto [width, depth] = extent_of(room);
-  // A room of no said size is at least as wide as deep.
-  if ((width >= depth) == (word == "long")) return {"back", "front"};
+  // A room of no said size is at least as wide as deep, unless it is said to be long.
+  const bool wide = width > 0 ? width >= depth : room.shape != "long";
+  if (wide == (word == "long")) return {"back", "front"};
   return {"left", "right"};
 }
 
 // "French doors", "double doors", "sliding doors": one opening, whose leaves they are.
 int openings_said(const NounPhrase& noun) {
   if (noun.wall_word == "ends") return 2;  // "a window at both ends"
+  const bool glass = noun.kind == NounKind::kWindow && opening_look(OpeningType::kWindow, {words_of_opening(noun)}).whole;
+  if (noun.count == 0 && (glass || (noun.kind == NounKind::kWindow && is_front(OpeningType::kWindow, noun)))) return 1;
   if (noun.kind == NounKind::kDoor && noun.plural) {
     const OpeningLook look = opening_look(OpeningType::kDoor, {words_of_opening(noun)});
     const bool of_leaves = look.leaves == 2 || look.slides;
@@ -240,7 +252,7 @@ std::string wall_of_opening(const std::string& word, OpeningType type, const Roo
 }
 
 Opening opening_said(OpeningType type, const NounPhrase& noun) {
-  const OpeningLook look = opening_look(type, {words_of_opening(noun)});
+  const OpeningLook look = opening_look(type, {words_of_opening(noun), is_front(type, noun) ? "window front" : ""});
   const bool window = type == OpeningType::kWindow;
   Opening opening;
   opening.type = type;

@@ -5,6 +5,7 @@
 
 #include "layoutbox/base/words.h"
 #include "layoutbox/catalog/normalize.h"
+#include "layoutbox/catalog/opening_look.h"
 #include "layoutbox/plan/offline/noun_phrase_parts.h"
 
 namespace layoutbox::offline {
@@ -295,10 +296,12 @@ std::string wall_to_outside(const Document& document, const Room& room) {
 // One kind named, the other is still needed; nobody wants to do without a door.
 void add_needed_openings(const Document& document, SceneGraph& scene) {
   Room& room = scene.room;
-  const bool windowless = wants_no_window(document);
+  const bool outdoors = room.type == "balcony";
+  const bool windowless = wants_no_window(document) || outdoors;
   const PlacedOpenings placed = placed_openings(document);
   for (Opening& opening : room.openings) {
-    if (leads_outside(opening) && opening.wall.empty()) opening.wall = wall_to_outside(document, room);
+    const OpeningLook look = look_of(opening);
+    if ((look.outside || look.whole || look.bay) && opening.wall.empty()) opening.wall = wall_to_outside(document, room);
   }
   if (!room.openings.empty() || windowless) {
     for (const OpeningType type : {OpeningType::kDoor, OpeningType::kWindow}) {
@@ -307,6 +310,7 @@ void add_needed_openings(const Document& document, SceneGraph& scene) {
       const bool across = !room.openings.empty() && std::ranges::any_of(placed, [](const auto& p) { return p.wall == "across"; });
       add_opening(scene, type, {}, across ? wall_across(room.openings.front().wall) : std::string{});
       room.openings.back().origin = Origin::kAssumed;
+      if (outdoors) room.openings.back().wall = "back", room.openings.back().attributes = {"glass"};  // where the house is
       scene.notes.push_back({"filled", std::string("a ") + std::string(name_of(type)) + " is assumed", "/room/openings"});
     }
   }
@@ -420,6 +424,7 @@ std::string single_wall(const Document& document, int wall, const Room& room) {
 
 void build_room(const Lexicon& lexicon, const Document& document, const RoomSize& size, SceneGraph& scene) {
   set_kind(document, scene);
+  if (scene.room.shape.empty()) scene.room.shape = read_room_form(lexicon, document);
   set_size(document, size, scene);
   add_openings(document, scene);
   add_needed_openings(document, scene);

@@ -69,6 +69,9 @@ int thing_before_wall(const Document& document, int wall);
 // The wall's word where that mention speaks of one wall of the room and not of all ("an accent wall behind the bed"); else empty.
 std::string single_wall(const Document& document, int wall, const Room& room);
 
+// "long", "wide" or "square" where the text says that the room is so; empty elsewhere.
+std::string read_room_form(const Lexicon& lexicon, const Document& document);
+
 // Fills the scene's room from what was read.
 void build_room(const Lexicon& lexicon, const Document& document, const RoomSize& size, SceneGraph& scene);
 

@@ -131,21 +131,29 @@ void settle_room_senses(const Lexicon& lexicon, Document& document, const std::v
     if (chunk.kind != ChunkKind::kNoun || noun.head.empty()) continue;
     const bool plain = noun.kind == NounKind::kObject && noun.exact && noun.name == noun.head;
     const bool said = opens_item(document.chunks, k) || noun.determiner != Determiner::kNone || noun.count > 0 || noun.plural;
-    const bool unknown = noun.entry == nullptr && said && (noun.kind == NounKind::kObject || noun.kind == NounKind::kAbstract) &&
+    const bool unknown = (noun.entry == nullptr || (!noun.exact && noun.name == noun.head)) && said &&
+                         (noun.kind == NounKind::kObject || noun.kind == NounKind::kAbstract) &&
                          (noun.name == noun.head || noun.name.ends_with(" " + noun.head)) && noun.last <= noun.first + 4;
     // "an island bench": a kind of bench that the catalogue does not know
     const bool compound =
         noun.kind == NounKind::kObject && noun.entry != nullptr && noun.entry->name == noun.head && noun.name.ends_with(" " + noun.head);
     if (!plain && !unknown && !compound) continue;
-    const CatalogEntry* entry = lexicon.meant_in(*room->room, name, document.tokens[noun.last - 1].text);  // "benches"
-    if (entry == nullptr) entry = lexicon.meant_in(*room->room, name, noun.head);
+    const CatalogEntry* entry = nullptr;
+    // "a minimalist Japanese bedroom" is a Japanese bedroom.
+    for (std::string called = name; entry == nullptr; called.erase(0, called.find(' ') + 1)) {
+      entry = lexicon.meant_in(*room->room, called, document.tokens[noun.last - 1].text);  // "benches"
+      if (entry == nullptr) entry = lexicon.meant_in(*room->room, called, noun.head);
+      if (called.find(' ') == std::string::npos) break;
+    }
     if (entry == nullptr) continue;
     // "a changing mat" is another kind of mat.
     const bool of_use =
         std::any_of(noun.attributes.begin(), noun.attributes.end(), [](const std::string& a) { return a.ends_with("ing"); });
     if (of_use) continue;
     // "a bench with a towel on it" is none to train on.
-    const bool has_things = k + 1 < document.chunks.size() && document.chunks[k + 1].kind == ChunkKind::kHave;
+    const bool has = k + 2 < document.chunks.size() && document.chunks[k + 1].kind == ChunkKind::kHave;
+    const CatalogEntry* first = has ? document.chunks[k + 2].noun.entry : nullptr;
+    const bool has_things = has && (first == nullptr || first->mount != Mount::kWall);  // "a vanity with a mirror"
     if (has_things && noun.entry != nullptr && noun.entry->top_carries && !entry->top_carries) continue;
     noun.kind = NounKind::kObject;
     noun.entry = entry;

@@ -189,7 +189,17 @@ class SizeReader {
     size_.depth = values[1];
     if (values.size() > 2) size_.height = values[2];
     take(at, at + length, "size of the room");
+    end_phrase(at, at + length);
     return length;
+  }
+
+  // "living room 3.2 x 3.8 m sofa, …": what follows is no part of the room's name.
+  void end_phrase(std::size_t first, std::size_t last) {
+    if (last >= tokens_.size() || !follows_room(first) || lexicon_.find(tokens_, last, Class::kObject).length == 0) return;
+    Token& comma = document_.tokens[last - 1];
+    comma.kind = Token::Kind::kPunctuation;
+    comma.text = ",";
+    skip_[last - 1] = false;
   }
 
   std::size_t read_area(std::size_t at) {
@@ -280,6 +290,7 @@ class SizeReader {
     }
     const double value = said.width.value_or(said.depth.value_or(said.length.value_or(0)));
     if (value > 0 && value < (sides.empty() ? kNarrowest : kNarrowestOfTwo)) return 0;
+    if (size_.width > 0 && size_.depth > 0 && !said.height && !second && sides.empty()) return 0;  // "7 x 5 m, a kitchen line 3 m long"
     if (said.width) size_.width = *said.width;
     if (said.depth) size_.depth = *said.depth;
     if (said.length) size_.depth = *said.length;

@@ -20,6 +20,12 @@ class WordingReader : public TokenReader {
       read_picture(i);
       read_besides(i);
       read_seater(i);
+      read_burners(i);
+      read_on_stand(i);
+      read_bare_opposite(i);
+      read_double_sinks(i);
+      read_wall_of_windows(i);
+      read_railing(i);
       read_bedrooms(i);
       read_pattern(i);
       read_boards(i);
@@ -75,6 +81,60 @@ class WordingReader : public TokenReader {
     if (number.length != 1 || number.value < 2) return;
     tokens_[i].text = number.value < 3 ? "loveseat" : "sofa";
     leave_out(i - 1, i);
+  }
+
+  // "a wall of windows", "a wall of glass": a glass wall.
+  void read_wall_of_windows(std::size_t i) {
+    if (!are(i, {"wall", "of"}) || !is(i + 2, {"windows", "window", "glass"})) return;
+    tokens_[i].text = "glass";
+    tokens_[i + 1].text = "wall";
+    leave_out(i + 2, i + 3);
+  }
+
+  // "with double sinks": one vanity that has two.
+  void read_double_sinks(std::size_t i) {
+    const bool kitchen = std::ranges::any_of(tokens_, [](const Token& token) { return token.text == "kitchen"; });
+    if (kitchen || (i > 0 && read_number(lexicon_, tokens_, i - 1).length > 0)) return;
+    if (is(i, {"double", "twin", "dual"}) && is(i + 1, {"sinks", "basins", "washbasins", "vanities"})) {
+      tokens_[i].text = "double";
+      tokens_[i + 1].text = "vanity";
+    }
+  }
+
+  // "planters along the railing" of a balcony: its low wall.
+  void read_railing(std::size_t i) {
+    if (i == 0 || !is(i, {"railing", "railings", "balustrade", "parapet"}) || !is_article(i - 1)) return;
+    const bool outdoors =
+        std::ranges::any_of(tokens_, [](const Token& token) { return token.text == "balcony" || token.text == "loggia"; });
+    if (!outdoors || !lexicon_.is(tokens_[i - 1], WordClass::kDefinite)) return;
+    tokens_[i - 1].text = "front";
+    tokens_[i].text = "wall";
+  }
+
+  // "wardrobe opposite bed": across from it; no bed that is the opposite one.
+  void read_bare_opposite(std::size_t i) {
+    if (i == 0 || !is(i, {"opposite"}) || ends(i + 1) || ends(i - 1)) return;
+    const bool between =
+        lexicon_.find(tokens_, i - 1, WordClass::kObject).length > 0 && lexicon_.find(tokens_, i + 1, WordClass::kObject).length > 0;
+    if (between && lexicon_.find(tokens_, i + 1, WordClass::kWall).length == 0) tokens_[i].text = "across";
+  }
+
+  // "tv on stand opposite the sofa": on one for it; the word is no verb there.
+  void read_on_stand(std::size_t i) {
+    if (i == 0 || !is(i, {"on"}) || !is(i + 1, {"stand"}) || !is(i - 1, {"tv", "television", "telly", "screen"})) return;
+    tokens_[i + 1].text = "lowboard";
+  }
+
+  // "a kitchenette with two burners": one hob.
+  void read_burners(std::size_t i) {
+    if (i == 0 || !is(i, {"burners", "rings"}) || (i + 1 < tokens_.size() && is(i + 1, {"on"}))) return;
+    const std::size_t first = is(i - 1, {"gas", "electric", "cooking"}) ? i - 1 : i;
+    if (first == 0 || (is(i, {"rings"}) && first == i)) return;
+    const NumberRead number = read_number(lexicon_, tokens_, first - 1);
+    if (number.length != 1) return;
+    tokens_[first - 1].text = "a";
+    tokens_[first - 1].kind = Token::Kind::kWord;
+    tokens_[i].text = "hob";
   }
 
   // "a two-bed flat", "3 bedroom house": how large a home is whose room this is.

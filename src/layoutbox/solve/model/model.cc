@@ -86,6 +86,7 @@ Pairs close_pairs(const Model& model) {
   for (std::size_t i = 0; i < model.items.size(); ++i) {
     const Item& item = model.items[i];
     if (item.is_opening()) continue;
+    for (std::size_t j = 0; item.is(Trait::kRoofSlope) && j < model.items.size(); ++j) add(static_cast<int>(i), static_cast<int>(j));
     for (const SupportOption& support : item.supports) {
       if (support.kind == SupportOption::Kind::kItem) add(static_cast<int>(i), support.index);
     }

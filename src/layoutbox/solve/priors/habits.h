@@ -74,6 +74,7 @@ class Habits {
   void lie_alike(int item);
   bool is_narrow_bed(int item) const;
   bool has_bedside(int bed) const;
+  bool ends_run(int item) const;
   bool keeps_to_corner(int item) const;
   void stand_in_its_corner(int item);
   bool is_faced_by_kind(int item) const;

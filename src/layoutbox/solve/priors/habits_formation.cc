@@ -222,7 +222,7 @@ void Habits::stand_in_run(int item) {
     if (!in_runs(other)) continue;
     // Words that say more than which side say how these two stand.
     if (!only_related_by(item, other, {RelationType::kNextTo, RelationType::kNear, RelationType::kLeftOf, RelationType::kRightOf})) return;
-    for (const Side side : {Side::kLeft, Side::kRight}) add_beside(f, model_, item, other, side, {.most = 100});
+    for (const Side side : {Side::kLeft, Side::kRight}) add_beside(f, model_, item, other, side, {.most = 60});
   }
   if (!f.cases.empty()) habit("in the run", item, kInRun, std::move(f));
 }

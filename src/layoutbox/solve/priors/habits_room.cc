@@ -7,8 +7,8 @@ namespace {
 
 constexpr Mm kRugBeyondFoot = 500;
 constexpr Mm kNearWall = 400;
-constexpr int kOddTurn = 120;                     // points
-constexpr int kBedToCorner = 80, kToCorner = 20;  // points for not being in a corner
+constexpr int kOddTurn = 120;                                          // points
+constexpr int kBedToCorner = 80, kToCorner = 20, kTallToCorner = 160;  // points for not being in a corner
 constexpr Mm kFlushInCorner = 20;
 constexpr int kWallFree = 400;  // points a metre
 constexpr int kFloats = 250;    // points for a sofa that stands off the walls of a large room
@@ -34,7 +34,7 @@ void Habits::back_to_wall(int item, int weight) {
   // In a corner it gives up the free floor at one side, and keeps that at the other.
   const std::map<Side, Mm>& wanted = model_.items[item].entry->clearance;
   const int for_side = wanted.contains(Side::kLeft) && wanted.contains(Side::kRight) ? kCostWeights.wanted : 0;
-  const int to_corner = narrow_bed ? kBedToCorner + for_side : keeps_to_corner(item) ? kToCorner : 0;
+  const int to_corner = narrow_bed ? kBedToCorner + for_side : ends_run(item) ? kTallToCorner : keeps_to_corner(item) ? kToCorner : 0;
   for (const RoomWall& wall : model_.walls) {
     const std::size_t known = f.cases.size();
     add_against(f, model_, item, states_with_back_to(model_.items[item], wall), wall, 20, true);
@@ -99,6 +99,21 @@ bool Habits::has_bedside(int bed) const {
     return !other.is_opening() && other.mount == Mount::kFloor && other.entry->back_to_wall &&
            area_of(other) < area_of(model_.items[bed]) / 4 &&
            std::ranges::any_of(other.entry->beside, [&](const std::string& kind) { return model_.is_a(bed, kind); });
+  });
+}
+
+// A fridge in the middle of a kitchen's run would part the worktop.
+bool Habits::ends_run(int item) const {
+  constexpr Mm kTall = 1200;
+  const Item& self = model_.items[item];
+  if (!self.is(Trait::kKitchenRun) || self.states.empty() || self.states[0].size.height < kTall) return false;
+  const bool placed = std::ranges::any_of(model_.scene->relations, [&](const Relation& r) {
+    const bool where = r.type != RelationType::kInRegion && r.type != RelationType::kAgainstWall && r.type != RelationType::kCorner;
+    return where && std::ranges::find(r.targets, self.id) != r.targets.end();
+  });
+  if (placed) return false;
+  return std::ranges::any_of(model_.items, [&](const Item& other) {
+    return &other != &self && other.is(Trait::kKitchenRun) && other.mount == Mount::kFloor && other.states[0].size.height < kTall;
   });
 }
 

@@ -1,0 +1,14 @@
+// What is built of things that the text names itself: a kitchenette with its hob and sink.
+#pragma once
+
+#include "layoutbox/plan/offline/document.h"
+
+namespace layoutbox::offline {
+
+// "white cupboards, oak worktop": the units have it; it is no unit besides.
+void settle_worktops(Document& document);
+
+// Where parts of such a thing are named (`built_of` of words_kinds.json), it is the plain thing that carries them, and has them all.
+void settle_built_ins(const Lexicon& lexicon, Document& document);
+
+}  // namespace layoutbox::offline
