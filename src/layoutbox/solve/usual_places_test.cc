@@ -147,6 +147,29 @@ TEST(UsualPlaces, AScreenOnACounterLooksAtTheStoolBehindIt) {
   EXPECT_LT(in_frame_of(laptop, {stool.position[0], stool.position[1], 0}).y, 0);
 }
 
+TEST(UsualPlaces, WhoLookIntoOneMirrorSitSideBySideBeforeIt) {
+  SceneMaker maker(5000, 4000);
+  maker.add("salon_chair", 3).add("mirror");
+  for (int i = 1; i <= 3; ++i) maker.relate("facing", {"salon_chair_" + std::to_string(i)}, {"mirror_1"});
+  const Layout layout = solved_as_asked(maker.make(true));
+  const PlacedObject& mirror = *layout.find_object("mirror_1");
+  EXPECT_GE(mirror.size.width, 2400);
+  std::vector<double> before;
+  for (int i = 1; i <= 3; ++i) {
+    const PlacedObject& chair = *layout.find_object("salon_chair_" + std::to_string(i));
+    before.push_back(in_frame_of(mirror, {chair.position[0], chair.position[1], 0}).y);
+  }
+  EXPECT_NEAR(before[0], before[1], 60);
+  EXPECT_NEAR(before[1], before[2], 60);
+}
+
+TEST(UsualPlaces, ATillOnACounterIsForWhoServes) {
+  const Layout layout = solved_as_asked(
+      SceneMaker(5000, 4000).add("shop_counter").add("cash_register").relate("on", {"cash_register_1"}, {"shop_counter_1"}).make(true));
+  const PlacedObject &counter = *layout.find_object("shop_counter_1"), &till = *layout.find_object("cash_register_1");
+  EXPECT_EQ(std::abs(std::lround(till.rotation_deg - counter.rotation_deg)) % 360, 180) << "the till is for who serves";
+}
+
 TEST(UsualPlaces, EachLooksIntoItsOwnMirrorFromTheSameDistance) {
   SceneMaker maker(5000, 4000);
   maker.add("salon_chair", 3).add("mirror", 3).add("wall_shelf", 3);
