@@ -336,8 +336,9 @@ class Tokenizer {
     }
     if (take_leader(first, token)) return true;
     const std::size_t next = at_ + first.size;
-    if ((first.value == '-' || first.value == '/') && token.glued && (letter_follows(next) || digit_at(next)) && !tokens_.empty() &&
-        tokens_.back().end == at_ && tokens_.back().kind != Token::Kind::kPunctuation) {
+    const bool joins = first.value == '-' || first.value == '/' || (first.value == '_' && letter_follows(next));
+    if (joins && token.glued && (letter_follows(next) || digit_at(next)) && !tokens_.empty() && tokens_.back().end == at_ &&
+        tokens_.back().kind != Token::Kind::kPunctuation) {
       at_ = next;  // a hyphen within a word leaves no token; what follows is glued
       return false;
     }
