@@ -35,8 +35,8 @@ constexpr double kLeastUsed = 0.38, kSmallestShare = 0.42, kSmallestArea = 12e6;
 constexpr double kShareOfWindow = 0.5, kShareOfWideWindow = 0.75;                 // of the longest wall
 constexpr Mm kWidestWindow = 3000, kBetweenUnderWindow = 100;
 constexpr Mm kBesideGlass = 120, kAtWholeWall = 500;  // of walls of glass: what is left beside them
-constexpr Mm kUnderRidge = 2750;  // of rooms whose ceiling comes down somewhere
-constexpr Point kGridWay{350, 850};  // free between the columns and rows of a grid
+constexpr Mm kUnderRidge = 2750;                      // of rooms whose ceiling comes down somewhere
+constexpr Point kGridWay{350, 850};                   // free between the columns and rows of a grid
 // Rooms that are said to be long or wide: the longer side to the shorter one, and how narrow they get.
 constexpr double kLong = 2.2, kWide = 1.7, kNarrowest = 1900, kOfUsual = 0.75;
 

@@ -140,7 +140,8 @@ class FloorPlan {
                          {"none", "#222", 0.5, {}});
           break;
         }
-        strip(0.38 * t, 0.62 * t, {"#dbeaf4", "#222", 0.15, {}}); break;
+        strip(0.38 * t, 0.62 * t, {"#dbeaf4", "#222", 0.15, {}});
+        break;
       case OpeningType::kOpen: strip(0, t, {"#fff", "#888", 0.15, "1.2 0.8"}); break;
       case OpeningType::kDoor: draw_door(opening, wall, s, e); break;
     }
