@@ -7,7 +7,7 @@
 namespace layoutbox::kit {
 namespace {
 
-constexpr double kRafter = 0.08, kThick = 0.09, kApart = 0.85, kBoard = 0.03;
+constexpr double kRafter = 0.08, kThick = 0.09, kApart = 0.85;
 
 // A strip of the slope from x0 to x1 and from y0 to y1: it falls from the front's top to the back's bottom.
 Mesh strip(const Piece& p, double x0, double x1, double y0, double y1, double thick) {

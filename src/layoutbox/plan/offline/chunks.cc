@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "layoutbox/base/words.h"
 #include "layoutbox/plan/offline/chunks_parts.h"
 #include "layoutbox/plan/offline/english.h"
 
@@ -62,12 +63,11 @@ void Chunker::read() {
     add(ChunkKind::kIgnored, 1);
     return;
   }
-  if (read_where_in() || read_entering() || read_such_as() || read_leave_out() || read_that_may()) return;
+  if (read_where_in() || read_entering() || read_such_as() || read_leave_out() || read_that_may() || read_whose()) return;
   if (opens_question() || says_enough() || is_all_around() || is_loose_particle()) {
     add(ChunkKind::kIgnored, 1);
     return;
   }
-  if (read_whose()) return;
   const PhraseMatch phrase = phrase_here();
   if (tokens_[i_].text == "all" && phrase.length == 2) {  // "trays all over it"
     add_phrase(phrase);

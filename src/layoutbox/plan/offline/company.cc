@@ -1,6 +1,7 @@
 // What things are by what is named beside them.
 #include <algorithm>
 
+#include "layoutbox/base/words.h"
 #include "layoutbox/catalog/kin.h"
 #include "layoutbox/plan/offline/people.h"
 
