@@ -109,7 +109,11 @@ class Maker {
 
   // ---- objects
 
-  const CatalogEntry& draw_entry() { return random_.one_of(Catalog::builtin().entries()); }
+  // A sloping ceiling is part of the room: it stands along a wall, however it is turned.
+  const CatalogEntry& draw_entry() {
+    const CatalogEntry& drawn = random_.one_of(Catalog::builtin().entries());
+    return drawn.shape.family == "roof_slope" ? *Catalog::builtin().find("painting") : drawn;
+  }
 
   SceneObject object_of(const CatalogEntry& entry) {
     SceneObject object;

@@ -1,6 +1,7 @@
 // Where a noun phrase was read on into the verb after it.
 #include <algorithm>
 
+#include "layoutbox/base/words.h"
 #include "layoutbox/plan/offline/english.h"
 #include "layoutbox/plan/offline/noun_phrase_parts.h"
 #include "layoutbox/plan/offline/reader_words.h"

@@ -107,18 +107,20 @@ void name_listed_words(const Lexicon& lexicon, Document& document, const RoomKin
   }
 }
 
+const NounPhrase* first_known_room(const Document& document) {
+  for (const Chunk& chunk : document.chunks) {
+    if (chunk.kind == ChunkKind::kNoun && chunk.noun.kind == NounKind::kRoom && chunk.noun.room != nullptr) return &chunk.noun;
+  }
+  return nullptr;
+}
+
 }  // namespace
 
 void settle_room_senses(const Lexicon& lexicon, Document& document, const std::vector<std::size_t>& room_size_at) {
   settle_first_room(lexicon, document);
   settle_only_noun(lexicon, document);
   settle_topic(lexicon, document, room_size_at);
-  const NounPhrase* room = nullptr;
-  for (const Chunk& chunk : document.chunks) {
-    if (chunk.kind != ChunkKind::kNoun || chunk.noun.kind != NounKind::kRoom || chunk.noun.room == nullptr) continue;
-    room = &chunk.noun;
-    break;
-  }
+  const NounPhrase* room = first_known_room(document);
   if (room == nullptr) return;
   std::string name = room->name;
   for (const std::string_view article : {"a ", "an ", "the ", "my ", "our ", "this "}) {

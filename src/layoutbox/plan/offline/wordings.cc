@@ -93,12 +93,11 @@ class WordingReader : public TokenReader {
 
   // "with double sinks": one vanity that has two.
   void read_double_sinks(std::size_t i) {
+    if (!is(i, {"double", "twin", "dual"}) || !is(i + 1, {"sinks", "basins", "washbasins", "vanities"})) return;
     const bool kitchen = std::ranges::any_of(tokens_, [](const Token& token) { return token.text == "kitchen"; });
     if (kitchen || (i > 0 && read_number(lexicon_, tokens_, i - 1).length > 0)) return;
-    if (is(i, {"double", "twin", "dual"}) && is(i + 1, {"sinks", "basins", "washbasins", "vanities"})) {
-      tokens_[i].text = "double";
-      tokens_[i + 1].text = "vanity";
-    }
+    tokens_[i].text = "double";
+    tokens_[i + 1].text = "vanity";
   }
 
   // "planters along the railing" of a balcony: its low wall.
