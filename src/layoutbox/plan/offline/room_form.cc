@@ -79,8 +79,9 @@ class FormReader {
 
   // The noun last spoken of before is the room.
   bool is_said_of_room(std::size_t i) const {
+    constexpr std::size_t kLookBack = 200;  // tokens: keeps long texts linear
     bool room = false;
-    for (std::size_t at = 0; at < i;) {
+    for (std::size_t at = i > kLookBack ? i - kLookBack : 0; at < i;) {
       const Match match = lexicon_.find(tokens_, at);
       const bool thing = has(match, Class::kObject) || has(match, Class::kDoor) || has(match, Class::kWindow) || has(match, Class::kWall);
       const bool place = has(match, Class::kRoom) || has(match, Class::kRoomNoun) || has(match, Class::kOutsideRoom);

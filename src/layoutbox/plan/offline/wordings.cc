@@ -14,7 +14,12 @@ class WordingReader : public TokenReader {
   using TokenReader::TokenReader;
 
   void run() {
-    speaks_of_shape_ = std::ranges::any_of(tokens_, [](const Token& token) { return token.text.starts_with("shape"); });
+    // Once: asked at every word, these would make long texts quadratic.
+    for (const Token& token : tokens_) {
+      speaks_of_shape_ |= token.text.starts_with("shape");
+      speaks_of_kitchen_ |= token.text == "kitchen";
+      outdoors_ |= token.text == "balcony" || token.text == "loggia";
+    }
     for (std::size_t i = 0; i < tokens_.size(); ++i) {
       if (skip_[i]) continue;
       read_picture(i);
@@ -94,8 +99,7 @@ class WordingReader : public TokenReader {
   // "with double sinks": one vanity that has two.
   void read_double_sinks(std::size_t i) {
     if (!is(i, {"double", "twin", "dual"}) || !is(i + 1, {"sinks", "basins", "washbasins", "vanities"})) return;
-    const bool kitchen = std::ranges::any_of(tokens_, [](const Token& token) { return token.text == "kitchen"; });
-    if (kitchen || (i > 0 && read_number(lexicon_, tokens_, i - 1).length > 0)) return;
+    if (speaks_of_kitchen_ || (i > 0 && read_number(lexicon_, tokens_, i - 1).length > 0)) return;
     tokens_[i].text = "double";
     tokens_[i + 1].text = "vanity";
   }
@@ -103,9 +107,7 @@ class WordingReader : public TokenReader {
   // "planters along the railing" of a balcony: its low wall.
   void read_railing(std::size_t i) {
     if (i == 0 || !is(i, {"railing", "railings", "balustrade", "parapet"}) || !is_article(i - 1)) return;
-    const bool outdoors =
-        std::ranges::any_of(tokens_, [](const Token& token) { return token.text == "balcony" || token.text == "loggia"; });
-    if (!outdoors || !lexicon_.is(tokens_[i - 1], WordClass::kDefinite)) return;
+    if (!outdoors_ || !lexicon_.is(tokens_[i - 1], WordClass::kDefinite)) return;
     tokens_[i - 1].text = "front";
     tokens_[i].text = "wall";
   }
@@ -370,6 +372,7 @@ class WordingReader : public TokenReader {
   }
 
   bool speaks_of_shape_ = false;  // "an L-shaped room": it has parts
+  bool speaks_of_kitchen_ = false, outdoors_ = false;
 };
 
 }  // namespace
