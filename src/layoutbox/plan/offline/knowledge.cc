@@ -8,6 +8,8 @@
 
 namespace layoutbox::offline {
 
+using R = RelationType;
+
 bool is_full_height(const NounPhrase& noun) {
   return std::ranges::any_of(kFullHeight, [&](std::string_view words) {
     return std::ranges::any_of(noun.attributes, [&](const std::string& said) { return same_name(said, words); });
@@ -26,8 +28,6 @@ bool is_common(const NounPhrase& noun) {
 }
 
 namespace {
-
-using R = RelationType;
 
 bool may_be_under(const Catalog& catalog, const NounPhrase& host) {
   return is_table(catalog, host) ||

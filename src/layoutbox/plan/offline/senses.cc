@@ -5,9 +5,10 @@
 #include "layoutbox/plan/offline/knowledge.h"
 
 namespace layoutbox::offline {
-namespace {
 
 using R = RelationType;
+
+namespace {
 
 unsigned kind_flags(const NounPhrase& reference) {
   switch (reference.kind) {

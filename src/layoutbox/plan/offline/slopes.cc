@@ -9,9 +9,10 @@
 #include "layoutbox/plan/offline/token_reader.h"
 
 namespace layoutbox::offline {
-namespace {
 
 using R = RelationType;
+
+namespace {
 
 constexpr std::size_t kSides = 9;  // tokens after the slope in which its side is said
 constexpr std::size_t kMostSlopes = 4;

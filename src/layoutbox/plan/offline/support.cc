@@ -7,9 +7,9 @@
 
 namespace layoutbox::offline {
 
-namespace {
-
 using R = RelationType;
+
+namespace {
 
 bool carries(R type) { return type == R::kOn || type == R::kIn || type == R::kStacked; }
 
