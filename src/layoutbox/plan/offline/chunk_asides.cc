@@ -29,12 +29,17 @@ bool Chunker::is_loose_particle() const {
 
 // "props such as a suitcase and a hat": what is listed, and nothing besides.
 bool Chunker::read_such_as() {
-  const bool like = tokens_[i_].text == "like" && thing_next(i_ + 1);  // "items like a kettle"
-  const bool such = tokens_[i_].text == "such" && i_ + 1 < tokens_.size() && tokens_[i_ + 1].text == "as" && thing_next(i_ + 2);
+  const auto listed = [&](std::size_t at) {
+    if (thing_next(at)) return true;
+    const auto noun = at < tokens_.size() ? read_noun_phrase(lexicon_, tokens_, at, true) : std::nullopt;
+    return noun && noun->kind == NounKind::kObject && noun->entry != nullptr;
+  };
+  const bool like = tokens_[i_].text == "like" && listed(i_ + 1);  // "items like a kettle"
+  const bool such = tokens_[i_].text == "such" && i_ + 1 < tokens_.size() && tokens_[i_ + 1].text == "as" && listed(i_ + 2);
   if (!like && !such) return false;
   Chunk* kinds = previous() == ChunkKind::kNoun ? &chunks_[telling_] : nullptr;
-  if (kinds == nullptr || !(kinds->noun.plural || kinds->noun.head == "furniture") || kinds->noun.count > 0 ||
-      kinds->noun.determiner != Determiner::kNone)
+  if (kinds == nullptr || !(kinds->noun.plural || kinds->noun.head == "furniture") || (kinds->noun.count > 0 && !kinds->noun.vague) ||
+      (kinds->noun.determiner != Determiner::kNone && !kinds->noun.vague))
     return false;
   if (like && !is_collective(kinds->noun.head) && kinds->noun.head != "thing" && kinds->noun.head != "furniture") return false;
   kinds->kind = ChunkKind::kIgnored;

@@ -56,8 +56,9 @@ bool Chunker::is_about_number() const {
 bool Chunker::is_all_around() const { return tokens_[i_].text == "all" && i_ + 1 < tokens_.size() && tokens_[i_ + 1].text == "around"; }
 
 void Chunker::read() {
-  if (read_distance() || read_lettered_size() || read_bare_length() || read_size_chunk() || read_rows() || read_infinitive() ||
-      read_wishing() || read_finding() || read_doing() || read_built_place() || read_having_by() || read_manner() || read_trailing_bound())
+  if (read_hung_at() || read_distance() || read_lettered_size() || read_bare_length() || read_size_chunk() || read_rows() ||
+      read_infinitive() || read_wishing() || read_finding() || read_doing() || read_built_place() || read_having_by() || read_manner() ||
+      read_trailing_bound())
     return;
   if (is_about_number()) {
     add(ChunkKind::kIgnored, 1);
@@ -320,6 +321,14 @@ bool Chunker::is_longer_thing(const Choice& best, const NounPhrase& noun) const 
   return !verb_first && !preposition && best.kind != ChunkKind::kWithout && best.kind != ChunkKind::kPurpose;
 }
 
+// "with lights around it", "has shelves on both sides": what something has, and no verb of that form.
+bool Chunker::is_thing_held(const Choice& best) const {
+  const bool verbal = best.kind == ChunkKind::kRelation || best.kind == ChunkKind::kVerb || best.kind == ChunkKind::kParticiple;
+  if (!verbal || best.length != 1 || previous() != ChunkKind::kHave || !tokens_[i_].text.ends_with('s')) return false;
+  const auto noun = read_noun_phrase(lexicon_, tokens_, i_, true);
+  return noun && noun->kind == NounKind::kObject && noun->exact && noun->plural && noun->last == i_ + 1;
+}
+
 // "tv on a stand, stand against the wall": a thing that was named before, without its article, and not the verb.
 bool Chunker::is_known_thing(const Choice& best) const {
   const bool verbal = best.kind == ChunkKind::kParticiple || best.kind == ChunkKind::kVerb || best.kind == ChunkKind::kCommand;
@@ -335,7 +344,7 @@ bool Chunker::is_known_thing(const Choice& best) const {
 bool Chunker::read_words(const PhraseMatch& phrase, std::size_t without) {
   const Choice best = longest(phrase, without);
   if (best.length == 0) return false;
-  if (is_longer_noun(best) || is_known_thing(best)) return read_noun(true);
+  if (is_longer_noun(best) || is_known_thing(best) || is_thing_held(best)) return read_noun(true);
   if (best.kind == ChunkKind::kRelation) {
     add_phrase(phrase);
     return true;

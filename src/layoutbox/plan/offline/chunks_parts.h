@@ -114,11 +114,14 @@ class Chunker {
   std::size_t bears_thing() const;
   Choice longest(const PhraseMatch& phrase, std::size_t without) const;
   bool is_longer_noun(const Choice& best) const;
+  bool is_thing_held(const Choice& best) const;
   bool is_known_thing(const Choice& best) const;
   bool is_longer_thing(const Choice& best, const NounPhrase& noun) const;
   // "is", "are placed", "is also gently mounted": the verb with its participle; 0 if there is none.
   std::size_t be_length() const;
   // "50 cm from the wall", "1 m to the left of", "at least 2 m away from".
+  bool read_hung_at();
+  NounPhrase* may_hang();
   bool read_distance();
   // Where the length of a gap begins; `led`: after "with", "leaving"; `said`: as "a gap of".
   struct Gap {

@@ -74,6 +74,7 @@ struct NounPhrase {
   bool in_middle = false;     // of a door or window: in the middle of that wall
   std::string wall_relation;  // opposite, other, adjacent, same
   SaidSize size;
+  std::optional<double> hangs_at;         // "a shelf at 1.2 m": metres above the floor
   std::shared_ptr<NounPhrase> of;         // "the corner of the desk", "two of the beds"
   std::shared_ptr<NounPhrase> contents;   // "a rack of dumbbells": what is in it
   std::shared_ptr<NounPhrase> as_object;  // of a part: the thing that has its name ("two sinks"), should no host be there

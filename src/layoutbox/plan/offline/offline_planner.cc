@@ -24,6 +24,7 @@
 #include "layoutbox/plan/offline/said_counts.h"
 #include "layoutbox/plan/offline/slopes.h"
 #include "layoutbox/plan/offline/spelling.h"
+#include "layoutbox/plan/offline/uses.h"
 #include "layoutbox/plan/offline/wishes.h"
 #include "layoutbox/plan/offline/wordings.h"
 #include "layoutbox/plan/offline/zones.h"
@@ -69,6 +70,7 @@ class OfflinePlanner final : public Planner {
     read_said_counts(lexicon_, document, skip);
     read_courtesies(lexicon_, document, skip);
     read_requests(lexicon_, document, skip);
+    read_uses(lexicon_, document, skip);
     read_wordings(lexicon_, document, skip);
     read_slopes(lexicon_, document, skip);
     part_relatives(lexicon_, document, skip);

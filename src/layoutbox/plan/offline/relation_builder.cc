@@ -312,12 +312,25 @@ std::string RelationBuilder::place_of(const Link& link) const {
   return "prompt:" + std::to_string(document_.tokens[link.first].begin) + "-" + std::to_string(document_.tokens[link.last - 1].end);
 }
 
-// How high things hang that hang on a wall.
+// How high things hang that hang on a wall; those of which nothing else is said hang there.
 void RelationBuilder::set_heights() {
+  for (std::size_t i = 0; i < document_.items.size() && i < scene_.objects.size(); ++i) {
+    const NounPhrase& noun = document_.items[i].noun;
+    if (noun.hangs_at) heights_.emplace_back(scene_.objects[i].id, mm_from_m(*noun.hangs_at));
+  }
   for (const auto& [object, height] : heights_) {
+    const auto hangs = [&](std::size_t r) {
+      return scene_.relations[r].type == R::kOnWall && scene_.relations[r].targets.front() == object;
+    };
+    if (relations_of(object).empty()) {
+      Link link;
+      const NounPhrase& noun = noun_of_object(*object_of(object));
+      link.first = noun.first;
+      link.last = noun.last;
+      add(link, R::kOnWall, {object}, {});
+    }
     for (const std::size_t r : relations_of(object)) {
-      Relation& relation = scene_.relations[r];
-      if (relation.type == R::kOnWall && relation.targets.front() == object) relation.parameters.height = height;
+      if (hangs(r)) scene_.relations[r].parameters.height = height;
     }
   }
 }

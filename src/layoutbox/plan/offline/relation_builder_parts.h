@@ -69,7 +69,8 @@ class RelationBuilder {
   void note_no_place(const Link& link, const Mention& target);
   std::string place_of(const Link& link) const;
   // "facing each other": every one of the targets and its neighbour.
-  void add_each_other(const Link& link, const std::vector<int>& targets);
+  std::vector<int> by_tables(const std::vector<int>& targets) const;
+  void add_each_other(const Link& link, const std::vector<int>& said);
   std::string carrier_of(const std::vector<std::string>& objects) const;
   std::vector<std::vector<std::string>> between_pairs(const Link& link, const std::vector<std::string>& all) const;
   void add_between(const Link& link, const std::vector<int>& targets);

@@ -11,8 +11,34 @@ namespace layoutbox::offline {
 using R = RelationType;
 using Direction = PhraseSense::Direction;
 
-void RelationBuilder::add_each_other(const Link& link, const std::vector<int>& targets) {
-  if (targets.size() < 2 || link.senses.empty()) return;
+// "at each of the four tables two chairs face each other": those at one table, where two are at each; else as they come.
+std::vector<int> RelationBuilder::by_tables(const std::vector<int>& targets) const {
+  std::vector<std::pair<std::string, std::vector<int>>> tables;
+  for (const int target : targets) {
+    const std::vector<std::size_t>& all = relations_of(id(target));
+    const auto at = std::ranges::find_if(all, [&](std::size_t r) {
+      return (scene_.relations[r].type == R::kAround || scene_.relations[r].type == R::kNextTo) &&
+             scene_.relations[r].references.size() == 1;
+    });
+    if (at == all.end()) return targets;
+    const std::string& table = scene_.relations[*at].references.front();
+    const auto known = std::ranges::find_if(tables, [&](const auto& one) { return one.first == table; });
+    if (known == tables.end())
+      tables.push_back({table, {target}});
+    else
+      known->second.push_back(target);
+  }
+  std::vector<int> ordered;
+  for (const auto& [table, seats] : tables) {
+    if (seats.size() != 2) return targets;
+    ordered.insert(ordered.end(), seats.begin(), seats.end());
+  }
+  return ordered;
+}
+
+void RelationBuilder::add_each_other(const Link& link, const std::vector<int>& said) {
+  if (said.size() < 2 || link.senses.empty()) return;
+  const std::vector<int> targets = by_tables(said);
   const NounPhrase& other = noun_of_item(targets.front());
   const auto sense = choose_sense(catalog_, link.senses, Direction::kDirect, noun_of_item(targets.back()), other);
   if (!sense) return;

@@ -465,6 +465,9 @@ bool says_where(const std::vector<Token>& tokens, std::size_t at) {
   const std::string& word = tokens[at].text;
   if (at + 1 >= tokens.size()) return false;
   const Token& next = tokens[at + 1];
+  // "the bed's flanked by two lamps", "the sofa's pushed against the wall"
+  static constexpr std::string_view kBehind[] = {"by", "with", "against", "under", "into", "between", "behind", "beside", "beneath"};
+  if (word.ends_with("ed") && std::find(std::begin(kBehind), std::end(kBehind), next.text) != std::end(kBehind)) return true;
   if (std::find(std::begin(kPlain), std::end(kPlain), word) != std::end(kPlain)) return !next.glued;
   if (std::find(std::begin(kWhere), std::end(kWhere), word) == std::end(kWhere)) return false;
   static constexpr std::string_view kAfter[] = {"the", "a", "an", "my", "our", "his", "her", "their", "its", "it", "that", "this"};

@@ -62,8 +62,12 @@ void UnitReader::mean_end_of_room(std::size_t k) {
   const bool of_room = noun.of && noun.of->kind == NounKind::kRoom;
   const bool behind = (noun.head == "back" || noun.head == "front") && noun.determiner == Determiner::kDefinite &&
                       says(units_.back().direct, RelationType::kAgainstWall);  // "along the back"
-  if (!of_room && (noun.of || noun.determiner == Determiner::kPossessive || (noun.wall_word.empty() && !behind) || noun.head == "edge" ||
-                   !stands_in_room(k)))
+  // "along one long side", "in the middle of the short end"
+  const bool of_length = noun.head != "edge" && std::ranges::any_of(noun.attributes, [](const std::string& word) {
+                           return one_of(word, {"long", "longer", "longest", "short", "shorter", "shortest", "narrow"});
+                         });
+  if (!of_room && (noun.of || noun.determiner == Determiner::kPossessive || (noun.wall_word.empty() && !behind && !of_length) ||
+                   noun.head == "edge" || !stands_in_room(k)))
     return;
   if (of_room && noun.of->room != nullptr && document_.rooms.empty()) document_.rooms.push_back(*noun.of);
   if (noun.wall_word.empty() && (noun.head == "back" || noun.head == "front")) noun.wall_word = noun.head;
@@ -72,8 +76,13 @@ void UnitReader::mean_end_of_room(std::size_t k) {
   noun.head = "wall";
   noun.name = sides ? "side wall" : "wall";
   noun.of.reset();
-  units_.back().direct = at_wall_senses();
-  units_.back().senses = &at_wall_senses();
+  // "in the middle of the left side"
+  const Chunk& place = chunk(units_.back().chunk);
+  const std::string said = words_between(document_, place.first, place.last);
+  const bool middle = said.find("middle") != std::string::npos || said.find("center") != std::string::npos;
+  const PhraseSenses& senses = middle ? direct_senses<RelationType::kCenteredOnWall>() : at_wall_senses();
+  units_.back().direct = senses;
+  units_.back().senses = &senses;
 }
 
 // "a table, a screen at one end, a sideboard at the other end": of the room, where what has a place there stands by itself.

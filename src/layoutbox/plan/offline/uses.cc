@@ -1,0 +1,211 @@
+#include "layoutbox/plan/offline/uses.h"
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "layoutbox/base/words.h"
+#include "layoutbox/catalog/word_lists.h"
+#include "layoutbox/plan/offline/token_reader.h"
+
+namespace layoutbox::offline {
+namespace {
+
+class UseReader : public TokenReader {
+ public:
+  using TokenReader::TokenReader;
+
+  void run() {
+    constexpr int kMost = 40;  // nobody wants more: looking for what the whole text names stays cheap
+    int written = 0;
+    for (std::size_t i = 0; i < tokens_.size() && written < kMost; ++i) {
+      if (skip_[i] || tokens_[i].kind != Token::Kind::kWord) continue;
+      const std::size_t place = place_at(i);
+      if (place == 0 || !is_wanted(i)) continue;
+      if (const auto use = use_at(i, i + place)) {
+        write(i, *use);
+        ++written;
+      }
+    }
+  }
+
+ private:
+  struct Use {
+    WordList row;
+    std::size_t end = 0;  // of the words that say it
+    int people = 0;       // "for three friends to sit"; 0: nobody says for how many
+  };
+
+  // The tokens of "somewhere", "a place", "some space", "storage" that begin there; 0: none.
+  std::size_t place_at(std::size_t i) const {
+    const std::size_t article = is(i, {"a", "an", "some", "enough", "another", "plenty", "lots", "more"}) ? 1 : 0;
+    const std::size_t of = article > 0 && is(i + 1, {"of", "more"}) ? 1 : 0;
+    for (const std::string_view list : {"places", "stores"}) {
+      for (const WordList::Member member : words_.at(list)) {
+        const std::size_t length = matched(member.value.text(), i + article + of);
+        const bool next = length > 0 && is(i + article + of + length, {"to", "for", "where", "i", "we", "you", "she", "he", "they", "the"});
+        if (next) return article + of + length;
+      }
+    }
+    return 0;
+  }
+
+  // Something that is asked for, and no place at which something else is or what a thing is for.
+  bool is_wanted(std::size_t i) const {
+    if (i == 0 || tokens_[i - 1].ends_sentence) return true;
+    return !is(i - 1, {"in",   "at",   "by", "near", "from", "into", "of", "as",  "its",  "the",    "no",     "to",
+                       "this", "that", "my", "our",  "so",   "is",   "on", "any", "same", "living", "dining", "walk"});
+  }
+
+  // The tokens from `at` on that say these words, determiners and plurals aside; 0: they say something else.
+  std::size_t matched(std::string_view words, std::size_t at) const {
+    const std::size_t first = at;
+    while (!words.empty()) {
+      const std::string_view word = words.substr(0, words.find(' '));
+      words.remove_prefix(std::min(words.size(), word.size() + 1));
+      while (at > first && is_article(at) && tokens_[at].text != word) ++at;
+      if (at == first && is_article(at)) ++at;
+      if (at >= tokens_.size() || (tokens_[at].text != word && singular_of(tokens_[at].text) != singular_of(word))) return 0;
+      ++at;
+    }
+    return at - first;
+  }
+
+  // The use of which most words are said there.
+  std::optional<Use> longest(std::string_view list, std::size_t at, int people) const {
+    std::optional<Use> best;
+    for (const WordList::Member row : words_.at("uses")) {
+      if (!row.value.contains(list)) continue;
+      for (const WordList::Member words : row.value.at(list)) {
+        const std::size_t length = matched(words.value.text(), at);
+        if (length > 0 && (!best || at + length > best->end)) best = Use{row.value, at + length, people};
+      }
+    }
+    return best;
+  }
+
+  std::optional<Use> use_at(std::size_t i, std::size_t at) const {
+    if (is(at, {"to"})) return longest("to", at + 1, 0);
+    if (is(at, {"for"})) {
+      constexpr std::size_t kWho = 5;  // tokens
+      int people = 0;
+      for (std::size_t to = at + 1; to <= at + kWho && !ends(to); ++to) {
+        if (is(to, {"to"})) return longest("to", to + 1, people);
+        if (const NumberRead number = read_number(lexicon_, tokens_, to); number.length > 0) people = static_cast<int>(number.value);
+        if (tokens_[to].text.ends_with('s')) people = std::max(people, 2);  // "for friends to sit"
+      }
+      return longest("for", at + 1, 0);
+    }
+    // "somewhere I can sit", "a place where the kids can draw"
+    std::size_t may = at;
+    while (may < at + 4 && !ends(may) && !is_may(may)) ++may;
+    return is_may(may) && (may > at || i > 0) ? longest("to", may + 1, 0) : std::nullopt;
+  }
+
+  bool is_may(std::size_t at) const {
+    if (at >= tokens_.size()) return false;
+    for (const WordList::Member word : words_.at("may")) {
+      if (tokens_[at].text == word.value.text()) return true;
+    }
+    return false;
+  }
+
+  // The kind of room that the text names first, and whether such a word of the row is named anywhere outside the use itself.
+  std::string_view room() const {
+    for (std::size_t i = 0; i < tokens_.size(); ++i) {
+      for (const Meaning& meaning : lexicon_.find(tokens_, i, WordClass::kRoom).meanings) {
+        if (meaning.word_class == WordClass::kRoom && meaning.room != nullptr) return meaning.room->id;
+      }
+    }
+    return {};
+  }
+
+  bool is_served(const Use& use, std::size_t first) const {
+    if (!use.row.contains("unless")) return false;
+    for (const WordList::Member words : use.row.at("unless")) {
+      for (std::size_t i = 0; i < tokens_.size(); ++i) {
+        const bool outside = i < first || i >= use.end;
+        if (outside && !skip_[i] && tokens_[i].kind == Token::Kind::kWord && matched(words.value.text(), i) > 0) return true;
+      }
+    }
+    return false;
+  }
+
+  std::string_view thing_of(const Use& use) const {
+    if (use.row.contains("rooms")) {
+      const std::string_view here = room();
+      for (const WordList::Member kind : use.row.at("rooms")) {
+        if (kind.key == here) return kind.value.text();
+      }
+    }
+    return use.row.at("is").text();
+  }
+
+  // A wish of which no thing is named says what kind of room it is (`wishes`).
+  bool names_others(std::size_t i, std::size_t end) const {
+    for (std::size_t at = 0; at < tokens_.size(); ++at) {
+      if (at >= i && at < end) continue;
+      if (!skip_[at] && lexicon_.find(tokens_, at, WordClass::kObject).length > 0) return true;
+    }
+    return false;
+  }
+
+  void write(std::size_t i, const Use& use) {
+    if (!names_others(i, use.end)) return;
+    std::size_t at = i;
+    const bool served = is_served(use, i);
+    // "for her toys and books": one thing for each, where the words suffice.
+    if (is(use.end, {"and"}) && !is(i + 1, {"to"})) {
+      const auto more = longest("for", use.end + 1, 0);
+      if (more && !is_served(*more, i)) {
+        if (!served) at = put_thing(at, use, more->end);
+        if (at + 1 < more->end && !served) put(at++, "and");
+        at = put_thing(at, *more, more->end);
+        return leave_out(at, more->end);
+      }
+    }
+    if (served) return;
+    at = put_thing(at, use, use.end);
+    const std::size_t end = end_of_doing(use.end);
+    if (at < end) leave_out(at, end);
+  }
+
+  // "two armchairs" from `at` on and before `end`: behind it.
+  std::size_t put_thing(std::size_t at, const Use& use, std::size_t end) {
+    std::string_view thing = thing_of(use);
+    const auto words = static_cast<std::size_t>(std::ranges::count(thing, ' ') + 1);
+    if (at + words > end) return at;
+    if (at + words < end) put(at++, use.people > 1 && use.row.contains("each") ? "two" : "a");
+    while (!thing.empty() && at < end) {
+      const std::string_view word = thing.substr(0, thing.find(' '));
+      thing.remove_prefix(std::min(thing.size(), word.size() + 1));
+      put(at++, word);
+    }
+    return at;
+  }
+
+  // "somewhere to sit while changing shoes": behind what goes on there meanwhile.
+  std::size_t end_of_doing(std::size_t end) const {
+    const bool more = is(end, {"and"}) && !is_article(end + 1) && place_at(end + 1) == 0 &&
+                      lexicon_.find(tokens_, end + 1, WordClass::kObject).length == 0;
+    if (!more && !is(end, {"while", "when", "whenever", "after", "before", "during", "comfortably", "properly", "quietly", "too"}))
+      return end;
+    std::size_t at = end + 1;
+    while (at < tokens_.size() && !ends(at) && !is(at, {"with", "by", "near", "under", "and", "in"})) ++at;
+    return at;
+  }
+
+  void put(std::size_t at, std::string_view word) {
+    tokens_[at].text = word;
+    tokens_[at].kind = Token::Kind::kWord;
+  }
+
+  const WordList words_ = word_list("words_uses");
+};
+
+}  // namespace
+
+void read_uses(const Lexicon& lexicon, Document& document, std::vector<bool>& skip) { UseReader(lexicon, document.tokens, skip).run(); }
+
+}  // namespace layoutbox::offline
