@@ -323,7 +323,8 @@ bool Chunker::is_longer_thing(const Choice& best, const NounPhrase& noun) const 
 
 // "with lights around it", "has shelves on both sides": what something has, and no verb of that form.
 bool Chunker::is_thing_held(const Choice& best) const {
-  const bool verbal = best.kind == ChunkKind::kRelation || best.kind == ChunkKind::kVerb || best.kind == ChunkKind::kParticiple;
+  const bool verbal = best.kind == ChunkKind::kRelation || best.kind == ChunkKind::kVerb || best.kind == ChunkKind::kParticiple ||
+                      best.kind == ChunkKind::kHave;
   if (!verbal || best.length != 1 || previous() != ChunkKind::kHave || !tokens_[i_].text.ends_with('s')) return false;
   const auto noun = read_noun_phrase(lexicon_, tokens_, i_, true);
   return noun && noun->kind == NounKind::kObject && noun->exact && noun->plural && noun->last == i_ + 1;

@@ -109,7 +109,7 @@ void RelationBuilder::add_contents(const Link& link) {
   if (items_of(link.references).empty()) return;
   for (const int m : link.targets) {
     const Mention& target = mention(m);
-    if (target.items.empty()) continue;
+    if (target.items.empty() || on_floor_.contains(m)) continue;
     const std::vector<int> hosts = carriers_among(link, m, hosts_of(link, m));
     if (link.weak && is_placed_apart(target.items)) continue;
     if (!is_related(target.items.front(), hosts.front())) add_content(link, target, hosts);

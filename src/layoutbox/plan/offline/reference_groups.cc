@@ -1,6 +1,7 @@
 // Which members of a group are meant: by place, by a quality, those that are left.
 #include <algorithm>
 
+#include "layoutbox/catalog/word_lists.h"
 #include "layoutbox/plan/offline/reader_words.h"
 #include "layoutbox/plan/offline/references.h"
 
@@ -99,16 +100,27 @@ void References::choose_members(Mention& mention, const NounPhrase& noun, int an
 
 // "both machines", "the appliances": the last things that were brought in, as many as there are words for.
 void References::general(const NounPhrase& noun, bool as_reference, Mention& mention) const {
-  static constexpr std::string_view kGeneral[] = {"machine", "appliance", "object", "item", "piece", "seat", "unit", "device", "fixture"};
-  if (!noun.is_plural() || noun.name.find(' ') != std::string::npos ||
-      std::find(std::begin(kGeneral), std::end(kGeneral), noun.head) == std::end(kGeneral))
-    return;
+  if (!noun.is_plural() || noun.name.find(' ') != std::string::npos) return;
+  const WordList words = word_list("words_kinds").at("general");
+  if (!words.contains(noun.head)) return;
+  const WordList kinds = words.at(noun.head);
+  const auto is_such = [&](const CatalogEntry& entry) {
+    for (const WordList::Member kind : kinds) {
+      if (lexicon_.catalog().is_a(entry.id, kind.value.text())) return true;
+    }
+    return false;
+  };
   const std::size_t wanted = noun.count > 0 ? static_cast<std::size_t>(noun.count) : 2;
-  for (std::size_t i = document_.items.size(); i-- > 0 && mention.items.size() < wanted;) {
-    // What is being placed by them came last.
-    if (as_reference && document_.items[i].group == document_.items.back().group) continue;
-    const CatalogEntry* entry = document_.items[i].noun.entry;
-    if (entry == nullptr || (entry->mount == Mount::kFloor && !entry->thin)) mention.items.push_back(static_cast<int>(i));
+  for (const bool strict : {true, false}) {  // of no such kind the last that stand
+    for (std::size_t i = document_.items.size(); i-- > 0 && mention.items.size() < wanted;) {
+      // What is being placed by them came last.
+      if (as_reference && document_.items[i].group == document_.items.back().group) continue;
+      const CatalogEntry* entry = document_.items[i].noun.entry;
+      const bool stands = entry == nullptr || (entry->mount == Mount::kFloor && !entry->thin);
+      if (strict ? entry != nullptr && is_such(*entry) : stands) mention.items.push_back(static_cast<int>(i));
+    }
+    if (mention.items.size() >= std::max<std::size_t>(2, static_cast<std::size_t>(noun.count))) break;
+    mention.items.clear();
   }
   std::reverse(mention.items.begin(), mention.items.end());
 }

@@ -251,6 +251,7 @@ void RelationBuilder::add_relations_to(const Link& link, const std::vector<int>&
     }
     auto sense = choose_sense(catalog_, link.senses, Direction::kDirect, target.noun, reference);
     if (sense && place == nullptr) name_shelf(*sense, reference, noun_of_item(reference_items.front()));
+    if (reference.kind == NounKind::kFloor && !link.distance && says(link.senses, R::kOn)) on_floor_.insert(m);
     if (!sense && reference.kind == NounKind::kFloor && link.distance) {  // "1.2 m above the floor"
       for (const int item : target.items) heights_.emplace_back(id(item), mm_from_m(*link.distance));
       continue;

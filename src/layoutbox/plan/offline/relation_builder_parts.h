@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "layoutbox/plan/offline/document.h"
@@ -203,6 +204,7 @@ class RelationBuilder {
   Document& document_;
   SceneGraph& scene_;
   std::vector<std::pair<std::string, Mm>> heights_;
+  std::unordered_set<int> on_floor_;  // mentions that are told to be there: "… and a basket on the floor"
   // Where in scene_.relations things stand; keeps long texts linear. By what they say, and by each target.
   std::unordered_map<std::string, std::size_t> known_;
   std::unordered_map<std::string, std::vector<std::size_t>> of_target_;

@@ -114,8 +114,8 @@ void Decoder::root_list_actions(std::size_t s, int u, double gain) {
     const double elsewhere = placed && placed_by_clause(state, u) ? weight::kPlacedByList : 0;
     const bool own_place = placed && !state.fronted.empty() && !(share > 0 && mount_of(noun) == Mount::kSurface);
     add(s, kNextRoot,
-        gain + (agrees && !state.fronted.empty() ? weight::kAgrees : 0) + std::max(share, ends ? weight::kEndsList : -2.5) -
-            (own_place ? 1.2 : 0) + elsewhere,
+        gain + (agrees && !state.fronted.empty() ? weight::kAgrees : 0) + std::max(share, ends ? weight::kEndsList : -2.5) +
+            (own_place ? weight::kOwnPlace * (unit(u).joiner == Joiner::kComma ? 2 : 1) : 0) + elsewhere,
         state.frontier.front());
   }
   if (!of_clause || !state.fronted.empty()) add(s, kNewRoot, gain - (state.fronted.empty() ? 0 : 0.4) + (ends ? weight::kEndsList : 0));

@@ -227,8 +227,12 @@ double Decoder::habit_score(const State& state, int place, Referent subject, Ref
   if (along && is_place_of_room(by.kind)) score += weight::kSmallByPlace;
   const bool apart = unit(place).joiner != Joiner::kNone || state.participle || chunk(place).placing;
   if (apart) return score;
-  const bool beside = says(senses, RelationType::kBetween) || says(senses, RelationType::kNextTo) || says(senses, RelationType::kNear);
-  if (beside && mount_of(target) == Mount::kSurface && by.kind == NounKind::kObject && mount_of(by) == Mount::kFloor &&
+  const bool beside = std::ranges::any_of(senses, [](const PhraseSense& sense) {
+    return sense.type == RelationType::kBetween || sense.type == RelationType::kOpposite || stands_beside(sense.type);
+  });
+  // "a table with books to the right of the armchair", "an armchair with an ottoman by the fireplace"
+  const bool goes_with = mount_of(target) == Mount::kSurface || (target.entry != nullptr && target.entry->is(Trait::kStandsBefore));
+  if (beside && goes_with && by.kind == NounKind::kObject && mount_of(by) == Mount::kFloor &&
       is_thing(state, host) && mount_of(noun_of(state, host)) == Mount::kFloor && !same(state, host, other))
     score += weight::kSmallByPlace;
   if ((is_place_of_room(by.kind) || by.niche) && !by.of && small) score += weight::kSmallByPlace;

@@ -172,9 +172,13 @@ int Scribe::thing_of_zone(const NounPhrase& noun) const {
 // "six square tables, four chairs each", "three tables with two stools each": what was listed last belongs to every one of the others.
 bool Scribe::trails_each(int u) {
   const NounPhrase& noun = chunk(u).noun;
+  // "two chairs each facing the window" speaks of the chairs, "tables with two chairs each along the window" of the tables.
+  const bool placed_on = is(u + 1, UnitKind::kPlace) && unit(u + 1).joiner == Joiner::kNone &&
+                         (!is(u - 1, UnitKind::kNoun) || reading(u - 1).role != NounRole::kContent ||
+                          document_.tokens[chunk(u + 1).first].text.ends_with("ing"));
   const bool trails = noun.kind == NounKind::kMember && noun.determiner == Determiner::kEach && noun.count == 0 && !noun.of &&
                       unit(u).joiner == Joiner::kNone && is(u - 1, UnitKind::kNoun) && !is(u + 1, UnitKind::kHave) &&
-                      !is(u + 1, UnitKind::kParticiple) && !(is(u + 1, UnitKind::kPlace) && unit(u + 1).joiner == Joiner::kNone) &&
+                      !is(u + 1, UnitKind::kParticiple) && !placed_on &&
                       !(is(u + 1, UnitKind::kVerb) && unit(u + 1).joiner == Joiner::kNone);
   if (!trails || reading(u).role == NounRole::kReference) return false;
   const int content = mention_[static_cast<std::size_t>(u - 1)];
@@ -194,6 +198,7 @@ bool Scribe::trails_each(int u) {
   if (count < 2) return false;
   references_.grow(content, mention_at(content).items.size() * count);
   mark(u, Use::kUsed, "reference");
+  if (hosts.size() == 1) mention_[static_cast<std::size_t>(u)] = hosts.front();
   if (!listed) return true;
   Link link;
   link.kind = Link::Kind::kHave;
