@@ -54,6 +54,8 @@ int References::fit(const NounPhrase& wanted, const NounPhrase& item) const {
       std::find(std::begin(kOfIt), std::end(kOfIt), wanted.name.substr(item.name.size() + 1)) != std::end(kOfIt))
     return 3;
   if (wanted.exact && item.exact && wanted.entry == item.entry) return 3;
+  // "a console table … on the console": what no list has is short for what was named.
+  if (!wanted.exact && wanted.determiner == Determiner::kDefinite && item.name.starts_with(wanted.name + " ")) return 2;
   if (last_word(wanted.name) == last_word(item.name) &&
       (wanted.name.find(' ') == std::string::npos || item.name.find(' ') == std::string::npos)) {
     // "the table" is any table; "the coffee table" is not a plain table that was named before it.
