@@ -5,6 +5,7 @@
 #include <set>
 
 #include "layoutbox/base/words.h"
+#include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/catalog/word_lists.h"
 #include "layoutbox/embedded/english_data.h"
 
@@ -30,7 +31,7 @@ std::vector<std::string_view> split_words(std::string_view text) {
 }
 
 struct Kinds {
-  Words kinds, modifiers, heads, portions, set_in, own_parts, company, users;
+  Words kinds, modifiers, heads, portions, set_in, kept_in, own_parts, company, users;
   std::set<std::string_view> no_things, body_parts;
   std::map<std::string, std::string_view, std::less<>> like_keys;  // by the key (words.h)
 };
@@ -42,6 +43,7 @@ const Kinds& known_kinds() {
                words_of_list("heads"),
                words_of_list("portions"),
                words_of_list("set_in"),
+               words_of_list("kept_in"),
                words_of_list("own_parts"),
                words_of_list("company"),
                words_of_list("users"),
@@ -141,6 +143,17 @@ bool is_no_thing(const Catalog& catalog, std::string_view word) {
 std::string_view set_in_entry(std::string_view id) {
   const auto found = known_kinds().set_in.find(id);
   return found == known_kinds().set_in.end() ? std::string_view{} : std::string_view(found->second);
+}
+
+std::string_view kept_in_entry(std::string_view head, const CatalogEntry& host) {
+  const auto found = known_kinds().kept_in.find(head);
+  if (found == known_kinds().kept_in.end()) return {};
+  for (const std::string_view row : split_words(found->second)) {
+    const std::size_t mark = row.find('>');
+    const std::optional<Trait> trait = trait_from_name(row.substr(0, mark));
+    if (trait && host.is(*trait)) return row.substr(mark + 1);
+  }
+  return {};
 }
 
 bool is_own_part(const Catalog& catalog, std::string_view owner, std::string_view part) {

@@ -34,6 +34,9 @@ std::string_view portion_entry(std::string_view container);
 // The id of the entry that one stands for where it is let into the top of something (a sink of a counter → inset_sink), or empty.
 std::string_view set_in_entry(std::string_view id);
 
+// The id of the entry that a plain word means of what stands on or in such a thing ("bin" on shelves → storage_bin), or empty.
+std::string_view kept_in_entry(std::string_view head, const CatalogEntry& host);
+
 // Whether a thing of the one kind has such a part of its own (a backwash chair its basin).
 bool is_own_part(const Catalog& catalog, std::string_view owner, std::string_view part);
 

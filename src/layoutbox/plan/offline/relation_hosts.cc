@@ -82,8 +82,16 @@ void RelationBuilder::let_into_tops() {
 
 void RelationBuilder::let_in(int m, const CatalogEntry& host) {
   Mention& thing = document_.mentions[static_cast<std::size_t>(m)];
-  const CatalogEntry* form = thing.noun.entry == nullptr ? nullptr : catalog_.find(set_in_entry(thing.noun.entry->id));
-  if (form == nullptr || std::ranges::none_of(form->stands_on, [&](const std::string& id) { return catalog_.is_a(host.id, id); })) return;
+  if (thing.noun.entry == nullptr) return;
+  const CatalogEntry* form = catalog_.find(set_in_entry(thing.noun.entry->id));
+  const auto fits = [&](const std::string& id) { return catalog_.is_a(host.id, id); };
+  if (form != nullptr && std::ranges::none_of(form->stands_on, fits)) form = nullptr;
+  // "a shelf with bins", "a desk with two screens"
+  if (thing.introduces && thing.noun.name == thing.noun.head) {
+    const CatalogEntry* kept = catalog_.find(kept_in_entry(thing.noun.head, host));
+    if (kept != nullptr) form = kept;
+  }
+  if (form == nullptr) return;
   const auto become = [&](NounPhrase& noun) { noun.entry = form, noun.category = form->id; };
   become(thing.noun);
   for (const int item : thing.items) {

@@ -139,7 +139,10 @@ void settle_room_senses(const Lexicon& lexicon, Document& document, const std::v
     // "an island bench": a kind of bench that the catalogue does not know
     const bool compound =
         noun.kind == NounKind::kObject && noun.entry != nullptr && noun.entry->name == noun.head && noun.name.ends_with(" " + noun.head);
-    if (!plain && !unknown && !compound) continue;
+    // "a salon with a sofa by the reception": no room of its own
+    const bool other_room =
+        noun.kind == NounKind::kRoom && noun.room != nullptr && noun.room != room->room && noun.name.ends_with(noun.head);
+    if (!plain && !unknown && !compound && !other_room) continue;
     const CatalogEntry* entry = nullptr;
     // "a minimalist Japanese bedroom" is a Japanese bedroom.
     for (std::string called = name; entry == nullptr; called.erase(0, called.find(' ') + 1)) {

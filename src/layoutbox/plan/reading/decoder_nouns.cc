@@ -219,7 +219,11 @@ double Decoder::habit_score(const State& state, int place, Referent subject, Ref
   const NounPhrase &target = noun_of(state, subject), &by = noun_of(state, other);
   double score = 0;
   const Referent host = host_of(state, subject);
-  const bool small = is_seat(lexicon_.catalog(), target) ? !says(senses, RelationType::kFacing) : mount_of(target) == Mount::kSurface;
+  // "a desk with two screens in the corner"
+  const bool carried = is_thing(state, host) && mount_of(noun_of(state, host)) == Mount::kFloor && mount_of(target) != Mount::kFloor &&
+                       sense_.carries(noun_of(state, host), target);
+  const bool small =
+      is_seat(lexicon_.catalog(), target) ? !says(senses, RelationType::kFacing) : mount_of(target) == Mount::kSurface || carried;
   // "a counter with a sink along the wall", "four stations with mirrors along it": the counter and the stations
   const bool along = word(place) == "along" && is_thing(state, host) && mount_of(noun_of(state, host)) == Mount::kFloor &&
                      (mount_of(target) == Mount::kWall || sense_.carries(noun_of(state, host), target) ||
@@ -232,8 +236,8 @@ double Decoder::habit_score(const State& state, int place, Referent subject, Ref
   });
   // "a table with books to the right of the armchair", "an armchair with an ottoman by the fireplace"
   const bool goes_with = mount_of(target) == Mount::kSurface || (target.entry != nullptr && target.entry->is(Trait::kStandsBefore));
-  if (beside && goes_with && by.kind == NounKind::kObject && mount_of(by) == Mount::kFloor &&
-      is_thing(state, host) && mount_of(noun_of(state, host)) == Mount::kFloor && !same(state, host, other))
+  if (beside && goes_with && by.kind == NounKind::kObject && mount_of(by) == Mount::kFloor && is_thing(state, host) &&
+      mount_of(noun_of(state, host)) == Mount::kFloor && !same(state, host, other))
     score += weight::kSmallByPlace;
   if ((is_place_of_room(by.kind) || by.niche) && !by.of && small) score += weight::kSmallByPlace;
   const bool by_the_way = unit(read_as(state, subject).predicate).joiner != Joiner::kNone;  // ", with two armchairs near the fireplace"

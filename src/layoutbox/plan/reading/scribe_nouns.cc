@@ -147,10 +147,12 @@ int Scribe::make_mention(int u) {
 int Scribe::thing_of_zone(const NounPhrase& noun) const {
   if (!is_zone(noun.head) || noun.determiner != Determiner::kDefinite) return -1;
   const std::string words = words_between(document_, noun.first, noun.last);
-  int seat = -1, named = -1;
+  int seat = -1, sofa = -1, named = -1;
   for (std::size_t m = document_.mentions.size(); m-- > 0;) {
     const Mention& mention = document_.mentions[m];
     if (mention.items.empty() || !mention.introduces || mention.noun.kind != NounKind::kObject) continue;
+    const CatalogEntry* entry = mention.noun.entry;
+    if (entry != nullptr && entry->is(Trait::kCenterPiece) && !entry->is(Trait::kBed)) sofa = static_cast<int>(m);
     const std::string first = mention.noun.name.substr(0, mention.noun.name.find(' '));
     if (first != mention.noun.name && words.find(first) != std::string::npos) {
       if (!is_seat(lexicon_.catalog(), mention.noun)) return static_cast<int>(m);
@@ -160,7 +162,7 @@ int Scribe::thing_of_zone(const NounPhrase& noun) const {
   }
   if (named >= 0) return named;
   if (words.find("seating") != std::string::npos || words.find("sitting") != std::string::npos || words.find("lounge") != std::string::npos)
-    return seat;
+    return sofa >= 0 ? sofa : seat;
   if (words.find("sleeping") != std::string::npos) {
     for (std::size_t m = 0; m < document_.mentions.size(); ++m) {
       if (!document_.mentions[m].items.empty() && document_.mentions[m].noun.head == "bed") return static_cast<int>(m);
