@@ -63,6 +63,38 @@ TEST(Distance, NarrowRingsAreFound) {
   }
 }
 
+// Twenty-four desks in groups of four, each with its chair: blocks with ways between them, everybody at a desk.
+TEST(Habit, GroupsOfDesksStandInBlocks) {
+  constexpr int kGroups = 6, kDesks = 4;
+  SceneMaker maker(12'000, 10'000);
+  maker.add("desk", kGroups * kDesks).add("chair", kGroups * kDesks);
+  RelationParameters close;
+  close.gap = 0, close.columns = 2;
+  const auto name = [](const char* kind, int group, int k) { return kind + std::to_string(group * kDesks + k + 1); };
+  for (int g = 0; g < kGroups; ++g) {
+    maker.relate("grid", {name("desk_", g, 0), name("desk_", g, 1), name("desk_", g, 2), name("desk_", g, 3)}, {}, close);
+    for (int k = 0; k < kDesks; ++k) {
+      maker.relate("behind", {name("desk_", g, k)}, {name("desk_", g, (k + 2) % kDesks)});
+      maker.relate("nextTo", {name("chair_", g, k)}, {name("desk_", g, k)});
+    }
+  }
+  const auto layout = solve(maker.make(), Catalog::builtin());
+  ASSERT_TRUE(layout) << layout.error().message;
+  expect_sound(*layout);
+  EXPECT_EQ(layout->status, LayoutStatus::kSolved);
+  EXPECT_EQ(layout->objects.size(), std::size_t{2} * kGroups * kDesks);
+  const auto middle = [&](int g) {
+    const auto &one = *layout->find_object(name("desk_", g, 0)), &last = *layout->find_object(name("desk_", g, 3));
+    return TestPoint{(one.position[0] + last.position[0]) / 2, (one.position[1] + last.position[1]) / 2, 0};
+  };
+  for (int g = 0; g < kGroups; ++g) {
+    for (int other = 0; other < g; ++other) {
+      const TestPoint a = middle(g), b = middle(other);
+      EXPECT_GT(std::max(std::abs(a.x - b.x), std::abs(a.y - b.y)), 1900) << g << " and " << other << " are in one heap";
+    }
+  }
+}
+
 TEST(Habit, EightStoolsAlongALongCounterInALine) {
   SceneMaker maker(8000, 5000);
   maker.add("counter").add("bar_stool", 8);

@@ -145,6 +145,16 @@ bool Solver::any_other_size() const {
   });
 }
 
+// Crowds in rows, grids and blocks at their places from the first.
+bool Solver::search_formed(const std::vector<char>& given_up, int sizes) {
+  constexpr std::size_t kCrowd = 8;
+  Search search(model_, given_up, options_.seed, sizes);
+  Budget budget = part(2 * kLeastSteps);
+  if (!search.construct_formed(left_out_, kCrowd, budget)) return false;
+  placements_ = search.placements();
+  return true;
+}
+
 bool Solver::search(const std::vector<char>& given_up, std::int64_t steps, std::uint64_t seed) {
   const Dependencies dependencies(model_);
   for (const int sizes : {0, kAllSizes}) {
@@ -159,6 +169,7 @@ bool Solver::search(const std::vector<char>& given_up, std::int64_t steps, std::
       budget.limit += kLeastSteps;
     } else {
       placements_.assign(model_.items.size(), {});
+      if (search_formed(given_up, sizes)) return true;
     }
     QuickSearch quick(model_, dependencies, given_up, seed, sizes);
     const bool found = quick.complete(placements_, left_out_, budget);

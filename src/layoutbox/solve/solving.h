@@ -69,6 +69,7 @@ class Solver {
   enum class Early { kFound, kGivenUp, kUnknown };
   Result<Early> prove_early();
   bool any_other_size() const;
+  bool search_formed(const std::vector<char>& given_up, int sizes);
   bool search(const std::vector<char>& given_up) { return search(given_up, budgets_.first, options_.seed); }
   bool search(const std::vector<char>& given_up, std::int64_t steps, std::uint64_t seed);
   Result<bool> prove();

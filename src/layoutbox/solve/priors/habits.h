@@ -179,6 +179,7 @@ class Habits {
   Mm teachers_depth() const;
   bool faces_a_class(int item) const;
   bool stand_in_islands(int item, const Group& group, int k);
+  bool stand_in_blocks(int item);
   bool told_where_to_look(int item) const;
   bool told_middle_with_others(int item) const;
   void turn_as(int item, int other);

@@ -374,6 +374,7 @@ bool Habits::stand_in_islands(int item, const Group& group, int k) {
 }
 
 bool Habits::stand_in_formation(int item) {
+  if (stand_in_blocks(item)) return true;
   const std::optional<Group> group = formation_with(item);
   if (!group) return false;
   const int k = static_cast<int>(std::find(group->members.begin(), group->members.end(), item) - group->members.begin());

@@ -2,6 +2,7 @@
 #include <array>
 #include <bit>
 #include <map>
+#include <optional>
 
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/solve/search/search.h"
@@ -37,6 +38,65 @@ void meet(const Preference& wish, const Item& item, int index, Placement& placem
 }
 
 }  // namespace
+
+// All members in the places that their constraints say for that way to look, where nothing else is yet; false: they cannot all be there.
+bool Search::form_from_nothing(const std::vector<int>& places, std::size_t way) {
+  for (const int place : places) {
+    const Constraint& c = model_.constraints[place];
+    if (way >= c.formulas[0].cases.size() || stays(model_.items[c.member])) return false;
+    const Case& here = c.formulas[0].cases[way];
+    Placement placement;
+    placement.state = 0;
+    for (const StateLiteral& literal : here.states) {
+      if (literal.item != c.member || literal.states == 0) return false;
+      placement.state = std::countr_zero(literal.states);
+    }
+    for (const Preference& wish : here.wishes) meet(wish, model_.items[c.member], c.member, placement);
+    placements_[c.member] = placement;
+  }
+  return std::ranges::all_of(places, [&](int place) {
+    const int member = model_.constraints[place].member;
+    return may_stay(member, placements_[member]);
+  });
+}
+
+// The formations of so many members at least, in the way of that number; false: none of them stands.
+bool Search::form_all(std::size_t fewest, std::size_t way) {
+  std::fill(placements_.begin(), placements_.end(), Placement{});
+  failed_.clear();
+  bool any = false;
+  for (const auto& [first, places] : places_by_formation(model_)) {
+    const auto is_gone = [&](int c) { return left_out_[static_cast<std::size_t>(model_.constraints[c].member)] != 0; };
+    const std::size_t ways = model_.constraints[places[0]].formulas[0].cases.size();
+    if (places.size() < fewest || ways == 0 || std::ranges::any_of(places, is_gone)) continue;
+    const bool formed = form_from_nothing(places, way % ways);
+    any |= formed;
+    for (const int c : places) {
+      if (!formed) placements_[model_.constraints[c].member] = {};
+    }
+  }
+  return any;
+}
+
+bool Search::construct_formed(const std::vector<char>& left_out, std::size_t fewest, Budget& budget) {
+  constexpr std::size_t kWays = 4;  // quarter turns
+  left_out_ = left_out;
+  left_out_.resize(model_.items.size(), 0);
+  finder_.leave_out(left_out_);
+  std::optional<std::pair<std::int64_t, Placements>> best;
+  for (std::size_t way = 0; way < kWays; ++way) {
+    if (!form_all(fewest, way)) continue;
+    for (const int item : placing_order(model_, dependencies_, left_out_, bonus_)) {
+      if (placements_[item].state < 0 && (budget.stopped || !place(item, 0, budget))) failed_.push_back(item);
+    }
+    if (!failed_.empty() && !repair(budget)) continue;
+    std::int64_t cost = 0;
+    for (const auto& [term, points] : cost_terms(model_, placements_)) cost += points;
+    if (!best || cost < best->first) best = {cost, placements_};
+  }
+  if (best) placements_ = std::move(best->second);
+  return best.has_value();
+}
 
 // What rests on it and who sits there, but for members; what it is looked at from or looks at stays.
 std::vector<int> Search::followers_of(int item, const std::vector<int>& members) const {

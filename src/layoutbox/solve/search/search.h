@@ -45,6 +45,9 @@ class Search {
 
   // Places everything but what is `left_out`, or as much as it can. True when all are placed.
   bool construct(const std::vector<char>& left_out, int restarts, Budget& budget);
+  // A start in which formations of so many members at least stand in their places from the first: crowds that are in one another's way
+  // where they come one by one. False also where there is none.
+  bool construct_formed(const std::vector<char>& left_out, std::size_t fewest, Budget& budget);
   // A start unlike that: a few things first that have no right to be, and places that are as good within a noise. What finds no place
   // pushes others out.
   bool construct_unlike(const std::vector<char>& left_out, Budget& budget);
@@ -70,6 +73,8 @@ class Search {
   bool try_order(const std::vector<int>& order, std::int64_t noise, Budget& budget);
   std::vector<int> movable() const;
   std::vector<std::vector<int>> formations() const;
+  bool form_from_nothing(const std::vector<int>& places, std::size_t way);
+  bool form_all(std::size_t fewest, std::size_t way);
   bool try_start(const std::vector<int>& order, Budget& budget);
   // Which case of its places a formation takes, and how far off them all of it stands.
   struct Way {
