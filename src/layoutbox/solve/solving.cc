@@ -147,7 +147,7 @@ bool Solver::any_other_size() const {
 
 // Crowds in rows, grids and blocks at their places from the first.
 bool Solver::search_formed(const std::vector<char>& given_up, int sizes) {
-  constexpr std::size_t kCrowd = 8;
+  constexpr std::size_t kCrowd = 4;
   Search search(model_, given_up, options_.seed, sizes);
   Budget budget = part(2 * kLeastSteps);
   if (!search.construct_formed(left_out_, kCrowd, budget)) return false;
