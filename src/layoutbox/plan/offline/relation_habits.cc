@@ -25,13 +25,20 @@ void RelationBuilder::face_as_group() {
     const std::size_t columns =
         row ? n
             : static_cast<std::size_t>(grid.parameters.columns.value_or(static_cast<int>(std::ceil(std::sqrt(static_cast<double>(n))))));
-    const std::string& middle = grid.targets[(columns - 1) / 2];
+    // Pews in an even number of columns stand beside the axis: from the last row it is straight ahead, from the first it is not.
+    constexpr Mm kForSeveral = 1500;
+    const SceneObject* first = object_of(grid.targets.front());
+    const CatalogEntry* kind = first == nullptr ? nullptr : noun_of_object(*first).entry;
+    const bool wide = kind != nullptr && kind->size.usual.width >= kForSeveral && columns % 2 == 0 && n > columns;
+    const std::size_t leader = (wide ? (n - 1) / columns * columns : 0) + (columns - 1) / 2;
+    const std::string& middle = grid.targets[std::min(leader, n - 1)];
     for (Relation& facing : scene_.relations) {
       if (facing.type != R::kFacing || facing.targets.size() != 1) continue;
       if (std::find(grid.targets.begin(), grid.targets.end(), facing.references.front()) != grid.targets.end()) continue;  // each other
       const auto at = std::find(grid.targets.begin(), grid.targets.end(), facing.targets[0]) - grid.targets.begin();
       const std::size_t column = static_cast<std::size_t>(at) % columns;
-      if (static_cast<std::size_t>(at) == n || column == (columns - 1) / 2 || column == columns / 2) continue;
+      if (static_cast<std::size_t>(at) == n || grid.targets[static_cast<std::size_t>(at)] == middle) continue;
+      if (!wide && (column == (columns - 1) / 2 || column == columns / 2)) continue;
       facing.type = R::kSameOrientation;
       facing.references = {middle};
     }

@@ -23,6 +23,8 @@ double Decoder::share_score(const State& state, int member, int u, Referent impl
     return weight::kShareArticle;
   const Unit& place = unit(u);
   const PhraseSenses& senses = place.direct.empty() ? place.alone : place.direct;
+  // "an altar and six pews in two columns": the pews
+  if (says(senses, RelationType::kGrid) && noun.count > 2 && !before.is_plural()) return -10;
   if (says(senses, RelationType::kRow) || says(senses, RelationType::kGrid) || says(senses, RelationType::kEvenlySpaced)) return 2;
   const NounPhrase& by = implied != kNobody ? noun_of(state, implied) : follows(u, UnitKind::kNoun) ? chunk(u + 1).noun : nothing_;
   // "a chair and a lamp for each desk"
