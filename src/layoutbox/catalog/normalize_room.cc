@@ -34,6 +34,7 @@ constexpr double kMostUsed = 0.58;
 constexpr double kLeastUsed = 0.38, kSmallestShare = 0.42, kSmallestArea = 12e6;  // mm²
 constexpr double kShareOfWindow = 0.5, kShareOfWideWindow = 0.75;                 // of the longest wall
 constexpr Mm kWidestWindow = 3000, kBetweenUnderWindow = 100;
+constexpr Mm kSeatsBeside = 1000;                     // and their seats, of tables
 constexpr Mm kBesideGlass = 120, kAtWholeWall = 500;  // of walls of glass: what is left beside them
 constexpr Mm kUnderRidge = 2750;                      // of rooms whose ceiling comes down somewhere
 constexpr Point kGridWay{350, 850};                   // free between the columns and rows of a grid
@@ -297,10 +298,17 @@ class RoomNormalizer {
         const SceneObject* object = context_.scene.find_object(id);
         if (!here || object == nullptr || !object->size || std::ranges::find(seen, id) != seen.end()) continue;
         seen.push_back(id);
-        width += object->size->usual.width + kBetweenUnderWindow;
+        width += object->size->usual.width + (is_sat_round(id) ? kSeatsBeside : kBetweenUnderWindow);
       }
     }
     return width;
+  }
+
+  bool is_sat_round(const std::string& id) const {
+    return std::ranges::any_of(context_.scene.relations, [&](const Relation& relation) {
+      return (relation.type == RelationType::kAround || relation.type == RelationType::kSurround) &&
+             std::ranges::find(relation.references, id) != relation.references.end();
+    });
   }
 
   Mm longest_wall() const {
@@ -336,7 +344,8 @@ class RoomNormalizer {
     window.sill = 900;
     window.swing = Swing::kNone;
     window.origin = Origin::kAssumed;
-    fit_assumed(window, kShareOfWindow, window.width);
+    const Mm wanted = std::min(width_of_what_is_under(window), kWidestWindow);
+    fit_assumed(window, wanted > window.width ? kShareOfWideWindow : kShareOfWindow, std::max(window.width, wanted));
     if (window.height >= 300 && window.width >= 300) room_.openings.push_back(window);
     context_.note("filled", "no door or window is named: the room gets one of each, where they are least in the way", "/room/openings");
   }

@@ -160,6 +160,49 @@ void settle_forward_names(Document& document) {
   }
 }
 
+namespace {
+
+// For how many the room is, as said before the chunk at k: "two boys", "the twins"; 0: nobody says.
+int people_before(const Lexicon& lexicon, const std::vector<Chunk>& chunks, std::size_t k) {
+  while (k-- > 0) {
+    if (chunks[k].kind != ChunkKind::kNoun || !lexicon.is_person(chunks[k].noun.head)) continue;
+    const NounPhrase& who = chunks[k].noun;
+    if (who.count > 1) return who.count;
+    if (who.head == "twin" || who.head == "couple") return 2;
+  }
+  return 0;
+}
+
+// "for two girls: bed, desk and wardrobe for each": as many of everything that is listed.
+void share_out_list(std::vector<Chunk>& chunks, std::size_t k, int people) {
+  while (k-- > 0) {
+    Chunk& chunk = chunks[k];
+    const bool joins = chunk.kind == ChunkKind::kComma || chunk.kind == ChunkKind::kAnd || chunk.kind == ChunkKind::kIgnored;
+    if (joins) continue;
+    if (!is_thing(chunk)) return;
+    const Determiner said = chunk.noun.determiner;
+    if (chunk.noun.plural || chunk.noun.count > 1 || (said != Determiner::kNone && said != Determiner::kIndefinite)) return;
+    chunk.noun.count = people;
+    chunk.noun.plural = true;
+    chunk.noun.determiner = Determiner::kNone;
+  }
+}
+
+}  // namespace
+
+void settle_for_each(const Lexicon& lexicon, Document& document) {
+  std::vector<Chunk>& chunks = document.chunks;
+  for (std::size_t k = 1; k + 1 < chunks.size() && !is_set(document.stop); ++k) {
+    const bool for_each = chunks[k].kind == ChunkKind::kPurpose && document.tokens[chunks[k].first].text == "for" &&
+                          chunks[k + 1].kind == ChunkKind::kNoun && chunks[k + 1].noun.kind == NounKind::kMember &&
+                          chunks[k + 1].noun.determiner == Determiner::kEach && !chunks[k + 1].noun.of;
+    const int people = for_each ? people_before(lexicon, chunks, k) : 0;
+    if (people < 2) continue;
+    share_out_list(chunks, k, people);
+    chunks[k].kind = chunks[k + 1].kind = ChunkKind::kIgnored;
+  }
+}
+
 void settle_forward_counts(Document& document) {
   constexpr std::size_t kNearby = 200;  // chunks that are looked at either way
   std::vector<Chunk>& chunks = document.chunks;

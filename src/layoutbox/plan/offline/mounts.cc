@@ -95,6 +95,33 @@ void RelationBuilder::leave_middle_to_rows() {
   }
 }
 
+// "two recliners side by side, a little table between them": as near as the table lets them be; a plain table between easy seats is small.
+void RelationBuilder::make_room_between() {
+  for (const Relation& between : scene_.relations) {
+    if (between.type != R::kBetween || between.references.size() != 2 || between.targets.size() != 1) continue;
+    const auto middle = std::ranges::find(scene_.objects, between.targets[0], &SceneObject::id);
+    if (middle == scene_.objects.end()) continue;
+    const NounPhrase& thing = noun_of_object(*middle);
+    if (thing.entry == nullptr || mount_of(thing) != Mount::kFloor) continue;
+    const CatalogEntry* small = catalog_.find("side_" + thing.entry->id);
+    const bool easy = std::ranges::all_of(between.references, [&](const std::string& id) {
+      const SceneObject* seat = object_of(id);
+      const CatalogEntry* entry = seat == nullptr ? nullptr : noun_of_object(*seat).entry;
+      return entry != nullptr && entry->is(Trait::kEasySeat);
+    });
+    if (easy && small != nullptr && thing.exact && !thing.size.any()) middle->category = small->id;
+    const CatalogEntry* kind = catalog_.find(middle->category);
+    const Mm width = (kind != nullptr ? kind : thing.entry)->size.usual.width;
+    for (Relation& beside : scene_.relations) {
+      const bool of_pair = beside.type == R::kNextTo && beside.targets.size() == 1 && beside.references.size() == 1 &&
+                           std::ranges::find(between.references, beside.targets[0]) != between.references.end() &&
+                           std::ranges::find(between.references, beside.references[0]) != between.references.end();
+      constexpr Mm kAir = 300, kUsualMost = 500;  // of what is next to something
+      if (of_pair && !beside.parameters.max && width + kAir > kUsualMost) beside.parameters.max = width + kAir;
+    }
+  }
+}
+
 void RelationBuilder::settle_on_wall(SceneObject& object, const NounPhrase& noun) {
   object.mount = Mount::kWall;
   const CatalogEntry* on_wall = wall_kind(noun);

@@ -59,6 +59,7 @@ void RelationBuilder::run() {
   for (std::size_t i = 0; i < scene_.objects.size(); ++i) settle_mount(i);
   settle_stands();
   leave_middle_to_rows();
+  make_room_between();
   add_habits();
   note_contradictions();
   drop_implied_support();

@@ -70,6 +70,8 @@ class RelationBuilder {
   void note_no_place(const Link& link, const Mention& target);
   std::string place_of(const Link& link) const;
   // "facing each other": every one of the targets and its neighbour.
+  void stand_in_line(const Link& link, const std::string& next, const std::string& one, const NounPhrase& other,
+                     const NounPhrase& neighbour);
   std::vector<int> by_tables(const std::vector<int>& targets) const;
   void add_each_other(const Link& link, const std::vector<int>& said);
   std::string carrier_of(const std::vector<std::string>& objects) const;
@@ -169,6 +171,7 @@ class RelationBuilder {
   bool settle_tall(SceneObject& object, const NounPhrase& noun);
   void settle_stands();
   void leave_middle_to_rows();
+  void make_room_between();
   void settle_mount(std::size_t index);
   bool over_table(const std::string& object) const;
   // What the relations say of how it is held; `beside`: by what stands on the floor.

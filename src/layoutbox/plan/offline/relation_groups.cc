@@ -62,14 +62,33 @@ void RelationBuilder::add_each_other(const Link& link, const std::vector<int>& s
       add(link, hangs ? R::kAbove : R::kOn, {next}, {one});
       continue;
     }
+    // "two workbenches back to back": each has the other behind it.
+    const bool backs = sense->type == R::kNextTo && other.entry != nullptr && other.entry->has_front && mount_of(other) == Mount::kFloor &&
+                       words_between(document_, link.first, link.last) == "back to back";
+    if (backs) {
+      add(link, R::kBehind, {one}, {next});
+      add(link, R::kBehind, {next}, {one});
+    }
     add(link, sense->type, {one}, {next}, *sense);
     if (sense->type == R::kOpposite) add_across(link, targets[t - 1], {next});
     if (sense->type == R::kFacing) add(link, sense->type, {next}, {one}, *sense);
+    stand_in_line(link, next, one, other, noun_of_item(targets[t]));
     // Desks at which two look at each other stand back to back.
     const bool desks = sense->type == R::kFacing && targets.size() == 2 && other.entry != nullptr && other.entry->is(Trait::kDeskLike) &&
                        noun_of_item(targets.back()).entry == other.entry;
     if (desks) add_habit(R::kNextTo, {one}, {next}, 100, "desks at which two look at each other stand back to back");
   }
+}
+
+// "two recliners side by side": turned alike, their fronts in line.
+void RelationBuilder::stand_in_line(const Link& link, const std::string& next, const std::string& one, const NounPhrase& other,
+                                    const NounPhrase& neighbour) {
+  const bool twins = other.entry != nullptr && other.entry == neighbour.entry && other.entry->has_front && mount_of(other) == Mount::kFloor;
+  if (!twins || words_between(document_, link.first, link.last).find("side by side") == std::string::npos) return;
+  Link concluded = link;
+  concluded.concluded = true;
+  add(concluded, R::kSameOrientation, {next}, {one});
+  add(concluded, R::kEdgeAlign, {next}, {one});
 }
 
 // What all of them stand on, or empty.
