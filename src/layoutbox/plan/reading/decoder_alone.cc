@@ -156,6 +156,9 @@ void Decoder::alone_of_member(std::size_t s, int u, std::size_t level, int neare
   const int member = state.frontier[level];
   double gain = attach_score(state, u, static_cast<int>(level), false) + (place.joiner == Joiner::kNone ? weight::kLevelAlone * nearer : 0);
   if (is(u - 1, UnitKind::kVerb) && level > 0) gain -= 3;
+  // "a washbasin with a mirror opposite": the washbasin
+  const bool held = read_as(state, member).role == NounRole::kContent && is_thing(state, host_of(state, member));
+  if (held && says(senses, RelationType::kOpposite) && mount_of(noun_of(state, member)) != Mount::kFloor) gain += weight::kSmallByPlace;
   if (by_each_other(u)) {
     alone_of_list(s, u, level, {kNobody, gain + (several(state, member) ? 1 : 0), false});
     return;

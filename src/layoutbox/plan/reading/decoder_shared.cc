@@ -74,6 +74,11 @@ double Decoder::share_kind_score(const State& state, int member, int u, Referent
   }
   // "a cabinet with a fridge and a coffee machine on top": all that it has.
   const bool content = read_as(state, member).role == NounRole::kContent;
+  // "stove and sink along the left wall": what stands at walls
+  const auto at_wall = [](const NounPhrase& n) { return n.entry != nullptr && n.entry->back_to_wall && !n.entry->is(Trait::kCenterPiece); };
+  if (!content && unit(member).joiner == Joiner::kAnd && by.kind == NounKind::kWall && at_wall(noun) && at_wall(before) &&
+      before.determiner == Determiner::kNone)
+    return weight::kSharePair;
   return content && implied != kNobody && lies && !is_seat(lexicon_.catalog(), before) && !is_table(lexicon_.catalog(), before) ? 1 : 0;
 }
 
