@@ -215,6 +215,23 @@ def check_like(folder: Path, ids: dict[str, dict]) -> Iterator[str]:
             yield f"words_kinds: there is no entry '{named}'"
 
 
+def check_uses(folder: Path, ids: dict[str, dict], rooms: set[str]) -> Iterator[str]:
+    """What words_uses.json brings in are things, in rooms that there are; words_kinds.json's `kept_in` and `general` likewise."""
+    if not (folder / "words_uses.json").exists():
+        return
+    words = {key_of(word) for entry in ids.values() for word in [entry["id"], entry["name"], *entry.get("synonyms", [])]}
+    for use in json.loads((folder / "words_uses.json").read_text(encoding="utf-8"))["uses"]:
+        for thing in [use["is"], *use.get("rooms", {}).values()]:
+            if key_of(thing) not in words:
+                yield f"words_uses: '{thing}' is no thing"
+        yield from (f"words_uses: there is no room '{room}'" for room in use.get("rooms", {}) if room not in rooms)
+    kinds = json.loads((folder / "words_kinds.json").read_text(encoding="utf-8"))
+    kept = [row.split(">")[-1] for rows in kinds["kept_in"].values() for row in rows.split()]
+    for named in [*kept, *(kind for some in kinds["general"].values() for kind in some)]:
+        if named not in ids:
+            yield f"words_kinds: there is no entry '{named}'"
+
+
 def check_rooms(rooms: list[dict], ids: dict[str, dict]) -> Iterator[str]:
     for room in rooms:
         for entry, count in room["usual"]:
@@ -286,7 +303,7 @@ def check(folder: Path) -> tuple[list[str], int]:
     ids = {entry["id"]: entry for entry in entries}
     room_ids = {room["id"] for room in rooms}
     faults = list(check_like(folder, ids)) + list(check_words(entries)) + list(check_words(rooms)) + list(check_rooms(rooms, ids))
-    faults += check_models(folder, entries)
+    faults += [*check_models(folder, entries), *check_uses(folder, ids, room_ids)]
     for entry in entries:
         own = [*check_entry(entry, ids, room_ids, families), *check_ancestors(entry, ids)]
         faults += [f"{entry['id']}: {fault}" for fault in own]

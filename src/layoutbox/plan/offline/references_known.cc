@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "layoutbox/base/words.h"
+#include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/reader_words.h"
 #include "layoutbox/plan/offline/references.h"
 

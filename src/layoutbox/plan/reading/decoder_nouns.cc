@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "layoutbox/catalog/kin.h"
+#include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/reader_words.h"
 #include "layoutbox/plan/reading/decoder.h"
