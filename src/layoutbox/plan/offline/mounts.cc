@@ -207,7 +207,9 @@ void RelationBuilder::settle_mount(std::size_t index) {
   if (noun.entry->is(Trait::kElseOnWall)) return;  // where nothing there carries it
   object.mount = Mount::kFloor;
   object.mount_assumed = true;
-  if (is_lamp(catalog_, noun) && one_of(noun.name, {"lamp", "light"})) specialise(object, noun, {"floor_lamp"});
+  // "a lamp", "a reading lamp behind the armchair"
+  const std::string form = noun.entry == nullptr ? "" : "floor_" + noun.entry->id;
+  if (is_lamp(catalog_, noun) && catalog_.find(form) != nullptr) specialise(object, noun, {form.c_str()});
 }
 
 bool RelationBuilder::over_table(const std::string& object) const {
