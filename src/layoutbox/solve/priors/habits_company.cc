@@ -272,23 +272,24 @@ bool Habits::look_at(int item, bool leads, const std::vector<int>& crowd) {
   std::ranges::stable_partition(seen, [&](int other) { return related_as_target(item, other, RelationType::kFacing); });
   // … and a visitor the bed that the chair is told to be at.
   if (self.is(Trait::kTableSeat)) std::ranges::stable_partition(seen, [&](int other) { return related(item, other); });
-  if (self.is(Trait::kTableSeat)) std::erase_if(seen, [&](int other) { return !takes_seat(other, item); });
-  for (const int other : seen) {
-    if (model_.items[other].mount != Mount::kFloor && model_.items[other].mount != Mount::kWall && seen.size() > 1 && other != seen[0])
+  if (self.is(Trait::kTableSeat)) std::erase_if(seen, [&](int other) { return !takes_seat(other, item) || waits_for(item, other); });
+  for (const int seen_one : seen) {
+    const int other = stand_of_screen(seen_one);
+    if (model_.items[other].mount != Mount::kFloor && model_.items[other].mount != Mount::kWall && seen.size() > 1 && seen_one != seen[0])
       continue;
     Formula f;
-    crowd.empty() ? add_looks_at(f, model_, item, other) : add_looks_with_group(f, model_, item, crowd, other);
-    if (self.is(Trait::kEasySeat) && !related(item, other) && !model_.items[other].is(Trait::kScreen)) {
+    crowd.empty() ? add_looks_at(f, model_, item, other, looking_side(model_, item)) : add_looks_with_group(f, model_, item, crowd, other);
+    if (self.is(Trait::kEasySeat) && !related(item, other) && !model_.items[seen_one].is(Trait::kScreen)) {
       for (Case& c : f.cases) {  // near enough to put a cup down
         for (int axis = 0; axis < 2; ++axis) c.wish(mid2(item, axis) - mid2(other, axis), 60, 2);
       }
     }
     // Told to flank the fireplace, it looks at the table before the sofa only as far as that goes.
     const bool elsewhere = self.is(Trait::kEasySeat) && placed_besides_facing(item) && !related(item, other);
-    habit("faces", item, elsewhere ? kFaces / 3 : kFaces, std::move(f),
+    habit("faces", item, elsewhere || leaves_screen_to_others(item, seen_one) ? kFaces / 3 : kFaces, std::move(f),
           self.is(Trait::kEasySeat) || leads ? std::vector<int>{other} : std::vector<int>{});
     if (self.is(Trait::kCenterPiece) && !self.is(Trait::kBed)) {
-      if (model_.items[other].is(Trait::kScreen)) watch_from_near(item, other);
+      if (model_.items[seen_one].is(Trait::kScreen)) watch_from_near(item, other);
       if (!model_.items[other].is(Trait::kCoffeeTable)) watch_past_tables(item, other);
     }
     return true;

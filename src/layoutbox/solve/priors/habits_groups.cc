@@ -145,6 +145,13 @@ bool Habits::is_served_over(int item) const {
          std::ranges::find(used, Side::kFront) != used.end();
 }
 
+// Is the seat a guest's there, who waits to be served? The worker's own is of the kind that stands by such desks before all else.
+bool Habits::waits_for(int item, int desk) const {
+  const std::vector<std::string>& by = model_.items[item].entry->beside;
+  return is_served_over(desk) && model_.items[desk].is(Trait::kDeskLike) && !related(item, desk) &&
+         (by.empty() || !model_.is_a(desk, by[0]));
+}
+
 // Guests wait before who serves: not behind a reception desk or a counter.
 void Habits::wait_before_counter(int item) {
   constexpr int kGuests = 700;  // points a metre
@@ -155,6 +162,7 @@ void Habits::wait_before_counter(int item) {
     const Item& desk = model_.items[i];
     const int host = static_cast<int>(i);
     if (host == item || !is_served_over(host) || related(item, host)) continue;
+    if (desk.is(Trait::kDeskLike) && !waits_for(item, host)) continue;
     Formula f;
     for_each_turn(desk, [&](int turn, std::uint64_t states) {
       if (turn % 90 != 0) return;
