@@ -128,6 +128,8 @@ class Habits {
   bool sit_before_mirror(int item);
   int stand_of_screen(int screen) const;
   bool leaves_screen_to_others(int item, int screen) const;
+  bool comes_after_screen(int item, int screen) const;
+  void stay_before_screen(int item, int screen);
   void watch_from_near(int item, int screen);
   bool only_sees_screen(int item) const;
   void watch_past_tables(int item, int screen);
@@ -145,6 +147,7 @@ class Habits {
   bool stand_abreast_of(int item, int host, RelationType how);
   void stand_at_side(int item);
   bool stand_beside(int item);
+  void sit_behind_served(int item, int host);
   void sit_round_low_table(int item, int table);
   bool told_away_from_group(int item) const;
   void stand_before_middle(int item, int host);
@@ -163,6 +166,7 @@ class Habits {
   const Relation* divided_by(int item) const;
   void stand_across(int item);
   bool sit_by_fire(int item);
+  bool sit_to_talk(int item);
   bool is_served_over(int item) const;
   bool waits_for(int item, int desk) const;
   void wait_before_counter(int item);

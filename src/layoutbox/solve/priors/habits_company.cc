@@ -152,6 +152,10 @@ bool Habits::stand_beside(int item) {
   std::erase_if(hosts, [&](int h) { return model_.items[h].entry != model_.items[hosts[0]].entry; });
   const int host = hosts[rank_of(item) % static_cast<int>(hosts.size())];
   const Item& ref = model_.items[host];
+  if (self.is(Trait::kTableSeat) && self.has_front && ref.is(Trait::kDeskLike) && is_served_over(host)) {
+    sit_behind_served(item, host);
+    return true;
+  }
   Formula f;
   const std::vector<Side> used = used_sides(ref);
   const bool sat_before =
@@ -190,6 +194,23 @@ bool Habits::stand_beside(int item) {
   if (before_its_host(item)) stand_before_middle(item, host);
   if (ref.has_front && !before_its_host(item) && !self.is(Trait::kTableSeat)) flank(item, host, static_cast<int>(hosts.size()));
   return true;
+}
+
+// Who works at a reception desk sits behind it, where the room for the knees is, and looks over it.
+void Habits::sit_behind_served(int item, int host) {
+  constexpr Mm kBetween = 200;
+  const std::vector<int> seats = seats_at(item, host, 1);
+  const auto k = std::ranges::find(seats, item) - seats.begin(), n = std::ssize(seats);
+  const Mm pitch = model_.items[item].states[0].size.width + kBetween;
+  Formula f;
+  for_each_turn(model_.items[host], [&](int turn, std::uint64_t states) {
+    if (turn % 90 != 0) return;
+    const Direction back = side_direction(model_.items[host], Side::kBack, turn);
+    Case& c = f.add().when(host, states).when(item, states_looking(model_.items[item], opposite(back)));
+    c.wish(mid2(item, across(back)) - mid2(host, across(back)) - Linear((2 * k - (n - 1)) * pitch), kBeside, 2);
+    c.wish(gap_towards(item, host, back), kBeside);
+  });
+  habit("behind the desk", item, kBeside, std::move(f), {host});
 }
 
 // Told to stand by something that is not what one talks round: by the fire, at the window.
@@ -286,8 +307,10 @@ bool Habits::look_at(int item, bool leads, const std::vector<int>& crowd) {
     }
     // Told to flank the fireplace, it looks at the table before the sofa only as far as that goes.
     const bool elsewhere = self.is(Trait::kEasySeat) && placed_besides_facing(item) && !related(item, other);
+    const bool after = self.is(Trait::kEasySeat) || (leads && !comes_after_screen(other, item)) || comes_after_screen(item, other);
     habit("faces", item, elsewhere || leaves_screen_to_others(item, seen_one) ? kFaces / 3 : kFaces, std::move(f),
-          self.is(Trait::kEasySeat) || leads ? std::vector<int>{other} : std::vector<int>{});
+          after ? std::vector<int>{other} : std::vector<int>{});
+    if (model_.items[seen_one].is(Trait::kScreen)) stay_before_screen(item, other);
     if (self.is(Trait::kCenterPiece) && !self.is(Trait::kBed)) {
       if (model_.items[seen_one].is(Trait::kScreen)) watch_from_near(item, other);
       if (!model_.items[other].is(Trait::kCoffeeTable)) watch_past_tables(item, other);

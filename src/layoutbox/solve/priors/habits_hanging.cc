@@ -235,9 +235,9 @@ void Habits::leave_free_before(int item) {
     if (ref.is_opening() || ref.mount != Mount::kFloor) continue;
     const bool sits_under = !board && (ref.is(Trait::kSeat) || ref.is(Trait::kEasySeat)) && !placed_by_relation(other);
     if (!ref.entry->back_to_wall && !sits_under) continue;
-    if (sits_under && usual_hosts(other).empty()) {
-      // A visitor's chair, an armchair: nobody sits with the head under it.
-    } else if (board ? related(item, other) : !ref.is(Trait::kCenterPiece) || !only_turned_by(item, other)) continue;
+    // A visitor's chair, an armchair that goes to nothing: nobody sits with the head under it.
+    const bool loose = sits_under && usual_hosts(other).empty();
+    if (!loose && (board ? related(item, other) : !ref.is(Trait::kCenterPiece) || !only_turned_by(item, other))) continue;
     Formula f;
     for_each_turn(self, [&](int turn, std::uint64_t states) {
       if (turn % 90 != 0) return;

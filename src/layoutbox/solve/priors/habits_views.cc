@@ -100,6 +100,29 @@ bool Habits::only_sees_screen(int item) const {
   return !seen.empty() && std::ranges::all_of(seen, [&](int other) { return model_.items[other].is(Trait::kScreen); });
 }
 
+// A sofa that shares its room with a bed finds its place after the television on the wall: with both at their walls none would be left
+// for that.
+bool Habits::comes_after_screen(int item, int screen) const {
+  const Item &self = model_.items[item], &ref = model_.items[screen];
+  if (!self.is(Trait::kCenterPiece) || self.is(Trait::kBed) || !ref.is(Trait::kScreen) || ref.mount != Mount::kWall) return false;
+  return !placed_besides_facing(item) &&
+         std::ranges::any_of(model_.items, [](const Item& other) { return other.is(Trait::kBed) && other.mount == Mount::kFloor; });
+}
+
+// Who looks along the wall that a screen hangs on sees its edge.
+void Habits::stay_before_screen(int item, int screen) {
+  constexpr Mm kOff = 300;
+  constexpr int kSeesEdge = 300;  // points a metre
+  if (!model_.items[screen].has_front) return;
+  Formula f;
+  for_each_turn(model_.items[screen], [&](int turn, std::uint64_t states) {
+    if (turn % 90 != 0) return;
+    const Direction front = side_direction(model_.items[screen], Side::kFront, turn);
+    f.add().when(screen, states).require(gap_towards(item, screen, front) - Linear(kOff));
+  });
+  if (!f.cases.empty()) habit("before the screen", item, kSeesEdge, std::move(f));
+}
+
 // A screen is watched from no farther than one sees it well.
 void Habits::watch_from_near(int item, int screen) {
   constexpr Mm kFarthest = 3800;
