@@ -79,7 +79,8 @@ int Habits::stand_of_screen(int screen) const {
     stand = support.index;
   }
   const bool stands = stand >= 0 && model_.items[stand].mount == Mount::kFloor && model_.items[stand].entry->back_to_wall;
-  return stands && model_.items[stand].has_front ? stand : screen;
+  // A TV stand looks for its sofa itself.
+  return stands && model_.items[stand].has_front && model_.items[stand].entry->faces.empty() ? stand : screen;
 }
 
 // Where a sofa and a bed share a room, the television is the sofa's.
@@ -109,11 +110,11 @@ bool Habits::comes_after_screen(int item, int screen) const {
          std::ranges::any_of(model_.items, [](const Item& other) { return other.is(Trait::kBed) && other.mount == Mount::kFloor; });
 }
 
-// Who looks along the wall that a screen hangs on sees its edge.
+// Who looks along the wall that a screen hangs on sees its edge: machines and chairs; to sofas and beds the screen turns itself.
 void Habits::stay_before_screen(int item, int screen) {
   constexpr Mm kOff = 300;
   constexpr int kSeesEdge = 300;  // points a metre
-  if (!model_.items[screen].has_front) return;
+  if (!model_.items[screen].has_front || model_.items[item].is(Trait::kCenterPiece)) return;
   Formula f;
   for_each_turn(model_.items[screen], [&](int turn, std::uint64_t states) {
     if (turn % 90 != 0) return;
