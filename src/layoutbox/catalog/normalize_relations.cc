@@ -6,6 +6,7 @@
 
 #include "layoutbox/base/words.h"
 #include "layoutbox/catalog/normalize_steps.h"
+#include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/scene/relation_traits.h"
 
 namespace layoutbox {
