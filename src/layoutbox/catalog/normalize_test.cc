@@ -239,6 +239,13 @@ SceneGraph with_whole_catalogue(const SceneGraph& scene) {
   return normal ? *normal : SceneGraph{};
 }
 
+TEST(NormalizeHosts, ABarForTwoKeepsItsDepth) {
+  const SceneGraph scene =
+      with_whole_catalogue(scene_of({object("bar_1", "bar_counter"), object("stool_1", "bar_stool"), object("stool_2", "bar_stool")},
+                                    {relation(RelationType::kInFrontOf, {"stool_1", "stool_2"}, {"bar_1"})}));
+  EXPECT_GE(scene.objects[0].size->usual.depth, 500);
+}
+
 TEST(NormalizeSupport, CushionsAndBootsStandOnNoTops) {
   const SceneGraph scene = with_whole_catalogue(scene_of({object("low_1", "low_table"), object("case_1", "display_counter"),
                                                           object("freezer_1", "freezer"), object("a", "pillow"), object("b", "shoe")}));

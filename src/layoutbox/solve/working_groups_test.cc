@@ -67,8 +67,16 @@ TEST(WorkingGroups, GuestsWaitInARowAwayFromTheDesk) {
 }
 
 TEST(WorkingGroups, NoBarIsBetweenTheSofaAndTheScreen) {
-  const Layout layout =
-      solved_as_asked(SceneMaker(6000, 5700).add("sofa").add("tv").add("bar_counter").add("stool", 3).add("pool_table").make(true));
+  const Layout layout = solved_as_asked(SceneMaker(6400, 5700)
+                                            .add("pool_table")
+                                            .add("sofa")
+                                            .add("tv")
+                                            .add("bar_counter")
+                                            .add("stool", 3)
+                                            .add("dart_board")
+                                            .add("mini_fridge")
+                                            .relate("inFrontOf", {"stool_1", "stool_2", "stool_3"}, {"bar_counter_1"})
+                                            .make(true));
   const TestPoint screen = seen_from(layout, "sofa_1", "tv_1");
   EXPECT_LT(screen.y, 0);
   for (const char* id : {"bar_counter_1", "pool_table_1"}) {
@@ -107,8 +115,8 @@ TEST(WorkingGroups, AToiletHasRoomAtItsSides) {
 }
 
 TEST(WorkingGroups, TowelsHangBesideTheBasin) {
-  const Layout layout =
-      solved_as_asked(SceneMaker(2700, 2200).add("shower").add("toilet").add("sink").add("mirror").add("towel_rack").make(true));
+  const Layout layout = solved_as_asked(
+      SceneMaker(2700, 2200).add("shower").add("toilet").add("sink").add("mirror").add("towel_rack").add("laundry_basket").make(true));
   const TestPoint rail = seen_from(layout, "sink_1", "towel_rack_1");
   EXPECT_LT(std::abs(rail.x), 900);
   EXPECT_GT(std::abs(rail.x), (object(layout, "sink_1").size.width + object(layout, "towel_rack_1").size.width) / 2.0 - 10);
