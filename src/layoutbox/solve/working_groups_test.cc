@@ -109,9 +109,16 @@ TEST(WorkingGroups, NobodySitsUnderTheTelevision) {
 }
 
 TEST(WorkingGroups, AToiletHasRoomAtItsSides) {
-  const Layout layout = solved_as_asked(
-      SceneMaker(4500, 4000).add("hospital_bed").add("nightstand").add("wardrobe").add("sink").add("mirror").add("toilet").make(true));
-  EXPECT_GE(apart(layout, "toilet_1", "sink_1"), 150);
+  const Layout layout = solved_as_asked(SceneMaker(2600, 1800)
+                                            .opening(OpeningType::kDoor, "wall1", 1600)
+                                            .add("bathtub")
+                                            .add("toilet")
+                                            .add("sink")
+                                            .relate("againstWall", {"sink_1"}, {"wall3"})
+                                            .relate("againstWall", {"toilet_1"}, {"wall3"})
+                                            .relate("againstWall", {"bathtub_1"}, {"wall4"})
+                                            .make());
+  for (const char* other : {"sink_1", "bathtub_1"}) EXPECT_GE(apart(layout, "toilet_1", other), 150) << other;
 }
 
 TEST(WorkingGroups, TowelsHangBesideTheBasin) {
