@@ -118,7 +118,7 @@ void shrink_for_room(const NormalizeContext& context, int seats, const SizeForSe
   if (!small || host.size_source != SizeSource::kCatalog || std::ranges::any_of(host.attributes, is_size_word)) return;
   for (Size* size : {&host.size->usual, &host.size->least}) {
     size->width = std::min(size->width, wanted.width);
-    size->depth = std::min(size->depth, wanted.depth);
+    if (wanted.depth > 0) size->depth = std::min(size->depth, wanted.depth);  // a bar is as deep as it is, whoever sits there
   }
 }
 

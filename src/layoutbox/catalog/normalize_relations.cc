@@ -6,6 +6,7 @@
 
 #include "layoutbox/base/words.h"
 #include "layoutbox/catalog/normalize_steps.h"
+#include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/scene/relation_traits.h"
 
 namespace layoutbox {
@@ -67,7 +68,12 @@ class SupportChooser {
       if (const SceneObject* found = freest(is_such)) return found;
     }
     if (entry(object_).hang_height > 0) return nullptr;  // a television rather hangs than stands on the coffee table
-    return freest([&](const SceneObject& o) { return entry(o).top_carries && o.mount == Mount::kFloor; });
+    // Coats hang on no cupboard's top, and boots stand on none.
+    if (object_.mount == Mount::kHung || entry(object_).is(Trait::kKeptLow)) return nullptr;
+    const auto carries = [&](const SceneObject& o) { return entry(o).top_carries && o.mount == Mount::kFloor; };
+    // Where one sits nothing stands as long as there is another top.
+    if (const SceneObject* found = freest([&](const SceneObject& o) { return carries(o) && !entry(o).is(Trait::kSeat); })) return found;
+    return freest(carries);
   }
 
  private:
@@ -93,7 +99,7 @@ class SupportChooser {
       if (candidate.id == object_.id || alike || !wanted(candidate) || stands_apart_from(candidate) || rests_on(candidate, object_)) continue;
       const double area = double(candidate.size->usual.width) * candidate.size->usual.depth;
       const double load = (loaded_area(candidate) + footprint(object_)) / area;
-      if (load > 1) continue;
+      if (load > 1 && object_.mount != Mount::kHung) continue;  // a rail is thin, and carries many coats
       if (best == nullptr || load < best_load) {
         best = &candidate;
         best_load = load;
@@ -145,9 +151,18 @@ class SupportChooser {
   SceneObject& object_;
 };
 
+// The kind for the floor of what mostly stands on something: the floor lamp, the floor cushion that a pillow is.
+const CatalogEntry* floor_kind_of(const Catalog& catalog, const std::string& category) {
+  if (const CatalogEntry* kind = catalog.find("floor_" + category)) return kind;
+  for (const CatalogEntry& entry : catalog.entries()) {
+    if (entry.kind_of == category && entry.mount == Mount::kFloor && entry.id.starts_with("floor_")) return &entry;
+  }
+  return nullptr;
+}
+
 // A lamp that must stand on the floor is a floor lamp, where the catalogue has one and nobody said how large it is.
 void become_floor_kind(NormalizeContext& context, SceneObject& object, const std::string& pointer) {
-  const CatalogEntry* kind = context.catalog.find("floor_" + object.category);
+  const CatalogEntry* kind = floor_kind_of(context.catalog, object.category);
   if (kind == nullptr || kind->mount != Mount::kFloor || object.size_source != SizeSource::kCatalog) return;
   context.note("guessed", fmt::format("\"{}\" stands on the floor: it is taken as a {}", object.id, kind->name), pointer + "/category");
   object.category = kind->id;

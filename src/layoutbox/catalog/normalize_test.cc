@@ -233,6 +233,44 @@ TEST(NormalizeSupport, AnyTopServesElseTheFloorOrAWall) {
   EXPECT_EQ(bare.objects[2].mount, Mount::kWall);
 }
 
+SceneGraph with_whole_catalogue(const SceneGraph& scene) {
+  auto normal = normalize_scene(scene, Catalog::builtin());
+  EXPECT_TRUE(normal);
+  return normal ? *normal : SceneGraph{};
+}
+
+TEST(NormalizeHosts, ABarForTwoKeepsItsDepth) {
+  const SceneGraph scene =
+      with_whole_catalogue(scene_of({object("bar_1", "bar_counter"), object("stool_1", "bar_stool"), object("stool_2", "bar_stool")},
+                                    {relation(RelationType::kInFrontOf, {"stool_1", "stool_2"}, {"bar_1"})}));
+  EXPECT_GE(scene.objects[0].size->usual.depth, 500);
+}
+
+TEST(NormalizeSupport, CushionsAndBootsStandOnNoTops) {
+  const SceneGraph scene = with_whole_catalogue(scene_of({object("low_1", "low_table"), object("case_1", "display_counter"),
+                                                          object("freezer_1", "freezer"), object("a", "pillow"), object("b", "shoe")}));
+  EXPECT_EQ(scene.objects[3].category, "floor_cushion");
+  EXPECT_EQ(scene.objects[3].mount, Mount::kFloor);
+  EXPECT_EQ(scene.objects[4].mount, Mount::kFloor);
+  const SceneGraph bed = with_whole_catalogue(scene_of({object("low_1", "low_table"), object("bed_1", "bed"), object("a", "pillow")}));
+  EXPECT_THAT(supports_of(bed, "a"), ElementsAre("bed_1"));
+}
+
+TEST(NormalizeSupport, CoatsHangOnTheHooksThatAreThere) {
+  const SceneGraph scene = with_whole_catalogue(scene_of({object("bench_1", "bench"), object("freezer_1", "freezer"),
+                                                          object("hooks_1", "hook_rail"), object("a", "garment"), object("b", "garment")}));
+  EXPECT_THAT(supports_of(scene, "a"), ElementsAre("hooks_1"));
+  EXPECT_THAT(supports_of(scene, "b"), ElementsAre("hooks_1"));
+  const SceneGraph bare = with_whole_catalogue(scene_of({object("freezer_1", "freezer"), object("a", "garment")}));
+  EXPECT_EQ(bare.objects[1].mount, Mount::kWall);
+}
+
+TEST(NormalizeSupport, NothingStandsWhereOneSitsWhileThereIsAnotherTop) {
+  const SceneGraph scene =
+      with_whole_catalogue(scene_of({object("seat_1", "window_seat"), object("dresser_1", "dresser"), object("a", "record_player")}));
+  EXPECT_THAT(supports_of(scene, "a"), ElementsAre("dresser_1"));
+}
+
 TEST(NormalizeSupport, HeightsOfOthersFilesAreSettled) {
   SceneGraph scene = scene_of({object("bed_1", "bed"), object("desk_1", "desk"), object("a", "lamp"), object("b", "lamp")});
   const auto at = [&](std::size_t i, double z, Size size) {

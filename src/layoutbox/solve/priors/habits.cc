@@ -42,8 +42,8 @@ void Habits::stand(int index) {
   stand_across(index);
   share_wall_out(index);
   lie_alike(index);
-  sit_before_mirror(index);
-  if (stand_in_formation(index) || stand_abreast(index) || sit_by_fire(index)) return;
+  if (sit_before_mirror(index) && !placed_by_relation(index)) return;
+  if (stand_in_formation(index) || stand_abreast(index) || sit_by_fire(index) || sit_to_talk(index)) return;
   stand_at_side(index);
   const bool with_host = sit_by_between(index) || stand_beside(index);
   const bool looks = (!with_host || !item.is(Trait::kTableSeat)) && look_at(index);

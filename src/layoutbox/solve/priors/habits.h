@@ -94,6 +94,7 @@ class Habits {
   void lie_at_foot(int item, int bed);
   void lie_lengthwise(int item);
   void lie_before(int item, int sofa);
+  void lie_before_use(int item, int host);
   void open_well(int item);
   void leave_wall_free(int item);
 
@@ -122,7 +123,13 @@ class Habits {
 
   // Habits towards other things: beside, round, before and facing what they belong to.
   int mirror_of(int item) const;
-  void sit_before_mirror(int item);
+  int usual_mirror_of(int item) const;
+  bool is_wall_mirror(int item) const;
+  bool sit_before_mirror(int item);
+  int stand_of_screen(int screen) const;
+  bool leaves_screen_to_others(int item, int screen) const;
+  bool comes_after_screen(int item, int screen) const;
+  void stay_before_screen(int item, int screen);
   void watch_from_near(int item, int screen);
   bool only_sees_screen(int item) const;
   void watch_past_tables(int item, int screen);
@@ -140,6 +147,7 @@ class Habits {
   bool stand_abreast_of(int item, int host, RelationType how);
   void stand_at_side(int item);
   bool stand_beside(int item);
+  void sit_behind_served(int item, int host);
   void sit_round_low_table(int item, int table);
   bool told_away_from_group(int item) const;
   void stand_before_middle(int item, int host);
@@ -158,7 +166,9 @@ class Habits {
   const Relation* divided_by(int item) const;
   void stand_across(int item);
   bool sit_by_fire(int item);
+  bool sit_to_talk(int item);
   bool is_served_over(int item) const;
+  bool waits_for(int item, int desk) const;
   void wait_before_counter(int item);
   void face_entrance(int item);
 

@@ -152,6 +152,10 @@ bool Habits::stand_beside(int item) {
   std::erase_if(hosts, [&](int h) { return model_.items[h].entry != model_.items[hosts[0]].entry; });
   const int host = hosts[rank_of(item) % static_cast<int>(hosts.size())];
   const Item& ref = model_.items[host];
+  if (self.is(Trait::kTableSeat) && self.has_front && ref.is(Trait::kDeskLike) && is_served_over(host)) {
+    sit_behind_served(item, host);
+    return true;
+  }
   Formula f;
   const std::vector<Side> used = used_sides(ref);
   const bool sat_before =
@@ -190,6 +194,23 @@ bool Habits::stand_beside(int item) {
   if (before_its_host(item)) stand_before_middle(item, host);
   if (ref.has_front && !before_its_host(item) && !self.is(Trait::kTableSeat)) flank(item, host, static_cast<int>(hosts.size()));
   return true;
+}
+
+// Who works at a reception desk sits behind it, where the room for the knees is, and looks over it.
+void Habits::sit_behind_served(int item, int host) {
+  constexpr Mm kBetween = 200;
+  const std::vector<int> seats = seats_at(item, host, 1);
+  const auto k = std::ranges::find(seats, item) - seats.begin(), n = std::ssize(seats);
+  const Mm pitch = model_.items[item].states[0].size.width + kBetween;
+  Formula f;
+  for_each_turn(model_.items[host], [&](int turn, std::uint64_t states) {
+    if (turn % 90 != 0) return;
+    const Direction back = side_direction(model_.items[host], Side::kBack, turn);
+    Case& c = f.add().when(host, states).when(item, states_looking(model_.items[item], opposite(back)));
+    c.wish(mid2(item, across(back)) - mid2(host, across(back)) - Linear((2 * k - (n - 1)) * pitch), kBeside, 2);
+    c.wish(gap_towards(item, host, back), kBeside);
+  });
+  habit("behind the desk", item, kBeside, std::move(f), {host});
 }
 
 // Told to stand by something that is not what one talks round: by the fire, at the window.
@@ -272,23 +293,26 @@ bool Habits::look_at(int item, bool leads, const std::vector<int>& crowd) {
   std::ranges::stable_partition(seen, [&](int other) { return related_as_target(item, other, RelationType::kFacing); });
   // … and a visitor the bed that the chair is told to be at.
   if (self.is(Trait::kTableSeat)) std::ranges::stable_partition(seen, [&](int other) { return related(item, other); });
-  if (self.is(Trait::kTableSeat)) std::erase_if(seen, [&](int other) { return !takes_seat(other, item); });
-  for (const int other : seen) {
-    if (model_.items[other].mount != Mount::kFloor && model_.items[other].mount != Mount::kWall && seen.size() > 1 && other != seen[0])
+  if (self.is(Trait::kTableSeat)) std::erase_if(seen, [&](int other) { return !takes_seat(other, item) || waits_for(item, other); });
+  for (const int seen_one : seen) {
+    const int other = stand_of_screen(seen_one);
+    if (model_.items[other].mount != Mount::kFloor && model_.items[other].mount != Mount::kWall && seen.size() > 1 && seen_one != seen[0])
       continue;
     Formula f;
-    crowd.empty() ? add_looks_at(f, model_, item, other) : add_looks_with_group(f, model_, item, crowd, other);
-    if (self.is(Trait::kEasySeat) && !related(item, other) && !model_.items[other].is(Trait::kScreen)) {
+    crowd.empty() ? add_looks_at(f, model_, item, other, looking_side(model_, item)) : add_looks_with_group(f, model_, item, crowd, other);
+    if (self.is(Trait::kEasySeat) && !related(item, other) && !model_.items[seen_one].is(Trait::kScreen)) {
       for (Case& c : f.cases) {  // near enough to put a cup down
         for (int axis = 0; axis < 2; ++axis) c.wish(mid2(item, axis) - mid2(other, axis), 60, 2);
       }
     }
     // Told to flank the fireplace, it looks at the table before the sofa only as far as that goes.
     const bool elsewhere = self.is(Trait::kEasySeat) && placed_besides_facing(item) && !related(item, other);
-    habit("faces", item, elsewhere ? kFaces / 3 : kFaces, std::move(f),
-          self.is(Trait::kEasySeat) || leads ? std::vector<int>{other} : std::vector<int>{});
+    const bool after = self.is(Trait::kEasySeat) || (leads && !comes_after_screen(other, item)) || comes_after_screen(item, other);
+    habit("faces", item, elsewhere || leaves_screen_to_others(item, seen_one) ? kFaces / 3 : kFaces, std::move(f),
+          after ? std::vector<int>{other} : std::vector<int>{});
+    if (model_.items[seen_one].is(Trait::kScreen)) stay_before_screen(item, other);
     if (self.is(Trait::kCenterPiece) && !self.is(Trait::kBed)) {
-      if (model_.items[other].is(Trait::kScreen)) watch_from_near(item, other);
+      if (model_.items[seen_one].is(Trait::kScreen)) watch_from_near(item, other);
       if (!model_.items[other].is(Trait::kCoffeeTable)) watch_past_tables(item, other);
     }
     return true;

@@ -97,6 +97,33 @@ bool Habits::sit_by_fire(int item) {
   return true;
 }
 
+// Two easy chairs that nothing is there for to look at stand face to face: the second across from the first.
+bool Habits::sit_to_talk(int item) {
+  constexpr Mm kBetween = 1000;
+  const auto talks = [&](int i) {
+    const Item& other = model_.items[i];
+    return !other.is_opening() && other.mount == Mount::kFloor && other.entry == model_.items[item].entry && !other.fixed &&
+           !placed_by_relation(i);
+  };
+  const Item& self = model_.items[item];
+  if (!self.is(Trait::kEasySeat) || !self.has_front || !talks(item) || !items_of_kinds(self.entry->faces, item).empty()) return false;
+  std::vector<int> seats;
+  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+    if (talks(static_cast<int>(i))) seats.push_back(static_cast<int>(i));
+  }
+  if (seats.size() != 2 || seats[1] != item) return false;
+  Formula f;
+  for_each_turn(model_.items[seats[0]], [&](int turn, std::uint64_t states) {
+    if (turn % 90 != 0) return;
+    const Direction front = side_direction(model_.items[seats[0]], Side::kFront, turn);
+    Case& c = f.add().when(seats[0], states).when(item, states_looking(self, opposite(front)));
+    c.wish(mid2(item, across(front)) - mid2(seats[0], across(front)), kBeside, 2);
+    c.wish(gap_towards(item, seats[0], front) - Linear(kBetween), kBeside);
+  });
+  habit("face to face", item, kBeside, std::move(f), {seats[0]});
+  return true;
+}
+
 // The rug that others sit on, on beanbags and cushions, is theirs: no table stands on it.
 void Habits::keep_off_sitters_rug(int item) {
   constexpr int kOff = 400;  // points a metre
@@ -145,6 +172,14 @@ bool Habits::is_served_over(int item) const {
          std::ranges::find(used, Side::kFront) != used.end();
 }
 
+// Is the seat a guest's there, who waits to be served? The worker's own is of a kind that stands by desks before all else.
+bool Habits::waits_for(int item, int desk) const {
+  if (!is_served_over(desk) || !model_.items[desk].is(Trait::kDeskLike) || related(item, desk)) return false;
+  const std::vector<std::string>& by = model_.items[item].entry->beside;
+  const CatalogEntry* first = by.empty() ? nullptr : model_.catalog->find(by[0]);
+  return first == nullptr || !first->is(Trait::kDeskLike) || !model_.is_a(desk, by[0]);
+}
+
 // Guests wait before who serves: not behind a reception desk or a counter.
 void Habits::wait_before_counter(int item) {
   constexpr int kGuests = 700;  // points a metre
@@ -155,6 +190,7 @@ void Habits::wait_before_counter(int item) {
     const Item& desk = model_.items[i];
     const int host = static_cast<int>(i);
     if (host == item || !is_served_over(host) || related(item, host)) continue;
+    if (desk.is(Trait::kDeskLike) && !waits_for(item, host)) continue;
     Formula f;
     for_each_turn(desk, [&](int turn, std::uint64_t states) {
       if (turn % 90 != 0) return;

@@ -182,12 +182,12 @@ bool Habits::is_of_few_on_wall(int item) const {
   return alike >= 2 && alike <= kFew;
 }
 
-// The seat that alone is told to face what hangs on the wall; -1: none.
+// The seat that alone is told to face what hangs on the wall, or that has it for its mirror; -1: none.
 int Habits::seat_facing(int item) const {
   for (std::size_t i = 0; i < model_.items.size(); ++i) {
     const int seat = static_cast<int>(i);
-    if ((model_.items[i].is(Trait::kSeat) || model_.items[i].is(Trait::kEasySeat)) && related_as_target(seat, item, RelationType::kFacing))
-      return seat;
+    if (!model_.items[i].is(Trait::kSeat) && !model_.items[i].is(Trait::kEasySeat)) continue;
+    if (related_as_target(seat, item, RelationType::kFacing) || (is_wall_mirror(item) && usual_mirror_of(seat) == item)) return seat;
   }
   return -1;
 }
@@ -222,7 +222,7 @@ void Habits::hang_before_table(Formula& f, int item, int table) {
   }
 }
 
-// Cupboards and desks do not stand before a board or a screen that all look at, nor beds and sofas under a television.
+// Cupboards and desks do not stand before a board or a screen that all look at, nor beds, sofas and chairs under a television.
 void Habits::leave_free_before(int item) {
   constexpr Mm kBefore = 800;
   constexpr int kFree = 400;  // points a metre
@@ -232,8 +232,12 @@ void Habits::leave_free_before(int item) {
   for (std::size_t i = 0; i < model_.items.size(); ++i) {
     const int other = static_cast<int>(i);
     const Item& ref = model_.items[i];
-    if (ref.is_opening() || ref.mount != Mount::kFloor || !ref.entry->back_to_wall) continue;
-    if (board ? related(item, other) : !ref.is(Trait::kCenterPiece) || !only_turned_by(item, other)) continue;
+    if (ref.is_opening() || ref.mount != Mount::kFloor) continue;
+    const bool sits_under = !board && (ref.is(Trait::kSeat) || ref.is(Trait::kEasySeat)) && !placed_by_relation(other);
+    if (!ref.entry->back_to_wall && !sits_under) continue;
+    // A visitor's chair, an armchair that goes to nothing: nobody sits with the head under it.
+    const bool loose = sits_under && usual_hosts(other).empty();
+    if (!loose && (board ? related(item, other) : !ref.is(Trait::kCenterPiece) || !only_turned_by(item, other))) continue;
     Formula f;
     for_each_turn(self, [&](int turn, std::uint64_t states) {
       if (turn % 90 != 0) return;
@@ -261,7 +265,7 @@ std::vector<int> Habits::usually_under(int item) const {
     return r.type == RelationType::kFacing && std::ranges::find(r.references, self.id) != r.references.end();
   });
   const bool board = self.is(Trait::kScreen) && !self.is(Trait::kElseOnWall);
-  if (is_faced || board) return under;
+  if (is_faced || board || (is_wall_mirror(item) && seat_facing(item) >= 0)) return under;
   const bool unit = hangs_over_run(item);
   if (!unit)
     under = items_of_kinds(self.is(Trait::kMirror) ? kUnderMirrors : self.is(Trait::kScreen) ? kUnderScreens : kUnderPictures, item);

@@ -324,6 +324,10 @@ void Habits::near_light(int item) {
 // A rug lies under what stands in the middle of things, else in the middle of the room; a bed would hide it, so there it shows at
 // both sides and beyond the foot.
 void Habits::lie_under(int item) {
+  if (const std::vector<int> by = items_of_kinds(model_.items[item].entry->beside, item); !by.empty()) {
+    lie_before_use(item, by[static_cast<std::size_t>(rank_of(item)) % by.size()]);
+    return;
+  }
   std::vector<int> over = items_of_kinds(kOnRugs, item);
   const auto beds = std::count_if(over.begin(), over.end(), [&](int i) { return model_.items[i].is(Trait::kBed); });
   std::erase_if(over, [&](int i) {
@@ -385,6 +389,24 @@ void Habits::lie_before(int item, int sofa) {
     c.wish(gap_towards(item, sofa, front) + Linear(kUnderFeet), kRug);
   });
   habit("rug", item, kRug, std::move(f), {sofa});
+}
+
+// A mat lies where one steps out, or stands before the basin.
+void Habits::lie_before_use(int item, int host) {
+  constexpr Mm kOff = 80;
+  const Item& ref = model_.items[host];
+  const std::vector<Side> used = used_sides(ref);
+  Formula f;
+  for_each_turn(ref, [&](int turn, std::uint64_t states) {
+    if (turn % 90 != 0) return;
+    for (const Side side : used) {
+      const Direction before = side_direction(ref, side, turn);
+      Case& c = f.add().when(host, states).when(item, states_with_width_along(model_.items[item], across(before)));
+      c.wish(mid2(item, across(before)) - mid2(host, across(before)), kRug, 2);
+      c.wish(gap_towards(item, host, before) - Linear(kOff), kRug);
+    }
+  });
+  if (!f.cases.empty()) habit("mat", item, kRug, std::move(f), {host});
 }
 
 // A window that nobody placed is not in the wall that the board is said to hang on.

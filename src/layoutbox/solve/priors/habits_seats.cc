@@ -30,7 +30,7 @@ std::vector<int> Habits::usual_hosts(int item) const {
   std::vector<int> hosts = items_of_kinds(self.entry->beside, item);
   std::erase_if(hosts, [&](int h) { return model_.items[h].thin || area_of(model_.items[h]) <= area_of(self); });
   if (!self.is(Trait::kTableSeat)) return hosts;
-  std::erase_if(hosts, [&](int h) { return !takes_seat(h, item); });
+  std::erase_if(hosts, [&](int h) { return !takes_seat(h, item) || waits_for(item, h); });
   // Rather where there is room for the knees: at the desk, not at the table that one stands round.
   const auto no_knees = [&](int h) { return model_.items[h].is(Trait::kTable) && !has_knee_room(model_.items[h]) && !related(item, h); };
   if (!std::ranges::all_of(hosts, no_knees)) std::erase_if(hosts, no_knees);

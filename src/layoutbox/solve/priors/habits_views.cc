@@ -11,22 +11,44 @@ std::uint64_t states_looking(const Item& item, Direction direction) {
   return looking;
 }
 
-// The mirror on the wall that a seat is told to look into, where nothing else says where it stands; -1: none.
+// The mirror on the wall that a seat is told to look into, or that is its own by what kind of seat it is, where nothing else says where
+// it stands; -1: none.
 int Habits::mirror_of(int item) const {
   const Item& self = model_.items[item];
   if ((!self.is(Trait::kSeat) && !self.is(Trait::kEasySeat)) || !self.has_front || placed_besides_facing(item)) return -1;
   for (std::size_t i = 0; i < model_.items.size(); ++i) {
-    const bool mirror = model_.items[i].is(Trait::kMirror) && model_.items[i].mount == Mount::kWall;
-    if (mirror && related_as_target(item, static_cast<int>(i), RelationType::kFacing)) return static_cast<int>(i);
+    if (is_wall_mirror(static_cast<int>(i)) && related_as_target(item, static_cast<int>(i), RelationType::kFacing))
+      return static_cast<int>(i);
   }
-  return -1;
+  return usual_mirror_of(item);
 }
 
-// Who is to look into a mirror sits before it, close enough to see.
-void Habits::sit_before_mirror(int item) {
+bool Habits::is_wall_mirror(int item) const { return model_.items[item].is(Trait::kMirror) && model_.items[item].mount == Mount::kWall; }
+
+// Seats that look into mirrors by what they are (a barber's chair) have one each, of those that nobody is told to look into and that are
+// not told to hang by something; where these are fewer, they share them. -1: it looks at something else, or there is none.
+int Habits::usual_mirror_of(int item) const {
+  const Item& self = model_.items[item];
+  if (self.entry->faces.empty() || placed_by_relation(item)) return -1;
+  const std::vector<int> seen = items_of_kinds(self.entry->faces, item);
+  if (seen.empty() || !is_wall_mirror(seen[0])) return -1;
+  std::vector<int> mirrors;
+  for (const int mirror : seen) {
+    const bool told = std::ranges::any_of(model_.scene->relations, [&](const Relation& r) {
+      return r.type == RelationType::kFacing && std::ranges::find(r.references, model_.items[mirror].id) != r.references.end();
+    });
+    if (is_wall_mirror(mirror) && !told && !placed_by_relation_besides_walls(mirror)) mirrors.push_back(mirror);
+  }
+  int rank = 0;
+  for (int i = 0; i < item; ++i) rank += model_.items[i].entry == self.entry && !placed_by_relation(i);
+  return mirrors.empty() ? -1 : mirrors[static_cast<std::size_t>(rank) % mirrors.size()];
+}
+
+// Who is to look into a mirror sits before it, close enough to see. False: there is no such mirror.
+bool Habits::sit_before_mirror(int item) {
   constexpr Mm kOff = 500;
   const int mirror = mirror_of(item);
-  if (mirror < 0) return;
+  if (mirror < 0) return false;
   constexpr Mm kBetween = 450;
   std::vector<int> seats;  // who look into the same one sit side by side
   for (std::size_t i = 0; i < model_.items.size(); ++i) {
@@ -43,12 +65,63 @@ void Habits::sit_before_mirror(int item) {
     c.wish(gap_towards(item, mirror, front) - Linear(kOff), kBeside);
   });
   habit("before its mirror", item, kBeside, std::move(f), {mirror});
+  return true;
+}
+
+// What stands on a cupboard or a stand is looked at where that stands, which finds its place first; else the thing itself.
+int Habits::stand_of_screen(int screen) const {
+  const Item& self = model_.items[screen];
+  if (!self.is(Trait::kScreen) || self.mount != Mount::kSurface) return screen;
+  int stand = -1;
+  for (const SupportOption& support : self.supports) {
+    if (support.kind != SupportOption::Kind::kItem || support.index == stand) continue;
+    if (stand >= 0) return screen;
+    stand = support.index;
+  }
+  const bool stands = stand >= 0 && model_.items[stand].mount == Mount::kFloor && model_.items[stand].entry->back_to_wall;
+  // A TV stand looks for its sofa itself.
+  return stands && model_.items[stand].has_front && model_.items[stand].entry->faces.empty() ? stand : screen;
+}
+
+// Where a sofa and a bed share a room, the television is the sofa's.
+bool Habits::leaves_screen_to_others(int item, int screen) const {
+  if (!model_.items[item].is(Trait::kBed) || !model_.items[screen].is(Trait::kScreen)) return false;
+  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+    const Item& sofa = model_.items[i];
+    if (sofa.is_opening() || !sofa.is(Trait::kCenterPiece) || sofa.is(Trait::kBed) || sofa.mount != Mount::kFloor) continue;
+    const std::vector<int> seen = items_of_kinds(sofa.entry->faces, static_cast<int>(i));
+    if (std::ranges::find(seen, screen) != seen.end()) return true;
+  }
+  return false;
 }
 
 // Is a screen all that there is for it to look at? Then it is watched from the wall, not drawn up to like a table.
 bool Habits::only_sees_screen(int item) const {
   const std::vector<int> seen = items_of_kinds(model_.items[item].entry->faces, item);
   return !seen.empty() && std::ranges::all_of(seen, [&](int other) { return model_.items[other].is(Trait::kScreen); });
+}
+
+// A sofa that shares its room with a bed finds its place after the television on the wall: with both at their walls none would be left
+// for that.
+bool Habits::comes_after_screen(int item, int screen) const {
+  const Item &self = model_.items[item], &ref = model_.items[screen];
+  if (!self.is(Trait::kCenterPiece) || self.is(Trait::kBed) || !ref.is(Trait::kScreen) || ref.mount != Mount::kWall) return false;
+  return !placed_besides_facing(item) &&
+         std::ranges::any_of(model_.items, [](const Item& other) { return other.is(Trait::kBed) && other.mount == Mount::kFloor; });
+}
+
+// Who looks along the wall that a screen hangs on sees its edge: machines and chairs; to sofas and beds the screen turns itself.
+void Habits::stay_before_screen(int item, int screen) {
+  constexpr Mm kOff = 300;
+  constexpr int kSeesEdge = 300;  // points a metre
+  if (!model_.items[screen].has_front || model_.items[item].is(Trait::kCenterPiece)) return;
+  Formula f;
+  for_each_turn(model_.items[screen], [&](int turn, std::uint64_t states) {
+    if (turn % 90 != 0) return;
+    const Direction front = side_direction(model_.items[screen], Side::kFront, turn);
+    f.add().when(screen, states).require(gap_towards(item, screen, front) - Linear(kOff));
+  });
+  if (!f.cases.empty()) habit("before the screen", item, kSeesEdge, std::move(f));
 }
 
 // A screen is watched from no farther than one sees it well.
@@ -64,15 +137,18 @@ void Habits::watch_from_near(int item, int screen) {
   habit("near enough to see", item, kTooFar, std::move(f));
 }
 
-// Nobody watches over those who sit at table: high tables, chairs, beds and dividers are not between a sofa and its screen or fire.
+// Nobody watches over those who sit at table: high tables, bars, chairs, beds and dividers are not between a sofa and its screen or fire.
 void Habits::watch_past_tables(int item, int screen) {
   constexpr int kBetween = 250;  // points a metre
   constexpr Mm kHigh = 600;
   for (std::size_t i = 0; i < model_.items.size(); ++i) {
     const int other = static_cast<int>(i);
     const Item& table = model_.items[i];
-    if (table.is_opening() || table.mount != Mount::kFloor || other == item || rests_on(screen, other) || related(item, other)) continue;
-    const bool high = table.is(Trait::kTable) && table.states[0].size.height >= kHigh && !table.entry->back_to_wall;
+    if (table.is_opening() || table.mount != Mount::kFloor || other == item || other == screen || rests_on(screen, other) ||
+        related(item, other))
+      continue;
+    const bool bar = table.is(Trait::kCounter) || table.is(Trait::kPlayTable);
+    const bool high = (table.is(Trait::kTable) || bar) && table.states[0].size.height >= kHigh && !table.entry->back_to_wall;
     const bool seat = table.is(Trait::kEasySeat) && !placed_besides_facing(other);
     if (!high && !seat && !table.is(Trait::kBed) && divided_by(other) == nullptr) continue;
     Formula f;

@@ -1,0 +1,145 @@
+// Things that belong together work together: seats at their mirrors, screens that are seen, desks with who serves and who waits.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "layoutbox/solve/solver.h"
+#include "layoutbox/solve/test_judge.h"
+#include "layoutbox/solve/test_scene.h"
+
+namespace layoutbox::placement {
+namespace {
+
+const PlacedObject& object(const Layout& layout, const std::string& id) { return *layout.find_object(id); }
+
+// Where one stands in the other's frame.
+TestPoint seen_from(const Layout& layout, const std::string& from, const std::string& what) {
+  const PlacedObject& thing = object(layout, what);
+  return in_frame_of(object(layout, from), {thing.position[0], thing.position[1], 0});
+}
+
+double turned(const Layout& layout, const std::string& a, const std::string& b) {
+  return std::abs(std::remainder(object(layout, a).rotation_deg - object(layout, b).rotation_deg, 360));
+}
+
+// Free floor between two upright boxes.
+double apart(const Layout& layout, const std::string& a, const std::string& b) {
+  const TestPoint at = seen_from(layout, a, b);
+  const PlacedObject &one = object(layout, a), &other = object(layout, b);
+  const bool across = std::abs(std::remainder(turned(layout, a, b), 180)) > 45;
+  const double w = across ? other.size.depth : other.size.width, d = across ? other.size.width : other.size.depth;
+  return std::max(std::abs(at.x) - (one.size.width + w) / 2, std::abs(at.y) - (one.size.depth + d) / 2);
+}
+
+TEST(WorkingGroups, EachBarbersChairHasAMirrorOfItsOwn) {
+  const Layout layout = solved_as_asked(SceneMaker(5700, 4700).add("salon_chair", 3).add("mirror", 3).add("reception_desk").make(true));
+  for (const std::string k : {"1", "2", "3"}) {
+    const TestPoint chair = seen_from(layout, "mirror_" + k, "salon_chair_" + k);
+    EXPECT_LT(std::abs(chair.x), 100) << k;
+    EXPECT_GT(chair.y, -1300) << k;
+    EXPECT_LT(chair.y, 0) << k;
+    EXPECT_NEAR(turned(layout, "mirror_" + k, "salon_chair_" + k), 180, 1) << k;
+    EXPECT_LT(turned(layout, "mirror_1", "mirror_" + k), 1) << k;
+  }
+}
+
+TEST(WorkingGroups, WhoRunsOrRidesSeesTheScreen) {
+  const Layout layout = solved_as_asked(SceneMaker(5000, 4100).add("treadmill").add("exercise_bike").add("tv").make(true));
+  for (const char* machine : {"treadmill_1", "exercise_bike_1"}) {
+    EXPECT_GT(seen_from(layout, machine, "tv_1").y, 0) << machine;  // its user looks towards its back
+    EXPECT_LT(seen_from(layout, "tv_1", machine).y, 0) << machine;
+  }
+}
+
+TEST(WorkingGroups, WhoReceivesSitsBehindTheDesk) {
+  const Layout layout =
+      solved_as_asked(SceneMaker(5500, 4500).add("reception_desk").add("office_chair").add("waiting_chairs", 2).make(true));
+  EXPECT_GT(seen_from(layout, "reception_desk_1", "office_chair_1").y, 0);
+}
+
+TEST(WorkingGroups, GuestsWaitInARowAwayFromTheDesk) {
+  const Layout layout = solved_as_asked(SceneMaker(5500, 4500).add("reception_desk").add("office_chair").add("chair", 3).make(true));
+  for (const char* chair : {"chair_1", "chair_2", "chair_3"}) {
+    EXPECT_GT(apart(layout, "reception_desk_1", chair), 800) << chair;
+    EXPECT_LT(turned(layout, "chair_1", chair), 1) << chair;
+  }
+}
+
+TEST(WorkingGroups, NoBarIsBetweenTheSofaAndTheScreen) {
+  const Layout layout = solved_as_asked(SceneMaker(6400, 5700)
+                                            .add("pool_table")
+                                            .add("sofa")
+                                            .add("tv")
+                                            .add("bar_counter")
+                                            .add("stool", 3)
+                                            .add("dart_board")
+                                            .add("mini_fridge")
+                                            .relate("inFrontOf", {"stool_1", "stool_2", "stool_3"}, {"bar_counter_1"})
+                                            .make(true));
+  const TestPoint screen = seen_from(layout, "sofa_1", "tv_1");
+  EXPECT_LT(screen.y, 0);
+  for (const char* id : {"bar_counter_1", "pool_table_1"}) {
+    const TestPoint bar = seen_from(layout, "sofa_1", id);
+    const bool between = bar.y < 0 && bar.y > screen.y && std::abs(bar.x) < 600;
+    EXPECT_FALSE(between) << id;
+  }
+}
+
+TEST(WorkingGroups, TheSofaSeesTheScreenThoughABedIsThere) {
+  const Layout layout = solved_as_asked(SceneMaker(6200, 5200)
+                                            .add("bed")
+                                            .add("sofa")
+                                            .add("tv")
+                                            .add("kitchenette")
+                                            .add("dining_table")
+                                            .add("chair", 2)
+                                            .add("wardrobe")
+                                            .relate("around", {"chair_1", "chair_2"}, {"dining_table_1"})
+                                            .make(true));
+  EXPECT_LT(seen_from(layout, "sofa_1", "tv_1").y, -600);
+  EXPECT_LT(seen_from(layout, "tv_1", "sofa_1").y, 0);
+}
+
+TEST(WorkingGroups, NobodySitsUnderTheTelevision) {
+  const Layout layout = solved_as_asked(
+      SceneMaker(4500, 4000).add("hospital_bed").add("visitor_chair").add("tv").add("nightstand").add("wardrobe").make(true));
+  const TestPoint chair = seen_from(layout, "tv_1", "visitor_chair_1");
+  EXPECT_TRUE(std::abs(chair.x) > 700 || chair.y < -700) << chair.x << " " << chair.y;
+}
+
+TEST(WorkingGroups, AToiletHasRoomAtItsSides) {
+  const Layout layout = solved_as_asked(SceneMaker(2600, 1800)
+                                            .opening(OpeningType::kDoor, "wall1", 1600)
+                                            .add("bathtub")
+                                            .add("toilet")
+                                            .add("sink")
+                                            .relate("againstWall", {"sink_1"}, {"wall3"})
+                                            .relate("againstWall", {"toilet_1"}, {"wall3"})
+                                            .relate("againstWall", {"bathtub_1"}, {"wall4"})
+                                            .make());
+  for (const char* other : {"sink_1", "bathtub_1"}) EXPECT_GE(apart(layout, "toilet_1", other), 150) << other;
+}
+
+TEST(WorkingGroups, TowelsHangBesideTheBasin) {
+  const Layout layout = solved_as_asked(
+      SceneMaker(2700, 2200).add("shower").add("toilet").add("sink").add("mirror").add("towel_rack").add("laundry_basket").make(true));
+  const TestPoint rail = seen_from(layout, "sink_1", "towel_rack_1");
+  EXPECT_LT(std::abs(rail.x), 900);
+  EXPECT_GT(std::abs(rail.x), (object(layout, "sink_1").size.width + object(layout, "towel_rack_1").size.width) / 2.0 - 10);
+}
+
+TEST(WorkingGroups, ABathMatLiesBeforeTheBath) {
+  const Layout layout =
+      solved_as_asked(SceneMaker(3300, 2600).add("bathtub").add("toilet").add("double_vanity").add("bath_mat").make(true));
+  EXPECT_LT(apart(layout, "bathtub_1", "bath_mat_1"), 150);
+}
+
+TEST(WorkingGroups, TwoEasyChairsTalk) {
+  const Layout layout = solved_as_asked(SceneMaker(4500, 4000).add("armchair", 2).add("desk").add("bookshelf").make(true));
+  EXPECT_NEAR(turned(layout, "armchair_1", "armchair_2"), 180, 1);
+  EXPECT_LT(apart(layout, "armchair_1", "armchair_2"), 1500);
+}
+
+}  // namespace
+}  // namespace layoutbox::placement
