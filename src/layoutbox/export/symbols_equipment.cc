@@ -143,8 +143,8 @@ void draw_treadmill(Pen& pen, const PlacedObject&) {
   pen.style.fill = "#d9d9d9";
   pen.cushion(-w / 2, w / 2, -d / 2, d / 2, 60);
   pen.style.fill = "#f2f2f2";
-  pen.box(-0.36 * w, 0.36 * w, -0.46 * d, 0.3 * d);
-  pen.line(-0.42 * w, 0.36 * d, 0.42 * w, 0.36 * d);
+  pen.box(-0.36 * w, 0.36 * w, -0.3 * d, 0.46 * d);
+  pen.line(-0.42 * w, -0.36 * d, 0.42 * w, -0.36 * d);  // the console, at the front
 }
 
 // Saddle, handlebars, and the wheel between two feet.

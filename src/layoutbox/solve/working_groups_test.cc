@@ -47,7 +47,7 @@ TEST(WorkingGroups, EachBarbersChairHasAMirrorOfItsOwn) {
 TEST(WorkingGroups, WhoRunsOrRidesSeesTheScreen) {
   const Layout layout = solved_as_asked(SceneMaker(5000, 4100).add("treadmill").add("exercise_bike").add("tv").make(true));
   for (const char* machine : {"treadmill_1", "exercise_bike_1"}) {
-    EXPECT_GT(seen_from(layout, machine, "tv_1").y, 0) << machine;  // its user looks towards its back
+    EXPECT_LT(seen_from(layout, machine, "tv_1").y, 0) << machine;  // its user looks towards its front
     EXPECT_LT(seen_from(layout, "tv_1", machine).y, 0) << machine;
   }
 }

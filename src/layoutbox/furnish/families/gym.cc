@@ -7,40 +7,47 @@
 namespace layoutbox::kit {
 namespace {
 
-// One steps on at the front and looks to the back, where the console stands.
+// Drawn as seen by its user, who looks up the y axis; the front of such machines is where that is.
+auto adder(Piece& p) {
+  return [&p](int surface, Mesh mesh, const Pose& pose = {}) { p.add(surface, std::move(mesh), turned_z(180) * pose); };
+}
+
+// One steps on at the back and looks to the front, where the console stands.
 void treadmill(Piece& p) {
+  const auto add = adder(p);
   const int dark = p.main("black_plastic"), metal = p.frame("steel"), belt = p.named("rubber_floor");
   const double deck = std::min(0.18, p.h * 0.14);
-  p.add(dark, box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, 0.02, deck), 0.02));
-  p.add(belt, box(sides(-p.w * 0.36, p.w * 0.36, -p.d / 2 + 0.02, p.d * 0.3, deck - 0.01, deck + 0.006), 0.004));
-  p.add(dark, box(sides(-p.w * 0.42, p.w * 0.42, p.d * 0.3, p.d / 2 - 0.01, deck, deck + 0.1), 0.03));
+  add(dark, box(sides(-p.w / 2, p.w / 2, -p.d / 2, p.d / 2, 0.02, deck), 0.02));
+  add(belt, box(sides(-p.w * 0.36, p.w * 0.36, -p.d / 2 + 0.02, p.d * 0.3, deck - 0.01, deck + 0.006), 0.004));
+  add(dark, box(sides(-p.w * 0.42, p.w * 0.42, p.d * 0.3, p.d / 2 - 0.01, deck, deck + 0.1), 0.03));
   for (const double s : {-1.0, 1.0}) {
-    p.add(metal, beam({s * (p.w / 2 - 0.04), p.d * 0.42, 0.02}, {s * (p.w / 2 - 0.04), p.d * 0.3, p.h * 0.82}, {0.05, 0.07}, 0.01));
-    p.add(dark, rod({s * (p.w / 2 - 0.04), p.d * 0.32, p.h * 0.72}, {s * (p.w / 2 - 0.04), -p.d * 0.05, p.h * 0.68}, 0.022, 10));
-    p.add(p.named("black_plastic"), box(sides(s * p.w * 0.4 - 0.03, s * p.w * 0.4 + 0.03, -p.d * 0.45, -p.d * 0.38, 0, 0.03), 0));
+    add(metal, beam({s * (p.w / 2 - 0.04), p.d * 0.42, 0.02}, {s * (p.w / 2 - 0.04), p.d * 0.3, p.h * 0.82}, {0.05, 0.07}, 0.01));
+    add(dark, rod({s * (p.w / 2 - 0.04), p.d * 0.32, p.h * 0.72}, {s * (p.w / 2 - 0.04), -p.d * 0.05, p.h * 0.68}, 0.022, 10));
+    add(p.named("black_plastic"), box(sides(s * p.w * 0.4 - 0.03, s * p.w * 0.4 + 0.03, -p.d * 0.45, -p.d * 0.38, 0, 0.03), 0));
   }
-  p.add(dark, rounded_box(sides(-p.w / 2 + 0.02, p.w / 2 - 0.02, p.d * 0.26, p.d * 0.36, p.h * 0.76, p.h * 0.84), 0.02, 2));
+  add(dark, rounded_box(sides(-p.w / 2 + 0.02, p.w / 2 - 0.02, p.d * 0.26, p.d * 0.36, p.h * 0.76, p.h * 0.84), 0.02, 2));
   const Pose tilt = moved(0, p.d * 0.3, p.h * 0.82) * turned_x(-25);
-  p.add(dark, rounded_box(sides(-p.w * 0.3, p.w * 0.3, 0, 0.04, 0, p.h * 0.19), 0.015, 2), tilt);
-  p.add(p.named("lit_screen"), box(sides(-p.w * 0.24, p.w * 0.24, -0.002, 0.004, p.h * 0.03, p.h * 0.16), 0), tilt);
+  add(dark, rounded_box(sides(-p.w * 0.3, p.w * 0.3, 0, 0.04, 0, p.h * 0.19), 0.015, 2), tilt);
+  add(p.named("lit_screen"), box(sides(-p.w * 0.24, p.w * 0.24, -0.002, 0.004, p.h * 0.03, p.h * 0.16), 0), tilt);
   p.fit();
 }
 
 void exercise_bike(Piece& p) {
+  const auto add = adder(p);
   const int dark = p.main("black_plastic"), metal = p.frame("steel");
-  p.add(dark, rounded_box(sides(-0.24, 0.24, -0.5, -0.42, 0, 0.07), 0.02, 2));
-  p.add(dark, rounded_box(sides(-0.24, 0.24, 0.42, 0.5, 0, 0.07), 0.02, 2));
-  p.add(metal, beam({0, -0.46, 0.05}, {0, 0.46, 0.05}, {0.07, 0.06}, 0.01));
-  p.add(p.named("grey_plastic"), rod({-0.05, 0.26, 0.36}, {0.05, 0.26, 0.36}, 0.27, 28));
-  p.add(dark, rod({-0.058, 0.26, 0.36}, {0.058, 0.26, 0.36}, 0.2, 28));
-  p.add(metal, beam({0, -0.05, 0.07}, {0, -0.22, 0.82}, {0.06, 0.06}, 0.01));
-  p.add(metal, beam({0, 0.16, 0.3}, {0, 0.34, 1.05}, {0.06, 0.06}, 0.01));
-  p.add(p.named("black_leather"), rounded_box(sides(-0.13, 0.13, -0.38, -0.1, 0.82, 0.9), 0.035, 3));
-  p.add(dark, tube(curve({{-0.24, 0.12, 1.12}, {-0.22, 0.32, 1.06}, {0.22, 0.32, 1.06}, {0.24, 0.12, 1.12}}, 5), 0.02, 8));
-  p.add(p.named("screen"), box(sides(-0.1, 0.1, 0.34, 0.37, 1.05, 1.22), 0.006), Pose{});
+  add(dark, rounded_box(sides(-0.24, 0.24, -0.5, -0.42, 0, 0.07), 0.02, 2));
+  add(dark, rounded_box(sides(-0.24, 0.24, 0.42, 0.5, 0, 0.07), 0.02, 2));
+  add(metal, beam({0, -0.46, 0.05}, {0, 0.46, 0.05}, {0.07, 0.06}, 0.01));
+  add(p.named("grey_plastic"), rod({-0.05, 0.26, 0.36}, {0.05, 0.26, 0.36}, 0.27, 28));
+  add(dark, rod({-0.058, 0.26, 0.36}, {0.058, 0.26, 0.36}, 0.2, 28));
+  add(metal, beam({0, -0.05, 0.07}, {0, -0.22, 0.82}, {0.06, 0.06}, 0.01));
+  add(metal, beam({0, 0.16, 0.3}, {0, 0.34, 1.05}, {0.06, 0.06}, 0.01));
+  add(p.named("black_leather"), rounded_box(sides(-0.13, 0.13, -0.38, -0.1, 0.82, 0.9), 0.035, 3));
+  add(dark, tube(curve({{-0.24, 0.12, 1.12}, {-0.22, 0.32, 1.06}, {0.22, 0.32, 1.06}, {0.24, 0.12, 1.12}}, 5), 0.02, 8));
+  add(p.named("screen"), box(sides(-0.1, 0.1, 0.34, 0.37, 1.05, 1.22), 0.006));
   for (const double s : {-1.0, 1.0}) {
-    p.add(metal, rod({s * 0.07, 0.05, 0.34}, {s * 0.09, 0.05, 0.34 - s * 0.16}, 0.012, 8));
-    p.add(dark, box(sides(s * 0.14 - 0.05, s * 0.14 + 0.05, 0.0, 0.1, 0.33 - s * 0.16, 0.35 - s * 0.16), 0.005));
+    add(metal, rod({s * 0.07, 0.05, 0.34}, {s * 0.09, 0.05, 0.34 - s * 0.16}, 0.012, 8));
+    add(dark, box(sides(s * 0.14 - 0.05, s * 0.14 + 0.05, 0.0, 0.1, 0.33 - s * 0.16, 0.35 - s * 0.16), 0.005));
   }
   p.fit();
 }
