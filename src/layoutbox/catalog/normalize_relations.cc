@@ -96,7 +96,8 @@ class SupportChooser {
     double best_load = 0;
     for (const SceneObject& candidate : scene_.objects) {
       const bool alike = !object_.name.empty() && candidate.name == object_.name;  // two loudspeakers do not stand on each other
-      if (candidate.id == object_.id || alike || !wanted(candidate) || stands_apart_from(candidate) || rests_on(candidate, object_)) continue;
+      if (candidate.id == object_.id || alike || !wanted(candidate) || stands_apart_from(candidate) || rests_on(candidate, object_))
+        continue;
       const double area = double(candidate.size->usual.width) * candidate.size->usual.depth;
       const double load = (loaded_area(candidate) + footprint(object_)) / area;
       if (load > 1 && object_.mount != Mount::kHung) continue;  // a rail is thin, and carries many coats
