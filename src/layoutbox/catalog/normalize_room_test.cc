@@ -276,6 +276,28 @@ TEST(NormalizeRoom, AWindowIsAsWideAsWhatStandsUnderIt) {
   EXPECT_EQ(width(2, Origin::kAsked), 1200) << "a size that was said stays";
 }
 
+TEST(NormalizeRoom, TheWindowOfARoomWithoutOneIsAsWideAsTheTablesAlongItAndTheirChairs) {
+  std::vector<SceneObject> objects;
+  std::vector<Relation> relations;
+  for (const char* table : {"table_1", "table_2"}) {
+    objects.push_back(object(table, "side_table"));
+    relations.push_back(relation(RelationType::kUnderWindow, {table}, {}));
+  }
+  const auto width = [&] {
+    SceneGraph scene = scene_of(objects, relations);
+    scene.room.polygon = {{0, 0}, {6000, 0}, {6000, 5000}, {0, 5000}};
+    const SceneGraph settled = normalized(scene);
+    const auto window = std::ranges::find(settled.room.openings, OpeningType::kWindow, &Opening::type);
+    return window == settled.room.openings.end() ? Mm{0} : window->width;
+  };
+  EXPECT_EQ(width(), 1200) << "two small tables find room under it";
+  for (int i = 1; i <= 2; ++i) {
+    objects.push_back(object("chair_" + std::to_string(i), "chair"));
+    relations.push_back(relation(RelationType::kAround, {objects.back().id}, {"table_" + std::to_string(i)}));
+  }
+  EXPECT_GE(width(), 2600);
+}
+
 TEST(NormalizeRoom, TurnsWallsWithTheirOpenings) {
   SceneGraph scene = scene_of({});
   const auto wall = [](std::string id, Point start, Point end) {

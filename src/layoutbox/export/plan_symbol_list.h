@@ -32,6 +32,7 @@ void draw_curtain(Pen& pen, const PlacedObject& object);
 void draw_box(Pen& pen, const PlacedObject& object);
 void draw_treadmill(Pen& pen, const PlacedObject& object);
 void draw_bike(Pen& pen, const PlacedObject& object);
+void draw_exercise_bike(Pen& pen, const PlacedObject& object);
 void draw_barbell(Pen& pen, const PlacedObject& object);
 void draw_drums(Pen& pen, const PlacedObject& object);
 void draw_mannequin(Pen& pen, const PlacedObject& object);

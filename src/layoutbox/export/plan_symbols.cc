@@ -45,6 +45,7 @@ constexpr SymbolRow kSymbols[] = {
     {"curtain", draw_curtain},
     {"treadmill", draw_treadmill},
     {"bike", draw_bike},
+    {"exercise_bike", draw_exercise_bike},
     {"barbell", draw_barbell},
     {"drums", draw_drums},
     {"mannequin", draw_mannequin},

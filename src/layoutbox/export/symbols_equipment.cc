@@ -147,16 +147,20 @@ void draw_treadmill(Pen& pen, const PlacedObject&) {
   pen.line(-0.42 * w, -0.36 * d, 0.42 * w, -0.36 * d);  // the console, at the front
 }
 
-// Saddle, handlebars, and the wheel between two feet.
-void draw_bike(Pen& pen, const PlacedObject&) {
-  const double w = pen.w(), d = pen.d();
+// Saddle, handlebars, and the wheel between two feet; its rider looks to the back (1) or the front (-1) of the symbol.
+void draw_cycle(Pen& pen, double ahead) {
+  const double w = pen.w(), d = ahead * pen.d();
+  const auto across = [&](double half, double from, double to) { pen.box(-half * w, half * w, std::min(from, to), std::max(from, to)); };
   pen.style.fill = "#d9d9d9";
-  for (const double y : {-0.46, 0.4}) pen.box(-0.42 * w, 0.42 * w, y * d, (y + 0.06) * d);
-  pen.box(-0.06 * w, 0.06 * w, -0.4 * d, 0.4 * d);
-  pen.cushion(-0.1 * w, 0.1 * w, 0, 0.4 * d, 40);
-  pen.ellipse(0, -0.15 * d, 0.2 * w, 0.1 * d);
-  pen.box(-0.5 * w, 0.5 * w, 0.14 * d, 0.18 * d);
+  for (const double y : {-0.46, 0.4}) across(0.42, y * d, (y + 0.06) * d);
+  across(0.06, -0.4 * d, 0.4 * d);
+  pen.cushion(-0.1 * w, 0.1 * w, std::min(0.0, 0.4 * d), std::max(0.0, 0.4 * d), 40);
+  pen.ellipse(0, -0.15 * d, 0.2 * w, 0.1 * pen.d());
+  across(0.5, 0.14 * d, 0.18 * d);
 }
+
+void draw_bike(Pen& pen, const PlacedObject&) { draw_cycle(pen, 1); }
+void draw_exercise_bike(Pen& pen, const PlacedObject&) { draw_cycle(pen, -1); }
 
 void draw_barbell(Pen& pen, const PlacedObject&) {
   const double w = pen.w(), d = pen.d();

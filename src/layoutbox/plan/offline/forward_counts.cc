@@ -164,7 +164,8 @@ namespace {
 
 // For how many the room is, as said before the chunk at k: "two boys", "the twins"; 0: nobody says.
 int people_before(const Lexicon& lexicon, const std::vector<Chunk>& chunks, std::size_t k) {
-  while (k-- > 0) {
+  constexpr std::size_t kBack = 200;  // chunks
+  for (std::size_t looked = 0; k-- > 0 && looked < kBack; ++looked) {
     if (chunks[k].kind != ChunkKind::kNoun || !lexicon.is_person(chunks[k].noun.head)) continue;
     const NounPhrase& who = chunks[k].noun;
     if (who.count > 1) return who.count;

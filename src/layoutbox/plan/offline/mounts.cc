@@ -112,7 +112,10 @@ void RelationBuilder::make_room_between() {
     if (easy && small != nullptr && thing.exact && !thing.size.any()) middle->category = small->id;
     const CatalogEntry* kind = catalog_.find(middle->category);
     const Mm width = (kind != nullptr ? kind : thing.entry)->size.usual.width;
-    for (Relation& beside : scene_.relations) {
+    std::vector<std::size_t> of_both = relations_of(between.references[0]);
+    of_both.insert(of_both.end(), relations_of(between.references[1]).begin(), relations_of(between.references[1]).end());
+    for (const std::size_t r : of_both) {
+      Relation& beside = scene_.relations[r];
       const bool of_pair = beside.type == R::kNextTo && beside.targets.size() == 1 && beside.references.size() == 1 &&
                            std::ranges::find(between.references, beside.targets[0]) != between.references.end() &&
                            std::ranges::find(between.references, beside.references[0]) != between.references.end();

@@ -112,7 +112,7 @@ void References::general(const NounPhrase& noun, bool as_reference, Mention& men
   };
   const std::size_t wanted = noun.count > 0 ? static_cast<std::size_t>(noun.count) : 2;
   for (const bool strict : {true, false}) {  // of no such kind the last that stand
-    for (std::size_t i = document_.items.size(); i-- > 0 && mention.items.size() < wanted;) {
+    for (std::size_t i = document_.items.size(), looked = 0; i-- > 0 && looked < kReach && mention.items.size() < wanted; ++looked) {
       // What is being placed by them came last.
       if (as_reference && document_.items[i].group == document_.items.back().group) continue;
       const CatalogEntry* entry = document_.items[i].noun.entry;

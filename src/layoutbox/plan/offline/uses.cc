@@ -23,7 +23,7 @@ class UseReader : public TokenReader {
       if (skip_[i] || tokens_[i].kind != Token::Kind::kWord) continue;
       const std::size_t place = place_at(i);
       if (place == 0 || !is_wanted(i)) continue;
-      if (const auto use = use_at(i, i + place)) {
+      if (const auto use = use_at(i + place)) {
         write(i, *use);
         ++written;
       }
@@ -85,7 +85,8 @@ class UseReader : public TokenReader {
     return best;
   }
 
-  std::optional<Use> use_at(std::size_t i, std::size_t at) const {
+  // What is said from `at` on, behind the place.
+  std::optional<Use> use_at(std::size_t at) const {
     if (is(at, {"to"})) return longest("to", at + 1, 0);
     if (is(at, {"for"})) {
       constexpr std::size_t kWho = 5;  // tokens
@@ -100,7 +101,7 @@ class UseReader : public TokenReader {
     // "somewhere I can sit", "a place where the kids can draw"
     std::size_t may = at;
     while (may < at + 4 && !ends(may) && !is_may(may)) ++may;
-    return is_may(may) && (may > at || i > 0) ? longest("to", may + 1, 0) : std::nullopt;
+    return is_may(may) ? longest("to", may + 1, 0) : std::nullopt;
   }
 
   bool is_may(std::size_t at) const {
@@ -111,7 +112,7 @@ class UseReader : public TokenReader {
     return false;
   }
 
-  // The kind of room that the text names first, and whether such a word of the row is named anywhere outside the use itself.
+  // The kind of room that the text names first, or empty.
   std::string_view room() const {
     for (std::size_t i = 0; i < tokens_.size(); ++i) {
       for (const Meaning& meaning : lexicon_.find(tokens_, i, WordClass::kRoom).meanings) {
@@ -121,6 +122,7 @@ class UseReader : public TokenReader {
     return {};
   }
 
+  // Whether what does it already (`unless`) is named anywhere outside the use itself.
   bool is_served(const Use& use, std::size_t first) const {
     if (!use.row.contains("unless")) return false;
     for (const WordList::Member words : use.row.at("unless")) {

@@ -6,6 +6,13 @@
 #include "layoutbox/plan/reading/weights.h"
 
 namespace layoutbox::offline {
+namespace {
+
+bool usually_at_wall(const NounPhrase& noun) {
+  return noun.entry != nullptr && noun.entry->back_to_wall && !noun.entry->is(Trait::kCenterPiece);
+}
+
+}  // namespace
 
 // "a bed and a desk against the wall": whether the former member is there as well; nothing speaks for it: below −5.
 double Decoder::share_score(const State& state, int member, int u, Referent implied) const {
@@ -14,10 +21,9 @@ double Decoder::share_score(const State& state, int member, int u, Referent impl
   const NounPhrase &noun = noun_of(state, member), &before = noun_of(state, former);
   const Joiner joiner = unit(member).joiner;
   // "a shelf for the toys and a carpet in the middle": shelves stand at walls.
-  const auto at_wall = [](const NounPhrase& n) { return n.entry != nullptr && n.entry->back_to_wall && !n.entry->is(Trait::kCenterPiece); };
   const bool middle = says(unit(u).direct, RelationType::kCenterOfRoom) || says(unit(u).alone, RelationType::kCenterOfRoom) ||
                       (follows(u, UnitKind::kNoun) && chunk(u + 1).noun.kind == NounKind::kCenter && !chunk(u + 1).noun.of);
-  if (middle && at_wall(before) && !at_wall(noun)) return -10;
+  if (middle && usually_at_wall(before) && !usually_at_wall(noun)) return -10;
   if (joiner != Joiner::kComma && noun.determiner == Determiner::kNone && noun.count == 0 && !noun.plural &&
       before.determiner != Determiner::kNone)
     return weight::kShareArticle;
@@ -75,8 +81,7 @@ double Decoder::share_kind_score(const State& state, int member, int u, Referent
   // "a cabinet with a fridge and a coffee machine on top": all that it has.
   const bool content = read_as(state, member).role == NounRole::kContent;
   // "stove and sink along the left wall": what stands at walls
-  const auto at_wall = [](const NounPhrase& n) { return n.entry != nullptr && n.entry->back_to_wall && !n.entry->is(Trait::kCenterPiece); };
-  if (!content && unit(member).joiner == Joiner::kAnd && by.kind == NounKind::kWall && at_wall(noun) && at_wall(before) &&
+  if (!content && unit(member).joiner == Joiner::kAnd && by.kind == NounKind::kWall && usually_at_wall(noun) && usually_at_wall(before) &&
       before.determiner == Determiner::kNone)
     return weight::kSharePair;
   return content && implied != kNobody && lies && !is_seat(lexicon_.catalog(), before) && !is_table(lexicon_.catalog(), before) ? 1 : 0;

@@ -63,9 +63,9 @@ void UnitReader::mean_end_of_room(std::size_t k) {
   const bool behind = (noun.head == "back" || noun.head == "front") && noun.determiner == Determiner::kDefinite &&
                       says(units_.back().direct, RelationType::kAgainstWall);  // "along the back"
   // "along one long side", "in the middle of the short end"
-  const bool of_length = noun.head != "edge" && std::ranges::any_of(noun.attributes, [](const std::string& word) {
-                           return one_of(word, {"long", "longer", "longest", "short", "shorter", "shortest", "narrow"});
-                         });
+  const bool of_length = std::ranges::any_of(noun.attributes, [](const std::string& word) {
+    return one_of(word, {"long", "longer", "longest", "short", "shorter", "shortest", "narrow"});
+  });
   if (!of_room && (noun.of || noun.determiner == Determiner::kPossessive || (noun.wall_word.empty() && !behind && !of_length) ||
                    noun.head == "edge" || !stands_in_room(k)))
     return;
