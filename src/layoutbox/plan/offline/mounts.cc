@@ -48,6 +48,15 @@ bool RelationBuilder::only_small(const std::vector<std::string>& ids) const {
   });
 }
 
+// "a drip tray beneath the scooter": on the floor below.
+bool RelationBuilder::is_under_piece(const Relation& relation) const {
+  if (relation.type != R::kUnder) return false;
+  return std::ranges::all_of(relation.references, [&](const std::string& id) {
+    const SceneObject* over = object_of(id);
+    return over != nullptr && mount_of(noun_of_object(*over)) == Mount::kFloor;
+  });
+}
+
 RelationBuilder::Held RelationBuilder::how_held(const SceneObject& object, const NounPhrase& noun) const {
   Held held;
   for (const std::size_t r : relations_of(object.id)) {
@@ -56,7 +65,7 @@ RelationBuilder::Held RelationBuilder::how_held(const SceneObject& object, const
     held.ceiling |= relation.type == R::kOnCeiling;
     held.above |= relation.type == R::kAbove && !relation.references.empty();
     held.supported |= relation.type == R::kOn || relation.type == R::kIn || relation.type == R::kStacked;
-    held.beside |= is_beside(relation.type) && !only_small(relation.references);
+    held.beside |= (is_beside(relation.type) || is_under_piece(relation)) && !only_small(relation.references);
   }
   return held;
 }

@@ -60,7 +60,10 @@ int References::fit(const NounPhrase& wanted, const NounPhrase& item) const {
   if (last_word(wanted.name) == last_word(item.name) &&
       (wanted.name.find(' ') == std::string::npos || item.name.find(' ') == std::string::npos)) {
     // "the table" is any table; "the coffee table" is not a plain table that was named before it.
-    const bool kind_apart = wanted.exact && wanted.entry != item.entry && item.is_plural() && !wanted.is_plural();
+    // A table for a trade of its own is not the plain one either: "the cutting table".
+    const std::string trade = wanted.name.substr(0, wanted.name.find(' '));
+    const bool apart = item.is_plural() || (trade.ends_with("ing") && trade != "dining");
+    const bool kind_apart = wanted.exact && wanted.entry != item.entry && apart && !wanted.is_plural();
     if (wanted.name.find(' ') == std::string::npos) return 2;
     return kind_apart ? 0 : 1;  // "the teacher's desk" is none of the desks
   }
@@ -75,7 +78,10 @@ int References::fit(const NounPhrase& wanted, const NounPhrase& item) const {
   const bool other_mount = wanted.entry != nullptr && item.entry != nullptr && wanted.entry->mount != item.entry->mount;
   if (!other_mount && wanted.name.size() >= kShortest && item.head.size() > wanted.name.size() && item.head.ends_with(wanted.name))
     return 1;
-  const bool same_head = wanted.head.ends_with(item.head) || item.head.ends_with(wanted.head);
+  // "twelve student desks … the teacher's desk": each has a name of its own.
+  const bool own_names = wanted.name.find(' ') != std::string::npos && item.name.find(' ') != std::string::npos &&
+                         wanted.entry != item.entry && !wanted.is_plural() && item.is_plural();
+  const bool same_head = !own_names && (wanted.head.ends_with(item.head) || item.head.ends_with(wanted.head));
   if (same_head && wanted.exact && item.exact && catalog.is_a(wanted.entry->id, item.entry->id) &&
       wanted.determiner == Determiner::kDefinite)
     return 1;

@@ -83,7 +83,9 @@ void RelationBuilder::add(const Link& link, R type, std::vector<std::string> tar
   key += ">";
   for (const std::string& reference : references) key += " " + reference;
   if (const auto [known, fresh] = known_.try_emplace(key, scene_.relations.size()); !fresh) {
-    if (type == R::kRow && link.distance) scene_.relations[known->second].parameters.gap = mm_from_m(*link.distance);
+    RelationParameters& said = scene_.relations[known->second].parameters;
+    if (type == R::kRow && link.distance) said.gap = mm_from_m(*link.distance);
+    if (said.part.empty()) said.part = sense.part;  // "on the desk a lamp at the left side"
     return;
   }
   for (const std::string& target : targets) of_target_[target].push_back(scene_.relations.size());

@@ -178,6 +178,7 @@ class RelationBuilder {
   struct Held {
     bool wall = false, ceiling = false, supported = false, beside = false, above = false;
   };
+  bool is_under_piece(const Relation& relation) const;
   Held how_held(const SceneObject& object, const NounPhrase& noun) const;
   void settle_on_wall(SceneObject& object, const NounPhrase& noun);
   void specialise(SceneObject& object, const NounPhrase& noun, std::initializer_list<const char*> kinds) const;

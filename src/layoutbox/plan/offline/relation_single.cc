@@ -64,7 +64,9 @@ bool RelationBuilder::says_top(const Link& link) const {
 void RelationBuilder::settle_sense(const Link& link, PhraseSense& sense, const Mention& target, const std::vector<int>& references) const {
   const NounPhrase& host = noun_of_item(references.front());
   const Mount mount = mount_of(target.noun);
-  if (is_side_on(link, sense, target.noun, host)) {
+  // What lies on something itself has things beside it.
+  const bool lies = host.entry == nullptr && !said_support(id(references.front())).empty();
+  if (!lies && is_side_on(link, sense, target.noun, host)) {
     sense.part = sense.type == R::kLeftOf ? "left" : "right";
     sense.type = R::kOn;
   }

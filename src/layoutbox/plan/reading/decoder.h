@@ -113,6 +113,7 @@ class Decoder {
   Referent whole_of(const State& state, int u, Kind kind, int member) const;
   void attach_to(std::size_t s, int u, Kind kind, std::size_t level);
   void have_actions(std::size_t s, int u);
+  bool tops_clause(const State& state, int u) const;
   bool is_placed_apart(const State& state, int member) const;
   int first_of_plural(const State& state, int last) const;
   void verb_actions(std::size_t s, int u);
@@ -145,6 +146,7 @@ class Decoder {
   void repeated_part_actions(std::size_t s, int u);
   double content_score(const State& state, int predicate, Referent content) const;
   bool speaks_of_no_thing(const State& state) const;
+  bool lists_on_it(int u) const;
   bool may_come_with(const NounPhrase& host, const NounPhrase& noun) const;
   bool placed_by_unsaid(int u) const;
   bool is_fresh(int u) const;
@@ -163,6 +165,7 @@ class Decoder {
   std::vector<Candidate> antecedents(const State& state, Referent subject, const PhraseSenses* senses, const NounPhrase* noun,
                                      int first_subject = -1) const;
   std::vector<Candidate> carriers(const State& state, Referent subject) const;
+  void named_last(const State& state, const Trial& trial) const;
   double clause_antecedents(const State& state, const NounPhrase* noun, const Trial& trial) const;
   double earlier_antecedents(const State& state, const NounPhrase* noun, const Trial& trial, double order) const;
   bool placed_by_before(const State& state, int u) const;

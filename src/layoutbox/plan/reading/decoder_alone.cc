@@ -210,7 +210,11 @@ void Decoder::alone_of_room(std::size_t s, int u, std::size_t level, double gain
   const bool many = says(senses, RelationType::kRow) || says(senses, RelationType::kGrid) || says(senses, RelationType::kColumn);
   // "a table with a laptop in the center": of the table.
   const Referent host = host_of(state, member);
-  const bool lies = says(senses, RelationType::kCenterOfRoom) && mount_of(noun_of(state, member)) == Mount::kSurface;
+  // "On the desk a blotter in the center": what no list has lies there as well.
+  const bool on_fronted = noun_of(state, member).entry == nullptr && !state.fronted.empty() &&
+                          says(unit(state.fronted.front()).direct, RelationType::kOn) && is_thing(state, state.fronted.front() + 1);
+  const bool lies =
+      says(senses, RelationType::kCenterOfRoom) && (mount_of(noun_of(state, member)) == Mount::kSurface || on_fronted);
   // "a desk with a chair at the back": behind the desk.
   const bool end =
       says(senses, RelationType::kInRegion) && mount_of(noun_of(state, member)) == Mount::kFloor && is_thing(state, host) &&

@@ -82,7 +82,10 @@ double Decoder::antecedent_place_score(const State& state, Referent referent, Re
   const bool fellow = subject >= 0 && referent >= 0 && owner != kNobody && referent != owner && host_of(state, referent) == owner &&
                       read_as(state, referent).predicate != read_as(state, subject).predicate;
   if (fellow && side && small && mount_of(meant) == Mount::kSurface) score += weight::kSideOfFellow;
-  if (subject >= 0 && referent == owner && !side && lies && noun != nullptr && noun->head == "it") score += weight::kOnOwnHost;
+  const bool its_top = noun != nullptr && (noun->head == "it" || noun->head.empty());  // "a cabinet beside the desk with a printer on top"
+  if (subject >= 0 && referent == owner && !side && lies && its_top) score += weight::kOnOwnHost;
+  if (subject >= 0 && referent != owner && owner != kNobody && read_as(state, subject).former >= 0 && lies && lists_on_it(subject))
+    score += weight::kNoReference;
   // "a mirror with a shelf below it"
   const bool over = says(senses, RelationType::kAbove) || says(senses, RelationType::kUnder);
   if (subject >= 0 && referent == owner && over && noun != nullptr && noun->head == "it") score += weight::kOwnHost;
@@ -109,19 +112,32 @@ std::vector<Decoder::Candidate> Decoder::antecedents(const State& state, Referen
     return consider(all, state, referent, order, subject, senses, noun, list);
   };
   const bool plural = noun != nullptr && (noun->plural || noun->kind == NounKind::kMember || noun->determiner == Determiner::kBoth);
-  const bool that = noun != nullptr && one_of(noun->head, {"that", "this"});  // what was named last
+  const bool that = noun != nullptr && one_of(noun->head, {"that", "this", "those", "these"});  // what was named last
   if (noun != nullptr && !noun->head.empty() && noun->kind == NounKind::kPronoun && state.it != kNobody && !plural && !that)
     trial(state.it, 0.6, false);
-  if (that && !state.roots.empty()) trial(state.roots.back(), -weight::kNamedAgain, false);
+  if (that) named_last(state, trial);
   if (that && state.roots.empty() && !before_.roots.empty()) trial(referent_of_mention(before_.roots.back()), -weight::kNamedAgain, false);
   // "a mirror above the sink, a stool beside it, a mat in front": of what the place before was by.
   const bool unsaid = noun != nullptr && noun->head.empty() && noun->kind == NounKind::kPronoun && !plural;
-  if (unsaid && state.by != kNobody && senses != nullptr && !says(*senses, RelationType::kOpposite))
+  const bool upon = senses != nullptr && says(*senses, RelationType::kOn);  // "a freezer stands next to it, a box on top": on the freezer
+  if (unsaid && state.by != kNobody && senses != nullptr && !upon && !says(*senses, RelationType::kOpposite))
     trial(state.by, -weight::kNamedOnceMore, false);
+  // … "a freezer hums next to it, a cooler on top": on what was named right before.
+  const int before_it = subject >= 0 ? read_as(state, subject).former : kNobody;
+  const bool its = noun != nullptr && (noun->head == "it" || (noun->of && noun->of->kind == NounKind::kPronoun));
+  if ((unsaid || its) && upon && before_it >= 0 && read_as(state, before_it).placed) trial(before_it, -weight::kNamedOnceMore, false);
   text_antecedents(state, senses, trial, clause_antecedents(state, noun, trial));
   std::stable_sort(all.begin(), all.end(), [](const Candidate& a, const Candidate& b) { return a.score > b.score; });
   if (all.size() > kChoices) all.resize(kChoices);
   return all;
+}
+
+// "carries a tray, and on that stand two cups": the tray; else what the clause is about.
+void Decoder::named_last(const State& state, const Trial& trial) const {
+  for (int u = static_cast<int>(state.units.size()); u-- > 0;) {
+    const NounRole role = is(u, UnitKind::kNoun) ? read_as(state, u).role : NounRole::kUnread;
+    if ((role == NounRole::kContent || role == NounRole::kRoot) && is_thing(state, u) && trial(u, -weight::kNamedAgain, false)) return;
+  }
 }
 
 // The sentence's own: what has the clause's thing, then that thing, then what was named for their sake, then groups.

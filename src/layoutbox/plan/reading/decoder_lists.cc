@@ -59,6 +59,7 @@ bool Decoder::placed_by_clause(const State& state, int u) const {
   if (state.fronted.empty() || carried || !is(by, UnitKind::kNoun) || state.frontier.empty()) return false;
   const NounPhrase& noun = chunk(by).noun;
   if (noun.kind == NounKind::kPronoun && !noun.reciprocal) return true;
+  if (noun.of && noun.of->kind == NounKind::kPronoun) return true;  // "at its center"
   for (int m = state.frontier.front(); m >= 0; m = read_as(state, m).former) {
     if (same(state, by, m)) return true;
   }
@@ -182,11 +183,18 @@ bool Decoder::looked_at_elsewhere(const NounPhrase& host, const NounPhrase& noun
 }
 
 // How well it goes with the list, by what such things do: lie on the host, stand at it.
+// "with the press, the rack and the scale on it": what such a list names, from the noun at u on, lies on its host, whatever it is.
+bool Decoder::lists_on_it(int u) const {
+  while (is(u + 1, UnitKind::kNoun) && unit(u + 1).joiner != Joiner::kNone && !unit(u + 1).clause) ++u;
+  return follows(u, UnitKind::kPlace) && says(unit(u + 1).alone, RelationType::kOn) && document_.tokens[chunk(u + 1).last - 1].text == "it";
+}
+
 double Decoder::list_kind_score(const State& state, int member, int u, std::size_t length) const {
   const UnitReading& reading = read_as(state, member);
   const int predicate = reading.predicate;
   const NounPhrase &noun = chunk(u).noun, &former = noun_of(state, member), &host = noun_of(state, read_as(state, predicate).subject);
   const Joiner joiner = unit(u).joiner;
+  if (lists_on_it(u)) return weight::kCarriedToo;
   // What a table is surrounded by does not lie on it.
   const bool around = read_as(state, predicate).inverse && mount_of(former) == Mount::kFloor && mount_of(noun) != Mount::kFloor;
   const bool carried = !around && sense_.carries(host, noun) && !looked_at_elsewhere(host, noun) &&
@@ -201,6 +209,9 @@ double Decoder::list_kind_score(const State& state, int member, int u, std::size
   if (is_new_thing(noun) && !may_come_with(host, noun) && !has_own_place(u)) return weight::kNotWithEach;
   if (joiner == Joiner::kAnd && reading.placed && placed_by_unsaid(u)) return weight::kPlacedByHost;
   const bool differ = mount_of(noun) != mount_of(former) || (before && !read_as(state, predicate).inverse);
+  // "stores four cans and a coiled hose": what one verb says of both
+  const bool one_verb = joiner == Joiner::kAnd && is(predicate, UnitKind::kHave) && is_finite(word(predicate)) && !has_own_place(u);
+  if (differ && one_verb && is_storage(host)) return 0;
   if (differ && mount_of(noun) == Mount::kFloor && !carried) return weight::kStandsByItself;
   if (differ) return weight::kNotCarried;
   return joiner == Joiner::kComma ? -1.2 : 0;

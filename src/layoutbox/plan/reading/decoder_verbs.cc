@@ -48,12 +48,27 @@ void Decoder::have_actions(std::size_t s, int u) {
     }
   } else {
     attach_actions(s, u, kHaveThing);
+    if (tops_clause(state, u)) {
+      for (std::size_t a = before; a < actions_.size(); ++a)
+        actions_[a].score += actions_[a].unit == state.frontier.front() ? weight::kTopOfClause : 0;
+    }
   }
   if (actions_.size() == before) {
     add(s, kHaveRoom, -0.5);
   } else if (how == "with" && unit(u).joiner == Joiner::kComma && state.relative < 0) {
     add(s, kHaveRoom, weight::kBesides);
   }
+}
+
+// "a cabinet stands beside the desk with a printer on top": what tops something is told of what the clause is about.
+bool Decoder::tops_clause(const State& state, int u) const {
+  if (state.frontier.size() < 2 || !is(u + 1, UnitKind::kNoun) || !is(u + 2, UnitKind::kPlace) || follows(u + 2, UnitKind::kNoun)) return false;
+  const int by = state.frontier.back();
+  const int place = read_as(state, by).predicate;
+  const bool beside = read_as(state, by).role == NounRole::kReference && place >= 0 && is(place, UnitKind::kPlace) &&
+                      !says(unit(place).direct, RelationType::kOn) && !says(unit(place).direct, RelationType::kUnder);
+  return beside && is_definite(state, by) && says(alone_senses(u + 2), RelationType::kOn) &&
+         sense_.carries(noun_of(state, state.frontier.front()), chunk(u + 1).noun);
 }
 
 void Decoder::verb_actions(std::size_t s, int u) {

@@ -18,6 +18,17 @@ std::size_t UnitReader::last_noun() const {
   return document_.chunks.size();
 }
 
+// Whom a verb at the next chunk speaks of: of "a rack next to the door takes …" the rack. Past the end if there is none.
+std::size_t UnitReader::subject_before() const {
+  std::size_t u = units_.size();
+  while (u > 0 && (units_[u - 1].kind == UnitKind::kNoun || units_[u - 1].kind == UnitKind::kPlace)) {
+    --u;
+    const bool reference = u > 0 && units_[u - 1].kind == UnitKind::kPlace && units_[u].joiner == Joiner::kNone;
+    if (units_[u].kind == UnitKind::kNoun && !reference) return units_[u].chunk;
+  }
+  return last_noun();
+}
+
 // What comes next is something that a thing has, not the room: right after "with", or in a list that began so.
 bool UnitReader::is_content_of_thing() const {
   for (std::size_t u = units_.size(); u-- > 0;) {

@@ -235,9 +235,8 @@ bool UnitReader::purpose_ends(std::size_t k, std::size_t n) const {
 
 // "a shelf for controllers and headsets", "the room offers a fireplace and two sofas": what a verb of purpose names is there.
 bool UnitReader::names_contents(std::size_t k) const {
-  const std::size_t before = last_noun();
-  if (skipping_ || before >= document_.chunks.size() || joiner_ != Joiner::kNone || previous(k) != before) return false;
-  const std::size_t n = next(k);
+  if (skipping_ || last_noun() >= document_.chunks.size() || joiner_ != Joiner::kNone || previous(k) != last_noun()) return false;
+  const std::size_t n = next(k), before = subject_before();
   if (!is(n, ChunkKind::kNoun)) return false;
   const std::string& word = document_.tokens[chunk(k).first].text;
   const NounPhrase &host = chunk(before).noun, &thing = chunk(n).noun;
@@ -252,11 +251,14 @@ bool UnitReader::names_contents(std::size_t k) const {
   const bool takes = one_of(word, {"takes", "take", "gets", "get", "receives", "receive", "carry", "carries", "bears"});
   if (takes && (host.kind == NounKind::kWall || host.kind == NounKind::kCorner || host.kind == NounKind::kObject))
     return thing.kind == NounKind::kObject && (thing.determiner == Determiner::kIndefinite || thing.count > 0) && !is_person(before);
-  static constexpr std::string_view kShows[] = {"offers", "offer", "provides", "provide", "offering", "providing", "enjoys"};
+  const bool shows = one_of(word, {"offers", "offer", "provides", "provide", "offering", "providing", "enjoys"});
+  // "the table offers five magazines", but no lamp "offers light"
+  const bool lies = thing.kind == NounKind::kObject && thing.exact && mount_of(thing) == Mount::kSurface && is_new_here(thing);
+  if (shows && lies && may_carry(lexicon_.catalog(), host, thing)) return true;
   const bool room = host.kind == NounKind::kRoom || host.kind == NounKind::kOutsideRoom;
   const bool there =
       thing.kind == NounKind::kObject || thing.as_object != nullptr || thing.kind == NounKind::kWindow || thing.kind == NounKind::kDoor;
-  return room && there && std::find(std::begin(kShows), std::end(kShows), word) != std::end(kShows);
+  return room && there && shows;
 }
 
 // "a table for six": a size, after which the list goes on.

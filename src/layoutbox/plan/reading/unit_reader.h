@@ -160,6 +160,7 @@ class UnitReader {
   bool says_room_seats(std::size_t k);
   // The latest noun of the sentence, past the end if there is none.
   std::size_t last_noun() const;
+  std::size_t subject_before() const;
   bool after_place() const { return !units_.empty() && units_.back().kind == UnitKind::kPlace && joiner_ == Joiner::kNone; }
 
   const Chunk& chunk(std::size_t k) const { return document_.chunks[k]; }
