@@ -52,7 +52,13 @@ class PeopleReader {
   int seats_said(const Mention& table) const {
     if (table.items.empty()) return 0;
     const NounPhrase& noun = document_.items[static_cast<std::size_t>(table.items.front())].noun;
+    const bool desk = noun.entry != nullptr && noun.entry->is(Trait::kDesk);
+    // "12 double desks for 24 pupils", "five tables for 20 guests": all of them together.
+    const int tables = static_cast<int>(table.items.size());
+    constexpr int kMostAtOne = 10;
+    if (tables > 1 && noun.seats % tables == 0 && noun.seats >= tables && (desk || noun.seats > kMostAtOne)) return noun.seats / tables;
     if (noun.seats > 0) return std::min(noun.seats, kMostPeople);
+    if (desk && std::ranges::find(noun.attributes, "double") != noun.attributes.end()) return 2;
     for (const std::string& attribute : noun.attributes) {
       if (const int seats = seats_in(lexicon_, attribute); seats > 0) return seats;
     }
@@ -130,11 +136,21 @@ class PeopleReader {
     }
   }
 
+  // Two sit side by side at a desk of 1.2 m (DIN EN 1729, desks for two).
+  void widen_for_two(int m) {
+    for (const int item : mention(m).items) {
+      SaidSize& size = document_.items[static_cast<std::size_t>(item)].noun.size;
+      if (!size.any()) size.width = 1.2;
+    }
+  }
+
   void seat_table(int m) {
     const Mention table = mention(m);
     if (!table.introduces || table.noun.kind != NounKind::kObject || table.noun.entry == nullptr || !is_table(catalog_, table.noun)) return;
     const int seats = seats_said(table);
-    if (seats == 0 || seats_named(table, seats)) return;
+    if (seats == 0) return;
+    if (seats == 2 && table.noun.entry->is(Trait::kDesk)) widen_for_two(m);
+    if (seats_named(table, seats)) return;
     const CatalogEntry* seat = lexicon_.seat_at(*table.noun.entry);
     if (seat == nullptr || excluded(*seat)) return;
     const bool dines = table.noun.entry->id == "table" && !document_.rooms.empty() && document_.rooms.front().room != nullptr &&
@@ -157,7 +173,8 @@ class PeopleReader {
       const CatalogEntry* seat = lexicon_.seat_at(*host.entry);
       if (at_table(m, table)) {
         const bool one_each = host.entry->is(Trait::kDeskLike) || host.entry->is(Trait::kDesk) || host.entry->is(Trait::kCounter);
-        const bool at_sides = host.entry->is(Trait::kTable) && host.entry->used_sides.size() > 1 && catalog_.is_a(noun.entry->id, "chair");
+        const bool flanks = catalog_.is_a(noun.entry->id, "chair") || noun.head == "bench";  // "long tables with benches"
+        const bool at_sides = host.entry->is(Trait::kTable) && host.entry->used_sides.size() > 1 && flanks;
         tables = static_cast<int>(table.items.size()), places = one_each || !at_sides ? 1 : 2;
         break;
       }

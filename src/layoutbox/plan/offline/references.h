@@ -37,6 +37,9 @@ class References {
   // The mention that brought in the group.
   int whole_group(int mention) const;
 
+  // The items that the words of a noun phrase may mean.
+  std::vector<int> known(const NounPhrase& noun) const;
+
   // The latest mention of a group of two or more things, or -1.
   int latest_group() const;
 
@@ -52,7 +55,6 @@ class References {
   void mean_known(Mention& mention);
   void mean_one_of_known(Mention& mention);
   void mean_own_shelf(Mention& mention) const;
-  std::vector<int> known(const NounPhrase& noun) const;
   // "the red one", "the smaller one": the latest thing that was called so, or -1.
   int described(const NounPhrase& noun) const;
   std::vector<int> whose_shelf(const NounPhrase& noun) const;

@@ -82,6 +82,7 @@ class RelationBuilder {
   // Small things that stand on the host wherever they are said to be by it.
   bool lie_on(const Link& link, const std::vector<int>& items, int host) const;
   bool add_laden_sides(const Link& link, const PhraseSense& sense, const std::vector<int>& targets, int host);
+  RelationType user_side(int host) const;
   bool seats_one_side(const Link& link, int seat, int host) const;
   void add_group(const Link& link, PhraseSense sense, const std::vector<int>& targets, const std::vector<int>& references,
                  const Mention* place);
@@ -152,6 +153,7 @@ class RelationBuilder {
   void hang_hoods();
   void add_habit(RelationType type, std::vector<std::string> targets, std::vector<std::string> references, int weight, std::string why);
   void lay_beds_along();
+  void share_nightstand();
   void make_islands();
   void seat_at_only_table();
   bool is_eaten_at(const NounPhrase& noun) const;

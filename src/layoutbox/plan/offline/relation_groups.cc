@@ -115,6 +115,12 @@ bool RelationBuilder::seats_one_side(const Link& link, int seat, int host) const
   return counter && words.find("around") == std::string::npos && words.find("surround") == std::string::npos;
 }
 
+// Where one sits at it: pupils and teachers behind their desks, which look at the class or the board.
+RelationType RelationBuilder::user_side(int host) const {
+  const CatalogEntry* entry = noun_of_item(host).entry;
+  return entry != nullptr && entry->used_sides == std::vector{Side::kBack} ? R::kBehind : R::kInFrontOf;
+}
+
 // What lies flat shares the middle with what stands there.
 void RelationBuilder::add_in_middle(const Link& link, const PhraseSense& sense, const std::vector<int>& targets) {
   std::vector<int> flat, standing;
@@ -189,7 +195,7 @@ void RelationBuilder::add_group(const Link& link, PhraseSense sense, const std::
     if (seats_one_side(link, targets.front(), references.front())) {
       for (std::size_t t = 0; t < targets.size(); ++t) {
         const std::string& host = id(references[t % references.size()]);
-        add(link, R::kInFrontOf, {id(targets[t])}, {host});
+        add(link, user_side(references.front()), {id(targets[t])}, {host});
         add(link, R::kFacing, {id(targets[t])}, {host});
       }
       return;

@@ -128,6 +128,7 @@ void RelationBuilder::add_end_walls() {
     const Relation region = scene_.relations[r];
     if (region.type != R::kInRegion || region.targets.size() != 1 || region.origin != Origin::kAsked) continue;
     if (!one_of(region.parameters.region, {"back", "front", "left", "right"})) continue;
+    if (region.why.find(" half") != std::string::npos) continue;  // anywhere in it
     const SceneObject* object = object_of(region.targets.front());
     const CatalogEntry* entry = object == nullptr ? nullptr : catalog_.find(object->category);
     if (entry == nullptr) continue;
@@ -173,6 +174,29 @@ void RelationBuilder::lay_beds_along() {
   for (Relation* r : beds) {
     if (apart) r->type = R::kSideAgainstWall;
   }
+}
+
+// "two beds with a shared bedside cabinet": the only one stands between the only two, where it has no place of its own.
+void RelationBuilder::share_nightstand() {
+  std::vector<std::string> beds, stands;
+  std::string kind;
+  for (const SceneObject& object : scene_.objects) {
+    const CatalogEntry* entry = catalog_.find(object.category);
+    if (entry == nullptr) continue;
+    if (entry->is(Trait::kBed)) beds.push_back(object.id), kind = kind.empty() ? object.category : kind == object.category ? kind : "-";
+    if (catalog_.is_a(object.category, "nightstand")) stands.push_back(object.id);
+  }
+  if (beds.size() != 2 || stands.size() != 1 || kind == "-" || kind == "bunk_bed") return;
+  const std::vector<std::size_t> own = relations_of(stands.front());
+  const auto by_bed = [&](std::size_t r) {
+    const Relation& relation = scene_.relations[r];
+    return relation.type == R::kNextTo && relation.references.size() == 1 &&
+           std::ranges::find(beds, relation.references.front()) != beds.end();
+  };
+  if (!std::ranges::all_of(own, by_bed)) return;
+  if (own.empty()) return add_habit(R::kBetween, stands, beds, kTogether, "two beds share their nightstand");
+  scene_.relations[own.front()].type = R::kBetween;
+  scene_.relations[own.front()].references = beds;
 }
 
 // Where people wait the chairs of which nothing is said stand along the walls, more than sit at a table there.
@@ -298,6 +322,7 @@ void RelationBuilder::add_habits() {
   face_as_group();
   face_as_crowd();
   lay_beds_along();
+  share_nightstand();
   seat_those_who_wait();
   seat_at_only_table();
   const std::size_t said = scene_.relations.size();

@@ -137,7 +137,7 @@ bool RelationBuilder::add_by_one(const Link& link, const PhraseSense& sense, con
     return true;
   }
   if (!at) return false;
-  add(link, R::kInFrontOf, {id(target.items.front())}, {id(reference)});
+  add(link, user_side(reference), {id(target.items.front())}, {id(reference)});
   add(link, R::kFacing, {id(target.items.front())}, {id(reference)});
   return true;
 }

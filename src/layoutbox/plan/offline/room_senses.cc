@@ -131,6 +131,8 @@ void settle_room_senses(const Lexicon& lexicon, Document& document, const std::v
     const Chunk& chunk = document.chunks[k];
     NounPhrase& noun = document.chunks[k].noun;
     if (chunk.kind != ChunkKind::kNoun || noun.head.empty()) continue;
+    // A name of several words only where the table has all of it: "swivel chair".
+    const bool named = noun.kind == NounKind::kObject && noun.exact && noun.name != noun.head;
     const bool plain = noun.kind == NounKind::kObject && noun.exact && noun.name == noun.head;
     const bool said = opens_item(document.chunks, k) || noun.determiner != Determiner::kNone || noun.count > 0 || noun.plural;
     const bool unknown = (noun.entry == nullptr || (!noun.exact && noun.name == noun.head)) && said &&
@@ -142,12 +144,13 @@ void settle_room_senses(const Lexicon& lexicon, Document& document, const std::v
     // "a salon with a sofa by the reception": no room of its own
     const bool other_room =
         noun.kind == NounKind::kRoom && noun.room != nullptr && noun.room != room->room && noun.name.ends_with(noun.head);
-    if (!plain && !unknown && !compound && !other_room) continue;
+    if (!plain && !unknown && !compound && !other_room && !named) continue;
     const CatalogEntry* entry = nullptr;
     // "a minimalist Japanese bedroom" is a Japanese bedroom.
     for (std::string called = name; entry == nullptr; called.erase(0, called.find(' ') + 1)) {
-      entry = lexicon.meant_in(*room->room, called, document.tokens[noun.last - 1].text);  // "benches"
-      if (entry == nullptr) entry = lexicon.meant_in(*room->room, called, noun.head);
+      if (named) entry = lexicon.meant_in(*room->room, called, noun.name);
+      if (!named) entry = lexicon.meant_in(*room->room, called, document.tokens[noun.last - 1].text);  // "benches"
+      if (!named && entry == nullptr) entry = lexicon.meant_in(*room->room, called, noun.head);
       if (called.find(' ') == std::string::npos) break;
     }
     if (entry == nullptr) continue;

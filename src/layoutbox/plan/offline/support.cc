@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <queue>
 
+#include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/relation_builder_parts.h"
 
@@ -47,6 +48,10 @@ bool RelationBuilder::is_small(std::size_t index) const {
   const std::vector<std::size_t>& all = relations_of(scene_.objects[index].id);
   // What no list has may be small, and so is what stands on another piece.
   const bool unknown = mount_of(noun) == Mount::kFloor && (noun.entry == nullptr || (!noun.exact && area_of(noun) <= kSmallArea));
+  // A screen at one end of the room hangs there.
+  const bool hangs = noun.entry != nullptr && noun.entry->is(Trait::kElseOnWall) &&
+                     std::ranges::any_of(all, [&](std::size_t r) { return scene_.relations[r].type == R::kInRegion; });
+  if (hangs) return false;
   return (mount_of(noun) == Mount::kSurface || unknown || object_of(said_support(scene_.objects[index].id)) != nullptr) &&
          std::none_of(all.begin(), all.end(), [&](std::size_t r) { return stands_elsewhere(scene_.relations[r].type); });
 }

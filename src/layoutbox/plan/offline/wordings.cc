@@ -43,12 +43,14 @@ class WordingReader : public TokenReader {
       read_needs(i);
       read_see_how(i);
       read_left_and_right(i);
+      read_halves(i);
       read_other_part(i);
       read_each_side(i);
       read_clear_between(i);
       read_sofa_group(i);
       read_down_the_side(i);
       read_on_wheels(i);
+      read_from_to(i);
       read_same_wall(i);
       read_end_wall(i);
       read_fit_in(i);
@@ -175,6 +177,7 @@ class WordingReader : public TokenReader {
     const NumberRead number = read_number(lexicon_, tokens_, i + 1);
     const std::size_t who = i + 1 + number.length;
     if (number.length == 0 || who >= tokens_.size() || !lexicon_.is_person(singular_of(tokens_[who].text))) return;
+    if (is(who + 1, {"'s"})) return;  // "with 20 pupils' desks"
     constexpr std::size_t kName = 3;  // words of the room
     for (std::size_t back = 1; back <= std::min(i, kName); ++back) {
       if (lexicon_.find(tokens_, i - back, WordClass::kRoom).length == back) tokens_[i].text = "for";
@@ -251,6 +254,26 @@ class WordingReader : public TokenReader {
     tokens_[i + 2].text = "sides";
   }
 
+  // "in the center of one half … in the other half": the left and the right half.
+  void read_halves(std::size_t i) {
+    if (!is(i, {"in", "at", "on"})) return;
+    std::size_t half = i + 1;
+    if (is(half, {"the"}) && is(half + 1, {"center", "middle"}) && is(half + 2, {"of"})) half += 3;
+    if (!is(half, {"one"}) || !is(half + 1, {"half"})) return;
+    const bool of_room = are(half + 2, {"of", "the", "room"});
+    if (is(half + 2, {"of"}) && !of_room) return;  // "one half of the chairs"
+    tokens_[i].text = "in";
+    tokens_[half].text = "left";
+    if (half > i + 1) leave_out(i + 1, half);
+    if (of_room) leave_out(half + 2, half + 5);
+    for (std::size_t at = half + 2; at + 2 < tokens_.size(); ++at) {
+      if (!is(at, {"in", "at", "on"}) || !are(at + 1, {"the", "other", "half"})) continue;
+      tokens_[at].text = "in";
+      tokens_[at + 2].text = "right";
+      return;
+    }
+  }
+
   // "in the other half of the room", and of a room in the form of an L "in the small part … in the long one": part of the room, no more.
   void read_other_part(std::size_t i) {
     if (!are(i, {"in", "the"})) return;
@@ -277,6 +300,12 @@ class WordingReader : public TokenReader {
       tokens_[i + 1].text = "it";
       return;
     }
+    // "double bed, nightstand each side with lamps"
+    std::string several = tokens_[i - 1].text + "s";
+    if (singular_of(several) != tokens_[i - 1].text) return;
+    tokens_[i - 1].text = std::move(several);
+    tokens_[i].text = "beside";
+    tokens_[i + 1].text = "it";
   }
 
   // "90 cm of clear floor between the sofa and the table": the gap.
@@ -297,13 +326,28 @@ class WordingReader : public TokenReader {
 
   // "down the left side", "halfway along the right side": at that wall, in the middle of it.
   void read_down_the_side(std::size_t i) {
-    if (!is(i, {"down", "along", "up"}) || !is(i + 1, {"the"}) || !is(i + 2, {"left", "right"}) || !is(i + 3, {"side"}) ||
-        is(i + 4, {"of"}))
+    const std::size_t side = is(i + 3, {"hand"}) ? i + 4 : i + 3;  // "left-hand side"
+    if (!is(i, {"down", "along", "up"}) || !is(i + 1, {"the"}) || !is(i + 2, {"left", "right"}) || !is(side, {"side", "wall"}) ||
+        is(side + 1, {"of"}))
       return;
     const bool halfway = i > 0 && is(i - 1, {"halfway"});
     tokens_[i].text = halfway ? "on" : "along";
     if (halfway) tokens_[i - 1].text = "centered";
-    tokens_[i + 3].text = "wall";
+    tokens_[side].text = "wall";
+    if (side > i + 3) leave_out(i + 3, side);
+    if (i > 1 && is(i - 1, {"all"}) && is(i - 2, {"windows"})) leave_out(i - 1, i);
+  }
+
+  // "a red carpet from the door to the throne": between the two.
+  void read_from_to(std::size_t i) {
+    constexpr std::size_t kName = 4;  // words of where it begins
+    if (i == 0 || !is(i, {"from"}) || !is_article(i + 1) || !is(i - 1, {"carpet", "rug", "runner", "path", "walkway", "aisle"})) return;
+    for (std::size_t to = i + 3; to <= i + 2 + kName && !ends(to); ++to) {
+      if (!is(to, {"to"}) || !is_article(to + 1)) continue;
+      tokens_[i].text = "between";
+      tokens_[to].text = "and";
+      return;
+    }
   }
 
   // "two beds, not same wall please": on two that face each other.

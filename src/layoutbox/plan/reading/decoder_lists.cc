@@ -194,7 +194,7 @@ double Decoder::list_kind_score(const State& state, int member, int u, std::size
   const int predicate = reading.predicate;
   const NounPhrase &noun = chunk(u).noun, &former = noun_of(state, member), &host = noun_of(state, read_as(state, predicate).subject);
   const Joiner joiner = unit(u).joiner;
-  if (lists_on_it(u)) return weight::kCarriedToo;
+  if (lists_on_it(u) && !is_seat(lexicon_.catalog(), noun) && !is_seat(lexicon_.catalog(), former)) return weight::kCarriedToo;
   // What a table is surrounded by does not lie on it.
   const bool around = read_as(state, predicate).inverse && mount_of(former) == Mount::kFloor && mount_of(noun) != Mount::kFloor;
   const bool carried = !around && sense_.carries(host, noun) && !looked_at_elsewhere(host, noun) &&

@@ -80,7 +80,7 @@ double Decoder::share_kind_score(const State& state, int member, int u, Referent
   }
   // "a cabinet with a fridge and a coffee machine on top": all that it has.
   const bool content = read_as(state, member).role == NounRole::kContent;
-  if (content && lists_on_it(u - 1)) return weight::kShareVerb;
+  if (content && lists_on_it(u - 1) && !is_seat(lexicon_.catalog(), before)) return weight::kShareVerb;
   // "stove and sink along the left wall": what stands at walls
   if (!content && unit(member).joiner == Joiner::kAnd && by.kind == NounKind::kWall && usually_at_wall(noun) && usually_at_wall(before) &&
       before.determiner == Determiner::kNone)

@@ -133,6 +133,10 @@ int Scribe::make_mention(int u) {
     antecedent = antecedent_of(u);
   }
   if (const int shared = shared_as(u, noun); shared >= 0) return shared;
+  // "three mirrors …, bottles under mirrors": those that were named.
+  const bool bare = as_reference && noun.kind == NounKind::kObject && noun.determiner == Determiner::kNone && noun.plural &&
+                    noun.count == 0 && !noun.vague && noun.attributes.empty();
+  if (bare && references_.known(noun).size() > 1) noun.determiner = Determiner::kDefinite;
   const bool opens = own.role == NounRole::kRoot && own.opens_clause;
   const int mention = references_.mention(noun, antecedent, as_reference, as_reference || opens);
   if (const int other = not_itself(u, noun, mention); other >= 0) return other;

@@ -97,7 +97,10 @@ const PhraseSenses* UnitReader::end_of_room(std::size_t k) const {
   if (tokens[place.last - 1].text != "end" || (place.last < tokens.size() && tokens[place.last].text == "of")) return nullptr;
   const bool other = place.last >= 2 && tokens[place.last - 2].text == "other";
   const bool end = place.last == place.first + 3 && tokens[place.first].text == "at" && tokens[place.first + 1].text == "the";
-  if (!other && !end && !place.phrase.one) return nullptr;
+  // "a screen at the short end": of a room as wide as deep or wider a side
+  const bool narrow = place.last == place.first + 4 && tokens[place.first].text == "at" && tokens[place.first + 1].text == "the" &&
+                      one_of(tokens[place.first + 2].text, {"short", "shorter", "narrow"});
+  if (!other && !end && !narrow && !place.phrase.one) return nullptr;
   std::size_t thing = previous(k);
   if (is(thing, ChunkKind::kNoun) && is(previous(thing), ChunkKind::kPurpose)) thing = previous(previous(thing));  // "a table for six at …"
   if (!is(thing, ChunkKind::kNoun) || chunk(thing).noun.kind != NounKind::kObject) return nullptr;
@@ -106,7 +109,7 @@ const PhraseSenses* UnitReader::end_of_room(std::size_t k) const {
   const CatalogEntry* entry = chunk(thing).noun.entry;
   const bool board = entry != nullptr && entry->is(Trait::kScreen) && (entry->mount == Mount::kWall || entry->is(Trait::kElseOnWall));
   const bool stands = mount_of(chunk(thing).noun) == Mount::kFloor && !is_seat(lexicon_.catalog(), chunk(thing).noun);
-  return !board && !stands ? nullptr : other ? &kOther : end ? &kFar : &kOne;
+  return !board && !stands ? nullptr : other ? &kOther : end ? &kFar : &kOne;  // narrow: the left one
 }
 
 // "…, and shoji screens on one side": of the room, where what is listed stands by itself and goes with nothing, and no other side follows.
@@ -126,8 +129,8 @@ bool UnitReader::is_side_of_room(std::size_t k) const {
          noun.entry->mount == Mount::kFloor && !noun.entry->thin && !is_seat(lexicon_.catalog(), noun);
 }
 
-// "Sink and dishwasher on the left side, hob on the right": units of a kitchen are at the sides of the room where the text tells of both;
-// which side, or empty.
+// "Sink and dishwasher on the left side, hob on the right": units of a kitchen, and what stands at walls, are at the sides of the room
+// where the text tells of both; which side, or empty.
 std::string UnitReader::run_side_of_room(std::size_t k) const {
   const auto& tokens = document_.tokens;
   const auto side_at = [&](std::size_t last) -> std::string {  // "the left", "the right side", and no "of" after it
@@ -137,17 +140,32 @@ std::string UnitReader::run_side_of_room(std::size_t k) const {
     return side && word > 0 && tokens[word - 1].text == "the" ? tokens[word].text : std::string{};
   };
   const std::string side = side_at(chunk(k).last);
+  if (side.empty()) return {};
+  const bool large = is_large_by_itself(previous(k));
   std::size_t thing = previous(k);
-  while (is(thing, ChunkKind::kNoun) && (is(previous(thing), ChunkKind::kAnd) || is(previous(thing), ChunkKind::kHave)))
+  while (!large && is(thing, ChunkKind::kNoun) && (is(previous(thing), ChunkKind::kAnd) || is(previous(thing), ChunkKind::kHave)))
     thing = previous(previous(thing));
-  if (side.empty() || !is(thing, ChunkKind::kNoun) || chunk(thing).noun.entry == nullptr ||
-      !chunk(thing).noun.entry->is(Trait::kKitchenRun))
-    return {};
+  const bool unit = is(thing, ChunkKind::kNoun) && chunk(thing).noun.entry != nullptr && chunk(thing).noun.entry->is(Trait::kKitchenRun);
+  if (!unit && !large) return {};
+  // "Bunk bed on the left, …": of nothing that was named before
+  const bool first = std::none_of(document_.chunks.begin(), document_.chunks.begin() + static_cast<std::ptrdiff_t>(thing), [](const Chunk& c) {
+    return c.kind == ChunkKind::kNoun && (c.noun.kind == NounKind::kObject || c.noun.kind == NounKind::kDoor || c.noun.kind == NounKind::kWindow);
+  });
+  if (large && first) return side;
   for (std::size_t c = 0; c < document_.chunks.size(); ++c) {
     if (c == k || !is(c, ChunkKind::kRelation)) continue;
-    if (const std::string other = side_at(chunk(c).last); !other.empty() && other != side) return side;
+    const std::string other = side_at(chunk(c).last);
+    if (!other.empty() && other != side && (unit || is_large_by_itself(previous(c)))) return side;
   }
   return {};
+}
+
+// "Bed on the left, wardrobe on the right": what stands at a wall, and that no other thing is said to have.
+bool UnitReader::is_large_by_itself(std::size_t thing) const {
+  if (!is(thing, ChunkKind::kNoun) || chunk(thing).noun.kind != NounKind::kObject || is(previous(thing), ChunkKind::kHave)) return false;
+  const CatalogEntry* entry = chunk(thing).noun.entry;
+  constexpr Mm kLarge = 700;  // wider than a nightstand
+  return entry != nullptr && entry->mount == Mount::kFloor && entry->back_to_wall && entry->size.usual.width >= kLarge;
 }
 
 // "a sideboard with a coffee machine": the sideboard, of the machine.
@@ -173,8 +191,10 @@ bool UnitReader::stands_in_room(std::size_t k) const {
     while (is(after, ChunkKind::kComma) || is(after, ChunkKind::kVerb) || is(after, ChunkKind::kThere)) after = next(after);
     if (is(after, ChunkKind::kNoun)) thing = after;
   }
-  if (thing >= document_.chunks.size() || chunk(thing).noun.kind != NounKind::kObject || mount_of(chunk(thing).noun) != Mount::kFloor)
-    return false;
+  if (thing >= document_.chunks.size() || chunk(thing).noun.kind != NounKind::kObject) return false;
+  const CatalogEntry* entry = chunk(thing).noun.entry;
+  const bool screen = entry != nullptr && entry->is(Trait::kScreen) && entry->is(Trait::kElseOnWall);
+  if (mount_of(chunk(thing).noun) != Mount::kFloor && !screen) return false;
   if (!is_seat(lexicon_.catalog(), chunk(thing).noun)) return true;
   return std::none_of(units_.begin(), units_.end(), [&](const Unit& unit) {
     return unit.kind == UnitKind::kNoun && is_table(lexicon_.catalog(), chunk(unit.chunk).noun);
