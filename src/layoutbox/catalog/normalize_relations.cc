@@ -61,8 +61,22 @@ class SupportChooser {
   // The paper's `inside` an object says what a thing stands on; else the habit of its kind; else whatever carries things.
   const SceneObject* choose() const {
     if (const SceneObject* around = inside_of()) return around;
+    // A single globe stands on none of twenty pupils' desks, where there is something else for it.
+    const SceneObject* apart = alike(object_) == 1 ? choose_of([&](const SceneObject& o) { return alike(o) < kCrowd; }) : nullptr;
+    return apart != nullptr ? apart : choose_of([](const SceneObject&) { return true; });
+  }
+
+ private:
+  static constexpr std::ptrdiff_t kCrowd = 4;
+
+  std::ptrdiff_t alike(const SceneObject& object) const {
+    return std::ranges::count_if(scene_.objects, [&](const SceneObject& o) { return o.category == object.category; });
+  }
+
+  template <class Predicate>
+  const SceneObject* choose_of(Predicate allowed) const {
     for (const std::string& id : entry(object_).stands_on) {
-      const auto is_such = [&](const SceneObject& o) { return context_.catalog.is_a(entry(o).id, id); };
+      const auto is_such = [&](const SceneObject& o) { return allowed(o) && context_.catalog.is_a(entry(o).id, id); };
       // A kettle rather stands on a cabinet than in the sink, which is a counter as well.
       if (const SceneObject* found = freest([&](const SceneObject& o) { return is_such(o) && entry(o).top_carries; })) return found;
       if (const SceneObject* found = freest(is_such)) return found;
@@ -70,13 +84,12 @@ class SupportChooser {
     if (entry(object_).hang_height > 0) return nullptr;  // a television rather hangs than stands on the coffee table
     // Coats hang on no cupboard's top, and boots stand on none.
     if (object_.mount == Mount::kHung || entry(object_).is(Trait::kKeptLow)) return nullptr;
-    const auto carries = [&](const SceneObject& o) { return entry(o).top_carries && o.mount == Mount::kFloor; };
+    const auto carries = [&](const SceneObject& o) { return allowed(o) && entry(o).top_carries && o.mount == Mount::kFloor; };
     // Where one sits nothing stands as long as there is another top.
     if (const SceneObject* found = freest([&](const SceneObject& o) { return carries(o) && !entry(o).is(Trait::kSeat); })) return found;
     return freest(carries);
   }
 
- private:
   const CatalogEntry& entry(const SceneObject& object) const { return context_.catalog.entry_or_nearest(object.category); }
 
   const SceneObject* inside_of() const {
@@ -122,8 +135,18 @@ class SupportChooser {
     return area;
   }
 
-  // A relation puts the two side by side or one under the other ("a lamp to the right of the desk").
+  // The part of the room that the text puts it in, or empty.
+  std::string region_of(const SceneObject& object) const {
+    for (const Relation& relation : scene_.relations) {
+      if (relation.type == RelationType::kInRegion && names(relation.targets, object.id)) return relation.parameters.region;
+    }
+    return {};
+  }
+
+  // A relation puts the two side by side or one under the other ("a lamp to the right of the desk"), or in two parts of the room.
   bool stands_apart_from(const SceneObject& candidate) const {
+    const std::string own = region_of(object_), its = own.empty() ? own : region_of(candidate);
+    if (!its.empty() && own != its) return true;
     return std::ranges::any_of(scene_.relations, [&](const Relation& relation) {
       const bool related = (names(relation.targets, object_.id) && names(relation.references, candidate.id)) ||
                            (names(relation.targets, candidate.id) && names(relation.references, object_.id));

@@ -332,7 +332,8 @@ void RelationBuilder::add_habits() {
     const SceneObject *target = object_of(relation.targets.front()), *reference = object_of(relation.references.front());
     if (target == nullptr || reference == nullptr) continue;
     const NounPhrase &thing = noun_of_object(*target), &other = noun_of_object(*reference);
-    if (relation.type == R::kInFrontOf && is_seat(catalog_, thing) && is_table(catalog_, other) &&
+    const bool at_back = relation.type == R::kBehind && other.entry != nullptr && other.entry->used_sides == std::vector{Side::kBack};
+    if ((relation.type == R::kInFrontOf || at_back) && is_seat(catalog_, thing) && is_table(catalog_, other) &&
         !one_of(thing.head, {"sofa", "couch", "loveseat"}) && !scene_.relations[r].parameters.max)
       scene_.relations[r].parameters.max = 400;
     // Both at walls: across the room from each other, as far as that is in most rooms.

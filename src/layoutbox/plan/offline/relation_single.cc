@@ -212,7 +212,7 @@ void RelationBuilder::add_for_each(const Link& link, PhraseSense sense, const Me
     add_group(link, {R::kAround, Direction::kDirect, {}, {}, {}}, target.items, references, nullptr);
     return;
   }
-  if (seat_at) sense.type = R::kInFrontOf;  // "a chair at each"
+  if (seat_at) sense.type = user_side(references.front());  // "a chair at each"
   const std::size_t n = target.items.size(), m = references.size();
   const bool all = sense.type == R::kInFrontOf || sense.type == R::kOpposite;
   if (sense.type == R::kOpposite && m == 1 && n > 1) {  // as a group
@@ -375,7 +375,7 @@ void RelationBuilder::add_look(const Link& link, R type, int item, int reference
            n.name.find("media") != std::string::npos;
   };
   const bool seat = is_seat(catalog_, thing);
-  const bool before = type == R::kInFrontOf && ((seat && (is_table(catalog_, other) || screen(other))) || screen(thing));
+  const bool before = (type == R::kInFrontOf || type == user_side(reference)) && ((seat && (is_table(catalog_, other) || screen(other))) || screen(thing));
   if (!before && (type != R::kAlongSide || !seat)) return;
   Link look = link;
   look.concluded = true;

@@ -95,6 +95,15 @@ bool Decoder::goes_on_with_clause(const State& state, int u) const {
   return mount_of(noun) == Mount::kFloor || (known(noun) && known(noun_of(state, first)));
 }
 
+// "On the desk a lamp at the left side, a clock in the middle": parts of the top that the clause begins with.
+bool Decoder::on_part_of_top(const State& state, int u) const {
+  const int place = state.fronted.empty() ? -1 : state.fronted.front();
+  if (place < 0 || read_as(state, place).alone || !says(unit(place).direct, RelationType::kOn) || !is_thing(state, place + 1)) return false;
+  if (!follows(u, UnitKind::kPlace) || follows(u + 1, UnitKind::kNoun)) return false;
+  const PhraseSenses& senses = alone_senses(u + 1);
+  return says(senses, RelationType::kCenterOfRoom) || says(senses, RelationType::kLeftOf) || says(senses, RelationType::kRightOf);
+}
+
 // With what the clause is about, or a clause of its own; `gain`: what speaks for either.
 void Decoder::root_list_actions(std::size_t s, int u, double gain) {
   const State& state = states_[s];
@@ -113,7 +122,8 @@ void Decoder::root_list_actions(std::size_t s, int u, double gain) {
                     (u + 1 >= static_cast<int>(sentence_.size()) || (!is(u + 1, UnitKind::kHave) && unit(u + 1).joiner != Joiner::kNone));
   if (of_clause && (state.fronted.empty() || !subject || agrees)) {
     const double elsewhere = placed && placed_by_clause(state, u) ? weight::kPlacedByList : 0;
-    const bool own_place = placed && !state.fronted.empty() && !(share > 0 && mount_of(noun) == Mount::kSurface);
+    const bool own_place =
+        placed && !state.fronted.empty() && !(share > 0 && mount_of(noun) == Mount::kSurface) && !(share >= 0 && on_part_of_top(state, u));
     add(s, kNextRoot,
         gain + (agrees && !state.fronted.empty() ? weight::kAgrees : 0) + std::max(share, ends ? weight::kEndsList : -2.5) +
             (own_place ? weight::kOwnPlace * (unit(u).joiner == Joiner::kComma ? 2 : 1) : 0) + elsewhere,
