@@ -62,7 +62,24 @@ void RelationBuilder::soften_middles() {
   }
 }
 
+// "the bed in the middle with its head against the wall": in the middle of the wall.
+void RelationBuilder::center_on_walls() {
+  for (Relation& wall : scene_.relations) {
+    if (wall.type != R::kAgainstWall || !wall.asked() || wall.targets.size() != 1) continue;
+    const std::size_t first = static_cast<std::size_t>(&wall - scene_.relations.data());
+    for (const std::size_t r : relations_of(wall.targets.front())) {
+      Relation& middle = scene_.relations[r];
+      const bool of_wall = middle.why.ends_with("middle") || middle.why.ends_with("center");  // not "of the room"
+      if (r == first || middle.type != R::kCenterOfRoom || middle.targets.size() != 1 || !of_wall) continue;
+      wall.type = R::kCenteredOnWall;
+      middle.hard = false;
+      middle.origin = Origin::kConcluded;
+    }
+  }
+}
+
 void RelationBuilder::note_contradictions() {
+  center_on_walls();
   soften_middles();
   constexpr std::size_t kMost = 20;  // relations of one thing that are compared
   for (const SceneObject& object : scene_.objects) {

@@ -40,6 +40,15 @@ std::span<const std::string_view> Lexicon::words_like(char first, std::size_t le
   return found == by_shape.end() ? std::span<const std::string_view>{} : std::span<const std::string_view>(found->second);
 }
 
+const Lexicon::Set* Lexicon::set_called(std::string_view name) const {
+  const Set* set = set_of(name);
+  for (std::size_t space = 0; set == nullptr && (space = name.find(' ')) != std::string_view::npos;) {
+    name.remove_prefix(space + 1);
+    set = set_of(name);
+  }
+  return set;
+}
+
 const Lexicon::Set* Lexicon::set_of(std::string_view words) const {
   const auto found = sets_.find(key_of(words));
   return found == sets_.end() ? nullptr : &found->second;

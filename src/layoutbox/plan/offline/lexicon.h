@@ -181,6 +181,8 @@ class Lexicon {
   // What a set consists of, the host first ("dining set": table, chairs), or nothing.
   using Set = std::vector<std::pair<const CatalogEntry*, int>>;
   const Set* set_of(std::string_view words) const;
+  // The set that a name ends with, whatever goes before ("a round dining set"), or null.
+  const Set* set_called(std::string_view name) const;
   // Who needs what in a kind of room, the main thing first, and for how many one is (0: one for all); nothing where that is not listed.
   const Set* needs_in(std::string_view room) const;
   // The kind of room that one kind becomes for children: a bedroom for two of them is a kids' room.

@@ -106,6 +106,7 @@ void RelationBuilder::leave_middle_to_rows() {
 
 // "two recliners side by side, a little table between them": as near as the table lets them be; a plain table between easy seats is small.
 void RelationBuilder::make_room_between() {
+  std::vector<std::pair<std::string, std::string>> in_reach;  // seat and table
   for (const Relation& between : scene_.relations) {
     if (between.type != R::kBetween || between.references.size() != 2 || between.targets.size() != 1) continue;
     const auto middle = std::ranges::find(scene_.objects, between.targets[0], &SceneObject::id);
@@ -119,6 +120,7 @@ void RelationBuilder::make_room_between() {
       return entry != nullptr && entry->is(Trait::kEasySeat);
     });
     if (easy && small != nullptr && thing.exact && !thing.size.any()) middle->category = small->id;
+    for (std::size_t s = 0; easy && s < 2; ++s) in_reach.emplace_back(between.references[s], between.targets[0]);
     const CatalogEntry* kind = catalog_.find(middle->category);
     const Mm width = (kind != nullptr ? kind : thing.entry)->size.usual.width;
     std::vector<std::size_t> of_both = relations_of(between.references[0]);
@@ -132,6 +134,8 @@ void RelationBuilder::make_room_between() {
       if (of_pair && !beside.parameters.max && width + kAir > kUsualMost) beside.parameters.max = width + kAir;
     }
   }
+  for (const auto& [seat, table] : in_reach)
+    add_habit(R::kNextTo, {seat}, {table}, kTogether, "a table between two seats is in reach of both");
 }
 
 void RelationBuilder::settle_on_wall(SceneObject& object, const NounPhrase& noun) {

@@ -174,6 +174,7 @@ class RelationBuilder {
   void settle_stands();
   void leave_middle_to_rows();
   void make_room_between();
+  void center_on_walls();
   void settle_mount(std::size_t index);
   bool over_table(const std::string& object) const;
   // What the relations say of how it is held; `beside`: by what stands on the floor.

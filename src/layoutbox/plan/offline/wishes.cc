@@ -243,6 +243,36 @@ std::string kind_by_contents(const Lexicon& lexicon, const Document& document, c
   return {};
 }
 
+// "with a kitchen along the right wall", "… on the left": the wall, or empty.
+std::string wall_of_kitchen(const Document& document) {
+  const std::vector<Chunk>& chunks = document.chunks;
+  for (std::size_t k = 0; k + 2 < chunks.size(); ++k) {
+    const NounPhrase& room = chunks[k].noun;
+    if (chunks[k].kind != ChunkKind::kNoun || room.room == nullptr || room.room->id != "kitchen") continue;
+    std::size_t n = k + 1;
+    while (n < chunks.size() && (chunks[n].kind == ChunkKind::kIgnored || chunks[n].kind == ChunkKind::kVerb)) ++n;
+    if (n + 1 >= chunks.size() || chunks[n].kind != ChunkKind::kRelation || chunks[n + 1].kind != ChunkKind::kNoun) continue;
+    if (chunks[n + 1].noun.kind == NounKind::kWall) return chunks[n + 1].noun.wall_word;
+  }
+  return {};
+}
+
+// The kitchen that came with the room, from object `first` on, stands at the wall that it is said to be at.
+void place_kitchen(const Document& document, SceneGraph& scene, std::size_t first) {
+  const std::string wall = wall_of_kitchen(document);
+  for (std::size_t i = first; i < scene.objects.size() && !wall.empty(); ++i) {
+    Relation at;
+    at.id = "kitchen_" + std::to_string(i);
+    at.type = RelationType::kAgainstWall;
+    at.targets = {scene.objects[i].id};
+    at.references = {wall};
+    at.hard = false;
+    at.origin = Origin::kConcluded;
+    at.why = "the kitchen is at that wall";
+    scene.relations.push_back(std::move(at));
+  }
+}
+
 }  // namespace
 
 void name_room_by_contents(const Lexicon& lexicon, const Document& document, SceneGraph& scene) {
@@ -268,7 +298,10 @@ void furnish_by_wish(const Lexicon& lexicon, const Document& document, SceneGrap
     const bool known = room.determiner != Determiner::kNone && room.determiner != Determiner::kIndefinite;  // "tea is in the kitchen"
     return room.room != nullptr && room.room->id == "kitchen" && !known;
   });
-  if (kitchen && scene.room.type != "kitchen") Furnisher(lexicon, document, scene).add_part("kitchen");
+  if (!kitchen || scene.room.type == "kitchen") return;
+  const std::size_t named = scene.objects.size();
+  Furnisher(lexicon, document, scene).add_part("kitchen");
+  place_kitchen(document, scene, named);
 }
 
 }  // namespace layoutbox::offline

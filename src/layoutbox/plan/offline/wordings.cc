@@ -50,6 +50,8 @@ class WordingReader : public TokenReader {
       read_sofa_group(i);
       read_down_the_side(i);
       read_on_wheels(i);
+      read_watched_from(i);
+      read_behind_me(i);
       read_from_to(i);
       read_same_wall(i);
       read_end_wall(i);
@@ -337,6 +339,31 @@ class WordingReader : public TokenReader {
     if (side > i + 3) leave_out(i + 3, side);
     if (i > 1 && is(i - 1, {"all"}) && is(i - 2, {"windows"})) leave_out(i - 1, i);
   }
+
+  // "a tv he can watch from bed": opposite the bed.
+  void read_watched_from(std::size_t i) {
+    if (i == 0 || !is(i, {"watch", "see", "watched", "seen", "viewed", "visible"}) || !is(i + 1, {"from"})) return;
+    std::size_t first = i;
+    while (first > 0 && is(first - 1, {"can", "could", "to", "be", "is", "i", "you", "he", "she", "we", "they", "that", "one", "which"})) --first;
+    if (first == 0 || !is(first - 1, {"tv", "television", "screen", "telly", "projector"})) return;
+    if (first < i) leave_out(first, i);
+    tokens_[i].text = "opposite";
+    if (is_article(i + 2))
+      leave_out(i + 1, i + 2);
+    else
+      tokens_[i + 1].text = "the";
+  }
+
+  // "a bookcase behind me": behind where one sits.
+  void read_behind_me(std::size_t i) {
+    if (!is(i, {"behind"}) || !is(i + 1, {"me", "you", "him", "her", "us"})) return;
+    for (const Token& token : tokens_) {
+      if (!is_one_of_seats(token.text)) continue;
+      tokens_[i + 1].text = token.text;
+      return;
+    }
+  }
+  static bool is_one_of_seats(std::string_view word) { return word == "chair" || word == "armchair" || word == "stool" || word == "recliner"; }
 
   // "a red carpet from the door to the throne": between the two.
   void read_from_to(std::size_t i) {

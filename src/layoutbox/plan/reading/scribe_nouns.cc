@@ -222,12 +222,7 @@ bool Scribe::trails_each(int u) {
 bool Scribe::write_set(int u) {
   const NounPhrase noun = chunk(u).noun;
   if (reading(u).role == NounRole::kReference || noun.determiner == Determiner::kDefinite) return false;
-  std::string words = noun.name;  // with its article: the name is that of no object
-  const Lexicon::Set* set = lexicon_.set_of(words);
-  for (std::size_t space = 0; set == nullptr && (space = words.find(' ')) != std::string::npos;) {
-    words = words.substr(space + 1);
-    set = lexicon_.set_of(words);
-  }
+  const Lexicon::Set* set = lexicon_.set_called(noun.name);
   if (set == nullptr) return false;
   const auto member = [&](const CatalogEntry& entry, int count) {
     NounPhrase one = noun;

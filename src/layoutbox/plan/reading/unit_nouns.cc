@@ -206,8 +206,13 @@ void UnitReader::settle_noun(std::size_t k) {
       object != nullptr &&
       (content ? is_placed_itself(k) || is_let_in(*object) ||
                      (object->entry == nullptr && object->name.find(' ') != std::string::npos && stands_among_things(k))
-               : !after_place() || noun.determiner == Determiner::kIndefinite))
+               : !after_place() || noun.determiner == Determiner::kIndefinite || is_named_before(k, object->head)))
     noun = NounPhrase(*object);
+  // "a dining set by the window": what is said of the set is said of what it is about.
+  if (const Lexicon::Set* set = noun.kind == NounKind::kObject || noun.kind == NounKind::kAbstract ? lexicon_.set_called(noun.name) : nullptr) {
+    noun.kind = NounKind::kObject;
+    noun.entry = set->front().first;
+  }
   if (names_known(k) || is_thing_in_company(k)) {
     noun.kind = NounKind::kObject;
     if (noun.entry == nullptr && noun.determiner == Determiner::kEach) noun.name = noun.head;
