@@ -57,6 +57,7 @@ std::size_t Chunker::length_of_looking() const {
   static constexpr std::array<std::string_view, 12> kLookingAt = {"at",   "to",   "toward", "towards", "on",      "onto",
                                                                   "upon", "over", "into",   "through", "outside", "of"};
   static constexpr std::array<std::string_view, 3> kTurnedTo = {"to", "toward", "towards"};
+  if (lexicon_.find(tokens_, i_, WordClass::kObject).length > 1) return 0;  // "an eye chart", "a watch stand"
   const bool looks = is_verb_of("looking", i_), turns = is_verb_of("turning", i_), watches = is_verb_of("watching", i_);
   if (!looks && !turns && !watches) return 0;
   // "a watch on the table": a noun.

@@ -136,6 +136,22 @@ void RelationBuilder::make_room_between() {
   }
   for (const auto& [seat, table] : in_reach)
     add_habit(R::kNextTo, {seat}, {table}, kTogether, "a table between two seats is in reach of both");
+  // Two that look at one thing and have a table between them sit side by side.
+  const auto look_of = [&](const std::string& seat) {
+    for (const std::size_t r : relations_of(seat)) {
+      if (scene_.relations[r].type == R::kFacing && scene_.relations[r].targets.size() == 1) return scene_.relations[r].references;
+    }
+    return std::vector<std::string>{};
+  };
+  for (std::size_t s = 0; s + 1 < in_reach.size(); s += 2) {
+    const std::string &one = in_reach[s].first, &other = in_reach[s + 1].first;
+    if (const auto seen = look_of(one); seen.empty() || seen != look_of(other) || seen.front() == other) continue;
+    for (const R type : {R::kSameOrientation, R::kEdgeAlign}) {
+      add_habit(type, {other}, {one}, kTogether, "who looks at one thing sits side by side");
+      scene_.relations.back().hard = true;
+      scene_.relations.back().origin = Origin::kConcluded;
+    }
+  }
 }
 
 void RelationBuilder::settle_on_wall(SceneObject& object, const NounPhrase& noun) {

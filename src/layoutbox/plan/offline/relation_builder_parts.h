@@ -154,6 +154,7 @@ class RelationBuilder {
   void add_habit(RelationType type, std::vector<std::string> targets, std::vector<std::string> references, int weight, std::string why);
   void lay_beds_along();
   void share_nightstand();
+  void turn_two_sided_tables();
   void make_islands();
   void seat_at_only_table();
   bool is_eaten_at(const NounPhrase& noun) const;

@@ -176,6 +176,20 @@ void RelationBuilder::lay_beds_along() {
   }
 }
 
+// "four manicure tables along the wall, each with two chairs": a table at which one sits face to face has its narrow end at the wall.
+void RelationBuilder::turn_two_sided_tables() {
+  for (Relation& wall : scene_.relations) {
+    const SceneObject* table = wall.type == R::kAgainstWall && wall.targets.size() == 1 ? object_of(wall.targets.front()) : nullptr;
+    const CatalogEntry* entry = table == nullptr ? nullptr : catalog_.find(table->category);
+    if (entry == nullptr || entry->used_sides != std::vector{Side::kFront, Side::kBack} || !entry->is(Trait::kTable)) continue;
+    const auto seats_two = [&](const Relation& r) {
+      return (r.type == R::kAround || r.type == R::kSurround || r.type == R::kEachSideOf) && r.targets.size() > 1 &&
+             r.references == wall.targets;
+    };
+    if (std::ranges::any_of(scene_.relations, seats_two)) wall.type = R::kSideAgainstWall;
+  }
+}
+
 // "two beds with a shared bedside cabinet": the only one stands between the only two, where it has no place of its own.
 void RelationBuilder::share_nightstand() {
   std::vector<std::string> beds, stands;
@@ -323,6 +337,7 @@ void RelationBuilder::add_habits() {
   face_as_crowd();
   lay_beds_along();
   share_nightstand();
+  turn_two_sided_tables();
   seat_those_who_wait();
   seat_at_only_table();
   const std::size_t said = scene_.relations.size();

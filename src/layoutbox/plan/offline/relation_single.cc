@@ -334,6 +334,8 @@ bool RelationBuilder::add_on_other_side(const Link& link, PhraseSense& sense, co
 std::vector<std::string> RelationBuilder::shared_walls(const NounPhrase& walls, bool boards) const {
   const bool every = walls.determiner == Determiner::kEach && walls.wall_word.empty();  // "tall shelves on every wall": not the front one
   if (walls.kind != NounKind::kWall || !(walls.is_plural() || walls.determiner == Determiner::kBoth || every)) return {};
+  const bool sides = walls.name.find("side wall") != std::string::npos || walls.name.find("long") != std::string::npos;
+  if (every && sides) return {"left", "right"};
   if (every && boards) return {"back", "left", "right", "front"};
   if (every) return {"left", "back", "right"};
   const auto said = [&](std::string_view word) {

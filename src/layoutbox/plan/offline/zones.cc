@@ -83,7 +83,8 @@ class ZoneReader {
         at += part ? 2 : 1;
       }
     }
-    const bool fronted = c > 0 && is(c - 1, ChunkKind::kRelation);
+    // "in the reading corner a rug …", but "cushions in the reading corner, toy shelves along the window"
+    const bool fronted = c > 0 && is(c - 1, ChunkKind::kRelation) && !(c > 1 && is(c - 2, ChunkKind::kNoun));
     read_members(zone, at, fronted);
     const ZoneUse* row = row_of(noun(c));
     if (row != nullptr) take_meaning(zone, *row);

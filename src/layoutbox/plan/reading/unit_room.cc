@@ -153,6 +153,9 @@ std::string UnitReader::run_side_of_room(std::size_t k) const {
   });
   if (large && first) return side;
   for (std::size_t c = 0; c < document_.chunks.size(); ++c) {
+    // "bikes on the left wall, freezer on the right"
+    const bool wall = is(c, ChunkKind::kNoun) && chunk(c).noun.kind == NounKind::kWall && one_of(chunk(c).noun.wall_word, {"left", "right"});
+    if (wall && chunk(c).noun.wall_word != side && large) return side;
     if (c == k || !is(c, ChunkKind::kRelation)) continue;
     const std::string other = side_at(chunk(c).last);
     if (!other.empty() && other != side && (unit || is_large_by_itself(previous(c)))) return side;

@@ -237,7 +237,9 @@ void Habits::leave_free_before(int item) {
     if (!ref.entry->back_to_wall && !sits_under) continue;
     // A visitor's chair, an armchair that goes to nothing: nobody sits with the head under it.
     const bool loose = sits_under && usual_hosts(other).empty();
-    if (!loose && (board ? related(item, other) : !ref.is(Trait::kCenterPiece) || !only_turned_by(item, other))) continue;
+    const bool cooked_at = ref.is(Trait::kKitchenRun) && !related(item, other);  // nor over a kitchen's worktop
+    const bool lain_in = ref.is(Trait::kCenterPiece) && only_turned_by(item, other);
+    if (!loose && (board ? related(item, other) : !lain_in && !cooked_at)) continue;
     Formula f;
     for_each_turn(self, [&](int turn, std::uint64_t states) {
       if (turn % 90 != 0) return;
