@@ -130,7 +130,10 @@ std::optional<bool> NounPhraseReader::read_thing(const Match& match, bool noun_b
   const Meaning* attribute = attribute_of(match);
   // A noun that is a verb as well ("light", "plant", "stand", "frames") is a verb right after another noun, unless it ends a name.
   // "glass" before a noun is what the noun is made of; "drawers" are parts where both are listed.
-  if (attribute != nullptr && object != nullptr && match.length == 1 && !noun_before && noun_after(i_ + match.length))
+  const std::size_t next = i_ + match.length;
+  const bool top = next < tokens_.size() && one_of(tokens_[next].text, {"top", "tops", "surface", "base"}) &&
+                   !(next + 1 < tokens_.size() && tokens_[next + 1].text == "of");  // "with a glass top"
+  if (attribute != nullptr && object != nullptr && match.length == 1 && !noun_before && (noun_after(next) || top))
     return add(attribute->word_class, *attribute, match.length, match.plural);
   Token single = token();
   single.text = singular_of(single.text);

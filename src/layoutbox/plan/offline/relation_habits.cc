@@ -190,6 +190,22 @@ void RelationBuilder::turn_two_sided_tables() {
   }
 }
 
+// "a sofa facing a ceiling-mounted screen": what is looked at and hangs free looks back.
+void RelationBuilder::turn_screens_to_viewers() {
+  const std::size_t said = scene_.relations.size();
+  for (std::size_t r = 0; r < said; ++r) {
+    const Relation look = scene_.relations[r];
+    if (look.type != R::kFacing || look.targets.size() != 1 || look.references.size() != 1) continue;
+    const SceneObject* screen = object_of(look.references.front());
+    const CatalogEntry* entry = screen == nullptr ? nullptr : catalog_.find(screen->category);
+    const bool hangs = screen != nullptr && std::ranges::any_of(relations_of(screen->id), [&](std::size_t i) {
+      return scene_.relations[i].type == R::kOnCeiling;
+    });
+    if (hangs && entry != nullptr && entry->is(Trait::kScreen))
+      add_habit(R::kFacing, {screen->id}, look.targets, kTogether, "a screen on the ceiling looks at who watches it");
+  }
+}
+
 // "two beds with a shared bedside cabinet": the only one stands between the only two, where it has no place of its own.
 void RelationBuilder::share_nightstand() {
   std::vector<std::string> beds, stands;
@@ -338,6 +354,7 @@ void RelationBuilder::add_habits() {
   lay_beds_along();
   share_nightstand();
   turn_two_sided_tables();
+  turn_screens_to_viewers();
   seat_those_who_wait();
   seat_at_only_table();
   const std::size_t said = scene_.relations.size();

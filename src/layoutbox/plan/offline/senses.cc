@@ -128,7 +128,9 @@ class SenseChooser {
 
   std::optional<PhraseSense> at_center() const {
     const auto of = [&](NounKind kind) { return reference_.of && reference_.of->kind == kind; };
-    if (of(NounKind::kObject) || of(NounKind::kPronoun) || of(NounKind::kPart)) return on_part("center");
+    const bool thing = of(NounKind::kObject) || of(NounKind::kPronoun) || of(NounKind::kPart);
+    if (thing && says(R::kAbove)) return own(R::kAbove);  // "hangs above the center of the table"
+    if (thing) return on_part("center");
     if (reference_.of && reference_.of->kind == NounKind::kWall) return own(R::kCenteredOnWall);
     if (says_any({R::kOn, R::kIn, R::kNextTo, R::kNear, R::kCenterOfRoom, R::kAgainstWall})) return own(R::kCenterOfRoom);
     return std::nullopt;

@@ -148,6 +148,8 @@ class Decoder {
   double content_score(const State& state, int predicate, Referent content) const;
   bool speaks_of_no_thing(const State& state) const;
   bool lists_on_it(int u) const;
+  bool carries_list(int predicate) const;
+  bool stands_small(const NounPhrase& noun) const;
   bool may_come_with(const NounPhrase& host, const NounPhrase& noun) const;
   bool placed_by_unsaid(int u) const;
   bool is_fresh(int u) const;

@@ -129,7 +129,11 @@ void Decoder::root_list_actions(std::size_t s, int u, double gain) {
             (own_place ? weight::kOwnPlace * (unit(u).joiner == Joiner::kComma ? 2 : 1) : 0) + elsewhere,
         state.frontier.front());
   }
-  if (!of_clause || !state.fronted.empty()) add(s, kNewRoot, gain - (state.fronted.empty() ? 0 : 0.4) + (ends ? weight::kEndsList : 0));
+  // "sits under the window and holds a monitor and a tower": nothing is said of the tower by itself.
+  const bool told = subject || placed || unit(u).joiner != Joiner::kAnd || (u + 1 < static_cast<int>(sentence_.size()) && !is(u + 1, UnitKind::kNoun));
+  const double untold = of_clause || told ? 0 : weight::kNothingTold;
+  if (!of_clause || !state.fronted.empty())
+    add(s, kNewRoot, gain + untold - (state.fronted.empty() ? 0 : 0.4) + (ends ? weight::kEndsList : 0));
 }
 
 // "a desk with a lamp and a clock": the clock is the desk's as well.
@@ -193,6 +197,18 @@ bool Decoder::looked_at_elsewhere(const NounPhrase& host, const NounPhrase& noun
 }
 
 // How well it goes with the list, by what such things do: lie on the host, stand at it.
+// "supporting", "carries", "holds": its things are on it. "With" and "has" leave that open.
+bool Decoder::carries_list(int predicate) const {
+  return one_of(word(predicate), {"supporting", "supports", "carrying", "carries", "bearing", "bears", "holding", "holds", "hold"});
+}
+
+// Small enough for a top, though it may stand on the floor: a ring light, a basket.
+bool Decoder::stands_small(const NounPhrase& noun) const {
+  constexpr Mm kWide = 800;
+  return noun.entry != nullptr && mount_of(noun) == Mount::kFloor && !is_seat(lexicon_.catalog(), noun) && !noun.entry->thin &&
+         std::max(noun.entry->size.usual.width, noun.entry->size.usual.depth) <= kWide && !is_table(lexicon_.catalog(), noun);
+}
+
 // "with the press, the rack and the scale on it": what such a list names, from the noun at u on, lies on its host, whatever it is.
 bool Decoder::lists_on_it(int u) const {
   while (is(u + 1, UnitKind::kNoun) && unit(u + 1).joiner != Joiner::kNone && !unit(u + 1).clause) ++u;
@@ -222,6 +238,8 @@ double Decoder::list_kind_score(const State& state, int member, int u, std::size
   // "stores four cans and a coiled hose": what one verb says of both
   const bool one_verb = joiner == Joiner::kAnd && is(predicate, UnitKind::kHave) && is_finite(word(predicate)) && !has_own_place(u);
   if (differ && one_verb && is_storage(host)) return 0;
+  // "supporting a monitor, a ring light, and a microphone": what one carrying word says of a list is said of what may stand on the floor too.
+  if (differ && carries_list(predicate) && !has_own_place(u) && stands_small(noun)) return 0.2;
   if (differ && mount_of(noun) == Mount::kFloor && !carried) return weight::kStandsByItself;
   if (differ) return weight::kNotCarried;
   return joiner == Joiner::kComma ? -1.2 : 0;
