@@ -50,6 +50,7 @@ class WordingReader : public TokenReader {
       read_sofa_group(i);
       read_down_the_side(i);
       read_on_wheels(i);
+      read_follow(i);
       read_watched_from(i);
       read_behind_me(i);
       read_from_to(i);
@@ -338,6 +339,13 @@ class WordingReader : public TokenReader {
     tokens_[side].text = "wall";
     if (side > i + 3) leave_out(i + 3, side);
     if (i > 1 && is(i - 1, {"all"}) && is(i - 2, {"windows"})) leave_out(i - 1, i);
+  }
+
+  // "three tables follow one another in a row": they stand so.
+  void read_follow(std::size_t i) {
+    if (!is(i, {"follow", "succeed"}) || !(are(i + 1, {"one", "another"}) || are(i + 1, {"each", "other"}))) return;
+    tokens_[i].text = "stand";
+    leave_out(i + 1, i + 3);
   }
 
   // "a tv he can watch from bed": opposite the bed.

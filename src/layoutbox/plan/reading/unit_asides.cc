@@ -344,4 +344,26 @@ bool UnitReader::is_within_room(std::size_t k) const {
   return !is_named_before(k, noun.of->head);
 }
 
+// "The altar, a plain block of limestone, is raised on a platform": what the subject is, said between commas.
+bool UnitReader::passes_apposition(std::size_t k) {
+  const NounPhrase& noun = chunk(k).noun;
+  if (joiner_ != Joiner::kComma || units_.size() != 1 || units_.front().kind != UnitKind::kNoun) return false;
+  std::size_t end = next(k);
+  if (is(end, ChunkKind::kUnknown) || is(end, ChunkKind::kAttribute) || (is(end, ChunkKind::kNoun) && chunk(end).noun.kind == NounKind::kAbstract))
+    end = next(end);  // "of limestone"
+  const bool between = noun.determiner == Determiner::kIndefinite && !noun.is_plural() && is(end, ChunkKind::kComma) &&
+                       chunk(end).last < document_.tokens.size();
+  if (!between) return false;
+  const NounPhrase& subject = chunk(units_.front().chunk).noun;
+  const std::string& verb = document_.tokens[chunk(end).last].text;
+  const bool finite = is(next(end), ChunkKind::kVerb) && is_finite(verb);
+  const bool one = subject.kind == NounKind::kObject && !subject.is_plural() && (verb == "is" || verb == "was" || finite);
+  const bool known = subject.determiner == Determiner::kDefinite || subject.determiner == Determiner::kPossessive;
+  if (!one || !known) return false;
+  mark(k, WordReading::Use::kUsed, "what it is");
+  joiner_ = Joiner::kNone;
+  passed_until_ = next(end);
+  return true;
+}
+
 }  // namespace layoutbox::offline

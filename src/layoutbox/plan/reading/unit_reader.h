@@ -73,6 +73,7 @@ class UnitReader {
   bool says_what_is_there(std::size_t first, std::size_t last) const;
   bool says_where_known_is(std::size_t first, std::size_t last) const;
   bool passes_aside(std::size_t k);
+  bool passes_apposition(std::size_t k);
   bool does_it_there(std::size_t k) const;
   bool names_thing(std::size_t k) const;
   bool is_done_here(std::size_t k) const;

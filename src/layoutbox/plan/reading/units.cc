@@ -181,7 +181,8 @@ bool UnitReader::inverts_after(std::size_t k) const {
   if (!hung && !is(c, ChunkKind::kParticiple)) return false;
   if (!hung) c = next(c);
   bool placed = false;
-  for (; is(c, ChunkKind::kRelation) && is(next(c), ChunkKind::kNoun); c = next(next(c))) placed = true;
+  const auto by_it = [&](std::size_t at) { return document_.tokens[chunk(at).last - 1].text == "it"; };  // "over it"
+  for (; is(c, ChunkKind::kRelation) && (by_it(c) || is(next(c), ChunkKind::kNoun)); c = by_it(c) ? next(c) : next(next(c))) placed = true;
   return placed && is(c, ChunkKind::kVerb) && one_of(document_.tokens[chunk(c).first].text, {"is", "are"}) &&
          is(next(c), ChunkKind::kNoun) && is_new_here(chunk(next(c)).noun);
 }
