@@ -133,10 +133,11 @@ void RelationBuilder::add_content(const Link& link, const Mention& target, const
   if (thing.entry != nullptr && thing.entry->thin && mount == Mount::kFloor) return each(R::kUnder);
   if (is_table(catalog_, host) && is_seat(catalog_, thing)) return add_seats(link, target.items, hosts);
   // "a table crowded with bottles and an alembic": whatever it is, a table's top has it.
-  const bool on_table = is_table(catalog_, host) && !is_table(catalog_, thing) && mount == Mount::kFloor;
+  const bool joined = one_of(document_.tokens[link.first].text, {"accompanied", "joined", "paired", "complemented", "coupled"});
+  const bool great = thing.entry != nullptr && thing.entry->back_to_wall;  // a wardrobe
+  const bool on_table = is_table(catalog_, host) && !is_table(catalog_, thing) && mount == Mount::kFloor && !joined && !great;
   const bool carried = may_carry(catalog_, host, thing) || (link.holding && (shows(link) || on_table)) ||
                        (says_inside(link) && has_inside(host) && !is_heavy(catalog_, thing));
-  const bool joined = one_of(document_.tokens[link.first].text, {"accompanied", "joined", "paired", "complemented", "coupled"});
   if (joined && mount == Mount::kSurface && mount_of(host) == Mount::kSurface) return each(R::kNextTo);
   // "an armchair with a lamp": beside it.
   const bool sat_on = is_seat(catalog_, host) || (host.entry != nullptr && host.entry->is(Trait::kEasySeat));

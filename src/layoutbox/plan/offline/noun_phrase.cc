@@ -206,6 +206,14 @@ void NounPhraseReader::read_of() {
       return;
     }
     phrase_.name += " of " + (base->name.empty() ? text_of(tokens_, base->first, base->last) : base->name);
+    // "a bar of lavender soap", "a tub of modeling clay": listed by what it is of, whatever is said of that.
+    const std::vector<Token> called = tokenize(phrase_.name);
+    const Match listed = lexicon_.find(called, 0);
+    if (const Meaning* thing = meaning_of(listed, Class::kObject); thing != nullptr && listed.length == called.size()) {
+      phrase_.entry = thing->entry;
+      phrase_.category = thing->entry->id;
+      return;
+    }
     // "a tub of clay" is none to bathe in.
     if (const CatalogEntry* portion = lexicon_.catalog().find(portion_entry(phrase_.head)); portion != nullptr && !base->exact) {
       phrase_.entry = portion;

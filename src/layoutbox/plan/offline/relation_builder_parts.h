@@ -155,6 +155,7 @@ class RelationBuilder {
   void lay_beds_along();
   void share_nightstand();
   void turn_two_sided_tables();
+  void seat_around_faced_tables();
   void turn_screens_to_viewers();
   void make_islands();
   void seat_at_only_table();

@@ -190,6 +190,27 @@ void RelationBuilder::turn_two_sided_tables() {
   }
 }
 
+// "two armchairs facing a round coffee table": they sit around it, one beside or across from the other, not one behind the other.
+void RelationBuilder::seat_around_faced_tables() {
+  std::map<std::string, std::vector<std::string>> at;  // table: its seats
+  for (const Relation& look : scene_.relations) {
+    if (look.type != R::kFacing || look.targets.size() != 1 || look.references.size() != 1 || !look.asked()) continue;
+    const SceneObject *seat = object_of(look.targets.front()), *table = object_of(look.references.front());
+    if (seat == nullptr || table == nullptr || !is_seat(catalog_, noun_of_object(*seat)) || !is_table(catalog_, noun_of_object(*table)))
+      continue;
+    const CatalogEntry* entry = noun_of_object(*table).entry;
+    const bool works = entry == nullptr || entry->is(Trait::kDesk) || entry->is(Trait::kDeskLike) || entry->is(Trait::kCounter);
+    const bool elsewhere = std::ranges::any_of(relations_of(seat->id), [&](std::size_t r) {
+      const R type = scene_.relations[r].type;
+      return type != R::kFacing && type != R::kNear && type != R::kOn;
+    });
+    if (!works && !elsewhere) at[table->id].push_back(seat->id);
+  }
+  for (auto& [table, seats] : at) {
+    if (seats.size() > 1) add_habit(R::kAround, seats, {table}, kTogether, "who looks at a table sits around it");
+  }
+}
+
 // "a sofa facing a ceiling-mounted screen": what is looked at and hangs free looks back.
 void RelationBuilder::turn_screens_to_viewers() {
   const std::size_t said = scene_.relations.size();
@@ -355,6 +376,7 @@ void RelationBuilder::add_habits() {
   share_nightstand();
   turn_two_sided_tables();
   turn_screens_to_viewers();
+  seat_around_faced_tables();
   seat_those_who_wait();
   seat_at_only_table();
   const std::size_t said = scene_.relations.size();

@@ -168,6 +168,21 @@ void RelationBuilder::carry_support() {
     }
   };
   spread();
+  // "A lamp hangs above the table, lighting a planter": what a lamp over a table is over as well stands on it.
+  const std::size_t said = scene_.relations.size();
+  for (std::size_t r = 0; r < said; ++r) {
+    const Relation over = scene_.relations[r];
+    if (over.type != R::kAbove || over.targets.size() != 1 || over.references.size() != 1) continue;
+    const auto small = objects_.find(over.references.front());
+    if (small == objects_.end() || !is_small(small->second) || !said_support(over.references.front()).empty()) continue;
+    for (const std::size_t other : relations_of(over.targets.front())) {
+      const Relation& table = scene_.relations[other];
+      const SceneObject* host = table.type == R::kAbove && table.references.size() == 1 ? object_of(table.references.front()) : nullptr;
+      if (host == nullptr || !is_table(catalog_, noun_of_object(*host)) || mount_of(noun_of_object(*host)) != Mount::kFloor) continue;
+      conclude(small->second, host->id);
+      break;
+    }
+  }
   for (std::size_t i = 0; i < supports.size(); ++i) {
     if (beside[i].empty() || !supports[i].empty()) continue;
     const std::string host = own_of_several(i, host_spoken_of(i));

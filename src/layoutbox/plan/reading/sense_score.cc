@@ -65,6 +65,9 @@ double SenseScore::over(const NounPhrase& target, const NounPhrase& reference) c
   double score = 0;
   if (is_table(catalog_, reference) && mount_of(target) == Mount::kCeiling) score += weight::kLampOverTable;
   if (is_chair(reference)) score += weight::kOverSeat;
+  // Nobody watches what hangs over the head.
+  const bool watched = target.entry != nullptr && target.entry->is(Trait::kScreen) && is_seat(catalog_, reference);
+  if (watched) score += weight::kUnlikely;
   // What hangs on the wall is over what is as wide, seldom over a box or a bin.
   const bool narrow = reference.entry != nullptr && mount_of(reference) == Mount::kFloor && !reference.entry->back_to_wall &&
                       !is_heavy(catalog_, reference) && reference.entry->size.usual.width <= 600;
