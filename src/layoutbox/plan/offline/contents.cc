@@ -22,7 +22,7 @@ bool RelationBuilder::is_placed(int item) const {
 }
 
 // … by something else than each other: "two chairs per table facing each other" are at the table still.
-bool RelationBuilder::is_placed_apart(const std::vector<int>& items) const {
+bool RelationBuilder::is_placed_apart(const std::vector<int>& items, bool of_table) const {
   const std::vector<std::string> own = ids(items);
   const std::vector<std::size_t>& all = relations_of(own.front());
   return std::any_of(all.begin(), all.end(), [&](std::size_t r) {
@@ -32,7 +32,9 @@ bool RelationBuilder::is_placed_apart(const std::vector<int>& items) const {
                                     [&](const std::string& one) { return std::find(own.begin(), own.end(), one) != own.end(); });
     // Where it is not, says nothing of where it is.
     const bool denied = relation.type == R::kDistance && relation.parameters.min && !relation.parameters.max;
-    return places(relation.type) && !mutual && !denied;
+    // "a desk features a lamp to the right of a sketchbook": beside a small thing it is still on the desk.
+    const bool by_small = of_table && relation.type != R::kOn && relation.type != R::kIn && only_small(own) && only_small(relation.references);
+    return places(relation.type) && !mutual && !denied && !by_small;
   });
 }
 
@@ -111,7 +113,7 @@ void RelationBuilder::add_contents(const Link& link) {
     const Mention& target = mention(m);
     if (target.items.empty() || on_floor_.contains(m)) continue;
     const std::vector<int> hosts = carriers_among(link, m, hosts_of(link, m));
-    if (link.weak && is_placed_apart(target.items)) continue;
+    if (link.weak && is_placed_apart(target.items, is_table(catalog_, noun_of_item(hosts.front())))) continue;
     if (!is_related(target.items.front(), hosts.front())) add_content(link, target, hosts);
   }
 }

@@ -117,7 +117,7 @@ class RelationBuilder {
   bool is_placed(int item) const;
   void keep_standing(std::vector<int>& items) const;
   void keep_two_that_stand(std::vector<std::string>& objects) const;
-  bool is_placed_apart(const std::vector<int>& items) const;
+  bool is_placed_apart(const std::vector<int>& items, bool of_table = false) const;
   bool is_related(int item, int other) const;
   // What a thing has: on it, in it, at it, by it, as the two allow.
   void add_contents(const Link& link);

@@ -135,7 +135,7 @@ void RelationBuilder::add_in_middle(const Link& link, const PhraseSense& sense, 
 bool RelationBuilder::in_ring(const std::vector<int>& targets, const std::vector<int>& references) const {
   const NounPhrase& host = noun_of_item(references.front());
   const bool round = std::any_of(host.attributes.begin(), host.attributes.end(),
-                                 [](const std::string& a) { return a == "round" || a == "circular" || a == "oval"; });
+                                 [](const std::string& a) { return one_of(a, {"round", "circular", "oval", "hexagonal", "octagonal"}); });
   return (round || !is_table(catalog_, host)) && targets.size() >= 3 * references.size();
 }
 

@@ -82,6 +82,9 @@ void Scribe::grow_for_each(int thing, int each) {
   const NounPhrase& noun = noun_of(thing);
   const std::size_t now = mention_at(thing).items.size(), unsaid = noun.plural ? 2 : 1;
   if (now > std::max(static_cast<std::size_t>(std::max(noun.count, 0)), unsaid)) return;
+  // "six glasses in front of each chair" of six: one for each, as people mean it.
+  constexpr std::size_t kMany = 4;
+  if (now >= kMany && now == mention_at(each).items.size() && mount_of(noun) == Mount::kSurface) return;
   references_.grow(thing, now * std::max<std::size_t>(mention_at(each).items.size(), 1));
 }
 
