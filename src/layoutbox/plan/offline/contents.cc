@@ -33,7 +33,8 @@ bool RelationBuilder::is_placed_apart(const std::vector<int>& items, bool of_tab
     // Where it is not, says nothing of where it is.
     const bool denied = relation.type == R::kDistance && relation.parameters.min && !relation.parameters.max;
     // "a desk features a lamp to the right of a sketchbook": beside a small thing it is still on the desk.
-    const bool by_small = of_table && relation.type != R::kOn && relation.type != R::kIn && only_small(own) && only_small(relation.references);
+    const bool by_small =
+        of_table && relation.type != R::kOn && relation.type != R::kIn && only_small(own) && only_small(relation.references);
     return places(relation.type) && !mutual && !denied && !by_small;
   });
 }

@@ -86,8 +86,8 @@ bool NounPhraseReader::names_set() const {
 // "light-filled", "hand-knotted", "ladder-back", "ride-on": one adjective, whatever its first word is.
 bool NounPhraseReader::read_compound_adjective(const Match& match) {
   if (match.length > 1 || i_ + 1 >= tokens_.size() || !hyphenated(i_ + 1) || token().kind != Token::Kind::kWord) return false;
-  static constexpr std::string_view kEnds[] = {"style", "free", "on", "up", "in",    "out",  "off",  "down", "over",
-                                               "thrown", "made", "spun", "cut", "woven", "sewn", "worn", "hewn", "drawn", "blown"};
+  static constexpr std::string_view kEnds[] = {"style", "free", "on",  "up",    "in",   "out",  "off",  "down",  "over", "thrown",
+                                               "made",  "spun", "cut", "woven", "sewn", "worn", "hewn", "drawn", "blown"};
   const std::string& end = tokens_[i_ + 1].text;
   const bool adjective =
       end.ends_with("ed") || end.ends_with("ing") || std::find(std::begin(kEnds), std::end(kEnds), end) != std::end(kEnds);

@@ -13,8 +13,9 @@ bool is_screen(const CatalogEntry& entry) { return entry.shape.family == "tv" ||
 
 // As wide as it is deep.
 bool is_round(const NounPhrase& noun) {
-  return std::any_of(noun.attributes.begin(), noun.attributes.end(),
-                     [](const std::string& a) { return one_of(a, {"round", "circular", "square", "hexagonal", "octagonal"}); });
+  return std::any_of(noun.attributes.begin(), noun.attributes.end(), [](const std::string& a) {
+    return one_of(a, {"round", "circular", "square", "hexagonal", "octagonal"});
+  });
 }
 
 // Which of the three sides "a 6-foot bookcase" speaks of: the longest that such a thing usually has.

@@ -134,8 +134,9 @@ void RelationBuilder::add_in_middle(const Link& link, const PhraseSense& sense, 
 // In a ring where nothing has sides; spread over the sides of a table.
 bool RelationBuilder::in_ring(const std::vector<int>& targets, const std::vector<int>& references) const {
   const NounPhrase& host = noun_of_item(references.front());
-  const bool round = std::any_of(host.attributes.begin(), host.attributes.end(),
-                                 [](const std::string& a) { return one_of(a, {"round", "circular", "oval", "hexagonal", "octagonal"}); });
+  const bool round = std::any_of(host.attributes.begin(), host.attributes.end(), [](const std::string& a) {
+    return one_of(a, {"round", "circular", "oval", "hexagonal", "octagonal"});
+  });
   return (round || !is_table(catalog_, host)) && targets.size() >= 3 * references.size();
 }
 
@@ -297,6 +298,11 @@ void RelationBuilder::add_clusters() {
     if (!mention.introduces || clusters == 0 || mount_of(mention.noun) != Mount::kFloor || mention.items.size() % clusters != 0) continue;
     const std::size_t share = mention.items.size() / clusters;
     if (share < 2 || look_at_one_thing(mention)) continue;
+    // "armchairs in groups of four around coffee tables": the tables make the groups.
+    const bool around = std::ranges::any_of(scene_.relations, [&](const Relation& r) {
+      return (r.type == R::kAround || r.type == R::kSurround) && std::ranges::find(r.targets, id(mention.items.front())) != r.targets.end();
+    });
+    if (around) continue;
     Link link;
     link.first = mention.noun.first;
     link.last = mention.noun.last;

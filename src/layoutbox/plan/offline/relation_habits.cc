@@ -201,8 +201,9 @@ void RelationBuilder::seat_around_faced_tables() {
     const CatalogEntry* entry = noun_of_object(*table).entry;
     const bool works = entry == nullptr || entry->is(Trait::kDesk) || entry->is(Trait::kDeskLike) || entry->is(Trait::kCounter);
     const bool elsewhere = std::ranges::any_of(relations_of(seat->id), [&](std::size_t r) {
-      const R type = scene_.relations[r].type;
-      return type != R::kFacing && type != R::kNear && type != R::kOn;
+      const Relation& own = scene_.relations[r];
+      const bool at_opening = own.type == R::kNextTo && own.references.size() == 1 && object_of(own.references.front()) == nullptr;
+      return own.type != R::kFacing && own.type != R::kNear && own.type != R::kOn && !at_opening;
     });
     if (!works && !elsewhere) at[table->id].push_back(seat->id);
   }
@@ -219,9 +220,8 @@ void RelationBuilder::turn_screens_to_viewers() {
     if (look.type != R::kFacing || look.targets.size() != 1 || look.references.size() != 1) continue;
     const SceneObject* screen = object_of(look.references.front());
     const CatalogEntry* entry = screen == nullptr ? nullptr : catalog_.find(screen->category);
-    const bool hangs = screen != nullptr && std::ranges::any_of(relations_of(screen->id), [&](std::size_t i) {
-      return scene_.relations[i].type == R::kOnCeiling;
-    });
+    const bool hangs = screen != nullptr && std::ranges::any_of(relations_of(screen->id),
+                                                                [&](std::size_t i) { return scene_.relations[i].type == R::kOnCeiling; });
     if (hangs && entry != nullptr && entry->is(Trait::kScreen))
       add_habit(R::kFacing, {screen->id}, look.targets, kTogether, "a screen on the ceiling looks at who watches it");
   }

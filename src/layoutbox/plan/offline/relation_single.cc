@@ -377,7 +377,8 @@ void RelationBuilder::add_look(const Link& link, R type, int item, int reference
            n.name.find("media") != std::string::npos;
   };
   const bool seat = is_seat(catalog_, thing);
-  const bool before = (type == R::kInFrontOf || type == user_side(reference)) && ((seat && (is_table(catalog_, other) || screen(other))) || screen(thing));
+  const bool before =
+      (type == R::kInFrontOf || type == user_side(reference)) && ((seat && (is_table(catalog_, other) || screen(other))) || screen(thing));
   if (!before && (type != R::kAlongSide || !seat)) return;
   Link look = link;
   look.concluded = true;

@@ -88,7 +88,8 @@ std::string RelationBuilder::host_with_room(std::string host, const NounPhrase& 
     const NounPhrase& noun = noun_of_object(*object);
     // What has one thing on it, as was said, has room for another: a grand piano.
     const bool has_one = step == 0 && mount_of(noun) == Mount::kFloor && mount_of(thing) == Mount::kSurface;
-    if ((has_one || may_carry(catalog_, noun, thing)) && (mount_of(noun) != Mount::kSurface || area_of(noun) > kRoomForBoth * area_of(thing)))
+    if ((has_one || may_carry(catalog_, noun, thing)) &&
+        (mount_of(noun) != Mount::kSurface || area_of(noun) > kRoomForBoth * area_of(thing)))
       return host;
     host = said_support(host);
   }

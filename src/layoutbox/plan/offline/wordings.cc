@@ -352,7 +352,8 @@ class WordingReader : public TokenReader {
   void read_watched_from(std::size_t i) {
     if (i == 0 || !is(i, {"watch", "see", "watched", "seen", "viewed", "visible"}) || !is(i + 1, {"from"})) return;
     std::size_t first = i;
-    while (first > 0 && is(first - 1, {"can", "could", "to", "be", "is", "i", "you", "he", "she", "we", "they", "that", "one", "which"})) --first;
+    while (first > 0 && is(first - 1, {"can", "could", "to", "be", "is", "i", "you", "he", "she", "we", "they", "that", "one", "which"}))
+      --first;
     if (first == 0 || !is(first - 1, {"tv", "television", "screen", "telly", "projector"})) return;
     if (first < i) leave_out(first, i);
     tokens_[i].text = "opposite";
@@ -371,7 +372,9 @@ class WordingReader : public TokenReader {
       return;
     }
   }
-  static bool is_one_of_seats(std::string_view word) { return word == "chair" || word == "armchair" || word == "stool" || word == "recliner"; }
+  static bool is_one_of_seats(std::string_view word) {
+    return word == "chair" || word == "armchair" || word == "stool" || word == "recliner";
+  }
 
   // "a red carpet from the door to the throne": between the two.
   void read_from_to(std::size_t i) {

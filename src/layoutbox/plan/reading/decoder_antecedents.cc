@@ -57,7 +57,8 @@ bool Decoder::consider(std::vector<Candidate>& all, const State& state, Referent
   const bool by_opening = opening && referent >= 0 && read_as(state, referent).role == NounRole::kReference;
   // "a stove, two armchairs, a rug between them": between two, not three.
   int listed = 0;
-  for (int m = list ? referent : -1; m >= 0; m = read_as(state, m).former) listed += std::max(noun_of(state, m).count, several(state, m) ? 2 : 1);
+  for (int m = list ? referent : -1; m >= 0; m = read_as(state, m).former)
+    listed += std::max(noun_of(state, m).count, several(state, m) ? 2 : 1);
   const bool crowd = listed > 2 && senses != nullptr && says(*senses, RelationType::kBetween);
   double score = (crowd ? weight::kBetweenMany : 0) + weight::kOrder * order + (by_opening ? weight::kItIsOpening : opening ? -0.3 : 0);
   if (noun != nullptr) score += number_score(*noun, list || several(state, referent));

@@ -69,8 +69,9 @@ bool Decoder::placed_by_clause(const State& state, int u) const {
 // The list of the clause's own things, none of which "and" has joined yet: how many they are; 0 where it is over.
 int Decoder::open_list(const State& state) const {
   int length = 0;
-  for (int m = state.frontier.front(); m >= 0; m = read_as(state, m).former, ++length) {
+  for (int m = state.frontier.front(); m >= 0; m = read_as(state, m).former) {
     if (read_as(state, m).former >= 0 && unit(m).joiner != Joiner::kComma) return 0;
+    length += is_thing(state, m) ? 1 : 0;  // "Coffee shop, 50 m2: counter with …"
   }
   return length;
 }
@@ -130,7 +131,8 @@ void Decoder::root_list_actions(std::size_t s, int u, double gain) {
         state.frontier.front());
   }
   // "sits under the window and holds a monitor and a tower": nothing is said of the tower by itself.
-  const bool told = subject || placed || unit(u).joiner != Joiner::kAnd || (u + 1 < static_cast<int>(sentence_.size()) && !is(u + 1, UnitKind::kNoun));
+  const bool told =
+      subject || placed || unit(u).joiner != Joiner::kAnd || (u + 1 < static_cast<int>(sentence_.size()) && !is(u + 1, UnitKind::kNoun));
   const double untold = of_clause || told ? 0 : weight::kNothingTold;
   if (!of_clause || !state.fronted.empty())
     add(s, kNewRoot, gain + untold - (state.fronted.empty() ? 0 : 0.4) + (ends ? weight::kEndsList : 0));
@@ -238,7 +240,8 @@ double Decoder::list_kind_score(const State& state, int member, int u, std::size
   // "stores four cans and a coiled hose": what one verb says of both
   const bool one_verb = joiner == Joiner::kAnd && is(predicate, UnitKind::kHave) && is_finite(word(predicate)) && !has_own_place(u);
   if (differ && one_verb && is_storage(host)) return 0;
-  // "supporting a monitor, a ring light, and a microphone": what one carrying word says of a list is said of what may stand on the floor too.
+  // "supporting a monitor, a ring light, and a microphone": what one carrying word says of a list is said of what may stand on the floor
+  // too.
   if (differ && carries_list(predicate) && !has_own_place(u) && stands_small(noun)) return 0.2;
   if (differ && mount_of(noun) == Mount::kFloor && !carried) return weight::kStandsByItself;
   if (differ) return weight::kNotCarried;

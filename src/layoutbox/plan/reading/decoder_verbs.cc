@@ -62,7 +62,8 @@ void Decoder::have_actions(std::size_t s, int u) {
 
 // "a cabinet stands beside the desk with a printer on top": what tops something is told of what the clause is about.
 bool Decoder::tops_clause(const State& state, int u) const {
-  if (state.frontier.size() < 2 || !is(u + 1, UnitKind::kNoun) || !is(u + 2, UnitKind::kPlace) || follows(u + 2, UnitKind::kNoun)) return false;
+  if (state.frontier.size() < 2 || !is(u + 1, UnitKind::kNoun) || !is(u + 2, UnitKind::kPlace) || follows(u + 2, UnitKind::kNoun))
+    return false;
   const int by = state.frontier.back();
   const int place = read_as(state, by).predicate;
   const bool beside = read_as(state, by).role == NounRole::kReference && place >= 0 && is(place, UnitKind::kPlace) &&

@@ -33,8 +33,8 @@ double SenseScore::of_place(const PhraseSenses& senses, const NounPhrase& target
   const bool vessel = reference.entry != nullptr && reference.entry->is(Trait::kVessel);
   if (sense->type == RelationType::kIn && (vessel || is_storage(reference))) score += weight::kInStorage;
   // "arranged with a glass in front of each chair": what lies on the table, not the table.
-  const bool each_seat = sense->type == RelationType::kInFrontOf && is_seat(catalog_, reference) &&
-                         reference.determiner == Determiner::kEach;
+  const bool each_seat =
+      sense->type == RelationType::kInFrontOf && is_seat(catalog_, reference) && reference.determiner == Determiner::kEach;
   if (each_seat && mount_of(target) == Mount::kSurface) score += weight::kStandsBy - std::min(score, 0.0);
   if (each_seat && is_table(catalog_, target) && mount_of(target) == Mount::kFloor && !target.is_plural()) score += weight::kUnlikely;
   score += at_end(sense->type, reference);

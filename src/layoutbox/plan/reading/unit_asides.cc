@@ -349,7 +349,8 @@ bool UnitReader::passes_apposition(std::size_t k) {
   const NounPhrase& noun = chunk(k).noun;
   if (joiner_ != Joiner::kComma || units_.size() != 1 || units_.front().kind != UnitKind::kNoun) return false;
   std::size_t end = next(k);
-  if (is(end, ChunkKind::kUnknown) || is(end, ChunkKind::kAttribute) || (is(end, ChunkKind::kNoun) && chunk(end).noun.kind == NounKind::kAbstract))
+  if (is(end, ChunkKind::kUnknown) || is(end, ChunkKind::kAttribute) ||
+      (is(end, ChunkKind::kNoun) && chunk(end).noun.kind == NounKind::kAbstract))
     end = next(end);  // "of limestone"
   const bool between = noun.determiner == Determiner::kIndefinite && !noun.is_plural() && is(end, ChunkKind::kComma) &&
                        chunk(end).last < document_.tokens.size();

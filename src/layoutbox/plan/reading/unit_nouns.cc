@@ -209,7 +209,8 @@ void UnitReader::settle_noun(std::size_t k) {
                : !after_place() || noun.determiner == Determiner::kIndefinite || is_named_before(k, object->head)))
     noun = NounPhrase(*object);
   // "a dining set by the window": what is said of the set is said of what it is about.
-  if (const Lexicon::Set* set = noun.kind == NounKind::kObject || noun.kind == NounKind::kAbstract ? lexicon_.set_called(noun.name) : nullptr) {
+  if (const Lexicon::Set* set =
+          noun.kind == NounKind::kObject || noun.kind == NounKind::kAbstract ? lexicon_.set_called(noun.name) : nullptr) {
     noun.kind = NounKind::kObject;
     noun.entry = set->front().first;
   }

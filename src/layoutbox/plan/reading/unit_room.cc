@@ -147,14 +147,19 @@ std::string UnitReader::run_side_of_room(std::size_t k) const {
     thing = previous(previous(thing));
   const bool unit = is(thing, ChunkKind::kNoun) && chunk(thing).noun.entry != nullptr && chunk(thing).noun.entry->is(Trait::kKitchenRun);
   if (!unit && !large) return {};
+  // "a wall of filing cabinets on the left"
+  if (large && chunk(thing).noun.is_plural()) return side;
   // "Bunk bed on the left, …": of nothing that was named before
-  const bool first = std::none_of(document_.chunks.begin(), document_.chunks.begin() + static_cast<std::ptrdiff_t>(thing), [](const Chunk& c) {
-    return c.kind == ChunkKind::kNoun && (c.noun.kind == NounKind::kObject || c.noun.kind == NounKind::kDoor || c.noun.kind == NounKind::kWindow);
-  });
+  const bool first =
+      std::none_of(document_.chunks.begin(), document_.chunks.begin() + static_cast<std::ptrdiff_t>(thing), [](const Chunk& c) {
+        return c.kind == ChunkKind::kNoun &&
+               (c.noun.kind == NounKind::kObject || c.noun.kind == NounKind::kDoor || c.noun.kind == NounKind::kWindow);
+      });
   if (large && first) return side;
   for (std::size_t c = 0; c < document_.chunks.size(); ++c) {
     // "bikes on the left wall, freezer on the right"
-    const bool wall = is(c, ChunkKind::kNoun) && chunk(c).noun.kind == NounKind::kWall && one_of(chunk(c).noun.wall_word, {"left", "right"});
+    const bool wall =
+        is(c, ChunkKind::kNoun) && chunk(c).noun.kind == NounKind::kWall && one_of(chunk(c).noun.wall_word, {"left", "right"});
     if (wall && chunk(c).noun.wall_word != side && large) return side;
     if (c == k || !is(c, ChunkKind::kRelation)) continue;
     const std::string other = side_at(chunk(c).last);
@@ -168,7 +173,8 @@ bool UnitReader::is_large_by_itself(std::size_t thing) const {
   if (!is(thing, ChunkKind::kNoun) || chunk(thing).noun.kind != NounKind::kObject || is(previous(thing), ChunkKind::kHave)) return false;
   const CatalogEntry* entry = chunk(thing).noun.entry;
   constexpr Mm kLarge = 700;  // wider than a nightstand
-  return entry != nullptr && entry->mount == Mount::kFloor && entry->back_to_wall && entry->size.usual.width >= kLarge;
+  const bool wide = entry != nullptr && entry->size.usual.width * std::max(chunk(thing).noun.count, 1) >= kLarge;
+  return wide && entry->mount == Mount::kFloor && entry->back_to_wall;
 }
 
 // "a sideboard with a coffee machine": the sideboard, of the machine.
