@@ -67,6 +67,22 @@ void RelationBuilder::run() {
   make_islands();
 }
 
+// The same was said before: only what it adds to that is kept.
+bool RelationBuilder::repeats_known(const Link& link, R type, const std::vector<std::string>& targets,
+                                    const std::vector<std::string>& references, const PhraseSense& sense) {
+  std::string key(relation_row(type).name);
+  for (const std::string& target : targets) key += " " + target;
+  key += ">";
+  for (const std::string& reference : references) key += " " + reference;
+  if (const auto [known, fresh] = known_.try_emplace(key, scene_.relations.size()); !fresh) {
+    RelationParameters& said = scene_.relations[known->second].parameters;
+    if (type == R::kRow && link.distance) said.gap = mm_from_m(*link.distance);
+    if (said.part.empty()) said.part = sense.part;  // "on the desk a lamp at the left side"
+    return true;
+  }
+  return false;
+}
+
 void RelationBuilder::add(const Link& link, R type, std::vector<std::string> targets, std::vector<std::string> references,
                           const PhraseSense& sense) {
   if (targets.empty()) return;
@@ -78,16 +94,7 @@ void RelationBuilder::add(const Link& link, R type, std::vector<std::string> tar
   if (type == R::kBetween && references.size() < 2) type = R::kNextTo;  // "a sectional parted by a table": nobody says from what
   // "in Japanese style with a futon": that a thing is in the room says nothing.
   if ((type == R::kOn || type == R::kIn) && references.size() == 1 && references.front() == "room") return;
-  std::string key(relation_row(type).name);
-  for (const std::string& target : targets) key += " " + target;
-  key += ">";
-  for (const std::string& reference : references) key += " " + reference;
-  if (const auto [known, fresh] = known_.try_emplace(key, scene_.relations.size()); !fresh) {
-    RelationParameters& said = scene_.relations[known->second].parameters;
-    if (type == R::kRow && link.distance) said.gap = mm_from_m(*link.distance);
-    if (said.part.empty()) said.part = sense.part;  // "on the desk a lamp at the left side"
-    return;
-  }
+  if (repeats_known(link, type, targets, references, sense)) return;
   for (const std::string& target : targets) of_target_[target].push_back(scene_.relations.size());
   Relation relation;
   relation.id = "c" + std::to_string(scene_.relations.size() + 1);

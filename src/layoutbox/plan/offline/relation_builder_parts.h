@@ -177,6 +177,10 @@ class RelationBuilder {
   void settle_stands();
   void leave_middle_to_rows();
   void make_room_between();
+  void seat_in_reach(const std::vector<std::pair<std::string, std::string>>& in_reach);
+  bool repeats_known(const Link& link, RelationType type, const std::vector<std::string>& targets,
+                     const std::vector<std::string>& references, const PhraseSense& sense);
+  void find_lit(std::vector<std::pair<std::size_t, std::string>>& lit) const;
   void center_on_walls();
   void settle_mount(std::size_t index);
   bool over_table(const std::string& object) const;

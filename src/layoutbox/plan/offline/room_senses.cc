@@ -114,6 +114,16 @@ const NounPhrase* first_known_room(const Document& document) {
   return nullptr;
 }
 
+// What the words mean in that room, by the whole name (`named`) or by its last word. "A minimalist Japanese bedroom" is a Japanese bedroom.
+const CatalogEntry* meant_here(const Lexicon& lexicon, const RoomKind& room, std::string called, const NounPhrase& noun,
+                               const std::string& last_word, bool named) {
+  for (;; called.erase(0, called.find(' ') + 1)) {
+    const CatalogEntry* entry = lexicon.meant_in(room, called, named ? noun.name : last_word);  // "benches"
+    if (entry == nullptr && !named) entry = lexicon.meant_in(room, called, noun.head);
+    if (entry != nullptr || called.find(' ') == std::string::npos) return entry;
+  }
+}
+
 }  // namespace
 
 void settle_room_senses(const Lexicon& lexicon, Document& document, const std::vector<std::size_t>& room_size_at) {
@@ -145,14 +155,7 @@ void settle_room_senses(const Lexicon& lexicon, Document& document, const std::v
     const bool other_room =
         noun.kind == NounKind::kRoom && noun.room != nullptr && noun.room != room->room && noun.name.ends_with(noun.head);
     if (!plain && !unknown && !compound && !other_room && !named) continue;
-    const CatalogEntry* entry = nullptr;
-    // "a minimalist Japanese bedroom" is a Japanese bedroom.
-    for (std::string called = name; entry == nullptr; called.erase(0, called.find(' ') + 1)) {
-      if (named) entry = lexicon.meant_in(*room->room, called, noun.name);
-      if (!named) entry = lexicon.meant_in(*room->room, called, document.tokens[noun.last - 1].text);  // "benches"
-      if (!named && entry == nullptr) entry = lexicon.meant_in(*room->room, called, noun.head);
-      if (called.find(' ') == std::string::npos) break;
-    }
+    const CatalogEntry* entry = meant_here(lexicon, *room->room, name, noun, document.tokens[noun.last - 1].text, named);
     if (entry == nullptr) continue;
     // "a changing mat" is another kind of mat.
     const bool of_use =

@@ -139,6 +139,23 @@ std::string RelationBuilder::own_of_several(std::size_t index, const std::string
   return things > 1 && things == hosts.size() ? hosts[rank] : host;
 }
 
+// "A lamp hangs above the table, lighting a planter": what a lamp over a table is over as well stands on it.
+void RelationBuilder::find_lit(std::vector<std::pair<std::size_t, std::string>>& lit) const {
+  const auto reference_of = [](const Relation& r) {
+    return r.type == R::kAbove && r.targets.size() == 1 && r.references.size() == 1 ? r.references.front() : std::string{};
+  };
+  for (const Relation& over : scene_.relations) {
+    const auto small = objects_.find(reference_of(over));
+    if (small == objects_.end() || !is_small(small->second) || !said_support(over.references.front()).empty()) continue;
+    for (const std::size_t other : relations_of(over.targets.front())) {
+      const SceneObject* host = object_of(reference_of(scene_.relations[other]));
+      if (host == nullptr || !is_table(catalog_, noun_of_object(*host)) || mount_of(noun_of_object(*host)) != Mount::kFloor) continue;
+      lit.emplace_back(small->second, host->id);
+      break;
+    }
+  }
+}
+
 void RelationBuilder::carry_support() {
   const std::vector<std::vector<std::size_t>> beside = small_neighbours();
   std::vector<std::string> supports(scene_.objects.size());
@@ -169,21 +186,9 @@ void RelationBuilder::carry_support() {
     }
   };
   spread();
-  // "A lamp hangs above the table, lighting a planter": what a lamp over a table is over as well stands on it.
-  const std::size_t said = scene_.relations.size();
-  for (std::size_t r = 0; r < said; ++r) {
-    const Relation over = scene_.relations[r];
-    if (over.type != R::kAbove || over.targets.size() != 1 || over.references.size() != 1) continue;
-    const auto small = objects_.find(over.references.front());
-    if (small == objects_.end() || !is_small(small->second) || !said_support(over.references.front()).empty()) continue;
-    for (const std::size_t other : relations_of(over.targets.front())) {
-      const Relation& table = scene_.relations[other];
-      const SceneObject* host = table.type == R::kAbove && table.references.size() == 1 ? object_of(table.references.front()) : nullptr;
-      if (host == nullptr || !is_table(catalog_, noun_of_object(*host)) || mount_of(noun_of_object(*host)) != Mount::kFloor) continue;
-      conclude(small->second, host->id);
-      break;
-    }
-  }
+  std::vector<std::pair<std::size_t, std::string>> lit;
+  find_lit(lit);
+  for (const auto& [thing, host] : lit) conclude(thing, host);
   for (std::size_t i = 0; i < supports.size(); ++i) {
     if (beside[i].empty() || !supports[i].empty()) continue;
     const std::string host = own_of_several(i, host_spoken_of(i));

@@ -105,6 +105,12 @@ bool Decoder::on_part_of_top(const State& state, int u) const {
   return says(senses, RelationType::kCenterOfRoom) || says(senses, RelationType::kLeftOf) || says(senses, RelationType::kRightOf);
 }
 
+// "sits under the window and holds a monitor and a tower": nothing is said of the tower by itself.
+double Decoder::told_nothing(int u) const {
+  const bool more = u + 1 < static_cast<int>(sentence_.size()) && !is(u + 1, UnitKind::kNoun);
+  return unit(u).joiner != Joiner::kAnd || more ? 0 : weight::kNothingTold;
+}
+
 // With what the clause is about, or a clause of its own; `gain`: what speaks for either.
 void Decoder::root_list_actions(std::size_t s, int u, double gain) {
   const State& state = states_[s];
@@ -130,10 +136,7 @@ void Decoder::root_list_actions(std::size_t s, int u, double gain) {
             (own_place ? weight::kOwnPlace * (unit(u).joiner == Joiner::kComma ? 2 : 1) : 0) + elsewhere,
         state.frontier.front());
   }
-  // "sits under the window and holds a monitor and a tower": nothing is said of the tower by itself.
-  const bool told =
-      subject || placed || unit(u).joiner != Joiner::kAnd || (u + 1 < static_cast<int>(sentence_.size()) && !is(u + 1, UnitKind::kNoun));
-  const double untold = of_clause || told ? 0 : weight::kNothingTold;
+  const double untold = of_clause || subject || placed ? 0 : told_nothing(u);
   if (!of_clause || !state.fronted.empty())
     add(s, kNewRoot, gain + untold - (state.fronted.empty() ? 0 : 0.4) + (ends ? weight::kEndsList : 0));
 }

@@ -32,16 +32,20 @@ double SenseScore::of_place(const PhraseSenses& senses, const NounPhrase& target
     score += weight::kSmallTogether;
   const bool vessel = reference.entry != nullptr && reference.entry->is(Trait::kVessel);
   if (sense->type == RelationType::kIn && (vessel || is_storage(reference))) score += weight::kInStorage;
-  // "arranged with a glass in front of each chair": what lies on the table, not the table.
-  const bool each_seat =
-      sense->type == RelationType::kInFrontOf && is_seat(catalog_, reference) && reference.determiner == Determiner::kEach;
-  if (each_seat && mount_of(target) == Mount::kSurface) score += weight::kStandsBy - std::min(score, 0.0);
-  if (each_seat && is_table(catalog_, target) && mount_of(target) == Mount::kFloor && !target.is_plural()) score += weight::kUnlikely;
+  if (sense->type == RelationType::kInFrontOf) score += before_each_seat(target, reference, score);
   score += at_end(sense->type, reference);
   if (sense->type == RelationType::kAbove && reference.kind == NounKind::kObject) score += over(target, reference);
   if ((sense->type == RelationType::kEachSideOf || sense->type == RelationType::kNextTo) && stands_by(catalog_, target, reference))
     score += weight::kStandsBy;
   return score;
+}
+
+// "arranged with a glass in front of each chair": what lies on the table, not the table. `so_far`: what speaks against small things there.
+double SenseScore::before_each_seat(const NounPhrase& target, const NounPhrase& reference, double so_far) const {
+  if (!is_seat(catalog_, reference) || reference.determiner != Determiner::kEach) return 0;
+  if (mount_of(target) == Mount::kSurface) return weight::kStandsBy - std::min(so_far, 0.0);
+  const bool table = is_table(catalog_, target) && mount_of(target) == Mount::kFloor && !target.is_plural();
+  return table ? weight::kUnlikely : 0;
 }
 
 // What lies on what.

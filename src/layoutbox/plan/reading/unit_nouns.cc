@@ -331,7 +331,7 @@ bool UnitReader::is_told_by_the_way(std::size_t k) {
 }
 
 void UnitReader::read_noun(std::size_t k) {
-  if (stresses(k) || passes_apposition(k)) return;
+  if (stresses(k)) return;
   mean_desktop(k);
   settle_noun(k);
   if (shares_by_subject(k) || opens_topic(k)) return;

@@ -119,8 +119,9 @@ void UnitReader::mean_desktop(std::size_t k) {
   noun.category.clear();
 }
 
-// "on the bed itself": the bed.
+// "on the bed itself": the bed; "the altar, a block of limestone, is": the altar.
 bool UnitReader::stresses(std::size_t k) {
+  if (passes_apposition(k)) return true;
   const NounPhrase& noun = chunk(k).noun;
   const bool self = noun.kind == NounKind::kPronoun && one_of(noun.head, {"itself", "themselves"});
   if (!self || joiner_ != Joiner::kNone || !is(previous(k), ChunkKind::kNoun)) return false;
