@@ -225,7 +225,7 @@ void Habits::hang_before_table(Formula& f, int item, int table) {
 // Cupboards and desks do not stand before a board or a screen that all look at, nor beds, sofas and chairs under a television.
 void Habits::leave_free_before(int item) {
   constexpr Mm kBefore = 800;
-  constexpr int kFree = 400;  // points a metre
+  constexpr int kFree = 400, kOverRun = 120;  // points a metre
   const Item& self = model_.items[item];
   if (!self.is(Trait::kScreen)) return;
   const bool board = !self.is(Trait::kElseOnWall);
@@ -247,7 +247,7 @@ void Habits::leave_free_before(int item) {
       f.add().when(item, states).require(gap_towards(other, item, front) - Linear(kBefore));
       for (const int sign : {1, -1}) f.add().when(item, states).require(gap_towards(other, item, {across(front), sign}));
     });
-    if (!f.cases.empty()) habit("free before it", item, kFree, std::move(f));
+    if (!f.cases.empty()) habit("free before it", item, cooked_at ? kOverRun : kFree, std::move(f));
   }
 }
 
