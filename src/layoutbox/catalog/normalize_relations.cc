@@ -49,7 +49,9 @@ std::string settled_reference(const SceneGraph& scene, const std::string& refere
 
 class SupportChooser {
  public:
-  SupportChooser(NormalizeContext& context, SceneObject& object) : context_(context), scene_(context.scene), object_(object) {}
+  SupportChooser(NormalizeContext& context, SceneObject& object) : context_(context), scene_(context.scene), object_(object) {
+    for (const SceneObject& one : scene_.objects) ++alike_[one.category];
+  }
 
   bool is_supported() const {
     return std::ranges::any_of(scene_.relations, [&](const Relation& relation) {
@@ -67,11 +69,9 @@ class SupportChooser {
   }
 
  private:
-  static constexpr std::ptrdiff_t kCrowd = 4;
+  static constexpr int kCrowd = 4;
 
-  std::ptrdiff_t alike(const SceneObject& object) const {
-    return std::ranges::count_if(scene_.objects, [&](const SceneObject& o) { return o.category == object.category; });
-  }
+  int alike(const SceneObject& object) const { return alike_.at(object.category); }
 
   template <class Predicate>
   const SceneObject* choose_of(Predicate allowed) const {
@@ -173,6 +173,7 @@ class SupportChooser {
   NormalizeContext& context_;
   SceneGraph& scene_;
   SceneObject& object_;
+  std::unordered_map<std::string, int> alike_;  // by category: how many there are
 };
 
 // The kind for the floor of what mostly stands on something: the floor lamp, the floor cushion that a pillow is.

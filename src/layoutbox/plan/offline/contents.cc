@@ -135,9 +135,9 @@ void RelationBuilder::add_content(const Link& link, const Mention& target, const
   const Mount mount = mount_of(thing);
   if (thing.entry != nullptr && thing.entry->thin && mount == Mount::kFloor) return each(R::kUnder);
   if (is_table(catalog_, host) && is_seat(catalog_, thing)) return add_seats(link, target.items, hosts);
-  // "a table crowded with bottles and an alembic": whatever it is, a table's top has it.
   const bool joined = one_of(document_.tokens[link.first].text, {"accompanied", "joined", "paired", "complemented", "coupled"});
   const bool great = thing.entry != nullptr && thing.entry->back_to_wall;  // a wardrobe
+  // "a table crowded with bottles and an alembic": whatever it is, a table's top has it.
   const bool on_table = is_table(catalog_, host) && !is_table(catalog_, thing) && mount == Mount::kFloor && !joined && !great;
   const bool carried = may_carry(catalog_, host, thing) || (link.holding && (shows(link) || on_table)) ||
                        (says_inside(link) && has_inside(host) && !is_heavy(catalog_, thing));
@@ -168,10 +168,7 @@ bool RelationBuilder::says_inside(const Link& link) const {
   return one_of(document_.tokens[link.first].text, {"containing", "contains", "contain", "filled", "stocked", "storing", "stores"});
 }
 
-bool RelationBuilder::shows(const Link& link) const {
-  return one_of(document_.tokens[link.first].text,
-                {"holding", "holds", "hold", "displaying", "displays", "display", "showcasing", "showcases"});
-}
+bool RelationBuilder::shows(const Link& link) const { return shows_things(document_.tokens[link.first].text); }
 
 void RelationBuilder::add_hanging(const Link& link) {
   for (const int item : items_of(link.targets)) {

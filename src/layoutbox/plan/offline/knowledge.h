@@ -14,6 +14,11 @@ inline bool one_of(std::string_view word, std::initializer_list<std::string_view
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
+// "holds", "displaying": what a thing so said to have is on it or in it.
+inline bool shows_things(std::string_view word) {
+  return one_of(word, {"holding", "holds", "hold", "displaying", "displays", "display", "showcasing", "showcases"});
+}
+
 // What things on one floor are to each other.
 bool stands_beside(RelationType type);
 

@@ -104,27 +104,6 @@ void RelationBuilder::leave_middle_to_rows() {
   }
 }
 
-// Who has a table beside the seat reaches it; two that look at one thing and have a table between them sit side by side.
-void RelationBuilder::seat_in_reach(const std::vector<std::pair<std::string, std::string>>& in_reach) {
-  for (const auto& [seat, table] : in_reach)
-    add_habit(R::kNextTo, {seat}, {table}, kTogether, "a table between two seats is in reach of both");
-  const auto look_of = [&](const std::string& seat) {
-    for (const std::size_t r : relations_of(seat)) {
-      if (scene_.relations[r].type == R::kFacing && scene_.relations[r].targets.size() == 1) return scene_.relations[r].references;
-    }
-    return std::vector<std::string>{};
-  };
-  for (std::size_t s = 0; s + 1 < in_reach.size(); s += 2) {
-    const std::string &one = in_reach[s].first, &other = in_reach[s + 1].first;
-    if (const auto seen = look_of(one); seen.empty() || seen != look_of(other) || seen.front() == other) continue;
-    for (const R type : {R::kSameOrientation, R::kEdgeAlign}) {
-      add_habit(type, {other}, {one}, kTogether, "who looks at one thing sits side by side");
-      scene_.relations.back().hard = true;
-      scene_.relations.back().origin = Origin::kConcluded;
-    }
-  }
-}
-
 // "two recliners side by side, a little table between them": as near as the table lets them be; a plain table between easy seats is small.
 void RelationBuilder::make_room_between() {
   std::vector<std::pair<std::string, std::string>> in_reach;  // seat and table

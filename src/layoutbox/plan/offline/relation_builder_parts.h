@@ -180,7 +180,8 @@ class RelationBuilder {
   void seat_in_reach(const std::vector<std::pair<std::string, std::string>>& in_reach);
   bool repeats_known(const Link& link, RelationType type, const std::vector<std::string>& targets,
                      const std::vector<std::string>& references, const PhraseSense& sense);
-  void find_lit(std::vector<std::pair<std::size_t, std::string>>& lit) const;
+  // Small things and the tables that the lamps above them hang over.
+  std::vector<std::pair<std::size_t, std::string>> lit_on_tables() const;
   void center_on_walls();
   void settle_mount(std::size_t index);
   bool over_table(const std::string& object) const;

@@ -176,42 +176,6 @@ void RelationBuilder::lay_beds_along() {
   }
 }
 
-// "four manicure tables along the wall, each with two chairs": a table at which one sits face to face has its narrow end at the wall.
-void RelationBuilder::turn_two_sided_tables() {
-  for (Relation& wall : scene_.relations) {
-    const SceneObject* table = wall.type == R::kAgainstWall && wall.targets.size() == 1 ? object_of(wall.targets.front()) : nullptr;
-    const CatalogEntry* entry = table == nullptr ? nullptr : catalog_.find(table->category);
-    if (entry == nullptr || entry->used_sides != std::vector{Side::kFront, Side::kBack} || !entry->is(Trait::kTable)) continue;
-    const auto seats_two = [&](const Relation& r) {
-      return (r.type == R::kAround || r.type == R::kSurround || r.type == R::kEachSideOf) && r.targets.size() > 1 &&
-             r.references == wall.targets;
-    };
-    if (std::ranges::any_of(scene_.relations, seats_two)) wall.type = R::kSideAgainstWall;
-  }
-}
-
-// "two armchairs facing a round coffee table": they sit around it, one beside or across from the other, not one behind the other.
-void RelationBuilder::seat_around_faced_tables() {
-  std::map<std::string, std::vector<std::string>> at;  // table: its seats
-  for (const Relation& look : scene_.relations) {
-    if (look.type != R::kFacing || look.targets.size() != 1 || look.references.size() != 1 || !look.asked()) continue;
-    const SceneObject *seat = object_of(look.targets.front()), *table = object_of(look.references.front());
-    if (seat == nullptr || table == nullptr || !is_seat(catalog_, noun_of_object(*seat)) || !is_table(catalog_, noun_of_object(*table)))
-      continue;
-    const CatalogEntry* entry = noun_of_object(*table).entry;
-    const bool works = entry == nullptr || entry->is(Trait::kDesk) || entry->is(Trait::kDeskLike) || entry->is(Trait::kCounter);
-    const bool elsewhere = std::ranges::any_of(relations_of(seat->id), [&](std::size_t r) {
-      const Relation& own = scene_.relations[r];
-      const bool at_opening = own.type == R::kNextTo && own.references.size() == 1 && object_of(own.references.front()) == nullptr;
-      return own.type != R::kFacing && own.type != R::kNear && own.type != R::kOn && !at_opening;
-    });
-    if (!works && !elsewhere) at[table->id].push_back(seat->id);
-  }
-  for (auto& [table, seats] : at) {
-    if (seats.size() > 1) add_habit(R::kAround, seats, {table}, kTogether, "who looks at a table sits around it");
-  }
-}
-
 // "a sofa facing a ceiling-mounted screen": what is looked at and hangs free looks back.
 void RelationBuilder::turn_screens_to_viewers() {
   const std::size_t said = scene_.relations.size();
@@ -248,56 +212,6 @@ void RelationBuilder::share_nightstand() {
   if (own.empty()) return add_habit(R::kBetween, stands, beds, kTogether, "two beds share their nightstand");
   scene_.relations[own.front()].type = R::kBetween;
   scene_.relations[own.front()].references = beds;
-}
-
-// Where people wait the chairs of which nothing is said stand along the walls, more than sit at a table there.
-void RelationBuilder::seat_those_who_wait() {
-  constexpr std::size_t kMany = 5;
-  if (!one_of(scene_.room.type, {"waiting_room", "reception", "lobby", "clinic"})) return;
-  std::map<std::string, std::vector<std::string>> chairs;  // by kind
-  for (const SceneObject& object : scene_.objects) {
-    const CatalogEntry* entry = catalog_.find(object.category);
-    if (entry != nullptr && entry->is(Trait::kTableSeat) && relations_of(object.id).empty()) chairs[entry->id].push_back(object.id);
-  }
-  for (const auto& [kind, alike] : chairs) {
-    if (alike.size() < kMany) continue;
-    for (const std::string& chair : alike) add_habit(R::kAgainstWall, {chair}, {}, 100, "who waits sits along the walls");
-  }
-}
-
-// "an oval table, ten swivel chairs": at the only table that has no seats, where nobody says where they are.
-void RelationBuilder::seat_at_only_table() {
-  std::vector<int> tables, seats;
-  for (std::size_t i = 0; i < scene_.objects.size(); ++i) {
-    const NounPhrase& noun = document_.items[i].noun;
-    if (noun.entry == nullptr || mount_of(noun) != Mount::kFloor) continue;
-    const CatalogEntry& entry = *noun.entry;
-    const bool works = entry.is(Trait::kDeskLike) || entry.is(Trait::kDesk) || entry.is(Trait::kCounter);
-    if (works) return;  // the chairs may be its
-    if (entry.is(Trait::kTableSeat) && relations_of(scene_.objects[i].id).empty()) seats.push_back(static_cast<int>(i));
-    if (is_eaten_at(noun)) tables.push_back(static_cast<int>(i));
-  }
-  constexpr std::size_t kFewest = 2;
-  const auto has_seats = [&](const Relation& r) {
-    const bool at_it = r.type == R::kAround || r.type == R::kSurround || r.type == R::kAlongSide;
-    const SceneObject* seat = at_it ? object_of(r.targets.front()) : nullptr;
-    return seat != nullptr && is_seat(catalog_, noun_of_object(*seat)) && r.references == ids(tables);
-  };
-  if (tables.size() != 1 || seats.size() < kFewest || std::ranges::any_of(scene_.relations, has_seats)) return;
-  Link link;
-  link.first = document_.items[static_cast<std::size_t>(seats.front())].noun.first;
-  link.last = document_.items[static_cast<std::size_t>(seats.front())].noun.last;
-  link.concluded = true;
-  add(link, R::kAround, ids(seats), ids(tables));
-}
-
-// A table high and large enough to sit at with others.
-bool RelationBuilder::is_eaten_at(const NounPhrase& noun) const {
-  constexpr Mm kHigh = 650, kWide = 600;
-  const CatalogEntry& entry = *noun.entry;
-  const Size& usual = entry.size.usual;
-  return entry.is(Trait::kTable) && !entry.is(Trait::kCoffeeTable) && usual.height >= kHigh &&
-         std::min(usual.width, usual.depth) >= kWide && one_of(noun.head, {"table"});
 }
 
 // "two rows of four desks back to back": an island of two rows, which is how such desks stand anyhow.

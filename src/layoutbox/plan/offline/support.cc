@@ -140,7 +140,8 @@ std::string RelationBuilder::own_of_several(std::size_t index, const std::string
 }
 
 // "A lamp hangs above the table, lighting a planter": what a lamp over a table is over as well stands on it.
-void RelationBuilder::find_lit(std::vector<std::pair<std::size_t, std::string>>& lit) const {
+std::vector<std::pair<std::size_t, std::string>> RelationBuilder::lit_on_tables() const {
+  std::vector<std::pair<std::size_t, std::string>> lit;
   const auto reference_of = [](const Relation& r) {
     return r.type == R::kAbove && r.targets.size() == 1 && r.references.size() == 1 ? r.references.front() : std::string{};
   };
@@ -154,6 +155,7 @@ void RelationBuilder::find_lit(std::vector<std::pair<std::size_t, std::string>>&
       break;
     }
   }
+  return lit;
 }
 
 void RelationBuilder::carry_support() {
@@ -186,9 +188,7 @@ void RelationBuilder::carry_support() {
     }
   };
   spread();
-  std::vector<std::pair<std::size_t, std::string>> lit;
-  find_lit(lit);
-  for (const auto& [thing, host] : lit) conclude(thing, host);
+  for (const auto& [thing, host] : lit_on_tables()) conclude(thing, host);
   for (std::size_t i = 0; i < supports.size(); ++i) {
     if (beside[i].empty() || !supports[i].empty()) continue;
     const std::string host = own_of_several(i, host_spoken_of(i));

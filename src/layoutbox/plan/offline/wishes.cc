@@ -258,9 +258,11 @@ std::string wall_of_kitchen(const Document& document) {
 }
 
 // The kitchen that came with the room, from object `first` on, stands at the wall that it is said to be at.
-void place_kitchen(const Document& document, SceneGraph& scene, std::size_t first) {
+void place_kitchen(const Lexicon& lexicon, const Document& document, SceneGraph& scene, std::size_t first) {
   const std::string wall = wall_of_kitchen(document);
   for (std::size_t i = first; i < scene.objects.size() && !wall.empty(); ++i) {
+    const CatalogEntry* entry = lexicon.catalog().find(scene.objects[i].category);
+    if (entry == nullptr || !entry->back_to_wall) continue;
     Relation at;
     at.id = "kitchen_" + std::to_string(i);
     at.type = RelationType::kAgainstWall;
@@ -301,7 +303,7 @@ void furnish_by_wish(const Lexicon& lexicon, const Document& document, SceneGrap
   if (!kitchen || scene.room.type == "kitchen") return;
   const std::size_t named = scene.objects.size();
   Furnisher(lexicon, document, scene).add_part("kitchen");
-  place_kitchen(document, scene, named);
+  place_kitchen(lexicon, document, scene, named);
 }
 
 }  // namespace layoutbox::offline

@@ -7,5 +7,7 @@ namespace layoutbox::offline {
 
 // Replaces the words of `document` by plain ones; those that say nothing are marked in `skip`.
 void read_wordings(const Lexicon& lexicon, Document& document, std::vector<bool>& skip);
+// Likewise those that say where things are: halves, ends and sides, "behind me".
+void read_place_wordings(const Lexicon& lexicon, Document& document, std::vector<bool>& skip);
 
 }  // namespace layoutbox::offline

@@ -1,6 +1,7 @@
 // Places whose reference is not said: "nearby", "on each side", "to its left", "in the center".
 #include <algorithm>
 
+#include "layoutbox/catalog/kin.h"
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/reader_words.h"
@@ -209,15 +210,15 @@ void Decoder::alone_of_room(std::size_t s, int u, std::size_t level, double gain
   room.kind = NounKind::kRoom;
   const double fits = sense_.of_place(senses, noun_of(state, member), room);
   const bool many = says(senses, RelationType::kRow) || says(senses, RelationType::kGrid) || says(senses, RelationType::kColumn);
-  // "a table with a laptop in the center": of the table.
   // "On the desk a blotter in the center": what no list has lies there as well.
   const int carrier = state.fronted.empty() ? kNobody : state.fronted.front() + 1;
   const bool on_fronted = carrier >= 0 && says(unit(carrier - 1).direct, RelationType::kOn) && is_thing(state, carrier) &&
                           (noun_of(state, member).entry == nullptr || sense_.carries(noun_of(state, carrier), noun_of(state, member)));
-  // "a counter with a sink in the middle": let into it
+  // "a table with a laptop in the center": of the table; "a counter with a sink in the middle": let into it.
   const Referent host = host_of(state, member);
-  const bool let_in = is_thing(state, host) && noun_of(state, host).entry != nullptr && noun_of(state, host).entry->is(Trait::kCounter) &&
-                      noun_of(state, member).head == "sink";
+  const CatalogEntry* entry = noun_of(state, member).entry;
+  const bool let_in = entry != nullptr && !set_in_entry(entry->id).empty() && is_thing(state, host) &&
+                      noun_of(state, host).entry != nullptr && noun_of(state, host).entry->is(Trait::kCounter);
   const bool lies =
       says(senses, RelationType::kCenterOfRoom) && (mount_of(noun_of(state, member)) == Mount::kSurface || on_fronted || let_in);
   // "a desk with a chair at the back": behind the desk.

@@ -201,10 +201,9 @@ bool Decoder::looked_at_elsewhere(const NounPhrase& host, const NounPhrase& noun
                               [&](const std::string& kind) { return lexicon_.catalog().is_a(host.entry->id, kind); });
 }
 
-// How well it goes with the list, by what such things do: lie on the host, stand at it.
 // "supporting", "carries", "holds": its things are on it. "With" and "has" leave that open.
 bool Decoder::carries_list(int predicate) const {
-  return one_of(word(predicate), {"supporting", "supports", "carrying", "carries", "bearing", "bears", "holding", "holds", "hold"});
+  return shows_things(word(predicate)) || (is(predicate, UnitKind::kPlace) && says(unit(predicate).inverse, RelationType::kOn));
 }
 
 // Small enough for a top, though it may stand on the floor: a ring light, a basket.
@@ -220,6 +219,7 @@ bool Decoder::lists_on_it(int u) const {
   return follows(u, UnitKind::kPlace) && says(unit(u + 1).alone, RelationType::kOn) && document_.tokens[chunk(u + 1).last - 1].text == "it";
 }
 
+// How well it goes with the list, by what such things do: lie on the host, stand at it.
 double Decoder::list_kind_score(const State& state, int member, int u, std::size_t length) const {
   const UnitReading& reading = read_as(state, member);
   const int predicate = reading.predicate;

@@ -97,10 +97,7 @@ const PhraseSenses* UnitReader::end_of_room(std::size_t k) const {
   if (tokens[place.last - 1].text != "end" || (place.last < tokens.size() && tokens[place.last].text == "of")) return nullptr;
   const bool other = place.last >= 2 && tokens[place.last - 2].text == "other";
   const bool end = place.last == place.first + 3 && tokens[place.first].text == "at" && tokens[place.first + 1].text == "the";
-  // "a screen at the short end": of a room as wide as deep or wider a side
-  const bool narrow = place.last == place.first + 4 && tokens[place.first].text == "at" && tokens[place.first + 1].text == "the" &&
-                      one_of(tokens[place.first + 2].text, {"short", "shorter", "narrow"});
-  if (!other && !end && !narrow && !place.phrase.one) return nullptr;
+  if (!other && !end && !place.phrase.one) return nullptr;
   std::size_t thing = previous(k);
   if (is(thing, ChunkKind::kNoun) && is(previous(thing), ChunkKind::kPurpose)) thing = previous(previous(thing));  // "a table for six at …"
   if (!is(thing, ChunkKind::kNoun) || chunk(thing).noun.kind != NounKind::kObject) return nullptr;
@@ -109,7 +106,7 @@ const PhraseSenses* UnitReader::end_of_room(std::size_t k) const {
   const CatalogEntry* entry = chunk(thing).noun.entry;
   const bool board = entry != nullptr && entry->is(Trait::kScreen) && (entry->mount == Mount::kWall || entry->is(Trait::kElseOnWall));
   const bool stands = mount_of(chunk(thing).noun) == Mount::kFloor && !is_seat(lexicon_.catalog(), chunk(thing).noun);
-  return !board && !stands ? nullptr : other ? &kOther : end ? &kFar : &kOne;  // narrow: the left one
+  return !board && !stands ? nullptr : other ? &kOther : end ? &kFar : &kOne;
 }
 
 // "…, and shoji screens on one side": of the room, where what is listed stands by itself and goes with nothing, and no other side follows.
@@ -156,7 +153,8 @@ std::string UnitReader::run_side_of_room(std::size_t k) const {
                (c.noun.kind == NounKind::kObject || c.noun.kind == NounKind::kDoor || c.noun.kind == NounKind::kWindow);
       });
   if (large && first) return side;
-  for (std::size_t c = 0; c < document_.chunks.size(); ++c) {
+  const std::size_t end = std::min(document_.chunks.size(), k + kFarthestBack);
+  for (std::size_t c = k > kFarthestBack ? k - kFarthestBack : 0; c < end; ++c) {
     // "bikes on the left wall, freezer on the right"
     const bool wall =
         is(c, ChunkKind::kNoun) && chunk(c).noun.kind == NounKind::kWall && one_of(chunk(c).noun.wall_word, {"left", "right"});
@@ -200,10 +198,8 @@ bool UnitReader::stands_in_room(std::size_t k) const {
     while (is(after, ChunkKind::kComma) || is(after, ChunkKind::kVerb) || is(after, ChunkKind::kThere)) after = next(after);
     if (is(after, ChunkKind::kNoun)) thing = after;
   }
-  if (thing >= document_.chunks.size() || chunk(thing).noun.kind != NounKind::kObject) return false;
-  const CatalogEntry* entry = chunk(thing).noun.entry;
-  const bool screen = entry != nullptr && entry->is(Trait::kScreen) && entry->is(Trait::kElseOnWall);
-  if (mount_of(chunk(thing).noun) != Mount::kFloor && !screen) return false;
+  if (thing >= document_.chunks.size() || chunk(thing).noun.kind != NounKind::kObject || mount_of(chunk(thing).noun) != Mount::kFloor)
+    return false;
   if (!is_seat(lexicon_.catalog(), chunk(thing).noun)) return true;
   return std::none_of(units_.begin(), units_.end(), [&](const Unit& unit) {
     return unit.kind == UnitKind::kNoun && is_table(lexicon_.catalog(), chunk(unit.chunk).noun);
