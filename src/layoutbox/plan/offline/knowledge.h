@@ -16,7 +16,7 @@ inline bool one_of(std::string_view word, std::initializer_list<std::string_view
 
 // "holds", "displaying": what a thing so said to have is on it or in it.
 inline bool shows_things(std::string_view word) {
-  return one_of(word, {"holding", "holds", "hold", "displaying", "displays", "display", "showcasing", "showcases"});
+  return one_of(word, {"holding", "holds", "hold", "bears", "displaying", "displays", "display", "showcasing", "showcases"});
 }
 
 // What things on one floor are to each other.

@@ -212,6 +212,11 @@ void RelationBuilder::settle_mount(std::size_t index) {
     object.mount = Mount::kHung;
     return;
   }
+  if (held.supported && lies_folded(object.id, noun)) {
+    object.mount = Mount::kSurface;
+    object.category = "clothing";
+    return;
+  }
   if (held.supported && mount_of(noun) == Mount::kFloor && is_carried(object.id)) {
     // A plant on a shelf is a small one.
     object.mount = Mount::kSurface;
@@ -225,6 +230,7 @@ void RelationBuilder::settle_mount(std::size_t index) {
   // "a lamp", "a reading lamp behind the armchair"
   const std::string form = noun.entry == nullptr ? "" : "floor_" + noun.entry->id;
   if (is_lamp(catalog_, noun) && catalog_.find(form) != nullptr) specialise(object, noun, {form.c_str()});
+});
 }
 
 bool RelationBuilder::over_table(const std::string& object) const {
@@ -249,6 +255,21 @@ bool RelationBuilder::hangs_on_hooks(const std::string& object) const {
     const CatalogEntry* entry = noun_of_object(*host).entry;
     const bool stand = entry != nullptr && catalog_.is_a(entry->id, "coat_rack") && entry->spaces.empty() && !entry->top_carries;
     return stand || has_hooks(noun_of_object(*host));
+  });
+}
+
+// "a jacket draped over the chair", "a bathrobe lies on the stool": clothes on what has no hooks and is not made for them.
+bool RelationBuilder::lies_folded(const std::string& object, const NounPhrase& noun) const {
+  if (noun.entry == nullptr || !catalog_.is_a(noun.entry->id, "garment") || catalog_.find("clothing") == nullptr) return false;
+  const std::vector<std::size_t>& all = relations_of(object);
+  return std::any_of(all.begin(), all.end(), [&](std::size_t i) {
+    const Relation& r = scene_.relations[i];
+    const SceneObject* host = r.type != R::kOn || r.references.empty() ? nullptr : object_of(r.references.front());
+    if (host == nullptr || noun_of_object(*host).entry == nullptr) return false;
+    const NounPhrase& carrier = noun_of_object(*host);
+    const auto hangs_there = [&](const std::string& kind) { return catalog_.is_a(carrier.entry->id, kind); };
+    const bool flat = carrier.entry->top_carries || carrier.entry->is(Trait::kBed) || is_seat(catalog_, carrier);
+    return flat && std::ranges::none_of(noun.entry->stands_on, hangs_there);
   });
 }
 

@@ -83,7 +83,9 @@ bool NounPhraseReader::is_no_count(const Match& best, bool is_number) const {
   if (!is_number && best.length > 1 && lexicon_.is(tokens_[i_], Class::kIndefinite)) {
     const Match pile = lexicon_.find(tokens_, i_ + 1, Class::kObject);
     const Meaning* thing = meaning_of(pile, Class::kObject);
-    if (pile.length >= best.length && thing != nullptr && thing->entry != nullptr && thing->entry->mount == Mount::kFloor) return true;
+    const bool one = thing != nullptr && thing->entry != nullptr &&
+                     (thing->entry->mount == Mount::kFloor || !plural_at(i_ + pile.length));  // "a pile of laundry"
+    if (pile.length >= best.length && one) return true;
   }
   const bool adjective = is_number && attribute_of(any) != nullptr;
   if (adjective && any.length == best.length && counted_) return true;

@@ -69,6 +69,8 @@ bool NounPhraseReader::read_part() {
 bool NounPhraseReader::counts_plural(const Match& match) const {
   const WordForm form = noun_form(token().text);
   const bool named = parts_.empty() || (parts_.back().last == i_ && !parts_.back().plural);
+  // "a stack of paper rests on the desk", "a pair of binoculars": one heap of them.
+  if (!parts_.empty() && phrase_.first < i_ && lexicon_.is(tokens_[phrase_.first], Class::kIndefinite)) return false;
   return match.length == 1 && named && phrase_.count > 1 && plural_at(i_) && !opens_at(i_ + 1) &&
          meaning_of(match, Class::kObject) == nullptr && meaning_of(match, Class::kPart) == nullptr &&
          (form == WordForm::kThing || form == WordForm::kBody || form == WordForm::kRarelyThing);

@@ -6,6 +6,7 @@
 
 #include "layoutbox/base/words.h"
 #include "layoutbox/plan/offline/english.h"
+#include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/noun_phrase_parts.h"
 #include "layoutbox/plan/offline/reader_words.h"
 
@@ -113,9 +114,17 @@ Match NounPhraseReader::without_verb(const Match& match) const {
   if (match.length < 2 || (!lexicon_.is(tokens_[final], Class::kPlaceVerb) && !lexicon_.is(tokens_[final], Class::kHave))) return match;
   const bool one =
       phrase_.count == 1 || (phrase_.count == 0 && (phrase_.determiner == Determiner::kIndefinite || opens_at(i_ + match.length)));
-  const bool singular_subject = match.plural && one;  // "in the corner stands a"
+  // "in the corner stands a"; "the TV stands near the window", where no other verb says that they are stands.
+  const bool opens_clause =
+      phrase_.first == 0 || tokens_[phrase_.first - 1].kind != Token::Kind::kWord || tokens_[phrase_.first - 1].ends_sentence ||
+      lexicon_.is(tokens_[phrase_.first - 1], Class::kAnd) || one_of(tokens_[phrase_.first - 1].text, {"while", "where", "whereas"});
+  const bool stands_there =
+      opens_clause && phrase_.count == 0 && !counted_ && place_at(i_ + match.length) && lacks_verb(i_ + match.length);
+  const bool singular_subject = match.plural && (one || (stands_there && phrase_.determiner != Determiner::kBoth));
   const bool plural_subject = !match.plural && plural_at(i_ + match.length - 2) && !plural_at(i_ + match.length - 1);  // "speakers stand"
-  return singular_subject || plural_subject ? lexicon_.find(tokens_.first(i_ + match.length - 1), i_) : match;
+  if (!singular_subject && !plural_subject) return match;
+  const Match subject = lexicon_.find(tokens_.first(i_ + match.length - 1), i_);
+  return one || plural_subject || has(subject, Class::kObject) ? subject : match;  // "the music stands near the piano" has no other
 }
 
 // "a wooden puppet theater": what something is made of gives way to the longer name that begins after it.

@@ -212,6 +212,7 @@ class RelationBuilder {
   bool is_board_under(const Relation& relation, const NounPhrase& noun) const;
   bool hangs_on_hooks(const std::string& object) const;
   // On or in a thing other than a rug.
+  bool lies_folded(const std::string& object, const NounPhrase& noun) const;
   bool is_carried(const std::string& object) const;
   void soften_middles();
   void note_contradictions();

@@ -214,7 +214,9 @@ void RelationBuilder::add_for_each(const Link& link, PhraseSense sense, const Me
   }
   if (seat_at) sense.type = user_side(references.front());  // "a chair at each"
   const std::size_t n = target.items.size(), m = references.size();
-  const bool all = sense.type == R::kInFrontOf || sense.type == R::kOpposite;
+  // "a bouquet waits behind both", "to the left of the monitors": of all of them.
+  const bool sided = sense.type == R::kBehind || sense.type == R::kLeftOf || sense.type == R::kRightOf;
+  const bool all = sense.type == R::kInFrontOf || sense.type == R::kOpposite || sided;
   if (sense.type == R::kOpposite && m == 1 && n > 1) {  // as a group
     add(link, sense.type, ids(target.items), {id(references.front())}, sense);
     for (const int item : target.items) add_across(link, item, {id(references.front())});

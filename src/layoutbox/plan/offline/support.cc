@@ -33,6 +33,12 @@ double area_of(const NounPhrase& noun) {
   return noun.entry == nullptr ? 0 : 1.0 * noun.entry->size.usual.width * noun.entry->size.usual.depth;
 }
 
+// "a bottle next to a box of dryer sheets": what stands on the floor by itself, and beside a small thing where that stands.
+bool is_light_box(const NounPhrase& noun) {
+  return mount_of(noun) == Mount::kFloor && noun.entry != nullptr && area_of(noun) <= kSmallArea &&
+         one_of(noun.head, {"box", "basket", "case", "container", "carton", "tin", "crate"});
+}
+
 }  // namespace
 
 std::string RelationBuilder::said_support(const std::string& object) const {
@@ -52,7 +58,7 @@ bool RelationBuilder::is_small(std::size_t index) const {
   const bool hangs = noun.entry != nullptr && noun.entry->is(Trait::kElseOnWall) &&
                      std::ranges::any_of(all, [&](std::size_t r) { return scene_.relations[r].type == R::kInRegion; });
   if (hangs) return false;
-  return (mount_of(noun) == Mount::kSurface || unknown || object_of(said_support(scene_.objects[index].id)) != nullptr) &&
+  return (mount_of(noun) == Mount::kSurface || unknown || is_light_box(noun) || object_of(said_support(scene_.objects[index].id)) != nullptr) &&
          std::none_of(all.begin(), all.end(), [&](std::size_t r) { return stands_elsewhere(scene_.relations[r].type); });
 }
 
@@ -190,7 +196,7 @@ void RelationBuilder::carry_support() {
   spread();
   for (const auto& [thing, host] : lit_on_tables()) conclude(thing, host);
   for (std::size_t i = 0; i < supports.size(); ++i) {
-    if (beside[i].empty() || !supports[i].empty()) continue;
+    if (beside[i].empty() || !supports[i].empty() || is_light_box(document_.items[i].noun)) continue;
     const std::string host = own_of_several(i, host_spoken_of(i));
     if (host.empty() || host == scene_.objects[i].id) continue;
     conclude(i, host);

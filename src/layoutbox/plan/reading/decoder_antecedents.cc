@@ -101,9 +101,23 @@ double Decoder::antecedent_place_score(const State& state, Referent referent, Re
   const bool before = says(senses, RelationType::kInFrontOf) || says(senses, RelationType::kBehind);
   const bool has_it = owner != kNobody && (referent == owner || (owner >= 0 && referent == host_of(state, owner)));
   if (before && has_it && small && is_table(lexicon_.catalog(), meant)) score += weight::kBeforeHost;
+  // "a statue on the floor beside it": beside what stands there, not what lies on a counter.
+  const bool laid_down = small && !lies && subject >= 0 && is_told_on_floor(state, subject);
+  if (laid_down && meant.kind == NounKind::kObject)
+    score += mount_of(meant) == Mount::kSurface ? weight::kNotBeside - weight::kSmallTogether : -weight::kNotBeside;
   // What lies on the floor or on something else is seldom what one places things by.
   if (stands(target) && !stands(meant)) score -= 0.8;
   return score;
+}
+
+// "a statue on the floor"
+bool Decoder::is_told_on_floor(const State& state, int subject) const {
+  for (int u = subject + 1; u < static_cast<int>(state.units.size()); ++u) {
+    if (!is(u, UnitKind::kNoun) || chunk(u).noun.kind != NounKind::kFloor) continue;
+    const UnitReading& floor = read_as(state, u);
+    if (floor.role == NounRole::kReference && floor.predicate >= 0 && read_as(state, floor.predicate).subject == subject) return true;
+  }
+  return false;
 }
 
 std::vector<Decoder::Candidate> Decoder::antecedents(const State& state, Referent subject, const PhraseSenses* senses,

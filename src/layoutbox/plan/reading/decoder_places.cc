@@ -251,7 +251,8 @@ void Decoder::relative_place_actions(std::size_t s, int u) {
   const State& state = states_[s];
   int nearer = 0;
   for (std::size_t f = state.frontier.size(); f-- > 0;) {
-    if (is_thing(state, state.frontier[f]))
+    const NounKind kind = noun_of(state, state.frontier[f]).kind;
+    if (is_thing(state, state.frontier[f]) || kind == NounKind::kWindow || kind == NounKind::kDoor || kind == NounKind::kWall)
       add(s, kFront, -0.9 * nearer++ + weight::kTree * tree_.for_noun(u, state.frontier[f]), state.frontier[f], -1, state.frontier[f]);
   }
 }

@@ -91,7 +91,8 @@ std::vector<int> Scribe::subjects_of(int u) const {
   for (int m = own.subject; m >= 0; m = reading(m).former) {
     // "both", "all": every single one of the list.
     const UnitReading& member = reading(m);
-    if (member.role == NounRole::kMember && member.whole_list && member.meant >= 0 && !is(u, UnitKind::kHave)) {
+    const bool counted = chunk(m).noun.count > 0;  // "between a counter and a fridge, all three": not just the list
+    if (member.role == NounRole::kMember && member.whole_list && member.meant >= 0 && !counted && !is(u, UnitKind::kHave)) {
       for (int l = member.meant; l >= 0; l = reading(l).former) {
         if (mention_[static_cast<std::size_t>(l)] >= 0 && is_thing(mention_[static_cast<std::size_t>(l)]))
           all.insert(all.begin(), mention_[static_cast<std::size_t>(l)]);

@@ -32,7 +32,8 @@ int Scribe::pair_just_related() {
     if (link.kind != Link::Kind::kRelation || link.targets.size() != 1 || link.references.size() != 1) continue;
     const Mention &one = mention_at(link.targets.front()), &other = mention_at(link.references.front());
     if (one.items.size() != 1 || other.items.size() != 1 || one.items == other.items) continue;
-    if (mount_of(one.noun) != Mount::kFloor || mount_of(other.noun) != Mount::kFloor) continue;
+    const Mount mount = mount_of(one.noun);
+    if (mount != mount_of(other.noun) || (mount != Mount::kFloor && mount != Mount::kSurface)) continue;
     return combined({link.targets.front(), link.references.front()});
   }
   return -1;
@@ -60,7 +61,8 @@ int Scribe::antecedent_of(int u) {
   if (own.whole_list && own.meant >= 0) {
     std::vector<int> all;
     for (int m = own.meant; m >= 0; m = reading(m).former) all.insert(all.begin(), mention_[static_cast<std::size_t>(m)]);
-    return combined(all);
+    const bool one = all.size() == 1 && is_thing(all.front()) && mention_at(all.front()).items.size() == 1;
+    if (!one) return combined(all);
   }
   const std::vector<int> meant = mentions_of(own.meant);
   const int antecedent = meant.empty() ? -1 : meant.front();

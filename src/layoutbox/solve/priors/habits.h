@@ -146,7 +146,17 @@ class Habits {
   bool stand_abreast(int item);
   bool stand_abreast_of(int item, int host, RelationType how);
   void stand_at_side(int item);
+
+  // Habits by the greater thing one goes with (habits_beside.cc).
   bool stand_beside(int item);
+  bool stand_as_told_by(int item);
+  std::vector<int> hosts_beside(int item) const;
+  std::optional<int> told_host(int item, const std::vector<int>& hosts) const;
+  bool told_to_sit_elsewhere(int item) const;
+  bool sit_near_low_table(int item);
+  void leave_seated_to_their_seats(std::vector<int>& hosts, int item) const;
+  bool sit_at(int item, int host, int hosts);
+  void stand_at(int item, int host, int hosts);
   void sit_behind_served(int item, int host);
   void sit_round_low_table(int item, int table);
   bool told_away_from_group(int item) const;

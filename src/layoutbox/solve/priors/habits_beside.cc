@@ -1,0 +1,243 @@
+// The habit of standing by the greater thing one goes with: a seat at its table, a nightstand beside its bed, a table before its sofa.
+#include <bit>
+#include <optional>
+
+#include "layoutbox/solve/model/slanted.h"
+#include "layoutbox/solve/priors/formation.h"
+#include "layoutbox/solve/priors/habits.h"
+
+namespace layoutbox::placement {
+
+bool Habits::stand_beside(int item) {
+  if (stand_as_told_by(item)) return true;
+  std::vector<int> hosts = hosts_beside(item);
+  if (hosts.empty()) return false;
+  if (const std::optional<int> told = told_host(item, hosts)) {
+    if (!leaves_usual_place(item, *told)) {
+      come_near(item, *told);
+      sit_facing(item, *told);
+      return true;
+    }
+    hosts = {*told};
+  } else {
+    if (told_to_sit_elsewhere(item)) return false;
+    if (sit_near_low_table(item)) return true;
+    leave_seated_to_their_seats(hosts, item);
+  }
+  // Hosts of the best kind only: a lamp by the sofa rather than by the desk.
+  std::erase_if(hosts, [&](int h) { return model_.items[h].entry != model_.items[hosts[0]].entry; });
+  const int host = hosts[rank_of(item) % static_cast<int>(hosts.size())];
+  const int number = static_cast<int>(hosts.size());
+  if (!sit_at(item, host, number)) stand_at(item, host, number);
+  return true;
+}
+
+// What a relation says of it and a greater thing, and what that leaves open. True: nothing is.
+bool Habits::stand_as_told_by(int item) {
+  constexpr Mm kLowAtFoot = 650;  // a bench, a chest: close to the bed; not a wardrobe
+  const Item& self = model_.items[item];
+  for (std::size_t i = 0; i < model_.items.size(); ++i) {
+    const int host = static_cast<int>(i);
+    for (const RelationType how : {RelationType::kInFrontOf, RelationType::kAlongSide}) {
+      if (related_as_target(item, host, how) && sit_in_row(item, host, how)) return true;
+    }
+    if (related_as_target(item, host, RelationType::kAtFootOf) && self.states[0].size.height <= kLowAtFoot) {
+      come_near(item, host);
+      if (self.has_front && model_.items[host].has_front) turn_as(item, host);  // its back to the bed
+    }
+    // Who sits behind a bench or a counter looks over it.
+    const Item& desk = model_.items[host];
+    const bool sat_behind =
+        self.is(Trait::kEasySeat) && desk.has_front && (desk.is(Trait::kTable) || desk.is(Trait::kDeskLike) || desk.is(Trait::kCounter));
+    if (sat_behind && related_as_target(item, host, RelationType::kBehind)) turn_as(item, host);
+  }
+  return false;
+}
+
+std::vector<int> Habits::hosts_beside(int item) const {
+  const Item& self = model_.items[item];
+  std::vector<int> hosts = usual_hosts(item);
+  for (std::size_t i = 0; i < model_.items.size() && self.is(Trait::kTableSeat); ++i) {  // a potter's wheel
+    const int other = static_cast<int>(i);
+    const bool known = std::ranges::find(hosts, other) != hosts.end();
+    if (!known && other != item && model_.items[i].is(Trait::kDeskLike) && model_.items[i].has_front && related(item, other))
+      hosts.push_back(other);
+  }
+  return hosts;
+}
+
+// The host that a relation says it stands by, not only looks at.
+std::optional<int> Habits::told_host(int item, const std::vector<int>& hosts) const {
+  for (const int h : hosts) {
+    if (!related(item, h) || only_related_by(item, h, {RelationType::kBetween}) || only_turned_by(item, h)) continue;
+    if (model_.items[item].is(Trait::kEasySeat) && model_.items[h].is(Trait::kCoffeeTable) && only_near(item, h)) continue;
+    return h;
+  }
+  return std::nullopt;
+}
+
+// Chairs along the walls or in rows; two easy chairs by the fire do not draw the sofa there.
+bool Habits::told_to_sit_elsewhere(int item) const {
+  const Item& self = model_.items[item];
+  return (self.is(Trait::kTableSeat) && placed_besides_facing(item)) || (self.is(Trait::kEasySeat) && told_away_from_group(item));
+}
+
+bool Habits::sit_near_low_table(int item) {
+  const Item& self = model_.items[item];
+  if (!self.is(Trait::kEasySeat)) return false;
+  for (const int other : items_of_kinds(self.entry->faces, item)) {
+    if (!model_.items[other].is(Trait::kCoffeeTable)) continue;
+    if (!only_near(item, other)) return false;
+    sit_round_low_table(item, other);
+    return true;
+  }
+  return false;
+}
+
+// A stool goes to the counter where the tables have their chairs.
+void Habits::leave_seated_to_their_seats(std::vector<int>& hosts, int item) const {
+  const Item& self = model_.items[item];
+  const auto is_seated = [&](int h) {
+    return std::ranges::any_of(model_.scene->relations, [&](const Relation& r) {
+      const int seat = r.targets.empty() ? -1 : model_.find_item(r.targets[0]);
+      return seat >= 0 && model_.items[seat].is(Trait::kTableSeat) && model_.items[seat].entry != self.entry &&
+             std::ranges::find(r.references, model_.items[h].id) != r.references.end();
+    });
+  };
+  if (self.is(Trait::kTableSeat) && !std::ranges::all_of(hosts, is_seated)) std::erase_if(hosts, is_seated);
+}
+
+// Its share of the places at one of so many tables or counters. False: it is no seat, or nobody sits there.
+bool Habits::sit_at(int item, int host, int hosts) {
+  const Item &self = model_.items[item], &ref = model_.items[host];
+  if (!self.is(Trait::kTableSeat)) return false;
+  if (self.has_front && ref.is(Trait::kDeskLike) && is_served_over(host)) {
+    sit_behind_served(item, host);
+    return true;
+  }
+  const std::vector<Side> used = used_sides(ref);
+  const bool sat_before =
+      used.size() == 1 && used[0] == Side::kFront && ref.has_front && (ref.entry->back_to_wall || ref.is(Trait::kDeskLike));
+  const bool at_counter = ref.is(Trait::kCounter) && ref.has_front;  // at its front; who serves is behind
+  if (!has_knee_room(ref) && !sat_before && !at_counter) return false;
+  Formula f;
+  const std::vector<int> seats = seats_at(item, host, hosts);
+  const auto k = std::ranges::find(seats, item) - seats.begin();
+  add_seat_place(f, model_, item, host, static_cast<int>(k), static_cast<int>(seats.size()), kBeside);
+  habit("at table", item, kBeside, std::move(f), {host});
+  return true;
+}
+
+// Before its host or at its sides, close to it.
+void Habits::stand_at(int item, int host, int hosts) {
+  const Item &self = model_.items[item], &ref = model_.items[host];
+  Formula f;
+  const std::vector<Side> used = used_sides(ref);
+  if (self.is(Trait::kTableSeat) && used.size() == 1 && ref.has_front) {  // a drummer's stool
+    add_beside(f, model_, item, host, used[0], {.most = 500, .wished_gap = 0});
+  } else if (before_its_host(item)) {
+    add_beside(f, model_, item, host, Side::kFront, {.most = 600, .wished_gap = self.is(Trait::kCoffeeTable) ? 400 : 100});
+  } else {
+    add_beside(f, model_, item, host, Side::kLeft, {.most = 500, .wished_gap = 60});
+    add_beside(f, model_, item, host, Side::kRight, {.most = 500, .wished_gap = 60});
+    if (!ref.has_front) {
+      add_beside(f, model_, item, host, Side::kFront, {.most = 500, .wished_gap = 60});
+      add_beside(f, model_, item, host, Side::kBack, {.most = 500, .wished_gap = 60});
+    }
+  }
+  // Near is what makes them belong together; the free floor wanted at the host's sides would push them off.
+  for (Case& c : f.cases) {
+    if (!c.wishes.empty()) c.wishes[0].weight = kBeside;
+  }
+  habit("beside", item, kBeside, std::move(f), {host});
+  if (before_its_host(item)) stand_before_middle(item, host);
+  if (ref.has_front && !before_its_host(item) && !self.is(Trait::kTableSeat)) flank(item, host, hosts);
+}
+
+// Who works at a reception desk sits behind it, where the room for the knees is, and looks over it.
+void Habits::sit_behind_served(int item, int host) {
+  constexpr Mm kBetween = 200;
+  const std::vector<int> seats = seats_at(item, host, 1);
+  const auto k = std::ranges::find(seats, item) - seats.begin(), n = std::ssize(seats);
+  const Mm pitch = model_.items[item].states[0].size.width + kBetween;
+  Formula f;
+  for_each_turn(model_.items[host], [&](int turn, std::uint64_t states) {
+    if (turn % 90 != 0) return;
+    const Direction back = side_direction(model_.items[host], Side::kBack, turn);
+    Case& c = f.add().when(host, states).when(item, states_looking(model_.items[item], opposite(back)));
+    c.wish(mid2(item, across(back)) - mid2(host, across(back)) - Linear((2 * k - (n - 1)) * pitch), kBeside, 2);
+    c.wish(gap_towards(item, host, back), kBeside);
+  });
+  habit("behind the desk", item, kBeside, std::move(f), {host});
+}
+
+// Told to stand by something that is not what one talks round: by the fire, at the window.
+bool Habits::told_away_from_group(int item) const {
+  if (!placed_besides_facing(item)) return false;
+  const auto in_group = [&](const std::string& id) {
+    const int other = model_.find_item(id);
+    if (other < 0 || model_.items[other].is_opening()) return false;
+    const Item& ref = model_.items[other];
+    return ref.is(Trait::kCenterPiece) || ref.is(Trait::kEasySeat) || ref.is(Trait::kCoffeeTable) || ref.thin;
+  };
+  return std::ranges::none_of(model_.scene->relations, [&](const Relation& r) {
+    return std::ranges::find(r.targets, model_.items[item].id) != r.targets.end() && std::ranges::any_of(r.references, in_group);
+  });
+}
+
+// Easy chairs make a talking group: at the ends of the coffee table, looking at it, two of them face to face.
+void Habits::sit_round_low_table(int item, int table) {
+  Formula f;
+  add_beside(f, model_, item, table, Side::kLeft, {.most = 700, .wished_gap = 350});
+  add_beside(f, model_, item, table, Side::kRight, {.most = 700, .wished_gap = 350});
+  const std::size_t ends = f.cases.size();
+  add_beside(f, model_, item, table, Side::kFront, {.most = 700, .wished_gap = 350});
+  add_beside(f, model_, item, table, Side::kBack, {.most = 700, .wished_gap = 350});
+  for (std::size_t i = ends; i < f.cases.size(); ++i) f.cases[i].price += 150;  // there it may stand before the television
+  for (Case& c : f.cases) {
+    if (!c.wishes.empty()) c.wishes[0].weight = kBeside;
+  }
+  habit("round the low table", item, kBeside, std::move(f), {table});
+  flank(item, table, 1);
+}
+
+void Habits::stand_before_middle(int item, int host) {
+  Formula f;
+  for_each_turn(model_.items[host], [&](int turn, std::uint64_t states) {
+    const int along = side_direction(model_.items[host], Side::kRight, turn).axis;
+    const double angle = model_.items[host].states[static_cast<std::size_t>(std::countr_zero(states))].angle;
+    const auto heading = turn % 90 == 0 ? std::nullopt : signed_heading(model_, angle);
+    if (const std::uint64_t turned = heading ? states_at_angle(model_.items[item], angle, 180) : 0) {
+      f.add()
+          .when(host, states)
+          .when(item, turned)
+          .wish(along2(model_, item, heading->heading) - along2(model_, host, heading->heading), kBeside, 2 * kHeading);
+      return;
+    }
+    f.add()
+        .when(host, states)
+        .when(item, states_with_width_along(model_.items[item], along))
+        .wish(mid2(item, along) - mid2(host, along), kBeside, 2);
+  });
+  habit("before the middle", item, kBeside, std::move(f), {host});
+}
+
+// Two of a kind by the same host stand one at each side: nightstands, speakers, plants.
+void Habits::flank(int item, int host, int hosts) {
+  const int rank = rank_of(item);
+  if (rank / hosts % 2 == 0) return;
+  int twin = 0;
+  while (model_.items[twin].entry != model_.items[item].entry || rank_of(twin) != rank - hosts) ++twin;
+  if (model_.items[twin].fixed || !only_near(twin, host)) return;
+  Formula f;
+  for_each_turn(model_.items[host], [&](int turn, std::uint64_t states) {
+    const Direction right = side_direction(model_.items[host], Side::kRight, turn);
+    for (const int sign : {1, -1}) {
+      const auto beyond = [&](int one, int towards) { return towards * (mid2(one, right.axis) - mid2(host, right.axis)); };
+      f.add().when(host, states).require(beyond(item, sign)).require(beyond(twin, -sign));
+    }
+  });
+  habit("other side", item, kBeside, std::move(f), {host, twin});
+}
+
+}  // namespace layoutbox::placement
