@@ -230,7 +230,6 @@ void RelationBuilder::settle_mount(std::size_t index) {
   // "a lamp", "a reading lamp behind the armchair"
   const std::string form = noun.entry == nullptr ? "" : "floor_" + noun.entry->id;
   if (is_lamp(catalog_, noun) && catalog_.find(form) != nullptr) specialise(object, noun, {form.c_str()});
-});
 }
 
 bool RelationBuilder::over_table(const std::string& object) const {

@@ -74,8 +74,7 @@ bool NounPhraseReader::lacks_verb(std::size_t at) const {
   for (; at < tokens_.size() && tokens_[at].kind == Token::Kind::kWord; ++at) {
     const Token& word = tokens_[at];
     const bool has = word.text != "with" && lexicon_.is(word, Class::kHave);
-    if (has || lexicon_.is(word, Class::kBe) || (lexicon_.is(word, Class::kPlaceVerb) && is_finite(word.text)))
-      return false;
+    if (has || lexicon_.is(word, Class::kBe) || (lexicon_.is(word, Class::kPlaceVerb) && is_finite(word.text))) return false;
   }
   return true;
 }

@@ -115,11 +115,10 @@ Match NounPhraseReader::without_verb(const Match& match) const {
   const bool one =
       phrase_.count == 1 || (phrase_.count == 0 && (phrase_.determiner == Determiner::kIndefinite || opens_at(i_ + match.length)));
   // "in the corner stands a"; "the TV stands near the window", where no other verb says that they are stands.
-  const bool opens_clause =
-      phrase_.first == 0 || tokens_[phrase_.first - 1].kind != Token::Kind::kWord || tokens_[phrase_.first - 1].ends_sentence ||
-      lexicon_.is(tokens_[phrase_.first - 1], Class::kAnd) || one_of(tokens_[phrase_.first - 1].text, {"while", "where", "whereas"});
-  const bool stands_there =
-      opens_clause && phrase_.count == 0 && !counted_ && place_at(i_ + match.length) && lacks_verb(i_ + match.length);
+  const bool opens_clause = phrase_.first == 0 || tokens_[phrase_.first - 1].kind != Token::Kind::kWord ||
+                            tokens_[phrase_.first - 1].ends_sentence || lexicon_.is(tokens_[phrase_.first - 1], Class::kAnd) ||
+                            one_of(tokens_[phrase_.first - 1].text, {"while", "where", "whereas"});
+  const bool stands_there = opens_clause && phrase_.count == 0 && !counted_ && place_at(i_ + match.length) && lacks_verb(i_ + match.length);
   const bool singular_subject = match.plural && (one || (stands_there && phrase_.determiner != Determiner::kBoth));
   const bool plural_subject = !match.plural && plural_at(i_ + match.length - 2) && !plural_at(i_ + match.length - 1);  // "speakers stand"
   if (!singular_subject && !plural_subject) return match;

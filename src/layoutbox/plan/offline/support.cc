@@ -58,7 +58,8 @@ bool RelationBuilder::is_small(std::size_t index) const {
   const bool hangs = noun.entry != nullptr && noun.entry->is(Trait::kElseOnWall) &&
                      std::ranges::any_of(all, [&](std::size_t r) { return scene_.relations[r].type == R::kInRegion; });
   if (hangs) return false;
-  return (mount_of(noun) == Mount::kSurface || unknown || is_light_box(noun) || object_of(said_support(scene_.objects[index].id)) != nullptr) &&
+  return (mount_of(noun) == Mount::kSurface || unknown || is_light_box(noun) ||
+          object_of(said_support(scene_.objects[index].id)) != nullptr) &&
          std::none_of(all.begin(), all.end(), [&](std::size_t r) { return stands_elsewhere(scene_.relations[r].type); });
 }
 
