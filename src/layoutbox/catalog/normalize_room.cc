@@ -269,11 +269,28 @@ class RoomNormalizer {
       if (const Wall* wall = context_.scene.find_wall(opening.wall); wall != nullptr && !opening.wall.empty()) opening.wall = wall->id;
       if (opening.id.empty()) opening.id = unused_id(context_.scene, fmt::format("{}{}", name_of(opening.type), i + 1));
       take_whole_wall(opening);
+      settle_place(opening);
       if (opening.asked()) continue;
       const Mm wanted = width_of_what_is_under(opening);
       fit_assumed(opening, wanted > opening.width ? kShareOfWideWindow : kShareOfWindow,
                   std::max(opening.width, std::min(wanted, kWidestWindow)));
     }
+  }
+
+  // In the middle of its wall, or a hand's breadth off the corner that is named.
+  void settle_place(Opening& opening) const {
+    constexpr Mm kOff = 100;
+    const Wall* wall = opening.place.empty() || opening.wall.empty() || opening.offset ? nullptr : context_.scene.find_wall(opening.wall);
+    if (wall == nullptr) return;
+    const Mm room = std::max(0, static_cast<Mm>(length_of(*wall)) - opening.width);
+    if (opening.place == "middle") {
+      opening.offset = room / 2 / kGridMm * kGridMm;
+      return;
+    }
+    const auto says = [&](std::string_view word) { return opening.place.find(word) != std::string::npos ? 1 : 0; };
+    const Point along{wall->end.x - wall->start.x, wall->end.y - wall->start.y};
+    const double toward = 1.0 * along.x * (says("right") - says("left")) + 1.0 * along.y * (says("back") - says("front"));
+    if (toward != 0) opening.offset = toward < 0 ? std::min(kOff, room) : std::max(0, room - kOff);
   }
 
   // A wall of glass is as wide and high as its wall.

@@ -68,6 +68,9 @@ struct Opening {
   Swing swing = Swing::kInLeft;
   Origin origin = Origin::kAsked;         // else it is the first to be moved or narrowed
   std::vector<std::string> attributes{};  // what the text says of its look: "french", "round", "red" (catalog/words_openings.json)
+  // Where along its wall the text has it: "middle", or the corner it is near ("left", "back right"); normalize_scene sets the offset by it.
+  // Not in files.
+  std::string place{};
   bool asked() const { return origin == Origin::kAsked; }
 };
 

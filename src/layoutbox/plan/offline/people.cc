@@ -118,7 +118,8 @@ class PeopleReader {
       const int seat = static_cast<int>(m);
       const NounPhrase noun = mention(seat).noun;
       if (!mention(seat).introduces || noun.kind != NounKind::kObject || !is_seat(catalog_, noun)) continue;
-      const bool upright = one_of(noun.head, {"chair", "stool", "bench", "barstool", "seat"});
+      const bool easy = noun.entry != nullptr && noun.entry->is(Trait::kEasySeat);  // "a lounge chair"
+      const bool upright = one_of(noun.head, {"chair", "stool", "bench", "barstool", "seat"}) && !easy;
       const bool here = at_table(seat, table);
       if (!here && one_of(noun.head, {"stool", "barstool"}) && counter_named()) continue;  // "an island and four stools, a table for six"
       if (!here && (!upright || belongs_elsewhere(seat, table) || one_of(noun.name, {"piano bench", "piano stool"}))) continue;

@@ -196,10 +196,12 @@ void RelationBuilder::add_relations(const Link& link) {
   if (link.gap && link.distance) return add_gap(link);
   std::vector<int> targets = items_of(link.targets);
   if (link.references.empty() || mention(link.references.front()).reciprocal) keep_standing(targets);
-  // "a window over the sink": the sink is under it.
+  // "a window over the sink", "a window behind the sofa": the sink is under it.
   const bool window = link.targets.size() == 1 && mention(link.targets.front()).noun.kind == NounKind::kWindow;
-  if (window && says(link.senses, R::kAbove)) {
-    for (const int item : items_of(link.references)) add(link, R::kUnderWindow, {id(item)}, {});
+  if (window && (says(link.senses, R::kAbove) || says(link.senses, R::kBehind))) {
+    for (const int item : items_of(link.references)) {
+      if (mount_of(noun_of_item(item)) == Mount::kFloor || says(link.senses, R::kAbove)) add(link, R::kUnderWindow, {id(item)}, {});
+    }
   }
   if (targets.empty()) return;
   if (link.references.empty()) return add_alone(link, targets);

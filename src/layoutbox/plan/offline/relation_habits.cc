@@ -117,6 +117,7 @@ void RelationBuilder::add_front() {
     of_target_[object.id].push_back(scene_.relations.size());
     add_habit(mount_of(noun) == Mount::kWall ? R::kOnWall : R::kAgainstWall, {object.id}, {"front"}, 100,
               "what rows of seats face is at the front of the room");
+    scene_.relations.back().hard = true;  // and gives way to what was asked
     return;
   }
 }

@@ -197,7 +197,11 @@ std::pair<std::string, std::size_t> middle_said_at(const Lexicon& lexicon, const
   } else if (is(i, {"long", "longer", "short", "shorter", "narrow"})) {
     word = document.tokens[i++].text.starts_with("long") ? "long" : "short";
   }
-  return word.empty() || !is(i, {"wall", "side", "end"}) ? std::pair<std::string, std::size_t>{} : std::pair{word, i + 1};
+  const bool wall = is(i, {"wall", "side", "end"});
+  const bool ends = i >= document.tokens.size() || document.tokens[i].kind == Token::Kind::kPunctuation ||
+                    lexicon.is(document.tokens[i], Class::kAnd);  // "in the middle of the front"
+  if (word.empty() || (!wall && !ends)) return {};
+  return {word, i + (wall ? 1 : 0)};
 }
 
 }  // namespace

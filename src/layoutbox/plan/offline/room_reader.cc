@@ -46,31 +46,6 @@ void fit(Opening& opening, const Room& room) {
   if (room.height > opening.sill + kAbove) opening.height = std::min(opening.height, room.height - kAbove - opening.sill);
 }
 
-// Where it begins that is in the middle of its wall; not known where the room's size is not.
-std::optional<Mm> middle_offset(const Opening& opening, const Room& room) {
-  if (room.polygon.empty() || opening.wall.empty()) return std::nullopt;
-  const auto [width, depth] = extent_of(room);
-  const Mm length = opening.wall == "left" || opening.wall == "right" ? depth : width;
-  return std::max(0, (length - opening.width) / 2 / kGridMm * kGridMm);
-}
-
-// … that is near the corner of those words ("right", "back right"), a hand's breadth off it; not known likewise.
-std::optional<Mm> corner_offset(const Opening& opening, const std::string& corner, const Room& room) {
-  constexpr Mm kOff = 100;
-  if (room.polygon.empty() || opening.wall.empty()) return std::nullopt;
-  const auto [width, depth] = extent_of(room);
-  const bool along_depth = opening.wall == "left" || opening.wall == "right";
-  const auto says = [&](std::string_view word) { return corner.find(word) != std::string::npos; };
-  // Walls run round the room, the front one from left to right.
-  const bool first = opening.wall == "front"   ? says("left")
-                     : opening.wall == "back"  ? says("right")
-                     : opening.wall == "right" ? says("front")
-                                               : says("back");
-  const bool second = along_depth ? says("front") || says("back") : says("left") || says("right");
-  if (!first && !second) return std::nullopt;
-  return first ? kOff : std::max(0, (along_depth ? depth : width) - opening.width - kOff);
-}
-
 // What the last one is across from is in the wall there.
 void face_opening(Room& room) {
   const Opening& last = room.openings.back();
@@ -86,7 +61,7 @@ void add_opening(SceneGraph& scene, OpeningType type, const NounPhrase& noun, co
   opening.id = std::string(name_of(type)) + std::to_string(number);
   opening.wall = wall_of_opening(wall, type, scene.room);
   if (!noun.size.any()) fit(opening, scene.room);
-  if (noun.in_middle) opening.offset = middle_offset(opening, scene.room);
+  if (noun.in_middle) opening.place = "middle";
   scene.room.openings.push_back(std::move(opening));
 }
 
@@ -242,7 +217,7 @@ void put_openings(const PlacedOpenings& placed, bool across, SceneGraph& scene) 
     const int count = std::max(1, openings_said(mention->noun) / static_cast<int>(places));
     for (int i = 0; i < std::min(count, 12); ++i) add_opening(scene, type, mention->noun, wall);
     Opening& last = scene.room.openings.back();
-    if (!corner.empty() && count == 1) last.offset = corner_offset(last, corner, scene.room);
+    if (!corner.empty() && count == 1) last.place = corner;
     if (wall == "across") face_opening(scene.room);
   }
 }

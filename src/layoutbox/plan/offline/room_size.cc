@@ -176,8 +176,25 @@ class SizeReader {
     return false;
   }
 
+  // "Room is 4 meter and 3 meter.": both with their unit and no word for which is which.
+  SidesRead read_two_joined(std::size_t at) const {
+    const auto one = read_measure(lexicon_, tokens_, at);
+    const std::size_t joiner = one ? at + one->length : tokens_.size();
+    if (joiner >= tokens_.size() || !(tokens_[joiner].text == "and" || tokens_[joiner].text == "times" || tokens_[joiner].text == "on"))
+      return {};
+    const auto two = read_measure(lexicon_, tokens_, joiner + 1);
+    const std::size_t last = two ? joiner + 1 + two->length : 0;
+    if (!two || (last < tokens_.size() && lexicon_.find(tokens_, last, Class::kDimension).length > 0)) return {};
+    SidesRead read;
+    read.sides = read.numbers = {one->metres, two->metres};
+    read.length = last - at;
+    read.united = true;
+    return read;
+  }
+
   std::size_t read_product(std::size_t at) {
-    const SidesRead read = read_sides(lexicon_, tokens_, at);
+    SidesRead read = read_sides(lexicon_, tokens_, at);
+    if (read.sides.empty()) read = read_two_joined(at);
     const std::vector<double>& values = read.sides;
     const std::size_t length = read.length;
     if (values.empty() || !speaks_of_room(at, at + length, values)) return 0;

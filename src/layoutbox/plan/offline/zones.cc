@@ -39,12 +39,21 @@ class ZoneReader {
     if (!is(c, ChunkKind::kNoun)) return false;
     const NounPhrase& zone = noun(c);
     const bool place = zone.kind == NounKind::kCorner || zone.kind == NounKind::kAbstract || zone.kind == NounKind::kRoom;
-    if (!place || !is_zone(zone.head) || zone.is_plural() || !zone.wall_word.empty() || zone.of) return false;
+    if (!place || !is_zone(document_.tokens[zone.last - 1].text) || zone.is_plural() || !zone.wall_word.empty() || zone.of) return false;
+    if (is_told_where(c)) return row_of(zone) != nullptr;
     if (document_.rooms.empty() && std::ranges::none_of(document_.items, [&](const Item& item) { return item.noun.first < zone.first; }))
       return false;  // "A reading corner for two children.": that is the room
     const bool room = !document_.rooms.empty() && document_.rooms.front().first == zone.first;
     if (room || is_one_of_rooms(c)) return false;
     return row_of(zone) != nullptr || !zone.attributes.empty();
+  }
+
+  // "Living area on the left: a sofa, …": no room as a whole is somewhere, and has a list after that.
+  bool is_told_where(std::size_t c) const {
+    if (!is(c + 1, ChunkKind::kRelation) || (c > 0 && !is(c - 1, ChunkKind::kStop))) return false;
+    std::size_t at = c + 2;
+    if (is(at, ChunkKind::kNoun)) ++at;
+    return is(at, ChunkKind::kComma) && says(at, {":", "-"});
   }
 
   // "Open-plan kitchen, dining and living area: …"
@@ -77,7 +86,7 @@ class ZoneReader {
     std::size_t at = c + 1;
     std::size_t place = 0;
     if (is(at, ChunkKind::kRelation)) {
-      const bool part = is(at + 1, ChunkKind::kNoun) && is_part_of_room(noun(at + 1));
+      const bool part = is(at + 1, ChunkKind::kNoun) && (is_part_of_room(noun(at + 1)) || !noun(at + 1).wall_word.empty());
       if (part || !is(at + 1, ChunkKind::kNoun)) {
         place = at;
         at += part ? 2 : 1;
@@ -90,7 +99,11 @@ class ZoneReader {
     if (row != nullptr) take_meaning(zone, *row);
     if (zone.items.empty() && row != nullptr && !fronted && is_brought_in(c)) furnish(zone, *row);
     if (zone.items.empty()) return;
-    if (place > 0 && !std::ranges::any_of(zone.items, [&](int item) { return is_placed(item, zone.first); })) put(zone, place);
+    const std::string region = place > 0 ? region_at(place) : std::string{};
+    if (!region.empty())
+      put_in(zone, place, region);
+    else if (place > 0 && !std::ranges::any_of(zone.items, [&](int item) { return is_placed(item, zone.first); }))
+      put(zone, place);
     document_.zones.push_back(std::move(zone));
   }
 
@@ -189,6 +202,40 @@ class ZoneReader {
              is_part_of_room(document_.mentions[static_cast<std::size_t>(link.references.front())].noun) &&
              document_.mentions[static_cast<std::size_t>(link.references.front())].noun.first != zone;
     });
+  }
+
+  // "on the west side", "at the back": the half of the room that is meant; empty: another place.
+  std::string region_at(std::size_t place) const {
+    if (is(place + 1, ChunkKind::kNoun)) {
+      const NounPhrase& side = noun(place + 1);
+      return side.kind == NounKind::kWall || side.kind == NounKind::kCorner ? std::string{} : side.wall_word;
+    }
+    const PhraseSenses* senses = document_.chunks[place].phrase.senses;
+    if (senses == nullptr) return {};
+    const auto region = std::ranges::find(*senses, RelationType::kInRegion, &PhraseSense::type);
+    if (region != senses->end()) return region->region;
+    return offline::says(*senses, RelationType::kLeftOf) ? "left" : offline::says(*senses, RelationType::kRightOf) ? "right" : "";
+  }
+
+  // All that stands there and has no place of its own in the room.
+  void put_in(const Zone& zone, std::size_t place, const std::string& region) {
+    const bool table = std::ranges::any_of(zone.items, [&](int item) {
+      const CatalogEntry* entry = document_.items[static_cast<std::size_t>(item)].noun.entry;
+      return entry != nullptr && entry->is(Trait::kTable);
+    });
+    for (const int item : zone.items) {
+      const NounPhrase& thing = document_.items[static_cast<std::size_t>(item)].noun;
+      const int target = mention_of(item);
+      const bool stands = thing.entry != nullptr && thing.entry->mount == Mount::kFloor && !thing.entry->thin;
+      if (!stands || target < 0 || is_placed(item, zone.first) || (table && thing.entry->is(Trait::kTableSeat))) continue;
+      Link link;
+      link.senses = {{RelationType::kInRegion, PhraseSense::Direction::kDirect, {}, region, {}}};
+      link.targets = {target};
+      link.concluded = true;
+      link.first = document_.chunks[place].first;
+      link.last = document_.chunks[is(place + 1, ChunkKind::kNoun) ? place + 1 : place].last;
+      document_.links.push_back(std::move(link));
+    }
   }
 
   // "a reading nook by the window: …": the first of its things stands there.

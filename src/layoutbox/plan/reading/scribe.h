@@ -68,6 +68,7 @@ class Scribe {
 
   // What a noun is for.
   std::size_t row_along_walls(const Link& link, int target, const NounPhrase& wall) const;
+  void grow_at_two_walls(const Link& link);
   void grow_along_walls(const Link& link, int target, const NounPhrase& wall);
   void grow_for_reference(int index, int mention, bool both);
   void fill_reference(int u, int mention);

@@ -52,6 +52,20 @@ void Scribe::grow_along_walls(const Link& link, int target, const NounPhrase& wa
   references_.grow(target, std::max(static_cast<std::size_t>(std::max(wall.count, 0)), row_along_walls(link, target, wall)));
 }
 
+// "an L-shaped counter along the back and right walls", "cabinets along two named walls": one at each.
+void Scribe::grow_at_two_walls(const Link& link) {
+  if (link.references.size() < 2 || link.targets.size() != 1 || !is_thing(link.targets.front())) return;
+  const auto is_wall = [&](int reference) {
+    const NounPhrase& wall = noun_of(reference);
+    return (wall.kind == NounKind::kWall || wall.kind == NounKind::kPart) && !wall.wall_word.empty();
+  };
+  const NounPhrase& thing = noun_of(link.targets.front());
+  const bool fills = thing.entry != nullptr && thing.entry->mount == Mount::kFloor && thing.entry->back_to_wall &&
+                     (thing.entry->is(Trait::kCounter) || is_storage(thing)) && thing.count == 0;
+  if (!fills || !mention_at(link.targets.front()).introduces || !std::ranges::all_of(link.references, is_wall)) return;
+  references_.grow(link.targets.front(), link.references.size());
+}
+
 // At how many sides of the thing the words put something: "on three sides", "at each side" of a square table; two where nobody says.
 int Scribe::sides_meant(const Link& link, int target, int reference) const {
   if (link.sides > 2) return link.sides;

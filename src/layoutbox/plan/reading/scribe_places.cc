@@ -80,6 +80,7 @@ void Scribe::fill_reference(int u, int mention) {
   link.last = chunk(u).last;
   const UnitReading& place = reading(own.predicate);
   for (const int wall : link.targets) grow_along_walls(link, mention, noun_of(wall));  // "a wall covered in bookshelves"
+  if (!place.fronted && !link.gap) grow_at_two_walls(link);
   if (place.fronted || link.gap || arranged || link.references.size() != 1) return;
   if (link.each) add_laden_stand(link.senses, link.targets);
   const NounPhrase noun = noun_of(mention);
