@@ -185,6 +185,21 @@ NounPhrase NounPhraseReader::settle_member() {
 }
 
 // Nothing but attributes: "each", "the other", "both", "the larger", a count alone.
+// "along the north and east walls": the first of them.
+bool NounPhraseReader::read_first_wall() {
+  const Match one = lexicon_.find(tokens_, i_, Class::kWallWord);
+  const std::size_t joiner = i_ + one.length;
+  if (one.length == 0 || joiner + 1 >= tokens_.size() || !lexicon_.is(tokens_[joiner], Class::kAnd)) return false;
+  const Match other = lexicon_.find(tokens_, joiner + 1, Class::kWallWord);
+  const std::size_t wall = joiner + 1 + other.length;
+  if (other.length == 0 || wall >= tokens_.size() || tokens_[wall].text != "walls") return false;
+  phrase_.kind = NounKind::kWall;
+  phrase_.name = phrase_.head = "wall";
+  phrase_.wall_word = meaning_of(one, Class::kWallWord)->word;
+  i_ = joiner;
+  return true;
+}
+
 std::optional<NounPhrase> NounPhraseReader::settle_without_head() {
   // "its twin": another one.
   if (phrase_.determiner == Determiner::kPossessive && i_ > phrase_.first + 1 && tokens_[i_ - 1].text == "twin") {

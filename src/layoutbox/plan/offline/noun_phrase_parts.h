@@ -56,7 +56,7 @@ class NounPhraseReader {
 
   std::optional<NounPhrase> read() {
     if (!read_determiners()) return std::nullopt;
-    if (done_) return finish();
+    if (done_ || read_first_wall()) return finish();
     read_parts();
     return settle();
   }
@@ -71,6 +71,8 @@ class NounPhraseReader {
     return i > 0 && i < tokens_.size() && tokens_[i].glued && tokens_[i].kind != Token::Kind::kPunctuation &&
            tokens_[i - 1].kind != Token::Kind::kPunctuation && tokens_[i].begin > tokens_[i - 1].end;
   }
+
+  bool read_first_wall();
 
   std::optional<NounPhrase> finish() {
     phrase_.last = i_;

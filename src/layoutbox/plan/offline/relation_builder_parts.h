@@ -57,6 +57,7 @@ class RelationBuilder {
   bool look_at_one_thing(const Mention& mention) const;
   void set_heights();
   void add_in_niche(const Link& link, const Mention& target);
+  bool add_across_room(const Link& link, const Mention& target, const std::vector<int>& references);
   void add_wall_opposite(const Link& link, const Mention& target);
   std::string table_of(const std::string& seat) const;
   bool add_across_table(const Link& link, const Mention& target, int table);
@@ -159,6 +160,7 @@ class RelationBuilder {
   void turn_screens_to_viewers();
   void make_islands();
   void seat_at_only_table();
+  void hang_mirrors_over_counters();
   bool is_eaten_at(const NounPhrase& noun) const;
   void seat_those_who_wait();
   void face_as_group();

@@ -294,6 +294,7 @@ void RelationBuilder::add_habits() {
   seat_around_faced_tables();
   seat_those_who_wait();
   seat_at_only_table();
+  hang_mirrors_over_counters();
   const std::size_t said = scene_.relations.size();
   for (std::size_t r = 0; r < said; ++r) {
     const Relation relation = scene_.relations[r];

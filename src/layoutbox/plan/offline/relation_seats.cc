@@ -117,4 +117,39 @@ void RelationBuilder::seat_in_reach(const std::vector<std::pair<std::string, std
   }
 }
 
+// "three chairs facing three mirrors, each with a counter": the mirror hangs over the counter, and the chair stands before both.
+void RelationBuilder::hang_mirrors_over_counters() {
+  const std::size_t said = scene_.relations.size();
+  std::vector<std::string> counters;
+  for (std::size_t f = 0; f < said; ++f) {
+    const Relation looks = scene_.relations[f];
+    if (looks.type != R::kFacing || looks.targets.size() != 1 || looks.references.size() != 1) continue;
+    const SceneObject *seat = object_of(looks.targets[0]), *mirror = object_of(looks.references[0]);
+    if (seat == nullptr || mirror == nullptr || !is_seat(catalog_, noun_of_object(*seat))) continue;
+    const CatalogEntry* glass = noun_of_object(*mirror).entry;
+    if (glass == nullptr || !glass->is(Trait::kMirror) || mount_of(noun_of_object(*mirror)) != Mount::kWall) continue;
+    const bool hangs_over =
+        std::ranges::any_of(relations_of(mirror->id), [&](std::size_t r) { return scene_.relations[r].type == R::kAbove; });
+    if (hangs_over) continue;
+    for (std::size_t b = 0; b < said; ++b) {
+      const Relation beside = scene_.relations[b];
+      if (beside.type != R::kNextTo || beside.targets.size() != 1 || beside.references.size() != 1) continue;
+      if (beside.references[0] != seat->id && beside.references[0] != mirror->id) continue;
+      const SceneObject* counter = object_of(beside.targets[0]);
+      const CatalogEntry* top = counter == nullptr ? nullptr : noun_of_object(*counter).entry;
+      if (top == nullptr || top->mount != Mount::kFloor || !(top->is(Trait::kCounter) || top->is(Trait::kTable) || top->back_to_wall))
+        continue;
+      counters.push_back(counter->id);
+      add_habit(R::kAbove, {mirror->id}, {counter->id}, kTogether, "one looks into the mirror over the counter");
+      scene_.relations.back().hard = true;
+      if (beside.references[0] == seat->id)
+        scene_.relations[b].type = R::kInFrontOf, std::swap(scene_.relations[b].targets, scene_.relations[b].references);
+      break;
+    }
+  }
+  if (counters.size() < 2) return;
+  add_habit(R::kRow, counters, {}, kTogether, "places of work of one kind stand in a row");
+  scene_.relations.back().hard = true;
+}
+
 }  // namespace layoutbox::offline

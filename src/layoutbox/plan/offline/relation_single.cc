@@ -186,6 +186,7 @@ void RelationBuilder::add_single(const Link& link, PhraseSense sense, const Ment
   }
   if (sense.type == R::kOpposite && references.size() == 1 && add_on_other_side(link, sense, target, references.front())) return;
   if (sense.type == R::kOpposite && references.size() == 1 && add_across_table(link, target, references.front())) return;
+  if (sense.type == R::kOpposite && add_across_room(link, target, references)) return;
   if (sense.type == R::kOpposite) add_wall_opposite(link, target);
   settle_sense(link, sense, target, references);
   if (add_drawn_up(link, sense, target, references)) return;
@@ -272,6 +273,27 @@ void RelationBuilder::add_wall_opposite(const Link& link, const Mention& target)
   const bool against = words.find("against") != std::string::npos && mount != Mount::kWall;
   const R type = against || (mount == Mount::kFloor && is_heavy(catalog_, target.noun)) ? R::kAgainstWall : R::kOnWall;
   for (const int item : target.items) add(link, type, {id(item)}, {});
+}
+
+// "three chairs facing mirrors, a bench across from them": what looks at a wall's thing has the rest of the room behind it.
+bool RelationBuilder::add_across_room(const Link& link, const Mention& target, const std::vector<int>& references) {
+  const auto faces_wall = [&](int reference) {
+    return std::ranges::any_of(relations_of(id(reference)), [&](std::size_t r) {
+      const Relation& looks = scene_.relations[r];
+      const SceneObject* seen = looks.type != R::kFacing || looks.references.size() != 1 ? nullptr : object_of(looks.references[0]);
+      const CatalogEntry* glass = seen == nullptr ? nullptr : noun_of_object(*seen).entry;
+      return glass != nullptr && glass->is(Trait::kMirror) && mount_of(noun_of_object(*seen)) == Mount::kWall;
+    });
+  };
+  if (mount_of(target.noun) != Mount::kFloor || !std::ranges::all_of(references, faces_wall)) return false;
+  const int middle = references[references.size() / 2];
+  constexpr Mm kFarthest = 5000;
+  for (const int item : target.items) {
+    add(link, R::kBehind, {id(item)}, {id(middle)});
+    scene_.relations.back().parameters.max = kFarthest;
+    add_across(link, item, {id(middle)});
+  }
+  return true;
 }
 
 // The table that a seat was placed at, or empty.

@@ -184,6 +184,9 @@ PlacedOpenings placed_openings(const Document& document) {
       for (const int reference : link.references) {
         const NounPhrase& by = document.mentions[static_cast<std::size_t>(reference)].noun;
         const std::string said = wall_said(link, by);
+        // "windows in the left and back walls": of several one in each, as they are named.
+        if (by.kind == NounKind::kWall && !said.empty() && !wall.empty() && wall != said && openings_said(mention.noun) > 1)
+          placed.push_back({&mention, wall, {}});
         if (!said.empty() || mention.noun.wall_word.empty()) wall = said;
         if (by.kind == NounKind::kCorner) corner = by.wall_word;
       }
@@ -214,7 +217,9 @@ void put_openings(const PlacedOpenings& placed, bool across, SceneGraph& scene) 
     }
     // "two doors, one in the front wall and one in the left wall": shared out.
     const auto places = std::count_if(placed.begin(), placed.end(), [&, m = mention](const auto& p) { return p.mention == m; });
-    const int count = std::max(1, openings_said(mention->noun) / static_cast<int>(places));
+    const int said = openings_said(mention->noun), all = static_cast<int>(places);
+    const bool first = said > all && std::ranges::find(placed, mention, &PlacedOpening::mention)->wall == wall;  // gets what is left over
+    const int count = std::max(1, said / all + (first ? said % all : 0));
     for (int i = 0; i < std::min(count, 12); ++i) add_opening(scene, type, mention->noun, wall);
     Opening& last = scene.room.openings.back();
     if (!corner.empty() && count == 1) last.place = corner;

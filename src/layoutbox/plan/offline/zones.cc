@@ -100,7 +100,7 @@ class ZoneReader {
     if (zone.items.empty() && row != nullptr && !fronted && is_brought_in(c)) furnish(zone, *row);
     if (zone.items.empty()) return;
     const std::string region = place > 0 ? region_at(place) : std::string{};
-    if (!region.empty())
+    if (!region.empty() && std::ranges::any_of(zone.items, [&](int item) { return stands(item); }))
       put_in(zone, place, region);
     else if (place > 0 && !std::ranges::any_of(zone.items, [&](int item) { return is_placed(item, zone.first); }))
       put(zone, place);
@@ -217,6 +217,12 @@ class ZoneReader {
     return offline::says(*senses, RelationType::kLeftOf) ? "left" : offline::says(*senses, RelationType::kRightOf) ? "right" : "";
   }
 
+  // On the floor, and is no rug.
+  bool stands(int item) const {
+    const CatalogEntry* entry = document_.items[static_cast<std::size_t>(item)].noun.entry;
+    return entry != nullptr && entry->mount == Mount::kFloor && !entry->thin;
+  }
+
   // All that stands there and has no place of its own in the room.
   void put_in(const Zone& zone, std::size_t place, const std::string& region) {
     const bool table = std::ranges::any_of(zone.items, [&](int item) {
@@ -226,8 +232,7 @@ class ZoneReader {
     for (const int item : zone.items) {
       const NounPhrase& thing = document_.items[static_cast<std::size_t>(item)].noun;
       const int target = mention_of(item);
-      const bool stands = thing.entry != nullptr && thing.entry->mount == Mount::kFloor && !thing.entry->thin;
-      if (!stands || target < 0 || is_placed(item, zone.first) || (table && thing.entry->is(Trait::kTableSeat))) continue;
+      if (!stands(item) || target < 0 || is_placed(item, zone.first) || (table && thing.entry->is(Trait::kTableSeat))) continue;
       Link link;
       link.senses = {{RelationType::kInRegion, PhraseSense::Direction::kDirect, {}, region, {}}};
       link.targets = {target};

@@ -272,6 +272,9 @@ double Decoder::reference_list_score(const State& state, int member, int u) cons
     return n.determiner == Determiner::kDefinite || n.determiner == Determiner::kEach || n.determiner == Determiner::kBoth ||
            n.determiner == Determiner::kPossessive;
   };
+  // "along the left and right walls"
+  const bool walls = noun.kind == NounKind::kWall && noun.plural && noun.determiner == Determiner::kNone && !noun.wall_word.empty();
+  if (walls && former.kind == NounKind::kWall && !former.wall_word.empty()) return 5;
   if (former.kind != NounKind::kObject || noun.kind != NounKind::kObject)
     return noun.kind == former.kind && noun.kind != NounKind::kRoom ? 1.5 : -6;
   double score = definite(former) == definite(noun) ? 0.5 : -3;

@@ -160,6 +160,26 @@ bool UnitReader::follows_whom(std::size_t k) const {
   return part_of_room || (known.kind == NounKind::kObject && definite);
 }
 
+// "a sink for washing hair in the back, …": a part of the room that ends what a thing is for is where the thing stands.
+bool UnitReader::closes_purpose(std::size_t k) const {
+  const bool named =
+      is(next(k), ChunkKind::kNoun) && (chunk(next(k)).noun.kind == NounKind::kCenter || !chunk(next(k)).noun.wall_word.empty());
+  const std::size_t n = named ? next(next(k)) : next(k);
+  const bool ends = n >= document_.chunks.size() || is(n, ChunkKind::kComma) || is(n, ChunkKind::kStop) || is(n, ChunkKind::kAnd);
+  const PhraseSenses* senses = chunk(k).phrase.senses;
+  const bool part = senses != nullptr && std::ranges::any_of(*senses, [](const PhraseSense& s) {
+                      const bool there = s.type == RelationType::kInRegion || s.type == RelationType::kCenterOfRoom ||
+                                         s.type == RelationType::kLeftOf || s.type == RelationType::kRightOf;
+                      return s.direction == PhraseSense::Direction::kAlone && there;
+                    });
+  if (!ends || !(part || named)) return false;
+  for (std::size_t c = previous(k); c < k && !is(c, ChunkKind::kComma) && !is(c, ChunkKind::kStop); c = previous(c)) {
+    if (is(c, ChunkKind::kPurpose) && document_.tokens[chunk(c).first].text == "for") return is(previous(c), ChunkKind::kNoun);
+    if (c == 0) break;
+  }
+  return false;
+}
+
 // "For the family a recliner by the window": after whom or what it is for, at the beginning of a clause.
 bool UnitReader::follows_purpose(std::size_t k) const {
   const std::size_t whom = previous(k), purpose = is(whom, ChunkKind::kNoun) ? previous(whom) : whom, before = previous(purpose);

@@ -48,6 +48,7 @@ class UnitReader {
   bool purpose_ends(std::size_t k, std::size_t n) const;
   bool place_after_purpose(std::size_t k) const;
   bool follows_whom(std::size_t k) const;
+  bool closes_purpose(std::size_t k) const;
   bool follows_purpose(std::size_t k) const;
   bool denies_before(std::size_t k);
   bool names_contents(std::size_t k) const;

@@ -220,7 +220,7 @@ void UnitReader::read_break(std::size_t k) {
 }
 
 void UnitReader::read_place(std::size_t k) {
-  if (skipping_ && (place_after_purpose(k) || follows_whom(k) || ends_contact_clause(k))) skipping_ = false;
+  if (skipping_ && (place_after_purpose(k) || follows_whom(k) || closes_purpose(k) || ends_contact_clause(k))) skipping_ = false;
   if (skipping_ && does_it_there(k)) {
     mark(k, Use::kIgnored, "told by the way");
     skipping_ = false;
