@@ -96,6 +96,14 @@ class Companions {
     });
   }
 
+  // The text itself speaks of chairs or stools.
+  bool names_seat() const {
+    return std::ranges::none_of(named_, [&](std::size_t i) { return scene_.objects[i].origin == Origin::kConcluded; }) ||
+           std::ranges::any_of(named_, [&](std::size_t i) {
+             return scene_.objects[i].asked() && catalog_.entry_or_nearest(scene_.objects[i].category).is(Trait::kTableSeat);
+           });
+  }
+
   void seat_at(std::size_t i) {
     const std::string id = scene_.objects[i].id, category = scene_.objects[i].category;
     const CatalogEntry* entry = catalog_.find(category);
@@ -109,7 +117,9 @@ class Companions {
     const auto is_used = [&](Side side) { return std::ranges::find(used, side) != used.end(); };
     // Who serves sits behind; the chairs that are named are the guests'.
     const bool serves = entry->is(Trait::kOpenToRoom) && is_used(Side::kBack) && is_used(Side::kFront);
-    if (seat == nullptr || (serves ? spoken_.names(*seat) : spoken_.of(*seat)) || has_seat(id) || (!serves && has_loose_seat())) return;
+    // … and seats that follow from how many people there are stand at tables of their own: the teacher's desk has its chair.
+    const bool named_only = serves || !names_seat();
+    if (seat == nullptr || (named_only ? spoken_.names(*seat) : spoken_.of(*seat)) || has_seat(id) || (!serves && has_loose_seat())) return;
     const int count = std::min(seats_at_size(*seating, is_round(*sized), sized->size->usual), kMostSeats);
     std::vector<std::string> seats;
     for (int k = 0; k < count; ++k) seats.push_back(add(*seat));

@@ -171,6 +171,15 @@ void RelationBuilder::lay_beds_along() {
     const CatalogEntry* entry = object == nullptr ? nullptr : catalog_.find(object->category);
     if (entry != nullptr && entry->is(Trait::kBed) && entry->size.usual.width <= kForOne) beds.push_back(&r);
   }
+  // Bunk beds are climbed into from the side: the other one is at the wall.
+  const auto is_climbed_into = [&](const std::string& id) {
+    const SceneObject* bed = object_of(id);
+    return bed != nullptr && (catalog_.is_a(bed->category, "bunk_bed") || catalog_.is_a(bed->category, "loft_bed"));
+  };
+  for (Relation& r : scene_.relations) {
+    const bool at_wall = r.type == R::kAgainstWall && r.targets.size() == 1 && is_climbed_into(r.targets[0]);
+    if (at_wall && r.why.find("head") == std::string::npos) r.type = R::kSideAgainstWall;
+  }
   const bool apart = beds.size() == 2 && beds[0]->references != beds[1]->references && beds[0]->why == beds[1]->why;
   for (Relation* r : beds) {
     if (apart) r->type = R::kSideAgainstWall;
@@ -278,8 +287,26 @@ void RelationBuilder::seat_in_windows() {
   }
 }
 
+// "a luggage rack and a wardrobe beside the door": side by side there, the second one as near as the first lets it.
+void RelationBuilder::share_openings() {
+  constexpr Mm kBesideOther = 1200;
+  for (std::size_t r = 1; r < scene_.relations.size(); ++r) {
+    Relation& second = scene_.relations[r];
+    const Relation& first = scene_.relations[r - 1];
+    const auto stands = [&](const Relation& one) {
+      const SceneObject* object = one.targets.size() == 1 ? object_of(one.targets.front()) : nullptr;
+      return object != nullptr && mount_of(noun_of_object(*object)) == Mount::kFloor && !noun_of_object(*object).name.empty();
+    };
+    const bool of_opening =
+        second.references.size() == 1 && (second.references[0].starts_with("door") || second.references[0].starts_with("window"));
+    if (second.type != R::kNextTo || first.type != R::kNextTo || first.references != second.references || first.why != second.why) continue;
+    if (of_opening && stands(first) && stands(second) && !second.parameters.max) second.parameters.max = kBesideOther;
+  }
+}
+
 void RelationBuilder::add_habits() {
   add_front();
+  share_openings();
   seat_in_windows();
   park_cars();
   stand_under_counters();

@@ -3,17 +3,20 @@
 
 #include <algorithm>
 
+#include "layoutbox/catalog/normalize.h"
 #include "layoutbox/plan/planner.h"
 
 namespace layoutbox {
 namespace {
 
-Room room_said(const std::string& text) {
+SceneGraph scene_said(const std::string& text) {
   static const auto planner = make_offline_planner(Catalog::builtin());
-  const Result<Plan> plan = planner->plan(text, {});
+  Result<Plan> plan = planner->plan(text, {});
   EXPECT_TRUE(plan) << text;
-  return plan ? plan->scene.room : Room{};
+  return plan ? std::move(plan->scene) : SceneGraph{};
 }
+
+Room room_said(const std::string& text) { return scene_said(text).room; }
 
 // "door french sliding, window": of every opening its type and its words.
 std::string openings_of(const Room& room) {
@@ -59,8 +62,14 @@ TEST(RoomLooks, OpeningsAreInTheWallThatIsMeant) {
       {"The room is 5 x 4 m, no windows. The door is on the north wall near the east corner.", "door back"},
   };
   for (const auto& [text, walls] : cases) EXPECT_EQ(walls_of(room_said(text)), walls) << text;
-  const Room room = room_said("The room is 5 x 4 m. The door is on the north wall near the east corner.");
-  EXPECT_EQ(room.openings.front().offset, 100);
+  const auto offset_of = [](const char* text) {
+    auto normalized = normalize_scene(scene_said(text), Catalog::builtin());
+    EXPECT_TRUE(normalized.has_value()) << text;
+    return normalized ? normalized->room.openings.front().offset.value_or(-1) : -1;
+  };
+  EXPECT_EQ(offset_of("The room is 5 x 4 m. The door is on the north wall near the east corner."), 100);
+  EXPECT_EQ(offset_of("A room of 5 x 4 m with a door in the middle of the front wall."), (5000 - 900) / 2);
+  EXPECT_GT(offset_of("A bedroom with a bed and a door in the middle of the front."), 1000);  // of whatever size
 }
 
 TEST(RoomLooks, ADoorToTheOutsideIsNoEntrance) {

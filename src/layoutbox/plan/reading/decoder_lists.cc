@@ -174,6 +174,11 @@ double Decoder::content_list_score(const State& state, int member, int u) const 
   score += list_kind_score(state, member, u, length);
   if (unit(predicate).joiner != Joiner::kNone && mount_of(noun) == Mount::kFloor && !inverse) score -= 2;  // ", with …"
   if (has_own_place(u)) score -= !sense_.carries(host, noun) ? 1.6 : joiner == Joiner::kAnd ? 0.6 : 1.4;
+  // "a mirror, a shelf with blocks and blankets by the entrance": small things are on the shelf that is there.
+  const bool by_room = has_own_place(u) && follows(u, UnitKind::kPlace) && is(u + 2, UnitKind::kNoun) && is_part_of_room(chunk(u + 2).noun);
+  const bool laid = is_storage(host) || is_table(lexicon_.catalog(), host);
+  if (by_room && laid && joiner == Joiner::kAnd && mount_of(noun) == Mount::kSurface && sense_.carries(host, noun))
+    score -= weight::kSmallByPlace;
   // "each with a bed, a chair and a lamp": every one has all of them.
   if (owner >= 0 && chunk(owner).noun.determiner == Determiner::kEach)
     score += may_come_with(host, noun) ? weight::kEachHas : weight::kNotWithEach;
