@@ -161,7 +161,7 @@ class RelationBuilder {
   void make_islands();
   void seat_at_only_table();
   void hang_mirrors_over_counters();
-  void share_openings();
+  void share_doors();
   bool is_eaten_at(const NounPhrase& noun) const;
   void seat_those_who_wait();
   void face_as_group();

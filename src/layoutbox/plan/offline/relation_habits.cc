@@ -288,25 +288,24 @@ void RelationBuilder::seat_in_windows() {
 }
 
 // "a luggage rack and a wardrobe beside the door": side by side there, the second one as near as the first lets it.
-void RelationBuilder::share_openings() {
+void RelationBuilder::share_doors() {
   constexpr Mm kBesideOther = 1200;
+  const auto one_that_stands = [&](const Relation& relation) {
+    const bool by_door = relation.type == R::kNextTo && relation.references.size() == 1 && relation.references[0].starts_with("door");
+    const SceneObject* object = by_door && relation.targets.size() == 1 ? object_of(relation.targets.front()) : nullptr;
+    return object != nullptr && mount_of(noun_of_object(*object)) == Mount::kFloor ? object : nullptr;
+  };
   for (std::size_t r = 1; r < scene_.relations.size(); ++r) {
-    Relation& second = scene_.relations[r];
-    const Relation& first = scene_.relations[r - 1];
-    const auto stands = [&](const Relation& one) {
-      const SceneObject* object = one.targets.size() == 1 ? object_of(one.targets.front()) : nullptr;
-      return object != nullptr && mount_of(noun_of_object(*object)) == Mount::kFloor && !noun_of_object(*object).name.empty();
-    };
-    const bool of_opening =
-        second.references.size() == 1 && (second.references[0].starts_with("door") || second.references[0].starts_with("window"));
-    if (second.type != R::kNextTo || first.type != R::kNextTo || first.references != second.references || first.why != second.why) continue;
-    if (of_opening && stands(first) && stands(second) && !second.parameters.max) second.parameters.max = kBesideOther;
+    Relation& relation = scene_.relations[r];
+    const SceneObject *first = one_that_stands(scene_.relations[r - 1]), *second = one_that_stands(relation);
+    if (first == nullptr || second == nullptr || scene_.relations[r - 1].why != relation.why || relation.parameters.max) continue;
+    if (first->category != second->category) relation.parameters.max = kBesideOther;
   }
 }
 
 void RelationBuilder::add_habits() {
   add_front();
-  share_openings();
+  share_doors();
   seat_in_windows();
   park_cars();
   stand_under_counters();
