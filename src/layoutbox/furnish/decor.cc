@@ -58,6 +58,18 @@ bool names_a_thing(std::string_view text) {
   });
 }
 
+// "make it dark": where no style is named, what the room is to feel like.
+Style mood_of(std::string_view text) {
+  std::string lower;
+  for (const char c : text) lower += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  for (const auto& [name, mood] : data().at("moods").items()) {
+    const bool said = std::ranges::any_of(mood.at("says"),
+                                          [&](const Json& phrase) { return lower.find(phrase.get<std::string>()) != std::string::npos; });
+    if (said) return {name, &mood};
+  }
+  return {};
+}
+
 // The style that a text names first; without data where it names none.
 Style style_of(std::string_view text) {
   std::string word;
@@ -74,7 +86,7 @@ Style style_of(std::string_view text) {
     }
     word.clear();
   }
-  return {};
+  return mood_of(text);
 }
 
 const Json& room_data(std::string_view kind) {

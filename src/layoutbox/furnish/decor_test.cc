@@ -79,6 +79,11 @@ TEST(Decor, StyleWordsOfThePromptRule) {
   EXPECT_EQ(decor_of_thing(decor_of(room("office", "an office"), 1), "scandinavian desk").woods.front(), "birch");
 }
 
+TEST(Decor, ADarkRoomHasDarkWalls) {
+  EXPECT_LT(decor_of(room("bedroom", "A gamer's bedroom. Make it dark, with LED lights."), 1).wall[0], 0.3);
+  EXPECT_GT(decor_of(room("bedroom", "A bedroom with a dark wardrobe."), 1).wall[0], 0.5);
+}
+
 TEST(Decor, EveryNamedMaterialAndFloorIsKnown) {
   for (const char* kind : {"", "bedroom", "kitchen", "bathroom", "office", "kids_room", "gym", "library", "clinic", "cafe", "shop",
                            "garage", "hallway", "sunroom", "game_room", "church", "yoga_studio"}) {
