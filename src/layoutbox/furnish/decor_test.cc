@@ -80,8 +80,8 @@ TEST(Decor, StyleWordsOfThePromptRule) {
 }
 
 TEST(Decor, ADarkRoomHasDarkWalls) {
-  EXPECT_LT(decor_of(room("bedroom", "A gamer's bedroom. Make it dark, with LED lights."), 1).wall[0], 0.3);
-  EXPECT_GT(decor_of(room("bedroom", "A bedroom with a dark wardrobe."), 1).wall[0], 0.5);
+  EXPECT_LT(decor_of(room("bedroom", "A gamer's bedroom. Make it dark, with LED lights."), 1).wall.r, 0.3);
+  EXPECT_GT(decor_of(room("bedroom", "A bedroom with a dark wardrobe."), 1).wall.r, 0.5);
 }
 
 TEST(Decor, EveryNamedMaterialAndFloorIsKnown) {

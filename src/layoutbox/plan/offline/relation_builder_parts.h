@@ -162,6 +162,7 @@ class RelationBuilder {
   void seat_at_only_table();
   void hang_mirrors_over_counters();
   void share_doors();
+  void hang_bed_curtains();
   bool is_eaten_at(const NounPhrase& noun) const;
   void seat_those_who_wait();
   void face_as_group();

@@ -303,7 +303,22 @@ void RelationBuilder::share_doors() {
   }
 }
 
+// "a curtain rail around the bed": the curtain that closes it off, from a rail under the ceiling.
+void RelationBuilder::hang_bed_curtains() {
+  for (Relation& relation : scene_.relations) {
+    const bool round =
+        (relation.type == R::kAround || relation.type == R::kSurround) && relation.targets.size() == 1 && relation.references.size() == 1;
+    const auto rod = round ? std::ranges::find(scene_.objects, relation.targets[0], &SceneObject::id) : scene_.objects.end();
+    const SceneObject* bed = round ? object_of(relation.references[0]) : nullptr;
+    const CatalogEntry* entry = bed == nullptr ? nullptr : noun_of_object(*bed).entry;
+    if (rod == scene_.objects.end() || rod->category != "curtain_rod" || entry == nullptr || !entry->is(Trait::kBed)) continue;
+    rod->category = "privacy_curtain";
+    relation.type = R::kNextTo;
+  }
+}
+
 void RelationBuilder::add_habits() {
+  hang_bed_curtains();
   add_front();
   share_doors();
   seat_in_windows();

@@ -34,6 +34,7 @@ class PlaceWordingReader : public TokenReader {
       read_behind_me(i);
       read_from_to(i);
       read_same_wall(i);
+      read_likewise_owned(i);
     }
   }
 
@@ -213,6 +214,22 @@ class PlaceWordingReader : public TokenReader {
     tokens_[at + 1].text = "walls";
     if (first < at - 1) leave_out(first, at - 1);
     if (is(at + 2, {"please"})) leave_out(at + 2, at + 3);
+  }
+
+  // "the dentist's stool on the right and the assistant's on the left": a stool as well.
+  void read_likewise_owned(std::size_t i) {
+    const bool owned = is(i, {"'s"}) || (is(i, {"is"}) && tokens_[i].glued);  // "assistant's on" was taken for "is"
+    if (i < 2 || !owned || is(i - 1, {"it", "that", "there", "here", "what", "who", "let", "he", "she", "how", "where"})) return;
+    if (!ends(i + 1) && lexicon_.find_phrase(tokens_, i + 1).length == 0 && !lexicon_.is(tokens_[i + 1], WordClass::kAnd)) return;
+    constexpr std::size_t kNear = 25;
+    for (std::size_t owner = i - 1; owner-- > 0 && i - owner < kNear && !tokens_[owner].ends_sentence;) {
+      const Match thing = is(owner, {"'s"}) ? lexicon_.find(tokens_, owner + 1, WordClass::kObject) : Match{};
+      if (thing.length == 0 || owner + thing.length >= i - 1) continue;
+      tokens_[i].text = tokens_[owner + thing.length].text;
+      tokens_[i].glued = false;
+      if (is(i - 2, {"the"})) tokens_[i - 2].text = "another";
+      return;
+    }
   }
 
   bool speaks_of_shape_ = false;  // "an L-shaped room": it has parts
