@@ -206,7 +206,10 @@ void UnitReader::read_break(std::size_t k) {
     const bool placed = comma && is(previous(k), ChunkKind::kNoun) && chunk(previous(k)).noun.determiner == Determiner::kIndefinite &&
                         is(next(n), ChunkKind::kRelation);
     const bool more = is(n, ChunkKind::kNoun) && chunk(n).noun.determiner == Determiner::kNone && chunk(n).noun.count == 0 && !placed;
-    if (!more || (comma && contrasted_) || (document_.tokens[chunk(k).first].text == ":" && is(previous(k), ChunkKind::kNoun)))
+    // "facing the door, not the wall, chair, bookcase": what was told apart was a place
+    const bool told_apart = comma && is(previous(k), ChunkKind::kNoun) && is_part_of_room(chunk(previous(k)).noun) &&
+                            chunk(previous(k)).noun.determiner == Determiner::kDefinite;
+    if (!more || told_apart || (comma && contrasted_) || (document_.tokens[chunk(k).first].text == ":" && is(previous(k), ChunkKind::kNoun)))
       negated_ = false;
   }
   if (is_topic_before_colon(k)) {
