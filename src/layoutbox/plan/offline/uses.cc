@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "layoutbox/base/words.h"
+#include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/catalog/word_lists.h"
 #include "layoutbox/plan/offline/token_reader.h"
 
@@ -23,14 +24,36 @@ class UseReader : public TokenReader {
       if (skip_[i] || tokens_[i].kind != Token::Kind::kWord) continue;
       const std::size_t place = place_at(i);
       if (place == 0 || !is_wanted(i)) continue;
-      if (const auto use = use_at(i + place)) {
+      const auto use = use_at(i + place);
+      const std::size_t thing = end_of_thing(i, i + place);
+      if (use && thing <= use->end) {
         write(i, *use);
+        ++written;
+      } else if (thing > 0) {
+        leave_out(i, i + place + 1);
         ++written;
       }
     }
   }
 
  private:
+  // "a place for my record player": the record player, where no row says what such a thing has its place on. Where its words end; 0: no
+  // such thing.
+  std::size_t end_of_thing(std::size_t first, std::size_t at) const {
+    for (std::size_t i = first; i < at; ++i) {
+      if (is(i, {"storage"})) return 0;
+    }
+    // not "a nightstand provides space for a phone"
+    const bool opens = first == 0 || tokens_[first - 1].kind != Token::Kind::kWord || tokens_[first - 1].ends_sentence ||
+                       is(first - 1, {"and", "with", "plus", "need", "want", "needs", "wants", "also"});
+    if (!opens || !is(at, {"for"}) || !is_article(at + 1)) return 0;
+    const Match thing = lexicon_.find(tokens_, at + 2, WordClass::kObject);
+    const Meaning* meaning = meaning_of(thing, WordClass::kObject);
+    const bool stands = meaning != nullptr && meaning->entry != nullptr && !meaning->entry->is(Trait::kTableSeat) &&
+                        (meaning->entry->mount == Mount::kFloor || meaning->entry->mount == Mount::kSurface);
+    return stands ? at + 2 + thing.length : 0;
+  }
+
   struct Use {
     WordList row;
     std::size_t end = 0;  // of the words that say it

@@ -35,6 +35,7 @@ class PlaceWordingReader : public TokenReader {
       read_from_to(i);
       read_same_wall(i);
       read_likewise_owned(i);
+      read_going_up(i);
     }
   }
 
@@ -230,6 +231,12 @@ class PlaceWordingReader : public TokenReader {
       if (is(i - 2, {"the"})) tokens_[i - 2].text = "another";
       return;
     }
+  }
+
+  // "stairs going up on the right": where they lead is not where they are.
+  void read_going_up(std::size_t i) {
+    if (i == 0 || !is(i, {"going", "leading", "running"}) || !is(i + 1, {"up", "down", "upstairs", "downstairs"})) return;
+    if (is(i - 1, {"stairs", "staircase", "stairway", "steps", "ladder"})) leave_out(i, i + 2);
   }
 
   bool speaks_of_shape_ = false;  // "an L-shaped room": it has parts

@@ -100,6 +100,9 @@ double Decoder::antecedent_place_score(const State& state, Referent referent, Re
   // "a keyboard in front": of the screen, not of the desk that carries both.
   const bool before = says(senses, RelationType::kInFrontOf) || says(senses, RelationType::kBehind);
   const bool has_it = owner != kNobody && (referent == owner || (owner >= 0 && referent == host_of(state, owner)));
+  // … but "a fireplace with two chairs in front": of the fireplace.
+  const bool unsaid = noun != nullptr && noun->head.empty();
+  if (before && unsaid && subject >= 0 && referent == owner && stands(target) && stands(meant)) score += weight::kOwnHost;
   if (before && has_it && small && is_table(lexicon_.catalog(), meant)) score += weight::kBeforeHost;
   // "a statue on the floor beside it": beside what stands there, not what lies on a counter.
   const bool laid_down = small && !lies && subject >= 0 && is_told_on_floor(state, subject);

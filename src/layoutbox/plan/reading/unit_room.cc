@@ -154,14 +154,16 @@ std::string UnitReader::run_side_of_room(std::size_t k) const {
       });
   if (large && first) return side;
   const std::size_t end = std::min(document_.chunks.size(), k + kFarthestBack);
+  bool at_wall = false;  // "a bar on the back wall, a fireplace on the left and stairs on the right"
   for (std::size_t c = k > kFarthestBack ? k - kFarthestBack : 0; c < end; ++c) {
     // "bikes on the left wall, freezer on the right"
     const bool wall =
         is(c, ChunkKind::kNoun) && chunk(c).noun.kind == NounKind::kWall && one_of(chunk(c).noun.wall_word, {"left", "right"});
+    at_wall |= is(c, ChunkKind::kNoun) && chunk(c).noun.kind == NounKind::kWall && one_of(chunk(c).noun.wall_word, {"back", "front"});
     if (wall && chunk(c).noun.wall_word != side && large) return side;
     if (c == k || !is(c, ChunkKind::kRelation)) continue;
     const std::string other = side_at(chunk(c).last);
-    if (!other.empty() && other != side && (unit || is_large_by_itself(previous(c)))) return side;
+    if (!other.empty() && other != side && (unit || is_large_by_itself(previous(c)) || at_wall)) return side;
   }
   return {};
 }
@@ -172,7 +174,8 @@ bool UnitReader::is_large_by_itself(std::size_t thing) const {
   const CatalogEntry* entry = chunk(thing).noun.entry;
   constexpr Mm kLarge = 700;  // wider than a nightstand
   const bool wide = entry != nullptr && entry->size.usual.width * std::max(chunk(thing).noun.count, 1) >= kLarge;
-  return wide && entry->mount == Mount::kFloor && entry->back_to_wall;
+  const bool stairs = entry != nullptr && entry->id == "stairs";
+  return wide && entry->mount == Mount::kFloor && (entry->back_to_wall || stairs);
 }
 
 // "a sideboard with a coffee machine": the sideboard, of the machine.

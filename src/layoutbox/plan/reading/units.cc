@@ -209,7 +209,8 @@ void UnitReader::read_break(std::size_t k) {
     // "facing the door, not the wall, chair, bookcase": what was told apart was a place
     const bool told_apart = comma && is(previous(k), ChunkKind::kNoun) && is_part_of_room(chunk(previous(k)).noun) &&
                             chunk(previous(k)).noun.determiner == Determiner::kDefinite;
-    if (!more || told_apart || (comma && contrasted_) || (document_.tokens[chunk(k).first].text == ":" && is(previous(k), ChunkKind::kNoun)))
+    if (!more || told_apart || (comma && contrasted_) ||
+        (document_.tokens[chunk(k).first].text == ":" && is(previous(k), ChunkKind::kNoun)))
       negated_ = false;
   }
   if (is_topic_before_colon(k)) {
