@@ -114,7 +114,14 @@ void RelationBuilder::add_contents(const Link& link) {
     const Mention& target = mention(m);
     if (target.items.empty() || on_floor_.contains(m)) continue;
     const std::vector<int> hosts = carriers_among(link, m, hosts_of(link, m));
-    if (link.weak && is_placed_apart(target.items, is_table(catalog_, noun_of_item(hosts.front())))) continue;
+    if (link.weak && is_placed_apart(target.items, is_table(catalog_, noun_of_item(hosts.front())))) {
+      // "two armchairs with a low table in the corner": the table is there, and they are at it.
+      const CatalogEntry* seat = noun_of_item(hosts.front()).entry;
+      const bool at_it = seat != nullptr && seat->is(Trait::kEasySeat) && is_table(catalog_, target.noun) && target.items.size() == 1 &&
+                         !link.after_comma && !is_placed(hosts.front()) && !is_related(target.items.front(), hosts.front());
+      for (std::size_t h = 0; at_it && h < hosts.size(); ++h) add(link, R::kNextTo, {id(hosts[h])}, {id(target.items.front())});
+      continue;
+    }
     if (!is_related(target.items.front(), hosts.front())) add_content(link, target, hosts);
   }
 }
