@@ -8,6 +8,7 @@
 #include "layoutbox/base/words.h"
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/catalog/word_lists.h"
+#include "layoutbox/plan/offline/noun_phrase_parts.h"
 #include "layoutbox/plan/offline/token_reader.h"
 
 namespace layoutbox::offline {

@@ -4,6 +4,8 @@
 #include <iterator>
 
 #include "layoutbox/catalog/groups.h"
+#include "layoutbox/catalog/trait_table.h"
+#include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/noun_phrase_parts.h"
 #include "layoutbox/plan/offline/reader_words.h"
 

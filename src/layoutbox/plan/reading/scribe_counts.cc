@@ -2,6 +2,7 @@
 // full.
 #include <algorithm>
 
+#include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/knowledge.h"
 #include "layoutbox/plan/offline/reader_words.h"
 #include "layoutbox/plan/reading/scribe.h"

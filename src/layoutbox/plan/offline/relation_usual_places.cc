@@ -1,0 +1,133 @@
+// Where single things usually are that the text puts somewhere: under counters, at doors, in windows, along walls.
+#include <algorithm>
+
+#include "layoutbox/catalog/trait_table.h"
+#include "layoutbox/plan/offline/knowledge.h"
+#include "layoutbox/plan/offline/reader_words.h"
+#include "layoutbox/plan/offline/relation_builder_parts.h"
+
+namespace layoutbox::offline {
+
+using R = RelationType;
+
+// A hood of which nobody says where it hangs is over the fire.
+void RelationBuilder::hang_hoods() {
+  for (const SceneObject& hood : scene_.objects) {
+    if (!catalog_.is_a(hood.category, "range_hood")) continue;
+    const auto fire = std::ranges::find_if(
+        scene_.objects, [&](const SceneObject& o) { return catalog_.is_a(o.category, "stove") || catalog_.is_a(o.category, "cooktop"); });
+    const std::vector<std::size_t>& own = relations_of(hood.id);
+    const bool placed = std::ranges::any_of(own, [&](std::size_t r) {
+      const Relation& relation = scene_.relations[r];
+      return relation.type != R::kNextTo && !relation.references.empty() && object_of(relation.references.front()) != nullptr;
+    });
+    if (fire != scene_.objects.end() && !placed) add_habit(R::kAbove, {hood.id}, {fire->id}, 100, "a hood hangs over the fire");
+  }
+}
+
+// "two single beds on opposite walls": along them, not with their heads to them.
+void RelationBuilder::lay_beds_along() {
+  constexpr Mm kForOne = 1200;
+  std::vector<Relation*> beds;
+  for (Relation& r : scene_.relations) {
+    const SceneObject* object =
+        r.type == R::kAgainstWall && r.targets.size() == 1 && r.references.size() == 1 ? object_of(r.targets[0]) : nullptr;
+    const CatalogEntry* entry = object == nullptr ? nullptr : catalog_.find(object->category);
+    if (entry != nullptr && entry->is(Trait::kBed) && entry->size.usual.width <= kForOne) beds.push_back(&r);
+  }
+  // Bunk beds are climbed into from the side: the other one is at the wall.
+  const auto is_climbed_into = [&](const std::string& id) {
+    const SceneObject* bed = object_of(id);
+    return bed != nullptr && (catalog_.is_a(bed->category, "bunk_bed") || catalog_.is_a(bed->category, "loft_bed"));
+  };
+  for (Relation& r : scene_.relations) {
+    const bool at_wall = r.type == R::kAgainstWall && r.targets.size() == 1 && is_climbed_into(r.targets[0]);
+    if (at_wall && r.why.find("head") == std::string::npos) r.type = R::kSideAgainstWall;
+  }
+  const bool apart = beds.size() == 2 && beds[0]->references != beds[1]->references && beds[0]->why == beds[1]->why;
+  for (Relation* r : beds) {
+    if (apart) r->type = R::kSideAgainstWall;
+  }
+}
+
+// "a washer and a dryer, a counter above them": they stand under it.
+void RelationBuilder::stand_under_counters() {
+  for (Relation& relation : scene_.relations) {
+    if (relation.type != R::kAbove || relation.targets.size() != 1 || relation.references.empty()) continue;
+    const auto stands = [&](const std::string& id) {
+      const SceneObject* object = object_of(id);
+      return object != nullptr && mount_of(noun_of_object(*object)) == Mount::kFloor;
+    };
+    const SceneObject* top = object_of(relation.targets.front());
+    const CatalogEntry* entry = top == nullptr ? nullptr : noun_of_object(*top).entry;
+    if (entry == nullptr || !(entry->is(Trait::kCounter) || entry->is(Trait::kTable)) || !std::ranges::all_of(relation.references, stands))
+      continue;
+    if (!stands(relation.targets.front())) continue;
+    std::swap(relation.targets, relation.references);
+    relation.type = R::kUnder;
+    // "a washer and a dryer side by side, a counter above them": both.
+    const bool them = relation.why.ends_with("them"), one = relation.targets.size() == 1;
+    for (const Relation& beside : scene_.relations) {
+      if (!them || !one || beside.type != R::kNextTo || beside.targets != relation.targets || beside.references.size() != 1) continue;
+      if (stands(beside.references.front())) relation.targets.push_back(beside.references.front());
+      break;
+    }
+  }
+}
+
+// Cars stand nose to the garage door, side by side.
+void RelationBuilder::park_cars() {
+  const auto door = std::ranges::find_if(scene_.room.openings, [](const Opening& o) {
+    return o.type == OpeningType::kDoor && std::ranges::any_of(o.attributes, [](const std::string& look) {
+             return look.find("garage") != std::string::npos || look.find("roller") != std::string::npos;
+           });
+  });
+  std::string first;
+  for (const SceneObject& object : scene_.objects) {
+    if (object.category != "car") continue;
+    if (first.empty() && door != scene_.room.openings.end())
+      add_habit(R::kFacing, {object.id}, {door->id}, kTogether, "cars leave by the garage door");
+    if (!first.empty()) add_habit(R::kSameOrientation, {object.id}, {first}, kTogether, "cars are parked side by side");
+    if (first.empty()) first = object.id;
+  }
+}
+
+// "a bay window, a window seat": the seat is in the window.
+void RelationBuilder::seat_in_windows() {
+  for (std::size_t i = 0; i < scene_.objects.size(); ++i) {
+    if (!one_of(scene_.objects[i].category, {"window_seat"}) || is_placed(static_cast<int>(i))) continue;
+    add_habit(R::kUnderWindow, {scene_.objects[i].id}, {}, kTogether, "a window seat is in the window");
+  }
+}
+
+// "a luggage rack and a wardrobe beside the door": side by side there, the second one as near as the first lets it.
+void RelationBuilder::share_doors() {
+  constexpr Mm kBesideOther = 1200;
+  const auto one_that_stands = [&](const Relation& relation) {
+    const bool by_door = relation.type == R::kNextTo && relation.references.size() == 1 && relation.references[0].starts_with("door");
+    const SceneObject* object = by_door && relation.targets.size() == 1 ? object_of(relation.targets.front()) : nullptr;
+    return object != nullptr && mount_of(noun_of_object(*object)) == Mount::kFloor ? object : nullptr;
+  };
+  for (std::size_t r = 1; r < scene_.relations.size(); ++r) {
+    Relation& relation = scene_.relations[r];
+    const SceneObject *first = one_that_stands(scene_.relations[r - 1]), *second = one_that_stands(relation);
+    if (first == nullptr || second == nullptr || scene_.relations[r - 1].why != relation.why || relation.parameters.max) continue;
+    if (first->category != second->category) relation.parameters.max = kBesideOther;
+  }
+}
+
+// "a curtain rail around the bed": the curtain that closes it off, from a rail under the ceiling.
+void RelationBuilder::hang_bed_curtains() {
+  for (Relation& relation : scene_.relations) {
+    const bool round =
+        (relation.type == R::kAround || relation.type == R::kSurround) && relation.targets.size() == 1 && relation.references.size() == 1;
+    const auto rod = round ? std::ranges::find(scene_.objects, relation.targets[0], &SceneObject::id) : scene_.objects.end();
+    const SceneObject* bed = round ? object_of(relation.references[0]) : nullptr;
+    const CatalogEntry* entry = bed == nullptr ? nullptr : noun_of_object(*bed).entry;
+    if (rod == scene_.objects.end() || rod->category != "curtain_rod" || entry == nullptr || !entry->is(Trait::kBed)) continue;
+    rod->category = "privacy_curtain";
+    relation.type = R::kNextTo;
+  }
+}
+
+}  // namespace layoutbox::offline
