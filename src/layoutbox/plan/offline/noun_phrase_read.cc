@@ -82,6 +82,13 @@ bool NounPhraseReader::is_verb_in_name(const Match& match) const {
     constexpr std::array kVerbs = {Class::kVerb, Class::kPlaceVerb, Class::kHave, Class::kPurpose, Class::kCommand, Class::kHang};
     return std::ranges::any_of(kVerbs, [&](Class verb) { return has(match, verb); });
   }
+  // "a reflecting telescope": after an article, what the thing does.
+  const bool doing = match.length == 1 && parts_.empty() && phrase_.determiner == Determiner::kIndefinite && !counted_ &&
+                     token().text.ends_with("ing") && i_ + 1 < tokens_.size() && has(lexicon_.find(tokens_, i_ + 1), Class::kObject);
+  if (doing) {
+    return std::ranges::all_of(match.meanings,
+                               [](const Meaning& m) { return m.word_class == Class::kVerb || m.word_class == Class::kPurpose; });
+  }
   if (match.length != 1 || !parts_.empty() || !is_named() || token().text.size() < 2 || !is_noun(noun_form(token().text)) ||
       opens_at(i_ + 1))
     return false;
