@@ -255,7 +255,8 @@ TEST(Dress, WhatHidesOnAWallIsHungInView) {
     DressedRoom room("bedroom", 4, 3.4, "a bedroom with a wardrobe and a poster");
     room.hang("poster", 2, 3.395, 1.15, 0, "wall3", where).put("wardrobe", 2, 3.1, 0);
     room.dress();
-    const auto& at = room.of("poster")[0].position;
+    const auto posters = room.of("poster");
+    const auto& at = posters[0].position;
     EXPECT_EQ(at[0] == 2000 && at[1] == 3395, !where.empty());
   }
 }

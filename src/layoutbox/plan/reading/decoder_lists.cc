@@ -141,6 +141,14 @@ void Decoder::root_list_actions(std::size_t s, int u, double gain) {
     add(s, kNewRoot, gain + untold - (state.fronted.empty() ? 0 : 0.4) + (ends ? weight::kEndsList : 0));
 }
 
+// "a mirror, a shelf with blocks and blankets by the entrance": small things are on the shelf that is there.
+bool Decoder::lies_on_placed(int u, const NounPhrase& host) const {
+  const NounPhrase& noun = chunk(u).noun;
+  const bool by_room = has_own_place(u) && follows(u, UnitKind::kPlace) && is(u + 2, UnitKind::kNoun) && is_part_of_room(chunk(u + 2).noun);
+  const bool laid = is_storage(host) || is_table(lexicon_.catalog(), host);
+  return by_room && laid && mount_of(noun) == Mount::kSurface && sense_.carries(host, noun);
+}
+
 // "a desk with a lamp and a clock": the clock is the desk's as well.
 double Decoder::content_list_score(const State& state, int member, int u) const {
   const UnitReading& reading = read_as(state, member);
@@ -174,11 +182,7 @@ double Decoder::content_list_score(const State& state, int member, int u) const 
   score += list_kind_score(state, member, u, length);
   if (unit(predicate).joiner != Joiner::kNone && mount_of(noun) == Mount::kFloor && !inverse) score -= 2;  // ", with …"
   if (has_own_place(u)) score -= !sense_.carries(host, noun) ? 1.6 : joiner == Joiner::kAnd ? 0.6 : 1.4;
-  // "a mirror, a shelf with blocks and blankets by the entrance": small things are on the shelf that is there.
-  const bool by_room = has_own_place(u) && follows(u, UnitKind::kPlace) && is(u + 2, UnitKind::kNoun) && is_part_of_room(chunk(u + 2).noun);
-  const bool laid = is_storage(host) || is_table(lexicon_.catalog(), host);
-  if (by_room && laid && joiner == Joiner::kAnd && mount_of(noun) == Mount::kSurface && sense_.carries(host, noun))
-    score -= weight::kSmallByPlace;
+  if (joiner == Joiner::kAnd && lies_on_placed(u, host)) score -= weight::kSmallByPlace;
   // "each with a bed, a chair and a lamp": every one has all of them.
   if (owner >= 0 && chunk(owner).noun.determiner == Determiner::kEach)
     score += may_come_with(host, noun) ? weight::kEachHas : weight::kNotWithEach;
