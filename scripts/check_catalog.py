@@ -227,7 +227,7 @@ def check_uses(folder: Path, ids: dict[str, dict], rooms: set[str]) -> Iterator[
         yield from (f"words_uses: there is no room '{room}'" for room in use.get("rooms", {}) if room not in rooms)
     kinds = json.loads((folder / "words_kinds.json").read_text(encoding="utf-8"))
     kept = [row.split(">")[-1] for rows in kinds["kept_in"].values() for row in rows.split()]
-    for named in [*kept, *(kind for some in kinds["general"].values() for kind in some)]:
+    for named in [*kept, *kinds["on_wall"], *kinds["on_wall"].values(), *(kind for some in kinds["general"].values() for kind in some)]:
         if named not in ids:
             yield f"words_kinds: there is no entry '{named}'"
 

@@ -31,7 +31,7 @@ std::vector<std::string_view> split_words(std::string_view text) {
 }
 
 struct Kinds {
-  Words kinds, modifiers, heads, portions, set_in, kept_in, own_parts, company, users;
+  Words kinds, modifiers, heads, portions, on_wall, set_in, kept_in, own_parts, company, users;
   std::set<std::string_view> no_things, body_parts;
   std::map<std::string, std::string_view, std::less<>> like_keys;  // by the key (words.h)
 };
@@ -42,6 +42,7 @@ const Kinds& known_kinds() {
                words_of_list("modifiers"),
                words_of_list("heads"),
                words_of_list("portions"),
+               words_of_list("on_wall"),
                words_of_list("set_in"),
                words_of_list("kept_in"),
                words_of_list("own_parts"),
@@ -138,6 +139,11 @@ bool is_no_thing(const Catalog& catalog, std::string_view word) {
     }
   }
   return false;
+}
+
+std::string_view on_wall_entry(std::string_view id) {
+  const auto found = known_kinds().on_wall.find(id);
+  return found == known_kinds().on_wall.end() ? std::string_view{} : std::string_view(found->second);
 }
 
 std::string_view set_in_entry(std::string_view id) {

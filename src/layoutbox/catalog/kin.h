@@ -31,6 +31,9 @@ std::vector<std::pair<std::string_view, std::string_view>> like_words();
 // The id of the entry that so much of something in it or of it is like ("tub" of clay → jar), or empty.
 std::string_view portion_entry(std::string_view container);
 
+// The id of the entry that one is where it hangs on a wall and that is not called wall_ and its own (coat_rack → hook_rail), or empty.
+std::string_view on_wall_entry(std::string_view id);
+
 // The id of the entry that one stands for where it is let into the top of something (a sink of a counter → inset_sink), or empty.
 std::string_view set_in_entry(std::string_view id);
 

@@ -47,10 +47,15 @@ struct Style {
 
 constexpr std::size_t kLongestName = 24;  // characters that tell a thing's name from a style
 
-// "Loft bed": words of a style that are of a thing's name.
-bool names_a_thing(std::string_view text) {
+std::string lower_case(std::string_view text) {
   std::string lower;
   for (const char c : text) lower += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return lower;
+}
+
+// "Loft bed": words of a style that are of a thing's name.
+bool names_a_thing(std::string_view text) {
+  const std::string lower = lower_case(text);
   return std::ranges::any_of(data().at("no_styles"), [&](const Json& name) {
     const auto phrase = name.get<std::string>();
     const bool over = lower.size() <= phrase.size() || std::isalpha(static_cast<unsigned char>(lower[phrase.size()])) == 0;
@@ -60,8 +65,7 @@ bool names_a_thing(std::string_view text) {
 
 // "make it dark": where no style is named, what the room is to feel like.
 Style mood_of(std::string_view text) {
-  std::string lower;
-  for (const char c : text) lower += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::string lower = lower_case(text);
   for (const auto& [name, mood] : data().at("moods").items()) {
     const bool said = std::ranges::any_of(mood.at("says"),
                                           [&](const Json& phrase) { return lower.find(phrase.get<std::string>()) != std::string::npos; });

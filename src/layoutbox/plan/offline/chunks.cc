@@ -162,11 +162,7 @@ PhraseMatch Chunker::phrase_here() const {
   if (phrase.possessive && end && tokens_[after - 2].text == "right") return lexicon_.find_phrase(tokens_.first(i_ + 1), i_);
   if (last != "left" && last != "right" && last != "side") return phrase;
   // "on the left and right walls": not on the left.
-  const Match other = after + 1 < tokens_.size() && lexicon_.is(tokens_[after], Class::kAnd)
-                          ? lexicon_.find(tokens_, after + 1, Class::kWallWord)
-                          : Match{};
-  const std::size_t walls = after + 1 + other.length;
-  if (other.length > 0 && walls < tokens_.size() && tokens_[walls].text == "walls") return lexicon_.find_phrase(tokens_.first(i_ + 1), i_);
+  if (joins_walls(lexicon_, tokens_, after)) return lexicon_.find_phrase(tokens_.first(i_ + 1), i_);
   const Token& next = tokens_[after].text == "hand" && after + 1 < tokens_.size() ? tokens_[after + 1] : tokens_[after];
   if (next.text != "one" && !lexicon_.is(next, Class::kWall) && !lexicon_.is(next, Class::kCorner) && !lexicon_.is(next, Class::kSide))
     return phrase;

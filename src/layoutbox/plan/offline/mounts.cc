@@ -3,6 +3,7 @@
 
 #include "layoutbox/plan/offline/knowledge.h"
 
+#include "layoutbox/catalog/kin.h"
 #include "layoutbox/catalog/trait_table.h"
 #include "layoutbox/plan/offline/relation_builder_parts.h"
 
@@ -23,7 +24,8 @@ bool is_beside(R type) {
 // What it is on a wall, where that is another kind: a shelf is a board there, a rug or a quilt a tapestry. Else null.
 const CatalogEntry* RelationBuilder::wall_kind(const NounPhrase& noun) const {
   if (!noun.exact || mount_of(noun) == Mount::kWall) return nullptr;
-  const CatalogEntry* entry = catalog_.find(noun.entry->id == "coat_rack" ? "hook_rail" : "wall_" + noun.entry->id);
+  const CatalogEntry* entry = catalog_.find("wall_" + noun.entry->id);
+  if (entry == nullptr) entry = catalog_.find(on_wall_entry(noun.entry->id));
   const bool cloth = noun.entry->thin || catalog_.is_a(noun.entry->id, "blanket");
   return entry == nullptr && cloth ? catalog_.find("tapestry") : entry;
 }

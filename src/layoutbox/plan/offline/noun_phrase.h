@@ -123,4 +123,7 @@ bool noun_goes_on(const Lexicon& lexicon, std::span<const Token> tokens, std::si
 // A size before its noun: "4x6 ft", "120 x 60 cm", "60 inch", "120-cm", "2 m wide". Adds to `size`; the tokens it takes, 0 for none.
 std::size_t read_size_before(const Lexicon& lexicon, std::span<const Token> tokens, std::size_t at, SaidSize& size);
 
+// "and" at that token, before one more wall: "the north AND east walls".
+bool joins_walls(const Lexicon& lexicon, std::span<const Token> tokens, std::size_t at);
+
 }  // namespace layoutbox::offline

@@ -184,15 +184,18 @@ NounPhrase NounPhraseReader::settle_member() {
   return phrase_;
 }
 
-// Nothing but attributes: "each", "the other", "both", "the larger", a count alone.
+bool joins_walls(const Lexicon& lexicon, std::span<const Token> tokens, std::size_t at) {
+  if (at + 1 >= tokens.size() || !lexicon.is(tokens[at], Class::kAnd)) return false;
+  const Match other = lexicon.find(tokens, at + 1, Class::kWallWord);
+  const std::size_t wall = at + 1 + other.length;
+  return other.length > 0 && wall < tokens.size() && tokens[wall].text == "walls";
+}
+
 // "along the north and east walls": the first of them.
 bool NounPhraseReader::read_first_wall() {
   const Match one = lexicon_.find(tokens_, i_, Class::kWallWord);
   const std::size_t joiner = i_ + one.length;
-  if (one.length == 0 || joiner + 1 >= tokens_.size() || !lexicon_.is(tokens_[joiner], Class::kAnd)) return false;
-  const Match other = lexicon_.find(tokens_, joiner + 1, Class::kWallWord);
-  const std::size_t wall = joiner + 1 + other.length;
-  if (other.length == 0 || wall >= tokens_.size() || tokens_[wall].text != "walls") return false;
+  if (one.length == 0 || !joins_walls(lexicon_, tokens_, joiner)) return false;
   phrase_.kind = NounKind::kWall;
   phrase_.name = phrase_.head = "wall";
   phrase_.wall_word = meaning_of(one, Class::kWallWord)->word;
@@ -200,6 +203,7 @@ bool NounPhraseReader::read_first_wall() {
   return true;
 }
 
+// Nothing but attributes: "each", "the other", "both", "the larger", a count alone.
 std::optional<NounPhrase> NounPhraseReader::settle_without_head() {
   // "its twin": another one.
   if (phrase_.determiner == Determiner::kPossessive && i_ > phrase_.first + 1 && tokens_[i_ - 1].text == "twin") {

@@ -24,12 +24,8 @@ void RelationBuilder::add_wall_opposite(const Link& link, const Mention& target)
 // "three chairs facing mirrors, a bench across from them": what looks at a wall's thing has the rest of the room behind it.
 bool RelationBuilder::add_across_room(const Link& link, const Mention& target, const std::vector<int>& references) {
   const auto faces_wall = [&](int reference) {
-    return std::ranges::any_of(relations_of(id(reference)), [&](std::size_t r) {
-      const Relation& looks = scene_.relations[r];
-      const SceneObject* seen = looks.type != R::kFacing || looks.references.size() != 1 ? nullptr : object_of(looks.references[0]);
-      const CatalogEntry* glass = seen == nullptr ? nullptr : noun_of_object(*seen).entry;
-      return glass != nullptr && glass->is(Trait::kMirror) && mount_of(noun_of_object(*seen)) == Mount::kWall;
-    });
+    return std::ranges::any_of(relations_of(id(reference)),
+                               [&](std::size_t r) { return mirror_looked_into(scene_.relations[r]) != nullptr; });
   };
   if (mount_of(target.noun) != Mount::kFloor || !std::ranges::all_of(references, faces_wall)) return false;
   const int middle = references[references.size() / 2];

@@ -160,6 +160,7 @@ class RelationBuilder {
   void turn_screens_to_viewers();
   void make_islands();
   void seat_at_only_table();
+  const SceneObject* mirror_looked_into(const Relation& looks) const;
   void hang_mirrors_over_counters();
   void share_doors();
   void hang_bed_curtains();

@@ -117,35 +117,44 @@ void RelationBuilder::seat_in_reach(const std::vector<std::pair<std::string, std
   }
 }
 
+// The mirror on a wall that a relation has a seat look into; null: it says nothing of the kind.
+const SceneObject* RelationBuilder::mirror_looked_into(const Relation& looks) const {
+  if (looks.type != R::kFacing || looks.targets.size() != 1 || looks.references.size() != 1) return nullptr;
+  const SceneObject *seat = object_of(looks.targets[0]), *mirror = object_of(looks.references[0]);
+  if (seat == nullptr || mirror == nullptr || !is_seat(catalog_, noun_of_object(*seat))) return nullptr;
+  const CatalogEntry* glass = noun_of_object(*mirror).entry;
+  return glass != nullptr && glass->is(Trait::kMirror) && mount_of(noun_of_object(*mirror)) == Mount::kWall ? mirror : nullptr;
+}
+
 // "three chairs facing three mirrors, each with a counter": the mirror hangs over the counter, and the chair stands before both.
 void RelationBuilder::hang_mirrors_over_counters() {
-  const std::size_t said = scene_.relations.size();
+  std::map<std::string, std::size_t> counter_by;  // the relation that puts one beside the seat or the mirror
+  for (std::size_t r = 0; r < scene_.relations.size(); ++r) {
+    const Relation& beside = scene_.relations[r];
+    if (beside.type != R::kNextTo || beside.targets.size() != 1 || beside.references.size() != 1) continue;
+    const SceneObject* counter = object_of(beside.targets[0]);
+    const CatalogEntry* top = counter == nullptr ? nullptr : noun_of_object(*counter).entry;
+    const bool stands = top != nullptr && top->mount == Mount::kFloor;
+    if (stands && (top->is(Trait::kCounter) || top->is(Trait::kTable) || top->back_to_wall)) counter_by.emplace(beside.references[0], r);
+  }
   std::vector<std::string> counters;
+  const std::size_t said = counter_by.empty() ? 0 : scene_.relations.size();
   for (std::size_t f = 0; f < said; ++f) {
-    const Relation looks = scene_.relations[f];
-    if (looks.type != R::kFacing || looks.targets.size() != 1 || looks.references.size() != 1) continue;
-    const SceneObject *seat = object_of(looks.targets[0]), *mirror = object_of(looks.references[0]);
-    if (seat == nullptr || mirror == nullptr || !is_seat(catalog_, noun_of_object(*seat))) continue;
-    const CatalogEntry* glass = noun_of_object(*mirror).entry;
-    if (glass == nullptr || !glass->is(Trait::kMirror) || mount_of(noun_of_object(*mirror)) != Mount::kWall) continue;
-    const bool hangs_over =
-        std::ranges::any_of(relations_of(mirror->id), [&](std::size_t r) { return scene_.relations[r].type == R::kAbove; });
-    if (hangs_over) continue;
-    for (std::size_t b = 0; b < said; ++b) {
-      const Relation beside = scene_.relations[b];
-      if (beside.type != R::kNextTo || beside.targets.size() != 1 || beside.references.size() != 1) continue;
-      if (beside.references[0] != seat->id && beside.references[0] != mirror->id) continue;
-      const SceneObject* counter = object_of(beside.targets[0]);
-      const CatalogEntry* top = counter == nullptr ? nullptr : noun_of_object(*counter).entry;
-      if (top == nullptr || top->mount != Mount::kFloor || !(top->is(Trait::kCounter) || top->is(Trait::kTable) || top->back_to_wall))
-        continue;
-      counters.push_back(counter->id);
-      add_habit(R::kAbove, {mirror->id}, {counter->id}, kTogether, "one looks into the mirror over the counter");
-      scene_.relations.back().hard = true;
-      if (beside.references[0] == seat->id)
-        scene_.relations[b].type = R::kInFrontOf, std::swap(scene_.relations[b].targets, scene_.relations[b].references);
-      break;
+    const SceneObject* mirror = mirror_looked_into(scene_.relations[f]);
+    const auto hangs_over = [&](std::size_t r) { return scene_.relations[r].type == R::kAbove; };
+    if (mirror == nullptr || std::ranges::any_of(relations_of(mirror->id), hangs_over)) continue;
+    const auto by_seat = counter_by.find(scene_.relations[f].targets[0]), by_mirror = counter_by.find(mirror->id);
+    const auto found = by_seat != counter_by.end() ? by_seat : by_mirror;
+    if (found == counter_by.end()) continue;
+    Relation& beside = scene_.relations[found->second];
+    const std::string counter = beside.targets[0];
+    if (found == by_seat) {
+      beside.type = R::kInFrontOf;
+      std::swap(beside.targets, beside.references);
     }
+    counters.push_back(counter);
+    add_habit(R::kAbove, {mirror->id}, {counter}, kTogether, "one looks into the mirror over the counter");
+    scene_.relations.back().hard = true;
   }
   if (counters.size() < 2) return;
   add_habit(R::kRow, counters, {}, kTogether, "places of work of one kind stand in a row");

@@ -206,7 +206,8 @@ PlacedOpenings placed_openings(const Document& document) {
 
 // `across`: those that are across from another one, which comes first.
 void put_openings(const PlacedOpenings& placed, bool across, SceneGraph& scene) {
-  for (const auto& [mention, wall, corner] : placed) {
+  for (const PlacedOpening& place : placed) {
+    const auto& [mention, wall, corner] = place;
     if ((wall == "other" || wall == "across") != across) continue;
     const OpeningType type = opening_type(*mention);
     const auto known = std::ranges::find_if(scene.room.openings, [&](const Opening& o) { return o.type == type; });
@@ -218,8 +219,8 @@ void put_openings(const PlacedOpenings& placed, bool across, SceneGraph& scene) 
     // "two doors, one in the front wall and one in the left wall": shared out.
     const auto places = std::count_if(placed.begin(), placed.end(), [&, m = mention](const auto& p) { return p.mention == m; });
     const int said = openings_said(mention->noun), all = static_cast<int>(places);
-    const bool first = said > all && std::ranges::find(placed, mention, &PlacedOpening::mention)->wall == wall;  // gets what is left over
-    const int count = std::max(1, said / all + (first ? said % all : 0));
+    const bool first = &place == &*std::ranges::find(placed, mention, &PlacedOpening::mention);  // gets what is left over
+    const int count = std::max(1, said / all + (first && said > all ? said % all : 0));
     for (int i = 0; i < std::min(count, 12); ++i) add_opening(scene, type, mention->noun, wall);
     Opening& last = scene.room.openings.back();
     if (!corner.empty() && count == 1) last.place = corner;

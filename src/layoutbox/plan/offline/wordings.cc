@@ -141,9 +141,7 @@ class WordingReader : public TokenReader {
     while (on <= i + kName && !ends(on) && !is(on, {"on"})) ++on;
     if (on == i + 1 || !is(on, {"on"}) || !is(on + 1, {"it", "them"}) || is_article(i + 1)) return;
     for (std::size_t at = i + 1; at < on; ++at) {
-      Token one = tokens_[at];
-      one.text = singular_of(one.text);
-      if (lexicon_.find(tokens_, at, WordClass::kObject).length > 0 || lexicon_.find({&one, 1}, 0, WordClass::kObject).length > 0) return;
+      if (lexicon_.find(tokens_, at, WordClass::kObject).length > 0) return;
     }
     // "a bar on the back wall with bottles on it": the bar's.
     for (std::size_t before = i - 1; is(i - 1, {"wall", "walls"}) && before > 0 && i - before < kName + 2; --before) {

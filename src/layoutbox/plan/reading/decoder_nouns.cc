@@ -230,15 +230,11 @@ double Decoder::habit_score(const State& state, int place, Referent subject, Ref
                      (mount_of(target) == Mount::kWall || sense_.carries(noun_of(state, host), target) ||
                       (target.entry != nullptr && !set_in_entry(target.entry->id).empty()));
   if (along && is_place_of_room(by.kind)) score += weight::kSmallByPlace;
-  // "a squat rack with barbell against the back wall", "cabinets with worktop and sink along it": what is named barely goes with the rest
+  // "a squat rack with barbell against the back wall": what is named barely goes with the rack
   const bool bare = target.determiner == Determiner::kNone && target.count == 0;
   const bool backed = !along && bare && is_thing(state, host) && by.kind == NounKind::kWall &&
                       mount_of(noun_of(state, host)) == Mount::kFloor && mount_of(target) == Mount::kFloor;
   if (backed && unit(place).joiner == Joiner::kNone) score += weight::kSmallByPlace;
-  // "a waiting bench with a magazine table across from them": the bench
-  const bool across = says(senses, RelationType::kOpposite) && is_thing(state, host) && mount_of(noun_of(state, host)) == Mount::kFloor &&
-                      is_thing(state, other) && !same(state, host, other);
-  if (across && unit(place).joiner == Joiner::kNone) score += weight::kSmallByPlace;
   const bool apart = unit(place).joiner != Joiner::kNone || state.participle || chunk(place).placing;
   if (apart) return score;
   const bool beside = std::ranges::any_of(senses, [](const PhraseSense& sense) {

@@ -174,8 +174,7 @@ bool UnitReader::is_large_by_itself(std::size_t thing) const {
   const CatalogEntry* entry = chunk(thing).noun.entry;
   constexpr Mm kLarge = 700;  // wider than a nightstand
   const bool wide = entry != nullptr && entry->size.usual.width * std::max(chunk(thing).noun.count, 1) >= kLarge;
-  const bool stairs = entry != nullptr && entry->id == "stairs";
-  return wide && entry->mount == Mount::kFloor && (entry->back_to_wall || stairs);
+  return wide && entry->mount == Mount::kFloor && entry->back_to_wall;
 }
 
 // "a sideboard with a coffee machine": the sideboard, of the machine.
