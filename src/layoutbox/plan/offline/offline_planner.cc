@@ -72,7 +72,6 @@ class OfflinePlanner final : public Planner {
     read_requests(lexicon_, document, skip);
     read_uses(lexicon_, document, skip);
     read_wordings(lexicon_, document, skip);
-    read_place_wordings(lexicon_, document, skip);
     read_slopes(lexicon_, document, skip);
     part_relatives(lexicon_, document, skip);
     const std::vector<WordReading> of_size = take_out(document, skip);

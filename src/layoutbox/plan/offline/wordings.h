@@ -1,4 +1,5 @@
-// Wordings of people's wishes that say something plain in other words: pictures of rooms, "besides", "a 3 seater", the room's two ends.
+// Wordings of people's wishes that say something plain in other words: pictures of rooms, "besides", "a 3 seater", halves and ends of
+// rooms.
 #pragma once
 
 #include "layoutbox/plan/offline/document.h"
@@ -7,7 +8,5 @@ namespace layoutbox::offline {
 
 // Replaces the words of `document` by plain ones; those that say nothing are marked in `skip`.
 void read_wordings(const Lexicon& lexicon, Document& document, std::vector<bool>& skip);
-// Likewise those that say where things are: halves, ends and sides, "behind me".
-void read_place_wordings(const Lexicon& lexicon, Document& document, std::vector<bool>& skip);
 
 }  // namespace layoutbox::offline
