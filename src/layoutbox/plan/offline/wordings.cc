@@ -162,8 +162,8 @@ class WordingReader : public TokenReader {
 }  // namespace
 
 void read_wordings(const Lexicon& lexicon, Document& document, std::vector<bool>& skip) {
-  read_wording_table(lexicon, document.tokens, skip);
   WordingReader(lexicon, document.tokens, skip).run();
+  read_wording_table(lexicon, document.tokens, skip);
 }
 
 }  // namespace layoutbox::offline

@@ -157,6 +157,14 @@ class Habits {
   void leave_seated_to_their_seats(std::vector<int>& hosts, int item) const;
   bool sit_at(int item, int host, int hosts);
   void stand_at(int item, int host, int hosts);
+  // Seats that stand in a row along a side of what they look at.
+  struct SeatRow {
+    std::string name;  // of the habit
+    Side side = Side::kFront;
+    std::vector<int> seats;
+    Mm between = 0, off = 0;  // the seats; they and what they look at
+  };
+  void sit_in_row(int item, int at, const SeatRow& row);
   void sit_behind_served(int item, int host);
   void sit_round_low_table(int item, int table);
   bool told_away_from_group(int item) const;

@@ -154,21 +154,24 @@ void Habits::stand_at(int item, int host, int hosts) {
   if (ref.has_front && !before_its_host(item) && !self.is(Trait::kTableSeat)) flank(item, host, hosts);
 }
 
+// Seats in a row along the side of what all of them look at, its middle before that side's, each in the place of its rank.
+void Habits::sit_in_row(int item, int at, const SeatRow& row) {
+  const auto k = std::ranges::find(row.seats, item) - row.seats.begin(), n = std::ssize(row.seats);
+  const Mm pitch = model_.items[item].states[0].size.width + row.between;
+  Formula f;
+  for_each_turn(model_.items[at], [&](int turn, std::uint64_t states) {
+    if (turn % 90 != 0) return;
+    const Direction out = side_direction(model_.items[at], row.side, turn);
+    Case& c = f.add().when(at, states).when(item, states_looking(model_.items[item], opposite(out)));
+    c.wish(mid2(item, across(out)) - mid2(at, across(out)) - Linear((2 * k - (n - 1)) * pitch), kBeside, 2);
+    c.wish(gap_towards(item, at, out) - Linear(row.off), kBeside);
+  });
+  habit(row.name, item, kBeside, std::move(f), {at});
+}
+
 // Who works at a reception desk sits behind it, where the room for the knees is, and looks over it.
 void Habits::sit_behind_served(int item, int host) {
-  constexpr Mm kBetween = 200;
-  const std::vector<int> seats = seats_at(item, host, 1);
-  const auto k = std::ranges::find(seats, item) - seats.begin(), n = std::ssize(seats);
-  const Mm pitch = model_.items[item].states[0].size.width + kBetween;
-  Formula f;
-  for_each_turn(model_.items[host], [&](int turn, std::uint64_t states) {
-    if (turn % 90 != 0) return;
-    const Direction back = side_direction(model_.items[host], Side::kBack, turn);
-    Case& c = f.add().when(host, states).when(item, states_looking(model_.items[item], opposite(back)));
-    c.wish(mid2(item, across(back)) - mid2(host, across(back)) - Linear((2 * k - (n - 1)) * pitch), kBeside, 2);
-    c.wish(gap_towards(item, host, back), kBeside);
-  });
-  habit("behind the desk", item, kBeside, std::move(f), {host});
+  sit_in_row(item, host, {.name = "behind the desk", .side = Side::kBack, .seats = seats_at(item, host, 1), .between = 200});
 }
 
 // Told to stand by something that is not what one talks round: by the fire, at the window.

@@ -46,25 +46,13 @@ int Habits::usual_mirror_of(int item) const {
 
 // Who is to look into a mirror sits before it, close enough to see. False: there is no such mirror.
 bool Habits::sit_before_mirror(int item) {
-  constexpr Mm kOff = 500;
   const int mirror = mirror_of(item);
   if (mirror < 0) return false;
-  constexpr Mm kBetween = 450;
   std::vector<int> seats;  // who look into the same one sit side by side
   for (std::size_t i = 0; i < model_.items.size(); ++i) {
     if (!model_.items[i].is_opening() && mirror_of(static_cast<int>(i)) == mirror) seats.push_back(static_cast<int>(i));
   }
-  const auto k = std::ranges::find(seats, item) - seats.begin(), n = std::ssize(seats);
-  const Mm pitch = model_.items[item].states[0].size.width + kBetween;
-  Formula f;
-  for_each_turn(model_.items[mirror], [&](int turn, std::uint64_t states) {
-    if (turn % 90 != 0) return;
-    const Direction front = side_direction(model_.items[mirror], Side::kFront, turn);
-    Case& c = f.add().when(mirror, states).when(item, states_looking(model_.items[item], opposite(front)));
-    c.wish(mid2(item, across(front)) - mid2(mirror, across(front)) - Linear((2 * k - (n - 1)) * pitch), kBeside, 2);
-    c.wish(gap_towards(item, mirror, front) - Linear(kOff), kBeside);
-  });
-  habit("before its mirror", item, kBeside, std::move(f), {mirror});
+  sit_in_row(item, mirror, {.name = "before its mirror", .side = Side::kFront, .seats = std::move(seats), .between = 450, .off = 500});
   return true;
 }
 
