@@ -21,6 +21,14 @@ std::string text_of(std::span<const Token> tokens, std::size_t first, std::size_
   return text;
 }
 
+namespace {
+
+bool is_called(const CatalogEntry& entry, const std::string& words) {
+  return entry.name == words || std::find(entry.synonyms.begin(), entry.synonyms.end(), words) != entry.synonyms.end();
+}
+
+}  // namespace
+
 void NounPhraseReader::take_attributes(std::size_t until) {
   for (std::size_t p = 0; p < until; ++p) {
     const Part& part = parts_[p];
@@ -43,6 +51,31 @@ void NounPhraseReader::take_attributes(std::size_t until) {
 }
 
 void NounPhraseReader::settle_object(const Part& head, std::size_t head_index) {
+  settle_kind(head, head_index);
+  if (phrase_.kind != NounKind::kObject) return;
+  if (pair_named_) phrase_.name = "pair of " + phrase_.name;
+  if (!heaped_.empty()) settle_heap(head);
+}
+
+// "a stack of menus", "two piles of letters": as many heaps as are said, drawn as such where the catalogue has it.
+void NounPhraseReader::settle_heap(const Part& head) {
+  const std::size_t last_word = phrase_.name.rfind(' ') + 1;  // 0 where it is the only one
+  phrase_.name = std::string(heaped_) + " of " + phrase_.name.substr(0, last_word) + tokens_[head.last - 1].text;
+  const CatalogEntry* own = lexicon_.catalog().find_by_words(phrase_.name);
+  if (own != nullptr && is_called(*own, phrase_.name)) {
+    phrase_.entry = own;
+    phrase_.category = own->id;
+    phrase_.exact = true;
+  } else {
+    phrase_.heaped = true;
+  }
+  phrase_.head = heaped_;
+  if (phrase_.vague) phrase_.count = 1;
+  phrase_.vague = false;
+  phrase_.plural = phrase_.count > 1;
+}
+
+void NounPhraseReader::settle_kind(const Part& head, std::size_t head_index) {
   phrase_.kind = NounKind::kObject;
   phrase_.plural = head.plural;
   phrase_.entry = head.meaning.entry;
@@ -120,21 +153,25 @@ void NounPhraseReader::settle_unknown() {
   phrase_.entry = kind != nullptr ? kind : kin_of(lexicon_.catalog(), called);
 }
 
-namespace {
-
-bool is_called(const CatalogEntry& entry, const std::string& words) {
-  return entry.name == words || std::find(entry.synonyms.begin(), entry.synonyms.end(), words) != entry.synonyms.end();
+// What the catalogue has as a pair of them: "work gloves" as gloves; null: nothing.
+const CatalogEntry* NounPhraseReader::pair_of(const Part& head) const {
+  for (const std::size_t first : {head.first, head.last - 1}) {
+    const std::string words = "pair of " + text_of(tokens_, first, head.last);
+    const CatalogEntry* pair = lexicon_.catalog().find_by_words(words);
+    if (pair != nullptr && is_called(*pair, words)) return pair;
+  }
+  return nullptr;
 }
-
-}  // namespace
 
 // "scissors", "a pair of glasses": one thing by two words, or by a plural. Returns the category's word.
 std::string_view NounPhraseReader::settle_pair(const Part& head) {
   const std::string word = text_of(tokens_, head.first, head.last);  // "wine glasses" are no "glasses"
   std::string_view meant = paired_ ? lexicon_.meant_by_pair(word) : std::string_view{};
   // "a pair of boots", "three pairs of skis": what is drawn as a pair is one thing.
-  const CatalogEntry* pair = paired_ && meant.empty() ? lexicon_.catalog().find_by_words("pair of " + word) : nullptr;
-  if (pair != nullptr && is_called(*pair, "pair of " + word)) meant = pair->id;
+  if (const CatalogEntry* pair = paired_ && meant.empty() ? pair_of(head) : nullptr; pair != nullptr) {
+    meant = pair->id;
+    pair_named_ = !lexicon_.is_plural_only(word);
+  }
   // "dog scales", "garden shears"
   const bool one = lexicon_.is_plural_only(word) || lexicon_.is_plural_only(tokens_[head.last - 1].text) || !meant.empty();
   if (!one) return head.meaning.word;

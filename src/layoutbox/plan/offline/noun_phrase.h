@@ -64,6 +64,7 @@ struct NounPhrase {
   bool at_least = false, vague = false, plural = false;
   bool filling = false;       // "a shelf full of cans": as many as look like it, two of them for certain
   bool assorted = false;      // "plants of all sizes"
+  bool heaped = false;        // "a stack of menus": several that lie as one thing
   bool subset = false;        // "two of the beds"
   bool reciprocal = false;    // "each other"
   bool doubted = false;       // taken for no thing by what English says of the word alone: no list of ours has it

@@ -40,13 +40,24 @@ bool NounPhraseReader::read_digits() {
   if (says_seats(i_ + 1)) return false;
   const double value = token().number;
   if (value < 0 || value > 500 || value != static_cast<int>(value)) return false;
-  phrase_.count = std::max(phrase_.count, 1) * static_cast<int>(value);
+  phrase_.count = heaped_.empty() ? std::max(phrase_.count, 1) * static_cast<int>(value) : static_cast<int>(value);
+  heaped_ = {};
   ++i_;
   // "2-3 chairs", "2 to 3": the smaller number, at least.
   if (more() && token().kind == Token::Kind::kNumber && hyphenated(i_)) ++i_, phrase_.at_least = true;
   if (at_word("or")) read_upper_end();
   counted_ = true;
   return true;
+}
+
+// "a stack of", "two piles of": how several lie as one thing; empty where they do not, or where it is not said of how many heaps.
+std::string_view NounPhraseReader::heap_at(std::size_t at, std::size_t length) const {
+  static constexpr std::string_view kHeaps[] = {"stack", "pile", "heap", "bundle", "ream"};
+  for (std::size_t i = at; i < at + length; ++i) {
+    const auto* const heap = std::ranges::find(kHeaps, std::string_view(singular_of(tokens_[i].text)));
+    if (heap != std::end(kHeaps) && (*heap == tokens_[i].text || counted_)) return *heap;
+  }
+  return {};
 }
 
 // A number in words, or "several"; the word may belong to something longer or be an adjective.
@@ -61,7 +72,8 @@ bool NounPhraseReader::read_number_word() {
   // "two pairs of boots", "three dozen": so many times.
   const bool times = is_number && phrase_.count > 0 && (at_word("pairs") || at_word("pair") || at_word("dozen"));
   phrase_.count = times ? phrase_.count * value : phrase_.count > 0 && !is_number ? phrase_.count : value;
-  phrase_.vague |= !is_number;
+  heaped_ = is_number ? std::string_view{} : heap_at(i_, best.length);
+  phrase_.vague |= !is_number && (heaped_.empty() || !counted_);  // "two stacks of letters"
   counted_ = true;
   for (std::size_t i = i_; i < i_ + best.length; ++i) paired_ |= tokens_[i].text == "pair" || tokens_[i].text == "pairs";
   i_ += best.length;

@@ -164,12 +164,16 @@ class NounPhraseReader {
   void settle_listed(std::size_t head);
   std::optional<NounPhrase> settle();
   void settle_object(const Part& head, std::size_t head_index);
+  void settle_kind(const Part& head, std::size_t head_index);
   void join_set(std::size_t& head);
   bool is_described_member() const;
   bool ends_in_can(std::size_t head) const;
   std::size_t drop_thing(std::size_t& head);
   std::size_t drop_own_wall(std::size_t& head);
+  const CatalogEntry* pair_of(const Part& head) const;
   std::string_view settle_pair(const Part& head);
+  std::string_view heap_at(std::size_t at, std::size_t length) const;
+  void settle_heap(const Part& head);
   void settle_unknown();
   void settle_modeled();
   void settle_place(const Part& head);
@@ -181,7 +185,9 @@ class NounPhraseReader {
   std::size_t i_;
   bool bare_;
   bool done_ = false, counted_ = false;
-  bool paired_ = false;  // "a pair of", "two pairs of"
+  bool paired_ = false;      // "a pair of", "two pairs of"
+  bool pair_named_ = false;  // it is one thing, a pair
+  std::string_view heaped_;  // "a stack of", "two piles of": how they lie, in the singular
   bool shaped_ = false;  // the head is a shape: "a climbing cube"
   NounPhrase phrase_;
   std::vector<Part> parts_;

@@ -52,9 +52,22 @@ SaidSize settled(const NounPhrase& noun, const CatalogEntry& entry) {
   return size;
 }
 
+// "a stack of menus": several on one another, a forearm high at most; what stands on the floor as one does.
+void apply_heap_size(const NounPhrase& noun, SceneObject& object) {
+  constexpr int kSeveral = 6;
+  constexpr Mm kHighest = 350;
+  if (noun.entry == nullptr || noun.entry->mount == Mount::kFloor) return;
+  SizeRange range = noun.entry->size;
+  for (Size* size : {&range.least, &range.usual, &range.greatest})
+    size->height = std::max(size->height, std::min(kSeveral * size->height, kHighest));
+  object.size = range;
+  object.size_source = SizeSource::kInferred;
+}
+
 }  // namespace
 
 void apply_size(const NounPhrase& noun, SceneObject& object) {
+  if (noun.heaped) apply_heap_size(noun, object);
   if (!noun.size.any()) return;
   static const CatalogEntry unknown;
   const CatalogEntry& entry = noun.entry != nullptr ? *noun.entry : unknown;

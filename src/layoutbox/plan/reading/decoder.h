@@ -163,6 +163,7 @@ class Decoder {
   bool nothing_nearer(const State& state, std::size_t level) const;
   Referent side_ahead(int u, const PhraseSenses& senses) const;
   Referent side_host(const State& state, int u, const PhraseSenses& senses) const;
+  std::optional<double> room_side_score(const State& state, int u) const;
   double end_score(const State& state) const;
 
   // Whom a pronoun, a member or an unsaid reference may mean, the likeliest first; `subject`: who is placed by it.

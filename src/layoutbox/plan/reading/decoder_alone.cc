@@ -48,6 +48,20 @@ Referent Decoder::side_host(const State& state, int u, const PhraseSenses& sense
   return opposed ? referent_of_mention(before_.sided) : kNobody;
 }
 
+// "A bed stands on the left", "… and a wardrobe on the right": of the room. How well that fits; nothing where the place is of a thing.
+std::optional<double> Decoder::room_side_score(const State& state, int u) const {
+  const PhraseSenses& senses = unit(u).alone;
+  const bool left = says(senses, RelationType::kLeftOf), right = says(senses, RelationType::kRightOf);
+  if (left == right || says_its(u) || document_.tokens[chunk(u).last - 1].text == "it") return {};
+  for (int p = u; p-- > 0 && !unit(p + 1).clause;) {
+    if (!is(p, UnitKind::kPlace)) continue;
+    const PhraseSenses& other = alone_senses(p);
+    const bool of_room = read_as(state, p).alone && read_as(state, p).implied == kNobody;
+    if (says(other, left ? RelationType::kRightOf : RelationType::kLeftOf)) return of_room ? weight::kSameSide : weight::kSideOfRoom;
+  }
+  return weight::kSideOfRoom;
+}
+
 // "one to the left and one to the right of the mirror": what the other side's reference, which comes later, is.
 Referent Decoder::side_ahead(int u, const PhraseSenses& senses) const {
   constexpr int kAhead = 4;
@@ -141,7 +155,7 @@ void Decoder::front_alone_actions(std::size_t s, int u, double gain) {
   if (const Referent host = side_host(state, u, senses); host != kNobody) add(s, kFrontAlone, gain + weight::kSameSide, -1, -1, host);
   for (const Candidate& meant : antecedents(state, kNobody, &senses, &them))
     add(s, kFrontAlone, gain + meant.score, -1, -1, meant.referent, meant.list);
-  add(s, kFrontAlone, gain - 5);
+  add(s, kFrontAlone, gain + room_side_score(state, u).value_or(-5));
 }
 
 // "side by side", "shoulder to shoulder", stacks: of the list by itself.
@@ -175,6 +189,8 @@ void Decoder::alone_of_member(std::size_t s, int u, std::size_t level, int neare
   // "a laptop on the right side of the desk and a mug on the left side": of the desk as well.
   if (const Referent host = side_host(state, u, senses); host != kNobody && !same(state, host, member))
     alone_of_list(s, u, level, {host, gain + weight::kSameSide, false});
+  if (const auto room = room_side_score(state, u); room && mount_of(noun_of(state, member)) != Mount::kSurface)
+    alone_of_list(s, u, level, {kNobody, gain + *room, false});
   if (const Referent ahead = side_ahead(u, senses); ahead != kNobody) alone_of_list(s, u, level, {ahead, gain + weight::kSameSide, false});
   const auto habit = [&](Referent by) { return place.joiner == Joiner::kNone ? habit_score(state, u, member, by, senses) : 0; };
   const int first = state.verb && level == 0 ? state.first_subject : -1;  // "a radio and a clock stand on it": on neither

@@ -123,7 +123,9 @@ void Decoder::root_list_actions(std::size_t s, int u, double gain) {
   double share = 0;
   for (const int place : state.fronted) share += reference_score(state, place, u);
   // "On the table a mug and a pad lie beside a clock": a plural verb of one thing speaks of the list.
-  const bool agrees = subject && unit(u).joiner == Joiner::kAnd && !noun.is_plural() && is_plural_verb(word(u + 1));
+  // "on which a vase and two cups stand": what came first has no other verb.
+  const bool agrees =
+      subject && unit(u).joiner == Joiner::kAnd && is_plural_verb(word(u + 1)) && (!noun.is_plural() || !state.fronted.empty());
   // "on it tongs, three daggers and a horseshoe": what ends the list of a place that came first and has none of its own.
   const bool ends = !state.fronted.empty() && unit(u).joiner == Joiner::kAnd && !subject && !placed && is_new_thing(noun) &&
                     (u + 1 >= static_cast<int>(sentence_.size()) || (!is(u + 1, UnitKind::kHave) && unit(u + 1).joiner != Joiner::kNone));

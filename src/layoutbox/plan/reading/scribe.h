@@ -23,6 +23,7 @@ class Scribe {
   int whole_of(int mention);
   std::vector<int> references_alone(int u, const Link& link);
   void complete_pair(int u, Link& link);
+  static void mean_side_of_room(Link& link);
   bool is_mutual(int u, const Link& link) const;
   bool centers(int u) const;
   void write_have(int u);

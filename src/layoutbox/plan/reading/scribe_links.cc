@@ -84,6 +84,12 @@ void Scribe::complete_pair(int u, Link& link) {
   if (const int pair = other < 0 && !several ? pair_just_related() : -1; pair >= 0) link.references = {pair};
 }
 
+// "on the left" of nothing: of the room.
+void Scribe::mean_side_of_room(Link& link) {
+  const bool left = says(link.senses, RelationType::kLeftOf), right = says(link.senses, RelationType::kRightOf);
+  if (left != right) link.senses = {{RelationType::kInRegion, Direction::kAlone, {}, left ? "left" : "right", {}}};
+}
+
 void Scribe::write_place_alone(int u) {
   const UnitReading& own = reading(u);
   Link link = link_at_unit(u);
@@ -110,6 +116,7 @@ void Scribe::write_place_alone(int u) {
     const bool back = std::any_of(link.senses.begin(), link.senses.end(), [](const PhraseSense& s) { return s.region == "back"; });
     link.senses = {{back ? RelationType::kBehind : RelationType::kInFrontOf, Direction::kDirect, {}, {}, {}}};
   }
+  if (link.references.empty()) mean_side_of_room(link);
   complete_pair(u, link);
   link.implied = true;
   link.other_side = unit(u).other && says(link.senses, RelationType::kNextTo);
