@@ -155,7 +155,9 @@ void Decoder::front_alone_actions(std::size_t s, int u, double gain) {
   if (const Referent host = side_host(state, u, senses); host != kNobody) add(s, kFrontAlone, gain + weight::kSameSide, -1, -1, host);
   for (const Candidate& meant : antecedents(state, kNobody, &senses, &them))
     add(s, kFrontAlone, gain + meant.score, -1, -1, meant.referent, meant.list);
-  add(s, kFrontAlone, gain + room_side_score(state, u).value_or(-5));
+  // "On it stands a fan": on something that was named, whatever desks usually carry.
+  const bool named = says_its(u) || document_.tokens[chunk(u).last - 1].text == "it";
+  add(s, kFrontAlone, gain + (named ? weight::kOfNothing : room_side_score(state, u).value_or(-5)));
 }
 
 // "side by side", "shoulder to shoulder", stacks: of the list by itself.
