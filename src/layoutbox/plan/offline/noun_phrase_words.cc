@@ -16,8 +16,10 @@ using Class = WordClass;
 
 // After a comma or "and" within a row of adjectives: "rectangular, wooden table", "cozy and well-lit room".
 bool NounPhraseReader::goes_on_after_break() const {
-  const bool adjectives = !parts_.empty() && std::all_of(parts_.begin(), parts_.end(), [](const Part& p) {
-    return is_attribute_class(p.word_class) || p.word_class == Class::kFiller;
+  const bool adjectives = !parts_.empty() && std::all_of(parts_.begin(), parts_.end(), [this](const Part& p) {
+    // "sheet goods, timber rack" are two, "a warm, wooden table" is one
+    const bool things = plural_at(p.last - 1) && word_form(tokens_[p.last - 1].text) != WordForm::kAdjective;
+    return is_attribute_class(p.word_class) || (p.word_class == Class::kFiller && !things);
   });
   if (!adjectives || i_ + 1 >= tokens_.size()) return false;
   const Match next = lexicon_.find(tokens_, i_ + 1);

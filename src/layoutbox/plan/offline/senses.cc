@@ -187,7 +187,8 @@ class SenseChooser {
     const Mount mount = mount_of(target_);
     const bool hung = says(R::kOnWall) && !says(R::kCenteredOnWall);
     if (hung && says(R::kAgainstWall)) return own(mount == Mount::kFloor || mount == Mount::kSurface ? R::kAgainstWall : R::kOnWall);
-    if (hung && says(R::kOn) && one_of(target_.head, {"shelf", "rack", "hook"})) return own(R::kOnWall);
+    const bool hooks = one_of(target_.head, {"shelf", "hook"}) || (target_.head == "rack" && !is_heavy(catalog_, target_));
+    if (hung && says(R::kOn) && hooks) return own(R::kOnWall);
     if (says(R::kInFrontOf) || (hung && says(R::kOn) && is_heavy(catalog_, target_))) return own(R::kAgainstWall);
     return std::nullopt;
   }

@@ -25,7 +25,8 @@ class UseReader : public TokenReader {
       if (skip_[i] || tokens_[i].kind != Token::Kind::kWord) continue;
       const std::size_t place = place_at(i);
       if (place == 0 || !is_wanted(i)) continue;
-      const auto use = use_at(i + place);
+      auto use = use_at(i + place);
+      if (!use) use = kept_anywhere(i, i + place);
       const std::size_t thing = end_of_thing(i, i + place);
       if (use && thing <= use->end) {
         write(i, *use);
@@ -64,7 +65,8 @@ class UseReader : public TokenReader {
   // The tokens of "somewhere", "a place", "some space", "storage" that begin there; 0: none.
   std::size_t place_at(std::size_t i) const {
     const std::size_t article = is(i, {"a", "an", "some", "enough", "another", "plenty", "lots", "more"}) ? 1 : 0;
-    const std::size_t of = article > 0 && is(i + 1, {"of", "more"}) ? 1 : 0;
+    const bool kind = article > 0 && is(i + 1, {"kind", "sort"}) && is(i + 2, {"of"});  // "some kind of storage"
+    const std::size_t of = kind ? 2 : article > 0 && is(i + 1, {"of", "more"}) ? 1 : 0;
     for (const std::string_view list : {"places", "stores"}) {
       for (const WordList::Member member : words_.at(list)) {
         const std::size_t length = matched(member.value.text(), i + article + of);
@@ -89,6 +91,7 @@ class UseReader : public TokenReader {
       const std::string_view word = words.substr(0, words.find(' '));
       words.remove_prefix(std::min(words.size(), word.size() + 1));
       while (at > first && is_article(at) && tokens_[at].text != word) ++at;
+      if (at == first && is(at, {"all"}) && is_article(at + 1)) ++at;  // "all the toys"
       if (at == first && is_article(at)) ++at;
       if (at >= tokens_.size() || (tokens_[at].text != word && singular_of(tokens_[at].text) != singular_of(word))) return 0;
       ++at;
@@ -111,12 +114,12 @@ class UseReader : public TokenReader {
 
   // What is said from `at` on, behind the place.
   std::optional<Use> use_at(std::size_t at) const {
-    if (is(at, {"to"})) return longest("to", at + 1, 0);
+    if (is(at, {"to"})) return to_do(at + 1, 0);
     if (is(at, {"for"})) {
       constexpr std::size_t kWho = 5;  // tokens
       int people = 0;
       for (std::size_t to = at + 1; to <= at + kWho && !ends(to); ++to) {
-        if (is(to, {"to"})) return longest("to", to + 1, people);
+        if (is(to, {"to"})) return to_do(to + 1, people);
         if (const NumberRead number = read_number(lexicon_, tokens_, to); number.length > 0) people = static_cast<int>(number.value);
         if (tokens_[to].text.ends_with('s')) people = std::max(people, 2);  // "for friends to sit"
       }
@@ -125,7 +128,34 @@ class UseReader : public TokenReader {
     // "somewhere I can sit", "a place where the kids can draw"
     std::size_t may = at;
     while (may < at + 4 && !ends(may) && !is_may(may)) ++may;
-    return is_may(may) ? longest("to", may + 1, 0) : std::nullopt;
+    return is_may(may) ? to_do(may + 1, 0) : std::nullopt;
+  }
+
+  // What is done there: "sit", or "drop my uniform", which has its place where it is kept.
+  std::optional<Use> to_do(std::size_t at, int people) const {
+    const auto done = longest("to", at, people);
+    if (done) return done;
+    const std::size_t length = keeping(at);
+    return length > 0 ? longest("for", at + length, people) : std::nullopt;
+  }
+
+  // The tokens of "put", "drop", "set down" there; 0: nothing is kept.
+  std::size_t keeping(std::size_t at) const {
+    for (const WordList::Member word : words_.at("keep")) {
+      if (const std::size_t length = matched(word.value.text(), at); length > 0) return length;
+    }
+    return 0;
+  }
+
+  // "storage for her diapers": of what no row says where it is kept, a cabinet.
+  std::optional<Use> kept_anywhere(std::size_t i, std::size_t at) const {
+    bool stores = false;
+    for (std::size_t word = i; word < at; ++word) stores |= is(word, {"storage"});
+    if (!stores || !is(at, {"for"})) return std::nullopt;
+    constexpr std::size_t kName = 5;  // tokens of what is kept
+    std::size_t end = at + 1;
+    while (end <= at + kName && !ends(end) && (end == at + 1 || !is(end, {"and", "with", "by", "near", "in", "on", "next", "under"}))) ++end;
+    return end > at + 1 ? std::optional(Use{words_.at("rest"), end, 0}) : std::nullopt;
   }
 
   bool is_may(std::size_t at) const {
@@ -182,7 +212,7 @@ class UseReader : public TokenReader {
     std::size_t at = i;
     const bool served = is_served(use, i);
     // "for her toys and books": one thing for each, where the words suffice.
-    if (is(use.end, {"and"}) && !is(i + 1, {"to"})) {
+    if (is(use.end, {"and"}) && (!is(i + 1, {"to"}) || keeping(i + 2) > 0)) {
       const auto more = longest("for", use.end + 1, 0);
       if (more && !is_served(*more, i)) {
         if (!served) at = put_thing(at, use, more->end);

@@ -215,6 +215,14 @@ bool UnitReader::is_bare_list() const {
   return first != units_.end() && (is_bare(*first) || (is_bare(*last) && !chunk(last->chunk).noun.plural));
 }
 
+// The purpose that chunk k is in has named something that stands on the floor.
+bool UnitReader::names_furniture_before(std::size_t k) const {
+  while (k-- > 0 && !is(k, ChunkKind::kPurpose) && !is(k, ChunkKind::kStop)) {
+    if (is(k, ChunkKind::kNoun) && chunk(k).noun.exact && mount_of(chunk(k).noun) == Mount::kFloor) return true;
+  }
+  return false;
+}
+
 // The break at chunk k, before chunk n, ends a purpose: what follows is said of the room again.
 bool UnitReader::purpose_ends(std::size_t k, std::size_t n) const {
   const bool comma = is(k, ChunkKind::kComma);
@@ -237,7 +245,8 @@ bool UnitReader::purpose_ends(std::size_t k, std::size_t n) const {
                     noun.determiner == Determiner::kBoth || noun.determiner == Determiner::kEach || noun.count > 0;
   if ((said && noun.kind != NounKind::kAbstract) || verb_follows) return true;
   // "for keys and mirror over it"
-  if (noun.kind == NounKind::kObject && noun.exact && is(next(n), ChunkKind::kRelation)) return true;
+  const bool thing = noun.kind == NounKind::kObject && noun.entry != nullptr && !noun.doubted;
+  if (thing && (noun.exact || comma) && is(next(n), ChunkKind::kRelation)) return true;
   if (!comma) return false;
   // "…, hooks for coats", "…, shelves with files": what has a purpose or things of its own
   const bool own =
@@ -245,7 +254,9 @@ bool UnitReader::purpose_ends(std::size_t k, std::size_t n) const {
   if (own && noun.kind == NounKind::kObject && noun.exact) return true;
   if (noun.determiner == Determiner::kDefinite || noun.kind == NounKind::kMember) return true;
   // In a list without articles the next bare thing goes on with it: "bed for guests, desk, lamp".
-  if (is_bare_list() && noun.kind == NounKind::kObject && noun.exact) return true;
+  if (is_bare_list() && thing) return true;
+  // "for 24 children, tables in groups of four": furniture, after a purpose that names none
+  if (thing && noun.exact && mount_of(noun) == Mount::kFloor && !names_furniture_before(k)) return true;
   // "to be used as an office: sofa bed, desk, …"
   // "a shed for garden stuff - long bench, tool rack"
   const Token& sign = document_.tokens[chunk(k).first];
