@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "layoutbox/solve/conflict/relax.h"
 #include "layoutbox/solve/cp_sat/library.h"
@@ -18,6 +19,7 @@ constexpr std::size_t kMostForEarlyProof = 40;
 constexpr int kStarts = 4, kIdleShakes = 40;
 constexpr std::int64_t kShortPatience = 1, kPatienceShaken = 4;  // moves in vain a thing
 constexpr std::int64_t kShareOfLast = 4;
+constexpr std::int64_t kPoor = 1'000'000, kMoreForPoor = 2;  // a cost (a score of 0.5), above which so many times the effort is worth it
 constexpr std::int64_t kShareOfStarts = 8, kShareOfTakingBack = 4;
 
 }  // namespace
@@ -286,7 +288,12 @@ void Solver::improve() {
     return;
   }
   int idle = 0;  // since the last that brought something
-  for (int start = 0; idle < kIdleShakes && !budget.spent(); ++start, ++idle) {
+  bool more = true;
+  for (int start = 0; idle < kIdleShakes; ++start, ++idle) {
+    if (budget.spent()) {
+      if (!std::exchange(more, false) || least < kPoor || budget.stopped) break;
+      budget.limit += kMoreForPoor * budgets_.improvement;
+    }
     if (start < kStarts && begin(search, start, budget)) {
       search.form_up(budget);
       search.improve(budget, kShortPatience);

@@ -33,7 +33,9 @@ bool is_missed(const Lexicon& lexicon, const Document& document, std::size_t k) 
                        return item.noun.entry != nullptr && lexicon.catalog().is_a(item.noun.entry->id, noun.entry->id);
                      });
   const bool in_list = k > 0 && document.chunks[k - 1].kind != ChunkKind::kPurpose;
-  return noun.exact && in_list && !there && noun.determiner == Determiner::kNone;
+  // "…, timber rack on the left wall": an item of a list, though only of a known kind
+  const bool item = k > 0 && document.chunks[k - 1].kind == ChunkKind::kComma && noun.entry != nullptr && !noun.doubted;
+  return (noun.exact || item) && in_list && !there && noun.determiner == Determiner::kNone;
 }
 
 }  // namespace
