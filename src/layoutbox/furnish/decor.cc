@@ -65,7 +65,7 @@ bool names_a_thing(std::string_view text) {
 
 // "make it dark": where no style is named, what the room is to feel like.
 Style mood_of(std::string_view text) {
-  const std::string lower = lower_case(text);
+  const std::string lower = lower_case(text) + ".";  // phrases may end a sentence
   for (const auto& [name, mood] : data().at("moods").items()) {
     const bool said = std::ranges::any_of(mood.at("says"),
                                           [&](const Json& phrase) { return lower.find(phrase.get<std::string>()) != std::string::npos; });
@@ -131,23 +131,33 @@ std::vector<Color> only_colors(std::string_view words) {
   return colors;
 }
 
-// Those of a clause that names nothing but colours ("colours: sage and cream"), of the end of a list ("…, a bean bag, pink and beige"; one
-// colour alone is of what stands before it), and of the room's kind at once ("a nursery in soft yellow and white"): of the whole room.
-std::vector<Color> room_colors(std::string_view prompt) {
+// Those of a clause that names nothing but colours ("colours: sage and cream"), of an item of a list that says so of everything ("mostly
+// black", "purple vibes"), of the end of a list ("…, a bean bag, pink and beige"; one colour alone is of what stands before it), and of the
+// room's kind at once ("a nursery in soft yellow and white"): of the whole room.
+std::vector<Color> colors_of_clause(std::string_view clause, bool opens) {
   constexpr std::size_t kOpening = 40;  // characters
+  std::vector<Color> said = only_colors(clause);
+  for (std::size_t at = 0; at < clause.size() && said.empty();) {
+    const std::size_t end = std::min(clause.find(',', at), clause.size());
+    const std::string_view item = clause.substr(at, end - at);
+    const bool last = end == clause.size() && at > 0;
+    const std::vector<std::string> words = words_of(item);
+    const bool of_all = std::ranges::any_of(
+        words, [](const std::string& word) { return lists(data().at("color_markers").get<std::string>(), word); });
+    if (std::vector<Color> colors = only_colors(item); of_all || (last && colors.size() > 1)) said = std::move(colors);
+    at = end + 1;
+  }
+  const std::size_t in = clause.find(" in ");
+  if (said.empty() && opens && in < kOpening && clause.substr(0, in).find(" with ") == std::string_view::npos)
+    said = only_colors(clause.substr(in + 4));
+  return said;
+}
+
+std::vector<Color> room_colors(std::string_view prompt) {
   std::vector<Color> colors;
   for (std::size_t at = 0; at < prompt.size();) {
     const std::size_t end = std::min(prompt.find_first_of(".;:!?\n", at), prompt.size());
-    const std::string_view clause = prompt.substr(at, end - at);
-    std::vector<Color> said = only_colors(clause);
-    const std::size_t comma = clause.rfind(','), in = clause.find(" in ");
-    if (said.empty() && comma != std::string_view::npos) {
-      said = only_colors(clause.substr(comma + 1));
-      if (said.size() < 2 && clause.find("colo", comma) == std::string_view::npos) said.clear();
-    }
-    if (said.empty() && at == 0 && in != std::string_view::npos && in < kOpening &&
-        clause.substr(0, in).find(" with ") == std::string_view::npos)
-      said = only_colors(clause.substr(in + 4));
+    const std::vector<Color> said = colors_of_clause(prompt.substr(at, end - at), at == 0);
     colors.insert(colors.end(), said.begin(), said.end());
     at = end + 1;
   }
@@ -262,7 +272,9 @@ Decor decor_of(const Layout& layout, std::uint64_t seed) {
   decor.shelves_said = shelves_said(layout.prompt);
   decor.parts = part_looks(layout.prompt);
   if (std::vector<Color> said = room_colors(layout.prompt); !said.empty()) {
-    decor.wall = wall_of(said);
+    constexpr double kDarkened = 0.55;
+    const bool dark = style != nullptr && style == &data().at("moods").at("dark");
+    decor.wall = dark ? mixed(said.front(), decor.wall, kDarkened) : wall_of(said);
     if (lists(data().at("colored_fronts").get<std::string>(), kind)) decor.parts.emplace("fronts", PartLook{{said.front()}, nullptr});
     decor.accents = std::move(said);
     decor.colors_said = true;

@@ -82,15 +82,17 @@ void NounPhraseReader::join_set(std::size_t& head) {
   --head;
 }
 
-// "a drying rack thing": the rack. Where the phrase ends then, 0 where no such word is there.
+// "a drying rack thing": the rack; "an armchair pair": two. Where the phrase ends then, 0 where no such word is there.
 std::size_t NounPhraseReader::drop_thing(std::size_t& head) {
-  static constexpr std::string_view kThings[] = {"thing", "things", "thingy", "thingie", "thingamajig", "contraption", "affair"};
+  static constexpr std::string_view kThings[] = {"thing", "things", "thingy", "thingie", "thingamajig", "contraption", "affair", "pair", "duo"};
   if (head < 2 || head != parts_.size()) return 0;
   const Part &last = parts_[head - 1], &named = parts_[head - 2];
   if (named.word_class != Class::kObject || named.last != last.first || last.last != last.first + 1 ||
       std::find(std::begin(kThings), std::end(kThings), tokens_[last.first].text) == std::end(kThings))
     return 0;
   const std::size_t end = last.last;
+  const std::string& word = tokens_[last.first].text;
+  if ((word == "pair" || word == "duo") && phrase_.count == 0) phrase_.count = 2;
   parts_.pop_back();
   --head;
   return end;

@@ -54,7 +54,7 @@ class Scribe {
   int list_ranked(const NounPhrase& noun, int antecedent);
   int combined(const std::vector<int>& mentions);
   int pair_just_related();
-  int thing_of_zone(const NounPhrase& noun) const;
+  int thing_of_zone(int u, const NounPhrase& noun) const;
   bool trails_each(int u);
   bool write_set(int u);
   void mark_noun(int u, int mention);

@@ -151,15 +151,17 @@ int Scribe::make_mention(int u) {
 }
 
 // What stands for an area of the room: "the dining area" is where the dining table is, "the seating area" where one sits.
-int Scribe::thing_of_zone(const NounPhrase& noun) const {
+// A rug under a seating area lies under the low table in its middle.
+int Scribe::thing_of_zone(int u, const NounPhrase& noun) const {
   if (!is_zone(noun.head) || noun.determiner != Determiner::kDefinite) return -1;
   const std::string words = words_between(document_, noun.first, noun.last);
-  int seat = -1, sofa = -1, named = -1;
+  int seat = -1, sofa = -1, named = -1, low_table = -1;
   for (std::size_t m = document_.mentions.size(); m-- > 0;) {
     const Mention& mention = document_.mentions[m];
     if (mention.items.empty() || !mention.introduces || mention.noun.kind != NounKind::kObject) continue;
     const CatalogEntry* entry = mention.noun.entry;
     if (entry != nullptr && entry->is(Trait::kCenterPiece) && !entry->is(Trait::kBed)) sofa = static_cast<int>(m);
+    if (entry != nullptr && entry->is(Trait::kCoffeeTable)) low_table = static_cast<int>(m);
     const std::string first = mention.noun.name.substr(0, mention.noun.name.find(' '));
     if (first != mention.noun.name && words.find(first) != std::string::npos) {
       if (!is_seat(lexicon_.catalog(), mention.noun)) return static_cast<int>(m);
@@ -169,7 +171,7 @@ int Scribe::thing_of_zone(const NounPhrase& noun) const {
   }
   if (named >= 0) return named;
   if (words.find("seating") != std::string::npos || words.find("sitting") != std::string::npos || words.find("lounge") != std::string::npos)
-    return sofa >= 0 ? sofa : seat;
+    return low_table >= 0 && as_reference_of(u, RelationType::kUnder) ? low_table : sofa >= 0 ? sofa : seat;
   if (words.find("sleeping") != std::string::npos) {
     for (std::size_t m = 0; m < document_.mentions.size(); ++m) {
       if (!document_.mentions[m].items.empty() && document_.mentions[m].noun.head == "bed") return static_cast<int>(m);
@@ -295,7 +297,7 @@ void Scribe::write_noun(int u) {
   if (document_.items.size() > items && !is_evident(u)) forget(u, mention, items);
   if (own.role == NounRole::kReference && mention_at(mention).items.empty() &&
       (noun.kind == NounKind::kAbstract || noun.kind == NounKind::kRoom)) {
-    if (const int meant = thing_of_zone(noun); meant >= 0) {
+    if (const int meant = thing_of_zone(u, noun); meant >= 0) {
       if (link_[static_cast<std::size_t>(own.predicate)] >= 0) link_at(link_[static_cast<std::size_t>(own.predicate)]).implied = true;
       mention_at(mention).items = mention_at(meant).items;
       mention_at(mention).noun = noun_of(meant);
