@@ -9,7 +9,7 @@
 namespace layoutbox::dressing {
 namespace {
 
-constexpr double kWalk = 1000;                                    // free floor before a run
+constexpr double kWalk = 1000, kLeastWalk = 800;                  // free floor before a run, and where its form is said
 constexpr double kTall = 1200;                                    // a unit that ends a run
 constexpr double kNarrowest = 150, kOfUse = 300, kCabinet = 700;  // widths of cabinets: a pull-out, the least at an end, the usual
 constexpr double kInCorner = 350;                                 // what is narrower is part of the corner unit
@@ -29,6 +29,7 @@ class KitchenRun {
   void fill() {
     find_main();
     if (main_ == nullptr) return;
+    if (form_ == "L" || form_ == "U") free_corners();
     for (const WallFrame& wall : dresser_.room().walls()) close_gaps(wall);
     const double share =
         std::clamp((double(doubled_area(dresser_.layout().room.polygon)) / 2e6 - kSmallRoom) / (kLargeRoom - kSmallRoom), 0.0, 1.0);
@@ -51,11 +52,13 @@ class KitchenRun {
   }
 
   void find_main() {
+    main_ = nullptr;
+    constexpr double kOfSink = 5000;  // one washes up where the run is, however long another wall's
     double longest = 0;
     for (const WallFrame& wall : dresser_.room().walls()) {
       double sum = 0;
       for (const Unit& unit : units_at(dresser_, wall)) {
-        sum += unit.span.length();
+        sum += unit.span.length() + (dresser_.catalog().is_a(unit.object->category, "kitchen_sink") ? kOfSink : 0);
         const bool counter = dresser_.catalog().is_a(unit.object->category, "counter") && unit.object->spaces.empty();
         if (counter) size_.depth = unit.object->size.depth, size_.height = unit.object->size.height;
       }
@@ -63,12 +66,26 @@ class KitchenRun {
     }
   }
 
+  // A run that is to go round a corner has a unit of its own there: worktops that nobody asked for make way for it.
+  void free_corners() {
+    std::vector<std::string> ids;
+    for (const Unit& unit : units_at(dresser_, *main_)) {
+      const bool flush = unit.span.low < kNarrowest || main_->length - unit.span.high < kNarrowest;
+      if (flush && unit.object->origin == Origin::kAdded && dresser_.entry_of(*unit.object).is(Trait::kCounter))
+        ids.push_back(unit.object->id);
+    }
+    if (ids.empty()) return;
+    dresser_.remove(std::move(ids));
+    find_main();  // the walls are made anew
+  }
+
   // Where a cabinet may stand along a wall, with room to walk before it.
   std::vector<Span> free_at(const WallFrame& wall) const {
     const double depth = size_.depth;
+    const double walk = form_.empty() ? kWalk : kLeastWalk;
     return shared(
         dresser_.room().free_along(wall, {0, depth}, {0, double(size_.height)}),
-        dresser_.room().free_along(wall, {depth, depth + kWalk}, {0, double(size_.height)}, FreeRoom::Count::kStandingAndDoorways));
+        dresser_.room().free_along(wall, {depth, depth + walk}, {0, double(size_.height)}, FreeRoom::Count::kStandingAndDoorways));
   }
 
   // Equal cabinets over the whole of it.

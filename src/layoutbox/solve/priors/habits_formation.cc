@@ -217,9 +217,14 @@ void Habits::stand_in_run(int item) {
     return model_.items[i].mount == Mount::kFloor && model_.items[i].entry->back_to_wall && model_.items[i].is(Trait::kKitchenRun);
   };
   if (!in_runs(item)) return;
+  constexpr Mm kTall = 1200;
+  const auto is_low = [&](int i) { return in_runs(i) && model_.items[i].states[0].size.height < kTall; };
+  // One works beside sink and hob: worktops stand by them, and by a fridge where there is nothing else.
+  bool by_low = false;
+  for (int other = 0; other < item; ++other) by_low |= model_.items[item].is(Trait::kCounter) && is_low(other);
   Formula f;
   for (int other = 0; other < item; ++other) {
-    if (!in_runs(other)) continue;
+    if (!in_runs(other) || (by_low && !is_low(other))) continue;
     // Words that say more than which side say how these two stand.
     if (!only_related_by(item, other, {RelationType::kNextTo, RelationType::kNear, RelationType::kLeftOf, RelationType::kRightOf})) return;
     for (const Side side : {Side::kLeft, Side::kRight}) add_beside(f, model_, item, other, side, {.most = 60});
@@ -269,7 +274,8 @@ void Habits::stand_in_wall_row(int item) {
   constexpr int kOutOfRow = 200, kSeatOutOfRow = 400, kAcross = 40;  // points
   const auto in_row = [&](int i) {
     const Item& other = model_.items[i];
-    return other.entry == model_.items[item].entry && !other.fixed && other.mount == Mount::kFloor && only_told_its_wall(i);
+    const bool by_itself = other.is(Trait::kSeat) && !placed_by_relation(i);  // who waits
+    return other.entry == model_.items[item].entry && !other.fixed && other.mount == Mount::kFloor && (only_told_its_wall(i) || by_itself);
   };
   const Item& self = model_.items[item];
   if (self.is(Trait::kKitchenRun) || (self.is(Trait::kCenterPiece) && !self.is(Trait::kBed)) || !in_row(item)) return;
