@@ -210,7 +210,8 @@ class Companions {
 
   bool stands(const SceneObject& object) const {
     const CatalogEntry* entry = catalog_.find(object.category);
-    return entry != nullptr && object.mount.value_or(entry->mount) == Mount::kFloor && !entry->thin;
+    const bool walks = entry != nullptr && catalog_.is_a(entry->id, "pet");  // no cat is furniture
+    return entry != nullptr && object.mount.value_or(entry->mount) == Mount::kFloor && !entry->thin && !walks;
   }
 
   double covered(const SceneGraph& scene) const {

@@ -122,7 +122,7 @@ class PeopleReader {
       const bool upright = one_of(noun.head, {"chair", "stool", "bench", "barstool", "seat"}) && !easy;
       const bool here = at_table(seat, table);
       if (!here && one_of(noun.head, {"stool", "barstool"}) && counter_named()) continue;  // "an island and four stools, a table for six"
-      if (!here && (!upright || belongs_elsewhere(seat, table) || one_of(noun.name, {"piano bench", "piano stool"}))) continue;
+      if (!here && (!upright || belongs_elsewhere(seat, table) || one_of(noun.name, {"piano bench", "piano stool", "high chair"}))) continue;
       named = true;
       if (noun.count == 0 && noun.plural && upright && here) grow(seat, seats * static_cast<int>(table.items.size()));
     }

@@ -298,6 +298,7 @@ int suits(const Catalog& catalog, const PhraseSense& sense, const NounPhrase& ta
     case R::kCenterOfRoom:
     case R::kInRegion: return mount == Mount::kSurface ? 1 : 2;
     case R::kAbove: return suits_above(catalog, target, reference);
+    case R::kOpposite: return mount == Mount::kSurface ? 0 : 2;
     default: return suits_beside(sense.type, target, reference);
   }
 }
