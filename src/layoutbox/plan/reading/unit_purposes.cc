@@ -157,7 +157,8 @@ bool UnitReader::follows_whom(std::size_t k) const {
     return false;
   const NounPhrase& known = by.kind == NounKind::kPart && by.of ? *by.of : by;
   const bool definite = known.determiner == Determiner::kDefinite || known.determiner == Determiner::kPossessive;
-  return part_of_room || (known.kind == NounKind::kObject && definite);
+  const bool new_here = known.determiner == Determiner::kIndefinite && known.exact;  // "a shelf for glazes above a bench"
+  return part_of_room || (known.kind == NounKind::kObject && (definite || new_here));
 }
 
 // "a sink for washing hair in the back, …": a part of the room that ends what a thing is for is where the thing stands.
