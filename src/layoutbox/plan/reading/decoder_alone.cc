@@ -58,6 +58,10 @@ std::optional<double> Decoder::room_side_score(const State& state, int u) const 
     const PhraseSenses& other = alone_senses(p);
     const bool of_room = read_as(state, p).alone && read_as(state, p).implied == kNobody;
     if (says(other, left ? RelationType::kRightOf : RelationType::kLeftOf)) return of_room ? weight::kSameSide : weight::kSideOfRoom;
+    // "bookshelves in the left half, tables on the right"
+    const std::string_view across = left ? "right" : "left";
+    const bool half = std::ranges::any_of(other, [&](const PhraseSense& s) { return s.region == across; });
+    if (half && of_room) return weight::kSameSide;
   }
   return weight::kSideOfRoom;
 }
