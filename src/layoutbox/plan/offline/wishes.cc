@@ -215,8 +215,10 @@ bool only_says_what_for(const Lexicon& lexicon, const Document& document) {
   bool opens = false, suggested = false;
   for (std::size_t i = 0; i < at; ++i) opens |= is_any(i, kOpen);
   for (std::size_t i = at; i < document.tokens.size(); ++i) suggested |= lexicon.room_suggested(document.tokens, i).second > 0;
-  std::size_t end = at;  // "a room for sleep. The bed is near the door": what is said in sentences of its own is asked for
-  while (end < document.tokens.size() && !document.tokens[end].ends_sentence) ++end;
+  // "a room for sleep. The bed is near the door", "a room for my grandfather: recliner, TV": what is said after it is asked for.
+  static constexpr std::string_view kAfter[] = {":", "with", "-", "(", "including"};
+  std::size_t end = at;
+  while (end < document.tokens.size() && !document.tokens[end].ends_sentence && !is_any(end, kAfter)) ++end;
   return opens && suggested && std::all_of(document.items.begin(), document.items.end(), [&](const Item& item) {
            return item.noun.first > at && item.noun.first <= end && item.noun.determiner != Determiner::kIndefinite && item.noun.count == 0;
          });
