@@ -142,8 +142,8 @@ std::vector<Color> colors_of_clause(std::string_view clause, bool opens) {
     const std::string_view item = clause.substr(at, end - at);
     const bool last = end == clause.size() && at > 0;
     const std::vector<std::string> words = words_of(item);
-    const bool of_all = std::ranges::any_of(
-        words, [](const std::string& word) { return lists(data().at("color_markers").get<std::string>(), word); });
+    const bool of_all =
+        std::ranges::any_of(words, [](const std::string& word) { return lists(data().at("color_markers").get<std::string>(), word); });
     if (std::vector<Color> colors = only_colors(item); of_all || (last && colors.size() > 1)) said = std::move(colors);
     at = end + 1;
   }

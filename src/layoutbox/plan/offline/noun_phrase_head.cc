@@ -84,7 +84,8 @@ void NounPhraseReader::join_set(std::size_t& head) {
 
 // "a drying rack thing": the rack; "an armchair pair": two. Where the phrase ends then, 0 where no such word is there.
 std::size_t NounPhraseReader::drop_thing(std::size_t& head) {
-  static constexpr std::string_view kThings[] = {"thing", "things", "thingy", "thingie", "thingamajig", "contraption", "affair", "pair", "duo"};
+  static constexpr std::string_view kThings[] = {"thing",  "things",      "thingy", "thingie",       "thingamajig", "contraption",
+                                                 "affair", "arrangement", "setup",  "configuration", "pair",        "duo"};
   if (head < 2 || head != parts_.size()) return 0;
   const Part &last = parts_[head - 1], &named = parts_[head - 2];
   if (named.word_class != Class::kObject || named.last != last.first || last.last != last.first + 1 ||

@@ -188,7 +188,7 @@ class NounPhraseReader {
   bool paired_ = false;      // "a pair of", "two pairs of"
   bool pair_named_ = false;  // it is one thing, a pair
   std::string_view heaped_;  // "a stack of", "two piles of": how they lie, in the singular
-  bool shaped_ = false;  // the head is a shape: "a climbing cube"
+  bool shaped_ = false;      // the head is a shape: "a climbing cube"
   NounPhrase phrase_;
   std::vector<Part> parts_;
 };

@@ -122,7 +122,8 @@ class PeopleReader {
       const bool upright = one_of(noun.head, {"chair", "stool", "bench", "barstool", "seat"}) && !easy;
       const bool here = at_table(seat, table);
       if (!here && one_of(noun.head, {"stool", "barstool"}) && counter_named()) continue;  // "an island and four stools, a table for six"
-      if (!here && (!upright || belongs_elsewhere(seat, table) || one_of(noun.name, {"piano bench", "piano stool", "high chair"}))) continue;
+      if (!here && (!upright || belongs_elsewhere(seat, table) || one_of(noun.name, {"piano bench", "piano stool", "high chair"})))
+        continue;
       constexpr int kOfBench = 3;  // sit on one
       if (!here && noun.head == "bench" && !noun.is_plural() && seats > kOfBench) continue;
       named = true;

@@ -154,7 +154,8 @@ class UseReader : public TokenReader {
     if (!stores || !is(at, {"for"})) return std::nullopt;
     constexpr std::size_t kName = 5;  // tokens of what is kept
     std::size_t end = at + 1;
-    while (end <= at + kName && !ends(end) && (end == at + 1 || !is(end, {"and", "with", "by", "near", "in", "on", "next", "under"}))) ++end;
+    while (end <= at + kName && !ends(end) && (end == at + 1 || !is(end, {"and", "with", "by", "near", "in", "on", "next", "under"})))
+      ++end;
     return end > at + 1 ? std::optional(Use{words_.at("rest"), end, 0}) : std::nullopt;
   }
 

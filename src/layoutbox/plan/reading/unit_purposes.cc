@@ -285,7 +285,8 @@ bool UnitReader::names_contents(std::size_t k) const {
     return thing.kind == NounKind::kObject && (thing.determiner == Determiner::kIndefinite || thing.count > 0) && !is_person(before);
   const bool shows = one_of(word, {"offers", "offer", "provides", "provide", "offering", "providing", "enjoys"});
   // "the table offers five magazines", but no lamp "offers light"
-  const bool lies = thing.kind == NounKind::kObject && (thing.exact || thing.count > 0) && mount_of(thing) == Mount::kSurface && is_new_here(thing);
+  const bool lies =
+      thing.kind == NounKind::kObject && (thing.exact || thing.count > 0) && mount_of(thing) == Mount::kSurface && is_new_here(thing);
   if (shows && lies && may_carry(lexicon_.catalog(), host, thing)) return true;
   const bool room = host.kind == NounKind::kRoom || host.kind == NounKind::kOutsideRoom;
   const bool there =
