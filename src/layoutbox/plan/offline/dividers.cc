@@ -83,6 +83,11 @@ void RelationBuilder::divide(std::size_t word) {
     if (passive ? noun.first > word && divider < 0 && may_divide(static_cast<int>(i)) : noun.first <= word) divider = static_cast<int>(i);
   }
   if (divider < 0 || !may_divide(divider)) return;
+  // "two tables separated by a curtain": said already.
+  const bool said = std::ranges::any_of(scene_.relations, [&](const Relation& r) {
+    return r.type == R::kBetween && r.origin == Origin::kAsked && r.targets == std::vector<std::string>{id(divider)};
+  });
+  if (said) return widen(divider);
   std::vector<int> sides;
   const auto take = [&](int item) {
     if (item >= 0 && item != divider && !contains(sides, item) && sides.size() < 2) sides.push_back(item);
