@@ -173,9 +173,8 @@ int Scribe::thing_of_zone(int u, const NounPhrase& noun) const {
   if (words.find("seating") != std::string::npos || words.find("sitting") != std::string::npos || words.find("lounge") != std::string::npos)
     return low_table >= 0 && as_reference_of(u, RelationType::kUnder) ? low_table : sofa >= 0 ? sofa : seat;
   if (words.find("sleeping") != std::string::npos) {
-    for (std::size_t m = 0; m < document_.mentions.size(); ++m) {
-      if (!document_.mentions[m].items.empty() && document_.mentions[m].noun.head == "bed") return static_cast<int>(m);
-    }
+    const auto bed = std::ranges::find_if(document_.mentions, [](const Mention& m) { return !m.items.empty() && m.noun.head == "bed"; });
+    if (bed != document_.mentions.end()) return static_cast<int>(bed - document_.mentions.begin());
   }
   return so_far_.topic >= 0 && is_thing(so_far_.topic) ? so_far_.topic : -1;
 }

@@ -224,22 +224,23 @@ bool UnitReader::names_furniture_before(std::size_t k) const {
   return false;
 }
 
+// … where what follows is no noun.
+bool UnitReader::purpose_ends_before_verb(bool comma, std::size_t n) const {
+  if (comma && is(n, ChunkKind::kRelative) && document_.tokens[chunk(n).first].text == "who") return false;  // "for my aunt, who has a dog"
+  if (!comma && is(n, ChunkKind::kRelation) && chunk(n).last - chunk(n).first > 1) return true;  // "… and at the right one for the guitar"
+  if (!comma && doing_ && is(n, ChunkKind::kVerb)) return false;                                 // "guests come in and hang up their coats"
+  // "it serves as a stand and carries a lamp"
+  if (!comma && !doing_ && (is(n, ChunkKind::kRelation) || is(n, ChunkKind::kHave)) && is_finite(document_.tokens[chunk(n).first].text))
+    return true;
+  if (!comma) return is(n, ChunkKind::kVerb) || is(n, ChunkKind::kThere) || is(n, ChunkKind::kCommand);
+  return is(n, ChunkKind::kRelation) || is(n, ChunkKind::kHave) || is(n, ChunkKind::kParticiple) || is(n, ChunkKind::kRelative) ||
+         is(n, ChunkKind::kThere) || is(n, ChunkKind::kVerb);
+}
+
 // The break at chunk k, before chunk n, ends a purpose: what follows is said of the room again.
 bool UnitReader::purpose_ends(std::size_t k, std::size_t n) const {
   const bool comma = is(k, ChunkKind::kComma);
-  if (!is(n, ChunkKind::kNoun)) {
-    if (comma && is(n, ChunkKind::kRelative) && document_.tokens[chunk(n).first].text == "who")
-      return false;  // "for my aunt, who has a dog"
-    if (!comma && is(n, ChunkKind::kRelation) && chunk(n).last - chunk(n).first > 1)
-      return true;                                                  // "… and at the right one for the guitar"
-    if (!comma && doing_ && is(n, ChunkKind::kVerb)) return false;  // "guests come in and hang up their coats"
-    // "it serves as a stand and carries a lamp"
-    if (!comma && !doing_ && (is(n, ChunkKind::kRelation) || is(n, ChunkKind::kHave)) && is_finite(document_.tokens[chunk(n).first].text))
-      return true;
-    if (!comma) return is(n, ChunkKind::kVerb) || is(n, ChunkKind::kThere) || is(n, ChunkKind::kCommand);
-    return is(n, ChunkKind::kRelation) || is(n, ChunkKind::kHave) || is(n, ChunkKind::kParticiple) || is(n, ChunkKind::kRelative) ||
-           is(n, ChunkKind::kThere) || is(n, ChunkKind::kVerb);
-  }
+  if (!is(n, ChunkKind::kNoun)) return purpose_ends_before_verb(comma, n);
   const NounPhrase& noun = chunk(n).noun;
   const bool verb_follows = is(next(n), ChunkKind::kVerb);
   const bool said = noun.determiner == Determiner::kIndefinite || noun.determiner == Determiner::kAnother ||

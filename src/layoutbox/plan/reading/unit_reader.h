@@ -46,6 +46,7 @@ class UnitReader {
   bool gives_reason(std::size_t k);
   bool brings_each(std::size_t k);
   bool names_furniture_before(std::size_t k) const;
+  bool purpose_ends_before_verb(bool comma, std::size_t n) const;
   bool purpose_ends(std::size_t k, std::size_t n) const;
   bool place_after_purpose(std::size_t k) const;
   bool follows_whom(std::size_t k) const;
