@@ -49,15 +49,15 @@ class DressedRoom {
   DressedRoom& window(const std::string& wall, double offset) { return opening(OpeningType::kWindow, wall, offset, 1.2, 1.2, 0.9); }
 
   // Of its usual size; x, y: the centre.
-  DressedRoom& put(const std::string& kind, double x, double y, double turn) {
+  DressedRoom& put(const std::string& kind, double x, double y, double turn, Origin origin = Origin::kAsked) {
     const CatalogEntry& entry = *catalog().find(kind);
     PlacedObject object;
     object.id = kind + "_" + std::to_string(layout_.objects.size() + 1);
     object.category = kind, object.name = entry.name, object.size = entry.size.usual, object.mount = entry.mount;
     object.position = {x * 1000, y * 1000, 0}, object.rotation_deg = turn;
-    object.used_sides = entry.used_sides, object.spaces = spaces_at(entry, object.size);
+    object.used_sides = entry.used_sides, object.spaces = spaces_at(entry, object.size), object.origin = origin;
     SceneObject asked;
-    asked.id = object.id, asked.category = kind, asked.name = entry.name;
+    asked.id = object.id, asked.category = kind, asked.name = entry.name, asked.origin = origin;
     scene_.objects.push_back(asked);
     layout_.objects.push_back(object);
     return *this;
@@ -185,6 +185,15 @@ TEST(Dress, TheTextSaysTheFormOfAKitchen) {
   turned.dress();
   ASSERT_EQ(turned.of("kitchen_corner_unit").size(), 1u);
   EXPECT_TRUE(std::ranges::any_of(turned.of("base_cabinet"), [](const PlacedObject& o) { return o.rotation_deg == 270; }));
+  // A worktop that came with the sink is the corner's unit, and the run goes on from it.
+  DressedRoom flush("kitchen", 4.0, 3.6, "A kitchen with L-shaped counters.");
+  flush.put("base_cabinet", 0.4, 3.29, 0, Origin::kAdded)
+      .put("stove", 1.1, 3.29, 0)
+      .put("kitchen_sink", 1.85, 3.29, 0)
+      .put("fridge", 2.65, 3.26, 0);
+  flush.dress();
+  const auto goes_on = [](const PlacedObject& o) { return o.rotation_deg == 90 && o.position[1] > 2500; };
+  EXPECT_TRUE(std::ranges::any_of(flush.of("base_cabinet"), goes_on));
   DressedRoom facing("kitchen", 3.4, 2.6, "A galley kitchen with a sink and a stove.");
   facing.put("kitchen_sink", 2.0, 2.29, 0).put("stove", 2.75, 2.29, 0);
   facing.dress();

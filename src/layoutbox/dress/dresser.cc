@@ -91,6 +91,12 @@ std::string Dresser::add_on(const std::string& kind, const std::vector<std::stri
   return id;
 }
 
+void Dresser::use_from_no_side(const std::string& id) {
+  for (PlacedObject& object : layout_.objects) {
+    if (object.id == id) object.used_sides.clear();
+  }
+}
+
 void Dresser::remove(std::vector<std::string> ids) {
   const auto goes = [&](const std::string& id) { return std::ranges::find(ids, id) != ids.end(); };
   for (std::size_t before = 0; before != ids.size();) {

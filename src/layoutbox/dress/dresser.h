@@ -49,6 +49,8 @@ class Dresser {
   std::string add_on(const std::string& kind, const std::vector<std::string>& words, const Size& size, const std::string& host, double x,
                      double y, double level);
 
+  // What stands in a corner of a run is used from none of its sides.
+  void use_from_no_side(const std::string& id);
   // Takes things out again, with what stands on them.
   void remove(std::vector<std::string> ids);
   const std::vector<std::string>& added() const { return added_; }

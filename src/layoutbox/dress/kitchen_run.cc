@@ -29,7 +29,7 @@ class KitchenRun {
   void fill() {
     find_main();
     if (main_ == nullptr) return;
-    if (form_ == "L" || form_ == "U") free_corners();
+    if (form_ == "L" || form_ == "U") open_corners();
     for (const WallFrame& wall : dresser_.room().walls()) close_gaps(wall);
     const double share =
         std::clamp((double(doubled_area(dresser_.layout().room.polygon)) / 2e6 - kSmallRoom) / (kLargeRoom - kSmallRoom), 0.0, 1.0);
@@ -52,7 +52,6 @@ class KitchenRun {
   }
 
   void find_main() {
-    main_ = nullptr;
     constexpr double kOfSink = 5000;  // one washes up where the run is, however long another wall's
     double longest = 0;
     for (const WallFrame& wall : dresser_.room().walls()) {
@@ -66,17 +65,15 @@ class KitchenRun {
     }
   }
 
-  // A run that is to go round a corner has a unit of its own there: worktops that nobody asked for make way for it.
-  void free_corners() {
+  // A run that is to go round a corner may have a worktop in it that nobody asked for: that one is reached from over the other leg.
+  void open_corners() {
     std::vector<std::string> ids;
     for (const Unit& unit : units_at(dresser_, *main_)) {
       const bool flush = unit.span.low < kNarrowest || main_->length - unit.span.high < kNarrowest;
       if (flush && unit.object->origin == Origin::kAdded && dresser_.entry_of(*unit.object).is(Trait::kCounter))
         ids.push_back(unit.object->id);
     }
-    if (ids.empty()) return;
-    dresser_.remove(std::move(ids));
-    find_main();  // the walls are made anew
+    for (const std::string& id : ids) dresser_.use_from_no_side(id);
   }
 
   // Where a cabinet may stand along a wall, with room to walk before it.
