@@ -19,7 +19,9 @@ constexpr std::size_t kMostForEarlyProof = 40;
 constexpr int kStarts = 4, kIdleShakes = 40;
 constexpr std::int64_t kShortPatience = 1, kPatienceShaken = 4;  // moves in vain a thing
 constexpr std::int64_t kShareOfLast = 4;
-constexpr std::int64_t kPoor = 1'000'000, kMoreForPoor = 2;  // a cost (a score of 0.5), above which so many times the effort is worth it
+// A cost (a score of 0.5), above which so many times the effort is worth it, in rooms of so few things.
+constexpr std::int64_t kPoor = 1'000'000, kMoreForPoor = 2;
+constexpr std::size_t kFew = 40;
 constexpr std::int64_t kShareOfStarts = 8, kShareOfTakingBack = 4;
 
 }  // namespace
@@ -288,7 +290,7 @@ void Solver::improve() {
     return;
   }
   int idle = 0;  // since the last that brought something
-  bool more = true;
+  bool more = model_.items.size() <= kFew;
   for (int start = 0; idle < kIdleShakes; ++start, ++idle) {
     if (budget.spent()) {
       if (!std::exchange(more, false) || least < kPoor || budget.stopped) break;

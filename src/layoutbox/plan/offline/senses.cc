@@ -263,6 +263,8 @@ int suits_above(const Catalog& catalog, const NounPhrase& target, const NounPhra
   // What lies or hangs loosely is over no door or window; curtains are.
   const bool opening = reference.kind == NounKind::kDoor || reference.kind == NounKind::kWindow;
   if (opening && mount == Mount::kHung && !(target.entry != nullptr && target.entry->is(Trait::kCurtain))) return 0;
+  // "a dispenser on the counter, lanterns from the ceiling above it": above the counter
+  if (mount == Mount::kCeiling && reference.kind == NounKind::kObject && mount_of(reference) == Mount::kSurface) return 0;
   if (mount == Mount::kWall || mount == Mount::kCeiling || is_lamp(catalog, target)) return 2;
   if (one_of(target.head, {"tv", "television", "screen", "monitor", "speaker"})) return 1;  // may hang
   return mount == Mount::kSurface ? 0 : 1;
@@ -299,6 +301,9 @@ int suits(const Catalog& catalog, const PhraseSense& sense, const NounPhrase& ta
     case R::kInRegion: return mount == Mount::kSurface ? 1 : 2;
     case R::kAbove: return suits_above(catalog, target, reference);
     case R::kOpposite: return mount == Mount::kSurface ? 0 : 2;
+    case R::kAround:
+    case R::kSurround:  // "a tureen in the middle of the table, six bowls around it"
+      return mount == Mount::kSurface && reference.kind == NounKind::kObject && mount_of(reference) == Mount::kFloor ? 0 : 2;
     default: return suits_beside(sense.type, target, reference);
   }
 }
