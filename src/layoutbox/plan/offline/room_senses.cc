@@ -1,5 +1,6 @@
 // What plain words mean in a kind of room.
 #include <algorithm>
+#include <memory>
 
 #include "layoutbox/catalog/kin.h"
 #include "layoutbox/plan/offline/people.h"
@@ -124,6 +125,17 @@ const CatalogEntry* meant_here(const Lexicon& lexicon, const RoomKind& room, std
   }
 }
 
+// "a pottery studio with six wheels": no part of something, and none of a car.
+void mean_part(const Lexicon& lexicon, const RoomKind& room, const std::string& name, NounPhrase& part) {
+  const CatalogEntry* entry = meant_here(lexicon, room, name, *part.as_object, part.as_object->head, false);
+  if (entry == nullptr) return;
+  auto object = std::make_shared<NounPhrase>(*part.as_object);
+  object->entry = entry;
+  object->category = entry->id;
+  object->exact = true;
+  part.as_object = std::move(object);
+}
+
 }  // namespace
 
 void settle_room_senses(const Lexicon& lexicon, Document& document, const std::vector<std::size_t>& room_size_at) {
@@ -141,6 +153,7 @@ void settle_room_senses(const Lexicon& lexicon, Document& document, const std::v
     const Chunk& chunk = document.chunks[k];
     NounPhrase& noun = document.chunks[k].noun;
     if (chunk.kind != ChunkKind::kNoun || noun.head.empty()) continue;
+    if (noun.as_object != nullptr) mean_part(lexicon, *room->room, name, noun);
     // A name of several words only where the table has all of it: "swivel chair".
     const bool named = noun.kind == NounKind::kObject && noun.exact && noun.name != noun.head;
     const bool plain = noun.kind == NounKind::kObject && noun.exact && noun.name == noun.head;
