@@ -216,9 +216,15 @@ class FloorPlan {
     return doubled / 2e6;
   }
 
-  // The words the room was made from, in at most three lines.
+  // The words the room was made from, in at most three lines; a mark parts what stands in lines of its own, as edits do.
   void draw_prompt(double y) {
-    std::string rest = layout_.prompt;
+    std::string rest;
+    for (const char c : layout_.prompt) {
+      if (c != '\n')
+        rest += c;
+      else if (!rest.empty())
+        rest += " · ";
+    }
     for (int line = 0; line < 3 && !rest.empty(); ++line, y += 3.2) {
       std::size_t end = rest.size();
       while (text_width(rest.substr(0, end), 2.2) > kPageWidth - 2 * kMargin) {

@@ -97,6 +97,12 @@ TEST(FloorPlan, IsWellFormedWhateverTheNames) {
   EXPECT_THAT(svg, HasSubstr("é 🛋"));
 }
 
+TEST(FloorPlan, PartsTheLinesOfAPromptAndItsEdits) {
+  Layout layout = room_of(4000, 3000);
+  layout.prompt = "A room with a sofa.\npaint the walls blue\nremove the rug";
+  EXPECT_THAT(write_floor_plan_svg(layout), HasSubstr("A room with a sofa. · paint the walls blue · remove the rug"));
+}
+
 TEST(FloorPlan, NamesAndMeasuresEveryObject) {
   Layout layout = room_of(4000, 3000);
   add_object(layout, "bed", {1600, 2000, 500}, 1000, 1500);
