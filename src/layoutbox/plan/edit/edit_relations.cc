@@ -44,6 +44,15 @@ Status EditReader::know_noun(Clause& clause, Chunk& chunk, const std::vector<int
         }
       }
     }
+    // "50 cm away from the wall": from its own
+    const bool from = chunk.first > 0 && clause.document.tokens[chunk.first - 1].text == "from";
+    if (noun.kind == NounKind::kWall && noun.wall_word.empty() && noun.wall_relation.empty() && noun.determiner == Determiner::kDefinite &&
+        !noun.plural && from && !subject.empty()) {
+      const Wall* wall = world_.wall_of(subject.front());
+      for (const std::string_view side : {"left", "right", "front", "back"}) {
+        if (wall != nullptr && world_.layout().find_wall(side) == wall) noun.wall_word = side;
+      }
+    }
     if (noun.kind == NounKind::kCorner && noun.wall_word.empty() && !subject.empty())
       noun.wall_word = world_.other_corner(subject.front(), noun);
     return {};
