@@ -82,7 +82,7 @@ class Cost(model_case.ModelCase):
             run = self.paid(server)
         self.assert_done(run)
         request = self.requests_of_run()[0]
-        self.assertEqual(request["tokens"], {"question": 1000, "answer": 200, "estimated": False})
+        self.assertEqual(request["tokens"], {"request": 1000, "response": 200, "estimated": False})
         self.assertAlmostEqual(request["cost"], (1000 * 2.5 + 200 * 10) / 1e6)
         self.assertIn("$0.0045", run.err)
 
@@ -124,7 +124,7 @@ class Cost(model_case.ModelCase):
             run = self.paid(server, "--max-cost", "1", model="unheard-of")
             self.assert_status(run, 2)
             self.assertIn("--prices", run.err)
-            prices = self.write_json("prices.json", {"models": {"unheard-of": {"question": 1, "answer": 1}}})
+            prices = self.write_json("prices.json", {"models": {"unheard-of": {"request": 1, "response": 1}}})
             self.assert_done(self.paid(server, "--max-cost", "1", "--prices", prices, model="unheard-of"))
 
     def test_bad_prices(self):

@@ -114,7 +114,7 @@ class JudgedExperiment(model_case.ModelCase):
         with self.path("out/results.csv").open(newline="") as file:
             rows = list(csv.DictReader(file))
         self.assertEqual({row["method"] for row in rows}, {"model-no-repair@large", "model-no-repair@small"})
-        self.assertTrue(all(int(row["question_tokens"]) > 0 for row in rows), rows[0])
+        self.assertTrue(all(int(row["request_tokens"]) > 0 for row in rows), rows[0])
         self.assertIn("tokens asked", self.path("out/report.html").read_text())
 
     @needs_blender

@@ -119,7 +119,7 @@ class UsersPrices(model_case.ModelCase):
     def test_a_file_of_the_users_own(self):
         file = self.path("config") / "layoutbox/prices.json"
         file.parent.mkdir(parents=True)
-        file.write_text(json.dumps({"models": {"unheard-of": {"question": 10, "answer": 10, "asOf": "2026-11"}}}))
+        file.write_text(json.dumps({"models": {"unheard-of": {"request": 10, "response": 10, "asOf": "2026-11"}}}))
         with FaultServer([fault.scene_call(SCENE)]) as server:  # not this machine, reached through a proxy that is
             env = {"http_proxy": f"http://127.0.0.1:{server.port}", "NO_PROXY": None, "XDG_CONFIG_HOME": self.path("config")}
             command = ["--no-cache", "--model", "unheard-of", "--max-cost", "1"]

@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 using OrderedJson = nlohmann::ordered_json;
 
-constexpr const char* kFormat = "layoutbox/answer@1";
+constexpr const char* kFormat = "layoutbox/response@1";
 constexpr const char* kCapabilitiesFile = "servers.json";
 constexpr std::size_t kLargestFile = 32u << 20;
 
@@ -83,12 +83,12 @@ std::optional<std::string> ResponseCache::find(std::string_view base_url, std::s
   if (text_member(json, "format") != kFormat || text_member(json, "address") != base_url || text_member(json, "request") != request) {
     return std::nullopt;
   }
-  return text_member(json, "answer");
+  return text_member(json, "response");
 }
 
 void ResponseCache::store(std::string_view base_url, std::string_view request, std::string_view body) const {
   if (folder_.empty()) return;
-  write_private(file_of(base_url, request), {{"format", kFormat}, {"address", base_url}, {"request", request}, {"answer", body}});
+  write_private(file_of(base_url, request), {{"format", kFormat}, {"address", base_url}, {"request", request}, {"response", body}});
 }
 
 std::vector<CachedResponse> ResponseCache::list() const {
@@ -128,7 +128,7 @@ Capabilities load_capabilities(const fs::path& folder, std::string_view base_url
   for (const Mode mode : modes) {
     if (text_member(kept, "mode") == name_of(mode)) capabilities.mode = mode, capabilities.known = true;
   }
-  capabilities.capacity = {number_member(kept, "context"), number_member(kept, "answer"), number_member(kept, "cuts") != 0};
+  capabilities.capacity = {number_member(kept, "context"), number_member(kept, "response"), number_member(kept, "cuts") != 0};
   if (kept.contains("without") && kept["without"].is_array()) {
     for (const OrderedJson& name : kept["without"]) {
       if (name.is_string()) capabilities.without.insert(name.get<std::string>());
@@ -144,7 +144,7 @@ void save_capabilities(const fs::path& folder, std::string_view base_url, std::s
   json[capabilities_key(base_url, model)] = {{"mode", name_of(capabilities.mode)},
                                              {"without", capabilities.without},
                                              {"context", capabilities.capacity.context},
-                                             {"answer", capabilities.capacity.answer},
+                                             {"response", capabilities.capacity.response},
                                              {"cuts", capabilities.capacity.cuts ? 1 : 0}};
   write_private(folder / kCapabilitiesFile, json);
 }

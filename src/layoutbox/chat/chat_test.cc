@@ -114,10 +114,10 @@ TEST(OneLine, cuts_between_characters) {
 }
 
 TEST(Prices, by_the_longest_name) {
-  EXPECT_EQ(Prices::builtin().find("gpt-4o-mini-2024-07-18")->question, 0.15);
-  EXPECT_EQ(Prices::builtin().find("openai/gpt-4o")->question, 2.5);
+  EXPECT_EQ(Prices::builtin().find("gpt-4o-mini-2024-07-18")->request, 0.15);
+  EXPECT_EQ(Prices::builtin().find("openai/gpt-4o")->request, 2.5);
   EXPECT_FALSE(Prices::builtin().find("gpt-4omega"));
-  EXPECT_EQ(Prices::builtin().find("claude-sonnet-4-5-20250929")->answer, 15);
+  EXPECT_EQ(Prices::builtin().find("claude-sonnet-4-5-20250929")->response, 15);
 }
 
 TEST(Prices, say_when_they_were_looked_up) {

@@ -15,7 +15,7 @@ using Json = nlohmann::json;
 
 bool is_price(const Json& value) {
   const auto good = [&](const char* key) { return value.contains(key) && value[key].is_number() && value[key].get<double>() >= 0; };
-  return value.is_object() && good("question") && good("answer");
+  return value.is_object() && good("request") && good("response");
 }
 
 }  // namespace
@@ -47,16 +47,16 @@ Status Prices::add(std::string_view text) {
   if (json.is_discarded()) return fail(ErrorCode::kParse, "the list of prices is no JSON");
   if (!json.is_object() || !json.contains("models") || !json["models"].is_object()) {
     return fail(ErrorCode::kSchema, "the list of prices has no member \"models\"", {},
-                R"(write {"models": {"NAME": {"question": 2.5, "answer": 10}}})");
+                R"(write {"models": {"NAME": {"request": 2.5, "response": 10}}})");
   }
   std::map<std::string, Price, std::less<>> added;
   for (const auto& [name, price] : json["models"].items()) {
     if (!is_price(price)) {
       return fail(ErrorCode::kSchema, fmt::format("the price of {} is no pair of numbers", name), "/models/" + name,
-                  R"(write {"question": 2.5, "answer": 10, "asOf": "2025-08"}: US dollars for a million tokens)");
+                  R"(write {"request": 2.5, "response": 10, "asOf": "2025-08"}: US dollars for a million tokens)");
     }
     const bool dated = price.contains("asOf") && price["asOf"].is_string();
-    added[name] = {price["question"].get<double>(), price["answer"].get<double>(), dated ? price["asOf"].get<std::string>() : ""};
+    added[name] = {price["request"].get<double>(), price["response"].get<double>(), dated ? price["asOf"].get<std::string>() : ""};
   }
   for (auto& [name, price] : added) prices_[name] = std::move(price);
   return {};
@@ -84,7 +84,7 @@ std::optional<Price> Prices::find(std::string_view model) const {
 }
 
 double cost_of(const Price& price, const Usage& usage) {
-  return (price.question * static_cast<double>(usage.request_tokens) + price.answer * static_cast<double>(usage.response_tokens)) / 1e6;
+  return (price.request * static_cast<double>(usage.request_tokens) + price.response * static_cast<double>(usage.response_tokens)) / 1e6;
 }
 
 }  // namespace layoutbox::chat

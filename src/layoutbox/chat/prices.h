@@ -13,7 +13,7 @@
 namespace layoutbox::chat {
 
 struct Price {  // US dollars for a million tokens
-  double question = 0, answer = 0;
+  double request = 0, response = 0;
   std::string as_of;  // when it was looked up, "2025-08"; empty: not said
 };
 

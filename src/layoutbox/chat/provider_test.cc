@@ -178,7 +178,7 @@ TEST(Anthropic, errors) {
   EXPECT_TRUE(change_for(400, error, all_of(anthropic_provider()))->without.contains("temperature"));
   const auto limit = change_for(400, {"max_tokens: 64000 > 8192, which is the maximum allowed number of output tokens for m", {}, {}},
                                 all_of(anthropic_provider()));
-  EXPECT_EQ(limit->capacity.answer, 8192);
+  EXPECT_EQ(limit->capacity.response, 8192);
   const auto longer = change_for(400, {"prompt is too long: 210000 tokens > 200000 maximum", {}, {}}, all_of(anthropic_provider()), 210000);
   EXPECT_LT(longer->capacity.context, 210000);
   EXPECT_EQ(change_for(400, {"tools: bad", {}, {}}, all_of(anthropic_provider()))->mode, Mode::kJson);

@@ -163,8 +163,8 @@ std::optional<Capabilities> change_for(int status, const ServerError& error, con
   const std::string text = lower(error.parameter + " " + error.message);
   Capabilities changed = capabilities;
   Capacity told = capacity_told(text, error.context);
-  if (told.answer > 0 && told.answer < changed.capacity.answer_or_any()) {
-    changed.capacity.answer = told.answer;
+  if (told.response > 0 && told.response < changed.capacity.response_or_any()) {
+    changed.capacity.response = told.response;
     return changed;
   }
   if (is_about_length(text) || error.context > 0 || status == 413) {

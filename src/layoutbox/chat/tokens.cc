@@ -97,8 +97,8 @@ Capacity capacity_told(std::string_view message, std::int64_t context_member) {
     if (told.context == 0) told.context = number_after(message, words);
   }
   if (told.context == 0) told.context = number_before(message, " maximum context");
-  if (message.find("completion tokens") != std::string_view::npos) told.answer = number_after(message, "at most");
-  if (told.answer == 0) told.answer = number_before(message, ", which is the maximum allowed number of output tokens");
+  if (message.find("completion tokens") != std::string_view::npos) told.response = number_after(message, "at most");
+  if (told.response == 0) told.response = number_before(message, ", which is the maximum allowed number of output tokens");
   return told;
 }
 
@@ -108,7 +108,7 @@ Request fitted(const Request& question, const Capacity& capacity) {
   while (capacity.context > 0 && best->shorter != nullptr && room_of(*best) < best->max_response_tokens) best = best->shorter.get();
   Request chosen = *best;
   std::int64_t most = chosen.max_response_tokens;
-  if (capacity.answer > 0) most = std::min(most, capacity.answer);
+  if (capacity.response > 0) most = std::min(most, capacity.response);
   if (capacity.context > 0 && !capacity.cuts) most = std::min(most, std::max<std::int64_t>(room_of(chosen), kLeastAnswer));
   chosen.max_response_tokens = static_cast<int>(most);
   return chosen;

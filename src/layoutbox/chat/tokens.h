@@ -19,12 +19,12 @@ std::int64_t estimated_tokens(const Request& question);
 
 // What a server says that a model can hold, in tokens; 0: nothing is known.
 struct Capacity {
-  std::int64_t context = 0;  // question and answer together
-  std::int64_t answer = 0;   // of one answer
-  bool cuts = false;         // known from answers that broke off: such a server takes any limit, so none is set below what an answer needs
+  std::int64_t context = 0;   // request and response together
+  std::int64_t response = 0;  // of one response
+  bool cuts = false;          // known from responses that broke off: such a server takes any limit, so none is set below what one needs
 
   std::int64_t context_or_any() const { return context > 0 ? context : kAny; }
-  std::int64_t answer_or_any() const { return answer > 0 ? answer : kAny; }
+  std::int64_t response_or_any() const { return response > 0 ? response : kAny; }
   static constexpr std::int64_t kAny = std::numeric_limits<std::int64_t>::max();
 };
 

@@ -28,7 +28,7 @@ TEST(Capacity, IsReadFromTheWordsOfServers) {
   EXPECT_EQ(context("please reduce the length of the messages"), 0);
   EXPECT_EQ(context("context length is 99999999999999999999999"), 0);
   EXPECT_EQ(capacity_told("", 4096).context, 4096);
-  EXPECT_EQ(capacity_told("max_tokens is too large: 8000. this model supports at most 4096 completion tokens", 0).answer, 4096);
+  EXPECT_EQ(capacity_told("max_tokens is too large: 8000. this model supports at most 4096 completion tokens", 0).response, 4096);
 }
 
 Request question(std::size_t words, int answer) {

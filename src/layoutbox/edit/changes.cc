@@ -53,10 +53,20 @@ std::vector<ObjectChange> changes_of_room(const Layout& before, const Layout& af
                           std::equal(before.room.polygon.begin(), before.room.polygon.end(), after.room.polygon.begin(),
                                      after.room.polygon.end(), [](const Point& a, const Point& b) { return a.x == b.x && a.y == b.y; });
   if (!same_shape) changes.push_back({room, {"resized"}, 0, 0, asked.contains(room)});
-  const auto material_of = [](const Room& r) { return r.walls.empty() ? std::string() : r.walls.front().material; };
-  if (before.room.wall_material != after.room.wall_material || material_of(before.room) != material_of(after.room))
-    changes.push_back({"walls", {"recolored"}, 0, 0, asked.contains("walls")});
-  if (before.room.floor_material != after.room.floor_material) changes.push_back({"floor", {"recolored"}, 0, 0, asked.contains("floor")});
+  const auto painted = [&](std::string_view part, bool is) {
+    const std::string id(part);
+    if (is) changes.push_back({id, {"recolored"}, 0, 0, asked.contains(id)});
+  };
+  bool walls = before.room.wall_material != after.room.wall_material;
+  for (const Wall& now : after.room.walls) {
+    const Wall* was = before.find_wall(now.id);
+    const bool differs = was != nullptr && was->material != now.material;
+    painted(now.id, differs && asked.contains(now.id));
+    walls = walls || (differs && !asked.contains(now.id));
+  }
+  painted(kEditWalls, walls);
+  painted(kEditFloor, before.room.floor_material != after.room.floor_material);
+  painted(kEditCeiling, before.room.ceiling_material != after.room.ceiling_material);
   for (const Opening& now : after.room.openings) {
     ObjectChange change{now.id, {}, 0, 0, asked.contains(now.id)};
     const Opening* was = before.find_opening(now.id);

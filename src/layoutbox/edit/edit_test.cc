@@ -115,6 +115,21 @@ TEST(EditSteps, PaintOnWallsAndFloorIsAChange) {
   EXPECT_EQ(changes[1].id, "floor");
 }
 
+TEST(EditSteps, OneWallOrTheCeilingArePaintedAlone) {
+  const Layout layout = room();
+  const EditState state = after("paint the back wall green and the ceiling blue", layout);
+  EXPECT_EQ(state.scene.room.walls[2].material, "green");
+  EXPECT_EQ(state.scene.room.walls[0].material, "");
+  EXPECT_EQ(state.scene.room.wall_material, "");
+  EXPECT_EQ(state.scene.room.ceiling_material, "blue");
+  Layout painted = layout;
+  painted.room = state.scene.room;
+  const auto changes = changes_between(layout, painted, {"wall3", "ceiling"});
+  ASSERT_EQ(changes.size(), 2U);
+  EXPECT_EQ(changes[0].id, "wall3");
+  EXPECT_EQ(changes[1].id, "ceiling");
+}
+
 TEST(EditLayout, AFormIsNoColour) {
   for (const auto& [text, what] : {std::pair{"make the sofa round", "reshaped"}, {"make the sofa green", "recolored"}}) {
     const auto outcome = edit_layout(text, room(), Catalog::builtin());

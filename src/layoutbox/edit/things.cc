@@ -205,11 +205,16 @@ Status EditStepper::recolor(const EditStep& step) {
   for (const std::string& id : step.targets) {
     std::string words;
     for (const std::string& attribute : step.attributes) words += (words.empty() ? "" : " ") + attribute;
-    if (id == "walls") {
+    if (id == kEditWalls) {
       scene_.room.wall_material = words;
       for (Wall& wall : scene_.room.walls) wall.material.clear();
-    } else if (id == "floor") {
+    } else if (id == kEditFloor) {
       scene_.room.floor_material = words + " floor";
+    } else if (id == kEditCeiling) {
+      scene_.room.ceiling_material = words;
+    }
+    for (Wall& wall : scene_.room.walls) {
+      if (wall.id == id) wall.material = words;
     }
     SceneObject* changed = object(id);
     if (changed == nullptr) continue;

@@ -38,7 +38,7 @@ struct ExperimentOptions {
 // What the answers of a model took.
 struct Spent {
   int requests = 0;
-  std::int64_t question_tokens = 0, answer_tokens = 0;
+  std::int64_t request_tokens = 0, response_tokens = 0;
   double cost = 0;         // US dollars
   bool cost_known = true;  // of every answer
 };

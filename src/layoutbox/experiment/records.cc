@@ -74,7 +74,7 @@ std::string line_of(const RunRecord& record) {
             {"failure", record.failure},
             {"structure", record.structure},
             {"requests", record.spent.requests},
-            {"tokens", {{"question", record.spent.question_tokens}, {"answer", record.spent.answer_tokens}}},
+            {"tokens", {{"request", record.spent.request_tokens}, {"response", record.spent.response_tokens}}},
             {"cost", record.spent.cost_known ? Json(record.spent.cost) : Json(nullptr)},
             {"objects", record.judgement.room.layout.objects.size()},
             {"everything", record.judgement.everything},
@@ -96,8 +96,8 @@ void read_line(const nlohmann::json& line, RunRecord& record) {
   record.structure = line.value("structure", "");
   record.spent.requests = line.value("requests", 0);
   if (line.contains("tokens") && line.at("tokens").is_object()) {
-    record.spent.question_tokens = line.at("tokens").value("question", std::int64_t{0});
-    record.spent.answer_tokens = line.at("tokens").value("answer", std::int64_t{0});
+    record.spent.request_tokens = line.at("tokens").value("request", std::int64_t{0});
+    record.spent.response_tokens = line.at("tokens").value("response", std::int64_t{0});
   }
   const std::optional<double> cost = number_in(line, "cost");
   record.spent.cost = cost.value_or(0);
@@ -115,8 +115,8 @@ Spent spent_on(const std::string& requests) {
   spent.requests = static_cast<int>(list->size());
   for (const nlohmann::json& request : *list) {
     if (!request.is_object() || !request.contains("tokens")) continue;  // nothing was sent
-    spent.question_tokens += request.at("tokens").value("question", std::int64_t{0});
-    spent.answer_tokens += request.at("tokens").value("answer", std::int64_t{0});
+    spent.request_tokens += request.at("tokens").value("request", std::int64_t{0});
+    spent.response_tokens += request.at("tokens").value("response", std::int64_t{0});
     const std::optional<double> cost = number_in(request, "cost");
     spent.cost += cost.value_or(0);
     spent.cost_known = spent.cost_known && cost.has_value();
@@ -125,14 +125,14 @@ Spent spent_on(const std::string& requests) {
 }
 
 std::string results_csv(const ExperimentOutcome& outcome) {
-  std::string text = "scene,method,repeat,outcome,failure,everything,objects,requests,question_tokens,answer_tokens,cost,seconds";
+  std::string text = "scene,method,repeat,outcome,failure,everything,objects,requests,request_tokens,response_tokens,cost,seconds";
   for (const MeasureRow& row : measure_rows()) text += fmt::format(",{}_part,{}_whole", row.name, row.name);
   text += ",single_right,single_answers,multi_right,multi_answers,scene_score,prompt_score,ratings,rating,error\n";
   for (const RunRecord& record : outcome.records) {
     text +=
         fmt::format("{},{},{},{},{},{},{},{},{},{},{},{:.4f}", quoted(record.scene), quoted(record.method), record.repeat, record.outcome,
                     quoted(record.failure), record.judgement.everything ? 1 : 0, record.judgement.room.layout.objects.size(),
-                    record.spent.requests, record.spent.question_tokens, record.spent.answer_tokens,
+                    record.spent.requests, record.spent.request_tokens, record.spent.response_tokens,
                     record.spent.cost_known ? fmt::format("{:.6g}", record.spent.cost) : "", record.seconds_in_all());
     for (const MeasureRow& row : measure_rows()) {
       const auto found = record.judgement.measures.find(std::string(row.name));

@@ -34,13 +34,13 @@ TEST(Records, ALineComesBackAsItWas) {
 
 TEST(Records, WhatAnswersTook) {
   const Spent spent =
-      spent_on(R"([{"tokens": {"question": 10, "answer": 5}, "cost": 0.5}, {"tokens": {"question": 1, "answer": 2}, "cost": 0}])");
+      spent_on(R"([{"tokens": {"request": 10, "response": 5}, "cost": 0.5}, {"tokens": {"request": 1, "response": 2}, "cost": 0}])");
   EXPECT_EQ(spent.requests, 2);
-  EXPECT_EQ(spent.question_tokens, 11);
-  EXPECT_EQ(spent.answer_tokens, 7);
+  EXPECT_EQ(spent.request_tokens, 11);
+  EXPECT_EQ(spent.response_tokens, 7);
   EXPECT_EQ(spent.cost, 0.5);
   EXPECT_TRUE(spent.cost_known);
-  EXPECT_FALSE(spent_on(R"([{"tokens": {"question": 1, "answer": 2}, "cost": null}])").cost_known);
+  EXPECT_FALSE(spent_on(R"([{"tokens": {"request": 1, "response": 2}, "cost": null}])").cost_known);
   for (const char* none : {"", "{}", "[]", "no"}) EXPECT_EQ(spent_on(none).requests, 0) << none;
 }
 

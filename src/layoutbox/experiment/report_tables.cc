@@ -80,8 +80,9 @@ std::string cost_table(const Groups& groups) {
       rows += cell(found == medians.end() ? "" : fmt::format("{:.0f} ms", found->second * 1000));
     }
     const Spent spent = spent_over(records);
-    rows += cell(std::to_string(spent.requests)) + cell(std::to_string(spent.question_tokens)) + cell(std::to_string(spent.answer_tokens)) +
-            cell(spent.cost_known ? fmt::format("{:.4g}", spent.cost) : "unknown") + "</tr>\n";
+    rows += cell(std::to_string(spent.requests)) + cell(std::to_string(spent.request_tokens)) +
+            cell(std::to_string(spent.response_tokens)) + cell(spent.cost_known ? fmt::format("{:.4g}", spent.cost) : "unknown") +
+            "</tr>\n";
   }
   return "<div class=wide><table>" + head + rows + "</table></div>\n";
 }

@@ -131,7 +131,7 @@ Status run_script(const std::string& script, const Given& given, const MethodInp
 json told(const chat::Response& response) {
   return {{"seconds", response.seconds},
           {"cached", response.cached},
-          {"tokens", {{"question", response.usage.request_tokens}, {"answer", response.usage.response_tokens}}},
+          {"tokens", {{"request", response.usage.request_tokens}, {"response", response.usage.response_tokens}}},
           {"cost", response.cost ? json(*response.cost) : json(nullptr)},
           {"finish", response.finish_reason}};
 }

@@ -131,7 +131,7 @@ Spent spent_over(const Records& records) {
   for (const RunRecord* record : records) {
     const Spent& spent = record->spent;
     sum.requests += spent.requests;
-    sum.question_tokens += spent.question_tokens, sum.answer_tokens += spent.answer_tokens;
+    sum.request_tokens += spent.request_tokens, sum.response_tokens += spent.response_tokens;
     sum.cost += spent.cost;
     sum.cost_known = sum.cost_known && spent.cost_known;
   }

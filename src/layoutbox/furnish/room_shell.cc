@@ -161,7 +161,8 @@ void add_ceiling(const Layout& layout, Palette& palette, Model& model) {
   Node node;
   node.id = "ceiling";
   node.kind = NodeKind::kCeiling;
-  node.parts.push_back({kit::prism(outline_of(layout.room), height, height + kSlab), palette.named("plaster")});
+  node.parts.push_back({kit::prism(outline_of(layout.room), height, height + kSlab),
+                        palette.add(surface_for(layout, layout.room.ceiling_material, "plaster", false))});
   model.nodes.push_back(std::move(node));
 }
 

@@ -60,6 +60,34 @@ TEST(Simplify, AScanKeepsItsShape) {
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) ASSERT_EQ(mesh.normals[i], mesh.positions[i]) << "rows that belong together";
 }
 
+// As OBJ and STL have it: each triangle with corners of its own, smooth or flat.
+Mesh torn(const Mesh& mesh, bool flat) {
+  Mesh out;
+  for (const std::uint32_t i : mesh.indices) {
+    out.indices.push_back(static_cast<std::uint32_t>(out.positions.size()));
+    out.positions.push_back(mesh.positions[i]);
+    out.normals.push_back(flat ? mesh.positions[mesh.indices[3 * ((out.indices.size() - 1) / 3)]] : mesh.normals[i]);
+    out.uvs.push_back(mesh.uvs[i]);
+  }
+  return out;
+}
+
+TEST(Simplify, TrianglesWithCornersOfTheirOwnAreReducedToo) {
+  for (const bool flat : {false, true}) {
+    MeshFile file = file_of(ball(200));
+    file.parts[0].mesh = torn(file.parts[0].mesh, flat);
+    simplify(file, 5'000);
+    const Mesh& mesh = file.parts[0].mesh;
+    EXPECT_LE(mesh_checks::triangles_of(node_of(file)), 5'000u) << flat;
+    EXPECT_NEAR(mesh_checks::volume(mesh), 4 * std::numbers::pi / 3, 0.05) << flat;
+    ASSERT_EQ(mesh.normals.size(), mesh.positions.size());
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+      const auto &n = mesh.normals[i], &p = mesh.positions[i];
+      ASSERT_GT(n[0] * p[0] + n[1] * p[1] + n[2] * p[2], 0.95) << "looks outwards";
+    }
+  }
+}
+
 TEST(Simplify, FewTrianglesStayAsTheyAre) {
   MeshFile file = file_of(ball(10));
   const Mesh before = file.parts[0].mesh;

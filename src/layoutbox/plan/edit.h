@@ -55,6 +55,8 @@ struct EditOpeningPlace {
 
 // The room itself, among the targets of a step.
 inline constexpr std::string_view kEditRoom = "room";
+// … and what of it can be painted, besides single walls by their ids.
+inline constexpr std::string_view kEditWalls = "walls", kEditFloor = "floor", kEditCeiling = "ceiling";
 
 struct EditStep {
   EditKind kind = EditKind::kMove;

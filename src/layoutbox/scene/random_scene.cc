@@ -50,6 +50,7 @@ Room RandomScenes::room() {
     room.openings.push_back(opening);
   }
   room.floor_material = text();
+  room.ceiling_material = text();
   room.wall_material = text();
   return room;
 }

@@ -54,6 +54,7 @@ Room placed_room_from(const json& value) {
     for (const json& item : *openings) room.openings.push_back(opening_from(item));
   }
   room.floor_material = text_at(value, "floorMat");
+  room.ceiling_material = text_at(value, "ceilingMat");
   room.wall_material = text_at(value, "wallMat");
   return room;
 }

@@ -81,7 +81,7 @@ struct Room {
   std::vector<Wall> walls;     // one per polygon edge, in its order, once normalised
   std::vector<Opening> openings;
   bool openings_given = false;  // the list is complete, even if empty: no default door and window are added
-  std::string floor_material, wall_material;
+  std::string floor_material, wall_material, ceiling_material;
   // Single walls that the text gives a look: by id or word, and the material; normalize_scene hands it to the wall. Not in files.
   std::vector<std::pair<std::string, std::string>> wall_looks{};
   // What the text said where no exact size was given; read by normalize_scene.

@@ -34,6 +34,7 @@ ordered_json placed_room_json(const Room& room) {
     openings.push_back(std::move(item));
   }
   if (!room.floor_material.empty()) out["floorMat"] = room.floor_material;
+  if (!room.ceiling_material.empty()) out["ceilingMat"] = room.ceiling_material;
   if (!room.wall_material.empty()) out["wallMat"] = room.wall_material;
   return out;
 }

@@ -59,6 +59,7 @@ ordered_json room_json(const Room& room) {
     for (const Opening& opening : room.openings) openings.push_back(opening_json(opening));
   }
   if (!room.floor_material.empty()) out["floorMat"] = room.floor_material;
+  if (!room.ceiling_material.empty()) out["ceilingMat"] = room.ceiling_material;
   if (!room.wall_material.empty()) out["wallMat"] = room.wall_material;
   return out;
 }

@@ -31,7 +31,7 @@ Status EditReader::read_place(Clause& clause) {
   const bool definite = noun.determiner == Determiner::kDefinite || noun.determiner == Determiner::kPossessive ||
                         noun.determiner == Determiner::kBoth || noun.determiner == Determiner::kEach ||
                         noun.determiner == Determiner::kOther;
-  if (noun.kind == NounKind::kWall || noun.kind == NounKind::kFloor) return read_make(clause, std::nullopt, std::nullopt, std::nullopt);
+  if (is_surface(clause.verb, noun)) return read_make(clause, std::nullopt, std::nullopt, std::nullopt);
   const bool there = noun.kind != NounKind::kObject || is_everything(noun) || (definite && !world_.of_kind(noun).empty());
   if (there) return read_move(clause, std::nullopt);
   if (definite) plan_.notes.push_back({"warning", "there was no " + noun.name + ": one comes in", "text"});
@@ -143,6 +143,10 @@ Status EditReader::read_replace(Clause& clause, bool new_first) {
     while (more(clause) && !noun_next(clause)) ++clause.k;  // with, by, for, into
   }
   skip(clause, {ChunkKind::kIgnored});
+  if (!noun_next(clause) && !new_first) {
+    return fail(ErrorCode::kParse, "what " + world_.names(things) + " is to be replaced with is not said in \"" + clause.why + "\"", "text",
+                "say for example: " + clause.why + " with a bench");
+  }
   if (!noun_next(clause)) return not_understood(clause);
   NounPhrase noun = peek(clause)->noun;
   if (noun.kind == NounKind::kMember && !things.empty()) {  // "a round glass one": the same kind of thing

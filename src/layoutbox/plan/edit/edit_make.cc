@@ -74,6 +74,21 @@ Status EditReader::read_predicates(Clause& clause, const std::vector<int>& thing
   return {};
 }
 
+bool EditReader::is_surface(Verb verb, const NounPhrase& noun) {
+  return noun.kind == NounKind::kWall || noun.kind == NounKind::kFloor || noun.kind == NounKind::kCeiling ||
+         (noun.kind == NounKind::kRoom && verb == Verb::kRecolor);  // "paint the room yellow"
+}
+
+// "the walls", "the floor", "the back wall": what is painted.
+Result<std::string> EditReader::surface_of(const Clause& clause, const NounPhrase& noun) const {
+  if (noun.kind == NounKind::kFloor) return std::string(kEditFloor);
+  if (noun.kind == NounKind::kCeiling) return std::string(kEditCeiling);
+  if (noun.kind == NounKind::kRoom || noun.wall_word.empty()) return std::string(kEditWalls);
+  const Wall* wall = world_.layout().find_wall(noun.wall_word);
+  if (wall == nullptr) return not_understood(clause, words_between(clause.document, noun.first, noun.last));
+  return wall->id;
+}
+
 Status EditReader::read_make(Clause& clause, const std::optional<EditResize>& resize, std::optional<double> degrees,
                              const std::optional<ShiftAt>& shift) {
   // "change the armchair into a bean bag"
@@ -90,8 +105,9 @@ Status EditReader::read_make(Clause& clause, const std::optional<EditResize>& re
     skip(clause, {ChunkKind::kIgnored, ChunkKind::kThere});
     std::vector<int> things;
     std::vector<std::string> surfaces;
-    while (noun_next(clause) && (peek(clause)->noun.kind == NounKind::kWall || peek(clause)->noun.kind == NounKind::kFloor)) {
-      surfaces.emplace_back(peek(clause)->noun.kind == NounKind::kWall ? "walls" : "floor");
+    while (noun_next(clause) && is_surface(clause.verb, peek(clause)->noun)) {
+      LAYOUTBOX_ASSIGN(std::string surface, surface_of(clause, peek(clause)->noun));
+      surfaces.push_back(std::move(surface));
       ++clause.k;
       skip(clause, {ChunkKind::kAnd, ChunkKind::kComma});
     }

@@ -139,7 +139,7 @@ Status EditReader::read_command(const Command& said) {
     case Verb::kMention: return read_mention(clause);
     case Verb::kUndo:
       return fail(ErrorCode::kParse, "\"" + clause.why + "\" is not a change of the room: what was before is not kept here", "text",
-                  "edit writes where -o says, so the earlier layout.json is still what it was: go on from that one");
+                  "go on from the layout that this one was made of, unless -o wrote this one over it; in the studio Ctrl+Z undoes");
     case Verb::kMake:
     case Verb::kRecolor:
     case Verb::kResize:

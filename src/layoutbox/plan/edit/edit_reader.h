@@ -52,6 +52,8 @@ class EditReader {
   Status read_predicates(Clause& clause, const std::vector<int>& things, const std::vector<std::string>& surfaces, bool& any);
   Status read_make(Clause& clause, const std::optional<EditResize>& resize, std::optional<double> degrees,
                    const std::optional<ShiftAt>& shift);
+  static bool is_surface(Verb verb, const offline::NounPhrase& noun);
+  Result<std::string> surface_of(const Clause& clause, const offline::NounPhrase& noun) const;
   Status read_rename(Clause& clause);
   // Commands about the room itself, its doors and windows; empty where the clause is about furniture.
   std::optional<Status> read_room_command(Clause& clause, const std::optional<EditResize>& resize, const std::optional<ShiftAt>& shift);

@@ -91,6 +91,32 @@ bool says_too(Command& command) {
   return false;
 }
 
+// "make the ceiling lower", "lower the ceiling a bit": a move of the ceiling by a little.
+bool says_ceiling(Command& command) {
+  Tokens& tokens = command.tokens;
+  std::size_t at = 0;
+  while (at < tokens.size() && !one_of(tokens[at].text, {"ceiling", "ceilings"})) ++at;
+  const std::size_t way = at + 1 + degree_words(tokens, at + 1);
+  if (at >= tokens.size() || way < tokens.size() - 1) return false;
+  const bool moves = command.verb == Verb::kMove && one_of(command.word, {"raise", "lower"});
+  if (moves && way == tokens.size() && way > at + 1) {
+    tokens.resize(at + 1);
+    return true;
+  }
+  if (moves || way >= tokens.size() || !one_of(tokens[way].text, {"lower", "higher"})) return false;
+  command.verb = Verb::kMove;
+  command.word = tokens[way].text == "lower" ? "lower" : "raise";
+  tokens.resize(at + 1);
+  return true;
+}
+
+// "10 cm out from the wall" is away from it.
+void say_away(Tokens& tokens) {
+  for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
+    if (tokens[i].text == "out" && tokens[i + 1].text == "from") tokens[i].text = "away";
+  }
+}
+
 bool is_property(std::string_view word) {
   return one_of(word, {"color", "size", "position", "positions", "place", "places", "material", "orientation", "name", "location"});
 }
@@ -111,7 +137,8 @@ std::size_t facing_at(const Tokens& tokens, std::size_t i) {
 }  // namespace
 
 Command in_plain_words(const Lexicon& lexicon, const World& world, Command command) {
-  if (!says_go(command) && !says_too(command)) wants_size(lexicon, world, command);
+  if (command.verb == Verb::kMove || command.verb == Verb::kPlace) say_away(command.tokens);
+  if (!says_go(command) && !says_too(command) && !says_ceiling(command)) wants_size(lexicon, world, command);
   return command;
 }
 

@@ -23,9 +23,9 @@ OrderedJson json_of(const Attempt& attempt) {
   if (!answer.request.empty()) {
     entry["mode"] = name_of(answer.mode);
     entry["request"] = unpacked(answer.request);
-    entry["answer"] = unpacked(answer.body);
+    entry["response"] = unpacked(answer.body);
     entry["tokens"] = {
-        {"question", answer.usage.request_tokens}, {"answer", answer.usage.response_tokens}, {"estimated", answer.usage.estimated}};
+        {"request", answer.usage.request_tokens}, {"response", answer.usage.response_tokens}, {"estimated", answer.usage.estimated}};
     entry["cost"] = answer.cost ? OrderedJson(*answer.cost) : OrderedJson();
     entry["seconds"] = answer.seconds;
     entry["ownSeconds"] = answer.own_seconds;

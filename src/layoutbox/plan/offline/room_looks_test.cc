@@ -96,6 +96,7 @@ std::string finishes_of(const Room& room) {
   for (const auto& [wall, material] : room.wall_looks) add(wall, material);
   add("walls", room.wall_material);
   add("floor", room.floor_material);
+  add("ceiling", room.ceiling_material);
   return all;
 }
 
@@ -117,6 +118,8 @@ TEST(RoomLooks, FinishesOfWallsAndFloors) {
       {"A tea room with tatami floor.", "floor: tatami floor"},
       {"Six tatami mats in a dojo.", ""},
       {"A kids room. The back wall is blue.", "back: blue"},
+      {"A hall with white walls and a dark wooden ceiling.", "walls: white; ceiling: dark wooden"},
+      {"A study with a desk. The ceiling is painted navy blue.", "ceiling: navy blue"},
       {"A dining room with soft yellow walls and a table.", "walls: soft yellow"},
       {"A nursery with pale blue walls.", "walls: pale blue"},
       {"A coffee shop with a counter. Brick wall, dark green paint.", "back: brick; walls: dark green paint"},

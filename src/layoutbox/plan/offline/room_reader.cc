@@ -365,10 +365,12 @@ void set_surfaces(const Lexicon& lexicon, const Document& document, Room& room) 
   bool all_walls = false;
   for (std::size_t m = 0; m < document.mentions.size(); ++m) {
     const NounPhrase& noun = document.mentions[m].noun;
-    if (noun.kind != NounKind::kFloor && noun.kind != NounKind::kWall) continue;
+    if (noun.kind != NounKind::kFloor && noun.kind != NounKind::kWall && noun.kind != NounKind::kCeiling) continue;
     const std::string material = finish_of(lexicon, document, noun);
     if (material.empty()) continue;
-    if (noun.kind == NounKind::kFloor)
+    if (noun.kind == NounKind::kCeiling)
+      room.ceiling_material = material;
+    else if (noun.kind == NounKind::kFloor)
       room.floor_material = material.find("floor") == std::string::npos ? material + " floor" : material;
     else if (const std::string wall = single_wall(document, static_cast<int>(m), room); !wall.empty())
       room.wall_looks.emplace_back(wall, material);
