@@ -169,7 +169,7 @@ class Maker {
   }
 
   bool put_at_side(PlacedObject& placed, const PlacedObject& host, int quarter, int pushed_in) {
-    const judge::Frame frame = judge::frame_at(host.rotation_deg + 90.0 * quarter);
+    const checks::Frame frame = checks::frame_at(host.rotation_deg + 90.0 * quarter);
     const double reach = (quarter % 2 == 0 ? host.size.depth : host.size.width) / 2.0 + placed.size.depth / 2.0 - pushed_in;
     placed.rotation_deg = normalized_degrees(host.rotation_deg + 90.0 * quarter + 180);
     placed.position = {host.position[0] - frame.y.x * reach, host.position[1] - frame.y.y * reach, 0};
@@ -181,10 +181,10 @@ class Maker {
     const PlacedObject& other = random_.one_of(layout_.objects);
     if (other.mount != Mount::kFloor) return false;
     const int gap = random_.number(0, 8) * 100;
-    const judge::Frame frame = judge::frame_at(other.rotation_deg);
+    const checks::Frame frame = checks::frame_at(other.rotation_deg);
     const bool sideways = random_.chance(60);
     const double reach = (sideways ? other.size.width + placed.size.width : other.size.depth + placed.size.depth) / 2.0 + gap;
-    const judge::Vec way = (sideways ? frame.x : frame.y) * (random_.chance(50) ? reach : -reach);
+    const checks::Vec2d way = (sideways ? frame.x : frame.y) * (random_.chance(50) ? reach : -reach);
     placed.rotation_deg = other.rotation_deg;
     placed.position = {other.position[0] + way.x, other.position[1] + way.y, 0};
     return true;
@@ -294,7 +294,7 @@ class Maker {
     if (!floor.carries || placed.size.width > width || placed.size.depth > depth || placed.size.height > floor.max[2] - floor.min[2])
       return false;
     const double x = middle_within(placed.size.width, width) + floor.min[0], y = middle_within(placed.size.depth, depth) + floor.min[1];
-    const judge::Frame frame = judge::frame_at(host.rotation_deg);
+    const checks::Frame frame = checks::frame_at(host.rotation_deg);
     placed.rotation_deg = host.rotation_deg;
     placed.position = {host.position[0] + frame.x.x * x + frame.y.x * y, host.position[1] + frame.x.y * x + frame.y.y * y,
                        host.position[2] + floor.min[2]};
@@ -313,12 +313,12 @@ class Maker {
   bool possible() const {
     VerifyOptions strict;
     strict.collision_tolerance_m = strict.support_tolerance_m = 0;
-    const judge::RoomView view(layout_, Catalog::builtin(), strict);
+    const checks::RoomView view(layout_, Catalog::builtin(), strict);
     Report report;
-    judge::check_collisions(view, report);
-    judge::check_bounds(view, report);
-    judge::check_support(view, report);
-    judge::check_openings(view, report);
+    checks::check_collisions(view, report);
+    checks::check_bounds(view, report);
+    checks::check_support(view, report);
+    checks::check_openings(view, report);
     return std::all_of(report.checks.begin(), report.checks.end(),
                        [](const Check& check) { return check.passed && !(check.name == "outOfBounds" && check.value > 1e-9); });
   }
@@ -401,18 +401,19 @@ class Maker {
   }
 
   // Figures that chance would hardly meet are read from the planted layout.
-  void fit_parameters(Relation& relation, const judge::RoomView& view) const {
-    const judge::Body* t = view.find_body(relation.targets.front());
+  void fit_parameters(Relation& relation, const checks::RoomView& view) const {
+    const checks::Body* t = view.find_body(relation.targets.front());
     if (relation.type == RelationType::kOnWall) relation.parameters.height = mm_from_m(t->underside());
     if (relation.references.empty()) return;
-    const judge::Body* r = view.find_body(relation.references.front());
+    const checks::Body* r = view.find_body(relation.references.front());
     if (r == nullptr) return;
     if (relation.type == RelationType::kOffset && relation.parameters.axis) {
-      const judge::Vec axis = *relation.parameters.axis == Axis::kX ? judge::Vec{1, 0} : judge::Vec{0, 1};
-      relation.parameters.distance = std::max(0, mm_from_m(-judge::overlap(judge::extent(t->shape, axis), judge::extent(r->shape, axis))));
+      const checks::Vec2d axis = *relation.parameters.axis == Axis::kX ? checks::Vec2d{1, 0} : checks::Vec2d{0, 1};
+      relation.parameters.distance =
+          std::max(0, mm_from_m(-checks::overlap(checks::extent(t->shape, axis), checks::extent(r->shape, axis))));
     }
     if (relation.type == RelationType::kDistance) {
-      const Mm gap = mm_from_m(judge::gap(t->shape, r->shape));
+      const Mm gap = mm_from_m(checks::gap(t->shape, r->shape));
       relation.parameters.min = std::max(0, gap - 200), relation.parameters.max = gap + 100;
     }
     if (relation.type == RelationType::kAbove) relation.parameters.gap.reset();
@@ -423,7 +424,7 @@ class Maker {
     if (scene_.objects.empty()) return;
     VerifyOptions strict;
     strict.relation_slack_m = 0;
-    const judge::RoomView view(layout_, Catalog::builtin(), strict);
+    const checks::RoomView view(layout_, Catalog::builtin(), strict);
     Layout drawn = layout_;
     for (int i = 0; i < 60 * wanted; ++i) {
       Relation relation = draw_relation(i);
@@ -431,9 +432,9 @@ class Maker {
       fit_parameters(relation, view);
       drawn.relations.push_back({relation, false});
     }
-    const judge::RoomView with_relations(drawn, Catalog::builtin(), strict);
+    const checks::RoomView with_relations(drawn, Catalog::builtin(), strict);
     Report report;
-    judge::check_relations(with_relations, report);
+    checks::check_relations(with_relations, report);
     std::vector<int> of_type(relation_table().size(), 0);
     for (std::size_t i = 0; i < drawn.relations.size() && wanted > 0; ++i) {
       const Relation& relation = drawn.relations[i].relation;
@@ -453,7 +454,7 @@ class Maker {
       layout_.relations.clear();
       for (const Relation& relation : scene_.relations) layout_.relations.push_back({relation, true});
       Report report;
-      judge::check_relations(judge::RoomView(layout_, Catalog::builtin(), strict), report);
+      checks::check_relations(checks::RoomView(layout_, Catalog::builtin(), strict), report);
       std::size_t i = 0;
       all = std::erase_if(scene_.relations, [&](const Relation&) { return !report.checks[i++].passed; }) == 0;
     }

@@ -12,16 +12,16 @@ namespace {
 
 TEST(RelationCases, EveryRowHasALimit) {
   for (const RelationRow& row : relation_table()) {
-    const auto about = [&](const judge::Limit& limit) { return limit.type == row.type; };
-    EXPECT_TRUE(std::any_of(judge::limits().begin(), judge::limits().end(), about))
+    const auto about = [&](const checks::Limit& limit) { return limit.type == row.type; };
+    EXPECT_TRUE(std::any_of(checks::limits().begin(), checks::limits().end(), about))
         << row.name << ": add what just holds, and the move that breaks it, to tests/relations/*_limits.cc";
   }
 }
 
 TEST(RelationCases, EveryRowHasItsLimitSeenByTheSolver) {
   for (const RelationRow& row : relation_table()) {
-    const auto about = [&](const judge::Limit& limit) { return limit.type == row.type && limit.solver; };
-    EXPECT_TRUE(std::any_of(judge::limits().begin(), judge::limits().end(), about)) << row.name;
+    const auto about = [&](const checks::Limit& limit) { return limit.type == row.type && limit.solver; };
+    EXPECT_TRUE(std::any_of(checks::limits().begin(), checks::limits().end(), about)) << row.name;
   }
 }
 

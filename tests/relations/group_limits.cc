@@ -1,7 +1,7 @@
 // Groups: just held, and the move that breaks them.
 #include "limits.h"
 
-namespace layoutbox::judge {
+namespace layoutbox::checks {
 
 std::vector<Limit> group_limits() {
   return {
@@ -128,4 +128,4 @@ std::vector<Limit> group_limits() {
   };
 }
 
-}  // namespace layoutbox::judge
+}  // namespace layoutbox::checks

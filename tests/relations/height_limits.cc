@@ -1,7 +1,7 @@
 // Height: just held, and the move that breaks them.
 #include "limits.h"
 
-namespace layoutbox::judge {
+namespace layoutbox::checks {
 
 std::vector<Limit> height_limits() {
   return {
@@ -84,4 +84,4 @@ std::vector<Limit> height_limits() {
   };
 }
 
-}  // namespace layoutbox::judge
+}  // namespace layoutbox::checks

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
-namespace layoutbox::judge {
+namespace layoutbox::checks {
 
 const std::vector<Limit>& limits() {
   static const std::vector<Limit> kLimits = [] {
@@ -21,7 +21,7 @@ Layout furnished(const Limit& limit, double share) {
   TestRoom room;
   limit.furnish(room);
   PlacedObject& object = room.object(limit.breaks.who);
-  const Place& by = limit.breaks.by;
+  const TestPlace& by = limit.breaks.by;
   object.position[0] += by.x * 1000 * share;
   object.position[1] += by.y * 1000 * share;
   object.position[2] += by.z * 1000 * share;
@@ -35,4 +35,4 @@ std::string test_name(std::string words) {
   return words;
 }
 
-}  // namespace layoutbox::judge
+}  // namespace layoutbox::checks

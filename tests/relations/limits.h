@@ -10,14 +10,14 @@
 
 #include "layoutbox/verify/test_room.h"
 
-namespace layoutbox::judge {
+namespace layoutbox::checks {
 
 using Type = RelationType;
 
 // A move of `who` in metres and degrees by which the relation breaks; a fifth of it is within the slack (5 mm, 1°): 20 mm.
 struct Break {
   std::string who;
-  Place by;
+  TestPlace by;
 };
 
 struct Limit {
@@ -71,4 +71,4 @@ Layout furnished(const Limit& limit, double share);
 // For names of test cases.
 std::string test_name(std::string words);
 
-}  // namespace layoutbox::judge
+}  // namespace layoutbox::checks

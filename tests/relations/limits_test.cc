@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace layoutbox::judge {
+namespace layoutbox::checks {
 namespace {
 
 const Check& relation_check(const Report& report) { return *find_check(report, "relation"); }
@@ -45,4 +45,4 @@ TEST_P(RelationLimit, TheMessageHasFigures) {
 INSTANTIATE_TEST_SUITE_P(All, RelationLimit, testing::ValuesIn(limits()), [](const auto& one) { return test_name(one.param.name); });
 
 }  // namespace
-}  // namespace layoutbox::judge
+}  // namespace layoutbox::checks

@@ -1,7 +1,7 @@
 // Object and opening: just held, and the move that breaks them.
 #include "limits.h"
 
-namespace layoutbox::judge {
+namespace layoutbox::checks {
 
 std::vector<Limit> opening_limits() {
   return {
@@ -64,4 +64,4 @@ std::vector<Limit> opening_limits() {
   };
 }
 
-}  // namespace layoutbox::judge
+}  // namespace layoutbox::checks

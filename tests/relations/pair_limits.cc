@@ -1,7 +1,7 @@
 // Two objects: just held, and the move that breaks them.
 #include "limits.h"
 
-namespace layoutbox::judge {
+namespace layoutbox::checks {
 
 std::vector<Limit> pair_limits() {
   return {
@@ -244,4 +244,4 @@ std::vector<Limit> pair_limits() {
   };
 }
 
-}  // namespace layoutbox::judge
+}  // namespace layoutbox::checks

@@ -1,7 +1,7 @@
 // The paper's relations: just held, and the move that breaks them.
 #include "limits.h"
 
-namespace layoutbox::judge {
+namespace layoutbox::checks {
 
 std::vector<Limit> paper_limits() {
   return {
@@ -65,4 +65,4 @@ std::vector<Limit> paper_limits() {
   };
 }
 
-}  // namespace layoutbox::judge
+}  // namespace layoutbox::checks

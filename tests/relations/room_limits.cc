@@ -1,7 +1,7 @@
 // Object and room: just held, and the move that breaks them.
 #include "limits.h"
 
-namespace layoutbox::judge {
+namespace layoutbox::checks {
 
 std::vector<Limit> room_limits() {
   return {
@@ -103,4 +103,4 @@ std::vector<Limit> room_limits() {
   };
 }
 
-}  // namespace layoutbox::judge
+}  // namespace layoutbox::checks

@@ -11,7 +11,7 @@
 #include "layoutbox/solve/solver.h"
 #include "limits.h"
 
-namespace layoutbox::judge {
+namespace layoutbox::checks {
 namespace {
 
 SceneGraph fixed_scene(Layout layout) {
@@ -64,4 +64,4 @@ TEST_P(SolverLimit, JustBrokenIsNeverClaimed) {
 INSTANTIATE_TEST_SUITE_P(All, SolverLimit, testing::ValuesIn(limits()), [](const auto& one) { return test_name(one.param.name); });
 
 }  // namespace
-}  // namespace layoutbox::judge
+}  // namespace layoutbox::checks

@@ -1,7 +1,7 @@
 // Space: just held, and the move that breaks them.
 #include "limits.h"
 
-namespace layoutbox::judge {
+namespace layoutbox::checks {
 
 std::vector<Limit> space_limits() {
   return {
@@ -60,4 +60,4 @@ std::vector<Limit> space_limits() {
   };
 }
 
-}  // namespace layoutbox::judge
+}  // namespace layoutbox::checks

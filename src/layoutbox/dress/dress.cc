@@ -78,7 +78,7 @@ std::vector<std::string> worse(const Verdict& before, const Verdict& now) {
   return subjects;
 }
 
-double gap_between(const Box& a, const Box& b) {
+double gap_between(const RoomBox& a, const RoomBox& b) {
   return std::hypot(std::max({0.0, a.x0 - b.x1, b.x0 - a.x1}), std::max({0.0, a.y0 - b.y1, b.y0 - a.y1}));
 }
 

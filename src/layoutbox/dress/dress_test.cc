@@ -170,7 +170,7 @@ TEST(Dress, ACabinetStandsNotBeforeALowWindowOrADoor) {
   room.opening(OpeningType::kWindow, "wall3", 1.8, 1.0, 1.6, 0.4);  // between sink and stove, seen from the right end of the wall
   room.dress();
   for (const PlacedObject& cabinet : room.of("base_cabinet")) {
-    const dressing::Box box = dressing::box_round(cabinet);
+    const dressing::RoomBox box = dressing::box_round(cabinet);
     EXPECT_FALSE(box.y1 > 3300 && box.x0 < 2200 && box.x1 > 1200) << cabinet.id;
   }
 }

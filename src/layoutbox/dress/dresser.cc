@@ -17,7 +17,7 @@ Dresser::Dresser(Layout& layout, const Catalog& catalog, const Spoken& spoken)
   toward_y_ = corner == Corner::kNorthEast || corner == Corner::kNorthWest ? 1 : -1;
 }
 
-bool Dresser::is_shown(const WallFrame& wall) const { return wall.along_x * toward_y_ - wall.along_y * toward_x_ > 0; }
+bool Dresser::is_shown(const DressedWall& wall) const { return wall.along_x * toward_y_ - wall.along_y * toward_x_ > 0; }
 
 bool Dresser::is_one_of(const PlacedObject& object, const std::vector<std::string>& kinds) const {
   return std::ranges::any_of(kinds, [&](const std::string& kind) { return catalog_.is_a(object.category, kind); });
@@ -44,7 +44,7 @@ Size Dresser::size_of(const Dressing& row) const {
   return {given(row.size.width, usual.width), given(row.size.depth, usual.depth), given(row.size.height, usual.height)};
 }
 
-std::string Dresser::add(const std::string& kind, const std::vector<std::string>& words, const Size& size, const Pose& pose) {
+std::string Dresser::add(const std::string& kind, const std::vector<std::string>& words, const Size& size, const StandsAt& pose) {
   const CatalogEntry& entry = catalog_.entry_or_nearest(kind);
   PlacedObject object;
   int number = 0;
@@ -68,9 +68,9 @@ std::string Dresser::add(const std::string& kind, const std::vector<std::string>
   return added_.back();
 }
 
-std::string Dresser::add_at_wall(const std::string& kind, const std::vector<std::string>& words, const Size& size, const WallFrame& wall,
+std::string Dresser::add_at_wall(const std::string& kind, const std::vector<std::string>& words, const Size& size, const DressedWall& wall,
                                  double along, double height) {
-  Pose pose{wall.point(along + size.width / 2.0, size.depth / 2.0, height), wall.turn_deg};
+  StandsAt pose{wall.point(along + size.width / 2.0, size.depth / 2.0, height), wall.turn_deg};
   if (catalog_.entry_or_nearest(kind).mount == Mount::kWall) pose.holder = wall.wall->id;
   return add(kind, words, size, pose);
 }

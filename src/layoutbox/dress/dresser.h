@@ -13,7 +13,7 @@
 namespace layoutbox::dressing {
 
 // Where a thing goes.
-struct Pose {
+struct StandsAt {
   std::array<double, 3> at{};  // mm; x, y: centre of the footprint, z: underside
   double turn_deg = 0;
   std::string holder = "floor";  // floor, ceiling, a wall's id or an object's
@@ -30,7 +30,7 @@ class Dresser {
   const FreeRoom& room() const { return room_; }
 
   // Does the usual picture show it? The others are cut away there.
-  bool is_shown(const WallFrame& wall) const;
+  bool is_shown(const DressedWall& wall) const;
 
   bool is_there(const std::string& kind) const;
   bool is_one_of(const PlacedObject& object, const std::vector<std::string>& kinds) const;
@@ -41,9 +41,9 @@ class Dresser {
   // The usual size of what the row adds, by its words; sides that the row gives are so.
   Size size_of(const Dressing& row) const;
   // Returns the id.
-  std::string add(const std::string& kind, const std::vector<std::string>& words, const Size& size, const Pose& pose);
+  std::string add(const std::string& kind, const std::vector<std::string>& words, const Size& size, const StandsAt& pose);
   // With its back to a wall, from there along it; millimetres from the floor to its underside.
-  std::string add_at_wall(const std::string& kind, const std::vector<std::string>& words, const Size& size, const WallFrame& wall,
+  std::string add_at_wall(const std::string& kind, const std::vector<std::string>& words, const Size& size, const DressedWall& wall,
                           double along, double height);
   // On a thing, so high above its underside.
   std::string add_on(const std::string& kind, const std::vector<std::string>& words, const Size& size, const std::string& host, double x,

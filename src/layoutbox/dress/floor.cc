@@ -19,7 +19,7 @@ constexpr double kBeforeFoot = 500, kOfBed = 0.7;       // of a bed's rug: what 
 double distance_to_door(const Dresser& dresser, const std::array<double, 3>& point) {
   double least = 1e9;
   for (const Opening& opening : dresser.layout().room.openings) {
-    for (const WallFrame& wall : dresser.room().walls()) {
+    for (const DressedWall& wall : dresser.room().walls()) {
       if (opening.type == OpeningType::kWindow || wall.wall->id != opening.wall || !opening.offset) continue;
       const auto at = wall.point(*opening.offset + opening.width / 2.0, 0, 0);
       least = std::min(least, std::hypot(at[0] - point[0], at[1] - point[1]));
@@ -51,7 +51,7 @@ void stand_in_corners(Dresser& dresser, const Dressing& row) {
   const Size size = dresser.size_of(row);
   const double side = std::max(size.width, size.depth);
   std::vector<std::array<double, 3>> places;
-  for (const WallFrame& wall : dresser.room().walls()) {
+  for (const DressedWall& wall : dresser.room().walls()) {
     if (dresser.room().next(wall) == nullptr) continue;
     const Span along{wall.length - kOffWall - side - kAbout, wall.length - kOffWall}, off{kOffWall, kOffWall + side + kAbout};
     if (!dresser.room().is_free(wall.box(along, off, {0, double(size.height)}))) continue;
@@ -73,7 +73,7 @@ void stand_beside(Dresser& dresser, const Dressing& row) {
     for (const double side : {1.0, -1.0}) {
       const double x = side * (thing.size.width / 2.0 + kBesideGap + size.width / 2.0), y = thing.size.depth / 2.0 - size.depth / 2.0;
       const auto at = in_room(thing, x, y);
-      const Box box = box_round(flat(at, 0, size));
+      const RoomBox box = box_round(flat(at, 0, size));
       if (!dresser.room().is_free(box)) continue;
       dresser.add(row.adds, row.words, size, {at});
       --left;
@@ -85,10 +85,10 @@ void stand_beside(Dresser& dresser, const Dressing& row) {
 // At walls that the picture shows first, the longest stretch of these; what is tall would turn its back to it at others.
 void stand_at_free_wall(Dresser& dresser, const Dressing& row) {
   const Size size = dresser.size_of(row);
-  const WallFrame* best = nullptr;
+  const DressedWall* best = nullptr;
   std::pair<bool, double> most{false, 0};
   Span longest;
-  for (const WallFrame& wall : dresser.room().walls()) {
+  for (const DressedWall& wall : dresser.room().walls()) {
     const bool shown = dresser.is_shown(wall);
     if (!shown && size.height > kTallBack) continue;
     for (const Span& span : dresser.room().free_along(wall, {0, size.depth + double(row.before)}, {0, double(size.height)})) {
@@ -123,7 +123,7 @@ void lie_under(Dresser& dresser, const Dressing& row) {
                               bed    ? front - kBeforeFoot * scale + size.depth / 2.0
                               : seat ? front + kUnderSeat - size.depth / 2.0
                                      : 0);
-      Box box = box_round(flat(at, thing.rotation_deg, size));
+      RoomBox box = box_round(flat(at, thing.rotation_deg, size));
       box = {box.x0 - kRugOffWall, box.y0 - kRugOffWall, 0, box.x1 + kRugOffWall, box.y1 + kRugOffWall, 1};
       if (!dresser.room().inside(box)) continue;
       dresser.add(row.adds, row.words, size, {at, thing.rotation_deg});

@@ -18,7 +18,7 @@ bool spans_overlap(double a0, double a1, double b0, double b1) { return a0 < b1 
 std::array<double, 2> corner_of(const Point& p) { return {double(p.x), double(p.y)}; }
 
 // Does the edge from a to b pass through the box of the plan, not only along its rim?
-bool passes(const Point& a, const Point& b, const Box& box) {
+bool passes(const Point& a, const Point& b, const RoomBox& box) {
   const double dx = b.x - a.x, dy = b.y - a.y;
   double first = 0, last = 1;
   const auto clip = [&](double from, double step, double low, double high) {
@@ -41,8 +41,8 @@ bool contains(const std::vector<Point>& polygon, double x, double y) {
   return in;
 }
 
-WallFrame frame_of(const Wall& wall) {
-  WallFrame frame{&wall, wall.start};
+DressedWall frame_of(const Wall& wall) {
+  DressedWall frame{&wall, wall.start};
   const double dx = wall.end.x - wall.start.x, dy = wall.end.y - wall.start.y;
   frame.length = std::hypot(dx, dy);
   if (std::abs(dy) < kTouch) frame.along_x = dx > 0 ? 1 : -1;
@@ -54,41 +54,41 @@ WallFrame frame_of(const Wall& wall) {
 
 }  // namespace
 
-bool overlap(const Box& a, const Box& b) {
+bool overlap(const RoomBox& a, const RoomBox& b) {
   return spans_overlap(a.x0, a.x1, b.x0, b.x1) && spans_overlap(a.y0, a.y1, b.y0, b.y1) && spans_overlap(a.z0, a.z1, b.z0, b.z1);
 }
 
-Box box_round(const PlacedObject& object) {
+RoomBox box_round(const PlacedObject& object) {
   const double turn = radians_from_degrees(object.rotation_deg), c = std::abs(std::cos(turn)), s = std::abs(std::sin(turn));
   const double w = (object.size.width * c + object.size.depth * s) / 2, d = (object.size.width * s + object.size.depth * c) / 2;
   const auto& [x, y, z] = object.position;
   return {x - w, y - d, z, x + w, y + d, z + object.size.height};
 }
 
-Box WallFrame::box(Span along, Span off, Span height) const {
+RoomBox DressedWall::box(Span along, Span off, Span height) const {
   const auto a = point(along.low, off.low, height.low), b = point(along.high, off.high, height.high);
   return {std::min(a[0], b[0]), std::min(a[1], b[1]), height.low, std::max(a[0], b[0]), std::max(a[1], b[1]), height.high};
 }
 
-Span WallFrame::along(const Box& box) const {
+Span DressedWall::along(const RoomBox& box) const {
   const double a = (box.x0 - start.x) * along_x + (box.y0 - start.y) * along_y,
                b = (box.x1 - start.x) * along_x + (box.y1 - start.y) * along_y;
   return {std::min(a, b), std::max(a, b)};
 }
 
-Span WallFrame::off(const Box& box) const {
+Span DressedWall::off(const RoomBox& box) const {
   const double a = (box.y0 - start.y) * along_x - (box.x0 - start.x) * along_y,
                b = (box.y1 - start.y) * along_x - (box.x1 - start.x) * along_y;
   return {std::min(a, b), std::max(a, b)};
 }
 
-std::array<double, 3> WallFrame::point(double along, double off, double height) const {
+std::array<double, 3> DressedWall::point(double along, double off, double height) const {
   return {start.x + along * along_x - off * along_y, start.y + along * along_y + off * along_x, height};
 }
 
 FreeRoom::FreeRoom(const Layout& layout, const Catalog& catalog, std::string_view but) : layout_(&layout) {
   for (const Wall& wall : layout.room.walls) {
-    const WallFrame frame = frame_of(wall);
+    const DressedWall frame = frame_of(wall);
     if (frame.along_x != 0 || frame.along_y != 0) walls_.push_back(frame);
   }
   take_openings();
@@ -99,7 +99,7 @@ FreeRoom::FreeRoom(const Layout& layout, const Catalog& catalog, std::string_vie
 
 void FreeRoom::take_openings() {
   for (const Opening& opening : layout_->room.openings) {
-    const auto wall = std::ranges::find_if(walls_, [&](const WallFrame& frame) { return frame.wall->id == opening.wall; });
+    const auto wall = std::ranges::find_if(walls_, [&](const DressedWall& frame) { return frame.wall->id == opening.wall; });
     if (wall == walls_.end() || !opening.offset) continue;
     const Span along{double(*opening.offset), double(*opening.offset) + opening.width};
     const bool window = opening.type == OpeningType::kWindow;
@@ -115,28 +115,28 @@ void FreeRoom::take(const PlacedObject& object, const CatalogEntry& entry) {
   taken_.push_back({box_round(object), stands ? Taken::What::kStands : Taken::What::kHangs, object.id});
 }
 
-const WallFrame* FreeRoom::next(const WallFrame& wall) const {
-  const auto follows = [&](const WallFrame& other) {
+const DressedWall* FreeRoom::next(const DressedWall& wall) const {
+  const auto follows = [&](const DressedWall& other) {
     return other.start == wall.wall->end && wall.along_x * other.along_y - wall.along_y * other.along_x == 1;
   };
   const auto found = std::ranges::find_if(walls_, follows);
   return found == walls_.end() ? nullptr : &*found;
 }
 
-const WallFrame* FreeRoom::previous(const WallFrame& wall) const {
-  const auto leads_to = [&](const WallFrame& other) { return next(other) == &wall; };
+const DressedWall* FreeRoom::previous(const DressedWall& wall) const {
+  const auto leads_to = [&](const DressedWall& other) { return next(other) == &wall; };
   const auto found = std::ranges::find_if(walls_, leads_to);
   return found == walls_.end() ? nullptr : &*found;
 }
 
-const WallFrame* FreeRoom::opposite(const WallFrame& wall) const {
-  const WallFrame* beside = next(wall);
+const DressedWall* FreeRoom::opposite(const DressedWall& wall) const {
+  const DressedWall* beside = next(wall);
   return beside == nullptr ? nullptr : next(*beside);
 }
 
-const WallFrame* FreeRoom::behind(const PlacedObject& object, double reach) const {
-  const Box box = box_round(object);
-  for (const WallFrame& wall : walls_) {
+const DressedWall* FreeRoom::behind(const PlacedObject& object, double reach) const {
+  const RoomBox box = box_round(object);
+  for (const DressedWall& wall : walls_) {
     const Span along = wall.along(box), off = wall.off(box);
     const bool turned = std::abs(normalized_degrees(object.rotation_deg - wall.turn_deg)) < 1;
     if (turned && off.low > -kRug && off.low <= reach && along.high > 0 && along.low < wall.length) return &wall;
@@ -144,7 +144,7 @@ const WallFrame* FreeRoom::behind(const PlacedObject& object, double reach) cons
   return nullptr;
 }
 
-bool FreeRoom::inside(const Box& box) const {
+bool FreeRoom::inside(const RoomBox& box) const {
   const std::vector<Point>& polygon = layout_->room.polygon;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     if (passes(polygon[i], polygon[(i + 1) % polygon.size()], box)) return false;
@@ -152,12 +152,12 @@ bool FreeRoom::inside(const Box& box) const {
   return contains(polygon, (box.x0 + box.x1) / 2, (box.y0 + box.y1) / 2) && box.z1 <= layout_->room.height;
 }
 
-bool FreeRoom::is_free(const Box& box, bool window) const {
+bool FreeRoom::is_free(const RoomBox& box, bool window) const {
   const auto in_the_way = [&](const Taken& taken) { return !(window && taken.what == Taken::What::kWindow) && overlap(taken.box, box); };
   return inside(box) && std::ranges::none_of(taken_, in_the_way);
 }
 
-bool FreeRoom::is_free(const Box& box, const std::vector<std::string>& but) const {
+bool FreeRoom::is_free(const RoomBox& box, const std::vector<std::string>& but) const {
   const auto in_the_way = [&](const Taken& taken) { return std::ranges::find(but, taken.id) == but.end() && overlap(taken.box, box); };
   return inside(box) && std::ranges::none_of(taken_, in_the_way);
 }
@@ -167,9 +167,9 @@ bool FreeRoom::counts(Taken::What what, Count count) {
   return count == Count::kAll || what == Taken::What::kStands || what == Taken::What::kDoorway;
 }
 
-std::vector<Span> FreeRoom::free_along(const WallFrame& wall, Span off, Span height, Count count) const {
+std::vector<Span> FreeRoom::free_along(const DressedWall& wall, Span off, Span height, Count count) const {
   std::vector<Span> blocked;
-  const Box strip = wall.box({0, wall.length}, off, height);
+  const RoomBox strip = wall.box({0, wall.length}, off, height);
   for (const Taken& taken : taken_) {
     if (counts(taken.what, count) && overlap(taken.box, strip)) blocked.push_back(wall.along(taken.box));
   }

@@ -12,12 +12,12 @@
 namespace layoutbox::dressing {
 
 // An upright box along the room's axes; millimetres.
-struct Box {
+struct RoomBox {
   double x0 = 0, y0 = 0, z0 = 0, x1 = 0, y1 = 0, z1 = 0;
 };
-bool overlap(const Box& a, const Box& b);
+bool overlap(const RoomBox& a, const RoomBox& b);
 // The box round a thing, however it is turned.
-Box box_round(const PlacedObject& object);
+RoomBox box_round(const PlacedObject& object);
 
 // A part of a wall, from its start; millimetres.
 struct Span {
@@ -27,23 +27,23 @@ struct Span {
 };
 
 // A wall along one of the room's axes, as its own frame: along it (from its start), off it (into the room), up.
-struct WallFrame {
+struct DressedWall {
   const Wall* wall = nullptr;
   Point start;
   int along_x = 0, along_y = 0;  // one of them is ±1; the floor lies to the left
   double length = 0;
   double turn_deg = 0;  // of what has its back to it
 
-  Box box(Span along, Span off, Span height) const;
-  Span along(const Box& box) const;
-  Span off(const Box& box) const;
+  RoomBox box(Span along, Span off, Span height) const;
+  Span along(const RoomBox& box) const;
+  Span off(const RoomBox& box) const;
   std::array<double, 3> point(double along, double off, double height) const;
 };
 
 // What of it counts when room is looked for.
 struct Taken {
   enum class What { kStands, kHangs, kDoorway, kWindow };
-  Box box;
+  RoomBox box;
   What what = What::kStands;
   std::string id = {};  // of the thing
 };
@@ -56,30 +56,30 @@ class FreeRoom {
 
   void take(const PlacedObject& object, const CatalogEntry& entry);
 
-  const std::vector<WallFrame>& walls() const { return walls_; }
+  const std::vector<DressedWall>& walls() const { return walls_; }
   // The walls before and after it, where the two meet in a corner of the room that is square; else null.
-  const WallFrame* next(const WallFrame& wall) const;
-  const WallFrame* previous(const WallFrame& wall) const;
-  const WallFrame* opposite(const WallFrame& wall) const;
+  const DressedWall* next(const DressedWall& wall) const;
+  const DressedWall* previous(const DressedWall& wall) const;
+  const DressedWall* opposite(const DressedWall& wall) const;
   // The wall that the thing has its back to, at most so far behind it; null: none.
-  const WallFrame* behind(const PlacedObject& object, double reach) const;
+  const DressedWall* behind(const PlacedObject& object, double reach) const;
 
   // Does a box of the plan lie on the floor?
-  bool inside(const Box& box) const;
+  bool inside(const RoomBox& box) const;
   // On the floor of the room, and nothing there; curtains may hang before windows (`window`).
-  bool is_free(const Box& box, bool window = false) const;
+  bool is_free(const RoomBox& box, bool window = false) const;
   // The same, but for things that it may be in: what it lies on, chairs that are pushed under that.
-  bool is_free(const Box& box, const std::vector<std::string>& but) const;
+  bool is_free(const RoomBox& box, const std::vector<std::string>& but) const;
   // The parts of a wall that are free so far off it and at these heights, in order; of what is there only what counts.
   enum class Count { kAll, kThings, kStandingAndDoorways };
-  std::vector<Span> free_along(const WallFrame& wall, Span off, Span height, Count count = Count::kAll) const;
+  std::vector<Span> free_along(const DressedWall& wall, Span off, Span height, Count count = Count::kAll) const;
 
  private:
   void take_openings();
   static bool counts(Taken::What what, Count count);
 
   const Layout* layout_;
-  std::vector<WallFrame> walls_;
+  std::vector<DressedWall> walls_;
   std::vector<Taken> taken_;
 };
 

@@ -11,12 +11,12 @@ namespace layoutbox::dressing {
 // mm between units that stand side by side.
 inline constexpr double kTouching = 15;
 
-struct Unit {
+struct KitchenUnit {
   const PlacedObject* object;  // until something is added
   Span span;                   // along its wall
 };
 
 // The kitchen units that stand with their backs to a wall, in order along it.
-std::vector<Unit> units_at(const Dresser& dresser, const WallFrame& wall);
+std::vector<KitchenUnit> units_at(const Dresser& dresser, const DressedWall& wall);
 
 }  // namespace layoutbox::dressing

@@ -30,12 +30,12 @@ class KitchenRun {
     find_main();
     if (main_ == nullptr) return;
     if (form_ == "L" || form_ == "U") open_corners();
-    for (const WallFrame& wall : dresser_.room().walls()) close_gaps(wall);
+    for (const DressedWall& wall : dresser_.room().walls()) close_gaps(wall);
     const double share =
         std::clamp((double(doubled_area(dresser_.layout().room.polygon)) / 2e6 - kSmallRoom) / (kLargeRoom - kSmallRoom), 0.0, 1.0);
     wanted_ = kShortest + share * (kLongest - kShortest) + (form_ == "L" ? kLeastTurn : form_ == "U" ? 2 * kLeastTurn : 0);
     extend();
-    for (const WallFrame& wall : dresser_.room().walls()) {
+    for (const DressedWall& wall : dresser_.room().walls()) {
       if (&wall != main_) flank(wall);
     }
     if (form_ == "galley") face();
@@ -45,8 +45,8 @@ class KitchenRun {
   // As long as the units along all walls are.
   double length() const {
     double sum = 0;
-    for (const WallFrame& wall : dresser_.room().walls()) {
-      for (const Unit& unit : units_at(dresser_, wall)) sum += unit.span.length();
+    for (const DressedWall& wall : dresser_.room().walls()) {
+      for (const KitchenUnit& unit : units_at(dresser_, wall)) sum += unit.span.length();
     }
     return sum;
   }
@@ -54,9 +54,9 @@ class KitchenRun {
   void find_main() {
     constexpr double kOfSink = 5000;  // one washes up where the run is, however long another wall's
     double longest = 0;
-    for (const WallFrame& wall : dresser_.room().walls()) {
+    for (const DressedWall& wall : dresser_.room().walls()) {
       double sum = 0;
-      for (const Unit& unit : units_at(dresser_, wall)) {
+      for (const KitchenUnit& unit : units_at(dresser_, wall)) {
         sum += unit.span.length() + (dresser_.catalog().is_a(unit.object->category, "kitchen_sink") ? kOfSink : 0);
         const bool counter = dresser_.catalog().is_a(unit.object->category, "counter") && unit.object->spaces.empty();
         if (counter) size_.depth = unit.object->size.depth, size_.height = unit.object->size.height;
@@ -68,7 +68,7 @@ class KitchenRun {
   // A run that is to go round a corner may have a worktop in it that nobody asked for: that one is reached from over the other leg.
   void open_corners() {
     std::vector<std::string> ids;
-    for (const Unit& unit : units_at(dresser_, *main_)) {
+    for (const KitchenUnit& unit : units_at(dresser_, *main_)) {
       const bool flush = unit.span.low < kNarrowest || main_->length - unit.span.high < kNarrowest;
       if (flush && unit.object->origin == Origin::kAdded && dresser_.entry_of(*unit.object).is(Trait::kCounter))
         ids.push_back(unit.object->id);
@@ -77,7 +77,7 @@ class KitchenRun {
   }
 
   // Where a cabinet may stand along a wall, with room to walk before it.
-  std::vector<Span> free_at(const WallFrame& wall) const {
+  std::vector<Span> free_at(const DressedWall& wall) const {
     const double depth = size_.depth;
     const double walk = form_.empty() ? kWalk : kLeastWalk;
     return shared(
@@ -86,7 +86,7 @@ class KitchenRun {
   }
 
   // Equal cabinets over the whole of it.
-  void place(const WallFrame& wall, Span span) {
+  void place(const DressedWall& wall, Span span) {
     if (span.length() < kNarrowest) return;
     const int count = std::max(1, static_cast<int>(std::lround(span.length() / kCabinet)));
     double from = span.low;
@@ -97,8 +97,8 @@ class KitchenRun {
     }
   }
 
-  void close_gaps(const WallFrame& wall) {
-    const std::vector<Unit> units = units_at(dresser_, wall);
+  void close_gaps(const DressedWall& wall) {
+    const std::vector<KitchenUnit> units = units_at(dresser_, wall);
     for (std::size_t i = 0; i + 1 < units.size(); ++i) {
       const Span gap{units[i].span.high, units[i + 1].span.low};
       if (gap.length() < kNarrowest || gap.length() > kWidestGap) continue;
@@ -108,20 +108,20 @@ class KitchenRun {
 
   // What is free beyond an end of a run, and round the corner there.
   struct End {
-    const WallFrame* wall = nullptr;
+    const DressedWall* wall = nullptr;
     bool high = false;
     double straight = 0;  // up to the corner, or to what stands there
     bool corner = false;  // it goes as far as the corner
     bool flush = false;   // the last unit stands in it
-    const WallFrame* turned = nullptr;
+    const DressedWall* turned = nullptr;
     double turn = 0;  // along the next wall, from the corner unit on
   };
 
   // REQUIRES: units stand at the wall.
-  End end_of(const WallFrame& wall, bool high) const {
+  End end_of(const DressedWall& wall, bool high) const {
     End end{.wall = &wall, .high = high};
-    const std::vector<Unit> units = units_at(dresser_, wall);
-    const Unit& last = high ? units.back() : units.front();
+    const std::vector<KitchenUnit> units = units_at(dresser_, wall);
+    const KitchenUnit& last = high ? units.back() : units.front();
     if (last.object->size.height > kTall) return end;
     const double edge = high ? last.span.high : last.span.low;
     for (const Span& span : free_at(wall)) {
@@ -141,8 +141,8 @@ class KitchenRun {
     return end;
   }
 
-  double edge_of(const WallFrame& wall, bool high) const {
-    const std::vector<Unit> units = units_at(dresser_, wall);
+  double edge_of(const DressedWall& wall, bool high) const {
+    const std::vector<KitchenUnit> units = units_at(dresser_, wall);
     return high ? units.back().span.high : units.front().span.low;
   }
 
@@ -189,7 +189,7 @@ class KitchenRun {
   }
 
   // The units along another wall get their worktop too.
-  void flank(const WallFrame& wall) {
+  void flank(const DressedWall& wall) {
     for (const bool high : {true, false}) {
       if (!units_at(dresser_, wall).empty()) go_on(end_of(wall, high));
     }
@@ -197,7 +197,7 @@ class KitchenRun {
 
   // A second run along the wall across, as long as the first.
   void face() {
-    const WallFrame* across = dresser_.room().opposite(*main_);
+    const DressedWall* across = dresser_.room().opposite(*main_);
     if (across == nullptr) return;
     const Span run{edge_of(*main_, false), edge_of(*main_, true)};
     const Span mirrored{across->length - run.high, across->length - run.low};
@@ -210,20 +210,20 @@ class KitchenRun {
   const Dressing& row_;
   Size size_;
   std::string form_;
-  const WallFrame* main_ = nullptr;
+  const DressedWall* main_ = nullptr;
   double wanted_ = 0;
 };
 
 }  // namespace
 
-std::vector<Unit> units_at(const Dresser& dresser, const WallFrame& wall) {
+std::vector<KitchenUnit> units_at(const Dresser& dresser, const DressedWall& wall) {
   constexpr double kBehind = 80;
-  std::vector<Unit> units;
+  std::vector<KitchenUnit> units;
   for (const PlacedObject& object : dresser.layout().objects) {
     const bool is_unit = object.mount == Mount::kFloor && dresser.entry_of(object).is(Trait::kKitchenRun);
     if (is_unit && dresser.room().behind(object, kBehind) == &wall) units.push_back({&object, wall.along(box_round(object))});
   }
-  std::ranges::sort(units, {}, [](const Unit& unit) { return unit.span.low; });
+  std::ranges::sort(units, {}, [](const KitchenUnit& unit) { return unit.span.low; });
   return units;
 }
 

@@ -15,9 +15,9 @@ constexpr double kHobToHood = 680;
 constexpr double kBehindStove = 150;
 
 // Stretches of low units, side by side.
-std::vector<Span> low_runs(const Dresser& dresser, const WallFrame& wall) {
+std::vector<Span> low_runs(const Dresser& dresser, const DressedWall& wall) {
   std::vector<Span> runs;
-  for (const Unit& unit : units_at(dresser, wall)) {
+  for (const KitchenUnit& unit : units_at(dresser, wall)) {
     if (unit.object->size.height > kOverWorktop) continue;
     if (!runs.empty() && unit.span.low - runs.back().high < kTouching) {
       runs.back().high = unit.span.high;
@@ -34,10 +34,10 @@ void hang_over_stove(Dresser& dresser, const Dressing& row) {
   int left = row.most;
   for (const std::size_t i : dresser.things(row.of)) {
     const PlacedObject stove = dresser.layout().objects[i];
-    const WallFrame* wall = left > 0 ? dresser.room().behind(stove, kBehindStove) : nullptr;
+    const DressedWall* wall = left > 0 ? dresser.room().behind(stove, kBehindStove) : nullptr;
     if (wall == nullptr) continue;
     Size size = dresser.size_of(row);
-    const Box box = box_round(stove);
+    const RoomBox box = box_round(stove);
     const double low = on_grid(box.z1 + kHobToHood), middle = wall->along(box).middle();
     const double ceiling = dresser.layout().room.height - kOverHung;
     size.height = static_cast<Mm>(std::min(double(size.height), ceiling - low));
@@ -55,7 +55,7 @@ void hang_over_run(Dresser& dresser, const Dressing& row) {
   const double low = dresser.catalog().entry_or_nearest(row.adds).hang_height, top = low + size.height;
   if (top > dresser.layout().room.height - kOverHung) return;
   int left = row.most;
-  for (const WallFrame& wall : dresser.room().walls()) {
+  for (const DressedWall& wall : dresser.room().walls()) {
     const std::vector<Span> free = dresser.room().free_along(wall, {0, double(size.depth)}, {low, top});
     for (const Span& span : shared(low_runs(dresser, wall), free)) {
       const int count = std::min(left, std::max(1, static_cast<int>(std::lround(span.length() / kHungCabinet))));

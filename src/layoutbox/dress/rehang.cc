@@ -25,7 +25,7 @@ bool is_free_to_hang(const Dresser& dresser, const PlacedObject& object) {
   });
 }
 
-std::vector<Span> seen_along(const FreeRoom& room, const WallFrame& wall, const PlacedObject& object, double low) {
+std::vector<Span> seen_along(const FreeRoom& room, const DressedWall& wall, const PlacedObject& object, double low) {
   const Span height{low, low + object.size.height};
   const Span whole{low < kOverCurtains ? std::min(low, kOverHead) : low, height.high};  // what hangs high leaves windows to their curtains
   return shared(room.free_along(wall, {0, double(object.size.depth)}, whole),
@@ -33,7 +33,7 @@ std::vector<Span> seen_along(const FreeRoom& room, const WallFrame& wall, const 
 }
 
 bool is_in_view(const Dresser& dresser, const FreeRoom& others, const PlacedObject& object) {
-  const WallFrame* wall = others.behind(object, kOffItsWall);
+  const DressedWall* wall = others.behind(object, kOffItsWall);
   if (wall == nullptr || !dresser.is_shown(*wall)) return wall == nullptr;
   const Span own = wall->along(box_round(object));
   return std::ranges::any_of(
@@ -45,9 +45,9 @@ bool is_in_view(const Dresser& dresser, const FreeRoom& others, const PlacedObje
 // to hang there.
 bool hang_in_view(const Dresser& dresser, const FreeRoom& others, PlacedObject& object, double low, int as_many) {
   if (low + object.size.height > dresser.layout().room.height - kOverWallTop) return false;
-  const WallFrame* best = nullptr;
+  const DressedWall* best = nullptr;
   Span longest;
-  for (const WallFrame& wall : others.walls()) {
+  for (const DressedWall& wall : others.walls()) {
     if (!dresser.is_shown(wall)) continue;
     for (const Span& span : seen_along(others, wall, object, low)) {
       if (span.length() > longest.length()) best = &wall, longest = span;

@@ -34,19 +34,19 @@ double height_for(const Dresser& dresser, const Dressing& row, const Size& size,
 }
 
 // Stretches where something so flat hangs in full view; what stands or hangs before it hides it, a door does not.
-std::vector<Span> seen_stretches(const Dresser& dresser, const WallFrame& wall, double depth, Span height) {
+std::vector<Span> seen_stretches(const Dresser& dresser, const DressedWall& wall, double depth, Span height) {
   return shared(dresser.room().free_along(wall, {0, depth}, height),
                 dresser.room().free_along(wall, {0, kBeforeIt}, height, FreeRoom::Count::kThings));
 }
 
-bool fits(const Dresser& dresser, const WallFrame& wall, Span along, double depth, Span height) {
+bool fits(const Dresser& dresser, const DressedWall& wall, Span along, double depth, Span height) {
   if (height.high > dresser.layout().room.height - kOverPicture) return false;
   const auto holds = [&](const Span& free) { return free.low <= along.low - kAround && free.high >= along.high + kAround; };
   return std::ranges::any_of(seen_stretches(dresser, wall, depth, height), holds);
 }
 
 // A row of them, centred there; the first that is hindered hinders all.
-bool hang(Dresser& dresser, const Dressing& row, const WallFrame& wall, double middle, double top, const Size& size, int count) {
+bool hang(Dresser& dresser, const Dressing& row, const DressedWall& wall, double middle, double top, const Size& size, int count) {
   const double whole = count * size.width + (count - 1) * kBetween, from = middle - whole / 2;
   const double height = height_for(dresser, row, size, top);
   if (!fits(dresser, wall, {from, from + whole}, size.depth, {height, height + size.height})) return false;
@@ -63,7 +63,7 @@ void hang_over_things(Dresser& dresser, const Dressing& row) {
   for (const std::size_t i : dresser.things(row.of)) {
     const PlacedObject below = dresser.layout().objects[i];
     const bool low = below.mount == Mount::kFloor || (below.mount == Mount::kWall && below.position[2] + below.size.height < kBasin);
-    const WallFrame* wall = low ? dresser.room().behind(below, kAtWall) : nullptr;
+    const DressedWall* wall = low ? dresser.room().behind(below, kAtWall) : nullptr;
     if (wall == nullptr || left == 0 || below.size.width < row.stretch) continue;
     Size size = dresser.size_of(row);
     int count = 1;
@@ -72,7 +72,7 @@ void hang_over_things(Dresser& dresser, const Dressing& row) {
     } else {
       size = within(entry, size, below.size.width * kOfWidth / size.width);
     }
-    const Box box = box_round(below);
+    const RoomBox box = box_round(below);
     if (hang(dresser, row, *wall, wall->along(box).middle(), box.z1, size, count)) left -= count;
   }
 }
@@ -81,13 +81,13 @@ void hang_over_things(Dresser& dresser, const Dressing& row) {
 void hang_on_walls(Dresser& dresser, const Dressing& row) {
   const CatalogEntry& entry = dresser.catalog().entry_or_nearest(row.adds);
   struct Blank {
-    const WallFrame* wall;
+    const DressedWall* wall;
     Span span;
   };
   std::vector<Blank> blanks;
   const Size usual = dresser.size_of(row);
   const double low = height_for(dresser, row, usual, 0);
-  for (const WallFrame& wall : dresser.room().walls()) {
+  for (const DressedWall& wall : dresser.room().walls()) {
     const std::vector<Span> free = seen_stretches(dresser, wall, usual.depth, {low, low + usual.height});
     const auto longest = std::ranges::max_element(free, {}, &Span::length);
     if (longest != free.end() && longest->length() >= row.stretch) blanks.push_back({&wall, *longest});

@@ -16,7 +16,7 @@ constexpr std::array kBeyond{200.0, 120.0, 60.0};
 
 // The place of a window on its wall.
 struct Pane {
-  const WallFrame* wall;
+  const DressedWall* wall;
   Span along, height;
   bool open_to_view = false;  // a wall of glass, a bay
 };
@@ -25,7 +25,7 @@ std::vector<Pane> panes(const Dresser& dresser) {
   std::vector<Pane> found;
   const auto& walls = dresser.room().walls();
   for (const Opening& window : dresser.layout().room.openings) {
-    const auto wall = std::ranges::find_if(walls, [&](const WallFrame& frame) { return frame.wall->id == window.wall; });
+    const auto wall = std::ranges::find_if(walls, [&](const DressedWall& frame) { return frame.wall->id == window.wall; });
     if (window.type != OpeningType::kWindow || !window.offset || wall == walls.end()) continue;
     const double from = *window.offset, sill = window.sill;
     const OpeningLook look = look_of(window);
@@ -34,7 +34,7 @@ std::vector<Pane> panes(const Dresser& dresser) {
   return found;
 }
 
-bool hang_before(Dresser& dresser, const Dressing& row, const WallFrame& wall, Span along, Span height) {
+bool hang_before(Dresser& dresser, const Dressing& row, const DressedWall& wall, Span along, Span height) {
   const Mm depth = dresser.size_of(row).depth;
   if (along.low < 0 || along.high > wall.length || height.low < 0) return false;
   if (!dresser.room().is_free(wall.box(along, {0, double(depth)}, height), true)) return false;

@@ -32,27 +32,28 @@ bool within(const Block& reference, const Point3& point, std::size_t dimensions)
 }  // namespace
 
 Point3 Block::local(const Point3& point) const {
-  const Vec off = Vec{point.x, point.y} - center();
+  const Vec2d off = Vec2d{point.x, point.y} - center();
   return {dot(off, frame.x), dot(off, frame.y), point.z - middle()};
 }
 
-Block block_of(const judge::Shape& shape) {
+Block block_of(const checks::Shape& shape) {
   Block block;
   block.shape = shape;
   block.frame = shape.frame;
-  block.half = {judge::extent(shape, shape.frame.x).half(), judge::extent(shape, shape.frame.y).half(), shape.heights.half()};
+  block.half = {checks::extent(shape, shape.frame.x).half(), checks::extent(shape, shape.frame.y).half(), shape.heights.half()};
   block.points.reserve(kAcross * kAcross * kUp);
   for (int i = 0; i < kAcross; ++i) {
     for (int j = 0; j < kAcross; ++j) {
-      const Vec at = shape.center + block.frame.x * (cell(i, kAcross) * block.half[0]) + block.frame.y * (cell(j, kAcross) * block.half[1]);
+      const Vec2d at =
+          shape.center + block.frame.x * (cell(i, kAcross) * block.half[0]) + block.frame.y * (cell(j, kAcross) * block.half[1]);
       for (int k = 0; k < kUp; ++k) block.points.push_back({at.x, at.y, block.middle() + cell(k, kUp) * block.half[2]});
     }
   }
   return block;
 }
 
-Block block_of(const judge::Body& body) {
-  judge::Shape shape = body.shape;
+Block block_of(const checks::Body& body) {
+  checks::Shape shape = body.shape;
   shape.frame = body.own_frame;
   Block block = block_of(shape);
   block.body = &body;
@@ -83,23 +84,23 @@ double half_share(const Block& target, const Block& reference, Way way, bool fla
 }
 
 double cover(const Block& target, const Block& reference, double grow) {
-  const judge::Shape grown = judge::make_box(reference.center(), 2 * (reference.half[0] + grow), 2 * (reference.half[1] + grow),
-                                             reference.shape.heights, reference.frame);
-  const double shared = std::abs(judge::signed_area(judge::clip(target.shape.plan, grown.plan)));
+  const checks::Shape grown = checks::make_box(reference.center(), 2 * (reference.half[0] + grow), 2 * (reference.half[1] + grow),
+                                               reference.shape.heights, reference.frame);
+  const double shared = std::abs(checks::signed_area(checks::clip(target.shape.plan, grown.plan)));
   return shared / (4 * std::min(target.half[0] * target.half[1], reference.half[0] * reference.half[1]));
 }
 
 double beside_share(const Block& target, const Block& reference, Way way, const Frame& frame) {
   const bool sideways = axis_of(way) == 0;
-  const Vec along = sideways ? frame.x : frame.y, square = sideways ? frame.y : frame.x;
-  const judge::Interval own = judge::extent(target.shape, along), its = judge::extent(reference.shape, along);
+  const Vec2d along = sideways ? frame.x : frame.y, square = sideways ? frame.y : frame.x;
+  const checks::Interval own = checks::extent(target.shape, along), its = checks::extent(reference.shape, along);
   const double beyond = sign_of(way) > 0 ? own.hi - std::max(own.lo, its.hi) : std::min(own.hi, its.lo) - own.lo;
-  const judge::Interval own_line = judge::extent(target.shape, square), its_line = judge::extent(reference.shape, square);
-  const double in_line = judge::overlap(own_line, its_line) / std::min(own_line.length(), its_line.length());
+  const checks::Interval own_line = checks::extent(target.shape, square), its_line = checks::extent(reference.shape, square);
+  const double in_line = checks::overlap(own_line, its_line) / std::min(own_line.length(), its_line.length());
   return std::max(0.0, beyond / own.length()) * std::clamp(in_line, 0.0, 1.0);
 }
 
-double gap_between(const Block& a, const Block& b) { return judge::gap(a.shape, b.shape); }
+double gap_between(const Block& a, const Block& b) { return checks::gap(a.shape, b.shape); }
 
 double band(double value, double low, double high, double spread) {
   const double miss = std::max({low - value, value - high, 0.0});

@@ -4,27 +4,24 @@
 #include <array>
 #include <vector>
 
+#include "layoutbox/verify/drawn.h"
 #include "layoutbox/verify/room_view.h"
 
 namespace layoutbox::scoring {
 
-using judge::Frame;
-using judge::Vec;
+using checks::Frame;
+using checks::Vec2d;
 
 inline constexpr double kTiny = 1e-6;  // m
 
-struct Point3 {
-  double x = 0, y = 0, z = 0;
-};
-
 // An upright box. Left is −x and front −y of its own frame.
 struct Block {
-  const judge::Body* body = nullptr;  // null: the space before an opening
-  judge::Shape shape;
+  const checks::Body* body = nullptr;  // null: the space before an opening
+  checks::Shape shape;
   Frame frame;
   std::array<double, 3> half{};
   std::vector<Point3> points;  // spread evenly over it
-  Vec center() const { return shape.center; }
+  Vec2d center() const { return shape.center; }
   double middle() const { return shape.heights.mid(); }
   double low() const { return shape.heights.lo; }
   double high() const { return shape.heights.hi; }
@@ -32,8 +29,8 @@ struct Block {
   Point3 local(const Point3& point) const;
 };
 
-Block block_of(const judge::Body& body);
-Block block_of(const judge::Shape& shape);
+Block block_of(const checks::Body& body);
+Block block_of(const checks::Shape& shape);
 
 enum class Way { kLeft, kRight, kFront, kBack, kBottom, kTop };
 

@@ -7,7 +7,7 @@
 #include "layoutbox/furnish/furnish.h"
 #include "layoutbox/verify/test_room.h"
 
-namespace layoutbox::judge {
+namespace layoutbox::checks {
 namespace {
 
 TestRoom bedroom() {
@@ -72,4 +72,4 @@ TEST(DrawnRoom, MeshesThatAreElsewhereAreFound) {
 }
 
 }  // namespace
-}  // namespace layoutbox::judge
+}  // namespace layoutbox::checks

@@ -78,7 +78,7 @@ Judgement judge_room(RoomFile room, const Asked& asked, const Catalog& catalog) 
   const VerifyOptions options;
   judgement.report = verify(layout, catalog, options);
   if (asked.annotation) {
-    const judge::RoomView view(layout, catalog, options);
+    const checks::RoomView view(layout, catalog, options);
     judgement.verdicts = scoring::judge_annotation(*asked.annotation, scoring::MeasuredRoom(view));
   } else if (asked.scene) {
     judgement.verdicts = scoring::judge_scene(*asked.scene, layout, catalog);

@@ -38,7 +38,7 @@ Scored distance_in(const Pair& p, double low, double high) {
 Scored at_side(const Pair& p, Way way, std::string_view word) {
   double share =
       std::max(side_share(p.target, p.reference, way, true, kMargin, false), beside_share(p.target, p.reference, way, p.reference.frame));
-  const judge::Body* host = p.reference.body ? p.room.view.find_body(p.reference.body->object->supported_by) : nullptr;
+  const checks::Body* host = p.reference.body ? p.room.view.find_body(p.reference.body->object->supported_by) : nullptr;
   if (host) share = std::max(share, beside_share(p.target, p.reference, way, host->own_frame));
   return {share, fmt::format("{:.0f} % of it {} the other", share * 100, word), {}};
 }
@@ -48,7 +48,7 @@ Scored in_half(const Pair& p, Way way) {
   return {share, fmt::format("{:.0f} % of it in that half", share * 100), {}};
 }
 
-bool over(const Block& below, Vec point) { return judge::contains(below.shape.plan, point); }
+bool over(const Block& below, Vec2d point) { return checks::contains(below.shape.plan, point); }
 
 // Stands on or in the reference, directly or on a pile of things that does.
 bool rests_on(const Block& target, const Block& reference, const MeasuredRoom& room, int depth = 3) {
@@ -109,7 +109,7 @@ Scored under_it(const Pair& p) {
 }
 
 Scored middle_of(const Pair& p) {
-  const double off = judge::length(p.target.center() - p.reference.center());
+  const double off = checks::length(p.target.center() - p.reference.center());
   return {std::exp(-off * off / (2 * 0.25 * 0.25)), fmt::format("centres {:.2f} m apart in the plan", off), {}};
 }
 
@@ -164,9 +164,9 @@ const Row* row_of(std::string_view check) {
 
 }  // namespace
 
-MeasuredRoom::MeasuredRoom(const judge::RoomView& of_view) : view(of_view) {
+MeasuredRoom::MeasuredRoom(const checks::RoomView& of_view) : view(of_view) {
   blocks.reserve(view.bodies.size());
-  for (const judge::Body& body : view.bodies) blocks.push_back(block_of(body));
+  for (const checks::Body& body : view.bodies) blocks.push_back(block_of(body));
 }
 
 Scored score_objects(std::string_view check, const Block& target, const Block& reference, const MeasuredRoom& room) {
@@ -184,7 +184,7 @@ Scored score_ring(std::span<const Block* const> targets, const Block& reference)
   std::vector<Point3> arms;
   std::vector<double> lengths;
   for (const Block* target : targets) {
-    const Vec off = target->center() - reference.center();
+    const Vec2d off = target->center() - reference.center();
     const double up = target->middle() - reference.middle(), length = std::max(std::sqrt(dot(off, off) + up * up), 1e-9);
     arms.push_back({off.x / length, off.y / length, up / length});
     lengths.push_back(length);

@@ -21,8 +21,8 @@ struct Scored {
 
 // A room with its bodies as blocks, in the order of the layout.
 struct MeasuredRoom {
-  explicit MeasuredRoom(const judge::RoomView& of_view);
-  const judge::RoomView& view;
+  explicit MeasuredRoom(const checks::RoomView& of_view);
+  const checks::RoomView& view;
   std::vector<Block> blocks;
 };
 

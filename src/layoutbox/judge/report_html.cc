@@ -21,9 +21,9 @@ td.n{text-align:right;font-variant-numeric:tabular-nums;white-space:nowrap}.bad{
 
 using Corners = std::vector<std::array<double, 2>>;
 
-Corners corners_of(const judge::Polygon& polygon) {
+Corners corners_of(const checks::Polygon& polygon) {
   Corners corners;
-  for (const judge::Vec& corner : polygon) corners.push_back({corner.x * 1000, corner.y * 1000});
+  for (const checks::Vec2d& corner : polygon) corners.push_back({corner.x * 1000, corner.y * 1000});
   return corners;
 }
 
@@ -38,26 +38,26 @@ std::vector<const Check*> failed_checks(const Report& report) {
 }
 
 // Where a failed check is on the floor: the shared part of two bodies, an object, the space before an opening. Empty: the whole room.
-Corners place_of(const Check& check, const judge::RoomView& view) {
+Corners place_of(const Check& check, const checks::RoomView& view) {
   if (check.name == "collision") {
     const std::size_t bar = check.subject.find(" / ");
-    const judge::Body* a = view.find_body(check.subject.substr(0, bar));
-    const judge::Body* b = bar == std::string::npos ? nullptr : view.find_body(check.subject.substr(bar + 3));
-    if (a && b) return corners_of(judge::clip(a->shape.plan, b->shape.plan));
+    const checks::Body* a = view.find_body(check.subject.substr(0, bar));
+    const checks::Body* b = bar == std::string::npos ? nullptr : view.find_body(check.subject.substr(bar + 3));
+    if (a && b) return corners_of(checks::clip(a->shape.plan, b->shape.plan));
   }
-  if (const judge::Body* body = view.find_body(check.subject)) return corners_of(body->shape.plan);
-  if (const judge::Face* opening = view.find_opening(check.subject)) return corners_of(judge::space_before(*opening).plan);
+  if (const checks::Body* body = view.find_body(check.subject)) return corners_of(body->shape.plan);
+  if (const checks::Face* opening = view.find_opening(check.subject)) return corners_of(checks::space_before(*opening).plan);
   if (check.name != "relation") return {};
   for (const PlacedRelation& placed : view.layout.relations) {
     if (placed.relation.id != check.subject || placed.relation.targets.empty()) continue;
-    if (const judge::Body* target = view.find_body(placed.relation.targets[0])) return corners_of(target->shape.plan);
+    if (const checks::Body* target = view.find_body(placed.relation.targets[0])) return corners_of(target->shape.plan);
   }
   return {};
 }
 
 std::string plan_of(const Judgement& judgement, const std::vector<const Check*>& failed, bool sheet = true) {
   const VerifyOptions options;
-  const judge::RoomView view(judgement.room.layout, Catalog::builtin(), options);
+  const checks::RoomView view(judgement.room.layout, Catalog::builtin(), options);
   FloorPlanOptions plan;
   plan.sheet = sheet;
   for (std::size_t i = 0; i < failed.size(); ++i) {

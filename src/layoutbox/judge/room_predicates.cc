@@ -14,15 +14,15 @@
 namespace layoutbox::scoring {
 namespace {
 
-using judge::Face;
+using checks::Face;
 
-double gap_to(const Block& block, const Face& face) { return judge::gap(block.shape, face.shape); }
+double gap_to(const Block& block, const Face& face) { return checks::gap(block.shape, face.shape); }
 
 // Share of the body straight in front of the face, on the room's side.
 double share_before(const Block& block, const Face& face) {
   std::size_t held = 0;
   for (const Point3& point : block.points) {
-    const Vec off = Vec{point.x, point.y} - face.start;
+    const Vec2d off = Vec2d{point.x, point.y} - face.start;
     const double along = dot(off, face.along);
     held += along >= -kTiny && along <= face.length + kTiny && dot(off, face.inward) >= -kTiny &&
             point.z >= face.shape.heights.lo - kTiny && point.z <= face.shape.heights.hi + kTiny;
@@ -32,7 +32,7 @@ double share_before(const Block& block, const Face& face) {
 
 // Overlap along the wall over the shorter of the two.
 double share_along(const Block& block, const Face& face) {
-  const judge::Interval own = judge::extent(block.shape, face.along);
+  const checks::Interval own = checks::extent(block.shape, face.along);
   const double start = dot(face.start, face.along);
   const double overlap = std::min(own.hi - start, face.length) - std::max(own.lo - start, 0.0);
   return std::max(0.0, overlap / std::min(own.length(), face.length));
@@ -51,14 +51,14 @@ Scored attached(const Block& block, const Face& face, double high, double spread
 }
 
 Scored before(const Block& block, const Face& face, double high, double spread, bool below) {
-  const double gap = judge::distance(block.shape.plan, face.shape.plan), share = share_along(block, face);
+  const double gap = checks::distance(block.shape.plan, face.shape.plan), share = share_along(block, face);
   const bool low = !below || (block.low() < face.shape.heights.lo && block.middle() < face.shape.heights.mid());
   return {low ? std::min(share, 1.0) * band(gap, 0, high, spread) : 0,
           fmt::format("gap {:.2f} m (at most {:g} m), {:.0f} % in line with it{}", gap, high, share * 100, low ? "" : ", too high"),
           {}};
 }
 
-Scored looks_at_face(const Block& block, const Face& face) { return faces(block, block_of(judge::space_before(face, 0.01))); }
+Scored looks_at_face(const Block& block, const Face& face) { return faces(block, block_of(checks::space_before(face, 0.01))); }
 
 using FaceCheck = Scored (*)(const Block&, const Face&);
 struct FaceRow {
@@ -82,13 +82,13 @@ constexpr std::array kFaceChecks{
 double floor_share(const Block& block, const MeasuredRoom& room) {
   if (room.view.floor.empty()) return 0;
   std::size_t inside = 0;
-  for (const Point3& point : block.points) inside += judge::contains(room.view.floor, {point.x, point.y});
+  for (const Point3& point : block.points) inside += checks::contains(room.view.floor, {point.x, point.y});
   return static_cast<double>(inside) / static_cast<double>(block.points.size());
 }
 
 Scored in_middle(const Block& block, const MeasuredRoom& room) {
-  const Vec middle{room.view.floor_x.mid(), room.view.floor_y.mid()};
-  const double off = judge::length(block.center() - middle), extent = 2 * std::max(block.half[0], block.half[1]);
+  const Vec2d middle{room.view.floor_x.mid(), room.view.floor_y.mid()};
+  const double off = checks::length(block.center() - middle), extent = 2 * std::max(block.half[0], block.half[1]);
   const double spread = 0.5 * extent + 1 - extent / ((room.view.floor_x.length() + room.view.floor_y.length()) / 2);
   const double score = spread > 0 ? std::exp(-off * off / (2 * spread * spread)) : off < kTiny;
   return {score, fmt::format("{:.2f} m from the middle of the room (limit {:.2f} m)", off, std::max(spread, 0.0) * 1.177), {}};
@@ -98,20 +98,20 @@ Scored in_middle(const Block& block, const MeasuredRoom& room) {
 Scored in_corner(const Block& block, const MeasuredRoom& room) {
   if (floor_share(block, room) < 0.5) return {0, "not in the room", {}};
   struct Seen {
-    Vec way;
+    Vec2d way;
     double score, gap;
     const Face* wall;
   };
   std::vector<Seen> seen;
   for (const Face& wall : room.view.walls) {
-    Vec sum;
+    Vec2d sum;
     for (const Point3& point : block.points) {
-      const Vec at{point.x, point.y};
+      const Vec2d at{point.x, point.y};
       sum = sum + wall.start + wall.along * std::clamp(dot(at - wall.start, wall.along), 0.0, wall.length) - at;
     }
-    const Vec way = sum * (1.0 / static_cast<double>(block.points.size()));
+    const Vec2d way = sum * (1.0 / static_cast<double>(block.points.size()));
     const double gap = gap_to(block, wall);
-    seen.push_back({way * (1 / std::max(judge::length(way), 1e-9)), band(gap, 0, 0.8), gap, &wall});
+    seen.push_back({way * (1 / std::max(checks::length(way), 1e-9)), band(gap, 0, 0.8), gap, &wall});
   }
   Scored best{0, "no two walls square to each other", {}};
   for (std::size_t i = 0; i < seen.size(); ++i) {

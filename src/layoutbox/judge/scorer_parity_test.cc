@@ -119,7 +119,7 @@ TEST(JudgeParity, CountsAndRelationsOfRandomRooms) {
   const std::uint64_t seed = asked_of_environment("LAYOUTBOX_SEED", 1);
   const auto folder = TemporaryFolder::make("parity");
   ASSERT_TRUE(folder);
-  judge::RandomRoom rooms(static_cast<unsigned>(seed));
+  checks::RandomRoom rooms(static_cast<unsigned>(seed));
   RandomAnnotation annotator(seed);
   std::string table = "ID,Description,ObjCount,ObjAttr,OORel,OARel,Difficulty,SceneScope\n";
   std::vector<Layout> layouts;

@@ -13,7 +13,7 @@ namespace {
 // The least cost of all layouts of things that stand on the floor, at places `step` apart and at the walls.
 class Enumeration {
  public:
-  Enumeration(const Model& model, Mm step) : model_(model), step_(step), placements_(model.items.size()) {
+  Enumeration(const PlacementModel& model, Mm step) : model_(model), step_(step), placements_(model.items.size()) {
     for (std::size_t i = 0; i < model.items.size(); ++i) try_item_alone(static_cast<int>(i));
     descend(0);
   }
@@ -72,7 +72,7 @@ class Enumeration {
     placements_[item] = {};
   }
 
-  const Model& model_;
+  const PlacementModel& model_;
   Mm step_;
   Placements placements_;
   std::vector<std::vector<Placement>> possible_;

@@ -16,7 +16,7 @@ Result<Layout> solve(const SceneGraph& scene, const Catalog& catalog, const Solv
   guides.from = options.from, guides.locked = options.locked, guides.freed = options.freed, guides.unlike = options.unlike;
   const std::optional<SceneGraph> fewer = placement::without_repeats(scene);
   const SceneGraph& said_once = fewer ? *fewer : scene;
-  LAYOUTBOX_ASSIGN(placement::Model model, placement::build_model(said_once, catalog, guides));
+  LAYOUTBOX_ASSIGN(placement::PlacementModel model, placement::build_model(said_once, catalog, guides));
   auto layout = placement::Solver(said_once, catalog, options, std::move(model), started).run();
   if (layout && fewer) placement::add_repeats(scene, *layout);
   return layout;

@@ -26,7 +26,8 @@ constexpr std::int64_t kShareOfStarts = 8, kShareOfTakingBack = 4;
 
 }  // namespace
 
-Solver::Solver(const SceneGraph& scene, const Catalog& catalog, const SolveOptions& options, Model model, Clock::time_point started)
+Solver::Solver(const SceneGraph& scene, const Catalog& catalog, const SolveOptions& options, PlacementModel model,
+               Clock::time_point started)
     : asked_(scene), catalog_(catalog), model_(std::move(model)), options_(options), started_(started) {
   size_to_model();
   budgets_ = budgets_for(options.effort, model_.items.size());

@@ -30,7 +30,7 @@ class Search;
 class Solver {
  public:
   // REQUIRES: scene, catalog and options outlive it. The time limit counts from `started`.
-  Solver(const SceneGraph& scene, const Catalog& catalog, const SolveOptions& options, Model model,
+  Solver(const SceneGraph& scene, const Catalog& catalog, const SolveOptions& options, PlacementModel model,
          std::chrono::steady_clock::time_point started = std::chrono::steady_clock::now());
 
   Result<Layout> run();
@@ -105,9 +105,9 @@ class Solver {
   Result<bool> settle();
   Status take_what_fits();
   void drop_what_hangs_in_the_air();
-  void place_what_fits(const Model& trial, const std::vector<char>& given_up, std::uint64_t seed, double until);
-  void place_openings_first(const Model& trial, const std::vector<char>& given_up);
-  std::vector<char> all_wished(Model& trial) const;
+  void place_what_fits(const PlacementModel& trial, const std::vector<char>& given_up, std::uint64_t seed, double until);
+  void place_openings_first(const PlacementModel& trial, const std::vector<char>& given_up);
+  std::vector<char> all_wished(PlacementModel& trial) const;
   void keep_what_can_be(std::vector<int>& missed);
   Clash guess() const;
   Status give_up(const Clash& clash);
@@ -115,7 +115,7 @@ class Solver {
   std::int64_t miss_without(int constraint);
   Result<bool> note_conflict(const Clash& clash, bool asked);
   void fall_back();
-  std::vector<char> given_up_in(const Model& model) const;
+  std::vector<char> given_up_in(const PlacementModel& model) const;
   bool is_relaxed(const std::string& name) const {
     return std::any_of(relaxed_.begin(), relaxed_.end(), [&](const auto& r) { return r.first == name; });
   }
@@ -151,7 +151,7 @@ class Solver {
   const SceneGraph& asked_;
   const Catalog& catalog_;
   std::unique_ptr<SceneGraph> less_scene_;  // what the model is of, once something is left out
-  Model model_;
+  PlacementModel model_;
   const SolveOptions& options_;
   Clock::time_point started_;
   Budgets budgets_;

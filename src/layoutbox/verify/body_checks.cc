@@ -8,7 +8,7 @@
 
 #include "layoutbox/verify/checks.h"
 
-namespace layoutbox::judge {
+namespace layoutbox::checks {
 namespace {
 
 constexpr double kHungAbove = 0.05;  // m: what hangs does not stand on the floor
@@ -22,7 +22,7 @@ bool in_hollows(const Body& a, const Body& b, double tolerance) {
   std::set<double> cuts{heights.lo, heights.hi};
   for (const Body* host : {&a, &b}) {
     for (const Hollow& hollow : host->hollows) {
-      const Vec w = hollow.plan[1] - hollow.plan[0], d = hollow.plan[3] - hollow.plan[0];
+      const Vec2d w = hollow.plan[1] - hollow.plan[0], d = hollow.plan[3] - hollow.plan[0];
       const double grow = 2 * (tolerance + kTiny);
       const Shape grown =
           make_box((hollow.plan[0] + hollow.plan[2]) * 0.5, length(w) + grow, length(d) + grow, hollow.heights, host->own_frame);
@@ -202,4 +202,4 @@ void check_support(const RoomView& view, Report& report) {
   report.metrics["support"] = view.bodies.empty() ? 1.0 : good / static_cast<double>(view.bodies.size());
 }
 
-}  // namespace layoutbox::judge
+}  // namespace layoutbox::checks

@@ -3,7 +3,7 @@
 
 #include "layoutbox/verify/room_view.h"
 
-namespace layoutbox::judge {
+namespace layoutbox::checks {
 
 inline constexpr double kOutsideShare = 0.01;   // of a footprint may lie off the floor (quality.md)
 inline constexpr double kCeilingReach = 0.010;  // m
@@ -33,4 +33,4 @@ std::string object_pointer(const Body& body);
 std::string figure(double value);
 std::string figure_beside(double value, double limit);
 
-}  // namespace layoutbox::judge
+}  // namespace layoutbox::checks

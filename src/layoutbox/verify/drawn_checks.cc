@@ -13,7 +13,7 @@
 #include "layoutbox/verify/mesh.h"
 
 namespace layoutbox {
-namespace judge {
+namespace checks {
 namespace {
 
 constexpr double kMostDepth = 0.5;  // m: deeper is not measured
@@ -201,21 +201,21 @@ void check_drawn_ways(RoomView& view, const Meshes& meshes, Report& report) {
 }
 
 }  // namespace
-}  // namespace judge
+}  // namespace checks
 
 void verify_drawn(const Layout& layout, const Catalog& catalog, const std::vector<DrawnObject>& drawn, const VerifyOptions& options,
                   Report& report) {
-  judge::RoomView view(layout, catalog, options);
-  judge::Meshes meshes;
+  checks::RoomView view(layout, catalog, options);
+  checks::Meshes meshes;
   for (const DrawnObject& object : drawn) {
-    const judge::Body* body = view.find_body(object.id);
-    if (body != nullptr && !object.triangles.empty()) meshes.emplace(object.id, judge::BodyMesh(object.triangles, body->own_frame));
+    const checks::Body* body = view.find_body(object.id);
+    if (body != nullptr && !object.triangles.empty()) meshes.emplace(object.id, checks::BodyMesh(object.triangles, body->own_frame));
   }
-  judge::check_drawn_collisions(view, meshes, report);
-  judge::check_drawn_bounds(view, meshes, report);
-  judge::check_drawn_support(view, meshes, report);
-  judge::check_drawn_openings(view, meshes, report);
-  judge::check_drawn_ways(view, meshes, report);
+  checks::check_drawn_collisions(view, meshes, report);
+  checks::check_drawn_bounds(view, meshes, report);
+  checks::check_drawn_support(view, meshes, report);
+  checks::check_drawn_openings(view, meshes, report);
+  checks::check_drawn_ways(view, meshes, report);
 }
 
 }  // namespace layoutbox

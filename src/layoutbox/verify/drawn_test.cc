@@ -7,7 +7,7 @@
 #include "layoutbox/verify/mesh.h"
 #include "layoutbox/verify/test_room.h"
 
-namespace layoutbox::judge {
+namespace layoutbox::checks {
 namespace {
 
 using testing::HasSubstr;
@@ -198,4 +198,4 @@ TEST(Seen, WhatIsHiddenInThePicture) {
 }
 
 }  // namespace
-}  // namespace layoutbox::judge
+}  // namespace layoutbox::checks

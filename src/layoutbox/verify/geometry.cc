@@ -5,12 +5,12 @@
 #include <limits>
 #include <numbers>
 
-namespace layoutbox::judge {
+namespace layoutbox::checks {
 namespace {
 
-Vec to_line_crossing(Vec a, Vec b, double side_a, double side_b) { return a + (b - a) * (side_a / (side_a - side_b)); }
+Vec2d to_line_crossing(Vec2d a, Vec2d b, double side_a, double side_b) { return a + (b - a) * (side_a / (side_a - side_b)); }
 
-bool segments_cross(Vec a, Vec b, Vec c, Vec d) {
+bool segments_cross(Vec2d a, Vec2d b, Vec2d c, Vec2d d) {
   const double abc = cross(b - a, c - a), abd = cross(b - a, d - a);
   const double cda = cross(d - c, a - c), cdb = cross(d - c, b - c);
   return ((abc > 0) != (abd > 0)) && ((cda > 0) != (cdb > 0)) && abc != abd && cda != cdb;
@@ -21,7 +21,7 @@ std::size_t edge_count(const Polygon& polygon) { return polygon.size() > 2 ? pol
 
 }  // namespace
 
-double length(Vec a) { return std::hypot(a.x, a.y); }
+double length(Vec2d a) { return std::hypot(a.x, a.y); }
 
 double overlap(Interval a, Interval b) { return std::min(a.hi, b.hi) - std::max(a.lo, b.lo); }
 
@@ -30,9 +30,9 @@ Interval hull(Interval a, Interval b) { return {std::min(a.lo, b.lo), std::max(a
 Frame frame_at(double rotation_deg) {
   const double turn = std::fmod(rotation_deg, 360.0);
   const double quarters = turn / 90.0;
-  Vec x;
+  Vec2d x;
   if (quarters == std::round(quarters)) {
-    constexpr std::array<Vec, 4> kQuarter{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
+    constexpr std::array<Vec2d, 4> kQuarter{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
     x = kQuarter[static_cast<std::size_t>((static_cast<int>(quarters) + 4) % 4)];
   } else {
     const double angle = turn * (std::numbers::pi / 180.0);
@@ -48,10 +48,10 @@ double signed_area(const Polygon& polygon) {
   return twice / 2;
 }
 
-Polygon clip_half_plane(const Polygon& subject, Vec point, Vec inward) {
+Polygon clip_half_plane(const Polygon& subject, Vec2d point, Vec2d inward) {
   Polygon result;
   for (std::size_t i = 0; i < subject.size(); ++i) {
-    const Vec a = subject[i], b = subject[(i + 1) % subject.size()];
+    const Vec2d a = subject[i], b = subject[(i + 1) % subject.size()];
     const double side_a = dot(a - point, inward), side_b = dot(b - point, inward);
     if (side_a >= 0) result.push_back(a);
     if ((side_a > 0 && side_b < 0) || (side_a < 0 && side_b > 0)) result.push_back(to_line_crossing(a, b, side_a, side_b));
@@ -62,7 +62,7 @@ Polygon clip_half_plane(const Polygon& subject, Vec point, Vec inward) {
 Polygon clip(const Polygon& subject, const Polygon& convex) {
   Polygon result = subject;
   for (std::size_t i = 0; i < convex.size() && !result.empty(); ++i) {
-    const Vec a = convex[i], edge = convex[(i + 1) % convex.size()] - a;
+    const Vec2d a = convex[i], edge = convex[(i + 1) % convex.size()] - a;
     result = clip_half_plane(result, a, {-edge.y, edge.x});
   }
   return result;
@@ -75,7 +75,7 @@ double uncovered_area(const Polygon& convex, std::span<const Polygon> covers) {
     for (Polygon piece : left) {
       // What lies outside each edge in turn is left over; what is inside all of them is covered.
       for (std::size_t i = 0; i < cover.size() && !piece.empty(); ++i) {
-        const Vec a = cover[i], edge = cover[(i + 1) % cover.size()] - a, inward{-edge.y, edge.x};
+        const Vec2d a = cover[i], edge = cover[(i + 1) % cover.size()] - a, inward{-edge.y, edge.x};
         Polygon outside = clip_half_plane(piece, a, inward * -1);
         if (signed_area(outside) > 0) next.push_back(std::move(outside));
         piece = clip_half_plane(piece, a, inward);
@@ -88,24 +88,24 @@ double uncovered_area(const Polygon& convex, std::span<const Polygon> covers) {
   return area;
 }
 
-bool contains(const Polygon& polygon, Vec point) {
+bool contains(const Polygon& polygon, Vec2d point) {
   bool inside = false;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vec a = polygon[i], b = polygon[(i + 1) % polygon.size()];
+    const Vec2d a = polygon[i], b = polygon[(i + 1) % polygon.size()];
     if (distance_to_segment(point, a, b) < 1e-9) return true;
     if ((a.y > point.y) != (b.y > point.y) && point.x < a.x + (b.x - a.x) * ((point.y - a.y) / (b.y - a.y))) inside = !inside;
   }
   return inside;
 }
 
-double distance_to_segment(Vec point, Vec a, Vec b) {
-  const Vec way = b - a;
+double distance_to_segment(Vec2d point, Vec2d a, Vec2d b) {
+  const Vec2d way = b - a;
   const double squared = dot(way, way);
   const double t = squared > 0 ? std::clamp(dot(point - a, way) / squared, 0.0, 1.0) : 0.0;
   return length(point - (a + way * t));
 }
 
-double distance(const Polygon& a, Vec point) {
+double distance(const Polygon& a, Vec2d point) {
   if (a.size() > 2 && contains(a, point)) return 0;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < edge_count(a); ++i) least = std::min(least, distance_to_segment(point, a[i], a[(i + 1) % a.size()]));
@@ -116,9 +116,9 @@ double distance(const Polygon& a, const Polygon& b) {
   if ((a.size() > 2 && contains(a, b[0])) || (b.size() > 2 && contains(b, a[0]))) return 0;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < edge_count(a); ++i) {
-    const Vec a0 = a[i], a1 = a[(i + 1) % a.size()];
+    const Vec2d a0 = a[i], a1 = a[(i + 1) % a.size()];
     for (std::size_t j = 0; j < edge_count(b); ++j) {
-      const Vec b0 = b[j], b1 = b[(j + 1) % b.size()];
+      const Vec2d b0 = b[j], b1 = b[(j + 1) % b.size()];
       if (segments_cross(a0, a1, b0, b1)) return 0;
       least = std::min({least, distance_to_segment(a0, b0, b1), distance_to_segment(a1, b0, b1), distance_to_segment(b0, a0, a1),
                         distance_to_segment(b1, a0, a1)});
@@ -127,9 +127,9 @@ double distance(const Polygon& a, const Polygon& b) {
   return least;
 }
 
-Interval extent(const Shape& shape, Vec direction) {
+Interval extent(const Shape& shape, Vec2d direction) {
   Interval result{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-  for (const Vec corner : shape.plan) {
+  for (const Vec2d corner : shape.plan) {
     const double at = dot(corner, direction);
     result = {std::min(result.lo, at), std::max(result.hi, at)};
   }
@@ -138,8 +138,8 @@ Interval extent(const Shape& shape, Vec direction) {
 
 double gap(const Shape& a, const Shape& b) { return std::hypot(distance(a.plan, b.plan), std::max(0.0, -overlap(a.heights, b.heights))); }
 
-Shape make_box(Vec center, double width, double depth, Interval heights, const Frame& frame) {
-  const Vec w = frame.x * (width / 2), d = frame.y * (depth / 2);
+Shape make_box(Vec2d center, double width, double depth, Interval heights, const Frame& frame) {
+  const Vec2d w = frame.x * (width / 2), d = frame.y * (depth / 2);
   return {{center - w - d, center + w - d, center + w + d, center - w + d}, center, heights, frame};
 }
 
@@ -149,13 +149,13 @@ double penetration(const Shape& a, const Shape& b) {
   double depth = depth_along(a.heights, b.heights);
   for (const Shape* shape : {&a, &b}) {
     for (std::size_t i = 0; i < 2 && shape->plan.size() == 4; ++i) {
-      const Vec edge = shape->plan[i + 1] - shape->plan[i];
+      const Vec2d edge = shape->plan[i + 1] - shape->plan[i];
       if (length(edge) == 0) continue;
-      const Vec axis = edge * (1 / length(edge));
+      const Vec2d axis = edge * (1 / length(edge));
       depth = std::min(depth, depth_along(extent(a, axis), extent(b, axis)));
     }
   }
   return depth;
 }
 
-}  // namespace layoutbox::judge
+}  // namespace layoutbox::checks

@@ -7,19 +7,19 @@
 #include <span>
 #include <vector>
 
-namespace layoutbox::judge {
+namespace layoutbox::checks {
 
 inline constexpr double kTiny = 1e-6;  // m: numerical noise that is not a finding
 
-struct Vec {
+struct Vec2d {
   double x = 0, y = 0;
 };
-inline Vec operator+(Vec a, Vec b) { return {a.x + b.x, a.y + b.y}; }
-inline Vec operator-(Vec a, Vec b) { return {a.x - b.x, a.y - b.y}; }
-inline Vec operator*(Vec a, double s) { return {a.x * s, a.y * s}; }
-inline double dot(Vec a, Vec b) { return a.x * b.x + a.y * b.y; }
-inline double cross(Vec a, Vec b) { return a.x * b.y - a.y * b.x; }
-double length(Vec a);
+inline Vec2d operator+(Vec2d a, Vec2d b) { return {a.x + b.x, a.y + b.y}; }
+inline Vec2d operator-(Vec2d a, Vec2d b) { return {a.x - b.x, a.y - b.y}; }
+inline Vec2d operator*(Vec2d a, double s) { return {a.x * s, a.y * s}; }
+inline double dot(Vec2d a, Vec2d b) { return a.x * b.x + a.y * b.y; }
+inline double cross(Vec2d a, Vec2d b) { return a.x * b.y - a.y * b.x; }
+double length(Vec2d a);
 
 // A closed interval along some axis.
 struct Interval {
@@ -35,42 +35,42 @@ Interval hull(Interval a, Interval b);
 
 // Directions in the plan, square to each other; x × y points up.
 struct Frame {
-  Vec x{1, 0}, y{0, 1};
+  Vec2d x{1, 0}, y{0, 1};
 };
 // Turned counter-clockwise; quarter turns are exact.
 Frame frame_at(double rotation_deg);
 
-using Polygon = std::vector<Vec>;  // counter-clockwise
+using Polygon = std::vector<Vec2d>;  // counter-clockwise
 
 double signed_area(const Polygon& polygon);
 // The part of `subject` (any simple polygon) within a convex polygon; for a subject with notches, its area is exact.
 Polygon clip(const Polygon& subject, const Polygon& convex);
 // The part on the side of the line through `point` to which `inward` points.
-Polygon clip_half_plane(const Polygon& subject, Vec point, Vec inward);
+Polygon clip_half_plane(const Polygon& subject, Vec2d point, Vec2d inward);
 // The area of a convex polygon that none of the convex `covers` covers.
 double uncovered_area(const Polygon& convex, std::span<const Polygon> covers);
 // Inside or on the edge.
-bool contains(const Polygon& polygon, Vec point);
-double distance_to_segment(Vec point, Vec a, Vec b);
+bool contains(const Polygon& polygon, Vec2d point);
+double distance_to_segment(Vec2d point, Vec2d a, Vec2d b);
 // Distance between two convex shapes, of which each may be a segment; 0 when they meet.
 double distance(const Polygon& a, const Polygon& b);
-double distance(const Polygon& a, Vec point);
+double distance(const Polygon& a, Vec2d point);
 
 // An upright prism over a convex plan: a body, a wall's inner face, an opening.
 struct Shape {
   Polygon plan;  // four corners, or the two ends of a face
-  Vec center;
+  Vec2d center;
   Interval heights;
   Frame frame;  // the frame in which left, right, front (−y) and back of it are meant
 };
 
 // Extent of a shape along a direction of unit length.
-Interval extent(const Shape& shape, Vec direction);
+Interval extent(const Shape& shape, Vec2d direction);
 // Shortest distance in three dimensions; 0 when they meet.
 double gap(const Shape& a, const Shape& b);
 // An upright box of that size, centred there.
-Shape make_box(Vec center, double width, double depth, Interval heights, const Frame& frame);
+Shape make_box(Vec2d center, double width, double depth, Interval heights, const Frame& frame);
 // Depth in metres by which two boxes overlap along each of their edges and in height; zero or less when they do not.
 double penetration(const Shape& a, const Shape& b);
 
-}  // namespace layoutbox::judge
+}  // namespace layoutbox::checks

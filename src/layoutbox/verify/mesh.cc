@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-namespace layoutbox::judge {
+namespace layoutbox::checks {
 namespace {
 
 constexpr double kOnFloor = 0.001;  // m: what lies on the floor's edge is over it
@@ -121,13 +121,13 @@ double area_off(const Triangle& triangle, const Polygon& floor, int halvings) {
 
 // The whole rectangle over the floor: no corner of the floor reaches into it, and its own are over it.
 bool wholly_over(const MeshBox& box, const Polygon& floor) {
-  for (const Vec corner : floor) {
+  for (const Vec2d corner : floor) {
     if (corner.x > box.x.lo + kOnFloor && corner.x < box.x.hi - kOnFloor && corner.y > box.y.lo + kOnFloor &&
         corner.y < box.y.hi - kOnFloor)
       return false;
   }
-  for (const Vec corner : {Vec{box.x.lo, box.y.lo}, Vec{box.x.hi, box.y.lo}, Vec{box.x.hi, box.y.hi}, Vec{box.x.lo, box.y.hi},
-                           Vec{box.x.mid(), box.y.mid()}}) {
+  for (const Vec2d corner : {Vec2d{box.x.lo, box.y.lo}, Vec2d{box.x.hi, box.y.lo}, Vec2d{box.x.hi, box.y.hi}, Vec2d{box.x.lo, box.y.hi},
+                             Vec2d{box.x.mid(), box.y.mid()}}) {
     if (distance(floor, corner) > kOnFloor) return false;
   }
   // Corners and middle may be over it with a corner of the floor between them: the area tells.
@@ -149,7 +149,7 @@ BodyMesh::BodyMesh(std::vector<Triangle> triangles, Frame frame) : triangles_(st
 
 BodyMesh BodyMesh::inset(double inset) const {
   Interval u{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()}, v = u;
-  const auto along = [](Point3 p, Vec axis) { return p.x * axis.x + p.y * axis.y; };
+  const auto along = [](Point3 p, Vec2d axis) { return p.x * axis.x + p.y * axis.y; };
   for (const Triangle& triangle : triangles_) {
     for (const Point3& p : triangle) {
       u = hull(u, {along(p, frame_.x), along(p, frame_.x)});
@@ -203,4 +203,4 @@ double share_off(const BodyMesh& mesh, const Polygon& floor) {
   return all > 0 ? off / all : 0;
 }
 
-}  // namespace layoutbox::judge
+}  // namespace layoutbox::checks

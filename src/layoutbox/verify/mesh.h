@@ -6,7 +6,7 @@
 #include "layoutbox/verify/drawn.h"
 #include "layoutbox/verify/geometry.h"
 
-namespace layoutbox::judge {
+namespace layoutbox::checks {
 
 struct MeshBox {
   Interval x, y, z;
@@ -37,4 +37,4 @@ double depth_of_meeting(const BodyMesh& a, const BodyMesh& b, double most);
 // The share of its surface that does not lie over the floor.
 double share_off(const BodyMesh& mesh, const Polygon& floor);
 
-}  // namespace layoutbox::judge
+}  // namespace layoutbox::checks

@@ -6,7 +6,7 @@
 
 #include "layoutbox/verify/checks.h"
 
-namespace layoutbox::judge {
+namespace layoutbox::checks {
 namespace {
 
 std::string pointer_of(const Face& opening) { return fmt::format("/room/openings/{}", opening.index); }
@@ -67,4 +67,4 @@ void check_openings(const RoomView& view, Report& report) {
   report.metrics["doorSwing"] = share(swings, static_cast<std::size_t>(doors));
 }
 
-}  // namespace layoutbox::judge
+}  // namespace layoutbox::checks

@@ -7,7 +7,7 @@
 
 #include "layoutbox/verify/checks.h"
 
-namespace layoutbox::judge {
+namespace layoutbox::checks {
 namespace {
 
 constexpr double kDegreesPerMetre = 100;  // only to tell which of several misses is the worst
@@ -16,8 +16,8 @@ Finding measured(bool held, double value, double limit, std::string message) {
   return {held, value, "m", std::move(message), held ? 0 : std::abs(value - limit), limit};
 }
 
-Finding any_face(const Case& c, const std::vector<Face>& all, const std::function<bool(const Face&)>& wanted, const std::string& nothing,
-                 const std::function<Finding(const Face&)>& check) {
+Finding any_face(const RelationCase& c, const std::vector<Face>& all, const std::function<bool(const Face&)>& wanted,
+                 const std::string& nothing, const std::function<Finding(const Face&)>& check) {
   std::vector<Finding> findings;
   for (const Face* face : named_or_all(c, all, wanted)) findings.push_back(check(*face));
   return any_of(std::move(findings), nothing);
@@ -25,7 +25,7 @@ Finding any_face(const Case& c, const std::vector<Face>& all, const std::functio
 
 }  // namespace
 
-std::optional<double> Case::metres(std::optional<Mm> given, std::string_view name) const {
+std::optional<double> RelationCase::metres(std::optional<Mm> given, std::string_view name) const {
   if (given) return *given / 1000.0;
   return relation_default(relation.type, name);
 }
@@ -45,29 +45,29 @@ Finding any_of(std::vector<Finding> findings, std::string nothing) {
   }));
 }
 
-Finding each_target(const Case& c, const std::function<Finding(const Body&)>& check) {
+Finding each_target(const RelationCase& c, const std::function<Finding(const Body&)>& check) {
   std::vector<Finding> findings;
   for (const Body* target : c.targets) findings.push_back(check(*target));
   return all_of(std::move(findings));
 }
 
-Finding each_pair(const Case& c, const std::function<Finding(const Body&, const Reference&)>& check) {
+Finding each_pair(const RelationCase& c, const std::function<Finding(const Body&, const RelationReference&)>& check) {
   return each_target(c, [&](const Body& target) {
     std::vector<Finding> findings;
-    for (const Reference& reference : c.references) findings.push_back(check(target, reference));
+    for (const RelationReference& reference : c.references) findings.push_back(check(target, reference));
     return all_of(std::move(findings));
   });
 }
 
-std::vector<const Face*> named_or_all(const Case& c, const std::vector<Face>& all, const std::function<bool(const Face&)>& wanted) {
+std::vector<const Face*> named_or_all(const RelationCase& c, const std::vector<Face>& all, const std::function<bool(const Face&)>& wanted) {
   std::vector<const Face*> faces;
   // What is named is meant, be it a door or a window.
-  for (const Reference& reference : c.references) {
+  for (const RelationReference& reference : c.references) {
     const bool fits =
         reference.face != nullptr && (wanted(*reference.face) || (reference.face->opening != nullptr && &all == &c.view.openings));
     if (fits) faces.push_back(reference.face);
   }
-  const bool any_named = std::any_of(c.references.begin(), c.references.end(), [](const Reference& r) { return !r.is_place(); });
+  const bool any_named = std::any_of(c.references.begin(), c.references.end(), [](const RelationReference& r) { return !r.is_place(); });
   if (any_named) return faces;
   for (const Face& face : all) {
     if (wanted(face)) faces.push_back(&face);
@@ -75,15 +75,15 @@ std::vector<const Face*> named_or_all(const Case& c, const std::vector<Face>& al
   return faces;
 }
 
-Finding any_wall(const Case& c, const std::function<Finding(const Face&)>& check) {
+Finding any_wall(const RelationCase& c, const std::function<Finding(const Face&)>& check) {
   return any_face(
       c, c.view.walls, [](const Face& face) { return face.opening == nullptr; }, "there is no such wall", check);
 }
-Finding any_door(const Case& c, const std::function<Finding(const Face&)>& check) {
+Finding any_door(const RelationCase& c, const std::function<Finding(const Face&)>& check) {
   return any_face(
       c, c.view.openings, [](const Face& face) { return face.is_door(); }, "there is no such door", check);
 }
-Finding any_window(const Case& c, const std::function<Finding(const Face&)>& check) {
+Finding any_window(const RelationCase& c, const std::function<Finding(const Face&)>& check) {
   return any_face(
       c, c.view.openings, [](const Face& face) { return face.is_window(); }, "there is no such window", check);
 }
@@ -118,4 +118,4 @@ Finding degrees_at_most(const std::string& what, double value, double limit) {
           held ? 0 : value / kDegreesPerMetre};
 }
 
-}  // namespace layoutbox::judge
+}  // namespace layoutbox::checks

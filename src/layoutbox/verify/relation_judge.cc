@@ -9,10 +9,10 @@
 #include "layoutbox/verify/checks.h"
 #include "layoutbox/verify/relation_check.h"
 
-namespace layoutbox::judge {
+namespace layoutbox::checks {
 namespace {
 
-using CheckFunction = Finding (*)(const Case&);
+using CheckFunction = Finding (*)(const RelationCase&);
 
 constexpr std::array kChecks{
 #define LAYOUTBOX_RELATION(name, json_name, group, arity, kinds, parameters, sentence) CheckFunction{&check_##name},
@@ -22,16 +22,16 @@ constexpr std::array kChecks{
 
 bool is_place_word(const std::string& id) { return id == "room" || id == "floor" || id == "ceiling"; }
 
-std::optional<Reference> look_up(const RoomView& view, const std::string& id) {
-  if (const Body* body = view.find_body(id)) return Reference{id, body, nullptr};
-  if (const Face* opening = view.find_opening(id)) return Reference{id, nullptr, opening};
-  if (const Face* wall = view.find_wall(id)) return Reference{wall->id, nullptr, wall};
-  if (is_place_word(id)) return Reference{id, nullptr, nullptr};
+std::optional<RelationReference> look_up(const RoomView& view, const std::string& id) {
+  if (const Body* body = view.find_body(id)) return RelationReference{id, body, nullptr};
+  if (const Face* opening = view.find_opening(id)) return RelationReference{id, nullptr, opening};
+  if (const Face* wall = view.find_wall(id)) return RelationReference{wall->id, nullptr, wall};
+  if (is_place_word(id)) return RelationReference{id, nullptr, nullptr};
   return std::nullopt;
 }
 
 Finding measure(const RoomView& view, const Relation& relation) {
-  Case c{view, relation, {}, {}};
+  RelationCase c{view, relation, {}, {}};
   std::vector<std::string> unknown;
   for (const std::string& id : relation.targets) {
     if (const Body* body = view.find_body(id)) {
@@ -41,7 +41,7 @@ Finding measure(const RoomView& view, const Relation& relation) {
     }
   }
   for (const std::string& id : relation.references) {
-    if (std::optional<Reference> reference = look_up(view, id)) {
+    if (std::optional<RelationReference> reference = look_up(view, id)) {
       c.references.push_back(*std::move(reference));
     } else {
       unknown.push_back(id);
@@ -91,4 +91,4 @@ void check_relations(const RoomView& view, Report& report) {
   report.metrics["falseClaims"] = false_claims;
 }
 
-}  // namespace layoutbox::judge
+}  // namespace layoutbox::checks

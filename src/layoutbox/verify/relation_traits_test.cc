@@ -6,7 +6,7 @@
 #include "layoutbox/scene/relation_traits.h"
 #include "layoutbox/verify/test_room.h"
 
-namespace layoutbox::judge {
+namespace layoutbox::checks {
 namespace {
 
 constexpr int kRooms = 40;
@@ -89,4 +89,4 @@ TEST(RelationTraits, InversesAreInverse) {
 }
 
 }  // namespace
-}  // namespace layoutbox::judge
+}  // namespace layoutbox::checks

@@ -8,11 +8,11 @@
 #include "layoutbox/verify/checks.h"
 #include "layoutbox/verify/relation_check.h"
 
-namespace layoutbox::judge {
+namespace layoutbox::checks {
 
-std::string name_of_pair(const Body& body, const Reference& reference) { return body.id() + " and " + reference.id; }
+std::string name_of_pair(const Body& body, const RelationReference& reference) { return body.id() + " and " + reference.id; }
 
-Vec direction_of(const Frame& frame, Side side) {
+Vec2d direction_of(const Frame& frame, Side side) {
   switch (side) {
     case Side::kBack: return frame.y;
     case Side::kLeft: return frame.x * -1;
@@ -21,7 +21,7 @@ Vec direction_of(const Frame& frame, Side side) {
   }
 }
 
-Vec front_of(const Body& body) { return body.own_frame.y * -1; }
+Vec2d front_of(const Body& body) { return body.own_frame.y * -1; }
 
 std::vector<Side> sides_named(const Body& body, Side side) {
   const std::vector<Side> at_ends{Side::kLeft, Side::kRight}, along{Side::kFront, Side::kBack};
@@ -33,13 +33,13 @@ std::vector<Side> sides_named(const Body& body, Side side) {
 
 Interval room_extent(const Body& body, Axis axis) {
   if (axis == Axis::kZ) return body.shape.heights;
-  return extent(body.shape, axis == Axis::kX ? Vec{1, 0} : Vec{0, 1});
+  return extent(body.shape, axis == Axis::kX ? Vec2d{1, 0} : Vec2d{0, 1});
 }
 
-Interval room_extent(const Case& c, const Reference& reference, Axis axis) {
+Interval room_extent(const RelationCase& c, const RelationReference& reference, Axis axis) {
   if (reference.body != nullptr) return room_extent(*reference.body, axis);
   if (reference.is_place()) return axis == Axis::kX ? c.view.floor_x : axis == Axis::kY ? c.view.floor_y : Interval{0, c.view.height};
-  return axis == Axis::kZ ? reference.face->shape.heights : extent(reference.face->shape, axis == Axis::kX ? Vec{1, 0} : Vec{0, 1});
+  return axis == Axis::kZ ? reference.face->shape.heights : extent(reference.face->shape, axis == Axis::kX ? Vec2d{1, 0} : Vec2d{0, 1});
 }
 
 double turn_between(double a_deg, double b_deg) {
@@ -47,12 +47,12 @@ double turn_between(double a_deg, double b_deg) {
   return std::isfinite(turn) ? turn : 180.0;
 }
 
-Finding gap_within(const Case& c, const Body& t, const Reference& r, std::optional<double> min, std::optional<double> max) {
+Finding gap_within(const RelationCase& c, const Body& t, const RelationReference& r, std::optional<double> min, std::optional<double> max) {
   if (r.is_place()) return condition(false, r.id + " is neither an object nor a wall, door or window");
   return in_band("distance between " + name_of_pair(t, r), gap(t.shape, r.shape()), min, max, c.slack());
 }
 
-Finding in_line(const Case& c, const Body& t, const Shape& r, Vec along) {
+Finding in_line(const RelationCase& c, const Body& t, const Shape& r, Vec2d along) {
   const Interval a = extent(t.shape, along), b = extent(r, along);
   return at_most(t.id() + " is out of line by", std::abs(a.mid() - b.mid()),
                  std::max(a.half(), b.half()) - std::min(a.half(), b.half()) / 5, c.slack());
@@ -60,7 +60,7 @@ Finding in_line(const Case& c, const Body& t, const Shape& r, Vec along) {
 
 // Left, right, before and behind what has no front are meant in the frame of the one thing that it is said to stand on; not of where it
 // came to stand unasked.
-Frame frame_of(const Case& c, const Reference& r) {
+Frame frame_of(const RelationCase& c, const RelationReference& r) {
   const RelationType type = c.relation.type;
   const bool by_side =
       type == RelationType::kLeftOf || type == RelationType::kRightOf || type == RelationType::kInFrontOf || type == RelationType::kBehind;
@@ -78,37 +78,37 @@ Frame frame_of(const Case& c, const Reference& r) {
   return host != nullptr && host->has_front ? host->own_frame : r.shape().frame;
 }
 
-Finding beyond(const Case& c, const Body& t, const Reference& r, Side side) {
+Finding beyond(const RelationCase& c, const Body& t, const RelationReference& r, Side side) {
   if (r.is_place()) return condition(false, r.id + " has no sides");
   const Shape& shape = r.shape();
   const Frame frame = frame_of(c, r);
-  const Vec out = direction_of(frame, side);
+  const Vec2d out = direction_of(frame, side);
   const double past = extent(t.shape, out).lo - extent(shape, out).hi;
-  const Vec along = side == Side::kFront || side == Side::kBack ? frame.x : frame.y;
+  const Vec2d along = side == Side::kFront || side == Side::kBack ? frame.x : frame.y;
   return all_of({at_least(fmt::format("{} is beyond the {} side of {} by", t.id(), name_of(side), r.id), past, 0, c.slack()),
                  in_line(c, t, shape, along)});
 }
 
-Finding at_side(const Case& c, const Body& t, const Reference& r, Side side) {
+Finding at_side(const RelationCase& c, const Body& t, const RelationReference& r, Side side) {
   if (r.is_place()) return condition(false, r.id + " has no sides");
   const Shape& shape = r.shape();
-  const Vec out = direction_of(shape.frame, side);
+  const Vec2d out = direction_of(shape.frame, side);
   const Interval a = extent(t.shape, out), b = extent(shape, out);
-  const Vec along = side == Side::kFront || side == Side::kBack ? shape.frame.x : shape.frame.y;
+  const Vec2d along = side == Side::kFront || side == Side::kBack ? shape.frame.x : shape.frame.y;
   return all_of({at_least(fmt::format("{} stands out at the {} side of {} by", t.id(), name_of(side), r.id), a.hi - b.hi, 0, c.slack()),
                  at_least(fmt::format("{} is past the middle of {} by", t.id(), r.id), a.lo - b.mid(), 0, c.slack()),
                  in_line(c, t, shape, along)});
 }
 
-Finding at_any_side(const Case& c, const Body& t, const Reference& r, const std::vector<Side>& sides) {
+Finding at_any_side(const RelationCase& c, const Body& t, const RelationReference& r, const std::vector<Side>& sides) {
   std::vector<Finding> findings;
   for (const Side side : sides) findings.push_back(at_side(c, t, r, side));
   return any_of(std::move(findings), "there is no such side");
 }
 
-Finding covers(const Case& c, const Body& t, const Shape& r, double grow, const std::string& reference) {
+Finding covers(const RelationCase& c, const Body& t, const Shape& r, double grow, const std::string& reference) {
   std::vector<Finding> findings;
-  for (const Vec axis : {r.frame.x, r.frame.y}) {
+  for (const Vec2d axis : {r.frame.x, r.frame.y}) {
     const Interval a = extent(t.shape, axis), b = extent(r, axis);
     const double half_r = b.half() + grow;
     findings.push_back(at_most(fmt::format("middles of {} and {} apart by", t.id(), reference), std::abs(a.mid() - b.mid()),
@@ -131,11 +131,11 @@ Side eyes_of(const Body& t, const RoomView& view) {
   return Side::kBack;
 }
 
-Finding looks_at(const Body& t, const Reference& r, const RoomView& view, Side eyes) {
+Finding looks_at(const Body& t, const RelationReference& r, const RoomView& view, Side eyes) {
   if (!t.has_front) return condition(true, t.id() + " has no front");
   const Shape middle{{{view.floor_x.mid(), view.floor_y.mid()}}, {}, {}, {}};
   const Shape& shape = r.is_place() ? middle : r.shape();
-  const Vec front = direction_of(t.own_frame, eyes);
+  const Vec2d front = direction_of(t.own_frame, eyes);
   const Interval ahead = extent(shape, front), across = extent(shape, t.own_frame.x);
   const double from = dot(t.shape.center, front), off = std::abs(across.mid() - dot(t.shape.center, t.own_frame.x));
   const std::string what = fmt::format("{} is turned from {} by", t.id(), r.id);
@@ -144,7 +144,7 @@ Finding looks_at(const Body& t, const Reference& r, const RoomView& view, Side e
   return degrees_at_most(what, ray_meets_it ? 0.0 : std::atan2(off, std::max(0.0, ahead.lo - from)) * (180.0 / kPi), kLookAngle);
 }
 
-Finding shares_along(const Case& c, const Body& t, const Face& face, double share) {
+Finding shares_along(const RelationCase& c, const Body& t, const Face& face, double share) {
   const Interval a = extent(t.shape, face.along), b = extent(face.shape, face.along);
   const double shorter = std::min(a.length(), b.length());
   return at_least(fmt::format("{} is in front of {} over", t.id(), face.id), overlap(a, b), shorter * share, c.slack());
@@ -162,11 +162,11 @@ double reach_through(const Body& t, const Face& wall) {
 
 }  // namespace
 
-Finding side_along_wall(const Case& c, const Body& t, const Face& wall, const std::vector<Side>& sides, double max_gap) {
+Finding side_along_wall(const RelationCase& c, const Body& t, const Face& wall, const std::vector<Side>& sides, double max_gap) {
   std::vector<Finding> findings;
   for (const Side which : sides) {
     // The direction of a side as the body stands, where it has no front that of the room's side it is nearest to.
-    const Vec outward = t.has_front ? side_of(t, which).outward : direction_of(t.shape.frame, which);
+    const Vec2d outward = t.has_front ? side_of(t, which).outward : direction_of(t.shape.frame, which);
     const double turn = std::acos(std::clamp(dot(outward, wall.inward * -1), -1.0, 1.0)) * (180.0 / kPi);
     findings.push_back(
         degrees_at_most(fmt::format("the {} of {} is turned from {} by", name_of(which), t.id(), wall.id), turn, kAngleSlack));
@@ -177,7 +177,7 @@ Finding side_along_wall(const Case& c, const Body& t, const Face& wall, const st
                  shares_along(c, t, wall, 0.5)});
 }
 
-Finding keeps_out_of_opening(const Case& c, const Body& t, const Face& opening, std::optional<double> depth) {
+Finding keeps_out_of_opening(const RelationCase& c, const Body& t, const Face& opening, std::optional<double> depth) {
   if (t.rug || (opening.is_window() && t.curtain)) return condition(true, t.id() + " is in nobody's way");
   const double before = penetration(t.shape, depth ? space_before(opening, *depth) : space_before(opening));
   return all_of(
@@ -185,4 +185,4 @@ Finding keeps_out_of_opening(const Case& c, const Body& t, const Face& opening, 
        at_most(fmt::format("{} reaches into the swing of {} by", t.id(), opening.id), swing_intrusion(opening, t), 0, c.slack())});
 }
 
-}  // namespace layoutbox::judge
+}  // namespace layoutbox::checks

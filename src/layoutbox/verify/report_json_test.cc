@@ -11,7 +11,7 @@
 
 #include "layoutbox/verify/test_room.h"
 
-namespace layoutbox::judge {
+namespace layoutbox::checks {
 namespace {
 
 // What is wrong with a report against schema/report.schema.json; empty when nothing is.
@@ -52,4 +52,4 @@ TEST(ReportSchema, RefusesWhatIsNoReport) {
 }
 
 }  // namespace
-}  // namespace layoutbox::judge
+}  // namespace layoutbox::checks

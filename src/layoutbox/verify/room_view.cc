@@ -6,7 +6,7 @@
 #include <cmath>
 #include <optional>
 
-namespace layoutbox::judge {
+namespace layoutbox::checks {
 namespace {
 
 // Numbers of a readable layout may be absurd; beyond this they only have to stay numbers.
@@ -18,7 +18,7 @@ double metres(double millimetres) {
   return std::round(std::clamp(millimetres, -kFarthest * 1000, kFarthest * 1000) * 1e4) / 1e7;
 }
 
-Vec metres(Point point) { return {metres(point.x), metres(point.y)}; }
+Vec2d metres(Point point) { return {metres(point.x), metres(point.y)}; }
 
 Hollow hollow_of(const Body& body, const Space& space) {
   const auto corner = [&](double x, double y) { return body.shape.center + body.own_frame.x * metres(x) + body.own_frame.y * metres(y); };
@@ -43,7 +43,7 @@ constexpr double kAtEdges = 0.005;  // m: at the two straight edges it is no int
 
 // Where a leaf that opens inwards hangs, and the way from there along the wall to its free edge.
 struct Leaf {
-  Vec hinge, towards;
+  Vec2d hinge, towards;
 };
 
 std::optional<Leaf> leaf_of(const Face& door) {
@@ -72,7 +72,7 @@ Polygon swing_of(const Face& door) {
   constexpr int kSteps = 16;
   const std::optional<Leaf> leaf = leaf_of(door);
   if (!leaf || door.length <= 2 * kAtEdges) return {};
-  const Vec corner = leaf->hinge + (leaf->towards + door.inward) * kAtEdges;
+  const Vec2d corner = leaf->hinge + (leaf->towards + door.inward) * kAtEdges;
   Polygon disc{corner};
   for (int i = 0; i <= kSteps; ++i) {
     const double turn = std::acos(-1.0) / 2 * i / kSteps;
@@ -112,20 +112,20 @@ void RoomView::read_floor() {
 }
 
 void RoomView::read_faces() {
-  const auto make_face = [](Vec start, Vec end, Vec inward, Interval heights) {
+  const auto make_face = [](Vec2d start, Vec2d end, Vec2d inward, Interval heights) {
     Face face;
     face.start = start, face.end = end, face.inward = inward;
     face.length = length(end - start);
     face.along = (end - start) * (1 / face.length);
-    const Vec out = inward * -1;
+    const Vec2d out = inward * -1;
     face.shape = {{start, end}, (start + end) * 0.5, heights, {{out.y, -out.x}, out}};
     return face;
   };
   const std::vector<Wall>& all = layout.room.walls;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    const Vec start = metres(all[i].start), end = metres(all[i].end);
+    const Vec2d start = metres(all[i].start), end = metres(all[i].end);
     if (length(end - start) < kTiny) continue;
-    const Vec way = (end - start) * (1 / length(end - start)), left{-way.y, way.x};
+    const Vec2d way = (end - start) * (1 / length(end - start)), left{-way.y, way.x};
     const bool floor_on_left = floor.empty() || contains(floor, (start + end) * 0.5 + left * 0.05);
     walls.push_back(make_face(start, end, floor_on_left ? left : left * -1, {0, height}));
     walls.back().index = i;
@@ -138,7 +138,7 @@ void RoomView::read_faces() {
       unplaced_openings.push_back(holes[i].id);
       continue;
     }
-    const Vec start = wall->start + wall->along * metres(*holes[i].offset);
+    const Vec2d start = wall->start + wall->along * metres(*holes[i].offset);
     const double sill = metres(holes[i].sill);
     openings.push_back(
         make_face(start, start + wall->along * metres(holes[i].width), wall->inward, {sill, sill + metres(holes[i].height)}));
@@ -200,4 +200,4 @@ bool RoomView::belongs_to(const Body& other, const Body& body) const {
   });
 }
 
-}  // namespace layoutbox::judge
+}  // namespace layoutbox::checks

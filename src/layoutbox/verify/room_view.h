@@ -11,7 +11,7 @@
 #include "layoutbox/verify/geometry.h"
 #include "layoutbox/verify/verify.h"
 
-namespace layoutbox::judge {
+namespace layoutbox::checks {
 
 inline constexpr double kRugHeight = 0.03;   // m: rugs and mats up to this height collide with nothing
 inline constexpr double kBodyReach = 2.0;    // m: what hangs higher is in nobody's way
@@ -47,7 +47,7 @@ struct Face {
   const Opening* opening = nullptr;  // null: a wall
   const Face* wall = nullptr;        // of an opening
   Shape shape;
-  Vec start, end, along, inward;
+  Vec2d start, end, along, inward;
   double length = 0;
   bool is_window() const { return opening != nullptr && opening->type == OpeningType::kWindow; }
   bool is_door() const { return opening != nullptr && opening->type != OpeningType::kWindow; }
@@ -64,7 +64,7 @@ Polygon swing_of(const Face& door);
 
 // A named side of a body: the outward direction and how far it is from the centre.
 struct BodySide {
-  Vec outward, along;
+  Vec2d outward, along;
   double reach = 0, half_width = 0;
 };
 BodySide side_of(const Body& body, Side side);  // front, back, left or right; in its own frame
@@ -99,4 +99,4 @@ class RoomView {
   void read_bodies();
 };
 
-}  // namespace layoutbox::judge
+}  // namespace layoutbox::checks

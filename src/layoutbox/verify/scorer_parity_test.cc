@@ -13,7 +13,7 @@
 #include "layoutbox/scene/scene_json.h"
 #include "layoutbox/verify/test_random_room.h"
 
-namespace layoutbox::judge {
+namespace layoutbox::checks {
 namespace {
 
 namespace fs = std::filesystem;
@@ -122,4 +122,4 @@ TEST(ScorerParity, RandomLayouts) {
 }
 
 }  // namespace
-}  // namespace layoutbox::judge
+}  // namespace layoutbox::checks

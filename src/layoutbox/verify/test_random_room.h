@@ -5,7 +5,7 @@
 
 #include "layoutbox/verify/test_room.h"
 
-namespace layoutbox::judge {
+namespace layoutbox::checks {
 
 class RandomRoom {
  public:
@@ -56,8 +56,8 @@ class RandomRoom {
     static constexpr std::array kTurns{0.0, 90.0, 180.0, 270.0, 0.0, 90.0, 33.0, 247.5};
     static constexpr std::array kLifts{0.0, 0.0, 0.0, 0.004, 0.02};
     const Kind& kind = kKinds[static_cast<std::size_t>(number(0, static_cast<int>(kKinds.size()) - 1))];
-    Place place{0.01 * number(0, width_ / 10), 0.01 * number(0, depth_ / 10), kLifts[static_cast<std::size_t>(number(0, 4))],
-                kTurns[static_cast<std::size_t>(number(0, 7))]};
+    TestPlace place{0.01 * number(0, width_ / 10), 0.01 * number(0, depth_ / 10), kLifts[static_cast<std::size_t>(number(0, 4))],
+                    kTurns[static_cast<std::size_t>(number(0, 7))]};
     std::string on = "floor";
     if (!room.layout.objects.empty() && number(0, 3) == 0) {
       const PlacedObject& host = room.layout.objects[static_cast<std::size_t>(number(0, static_cast<int>(room.layout.objects.size()) - 1))];
@@ -83,4 +83,4 @@ class RandomRoom {
   Mm width_ = 0, depth_ = 0;
 };
 
-}  // namespace layoutbox::judge
+}  // namespace layoutbox::checks

@@ -9,9 +9,9 @@
 #include "layoutbox/scene/test_turned.h"
 #include "layoutbox/verify/verify.h"
 
-namespace layoutbox::judge {
+namespace layoutbox::checks {
 
-struct Place {
+struct TestPlace {
   double x = 0, y = 0, z = 0, rotation = 0;
 };
 
@@ -38,7 +38,7 @@ class TestRoom {
   }
 
   // Size in metres, width × depth × height. Stands on the floor unless `on` says otherwise.
-  TestRoom& add(const std::string& id, const std::string& category, std::array<double, 3> size, Place place,
+  TestRoom& add(const std::string& id, const std::string& category, std::array<double, 3> size, TestPlace place,
                 const std::string& on = "floor", Mount mount = Mount::kFloor) {
     PlacedObject object;
     object.id = id;
@@ -125,4 +125,4 @@ inline bool passes(const Report& report, std::string_view name, std::string_view
 inline Mm depth_of(const Layout& layout) { return layout.room.polygon[2].y; }
 inline Mm width_of(const Layout& layout) { return layout.room.polygon[1].x; }
 
-}  // namespace layoutbox::judge
+}  // namespace layoutbox::checks

@@ -15,22 +15,22 @@ void add_limits(Report& report, const VerifyOptions& options) {
     if (check.name == "collision" || check.name == "doorSwing" || check.name == "openingClearance")
       check.limit = options.collision_tolerance_m;
     if (check.name == "support") check.limit = options.support_tolerance_m;
-    if (check.name == "outOfBounds") check.limit = check.unit == "m" ? judge::kCeilingReach : judge::kOutsideShare;
-    if (check.name == "navigability") check.limit = judge::kLeastNavigability;
-    if (check.name == "accessibility") check.limit = judge::kLeastAccess;
+    if (check.name == "outOfBounds") check.limit = check.unit == "m" ? checks::kCeilingReach : checks::kOutsideShare;
+    if (check.name == "navigability") check.limit = checks::kLeastNavigability;
+    if (check.name == "accessibility") check.limit = checks::kLeastAccess;
   }
 }
 
-Report standing(const judge::RoomView& view) {
+Report standing(const checks::RoomView& view) {
   Report report;
   if (view.floor.empty()) {
     report.checks.push_back({"room", "room", false, true, 0, "m2", "the room's polygon has no area", "/room/polygon"});
   }
-  judge::check_collisions(view, report);
-  judge::check_bounds(view, report);
-  judge::check_support(view, report);
-  judge::check_openings(view, report);
-  judge::check_relations(view, report);
+  checks::check_collisions(view, report);
+  checks::check_bounds(view, report);
+  checks::check_support(view, report);
+  checks::check_openings(view, report);
+  checks::check_relations(view, report);
   return report;
 }
 
@@ -44,14 +44,14 @@ Report judged(Report report, const VerifyOptions& options) {
 }  // namespace
 
 Report verify(const Layout& layout, const Catalog& catalog, const VerifyOptions& options) {
-  const judge::RoomView view(layout, catalog, options);
+  const checks::RoomView view(layout, catalog, options);
   Report report = standing(view);
-  judge::check_ways(view, report);
+  checks::check_ways(view, report);
   return judged(std::move(report), options);
 }
 
 Report verify_standing(const Layout& layout, const Catalog& catalog, const VerifyOptions& options) {
-  return judged(standing(judge::RoomView(layout, catalog, options)), options);
+  return judged(standing(checks::RoomView(layout, catalog, options)), options);
 }
 
 }  // namespace layoutbox

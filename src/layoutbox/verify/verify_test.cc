@@ -7,7 +7,7 @@
 
 #include "layoutbox/verify/test_room.h"
 
-namespace layoutbox::judge {
+namespace layoutbox::checks {
 namespace {
 
 using testing::HasSubstr;
@@ -358,4 +358,4 @@ TEST(WriteReport, SameValueSameBytes) {
 }
 
 }  // namespace
-}  // namespace layoutbox::judge
+}  // namespace layoutbox::checks

@@ -10,7 +10,7 @@
 
 #include "layoutbox/verify/checks.h"
 
-namespace layoutbox::judge {
+namespace layoutbox::checks {
 namespace {
 
 constexpr int kResolution = 256;                       // pixels, as in quality.md
@@ -47,7 +47,7 @@ double side_access(const Body& body, Side which, const FloorPixels& plan) {
   const int along = samples(2 * side.half_width, plan.step()), deep = samples(kStripDepth, plan.step());
   int free = 0;
   for (int i = 0; i < along; ++i) {
-    const Vec foot = body.shape.center + side.along * ((i + 0.5) / along * 2 * side.half_width - side.half_width);
+    const Vec2d foot = body.shape.center + side.along * ((i + 0.5) / along * 2 * side.half_width - side.half_width);
     for (int j = 0; j < deep; ++j) free += plan.free_at(foot + side.outward * (side.reach + kStripGap + (j + 0.5) / deep * kStripDepth));
   }
   return free / (static_cast<double>(along) * deep);
@@ -72,7 +72,7 @@ FloorPixels::FloorPixels(const RoomView& view, double margin, int resolution)
   draw_floor(view.floor);
 }
 
-Vec FloorPixels::point(int column, int row) const {
+Vec2d FloorPixels::point(int column, int row) const {
   return {(column - resolution_ / 2) * step_ + middle_.x, (row - resolution_ / 2) * step_ + middle_.y};
 }
 
@@ -85,7 +85,7 @@ void FloorPixels::draw_floor(const Polygon& floor) {
     crossings.clear();
     spans.clear();
     for (std::size_t i = 0; i < floor.size(); ++i) {
-      const Vec a = floor[i], b = floor[(i + 1) % floor.size()];
+      const Vec2d a = floor[i], b = floor[(i + 1) % floor.size()];
       if (a.y == y) spans.push_back({a.x, a.x});
       if (a.y == y && b.y == y) spans.push_back({std::min(a.x, b.x), std::max(a.x, b.x)});
       if ((a.y > y) != (b.y > y)) crossings.push_back(a.x == b.x ? a.x : a.x + (b.x - a.x) * ((y - a.y) / (b.y - a.y)));
@@ -134,7 +134,7 @@ void FloorPixels::erode(double width) {
 
 void FloorPixels::keep_from_edges(const Polygon& floor, double distance) {
   for (std::size_t i = 0; i < floor.size(); ++i) {
-    const Vec a = floor[i], b = floor[(i + 1) % floor.size()];
+    const Vec2d a = floor[i], b = floor[(i + 1) % floor.size()];
     const Pixels near_a = around(a, distance), near_b = around(b, distance);
     for (int row = std::min(near_a.y0, near_b.y0); row < std::max(near_a.y1, near_b.y1); ++row) {
       for (int column = std::min(near_a.x0, near_b.x0); column < std::max(near_a.x1, near_b.x1); ++column) {
@@ -144,12 +144,12 @@ void FloorPixels::keep_from_edges(const Polygon& floor, double distance) {
   }
 }
 
-FloorPixels::Pixels FloorPixels::around(Vec point, double reach) const {
+FloorPixels::Pixels FloorPixels::around(Vec2d point, double reach) const {
   const auto pixel = [&](double offset, bool up) {
     const double at = (up ? std::ceil(offset / step_) + 1 : std::floor(offset / step_)) + resolution_ / 2;
     return static_cast<int>(std::clamp(at, 0.0, double(resolution_)));
   };
-  const Vec from_middle = point - middle_;
+  const Vec2d from_middle = point - middle_;
   return {pixel(from_middle.x - reach, false), pixel(from_middle.x + reach, true), pixel(from_middle.y - reach, false),
           pixel(from_middle.y + reach, true)};
 }
@@ -233,7 +233,7 @@ void FloorPixels::block_box(const Body& body, double grow) {
   for (int row = y0; row < y1; ++row) {
     for (int column = x0; column < x1; ++column) {
       if (!free(column, row)) continue;
-      const Vec off = point(column, row) - body.shape.center;
+      const Vec2d off = point(column, row) - body.shape.center;
       const double over_x = std::max(std::abs(dot(off, body.own_frame.x)) - body.width / 2, 0.0);
       const double over_y = std::max(std::abs(dot(off, body.own_frame.y)) - body.depth / 2, 0.0);
       if (within(over_x, over_y, grow + kTiny)) free_[index(column, row)] = 0;
@@ -241,7 +241,7 @@ void FloorPixels::block_box(const Body& body, double grow) {
   }
 }
 
-bool FloorPixels::free_at(Vec at) const {
+bool FloorPixels::free_at(Vec2d at) const {
   const double column = std::nearbyint((at.x - middle_.x) / step_) + resolution_ / 2;
   const double row = std::nearbyint((at.y - middle_.y) / step_) + resolution_ / 2;
   if (!(column >= 0 && column < resolution_ && row >= 0 && row < resolution_)) return false;
@@ -320,4 +320,4 @@ std::optional<double> accessibility(const Body& body, const FloorPixels& plan) {
   return best;
 }
 
-}  // namespace layoutbox::judge
+}  // namespace layoutbox::checks

@@ -7,7 +7,7 @@
 
 #include "layoutbox/verify/room_view.h"
 
-namespace layoutbox::judge {
+namespace layoutbox::checks {
 
 // Square plan of `resolution` pixels a side around the floor's middle, `margin` metres wider than the floor on each side;
 // a pixel is the point in its middle, and free while it lies on the floor and nothing is drawn over it.
@@ -22,7 +22,7 @@ class FloorPixels {
   // Draws bodies, `grow` metres wider all round: their boxes, or what is drawn of them as it is seen from above.
   void block(const std::vector<const Body*>& bodies, double grow);
 
-  bool free_at(Vec point) const;  // off the picture: false
+  bool free_at(Vec2d point) const;  // off the picture: false
   std::int64_t free_pixels() const;
   std::int64_t largest_free_part() const;
   // A label for each pixel: the same in a connected part (eight neighbours), 0 where not free.
@@ -32,11 +32,11 @@ class FloorPixels {
   struct Pixels {
     int x0 = 0, x1 = 0, y0 = 0, y1 = 0;
   };
-  Pixels around(Vec point, double reach) const;
+  Pixels around(Vec2d point, double reach) const;
 
   double step() const { return step_; }
   int resolution() const { return resolution_; }
-  Vec point(int column, int row) const;
+  Vec2d point(int column, int row) const;
   bool free(int column, int row) const { return free_[index(column, row)] != 0; }
   std::size_t index(int column, int row) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(resolution_) + static_cast<std::size_t>(column);
@@ -53,7 +53,7 @@ class FloorPixels {
 
   int resolution_;
   double step_ = 1;
-  Vec middle_;
+  Vec2d middle_;
   std::vector<std::uint8_t> free_;
 };
 
@@ -66,4 +66,4 @@ FloorPixels plan_for_access(const RoomView& view);
 // The used sides at which things are taken hold of from the floor.
 std::vector<Side> sides_to_reach(const Body& body);
 
-}  // namespace layoutbox::judge
+}  // namespace layoutbox::checks

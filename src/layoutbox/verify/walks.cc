@@ -10,7 +10,7 @@
 
 #include "layoutbox/verify/checks.h"
 
-namespace layoutbox::judge {
+namespace layoutbox::checks {
 namespace {
 
 constexpr double kReachSlack = 0.02;  // m, half a pixel of a large room
@@ -50,7 +50,7 @@ void Walks::walk_from_doors(Floor& floor) const {
     const auto [x0, x1, y0, y1] = plan.around((door.start + door.end) * 0.5, door.length / 2 + near_enough);
     for (int row = y0; row < y1; ++row) {
       for (int column = x0; column < x1; ++column) {
-        const Vec way = plan.point(column, row) - door.start;
+        const Vec2d way = plan.point(column, row) - door.start;
         const double along = dot(way, door.along), off = dot(way, door.inward);
         if (along >= 0 && along <= door.length && off >= 0 && off <= near_enough) from_door.insert(part[plan.index(column, row)]);
       }
@@ -72,8 +72,8 @@ std::vector<Side> Walks::reached(const Body& body, const std::vector<Side>& side
   std::vector<Side> found;
   for (const Side which : sides) {
     const BodySide side = side_of(body, which);
-    const auto at_side = [&](Vec point) {
-      const Vec way = point - body.shape.center;
+    const auto at_side = [&](Vec2d point) {
+      const Vec2d way = point - body.shape.center;
       const double off = dot(way, side.outward) - side.reach;
       return off >= 0 && off <= near_enough && std::abs(dot(way, side.along)) <= side.half_width;
     };
@@ -149,4 +149,4 @@ void check_ways(const RoomView& view, Report& report) {
   check_reach(view, report);
 }
 
-}  // namespace layoutbox::judge
+}  // namespace layoutbox::checks

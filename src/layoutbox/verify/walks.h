@@ -6,7 +6,7 @@
 
 #include "layoutbox/verify/walkability.h"
 
-namespace layoutbox::judge {
+namespace layoutbox::checks {
 
 // Where a person `width` metres wide gets from the doors (from anywhere, if there is none).
 class Walks {
@@ -33,4 +33,4 @@ class Walks {
 // Can a person `width` metres wide walk from a door to a used side of the body, to any side where none is known?
 bool reachable(const RoomView& view, const Body& body, double width);
 
-}  // namespace layoutbox::judge
+}  // namespace layoutbox::checks

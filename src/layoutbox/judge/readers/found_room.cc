@@ -61,17 +61,17 @@ Status add_shell(const FoundRoom& found, std::array<double, 2> origin, Room& roo
 
 // The wall whose line the opening lies nearest to, and its place along it.
 void add_opening(const FoundOpening& found, std::array<double, 2> origin, Room& room, std::vector<Note>& notes) {
-  using judge::Vec;
-  const Vec a{found.start[0] - origin[0], found.start[1] - origin[1]}, b{found.end[0] - origin[0], found.end[1] - origin[1]};
+  using checks::Vec2d;
+  const Vec2d a{found.start[0] - origin[0], found.start[1] - origin[1]}, b{found.end[0] - origin[0], found.end[1] - origin[1]};
   const Wall* nearest = nullptr;
   double least = 0.5, offset = 0, width = 0;  // m: farther from every wall it is none of theirs
   for (const Wall& wall : room.walls) {
-    const Vec start{wall.start.x / 1000.0, wall.start.y / 1000.0}, end{wall.end.x / 1000.0, wall.end.y / 1000.0};
-    const double off = std::max(judge::distance_to_segment(a, start, end), judge::distance_to_segment(b, start, end));
+    const Vec2d start{wall.start.x / 1000.0, wall.start.y / 1000.0}, end{wall.end.x / 1000.0, wall.end.y / 1000.0};
+    const double off = std::max(checks::distance_to_segment(a, start, end), checks::distance_to_segment(b, start, end));
     if (off >= least) continue;
-    const Vec along = (end - start) * (1 / judge::length(end - start));
+    const Vec2d along = (end - start) * (1 / checks::length(end - start));
     const double from = dot(a - start, along), to = dot(b - start, along);
-    const double low = std::max(0.0, std::min(from, to)), high = std::min(judge::length(end - start), std::max(from, to));
+    const double low = std::max(0.0, std::min(from, to)), high = std::min(checks::length(end - start), std::max(from, to));
     if (high - low < 0.05) continue;
     least = off, offset = low, width = high - low, nearest = &wall;
   }
@@ -98,15 +98,15 @@ std::string unique_id(std::string wanted, std::set<std::string>& taken) {
   return id;
 }
 
-judge::Polygon footprint(const PlacedObject& object) {
-  return judge::make_box({object.position[0], object.position[1]}, object.size.width, object.size.depth, {},
-                         judge::frame_at(object.rotation_deg))
+checks::Polygon footprint(const PlacedObject& object) {
+  return checks::make_box({object.position[0], object.position[1]}, object.size.width, object.size.depth, {},
+                          checks::frame_at(object.rotation_deg))
       .plan;
 }
 
 const Space* space_that_holds(const PlacedObject& below, const PlacedObject& object) {
-  const judge::Frame frame = judge::frame_at(below.rotation_deg);
-  const judge::Vec off = judge::Vec{object.position[0], object.position[1]} - judge::Vec{below.position[0], below.position[1]};
+  const checks::Frame frame = checks::frame_at(below.rotation_deg);
+  const checks::Vec2d off = checks::Vec2d{object.position[0], object.position[1]} - checks::Vec2d{below.position[0], below.position[1]};
   const double x = dot(off, frame.x), y = dot(off, frame.y);
   for (const Space& space : below.spaces) {
     const bool over = x >= space.min[0] && x <= space.max[0] && y >= space.min[1] && y <= space.max[1];
@@ -121,7 +121,7 @@ const PlacedObject* object_under(const Layout& layout, const PlacedObject& objec
   double least = kNear * 1000;
   for (const PlacedObject& below : layout.objects) {
     if (&below == &object || below.size.height <= 30) continue;
-    if (!judge::contains(footprint(below), {object.position[0], object.position[1]})) continue;
+    if (!checks::contains(footprint(below), {object.position[0], object.position[1]})) continue;
     if (space_that_holds(below, object)) return &below;
     const double gap = std::abs(object.position[2] - below.position[2] - below.size.height);
     if (gap > least) continue;
@@ -132,12 +132,12 @@ const PlacedObject* object_under(const Layout& layout, const PlacedObject& objec
 }
 
 const Wall* wall_at(const Layout& layout, const PlacedObject& object) {
-  const judge::Polygon plan = footprint(object);
+  const checks::Polygon plan = footprint(object);
   const Wall* best = nullptr;
   double least = kFromWall * 1000;
   for (const Wall& wall : layout.room.walls) {
-    const judge::Polygon face{{double(wall.start.x), double(wall.start.y)}, {double(wall.end.x), double(wall.end.y)}};
-    const double off = judge::distance(plan, face);
+    const checks::Polygon face{{double(wall.start.x), double(wall.start.y)}, {double(wall.end.x), double(wall.end.y)}};
+    const double off = checks::distance(plan, face);
     if (off > least) continue;
     least = off;
     best = &wall;

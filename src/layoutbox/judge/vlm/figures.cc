@@ -35,9 +35,9 @@ AnswerFigures figures_of(std::span<const Answered> answers) {
   AnswerFigures f;
   for (const Answered& answer : answers) {
     ++f.answers;
-    if (answer.verdict == Verdict::kNeither) {
+    if (answer.verdict == YesNo::kNeither) {
       ++f.neither;
-    } else if (answer.verdict == Verdict::kYes) {
+    } else if (answer.verdict == YesNo::kYes) {
       ++(answer.truth ? f.true_yes : f.false_yes);
     } else {
       ++(answer.truth ? f.false_no : f.true_no);

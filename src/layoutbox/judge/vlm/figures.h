@@ -16,11 +16,11 @@ struct Estimate {
 // A share of successes, with Wilson's interval. Empty for none of none.
 std::optional<Estimate> share_of(int successes, int tries);
 
-enum class Verdict { kYes, kNo, kNeither };
+enum class YesNo { kYes, kNo, kNeither };
 
 struct Answered {
   bool truth = false;
-  Verdict verdict = Verdict::kNeither;
+  YesNo verdict = YesNo::kNeither;
 };
 
 // Of yes-no answers against the truth. An answer that is neither counts as wrong for the accuracy, and is left out of the others.

@@ -36,17 +36,17 @@ chat::Request request_for_room(const std::vector<Picture>& pictures, const std::
 }
 
 // A word of its own: "Yes.", "no, it is not". Anything else is neither.
-Verdict verdict_in(std::string_view text) {
+YesNo verdict_in(std::string_view text) {
   std::string word;
   for (const char c : text) {
     const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
     if (!letter && !word.empty()) break;
     if (letter) word += static_cast<char>(c | 0x20);
   }
-  return word == "yes" ? Verdict::kYes : word == "no" ? Verdict::kNo : Verdict::kNeither;
+  return word == "yes" ? YesNo::kYes : word == "no" ? YesNo::kNo : YesNo::kNeither;
 }
 
-std::string_view word_for(Verdict verdict) { return verdict == Verdict::kYes ? "yes" : verdict == Verdict::kNo ? "no" : "neither"; }
+std::string_view word_for(YesNo verdict) { return verdict == YesNo::kYes ? "yes" : verdict == YesNo::kNo ? "no" : "neither"; }
 
 std::string scene_text(const Layout& layout) { return write_scene(scene_of(layout)); }
 
@@ -80,7 +80,7 @@ double share_right(const RoomAnswers& room) {
   for (const AskedQuestion& asked : room.questions) {
     for (const Said& said : asked.said) {
       ++all;
-      right += said.verdict == (asked.question.truth ? Verdict::kYes : Verdict::kNo);
+      right += said.verdict == (asked.question.truth ? YesNo::kYes : YesNo::kNo);
     }
   }
   return all == 0 ? 0 : right / static_cast<double>(all);
@@ -161,7 +161,7 @@ RoomAnswers answer_by_geometry(const std::string& name, const Layout& layout, co
   RoomAnswers room;
   room.name = name;
   for (RoomQuestion& question : draw_questions(layout, catalog, options.questions)) {
-    const Verdict verdict = question.truth ? Verdict::kYes : Verdict::kNo;
+    const YesNo verdict = question.truth ? YesNo::kYes : YesNo::kNo;
     room.questions.push_back({std::move(question), {{verdict, std::string(word_for(verdict)), {}, 1}}});
   }
   return room;

@@ -16,7 +16,7 @@
 namespace layoutbox::vlm {
 
 struct Said {
-  Verdict verdict = Verdict::kNeither;
+  YesNo verdict = YesNo::kNeither;
   std::string text, reason;  // as it was said; why, where reasons were asked for
   int repeat = 1;
 };

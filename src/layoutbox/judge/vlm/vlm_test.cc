@@ -8,7 +8,7 @@ namespace layoutbox::vlm {
 namespace {
 
 Layout bedroom() {
-  judge::TestRoom room;
+  checks::TestRoom room;
   room.door("door1", "wall1", 0.4).window("window1", "wall3", 1.0);
   room.add("bed_1", "bed", {1.6, 2.0, 0.5}, {2.5, 3.0, 0, 0});
   room.add("stand_1", "nightstand", {0.45, 0.4, 0.5}, {1.4, 3.8, 0, 0});
@@ -63,18 +63,18 @@ TEST(VlmQuestions, WordsOfThings) {
 }
 
 TEST(VlmQuestions, OneThingAloneIsNotAskedAbout) {
-  judge::TestRoom room;
+  checks::TestRoom room;
   room.add("bed_1", "bed", {1.6, 2.0, 0.5}, {2.5, 3.0, 0, 0});
   EXPECT_TRUE(draw_questions(room.layout, Catalog::builtin(), {}).empty());
 }
 
 std::vector<Answered> answers(int true_yes, int false_no, int false_yes, int true_no, int neither = 0) {
   std::vector<Answered> list;
-  list.insert(list.end(), static_cast<std::size_t>(true_yes), {true, Verdict::kYes});
-  list.insert(list.end(), static_cast<std::size_t>(false_no), {true, Verdict::kNo});
-  list.insert(list.end(), static_cast<std::size_t>(false_yes), {false, Verdict::kYes});
-  list.insert(list.end(), static_cast<std::size_t>(true_no), {false, Verdict::kNo});
-  list.insert(list.end(), static_cast<std::size_t>(neither), {false, Verdict::kNeither});
+  list.insert(list.end(), static_cast<std::size_t>(true_yes), {true, YesNo::kYes});
+  list.insert(list.end(), static_cast<std::size_t>(false_no), {true, YesNo::kNo});
+  list.insert(list.end(), static_cast<std::size_t>(false_yes), {false, YesNo::kYes});
+  list.insert(list.end(), static_cast<std::size_t>(true_no), {false, YesNo::kNo});
+  list.insert(list.end(), static_cast<std::size_t>(neither), {false, YesNo::kNeither});
   return list;
 }
 

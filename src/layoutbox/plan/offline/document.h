@@ -15,7 +15,7 @@
 namespace layoutbox::offline {
 
 // One object of the scene to be.
-struct Item {
+struct TextItem {
   NounPhrase noun;         // the words that brought it in
   int group = 0;           // items brought in together
   bool concluded = false;  // follows from the words ("a table for eight") without being named
@@ -77,7 +77,7 @@ struct Document {
   std::string prompt;
   std::vector<Token> tokens;
   std::vector<Chunk> chunks;
-  std::vector<Item> items;
+  std::vector<TextItem> items;
   std::vector<Mention> mentions;
   std::vector<Link> links;
   std::vector<NounPhrase> excluded;   // "no coffee table"

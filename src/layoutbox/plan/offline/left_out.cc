@@ -9,7 +9,7 @@ namespace {
 
 bool was_used(const Document& document, const Chunk& chunk) {
   const bool brought_in = std::any_of(document.items.begin(), document.items.end(),
-                                      [&](const Item& item) { return item.noun.first >= chunk.first && item.noun.first < chunk.last; });
+                                      [&](const TextItem& item) { return item.noun.first >= chunk.first && item.noun.first < chunk.last; });
   return brought_in || std::any_of(document.readings.begin() + static_cast<std::ptrdiff_t>(chunk.first),
                                    document.readings.begin() + static_cast<std::ptrdiff_t>(chunk.last),
                                    [](const WordReading& r) { return r.use == WordReading::Use::kUsed; });
@@ -26,10 +26,10 @@ bool is_missed(const Lexicon& lexicon, const Document& document, std::size_t k) 
     return !purpose && word_form(noun.head) != WordForm::kPerson && noun.doubted && (new_here || noun.unplaced);
   if (noun.kind != NounKind::kObject || (purpose && !noun.exact)) return false;
   const bool unknown = !noun.exact && noun.determiner == Determiner::kDefinite;  // "nobody will weigh the labrador"
-  const bool named =
-      unknown && std::any_of(document.items.begin(), document.items.end(), [&](const Item& item) { return item.noun.head == noun.head; });
+  const bool named = unknown && std::any_of(document.items.begin(), document.items.end(),
+                                            [&](const TextItem& item) { return item.noun.head == noun.head; });
   if (new_here || (unknown && !named)) return true;
-  const bool there = noun.entry != nullptr && std::any_of(document.items.begin(), document.items.end(), [&](const Item& item) {
+  const bool there = noun.entry != nullptr && std::any_of(document.items.begin(), document.items.end(), [&](const TextItem& item) {
                        return item.noun.entry != nullptr && lexicon.catalog().is_a(item.noun.entry->id, noun.entry->id);
                      });
   const bool in_list = k > 0 && document.chunks[k - 1].kind != ChunkKind::kPurpose;

@@ -31,7 +31,7 @@ bool is_called(const CatalogEntry& entry, const std::string& words) {
 
 void NounPhraseReader::take_attributes(std::size_t until) {
   for (std::size_t p = 0; p < until; ++p) {
-    const Part& part = parts_[p];
+    const PhrasePart& part = parts_[p];
     if (is_attribute_class(part.word_class)) {
       // "king" and "size", "marble" and "topped": what a hyphen joins is one attribute.
       std::string text = text_of(tokens_, part.first, part.last);
@@ -50,7 +50,7 @@ void NounPhraseReader::take_attributes(std::size_t until) {
   }
 }
 
-void NounPhraseReader::settle_object(const Part& head, std::size_t head_index) {
+void NounPhraseReader::settle_object(const PhrasePart& head, std::size_t head_index) {
   settle_kind(head, head_index);
   if (phrase_.kind != NounKind::kObject) return;
   if (pair_named_) phrase_.name = "pair of " + phrase_.name;
@@ -58,7 +58,7 @@ void NounPhraseReader::settle_object(const Part& head, std::size_t head_index) {
 }
 
 // "a stack of menus", "two piles of letters": as many heaps as are said, drawn as such where the catalogue has it.
-void NounPhraseReader::settle_heap(const Part& head) {
+void NounPhraseReader::settle_heap(const PhrasePart& head) {
   const std::size_t last_word = phrase_.name.rfind(' ') + 1;  // 0 where it is the only one
   phrase_.name = std::string(heaped_) + " of " + phrase_.name.substr(0, last_word) + tokens_[head.last - 1].text;
   const CatalogEntry* own = lexicon_.catalog().find_by_words(phrase_.name);
@@ -75,7 +75,7 @@ void NounPhraseReader::settle_heap(const Part& head) {
   phrase_.plural = phrase_.count > 1;
 }
 
-void NounPhraseReader::settle_kind(const Part& head, std::size_t head_index) {
+void NounPhraseReader::settle_kind(const PhrasePart& head, std::size_t head_index) {
   phrase_.kind = NounKind::kObject;
   phrase_.plural = head.plural;
   phrase_.entry = head.meaning.entry;
@@ -154,7 +154,7 @@ void NounPhraseReader::settle_unknown() {
 }
 
 // What the catalogue has as a pair of them: "work gloves" as gloves; null: nothing.
-const CatalogEntry* NounPhraseReader::pair_of(const Part& head) const {
+const CatalogEntry* NounPhraseReader::pair_of(const PhrasePart& head) const {
   for (const std::size_t first : {head.first, head.last - 1}) {
     const std::string words = "pair of " + text_of(tokens_, first, head.last);
     const CatalogEntry* pair = lexicon_.catalog().find_by_words(words);
@@ -164,7 +164,7 @@ const CatalogEntry* NounPhraseReader::pair_of(const Part& head) const {
 }
 
 // "scissors", "a pair of glasses": one thing by two words, or by a plural. Returns the category's word.
-std::string_view NounPhraseReader::settle_pair(const Part& head) {
+std::string_view NounPhraseReader::settle_pair(const PhrasePart& head) {
   const std::string word = text_of(tokens_, head.first, head.last);  // "wine glasses" are no "glasses"
   std::string_view meant = paired_ ? lexicon_.meant_by_pair(word) : std::string_view{};
   // "a pair of boots", "three pairs of skis": what is drawn as a pair is one thing.
@@ -183,7 +183,7 @@ std::string_view NounPhraseReader::settle_pair(const Part& head) {
   return meant.empty() ? head.meaning.word : meant;
 }
 
-void NounPhraseReader::settle_place(const Part& head) {
+void NounPhraseReader::settle_place(const PhrasePart& head) {
   phrase_.plural = head.plural;
   phrase_.head = singular_of(tokens_[head.last - 1].text);
   phrase_.name = text_of(tokens_, phrase_.first, head.last);

@@ -13,14 +13,14 @@ namespace layoutbox::offline {
 using Class = WordClass;
 
 // "an owl", "a cross"; no "leading", no "ride" of "ride-on".
-bool NounPhraseReader::is_thing_where_named(const Part& part) const {
+bool NounPhraseReader::is_thing_where_named(const PhrasePart& part) const {
   const std::string& word = tokens_[part.last - 1].text;
   if (word.ends_with("ing") || word.ends_with("ed") || hyphenated(part.last)) return false;
   const WordForm noun = noun_form(word);
   return noun == WordForm::kBody || noun == WordForm::kThing;
 }
 
-bool NounPhraseReader::is_thing(const Part& part) const {
+bool NounPhraseReader::is_thing(const PhrasePart& part) const {
   const WordForm form = word_form(tokens_[part.last - 1].text);
   return form == WordForm::kThing || form == WordForm::kBody;
 }
@@ -36,7 +36,7 @@ bool NounPhraseReader::is_bodily_described() const {
 
 // "; transceiver on the desk", "- sconce, mirror": a word that nobody knows where a thing is named without its article. Not the first
 // of the text, nor with a capital letter within a sentence: those call somebody.
-bool NounPhraseReader::is_unknown_subject(const Part& part) const {
+bool NounPhraseReader::is_unknown_subject(const PhrasePart& part) const {
   constexpr std::size_t kShortest = 5;  // shorter ones are rather said by the way
   const Token& word = tokens_[part.first];
   if (part.last != part.first + 1 || part.first != phrase_.first || part.first == 0 || word.text.size() < kShortest) return false;
@@ -50,7 +50,7 @@ bool NounPhraseReader::is_unknown_subject(const Part& part) const {
 }
 
 // "two blue cases", "a game case", "a metal case"; a plain "case" is none.
-bool NounPhraseReader::is_rare_thing(const Part& part, std::size_t head) const {
+bool NounPhraseReader::is_rare_thing(const PhrasePart& part, std::size_t head) const {
   const std::string& word = tokens_[part.last - 1].text;
   if (word.ends_with("ing") || word.ends_with("ed") || noun_form(word) != WordForm::kRarelyThing) return false;
   const bool counted = counted_ && !phrase_.vague && phrase_.count > 1;
@@ -59,7 +59,7 @@ bool NounPhraseReader::is_rare_thing(const Part& part, std::size_t head) const {
 }
 
 // "drawing board", "flannel board", "cardboard tubes": compounds of a head that usually is a thing; "wooden boards" are stuff.
-bool NounPhraseReader::has_telling_head(const Part& part, std::size_t head) const {
+bool NounPhraseReader::has_telling_head(const PhrasePart& part, std::size_t head) const {
   if (head == 0 || parts_[head - 1].last != part.first || !is_kin_head(singular_of(tokens_[part.last - 1].text))) return false;
   const Class before = parts_[head - 1].word_class;
   return before == Class::kFiller || before == Class::kObject || (before == Class::kMaterial && !part.plural);
@@ -69,8 +69,8 @@ bool NounPhraseReader::has_telling_head(const Part& part, std::size_t head) cons
 void NounPhraseReader::join_set(std::size_t& head) {
   static constexpr std::string_view kSets[] = {"set", "kit", "collection", "ensemble", "stack", "pile", "bundle"};
   if (head < 2) return;
-  const Part& last = parts_[head - 1];
-  Part& thing = parts_[head - 2];
+  const PhrasePart& last = parts_[head - 1];
+  PhrasePart& thing = parts_[head - 2];
   if (thing.word_class != Class::kObject || thing.last != last.first || thing.last + 1 != last.last || last.word_class == Class::kObject ||
       lexicon_.set_of(text_of(tokens_, thing.first, last.last)) != nullptr)
     return;
@@ -87,7 +87,7 @@ std::size_t NounPhraseReader::drop_thing(std::size_t& head) {
   static constexpr std::string_view kThings[] = {"thing",  "things",      "thingy", "thingie",       "thingamajig", "contraption",
                                                  "affair", "arrangement", "setup",  "configuration", "pair",        "duo"};
   if (head < 2 || head != parts_.size()) return 0;
-  const Part &last = parts_[head - 1], &named = parts_[head - 2];
+  const PhrasePart &last = parts_[head - 1], &named = parts_[head - 2];
   if (named.word_class != Class::kObject || named.last != last.first || last.last != last.first + 1 ||
       std::find(std::begin(kThings), std::end(kThings), tokens_[last.first].text) == std::end(kThings))
     return 0;
@@ -124,7 +124,7 @@ std::size_t NounPhraseReader::drop_own_wall(std::size_t& head) {
 // Whether the part at `head` follows right after a noun: "cipher wheel", "eyewash station".
 bool NounPhraseReader::is_compound(std::size_t head) const {
   if (head == 0 || parts_[head - 1].last != parts_[head].first) return false;
-  const Part& before = parts_[head - 1];
+  const PhrasePart& before = parts_[head - 1];
   const std::string& word = tokens_[before.last - 1].text;
   if (before.word_class == Class::kObject || before.word_class == Class::kZone) return !before.plural;
   if (before.word_class != Class::kFiller || word.ends_with("ing") || word.ends_with("ed")) return false;
@@ -136,12 +136,12 @@ bool NounPhraseReader::is_compound(std::size_t head) const {
 // "a plush", "miniature", "toy" something
 bool NounPhraseReader::is_modeled(std::size_t head) const {
   return std::any_of(parts_.begin(), parts_.begin() + static_cast<std::ptrdiff_t>(head),
-                     [&](const Part& p) { return p.last == p.first + 1 && is_kin_modifier(tokens_[p.first].text); });
+                     [&](const PhrasePart& p) { return p.last == p.first + 1 && is_kin_modifier(tokens_[p.first].text); });
 }
 
 // "a miniature station", "plush animals", "a toy garage", "eyewash station": a thing, though the last word alone is none.
 bool NounPhraseReader::is_thing_by_name(std::size_t head) const {
-  const Part& part = parts_[head];
+  const PhrasePart& part = parts_[head];
   const std::string& word = tokens_[part.last - 1].text;
   const bool station = part.word_class == Class::kZone && singular_of(word) == "station";
   if (station && is_compound(head)) return true;
@@ -154,7 +154,7 @@ bool NounPhraseReader::is_thing_by_name(std::size_t head) const {
 // The head is the last noun; words after it that are not nouns were read too far.
 void NounPhraseReader::find_head(std::size_t& head) {
   for (head = parts_.size(); head > 0; --head) {
-    Part& part = parts_[head - 1];
+    PhrasePart& part = parts_[head - 1];
     if (!is_attribute_class(part.word_class) && part.word_class != Class::kWallWord && part.word_class != Class::kWallRelation) return;
     // "a climbing cube", "two wooden spheres"
     const bool shape = part.word_class == Class::kShape && head == parts_.size() && is_noun(word_form(tokens_[part.last - 1].text));
@@ -167,7 +167,7 @@ void NounPhraseReader::find_head(std::size_t& head) {
     }
   }
   if (parts_.empty()) return;
-  Part& last = parts_.back();  // "a family": an adjective that is a noun as well
+  PhrasePart& last = parts_.back();  // "a family": an adjective that is a noun as well
   const Match match = lexicon_.find(tokens_.first(last.last), last.first);
   if (last.word_class != Class::kQuality || meaning_of(match, Class::kAbstract) == nullptr || phrase_.determiner != Determiner::kIndefinite)
     return;
@@ -177,7 +177,7 @@ void NounPhraseReader::find_head(std::size_t& head) {
 
 // "the left one", "a smaller one"
 NounPhrase NounPhraseReader::settle_member() {
-  for (const Part& part : parts_) {
+  for (const PhrasePart& part : parts_) {
     if (part.word_class != Class::kFiller) continue;
     phrase_.attributes.push_back(text_of(tokens_, part.first, part.last));
     phrase_.attribute_classes.push_back(Class::kQuality);
@@ -227,7 +227,7 @@ std::optional<NounPhrase> NounPhraseReader::settle_without_head() {
 }
 
 // "in Naples", "from Brazil", "on Mill Lane": a name in the middle of a sentence, after what is said of places.
-bool NounPhraseReader::is_place_name(const Part& part) const {
+bool NounPhraseReader::is_place_name(const PhrasePart& part) const {
   static constexpr std::string_view kBefore[] = {"in", "from", "near", "at", "to", "of", "like", "outside", "across"};
   static constexpr std::string_view kBeforeSeveral[] = {"on", "by", "off", "around", "for", "with", "de", "is", "was"};
   if (phrase_.first == 0 || tokens_[phrase_.first - 1].capital) return false;
@@ -240,7 +240,7 @@ bool NounPhraseReader::is_place_name(const Part& part) const {
 }
 
 // "from Turkey", "from China": a country, though a thing is called so as well.
-bool NounPhraseReader::comes_from(const Part& part) const {
+bool NounPhraseReader::comes_from(const PhrasePart& part) const {
   const bool named = phrase_.determiner != Determiner::kNone || counted_;
   const std::size_t first = phrase_.first;
   if (first > 1 && (tokens_[first - 2].text == "far" || tokens_[first - 2].text == "away")) return false;  // "far from TV"
@@ -249,7 +249,7 @@ bool NounPhraseReader::comes_from(const Part& part) const {
 
 // A head that no list has; false where it is no noun phrase at all.
 bool NounPhraseReader::settle_filler(std::size_t head) {
-  const Part part = parts_[head];
+  const PhrasePart part = parts_[head];
   const std::string& word = tokens_[part.last - 1].text;
   const WordForm form = word_form(word), noun = noun_form(word);
   const bool named = phrase_.determiner != Determiner::kNone || counted_;
@@ -277,13 +277,13 @@ bool NounPhraseReader::settle_filler(std::size_t head) {
 }
 
 // "five freshly rinsed prints": parts elsewhere.
-bool NounPhraseReader::counts_things(const Part& part) const {
+bool NounPhraseReader::counts_things(const PhrasePart& part) const {
   return counted_ && !phrase_.vague && phrase_.count > 1 && part.last == part.first + 1 &&
          noun_form(tokens_[part.first].text) == WordForm::kThing;
 }
 
 // "two fitting rooms at the back" of a shop: stalls in the room, where the catalogue has such a booth. Null: a room.
-const CatalogEntry* NounPhraseReader::stall_of(const Part& part) const {
+const CatalogEntry* NounPhraseReader::stall_of(const PhrasePart& part) const {
   constexpr std::size_t kOpening = 3;  // "a fitting room with …" is what the text is about
   if (part.word_class != Class::kRoom || part.first < kOpening) return nullptr;
   const std::string words = text_of(tokens_, part.first, part.last - 1) + (part.last - part.first > 1 ? " " : "") +
@@ -294,26 +294,26 @@ const CatalogEntry* NounPhraseReader::stall_of(const Part& part) const {
 }
 
 // "a palette", "a feng shui piece": what the lists call no thing may be one among things (UnitReader::is_thing_in_company).
-bool NounPhraseReader::may_be_thing(const Part& part, std::size_t head) const {
+bool NounPhraseReader::may_be_thing(const PhrasePart& part, std::size_t head) const {
   const bool alone = part.last == part.first + 1 && head == 0 && noun_form(tokens_[part.first].text) == WordForm::kThing;
   return (alone && !is_collective(singular_of(tokens_[part.first].text))) || follows_unknown_word(head);
 }
 
 // "a mizuhiki arrangement", "a feng shui piece": what word like that nobody knows may well be a thing.
 bool NounPhraseReader::follows_unknown_word(std::size_t head) const {
-  const Part& before = parts_[head > 0 ? head - 1 : 0];
+  const PhrasePart& before = parts_[head > 0 ? head - 1 : 0];
   return head > 0 && before.word_class == Class::kFiller && word_form(tokens_[before.last - 1].text) == WordForm::kUnknown;
 }
 
 // A head that stands in the lists of places, rooms and parts.
 void NounPhraseReader::settle_listed(std::size_t head) {
-  const Part part = parts_[head];
-  const Part as_thing{part.first, part.last, Class::kFiller, {Class::kFiller, nullptr, nullptr, 0, {}}, part.plural};
+  const PhrasePart part = parts_[head];
+  const PhrasePart as_thing{part.first, part.last, Class::kFiller, {Class::kFiller, nullptr, nullptr, 0, {}}, part.plural};
   const bool thing = is_thing_by_name(head);
   take_attributes(head);
   if (thing) return settle_object(as_thing, head);
   if (const CatalogEntry* stall = stall_of(part); stall != nullptr) {
-    const Part booth{part.first, part.last, Class::kObject, {Class::kObject, stall, nullptr, 0, stall->id}, part.plural};
+    const PhrasePart booth{part.first, part.last, Class::kObject, {Class::kObject, stall, nullptr, 0, stall->id}, part.plural};
     return settle_object(booth, head);
   }
   const bool new_here = counted_ || part.plural || phrase_.determiner == Determiner::kIndefinite;
@@ -344,7 +344,7 @@ void NounPhraseReader::settle_listed(std::size_t head) {
 }
 
 // "nothing", "everything": no compound begins so.
-bool NounPhraseReader::is_nothing(const Part& part) const {
+bool NounPhraseReader::is_nothing(const PhrasePart& part) const {
   const std::string& word = tokens_[part.first].text;
   return part.last == part.first + 1 && (word == "nothing" || word == "everything" || word == "anything" || word == "something");
 }
@@ -362,7 +362,7 @@ std::optional<NounPhrase> NounPhraseReader::settle() {
   if (ends_in_verb(head) || ends_in_plural_verb(head) || ends_in_doing(head) || ends_in_can(head)) --head;
   join_set(head);
   const std::size_t end = std::max(drop_thing(head), drop_own_wall(head));
-  const Part part = parts_[head - 1];
+  const PhrasePart part = parts_[head - 1];
   i_ = std::max(end, part.last);
   if (part.word_class == Class::kFiller) {
     if (!settle_filler(head - 1)) return std::nullopt;

@@ -40,7 +40,7 @@ inline const Meaning* attribute_of(const Match& match) {
 std::string text_of(std::span<const Token> tokens, std::size_t first, std::size_t last);
 
 // One word or compound before or at the head.
-struct Part {
+struct PhrasePart {
   std::size_t first = 0, last = 0;
   WordClass word_class = WordClass::kFiller;  // kObject, an attribute, a place; kFiller: not in the lexicon
   Meaning meaning{WordClass::kFiller, nullptr, nullptr, 0, {}};
@@ -135,17 +135,17 @@ class NounPhraseReader {
   bool noun_after(std::size_t at) const;
   bool names_set() const;
   bool word_may_belong() const;
-  bool is_thing(const Part& part) const;
-  bool is_thing_where_named(const Part& part) const;
+  bool is_thing(const PhrasePart& part) const;
+  bool is_thing_where_named(const PhrasePart& part) const;
   bool has_attribute(WordClass word_class) const;
-  bool is_unknown_subject(const Part& part) const;
+  bool is_unknown_subject(const PhrasePart& part) const;
   bool is_bodily_described() const;
-  bool is_place_name(const Part& part) const;
-  bool comes_from(const Part& part) const;
-  bool is_rare_thing(const Part& part, std::size_t head) const;
-  bool has_telling_head(const Part& part, std::size_t head) const;
-  const CatalogEntry* stall_of(const Part& part) const;
-  bool may_be_thing(const Part& part, std::size_t head) const;
+  bool is_place_name(const PhrasePart& part) const;
+  bool comes_from(const PhrasePart& part) const;
+  bool is_rare_thing(const PhrasePart& part, std::size_t head) const;
+  bool has_telling_head(const PhrasePart& part, std::size_t head) const;
+  const CatalogEntry* stall_of(const PhrasePart& part) const;
+  bool may_be_thing(const PhrasePart& part, std::size_t head) const;
   bool follows_unknown_word(std::size_t head) const;
   bool is_compound(std::size_t head) const;
   bool is_modeled(std::size_t head) const;
@@ -154,29 +154,29 @@ class NounPhraseReader {
   NounPhrase settle_member();
   std::optional<NounPhrase> settle_without_head();
   bool ends_in_verb(std::size_t head) const;
-  bool is_nothing(const Part& part) const;
+  bool is_nothing(const PhrasePart& part) const;
   bool ends_in_plural_verb(std::size_t head) const;
-  bool counts_things(const Part& part) const;
+  bool counts_things(const PhrasePart& part) const;
   bool ends_in_doing(std::size_t head) const;
   bool place_at(std::size_t at) const;
   bool lacks_verb(std::size_t at) const;
   bool settle_filler(std::size_t head);
   void settle_listed(std::size_t head);
   std::optional<NounPhrase> settle();
-  void settle_object(const Part& head, std::size_t head_index);
-  void settle_kind(const Part& head, std::size_t head_index);
+  void settle_object(const PhrasePart& head, std::size_t head_index);
+  void settle_kind(const PhrasePart& head, std::size_t head_index);
   void join_set(std::size_t& head);
   bool is_described_member() const;
   bool ends_in_can(std::size_t head) const;
   std::size_t drop_thing(std::size_t& head);
   std::size_t drop_own_wall(std::size_t& head);
-  const CatalogEntry* pair_of(const Part& head) const;
-  std::string_view settle_pair(const Part& head);
+  const CatalogEntry* pair_of(const PhrasePart& head) const;
+  std::string_view settle_pair(const PhrasePart& head);
   std::string_view heap_at(std::size_t at, std::size_t length) const;
-  void settle_heap(const Part& head);
+  void settle_heap(const PhrasePart& head);
   void settle_unknown();
   void settle_modeled();
-  void settle_place(const Part& head);
+  void settle_place(const PhrasePart& head);
   void read_of();
   void take_attributes(std::size_t until);
 
@@ -190,7 +190,7 @@ class NounPhraseReader {
   std::string_view heaped_;  // "a stack of", "two piles of": how they lie, in the singular
   bool shaped_ = false;      // the head is a shape: "a climbing cube"
   NounPhrase phrase_;
-  std::vector<Part> parts_;
+  std::vector<PhrasePart> parts_;
 };
 
 }  // namespace layoutbox::offline

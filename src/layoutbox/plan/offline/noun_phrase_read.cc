@@ -58,7 +58,7 @@ bool NounPhraseReader::read_part() {
   if (read_compound_adjective(match)) return true;
   match = without_attribute(without_verb(match));
   if (ends_before(match)) return false;
-  const bool noun_before = std::any_of(parts_.begin(), parts_.end(), [](const Part& p) {
+  const bool noun_before = std::any_of(parts_.begin(), parts_.end(), [](const PhrasePart& p) {
     return !is_attribute_class(p.word_class) && p.word_class != Class::kFiller && p.word_class != Class::kWallWord;
   });
   if (match.length > 0 && !is_verb_in_name(match) && !names_on(match)) return read_listed(match, noun_before);

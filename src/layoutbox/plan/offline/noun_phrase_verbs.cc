@@ -15,7 +15,7 @@ bool NounPhraseReader::ends_in_verb(std::size_t head) const {
   const bool definite = phrase_.determiner == Determiner::kDefinite || phrase_.determiner == Determiner::kPossessive ||
                         phrase_.determiner == Determiner::kEach;
   if (head < 2 || phrase_.count != 0) return false;
-  const Part &last = parts_[head - 1], &before = parts_[head - 2];
+  const PhrasePart &last = parts_[head - 1], &before = parts_[head - 2];
   const bool place_follows = last.last < tokens_.size() && lexicon_.find_phrase(tokens_, last.last).length > 0;
   // "Sunlight spills over the table."
   if (phrase_.determiner == Determiner::kNone && before.word_class == Class::kAbstract && last.word_class == Class::kFiller)
@@ -38,7 +38,7 @@ bool NounPhraseReader::ends_in_verb(std::size_t head) const {
 // one ("sconce guard").
 bool NounPhraseReader::ends_in_plural_verb(std::size_t head) const {
   if (head < 2) return false;
-  const Part &last = parts_[head - 1], &before = parts_[head - 2];
+  const PhrasePart &last = parts_[head - 1], &before = parts_[head - 2];
   if (last.last != last.first + 1 || before.last != last.first || hyphenated(last.first) || last.plural || !before.plural ||
       before.word_class != Class::kObject || last.last >= tokens_.size())
     return false;
@@ -82,7 +82,7 @@ bool NounPhraseReader::lacks_verb(std::size_t at) const {
 // "the harp slouches in the corner", "a robe floats by the door": one thing, and what it does there.
 bool NounPhraseReader::ends_in_doing(std::size_t head) const {
   if (head < 2 || phrase_.count > 1 || counted_) return false;
-  const Part &last = parts_[head - 1], &before = parts_[head - 2];
+  const PhrasePart &last = parts_[head - 1], &before = parts_[head - 2];
   const bool one = phrase_.determiner == Determiner::kIndefinite;
   if (!one && phrase_.determiner != Determiner::kDefinite && phrase_.determiner != Determiner::kPossessive) return false;
   const std::string& word = tokens_[last.first].text;

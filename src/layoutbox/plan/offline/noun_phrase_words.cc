@@ -16,7 +16,7 @@ using Class = WordClass;
 
 // After a comma or "and" within a row of adjectives: "rectangular, wooden table", "cozy and well-lit room".
 bool NounPhraseReader::goes_on_after_break() const {
-  const bool adjectives = !parts_.empty() && std::all_of(parts_.begin(), parts_.end(), [this](const Part& p) {
+  const bool adjectives = !parts_.empty() && std::all_of(parts_.begin(), parts_.end(), [this](const PhrasePart& p) {
     // "sheet goods, timber rack" are two, "a warm, wooden table" is one
     const bool things = plural_at(p.last - 1) && word_form(tokens_[p.last - 1].text) != WordForm::kAdjective;
     return is_attribute_class(p.word_class) || (p.word_class == Class::kFiller && !things);
@@ -33,7 +33,7 @@ bool NounPhraseReader::word_may_belong() const {
   const std::string& text = token().text;
   if (text == "per") return false;  // "(2 per table)"
   if (hyphenated(i_)) return true;
-  const bool noun_before = std::any_of(parts_.begin(), parts_.end(), [this](const Part& p) {
+  const bool noun_before = std::any_of(parts_.begin(), parts_.end(), [this](const PhrasePart& p) {
     return p.word_class == Class::kObject || p.word_class == Class::kRoom || p.word_class == Class::kDoor ||
            p.word_class == Class::kWindow || (p.word_class == Class::kWall && p.last == i_);  // "the clock on the wall reminds everyone"
   });
@@ -152,7 +152,7 @@ bool NounPhraseReader::ends_before(const Match& match) const {
     const bool after_several = phrase_.determiner == Determiner::kEach && verb && phrase_.first > 0 && plural_at(phrase_.first - 1);
     return place || after_several || (phrase_.determiner == Determiner::kBoth && verb);
   }
-  const Part& last = parts_.back();
+  const PhrasePart& last = parts_.back();
   if (verb && last.last == i_ && plural_at(i_ - 1) && !is_attribute_class(last.word_class)) return true;
   const std::size_t phrase = lexicon_.find_phrase(tokens_, i_).length;
   if (phrase > std::max<std::size_t>(match.length, 1)) return true;  // "two desks side by side": a place, no part of the name

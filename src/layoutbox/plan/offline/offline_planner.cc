@@ -175,8 +175,8 @@ class OfflinePlanner final : public Planner {
   static void build_objects(Document& document, SceneGraph& scene) {
     std::map<std::string, int> numbers;
     std::map<int, int> of_group, so_far;
-    for (const Item& item : document.items) ++of_group[item.group];
-    for (const Item& item : document.items) {
+    for (const TextItem& item : document.items) ++of_group[item.group];
+    for (const TextItem& item : document.items) {
       constexpr int kCertain = 2;  // of what fills its place: the plural's own
       const int rank = so_far[item.group]++;
       SceneObject object;
@@ -193,7 +193,7 @@ class OfflinePlanner final : public Planner {
       scene.objects.push_back(std::move(object));
     }
     std::vector<std::string> guessed;
-    for (const Item& item : document.items) {
+    for (const TextItem& item : document.items) {
       if (item.noun.entry != nullptr && item.noun.category == item.noun.entry->id) continue;
       if (std::find(guessed.begin(), guessed.end(), item.noun.name) != guessed.end()) continue;
       guessed.push_back(item.noun.name);

@@ -108,7 +108,7 @@ class PeopleReader {
 
   bool counter_named() const {
     return std::ranges::any_of(document_.items,
-                               [](const Item& item) { return item.noun.entry != nullptr && item.noun.entry->is(Trait::kCounter); });
+                               [](const TextItem& item) { return item.noun.entry != nullptr && item.noun.entry->is(Trait::kCounter); });
   }
 
   // "a table for six, with chairs": as many; "with a bench": that is all.
@@ -133,7 +133,7 @@ class PeopleReader {
   }
 
   void grow(int m, int count) {
-    const Item first = document_.items[static_cast<std::size_t>(mention(m).items.front())];
+    const TextItem first = document_.items[static_cast<std::size_t>(mention(m).items.front())];
     while (static_cast<int>(mention(m).items.size()) < std::min(count, kMostPeople)) {
       mention(m).items.push_back(static_cast<int>(document_.items.size()));
       document_.items.push_back(first);

@@ -53,7 +53,7 @@ void References::grow(int mention, std::size_t count) {
   constexpr std::size_t kMost = 400;
   Mention& grown = document_.mentions[static_cast<std::size_t>(mention)];
   if (grown.items.empty() || !grown.introduces) return;
-  const Item first = document_.items[static_cast<std::size_t>(grown.items.front())];
+  const TextItem first = document_.items[static_cast<std::size_t>(grown.items.front())];
   while (grown.items.size() < std::min(count, kMost) && document_.items.size() < kMostItems) {
     grown.items.push_back(static_cast<int>(document_.items.size()));
     document_.items.push_back(first);

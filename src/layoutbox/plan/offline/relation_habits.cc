@@ -270,8 +270,8 @@ void RelationBuilder::add_habits() {
 }
 
 bool RelationBuilder::is_only_table(std::size_t index) const {
-  return std::count_if(document_.items.begin(), document_.items.end(), [&](const Item& item) { return is_table(catalog_, item.noun); }) ==
-             1 &&
+  return std::count_if(document_.items.begin(), document_.items.end(),
+                       [&](const TextItem& item) { return is_table(catalog_, item.noun); }) == 1 &&
          index < document_.items.size();
 }
 

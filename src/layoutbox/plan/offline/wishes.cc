@@ -219,7 +219,7 @@ bool only_says_what_for(const Lexicon& lexicon, const Document& document) {
   static constexpr std::string_view kAfter[] = {":", "with", "-", "(", "including"};
   std::size_t end = at;
   while (end < document.tokens.size() && !document.tokens[end].ends_sentence && !is_any(end, kAfter)) ++end;
-  return opens && suggested && std::all_of(document.items.begin(), document.items.end(), [&](const Item& item) {
+  return opens && suggested && std::all_of(document.items.begin(), document.items.end(), [&](const TextItem& item) {
            return item.noun.first > at && item.noun.first <= end && item.noun.determiner != Determiner::kIndefinite && item.noun.count == 0;
          });
 }

@@ -43,7 +43,8 @@ class ZoneReader {
     const bool place = zone.kind == NounKind::kCorner || zone.kind == NounKind::kAbstract || zone.kind == NounKind::kRoom;
     if (!place || !is_zone(document_.tokens[zone.last - 1].text) || zone.is_plural() || !zone.wall_word.empty() || zone.of) return false;
     if (is_told_where(c)) return row_of(zone) != nullptr;
-    if (document_.rooms.empty() && std::ranges::none_of(document_.items, [&](const Item& item) { return item.noun.first < zone.first; }))
+    if (document_.rooms.empty() &&
+        std::ranges::none_of(document_.items, [&](const TextItem& item) { return item.noun.first < zone.first; }))
       return false;  // "A reading corner for two children.": that is the room
     const bool room = !document_.rooms.empty() && document_.rooms.front().first == zone.first;
     if (room || is_one_of_rooms(c)) return false;
@@ -175,7 +176,7 @@ class ZoneReader {
   void furnish(Zone& zone, const ZoneUse& row) {
     const auto is_there = [&](const std::string& kind) {
       const auto alike = [&](const NounPhrase& n) { return n.entry != nullptr && catalog_.is_a(n.entry->id, kind); };
-      return std::ranges::any_of(document_.items, [&](const Item& item) { return alike(item.noun); }) ||
+      return std::ranges::any_of(document_.items, [&](const TextItem& item) { return alike(item.noun); }) ||
              std::ranges::any_of(document_.excluded, alike);
     };
     if (std::ranges::any_of(row.unless, is_there)) return;

@@ -14,10 +14,10 @@ using Features = std::vector<std::uint64_t>;
 void tag_features(const Sentence& sentence, int word, Features& features);
 
 // For the next step.
-void step_features(const Sentence& sentence, const State& state, Features& features);
+void step_features(const Sentence& sentence, const ParserState& state, Features& features);
 
 // For the label of the arc that a left or right step makes.
-void label_features(const Sentence& sentence, const State& state, Step step, Features& features);
+void label_features(const Sentence& sentence, const ParserState& state, ParserStep step, Features& features);
 
 // syntax::parse with other weights than the program's.
 std::vector<TreeNode> parse_with(const Weights& weights, std::span<const std::string_view> words);

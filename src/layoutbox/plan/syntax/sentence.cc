@@ -82,7 +82,7 @@ void look_ahead(Sentence& sentence) {
   }
 }
 
-State::State(int words)
+ParserState::ParserState(int words)
     : on_stack_(static_cast<std::size_t>(words) + 1),
       heads_(static_cast<std::size_t>(words) + 1, -1),
       arcs_(static_cast<std::size_t>(words) + 1, Arc::kDep),
@@ -91,17 +91,17 @@ State::State(int words)
   stack_.reserve(static_cast<std::size_t>(words));
 }
 
-bool State::allows(Step step) const {
+bool ParserState::allows(ParserStep step) const {
   switch (step) {
-    case Step::kShift: return next_ < size();
-    case Step::kLeft: return !stack_.empty();
-    case Step::kRight: return stack_.size() > 1;
+    case ParserStep::kShift: return next_ < size();
+    case ParserStep::kLeft: return !stack_.empty();
+    case ParserStep::kRight: return stack_.size() > 1;
   }
   return false;
 }
 
-void State::apply(Step step, Arc arc) {
-  if (step == Step::kShift) {
+void ParserState::apply(ParserStep step, Arc arc) {
+  if (step == ParserStep::kShift) {
     on_stack_[static_cast<std::size_t>(next_)] = true;
     stack_.push_back(next_++);
     return;
@@ -109,7 +109,7 @@ void State::apply(Step step, Arc arc) {
   const int child = dependent(step), above = head(step);
   heads_[static_cast<std::size_t>(child)] = above;
   arcs_[static_cast<std::size_t>(child)] = arc;
-  Children& side = (step == Step::kLeft ? left_ : right_)[static_cast<std::size_t>(above)];
+  Children& side = (step == ParserStep::kLeft ? left_ : right_)[static_cast<std::size_t>(above)];
   side.inner = side.outer;
   side.outer = child;
   ++side.count;

@@ -56,19 +56,19 @@ bool is_noun(std::uint8_t tag);
 bool is_finite(std::uint8_t tag);
 
 // Steps of the arc-hybrid system. The end of the sentence stands for the root.
-enum class Step : std::uint8_t { kShift, kLeft, kRight };  // push the next word; the top hangs on the next word; on the one below it
+enum class ParserStep : std::uint8_t { kShift, kLeft, kRight };  // push the next word; the top hangs on the next word; on the one below it
 inline constexpr int kSteps = 3;
 
-class State {
+class ParserState {
  public:
-  explicit State(int words);
+  explicit ParserState(int words);
 
   bool done() const { return next_ == size() && stack_.empty(); }
-  bool allows(Step step) const;
+  bool allows(ParserStep step) const;
   // The word that the step gives a head, and that head; -1 each for a shift.
-  int dependent(Step step) const { return step == Step::kShift ? -1 : top(0); }
-  int head(Step step) const { return step == Step::kLeft ? next_ : step == Step::kRight ? top(1) : -1; }
-  void apply(Step step, Arc arc);
+  int dependent(ParserStep step) const { return step == ParserStep::kShift ? -1 : top(0); }
+  int head(ParserStep step) const { return step == ParserStep::kLeft ? next_ : step == ParserStep::kRight ? top(1) : -1; }
+  void apply(ParserStep step, Arc arc);
 
   int size() const { return static_cast<int>(heads_.size()) - 1; }
   int next() const { return next_; }  // the number of words at the end

@@ -30,7 +30,7 @@ std::uint64_t sense_of(const Word& word, std::uint8_t tag) {
   return 1;
 }
 
-void fill_role(const Sentence& sentence, const State& state, Role role, int place, Atoms& atoms) {
+void fill_role(const Sentence& sentence, const ParserState& state, Role role, int place, Atoms& atoms) {
   std::uint64_t* facets = atoms.data() + at(role, kWord);
   if (place < 0 || place >= sentence.size()) {
     std::fill_n(facets, kFacets, place < 0 ? kNothing : kAfter);
@@ -52,25 +52,25 @@ std::uint64_t distance(int from, int to) {
   return d <= 6 ? 5 : d <= 9 ? 6 : d <= 15 ? 7 : 8;
 }
 
-int outer(const State& state, int place, bool left) {
+int outer(const ParserState& state, int place, bool left) {
   if (place < 0) return -1;
   return (left ? state.left(place) : state.right(place)).outer;
 }
-int inner(const State& state, int place, bool left) {
+int inner(const ParserState& state, int place, bool left) {
   if (place < 0) return -1;
   return (left ? state.left(place) : state.right(place)).inner;
 }
-State::Children children(const State& state, int place, bool left) {
-  return place < 0 ? State::Children{} : left ? state.left(place) : state.right(place);
+ParserState::Children children(const ParserState& state, int place, bool left) {
+  return place < 0 ? ParserState::Children{} : left ? state.left(place) : state.right(place);
 }
 
 // The preposition that hangs on a word last: the same one tells parallel members of a list.
-int preposition_child(const State& state, int place) {
+int preposition_child(const ParserState& state, int place) {
   const int child = outer(state, place, false);
   return child >= 0 && state.arc_of(child) == Arc::kPrep ? child : -1;
 }
 
-void fill_counts(const Sentence& sentence, const State& state, Atoms& atoms) {
+void fill_counts(const Sentence& sentence, const ParserState& state, Atoms& atoms) {
   const int s0 = state.top(0), s1 = state.top(1), s2 = state.top(2), b0 = state.next();
   const auto count = [](int n) { return static_cast<std::uint64_t>(std::min(n, 3)); };
   atoms[kSDist] = s1 < 0 ? 9 : distance(s1, s0);
@@ -96,7 +96,7 @@ void fill_counts(const Sentence& sentence, const State& state, Atoms& atoms) {
       p0 >= 0 && p1 >= 0 ? 1 + (sentence.words[static_cast<std::size_t>(p0)].key == sentence.words[static_cast<std::size_t>(p1)].key) : 0;
 }
 
-void fill_ahead(const Sentence& sentence, const State& state, Atoms& atoms) {
+void fill_ahead(const Sentence& sentence, const ParserState& state, Atoms& atoms) {
   const auto b0 = static_cast<std::size_t>(state.next());
   const int n = sentence.size();
   const int noun = sentence.next_noun[b0], verb = sentence.next_verb[b0], pause = sentence.next_break[b0];
@@ -116,7 +116,7 @@ void fill_ahead(const Sentence& sentence, const State& state, Atoms& atoms) {
   atoms[kVerbBelow] = below;
 }
 
-void fill_atoms(const Sentence& sentence, const State& state, Atoms& atoms) {
+void fill_atoms(const Sentence& sentence, const ParserState& state, Atoms& atoms) {
   const int s0 = state.top(0), s1 = state.top(1), b0 = state.next(), n = sentence.size();
   const auto fill = [&](Role role, int place) { fill_role(sentence, state, role, place, atoms); };
   fill(kS0R, s0);
@@ -166,20 +166,20 @@ constexpr std::array kLabelTemplates = {
 
 }  // namespace
 
-void step_features(const Sentence& sentence, const State& state, Features& features) {
+void step_features(const Sentence& sentence, const ParserState& state, Features& features) {
   Atoms atoms{};
   fill_atoms(sentence, state, atoms);
   combine(atoms, kStepTemplates, 0x89abcdef, features);
 }
 
-void label_features(const Sentence& sentence, const State& state, Step step, Features& features) {
+void label_features(const Sentence& sentence, const ParserState& state, ParserStep step, Features& features) {
   // The head plays the part of the second word on the stack, whichever side it is on.
   Atoms atoms{};
   const int child = state.dependent(step), above = state.head(step);
   const auto fill = [&](Role role, int place) { fill_role(sentence, state, role, place, atoms); };
   fill(kS0R, child);
   fill(kS1R, above);
-  fill(kB0R, step == Step::kLeft ? state.top(1) : state.next());
+  fill(kB0R, step == ParserStep::kLeft ? state.top(1) : state.next());
   fill(kS0L, outer(state, child, true));
   fill(kS0Ro, outer(state, child, false));
   fill(kS1L, outer(state, above, true));
@@ -189,7 +189,7 @@ void label_features(const Sentence& sentence, const State& state, Step step, Fea
   fill(kAfterS1, above + 1);
   fill(kFirstR, 0);
   atoms[kDirection] = static_cast<std::uint64_t>(step);
-  atoms[kSDist] = step == Step::kLeft ? distance(child, above) : distance(above, child);
+  atoms[kSDist] = step == ParserStep::kLeft ? distance(child, above) : distance(above, child);
   atoms[kS0Lm] = state.left(child).labels;
   atoms[kS0Rm] = state.right(child).labels;
   atoms[kS1Lm] = state.left(above).labels;

@@ -21,18 +21,18 @@ void find_tags(Sentence& sentence, const Weights& weights, Features& features) {
 }
 
 struct Choice {
-  Step step = Step::kShift;
+  ParserStep step = ParserStep::kShift;
   float margin = 0;  // how much better than the next best; large where nothing else is allowed
 };
 
-Choice choose_step(const Sentence& sentence, const State& state, const Weights& weights, Features& features) {
+Choice choose_step(const Sentence& sentence, const ParserState& state, const Weights& weights, Features& features) {
   std::array<int, kSteps> scores{};
   step_features(sentence, state, features);
   weights.add(WeightTable::kStep, features, scores);
   constexpr int kLowest = std::numeric_limits<int>::min() / 2;
   int best = -1, first = kLowest, second = kLowest;
   for (int i = 0; i < kSteps; ++i) {
-    if (!state.allows(Step{static_cast<std::uint8_t>(i)})) continue;
+    if (!state.allows(ParserStep{static_cast<std::uint8_t>(i)})) continue;
     const int score = scores[static_cast<std::size_t>(i)];
     if (best < 0 || score > first) {
       second = first;
@@ -43,11 +43,11 @@ Choice choose_step(const Sentence& sentence, const State& state, const Weights& 
     }
   }
   constexpr float kSure = 1e6F;
-  return {Step{static_cast<std::uint8_t>(best)},
+  return {ParserStep{static_cast<std::uint8_t>(best)},
           second == kLowest ? kSure : static_cast<float>(first - second) * weights.scale(WeightTable::kStep)};
 }
 
-Arc choose_label(const Sentence& sentence, const State& state, Step step, const Weights& weights, Features& features) {
+Arc choose_label(const Sentence& sentence, const ParserState& state, ParserStep step, const Weights& weights, Features& features) {
   if (state.head(step) == sentence.size()) return Arc::kRoot;
   std::array<int, kArcs> scores{};
   label_features(sentence, state, step, features);
@@ -64,7 +64,7 @@ std::vector<TreeNode> parse_with(const Weights& weights, std::span<const std::st
   Features features;
   Sentence sentence = read_sentence(words, weights);
   find_tags(sentence, weights, features);
-  State state(sentence.size());
+  ParserState state(sentence.size());
   std::vector<TreeNode> nodes(words.size());
   std::vector<float> margins(words.size(), std::numeric_limits<float>::max());
   while (!state.done()) {

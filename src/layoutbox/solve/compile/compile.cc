@@ -18,7 +18,7 @@ constexpr std::array kFunctions{
 #undef LAYOUTBOX_RELATION
 };
 
-Result<Reference> resolve(const Model& model, const std::string& id, std::string_view pointer) {
+Result<Reference> resolve(const PlacementModel& model, const std::string& id, std::string_view pointer) {
   if (id == "room" || id == "floor" || id == "ceiling") return Reference{Reference::Kind::kRoom, -1};
   if (const int item = model.find_item(id); item >= 0) return Reference{Reference::Kind::kItem, item};
   if (const int wall = model.find_wall(id); wall >= 0) return Reference{Reference::Kind::kWall, wall};
@@ -100,7 +100,7 @@ std::vector<int> Compilation::walls() const {
   return found;
 }
 
-Status compile_relation(const Model& model, const Relation& relation, std::string_view pointer, Constraint& out) {
+Status compile_relation(const PlacementModel& model, const Relation& relation, std::string_view pointer, Constraint& out) {
   Compilation c{model, relation, {}, {}, out};
   for (const std::string& id : relation.targets) {
     LAYOUTBOX_ASSIGN(const Reference target, resolve(model, id, pointer));

@@ -25,7 +25,7 @@ struct Place {
 
 // One relation on its way into the small form.
 struct Compilation {
-  const Model& model;
+  const PlacementModel& model;
   const Relation& relation;
   std::vector<int> targets;  // items
   std::vector<Reference> references;
@@ -47,12 +47,12 @@ struct Compilation {
 #undef LAYOUTBOX_RELATION
 
 // Dispatches on the type. Errors: kReference, a target or reference that is not there.
-Status compile_relation(const Model& model, const Relation& relation, std::string_view pointer, Constraint& out);
+Status compile_relation(const PlacementModel& model, const Relation& relation, std::string_view pointer, Constraint& out);
 
 // The cases of an item's support (what holds it up), in the order of item.supports, which it fills.
-Constraint compile_support(Model& model, int item);
+Constraint compile_support(PlacementModel& model, int item);
 
 // Soft constraints for what the catalogue knows: backs to walls, chairs at their tables, sofas to televisions.
-void add_habits(Model& model);
+void add_habits(PlacementModel& model);
 
 }  // namespace layoutbox::placement

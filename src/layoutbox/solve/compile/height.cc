@@ -81,7 +81,7 @@ class PartOfTop {
 };
 
 // Where on the reference, in its own frame.
-void require_part(Formula& f, const Model& model, int t, int r, const std::string& part) {
+void require_part(Formula& f, const PlacementModel& model, int t, int r, const std::string& part) {
   const Item& ref = model.items[r];
   for_each_turn(ref, [&](int turn, std::uint64_t states) {
     PartOfTop where(ref, t, r, turn, states);

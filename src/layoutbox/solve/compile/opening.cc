@@ -35,7 +35,7 @@ void far_from_all(Compilation& c, bool windows) {
 
 }  // namespace
 
-void add_under_window(Formula& f, const Model& model, int t, int window, Mm most) {
+void add_under_window(Formula& f, const PlacementModel& model, int t, int window, Mm most) {
   const Item& item = model.items[window];
   for_each_turn(item, [&](int turn, std::uint64_t states) {
     const Direction in = side_direction(item, Side::kFront, turn);

@@ -8,7 +8,7 @@ constexpr std::size_t kMostAbreast = 3;  // more may stand in rows
 constexpr Mm kTalking = 300;             // beyond the least distance, between seats
 
 // Of more than quarter turns nothing is said.
-void leave_odd_turns_open(Formula& f, const Model& model, std::initializer_list<int> items) {
+void leave_odd_turns_open(Formula& f, const PlacementModel& model, std::initializer_list<int> items) {
   for (const int item : items) f.exact = f.exact && model.items[item].odd_states == 0;
 }
 

@@ -174,7 +174,7 @@ void compile_Facing(Compilation& c) {
       Formula& f = c.formula();
       if (r.kind == Reference::Kind::kItem) add_looks_at(f, c.model, t, r.index, eyes);
       if (r.kind == Reference::Kind::kWall) add_looks_at_wall(f, c.model, t, c.model.walls[r.index], eyes);
-      const Box& room = c.model.room;
+      const GridBox& room = c.model.room;
       if (r.kind == Reference::Kind::kRoom) {
         add_looks_at_point(f, c.model, t, {(room.lo[0] + room.hi[0]) / 2, (room.lo[1] + room.hi[1]) / 2}, eyes);
       }
@@ -299,7 +299,7 @@ void compile_AlongSide(Compilation& c) {
 }
 
 // A seat at one side of a table: looks at it, within the side's length, pushed under by at least `under`.
-void add_tucked(Formula& f, const Model& model, int t, int r, Side side, Mm under, Mm wished_under) {
+void add_tucked(Formula& f, const PlacementModel& model, int t, int r, Side side, Mm under, Mm wished_under) {
   const Item &seat = model.items[t], &table = model.items[r];
   for_each_turn(table, [&](int turn, std::uint64_t states) {
     const Direction d = side_direction(table, side, turn);

@@ -23,7 +23,7 @@ Place place_of(int item) {
   return place;
 }
 
-Place place_of(const Model& model, const RoomWall& wall) {
+Place place_of(const PlacementModel& model, const RoomWall& wall) {
   Place place;
   place.lo[wall.along] = wall.lo, place.hi[wall.along] = wall.hi;
   place.lo[wall.normal()] = place.hi[wall.normal()] = wall.at;
@@ -69,7 +69,7 @@ std::uint64_t states_at_angle(const Item& item, double angle, double period) {
   return mask;
 }
 
-std::optional<SignedHeading> signed_heading(const Model& model, double degrees) {
+std::optional<SignedHeading> signed_heading(const PlacementModel& model, double degrees) {
   for (std::size_t k = 0; k < model.headings.size(); ++k) {
     const double off = std::remainder(degrees - model.headings[k].angle, 360);
     if (std::abs(off) < kSameAngle) return SignedHeading{static_cast<int>(k), 1};
@@ -78,7 +78,7 @@ std::optional<SignedHeading> signed_heading(const Model& model, double degrees) 
   return std::nullopt;
 }
 
-std::vector<PartPlace> parts_of(const Model& model, int index) {
+std::vector<PartPlace> parts_of(const PlacementModel& model, int index) {
   const Item& item = model.items[index];
   std::vector<PartPlace> parts;
   if (quarter_states(item)) parts.push_back({place_of(index), quarter_states(item)});
@@ -99,7 +99,7 @@ std::vector<PartPlace> parts_of(const Model& model, int index) {
   return parts;
 }
 
-std::vector<Case> in_line(const Case& base, const Model& model, int t, const Place& r, int axis, Facing facing) {
+std::vector<Case> in_line(const Case& base, const PlacementModel& model, int t, const Place& r, int axis, Facing facing) {
   // |mid(t) − mid(r)| ≤ max(half) − min(half)/5, or ≤ max(half).
   constexpr int kFifths = 5;
   const Linear off = mid2(t, axis) - r.lo[axis] - r.hi[axis];
@@ -121,7 +121,7 @@ std::vector<Case> in_line(const Case& base, const Model& model, int t, const Pla
   return cases;
 }
 
-std::vector<Case> cover(const Case& base, const Model& model, int t, int r, Mm grow) {
+std::vector<Case> cover(const Case& base, const PlacementModel& model, int t, int r, Mm grow) {
   // |mid(t) − mid(r)| ≤ max(half) − min(half)/2 along both axes: one case for each that may be the greater.
   const Item &a = model.items[t], &b = model.items[r];
   std::vector<Case> cases{base};
@@ -154,7 +154,7 @@ std::uint64_t states_with_width_along(const Item& item, int axis) {
   return mask;
 }
 
-std::vector<std::vector<int>> orders_of(const Model& model, const Relation& relation, std::vector<int> things) {
+std::vector<std::vector<int>> orders_of(const PlacementModel& model, const Relation& relation, std::vector<int> things) {
   if (things.size() < 2) return {things};
   // Alike: one kind, one size, nothing said of one that is not said of the others in this very relation.
   const auto is_alone = [&](int t) {

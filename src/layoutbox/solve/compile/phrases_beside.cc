@@ -19,7 +19,7 @@ void wish_alignment(Case& c, const Item& ref, int t, int r, Side side, int turn,
 
 // Beside what is turned with a slanted wall: t is turned with it too (by quarters more or less), so that their distance is the gap
 // between two parallel sides.
-void add_beside_slanted(Formula& f, const Model& model, int t, int r, Side side, const Beside& how, bool level) {
+void add_beside_slanted(Formula& f, const PlacementModel& model, int t, int r, Side side, const Beside& how, bool level) {
   const Item &self = model.items[t], &ref = model.items[r];
   if (self.spans < 0 || ref.spans < 0 || !ref.has_front || how.may_reach_under) return;
   const double by = side == Side::kFront ? 270 : side == Side::kBack ? 90 : side == Side::kLeft ? 180 : 0;
@@ -57,7 +57,7 @@ void add_beside_slanted(Formula& f, const Model& model, int t, int r, Side side,
 
 }  // namespace
 
-int frame_host(const Model& model, int r) {
+int frame_host(const PlacementModel& model, int r) {
   const Item& ref = model.items[r];
   if (ref.is_opening() || ref.has_front) return -1;
   int host = -1;
@@ -77,7 +77,7 @@ namespace {
 // "All of t beyond that side of r, in line with it", on its way into a formula.
 class BesideCases {
  public:
-  BesideCases(Formula& f, const Model& model, int t, int r, Side side, const Beside& how)
+  BesideCases(Formula& f, const PlacementModel& model, int t, int r, Side side, const Beside& how)
       : f_(f),
         model_(model),
         t_(t),
@@ -148,7 +148,7 @@ class BesideCases {
   }
 
   Formula& f_;
-  const Model& model_;
+  const PlacementModel& model_;
   int t_, r_;
   Side side_;
   const Beside& how_;
@@ -163,7 +163,7 @@ class BesideCases {
 
 }  // namespace
 
-void add_beside(Formula& f, const Model& model, int t, int r, Side side, const Beside& how) {
+void add_beside(Formula& f, const PlacementModel& model, int t, int r, Side side, const Beside& how) {
   const Item& ref = model.items[how.frame >= 0 ? how.frame : r];
   BesideCases cases(f, model, t, r, side, how);
   for_each_turn(ref, [&](int turn, std::uint64_t states) { cases.add(turn, states); });

@@ -15,7 +15,7 @@ Mm gap_in_height(Mm low_a, Mm height_a, Mm low_b, Mm height_b) { return std::max
 
 }  // namespace
 
-Heights heights_between(const Model& model, int t, const Place& r, Mm most, Purpose purpose) {
+Heights heights_between(const PlacementModel& model, int t, const Place& r, Mm most, Purpose purpose) {
   Heights h;
   if (r.item < 0) return {true, 0, ~std::uint64_t{0}};  // walls go from floor to ceiling
   const Item &a = model.items[t], &b = model.items[r.item];
@@ -53,7 +53,7 @@ struct Pair {
 };
 
 // Pairs of places within t and r, one of which is as near as need be: corners meet what is no corner.
-std::vector<Pair> pairs_of_parts(const Model& model, int t, const Place& r, std::uint64_t t_states) {
+std::vector<Pair> pairs_of_parts(const PlacementModel& model, int t, const Place& r, std::uint64_t t_states) {
   const std::vector<PartPlace> references = r.item >= 0 ? parts_of(model, r.item) : std::vector<PartPlace>{{r, 0}};
   std::vector<Pair> pairs;
   for (const PartPlace& own : parts_of(model, t)) {
@@ -112,7 +112,7 @@ struct Limit {
 
 }  // namespace
 
-void add_within(std::vector<Case>& cases, Case base, const Model& model, int t, const Place& r, Mm most, Purpose purpose,
+void add_within(std::vector<Case>& cases, Case base, const PlacementModel& model, int t, const Place& r, Mm most, Purpose purpose,
                 std::uint64_t t_states) {
   const Heights heights = heights_between(model, t, r, most, purpose);
   Limit limit{heights.known, most, purpose == Purpose::kProving};
@@ -137,7 +137,7 @@ void add_within(std::vector<Case>& cases, Case base, const Model& model, int t, 
 
 // An axis along which they are `least` apart is enough, and so is a sum over two axes of √2 times that. Needed is one of: 92 % along an
 // axis, or a sum over two or three of 1.31 times.
-void add_apart(std::vector<Case>& cases, const Model& model, int t, const Place& r, Mm least, Purpose purpose) {
+void add_apart(std::vector<Case>& cases, const PlacementModel& model, int t, const Place& r, Mm least, Purpose purpose) {
   const bool proving = purpose == Purpose::kProving;
   const bool flat = heights_between(model, t, r, least, purpose).known && heights_between(model, t, r, least, purpose).gap == 0;
   const int axes = flat ? 2 : 3;
@@ -170,7 +170,7 @@ constexpr int kMostSectors = 12;         // of a quadrant
 constexpr std::int32_t kPlanar = 10000;  // directions are whole numbers of this length
 
 // A ring too narrow for the octagons: pieces of it, one beside the other, beyond the corners of r.
-void add_ring(std::vector<Case>& cases, const Model& model, int t, const Place& r, Mm least, Mm most) {
+void add_ring(std::vector<Case>& cases, const PlacementModel& model, int t, const Place& r, Mm least, Mm most) {
   const Heights heights = heights_between(model, t, r, most, Purpose::kPlacing);
   const bool odd = model.items[t].odd_states != 0 || (r.item >= 0 && model.items[r.item].odd_states != 0);
   if (r.item < 0 || odd || !heights.known || heights.gap != 0 || least <= 0 || most < least || most * 10 > least * 11 + 300) return;
@@ -198,7 +198,7 @@ void add_ring(std::vector<Case>& cases, const Model& model, int t, const Place& 
 
 }  // namespace
 
-void add_band(Formula& f, const Model& model, int t, const Place& r, Mm least, std::optional<Mm> most, Mm wished) {
+void add_band(Formula& f, const PlacementModel& model, int t, const Place& r, Mm least, std::optional<Mm> most, Mm wished) {
   f.exact = false;
   for (const Purpose purpose : {Purpose::kPlacing, Purpose::kProving}) {
     std::vector<Case> apart;

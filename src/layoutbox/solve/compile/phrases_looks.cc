@@ -13,7 +13,7 @@ constexpr std::int32_t kLookAcross = 100000, kLookAhead = 26794;
 
 }  // namespace
 
-Side looking_side(const Model& model, int item) {
+Side looking_side(const PlacementModel& model, int item) {
   const Item& self = model.items[item];
   if (!self.is(Trait::kDeskLike) || used_side(self) != Side::kFront) return Side::kFront;
   const auto has = [](const std::vector<std::string>& ids, const std::string& id) {
@@ -29,7 +29,7 @@ Side looking_side(const Model& model, int item) {
   return used_from_behind ? Side::kFront : Side::kBack;
 }
 
-void add_looks_at(Formula& f, const Model& model, int t, int r, Side eyes) {
+void add_looks_at(Formula& f, const PlacementModel& model, int t, int r, Side eyes) {
   const Item& item = model.items[t];
   if (!item.has_front) {
     f.add().wish(Linear(0), 1);
@@ -72,7 +72,7 @@ void add_looks_at(Formula& f, const Model& model, int t, int r, Side eyes) {
   });
 }
 
-void add_looks_with_group(Formula& f, const Model& model, int t, const std::vector<int>& group, int r) {
+void add_looks_with_group(Formula& f, const PlacementModel& model, int t, const std::vector<int>& group, int r) {
   const Item& item = model.items[t];
   add_looks_at(f, model, t, r);
   if (!item.has_front) return;
@@ -97,7 +97,7 @@ void add_looks_with_group(Formula& f, const Model& model, int t, const std::vect
   });
 }
 
-void add_looks_at_wall(Formula& f, const Model& model, int t, const RoomWall& wall, Side eyes) {
+void add_looks_at_wall(Formula& f, const PlacementModel& model, int t, const RoomWall& wall, Side eyes) {
   const Item& item = model.items[t];
   if (!item.has_front) {
     f.add();
@@ -115,7 +115,7 @@ void add_looks_at_wall(Formula& f, const Model& model, int t, const RoomWall& wa
   });
 }
 
-void add_looks_at_point(Formula& f, const Model& model, int t, Point point, Side eyes) {
+void add_looks_at_point(Formula& f, const PlacementModel& model, int t, Point point, Side eyes) {
   const Item& item = model.items[t];
   for_each_turn(item, [&](int turn, std::uint64_t states) {
     if (!item.has_front || !quarter(turn)) return;

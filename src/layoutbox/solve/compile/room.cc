@@ -8,7 +8,7 @@ namespace layoutbox::placement {
 namespace {
 
 // Twice the middle of the floor's extent.
-std::int64_t twice_middle(const Model& model, int axis) { return std::int64_t{model.room.lo[axis]} + model.room.hi[axis]; }
+std::int64_t twice_middle(const PlacementModel& model, int axis) { return std::int64_t{model.room.lo[axis]} + model.room.hi[axis]; }
 
 // Both at once.
 Case both(Case a, const Case& b) {

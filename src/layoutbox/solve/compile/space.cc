@@ -6,7 +6,7 @@ namespace layoutbox::placement {
 namespace {
 
 // The scene says that the other stands at t: a chair under its desk.
-bool belongs_to(const Model& model, int other, int t) {
+bool belongs_to(const PlacementModel& model, int other, int t) {
   const auto has = [](const std::vector<std::string>& ids, const std::string& id) {
     return std::find(ids.begin(), ids.end(), id) != ids.end();
   };
@@ -58,7 +58,7 @@ void add_free_floor(Compilation& c, int t, Side side, Mm depth, std::uint64_t in
       if (high) add(other.lo[2] - Linear(kStandingRoom));
     });
   };
-  for (const Box& outside : c.model.outside) {
+  for (const GridBox& outside : c.model.outside) {
     Place wall;
     for (int axis = 0; axis < 3; ++axis) wall.lo[axis] = outside.lo[axis], wall.hi[axis] = outside.hi[axis];
     keep_off(wall, false);

@@ -39,7 +39,7 @@ void add_over(Case& placing, Case& proving, int t, int axis, const Linear& low, 
   }
 }
 
-void add_top(Formula& f, const Model& model, int t, int r) {
+void add_top(Formula& f, const PlacementModel& model, int t, int r) {
   const Item &item = model.items[t], &ref = model.items[r];
   Case c, outer;
   c.require_small(lo(t, 2) - hi(r, 2), 0);
@@ -58,7 +58,7 @@ void add_top(Formula& f, const Model& model, int t, int r) {
   f.add_outer() = std::move(outer);
 }
 
-void add_space(Formula& f, const Model& model, int t, int r, const ItemSpace& space, bool inside) {
+void add_space(Formula& f, const PlacementModel& model, int t, int r, const ItemSpace& space, bool inside) {
   const Item &item = model.items[t], &ref = model.items[r];
   Linear low[3], high[3];
   for (int axis = 0; axis < 3; ++axis) {
@@ -83,7 +83,7 @@ void add_space(Formula& f, const Model& model, int t, int r, const ItemSpace& sp
 }
 
 // Hanging on something: against one of its sides, no higher than its top, off the floor.
-void add_hanging(Formula& f, const Model& model, int t, int r) {
+void add_hanging(Formula& f, const PlacementModel& model, int t, int r) {
   const Item& host = model.items[r];
   if (host.odd_states != 0) f.exact = false;  // on the sides of the box around it nothing hangs
   for (int axis = 0; axis < 2; ++axis) {
@@ -104,7 +104,7 @@ void add_hanging(Formula& f, const Model& model, int t, int r) {
 }
 
 // Items that relations say t stands on or in.
-std::vector<int> hosts_named(const Model& model, int t) {
+std::vector<int> hosts_named(const PlacementModel& model, int t) {
   std::vector<int> hosts;
   const auto add = [&](std::string_view id) {
     const int host = model.find_item(id);
@@ -128,7 +128,7 @@ std::vector<int> hosts_named(const Model& model, int t) {
 }
 
 // What is under a bench with compartments down to the floor is in one of these.
-void add_compartments_above(Formula& f, const Model& model, int t, int r) {
+void add_compartments_above(Formula& f, const PlacementModel& model, int t, int r) {
   const Item& ref = model.items[r];
   if (ref.is_opening() || ref.states.empty()) return;
   for (const ItemSpace& s : ref.spaces) {
@@ -138,7 +138,7 @@ void add_compartments_above(Formula& f, const Model& model, int t, int r) {
 }
 
 // Items that relations say t is under.
-std::vector<int> covers_named(const Model& model, int t) {
+std::vector<int> covers_named(const PlacementModel& model, int t) {
   std::vector<int> covers;
   for (const Relation& relation : model.scene->relations) {
     const auto& targets = relation.targets;
@@ -150,7 +150,7 @@ std::vector<int> covers_named(const Model& model, int t) {
   return covers;
 }
 
-std::vector<int> usual_hosts(const Model& model, int t) {
+std::vector<int> usual_hosts(const PlacementModel& model, int t) {
   std::vector<int> hosts;
   for (const std::string& kind : model.items[t].entry->stands_on) {
     for (std::size_t i = 0; i < model.items.size(); ++i) {
@@ -191,7 +191,7 @@ bool rests_by_way_of_others(const SceneGraph& scene, const std::string& id, cons
   return rests_said(scene, id, holder, 0);
 }
 
-void add_resting(Formula& f, const Model& model, int t, int r, const std::string& space, Resting how) {
+void add_resting(Formula& f, const PlacementModel& model, int t, int r, const std::string& space, Resting how) {
   const Item& ref = model.items[r];
   if (model.items[t].mount == Mount::kHung && how == Resting::kOn) {
     add_hanging(f, model, t, r);
@@ -212,7 +212,7 @@ void add_resting(Formula& f, const Model& model, int t, int r, const std::string
   if (how == Resting::kOn && open_place && !ref.entry->top_carries) f.cases.back().price += kUnlikelyTop;
 }
 
-void add_on_sill(Formula& f, const Model& model, int t, int window) {
+void add_on_sill(Formula& f, const PlacementModel& model, int t, int window) {
   const Item& item = model.items[window];
   for_each_turn(item, [&](int turn, std::uint64_t states) {
     const Direction in = side_direction(item, Side::kFront, turn);
@@ -226,7 +226,7 @@ void add_on_sill(Formula& f, const Model& model, int t, int window) {
   });
 }
 
-Constraint compile_support(Model& model, int t) {
+Constraint compile_support(PlacementModel& model, int t) {
   Item& item = model.items[t];
   Constraint out;
   out.name = "support of " + item.id;

@@ -32,7 +32,7 @@ std::int64_t least_floor(const Item& item) {
   return least;
 }
 
-std::int64_t room_area(const Model& model) {
+std::int64_t room_area(const PlacementModel& model) {
   std::int64_t twice = 0;
   const std::vector<Point>& polygon = model.scene->room.polygon;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -43,7 +43,7 @@ std::int64_t room_area(const Model& model) {
 }
 
 // Relations without a single case: left of itself, in a thing that has no inside.
-void add_never(const Model& model, const std::vector<char>& given_up, std::vector<Clash>& out) {
+void add_never(const PlacementModel& model, const std::vector<char>& given_up, std::vector<Clash>& out) {
   for (std::size_t c = 0; c < model.constraints.size(); ++c) {
     const Constraint& constraint = model.constraints[c];
     if (constraint.relation < 0 || constraint.firmness != Firmness::kHard || given_up[c]) continue;
@@ -56,7 +56,7 @@ void add_never(const Model& model, const std::vector<char>& given_up, std::vecto
   }
 }
 
-void add_too_large(const Model& model, const std::vector<char>& left_out, std::vector<Clash>& out) {
+void add_too_large(const PlacementModel& model, const std::vector<char>& left_out, std::vector<Clash>& out) {
   for (std::size_t i = 0; i < model.items.size(); ++i) {
     const Item& item = model.items[i];
     if (item.is_opening() || item.fixed || left_out[i]) continue;
@@ -73,7 +73,7 @@ void add_too_large(const Model& model, const std::vector<char>& left_out, std::v
 }
 
 // Do these things surely fit into the room side by side, wherever they please? Steinberg's theorem on packing rectangles.
-bool surely_fit(const Model& model, const std::vector<int>& items) {
+bool surely_fit(const PlacementModel& model, const std::vector<int>& items) {
   std::int64_t widest = 0, deepest = 0, area = 0;
   for (const int i : items) {
     const State& state = model.items[i].states[0];
@@ -92,7 +92,7 @@ struct AtWall {
 };
 
 // The relation that puts its targets at that wall and no other; null: that constraint is another or given up.
-const Relation* puts_at_wall(const Model& model, std::size_t constraint, int wall, const std::vector<char>& given_up) {
+const Relation* puts_at_wall(const PlacementModel& model, std::size_t constraint, int wall, const std::vector<char>& given_up) {
   const Constraint& one = model.constraints[constraint];
   if (one.relation < 0 || one.firmness != Firmness::kHard || given_up[constraint]) return nullptr;
   const Relation& relation = model.scene->relations[one.relation];
@@ -101,7 +101,8 @@ const Relation* puts_at_wall(const Model& model, std::size_t constraint, int wal
 }
 
 // The widest first.
-std::vector<AtWall> things_at_wall(const Model& model, int wall, const std::vector<char>& given_up, const std::vector<char>& left_out) {
+std::vector<AtWall> things_at_wall(const PlacementModel& model, int wall, const std::vector<char>& given_up,
+                                   const std::vector<char>& left_out) {
   std::vector<AtWall> things;
   for (std::size_t c = 0; c < model.constraints.size(); ++c) {
     const Relation* relation = puts_at_wall(model, c, wall, given_up);
@@ -117,7 +118,7 @@ std::vector<AtWall> things_at_wall(const Model& model, int wall, const std::vect
   return things;
 }
 
-Clash too_wide(const Model& model, const RoomWall& wall, const std::vector<AtWall>& things) {
+Clash too_wide(const PlacementModel& model, const RoomWall& wall, const std::vector<AtWall>& things) {
   Clash clash;
   std::vector<std::string> words;
   std::vector<int> items;
@@ -136,7 +137,8 @@ Clash too_wide(const Model& model, const RoomWall& wall, const std::vector<AtWal
 }
 
 // Backs against one wall side by side: the widths add up.
-void add_too_wide(const Model& model, const std::vector<char>& given_up, const std::vector<char>& left_out, std::vector<Clash>& out) {
+void add_too_wide(const PlacementModel& model, const std::vector<char>& given_up, const std::vector<char>& left_out,
+                  std::vector<Clash>& out) {
   for (std::size_t w = 0; w < model.walls.size(); ++w) {
     const RoomWall& wall = model.walls[w];
     std::vector<AtWall> things = things_at_wall(model, static_cast<int>(w), given_up, left_out);
@@ -151,7 +153,7 @@ void add_too_wide(const Model& model, const std::vector<char>& given_up, const s
 }
 
 // The door that wants the most free floor before it, which lies within the room wherever in its walls it is; −1: none.
-int widest_door(const Model& model, const std::vector<char>& given_up, std::int64_t& area) {
+int widest_door(const PlacementModel& model, const std::vector<char>& given_up, std::int64_t& area) {
   int widest = -1;
   area = 0;
   for (std::size_t i = 0; i < model.items.size(); ++i) {
@@ -165,7 +167,8 @@ int widest_door(const Model& model, const std::vector<char>& given_up, std::int6
   return widest;
 }
 
-void add_too_much(const Model& model, const std::vector<char>& given_up, const std::vector<char>& left_out, std::vector<Clash>& out) {
+void add_too_much(const PlacementModel& model, const std::vector<char>& given_up, const std::vector<char>& left_out,
+                  std::vector<Clash>& out) {
   std::vector<std::pair<std::int64_t, int>> areas;
   for (std::size_t i = 0; i < model.items.size(); ++i) {
     const Item& item = model.items[i];
@@ -206,7 +209,7 @@ void add_too_much(const Model& model, const std::vector<char>& given_up, const s
 
 }  // namespace
 
-std::vector<Clash> clashes_by_sums(const Model& model, const std::vector<char>& given_up, const std::vector<char>& left_out) {
+std::vector<Clash> clashes_by_sums(const PlacementModel& model, const std::vector<char>& given_up, const std::vector<char>& left_out) {
   std::vector<Clash> out = clashes_of_fixed(model, left_out);
   add_never(model, given_up, out);
   add_too_large(model, left_out, out);

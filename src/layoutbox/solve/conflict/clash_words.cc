@@ -36,7 +36,7 @@ std::string sizes_in_words(const Item& item) {
   return fmt::format("{:.2f} × {:.2f} × {:.2f} m", size.width / 1000.0, size.depth / 1000.0, size.height / 1000.0);
 }
 
-std::string room_in_words(const Model& model) {
+std::string room_in_words(const PlacementModel& model) {
   return fmt::format("{:.2f} × {:.2f} × {:.2f} m", model.room.extent(0) / 1000.0, model.room.extent(1) / 1000.0,
                      model.room.extent(2) / 1000.0);
 }
@@ -66,7 +66,7 @@ std::string plural_of(const std::string& name) {
   return name + (ends("s") || ends("x") || ends("ch") || ends("sh") ? "es" : "s");
 }
 
-std::string reference_in_words(const Model& model, const std::string& id) {
+std::string reference_in_words(const PlacementModel& model, const std::string& id) {
   if (const int item = model.find_item(id); item >= 0) return object_in_words(model, item);
   if (const int wall = model.find_wall(id); wall >= 0) return wall_in_words(model.walls[wall], model.walls.size() == 4);
   return "the " + id;
@@ -98,7 +98,7 @@ void make_plural(std::string& sentence) {
   }
 }
 
-std::string clearance_in_words(const Model& model, const Constraint& constraint) {
+std::string clearance_in_words(const PlacementModel& model, const Constraint& constraint) {
   for (std::size_t i = 0; i < model.items.size(); ++i) {
     const Item& item = model.items[i];
     if (!item.is_opening() || constraint.name != model.constraints[item.clearance_constraint].name) continue;
@@ -110,7 +110,7 @@ std::string clearance_in_words(const Model& model, const Constraint& constraint)
 
 }  // namespace
 
-std::string object_in_words(const Model& model, int index) {
+std::string object_in_words(const PlacementModel& model, int index) {
   const std::string name = name_of_item(model.items[index]);
   int rank = 0, count = 0;
   for (std::size_t i = 0; i < model.items.size(); ++i) {
@@ -122,7 +122,7 @@ std::string object_in_words(const Model& model, int index) {
   return count > 1 ? fmt::format("the {} {}", words, rank) : "the " + words;
 }
 
-std::string things_in_words(const Model& model, const std::vector<int>& items) {
+std::string things_in_words(const PlacementModel& model, const std::vector<int>& items) {
   std::vector<std::string> words;
   std::vector<std::string> done;
   for (const int item : items) {
@@ -163,7 +163,7 @@ std::string anything_in_words(RelationType type, const RelationRow& row) {
 
 }  // namespace
 
-std::string relation_in_words(const Model& model, const Relation& relation) {
+std::string relation_in_words(const PlacementModel& model, const Relation& relation) {
   std::vector<std::string> targets, references;
   for (const std::string& id : relation.targets) targets.push_back(reference_in_words(model, id));
   for (const std::string& id : relation.references) references.push_back(reference_in_words(model, id));
@@ -208,7 +208,7 @@ std::string relation_in_words(const Model& model, const Relation& relation) {
   return text;
 }
 
-std::string describe_clash(const Model& model, const Clash& clash) {
+std::string describe_clash(const PlacementModel& model, const Clash& clash) {
   if (!clash.sentence.empty()) return clash.sentence;
   std::vector<std::string> relations, objects;
   for (const Demand& demand : clash.demands) {

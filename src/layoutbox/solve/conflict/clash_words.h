@@ -14,6 +14,6 @@ std::string wall_in_words(const RoomWall& wall, bool rectangle);
 std::string listed(const std::vector<std::string>& words);
 // "1.60 × 2.00 × 0.50 m": what it is fixed to, else the least it may measure.
 std::string sizes_in_words(const Item& item);
-std::string room_in_words(const Model& model);
+std::string room_in_words(const PlacementModel& model);
 
 }  // namespace layoutbox::placement

@@ -45,7 +45,7 @@ bool stopped(const ProofLimits& limits) { return limits.stop && limits.stop->loa
 // To ask for a relation is to ask for the objects that it speaks of.
 class Shrinking {
  public:
-  Shrinking(const Model& model, Encoding& encoding, const CpSatLibrary& library, const ProofLimits& limits, double& used)
+  Shrinking(const PlacementModel& model, Encoding& encoding, const CpSatLibrary& library, const ProofLimits& limits, double& used)
       : encoding_(encoding), library_(library), limits_(limits), used_(used), spoken_of_(encoding.demands().size()) {
     std::vector<int> demand_of(model.items.size(), -1);
     for (std::size_t d = 0; d < encoding.demands().size(); ++d) {
@@ -146,7 +146,7 @@ class Shrinking {
 };
 
 // The items that some demands are about: those that must be there, and those of which the relations speak.
-std::vector<char> outside_of(const Model& model, const Encoding& encoding, const std::vector<std::size_t>& core) {
+std::vector<char> outside_of(const PlacementModel& model, const Encoding& encoding, const std::vector<std::size_t>& core) {
   std::vector<char> out(model.items.size(), 1);
   const auto keep = [&](const std::vector<Case>& cases) {
     for (const Case& one : cases) {
@@ -191,7 +191,7 @@ std::vector<std::size_t> those_of(const Encoding& encoding, const std::vector<De
 }
 
 // Do these demands clash in what is surely needed, too? Then a smallest clash among them; nothing where they do not or nobody knows.
-Result<std::optional<Clash>> prove(const Model& model, const CpSatLibrary& library, const std::vector<char>& given_up,
+Result<std::optional<Clash>> prove(const PlacementModel& model, const CpSatLibrary& library, const std::vector<char>& given_up,
                                    const std::vector<Demand>& demands, const std::vector<char>& left_out, const ProofLimits& limits,
                                    double& used) {
   Encoding encoding(model, given_up, left_out, Purpose::kProving);
@@ -210,7 +210,7 @@ Result<std::optional<Clash>> prove(const Model& model, const CpSatLibrary& libra
 constexpr std::size_t kMostForWholeProof = 12;  // items
 
 // About how many terms the constraints and the pairs of bodies make in CP-SAT's model, which takes a quarter of a kilobyte for each.
-std::int64_t terms_of(const Model& model, const std::vector<char>& given_up, const std::vector<char>& left_out) {
+std::int64_t terms_of(const PlacementModel& model, const std::vector<char>& given_up, const std::vector<char>& left_out) {
   constexpr std::int64_t kSidesOfBody = 6;
   std::int64_t terms = 0;
   for (std::size_t c = 0; c < model.constraints.size(); ++c) {
@@ -239,8 +239,8 @@ std::int64_t terms_of(const Model& model, const std::vector<char>& given_up, con
 
 }  // namespace
 
-Result<Proof> decide(const Model& model, const CpSatLibrary& library, const std::vector<char>& given_up, const std::vector<char>& left_out,
-                     const Placements& hint, const ProofLimits& limits) {
+Result<Proof> decide(const PlacementModel& model, const CpSatLibrary& library, const std::vector<char>& given_up,
+                     const std::vector<char>& left_out, const Placements& hint, const ProofLimits& limits) {
   if (terms_of(model, given_up, left_out) > kMostTerms) return Proof{};  // nothing known
   Encoding encoding(model, given_up, left_out);
   encoding.hint(hint);

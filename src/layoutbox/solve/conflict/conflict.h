@@ -35,23 +35,23 @@ struct Proof {
 };
 
 // Finds a layout or proves that there is none. `hint`: where the search had things (states of −1: nowhere).
-Result<Proof> decide(const Model& model, const CpSatLibrary& library, const std::vector<char>& given_up, const std::vector<char>& left_out,
-                     const Placements& hint, const ProofLimits& limits);
+Result<Proof> decide(const PlacementModel& model, const CpSatLibrary& library, const std::vector<char>& given_up,
+                     const std::vector<char>& left_out, const Placements& hint, const ProofLimits& limits);
 
 // Sums that show at once that something cannot be: an object larger than the room, more width at a wall than it has, more floor
 // covered than there is. Without what is given up or left out.
-std::vector<Clash> clashes_by_sums(const Model& model, const std::vector<char>& given_up, const std::vector<char>& left_out);
+std::vector<Clash> clashes_by_sums(const PlacementModel& model, const std::vector<char>& given_up, const std::vector<char>& left_out);
 
 // One English sentence with numbers.
-std::string describe_clash(const Model& model, const Clash& clash);
+std::string describe_clash(const PlacementModel& model, const Clash& clash);
 
 // "1.20 m".
 std::string metres(Mm length);
 // "the bed", "the nightstand 2".
-std::string object_in_words(const Model& model, int item);
+std::string object_in_words(const PlacementModel& model, int item);
 // "the 3 beds and 2 of the 3 desks".
-std::string things_in_words(const Model& model, const std::vector<int>& items);
+std::string things_in_words(const PlacementModel& model, const std::vector<int>& items);
 // The relation's own sentence from the table, filled in.
-std::string relation_in_words(const Model& model, const Relation& relation);
+std::string relation_in_words(const PlacementModel& model, const Relation& relation);
 
 }  // namespace layoutbox::placement

@@ -14,7 +14,7 @@ struct Alone {
   std::vector<char> given_up, left_out;
 };
 
-Alone alone(const Model& model, const Clash& clash) {
+Alone alone(const PlacementModel& model, const Clash& clash) {
   Alone only{std::vector<char>(model.constraints.size(), 0), std::vector<char>(model.items.size(), 1)};
   for (std::size_t c = 0; c < only.given_up.size(); ++c) {
     const Firmness firmness = model.constraints[c].firmness;

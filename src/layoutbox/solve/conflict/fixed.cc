@@ -15,17 +15,17 @@ Clash clash_of(std::vector<int> items, std::string sentence) {
 }
 
 // How far a box reaches out of another.
-Mm reach_out(const Box& box, const Box& whole) {
+Mm reach_out(const GridBox& box, const GridBox& whole) {
   Mm most = 0;
   for (int k = 0; k < 3; ++k) most = std::max({most, whole.lo[k] - box.lo[k], box.hi[k] - whole.hi[k]});
   return most;
 }
 
 // The least move that parts them.
-Mm depth_of(const Box& shared) { return std::min({shared.extent(0), shared.extent(1), shared.extent(2)}); }
+Mm depth_of(const GridBox& shared) { return std::min({shared.extent(0), shared.extent(1), shared.extent(2)}); }
 
 // Nothing but what is fixed itself takes part: else it may be held by something that is still to be placed.
-bool is_settled(const Model& model, const Case& one) {
+bool is_settled(const PlacementModel& model, const Case& one) {
   const auto fixed = [&](int item) { return model.items[item].fixed; };
   return std::all_of(one.states.begin(), one.states.end(), [&](const StateLiteral& l) { return fixed(l.item); }) &&
          std::all_of(one.at_least_zero.begin(), one.at_least_zero.end(), [&](const Linear& form) {
@@ -33,7 +33,7 @@ bool is_settled(const Model& model, const Case& one) {
          });
 }
 
-bool hangs_in_the_air(const Model& model, int item, const Placements& placements) {
+bool hangs_in_the_air(const PlacementModel& model, int item, const Placements& placements) {
   for (const Formula& formula : model.constraints[model.items[item].support_constraint].formulas) {
     const std::vector<Case>& cases = formula.outer.empty() ? formula.cases : formula.outer;
     if (!std::all_of(cases.begin(), cases.end(), [&](const Case& one) { return is_settled(model, one); })) continue;
@@ -46,7 +46,7 @@ bool hangs_in_the_air(const Model& model, int item, const Placements& placements
 
 }  // namespace
 
-std::vector<Clash> clashes_of_fixed(const Model& model, const std::vector<char>& left_out) {
+std::vector<Clash> clashes_of_fixed(const PlacementModel& model, const std::vector<char>& left_out) {
   std::vector<Clash> out;
   std::vector<int> fixed;
   Placements placements(model.items.size());
@@ -57,9 +57,9 @@ std::vector<Clash> clashes_of_fixed(const Model& model, const std::vector<char>&
     fixed.push_back(static_cast<int>(i));
   }
   for (const int i : fixed) {
-    const Box box = box_of(model.items[i], placements[i]);
+    const GridBox box = box_of(model.items[i], placements[i]);
     const std::string who = object_in_words(model, i);
-    const auto in_wall = [&](const Box& outside) { return overlap(outside, box) && depth_of(intersection(outside, box)) > kAllowed; };
+    const auto in_wall = [&](const GridBox& outside) { return overlap(outside, box) && depth_of(intersection(outside, box)) > kAllowed; };
     const bool angled = std::any_of(model.walls.begin(), model.walls.end(), [](const RoomWall& wall) { return !wall.straight; });
     if (const Mm by = reach_out(box, model.room); by > kAllowed) {
       out.push_back(clash_of({i}, fmt::format("{} is fixed where it reaches {} out of the room", who, metres(by))));
@@ -71,7 +71,7 @@ std::vector<Clash> clashes_of_fixed(const Model& model, const std::vector<char>&
     for (const int j : fixed) {
       const auto askew = [&](int k) { return model.items[k].states[0].turn % 90 != 0; };
       if (j <= i || askew(i) || askew(j) || !collide(model, i, placements[i], j, placements[j], false)) continue;
-      const Box shared = intersection(box, box_of(model.items[j], placements[j]));
+      const GridBox shared = intersection(box, box_of(model.items[j], placements[j]));
       if (depth_of(shared) <= kAllowed) continue;
       out.push_back(clash_of({i, j}, fmt::format("{} and {} are both fixed where they overlap, by {:.2f} × {:.2f} m", who,
                                                  object_in_words(model, j), shared.extent(0) / 1000.0, shared.extent(1) / 1000.0)));

@@ -70,7 +70,7 @@ bool Solver::search_from_elsewhere() {
 // All that is asked for becomes a wish; what the layout then misses, and no other layout found in a moment holds beside the rest, is given
 // up, in one go.
 Result<bool> Solver::settle() {
-  Model trial = model_;
+  PlacementModel trial = model_;
   const std::vector<char> given_up = all_wished(trial);
   Budget budget = part(4 * kLeastSteps);
   Search search(trial, given_up, options_.seed, kAllSizes);
@@ -162,7 +162,7 @@ Clash Solver::guess() const {
 
 // How far a relation would be missed if it alone were given up; more than any distance where that does not help.
 std::int64_t Solver::miss_without(int constraint) {
-  Model trial = model_;
+  PlacementModel trial = model_;
   trial.constraints[constraint].firmness = Firmness::kSoft;
   trial.constraints[constraint].weight *= kStillWished;
   std::vector<char> given_up = given_up_;
@@ -238,7 +238,7 @@ Status Solver::give_up(const Clash& clash) {
   return {};
 }
 
-std::vector<char> Solver::given_up_in(const Model& model) const {
+std::vector<char> Solver::given_up_in(const PlacementModel& model) const {
   std::vector<char> mask(model.constraints.size(), 0);
   for (std::size_t c = 0; c < mask.size(); ++c) mask[c] = is_relaxed(model.constraints[c].name);
   return mask;

@@ -10,7 +10,7 @@ constexpr std::int64_t kStepsAlone = 20'000;
 constexpr double kProofAlone = 0.01;  // CP-SAT's deterministic time
 
 // Everything but what the constraint speaks of and what could hold that up.
-std::vector<char> all_beside(const Model& model, const Constraint& constraint) {
+std::vector<char> all_beside(const PlacementModel& model, const Constraint& constraint) {
   std::vector<char> out(model.items.size(), 1);
   std::vector<int> kept;
   const auto keep = [&](int item) {

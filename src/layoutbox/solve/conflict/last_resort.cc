@@ -12,7 +12,7 @@ namespace {
 constexpr double kGrace = 0.15;  // seconds past the time limit for a search that looks at wishes
 
 // Does one of the cases hold, of those that speak of nothing but what is placed?
-bool holds_of_placed(const Model& model, const Formula& formula, const Placements& placements) {
+bool holds_of_placed(const PlacementModel& model, const Formula& formula, const Placements& placements) {
   return std::any_of(formula.cases.begin(), formula.cases.end(), [&](const Case& one) {
     const auto there = [&](int item) { return placements[static_cast<std::size_t>(item)].state >= 0; };
     const auto known = [&](const Linear& form) {
@@ -45,7 +45,7 @@ void Solver::drop_what_hangs_in_the_air() {
 }
 
 // Without its door there is no room: where one found no place, doors and windows take theirs first, and what then overlaps goes.
-void Solver::place_openings_first(const Model& trial, const std::vector<char>& given_up) {
+void Solver::place_openings_first(const PlacementModel& trial, const std::vector<char>& given_up) {
   std::vector<char> objects = left_out_;
   bool all = true;
   for (std::size_t i = 0; i < trial.items.size(); ++i) {
@@ -73,7 +73,7 @@ void Solver::place_openings_first(const Model& trial, const std::vector<char>& g
 }
 
 // Everything where it goes, as far as it goes; what finds no place has none.
-void Solver::place_what_fits(const Model& trial, const std::vector<char>& given_up, std::uint64_t seed, double until) {
+void Solver::place_what_fits(const PlacementModel& trial, const std::vector<char>& given_up, std::uint64_t seed, double until) {
   Search search(trial, given_up, seed, kAllSizes);
   Budget budget{0, kLeastSteps, [this, until] { return interrupted() || seconds() > until; }, false};
   const bool all = search.construct(left_out_, 0, budget);
@@ -93,7 +93,7 @@ void Solver::place_what_fits(const Model& trial, const std::vector<char>& given_
 Status Solver::take_what_fits() {
   constexpr int kTries = 6;  // from unlike starts: with which most finds a place
   const bool late = stopped_by_clock_;
-  Model trial = model_;
+  PlacementModel trial = model_;
   const std::vector<char> given_up = all_wished(trial);
   const double until = late ? seconds() + kGrace : options_.time_limit_s + kGrace;
   const Placements before = placements_;
@@ -141,7 +141,7 @@ Status Solver::take_what_fits() {
 }
 
 // What is hard becomes a wish of the model; what need not hold in it.
-std::vector<char> Solver::all_wished(Model& trial) const {
+std::vector<char> Solver::all_wished(PlacementModel& trial) const {
   std::vector<char> given_up = given_up_;
   for (std::size_t c = 0; c < trial.constraints.size(); ++c) {
     Constraint& constraint = trial.constraints[c];

@@ -13,7 +13,7 @@ constexpr std::size_t kMostTrials = 40;
 // Does a search place everything but these? How many it fails to place.
 std::size_t Solver::unplaced_without(const std::vector<std::string>& ids) {
   const LessScene less = without_objects(scene(), ids);
-  const Result<Model> model = build_model(less.scene, catalog_, guides());
+  const Result<PlacementModel> model = build_model(less.scene, catalog_, guides());
   if (!model) return asked_.objects.size();
   Search search(*model, given_up_in(*model), options_.seed, kAllSizes);
   Budget budget = part(budgets_.trial);
@@ -67,7 +67,7 @@ Result<bool> Solver::bring_back() {
     const std::string back = fewer[which];
     fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(which));
     const LessScene less = without_objects(asked_, fewer);
-    const Result<Model> model = build_model(less.scene, catalog_, guides());
+    const Result<PlacementModel> model = build_model(less.scene, catalog_, guides());
     if (!model) continue;
     Search search(*model, given_up_in(*model), options_.seed, kAllSizes);
     Budget budget = part(budgets_.trial);

@@ -16,14 +16,14 @@ constexpr std::int64_t kWeight = 10, kRank = 100, kRanks = 100;  // asked relati
 
 bool has(const std::vector<std::string>& ids, const std::string& id) { return std::find(ids.begin(), ids.end(), id) != ids.end(); }
 
-const Relation* relation_of(const Model& model, const Demand& demand) {
+const Relation* relation_of(const PlacementModel& model, const Demand& demand) {
   if (demand.kind != Demand::Kind::kConstraint) return nullptr;
   const int relation = model.constraints[demand.index].relation;
   return relation < 0 ? nullptr : &model.scene->relations[relation];
 }
 
 // Its place among those of its kind, from 0.
-int rank_of(const Model& model, int item) {
+int rank_of(const PlacementModel& model, int item) {
   int rank = 0;
   for (int i = 0; i < item; ++i) {
     const Item& other = model.items[i];
@@ -36,7 +36,7 @@ std::int64_t footprint(const Item& item) { return std::int64_t{item.states[0].ex
 
 }  // namespace
 
-std::int64_t price_of(const Model& model, const Demand& demand) {
+std::int64_t price_of(const PlacementModel& model, const Demand& demand) {
   if (demand.kind == Demand::Kind::kItem) {
     const Item& item = model.items[demand.index];
     if (item.is_opening() || item.fixed || item.locked) return kFixed;
@@ -51,12 +51,12 @@ std::int64_t price_of(const Model& model, const Demand& demand) {
   return std::any_of(model.items.begin(), model.items.end(), is_window) ? kWindowFloor : kDoorFloor;
 }
 
-bool is_assumption(const Model& model, const Constraint& constraint) {
+bool is_assumption(const PlacementModel& model, const Constraint& constraint) {
   if (constraint.firmness == Firmness::kImplied) return true;
   return constraint.relation >= 0 && !model.scene->relations[static_cast<std::size_t>(constraint.relation)].asked();
 }
 
-std::vector<int> least_missed_first(const Model& model, std::vector<int> items) {
+std::vector<int> least_missed_first(const PlacementModel& model, std::vector<int> items) {
   std::erase_if(items, [&](int i) { return model.items[i].is_opening() || model.items[i].fixed || model.items[i].locked; });
   const auto key = [&](int i) {
     const Item& item = model.items[i];
@@ -66,7 +66,7 @@ std::vector<int> least_missed_first(const Model& model, std::vector<int> items) 
   return items;
 }
 
-std::vector<int> objects_to_blame(const Model& model, const Clash& clash) {
+std::vector<int> objects_to_blame(const PlacementModel& model, const Clash& clash) {
   std::vector<int> items;
   for (const Demand& demand : clash.demands) {
     if (relation_of(model, demand) != nullptr) return {};
@@ -90,14 +90,14 @@ LessScene without_objects(const SceneGraph& scene, const std::vector<std::string
   return less;
 }
 
-std::string too_much_in_words(const Model& model) {
+std::string too_much_in_words(const PlacementModel& model) {
   std::int64_t covered = 0, room = floor_area(model.room), door = 0;
-  for (const Box& outside : model.outside) room -= floor_area(outside);
+  for (const GridBox& outside : model.outside) room -= floor_area(outside);
   int count = 0;
   for (const Item& item : model.items) {
     if (item.is_opening()) {
       if (item.opening->type == OpeningType::kWindow || item.states.empty()) continue;
-      for (const Box& clear : item.states[0].clear) door += floor_area(clear);
+      for (const GridBox& clear : item.states[0].clear) door += floor_area(clear);
       continue;
     }
     ++count;

@@ -11,17 +11,17 @@ namespace layoutbox::placement {
 // The price of giving a demand up; the cheapest goes. Nothing that was asked for goes before what was not. In this order: relations that
 // are assumed or added, the free floor before windows, objects that are assumed or added, the free floor before doors, what is concluded;
 // then what was asked for: relations by their weight, objects (the last of many before the only one), locks, and what is fixed.
-std::int64_t price_of(const Model& model, const Demand& demand);
+std::int64_t price_of(const PlacementModel& model, const Demand& demand);
 
 // Did nobody ask for it? So it is with free floor before openings.
-bool is_assumption(const Model& model, const Constraint& constraint);
+bool is_assumption(const PlacementModel& model, const Constraint& constraint);
 
 // Objects that may be left out, the one that is missed least first: those that were not asked for, the later ones of several of a kind,
 // small ones, the last said. Nothing fixed or locked.
-std::vector<int> least_missed_first(const Model& model, std::vector<int> items);
+std::vector<int> least_missed_first(const PlacementModel& model, std::vector<int> items);
 
 // The objects of a clash in which nothing but objects and the floor before openings take part; empty: relations do.
-std::vector<int> objects_to_blame(const Model& model, const Clash& clash);
+std::vector<int> objects_to_blame(const PlacementModel& model, const Clash& clash);
 
 struct LessScene {
   SceneGraph scene;
@@ -31,6 +31,6 @@ struct LessScene {
 LessScene without_objects(const SceneGraph& scene, const std::vector<std::string>& ids);
 
 // Nothing was found for all of these, and nothing proven: how much there is, and how much room.
-std::string too_much_in_words(const Model& model);
+std::string too_much_in_words(const PlacementModel& model);
 
 }  // namespace layoutbox::placement

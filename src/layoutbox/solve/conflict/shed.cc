@@ -27,10 +27,10 @@ struct Floor {
   double surplus(double share) const { return static_cast<double>(covered + door) - share * static_cast<double>(room); }
 };
 
-Floor floor_of(const Model& model) {
+Floor floor_of(const PlacementModel& model) {
   Floor floor;
   floor.room = floor_area(model.room);
-  for (const Box& outside : model.outside) floor.room -= floor_area(outside);
+  for (const GridBox& outside : model.outside) floor.room -= floor_area(outside);
   for (std::size_t i = 0; i < model.items.size(); ++i) {
     const Item& item = model.items[i];
     if (item.is_opening() && item.opening->type != OpeningType::kWindow && !item.states.empty() && !item.states[0].clear.empty())
@@ -43,7 +43,7 @@ Floor floor_of(const Model& model) {
 }
 
 // How much is asked for and how much there is.
-std::string need_in_words(const Model& model, const Floor& floor) {
+std::string need_in_words(const PlacementModel& model, const Floor& floor) {
   const auto m2 = [](std::int64_t area) { return static_cast<double>(area) / 1e6; };
   const std::string door = floor.door > 0 ? fmt::format(" besides {:.1f} m² before the door", m2(floor.door)) : "";
   const std::int64_t missing = floor.covered + floor.door - floor.room;
@@ -132,7 +132,7 @@ Result<bool> Solver::shed(const std::vector<Clash>& sums) {
 // Where things were left out for want of floor, all reasons say the same: what is asked for, what there is, and without what all else fits.
 void Solver::sum_up_shedding() {
   if (!shed_ || left_out_ids_.empty()) return;
-  const Result<Model> whole = build_model(asked_, catalog_, guides());
+  const Result<PlacementModel> whole = build_model(asked_, catalog_, guides());
   if (!whole) return;
   std::vector<int> gone;
   for (const std::string& id : left_out_ids_) {

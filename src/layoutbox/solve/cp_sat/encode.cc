@@ -7,22 +7,22 @@ namespace layoutbox::placement {
 namespace {
 
 // The box of the item in each of its states, from its low corner. To prove something: what of it is surely body, turned as it is.
-std::vector<Box> whole_boxes(const Item& item, Purpose purpose) {
-  std::vector<Box> boxes;
+std::vector<GridBox> whole_boxes(const Item& item, Purpose purpose) {
+  std::vector<GridBox> boxes;
   for (const State& state : item.states) {
     const bool within = purpose == Purpose::kProving && !is_quarter(state);
-    boxes.push_back(within ? within_turned(own_box(state.size), own_box(state.size), state.angle) : Box{{0, 0, 0}, state.extent});
+    boxes.push_back(within ? within_turned(own_box(state.size), own_box(state.size), state.angle) : GridBox{{0, 0, 0}, state.extent});
   }
   return boxes;
 }
 
-Box part_of(const State& state, std::vector<Box> State::*member, std::size_t k, Purpose purpose) {
+GridBox part_of(const State& state, std::vector<GridBox> State::*member, std::size_t k, Purpose purpose) {
   const bool within = purpose == Purpose::kProving && member == &State::solids && !is_quarter(state);
   return within ? within_turned(own_box(state.size), state.own_solids[k], state.angle) : (state.*member)[k];
 }
 
-std::vector<std::vector<Box>> parts_of(const Item& item, std::vector<Box> State::*member, Purpose purpose) {
-  std::vector<std::vector<Box>> parts;
+std::vector<std::vector<GridBox>> parts_of(const Item& item, std::vector<GridBox> State::*member, Purpose purpose) {
+  std::vector<std::vector<GridBox>> parts;
   std::size_t least = (item.states[0].*member).size(), count = 0;
   for (const State& state : item.states) {
     least = std::min(least, (state.*member).size());
@@ -30,7 +30,7 @@ std::vector<std::vector<Box>> parts_of(const Item& item, std::vector<Box> State:
   }
   if (least == 0 && count > 0) return {whole_boxes(item, purpose)};
   for (std::size_t k = 0; k < count; ++k) {
-    std::vector<Box> boxes;  // where a state is cut into fewer parts, its first stands in: said twice is still true
+    std::vector<GridBox> boxes;  // where a state is cut into fewer parts, its first stands in: said twice is still true
     for (const State& state : item.states) boxes.push_back(part_of(state, member, k < (state.*member).size() ? k : 0, purpose));
     parts.push_back(std::move(boxes));
   }
@@ -39,7 +39,7 @@ std::vector<std::vector<Box>> parts_of(const Item& item, std::vector<Box> State:
 
 }  // namespace
 
-Encoding::Encoding(const Model& model, const std::vector<char>& given_up, const std::vector<char>& left_out, Purpose purpose)
+Encoding::Encoding(const PlacementModel& model, const std::vector<char>& given_up, const std::vector<char>& left_out, Purpose purpose)
     : model_(model), purpose_(purpose), items_(model.items.size()) {
   always_ = cp_.add_variable(1, 1);
   const int count = static_cast<int>(model.items.size());
@@ -185,9 +185,9 @@ void Encoding::add_constraint(int index, CpLiteral when) {
   }
 }
 
-void Encoding::add_offset(Expanded& out, int item, std::int64_t factor, const std::vector<Box>& parts, int axis, bool high) const {
+void Encoding::add_offset(Expanded& out, int item, std::int64_t factor, const std::vector<GridBox>& parts, int axis, bool high) const {
   const ItemVariables& v = items_[item];
-  const auto edge = [&](const Box& box) { return std::int64_t{high ? box.hi[axis] : box.lo[axis]}; };
+  const auto edge = [&](const GridBox& box) { return std::int64_t{high ? box.hi[axis] : box.lo[axis]}; };
   out.terms.push_back({v.position[axis], factor});
   if (v.states.empty()) {
     out.constant += factor * edge(parts[0]);
@@ -198,7 +198,7 @@ void Encoding::add_offset(Expanded& out, int item, std::int64_t factor, const st
   }
 }
 
-void Encoding::add_disjoint(int a, const std::vector<Box>& part_a, int b, const std::vector<Box>& part_b,
+void Encoding::add_disjoint(int a, const std::vector<GridBox>& part_a, int b, const std::vector<GridBox>& part_b,
                             const std::vector<CpLiteral>& when, bool headings) {
   std::vector<CpLiteral> sides;
   for (int axis = 0; axis < 3; ++axis) {
@@ -207,7 +207,7 @@ void Encoding::add_disjoint(int a, const std::vector<Box>& part_a, int b, const 
       const bool both_on_floor = model_.items[a].supports.size() == 1 && model_.items[b].supports.size() == 1 &&
                                  model_.items[a].supports[0].kind == SupportOption::Kind::kFloor &&
                                  model_.items[b].supports[0].kind == SupportOption::Kind::kFloor;
-      const auto at_floor = [](const Box& part) { return part.lo[2] == 0; };
+      const auto at_floor = [](const GridBox& part) { return part.lo[2] == 0; };
       if (axis == 2 && both_on_floor && std::all_of(part_a.begin(), part_a.end(), at_floor) &&
           std::all_of(part_b.begin(), part_b.end(), at_floor))
         continue;
@@ -238,8 +238,8 @@ void Encoding::add_pair(int a, int b) {
   if (rule == PairRule::kFree || (x.fixed && y.fixed)) return;
   std::vector<CpLiteral> when{items_[a].present, items_[b].present};
   if (rule == PairRule::kOpenings) {
-    std::vector<Box> grown = whole_boxes(x, purpose_);  // openings have no depth
-    for (Box& box : grown) {
+    std::vector<GridBox> grown = whole_boxes(x, purpose_);  // openings have no depth
+    for (GridBox& box : grown) {
       for (int k = 0; k < 2; ++k) box.lo[k] -= 2, box.hi[k] += 2;
     }
     add_disjoint(a, grown, b, whole_boxes(y, purpose_), when);
@@ -252,7 +252,7 @@ void Encoding::add_pair(int a, int b) {
     const auto demand = std::find(demands_.begin(), demands_.end(), Demand{Demand::Kind::kConstraint, clearance});
     if (demand == demands_.end()) return;
     when.push_back(demand_literals_[static_cast<std::size_t>(demand - demands_.begin())]);
-    for (const std::vector<Box>& clear : parts_of(model_.items[opening], &State::clear, purpose_)) {
+    for (const std::vector<GridBox>& clear : parts_of(model_.items[opening], &State::clear, purpose_)) {
       add_disjoint(opening, clear, body, whole_boxes(model_.items[body], purpose_), when);
     }
     return;
@@ -263,15 +263,15 @@ void Encoding::add_pair(int a, int b) {
     add_disjoint(a, whole_boxes(x, purpose_), b, whole_boxes(y, purpose_), when, odd);
     return;
   }
-  for (const std::vector<Box>& part_a : parts_of(x, &State::solids, purpose_)) {
-    for (const std::vector<Box>& part_b : parts_of(y, &State::solids, purpose_)) add_disjoint(a, part_a, b, part_b, when, odd);
+  for (const std::vector<GridBox>& part_a : parts_of(x, &State::solids, purpose_)) {
+    for (const std::vector<GridBox>& part_b : parts_of(y, &State::solids, purpose_)) add_disjoint(a, part_a, b, part_b, when, odd);
   }
 }
 
 void Encoding::add_outside(int index) {
   if (model_.items[index].is_opening() || model_.items[index].fixed) return;
   if (purpose_ == Purpose::kProving && model_.items[index].odd_states) return;  // its box is more than its body
-  for (const Box& outside : model_.off_limits) {
+  for (const GridBox& outside : model_.off_limits) {
     std::vector<CpLiteral> sides;
     for (int axis = 0; axis < 2; ++axis) {
       sides.push_back(cp_.add_boolean());

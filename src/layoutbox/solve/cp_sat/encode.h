@@ -27,7 +27,8 @@ class Encoding {
   // Everything but what is given up and the items that are left out. Items of `given_up` constraints are not bound by them.
   // kPlacing: every solution is a layout. kProving: every layout is a solution, so that what has none has no layout; free spaces count
   // between all bodies then, not only between those that belong together.
-  Encoding(const Model& model, const std::vector<char>& given_up, const std::vector<char>& left_out, Purpose purpose = Purpose::kPlacing);
+  Encoding(const PlacementModel& model, const std::vector<char>& given_up, const std::vector<char>& left_out,
+           Purpose purpose = Purpose::kPlacing);
 
   // The model with exactly these demands assumed (by their index in `demands()`); all others are free.
   std::string bytes(const std::vector<char>& demanded);
@@ -64,18 +65,18 @@ class Encoding {
   void add_outside(int item);
   void add_case_cost(const Constraint& constraint, const Case& one, std::int32_t cost, std::int64_t most, CpLiteral when);
   void add_access_cost(int item, std::int64_t most, std::vector<CpTerm>& total);
-  std::int32_t blocked_share(int item, const std::vector<Box>& strip);
-  std::int32_t shared_length(int item, const std::vector<Box>& strip, int body, int axis);
+  std::int32_t blocked_share(int item, const std::vector<GridBox>& strip);
+  std::int32_t shared_length(int item, const std::vector<GridBox>& strip, int body, int axis);
   // The bodies (or clear boxes) a and b, given by their state-dependent offsets, do not share room.
   // `headings`: they may also pass along a slanted wall.
-  void add_disjoint(int a, const std::vector<Box>& part_a, int b, const std::vector<Box>& part_b, const std::vector<CpLiteral>& when,
-                    bool headings = false);
+  void add_disjoint(int a, const std::vector<GridBox>& part_a, int b, const std::vector<GridBox>& part_b,
+                    const std::vector<CpLiteral>& when, bool headings = false);
   Expanded expand(const Linear& form) const;
-  void add_offset(Expanded& out, int item, std::int64_t factor, const std::vector<Box>& parts, int axis, bool high) const;
+  void add_offset(Expanded& out, int item, std::int64_t factor, const std::vector<GridBox>& parts, int axis, bool high) const;
   void require(const Expanded& form, std::span<const CpLiteral> when);
   CpLiteral always() const { return always_; }
 
-  const Model& model_;
+  const PlacementModel& model_;
   Purpose purpose_;
   CpModel cp_;
   CpLiteral always_ = 0;

@@ -93,15 +93,15 @@ void Encoding::add_case_cost(const Constraint& constraint, const Case& one, std:
 }
 
 // How far the strip of an item and a body share an axis, at least.
-std::int32_t Encoding::shared_length(int item, const std::vector<Box>& strip, int body, int axis) {
+std::int32_t Encoding::shared_length(int item, const std::vector<GridBox>& strip, int body, int axis) {
   const std::int32_t length = cp_.add_variable(0, model_.room.extent(axis));
-  const std::vector<Box> whole = [&] {
-    std::vector<Box> boxes;
+  const std::vector<GridBox> whole = [&] {
+    std::vector<GridBox> boxes;
     for (const State& state : model_.items[body].states) boxes.push_back({{0, 0, 0}, state.extent});
     return boxes;
   }();
   std::vector<CpLiteral> ends;
-  const auto at_least = [&](int high_of, const std::vector<Box>& high, int low_of, const std::vector<Box>& low) {
+  const auto at_least = [&](int high_of, const std::vector<GridBox>& high, int low_of, const std::vector<GridBox>& low) {
     Expanded form;  // length − (high − low) ≥ 0
     form.terms.push_back({length, 1});
     add_offset(form, high_of, -1, high, axis, true);
@@ -118,7 +118,7 @@ std::int32_t Encoding::shared_length(int item, const std::vector<Box>& strip, in
 }
 
 // The blocked share of a strip in thousandths, at least.
-std::int32_t Encoding::blocked_share(int item, const std::vector<Box>& strip) {
+std::int32_t Encoding::blocked_share(int item, const std::vector<GridBox>& strip) {
   const ItemVariables& v = items_[item];
   std::vector<CpTerm> blocked;  // areas, in thousandths
   std::int32_t inside[2];
@@ -165,8 +165,8 @@ void Encoding::add_access_cost(int index, std::int64_t most, std::vector<CpTerm>
   const Item& item = model_.items[index];
   const bool on_floor = item.supports.size() == 1 && item.supports[0].kind == SupportOption::Kind::kFloor;
   if (item.is_opening() || item.thin || !on_floor) return;  // it costs what it may
-  const auto nth = [&](std::vector<Box> State::*member, std::size_t k) {
-    std::vector<Box> boxes;
+  const auto nth = [&](std::vector<GridBox> State::*member, std::size_t k) {
+    std::vector<GridBox> boxes;
     for (const State& state : item.states) boxes.push_back((state.*member)[k]);
     return boxes;
   };

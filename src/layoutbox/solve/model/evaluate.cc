@@ -4,15 +4,15 @@ namespace layoutbox::placement {
 namespace {
 
 // Turned with a slanted wall they may be apart although the boxes around them are not.
-bool apart_turned(const Model& model, const BodyPart& a, const BodyPart& b) {
+bool apart_turned(const PlacementModel& model, const BodyPart& a, const BodyPart& b) {
   const auto odd = [](const BodyPart& part) { return !is_quarter(part.item->states[part.placement->state]); };
   return !model.headings.empty() && (odd(a) || odd(b)) && apart_along_headings(model, a, b);
 }
 
-bool bodies_overlap(const Model& model, const BodyPart& a, const BodyPart& b) {
+bool bodies_overlap(const PlacementModel& model, const BodyPart& a, const BodyPart& b) {
   const State &sa = a.item->states[a.placement->state], &sb = b.item->states[b.placement->state];
   for (std::size_t i = 0; i < sa.solids.size(); ++i) {
-    const Box here = sa.solids[i].shifted(a.placement->at);
+    const GridBox here = sa.solids[i].shifted(a.placement->at);
     for (std::size_t j = 0; j < sb.solids.size(); ++j) {
       if (!overlap(here, sb.solids[j].shifted(b.placement->at))) continue;
       if (!apart_turned(model, {a.item, a.placement, static_cast<int>(i)}, {b.item, b.placement, static_cast<int>(j)})) return true;
@@ -21,20 +21,20 @@ bool bodies_overlap(const Model& model, const BodyPart& a, const BodyPart& b) {
   return false;
 }
 
-bool enters_clear(const Model& model, const Item& owner, const Placement& p, const Item& item, const Placement& body) {
-  const std::vector<Box>& clear = owner.states[p.state].clear;
-  return std::any_of(clear.begin(), clear.end(), [&](const Box& box) { return overlaps_box(model, item, body, box.shifted(p.at)); });
+bool enters_clear(const PlacementModel& model, const Item& owner, const Placement& p, const Item& item, const Placement& body) {
+  const std::vector<GridBox>& clear = owner.states[p.state].clear;
+  return std::any_of(clear.begin(), clear.end(), [&](const GridBox& box) { return overlaps_box(model, item, body, box.shifted(p.at)); });
 }
 
 }  // namespace
 
-bool overlaps_box(const Model& model, const Item& item, const Placement& body, const Box& box) {
+bool overlaps_box(const PlacementModel& model, const Item& item, const Placement& body, const GridBox& box) {
   if (!overlap(box, box_of(item, body))) return false;
   const bool turned = !model.headings.empty() && !item.is_opening() && !is_quarter(item.states[body.state]);
   return !turned || !apart_along_headings(model, {&item, &body, -1}, box);
 }
 
-std::int64_t value_of(const Model& model, const Linear& form, const Placements& placements) {
+std::int64_t value_of(const PlacementModel& model, const Linear& form, const Placements& placements) {
   std::int64_t sum = form.constant;
   for (const Term& term : form.terms) sum += term.coefficient * value_of(model.items[term.item], placements[term.item], term.quantity);
   return sum;
@@ -48,7 +48,7 @@ bool all_placed(const Constraint& constraint, const Placements& placements) {
   return std::all_of(constraint.formulas.begin(), constraint.formulas.end(), [&](const Formula& f) { return all_placed(f, placements); });
 }
 
-std::int64_t miss_of(const Model& model, const Formula& formula, const Placements& placements) {
+std::int64_t miss_of(const PlacementModel& model, const Formula& formula, const Placements& placements) {
   std::int64_t least = std::numeric_limits<std::int64_t>::max() / 4;
   for (const Case& one : formula.cases) {
     std::int64_t miss = 0;
@@ -65,7 +65,7 @@ std::int64_t miss_of(const Model& model, const Formula& formula, const Placement
   return least;
 }
 
-std::int64_t miss_of(const Model& model, const Constraint& constraint, const Placements& placements) {
+std::int64_t miss_of(const PlacementModel& model, const Constraint& constraint, const Placements& placements) {
   std::int64_t worst = 0;
   for (const Formula& formula : constraint.formulas) worst = std::max(worst, miss_of(model, formula, placements));
   return worst;
@@ -79,13 +79,13 @@ Direction side_direction(const Item& item, Side side, int turn) {
   return item.has_front ? turned(d, ((turn + 45) / 90 * 90) % 360) : d;
 }
 
-bool collide(const Model& model, int a, const Placement& pa, int b, const Placement& pb, bool clear_boxes) {
+bool collide(const PlacementModel& model, int a, const Placement& pa, int b, const Placement& pb, bool clear_boxes) {
   const PairRule rule = model.pair(a, b);
   if (rule == PairRule::kFree) return false;
   const Item &item_a = model.items[a], &item_b = model.items[b];
-  const Box box_a = box_of(item_a, pa), box_b = box_of(item_b, pb);
+  const GridBox box_a = box_of(item_a, pa), box_b = box_of(item_b, pb);
   if (rule == PairRule::kOpenings) {
-    Box grown = box_a;  // openings have no depth
+    GridBox grown = box_a;  // openings have no depth
     for (int k = 0; k < 2; ++k) grown.lo[k] -= 1, grown.hi[k] += 1;
     return overlap(grown, {{box_b.lo[0] - 1, box_b.lo[1] - 1, box_b.lo[2]}, {box_b.hi[0] + 1, box_b.hi[1] + 1, box_b.hi[2]}});
   }

@@ -5,27 +5,27 @@
 
 namespace layoutbox::placement {
 
-Mm gap_between(const Box& a, const Box& b) {
+Mm gap_between(const GridBox& a, const GridBox& b) {
   double squares = 0;
   for (int k = 0; k < 3; ++k) squares += std::pow(static_cast<double>(gap_along(a, b, k)), 2);
   return static_cast<Mm>(std::sqrt(squares));
 }
 
-void subtract(const Box& box, const Box& hole, std::vector<Box>& out) {
+void subtract(const GridBox& box, const GridBox& hole, std::vector<GridBox>& out) {
   if (!overlap(box, hole)) {
     out.push_back(box);
     return;
   }
-  Box rest = box;
+  GridBox rest = box;
   for (const int axis : {2, 0, 1}) {  // slabs above and below first: table tops and shelf boards stay whole
     if (hole.lo[axis] > rest.lo[axis]) {
-      Box piece = rest;
+      GridBox piece = rest;
       piece.hi[axis] = hole.lo[axis];
       out.push_back(piece);
       rest.lo[axis] = hole.lo[axis];
     }
     if (hole.hi[axis] < rest.hi[axis]) {
-      Box piece = rest;
+      GridBox piece = rest;
       piece.lo[axis] = hole.hi[axis];
       out.push_back(piece);
       rest.hi[axis] = hole.hi[axis];
@@ -33,11 +33,11 @@ void subtract(const Box& box, const Box& hole, std::vector<Box>& out) {
   }
 }
 
-std::vector<Box> less(const Box& box, std::span<const Box> holes) {
-  std::vector<Box> pieces{box};
-  for (const Box& hole : holes) {
-    std::vector<Box> next;
-    for (const Box& piece : pieces) subtract(piece, hole, next);
+std::vector<GridBox> less(const GridBox& box, std::span<const GridBox> holes) {
+  std::vector<GridBox> pieces{box};
+  for (const GridBox& hole : holes) {
+    std::vector<GridBox> next;
+    for (const GridBox& piece : pieces) subtract(piece, hole, next);
     pieces = std::move(next);
   }
   return pieces;
@@ -47,8 +47,8 @@ namespace {
 
 bool is_quarter(double degrees) { return degrees == 90 * std::round(degrees / 90); }
 
-Box turned_by_quarters(const Box& box, int quarters) {
-  Box out = box;
+GridBox turned_by_quarters(const GridBox& box, int quarters) {
+  GridBox out = box;
   switch (quarters) {
     case 1: out.lo[0] = -box.hi[1], out.hi[0] = -box.lo[1], out.lo[1] = box.lo[0], out.hi[1] = box.hi[0]; return out;
     case 2: out.lo[0] = -box.hi[0], out.hi[0] = -box.lo[0], out.lo[1] = -box.hi[1], out.hi[1] = -box.lo[1]; return out;
@@ -63,9 +63,9 @@ Mm rounded_up(double value) { return static_cast<Mm>(std::ceil(value - 1e-3)); }
 
 }  // namespace
 
-Box turned(const Box& box, double degrees) {
+GridBox turned(const GridBox& box, double degrees) {
   if (is_quarter(degrees)) return turned_by_quarters(box, static_cast<int>(std::lround(degrees / 90)) & 3);
-  Box out = box;
+  GridBox out = box;
   const double c = std::cos(radians_from_degrees(degrees)), s = std::sin(radians_from_degrees(degrees));
   double lo[2] = {1e9, 1e9}, hi[2] = {-1e9, -1e9};
   for (const double x : {double(box.lo[0]), double(box.hi[0])}) {
@@ -78,7 +78,7 @@ Box turned(const Box& box, double degrees) {
   return out;
 }
 
-Box turned_within(const Box& box, double degrees) {
+GridBox turned_within(const GridBox& box, double degrees) {
   if (is_quarter(degrees)) return turned(box, degrees);
   const double c = std::abs(std::cos(radians_from_degrees(degrees))), s = std::abs(std::sin(radians_from_degrees(degrees)));
   const double length[2] = {double(box.extent(0)), double(box.extent(1))};
@@ -94,7 +94,7 @@ Box turned_within(const Box& box, double degrees) {
   const double turn = radians_from_degrees(degrees);
   const double x = (double(box.lo[0]) + box.hi[0]) / 2, y = (double(box.lo[1]) + box.hi[1]) / 2;
   const double middle[2] = {std::cos(turn) * x - std::sin(turn) * y, std::sin(turn) * x + std::cos(turn) * y};
-  Box out = box;
+  GridBox out = box;
   for (int k = 0; k < 2; ++k) {
     out.lo[k] = rounded_up(middle[k] - half[k]), out.hi[k] = rounded_down(middle[k] + half[k]);
     if (out.hi[k] < out.lo[k]) out.hi[k] = out.lo[k];  // so thin that no whole millimetre is in it
@@ -160,12 +160,12 @@ std::vector<Mm> cuts_of(std::set<Mm> corners, Mm step, bool fine) {
 
 }  // namespace
 
-std::vector<Box> outside_of(std::span<const Point> polygon, Mm z_lo, Mm z_hi, Mm step) {
+std::vector<GridBox> outside_of(std::span<const Point> polygon, Mm z_lo, Mm z_hi, Mm step) {
   std::set<Mm> corner_x, corner_y;
   for (const Point& p : polygon) corner_x.insert(p.x), corner_y.insert(p.y);
   const bool fine = !is_rectilinear(polygon);
   const std::vector<Mm> xs = cuts_of(corner_x, step, fine), ys = cuts_of(corner_y, step, fine);
-  std::vector<Box> boxes;
+  std::vector<GridBox> boxes;
   for (std::size_t j = 0; j + 1 < ys.size(); ++j) {
     for (std::size_t i = 0; i + 1 < xs.size(); ++i) {
       const bool inside = contains(polygon, (xs[i] + xs[i + 1]) / 2.0, (ys[j] + ys[j + 1]) / 2.0) &&
@@ -182,10 +182,10 @@ std::vector<Box> outside_of(std::span<const Point> polygon, Mm z_lo, Mm z_hi, Mm
   return boxes;
 }
 
-std::vector<Box> wholly_outside_of(std::span<const Point> polygon, Mm z_lo, Mm z_hi) {
+std::vector<GridBox> wholly_outside_of(std::span<const Point> polygon, Mm z_lo, Mm z_hi) {
   std::set<Mm> xs, ys;
   for (const Point& p : polygon) xs.insert(p.x), ys.insert(p.y);
-  std::vector<Box> boxes;
+  std::vector<GridBox> boxes;
   for (auto y = ys.begin(); std::next(y) != ys.end(); ++y) {
     for (auto x = xs.begin(); std::next(x) != xs.end(); ++x) {
       const Mm x1 = *std::next(x), y1 = *std::next(y);

@@ -6,15 +6,15 @@
 namespace layoutbox::placement {
 
 // An object's own box with its origin under the middle of the footprint; odd lengths put the extra millimetre on the high side.
-Box own_box(const Size& size);
+GridBox own_box(const Size& size);
 // A box in the object's frame as it lies in the turned box, from its low corner.
-Box in_turned(const Box& own, const Box& box, double turn);
+GridBox in_turned(const GridBox& own, const GridBox& box, double turn);
 // An upright box within it, where it lies at an odd angle.
-Box within_turned(const Box& own, const Box& box, double turn);
+GridBox within_turned(const GridBox& own, const GridBox& box, double turn);
 // Fills Item::odd_states and the constants about the turned footprint.
 void note_odd_states(Item& item);
 // Free floor at a side of an own box: `from` to `to` off it.
-Box beside(const Box& own, Side side, Mm from, Mm to, Mm height);
+GridBox beside(const GridBox& own, Side side, Mm from, Mm to, Mm height);
 
 RoomWall room_wall(const Wall& wall);
 // The turn by which states at that angle are known: the nearest whole degree that is no quarter turn where the angle is none.
@@ -26,7 +26,7 @@ Item opening_item(const Opening& opening, const Room& room, const std::vector<Ro
 // How deep the floor before it is to be free: a door's is as deep as it is wide.
 Mm clear_depth(const Opening& opening);
 // Where an opening may be: in one of the walls it fits, where it is when that is given.
-Constraint opening_place(const Model& model, int index);
+Constraint opening_place(const PlacementModel& model, int index);
 Constraint opening_clearance(const Item& item);
 
 }  // namespace layoutbox::placement

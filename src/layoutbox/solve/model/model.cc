@@ -22,7 +22,7 @@ constexpr std::size_t kMostObjects = 500;
 using Pairs = std::set<std::pair<int, int>>;
 
 // Who is within the free space of whom: the desk under a loft bed, the box in a shelf.
-std::vector<std::pair<int, int>> nested_pairs(const Model& model) {
+std::vector<std::pair<int, int>> nested_pairs(const PlacementModel& model) {
   std::vector<std::pair<int, int>> nested;
   for (const Relation& relation : model.scene->relations) {
     if (relation.type != RelationType::kUnder && relation.type != RelationType::kIn) continue;
@@ -38,7 +38,7 @@ std::vector<std::pair<int, int>> nested_pairs(const Model& model) {
 }
 
 // What is close to a nested thing (the lamp on that desk, the chair at it) comes as close to the outer one.
-void add_company_of_the_nested(const Model& model, Pairs& pairs) {
+void add_company_of_the_nested(const PlacementModel& model, Pairs& pairs) {
   const auto nested = nested_pairs(model);
   for (bool grows = !nested.empty(); grows;) {
     const std::size_t before = pairs.size();
@@ -54,7 +54,7 @@ void add_company_of_the_nested(const Model& model, Pairs& pairs) {
 }
 
 // A screen on a desk reaches over the seat that is pushed under it.
-void add_seats_by_riders(const Model& model, Pairs& pairs) {
+void add_seats_by_riders(const PlacementModel& model, Pairs& pairs) {
   Pairs more;
   for (std::size_t i = 0; i < model.items.size(); ++i) {
     for (const SupportOption& support : model.items[i].supports) {
@@ -70,7 +70,7 @@ void add_seats_by_riders(const Model& model, Pairs& pairs) {
 }
 
 // Which pairs are so close that their spaces count.
-Pairs close_pairs(const Model& model) {
+Pairs close_pairs(const PlacementModel& model) {
   Pairs pairs;
   const auto add = [&](int a, int b) {
     if (a >= 0 && b >= 0 && a != b) pairs.insert({std::min(a, b), std::max(a, b)});
@@ -105,7 +105,7 @@ Pairs close_pairs(const Model& model) {
 bool lies_under(const Item& item) { return item.thin && !item.entry->lain_on; }
 
 // Is it asked to be at that window: under it, facing it, beside it?
-bool asked_at_window(const Model& model, int item, const Item& window) {
+bool asked_at_window(const PlacementModel& model, int item, const Item& window) {
   return std::ranges::any_of(model.scene->relations, [&](const Relation& r) {
     const bool under = r.type == RelationType::kUnderWindow && r.references.empty();
     return r.origin == Origin::kAsked && (under || std::ranges::find(r.references, window.id) != r.references.end()) &&
@@ -114,7 +114,7 @@ bool asked_at_window(const Model& model, int item, const Item& window) {
 }
 
 // What stands on a sill may be before the window, and so may what stands on a desk that is asked to be there.
-void let_before_windows(Model& model) {
+void let_before_windows(PlacementModel& model) {
   for (std::size_t i = 0; i < model.items.size(); ++i) {
     for (const SupportOption& support : model.items[i].supports) {
       const int item = static_cast<int>(i);
@@ -129,7 +129,7 @@ void let_before_windows(Model& model) {
   }
 }
 
-void set_pair_rules(Model& model) {
+void set_pair_rules(PlacementModel& model) {
   const std::size_t n = model.items.size();
   model.pairs.assign(n * n, PairRule::kBoxes);
   const auto rule_of = [&](const Item& a, const Item& b) {
@@ -166,7 +166,7 @@ std::vector<int> items_of(const std::vector<Case>& cases) {
   return {items.begin(), items.end()};
 }
 
-void index_constraints(Model& model) {
+void index_constraints(PlacementModel& model) {
   model.touching.assign(model.items.size(), {});
   for (std::size_t c = 0; c < model.constraints.size(); ++c) {
     std::set<int> items;
@@ -178,7 +178,7 @@ void index_constraints(Model& model) {
   }
 }
 
-Status add_relations(Model& model) {
+Status add_relations(PlacementModel& model) {
   const SceneGraph& scene = *model.scene;
   for (std::size_t i = 0; i < scene.relations.size(); ++i) {
     const Relation& relation = scene.relations[i];
@@ -209,24 +209,24 @@ Mm Item::least_extent(int axis) const {
   return least;
 }
 
-void Model::set_pair(int a, int b, PairRule rule) {
+void PlacementModel::set_pair(int a, int b, PairRule rule) {
   pairs[static_cast<std::size_t>(a) * items.size() + b] = rule;
   pairs[static_cast<std::size_t>(b) * items.size() + a] = rule;
 }
 
-int Model::find_item(std::string_view id) const {
+int PlacementModel::find_item(std::string_view id) const {
   for (std::size_t i = 0; i < items.size(); ++i) {
     if (items[i].id == id) return static_cast<int>(i);
   }
   return -1;
 }
 
-int Model::find_wall(std::string_view id) const {
+int PlacementModel::find_wall(std::string_view id) const {
   const Wall* wall = scene->find_wall(id);
   return wall ? static_cast<int>(wall - scene->room.walls.data()) : -1;
 }
 
-bool Model::is_a(int item, std::string_view kind) const {
+bool PlacementModel::is_a(int item, std::string_view kind) const {
   const SceneObject* object = items[item].object;
   if (object == nullptr) return false;
   auto known = kinds.find(kind);
@@ -266,13 +266,13 @@ Status check_numbers(const SceneGraph& scene) {
 
 }  // namespace
 
-Result<Model> build_model(const SceneGraph& scene, const Catalog& catalog, const ModelOptions& options) {
+Result<PlacementModel> build_model(const SceneGraph& scene, const Catalog& catalog, const ModelOptions& options) {
   LAYOUTBOX_CHECK(check_numbers(scene));
   if (scene.objects.size() > kMostObjects) {
     return fail(ErrorCode::kTooLarge, fmt::format("{} objects are more than the {} that can be placed", scene.objects.size(), kMostObjects),
                 "/furniture");
   }
-  Model model;
+  PlacementModel model;
   model.scene = &scene;
   model.catalog = &catalog;
   const std::vector<Point>& polygon = scene.room.polygon;

@@ -16,18 +16,18 @@ namespace layoutbox::placement {
 
 // A way an item can stand: turned so, this big.
 struct State {
-  int turn = 0;                 // degrees, counter-clockwise; the nearest whole one
-  double angle = 0;             // exactly
-  int size_step = 0;            // 0: the usual size; more: farther from it
-  Size size;                    // at turn 0
-  Vec3 extent{};                // of the box around the turned body
-  std::vector<Mm> constants;    // by Quantity − kFirstConstant
-  std::vector<Box> solids;      // what of the box is body, from its low corner; the box itself where nothing is free
-  std::vector<Box> own_solids;  // at odd angles: the same in the object's own frame
-  std::vector<Box> clear;       // boxes that no body may enter, from its low corner
-  std::vector<Box> strips;      // free floor wanted at its used sides (0.2 m deep, 0.05 m off), from its low corner
-  std::vector<Box> wanted;      // free floor the catalogue wants, from its low corner
-  Box claims{};                 // around the last three, from the low corner; inside out where there are none
+  int turn = 0;                     // degrees, counter-clockwise; the nearest whole one
+  double angle = 0;                 // exactly
+  int size_step = 0;                // 0: the usual size; more: farther from it
+  Size size;                        // at turn 0
+  Vec3 extent{};                    // of the box around the turned body
+  std::vector<Mm> constants;        // by Quantity − kFirstConstant
+  std::vector<GridBox> solids;      // what of the box is body, from its low corner; the box itself where nothing is free
+  std::vector<GridBox> own_solids;  // at odd angles: the same in the object's own frame
+  std::vector<GridBox> clear;       // boxes that no body may enter, from its low corner
+  std::vector<GridBox> strips;      // free floor wanted at its used sides (0.2 m deep, 0.05 m off), from its low corner
+  std::vector<GridBox> wanted;      // free floor the catalogue wants, from its low corner
+  GridBox claims{};                 // around the last three, from the low corner; inside out where there are none
 };
 
 // A free box within an item that other things may be in; its sides are the six constants from `quantity` on (low x, y, z, high x, y, z).
@@ -115,13 +115,13 @@ struct Placement {
 };
 using Placements = std::vector<Placement>;
 
-struct Model {
+struct PlacementModel {
   const SceneGraph* scene = nullptr;
   const Catalog* catalog = nullptr;
-  Box room;                       // the bounding box of the floor, floor to ceiling
-  std::vector<Box> outside;       // what of it is not room; before slanted walls a little more, in steps
-  std::vector<Box> off_limits;    // the same, where no body may be; what is behind slanted walls is said by within_walls (slanted.h)
-  std::vector<Heading> headings;  // along and across the slanted walls
+  GridBox room;                     // the bounding box of the floor, floor to ceiling
+  std::vector<GridBox> outside;     // what of it is not room; before slanted walls a little more, in steps
+  std::vector<GridBox> off_limits;  // the same, where no body may be; what is behind slanted walls is said by within_walls (slanted.h)
+  std::vector<Heading> headings;    // along and across the slanted walls
   std::vector<RoomWall> walls;
   std::vector<Item> items;  // objects in the scene's order, then openings
   std::vector<Constraint> constraints;
@@ -148,11 +148,11 @@ struct ModelOptions {
 };
 
 // REQUIRES: a normalised scene. Errors: kReference (a relation names what is not there), kTooLarge (more than 500 objects).
-Result<Model> build_model(const SceneGraph& scene, const Catalog& catalog, const ModelOptions& options = {});
+Result<PlacementModel> build_model(const SceneGraph& scene, const Catalog& catalog, const ModelOptions& options = {});
 
 inline bool is_quarter(const State& state) { return state.angle == 90 * (state.turn / 90); }
 
-inline Box box_of(const Item& item, const Placement& p) {
+inline GridBox box_of(const Item& item, const Placement& p) {
   const Vec3& e = item.states[p.state].extent;
   return {p.at, {p.at[0] + e[0], p.at[1] + e[1], p.at[2] + e[2]}};
 }
@@ -165,22 +165,22 @@ inline std::int64_t value_of(const Item& item, const Placement& p, int quantity)
 }
 
 // REQUIRES: every item the form speaks of is placed.
-std::int64_t value_of(const Model& model, const Linear& form, const Placements& placements);
+std::int64_t value_of(const PlacementModel& model, const Linear& form, const Placements& placements);
 
 // How far a formula is from holding: millimetres, the least over its cases of the greatest violation; a wrong state counts kStateMiss.
 // 0: it holds. REQUIRES: everything it speaks of is placed.
 inline constexpr std::int64_t kStateMiss = 700;
-std::int64_t miss_of(const Model& model, const Formula& formula, const Placements& placements);
-std::int64_t miss_of(const Model& model, const Constraint& constraint, const Placements& placements);
+std::int64_t miss_of(const PlacementModel& model, const Formula& formula, const Placements& placements);
+std::int64_t miss_of(const PlacementModel& model, const Constraint& constraint, const Placements& placements);
 
 bool all_placed(const Formula& formula, const Placements& placements);
 bool all_placed(const Constraint& constraint, const Placements& placements);
 
 // Do the two placed items collide? `clear_boxes` also counts the clear boxes of either.
-bool collide(const Model& model, int a, const Placement& pa, int b, const Placement& pb, bool clear_boxes);
+bool collide(const PlacementModel& model, int a, const Placement& pa, int b, const Placement& pb, bool clear_boxes);
 
 // The body of a placed item, taken as full, enters an upright box of the room.
-bool overlaps_box(const Model& model, const Item& item, const Placement& body, const Box& box);
+bool overlaps_box(const PlacementModel& model, const Item& item, const Placement& body, const GridBox& box);
 
 // The direction a side of the item points to at a turn (the nearest quarter turn); items without a front have the room's frame.
 Direction side_direction(const Item& item, Side side, int turn);

@@ -35,8 +35,8 @@ std::vector<std::pair<Size, int>> sizes_of(const SizeRange& range, int steps, bo
 bool is_not_in_plan(Side side) { return side == Side::kTop || side == Side::kBottom; }
 
 // Spaces are free lengths in a mesh: whole millimetres that lie within them.
-Box box_of_space(const Space& space, const Box& own) {
-  Box box;
+GridBox box_of_space(const Space& space, const GridBox& own) {
+  GridBox box;
   for (int k = 0; k < 3; ++k) {
     box.lo[k] = std::max(own.lo[k], static_cast<Mm>(std::ceil(space.min[k] - 1e-6)));
     box.hi[k] = std::min(own.hi[k], static_cast<Mm>(std::floor(space.max[k] + 1e-6)));
@@ -67,15 +67,15 @@ State make_state(const SceneObject& object, const CatalogEntry& entry, const std
                  double turn, std::vector<ItemSpace>* describe) {
   State state;
   state.turn = nearest_turn(turn), state.angle = turn, state.size_step = step, state.size = size;
-  const Box own = own_box(size);
-  const Box whole = turned(own, turn);
+  const GridBox own = own_box(size);
+  const GridBox whole = turned(own, turn);
   for (int k = 0; k < 3; ++k) state.extent[k] = whole.extent(k);
   const std::vector<Space> spaces = spaces_of(object, entry, size);
-  std::vector<Box> holes;
+  std::vector<GridBox> holes;
   for (const Space& space : spaces) {
-    const Box hole = box_of_space(space, own);
+    const GridBox hole = box_of_space(space, own);
     if (!hole.empty()) holes.push_back(hole);
-    const Box here = within_turned(own, hole, turn);
+    const GridBox here = within_turned(own, hole, turn);
     if (describe) {
       describe->push_back(
           {space.name, space.carries, hole.hi[2] >= size.height, kFirstConstant + static_cast<int>(state.constants.size())});
@@ -83,8 +83,8 @@ State make_state(const SceneObject& object, const CatalogEntry& entry, const std
     state.constants.insert(state.constants.end(), here.lo.begin(), here.lo.end());
     state.constants.insert(state.constants.end(), here.hi.begin(), here.hi.end());
   }
-  const std::vector<Box> solids = less(own, holes);
-  for (const Box& solid : solids) state.solids.push_back(in_turned(own, solid, turn));
+  const std::vector<GridBox> solids = less(own, holes);
+  for (const GridBox& solid : solids) state.solids.push_back(in_turned(own, solid, turn));
   if (!is_quarter(state)) state.own_solids = solids;
   const std::vector<Side> used = object.used_sides.value_or(entry.used_sides);
   for (const Side side : used) {
@@ -208,17 +208,17 @@ bool holds_others(const SceneGraph& scene, const std::string& id) {
 
 }  // namespace
 
-Box own_box(const Size& size) {
+GridBox own_box(const Size& size) {
   return {{-(size.width / 2), -(size.depth / 2), 0}, {size.width - size.width / 2, size.depth - size.depth / 2, size.height}};
 }
 
-Box in_turned(const Box& own, const Box& box, double turn) {
-  const Box whole = turned(own, turn);
+GridBox in_turned(const GridBox& own, const GridBox& box, double turn) {
+  const GridBox whole = turned(own, turn);
   return turned(box, turn).shifted({-whole.lo[0], -whole.lo[1], -whole.lo[2]});
 }
 
-Box within_turned(const Box& own, const Box& box, double turn) {
-  const Box whole = turned(own, turn);
+GridBox within_turned(const GridBox& own, const GridBox& box, double turn) {
+  const GridBox whole = turned(own, turn);
   return turned_within(box, turn).shifted({-whole.lo[0], -whole.lo[1], -whole.lo[2]});
 }
 
@@ -234,7 +234,7 @@ void note_odd_states(Item& item) {
   if (item.odd_states == 0) return;
   item.footprint = kFirstConstant + static_cast<int>(item.states[0].constants.size());
   for (State& state : item.states) {
-    const Box own = own_box(state.size), whole = turned(own, state.angle), within = within_turned(own, own, state.angle);
+    const GridBox own = own_box(state.size), whole = turned(own, state.angle), within = within_turned(own, own, state.angle);
     for (const Vec3& corner : {within.lo, within.hi}) state.constants.insert(state.constants.end(), corner.begin(), corner.begin() + 2);
     const double c = std::cos(radians_from_degrees(state.angle)), s = std::sin(radians_from_degrees(state.angle));
     const std::array corners{Point{own.lo[0], own.lo[1]}, Point{own.hi[0], own.lo[1]}, Point{own.hi[0], own.hi[1]},
@@ -246,8 +246,8 @@ void note_odd_states(Item& item) {
   }
 }
 
-Box beside(const Box& own, Side side, Mm from, Mm to, Mm height) {
-  Box strip = own;
+GridBox beside(const GridBox& own, Side side, Mm from, Mm to, Mm height) {
+  GridBox strip = own;
   strip.lo[2] = 0, strip.hi[2] = height;
   switch (side) {
     case Side::kFront: strip.hi[1] = own.lo[1] - from, strip.lo[1] = own.lo[1] - to; break;

@@ -33,7 +33,7 @@ const Wall* angled_wall_of(const Opening& opening, const Room& room) {
 }
 
 // The low corner of the box around an opening in such a wall.
-std::array<Mm, 2> place_in_angled(const Wall& wall, const Opening& opening, const Vec3& extent, const Box& room) {
+std::array<Mm, 2> place_in_angled(const Wall& wall, const Opening& opening, const Vec3& extent, const GridBox& room) {
   const double dx = wall.end.x - wall.start.x, dy = wall.end.y - wall.start.y, length = std::hypot(dx, dy);
   const double middle = (opening.offset ? *opening.offset + opening.width / 2.0 : length / 2) / length;
   const double at[2] = {wall.start.x + dx * middle, wall.start.y + dy * middle};
@@ -49,8 +49,8 @@ constexpr Mm kBand = 200;  // how finely a turned box is cut into upright ones
 constexpr int kMostBands = 6;
 
 // Upright boxes that cover a box of the own frame as it lies in the turned one, from its low corner: itself at quarter turns, else bands.
-std::vector<Box> cover_turned(const Box& own, const Box& box, double turn) {
-  const Box around = in_turned(own, box, turn), whole = turned(own, turn);
+std::vector<GridBox> cover_turned(const GridBox& own, const GridBox& box, double turn) {
+  const GridBox around = in_turned(own, box, turn), whole = turned(own, turn);
   if (turn == 90 * std::floor(turn / 90)) return {around};
   const double c = std::cos(radians_from_degrees(turn)), s = std::sin(radians_from_degrees(turn));
   std::array<std::array<double, 2>, 4> corners{};
@@ -59,9 +59,9 @@ std::vector<Box> cover_turned(const Box& own, const Box& box, double turn) {
     corners[k] = {c * x - s * y - whole.lo[0], s * x + c * y - whole.lo[1]};
   }
   const int bands = std::clamp((around.extent(1) + kBand - 1) / kBand, 1, kMostBands);
-  std::vector<Box> out;
+  std::vector<GridBox> out;
   for (int b = 0; b < bands; ++b) {
-    Box band = around;
+    GridBox band = around;
     band.lo[1] = around.lo[1] + around.extent(1) * b / bands, band.hi[1] = around.lo[1] + around.extent(1) * (b + 1) / bands;
     double low = around.hi[0], high = around.lo[0];
     for (int k = 0; k < 4; ++k) {  // what of each side lies in the band
@@ -118,8 +118,8 @@ Item opening_item(const Opening& opening, const Room& room, const std::vector<Ro
     State state;
     state.turn = turn, state.angle = angled ? angle_at(*angled) : turn;
     state.size = {opening.width, kOpeningDepth, opening.height};
-    const Box own = own_box(state.size);
-    const Box whole = turned(own, state.angle);
+    const GridBox own = own_box(state.size);
+    const GridBox whole = turned(own, state.angle);
     for (int k = 0; k < 3; ++k) state.extent[k] = whole.extent(k);
     state.clear = cover_turned(own, beside(own, Side::kFront, 0, clear_depth(opening), opening.height), state.angle);
     item.states.push_back(std::move(state));
@@ -128,7 +128,7 @@ Item opening_item(const Opening& opening, const Room& room, const std::vector<Ro
   return item;
 }
 
-Constraint opening_place(const Model& model, int index) {
+Constraint opening_place(const PlacementModel& model, int index) {
   const Item& item = model.items[index];
   const Opening& opening = *item.opening;
   Constraint out;

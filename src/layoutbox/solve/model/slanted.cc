@@ -42,7 +42,7 @@ bool is_convex(std::span<const Point> polygon) {
 
 }  // namespace
 
-void add_headings(Model& model) {
+void add_headings(PlacementModel& model) {
   for (RoomWall& wall : model.walls) {
     if (wall.straight) continue;
     const double inward = wall.angle - 90;  // what has its back there looks into the room
@@ -57,7 +57,7 @@ void add_headings(Model& model) {
   }
 }
 
-void add_spans(const Model& model, Item& item) {
+void add_spans(const PlacementModel& model, Item& item) {
   if (model.headings.empty() || item.states.empty()) return;
   item.spans = kFirstConstant + static_cast<int>(item.states[0].constants.size());
   for (State& state : item.states) {
@@ -66,24 +66,24 @@ void add_spans(const Model& model, Item& item) {
   }
 }
 
-Linear along2(const Model& model, int item, int heading) {
+Linear along2(const PlacementModel& model, int item, int heading) {
   const Heading& h = model.headings[heading];
   return h.x * mid2(item, 0) + h.y * mid2(item, 1);
 }
 
-Linear span(const Model& model, int item, int heading) { return constant_of(item, model.items[item].spans + heading); }
+Linear span(const PlacementModel& model, int item, int heading) { return constant_of(item, model.items[item].spans + heading); }
 
-Linear slanted_gap2(const Model& model, int item, const RoomWall& wall) {
+Linear slanted_gap2(const PlacementModel& model, int item, const RoomWall& wall) {
   const std::int64_t line = dot(model.headings[wall.normal_heading], wall.start.x, wall.start.y);
   return wall.normal_sign * (along2(model, item, wall.normal_heading) - Linear(2 * line)) - span(model, item, wall.normal_heading);
 }
 
-Linear along_wall2(const Model& model, int item, const RoomWall& wall) {
+Linear along_wall2(const PlacementModel& model, int item, const RoomWall& wall) {
   const std::int64_t from = dot(model.headings[wall.along_heading], wall.start.x, wall.start.y);
   return wall.along_sign * (along2(model, item, wall.along_heading) - Linear(2 * from));
 }
 
-Constraint within_walls(const Model& model, int item) {
+Constraint within_walls(const PlacementModel& model, int item) {
   Constraint out;
   out.name = "within the walls: " + model.items[item].id;
   out.firmness = Firmness::kAlways;
@@ -104,28 +104,28 @@ Constraint within_walls(const Model& model, int item) {
   return out;
 }
 
-std::vector<Box> off_limits_of(const Model& model) {
+std::vector<GridBox> off_limits_of(const PlacementModel& model) {
   const std::vector<Point>& polygon = model.scene->room.polygon;
   if (model.headings.empty()) return model.outside;
   if (is_convex(polygon)) return {};
   return wholly_outside_of(polygon, model.room.lo[2], model.room.hi[2]);
 }
 
-Reach reach_of(const Model& model, const Item& item, int s, int solid, int heading) {
+Reach reach_of(const PlacementModel& model, const Item& item, int s, int solid, int heading) {
   const State& state = item.states[s];
   const Heading& h = model.headings[heading];
   if (solid < 0) return {dot(h, state.extent[0], state.extent[1]), state.constants[item.spans - kFirstConstant + heading]};
   if (is_quarter(state)) return reach_of(state.solids[solid], h);
   // The part in the object's own frame, turned about the middle of the footprint.
-  const Box& own = state.own_solids[solid];
+  const GridBox& own = state.own_solids[solid];
   const double c = std::cos(radians_from_degrees(state.angle)), sn = std::sin(radians_from_degrees(state.angle));
-  const Box whole = own_box(state.size);
+  const GridBox whole = own_box(state.size);
   const double x = double(own.lo[0]) + own.hi[0] - whole.lo[0] - whole.hi[0], y = double(own.lo[1]) + own.hi[1] - whole.lo[1] - whole.hi[1];
   return {dot(h, state.extent[0] + std::lround(c * x - sn * y), state.extent[1] + std::lround(sn * x + c * y)),
           span_of(own.extent(0), own.extent(1), state.angle, h)};
 }
 
-Reach reach_of(const Box& box, const Heading& h) {
+Reach reach_of(const GridBox& box, const Heading& h) {
   return {dot(h, std::int64_t{box.lo[0]} + box.hi[0], std::int64_t{box.lo[1]} + box.hi[1]),
           std::abs(std::int64_t{h.x} * box.extent(0)) + std::abs(std::int64_t{h.y} * box.extent(1))};
 }
@@ -133,14 +133,14 @@ Reach reach_of(const Box& box, const Heading& h) {
 namespace {
 
 // Where it stands.
-Reach placed_reach(const Model& model, const BodyPart& part, int heading) {
+Reach placed_reach(const PlacementModel& model, const BodyPart& part, int heading) {
   Reach reach = reach_of(model, *part.item, part.placement->state, part.solid, heading);
   reach.middle2 += 2 * dot(model.headings[heading], part.placement->at[0], part.placement->at[1]);
   return reach;
 }
 
 template <typename ReachAlong>
-bool apart_along_any(const Model& model, const BodyPart& a, const ReachAlong& b_along) {
+bool apart_along_any(const PlacementModel& model, const BodyPart& a, const ReachAlong& b_along) {
   for (std::size_t k = 0; k < model.headings.size(); ++k) {
     const Reach ra = placed_reach(model, a, static_cast<int>(k)), rb = b_along(static_cast<int>(k));
     if (std::abs(ra.middle2 - rb.middle2) >= ra.span + rb.span) return true;
@@ -150,11 +150,11 @@ bool apart_along_any(const Model& model, const BodyPart& a, const ReachAlong& b_
 
 }  // namespace
 
-bool apart_along_headings(const Model& model, const BodyPart& a, const BodyPart& b) {
+bool apart_along_headings(const PlacementModel& model, const BodyPart& a, const BodyPart& b) {
   return apart_along_any(model, a, [&](int heading) { return placed_reach(model, b, heading); });
 }
 
-bool apart_along_headings(const Model& model, const BodyPart& a, const Box& box) {
+bool apart_along_headings(const PlacementModel& model, const BodyPart& a, const GridBox& box) {
   return apart_along_any(model, a, [&](int heading) { return reach_of(box, model.headings[heading]); });
 }
 

@@ -15,7 +15,7 @@ bool option_missing(const SupportOption& option, const Placements& placements) {
 }
 
 // Do the scene's words say that it is held by that?
-bool is_said(const Model& model, const std::string& id, const std::string& holder) {
+bool is_said(const PlacementModel& model, const std::string& id, const std::string& holder) {
   return std::any_of(model.scene->relations.begin(), model.scene->relations.end(), [&](const Relation& r) {
     const bool holds =
         r.type == RelationType::kOn || r.type == RelationType::kIn || r.type == RelationType::kOnWall || r.type == RelationType::kStacked;
@@ -26,7 +26,7 @@ bool is_said(const Model& model, const std::string& id, const std::string& holde
   });
 }
 
-std::string name_of_support(const Model& model, const SupportOption& option) {
+std::string name_of_support(const PlacementModel& model, const SupportOption& option) {
   switch (option.kind) {
     case SupportOption::Kind::kFloor: return "floor";
     case SupportOption::Kind::kCeiling: return "ceiling";
@@ -36,7 +36,7 @@ std::string name_of_support(const Model& model, const SupportOption& option) {
 }
 
 // What was not moved keeps the very numbers it had: the solver's are whole millimetres and degrees.
-void keep_exactly(const Model& model, int index, const Placements& placements, PlacedObject& out) {
+void keep_exactly(const PlacementModel& model, int index, const Placements& placements, PlacedObject& out) {
   if (!unmoved(model, index, placements)) return;
   if (const PlacedObject* earlier = model.from ? model.from->find_object(out.id) : nullptr) {
     if (earlier->size != out.size) return;
@@ -46,7 +46,7 @@ void keep_exactly(const Model& model, int index, const Placements& placements, P
 }
 
 // What holds a thing is one thing: where words name two that both could, one of them is not so.
-bool support_agrees(const Model& model, const Relation& relation, const Layout& layout) {
+bool support_agrees(const PlacementModel& model, const Relation& relation, const Layout& layout) {
   const auto holder_of = [&](const std::string& id) {
     const PlacedObject* object = layout.find_object(id);
     return object ? object->supported_by : std::string();
@@ -89,7 +89,7 @@ bool support_agrees(const Model& model, const Relation& relation, const Layout& 
 }
 
 // Which of the item's supports holds where it is, that of which words speak before others; the nearest to holding where none does exactly.
-SupportOption support_of(const Model& model, int index, const Placements& placements) {
+SupportOption support_of(const PlacementModel& model, int index, const Placements& placements) {
   const Item& item = model.items[index];
   const Formula& formula = model.constraints[item.support_constraint].formulas[0];
   std::size_t best = 0;
@@ -104,7 +104,7 @@ SupportOption support_of(const Model& model, int index, const Placements& placem
   return item.supports[best];
 }
 
-PlacedObject placed_object(const Model& model, int index, const Placements& placements) {
+PlacedObject placed_object(const PlacementModel& model, int index, const Placements& placements) {
   const Item& item = model.items[index];
   const SceneObject& object = *item.object;
   const Placement& p = placements[index];
@@ -135,10 +135,10 @@ PlacedObject placed_object(const Model& model, int index, const Placements& plac
 }
 
 // The opening with the wall and offset it got.
-Opening placed_opening(const Model& model, int index, const Placements& placements) {
+Opening placed_opening(const PlacementModel& model, int index, const Placements& placements) {
   const Item& item = model.items[index];
   Opening out = *item.opening;
-  const Box box = box_of(item, placements[index]);
+  const GridBox box = box_of(item, placements[index]);
   for (const RoomWall& wall : model.walls) {
     const bool here = wall.straight && wall.turn == item.states[placements[index].state].turn && box.lo[wall.normal()] == wall.at &&
                       box.lo[wall.along] >= wall.lo && box.hi[wall.along] <= wall.hi && (out.wall.empty() || out.wall == wall.id);
@@ -166,7 +166,7 @@ Opening placed_opening(const Model& model, int index, const Placements& placemen
 
 }  // namespace
 
-Layout to_layout(const Model& model, const Placements& placements) {
+Layout to_layout(const PlacementModel& model, const Placements& placements) {
   const SceneGraph& scene = *model.scene;
   Layout layout;
   layout.prompt = scene.prompt, layout.name = scene.name;

@@ -7,6 +7,6 @@
 namespace layoutbox::placement {
 
 // Everything but status, relaxations, conflicts and statistics. Items that are not placed are left out.
-Layout to_layout(const Model& model, const Placements& placements);
+Layout to_layout(const PlacementModel& model, const Placements& placements);
 
 }  // namespace layoutbox::placement

@@ -10,19 +10,19 @@ constexpr Mm kStandsOnFloor = 50;
 constexpr Mm kFar = 1 << 28;
 
 // Seats round a table that is used from all sides are not in its way: they are how it is used.
-bool sits_round(const Model& model, int seat, int table) {
+bool sits_round(const PlacementModel& model, int seat, int table) {
   return model.items[seat].is_seat && model.items[table].takes_seats && model.pair(seat, table) == PairRule::kSolids;
 }
 
-std::int64_t shared_floor(const Box& a, const Box& b) {
+std::int64_t shared_floor(const GridBox& a, const GridBox& b) {
   const Mm x = std::min(a.hi[0], b.hi[0]) - std::max(a.lo[0], b.lo[0]), y = std::min(a.hi[1], b.hi[1]) - std::max(a.lo[1], b.lo[1]);
   return x <= 0 || y <= 0 ? 0 : std::int64_t{x} * y;
 }
 
 // Of a floor rectangle: what lies beyond the room's edge.
-std::int64_t beyond_room(const Model& model, const Box& floor) {
+std::int64_t beyond_room(const PlacementModel& model, const GridBox& floor) {
   std::int64_t area = floor_area(floor) - shared_floor(floor, model.room);
-  for (const Box& wall : model.outside) area += shared_floor(floor, wall);
+  for (const GridBox& wall : model.outside) area += shared_floor(floor, wall);
   return area;
 }
 
@@ -30,12 +30,12 @@ std::int64_t permille(std::int64_t blocked, std::int64_t area) {
   return area == 0 ? 0 : std::min<std::int64_t>(1000, blocked * 1000 / area);
 }
 
-std::int64_t blocked_permille(const Model& model, const Box& floor, const Placements& placements, int owner) {
+std::int64_t blocked_permille(const PlacementModel& model, const GridBox& floor, const Placements& placements, int owner) {
   std::int64_t blocked = beyond_room(model, floor);
   for (std::size_t j = 0; j < model.items.size(); ++j) {
     const int other = static_cast<int>(j);
     if (other == owner || placements[j].state < 0) continue;
-    const Box body = box_of(model.items[j], placements[j]);
+    const GridBox body = box_of(model.items[j], placements[j]);
     if (!overlap_in_plan(floor, body) || !blocks_floor(model.items[j], body) || sits_round(model, other, owner)) continue;
     blocked += shared_floor(floor, body);
   }
@@ -63,21 +63,21 @@ void note_floor_use(Item& item) {
                        std::any_of(item.spaces.begin(), item.spaces.end(), [](const ItemSpace& space) { return !space.carries; });
   }
   for (State& state : item.states) {
-    Box& around = state.claims;
+    GridBox& around = state.claims;
     around = {{kFar, kFar, kFar}, {-kFar, -kFar, -kFar}};
     for (const auto* floors : {&state.strips, &state.wanted, &state.clear}) {
-      for (const Box& floor : *floors) {
+      for (const GridBox& floor : *floors) {
         for (int k = 0; k < 3; ++k) around.lo[k] = std::min(around.lo[k], floor.lo[k]), around.hi[k] = std::max(around.hi[k], floor.hi[k]);
       }
     }
   }
 }
 
-bool blocks_floor(const Item& item, const Box& box) {
+bool blocks_floor(const Item& item, const GridBox& box) {
   return !item.is_opening() && !item.thin && (box.lo[2] + box.hi[2]) / 2 <= kBodyReach;
 }
 
-bool surely_blocks(const Model& model, int body, int owner) {
+bool surely_blocks(const PlacementModel& model, int body, int owner) {
   const Item& item = model.items[body];
   const bool on_floor = item.supports.size() == 1 && item.supports[0].kind == SupportOption::Kind::kFloor;
   const auto low = [](const State& state) { return state.extent[2] <= 2 * kBodyReach; };
@@ -85,15 +85,15 @@ bool surely_blocks(const Model& model, int body, int owner) {
          std::all_of(item.states.begin(), item.states.end(), low);
 }
 
-Mm intrusion_of(const Model& model, int opening, const Placements& placements) {
+Mm intrusion_of(const PlacementModel& model, int opening, const Placements& placements) {
   const Placement& p = placements[opening];
   Mm deepest = 0;
-  for (const Box& clear : model.items[opening].states[p.state].clear) {
-    const Box here = clear.shifted(p.at);
+  for (const GridBox& clear : model.items[opening].states[p.state].clear) {
+    const GridBox here = clear.shifted(p.at);
     for (std::size_t j = 0; j < model.items.size(); ++j) {
       const int other = static_cast<int>(j);
       if (placements[j].state < 0 || model.items[j].is_opening() || model.pair(opening, other) == PairRule::kFree) continue;
-      const Box shared = intersection(here, box_of(model.items[j], placements[j]));
+      const GridBox shared = intersection(here, box_of(model.items[j], placements[j]));
       if (overlaps_box(model, model.items[j], placements[j], here))
         deepest = std::max(deepest, std::min({shared.extent(0), shared.extent(1), shared.extent(2)}));
     }
@@ -101,20 +101,21 @@ Mm intrusion_of(const Model& model, int opening, const Placements& placements) {
   return deepest;
 }
 
-std::int64_t access_cost_of(const Model& model, int item, const Placements& placements) {
+std::int64_t access_cost_of(const PlacementModel& model, int item, const Placements& placements) {
   const Item& self = model.items[item];
   const Placement& p = placements[item];
   if (self.is_opening()) return std::int64_t{intrusion_of(model, item, placements)} * kCostWeights.swing;
   if (!wants_floor(self, p.at)) return 0;
   const State& state = self.states[p.state];
-  const auto blocked_of = [&](const std::vector<Box>& floors) {
+  const auto blocked_of = [&](const std::vector<GridBox>& floors) {
     return [&](std::size_t k) { return blocked_permille(model, floors[k].shifted(p.at), placements, item); };
   };
   return cost_of_claims(state.strips.size(), blocked_of(state.strips), state.wanted.size(), blocked_of(state.wanted));
 }
 
-std::vector<int> access_touched(const Model& model, const Placements& before, const Placements& after, const std::vector<int>& group) {
-  std::vector<Box> bodies;
+std::vector<int> access_touched(const PlacementModel& model, const Placements& before, const Placements& after,
+                                const std::vector<int>& group) {
+  std::vector<GridBox> bodies;
   for (const int member : group) {
     for (const Placements* placements : {&before, &after}) bodies.push_back(box_of(model.items[member], (*placements)[member]));
   }
@@ -122,8 +123,8 @@ std::vector<int> access_touched(const Model& model, const Placements& before, co
   for (std::size_t i = 0; i < model.items.size(); ++i) {
     const int item = static_cast<int>(i);
     if (after[i].state < 0) continue;
-    const Box claims = model.items[i].states[after[i].state].claims.shifted(after[i].at);
-    const auto reaches = [&](const Box& body) { return overlap_in_plan(claims, body); };
+    const GridBox claims = model.items[i].states[after[i].state].claims.shifted(after[i].at);
+    const auto reaches = [&](const GridBox& body) { return overlap_in_plan(claims, body); };
     if (std::any_of(bodies.begin(), bodies.end(), reaches) || std::find(group.begin(), group.end(), item) != group.end())
       touched.push_back(item);
   }
@@ -138,7 +139,7 @@ void AccessProbe::start(const Placements& placements, int item) {
     claims_[j].known = false;
     const int other = static_cast<int>(j);
     if (other == item || placements[j].state < 0) continue;
-    const Box box = box_of(model_.items[j], placements[j]);
+    const GridBox box = box_of(model_.items[j], placements[j]);
     if (blocks_floor(model_.items[j], box)) bodies_.push_back({other, box});
   }
 }
@@ -148,11 +149,11 @@ void AccessProbe::focus(int state, const Vec3& lo, const Vec3& hi) {
   near_bodies_.clear();
   near_owners_.clear();
   const State& own = model_.items[item_].states[state];
-  const auto swept = [&](Box box) {
+  const auto swept = [&](GridBox box) {
     for (int k = 0; k < 3; ++k) box.lo[k] += lo[k], box.hi[k] += hi[k];
     return box;
   };
-  const Box body = swept({{0, 0, 0}, own.extent}), floor = swept(own.claims);
+  const GridBox body = swept({{0, 0, 0}, own.extent}), floor = swept(own.claims);
   for (const Body& other : bodies_) {
     if (overlap_in_plan(floor, other.box) && !sits_round(model_, other.item, item_)) near_bodies_.push_back(other);
   }
@@ -160,12 +161,12 @@ void AccessProbe::focus(int state, const Vec3& lo, const Vec3& hi) {
     const int other = static_cast<int>(j);
     const Placement& there = (*placements_)[j];
     if (other == item_ || there.state < 0 || !wants_floor(model_.items[j], there.at)) continue;
-    const Box& claims = model_.items[j].states[there.state].claims;
+    const GridBox& claims = model_.items[j].states[there.state].claims;
     if (overlap_in_plan(body, claims.shifted(there.at)) && !sits_round(model_, item_, other)) near_owners_.push_back(other);
   }
 }
 
-AccessProbe::Claim AccessProbe::claim_of(const Box& floor, int owner, const std::vector<Body>& bodies) const {
+AccessProbe::Claim AccessProbe::claim_of(const GridBox& floor, int owner, const std::vector<Body>& bodies) const {
   Claim claim{floor, floor_area(floor), beyond_room(model_, floor)};
   for (const Body& body : bodies) {
     if (body.item == owner || !overlap_in_plan(floor, body.box) || sits_round(model_, body.item, owner)) continue;
@@ -182,8 +183,8 @@ const AccessProbe::Claims& AccessProbe::claims_of(int owner) {
   claims.known = true;
   claims.strips.clear();
   claims.wanted.clear();
-  for (const Box& strip : state.strips) claims.strips.push_back(claim_of(strip.shifted(there.at), owner, bodies_));
-  for (const Box& wanted : state.wanted) claims.wanted.push_back(claim_of(wanted.shifted(there.at), owner, bodies_));
+  for (const GridBox& strip : state.strips) claims.strips.push_back(claim_of(strip.shifted(there.at), owner, bodies_));
+  for (const GridBox& wanted : state.wanted) claims.wanted.push_back(claim_of(wanted.shifted(there.at), owner, bodies_));
   const auto blocked_of = [&](const std::vector<Claim>& floors) {
     return [&](std::size_t k) { return permille(floors[k].blocked, floors[k].area); };
   };
@@ -196,7 +197,7 @@ std::int64_t AccessProbe::cost_at(const Vec3& at, std::int64_t enough) {
   const State& own = self.states[state_];
   std::int64_t cost = 0;
   if (wants_floor(self, at)) {
-    const auto blocked_of = [&](const std::vector<Box>& floors) {
+    const auto blocked_of = [&](const std::vector<GridBox>& floors) {
       return [&](std::size_t k) {
         const Claim claim = claim_of(floors[k].shifted(at), item_, near_bodies_);
         return permille(claim.blocked, claim.area);
@@ -204,7 +205,7 @@ std::int64_t AccessProbe::cost_at(const Vec3& at, std::int64_t enough) {
     };
     cost += cost_of_claims(own.strips.size(), blocked_of(own.strips), own.wanted.size(), blocked_of(own.wanted));
   }
-  const Box body = box_of(self, {state_, at});
+  const GridBox body = box_of(self, {state_, at});
   if (!blocks_floor(self, body)) return cost;
   for (const int owner : near_owners_) {
     if (cost >= enough) return cost;

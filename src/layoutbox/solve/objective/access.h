@@ -13,24 +13,25 @@ inline constexpr Mm kBodyReach = 2000;  // what begins higher is in nobody's way
 void note_floor_use(Item& item);
 
 // Does the item stand in somebody's way on the floor?
-bool blocks_floor(const Item& item, const Box& box);
+bool blocks_floor(const Item& item, const GridBox& box);
 
 // Does `body`, which stands on the floor whenever it is there, count as in the way of the floor that `owner` wants?
-bool surely_blocks(const Model& model, int body, int owner);
+bool surely_blocks(const PlacementModel& model, int body, int owner);
 
 // How far the body that reaches farthest into the clear box of an opening does so, in millimetres.
-Mm intrusion_of(const Model& model, int opening, const Placements& placements);
+Mm intrusion_of(const PlacementModel& model, int opening, const Placements& placements);
 
 // Cost of the strips and wanted floors of one placed item; of a door or window, of what reaches into its swing.
-std::int64_t access_cost_of(const Model& model, int item, const Placements& placements);
+std::int64_t access_cost_of(const PlacementModel& model, int item, const Placements& placements);
 
 // The items for which that may have changed since things stood as in `before`, where only those of the group have moved.
-std::vector<int> access_touched(const Model& model, const Placements& before, const Placements& after, const std::vector<int>& group);
+std::vector<int> access_touched(const PlacementModel& model, const Placements& before, const Placements& after,
+                                const std::vector<int>& group);
 
 // What one item costs in many places while the others stay: its own floor, and what it takes of theirs.
 class AccessProbe {
  public:
-  explicit AccessProbe(const Model& model) : model_(model), claims_(model.items.size()) {}
+  explicit AccessProbe(const PlacementModel& model) : model_(model), claims_(model.items.size()) {}
 
   // REQUIRES: `placements` stay as they are until the next call. The item itself is taken as not placed.
   void start(const Placements& placements, int item);
@@ -42,10 +43,10 @@ class AccessProbe {
  private:
   struct Body {
     int item = -1;
-    Box box;
+    GridBox box;
   };
   struct Claim {
-    Box floor;
+    GridBox floor;
     std::int64_t area = 0, blocked = 0;  // by all but the item that is tried
   };
   struct Claims {
@@ -55,9 +56,9 @@ class AccessProbe {
   };
 
   const Claims& claims_of(int owner);
-  Claim claim_of(const Box& floor, int owner, const std::vector<Body>& bodies) const;
+  Claim claim_of(const GridBox& floor, int owner, const std::vector<Body>& bodies) const;
 
-  const Model& model_;
+  const PlacementModel& model_;
   const Placements* placements_ = nullptr;
   int item_ = -1, state_ = -1;
   std::vector<Body> bodies_, near_bodies_;

@@ -5,7 +5,7 @@
 namespace layoutbox::placement {
 namespace {}  // namespace
 
-std::int64_t constraint_cost(const Model& model, const Constraint& constraint, const Placements& placements) {
+std::int64_t constraint_cost(const PlacementModel& model, const Constraint& constraint, const Placements& placements) {
   if (!all_placed(constraint, placements)) return 0;
   const bool soft = constraint.firmness == Firmness::kSoft;
   std::int64_t sum = 0;
@@ -30,7 +30,7 @@ std::int64_t constraint_cost(const Model& model, const Constraint& constraint, c
   return sum;
 }
 
-std::map<std::string, std::int64_t> cost_terms(const Model& model, const Placements& placements) {
+std::map<std::string, std::int64_t> cost_terms(const PlacementModel& model, const Placements& placements) {
   std::map<std::string, std::int64_t> terms{{"habits", 0}, {"relations", 0}, {"access", 0}, {"ways", 0}, {"sizes", 0}};
   for (const Constraint& constraint : model.constraints) {
     if (!all_placed(constraint, placements)) continue;

@@ -30,18 +30,19 @@ inline constexpr std::int64_t kPoint = 1000;
 
 // Cost of one constraint: the best case's wishes and price; soft ones also what they miss. Nothing where something it speaks of is not
 // placed.
-std::int64_t constraint_cost(const Model& model, const Constraint& constraint, const Placements& placements);
+std::int64_t constraint_cost(const PlacementModel& model, const Constraint& constraint, const Placements& placements);
 
 // Thousandths of the free floor that hang together for a person 0.2 m wide (largest part of all).
-int walk_permille(const Model& model, const Placements& placements);
+int walk_permille(const PlacementModel& model, const Placements& placements);
 // Can somebody `width` wide walk from a door to a place beside the item?
-bool reachable(const Model& model, int item, Mm width, const Placements& placements);
+bool reachable(const PlacementModel& model, int item, Mm width, const Placements& placements);
 
 // Cost of cut off floor, and of `reachable` relations that do not hold; where it comes to `enough`, perhaps less than all of it, but so
 // much.
-std::int64_t ways_cost(const Model& model, const Placements& placements, std::int64_t enough = std::numeric_limits<std::int64_t>::max());
+std::int64_t ways_cost(const PlacementModel& model, const Placements& placements,
+                       std::int64_t enough = std::numeric_limits<std::int64_t>::max());
 
 // All terms by name, for the layout's score; "stay", the way from an earlier layout, is not part of it.
-std::map<std::string, std::int64_t> cost_terms(const Model& model, const Placements& placements);
+std::map<std::string, std::int64_t> cost_terms(const PlacementModel& model, const Placements& placements);
 
 }  // namespace layoutbox::placement

@@ -18,22 +18,22 @@ constexpr Mm kArmLength = 150;           // how near one must come to a door or 
 class WalkRaster {
  public:
   // `whole`: everything that begins below standing height is in the way, else only what has its middle there.
-  WalkRaster(const Model& model, const Placements& placements, Mm half_person, bool whole = false, Mm finest = 25)
+  WalkRaster(const PlacementModel& model, const Placements& placements, Mm half_person, bool whole = false, Mm finest = 25)
       : model_(model), half_(half_person) {
     const Mm longest = std::max(model.room.extent(0), model.room.extent(1));
     step_ = std::max<Mm>(finest, longest * finest / 4000);
     columns_ = model.room.extent(0) / step_ + 1, rows_ = model.room.extent(1) / step_ + 1;
     words_ = static_cast<std::size_t>(columns_) / kBits + 1;
     blocked_.reserve(4 + model.outside.size() + model.items.size());
-    const Box& r = model.room;
+    const GridBox& r = model.room;
     block({{r.lo[0] - 1000, r.lo[1] - 1000, 0}, {r.lo[0], r.hi[1] + 1000, 0}});
     block({{r.hi[0], r.lo[1] - 1000, 0}, {r.hi[0] + 1000, r.hi[1] + 1000, 0}});
     block({{r.lo[0], r.lo[1] - 1000, 0}, {r.hi[0], r.lo[1], 0}});
     block({{r.lo[0], r.hi[1], 0}, {r.hi[0], r.hi[1] + 1000, 0}});
-    for (const Box& outside : model.outside) block(outside);
+    for (const GridBox& outside : model.outside) block(outside);
     for (std::size_t i = 0; i < model.items.size(); ++i) {
       if (placements[i].state < 0) continue;
-      const Box box = box_of(model.items[i], placements[i]);
+      const GridBox box = box_of(model.items[i], placements[i]);
       const Item& item = model.items[i];
       if (whole ? !item.is_opening() && !item.thin && box.lo[2] < kBodyReach : blocks_floor(item, box)) block(box);
     }
@@ -42,19 +42,19 @@ class WalkRaster {
   }
 
   // Is there a way from one of the places `from` to one of `to`? Empty `from`: from anywhere.
-  bool way(const std::vector<Box>& from, const std::vector<Box>& to) {
+  bool way(const std::vector<GridBox>& from, const std::vector<GridBox>& to) {
     if (from.empty()) std::fill(walked_.begin(), walked_.end(), 1);
     walk_from(from);
-    return std::any_of(to.begin(), to.end(), [&](const Box& place) { return !untouched(place); });
+    return std::any_of(to.begin(), to.end(), [&](const GridBox& place) { return !untouched(place); });
   }
 
   // Notes all that can be walked to from these places; `untouched` then tells whether a place is none of it.
-  void walk_from(const std::vector<Box>& places) {
-    for (const Box& place : places) {
+  void walk_from(const std::vector<GridBox>& places) {
+    for (const GridBox& place : places) {
       for_runs_in(place, [&](int run) { walked_[part_of(run)] = 1; });
     }
   }
-  bool untouched(const Box& place) {
+  bool untouched(const GridBox& place) {
     bool touched = false;
     for_runs_in(place, [&](int run) { touched = touched || walked_[part_of(run)] != 0; });
     return !touched;
@@ -87,13 +87,13 @@ class WalkRaster {
   int cell(Mm along, bool up) const { return up ? (along + step_ - 1 + 100 * step_) / step_ - 100 : (along + 100 * step_) / step_ - 100; }
 
   // The cells whose points lie in the box grown by so much.
-  Cells cells_in(const Box& box, Mm grown) const {
+  Cells cells_in(const GridBox& box, Mm grown) const {
     const Vec3& o = model_.room.lo;
     return {std::max(0, cell(box.lo[0] - grown - o[0], true)), std::min(columns_ - 1, cell(box.hi[0] + grown - o[0], false)),
             std::max(0, cell(box.lo[1] - grown - o[1], true)), std::min(rows_ - 1, cell(box.hi[1] + grown - o[1], false))};
   }
 
-  void block(const Box& box) {
+  void block(const GridBox& box) {
     const Cells c = cells_in(box, half_);
     if (c.x0 <= c.x1 && c.y0 <= c.y1) blocked_.push_back(c);
   }
@@ -165,7 +165,7 @@ class WalkRaster {
   }
 
   template <typename Visit>
-  void for_runs_in(const Box& box, const Visit& visit) const {
+  void for_runs_in(const GridBox& box, const Visit& visit) const {
     const Cells c = cells_in(box, 0);
     if (c.y0 > c.y1) return;
     for (std::size_t band = band_of(c.y0); band + 1 < first_row_.size() && first_row_[band] <= c.y1; ++band) {
@@ -175,7 +175,7 @@ class WalkRaster {
     }
   }
 
-  const Model& model_;
+  const PlacementModel& model_;
   Mm half_;
   Mm step_ = 25;
   int columns_ = 0, rows_ = 0;
@@ -191,22 +191,22 @@ class WalkRaster {
 
 }  // namespace
 
-int walk_permille(const Model& model, const Placements& placements) {
+int walk_permille(const PlacementModel& model, const Placements& placements) {
   return WalkRaster(model, placements, kHalfPerson).largest_permille();
 }
 
 namespace {
 
 // Where somebody stands who uses that side: as wide as it is, at most `off` away.
-Box place_before(const Box& body, Direction side, Mm off) {
-  Box place = body;
+GridBox place_before(const GridBox& body, Direction side, Mm off) {
+  GridBox place = body;
   (side.sign > 0 ? place.lo : place.hi)[side.axis] = (side.sign > 0 ? body.hi : body.lo)[side.axis];
   (side.sign > 0 ? place.hi : place.lo)[side.axis] += side.sign * off;
   return place;
 }
 
-std::vector<Box> places_before_doors(const Model& model, const Placements& placements, Mm near) {
-  std::vector<Box> doors;
+std::vector<GridBox> places_before_doors(const PlacementModel& model, const Placements& placements, Mm near) {
+  std::vector<GridBox> doors;
   for (std::size_t i = 0; i < model.items.size(); ++i) {
     const Item& door = model.items[i];
     if (!door.is_opening() || door.opening->type == OpeningType::kWindow || placements[i].state < 0) continue;
@@ -217,8 +217,8 @@ std::vector<Box> places_before_doors(const Model& model, const Placements& place
 }
 
 // Of the greater things that stand on the floor: how many have no used side to which a way of full width leads from a door.
-int without_wide_way(const Model& model, const Placements& placements) {
-  const std::vector<Box> doors = places_before_doors(model, placements, kWideWay / 2 + kArmLength);
+int without_wide_way(const PlacementModel& model, const Placements& placements) {
+  const std::vector<GridBox> doors = places_before_doors(model, placements, kWideWay / 2 + kArmLength);
   if (doors.empty()) return 0;
   WalkRaster raster(model, placements, kWideWay / 2, false, 50);
   raster.walk_from(doors);
@@ -229,8 +229,8 @@ int without_wide_way(const Model& model, const Placements& placements) {
     if (p.state < 0 || item.is_opening() || item.thin || p.at[2] > 50) continue;
     const State& state = item.states[p.state];
     if (state.strips.empty() || std::int64_t{state.size.width} * state.size.depth < kGreat) continue;
-    count += std::all_of(state.strips.begin(), state.strips.end(), [&](const Box& strip) {
-      Box near = strip.shifted(p.at);
+    count += std::all_of(state.strips.begin(), state.strips.end(), [&](const GridBox& strip) {
+      GridBox near = strip.shifted(p.at);
       for (int k = 0; k < 2; ++k) near.lo[k] -= kBesideStrip, near.hi[k] += kBesideStrip;
       return raster.untouched(near);
     });
@@ -240,11 +240,11 @@ int without_wide_way(const Model& model, const Placements& placements) {
 
 }  // namespace
 
-bool reachable(const Model& model, int item, Mm width, const Placements& placements) {
+bool reachable(const PlacementModel& model, int item, Mm width, const Placements& placements) {
   if (placements[item].state < 0) return false;
   const Mm near = width / 2 + kArmLength;
-  const std::vector<Box> doors = places_before_doors(model, placements, near);
-  std::vector<Box> sides;
+  const std::vector<GridBox> doors = places_before_doors(model, placements, near);
+  std::vector<GridBox> sides;
   const Item& self = model.items[item];
   std::vector<Side> used = self.object->used_sides.value_or(self.entry->used_sides);
   std::erase_if(used, [](Side side) { return side == Side::kTop || side == Side::kBottom; });
@@ -261,7 +261,7 @@ bool reachable(const Model& model, int item, Mm width, const Placements& placeme
   return WalkRaster(model, placements, width / 2, true).way(doors, sides);
 }
 
-std::int64_t ways_cost(const Model& model, const Placements& placements, std::int64_t enough) {
+std::int64_t ways_cost(const PlacementModel& model, const Placements& placements, std::int64_t enough) {
   if (enough <= 0) return 0;
   std::int64_t cost = kPoint * kCostWeights.walk * std::max(0, 998 - walk_permille(model, placements));
   if (cost < enough) cost += kPoint * kCostWeights.narrow * without_wide_way(model, placements);

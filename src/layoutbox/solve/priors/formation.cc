@@ -29,12 +29,12 @@ std::pair<Mm, Mm> gaps_of(const Item& item) {
   return item.has_front ? std::pair<Mm, Mm>{80, 600} : std::pair<Mm, Mm>{500, 500};
 }
 
-Mm lo_of(const Model& model, const PartOfRoom& part, int axis) { return part.axis == axis ? part.lo : model.room.lo[axis]; }
-Mm hi_of(const Model& model, const PartOfRoom& part, int axis) { return part.axis == axis ? part.hi : model.room.hi[axis]; }
+Mm lo_of(const PlacementModel& model, const PartOfRoom& part, int axis) { return part.axis == axis ? part.lo : model.room.lo[axis]; }
+Mm hi_of(const PlacementModel& model, const PartOfRoom& part, int axis) { return part.axis == axis ? part.hi : model.room.hi[axis]; }
 
 }  // namespace
 
-std::vector<PartOfRoom> parts_of_room(const Model& model, const std::vector<std::vector<int>>& groups) {
+std::vector<PartOfRoom> parts_of_room(const PlacementModel& model, const std::vector<std::vector<int>>& groups) {
   std::vector<PartOfRoom> parts(groups.size());
   if (groups.size() < 2) return parts;
   std::vector<std::int64_t> wanted;
@@ -90,7 +90,7 @@ struct Taken {
 // The places of one member of a formation, a case for each way that it may look.
 class FormationPlace {
  public:
-  FormationPlace(Formula& formula, const Model& model, const FormationOf& of)
+  FormationPlace(Formula& formula, const PlacementModel& model, const FormationOf& of)
       : f_(formula), model_(model), of_(of), item_(of.group[of.k]), first_(model.items[of.group[0]]) {}
 
   // `ahead`: which way along the columns they look. `aside`: what the words call a column is a row to those who stand in it.
@@ -154,7 +154,7 @@ class FormationPlace {
   }
 
   Formula& f_;
-  const Model& model_;
+  const PlacementModel& model_;
   const FormationOf& of_;
   const int item_;
   const Item& first_;
@@ -162,7 +162,7 @@ class FormationPlace {
 
 }  // namespace
 
-void add_formation_place(Formula& f, const Model& model, const FormationOf& of) {
+void add_formation_place(Formula& f, const PlacementModel& model, const FormationOf& of) {
   const int item = of.group[of.k];
   const Item& first = model.items[of.group[0]];
   FormationPlace places(f, model, of);
@@ -189,7 +189,7 @@ void add_formation_place(Formula& f, const Model& model, const FormationOf& of) 
   }
 }
 
-void add_island_place(Formula& f, const Model& model, const FormationOf& of) {
+void add_island_place(Formula& f, const PlacementModel& model, const FormationOf& of) {
   const std::vector<int>& group = of.group;
   const int k = of.k, item = group[k], pairs = (static_cast<int>(group.size()) + 1) / 2, pair = k / 2;
   const Size& desk = model.items[group[0]].states[0].size;
@@ -233,7 +233,7 @@ void add_island_place(Formula& f, const Model& model, const FormationOf& of) {
   if (k % 2 == 1) std::ranges::reverse(f.cases);
 }
 
-void add_seat_place(Formula& f, const Model& model, int seat, int table, int k, int n, int weight, bool long_sides) {
+void add_seat_place(Formula& f, const PlacementModel& model, int seat, int table, int k, int n, int weight, bool long_sides) {
   const Item &chair = model.items[seat], &host = model.items[table];
   const Size &size = host.states[0].size, &own = chair.states[0].size;
   Side side = used_side(host);

@@ -23,7 +23,7 @@ struct PartOfRoom {
 };
 
 // The parts of several formations, in their order: the longer side is shared out by the floor that each wants.
-std::vector<PartOfRoom> parts_of_room(const Model& model, const std::vector<std::vector<int>>& groups);
+std::vector<PartOfRoom> parts_of_room(const PlacementModel& model, const std::vector<std::vector<int>>& groups);
 
 // The formation of n things of that size with at least those gaps that fits the room's shape best; 0 columns where none fits.
 // `room_across` and `room_deep` are the room's extents along and across the rows. `columns` given: it stays; `sides`, `ends`: so much is
@@ -44,12 +44,12 @@ struct FormationOf {
 };
 
 // Wishes for that place in a formation about the middle of the room, whichever way the first of the group looks.
-void add_formation_place(Formula& f, const Model& model, const FormationOf& of);
+void add_formation_place(Formula& f, const PlacementModel& model, const FormationOf& of);
 
 // The same for desks in islands: two rows back to back, those who sit there looking at each other.
-void add_island_place(Formula& f, const Model& model, const FormationOf& of);
+void add_island_place(Formula& f, const PlacementModel& model, const FormationOf& of);
 
 // Wishes for seat k of n at a table used all round (shared out over its sides, or its two long ones), or at the side where a desk is used.
-void add_seat_place(Formula& f, const Model& model, int seat, int table, int k, int n, int weight, bool long_sides = false);
+void add_seat_place(Formula& f, const PlacementModel& model, int seat, int table, int k, int n, int weight, bool long_sides = false);
 
 }  // namespace layoutbox::placement

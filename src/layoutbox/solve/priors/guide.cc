@@ -74,7 +74,7 @@ Placement start_of(const Item& item, const Pose& pose) {
 }
 
 // Where an opening whose place the scene leaves open was.
-Placement start_of_opening(const Model& model, const Item& item, const Opening& earlier) {
+Placement start_of_opening(const PlacementModel& model, const Item& item, const Opening& earlier) {
   Placement start;
   const int w = model.find_wall(earlier.wall);
   if (w < 0 || !earlier.offset) return start;
@@ -90,7 +90,7 @@ Placement start_of_opening(const Model& model, const Item& item, const Opening& 
 }
 
 // The item that held this one up, where it is there and has a place too.
-int earlier_host(const Model& model, int index) {
+int earlier_host(const PlacementModel& model, int index) {
   const PlacedObject* earlier = model.from ? model.from->find_object(model.items[index].id) : nullptr;
   const int host = earlier ? model.find_item(earlier->supported_by) : -1;
   const auto rests_on_it = [&](const SupportOption& s) { return s.kind == SupportOption::Kind::kItem && s.index == host; };
@@ -106,7 +106,7 @@ std::int64_t middle2(const Item& item, const Placement& p, int axis) {
 }
 
 // Near its place in the room.
-Formula stay_in_room(const Model& model, int index) {
+Formula stay_in_room(const PlacementModel& model, int index) {
   const Item& item = model.items[index];
   const Placement& start = model.start[index];
   const int axes = height_is_free(item) ? 3 : 2;
@@ -123,7 +123,7 @@ Formula stay_in_room(const Model& model, int index) {
 }
 
 // Near its place on what holds it, wherever that goes.
-Formula stay_on_host(const Model& model, int index, int host) {
+Formula stay_on_host(const PlacementModel& model, int index, int host) {
   const Item &item = model.items[index], &under = model.items[host];
   const Placement &start = model.start[index], &base = model.start[host];
   const int was = under.states[base.state].turn;
@@ -152,7 +152,7 @@ Formula stay_on_host(const Model& model, int index, int host) {
   return f;
 }
 
-void add_lock(Model& model, int index) {
+void add_lock(PlacementModel& model, int index) {
   const Item& item = model.items[index];
   const Placement& start = model.start[index];
   Constraint lock;
@@ -166,7 +166,7 @@ void add_lock(Model& model, int index) {
   model.constraints.push_back(std::move(lock));
 }
 
-int lock_of(const Model& model, int item) {
+int lock_of(const PlacementModel& model, int item) {
   for (const int c : model.touching[item]) {
     if (model.constraints[c].words.empty() || model.constraints[c].firmness != Firmness::kHard) continue;
     if (model.constraints[c].name == "lock of " + model.items[item].id) return c;
@@ -191,7 +191,7 @@ void add_earlier_pose(const ModelOptions& options, Item& item, std::vector<std::
   if (sizes.size() * turns.size() > kMostStates) sizes.resize(kMostStates / turns.size());
 }
 
-Status find_starts(Model& model, const ModelOptions& options) {
+Status find_starts(PlacementModel& model, const ModelOptions& options) {
   if (!options.from && options.locked.empty()) return {};
   model.from = options.from;
   model.start.assign(model.items.size(), {});
@@ -218,7 +218,7 @@ Status find_starts(Model& model, const ModelOptions& options) {
   return {};
 }
 
-void add_stays(Model& model) {
+void add_stays(PlacementModel& model) {
   for (std::size_t i = 0; i < model.start.size(); ++i) {
     const int index = static_cast<int>(i);
     if (model.start[i].state < 0) continue;
@@ -238,7 +238,7 @@ void add_stays(Model& model) {
   }
 }
 
-void add_differences(Model& model, const std::vector<const Layout*>& unlike) {
+void add_differences(PlacementModel& model, const std::vector<const Layout*>& unlike) {
   if (unlike.empty()) return;
   std::vector<int> largest;
   for (std::size_t i = 0; i < model.items.size(); ++i) {
@@ -273,7 +273,7 @@ void add_differences(Model& model, const std::vector<const Layout*>& unlike) {
   }
 }
 
-std::vector<Clash> clashes_of_locks(const Model& model, const std::vector<char>& given_up, const std::vector<char>& left_out) {
+std::vector<Clash> clashes_of_locks(const PlacementModel& model, const std::vector<char>& given_up, const std::vector<char>& left_out) {
   std::vector<Clash> out;
   if (model.start.empty()) return out;
   const auto at_of = [&](std::size_t i) {
@@ -294,9 +294,10 @@ std::vector<Clash> clashes_of_locks(const Model& model, const std::vector<char>&
     if (!stays(i) || model.items[i].fixed) continue;
     const Demand lock{Demand::Kind::kConstraint, lock_of(model, static_cast<int>(i))};
     const std::string who = object_in_words(model, static_cast<int>(i));
-    const Box box = box_of(model.items[i], at_of(i));
-    const Box inside = intersection(box, model.room);
-    const bool in_obstacle = std::any_of(model.off_limits.begin(), model.off_limits.end(), [&](const Box& o) { return overlap(o, box); });
+    const GridBox box = box_of(model.items[i], at_of(i));
+    const GridBox inside = intersection(box, model.room);
+    const bool in_obstacle =
+        std::any_of(model.off_limits.begin(), model.off_limits.end(), [&](const GridBox& o) { return overlap(o, box); });
     const bool behind_wall = model.items[i].within_constraint >= 0 && beyond_walls(i);
     if (!(inside == box) || in_obstacle || behind_wall) {
       Clash clash;
@@ -311,7 +312,7 @@ std::vector<Clash> clashes_of_locks(const Model& model, const std::vector<char>&
       Clash clash;
       clash.demands = {lock};
       if (!model.items[j].fixed) clash.demands.push_back({Demand::Kind::kConstraint, lock_of(model, static_cast<int>(j))});
-      const Box shared = intersection(box, box_of(model.items[j], at_of(j)));
+      const GridBox shared = intersection(box, box_of(model.items[j], at_of(j)));
       clash.sentence = fmt::format("{} and {} are both to stay where they are, and overlap there by {:.2f} × {:.2f} m", who,
                                    object_in_words(model, static_cast<int>(j)), shared.extent(0) / 1000.0, shared.extent(1) / 1000.0);
       out.push_back(std::move(clash));

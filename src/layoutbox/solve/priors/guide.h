@@ -15,22 +15,22 @@ namespace layoutbox::placement {
 void add_earlier_pose(const ModelOptions& options, Item& item, std::vector<std::pair<Size, int>>& sizes, std::vector<int>& turns);
 
 // Fills model.start, and marks what is locked. Errors: kReference: an id to be locked that is not in the scene or had no place.
-Status find_starts(Model& model, const ModelOptions& options);
+Status find_starts(PlacementModel& model, const ModelOptions& options);
 
 // States of one item; a mask holds so many.
 inline constexpr std::size_t kMostStates = 64;
 
 // The wishes and locks that keep things where model.start has them.
-void add_stays(Model& model);
+void add_stays(PlacementModel& model);
 
 // Wishes that the largest things that stand on the floor stand elsewhere than in these layouts, or otherwise.
-void add_differences(Model& model, const std::vector<const Layout*>& unlike);
+void add_differences(PlacementModel& model, const std::vector<const Layout*>& unlike);
 
 // Locked or fixed things that overlap each other or stick out of the room: clashes that need no proof.
-std::vector<Clash> clashes_of_locks(const Model& model, const std::vector<char>& given_up, const std::vector<char>& left_out);
+std::vector<Clash> clashes_of_locks(const PlacementModel& model, const std::vector<char>& given_up, const std::vector<char>& left_out);
 
 // Its state and place are those of the earlier layout.
-inline bool unmoved(const Model& model, int item, const Placements& placements) {
+inline bool unmoved(const PlacementModel& model, int item, const Placements& placements) {
   return !model.start.empty() && model.start[item].state >= 0 && placements[item] == model.start[item];
 }
 

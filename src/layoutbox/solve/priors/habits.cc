@@ -212,7 +212,7 @@ void Habits::keep_turn(int item, double degrees) {
   habit("hint of turn", item, kHintOfTurn, std::move(f)).stay = true;
 }
 
-void add_habits(Model& model) {
+void add_habits(PlacementModel& model) {
   Habits habits(model);
   for (std::size_t i = 0; i < model.items.size(); ++i) habits.add(static_cast<int>(i));
   habits.spread();

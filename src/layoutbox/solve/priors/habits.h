@@ -21,14 +21,14 @@ inline constexpr int kBackToWall = 900, kBeside = 500, kFaces = 600, kAtWall = 1
 inline std::int64_t area_of(const Item& item) { return std::int64_t{item.states[0].size.width} * item.states[0].size.depth; }
 
 // Twice the middle of the floor's extent.
-inline Linear room_mid2(const Model& model, int axis) { return {std::int64_t{model.room.lo[axis]} + model.room.hi[axis]}; }
+inline Linear room_mid2(const PlacementModel& model, int axis) { return {std::int64_t{model.room.lo[axis]} + model.room.hi[axis]}; }
 
 // The states in which its front looks that way.
 std::uint64_t states_looking(const Item& item, Direction direction);
 
 class Habits {
  public:
-  explicit Habits(Model& model) : model_(model) {}
+  explicit Habits(PlacementModel& model) : model_(model) {}
   void add(int index);
   void spread();
 
@@ -221,7 +221,7 @@ class Habits {
   void stand_abreast_in_row(int item);
   bool stand_as_twin(int item);
 
-  Model& model_;
+  PlacementModel& model_;
   std::optional<std::vector<std::vector<int>>> formations_;  // all there are, once somebody asked
 };
 

@@ -15,10 +15,10 @@ struct PlaceInBlock {
   int block = 0, columns = 0, row = 0, column = 0;
 };
 
-Linear middle_of_room(const Model& model, int axis) { return Linear(std::int64_t{model.room.lo[axis]} + model.room.hi[axis]); }
+Linear middle_of_room(const PlacementModel& model, int axis) { return Linear(std::int64_t{model.room.lo[axis]} + model.room.hi[axis]); }
 
 // Wishes for the place of the item, a case for each way in which it may look: of two rows the first has its back up the axis.
-void add_block_place(Formula& f, const Model& model, int item, const PlaceInBlock& of, int weight) {
+void add_block_place(Formula& f, const PlacementModel& model, int item, const PlaceInBlock& of, int weight) {
   const Size& size = model.items[item].states[0].size;
   const int blocks = static_cast<int>(of.blocks.size()), rows = (static_cast<int>(of.blocks[0].size()) + of.columns - 1) / of.columns;
   const Size block{of.columns * size.width, rows * size.depth + 2 * kSitsBeside, size.height};
@@ -48,7 +48,7 @@ void add_block_place(Formula& f, const Model& model, int item, const PlaceInBloc
 }
 
 // Grids and rows without gaps, of as many things of that kind in as many columns each; nothing where there is but one.
-std::optional<PlaceInBlock> place_in_block(const Model& model, int item) {
+std::optional<PlaceInBlock> place_in_block(const PlacementModel& model, int item) {
   PlaceInBlock place;
   bool found = false;
   for (const Relation& r : model.scene->relations) {

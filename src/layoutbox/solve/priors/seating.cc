@@ -72,7 +72,7 @@ Mm wished_reach_under(const Item& seat, const Item& table) {
 }
 
 // At the same height somewhere, so that the distance is that in plan.
-void require_level(Case& in, const Model& model, int t, int r) {
+void require_level(Case& in, const PlacementModel& model, int t, int r) {
   if (floor_only(model.items[t]) && floor_only(model.items[r])) return;
   in.require(hi(r, 2) - lo(t, 2)).require(hi(t, 2) - lo(r, 2));
 }

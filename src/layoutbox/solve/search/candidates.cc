@@ -90,16 +90,16 @@ struct CandidateFinder::Hunt {
   }
 };
 
-CandidateFinder::CandidateFinder(const Model& model, std::vector<char> given_up)
+CandidateFinder::CandidateFinder(const PlacementModel& model, std::vector<char> given_up)
     : model_(model), regions_(model, std::move(given_up)), obstacles_(model, regions_), access_(model) {}
 
 bool CandidateFinder::collisions(const Placements& placements, int item, const Placement& placement, const std::vector<std::int64_t>& price,
                                  std::vector<int>& hit) const {
   const Item& self = model_.items[item];
-  const Box box = box_of(self, placement);
+  const GridBox box = box_of(self, placement);
   hit.clear();
   if (!self.is_opening() && !self.fixed) {
-    for (const Box& outside : model_.off_limits) {
+    for (const GridBox& outside : model_.off_limits) {
       if (overlap(outside, box)) return false;
     }
   }

@@ -35,7 +35,7 @@ class Coordinates;
 class CandidateFinder {
  public:
   // `given_up`: by constraint index; those need not hold.
-  CandidateFinder(const Model& model, std::vector<char> given_up);
+  CandidateFinder(const PlacementModel& model, std::vector<char> given_up);
   // By item: not there at all; what speaks of them cannot hold.
   void leave_out(const std::vector<char>& items) { regions_.leave_out(items); }
 
@@ -72,7 +72,7 @@ class CandidateFinder {
   bool pushes(const Vec3& at, const std::vector<std::int64_t>& price, std::vector<int>& hit);
   std::int64_t swing_cost(const Placements& placements, int opening, const Placement& placement);
 
-  const Model& model_;
+  const PlacementModel& model_;
   RegionFinder regions_;
   Obstacles obstacles_;
   AccessProbe access_;

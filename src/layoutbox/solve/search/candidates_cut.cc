@@ -41,7 +41,7 @@ class Coordinates {
   void offer_edge(const Partial& form) {
     if (const int axis = form.axis(); axis >= 0) offer(axis, zero_of(form, axis));
   }
-  void offer_beside(const Box& body, const Box& mine) {
+  void offer_beside(const GridBox& body, const GridBox& mine) {
     for (int axis = 0; axis < 2; ++axis) {
       offer(axis, std::int64_t{body.hi[axis]} - mine.lo[axis]);
       offer(axis, std::int64_t{body.lo[axis]} - mine.hi[axis]);
@@ -137,8 +137,8 @@ void CandidateFinder::find_soft(const Placements& placements, int item, int stat
 // Beside what stands there, and beside what it must leave free.
 void CandidateFinder::offer_neighbours(const Placements& placements, int item, int state, Coordinates& to) const {
   const State& own = model_.items[item].states[state];
-  const Box mine{{0, 0, 0}, own.extent};
-  for (const Box& outside : model_.outside) to.offer_beside(outside, mine);
+  const GridBox mine{{0, 0, 0}, own.extent};
+  for (const GridBox& outside : model_.outside) to.offer_beside(outside, mine);
   for (std::size_t j = 0; j < model_.items.size(); ++j) {
     const int other = static_cast<int>(j);
     if (placements[j].state < 0 || other == item) continue;
@@ -146,11 +146,11 @@ void CandidateFinder::offer_neighbours(const Placements& placements, int item, i
     if (rule == PairRule::kFree) continue;
     const State& theirs = model_.items[j].states[placements[j].state];
     to.offer_beside(box_of(model_.items[j], placements[j]), mine);
-    for (const Box& clear : theirs.clear) to.offer_beside(clear.shifted(placements[j].at), mine);
-    for (const Box& clear : own.clear) to.offer_beside(box_of(model_.items[j], placements[j]), clear);
+    for (const GridBox& clear : theirs.clear) to.offer_beside(clear.shifted(placements[j].at), mine);
+    for (const GridBox& clear : own.clear) to.offer_beside(box_of(model_.items[j], placements[j]), clear);
     if (rule != PairRule::kSolids || theirs.solids.size() * own.solids.size() > 24) continue;
-    for (const Box& body : theirs.solids) {
-      for (const Box& part : own.solids) to.offer_beside(body.shifted(placements[j].at), part);
+    for (const GridBox& body : theirs.solids) {
+      for (const GridBox& part : own.solids) to.offer_beside(body.shifted(placements[j].at), part);
     }
   }
 }

@@ -61,7 +61,7 @@ struct Lines {
     }
   }
   // Beside what stands there, turned or not.
-  void add_beside(const Model& model, int item, int state, int other, const Placement& placement) {
+  void add_beside(const PlacementModel& model, int item, int state, int other, const Placement& placement) {
     for (std::size_t k = 0; k < model.headings.size(); ++k) {
       const Heading& h = model.headings[k];
       const Reach mine = reach_of(model, model.items[item], state, -1, static_cast<int>(k));

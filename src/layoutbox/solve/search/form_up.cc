@@ -13,7 +13,7 @@ namespace {
 constexpr std::int64_t kStepsOfPlace = 10;
 
 // By formation, the constraints that say the places of its members.
-std::map<int, std::vector<int>> places_by_formation(const Model& model) {
+std::map<int, std::vector<int>> places_by_formation(const PlacementModel& model) {
   std::map<int, std::vector<int>> places;
   for (std::size_t c = 0; c < model.constraints.size(); ++c) {
     if (model.constraints[c].formation >= 0) places[model.constraints[c].formation].push_back(static_cast<int>(c));

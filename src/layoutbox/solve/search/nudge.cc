@@ -9,7 +9,7 @@ constexpr Mm kLongest = 512;  // mm
 constexpr std::int64_t kStepsOfNudge = 10;
 constexpr std::int64_t kWhole = 6;  // one nudge in so many moves all that belongs together
 
-bool touch(const Box& a, const Box& b) {
+bool touch(const GridBox& a, const GridBox& b) {
   for (int k = 0; k < 3; ++k) {
     if (a.lo[k] - kTouching > b.hi[k] || b.lo[k] - kTouching > a.hi[k]) return false;
   }
@@ -22,7 +22,7 @@ bool touch(const Box& a, const Box& b) {
 std::vector<int> Search::cluster_of(int item) {
   std::vector<int> cluster, more;
   group_of(dependencies_, placements_, item, cluster);
-  const Box box = box_of(model_.items[item], placements_[item]);
+  const GridBox box = box_of(model_.items[item], placements_[item]);
   for (std::size_t j = 0; j < model_.items.size(); ++j) {
     const int other = static_cast<int>(j);
     const bool apart = placements_[j].state < 0 || model_.items[j].is_opening() || model_.pair(item, other) == PairRule::kFree;

@@ -9,14 +9,14 @@ namespace {
 constexpr int kLinesAcross = 14;    // of a region that is cut slantwise
 constexpr Mm kBetweenOpenings = 2;  // openings have no depth
 
-Box around(const Box& a, const Box& b) {
-  Box both;
+GridBox around(const GridBox& a, const GridBox& b) {
+  GridBox both;
   for (int k = 0; k < 3; ++k) both.lo[k] = std::min(a.lo[k], b.lo[k]), both.hi[k] = std::max(a.hi[k], b.hi[k]);
   return both;
 }
 
 // Some position of the region lies inside the box.
-bool concerns(const Box& inside, const Region& region) {
+bool concerns(const GridBox& inside, const Region& region) {
   for (int k = 0; k < 3; ++k) {
     if (inside.lo[k] >= region.hi[k] || region.lo[k] >= inside.hi[k]) return false;
   }
@@ -41,12 +41,12 @@ bool narrow(const Region& region, int b, const Vec3& at, Mm& from, Mm& to) {
 
 }  // namespace
 
-Obstacles::Obstacles(const Model& model, const RegionFinder& regions) : model_(model), regions_(regions) {
+Obstacles::Obstacles(const PlacementModel& model, const RegionFinder& regions) : model_(model), regions_(regions) {
   for (const Item& item : model.items) {
     first_state_.push_back(reach_.size());
     for (const State& state : item.states) {
-      Box all{{0, 0, 0}, state.extent};
-      for (const Box& clear : state.clear) all = around(all, clear);
+      GridBox all{{0, 0, 0}, state.extent};
+      for (const GridBox& clear : state.clear) all = around(all, clear);
       reach_.push_back(all);
     }
   }
@@ -101,7 +101,7 @@ void Obstacles::add_pair(const Placements& placements, int item, int state, int 
   // Both from the low corner of who owns them.
   const auto add = [&](const Piece& mine, const Piece& theirs_there, Mm more) {
     Forbidden f;
-    const Box body = theirs_there.box.shifted(there.at);
+    const GridBox body = theirs_there.box.shifted(there.at);
     for (int k = 0; k < 3; ++k) f.lo[k] = body.lo[k] - mine.box.hi[k], f.hi[k] = body.hi[k] - mine.box.lo[k];
     for (int k = 0; k < 2; ++k) f.lo[k] -= more, f.hi[k] += more;
     if (!concerns({f.lo, f.hi}, region)) return;
@@ -114,8 +114,8 @@ void Obstacles::add_pair(const Placements& placements, int item, int state, int 
     add(whole, box, kBetweenOpenings);
   } else if (any_opening) {
     if (regions_.clearance_off(self) || regions_.clearance_off(them)) return;
-    for (const Box& clear : own.clear) add({clear}, box, 0);
-    for (const Box& clear : theirs.clear) add(whole, {clear}, 0);
+    for (const GridBox& clear : own.clear) add({clear}, box, 0);
+    for (const GridBox& clear : theirs.clear) add(whole, {clear}, 0);
   } else if (rule == PairRule::kBoxes) {
     add(whole, box, 0);
   } else {
@@ -133,12 +133,12 @@ void Obstacles::gather(const Placements& placements, int item, int state, const 
   const Item& self = model_.items[item];
   if (!self.is_opening() && !self.fixed) {
     const Vec3& e = self.states[state].extent;
-    for (const Box& outside : model_.off_limits) {
-      const Box inside{{outside.lo[0] - e[0], outside.lo[1] - e[1], outside.lo[2] - e[2]}, outside.hi};
+    for (const GridBox& outside : model_.off_limits) {
+      const GridBox inside{{outside.lo[0] - e[0], outside.lo[1] - e[1], outside.lo[2] - e[2]}, outside.hi};
       if (concerns(inside, region)) forbidden_.push_back({inside.lo, inside.hi});
     }
   }
-  Box whole = reach(item, state);  // wherever in the region it is
+  GridBox whole = reach(item, state);  // wherever in the region it is
   for (int k = 0; k < 3; ++k) {
     const Mm more = k < 2 ? kBetweenOpenings : 1;
     whole.lo[k] += region.lo[k] - more, whole.hi[k] += region.hi[k] + more;

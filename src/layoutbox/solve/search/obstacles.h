@@ -29,7 +29,7 @@ class Obstacles {
   };
 
   // REQUIRES: both outlive it.
-  Obstacles(const Model& model, const RegionFinder& regions);
+  Obstacles(const PlacementModel& model, const RegionFinder& regions);
 
   // Finds what is in the way of the item anywhere in the region. The item itself is taken as not placed.
   void gather(const Placements& placements, int item, int state, const Region& region);
@@ -55,18 +55,18 @@ class Obstacles {
   void add_pair(const Placements& placements, int item, int state, int other, const Region& region);
   // A part of a body: the whole (−1) or one of its solids; of an opening a box that is to be free.
   struct Piece {
-    Box box;
+    GridBox box;
     int solid = -1;
   };
   void add_stripes(Forbidden& f, const Placements& placements, int item, int state, const Piece& mine, const Piece& theirs);
   void line_up(const Region& region, const Sweep& how, Mm z);
   bool sweep_line(const Region& region, const Sweep& how, Vec3& at) const;
-  const Box& reach(int item, int state) const { return reach_[first_state_[item] + static_cast<std::size_t>(state)]; }
+  const GridBox& reach(int item, int state) const { return reach_[first_state_[item] + static_cast<std::size_t>(state)]; }
 
-  const Model& model_;
+  const PlacementModel& model_;
   const RegionFinder& regions_;
   std::vector<std::size_t> first_state_;  // by item, into reach_
-  std::vector<Box> reach_;                // a state's box and its clear boxes, from the low corner
+  std::vector<GridBox> reach_;            // a state's box and its clear boxes, from the low corner
   std::vector<Forbidden> forbidden_;
   std::vector<Stripe> stripes_;
   std::vector<const Forbidden*> near_;  // those at the height that is swept

@@ -11,7 +11,7 @@ bool may_rest_on(const Item& item, int host) {
                      [&](const SupportOption& support) { return support.kind == SupportOption::Kind::kItem && support.index == host; });
 }
 
-std::vector<int> hosts_of(const Model& model, int item) {
+std::vector<int> hosts_of(const PlacementModel& model, int item) {
   std::vector<int> found;
   const auto add = [&](int other) {
     if (other != item && other >= 0 && std::find(found.begin(), found.end(), other) == found.end()) found.push_back(other);
@@ -33,7 +33,7 @@ std::vector<int> hosts_of(const Model& model, int item) {
 }
 
 // Hard relations that tie an item to things of another kind: of a row or grid, those go first and the others follow them.
-int anchors_of(const Model& model, int item) {
+int anchors_of(const PlacementModel& model, int item) {
   int anchors = 0;
   for (const int c : model.touching[item]) {
     const Constraint& constraint = model.constraints[c];
@@ -52,14 +52,14 @@ int anchors_of(const Model& model, int item) {
 
 bool stays(const Item& item) { return item.fixed || item.locked || (item.is_opening() && item.opening->offset); }
 
-Dependencies::Dependencies(const Model& model) : hosts(model.items.size()), tenants(model.items.size()) {
+Dependencies::Dependencies(const PlacementModel& model) : hosts(model.items.size()), tenants(model.items.size()) {
   for (std::size_t i = 0; i < model.items.size(); ++i) {
     hosts[i] = hosts_of(model, static_cast<int>(i));
     for (const int host : hosts[i]) tenants[host].push_back(static_cast<int>(i));
   }
 }
 
-std::vector<int> placing_order(const Model& model, const Dependencies& dependencies, const std::vector<char>& left_out,
+std::vector<int> placing_order(const PlacementModel& model, const Dependencies& dependencies, const std::vector<char>& left_out,
                                const std::vector<int>& bonus) {
   struct Key {
     int item, bonus, group, anchors;

@@ -11,13 +11,13 @@ namespace layoutbox::placement {
 bool stays(const Item& item);
 
 struct Dependencies {
-  explicit Dependencies(const Model& model);
+  explicit Dependencies(const PlacementModel& model);
   std::vector<std::vector<int>> hosts;    // item → items it refers to
   std::vector<std::vector<int>> tenants;  // item → items that refer to it
 };
 
 // Fixed ones, then the ones with the most `bonus`, what a relation ties to a wall, openings, the rest by size, things on things, rugs.
-std::vector<int> placing_order(const Model& model, const Dependencies& dependencies, const std::vector<char>& left_out,
+std::vector<int> placing_order(const PlacementModel& model, const Dependencies& dependencies, const std::vector<char>& left_out,
                                const std::vector<int>& bonus);
 
 // The item and everything placed that hangs on it, hosts first.

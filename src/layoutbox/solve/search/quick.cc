@@ -26,7 +26,7 @@ bool same_body(const State& a, const State& b) {
 }
 
 // By state the set of those that cannot be told from it by room taken or by anything that must hold.
-std::vector<std::uint64_t> alike_states(const Model& model, const RegionFinder& regions, int item) {
+std::vector<std::uint64_t> alike_states(const PlacementModel& model, const RegionFinder& regions, int item) {
   const std::vector<State>& states = model.items[item].states;
   std::vector<std::uint64_t> alike(states.size(), 0), masks;
   for (const int c : model.touching[item]) {
@@ -52,7 +52,7 @@ std::vector<std::uint64_t> alike_states(const Model& model, const RegionFinder& 
 
 }  // namespace
 
-QuickSearch::QuickSearch(const Model& model, const Dependencies& dependencies, std::vector<char> given_up, std::uint64_t seed,
+QuickSearch::QuickSearch(const PlacementModel& model, const Dependencies& dependencies, std::vector<char> given_up, std::uint64_t seed,
                          int most_size_step)
     : model_(model),
       dependencies_(dependencies),

@@ -14,7 +14,8 @@ namespace layoutbox::placement {
 class QuickSearch {
  public:
   // `given_up`: by constraint index. `most_size_step`: how far from the usual size items may be.
-  QuickSearch(const Model& model, const Dependencies& dependencies, std::vector<char> given_up, std::uint64_t seed, int most_size_step);
+  QuickSearch(const PlacementModel& model, const Dependencies& dependencies, std::vector<char> given_up, std::uint64_t seed,
+              int most_size_step);
 
   // Places everything that has no place yet in `placements` but what is `left_out`; what is there may be moved, what stays() apart.
   // False: not within the budget; `placements` is then as good as it got.
@@ -39,7 +40,7 @@ class QuickSearch {
   bool somewhere(const Region& region, Vec3& at);
   const std::vector<int>& states_in_turn(int item);
 
-  const Model& model_;
+  const PlacementModel& model_;
   const Dependencies& dependencies_;
   RegionFinder regions_;
   Random random_;

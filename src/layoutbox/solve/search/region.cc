@@ -27,8 +27,8 @@ std::int64_t most_of(const Item& item, const Domain& domain, const Term& term) {
 
 }  // namespace
 
-Partial partial_of(const Model& model, const Placements& placements, const std::vector<Domain>& domains, const Linear& form, int item,
-                   int state) {
+Partial partial_of(const PlacementModel& model, const Placements& placements, const std::vector<Domain>& domains, const Linear& form,
+                   int item, int state) {
   Partial p;
   p.constant = form.constant;
   p.scale = form.scale;
@@ -49,7 +49,7 @@ Partial partial_of(const Model& model, const Placements& placements, const std::
   return p;
 }
 
-RegionFinder::RegionFinder(const Model& model, std::vector<char> given_up, int most_size_step)
+RegionFinder::RegionFinder(const PlacementModel& model, std::vector<char> given_up, int most_size_step)
     : model_(model), given_up_(std::move(given_up)), left_out_(model.items.size(), 0), most_size_step_(most_size_step) {
   given_up_.resize(model.constraints.size(), 0);
   share_out();

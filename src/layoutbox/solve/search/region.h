@@ -51,8 +51,8 @@ struct Domain {
 };
 
 // REQUIRES: state is one of the item's. What is not placed counts as much as its domain allows.
-Partial partial_of(const Model& model, const Placements& placements, const std::vector<Domain>& domains, const Linear& form, int item,
-                   int state);
+Partial partial_of(const PlacementModel& model, const Placements& placements, const std::vector<Domain>& domains, const Linear& form,
+                   int item, int state);
 
 // A case in which only the item at hand is free.
 struct Reduced {
@@ -79,7 +79,7 @@ inline bool holds_at(const Region& region, const Vec3& at) {
 class RegionFinder {
  public:
   // `given_up`: by constraint index; those need not hold. `most_size_step`: how far from the usual size items may be.
-  RegionFinder(const Model& model, std::vector<char> given_up, int most_size_step = std::numeric_limits<int>::max());
+  RegionFinder(const PlacementModel& model, std::vector<char> given_up, int most_size_step = std::numeric_limits<int>::max());
   // By item: not there at all; what speaks of them cannot hold.
   void leave_out(const std::vector<char>& items) { left_out_ = items; }
 
@@ -111,7 +111,7 @@ class RegionFinder {
   void descend(std::size_t depth, const Region& region, int& nodes);
   std::vector<Reduced>& next_pool();
 
-  const Model& model_;
+  const PlacementModel& model_;
   std::vector<char> given_up_, left_out_;
   int most_size_step_;
   std::vector<Domain> domains_;

@@ -33,7 +33,7 @@ std::vector<std::string> in_facing_order(const SceneGraph& scene, const std::vec
 
 }  // namespace
 
-void KnownCosts::are_of(const Model& model, const Placements& placements) {
+void KnownCosts::are_of(const PlacementModel& model, const Placements& placements) {
   if (of == placements && constraints.size() == model.constraints.size()) return;
   std::vector<int> moved;
   bool fresh = constraints.size() != model.constraints.size();
@@ -54,7 +54,7 @@ void KnownCosts::are_of(const Model& model, const Placements& placements) {
   of = placements;
 }
 
-Search::Search(const Model& model, std::vector<char> given_up, std::uint64_t seed, int most_size_step)
+Search::Search(const PlacementModel& model, std::vector<char> given_up, std::uint64_t seed, int most_size_step)
     : model_(model),
       finder_(model, std::move(given_up)),
       random_(seed),
@@ -104,7 +104,7 @@ bool Search::try_order(const std::vector<int>& order, std::int64_t noise, Budget
 
 // Is the room there free, and does all that is asked of it hold, as far as the others are placed?
 bool Search::may_stay(int item, const Placement& placement) const {
-  const Box box = box_of(model_.items[item], placement);
+  const GridBox box = box_of(model_.items[item], placement);
   if (!model_.items[item].is_opening() && !(intersection(box, model_.room) == box)) return false;
   if (!finder_.legal(placements_, item, placement)) return false;
   Placements probe = placements_;

@@ -23,13 +23,13 @@ struct KnownCosts {
   std::vector<std::optional<std::int64_t>> constraints, access;
 
   // What does not depend on the difference stays known.
-  void are_of(const Model& model, const Placements& placements);
-  std::int64_t of_constraint(const Model& model, int constraint) {
+  void are_of(const PlacementModel& model, const Placements& placements);
+  std::int64_t of_constraint(const PlacementModel& model, int constraint) {
     std::optional<std::int64_t>& cost = constraints[static_cast<std::size_t>(constraint)];
     if (!cost) cost = constraint_cost(model, model.constraints[constraint], of);
     return *cost;
   }
-  std::int64_t of_access(const Model& model, int item) {
+  std::int64_t of_access(const PlacementModel& model, int item) {
     std::optional<std::int64_t>& cost = access[static_cast<std::size_t>(item)];
     if (!cost) cost = access_cost_of(model, item, of);
     return *cost;
@@ -39,7 +39,7 @@ struct KnownCosts {
 class Search {
  public:
   // `given_up`: by constraint index; those need not hold. `most_size_step`: how far below the usual size items may be.
-  Search(const Model& model, std::vector<char> given_up, std::uint64_t seed, int most_size_step);
+  Search(const PlacementModel& model, std::vector<char> given_up, std::uint64_t seed, int most_size_step);
 
   void skip_dear_regions() { finder_.skip_dear_regions(); }
 
@@ -104,7 +104,7 @@ class Search {
   bool is_better(const Placements& before, const std::vector<int>& moved, Budget& budget, std::int64_t least_gain = kLeastGain);
   std::int64_t gain_since(const Placements& before, const std::vector<int>& group, std::int64_t least_gain);
 
-  const Model& model_;
+  const PlacementModel& model_;
   CandidateFinder finder_;
   Random random_;
   int most_size_step_;

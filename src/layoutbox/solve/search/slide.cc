@@ -9,7 +9,7 @@ constexpr std::int64_t kPushed = 300 * kPoint;
 constexpr std::size_t kTried = 6, kMostPushed = 14;
 
 // The least way along x or y that brings `box` out of `from` and keeps it in the room; {0, 0, 0} where there is none.
-Vec3 way_out(const Box& box, const Box& from, const Box& room) {
+Vec3 way_out(const GridBox& box, const GridBox& from, const GridBox& room) {
   Vec3 best{};
   Mm least = std::numeric_limits<Mm>::max();
   for (int axis = 0; axis < 2; ++axis) {
@@ -31,7 +31,7 @@ bool Search::push_away(std::vector<int>& moved, std::vector<int> in_way, const s
   for (std::size_t k = 0; k < in_way.size(); ++k) {
     const int other = in_way[k];
     if (k >= kMostPushed || placements_[other].state < 0) return false;
-    const Box box = box_of(model_.items[other], placements_[other]);
+    const GridBox box = box_of(model_.items[other], placements_[other]);
     Vec3 by{};
     for (const int pusher : moved) {
       if (pusher == other || !collide(model_, pusher, placements_[pusher], other, placements_[other], true)) continue;

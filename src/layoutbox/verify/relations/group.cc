@@ -9,16 +9,16 @@
 
 #include "layoutbox/verify/relation_check.h"
 
-namespace layoutbox::judge {
+namespace layoutbox::checks {
 namespace {
 
 constexpr double kSpacing = 0.01;  // m: two places on the 1 cm grid may differ by one step
 constexpr std::array kFourSides{Side::kFront, Side::kBack, Side::kLeft, Side::kRight};
 
-double max_of(const Case& c) { return c.metres(c.relation.parameters.max, "max").value_or(0.5); }
+double max_of(const RelationCase& c) { return c.metres(c.relation.parameters.max, "max").value_or(0.5); }
 
 double far_out(const Body& t, const Shape& r, Side side) {
-  const Vec out = direction_of(r.frame, side);
+  const Vec2d out = direction_of(r.frame, side);
   return extent(t.shape, out).hi - extent(r, out).hi;
 }
 
@@ -26,7 +26,7 @@ Side side_taken(const Body& t, const Shape& r) {
   return *std::max_element(kFourSides.begin(), kFourSides.end(), [&](Side a, Side b) { return far_out(t, r, a) < far_out(t, r, b); });
 }
 
-Finding spread_over_sides(const Case& c, const Reference& r) {
+Finding spread_over_sides(const RelationCase& c, const RelationReference& r) {
   if (c.targets.size() < 2) return {};
   std::map<Side, std::size_t> taken;
   for (const Body* target : c.targets) ++taken[side_taken(*target, r.shape())];
@@ -37,14 +37,14 @@ Finding spread_over_sides(const Case& c, const Reference& r) {
 }
 
 // Neighbours sorted along an axis.
-std::vector<Interval> sorted_extents(const Case& c, Axis axis) {
+std::vector<Interval> sorted_extents(const RelationCase& c, Axis axis) {
   std::vector<Interval> extents;
   for (const Body* target : c.targets) extents.push_back(room_extent(*target, axis));
   std::sort(extents.begin(), extents.end(), [](Interval a, Interval b) { return a.mid() < b.mid(); });
   return extents;
 }
 
-Finding equal_coordinates(const Case& c, Axis axis) {
+Finding equal_coordinates(const RelationCase& c, Axis axis) {
   std::array<Interval, 3> spread;  // of lo, mid and hi
   for (std::size_t i = 0; i < c.targets.size(); ++i) {
     const Interval e = room_extent(*c.targets[i], axis);
@@ -55,7 +55,7 @@ Finding equal_coordinates(const Case& c, Axis axis) {
   return at_most(fmt::format("out of line along {} by", name_of(axis)), least, 0, c.slack());
 }
 
-Finding in_row(const Case& c, Axis along) {
+Finding in_row(const RelationCase& c, Axis along) {
   const std::optional<double> wanted = c.metres(c.relation.parameters.gap, "gap");
   std::vector<Finding> findings{equal_coordinates(c, along == Axis::kX ? Axis::kY : Axis::kX)};
   const std::vector<Interval> row = sorted_extents(c, along);
@@ -68,7 +68,7 @@ Finding in_row(const Case& c, Axis along) {
 }
 
 // Different coordinates of the centres along an axis, those within `kSpacing` taken as one.
-std::vector<double> lines_along(const Case& c, Axis axis) {
+std::vector<double> lines_along(const RelationCase& c, Axis axis) {
   std::vector<double> places;
   for (const Body* target : c.targets) places.push_back(room_extent(*target, axis).mid());
   std::sort(places.begin(), places.end());
@@ -86,7 +86,7 @@ Finding equally_spaced(const std::vector<double>& places, const std::string& wha
   return at_most(what, step.length(), kSpacing, 0);
 }
 
-Finding even_gaps(const Case& c, Axis axis) {
+Finding even_gaps(const RelationCase& c, Axis axis) {
   const std::vector<Interval> row = sorted_extents(c, axis);
   std::vector<double> gaps;
   for (std::size_t i = 1; i < row.size(); ++i) gaps.push_back(row[i].lo - row[i - 1].hi);
@@ -96,14 +96,14 @@ Finding even_gaps(const Case& c, Axis axis) {
 }
 
 // The axis along which the targets are spread farther; both where neither is by a millimetre, the step of all places.
-std::vector<Axis> wider_spread(const Case& c) {
+std::vector<Axis> wider_spread(const RelationCase& c) {
   const std::vector<Interval> x = sorted_extents(c, Axis::kX), y = sorted_extents(c, Axis::kY);
   const double more = (x.back().mid() - x.front().mid()) - (y.back().mid() - y.front().mid());
   if (std::abs(more) < 0.001) return {Axis::kX, Axis::kY};
   return {more > 0 ? Axis::kX : Axis::kY};
 }
 
-Finding between_two(const Case& c, const Body& t, const Reference& first, const Reference& second) {
+Finding between_two(const RelationCase& c, const Body& t, const RelationReference& first, const RelationReference& second) {
   std::vector<Finding> axes;
   for (const Axis axis : {Axis::kX, Axis::kY}) {
     const Axis other = axis == Axis::kX ? Axis::kY : Axis::kX;
@@ -153,10 +153,10 @@ class Matching {
   std::vector<std::size_t> target_of_;
 };
 
-Finding spread_in_circle(const Case& c, const Reference& r) {
+Finding spread_in_circle(const RelationCase& c, const RelationReference& r) {
   std::vector<double> angles;
   for (const Body* target : c.targets) {
-    const Vec way = target->shape.center - r.shape().center;
+    const Vec2d way = target->shape.center - r.shape().center;
     angles.push_back(std::atan2(way.y, way.x) * (180.0 / kPi));
   }
   if (angles.size() < 2) return {};
@@ -169,12 +169,12 @@ Finding spread_in_circle(const Case& c, const Reference& r) {
 
 }  // namespace
 
-Finding check_Around(const Case& c) {
-  std::vector<Finding> findings{each_pair(c, [&](const Body& t, const Reference& r) {
+Finding check_Around(const RelationCase& c) {
+  std::vector<Finding> findings{each_pair(c, [&](const Body& t, const RelationReference& r) {
     const std::vector<Side> sides(kFourSides.begin(), kFourSides.end());
     return all_of({gap_within(c, t, r, std::nullopt, max_of(c)), at_any_side(c, t, r, sides), looks_at(t, r, c.view)});
   })};
-  for (const Reference& r : c.references) {
+  for (const RelationReference& r : c.references) {
     if (!r.is_place()) findings.push_back(spread_over_sides(c, r));
   }
   return all_of(std::move(findings));
@@ -182,10 +182,10 @@ Finding check_Around(const Case& c) {
 
 namespace {
 
-Finding at_either_side(const Case& c, Axis axis) {
+Finding at_either_side(const RelationCase& c, Axis axis) {
   const Side low = axis == Axis::kY ? Side::kFront : Side::kLeft, high = axis == Axis::kY ? Side::kBack : Side::kRight;
   int balance = 0;
-  Finding sides = each_pair(c, [&](const Body& t, const Reference& r) {
+  Finding sides = each_pair(c, [&](const Body& t, const RelationReference& r) {
     const Finding at_low = beyond(c, t, r, low), at_high = beyond(c, t, r, high);
     balance += at_low.held ? -1 : at_high.held ? 1 : 0;
     return all_of({gap_within(c, t, r, std::nullopt, max_of(c)), any_of({at_low, at_high}, {})});
@@ -197,7 +197,7 @@ Finding at_either_side(const Case& c, Axis axis) {
 }
 
 // It has no front by which left and right would be known, or is sat at from all sides.
-bool has_any_sides(const Reference& r) {
+bool has_any_sides(const RelationReference& r) {
   if (r.body == nullptr) return false;
   const auto is_knee_room = [](const Hollow& hollow) { return !hollow.carries; };
   return !r.body->has_front || (!r.body->entry->back_to_wall && std::any_of(r.body->hollows.begin(), r.body->hollows.end(), is_knee_room));
@@ -205,14 +205,14 @@ bool has_any_sides(const Reference& r) {
 
 }  // namespace
 
-Finding check_EachSideOf(const Case& c) {
+Finding check_EachSideOf(const RelationCase& c) {
   const std::optional<Axis>& axis = c.relation.parameters.axis;
   const bool either = !axis && std::all_of(c.references.begin(), c.references.end(), has_any_sides);
   if (either) return any_of({at_either_side(c, Axis::kX), at_either_side(c, Axis::kY)}, {});
   return at_either_side(c, axis.value_or(Axis::kX));
 }
 
-Finding check_Between(const Case& c) {
+Finding check_Between(const RelationCase& c) {
   return each_target(c, [&](const Body& t) {
     std::vector<Finding> pairs;
     for (std::size_t i = 0; i < c.references.size(); ++i) {
@@ -222,14 +222,14 @@ Finding check_Between(const Case& c) {
   });
 }
 
-Finding check_Row(const Case& c) {
+Finding check_Row(const RelationCase& c) {
   if (c.relation.parameters.axis) return in_row(c, *c.relation.parameters.axis);
   return any_of({in_row(c, Axis::kX), in_row(c, Axis::kY)}, {});
 }
 
-Finding check_Column(const Case& c) { return in_row(c, Axis::kY); }
+Finding check_Column(const RelationCase& c) { return in_row(c, Axis::kY); }
 
-Finding check_Grid(const Case& c) {
+Finding check_Grid(const RelationCase& c) {
   const std::size_t count = c.targets.size();
   const int given = c.relation.parameters.columns.value_or(0);
   const std::size_t columns =
@@ -243,7 +243,7 @@ Finding check_Grid(const Case& c) {
                                 equally_spaced(y, "distances of the rows differ by")};
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t j = i + 1; j < count; ++j) {
-      const Vec apart = c.targets[i]->shape.center - c.targets[j]->shape.center;
+      const Vec2d apart = c.targets[i]->shape.center - c.targets[j]->shape.center;
       findings.push_back(condition(std::abs(apart.x) > kSpacing || std::abs(apart.y) > kSpacing,
                                    fmt::format("{} and {} have one place", c.targets[i]->id(), c.targets[j]->id())));
     }
@@ -259,23 +259,23 @@ Finding check_Grid(const Case& c) {
   return all_of(std::move(findings));
 }
 
-Finding check_EvenlySpaced(const Case& c) {
+Finding check_EvenlySpaced(const RelationCase& c) {
   if (c.relation.parameters.axis) return even_gaps(c, *c.relation.parameters.axis);
   std::vector<Finding> along;
   for (const Axis axis : wider_spread(c)) along.push_back(even_gaps(c, axis));
   return any_of(std::move(along), {});
 }
 
-Finding check_SymmetricAbout(const Case& c) {
+Finding check_SymmetricAbout(const RelationCase& c) {
   const bool mirror_y = c.relation.parameters.axis.value_or(Axis::kX) == Axis::kY;
   std::vector<Finding> findings;
-  for (const Reference& r : c.references) {
+  for (const RelationReference& r : c.references) {
     if (r.is_place()) return condition(false, r.id + " has no middle");
     const Shape& shape = r.shape();
-    const Vec axis = mirror_y ? shape.frame.y : shape.frame.x;
+    const Vec2d axis = mirror_y ? shape.frame.y : shape.frame.x;
     for (const Body* target : c.targets) {
-      const Vec way = target->shape.center - shape.center;
-      const Vec mirrored = shape.center + way - axis * (2 * dot(way, axis));
+      const Vec2d way = target->shape.center - shape.center;
+      const Vec2d mirrored = shape.center + way - axis * (2 * dot(way, axis));
       double nearest = std::numeric_limits<double>::infinity();
       for (const Body* other : c.targets) nearest = std::min(nearest, length(other->shape.center - mirrored));
       findings.push_back(
@@ -285,23 +285,23 @@ Finding check_SymmetricAbout(const Case& c) {
   return all_of(std::move(findings));
 }
 
-Finding check_Surround(const Case& c) {
-  std::vector<Finding> findings{each_pair(c, [&](const Body& t, const Reference& r) {
+Finding check_Surround(const RelationCase& c) {
+  std::vector<Finding> findings{each_pair(c, [&](const Body& t, const RelationReference& r) {
     return all_of({gap_within(c, t, r, std::nullopt, max_of(c)), looks_at(t, r, c.view)});
   })};
-  for (const Reference& r : c.references) {
+  for (const RelationReference& r : c.references) {
     if (!r.is_place()) findings.push_back(spread_in_circle(c, r));
   }
   return all_of(std::move(findings));
 }
 
-Finding check_PairedWith(const Case& c) {
+Finding check_PairedWith(const RelationCase& c) {
   std::vector<std::vector<bool>> allowed;
   std::vector<Finding> findings;
   for (const Body* target : c.targets) {
     std::vector<Finding> to_each;
     allowed.emplace_back();
-    for (const Reference& r : c.references) {
+    for (const RelationReference& r : c.references) {
       to_each.push_back(gap_within(c, *target, r, std::nullopt, max_of(c)));
       allowed.back().push_back(to_each.back().held);
     }
@@ -312,4 +312,4 @@ Finding check_PairedWith(const Case& c) {
   return all_of(std::move(findings));
 }
 
-}  // namespace layoutbox::judge
+}  // namespace layoutbox::checks

@@ -8,7 +8,7 @@
 #include "layoutbox/verify/checks.h"
 #include "layoutbox/verify/relation_check.h"
 
-namespace layoutbox::judge {
+namespace layoutbox::checks {
 namespace {
 
 constexpr double kUnderRise = 0.05;  // m: what lies under a thing may begin that much higher than it (a box under a bed on low feet)
@@ -16,7 +16,7 @@ constexpr double kWellWithin = 0.6;  // of the shorter of a thing and the window
 constexpr double kAboveReach = 0.1;  // m: a picture over a sofa that stands a little off the wall is above it
 
 // The space that a body stands in, or null.
-const Hollow* hollow_under(const Case& c, const Body& t, const Body& host) {
+const Hollow* hollow_under(const RelationCase& c, const Body& t, const Body& host) {
   for (const Hollow& hollow : host.hollows) {
     const bool level = std::abs(t.underside() - hollow.heights.lo) <= c.view.options.support_tolerance_m + kTiny;
     if (level && contains(hollow.plan, t.shape.center)) return &hollow;
@@ -24,14 +24,14 @@ const Hollow* hollow_under(const Case& c, const Body& t, const Body& host) {
   return nullptr;
 }
 
-Finding named_space(const Case& c, const Body& t, const Body& host, const std::string& name) {
+Finding named_space(const RelationCase& c, const Body& t, const Body& host, const std::string& name) {
   const Hollow* hollow = hollow_under(c, t, host);
   return condition(hollow != nullptr && hollow->name == name,
                    fmt::format("{} stands {} {} of {}", t.id(), hollow && hollow->name == name ? "in" : "not in", name, host.id()));
 }
 
 // One word of `part`: a half, a third or a space of the host.
-Finding in_part(const Case& c, const Body& t, const Body& host, const std::string& word) {
+Finding in_part(const RelationCase& c, const Body& t, const Body& host, const std::string& word) {
   const Frame& frame = host.shape.frame;
   const Interval x = extent(host.shape, frame.x), y = extent(host.shape, frame.y);
   const double off_x = dot(t.shape.center, frame.x) - x.mid(), off_y = dot(t.shape.center, frame.y) - y.mid();
@@ -55,7 +55,7 @@ Finding in_part(const Case& c, const Body& t, const Body& host, const std::strin
   return named_space(c, t, host, word);
 }
 
-Finding in_parts(const Case& c, const Body& t, const Body& host) {
+Finding in_parts(const RelationCase& c, const Body& t, const Body& host) {
   const std::string& part = c.relation.parameters.part;
   const bool is_space = std::any_of(host.hollows.begin(), host.hollows.end(), [&](const Hollow& hollow) { return hollow.name == part; });
   if (is_space) return named_space(c, t, host, part);
@@ -66,7 +66,7 @@ Finding in_parts(const Case& c, const Body& t, const Body& host) {
 }
 
 // Itself, or by way of what it stands on: a cup on a coaster on the table.
-bool is_held_by(const Case& c, const Body& t, const std::string& holder) {
+bool is_held_by(const RelationCase& c, const Body& t, const std::string& holder) {
   const Body* body = &t;
   for (std::size_t storeys = 0; body != nullptr && storeys <= c.view.bodies.size(); ++storeys) {
     if (body->object->supported_by == holder) return true;
@@ -75,22 +75,22 @@ bool is_held_by(const Case& c, const Body& t, const std::string& holder) {
   return false;
 }
 
-Finding held_by(const Case& c, const Body& t, const std::string& holder) {
+Finding held_by(const RelationCase& c, const Body& t, const std::string& holder) {
   if (holder == "floor" ? t.object->supported_by != holder : !is_held_by(c, t, holder))
     return condition(false, fmt::format("{} is held by {}, not by {}", t.id(), t.object->supported_by, holder));
   const SupportFault fault = support_fault(c.view, t);
   return condition(fault.message.empty(), fault.message.empty() ? fmt::format("{} stands on {}", t.id(), holder) : fault.message);
 }
 
-Finding stands_on(const Case& c, const Body& t, const Reference& r) {
+Finding stands_on(const RelationCase& c, const Body& t, const RelationReference& r) {
   if (r.body == nullptr) return held_by(c, t, r.is_place() && r.id == "room" ? "floor" : r.id);
   if (r.body->rug) return all_of({held_by(c, t, "floor"), covers(c, t, r.shape(), 0, r.id), in_parts(c, t, *r.body)});
   return all_of({held_by(c, t, r.id), in_parts(c, t, *r.body)});
 }
 
-Finding within_plan(const Case& c, const Body& t, const Body& host) {
+Finding within_plan(const RelationCase& c, const Body& t, const Body& host) {
   std::vector<Finding> findings;
-  for (const Vec axis : {host.shape.frame.x, host.shape.frame.y}) {
+  for (const Vec2d axis : {host.shape.frame.x, host.shape.frame.y}) {
     const Interval a = extent(t.shape, axis), b = extent(host.shape, axis);
     findings.push_back(
         at_most(fmt::format("{} reaches out of {} by", t.id(), host.id()), std::max(b.lo - a.lo, a.hi - b.hi), 0, c.slack()));
@@ -98,7 +98,7 @@ Finding within_plan(const Case& c, const Body& t, const Body& host) {
   return all_of(std::move(findings));
 }
 
-Finding above_opening(const Case& c, const Body& t, const Face& opening) {
+Finding above_opening(const RelationCase& c, const Body& t, const Face& opening) {
   return all_of({at_least(fmt::format("the underside of {} is at", t.id()), t.underside(), opening.shape.heights.hi, c.slack()),
                  at_most(fmt::format("distance between {} and {} in plan", t.id(), opening.id), distance(t.shape.plan, opening.shape.plan),
                          kAboveReach, c.slack()),
@@ -107,19 +107,19 @@ Finding above_opening(const Case& c, const Body& t, const Face& opening) {
 
 }  // namespace
 
-Finding below_window(const Case& c, const Body& t, const Face& window, double max) {
+Finding below_window(const RelationCase& c, const Body& t, const Face& window, double max) {
   return all_of({at_most(fmt::format("distance between {} and {} in plan", t.id(), window.id), distance(t.shape.plan, window.shape.plan),
                          max, c.slack()),
                  shares_along(c, t, window, kWellWithin),
                  at_most(fmt::format("the middle of {} is at height", t.id()), t.shape.heights.mid(), window.shape.heights.lo, c.slack())});
 }
 
-Finding check_On(const Case& c) {
-  return each_pair(c, [&](const Body& t, const Reference& r) { return stands_on(c, t, r); });
+Finding check_On(const RelationCase& c) {
+  return each_pair(c, [&](const Body& t, const RelationReference& r) { return stands_on(c, t, r); });
 }
 
-Finding check_Under(const Case& c) {
-  return each_pair(c, [&](const Body& t, const Reference& r) {
+Finding check_Under(const RelationCase& c) {
+  return each_pair(c, [&](const Body& t, const RelationReference& r) {
     if (r.is_place()) return condition(false, "nothing is under " + r.id);
     if (r.face != nullptr) return below_window(c, t, *r.face, 0.5);
     return all_of({at_most(fmt::format("the underside of {} is above that of {} by", t.id(), r.id), t.underside() - r.body->underside(),
@@ -129,9 +129,9 @@ Finding check_Under(const Case& c) {
   });
 }
 
-Finding check_Above(const Case& c) {
+Finding check_Above(const RelationCase& c) {
   const std::optional<double> wanted = c.metres(c.relation.parameters.gap, "gap");
-  return each_pair(c, [&](const Body& t, const Reference& r) {
+  return each_pair(c, [&](const Body& t, const RelationReference& r) {
     if (r.is_place()) return condition(false, "nothing in the room is above " + r.id);
     if (r.face != nullptr) return above_opening(c, t, *r.face);
     const double free = t.underside() - r.body->top();
@@ -142,9 +142,9 @@ Finding check_Above(const Case& c) {
   });
 }
 
-Finding check_In(const Case& c) {
+Finding check_In(const RelationCase& c) {
   const std::string& part = c.relation.parameters.part;
-  return each_pair(c, [&](const Body& t, const Reference& r) {
+  return each_pair(c, [&](const Body& t, const RelationReference& r) {
     if (r.body == nullptr) return check_Inside(c);
     const double below_top = r.body->top() - t.underside();
     std::vector<Finding> findings{
@@ -156,9 +156,9 @@ Finding check_In(const Case& c) {
   });
 }
 
-Finding check_Stacked(const Case& c) {
+Finding check_Stacked(const RelationCase& c) {
   std::vector<Finding> findings;
-  for (const Reference& r : c.references) findings.push_back(stands_on(c, *c.targets.front(), r));
+  for (const RelationReference& r : c.references) findings.push_back(stands_on(c, *c.targets.front(), r));
   for (std::size_t i = 1; i < c.targets.size(); ++i) {
     const Body &above = *c.targets[i], &below = *c.targets[i - 1];
     findings.push_back(held_by(c, above, below.id()));
@@ -167,4 +167,4 @@ Finding check_Stacked(const Case& c) {
   return all_of(std::move(findings));
 }
 
-}  // namespace layoutbox::judge
+}  // namespace layoutbox::checks

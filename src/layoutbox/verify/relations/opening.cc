@@ -5,22 +5,22 @@
 
 #include "layoutbox/verify/relation_check.h"
 
-namespace layoutbox::judge {
+namespace layoutbox::checks {
 namespace {
 
 bool any_opening(const Face& face) { return face.opening != nullptr; }
 
-bool names_something(const Case& c) {
-  return std::any_of(c.references.begin(), c.references.end(), [](const Reference& r) { return !r.is_place(); });
+bool names_something(const RelationCase& c) {
+  return std::any_of(c.references.begin(), c.references.end(), [](const RelationReference& r) { return !r.is_place(); });
 }
 
-Finding near_face(const Case& c, const Body& t, const Face& face) {
+Finding near_face(const RelationCase& c, const Body& t, const Face& face) {
   const RelationParameters& given = c.relation.parameters;
   return in_band(fmt::format("distance between {} and {}", t.id(), face.id), gap(t.shape, face.shape), c.metres(given.min, "min"),
                  c.metres(given.max, "max"), c.slack());
 }
 
-Finding far_from_all(const Case& c, const std::function<bool(const Face&)>& wanted) {
+Finding far_from_all(const RelationCase& c, const std::function<bool(const Face&)>& wanted) {
   const std::vector<const Face*> faces = named_or_all(c, c.view.openings, wanted);
   if (faces.empty() && names_something(c)) return condition(false, "names neither a door nor a window");
   return each_target(c, [&](const Body& t) {
@@ -32,28 +32,28 @@ Finding far_from_all(const Case& c, const std::function<bool(const Face&)>& want
 
 }  // namespace
 
-Finding check_UnderWindow(const Case& c) {
+Finding check_UnderWindow(const RelationCase& c) {
   const double max = c.metres(c.relation.parameters.max, "max").value_or(0.3);
   return each_target(c, [&](const Body& t) { return any_window(c, [&](const Face& window) { return below_window(c, t, window, max); }); });
 }
 
-Finding check_NearDoor(const Case& c) {
+Finding check_NearDoor(const RelationCase& c) {
   return each_target(c, [&](const Body& t) { return any_door(c, [&](const Face& door) { return near_face(c, t, door); }); });
 }
 
-Finding check_NearWindow(const Case& c) {
+Finding check_NearWindow(const RelationCase& c) {
   return each_target(c, [&](const Body& t) { return any_window(c, [&](const Face& window) { return near_face(c, t, window); }); });
 }
 
-Finding check_FarFromDoor(const Case& c) {
+Finding check_FarFromDoor(const RelationCase& c) {
   return far_from_all(c, [](const Face& face) { return face.is_door(); });
 }
 
-Finding check_FarFromWindow(const Case& c) {
+Finding check_FarFromWindow(const RelationCase& c) {
   return far_from_all(c, [](const Face& face) { return face.is_window(); });
 }
 
-Finding check_NotBlocking(const Case& c) {
+Finding check_NotBlocking(const RelationCase& c) {
   const std::optional<double> depth = c.metres(c.relation.parameters.depth, "depth");
   const std::vector<const Face*> faces = named_or_all(c, c.view.openings, any_opening);
   if (faces.empty() && names_something(c)) return condition(false, "names neither a door nor a window");
@@ -64,4 +64,4 @@ Finding check_NotBlocking(const Case& c) {
   });
 }
 
-}  // namespace layoutbox::judge
+}  // namespace layoutbox::checks

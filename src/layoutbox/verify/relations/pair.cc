@@ -7,23 +7,24 @@
 
 #include "layoutbox/verify/relation_check.h"
 
-namespace layoutbox::judge {
+namespace layoutbox::checks {
 namespace {
 
 constexpr double kTuckedAtLeast = 0.05;  // m
 
-double max_of(const Case& c, double otherwise) { return c.metres(c.relation.parameters.max, "max").value_or(otherwise); }
+double max_of(const RelationCase& c, double otherwise) { return c.metres(c.relation.parameters.max, "max").value_or(otherwise); }
 
-Finding beyond_within_reach(const Case& c, Side side) {
-  return each_pair(c, [&](const Body& t, const Reference& r) {
+Finding beyond_within_reach(const RelationCase& c, Side side) {
+  return each_pair(c, [&](const Body& t, const RelationReference& r) {
     return all_of({gap_within(c, t, r, std::nullopt, max_of(c, 1.5)), beyond(c, t, r, side)});
   });
 }
 
-Finding distances(const Case& c) {
+Finding distances(const RelationCase& c) {
   const RelationParameters& given = c.relation.parameters;
-  return each_pair(
-      c, [&](const Body& t, const Reference& r) { return gap_within(c, t, r, c.metres(given.min, "min"), c.metres(given.max, "max")); });
+  return each_pair(c, [&](const Body& t, const RelationReference& r) {
+    return gap_within(c, t, r, c.metres(given.min, "min"), c.metres(given.max, "max"));
+  });
 }
 
 // After how many degrees a body looks the same again: a kind without a front after half a turn, a square one after a quarter.
@@ -33,10 +34,10 @@ double period_of(const Body& body) {
 }
 
 // How far the turn of t against the reference is from one of the turns allowed (multiples of `step` degrees, from `first`).
-Finding turned(const Case& c, double first, double step, const std::string& what) {
-  return each_pair(c, [&](const Body& t, const Reference& r) {
+Finding turned(const RelationCase& c, double first, double step, const std::string& what) {
+  return each_pair(c, [&](const Body& t, const RelationReference& r) {
     if (r.is_place()) return condition(false, r.id + " has no direction");
-    const Vec x = r.body != nullptr ? r.body->own_frame.x : r.shape().frame.x;
+    const Vec2d x = r.body != nullptr ? r.body->own_frame.x : r.shape().frame.x;
     const double turn = std::atan2(cross(x, t.own_frame.x), dot(x, t.own_frame.x)) * (180.0 / kPi);
     const double period = std::min({step, period_of(t), r.body != nullptr ? period_of(*r.body) : 180});
     const double off = std::abs(std::remainder(turn - first, period));
@@ -44,7 +45,7 @@ Finding turned(const Case& c, double first, double step, const std::string& what
   });
 }
 
-Finding centred_along(const Case& c, const Body& t, const Reference& r, Vec axis) {
+Finding centred_along(const RelationCase& c, const Body& t, const RelationReference& r, Vec2d axis) {
   return at_most(fmt::format("centres of {} apart by", name_of_pair(t, r)),
                  std::abs(extent(t.shape, axis).mid() - extent(r.shape(), axis).mid()), 0, c.slack());
 }
@@ -56,13 +57,13 @@ bool used_all_round(const Body& body) {
   return !body.has_front || std::all_of(kAllSides.begin(), kAllSides.end(), used);
 }
 
-Finding alongside(const Case& c, const Body& t, const Reference& r, Side side, double max) {
+Finding alongside(const RelationCase& c, const Body& t, const RelationReference& r, Side side, double max) {
   if (r.body == nullptr) return condition(false, r.id + " has no long or short side");
   return all_of({gap_within(c, t, r, std::nullopt, max), at_any_side(c, t, r, sides_named(*r.body, side))});
 }
 
 // Beside the reference, near its back.
-Finding beside_head(const Case& c, const Body& t, const Reference& r) {
+Finding beside_head(const RelationCase& c, const Body& t, const RelationReference& r) {
   const Shape& shape = r.shape();
   const Interval depth = extent(shape, shape.frame.y);
   const Finding beside = any_of({at_least(fmt::format("{} is beyond the left side of {} by", t.id(), r.id),
@@ -74,10 +75,10 @@ Finding beside_head(const Case& c, const Body& t, const Reference& r) {
   return all_of({beside, at_least(fmt::format("{} is within the rear third of {} by", t.id(), r.id), behind_third, 0, c.slack())});
 }
 
-Finding tucked(const Case& c, const Body& t, const Reference& r, Side which) {
+Finding tucked(const RelationCase& c, const Body& t, const RelationReference& r, Side which) {
   const Shape& shape = r.shape();
-  const Vec out = direction_of(shape.frame, which);
-  const Vec along = which == Side::kFront || which == Side::kBack ? shape.frame.x : shape.frame.y;
+  const Vec2d out = direction_of(shape.frame, which);
+  const Vec2d along = which == Side::kFront || which == Side::kBack ? shape.frame.x : shape.frame.y;
   const Interval across_t = extent(t.shape, along), across_r = extent(shape, along);
   return all_of({at_least(fmt::format("{} reaches under {} by", t.id(), r.id), extent(shape, out).hi - extent(t.shape, out).lo,
                           kTuckedAtLeast, c.slack()),
@@ -88,13 +89,13 @@ Finding tucked(const Case& c, const Body& t, const Reference& r, Side which) {
 
 }  // namespace
 
-Finding check_LeftOf(const Case& c) { return beyond_within_reach(c, Side::kLeft); }
-Finding check_RightOf(const Case& c) { return beyond_within_reach(c, Side::kRight); }
-Finding check_Behind(const Case& c) { return beyond_within_reach(c, Side::kBack); }
-Finding check_AtFootOf(const Case& c) { return beyond_within_reach(c, Side::kFront); }
+Finding check_LeftOf(const RelationCase& c) { return beyond_within_reach(c, Side::kLeft); }
+Finding check_RightOf(const RelationCase& c) { return beyond_within_reach(c, Side::kRight); }
+Finding check_Behind(const RelationCase& c) { return beyond_within_reach(c, Side::kBack); }
+Finding check_AtFootOf(const RelationCase& c) { return beyond_within_reach(c, Side::kFront); }
 
-Finding check_InFrontOf(const Case& c) {
-  return each_pair(c, [&](const Body& t, const Reference& r) {
+Finding check_InFrontOf(const RelationCase& c) {
+  return each_pair(c, [&](const Body& t, const RelationReference& r) {
     if (r.face == nullptr) return all_of({gap_within(c, t, r, std::nullopt, max_of(c, 1.5)), beyond(c, t, r, Side::kFront)});
     return all_of({at_most(fmt::format("distance between {} in plan", name_of_pair(t, r)), distance(t.shape.plan, r.shape().plan),
                            max_of(c, 1.5), c.slack()),
@@ -102,39 +103,39 @@ Finding check_InFrontOf(const Case& c) {
   });
 }
 
-Finding check_NextTo(const Case& c) { return distances(c); }
-Finding check_Near(const Case& c) { return distances(c); }
-Finding check_Far(const Case& c) { return distances(c); }
-Finding check_Distance(const Case& c) { return distances(c); }
+Finding check_NextTo(const RelationCase& c) { return distances(c); }
+Finding check_Near(const RelationCase& c) { return distances(c); }
+Finding check_Far(const RelationCase& c) { return distances(c); }
+Finding check_Distance(const RelationCase& c) { return distances(c); }
 
-Finding check_Touching(const Case& c) {
-  return each_pair(c, [&](const Body& t, const Reference& r) { return gap_within(c, t, r, std::nullopt, 0.0); });
+Finding check_Touching(const RelationCase& c) {
+  return each_pair(c, [&](const Body& t, const RelationReference& r) { return gap_within(c, t, r, std::nullopt, 0.0); });
 }
 
-Finding check_EdgeAlign(const Case& c) {
+Finding check_EdgeAlign(const RelationCase& c) {
   const std::string& word = c.relation.parameters.edge;
-  return each_pair(c, [&](const Body& t, const Reference& r) {
+  return each_pair(c, [&](const Body& t, const RelationReference& r) {
     if (r.is_place()) return condition(false, r.id + " has no edges");
     const Frame& frame = r.shape().frame;
     if (word == "center" || word == "centre" || word == "middle") return centred_along(c, t, r, frame.x);
-    const Vec out = direction_of(frame, side_from_name(word.empty() ? "front" : word).value_or(Side::kFront));
+    const Vec2d out = direction_of(frame, side_from_name(word.empty() ? "front" : word).value_or(Side::kFront));
     return at_most(fmt::format("the {} edges of {} are apart by", word.empty() ? "front" : word, name_of_pair(t, r)),
                    std::abs(extent(t.shape, out).hi - extent(r.shape(), out).hi), 0, c.slack());
   });
 }
 
-Finding check_Facing(const Case& c) {
-  return each_pair(c, [&](const Body& t, const Reference& r) { return looks_at(t, r, c.view, eyes_of(t, c.view)); });
+Finding check_Facing(const RelationCase& c) {
+  return each_pair(c, [&](const Body& t, const RelationReference& r) { return looks_at(t, r, c.view, eyes_of(t, c.view)); });
 }
 
 namespace {
 
 // Would t look at r if it stood in the middle of the group?
-Finding looks_with_group(const Case& c, const Body& t, const Reference& r) {
+Finding looks_with_group(const RelationCase& c, const Body& t, const RelationReference& r) {
   if (!t.has_front) return condition(true, t.id() + " has no front");
-  Vec middle;
+  Vec2d middle;
   for (const Body* member : c.targets) middle = middle + member->shape.center * (1.0 / static_cast<double>(c.targets.size()));
-  const Vec front = front_of(t);
+  const Vec2d front = front_of(t);
   const Interval ahead = extent(r.shape(), front), across = extent(r.shape(), t.own_frame.x);
   const double off = std::abs(across.mid() - dot(middle, t.own_frame.x));
   const std::string what = fmt::format("{} is turned from {}, seen from the middle of its group, by", t.id(), r.id);
@@ -147,7 +148,7 @@ Finding looks_with_group(const Case& c, const Body& t, const Reference& r) {
 constexpr std::size_t kMostAbreast = 3;
 
 // Several things opposite one stand there as a group: its middle is looked at, nobody stands behind another.
-Finding opposite_group(const Case& c, const Reference& r) {
+Finding opposite_group(const RelationCase& c, const RelationReference& r) {
   const RelationParameters& given = c.relation.parameters;
   std::vector<Finding> findings;
   for (const Body* t : c.targets) {
@@ -159,7 +160,7 @@ Finding opposite_group(const Case& c, const Reference& r) {
     Interval across = extent(c.targets.front()->shape, frame.x);
     for (const Body* t : c.targets) {
       across = hull(across, extent(t->shape, frame.x));
-      const Vec front = front_of(*r.body);
+      const Vec2d front = front_of(*r.body);
       findings.push_back(condition(extent(t->shape, front).hi > extent(r.shape(), front).hi - c.slack() - kTiny,
                                    fmt::format("{} is behind the front of {}", t->id(), r.id)));
     }
@@ -178,16 +179,17 @@ Finding opposite_group(const Case& c, const Reference& r) {
 
 }  // namespace
 
-Finding check_Opposite(const Case& c) {
+Finding check_Opposite(const RelationCase& c) {
   const RelationParameters& given = c.relation.parameters;
-  if (c.targets.size() > 1 && std::any_of(c.references.begin(), c.references.end(), [](const Reference& r) { return r.body != nullptr; })) {
+  if (c.targets.size() > 1 &&
+      std::any_of(c.references.begin(), c.references.end(), [](const RelationReference& r) { return r.body != nullptr; })) {
     std::vector<Finding> findings;
-    for (const Reference& r : c.references) {
+    for (const RelationReference& r : c.references) {
       if (r.body != nullptr) findings.push_back(opposite_group(c, r));
     }
     return all_of(std::move(findings));
   }
-  return each_pair(c, [&](const Body& t, const Reference& r) {
+  return each_pair(c, [&](const Body& t, const RelationReference& r) {
     if (r.is_place()) return condition(false, "nothing is opposite " + r.id);
     if (r.face != nullptr) return all_of({looks_at(t, r, c.view), in_line(c, t, r.shape(), r.shape().frame.x)});
     return all_of({gap_within(c, t, r, c.metres(given.min, "min"), c.metres(given.max, "max")), looks_at(t, r, c.view),
@@ -195,12 +197,12 @@ Finding check_Opposite(const Case& c) {
   });
 }
 
-Finding check_Parallel(const Case& c) { return turned(c, 0, 180, "being parallel to"); }
-Finding check_Perpendicular(const Case& c) { return turned(c, 90, 180, "being perpendicular to"); }
-Finding check_SameOrientation(const Case& c) { return turned(c, 0, 360, "the direction of"); }
+Finding check_Parallel(const RelationCase& c) { return turned(c, 0, 180, "being parallel to"); }
+Finding check_Perpendicular(const RelationCase& c) { return turned(c, 90, 180, "being perpendicular to"); }
+Finding check_SameOrientation(const RelationCase& c) { return turned(c, 0, 360, "the direction of"); }
 
-Finding check_CenteredOn(const Case& c) {
-  return each_pair(c, [&](const Body& t, const Reference& r) {
+Finding check_CenteredOn(const RelationCase& c) {
+  return each_pair(c, [&](const Body& t, const RelationReference& r) {
     if (r.is_place()) return condition(false, r.id + " has no middle");
     const Frame& frame = r.shape().frame;
     const Finding x = centred_along(c, t, r, frame.x), y = centred_along(c, t, r, frame.y);
@@ -211,22 +213,22 @@ Finding check_CenteredOn(const Case& c) {
   });
 }
 
-Finding check_AtHeadOf(const Case& c) {
+Finding check_AtHeadOf(const RelationCase& c) {
   const double max = max_of(c, 0.5);
-  return each_pair(c, [&](const Body& t, const Reference& r) {
+  return each_pair(c, [&](const Body& t, const RelationReference& r) {
     if (r.body == nullptr) return condition(false, r.id + " has no head");
     if (used_all_round(*r.body)) return alongside(c, t, r, Side::kShort, max);
     return all_of({gap_within(c, t, r, std::nullopt, max), any_of({beside_head(c, t, r), beyond(c, t, r, Side::kBack)}, {})});
   });
 }
 
-Finding check_AlongSide(const Case& c) {
+Finding check_AlongSide(const RelationCase& c) {
   const Side side = c.relation.parameters.side.value_or(Side::kLong);
-  return each_pair(c, [&](const Body& t, const Reference& r) { return alongside(c, t, r, side, max_of(c, 0.5)); });
+  return each_pair(c, [&](const Body& t, const RelationReference& r) { return alongside(c, t, r, side, max_of(c, 0.5)); });
 }
 
-Finding check_TuckedUnder(const Case& c) {
-  return each_pair(c, [&](const Body& t, const Reference& r) {
+Finding check_TuckedUnder(const RelationCase& c) {
+  return each_pair(c, [&](const Body& t, const RelationReference& r) {
     if (r.is_place()) return condition(false, "nothing can be tucked under " + r.id);
     std::vector<Finding> sides;
     for (const Side side : {Side::kFront, Side::kBack, Side::kLeft, Side::kRight}) sides.push_back(tucked(c, t, r, side));
@@ -234,4 +236,4 @@ Finding check_TuckedUnder(const Case& c) {
   });
 }
 
-}  // namespace layoutbox::judge
+}  // namespace layoutbox::checks

@@ -7,12 +7,12 @@
 #include "layoutbox/verify/checks.h"
 #include "layoutbox/verify/relation_check.h"
 
-namespace layoutbox::judge {
+namespace layoutbox::checks {
 namespace {
 
 double edge_gap(Interval a, Interval b) { return -overlap(a, b); }
 
-Axis offset_axis(const Case& c, const Body& t, const Reference& r) {
+Axis offset_axis(const RelationCase& c, const Body& t, const RelationReference& r) {
   if (c.relation.parameters.axis) return *c.relation.parameters.axis;
   if (r.is_wall()) return std::abs(r.face->inward.x) > std::abs(r.face->inward.y) ? Axis::kX : Axis::kY;
   const double x = edge_gap(room_extent(t, Axis::kX), room_extent(c, r, Axis::kX));
@@ -21,7 +21,7 @@ Axis offset_axis(const Case& c, const Body& t, const Reference& r) {
 }
 
 // True when the axis runs along a wall: distances are then from its ends.
-bool along_wall(const Reference& r, Axis axis) {
+bool along_wall(const RelationReference& r, Axis axis) {
   if (!r.is_wall() || axis == Axis::kZ) return false;
   const double along = axis == Axis::kX ? r.face->along.x : r.face->along.y;
   return std::abs(along) > 0.999;
@@ -31,16 +31,16 @@ enum class Edge { kLo, kMid, kHi };
 
 double coordinate(Interval extent, Edge edge) { return edge == Edge::kLo ? extent.lo : edge == Edge::kHi ? extent.hi : extent.mid(); }
 
-Finding aligned_along(const Case& c, Axis axis, Edge edge) {
+Finding aligned_along(const RelationCase& c, Axis axis, Edge edge) {
   std::vector<double> places;
   for (const Body* target : c.targets) places.push_back(coordinate(room_extent(*target, axis), edge));
-  for (const Reference& reference : c.references) places.push_back(coordinate(room_extent(c, reference, axis), edge));
+  for (const RelationReference& reference : c.references) places.push_back(coordinate(room_extent(c, reference, axis), edge));
   if (places.empty()) return {};
   const auto [least, greatest] = std::minmax_element(places.begin(), places.end());
   return at_most(fmt::format("out of line along {} by", name_of(axis)), *greatest - *least, 0, c.slack());
 }
 
-Finding aligned(const Case& c) {
+Finding aligned(const RelationCase& c) {
   const std::string& word = c.relation.parameters.edge;
   const bool lo = word == "min" || word == "left" || word == "front" || word == "bottom";
   const bool hi = word == "max" || word == "right" || word == "back" || word == "top";
@@ -54,9 +54,9 @@ Finding aligned(const Case& c) {
 
 }  // namespace
 
-Finding check_Offset(const Case& c) {
+Finding check_Offset(const RelationCase& c) {
   const double wanted = c.metres(c.relation.parameters.distance, "distance").value_or(0);
-  return each_pair(c, [&](const Body& t, const Reference& r) {
+  return each_pair(c, [&](const Body& t, const RelationReference& r) {
     const Axis axis = offset_axis(c, t, r);
     if (along_wall(r, axis)) {
       const Interval own = room_extent(t, axis), wall = room_extent(c, r, axis);
@@ -68,11 +68,11 @@ Finding check_Offset(const Case& c) {
   });
 }
 
-Finding check_Align(const Case& c) { return aligned(c); }
+Finding check_Align(const RelationCase& c) { return aligned(c); }
 
-Finding check_GroupAlign(const Case& c) { return aligned(c); }
+Finding check_GroupAlign(const RelationCase& c) { return aligned(c); }
 
-Finding check_Inside(const Case& c) {
+Finding check_Inside(const RelationCase& c) {
   const auto in_room = [&](const Body& t) {
     const double area = signed_area(t.shape.plan);
     const double off = area > 0 ? std::max(0.0, 1 - signed_area(clip(c.view.floor, t.shape.plan)) / area) : 0.0;
@@ -80,10 +80,10 @@ Finding check_Inside(const Case& c) {
                    at_most(fmt::format("the top of {} is at", t.id()), t.top(), c.view.height, c.slack())});
   };
   if (c.references.empty()) return each_target(c, in_room);
-  return each_pair(c, [&](const Body& t, const Reference& r) {
+  return each_pair(c, [&](const Body& t, const RelationReference& r) {
     if (r.is_place()) return in_room(t);
     std::vector<Finding> findings;
-    for (const Vec axis : {r.shape().frame.x, r.shape().frame.y}) {
+    for (const Vec2d axis : {r.shape().frame.x, r.shape().frame.y}) {
       const Interval a = extent(t.shape, axis), b = extent(r.shape(), axis);
       findings.push_back(at_most(fmt::format("{} reaches out of {} by", t.id(), r.id), std::max(b.lo - a.lo, a.hi - b.hi), 0, c.slack()));
     }
@@ -91,4 +91,4 @@ Finding check_Inside(const Case& c) {
   });
 }
 
-}  // namespace layoutbox::judge
+}  // namespace layoutbox::checks

@@ -7,7 +7,7 @@
 #include "layoutbox/verify/checks.h"
 #include "layoutbox/verify/relation_check.h"
 
-namespace layoutbox::judge {
+namespace layoutbox::checks {
 namespace {
 
 constexpr double kMounted = 0.01;  // m: what hangs on a wall or ceiling is at most that far off
@@ -17,7 +17,7 @@ std::vector<Side> back_of(const Body& body) {
   return {Side::kBack};
 }
 
-double wall_gap(const Case& c) { return c.metres(c.relation.parameters.gap, "gap").value_or(0.02); }
+double wall_gap(const RelationCase& c) { return c.metres(c.relation.parameters.gap, "gap").value_or(0.02); }
 
 // Walls that follow one another round the floor and form an inner corner.
 bool meet_in_corner(const Face& a, const Face& b) {
@@ -27,26 +27,26 @@ bool meet_in_corner(const Face& a, const Face& b) {
   return follows(a, b) || follows(b, a);
 }
 
-Interval common_extent(const Case& c, Vec axis) {
+Interval common_extent(const RelationCase& c, Vec2d axis) {
   Interval common = extent(c.targets.front()->shape, axis);
   for (const Body* target : c.targets) common = hull(common, extent(target->shape, axis));
   return common;
 }
 
-Finding within_wall(const Case& c, const Body& t, const Face& wall) {
+Finding within_wall(const RelationCase& c, const Body& t, const Face& wall) {
   const Interval a = extent(t.shape, wall.along), b = extent(wall.shape, wall.along);
   return at_most(fmt::format("{} reaches past the end of {} by", t.id(), wall.id), std::max(b.lo - a.lo, a.hi - b.hi), 0, c.slack());
 }
 
 }  // namespace
 
-Finding check_AgainstWall(const Case& c) {
+Finding check_AgainstWall(const RelationCase& c) {
   return each_target(c, [&](const Body& t) {
     return any_wall(c, [&](const Face& wall) { return side_along_wall(c, t, wall, back_of(t), wall_gap(c)); });
   });
 }
 
-Finding check_SideAgainstWall(const Case& c) {
+Finding check_SideAgainstWall(const RelationCase& c) {
   return each_target(c, [&](const Body& t) {
     const Side side = c.relation.parameters.side.value_or(Side::kLeft);
     const bool by_length = side == Side::kLong || side == Side::kShort;
@@ -57,7 +57,7 @@ Finding check_SideAgainstWall(const Case& c) {
   });
 }
 
-Finding check_Corner(const Case& c) {
+Finding check_Corner(const RelationCase& c) {
   const double max = c.metres(c.relation.parameters.max, "max").value_or(0.5);
   const auto is_wall = [](const Face& face) { return face.opening == nullptr; };
   const std::vector<const Face*> named = named_or_all(c, c.view.walls, is_wall);
@@ -79,14 +79,14 @@ Finding check_Corner(const Case& c) {
   });
 }
 
-Finding check_CenterOfRoom(const Case& c) {
+Finding check_CenterOfRoom(const RelationCase& c) {
   const double max = c.metres(c.relation.parameters.max, "max").value_or(0.05);
   return all_of(
       {at_most("off the middle of the room along x by", std::abs(common_extent(c, {1, 0}).mid() - c.view.floor_x.mid()), max, c.slack()),
        at_most("off the middle of the room along y by", std::abs(common_extent(c, {0, 1}).mid() - c.view.floor_y.mid()), max, c.slack())});
 }
 
-Finding check_CenteredOnWall(const Case& c) {
+Finding check_CenteredOnWall(const RelationCase& c) {
   return any_wall(c, [&](const Face& wall) {
     const Finding against = each_target(c, [&](const Body& t) { return side_along_wall(c, t, wall, back_of(t), wall_gap(c)); });
     const double off = std::abs(common_extent(c, wall.along).mid() - dot(wall.shape.center, wall.along));
@@ -94,7 +94,7 @@ Finding check_CenteredOnWall(const Case& c) {
   });
 }
 
-Finding check_InRegion(const Case& c) {
+Finding check_InRegion(const RelationCase& c) {
   const std::string& region = c.relation.parameters.region;
   const Interval x = c.view.floor_x, y = c.view.floor_y;
   const auto has = [&](std::string_view word) { return region.find(word) != std::string::npos; };
@@ -103,7 +103,7 @@ Finding check_InRegion(const Case& c) {
     return condition(false, fmt::format("\"{}\" is no part of a room", region));
   }
   return each_target(c, [&](const Body& t) {
-    const Vec at = t.shape.center;
+    const Vec2d at = t.shape.center;
     std::vector<Finding> findings;
     if (has("left")) findings.push_back(at_most(fmt::format("the centre of {} is at x", t.id()), at.x, x.mid(), c.slack()));
     if (has("right")) findings.push_back(at_least(fmt::format("the centre of {} is at x", t.id()), at.x, x.mid(), c.slack()));
@@ -119,7 +119,7 @@ Finding check_InRegion(const Case& c) {
   });
 }
 
-Finding check_OnWall(const Case& c) {
+Finding check_OnWall(const RelationCase& c) {
   const std::optional<double> wanted = c.metres(c.relation.parameters.height, "height");
   return each_target(c, [&](const Body& t) {
     return any_wall(c, [&](const Face& wall) {
@@ -134,13 +134,13 @@ Finding check_OnWall(const Case& c) {
   });
 }
 
-Finding check_OnCeiling(const Case& c) {
+Finding check_OnCeiling(const RelationCase& c) {
   return each_target(c, [&](const Body& t) {
     return at_most(fmt::format("distance between {} and the ceiling", t.id()), std::abs(c.view.height - t.top()), kMounted, 0);
   });
 }
 
-Finding check_AwayFromWall(const Case& c) {
+Finding check_AwayFromWall(const RelationCase& c) {
   const double min = c.metres(c.relation.parameters.min, "min").value_or(0.5);
   const auto walls = named_or_all(c, c.view.walls, [](const Face& face) { return face.opening == nullptr; });
   if (walls.empty()) return condition(false, "there is no such wall");
@@ -153,4 +153,4 @@ Finding check_AwayFromWall(const Case& c) {
   });
 }
 
-}  // namespace layoutbox::judge
+}  // namespace layoutbox::checks

@@ -8,13 +8,13 @@
 #include "layoutbox/verify/relation_check.h"
 #include "layoutbox/verify/walks.h"
 
-namespace layoutbox::judge {
+namespace layoutbox::checks {
 namespace {
 
 constexpr double kClearDepth = 0.6;    // m, where neither the relation nor the catalogue says it
 constexpr double kStandingRoom = 2.0;  // m of height
 
-double depth_wanted(const Case& c, const Body& t, Side side) {
+double depth_wanted(const RelationCase& c, const Body& t, Side side) {
   if (const std::optional<double> given = c.metres(c.relation.parameters.depth, "depth")) return *given;
   const auto found = t.entry->clearance.find(side);
   return found == t.entry->clearance.end() ? kClearDepth : found->second / 1000.0;
@@ -29,10 +29,10 @@ bool carried_by(const RoomView& view, const Body& other, const Body& body) {
   return false;
 }
 
-Finding strip_free(const Case& c, const Body& t, Side which) {
-  const Vec outward = direction_of(t.shape.frame, which), along{-outward.y, outward.x};
+Finding strip_free(const RelationCase& c, const Body& t, Side which) {
+  const Vec2d outward = direction_of(t.shape.frame, which), along{-outward.y, outward.x};
   const double depth = depth_wanted(c, t, which);
-  const Vec centre = t.shape.center + outward * (extent(t.shape, outward).half() + depth / 2);
+  const Vec2d centre = t.shape.center + outward * (extent(t.shape, outward).half() + depth / 2);
   const Shape strip = make_box(centre, depth, extent(t.shape, along).length(), {0, kStandingRoom}, {outward, along});
   const double area = signed_area(strip.plan);
   const double off = area > 0 ? 1 - signed_area(clip(c.view.floor, strip.plan)) / area : 0;
@@ -51,7 +51,7 @@ Finding strip_free(const Case& c, const Body& t, Side which) {
 Interval part(Interval whole, int from, int to) { return {whole.lo + whole.length() * from / 3, whole.lo + whole.length() * to / 3}; }
 
 // Thirds of the floor's extent that must stay free.
-Finding out_of_region(const Case& c, const Body& t, const std::string& region) {
+Finding out_of_region(const RelationCase& c, const Body& t, const std::string& region) {
   const auto has = [&](std::string_view word) { return region.find(word) != std::string::npos; };
   const bool middle = has("middle") || has("center") || has("centre");
   Interval x = c.view.floor_x, y = c.view.floor_y;
@@ -67,7 +67,7 @@ Finding out_of_region(const Case& c, const Body& t, const std::string& region) {
 
 }  // namespace
 
-Finding check_Clearance(const Case& c) {
+Finding check_Clearance(const RelationCase& c) {
   const Side side = c.relation.parameters.side.value_or(Side::kFront);
   return each_target(c, [&](const Body& t) {
     std::vector<Finding> findings;
@@ -76,7 +76,7 @@ Finding check_Clearance(const Case& c) {
   });
 }
 
-Finding check_Reachable(const Case& c) {
+Finding check_Reachable(const RelationCase& c) {
   const double width = c.metres(c.relation.parameters.width, "width").value_or(0.6);
   return each_target(c, [&](const Body& t) {
     const bool way = reachable(c.view, t, width);
@@ -84,17 +84,17 @@ Finding check_Reachable(const Case& c) {
   });
 }
 
-Finding check_KeepClear(const Case& c) {
+Finding check_KeepClear(const RelationCase& c) {
   const RelationParameters& given = c.relation.parameters;
   const std::optional<double> depth = c.metres(given.depth, "depth");
   if (c.references.empty()) {
     if (given.region.empty()) return condition(false, "keepClear names neither a thing nor a region to keep clear of");
     return each_target(c, [&](const Body& t) { return out_of_region(c, t, given.region); });
   }
-  return each_pair(c, [&](const Body& t, const Reference& r) {
+  return each_pair(c, [&](const Body& t, const RelationReference& r) {
     if (r.face != nullptr && r.face->opening != nullptr) return keeps_out_of_opening(c, t, *r.face, depth);
     return gap_within(c, t, r, depth.value_or(kClearDepth), std::nullopt);
   });
 }
 
-}  // namespace layoutbox::judge
+}  // namespace layoutbox::checks
