@@ -78,16 +78,21 @@ bool Chunker::read_helped_wish(std::size_t verb) {
 
 // "opposite the door you meet a desk", "by the window he keeps a telescope": somebody finds a thing where the clause begins.
 bool Chunker::read_finding() {
-  if (i_ + 2 >= tokens_.size() || !lexicon_.is(tokens_[i_], Class::kDoer) || !thing_next(i_ + 2) || chunks_.size() < 2) return false;
-  if (!may_be_verb(tokens_[i_ + 1].text)) return false;
+  if (i_ + 2 >= tokens_.size() || !lexicon_.is(tokens_[i_], Class::kDoer) || chunks_.empty()) return false;
+  const auto own = lexicon_.is(tokens_[i_ + 2], Class::kPossessive) ? read_noun_phrase(lexicon_, tokens_, i_ + 2, false) : std::nullopt;
+  const bool thing = thing_next(i_ + 2) || (own && own->kind == NounKind::kObject && own->exact);  // "I keep my guitar"
+  if (!thing || !may_be_verb(tokens_[i_ + 1].text)) return false;
   std::size_t first = chunks_.size();
   constexpr std::size_t kMostChunks = 12;
   while (first > 0 && first + kMostChunks > chunks_.size() &&
          (chunks_[first - 1].kind == ChunkKind::kNoun || chunks_[first - 1].kind == ChunkKind::kRelation ||
           chunks_[first - 1].kind == ChunkKind::kIgnored))
     --first;
-  const bool opens = first == 0 || chunks_[first - 1].kind == ChunkKind::kStop || chunks_[first - 1].kind == ChunkKind::kClause;
-  if (!opens || first >= chunks_.size() || chunks_[first].kind != ChunkKind::kRelation || previous() != ChunkKind::kNoun) return false;
+  const ChunkKind before = first == 0 ? ChunkKind::kStop : chunks_[first - 1].kind;
+  const bool joined = before == ChunkKind::kAnd || before == ChunkKind::kComma;  // ", and behind the chair he keeps a basket"
+  const bool opens = before == ChunkKind::kStop || before == ChunkKind::kClause || joined;
+  const bool placed = previous() == ChunkKind::kNoun || previous() == ChunkKind::kRelation;  // "on it I keep two monitors"
+  if (!opens || first >= chunks_.size() || chunks_[first].kind != ChunkKind::kRelation || !placed) return false;
   add(ChunkKind::kThere, 2);
   return true;
 }

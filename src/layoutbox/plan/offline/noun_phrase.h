@@ -73,6 +73,7 @@ struct NounPhrase {
   bool niche = false;         // an alcove, a notch: a part of the room's outline
   std::string wall_word;      // left, right, back, front
   bool in_middle = false;     // of a door or window: in the middle of that wall
+  std::string near_corner;    // … or at its end towards that wall
   std::string wall_relation;  // opposite, other, adjacent, same
   SaidSize size;
   std::optional<double> hangs_at;         // "a shelf at 1.2 m": metres above the floor

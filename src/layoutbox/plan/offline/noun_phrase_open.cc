@@ -109,6 +109,8 @@ bool NounPhraseReader::is_no_count(const Match& best, bool is_number) const {
   // "twin", "double", "single" and "full" are adjectives of beds and sofas as well: only "dual monitors" and the like are counts.
   if (!adjective) return false;
   const Match next = lexicon_.find(tokens_, i_ + best.length);
+  const Meaning* thing = meaning_of(next, Class::kObject);
+  if (at_word("double") && thing != nullptr && thing->entry != nullptr && thing->entry->mount == Mount::kFloor) return true;
   return !next.plural || has(next, Class::kSizeWord);
 }
 

@@ -9,6 +9,7 @@
 #include "layoutbox/plan/offline/clusters.h"
 #include "layoutbox/plan/offline/corrections.h"
 #include "layoutbox/plan/offline/courtesy.h"
+#include "layoutbox/plan/offline/examples.h"
 #include "layoutbox/plan/offline/forward_counts.h"
 #include "layoutbox/plan/offline/inserts.h"
 #include "layoutbox/plan/offline/knowledge.h"
@@ -21,6 +22,7 @@
 #include "layoutbox/plan/offline/relatives.h"
 #include "layoutbox/plan/offline/requests.h"
 #include "layoutbox/plan/offline/room_reader.h"
+#include "layoutbox/plan/offline/runs.h"
 #include "layoutbox/plan/offline/said_counts.h"
 #include "layoutbox/plan/offline/slopes.h"
 #include "layoutbox/plan/offline/spelling.h"
@@ -64,6 +66,8 @@ class OfflinePlanner final : public Planner {
                   "give a size such as 4 x 3 x 2.5 m");
     }
     const std::vector<std::size_t> room_size_at = begins_of(document.readings, skip);
+    part_runs(lexicon_, document, skip);
+    read_examples(lexicon_, document, skip);
     read_seats_said(lexicon_, document, skip);
     read_labels(lexicon_, document, skip);
     read_corrected_counts(lexicon_, document, skip);

@@ -99,6 +99,15 @@ class PeopleReader {
     });
   }
 
+  // It is placed by something that is no table.
+  bool stands_elsewhere(int seat) const {
+    return std::ranges::any_of(document_.links, [&](const Link& link) {
+      return contains(link.targets, seat) && std::ranges::any_of(link.references, [&](int reference) {
+               return mention(reference).noun.kind == NounKind::kObject && !mention(reference).items.empty();
+             });
+    });
+  }
+
   bool at_table(int seat, const Mention& table) const {
     return std::any_of(document_.links.begin(), document_.links.end(), [&](const Link& link) {
       return contains(link.targets, seat) && std::any_of(link.references.begin(), link.references.end(),
@@ -125,7 +134,9 @@ class PeopleReader {
       if (!here && (!upright || belongs_elsewhere(seat, table) || one_of(noun.name, {"piano bench", "piano stool", "high chair"})))
         continue;
       constexpr int kOfBench = 3;  // sit on one
-      if (!here && noun.head == "bench" && !noun.is_plural() && seats > kOfBench) continue;
+      const int all = seats * static_cast<int>(table.items.size());
+      if (!here && noun.head == "bench" && !noun.is_plural() && all > kOfBench) continue;
+      if (!here && one_of(noun.head, {"stool", "barstool"}) && noun.count == 0 && stands_elsewhere(seat)) continue;  // "a bench with stools"
       named = true;
       if (noun.count == 0 && noun.plural && upright && here) grow(seat, seats * static_cast<int>(table.items.size()));
     }
@@ -271,7 +282,7 @@ class PeopleReader {
     // "an office for twelve with plants between the desks": twelve of them.
     const bool rows = host >= 0 && mention(host).noun.rows > 0 && mention(host).noun.vague;
     if (host >= 0 && persons == 1 && mention(host).noun.plural && (mention(host).noun.count == 0 || rows)) {
-      const int at_each = std::max(mention(host).noun.seats, 1);  // "tables in groups of four"
+      const int at_each = std::max({mention(host).noun.seats, seats_said(mention(host)), 1});  // "tables in groups of four", "double desks"
       grow(host, (people + at_each - 1) / at_each);
       grow_contents(host);
       constexpr int kMostInRow = 12;

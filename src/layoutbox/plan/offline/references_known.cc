@@ -26,7 +26,7 @@ std::string owner_of_shelf(const NounPhrase& noun) {
 
 // "the counter" is rather a base cabinet than the sink or the island: how far a kind of it is what such things mostly are.
 int likeness(const NounPhrase& wanted, const NounPhrase& item) {
-  if (wanted.entry == nullptr || item.entry == nullptr || wanted.entry == item.entry) return 0;
+  if (wanted.entry == nullptr || item.entry == nullptr) return 0;
   return (wanted.entry->top_carries == item.entry->top_carries ? 1 : 0) +
          (wanted.entry->is(Trait::kKitchenRun) == item.entry->is(Trait::kKitchenRun) ? 1 : 0);
 }
@@ -96,7 +96,7 @@ std::vector<int> References::known(const NounPhrase& noun) const {
     const NounPhrase& item = document_.items[i].noun;
     int score = fit(noun, item) * 10;
     if (score == 0) continue;
-    score += likeness(noun, item);
+    score += likeness(noun, item) + (noun.head == item.head ? 1 : 0);
     for (const std::string& attribute : noun.attributes) {
       score +=
           std::any_of(item.attributes.begin(), item.attributes.end(), [&](const std::string& own) { return same_quality(own, attribute); })

@@ -67,7 +67,7 @@ std::pair<std::string, std::string> walls_by_length(const NounPhrase& noun, cons
 
 // "French doors", "double doors", "sliding doors": one opening, whose leaves they are.
 int openings_said(const NounPhrase& noun) {
-  if (noun.wall_word == "ends") return 2;  // "a window at both ends"
+  if (noun.wall_word == "ends" || noun.wall_word == "lengths") return 2;  // "a window at both ends"
   const bool glass = noun.kind == NounKind::kWindow && opening_look(OpeningType::kWindow, {words_of_opening(noun)}).whole;
   if (noun.count == 0 && (glass || (noun.kind == NounKind::kWindow && is_front(OpeningType::kWindow, noun)))) return 1;
   if (noun.kind == NounKind::kDoor && noun.plural) {
@@ -132,6 +132,43 @@ void leave_out_where_it_leads(Document& document, NounPhrase& door, std::size_t 
 
 }  // namespace
 
+namespace {
+
+// What is said of an opening's place where no wall is named: "entrance south", "window (east)", "the door is on the front", "man door
+// back right corner".
+struct SideSaid {
+  std::string wall, corner;
+  std::size_t last = 0;  // the token behind it; 0: nothing is said
+};
+SideSaid side_said_at(const Lexicon& lexicon, const Document& document, std::size_t i) {
+  const std::vector<Token>& tokens = document.tokens;
+  const auto is = [&](std::initializer_list<std::string_view> words) { return says_one_of(document, i, words); };
+  const bool bracket = is({"("});
+  if (bracket) ++i;
+  while (is({"is", "are", "on", "at", "in", "to", "the", "located", "placed", "situated"})) ++i;
+  const auto side_at = [&](std::size_t at) {
+    return at < tokens.size() ? lexicon.find(tokens, at, Class::kWallWord) : Match{};
+  };
+  const Match side = side_at(i);
+  if (side.length == 0) return {};
+  SideSaid said{std::string(meaning_of(side, Class::kWallWord)->word), {}, i + side.length};
+  i = said.last;
+  if (const Match second = side_at(i); second.length > 0) {
+    said.corner = meaning_of(second, Class::kWallWord)->word;
+    i += second.length;
+    if (!is({"corner"})) return {};
+    ++i;
+  } else if (is({"side", "end"})) {
+    ++i;
+  }
+  const bool ends = i >= tokens.size() || tokens[i].kind == Token::Kind::kPunctuation || lexicon.is(tokens[i], Class::kAnd);
+  if (!ends || (bracket && !is({")"}))) return {};
+  said.last = i + (bracket ? 1 : 0);
+  return said;
+}
+
+}  // namespace
+
 // "a window to the east", "the entrance is on the left", "the window faces south": which wall.
 void settle_opening_walls(const Lexicon& lexicon, Document& document) {
   std::vector<Chunk>& chunks = document.chunks;
@@ -144,6 +181,12 @@ void settle_opening_walls(const Lexicon& lexicon, Document& document) {
     if (chunks[k].kind != ChunkKind::kNoun || (noun.kind != NounKind::kDoor && noun.kind != NounKind::kWindow)) continue;
     std::size_t n = k + 1;
     if (noun.kind == NounKind::kDoor) leave_out_where_it_leads(document, noun, n);
+    if (const SideSaid side = side_said_at(lexicon, document, chunks[k].last); side.last > 0) {
+      noun.wall_word = side.wall;
+      noun.near_corner = side.corner;
+      take_chunks(document, chunks[k].last, side.last, "which wall");
+      continue;
+    }
     while (passed(n)) ++n;
     if (n >= chunks.size() || chunks[n].kind != ChunkKind::kRelation) continue;
     const std::size_t first = n++;
@@ -168,6 +211,9 @@ std::pair<std::string, std::size_t> end_said_at(const Document& document, std::s
   const bool across = is(i, {"opposite"}) && (i + 1 >= document.tokens.size() || document.tokens[i + 1].kind == Token::Kind::kPunctuation);
   if (is(i, {"at", "on"}) && is(i + 1, {"both", "each", "either"}) && is(i + 2, {"end", "ends"}))
     return {"ends", i + (is(i + 3, {"of"}) && is(i + 4, {"the", "it"}) ? is(i + 4, {"it"}) ? 5 : 6 : 3)};
+  if (is(i, {"at", "on", "in", "along"}) && is(i + 1, {"both", "each"}) && is(i + 2, {"long", "longer"}) &&
+      is(i + 3, {"side", "sides", "wall", "walls"}))
+    return {"lengths", i + 4};
   if (is(i, {"on", "in", "along"}) && is(i + 1, {"two", "three", "both"}) && is(i + 2, {"sides", "walls"})) return {"sides", i + 3};
   if (is(i, {"opposite", "facing"}) && is(i + 1, {"each"}) && is(i + 2, {"other"})) return {"across", i + 3};
   if (!across && !is(i++, {"at", "on", "in"})) return {};
@@ -243,14 +289,14 @@ std::string wall_of_opening(const std::string& word, OpeningType type, const Roo
     return {};
   }
   if (word == "other") return room.openings.empty() ? std::string{} : wall_across(room.openings.back().wall);
-  if (word != "short" && word != "long" && word != "ends") return word;
+  if (word != "short" && word != "long" && word != "ends" && word != "lengths") return word;
   NounPhrase wall;
-  wall.name = word == "long" ? "long wall" : "short wall";
+  wall.name = word == "long" || word == "lengths" ? "long wall" : "short wall";
   const auto [one, other] = walls_by_length(wall, room);
   const auto is_taken = [&](const std::string& side) {
     return std::ranges::any_of(room.openings, [&](const Opening& opening) { return opening.wall == side; });
   };
-  if (word == "ends") return is_taken(one) ? other : one;
+  if (word == "ends" || word == "lengths") return is_taken(one) ? other : one;
   const bool taken = is_taken(other);
   return type == OpeningType::kWindow || taken ? one : other;
 }

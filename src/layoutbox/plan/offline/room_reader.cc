@@ -62,6 +62,7 @@ void add_opening(SceneGraph& scene, OpeningType type, const NounPhrase& noun, co
   opening.wall = wall_of_opening(wall, type, scene.room);
   if (!noun.size.any()) fit(opening, scene.room);
   if (noun.in_middle) opening.place = "middle";
+  if (!noun.near_corner.empty()) opening.place = noun.near_corner;
   scene.room.openings.push_back(std::move(opening));
 }
 

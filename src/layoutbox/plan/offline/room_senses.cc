@@ -57,6 +57,25 @@ const Chunk* next_said(const std::vector<Chunk>& chunks, std::size_t at) {
   return nullptr;
 }
 
+// "Inside the yurt a stove stands in the middle. …": where no room is named, what a text begins by going into is the room, unless it is a
+// thing that is known.
+void settle_gone_into(const Lexicon& lexicon, Document& document) {
+  std::vector<Chunk>& chunks = document.chunks;
+  std::size_t first = 0;
+  while (first < chunks.size() && chunks[first].kind == ChunkKind::kIgnored) ++first;
+  if (first + 1 >= chunks.size() || chunks[first].kind != ChunkKind::kRelation || chunks[first + 1].kind != ChunkKind::kNoun) return;
+  if (!says_one_of(document, chunks[first].first, {"in", "inside", "within"}) || chunks[first].last != chunks[first].first + 1) return;
+  NounPhrase& noun = chunks[first + 1].noun;
+  const Match match = lexicon.find(document.tokens, noun.last - 1);
+  const auto room = std::ranges::find_if(match.meanings, [](const Meaning& m) { return m.room != nullptr; });
+  const bool place = room != match.meanings.end() || !noun.exact;
+  if (noun.kind != NounKind::kObject || !place || noun.determiner != Determiner::kDefinite || noun.is_plural() || noun.count > 1) return;
+  noun.kind = NounKind::kRoom;
+  noun.entry = nullptr;
+  noun.head = noun.name;
+  if (room != match.meanings.end()) noun.room = room->room;
+}
+
 // "A cell for prayer. …", "Storage unit, 10 x 10 ft. …": where no room is named, what a text opens with is the room, if it is nothing to
 // put into one or is given a room's size (`room_size_at`: the place of that in the prompt).
 void settle_topic(const Lexicon& lexicon, Document& document, const std::vector<std::size_t>& room_size_at) {
@@ -64,6 +83,7 @@ void settle_topic(const Lexicon& lexicon, Document& document, const std::vector<
     return c.kind == ChunkKind::kNoun && c.noun.kind == NounKind::kRoom && c.noun.room != nullptr;
   };
   if (std::ranges::any_of(document.chunks, names_room)) return;
+  settle_gone_into(lexicon, document);
   std::size_t first = 0;
   while (first < document.chunks.size() && document.chunks[first].kind == ChunkKind::kIgnored) ++first;
   const Chunk* next = next_said(document.chunks, first);

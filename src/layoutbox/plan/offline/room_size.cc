@@ -17,6 +17,7 @@ bool has_class(const Match& match, Class word_class) {
 
 constexpr double kLongestSide = 100;                       // m, as in scene files
 constexpr double kSmallestRoom = 4;                        // m²: less is a thing's size where one was named
+constexpr double kSmallestAfterRoom = 1.6;                 // m²: "wc 0.9 x 1.8 m", right after the room
 constexpr double kNarrowest = 1.2, kNarrowestOfTwo = 0.8;  // m: of a side said alone, and of two
 constexpr std::size_t kLookBack = 100;                     // tokens looked back; keeps endless sentences linear
 constexpr std::size_t kEarly = 12;                         // tokens: a size so early is the room's unless a thing claims it
@@ -67,7 +68,7 @@ class SizeReader {
   // Whether a size at [first, last) is the room's: a room follows, or is the last thing that was named before it.
   // `sides`: what it says, in metres; what is far too large for a thing is no size of that ("a desk and a bookshelf, 3 x 4 m").
   bool speaks_of_room(std::size_t first, std::size_t last, const std::vector<double>& sides = {}) const {
-    if (follows_room(first) && sides.size() >= 2 && sides[0] * sides[1] >= kSmallestRoom) return true;
+    if (follows_room(first) && sides.size() >= 2 && sides[0] * sides[1] >= kSmallestAfterRoom) return true;
     for (std::size_t i = last; i < std::min(last + 4, tokens_.size()); ++i) {
       if (tokens_[i].kind == Token::Kind::kPunctuation) break;
       const Match match = lexicon_.find(tokens_, i);
@@ -86,6 +87,24 @@ class SizeReader {
         return false;  // "a wall's windows, each 1.5 m wide"
     }
     return size_.width == 0 && (first < kEarly || too_large_for_last_thing(begin, sides));
+  }
+
+  // "Leave an open space of 6 by 8 for stretching": a part of the floor.
+  bool says_free_floor(std::size_t size) const {
+    constexpr std::size_t kWords = 5;
+    for (std::size_t back = 1; back <= std::min(size, kWords) && !tokens_[size - back].ends_sentence; ++back) {
+      if (has_class(lexicon_.find(tokens_, size - back), Class::kRoomNoun)) return is_left_free(size - back);
+    }
+    return false;
+  }
+
+  bool is_left_free(std::size_t space) const {
+    constexpr std::size_t kWords = 4;
+    for (std::size_t back = 1; back <= std::min(space, kWords) && !tokens_[space - back].ends_sentence; ++back) {
+      const std::string& word = tokens_[space - back].text;
+      if (word == "leave" || word == "leaving" || word == "keep" || word == "keeping" || word == "reserve") return true;
+    }
+    return false;
   }
 
   // "bathroom 2x2.5 shower, toilet": right after the room.
@@ -197,6 +216,12 @@ class SizeReader {
     if (read.sides.empty()) read = read_two_joined(at);
     const std::vector<double>& values = read.sides;
     const std::size_t length = read.length;
+    if (!values.empty() && says_free_floor(at)) {
+      document_.notes.push_back({"ignored", "no such part of the floor is kept free: \"" + words_between(document_, at, at + length) + "\"",
+                                 "prompt:" + std::to_string(tokens_[at].begin) + "-" + std::to_string(tokens_[at + length - 1].end)});
+      take(at, at + length, "size of a free floor");
+      return length;
+    }
     if (values.empty() || !speaks_of_room(at, at + length, values)) return 0;
     const auto impossible = [](double side) { return side == 0 || side > kLongestSide; };
     size_.impossible = size_.impossible || std::any_of(values.begin(), values.end(), impossible);

@@ -285,6 +285,18 @@ std::optional<PhraseSense> choose_sense(const Catalog& catalog, const PhraseSens
   return SenseChooser(catalog, senses, direction, target, reference).run();
 }
 
+namespace {
+
+// Furniture looks at furniture, at screens and out of windows, seldom at what lies on a table.
+int suits_facing(const NounPhrase& target, const NounPhrase& reference) {
+  if (target.entry != nullptr && !target.entry->has_front) return 1;
+  const bool small = reference.kind == NounKind::kObject && mount_of(reference) == Mount::kSurface;
+  const bool screen = reference.entry != nullptr && reference.entry->is(Trait::kScreen);
+  return small && !screen && mount_of(target) == Mount::kFloor ? 1 : 2;
+}
+
+}  // namespace
+
 int suits(const Catalog& catalog, const PhraseSense& sense, const NounPhrase& target, const NounPhrase& reference) {
   const Mount mount = mount_of(target);
   switch (sense.type) {
@@ -296,7 +308,7 @@ int suits(const Catalog& catalog, const PhraseSense& sense, const NounPhrase& ta
     case R::kOnCeiling: return mount == Mount::kCeiling || is_lamp(catalog, target) ? 2 : 0;
     case R::kOn: return suits_on(catalog, target, reference);
     case R::kIn: return may_carry(catalog, reference, target) ? 2 : 1;
-    case R::kFacing: return target.entry != nullptr && !target.entry->has_front ? 1 : 2;
+    case R::kFacing: return suits_facing(target, reference);
     case R::kCenterOfRoom:
     case R::kInRegion: return mount == Mount::kSurface ? 1 : 2;
     case R::kAbove: return suits_above(catalog, target, reference);

@@ -482,7 +482,9 @@ std::vector<Token> tokenize(std::string_view prompt) { return settle_on(Tokenize
 
 void part_contractions(std::vector<Token>& tokens) {
   for (std::size_t i = 1; i + 1 < tokens.size(); ++i) {
-    if (tokens[i].text == "'s" && says_where(tokens, i + 1)) tokens[i].text = "is";
+    static constexpr std::string_view kNobodys[] = {"there", "here", "it", "that", "what", "where", "he", "she"};
+    const bool owned = std::find(std::begin(kNobodys), std::end(kNobodys), tokens[i - 1].text) == std::end(kNobodys);
+    if (tokens[i].text == "'s" && (!owned || says_where(tokens, i + 1))) tokens[i].text = "is";
   }
 }
 

@@ -2,6 +2,7 @@
 #include "layoutbox/solve/model/items.h"
 
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "layoutbox/scene/relation_traits.h"
@@ -268,6 +269,25 @@ bool told_to_look(const SceneGraph& scene, const Item& item) {
   });
 }
 
+// "The stool in front of the table, the dress form to its right": of what has no front they are meant as one looks into the room, so it lies
+// as the room does, where there is the width for it and nothing says how it lies.
+bool lies_as_the_room(const SceneGraph& scene, const Item& item) {
+  if (item.has_front || item.mount != Mount::kFloor || item.entry->thin) return false;
+  const auto is_side = [](RelationType type) {
+    return type == RelationType::kLeftOf || type == RelationType::kRightOf || type == RelationType::kInFrontOf || type == RelationType::kBehind;
+  };
+  const auto has = [&](const std::vector<std::string>& ids) { return std::ranges::find(ids, item.id) != ids.end(); };
+  const bool said = std::ranges::any_of(scene.relations, [&](const Relation& r) { return r.asked() && is_side(r.type) && has(r.references); });
+  const bool placed = std::ranges::any_of(scene.relations, [&](const Relation& r) {
+    return r.asked() && has(r.targets) && !is_side(r.type) && r.type != RelationType::kCenterOfRoom && r.type != RelationType::kInRegion;
+  });
+  if (!said || placed) return false;
+  constexpr Mm kPassage = 800;
+  Mm least = std::numeric_limits<Mm>::max(), greatest = std::numeric_limits<Mm>::min();
+  for (const Point& corner : scene.room.polygon) least = std::min(least, corner.x), greatest = std::max(greatest, corner.x);
+  return item.object->size->usual.width + kPassage <= greatest - least;
+}
+
 Item object_item(const SceneGraph& scene, const SceneObject& object, const Catalog& catalog, const ModelOptions& options,
                  const std::vector<RoomWall>& walls) {
   Item item;
@@ -282,7 +302,7 @@ Item object_item(const SceneGraph& scene, const SceneObject& object, const Catal
   item.fixed = object.fixed && object.hint.position.has_value();
   const bool odd = sits_around(scene, object.id, item.is(Trait::kSeat));
   auto sizes = sizes_of(*object.size, item.fixed ? 0 : odd ? 1 : options.size_steps, !item.fixed && !odd && holds_others(scene, object.id));
-  std::vector<int> turns = turns_of(item, object, odd);
+  std::vector<int> turns = lies_as_the_room(scene, item) ? std::vector<int>{0} : turns_of(item, object, odd);
   if (!item.fixed) add_earlier_pose(options, item, sizes, turns);
   std::vector<double> angles(turns.begin(), turns.end());
   add_turns_at_walls(item, walls_for(scene, object.id, walls), angles);

@@ -1,0 +1,95 @@
+#include "layoutbox/plan/offline/examples.h"
+
+#include <utility>
+
+#include "layoutbox/base/words.h"
+#include "layoutbox/plan/offline/english.h"
+#include "layoutbox/plan/offline/noun_phrase_parts.h"
+#include "layoutbox/plan/offline/splice.h"
+#include "layoutbox/plan/offline/token_reader.h"
+
+namespace layoutbox::offline {
+namespace {
+
+class ExampleReader : public TokenReader {
+ public:
+  ExampleReader(const Lexicon& lexicon, Document& document, std::vector<bool>& skip)
+      : TokenReader(lexicon, document.tokens, skip) {}
+
+  std::vector<Splice> run() {
+    for (std::size_t i = 0; i < tokens_.size(); ++i) {
+      if (!skip_[i] && is_any_things(i)) read(i);
+    }
+    return std::move(splices_);
+  }
+
+ private:
+  bool is_any_things(std::size_t at) const {
+    const std::string& word = tokens_[at].text;
+    return tokens_[at].kind == Token::Kind::kWord && singular_of(word) != word &&
+           (is_collective(singular_of(word)) || is(at, {"objects", "things", "props", "products"}));
+  }
+
+  // The tokens of a thing there, one or several; 0: none.
+  std::size_t thing_at(std::size_t at) const {
+    const Match match = lexicon_.find(tokens_, at);
+    return meaning_of(match, WordClass::kObject) != nullptr ? match.length : 0;
+  }
+
+  // Where the list begins behind the word; 0: none does.
+  std::size_t list_from(std::size_t at) const {
+    if (is(at, {"(", ":"})) return at + (is(at + 1, {"e.g", "eg", "like"}) ? 2 : are(at + 1, {"such", "as"}) ? 3 : 1);
+    if (are(at, {"such", "as"})) return at + 2;
+    return is(at, {"like"}) ? at + 1 : 0;
+  }
+
+  // "at least five graspable": where what belongs to the word begins, and the number that stands there.
+  std::pair<std::size_t, int> lead(std::size_t at) const {
+    constexpr std::size_t kAdjectives = 2;
+    for (std::size_t back = 1; back <= kAdjectives + 1 && back <= at; ++back) {
+      const std::size_t k = at - back;
+      const NumberRead number = read_number(lexicon_, tokens_, k);
+      if (number.length == 0 && (tokens_[k].kind == Token::Kind::kPunctuation || lexicon_.find_phrase(tokens_, k).length > 0)) return {k + 1, 0};
+      if (number.length == 0) continue;
+      std::size_t first = k;
+      if (first > 1 && is(first - 1, {"least", "most"}) && is(first - 2, {"at"})) first -= 2;
+      return {first, static_cast<int>(number.value)};
+    }
+    return {at, 0};
+  }
+
+  void read(std::size_t at) {
+    const std::size_t from = list_from(at + 1);
+    if (from == 0) return;
+    const bool bracket = is(at + 1, {"("});
+    std::vector<std::size_t> things;
+    bool any = false;
+    std::size_t i = from;
+    for (; i < tokens_.size() && !tokens_[i].ends_sentence && !is(i, {")"}); ++i) {
+      const std::size_t length = thing_at(i);
+      const bool begins = i == from || is(i - 1, {",", "and", "or"});
+      const bool counted = begins && is_article(i);  // "a mug": how many is said of it
+      if (begins && length == 0 && !counted) return;  // no list of things alone
+      any = any || counted;
+      if (!begins || length == 0) continue;
+      things.push_back(i);
+      i += length - 1;
+    }
+    const auto [first, number] = lead(at);
+    const int listed = static_cast<int>(things.size());
+    if ((listed < 1 && !any) || (!any && number < listed) || (bracket && !is(i, {")"}))) return;
+    leave_out(first, from);
+    if (bracket) leave_out(i, i + 1);
+    for (int k = 0; k < listed && !any; ++k) splices_.push_back({things[static_cast<std::size_t>(k)], number_token(number / listed + (k < number % listed))});
+  }
+
+  std::vector<Splice> splices_;
+};
+
+}  // namespace
+
+void read_examples(const Lexicon& lexicon, Document& document, std::vector<bool>& skip) {
+  splice(document, skip, ExampleReader(lexicon, document, skip).run());
+}
+
+}  // namespace layoutbox::offline

@@ -1,0 +1,81 @@
+#include "layoutbox/plan/offline/runs.h"
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+#include "layoutbox/plan/offline/splice.h"
+
+namespace layoutbox::offline {
+namespace {
+
+class RunReader {
+ public:
+  RunReader(const Lexicon& lexicon, const Document& document, const std::vector<bool>& skip)
+      : lexicon_(lexicon), tokens_(document.tokens), skip_(skip) {}
+
+  // The tokens before which a comma is to stand.
+  std::vector<std::size_t> run() const {
+    std::vector<std::size_t> commas;
+    for (std::size_t i = 0; i < tokens_.size();) {
+      const std::vector<std::size_t> begins = things_from(i);
+      const std::size_t end = begins.empty() ? i + 1 : begins.back();
+      const std::size_t things = begins.empty() ? 0 : begins.size() - 1;
+      constexpr std::size_t kSurely = 3;
+      if (things >= kSurely || (things > 1 && is_clause(i, end) && !joins(begins[things - 1], end)))
+        commas.insert(commas.end(), begins.begin() + 1, begins.end() - 1);
+      i = end;
+    }
+    return commas;
+  }
+
+ private:
+  // A piece of furniture that stands at `at`, and how many tokens it is; 0: none.
+  std::size_t thing_at(std::size_t at) const {
+    if (at >= tokens_.size() || skip_[at] || tokens_[at].kind != Token::Kind::kWord) return 0;
+    const Match match = lexicon_.find(tokens_, at);
+    for (const Meaning& meaning : match.meanings) {
+      if (meaning.word_class == WordClass::kRoom || meaning.word_class == WordClass::kRoomNoun) return 0;
+      if (meaning.word_class == WordClass::kObject && meaning.entry != nullptr && meaning.entry->mount == Mount::kFloor)
+        return match.length;
+    }
+    return 0;
+  }
+
+  // Where each of the things in a row from `at` begins, and where the last one ends; empty where none is.
+  std::vector<std::size_t> things_from(std::size_t at) const {
+    std::vector<std::size_t> begins;
+    for (std::size_t length = thing_at(at); length > 0; length = thing_at(at)) {
+      begins.push_back(at);
+      at += length;
+    }
+    if (!begins.empty()) begins.push_back(at);
+    return begins;
+  }
+
+  bool is_clause(std::size_t first, std::size_t end) const {
+    const bool begins = first == 0 || skip_[first - 1] || tokens_[first - 1].kind == Token::Kind::kPunctuation;
+    return begins && (end >= tokens_.size() || tokens_[end].kind == Token::Kind::kPunctuation);
+  }
+
+  // What other things have of their own: a wardrobe shelf, a shower bench.
+  bool joins(std::size_t first, std::size_t end) const {
+    static constexpr std::string_view kOfOthers[] = {"table", "chair", "bench", "stool",   "cabinet", "shelf", "shelves",
+                                                     "stand", "rack",  "cart",  "trolley", "unit",    "bed",   "chairs"};
+    return end != first + 1 || std::ranges::find(kOfOthers, std::string_view(tokens_[first].text)) != std::end(kOfOthers);
+  }
+
+  const Lexicon& lexicon_;
+  const std::vector<Token>& tokens_;
+  const std::vector<bool>& skip_;
+};
+
+}  // namespace
+
+void part_runs(const Lexicon& lexicon, Document& document, std::vector<bool>& skip) {
+  std::vector<Splice> commas;
+  for (const std::size_t at : RunReader(lexicon, document, skip).run()) commas.push_back({at, comma_token()});
+  splice(document, skip, std::move(commas));
+}
+
+}  // namespace layoutbox::offline
