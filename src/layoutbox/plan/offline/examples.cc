@@ -13,8 +13,7 @@ namespace {
 
 class ExampleReader : public TokenReader {
  public:
-  ExampleReader(const Lexicon& lexicon, Document& document, std::vector<bool>& skip)
-      : TokenReader(lexicon, document.tokens, skip) {}
+  ExampleReader(const Lexicon& lexicon, Document& document, std::vector<bool>& skip) : TokenReader(lexicon, document.tokens, skip) {}
 
   std::vector<Splice> run() {
     for (std::size_t i = 0; i < tokens_.size(); ++i) {
@@ -49,7 +48,9 @@ class ExampleReader : public TokenReader {
     for (std::size_t back = 1; back <= kAdjectives + 1 && back <= at; ++back) {
       const std::size_t k = at - back;
       const NumberRead number = read_number(lexicon_, tokens_, k);
-      if (number.length == 0 && (tokens_[k].kind == Token::Kind::kPunctuation || lexicon_.find_phrase(tokens_, k).length > 0)) return {k + 1, 0};
+      if (lexicon_.is(tokens_[k], WordClass::kIndefinite)) return {k, 0};  // "a few objects"
+      if (number.length == 0 && (tokens_[k].kind == Token::Kind::kPunctuation || lexicon_.find_phrase(tokens_, k).length > 0))
+        return {k + 1, 0};
       if (number.length == 0) continue;
       std::size_t first = k;
       if (first > 1 && is(first - 1, {"least", "most"}) && is(first - 2, {"at"})) first -= 2;
@@ -68,7 +69,7 @@ class ExampleReader : public TokenReader {
     for (; i < tokens_.size() && !tokens_[i].ends_sentence && !is(i, {")"}); ++i) {
       const std::size_t length = thing_at(i);
       const bool begins = i == from || is(i - 1, {",", "and", "or"});
-      const bool counted = begins && is_article(i);  // "a mug": how many is said of it
+      const bool counted = begins && is_article(i);   // "a mug": how many is said of it
       if (begins && length == 0 && !counted) return;  // no list of things alone
       any = any || counted;
       if (!begins || length == 0) continue;
@@ -80,7 +81,8 @@ class ExampleReader : public TokenReader {
     if ((listed < 1 && !any) || (!any && number < listed) || (bracket && !is(i, {")"}))) return;
     leave_out(first, from);
     if (bracket) leave_out(i, i + 1);
-    for (int k = 0; k < listed && !any; ++k) splices_.push_back({things[static_cast<std::size_t>(k)], number_token(number / listed + (k < number % listed))});
+    for (int k = 0; k < listed && !any; ++k)
+      splices_.push_back({things[static_cast<std::size_t>(k)], number_token(number / listed + (k < number % listed))});
   }
 
   std::vector<Splice> splices_;

@@ -61,6 +61,14 @@ TEST(Homes, TheFormOfTheRoomIsRead) {
   for (const auto& [text, form] : cases) EXPECT_EQ(planned(text).room.shape, form) << text;
 }
 
+TEST(Homes, AFreeFloorIsNotTheRoom) {
+  const SceneGraph scene = planned("Home gym with a treadmill. Leave an open space about 6 by 8 for stretching.");
+  EXPECT_TRUE(scene.room.polygon.empty());
+  EXPECT_TRUE(std::ranges::any_of(scene.notes, [](const Note& note) { return note.message.find("6 by 8") != std::string::npos; }));
+  EXPECT_EQ(extent(planned("bathroom 1 x 1.8 m toilet sink").room).y, 1800);
+  EXPECT_EQ(planned("20 qm flat with a bed.").room.area_m2, 20.0);
+}
+
 TEST(Homes, ALongRoomIsEnteredAtANarrowEnd) {
   const SceneGraph scene =
       normalized("Bedroom, 12 m² long and narrow, the door at one short end, the window at the other. Single bed, desk.");

@@ -136,7 +136,8 @@ class PeopleReader {
       constexpr int kOfBench = 3;  // sit on one
       const int all = seats * static_cast<int>(table.items.size());
       if (!here && noun.head == "bench" && !noun.is_plural() && all > kOfBench) continue;
-      if (!here && one_of(noun.head, {"stool", "barstool"}) && noun.count == 0 && stands_elsewhere(seat)) continue;  // "a bench with stools"
+      if (!here && one_of(noun.head, {"stool", "barstool"}) && noun.count == 0 && stands_elsewhere(seat))
+        continue;  // "a bench with stools"
       named = true;
       if (noun.count == 0 && noun.plural && upright && here) grow(seat, seats * static_cast<int>(table.items.size()));
     }

@@ -56,6 +56,10 @@ TEST(RoomLooks, OpeningsAreInTheWallThatIsMeant) {
   };
   const std::pair<const char*, const char*> cases[] = {
       {"A bedroom with a door in the left wall and a window in the opposite wall.", "door left, window right"},
+      {"A garage with a car, single entrance south, side door north.", "door front, door back, window "},
+      {"A bedroom with a bed, window (east), door (west).", "window right, door left"},
+      {"A workshop with a saw. The overhead door is on the front, man door back right corner.", "door front, door back, window "},
+      {"A living room with a sofa, windows on both long sides.", "window back, window front, door "},
       {"Bedroom 3.4 by 4.1 metres, door in the corner of the short wall, window on the opposite wall.", "door front, window back"},
       {"A corridor 1.3 x 5 m with doors at both ends, no windows.", "door back, door front"},
       {"An office with windows on two sides, door in the front wall.", "door front, window back, window left"},

@@ -146,9 +146,7 @@ SideSaid side_said_at(const Lexicon& lexicon, const Document& document, std::siz
   const bool bracket = is({"("});
   if (bracket) ++i;
   while (is({"is", "are", "on", "at", "in", "to", "the", "located", "placed", "situated"})) ++i;
-  const auto side_at = [&](std::size_t at) {
-    return at < tokens.size() ? lexicon.find(tokens, at, Class::kWallWord) : Match{};
-  };
+  const auto side_at = [&](std::size_t at) { return at < tokens.size() ? lexicon.find(tokens, at, Class::kWallWord) : Match{}; };
   const Match side = side_at(i);
   if (side.length == 0) return {};
   SideSaid said{std::string(meaning_of(side, Class::kWallWord)->word), {}, i + side.length};

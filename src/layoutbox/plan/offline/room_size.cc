@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "layoutbox/plan/offline/room_reader.h"
+#include "layoutbox/plan/offline/splice.h"
 
 namespace layoutbox::offline {
 namespace {
@@ -24,8 +25,8 @@ constexpr std::size_t kEarly = 12;                         // tokens: a size so 
 
 class SizeReader {
  public:
-  SizeReader(const Lexicon& lexicon, Document& document, std::vector<bool>& skip)
-      : lexicon_(lexicon), document_(document), tokens_(document.tokens), skip_(skip) {}
+  SizeReader(const Lexicon& lexicon, Document& document, std::vector<bool>& skip, std::vector<Splice>& commas)
+      : lexicon_(lexicon), document_(document), tokens_(document.tokens), skip_(skip), commas_(commas) {}
 
   RoomSize run() {
     for (std::size_t i = 0; i + 1 < tokens_.size(); ++i) l_shaped_ |= tokens_[i].text == "l" && tokens_[i + 1].text.starts_with("shape");
@@ -238,10 +239,7 @@ class SizeReader {
   // "living room 3.2 x 3.8 m sofa, …": what follows is no part of the room's name.
   void end_phrase(std::size_t first, std::size_t last) {
     if (last >= tokens_.size() || !follows_room(first) || lexicon_.find(tokens_, last, Class::kObject).length == 0) return;
-    Token& comma = document_.tokens[last - 1];
-    comma.kind = Token::Kind::kPunctuation;
-    comma.text = ",";
-    skip_[last - 1] = false;
+    commas_.push_back({last, comma_token()});
   }
 
   std::size_t read_area(std::size_t at) {
@@ -345,6 +343,7 @@ class SizeReader {
   Document& document_;
   const std::vector<Token>& tokens_;
   std::vector<bool>& skip_;
+  std::vector<Splice>& commas_;  // behind sizes that a thing follows
   RoomSize size_;
   double other_side_ = 0;  // that the side read last was said together with
   bool l_shaped_ = false;
@@ -353,7 +352,10 @@ class SizeReader {
 }  // namespace
 
 RoomSize read_room_size(const Lexicon& lexicon, Document& document, std::vector<bool>& skip) {
-  return SizeReader(lexicon, document, skip).run();
+  std::vector<Splice> commas;
+  const RoomSize size = SizeReader(lexicon, document, skip, commas).run();
+  splice(document, skip, std::move(commas));
+  return size;
 }
 
 }  // namespace layoutbox::offline

@@ -269,15 +269,17 @@ bool told_to_look(const SceneGraph& scene, const Item& item) {
   });
 }
 
-// "The stool in front of the table, the dress form to its right": of what has no front they are meant as one looks into the room, so it lies
-// as the room does, where there is the width for it and nothing says how it lies.
+// "The stool in front of the table, the dress form to its right": of what has no front they are meant as one looks into the room, so it
+// lies as the room does, where there is the width for it and nothing says how it lies.
 bool lies_as_the_room(const SceneGraph& scene, const Item& item) {
   if (item.has_front || item.mount != Mount::kFloor || item.entry->thin) return false;
   const auto is_side = [](RelationType type) {
-    return type == RelationType::kLeftOf || type == RelationType::kRightOf || type == RelationType::kInFrontOf || type == RelationType::kBehind;
+    return type == RelationType::kLeftOf || type == RelationType::kRightOf || type == RelationType::kInFrontOf ||
+           type == RelationType::kBehind;
   };
   const auto has = [&](const std::vector<std::string>& ids) { return std::ranges::find(ids, item.id) != ids.end(); };
-  const bool said = std::ranges::any_of(scene.relations, [&](const Relation& r) { return r.asked() && is_side(r.type) && has(r.references); });
+  const bool said =
+      std::ranges::any_of(scene.relations, [&](const Relation& r) { return r.asked() && is_side(r.type) && has(r.references); });
   const bool placed = std::ranges::any_of(scene.relations, [&](const Relation& r) {
     return r.asked() && has(r.targets) && !is_side(r.type) && r.type != RelationType::kCenterOfRoom && r.type != RelationType::kInRegion;
   });
