@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Sets up, builds and runs every test: unit tests, whole-program tests, and the checks of the sources. .ci/run adds clang-tidy.
+# Sets up, builds and runs every test: unit tests (some of them by sanitizers too), whole-program tests, and the checks of the sources.
+# .ci/run adds clang-tidy.
 # Ends with one line, "N passed, N failed" (", N skipped"), and fails where anything failed. Logs are under build/logs/.
 set -uo pipefail
 
