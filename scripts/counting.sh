@@ -4,6 +4,7 @@
 logs=build/logs
 mkdir -p "$logs"
 export LAYOUTBOX_PYTHON=$PWD/build/deps/tools/bin/python # has what the outside scorer needs
+export LSAN_OPTIONS="suppressions='$PWD/scripts/leaks.txt':print_suppressions=0"
 passed=0 failed=0 skipped=0 finished="" running=""
 
 finish() {

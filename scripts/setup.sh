@@ -6,12 +6,13 @@ set -euo pipefail
 
 usage() {
   cat <<'TEXT'
-usage: scripts/setup.sh [--build-only | --blender-later | --tests | --nightly] [--force]
+usage: scripts/setup.sh [--build-only | --blender-later | --tests | --scale | --nightly] [--force]
   (no option)      what ./layoutbox needs: compiler, libraries, solver library, Blender
   --build-only     the same without Blender
   --blender-later  the same, but where Blender has to be fetched this is left to a further run
   --tests          also what scripts/test.sh needs
-  --nightly        also what scripts/nightly.sh needs
+  --scale          also what scripts/scale/ needs: Ray, submitit, PyArrow, in build/deps/scale (start its scripts by the Python there)
+  --nightly        also what scripts/nightly.sh needs, that of --tests and --scale
   --force          look again even where nothing changed
 Environment: ORTOOLS_ROOT (an OR-Tools of your own), LAYOUTBOX_BLENDER (a Blender of your own).
 Exit status: 0 all there, 3 something that is needed is missing (what, and how to get it, is on stderr).
@@ -30,6 +31,7 @@ for argument in "$@"; do
     --build-only) mode=build ;;
     --blender-later) later=1 ;;
     --tests) mode=tests ;;
+    --scale) mode=scale ;;
     --nightly) mode=nightly ;;
     --force) force=1 ;;
     -h | --help) usage && exit 0 ;;
@@ -126,6 +128,7 @@ bpy_fits() {
 }
 
 wants_blender() { [[ $mode != build ]]; }
+wants_scale() { [[ $mode == scale || $mode == nightly ]]; }
 wants_tests() { [[ $mode == tests || $mode == nightly ]]; }
 
 has_python_tools() { has_environment tools tests.txt; }
@@ -279,6 +282,15 @@ fetch_test_tools() {
   fi
 }
 
+fetch_scale() {
+  has_environment scale scale.txt && return
+  say "fetching Ray, submitit and PyArrow (170 MB)"
+  if make_environment "$deps/scale" python3 && install_requirements "$deps/scale" scale.txt; then return; fi
+  rm -rf "$deps/scale" # rather none than half a one
+  [[ $mode == nightly ]] || die "Ray, submitit and PyArrow could not be fetched; their wheels are those of Python 3.11 on x86_64"
+  say "they could not be fetched; scripts/scale/ is not tested"
+}
+
 # ---- the run ----------------------------------------------------------------------------------------------------------------------
 
 groups=(build)
@@ -295,6 +307,7 @@ is_complete() {
   [[ -e $deps/$mode.stamp && $(<"$deps/$mode.stamp") == "$(fingerprint)" ]] || return 1
   [[ ! $(missing_packages "${groups[@]}") ]] && has_solver || return 1
   if wants_blender; then has_private_bpy || own_blender >/dev/null || return 1; fi
+  [[ $mode != scale ]] || has_environment scale scale.txt || return 1
   ! wants_tests || { has_python_tools && has_gltf_validator && has_three && has_mocks; }
 }
 
@@ -308,10 +321,11 @@ if [[ ! $force ]] && is_complete; then exit 0; fi
 : >"$log"
 if ! has_solver && [[ ! ${ORTOOLS_ROOT:-} ]]; then groups+=(fetch); fi
 if wants_blender && ! own_blender >/dev/null && ! has_private_bpy && bpy_fits; then groups+=(fetch); fi
-if wants_tests; then groups+=(fetch); fi
+if wants_tests || wants_scale; then groups+=(fetch); fi
 require_packages "${groups[@]}"
 has_solver || fetch_solver
 if wants_tests; then fetch_test_tools; fi
+if wants_scale; then fetch_scale; fi
 if [[ $later ]] && ! own_blender >/dev/null && ! has_private_bpy; then
   say "Blender $bpy_version (370 MB) is fetched while the program is compiled"
   exit 0

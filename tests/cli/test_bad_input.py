@@ -21,7 +21,7 @@ class BadInput(CliTestCase):
         said = run.err.lower()
         self.assertTrue(said.strip(), "no error in words")
         for word in words:
-            self.assertIn(word.lower(), said)
+            self.assertIn(word.format(dir=self.folder).lower(), said)
         self.assertNotIn("terminate called", said)
         self.assertEqual(run.out, "", "an error belongs on stderr")
         self.assertFalse(out.exists() and any(out.iterdir()), "files were left behind")

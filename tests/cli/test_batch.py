@@ -4,7 +4,7 @@ import json
 import signal
 import time
 
-from harness import DONE, INTERRUPTED, NOT_AS_ASKED, WRONG_INPUT, WRONG_SURROUNDINGS, CliTestCase
+from harness import DONE, INTERRUPTED, NOT_AS_ASKED, SOURCE, WRONG_INPUT, WRONG_SURROUNDINGS, CliTestCase
 
 ROOMS = {
     "bed": "A bedroom with a bed and a wardrobe.",
@@ -142,6 +142,27 @@ class BadLines(BatchCase):
         run = self.run_layoutbox("batch", prompts, "-o", self.path("out"), env=missing)
         self.assert_status(run, WRONG_SURROUNDINGS)
         self.assertTrue(self.path("out/a/layout.json").exists())
+
+
+    def test_what_is_written_and_empty_is_not_passed_over(self):
+        for key in ("seed", "effort", "room", "units", "type", "id"):
+            with self.subTest(key):
+                line = {"id": "a", "prompt": ROOMS["bed"], key: ""}
+                run = self.batch(lines_of({"good": ROOMS["study"]}) + json.dumps(line) + "\n", out=f"out {key}")
+                self.assert_status(run, NOT_AS_ASKED)
+                self.assertEqual(self.states(f"out {key}"), ["done", "failed"])
+                self.assertIn(f"(line 2): '{key}' is empty", run.err)
+
+    def test_a_broken_table_names_file_and_line_once(self):
+        for text in ('id,prompt\n1,"A bed\n', "id,prompt\n1,A bed,3\n"):
+            table = self.write_text("c2.csv", text)
+            batch = self.run_layoutbox("batch", table, "--no-render", "-o", self.path("out"))
+            catalog = self.run_layoutbox("plan", ROOMS["bed"], "--catalog", table)
+            judge = self.run_layoutbox("judge", SOURCE / "examples/layouts/study.json", "--annotations", table)
+            for run in (batch, catalog, judge):
+                self.assert_status(run, WRONG_INPUT)
+                self.assertIn(f"{table} line 2: ", run.err)
+                self.assertEqual(run.err.count("line 2"), 1, run.err)
 
 
 class Resumed(BatchCase):

@@ -63,6 +63,9 @@ class Installed(CliTestCase):
         flags = shlex.split(self.must("pkg-config", "--cflags", "--libs", "--static", "layoutbox", env=env))
         header = self.write_text("all.cc", "".join(f"#include <layoutbox/{path.name}>\n" for path in HEADERS))
         self.must("g++", "-fsyntax-only", "-Wall", "-Wextra", "-Werror", *flags, header)
+        program = self.path("by-pkg-config")
+        self.must("g++", SOURCE / "examples/cpp/furnish_a_room.cc", "-o", program, *flags)
+        self.run_outside_program(program)
 
     def test_licences_come_with_it(self):
         for name in ("LICENSE", "NOTICE"):

@@ -2,8 +2,11 @@
 
 import re
 import shlex
+import shutil
+import subprocess
+import unittest
 
-from harness import DONE, NOT_AS_ASKED, SOURCE, CliTestCase
+from harness import BINARY, DONE, NOT_AS_ASKED, SOURCE, CliTestCase
 
 
 def examples():
@@ -36,6 +39,21 @@ class Readme(CliTestCase):
                     if makes_picture and (line.startswith("render ") or "scene.png" in line):
                         continue
                     self.assertIn(without_times(line), said)
+
+    @unittest.skipUnless(shutil.which("cmake") and shutil.which("ninja"), "cmake or ninja is not there")
+    def test_install_lines(self):
+        lines = ["./scripts/build.sh", "cmake --install build/release --prefix ~/layoutbox"]
+        self.assertIn("```console\n" + "".join(f"$ {line}\n" for line in lines) + "```", (SOURCE / "README.md").read_text())
+        self.assertIn("```sh\n" + "\n".join(lines) + "\n```", (SOURCE / "docs/library.md").read_text())
+        # The first builds all, the second finds there what it copies from the build folder.
+        build = BINARY.parents[2]
+        built = subprocess.run(["ninja", "-C", build, "-t", "commands", "all"], capture_output=True, text=True, check=True).stdout
+        scripts = "".join((build / folder / "cmake_install.cmake").read_text() for folder in (".", "src/layoutbox"))
+        installed = re.findall(rf'FILES "{re.escape(str(build))}/([^"]+\.a|[^"]+/layoutbox)"', scripts)
+        self.assertIn("src/layoutbox/layoutbox", installed)
+        self.assertIn("liblayoutbox.a", installed)
+        for file in installed:
+            self.assertTrue(re.search(rf"(?m) {re.escape(file)}( |$)", built), f"no command of the build makes {file}")
 
     def test_links_lead_somewhere(self):
         for page in [SOURCE / "README.md", *(SOURCE / "docs").glob("*.md")]:

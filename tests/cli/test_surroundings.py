@@ -2,6 +2,7 @@
 
 import json
 import os
+import resource
 import signal
 import subprocess
 import time
@@ -39,11 +40,18 @@ class OutputThatIsLost(CliTestCase):
         scene = SOURCE / "examples/scenes/bedroom-bare.json"
         layout = self.path("layout.json")
         self.assert_status(self.run_layoutbox("solve", scene, "-o", layout), 0)
+        for words in (["catalog"], ["doctor"], ["validate", scene], ["verify", layout], ["cache"], ["plan", PROMPT], ["solve", scene]):
+            self.assert_said_once(*words, "--json")
+
+    def test_text_into_a_full_device(self):
+        for words in (["--version"], ["--help"], ["plan", "--help"], ["plan", PROMPT], ["plan", PROMPT, "--explain"]):
+            self.assert_said_once(*words)
+
+    def assert_said_once(self, *words):
         with open("/dev/full", "w") as full:
-            for words in (["catalog"], ["doctor"], ["validate", scene], ["verify", layout], ["cache"]):
-                run = subprocess.run([BINARY, *words, "--json"], stdout=full, stderr=subprocess.PIPE, text=True, timeout=60)
-                self.assertEqual(run.returncode, WRONG_SURROUNDINGS, words)
-                self.assertIn("stdout", run.stderr)
+            run = subprocess.run([BINARY, *words], stdout=full, stderr=subprocess.PIPE, text=True, timeout=60, check=False)
+        self.assertEqual(run.returncode, WRONG_SURROUNDINGS, words)
+        self.assertEqual(run.stderr.count("cannot write to stdout"), 1, f"{words}\n{run.stderr}")
 
 
 class BlenderThatFails(CliTestCase):
@@ -187,6 +195,43 @@ class FullDisk(CliTestCase):
         for path in (self.disk / "out").iterdir():
             self.assertIn(path.name, WITHOUT_PICTURE)
         read_whole(self.disk / "out")
+
+
+class LimitedFiles(CliTestCase):
+    """A limit on the size of files (ulimit -f) is an error in words, not the end by SIGXFSZ."""
+
+    def run_limited(self, limit, *arguments, words="File too large", **options):
+        def lower():
+            resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit))
+
+        process = self.start(*arguments, preexec_fn=lower, stderr=subprocess.PIPE, **options)
+        self.addCleanup(process.stderr.close)
+        _, err = process.communicate(timeout=60)
+        self.assertEqual(process.returncode, WRONG_SURROUNDINGS, err)
+        self.assertEqual(err.count(words), 1, err)
+
+    def names(self, folder):
+        return {path.name for path in folder.rglob("*") if path.is_file()}
+
+    def test_one_file(self):
+        self.run_limited(100, "plan", PROMPT, "-o", self.path("scene.json"))
+        self.assertEqual(self.names(self.folder), set())
+
+    def test_stdout(self):
+        with self.path("scene.json").open("w") as file:
+            self.run_limited(100, "plan", PROMPT, stdout=file)
+
+    def test_a_folder_keeps_what_is_whole(self):
+        self.run_limited(20_000, "generate", PROMPT, "--no-render", "-o", self.path("out"))
+        made = self.names(self.folder)
+        self.assertLessEqual({"scene.json", "layout.json"}, made)
+        self.assertLess(made, WITHOUT_PICTURE)
+        read_whole(self.path("out"))
+
+    def test_packed_rooms(self):
+        prompts = self.write_text("prompts.txt", f"{PROMPT}\n" * 3)
+        self.run_limited(100_000, "batch", prompts, "-o", self.path("out"), "--pack", "webdataset", words="ulimit -f")
+        self.assertEqual({name for name in self.names(self.path("out")) if "shard" in name}, set())
 
 
 class BigInput(CliTestCase):

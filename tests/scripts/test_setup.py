@@ -112,6 +112,22 @@ class Setup(unittest.TestCase):
         self.assertRegex(err, r"^setup: Blender [0-9.]+ \(370 MB\) is fetched while the program is compiled\n$")
         self.assertIn("no Blender could be had", self.run_setup(LAYOUTBOX_BLENDER=None)[2])
 
+    def test_ray_and_others_are_fetched_when_asked_for(self):
+        # An environment whose pip does as it is told, or fails.
+        pip = 'mkdir -p "$3/bin"; printf "#!/bin/sh\\nexit %s\\n" > "$3/bin/python"; chmod +x "$3/bin/python"'
+        self.fake("python3", pip % "1")
+        status, _, err = self.run_setup("--scale")
+        self.assertEqual(status, 3)
+        self.assertIn("Ray, submitit and PyArrow could not be fetched", err)
+        self.assertFalse((self.root / "build/deps/scale").exists())
+        self.fake("python3", pip % "0")
+        self.assertEqual(self.run_setup("--scale")[0], 0)
+        self.assertTrue((self.root / "build/deps/scale/requirements.txt").exists())
+        self.assertEqual(self.run_setup("--scale"), (0, "", ""))
+        with (self.root / "scripts/requirements/scale.txt").open("a") as file:
+            file.write("# another\n")
+        self.assertIn("fetching Ray", self.run_setup("--scale")[2])
+
     def test_wrong_option(self):
         self.assertEqual(self.run_setup("--everything")[0], 2)
 

@@ -25,6 +25,7 @@ Failure io_error(std::string_view doing, const fs::path& path, int error) {
     case EROFS: hint = "the file system is read-only: choose another folder"; break;
     case ENOSPC:
     case EDQUOT: hint = "free some space or choose another folder"; break;
+    case EFBIG: hint = "files may not be as large as that here: see ulimit -f"; break;
     case EISDIR: hint = "give a file, not a folder"; break;
     case ENOTDIR: hint = "a part of the path is a file, not a folder"; break;
     default: break;

@@ -106,11 +106,7 @@ Result<BatchOutcome> run_lines(BatchArguments& flags, const Console& console) {
   LAYOUTBOX_CHECK(prepare_batch(flags, console));
   LAYOUTBOX_ASSIGN(const std::string text, read_input(flags.prompts));
   auto lines = read_batch(text);
-  if (!lines) {
-    Error error = lines.error();
-    error.pointer = flags.prompts == "-" ? "stdin" : flags.prompts;
-    return Failure(error);
-  }
+  if (!lines) return Failure(in_file(lines.error(), flags.prompts));
   LAYOUTBOX_ASSIGN(const CatalogInUse catalog, flags.plan.load_catalog());
   console.notes(catalog.notes);
   GenerateOptions& options = flags.options.generate;

@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <system_error>
 
 #include "layoutbox/scene/json_text.h"
 
@@ -18,20 +19,31 @@ static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler sets it"
 
 void on_signal(int) { stop_requested.store(true); }
 
-bool output_is_lost = false;
+int lost_output = 0;                // the error number of a line that stdout did not take and nobody has been told of yet
+bool stdout_takes_nothing = false;  // somebody has been told, and it is no use to write more
 
 void print_line(std::FILE* stream, std::string_view line) {
   const bool written =
       std::fwrite(line.data(), 1, line.size(), stream) == line.size() && std::fputc('\n', stream) != EOF && std::fflush(stream) == 0;
-  if (!written && stream == stdout && errno != EPIPE) output_is_lost = true;  // who closes a pipe has read enough
+  if (!written && stream == stdout && errno != EPIPE) lost_output = errno;  // who closes a pipe has read enough
+}
+
+Error stdout_error(int number) {
+  return {ErrorCode::kIo, fmt::format("cannot write to stdout: {}", std::generic_category().message(number)), {}, {}, {}};
 }
 
 std::string time_text(double seconds) { return seconds < 1 ? fmt::format("{:.1f} ms", seconds * 1000) : fmt::format("{:.1f} s", seconds); }
 
+// The place within a file: what follows "#", or "line 3" at the end.
+std::string_view place_in_file(std::string_view pointer) {
+  if (const std::size_t mark = pointer.find('#'); mark != std::string_view::npos) return pointer.substr(mark + 1);
+  return pointer.substr(pointer.rfind(" line ") + 1);
+}
+
 std::string sentence_of(const Error& error) {
   std::string text = error.message;
   // Where the sentence begins with its place, that is said once.
-  const std::string place = error.pointer.substr(error.pointer.find('#') + 1);
+  const std::string_view place = place_in_file(error.pointer);
   const std::string file = error.pointer.substr(0, error.pointer.size() - place.size());
   const bool says_place = !place.empty() && text.starts_with(place);
   if (says_place && !file.empty()) text = file + text;
@@ -76,6 +88,12 @@ void Console::result(std::string_view text, std::string_view json_text) const {
   if (!chosen.empty()) print_line(stdout, chosen);
 }
 
+Status write_stdout(std::string_view bytes) {
+  if (std::fwrite(bytes.data(), 1, bytes.size(), stdout) == bytes.size() && std::fflush(stdout) == 0) return {};
+  stdout_takes_nothing = true;
+  return Failure(stdout_error(errno));
+}
+
 void Console::stage(const StageTime& stage) const {
   say(fmt::format("{:<8}{:>9}  {}", stage.stage, time_text(stage.seconds), stage.summary));
 }
@@ -98,7 +116,7 @@ void Console::notes(const std::vector<Note>& notes) const {
 }
 
 int Console::fail(const Error& error) const {
-  if (json) print_line(stdout, write_error(error));
+  if (json && !stdout_takes_nothing) print_line(stdout, write_error(error));
   print_line(stderr, fmt::format("layoutbox: {}", sentence_of(error)));
   for (const Error& detail : error.details) {
     if (detail.message != error.message) print_line(stderr, fmt::format("  {}", sentence_of(detail)));  // the first may stand for all
@@ -127,8 +145,8 @@ void Console::progress(std::string_view what, double share) const {
 const std::atomic<bool>& stop_flag() { return stop_requested; }
 
 int status_with_output(int status) {
-  if (!output_is_lost) return status;
-  print_line(stderr, "layoutbox: cannot write to stdout (is the disk full?)");
+  if (lost_output == 0) return status;
+  print_line(stderr, fmt::format("layoutbox: {}", sentence_of(stdout_error(lost_output))));
   return status == kDone || status == kNotAsAsked ? kWrongSurroundings : status;
 }
 

@@ -39,6 +39,9 @@ class Console {
   void progress(std::string_view what, double share) const;
 };
 
+// Bytes as they are, for files that go to stdout. Errors: kIo; Console::fail() then says it on stderr alone.
+Status write_stdout(std::string_view bytes);
+
 // The status to end with: what could not be written to stdout was not done, and is said on stderr.
 int status_with_output(int status);
 

@@ -29,12 +29,6 @@ Result<std::string> read_stdin() {
   return text;
 }
 
-// Prefixes an error of a document with the file it is in.
-Error in_file(Error error, const std::string& path) {
-  error.pointer = error.pointer.empty() ? path : fmt::format("{}{}{}", path, error.pointer.starts_with('/') ? "#" : " ", error.pointer);
-  return error;
-}
-
 template <class T>
 Result<T> located(Result<T> result, const std::string& path) {
   if (result) return result;
@@ -42,6 +36,12 @@ Result<T> located(Result<T> result, const std::string& path) {
 }
 
 }  // namespace
+
+Error in_file(Error error, const std::string& path) {
+  const std::string file = path == "-" ? "stdin" : path;
+  error.pointer = error.pointer.empty() ? file : fmt::format("{}{}{}", file, error.pointer.starts_with('/') ? "#" : " ", error.pointer);
+  return error;
+}
 
 void PlanFlags::add_to(CLI::App& command) {
   command
@@ -283,11 +283,7 @@ std::vector<std::filesystem::path> asset_folders(const std::string& input, const
 }
 
 Status write_output(const std::string& path, std::string_view bytes) {
-  if (!path.empty() && path != "-") return write_file(path, bytes);
-  if (std::fwrite(bytes.data(), 1, bytes.size(), stdout) != bytes.size() || std::fflush(stdout) != 0) {
-    return layoutbox::fail(ErrorCode::kIo, "cannot write to stdout");
-  }
-  return {};
+  return path.empty() || path == "-" ? write_stdout(bytes) : write_file(path, bytes);
 }
 
 }  // namespace layoutbox::cli

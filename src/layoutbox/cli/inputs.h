@@ -78,6 +78,10 @@ Result<std::string> read_prompt(const std::string& argument);
 
 // A file's text, or all of stdin for "-".
 Result<std::string> read_input(const std::string& path);
+
+// An error in a file's text, its place with the file before it: "scene.json#/room/dims/w", "prompts.csv line 2".
+Error in_file(Error error, const std::string& path);
+
 Result<Layout> read_layout_file(const std::string& path);
 Result<SceneGraph> read_scene_file(const std::string& path, const std::string& units = {});
 

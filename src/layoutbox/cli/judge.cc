@@ -98,7 +98,9 @@ class JudgeRun {
     }
     if (!flags_.annotations.empty()) {
       LAYOUTBOX_ASSIGN(const std::string text, read_input(flags_.annotations));
-      LAYOUTBOX_ASSIGN(annotations_, scoring::read_annotations(text));
+      auto annotations = scoring::read_annotations(text);
+      if (!annotations) return Failure(in_file(std::move(annotations).error(), flags_.annotations));
+      annotations_ = *std::move(annotations);
     }
     options_.format = flags_.format;
     options_.without_walls = flags_.unsafe_scripts;

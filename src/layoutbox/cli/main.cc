@@ -2,6 +2,7 @@
 
 #include <array>
 #include <new>
+#include <sstream>
 #include <string>
 
 #include "layoutbox/cli/commands.h"
@@ -51,7 +52,11 @@ int run(int count, char** arguments) {
   try {
     app.parse(count, arguments);
   } catch (const CLI::Success& success) {  // --help, --version
-    return app.exit(success);
+    std::ostringstream text;
+    app.exit(success, text, text);
+    const std::string_view said = text.view().substr(0, text.view().find_last_not_of('\n') + 1);
+    context.console.result(said, said);
+    return kDone;
   } catch (const CLI::ParseError& error) {
     context.console.json = asks_for_json(count, arguments);
     return context.console.fail(

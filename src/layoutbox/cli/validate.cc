@@ -14,8 +14,7 @@ struct ValidateArguments {
 };
 
 // What kind of document it is, once it has been read without error; the notes say what was read in another way than written.
-Result<std::string> validate(const ValidateArguments& flags, const Console& console) {
-  LAYOUTBOX_ASSIGN(const std::string text, read_input(flags.file));
+Result<std::string> validate(const std::string& text, const ValidateArguments& flags, const Console& console) {
   LAYOUTBOX_ASSIGN(const std::string kind, kind_of_document(text));
   if (kind == "layout") {
     LAYOUTBOX_ASSIGN([[maybe_unused]] const Layout layout, read_layout(text));
@@ -28,12 +27,10 @@ Result<std::string> validate(const ValidateArguments& flags, const Console& cons
 }
 
 int run_validate(const ValidateArguments& flags, const Console& console) {
-  auto kind = validate(flags, console);
-  if (!kind) {
-    Error error = std::move(kind).error();
-    if (error.pointer.empty()) error.pointer = flags.file;
-    return console.fail(error);
-  }
+  const auto text = read_input(flags.file);
+  if (!text) return console.fail(text.error());
+  const auto kind = validate(*text, flags, console);
+  if (!kind) return console.fail(in_file(kind.error(), flags.file));
   console.result(fmt::format("{}: a good {} file", flags.file, *kind), fmt::format(R"({{"valid":true,"kind":"{}"}})", *kind));
   return kDone;
 }

@@ -51,7 +51,7 @@ class GrowingFile {
     if (synced && !error) return {};
     fs::remove(part_, error);
     return fail(ErrorCode::kIo, fmt::format("the shard {} cannot be written", target.filename().string()), target.string(),
-                "is the disk full?");
+                "is the disk full, or the size of files limited (ulimit -f)?");
   }
 
  private:
