@@ -113,14 +113,21 @@ bool Lexicon::may_run_together(std::span<const Token> tokens, std::size_t at, st
       });
 }
 
+// "barber's pole", "nurses' station": also what is known as "barber pole", "nurse station". Things own nothing here: "the bed's head".
+std::string Lexicon::without_owner(const std::string& key) const {
+  if (has(words_.find(key), WordClass::kObject)) return {};
+  return key.ends_with('s') ? key.substr(0, key.size() - 1) : key;
+}
+
 Match Lexicon::find(std::span<const Token> tokens, std::size_t at) const {
   constexpr std::size_t kLongest = 6;
   Match best;
-  std::string key;
+  std::string key, plain;  // plain: without the 's of an owner
   for (std::size_t length = 1; length <= kLongest && at + length <= tokens.size(); ++length) {
     const Token& token = tokens[at + length - 1];
     if (token.kind == Token::Kind::kPunctuation && length > 1) break;
     if (token.text == "'s" && length > 1) {  // "children's room", "boys' room"
+      plain = without_owner(key);
       if (!key.ends_with('s')) key += 's';
       continue;
     }
@@ -143,6 +150,15 @@ Match Lexicon::find(std::span<const Token> tokens, std::size_t at) const {
         }
       }
     }
+    if (!plain.empty() && best.length != length) {
+      for (const std::string& form : {token.text, singular_of(token.text)}) {
+        const Entry* found = words_.find(plain + form);
+        if (!has(found, WordClass::kObject) || !may_stand(*found)) continue;
+        best = {length, meanings_of(*found), form != token.text};
+        break;
+      }
+    }
+    if (!plain.empty()) plain += token.text;
     key = std::move(with_plural);
   }
   return best;
