@@ -30,6 +30,13 @@ bool has_plural(std::span<const Meaning> meanings) {
                      [](const Meaning& m) { return std::find(kSmall.begin(), kSmall.end(), m.word_class) == kSmall.end(); });
 }
 
+// "chestof" of "chests of": no rows, pairs or banks, which are counts of what stands in them.
+std::string several_of(const std::string& word) {
+  static constexpr std::array<std::string_view, 8> kCounts = {"rows", "lines", "columns", "pairs", "banks", "groups", "clusters", "sets"};
+  const std::string one = singular_of(word);
+  return one == word || std::find(kCounts.begin(), kCounts.end(), word) != kCounts.end() ? std::string() : one + "of";
+}
+
 bool is_distributor(std::string_view word) { return word == "each" || word == "every" || word == "either" || word == "both"; }
 
 }  // namespace
@@ -122,7 +129,7 @@ std::string Lexicon::without_owner(const std::string& key) const {
 Match Lexicon::find(std::span<const Token> tokens, std::size_t at) const {
   constexpr std::size_t kLongest = 6;
   Match best;
-  std::string key, plain;  // plain: without the 's of an owner
+  std::string key, plain, several;  // plain: without the 's of an owner; several: "chest of" of "chests of drawers"
   for (std::size_t length = 1; length <= kLongest && at + length <= tokens.size(); ++length) {
     const Token& token = tokens[at + length - 1];
     if (token.kind == Token::Kind::kPunctuation && length > 1) break;
@@ -150,6 +157,11 @@ Match Lexicon::find(std::span<const Token> tokens, std::size_t at) const {
         }
       }
     }
+    if (!several.empty()) {
+      several += token.text;
+      const Entry* found = words_.find(several);
+      if (best.length != length && has(found, WordClass::kObject) && may_stand(*found)) best = {length, meanings_of(*found), true};
+    }
     if (!plain.empty() && best.length != length) {
       for (const std::string& form : {token.text, singular_of(token.text)}) {
         const Entry* found = words_.find(plain + form);
@@ -159,6 +171,7 @@ Match Lexicon::find(std::span<const Token> tokens, std::size_t at) const {
       }
     }
     if (!plain.empty()) plain += token.text;
+    if (token.text == "of" && length == 2) several = several_of(tokens[at].text);
     key = std::move(with_plural);
   }
   return best;
