@@ -30,9 +30,9 @@ bool has_plural(std::span<const Meaning> meanings) {
                      [](const Meaning& m) { return std::find(kSmall.begin(), kSmall.end(), m.word_class) == kSmall.end(); });
 }
 
-// "chestof" of "chests of": no rows, pairs or banks, which are counts of what stands in them.
+// "chestof" of "chests of": no rows or pairs, which are counts of what stands in them.
 std::string several_of(const std::string& word) {
-  static constexpr std::array<std::string_view, 8> kCounts = {"rows", "lines", "columns", "pairs", "banks", "groups", "clusters", "sets"};
+  static constexpr std::array<std::string_view, 6> kCounts = {"rows", "lines", "columns", "pairs", "groups", "clusters"};
   const std::string one = singular_of(word);
   return one == word || std::find(kCounts.begin(), kCounts.end(), word) != kCounts.end() ? std::string() : one + "of";
 }
