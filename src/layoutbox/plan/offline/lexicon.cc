@@ -30,6 +30,13 @@ bool has_plural(std::span<const Meaning> meanings) {
                      [](const Meaning& m) { return std::find(kSmall.begin(), kSmall.end(), m.word_class) == kSmall.end(); });
 }
 
+// "chestof" of "chests of": no rows or pairs, which are counts of what stands in them.
+std::string several_of(const std::string& word) {
+  static constexpr std::array<std::string_view, 6> kCounts = {"rows", "lines", "columns", "pairs", "groups", "clusters"};
+  const std::string one = singular_of(word);
+  return one == word || std::find(kCounts.begin(), kCounts.end(), word) != kCounts.end() ? std::string() : one + "of";
+}
+
 bool is_distributor(std::string_view word) { return word == "each" || word == "every" || word == "either" || word == "both"; }
 
 }  // namespace
@@ -113,14 +120,21 @@ bool Lexicon::may_run_together(std::span<const Token> tokens, std::size_t at, st
       });
 }
 
+// "barber's pole", "nurses' station": also what is known as "barber pole", "nurse station". Things own nothing here: "the bed's head".
+std::string Lexicon::without_owner(const std::string& key) const {
+  if (has(words_.find(key), WordClass::kObject)) return {};
+  return key.ends_with('s') ? key.substr(0, key.size() - 1) : key;
+}
+
 Match Lexicon::find(std::span<const Token> tokens, std::size_t at) const {
   constexpr std::size_t kLongest = 6;
   Match best;
-  std::string key;
+  std::string key, plain, several;  // plain: without the 's of an owner; several: "chest of" of "chests of drawers"
   for (std::size_t length = 1; length <= kLongest && at + length <= tokens.size(); ++length) {
     const Token& token = tokens[at + length - 1];
     if (token.kind == Token::Kind::kPunctuation && length > 1) break;
     if (token.text == "'s" && length > 1) {  // "children's room", "boys' room"
+      plain = without_owner(key);
       if (!key.ends_with('s')) key += 's';
       continue;
     }
@@ -143,6 +157,21 @@ Match Lexicon::find(std::span<const Token> tokens, std::size_t at) const {
         }
       }
     }
+    if (!several.empty()) {
+      several += token.text;
+      const Entry* found = words_.find(several);
+      if (best.length != length && has(found, WordClass::kObject) && may_stand(*found)) best = {length, meanings_of(*found), true};
+    }
+    if (!plain.empty() && best.length != length) {
+      for (const std::string& form : {token.text, singular_of(token.text)}) {
+        const Entry* found = words_.find(plain + form);
+        if (!has(found, WordClass::kObject) || !may_stand(*found)) continue;
+        best = {length, meanings_of(*found), form != token.text};
+        break;
+      }
+    }
+    if (!plain.empty()) plain += token.text;
+    if (token.text == "of" && length == 2) several = several_of(tokens[at].text);
     key = std::move(with_plural);
   }
   return best;

@@ -204,6 +204,7 @@ class Lexicon {
   };
   std::span<const Meaning> meanings_of(const Entry& entry) const { return std::span(meanings_).subspan(entry.first, entry.count); }
   bool has(const Entry* entry, WordClass word_class) const;
+  std::string without_owner(const std::string& key) const;
   void settle_meanings();
   bool may_run_together(std::span<const Token> tokens, std::size_t at, std::size_t length, const Entry& entry) const;
   void add(std::string_view words, const Meaning& meaning);

@@ -104,7 +104,10 @@ void NounPhraseReader::settle_kind(const PhrasePart& head, std::size_t head_inde
   if (phrase_.rows > 0 && phrase_.count == 0) phrase_.vague = true;
   if (phrase_.rows > 0) phrase_.count = phrase_.rows * (phrase_.count > 0 ? phrase_.count : phrase_.rows == 1 ? 3 : 2);
   phrase_.name = text_of(tokens_, begin, head.last);
-  if (phrase_.plural) {
+  const bool several_of = phrase_.plural && head.last - head.first > 2 && tokens_[head.first + 1].text == "of" && plural_at(head.first);
+  if (several_of && begin == head.first) {  // "two chests of drawers"
+    phrase_.name = singular_of(tokens_[begin].text) + " " + text_of(tokens_, begin + 1, head.last);
+  } else if (phrase_.plural) {
     const std::string& last = tokens_[head.last - 1].text;
     phrase_.name = phrase_.name.substr(0, phrase_.name.size() - last.size()) + phrase_.head;
   }

@@ -176,10 +176,12 @@ bool NounPhraseReader::says_seats(std::size_t at) const {
          tokens_[at + 1].kind == Token::Kind::kWord && has(lexicon_.find(tokens_, at + 1), Class::kObject);
 }
 
-// "two rows of four chairs", "a row of stools".
+// "two rows of four chairs", "a row of stools", "a bank of monitors".
 bool NounPhraseReader::read_rows() {
   const bool columns = at_word("columns") && i_ + 2 < tokens_.size() && lexicon_.find(tokens_, i_ + 2, Class::kNumber).length > 0;
-  const bool one = at_word("row") || at_word("line"), several = at_word("rows") || at_word("lines") || columns;
+  const bool known = has(lexicon_.find(tokens_, i_), Class::kObject);  // "a bank of drawers"
+  const bool one = at_word("row") || at_word("line") || (at_word("bank") && !known);
+  const bool several = at_word("rows") || at_word("lines") || columns || (at_word("banks") && !known);
   if ((!one && !several) || !at_word("of", 1) || i_ + 2 >= tokens_.size()) return false;
   phrase_.rows = one ? 1 : std::max(phrase_.count, 2);
   phrase_.count = 0;
