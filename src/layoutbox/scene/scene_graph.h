@@ -71,6 +71,7 @@ struct Opening {
   // Where along its wall the text has it: "middle", or the corner it is near ("left", "back right"); normalize_scene sets the offset by it.
   // Not in files.
   std::string place{};
+  std::string called{};  // what the text calls it ("front door"). Not in files.
   bool asked() const { return origin == Origin::kAsked; }
 };
 

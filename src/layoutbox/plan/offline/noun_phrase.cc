@@ -100,6 +100,12 @@ void NounPhraseReader::settle_kind(const PhrasePart& head, std::size_t head_inde
     }
   }
   if (phrase_.determiner == Determiner::kIndefinite && phrase_.count == 0) phrase_.plural = false;  // "a box of tissues"
+  // "some big painting", "any table": one of it. "Some fruit" and "some storage" are as many as may be.
+  const bool furniture = phrase_.entry != nullptr && phrase_.entry->mount != Mount::kSurface && head.last == head.first + 1;
+  if (phrase_.vague && !phrase_.plural && furniture && tokens_[phrase_.first].text == "some") {
+    phrase_.count = 1;
+    phrase_.vague = false;
+  }
   // A row has three, of several rows each two, where no number is said.
   if (phrase_.rows > 0 && phrase_.count == 0) phrase_.vague = true;
   if (phrase_.rows > 0) phrase_.count = phrase_.rows * (phrase_.count > 0 ? phrase_.count : phrase_.rows == 1 ? 3 : 2);

@@ -184,7 +184,7 @@ class OfflinePlanner final : public Planner {
       constexpr int kCertain = 2;  // of what fills its place: the plural's own
       const int rank = so_far[item.group]++;
       SceneObject object;
-      object.category = item.noun.category;
+      object.category = !item.noun.category.empty() ? item.noun.category : snake_case(item.noun.head);
       object.name = item.noun.name;
       object.attributes = item.noun.attributes;
       object.id = object.category + "_" + std::to_string(++numbers[object.category]);

@@ -145,6 +145,11 @@ SideSaid side_said_at(const Lexicon& lexicon, const Document& document, std::siz
   const auto is = [&](std::initializer_list<std::string_view> words) { return says_one_of(document, i, words); };
   const bool bracket = is({"("});
   if (bracket) ++i;
+  // "the balcony door, which takes almost all the right wall"
+  const bool relative = is({","}) && says_one_of(document, i + 1, {"which", "that"}) &&
+                        says_one_of(document, i + 2, {"takes", "occupies", "fills", "covers", "spans", "is", "are"});
+  if (relative) i += 3;
+  while (relative && is({"up", "almost", "nearly", "all", "most", "of", "whole", "entire"})) ++i;
   while (is({"is", "are", "on", "at", "in", "to", "the", "located", "placed", "situated"})) ++i;
   const auto side_at = [&](std::size_t at) { return at < tokens.size() ? lexicon.find(tokens, at, Class::kWallWord) : Match{}; };
   const Match side = side_at(i);
@@ -156,7 +161,7 @@ SideSaid side_said_at(const Lexicon& lexicon, const Document& document, std::siz
     i += second.length;
     if (!is({"corner"})) return {};
     ++i;
-  } else if (is({"side", "end"})) {
+  } else if (is({"side", "end"}) || (relative && is({"wall"}))) {
     ++i;
   }
   const bool ends = i >= tokens.size() || tokens[i].kind == Token::Kind::kPunctuation || lexicon.is(tokens[i], Class::kAnd);
@@ -265,6 +270,14 @@ void settle_opening_ends(const Lexicon& lexicon, Document& document) {
     chunk.noun.in_middle = !middle.first.empty();
     take_chunks(document, first, last, "which wall");
   }
+}
+
+std::string bare_name(const NounPhrase& noun) {
+  std::string_view name = noun.name;
+  for (const std::string_view article : {"the ", "a ", "an ", "this ", "that ", "one ", "single "}) {
+    if (name.starts_with(article)) name.remove_prefix(article.size());
+  }
+  return std::string(name);
 }
 
 std::string wall_across(std::string_view wall) {

@@ -61,6 +61,7 @@ void add_opening(SceneGraph& scene, OpeningType type, const NounPhrase& noun, co
   opening.id = std::string(name_of(type)) + std::to_string(number);
   opening.wall = wall_of_opening(wall, type, scene.room);
   if (!noun.size.any()) fit(opening, scene.room);
+  opening.called = bare_name(noun);
   if (noun.in_middle) opening.place = "middle";
   if (!noun.near_corner.empty()) opening.place = noun.near_corner;
   scene.room.openings.push_back(std::move(opening));

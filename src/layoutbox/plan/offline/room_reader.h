@@ -38,6 +38,9 @@ void settle_finishes(const Lexicon& lexicon, Document& document);
 // What such a word means for an opening of that type after those that the room has; any other word stays.
 std::string wall_of_opening(const std::string& word, OpeningType type, const Room& room);
 // The wall across from that one.
+// The name of a noun phrase without its article: "boss door".
+std::string bare_name(const NounPhrase& noun);
+
 std::string wall_across(std::string_view wall);
 
 // A door or a window as a noun phrase says it, without an id and a place.
