@@ -192,7 +192,7 @@ TEST(Conflict, WidthsAlongAWall) {
   EXPECT_EQ(failed.error().code, ErrorCode::kInfeasible);
   ASSERT_EQ(failed.error().details.size(), 1u);
   EXPECT_EQ(failed.error().details[0].message,
-            "the wardrobe (2.40 m) and the bed (1.60 m) both stand against the back wall, which is 3.20 m long");
+            "the wardrobe (2.40 m) and the bed (1.60 m) both stand against the back wall, which is 3.20 m long, 0.80 m too little");
 
   const Layout layout = solved(scene);
   EXPECT_EQ(layout.status, LayoutStatus::kRelaxed);
