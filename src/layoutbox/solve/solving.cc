@@ -96,7 +96,7 @@ Result<Solver::Round> Solver::settle_failed_search() {
 
 // With something legal: whether what was left out comes back, once.
 Result<Solver::Round> Solver::settle_left_out() {
-  if (left_out_ids_.size() < (shed_ ? 1 : 2) || brought_back_) return Round::kPlaced;
+  if (left_out_ids_.size() < (shed_ || made_way_ ? 1 : 2) || brought_back_) return Round::kPlaced;
   brought_back_ = true;
   LAYOUTBOX_ASSIGN(const bool more, bring_back());
   return more ? Round::kAgain : Round::kPlaced;
@@ -113,6 +113,10 @@ Status Solver::find_legal() {
     if (enough()) break;
     LAYOUTBOX_ASSIGN(now, settle_sums());
     if (now == Round::kPlaced && !search(given_up_)) {
+      if (!brought_.empty()) {
+        placements_ = brought_, size_limit_ = kAllSizes;
+        return {};
+      }
       LAYOUTBOX_ASSIGN(now, settle_failed_search());
     }
     if (now == Round::kPlaced) {
