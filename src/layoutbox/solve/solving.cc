@@ -255,7 +255,7 @@ bool Solver::begin(Search& search, int start, Budget& budget) {
   Budget part{0, std::max(kLeastSteps, (budget.limit - budget.steps) / kShareOfStarts), budget.stop, false};
   bool found = start == 0 ? search.construct(left_out_, 1, part) : search.construct_unlike(left_out_, part);
   if (!found && start == 0) search.adopt(placements_, left_out_), found = true;
-  if (!found) {
+  if (!found && !part.stopped) {
     const Dependencies dependencies(model_);
     Placements other(model_.items.size());
     QuickSearch quick(model_, dependencies, given_up_, options_.seed + kSeedStep * static_cast<std::uint64_t>(start), size_limit_);
@@ -311,6 +311,7 @@ void Solver::improve() {
     }
     if (take_if_better()) idle = 0;
   }
+  if (budget.stopped) return;
   // The best of all gets a share of its own: each thing is looked at once more, however much was spent on the way.
   Budget last{0, std::max(budgets_.improvement / kShareOfLast, budget.limit - budget.steps), budget.stop, false};
   search.adopt(placements_, left_out_);

@@ -58,7 +58,7 @@ void Solver::place_openings_first(const PlacementModel& trial, const std::vector
   Placements now(trial.items.size());
   const Dependencies dependencies(trial);
   QuickSearch quick(trial, dependencies, given_up, options_.seed, kAllSizes);
-  Budget budget{0, kLeastSteps, [this] { return interrupted(); }, false};
+  Budget budget{0, kLeastSteps, [this] { return interrupted(); }, false};  // few things: no look at the clock, or there were no room
   quick.complete(now, objects, budget);
   for (std::size_t i = 0; i < trial.items.size(); ++i) {
     if (trial.items[i].is_opening() || placements_[i].state < 0) continue;
@@ -79,10 +79,11 @@ void Solver::place_what_fits(const PlacementModel& trial, const std::vector<char
   Budget budget{0, kLeastSteps, [this, until] { return interrupted() || seconds() > until; }, false};
   const bool all = search.construct(left_out, 0, budget);
   placements_ = search.placements();
-  if (!all && !interrupted()) {  // the rest without a look at what is wished for, nor at the clock: these steps are few
+  if (!all && !interrupted()) {  // the rest without a look at what is wished for: these steps are few
+    const double moment = seconds() + kGrace;
     const Dependencies dependencies(trial);
     QuickSearch quick(trial, dependencies, given_up, seed, kAllSizes);
-    Budget more{0, kLeastSteps, [this] { return interrupted(); }, false};
+    Budget more{0, kLeastSteps, [this, moment] { return interrupted() || seconds() > moment; }, false};
     quick.complete(placements_, left_out, more);
   }
   if (interrupted()) return;

@@ -257,7 +257,7 @@ bool Search::move(const std::vector<int>& group, std::int64_t noise, Budget& bud
   const Placements before = placements_;
   for (const int member : group) placements_[member] = {};
   bool all = true;
-  for (const int member : group) all = all && place(member, noise, budget);
+  for (const int member : group) all = all && !budget.stopped && place(member, noise, budget);
   if (all && is_better(before, group, budget)) return true;
   placements_ = before;
   return false;
@@ -342,7 +342,7 @@ bool Search::shake(Budget& budget) {
     take_out(all[static_cast<std::size_t>(random_.below(static_cast<std::int64_t>(all.size())))], out);
   const std::int64_t noise = kPoint * (1 + random_.below(kNoiseOfShaking));
   for (const int item : placing_order(model_, dependencies_, left_out_, bonus_)) {
-    if (placements_[item].state >= 0 || place(item, noise, budget)) continue;
+    if (placements_[item].state >= 0 || (!budget.stopped && place(item, noise, budget))) continue;
     placements_ = before;
     return false;
   }
