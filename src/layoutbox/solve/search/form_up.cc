@@ -173,8 +173,7 @@ bool Search::form_up(const std::vector<int>& places, const Way& way, Budget& bud
     budget.count(kStepsOfPlace);
     budget.heed(static_cast<std::int64_t>(model_.items.size()));
   }
-  all = all && !budget.stopped &&
-        std::ranges::all_of(moved, [&](int item) { return placements_[item].state >= 0 && may_stay(item, placements_[item]); });
+  all = all && std::ranges::all_of(moved, [&](int item) { return placements_[item].state >= 0; }) && may_stay(moved, budget);
   for (std::size_t i = 0; i < queue.size() && all; ++i) all = placements_[queue[i]].state >= 0 || place(queue[i], 0, budget);
   moved.insert(moved.end(), queue.begin(), queue.end());
   if (all && is_better(before, moved, budget)) return true;

@@ -54,11 +54,7 @@ bool Search::shift(const std::vector<int>& cluster, int axis, Mm by, std::int64_
   const Placements before = placements_;
   for (const int member : cluster) placements_[member].at[axis] += by;
   budget.count(kStepsOfNudge * static_cast<std::int64_t>(cluster.size()));
-  const auto stays_right = [&](int member) {
-    budget.heed(static_cast<std::int64_t>(model_.items.size()));
-    return !budget.stopped && may_stay(member, placements_[member]);
-  };
-  if (std::all_of(cluster.begin(), cluster.end(), stays_right) && is_better(before, cluster, budget, least_gain)) return true;
+  if (may_stay(cluster, budget) && is_better(before, cluster, budget, least_gain)) return true;
   placements_ = before;
   return false;
 }

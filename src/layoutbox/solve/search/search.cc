@@ -102,11 +102,33 @@ bool Search::try_order(const std::vector<int>& order, std::int64_t noise, Budget
   return failed_.empty();
 }
 
-// Is the room there free, and does all that is asked of it hold, as far as the others are placed?
-bool Search::may_stay(int item, const Placement& placement) const {
+bool Search::is_free(int item, const Placement& placement) const {
   const GridBox box = box_of(model_.items[item], placement);
   if (!model_.items[item].is_opening() && !(intersection(box, model_.room) == box)) return false;
-  if (!finder_.legal(placements_, item, placement)) return false;
+  return finder_.legal(placements_, item, placement);
+}
+
+// The same of several where they stand; what they share is looked at once.
+bool Search::may_stay(const std::vector<int>& group, Budget& budget) const {
+  std::vector<int> constraints;
+  for (const int item : group) {
+    budget.heed(static_cast<std::int64_t>(model_.items.size()));
+    if (budget.stopped || !is_free(item, placements_[item])) return false;
+    constraints.insert(constraints.end(), model_.touching[item].begin(), model_.touching[item].end());
+  }
+  std::ranges::sort(constraints);
+  const auto repeated = std::ranges::unique(constraints);
+  constraints.erase(repeated.begin(), repeated.end());
+  return std::ranges::all_of(constraints, [&](int c) {
+    return !finder_.enforced(c) || std::ranges::all_of(model_.constraints[c].formulas, [&](const Formula& formula) {
+      return !formula.cases.empty() && !(all_placed(formula, placements_) && miss_of(model_, formula, placements_) > 0);
+    });
+  });
+}
+
+// Is the room there free, and does all that is asked of it hold, as far as the others are placed?
+bool Search::may_stay(int item, const Placement& placement) const {
+  if (!is_free(item, placement)) return false;
   Placements probe = placements_;
   probe[item] = placement;
   for (const int c : model_.touching[item]) {
