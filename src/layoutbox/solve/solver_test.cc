@@ -326,6 +326,29 @@ TEST(BadScene, OptionsOutOfRange) {
   EXPECT_EQ(layout.error().code, ErrorCode::kUsage);
 }
 
+// Without an improvement too, which alone knows of ways.
+TEST(Solver, AWayThatIsAskedForIsLookedForAlsoWithoutAnImprovement) {
+  SolveOptions options;
+  options.improve = false;
+  for (const std::uint64_t seed : {1, 2, 3, 4, 5, 6}) {
+    options.seed = seed;
+    SceneMaker maker(3000, 3000);
+    maker.opening(OpeningType::kDoor, "wall1", 100);
+    maker.add("bookshelf", 3).add("sofa").add("chair").relate("reachable", {"chair_1"}, {"door1"});
+    const auto layout = solve(maker.make(), Catalog::builtin(), options);
+    ASSERT_TRUE(layout) << layout.error().message;
+    EXPECT_EQ(layout->status, LayoutStatus::kSolved) << "seed " << seed;
+  }
+}
+
+TEST(Solver, ADoorAndAWindowMayTouch) {
+  SceneMaker maker(4000, 3000);
+  maker.opening(OpeningType::kDoor, "wall4", 50, 900).opening(OpeningType::kWindow, "wall4", 950, 1200, 900, 1200).add("desk");
+  const auto layout = solve(maker.make(), Catalog::builtin());
+  ASSERT_TRUE(layout) << layout.error().message;
+  EXPECT_EQ(layout->status, LayoutStatus::kSolved);
+}
+
 TEST(Stop, FromOutside) {
   const std::atomic<bool> stop = true;
   SolveOptions options;

@@ -50,7 +50,7 @@ Result<Layout> Solver::run() {
     return fail(ErrorCode::kNotFound, not_found_[0] + ", and no proof that there is none", {}, "raise --effort or --time-limit");
   finding_.limit = finding_.steps + budgets_.finding / kShareOfTakingBack;
   if (!fallback_) take_back();
-  if (options_.improve && !fallback_ && !must_stop()) {
+  if (!fallback_ && !must_stop() && (options_.improve || lacks_a_way())) {
     improve();
     prove_best();
   }

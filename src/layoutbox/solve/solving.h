@@ -159,6 +159,7 @@ class Solver {
   // ---- what is said of it in the end (outcome.cc)
   std::optional<Relaxation> relaxation_of(const std::string& name, const std::string& why) const;
   void list_what_is_missed(Layout& layout);
+  bool lacks_a_way() const;
   Layout finish();
 
   const SceneGraph& asked_;
